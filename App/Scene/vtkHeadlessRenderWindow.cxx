@@ -1,0 +1,215 @@
+#include "vtkHeadlessRenderWindow.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLState.h"
+#include "vtk_glew.h"
+
+// Without Xlib, whose macros (Status, None, ...) collide with names of VTK.
+#define EGL_NO_X11
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <array>
+#include <vector>
+
+namespace
+{
+
+// glewInit looks for a GLX display after it has loaded the functions; under EGL there is none,
+// and this answer means that all else went well.
+constexpr GLenum GlewErrorNoGLXDisplay = 4;
+
+// Every display worth trying: the drivers' devices first, so that a GPU wins over software.
+std::vector<EGLDisplay> CandidateDisplays()
+{
+  std::vector<EGLDisplay> displays;
+  const auto queryDevices =
+    reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+  const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+    eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  if (!platformDisplay)
+  {
+    return displays;
+  }
+  if (queryDevices)
+  {
+    std::array<EGLDeviceEXT, 16> devices;
+    EGLint deviceCount = 0;
+    if (queryDevices(EGLint(devices.size()), devices.data(), &deviceCount))
+    {
+      for (EGLint i = 0; i < deviceCount; ++i)
+      {
+        displays.push_back(platformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+      }
+    }
+  }
+  displays.push_back(platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  return displays;
+}
+
+}
+
+struct vtkHeadlessRenderWindow::Context
+{
+  EGLDisplay Display = EGL_NO_DISPLAY;
+  EGLSurface Surface = EGL_NO_SURFACE;
+  EGLContext Handle = EGL_NO_CONTEXT;
+
+  // True when the display gives a core OpenGL context and a surface to make it current with.
+  bool CreateOn(EGLDisplay display)
+  {
+    EGLint major = 0;
+    EGLint minor = 0;
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor) ||
+      !eglBindAPI(EGL_OPENGL_API))
+    {
+      return false;
+    }
+    const EGLint configAttributes[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+      EGL_OPENGL_BIT, EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_NONE };
+    EGLConfig config = nullptr;
+    EGLint configCount = 0;
+    if (!eglChooseConfig(display, configAttributes, &config, 1, &configCount) || configCount == 0)
+    {
+      return false;
+    }
+    const EGLint contextAttributes[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
+      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE };
+    // VTK draws into framebuffer objects of its own; the surface only makes the context current.
+    const EGLint surfaceAttributes[] = { EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE };
+    this->Display = display;
+    this->Handle = eglCreateContext(display, config, EGL_NO_CONTEXT, contextAttributes);
+    this->Surface = eglCreatePbufferSurface(display, config, surfaceAttributes);
+    if (this->Handle == EGL_NO_CONTEXT || this->Surface == EGL_NO_SURFACE || !this->MakeCurrent())
+    {
+      this->Destroy();
+      return false;
+    }
+    return true;
+  }
+
+  bool MakeCurrent() const
+  {
+    return eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Handle) == EGL_TRUE;
+  }
+
+  void Destroy()
+  {
+    if (this->Display == EGL_NO_DISPLAY)
+    {
+      return;
+    }
+    eglMakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (this->Surface != EGL_NO_SURFACE)
+    {
+      eglDestroySurface(this->Display, this->Surface);
+    }
+    if (this->Handle != EGL_NO_CONTEXT)
+    {
+      eglDestroyContext(this->Display, this->Handle);
+    }
+    *this = Context();
+  }
+};
+
+vtkStandardNewMacro(vtkHeadlessRenderWindow);
+
+vtkHeadlessRenderWindow::vtkHeadlessRenderWindow()
+{
+  this->SetFrameBlitModeToNoBlit();
+  this->SetReadyForRendering(false);
+  this->MultiSamples = 0;
+}
+
+vtkHeadlessRenderWindow::~vtkHeadlessRenderWindow()
+{
+  if (this->Graphics)
+  {
+    // Here, while MakeCurrent still works: the base class would release without a context.
+    this->Finalize();
+    this->Graphics->Destroy();
+  }
+}
+
+bool vtkHeadlessRenderWindow::InitializeContext()
+{
+  if (this->Graphics)
+  {
+    return true;
+  }
+  if (!this->FailureReason.empty())
+  {
+    return false;
+  }
+  auto context = std::make_unique<Context>();
+  for (EGLDisplay display : CandidateDisplays())
+  {
+    if (context->CreateOn(display))
+    {
+      this->Graphics = std::move(context);
+      this->SetReadyForRendering(true);
+      this->InitializeFromCurrentContext();
+      this->OwnContext = 1;
+      return true;
+    }
+  }
+  this->FailureReason = "No EGL device gives an OpenGL 3.2 core context; "
+                        "on Debian the packages libegl1 and libgl1-mesa-dri provide one.";
+  return false;
+}
+
+void vtkHeadlessRenderWindow::OpenGLInitContext()
+{
+  this->ContextCreationTime.Modified();
+  if (this->Initialized)
+  {
+    return;
+  }
+  const GLenum result = glewInit();
+  this->GlewInitValid = result == GLEW_OK || result == GlewErrorNoGLXDisplay;
+  if (!this->GlewInitValid)
+  {
+    vtkErrorMacro("Cannot load the OpenGL functions: " << glewGetErrorString(result));
+    return;
+  }
+  this->Initialized = true;
+  this->MaximumHardwareLineWidth = 1.0f;
+}
+
+std::string vtkHeadlessRenderWindow::GetDeviceName()
+{
+  if (!this->InitializeContext())
+  {
+    return "none";
+  }
+  this->MakeCurrent();
+  const GLubyte* name = glGetString(GL_RENDERER);
+  return name ? reinterpret_cast<const char*>(name) : "unknown";
+}
+
+void vtkHeadlessRenderWindow::Initialize()
+{
+  if (!this->Graphics && this->FailureReason.empty() && !this->InitializeContext())
+  {
+    vtkErrorMacro(<< this->FailureReason);
+  }
+}
+
+void vtkHeadlessRenderWindow::Render()
+{
+  this->Initialize();
+  this->Superclass::Render();
+}
+
+void vtkHeadlessRenderWindow::MakeCurrent()
+{
+  if (this->Graphics)
+  {
+    this->Graphics->MakeCurrent();
+  }
+}
+
+bool vtkHeadlessRenderWindow::IsCurrent()
+{
+  return this->Graphics && eglGetCurrentContext() == this->Graphics->Handle;
+}

@@ -1,0 +1,72 @@
+#include "Support/ExpectedVtkErrors.h"
+
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+namespace
+{
+ExpectedVtkErrors* currentExpectation = nullptr;
+}
+
+/// Turns what VTK would print into a test failure, unless the test expects it.
+class CollectingOutputWindow : public vtkOutputWindow
+{
+public:
+  static CollectingOutputWindow* New();
+  vtkTypeMacro(CollectingOutputWindow, vtkOutputWindow);
+
+  void DisplayText(const char* text) override { std::cerr << text; }
+  void DisplayErrorText(const char* text) override { this->Take(text); }
+  void DisplayWarningText(const char* text) override { this->Take(text); }
+  void DisplayGenericWarningText(const char* text) override { this->Take(text); }
+
+private:
+  void Take(const char* text)
+  {
+    if (currentExpectation)
+    {
+      currentExpectation->messages.push_back(text);
+    }
+    else
+    {
+      ADD_FAILURE() << "VTK reported: " << text;
+    }
+  }
+};
+
+vtkStandardNewMacro(CollectingOutputWindow);
+
+ExpectedVtkErrors::ExpectedVtkErrors()
+{
+  currentExpectation = this;
+}
+
+ExpectedVtkErrors::~ExpectedVtkErrors()
+{
+  currentExpectation = nullptr;
+}
+
+std::string ExpectedVtkErrors::Text() const
+{
+  std::string all;
+  for (const std::string& message : this->messages)
+  {
+    all += message;
+  }
+  return all;
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  vtkNew<CollectingOutputWindow> window;
+  vtkOutputWindow::SetInstance(window);
+  const int result = RUN_ALL_TESTS();
+  vtkOutputWindow::SetInstance(nullptr);
+  return result;
+}

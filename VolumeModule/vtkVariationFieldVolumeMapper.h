@@ -1,0 +1,162 @@
+/**
+ * @class   vtkVariationFieldVolumeMapper
+ * @brief   Draws a volume by ray marching that jumps where the volume hardly varies
+ *
+ * A direct vtkVolumeMapper for vtkImageData with one component of point data, of any scalar type.
+ * It marches a ray per pixel through the volume in a fragment shader. Where the *variation field*
+ * proves that the volume stays within a tolerance, the ray takes the whole block in one step and
+ * integrates emission and absorption over it in closed form, instead of sampling it.
+ *
+ * Use it like any other volume mapper:
+ * @code
+ *   vtkNew<vtkVariationFieldVolumeMapper> mapper;
+ *   mapper->SetInputConnection(reader->GetOutputPort());
+ *   volume->SetMapper(mapper);
+ * @endcode
+ *
+ * World lengths are taken to be mm, as in medical data; any other unit works as long as
+ * vtkVolumeProperty::SetScalarOpacityUnitDistance uses it too. Lengths are measured in world
+ * space, so a volume scaled by its matrix becomes thicker, as a scaled object should.
+ *
+ * Not for: rectilinear grids, cell data, several components. They are reported as errors.
+ *
+ * @sa vtkVolumeMapper vtkVolumeProperty
+ */
+
+#ifndef vtkVariationFieldVolumeMapper_h
+#define vtkVariationFieldVolumeMapper_h
+
+#include "VarimarchVolumeModule.h" // For export macro
+#include "vtkVolumeMapper.h"
+
+#include <memory> // For the graphics resources
+
+class vtkStringArray;
+
+class VARIMARCHVOLUME_EXPORT vtkVariationFieldVolumeMapper : public vtkVolumeMapper
+{
+public:
+  static vtkVariationFieldVolumeMapper* New();
+  vtkTypeMacro(vtkVariationFieldVolumeMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum AccelerationModes
+  {
+    Off,        ///< no field: every step has the sample distance
+    ScalarField ///< the field of the scalar, with VariationTolerance
+  };
+
+  ///@{
+  /**
+   * What lets a ray skip samples. Default: ScalarField.
+   */
+  vtkSetClampMacro(AccelerationMode, int, Off, ScalarField);
+  vtkGetMacro(AccelerationMode, int);
+  void SetAccelerationModeToOff() { this->SetAccelerationMode(Off); }
+  void SetAccelerationModeToScalarField() { this->SetAccelerationMode(ScalarField); }
+  ///@}
+
+  ///@{
+  /**
+   * Largest difference of two values in a block that a ray may jump across, in units of the data.
+   * A negative value (the default) means 1/256 of the range of the scalars.
+   */
+  vtkSetMacro(VariationTolerance, double);
+  vtkGetMacro(VariationTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance between samples along a ray [world units, mm], > 0. Default 1. Used only while
+   * AutoAdjustSampleDistances is off.
+   */
+  vtkSetClampMacro(SampleDistance, double, 1e-30, 1e30);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the mapper chooses the sample distance from the spacing of the voxels in the world.
+   * Default on.
+   */
+  vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
+  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * A ray ends when less than this part of the light behind it would reach the eye. The largest
+   * error it makes in a pixel's premultiplied channel. Range [0, 1), default 1/1024.
+   */
+  vtkSetClampMacro(EarlyTerminationTransmittance, double, 0.0, 0.999999);
+  vtkGetMacro(EarlyTerminationTransmittance, double);
+  ///@}
+
+  /**
+   * The sample distance of the last picture [world units].
+   */
+  vtkGetMacro(UsedSampleDistance, double);
+
+  /**
+   * Time to build the field last time [s]; 0 before.
+   */
+  vtkGetMacro(FieldBuildSeconds, double);
+
+  /**
+   * Bytes of graphics memory this mapper holds now, textures and buffers.
+   */
+  vtkIdType GetGraphicsMemoryBytes();
+
+  /**
+   * The shader files of the last picture, one per slot, as paths below VolumeModule/Shaders.
+   */
+  void GetShaderParts(vtkStringArray* parts);
+
+  ///@{
+  /**
+   * How often each part was built since this mapper was made: what
+   * Documentation/Architecture.md promises to be rebuilt, and nothing else.
+   */
+  vtkGetMacro(VolumeTextureBuilds, int);
+  vtkGetMacro(FieldBuilds, int);
+  vtkGetMacro(OpticalTableBuilds, int);
+  vtkGetMacro(ShaderBuilds, int);
+  ///@}
+
+  /**
+   * INTERNAL: called by the volume. Draws it into the renderer's current framebuffer,
+   * premultiplied, over what is there.
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkVariationFieldVolumeMapper();
+  ~vtkVariationFieldVolumeMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+
+  int AccelerationMode = ScalarField;
+  double VariationTolerance = -1.0;
+  double SampleDistance = 1.0;
+  vtkTypeBool AutoAdjustSampleDistances = 1;
+  double EarlyTerminationTransmittance = 1.0 / 1024.0;
+
+  double UsedSampleDistance = 0.0;
+  double FieldBuildSeconds = 0.0;
+  int VolumeTextureBuilds = 0;
+  int FieldBuilds = 0;
+  int OpticalTableBuilds = 0;
+  int ShaderBuilds = 0;
+
+private:
+  struct GraphicsResources;
+  std::unique_ptr<GraphicsResources> Graphics;
+
+  vtkVariationFieldVolumeMapper(const vtkVariationFieldVolumeMapper&) = delete;
+  void operator=(const vtkVariationFieldVolumeMapper&) = delete;
+};
+
+#endif
