@@ -1,0 +1,179 @@
+# shellcheck shell=bash
+# What test.sh and demo.sh share: install what is missing, build, find the head CT.
+# They source it in the top folder of the tree. A failure is one sentence that says what is missing.
+
+packages=(
+  # To build
+  g++ cmake ninja-build ccache pkg-config git python3
+  libvtk9-dev libvtk-dicom-dev libglm-dev libtbb-dev nlohmann-json3-dev libcli11-dev zlib1g-dev
+  libegl-dev libgl-dev libglew-dev
+  # To test
+  libgtest-dev glslang-tools xvfb xauth
+  # To draw without a graphics card
+  libegl1 libgl1-mesa-dri
+  # Real volumes: a head CT and a T1 head
+  invesalius-examples mricron-data
+)
+packageLog=build/packages.log
+
+step()
+{
+  printf '\n== %s\n' "$*"
+}
+
+fail()
+{
+  printf '\n%s: %s\n' "$(basename "$0")" "$*" >&2
+  exit 1
+}
+
+# Prints those of the given packages that are not installed.
+missingPackages()
+{
+  local installed
+  installed=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null || true)
+  local package
+  for package in "$@"
+  do
+    grep -qxF "installed $package" <<<"$installed" || echo "$package"
+  done
+}
+
+requireFreeMegabytes()
+{
+  local free
+  free=$(df --output=avail -BM "$2" | tail -n 1 | tr -dc 0-9)
+  [ "$free" -ge "$1" ] || fail "$3 needs $1 MB of free disk space in $2, and there are $free MB."
+}
+
+asRoot()
+{
+  if [ "$(id -u)" -eq 0 ]
+  then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+requireRoot()
+{
+  [ "$(id -u)" -eq 0 ] && return
+  command -v sudo >/dev/null ||
+    fail "sudo is missing, and only root can install packages; as root, run: apt-get install $*"
+  # sudo may ask for the password at a terminal; anywhere else nobody could answer.
+  sudo -n true 2>/dev/null || [ -t 0 ] ||
+    fail "sudo wants a password here; once, at a terminal, run: sudo apt-get install $*"
+}
+
+# Says in one sentence why apt failed, from its log.
+failAsApt()
+{
+  local lastError
+  lastError=$(grep -E '^(E|dpkg): ' "$packageLog" | tail -n 1 || true)
+  case "$(<"$packageLog")" in
+    *"No space left on device"* | *"enough free space"*)
+      fail "Disk space is missing: apt could not store the packages (see $packageLog)." ;;
+    *"Failed to fetch"* | *"Could not resolve"* | *"Temporary failure resolving"*)
+      fail "The network is missing: apt could not download the packages (see $packageLog)." ;;
+    *"Unable to locate package"* | *"no installation candidate"*)
+      fail "A package source is missing: apt says \"${lastError#E: }\"; Debian 12 (bookworm, main) has it." ;;
+    *)
+      fail "apt could not install the packages: ${lastError:-see $packageLog}" ;;
+  esac
+}
+
+# Passes apt's output on, less its status lines, of which every tenth percent is shown.
+showProgress()
+{
+  local line shown="" now
+  while IFS= read -r line
+  do
+    case "$line" in
+      dlstatus:*) now="downloading" ;;
+      pmstatus:*) now="installing" ;;
+      *) echo "$line"; continue ;;
+    esac
+    line=${line#*:*:}
+    now="$now $((${line%%[.:]*} / 10 * 10)) %"
+    [ "$now" = "$shown" ] || echo "   $now" >&2
+    shown=$now
+  done
+}
+
+aptGet()
+{
+  asRoot env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get --quiet --assume-yes \
+    -o DPkg::Lock::Timeout=600 -o Dpkg::Options::=--force-confold "$@" </dev/null 2>&1
+}
+
+systemName()
+{
+  sed -n 's/^PRETTY_NAME="\(.*\)"/\1/p' /etc/os-release 2>/dev/null || uname
+}
+
+installMissingPackages()
+{
+  command -v apt-get >/dev/null ||
+    fail "apt is missing: this installs packages as on Debian 12, and here is $(systemName)."
+  local missing
+  mapfile -t missing < <(missingPackages "$@")
+  [ ${#missing[@]} -gt 0 ] || return 0
+
+  step "Installing ${#missing[@]} packages and what they need (about 3 minutes for all): ${missing[*]}"
+  requireRoot "${missing[@]}"
+  requireFreeMegabytes 4000 /usr "Installing the packages"
+  : >"$packageLog"
+  # An installation that was cut off is finished first.
+  asRoot dpkg --configure -a </dev/null >>"$packageLog" 2>&1 || true
+  # That some other package source cannot be reached is no reason to stop.
+  aptGet update >>"$packageLog" || true
+  aptGet -o APT::Status-Fd=1 install --no-install-recommends "${missing[@]}" |
+    showProgress >>"$packageLog" || failAsApt
+}
+
+# Slimmed-down systems are told to install no documentation, and the head CT lies there. This
+# prints the path of the installed one, or else of one unpacked from the package.
+headCt()
+{
+  local path=usr/share/doc/invesalius-examples/examples/Cranium.inv3
+  local unpacked=build/data/invesalius-examples
+  if [ ! -e "/$path" ] && [ ! -e "$unpacked/$path" ]
+  then
+    unpackPackage invesalius-examples "$unpacked"
+  fi
+  [ -e "/$path" ] && echo "/$path" || echo "$PWD/$unpacked/$path"
+}
+
+# unpackPackage NAME FOLDER: downloads a package and unpacks it, complete or not at all.
+unpackPackage()
+{
+  local partial="$2.partial"
+  rm -rf "$partial"
+  mkdir -p "$partial"
+  step "Unpacking the package $1, whose files this system leaves out" >&2
+  aptGet update >"$packageLog" || true
+  (cd "$partial" && LC_ALL=C apt-get --quiet download "$1") >>"$packageLog" 2>&1 || failAsApt
+  dpkg-deb --extract "$partial/$1"_*.deb "$partial"
+  rm "$partial/$1"_*.deb
+  mv "$partial" "$2"
+}
+
+# setUp PACKAGE...: makes sure of a folder to build in, and installs the packages that are missing.
+setUp()
+{
+  mkdir -p build 2>/dev/null || fail "$PWD cannot be written to; copy the tree to a folder of your own."
+  installMissingPackages "$@"
+}
+
+# build PRESET
+build()
+{
+  requireFreeMegabytes 1000 "$PWD" "Building"
+  local note=""
+  [ -e "build/$1/.ninja_log" ] || note=" (first time: about 5 minutes on 2 cores)"
+  step "Building in build/$1$note"
+  cmake --preset "$1" >"build/$1.log" 2>&1 ||
+    fail "CMake could not configure the build: $(grep -A 3 'CMake Error' "build/$1.log" | tr -s ' \n' ' ' | head -c 300) (see build/$1.log)"
+  cmake --build --preset "$1" || fail "The build failed; the compiler's messages are above."
+}

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Installs what is missing (Debian 12), builds, and draws two real heads with our mapper and with
+# VTK's mappers: pictures, their differences, times and errors, in demo-output/.
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
+. Testing/Support/set-up.sh
+
+programs=build/release/bin
+output=$PWD/demo-output
+
+# compareMappers NAME VOLUME PRESET
+compareMappers()
+{
+  step "Comparing the mappers on $1 (about a minute)"
+  mkdir -p "$output/$1"
+  "$programs/varimarch" compare "$2" -o "$output/$1" --preset "$3" --size 512x512 ||
+    fail "The comparison on $2 failed; the reason is above."
+}
+
+setUp "${packages[@]}"
+headCt=$(headCt)
+build release
+
+compareMappers head-ct "$headCt" ct-bone
+compareMappers head-t1 /usr/share/mricron/templates/ch2better.nii.gz mr-head
+
+step "Done: the pictures and tables are in $output"
+if [ -x "$programs/varimarch-viewer" ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]
+then
+  step "Opening the viewer"
+  "$programs/varimarch-viewer" "$headCt"
+fi
