@@ -1,0 +1,265 @@
+#!/usr/bin/env python3
+"""The rules of the tree that no compiler checks, each a function that returns what breaks it.
+
+Usage: check_policy.py RULE. Looks at the files that git tracks. Exit code 77: not a git tree.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SKIPPED = 77
+
+TOP_LEVEL = set(
+    """.ci .clang-format .clang-tidy .gitattributes .gitignore App CMakeLists.txt
+    CMakePresets.json CONTRIBUTING.md Data Documentation LICENSE README.md Testing VolumeModule
+    demo.sh test.sh""".split()
+)
+LARGEST_FILE_BYTES = 1_000_000
+LONGEST_FILE_LINES = 400
+LONGEST_FUNCTION_LINES = 40
+CODE = {".h", ".cxx", ".in", ".glsl", ".py", ".sh", ".cmake"}
+
+# Files and functions that are better long, each with the reason: "path": "reason", and
+# "path: first line of the function": "reason".
+LONG_FILES = {}
+LONG_FUNCTIONS = {}
+
+
+def tracked(folder="", suffixes=None):
+    """Paths below folder that git tracks and that are there, relative to the root."""
+    command = ["git", "-c", "safe.directory=*", "-C", str(ROOT), "ls-files", "-z"]
+    answer = subprocess.run(command, capture_output=True, check=False)
+    if answer.returncode:
+        print(f"Skipped: {ROOT} is not a git tree, so nothing says which files are its own.")
+        sys.exit(SKIPPED)
+    paths = [pathlib.PurePosixPath(name) for name in answer.stdout.decode().split("\0") if name]
+    return [
+        path
+        for path in paths
+        if str(path).startswith(folder)
+        and (suffixes is None or path.suffix in suffixes)
+        and (ROOT / path).is_file()
+    ]
+
+
+def text_of(path):
+    """The file's text; empty for a binary file and for none."""
+    content = (ROOT / path).read_bytes() if (ROOT / path).is_file() else b""
+    return "" if b"\0" in content else content.decode("utf-8", errors="replace")
+
+
+def lines_matching(paths, pattern, advice):
+    """One message per line of the paths that the pattern is found in."""
+    found = re.compile(pattern)
+    return [
+        f"{path}:{number}: {line.strip()[:80]}\n    {advice}"
+        for path in paths
+        for number, line in enumerate(text_of(path).splitlines(), 1)
+        if found.search(line)
+    ]
+
+
+def top_level_is_agreed():
+    strangers = {path.parts[0] for path in tracked()} - TOP_LEVEL
+    return [
+        f"{name}: not one of the agreed top-level entries; move it into VolumeModule, App, "
+        "Testing, Data or Documentation"
+        for name in sorted(strangers)
+    ]
+
+
+def quoted_paths_exist():
+    """A path in a document starts with a top-level folder, or is a link, or names a source file.
+
+    NAME stands for any name, as in VolumeModule/Shaders/Blend/NAME.glsl.
+    """
+    problems = []
+    files = {str(path) for path in tracked()}
+    for document in tracked(suffixes={".md"}):
+        text = text_of(document)
+        below_root = re.findall(
+            r"(?<![\w/.])(?:\./)?((?:VolumeModule|App|Testing|Data|Documentation|\.ci)/[\w./*-]*)",
+            text,
+        )
+        sources = re.findall(r"`([\w./-]+\.(?:h|cxx|glsl|md|py|sh))`", text)
+        links = re.findall(r"\]\((?!\w+:|#)([^)#]+)", text)
+        missing = [path for path in below_root if not names_a_file(path, files)]
+        missing += [path for path in sources if not ends_a_path(path, files)]
+        missing += [path for path in links if not (ROOT / document.parent / path).exists()]
+        problems += [
+            f"{document}: {path} does not exist; correct the document, or add the file"
+            for path in dict.fromkeys(missing)
+        ]
+    return problems
+
+
+def names_a_file(path, files):
+    pattern = path.rstrip("./").replace("NAME", "*")
+    return (ROOT / pattern).exists() or any(
+        pathlib.PurePosixPath(file).match(pattern) for file in files
+    )
+
+
+def ends_a_path(path, files):
+    pattern = path.removeprefix("./").replace("NAME", "*")
+    return any(pathlib.PurePosixPath(file).match(pattern) for file in files)
+
+
+def readme_example_is_tested():
+    example = "Testing/Install/Example/CMakeLists.txt"
+    text = text_of(example).strip()
+    if text and text in text_of("README.md"):
+        return []
+    return [f"README.md: its CMake example is not {example}, which is tested; copy that file in"]
+
+
+def files_are_short():
+    problems = []
+    for path in tracked():
+        if path.suffix not in CODE and path.name != "CMakeLists.txt":
+            continue
+        length = len(text_of(path).splitlines())
+        if length > LONGEST_FILE_LINES and str(path) not in LONG_FILES:
+            problems.append(
+                f"{path}: {length} lines, {LONGEST_FILE_LINES} are allowed; split it by idea, or "
+                f"give the reason in LONG_FILES in {pathlib.Path(__file__).name}"
+            )
+        if length <= LONGEST_FILE_LINES and str(path) in LONG_FILES:
+            problems.append(f"{path}: short again; take it out of LONG_FILES")
+    return problems
+
+
+def functions_are_short():
+    """Counts the lines from a brace in column 0 to the next: clang-format puts them there."""
+    problems = []
+    for path in tracked(suffixes={".h", ".cxx"}):
+        lines = text_of(path).splitlines()
+        start = None
+        for number, line in enumerate(lines):
+            if line == "{":
+                start = number
+            elif line == "}" and start is not None:
+                first, length = first_line_before(lines, start), number - start - 1
+                if length > LONGEST_FUNCTION_LINES and not opens_namespace(first):
+                    problems += long_function(path, start, first, length)
+                start = None
+            elif line == "};":
+                start = None
+    return problems
+
+
+def first_line_before(lines, brace):
+    """The first line of the declaration that the brace opens: after an empty line or an end."""
+    first = brace - 1
+    while first > 0 and lines[first - 1] and not re.match(r"[{}#/]|.*;$", lines[first - 1]):
+        first -= 1
+    return lines[first]
+
+
+def opens_namespace(first_line):
+    return re.match(r'namespace\b|extern "C"', first_line)
+
+
+def long_function(path, start, first_line, length):
+    if f"{path}: {first_line}" in LONG_FUNCTIONS:
+        return []
+    return [
+        f"{path}:{start}: {first_line}: {length} lines, {LONGEST_FUNCTION_LINES} are allowed; "
+        f"split it by idea, or give the reason in LONG_FUNCTIONS in {pathlib.Path(__file__).name}"
+    ]
+
+
+def files_are_small():
+    return [
+        f"{path}: {(ROOT / path).stat().st_size} bytes, {LARGEST_FILE_BYTES} are allowed; make it "
+        "when it is needed, or take it from a Debian package"
+        for path in tracked()
+        if (ROOT / path).stat().st_size > LARGEST_FILE_BYTES
+    ]
+
+
+def shader_list_is_complete():
+    build_list = "VolumeModule/CMakeLists.txt"
+    listed = set(re.findall(r"[\w./]+\.glsl", text_of(build_list)))
+    listed = {name.removeprefix("Shaders/") for name in listed}
+    folder = "VolumeModule/Shaders"
+    present = {str(path.relative_to(folder)) for path in tracked(folder + "/", {".glsl"})}
+    return [
+        f"{folder}/{name}: not in the list of shaders in {build_list}; add it there"
+        for name in sorted(present - listed)
+    ] + [
+        f"{build_list}: lists {name}, which is not in {folder}; add the file or drop the line"
+        for name in sorted(listed - present)
+    ]
+
+
+def shaders_have_no_switches():
+    return lines_matching(
+        tracked("VolumeModule/Shaders/", {".glsl"}),
+        r"^\s*#\s*(if|ifdef|ifndef|elif|else)\b",
+        "a choice is a file in its slot's folder, 'off' too; write one instead of a switch",
+    )
+
+
+def no_glsl_in_strings():
+    words = r"\b(vec[234]|[iu]vec[234]|mat[34]|sampler[123]D|gl_[A-Z]\w+|void main)\b|\btexture\("
+    words += r"|\buniform\s+(float|int|uint|bool)\b"
+    problems = []
+    for path in tracked("VolumeModule/", {".h", ".cxx"}) + tracked("App/", {".h", ".cxx"}):
+        code = re.sub(r"/\*.*?\*/|//[^\n]*", "", text_of(path), flags=re.S)
+        strings = re.findall(r'R"\w*\((.*?)\)\w*"|"((?:[^"\\\n]|\\.)*)"', code, flags=re.S)
+        problems += [
+            f'{path}: "{(raw or plain).strip()[:60]}" looks like GLSL; put it into a .glsl file '
+            "below VolumeModule/Shaders"
+            for raw, plain in strings
+            if re.search(words, raw or plain)
+        ]
+    return problems
+
+
+def no_machine_paths():
+    checked = [path for path in tracked() if path.name != pathlib.Path(__file__).name]
+    folders = r"(?<![\w.}/-])/(home|Users|root|work|scratch|mnt|media)/\w"
+    sources = r"\w://[\w.-]*(registry|artifact|mirror|proxy|snapshot)|^\s*deb\s+(\[.*\]\s+)?\w+://"
+    return lines_matching(
+        checked, folders, "a path of one machine; make it relative, or take it from a variable"
+    ) + lines_matching(
+        checked, sources, "a package source of one machine; leave it to the machine's settings"
+    )
+
+
+def core_stands_alone():
+    return lines_matching(
+        tracked("VolumeModule/Core/", {".h", ".cxx"}),
+        r'#\s*include\s*[<"](vtk|Q[A-Z]|GL/|GLES|EGL/|X11/)',
+        "Core is mathematics without VTK, GL and Qt; what needs them belongs to VolumeModule",
+    )
+
+
+def public_headers_need_no_core():
+    classes = re.search(r"(?i)\bclasses\s+((?:vtk\w+\s*)+)", text_of("VolumeModule/CMakeLists.txt"))
+    if not classes:
+        return ["VolumeModule/CMakeLists.txt: no list of classes found; tell this rule where they went"]
+    headers = [f"VolumeModule/{name}.h" for name in classes.group(1).split()]
+    return lines_matching(
+        headers,
+        r'#\s*include\s*[<"](Core/|glm/|tbb/|oneapi/)',
+        "an installed header must do without Core; hide the member behind a std::unique_ptr",
+    )
+
+
+def main():
+    rules = {name: rule for name, rule in globals().items() if name in sys.argv[1:]}
+    if len(rules) != 1 or len(sys.argv) != 2:
+        print(__doc__)
+        return 2
+    problems = next(iter(rules.values()))()
+    print("\n".join(problems) or "Nothing breaks this rule.")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
