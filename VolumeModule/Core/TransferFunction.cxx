@@ -1,1 +1,259 @@
-namespace varimarch {}
+#include "Core/TransferFunction.h"
+
+#include <glm/common.hpp>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// How far a curve has run from the left node to the right one, [0, 1], at the fraction `s` of the
+/// way between them. The curve of vtkPiecewiseFunction and vtkColorTransferFunction: a Hermite
+/// cubic whose tangents flatten, and whose parameter is pressed to the midpoint, as sharpness
+/// grows.
+double CurveFraction(double s, const NodeShape& shape)
+{
+  // The midpoint stays off the nodes, so that neither side has zero width.
+  const double midpoint = std::clamp(shape.midpoint, 0.00001, 0.99999);
+  s = s < midpoint ? 0.5 * s / midpoint : 0.5 + 0.5 * (s - midpoint) / (1.0 - midpoint);
+
+  if (shape.sharpness > 0.99)
+  {
+    return s < 0.5 ? 0.0 : 1.0;
+  }
+  if (shape.sharpness < 0.01)
+  {
+    return s;
+  }
+
+  const double exponent = 1.0 + 10.0 * shape.sharpness;
+  s = s < 0.5 ? 0.5 * std::pow(2.0 * s, exponent) : 1.0 - 0.5 * std::pow(2.0 - 2.0 * s, exponent);
+  const double smoothStep = s * s * (3.0 - 2.0 * s);
+  const double bothTangents = s * (2.0 * s - 1.0) * (s - 1.0);
+  return smoothStep + (1.0 - shape.sharpness) * bothTangents;
+}
+
+double Ordinate(const OpacityNode& node)
+{
+  return node.opacity;
+}
+
+glm::dvec3 Ordinate(const ColorNode& node)
+{
+  return node.rgb;
+}
+
+/// The curve through `nodes`, of which there is at least one, at `value`.
+template <class Node>
+auto CurveValue(const std::vector<Node>& nodes, double value)
+{
+  // The first node at or right of the value: at a step this picks the left side.
+  const auto right = std::lower_bound(nodes.begin(), nodes.end(), value,
+    [](const Node& node, double limit) { return node.value < limit; });
+  if (right == nodes.begin())
+  {
+    return Ordinate(nodes.front());
+  }
+  if (right == nodes.end())
+  {
+    return Ordinate(nodes.back());
+  }
+  const Node& left = *(right - 1);
+  const double fraction =
+    CurveFraction((value - left.value) / (right->value - left.value), left.shape);
+  return (1.0 - fraction) * Ordinate(left) + fraction * Ordinate(*right);
+}
+
+void CheckFinite(double number, const char* what)
+{
+  if (!std::isfinite(number))
+  {
+    throw std::invalid_argument(std::string("Transfer function: ") + what +
+      " must be finite, found " + std::to_string(number));
+  }
+}
+
+template <class Node>
+void CheckNodes(const std::vector<Node>& nodes)
+{
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    CheckFinite(nodes[i].value, "a node's value");
+    CheckFinite(nodes[i].shape.midpoint, "a node's midpoint");
+    CheckFinite(nodes[i].shape.sharpness, "a node's sharpness");
+    if (i > 0 && nodes[i].value < nodes[i - 1].value)
+    {
+      throw std::invalid_argument("Transfer function: nodes must be sorted by value, found " +
+        std::to_string(nodes[i].value) + " after " + std::to_string(nodes[i - 1].value));
+    }
+  }
+}
+
+/// Whether two nodes at `value`, the last of all, make a step there.
+template <class Node>
+bool EndsWithStep(const std::vector<Node>& nodes, double value)
+{
+  return nodes.size() >= 2 && nodes.back().value == value && nodes[nodes.size() - 2].value == value;
+}
+
+std::vector<double> SortedNodeValues(const TransferFunction& transferFunction)
+{
+  std::vector<double> values;
+  for (const ColorNode& node : transferFunction.Colors())
+  {
+    values.push_back(node.value);
+  }
+  for (const OpacityNode& node : transferFunction.Opacities())
+  {
+    values.push_back(node.value);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+}
+
+TransferFunction::TransferFunction(
+  std::vector<ColorNode> colors, std::vector<OpacityNode> opacities, double opacityUnitDistanceMm)
+  : colors(std::move(colors))
+  , opacities(std::move(opacities))
+  , opacityUnitDistanceMm(opacityUnitDistanceMm)
+{
+  CheckFinite(opacityUnitDistanceMm, "the opacity unit distance");
+  if (!(opacityUnitDistanceMm > 0.0))
+  {
+    throw std::invalid_argument("Transfer function: the opacity unit distance must be above 0 mm, "
+                                "found " +
+      std::to_string(opacityUnitDistanceMm));
+  }
+  CheckNodes(this->colors);
+  CheckNodes(this->opacities);
+  for (ColorNode& node : this->colors)
+  {
+    CheckFinite(node.rgb.r + node.rgb.g + node.rgb.b, "a colour");
+    node.rgb = glm::clamp(node.rgb, 0.0, 1.0);
+  }
+  for (OpacityNode& node : this->opacities)
+  {
+    CheckFinite(node.opacity, "an opacity");
+    node.opacity = std::clamp(node.opacity, 0.0, 1.0);
+  }
+}
+
+glm::dvec3 TransferFunction::Color(double value) const
+{
+  return this->colors.empty() ? glm::dvec3(1.0) : CurveValue(this->colors, value);
+}
+
+double TransferFunction::Opacity(double value) const
+{
+  const bool nothing = this->opacities.empty() || std::isnan(value);
+  return nothing ? 0.0 : CurveValue(this->opacities, value);
+}
+
+double TransferFunction::Extinction(double value) const
+{
+  // log1p(-1) is minus infinity: the opaque case needs no branch.
+  return -std::log1p(-this->Opacity(value)) / this->opacityUnitDistanceMm;
+}
+
+double TransferFunction::FirstValue() const
+{
+  const std::vector<double> values = SortedNodeValues(*this);
+  return values.empty() ? 0.0 : values.front();
+}
+
+double TransferFunction::LastValue() const
+{
+  const std::vector<double> values = SortedNodeValues(*this);
+  return values.empty() ? 0.0 : values.back();
+}
+
+double TransferFunction::SmallestNodeGap() const
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  const std::vector<double> values = SortedNodeValues(*this);
+  for (std::size_t i = 1; i < values.size(); ++i)
+  {
+    if (values[i] != values[i - 1])
+    {
+      smallest = std::min(smallest, values[i] - values[i - 1]);
+    }
+  }
+  return smallest;
+}
+
+namespace
+{
+
+/// A power of two with at least four entries from a node to the next, within the limits.
+std::size_t EntryCount(double length, double smallestNodeGap, std::size_t mostEntries)
+{
+  const double wanted = 4.0 * length / smallestNodeGap;
+  std::size_t count = 1024;
+  while (double(count) < wanted && 2 * count <= mostEntries)
+  {
+    count *= 2;
+  }
+  return std::max<std::size_t>(std::min(count, mostEntries), 2);
+}
+
+glm::vec4 OpticalEntry(const TransferFunction& transferFunction, double value)
+{
+  const double extinction = std::min(transferFunction.Extinction(value), double(OpaqueExtinction));
+  return glm::vec4(transferFunction.Color(value), extinction);
+}
+
+}
+
+OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
+  double largestValue, std::size_t mostEntries)
+{
+  if (!(smallestValue <= largestValue && std::isfinite(smallestValue) &&
+        std::isfinite(largestValue)))
+  {
+    throw std::invalid_argument("Optical table: the range of values must be finite and not "
+                                "reversed, found " +
+      std::to_string(smallestValue) + " to " + std::to_string(largestValue));
+  }
+
+  // The part where the function changes; a step at its end needs an entry beyond.
+  const double end = transferFunction.LastValue();
+  const bool stepAtEnd =
+    EndsWithStep(transferFunction.Colors(), end) || EndsWithStep(transferFunction.Opacities(), end);
+  const double finest = (largestValue / mostEntries - smallestValue / mostEntries);
+  const double first = std::max(smallestValue, transferFunction.FirstValue());
+  const double last = std::min(largestValue, stepAtEnd ? end + finest : end);
+  if (!(first < last))
+  {
+    const glm::vec4 everywhere = OpticalEntry(transferFunction, smallestValue);
+    return { smallestValue, largestValue, { everywhere, everywhere } };
+  }
+
+  const std::size_t count =
+    EntryCount(last - first, transferFunction.SmallestNodeGap(), mostEntries);
+  OpticalTable table{ first, last, std::vector<glm::vec4>(count) };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        const double fraction = double(i) / double(count - 1);
+        table.entries[i] =
+          OpticalEntry(transferFunction, (1.0 - fraction) * first + fraction * last);
+      }
+    });
+  return table;
+}
+
+}

@@ -28,8 +28,8 @@ struct OpacityNode
 
 struct ColorNode
 {
-  double value;    ///< in units of the data
-  glm::dvec3 rgb;  ///< [0, 1]
+  double value;   ///< in units of the data
+  glm::dvec3 rgb; ///< [0, 1]
   NodeShape shape = {};
 };
 
@@ -38,8 +38,8 @@ struct ColorNode
 class TransferFunction
 {
 public:
-  /// @param colors   sorted by value; empty means white
-  /// @param opacities sorted by value; empty means opacity 0
+  /// @param colors     sorted by value, components clamped to [0, 1]; empty means white
+  /// @param opacities  sorted by value, clamped to [0, 1]; empty means opacity 0
   /// @param opacityUnitDistanceMm  the distance [mm] over which the opacities hold, > 0
   /// @throws std::invalid_argument for unsorted or non-finite nodes, or a distance not > 0
   TransferFunction(std::vector<ColorNode> colors, std::vector<OpacityNode> opacities,
@@ -47,7 +47,7 @@ public:
 
   glm::dvec3 Color(double value) const;
 
-  /// Opacity per unit distance, [0, 1].
+  /// Opacity per unit distance, [0, 1]; 0 for NaN: what is not a number does not show.
   double Opacity(double value) const;
 
   /// Extinction [1/mm]: -log(1 - opacity) / unit distance, computed without cancellation.
@@ -73,8 +73,9 @@ private:
 
 /// Colour and extinction sampled at equal distances, for linear interpolation between entries.
 /// Entry i holds (r, g, b, extinction [1/mm]) at firstValue + i * (lastValue - firstValue) /
-/// (entries - 1). An opaque value holds OpaqueExtinction, which is finite, so that it can be
-/// multiplied by zero and interpolated without a NaN.
+/// (entries - 1); the end entries hold for all values beyond. Where the range is a single value,
+/// firstValue equals lastValue and the entries are equal. An opaque value holds OpaqueExtinction,
+/// which is finite, so that it can be multiplied by zero and interpolated without a NaN.
 struct OpticalTable
 {
   double firstValue;
@@ -86,8 +87,10 @@ struct OpticalTable
 /// its product with any length.
 constexpr float OpaqueExtinction = 1e30f;
 
-/// Samples a transfer function over the part of [smallestValue, largestValue] where it changes.
-/// The number of entries follows from its closest nodes: at least 1024, at most `mostEntries`.
+/// Samples a transfer function over the part of [smallestValue, largestValue] where it changes,
+/// on all cores. The number of entries is a power of two with at least four from each node to the
+/// next, at least 1024 and at most `mostEntries`; where nothing changes it is two. Steps become
+/// ramps one entry wide.
 /// @throws std::invalid_argument unless smallestValue <= largestValue, both finite
 OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
   double largestValue, std::size_t mostEntries = 65536);

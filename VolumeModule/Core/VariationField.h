@@ -33,7 +33,10 @@ struct VariationField
 
 /// Builds the field of a grid on all cores.
 /// @param tolerance  largest accepted difference of two values in a block, >= 0, units of the data
-/// A NaN voxel makes the cells around it vary without bound.
+/// A voxel that is not finite makes the cells that touch it vary without bound, whatever the
+/// tolerance. Every stored radius is the largest that keeps the promise, up to LargestRadius.
+/// Takes O(voxels * log radius) time and, while it runs, up to about three times the voxels' memory
+/// for large volumes (up to four for those below 256 voxels a side).
 /// @throws std::invalid_argument for a tolerance that is negative or not a number
 template <class Scalar>
 VariationField BuildVariationField(const ScalarGrid<Scalar>& grid, double tolerance);

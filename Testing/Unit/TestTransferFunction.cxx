@@ -1,0 +1,197 @@
+#include "Core/TransferFunction.h"
+
+#include <glm/common.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace varimarch;
+
+namespace
+{
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+TransferFunction OpacityCurve(std::vector<OpacityNode> nodes, double unitDistanceMm = 1.0)
+{
+  return TransferFunction({}, std::move(nodes), unitDistanceMm);
+}
+
+/// What a renderer reads: linear between entries, constant beyond the ends.
+glm::vec4 LookUp(const OpticalTable& table, double value)
+{
+  const double last = double(table.entries.size() - 1);
+  const double length = table.lastValue - table.firstValue;
+  const double place =
+    length > 0.0 ? std::min(std::max((value - table.firstValue) / length, 0.0), 1.0) * last : 0.0;
+  const std::size_t lower = std::min(std::size_t(place), table.entries.size() - 2);
+  return glm::mix(table.entries[lower], table.entries[lower + 1], float(place - double(lower)));
+}
+
+}
+
+TEST(TransferFunction, RunsLinearlyBetweenNodesAndStaysConstantBeyond)
+{
+  const TransferFunction function({ { 0.0, { 1.0, 0.0, 0.0 } }, { 10.0, { 0.0, 0.5, 1.0 } } },
+    { { 2.0, 0.2 }, { 4.0, 0.6 } }, 1.0);
+  EXPECT_DOUBLE_EQ(function.Opacity(3.0), 0.4);
+  EXPECT_DOUBLE_EQ(function.Opacity(-100.0), 0.2);
+  EXPECT_DOUBLE_EQ(function.Opacity(100.0), 0.6);
+  EXPECT_DOUBLE_EQ(function.Color(5.0).g, 0.25);
+  EXPECT_EQ(function.Color(-1.0), glm::dvec3(1.0, 0.0, 0.0));
+  EXPECT_EQ(function.Color(11.0), glm::dvec3(0.0, 0.5, 1.0));
+}
+
+TEST(TransferFunction, WithoutNodesIsWhiteAndClear)
+{
+  const TransferFunction function({}, {}, 1.0);
+  EXPECT_EQ(function.Color(3.0), glm::dvec3(1.0));
+  EXPECT_EQ(function.Extinction(3.0), 0.0);
+  EXPECT_EQ(function.FirstValue(), 0.0);
+  EXPECT_EQ(function.LastValue(), 0.0);
+}
+
+TEST(TransferFunction, NotANumberIsClear)
+{
+  const TransferFunction function = OpacityCurve({ { 0.0, 0.5 } });
+  EXPECT_EQ(function.Opacity(std::nan("")), 0.0);
+  EXPECT_EQ(function.Extinction(std::nan("")), 0.0);
+}
+
+TEST(TransferFunction, MidpointIsWhereTheCurveReachesHalfWay)
+{
+  for (const double sharpness : { 0.0, 0.3, 0.8 })
+  {
+    const TransferFunction function =
+      OpacityCurve({ { 0.0, 0.2, { 0.25, sharpness } }, { 8.0, 1.0 } });
+    EXPECT_DOUBLE_EQ(function.Opacity(2.0), 0.6);
+    EXPECT_NEAR(function.Opacity(1e-12), 0.2, 1e-9);
+    EXPECT_NEAR(function.Opacity(8.0 - 1e-12), 1.0, 1e-9);
+  }
+}
+
+TEST(TransferFunction, SharpnessFollowsTheCurveOfVtk)
+{
+  // Sharpness 0.5, a quarter of the way: s = 0.5 * 0.5^6, then the Hermite cubic.
+  const double s = 0.5 / 64.0;
+  const double h2 = 3.0 * s * s - 2.0 * s * s * s;
+  const double h3 = s * s * s - 2.0 * s * s + s;
+  const double h4 = s * s * s - s * s;
+  const double expected = h2 + 0.5 * (h3 + h4);
+  const TransferFunction function = OpacityCurve({ { 0.0, 0.0, { 0.5, 0.5 } }, { 4.0, 1.0 } });
+  EXPECT_NEAR(function.Opacity(1.0), expected, 1e-15);
+  EXPECT_NEAR(function.Opacity(3.0), 1.0 - expected, 1e-15);
+}
+
+TEST(TransferFunction, FullSharpnessIsAStepAtTheMidpoint)
+{
+  const TransferFunction function = OpacityCurve({ { 0.0, 0.1, { 0.75, 1.0 } }, { 4.0, 0.9 } });
+  EXPECT_DOUBLE_EQ(function.Opacity(2.999), 0.1);
+  EXPECT_DOUBLE_EQ(function.Opacity(3.0), 0.9);
+}
+
+TEST(TransferFunction, TwoNodesAtOneValueStepBehindIt)
+{
+  const TransferFunction function =
+    OpacityCurve({ { 0.0, 0.0 }, { 5.0, 0.0 }, { 5.0, 0.7 }, { 9.0, 0.7 } });
+  EXPECT_EQ(function.Opacity(5.0), 0.0);
+  EXPECT_EQ(function.Opacity(std::nextafter(5.0, 9.0)), 0.7);
+  EXPECT_EQ(function.SmallestNodeGap(), 4.0);
+}
+
+TEST(TransferFunction, ExtinctionGivesBackTheOpacityOverTheUnitDistance)
+{
+  for (const double opacity : { 1e-15, 1e-8, 0.3, 0.999 })
+  {
+    const double extinction = OpacityCurve({ { 0.0, opacity } }, 2.5).Extinction(0.0);
+    EXPECT_NEAR(-std::expm1(-extinction * 2.5) / opacity, 1.0, 1e-14);
+  }
+}
+
+TEST(TransferFunction, OpaqueHasInfiniteExtinctionAndOneUlpBelowHasNot)
+{
+  EXPECT_EQ(OpacityCurve({ { 0.0, 1.0 } }).Extinction(0.0), infinity);
+  const double almost = std::nextafter(1.0, 0.0);
+  EXPECT_NEAR(OpacityCurve({ { 0.0, almost } }).Extinction(0.0), 53.0 * std::log(2.0), 1e-12);
+}
+
+TEST(TransferFunction, BadNodesAreRefused)
+{
+  EXPECT_THROW(OpacityCurve({ { 1.0, 0.5 }, { 0.0, 0.5 } }), std::invalid_argument);
+  EXPECT_THROW(OpacityCurve({ { infinity, 0.5 } }), std::invalid_argument);
+  EXPECT_THROW(OpacityCurve({ { 0.0, std::nan("") } }), std::invalid_argument);
+  EXPECT_THROW(OpacityCurve({ { 0.0, 0.5 } }, 0.0), std::invalid_argument);
+  EXPECT_THROW(OpacityCurve({ { 0.0, 0.5 } }, infinity), std::invalid_argument);
+  EXPECT_THROW(TransferFunction({ { 0.0, glm::dvec3(infinity) } }, {}, 1.0), std::invalid_argument);
+}
+
+TEST(OpticalTable, AgreesWithALinearExtinctionEverywhere)
+{
+  // Opacity 1 - exp(-v) has the extinction v; so fine a polyline of it is linear to 1e-6.
+  std::vector<OpacityNode> nodes;
+  for (int i = 0; i <= 1000; ++i)
+  {
+    nodes.push_back({ i * 0.002, -std::expm1(-i * 0.002) });
+  }
+  const OpticalTable table = BuildOpticalTable(OpacityCurve(nodes), -5.0, 5.0);
+  EXPECT_EQ(table.firstValue, 0.0);
+  EXPECT_EQ(table.lastValue, 2.0);
+  for (double value = 0.0; value < 2.0; value += 0.0137)
+  {
+    EXPECT_NEAR(LookUp(table, value).a, value, 2e-6);
+  }
+  EXPECT_FLOAT_EQ(LookUp(table, 4.0).a, 2.0f);
+  EXPECT_EQ(LookUp(table, -4.0).a, 0.0f);
+}
+
+TEST(OpticalTable, EntriesFollowTheClosestNodes)
+{
+  const auto entries = [](double peakWidth, std::size_t most)
+  {
+    const TransferFunction function =
+      OpacityCurve({ { 0.0, 0.0 }, { 100.0, 0.0 }, { 100.0 + peakWidth, 0.5 }, { 1000.0, 0.0 } });
+    return BuildOpticalTable(function, 0.0, 1000.0, most).entries.size();
+  };
+  EXPECT_EQ(entries(100.0, 65536), 1024u);
+  EXPECT_EQ(entries(0.5, 65536), 8192u);
+  EXPECT_EQ(entries(1e-6, 65536), 65536u);
+  EXPECT_EQ(entries(1e-6, 10000), 8192u);
+}
+
+TEST(OpticalTable, ConstantFunctionGivesTwoEqualEntries)
+{
+  const TransferFunction function({ { 10.0, { 1.0, 0.0, 0.0 } }, { 20.0, { 0.0, 1.0, 0.0 } } },
+    { { 10.0, 0.5 }, { 20.0, 0.8 } }, 1.0);
+  const OpticalTable table = BuildOpticalTable(function, 30.0, 40.0);
+  ASSERT_EQ(table.entries.size(), 2u);
+  EXPECT_EQ(table.entries[0], table.entries[1]);
+  EXPECT_EQ(table.entries[0].g, 1.0f);
+  EXPECT_NEAR(table.entries[0].a, -std::log(0.2), 1e-6);
+  EXPECT_EQ(BuildOpticalTable(function, 15.0, 15.0).entries.size(), 2u);
+}
+
+TEST(OpticalTable, OpaqueEntriesAreFinite)
+{
+  const OpticalTable table =
+    BuildOpticalTable(OpacityCurve({ { 0.0, 0.0 }, { 1.0, 1.0 } }), 0.0, 1.0);
+  EXPECT_EQ(table.entries.back().a, OpaqueExtinction);
+  EXPECT_EQ(table.entries.back().a * 0.0f, 0.0f);
+}
+
+TEST(OpticalTable, ALoneStepSeparatesTheValuesBesideIt)
+{
+  const TransferFunction function = OpacityCurve({ { 100.0, 0.0 }, { 100.0, 0.5 } });
+  const OpticalTable table = BuildOpticalTable(function, 0.0, 255.0);
+  EXPECT_EQ(LookUp(table, 100.0).a, 0.0f);
+  EXPECT_NEAR(LookUp(table, 100.01).a, std::log(2.0), 1e-6);
+  EXPECT_NEAR(LookUp(table, 255.0).a, std::log(2.0), 1e-6);
+}
+
+TEST(OpticalTable, AReversedOrInfiniteRangeIsRefused)
+{
+  const TransferFunction function = OpacityCurve({ { 0.0, 0.5 } });
+  EXPECT_THROW(BuildOpticalTable(function, 1.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(BuildOpticalTable(function, 0.0, infinity), std::invalid_argument);
+  EXPECT_THROW(BuildOpticalTable(function, std::nan(""), 1.0), std::invalid_argument);
+}
