@@ -1,26 +1,236 @@
 #include "vtkVariationFieldVolumeMapper.h"
 
+#include "RayMarcher.h"
+
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
 #include "vtkStringArray.h"
+#include "vtkTimerLog.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
-struct vtkVariationFieldVolumeMapper::GraphicsResources
+#include <sstream>
+#include <stdexcept>
+
+using varimarch::Acceleration;
+using varimarch::Blend;
+using varimarch::Frame;
+
+struct vtkVariationFieldVolumeMapper::Internals
 {
+  varimarch::RayMarcher Marcher;
+  std::string ReportedError; ///< the one the user has already been told
 };
 
+namespace
+{
+
+bool HasOpaqueGeometry(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    // vtkVolume does not override HasOpaqueGeometry, whose default is yes.
+    if (prop->GetVisibility() && !vtkVolume::SafeDownCast(prop) && prop->HasOpaqueGeometry())
+    {
+      return true;
+    }
+  }
+  // Another renderer's geometry, in a layer below this one.
+  return renderer->GetPreserveDepthBuffer() != 0;
+}
+
+Blend BlendOf(int blendMode)
+{
+  switch (blendMode)
+  {
+    case vtkVolumeMapper::COMPOSITE_BLEND:
+      return Blend::Composite;
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return Blend::MaximumIntensity;
+  }
+  throw std::runtime_error("Blend mode " + std::to_string(blendMode) +
+    " is not supported: expected composite (0) or maximum intensity (1)");
+}
+
+Acceleration AccelerationOf(int accelerationMode)
+{
+  return accelerationMode == vtkVariationFieldVolumeMapper::Off ? Acceleration::Off
+                                                                : Acceleration::ScalarField;
+}
+
+// The scalars to draw. Throws a sentence that tells what is wrong with the input.
+vtkDataArray* CheckedScalars(vtkImageData* image, vtkDataArray* scalars, int cellFlag)
+{
+  if (!scalars)
+  {
+    throw std::runtime_error("The input has no scalars to draw");
+  }
+  const std::string name = scalars->GetName() ? scalars->GetName() : "scalars";
+  if (cellFlag != 0)
+  {
+    throw std::runtime_error("Array \"" + name + "\" holds cell data: expected point data");
+  }
+  if (scalars->GetNumberOfComponents() != 1)
+  {
+    throw std::runtime_error("Array \"" + name + "\" has " +
+      std::to_string(scalars->GetNumberOfComponents()) + " components: expected 1");
+  }
+  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::runtime_error("Array \"" + name + "\" has " +
+      std::to_string(scalars->GetNumberOfTuples()) + " values: expected one for each of " +
+      std::to_string(image->GetNumberOfPoints()) + " points");
+  }
+  return scalars;
+}
+
+}
+
 vtkStandardNewMacro(vtkVariationFieldVolumeMapper);
-vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper() = default;
+
+vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper()
+  : Private(std::make_unique<Internals>())
+{
+}
+
 vtkVariationFieldVolumeMapper::~vtkVariationFieldVolumeMapper() = default;
-void vtkVariationFieldVolumeMapper::Render(vtkRenderer*, vtkVolume*) {}
-void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow*) {}
-vtkIdType vtkVariationFieldVolumeMapper::GetGraphicsMemoryBytes() { return 0; }
-void vtkVariationFieldVolumeMapper::GetShaderParts(vtkStringArray*) {}
+
+void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkNew<vtkTimerLog> timer;
+  timer->StartTimer();
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+  try
+  {
+    this->DrawFrame(renderer, volume);
+    this->Private->ReportedError.clear();
+  }
+  catch (const std::exception& problem)
+  {
+    this->ReportOnce(problem.what());
+  }
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+  timer->StopTimer();
+  this->TimeToDraw = timer->GetElapsedTime();
+}
+
+void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  auto* image = vtkImageData::SafeDownCast(this->GetInput());
+  if (!window || !image)
+  {
+    throw std::runtime_error(
+      window ? "The input is not vtkImageData" : "The render window does not use OpenGL");
+  }
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  int cellFlag = 0;
+  vtkDataArray* scalars = vtkAbstractVolumeMapper::GetScalars(
+    image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+
+  Frame frame;
+  frame.window = window;
+  frame.renderer = renderer;
+  frame.property = volume->GetProperty();
+  frame.scalars = CheckedScalars(image, scalars, cellFlag);
+  frame.scalarsTime = std::max(image->GetMTime(), scalars->GetMTime());
+  frame.geometry = varimarch::VolumeGeometryOf(image, volume);
+  frame.settings.blend = BlendOf(this->BlendMode);
+  frame.settings.acceleration = AccelerationOf(this->AccelerationMode);
+  frame.settings.shading =
+    frame.property->GetShade() != 0 && frame.settings.blend == Blend::Composite;
+  frame.settings.sceneGeometry = HasOpaqueGeometry(renderer);
+  frame.sampleDistanceMm =
+    this->AutoAdjustSampleDistances ? frame.geometry.SmallestSpacingMm() : this->SampleDistance;
+  frame.variationTolerance = this->VariationTolerance;
+  frame.earlyTerminationTransmittance = this->EarlyTerminationTransmittance;
+  this->UsedSampleDistance = frame.sampleDistanceMm;
+
+  window->MakeCurrent();
+  this->Private->Marcher.Draw(frame);
+  vtkOpenGLCheckErrorMacro("OpenGL error after drawing");
+}
+
+void vtkVariationFieldVolumeMapper::ReportOnce(const std::string& problem)
+{
+  if (this->Private->ReportedError != problem)
+  {
+    this->Private->ReportedError = problem;
+    vtkErrorMacro(<< problem << ".");
+  }
+}
+
+void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Private->Marcher.Release(window);
+}
+
+double vtkVariationFieldVolumeMapper::GetFieldBuildSeconds()
+{
+  return this->Private->Marcher.FieldBuildSeconds();
+}
+
+vtkIdType vtkVariationFieldVolumeMapper::GetGraphicsMemoryBytes()
+{
+  return vtkIdType(this->Private->Marcher.GraphicsMemoryBytes());
+}
+
+void vtkVariationFieldVolumeMapper::GetShaderParts(vtkStringArray* parts)
+{
+  parts->Initialize();
+  for (const std::string& part : this->Private->Marcher.ShaderParts())
+  {
+    parts->InsertNextValue(part);
+  }
+}
+
+int vtkVariationFieldVolumeMapper::GetVolumeTextureBuilds()
+{
+  return this->Private->Marcher.Builds().volumeTexture;
+}
+
+int vtkVariationFieldVolumeMapper::GetFieldBuilds()
+{
+  return this->Private->Marcher.Builds().field;
+}
+
+int vtkVariationFieldVolumeMapper::GetOpticalTableBuilds()
+{
+  return this->Private->Marcher.Builds().opticalTable;
+}
+
+int vtkVariationFieldVolumeMapper::GetShaderBuilds()
+{
+  return this->Private->Marcher.Builds().shader;
+}
+
+int vtkVariationFieldVolumeMapper::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
 void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-}
-int vtkVariationFieldVolumeMapper::FillInputPortInformation(int port, vtkInformation* information)
-{
-  return this->Superclass::FillInputPortInformation(port, information);
+  os << indent << "AccelerationMode: " << this->AccelerationMode << "\n";
+  os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";
+  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
+  os << indent << "EarlyTerminationTransmittance: " << this->EarlyTerminationTransmittance << "\n";
+  os << indent << "UsedSampleDistance: " << this->UsedSampleDistance << "\n";
 }

@@ -29,7 +29,8 @@
 #include "VarimarchVolumeModule.h" // For export macro
 #include "vtkVolumeMapper.h"
 
-#include <memory> // For the graphics resources
+#include <memory> // For Internals
+#include <string> // For ReportOnce
 
 class vtkStringArray;
 
@@ -101,7 +102,7 @@ public:
   /**
    * Time to build the field last time [s]; 0 before.
    */
-  vtkGetMacro(FieldBuildSeconds, double);
+  double GetFieldBuildSeconds();
 
   /**
    * Bytes of graphics memory this mapper holds now, textures and buffers.
@@ -118,10 +119,10 @@ public:
    * How often each part was built since this mapper was made: what
    * Documentation/Architecture.md promises to be rebuilt, and nothing else.
    */
-  vtkGetMacro(VolumeTextureBuilds, int);
-  vtkGetMacro(FieldBuilds, int);
-  vtkGetMacro(OpticalTableBuilds, int);
-  vtkGetMacro(ShaderBuilds, int);
+  int GetVolumeTextureBuilds();
+  int GetFieldBuilds();
+  int GetOpticalTableBuilds();
+  int GetShaderBuilds();
   ///@}
 
   /**
@@ -145,15 +146,13 @@ protected:
   double EarlyTerminationTransmittance = 1.0 / 1024.0;
 
   double UsedSampleDistance = 0.0;
-  double FieldBuildSeconds = 0.0;
-  int VolumeTextureBuilds = 0;
-  int FieldBuilds = 0;
-  int OpticalTableBuilds = 0;
-  int ShaderBuilds = 0;
 
 private:
-  struct GraphicsResources;
-  std::unique_ptr<GraphicsResources> Graphics;
+  void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
+  void ReportOnce(const std::string& problem);
+
+  struct Internals;
+  std::unique_ptr<Internals> Private;
 
   vtkVariationFieldVolumeMapper(const vtkVariationFieldVolumeMapper&) = delete;
   void operator=(const vtkVariationFieldVolumeMapper&) = delete;

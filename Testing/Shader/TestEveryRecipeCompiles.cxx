@@ -1,0 +1,91 @@
+#include "Core/ShaderAssembly.h"
+#include "Core/ShaderRecipe.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <sys/wait.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+std::vector<ShaderFile> LoadParts(const std::vector<std::string>& paths)
+{
+  std::vector<ShaderFile> files;
+  for (const std::string& path : paths)
+  {
+    std::ifstream stream(std::string(SHADER_FOLDER) + "/" + path);
+    EXPECT_TRUE(stream) << path;
+    std::ostringstream text;
+    text << stream.rdbuf();
+    files.push_back({ path, text.str() });
+  }
+  return files;
+}
+
+struct Validation
+{
+  bool passed;
+  std::string messages;
+};
+
+// @param stage  "vert" or "frag"
+Validation Validate(const std::vector<ShaderFile>& files, const std::string& stage)
+{
+  const std::string path = std::string(SCRATCH_FOLDER) + "/recipe." + stage;
+  std::ofstream(path) << AssembleShader(files);
+  const std::string command = std::string(GLSLANG_VALIDATOR) + " '" + path + "' 2>&1";
+  FILE* const pipe = popen(command.c_str(), "r");
+  std::string messages;
+  std::array<char, 256> line;
+  while (std::fgets(line.data(), int(line.size()), pipe))
+  {
+    messages += line.data();
+  }
+  const int status = pclose(pipe);
+  return { WIFEXITED(status) && WEXITSTATUS(status) == 0, TraceShaderErrors(messages, files) };
+}
+
+std::string Describe(const std::vector<std::string>& parts)
+{
+  std::string text;
+  for (const std::string& part : parts)
+  {
+    text += part + " ";
+  }
+  return text;
+}
+
+}
+
+TEST(Shaders, EveryRecipeCompiles)
+{
+  for (const RenderSettings& settings : EveryRecipe())
+  {
+    const std::vector<std::string> parts = FragmentShaderParts(settings);
+    const Validation validation = Validate(LoadParts(parts), "frag");
+    EXPECT_TRUE(validation.passed) << Describe(parts) << "\n" << validation.messages;
+  }
+}
+
+TEST(Shaders, TheVertexShaderCompiles)
+{
+  const Validation validation = Validate(LoadParts({ VertexShaderPart() }), "vert");
+  EXPECT_TRUE(validation.passed) << validation.messages;
+}
+
+TEST(Shaders, AnErrorIsTracedToItsFileAndLine)
+{
+  std::vector<ShaderFile> files = LoadParts(FragmentShaderParts(EveryRecipe().front()));
+  files[3].text = "\nfloat DepthLimit(Ray ray) { return missing; }\n";
+  const Validation validation = Validate(files, "frag");
+  EXPECT_FALSE(validation.passed);
+  EXPECT_NE(validation.messages.find(files[3].path + ":2"), std::string::npos)
+    << validation.messages;
+}

@@ -1,0 +1,76 @@
+#include "Core/ShaderRecipe.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+using namespace varimarch;
+using Parts = std::vector<std::string>;
+
+TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
+{
+  const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
+  EXPECT_EQ(FragmentShaderParts(plain),
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
+      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Shade/None.glsl", "Blend/Composite.glsl",
+      "RayMarch.frag.glsl" }));
+}
+
+TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotOnly)
+{
+  const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
+  const auto changed = [&](RenderSettings settings)
+  {
+    const Parts before = FragmentShaderParts(plain);
+    const Parts after = FragmentShaderParts(settings);
+    Parts added;
+    std::copy_if(after.begin(), after.end(), std::back_inserter(added),
+      [&](const std::string& part)
+      { return std::find(before.begin(), before.end(), part) == before.end(); });
+    EXPECT_EQ(before.size(), after.size());
+    return added;
+  };
+  EXPECT_EQ(changed({ Blend::Composite, Acceleration::ScalarField, false, false }),
+    Parts{ "Step/VariationField.glsl" });
+  EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, true, false }),
+    Parts{ "Shade/BlinnPhong.glsl" });
+  EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, false, true }),
+    Parts{ "Depth/SceneGeometry.glsl" });
+}
+
+TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
+{
+  const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
+  EXPECT_EQ(FragmentShaderParts(maximum),
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
+      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
+      "RayMarch.frag.glsl" }));
+}
+
+TEST(ShaderRecipe, EveryRecipeIsListedOnce)
+{
+  std::set<Parts> distinct;
+  for (const RenderSettings& settings : EveryRecipe())
+  {
+    EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
+  }
+  EXPECT_EQ(distinct.size(), 12u);
+}
+
+TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)
+{
+  for (const RenderSettings& settings : EveryRecipe())
+  {
+    std::map<std::string, int> filesOfSlot;
+    for (const std::string& part : FragmentShaderParts(settings))
+    {
+      const std::size_t slash = part.find('/');
+      if (slash != std::string::npos && part.substr(0, slash) != "Math")
+      {
+        EXPECT_EQ(++filesOfSlot[part.substr(0, slash)], 1) << part;
+      }
+    }
+  }
+}

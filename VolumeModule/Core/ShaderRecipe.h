@@ -1,0 +1,24 @@
+#ifndef Varimarch_Core_ShaderRecipe_h
+#define Varimarch_Core_ShaderRecipe_h
+
+#include "Core/RenderSettings.h"
+
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// The files of a fragment shader, in the order in which they are joined: paths below
+/// VolumeModule/Shaders. One file per slot, and nothing that the settings do not ask for.
+std::vector<std::string> FragmentShaderParts(const RenderSettings& settings);
+
+/// The file of the vertex shader, the same for every recipe.
+std::string VertexShaderPart();
+
+/// Every combination of settings that makes a different shader.
+std::vector<RenderSettings> EveryRecipe();
+
+}
+
+#endif

@@ -1,0 +1,21 @@
+#ifndef Varimarch_PropertyTransferFunction_h
+#define Varimarch_PropertyTransferFunction_h
+
+#include "Core/TransferFunction.h"
+
+class vtkVolumeProperty;
+
+namespace varimarch
+{
+
+/// The transfer function that a property's curves for the first component describe, exactly:
+/// VTK's nodes with midpoint and sharpness, its gray or colour channel, and clamping off as a step
+/// to nothing. A colour function in another space than linear RGB is sampled finely between nodes.
+TransferFunction TransferFunctionOf(vtkVolumeProperty* property);
+
+/// When one of those curves changed last.
+unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property);
+
+}
+
+#endif

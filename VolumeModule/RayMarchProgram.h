@@ -1,0 +1,68 @@
+#ifndef Varimarch_RayMarchProgram_h
+#define Varimarch_RayMarchProgram_h
+
+#include "Core/RenderSettings.h"
+
+#include "vtkNew.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+
+namespace varimarch
+{
+
+/// The shader program of a recipe, ready to take uniforms. Programs are compiled once per recipe
+/// and window: VTK's shader cache keeps them by their text.
+class RayMarchProgram
+{
+public:
+  /// Makes the program of the settings current. True when it differs from the last one.
+  /// @throws std::runtime_error with the compiler's messages, traced to the shader files
+  bool Use(vtkOpenGLRenderWindow* window, const RenderSettings& settings);
+
+  vtkShaderProgram* Program() const { return this->program; }
+  const std::vector<std::string>& Parts() const { return this->parts; }
+
+  // Uniforms are computed in double and rounded once, here.
+  void Set(const char* name, int value);
+  void Set(const char* name, double value);
+  void Set(const char* name, glm::dvec2 value);
+  void Set(const char* name, glm::dvec3 value);
+  void Set(const char* name, glm::dvec4 value);
+  void Set(const char* name, const glm::dmat3& value);
+  void Set(const char* name, const glm::dmat4& value);
+  void Set(const char* name, vtkTextureObject* activeTexture);
+
+  template <class Vector, std::size_t Count>
+  void Set(const char* name, const std::array<Vector, Count>& values)
+  {
+    for (std::size_t i = 0; i < Count; ++i)
+    {
+      this->Set((name + ("[" + std::to_string(i) + "]")).c_str(), values[i]);
+    }
+  }
+
+  void Forget();
+
+private:
+  vtkShaderProgram* program = nullptr; ///< the cache's
+  std::vector<std::string> parts;
+  std::string vertexSource;
+  std::string fragmentSource;
+  std::string failure; ///< why these sources are no program; empty while they are
+};
+
+}
+
+#endif

@@ -1,0 +1,104 @@
+#ifndef Varimarch_RayMarcher_h
+#define Varimarch_RayMarcher_h
+
+#include "Core/PixelRays.h"
+#include "Core/RenderSettings.h"
+#include "FieldTexture.h"
+#include "OpticalTableTexture.h"
+#include "RayMarchProgram.h"
+#include "SceneDepthTexture.h"
+#include "VolumeBoxGeometry.h"
+#include "VolumeGeometry.h"
+#include "VolumeTexture.h"
+
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/vec2.hpp>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeProperty;
+
+namespace varimarch
+{
+
+/// What is to be drawn: one volume in one renderer, checked, with every choice made.
+struct Frame
+{
+  vtkOpenGLRenderWindow* window;
+  vtkRenderer* renderer;
+  vtkVolumeProperty* property;
+  vtkDataArray* scalars;
+  vtkMTimeType scalarsTime;
+  VolumeGeometry geometry;
+  RenderSettings settings;
+  double sampleDistanceMm;
+  double variationTolerance; ///< negative: chosen from the range of the scalars
+  double earlyTerminationTransmittance;
+};
+
+/// How often each resource was made.
+struct BuildCounts
+{
+  int volumeTexture = 0;
+  int field = 0;
+  int opticalTable = 0;
+  int shader = 0;
+};
+
+/// Draws frames. Holds the graphics resources and remakes those, and only those, whose source has
+/// changed since the last frame; what a frame does not need is not there.
+class RayMarcher
+{
+public:
+  /// @throws std::runtime_error when the device cannot hold a resource or compile the shader
+  void Draw(const Frame& frame);
+
+  void Release(vtkWindow* window);
+
+  const BuildCounts& Builds() const { return this->builds; }
+  const std::vector<std::string>& ShaderParts() const { return this->program.Parts(); }
+  double FieldBuildSeconds() const { return this->field.BuildSeconds(); }
+  std::size_t GraphicsMemoryBytes() const;
+
+private:
+  void EnterWindow(vtkOpenGLRenderWindow* window);
+  void UpdateVolume(const Frame& frame);
+  void UpdateField(const Frame& frame);
+  void UpdateOpticalTable(const Frame& frame);
+  void UpdateDepth(const Frame& frame);
+  void UpdateProgram(const Frame& frame);
+
+  void SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
+  void SetDepthUniforms(const glm::dmat4& clipFromGrid);
+  void SetStepUniforms(const Frame& frame);
+  void SetClassifyUniforms();
+  void SetShadeUniforms(const Frame& frame);
+  void SetBlendUniforms(const Frame& frame);
+  void DrawBox(const Frame& frame);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> window;
+  VolumeTexture volume;
+  FieldTexture field;
+  OpticalTableTexture opticalTable;
+  SceneDepthTexture depth;
+  VolumeBoxGeometry boxGeometry;
+  RayMarchProgram program;
+  BuildCounts builds;
+
+  // What each resource was made from.
+  vtkDataArray* volumeSource = nullptr;
+  vtkMTimeType volumeTime = 0;
+  double fieldTolerance = -1.0;
+  vtkVolumeProperty* tableSource = nullptr;
+  vtkMTimeType tableTime = 0;
+  double tableUnitDistanceMm = 0.0;
+};
+
+}
+
+#endif

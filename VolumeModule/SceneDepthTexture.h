@@ -1,0 +1,34 @@
+#ifndef Varimarch_SceneDepthTexture_h
+#define Varimarch_SceneDepthTexture_h
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkTextureObject.h"
+
+class vtkOpenGLRenderWindow;
+
+namespace varimarch
+{
+
+/// A copy of the depth buffer as it is when the volume is drawn. The buffer itself cannot be read:
+/// it is bound for drawing, may be multisampled, and a render pass may have put its own there.
+class SceneDepthTexture
+{
+public:
+  /// Copies a rectangle of the framebuffer that is bound for drawing [pixels].
+  void Capture(vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height);
+
+  vtkTextureObject* Texture() const { return this->depth; }
+  std::size_t Bytes() const { return this->bytes; }
+  void Release(vtkWindow* window);
+
+private:
+  vtkNew<vtkTextureObject> depth;
+  vtkNew<vtkTextureObject> color; ///< a framebuffer needs one to be complete
+  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
+  std::size_t bytes = 0;
+};
+
+}
+
+#endif

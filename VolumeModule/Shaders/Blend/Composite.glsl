@@ -1,0 +1,41 @@
+// Emission and absorption, front to back. A part of the ray is taken as homogeneous, for which the
+// volume rendering integral has a closed form (Max, "Optical models for direct volume rendering",
+// IEEE TVCG 1995, eq. 7): it emits color * absorption and lets exp(-depth) through.
+
+struct Accumulation
+{
+  vec3 color;          // premultiplied
+  float transmittance; // part of the light from behind that is left
+};
+
+uniform float earlyTerminationTransmittance;
+
+Accumulation BlendBegin()
+{
+  return Accumulation(vec3(0.0), 1.0);
+}
+
+Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm)
+{
+  vec3 positionTexture = ray.originTexture + t * ray.directionTexture;
+  vec4 optical = Classify(ScalarAt(positionTexture));
+  // An opaque material has a huge extinction; beyond 100 nothing of a float is left anyway.
+  float absorbed = Absorption(min(optical.a * lengthMm, 100.0));
+  if (absorbed > 0.0)
+  {
+    sum.color +=
+      sum.transmittance * absorbed * Shade(optical.rgb, positionTexture, ray);
+  }
+  sum.transmittance *= 1.0 - absorbed;
+  return sum;
+}
+
+bool BlendFinished(Accumulation sum)
+{
+  return sum.transmittance < earlyTerminationTransmittance;
+}
+
+vec4 BlendResult(Accumulation sum)
+{
+  return vec4(sum.color, 1.0 - sum.transmittance);
+}

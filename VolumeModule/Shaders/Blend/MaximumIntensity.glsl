@@ -1,0 +1,34 @@
+// The largest scalar along the ray, seen through the transfer function: its opacity over one unit
+// distance, whatever the length of the ray.
+
+struct Accumulation
+{
+  float largest;
+};
+
+uniform float smallestScalar;
+uniform float largestScalar;
+uniform float opacityUnitDistanceMm;
+
+Accumulation BlendBegin()
+{
+  return Accumulation(smallestScalar);
+}
+
+Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm)
+{
+  float scalar = ScalarAt(ray.originTexture + t * ray.directionTexture);
+  return Accumulation(max(sum.largest, scalar));
+}
+
+bool BlendFinished(Accumulation sum)
+{
+  return sum.largest >= largestScalar;
+}
+
+vec4 BlendResult(Accumulation sum)
+{
+  vec4 optical = Classify(sum.largest);
+  float opacity = Absorption(min(optical.a * opacityUnitDistanceMm, 100.0));
+  return vec4(optical.rgb * opacity, opacity);
+}

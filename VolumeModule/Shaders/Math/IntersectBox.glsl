@@ -1,0 +1,29 @@
+// Where a ray enters and leaves a box: (enter, exit), empty when enter >= exit.
+// Slab test of Kay and Kajiya (SIGGRAPH 1986).
+
+// Inverse of a direction for divisions by it: a component that is zero, or so small that its
+// inverse would overflow, becomes a tiny one.
+vec3 SafeInverse(vec3 direction)
+{
+  vec3 signs = step(vec3(0.0f), direction) * 2.0f - 1.0f;
+  return signs / max(abs(direction), vec3(1e-30f));
+}
+
+// The slab between two planes of one axis. A ray along the slab is decided by comparison: 0 / 0
+// must not reach the result when it runs in one of the planes.
+vec2 IntersectSlab(float origin, float direction, float lower, float upper)
+{
+  float toLower = (lower - origin) / direction;
+  float toUpper = (upper - origin) / direction;
+  vec2 crossing = vec2(min(toLower, toUpper), max(toLower, toUpper));
+  vec2 along = origin >= lower && origin <= upper ? vec2(-3e38f, 3e38f) : vec2(3e38f, -3e38f);
+  return abs(direction) < 1e-30f ? along : crossing;
+}
+
+vec2 IntersectBox(vec3 origin, vec3 direction, vec3 lower, vec3 upper)
+{
+  vec2 x = IntersectSlab(origin.x, direction.x, lower.x, upper.x);
+  vec2 y = IntersectSlab(origin.y, direction.y, lower.y, upper.y);
+  vec2 z = IntersectSlab(origin.z, direction.z, lower.z, upper.z);
+  return vec2(max(max(x.x, y.x), z.x), min(min(x.y, y.y), z.y));
+}

@@ -1,0 +1,68 @@
+// The march: one ray per pixel, segment by segment, each slot doing its part.
+
+uniform vec2 viewportPixelsInverse;
+
+// Homogeneous start and direction of a ray are affine in the pixel's position; see Core/PixelRays.
+uniform vec4 startGrid[3];
+uniform vec3 directionGrid[3];
+uniform vec4 nearPlaneGrid;        // dot(plane, position) >= 0 beyond the near plane
+uniform vec3 boxLowerGrid;
+uniform vec3 boxUpperGrid;
+uniform vec3 voxelCountInverse;
+uniform int mostSegments;
+
+out vec4 fragOutput0;
+
+Ray PixelRay()
+{
+  vec2 pixel = (gl_FragCoord.xy - viewportOriginPixels) * viewportPixelsInverse * 2.0 - 1.0;
+  vec4 start = startGrid[0] + pixel.x * startGrid[1] + pixel.y * startGrid[2];
+  vec3 direction = directionGrid[0] + pixel.x * directionGrid[1] + pixel.y * directionGrid[2];
+  Ray ray;
+  ray.originGrid = start.xyz / start.w;
+  ray.directionGrid = direction / length(worldFromGrid * direction);
+  ray.originTexture = (ray.originGrid + 0.5) * voxelCountInverse;
+  ray.directionTexture = ray.directionGrid * voxelCountInverse;
+  return ray;
+}
+
+Interval InsideOf(Ray ray)
+{
+  vec2 inside = IntersectBox(ray.originGrid, ray.directionGrid, boxLowerGrid, boxUpperGrid);
+  // The near plane cuts the box when the camera is close to it or inside.
+  float approach = dot(nearPlaneGrid.xyz, ray.directionGrid);
+  float offset = -dot(nearPlaneGrid, vec4(ray.originGrid, 1.0));
+  if (approach > 0.0)
+  {
+    inside.x = max(inside.x, offset / approach);
+  }
+  return Interval(inside.x, min(inside.y, DepthLimit(ray)));
+}
+
+void main()
+{
+  Ray ray = PixelRay();
+  Interval inside = InsideOf(ray);
+  if (!(inside.enter < inside.exit))
+  {
+    discard;
+  }
+
+  Accumulation sum = BlendBegin();
+  float t = inside.enter;
+  for (int index = 0; index < mostSegments; ++index)
+  {
+    float end = min(SegmentEnd(ray, inside, t, index), inside.exit);
+    float partMm = (end - t) / float(SamplesPerSegment);
+    for (int part = 0; part < SamplesPerSegment; ++part)
+    {
+      sum = BlendPart(sum, ray, t + (float(part) + 0.5) * partMm, partMm);
+    }
+    t = end;
+    if (t >= inside.exit || BlendFinished(sum))
+    {
+      break;
+    }
+  }
+  fragOutput0 = BlendResult(sum);
+}

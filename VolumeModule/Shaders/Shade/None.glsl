@@ -1,0 +1,6 @@
+// Emission only: the transfer function's colour is what is seen.
+
+vec3 Shade(vec3 color, vec3 positionTexture, Ray ray)
+{
+  return color;
+}

@@ -1,0 +1,55 @@
+// The contract: what every slot file may use, and what it must define.
+//
+// Spaces: *grid* has voxel (i,j,k) at (i,j,k); *texture* has the volume texture in [0,1];
+// *world* is the scene, its lengths in mm.
+
+// A ray through the volume. position(t) = origin + t * direction; t is a world length [mm].
+struct Ray
+{
+  vec3 originGrid;
+  vec3 directionGrid;   // per mm
+  vec3 originTexture;
+  vec3 directionTexture; // per mm
+};
+
+// Part of a ray that is inside the volume, t from enter to exit [mm].
+struct Interval
+{
+  float enter;
+  float exit;
+};
+
+uniform vec2 viewportOriginPixels; // of the renderer in its framebuffer
+uniform mat3 worldFromGrid;        // directions only
+uniform sampler3D volumeTexture;
+
+// The stored scalar at t: a texture value, which optical table and thresholds are scaled to.
+float ScalarAt(vec3 positionTexture)
+{
+  return textureLod(volumeTexture, positionTexture, 0.0).r;
+}
+
+// --- Depth: where opaque geometry ends a ray ------------------------------------------------
+// t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
+float DepthLimit(Ray ray);
+
+// --- Step: how far the next segment reaches ------------------------------------------------
+// Every segment is cut into SamplesPerSegment equal parts, each sampled at its middle.
+// t of the end of the segment that begins at t, the index-th of its ray; > t.
+float SegmentEnd(Ray ray, Interval inside, float t, int index);
+
+// --- Classify: what a scalar looks like ----------------------------------------------------
+// Colour (r,g,b), not premultiplied, and extinction [1/mm].
+vec4 Classify(float scalar);
+
+// --- Shade: light at a sample --------------------------------------------------------------
+// Colour of the material lit at a position on the ray.
+vec3 Shade(vec3 color, vec3 positionTexture, Ray ray);
+
+// --- Blend: what the samples of a ray become -----------------------------------------------
+// Defines struct Accumulation, and:
+//   Accumulation BlendBegin();
+//   Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm);
+//                               takes in a part of the ray of that length, whose middle is t
+//   bool BlendFinished(Accumulation sum);   nothing that follows could be seen
+//   vec4 BlendResult(Accumulation sum);     premultiplied RGBA

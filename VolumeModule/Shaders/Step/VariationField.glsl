@@ -1,0 +1,26 @@
+// Steps as long as the variation field allows: to the exit of the block in which the scalar is
+// known to stay within the tolerance, and no shorter than plain steps would be.
+// The field's texel of cell c holds 0 where the cell itself varies too much, else k + 1 where the
+// block of cells c - k ... c + k does not.
+
+const int SamplesPerSegment = 2;
+
+uniform float stepMm;
+uniform sampler3D fieldTexture; // nearest
+uniform vec3 cellCount;
+uniform vec3 cellCountInverse;
+
+float SegmentEnd(Ray ray, Interval inside, float t, int index)
+{
+  float plain = t + float(SamplesPerSegment) * stepMm;
+  vec3 position = ray.originGrid + t * ray.directionGrid;
+  vec3 cell = clamp(floor(position), vec3(0.0), cellCount - 1.0);
+  float reach = textureLod(fieldTexture, (cell + 0.5) * cellCountInverse, 0.0).r * 255.0;
+
+  // Planes through which the ray leaves the block, on each axis.
+  vec3 ahead = step(vec3(0.0), ray.directionGrid);
+  vec3 leaving = cell + ahead + (2.0 * ahead - 1.0) * (floor(reach + 0.5) - 1.0);
+  vec3 exits = (leaving - ray.originGrid) * SafeInverse(ray.directionGrid);
+  float proven = min(min(exits.x, exits.y), exits.z);
+  return reach < 0.5 ? plain : max(plain, proven);
+}

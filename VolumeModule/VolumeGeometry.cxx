@@ -1,0 +1,77 @@
+#include "VolumeGeometry.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// VTK stores rows, GLM columns.
+glm::dmat4 FromVtk(vtkMatrix4x4* matrix)
+{
+  return glm::transpose(glm::make_mat4(matrix->GetData()));
+}
+
+}
+
+glm::dmat3 VolumeGeometry::WorldFromGridNormal() const
+{
+  return glm::transpose(glm::inverse(this->WorldFromGridDirection()));
+}
+
+double VolumeGeometry::SmallestSpacingMm() const
+{
+  const glm::dmat3 axes = this->WorldFromGridDirection();
+  return std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
+}
+
+VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  vtkNew<vtkMatrix4x4> worldFromData;
+  volume->GetMatrix(worldFromData);
+
+  VolumeGeometry geometry;
+  geometry.dimensions = { extent[1] - extent[0] + 1, extent[3] - extent[2] + 1,
+    extent[5] - extent[4] + 1 };
+  geometry.worldFromGrid = FromVtk(worldFromData) * FromVtk(image->GetIndexToPhysicalMatrix()) *
+    glm::translate(glm::dmat4(1.0), glm::dvec3(extent[0], extent[2], extent[4]));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int voxels = geometry.dimensions[axis];
+    geometry.boxGrid.lower[axis] = voxels > 1 ? 0.0 : -0.5;
+    geometry.boxGrid.upper[axis] = voxels > 1 ? voxels - 1.0 : 0.5;
+  }
+  return geometry;
+}
+
+glm::dmat4 ClipFromWorld(vtkRenderer* renderer)
+{
+  vtkMatrix4x4* viewFromWorld = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkMatrix4x4* clipFromView = nullptr;
+  vtkMatrix4x4* clipFromWorld = nullptr;
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  camera->GetKeyMatrices(renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+  // VTK transposes these for OpenGL, which makes them GLM's columns.
+  return glm::make_mat4(clipFromWorld->GetData());
+}
+
+}

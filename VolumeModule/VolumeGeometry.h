@@ -1,0 +1,41 @@
+#ifndef Varimarch_VolumeGeometry_h
+#define Varimarch_VolumeGeometry_h
+
+#include "Core/Box.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+class vtkImageData;
+class vtkRenderer;
+class vtkVolume;
+
+namespace varimarch
+{
+
+/// Where a volume lies. Grid space has the image's first voxel at (0,0,0), whatever its extent.
+struct VolumeGeometry
+{
+  glm::ivec3 dimensions; ///< voxels
+  Box boxGrid;           ///< what is drawn: all cells; an axis with one voxel is one voxel thick
+  glm::dmat4
+    worldFromGrid; ///< extent, origin, spacing and direction of the image, then the volume's
+
+  glm::dmat3 WorldFromGridDirection() const { return glm::dmat3(this->worldFromGrid); }
+
+  /// Takes gradients, differences per voxel, to normals in the world.
+  glm::dmat3 WorldFromGridNormal() const;
+
+  /// Smallest distance of two neighbouring voxels in the world [mm].
+  double SmallestSpacingMm() const;
+};
+
+VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume);
+
+/// The renderer's camera and projection, for its current tile and eye.
+glm::dmat4 ClipFromWorld(vtkRenderer* renderer);
+
+}
+
+#endif
