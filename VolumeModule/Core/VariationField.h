@@ -24,8 +24,8 @@ namespace varimarch
 /// is a distance per voxel; Documentation/Mathematics.md says why cells, and proves the promise.
 struct VariationField
 {
-  /// Largest k stored; blocks of 253 cells are larger than most volumes.
-  static constexpr int LargestRadius = 126;
+  /// Largest k stored: blocks of 127 cells. Larger ones would cost more to find than they save.
+  static constexpr int LargestRadius = 63;
 
   glm::ivec3 cellCount = glm::ivec3(0);
   std::vector<std::uint8_t> cells; ///< x fastest
