@@ -1,5 +1,6 @@
 #include "Support/ExpectedVtkErrors.h"
 
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -44,11 +45,14 @@ vtkStandardNewMacro(CollectingOutputWindow);
 ExpectedVtkErrors::ExpectedVtkErrors()
 {
   currentExpectation = this;
+  // VTK logs each error besides, in the form that ctest takes for a failure.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 ExpectedVtkErrors::~ExpectedVtkErrors()
 {
   currentExpectation = nullptr;
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
 }
 
 std::string ExpectedVtkErrors::Text() const

@@ -1,0 +1,51 @@
+#include "Readers/FileError.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+void FailToRead(const std::string& path, const std::string& expected, const std::string& found)
+{
+  throw std::runtime_error(
+    "Cannot read \"" + path + "\": expected " + expected + ", found " + found + ".");
+}
+
+std::string Quoted(const std::string& text)
+{
+  constexpr std::size_t longest = 40;
+  std::string quoted = text.substr(0, longest);
+  for (char& character : quoted)
+  {
+    if (character < ' ' || character > '~' || character == '"')
+    {
+      character = '?';
+    }
+  }
+  return '"' + quoted + (text.size() > longest ? "..." : "") + '"';
+}
+
+std::uint64_t ReadableFileSize(const std::string& path)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+  {
+    FailToRead(path, "a file", "nothing of that name");
+  }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    FailToRead(path, "a file", "something else of that name");
+  }
+  if (!std::ifstream(path, std::ios::binary))
+  {
+    FailToRead(path, "a readable file", std::string("the error \"") + std::strerror(errno) + '"');
+  }
+  return std::filesystem::file_size(path);
+}
+
+}

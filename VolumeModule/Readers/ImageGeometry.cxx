@@ -1,0 +1,71 @@
+#include "Readers/ImageGeometry.h"
+
+#include "Readers/FileError.h"
+
+#include <vtkImageData.h>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <cmath>
+#include <sstream>
+
+namespace varimarch
+{
+namespace
+{
+
+bool IsFinite(const glm::dvec3& vector)
+{
+  return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+
+std::string Text(const glm::dvec3& vector)
+{
+  std::ostringstream text;
+  text << '(' << vector.x << ", " << vector.y << ", " << vector.z << ')';
+  return text.str();
+}
+
+}
+
+ImageGeometry FlippedLeftRightAndFrontBack(const ImageGeometry& geometry)
+{
+  const glm::dmat3 flip(glm::dvec3(-1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1));
+  return { flip * geometry.originMm, flip * geometry.axesMm };
+}
+
+void PlaceImage(const std::string& path, const ImageGeometry& geometry, vtkImageData* image)
+{
+  if (!IsFinite(geometry.originMm))
+  {
+    FailToRead(path, "a finite origin", Text(geometry.originMm));
+  }
+  glm::dvec3 spacingMm(0.0);
+  glm::dmat3 direction(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3 stepMm = geometry.axesMm[axis];
+    spacingMm[axis] = glm::length(stepMm);
+    // A length below the smallest normal number cannot be divided by.
+    if (!std::isnormal(spacingMm[axis]))
+    {
+      FailToRead(path, "a finite voxel spacing above 0",
+        "the step " + Text(stepMm) + " along axis " + std::to_string(axis));
+    }
+    direction[axis] = stepMm / spacingMm[axis];
+  }
+  // The volume of the unit parallelepiped: 1 for orthogonal axes, 0 for axes in one plane.
+  if (std::abs(glm::determinant(direction)) < 1e-6)
+  {
+    FailToRead(path, "three axes that span space",
+      "the directions " + Text(direction[0]) + " " + Text(direction[1]) + " " + Text(direction[2]));
+  }
+
+  image->SetOrigin(geometry.originMm.x, geometry.originMm.y, geometry.originMm.z);
+  image->SetSpacing(spacingMm.x, spacingMm.y, spacingMm.z);
+  const glm::dmat3 rows = glm::transpose(direction);
+  image->SetDirectionMatrix(&rows[0][0]);
+}
+
+}

@@ -1,0 +1,139 @@
+// InVesalius projects: a tar archive, gzipped or not, with a property list main.plist and the
+// voxels in the file that it names. https://github.com/invesalius/invesalius3
+#include "Readers/FileError.h"
+#include "Readers/Formats.h"
+#include "Readers/ImageGeometry.h"
+#include "Readers/NumberText.h"
+#include "Readers/Plist.h"
+#include "Readers/TarArchive.h"
+#include "Readers/VoxelFile.h"
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <map>
+
+namespace varimarch
+{
+namespace
+{
+
+Plist ReadProject(const std::string& path)
+{
+  // Real ones have a few kB.
+  constexpr std::uint64_t mostBytes = 1 << 24;
+  const TarMember member = FindInTar(path, "main.plist");
+  if (member.byteCount > mostBytes)
+  {
+    FailToRead(path, "a main.plist of at most 16 MB", ByteText(double(member.byteCount)));
+  }
+  std::string text(std::size_t(member.byteCount), '\0');
+  if (member.stream->Read(text.data(), text.size()) < text.size())
+  {
+    FailToRead(path, "a complete main.plist", "its beginning");
+  }
+  return Plist(path, text);
+}
+
+/// The numpy names of types.
+int TypeOfName(const std::string& path, const std::string& name)
+{
+  static const std::map<std::string, int> types = {
+    { "int8", VTK_SIGNED_CHAR },
+    { "uint8", VTK_UNSIGNED_CHAR },
+    { "int16", VTK_SHORT },
+    { "uint16", VTK_UNSIGNED_SHORT },
+    { "int32", VTK_INT },
+    { "uint32", VTK_UNSIGNED_INT },
+    { "int64", VTK_TYPE_INT64 },
+    { "uint64", VTK_TYPE_UINT64 },
+    { "float32", VTK_FLOAT },
+    { "float64", VTK_DOUBLE },
+  };
+  const auto type = types.find(name);
+  if (type == types.end())
+  {
+    FailToRead(path, "a matrix of integers or floats of 8 to 64 bits", "the type " + Quoted(name));
+  }
+  return type->second;
+}
+
+VoxelLayout LayoutOf(const std::string& path, const Plist& matrix)
+{
+  const std::vector<std::string> shape = matrix.Texts("shape");
+  if (shape.size() != 3)
+  {
+    FailToRead(path, "a matrix with 3 dimensions", std::to_string(shape.size()));
+  }
+  VoxelLayout layout = { {}, TypeOfName(path, matrix.Text("dtype")) };
+  // The slowest axis comes first.
+  std::transform(shape.rbegin(), shape.rend(), layout.dimensions.begin(),
+    [&](const std::string& word) { return IntegerFromText(path, "whole dimensions", word); });
+  return layout;
+}
+
+ImageGeometry GeometryOf(const std::string& path, const Plist& project)
+{
+  const std::vector<std::string> words = project.Texts("spacing");
+  if (words.size() != 3)
+  {
+    FailToRead(path, "a spacing of 3 numbers", std::to_string(words.size()));
+  }
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.axesMm[axis][axis] = NumberFromText(path, "a spacing of numbers", words[axis]);
+  }
+  // InVesalius stores rows from the back of the patient to the front, columns from right to left,
+  // slices from feet to head, however the patient was scanned. It keeps no origin.
+  geometry.axesMm[1] *= -1.0;
+  return geometry;
+}
+
+vtkSmartPointer<vtkImageData> ReadMatrix(
+  const std::string& path, const Plist& matrix, ReadProgress& progress)
+{
+  const VoxelLayout layout = LayoutOf(path, matrix);
+  const std::uint64_t byteCount = CheckedByteCount(path, layout);
+  const TarMember member = FindInTar(path, matrix.Text("filename"));
+  if (member.byteCount != byteCount)
+  {
+    FailToRead(path, Text(layout) + " (" + std::to_string(byteCount) + " bytes)",
+      std::to_string(member.byteCount) + " bytes in " + Quoted(matrix.Text("filename")));
+  }
+  if (double(byteCount) > LargestDeflateRatio * double(ReadableFileSize(path)))
+  {
+    FailToRead(path, ByteText(double(byteCount)) + " of voxels",
+      "a file of " + ByteText(double(ReadableFileSize(path))));
+  }
+  auto image = AllocatedImage(layout);
+  ReadBytes(path, *member.stream, image->GetScalarPointer(), byteCount, progress);
+  SwapToHostOrder(false, image);
+  return image;
+}
+
+}
+
+Volume ReadInv3(const std::string& path, const ReadOptions&, ReadProgress& progress)
+{
+  // Its "name" is the patient's.
+  const Plist project = ReadProject(path);
+  const ImageGeometry geometry = GeometryOf(path, project);
+  Volume volume;
+  volume.image = ReadMatrix(path, project.Dictionary("matrix"), progress);
+  PlaceImage(path, geometry, volume.image);
+
+  const std::string modality = project.Text("modality");
+  const bool isMr = modality == "MR" || modality == "MRI" || modality == "RMI";
+  volume.modality = isMr ? "MR" : modality == "CT" ? "CT" : "";
+  const std::string window = project.Text("window_width");
+  const std::string level = project.Text("window_level");
+  if (!window.empty() && !level.empty())
+  {
+    volume.windowLevel = { NumberFromText(path, "a number as window_width", window),
+      NumberFromText(path, "a number as window_level", level) };
+  }
+  return volume;
+}
+
+}

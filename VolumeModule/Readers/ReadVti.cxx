@@ -1,0 +1,204 @@
+// VTK's XML image data. VTK's own reader keeps the geometry, so it reads; what it reports is
+// caught.
+#include "Readers/FileError.h"
+#include "Readers/Formats.h"
+#include "Readers/ImageGeometry.h"
+#include "Readers/VoxelLayout.h"
+#include "Readers/VtkMessages.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
+#include <vtkDataCompressor.h>
+#include <vtkDataObject.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkExecutive.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMatrix3x3.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkXMLDataParser.h>
+#include <vtkXMLImageDataReader.h>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace varimarch
+{
+namespace
+{
+
+/// What the header says of the array that is shown.
+struct ArrayInfo
+{
+  std::string name;
+  int scalarType;
+  int componentCount;
+};
+
+[[noreturn]] void FailWith(const std::string& path, const VtkMessages& messages)
+{
+  FailToRead(path, "a complete VTK image file",
+    messages.Errors().empty() ? "less" : "the fault " + Quoted(messages.Errors().front()));
+}
+
+/// The active scalars, else the first array with up to four numbers per point.
+ArrayInfo ArrayToRead(const std::string& path, vtkInformation* output)
+{
+  vtkInformationVector* arrays = output->Get(vtkDataObject::POINT_DATA_VECTOR());
+  const int count = arrays ? arrays->GetNumberOfInformationObjects() : 0;
+  std::vector<ArrayInfo> candidates;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkInformation* array = arrays->GetInformationObject(i);
+    const char* name = array->Get(vtkDataObject::FIELD_NAME());
+    const ArrayInfo info = { name ? name : "", array->Get(vtkDataObject::FIELD_ARRAY_TYPE()),
+      array->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()) };
+    const int attributes = array->Get(vtkDataObject::FIELD_ACTIVE_ATTRIBUTE());
+    const bool isActive = (attributes & (1 << vtkDataSetAttributes::SCALARS)) != 0;
+    const bool isNumeric = info.scalarType >= VTK_CHAR && info.scalarType <= VTK_DOUBLE;
+    if (!info.name.empty() && (isNumeric || info.scalarType > VTK_STRING) &&
+      info.componentCount <= 4)
+    {
+      candidates.insert(isActive ? candidates.begin() : candidates.end(), info);
+    }
+  }
+  if (candidates.empty())
+  {
+    FailToRead(path, "an array of numbers at the points", "none");
+  }
+  return candidates.front();
+}
+
+/// Fails for a header that promises more than any encoding of the file can hold.
+void CheckFileHolds(const std::string& path, const VoxelLayout& layout, bool isCompressed)
+{
+  const double bytes = double(CheckedByteCount(path, layout));
+  const double fileBytes = double(ReadableFileSize(path));
+  // The densest: LZMA packs up to about 7000 to 1; text needs two bytes for a value.
+  const double valueBytes = vtkDataArray::GetDataTypeSize(layout.scalarType);
+  const double mostBytes = fileBytes * (isCompressed ? 7000.0 : std::max(1.0, valueBytes / 2.0));
+  if (bytes > mostBytes)
+  {
+    FailToRead(
+      path, Text(layout) + " (" + ByteText(bytes) + ")", "a file of " + ByteText(fileBytes));
+  }
+}
+
+/// Lets the array through, and nothing else.
+void SelectArray(vtkXMLImageDataReader* reader, const std::string& name)
+{
+  reader->GetPointDataArraySelection()->DisableAllArrays();
+  reader->GetPointDataArraySelection()->EnableArray(name.c_str());
+  reader->GetCellDataArraySelection()->DisableAllArrays();
+}
+
+/// Passes progress on; cancelling stops the reader, and is thrown when it has returned.
+void UpdateWithProgress(vtkXMLImageDataReader* reader, ReadProgress& progress)
+{
+  struct Link
+  {
+    ReadProgress& progress;
+    bool cancelled;
+  } link{ progress, false };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&link);
+  observer->SetCallback(
+    [](vtkObject* caller, unsigned long, void* clientData, void* partDone)
+    {
+      auto* link = static_cast<Link*>(clientData);
+      try
+      {
+        link->progress.Report(*static_cast<double*>(partDone));
+      }
+      catch (const ReadCancelled&)
+      {
+        link->cancelled = true;
+        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+      }
+    });
+  reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  reader->Update();
+  if (link.cancelled)
+  {
+    throw ReadCancelled();
+  }
+}
+
+ImageGeometry GeometryOf(vtkImageData* image)
+{
+  const int* extent = image->GetExtent();
+  const glm::dvec3 firstIndex(extent[0], extent[2], extent[4]);
+  const glm::dmat3 direction =
+    glm::transpose(glm::make_mat3(image->GetDirectionMatrix()->GetData()));
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.axesMm[axis] = direction[axis] * image->GetSpacing()[axis];
+  }
+  // Extents may begin anywhere; ours begin at 0.
+  geometry.originMm = glm::make_vec3(image->GetOrigin()) + geometry.axesMm * firstIndex;
+  return geometry;
+}
+
+/// Reads the header, and fails for one that cannot be true.
+/// @returns the array to read
+ArrayInfo ReadHeader(
+  const std::string& path, vtkXMLImageDataReader* reader, const VtkMessages& messages)
+{
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  vtkInformation* output = reader->GetOutputInformation(0);
+  if (!messages.Errors().empty() || !output->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    FailWith(path, messages);
+  }
+  const ArrayInfo array = ArrayToRead(path, output);
+  const int* extent = output->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  VoxelLayout layout = { {}, array.scalarType, array.componentCount };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    layout.dimensions[axis] = std::int64_t(extent[2 * axis + 1]) - extent[2 * axis] + 1;
+  }
+  CheckFileHolds(path, layout, reader->GetXMLParser()->GetCompressor() != nullptr);
+  return array;
+}
+
+}
+
+Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progress)
+{
+  VtkMessages messages;
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetReaderErrorObserver(messages.Listener());
+  reader->SetParserErrorObserver(messages.Listener());
+  messages.Take(reader);
+  messages.Take(reader->GetExecutive());
+  const ArrayInfo array = ReadHeader(path, reader, messages);
+  if (vtkDataCompressor* compressor = reader->GetXMLParser()->GetCompressor())
+  {
+    messages.Take(compressor);
+  }
+  SelectArray(reader, array.name);
+  UpdateWithProgress(reader, progress);
+
+  vtkImageData* image = reader->GetOutput();
+  vtkDataArray* scalars = image->GetPointData()->GetArray(array.name.c_str());
+  if (!messages.Errors().empty() || !scalars ||
+    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    FailWith(path, messages);
+  }
+  Volume volume;
+  volume.image = vtkSmartPointer<vtkImageData>::New();
+  volume.image->SetDimensions(image->GetDimensions());
+  volume.image->GetPointData()->SetScalars(scalars);
+  PlaceImage(path, GeometryOf(image), volume.image);
+  return volume;
+}
+
+}

@@ -1,0 +1,85 @@
+#ifndef Varimarch_Readers_VolumeFile_h
+#define Varimarch_Readers_VolumeFile_h
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace varimarch
+{
+
+/// How the values of a volume are meant to be shown, in units of the data.
+struct WindowLevel
+{
+  double window; ///< width, > 0
+  double level;  ///< centre
+};
+
+/// What a file holds: an image placed in LPS space [mm], and what the file says about it.
+/// Nothing here identifies a patient.
+struct Volume
+{
+  vtkSmartPointer<vtkImageData> image;
+  std::string modality;    ///< "CT", "MR", another DICOM modality, or empty
+  std::string description; ///< what was imaged, or empty
+  std::optional<WindowLevel> windowLevel;
+  std::vector<std::string> warnings; ///< sentences: what is doubtful about the volume
+};
+
+/// What a file of bare voxels does not say about itself.
+struct RawLayout
+{
+  std::array<int, 3> dimensions = { 0, 0, 0 }; ///< voxels along each axis, x fastest; 0 is unset
+  int scalarType = VTK_UNSIGNED_CHAR;
+  int componentCount = 1;
+  std::array<double, 3> spacingMm = { 1.0, 1.0, 1.0 };
+  std::int64_t headerBytes = 0; ///< to skip before the first voxel
+  bool bigEndian = false;
+};
+
+/// What a caller can choose about reading.
+struct ReadOptions
+{
+  RawLayout raw;
+  std::string seriesUid; ///< DICOM series to read; empty is the one with most slices
+};
+
+/// Thrown when the user has stopped the reading.
+struct ReadCancelled
+{
+};
+
+/// Tells a user how far reading is, and asks whether to go on.
+class ReadProgress
+{
+public:
+  /// @param goesOn  gets the part done, in [0, 1]; returns false to stop
+  explicit ReadProgress(std::function<bool(double)> goesOn)
+    : goesOn(std::move(goesOn))
+  {
+  }
+
+  /// @throws ReadCancelled
+  void Report(double partDone)
+  {
+    if (!this->goesOn(partDone))
+    {
+      throw ReadCancelled();
+    }
+  }
+
+private:
+  std::function<bool(double)> goesOn;
+};
+
+}
+
+#endif

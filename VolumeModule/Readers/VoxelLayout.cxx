@@ -1,0 +1,86 @@
+#include "Readers/VoxelLayout.h"
+
+#include "Readers/FileError.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+
+#include <vtksys/SystemInformation.hxx>
+
+#include <cstdio>
+#include <limits>
+
+namespace varimarch
+{
+namespace
+{
+
+double PhysicalMemoryBytes()
+{
+  vtksys::SystemInformation machine;
+  return 1024.0 * double(machine.GetHostMemoryTotal()); // it counts in KiB
+}
+
+}
+
+std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layout)
+{
+  // The product in double cannot overflow; it is exact for every volume that fits into memory.
+  double bytes = double(vtkDataArray::GetDataTypeSize(layout.scalarType)) * layout.componentCount;
+  for (std::int64_t dimension : layout.dimensions)
+  {
+    if (dimension < 1 || dimension > std::numeric_limits<int>::max())
+    {
+      FailToRead(path, "1 to 2147483647 voxels along each axis", Text(layout));
+    }
+    bytes *= double(dimension);
+  }
+  if (layout.componentCount < 1 || layout.componentCount > 4)
+  {
+    FailToRead(path, "1 to 4 values per voxel", std::to_string(layout.componentCount));
+  }
+  const double memoryBytes = PhysicalMemoryBytes();
+  if (bytes > memoryBytes)
+  {
+    FailToRead(path, "a volume that fits the memory of " + ByteText(memoryBytes),
+      Text(layout) + " (" + ByteText(bytes) + ")");
+  }
+  return std::uint64_t(bytes);
+}
+
+vtkSmartPointer<vtkImageData> AllocatedImage(const VoxelLayout& layout)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(
+    int(layout.dimensions[0]), int(layout.dimensions[1]), int(layout.dimensions[2]));
+  image->AllocateScalars(layout.scalarType, int(layout.componentCount));
+  image->GetPointData()->GetScalars()->SetName("scalars");
+  return image;
+}
+
+std::string Text(const VoxelLayout& layout)
+{
+  std::string text;
+  for (std::int64_t dimension : layout.dimensions)
+  {
+    text += (text.empty() ? "" : " x ") + std::to_string(dimension);
+  }
+  return text + " voxels of " + vtkImageScalarTypeNameMacro(layout.scalarType);
+}
+
+std::string ByteText(double bytes)
+{
+  const char* const units[] = { "bytes", "kB", "MB", "GB", "TB" };
+  int unit = 0;
+  while (bytes >= 1000.0 && unit < 4)
+  {
+    bytes /= 1000.0;
+    ++unit;
+  }
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.4g %s", bytes, units[unit]);
+  return text;
+}
+
+}

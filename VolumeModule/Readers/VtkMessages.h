@@ -1,0 +1,42 @@
+#ifndef Varimarch_Readers_VtkMessages_h
+#define Varimarch_Readers_VtkMessages_h
+
+#include <vtkNew.h>
+
+#include <string>
+#include <vector>
+
+class vtkCallbackCommand;
+class vtkObject;
+
+namespace varimarch
+{
+
+/// Takes the errors and warnings of VTK objects, which would otherwise be printed.
+class VtkMessages
+{
+public:
+  VtkMessages();
+  ~VtkMessages();
+  VtkMessages(const VtkMessages&) = delete;
+  void operator=(const VtkMessages&) = delete;
+
+  /// Listens to an object. It must not outlive these messages.
+  void Take(vtkObject* object);
+
+  /// The listener itself, for objects that pass it on to objects of their own.
+  vtkCallbackCommand* Listener() { return this->listener; }
+
+  /// What has been said, without file, line and address.
+  const std::vector<std::string>& Errors() const { return this->errors; }
+  const std::vector<std::string>& Warnings() const { return this->warnings; }
+
+private:
+  vtkNew<vtkCallbackCommand> listener;
+  std::vector<std::string> errors;
+  std::vector<std::string> warnings;
+};
+
+}
+
+#endif

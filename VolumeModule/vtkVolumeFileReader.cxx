@@ -1,0 +1,216 @@
+#include "vtkVolumeFileReader.h"
+
+#include "Readers/Formats.h"
+
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMatrix3x3.h>
+#include <vtkObjectFactory.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+/// The image is here only from RequestInformation to RequestData, which hands it out.
+struct vtkVolumeFileReader::Contents
+{
+  varimarch::Volume Volume;
+  vtkNew<vtkStringArray> Warnings;
+};
+
+vtkStandardNewMacro(vtkVolumeFileReader);
+
+vtkVolumeFileReader::vtkVolumeFileReader()
+  : Read(std::make_unique<Contents>())
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkVolumeFileReader::~vtkVolumeFileReader()
+{
+  delete[] this->FileName;
+}
+
+void vtkVolumeFileReader::ReadFileOrThrow()
+{
+  varimarch::ReadOptions options;
+  std::copy_n(this->RawDimensions, 3, options.raw.dimensions.begin());
+  options.raw.scalarType = this->RawScalarType;
+  options.raw.componentCount = this->RawNumberOfComponents;
+  std::copy_n(this->RawSpacing, 3, options.raw.spacingMm.begin());
+  options.raw.headerBytes = this->RawHeaderBytes;
+  options.raw.bigEndian = this->RawBigEndian;
+
+  varimarch::ReadProgress progress(
+    [this](double partDone)
+    {
+      this->UpdateProgress(partDone);
+      return !this->GetAbortExecute();
+    });
+  this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
+  for (const std::string& warning : this->Read->Volume.warnings)
+  {
+    this->Read->Warnings->InsertNextValue(warning);
+  }
+}
+
+void vtkVolumeFileReader::ReadFile()
+{
+  this->Read = std::make_unique<Contents>();
+  this->ErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->SetAbortExecute(0);
+  if (!this->FileName)
+  {
+    this->ErrorMessage = "Cannot read a volume: expected a file name, found none.";
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro(<< this->ErrorMessage);
+    return;
+  }
+  try
+  {
+    this->ReadFileOrThrow();
+  }
+  catch (const varimarch::ReadCancelled&)
+  {
+    this->ErrorMessage = "Reading \"" + std::string(this->FileName) + "\" was stopped.";
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  catch (const std::exception& error)
+  {
+    std::error_code ignored;
+    this->ErrorMessage = error.what();
+    this->SetErrorCode(std::filesystem::exists(this->FileName, ignored)
+        ? vtkErrorCode::FileFormatError
+        : vtkErrorCode::FileNotFoundError);
+    vtkErrorMacro(<< this->ErrorMessage);
+  }
+}
+
+int vtkVolumeFileReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  this->ReadFile();
+  vtkInformation* output = outputs->GetInformationObject(0);
+  if (vtkImageData* image = this->Read->Volume.image)
+  {
+    output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
+    output->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+    output->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
+    output->Set(vtkDataObject::DIRECTION(), image->GetDirectionMatrix()->GetData(), 9);
+    vtkDataObject::SetPointDataActiveScalarInfo(
+      output, image->GetScalarType(), image->GetNumberOfScalarComponents());
+  }
+  else
+  {
+    const int empty[6] = { 0, -1, 0, -1, 0, -1 };
+    output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), empty, 6);
+  }
+  // A failure is a 1 too: with 0 the executive would print an error of its own behind ours.
+  return 1;
+}
+
+int vtkVolumeFileReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  // The output was released since it was handed out, and is wanted again.
+  if (!this->Read->Volume.image && this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->ReadFile();
+  }
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  if (this->Read->Volume.image)
+  {
+    output->ShallowCopy(this->Read->Volume.image);
+    this->Read->Volume.image = nullptr;
+  }
+  else
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+const char* vtkVolumeFileReader::GetModality()
+{
+  return this->Read->Volume.modality.c_str();
+}
+
+const char* vtkVolumeFileReader::GetDescription()
+{
+  return this->Read->Volume.description.c_str();
+}
+
+bool vtkVolumeFileReader::HasWindowLevel()
+{
+  return this->Read->Volume.windowLevel.has_value();
+}
+
+double vtkVolumeFileReader::GetWindow()
+{
+  return this->HasWindowLevel() ? this->Read->Volume.windowLevel->window : 0.0;
+}
+
+double vtkVolumeFileReader::GetLevel()
+{
+  return this->HasWindowLevel() ? this->Read->Volume.windowLevel->level : 0.0;
+}
+
+vtkStringArray* vtkVolumeFileReader::GetWarnings()
+{
+  return this->Read->Warnings;
+}
+
+const char* vtkVolumeFileReader::GetErrorMessage()
+{
+  return this->ErrorMessage.c_str();
+}
+
+int vtkVolumeFileReader::GetNumberOfFormats()
+{
+  return int(varimarch::VolumeFormats().size());
+}
+
+const char* vtkVolumeFileReader::GetFormatName(int format)
+{
+  return varimarch::VolumeFormats().at(format).name;
+}
+
+const char* vtkVolumeFileReader::GetFormatDescription(int format)
+{
+  return varimarch::VolumeFormats().at(format).description;
+}
+
+std::string vtkVolumeFileReader::GetFormatExtensions(int format)
+{
+  std::string all;
+  for (const std::string& extension : varimarch::VolumeFormats().at(format).extensions)
+  {
+    all += (all.empty() ? "" : " ") + extension;
+  }
+  return all;
+}
+
+bool vtkVolumeFileReader::CanReadFile(const char* path)
+{
+  return path && varimarch::LooksReadable(path);
+}
+
+void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  os << indent << "RawDimensions: " << this->RawDimensions[0] << ' ' << this->RawDimensions[1]
+     << ' ' << this->RawDimensions[2] << '\n';
+  os << indent << "RawScalarType: " << vtkImageScalarTypeNameMacro(this->RawScalarType) << '\n';
+  os << indent << "RawNumberOfComponents: " << this->RawNumberOfComponents << '\n';
+  os << indent << "RawSpacing: " << this->RawSpacing[0] << ' ' << this->RawSpacing[1] << ' '
+     << this->RawSpacing[2] << '\n';
+  os << indent << "RawHeaderBytes: " << this->RawHeaderBytes << '\n';
+  os << indent << "RawBigEndian: " << this->RawBigEndian << '\n';
+  os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
+}
