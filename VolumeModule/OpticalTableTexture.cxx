@@ -3,29 +3,30 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkType.h"
 
+#include <utility>
+
 namespace varimarch
 {
 
-void OpticalTableTexture::Upload(vtkOpenGLRenderWindow* window, const OpticalTable& table)
+void OpticalTableTexture::Upload(vtkOpenGLRenderWindow* window, OpticalTable newTable)
 {
+  const std::size_t count = newTable.entries.size();
   this->buffer->Upload(
-    &table.entries.front().x, 4 * table.entries.size(), vtkOpenGLBufferObject::TextureBuffer);
-  if (this->entryCount != table.entries.size())
+    &newTable.entries.front().x, 4 * count, vtkOpenGLBufferObject::TextureBuffer);
+  if (count != this->table.entries.size())
   {
     this->texture->ReleaseGraphicsResources(window);
     this->texture->SetContext(window);
-    this->texture->CreateTextureBuffer(unsigned(table.entries.size()), 4, VTK_FLOAT, this->buffer);
+    this->texture->CreateTextureBuffer(unsigned(count), 4, VTK_FLOAT, this->buffer);
   }
-  this->entryCount = table.entries.size();
-  this->firstValue = table.firstValue;
-  this->lastValue = table.lastValue;
+  this->table = std::move(newTable);
 }
 
 void OpticalTableTexture::Release(vtkWindow* window)
 {
   this->texture->ReleaseGraphicsResources(window);
   this->buffer->ReleaseGraphicsResources();
-  this->entryCount = 0;
+  this->table = {};
 }
 
 }

@@ -17,21 +17,17 @@ namespace varimarch
 class OpticalTableTexture
 {
 public:
-  void Upload(vtkOpenGLRenderWindow* window, const OpticalTable& table);
+  void Upload(vtkOpenGLRenderWindow* window, OpticalTable table);
 
   vtkTextureObject* Texture() const { return this->texture; }
-  std::size_t EntryCount() const { return this->entryCount; }
-  double FirstValue() const { return this->firstValue; }
-  double LastValue() const { return this->lastValue; }
-  std::size_t Bytes() const { return this->entryCount * sizeof(glm::vec4); }
+  const OpticalTable& Table() const { return this->table; }
+  std::size_t Bytes() const { return this->table.entries.size() * sizeof(glm::vec4); }
   void Release(vtkWindow* window);
 
 private:
   vtkNew<vtkOpenGLBufferObject> buffer;
   vtkNew<vtkTextureObject> texture;
-  std::size_t entryCount = 0;
-  double firstValue = 0.0;
-  double lastValue = 0.0;
+  OpticalTable table = {};
 };
 
 }

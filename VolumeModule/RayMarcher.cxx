@@ -30,6 +30,12 @@ constexpr double MostSegments = 1 << 20;
 // The tolerance of the field when none is given, as a part of the range of the scalars.
 constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 
+// The largest error of a premultiplied channel that homogeneous bricks may add.
+constexpr double OpticalFieldError = 1.0 / 255.0;
+
+// How far a ray is carried over the face of a block that it has reached, as a part of a voxel.
+constexpr double NudgeOfVoxel = 1e-3;
+
 // The part of the framebuffer that the renderer draws to.
 struct Viewport
 {
@@ -45,6 +51,15 @@ Viewport ViewportOf(vtkRenderer* renderer)
   renderer->GetTiledSizeAndOrigin(
     &viewport.width, &viewport.height, &viewport.left, &viewport.bottom);
   return viewport;
+}
+
+// As many as a ray along the diagonal takes at the sample distance, and as many as the faces of
+// cells it can pass.
+int MostSegmentsOf(const Frame& frame)
+{
+  const double steps = std::ceil(frame.geometry.DiagonalMm() / frame.sampleDistanceMm);
+  const glm::ivec3 voxels = frame.geometry.dimensions;
+  return int(std::min(MostSegments, steps + voxels.x + voxels.y + voxels.z));
 }
 
 struct HeadLight
@@ -124,8 +139,8 @@ void RayMarcher::Draw(const Frame& frame)
 {
   this->EnterWindow(frame.window);
   this->UpdateVolume(frame);
-  this->UpdateField(frame);
   this->UpdateOpticalTable(frame);
+  this->UpdateField(frame);
   this->UpdateDepth(frame);
   this->UpdateProgram(frame);
   this->DrawBox(frame);
@@ -150,30 +165,8 @@ void RayMarcher::UpdateVolume(const Frame& frame)
   this->volume.Upload(frame.window, frame.scalars, frame.geometry.dimensions);
   this->volumeSource = frame.scalars;
   this->volumeTime = frame.scalarsTime;
-  // What is made from the scalars or their range goes with them.
-  this->fieldTolerance = -1.0;
-  this->tableSource = nullptr;
+  this->tableSource = nullptr; // a table covers the range of the scalars
   ++this->builds.volumeTexture;
-}
-
-void RayMarcher::UpdateField(const Frame& frame)
-{
-  if (frame.settings.acceleration == Acceleration::Off)
-  {
-    this->field.Release(frame.window);
-    this->fieldTolerance = -1.0;
-    return;
-  }
-  const double range = this->volume.LargestScalar() - this->volume.SmallestScalar();
-  const double tolerance =
-    frame.variationTolerance >= 0.0 ? frame.variationTolerance : DefaultToleranceOfRange * range;
-  if (this->fieldTolerance == tolerance)
-  {
-    return;
-  }
-  this->field.Build(frame.window, frame.scalars, frame.geometry.dimensions, tolerance);
-  this->fieldTolerance = tolerance;
-  ++this->builds.field;
 }
 
 void RayMarcher::UpdateOpticalTable(const Frame& frame)
@@ -192,6 +185,63 @@ void RayMarcher::UpdateOpticalTable(const Frame& frame)
   this->tableTime = time;
   this->tableUnitDistanceMm = unitDistanceMm;
   ++this->builds.opticalTable;
+}
+
+void RayMarcher::UpdateField(const Frame& frame)
+{
+  switch (frame.settings.acceleration)
+  {
+    case Acceleration::Off:
+      this->field.Release(frame.window);
+      this->fieldSource.reset();
+      this->rangesOfVolume = 0;
+      break;
+    case Acceleration::ScalarField:
+      this->UpdateScalarField(frame);
+      break;
+    case Acceleration::OpticalField:
+      this->UpdateOpticalField(frame);
+      break;
+  }
+}
+
+void RayMarcher::UpdateScalarField(const Frame& frame)
+{
+  const double range = this->volume.LargestScalar() - this->volume.SmallestScalar();
+  const double tolerance =
+    frame.variationTolerance >= 0.0 ? frame.variationTolerance : DefaultToleranceOfRange * range;
+  const FieldSource source{ Acceleration::ScalarField, this->builds.volumeTexture, 0, tolerance };
+  if (this->fieldSource == source)
+  {
+    return;
+  }
+  this->fieldSource.reset();
+  this->field.BuildScalarField(frame.window, frame.scalars, frame.geometry.dimensions, tolerance);
+  this->fieldSource = source;
+  ++this->builds.field;
+}
+
+void RayMarcher::UpdateOpticalField(const Frame& frame)
+{
+  const OpticalTolerance tolerance =
+    OpticalTolerance::ForError(OpticalFieldError, frame.geometry.DiagonalMm());
+  const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
+    this->builds.opticalTable, tolerance.longestRayMm };
+  if (this->fieldSource == source)
+  {
+    return;
+  }
+  this->fieldSource.reset();
+  if (this->rangesOfVolume != this->builds.volumeTexture)
+  {
+    this->field.BuildRanges(frame.scalars, frame.geometry.dimensions, this->volume.SmallestScalar(),
+      this->volume.LargestScalar());
+    this->rangesOfVolume = this->builds.volumeTexture;
+    ++this->builds.brickRanges;
+  }
+  this->field.BuildOpticalField(frame.window, this->opticalTable.Table(), tolerance);
+  this->fieldSource = source;
+  ++this->builds.field;
 }
 
 void RayMarcher::UpdateDepth(const Frame& frame)
@@ -219,23 +269,18 @@ void RayMarcher::SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGr
   const PixelRays rays = ComputePixelRays(clipFromGrid, frame.geometry.boxGrid);
   const Viewport viewport = ViewportOf(frame.renderer);
   const Box& box = frame.geometry.boxGrid;
-  const glm::dmat3 worldFromGrid = frame.geometry.WorldFromGridDirection();
-  const double diagonalMm = glm::length(worldFromGrid[0]) * (box.upper.x - box.lower.x) +
-    glm::length(worldFromGrid[1]) * (box.upper.y - box.lower.y) +
-    glm::length(worldFromGrid[2]) * (box.upper.z - box.lower.z);
 
   this->program.Set("clipFromGrid", clipFromGrid);
   this->program.Set("viewportOriginPixels", glm::dvec2(viewport.left, viewport.bottom));
   this->program.Set("viewportPixelsInverse", 1.0 / glm::dvec2(viewport.width, viewport.height));
   this->program.Set("startGrid", rays.startGrid);
   this->program.Set("directionGrid", rays.directionGrid);
-  this->program.Set("worldFromGrid", worldFromGrid);
+  this->program.Set("worldFromGrid", frame.geometry.WorldFromGridDirection());
   this->program.Set("nearPlaneGrid", rays.nearPlaneGrid);
   this->program.Set("boxLowerGrid", box.lower);
   this->program.Set("boxUpperGrid", box.upper);
   this->program.Set("voxelCountInverse", 1.0 / glm::dvec3(frame.geometry.dimensions));
-  this->program.Set("mostSegments",
-    int(std::min(MostSegments, std::ceil(diagonalMm / frame.sampleDistanceMm) + 2.0)));
+  this->program.Set("mostSegments", MostSegmentsOf(frame));
 }
 
 void RayMarcher::SetDepthUniforms(const glm::dmat4& clipFromGrid)
@@ -249,27 +294,40 @@ void RayMarcher::SetDepthUniforms(const glm::dmat4& clipFromGrid)
 void RayMarcher::SetStepUniforms(const Frame& frame)
 {
   this->program.Set("stepMm", frame.sampleDistanceMm);
+  if (frame.settings.acceleration == Acceleration::Off)
+  {
+    return;
+  }
+  this->field.Texture()->Activate();
+  this->program.Set("fieldTexture", this->field.Texture());
+  const glm::dvec3 size(this->field.Size());
   if (frame.settings.acceleration == Acceleration::ScalarField)
   {
-    this->field.Texture()->Activate();
-    this->program.Set("fieldTexture", this->field.Texture());
-    this->program.Set("cellCount", glm::dvec3(this->field.CellCount()));
-    this->program.Set("cellCountInverse", 1.0 / glm::dvec3(this->field.CellCount()));
+    this->program.Set("cellCount", size);
+    this->program.Set("cellCountInverse", 1.0 / size);
+  }
+  else
+  {
+    this->program.Set("brickCount", size);
+    this->program.Set("brickCountInverse", 1.0 / size);
+    this->program.Set("cellsPerBrick", double(BrickRanges::CellsPerSide));
+    this->program.Set("nudgeMm", NudgeOfVoxel * frame.geometry.SmallestSpacingMm());
   }
 }
 
 void RayMarcher::SetClassifyUniforms()
 {
   // Texel to scalar to table index, as one scale and bias.
-  const double last = double(this->opticalTable.EntryCount() - 1);
-  const double extent = this->opticalTable.LastValue() - this->opticalTable.FirstValue();
+  const OpticalTable& table = this->opticalTable.Table();
+  const double last = double(table.entries.size() - 1);
+  const double extent = table.lastValue - table.firstValue;
   const double indexPerScalar = extent > 0.0 ? last / extent : 0.0;
   const TexelMapping& mapping = this->volume.Mapping();
   this->opticalTable.Texture()->Activate();
   this->program.Set("opticalTable", this->opticalTable.Texture());
   this->program.Set("tableFromScalar",
-    glm::dvec2(mapping.scale * indexPerScalar,
-      (mapping.offset - this->opticalTable.FirstValue()) * indexPerScalar));
+    glm::dvec2(
+      mapping.scale * indexPerScalar, (mapping.offset - table.firstValue) * indexPerScalar));
   this->program.Set("lastTableIndex", last);
 }
 
@@ -351,6 +409,8 @@ void RayMarcher::Release(vtkWindow* window)
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource = nullptr;
+  this->fieldSource.reset();
+  this->rangesOfVolume = 0;
   this->window = nullptr;
 }
 

@@ -1,9 +1,9 @@
 #ifndef Varimarch_RayMarcher_h
 #define Varimarch_RayMarcher_h
 
+#include "AccelerationField.h"
 #include "Core/PixelRays.h"
 #include "Core/RenderSettings.h"
-#include "FieldTexture.h"
 #include "OpticalTableTexture.h"
 #include "RayMarchProgram.h"
 #include "SceneDepthTexture.h"
@@ -15,6 +15,8 @@
 #include "vtkWeakPointer.h"
 
 #include <glm/vec2.hpp>
+
+#include <optional>
 
 class vtkDataArray;
 class vtkImageData;
@@ -37,7 +39,7 @@ struct Frame
   VolumeGeometry geometry;
   RenderSettings settings;
   double sampleDistanceMm;
-  double variationTolerance; ///< negative: chosen from the range of the scalars
+  double variationTolerance; ///< of the scalar field; negative: chosen from the range
   double earlyTerminationTransmittance;
 };
 
@@ -45,9 +47,25 @@ struct Frame
 struct BuildCounts
 {
   int volumeTexture = 0;
+  int brickRanges = 0;
   int field = 0;
   int opticalTable = 0;
   int shader = 0;
+};
+
+/// What a field was made from; it must be made again when any of it differs.
+struct FieldSource
+{
+  Acceleration acceleration;
+  int volumeBuild; ///< of the volume texture
+  int tableBuild;  ///< of the optical table; 0 for a field that does not know it
+  double tolerance;
+
+  bool operator==(const FieldSource& other) const
+  {
+    return this->acceleration == other.acceleration && this->volumeBuild == other.volumeBuild &&
+      this->tableBuild == other.tableBuild && this->tolerance == other.tolerance;
+  }
 };
 
 /// Draws frames. Holds the graphics resources and remakes those, and only those, whose source has
@@ -68,8 +86,10 @@ public:
 private:
   void EnterWindow(vtkOpenGLRenderWindow* window);
   void UpdateVolume(const Frame& frame);
-  void UpdateField(const Frame& frame);
   void UpdateOpticalTable(const Frame& frame);
+  void UpdateField(const Frame& frame);
+  void UpdateScalarField(const Frame& frame);
+  void UpdateOpticalField(const Frame& frame);
   void UpdateDepth(const Frame& frame);
   void UpdateProgram(const Frame& frame);
 
@@ -83,7 +103,7 @@ private:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> window;
   VolumeTexture volume;
-  FieldTexture field;
+  AccelerationField field;
   OpticalTableTexture opticalTable;
   SceneDepthTexture depth;
   VolumeBoxGeometry boxGeometry;
@@ -93,10 +113,11 @@ private:
   // What each resource was made from.
   vtkDataArray* volumeSource = nullptr;
   vtkMTimeType volumeTime = 0;
-  double fieldTolerance = -1.0;
   vtkVolumeProperty* tableSource = nullptr;
   vtkMTimeType tableTime = 0;
   double tableUnitDistanceMm = 0.0;
+  std::optional<FieldSource> fieldSource; ///< none: there is no field
+  int rangesOfVolume = 0; ///< the volume texture's build that the field's ranges belong to
 };
 
 }

@@ -41,6 +41,22 @@ double VolumeGeometry::SmallestSpacingMm() const
   return std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
 }
 
+double VolumeGeometry::DiagonalMm() const
+{
+  const glm::dmat3 axes = this->WorldFromGridDirection();
+  const glm::dvec3 extent = this->boxGrid.upper - this->boxGrid.lower;
+  // The longest of the four diagonals: they differ when the volume is sheared.
+  double longest = 0.0;
+  for (double signY : { -1.0, 1.0 })
+  {
+    for (double signZ : { -1.0, 1.0 })
+    {
+      longest = std::max(longest, glm::length(axes * (extent * glm::dvec3(1.0, signY, signZ))));
+    }
+  }
+  return longest;
+}
+
 VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume)
 {
   int extent[6];

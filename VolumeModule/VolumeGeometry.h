@@ -29,6 +29,9 @@ struct VolumeGeometry
 
   /// Smallest distance of two neighbouring voxels in the world [mm].
   double SmallestSpacingMm() const;
+
+  /// Length of the longest ray through the volume [mm].
+  double DiagonalMm() const;
 };
 
 VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume);

@@ -63,10 +63,17 @@ Blend BlendOf(int blendMode)
     " is not supported: expected composite (0) or maximum intensity (1)");
 }
 
-Acceleration AccelerationOf(int accelerationMode)
+Acceleration AccelerationOf(int accelerationMode, Blend blend)
 {
-  return accelerationMode == vtkVariationFieldVolumeMapper::Off ? Acceleration::Off
-                                                                : Acceleration::ScalarField;
+  switch (accelerationMode)
+  {
+    case vtkVariationFieldVolumeMapper::ScalarField:
+      return Acceleration::ScalarField;
+    case vtkVariationFieldVolumeMapper::OpticalField:
+      // What is invisible to a composite may be the maximum.
+      return blend == Blend::Composite ? Acceleration::OpticalField : Acceleration::Off;
+  }
+  return Acceleration::Off;
 }
 
 // The scalars to draw. Throws a sentence that tells what is wrong with the input.
@@ -150,7 +157,7 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   frame.scalarsTime = std::max(image->GetMTime(), scalars->GetMTime());
   frame.geometry = varimarch::VolumeGeometryOf(image, volume);
   frame.settings.blend = BlendOf(this->BlendMode);
-  frame.settings.acceleration = AccelerationOf(this->AccelerationMode);
+  frame.settings.acceleration = AccelerationOf(this->AccelerationMode, frame.settings.blend);
   frame.settings.shading =
     frame.property->GetShade() != 0 && frame.settings.blend == Blend::Composite;
   frame.settings.sceneGeometry = HasOpaqueGeometry(renderer);
@@ -201,6 +208,11 @@ void vtkVariationFieldVolumeMapper::GetShaderParts(vtkStringArray* parts)
 int vtkVariationFieldVolumeMapper::GetVolumeTextureBuilds()
 {
   return this->Private->Marcher.Builds().volumeTexture;
+}
+
+int vtkVariationFieldVolumeMapper::GetBrickRangesBuilds()
+{
+  return this->Private->Marcher.Builds().brickRanges;
 }
 
 int vtkVariationFieldVolumeMapper::GetFieldBuilds()

@@ -43,23 +43,28 @@ public:
 
   enum AccelerationModes
   {
-    Off,        ///< no field: every step has the sample distance
-    ScalarField ///< the field of the scalar, with VariationTolerance
+    Off,         ///< no field: every step has the sample distance
+    ScalarField, ///< the published field, of the scalar, with VariationTolerance
+    OpticalField ///< the field of what the transfer function shows
   };
 
   ///@{
   /**
-   * What lets a ray skip samples. Default: ScalarField.
+   * What lets a ray skip samples. Default: OpticalField, which knows the transfer function: it
+   * leaves what is invisible at once, and crosses what looks the same in one step, at a cost of at
+   * most 1/255 in a channel. It serves composites; a projection is then marched without a field.
    */
-  vtkSetClampMacro(AccelerationMode, int, Off, ScalarField);
+  vtkSetClampMacro(AccelerationMode, int, Off, OpticalField);
   vtkGetMacro(AccelerationMode, int);
   void SetAccelerationModeToOff() { this->SetAccelerationMode(Off); }
   void SetAccelerationModeToScalarField() { this->SetAccelerationMode(ScalarField); }
+  void SetAccelerationModeToOpticalField() { this->SetAccelerationMode(OpticalField); }
   ///@}
 
   ///@{
   /**
-   * Largest difference of two values in a block that a ray may jump across, in units of the data.
+   * For ScalarField: largest difference of two values in a block that a ray may jump across, in
+   * units of the data.
    * A negative value (the default) means 1/256 of the range of the scalars.
    */
   vtkSetMacro(VariationTolerance, double);
@@ -120,6 +125,7 @@ public:
    * Documentation/Architecture.md promises to be rebuilt, and nothing else.
    */
   int GetVolumeTextureBuilds();
+  int GetBrickRangesBuilds();
   int GetFieldBuilds();
   int GetOpticalTableBuilds();
   int GetShaderBuilds();
@@ -139,7 +145,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
 
-  int AccelerationMode = ScalarField;
+  int AccelerationMode = OpticalField;
   double VariationTolerance = -1.0;
   double SampleDistance = 1.0;
   vtkTypeBool AutoAdjustSampleDistances = 1;

@@ -34,6 +34,8 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotOnly)
   };
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::ScalarField, false, false }),
     Parts{ "Step/VariationField.glsl" });
+  EXPECT_EQ(changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
+    Parts{ "Step/OpticalField.glsl" });
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, true, false }),
     Parts{ "Shade/BlinnPhong.glsl" });
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, false, true }),
@@ -56,7 +58,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 12u);
+  EXPECT_EQ(distinct.size(), 16u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -9,6 +9,7 @@ enum class Acceleration
 {
   Off,         ///< every step has the sample distance
   ScalarField, ///< jumps across blocks where the scalar stays within a tolerance
+  OpticalField, ///< jumps across bricks by what the transfer function makes of them
 };
 
 /// How the samples along a ray become a pixel.
@@ -23,7 +24,7 @@ enum class Blend
 struct RenderSettings
 {
   Blend blend = Blend::Composite;
-  Acceleration acceleration = Acceleration::ScalarField;
+  Acceleration acceleration = Acceleration::OpticalField;
   bool shading = false;       ///< Blinn-Phong with a head light; composite only
   bool sceneGeometry = false; ///< stop rays at opaque geometry already drawn
 };

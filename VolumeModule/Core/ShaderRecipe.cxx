@@ -12,6 +12,8 @@ std::string StepFile(Acceleration acceleration)
   {
     case Acceleration::ScalarField:
       return "Step/VariationField.glsl";
+    case Acceleration::OpticalField:
+      return "Step/OpticalField.glsl";
     case Acceleration::Off:
       break;
   }
@@ -65,7 +67,8 @@ std::string VertexShaderPart()
 std::vector<RenderSettings> EveryRecipe()
 {
   std::vector<RenderSettings> recipes;
-  for (Acceleration acceleration : { Acceleration::Off, Acceleration::ScalarField })
+  for (Acceleration acceleration :
+    { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
   {
     for (bool sceneGeometry : { false, true })
     {
@@ -73,7 +76,11 @@ std::vector<RenderSettings> EveryRecipe()
       {
         recipes.push_back({ Blend::Composite, acceleration, shading, sceneGeometry });
       }
-      recipes.push_back({ Blend::MaximumIntensity, acceleration, false, sceneGeometry });
+      // What is invisible to a composite may be the maximum: that field serves composites only.
+      if (acceleration != Acceleration::OpticalField)
+      {
+        recipes.push_back({ Blend::MaximumIntensity, acceleration, false, sceneGeometry });
+      }
     }
   }
   return recipes;

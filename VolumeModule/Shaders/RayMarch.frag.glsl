@@ -9,7 +9,6 @@ uniform vec4 nearPlaneGrid;        // dot(plane, position) >= 0 beyond the near 
 uniform vec3 boxLowerGrid;
 uniform vec3 boxUpperGrid;
 uniform vec3 voxelCountInverse;
-uniform int mostSegments;
 
 out vec4 fragOutput0;
 
@@ -52,13 +51,13 @@ void main()
   float t = inside.enter;
   for (int index = 0; index < mostSegments; ++index)
   {
-    float end = min(SegmentEnd(ray, inside, t, index), inside.exit);
-    float partMm = (end - t) / float(SamplesPerSegment);
+    Interval segment = NextSegment(ray, inside, t, index);
+    t = min(segment.exit, inside.exit);
+    float partMm = max(t - segment.enter, 0.0) / float(SamplesPerSegment);
     for (int part = 0; part < SamplesPerSegment; ++part)
     {
-      sum = BlendPart(sum, ray, t + (float(part) + 0.5) * partMm, partMm);
+      sum = BlendPart(sum, ray, segment.enter + (float(part) + 0.5) * partMm, partMm);
     }
-    t = end;
     if (t >= inside.exit || BlendFinished(sum))
     {
       break;

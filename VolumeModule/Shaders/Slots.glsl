@@ -20,7 +20,8 @@ struct Interval
 };
 
 uniform vec2 viewportOriginPixels; // of the renderer in its framebuffer
-uniform mat3 worldFromGrid;        // directions only
+uniform mat3 worldFromGrid; // directions only
+uniform int mostSegments;   // a ray has no more, so that every frame ends
 uniform sampler3D volumeTexture;
 
 // The stored scalar at t: a texture value, which optical table and thresholds are scaled to.
@@ -33,10 +34,11 @@ float ScalarAt(vec3 positionTexture)
 // t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
 float DepthLimit(Ray ray);
 
-// --- Step: how far the next segment reaches ------------------------------------------------
+// --- Step: which part of the ray comes next --------------------------------------------------
 // Every segment is cut into SamplesPerSegment equal parts, each sampled at its middle.
-// t of the end of the segment that begins at t, the index-th of its ray; > t.
-float SegmentEnd(Ray ray, Interval inside, float t, int index);
+// The segment that follows t, the index-th of its ray: it may begin later, where nothing between
+// can be seen, and ends after t [mm].
+Interval NextSegment(Ray ray, Interval inside, float t, int index);
 
 // --- Classify: what a scalar looks like ----------------------------------------------------
 // Colour (r,g,b), not premultiplied, and extinction [1/mm].

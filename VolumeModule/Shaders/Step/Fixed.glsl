@@ -4,7 +4,7 @@ const int SamplesPerSegment = 1;
 
 uniform float stepMm;
 
-float SegmentEnd(Ray ray, Interval inside, float t, int index)
+Interval NextSegment(Ray ray, Interval inside, float t, int index)
 {
-  return inside.enter + float(index + 1) * stepMm;
+  return Interval(t, inside.enter + float(index + 1) * stepMm);
 }

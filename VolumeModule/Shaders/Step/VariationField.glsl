@@ -10,7 +10,7 @@ uniform sampler3D fieldTexture; // nearest
 uniform vec3 cellCount;
 uniform vec3 cellCountInverse;
 
-float SegmentEnd(Ray ray, Interval inside, float t, int index)
+Interval NextSegment(Ray ray, Interval inside, float t, int index)
 {
   float plain = t + float(SamplesPerSegment) * stepMm;
   vec3 position = ray.originGrid + t * ray.directionGrid;
@@ -22,5 +22,5 @@ float SegmentEnd(Ray ray, Interval inside, float t, int index)
   vec3 leaving = cell + ahead + (2.0 * ahead - 1.0) * (floor(reach + 0.5) - 1.0);
   vec3 exits = (leaving - ray.originGrid) * SafeInverse(ray.directionGrid);
   float proven = min(min(exits.x, exits.y), exits.z);
-  return reach < 0.5 ? plain : max(plain, proven);
+  return Interval(t, reach < 0.5 ? plain : max(plain, proven));
 }

@@ -1,0 +1,111 @@
+#include "AccelerationField.h"
+
+#include "Core/VariationField.h"
+#include "VolumeTexture.h"
+
+#include "vtkDataArray.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkSetGet.h"
+#include "vtkType.h"
+#include "vtk_glew.h"
+
+#include <chrono>
+
+namespace varimarch
+{
+
+namespace
+{
+
+VariationField ScalarFieldOf(vtkDataArray* scalars, glm::ivec3 dimensions, double tolerance)
+{
+  void* const voxels = scalars->GetVoidPointer(0);
+  switch (scalars->GetDataType())
+  {
+    vtkTemplateMacro(return BuildVariationField(
+      ScalarGrid<VTK_TT>(static_cast<VTK_TT*>(voxels), dimensions), tolerance));
+  }
+  return {};
+}
+
+BrickRanges RangesOf(vtkDataArray* scalars, glm::ivec3 dimensions, double smallest, double largest)
+{
+  void* const voxels = scalars->GetVoidPointer(0);
+  switch (scalars->GetDataType())
+  {
+    vtkTemplateMacro(return BuildBrickRanges(
+      ScalarGrid<VTK_TT>(static_cast<VTK_TT*>(voxels), dimensions), smallest, largest));
+  }
+  return {};
+}
+
+class Stopwatch
+{
+public:
+  double Seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->start).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+};
+
+}
+
+void AccelerationField::BuildScalarField(
+  vtkOpenGLRenderWindow* window, vtkDataArray* scalars, glm::ivec3 dimensions, double tolerance)
+{
+  const Stopwatch stopwatch;
+  const VariationField field = ScalarFieldOf(scalars, dimensions, tolerance);
+  this->rangeSeconds = 0.0;
+  this->fieldSeconds = stopwatch.Seconds();
+  this->Upload(window, field.cellCount, field.cells);
+}
+
+void AccelerationField::BuildRanges(
+  vtkDataArray* scalars, glm::ivec3 dimensions, double smallestScalar, double largestScalar)
+{
+  const Stopwatch stopwatch;
+  this->ranges = RangesOf(scalars, dimensions, smallestScalar, largestScalar);
+  this->rangeSeconds = stopwatch.Seconds();
+}
+
+void AccelerationField::BuildOpticalField(
+  vtkOpenGLRenderWindow* window, const OpticalTable& table, const OpticalTolerance& tolerance)
+{
+  const Stopwatch stopwatch;
+  const OpticalField field = varimarch::BuildOpticalField(this->ranges, table, tolerance);
+  this->fieldSeconds = stopwatch.Seconds();
+  this->Upload(window, field.brickCount, field.bricks);
+}
+
+void AccelerationField::Upload(
+  vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<std::uint8_t>& bytes)
+{
+  AllocateTexture3D(this->texture, window, size, VTK_UNSIGNED_CHAR, GL_R8, "an acceleration field");
+  this->size = size;
+  this->bytes = bytes.size();
+
+  // Nearest: a value between two texels would promise what neither proves.
+  this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->texture->Activate();
+  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage3D(
+    GL_TEXTURE_3D, 0, 0, 0, 0, size.x, size.y, size.z, GL_RED, GL_UNSIGNED_BYTE, bytes.data());
+  this->texture->Deactivate();
+}
+
+void AccelerationField::Release(vtkWindow* window)
+{
+  this->texture->ReleaseGraphicsResources(window);
+  this->ranges = BrickRanges();
+  this->bytes = 0;
+}
+
+}

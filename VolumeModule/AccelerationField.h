@@ -1,0 +1,54 @@
+#ifndef Varimarch_AccelerationField_h
+#define Varimarch_AccelerationField_h
+
+#include "Core/BrickRanges.h"
+#include "Core/OpticalField.h"
+
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+
+class vtkDataArray;
+class vtkOpenGLRenderWindow;
+
+namespace varimarch
+{
+
+/// The field that lets rays jump, as a 3D texture of bytes: one for each cell (the scalar field)
+/// or for each brick of cells (the optical field).
+class AccelerationField
+{
+public:
+  /// @param tolerance  see BuildVariationField
+  /// @throws std::runtime_error when the device cannot hold the texture
+  void BuildScalarField(
+    vtkOpenGLRenderWindow* window, vtkDataArray* scalars, glm::ivec3 dimensions, double tolerance);
+
+  /// The part of the optical field that reads the volume; kept for every later BuildOpticalField.
+  void BuildRanges(
+    vtkDataArray* scalars, glm::ivec3 dimensions, double smallestScalar, double largestScalar);
+
+  /// @throws std::runtime_error when the device cannot hold the texture
+  void BuildOpticalField(
+    vtkOpenGLRenderWindow* window, const OpticalTable& table, const OpticalTolerance& tolerance);
+
+  vtkTextureObject* Texture() const { return this->texture; }
+  glm::ivec3 Size() const { return this->size; } ///< texels
+  double BuildSeconds() const { return this->rangeSeconds + this->fieldSeconds; }
+  std::size_t Bytes() const { return this->bytes; }
+  void Release(vtkWindow* window);
+
+private:
+  void Upload(
+    vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<std::uint8_t>& bytes);
+
+  vtkNew<vtkTextureObject> texture;
+  BrickRanges ranges;
+  glm::ivec3 size = glm::ivec3(1);
+  double rangeSeconds = 0.0;
+  double fieldSeconds = 0.0;
+  std::size_t bytes = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,153 @@
+#include "Core/BrickRanges.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int Side = BrickRanges::CellsPerSide;
+constexpr double LargestStep = 65535.0;
+
+// Smallest and largest value of a bundle of voxel rows, column by column.
+template <class Scalar>
+struct ColumnRanges
+{
+  explicit ColumnRanges(int width)
+    : smallest(width)
+    , largest(width)
+    , finite(width)
+  {
+  }
+
+  void Start()
+  {
+    std::fill(this->smallest.begin(), this->smallest.end(), std::numeric_limits<Scalar>::max());
+    std::fill(this->largest.begin(), this->largest.end(), std::numeric_limits<Scalar>::lowest());
+    std::fill(this->finite.begin(), this->finite.end(), std::uint8_t(1));
+  }
+
+  void Add(const Scalar* row)
+  {
+    const std::size_t width = this->smallest.size();
+    for (std::size_t x = 0; x < width; ++x)
+    {
+      this->smallest[x] = std::min(this->smallest[x], row[x]);
+      this->largest[x] = std::max(this->largest[x], row[x]);
+    }
+    if constexpr (!std::numeric_limits<Scalar>::is_integer)
+    {
+      for (std::size_t x = 0; x < width; ++x)
+      {
+        this->finite[x] &= std::uint8_t(std::isfinite(row[x]));
+      }
+    }
+  }
+
+  std::vector<Scalar> smallest;
+  std::vector<Scalar> largest;
+  std::vector<std::uint8_t> finite;
+};
+
+// The range of columns first ... last in steps of the volume's range, rounded outwards.
+template <class Scalar>
+BrickRanges::Steps StepsOf(
+  const ColumnRanges<Scalar>& columns, int first, int last, const BrickRanges& ranges)
+{
+  Scalar smallest = columns.smallest[first];
+  Scalar largest = columns.largest[first];
+  bool finite = true;
+  for (int x = first; x <= last; ++x)
+  {
+    smallest = std::min(smallest, columns.smallest[x]);
+    largest = std::max(largest, columns.largest[x]);
+    finite = finite && columns.finite[x];
+  }
+  if (!finite)
+  {
+    return { 1, 0 };
+  }
+  const auto steps = [&](Scalar value)
+  { return (double(value) - ranges.firstValue) / ranges.valuePerStep; };
+  return { std::uint16_t(std::clamp(std::floor(steps(smallest)), 0.0, LargestStep)),
+    std::uint16_t(std::clamp(std::ceil(steps(largest)), 0.0, LargestStep)) };
+}
+
+// Integers that span less than 2^16 have a step of exactly one.
+double ValuePerStep(double range, bool integers)
+{
+  if (!(range > 0.0))
+  {
+    return 1.0;
+  }
+  return integers && range <= LargestStep ? 1.0 : range / LargestStep;
+}
+
+}
+
+template <class Scalar>
+BrickRanges BuildBrickRanges(
+  const ScalarGrid<Scalar>& grid, double smallestValue, double largestValue)
+{
+  const glm::ivec3 voxels = grid.Dimensions();
+  BrickRanges ranges;
+  ranges.brickCount = (grid.CellCount() + Side - 1) / Side;
+  ranges.firstValue = smallestValue;
+  ranges.valuePerStep =
+    ValuePerStep(largestValue - smallestValue, std::numeric_limits<Scalar>::is_integer);
+  ranges.bricks.resize(
+    std::size_t(ranges.brickCount.x) * ranges.brickCount.y * ranges.brickCount.z);
+
+  const int rowsOfBricks = ranges.brickCount.y * ranges.brickCount.z;
+  tbb::parallel_for(tbb::blocked_range<int>(0, rowsOfBricks),
+    [&](const tbb::blocked_range<int>& rows)
+    {
+      ColumnRanges<Scalar> columns(voxels.x);
+      for (int row = rows.begin(); row != rows.end(); ++row)
+      {
+        const int brickY = row % ranges.brickCount.y;
+        const int brickZ = row / ranges.brickCount.y;
+        columns.Start();
+        for (int z = Side * brickZ; z <= std::min(Side * (brickZ + 1), voxels.z - 1); ++z)
+        {
+          for (int y = Side * brickY; y <= std::min(Side * (brickY + 1), voxels.y - 1); ++y)
+          {
+            columns.Add(grid.Voxels() + (std::size_t(z) * voxels.y + y) * voxels.x);
+          }
+        }
+        for (int brickX = 0; brickX < ranges.brickCount.x; ++brickX)
+        {
+          const int last = std::min(Side * (brickX + 1), voxels.x - 1);
+          ranges.bricks[std::size_t(row) * ranges.brickCount.x + brickX] =
+            StepsOf(columns, Side * brickX, last, ranges);
+        }
+      }
+    });
+  return ranges;
+}
+
+#define VARIMARCH_RANGES_OF(Scalar) \
+  template BrickRanges BuildBrickRanges(const ScalarGrid<Scalar>&, double, double)
+VARIMARCH_RANGES_OF(char);
+VARIMARCH_RANGES_OF(signed char);
+VARIMARCH_RANGES_OF(unsigned char);
+VARIMARCH_RANGES_OF(short);
+VARIMARCH_RANGES_OF(unsigned short);
+VARIMARCH_RANGES_OF(int);
+VARIMARCH_RANGES_OF(unsigned int);
+VARIMARCH_RANGES_OF(long);
+VARIMARCH_RANGES_OF(unsigned long);
+VARIMARCH_RANGES_OF(long long);
+VARIMARCH_RANGES_OF(unsigned long long);
+VARIMARCH_RANGES_OF(float);
+VARIMARCH_RANGES_OF(double);
+#undef VARIMARCH_RANGES_OF
+
+}

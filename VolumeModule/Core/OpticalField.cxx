@@ -1,0 +1,313 @@
+#include "Core/OpticalField.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Which intervals of table entries look alike. Both properties hold for every part of an interval
+// that has them, so that one number per first entry says it all: the last entry that still has it.
+struct AlikeIntervals
+{
+  std::vector<int> invisibleUntil;   ///< first - 1 where the entry itself is visible
+  std::vector<int> homogeneousUntil; ///< at least the first itself
+};
+
+// Smallest or largest value of one component over a window of entries whose ends only move
+// forwards: the entries that could still become it, best first.
+template <class Better>
+class SlidingExtreme
+{
+public:
+  explicit SlidingExtreme(int component)
+    : component(component)
+  {
+  }
+
+  void Add(const std::vector<glm::vec4>& entries, int entry)
+  {
+    const float value = entries[entry][this->component];
+    while (!this->candidates.empty() && !Better()(this->candidates.back().second, value))
+    {
+      this->candidates.pop_back();
+    }
+    this->candidates.emplace_back(entry, value);
+  }
+
+  void DropBefore(int entry)
+  {
+    while (!this->candidates.empty() && this->candidates.front().first < entry)
+    {
+      this->candidates.pop_front();
+    }
+  }
+
+  float Value() const { return this->candidates.front().second; }
+
+private:
+  int component;
+  std::deque<std::pair<int, float>> candidates;
+};
+
+struct SlidingRange
+{
+  explicit SlidingRange(int component)
+    : smallest(component)
+    , largest(component)
+  {
+  }
+
+  void Add(const std::vector<glm::vec4>& entries, int entry)
+  {
+    this->smallest.Add(entries, entry);
+    this->largest.Add(entries, entry);
+  }
+
+  void DropBefore(int entry)
+  {
+    this->smallest.DropBefore(entry);
+    this->largest.DropBefore(entry);
+  }
+
+  double Extent() const { return double(this->largest.Value()) - this->smallest.Value(); }
+
+  SlidingExtreme<std::less<float>> smallest;
+  SlidingExtreme<std::greater<float>> largest;
+};
+
+bool IsHomogeneous(const std::vector<SlidingRange>& ranges, const OpticalTolerance& tolerance)
+{
+  const SlidingRange& extinction = ranges[3];
+  const double allowed = std::max(tolerance.relativeExtinction * extinction.smallest.Value(),
+    tolerance.opticalDepth / tolerance.longestRayMm);
+  return extinction.Extent() <= allowed &&
+    std::all_of(ranges.begin(), ranges.begin() + 3,
+      [&](const SlidingRange& color) { return color.Extent() <= tolerance.color; });
+}
+
+std::vector<int> HomogeneousUntil(
+  const std::vector<glm::vec4>& entries, const OpticalTolerance& tolerance)
+{
+  const int count = int(entries.size());
+  std::vector<int> until(count);
+  std::vector<SlidingRange> ranges = { SlidingRange(0), SlidingRange(1), SlidingRange(2),
+    SlidingRange(3) };
+  int next = 0;
+  for (int first = 0; first < count; ++first)
+  {
+    for (SlidingRange& range : ranges)
+    {
+      range.DropBefore(first);
+    }
+    // The window holds first ... next - 1; it grows past the first entry that breaks the rule.
+    while (next < count && (next <= first || IsHomogeneous(ranges, tolerance)))
+    {
+      for (SlidingRange& range : ranges)
+      {
+        range.Add(entries, next);
+      }
+      ++next;
+    }
+    until[first] = IsHomogeneous(ranges, tolerance) ? next - 1 : next - 2;
+  }
+  return until;
+}
+
+std::vector<int> InvisibleUntil(const std::vector<glm::vec4>& entries)
+{
+  std::vector<int> until(entries.size());
+  int last = int(entries.size()) - 1;
+  for (int first = last; first >= 0; --first)
+  {
+    last = entries[first].a > 0.0f ? first - 1 : last;
+    until[first] = last;
+  }
+  return until;
+}
+
+// Table entries between which the shader interpolates for the values of a brick.
+struct EntryInterval
+{
+  int first;
+  int last;
+};
+
+class BrickClassifier
+{
+public:
+  BrickClassifier(
+    const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance)
+    : lastEntry(double(table.entries.size()) - 1.0)
+    , alike{ InvisibleUntil(table.entries), HomogeneousUntil(table.entries, tolerance) }
+  {
+    const double extent = table.lastValue - table.firstValue;
+    const double entriesPerValue = extent > 0.0 ? this->lastEntry / extent : 0.0;
+    this->entryOfFirstStep = (ranges.firstValue - table.firstValue) * entriesPerValue;
+    this->entriesPerStep = ranges.valuePerStep * entriesPerValue;
+  }
+
+  std::uint8_t ClassOf(BrickRanges::Steps steps) const
+  {
+    if (!steps.IsFinite())
+    {
+      return OpticalField::Structured;
+    }
+    const EntryInterval interval = this->IntervalOf(steps);
+    if (interval.last <= this->alike.invisibleUntil[interval.first])
+    {
+      return OpticalField::Invisible;
+    }
+    return interval.last <= this->alike.homogeneousUntil[interval.first] ? OpticalField::Homogeneous
+                                                                         : OpticalField::Structured;
+  }
+
+private:
+  EntryInterval IntervalOf(BrickRanges::Steps steps) const
+  {
+    // A value that lies on an entry needs no other, whatever the last digits of the product say.
+    constexpr double rounding = 1e-6;
+    const double first = this->entryOfFirstStep + steps.smallest * this->entriesPerStep;
+    const double last = this->entryOfFirstStep + steps.largest * this->entriesPerStep;
+    return { int(std::clamp(std::floor(first + rounding), 0.0, this->lastEntry)),
+      int(std::clamp(std::ceil(last - rounding), 0.0, this->lastEntry)) };
+  }
+
+  double lastEntry;
+  AlikeIntervals alike;
+  double entryOfFirstStep;
+  double entriesPerStep;
+};
+
+// Chebyshev distance of every invisible brick to the nearest one that is not, by the two passes of
+// Rosenfeld and Pfaltz (Pattern Recognition 1968) over the 26 neighbours, which are exact for this
+// distance. Bricks are padded by one on every side: nothing outside the volume can be seen.
+class InvisibleDistance
+{
+public:
+  explicit InvisibleDistance(glm::ivec3 brickCount)
+    : brickCount(brickCount)
+    , row(brickCount.x + 2)
+    , plane(std::ptrdiff_t(row) * (brickCount.y + 2))
+    , distances(std::size_t(plane) * (brickCount.z + 2), Farthest)
+    , nearest(brickCount.x)
+  {
+  }
+
+  std::uint8_t* Row(int y, int z)
+  {
+    return &this->distances[(z + 1) * this->plane + (y + 1) * this->row + 1];
+  }
+
+  // 0 where visible; from Farthest where invisible to its distance, 1 beside a visible brick.
+  void Measure()
+  {
+    for (int z = 0; z < this->brickCount.z; ++z)
+    {
+      for (int y = 0; y < this->brickCount.y; ++y)
+      {
+        this->UpdateRow(this->Row(y, z), -1);
+      }
+    }
+    for (int z = this->brickCount.z - 1; z >= 0; --z)
+    {
+      for (int y = this->brickCount.y - 1; y >= 0; --y)
+      {
+        this->UpdateRow(this->Row(y, z), 1);
+      }
+    }
+  }
+
+  static constexpr std::uint8_t Farthest = OpticalField::LargestRadius + 1;
+
+private:
+  // Looks at the 13 neighbours that come before a brick in the direction of the pass.
+  void UpdateRow(std::uint8_t* brick, int direction)
+  {
+    const std::ptrdiff_t y = direction * this->row;
+    const std::ptrdiff_t z = direction * this->plane;
+    const std::uint8_t* const rows[] = { brick + y, brick + z - this->row, brick + z,
+      brick + z + this->row };
+    const int width = this->brickCount.x;
+    std::fill(this->nearest.begin(), this->nearest.end(), Farthest);
+    for (const std::uint8_t* neighbour : rows)
+    {
+      for (int x = 0; x < width; ++x)
+      {
+        const std::uint8_t beside = std::min(neighbour[x - 1], neighbour[x + 1]);
+        this->nearest[x] = std::min(this->nearest[x], std::min(beside, neighbour[x]));
+      }
+    }
+    const int first = direction < 0 ? 0 : width - 1;
+    for (int i = 0; i < width; ++i)
+    {
+      const int x = first - direction * i;
+      const int before = std::min(this->nearest[x], brick[x + direction]);
+      brick[x] = std::uint8_t(std::min(int(brick[x]), before + 1));
+    }
+  }
+
+  glm::ivec3 brickCount;
+  std::ptrdiff_t row;
+  std::ptrdiff_t plane;
+  std::vector<std::uint8_t> distances;
+  std::vector<std::uint8_t> nearest;
+};
+
+}
+
+OpticalField BuildOpticalField(
+  const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance)
+{
+  const BrickClassifier classifier(ranges, table, tolerance);
+  const glm::ivec3 count = ranges.brickCount;
+  OpticalField field;
+  field.brickCount = count;
+  field.bricks.resize(ranges.bricks.size());
+  InvisibleDistance distance(count);
+
+  const auto forEachRow = [&](auto&& work)
+  {
+    tbb::parallel_for(tbb::blocked_range<int>(0, count.y * count.z, 16),
+      [&](const tbb::blocked_range<int>& rows)
+      {
+        for (int row = rows.begin(); row != rows.end(); ++row)
+        {
+          work(std::size_t(row) * count.x, distance.Row(row % count.y, row / count.y));
+        }
+      });
+  };
+  forEachRow(
+    [&](std::size_t first, std::uint8_t* distances)
+    {
+      for (int x = 0; x < count.x; ++x)
+      {
+        const std::uint8_t brick = classifier.ClassOf(ranges.bricks[first + x]);
+        field.bricks[first + x] = brick;
+        distances[x] = brick == OpticalField::Invisible ? InvisibleDistance::Farthest : 0;
+      }
+    });
+  distance.Measure();
+  forEachRow(
+    [&](std::size_t first, const std::uint8_t* distances)
+    {
+      for (int x = 0; x < count.x; ++x)
+      {
+        if (distances[x] > 0)
+        {
+          field.bricks[first + x] = std::uint8_t(OpticalField::Invisible + distances[x] - 1);
+        }
+      }
+    });
+  return field;
+}
+
+}

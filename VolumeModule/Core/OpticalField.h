@@ -1,0 +1,59 @@
+#ifndef Varimarch_Core_OpticalField_h
+#define Varimarch_Core_OpticalField_h
+
+#include "Core/BrickRanges.h"
+#include "Core/TransferFunction.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace varimarch
+{
+
+/// How far a ray may go before what is *seen* changes: the variation field with the transfer
+/// function taken into account. One byte per brick of BrickRanges:
+///   0            structured: march it
+///   1            homogeneous: one sample stands for the whole brick
+///   128 + k      invisible, and so are all bricks [b - k, b + k] on each axis, cut at the
+///                volume's faces: a ray may leave the block without a sample
+/// It is a matter of milliseconds: a change of the transfer function makes a new one, and leaves
+/// the ranges, which read the whole volume, as they are.
+struct OpticalField
+{
+  static constexpr std::uint8_t Structured = 0;
+  static constexpr std::uint8_t Homogeneous = 1;
+  static constexpr std::uint8_t Invisible = 128;
+  static constexpr int LargestRadius = 127;
+
+  glm::ivec3 brickCount = glm::ivec3(0);
+  std::vector<std::uint8_t> bricks; ///< x fastest
+};
+
+/// What a brick must keep to count as homogeneous. With s the extinction [1/mm] and c a colour
+/// channel over the values of the brick:
+///   max s - min s <= max(relativeExtinction * min s, opticalDepth / longestRayMm)
+///   max c - min c <= color
+/// An image drawn with one sample per homogeneous brick is then off by at most
+/// color + 2 (relativeExtinction + opticalDepth) in a premultiplied channel, to first order,
+/// whatever the length of the ray and the number of bricks (Documentation/Mathematics.md).
+struct OpticalTolerance
+{
+  double relativeExtinction;
+  double opticalDepth;
+  double color;
+  double longestRayMm;
+
+  /// Splits a largest error of a premultiplied channel over the three.
+  static OpticalTolerance ForError(double error, double longestRayMm)
+  {
+    return { error / 8.0, error / 8.0, error / 2.0, longestRayMm };
+  }
+};
+
+/// Builds the field on all cores from what the shader will look up: the table.
+OpticalField BuildOpticalField(
+  const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance);
+
+}
+
+#endif

@@ -1,0 +1,45 @@
+// Steps by the optical field: invisible blocks are left at once, a homogeneous brick is one
+// segment, structured ones are marched at the sample distance.
+// The field's texel holds 0 where the brick is structured, 1 where it is homogeneous, 128 + k
+// where all bricks b - k ... b + k are invisible.
+
+const int SamplesPerSegment = 2;
+
+uniform float stepMm;
+uniform float nudgeMm; // carries a ray across the face of a block that it has just reached
+uniform sampler3D fieldTexture; // nearest
+uniform float cellsPerBrick;
+uniform vec3 brickCount;
+uniform vec3 brickCountInverse;
+
+Interval NextSegment(Ray ray, Interval inside, float t, int index)
+{
+  vec3 originBrick = ray.originGrid / cellsPerBrick;
+  vec3 directionBrick = ray.directionGrid / cellsPerBrick;
+  vec3 inverse = SafeInverse(directionBrick);
+  vec3 ahead = step(vec3(0.0), directionBrick);
+  vec3 growth = 2.0 * ahead - 1.0;
+
+  float content = 0.0;
+  float proven = t;
+  for (int skip = 0; skip < mostSegments; ++skip)
+  {
+    vec3 brick = clamp(floor(originBrick + t * directionBrick), vec3(0.0), brickCount - 1.0);
+    content = floor(textureLod(fieldTexture, (brick + 0.5) * brickCountInverse, 0.0).r * 255.0 + 0.5);
+    float radius = max(content - 128.0, 0.0);
+    // Planes through which the ray leaves the block, on each axis.
+    vec3 exits = (brick + ahead + growth * radius - originBrick) * inverse;
+    proven = min(min(exits.x, exits.y), exits.z);
+    if (content < 127.5)
+    {
+      break;
+    }
+    t = max(t, proven) + nudgeMm;
+    if (t >= inside.exit)
+    {
+      return Interval(t, t);
+    }
+  }
+  float plain = t + float(SamplesPerSegment) * stepMm;
+  return Interval(t, content < 0.5 ? plain : max(plain, proven));
+}
