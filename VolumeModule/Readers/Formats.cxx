@@ -1,9 +1,9 @@
 #include "Readers/Formats.h"
 
 #include "Readers/FileError.h"
+#include "Readers/HeaderText.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
@@ -30,21 +30,23 @@ bool IsNifti(const std::string& head)
   return is1 || is2;
 }
 
-const std::vector<VolumeFormat> formats = {
-  { "NIfTI", "NIfTI images", { ".nii", ".nii.gz", ".hdr", ".img", ".hdr.gz", ".img.gz" },
-    [](const std::string& head) { return IsGzip(head) || IsNifti(head); }, ReadNifti },
-  { "VTI", "VTK images", { ".vti" },
-    [](const std::string& head) { return head.find("VTKFile") != std::string::npos; }, ReadVti },
-  { "InVesalius", "InVesalius projects", { ".inv3" },
-    [](const std::string& head) { return IsGzip(head) || IsTar(head); }, ReadInv3 },
-};
-
-std::string LowerCase(std::string text)
+bool IsMetaImage(const std::string& head)
 {
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char character) { return char(std::tolower(character)); });
-  return text;
+  return head.find("NDims") != std::string::npos || head.find("ObjectType") != std::string::npos;
 }
+
+// What a name or the first bytes fit first is taken; bare voxels fit nothing and come last.
+const std::vector<VolumeFormat> formats = {
+  { "NRRD", "NRRD images", { ".nrrd", ".nhdr" },
+    [](const std::string& head) { return head.compare(0, 4, "NRRD") == 0; }, ReadNrrd },
+  { "MetaImage", "MetaImages", { ".mha", ".mhd" }, IsMetaImage, ReadMetaImage },
+  { "NIfTI", "NIfTI images", { ".nii", ".nii.gz", ".hdr", ".img", ".hdr.gz", ".img.gz" }, IsNifti,
+    ReadNifti },
+  { "VTI", "VTK images", { ".vti" },
+    [](const std::string& head) { return head.find("<VTKFile") != std::string::npos; }, ReadVti },
+  { "InVesalius", "InVesalius projects", { ".inv3" }, IsTar, ReadInv3 },
+  { "raw", "Bare voxels", { ".raw", ".raw.gz" }, nullptr, ReadRaw },
+};
 
 bool EndsWith(const std::string& text, const std::string& end)
 {
@@ -78,14 +80,14 @@ const VolumeFormat* FormatOfName(const std::string& path)
 
 const VolumeFormat* FormatOfContent(const std::string& head)
 {
-  // Gzip says nothing about what is inside.
-  if (IsGzip(head))
+  for (const VolumeFormat& format : formats)
   {
-    return nullptr;
+    if (format.recognises && format.recognises(head))
+    {
+      return &format;
+    }
   }
-  const auto format = std::find_if(formats.begin(), formats.end(),
-    [&](const VolumeFormat& row) { return row.recognises && row.recognises(head); });
-  return format == formats.end() ? nullptr : &*format;
+  return nullptr;
 }
 
 }
@@ -95,23 +97,27 @@ const std::vector<VolumeFormat>& VolumeFormats()
   return formats;
 }
 
-const VolumeFormat* FormatOfFile(const std::string& path, const ReadOptions&)
+const VolumeFormat* FormatOfFile(const std::string& path, const ReadOptions& options)
 {
-  if (const VolumeFormat* format = FormatOfName(path))
+  const VolumeFormat* format = FormatOfName(path);
+  if (!format)
   {
-    return format;
+    format = FormatOfContent(FirstBytes(path));
   }
-  return FormatOfContent(FirstBytes(path));
+  const bool isDescribed = options.raw.dimensions[0] > 0;
+  return !format && isDescribed ? &formats.back() : format;
 }
 
 bool LooksReadable(const std::string& path)
 {
+  const std::string head = FirstBytes(path);
   const VolumeFormat* format = FormatOfFile(path, ReadOptions());
-  if (!format || !std::ifstream(path))
+  if (head.empty() || !format)
   {
     return false;
   }
-  return !format->recognises || format->recognises(FirstBytes(path));
+  // Gzip does not say what is inside.
+  return !format->recognises || format->recognises(head) || IsGzip(head);
 }
 
 Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgress& progress)

@@ -38,7 +38,10 @@ bool LooksReadable(const std::string& path);
 Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 
 Volume ReadInv3(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadMetaImage(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadNifti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadNrrd(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadVti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 
 }

@@ -29,10 +29,15 @@ std::string Text(const glm::dvec3& vector)
 
 }
 
-ImageGeometry FlippedLeftRightAndFrontBack(const ImageGeometry& geometry)
+ImageGeometry InLps(const ImageGeometry& geometry, const glm::dvec3& signs, double mmPerUnit)
 {
-  const glm::dmat3 flip(glm::dvec3(-1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1));
-  return { flip * geometry.originMm, flip * geometry.axesMm };
+  ImageGeometry inLps;
+  inLps.originMm = signs * geometry.originMm * mmPerUnit;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    inLps.axesMm[axis] = signs * geometry.axesMm[axis] * mmPerUnit;
+  }
+  return inLps;
 }
 
 void PlaceImage(const std::string& path, const ImageGeometry& geometry, vtkImageData* image)

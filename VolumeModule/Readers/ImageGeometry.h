@@ -21,8 +21,10 @@ struct ImageGeometry
   glm::dmat3 axesMm = glm::dmat3(1.0);
 };
 
-/// The geometry in a space whose first two axes point the other way (RAS to LPS or back).
-ImageGeometry FlippedLeftRightAndFrontBack(const ImageGeometry& geometry);
+/// The geometry of a file in LPS space.
+/// @param signs  -1 for each axis of the file's space that points the other way: (-1,-1,1) for RAS
+/// @param mmPerUnit  of the file's space
+ImageGeometry InLps(const ImageGeometry& geometry, const glm::dvec3& signs, double mmPerUnit);
 
 /// Gives the image the origin, spacing (> 0) and direction matrix of a geometry. Voxels stay where
 /// they are in memory: a mirrored axis is a negative direction.

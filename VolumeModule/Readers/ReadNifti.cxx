@@ -173,8 +173,7 @@ VoxelLayout LayoutOf(const std::string& path, const NiftiHeader& header, Volume&
   std::copy_n(header.dim + 1, rank, dim + 1);
   if (dim[4] > 1)
   {
-    volume.warnings.push_back("The file holds " + std::to_string(dim[4]) +
-      " volumes (time points); only the first was read.");
+    volume.warnings.push_back(OnlyFirstVolume(dim[4]));
   }
   if (dim[6] > 1 || dim[7] > 1)
   {
@@ -231,25 +230,22 @@ ImageGeometry QuaternionGeometry(const NiftiHeader& header)
 
 ImageGeometry GeometryOf(const NiftiHeader& header, Volume& volume)
 {
-  ImageGeometry geometry;
+  const glm::dvec3 lpsFromRas(-1.0, -1.0, 1.0);
   if (header.affineCode > 0)
   {
-    geometry = FlippedLeftRightAndFrontBack(AffineGeometry(header));
+    return InLps(AffineGeometry(header), lpsFromRas, MmPerUnit(header.units));
   }
-  else if (header.quaternionCode > 0)
+  if (header.quaternionCode > 0)
   {
-    geometry = FlippedLeftRightAndFrontBack(QuaternionGeometry(header));
+    return InLps(QuaternionGeometry(header), lpsFromRas, MmPerUnit(header.units));
   }
-  else
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      geometry.axesMm[axis][axis] = header.pixdim[axis + 1];
-    }
-    volume.warnings.push_back("The file does not say which side is the patient's left.");
+    geometry.axesMm[axis][axis] = header.pixdim[axis + 1];
   }
-  const double mmPerUnit = MmPerUnit(header.units);
-  return { geometry.originMm * mmPerUnit, geometry.axesMm * mmPerUnit };
+  volume.warnings.push_back(UnknownSides);
+  return InLps(geometry, glm::dvec3(1.0), MmPerUnit(header.units));
 }
 
 /// image.hdr for image.img, image.img for image.hdr, with or without .gz, whichever exists.

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Readers_VolumeFile_h
 #define Varimarch_Readers_VolumeFile_h
 
+#include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
@@ -10,8 +11,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-class vtkImageData;
 
 namespace varimarch
 {
@@ -33,6 +32,17 @@ struct Volume
   std::optional<WindowLevel> windowLevel;
   std::vector<std::string> warnings; ///< sentences: what is doubtful about the volume
 };
+
+/// A warning for files that have no orientation.
+constexpr const char* UnknownSides =
+  "The file does not say which side is the patient's left, so pictures may be mirrored.";
+
+/// A warning for files with several volumes.
+inline std::string OnlyFirstVolume(std::int64_t count)
+{
+  return "The file holds " + std::to_string(count) +
+    " volumes (time points or a list); only the first was read.";
+}
 
 /// What a file of bare voxels does not say about itself.
 struct RawLayout
@@ -74,6 +84,17 @@ public:
     {
       throw ReadCancelled();
     }
+  }
+
+  /// Progress of a part of the work, which counts from 0 to 1 itself. Must not outlive this.
+  ReadProgress Part(double from, double to)
+  {
+    return ReadProgress(
+      [this, from, to](double partDone)
+      {
+        this->Report(from + partDone * (to - from));
+        return true;
+      });
   }
 
 private:

@@ -14,6 +14,27 @@ namespace varimarch
 namespace
 {
 
+/// The files of the first of several volumes.
+/// @param valueCount  of that volume
+VoxelFile FirstVolume(const VoxelFile& file, std::uint64_t valueCount)
+{
+  VoxelFile first = file;
+  const std::uint64_t fileCount = file.paths.size();
+  if (fileCount == 1)
+  {
+    return first;
+  }
+  const auto volumeCount = std::uint64_t(file.volumeCount);
+  if (fileCount % volumeCount != 0 || valueCount % (fileCount / volumeCount) != 0)
+  {
+    FailToRead(file.paths.front(), "data files of equal parts of the volume",
+      std::to_string(fileCount) + " files");
+  }
+  first.paths.resize(std::size_t(fileCount / volumeCount));
+  first.volumeCount = 1;
+  return first;
+}
+
 /// Skips what precedes the voxels in one file, and opens it there.
 std::unique_ptr<ByteStream> StreamAtVoxels(
   const VoxelFile& file, const std::string& path, std::uint64_t partBytes)
@@ -22,7 +43,7 @@ std::unique_ptr<ByteStream> StreamAtVoxels(
   std::uint64_t offset = std::uint64_t(file.fileOffset);
   if (file.fileOffset == VoxelFile::FromEnd)
   {
-    offset = fileBytes - std::min(fileBytes, partBytes);
+    offset = fileBytes - std::min(fileBytes, partBytes * std::uint64_t(file.volumeCount));
   }
   auto stream = OpenStream(path, file.compression, offset);
   stream->Skip(std::uint64_t(file.dataOffset));
@@ -122,30 +143,27 @@ void SwapToHostOrder(bool fileIsBigEndian, vtkImageData* image)
 }
 
 vtkSmartPointer<vtkImageData> ReadVoxels(
-  const VoxelFile& file, const VoxelLayout& layout, ReadProgress& progress)
+  const VoxelFile& allFiles, const VoxelLayout& layout, ReadProgress& progress)
 {
   // Everything that can be known to be wrong is found before memory is taken.
-  const std::uint64_t partBytes = CheckedByteCount(file.paths.front(), layout) / file.paths.size();
-  const std::uint64_t partValues =
-    partBytes / std::uint64_t(vtkDataArray::GetDataTypeSize(layout.scalarType));
+  const std::uint64_t byteCount = CheckedByteCount(allFiles.paths.front(), layout);
+  const auto valueBytes = std::uint64_t(vtkDataArray::GetDataTypeSize(layout.scalarType));
+  const VoxelFile file = FirstVolume(allFiles, byteCount / valueBytes);
+  const std::uint64_t partBytes = byteCount / file.paths.size();
   for (const std::string& path : file.paths)
   {
-    CheckFileHolds(file, path, partBytes, partValues);
+    CheckFileHolds(file, path, partBytes, partBytes / valueBytes);
   }
 
   auto image = AllocatedImage(layout);
   auto* destination = static_cast<char*>(image->GetScalarPointer());
+  const double partCount = double(file.paths.size());
   for (std::size_t part = 0; part < file.paths.size(); ++part)
   {
-    const auto report = [&](double partDone)
-    {
-      progress.Report((double(part) + partDone) / double(file.paths.size()));
-      return true;
-    };
-    const NumberList values = { file.paths[part], layout.scalarType, partValues };
-    ReadPart(file, values, destination + part * partBytes, ReadProgress(report));
+    const NumberList values = { file.paths[part], layout.scalarType, partBytes / valueBytes };
+    ReadPart(file, values, destination + part * partBytes,
+      progress.Part(double(part) / partCount, (part + 1.0) / partCount));
   }
-
   if (file.encoding == VoxelEncoding::Binary)
   {
     SwapToHostOrder(file.bigEndian, image);

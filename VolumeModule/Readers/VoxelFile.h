@@ -24,7 +24,8 @@ struct VoxelFile
   /// Stands for as many bytes of a file as there are before voxels that end with the file.
   static constexpr std::int64_t FromEnd = -1;
 
-  std::vector<std::string> paths; ///< each holds an equal part of the volume, in order
+  std::vector<std::string> paths; ///< each holds an equal part, in order
+  std::int64_t volumeCount = 1;   ///< in all of them; only the first volume is read
   VoxelEncoding encoding = VoxelEncoding::Binary;
   Compression compression = Compression::None;
   bool bigEndian = false;

@@ -1,0 +1,155 @@
+#include "Readers/HeaderText.h"
+
+#include "Readers/ByteStream.h"
+#include "Readers/FileError.h"
+#include "Readers/NumberText.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <iomanip>
+#include <regex>
+#include <sstream>
+
+namespace varimarch
+{
+namespace
+{
+
+/// A file that a header names: absolute, or relative to the header's folder.
+std::string PathBeside(const std::string& headerPath, const std::string& name)
+{
+  return (std::filesystem::path(headerPath).parent_path() / name).string();
+}
+
+std::vector<std::string> FilesOfPattern(const std::string& headerPath, const std::string& value)
+{
+  static const std::regex pattern(R"(([^%]*)%(0?)(\d?)d([^%]*?)\s+(\S+)\s+(\S+)\s+(\S+)(\s+\S+)?)");
+  std::smatch parts;
+  if (value.find('%') == std::string::npos)
+  {
+    return { PathBeside(headerPath, value) };
+  }
+  if (!std::regex_match(value, parts, pattern))
+  {
+    FailToRead(headerPath, "a file pattern such as slice%03d.raw 1 100 1", Quoted(value));
+  }
+  const std::int64_t first = IntegerFromText(headerPath, "a first file number", parts[5]);
+  const std::int64_t last = IntegerFromText(headerPath, "a last file number", parts[6]);
+  const std::int64_t step = IntegerFromText(headerPath, "a step of file numbers", parts[7]);
+  const double count = step == 0 ? 0.0 : (double(last) - double(first)) / double(step) + 1.0;
+  if (!(count >= 1.0 && count <= 1e5))
+  {
+    FailToRead(headerPath, "a pattern for 1 to 100000 files", Quoted(value));
+  }
+  std::vector<std::string> files;
+  for (std::int64_t i = 0; i < std::int64_t(count); ++i)
+  {
+    std::ostringstream name;
+    name.imbue(std::locale::classic());
+    const int width = parts[3].length() ? std::stoi(parts[3]) : 0;
+    name << parts[1] << std::internal << std::setfill(parts[2].length() ? '0' : ' ')
+         << std::setw(width) << first + i * step << parts[4];
+    files.push_back(PathBeside(headerPath, name.str()));
+  }
+  return files;
+}
+
+}
+
+HeaderLines::HeaderLines(const std::string& path)
+{
+  const std::uint64_t mostBytes = 4 << 20;
+  this->text.resize(std::size_t(std::min(mostBytes, ReadableFileSize(path))));
+  this->text.resize(
+    OpenStream(path, Compression::None)->Read(this->text.data(), this->text.size()));
+}
+
+std::optional<std::string> HeaderLines::Next()
+{
+  if (this->position >= this->text.size())
+  {
+    return std::nullopt;
+  }
+  const std::size_t end = std::min(this->text.find('\n', this->position), this->text.size());
+  std::string line = this->text.substr(this->position, end - this->position);
+  this->position = end + 1;
+  if (!line.empty() && line.back() == '\r')
+  {
+    line.pop_back();
+  }
+  return line;
+}
+
+std::string HeaderFields::Value(const std::vector<std::string>& keys) const
+{
+  for (const std::string& key : keys)
+  {
+    const auto field = this->fields.find(key);
+    if (field != this->fields.end())
+    {
+      return field->second;
+    }
+  }
+  return "";
+}
+
+std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char character) { return char(std::tolower(character)); });
+  return text;
+}
+
+std::string Trimmed(const std::string& text)
+{
+  const char* const blanks = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  const std::size_t end = text.find_last_not_of(blanks);
+  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+}
+
+bool IsFileList(const std::string& value)
+{
+  const std::vector<std::string> words = Words(value);
+  return !words.empty() && LowerCase(words.front()) == "list";
+}
+
+std::vector<std::string> DataFiles(
+  const std::string& headerPath, const std::string& value, const std::vector<std::string>& listed)
+{
+  if (!IsFileList(value))
+  {
+    return FilesOfPattern(headerPath, value);
+  }
+  if (listed.empty())
+  {
+    FailToRead(headerPath, "names of data files behind LIST", "none");
+  }
+  std::vector<std::string> files;
+  for (const std::string& name : listed)
+  {
+    files.push_back(PathBeside(headerPath, name));
+  }
+  return files;
+}
+
+double MmPerUnit(const std::string& unit)
+{
+  static const std::map<std::string, double> lengths = {
+    { "nm", 1e-6 },
+    { "nanometer", 1e-6 },
+    { "um", 1e-3 },
+    { "\xc2\xb5m", 1e-3 }, // the micro sign
+    { "\xce\xbcm", 1e-3 }, // the Greek letter mu
+    { "micron", 1e-3 },
+    { "micrometer", 1e-3 },
+    { "cm", 10.0 },
+    { "m", 1000.0 },
+    { "meter", 1000.0 },
+  };
+  const auto length = lengths.find(LowerCase(unit));
+  return length == lengths.end() ? 1.0 : length->second;
+}
+
+}

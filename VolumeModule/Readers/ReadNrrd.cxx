@@ -1,0 +1,117 @@
+// NRRD: text header and voxels in one file (.nrrd) or several (.nhdr).
+// http://teem.sourceforge.net/nrrd/format.html
+#include "Readers/FileError.h"
+#include "Readers/Formats.h"
+#include "Readers/NrrdAxes.h"
+#include "Readers/NumberText.h"
+#include "Readers/VoxelFile.h"
+
+#include <vtkDataArray.h>
+
+#include <algorithm>
+
+namespace varimarch
+{
+namespace
+{
+
+/// Whether to skip bytes or lines is a field that may be missing.
+std::int64_t Skip(const NrrdHeader& header, const std::string& key)
+{
+  const std::string value = header.fields.Value({ key });
+  const std::int64_t skip =
+    value.empty() ? 0 : IntegerFromText(header.path, "a number as " + key, value);
+  if (skip < VoxelFile::FromEnd)
+  {
+    FailToRead(header.path, "-1 or more as " + key, value);
+  }
+  return skip;
+}
+
+/// Where so many lines of a file end.
+std::uint64_t OffsetBehindLines(const std::string& path, std::uint64_t offset, std::int64_t count)
+{
+  const auto stream = OpenStream(path, Compression::None, offset);
+  for (char character; count > 0 && stream->Read(&character, 1) == 1; ++offset)
+  {
+    count -= character == '\n' ? 1 : 0;
+  }
+  return offset;
+}
+
+void SetEncoding(const NrrdHeader& header, VoxelFile& file)
+{
+  const std::string encoding = LowerCase(header.fields.Value({ "encoding" }));
+  if (encoding == "gzip" || encoding == "gz")
+  {
+    file.compression = Compression::Deflate;
+  }
+  else if (encoding == "txt" || encoding == "text" || encoding == "ascii")
+  {
+    file.encoding = VoxelEncoding::Text;
+  }
+  else if (encoding != "raw")
+  {
+    FailToRead(header.path, "the encoding raw, gzip or ascii", Quoted(encoding));
+  }
+}
+
+VoxelFile VoxelFileOf(const NrrdHeader& header)
+{
+  VoxelFile file;
+  SetEncoding(header, file);
+  file.bigEndian = LowerCase(header.fields.Value({ "endian" })) == "big";
+  if (header.fields.Has("datafile"))
+  {
+    file.paths = DataFiles(header.path, header.fields.Value({ "datafile" }), header.listedFiles);
+  }
+  else
+  {
+    file.paths = { header.path };
+    file.fileOffset = std::int64_t(header.end);
+  }
+
+  // Lines are skipped in the file, bytes behind them, in what is decompressed.
+  const std::int64_t lineSkip = Skip(header, "lineskip");
+  if (lineSkip > 0)
+  {
+    ReadableFileSize(file.paths.front());
+    file.fileOffset =
+      std::int64_t(OffsetBehindLines(file.paths.front(), std::uint64_t(file.fileOffset), lineSkip));
+  }
+  const std::int64_t byteSkip = Skip(header, "byteskip");
+  if (byteSkip == VoxelFile::FromEnd)
+  {
+    file.fileOffset = VoxelFile::FromEnd;
+  }
+  else
+  {
+    file.dataOffset = byteSkip;
+  }
+  return file;
+}
+
+}
+
+Volume ReadNrrd(const std::string& path, const ReadOptions&, ReadProgress& progress)
+{
+  Volume volume;
+  const NrrdHeader header = ReadNrrdHeader(path);
+  const NrrdAxes axes = AxesOf(header, volume.warnings);
+  const VoxelLayout layout = LayoutOf(header, axes);
+  const ImageGeometry geometry = GeometryOf(header, axes, volume.warnings);
+  VoxelFile file = VoxelFileOf(header);
+  file.planar = axes.planar;
+  file.volumeCount = axes.volumeCount;
+  const bool needsByteOrder =
+    file.encoding == VoxelEncoding::Binary && vtkDataArray::GetDataTypeSize(layout.scalarType) > 1;
+  if (needsByteOrder && !header.fields.Has("endian"))
+  {
+    volume.warnings.push_back("The file does not say its byte order; little endian was assumed.");
+  }
+  volume.image = ReadVoxels(file, layout, progress);
+  PlaceImage(path, geometry, volume.image);
+  return volume;
+}
+
+}

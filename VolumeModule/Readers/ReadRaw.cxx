@@ -1,0 +1,55 @@
+// Bare voxels, gzipped or not: the caller says what they are.
+#include "Readers/FileError.h"
+#include "Readers/Formats.h"
+#include "Readers/ImageGeometry.h"
+#include "Readers/VoxelFile.h"
+
+#include <vtkDataArray.h>
+
+namespace varimarch
+{
+
+Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress& progress)
+{
+  const RawLayout& raw = options.raw;
+  if (raw.dimensions == std::array<int, 3>{ 0, 0, 0 })
+  {
+    FailToRead(path, "the dimensions of the bare voxels from the caller", "none");
+  }
+  const bool isNumeric = vtkDataArray::GetDataTypeSize(raw.scalarType) > 0 &&
+    raw.scalarType != VTK_BIT && raw.scalarType != VTK_STRING;
+  if (!isNumeric)
+  {
+    FailToRead(path, "a type of numbers from the caller", "type " + std::to_string(raw.scalarType));
+  }
+  if (raw.headerBytes < 0)
+  {
+    FailToRead(path, "a header of 0 bytes or more", std::to_string(raw.headerBytes));
+  }
+  const VoxelLayout layout = { { raw.dimensions[0], raw.dimensions[1], raw.dimensions[2] },
+    raw.scalarType, raw.componentCount };
+  VoxelFile file;
+  file.paths = { path };
+  file.compression = CompressionOf(path);
+  file.bigEndian = raw.bigEndian;
+  file.dataOffset = raw.headerBytes;
+
+  Volume volume;
+  volume.image = ReadVoxels(file, layout, progress);
+  const double expectedBytes = double(CheckedByteCount(path, layout)) + double(raw.headerBytes);
+  const double fileBytes = double(ReadableFileSize(path));
+  if (file.compression == Compression::None && fileBytes > expectedBytes)
+  {
+    volume.warnings.push_back("The file is " + ByteText(fileBytes - expectedBytes) +
+      " longer than the dimensions need, so they may be wrong.");
+  }
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.axesMm[axis][axis] = raw.spacingMm[axis];
+  }
+  PlaceImage(path, geometry, volume.image);
+  return volume;
+}
+
+}
