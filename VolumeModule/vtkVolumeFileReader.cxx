@@ -1,5 +1,6 @@
 #include "vtkVolumeFileReader.h"
 
+#include "Readers/DicomSeries.h"
 #include "Readers/Formats.h"
 
 #include <vtkErrorCode.h>
@@ -35,32 +36,8 @@ vtkVolumeFileReader::~vtkVolumeFileReader()
   delete[] this->FileName;
 }
 
-void vtkVolumeFileReader::ReadFileOrThrow()
+void vtkVolumeFileReader::Try(const std::function<void(varimarch::ReadProgress&)>& action)
 {
-  varimarch::ReadOptions options;
-  std::copy_n(this->RawDimensions, 3, options.raw.dimensions.begin());
-  options.raw.scalarType = this->RawScalarType;
-  options.raw.componentCount = this->RawNumberOfComponents;
-  std::copy_n(this->RawSpacing, 3, options.raw.spacingMm.begin());
-  options.raw.headerBytes = this->RawHeaderBytes;
-  options.raw.bigEndian = this->RawBigEndian;
-
-  varimarch::ReadProgress progress(
-    [this](double partDone)
-    {
-      this->UpdateProgress(partDone);
-      return !this->GetAbortExecute();
-    });
-  this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
-  for (const std::string& warning : this->Read->Volume.warnings)
-  {
-    this->Read->Warnings->InsertNextValue(warning);
-  }
-}
-
-void vtkVolumeFileReader::ReadFile()
-{
-  this->Read = std::make_unique<Contents>();
   this->ErrorMessage.clear();
   this->SetErrorCode(vtkErrorCode::NoError);
   this->SetAbortExecute(0);
@@ -71,9 +48,15 @@ void vtkVolumeFileReader::ReadFile()
     vtkErrorMacro(<< this->ErrorMessage);
     return;
   }
+  varimarch::ReadProgress progress(
+    [this](double partDone)
+    {
+      this->UpdateProgress(partDone);
+      return !this->GetAbortExecute();
+    });
   try
   {
-    this->ReadFileOrThrow();
+    action(progress);
   }
   catch (const varimarch::ReadCancelled&)
   {
@@ -89,6 +72,44 @@ void vtkVolumeFileReader::ReadFile()
         : vtkErrorCode::FileNotFoundError);
     vtkErrorMacro(<< this->ErrorMessage);
   }
+}
+
+void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)
+{
+  varimarch::ReadOptions options;
+  std::copy_n(this->RawDimensions, 3, options.raw.dimensions.begin());
+  options.raw.scalarType = this->RawScalarType;
+  options.raw.componentCount = this->RawNumberOfComponents;
+  std::copy_n(this->RawSpacing, 3, options.raw.spacingMm.begin());
+  options.raw.headerBytes = this->RawHeaderBytes;
+  options.raw.bigEndian = this->RawBigEndian;
+  options.seriesUid = this->DICOMSeriesUID;
+  this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
+  for (const std::string& warning : this->Read->Volume.warnings)
+  {
+    this->Read->Warnings->InsertNextValue(warning);
+  }
+}
+
+void vtkVolumeFileReader::ReadFile()
+{
+  this->Read = std::make_unique<Contents>();
+  this->Try([this](varimarch::ReadProgress& progress) { this->ReadFileOrThrow(progress); });
+}
+
+std::vector<vtkVolumeFileReader::DICOMSeries> vtkVolumeFileReader::ListDICOMSeries()
+{
+  std::vector<DICOMSeries> list;
+  this->Try(
+    [this, &list](varimarch::ReadProgress& progress)
+    {
+      std::vector<std::string> warnings;
+      for (const auto& series : varimarch::FindDicomSeries(this->FileName, warnings, progress))
+      {
+        list.push_back({ series.uid, series.description, series.modality, series.imageCount });
+      }
+    });
+  return list;
 }
 
 int vtkVolumeFileReader::RequestInformation(
@@ -212,5 +233,6 @@ void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
      << this->RawSpacing[2] << '\n';
   os << indent << "RawHeaderBytes: " << this->RawHeaderBytes << '\n';
   os << indent << "RawBigEndian: " << this->RawBigEndian << '\n';
+  os << indent << "DICOMSeriesUID: " << this->DICOMSeriesUID << '\n';
   os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
 }

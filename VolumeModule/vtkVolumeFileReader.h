@@ -33,10 +33,17 @@
 #include "VarimarchVolumeModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
-#include <memory> // For what was read
-#include <string> // For names and messages
+#include <functional> // For actions on the file
+#include <memory>     // For what was read
+#include <string>     // For names and messages
+#include <vector>     // For lists of series
 
 class vtkStringArray;
+
+namespace varimarch
+{
+class ReadProgress;
+}
 
 class VARIMARCHVOLUME_EXPORT vtkVolumeFileReader : public vtkImageAlgorithm
 {
@@ -73,6 +80,32 @@ public:
   vtkGetMacro(RawBigEndian, bool);
   vtkBooleanMacro(RawBigEndian, bool);
   ///@}
+
+  ///@{
+  /**
+   * Which of several DICOM series to read, by its SeriesInstanceUID. Empty, the default, is the one
+   * with most images.
+   */
+  vtkSetStdStringFromCharMacro(DICOMSeriesUID);
+  vtkGetCharFromStdStringMacro(DICOMSeriesUID);
+  ///@}
+
+  /**
+   * A DICOM series: one scan of a patient.
+   */
+  struct DICOMSeries
+  {
+    std::string UID;
+    std::string Description; ///< as the scanner's operator named it, or empty
+    std::string Modality;
+    vtkTypeInt64 NumberOfImages;
+  };
+
+  /**
+   * Looks which DICOM series there are at FileName: a folder with the folders in it, a DICOMDIR or
+   * a file. Reads headers only. Reports errors as Update() does, and returns none then.
+   */
+  std::vector<DICOMSeries> ListDICOMSeries();
 
   ///@{
   /**
@@ -124,9 +157,11 @@ protected:
 private:
   struct Contents;
 
-  /// Reads the file; afterwards either Read holds an image or the error is set and reported.
+  /// Does something with the file; what it throws becomes the error, which is reported.
+  void Try(const std::function<void(varimarch::ReadProgress&)>& action);
+  /// Afterwards either Read holds an image or the error is set and reported.
   void ReadFile();
-  void ReadFileOrThrow();
+  void ReadFileOrThrow(varimarch::ReadProgress& progress);
 
   char* FileName = nullptr;
   int RawDimensions[3] = { 0, 0, 0 };
@@ -135,6 +170,7 @@ private:
   double RawSpacing[3] = { 1.0, 1.0, 1.0 };
   vtkTypeInt64 RawHeaderBytes = 0;
   bool RawBigEndian = false;
+  std::string DICOMSeriesUID;
 
   std::unique_ptr<Contents> Read;
   std::string ErrorMessage;

@@ -15,9 +15,8 @@ void FailToRead(const std::string& path, const std::string& expected, const std:
     "Cannot read \"" + path + "\": expected " + expected + ", found " + found + ".");
 }
 
-std::string Quoted(const std::string& text)
+std::string Quoted(const std::string& text, std::size_t longest)
 {
-  constexpr std::size_t longest = 40;
   std::string quoted = text.substr(0, longest);
   for (char& character : quoted)
   {

@@ -30,6 +30,11 @@ bool IsNifti(const std::string& head)
   return is1 || is2;
 }
 
+bool IsDicom(const std::string& head)
+{
+  return head.size() >= 132 && head.compare(128, 4, "DICM") == 0;
+}
+
 bool IsMetaImage(const std::string& head)
 {
   return head.find("NDims") != std::string::npos || head.find("ObjectType") != std::string::npos;
@@ -44,6 +49,7 @@ const std::vector<VolumeFormat> formats = {
     ReadNifti },
   { "VTI", "VTK images", { ".vti" },
     [](const std::string& head) { return head.find("<VTKFile") != std::string::npos; }, ReadVti },
+  { "DICOM", "DICOM images", { ".dcm", ".dicom", ".ima" }, IsDicom, ReadDicom },
   { "InVesalius", "InVesalius projects", { ".inv3" }, IsTar, ReadInv3 },
   { "raw", "Bare voxels", { ".raw", ".raw.gz" }, nullptr, ReadRaw },
 };
@@ -99,6 +105,10 @@ const std::vector<VolumeFormat>& VolumeFormats()
 
 const VolumeFormat* FormatOfFile(const std::string& path, const ReadOptions& options)
 {
+  if (std::filesystem::is_directory(path))
+  {
+    return FormatOfName("folder.dcm");
+  }
   const VolumeFormat* format = FormatOfName(path);
   if (!format)
   {
@@ -110,6 +120,10 @@ const VolumeFormat* FormatOfFile(const std::string& path, const ReadOptions& opt
 
 bool LooksReadable(const std::string& path)
 {
+  if (std::filesystem::is_directory(path))
+  {
+    return true;
+  }
   const std::string head = FirstBytes(path);
   const VolumeFormat* format = FormatOfFile(path, ReadOptions());
   if (head.empty() || !format)
@@ -122,7 +136,7 @@ bool LooksReadable(const std::string& path)
 
 Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
-  if (ReadableFileSize(path) == 0)
+  if (!std::filesystem::is_directory(path) && ReadableFileSize(path) == 0)
   {
     FailToRead(path, "a volume", "an empty file");
   }

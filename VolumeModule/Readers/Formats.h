@@ -37,6 +37,7 @@ bool LooksReadable(const std::string& path);
 /// @throws ReadCancelled
 Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 
+Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadInv3(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadMetaImage(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadNifti(const std::string& path, const ReadOptions& options, ReadProgress& progress);

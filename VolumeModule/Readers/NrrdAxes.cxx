@@ -151,6 +151,31 @@ bool IsVectorKind(const NrrdHeader& header, std::size_t axis)
   return kind.find("vector") != std::string::npos || kind.find("color") != std::string::npos;
 }
 
+/// An axis beside those of space: components of a voxel, or several volumes.
+void TakeOtherAxis(
+  const NrrdHeader& header, std::size_t other, NrrdAxes& axes, std::vector<std::string>& warnings)
+{
+  const std::int64_t size = axes.sizes[other];
+  if (size < 1)
+  {
+    FailToRead(header.path, "sizes above 0", std::to_string(size));
+  }
+  if (other > axes.spatial.front() && other < axes.spatial.back())
+  {
+    FailToRead(header.path, "axes of space side by side", "another axis between them");
+  }
+  axes.planar = other > axes.spatial.back() && IsVectorKind(header, other);
+  if (other < axes.spatial.front() || axes.planar)
+  {
+    axes.componentCount = size;
+  }
+  else
+  {
+    axes.volumeCount = size;
+    warnings.push_back(OnlyFirstVolume(size));
+  }
+}
+
 /// How the axes of a named space turn into LPS.
 enum class SpaceTurn
 {
@@ -225,30 +250,9 @@ NrrdAxes AxesOf(const NrrdHeader& header, std::vector<std::string>& warnings)
     FailToRead(header.path, "three axes of space and at most one other",
       std::to_string(axes.spatial.size()) + " and " + std::to_string(others.size()));
   }
-  if (others.empty())
+  if (!others.empty())
   {
-    return axes;
-  }
-
-  const std::size_t other = others.front();
-  const std::int64_t size = axes.sizes[other];
-  if (size < 1)
-  {
-    FailToRead(header.path, "sizes above 0", std::to_string(size));
-  }
-  if (other > axes.spatial.front() && other < axes.spatial.back())
-  {
-    FailToRead(header.path, "axes of space side by side", "another axis between them");
-  }
-  axes.planar = other > axes.spatial.back() && IsVectorKind(header, other);
-  if (other < axes.spatial.front() || axes.planar)
-  {
-    axes.componentCount = size;
-  }
-  else
-  {
-    axes.volumeCount = size;
-    warnings.push_back(OnlyFirstVolume(size));
+    TakeOtherAxis(header, others.front(), axes, warnings);
   }
   return axes;
 }

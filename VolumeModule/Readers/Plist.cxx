@@ -35,9 +35,7 @@ Plist::Plist(const std::string& path, const std::string& text)
   this->dictionary = isParsed && root ? root->FindNestedElementWithName("dict") : nullptr;
   if (!this->dictionary)
   {
-    FailToRead(path, "a property list in XML",
-      messages.Errors().empty() ? "no dictionary"
-                                : "the fault " + Quoted(messages.Errors().front()));
+    FailToRead(path, "a property list in XML", messages.FirstErrorOr("no dictionary"));
   }
 }
 

@@ -8,8 +8,6 @@
 #include "Readers/TarArchive.h"
 #include "Readers/VoxelFile.h"
 
-#include <vtkImageData.h>
-
 #include <algorithm>
 #include <map>
 

@@ -7,7 +7,6 @@
 #include "Readers/VoxelFile.h"
 
 #include <vtkByteSwap.h>
-#include <vtkImageData.h>
 #include <vtkNIFTIPrivate.h>
 
 #include <glm/gtc/quaternion.hpp>
@@ -301,7 +300,7 @@ Volume ReadNifti(const std::string& path, const ReadOptions&, ReadProgress& prog
   const bool hasRescale = std::isfinite(header.rescale.slope) && header.rescale.slope != 0 &&
     std::isfinite(header.rescale.intercept) &&
     TypeOfCode(path, header.datatype).componentCount == 1;
-  volume.image = Rescaled(path, volume.image, hasRescale ? header.rescale : Rescale());
+  volume.image = Rescaled(path, volume.image, { hasRescale ? header.rescale : Rescale() });
   PlaceImage(headerPath, geometry, volume.image);
 
   const double window = header.calibration[1] - header.calibration[0];

@@ -5,16 +5,15 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/VoxelLayout.h"
 #include "Readers/VtkMessages.h"
+#include "Readers/VtkProgress.h"
 
 #include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataArraySelection.h>
 #include <vtkDataCompressor.h>
 #include <vtkDataObject.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkExecutive.h>
-#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMatrix3x3.h>
@@ -42,8 +41,7 @@ struct ArrayInfo
 
 [[noreturn]] void FailWith(const std::string& path, const VtkMessages& messages)
 {
-  FailToRead(path, "a complete VTK image file",
-    messages.Errors().empty() ? "less" : "the fault " + Quoted(messages.Errors().front()));
+  FailToRead(path, "a complete VTK image file", messages.FirstErrorOr("less"));
 }
 
 /// The active scalars, else the first array with up to four numbers per point.
@@ -95,38 +93,6 @@ void SelectArray(vtkXMLImageDataReader* reader, const std::string& name)
   reader->GetPointDataArraySelection()->DisableAllArrays();
   reader->GetPointDataArraySelection()->EnableArray(name.c_str());
   reader->GetCellDataArraySelection()->DisableAllArrays();
-}
-
-/// Passes progress on; cancelling stops the reader, and is thrown when it has returned.
-void UpdateWithProgress(vtkXMLImageDataReader* reader, ReadProgress& progress)
-{
-  struct Link
-  {
-    ReadProgress& progress;
-    bool cancelled;
-  } link{ progress, false };
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&link);
-  observer->SetCallback(
-    [](vtkObject* caller, unsigned long, void* clientData, void* partDone)
-    {
-      auto* link = static_cast<Link*>(clientData);
-      try
-      {
-        link->progress.Report(*static_cast<double*>(partDone));
-      }
-      catch (const ReadCancelled&)
-      {
-        link->cancelled = true;
-        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-      }
-    });
-  reader->AddObserver(vtkCommand::ProgressEvent, observer);
-  reader->Update();
-  if (link.cancelled)
-  {
-    throw ReadCancelled();
-  }
 }
 
 ImageGeometry GeometryOf(vtkImageData* image)

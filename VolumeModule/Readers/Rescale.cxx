@@ -2,9 +2,12 @@
 
 #include "Readers/VoxelLayout.h"
 
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,22 +28,43 @@ bool IsIntegral(double number)
   return number == std::floor(number);
 }
 
-int ResultType(vtkImageData* image, const Rescale& rescale)
+bool IsIdentity(const Rescale& rescale)
+{
+  return rescale.slope == 1.0 && rescale.intercept == 0.0;
+}
+
+/// The smallest and largest value that can come out, from those that go in.
+std::array<double, 2> ResultRange(vtkImageData* image, const std::vector<Rescale>& slices)
+{
+  double stored[2];
+  image->GetScalarRange(stored);
+  std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (const Rescale& slice : slices)
+  {
+    for (const double value : stored)
+    {
+      range[0] = std::min(range[0], slice.slope * value + slice.intercept);
+      range[1] = std::max(range[1], slice.slope * value + slice.intercept);
+    }
+  }
+  return range;
+}
+
+int ResultType(vtkImageData* image, const std::vector<Rescale>& slices)
 {
   const int storedType = image->GetScalarType();
   const bool isFloat = storedType == VTK_FLOAT;
   const bool isInteger = !isFloat && storedType != VTK_DOUBLE;
-  if (isInteger && IsIntegral(rescale.slope) && IsIntegral(rescale.intercept))
+  const bool isExact = std::all_of(slices.begin(), slices.end(),
+    [](const Rescale& slice) { return IsIntegral(slice.slope) && IsIntegral(slice.intercept); });
+  if (isInteger && isExact)
   {
-    double range[2];
-    image->GetScalarRange(range);
-    const double a = rescale.slope * range[0] + rescale.intercept;
-    const double b = rescale.slope * range[1] + rescale.intercept;
-    if (Holds<short>(std::min(a, b), std::max(a, b)))
+    const std::array<double, 2> range = ResultRange(image, slices);
+    if (Holds<short>(range[0], range[1]))
     {
       return VTK_SHORT;
     }
-    if (Holds<int>(std::min(a, b), std::max(a, b)))
+    if (Holds<int>(range[0], range[1]))
     {
       return VTK_INT;
     }
@@ -49,50 +73,61 @@ int ResultType(vtkImageData* image, const Rescale& rescale)
   return isFloat || image->GetScalarSize() <= 2 ? VTK_FLOAT : VTK_DOUBLE;
 }
 
+/// Slice by slice; stored and results may be the same memory if they are of the same type.
 template <class Stored, class Result>
-void Convert(const Stored* stored, std::size_t count, const Rescale& rescale, Result* results)
+void Convert(const Stored* stored, std::size_t sliceValues, const std::vector<Rescale>& slices,
+  Result* results)
 {
-  std::transform(stored, stored + count, results,
-    [&](Stored value) { return Result(rescale.slope * double(value) + rescale.intercept); });
+  for (const Rescale& slice : slices)
+  {
+    results = std::transform(stored, stored + sliceValues, results,
+      [&](Stored value) { return Result(slice.slope * double(value) + slice.intercept); });
+    stored += sliceValues;
+  }
 }
 
 template <class Stored>
-void Convert(const Stored* stored, std::size_t count, const Rescale& rescale, vtkImageData* result)
+void ConvertTo(vtkImageData* result, const Stored* stored, std::size_t sliceValues,
+  const std::vector<Rescale>& slices)
 {
   void* const results = result->GetScalarPointer();
   switch (result->GetScalarType())
   {
     case VTK_SHORT:
-      return Convert(stored, count, rescale, static_cast<short*>(results));
+      return Convert(stored, sliceValues, slices, static_cast<short*>(results));
     case VTK_INT:
-      return Convert(stored, count, rescale, static_cast<int*>(results));
+      return Convert(stored, sliceValues, slices, static_cast<int*>(results));
     case VTK_FLOAT:
-      return Convert(stored, count, rescale, static_cast<float*>(results));
+      return Convert(stored, sliceValues, slices, static_cast<float*>(results));
     default:
-      return Convert(stored, count, rescale, static_cast<double*>(results));
+      return Convert(stored, sliceValues, slices, static_cast<double*>(results));
   }
 }
 
 }
 
 vtkSmartPointer<vtkImageData> Rescaled(
-  const std::string& path, vtkSmartPointer<vtkImageData> image, const Rescale& rescale)
+  const std::string& path, vtkSmartPointer<vtkImageData> image, const std::vector<Rescale>& slices)
 {
-  if (rescale.slope == 1.0 && rescale.intercept == 0.0)
+  if (std::all_of(slices.begin(), slices.end(), IsIdentity))
   {
     return image;
   }
   const int* dimensions = image->GetDimensions();
   const VoxelLayout layout = { { dimensions[0], dimensions[1], dimensions[2] },
-    ResultType(image, rescale), image->GetNumberOfScalarComponents() };
+    ResultType(image, slices), image->GetNumberOfScalarComponents() };
   CheckedByteCount(path, layout);
-  auto result = AllocatedImage(layout);
-  const auto count = std::size_t(image->GetNumberOfPoints()) * std::size_t(layout.componentCount);
+  const bool isSameType = layout.scalarType == image->GetScalarType();
+  auto result = isSameType ? image : AllocatedImage(layout);
+  const auto sliceValues =
+    std::size_t(image->GetNumberOfPoints()) * std::size_t(layout.componentCount) / slices.size();
   const void* stored = image->GetScalarPointer();
   switch (image->GetScalarType())
   {
-    vtkTemplateMacro(Convert(static_cast<const VTK_TT*>(stored), count, rescale, result.Get()));
+    vtkTemplateMacro(
+      ConvertTo(result.Get(), static_cast<const VTK_TT*>(stored), sliceValues, slices));
   }
+  result->GetPointData()->GetScalars()->Modified(); // forget a cached range
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <vtkSmartPointer.h>
 
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -20,9 +21,10 @@ struct Rescale
 /// The image with values slope * stored + intercept. The type is the smallest of short, int, float
 /// and double that holds the results exactly, or for a broken slope as precisely as the stored
 /// type was. The image itself comes back when there is nothing to do.
+/// @param slices  one line for all slices, or one for each
 /// @throws std::runtime_error when a wider type does not fit the memory
 vtkSmartPointer<vtkImageData> Rescaled(
-  const std::string& path, vtkSmartPointer<vtkImageData> image, const Rescale& rescale);
+  const std::string& path, vtkSmartPointer<vtkImageData> image, const std::vector<Rescale>& slices);
 
 }
 

@@ -1,7 +1,11 @@
 #include "Readers/VtkMessages.h"
 
+#include "Readers/FileError.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkObject.h>
+
+#include <algorithm>
 
 namespace varimarch
 {
@@ -37,6 +41,19 @@ void VtkMessages::Take(vtkObject* object)
 {
   object->AddObserver(vtkCommand::ErrorEvent, this->listener);
   object->AddObserver(vtkCommand::WarningEvent, this->listener);
+}
+
+std::string VtkMessages::FirstErrorOr(const std::string& otherwise) const
+{
+  if (this->errors.empty())
+  {
+    return otherwise;
+  }
+  // Only its first sentence, without the full stop.
+  constexpr std::size_t longest = 200;
+  std::string sentence = this->errors.front() + ' ';
+  return "the fault " +
+    Quoted(sentence.substr(0, std::min(sentence.find(". "), sentence.size() - 1)), longest);
 }
 
 }

@@ -31,6 +31,9 @@ public:
   const std::vector<std::string>& Errors() const { return this->errors; }
   const std::vector<std::string>& Warnings() const { return this->warnings; }
 
+  /// The first error as words for a sentence, or `otherwise` if there is none.
+  std::string FirstErrorOr(const std::string& otherwise) const;
+
 private:
   vtkNew<vtkCallbackCommand> listener;
   std::vector<std::string> errors;

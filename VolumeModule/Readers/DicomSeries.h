@@ -1,0 +1,34 @@
+#ifndef Varimarch_Readers_DicomSeries_h
+#define Varimarch_Readers_DicomSeries_h
+
+#include "Readers/VolumeFile.h"
+
+#include <vtkStringArray.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// One scan of a patient: the files of a DICOM series.
+struct DicomSeries
+{
+  std::string uid;
+  std::string description; ///< as the scanner's operator named it, or empty
+  std::string modality;    ///< "CT", "MR" ...
+  std::int64_t imageCount; ///< files, or frames of files with several
+  vtkSmartPointer<vtkStringArray> files;
+};
+
+/// The series with images in a folder and the folders in it, in a DICOMDIR, or in a single file.
+/// @param warnings  gets sentences about files that could not be read
+/// @throws std::runtime_error when there are none, or a file promises more than it holds
+/// @throws ReadCancelled
+std::vector<DicomSeries> FindDicomSeries(
+  const std::string& path, std::vector<std::string>& warnings, ReadProgress& progress);
+
+}
+
+#endif

@@ -1,0 +1,17 @@
+#ifndef Varimarch_Readers_VtkProgress_h
+#define Varimarch_Readers_VtkProgress_h
+
+#include "Readers/VolumeFile.h"
+
+class vtkAlgorithm;
+
+namespace varimarch
+{
+
+/// Updates the first output of a VTK algorithm, and passes its progress on.
+/// @throws ReadCancelled after the algorithm has returned
+void UpdateWithProgress(vtkAlgorithm* algorithm, ReadProgress& progress);
+
+}
+
+#endif
