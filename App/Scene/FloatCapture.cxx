@@ -1,0 +1,78 @@
+#include "Scene/FloatCapture.h"
+
+#include <vtkNew.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtk_glew.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Takes away a renderer's background while it lives.
+class WithoutBackground
+{
+public:
+  explicit WithoutBackground(vtkRenderer* renderer)
+    : renderer(renderer)
+    , alpha(renderer->GetBackgroundAlpha())
+  {
+    renderer->GetBackground(this->rgb.data());
+    renderer->SetBackground(0.0, 0.0, 0.0);
+    renderer->SetBackgroundAlpha(0.0);
+  }
+
+  ~WithoutBackground()
+  {
+    this->renderer->SetBackground(this->rgb.data());
+    this->renderer->SetBackgroundAlpha(this->alpha);
+  }
+
+private:
+  vtkRenderer* renderer;
+  std::array<double, 3> rgb;
+  double alpha;
+};
+
+}
+
+vtkSmartPointer<vtkImageData> CaptureFloatImage(
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer)
+{
+  // Start makes the context if need be, sets the state that VTK's classes rely on, and binds the
+  // window's framebuffer, in whose place ours comes.
+  window->Start();
+  const int* size = window->GetSize();
+  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
+  framebuffer->SetContext(window);
+  const bool complete =
+    framebuffer->PopulateFramebuffer(size[0], size[1], true, 1, VTK_FLOAT, true, 24, 0, false);
+
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  if (complete)
+  {
+    const WithoutBackground withoutBackground(renderer);
+    renderer->Render();
+    image->SetDimensions(size[0], size[1], 1);
+    image->AllocateScalars(VTK_FLOAT, 4);
+    framebuffer->Bind();
+    window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size[0], size[1], GL_RGBA, GL_FLOAT, image->GetScalarPointer());
+  }
+  window->End();
+  if (!complete)
+  {
+    throw std::runtime_error("OpenGL offers no framebuffer of 32 bit floats with " +
+      std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels");
+  }
+  return image;
+}
+
+}

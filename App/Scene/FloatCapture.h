@@ -1,0 +1,23 @@
+#ifndef Varimarch_Scene_FloatCapture_h
+#define Varimarch_Scene_FloatCapture_h
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+
+namespace varimarch
+{
+
+/// Draws a renderer once into a framebuffer of 32 bit floats, on nothing: RGBA, premultiplied,
+/// without the background and without rounding to 8 bits. Row 0 is the picture's lowest. Errors
+/// are measured in such pictures.
+/// @param window  the window of the renderer, of the size to draw
+/// @throws std::runtime_error when the driver does not allow such a framebuffer
+vtkSmartPointer<vtkImageData> CaptureFloatImage(
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer);
+
+}
+
+#endif

@@ -1,0 +1,43 @@
+#ifndef Varimarch_Scene_ImageStatistics_h
+#define Varimarch_Scene_ImageStatistics_h
+
+#include <cstdint>
+#include <vector>
+
+class vtkImageData;
+
+namespace varimarch
+{
+
+/// How the values of a volume are distributed.
+class ImageStatistics
+{
+public:
+  /// Counts the values of the first component. Integers within a range of 65536 are counted one
+  /// by one, other numbers in 65536 equal bins over their finite range. Infinite values count as
+  /// the smallest or largest finite one, what is no number as the smallest.
+  explicit ImageStatistics(vtkImageData* image);
+
+  /// Of the finite values.
+  double Smallest() const { return this->smallest; }
+  double Largest() const { return this->largest; }
+
+  /// The value below which this part of the voxels lies.
+  /// @param percent  [0, 100]
+  double Percentile(double percent) const;
+
+  /// The counts summed into a number of bins of equal width from Smallest to Largest.
+  std::vector<std::int64_t> Histogram(int bins) const;
+
+private:
+  double ValueOfBin(std::size_t bin) const;
+
+  double smallest;
+  double largest;
+  double binSpacing;
+  std::vector<std::int64_t> counts;
+};
+
+}
+
+#endif

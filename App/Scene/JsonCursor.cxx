@@ -1,0 +1,213 @@
+#include "Scene/JsonCursor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// What was found, short enough for a sentence.
+std::string Excerpt(const nlohmann::json& value)
+{
+  if (value.is_object())
+  {
+    return "an object";
+  }
+  if (value.is_array())
+  {
+    return "an array of " + std::to_string(value.size());
+  }
+  const std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+std::string Plain(double number)
+{
+  std::ostringstream stream;
+  stream << number;
+  return stream.str();
+}
+
+}
+
+bool NumberRange::Contains(double value) const
+{
+  return std::isfinite(value) &&
+    (this->excludesSmallest ? value > this->smallest : value >= this->smallest) &&
+    (this->excludesLargest ? value < this->largest : value <= this->largest);
+}
+
+std::string NumberRange::Description() const
+{
+  std::string text = "a number";
+  if (std::isfinite(this->smallest))
+  {
+    text += (this->excludesSmallest ? " > " : " >= ") + Plain(this->smallest);
+  }
+  if (std::isfinite(this->largest))
+  {
+    text += std::isfinite(this->smallest) ? " and" : "";
+    text += (this->excludesLargest ? " < " : " <= ") + Plain(this->largest);
+  }
+  return text;
+}
+
+JsonCursor::JsonCursor(const nlohmann::json& value, std::string file, std::string path)
+  : value(value)
+  , file(std::move(file))
+  , path(std::move(path))
+{
+}
+
+void JsonCursor::Fail(const std::string& message) const
+{
+  throw std::runtime_error(
+    this->file + ": " + (this->path.empty() ? "" : this->path + ": ") + message);
+}
+
+void JsonCursor::FailExpecting(const std::string& what) const
+{
+  this->Fail("expected " + what + ", found " + Excerpt(this->value));
+}
+
+double JsonCursor::Number(const NumberRange& range) const
+{
+  if (!this->value.is_number() || !range.Contains(this->value.get<double>()))
+  {
+    this->FailExpecting(range.Description());
+  }
+  return this->value.get<double>();
+}
+
+int JsonCursor::Integer(int smallest, int largest) const
+{
+  // Through double: an integer too large for int must not wrap around.
+  const double number = this->value.is_number() ? this->value.get<double>() : std::nan("");
+  if (!(number >= smallest && number <= largest) || number != std::floor(number))
+  {
+    this->FailExpecting(
+      "a whole number from " + std::to_string(smallest) + " to " + std::to_string(largest));
+  }
+  return int(number);
+}
+
+bool JsonCursor::Boolean() const
+{
+  if (!this->value.is_boolean())
+  {
+    this->FailExpecting("true or false");
+  }
+  return this->value.get<bool>();
+}
+
+std::string JsonCursor::Text() const
+{
+  if (!this->value.is_string())
+  {
+    this->FailExpecting("a text");
+  }
+  return this->value.get<std::string>();
+}
+
+std::size_t JsonCursor::ChoiceIndex(const std::vector<std::string>& names) const
+{
+  const std::string word = this->Text();
+  const auto found = std::find(names.begin(), names.end(), word);
+  if (found == names.end())
+  {
+    this->Fail("unknown value \"" + word + "\"; " + Suggestion(word, names));
+  }
+  return std::size_t(found - names.begin());
+}
+
+void JsonCursor::RequireObject(const std::vector<std::string>& knownKeys) const
+{
+  if (!this->value.is_object())
+  {
+    this->FailExpecting("an object");
+  }
+  for (const auto& item : this->value.items())
+  {
+    if (std::find(knownKeys.begin(), knownKeys.end(), item.key()) == knownKeys.end())
+    {
+      this->Fail("unknown key \"" + item.key() + "\"; " + Suggestion(item.key(), knownKeys));
+    }
+  }
+}
+
+std::optional<JsonCursor> JsonCursor::Find(const std::string& key) const
+{
+  const auto found = this->value.find(key);
+  if (found == this->value.end())
+  {
+    return std::nullopt;
+  }
+  return JsonCursor(*found, this->file, this->path.empty() ? key : this->path + "." + key);
+}
+
+JsonCursor JsonCursor::At(const std::string& key) const
+{
+  const std::optional<JsonCursor> member = this->Find(key);
+  if (!member)
+  {
+    this->Fail("expected the key \"" + key + "\", found none");
+  }
+  return *member;
+}
+
+std::vector<JsonCursor> JsonCursor::Elements(std::size_t fewest, std::size_t most) const
+{
+  if (!this->value.is_array() || this->value.size() < fewest || this->value.size() > most)
+  {
+    this->FailExpecting(fewest == most ? "an array of " + std::to_string(fewest)
+                                       : "an array of at least " + std::to_string(fewest));
+  }
+  std::vector<JsonCursor> elements;
+  for (std::size_t i = 0; i < this->value.size(); ++i)
+  {
+    elements.emplace_back(this->value[i], this->file, this->path + "[" + std::to_string(i) + "]");
+  }
+  return elements;
+}
+
+nlohmann::json ParseJson(const std::string& text, const std::string& file)
+{
+  try
+  {
+    return nlohmann::json::parse(text);
+  }
+  catch (const nlohmann::json::parse_error& error)
+  {
+    // Without the library's own error number in brackets.
+    const std::string what = error.what();
+    const std::size_t start = what.find("parse error");
+    throw std::runtime_error(
+      file + ": not valid JSON: " + (start == std::string::npos ? what : what.substr(start)));
+  }
+}
+
+std::string TextFromJson(const nlohmann::ordered_json& json)
+{
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+nlohmann::json ReadJson(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  // A folder opens too, and only fails when read.
+  if (!stream || std::filesystem::is_directory(path))
+  {
+    throw std::runtime_error(path + ": cannot be read as a file");
+  }
+  return ParseJson(std::string(std::istreambuf_iterator<char>(stream), {}), path);
+}
+
+}

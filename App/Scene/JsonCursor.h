@@ -1,0 +1,109 @@
+#ifndef Varimarch_Scene_JsonCursor_h
+#define Varimarch_Scene_JsonCursor_h
+
+#include "Scene/SceneNames.h"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// A number that a file may hold, and how to name it in a sentence.
+struct NumberRange
+{
+  double smallest = -std::numeric_limits<double>::infinity();
+  double largest = std::numeric_limits<double>::infinity();
+  bool excludesSmallest = false;
+  bool excludesLargest = false;
+
+  bool Contains(double value) const;
+  std::string Description() const; ///< "a number > 0"
+};
+
+/// One value in a JSON file together with the way to it, so that every complaint names both:
+/// `head.json: camera.zoom: expected a number > 0, found "big"`. All functions that read throw
+/// such a std::runtime_error when the value is not what they promise.
+/// Refers to the JSON value, which must outlive it.
+class JsonCursor
+{
+public:
+  JsonCursor(const nlohmann::json& value, std::string file, std::string path = {});
+
+  double Number(const NumberRange& range = {}) const;
+  int Integer(int smallest, int largest) const;
+  bool Boolean() const;
+  std::string Text() const;
+  bool IsText() const { return this->value.is_string(); }
+
+  /// The value that a word stands for.
+  template <class Value>
+  Value Choice(const NameTable<Value>& table) const
+  {
+    return table[this->ChoiceIndex(NamesOf(table))].second;
+  }
+
+  /// Checks that this is an object with no key but these.
+  void RequireObject(const std::vector<std::string>& knownKeys) const;
+
+  /// The value under a key; of an object only.
+  std::optional<JsonCursor> Find(const std::string& key) const;
+  JsonCursor At(const std::string& key) const;
+
+  /// The elements of an array.
+  std::vector<JsonCursor> Elements(std::size_t fewest, std::size_t most) const;
+
+  template <std::size_t count>
+  std::array<double, count> Numbers(const NumberRange& range = {}) const
+  {
+    std::array<double, count> numbers;
+    const std::vector<JsonCursor> elements = this->Elements(count, count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      numbers[i] = elements[i].Number(range);
+    }
+    return numbers;
+  }
+
+  template <std::size_t count>
+  std::array<int, count> Integers(int smallest, int largest) const
+  {
+    std::array<int, count> numbers;
+    const std::vector<JsonCursor> elements = this->Elements(count, count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      numbers[i] = elements[i].Integer(smallest, largest);
+    }
+    return numbers;
+  }
+
+  /// Throws "file: path: expected <what>, found <this value>".
+  [[noreturn]] void FailExpecting(const std::string& what) const;
+  /// Throws "file: path: <message>".
+  [[noreturn]] void Fail(const std::string& message) const;
+
+private:
+  std::size_t ChoiceIndex(const std::vector<std::string>& names) const;
+
+  const nlohmann::json& value;
+  std::string file;
+  std::string path;
+};
+
+/// Reads and parses a file. @throws std::runtime_error that names it
+nlohmann::json ReadJson(const std::string& path);
+
+/// Parses a text; `file` names it in errors. @throws std::runtime_error
+nlohmann::json ParseJson(const std::string& text, const std::string& file);
+
+/// For people: indented, ending with a line break. Bytes that are no UTF-8, as a path may have,
+/// become the replacement character.
+std::string TextFromJson(const nlohmann::ordered_json& json);
+
+}
+
+#endif

@@ -1,0 +1,48 @@
+#include "Scene/OffscreenView.h"
+
+#include "Scene/FloatCapture.h"
+
+#include <vtkWindowToImageFilter.h>
+
+#include <chrono>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+OffscreenView::OffscreenView(const Scene& scene, vtkImageData* image, MapperKind kind)
+  : pipeline(scene, image, kind)
+{
+  if (!this->window->InitializeContext())
+  {
+    throw std::runtime_error(this->window->GetFailureReason());
+  }
+  this->window->SetSize(scene.size[0], scene.size[1]);
+  this->window->AddRenderer(this->pipeline.Renderer());
+}
+
+double OffscreenView::Render()
+{
+  const auto start = std::chrono::steady_clock::now();
+  this->window->Render();
+  this->window->WaitForCompletion();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  return elapsed.count();
+}
+
+vtkSmartPointer<vtkImageData> OffscreenView::Bytes()
+{
+  vtkNew<vtkWindowToImageFilter> reader;
+  reader->SetInput(this->window);
+  reader->ReadFrontBufferOff();
+  reader->ShouldRerenderOff();
+  reader->Update();
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> OffscreenView::FloatImage()
+{
+  return CaptureFloatImage(this->window, this->pipeline.Renderer());
+}
+
+}

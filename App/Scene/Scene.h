@@ -1,0 +1,132 @@
+#ifndef Varimarch_Scene_Scene_h
+#define Varimarch_Scene_Scene_h
+
+#include "Core/RenderSettings.h"
+#include "Core/TransferFunction.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace varimarch
+{
+
+/// How the bytes of a raw file are to be read; a raw file does not say.
+struct RawLayout
+{
+  std::array<int, 3> dimensions = {}; ///< voxels along each axis, x fastest
+  std::string type = "uint8";         ///< one of RawTypeNames()
+  std::array<double, 3> spacingMm = { 1.0, 1.0, 1.0 };
+  bool bigEndian = false;
+};
+
+struct FileSource
+{
+  std::string path;             ///< a file, or a folder with a DICOM series
+  std::optional<RawLayout> raw; ///< only for files without a header
+};
+
+enum class ProceduralKind
+{
+  Shells,        ///< nested spherical shells
+  MarschnerLobb, ///< the classic test signal for reconstruction
+  Torso,         ///< a CT of a torso
+};
+
+/// A volume that is computed: see ProceduralVolume.h.
+struct ProceduralSource
+{
+  ProceduralKind kind = ProceduralKind::Shells;
+  std::array<int, 3> dimensions = { 128, 128, 128 }; ///< each from 2 to LargestProceduralSide
+  unsigned seed = 1;                                 ///< of the noise, where there is any
+};
+
+constexpr int LargestProceduralSide = 1024;
+
+using VolumeSource = std::variant<FileSource, ProceduralSource>;
+
+/// What the values of a look's nodes mean.
+enum class Domain
+{
+  Data,     ///< units of the data, such as Hounsfield units
+  Relative, ///< 0 is the data's 1st percentile, 1 its 99.9th: for MR, which has no units
+};
+
+/// Blinn-Phong coefficients, as vtkVolumeProperty has them.
+struct Shading
+{
+  bool enabled = true;
+  double ambient = 0.2;        ///< [0, 1]
+  double diffuse = 0.8;        ///< [0, 1]
+  double specular = 0.2;       ///< [0, 1]
+  double specularPower = 16.0; ///< >= 1
+};
+
+/// How values are seen: the transfer function and the light.
+struct Look
+{
+  std::string name;        ///< of the preset it came from; may be empty
+  std::string description; ///< one line for people; may be empty
+  Domain domain = Domain::Data;
+  std::vector<ColorNode> colors;      ///< sorted by value, at least one
+  std::vector<OpacityNode> opacities; ///< sorted by value, at least one
+  double opacityUnitDistanceMm = 1.0; ///< > 0
+  Shading shading;
+  Blend blend = Blend::Composite;
+};
+
+/// Where the eye is, in the patient's terms. World space is LPS: +x left, +y posterior,
+/// +z superior.
+enum class View
+{
+  Anterior, ///< looks at the face: the eye is in front of the patient
+  Posterior,
+  Left, ///< the eye is at the patient's left
+  Right,
+  Superior,
+  Inferior,
+};
+
+struct Camera
+{
+  View view = View::Anterior;
+  double azimuthDegrees = 0.0;   ///< turns the eye about the vertical of the picture
+  double elevationDegrees = 0.0; ///< then lifts it, (-90, 90)
+  double zoom = 1.0;             ///< > 0; at 1 the volume's box just fits the picture
+  bool parallel = false;
+  double viewAngleDegrees = 30.0; ///< vertical, (0, 180); perspective only
+};
+
+struct RenderOptions
+{
+  std::optional<double> sampleDistanceMm; ///< > 0; empty: the mapper chooses
+  Acceleration acceleration = Acceleration::OpticalField;
+  std::optional<double> variationTolerance;          ///< units of the data; empty: mapper chooses
+  double earlyTerminationTransmittance = 1.0 / 1024; ///< [0, 1)
+};
+
+/// Who draws a scene: not part of it, since all should draw the same.
+enum class MapperKind
+{
+  Varimarch, ///< vtkVariationFieldVolumeMapper
+  VtkGpu,    ///< vtkOpenGLGPUVolumeRayCastMapper
+  VtkCpu,    ///< vtkFixedPointVolumeRayCastMapper
+};
+
+/// Everything a picture depends on, as plain data. SceneFile reads and writes it, ScenePipeline
+/// draws it.
+struct Scene
+{
+  VolumeSource volume;
+  Look look;
+  Camera camera;
+  RenderOptions render;
+  std::array<int, 2> size = { 512, 512 }; ///< of the picture [pixels]
+  std::array<double, 3> background = { 0.0, 0.0, 0.0 };
+};
+
+}
+
+#endif

@@ -1,0 +1,101 @@
+#include "Scene/SceneCamera.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+struct Orientation
+{
+  glm::dvec3 towardsEyeWorld;
+  glm::dvec3 upWorld;
+};
+
+// World space is LPS. From above and from below the patient's front is at the top, so that from
+// below the left of the patient is at the right, as radiologists look at axial slices.
+Orientation OrientationOf(View view)
+{
+  const glm::dvec3 left(1.0, 0.0, 0.0);
+  const glm::dvec3 posterior(0.0, 1.0, 0.0);
+  const glm::dvec3 superior(0.0, 0.0, 1.0);
+  switch (view)
+  {
+    case View::Posterior:
+      return { posterior, superior };
+    case View::Left:
+      return { left, superior };
+    case View::Right:
+      return { -left, superior };
+    case View::Superior:
+      return { superior, -posterior };
+    case View::Inferior:
+      return { -superior, -posterior };
+    default:
+      return { -posterior, superior };
+  }
+}
+
+// Offset of a corner of the box from its middle, along the picture's right, its up, and towards
+// the eye.
+glm::dvec3 CornerInView(int corner, const double boundsWorld[6], vtkMatrix4x4* viewFromWorld)
+{
+  double offset[4] = { 0.0, 0.0, 0.0, 0.0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double half = 0.5 * (boundsWorld[2 * axis + 1] - boundsWorld[2 * axis]);
+    offset[axis] = (corner >> axis) & 1 ? half : -half;
+  }
+  viewFromWorld->MultiplyPoint(offset, offset);
+  return { offset[0], offset[1], offset[2] };
+}
+
+}
+
+void PlaceCamera(
+  const Camera& placement, const double boundsWorld[6], double aspect, vtkCamera* camera)
+{
+  // Turn about the middle of the box.
+  const glm::dvec3 center(0.5 * (boundsWorld[0] + boundsWorld[1]),
+    0.5 * (boundsWorld[2] + boundsWorld[3]), 0.5 * (boundsWorld[4] + boundsWorld[5]));
+  const Orientation orientation = OrientationOf(placement.view);
+  const glm::dvec3 eye = center + orientation.towardsEyeWorld;
+  camera->SetFocalPoint(center.x, center.y, center.z);
+  camera->SetPosition(eye.x, eye.y, eye.z);
+  camera->SetViewUp(orientation.upWorld.x, orientation.upWorld.y, orientation.upWorld.z);
+  camera->Azimuth(placement.azimuthDegrees);
+  camera->Elevation(placement.elevationDegrees);
+  camera->OrthogonalizeViewUp();
+
+  // Step back until every corner of the box is in the picture.
+  const double tangent = std::tan(0.5 * glm::radians(placement.viewAngleDegrees));
+  double distance = 0.0;
+  double halfHeight = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 inView = CornerInView(corner, boundsWorld, camera->GetViewTransformMatrix());
+    const double needed = std::max(std::abs(inView.y), std::abs(inView.x) / aspect);
+    halfHeight = std::max(halfHeight, needed);
+    distance = std::max(distance, inView.z + needed / tangent);
+  }
+  const double* direction = camera->GetDirectionOfProjection();
+  const glm::dvec3 fitted =
+    center - distance * glm::dvec3(direction[0], direction[1], direction[2]);
+  camera->SetPosition(fitted.x, fitted.y, fitted.z);
+  camera->SetParallelProjection(placement.parallel);
+  camera->SetParallelScale(halfHeight);
+  camera->SetViewAngle(placement.viewAngleDegrees);
+  camera->Zoom(placement.zoom);
+}
+
+}

@@ -1,0 +1,20 @@
+#ifndef Varimarch_Scene_SceneCamera_h
+#define Varimarch_Scene_SceneCamera_h
+
+#include "Scene/Scene.h"
+
+class vtkCamera;
+
+namespace varimarch
+{
+
+/// Places a camera as a scene asks for it.
+/// @param boundsWorld  of the volume [mm, LPS]: xmin, xmax, ymin, ymax, zmin, zmax
+/// @param aspect       width of the picture by its height, > 0
+/// The clipping range is left to vtkRenderer::ResetCameraClippingRange.
+void PlaceCamera(
+  const Camera& placement, const double boundsWorld[6], double aspect, vtkCamera* camera);
+
+}
+
+#endif

@@ -1,0 +1,242 @@
+#include "Scene/SceneFile.h"
+
+#include "Scene/LookJson.h"
+
+#include <filesystem>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr NumberRange Positive = { 0.0, Infinity, true };
+// OpenGL's least guaranteed largest side of a 2D texture is 16384 in the versions that matter.
+constexpr int LargestPictureSide = 16384;
+constexpr int LargestVolumeSide = 1 << 20;
+
+RawLayout RawLayoutFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "dimensions", "type", "spacing", "byteOrder" });
+  RawLayout raw;
+  raw.dimensions = json.At("dimensions").Integers<3>(1, LargestVolumeSide);
+  json.At("type").Choice(RawTypeNames());
+  raw.type = json.At("type").Text();
+  if (const auto spacing = json.Find("spacing"))
+  {
+    raw.spacingMm = spacing->Numbers<3>(Positive);
+  }
+  if (const auto order = json.Find("byteOrder"))
+  {
+    raw.bigEndian = order->Choice(ByteOrderNames());
+  }
+  return raw;
+}
+
+VolumeSource VolumeFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "file", "raw", "procedural", "size", "seed" });
+  if (const auto file = json.Find("file"))
+  {
+    json.RequireObject({ "file", "raw" });
+    FileSource source = { file->Text(), std::nullopt };
+    if (const auto raw = json.Find("raw"))
+    {
+      source.raw = RawLayoutFromJson(*raw);
+    }
+    return source;
+  }
+  if (!json.Find("procedural"))
+  {
+    json.Fail("expected the key \"file\" or \"procedural\", found neither");
+  }
+  json.RequireObject({ "procedural", "size", "seed" });
+  ProceduralSource source;
+  source.kind = json.At("procedural").Choice(ProceduralNames());
+  if (const auto size = json.Find("size"))
+  {
+    source.dimensions = size->Integers<3>(2, LargestProceduralSide);
+  }
+  if (const auto seed = json.Find("seed"))
+  {
+    source.seed = seed->Integer(0, std::numeric_limits<int>::max());
+  }
+  return source;
+}
+
+Camera CameraFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "view", "azimuth", "elevation", "zoom", "projection", "viewAngle" });
+  Camera camera;
+  if (const auto view = json.Find("view"))
+  {
+    camera.view = view->Choice(ViewNames());
+  }
+  if (const auto azimuth = json.Find("azimuth"))
+  {
+    camera.azimuthDegrees = azimuth->Number();
+  }
+  if (const auto elevation = json.Find("elevation"))
+  {
+    camera.elevationDegrees = elevation->Number({ -90.0, 90.0, true, true });
+  }
+  if (const auto zoom = json.Find("zoom"))
+  {
+    camera.zoom = zoom->Number(Positive);
+  }
+  if (const auto projection = json.Find("projection"))
+  {
+    camera.parallel = projection->Choice(ProjectionNames());
+  }
+  if (const auto angle = json.Find("viewAngle"))
+  {
+    camera.viewAngleDegrees = angle->Number({ 0.0, 180.0, true, true });
+  }
+  return camera;
+}
+
+// A number, or the word "auto" for what the mapper chooses.
+std::optional<double> NumberOrAuto(const JsonCursor& json, const NumberRange& range)
+{
+  if (!json.IsText())
+  {
+    return json.Number(range);
+  }
+  if (json.Text() != "auto")
+  {
+    json.FailExpecting(range.Description() + " or \"auto\"");
+  }
+  return std::nullopt;
+}
+
+RenderOptions RenderFromJson(const JsonCursor& json)
+{
+  json.RequireObject(
+    { "sampleDistance", "acceleration", "variationTolerance", "earlyTermination" });
+  RenderOptions render;
+  if (const auto distance = json.Find("sampleDistance"))
+  {
+    render.sampleDistanceMm = NumberOrAuto(*distance, Positive);
+  }
+  if (const auto acceleration = json.Find("acceleration"))
+  {
+    render.acceleration = acceleration->Choice(AccelerationNames());
+  }
+  if (const auto tolerance = json.Find("variationTolerance"))
+  {
+    render.variationTolerance = NumberOrAuto(*tolerance, { 0.0 });
+  }
+  if (const auto transmittance = json.Find("earlyTermination"))
+  {
+    render.earlyTerminationTransmittance = transmittance->Number({ 0.0, 1.0, false, true });
+  }
+  return render;
+}
+
+Scene SceneFromJson(const JsonCursor& json)
+{
+  // "$schema" lets an editor find the schema; it means nothing here.
+  json.RequireObject({ "$schema", "volume", "look", "camera", "render", "size", "background" });
+  Scene scene;
+  scene.volume = VolumeFromJson(json.At("volume"));
+  scene.look = LookFromJson(json.At("look"));
+  if (const auto camera = json.Find("camera"))
+  {
+    scene.camera = CameraFromJson(*camera);
+  }
+  if (const auto render = json.Find("render"))
+  {
+    scene.render = RenderFromJson(*render);
+  }
+  if (const auto size = json.Find("size"))
+  {
+    scene.size = size->Integers<2>(1, LargestPictureSide);
+  }
+  if (const auto background = json.Find("background"))
+  {
+    scene.background = background->Numbers<3>({ 0.0, 1.0 });
+  }
+  return scene;
+}
+
+nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
+{
+  nlohmann::ordered_json json;
+  if (const auto* procedural = std::get_if<ProceduralSource>(&volume))
+  {
+    json["procedural"] = NameOf(ProceduralNames(), procedural->kind);
+    json["size"] = procedural->dimensions;
+    json["seed"] = procedural->seed;
+    return json;
+  }
+  const FileSource& file = std::get<FileSource>(volume);
+  json["file"] = file.path;
+  if (file.raw)
+  {
+    json["raw"] = { { "dimensions", file.raw->dimensions }, { "type", file.raw->type },
+      { "spacing", file.raw->spacingMm },
+      { "byteOrder", NameOf(ByteOrderNames(), file.raw->bigEndian) } };
+  }
+  return json;
+}
+
+nlohmann::ordered_json JsonFromOptional(const std::optional<double>& number)
+{
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json("auto");
+}
+
+}
+
+std::string SceneText(const Scene& scene)
+{
+  const Camera& camera = scene.camera;
+  const RenderOptions& render = scene.render;
+  nlohmann::ordered_json json;
+  json["volume"] = JsonFromVolume(scene.volume);
+  json["look"] = JsonFromLook(scene.look);
+  json["camera"] = { { "view", NameOf(ViewNames(), camera.view) },
+    { "azimuth", camera.azimuthDegrees }, { "elevation", camera.elevationDegrees },
+    { "zoom", camera.zoom }, { "projection", NameOf(ProjectionNames(), camera.parallel) },
+    { "viewAngle", camera.viewAngleDegrees } };
+  json["render"] = { { "sampleDistance", JsonFromOptional(render.sampleDistanceMm) },
+    { "acceleration", NameOf(AccelerationNames(), render.acceleration) },
+    { "variationTolerance", JsonFromOptional(render.variationTolerance) },
+    { "earlyTermination", render.earlyTerminationTransmittance } };
+  json["size"] = scene.size;
+  json["background"] = scene.background;
+  return TextFromJson(json);
+}
+
+std::string LookText(const Look& look)
+{
+  return TextFromJson(JsonFromLook(look));
+}
+
+Scene SceneFromText(const std::string& text, const std::string& file)
+{
+  return SceneFromJson(JsonCursor(ParseJson(text, file), file));
+}
+
+Look LookFromText(const std::string& text, const std::string& file)
+{
+  return LookFromJson(JsonCursor(ParseJson(text, file), file));
+}
+
+Scene ReadScene(const std::string& path)
+{
+  Scene scene = SceneFromJson(JsonCursor(ReadJson(path), path));
+  if (auto* file = std::get_if<FileSource>(&scene.volume))
+  {
+    // An absolute path stays what it is.
+    file->path = (std::filesystem::path(path).parent_path() / file->path).string();
+  }
+  return scene;
+}
+
+Look ReadLook(const std::string& path)
+{
+  return LookFromJson(JsonCursor(ReadJson(path), path));
+}
+
+}

@@ -1,0 +1,31 @@
+#ifndef Varimarch_Scene_SceneFile_h
+#define Varimarch_Scene_SceneFile_h
+
+#include "Scene/Scene.h"
+
+#include <string>
+
+namespace varimarch
+{
+
+/// Scenes and looks as JSON: Documentation/SceneFormat.md describes the format,
+/// Data/Scenes/scene.schema.json defines it for editors.
+///
+/// Every function that reads throws std::runtime_error with one sentence that names the file, the
+/// way to the key, what was expected and what was found.
+
+/// Reads a scene; a relative path of its volume starts at the scene file's folder.
+Scene ReadScene(const std::string& path);
+Look ReadLook(const std::string& path);
+
+/// Keys that may be left out are always written, so that the text holds the whole scene.
+std::string SceneText(const Scene& scene);
+std::string LookText(const Look& look);
+
+/// Parse a text instead of a file; `file` names it in errors.
+Scene SceneFromText(const std::string& text, const std::string& file);
+Look LookFromText(const std::string& text, const std::string& file);
+
+}
+
+#endif

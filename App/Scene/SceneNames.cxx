@@ -1,0 +1,116 @@
+#include "Scene/SceneNames.h"
+
+#include <vtkType.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Number of letters to insert, delete or replace (Levenshtein's distance).
+std::size_t EditDistance(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i)
+  {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j)
+    {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({ replaced, row[j] + 1, row[j - 1] + 1 });
+    }
+  }
+  return row.back();
+}
+
+}
+
+const NameTable<View>& ViewNames()
+{
+  static const NameTable<View> table = { { "anterior", View::Anterior },
+    { "posterior", View::Posterior }, { "left", View::Left }, { "right", View::Right },
+    { "superior", View::Superior }, { "inferior", View::Inferior } };
+  return table;
+}
+
+const NameTable<Blend>& BlendNames()
+{
+  static const NameTable<Blend> table = { { "composite", Blend::Composite },
+    { "maximum", Blend::MaximumIntensity } };
+  return table;
+}
+
+const NameTable<Acceleration>& AccelerationNames()
+{
+  static const NameTable<Acceleration> table = { { "off", Acceleration::Off },
+    { "scalar", Acceleration::ScalarField }, { "optical", Acceleration::OpticalField } };
+  return table;
+}
+
+const NameTable<Domain>& DomainNames()
+{
+  static const NameTable<Domain> table = { { "data", Domain::Data },
+    { "relative", Domain::Relative } };
+  return table;
+}
+
+const NameTable<ProceduralKind>& ProceduralNames()
+{
+  static const NameTable<ProceduralKind> table = { { "shells", ProceduralKind::Shells },
+    { "marschner-lobb", ProceduralKind::MarschnerLobb }, { "torso", ProceduralKind::Torso } };
+  return table;
+}
+
+const NameTable<bool>& ProjectionNames()
+{
+  static const NameTable<bool> table = { { "perspective", false }, { "parallel", true } };
+  return table;
+}
+
+const NameTable<bool>& ByteOrderNames()
+{
+  static const NameTable<bool> table = { { "little", false }, { "big", true } };
+  return table;
+}
+
+const NameTable<MapperKind>& MapperKindNames()
+{
+  static const NameTable<MapperKind> table = { { "ours", MapperKind::Varimarch },
+    { "vtk-gpu", MapperKind::VtkGpu }, { "vtk-cpu", MapperKind::VtkCpu } };
+  return table;
+}
+
+const NameTable<int>& RawTypeNames()
+{
+  static const NameTable<int> table = { { "uint8", VTK_UNSIGNED_CHAR }, { "int8", VTK_SIGNED_CHAR },
+    { "uint16", VTK_UNSIGNED_SHORT }, { "int16", VTK_SHORT }, { "uint32", VTK_UNSIGNED_INT },
+    { "int32", VTK_INT }, { "float32", VTK_FLOAT }, { "float64", VTK_DOUBLE } };
+  return table;
+}
+
+std::string Suggestion(const std::string& name, const std::vector<std::string>& known)
+{
+  const auto nearest = std::min_element(known.begin(), known.end(),
+    [&](const std::string& a, const std::string& b)
+    { return EditDistance(name, a) < EditDistance(name, b); });
+  // A name of which more than a third is wrong is no slip of the pen.
+  if (nearest != known.end() && 3 * EditDistance(name, *nearest) <= nearest->size() + 2)
+  {
+    return "did you mean \"" + *nearest + "\"?";
+  }
+  std::string list;
+  for (const std::string& candidate : known)
+  {
+    list += (list.empty() ? "known: " : ", ") + candidate;
+  }
+  return list;
+}
+
+}

@@ -1,0 +1,150 @@
+#include "Scene/ScenePipeline.h"
+
+#include "Scene/ImageOrientation.h"
+#include "Scene/SceneCamera.h"
+#include "Scene/VolumeProperty.h"
+
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkTransform.h>
+#include <vtkVariationFieldVolumeMapper.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+vtkSmartPointer<vtkVolumeMapper> NewMapper(MapperKind kind)
+{
+  switch (kind)
+  {
+    case MapperKind::VtkGpu:
+      return vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
+    case MapperKind::VtkCpu:
+      return vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
+    default:
+      return vtkSmartPointer<vtkVariationFieldVolumeMapper>::New();
+  }
+}
+
+int ModeOf(Acceleration acceleration)
+{
+  switch (acceleration)
+  {
+    case Acceleration::Off:
+      return vtkVariationFieldVolumeMapper::Off;
+    case Acceleration::ScalarField:
+      return vtkVariationFieldVolumeMapper::ScalarField;
+    default:
+      return vtkVariationFieldVolumeMapper::OpticalField;
+  }
+}
+
+void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
+{
+  mapper->SetAutoAdjustSampleDistances(!options.sampleDistanceMm);
+  mapper->SetSampleDistance(options.sampleDistanceMm.value_or(mapper->GetSampleDistance()));
+  mapper->SetAccelerationMode(ModeOf(options.acceleration));
+  mapper->SetVariationTolerance(options.variationTolerance.value_or(-1.0));
+  mapper->SetEarlyTerminationTransmittance(options.earlyTerminationTransmittance);
+}
+
+void Apply(const RenderOptions& options, vtkGPUVolumeRayCastMapper* mapper)
+{
+  mapper->SetAutoAdjustSampleDistances(!options.sampleDistanceMm);
+  mapper->SetSampleDistance(float(options.sampleDistanceMm.value_or(1.0)));
+}
+
+void Apply(const RenderOptions& options, vtkFixedPointVolumeRayCastMapper* mapper)
+{
+  // It adjusts the distance between rays to a frame rate; here a picture must not depend on how
+  // fast the machine is. Its default between samples is 1 mm whatever the voxels.
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(float(options.sampleDistanceMm.value_or(1.0)));
+}
+
+}
+
+ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind kind)
+  : image(image)
+  , mapper(NewMapper(kind))
+{
+  switch (kind)
+  {
+    case MapperKind::VtkCpu:
+    {
+      vtkNew<vtkTransform> worldFromImage;
+      this->mapper->SetInputDataObject(WithoutDirection(RightHanded(image), worldFromImage));
+      this->volume->SetUserTransform(worldFromImage);
+      break;
+    }
+    case MapperKind::VtkGpu:
+      this->mapper->SetInputDataObject(RightHanded(image));
+      break;
+    default:
+      this->mapper->SetInputDataObject(image);
+  }
+  this->volume->SetMapper(this->mapper);
+  this->renderer->AddVolume(this->volume);
+  this->SetLook(scene.look);
+  this->SetRenderOptions(scene.render);
+  this->SetBackground(scene.background);
+  this->SetCamera(scene.camera, double(scene.size[0]) / scene.size[1]);
+}
+
+void ScenePipeline::SetLook(const Look& look)
+{
+  ApplyLook(InUnitsOfData(look, this->image), this->volume->GetProperty());
+  this->mapper->SetBlendMode(look.blend == Blend::MaximumIntensity
+      ? vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND
+      : vtkVolumeMapper::COMPOSITE_BLEND);
+}
+
+void ScenePipeline::SetCamera(const Camera& camera, double aspect)
+{
+  PlaceCamera(camera, this->image->GetBounds(), aspect, this->renderer->GetActiveCamera());
+  this->renderer->ResetCameraClippingRange();
+}
+
+void ScenePipeline::SetRenderOptions(const RenderOptions& options)
+{
+  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
+  {
+    Apply(options, ours);
+  }
+  else if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(this->mapper))
+  {
+    Apply(options, gpu);
+  }
+  else
+  {
+    Apply(options, vtkFixedPointVolumeRayCastMapper::SafeDownCast(this->mapper));
+  }
+}
+
+void ScenePipeline::SetBackground(const std::array<double, 3>& rgb)
+{
+  this->renderer->SetBackground(rgb[0], rgb[1], rgb[2]);
+}
+
+double ScenePipeline::UsedSampleDistanceMm() const
+{
+  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
+  {
+    return ours->GetUsedSampleDistance();
+  }
+  if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(this->mapper))
+  {
+    // What VTK's mapper does when it chooses by itself, and does not tell.
+    const double* spacing = this->image->GetSpacing();
+    return gpu->GetAutoAdjustSampleDistances() ? std::min({ spacing[0], spacing[1], spacing[2] })
+                                               : gpu->GetSampleDistance();
+  }
+  return vtkFixedPointVolumeRayCastMapper::SafeDownCast(this->mapper)->GetSampleDistance();
+}
+
+}

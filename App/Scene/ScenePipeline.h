@@ -1,0 +1,45 @@
+#ifndef Varimarch_Scene_ScenePipeline_h
+#define Varimarch_Scene_ScenePipeline_h
+
+#include "Scene/Scene.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkVolume.h>
+#include <vtkVolumeMapper.h>
+
+namespace varimarch
+{
+
+/// The one place where a scene becomes a VTK pipeline: volume, property, mapper, renderer and
+/// camera. It makes no window: add Renderer() to one of the scene's size.
+class ScenePipeline
+{
+public:
+  /// @param image  the volume that the scene's source names; shared, not copied
+  ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind kind);
+
+  vtkRenderer* Renderer() { return this->renderer; }
+  vtkVolumeMapper* Mapper() { return this->mapper; }
+
+  /// Each changes one part of the scene; the volume stays.
+  void SetLook(const Look& look);
+  void SetCamera(const Camera& camera, double aspect);
+  void SetRenderOptions(const RenderOptions& options);
+  void SetBackground(const std::array<double, 3>& rgb);
+
+  /// The distance between the samples of the last picture [mm].
+  double UsedSampleDistanceMm() const;
+
+private:
+  vtkSmartPointer<vtkImageData> image;
+  vtkSmartPointer<vtkVolumeMapper> mapper;
+  vtkNew<vtkVolume> volume;
+  vtkNew<vtkRenderer> renderer;
+};
+
+}
+
+#endif

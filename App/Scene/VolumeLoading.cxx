@@ -1,0 +1,75 @@
+#include "Scene/VolumeLoading.h"
+
+#include "Scene/ProceduralVolume.h"
+#include "Scene/SceneNames.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+#include <vtkVolumeFileReader.h>
+
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+void Apply(const RawLayout& raw, vtkVolumeFileReader* reader)
+{
+  reader->SetRawDimensions(raw.dimensions[0], raw.dimensions[1], raw.dimensions[2]);
+  reader->SetRawScalarType(ValueOf(RawTypeNames(), raw.type));
+  reader->SetRawSpacing(raw.spacingMm[0], raw.spacingMm[1], raw.spacingMm[2]);
+  reader->SetRawBigEndian(raw.bigEndian);
+}
+
+LoadedVolume ReadFile(const FileSource& source)
+{
+  vtkNew<vtkVolumeFileReader> reader;
+  // The error goes on as an exception; an observer keeps VTK from reporting it as well.
+  vtkNew<vtkCallbackCommand> nothing;
+  nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  reader->AddObserver(vtkCommand::ErrorEvent, nothing);
+  reader->SetFileName(source.path.c_str());
+  if (source.raw)
+  {
+    Apply(*source.raw, reader);
+  }
+  reader->Update();
+  if (reader->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw std::runtime_error(reader->GetErrorMessage());
+  }
+  LoadedVolume volume = { reader->GetOutput(), reader->GetModality(), {} };
+  vtkStringArray* warnings = reader->GetWarnings();
+  for (vtkIdType i = 0; i < warnings->GetNumberOfValues(); ++i)
+  {
+    volume.warnings.push_back(warnings->GetValue(i));
+  }
+  return volume;
+}
+
+}
+
+LoadedVolume LoadVolume(const VolumeSource& source)
+{
+  if (const auto* procedural = std::get_if<ProceduralSource>(&source))
+  {
+    const bool isCT = procedural->kind == ProceduralKind::Torso;
+    return { ProceduralVolume(*procedural), isCT ? "CT" : "", {} };
+  }
+  return ReadFile(std::get<FileSource>(source));
+}
+
+std::string SuitablePreset(const LoadedVolume& volume)
+{
+  constexpr double HighestAirHounsfield = -900.0;
+  const bool isCT = volume.modality.empty()
+    ? volume.image->GetScalarRange()[0] <= HighestAirHounsfield
+    : volume.modality == "CT";
+  return isCT ? "ct-bone" : "mr-head";
+}
+
+}
