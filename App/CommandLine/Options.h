@@ -1,0 +1,80 @@
+#ifndef Varimarch_CommandLine_Options_h
+#define Varimarch_CommandLine_Options_h
+
+#include "Scene/Scene.h"
+#include "Scene/VolumeLoading.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// Which volume to read: the first argument of every subcommand and the layout of a raw file.
+class VolumeOptions
+{
+public:
+  void AddTo(CLI::App& command, const std::string& inputDescription);
+
+  const std::string& Input() const { return this->input; }
+
+  /// The file, folder or procedural volume that the input names.
+  VolumeSource Source() const;
+
+private:
+  std::string input;
+  std::string rawDimensions;
+  std::string rawType;
+  std::vector<double> rawSpacing;
+  std::string rawByteOrder;
+};
+
+/// What render and compare have in common: everything a scene file can say, each overriding it.
+class SceneOptions
+{
+public:
+  void AddTo(CLI::App& command);
+
+  /// The scene of the input, with what the options override, and its volume.
+  /// @throws std::runtime_error when a file cannot be read
+  std::pair<Scene, LoadedVolume> Load() const;
+
+private:
+  void AddLookOptions(CLI::App& command);
+  void AddPictureOptions(CLI::App& command);
+  void AddSamplingOptions(CLI::App& command);
+  std::optional<Look> ChosenLook() const;
+  void Override(Scene& scene) const;
+
+  VolumeOptions volume;
+  std::string preset;
+  std::string transferFunction;
+  std::optional<bool> shade;
+  std::string blend;
+  std::string size;
+  std::string view;
+  std::optional<double> azimuth;
+  std::optional<double> elevation;
+  std::optional<double> zoom;
+  bool parallel = false;
+  std::vector<double> background;
+  std::optional<double> sampleDistance;
+  std::string acceleration;
+  std::optional<double> tolerance;
+};
+
+/// Accepts only these names, suggests the nearest for others, and lists them in the help.
+CLI::Validator NameValidator(const std::vector<std::string>& names);
+
+/// Adds `--json FILE`.
+void AddJsonOption(CLI::App& command, std::string& path);
+
+/// Reads a volume with a line about it on stderr when that takes long, and its warnings.
+LoadedVolume LoadVolumeReporting(const VolumeSource& source);
+
+}
+
+#endif

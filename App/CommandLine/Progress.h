@@ -1,0 +1,43 @@
+#ifndef Varimarch_CommandLine_Progress_h
+#define Varimarch_CommandLine_Progress_h
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace varimarch
+{
+
+/// A line on stderr about work that goes on while this object lives, with the seconds so far. It
+/// appears only after a second. On a terminal it is erased at the end; elsewhere, as in a log, it
+/// is one line without control codes.
+class Progress
+{
+public:
+  explicit Progress(std::string activity);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  void operator=(const Progress&) = delete;
+
+  /// What is being done now.
+  void SetActivity(const std::string& activity);
+
+private:
+  void Watch();
+  void Show();
+
+  const std::chrono::steady_clock::time_point start;
+  const bool onTerminal;
+  std::mutex mutex; ///< guards all below but the thread
+  std::condition_variable finishedChanged;
+  std::string activity;
+  bool finished = false;
+  bool shown = false;
+  std::thread watcher;
+};
+
+}
+
+#endif

@@ -1,0 +1,75 @@
+#include "Commands.h"
+
+#include "Options.h"
+#include "Progress.h"
+#include "Results.h"
+#include "Scene/ImageFiles.h"
+#include "Scene/OffscreenView.h"
+#include "Scene/SceneNames.h"
+#include "VtkMessages.h"
+
+#include <iostream>
+#include <memory>
+
+namespace varimarch
+{
+
+namespace
+{
+
+struct RenderCommand
+{
+  std::string commandText;
+  SceneOptions sceneOptions;
+  std::string renderer = "ours";
+  std::string outputPath;
+  std::string jsonPath;
+
+  void Run() const
+  {
+    const auto [scene, volume] = this->sceneOptions.Load();
+    const auto progress = std::make_unique<Progress>("Drawing " + this->outputPath);
+    OffscreenView view(scene, volume.image, ValueOf(MapperKindNames(), this->renderer));
+    const double seconds = view.Render();
+    ThrowIfVtkReportedError();
+    WritePng(view.Bytes(), this->outputPath);
+
+    nlohmann::ordered_json results = ResultsOf(this->commandText, volume);
+    const double sampleDistanceMm = view.Pipeline().UsedSampleDistanceMm();
+    results["look"] = scene.look.name;
+    results["size"] = scene.size;
+    results["renderer"] = this->renderer;
+    results["sampleDistanceMm"] = sampleDistanceMm;
+    results["firstPictureSeconds"] = seconds;
+    results["openglRenderer"] = view.DeviceName();
+    results["picture"] = this->outputPath;
+    WriteResults(results, this->jsonPath);
+  }
+};
+
+}
+
+void AddRenderCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto command = std::make_shared<RenderCommand>();
+  command->commandText = commandText;
+  CLI::App* app = program.add_subcommand("render", "Draw a volume or a scene into a PNG file");
+  app->footer(
+    "Examples:\n"
+    "  varimarch render head.nii.gz -o head.png\n"
+    "  varimarch render dicom-folder -o bone.png --preset ct-bone --view left --zoom 1.3\n"
+    "  varimarch render scan.raw --raw-dimensions 256x256x128 --raw-type uint16 -o scan.png\n"
+    "  varimarch render procedural:torso:256x192x192 -o torso.png --azimuth 30\n"
+    "  varimarch render scene.json -o scene.png --size 1024x1024 --renderer vtk-gpu");
+  command->sceneOptions.AddTo(*app);
+  app->add_option("-o,--output", command->outputPath, "The picture to write")
+    ->type_name("FILE.png")
+    ->required();
+  app->add_option("--renderer", command->renderer, "Who draws (default ours)")
+    ->check(NameValidator(NamesOf(MapperKindNames())))
+    ->group("Sampling");
+  AddJsonOption(*app, command->jsonPath);
+  app->callback([command] { command->Run(); });
+}
+
+}

@@ -1,0 +1,75 @@
+#include "VtkMessages.h"
+
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+
+#include <iostream>
+#include <regex>
+#include <stdexcept>
+
+namespace
+{
+
+std::string firstError;
+
+// The sentence itself, without VTK's "ERROR: In file, line 7" and "vtkClass (0x1234): ".
+std::string Sentence(const std::string& message)
+{
+  static const std::regex decoration(R"(^(ERROR|Warning|Generic Warning): In [^\n]*\n)"
+                                     R"((\w+ \(0x[0-9a-f]+\): )?)");
+  std::string sentence = std::regex_replace(message, decoration, "");
+  sentence.erase(sentence.find_last_not_of(" \n") + 1);
+  return sentence;
+}
+
+}
+
+/// Hands VTK's messages to the functions of this file.
+class vtkMessageCollector : public vtkOutputWindow
+{
+public:
+  static vtkMessageCollector* New();
+  vtkTypeMacro(vtkMessageCollector, vtkOutputWindow);
+
+  void DisplayText(const char* text) override { std::cerr << text; }
+
+  void DisplayErrorText(const char* text) override
+  {
+    // The first one names the cause; what follows are its consequences.
+    if (firstError.empty())
+    {
+      firstError = Sentence(text);
+    }
+  }
+
+  void DisplayWarningText(const char* text) override
+  {
+    std::cerr << "varimarch: warning: " + Sentence(text) + "\n";
+  }
+
+  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
+};
+
+vtkStandardNewMacro(vtkMessageCollector);
+
+namespace varimarch
+{
+
+void CollectVtkMessages()
+{
+  vtkNew<vtkMessageCollector> collector;
+  vtkOutputWindow::SetInstance(collector);
+}
+
+void ThrowIfVtkReportedError()
+{
+  if (!firstError.empty())
+  {
+    const std::string error = firstError;
+    firstError.clear();
+    throw std::runtime_error(error);
+  }
+}
+
+}
