@@ -62,6 +62,28 @@ private:
   double tolerance;
 };
 
+/// The eight windows that cover the block of each cell of a row: two along x in each of four rows.
+template <class Scalar>
+struct Windows
+{
+  Windows(const Scalar* ranges, const std::ptrdiff_t (&rows)[4], int step)
+    : rows{ ranges + rows[0], ranges + rows[1], ranges + rows[2], ranges + rows[3] }
+    , step(step)
+  {
+  }
+
+  template <class Combine>
+  Scalar Combined(int cell, Combine combine) const
+  {
+    const auto row = [&](int i)
+    { return combine(this->rows[i][cell], this->rows[i][cell + this->step]); };
+    return combine(combine(row(0), row(1)), combine(row(2), row(3)));
+  }
+
+  const Scalar* rows[4];
+  int step;
+};
+
 /// Fills a field size by size. The *size* of a cell is what the field stores: radius + 1, or 0.
 ///
 /// A block of size s reads 2 s voxels a side: with windows of size w, w / 2 <= s <= w, two windows
@@ -217,37 +239,22 @@ bool FieldBuilder<Scalar>::AddFitting(glm::ivec3 cell, int size, Chunk& sizes) c
   const Starts x = this->WindowStarts(0, cell.x, size);
   const Starts y = this->WindowStarts(1, cell.y, size);
   const Starts z = this->WindowStarts(2, cell.z, size);
-  const std::ptrdiff_t corners[8] = { this->ranges.Offset(x.first, y.first, z.first),
-    this->ranges.Offset(x.second, y.first, z.first),
+  const std::ptrdiff_t rows[4] = { this->ranges.Offset(x.first, y.first, z.first),
     this->ranges.Offset(x.first, y.second, z.first),
-    this->ranges.Offset(x.second, y.second, z.first),
     this->ranges.Offset(x.first, y.first, z.second),
-    this->ranges.Offset(x.second, y.first, z.second),
-    this->ranges.Offset(x.first, y.second, z.second),
-    this->ranges.Offset(x.second, y.second, z.second) };
-
-  Scalar low[ChunkLength];
-  Scalar high[ChunkLength];
-  std::copy_n(this->ranges.Lowest() + corners[0], ChunkLength, low);
-  std::copy_n(this->ranges.Highest() + corners[0], ChunkLength, high);
-  for (int corner = 1; corner < 8; ++corner)
-  {
-    const Scalar* lowest = this->ranges.Lowest() + corners[corner];
-    const Scalar* highest = this->ranges.Highest() + corners[corner];
-    for (int i = 0; i < ChunkLength; ++i)
-    {
-      low[i] = std::min(low[i], lowest[i]);
-      high[i] = std::max(high[i], highest[i]);
-    }
-  }
+    this->ranges.Offset(x.first, y.second, z.second) };
+  const Windows<Scalar> lowest(this->ranges.Lowest(), rows, x.second - x.first);
+  const Windows<Scalar> highest(this->ranges.Highest(), rows, x.second - x.first);
 
   const int length = this->CellsInChunk(cell.x);
+  const WithinTolerance<Scalar> fits = this->within;
   std::uint8_t any = 0;
+#pragma GCC ivdep
   for (int i = 0; i < ChunkLength; ++i)
   {
-    const std::uint8_t fits = this->within(low[i], high[i]);
-    sizes[i] += fits;
-    any |= fits & (i < length);
+    const std::uint8_t one = fits(lowest.Combined(i, Lower()), highest.Combined(i, Higher()));
+    sizes[i] += one;
+    any |= one & (i < length);
   }
   return any != 0;
 }

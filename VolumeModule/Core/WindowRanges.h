@@ -15,6 +15,25 @@
 namespace varimarch
 {
 
+/// std::min and std::max by value: references to array elements keep loops from vectorising.
+struct Lower
+{
+  template <class Scalar>
+  Scalar operator()(Scalar a, Scalar b) const
+  {
+    return b < a ? b : a;
+  }
+};
+
+struct Higher
+{
+  template <class Scalar>
+  Scalar operator()(Scalar a, Scalar b) const
+  {
+    return a < b ? b : a;
+  }
+};
+
 /// Lowest and highest value of every cube of voxels of one size, the windows, named by the first
 /// voxel. What BuildVariationField works on; it copies the voxels and can only double the size.
 ///
@@ -26,7 +45,7 @@ template <class Scalar>
 class WindowRanges
 {
 public:
-  static constexpr int Overrun = 32;
+  static constexpr int Overrun = 64;
 
   /// @param largestWindow  the size up to which windows will be doubled
   WindowRanges(const ScalarGrid<Scalar>& grid, int largestWindow);
@@ -125,12 +144,12 @@ void WindowRanges<Scalar>::Merge(std::ptrdiff_t row, std::ptrdiff_t other, std::
 #pragma GCC ivdep
   for (std::ptrdiff_t i = 0; i < length; ++i)
   {
-    low[row + i] = std::min(low[row + i], low[other + i]);
+    low[row + i] = Lower()(low[row + i], low[other + i]);
   }
 #pragma GCC ivdep
   for (std::ptrdiff_t i = 0; i < length; ++i)
   {
-    high[row + i] = std::max(high[row + i], high[other + i]);
+    high[row + i] = Higher()(high[row + i], high[other + i]);
   }
 }
 
