@@ -1,0 +1,204 @@
+// The formats of PhantomFiles.h whose headers are binary.
+#include "PhantomFiles.h"
+
+#include <vtkByteSwap.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <sstream>
+
+namespace
+{
+
+/// A header of fixed size into which fields are put at their offsets.
+class BinaryHeader
+{
+public:
+  BinaryHeader(std::size_t size, bool bigEndian)
+    : bytes(size, '\0')
+    , bigEndian(bigEndian)
+  {
+  }
+
+  template <class Value>
+  void Put(std::size_t offset, Value value)
+  {
+    if (this->bigEndian)
+    {
+      vtkByteSwap::SwapVoidRange(&value, 1, sizeof(value));
+    }
+    std::memcpy(this->bytes.data() + offset, &value, sizeof(value));
+  }
+
+  void PutText(std::size_t offset, const std::string& text)
+  {
+    this->bytes.replace(offset, text.size(), text);
+  }
+
+  const std::string& Bytes() const { return this->bytes; }
+
+private:
+  std::string bytes;
+  bool bigEndian;
+};
+
+/// Offsets from the NIfTI-1 specification, nifti1.h.
+void PutNiftiSizes(const StoredVolume& volume, BinaryHeader& header)
+{
+  static const std::map<int, std::int16_t> codes = {
+    { VTK_UNSIGNED_CHAR, 2 },
+    { VTK_SHORT, 4 },
+    { VTK_INT, 8 },
+    { VTK_FLOAT, 16 },
+    { VTK_DOUBLE, 64 },
+    { VTK_SIGNED_CHAR, 256 },
+    { VTK_UNSIGNED_SHORT, 512 },
+    { VTK_UNSIGNED_INT, 768 },
+  };
+  header.Put(0, std::int32_t(348));
+  header.Put(40, std::int16_t(3));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    header.Put(42 + 2 * axis, std::int16_t(volume.dimensions[axis]));
+    header.Put(80 + 4 * axis, float(glm::length(volume.axesMm[axis])));
+  }
+  header.Put(70, codes.at(volume.scalarType));
+  header.Put(108, 352.0f);  // vox_offset
+  header.Put(123, char(2)); // xyzt_units: mm
+  header.PutText(344, "n+1");
+}
+
+/// An element with a tag and a value, explicit VR.
+std::string Element(
+  std::uint16_t group, std::uint16_t element, const std::string& type, std::string value)
+{
+  if (value.size() % 2 == 1)
+  {
+    value += type == "UI" ? '\0' : ' ';
+  }
+  const bool isLong = type == "OB" || type == "OW";
+  BinaryHeader header(isLong ? 12 : 8, false);
+  header.Put(0, group);
+  header.Put(2, element);
+  header.PutText(4, type);
+  if (isLong)
+  {
+    header.Put(8, std::uint32_t(value.size()));
+  }
+  else
+  {
+    header.Put(6, std::uint16_t(value.size()));
+  }
+  return header.Bytes() + value;
+}
+
+template <class Value>
+std::string Bytes(Value value)
+{
+  return std::string(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+/// Numbers as DICOM writes them: at most 16 characters each.
+std::string Decimals(const std::vector<double>& numbers)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(9);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    text << (i ? "\\" : "") << numbers[i];
+  }
+  return text.str();
+}
+
+std::string DicomFileMeta(const std::string& instanceUid)
+{
+  const std::string meta = Element(2, 1, "OB", std::string("\0\1", 2)) +
+    Element(2, 2, "UI", "1.2.840.10008.5.1.4.1.1.2") + Element(2, 3, "UI", instanceUid) +
+    Element(2, 0x10, "UI", "1.2.840.10008.1.2.1") + Element(2, 0x12, "UI", "1.2.3.4");
+  return std::string(128, '\0') + "DICM" + Element(2, 0, "UL", Bytes(std::uint32_t(meta.size()))) +
+    meta;
+}
+
+}
+
+std::string NiftiBytes(const StoredVolume& volume, NiftiForm form, bool bigEndian)
+{
+  BinaryHeader header(352, bigEndian);
+  PutNiftiSizes(volume, header);
+  const glm::dvec3 rasFromLps(-1.0, -1.0, 1.0);
+  const glm::dvec3 origin = rasFromLps * volume.originMm;
+  glm::dmat3 axes;
+  glm::dmat3 turn;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    axes[axis] = rasFromLps * volume.axesMm[axis];
+    turn[axis] = glm::normalize(axes[axis]);
+  }
+  if (form == NiftiForm::Affine)
+  {
+    header.Put(254, std::int16_t(1)); // sform_code
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        header.Put(280 + 16 * row + 4 * axis, float(axes[axis][row]));
+      }
+      header.Put(280 + 16 * row + 12, float(origin[row]));
+    }
+    return header.Bytes() + VoxelBytes(volume, bigEndian);
+  }
+
+  // A quaternion cannot mirror, so the third axis is turned around, and qfac says so.
+  const double handedness = glm::determinant(turn) < 0 ? -1.0 : 1.0;
+  turn[2] *= handedness;
+  glm::dquat quaternion = glm::normalize(glm::quat_cast(turn));
+  quaternion = quaternion.w < 0 ? -quaternion : quaternion;
+  header.Put(252, std::int16_t(1)); // qform_code
+  header.Put(76, float(handedness));
+  header.Put(256, float(quaternion.x));
+  header.Put(260, float(quaternion.y));
+  header.Put(264, float(quaternion.z));
+  for (int row = 0; row < 3; ++row)
+  {
+    header.Put(268 + 4 * row, float(origin[row]));
+  }
+  return header.Bytes() + VoxelBytes(volume, bigEndian);
+}
+
+std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions& options)
+{
+  const std::string instanceUid = options.seriesUid + "." + std::to_string(slice + 1);
+  const glm::dvec3 position = volume.originMm + volume.axesMm[2] * double(slice);
+  const glm::dvec3 row = glm::normalize(volume.axesMm[0]);
+  const glm::dvec3 column = glm::normalize(volume.axesMm[1]);
+  const auto us = [](int number) { return Bytes(std::uint16_t(number)); };
+  const std::size_t sliceValues = std::size_t(volume.dimensions[0]) * volume.dimensions[1];
+  StoredVolume pixels = volume;
+  pixels.values.assign(volume.values.begin() + std::ptrdiff_t(slice * sliceValues),
+    volume.values.begin() + std::ptrdiff_t((slice + 1) * sliceValues));
+  return DicomFileMeta(instanceUid) + Element(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2") +
+    Element(8, 0x18, "UI", instanceUid) + Element(8, 0x60, "CS", "CT") +
+    Element(0x10, 0x10, "PN", "Doe^Jane") + Element(0x20, 0xd, "UI", "1.2") +
+    Element(0x20, 0xe, "UI", options.seriesUid) +
+    // Numbered against the order of positions: readers must not rely on it.
+    Element(0x20, 0x13, "IS", std::to_string((slice * 7) % 5)) +
+    Element(0x20, 0x32, "DS", Decimals({ position.x, position.y, position.z })) +
+    Element(0x20, 0x37, "DS", Decimals({ row.x, row.y, row.z, column.x, column.y, column.z })) +
+    Element(0x28, 2, "US", us(1)) + Element(0x28, 4, "CS", "MONOCHROME2") +
+    Element(0x28, 0x10, "US", us(options.rows ? options.rows : volume.dimensions[1])) +
+    Element(0x28, 0x11, "US", us(volume.dimensions[0])) +
+    Element(0x28, 0x30, "DS",
+      Decimals({ glm::length(volume.axesMm[1]), glm::length(volume.axesMm[0]) })) +
+    Element(0x28, 0x100, "US", us(16)) + Element(0x28, 0x101, "US", us(16)) +
+    Element(0x28, 0x102, "US", us(15)) + Element(0x28, 0x103, "US", us(1)) +
+    Element(0x28, 0x1050, "DS", "40") + Element(0x28, 0x1051, "DS", "400") +
+    Element(0x28, 0x1052, "DS", Decimals({ options.intercept })) +
+    Element(0x28, 0x1053, "DS", Decimals({ options.slope })) +
+    Element(0x7fe0, 0x10, "OW", VoxelBytes(pixels));
+}

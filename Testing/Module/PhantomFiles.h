@@ -1,0 +1,91 @@
+#ifndef Varimarch_Testing_PhantomFiles_h
+#define Varimarch_Testing_PhantomFiles_h
+
+#include <vtkType.h>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// A volume as a file stores it, and where that lies in LPS [mm].
+struct StoredVolume
+{
+  std::array<int, 3> dimensions;
+  std::vector<double> values; ///< x fastest
+  int scalarType = VTK_SHORT;
+  glm::dvec3 originMm = glm::dvec3(0.0);
+  glm::dmat3 axesMm = glm::dmat3(1.0); ///< column a is the step along axis a
+};
+
+/// A box of 5 x 4 x 3 voxels of different values and sizes, turned obliquely: what is flipped,
+/// swapped, or scaled wrongly cannot look like it.
+namespace phantom
+{
+constexpr std::array<int, 3> dimensions = { 5, 4, 3 };
+constexpr int orientationCount = 48;
+
+/// Value of the voxel with that index in the phantom itself.
+double ValueAt(const glm::ivec3& index);
+
+/// Fractional index in the phantom itself of a place.
+glm::dvec3 IndexAt(const glm::dvec3& worldMm);
+
+/// The phantom stored with its axes in one of the 6 orders, each forwards or backwards.
+/// @param orientation  0 <= orientation < 48
+StoredVolume Stored(int orientation);
+}
+
+/// A folder that is gone at the end of the test.
+class TemporaryFolder
+{
+public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  void operator=(const TemporaryFolder&) = delete;
+
+  std::string Path(const std::string& name) const { return (this->path / name).string(); }
+  /// Writes a file and returns its path.
+  std::string Write(const std::string& name, const std::string& bytes) const;
+
+private:
+  std::filesystem::path path;
+};
+
+/// The voxels as bytes of their type.
+std::string VoxelBytes(const StoredVolume& volume, bool bigEndian = false);
+/// The voxels as decimal numbers.
+std::string VoxelText(const StoredVolume& volume);
+
+std::string Gzipped(const std::string& bytes);
+std::string Zlibbed(const std::string& bytes);
+
+/// Files of each format, written by the letter of its specification, not by any library.
+std::string NrrdHeaderText(const StoredVolume& volume, const std::string& space = "LPS");
+std::string MetaImageHeaderText(const StoredVolume& volume);
+std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstIndex = { 0, 0, 0 });
+
+enum class NiftiForm
+{
+  Affine,
+  Quaternion
+};
+std::string NiftiBytes(
+  const StoredVolume& volume, NiftiForm form = NiftiForm::Affine, bool bigEndian = false);
+
+/// How a DICOM slice differs from the usual.
+struct DicomOptions
+{
+  std::string seriesUid = "1.2.3";
+  double slope = 1.0;
+  double intercept = 0.0;
+  int rows = 0; ///< what the header says, if not the truth
+};
+/// A slice of a volume of shorts, uncompressed and little-endian.
+std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions& options = {});
+
+#endif

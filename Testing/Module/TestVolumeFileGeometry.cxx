@@ -1,0 +1,105 @@
+// The phantom, stored in every order and direction of its axes, must come out in the same place.
+#include "PhantomFiles.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkVolumeFileReader.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace
+{
+
+/// Checks that every voxel has the value that the phantom has at its place.
+void ExpectPhantomInPlace(const std::string& path)
+{
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  vtkImageData* image = reader->GetOutput();
+  ASSERT_EQ(image->GetNumberOfPoints(), 5 * 4 * 3);
+  EXPECT_EQ(image->GetExtent()[0], 0);
+  EXPECT_EQ(image->GetExtent()[2], 0);
+  EXPECT_EQ(image->GetExtent()[4], 0);
+  int wrong = 0;
+  for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
+  {
+    const int* dimensions = image->GetDimensions();
+    const int i = int(point) % dimensions[0];
+    const int j = int(point) / dimensions[0] % dimensions[1];
+    const int k = int(point) / dimensions[0] / dimensions[1];
+    glm::dvec3 worldMm;
+    image->TransformIndexToPhysicalPoint(i, j, k, &worldMm[0]);
+    const glm::dvec3 index = phantom::IndexAt(worldMm);
+    const glm::dvec3 nearest = glm::round(index);
+    const bool isThere = glm::distance(index, nearest) < 1e-4;
+    const bool isRight =
+      phantom::ValueAt(glm::ivec3(nearest)) == image->GetScalarComponentAsDouble(i, j, k, 0);
+    wrong += isThere && isRight ? 0 : 1;
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+/// Writes the phantom in each orientation with a function that returns the path to read.
+void ExpectAllOrientationsInPlace(
+  const std::function<std::string(const TemporaryFolder&, const StoredVolume&)>& write)
+{
+  for (int orientation = 0; orientation < phantom::orientationCount; ++orientation)
+  {
+    SCOPED_TRACE("orientation " + std::to_string(orientation));
+    const TemporaryFolder folder;
+    ExpectPhantomInPlace(write(folder, phantom::Stored(orientation)));
+  }
+}
+
+TEST(VolumeFileGeometry, NrrdStaysInPlaceInEverySpace)
+{
+  for (const char* space : { "LPS", "RAS", "LAS", "RPS" })
+  {
+    SCOPED_TRACE(space);
+    ExpectAllOrientationsInPlace(
+      [&](const TemporaryFolder& folder, const StoredVolume& volume)
+      {
+        return folder.Write("phantom.nrrd",
+          NrrdHeaderText(volume, space) + "endian: little\nencoding: raw\n\n" + VoxelBytes(volume));
+      });
+  }
+}
+
+TEST(VolumeFileGeometry, MetaImageStaysInPlace)
+{
+  ExpectAllOrientationsInPlace(
+    [](const TemporaryFolder& folder, const StoredVolume& volume)
+    {
+      return folder.Write("phantom.mha",
+        MetaImageHeaderText(volume) + "ElementDataFile = LOCAL\n" + VoxelBytes(volume));
+    });
+}
+
+TEST(VolumeFileGeometry, NiftiStaysInPlaceByItsAffineForm)
+{
+  ExpectAllOrientationsInPlace([](const TemporaryFolder& folder, const StoredVolume& volume)
+    { return folder.Write("phantom.nii", NiftiBytes(volume, NiftiForm::Affine)); });
+}
+
+TEST(VolumeFileGeometry, NiftiStaysInPlaceByItsQuaternionForm)
+{
+  ExpectAllOrientationsInPlace([](const TemporaryFolder& folder, const StoredVolume& volume)
+    { return folder.Write("phantom.nii", NiftiBytes(volume, NiftiForm::Quaternion)); });
+}
+
+TEST(VolumeFileGeometry, VtiStaysInPlaceWhereverItsExtentBegins)
+{
+  ExpectAllOrientationsInPlace(
+    [](const TemporaryFolder& folder, const StoredVolume& volume) {
+      return folder.Write("phantom.vti", VtiText(volume, { -3, 7, 0 }));
+    });
+}
+
+}
