@@ -1,0 +1,114 @@
+#include "Core/TransferBands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class Node>
+void AppendCuts(const std::vector<Node>& nodes, std::vector<double>& cuts)
+{
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    cuts.push_back(nodes[i].value);
+    const NodeShape& shape = nodes[i].shape;
+    if (i + 1 < nodes.size() && (shape.midpoint != 0.5 || shape.sharpness != 0.0))
+    {
+      // Where the transfer function bends, which keeps midpoints off the nodes.
+      const double midpoint = std::clamp(shape.midpoint, 0.00001, 0.99999);
+      cuts.push_back(nodes[i].value + midpoint * (nodes[i + 1].value - nodes[i].value));
+    }
+  }
+}
+
+}
+
+TransferBands::TransferBands(const TransferFunction& transferFunction)
+  : transferFunction(transferFunction)
+  // The opacity nearest to 1 that a double holds.
+  , largestExtinction(-std::log(std::numeric_limits<double>::epsilon() / 2.0) /
+      transferFunction.OpacityUnitDistanceMm())
+{
+  AppendCuts(transferFunction.Colors(), this->cuts);
+  AppendCuts(transferFunction.Opacities(), this->cuts);
+  std::sort(this->cuts.begin(), this->cuts.end());
+  this->cuts.erase(std::unique(this->cuts.begin(), this->cuts.end()), this->cuts.end());
+
+  this->visibleBefore.push_back(0);
+  for (std::size_t i = 0; i <= this->cuts.size(); ++i)
+  {
+    const double lower = i > 0 ? this->cuts[i - 1] : -infinity;
+    const double upper = i < this->cuts.size() ? this->cuts[i] : infinity;
+    this->bands.push_back({ lower, upper, this->KindOf(lower, upper) });
+    const bool visible = this->bands.back().kind != Kind::Invisible;
+    this->visibleBefore.push_back(this->visibleBefore.back() + visible);
+  }
+}
+
+TransferBands::Kind TransferBands::KindOf(double lower, double upper) const
+{
+  // Curves are monotone in a band: what is equal near both ends is equal between.
+  const bool endless = lower == -infinity || upper == infinity;
+  const double nearLower =
+    endless ? (upper == infinity ? upper : lower) : lower + (upper - lower) / 1024.0;
+  const double nearUpper = endless ? nearLower : upper - (upper - lower) / 1024.0;
+  const double opacity = this->transferFunction.Opacity(nearLower);
+  if (opacity != this->transferFunction.Opacity(nearUpper))
+  {
+    return Kind::Varying;
+  }
+  if (opacity == 0.0)
+  {
+    return Kind::Invisible;
+  }
+  if (opacity == 1.0)
+  {
+    return Kind::Opaque;
+  }
+  const bool oneColor =
+    this->transferFunction.Color(nearLower) == this->transferFunction.Color(nearUpper);
+  return oneColor ? Kind::Constant : Kind::Varying;
+}
+
+int TransferBands::BandBelow(double value) const
+{
+  return int(std::lower_bound(this->cuts.begin(), this->cuts.end(), value) - this->cuts.begin());
+}
+
+int TransferBands::BandAbove(double value) const
+{
+  return int(std::upper_bound(this->cuts.begin(), this->cuts.end(), value) - this->cuts.begin());
+}
+
+bool TransferBands::MayBeVisible(double lowest, double highest) const
+{
+  return this->visibleBefore[this->BandBelow(highest) + 1] >
+    this->visibleBefore[this->BandBelow(lowest)];
+}
+
+OpticalProperties TransferBands::Inside(const Band& band, double value) const
+{
+  // Not std::clamp: in a band one bit wide the limits are the wrong way round.
+  const double inside = std::min(
+    std::max(value, std::nextafter(band.lower, infinity)), std::nextafter(band.upper, -infinity));
+  OpticalProperties properties = this->At(inside);
+  if (band.kind != Kind::Opaque)
+  {
+    properties.extinction = std::min(properties.extinction, this->largestExtinction);
+  }
+  return properties;
+}
+
+OpticalProperties TransferBands::At(double value) const
+{
+  return { this->transferFunction.Color(value), this->transferFunction.Extinction(value) };
+}
+
+}

@@ -1,0 +1,72 @@
+#ifndef Varimarch_Core_TransferBands_h
+#define Varimarch_Core_TransferBands_h
+
+#include "Core/TransferFunction.h"
+
+#include <vector>
+
+namespace varimarch
+{
+
+/// What a material does to light.
+struct OpticalProperties
+{
+  glm::dvec3 rgb;
+  double extinction; ///< [1/mm]
+};
+
+/// A transfer function cut into bands of values in which it is smooth: at its nodes, and at the
+/// midpoints where a curve has a kink or a step. Inside a band a quadrature rule converges fast,
+/// and what is invisible, constant or opaque is known before anything is sampled.
+class TransferBands
+{
+public:
+  enum class Kind
+  {
+    Invisible, ///< no extinction anywhere in the band
+    Constant,  ///< one colour and one extinction > 0
+    Opaque,    ///< infinite extinction everywhere
+    Varying,
+  };
+
+  /// The values above `lower`, up to and including `upper`.
+  struct Band
+  {
+    double lower;
+    double upper;
+    Kind kind;
+  };
+
+  explicit TransferBands(const TransferFunction& transferFunction);
+
+  const Band& operator[](int band) const { return this->bands[band]; }
+
+  /// The band that holds a value and those just below it.
+  int BandBelow(double value) const;
+
+  /// The band that holds the values just above.
+  int BandAbove(double value) const;
+
+  /// Whether a value in [lowest, highest] may have any extinction; exact up to the ends of bands.
+  bool MayBeVisible(double lowest, double highest) const;
+
+  /// The properties at a value inside a band; round-off that takes the value out of the band does
+  /// not take it across a step. Of a band that is not opaque the extinction is finite.
+  OpticalProperties Inside(const Band& band, double value) const;
+
+  /// The properties at a value that a whole piece of ray has; the extinction may be infinite.
+  OpticalProperties At(double value) const;
+
+private:
+  Kind KindOf(double lower, double upper) const;
+
+  TransferFunction transferFunction;
+  double largestExtinction; ///< [1/mm], finite
+  std::vector<double> cuts; ///< sorted, each once
+  std::vector<Band> bands;  ///< one more than cuts
+  std::vector<int> visibleBefore;
+};
+
+}
+
+#endif
