@@ -78,6 +78,14 @@ VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume)
   return geometry;
 }
 
+Viewport ViewportOf(vtkRenderer* renderer)
+{
+  Viewport viewport;
+  renderer->GetTiledSizeAndOrigin(
+    &viewport.width, &viewport.height, &viewport.left, &viewport.bottom);
+  return viewport;
+}
+
 glm::dmat4 ClipFromWorld(vtkRenderer* renderer)
 {
   vtkMatrix4x4* viewFromWorld = nullptr;

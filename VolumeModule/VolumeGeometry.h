@@ -36,6 +36,17 @@ struct VolumeGeometry
 
 VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume);
 
+/// The part of the framebuffer that a renderer draws to [pixels].
+struct Viewport
+{
+  int left;
+  int bottom;
+  int width;
+  int height;
+};
+
+Viewport ViewportOf(vtkRenderer* renderer);
+
 /// The renderer's camera and projection, for its current tile and eye.
 glm::dmat4 ClipFromWorld(vtkRenderer* renderer);
 

@@ -15,10 +15,10 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
   EXPECT_EQ(FragmentShaderParts(plain),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
       "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Shade/None.glsl", "Blend/Composite.glsl",
-      "RayMarch.frag.glsl" }));
+      "March/EverySample.glsl", "RayMarch.frag.glsl" }));
 }
 
-TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotOnly)
+TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
 {
   const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
   const auto changed = [&](RenderSettings settings)
@@ -37,7 +37,7 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotOnly)
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
     Parts{ "Step/OpticalField.glsl" });
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, true, false }),
-    Parts{ "Shade/BlinnPhong.glsl" });
+    (Parts{ "Shade/BlinnPhong.glsl", "March/VisibleSamples.glsl" }));
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
 }
@@ -48,7 +48,7 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
   EXPECT_EQ(FragmentShaderParts(maximum),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
       "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
-      "RayMarch.frag.glsl" }));
+      "March/EverySample.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)

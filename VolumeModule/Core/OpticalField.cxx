@@ -274,39 +274,32 @@ OpticalField BuildOpticalField(
   field.bricks.resize(ranges.bricks.size());
   InvisibleDistance distance(count);
 
-  const auto forEachRow = [&](auto&& work)
+  // Calls work with the index and the distance of every brick.
+  const auto forEachBrick = [&](auto&& work)
   {
     tbb::parallel_for(tbb::blocked_range<int>(0, count.y * count.z, 16),
       [&](const tbb::blocked_range<int>& rows)
       {
         for (int row = rows.begin(); row != rows.end(); ++row)
         {
-          work(std::size_t(row) * count.x, distance.Row(row % count.y, row / count.y));
+          std::uint8_t* const distances = distance.Row(row % count.y, row / count.y);
+          for (int x = 0; x < count.x; ++x)
+          {
+            work(std::size_t(row) * count.x + x, distances[x]);
+          }
         }
       });
   };
-  forEachRow(
-    [&](std::size_t first, std::uint8_t* distances)
+  forEachBrick(
+    [&](std::size_t brick, std::uint8_t& brickDistance)
     {
-      for (int x = 0; x < count.x; ++x)
-      {
-        const std::uint8_t brick = classifier.ClassOf(ranges.bricks[first + x]);
-        field.bricks[first + x] = brick;
-        distances[x] = brick == OpticalField::Invisible ? InvisibleDistance::Farthest : 0;
-      }
+      field.bricks[brick] = classifier.ClassOf(ranges.bricks[brick]);
+      const bool invisible = field.bricks[brick] == OpticalField::Invisible;
+      brickDistance = invisible ? InvisibleDistance::Farthest : 0;
     });
   distance.Measure();
-  forEachRow(
-    [&](std::size_t first, const std::uint8_t* distances)
-    {
-      for (int x = 0; x < count.x; ++x)
-      {
-        if (distances[x] > 0)
-        {
-          field.bricks[first + x] = std::uint8_t(OpticalField::Invisible + distances[x] - 1);
-        }
-      }
-    });
+  forEachBrick([&](std::size_t brick, std::uint8_t brickDistance)
+    { field.bricks[brick] += std::max(int(brickDistance) - 1, 0); });
   return field;
 }
 

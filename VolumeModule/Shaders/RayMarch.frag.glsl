@@ -1,4 +1,4 @@
-// The march: one ray per pixel, segment by segment, each slot doing its part.
+// One ray per pixel: where it meets the volume, and what the march along it makes of it.
 
 uniform vec2 viewportPixelsInverse;
 
@@ -46,22 +46,5 @@ void main()
   {
     discard;
   }
-
-  Accumulation sum = BlendBegin();
-  float t = inside.enter;
-  for (int index = 0; index < mostSegments; ++index)
-  {
-    Interval segment = NextSegment(ray, inside, t, index);
-    t = min(segment.exit, inside.exit);
-    float partMm = max(t - segment.enter, 0.0) / float(SamplesPerSegment);
-    for (int part = 0; part < SamplesPerSegment; ++part)
-    {
-      sum = BlendPart(sum, ray, segment.enter + (float(part) + 0.5) * partMm, partMm);
-    }
-    if (t >= inside.exit || BlendFinished(sum))
-    {
-      break;
-    }
-  }
-  fragOutput0 = BlendResult(sum);
+  fragOutput0 = BlendResult(March(ray, inside));
 }

@@ -21,10 +21,16 @@ struct Interval
 
 uniform vec2 viewportOriginPixels; // of the renderer in its framebuffer
 uniform mat3 worldFromGrid; // directions only
+uniform float stepMm;       // the sample distance
 uniform int mostSegments;   // a ray has no more, so that every frame ends
 uniform sampler3D volumeTexture;
 
-// The stored scalar at t: a texture value, which optical table and thresholds are scaled to.
+vec3 PositionTexture(Ray ray, float t)
+{
+  return ray.originTexture + t * ray.directionTexture;
+}
+
+// The stored scalar: a texture value, which optical table and thresholds are scaled to.
 float ScalarAt(vec3 positionTexture)
 {
   return textureLod(volumeTexture, positionTexture, 0.0).r;
@@ -35,10 +41,11 @@ float ScalarAt(vec3 positionTexture)
 float DepthLimit(Ray ray);
 
 // --- Step: which part of the ray comes next --------------------------------------------------
-// Every segment is cut into SamplesPerSegment equal parts, each sampled at its middle.
-// The segment that follows t, the index-th of its ray: it may begin later, where nothing between
-// can be seen, and ends after t [mm].
-Interval NextSegment(Ray ray, Interval inside, float t, int index);
+// The segment that follows t, the index-th of its ray [mm]. It may begin later, where nothing
+// between can be seen, and ends after t: at plainMm, or farther where the volume allows it.
+// visibility: the part of what follows that is still seen, [0,1].
+Interval NextSegment(
+  Ray ray, Interval inside, float t, int index, float plainMm, float visibility);
 
 // --- Classify: what a scalar looks like ----------------------------------------------------
 // Colour (r,g,b), not premultiplied, and extinction [1/mm].
@@ -51,7 +58,12 @@ vec3 Shade(vec3 color, vec3 positionTexture, Ray ray);
 // --- Blend: what the samples of a ray become -----------------------------------------------
 // Defines struct Accumulation, and:
 //   Accumulation BlendBegin();
-//   Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm);
+//   Accumulation BlendPart(
+//     Accumulation sum, Ray ray, float t, float lengthMm, float scalar);
 //                               takes in a part of the ray of that length, whose middle is t
-//   bool BlendFinished(Accumulation sum);   nothing that follows could be seen
-//   vec4 BlendResult(Accumulation sum);     premultiplied RGBA
+//   float BlendVisibility(Accumulation sum); part of what follows that is still seen, [0,1]
+//   bool BlendFinished(Accumulation sum);    nothing that follows could be seen
+//   vec4 BlendResult(Accumulation sum);      premultiplied RGBA
+
+// --- March: the loop along a ray -----------------------------------------------------------
+// Defines, after all the others: Accumulation March(Ray ray, Interval inside);

@@ -15,19 +15,20 @@ Accumulation BlendBegin()
   return Accumulation(vec3(0.0), 1.0);
 }
 
-Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm)
+Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm, float scalar)
 {
-  vec3 positionTexture = ray.originTexture + t * ray.directionTexture;
-  vec4 optical = Classify(ScalarAt(positionTexture));
+  vec4 optical = Classify(scalar);
   // An opaque material has a huge extinction; beyond 100 nothing of a float is left anyway.
   float absorbed = Absorption(min(optical.a * lengthMm, 100.0));
-  if (absorbed > 0.0)
-  {
-    sum.color +=
-      sum.transmittance * absorbed * Shade(optical.rgb, positionTexture, ray);
-  }
+  vec3 color = Shade(optical.rgb, PositionTexture(ray, t), ray);
+  sum.color += sum.transmittance * absorbed * color;
   sum.transmittance *= 1.0 - absorbed;
   return sum;
+}
+
+float BlendVisibility(Accumulation sum)
+{
+  return sum.transmittance;
 }
 
 bool BlendFinished(Accumulation sum)

@@ -15,10 +15,14 @@ Accumulation BlendBegin()
   return Accumulation(smallestScalar);
 }
 
-Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm)
+Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm, float scalar)
 {
-  float scalar = ScalarAt(ray.originTexture + t * ray.directionTexture);
   return Accumulation(max(sum.largest, scalar));
+}
+
+float BlendVisibility(Accumulation sum)
+{
+  return 1.0;
 }
 
 bool BlendFinished(Accumulation sum)

@@ -1,10 +1,7 @@
 // Equal steps. Positions come from the index, so that nothing accumulates over thousands of steps.
 
-const int SamplesPerSegment = 1;
-
-uniform float stepMm;
-
-Interval NextSegment(Ray ray, Interval inside, float t, int index)
+Interval NextSegment(
+  Ray ray, Interval inside, float t, int index, float plainMm, float visibility)
 {
-  return Interval(t, inside.enter + float(index + 1) * stepMm);
+  return Interval(t, inside.enter + float(index + 1) * plainMm);
 }

@@ -3,22 +3,22 @@
 // The field's texel holds 0 where the brick is structured, 1 where it is homogeneous, 128 + k
 // where all bricks b - k ... b + k are invisible.
 
-const int SamplesPerSegment = 2;
+const float LongestGrowth = 4.0; // of a step behind what is nearly opaque
 
-uniform float stepMm;
 uniform float nudgeMm; // carries a ray across the face of a block that it has just reached
 uniform sampler3D fieldTexture; // nearest
 uniform float cellsPerBrick;
 uniform vec3 brickCount;
 uniform vec3 brickCountInverse;
 
-Interval NextSegment(Ray ray, Interval inside, float t, int index)
+Interval NextSegment(
+  Ray ray, Interval inside, float t, int index, float plainMm, float visibility)
 {
   vec3 originBrick = ray.originGrid / cellsPerBrick;
   vec3 directionBrick = ray.directionGrid / cellsPerBrick;
   vec3 inverse = SafeInverse(directionBrick);
   vec3 ahead = step(vec3(0.0), directionBrick);
-  vec3 growth = 2.0 * ahead - 1.0;
+  vec3 outward = 2.0 * ahead - 1.0;
 
   float content = 0.0;
   float proven = t;
@@ -28,7 +28,7 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index)
     content = floor(textureLod(fieldTexture, (brick + 0.5) * brickCountInverse, 0.0).r * 255.0 + 0.5);
     float radius = max(content - 128.0, 0.0);
     // Planes through which the ray leaves the block, on each axis.
-    vec3 exits = (brick + ahead + growth * radius - originBrick) * inverse;
+    vec3 exits = (brick + ahead + outward * radius - originBrick) * inverse;
     proven = min(min(exits.x, exits.y), exits.z);
     if (content < 127.5)
     {
@@ -40,6 +40,9 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index)
       return Interval(t, t);
     }
   }
-  float plain = t + float(SamplesPerSegment) * stepMm;
+  // An error made behind a veil is seen through it: the step may grow as the veil thickens. The
+  // square root stands between what a rule of first and one of second order ask for.
+  float growth = min(inversesqrt(max(visibility, 1e-6)), LongestGrowth);
+  float plain = t + growth * plainMm;
   return Interval(t, content < 0.5 ? plain : max(plain, proven));
 }

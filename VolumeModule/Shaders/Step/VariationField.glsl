@@ -3,16 +3,14 @@
 // The field's texel of cell c holds 0 where the cell itself varies too much, else k + 1 where the
 // block of cells c - k ... c + k does not.
 
-const int SamplesPerSegment = 2;
-
-uniform float stepMm;
 uniform sampler3D fieldTexture; // nearest
 uniform vec3 cellCount;
 uniform vec3 cellCountInverse;
 
-Interval NextSegment(Ray ray, Interval inside, float t, int index)
+Interval NextSegment(
+  Ray ray, Interval inside, float t, int index, float plainMm, float visibility)
 {
-  float plain = t + float(SamplesPerSegment) * stepMm;
+  float plain = t + plainMm;
   vec3 position = ray.originGrid + t * ray.directionGrid;
   vec3 cell = clamp(floor(position), vec3(0.0), cellCount - 1.0);
   float reach = textureLod(fieldTexture, (cell + 0.5) * cellCountInverse, 0.0).r * 255.0;

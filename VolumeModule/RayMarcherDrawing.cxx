@@ -1,0 +1,243 @@
+// How a frame is drawn, when all its resources are there: the uniforms of each slot, then the box.
+
+#include "RayMarcher.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
+#include "vtk_glew.h"
+
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// A ray makes no more segments than this, whatever the sample distance, so that a frame ends.
+constexpr double MostSegments = 1 << 20;
+
+// How far a ray is carried over the face of a block that it has reached, as a part of a voxel.
+constexpr double NudgeOfVoxel = 1e-3;
+
+// As many as a ray along the diagonal takes at the sample distance, and as many as the faces of
+// cells it can pass.
+int MostSegmentsOf(const Frame& frame)
+{
+  const double steps = std::ceil(frame.geometry.DiagonalMm() / frame.sampleDistanceMm);
+  const glm::ivec3 voxels = frame.geometry.dimensions;
+  return int(std::min(MostSegments, steps + voxels.x + voxels.y + voxels.z));
+}
+
+struct HeadLight
+{
+  glm::dvec3 diffuse = glm::dvec3(0.0);
+  glm::dvec3 specular = glm::dvec3(0.0);
+};
+
+// All head lights that are on, as one. VTK makes one for a renderer that has none.
+HeadLight HeadLightOf(vtkRenderer* renderer)
+{
+  HeadLight sum;
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (light->GetSwitch() && light->LightTypeIsHeadlight())
+    {
+      const double* diffuse = light->GetDiffuseColor();
+      const double* specular = light->GetSpecularColor();
+      sum.diffuse += light->GetIntensity() * glm::dvec3(diffuse[0], diffuse[1], diffuse[2]);
+      sum.specular += light->GetIntensity() * glm::dvec3(specular[0], specular[1], specular[2]);
+    }
+  }
+  return sum;
+}
+
+// Restores what drawing the box changes.
+class BoxDrawingState
+{
+public:
+  BoxDrawingState(vtkOpenGLState* state, bool mirrored)
+    : depthTest(state, GL_DEPTH_TEST)
+    , blend(state, GL_BLEND)
+    , cullFace(state, GL_CULL_FACE)
+    , depthMask(state)
+    , blendFunction(state)
+    , state(state)
+    , depthClamp(glIsEnabled(GL_DEPTH_CLAMP))
+  {
+    state->vtkglGetIntegerv(GL_CULL_FACE_MODE, &this->cullFaceMode);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    // The inner sides of the box: there is one behind every pixel, also from within.
+    state->vtkglEnable(GL_CULL_FACE);
+    state->vtkglCullFace(mirrored ? GL_BACK : GL_FRONT);
+    // The far plane must not cut the box that only stands for its pixels.
+    glEnable(GL_DEPTH_CLAMP);
+  }
+
+  ~BoxDrawingState()
+  {
+    if (!this->depthClamp)
+    {
+      glDisable(GL_DEPTH_CLAMP);
+    }
+    this->state->vtkglCullFace(GLenum(this->cullFaceMode));
+  }
+
+private:
+  vtkOpenGLState::ScopedglEnableDisable depthTest;
+  vtkOpenGLState::ScopedglEnableDisable blend;
+  vtkOpenGLState::ScopedglEnableDisable cullFace;
+  vtkOpenGLState::ScopedglDepthMask depthMask;
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction;
+  vtkOpenGLState* state;
+  GLboolean depthClamp;
+  GLint cullFaceMode = GL_BACK;
+};
+
+}
+
+void RayMarcher::SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
+{
+  const PixelRays rays = ComputePixelRays(clipFromGrid, frame.geometry.boxGrid);
+  const Viewport viewport = ViewportOf(frame.renderer);
+  const Box& box = frame.geometry.boxGrid;
+
+  this->program.Set("clipFromGrid", clipFromGrid);
+  this->program.Set("viewportOriginPixels", glm::dvec2(viewport.left, viewport.bottom));
+  this->program.Set("viewportPixelsInverse", 1.0 / glm::dvec2(viewport.width, viewport.height));
+  this->program.Set("startGrid", rays.startGrid);
+  this->program.Set("directionGrid", rays.directionGrid);
+  this->program.Set("worldFromGrid", frame.geometry.WorldFromGridDirection());
+  this->program.Set("nearPlaneGrid", rays.nearPlaneGrid);
+  this->program.Set("boxLowerGrid", box.lower);
+  this->program.Set("boxUpperGrid", box.upper);
+  this->program.Set("voxelCountInverse", 1.0 / glm::dvec3(frame.geometry.dimensions));
+  this->program.Set("mostSegments", MostSegmentsOf(frame));
+}
+
+void RayMarcher::SetDepthUniforms(const glm::dmat4& clipFromGrid)
+{
+  this->depth.Texture()->Activate();
+  this->program.Set("depthTexture", this->depth.Texture());
+  this->program.Set("clipDepthRow", glm::row(clipFromGrid, 2));
+  this->program.Set("clipWeightRow", glm::row(clipFromGrid, 3));
+}
+
+void RayMarcher::SetStepUniforms(const Frame& frame)
+{
+  this->program.Set("stepMm", frame.sampleDistanceMm);
+  if (frame.settings.acceleration == Acceleration::Off)
+  {
+    return;
+  }
+  this->field.Texture()->Activate();
+  this->program.Set("fieldTexture", this->field.Texture());
+  const glm::dvec3 size(this->field.Size());
+  if (frame.settings.acceleration == Acceleration::ScalarField)
+  {
+    this->program.Set("cellCount", size);
+    this->program.Set("cellCountInverse", 1.0 / size);
+  }
+  else
+  {
+    this->program.Set("brickCount", size);
+    this->program.Set("brickCountInverse", 1.0 / size);
+    this->program.Set("cellsPerBrick", double(BrickRanges::CellsPerSide));
+    this->program.Set("nudgeMm", NudgeOfVoxel * frame.geometry.SmallestSpacingMm());
+  }
+}
+
+void RayMarcher::SetClassifyUniforms()
+{
+  // Texel to scalar to table index, as one scale and bias.
+  const OpticalTable& table = this->opticalTable.Table();
+  const double last = double(table.entries.size() - 1);
+  const double extent = table.lastValue - table.firstValue;
+  const double indexPerScalar = extent > 0.0 ? last / extent : 0.0;
+  const TexelMapping& mapping = this->volume.Mapping();
+  this->opticalTable.Texture()->Activate();
+  this->program.Set("opticalTable", this->opticalTable.Texture());
+  this->program.Set("tableFromScalar",
+    glm::dvec2(
+      mapping.scale * indexPerScalar, (mapping.offset - table.firstValue) * indexPerScalar));
+  this->program.Set("lastTableIndex", last);
+}
+
+void RayMarcher::SetShadeUniforms(const Frame& frame)
+{
+  const HeadLight light = HeadLightOf(frame.renderer);
+  const glm::dmat3 worldFromGradient = frame.geometry.WorldFromGridNormal();
+  this->program.Set("voxelSizeTexture", 1.0 / glm::dvec3(frame.geometry.dimensions));
+  this->program.Set("worldFromGradient", worldFromGradient);
+  this->program.Set("ambientLight", glm::dvec3(frame.property->GetAmbient()));
+  this->program.Set("diffuseLight", frame.property->GetDiffuse() * light.diffuse);
+  this->program.Set("specularLight", frame.property->GetSpecular() * light.specular);
+  this->program.Set("specularPower", frame.property->GetSpecularPower());
+}
+
+void RayMarcher::SetBlendUniforms(const Frame& frame)
+{
+  switch (frame.settings.blend)
+  {
+    case Blend::Composite:
+      this->program.Set("earlyTerminationTransmittance", frame.earlyTerminationTransmittance);
+      break;
+    case Blend::MaximumIntensity:
+    {
+      const TexelMapping& mapping = this->volume.Mapping();
+      this->program.Set("smallestScalar", mapping.TexelOf(this->volume.SmallestScalar()));
+      this->program.Set("largestScalar", mapping.TexelOf(this->volume.LargestScalar()));
+      this->program.Set("opacityUnitDistanceMm", frame.property->GetScalarOpacityUnitDistance());
+      break;
+    }
+  }
+}
+
+void RayMarcher::DrawBox(const Frame& frame)
+{
+  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+  this->volume.Texture()->Activate();
+  this->program.Set("volumeTexture", this->volume.Texture());
+  this->SetRayUniforms(frame, clipFromGrid);
+  this->SetStepUniforms(frame);
+  this->SetClassifyUniforms();
+  this->SetBlendUniforms(frame);
+  if (frame.settings.shading)
+  {
+    this->SetShadeUniforms(frame);
+  }
+  if (frame.settings.sceneGeometry)
+  {
+    this->SetDepthUniforms(clipFromGrid);
+  }
+
+  {
+    const bool mirrored = glm::determinant(frame.geometry.WorldFromGridDirection()) < 0.0;
+    const BoxDrawingState drawing(frame.window->GetState(), mirrored);
+    this->boxGeometry.Draw(this->program.Program(), frame.geometry.boxGrid);
+  }
+  for (vtkTextureObject* texture : { this->volume.Texture(), this->field.Texture(),
+         this->opticalTable.Texture(), this->depth.Texture() })
+  {
+    if (texture->GetHandle())
+    {
+      texture->Deactivate();
+    }
+  }
+}
+
+}
