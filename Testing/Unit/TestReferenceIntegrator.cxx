@@ -374,3 +374,13 @@ TEST(Reference, UnusableSettingsAreRefused)
   EXPECT_THROW(
     ReferenceIntegrator(ReferenceScene{ {}, volume.BoxGrid(), nothing }), std::invalid_argument);
 }
+
+TEST(Reference, OpacityThatRoundsToOneIsASurface)
+{
+  // All values lie within a few bits of the node where the curve reaches 1.
+  Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 3.0) };
+  volume.voxels[0] = std::nextafter(3.0, 0.0);
+  const ReferenceScene scene =
+    SceneOf(volume, { { { 0.0, red } }, { { 0.0, 0.0 }, { 3.0, 1.0 }, { 4.0, 0.0 } }, 1e-3 });
+  ExpectNear(ColorAlong(scene, alongX), { 1.0, 0.0, 0.0, 1.0 });
+}

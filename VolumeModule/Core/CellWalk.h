@@ -30,10 +30,9 @@ void WalkCells(const Ray& ray, Interval inside, Visit visit)
   glm::ivec3 step;
   for (int axis = 0; axis < 3; ++axis)
   {
-    // A ray that starts on a face is in the cell it goes into.
     const double start = ray.origin[axis] + inside.enter * ray.direction[axis];
     step[axis] = ray.direction[axis] < 0.0 ? -1 : 1;
-    cell[axis] = step[axis] < 0 ? int(std::ceil(start)) - 1 : int(std::floor(start));
+    cell[axis] = int(std::floor(start));
   }
   const auto exit = [&](int axis)
   {
@@ -49,6 +48,7 @@ void WalkCells(const Ray& ray, Interval inside, Visit visit)
     const int axis =
       exits.x <= exits.y ? (exits.x <= exits.z ? 0 : 2) : (exits.y <= exits.z ? 1 : 2);
     const double end = std::min(exits[axis], inside.exit);
+    // Empty in a cell that the ray only touches.
     if (t < end)
     {
       if (!visit(CellPart{ cell, { t, end } }))

@@ -32,9 +32,6 @@ void AppendCuts(const std::vector<Node>& nodes, std::vector<double>& cuts)
 
 TransferBands::TransferBands(const TransferFunction& transferFunction)
   : transferFunction(transferFunction)
-  // The opacity nearest to 1 that a double holds.
-  , largestExtinction(-std::log(std::numeric_limits<double>::epsilon() / 2.0) /
-      transferFunction.OpacityUnitDistanceMm())
 {
   AppendCuts(transferFunction.Colors(), this->cuts);
   AppendCuts(transferFunction.Opacities(), this->cuts);
@@ -98,12 +95,7 @@ OpticalProperties TransferBands::Inside(const Band& band, double value) const
   // Not std::clamp: in a band one bit wide the limits are the wrong way round.
   const double inside = std::min(
     std::max(value, std::nextafter(band.lower, infinity)), std::nextafter(band.upper, -infinity));
-  OpticalProperties properties = this->At(inside);
-  if (band.kind != Kind::Opaque)
-  {
-    properties.extinction = std::min(properties.extinction, this->largestExtinction);
-  }
-  return properties;
+  return this->At(inside);
 }
 
 OpticalProperties TransferBands::At(double value) const

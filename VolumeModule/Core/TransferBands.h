@@ -12,7 +12,7 @@ namespace varimarch
 struct OpticalProperties
 {
   glm::dvec3 rgb;
-  double extinction; ///< [1/mm]
+  double extinction; ///< [1/mm], may be infinite
 };
 
 /// A transfer function cut into bands of values in which it is smooth: at its nodes, and at the
@@ -51,17 +51,16 @@ public:
   bool MayBeVisible(double lowest, double highest) const;
 
   /// The properties at a value inside a band; round-off that takes the value out of the band does
-  /// not take it across a step. Of a band that is not opaque the extinction is finite.
+  /// not take it across a step.
   OpticalProperties Inside(const Band& band, double value) const;
 
-  /// The properties at a value that a whole piece of ray has; the extinction may be infinite.
+  /// The properties at a value that a whole piece of ray has, and which may be that of a node.
   OpticalProperties At(double value) const;
 
 private:
   Kind KindOf(double lower, double upper) const;
 
   TransferFunction transferFunction;
-  double largestExtinction; ///< [1/mm], finite
   std::vector<double> cuts; ///< sorted, each once
   std::vector<Band> bands;  ///< one more than cuts
   std::vector<int> visibleBefore;
