@@ -25,12 +25,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <sstream>
 
 namespace varimarch
 {
 namespace
 {
+
+/// While it lives, std::cerr prints nothing. GDCM, which decodes compressed slices for vtk-dicom,
+/// writes there what vtk-dicom reports as an error anyway.
+class SilentErrorStream
+{
+public:
+  SilentErrorStream()
+    : printed(std::cerr.rdbuf(this->ignored.rdbuf()))
+  {
+  }
+  ~SilentErrorStream() { std::cerr.rdbuf(this->printed); }
+  SilentErrorStream(const SilentErrorStream&) = delete;
+  void operator=(const SilentErrorStream&) = delete;
+
+private:
+  std::ostringstream ignored;
+  std::streambuf* printed;
+};
+
+/// Reads the slices in the order of the information.
+void ReadSlices(const std::string& path, vtkDICOMReader* reader, const VtkMessages& messages,
+  ReadProgress& progress)
+{
+  {
+    const SilentErrorStream silent;
+    UpdateWithProgress(reader, progress);
+  }
+  if (!messages.Errors().empty())
+  {
+    FailToRead(path, "complete DICOM images", messages.FirstErrorOr("others"));
+  }
+}
 
 const DicomSeries& ChosenSeries(
   const std::string& path, const std::vector<DicomSeries>& all, const std::string& uid)
@@ -171,8 +204,12 @@ void WarnOfGeometry(
   double lastMm = 0.0;
   for (int slice = 0; slice < SliceCount(reader); ++slice)
   {
+    const vtkDICOMValue& value = SliceValue(reader, slice, DC::ImagePositionPatient);
     glm::dvec3 position(0.0);
-    SliceValue(reader, slice, DC::ImagePositionPatient).GetValues(&position[0], 3);
+    if (value.GetNumberOfValues() == 3)
+    {
+      value.GetValues(&position[0], 3);
+    }
     const double locationMm = glm::dot(position, normal);
     if (slice > 0)
     {
@@ -235,11 +272,7 @@ Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgre
   reader->AutoRescaleOff();
   ChooseStackAndTime(path, reader, messages, volume.warnings);
   CheckedByteCount(path, LayoutOf(reader));
-  UpdateWithProgress(reader, reading);
-  if (!messages.Errors().empty())
-  {
-    FailToRead(path, "complete DICOM images", messages.FirstErrorOr("others"));
-  }
+  ReadSlices(path, reader, messages, reading);
 
   const ImageGeometry geometry = GeometryOf(reader);
   volume.image = Rescaled(path, reader->GetOutput(), RescaleOf(reader));

@@ -1,0 +1,288 @@
+// Bad files get one sentence, an empty output, and no memory to speak of.
+#include "PhantomFiles.h"
+#include "Support/ExpectedVtkErrors.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkVolumeFileReader.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <random>
+#include <unistd.h>
+
+namespace
+{
+
+/// The most address space that this process has had [kB], as Linux counts it.
+double PeakMemoryKB()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+  {
+    if (word == "VmPeak:")
+    {
+      double kilobytes = 0.0;
+      status >> kilobytes;
+      return kilobytes;
+    }
+  }
+  return 0.0;
+}
+
+/// One sentence that names the file, or the folder of the file that is at fault.
+void ExpectOneSentence(const std::string& message, const std::string& path)
+{
+  const std::string folder = std::filesystem::path(path).parent_path();
+  EXPECT_EQ(message.find("Cannot read \"" + folder), 0u) << message;
+  EXPECT_NE(message.find(": expected "), std::string::npos) << message;
+  EXPECT_NE(message.find(", found "), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_EQ(message.find(". "), std::string::npos) << message;
+  EXPECT_EQ(message.back(), '.') << message;
+}
+
+/// Reads a file that may or may not be readable. Whether it was.
+bool ReadsOrFailsWell(vtkVolumeFileReader* reader, const std::string& path)
+{
+  reader->SetFileName(path.c_str());
+  ExpectedVtkErrors errors;
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  reader->Update();
+  const std::string printed =
+    testing::internal::GetCapturedStderr() + testing::internal::GetCapturedStdout();
+  EXPECT_EQ(printed, "");
+  const std::string message = reader->GetErrorMessage();
+  if (message.empty())
+  {
+    EXPECT_EQ(errors.Messages().size(), 0u) << errors.Text();
+    EXPECT_EQ(reader->GetErrorCode(), 0u);
+    EXPECT_GT(reader->GetOutput()->GetNumberOfPoints(), 0);
+    return true;
+  }
+  EXPECT_EQ(errors.Messages().size(), 1u) << errors.Text();
+  EXPECT_NE(reader->GetErrorCode(), 0u);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  ExpectOneSentence(message, path);
+  return false;
+}
+
+bool ReadsOrFailsWell(const std::string& path)
+{
+  vtkNew<vtkVolumeFileReader> reader;
+  return ReadsOrFailsWell(reader, path);
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to)
+{
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return text.replace(place, from.size(), to);
+}
+
+std::string Nrrd()
+{
+  const StoredVolume volume = phantom::Stored(0);
+  return NrrdHeaderText(volume) + "endian: little\nencoding: raw\n\n" + VoxelBytes(volume);
+}
+
+std::string GzippedNrrd()
+{
+  const StoredVolume volume = phantom::Stored(0);
+  return NrrdHeaderText(volume) + "endian: little\nencoding: gzip\n\n" +
+    Gzipped(VoxelBytes(volume));
+}
+
+std::string MetaImage()
+{
+  const StoredVolume volume = phantom::Stored(0);
+  return MetaImageHeaderText(volume) + "ElementDataFile = LOCAL\n" + VoxelBytes(volume);
+}
+
+std::string Vti()
+{
+  const std::string text = VtiText(phantom::Stored(0));
+  return text.substr(0, text.size() - 1); // the line's end at the end may be missing
+}
+
+/// A valid file of each format: its name, its bytes, and how many at the end say nothing.
+struct GoodFile
+{
+  const char* name;
+  std::string bytes;
+  std::size_t spareBytes = 0;
+};
+
+std::vector<GoodFile> GoodFiles()
+{
+  const StoredVolume volume = phantom::Stored(0);
+  // Behind the last voxel, gzip has an end mark and 8 bytes of checks.
+  return { { "a.nrrd", Nrrd() }, { "gzip.nrrd", GzippedNrrd(), 12 }, { "a.mha", MetaImage() },
+    { "a.vti", Vti() }, { "a.nii", NiftiBytes(volume) },
+    { "a.nii.gz", Gzipped(NiftiBytes(volume)), 12 }, { "a.dcm", DicomBytes(volume, 0) } };
+}
+
+TEST(BadVolumeFiles, TheGoodOnesAreRead)
+{
+  const TemporaryFolder folder;
+  for (const GoodFile& file : GoodFiles())
+  {
+    EXPECT_TRUE(ReadsOrFailsWell(folder.Write(file.name, file.bytes))) << file.name;
+  }
+}
+
+TEST(BadVolumeFiles, CutAnywhereTheyAreRefused)
+{
+  const TemporaryFolder folder;
+  for (const GoodFile& file : GoodFiles())
+  {
+    const std::size_t step = file.bytes.size() / 60 + 1;
+    for (std::size_t size = 0; size < file.bytes.size() - file.spareBytes; size += step)
+    {
+      SCOPED_TRACE(std::string(file.name) + " cut to " + std::to_string(size));
+      EXPECT_FALSE(ReadsOrFailsWell(folder.Write(file.name, file.bytes.substr(0, size))));
+    }
+  }
+}
+
+TEST(BadVolumeFiles, WithBytesChangedTheyAreReadOrRefused)
+{
+  const TemporaryFolder folder;
+  std::mt19937 random(20240611);
+  for (const GoodFile& file : GoodFiles())
+  {
+    for (int round = 0; round < 80; ++round)
+    {
+      std::string bytes = file.bytes;
+      for (int change = 0; change < 3; ++change)
+      {
+        bytes[random() % bytes.size()] = char(random());
+      }
+      SCOPED_TRACE(std::string(file.name) + " round " + std::to_string(round));
+      ReadsOrFailsWell(folder.Write(file.name, bytes));
+    }
+  }
+}
+
+TEST(BadVolumeFiles, FalseSizesTakeNoMemory)
+{
+  const TemporaryFolder folder;
+  const StoredVolume volume = phantom::Stored(0);
+  StoredVolume large = volume;
+  large.dimensions = { 30000, 30000, 30000 };
+  const std::string nifti = NiftiBytes(volume);
+  const std::vector<std::pair<const char*, std::string>> files = {
+    { "a.nrrd", Replaced(Nrrd(), "sizes: 5 4 3", "sizes: 2000 2000 1000") },
+    { "overflow.nrrd",
+      Replaced(Nrrd(), "sizes: 5 4 3", "sizes: 2147483647 2147483647 2147483647") },
+    { "int64.nrrd", Replaced(Nrrd(), "sizes: 5 4 3", "sizes: 9223372036854775807 2 2") },
+    { "huge.nrrd", Replaced(Nrrd(), "sizes: 5 4 3", "sizes: 99999999999999999999 2 2") },
+    { "negative.nrrd", Replaced(Nrrd(), "sizes: 5 4 3", "sizes: -5 -4 3") },
+    { "zero.nrrd", Replaced(Nrrd(), "sizes: 5 4 3", "sizes: 0 4 3") },
+    { "gzip.nrrd", Replaced(GzippedNrrd(), "sizes: 5 4 3", "sizes: 2000 2000 1000") },
+    { "a.mha", Replaced(MetaImage(), "DimSize = 5 4 3", "DimSize = 2000 2000 1000") },
+    { "a.nii", NiftiBytes(large).substr(0, 352) + VoxelBytes(volume) },
+    { "a.nii.gz", Gzipped(NiftiBytes(large).substr(0, 352) + VoxelBytes(volume)) },
+    { "a.vti", VtiText(large) },
+    { "a.dcm", DicomBytes(volume, 0, { "1.2", 1.0, 0.0, 65535 }) },
+  };
+  for (const auto& [name, bytes] : files)
+  {
+    SCOPED_TRACE(name);
+    const double peakBefore = PeakMemoryKB();
+    EXPECT_FALSE(ReadsOrFailsWell(folder.Write(name, bytes)));
+    EXPECT_LT(PeakMemoryKB() - peakBefore, 100e3);
+  }
+}
+
+TEST(BadVolumeFiles, EachFaultIsNamed)
+{
+  struct BadFile
+  {
+    const char* name;
+    std::string bytes;
+    const char* fault; ///< words of the sentence
+  };
+  const std::string directions = "space directions: (";
+  const std::vector<BadFile> files = {
+    { "empty.nrrd", "", "an empty file" },
+    { "magic.nrrd", "NEARLY0004\n\n", "NRRD" },
+    { "magic.nii", std::string(400, 'x'), "NIfTI" },
+    { "magic.vti", "<html></html>", "VTK" },
+    { "magic.dcm", std::string(400, 'x'), "DICOM" },
+    { "notar.inv3", std::string(2000, 'x'), "tar" },
+    { "nomembers.inv3", std::string(10240, '\0'), "main.plist" },
+    { "nomembers.gz.inv3", Gzipped(std::string(10240, '\0')), "main.plist" },
+    { "unknown.bin", "what is this", "known format" },
+    { "unset.raw", "voxels", "dimensions" },
+    { "type.nrrd", Replaced(Nrrd(), "int16_t", "quaternion"), "\"quaternion\"" },
+    { "block.nrrd", Replaced(Nrrd(), "int16_t", "block"), "\"block\"" },
+    { "type.mha", Replaced(MetaImage(), "MET_SHORT", "MET_STRANGE"), "\"MET_STRANGE\"" },
+    { "encoding.nrrd", Replaced(Nrrd(), "encoding: raw", "encoding: bzip2"), "\"bzip2\"" },
+    { "space.nrrd", Replaced(Nrrd(), "space: LPS", "space: the-moon"), "\"the-moon\"" },
+    { "spacing.mha", Replaced(MetaImage(), "ElementSpacing =", "ElementSpacing = nan 1 1\nX ="),
+      "spacing" },
+    { "infinite.mha", Replaced(MetaImage(), "ElementSpacing =", "ElementSpacing = inf 1 1\nX ="),
+      "spacing" },
+    { "zero.mha", Replaced(MetaImage(), "ElementSpacing =", "ElementSpacing = 0 1 1\nX ="),
+      "spacing" },
+    { "flat.mha",
+      Replaced(MetaImage(), "TransformMatrix =", "TransformMatrix = 1 0 0 1 0 0 0 0 1\nX ="),
+      "span space" },
+    { "origin.mha", Replaced(MetaImage(), "Offset =", "Offset = inf 0 0\nX ="), "finite origin" },
+    { "nodata.mhd", Replaced(MetaImage(), "LOCAL", "nowhere.raw"), "nowhere.raw" },
+    { "words.mha", Replaced(MetaImage(), "DimSize =", "DimSize = five 4 3\nX ="), "\"five\"" },
+  };
+  const TemporaryFolder folder;
+  for (const BadFile& file : files)
+  {
+    SCOPED_TRACE(file.name);
+    vtkNew<vtkVolumeFileReader> reader;
+    EXPECT_FALSE(ReadsOrFailsWell(reader, folder.Write(file.name, file.bytes)));
+    EXPECT_NE(std::string(reader->GetErrorMessage()).find(file.fault), std::string::npos)
+      << reader->GetErrorMessage();
+  }
+}
+
+TEST(BadVolumeFiles, CorruptCompressedStreamsAreNamed)
+{
+  const TemporaryFolder folder;
+  std::string bytes = Gzipped(NiftiBytes(phantom::Stored(0)));
+  std::fill(bytes.begin() + 40, bytes.end() - 20, '\xff');
+  vtkNew<vtkVolumeFileReader> reader;
+  EXPECT_FALSE(ReadsOrFailsWell(reader, folder.Write("corrupt.nii.gz", bytes)));
+  EXPECT_NE(std::string(reader->GetErrorMessage()).find("compressed stream"), std::string::npos);
+}
+
+TEST(BadVolumeFiles, FoldersWithoutImagesAndUnreadableFilesAreRefused)
+{
+  const TemporaryFolder folder;
+  folder.Write("folder/readme.txt", "no image");
+  EXPECT_FALSE(ReadsOrFailsWell(folder.Path("folder")));
+  EXPECT_FALSE(ReadsOrFailsWell(folder.Path("missing.mha")));
+  const std::string locked = folder.Write("locked.mha", MetaImage());
+  std::filesystem::permissions(locked, std::filesystem::perms::none);
+  if (geteuid() != 0) // root may read everything
+  {
+    EXPECT_FALSE(ReadsOrFailsWell(locked));
+  }
+}
+
+TEST(BadVolumeFiles, CanReadFileKnowsThemByNameOrFirstBytes)
+{
+  const TemporaryFolder folder;
+  for (const GoodFile& file : GoodFiles())
+  {
+    EXPECT_TRUE(vtkVolumeFileReader::CanReadFile(folder.Write(file.name, file.bytes).c_str()))
+      << file.name;
+  }
+  EXPECT_TRUE(vtkVolumeFileReader::CanReadFile(folder.Write("unnamed", Nrrd()).c_str()));
+  EXPECT_FALSE(vtkVolumeFileReader::CanReadFile(folder.Path("missing.nrrd").c_str()));
+  EXPECT_FALSE(vtkVolumeFileReader::CanReadFile(folder.Write("text.nrrd", "a text").c_str()));
+  EXPECT_FALSE(vtkVolumeFileReader::CanReadFile(folder.Write("notes.txt", "a text").c_str()));
+}
+
+}
