@@ -76,6 +76,18 @@ Acceleration AccelerationOf(int accelerationMode, Blend blend)
   return Acceleration::Off;
 }
 
+// Samples per voxel that keep a composite within half a grey level of a fine march, measured on a
+// head CT with a bone transfer function. Normals turn faster than values change; a maximum needs
+// no more than to pass close by.
+double AutomaticSamplesPerVoxel(const varimarch::RenderSettings& settings)
+{
+  if (settings.blend == Blend::MaximumIntensity)
+  {
+    return 2.0;
+  }
+  return settings.shading ? 8.0 : 4.0;
+}
+
 // The scalars to draw. Throws a sentence that tells what is wrong with the input.
 vtkDataArray* CheckedScalars(vtkImageData* image, vtkDataArray* scalars, int cellFlag)
 {

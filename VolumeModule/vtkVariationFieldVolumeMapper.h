@@ -82,8 +82,8 @@ public:
 
   ///@{
   /**
-   * Whether the mapper chooses the sample distance from the spacing of the voxels in the world.
-   * Default on.
+   * Whether the mapper chooses the sample distance from the spacing of the voxels in the world:
+   * a part of the smallest, for shaded volumes a smaller one. Default on.
    */
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);

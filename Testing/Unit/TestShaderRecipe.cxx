@@ -37,7 +37,7 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
     Parts{ "Step/OpticalField.glsl" });
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, true, false }),
-    (Parts{ "Shade/BlinnPhong.glsl", "March/VisibleSamples.glsl" }));
+    (Parts{ "Shade/BlinnPhong.glsl", "March/VisibleSegments.glsl" }));
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
 }

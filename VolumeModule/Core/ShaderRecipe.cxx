@@ -55,7 +55,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
     parts.push_back(UsesShading(settings) ? "Shade/BlinnPhong.glsl" : "Shade/None.glsl");
   }
   parts.push_back(BlendFile(settings.blend));
-  parts.push_back(UsesShading(settings) ? "March/VisibleSamples.glsl" : "March/EverySample.glsl");
+  parts.push_back(UsesShading(settings) ? "March/VisibleSegments.glsl" : "March/EverySample.glsl");
   parts.push_back("RayMarch.frag.glsl");
   return parts;
 }

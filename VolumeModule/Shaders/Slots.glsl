@@ -52,15 +52,16 @@ Interval NextSegment(
 vec4 Classify(float scalar);
 
 // --- Shade: light at a sample --------------------------------------------------------------
-// Colour of the material lit at a position on the ray.
-vec3 Shade(vec3 color, vec3 positionTexture, Ray ray);
+// Colour of the material lit at a point of the ray, from the gradient there.
+vec3 Shade(vec3 color, vec3 gradient, Ray ray);
 
 // --- Blend: what the samples of a ray become -----------------------------------------------
 // Defines struct Accumulation, and:
 //   Accumulation BlendBegin();
 //   Accumulation BlendPart(
-//     Accumulation sum, Ray ray, float t, float lengthMm, float scalar);
-//                               takes in a part of the ray of that length, whose middle is t
+//     Accumulation sum, Ray ray, float lengthMm, float scalar, vec3 gradient);
+//                               takes in the next part of the ray, of that length and scalar;
+//                               the gradient is 0 where nothing is shaded
 //   float BlendVisibility(Accumulation sum); part of what follows that is still seen, [0,1]
 //   bool BlendFinished(Accumulation sum);    nothing that follows could be seen
 //   vec4 BlendResult(Accumulation sum);      premultiplied RGBA

@@ -15,12 +15,13 @@ Accumulation BlendBegin()
   return Accumulation(vec3(0.0), 1.0);
 }
 
-Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm, float scalar)
+Accumulation BlendPart(
+  Accumulation sum, Ray ray, float lengthMm, float scalar, vec3 gradient)
 {
   vec4 optical = Classify(scalar);
   // An opaque material has a huge extinction; beyond 100 nothing of a float is left anyway.
   float absorbed = Absorption(min(optical.a * lengthMm, 100.0));
-  vec3 color = Shade(optical.rgb, PositionTexture(ray, t), ray);
+  vec3 color = Shade(optical.rgb, gradient, ray);
   sum.color += sum.transmittance * absorbed * color;
   sum.transmittance *= 1.0 - absorbed;
   return sum;

@@ -15,7 +15,8 @@ Accumulation BlendBegin()
   return Accumulation(smallestScalar);
 }
 
-Accumulation BlendPart(Accumulation sum, Ray ray, float t, float lengthMm, float scalar)
+Accumulation BlendPart(
+  Accumulation sum, Ray ray, float lengthMm, float scalar, vec3 gradient)
 {
   return Accumulation(max(sum.largest, scalar));
 }

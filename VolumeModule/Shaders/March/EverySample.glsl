@@ -16,7 +16,7 @@ Accumulation March(Ray ray, Interval inside)
     for (int part = 0; part < SamplesPerSegment; ++part)
     {
       float middle = segment.enter + (float(part) + 0.5) * partMm;
-      sum = BlendPart(sum, ray, middle, partMm, ScalarAt(PositionTexture(ray, middle)));
+      sum = BlendPart(sum, ray, partMm, ScalarAt(PositionTexture(ray, middle)), vec3(0.0));
     }
   }
   return sum;

@@ -10,7 +10,7 @@ uniform vec3 diffuseLight;
 uniform vec3 specularLight;
 uniform float specularPower;
 
-vec3 GradientPerVoxel(vec3 positionTexture)
+vec3 GradientAt(vec3 positionTexture)
 {
   vec3 x = vec3(voxelSizeTexture.x, 0.0, 0.0);
   vec3 y = vec3(0.0, voxelSizeTexture.y, 0.0);
@@ -20,9 +20,9 @@ vec3 GradientPerVoxel(vec3 positionTexture)
     ScalarAt(positionTexture + z) - ScalarAt(positionTexture - z));
 }
 
-vec3 Shade(vec3 color, vec3 positionTexture, Ray ray)
+vec3 Shade(vec3 color, vec3 gradient, Ray ray)
 {
-  vec3 normal = worldFromGradient * GradientPerVoxel(positionTexture);
+  vec3 normal = worldFromGradient * gradient;
   float size = length(normal);
   vec3 toEye = -(worldFromGrid * ray.directionGrid);
   float facing = size > 0.0 ? abs(dot(normal, toEye)) / size : 0.0;
