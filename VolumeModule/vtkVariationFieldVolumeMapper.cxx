@@ -173,8 +173,9 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   frame.settings.shading =
     frame.property->GetShade() != 0 && frame.settings.blend == Blend::Composite;
   frame.settings.sceneGeometry = HasOpaqueGeometry(renderer);
-  frame.sampleDistanceMm =
-    this->AutoAdjustSampleDistances ? frame.geometry.SmallestSpacingMm() : this->SampleDistance;
+  frame.sampleDistanceMm = this->AutoAdjustSampleDistances
+    ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
+    : this->SampleDistance;
   frame.variationTolerance = this->VariationTolerance;
   frame.earlyTerminationTransmittance = this->EarlyTerminationTransmittance;
   this->UsedSampleDistance = frame.sampleDistanceMm;
