@@ -46,7 +46,9 @@ int Run(int argc, char** argv)
   program.require_subcommand(1);
   program.footer("varimarch SUBCOMMAND --help tells more, with examples.\n"
                  "Exit codes: 0 success, 1 failure, 2 bad usage.");
-  varimarch::AddRenderCommand(program, CommandText(argc, argv));
+  const std::string commandText = CommandText(argc, argv);
+  varimarch::AddRenderCommand(program, commandText);
+  varimarch::AddCompareCommand(program, commandText);
   try
   {
     program.parse(argc, argv);

@@ -1,12 +1,15 @@
 #include "Scene/FloatCapture.h"
 
+#include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
+#include <vtkRect.h>
 #include <vtkRenderer.h>
 #include <vtk_glew.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -41,10 +44,27 @@ private:
   double alpha;
 };
 
+// A driver may stop a single draw that takes seconds, and nothing can be said while it lasts.
+void RenderInBands(
+  vtkRenderer* renderer, const int size[2], const std::function<void(double)>& onBand)
+{
+  constexpr int BandRows = 16;
+  for (int row = 0; row < size[1]; row += BandRows)
+  {
+    onBand(double(row) / size[1]);
+    // The camera forgets its scissors after each picture.
+    renderer->GetActiveCamera()->SetScissorRect(
+      vtkRecti(0, row, size[0], std::min(BandRows, size[1] - row)));
+    renderer->GetActiveCamera()->SetUseScissor(true);
+    renderer->Render();
+    glFinish();
+  }
+}
+
 }
 
 vtkSmartPointer<vtkImageData> CaptureFloatImage(
-  vtkOpenGLRenderWindow* window, vtkRenderer* renderer)
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const std::function<void(double)>& onBand)
 {
   // Start makes the context if need be, sets the state that VTK's classes rely on, and binds the
   // window's framebuffer, in whose place ours comes.
@@ -59,7 +79,7 @@ vtkSmartPointer<vtkImageData> CaptureFloatImage(
   if (complete)
   {
     const WithoutBackground withoutBackground(renderer);
-    renderer->Render();
+    onBand ? RenderInBands(renderer, size, onBand) : renderer->Render();
     image->SetDimensions(size[0], size[1], 1);
     image->AllocateScalars(VTK_FLOAT, 4);
     framebuffer->Bind();

@@ -40,9 +40,9 @@ vtkSmartPointer<vtkImageData> OffscreenView::Bytes()
   return reader->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> OffscreenView::FloatImage()
+vtkSmartPointer<vtkImageData> OffscreenView::FloatImage(const std::function<void(double)>& onBand)
 {
-  return CaptureFloatImage(this->window, this->pipeline.Renderer());
+  return CaptureFloatImage(this->window, this->pipeline.Renderer(), onBand);
 }
 
 }

@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <string>
 
 namespace varimarch
@@ -29,7 +30,7 @@ public:
   vtkSmartPointer<vtkImageData> Bytes();
 
   /// Draws anew, see CaptureFloatImage.
-  vtkSmartPointer<vtkImageData> FloatImage();
+  vtkSmartPointer<vtkImageData> FloatImage(const std::function<void(double)>& onBand = nullptr);
 
   /// The OpenGL renderer's own name.
   std::string DeviceName() { return this->window->GetDeviceName(); }

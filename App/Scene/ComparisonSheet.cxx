@@ -1,0 +1,42 @@
+#include "Scene/ComparisonSheet.h"
+
+#include "Scene/Canvas.h"
+#include "Scene/DifferencePicture.h"
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+vtkSmartPointer<vtkImageData> ComparisonSheet(const std::vector<SheetColumn>& columns)
+{
+  constexpr int Gap = 8;
+  constexpr int TitleHeight = 48;
+  constexpr int NarrowestColumn = 300; // so that the words fit
+  const int* size = columns.front().picture->GetDimensions();
+  const int columnWidth = std::max(size[0], NarrowestColumn);
+  const int width = Gap + int(columns.size()) * (columnWidth + Gap);
+  const int height = 3 * Gap + TitleHeight + 2 * size[1];
+
+  Canvas canvas(width, height, { 255, 255, 255 });
+  int left = Gap;
+  for (const SheetColumn& column : columns)
+  {
+    const int middle = left + columnWidth / 2;
+    canvas.Write(column.title, middle, height - 24, 16, Canvas::Anchor::Middle);
+    canvas.Write(column.subtitle, middle, height - 44, 13, Canvas::Anchor::Middle);
+    canvas.Put(column.picture, middle - size[0] / 2, 2 * Gap + size[1]);
+    if (column.difference)
+    {
+      canvas.Put(column.difference, middle - size[0] / 2, Gap);
+    }
+    else
+    {
+      DrawDifferenceScale(canvas, left, Gap + size[1] / 2, columnWidth);
+    }
+    left += columnWidth + Gap;
+  }
+  return canvas.Picture();
+}
+
+}
