@@ -12,6 +12,7 @@ namespace varimarch
 /// exception.
 /// @param commandText  the whole command as the user gave it, for the results
 void AddCompareCommand(CLI::App& program, const std::string& commandText);
+void AddInfoCommand(CLI::App& program, const std::string& commandText);
 void AddRenderCommand(CLI::App& program, const std::string& commandText);
 
 }

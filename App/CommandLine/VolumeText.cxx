@@ -1,0 +1,127 @@
+#include "VolumeText.h"
+
+#include "Results.h"
+#include "Scene/AnatomicalDirection.h"
+
+#include <vtkMatrix3x3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <sstream>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr std::array<double, 7> Percents = { 0.1, 1.0, 25.0, 50.0, 75.0, 99.0, 99.9 };
+constexpr double BytesPerMiB = 1024.0 * 1024.0;
+
+std::string Short(double number)
+{
+  std::ostringstream stream;
+  stream << number;
+  return stream.str();
+}
+
+// Where the three axes of the voxels point in the patient, such as "L P S".
+std::array<std::string, 3> AxisLetters(vtkImageData* image)
+{
+  std::array<std::string, 3> letters;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double direction[3];
+    for (int row = 0; row < 3; ++row)
+    {
+      direction[row] = image->GetDirectionMatrix()->GetElement(row, axis);
+    }
+    letters[axis] = AnatomicalDirection(direction);
+  }
+  return letters;
+}
+
+double Bytes(vtkImageData* image)
+{
+  return double(image->GetNumberOfPoints()) * image->GetScalarSize() *
+    image->GetNumberOfScalarComponents();
+}
+
+// A bar per bin, as long as the logarithm of its count: air alone would leave nothing else to see.
+std::string HistogramText(const ImageStatistics& statistics, int bins)
+{
+  constexpr double LongestBar = 50.0;
+  const std::vector<std::int64_t> counts = statistics.Histogram(bins);
+  const double most = std::log1p(double(*std::max_element(counts.begin(), counts.end())));
+  const double width = (statistics.Largest() - statistics.Smallest()) / bins;
+  std::ostringstream text;
+  text << "histogram    (bars are logarithmic)\n";
+  for (int bin = 0; bin < bins; ++bin)
+  {
+    const auto bar = std::size_t(std::lround(LongestBar * std::log1p(double(counts[bin])) / most));
+    text << std::setw(12) << Short(statistics.Smallest() + bin * width) << " |" << std::left
+         << std::setw(int(LongestBar)) << std::string(bar, '#') << std::right << " " << counts[bin]
+         << "\n";
+  }
+  return text.str();
+}
+
+}
+
+std::string VolumeText(
+  const std::string& name, const LoadedVolume& volume, const ImageStatistics& statistics, int bins)
+{
+  vtkImageData* image = volume.image;
+  const int* dimensions = image->GetDimensions();
+  const double* spacing = image->GetSpacing();
+  const double size[3] = { dimensions[0] * spacing[0], dimensions[1] * spacing[1],
+    dimensions[2] * spacing[2] };
+  const std::array<std::string, 3> letters = AxisLetters(image);
+  std::ostringstream text;
+  text << name << "\n"
+       << "modality     " << (volume.modality.empty() ? "not known" : volume.modality) << "\n"
+       << "dimensions   " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+       << "\n"
+       << "type         " << image->GetScalarTypeAsString() << "\n"
+       << "spacing      " << Triple(spacing, " x ") << " mm\n"
+       << "size         " << Triple(size, " x ") << " mm\n"
+       << "origin       " << Triple(image->GetOrigin(), ", ") << " mm (LPS)\n"
+       << "orientation  " << letters[0] << " " << letters[1] << " " << letters[2]
+       << " (where the axes point in the patient)\n"
+       << "memory       " << Fixed(Bytes(image) / BytesPerMiB, 1) << " MiB\n"
+       << "range        " << Short(statistics.Smallest()) << " to " << Short(statistics.Largest())
+       << "\n"
+       << "percentiles ";
+  for (const double percent : Percents)
+  {
+    text << " " << Short(percent) << " %: " << Short(statistics.Percentile(percent))
+         << (percent == Percents.back() ? "\n" : ",");
+  }
+  return text.str() + HistogramText(statistics, bins);
+}
+
+nlohmann::ordered_json VolumeJson(
+  const LoadedVolume& volume, const ImageStatistics& statistics, int bins)
+{
+  vtkImageData* image = volume.image;
+  const double* origin = image->GetOrigin();
+  const double* direction = image->GetDirectionMatrix()->GetData();
+  nlohmann::ordered_json json;
+  json["originMm"] = { origin[0], origin[1], origin[2] };
+  json["directionRows"] = std::vector<double>(direction, direction + 9);
+  json["orientation"] = AxisLetters(image);
+  json["bytes"] = std::int64_t(Bytes(image));
+  json["range"] = { statistics.Smallest(), statistics.Largest() };
+  for (const double percent : Percents)
+  {
+    json["percentiles"].push_back(
+      { { "percent", percent }, { "value", statistics.Percentile(percent) } });
+  }
+  json["histogram"] = statistics.Histogram(bins);
+  return json;
+}
+
+}

@@ -1,0 +1,26 @@
+#ifndef Varimarch_CommandLine_VolumeText_h
+#define Varimarch_CommandLine_VolumeText_h
+
+#include "Scene/ImageStatistics.h"
+#include "Scene/VolumeLoading.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace varimarch
+{
+
+/// What `varimarch info` tells about a volume, for people.
+/// @param name  the file, folder or procedural volume
+/// @param bins  of the histogram, >= 1
+std::string VolumeText(
+  const std::string& name, const LoadedVolume& volume, const ImageStatistics& statistics, int bins);
+
+/// The same for machines, beside what ResultsOf tells.
+nlohmann::ordered_json VolumeJson(
+  const LoadedVolume& volume, const ImageStatistics& statistics, int bins);
+
+}
+
+#endif
