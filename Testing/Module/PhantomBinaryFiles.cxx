@@ -173,7 +173,8 @@ std::string NiftiBytes(const StoredVolume& volume, NiftiForm form, bool bigEndia
 
 std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions& options)
 {
-  const std::string instanceUid = options.seriesUid + "." + std::to_string(slice + 1);
+  const std::string instanceUid =
+    options.seriesUid + "." + std::to_string(slice + 1 + options.instance);
   const glm::dvec3 position = volume.originMm + volume.axesMm[2] * double(slice);
   const glm::dvec3 row = glm::normalize(volume.axesMm[0]);
   const glm::dvec3 column = glm::normalize(volume.axesMm[1]);
@@ -188,7 +189,9 @@ std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions
     Element(0x20, 0xe, "UI", options.seriesUid) +
     // Numbered against the order of positions: readers must not rely on it.
     Element(0x20, 0x13, "IS", std::to_string((slice * 7) % 5)) +
-    Element(0x20, 0x32, "DS", Decimals({ position.x, position.y, position.z })) +
+    Element(0x20, 0x32, "DS",
+      options.position.empty() ? Decimals({ position.x, position.y, position.z })
+                               : options.position) +
     Element(0x20, 0x37, "DS", Decimals({ row.x, row.y, row.z, column.x, column.y, column.z })) +
     Element(0x28, 2, "US", us(1)) + Element(0x28, 4, "CS", "MONOCHROME2") +
     Element(0x28, 0x10, "US", us(options.rows ? options.rows : volume.dimensions[1])) +

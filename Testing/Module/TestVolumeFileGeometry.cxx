@@ -94,6 +94,19 @@ TEST(VolumeFileGeometry, NiftiStaysInPlaceByItsQuaternionForm)
     { return folder.Write("phantom.nii", NiftiBytes(volume, NiftiForm::Quaternion)); });
 }
 
+TEST(VolumeFileGeometry, DicomStaysInPlaceWhateverTheOrderOfItsFiles)
+{
+  ExpectAllOrientationsInPlace(
+    [](const TemporaryFolder& folder, const StoredVolume& volume)
+    {
+      for (int slice = 0; slice < volume.dimensions[2]; ++slice)
+      {
+        folder.Write("images/" + std::to_string(slice), DicomBytes(volume, slice));
+      }
+      return folder.Path("images");
+    });
+}
+
 TEST(VolumeFileGeometry, VtiStaysInPlaceWhereverItsExtentBegins)
 {
   ExpectAllOrientationsInPlace(

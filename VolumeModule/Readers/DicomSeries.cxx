@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace varimarch
 {
@@ -73,17 +74,51 @@ void CheckFileHolds(const std::string& path, vtkDICOMMetaData* meta, int file)
   }
 }
 
-DicomSeries SeriesOf(vtkDICOMDirectory* directory, int index)
+/// The files whose images are of the size that most images have; others, such as a scout, are no
+/// slices of the same volume.
+void TakeImagesOfOneSize(
+  vtkStringArray* files, vtkDICOMMetaData* meta, DicomSeries& series, std::int64_t& otherCount)
+{
+  using Size = std::pair<int, int>;
+  const auto sizeOf = [&](int file)
+  { return Size(meta->Get(file, DC::Rows).AsInt(), meta->Get(file, DC::Columns).AsInt()); };
+  std::map<Size, std::int64_t> counts;
+  for (int file = 0; file < int(files->GetNumberOfValues()); ++file)
+  {
+    counts[sizeOf(file)] += FrameCount(meta, file);
+  }
+  const auto most = std::max_element(
+    counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+
+  series.files = vtkSmartPointer<vtkStringArray>::New();
+  for (int file = 0; file < int(files->GetNumberOfValues()); ++file)
+  {
+    if (sizeOf(file) == most->first)
+    {
+      CheckFileHolds(files->GetValue(file), meta, file);
+      series.files->InsertNextValue(files->GetValue(file));
+      series.imageCount += FrameCount(meta, file);
+    }
+    else
+    {
+      otherCount += FrameCount(meta, file);
+    }
+  }
+}
+
+DicomSeries SeriesOf(vtkDICOMDirectory* directory, int index, std::vector<std::string>& warnings)
 {
   const vtkDICOMItem& record = directory->GetSeriesRecord(index);
-  vtkDICOMMetaData* meta = directory->GetMetaDataForSeries(index);
   DicomSeries series = { record.Get(DC::SeriesInstanceUID).AsString(),
     record.Get(DC::SeriesDescription).AsUTF8String(), record.Get(DC::Modality).AsString(), 0,
-    directory->GetFileNamesForSeries(index) };
-  for (int file = 0; file < int(series.files->GetNumberOfValues()); ++file)
+    nullptr };
+  std::int64_t otherCount = 0;
+  TakeImagesOfOneSize(directory->GetFileNamesForSeries(index),
+    directory->GetMetaDataForSeries(index), series, otherCount);
+  if (otherCount > 0)
   {
-    CheckFileHolds(series.files->GetValue(file), meta, file);
-    series.imageCount += FrameCount(meta, file);
+    warnings.push_back(std::to_string(otherCount) +
+      " images of a series were left out because their size is not that of the others.");
   }
   return series;
 }
@@ -121,7 +156,7 @@ std::vector<DicomSeries> FindDicomSeries(
   std::vector<DicomSeries> all;
   for (int index = 0; index < directory->GetNumberOfSeries(); ++index)
   {
-    all.push_back(SeriesOf(directory, index));
+    all.push_back(SeriesOf(directory, index, warnings));
   }
   for (const auto* list : { &messages.Errors(), &messages.Warnings() })
   {

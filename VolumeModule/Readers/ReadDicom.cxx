@@ -178,6 +178,18 @@ std::vector<Rescale> RescaleOf(vtkDICOMReader* reader)
   return slices;
 }
 
+/// Where the first pixel of a slice lies, as far as the file says it.
+glm::dvec3 PositionMm(vtkDICOMReader* reader, int slice)
+{
+  const vtkDICOMValue& value = SliceValue(reader, slice, DC::ImagePositionPatient);
+  glm::dvec3 positionMm(0.0);
+  if (value.GetNumberOfValues() == 3)
+  {
+    value.GetValues(&positionMm[0], 3);
+  }
+  return positionMm;
+}
+
 /// Gantry tilt, and slices that do not lie at equal distances although they are drawn so.
 void WarnOfGeometry(
   vtkDICOMReader* reader, const ImageGeometry& geometry, std::vector<std::string>& warnings)
@@ -204,13 +216,7 @@ void WarnOfGeometry(
   double lastMm = 0.0;
   for (int slice = 0; slice < SliceCount(reader); ++slice)
   {
-    const vtkDICOMValue& value = SliceValue(reader, slice, DC::ImagePositionPatient);
-    glm::dvec3 position(0.0);
-    if (value.GetNumberOfValues() == 3)
-    {
-      value.GetValues(&position[0], 3);
-    }
-    const double locationMm = glm::dot(position, normal);
+    const double locationMm = glm::dot(PositionMm(reader, slice), normal);
     if (slice > 0)
     {
       smallestMm = std::min(smallestMm, locationMm - lastMm);

@@ -1,0 +1,234 @@
+// What only DICOM has: many files, several series, values to rescale, slices out of place.
+#include "PhantomFiles.h"
+#include "Support/ExpectedVtkErrors.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+#include <vtkVolumeFileReader.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <numeric>
+
+namespace
+{
+
+/// Writes slices of the phantom into a folder of that name.
+void WriteSlices(const TemporaryFolder& folder, const std::string& name, const StoredVolume& volume,
+  const std::vector<int>& slices, const DicomOptions& options = {})
+{
+  for (const int slice : slices)
+  {
+    folder.Write(
+      name + "/slice" + std::to_string(slice) + ".dcm", DicomBytes(volume, slice, options));
+  }
+}
+
+std::string Warnings(vtkVolumeFileReader* reader)
+{
+  std::string all;
+  for (vtkIdType i = 0; i < reader->GetWarnings()->GetNumberOfValues(); ++i)
+  {
+    all += reader->GetWarnings()->GetValue(i) + "\n";
+  }
+  return all;
+}
+
+/// The phantom with more slices, all alike.
+StoredVolume TallPhantom(int sliceCount)
+{
+  StoredVolume volume = phantom::Stored(0);
+  const std::vector<double> slice(volume.values.begin(), volume.values.begin() + 20);
+  volume.values.clear();
+  for (int i = 0; i < sliceCount; ++i)
+  {
+    volume.values.insert(volume.values.end(), slice.begin(), slice.end());
+  }
+  volume.dimensions[2] = sliceCount;
+  return volume;
+}
+
+TEST(DicomVolumes, ValuesAreRescaledSliceBySlice)
+{
+  const TemporaryFolder folder;
+  const StoredVolume volume = phantom::Stored(0);
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    DicomOptions options;
+    options.slope = slice + 1.0;
+    options.intercept = -1024.0 - slice;
+    WriteSlices(folder, "images", volume, { slice }, options);
+  }
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_EQ(reader->GetOutput()->GetScalarType(), VTK_SHORT);
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(1, 2, slice, 0),
+      (slice + 1.0) * phantom::ValueAt({ 1, 2, slice }) - 1024.0 - slice);
+  }
+  EXPECT_STREQ(reader->GetModality(), "CT");
+  EXPECT_EQ(reader->GetWindow(), 400.0);
+  EXPECT_EQ(reader->GetLevel(), 40.0);
+  EXPECT_EQ(Warnings(reader), "");
+}
+
+TEST(DicomVolumes, TheLargestSeriesIsReadUnlessAnotherIsAskedFor)
+{
+  const TemporaryFolder folder;
+  WriteSlices(folder, "images/a", phantom::Stored(0), { 0, 1 }, { "1.2.33" });
+  WriteSlices(folder, "images/b", phantom::Stored(0), { 0, 1, 2 }, { "1.2.44" });
+  folder.Write("images/readme.txt", "no image");
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  EXPECT_EQ(reader->ListDICOMSeries().size(), 2u);
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[2], 3);
+
+  reader->SetDICOMSeriesUID("1.2.33");
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[2], 2);
+
+  const ExpectedVtkErrors errors;
+  reader->SetDICOMSeriesUID("1.2.55");
+  reader->Update();
+  EXPECT_NE(std::string(reader->GetErrorMessage()).find("1.2.55"), std::string::npos);
+  EXPECT_EQ(errors.Messages().size(), 1u);
+}
+
+TEST(DicomVolumes, AFileAloneIsASlice)
+{
+  const TemporaryFolder folder;
+  WriteSlices(folder, "images", phantom::Stored(0), { 0, 1, 2 });
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images/slice1.dcm").c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[2], 1);
+  EXPECT_EQ(
+    reader->GetOutput()->GetScalarComponentAsDouble(0, 0, 0, 0), phantom::ValueAt({ 0, 0, 1 }));
+}
+
+TEST(DicomVolumes, MissingSlicesAreAWarning)
+{
+  const TemporaryFolder folder;
+  std::vector<int> slices(24);
+  std::iota(slices.begin(), slices.end(), 0);
+  slices.erase(slices.begin() + 9, slices.begin() + 12);
+  WriteSlices(folder, "images", TallPhantom(24), slices);
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_NEAR(reader->GetOutput()->GetSpacing()[2], 2.5, 1e-6);
+  EXPECT_NE(Warnings(reader).find("mm apart"), std::string::npos) << Warnings(reader);
+}
+
+TEST(DicomVolumes, RepeatedSlicesAreReadOnceWithAWarning)
+{
+  const TemporaryFolder folder;
+  const StoredVolume volume = phantom::Stored(0);
+  WriteSlices(folder, "images/first", volume, { 0, 1, 2 });
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    DicomOptions options;
+    options.instance = slice + 100;
+    WriteSlices(folder, "images/second", volume, { slice }, options);
+  }
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 60);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfScalarComponents(), 1);
+  EXPECT_NE(Warnings(reader).find("only the first"), std::string::npos) << Warnings(reader);
+}
+
+TEST(DicomVolumes, AScoutOfAnotherSizeIsLeftOutWithAWarning)
+{
+  const TemporaryFolder folder;
+  WriteSlices(folder, "images/slices", phantom::Stored(0), { 0, 1, 2 });
+  StoredVolume scout = phantom::Stored(0);
+  scout.dimensions = { 10, 6, 1 };
+  DicomOptions options;
+  options.instance = 50;
+  WriteSlices(folder, "images/scout", scout, { 0 }, options);
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 60);
+  EXPECT_NE(Warnings(reader).find("size"), std::string::npos) << Warnings(reader);
+}
+
+TEST(DicomVolumes, APositionThatIsNoneIsSurvived)
+{
+  const TemporaryFolder folder;
+  DicomOptions options;
+  options.position = "1\\2";
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(
+    folder.Write("slice.dcm", DicomBytes(phantom::Stored(0), 0, options)).c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 20) << reader->GetErrorMessage();
+}
+
+TEST(DicomVolumes, ATiltedGantryShearsTheVolumeWithAWarning)
+{
+  const TemporaryFolder folder;
+  StoredVolume volume = phantom::Stored(0);
+  volume.axesMm = glm::dmat3(0.7, 0, 0, 0, 1.1, 0, 0, 0.5, 2.5);
+  WriteSlices(folder, "images", volume, { 0, 1, 2 });
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_NE(Warnings(reader).find("tilted by 11.3"), std::string::npos) << Warnings(reader);
+  double worldMm[3];
+  reader->GetOutput()->TransformIndexToPhysicalPoint(1, 1, 2, worldMm);
+  EXPECT_NEAR(worldMm[0], volume.originMm.x + 0.7, 1e-5);
+  EXPECT_NEAR(worldMm[1], volume.originMm.y + 1.1 + 2 * 0.5, 1e-5);
+  EXPECT_NEAR(worldMm[2], volume.originMm.z + 2 * 2.5, 1e-5);
+}
+
+TEST(DicomVolumes, AnObserverOfProgressCanStop)
+{
+  const TemporaryFolder folder;
+  WriteSlices(folder, "images", phantom::Stored(0), { 0, 1, 2 });
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
+  reader->AddObserver(vtkCommand::ProgressEvent, stop);
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), (unsigned long)vtkErrorCode::UserError);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(DicomVolumes, RealSeriesAreReadInHounsfieldUnits)
+{
+  const char* volumes = std::getenv("VARIMARCH_VOLUMES");
+  if (!volumes)
+  {
+    GTEST_SKIP() << "VARIMARCH_VOLUMES does not name a folder of volumes";
+  }
+  const std::string path = std::string(volumes) + "/ct_abdomen_pancreas/dicom";
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[2], 134);
+  EXPECT_EQ(reader->GetOutput()->GetSpacing()[2], 3.0);
+  EXPECT_EQ(reader->GetOutput()->GetScalarRange()[0], -1000.0);
+  EXPECT_EQ(reader->GetOutput()->GetScalarRange()[1], 1988.0);
+}
+
+}
