@@ -69,17 +69,19 @@ requireRoot()
 # Says in one sentence why apt failed, from its log.
 failAsApt()
 {
-  local lastError
-  lastError=$(grep -E '^(E|dpkg): ' "$packageLog" | tail -n 1 || true)
-  case "$(<"$packageLog")" in
-    *"No space left on device"* | *"enough free space"*)
-      fail "Disk space is missing: apt could not store the packages (see $packageLog)." ;;
-    *"Failed to fetch"* | *"Could not resolve"* | *"Temporary failure resolving"*)
-      fail "The network is missing: apt could not download the packages (see $packageLog)." ;;
+  local error
+  error=$(grep -E '^(E|dpkg): ' "$packageLog" | tail -n 1 || true)
+  case "$error" in
     *"Unable to locate package"* | *"no installation candidate"*)
-      fail "A package source is missing: apt says \"${lastError#E: }\"; Debian 12 (bookworm, main) has it." ;;
+      # The cause is the network when the lists could not be loaded, else the sources' settings.
+      grep -qE 'Failed to fetch|Could not resolve|Temporary failure' "$packageLog" ||
+        fail "A package source is missing: apt says \"${error#E: }\"; Debian 12 (main) has it." ;&
+    *[Ff]"etch "*)
+      fail "The network is missing: apt could not download the packages (see $packageLog)." ;;
+    *"No space left"* | *"enough free space"*)
+      fail "Disk space is missing: apt could not store the packages (see $packageLog)." ;;
     *)
-      fail "apt could not install the packages: ${lastError:-see $packageLog}" ;;
+      fail "apt could not install the packages: ${error:-no reason given} (see $packageLog)" ;;
   esac
 }
 
