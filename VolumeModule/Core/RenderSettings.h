@@ -7,8 +7,8 @@ namespace varimarch
 /// What lets a ray skip samples.
 enum class Acceleration
 {
-  Off,         ///< every step has the sample distance
-  ScalarField, ///< jumps across blocks where the scalar stays within a tolerance
+  Off,          ///< every step has the sample distance
+  ScalarField,  ///< jumps across blocks where the scalar stays within a tolerance
   OpticalField, ///< jumps across bricks by what the transfer function makes of them
 };
 

@@ -5,7 +5,7 @@ uniform vec2 viewportPixelsInverse;
 // Homogeneous start and direction of a ray are affine in the pixel's position; see Core/PixelRays.
 uniform vec4 startGrid[3];
 uniform vec3 directionGrid[3];
-uniform vec4 nearPlaneGrid;        // dot(plane, position) >= 0 beyond the near plane
+uniform vec4 nearPlaneGrid; // dot(plane, position) >= 0 beyond the near plane
 uniform vec3 boxLowerGrid;
 uniform vec3 boxUpperGrid;
 uniform vec3 voxelCountInverse;

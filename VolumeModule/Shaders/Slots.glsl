@@ -7,7 +7,7 @@
 struct Ray
 {
   vec3 originGrid;
-  vec3 directionGrid;   // per mm
+  vec3 directionGrid; // per mm
   vec3 originTexture;
   vec3 directionTexture; // per mm
 };
@@ -20,9 +20,9 @@ struct Interval
 };
 
 uniform vec2 viewportOriginPixels; // of the renderer in its framebuffer
-uniform mat3 worldFromGrid; // directions only
-uniform float stepMm;       // the sample distance
-uniform int mostSegments;   // a ray has no more, so that every frame ends
+uniform mat3 worldFromGrid;        // directions only
+uniform float stepMm;              // the sample distance
+uniform int mostSegments;          // a ray has no more, so that every frame ends
 uniform sampler3D volumeTexture;
 
 vec3 PositionTexture(Ray ray, float t)
@@ -44,8 +44,7 @@ float DepthLimit(Ray ray);
 // The segment that follows t, the index-th of its ray [mm]. It may begin later, where nothing
 // between can be seen, and ends after t: at plainMm, or farther where the volume allows it.
 // visibility: the part of what follows that is still seen, [0,1].
-Interval NextSegment(
-  Ray ray, Interval inside, float t, int index, float plainMm, float visibility);
+Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float visibility);
 
 // --- Classify: what a scalar looks like ----------------------------------------------------
 // Colour (r,g,b), not premultiplied, and extinction [1/mm].

@@ -15,8 +15,7 @@ Accumulation BlendBegin()
   return Accumulation(vec3(0.0), 1.0);
 }
 
-Accumulation BlendPart(
-  Accumulation sum, Ray ray, float lengthMm, float scalar, vec3 gradient)
+Accumulation BlendPart(Accumulation sum, Ray ray, float lengthMm, float scalar, vec3 gradient)
 {
   vec4 optical = Classify(scalar);
   // An opaque material has a huge extinction; beyond 100 nothing of a float is left anyway.

@@ -9,8 +9,8 @@ Accumulation March(Ray ray, Interval inside)
   float t = inside.enter;
   for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
   {
-    Interval segment = NextSegment(
-      ray, inside, t, index, float(SamplesPerSegment) * stepMm, BlendVisibility(sum));
+    Interval segment =
+      NextSegment(ray, inside, t, index, float(SamplesPerSegment) * stepMm, BlendVisibility(sum));
     t = min(segment.exit, inside.exit);
     float partMm = max(t - segment.enter, 0.0) / float(SamplesPerSegment);
     for (int part = 0; part < SamplesPerSegment; ++part)

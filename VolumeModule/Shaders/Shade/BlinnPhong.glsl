@@ -5,7 +5,7 @@
 
 uniform vec3 voxelSizeTexture;
 uniform mat3 worldFromGradient; // a gradient per voxel -> a normal in the world, any length
-uniform vec3 ambientLight;     // coefficient x light colour
+uniform vec3 ambientLight;      // coefficient x light colour
 uniform vec3 diffuseLight;
 uniform vec3 specularLight;
 uniform float specularPower;

@@ -5,14 +5,13 @@
 
 const float LongestGrowth = 4.0; // of a step behind what is nearly opaque
 
-uniform float nudgeMm; // carries a ray across the face of a block that it has just reached
+uniform float nudgeMm;          // carries a ray across the face of a block that it has just reached
 uniform sampler3D fieldTexture; // nearest
 uniform float cellsPerBrick;
 uniform vec3 brickCount;
 uniform vec3 brickCountInverse;
 
-Interval NextSegment(
-  Ray ray, Interval inside, float t, int index, float plainMm, float visibility)
+Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float visibility)
 {
   vec3 originBrick = ray.originGrid / cellsPerBrick;
   vec3 directionBrick = ray.directionGrid / cellsPerBrick;
@@ -25,7 +24,8 @@ Interval NextSegment(
   for (int skip = 0; skip < mostSegments; ++skip)
   {
     vec3 brick = clamp(floor(originBrick + t * directionBrick), vec3(0.0), brickCount - 1.0);
-    content = floor(textureLod(fieldTexture, (brick + 0.5) * brickCountInverse, 0.0).r * 255.0 + 0.5);
+    content =
+      floor(textureLod(fieldTexture, (brick + 0.5) * brickCountInverse, 0.0).r * 255.0 + 0.5);
     float radius = max(content - 128.0, 0.0);
     // Planes through which the ray leaves the block, on each axis.
     vec3 exits = (brick + ahead + outward * radius - originBrick) * inverse;
