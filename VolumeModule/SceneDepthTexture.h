@@ -23,6 +23,9 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+
+  unsigned int format = 0; ///< of the framebuffer that was copied last
   vtkNew<vtkTextureObject> depth;
   vtkNew<vtkTextureObject> color; ///< a framebuffer needs one to be complete
   vtkNew<vtkOpenGLFramebufferObject> framebuffer;

@@ -1,0 +1,101 @@
+#include "Module/MapperScene.h"
+
+#include "Core/HeadLightShading.h"
+#include "Core/ReferenceImage.h"
+#include "PropertyTransferFunction.h"
+#include "Scene/FloatCapture.h"
+#include "Scene/ProceduralVolume.h"
+#include "VolumeGeometry.h"
+
+#include <vtkStringArray.h>
+
+using namespace varimarch;
+
+vtkSmartPointer<vtkImageData> SmallTorso()
+{
+  return ProceduralVolume({ ProceduralKind::Torso, { 40, 36, 24 }, 7 });
+}
+
+MapperScene::MapperScene(vtkImageData* image, int size)
+  : image(image)
+  , size(size)
+{
+  this->window->SetSize(size, size);
+  this->window->AddRenderer(this->renderer);
+  this->mapper->SetInputData(image);
+
+  // Soft tissue as a veil, bone nearly opaque: visible, invisible and homogeneous parts.
+  this->colors->AddRGBPoint(-200.0, 0.8, 0.5, 0.4);
+  this->colors->AddRGBPoint(150.0, 0.9, 0.3, 0.2);
+  this->colors->AddRGBPoint(400.0, 1.0, 0.95, 0.85);
+  this->opacities->AddPoint(-200.0, 0.0);
+  this->opacities->AddPoint(0.0, 0.01);
+  this->opacities->AddPoint(150.0, 0.01);
+  this->opacities->AddPoint(400.0, 0.2);
+  vtkVolumeProperty* property = this->volume->GetProperty();
+  property->SetColor(this->colors);
+  property->SetScalarOpacity(this->opacities);
+  property->SetInterpolationTypeToLinear();
+  this->volume->SetMapper(this->mapper);
+  this->renderer->AddVolume(this->volume);
+
+  vtkCamera* camera = this->renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(0.6, -1.0, 0.4);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  this->renderer->ResetCamera();
+  camera->Zoom(1.4);
+}
+
+std::vector<float> MapperScene::Draw()
+{
+  const auto captured = CaptureFloatImage(this->window, this->renderer);
+  const auto* pixels = static_cast<const float*>(captured->GetScalarPointer());
+  return std::vector<float>(pixels, pixels + 4 * this->size * this->size);
+}
+
+std::vector<float> MapperScene::Truth()
+{
+  const VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
+  const ScalarGrid<short> grid(
+    static_cast<const short*>(this->image->GetScalarPointer()), geometry.dimensions);
+  vtkVolumeProperty* property = this->volume->GetProperty();
+
+  ReferenceScene scene{ [&](glm::ivec3 cell) { return CornersOfCell(grid, cell); },
+    geometry.boxGrid, TransferFunctionOf(property) };
+  if (this->mapper->GetBlendMode() == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND)
+  {
+    scene.blend = Blend::MaximumIntensity;
+  }
+  if (property->GetShade())
+  {
+    const HeadLight light{ glm::dvec3(property->GetAmbient()), glm::dvec3(property->GetDiffuse()),
+      glm::dvec3(property->GetSpecular()), property->GetSpecularPower() };
+    scene.shade = HeadLightShading(
+      light, [&](glm::dvec3 positionGrid) { return grid.Gradient(positionGrid); },
+      geometry.WorldFromGridDirection());
+  }
+  const ReferenceView view{ ComputePixelRays(ClipFromWorld(this->renderer) * geometry.worldFromGrid,
+                              geometry.boxGrid),
+    geometry.WorldFromGridDirection(), this->size, this->size };
+  return DrawReference(ReferenceIntegrator(scene, 1e-5), view)->rgba;
+}
+
+ImageError MapperScene::Error()
+{
+  const std::vector<float> drawn = this->Draw();
+  const std::vector<float> truth = this->Truth();
+  return CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+}
+
+std::vector<std::string> MapperScene::ShaderParts()
+{
+  vtkNew<vtkStringArray> parts;
+  this->mapper->GetShaderParts(parts);
+  std::vector<std::string> names;
+  for (vtkIdType i = 0; i < parts->GetNumberOfValues(); ++i)
+  {
+    names.push_back(parts->GetValue(i));
+  }
+  return names;
+}

@@ -1,0 +1,52 @@
+#ifndef Varimarch_Testing_MapperScene_h
+#define Varimarch_Testing_MapperScene_h
+
+#include "Core/ImageError.h"
+#include "Scene/vtkHeadlessRenderWindow.h"
+
+#include <vtkCamera.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkVariationFieldVolumeMapper.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <string>
+#include <vector>
+
+/// One volume in one window, as any VTK program would set it up, and its truth.
+class MapperScene
+{
+public:
+  /// @param image  short, one component: what the reference reads
+  explicit MapperScene(vtkImageData* image, int size = 96);
+
+  /// The picture in float: premultiplied RGBA before the background.
+  std::vector<float> Draw();
+
+  /// The same picture by the reference integrator, shaded when the property is.
+  std::vector<float> Truth();
+
+  /// How far Draw is from Truth.
+  varimarch::ImageError Error();
+
+  std::vector<std::string> ShaderParts();
+
+  vtkSmartPointer<vtkImageData> image;
+  int size;
+  vtkNew<vtkHeadlessRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkVolume> volume;
+  vtkNew<vtkVariationFieldVolumeMapper> mapper;
+  vtkNew<vtkColorTransferFunction> colors;
+  vtkNew<vtkPiecewiseFunction> opacities;
+};
+
+/// A torso phantom with noise: int16, anisotropic, 40 x 36 x 24 voxels.
+vtkSmartPointer<vtkImageData> SmallTorso();
+
+#endif

@@ -1,0 +1,164 @@
+// The mapper's pictures against the reference integrator: double precision, none of its formulas.
+
+#include "Module/MapperScene.h"
+
+#include <vtkActor.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkSphereSource.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using Mapper = vtkVariationFieldVolumeMapper;
+
+// Half a step of an 8 bit display, which nobody sees, and what no pixel may exceed.
+void ExpectInvisibleError(MapperScene& scene)
+{
+  const varimarch::ImageError error = scene.Error();
+  EXPECT_LT(error.rootMeanSquare, 0.5);
+  EXPECT_LT(error.percentile999, 6.0);
+  EXPECT_LT(error.largest, 10.0);
+  const std::vector<float> drawn = scene.Draw();
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the picture is empty";
+}
+
+}
+
+class MapperAccuracy : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(MapperAccuracy, CompositeIsWithinHalfAGreyLevelOfTheTruth)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetAccelerationMode(GetParam());
+  ExpectInvisibleError(scene);
+}
+
+TEST_P(MapperAccuracy, ShadedCompositeIsWithinHalfAGreyLevelOfTheTruth)
+{
+  MapperScene scene(SmallTorso());
+  scene.volume->GetProperty()->ShadeOn();
+  scene.mapper->SetAccelerationMode(GetParam());
+  ExpectInvisibleError(scene);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryField, MapperAccuracy,
+  testing::Values(int(Mapper::Off), int(Mapper::ScalarField), int(Mapper::OpticalField)));
+
+TEST(Mapper, MaximumIntensityIsCloseToTheTruth)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetBlendModeToMaximumIntensity();
+  // Between two samples a maximum is missed by up to the curvature of the data.
+  EXPECT_LT(scene.Error().rootMeanSquare, 2.0);
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistance(0.5);
+  EXPECT_LT(scene.Error().rootMeanSquare, 0.25);
+}
+
+TEST(Mapper, ParallelProjectionIsWithinHalfAGreyLevelOfTheTruth)
+{
+  MapperScene scene(SmallTorso());
+  scene.renderer->GetActiveCamera()->ParallelProjectionOn();
+  ExpectInvisibleError(scene);
+}
+
+TEST(Mapper, CameraInsideTheVolumeIsWithinHalfAGreyLevelOfTheTruth)
+{
+  MapperScene scene(SmallTorso());
+  vtkCamera* camera = scene.renderer->GetActiveCamera();
+  camera->SetPosition(5.0, -20.0, 10.0);
+  camera->SetFocalPoint(0.0, 40.0, 0.0);
+  camera->SetViewAngle(60.0);
+  camera->SetClippingRange(1.0, 1000.0);
+  ExpectInvisibleError(scene);
+}
+
+TEST(Mapper, NearPlaneCutsTheVolumeWhereItShould)
+{
+  MapperScene scene(SmallTorso());
+  vtkCamera* camera = scene.renderer->GetActiveCamera();
+  const double distance = camera->GetDistance();
+  camera->SetClippingRange(distance, 3.0 * distance);
+  ExpectInvisibleError(scene);
+}
+
+TEST(Mapper, MatricesOfVolumeAndImageAreHonoured)
+{
+  const vtkSmartPointer<vtkImageData> torso = SmallTorso();
+  // A mirror and a turn: the x axis points back along y, y along x, z as before.
+  const double direction[9] = { 0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0 };
+  torso->SetDirectionMatrix(direction);
+  MapperScene scene(torso);
+  scene.volume->SetScale(1.2, 0.8, 1.0);
+  scene.volume->RotateWXYZ(35.0, 0.3, 1.0, 0.2);
+  scene.volume->GetProperty()->ShadeOn();
+  scene.renderer->ResetCamera();
+  ExpectInvisibleError(scene);
+}
+
+TEST(Mapper, AnExtentThatStartsElsewhereDrawsTheSamePicture)
+{
+  const vtkSmartPointer<vtkImageData> torso = SmallTorso();
+  MapperScene scene(torso);
+  const std::vector<float> before = scene.Draw();
+  int extent[6];
+  double origin[3];
+  double spacing[3];
+  torso->GetExtent(extent);
+  torso->GetOrigin(origin);
+  torso->GetSpacing(spacing);
+  torso->SetExtent(
+    extent[0] + 5, extent[1] + 5, extent[2], extent[3], extent[4] - 3, extent[5] - 3);
+  torso->SetOrigin(origin[0] - 5 * spacing[0], origin[1], origin[2] + 3 * spacing[2]);
+  EXPECT_LT(varimarch::CompareImages(scene.Draw().data(), before.data(), 96 * 96).largest, 0.1);
+}
+
+TEST(Mapper, OpaqueGeometryHidesWhatIsBehindIt)
+{
+  MapperScene scene(SmallTorso());
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(400.0);
+  source->SetThetaResolution(64);
+  source->SetPhiResolution(64);
+  vtkNew<vtkPolyDataMapper> surface;
+  surface->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> wall;
+  wall->SetMapper(surface);
+  wall->SetPosition(0.0, 400.0, 0.0); // its near side passes through the middle of the volume
+  wall->GetProperty()->LightingOff();
+  wall->GetProperty()->SetColor(0.0, 0.0, 0.0);
+
+  const std::vector<float> without = scene.Draw();
+  scene.renderer->AddActor(wall);
+  const std::vector<float> withWall = scene.Draw();
+  // Light of the front half only: less than before somewhere, and nowhere more.
+  double lost = 0.0;
+  double gained = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < without.size(); i += 4)
+  {
+    gained = std::max(gained, double(withWall[i]) - without[i]);
+    lost = std::max(lost, double(without[i]) - withWall[i]);
+    sum += withWall[i];
+  }
+  EXPECT_LT(gained, 0.01);
+  EXPECT_GT(lost, 0.1);
+  EXPECT_GT(sum, 1.0) << "all of the volume is hidden";
+  // With the wall behind the volume nothing is hidden.
+  wall->SetPosition(0.0, 1000.0, 0.0);
+  const std::vector<float> behind = scene.Draw();
+  double changed = 0.0;
+  for (std::size_t i = 0; i < without.size(); i += 4)
+  {
+    changed = std::max(changed, std::abs(double(behind[i]) - without[i]));
+  }
+  EXPECT_LT(changed, 0.004);
+}

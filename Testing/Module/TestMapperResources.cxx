@@ -1,0 +1,296 @@
+// What is built, what is resident, and what is said when something is wrong.
+
+#include "Module/MapperScene.h"
+#include "Support/ExpectedVtkErrors.h"
+
+#include <vtkActor.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkSphereSource.h>
+#include <vtk_glew.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+namespace
+{
+
+struct Counts
+{
+  int volume;
+  int ranges;
+  int field;
+  int table;
+  int shader;
+
+  bool operator==(const Counts& other) const
+  {
+    return volume == other.volume && ranges == other.ranges && field == other.field &&
+      table == other.table && shader == other.shader;
+  }
+};
+
+std::ostream& operator<<(std::ostream& stream, const Counts& counts)
+{
+  return stream << "volume " << counts.volume << ", ranges " << counts.ranges << ", field "
+                << counts.field << ", table " << counts.table << ", shader " << counts.shader;
+}
+
+Counts CountsOf(vtkVariationFieldVolumeMapper* mapper)
+{
+  return { mapper->GetVolumeTextureBuilds(), mapper->GetBrickRangesBuilds(),
+    mapper->GetFieldBuilds(), mapper->GetOpticalTableBuilds(), mapper->GetShaderBuilds() };
+}
+
+// What drawing again builds after a change.
+Counts BuiltBy(MapperScene& scene, const std::function<void()>& change)
+{
+  scene.window->Render();
+  const Counts before = CountsOf(scene.mapper);
+  change();
+  scene.window->Render();
+  const Counts after = CountsOf(scene.mapper);
+  return { after.volume - before.volume, after.ranges - before.ranges, after.field - before.field,
+    after.table - before.table, after.shader - before.shader };
+}
+
+const Counts nothing{ 0, 0, 0, 0, 0 };
+
+}
+
+// The rows of the table in Documentation/Architecture.md.
+
+TEST(Rebuilds, TheFirstPictureBuildsEverythingOnce)
+{
+  MapperScene scene(SmallTorso());
+  scene.window->Render();
+  EXPECT_EQ(CountsOf(scene.mapper), (Counts{ 1, 1, 1, 1, 1 }));
+}
+
+TEST(Rebuilds, ChangedScalarsRebuildAllThatIsMadeOfThem)
+{
+  MapperScene scene(SmallTorso());
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.image->GetPointData()->GetScalars()->Modified(); }),
+    (Counts{ 1, 1, 1, 1, 0 }));
+  EXPECT_EQ(BuiltBy(scene,
+              [&]
+              {
+                scene.image = SmallTorso();
+                scene.mapper->SetInputData(scene.image);
+              }),
+    (Counts{ 1, 1, 1, 1, 0 }));
+}
+
+TEST(Rebuilds, AChangedTransferFunctionRebuildsTheTableAndTheClassesOfBricks)
+{
+  MapperScene scene(SmallTorso());
+  const Counts expected{ 0, 0, 1, 1, 0 };
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.opacities->AddPoint(300.0, 0.3); }), expected);
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.colors->AddRGBPoint(300.0, 0.3, 0.1, 0.0); }), expected);
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.volume->GetProperty()->SetScalarOpacityUnitDistance(2.0); }),
+    expected);
+}
+
+TEST(Rebuilds, TheScalarFieldKnowsNothingOfTheTransferFunction)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetAccelerationModeToScalarField();
+  EXPECT_EQ(
+    BuiltBy(scene, [&] { scene.opacities->AddPoint(300.0, 0.3); }), (Counts{ 0, 0, 0, 1, 0 }));
+  EXPECT_EQ(
+    BuiltBy(scene, [&] { scene.mapper->SetVariationTolerance(30.0); }), (Counts{ 0, 0, 1, 0, 0 }));
+}
+
+TEST(Rebuilds, AnotherChoiceTakesAnotherShader)
+{
+  MapperScene scene(SmallTorso());
+  EXPECT_EQ(
+    BuiltBy(scene, [&] { scene.volume->GetProperty()->ShadeOn(); }), (Counts{ 0, 0, 0, 0, 1 }));
+  EXPECT_EQ(
+    BuiltBy(scene, [&] { scene.mapper->SetAccelerationModeToOff(); }), (Counts{ 0, 0, 0, 0, 1 }));
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.mapper->SetBlendModeToMaximumIntensity(); }),
+    (Counts{ 0, 0, 0, 0, 1 }));
+}
+
+TEST(Rebuilds, CameraLightStepAndWindowSizeRebuildNothing)
+{
+  MapperScene scene(SmallTorso());
+  scene.volume->GetProperty()->ShadeOn();
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.renderer->GetActiveCamera()->Azimuth(10.0); }), nothing);
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.volume->RotateX(10.0); }), nothing);
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.volume->GetProperty()->SetAmbient(0.3); }), nothing);
+  EXPECT_EQ(BuiltBy(scene,
+              [&]
+              {
+                scene.mapper->AutoAdjustSampleDistancesOff();
+                scene.mapper->SetSampleDistance(3.0);
+              }),
+    nothing);
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.mapper->SetEarlyTerminationTransmittance(0.1); }), nothing);
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.window->SetSize(64, 48); }), nothing);
+}
+
+TEST(Resources, NothingIsResidentThatTheSceneDoesNotNeed)
+{
+  MapperScene scene(SmallTorso());
+  const vtkIdType volumeBytes = 40 * 36 * 24 * 2;
+  const vtkIdType tableBytes = 1024 * 16;
+  const vtkIdType brickBytes = 10 * 9 * 6;
+  const vtkIdType cellBytes = 39 * 35 * 23;
+  scene.window->Render();
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), volumeBytes + tableBytes + brickBytes);
+
+  scene.mapper->SetAccelerationModeToScalarField();
+  scene.window->Render();
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), volumeBytes + tableBytes + cellBytes);
+
+  scene.mapper->SetAccelerationModeToOff();
+  scene.window->Render();
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), volumeBytes + tableBytes);
+
+  scene.mapper->ReleaseGraphicsResources(scene.window);
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), 0);
+}
+
+TEST(Resources, TheDepthBufferIsCopiedOnlyForOpaqueGeometry)
+{
+  MapperScene scene(SmallTorso());
+  const auto hasDepth = [&]
+  {
+    scene.window->Render();
+    const std::vector<std::string> parts = scene.ShaderParts();
+    return std::find(parts.begin(), parts.end(), "Depth/SceneGeometry.glsl") != parts.end();
+  };
+  EXPECT_FALSE(hasDepth());
+  const vtkIdType without = scene.mapper->GetGraphicsMemoryBytes();
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> surface;
+  surface->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(surface);
+  scene.renderer->AddActor(actor);
+  EXPECT_TRUE(hasDepth());
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), without + 96 * 96 * 5);
+  actor->VisibilityOff();
+  EXPECT_FALSE(hasDepth());
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), without);
+}
+
+TEST(Resources, EveryScalarTypeDrawsTheSamePicture)
+{
+  // Values that every type can hold.
+  const vtkSmartPointer<vtkImageData> torso = SmallTorso();
+  auto* voxels = static_cast<short*>(torso->GetScalarPointer());
+  for (vtkIdType i = 0; i < torso->GetNumberOfPoints(); ++i)
+  {
+    voxels[i] = short(std::clamp((voxels[i] + 200) / 8, 0, 120));
+  }
+  MapperScene scene(torso);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(20.0, 0.0);
+  scene.opacities->AddPoint(100.0, 0.2);
+  const std::vector<float> expected = scene.Draw();
+  for (int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_INT,
+         VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
+         VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
+  {
+    vtkSmartPointer<vtkDataArray> scalars;
+    scalars.TakeReference(vtkDataArray::CreateDataArray(type));
+    scalars->DeepCopy(torso->GetPointData()->GetScalars());
+    vtkNew<vtkImageData> image;
+    image->CopyStructure(torso);
+    image->GetPointData()->SetScalars(scalars);
+    scene.mapper->SetInputData(image);
+    const std::vector<float> drawn = scene.Draw();
+    EXPECT_LT(varimarch::CompareImages(drawn.data(), expected.data(), 96 * 96).largest, 0.05)
+      << scalars->GetDataTypeAsString();
+  }
+}
+
+TEST(Errors, AreReportedOnceAndClearedByABetterInput)
+{
+  MapperScene scene(SmallTorso());
+  vtkNew<vtkImageData> colors;
+  colors->SetDimensions(4, 4, 4);
+  colors->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  scene.mapper->SetInputData(colors);
+  {
+    ExpectedVtkErrors errors;
+    scene.window->Render();
+    scene.window->Render();
+    ASSERT_EQ(errors.Messages().size(), 1u);
+    EXPECT_NE(errors.Text().find("has 3 components: expected 1"), std::string::npos);
+  }
+  scene.mapper->SetInputData(scene.image);
+  scene.window->Render();
+  scene.mapper->SetInputData(colors);
+  ExpectedVtkErrors errors;
+  scene.window->Render();
+  EXPECT_EQ(errors.Messages().size(), 1u);
+}
+
+TEST(Errors, AVolumeThatDoesNotFitTheDeviceIsNamed)
+{
+  vtkNew<vtkImageData> longBar;
+  longBar->SetDimensions(1 << 15, 2, 2);
+  longBar->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetInputData(longBar);
+  ExpectedVtkErrors errors;
+  scene.window->Render();
+  EXPECT_NE(errors.Text().find("Cannot draw a volume of 32768 x 2 x 2: this device's 3D textures "
+                               "have at most"),
+    std::string::npos)
+    << errors.Text();
+}
+
+TEST(Errors, AnUnsupportedBlendModeIsNamed)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetBlendModeToAdditive();
+  ExpectedVtkErrors errors;
+  scene.window->Render();
+  EXPECT_NE(errors.Text().find("is not supported: expected composite"), std::string::npos);
+}
+
+TEST(State, OfOpenGLIsAsBeforeAfterAPicture)
+{
+  MapperScene scene(SmallTorso());
+  scene.volume->VisibilityOff();
+  scene.window->Render();
+  const auto state = [&]
+  {
+    scene.window->MakeCurrent();
+    std::array<GLint, 6> values{};
+    glGetIntegerv(GL_CULL_FACE_MODE, &values[0]);
+    glGetIntegerv(GL_BLEND_SRC_RGB, &values[1]);
+    glGetIntegerv(GL_BLEND_DST_ALPHA, &values[2]);
+    values[3] = glIsEnabled(GL_DEPTH_CLAMP);
+    values[4] = glIsEnabled(GL_DEPTH_TEST);
+    values[5] = glIsEnabled(GL_CULL_FACE);
+    return values;
+  };
+  const auto before = state();
+  scene.volume->VisibilityOn();
+  scene.window->Render();
+  EXPECT_EQ(state(), before);
+}
+
+TEST(State, SurvivesAnotherWindow)
+{
+  MapperScene scene(SmallTorso());
+  const std::vector<float> expected = scene.Draw();
+  vtkNew<vtkHeadlessRenderWindow> other;
+  other->SetSize(96, 96);
+  scene.window->RemoveRenderer(scene.renderer);
+  other->AddRenderer(scene.renderer);
+  other->Render();
+  EXPECT_EQ(scene.mapper->GetVolumeTextureBuilds(), 2);
+  other->RemoveRenderer(scene.renderer);
+  scene.window->AddRenderer(scene.renderer);
+  EXPECT_LT(varimarch::CompareImages(scene.Draw().data(), expected.data(), 96 * 96).largest, 1e-3);
+}
