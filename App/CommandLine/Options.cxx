@@ -184,7 +184,15 @@ void SceneOptions::AddLookOptions(CLI::App& command)
     ->type_name("FILE")
     ->excludes(presetOption)
     ->group(group);
-  command.add_flag("--shade,!--no-shade", this->shade, "Light the volume, or do not")->group(group);
+  CLI::Option* shadeOption = command
+                               .add_flag_callback(
+                                 "--shade", [this] { this->shade = true; }, "Light the volume")
+                               ->group(group);
+  command
+    .add_flag_callback(
+      "--no-shade", [this] { this->shade = false; }, "Do not light it")
+    ->excludes(shadeOption)
+    ->group(group);
   command.add_option("--blend", this->blend, "How samples become a pixel")
     ->check(NameValidator(NamesOf(BlendNames())))
     ->group(group);

@@ -1,16 +1,57 @@
 #include "Scene/ImageStatistics.h"
 
+#include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>
-#include <vtkIdTypeArray.h>
+#include <vtkDataArrayRange.h>
 #include <vtkImageData.h>
-#include <vtkImageHistogram.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <functional>
 
 namespace varimarch
 {
+
+namespace
+{
+
+using Counts = std::vector<std::int64_t>;
+
+// Not vtkImageHistogram, which writes beyond its bins where a whole slab is infinite.
+Counts Count(vtkImageData* image, double smallest, double binSpacing, std::size_t bins)
+{
+  tbb::combinable<Counts> countsOfThreads([bins] { return Counts(bins, 0); });
+  const auto countArray = [&](auto* array)
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, tuples.size(), 65536),
+      [&](const tbb::blocked_range<vtkIdType>& range)
+      {
+        Counts& counts = countsOfThreads.local();
+        for (vtkIdType i = range.begin(); i != range.end(); ++i)
+        {
+          const double bin = (double(tuples[i][0]) - smallest) / binSpacing + 0.5;
+          // Written so that what is no number falls into the first bin.
+          ++counts[bin > 0.0 ? std::size_t(std::min(bin, double(bins - 1))) : 0];
+        }
+      });
+  };
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, countArray))
+  {
+    countArray(scalars);
+  }
+  Counts sums(bins, 0);
+  countsOfThreads.combine_each([&](const Counts& counts)
+    { std::transform(sums.begin(), sums.end(), counts.begin(), sums.begin(), std::plus<>()); });
+  return sums;
+}
+
+}
 
 ImageStatistics::ImageStatistics(vtkImageData* image)
 {
@@ -27,18 +68,7 @@ ImageStatistics::ImageStatistics(vtkImageData* image)
   const double bins = oneByOne ? width + 1.0 : width > 0.0 ? MostBins : 1.0;
   this->binSpacing = bins > 1.0 ? width / (bins - 1.0) : 1.0;
 
-  vtkNew<vtkImageHistogram> histogram;
-  histogram->SetInputData(image);
-  histogram->SetActiveComponent(0);
-  histogram->AutomaticBinningOff();
-  histogram->SetNumberOfBins(int(bins));
-  histogram->SetBinOrigin(this->smallest);
-  histogram->SetBinSpacing(this->binSpacing);
-  histogram->GenerateHistogramImageOff();
-  histogram->Update();
-  vtkIdTypeArray* counted = histogram->GetHistogram();
-  this->counts.assign(
-    counted->GetPointer(0), counted->GetPointer(0) + counted->GetNumberOfTuples());
+  this->counts = Count(image, this->smallest, this->binSpacing, std::size_t(bins));
 }
 
 double ImageStatistics::ValueOfBin(std::size_t bin) const
