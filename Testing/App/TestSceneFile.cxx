@@ -1,0 +1,245 @@
+#include "Scene/SceneFile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+using namespace varimarch;
+
+namespace
+{
+
+// A scene in which no value is the default.
+Scene UnusualScene()
+{
+  Scene scene;
+  scene.volume = FileSource{ "/data/scan.raw",
+    RawLayout{ { 10, 20, 30 }, "float32", { 0.5, 0.25, 2.0 }, true } };
+  scene.look.name = "test";
+  scene.look.description = "for a test";
+  scene.look.domain = Domain::Relative;
+  scene.look.colors = { { 0.1, { 0.25, 0.5, 0.75 }, { 0.25, 0.5 } }, { 0.1, { 1, 1, 1 }, {} } };
+  scene.look.opacities = { { 0.3, 0.0, {} }, { 1.0 / 3.0, 0.7, { 0.75, 1.0 } } };
+  scene.look.opacityUnitDistanceMm = 3.0;
+  scene.look.shading = { false, 0.3, 0.4, 0.5, 60.0 };
+  scene.look.blend = Blend::MaximumIntensity;
+  scene.camera = { View::Inferior, -12.5, 33.0, 1.75, true, 42.0 };
+  scene.render = { 0.125, Acceleration::ScalarField, 3.5, 0.0 };
+  scene.size = { 640, 360 };
+  scene.background = { 0.1, 0.2, 0.3 };
+  return scene;
+}
+
+constexpr const char* BoneLook = R"("look": "ct-bone")";
+constexpr const char* ShellsVolume = R"("volume": { "procedural": "shells" })";
+
+std::string With(const std::string& more)
+{
+  return std::string("{") + ShellsVolume + ", " + BoneLook + ", " + more + "}";
+}
+
+TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
+{
+  const Scene scene = UnusualScene();
+  const std::string text = SceneText(scene);
+  const Scene back = SceneFromText(text, "test");
+  // The text holds everything, so that equal texts are equal scenes; a few values besides, lest
+  // writing and reading leave out the same one.
+  EXPECT_EQ(SceneText(back), text);
+  EXPECT_EQ(back.look.opacities[1].value, 1.0 / 3.0);
+  EXPECT_EQ(back.look.opacities[1].shape.midpoint, 0.75);
+  EXPECT_EQ(back.look.colors[0].shape.sharpness, 0.5);
+  EXPECT_EQ(back.look.domain, Domain::Relative);
+  EXPECT_EQ(back.look.blend, Blend::MaximumIntensity);
+  EXPECT_EQ(back.camera.view, View::Inferior);
+  EXPECT_TRUE(back.camera.parallel);
+  EXPECT_EQ(back.render.sampleDistanceMm, 0.125);
+  EXPECT_EQ(back.render.earlyTerminationTransmittance, 0.0);
+  const RawLayout raw = std::get<FileSource>(back.volume).raw.value();
+  EXPECT_TRUE(raw.bigEndian);
+  EXPECT_EQ(raw.spacingMm[1], 0.25);
+}
+
+TEST(SceneFile, WhatIsLeftOutIsTheDefault)
+{
+  const Scene scene =
+    SceneFromText(std::string("{") + ShellsVolume + ", " + BoneLook + "}", "test");
+  const Scene defaults;
+  EXPECT_EQ(scene.size, defaults.size);
+  EXPECT_EQ(scene.camera.zoom, defaults.camera.zoom);
+  EXPECT_EQ(scene.render.acceleration, defaults.render.acceleration);
+  EXPECT_FALSE(scene.render.sampleDistanceMm);
+  EXPECT_EQ(scene.look.name, "ct-bone");
+}
+
+struct ErrorCase
+{
+  std::string text;
+  std::string message;
+};
+
+class SceneFileError : public testing::TestWithParam<ErrorCase>
+{
+};
+
+TEST_P(SceneFileError, NamesTheFileTheKeyAndWhatWasExpected)
+{
+  try
+  {
+    SceneFromText(GetParam().text, "a.json");
+    FAIL() << "read without complaint: " << GetParam().text;
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_EQ(error.what(), "a.json: " + GetParam().message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Messages, SceneFileError,
+  testing::Values(ErrorCase{ "[]", "expected an object, found an array of 0" },
+    ErrorCase{ "{}", "expected the key \"volume\", found none" },
+    ErrorCase{ With(R"("camra": {})"), "unknown key \"camra\"; did you mean \"camera\"?" },
+    ErrorCase{ With(R"("camera": { "azimut": 3 })"),
+      "camera: unknown key \"azimut\"; did you mean \"azimuth\"?" },
+    ErrorCase{ With(R"("camera": { "view": "front" })"),
+      "camera.view: unknown value \"front\"; known: anterior, posterior, left, right, superior, "
+      "inferior" },
+    ErrorCase{
+      With(R"("camera": { "zoom": "big" })"), "camera.zoom: expected a number > 0, found \"big\"" },
+    ErrorCase{ With(R"("camera": { "elevation": 90 })"),
+      "camera.elevation: expected a number > -90 and < 90, found 90" },
+    ErrorCase{ With(R"("size": [512])"), "size: expected an array of 2, found an array of 1" },
+    ErrorCase{ With(R"("size": [512, 1e9])"),
+      "size[1]: expected a whole number from 1 to 16384, found 1000000000.0" },
+    ErrorCase{ With(R"("background": [0, 0, 1.5])"),
+      "background[2]: expected a number >= 0 and <= 1, found 1.5" },
+    ErrorCase{ With(R"("render": { "sampleDistance": "fine" })"),
+      "render.sampleDistance: expected a number > 0 or \"auto\", found \"fine\"" },
+    ErrorCase{ With(R"("render": { "earlyTermination": 1 })"),
+      "render.earlyTermination: expected a number >= 0 and < 1, found 1" },
+    ErrorCase{ R"({ "volume": {}, "look": "ct-bone" })",
+      "volume: expected the key \"file\" or \"procedural\", found neither" },
+    ErrorCase{ R"({ "volume": { "file": "a.raw", "seed": 1 }, "look": "ct-bone" })",
+      "volume: unknown key \"seed\"; known: file, raw" },
+    ErrorCase{ R"({ "volume": { "procedural": "torsoo" }, "look": "ct-bone" })",
+      "volume.procedural: unknown value \"torsoo\"; did you mean \"torso\"?" },
+    ErrorCase{ R"({ "volume": { "procedural": "torso" }, "look": "ct-bones" })",
+      "look: unknown preset \"ct-bones\"; did you mean \"ct-bone\"?" }));
+
+TEST(SceneFile, NodesMustBeInOrder)
+{
+  try
+  {
+    LookFromText(R"({ "colors": [ { "value": 1, "rgb": [0, 0, 0] } ],
+      "opacities": [ { "value": 5, "opacity": 0 }, { "value": 4, "opacity": 1 } ] })",
+      "look.json");
+    FAIL();
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("look.json: opacities[1].value: expected nodes in"),
+      std::string::npos)
+      << error.what();
+  }
+}
+
+TEST(SceneFile, BrokenJsonNamesTheLine)
+{
+  try
+  {
+    SceneFromText("{\n\"volume\": }", "a.json");
+    FAIL();
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_EQ(std::string(error.what()).rfind("a.json: not valid JSON: ", 0), 0u) << error.what();
+    EXPECT_NE(std::string(error.what()).find("line 2"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SceneFile, MissingFileIsNamed)
+{
+  EXPECT_THROW(ReadScene("/no/such/scene.json"), std::runtime_error);
+  EXPECT_THROW(ReadScene(VARIMARCH_SCENE_FOLDER), std::runtime_error);
+}
+
+TEST(SceneFile, RelativeVolumeStartsAtTheScenesFolder)
+{
+  const std::filesystem::path folder = testing::TempDir();
+  const std::string path = folder / "varimarch-relative.json";
+  std::ofstream(path) << R"({ "volume": { "file": "sub/head.nii" }, "look": "mr-head" })";
+  EXPECT_EQ(std::get<FileSource>(ReadScene(path).volume).path, (folder / "sub/head.nii").string());
+  std::filesystem::remove(path);
+}
+
+TEST(SceneFile, EveryExampleIsReadable)
+{
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(VARIMARCH_SCENE_FOLDER))
+  {
+    if (entry.path().filename() != "scene.schema.json")
+    {
+      EXPECT_NO_THROW(ReadScene(entry.path())) << entry.path();
+      ++scenes;
+    }
+  }
+  EXPECT_GE(scenes, 3);
+}
+
+// Every key that is written must be in the schema, at its place.
+void ExpectKeysInSchema(
+  const nlohmann::json& value, const nlohmann::json& schema, const nlohmann::json& root)
+{
+  if (schema.contains("$ref"))
+  {
+    const std::string pointer = schema["$ref"].get<std::string>().substr(1);
+    ExpectKeysInSchema(value, root.at(nlohmann::json::json_pointer(pointer)), root);
+  }
+  else if (schema.contains("oneOf") && value.is_object())
+  {
+    // The branch that knows the value's first key.
+    for (nlohmann::json branch : schema["oneOf"])
+    {
+      if (branch.contains("$ref"))
+      {
+        const std::string pointer = branch["$ref"].get<std::string>().substr(1);
+        branch = root.at(nlohmann::json::json_pointer(pointer));
+      }
+      if (branch.contains("properties") && branch["properties"].contains(value.begin().key()))
+      {
+        ExpectKeysInSchema(value, branch, root);
+      }
+    }
+  }
+  else if (value.is_object())
+  {
+    for (const auto& [key, member] : value.items())
+    {
+      ASSERT_TRUE(schema["properties"].contains(key)) << key;
+      ExpectKeysInSchema(member, schema["properties"][key], root);
+    }
+  }
+  else if (value.is_array())
+  {
+    for (const nlohmann::json& element : value)
+    {
+      ExpectKeysInSchema(element, schema.at("items"), root);
+    }
+  }
+}
+
+TEST(SceneFile, SchemaKnowsEveryKey)
+{
+  std::ifstream file(std::string(VARIMARCH_SCENE_FOLDER) + "/scene.schema.json");
+  const nlohmann::json schema = nlohmann::json::parse(file);
+  Scene scene = UnusualScene();
+  ExpectKeysInSchema(nlohmann::json::parse(SceneText(scene)), schema, schema);
+  scene.volume = ProceduralSource();
+  ExpectKeysInSchema(nlohmann::json::parse(SceneText(scene)), schema, schema);
+}
+
+}
