@@ -44,10 +44,11 @@ def render(folder):
         assert "--view left" in written["command"]
     assert not list(folder.glob("*.part")), "an unfinished file is left"
     for acceleration in ("off", "scalar", "optical"):
-        run("render", VOLUME, "-o", folder / "a.png", "--acceleration", acceleration)
+        run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64",
+            "--acceleration", acceleration)
     pictures = {}
     for option in (None, "--shade", "--no-shade"):
-        run("render", VOLUME, "-o", folder / "a.png", *filter(None, [option]))
+        run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", *filter(None, [option]))
         pictures[option] = (folder / "a.png").read_bytes()
     assert pictures[None] == pictures["--shade"] != pictures["--no-shade"]
     scene = folder / "scene.json"
@@ -116,7 +117,7 @@ def errors(folder):
     for arguments, message in (
         (["render", folder / "none.nii", "-o", folder / "a.png"], "none.nii"),
         (["render", broken, "-o", folder / "a.png"], 'unknown key "sise"; did you mean "size"?'),
-        (["render", VOLUME, "-o", nowhere], f"{nowhere}: cannot be written: No such file"),
+        (["render", VOLUME, "-o", nowhere, "--size", "64x64"], f"{nowhere}: cannot be written: No such file"),
         (["compare", VOLUME, "-o", broken], f"{broken}: expected a folder"),
         (["render", VOLUME, "-o", folder / "a.png", "--transfer-function", "none.json"], "none.json"),
     ):
