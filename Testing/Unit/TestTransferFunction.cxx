@@ -59,6 +59,17 @@ TEST(TransferFunction, NotANumberIsClear)
   EXPECT_EQ(function.Extinction(std::nan("")), 0.0);
 }
 
+TEST(TransferFunction, EqualNodesAreExactBetween)
+{
+  const TransferFunction function =
+    OpacityCurve({ { 0.1, 1.0 }, { 0.7, 1.0, { 0.3, 0.4 } }, { 3.3, 1.0 } });
+  for (double value = 0.0; value < 3.3; value += 0.0137)
+  {
+    ASSERT_EQ(function.Opacity(value), 1.0);
+    ASSERT_EQ(function.Extinction(value), infinity);
+  }
+}
+
 TEST(TransferFunction, MidpointIsWhereTheCurveReachesHalfWay)
 {
   for (const double sharpness : { 0.0, 0.3, 0.8 })
@@ -91,6 +102,18 @@ TEST(TransferFunction, FullSharpnessIsAStepAtTheMidpoint)
   EXPECT_DOUBLE_EQ(function.Opacity(3.0), 0.9);
 }
 
+TEST(TransferFunction, StepAtTheMidpointIsExactlyAtTheHalfWayValue)
+{
+  for (double left = -1.0; left < 0.0; left += 0.0137)
+  {
+    const NodeShape step{ 0.6, 1.0 };
+    const TransferFunction function = OpacityCurve({ { left, 0.1, step }, { 1.1, 0.9 } });
+    const double there = HalfWayValue(left, 1.1, step);
+    ASSERT_EQ(function.Opacity(std::nextafter(there, left)), 0.1);
+    ASSERT_EQ(function.Opacity(there), 0.9);
+  }
+}
+
 TEST(TransferFunction, TwoNodesAtOneValueStepBehindIt)
 {
   const TransferFunction function =
@@ -114,6 +137,20 @@ TEST(TransferFunction, OpaqueHasInfiniteExtinctionAndOneUlpBelowHasNot)
   EXPECT_EQ(OpacityCurve({ { 0.0, 1.0 } }).Extinction(0.0), infinity);
   const double almost = std::nextafter(1.0, 0.0);
   EXPECT_NEAR(OpacityCurve({ { 0.0, almost } }).Extinction(0.0), 53.0 * std::log(2.0), 1e-12);
+}
+
+TEST(TransferFunction, ExtinctionIsAccurateJustBesideAnOpaqueNode)
+{
+  const TransferFunction ramp = OpacityCurve({ { 0.0, 0.0 }, { 4.0, 1.0 }, { 6.0, 0.5 } });
+  EXPECT_NEAR(ramp.Extinction(std::nextafter(4.0, 0.0)), 53.0 * std::log(2.0), 1e-12);
+  EXPECT_NEAR(ramp.Extinction(std::nextafter(4.0, 6.0)), 52.0 * std::log(2.0), 1e-12);
+  EXPECT_EQ(ramp.Extinction(4.0), infinity);
+
+  // A curve pressed against its node by sharpness: 1 - opacity is about 3e-19.
+  const TransferFunction sharp = OpacityCurve({ { 0.0, 0.0, { 0.5, 0.98 } }, { 4.0, 1.0 } });
+  const double s = 0.5 * std::pow(0.03, 10.8);
+  const double transparency = 0.02 * s + s * s * (3.0 - 2.0 * s) - 0.02 * s * s * (3.0 - 2.0 * s);
+  EXPECT_NEAR(sharp.Extinction(4.0 - 0.06), -std::log(transparency), 1e-9);
 }
 
 TEST(TransferFunction, BadNodesAreRefused)

@@ -21,9 +21,7 @@ void AppendCuts(const std::vector<Node>& nodes, std::vector<double>& cuts)
     const NodeShape& shape = nodes[i].shape;
     if (i + 1 < nodes.size() && (shape.midpoint != 0.5 || shape.sharpness != 0.0))
     {
-      // Where the transfer function bends, which keeps midpoints off the nodes.
-      const double midpoint = std::clamp(shape.midpoint, 0.00001, 0.99999);
-      cuts.push_back(nodes[i].value + midpoint * (nodes[i + 1].value - nodes[i].value));
+      cuts.push_back(HalfWayValue(nodes[i].value, nodes[i + 1].value, shape));
     }
   }
 }

@@ -17,61 +17,61 @@ namespace varimarch
 namespace
 {
 
-/// How far a curve has run from the left node to the right one, [0, 1], at the fraction `s` of the
-/// way between them. The curve of vtkPiecewiseFunction and vtkColorTransferFunction: a Hermite
-/// cubic whose tangents flatten, and whose parameter is pressed to the midpoint, as sharpness
-/// grows.
-double CurveFraction(double s, const NodeShape& shape)
+/// The midpoint stays off the nodes, so that neither side of it has zero width.
+double SafeMidpoint(const NodeShape& shape)
 {
-  // The midpoint stays off the nodes, so that neither side has zero width.
-  const double midpoint = std::clamp(shape.midpoint, 0.00001, 0.99999);
-  s = s < midpoint ? 0.5 * s / midpoint : 0.5 + 0.5 * (s - midpoint) / (1.0 - midpoint);
+  return std::clamp(shape.midpoint, 0.00001, 0.99999);
+}
 
-  if (shape.sharpness > 0.99)
+/// How far a curve has left the nearer of two nodes, as a part of its way to the other, [0, 1/2],
+/// at the part `s` of the way, where 1/2 is the midpoint.
+/// The curve of vtkPiecewiseFunction and vtkColorTransferFunction: a Hermite cubic whose tangents
+/// flatten, and whose parameter is pressed to the midpoint, as sharpness grows. It is the same seen
+/// from both nodes.
+double Departure(double s, double sharpness)
+{
+  if (sharpness > 0.99)
   {
-    return s < 0.5 ? 0.0 : 1.0;
+    return 0.0;
   }
-  if (shape.sharpness < 0.01)
+  if (sharpness < 0.01)
   {
     return s;
   }
-
-  const double exponent = 1.0 + 10.0 * shape.sharpness;
-  s = s < 0.5 ? 0.5 * std::pow(2.0 * s, exponent) : 1.0 - 0.5 * std::pow(2.0 - 2.0 * s, exponent);
+  s = 0.5 * std::pow(2.0 * s, 1.0 + 10.0 * sharpness);
   const double smoothStep = s * s * (3.0 - 2.0 * s);
   const double bothTangents = s * (2.0 * s - 1.0) * (s - 1.0);
-  return smoothStep + (1.0 - shape.sharpness) * bothTangents;
-}
-
-double Ordinate(const OpacityNode& node)
-{
-  return node.opacity;
-}
-
-glm::dvec3 Ordinate(const ColorNode& node)
-{
-  return node.rgb;
+  return smoothStep + (1.0 - sharpness) * bothTangents;
 }
 
 /// The curve through `nodes`, of which there is at least one, at `value`.
-template <class Node>
-auto CurveValue(const std::vector<Node>& nodes, double value)
+/// @param ordinate  what of a node the curve goes through
+template <class Node, class Ordinate>
+auto CurveValue(const std::vector<Node>& nodes, double value, Ordinate ordinate)
 {
   // The first node at or right of the value: at a step this picks the left side.
   const auto right = std::lower_bound(nodes.begin(), nodes.end(), value,
     [](const Node& node, double limit) { return node.value < limit; });
   if (right == nodes.begin())
   {
-    return Ordinate(nodes.front());
+    return ordinate(nodes.front());
   }
   if (right == nodes.end())
   {
-    return Ordinate(nodes.back());
+    return ordinate(nodes.back());
   }
   const Node& left = *(right - 1);
-  const double fraction =
-    CurveFraction((value - left.value) / (right->value - left.value), left.shape);
-  return (1.0 - fraction) * Ordinate(left) + fraction * Ordinate(*right);
+  const double gap = right->value - left.value;
+  const double fromLeft = (value - left.value) / gap;
+  const double fromRight = (right->value - value) / gap;
+
+  // Measured from the nearer node: exact at both, and at whatever is between equal ones.
+  const double midpoint = SafeMidpoint(left.shape);
+  const bool leftIsNearer = value < HalfWayValue(left.value, right->value, left.shape);
+  const double s = leftIsNearer ? 0.5 * fromLeft / midpoint : 0.5 * fromRight / (1.0 - midpoint);
+  const auto nearer = ordinate(leftIsNearer ? left : *right);
+  const auto farther = ordinate(leftIsNearer ? *right : left);
+  return nearer + Departure(s, left.shape.sharpness) * (farther - nearer);
 }
 
 void CheckFinite(double number, const char* what)
@@ -123,6 +123,11 @@ std::vector<double> SortedNodeValues(const TransferFunction& transferFunction)
 
 }
 
+double HalfWayValue(double leftValue, double rightValue, const NodeShape& shape)
+{
+  return leftValue + SafeMidpoint(shape) * (rightValue - leftValue);
+}
+
 TransferFunction::TransferFunction(
   std::vector<ColorNode> colors, std::vector<OpacityNode> opacities, double opacityUnitDistanceMm)
   : colors(std::move(colors))
@@ -152,19 +157,28 @@ TransferFunction::TransferFunction(
 
 glm::dvec3 TransferFunction::Color(double value) const
 {
-  return this->colors.empty() ? glm::dvec3(1.0) : CurveValue(this->colors, value);
+  const auto rgb = [](const ColorNode& node) { return node.rgb; };
+  return this->colors.empty() ? glm::dvec3(1.0) : CurveValue(this->colors, value, rgb);
 }
 
 double TransferFunction::Opacity(double value) const
 {
   const bool nothing = this->opacities.empty() || std::isnan(value);
-  return nothing ? 0.0 : CurveValue(this->opacities, value);
+  const auto opacity = [](const OpacityNode& node) { return node.opacity; };
+  return nothing ? 0.0 : CurveValue(this->opacities, value, opacity);
 }
 
 double TransferFunction::Extinction(double value) const
 {
-  // log1p(-1) is minus infinity: the opaque case needs no branch.
-  return -std::log1p(-this->Opacity(value)) / this->opacityUnitDistanceMm;
+  const double opacity = this->Opacity(value);
+  if (opacity < 0.5)
+  {
+    return -std::log1p(-opacity) / this->opacityUnitDistanceMm;
+  }
+  // Near an opaque node 1 - opacity would round to 0, and a thin veil become a wall. The logarithm
+  // of 0 is minus infinity: where it is opaque indeed, no branch is needed.
+  const auto transparency = [](const OpacityNode& node) { return 1.0 - node.opacity; };
+  return -std::log(CurveValue(this->opacities, value, transparency)) / this->opacityUnitDistanceMm;
 }
 
 double TransferFunction::FirstValue() const

@@ -19,6 +19,10 @@ struct NodeShape
   double sharpness = 0.0;
 };
 
+/// The value at which the curve from one node to the next is half way: its midpoint, kept off the
+/// nodes. Where sharpness makes a step, the step is exactly here, the value on its right side.
+double HalfWayValue(double leftValue, double rightValue, const NodeShape& shape);
+
 struct OpacityNode
 {
   double value;   ///< in units of the data
