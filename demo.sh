@@ -8,9 +8,16 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 programs=build/release/bin
 output=$PWD/demo-output
 
-# compareMappers NAME VOLUME PRESET
+# compareMappers NAME VOLUME PRESET: not again while neither the program nor the module is newer.
 compareMappers()
 {
+  if [ "$output/$1/compare.md" -nt "$programs/varimarch" ] &&
+    [ "$output/$1/compare.md" -nt build/release/lib/libVarimarchVolume.so ]
+  then
+    step "The comparison on $1 is up to date"
+    cat "$output/$1/compare.md"
+    return
+  fi
   step "Comparing the mappers on $1 (about a minute)"
   mkdir -p "$output/$1"
   "$programs/varimarch" compare "$2" -o "$output/$1" --preset "$3" --size 512x512 ||
