@@ -14,7 +14,8 @@ namespace varimarch
 
 /// Draws a renderer once into a framebuffer of 32 bit floats, on nothing: RGBA, premultiplied,
 /// without the background and without rounding to 8 bits. Row 0 is the picture's lowest. Errors
-/// are measured in such pictures.
+/// are measured in such pictures. VTK's GPU mapper needs an ordinary picture before, or this one
+/// stays empty.
 /// @param window  the window of the renderer, of the size to draw
 /// @param onBand  when given, the picture is drawn in horizontal bands, and this is called before
 ///                each with the part that is done, [0, 1): for pictures that take long

@@ -16,7 +16,8 @@ namespace varimarch
 vtkSmartPointer<vtkImageData> RightHanded(vtkImageData* image);
 
 /// The image with its axes along the world's, and the turn that brings it back to its place. VTK's
-/// CPU mapper ignores the direction of an image, but not the matrix of its volume.
+/// CPU mapper ignores the direction of an image, and its GPU mapper forgets it when it lights the
+/// volume; both heed the matrix of the volume.
 vtkSmartPointer<vtkImageData> WithoutDirection(vtkImageData* image, vtkTransform* worldFromImage);
 
 }

@@ -73,20 +73,15 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   : image(image)
   , mapper(NewMapper(kind))
 {
-  switch (kind)
+  if (kind == MapperKind::Varimarch)
   {
-    case MapperKind::VtkCpu:
-    {
-      vtkNew<vtkTransform> worldFromImage;
-      this->mapper->SetInputDataObject(WithoutDirection(RightHanded(image), worldFromImage));
-      this->volume->SetUserTransform(worldFromImage);
-      break;
-    }
-    case MapperKind::VtkGpu:
-      this->mapper->SetInputDataObject(RightHanded(image));
-      break;
-    default:
-      this->mapper->SetInputDataObject(image);
+    this->mapper->SetInputDataObject(image);
+  }
+  else
+  {
+    vtkNew<vtkTransform> worldFromImage;
+    this->mapper->SetInputDataObject(WithoutDirection(RightHanded(image), worldFromImage));
+    this->volume->SetUserTransform(worldFromImage);
   }
   this->volume->SetMapper(this->mapper);
   this->renderer->AddVolume(this->volume);
