@@ -52,8 +52,8 @@ void WritePictures(
     WritePng(picture, folder / (name + ".png"));
     WritePng(WithDifferenceScale(difference), folder / ("difference-" + name + ".png"));
     columns.push_back({ ClassName(measurement.kind),
-      Fixed(measurement.medianMs, 1) + " ms, error " + Fixed(measurement.error.rootMeanSquare, 2) +
-        " of 255 (RMS)",
+      Fixed(measurement.medianMs, 1) + " ms, error " +
+        Fixed(measurement.error.light.rootMeanSquare, 2) + " of 255 (RMS)",
       picture, difference });
   }
   WritePng(ComparisonSheet(columns), folder / "side-by-side.png");

@@ -46,13 +46,6 @@ void MarchTruth(
   comparison.openglRenderer = view.DeviceName();
 }
 
-ImageError ErrorOf(vtkImageData* picture, vtkImageData* truth)
-{
-  return CompareImages(static_cast<const float*>(picture->GetScalarPointer()),
-    static_cast<const float*>(truth->GetScalarPointer()),
-    std::size_t(picture->GetNumberOfPoints()));
-}
-
 // A view of each kind, warmed up, with all of its measurement but the times.
 std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
   const Scene& scene, vtkImageData* image, const OnStep& onStep, Comparison& comparison)
@@ -68,7 +61,7 @@ std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
     measurement.firstMs = 1000.0 * view.Render();
     measurement.picture = view.FloatImage();
     measurement.sampleDistanceMm = view.Pipeline().UsedSampleDistanceMm();
-    measurement.error = ErrorOf(measurement.picture, comparison.truth);
+    measurement.error = ErrorOf(measurement.picture, comparison.truth, scene.background);
     comparison.measurements.push_back(measurement);
     // The first picture into the window's own framebuffer again pays for the change of target.
     view.Render();

@@ -1,7 +1,7 @@
 #ifndef Varimarch_CommandLine_Comparison_h
 #define Varimarch_CommandLine_Comparison_h
 
-#include "Core/ImageError.h"
+#include "PictureError.h"
 #include "Scene/Scene.h"
 
 #include <vtkImageData.h>
@@ -20,7 +20,7 @@ struct Measurement
   MapperKind kind;
   vtkSmartPointer<vtkImageData> picture;
   double sampleDistanceMm;
-  ImageError error;             ///< against the truth
+  PictureError error;           ///< against the truth
   double firstMs;               ///< the first picture, with everything it builds
   std::vector<double> roundsMs; ///< each later picture
   double medianMs;              ///< of these

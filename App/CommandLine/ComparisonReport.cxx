@@ -14,7 +14,7 @@ namespace
 
 using Row = std::vector<std::string>;
 
-// The numbers as every form shows them, the heading first.
+// The numbers as people read them, the heading first.
 std::vector<Row> Rows(const Comparison& comparison)
 {
   std::vector<Row> rows = { { "renderer", "class", "sample distance [mm]", "RMSE", "99.9 %",
@@ -22,11 +22,24 @@ std::vector<Row> Rows(const Comparison& comparison)
   for (const Measurement& measurement : comparison.measurements)
   {
     rows.push_back({ NameOf(MapperKindNames(), measurement.kind), ClassName(measurement.kind),
-      Fixed(measurement.sampleDistanceMm, 3), Fixed(measurement.error.rootMeanSquare, 3),
-      Fixed(measurement.error.percentile999, 2), Fixed(measurement.error.largest, 2),
+      Fixed(measurement.sampleDistanceMm, 3), Fixed(measurement.error.light.rootMeanSquare, 3),
+      Fixed(measurement.error.light.percentile999, 2), Fixed(measurement.error.light.largest, 2),
       Fixed(measurement.medianMs, 1), Fixed(RatioToVtkGpu(comparison, measurement), 2) });
   }
   return rows;
+}
+
+// How different the pictures look: columns for which a terminal has no room.
+void AddPerceived(const Comparison& comparison, std::vector<Row>& rows)
+{
+  rows[0].insert(rows[0].end(), { "SSIM", "CIEDE2000 mean", "CIEDE2000 99 %" });
+  for (std::size_t i = 0; i < comparison.measurements.size(); ++i)
+  {
+    const PerceptualError& perceived = comparison.measurements[i].error.perceived;
+    rows[i + 1].insert(rows[i + 1].end(),
+      { Fixed(perceived.structuralSimilarity, 5), Fixed(perceived.meanColorDifference, 3),
+        Fixed(perceived.colorDifference99, 2) });
+  }
 }
 
 std::string Explanation(const Comparison& comparison)
@@ -98,12 +111,13 @@ std::string TableText(const Comparison& comparison)
 
 std::string TableMarkdown(const Comparison& comparison, const std::string& commandText)
 {
-  const std::vector<Row> rows = Rows(comparison);
+  std::vector<Row> rows = Rows(comparison);
+  AddPerceived(comparison, rows);
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     text += "| " + Joined(rows[i], " | ") + " |\n";
-    text += i == 0 ? "|---|---|---:|---:|---:|---:|---:|---:|\n" : "";
+    text += i == 0 ? "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n" : "";
   }
   return text + "\n" + Explanation(comparison) + "\nMade by: `" + commandText + "`\n";
 }
@@ -112,14 +126,17 @@ std::string TableCsv(const Comparison& comparison)
 {
   std::ostringstream csv;
   csv << "renderer,class,sample_distance_mm,rmse_255,percentile_99_9_255,largest_255,median_ms,"
-         "times_as_fast_as_vtk_gpu\n";
+         "times_as_fast_as_vtk_gpu,ssim,ciede2000_mean,ciede2000_99\n";
   csv.precision(9);
   for (const Measurement& measurement : comparison.measurements)
   {
     csv << NameOf(MapperKindNames(), measurement.kind) << "," << ClassName(measurement.kind) << ","
-        << measurement.sampleDistanceMm << "," << measurement.error.rootMeanSquare << ","
-        << measurement.error.percentile999 << "," << measurement.error.largest << ","
-        << measurement.medianMs << "," << RatioToVtkGpu(comparison, measurement) << "\n";
+        << measurement.sampleDistanceMm << "," << measurement.error.light.rootMeanSquare << ","
+        << measurement.error.light.percentile999 << "," << measurement.error.light.largest << ","
+        << measurement.medianMs << "," << RatioToVtkGpu(comparison, measurement) << ","
+        << measurement.error.perceived.structuralSimilarity << ","
+        << measurement.error.perceived.meanColorDifference << ","
+        << measurement.error.perceived.colorDifference99 << "\n";
   }
   return csv.str();
 }
@@ -132,16 +149,14 @@ nlohmann::ordered_json ToJson(const Comparison& comparison)
     { "seconds", comparison.truthSeconds } };
   for (const Measurement& measurement : comparison.measurements)
   {
-    json["renderers"].push_back({ { "renderer", NameOf(MapperKindNames(), measurement.kind) },
+    nlohmann::ordered_json row = { { "renderer", NameOf(MapperKindNames(), measurement.kind) },
       { "class", ClassName(measurement.kind) },
-      { "sampleDistanceMm", measurement.sampleDistanceMm },
-      { "error255",
-        { { "rmse", measurement.error.rootMeanSquare },
-          { "percentile99.9", measurement.error.percentile999 },
-          { "largest", measurement.error.largest } } },
-      { "firstMs", measurement.firstMs }, { "roundsMs", measurement.roundsMs },
+      { "sampleDistanceMm", measurement.sampleDistanceMm } };
+    row.update(ToJson(measurement.error));
+    row.update({ { "firstMs", measurement.firstMs }, { "roundsMs", measurement.roundsMs },
       { "medianMs", measurement.medianMs },
       { "timesAsFastAsVtkGpu", RatioToVtkGpu(comparison, measurement) } });
+    json["renderers"].push_back(row);
   }
   return json;
 }

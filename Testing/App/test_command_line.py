@@ -75,6 +75,10 @@ def compare(folder):
         assert row["error255"]["rmse"] < (25 if row["renderer"] == "vtk-cpu" else 12), row
         assert row["error255"]["rmse"] <= row["error255"]["largest"]
         assert row["class"] in table
+        # What differs less looks more alike.
+        assert 0.5 < row["ssim"] < 1 and 0 < row["ciede2000"]["mean"] < 10, row
+        assert row["ciede2000"]["mean"] <= row["ciede2000"]["percentile99"], row
+    assert float(rows[0]["ssim"]) > float(rows[2]["ssim"])
     assert results["renderers"][1]["timesAsFastAsVtkGpu"] == 1
     assert results["openglRenderer"] and results["command"] in (output / "compare.md").read_text()
     for name in names:

@@ -1,5 +1,7 @@
 #include "Core/ImageError.h"
 
+#include "Core/Percentile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,15 +18,6 @@ double Difference(float channel, float truth)
 {
   const double difference = std::abs(double(channel) - double(truth));
   return std::isfinite(difference) ? difference : std::numeric_limits<double>::infinity();
-}
-
-/// The smallest of `numbers` that at least `part` of them do not exceed.
-double Percentile(std::vector<double> numbers, double part)
-{
-  const auto rank = std::size_t(std::ceil(part * double(numbers.size())));
-  const auto position = numbers.begin() + std::max<std::size_t>(rank, 1) - 1;
-  std::nth_element(numbers.begin(), position, numbers.end());
-  return *position;
 }
 
 }

@@ -1,0 +1,31 @@
+#ifndef Varimarch_CommandLine_PictureError_h
+#define Varimarch_CommandLine_PictureError_h
+
+#include "Core/ImageError.h"
+#include "Core/PerceptualError.h"
+
+#include <vtkImageData.h>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace varimarch
+{
+
+/// How wrong a float picture is, and how different it looks.
+struct PictureError
+{
+  ImageError light;          ///< of premultiplied RGBA before the background
+  PerceptualError perceived; ///< on the background
+};
+
+/// @param truth  a float picture of the same size
+PictureError ErrorOf(
+  vtkImageData* picture, vtkImageData* truth, const std::array<double, 3>& background);
+
+nlohmann::ordered_json ToJson(const PictureError& error);
+
+}
+
+#endif
