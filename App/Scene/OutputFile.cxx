@@ -42,7 +42,8 @@ void SetUnfinishedPath(const std::string& path)
 
 void WriteFileWhole(const std::string& path, const std::string& bytes)
 {
-  const std::string part = path + ".part";
+  // Two programs that write one file must not write one part.
+  const std::string part = path + "." + std::to_string(getpid()) + ".part";
   SetUnfinishedPath(part);
   errno = 0;
   std::ofstream stream(part, std::ios::binary);

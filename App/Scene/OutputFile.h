@@ -6,8 +6,8 @@
 namespace varimarch
 {
 
-/// Writes a file so that nobody ever sees half of it: under the name with ".part" added, renamed
-/// when complete. Replaces a file of that name.
+/// Writes a file so that nobody ever sees half of it: under the name with the process and ".part"
+/// added, renamed when complete. Replaces a file of that name.
 /// @throws std::runtime_error that names the file and the system's reason
 void WriteFileWhole(const std::string& path, const std::string& bytes);
 

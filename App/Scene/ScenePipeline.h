@@ -22,6 +22,7 @@ public:
   ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind kind);
 
   vtkRenderer* Renderer() { return this->renderer; }
+  vtkVolume* Volume() { return this->volume; }
   vtkVolumeMapper* Mapper() { return this->mapper; }
 
   /// Each changes one part of the scene; the volume stays.

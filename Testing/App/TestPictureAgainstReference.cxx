@@ -1,16 +1,11 @@
-#include "Core/HeadLightShading.h"
 #include "Core/ImageError.h"
-#include "Core/ReferenceImage.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/ProceduralVolume.h"
+#include "Scene/ReferencePicture.h"
 
 #include <gtest/gtest.h>
 
-#include <vtkCamera.h>
-#include <vtkMatrix4x4.h>
-
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
+#include <algorithm>
 
 using namespace varimarch;
 
@@ -34,51 +29,22 @@ Scene SceneOf(Blend blend, bool shading)
   return scene;
 }
 
-ReferenceScene ReferenceSceneOf(const Scene& scene, const ScalarGrid<float>& grid)
+/// The error of the mapper's picture.
+ImageError ErrorOf(const Scene& scene, vtkImageData* image)
 {
-  const glm::dmat3 worldFromGrid(
-    glm::scale(glm::dmat4(1.0), grid.SpacingMm())); // no volume here is turned
-  const ScalarGrid<float> unitGrid(grid.Voxels(), grid.Dimensions());
-  ReferenceScene reference{ [grid](glm::ivec3 cell) { return CornersOfCell(grid, cell); },
-    { glm::dvec3(0.0), glm::dvec3(grid.Dimensions() - 1) },
-    TransferFunction(scene.look.colors, scene.look.opacities, scene.look.opacityUnitDistanceMm),
-    scene.look.blend };
-  if (const Shading& shading = scene.look.shading; shading.enabled)
-  {
-    const HeadLight light{ glm::dvec3(shading.ambient), glm::dvec3(shading.diffuse),
-      glm::dvec3(shading.specular), shading.specularPower };
-    reference.shade = HeadLightShading(
-      light, [unitGrid](glm::dvec3 position) { return unitGrid.Gradient(position); },
-      worldFromGrid);
-  }
-  return reference;
-}
-
-/// The error of the mapper's picture with one sample per distance.
-ImageError ErrorAtDistance(Scene scene, double sampleDistanceMm)
-{
-  const auto image = ProceduralVolume({ ProceduralKind::MarschnerLobb, { 40, 44, 48 } });
-  const glm::dvec3 spacing = glm::make_vec3(image->GetSpacing());
-  const ScalarGrid<float> grid(static_cast<const float*>(image->GetScalarPointer()),
-    glm::make_vec3(image->GetDimensions()), spacing);
-
-  scene.render.sampleDistanceMm = sampleDistanceMm;
   OffscreenView view(scene, image, MapperKind::Varimarch);
   const auto picture = view.FloatImage();
+  const auto truth = DrawReferencePicture(scene, image, 1e-6);
+  const auto* pixels = static_cast<const float*>(truth.value().image->GetScalarPointer());
+  const std::size_t count = std::size_t(scene.size[0]) * scene.size[1];
+  EXPECT_GT(*std::max_element(pixels, pixels + 4 * count), 0.1) << "the picture is empty";
+  return CompareImages(static_cast<const float*>(picture->GetScalarPointer()), pixels, count);
+}
 
-  const double aspect = double(scene.size[0]) / scene.size[1];
-  vtkCamera* camera = view.Pipeline().Renderer()->GetActiveCamera();
-  const glm::dmat4 clipFromWorld = glm::transpose(
-    glm::make_mat4(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData()));
-  const glm::dmat4 worldFromGrid =
-    glm::scale(glm::translate(glm::dmat4(1.0), glm::make_vec3(image->GetOrigin())), spacing);
-  const ReferenceScene referenceScene = ReferenceSceneOf(scene, grid);
-  const ReferenceView referenceView{ ComputePixelRays(
-                                       clipFromWorld * worldFromGrid, referenceScene.boxGrid),
-    glm::dmat3(worldFromGrid), scene.size[0], scene.size[1] };
-  const auto truth = DrawReference(ReferenceIntegrator(referenceScene, 1e-6), referenceView);
-  return CompareImages(static_cast<const float*>(picture->GetScalarPointer()),
-    truth.value().rgba.data(), std::size_t(scene.size[0]) * scene.size[1]);
+ImageError ErrorAtDistance(Scene scene, double sampleDistanceMm)
+{
+  scene.render.sampleDistanceMm = sampleDistanceMm;
+  return ErrorOf(scene, ProceduralVolume({ ProceduralKind::MarschnerLobb, { 40, 44, 48 } }));
 }
 
 }
@@ -110,4 +76,18 @@ TEST(PictureAgainstReference, MaximumConvergesToTheLargestValue)
   const ImageError fine = ErrorAtDistance(scene, 0.05);
   EXPECT_LT(fine.rootMeanSquare, 0.1);
   EXPECT_LT(fine.largest, 1.0);
+}
+
+TEST(PictureAgainstReference, ATurnedVolumeOfAnotherTypeIsInTheSamePlace)
+{
+  Scene scene = SceneOf(Blend::Composite, true);
+  scene.look.domain = Domain::Relative;
+  scene.camera.parallel = true;
+  const auto image = ProceduralVolume({ ProceduralKind::Torso, { 40, 36, 24 }, 7 });
+  const double direction[9] = { 0.0, 0.8, 0.6, -1.0, 0.0, 0.0, 0.0, 0.6, -0.8 };
+  image->SetDirectionMatrix(direction);
+  image->SetExtent(5, 44, -3, 32, 1, 24);
+  image->SetSpacing(8.0, 9.0, 13.0);
+  scene.render.sampleDistanceMm = 1.0;
+  EXPECT_LT(ErrorOf(scene, image).rootMeanSquare, 0.3);
 }

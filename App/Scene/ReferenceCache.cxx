@@ -1,0 +1,234 @@
+#include "Scene/ReferenceCache.h"
+
+#include "Scene/ContentDigest.h"
+#include "Scene/OutputFile.h"
+#include "Scene/ReferenceRequest.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// To be counted up when the reference draws something else for the same request, or the file
+/// looks different.
+constexpr int version = 1;
+
+template <class Matrix>
+void AddMatrix(ContentDigest& digest, const Matrix& matrix)
+{
+  digest.AddBytes(glm::value_ptr(matrix), sizeof(matrix));
+}
+
+void AddShape(ContentDigest& digest, double value, const NodeShape& shape)
+{
+  digest.Add(value);
+  digest.Add(shape.midpoint);
+  digest.Add(shape.sharpness);
+}
+
+void AddTransferFunction(ContentDigest& digest, const TransferFunction& transferFunction)
+{
+  digest.Add(transferFunction.Colors().size());
+  for (const ColorNode& node : transferFunction.Colors())
+  {
+    AddShape(digest, node.value, node.shape);
+    AddMatrix(digest, node.rgb);
+  }
+  for (const OpacityNode& node : transferFunction.Opacities())
+  {
+    AddShape(digest, node.value, node.shape);
+    digest.Add(node.opacity);
+  }
+  digest.Add(transferFunction.OpacityUnitDistanceMm());
+}
+
+void AddLight(ContentDigest& digest, const std::optional<HeadLight>& light)
+{
+  digest.Add(light.has_value());
+  if (light)
+  {
+    AddMatrix(digest, light->ambient);
+    AddMatrix(digest, light->diffuse);
+    AddMatrix(digest, light->specular);
+    digest.Add(light->specularPower);
+  }
+}
+
+void AddView(ContentDigest& digest, const ReferenceView& view)
+{
+  for (const glm::dvec4& start : view.rays.startGrid)
+  {
+    AddMatrix(digest, start);
+  }
+  for (const glm::dvec3& direction : view.rays.directionGrid)
+  {
+    AddMatrix(digest, direction);
+  }
+  AddMatrix(digest, view.rays.nearPlaneGrid);
+  AddMatrix(digest, view.worldFromGridDirection);
+  digest.Add(view.width);
+  digest.Add(view.height);
+}
+
+/// What a request's picture is found by.
+std::string KeyOf(const ReferenceRequest& request)
+{
+  ContentDigest digest;
+  digest.Add(version);
+  digest.Add(request.scalars->GetDataType());
+  digest.AddBytes(request.scalars->GetVoidPointer(0),
+    std::size_t(request.scalars->GetDataSize()) * request.scalars->GetDataTypeSize());
+  AddMatrix(digest, request.geometry.dimensions);
+  AddMatrix(digest, request.geometry.boxGrid.lower);
+  AddMatrix(digest, request.geometry.boxGrid.upper);
+  AddTransferFunction(digest, request.transferFunction);
+  AddLight(digest, request.light);
+  digest.Add(request.blend);
+  AddView(digest, request.view);
+  digest.Add(request.tolerance);
+  return digest.Text();
+}
+
+// A file is a digest of what follows, the error estimate, and the pixels.
+constexpr std::size_t digestBytes = 32;
+constexpr std::size_t headerBytes = digestBytes + sizeof(double);
+
+std::string DigestOf(const char* bytes, std::size_t count)
+{
+  ContentDigest digest;
+  digest.AddBytes(bytes, count);
+  return digest.Text();
+}
+
+std::string FileBytes(const ReferencePicture& picture)
+{
+  const std::size_t pixelBytes =
+    std::size_t(picture.image->GetNumberOfPoints()) * 4 * sizeof(float);
+  std::string content(sizeof(double) + pixelBytes, '\0');
+  std::memcpy(content.data(), &picture.largestError, sizeof(double));
+  std::memcpy(content.data() + sizeof(double), picture.image->GetScalarPointer(), pixelBytes);
+  return DigestOf(content.data(), content.size()) + content;
+}
+
+/// The picture in a file; nothing when there is no file, or it is not whole.
+std::optional<ReferencePicture> PictureIn(const std::string& path, int width, int height)
+{
+  std::ifstream stream(path, std::ios::binary);
+  const std::string bytes{ std::istreambuf_iterator<char>(stream), {} };
+  const std::size_t pixelBytes = std::size_t(width) * height * 4 * sizeof(float);
+  if (bytes.size() != headerBytes + pixelBytes ||
+    bytes.compare(
+      0, digestBytes, DigestOf(bytes.data() + digestBytes, bytes.size() - digestBytes)) != 0)
+  {
+    return std::nullopt;
+  }
+  ReferencePicture picture{ vtkSmartPointer<vtkImageData>::New(), 0.0 };
+  picture.image->SetDimensions(width, height, 1);
+  picture.image->AllocateScalars(VTK_FLOAT, 4);
+  std::memcpy(&picture.largestError, bytes.data() + digestBytes, sizeof(double));
+  std::memcpy(picture.image->GetScalarPointer(), bytes.data() + headerBytes, pixelBytes);
+  return picture;
+}
+
+}
+
+ReferenceCache::ReferenceCache(std::string folder, std::uintmax_t largestBytes)
+  : folder(std::move(folder))
+  , largestBytes(largestBytes)
+{
+}
+
+std::string ReferenceCache::DefaultFolder()
+{
+  // A relative path is to be ignored, says the XDG Base Directory Specification.
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && fs::path(cache).is_absolute())
+  {
+    return fs::path(cache) / "varimarch" / "reference";
+  }
+  const char* home = std::getenv("HOME");
+  return home && *home ? fs::path(home) / ".cache" / "varimarch" / "reference" : fs::path();
+}
+
+std::optional<ReferencePicture> ReferenceCache::Picture(
+  const Scene& scene, vtkImageData* image, double tolerance, const ProgressFunction& progress) const
+{
+  const ReferenceRequest request = ReferenceRequestFor(scene, image, tolerance);
+  if (this->folder.empty())
+  {
+    return DrawReferencePicture(request, progress);
+  }
+  const std::string path = fs::path(this->folder) / KeyOf(request);
+  std::optional<ReferencePicture> picture =
+    PictureIn(path, request.view.width, request.view.height);
+  if (picture)
+  {
+    std::error_code ignored; // another process may just have deleted it
+    fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+    return picture;
+  }
+  picture = DrawReferencePicture(request, progress);
+  if (picture)
+  {
+    this->Keep(path, *picture);
+  }
+  return picture;
+}
+
+void ReferenceCache::Keep(const std::string& path, const ReferencePicture& picture) const
+{
+  try
+  {
+    fs::create_directories(this->folder);
+    WriteFileWhole(path, FileBytes(picture));
+    this->DeleteOldest();
+  }
+  catch (const std::runtime_error&)
+  {
+    // A full disk or a folder that is not ours: the picture is there, it is only not kept.
+  }
+}
+
+void ReferenceCache::DeleteOldest() const
+{
+  struct File
+  {
+    fs::file_time_type lastUse;
+    std::uintmax_t bytes;
+    fs::path path;
+  };
+  std::vector<File> files;
+  std::uintmax_t sum = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(this->folder))
+  {
+    files.push_back({ entry.last_write_time(), entry.file_size(), entry.path() });
+    sum += files.back().bytes;
+  }
+  std::sort(
+    files.begin(), files.end(), [](const File& a, const File& b) { return a.lastUse < b.lastUse; });
+  for (const File& file : files)
+  {
+    if (sum <= this->largestBytes)
+    {
+      return;
+    }
+    fs::remove(file.path);
+    sum -= file.bytes;
+  }
+}
+
+}
