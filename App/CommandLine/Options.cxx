@@ -140,10 +140,20 @@ void VolumeOptions::AddTo(CLI::App& command, const std::string& inputDescription
     ->group(group);
 }
 
+void VolumeOptions::RefuseRawLayout(const std::string& kind) const
+{
+  if (!this->rawDimensions.empty())
+  {
+    throw CLI::ValidationError(
+      "--raw-dimensions", "expected a raw file, found the " + kind + " " + this->input);
+  }
+}
+
 VolumeSource VolumeOptions::Source() const
 {
   if (this->input.compare(0, ProceduralPrefix.size(), ProceduralPrefix) == 0)
   {
+    this->RefuseRawLayout("procedural volume");
     return ProceduralFromInput(this->input);
   }
   FileSource source = { this->input, std::nullopt };
@@ -301,6 +311,10 @@ std::pair<Scene, LoadedVolume> SceneOptions::Load() const
 {
   const std::optional<Look> chosenLook = this->ChosenLook();
   const bool isScene = IsSceneFile(this->volume.Input());
+  if (isScene)
+  {
+    this->volume.RefuseRawLayout("scene file");
+  }
   Scene scene = isScene ? ReadScene(this->volume.Input()) : Scene();
   if (!isScene)
   {

@@ -24,6 +24,11 @@ public:
   /// The file, folder or procedural volume that the input names.
   VolumeSource Source() const;
 
+  /// For an input that says itself what its voxels are, such as a scene file.
+  /// @param kind  of the input, for the message
+  /// @throws CLI::ValidationError when there are options for a raw file nevertheless
+  void RefuseRawLayout(const std::string& kind) const;
+
 private:
   std::string input;
   std::string rawDimensions;

@@ -167,8 +167,8 @@ std::vector<JsonCursor> JsonCursor::Elements(std::size_t fewest, std::size_t mos
 {
   if (!this->value.is_array() || this->value.size() < fewest || this->value.size() > most)
   {
-    this->FailExpecting(fewest == most ? "an array of " + std::to_string(fewest)
-                                       : "an array of at least " + std::to_string(fewest));
+    const std::string upTo = fewest == most ? "" : " to " + std::to_string(most);
+    this->FailExpecting("an array of " + std::to_string(fewest) + upTo);
   }
   std::vector<JsonCursor> elements;
   for (std::size_t i = 0; i < this->value.size(); ++i)

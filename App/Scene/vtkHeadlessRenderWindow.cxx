@@ -33,7 +33,7 @@ std::vector<EGLDisplay> CandidateDisplays()
   }
   if (queryDevices)
   {
-    std::array<EGLDeviceEXT, 16> devices;
+    std::array<EGLDeviceEXT, 16> devices = {};
     EGLint deviceCount = 0;
     if (queryDevices(EGLint(devices.size()), devices.data(), &deviceCount))
     {

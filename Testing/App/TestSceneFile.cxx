@@ -128,7 +128,9 @@ INSTANTIATE_TEST_SUITE_P(Messages, SceneFileError,
     ErrorCase{ R"({ "volume": { "procedural": "torsoo" }, "look": "ct-bone" })",
       "volume.procedural: unknown value \"torsoo\"; did you mean \"torso\"?" },
     ErrorCase{ R"({ "volume": { "procedural": "torso" }, "look": "ct-bones" })",
-      "look: unknown preset \"ct-bones\"; did you mean \"ct-bone\"?" }));
+      "look: unknown preset \"ct-bones\"; did you mean \"ct-bone\"?" },
+    ErrorCase{ R"({ "volume": { "procedural": "torso" }, "look": { "colors": [] } })",
+      "look.colors: expected an array of 1 to 10000, found an array of 0" }));
 
 TEST(SceneFile, NodesMustBeInOrder)
 {

@@ -109,6 +109,10 @@ def usage(folder):
     ):
         _, errors = run("render", VOLUME, "-o", folder / "a.png", *arguments, expect=2)
         assert message in errors, errors
+    for volume, kind in ((VOLUME, "procedural volume"), (folder / "scene.json", "scene file")):
+        _, errors = run("render", volume, "-o", folder / "a.png", "--raw-dimensions", "4x4x4",
+                        expect=2)
+        assert f"--raw-dimensions: expected a raw file, found the {kind} {volume}" in errors, errors
     for command in ("render", "compare", "info"):
         text, _ = run(command, "--help")
         assert f"  varimarch {command} " in text, "help without examples"
