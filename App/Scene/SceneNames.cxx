@@ -91,7 +91,8 @@ const NameTable<int>& RawTypeNames()
 {
   static const NameTable<int> table = { { "uint8", VTK_UNSIGNED_CHAR }, { "int8", VTK_SIGNED_CHAR },
     { "uint16", VTK_UNSIGNED_SHORT }, { "int16", VTK_SHORT }, { "uint32", VTK_UNSIGNED_INT },
-    { "int32", VTK_INT }, { "float32", VTK_FLOAT }, { "float64", VTK_DOUBLE } };
+    { "int32", VTK_INT }, { "uint64", VTK_TYPE_UINT64 }, { "int64", VTK_TYPE_INT64 },
+    { "float32", VTK_FLOAT }, { "float64", VTK_DOUBLE } };
   return table;
 }
 

@@ -47,8 +47,7 @@ private:
   bool bigEndian;
 };
 
-/// Offsets from the NIfTI-1 specification, nifti1.h.
-void PutNiftiSizes(const StoredVolume& volume, BinaryHeader& header)
+std::int16_t NiftiCode(int scalarType)
 {
   static const std::map<int, std::int16_t> codes = {
     { VTK_UNSIGNED_CHAR, 2 },
@@ -59,7 +58,15 @@ void PutNiftiSizes(const StoredVolume& volume, BinaryHeader& header)
     { VTK_SIGNED_CHAR, 256 },
     { VTK_UNSIGNED_SHORT, 512 },
     { VTK_UNSIGNED_INT, 768 },
+    { VTK_TYPE_INT64, 1024 },
+    { VTK_TYPE_UINT64, 1280 },
   };
+  return codes.at(scalarType);
+}
+
+/// Offsets from the NIfTI-1 specification, nifti1.h.
+void PutNiftiSizes(const StoredVolume& volume, BinaryHeader& header)
+{
   header.Put(0, std::int32_t(348));
   header.Put(40, std::int16_t(3));
   for (int axis = 0; axis < 3; ++axis)
@@ -67,7 +74,7 @@ void PutNiftiSizes(const StoredVolume& volume, BinaryHeader& header)
     header.Put(42 + 2 * axis, std::int16_t(volume.dimensions[axis]));
     header.Put(80 + 4 * axis, float(glm::length(volume.axesMm[axis])));
   }
-  header.Put(70, codes.at(volume.scalarType));
+  header.Put(70, NiftiCode(volume.scalarType));
   header.Put(108, 352.0f);  // vox_offset
   header.Put(123, char(2)); // xyzt_units: mm
   header.PutText(344, "n+1");
@@ -81,7 +88,7 @@ std::string Element(
   {
     value += type == "UI" ? '\0' : ' ';
   }
-  const bool isLong = type == "OB" || type == "OW";
+  const bool isLong = type == "OB" || type == "OW" || type == "SQ";
   BinaryHeader header(isLong ? 12 : 8, false);
   header.Put(0, group);
   header.Put(2, element);
@@ -116,13 +123,27 @@ std::string Decimals(const std::vector<double>& numbers)
   return text.str();
 }
 
-std::string DicomFileMeta(const std::string& instanceUid)
+std::string DicomFileMeta(const std::string& classUid, const std::string& instanceUid)
 {
   const std::string meta = Element(2, 1, "OB", std::string("\0\1", 2)) +
-    Element(2, 2, "UI", "1.2.840.10008.5.1.4.1.1.2") + Element(2, 3, "UI", instanceUid) +
+    Element(2, 2, "UI", classUid) + Element(2, 3, "UI", instanceUid) +
     Element(2, 0x10, "UI", "1.2.840.10008.1.2.1") + Element(2, 0x12, "UI", "1.2.3.4");
   return std::string(128, '\0') + "DICM" + Element(2, 0, "UL", Bytes(std::uint32_t(meta.size()))) +
     meta;
+}
+
+const std::string ctImageStorage = "1.2.840.10008.5.1.4.1.1.2";
+
+/// An entry of an index, with the offsets in the file of the next one and of the first below it.
+std::string IndexRecord(std::uint32_t next, std::uint32_t below, const std::string& type,
+  const std::string& imageName, const std::string& keys)
+{
+  const std::string record = Element(4, 0x1400, "UL", Bytes(next)) +
+    Element(4, 0x1410, "US", Bytes(std::uint16_t(0xffff))) +
+    Element(4, 0x1420, "UL", Bytes(below)) + Element(4, 0x1430, "CS", type) +
+    (imageName.empty() ? "" : Element(4, 0x1500, "CS", imageName)) + keys;
+  return Bytes(std::uint16_t(0xfffe)) + Bytes(std::uint16_t(0xe000)) +
+    Bytes(std::uint32_t(record.size())) + record;
 }
 
 }
@@ -171,6 +192,31 @@ std::string NiftiBytes(const StoredVolume& volume, NiftiForm form, bool bigEndia
   return header.Bytes() + VoxelBytes(volume, bigEndian);
 }
 
+std::string Nifti2Bytes(const StoredVolume& volume, bool bigEndian)
+{
+  // Offsets from the NIfTI-2 specification, nifti2.h.
+  BinaryHeader header(544, bigEndian);
+  header.Put(0, std::int32_t(540));
+  header.PutText(4, std::string("n+2\0\r\n\x1a\n", 8));
+  header.Put(12, NiftiCode(volume.scalarType));
+  header.Put(16, std::int64_t(3));
+  header.Put(168, std::int64_t(544)); // vox_offset
+  header.Put(348, std::int32_t(1));   // sform_code
+  header.Put(500, std::int32_t(2));   // xyzt_units: mm
+  const glm::dvec3 rasFromLps(-1.0, -1.0, 1.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    header.Put(24 + 8 * axis, std::int64_t(volume.dimensions[axis]));
+    header.Put(112 + 8 * axis, glm::length(volume.axesMm[axis]));
+    header.Put(424 + 32 * axis, rasFromLps[axis] * volume.originMm[axis]);
+    for (int row = 0; row < 3; ++row)
+    {
+      header.Put(400 + 32 * row + 8 * axis, rasFromLps[row] * volume.axesMm[axis][row]);
+    }
+  }
+  return header.Bytes() + VoxelBytes(volume, bigEndian);
+}
+
 std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions& options)
 {
   const std::string instanceUid =
@@ -183,7 +229,7 @@ std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions
   StoredVolume pixels = volume;
   pixels.values.assign(volume.values.begin() + std::ptrdiff_t(slice * sliceValues),
     volume.values.begin() + std::ptrdiff_t((slice + 1) * sliceValues));
-  return DicomFileMeta(instanceUid) + Element(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2") +
+  return DicomFileMeta(ctImageStorage, instanceUid) + Element(8, 0x16, "UI", ctImageStorage) +
     Element(8, 0x18, "UI", instanceUid) + Element(8, 0x60, "CS", "CT") +
     Element(0x10, 0x10, "PN", "Doe^Jane") + Element(0x20, 0xd, "UI", "1.2") +
     Element(0x20, 0xe, "UI", options.seriesUid) +
@@ -204,4 +250,32 @@ std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions
     Element(0x28, 0x1052, "DS", Decimals({ options.intercept })) +
     Element(0x28, 0x1053, "DS", Decimals({ options.slope })) +
     Element(0x7fe0, 0x10, "OW", VoxelBytes(pixels));
+}
+
+std::string DicomIndexBytes(const std::vector<std::string>& imageNames)
+{
+  const std::string meta = DicomFileMeta("1.2.840.10008.1.3.10", "1.2.3.9");
+  // The offsets of the first and last record, an element without meaning, and the header of the
+  // sequence lie between the file's meta information and its first record.
+  const auto first = std::uint32_t(meta.size() + 12 + 12 + 10 + 12);
+  const auto end = [&](const std::string& records)
+  { return std::uint32_t(first + records.size()); };
+
+  std::string records;
+  const auto addParent = [&](const std::string& type, const std::string& keys)
+  {
+    const std::string unplaced = IndexRecord(0, 0, type, "", keys);
+    records += IndexRecord(0, end(records + unplaced), type, "", keys);
+  };
+  addParent("PATIENT", Element(0x10, 0x10, "PN", "Doe^Jane"));
+  addParent("STUDY", Element(0x20, 0xd, "UI", "1.2"));
+  addParent("SERIES", Element(8, 0x60, "CS", "CT") + Element(0x20, 0xe, "UI", "1.2.3"));
+  for (const std::string& name : imageNames)
+  {
+    const std::string unplaced = IndexRecord(0, 0, "IMAGE", name, "");
+    const bool isLast = &name == &imageNames.back();
+    records += IndexRecord(isLast ? 0 : end(records + unplaced), 0, "IMAGE", name, "");
+  }
+  return meta + Element(4, 0x1200, "UL", Bytes(first)) + Element(4, 0x1202, "UL", Bytes(first)) +
+    Element(4, 0x1212, "US", Bytes(std::uint16_t(0))) + Element(4, 0x1220, "SQ", records);
 }

@@ -1,10 +1,14 @@
 #include "PhantomFiles.h"
 
 #include <vtkByteSwap.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkSetGet.h>
+#include <vtkXMLImageDataWriter.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include <zlib.h>
@@ -12,6 +16,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <locale>
 #include <sstream>
@@ -44,7 +49,7 @@ std::string Vector(const glm::dvec3& v)
   return Text('(', v.x, ',', v.y, ',', v.z, ')');
 }
 
-const char* NameOfType(int scalarType, const std::array<const char*, 8>& names)
+const char* NameOfType(int scalarType, const std::array<const char*, 10>& names)
 {
   switch (scalarType)
   {
@@ -64,6 +69,10 @@ const char* NameOfType(int scalarType, const std::array<const char*, 8>& names)
       return names[6];
     case VTK_DOUBLE:
       return names[7];
+    case VTK_TYPE_INT64:
+      return names[8];
+    case VTK_TYPE_UINT64:
+      return names[9];
     default:
       throw std::logic_error("a type that the tests do not write");
   }
@@ -209,7 +218,8 @@ std::string NrrdHeaderText(const StoredVolume& volume, const std::string& space)
 {
   const glm::dvec3 signs(space.find('R') == 0 ? -1.0 : 1.0, space.find('A') == 1 ? -1.0 : 1.0, 1.0);
   const char* const type = NameOfType(volume.scalarType,
-    { "signed char", "uchar", "int16_t", "unsigned short", "int", "uint32", "float", "double" });
+    { "signed char", "uchar", "int16_t", "unsigned short", "int", "uint32", "float", "double",
+      "longlong", "uint64_t" });
   const auto& size = volume.dimensions;
   return Text("NRRD0005\n# a comment: with a colon\ntype: ", type, "\ndimension: 3\nspace: ", space,
     "\nsizes: ", size[0], ' ', size[1], ' ', size[2],
@@ -222,7 +232,7 @@ std::string MetaImageHeaderText(const StoredVolume& volume)
 {
   const char* const type = NameOfType(volume.scalarType,
     { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT", "MET_UINT", "MET_FLOAT",
-      "MET_DOUBLE" });
+      "MET_DOUBLE", "MET_LONG_LONG", "MET_ULONG_LONG" });
   std::string matrix;
   std::string spacing;
   std::string offset;
@@ -242,7 +252,8 @@ std::string MetaImageHeaderText(const StoredVolume& volume)
 std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstIndex)
 {
   const char* const type = NameOfType(volume.scalarType,
-    { "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Float32", "Float64" });
+    { "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Float32", "Float64", "Int64",
+      "UInt64" });
   std::string extent;
   std::string spacing;
   glm::dmat3 direction;
@@ -267,4 +278,34 @@ std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstI
     "\">\n<PointData Scalars=\"density\">\n<DataArray type=\"", type,
     "\" Name=\"density\" format=\"ascii\">\n", VoxelText(volume),
     "\n</DataArray>\n</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n");
+}
+
+std::string EncodedVti(
+  const StoredVolume& volume, const std::string& voxelBytes, const VtiEncoding& encoding)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(volume.dimensions.data());
+  image->SetOrigin(volume.originMm.x, volume.originMm.y, volume.originMm.z);
+  image->AllocateScalars(volume.scalarType, 1);
+  std::memcpy(image->GetScalarPointer(), voxelBytes.data(), voxelBytes.size());
+  glm::dmat3 direction;
+  glm::dvec3 spacingMm;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacingMm[axis] = glm::length(volume.axesMm[axis]);
+    direction[axis] = volume.axesMm[axis] / spacingMm[axis];
+  }
+  image->SetSpacing(&spacingMm[0]);
+  image->SetDirectionMatrix(glm::value_ptr(glm::transpose(direction)));
+
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputData(image);
+  writer->SetDataMode(encoding.dataMode);
+  writer->SetEncodeAppendedData(encoding.base64);
+  writer->SetCompressorType(encoding.compressor);
+  writer->SetByteOrder(encoding.bigEndian ? vtkXMLWriter::BigEndian : vtkXMLWriter::LittleEndian);
+  writer->SetHeaderType(encoding.headerBits);
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  return writer->GetOutputString();
 }

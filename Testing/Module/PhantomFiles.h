@@ -69,6 +69,19 @@ std::string NrrdHeaderText(const StoredVolume& volume, const std::string& space 
 std::string MetaImageHeaderText(const StoredVolume& volume);
 std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstIndex = { 0, 0, 0 });
 
+/// How VTK's own writer is to store the voxels of a VTI file: values of vtkXMLWriter.
+struct VtiEncoding
+{
+  int dataMode; ///< vtkXMLWriter::Ascii, Binary, Appended
+  bool base64 = true;
+  int compressor = 0; ///< vtkXMLWriter::NONE, ...
+  bool bigEndian = false;
+  int headerBits = 32;
+};
+/// A VTI file with these bytes as voxels, by VTK's own writer.
+std::string EncodedVti(
+  const StoredVolume& volume, const std::string& voxelBytes, const VtiEncoding& encoding);
+
 enum class NiftiForm
 {
   Affine,
@@ -76,6 +89,8 @@ enum class NiftiForm
 };
 std::string NiftiBytes(
   const StoredVolume& volume, NiftiForm form = NiftiForm::Affine, bool bigEndian = false);
+/// NIfTI-2, with the affine form.
+std::string Nifti2Bytes(const StoredVolume& volume, bool bigEndian = false);
 
 /// How a DICOM slice differs from the usual.
 struct DicomOptions
@@ -89,5 +104,8 @@ struct DicomOptions
 };
 /// A slice of a volume of shorts, uncompressed and little-endian.
 std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions& options = {});
+/// A DICOMDIR: an index of the images of one series.
+/// @param imageNames  in the folder of the index, their parts separated by backslashes
+std::string DicomIndexBytes(const std::vector<std::string>& imageNames);
 
 #endif

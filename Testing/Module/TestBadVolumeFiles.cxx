@@ -5,6 +5,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkVolumeFileReader.h>
+#include <vtkXMLWriter.h>
 
 #include <gtest/gtest.h>
 
@@ -108,6 +109,13 @@ std::string Vti()
   return text.substr(0, text.size() - 1); // the line's end at the end may be missing
 }
 
+std::string Vti(const VtiEncoding& encoding)
+{
+  const StoredVolume volume = phantom::Stored(0);
+  const std::string text = EncodedVti(volume, VoxelBytes(volume), encoding);
+  return text.substr(0, text.size() - 1);
+}
+
 /// A valid file of each format: its name, its bytes, and how many at the end say nothing.
 struct GoodFile
 {
@@ -121,8 +129,11 @@ std::vector<GoodFile> GoodFiles()
   const StoredVolume volume = phantom::Stored(0);
   // Behind the last voxel, gzip has an end mark and 8 bytes of checks.
   return { { "a.nrrd", Nrrd() }, { "gzip.nrrd", GzippedNrrd(), 12 }, { "a.mha", MetaImage() },
-    { "a.vti", Vti() }, { "a.nii", NiftiBytes(volume) },
-    { "a.nii.gz", Gzipped(NiftiBytes(volume)), 12 }, { "a.dcm", DicomBytes(volume, 0) } };
+    { "a.vti", Vti() }, { "binary.vti", Vti({ vtkXMLWriter::Binary }) },
+    { "raw.vti", Vti({ vtkXMLWriter::Appended, false }) },
+    { "zlib.vti", Vti({ vtkXMLWriter::Appended, false, vtkXMLWriter::ZLIB }) },
+    { "a.nii", NiftiBytes(volume) }, { "a.nii.gz", Gzipped(NiftiBytes(volume)), 12 },
+    { "a.dcm", DicomBytes(volume, 0) } };
 }
 
 TEST(BadVolumeFiles, TheGoodOnesAreRead)
@@ -165,6 +176,19 @@ TEST(BadVolumeFiles, WithBytesChangedTheyAreReadOrRefused)
       ReadsOrFailsWell(folder.Write(file.name, bytes));
     }
   }
+}
+
+TEST(BadVolumeFiles, RawVtiThatPromisesMoreThanItHoldsIsRefused)
+{
+  // The count of bytes is false as well, so that VTK would read on to the end of the file.
+  StoredVolume promised = phantom::Stored(0);
+  promised.dimensions = { 5, 4, 6 };
+  promised.values.resize(120);
+  const VtiEncoding raw = { vtkXMLWriter::Appended, false };
+  std::string bytes = EncodedVti(promised, VoxelBytes(promised), raw);
+  bytes.erase(bytes.find("</AppendedData>") - 120, 110);
+  const TemporaryFolder folder;
+  EXPECT_FALSE(ReadsOrFailsWell(folder.Write("half.vti", bytes)));
 }
 
 TEST(BadVolumeFiles, FalseSizesTakeNoMemory)
@@ -265,6 +289,24 @@ TEST(BadVolumeFiles, CorruptCompressedStreamsAreNamed)
   vtkNew<vtkVolumeFileReader> reader;
   EXPECT_FALSE(ReadsOrFailsWell(reader, folder.Write("corrupt.nii.gz", bytes)));
   EXPECT_NE(std::string(reader->GetErrorMessage()).find("compressed stream"), std::string::npos);
+}
+
+TEST(BadVolumeFiles, ACompressedFileCutInTheMiddleSaysHowMuchItHeld)
+{
+  const TemporaryFolder folder;
+  StoredVolume volume = phantom::Stored(0);
+  volume.dimensions = { 64, 64, 64 };
+  std::mt19937 random(20240612);
+  std::generate_n(std::back_inserter(volume.values), 64 * 64 * 64 - volume.values.size(),
+    [&] { return double(random() % 1000); });
+  const std::string bytes = Gzipped(NiftiBytes(volume));
+  ASSERT_GT(bytes.size(), 200e3) << "several buffers of the reader";
+  vtkNew<vtkVolumeFileReader> reader;
+  EXPECT_FALSE(
+    ReadsOrFailsWell(reader, folder.Write("cut.nii.gz", bytes.substr(0, bytes.size() / 2))));
+  const std::string message = reader->GetErrorMessage();
+  EXPECT_NE(message.find("a complete compressed stream"), std::string::npos) << message;
+  EXPECT_NE(message.find("decompressed bytes"), std::string::npos) << message;
 }
 
 TEST(BadVolumeFiles, FoldersWithoutImagesAndUnreadableFilesAreRefused)

@@ -103,6 +103,43 @@ TEST(DicomVolumes, TheLargestSeriesIsReadUnlessAnotherIsAskedFor)
   EXPECT_EQ(errors.Messages().size(), 1u);
 }
 
+TEST(DicomVolumes, AnIndexFileTellsWhichImagesBelong)
+{
+  const TemporaryFolder folder;
+  WriteSlices(folder, "disc/CT", phantom::Stored(0), { 0, 1, 2 });
+  WriteSlices(folder, "disc/OTHER", TallPhantom(9), { 3, 4, 5, 6, 7, 8 }, { "1.2.44" });
+  const std::string index = folder.Write(
+    "disc/DICOMDIR", DicomIndexBytes({ "CT\\slice0.dcm", "CT\\slice1.dcm", "CT\\slice2.dcm" }));
+  for (const std::string& path : { index, folder.Path("disc") })
+  {
+    vtkNew<vtkVolumeFileReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    ASSERT_STREQ(reader->GetErrorMessage(), "");
+    EXPECT_EQ(Warnings(reader), "");
+    ASSERT_EQ(reader->GetOutput()->GetNumberOfPoints(), 5 * 4 * 3);
+    EXPECT_EQ(
+      reader->GetOutput()->GetScalarComponentAsDouble(4, 3, 2, 0), phantom::ValueAt({ 4, 3, 2 }));
+    EXPECT_NEAR(reader->GetOutput()->GetSpacing()[2], 2.5, 1e-6);
+  }
+}
+
+TEST(DicomVolumes, AnIndexOfMissingImagesIsRefused)
+{
+  const TemporaryFolder folder;
+  const std::string index =
+    folder.Write("DICOMDIR", DicomIndexBytes({ "CT\\slice0.dcm", "CT\\slice1.dcm" }));
+  const ExpectedVtkErrors errors;
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(index.c_str());
+  reader->Update();
+  const std::string message = reader->GetErrorMessage();
+  EXPECT_EQ(message,
+    "Cannot read \"" + folder.Path("CT/slice0.dcm") +
+      "\": expected a file, found nothing of that name.");
+  EXPECT_EQ(errors.Messages().size(), 1u) << errors.Text();
+}
+
 TEST(DicomVolumes, AFileAloneIsASlice)
 {
   const TemporaryFolder folder;

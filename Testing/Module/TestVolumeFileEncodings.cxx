@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkVolumeFileReader.h>
+#include <vtkXMLWriter.h>
 
 #include <gtest/gtest.h>
 
@@ -174,6 +175,41 @@ TEST(VolumeFileEncodings, NiftiOfEveryTypeAndByteOrder)
   }
 }
 
+TEST(VolumeFileEncodings, Nifti2OfEveryTypeAndByteOrder)
+{
+  const TemporaryFolder folder;
+  for (const int type : types)
+  {
+    const StoredVolume volume = VolumeOfType(type);
+    for (const bool isBig : { false, true })
+    {
+      SCOPED_TRACE(vtkImageScalarTypeNameMacro(type));
+      ExpectVoxelsOfFile(folder.Write("phantom.nii", Nifti2Bytes(volume, isBig)), volume);
+    }
+  }
+}
+
+TEST(VolumeFileEncodings, NiftiPairByEitherOfItsFiles)
+{
+  const StoredVolume volume = phantom::Stored(0);
+  std::string header = NiftiBytes(volume).substr(0, 348);
+  header.replace(108, 4, 4, '\0'); // vox_offset
+  header.replace(344, 3, "ni1");
+  const std::string voxels = VoxelBytes(volume);
+  const TemporaryFolder plain;
+  plain.Write("head.hdr", header);
+  plain.Write("head.img", voxels);
+  const TemporaryFolder gzipped;
+  gzipped.Write("head.hdr.gz", Gzipped(header));
+  gzipped.Write("head.img.gz", Gzipped(voxels));
+  for (const std::string& path : { plain.Path("head.hdr"), plain.Path("head.img"),
+         gzipped.Path("head.hdr.gz"), gzipped.Path("head.img.gz") })
+  {
+    SCOPED_TRACE(path);
+    ExpectVoxelsOfFile(path, volume);
+  }
+}
+
 TEST(VolumeFileEncodings, VtiOfEveryType)
 {
   const TemporaryFolder folder;
@@ -183,6 +219,105 @@ TEST(VolumeFileEncodings, VtiOfEveryType)
     const StoredVolume volume = VolumeOfType(type);
     ExpectVoxelsOfFile(folder.Write("phantom.vti", VtiText(volume)), volume);
   }
+}
+
+TEST(VolumeFileEncodings, VtiInEveryWayThatVtkWritesIt)
+{
+  const TemporaryFolder folder;
+  StoredVolume volume = VolumeOfType(VTK_SHORT);
+  const std::string voxels = VoxelBytes(volume);
+  for (const VtiEncoding& way :
+    { VtiEncoding{ vtkXMLWriter::Ascii }, VtiEncoding{ vtkXMLWriter::Binary },
+      VtiEncoding{ vtkXMLWriter::Appended, true }, VtiEncoding{ vtkXMLWriter::Appended, false } })
+  {
+    for (const int compressor :
+      { vtkXMLWriter::NONE, vtkXMLWriter::ZLIB, vtkXMLWriter::LZ4, vtkXMLWriter::LZMA })
+    {
+      for (const bool isBig : { false, true })
+      {
+        for (const int headerBits : { 32, 64 })
+        {
+          SCOPED_TRACE(testing::Message()
+            << "mode " << way.dataMode << " base64 " << way.base64 << " compressor " << compressor
+            << " big " << isBig << " header " << headerBits);
+          const VtiEncoding encoding = { way.dataMode, way.base64, compressor, isBig, headerBits };
+          ExpectVoxelsOfFile(
+            folder.Write("phantom.vti", EncodedVti(volume, voxels, encoding)), volume);
+        }
+      }
+    }
+  }
+}
+
+/// Integers of which a double could not tell neighbours apart.
+template <class Integer>
+std::vector<Integer> LongIntegers(std::size_t count)
+{
+  std::vector<Integer> integers;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    integers.push_back(i % 2 == 0 ? Integer(std::numeric_limits<Integer>::max() - Integer(i))
+                                  : Integer(std::numeric_limits<Integer>::min() + Integer(i)));
+  }
+  return integers;
+}
+
+template <class Integer>
+void ExpectLongIntegers(
+  vtkVolumeFileReader* reader, const std::string& path, const std::vector<Integer>& integers)
+{
+  SCOPED_TRACE(path);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  vtkDataArray* values = reader->GetOutput()->GetPointData()->GetScalars();
+  ASSERT_EQ(values->GetNumberOfValues(), vtkIdType(integers.size()));
+  ASSERT_EQ(values->GetDataTypeSize(), int(sizeof(Integer)));
+  const auto* read = static_cast<const Integer*>(values->GetVoidPointer(0));
+  EXPECT_EQ(std::vector<Integer>(read, read + integers.size()), integers);
+}
+
+/// Checks every format that can carry integers of 64 bits.
+template <class Integer>
+void ExpectLongIntegersInEveryFormat(int scalarType)
+{
+  const TemporaryFolder folder;
+  StoredVolume header = phantom::Stored(0);
+  header.scalarType = scalarType;
+  const std::vector<Integer> integers = LongIntegers<Integer>(header.values.size());
+  const std::string voxels(
+    reinterpret_cast<const char*>(integers.data()), integers.size() * sizeof(Integer));
+  std::string text;
+  for (const Integer integer : integers)
+  {
+    text += std::to_string(integer) + ' ';
+  }
+  const std::string nrrd = NrrdHeaderText(header) + "endian: little\nencoding: ";
+  const std::string metaImage = MetaImageHeaderText(header);
+  const VtiEncoding ascii = { vtkXMLWriter::Ascii };
+  const VtiEncoding zlib = { vtkXMLWriter::Appended, false, vtkXMLWriter::ZLIB };
+  vtkNew<vtkVolumeFileReader> reader;
+  for (const std::string& path :
+    { folder.Write("raw.nrrd", nrrd + "raw\n\n" + voxels),
+      folder.Write("text.nrrd", nrrd + "ascii\n\n" + text),
+      folder.Write("raw.mha", metaImage + "ElementDataFile = LOCAL\n" + voxels),
+      folder.Write("text.mha", metaImage + "BinaryData = False\nElementDataFile = LOCAL\n" + text),
+      folder.Write("1.nii", NiftiBytes(header).substr(0, 352) + voxels),
+      folder.Write("2.nii", Nifti2Bytes(header).substr(0, 544) + voxels),
+      folder.Write("ascii.vti", EncodedVti(header, voxels, ascii)),
+      folder.Write("zlib.vti", EncodedVti(header, voxels, zlib)) })
+  {
+    ExpectLongIntegers(reader, path, integers);
+  }
+  reader->SetRawDimensions(5, 4, 3);
+  reader->SetRawScalarType(scalarType);
+  ExpectLongIntegers(reader, folder.Write("voxels.raw", voxels), integers);
+}
+
+TEST(VolumeFileEncodings, IntegersOf64BitsKeepTheirLastBit)
+{
+  ExpectLongIntegersInEveryFormat<vtkTypeInt64>(VTK_TYPE_INT64);
+  ExpectLongIntegersInEveryFormat<vtkTypeUInt64>(VTK_TYPE_UINT64);
 }
 
 TEST(VolumeFileEncodings, BareVoxelsAsTheCallerDescribesThem)

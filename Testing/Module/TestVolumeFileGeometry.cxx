@@ -94,6 +94,12 @@ TEST(VolumeFileGeometry, NiftiStaysInPlaceByItsQuaternionForm)
     { return folder.Write("phantom.nii", NiftiBytes(volume, NiftiForm::Quaternion)); });
 }
 
+TEST(VolumeFileGeometry, Nifti2StaysInPlace)
+{
+  ExpectAllOrientationsInPlace([](const TemporaryFolder& folder, const StoredVolume& volume)
+    { return folder.Write("phantom.nii", Nifti2Bytes(volume)); });
+}
+
 TEST(VolumeFileGeometry, DicomStaysInPlaceWhateverTheOrderOfItsFiles)
 {
   ExpectAllOrientationsInPlace(

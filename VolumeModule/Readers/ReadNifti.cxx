@@ -109,7 +109,8 @@ NiftiHeader ReadHeader(const std::string& path)
     FailToRead(path, "a NIfTI header with the mark n+1, ni1, n+2 or ni2",
       got < sizeof(nifti_1_header) ? std::to_string(got) + " bytes" : "no such mark");
   }
-  const std::size_t needed = is1 ? sizeof(nifti_1_header) : sizeof(nifti_2_header);
+  // Not sizeof: compilers pad the end of nifti_2_header.
+  const std::size_t needed = is1 ? 348 : 540;
   if (got < needed)
   {
     FailToRead(path, "a NIfTI header of " + std::to_string(needed) + " bytes", std::to_string(got));

@@ -1,5 +1,6 @@
 // VTK's XML image data. VTK's own reader keeps the geometry, so it reads; what it reports is
 // caught.
+#include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
@@ -25,6 +26,9 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <fstream>
+#include <limits>
+#include <optional>
 
 namespace varimarch
 {
@@ -72,6 +76,49 @@ ArrayInfo ArrayToRead(const std::string& path, vtkInformation* output)
   return candidates.front();
 }
 
+/// Fails for a file without its end, which VTK would read with whatever is in memory for the voxels
+/// that are missing.
+void CheckIsWhole(const std::string& path)
+{
+  constexpr std::uint64_t tailBytes = 1024;
+  const std::uint64_t fileBytes = ReadableFileSize(path);
+  std::string tail(std::min(fileBytes, tailBytes), '\0');
+  OpenStream(path, Compression::None, fileBytes - tail.size())->Read(tail.data(), tail.size());
+  const std::size_t mark = tail.rfind("</VTKFile");
+  if (mark == std::string::npos || tail.find('>', mark) == std::string::npos)
+  {
+    FailToRead(path, "a VTK image file that ends with </VTKFile>",
+      "another end after " + std::to_string(fileBytes) + " bytes");
+  }
+}
+
+/// Where bytes stand in the file as they are, if they do: behind "<AppendedData encoding="raw">_".
+std::optional<std::uint64_t> RawBytesBegin(const std::string& path)
+{
+  constexpr auto anywhere = std::numeric_limits<std::streamsize>::max();
+  const std::string wanted = "AppendedData";
+  std::ifstream file(path, std::ios::binary);
+  while (file.ignore(anywhere, '<'))
+  {
+    const std::streamoff tag = file.tellg();
+    std::string name(wanted.size(), '\0');
+    if (!file.read(name.data(), std::streamsize(name.size())))
+    {
+      break;
+    }
+    if (name == wanted)
+    {
+      std::string attributes;
+      std::getline(file, attributes, '>');
+      const bool isRaw = attributes.find("raw") != std::string::npos;
+      return isRaw && file.ignore(anywhere, '_') ? std::optional(std::uint64_t(file.tellg()))
+                                                 : std::nullopt;
+    }
+    file.seekg(tag);
+  }
+  return std::nullopt;
+}
+
 /// Fails for a header that promises more than any encoding of the file can hold.
 void CheckFileHolds(const std::string& path, const VoxelLayout& layout, bool isCompressed)
 {
@@ -79,11 +126,17 @@ void CheckFileHolds(const std::string& path, const VoxelLayout& layout, bool isC
   const double fileBytes = double(ReadableFileSize(path));
   // The densest: LZMA packs up to about 7000 to 1; text needs two bytes for a value.
   const double valueBytes = vtkDataArray::GetDataTypeSize(layout.scalarType);
-  const double mostBytes = fileBytes * (isCompressed ? 7000.0 : std::max(1.0, valueBytes / 2.0));
+  double mostBytes = fileBytes * (isCompressed ? 7000.0 : std::max(1.0, valueBytes / 2.0));
+  if (const auto begin = isCompressed ? std::nullopt : RawBytesBegin(path))
+  {
+    // Before them stands their count, behind them the end of the document.
+    const auto otherBytes = double(*begin + 4 + sizeof("</AppendedData></VTKFile>") - 1);
+    mostBytes = std::max(0.0, fileBytes - otherBytes);
+  }
   if (bytes > mostBytes)
   {
     FailToRead(
-      path, Text(layout) + " (" + ByteText(bytes) + ")", "a file of " + ByteText(fileBytes));
+      path, Text(layout) + " (" + ByteText(bytes) + ")", "room for at most " + ByteText(mostBytes));
   }
 }
 
@@ -138,6 +191,7 @@ ArrayInfo ReadHeader(
 
 Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
+  CheckIsWhole(path);
   VtkMessages messages;
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetReaderErrorObserver(messages.Listener());
@@ -145,11 +199,14 @@ Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progre
   messages.Take(reader);
   messages.Take(reader->GetExecutive());
   const ArrayInfo array = ReadHeader(path, reader, messages);
+  SelectArray(reader, array.name);
+  // The selection makes the reader parse its file anew, with another parser and decompressor.
+  reader->UpdateInformation();
+  messages.Take(reader->GetXMLParser());
   if (vtkDataCompressor* compressor = reader->GetXMLParser()->GetCompressor())
   {
     messages.Take(compressor);
   }
-  SelectArray(reader, array.name);
   UpdateWithProgress(reader, progress);
 
   vtkImageData* image = reader->GetOutput();
