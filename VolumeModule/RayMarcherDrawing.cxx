@@ -204,6 +204,8 @@ void RayMarcher::SetBlendUniforms(const Frame& frame)
       this->program.Set("opacityUnitDistanceMm", frame.property->GetScalarOpacityUnitDistance());
       break;
     }
+    default:
+      break;
   }
 }
 

@@ -1,75 +1,14 @@
-#include "Core/ReferenceIntegrator.h"
+#include "Unit/ReferenceVolumes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 using namespace varimarch;
 
 namespace
 {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-const glm::dvec3 red(1.0, 0.0, 0.0);
-const glm::dvec3 blue(0.0, 0.0, 1.0);
-
-struct Volume
-{
-  glm::ivec3 dimensions;
-  std::vector<double> voxels;
-
-  ScalarGrid<double> Grid() const { return { this->voxels.data(), this->dimensions }; }
-  Box BoxGrid() const { return { glm::dvec3(0.0), glm::dvec3(this->dimensions - 1) }; }
-};
-
-/// The voxels are those of `volume`, which must live on.
-ReferenceScene SceneOf(const Volume& volume, TransferFunction transferFunction)
-{
-  return { [&volume](glm::ivec3 cell) { return CornersOfCell(volume.Grid(), cell); },
-    volume.BoxGrid(), std::move(transferFunction) };
-}
-
-glm::dvec4 ColorAlong(const ReferenceScene& scene, const Ray& ray, double mmPerParameter = 1.0,
-  Interval limits = { 0.0, infinity })
-{
-  const ReferenceColor color = ReferenceIntegrator(scene).Color(ray, mmPerParameter, limits);
-  EXPECT_LT(color.error, 1e-8);
-  return color.rgba;
-}
-
-void ExpectNear(glm::dvec4 color, glm::dvec4 truth, double tolerance = 1e-8)
-{
-  for (int channel = 0; channel < 4; ++channel)
-  {
-    EXPECT_NEAR(color[channel], truth[channel], tolerance) << "channel " << channel;
-  }
-}
-
-/// Values from 0 at x = 0 to 1 at x = cells.
-Volume RampAlongX(int cells)
-{
-  Volume volume{ { cells + 1, 2, 2 }, {} };
-  for (int i = 0; i < 4 * (cells + 1); ++i)
-  {
-    volume.voxels.push_back(double(i % (cells + 1)) / cells);
-  }
-  return volume;
-}
-
-const Ray alongX{ { -1.0, 0.3, 0.6 }, { 1.0, 0.0, 0.0 } };
-
-Volume RandomVolume(glm::ivec3 dimensions, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> value(0.0, 1.0);
-  Volume volume{ dimensions, std::vector<double>(dimensions.x * dimensions.y * dimensions.z) };
-  for (double& voxel : volume.voxels)
-  {
-    voxel = value(random);
-  }
-  return volume;
-}
 
 /// Nodes at random values, with kinks, steps and curves of all shapes.
 TransferFunction RandomTransferFunction(std::mt19937& random, bool steps = true)
@@ -89,15 +28,6 @@ TransferFunction RandomTransferFunction(std::mt19937& random, bool steps = true)
     }
   }
   return { colors, opacities, 1.0 };
-}
-
-Ray RandomRay(glm::ivec3 dimensions, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> number(0.0, 1.0);
-  const auto place = [&](double scale)
-  { return glm::dvec3(number(random), number(random), number(random)) * scale - 0.5 * scale; };
-  const glm::dvec3 origin = glm::dvec3(dimensions - 1) * 0.5 + place(10.0);
-  return { origin, glm::dvec3(dimensions - 1) * 0.5 + place(1.5) - origin };
 }
 
 /// Midpoint rule with so many steps that nothing else is needed.

@@ -41,6 +41,11 @@ CellCubic::CellCubic(const CellCorners& corners, glm::dvec3 enter, glm::dvec3 le
     value(leave.x, leave.y, leave.z) };
 }
 
+CellCubic CellCubic::StartingAt(double value) const
+{
+  return CellCubic({ value, this->bernstein[1], this->bernstein[2], this->bernstein[3] });
+}
+
 // De Casteljau's algorithm.
 double CellCubic::Value(double u) const
 {

@@ -41,6 +41,9 @@ public:
   {
   }
 
+  /// The same but for its value at 0: that of the piece before it, where round-off made two.
+  CellCubic StartingAt(double value) const;
+
   /// @param u  position along the line, [0, 1]
   double Value(double u) const;
 

@@ -17,6 +17,10 @@ enum class Blend
 {
   Composite,        ///< emission and absorption, front to back
   MaximumIntensity, ///< the largest value along the ray, through the transfer function
+  MinimumIntensity, ///< the smallest
+  AverageIntensity, ///< the mean of opacity times value
+  Additive,         ///< the integral of opacity times value
+  Isosurface,       ///< surfaces of equal value
 };
 
 /// Every choice that changes the shader. Values (a tolerance, a step length) are not here: they

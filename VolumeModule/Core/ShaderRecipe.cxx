@@ -1,5 +1,7 @@
 #include "Core/ShaderRecipe.h"
 
+#include <stdexcept>
+
 namespace varimarch
 {
 
@@ -27,9 +29,10 @@ std::string BlendFile(Blend blend)
     case Blend::MaximumIntensity:
       return "Blend/MaximumIntensity.glsl";
     case Blend::Composite:
-      break;
+      return "Blend/Composite.glsl";
+    default:
+      throw std::invalid_argument("Shader: there is none yet for this blend mode");
   }
-  return "Blend/Composite.glsl";
 }
 
 bool UsesShading(const RenderSettings& settings)

@@ -91,4 +91,17 @@ SlabQuadrature::Slab SlabQuadrature::Integral(
   return fine;
 }
 
+SlabQuadrature::Estimate SlabQuadrature::Integral(
+  const std::array<double, PointCount>& samples, double length) const
+{
+  double fine = 0.0;
+  double coarse = 0.0;
+  for (int i = 0; i < pointCount; ++i)
+  {
+    fine += this->weights[i] * samples[i];
+    coarse += this->coarseWeights[i] * samples[i];
+  }
+  return { length * fine, length * std::abs(fine - coarse) };
+}
+
 }

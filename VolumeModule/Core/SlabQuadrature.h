@@ -27,12 +27,21 @@ public:
     double error;   ///< estimate, of rgb and transmittance together
   };
 
+  struct Estimate
+  {
+    double value;
+    double error; ///< estimate
+  };
+
   SlabQuadrature();
 
   /// Where to sample: positions in (0, 1), ascending.
   const std::array<double, PointCount>& Points() const { return this->points; }
 
   Slab Integral(const std::array<OpticalProperties, PointCount>& samples, double lengthMm) const;
+
+  /// The plain integral of a function over a length.
+  Estimate Integral(const std::array<double, PointCount>& samples, double length) const;
 
 private:
   std::array<double, PointCount> points;

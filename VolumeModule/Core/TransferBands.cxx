@@ -28,8 +28,10 @@ void AppendCuts(const std::vector<Node>& nodes, std::vector<double>& cuts)
 
 }
 
-TransferBands::TransferBands(const TransferFunction& transferFunction)
+TransferBands::TransferBands(
+  const TransferFunction& transferFunction, const std::vector<double>& moreCuts)
   : transferFunction(transferFunction)
+  , cuts(moreCuts)
 {
   AppendCuts(transferFunction.Colors(), this->cuts);
   AppendCuts(transferFunction.Opacities(), this->cuts);
@@ -88,17 +90,26 @@ bool TransferBands::MayBeVisible(double lowest, double highest) const
     this->visibleBefore[this->BandBelow(lowest)];
 }
 
-OpticalProperties TransferBands::Inside(const Band& band, double value) const
+TransferBands::Band TransferBands::OnlyAt(double value) const
 {
-  // Not std::clamp: in a band one bit wide the limits are the wrong way round.
-  const double inside = std::min(
-    std::max(value, std::nextafter(band.lower, infinity)), std::nextafter(band.upper, -infinity));
-  return this->At(inside);
+  const double extinction = this->transferFunction.Extinction(value);
+  const Kind kind = extinction == 0.0 ? Kind::Invisible
+    : std::isinf(extinction)          ? Kind::Opaque
+                                      : Kind::Constant;
+  return { std::nextafter(value, -infinity), std::nextafter(value, infinity), kind };
 }
 
-OpticalProperties TransferBands::At(double value) const
+double TransferBands::Band::Kept(double value) const
 {
-  return { this->transferFunction.Color(value), this->transferFunction.Extinction(value) };
+  // Not std::clamp: in a band one bit wide the limits are the wrong way round.
+  return std::min(
+    std::max(value, std::nextafter(this->lower, infinity)), std::nextafter(this->upper, -infinity));
+}
+
+OpticalProperties TransferBands::Inside(const Band& band, double value) const
+{
+  const double kept = band.Kept(value);
+  return { this->transferFunction.Color(kept), this->transferFunction.Extinction(kept) };
 }
 
 }

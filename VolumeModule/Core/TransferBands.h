@@ -35,9 +35,15 @@ public:
     double lower;
     double upper;
     Kind kind;
+
+    /// A value of the band, kept off its ends: round-off that takes it out of the band does not
+    /// take it across a step.
+    double Kept(double value) const;
   };
 
-  explicit TransferBands(const TransferFunction& transferFunction);
+  /// @param moreCuts  values that shall end a band too
+  explicit TransferBands(
+    const TransferFunction& transferFunction, const std::vector<double>& moreCuts = {});
 
   const Band& operator[](int band) const { return this->bands[band]; }
 
@@ -50,12 +56,11 @@ public:
   /// Whether a value in [lowest, highest] may have any extinction; exact up to the ends of bands.
   bool MayBeVisible(double lowest, double highest) const;
 
-  /// The properties at a value inside a band; round-off that takes the value out of the band does
-  /// not take it across a step.
-  OpticalProperties Inside(const Band& band, double value) const;
+  /// A band of one value, which a whole piece of ray has, and which may be that of a node.
+  Band OnlyAt(double value) const;
 
-  /// The properties at a value that a whole piece of ray has, and which may be that of a node.
-  OpticalProperties At(double value) const;
+  /// The properties at a value inside a band.
+  OpticalProperties Inside(const Band& band, double value) const;
 
 private:
   Kind KindOf(double lower, double upper) const;

@@ -1,0 +1,94 @@
+#ifndef Varimarch_Core_Reference_CellPieces_h
+#define Varimarch_Core_Reference_CellPieces_h
+
+#include "Core/CellWalk.h"
+#include "Core/Reference/RayIntegral.h"
+#include "Core/TransferBands.h"
+
+namespace varimarch
+{
+
+/// The part of a ray in one cell, and the cubic that the values are there over u in [0, 1].
+struct CellPiece
+{
+  CellCubic cubic;
+  Interval t;
+
+  double ParameterAt(double u) const { return this->t.enter + u * (this->t.exit - this->t.enter); }
+};
+
+CellPiece PieceOf(const CellPart& part, const CellCorners& corners, const Ray& ray);
+
+bool AllFinite(const CellCorners& corners);
+
+/// Calls visit(part, corners) for the cells along a ray that have a value everywhere, front to
+/// back, until it returns false.
+template <class Visit>
+void WalkFiniteCells(const ReferenceScene& scene, const MeasuredRay& ray, Visit visit)
+{
+  WalkCells(ray.grid, ray.inside,
+    [&](const CellPart& part)
+    {
+      const CellCorners corners = scene.cornersOfCell(part.cell);
+      return !AllFinite(corners) || visit(part, corners);
+    });
+}
+
+/// Cuts a monotone part of a cubic where it goes from band to band; see CutIntoBands.
+template <class Visit>
+bool CutMonotoneIntoBands(
+  const CellCubic& cubic, const TransferBands& bands, double from, double to, Visit& visit)
+{
+  const double first = cubic.Value(from);
+  const double last = cubic.Value(to);
+  if (first == last)
+  {
+    return visit(bands.OnlyAt(first), from, to);
+  }
+  const bool ascending = first < last;
+  int band = ascending ? bands.BandAbove(first) : bands.BandBelow(first);
+  while (from < to)
+  {
+    const double bound = ascending ? bands[band].upper : bands[band].lower;
+    const bool leaves = ascending ? bound < last : bound > last;
+    const double end = leaves ? cubic.Crossing(bound, from, to) : to;
+    if (from < end && !visit(bands[band], from, end))
+    {
+      return false;
+    }
+    from = end;
+    band += ascending ? 1 : -1;
+  }
+  return true;
+}
+
+/// Calls visit(band, from, to) for the parts [from, to] of [0, 1] on which the cubic is within one
+/// band of values, in order, until it returns false. None is empty.
+template <class Visit>
+void CutIntoBands(const CellCubic& cubic, const TransferBands& bands, Visit visit)
+{
+  const double lower = cubic.LowerBound();
+  const double upper = cubic.UpperBound();
+  if (lower == upper)
+  {
+    visit(bands.OnlyAt(lower), 0.0, 1.0);
+    return;
+  }
+  // Most cells lie within one band.
+  const int band = bands.BandAbove(lower);
+  if (band == bands.BandBelow(upper))
+  {
+    visit(bands[band], 0.0, 1.0);
+    return;
+  }
+  const CellCubic::Cuts cuts = cubic.MonotoneCuts();
+  bool goesOn = true;
+  for (int i = 0; i + 1 < cuts.count && goesOn; ++i)
+  {
+    goesOn = CutMonotoneIntoBands(cubic, bands, cuts.u[i], cuts.u[i + 1], visit);
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,34 @@
+#ifndef Varimarch_Core_Reference_CompositeIntegral_h
+#define Varimarch_Core_Reference_CompositeIntegral_h
+
+#include "Core/Reference/RayIntegral.h"
+#include "Core/SlabQuadrature.h"
+#include "Core/TransferBands.h"
+
+namespace varimarch
+{
+
+/// The volume rendering integral of emission and absorption.
+///
+/// The ray is cut at every cell face, and inside a cell, where the interpolated values are a cubic,
+/// wherever that cubic crosses a node of the transfer function. The pieces are smooth, and are
+/// integrated adaptively (SlabQuadrature); what is invisible, constant or opaque is exact. See
+/// Documentation/Mathematics.md.
+class CompositeIntegral : public RayIntegral
+{
+public:
+  CompositeIntegral(ReferenceScene scene, double tolerance);
+  ReferenceColor Along(const MeasuredRay& ray) const override;
+
+private:
+  class Sum;
+
+  ReferenceScene scene;
+  double tolerance;
+  TransferBands bands;
+  SlabQuadrature quadrature;
+};
+
+}
+
+#endif

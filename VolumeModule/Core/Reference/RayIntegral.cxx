@@ -1,0 +1,33 @@
+#include "Core/Reference/RayIntegral.h"
+
+#include "Core/Reference/CompositeIntegral.h"
+#include "Core/Reference/ExtremeIntegral.h"
+#include "Core/Reference/GrayIntegral.h"
+#include "Core/Reference/IsosurfaceIntegral.h"
+
+#include <stdexcept>
+
+namespace varimarch
+{
+
+std::unique_ptr<const RayIntegral> NewRayIntegral(ReferenceScene scene, double tolerance)
+{
+  switch (scene.blend)
+  {
+    case Blend::Composite:
+      return std::make_unique<CompositeIntegral>(std::move(scene), tolerance);
+    case Blend::MaximumIntensity:
+      return std::make_unique<ExtremeIntegral>(std::move(scene), Extreme::Largest);
+    case Blend::MinimumIntensity:
+      return std::make_unique<ExtremeIntegral>(std::move(scene), Extreme::Smallest);
+    case Blend::AverageIntensity:
+      return std::make_unique<AverageIntegral>(std::move(scene), tolerance);
+    case Blend::Additive:
+      return std::make_unique<AdditiveIntegral>(std::move(scene), tolerance);
+    case Blend::Isosurface:
+      return std::make_unique<IsosurfaceIntegral>(std::move(scene));
+  }
+  throw std::invalid_argument("Reference: unknown blend mode");
+}
+
+}
