@@ -38,17 +38,15 @@ std::filesystem::path OutputFolder(const std::string& path)
 void WritePictures(
   const Comparison& comparison, const Scene& scene, const std::filesystem::path& folder)
 {
-  const auto truth = BytesOver(comparison.truth, scene.background);
+  const auto truth = BytesOver(comparison.truth.picture, scene.background);
   WritePng(truth, folder / "reference.png");
-  std::vector<SheetColumn> columns = { { "brute-force march",
-    "every " + Fixed(comparison.truthSampleDistanceMm, 3) + " mm, " +
-      Fixed(comparison.truthSeconds, 1) + " s",
-    truth, nullptr } };
+  std::vector<SheetColumn> columns = { { "truth", "adaptive integral in double precision", truth,
+    nullptr } };
   for (const Measurement& measurement : comparison.measurements)
   {
     const std::string& name = NameOf(MapperKindNames(), measurement.kind);
     const auto picture = BytesOver(measurement.picture, scene.background);
-    const auto difference = DifferencePicture(measurement.picture, comparison.truth);
+    const auto difference = DifferencePicture(measurement.picture, comparison.truth.picture);
     WritePng(picture, folder / (name + ".png"));
     WritePng(WithDifferenceScale(difference), folder / ("difference-" + name + ".png"));
     columns.push_back({ ClassName(measurement.kind),
@@ -71,7 +69,7 @@ struct CompareCommand
   {
     const std::filesystem::path folder = OutputFolder(this->outputFolder);
     const auto [scene, volume] = this->sceneOptions.Load();
-    auto progress = std::make_unique<Progress>("Marching the reference");
+    auto progress = std::make_unique<Progress>("Integrating the reference");
     const Comparison comparison = Compare(scene, volume.image, this->rounds,
       [&](const std::string& step) { progress->SetActivity(step); });
     progress->SetActivity("Writing " + this->outputFolder);
@@ -99,7 +97,7 @@ void AddCompareCommand(CLI::App& program, const std::string& commandText)
   CLI::App* app = program.add_subcommand(
     "compare", "Draw with our mapper and VTK's, and tell the time and the error of each");
   app->footer(
-    "Writes a PNG of each renderer and of its difference from a brute-force march,\n"
+    "Writes a PNG of each renderer and of its difference from the truth,\n"
     "side-by-side.png, and compare.csv, compare.json and compare.md.\n"
     "Examples:\n"
     "  varimarch compare head.nii.gz -o comparison\n"

@@ -5,9 +5,6 @@
 #include "VtkMessages.h"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <cmath>
 #include <memory>
 
 namespace varimarch
@@ -16,34 +13,11 @@ namespace varimarch
 namespace
 {
 
-using OnStep = std::function<void(const std::string&)>;
-
 double Median(std::vector<double> numbers)
 {
   std::sort(numbers.begin(), numbers.end());
   const std::size_t middle = numbers.size() / 2;
   return numbers.size() % 2 ? numbers[middle] : 0.5 * (numbers[middle - 1] + numbers[middle]);
-}
-
-void MarchTruth(
-  const Scene& scene, vtkImageData* image, const OnStep& onStep, Comparison& comparison)
-{
-  constexpr double SamplesPerVoxel = 16.0;
-  const double* spacing = image->GetSpacing();
-  Scene fine = scene;
-  fine.render.acceleration = Acceleration::Off;
-  fine.render.earlyTerminationTransmittance = 0.0;
-  fine.render.sampleDistanceMm = std::min({ spacing[0], spacing[1], spacing[2] }) / SamplesPerVoxel;
-
-  const auto start = std::chrono::steady_clock::now();
-  OffscreenView view(fine, image, MapperKind::Varimarch);
-  comparison.truth = view.FloatImage([&](double done)
-    { onStep("Marching the reference, " + std::to_string(std::lround(100.0 * done)) + " %"); });
-  ThrowIfVtkReportedError();
-  comparison.truthSampleDistanceMm = *fine.render.sampleDistanceMm;
-  comparison.truthSeconds =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  comparison.openglRenderer = view.DeviceName();
 }
 
 // A view of each kind, warmed up, with all of its measurement but the times.
@@ -61,7 +35,7 @@ std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
     measurement.firstMs = 1000.0 * view.Render();
     measurement.picture = view.FloatImage();
     measurement.sampleDistanceMm = view.Pipeline().UsedSampleDistanceMm();
-    measurement.error = ErrorOf(measurement.picture, comparison.truth, scene.background);
+    measurement.error = ErrorOf(measurement.picture, comparison.truth.picture, scene.background);
     comparison.measurements.push_back(measurement);
     // The first picture into the window's own framebuffer again pays for the change of target.
     view.Render();
@@ -72,12 +46,12 @@ std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
 
 }
 
-Comparison Compare(const Scene& scene, vtkImageData* image, int rounds,
-  const std::function<void(const std::string&)>& onStep)
+Comparison Compare(const Scene& scene, vtkImageData* image, int rounds, const OnStep& onStep)
 {
   Comparison comparison = {};
-  MarchTruth(scene, image, onStep, comparison);
+  comparison.truth = TruthOf(scene, image, onStep);
   const auto views = WarmedUpViews(scene, image, onStep, comparison);
+  comparison.openglRenderer = views.front()->DeviceName();
   for (int round = 1; round <= rounds; ++round)
   {
     onStep("Measuring, round " + std::to_string(round) + " of " + std::to_string(rounds));

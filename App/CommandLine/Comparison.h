@@ -2,12 +2,11 @@
 #define Varimarch_CommandLine_Comparison_h
 
 #include "PictureError.h"
-#include "Scene/Scene.h"
+#include "Truth.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,22 +27,18 @@ struct Measurement
 
 struct Comparison
 {
-  vtkSmartPointer<vtkImageData> truth; ///< float picture
-  double truthSampleDistanceMm;
-  double truthSeconds;
+  Truth truth;
   std::vector<Measurement> measurements; ///< ours, VTK's GPU and VTK's CPU mapper
   std::string openglRenderer;
 };
 
 /// Draws a scene with our mapper and VTK's two, in turn, so that what else the machine does
-/// disturbs all alike, and compares each with a brute-force march: ours without acceleration and
-/// early termination, 16 samples to the smallest spacing.
+/// disturbs all alike, and compares each with the truth.
 /// A time is that of one vtkRenderWindow::Render, until the device has finished.
 /// @param rounds   >= 1, after a first picture of each that builds what it needs
 /// @param onStep   called with what is being done now
 /// @throws std::runtime_error when one of them reports an error
-Comparison Compare(const Scene& scene, vtkImageData* image, int rounds,
-  const std::function<void(const std::string&)>& onStep);
+Comparison Compare(const Scene& scene, vtkImageData* image, int rounds, const OnStep& onStep);
 
 }
 

@@ -44,9 +44,8 @@ void AddPerceived(const Comparison& comparison, std::vector<Row>& rows)
 
 std::string Explanation(const Comparison& comparison)
 {
-  return "Errors in 1/255 of premultiplied RGBA, against a march every " +
-    Fixed(comparison.truthSampleDistanceMm, 3) + " mm without acceleration. Times: medians of " +
-    std::to_string(comparison.measurements.front().roundsMs.size()) +
+  return "Errors in 1/255 of premultiplied RGBA, against " + Described(comparison.truth) +
+    ". Times: medians of " + std::to_string(comparison.measurements.front().roundsMs.size()) +
     " alternating rounds on OpenGL renderer \"" + comparison.openglRenderer + "\".\n";
 }
 
@@ -145,8 +144,8 @@ nlohmann::ordered_json ToJson(const Comparison& comparison)
 {
   nlohmann::ordered_json json;
   json["openglRenderer"] = comparison.openglRenderer;
-  json["reference"] = { { "sampleDistanceMm", comparison.truthSampleDistanceMm },
-    { "seconds", comparison.truthSeconds } };
+  json["reference"] = { { "largestError255", 255.0 * comparison.truth.largestError },
+    { "seconds", comparison.truth.seconds } };
   for (const Measurement& measurement : comparison.measurements)
   {
     nlohmann::ordered_json row = { { "renderer", NameOf(MapperKindNames(), measurement.kind) },
