@@ -1,11 +1,15 @@
 #include "Core/ImageError.h"
 #include "Scene/OffscreenView.h"
+#include "Scene/Presets.h"
 #include "Scene/ProceduralVolume.h"
 #include "Scene/ReferencePicture.h"
+#include "Scene/VolumeLoading.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 
 using namespace varimarch;
 
@@ -88,6 +92,24 @@ TEST(PictureAgainstReference, ATurnedVolumeOfAnotherTypeIsInTheSamePlace)
   image->SetDirectionMatrix(direction);
   image->SetExtent(5, 44, -3, 32, 1, 24);
   image->SetSpacing(8.0, 9.0, 13.0);
-  scene.render.sampleDistanceMm = 1.0;
   EXPECT_LT(ErrorOf(scene, image).rootMeanSquare, 0.3);
+}
+
+/// A head of the package invesalius-examples, as a user draws it who sets nothing.
+TEST(PictureAgainstReference, RealHeadIsWithinHalfAStepOfTheIntegralByDefault)
+{
+  const char* path = std::getenv("VARIMARCH_HEAD_CT");
+  if (!path || !std::filesystem::exists(path))
+  {
+    GTEST_SKIP() << "VARIMARCH_HEAD_CT does not name the head CT; test.sh sets it";
+  }
+  const LoadedVolume volume = LoadVolume(FileSource{ path, std::nullopt });
+  Scene scene;
+  scene.look = Preset("ct-bone");
+  scene.size = { 128, 128 };
+  for (const bool shading : { false, true })
+  {
+    scene.look.shading.enabled = shading;
+    EXPECT_LT(ErrorOf(scene, volume.image).rootMeanSquare, 0.5) << "shading " << shading;
+  }
 }
