@@ -92,6 +92,7 @@ TEST(PictureAgainstReference, ATurnedVolumeOfAnotherTypeIsInTheSamePlace)
   image->SetDirectionMatrix(direction);
   image->SetExtent(5, 44, -3, 32, 1, 24);
   image->SetSpacing(8.0, 9.0, 13.0);
+  scene.render.sampleDistanceMm = 1.0;
   EXPECT_LT(ErrorOf(scene, image).rootMeanSquare, 0.3);
 }
 
