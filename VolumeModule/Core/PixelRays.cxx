@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace varimarch
@@ -78,6 +79,14 @@ Ray PixelRays::At(double x, double y) const
   const glm::dvec4 start = this->startGrid[0] + x * this->startGrid[1] + y * this->startGrid[2];
   return { glm::dvec3(start) / start.w,
     this->directionGrid[0] + x * this->directionGrid[1] + y * this->directionGrid[2] };
+}
+
+Interval PixelRays::BeyondNearPlane(const Ray& rayGrid) const
+{
+  const double approach = glm::dot(glm::dvec3(this->nearPlaneGrid), rayGrid.direction);
+  const double distance = glm::dot(this->nearPlaneGrid, glm::dvec4(rayGrid.origin, 1.0));
+  return { approach > 0.0 ? std::max(0.0, -distance / approach) : 0.0,
+    std::numeric_limits<double>::infinity() };
 }
 
 }

@@ -27,6 +27,9 @@ struct PixelRays
 
   /// The ray of one pixel centre, x and y in [-1, 1].
   Ray At(double x, double y) const;
+
+  /// The part of a ray from its start on that lies beyond the near plane.
+  Interval BeyondNearPlane(const Ray& rayGrid) const;
 };
 
 /// @param clipFromGrid  grid space to OpenGL clip space, invertible

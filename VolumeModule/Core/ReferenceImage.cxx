@@ -17,22 +17,13 @@ namespace varimarch
 namespace
 {
 
-/// The part of a ray beyond the near plane.
-Interval BeyondNearPlane(const Ray& ray, const glm::dvec4& plane)
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double approach = glm::dot(glm::dvec3(plane), ray.direction);
-  const double distance = glm::dot(plane, glm::dvec4(ray.origin, 1.0));
-  return { approach > 0.0 ? std::max(0.0, -distance / approach) : 0.0, infinity };
-}
-
 ReferenceColor PixelColor(
   const ReferenceIntegrator& integrator, const ReferenceView& view, int column, int row)
 {
   const Ray ray =
     view.rays.At(2.0 * (column + 0.5) / view.width - 1.0, 2.0 * (row + 0.5) / view.height - 1.0);
   const double mmPerParameter = glm::length(view.worldFromGridDirection * ray.direction);
-  return integrator.Color(ray, mmPerParameter, BeyondNearPlane(ray, view.rays.nearPlaneGrid));
+  return integrator.Color(ray, mmPerParameter, view.rays.BeyondNearPlane(ray));
 }
 
 using Tile = tbb::blocked_range2d<int>;
