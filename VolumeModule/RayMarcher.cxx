@@ -1,5 +1,6 @@
 #include "RayMarcher.h"
 
+#include "Core/ShaderRecipe.h"
 #include "PropertyTransferFunction.h"
 
 #include "vtkDataArray.h"
@@ -25,6 +26,7 @@ void RayMarcher::Draw(const Frame& frame)
   this->EnterWindow(frame.window);
   this->UpdateVolume(frame);
   this->UpdateOpticalTable(frame);
+  this->UpdatePreIntegratedTable(frame);
   this->UpdateField(frame);
   this->UpdateDepth(frame);
   this->UpdateProgram(frame);
@@ -70,6 +72,21 @@ void RayMarcher::UpdateOpticalTable(const Frame& frame)
   this->tableTime = time;
   this->tableUnitDistanceMm = unitDistanceMm;
   ++this->builds.opticalTable;
+}
+
+void RayMarcher::UpdatePreIntegratedTable(const Frame& frame)
+{
+  if (!UsesPreIntegration(frame.settings))
+  {
+    this->preIntegratedTable.Release(frame.window);
+    this->preIntegratedOfTable = 0;
+  }
+  else if (this->preIntegratedOfTable != this->builds.opticalTable)
+  {
+    this->preIntegratedTable.Upload(
+      frame.window, BuildPreIntegratedTable(this->opticalTable.Table()));
+    this->preIntegratedOfTable = this->builds.opticalTable;
+  }
 }
 
 void RayMarcher::UpdateField(const Frame& frame)
@@ -152,7 +169,7 @@ void RayMarcher::UpdateProgram(const Frame& frame)
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
   return this->volume.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
-    this->depth.Bytes();
+    this->preIntegratedTable.Bytes() + this->depth.Bytes();
 }
 
 void RayMarcher::Release(vtkWindow* window)
@@ -160,12 +177,14 @@ void RayMarcher::Release(vtkWindow* window)
   this->volume.Release(window);
   this->field.Release(window);
   this->opticalTable.Release(window);
+  this->preIntegratedTable.Release(window);
   this->depth.Release(window);
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource = nullptr;
   this->fieldSource.reset();
   this->rangesOfVolume = 0;
+  this->preIntegratedOfTable = 0;
   this->window = nullptr;
 }
 

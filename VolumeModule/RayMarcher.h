@@ -5,6 +5,7 @@
 #include "Core/PixelRays.h"
 #include "Core/RenderSettings.h"
 #include "OpticalTableTexture.h"
+#include "PreIntegratedTableTexture.h"
 #include "RayMarchProgram.h"
 #include "SceneDepthTexture.h"
 #include "VolumeBoxGeometry.h"
@@ -87,6 +88,7 @@ private:
   void EnterWindow(vtkOpenGLRenderWindow* window);
   void UpdateVolume(const Frame& frame);
   void UpdateOpticalTable(const Frame& frame);
+  void UpdatePreIntegratedTable(const Frame& frame);
   void UpdateField(const Frame& frame);
   void UpdateScalarField(const Frame& frame);
   void UpdateOpticalField(const Frame& frame);
@@ -97,6 +99,7 @@ private:
   void SetDepthUniforms(const glm::dmat4& clipFromGrid);
   void SetStepUniforms(const Frame& frame);
   void SetClassifyUniforms();
+  void SetPreIntegratedUniforms();
   void SetShadeUniforms(const Frame& frame);
   void SetBlendUniforms(const Frame& frame);
   void DrawBox(const Frame& frame);
@@ -105,6 +108,7 @@ private:
   VolumeTexture volume;
   AccelerationField field;
   OpticalTableTexture opticalTable;
+  PreIntegratedTableTexture preIntegratedTable;
   SceneDepthTexture depth;
   VolumeBoxGeometry boxGeometry;
   RayMarchProgram program;
@@ -116,6 +120,7 @@ private:
   vtkVolumeProperty* tableSource = nullptr;
   vtkMTimeType tableTime = 0;
   double tableUnitDistanceMm = 0.0;
+  int preIntegratedOfTable = 0;           ///< the optical table's build that it was made from
   std::optional<FieldSource> fieldSource; ///< none: there is no field
   int rangesOfVolume = 0; ///< the volume texture's build that the field's ranges belong to
 };

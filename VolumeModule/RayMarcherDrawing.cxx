@@ -2,6 +2,8 @@
 
 #include "RayMarcher.h"
 
+#include "Core/ShaderRecipe.h"
+
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -177,6 +179,21 @@ void RayMarcher::SetClassifyUniforms()
   this->program.Set("lastTableIndex", last);
 }
 
+void RayMarcher::SetPreIntegratedUniforms()
+{
+  const OpticalTable& table = this->opticalTable.Table();
+  const double extent = table.lastValue - table.firstValue;
+  const double placePerValue = extent > 0.0 ? 1.0 / extent : 0.0;
+  const TexelMapping& mapping = this->volume.Mapping();
+  this->preIntegratedTable.Texture()->Activate();
+  this->program.Set("preIntegratedTable", this->preIntegratedTable.Texture());
+  this->program.Set("tableSize", double(this->preIntegratedTable.Size()));
+  this->program.Set("placeFromScalar",
+    glm::dvec2(mapping.scale * placePerValue, (mapping.offset - table.firstValue) * placePerValue));
+  this->program.Set("opticalBelow", glm::dvec4(table.entries.front()));
+  this->program.Set("opticalAbove", glm::dvec4(table.entries.back()));
+}
+
 void RayMarcher::SetShadeUniforms(const Frame& frame)
 {
   const HeadLight light = HeadLightOf(frame.renderer);
@@ -216,7 +233,14 @@ void RayMarcher::DrawBox(const Frame& frame)
   this->program.Set("volumeTexture", this->volume.Texture());
   this->SetRayUniforms(frame, clipFromGrid);
   this->SetStepUniforms(frame);
-  this->SetClassifyUniforms();
+  if (UsesPreIntegration(frame.settings))
+  {
+    this->SetPreIntegratedUniforms();
+  }
+  else
+  {
+    this->SetClassifyUniforms();
+  }
   this->SetBlendUniforms(frame);
   if (frame.settings.shading)
   {
@@ -233,7 +257,7 @@ void RayMarcher::DrawBox(const Frame& frame)
     this->boxGeometry.Draw(this->program.Program(), frame.geometry.boxGrid);
   }
   for (vtkTextureObject* texture : { this->volume.Texture(), this->field.Texture(),
-         this->opticalTable.Texture(), this->depth.Texture() })
+         this->opticalTable.Texture(), this->preIntegratedTable.Texture(), this->depth.Texture() })
   {
     if (texture->GetHandle())
     {

@@ -23,6 +23,7 @@
 using varimarch::Acceleration;
 using varimarch::Blend;
 using varimarch::Frame;
+using varimarch::Integration;
 
 struct vtkVariationFieldVolumeMapper::Internals
 {
@@ -74,6 +75,20 @@ Acceleration AccelerationOf(int accelerationMode, Blend blend)
       return blend == Blend::Composite ? Acceleration::OpticalField : Acceleration::Off;
   }
   return Acceleration::Off;
+}
+
+Integration IntegrationOf(int integrationRule)
+{
+  switch (integrationRule)
+  {
+    case vtkVariationFieldVolumeMapper::PreIntegrated:
+      return Integration::PreIntegrated;
+    case vtkVariationFieldVolumeMapper::Simpson:
+      return Integration::Simpson;
+    case vtkVariationFieldVolumeMapper::PublishedSum:
+      return Integration::PublishedSum;
+  }
+  return Integration::Midpoint;
 }
 
 // Samples per voxel that keep a composite within half a grey level of a fine march, measured on a
@@ -172,6 +187,7 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   frame.settings.acceleration = AccelerationOf(this->AccelerationMode, frame.settings.blend);
   frame.settings.shading =
     frame.property->GetShade() != 0 && frame.settings.blend == Blend::Composite;
+  frame.settings.integration = IntegrationOf(this->IntegrationRule);
   frame.settings.sceneGeometry = HasOpaqueGeometry(renderer);
   frame.sampleDistanceMm = this->AutoAdjustSampleDistances
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
@@ -253,6 +269,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AccelerationMode: " << this->AccelerationMode << "\n";
+  os << indent << "IntegrationRule: " << this->IntegrationRule << "\n";
   os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";

@@ -71,6 +71,22 @@ public:
   vtkGetMacro(VariationTolerance, double);
   ///@}
 
+  enum IntegrationRules
+  {
+    Midpoint,      ///< homogeneous, as in the middle of a step
+    PreIntegrated, ///< the scalar linear between samples, the transfer function exact
+    Simpson,       ///< parabolas of extinction through three samples
+    PublishedSum   ///< the published sum of repeated samples, to show its error
+  };
+
+  ///@{
+  /**
+   * How a composite without shading is integrated between samples.
+   */
+  vtkSetClampMacro(IntegrationRule, int, Midpoint, PublishedSum);
+  vtkGetMacro(IntegrationRule, int);
+  ///@}
+
   ///@{
   /**
    * Distance between samples along a ray [world units, mm], > 0. Default 1. Used only while
@@ -146,6 +162,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* information) override;
 
   int AccelerationMode = OpticalField;
+  int IntegrationRule = Midpoint;
   double VariationTolerance = -1.0;
   double SampleDistance = 1.0;
   vtkTypeBool AutoAdjustSampleDistances = 1;

@@ -250,6 +250,10 @@ void SceneOptions::AddSamplingOptions(CLI::App& command)
     ->check(NameValidator(NamesOf(AccelerationNames())))
     ->group(group);
   command
+    .add_option("--integration", this->integration, "Rule between samples of an unshaded composite")
+    ->check(NameValidator(NamesOf(IntegrationNames())))
+    ->group(group);
+  command
     .add_option("--tolerance", this->tolerance,
       "Largest difference of values it may jump across, in units of the data")
     ->check(CLI::NonNegativeNumber.description(""))
@@ -300,6 +304,10 @@ void SceneOptions::Override(Scene& scene) const
   if (!this->acceleration.empty())
   {
     scene.render.acceleration = ValueOf(AccelerationNames(), this->acceleration);
+  }
+  if (!this->integration.empty())
+  {
+    scene.render.integration = ValueOf(IntegrationNames(), this->integration);
   }
   if (this->tolerance)
   {

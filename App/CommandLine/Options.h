@@ -68,6 +68,7 @@ private:
   std::vector<double> background;
   std::optional<double> sampleDistance;
   std::string acceleration;
+  std::string integration;
   std::optional<double> tolerance;
 };
 

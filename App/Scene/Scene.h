@@ -103,6 +103,7 @@ struct RenderOptions
 {
   std::optional<double> sampleDistanceMm; ///< > 0; empty: the mapper chooses
   Acceleration acceleration = Acceleration::OpticalField;
+  Integration integration = Integration::Midpoint;   ///< of a composite without shading
   std::optional<double> variationTolerance;          ///< units of the data; empty: mapper chooses
   double earlyTerminationTransmittance = 1.0 / 1024; ///< [0, 1)
 };

@@ -113,7 +113,7 @@ std::optional<double> NumberOrAuto(const JsonCursor& json, const NumberRange& ra
 RenderOptions RenderFromJson(const JsonCursor& json)
 {
   json.RequireObject(
-    { "sampleDistance", "acceleration", "variationTolerance", "earlyTermination" });
+    { "sampleDistance", "acceleration", "integration", "variationTolerance", "earlyTermination" });
   RenderOptions render;
   if (const auto distance = json.Find("sampleDistance"))
   {
@@ -122,6 +122,10 @@ RenderOptions RenderFromJson(const JsonCursor& json)
   if (const auto acceleration = json.Find("acceleration"))
   {
     render.acceleration = acceleration->Choice(AccelerationNames());
+  }
+  if (const auto integration = json.Find("integration"))
+  {
+    render.integration = integration->Choice(IntegrationNames());
   }
   if (const auto tolerance = json.Find("variationTolerance"))
   {
@@ -201,6 +205,7 @@ std::string SceneText(const Scene& scene)
     { "viewAngle", camera.viewAngleDegrees } };
   json["render"] = { { "sampleDistance", JsonFromOptional(render.sampleDistanceMm) },
     { "acceleration", NameOf(AccelerationNames(), render.acceleration) },
+    { "integration", NameOf(IntegrationNames(), render.integration) },
     { "variationTolerance", JsonFromOptional(render.variationTolerance) },
     { "earlyTermination", render.earlyTerminationTransmittance } };
   json["size"] = scene.size;

@@ -54,6 +54,14 @@ const NameTable<Acceleration>& AccelerationNames()
   return table;
 }
 
+const NameTable<Integration>& IntegrationNames()
+{
+  static const NameTable<Integration> table = { { "midpoint", Integration::Midpoint },
+    { "pre-integrated", Integration::PreIntegrated }, { "simpson", Integration::Simpson },
+    { "published-sum", Integration::PublishedSum } };
+  return table;
+}
+
 const NameTable<Domain>& DomainNames()
 {
   static const NameTable<Domain> table = { { "data", Domain::Data },

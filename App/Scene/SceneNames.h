@@ -18,6 +18,7 @@ using NameTable = std::vector<std::pair<std::string, Value>>;
 const NameTable<View>& ViewNames();
 const NameTable<Blend>& BlendNames();
 const NameTable<Acceleration>& AccelerationNames();
+const NameTable<Integration>& IntegrationNames();
 const NameTable<Domain>& DomainNames();
 
 const NameTable<ProceduralKind>& ProceduralNames();

@@ -44,11 +44,27 @@ int ModeOf(Acceleration acceleration)
   }
 }
 
+int RuleOf(Integration integration)
+{
+  switch (integration)
+  {
+    case Integration::PreIntegrated:
+      return vtkVariationFieldVolumeMapper::PreIntegrated;
+    case Integration::Simpson:
+      return vtkVariationFieldVolumeMapper::Simpson;
+    case Integration::PublishedSum:
+      return vtkVariationFieldVolumeMapper::PublishedSum;
+    default:
+      return vtkVariationFieldVolumeMapper::Midpoint;
+  }
+}
+
 void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
 {
   mapper->SetAutoAdjustSampleDistances(!options.sampleDistanceMm);
   mapper->SetSampleDistance(options.sampleDistanceMm.value_or(mapper->GetSampleDistance()));
   mapper->SetAccelerationMode(ModeOf(options.acceleration));
+  mapper->SetIntegrationRule(RuleOf(options.integration));
   mapper->SetVariationTolerance(options.variationTolerance.value_or(-1.0));
   mapper->SetEarlyTerminationTransmittance(options.earlyTerminationTransmittance);
 }

@@ -46,6 +46,12 @@ def render(folder):
     for acceleration in ("off", "scalar", "optical"):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64",
             "--acceleration", acceleration)
+    rules = set()
+    for rule in ("midpoint", "pre-integrated", "simpson", "published-sum"):
+        run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", "--no-shade",
+            "--integration", rule, "--sample-distance", "4")
+        rules.add((folder / "a.png").read_bytes())
+    assert len(rules) == 4, "two rules draw the same picture"
     pictures = {}
     for option in (None, "--shade", "--no-shade"):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", *filter(None, [option]))

@@ -54,7 +54,7 @@ std::vector<float> MapperScene::Draw()
   return std::vector<float>(pixels, pixels + 4 * this->size * this->size);
 }
 
-std::vector<float> MapperScene::Truth()
+std::vector<float> MapperScene::Truth(double tolerance)
 {
   const VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
   const ScalarGrid<short> grid(
@@ -78,7 +78,7 @@ std::vector<float> MapperScene::Truth()
   const ReferenceView view{ ComputePixelRays(ClipFromWorld(this->renderer) * geometry.worldFromGrid,
                               geometry.boxGrid),
     geometry.WorldFromGridDirection(), this->size, this->size };
-  return DrawReference(ReferenceIntegrator(scene, 1e-5), view)->rgba;
+  return DrawReference(ReferenceIntegrator(scene, tolerance), view)->rgba;
 }
 
 ImageError MapperScene::Error()

@@ -29,7 +29,7 @@ public:
   std::vector<float> Draw();
 
   /// The same picture by the reference integrator, shaded when the property is.
-  std::vector<float> Truth();
+  std::vector<float> Truth(double tolerance = 1e-5);
 
   /// How far Draw is from Truth.
   varimarch::ImageError Error();

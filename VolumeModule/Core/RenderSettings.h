@@ -12,6 +12,16 @@ enum class Acceleration
   OpticalField, ///< jumps across bricks by what the transfer function makes of them
 };
 
+/// How a composite is integrated along a segment of the ray. Samples per segment are what the
+/// sample distance makes them, so that the rules compare at equal cost in texture fetches.
+enum class Integration
+{
+  Midpoint,      ///< homogeneous, as in the middle; order 2
+  PreIntegrated, ///< the scalar linear between samples, the transfer function exact; order 2
+  Simpson,       ///< parabolas of extinction through three samples; order 4 where all is smooth
+  PublishedSum,  ///< the sample at the beginning, repeated; order 1: for comparison
+};
+
 /// How the samples along a ray become a pixel.
 enum class Blend
 {
@@ -31,6 +41,7 @@ struct RenderSettings
   Acceleration acceleration = Acceleration::OpticalField;
   bool shading = false;       ///< Blinn-Phong with a head light; composite only
   bool sceneGeometry = false; ///< stop rays at opaque geometry already drawn
+  Integration integration = Integration::Midpoint; ///< of a composite without shading
 };
 
 }

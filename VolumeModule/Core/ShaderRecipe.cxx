@@ -35,11 +35,41 @@ std::string BlendFile(Blend blend)
   }
 }
 
+std::string MarchFile(const RenderSettings& settings)
+{
+  if (settings.blend != Blend::Composite)
+  {
+    return "March/Projection.glsl";
+  }
+  if (settings.shading)
+  {
+    return "March/ShadedSegments.glsl";
+  }
+  switch (settings.integration)
+  {
+    case Integration::PreIntegrated:
+      return "March/PreIntegrated.glsl";
+    case Integration::Simpson:
+      return "March/Simpson.glsl";
+    case Integration::PublishedSum:
+      return "March/PublishedSum.glsl";
+    case Integration::Midpoint:
+      break;
+  }
+  return "March/Midpoint.glsl";
+}
+
 bool UsesShading(const RenderSettings& settings)
 {
   return settings.shading && settings.blend == Blend::Composite;
 }
 
+}
+
+bool UsesPreIntegration(const RenderSettings& settings)
+{
+  return settings.integration == Integration::PreIntegrated && settings.blend == Blend::Composite &&
+    !settings.shading;
 }
 
 std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
@@ -50,15 +80,14 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
     "Math/Absorption.glsl",
     settings.sceneGeometry ? "Depth/SceneGeometry.glsl" : "Depth/None.glsl",
     StepFile(settings.acceleration),
-    "Classify/OpticalTable.glsl",
+    UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl" : "Classify/OpticalTable.glsl",
   };
-  // A projection shows values, not surfaces: it has nothing to shade.
-  if (settings.blend == Blend::Composite)
+  if (UsesShading(settings))
   {
-    parts.push_back(UsesShading(settings) ? "Shade/BlinnPhong.glsl" : "Shade/None.glsl");
+    parts.push_back("Shade/BlinnPhong.glsl");
   }
   parts.push_back(BlendFile(settings.blend));
-  parts.push_back(UsesShading(settings) ? "March/VisibleSegments.glsl" : "March/EverySample.glsl");
+  parts.push_back(MarchFile(settings));
   parts.push_back("RayMarch.frag.glsl");
   return parts;
 }
@@ -76,10 +105,12 @@ std::vector<RenderSettings> EveryRecipe()
   {
     for (bool sceneGeometry : { false, true })
     {
-      for (bool shading : { false, true })
+      for (Integration integration : { Integration::Midpoint, Integration::PreIntegrated,
+             Integration::Simpson, Integration::PublishedSum })
       {
-        recipes.push_back({ Blend::Composite, acceleration, shading, sceneGeometry });
+        recipes.push_back({ Blend::Composite, acceleration, false, sceneGeometry, integration });
       }
+      recipes.push_back({ Blend::Composite, acceleration, true, sceneGeometry });
       // What is invisible to a composite may be the maximum: that field serves composites only.
       if (acceleration != Acceleration::OpticalField)
       {

@@ -13,6 +13,9 @@ namespace varimarch
 /// VolumeModule/Shaders. One file per slot, and nothing that the settings do not ask for.
 std::vector<std::string> FragmentShaderParts(const RenderSettings& settings);
 
+/// Whether the recipe looks materials up in a PreIntegratedTable.
+bool UsesPreIntegration(const RenderSettings& settings);
+
 /// The file of the vertex shader, the same for every recipe.
 std::string VertexShaderPart();
 

@@ -47,23 +47,29 @@ float DepthLimit(Ray ray);
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float visibility);
 
 // --- Classify: what a scalar looks like ----------------------------------------------------
-// Colour (r,g,b), not premultiplied, and extinction [1/mm].
+// Colour (r,g,b), not premultiplied, and extinction [1/mm]. A file defines one of these two, as its
+// march needs it.
 vec4 Classify(float scalar);
+// Means over a piece of ray along which the scalar goes linearly from one value to another.
+vec4 ClassifyBetween(float startScalar, float endScalar);
 
-// --- Shade: light at a sample --------------------------------------------------------------
+// --- Shade: light at a sample; only where there is shading -----------------------------------
+// By central differences, one voxel to either side.
+vec3 GradientAt(vec3 positionTexture);
 // Colour of the material lit at a point of the ray, from the gradient there.
 vec3 Shade(vec3 color, vec3 gradient, Ray ray);
 
 // --- Blend: what the samples of a ray become -----------------------------------------------
 // Defines struct Accumulation, and:
 //   Accumulation BlendBegin();
-//   Accumulation BlendPart(
-//     Accumulation sum, Ray ray, float lengthMm, float scalar, vec3 gradient);
-//                               takes in the next part of the ray, of that length and scalar;
-//                               the gradient is 0 where nothing is shaded
+//   Accumulation BlendPart(Accumulation sum, vec3 color, float depth);
+//                               composite: takes in the next part of the ray, of that color and
+//                               optical depth
+//   Accumulation BlendScalar(Accumulation sum, float scalar);
+//                               projection: takes in the next sample
 //   float BlendVisibility(Accumulation sum); part of what follows that is still seen, [0,1]
 //   bool BlendFinished(Accumulation sum);    nothing that follows could be seen
 //   vec4 BlendResult(Accumulation sum);      premultiplied RGBA
 
-// --- March: the loop along a ray -----------------------------------------------------------
+// --- March: the loop along a ray, with its rule of integration --------------------------------
 // Defines, after all the others: Accumulation March(Ray ray, Interval inside);

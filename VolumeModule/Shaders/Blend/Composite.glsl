@@ -15,12 +15,10 @@ Accumulation BlendBegin()
   return Accumulation(vec3(0.0), 1.0);
 }
 
-Accumulation BlendPart(Accumulation sum, Ray ray, float lengthMm, float scalar, vec3 gradient)
+Accumulation BlendPart(Accumulation sum, vec3 color, float depth)
 {
-  vec4 optical = Classify(scalar);
   // An opaque material has a huge extinction; beyond 100 nothing of a float is left anyway.
-  float absorbed = Absorption(min(optical.a * lengthMm, 100.0));
-  vec3 color = Shade(optical.rgb, gradient, ray);
+  float absorbed = Absorption(min(depth, 100.0));
   sum.color += sum.transmittance * absorbed * color;
   sum.transmittance *= 1.0 - absorbed;
   return sum;

@@ -15,7 +15,7 @@ Accumulation BlendBegin()
   return Accumulation(smallestScalar);
 }
 
-Accumulation BlendPart(Accumulation sum, Ray ray, float lengthMm, float scalar, vec3 gradient)
+Accumulation BlendScalar(Accumulation sum, float scalar)
 {
   return Accumulation(max(sum.largest, scalar));
 }

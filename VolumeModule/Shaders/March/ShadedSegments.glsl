@@ -51,8 +51,9 @@ Accumulation March(Ray ray, Interval inside)
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       float along = (float(part) + 0.5) / float(PartsPerSegment);
-      sum = BlendPart(sum, ray, partMm, mix(startScalar, endScalar, along),
-        mix(startGradient, endGradient, along));
+      vec4 optical = Classify(mix(startScalar, endScalar, along));
+      vec3 color = Shade(optical.rgb, mix(startGradient, endGradient, along), ray);
+      sum = BlendPart(sum, color, optical.a * partMm);
     }
   }
   return sum;

@@ -1,0 +1,22 @@
+// Projections look at every sample, and at nothing but its scalar.
+
+const int PartsPerSegment = 2;
+
+Accumulation March(Ray ray, Interval inside)
+{
+  Accumulation sum = BlendBegin();
+  float t = inside.enter;
+  for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
+  {
+    Interval segment =
+      NextSegment(ray, inside, t, index, float(PartsPerSegment) * stepMm, BlendVisibility(sum));
+    t = min(segment.exit, inside.exit);
+    float partMm = max(t - segment.enter, 0.0) / float(PartsPerSegment);
+    for (int part = 0; part < PartsPerSegment; ++part)
+    {
+      float middle = segment.enter + (float(part) + 0.5) * partMm;
+      sum = BlendScalar(sum, ScalarAt(PositionTexture(ray, middle)));
+    }
+  }
+  return sum;
+}

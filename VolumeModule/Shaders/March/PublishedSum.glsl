@@ -1,0 +1,22 @@
+// The published rule, to show its error beside the others': Banquero, Ortiz, Rossi, "Realtime
+// volume render en videojuegos" (2016), section 3.3. Where the field says that the scalar varies
+// little over a distance d, the sample at its beginning counts s = d / step times: C = C + VR(I) *
+// s. A sum that many samples would make one after the other is so replaced by its first term, and
+// may exceed 1. Order 1 at most.
+
+Accumulation March(Ray ray, Interval inside)
+{
+  Accumulation sum = BlendBegin();
+  float t = inside.enter;
+  for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
+  {
+    Interval segment = NextSegment(ray, inside, t, index, stepMm, BlendVisibility(sum));
+    t = min(segment.exit, inside.exit);
+    vec4 optical = Classify(ScalarAt(PositionTexture(ray, segment.enter)));
+    float samples = max(t - segment.enter, 0.0) / stepMm;
+    float opacity = Absorption(min(optical.a * stepMm, 100.0)) * samples;
+    sum.color += sum.transmittance * opacity * optical.rgb;
+    sum.transmittance = max(sum.transmittance * (1.0 - opacity), 0.0);
+  }
+  return sum;
+}
