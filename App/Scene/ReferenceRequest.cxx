@@ -63,7 +63,7 @@ ReferenceScene SceneOf(const ReferenceRequest& request, const Scalar* voxels)
   if (request.light)
   {
     scene.shade = HeadLightShading(
-      *request.light, [grid](glm::dvec3 positionGrid) { return grid.Gradient(positionGrid); },
+      *request.light, [grid](glm::ivec3 cell) { return GradientsOfCell(grid, cell); },
       request.geometry.WorldFromGridDirection());
   }
   return scene;

@@ -72,7 +72,7 @@ std::vector<float> MapperScene::Truth(double tolerance)
     const HeadLight light{ glm::dvec3(property->GetAmbient()), glm::dvec3(property->GetDiffuse()),
       glm::dvec3(property->GetSpecular()), property->GetSpecularPower() };
     scene.shade = HeadLightShading(
-      light, [&](glm::dvec3 positionGrid) { return grid.Gradient(positionGrid); },
+      light, [&](glm::ivec3 cell) { return GradientsOfCell(grid, cell); },
       geometry.WorldFromGridDirection());
   }
   const ReferenceView view{ ComputePixelRays(ClipFromWorld(this->renderer) * geometry.worldFromGrid,

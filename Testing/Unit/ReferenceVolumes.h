@@ -83,6 +83,20 @@ inline Ray RandomRay(glm::ivec3 dimensions, std::mt19937& random)
   return { origin, glm::dvec3(dimensions - 1) * 0.5 + place(1.5) - origin };
 }
 
+/// For ReferenceScene::shade: light that is a function (rgb, position, direction) of the place.
+template <class Emitted>
+auto LightByPlace(Emitted emitted)
+{
+  return [emitted](const CellPart& part, const Ray& ray)
+  {
+    return PieceLight{ [=](glm::dvec3 rgb, double u)
+      {
+        const double t = part.t.enter + u * (part.t.exit - part.t.enter);
+        return emitted(rgb, ray.origin + t * ray.direction, ray.direction);
+      } };
+  };
+}
+
 }
 
 #endif

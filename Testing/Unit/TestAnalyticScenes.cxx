@@ -182,11 +182,13 @@ TEST(Reference, ColorAffineInOpticalDepthHasAClosedFormInAnyField)
     };
     ReferenceScene scene =
       SceneOf(volume, { {}, { { 0.0, 0.0 }, { 1.0, -std::expm1(-unitMm) } }, unitMm });
-    scene.shade = [&](glm::dvec3, glm::dvec3 position, glm::dvec3 direction)
-    {
-      const double t = glm::dot(position - ray.origin, direction) / glm::dot(direction, direction);
-      return glm::dvec3(p + q * depthTo(t));
-    };
+    scene.shade = LightByPlace(
+      [&](glm::dvec3, glm::dvec3 position, glm::dvec3 direction)
+      {
+        const double t =
+          glm::dot(position - ray.origin, direction) / glm::dot(direction, direction);
+        return glm::dvec3(p + q * depthTo(t));
+      });
     const double depth = inside.IsEmpty() ? 0.0 : depthTo(inside.exit);
     const double alpha = -std::expm1(-depth);
     const double color = (p + q) * alpha - q * depth * (1.0 - alpha);

@@ -1,7 +1,6 @@
 #include "Core/HeadLightShading.h"
-#include "Core/ReferenceIntegrator.h"
-
-#include <gtest/gtest.h>
+#include "Core/Reference/CellPieces.h"
+#include "Unit/ReferenceVolumes.h"
 
 #include <glm/geometric.hpp>
 
@@ -24,9 +23,27 @@ glm::dvec3 Lit(double cosine)
 
 void ExpectNear(glm::dvec3 color, glm::dvec3 truth, double tolerance = 1e-14)
 {
-  EXPECT_NEAR(color.r, truth.r, tolerance);
-  EXPECT_NEAR(color.g, truth.g, tolerance);
-  EXPECT_NEAR(color.b, truth.b, tolerance);
+  varimarch::ExpectNear(glm::dvec4(color, 1.0), glm::dvec4(truth, 1.0), tolerance);
+}
+
+/// What is emitted half way through the unit cell, in a field of one gradient.
+glm::dvec3 EmittedWith(
+  glm::dvec3 gradient, glm::dvec3 directionGrid, const glm::dmat3& worldFromGrid = glm::dmat3(1.0))
+{
+  const HeadLightShading shade(
+    light,
+    [=](glm::ivec3)
+    {
+      std::array<CellCorners, 3> gradients;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        gradients[axis].fill(gradient[axis]);
+      }
+      return gradients;
+    },
+    worldFromGrid);
+  return shade({ glm::ivec3(0), { 0.0, 0.1 } }, { glm::dvec3(0.5), directionGrid })
+    .emitted(rgb, 0.5);
 }
 
 }
@@ -34,21 +51,53 @@ void ExpectNear(glm::dvec3 color, glm::dvec3 truth, double tolerance = 1e-14)
 TEST(HeadLightShading, DependsOnTheAngleInTheWorld)
 {
   // Planes x + y = constant in the grid; voxels are twice as high as wide.
-  const auto gradient = [](glm::dvec3) { return glm::dvec3(3.0, 3.0, 0.0); };
+  const glm::dvec3 gradient(3.0, 3.0, 0.0);
   const glm::dmat3 worldFromGrid(
     glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 2.0, 0.0), glm::dvec3(0.0, 0.0, 1.0));
-  const HeadLightShading shade(light, gradient, worldFromGrid);
   const glm::dvec3 normalWorld = glm::normalize(glm::dvec3(2.0, 1.0, 0.0));
-  ExpectNear(shade(rgb, glm::dvec3(0.0), { 5.0, 0.0, 0.0 }), Lit(normalWorld.x));
-  ExpectNear(shade(rgb, glm::dvec3(0.0), { 0.0, -0.1, 0.0 }), Lit(normalWorld.y));
-  ExpectNear(shade(rgb, glm::dvec3(0.0), { 0.0, 0.0, 1.0 }), Lit(0.0));
+  ExpectNear(EmittedWith(gradient, { 5.0, 0.0, 0.0 }, worldFromGrid), Lit(normalWorld.x));
+  ExpectNear(EmittedWith(gradient, { 0.0, -0.1, 0.0 }, worldFromGrid), Lit(normalWorld.y));
+  ExpectNear(EmittedWith(gradient, { 0.0, 0.0, 1.0 }, worldFromGrid), Lit(0.0));
 }
 
 TEST(HeadLightShading, LeavesAmbientLightWhereTheGradientVanishes)
 {
-  const HeadLightShading shade(
-    light, [](glm::dvec3) { return glm::dvec3(0.0); }, glm::dmat3(1.0));
-  ExpectNear(shade(rgb, glm::dvec3(0.0), { 1.0, 0.0, 0.0 }), 0.1 * rgb);
+  ExpectNear(EmittedWith(glm::dvec3(0.0), { 1.0, 0.0, 0.0 }), 0.1 * rgb);
+}
+
+TEST(HeadLightShading, LeavesAmbientLightBesideAVoxelThatIsNotFinite)
+{
+  for (const double bad : { infinity, std::numeric_limits<double>::quiet_NaN() })
+  {
+    ExpectNear(EmittedWith({ 1.0, bad, 0.0 }, { 1.0, 0.0, 0.0 }), 0.1 * rgb);
+  }
+}
+
+TEST(HeadLightShading, HasTheGradientOfTheGridAnywhere)
+{
+  std::mt19937 random(12);
+  const Volume volume = RandomVolume({ 4, 3, 5 }, random);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Ray ray = RandomRay(volume.dimensions, random);
+    const Interval inside = Intersection(ray, volume.BoxGrid());
+    if (inside.IsEmpty())
+    {
+      continue;
+    }
+    WalkCells(ray, inside,
+      [&](const CellPart& part)
+      {
+        const auto gradients = GradientsOfCell(volume.Grid(), part.cell);
+        const double u = 0.3, t = part.t.enter + u * (part.t.exit - part.t.enter);
+        const glm::dvec3 truth = volume.Grid().Gradient(ray.origin + t * ray.direction);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          EXPECT_NEAR(PieceOf(part, gradients[axis], ray).cubic.Value(u), truth[axis], 1e-13);
+        }
+        return true;
+      });
+  }
 }
 
 TEST(HeadLightShading, IsIntegratedAsAMarchOfTinyStepsDoes)
@@ -62,7 +111,7 @@ TEST(HeadLightShading, IsIntegratedAsAMarchOfTinyStepsDoes)
   const ScalarGrid<double> grid(voxels.data(), glm::ivec3(5));
   const TransferFunction transferFunction({ { 0.0, rgb } }, { { 0.2, 0.0 }, { 0.9, 0.7 } }, 1.0);
   const HeadLightShading shade(
-    light, [&](glm::dvec3 position) { return grid.Gradient(position); }, glm::dmat3(1.0));
+    light, [&](glm::ivec3 cell) { return GradientsOfCell(grid, cell); }, glm::dmat3(1.0));
   const ReferenceIntegrator integrator({ [&](glm::ivec3 cell) { return CornersOfCell(grid, cell); },
     { glm::dvec3(0.0), glm::dvec3(4.0) }, transferFunction, Blend::Composite, shade });
   const Ray ray{ { -1.0, 0.3, 0.4 }, glm::normalize(glm::dvec3(1.0, 0.5, 0.6)) };
@@ -76,7 +125,8 @@ TEST(HeadLightShading, IsIntegratedAsAMarchOfTinyStepsDoes)
   {
     const glm::dvec3 position = ray.origin + (inside.enter + (k + 0.5) * step) * ray.direction;
     const double through = std::exp(-transferFunction.Extinction(grid.Value(position)) * step);
-    color += transmittance * (1.0 - through) * shade(rgb, position, ray.direction);
+    const glm::dvec3 normal = glm::normalize(grid.Gradient(position));
+    color += transmittance * (1.0 - through) * Lit(std::abs(glm::dot(normal, ray.direction)));
     transmittance *= through;
   }
   const ReferenceColor reference = integrator.Color(ray, 1.0);
@@ -93,7 +143,7 @@ TEST(HeadLightShading, OneValueOnANodeIsShadedByPlace)
   { return color * position.x; };
   const ReferenceIntegrator integrator({ [&](glm::ivec3 cell) { return CornersOfCell(grid, cell); },
     { glm::dvec3(0.0), glm::dvec3(1.0) }, { {}, { { 0.0, 0.0 }, { 1.0, 0.5 } }, 1.0 },
-    Blend::Composite, brighter });
+    Blend::Composite, LightByPlace(brighter) });
   const double depth = std::log(2.0);
   const double truth = (1.0 - (1.0 + depth) * 0.5) / depth;
   EXPECT_NEAR(integrator.Color({ { -1.0, 0.5, 0.5 }, { 1.0, 0.0, 0.0 } }, 1.0).rgba.r, truth, 1e-9);

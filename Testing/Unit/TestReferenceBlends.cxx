@@ -186,7 +186,8 @@ TEST(ReferenceIsosurface, LiesAtTheRootAndIsLitThere)
   volume.voxels[7] = 1.0;
   ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 1.0 } }, 1.0 }, Blend::Isosurface);
   scene.isovalues = { 0.3 };
-  scene.shade = [](glm::dvec3, glm::dvec3 positionGrid, glm::dvec3) { return positionGrid; };
+  scene.shade =
+    LightByPlace([](glm::dvec3, glm::dvec3 positionGrid, glm::dvec3) { return positionGrid; });
   const Ray diagonal{ glm::dvec3(-2.0), glm::dvec3(1.0) };
   ExpectNear(ColorAlong(scene, diagonal), glm::dvec4(glm::dvec3(std::cbrt(0.3)), 1.0), 1e-14);
 }

@@ -99,8 +99,8 @@ TEST(Reference, ExponentialColorByPlaceHasItsClosedForm)
   const Volume volume = RampAlongX(3);
   ReferenceScene scene = SceneOf(volume, { { { 0.0, red } }, { { 0.0, 0.4 } }, 1.0 });
   const double decay = 0.7;
-  scene.shade = [=](glm::dvec3 rgb, glm::dvec3 positionGrid, glm::dvec3)
-  { return rgb * std::exp(-decay * positionGrid.x); };
+  scene.shade = LightByPlace([=](glm::dvec3 rgb, glm::dvec3 positionGrid, glm::dvec3)
+    { return rgb * std::exp(-decay * positionGrid.x); });
   const double extinction = -std::log1p(-0.4);
   const double together = extinction + decay;
   ExpectNear(ColorAlong(scene, alongX),

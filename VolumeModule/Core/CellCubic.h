@@ -28,6 +28,27 @@ CellCorners CornersOfCell(const ScalarGrid<Scalar>& grid, glm::ivec3 cell)
   return corners;
 }
 
+/// Central differences per voxel along x, y and z at a cell's corners. Trilinear interpolation of
+/// these is the difference of the interpolated values one voxel to either side, as
+/// ScalarGrid::Gradient has it.
+template <class Scalar>
+std::array<CellCorners, 3> GradientsOfCell(const ScalarGrid<Scalar>& grid, glm::ivec3 cell)
+{
+  std::array<CellCorners, 3> gradients;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    glm::ivec3 offset(0);
+    offset[axis] = 1;
+    const CellCorners after = CornersOfCell(grid, cell + offset);
+    const CellCorners before = CornersOfCell(grid, cell - offset);
+    for (int i = 0; i < 8; ++i)
+    {
+      gradients[axis][i] = 0.5 * (after[i] - before[i]);
+    }
+  }
+  return gradients;
+}
+
 /// Trilinear interpolation along a straight line through a cell: exactly a cubic, kept by its four
 /// Bernstein coefficients. They enclose the values, and evaluation never leaves their range.
 class CellCubic
@@ -46,6 +67,8 @@ public:
 
   /// @param u  position along the line, [0, 1]
   double Value(double u) const;
+
+  const std::array<double, 4>& Bernstein() const { return this->bernstein; }
 
   /// Bounds of the values on [0, 1], not always attained.
   double LowerBound() const;

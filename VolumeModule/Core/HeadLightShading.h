@@ -1,6 +1,8 @@
 #ifndef Varimarch_Core_HeadLightShading_h
 #define Varimarch_Core_HeadLightShading_h
 
+#include "Core/Reference/ReferenceScene.h"
+
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
@@ -19,21 +21,25 @@ struct HeadLight
 };
 
 /// Blinn-Phong shading for ReferenceScene::shade. Light and eye are in one place, both sides of a
-/// surface are lit, and where the gradient vanishes only ambient light is left, as the mapper has
-/// it.
+/// surface are lit, and where the gradient vanishes, or a voxel beside the cell is not finite, only
+/// ambient light is left.
+///
+/// In a cell each component of the gradient is a cubic along the ray, as the value is. Where the
+/// ray grazes a surface, a root of their product with its direction, the light has a kink.
 class HeadLightShading
 {
 public:
-  /// @param gradientGrid  differences per voxel, any factor, at a position in grid space, such as
-  ///                      ScalarGrid::Gradient of a grid of unit spacing
-  HeadLightShading(HeadLight light, std::function<glm::dvec3(glm::dvec3)> gradientGrid,
-    const glm::dmat3& worldFromGridDirection);
+  using GradientsFunction = std::function<std::array<CellCorners, 3>(glm::ivec3 cell)>;
 
-  glm::dvec3 operator()(glm::dvec3 rgb, glm::dvec3 positionGrid, glm::dvec3 directionGrid) const;
+  /// @param gradientsOfCell  per voxel, any factor: GradientsOfCell of a grid
+  HeadLightShading(
+    HeadLight light, GradientsFunction gradientsOfCell, const glm::dmat3& worldFromGridDirection);
+
+  PieceLight operator()(const CellPart& part, const Ray& rayGrid) const;
 
 private:
   HeadLight light;
-  std::function<glm::dvec3(glm::dvec3)> gradientGrid;
+  GradientsFunction gradientsOfCell;
   glm::dmat3 worldFromGridDirection;
   glm::dmat3 worldFromGridNormal;
 };

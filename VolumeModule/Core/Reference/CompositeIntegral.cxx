@@ -33,7 +33,8 @@ private:
 
   SlabQuadrature::Slab SlabOf(
     const CellPiece& piece, const TransferBands::Band& band, double from, double to) const;
-  OpticalProperties Shaded(OpticalProperties properties, double t) const;
+  OpticalProperties PropertiesAt(
+    const CellPiece& piece, const TransferBands::Band& band, double u) const;
   double LengthMm(const CellPiece& piece, double from, double to) const
   {
     return (to - from) * (piece.t.exit - piece.t.enter) * this->ray.mmPerParameter;
@@ -41,6 +42,7 @@ private:
 
   const CompositeIntegral& integral;
   const MeasuredRay& ray;
+  PieceLight light; ///< of the cell that is being added, where the scene is shaded
   glm::dvec3 rgb = glm::dvec3(0.0);
   double transmittance = 1.0;
   double error = 0.0;
@@ -60,6 +62,10 @@ void CompositeIntegral::Sum::AddCell(const CellPart& part, const CellCorners& co
     return;
   }
   const CellPiece piece = PieceOf(part, corners, this->ray.grid);
+  if (this->integral.scene.shade)
+  {
+    this->light = this->integral.scene.shade(part, this->ray.grid);
+  }
   CutIntoBands(piece.cubic, this->integral.bands,
     [&](const TransferBands::Band& band, double from, double to)
     {
@@ -78,12 +84,18 @@ void CompositeIntegral::Sum::AddBand(
   const bool constant = band.kind == TransferBands::Kind::Constant && !this->integral.scene.shade;
   if (constant || band.kind == TransferBands::Kind::Opaque)
   {
-    const OpticalProperties atEntry = this->integral.bands.Inside(band, piece.cubic.Value(from));
-    this->AddHomogeneous(
-      this->Shaded(atEntry, piece.ParameterAt(from)), this->LengthMm(piece, from, to));
+    this->AddHomogeneous(this->PropertiesAt(piece, band, from), this->LengthMm(piece, from, to));
     return;
   }
   constexpr int mostBisections = 50;
+  for (const double kink : this->light.kinks)
+  {
+    if (from < kink && kink < to)
+    {
+      this->AddVarying(piece, band, from, kink, mostBisections);
+      from = kink;
+    }
+  }
   this->AddVarying(piece, band, from, to, mostBisections);
 }
 
@@ -114,9 +126,7 @@ void CompositeIntegral::Sum::AddVarying(
   {
     // As thin as round-off: what is this dense here is a surface.
     this->error += this->transmittance * std::min(1.0, slab.opticalDepth);
-    const OpticalProperties properties =
-      this->integral.bands.Inside(band, piece.cubic.Value(middle));
-    this->AddHomogeneous(this->Shaded(properties, piece.ParameterAt(middle)), lengthMm);
+    this->AddHomogeneous(this->PropertiesAt(piece, band, middle), lengthMm);
     return;
   }
   this->AddVarying(piece, band, from, middle, bisections - 1);
@@ -130,8 +140,7 @@ SlabQuadrature::Slab CompositeIntegral::Sum::SlabOf(
   for (int i = 0; i < SlabQuadrature::PointCount; ++i)
   {
     const double u = from + (to - from) * this->integral.quadrature.Points()[i];
-    samples[i] =
-      this->Shaded(this->integral.bands.Inside(band, piece.cubic.Value(u)), piece.ParameterAt(u));
+    samples[i] = this->PropertiesAt(piece, band, u);
   }
   return this->integral.quadrature.Integral(samples, this->LengthMm(piece, from, to));
 }
@@ -148,12 +157,13 @@ void CompositeIntegral::Sum::AddHomogeneous(const OpticalProperties& properties,
   this->transmittance *= std::exp(-properties.extinction * lengthMm);
 }
 
-OpticalProperties CompositeIntegral::Sum::Shaded(OpticalProperties properties, double t) const
+OpticalProperties CompositeIntegral::Sum::PropertiesAt(
+  const CellPiece& piece, const TransferBands::Band& band, double u) const
 {
-  if (this->integral.scene.shade)
+  OpticalProperties properties = this->integral.bands.Inside(band, piece.cubic.Value(u));
+  if (this->light.emitted)
   {
-    properties.rgb = this->integral.scene.shade(
-      properties.rgb, this->ray.PositionGrid(t), this->ray.grid.direction);
+    properties.rgb = this->light.emitted(properties.rgb, u);
   }
   return properties;
 }

@@ -27,8 +27,8 @@ public:
   glm::dvec4 Color() const { return { this->rgb, 1.0 - this->transmittance }; }
 
 private:
-  void AddMonotone(const CellPiece& piece, double from, double to);
-  void AddSurface(double value, double t);
+  void AddMonotone(const CellPart& part, const CellCubic& cubic, double from, double to);
+  void AddSurface(const CellPart& part, double value, double u);
 
   const ReferenceScene& scene;
   const MeasuredRay& ray;
@@ -54,15 +54,15 @@ bool SurfaceSum::AddCell(const CellPart& part, const CellCorners& corners)
   const CellCubic::Cuts cuts = piece.cubic.MonotoneCuts();
   for (int i = 0; i + 1 < cuts.count; ++i)
   {
-    this->AddMonotone(piece, cuts.u[i], cuts.u[i + 1]);
+    this->AddMonotone(part, piece.cubic, cuts.u[i], cuts.u[i + 1]);
   }
   return this->transmittance > 0.0;
 }
 
-void SurfaceSum::AddMonotone(const CellPiece& piece, double from, double to)
+void SurfaceSum::AddMonotone(const CellPart& part, const CellCubic& cubic, double from, double to)
 {
-  const double first = piece.cubic.Value(from);
-  const double last = piece.cubic.Value(to);
+  const double first = cubic.Value(from);
+  const double last = cubic.Value(to);
   // What is passed lies above the smaller end, and not above the larger.
   const std::vector<double>& values = this->scene.isovalues;
   const auto begin = std::upper_bound(values.begin(), values.end(), std::min(first, last));
@@ -74,17 +74,16 @@ void SurfaceSum::AddMonotone(const CellPiece& piece, double from, double to)
   }
   for (const double value : passed)
   {
-    this->AddSurface(value, piece.ParameterAt(piece.cubic.Crossing(value, from, to)));
+    this->AddSurface(part, value, cubic.Crossing(value, from, to));
   }
 }
 
-void SurfaceSum::AddSurface(double value, double t)
+void SurfaceSum::AddSurface(const CellPart& part, double value, double u)
 {
   const double opacity = this->scene.transferFunction.Opacity(value);
   const glm::dvec3 color = this->scene.transferFunction.Color(value);
-  const glm::dvec3 lit = this->scene.shade
-    ? this->scene.shade(color, this->ray.PositionGrid(t), this->ray.grid.direction)
-    : color;
+  const glm::dvec3 lit =
+    this->scene.shade ? this->scene.shade(part, this->ray.grid).emitted(color, u) : color;
   this->rgb += this->transmittance * opacity * lit;
   this->transmittance *= 1.0 - opacity;
 }

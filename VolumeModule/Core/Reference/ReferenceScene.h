@@ -3,6 +3,7 @@
 
 #include "Core/Box.h"
 #include "Core/CellCubic.h"
+#include "Core/CellWalk.h"
 #include "Core/RenderSettings.h"
 #include "Core/TransferFunction.h"
 
@@ -19,6 +20,14 @@ struct ValueRange
   double upper;
 };
 
+/// The light along the part of a ray in one cell, over u in [0, 1].
+struct PieceLight
+{
+  /// What is emitted at u, where the transfer function's colour is rgb.
+  std::function<glm::dvec3(glm::dvec3 rgb, double u)> emitted;
+  std::vector<double> kinks = {}; ///< where it is not smooth, sorted, in (0, 1)
+};
+
 /// What the reference draws. A cell with a voxel that is not finite is left out: it is transparent,
 /// no maximum or minimum, no part of an average, and no surface bounds it.
 struct ReferenceScene
@@ -29,10 +38,9 @@ struct ReferenceScene
   TransferFunction transferFunction;
   Blend blend = Blend::Composite;
 
-  /// Makes the transfer function's colour at a place, seen along a direction of any length, what
-  /// is emitted there; none: the colour itself. Composite and isosurface only.
-  std::function<glm::dvec3(glm::dvec3 rgb, glm::dvec3 positionGrid, glm::dvec3 directionGrid)>
-    shade = {};
+  /// The light along a part of a ray, such as HeadLightShading; none: colours are emitted as they
+  /// are. Composite and isosurface only.
+  std::function<PieceLight(const CellPart& part, const Ray& rayGrid)> shade = {};
 
   /// Average and additive: the values that are black and white, those of the darkest and the
   /// brightest voxel for VTK's picture.
