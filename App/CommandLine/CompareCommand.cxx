@@ -3,6 +3,7 @@
 #include "Comparison.h"
 #include "ComparisonReport.h"
 #include "Options.h"
+#include "OutputFolder.h"
 #include "Progress.h"
 #include "Results.h"
 #include "Scene/ComparisonSheet.h"
@@ -20,19 +21,6 @@ namespace varimarch
 
 namespace
 {
-
-// A folder to write into, made when it is not there.
-std::filesystem::path OutputFolder(const std::string& path)
-{
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (!std::filesystem::is_directory(path))
-  {
-    throw std::runtime_error(path + ": expected a folder to write into, or a name for a new one" +
-      (error ? ": " + error.message() : ""));
-  }
-  return path;
-}
 
 // The pictures of all renderers, their differences from the truth, and all of it on one sheet.
 void WritePictures(

@@ -1,10 +1,10 @@
 #include "Comparison.h"
 
+#include "Results.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/SceneNames.h"
 #include "VtkMessages.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace varimarch
@@ -12,13 +12,6 @@ namespace varimarch
 
 namespace
 {
-
-double Median(std::vector<double> numbers)
-{
-  std::sort(numbers.begin(), numbers.end());
-  const std::size_t middle = numbers.size() / 2;
-  return numbers.size() % 2 ? numbers[middle] : 0.5 * (numbers[middle - 1] + numbers[middle]);
-}
 
 // A view of each kind, warmed up, with all of its measurement but the times.
 std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(

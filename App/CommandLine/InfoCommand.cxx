@@ -23,7 +23,8 @@ struct InfoCommand
 
   void Run() const
   {
-    const LoadedVolume volume = LoadVolumeReporting(this->volumeOptions.Source());
+    const LoadedVolume volume =
+      LoadVolumeReporting(this->volumeOptions.SourceOf(this->volumeOptions.Input()));
     const ImageStatistics statistics(volume.image);
     nlohmann::ordered_json results = ResultsOf(this->commandText, volume);
     results["volume"].update(VolumeJson(volume, statistics, this->bins));

@@ -149,14 +149,14 @@ void VolumeOptions::RefuseRawLayout(const std::string& kind) const
   }
 }
 
-VolumeSource VolumeOptions::Source() const
+VolumeSource VolumeOptions::SourceOf(const std::string& anyInput) const
 {
-  if (this->input.compare(0, ProceduralPrefix.size(), ProceduralPrefix) == 0)
+  if (anyInput.compare(0, ProceduralPrefix.size(), ProceduralPrefix) == 0)
   {
     this->RefuseRawLayout("procedural volume");
-    return ProceduralFromInput(this->input);
+    return ProceduralFromInput(anyInput);
   }
-  FileSource source = { this->input, std::nullopt };
+  FileSource source = { anyInput, std::nullopt };
   if (!this->rawDimensions.empty())
   {
     RawLayout raw;
@@ -177,9 +177,14 @@ void SceneOptions::AddTo(CLI::App& command)
   this->volume.AddTo(command,
     "A volume file, a folder with a DICOM series, a scene file (.json), or\n"
     "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+  this->AddLookAndPictureTo(command);
+  this->AddSamplingOptions(command);
+}
+
+void SceneOptions::AddLookAndPictureTo(CLI::App& command)
+{
   this->AddLookOptions(command);
   this->AddPictureOptions(command);
-  this->AddSamplingOptions(command);
 }
 
 void SceneOptions::AddLookOptions(CLI::App& command)
@@ -315,18 +320,18 @@ void SceneOptions::Override(Scene& scene) const
   }
 }
 
-std::pair<Scene, LoadedVolume> SceneOptions::Load() const
+std::pair<Scene, LoadedVolume> SceneOptions::Load(const std::string& input) const
 {
   const std::optional<Look> chosenLook = this->ChosenLook();
-  const bool isScene = IsSceneFile(this->volume.Input());
+  const bool isScene = IsSceneFile(input);
   if (isScene)
   {
     this->volume.RefuseRawLayout("scene file");
   }
-  Scene scene = isScene ? ReadScene(this->volume.Input()) : Scene();
+  Scene scene = isScene ? ReadScene(input) : Scene();
   if (!isScene)
   {
-    scene.volume = this->volume.Source();
+    scene.volume = this->volume.SourceOf(input);
   }
   LoadedVolume loaded = LoadVolumeReporting(scene.volume);
   if (chosenLook)

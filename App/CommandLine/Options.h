@@ -21,8 +21,8 @@ public:
 
   const std::string& Input() const { return this->input; }
 
-  /// The file, folder or procedural volume that the input names.
-  VolumeSource Source() const;
+  /// The file, folder or procedural volume that an input names.
+  VolumeSource SourceOf(const std::string& anyInput) const;
 
   /// For an input that says itself what its voxels are, such as a scene file.
   /// @param kind  of the input, for the message
@@ -37,15 +37,23 @@ private:
   std::string rawByteOrder;
 };
 
-/// What render and compare have in common: everything a scene file can say, each overriding it.
+/// What render, compare and bench have in common: everything a scene file can say, each overriding
+/// it.
 class SceneOptions
 {
 public:
+  /// One input and all options.
   void AddTo(CLI::App& command);
+
+  /// For a command with inputs of its own, which chooses the sampling itself.
+  void AddLookAndPictureTo(CLI::App& command);
 
   /// The scene of the input, with what the options override, and its volume.
   /// @throws std::runtime_error when a file cannot be read
-  std::pair<Scene, LoadedVolume> Load() const;
+  std::pair<Scene, LoadedVolume> Load() const { return this->Load(this->volume.Input()); }
+
+  /// The same of any input.
+  std::pair<Scene, LoadedVolume> Load(const std::string& input) const;
 
 private:
   void AddLookOptions(CLI::App& command);

@@ -49,6 +49,7 @@ int Run(int argc, char** argv)
   const std::string commandText = CommandText(argc, argv);
   varimarch::AddRenderCommand(program, commandText);
   varimarch::AddCompareCommand(program, commandText);
+  varimarch::AddBenchCommand(program, commandText);
   varimarch::AddInfoCommand(program, commandText);
   try
   {

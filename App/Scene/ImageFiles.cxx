@@ -31,16 +31,20 @@ vtkSmartPointer<vtkImageData> BytesOver(
   return bytes;
 }
 
-void WritePng(vtkImageData* bytePicture, const std::string& path)
+std::string PngBytes(vtkImageData* bytePicture)
 {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(bytePicture);
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* encoded = writer->GetResult();
-  WriteFileWhole(path,
-    std::string(reinterpret_cast<const char*>(encoded->GetPointer(0)),
-      std::size_t(encoded->GetNumberOfValues())));
+  return std::string(reinterpret_cast<const char*>(encoded->GetPointer(0)),
+    std::size_t(encoded->GetNumberOfValues()));
+}
+
+void WritePng(vtkImageData* bytePicture, const std::string& path)
+{
+  WriteFileWhole(path, PngBytes(bytePicture));
 }
 
 }

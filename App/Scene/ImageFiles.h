@@ -17,6 +17,9 @@ namespace varimarch
 vtkSmartPointer<vtkImageData> BytesOver(
   vtkImageData* floatPicture, const std::array<double, 3>& background);
 
+/// A byte picture as the bytes of a PNG file.
+std::string PngBytes(vtkImageData* bytePicture);
+
 /// Writes a byte picture as PNG. @throws std::runtime_error that names the file
 void WritePng(vtkImageData* bytePicture, const std::string& path);
 

@@ -201,6 +201,12 @@ private:
     {
       logs.push_back({ std::log10(point[0]), std::log10(point[1]) });
     }
+    if (logs.empty())
+    {
+      return;
+    }
+    // VTK refuses to paint a line of one point.
+    logs.push_back(logs.back());
     vtkPlotLine* line = this->AddLine(curve.title, logs);
     const auto& [red, green, blue] = curve.style.color;
     line->SetColor(red, green, blue, 255);

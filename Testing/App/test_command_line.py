@@ -5,6 +5,7 @@ Usage: test_command_line.py VARIMARCH CASE
 """
 
 import csv
+import html
 import json
 import pathlib
 import signal
@@ -93,6 +94,47 @@ def compare(folder):
     assert png_size(output / "side-by-side.png")[0] > 4 * 80
 
 
+def bench(folder):
+    scene = folder / "two shells.json"
+    scene.write_text('{"volume": {"procedural": "shells", "size": [16, 16, 16]},'
+                     ' "look": "mr-head", "size": [48, 40]}')
+    output = folder / "report"
+    table, _ = run("bench", "work-precision", scene, VOLUME, "-o", output, "--size", "48x40",
+                   "--rounds", "2", "--methods", "optical,off,vtk-gpu,vtk-cpu", "--no-shade",
+                   "--json", folder / "copy.json")
+    results = json.loads((output / "work-precision.json").read_text())
+    assert json.loads((folder / "copy.json").read_text()) == results
+    assert results["machine"]["cores"] >= 1 and results["machine"]["processor"]
+    names = ["two-shells", "procedural-torso-48x40x32"]
+    assert [scene["name"] for scene in results["scenes"]] == names
+    rows = list(csv.DictReader((output / "work-precision.csv").open()))
+    for name in names:
+        assert name in table
+        assert png_size(output / f"{name}-time.png")[0] > 1000
+        assert (output / f"{name}-time.svg").read_text().rstrip().endswith("</svg>")
+        curves = {method: [float(row["rmse_255"]) for row in rows
+                           if row["scene"] == name and row["method"] == method]
+                  for method in ("optical", "off", "vtk-gpu", "vtk-cpu")}
+        assert all(len(curve) == 6 for curve in curves.values()), curves
+        # Finer sampling pays: the instrument sees what it is there to see.
+        assert curves["off"][-1] < curves["off"][0] / 10, curves
+    assert all(float(row["median_ms"]) > 0 for row in rows)
+    page = (output / "work-precision.html").read_text()
+    assert "://" not in page and 'src="data:image/svg+xml;base64,' in page, "not self-contained"
+    assert page.count("<figure>") == 2 * (1 + 2 * 4)
+    assert results["command"] in html.unescape(page)
+
+
+def bench_leaves_out_what_takes_long(folder):
+    run("bench", "work-precision", VOLUME, "-o", folder, "--size", "48x40", "--rounds", "1",
+        "--methods", "vtk-gpu", "--longest", "1e-9")
+    (scene,) = json.loads((folder / "work-precision.json").read_text())["scenes"]
+    (method,) = scene["methods"]
+    assert [point["voxels"] for point in method["points"]] == [4]
+    assert "2.000 voxels and less" in method["skipped"]
+    assert html.escape(method["skipped"]) in (folder / "work-precision.html").read_text()
+
+
 def info(folder):
     text, _ = run("info", VOLUME, "--json", folder / "info.json", "--bins", "8")
     assert "48 x 40 x 32" in text and "L P S" in text and "short" in text
@@ -157,6 +199,6 @@ def interrupt(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        {case.__name__: case for case in (render, compare, info, usage, errors, interrupt)}[
-            sys.argv[2]
-        ](pathlib.Path(name))
+        cases = (render, compare, bench, bench_leaves_out_what_takes_long, info, usage, errors,
+                 interrupt)
+        {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

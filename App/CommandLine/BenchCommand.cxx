@@ -1,0 +1,147 @@
+#include "Commands.h"
+
+#include "Options.h"
+#include "OutputFolder.h"
+#include "Progress.h"
+#include "Results.h"
+#include "Scene/ImageFiles.h"
+#include "Scene/OutputFile.h"
+#include "VtkMessages.h"
+#include "WorkPrecisionHtml.h"
+#include "WorkPrecisionReport.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// A scene's input as part of a file name, not one of those that are taken.
+std::string SceneName(const std::string& input, const std::vector<WorkPrecision>& others)
+{
+  std::string name = std::filesystem::path(input).stem().string();
+  std::replace_if(
+    name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c) && c != '-'; }, '-');
+  const auto taken = [&](const std::string& candidate)
+  {
+    return std::any_of(others.begin(), others.end(),
+      [&](const WorkPrecision& other) { return other.name == candidate; });
+  };
+  std::string unique = name;
+  for (int number = 2; taken(unique); ++number)
+  {
+    unique = name + "-" + std::to_string(number);
+  }
+  return unique;
+}
+
+std::string TextOfFile(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+}
+
+struct WorkPrecisionCommand
+{
+  std::string commandText;
+  SceneOptions sceneOptions;
+  std::vector<std::string> inputs;
+  WorkPrecisionOptions options;
+  std::string outputFolder;
+  std::string jsonPath;
+
+  void Run() const
+  {
+    const std::filesystem::path folder = OutputFolder(this->outputFolder);
+    WorkPrecisionPage page = { this->commandText, ThisMachine(), {} };
+    std::vector<WorkPrecision> scenes;
+    for (const std::string& input : this->inputs)
+    {
+      const auto [scene, volume] = this->sceneOptions.Load(input);
+      Progress progress("Measuring " + input);
+      scenes.push_back(MeasureWorkPrecision(SceneName(input, scenes), scene, volume, this->options,
+        [&](const std::string& step) { progress.SetActivity(step); }));
+      const LogLogPlot plot = TimePlot(scenes.back());
+      const std::filesystem::path svg = folder / (scenes.back().name + "-time.svg");
+      WritePng(DrawPlot(plot), folder / (scenes.back().name + "-time.png"));
+      WritePlotSvg(plot, svg);
+      page.plotSvgs.push_back(TextOfFile(svg));
+    }
+    ThrowIfVtkReportedError();
+    this->Write(scenes, page, folder);
+    std::cout << TableText(scenes) << "Report: " << (folder / "work-precision.html").string()
+              << "\n";
+  }
+
+  void Write(const std::vector<WorkPrecision>& scenes, const WorkPrecisionPage& page,
+    const std::filesystem::path& folder) const
+  {
+    nlohmann::ordered_json results = { { "command", this->commandText },
+      { "machine", ToJson(page.machine) } };
+    for (const WorkPrecision& scene : scenes)
+    {
+      nlohmann::ordered_json json = ResultsOf(this->commandText, scene.volume);
+      json.erase("command");
+      json.update(ToJson(scene));
+      results["scenes"].push_back(json);
+    }
+    WriteResults(results, folder / "work-precision.json");
+    WriteResults(results, this->jsonPath);
+    WriteFileWhole(folder / "work-precision.csv", TableCsv(scenes));
+    WriteFileWhole(folder / "work-precision.html", WorkPrecisionHtml(scenes, page));
+  }
+};
+
+void AddWorkPrecisionCommand(CLI::App& bench, const std::string& commandText)
+{
+  const auto command = std::make_shared<WorkPrecisionCommand>();
+  command->commandText = commandText;
+  CLI::App* app = bench.add_subcommand(
+    "work-precision", "Error against run time of our mapper's choices and of VTK's mappers");
+  app->footer(
+    "Writes work-precision.html, which needs no other file, .csv and .json, and each scene's plot\n"
+    "as PNG and SVG.\n"
+    "Examples:\n"
+    "  varimarch bench work-precision head.nii.gz -o report --size 256x256\n"
+    "  varimarch bench work-precision Data/Scenes/*.json -o report --rounds 5\n"
+    "  varimarch bench work-precision scene.json -o report --methods optical,vtk-gpu");
+  app
+    ->add_option("SCENES", command->inputs,
+      "Scene files (.json), volume files, DICOM folders, or procedural:NAME[:XxYxZ]")
+    ->required();
+  command->sceneOptions.AddLookAndPictureTo(*app);
+  app->add_option("-o,--output", command->outputFolder, "The folder for the report")
+    ->type_name("FOLDER")
+    ->required();
+  app->add_option("--methods", command->options.methods, "Only these (default all)")
+    ->delimiter(',')
+    ->check(NameValidator(BenchMethodNames()));
+  app->add_option("--rounds", command->options.rounds, "Times to measure each (default 3)")
+    ->check(CLI::Range(1, 10000).description(""))
+    ->type_name("N");
+  app
+    ->add_option("--longest", command->options.longestSeconds,
+      "Leave out finer settings when a picture took longer (default 3)")
+    ->check(CLI::PositiveNumber.description(""))
+    ->type_name("SECONDS");
+  AddJsonOption(*app, command->jsonPath);
+  app->callback([command] { command->Run(); });
+}
+
+}
+
+void AddBenchCommand(CLI::App& program, const std::string& commandText)
+{
+  CLI::App* bench = program.add_subcommand("bench", "Measure error and run time systematically");
+  bench->require_subcommand(1);
+  AddWorkPrecisionCommand(*bench, commandText);
+}
+
+}

@@ -1,0 +1,20 @@
+#include "OutputFolder.h"
+
+#include <stdexcept>
+
+namespace varimarch
+{
+
+std::filesystem::path OutputFolder(const std::string& path)
+{
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (!std::filesystem::is_directory(path))
+  {
+    throw std::runtime_error(path + ": expected a folder to write into, or a name for a new one" +
+      (error ? ": " + error.message() : ""));
+  }
+  return path;
+}
+
+}

@@ -1,0 +1,174 @@
+#include "WorkPrecision.h"
+
+#include "Results.h"
+#include "Scene/OffscreenView.h"
+#include "VtkMessages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// A method at work on a scene.
+struct Runner
+{
+  WorkCurve curve;
+  std::unique_ptr<OffscreenView> view;
+
+  /// The time of a picture after one that built what the setting needs [s].
+  double SecondsOf(const BenchSetting& setting)
+  {
+    this->view->Pipeline().SetRenderOptions(setting.options);
+    this->view->Render();
+    return this->view->Render();
+  }
+};
+
+bool HoldsEightBitsOnly(vtkImageData* picture)
+{
+  // A float's own rounding of n / 255 is far below.
+  constexpr double Slack = 1e-4;
+  const auto* channels = static_cast<const float*>(picture->GetScalarPointer());
+  return std::all_of(channels, channels + 4 * picture->GetNumberOfPoints(),
+    [](float channel)
+    {
+      const double level = 255.0 * channel;
+      return std::abs(level - std::round(level)) < Slack;
+    });
+}
+
+// What rounding alone costs: no picture of 8 bits can err less, but by chance.
+double EightBitRmse(vtkImageData* truth)
+{
+  const auto* channels = static_cast<const float*>(truth->GetScalarPointer());
+  const vtkIdType count = 4 * truth->GetNumberOfPoints();
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double level = 255.0 * channels[i];
+    sum += (level - std::round(level)) * (level - std::round(level));
+  }
+  return std::sqrt(sum / double(count));
+}
+
+bool Applies(const BenchMethod& method, const Scene& scene, const std::vector<std::string>& chosen)
+{
+  const bool wanted =
+    chosen.empty() || std::find(chosen.begin(), chosen.end(), method.name) != chosen.end();
+  return wanted && !(method.unshadedOnly && scene.look.shading.enabled);
+}
+
+// Draws one setting, measures its error, and returns how long such a picture takes [s].
+double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision& result)
+{
+  const double seconds = runner.SecondsOf(setting);
+  const auto picture = runner.view->FloatImage();
+  ThrowIfVtkReportedError();
+  WorkCurve& curve = runner.curve;
+  curve.eightBits = HoldsEightBitsOnly(picture) && (curve.points.empty() || curve.eightBits);
+  curve.points.push_back(
+    { setting, ErrorOf(picture, result.truth.picture, result.scene.background), {}, 0.0 });
+  if (!curve.picture || setting.voxels >= 1.0)
+  {
+    curve.picture = picture;
+    curve.shown = curve.points.size() - 1;
+  }
+  return seconds;
+}
+
+Runner StartedRunner(const BenchMethod& method, const WorkPrecision& result,
+  const WorkPrecisionOptions& options, const OnStep& onStep)
+{
+  Runner runner = { { method, {}, {}, false, 0, nullptr },
+    std::make_unique<OffscreenView>(result.scene, result.volume.image, method.kind) };
+  double seconds = 0.0;
+  for (const BenchSetting& setting : SettingsOf(method, result.volume.image))
+  {
+    if (seconds > options.longestSeconds)
+    {
+      runner.curve.skipped = "sample distances of " + Fixed(setting.voxels, 3) +
+        " voxels and less: a picture every " + Fixed(runner.curve.points.back().setting.voxels, 3) +
+        " voxels took " + Fixed(seconds, 1) + " s, more than the " +
+        Fixed(options.longestSeconds, 1) + " s allowed";
+      break;
+    }
+    onStep(
+      result.name + ": errors of " + method.name + " at " + Fixed(setting.voxels, 3) + " voxels");
+    seconds = AddPoint(runner, setting, result);
+  }
+  return runner;
+}
+
+}
+
+WorkPrecision MeasureWorkPrecision(const std::string& name, const Scene& scene,
+  const LoadedVolume& volume, const WorkPrecisionOptions& options, const OnStep& onStep)
+{
+  WorkPrecision result = { name, scene, volume, {}, 0.0, {}, {} };
+  result.truth =
+    TruthOf(scene, volume.image, [&](const std::string& step) { onStep(name + ": " + step); });
+  result.eightBitRmse = EightBitRmse(result.truth.picture);
+
+  std::vector<Runner> runners;
+  for (const BenchMethod& method : BenchMethods())
+  {
+    if (Applies(method, scene, options.methods))
+    {
+      runners.push_back(StartedRunner(method, result, options, onStep));
+    }
+  }
+  for (int round = 1; round <= options.rounds; ++round)
+  {
+    for (Runner& runner : runners)
+    {
+      onStep(name + ": times of " + runner.curve.method.name + ", round " + std::to_string(round) +
+        " of " + std::to_string(options.rounds));
+      for (WorkPoint& point : runner.curve.points)
+      {
+        point.roundsMs.push_back(1000.0 * runner.SecondsOf(point.setting));
+      }
+    }
+  }
+  ThrowIfVtkReportedError();
+  for (Runner& runner : runners)
+  {
+    for (WorkPoint& point : runner.curve.points)
+    {
+      point.medianMs = Median(point.roundsMs);
+    }
+    result.openglRenderer = runner.view->DeviceName();
+    result.curves.push_back(runner.curve);
+  }
+  return result;
+}
+
+std::optional<double> MillisecondsAtError(const WorkCurve& curve, double rootMeanSquare)
+{
+  std::optional<double> best;
+  const auto offer = [&](double milliseconds)
+  { best = best ? std::min(*best, milliseconds) : milliseconds; };
+  for (std::size_t i = 0; i < curve.points.size(); ++i)
+  {
+    const double right = curve.points[i].error.light.rootMeanSquare;
+    if (right <= rootMeanSquare)
+    {
+      offer(curve.points[i].medianMs);
+    }
+    const double left = i == 0 ? right : curve.points[i - 1].error.light.rootMeanSquare;
+    if (left > rootMeanSquare && right < rootMeanSquare)
+    {
+      const double part = std::log(left / rootMeanSquare) / std::log(left / right);
+      const double leftMs = curve.points[i - 1].medianMs;
+      offer(leftMs * std::pow(curve.points[i].medianMs / leftMs, part));
+    }
+  }
+  return best;
+}
+
+}

@@ -1,0 +1,68 @@
+#ifndef Varimarch_CommandLine_WorkPrecision_h
+#define Varimarch_CommandLine_WorkPrecision_h
+
+#include "BenchMethods.h"
+#include "PictureError.h"
+#include "Scene/VolumeLoading.h"
+#include "Truth.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// What one setting of a method costs and yields.
+struct WorkPoint
+{
+  BenchSetting setting;
+  PictureError error;
+  std::vector<double> roundsMs;
+  double medianMs;
+};
+
+struct WorkCurve
+{
+  BenchMethod method;
+  std::vector<WorkPoint> points;         ///< the coarsest first, at least one
+  std::string skipped;                   ///< which settings took too long; empty: none
+  bool eightBits;                        ///< its pictures hold nothing finer
+  std::size_t shown;                     ///< the point of the picture
+  vtkSmartPointer<vtkImageData> picture; ///< float picture, near one sample per voxel
+};
+
+/// Error against run time of several methods on one scene.
+struct WorkPrecision
+{
+  std::string name; ///< of the scene, fit for a file name
+  Scene scene;
+  LoadedVolume volume;
+  Truth truth;
+  double eightBitRmse; ///< of the truth itself, rounded to 8 bits [1/255]
+  std::vector<WorkCurve> curves;
+  std::string openglRenderer;
+};
+
+struct WorkPrecisionOptions
+{
+  std::vector<std::string> methods; ///< names; empty: all
+  int rounds = 3;
+  double longestSeconds = 3.0; ///< a method's finer settings are left out when one took longer
+};
+
+/// Draws a scene with every method and setting, compares each with the truth, and measures the
+/// times in rounds that go through all of them in turn, so that what else the machine does disturbs
+/// all alike. Each setting is drawn twice in a round, and the second picture counts: the first
+/// pays for what the change of setting rebuilds.
+/// @throws std::runtime_error when a mapper reports an error
+WorkPrecision MeasureWorkPrecision(const std::string& name, const Scene& scene,
+  const LoadedVolume& volume, const WorkPrecisionOptions& options, const OnStep& onStep);
+
+/// The time of a method at an error, between its settings by straight lines in the log-log plot.
+/// Where even its coarsest setting errs less, that one's time; empty where it never errs so little.
+std::optional<double> MillisecondsAtError(const WorkCurve& curve, double rootMeanSquare);
+
+}
+
+#endif

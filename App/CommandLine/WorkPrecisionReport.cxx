@@ -1,0 +1,151 @@
+#include "WorkPrecisionReport.h"
+
+#include "Results.h"
+#include "Scene/SceneNames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace varimarch
+{
+
+namespace
+{
+
+const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method)
+{
+  const auto found = std::find_if(scene.curves.begin(), scene.curves.end(),
+    [&](const WorkCurve& curve) { return curve.method.name == method; });
+  return found == scene.curves.end() ? nullptr : &*found;
+}
+
+nlohmann::ordered_json ToJson(const WorkPoint& point)
+{
+  nlohmann::ordered_json json = { { "voxels", point.setting.voxels },
+    { "sampleDistanceMm", *point.setting.options.sampleDistanceMm } };
+  json.update(ToJson(point.error));
+  json["roundsMs"] = point.roundsMs;
+  json["medianMs"] = point.medianMs;
+  return json;
+}
+
+nlohmann::ordered_json ToJson(const WorkCurve& curve)
+{
+  nlohmann::ordered_json json = { { "method", curve.method.name }, { "title", curve.method.title },
+    { "renderer", NameOf(MapperKindNames(), curve.method.kind) }, { "eightBits", curve.eightBits },
+    { "skipped", curve.skipped } };
+  for (const WorkPoint& point : curve.points)
+  {
+    json["points"].push_back(ToJson(point));
+  }
+  return json;
+}
+
+}
+
+LogLogPlot TimePlot(const WorkPrecision& scene)
+{
+  LogLogPlot plot = { scene.name, "median time of a picture [ms]",
+    "RMSE of premultiplied RGBA [1/255]", {}, {} };
+  bool eightBits = false;
+  for (const WorkCurve& curve : scene.curves)
+  {
+    PlotCurve line = { curve.method.title, curve.method.style, {} };
+    for (const WorkPoint& point : curve.points)
+    {
+      const double error = point.error.light.rootMeanSquare;
+      if (error > 0.0 && std::isfinite(error))
+      {
+        line.points.push_back({ point.medianMs, error });
+      }
+    }
+    plot.curves.push_back(line);
+    eightBits = eightBits || curve.eightBits;
+  }
+  if (eightBits && scene.eightBitRmse > 0.0)
+  {
+    plot.levels.push_back({ "floor of 8 bit pictures", scene.eightBitRmse });
+  }
+  return plot;
+}
+
+std::vector<EqualErrorRow> EqualErrorRows(const WorkPrecision& scene)
+{
+  const WorkCurve* gpu = CurveOf(scene, "vtk-gpu");
+  const WorkCurve* ours = CurveOf(scene, "optical");
+  std::vector<EqualErrorRow> rows;
+  if (gpu && ours)
+  {
+    for (const WorkPoint& point : gpu->points)
+    {
+      const double error = point.error.light.rootMeanSquare;
+      rows.push_back(
+        { point.setting.voxels, error, point.medianMs, MillisecondsAtError(*ours, error) });
+    }
+  }
+  return rows;
+}
+
+std::string TableText(const std::vector<WorkPrecision>& scenes)
+{
+  std::ostringstream text;
+  text << std::left << std::setw(24) << "scene" << std::right << std::setw(12) << "VTK voxels"
+       << std::setw(12) << "RMSE /255" << std::setw(12) << "VTK ms" << std::setw(12) << "ours ms"
+       << std::setw(16) << "times as fast\n";
+  for (const WorkPrecision& scene : scenes)
+  {
+    for (const EqualErrorRow& row : EqualErrorRows(scene))
+    {
+      text << std::left << std::setw(24) << scene.name << std::right << std::setw(12) << row.voxels
+           << std::setw(12) << Fixed(row.rmse, 3) << std::setw(12) << Fixed(row.vtkMs, 1)
+           << std::setw(12) << (row.oursMs ? Fixed(*row.oursMs, 1) : "-") << std::setw(15)
+           << (row.oursMs ? Fixed(row.vtkMs / *row.oursMs, 2) : "-") << "\n";
+    }
+  }
+  return text.str() + "Our optical field where it errs as much as VTK's GPU mapper does.\n";
+}
+
+std::string TableCsv(const std::vector<WorkPrecision>& scenes)
+{
+  std::ostringstream csv;
+  csv << "scene,method,renderer,voxels,sample_distance_mm,rmse_255,percentile_99_9_255,largest_255,"
+         "ssim,ciede2000_mean,ciede2000_99,median_ms\n";
+  csv.precision(9);
+  for (const WorkPrecision& scene : scenes)
+  {
+    for (const WorkCurve& curve : scene.curves)
+    {
+      for (const WorkPoint& point : curve.points)
+      {
+        const ImageError& light = point.error.light;
+        const PerceptualError& perceived = point.error.perceived;
+        csv << scene.name << "," << curve.method.name << ","
+            << NameOf(MapperKindNames(), curve.method.kind) << "," << point.setting.voxels << ","
+            << *point.setting.options.sampleDistanceMm << "," << light.rootMeanSquare << ","
+            << light.percentile999 << "," << light.largest << "," << perceived.structuralSimilarity
+            << "," << perceived.meanColorDifference << "," << perceived.colorDifference99 << ","
+            << point.medianMs << "\n";
+      }
+    }
+  }
+  return csv.str();
+}
+
+nlohmann::ordered_json ToJson(const WorkPrecision& scene)
+{
+  nlohmann::ordered_json json = { { "name", scene.name }, { "size", scene.scene.size },
+    { "look", scene.scene.look.name }, { "openglRenderer", scene.openglRenderer },
+    { "reference",
+      { { "largestError255", 255.0 * scene.truth.largestError },
+        { "seconds", scene.truth.seconds } } },
+    { "eightBitRmse255", scene.eightBitRmse } };
+  for (const WorkCurve& curve : scene.curves)
+  {
+    json["methods"].push_back(ToJson(curve));
+  }
+  return json;
+}
+
+}
