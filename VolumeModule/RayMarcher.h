@@ -17,6 +17,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <optional>
 
 class vtkDataArray;
@@ -42,6 +43,7 @@ struct Frame
   double sampleDistanceMm;
   double variationTolerance; ///< of the scalar field; negative: chosen from the range
   double earlyTerminationTransmittance;
+  std::array<double, 2> averagedRange; ///< the scalars that count in an average
 };
 
 /// How often each resource was made.
@@ -102,6 +104,7 @@ private:
   void SetPreIntegratedUniforms();
   void SetShadeUniforms(const Frame& frame);
   void SetBlendUniforms(const Frame& frame);
+  void SetProjectionUniforms(const Frame& frame);
   void DrawBox(const Frame& frame);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> window;

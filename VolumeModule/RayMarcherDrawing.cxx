@@ -65,6 +65,13 @@ HeadLight HeadLightOf(vtkRenderer* renderer)
   return sum;
 }
 
+// A scalar as a texel that a float can hold: VTK's endless range is about that of floats.
+double LimitedTexel(const TexelMapping& mapping, double scalar)
+{
+  constexpr double most = 1e30;
+  return std::clamp(mapping.TexelOf(scalar), -most, most);
+}
+
 // Restores what drawing the box changes.
 class BoxDrawingState
 {
@@ -208,21 +215,33 @@ void RayMarcher::SetShadeUniforms(const Frame& frame)
 
 void RayMarcher::SetBlendUniforms(const Frame& frame)
 {
+  if (frame.settings.blend == Blend::Composite)
+  {
+    this->program.Set("earlyTerminationTransmittance", frame.earlyTerminationTransmittance);
+    return;
+  }
+  this->SetProjectionUniforms(frame);
+}
+
+void RayMarcher::SetProjectionUniforms(const Frame& frame)
+{
+  const TexelMapping& mapping = this->volume.Mapping();
+  const double smallest = mapping.TexelOf(this->volume.SmallestScalar());
+  const double largest = mapping.TexelOf(this->volume.LargestScalar());
+  this->program.Set("smallestScalar", smallest);
+  this->program.Set("opacityUnitDistanceMm", frame.property->GetScalarOpacityUnitDistance());
   switch (frame.settings.blend)
   {
-    case Blend::Composite:
-      this->program.Set("earlyTerminationTransmittance", frame.earlyTerminationTransmittance);
+    case Blend::AverageIntensity:
+      this->program.Set("averagedScalars",
+        glm::dvec2(LimitedTexel(mapping, frame.averagedRange[0]),
+          LimitedTexel(mapping, frame.averagedRange[1])));
+      [[fallthrough]];
+    case Blend::Additive:
+      this->program.Set("grayPerScalar", largest > smallest ? 1.0 / (largest - smallest) : 0.0);
       break;
-    case Blend::MaximumIntensity:
-    {
-      const TexelMapping& mapping = this->volume.Mapping();
-      this->program.Set("smallestScalar", mapping.TexelOf(this->volume.SmallestScalar()));
-      this->program.Set("largestScalar", mapping.TexelOf(this->volume.LargestScalar()));
-      this->program.Set("opacityUnitDistanceMm", frame.property->GetScalarOpacityUnitDistance());
-      break;
-    }
     default:
-      break;
+      this->program.Set("largestScalar", largest);
   }
 }
 

@@ -59,9 +59,17 @@ Blend BlendOf(int blendMode)
       return Blend::Composite;
     case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
       return Blend::MaximumIntensity;
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return Blend::MinimumIntensity;
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+      return Blend::AverageIntensity;
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      return Blend::Additive;
   }
   throw std::runtime_error("Blend mode " + std::to_string(blendMode) +
-    " is not supported: expected composite (0) or maximum intensity (1)");
+    " is not supported: expected composite (0), maximum (1), minimum (2) or average intensity (3), "
+    "or "
+    "additive (4)");
 }
 
 Acceleration AccelerationOf(int accelerationMode, Blend blend)
@@ -96,7 +104,7 @@ Integration IntegrationOf(int integrationRule)
 // no more than to pass close by.
 double AutomaticSamplesPerVoxel(const varimarch::RenderSettings& settings)
 {
-  if (settings.blend == Blend::MaximumIntensity)
+  if (settings.blend != Blend::Composite)
   {
     return 2.0;
   }
@@ -194,6 +202,7 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
     : this->SampleDistance;
   frame.variationTolerance = this->VariationTolerance;
   frame.earlyTerminationTransmittance = this->EarlyTerminationTransmittance;
+  frame.averagedRange = { this->AverageIPScalarRange[0], this->AverageIPScalarRange[1] };
   this->UsedSampleDistance = frame.sampleDistanceMm;
 
   window->MakeCurrent();

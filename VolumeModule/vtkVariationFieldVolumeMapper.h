@@ -18,7 +18,11 @@
  * vtkVolumeProperty::SetScalarOpacityUnitDistance uses it too. Lengths are measured in world
  * space, so a volume scaled by its matrix becomes thicker, as a scaled object should.
  *
- * Not for: rectilinear grids, cell data, several components. They are reported as errors.
+ * Blend modes: composite, maximum, minimum and average intensity, additive, as VTK has them, in the
+ * limit that its samples tend to.
+ *
+ * Not for: rectilinear grids, cell data, several components, isosurface and slice blending. They
+ * are reported as errors.
  *
  * @sa vtkVolumeMapper vtkVolumeProperty
  */

@@ -54,6 +54,28 @@ std::vector<float> MapperScene::Draw()
   return std::vector<float>(pixels, pixels + 4 * this->size * this->size);
 }
 
+namespace
+{
+
+Blend BlendOf(int vtkBlendMode)
+{
+  switch (vtkBlendMode)
+  {
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return Blend::MaximumIntensity;
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return Blend::MinimumIntensity;
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+      return Blend::AverageIntensity;
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      return Blend::Additive;
+    default:
+      return Blend::Composite;
+  }
+}
+
+}
+
 std::vector<float> MapperScene::Truth(double tolerance)
 {
   const VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
@@ -63,10 +85,12 @@ std::vector<float> MapperScene::Truth(double tolerance)
 
   ReferenceScene scene{ [&](glm::ivec3 cell) { return CornersOfCell(grid, cell); },
     geometry.boxGrid, TransferFunctionOf(property) };
-  if (this->mapper->GetBlendMode() == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND)
-  {
-    scene.blend = Blend::MaximumIntensity;
-  }
+  scene.blend = BlendOf(this->mapper->GetBlendMode());
+  double range[2];
+  this->image->GetScalarRange(range);
+  scene.grayRange = { range[0], range[1] };
+  scene.averagedRange = { this->mapper->GetAverageIPScalarRange()[0],
+    this->mapper->GetAverageIPScalarRange()[1] };
   if (property->GetShade())
   {
     const HeadLight light{ glm::dvec3(property->GetAmbient()), glm::dvec3(property->GetDiffuse()),

@@ -63,6 +63,43 @@ TEST(Mapper, MaximumIntensityIsCloseToTheTruth)
   EXPECT_LT(scene.Error().rootMeanSquare, 0.25);
 }
 
+TEST(Mapper, MinimumIntensityIsCloseToTheTruth)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetBlendModeToMinimumIntensity();
+  // The smallest value is that of air; to be seen it must be opaque.
+  scene.opacities->AddPoint(-1100.0, 0.9);
+  EXPECT_LT(scene.Error().rootMeanSquare, 2.0);
+  const std::vector<float> drawn = scene.Draw();
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the picture is empty";
+}
+
+TEST(Mapper, AverageIntensityIsCloseToTheTruth)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetBlendModeToAverageIntensity();
+  scene.opacities->AddPoint(0.0, 0.8);
+  EXPECT_LT(scene.Error().rootMeanSquare, 0.5);
+  const double all = scene.Draw()[4 * (48 * 96 + 48)];
+  scene.mapper->SetAverageIPScalarRange(-50.0, 150.0);
+  // A ray that is in the range for less than a step is clear, or wholly what its sample says.
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistance(2.0);
+  const double coarse = scene.Error().rootMeanSquare;
+  scene.mapper->SetSampleDistance(0.1);
+  EXPECT_LT(scene.Error().rootMeanSquare, 0.4 * coarse) << coarse;
+  EXPECT_NE(scene.Draw()[4 * (48 * 96 + 48)], all);
+}
+
+TEST(Mapper, AdditiveIsCloseToTheTruth)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetBlendModeToAdditive();
+  EXPECT_LT(scene.Error().rootMeanSquare, 1.0);
+  scene.volume->GetProperty()->SetScalarOpacityUnitDistance(0.1);
+  EXPECT_LT(scene.Error().rootMeanSquare, 1.0) << "where it is white";
+}
+
 TEST(Mapper, ParallelProjectionIsWithinHalfAGreyLevelOfTheTruth)
 {
   MapperScene scene(SmallTorso());

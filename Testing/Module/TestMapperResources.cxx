@@ -251,7 +251,7 @@ TEST(Errors, AVolumeThatDoesNotFitTheDeviceIsNamed)
 TEST(Errors, AnUnsupportedBlendModeIsNamed)
 {
   MapperScene scene(SmallTorso());
-  scene.mapper->SetBlendModeToAdditive();
+  scene.mapper->SetBlendModeToIsoSurface();
   ExpectedVtkErrors errors;
   scene.window->Render();
   EXPECT_NE(errors.Text().find("is not supported: expected composite"), std::string::npos);

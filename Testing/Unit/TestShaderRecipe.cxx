@@ -73,7 +73,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 34u);
+  EXPECT_EQ(distinct.size(), 46u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -26,13 +26,20 @@ std::string BlendFile(Blend blend)
 {
   switch (blend)
   {
-    case Blend::MaximumIntensity:
-      return "Blend/MaximumIntensity.glsl";
     case Blend::Composite:
       return "Blend/Composite.glsl";
-    default:
-      throw std::invalid_argument("Shader: there is none yet for this blend mode");
+    case Blend::MaximumIntensity:
+      return "Blend/MaximumIntensity.glsl";
+    case Blend::MinimumIntensity:
+      return "Blend/MinimumIntensity.glsl";
+    case Blend::AverageIntensity:
+      return "Blend/AverageIntensity.glsl";
+    case Blend::Additive:
+      return "Blend/Additive.glsl";
+    case Blend::Isosurface:
+      break;
   }
+  throw std::invalid_argument("Shader: there is none yet for isosurfaces");
 }
 
 std::string MarchFile(const RenderSettings& settings)
@@ -112,9 +119,13 @@ std::vector<RenderSettings> EveryRecipe()
       }
       recipes.push_back({ Blend::Composite, acceleration, true, sceneGeometry });
       // What is invisible to a composite may be the maximum: that field serves composites only.
-      if (acceleration != Acceleration::OpticalField)
+      for (Blend blend : { Blend::MaximumIntensity, Blend::MinimumIntensity,
+             Blend::AverageIntensity, Blend::Additive })
       {
-        recipes.push_back({ Blend::MaximumIntensity, acceleration, false, sceneGeometry });
+        if (acceleration != Acceleration::OpticalField)
+        {
+          recipes.push_back({ blend, acceleration, false, sceneGeometry });
+        }
       }
     }
   }

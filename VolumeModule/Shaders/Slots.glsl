@@ -65,8 +65,8 @@ vec3 Shade(vec3 color, vec3 gradient, Ray ray);
 //   Accumulation BlendPart(Accumulation sum, vec3 color, float depth);
 //                               composite: takes in the next part of the ray, of that color and
 //                               optical depth
-//   Accumulation BlendScalar(Accumulation sum, float scalar);
-//                               projection: takes in the next sample
+//   Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm);
+//                               projection: takes in the next part of the ray, of one scalar
 //   float BlendVisibility(Accumulation sum); part of what follows that is still seen, [0,1]
 //   bool BlendFinished(Accumulation sum);    nothing that follows could be seen
 //   vec4 BlendResult(Accumulation sum);      premultiplied RGBA

@@ -15,7 +15,7 @@ Accumulation BlendBegin()
   return Accumulation(smallestScalar);
 }
 
-Accumulation BlendScalar(Accumulation sum, float scalar)
+Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
 {
   return Accumulation(max(sum.largest, scalar));
 }

@@ -15,7 +15,7 @@ Accumulation March(Ray ray, Interval inside)
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       float middle = segment.enter + (float(part) + 0.5) * partMm;
-      sum = BlendScalar(sum, ScalarAt(PositionTexture(ray, middle)));
+      sum = BlendScalar(sum, ScalarAt(PositionTexture(ray, middle)), partMm);
     }
   }
   return sum;

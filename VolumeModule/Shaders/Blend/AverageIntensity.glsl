@@ -1,0 +1,43 @@
+// The mean of opacity times gray over the lengths whose scalars are in a range, in white on black.
+// Gray goes from 0 to 1 over the scalars of the volume; the opacity is that of one unit distance.
+
+struct Accumulation
+{
+  float integral; // [mm]
+  float lengthMm; // of what counts
+};
+
+uniform float smallestScalar;
+uniform float grayPerScalar;
+uniform float opacityUnitDistanceMm;
+uniform vec2 averagedScalars; // the range, both ends included
+
+Accumulation BlendBegin()
+{
+  return Accumulation(0.0, 0.0);
+}
+
+Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
+{
+  float opacity = Absorption(min(Classify(scalar).a * opacityUnitDistanceMm, 100.0));
+  float gray = (scalar - smallestScalar) * grayPerScalar;
+  bool counts = averagedScalars.x <= scalar && scalar <= averagedScalars.y;
+  float countedMm = counts ? lengthMm : 0.0;
+  return Accumulation(sum.integral + opacity * gray * countedMm, sum.lengthMm + countedMm);
+}
+
+float BlendVisibility(Accumulation sum)
+{
+  return 1.0;
+}
+
+bool BlendFinished(Accumulation sum)
+{
+  return false;
+}
+
+vec4 BlendResult(Accumulation sum)
+{
+  float mean = clamp(sum.integral / max(sum.lengthMm, 1e-30), 0.0, 1.0);
+  return sum.lengthMm > 0.0 ? vec4(vec3(mean), 1.0) : vec4(0.0);
+}

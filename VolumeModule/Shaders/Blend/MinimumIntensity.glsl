@@ -1,0 +1,38 @@
+// The smallest scalar along the ray, seen through the transfer function: its opacity over one unit
+// distance, whatever the length of the ray.
+
+struct Accumulation
+{
+  float smallest;
+};
+
+uniform float smallestScalar;
+uniform float largestScalar;
+uniform float opacityUnitDistanceMm;
+
+Accumulation BlendBegin()
+{
+  return Accumulation(largestScalar);
+}
+
+Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
+{
+  return Accumulation(min(sum.smallest, scalar));
+}
+
+float BlendVisibility(Accumulation sum)
+{
+  return 1.0;
+}
+
+bool BlendFinished(Accumulation sum)
+{
+  return sum.smallest <= smallestScalar;
+}
+
+vec4 BlendResult(Accumulation sum)
+{
+  vec4 optical = Classify(sum.smallest);
+  float opacity = Absorption(min(optical.a * opacityUnitDistanceMm, 100.0));
+  return vec4(optical.rgb * opacity, opacity);
+}
