@@ -33,7 +33,8 @@ std::string CommandText(int argc, char** argv)
       }
       word = "'" + word + "'";
     }
-    text += " " + word;
+    text += ' ';
+    text += word;
   }
   return text;
 }

@@ -154,6 +154,7 @@ std::vector<DicomSeries> FindDicomSeries(
     FailToRead(path, "DICOM images", WithoutImages(path));
   }
   std::vector<DicomSeries> all;
+  all.reserve(std::size_t(directory->GetNumberOfSeries()));
   for (int index = 0; index < directory->GetNumberOfSeries(); ++index)
   {
     all.push_back(SeriesOf(directory, index, warnings));

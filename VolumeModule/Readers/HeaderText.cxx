@@ -127,6 +127,7 @@ std::vector<std::string> DataFiles(
     FailToRead(headerPath, "names of data files behind LIST", "none");
   }
   std::vector<std::string> files;
+  files.reserve(listed.size());
   for (const std::string& name : listed)
   {
     files.push_back(PathBeside(headerPath, name));
