@@ -3,6 +3,7 @@
 #include "Options.h"
 #include "OutputFolder.h"
 #include "Progress.h"
+#include "PublishedReport.h"
 #include "Results.h"
 #include "Scene/ImageFiles.h"
 #include "Scene/OutputFile.h"
@@ -53,7 +54,8 @@ struct WorkPrecisionCommand
   std::string commandText;
   SceneOptions sceneOptions;
   std::vector<std::string> inputs;
-  WorkPrecisionOptions options;
+  std::vector<std::string> methods;
+  MeasuringOptions options;
   std::string outputFolder;
   std::string jsonPath;
 
@@ -66,7 +68,8 @@ struct WorkPrecisionCommand
     {
       const auto [scene, volume] = this->sceneOptions.Load(input);
       Progress progress("Measuring " + input);
-      scenes.push_back(MeasureWorkPrecision(SceneName(input, scenes), scene, volume, this->options,
+      scenes.push_back(MeasureRuns(SceneName(input, scenes), scene, volume,
+        WorkPrecisionRuns(scene, volume.image, this->methods), this->options,
         [&](const std::string& step) { progress.SetActivity(step); }));
       const LogLogPlot plot = TimePlot(scenes.back());
       const std::filesystem::path svg = folder / (scenes.back().name + "-time.svg");
@@ -99,6 +102,13 @@ struct WorkPrecisionCommand
   }
 };
 
+void AddRoundsOption(CLI::App& command, int& rounds)
+{
+  command.add_option("--rounds", rounds, "Times to measure each (default 3)")
+    ->check(CLI::Range(1, 10000).description(""))
+    ->type_name("N");
+}
+
 void AddWorkPrecisionCommand(CLI::App& bench, const std::string& commandText)
 {
   const auto command = std::make_shared<WorkPrecisionCommand>();
@@ -120,17 +130,68 @@ void AddWorkPrecisionCommand(CLI::App& bench, const std::string& commandText)
   app->add_option("-o,--output", command->outputFolder, "The folder for the report")
     ->type_name("FOLDER")
     ->required();
-  app->add_option("--methods", command->options.methods, "Only these (default all)")
+  app->add_option("--methods", command->methods, "Only these (default all)")
     ->delimiter(',')
     ->check(NameValidator(BenchMethodNames()));
-  app->add_option("--rounds", command->options.rounds, "Times to measure each (default 3)")
-    ->check(CLI::Range(1, 10000).description(""))
-    ->type_name("N");
+  AddRoundsOption(*app, command->options.rounds);
   app
     ->add_option("--longest", command->options.longestSeconds,
       "Leave out finer settings when a picture took longer (default 3)")
     ->check(CLI::PositiveNumber.description(""))
     ->type_name("SECONDS");
+  AddJsonOption(*app, command->jsonPath);
+  app->callback([command] { command->Run(); });
+}
+
+struct PublishedCommand
+{
+  std::string commandText;
+  PublishedOptions options;
+  std::string outputFolder;
+  std::string jsonPath;
+
+  void Run() const
+  {
+    const std::filesystem::path folder = OutputFolder(this->outputFolder);
+    PublishedPage page = { this->commandText, ThisMachine(), {} };
+    {
+      Progress progress("Measuring the published scenes");
+      page.measured = MeasurePublished(
+        this->options, [&](const std::string& step) { progress.SetActivity(step); });
+    }
+    WriteFileWhole(folder / "published.md", PublishedMarkdown(page));
+    const nlohmann::ordered_json results = ToJson(page);
+    WriteResults(results, folder / "published.json");
+    WriteResults(results, this->jsonPath);
+    std::cout << PublishedMarkdown(page);
+  }
+};
+
+void AddPublishedCommand(CLI::App& bench, const std::string& commandText)
+{
+  const auto command = std::make_shared<PublishedCommand>();
+  command->commandText = commandText;
+  CLI::App* app =
+    bench.add_subcommand("published", "The scenes of two papers, with their figures beside ours");
+  app->footer(
+    "Scenes: Banquero, Ortiz, Rossi 2016, tables 1 and 2, and Volt 2009. Volumes that the folder\n"
+    "does not hold are left out, and named.\n"
+    "Example:\n"
+    "  varimarch bench published --volumes volumes -o published");
+  app
+    ->add_option("--volumes", command->options.folder,
+      "The folder of the papers' volumes (default: the environment's VARIMARCH_VOLUMES)")
+    ->envname("VARIMARCH_VOLUMES")
+    ->check(CLI::ExistingDirectory.description(""))
+    ->type_name("FOLDER")
+    ->required();
+  app->add_option("-o,--output", command->outputFolder, "The folder for the tables")
+    ->type_name("FOLDER")
+    ->required();
+  app->add_option("--side", command->options.side, "Of the square pictures (default 512)")
+    ->check(CLI::Range(1, 4096).description(""))
+    ->type_name("PIXELS");
+  AddRoundsOption(*app, command->options.rounds);
   AddJsonOption(*app, command->jsonPath);
   app->callback([command] { command->Run(); });
 }
@@ -142,6 +203,7 @@ void AddBenchCommand(CLI::App& program, const std::string& commandText)
   CLI::App* bench = program.add_subcommand("bench", "Measure error and run time systematically");
   bench->require_subcommand(1);
   AddWorkPrecisionCommand(*bench, commandText);
+  AddPublishedCommand(*bench, commandText);
 }
 
 }

@@ -36,8 +36,24 @@ struct BenchSetting
   RenderOptions options;
 };
 
-/// The settings of a method on a volume, the coarsest first.
-std::vector<BenchSetting> SettingsOf(const BenchMethod& method, vtkImageData* image);
+/// A method with what it is to be measured at, the coarsest setting first.
+struct BenchRun
+{
+  BenchMethod method;
+  std::vector<BenchSetting> settings;
+};
+
+/// The work-precision runs of a scene: the chosen methods that are about something in it, over
+/// sample distances from 4 voxels to an eighth of one.
+/// @param chosen  names; empty: all
+std::vector<BenchRun> WorkPrecisionRuns(
+  const Scene& scene, vtkImageData* image, const std::vector<std::string>& chosen);
+
+/// The smallest distance of voxels [mm].
+double VoxelMm(vtkImageData* image);
+
+/// A part of the range of a volume's values, in 1/255 of it, in units of the data.
+double Variation(vtkImageData* image, double variation255);
 
 }
 

@@ -57,13 +57,6 @@ double EightBitRmse(vtkImageData* truth)
   return std::sqrt(sum / double(count));
 }
 
-bool Applies(const BenchMethod& method, const Scene& scene, const std::vector<std::string>& chosen)
-{
-  const bool wanted =
-    chosen.empty() || std::find(chosen.begin(), chosen.end(), method.name) != chosen.end();
-  return wanted && !(method.unshadedOnly && scene.look.shading.enabled);
-}
-
 // Draws one setting, measures its error, and returns how long such a picture takes [s].
 double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision& result)
 {
@@ -82,13 +75,13 @@ double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision
   return seconds;
 }
 
-Runner StartedRunner(const BenchMethod& method, const WorkPrecision& result,
-  const WorkPrecisionOptions& options, const OnStep& onStep)
+Runner StartedRunner(const BenchRun& run, const WorkPrecision& result,
+  const MeasuringOptions& options, const OnStep& onStep)
 {
-  Runner runner = { { method, {}, {}, false, 0, nullptr },
-    std::make_unique<OffscreenView>(result.scene, result.volume.image, method.kind) };
+  Runner runner = { { run.method, {}, {}, false, 0, nullptr },
+    std::make_unique<OffscreenView>(result.scene, result.volume.image, run.method.kind) };
   double seconds = 0.0;
-  for (const BenchSetting& setting : SettingsOf(method, result.volume.image))
+  for (const BenchSetting& setting : run.settings)
   {
     if (seconds > options.longestSeconds)
     {
@@ -98,8 +91,8 @@ Runner StartedRunner(const BenchMethod& method, const WorkPrecision& result,
         Fixed(options.longestSeconds, 1) + " s allowed";
       break;
     }
-    onStep(
-      result.name + ": errors of " + method.name + " at " + Fixed(setting.voxels, 3) + " voxels");
+    onStep(result.name + ": errors of " + run.method.name + " at " + Fixed(setting.voxels, 3) +
+      " voxels");
     seconds = AddPoint(runner, setting, result);
   }
   return runner;
@@ -107,8 +100,8 @@ Runner StartedRunner(const BenchMethod& method, const WorkPrecision& result,
 
 }
 
-WorkPrecision MeasureWorkPrecision(const std::string& name, const Scene& scene,
-  const LoadedVolume& volume, const WorkPrecisionOptions& options, const OnStep& onStep)
+WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const LoadedVolume& volume,
+  const std::vector<BenchRun>& runs, const MeasuringOptions& options, const OnStep& onStep)
 {
   WorkPrecision result = { name, scene, volume, {}, 0.0, {}, {} };
   result.truth =
@@ -116,12 +109,9 @@ WorkPrecision MeasureWorkPrecision(const std::string& name, const Scene& scene,
   result.eightBitRmse = EightBitRmse(result.truth.picture);
 
   std::vector<Runner> runners;
-  for (const BenchMethod& method : BenchMethods())
+  for (const BenchRun& run : runs)
   {
-    if (Applies(method, scene, options.methods))
-    {
-      runners.push_back(StartedRunner(method, result, options, onStep));
-    }
+    runners.push_back(StartedRunner(run, result, options, onStep));
   }
   for (int round = 1; round <= options.rounds; ++round)
   {

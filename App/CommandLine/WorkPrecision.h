@@ -44,9 +44,8 @@ struct WorkPrecision
   std::string openglRenderer;
 };
 
-struct WorkPrecisionOptions
+struct MeasuringOptions
 {
-  std::vector<std::string> methods; ///< names; empty: all
   int rounds = 3;
   double longestSeconds = 3.0; ///< a method's finer settings are left out when one took longer
 };
@@ -56,8 +55,8 @@ struct WorkPrecisionOptions
 /// all alike. Each setting is drawn twice in a round, and the second picture counts: the first
 /// pays for what the change of setting rebuilds.
 /// @throws std::runtime_error when a mapper reports an error
-WorkPrecision MeasureWorkPrecision(const std::string& name, const Scene& scene,
-  const LoadedVolume& volume, const WorkPrecisionOptions& options, const OnStep& onStep);
+WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const LoadedVolume& volume,
+  const std::vector<BenchRun>& runs, const MeasuringOptions& options, const OnStep& onStep);
 
 /// The time of a method at an error, between its settings by straight lines in the log-log plot.
 /// Where even its coarsest setting errs less, that one's time; empty where it never errs so little.

@@ -135,6 +135,33 @@ def bench_leaves_out_what_takes_long(folder):
     assert html.escape(method["skipped"]) in (folder / "work-precision.html").read_text()
 
 
+def published(folder):
+    """A small ball in place of one of the papers' volumes; the others are missing and named."""
+    volumes = folder / "volumes"
+    (volumes / "vismale").mkdir(parents=True)
+    name = "vismale_128x256x256_uint8"
+    side = 16
+    voxels = bytes(200 if (x - 8) ** 2 + (y - 8) ** 2 + (z - 8) ** 2 < 36 else 20
+                   for z in range(side) for y in range(side) for x in range(side))
+    (volumes / "vismale" / f"{name}.raw").write_bytes(voxels)
+    (volumes / "vismale" / f"{name}.mhd").write_text(
+        "ObjectType = Image\nNDims = 3\nDimSize = 16 16 16\nElementSpacing = 1 1 1\n"
+        f"ElementType = MET_UCHAR\nElementDataFile = {name}.raw\n")
+    text, _ = run("bench", "published", "--volumes", volumes, "-o", folder / "out", "--side", "32",
+                  "--rounds", "1")
+    assert (folder / "out" / "published.md").read_text() == text
+    assert "Not in the folder: tooth/" in text and "| VIS MALE | 120 | 32.1 |" in text
+    results = json.loads((folder / "out" / "published.json").read_text())
+    assert [row["volume"] for row in results["banquero"]] == ["VIS MALE"]
+    for method in results["banquero"][0]["measured"]["methods"]:
+        assert [round(15 / point["sampleDistanceMm"]) for point in method["points"]] == [
+            40, 60, 80, 120], method
+    assert [(row["alpha255"], row["shaded"]) for row in results["volt"]] == [
+        (alpha, shaded) for alpha in (15, 63, 255) for shaded in (False, True)]
+    _, errors = run("bench", "published", "--volumes", folder / "out", "-o", folder, expect=1)
+    assert "found none" in errors
+
+
 def info(folder):
     text, _ = run("info", VOLUME, "--json", folder / "info.json", "--bins", "8")
     assert "48 x 40 x 32" in text and "L P S" in text and "short" in text
@@ -199,6 +226,6 @@ def interrupt(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (render, compare, bench, bench_leaves_out_what_takes_long, info, usage, errors,
-                 interrupt)
+        cases = (render, compare, bench, bench_leaves_out_what_takes_long, published, info,
+                 usage, errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

@@ -1,0 +1,173 @@
+#include "PublishedScenes.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr const char* VisMale = "vismale/vismale_128x256x256_uint8.mhd";
+
+BenchMethod Method(const std::string& name, MapperKind kind, Acceleration acceleration,
+  Integration integration = Integration::Midpoint)
+{
+  BenchMethod method = { name, name, kind, {}, 0.0, false, {} };
+  method.options.acceleration = acceleration;
+  method.options.integration = integration;
+  return method;
+}
+
+double LongestEdgeMm(vtkImageData* image)
+{
+  const double* bounds = image->GetBounds();
+  return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+}
+
+// The paper does not tell its transfer function: a grey ramp, clear below, and so thin that a ray
+// goes deep, as without early termination in their loop. A hundredth of the volume is its unit.
+Look BanqueroLook(vtkImageData* image)
+{
+  Look look;
+  look.name = "grey ramp";
+  look.domain = Domain::Relative;
+  look.colors = { { 0.1, { 0.0, 0.0, 0.0 }, {} }, { 1.0, { 1.0, 1.0, 1.0 }, {} } };
+  look.opacities = { { 0.15, 0.0, {} }, { 1.0, 0.3, {} } };
+  look.opacityUnitDistanceMm = LongestEdgeMm(image) / 100.0;
+  look.shading.enabled = false;
+  return look;
+}
+
+// The volume's longest edge takes as many samples as the paper's loop has steps.
+std::vector<BenchRun> BanqueroRuns(vtkImageData* image)
+{
+  constexpr double PublishedVariation255 = 4.0; // of figure 10, free of artifacts
+  std::vector<BenchRun> runs = {
+    { Method("plain", MapperKind::Varimarch, Acceleration::Off, Integration::PublishedSum), {} },
+    { Method("field", MapperKind::Varimarch, Acceleration::ScalarField, Integration::PublishedSum),
+      {} },
+    { Method("ours", MapperKind::Varimarch, Acceleration::OpticalField), {} }
+  };
+  for (BenchRun& run : runs)
+  {
+    for (const int steps : PublishedSteps)
+    {
+      const double distanceMm = LongestEdgeMm(image) / steps;
+      BenchSetting setting = { distanceMm / VoxelMm(image), run.method.options };
+      setting.options.sampleDistanceMm = distanceMm;
+      setting.options.variationTolerance = Variation(image, PublishedVariation255);
+      setting.options.earlyTerminationTransmittance =
+        run.method.name == "ours" ? setting.options.earlyTerminationTransmittance : 0.0;
+      run.settings.push_back(setting);
+    }
+  }
+  return runs;
+}
+
+// Values to 40 are clear, those from 41 have one opacity. Its distance is not told: a voxel.
+Look VoltLook(vtkImageData* image, int alpha255, bool shaded)
+{
+  Look look;
+  look.name = "Volt, alpha " + std::to_string(alpha255);
+  look.colors = { { 41.0, { 0.75, 0.50, 0.40 }, {} }, { 255.0, { 1.0, 0.95, 0.85 }, {} } };
+  look.opacities = { { 40.0, 0.0, {} }, { 41.0, alpha255 / 255.0, {} } };
+  look.opacityUnitDistanceMm = VoxelMm(image);
+  look.shading.enabled = shaded;
+  return look;
+}
+
+std::vector<BenchRun> VoltRuns(vtkImageData* image)
+{
+  constexpr double Voxels = 0.49;
+  std::vector<BenchRun> runs = {
+    { Method("ours", MapperKind::Varimarch, Acceleration::OpticalField), {} },
+    { Method("off", MapperKind::Varimarch, Acceleration::Off), {} },
+    { Method("vtk-gpu", MapperKind::VtkGpu, Acceleration::Off), {} }
+  };
+  for (BenchRun& run : runs)
+  {
+    BenchSetting setting = { Voxels, run.method.options };
+    setting.options.sampleDistanceMm = Voxels * VoxelMm(image);
+    setting.options.earlyTerminationTransmittance = 0.05; // a saturation of 95 %
+    run.settings = { setting };
+  }
+  return runs;
+}
+
+// One scene with all that is to be run on it, however long it takes.
+WorkPrecision Measured(const std::string& name, const Look& look, const LoadedVolume& volume,
+  const std::vector<BenchRun>& runs, const PublishedOptions& options, const OnStep& onStep)
+{
+  Scene scene;
+  scene.look = look;
+  scene.size = { options.side, options.side };
+  return MeasureRuns(
+    name, scene, volume, runs, { options.rounds, std::numeric_limits<double>::infinity() }, onStep);
+}
+
+void AddVolt(const PublishedOptions& options, const OnStep& onStep, PublishedMeasurements& result)
+{
+  const LoadedVolume volume =
+    LoadVolume(FileSource{ options.folder + "/" + VisMale, std::nullopt });
+  for (const int alpha255 : { 15, 63, 255 })
+  {
+    for (const bool shaded : { false, true })
+    {
+      const Look look = VoltLook(volume.image, alpha255, shaded);
+      result.volt.push_back({ alpha255, shaded,
+        Measured(look.name, look, volume, VoltRuns(volume.image), options, onStep) });
+    }
+  }
+}
+
+}
+
+const std::vector<PublishedVolume>& PublishedVolumes()
+{
+  static const std::vector<PublishedVolume> volumes = {
+    { "SKULL", "ct_skull_phantom/dicom", "another skull, of plastic, 512 x 512 x 140",
+      { 60.0, 59.8, 26.5, 11.1 }, 48.0, 59.0 },
+    { "MRI HEAD", "mr_head_studyforrest/mr_head_studyforrest_274x384x384_int16.mha",
+      "another head, 274 x 384 x 384", { 60.0, 54.8, 23.2, 10.3 }, 50.0, 60.0 },
+    { "VIS MALE", VisMale, "128 x 256 x 256; theirs 128^3 at 80 steps and in table 2, else 256^3",
+      { 0.0, 0.0, 60.0, 32.1 }, 45.0, 60.0 },
+    { "BONZAI", "bonsai/bonsai_256x256x256_uint8.mhd", "the same", {}, 30.0, 55.0 },
+    { "TOOTH", "tooth/tooth_103x94x161_uint8.mhd", "103 x 94 x 161; theirs 64^3", {}, 60.0, 60.0 },
+  };
+  return volumes;
+}
+
+PublishedMeasurements MeasurePublished(const PublishedOptions& options, const OnStep& onStep)
+{
+  PublishedMeasurements result;
+  for (const PublishedVolume& published : PublishedVolumes())
+  {
+    const std::string path = options.folder + "/" + published.file;
+    if (!std::filesystem::exists(path))
+    {
+      result.missing.push_back(published.file);
+      continue;
+    }
+    onStep("Reading " + path);
+    const LoadedVolume volume = LoadVolume(FileSource{ path, std::nullopt });
+    result.volumes.push_back({ published,
+      Measured(published.name, BanqueroLook(volume.image), volume, BanqueroRuns(volume.image),
+        options, onStep) });
+  }
+  if (result.volumes.empty())
+  {
+    throw std::runtime_error(
+      options.folder + ": expected volumes such as " + VisMale + ", found none");
+  }
+  if (std::filesystem::exists(options.folder + "/" + VisMale))
+  {
+    AddVolt(options, onStep, result);
+  }
+  return result;
+}
+
+}
