@@ -36,39 +36,44 @@ std::string CompilerMessages(
 
 }
 
+RayMarchProgram::Sources RayMarchProgram::Assemble(const std::vector<std::string>& parts)
+{
+  const std::vector<ShaderFile> vertex = LoadShaderFiles({ VertexShaderPart() });
+  const std::vector<ShaderFile> fragment = LoadShaderFiles(parts);
+  Sources sources{ AssembleShader(vertex), AssembleShader(fragment), "" };
+  sources.failure = CompilerMessages(vtkShader::Vertex, sources.vertex, vertex) +
+    CompilerMessages(vtkShader::Fragment, sources.fragment, fragment);
+  return sources;
+}
+
 bool RayMarchProgram::Use(vtkOpenGLRenderWindow* window, const RenderSettings& settings)
 {
-  const std::vector<std::string> wanted = FragmentShaderParts(settings);
-  const bool rebuild = wanted != this->parts;
-  if (rebuild)
+  this->parts = FragmentShaderParts(settings);
+  const bool isNew = this->sourcesOfParts.count(this->parts) == 0;
+  if (isNew)
   {
-    const std::vector<ShaderFile> vertex = LoadShaderFiles({ VertexShaderPart() });
-    const std::vector<ShaderFile> fragment = LoadShaderFiles(wanted);
-    this->parts = wanted;
-    this->vertexSource = AssembleShader(vertex);
-    this->fragmentSource = AssembleShader(fragment);
-    this->failure = CompilerMessages(vtkShader::Vertex, this->vertexSource, vertex) +
-      CompilerMessages(vtkShader::Fragment, this->fragmentSource, fragment);
+    this->sourcesOfParts[this->parts] = Assemble(this->parts);
   }
   // A shader that has failed is not tried again with every frame.
-  if (!this->failure.empty())
+  Sources& sources = this->sourcesOfParts[this->parts];
+  if (sources.failure.empty())
   {
-    throw std::runtime_error("Cannot compile the ray march shader: " + this->failure);
+    this->program = window->GetShaderCache()->ReadyShaderProgram(
+      sources.vertex.c_str(), sources.fragment.c_str(), "");
+    sources.failure = this->program ? "" : "it compiles but does not link";
   }
-  this->program = window->GetShaderCache()->ReadyShaderProgram(
-    this->vertexSource.c_str(), this->fragmentSource.c_str(), "");
-  if (!this->program)
+  if (!sources.failure.empty())
   {
-    this->failure = "it compiles but does not link";
-    throw std::runtime_error("Cannot compile the ray march shader: " + this->failure);
+    throw std::runtime_error("Cannot compile the ray march shader: " + sources.failure);
   }
-  return rebuild;
+  return isNew;
 }
 
 void RayMarchProgram::Forget()
 {
   this->program = nullptr;
   this->parts.clear();
+  this->sourcesOfParts.clear();
 }
 
 void RayMarchProgram::Set(const char* name, int value)

@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ namespace varimarch
 class RayMarchProgram
 {
 public:
-  /// Makes the program of the settings current. True when it differs from the last one.
+  /// Makes the program of the settings current. True when it had to be made.
   /// @throws std::runtime_error with the compiler's messages, traced to the shader files
   bool Use(vtkOpenGLRenderWindow* window, const RenderSettings& settings);
 
@@ -56,11 +57,17 @@ public:
   void Forget();
 
 private:
+  struct Sources
+  {
+    std::string vertex;
+    std::string fragment;
+    std::string failure; ///< why these sources are no program; empty while they are
+  };
+  static Sources Assemble(const std::vector<std::string>& parts);
+
   vtkShaderProgram* program = nullptr; ///< the cache's
   std::vector<std::string> parts;
-  std::string vertexSource;
-  std::string fragmentSource;
-  std::string failure; ///< why these sources are no program; empty while they are
+  std::map<std::vector<std::string>, Sources> sourcesOfParts; ///< all that were asked for so far
 };
 
 }

@@ -16,9 +16,6 @@ namespace
 // The tolerance of the field when none is given, as a part of the range of the scalars.
 constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 
-// The largest error of a premultiplied channel that homogeneous bricks may add.
-constexpr double OpticalFieldError = 1.0 / 255.0;
-
 }
 
 void RayMarcher::Draw(const Frame& frame)
@@ -26,11 +23,20 @@ void RayMarcher::Draw(const Frame& frame)
   this->EnterWindow(frame.window);
   this->UpdateVolume(frame);
   this->UpdateOpticalTable(frame);
-  this->UpdatePreIntegratedTable(frame);
   this->UpdateField(frame);
   this->UpdateDepth(frame);
-  this->UpdateProgram(frame);
-  this->DrawBox(frame);
+  this->UpdateTolerance(frame);
+
+  Frame drawn = frame;
+  if (this->tolerance)
+  {
+    drawn.settings.integration = this->tolerance->integration;
+    drawn.sampleDistanceMm = this->tolerance->step.sampleDistance;
+  }
+  this->usedSampleDistanceMm = drawn.sampleDistanceMm;
+  this->UpdatePreIntegratedTable(drawn);
+  this->UpdateProgram(drawn);
+  this->DrawBox(drawn);
 }
 
 void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* window)
@@ -126,9 +132,9 @@ void RayMarcher::UpdateScalarField(const Frame& frame)
 void RayMarcher::UpdateOpticalField(const Frame& frame)
 {
   const OpticalTolerance tolerance =
-    OpticalTolerance::ForError(OpticalFieldError, frame.geometry.DiagonalMm());
+    OpticalTolerance::ForError(frame.fieldError, frame.geometry.DiagonalMm());
   const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
-    this->builds.opticalTable, tolerance.longestRayMm };
+    this->builds.opticalTable, tolerance.color / tolerance.longestRayMm };
   if (this->fieldSource == source)
   {
     return;
@@ -153,9 +159,8 @@ void RayMarcher::UpdateDepth(const Frame& frame)
     this->depth.Release(frame.window);
     return;
   }
-  const Viewport viewport = ViewportOf(frame.renderer);
-  this->depth.Capture(
-    frame.window, viewport.left, viewport.bottom, viewport.width, viewport.height);
+  this->depth.Capture(frame.window, frame.viewport.left, frame.viewport.bottom,
+    frame.viewport.width, frame.viewport.height);
 }
 
 void RayMarcher::UpdateProgram(const Frame& frame)
@@ -169,7 +174,7 @@ void RayMarcher::UpdateProgram(const Frame& frame)
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
   return this->volume.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
-    this->preIntegratedTable.Bytes() + this->depth.Bytes();
+    this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->probe.Bytes();
 }
 
 void RayMarcher::Release(vtkWindow* window)
@@ -185,6 +190,8 @@ void RayMarcher::Release(vtkWindow* window)
   this->fieldSource.reset();
   this->rangesOfVolume = 0;
   this->preIntegratedOfTable = 0;
+  this->probe.Release(window);
+  this->tolerance.reset();
   this->window = nullptr;
 }
 

@@ -4,8 +4,10 @@
 #include "AccelerationField.h"
 #include "Core/PixelRays.h"
 #include "Core/RenderSettings.h"
+#include "Core/StepSearch.h"
 #include "OpticalTableTexture.h"
 #include "PreIntegratedTableTexture.h"
+#include "ProbeFramebuffer.h"
 #include "RayMarchProgram.h"
 #include "SceneDepthTexture.h"
 #include "VolumeBoxGeometry.h"
@@ -39,8 +41,12 @@ struct Frame
   vtkDataArray* scalars;
   vtkMTimeType scalarsTime;
   VolumeGeometry geometry;
+  Viewport viewport;
   RenderSettings settings;
+  double errorTolerance;  ///< of a premultiplied channel; > 0: chooses the sample distance,
+  bool chooseIntegration; ///< and the rule of integration if asked
   double sampleDistanceMm;
+  double fieldError;         ///< that homogeneous bricks may add to a premultiplied channel
   double variationTolerance; ///< of the scalar field; negative: chosen from the range
   double earlyTerminationTransmittance;
   std::array<double, 2> averagedRange; ///< the scalars that count in an average
@@ -54,6 +60,7 @@ struct BuildCounts
   int field = 0;
   int opticalTable = 0;
   int shader = 0;
+  int tolerance = 0; ///< searches for the steps that keep a tolerance
 };
 
 /// What a field was made from; it must be made again when any of it differs.
@@ -71,6 +78,15 @@ struct FieldSource
   }
 };
 
+/// How a picture keeps an error tolerance.
+struct ToleranceChoice
+{
+  std::vector<double> inputs;     ///< all that it depends on
+  std::vector<double> ruleInputs; ///< those of them that the rule of integration depends on
+  Integration integration;
+  StepChoice step;
+};
+
 /// Draws frames. Holds the graphics resources and remakes those, and only those, whose source has
 /// changed since the last frame; what a frame does not need is not there.
 class RayMarcher
@@ -83,6 +99,9 @@ public:
 
   const BuildCounts& Builds() const { return this->builds; }
   const std::vector<std::string>& ShaderParts() const { return this->program.Parts(); }
+  double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }
+  /// How the last picture keeps its tolerance; nothing when it has none.
+  const std::optional<ToleranceChoice>& Tolerance() const { return this->tolerance; }
   double FieldBuildSeconds() const { return this->field.BuildSeconds(); }
   std::size_t GraphicsMemoryBytes() const;
 
@@ -95,10 +114,14 @@ private:
   void UpdateScalarField(const Frame& frame);
   void UpdateOpticalField(const Frame& frame);
   void UpdateDepth(const Frame& frame);
+  void UpdateTolerance(const Frame& frame);
   void UpdateProgram(const Frame& frame);
 
+  ToleranceChoice ChooseSteps(const Frame& frame);
+  std::vector<float> DrawProbe(Frame frame, Integration integration, double sampleDistanceMm);
+
   void SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
-  void SetDepthUniforms(const glm::dmat4& clipFromGrid);
+  void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetStepUniforms(const Frame& frame);
   void SetClassifyUniforms();
   void SetPreIntegratedUniforms();
@@ -114,8 +137,11 @@ private:
   PreIntegratedTableTexture preIntegratedTable;
   SceneDepthTexture depth;
   VolumeBoxGeometry boxGeometry;
+  ProbeFramebuffer probe;
   RayMarchProgram program;
   BuildCounts builds;
+  std::optional<ToleranceChoice> tolerance;
+  double usedSampleDistanceMm = 0.0;
 
   // What each resource was made from.
   vtkDataArray* volumeSource = nullptr;

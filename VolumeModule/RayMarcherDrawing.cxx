@@ -122,7 +122,7 @@ private:
 void RayMarcher::SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
 {
   const PixelRays rays = ComputePixelRays(clipFromGrid, frame.geometry.boxGrid);
-  const Viewport viewport = ViewportOf(frame.renderer);
+  const Viewport& viewport = frame.viewport;
   const Box& box = frame.geometry.boxGrid;
 
   this->program.Set("clipFromGrid", clipFromGrid);
@@ -138,8 +138,12 @@ void RayMarcher::SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGr
   this->program.Set("mostSegments", MostSegmentsOf(frame));
 }
 
-void RayMarcher::SetDepthUniforms(const glm::dmat4& clipFromGrid)
+void RayMarcher::SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
 {
+  const glm::dvec2 depthPixels(
+    this->depth.Texture()->GetWidth(), this->depth.Texture()->GetHeight());
+  this->program.Set(
+    "depthPixelsPerPixel", depthPixels / glm::dvec2(frame.viewport.width, frame.viewport.height));
   this->depth.Texture()->Activate();
   this->program.Set("depthTexture", this->depth.Texture());
   this->program.Set("clipDepthRow", glm::row(clipFromGrid, 2));
@@ -267,7 +271,7 @@ void RayMarcher::DrawBox(const Frame& frame)
   }
   if (frame.settings.sceneGeometry)
   {
-    this->SetDepthUniforms(clipFromGrid);
+    this->SetDepthUniforms(frame, clipFromGrid);
   }
 
   {

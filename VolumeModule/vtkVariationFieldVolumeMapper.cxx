@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
@@ -29,6 +30,10 @@ struct vtkVariationFieldVolumeMapper::Internals
 {
   varimarch::RayMarcher Marcher;
   std::string ReportedError; ///< the one the user has already been told
+  std::string ReportedWarning;
+
+  static void ChooseSampling(const vtkVariationFieldVolumeMapper* mapper, Frame& frame);
+  std::string Shortcomings(vtkVariationFieldVolumeMapper* mapper) const;
 };
 
 namespace
@@ -139,6 +144,51 @@ vtkDataArray* CheckedScalars(vtkImageData* image, vtkDataArray* scalars, int cel
 
 }
 
+void vtkVariationFieldVolumeMapper::Internals::ChooseSampling(
+  const vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  // Of the tolerance, the field and the early end of rays may use an eighth each.
+  constexpr double Share = 1.0 / 8.0;
+  constexpr double FieldErrorWithoutTolerance = 1.0 / 255.0;
+  frame.settings.integration = IntegrationOf(mapper->IntegrationRule);
+  frame.chooseIntegration = mapper->IntegrationRule == Automatic &&
+    frame.settings.blend == Blend::Composite && !frame.settings.shading;
+  frame.variationTolerance = mapper->VariationTolerance;
+  frame.errorTolerance = mapper->AutoAdjustSampleDistances ? mapper->ErrorTolerance : 0.0;
+  const bool tolerance = frame.errorTolerance > 0.0;
+  frame.fieldError = tolerance ? Share * frame.errorTolerance : FieldErrorWithoutTolerance;
+  frame.earlyTerminationTransmittance =
+    tolerance ? Share * frame.errorTolerance : mapper->EarlyTerminationTransmittance;
+  frame.sampleDistanceMm = mapper->AutoAdjustSampleDistances
+    ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
+    : mapper->SampleDistance;
+}
+
+// What the picture lacks of what was asked for; empty when it lacks nothing.
+std::string vtkVariationFieldVolumeMapper::Internals::Shortcomings(
+  vtkVariationFieldVolumeMapper* mapper) const
+{
+  std::string shortcomings;
+  if (mapper->GetCropping())
+  {
+    shortcomings += "Cropping is not supported yet: the whole volume is drawn. ";
+  }
+  if (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0)
+  {
+    shortcomings += "Clipping planes are not supported yet: the whole volume is drawn. ";
+  }
+  if (this->Marcher.Tolerance() && !this->Marcher.Tolerance()->step.KeepsLimit())
+  {
+    std::ostringstream text;
+    const varimarch::StepChoice& step = this->Marcher.Tolerance()->step;
+    text << "The error tolerance " << mapper->ErrorTolerance
+         << " cannot be kept: with a sample every " << step.sampleDistance
+         << ", 99.9 % of the pixels are off by up to " << step.error << ". ";
+    shortcomings += text.str();
+  }
+  return shortcomings;
+}
+
 vtkStandardNewMacro(vtkVariationFieldVolumeMapper);
 
 vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper()
@@ -195,19 +245,15 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   frame.settings.acceleration = AccelerationOf(this->AccelerationMode, frame.settings.blend);
   frame.settings.shading =
     frame.property->GetShade() != 0 && frame.settings.blend == Blend::Composite;
-  frame.settings.integration = IntegrationOf(this->IntegrationRule);
   frame.settings.sceneGeometry = HasOpaqueGeometry(renderer);
-  frame.sampleDistanceMm = this->AutoAdjustSampleDistances
-    ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
-    : this->SampleDistance;
-  frame.variationTolerance = this->VariationTolerance;
-  frame.earlyTerminationTransmittance = this->EarlyTerminationTransmittance;
   frame.averagedRange = { this->AverageIPScalarRange[0], this->AverageIPScalarRange[1] };
-  this->UsedSampleDistance = frame.sampleDistanceMm;
+  frame.viewport = varimarch::ViewportOf(renderer);
+  Internals::ChooseSampling(this, frame);
 
   window->MakeCurrent();
   this->Private->Marcher.Draw(frame);
   vtkOpenGLCheckErrorMacro("OpenGL error after drawing");
+  this->WarnOnce(this->Private->Shortcomings(this));
 }
 
 void vtkVariationFieldVolumeMapper::ReportOnce(const std::string& problem)
@@ -217,6 +263,29 @@ void vtkVariationFieldVolumeMapper::ReportOnce(const std::string& problem)
     this->Private->ReportedError = problem;
     vtkErrorMacro(<< problem << ".");
   }
+}
+
+void vtkVariationFieldVolumeMapper::WarnOnce(const std::string& warning)
+{
+  if (this->Private->ReportedWarning != warning)
+  {
+    this->Private->ReportedWarning = warning;
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
+  }
+}
+
+double vtkVariationFieldVolumeMapper::GetUsedSampleDistance()
+{
+  return this->Private->Marcher.UsedSampleDistanceMm();
+}
+
+double vtkVariationFieldVolumeMapper::GetEstimatedError()
+{
+  const auto& tolerance = this->Private->Marcher.Tolerance();
+  return tolerance ? tolerance->step.error : 0.0;
 }
 
 void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -268,6 +337,11 @@ int vtkVariationFieldVolumeMapper::GetShaderBuilds()
   return this->Private->Marcher.Builds().shader;
 }
 
+int vtkVariationFieldVolumeMapper::GetToleranceSearches()
+{
+  return this->Private->Marcher.Builds().tolerance;
+}
+
 int vtkVariationFieldVolumeMapper::FillInputPortInformation(int, vtkInformation* information)
 {
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
@@ -283,5 +357,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
   os << indent << "EarlyTerminationTransmittance: " << this->EarlyTerminationTransmittance << "\n";
-  os << indent << "UsedSampleDistance: " << this->UsedSampleDistance << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "UsedSampleDistance: " << this->GetUsedSampleDistance() << "\n";
+  os << indent << "EstimatedError: " << this->GetEstimatedError() << "\n";
 }

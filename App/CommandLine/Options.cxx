@@ -251,6 +251,12 @@ void SceneOptions::AddSamplingOptions(CLI::App& command)
     ->check(Above(0.0))
     ->type_name("MM")
     ->group(group);
+  command
+    .add_option("--error-tolerance", this->errorTolerance,
+      "Largest error accepted in a colour channel, 0 to 1 (default 1/64)")
+    ->check(CLI::Range(0.0, 1.0).description(""))
+    ->type_name("E")
+    ->group(group);
   command.add_option("--acceleration", this->acceleration, "What lets our mapper skip samples")
     ->check(NameValidator(NamesOf(AccelerationNames())))
     ->group(group);
@@ -306,6 +312,7 @@ void SceneOptions::Override(Scene& scene) const
   {
     scene.render.sampleDistanceMm = this->sampleDistance;
   }
+  scene.render.errorTolerance = this->errorTolerance.value_or(scene.render.errorTolerance);
   if (!this->acceleration.empty())
   {
     scene.render.acceleration = ValueOf(AccelerationNames(), this->acceleration);

@@ -77,6 +77,7 @@ private:
   std::optional<double> sampleDistance;
   std::string acceleration;
   std::string integration;
+  std::optional<double> errorTolerance;
   std::optional<double> tolerance;
 };
 

@@ -110,14 +110,24 @@ std::optional<double> NumberOrAuto(const JsonCursor& json, const NumberRange& ra
   return std::nullopt;
 }
 
+template <class Value>
+std::optional<Value> ChoiceOrAuto(const JsonCursor& json, const NameTable<Value>& names)
+{
+  return json.IsText() && json.Text() == "auto" ? std::nullopt : std::optional(json.Choice(names));
+}
+
 RenderOptions RenderFromJson(const JsonCursor& json)
 {
-  json.RequireObject(
-    { "sampleDistance", "acceleration", "integration", "variationTolerance", "earlyTermination" });
+  json.RequireObject({ "sampleDistance", "errorTolerance", "acceleration", "integration",
+    "variationTolerance", "earlyTermination" });
   RenderOptions render;
   if (const auto distance = json.Find("sampleDistance"))
   {
     render.sampleDistanceMm = NumberOrAuto(*distance, Positive);
+  }
+  if (const auto tolerance = json.Find("errorTolerance"))
+  {
+    render.errorTolerance = tolerance->Number({ 0.0, 1.0 });
   }
   if (const auto acceleration = json.Find("acceleration"))
   {
@@ -125,7 +135,7 @@ RenderOptions RenderFromJson(const JsonCursor& json)
   }
   if (const auto integration = json.Find("integration"))
   {
-    render.integration = integration->Choice(IntegrationNames());
+    render.integration = ChoiceOrAuto(*integration, IntegrationNames());
   }
   if (const auto tolerance = json.Find("variationTolerance"))
   {
@@ -205,7 +215,9 @@ std::string SceneText(const Scene& scene)
     { "viewAngle", camera.viewAngleDegrees } };
   json["render"] = { { "sampleDistance", JsonFromOptional(render.sampleDistanceMm) },
     { "acceleration", NameOf(AccelerationNames(), render.acceleration) },
-    { "integration", NameOf(IntegrationNames(), render.integration) },
+    { "errorTolerance", render.errorTolerance },
+    { "integration",
+      render.integration ? NameOf(IntegrationNames(), *render.integration) : "auto" },
     { "variationTolerance", JsonFromOptional(render.variationTolerance) },
     { "earlyTermination", render.earlyTerminationTransmittance } };
   json["size"] = scene.size;

@@ -44,9 +44,13 @@ int ModeOf(Acceleration acceleration)
   }
 }
 
-int RuleOf(Integration integration)
+int RuleOf(std::optional<Integration> integration)
 {
-  switch (integration)
+  if (!integration)
+  {
+    return vtkVariationFieldVolumeMapper::Automatic;
+  }
+  switch (*integration)
   {
     case Integration::PreIntegrated:
       return vtkVariationFieldVolumeMapper::PreIntegrated;
@@ -64,6 +68,7 @@ void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
   mapper->SetAutoAdjustSampleDistances(!options.sampleDistanceMm);
   mapper->SetSampleDistance(options.sampleDistanceMm.value_or(mapper->GetSampleDistance()));
   mapper->SetAccelerationMode(ModeOf(options.acceleration));
+  mapper->SetErrorTolerance(options.errorTolerance);
   mapper->SetIntegrationRule(RuleOf(options.integration));
   mapper->SetVariationTolerance(options.variationTolerance.value_or(-1.0));
   mapper->SetEarlyTerminationTransmittance(options.earlyTerminationTransmittance);

@@ -28,7 +28,7 @@ Scene UnusualScene()
   scene.look.shading = { false, 0.3, 0.4, 0.5, 60.0 };
   scene.look.blend = Blend::MaximumIntensity;
   scene.camera = { View::Inferior, -12.5, 33.0, 1.75, true, 42.0 };
-  scene.render = { 0.125, Acceleration::ScalarField, Integration::Simpson, 3.5, 0.0 };
+  scene.render = { 0.125, Acceleration::ScalarField, Integration::Simpson, 0.25, 3.5, 0.0 };
   scene.size = { 640, 360 };
   scene.background = { 0.1, 0.2, 0.3 };
   return scene;
@@ -59,6 +59,7 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   EXPECT_TRUE(back.camera.parallel);
   EXPECT_EQ(back.render.sampleDistanceMm, 0.125);
   EXPECT_EQ(back.render.integration, Integration::Simpson);
+  EXPECT_EQ(back.render.errorTolerance, 0.25);
   EXPECT_EQ(back.render.earlyTerminationTransmittance, 0.0);
   const RawLayout raw = std::get<FileSource>(back.volume).raw.value();
   EXPECT_TRUE(raw.bigEndian);

@@ -23,6 +23,7 @@ MapperScene::MapperScene(vtkImageData* image, int size)
   this->window->SetSize(size, size);
   this->window->AddRenderer(this->renderer);
   this->mapper->SetInputData(image);
+  this->mapper->SetErrorTolerance(0.0); // tests of the tolerance set their own
 
   // Soft tissue as a veil, bone nearly opaque: visible, invisible and homogeneous parts.
   this->colors->AddRGBPoint(-200.0, 0.8, 0.5, 0.4);

@@ -88,6 +88,6 @@ TEST(PreIntegratedTable, ItsMemoryIsBounded)
     { { 0.0, 0.0 }, { 30000.0, 0.0 }, { 30001.0, 0.5 }, { 30002.0, 0.0 }, { 65535.0, 0.1 } }, 1.0);
   const OpticalTable optical = BuildOpticalTable(needle, 0.0, 65535.0);
   EXPECT_EQ(optical.entries.size(), 65536u);
-  EXPECT_EQ(BuildPreIntegratedTable(optical).entries.size(), 512u * 512u);
+  EXPECT_EQ(BuildPreIntegratedTable(optical).entries.size(), 1024u * 1024u);
   EXPECT_EQ(BuildPreIntegratedTable(optical, 64 * 64).size, 64);
 }

@@ -32,8 +32,10 @@ struct Prefix
 };
 
 /// The sums over one interval, in which colour and extinction are linear.
-Prefix OfInterval(const glm::dvec4& a, const glm::dvec4& b)
+Prefix OfInterval(const glm::vec4& first, const glm::vec4& last)
 {
+  const glm::dvec4 a(first);
+  const glm::dvec4 b(last);
   const glm::dvec3 colorA(a);
   const glm::dvec3 colorB(b);
   if (std::max(a.a, b.a) >= double(OpaqueExtinction))
@@ -44,81 +46,72 @@ Prefix OfInterval(const glm::dvec4& a, const glm::dvec4& b)
   return { 0.5 * (a.a + b.a), emission, 0.0, glm::dvec3(0.0) };
 }
 
-class TableIntegral
+/// The sums before each of `size` positions at equal distances in a table, and the entries there.
+struct Nodes
 {
-public:
-  explicit TableIntegral(const OpticalTable& table)
-    : table(table)
-    , prefix(table.entries.size())
-  {
-    for (std::size_t i = 1; i < this->prefix.size(); ++i)
-    {
-      this->prefix[i] = this->prefix[i - 1].Plus(
-        OfInterval(glm::dvec4(table.entries[i - 1]), glm::dvec4(table.entries[i])), 1.0);
-    }
-  }
-
-  double LastPosition() const { return double(this->prefix.size() - 1); }
-
-  /// The means between two positions, counted in entries.
-  glm::vec4 Mean(double from, double to) const
-  {
-    if (from == to)
-    {
-      const std::size_t below = this->Below(from);
-      return glm::mix(
-        this->table.entries[below], this->table.entries[below + 1], float(from - double(below)));
-    }
-    const Prefix sum = this->Until(std::max(from, to)).Plus(this->Until(std::min(from, to)), -1.0);
-    const double length = std::abs(to - from);
-    if (sum.opaqueLength > 1e-9 * length)
-    {
-      return glm::vec4(sum.opaqueColor / sum.opaqueLength,
-        std::min(double(OpaqueExtinction) * sum.opaqueLength / length, double(OpaqueExtinction)));
-    }
-    const double extinction = std::max(sum.extinction, 0.0);
-    const glm::dvec3 color =
-      extinction > 0.0 ? glm::clamp(sum.emission / extinction, 0.0, 1.0) : glm::dvec3(0.0);
-    return glm::vec4(color, extinction / length);
-  }
-
-private:
-  std::size_t Below(double position) const
-  {
-    return std::min(std::size_t(position), this->prefix.size() - 2);
-  }
-
-  Prefix Until(double position) const
-  {
-    const std::size_t below = this->Below(position);
-    const double part = position - double(below);
-    const glm::dvec4 a(this->table.entries[below]);
-    const glm::dvec4 b(this->table.entries[below + 1]);
-    return this->prefix[below].Plus(OfInterval(a, glm::mix(a, b, part)), part);
-  }
-
-  const OpticalTable& table;
-  std::vector<Prefix> prefix; ///< over all intervals before an entry
+  std::vector<Prefix> sums;
+  std::vector<glm::vec4> entries;
 };
+
+Nodes NodesOf(const OpticalTable& table, int size)
+{
+  Nodes nodes;
+  const double entriesPerNode = double(table.entries.size() - 1) / (size - 1);
+  const std::size_t lastInterval = table.entries.size() - 2;
+  Prefix sum;
+  std::size_t interval = 0;
+  for (int node = 0; node < size; ++node)
+  {
+    const double position = node * entriesPerNode;
+    for (; interval < std::min(std::size_t(position), lastInterval); ++interval)
+    {
+      sum = sum.Plus(OfInterval(table.entries[interval], table.entries[interval + 1]), 1.0);
+    }
+    const double part = position - double(interval);
+    const glm::vec4 entry =
+      glm::mix(table.entries[interval], table.entries[interval + 1], float(part));
+    nodes.sums.push_back(sum.Plus(OfInterval(table.entries[interval], entry), part));
+    nodes.entries.push_back(entry);
+  }
+  return nodes;
+}
+
+/// The means over what lies between two nodes, whose distance is in entries of the optical table.
+glm::vec4 Mean(const Prefix& before, const Prefix& after, double length)
+{
+  const Prefix sum = after.Plus(before, -1.0);
+  if (sum.opaqueLength > 1e-9 * length)
+  {
+    return glm::vec4(sum.opaqueColor / sum.opaqueLength,
+      double(OpaqueExtinction) * std::min(sum.opaqueLength / length, 1.0));
+  }
+  const double extinction = std::max(sum.extinction, 0.0);
+  const glm::dvec3 color =
+    extinction > 0.0 ? glm::clamp(sum.emission / extinction, 0.0, 1.0) : glm::dvec3(0.0);
+  return glm::vec4(color, extinction / length);
+}
 
 }
 
 PreIntegratedTable BuildPreIntegratedTable(const OpticalTable& table, std::size_t mostEntries)
 {
-  const TableIntegral integral(table);
-  const int size = int(std::min(table.entries.size(), std::size_t(std::sqrt(double(mostEntries)))));
+  const int size = int(std::min(std::sqrt(double(mostEntries)), double(table.entries.size())));
+  const Nodes nodes = NodesOf(table, size);
+  const double entriesPerNode = double(table.entries.size() - 1) / (size - 1);
   PreIntegratedTable result{ table.firstValue, table.lastValue, size,
     std::vector<glm::vec4>(std::size_t(size) * size) };
-  const double positionPerIndex = integral.LastPosition() / (size - 1);
   tbb::parallel_for(tbb::blocked_range<int>(0, size, 16),
     [&](const tbb::blocked_range<int>& rows)
     {
       for (int row = rows.begin(); row != rows.end(); ++row)
       {
-        for (int column = 0; column < size; ++column)
+        for (int column = 0; column <= row; ++column)
         {
-          result.entries[std::size_t(row) * size + column] =
-            integral.Mean(row * positionPerIndex, column * positionPerIndex);
+          const glm::vec4 mean = column == row
+            ? nodes.entries[row]
+            : Mean(nodes.sums[column], nodes.sums[row], (row - column) * entriesPerNode);
+          result.entries[std::size_t(row) * size + column] = mean;
+          result.entries[std::size_t(column) * size + row] = mean;
         }
       }
     });

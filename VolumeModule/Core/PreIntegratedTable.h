@@ -25,7 +25,7 @@ struct PreIntegratedTable
 
 /// @param mostEntries  bounds the memory: size * size is at most this, >= 4
 PreIntegratedTable BuildPreIntegratedTable(
-  const OpticalTable& table, std::size_t mostEntries = 512 * 512);
+  const OpticalTable& table, std::size_t mostEntries = 1024 * 1024);
 
 }
 

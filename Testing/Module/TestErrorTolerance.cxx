@@ -1,0 +1,121 @@
+// The mapper keeps the error that it is asked to keep, judged by the reference integrator.
+
+#include "Module/MapperScene.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+
+namespace
+{
+
+using Mapper = vtkVariationFieldVolumeMapper;
+
+struct ToleranceCase
+{
+  std::string name;
+  std::function<void(MapperScene&)> prepare;
+};
+
+void SetOpacities(MapperScene& scene, const std::vector<std::array<double, 2>>& nodes)
+{
+  scene.opacities->RemoveAllPoints();
+  for (const auto& [value, opacity] : nodes)
+  {
+    scene.opacities->AddPoint(value, opacity);
+  }
+}
+
+const std::vector<ToleranceCase> Cases = {
+  { "VeilAndBone", [](MapperScene&) {} },
+  { "Shaded", [](MapperScene& scene) { scene.volume->GetProperty()->ShadeOn(); } },
+  { "ThinPeak",
+    [](MapperScene& scene) {
+      SetOpacities(scene, { { 100.0, 0.0 }, { 110.0, 0.2 }, { 120.0, 0.0 } });
+    } },
+  { "Dense",
+    [](MapperScene& scene) {
+      SetOpacities(scene, { { 0.0, 0.0 }, { 150.0, 0.2 }, { 300.0, 0.9 } });
+    } },
+  { "Haze",
+    [](MapperScene& scene) {
+      SetOpacities(scene, { { -1000.0, 0.0 }, { 1000.0, 0.002 } });
+    } },
+  { "MaximumIntensity",
+    [](MapperScene& scene) { scene.mapper->SetBlendModeToMaximumIntensity(); } },
+};
+
+}
+
+class ErrorTolerance : public testing::TestWithParam<ToleranceCase>
+{
+};
+
+TEST_P(ErrorTolerance, IsKept)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->AutoAdjustSampleDistancesOn();
+  GetParam().prepare(scene);
+  const std::vector<float> truth = scene.Truth();
+  double coarser = 1e30;
+  for (double tolerance : { 1.0 / 32.0, 1.0 / 64.0, 1.0 / 128.0, 1.0 / 255.0 })
+  {
+    scene.mapper->SetErrorTolerance(tolerance);
+    const std::vector<float> drawn = scene.Draw();
+    const varimarch::ImageError error =
+      varimarch::CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+    EXPECT_LE(error.percentile999, 255.0 * tolerance) << tolerance;
+    EXPECT_LE(error.largest, 2.0 * 255.0 * tolerance) << tolerance;
+    EXPECT_LT(scene.mapper->GetUsedSampleDistance(), coarser) << tolerance;
+    EXPECT_GT(scene.mapper->GetEstimatedError(), 0.0);
+    EXPECT_LT(scene.mapper->GetEstimatedError(), tolerance);
+    coarser = scene.mapper->GetUsedSampleDistance();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ErrorTolerance, testing::ValuesIn(Cases),
+  [](const testing::TestParamInfo<ToleranceCase>& info) { return info.param.name; });
+
+TEST(ErrorTolerance, IsTriedOutAgainOnlyWhenThePictureChanges)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  scene.Draw();
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 1);
+  scene.renderer->GetActiveCamera()->Azimuth(10.0);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 2);
+  scene.opacities->AddPoint(300.0, 0.1);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 3);
+  scene.mapper->SetErrorTolerance(1.0 / 32.0);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 4);
+}
+
+TEST(ErrorTolerance, ChoosesPreIntegrationForThinPeaksOnly)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  const auto march = [&]
+  {
+    scene.Draw();
+    const std::vector<std::string> parts = scene.ShaderParts();
+    return parts.at(parts.size() - 2);
+  };
+  EXPECT_EQ(march(), "March/Midpoint.glsl");
+  SetOpacities(scene, { { 300.0, 0.0 }, { 303.0, 0.5 }, { 306.0, 0.0 } });
+  EXPECT_EQ(march(), "March/PreIntegrated.glsl");
+}
+
+TEST(ErrorTolerance, DrawsNothingIntoTheWindowWhenTriedOut)
+{
+  // A probe that left its viewport, framebuffer or clear colour behind would change the picture.
+  MapperScene scene(SmallTorso());
+  scene.renderer->SetBackground(0.2, 0.4, 0.6);
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  const std::vector<float> tried = scene.Draw();
+  EXPECT_EQ(tried, scene.Draw());
+}

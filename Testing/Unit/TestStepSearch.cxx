@@ -1,0 +1,90 @@
+#include "Core/StepSearch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+/// A picture whose error is `factor` times the distance to the power of `order`, and how often it
+/// was drawn.
+struct PowerLaw
+{
+  double factor;
+  double order;
+  int* drawings;
+
+  std::vector<float> operator()(double distance) const
+  {
+    ++*this->drawings;
+    const double error = this->factor * std::pow(distance, this->order);
+    return std::vector<float>(4 * 100, float(0.25 + error));
+  }
+};
+
+constexpr ErrorLimit Limit{ 0.01, 0.02 };
+constexpr StepRange Range{ 4.0, 1.0 / 32.0 };
+
+}
+
+TEST(StepSearch, TheErrorAtTheDistanceFoundIsNearTheLimit)
+{
+  int drawings = 0;
+  for (double order : { 1.3, 2.0 })
+  {
+    for (double factor : { 0.001, 0.03, 0.5 })
+    {
+      const StepChoice choice =
+        FindSampleDistance(PowerLaw{ factor, order, &drawings }, Limit, Range, 1.0);
+      const double error = factor * std::pow(choice.sampleDistance, order);
+      EXPECT_TRUE(choice.KeepsLimit());
+      EXPECT_LE(error, 1.2 * Limit.percentile999) << factor << " " << order;
+      EXPECT_TRUE(error > 0.7 * Limit.percentile999 || choice.sampleDistance == Range.coarsest);
+      EXPECT_NEAR(choice.error, error, 0.3 * error);
+    }
+  }
+}
+
+TEST(StepSearch, ItNeedsThreeDrawingsWhereItBeginsNearTheResult)
+{
+  int drawings = 0;
+  const PowerLaw law{ 0.01, 2.0, &drawings };
+  const double found = FindSampleDistance(law, Limit, Range, 1.0).sampleDistance;
+  drawings = 0;
+  FindSampleDistance(law, Limit, Range, 0.99 * found);
+  EXPECT_LE(drawings, 3);
+}
+
+TEST(StepSearch, WhatCannotBeKeptIsSaidAndEndsAtTheFinestStep)
+{
+  int drawings = 0;
+  const StepChoice choice =
+    FindSampleDistance(PowerLaw{ 100.0, 1.0, &drawings }, Limit, Range, 0.5);
+  EXPECT_FALSE(choice.KeepsLimit());
+  EXPECT_DOUBLE_EQ(choice.sampleDistance, Range.finest);
+  EXPECT_LE(drawings, 6);
+}
+
+TEST(StepSearch, WhatIsExactAtAnyStepTakesTheCoarsest)
+{
+  int drawings = 0;
+  const StepChoice choice = FindSampleDistance(PowerLaw{ 0.0, 1.0, &drawings }, Limit, Range, 1.0);
+  EXPECT_TRUE(choice.KeepsLimit());
+  EXPECT_DOUBLE_EQ(choice.sampleDistance, Range.coarsest);
+}
+
+TEST(StepSearch, OneBadPixelCountsByTheLimitOfTheLargestError)
+{
+  const auto draw = [](double distance)
+  {
+    std::vector<float> picture(4 * 10000, 0.5f);
+    picture[0] = float(0.5 + 0.1 * distance);
+    return picture;
+  };
+  const StepChoice choice = FindSampleDistance(draw, Limit, Range, 1.0);
+  EXPECT_LE(0.1 * choice.sampleDistance, 1.4 * Limit.largest);
+  EXPECT_GE(0.1 * choice.sampleDistance, 0.7 * Limit.largest);
+}

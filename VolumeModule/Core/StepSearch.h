@@ -1,0 +1,51 @@
+#ifndef Varimarch_Core_StepSearch_h
+#define Varimarch_Core_StepSearch_h
+
+#include <functional>
+#include <vector>
+
+namespace varimarch
+{
+
+/// What a picture may be off by in a premultiplied channel, of 1: 99.9 of 100 pixels by
+/// `percentile999`, and none by more than `largest`.
+struct ErrorLimit
+{
+  double percentile999;
+  double largest;
+};
+
+struct StepChoice
+{
+  double sampleDistance;
+  double error;   ///< estimate of the 99.9th percentile, of 1
+  double ofLimit; ///< about 1; above only where the finest distance does not keep the limit
+
+  bool KeepsLimit() const { return this->ofLimit <= 1.0; }
+};
+
+/// Where to search: at `coarsest` and its halves, not below `finest`.
+struct StepRange
+{
+  double coarsest;
+  double finest;
+};
+
+/// Draws a sample of a picture's pixels at a sample distance: premultiplied RGBA, always the same
+/// pixels.
+using SampleDrawing = std::function<std::vector<float>(double sampleDistance)>;
+
+/// Finds about the largest sample distance at which a picture keeps its limit. The error at a
+/// distance is estimated by what halving it changes: for a rule of order p that is 1 - 2^-p of the
+/// error, 3/4 for p = 2, 1/2 for p = 1; in between lies what interpolated data allow
+/// (Richardson 1911).
+/// @param first  the distance to begin with; the nearer to the result, the fewer drawings
+StepChoice FindSampleDistance(
+  const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range, double first);
+
+/// The estimated error at a distance as a part of what the limit allows; <= 1 keeps it.
+double ErrorOfLimit(const SampleDrawing& draw, const ErrorLimit& limit, double sampleDistance);
+
+}
+
+#endif
