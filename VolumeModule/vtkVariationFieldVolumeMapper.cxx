@@ -245,6 +245,7 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   frame.settings.acceleration = AccelerationOf(this->AccelerationMode, frame.settings.blend);
   frame.settings.shading =
     frame.property->GetShade() != 0 && frame.settings.blend == Blend::Composite;
+  frame.settings.countFetches = this->DrawFetchCounts;
   frame.settings.sceneGeometry = HasOpaqueGeometry(renderer);
   frame.averagedRange = { this->AverageIPScalarRange[0], this->AverageIPScalarRange[1] };
   frame.viewport = varimarch::ViewportOf(renderer);
@@ -353,6 +354,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AccelerationMode: " << this->AccelerationMode << "\n";
   os << indent << "IntegrationRule: " << this->IntegrationRule << "\n";
+  os << indent << "DrawFetchCounts: " << this->DrawFetchCounts << "\n";
   os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";

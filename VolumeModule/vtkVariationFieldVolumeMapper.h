@@ -114,6 +114,16 @@ public:
 
   ///@{
   /**
+   * Draw, in place of the picture, how often each ray has read the volume: as red, not scaled, so
+   * only into a framebuffer of floats. For measurements. Default off.
+   */
+  vtkSetMacro(DrawFetchCounts, bool);
+  vtkBooleanMacro(DrawFetchCounts, bool);
+  vtkGetMacro(DrawFetchCounts, bool);
+  ///@}
+
+  ///@{
+  /**
    * Distance between samples along a ray [world units, mm], > 0. Default 1. Used only while
    * AutoAdjustSampleDistances is off.
    */
@@ -191,6 +201,7 @@ protected:
   int AccelerationMode = OpticalField;
   int IntegrationRule = Automatic;
   double ErrorTolerance = 1.0 / 64.0;
+  bool DrawFetchCounts = false;
   double VariationTolerance = -1.0;
   double SampleDistance = 1.0;
   vtkTypeBool AutoAdjustSampleDistances = 1;

@@ -43,9 +43,12 @@ std::string SceneName(const std::string& input, const std::vector<WorkPrecision>
   return unique;
 }
 
-std::string TextOfFile(const std::filesystem::path& path)
+// Writes a plot as PNG and SVG, and returns the SVG's text.
+std::string WrittenPlot(const LogLogPlot& plot, const std::string& stem)
 {
-  std::ifstream file(path, std::ios::binary);
+  WritePng(DrawPlot(plot), stem + ".png");
+  WritePlotSvg(plot, stem + ".svg");
+  std::ifstream file(stem + ".svg", std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
 }
 
@@ -71,11 +74,13 @@ struct WorkPrecisionCommand
       scenes.push_back(MeasureRuns(SceneName(input, scenes), scene, volume,
         WorkPrecisionRuns(scene, volume.image, this->methods), this->options,
         [&](const std::string& step) { progress.SetActivity(step); }));
-      const LogLogPlot plot = TimePlot(scenes.back());
-      const std::filesystem::path svg = folder / (scenes.back().name + "-time.svg");
-      WritePng(DrawPlot(plot), folder / (scenes.back().name + "-time.png"));
-      WritePlotSvg(plot, svg);
-      page.plotSvgs.push_back(TextOfFile(svg));
+      const std::string stem = (folder / scenes.back().name).string();
+      page.plotSvgs.push_back({ WrittenPlot(TimePlot(scenes.back()), stem + "-time") });
+      const LogLogPlot fetches = FetchPlot(scenes.back());
+      if (!fetches.curves.empty())
+      {
+        page.plotSvgs.back().push_back(WrittenPlot(fetches, stem + "-readings"));
+      }
     }
     ThrowIfVtkReportedError();
     this->Write(scenes, page, folder);

@@ -4,6 +4,8 @@
 #include "Scene/OffscreenView.h"
 #include "VtkMessages.h"
 
+#include <vtkVariationFieldVolumeMapper.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,6 +59,26 @@ double EightBitRmse(vtkImageData* truth)
   return std::sqrt(sum / double(count));
 }
 
+// The mean over all pixels, also those that see no volume.
+std::optional<double> FetchesPerPixel(OffscreenView& view)
+{
+  auto* mapper = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
+  if (!mapper)
+  {
+    return std::nullopt;
+  }
+  mapper->DrawFetchCountsOn();
+  const auto counts = view.FloatImage();
+  mapper->DrawFetchCountsOff();
+  const auto* red = static_cast<const float*>(counts->GetScalarPointer());
+  double sum = 0.0;
+  for (vtkIdType pixel = 0; pixel < counts->GetNumberOfPoints(); ++pixel)
+  {
+    sum += red[4 * pixel];
+  }
+  return sum / double(counts->GetNumberOfPoints());
+}
+
 // Draws one setting, measures its error, and returns how long such a picture takes [s].
 double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision& result)
 {
@@ -65,8 +87,8 @@ double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision
   ThrowIfVtkReportedError();
   WorkCurve& curve = runner.curve;
   curve.eightBits = HoldsEightBitsOnly(picture) && (curve.points.empty() || curve.eightBits);
-  curve.points.push_back(
-    { setting, ErrorOf(picture, result.truth.picture, result.scene.background), {}, 0.0 });
+  curve.points.push_back({ setting, ErrorOf(picture, result.truth.picture, result.scene.background),
+    FetchesPerPixel(*runner.view), {}, 0.0 });
   if (!curve.picture || setting.voxels >= 1.0)
   {
     curve.picture = picture;

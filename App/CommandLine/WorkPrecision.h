@@ -18,6 +18,7 @@ struct WorkPoint
 {
   BenchSetting setting;
   PictureError error;
+  std::optional<double> fetchesPerPixel; ///< readings of the volume; VTK's mappers do not tell
   std::vector<double> roundsMs;
   double medianMs;
 };

@@ -123,7 +123,7 @@ std::string FullTable(const WorkPrecision& scene)
   std::string html = "<h3>All settings</h3>\n<table>" +
     Row("th",
       { "method", "sample distance [voxels]", "[mm]", "RMSE [1/255]", "99.9 %", "largest", "SSIM",
-        "CIEDE2000 mean", "99 %", "median [ms]" });
+        "CIEDE2000 mean", "99 %", "readings per pixel", "median [ms]" });
   std::string notes;
   for (const WorkCurve& curve : scene.curves)
   {
@@ -136,7 +136,9 @@ std::string FullTable(const WorkPrecision& scene)
           Fixed(*point.setting.options.sampleDistanceMm, 3), Fixed(light.rootMeanSquare, 3),
           Fixed(light.percentile999, 2), Fixed(light.largest, 2),
           Fixed(perceived.structuralSimilarity, 5), Fixed(perceived.meanColorDifference, 3),
-          Fixed(perceived.colorDifference99, 2), Fixed(point.medianMs, 1) });
+          Fixed(perceived.colorDifference99, 2),
+          point.fetchesPerPixel ? Fixed(*point.fetchesPerPixel, 1) : "",
+          Fixed(point.medianMs, 1) });
     }
     notes += curve.skipped.empty()
       ? ""
@@ -145,7 +147,7 @@ std::string FullTable(const WorkPrecision& scene)
   return html + "</table>\n" + notes;
 }
 
-std::string Section(const WorkPrecision& scene, const std::string& plotSvg)
+std::string Section(const WorkPrecision& scene, const std::vector<std::string>& plotSvgs)
 {
   const int* dimensions = scene.volume.image->GetDimensions();
   std::ostringstream facts;
@@ -154,8 +156,12 @@ std::string Section(const WorkPrecision& scene, const std::string& plotSvg)
         << " x " << scene.scene.size[1] << " pixels; look \"" << scene.scene.look.name << "\", "
         << (scene.scene.look.shading.enabled ? "shaded" : "not shaded")
         << ". Truth: " << Described(scene.truth) << ".";
-  return "<h2>" + Escaped(scene.name) + "</h2>\n<p>" + Escaped(facts.str()) + "</p>\n<p>" +
-    Image("image/svg+xml", plotSvg, "error over time of all methods") + "</p>\n" +
+  std::string plots;
+  for (const std::string& svg : plotSvgs)
+  {
+    plots += "<p>" + Image("image/svg+xml", svg, "error over work of all methods") + "</p>\n";
+  }
+  return "<h2>" + Escaped(scene.name) + "</h2>\n<p>" + Escaped(facts.str()) + "</p>\n" + plots +
     EqualErrorTable(scene) + PicturesOf(scene) + FullTable(scene);
 }
 

@@ -14,7 +14,7 @@ struct WorkPrecisionPage
 {
   std::string commandText;
   Machine machine;
-  std::vector<std::string> plotSvgs; ///< the text of each scene's plot
+  std::vector<std::vector<std::string>> plotSvgs; ///< the texts of each scene's plots
 };
 
 /// Work-precision measurements as one HTML file that needs no other: plots, tables, pictures and

@@ -21,11 +21,20 @@ const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method)
   return found == scene.curves.end() ? nullptr : &*found;
 }
 
+std::string OrNothing(const std::optional<double>& number)
+{
+  return number ? Fixed(*number, 3) : "";
+}
+
 nlohmann::ordered_json ToJson(const WorkPoint& point)
 {
   nlohmann::ordered_json json = { { "voxels", point.setting.voxels },
     { "sampleDistanceMm", *point.setting.options.sampleDistanceMm } };
   json.update(ToJson(point.error));
+  if (point.fetchesPerPixel)
+  {
+    json["fetchesPerPixel"] = *point.fetchesPerPixel;
+  }
   json["roundsMs"] = point.roundsMs;
   json["medianMs"] = point.medianMs;
   return json;
@@ -43,12 +52,11 @@ nlohmann::ordered_json ToJson(const WorkCurve& curve)
   return json;
 }
 
-}
-
-LogLogPlot TimePlot(const WorkPrecision& scene)
+// Error over what `workOf` makes of a point; without the points of which it makes nothing.
+template <class WorkOf>
+LogLogPlot ErrorPlot(const WorkPrecision& scene, const std::string& xTitle, const WorkOf& workOf)
 {
-  LogLogPlot plot = { scene.name, "median time of a picture [ms]",
-    "RMSE of premultiplied RGBA [1/255]", {}, {} };
+  LogLogPlot plot = { scene.name, xTitle, "RMSE of premultiplied RGBA [1/255]", {}, {} };
   bool eightBits = false;
   for (const WorkCurve& curve : scene.curves)
   {
@@ -56,19 +64,37 @@ LogLogPlot TimePlot(const WorkPrecision& scene)
     for (const WorkPoint& point : curve.points)
     {
       const double error = point.error.light.rootMeanSquare;
-      if (error > 0.0 && std::isfinite(error))
+      const std::optional<double> work = workOf(point);
+      if (error > 0.0 && std::isfinite(error) && work.value_or(0.0) > 0.0)
       {
-        line.points.push_back({ point.medianMs, error });
+        line.points.push_back({ *work, error });
       }
     }
-    plot.curves.push_back(line);
-    eightBits = eightBits || curve.eightBits;
+    if (!line.points.empty())
+    {
+      plot.curves.push_back(line);
+      eightBits = eightBits || curve.eightBits;
+    }
   }
   if (eightBits && scene.eightBitRmse > 0.0)
   {
     plot.levels.push_back({ "floor of 8 bit pictures", scene.eightBitRmse });
   }
   return plot;
+}
+
+}
+
+LogLogPlot TimePlot(const WorkPrecision& scene)
+{
+  return ErrorPlot(scene, "median time of a picture [ms]",
+    [](const WorkPoint& point) { return std::optional<double>(point.medianMs); });
+}
+
+LogLogPlot FetchPlot(const WorkPrecision& scene)
+{
+  return ErrorPlot(scene, "mean readings of the volume for a pixel",
+    [](const WorkPoint& point) { return point.fetchesPerPixel; });
 }
 
 std::vector<EqualErrorRow> EqualErrorRows(const WorkPrecision& scene)
@@ -111,7 +137,7 @@ std::string TableCsv(const std::vector<WorkPrecision>& scenes)
 {
   std::ostringstream csv;
   csv << "scene,method,renderer,voxels,sample_distance_mm,rmse_255,percentile_99_9_255,largest_255,"
-         "ssim,ciede2000_mean,ciede2000_99,median_ms\n";
+         "ssim,ciede2000_mean,ciede2000_99,fetches_per_pixel,median_ms\n";
   csv.precision(9);
   for (const WorkPrecision& scene : scenes)
   {
@@ -126,7 +152,7 @@ std::string TableCsv(const std::vector<WorkPrecision>& scenes)
             << *point.setting.options.sampleDistanceMm << "," << light.rootMeanSquare << ","
             << light.percentile999 << "," << light.largest << "," << perceived.structuralSimilarity
             << "," << perceived.meanColorDifference << "," << perceived.colorDifference99 << ","
-            << point.medianMs << "\n";
+            << OrNothing(point.fetchesPerPixel) << "," << point.medianMs << "\n";
       }
     }
   }

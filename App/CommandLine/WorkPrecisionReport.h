@@ -19,6 +19,9 @@ namespace varimarch
 /// Error over median time.
 LogLogPlot TimePlot(const WorkPrecision& scene);
 
+/// Error over mean readings of the volume for a pixel: what does not depend on the machine.
+LogLogPlot FetchPlot(const WorkPrecision& scene);
+
 /// What our default takes where VTK's GPU mapper errs as much.
 struct EqualErrorRow
 {

@@ -116,6 +116,11 @@ def bench(folder):
                            if row["scene"] == name and row["method"] == method]
                   for method in ("optical", "off", "vtk-gpu", "vtk-cpu")}
         assert all(len(curve) == 6 for curve in curves.values()), curves
+        reads = [float(row["fetches_per_pixel"] or 0) for row in rows if row["scene"] == name
+                 and row["method"] == "off"]
+        # Half the distance, twice the readings, but for rays that end within a step or early.
+        assert 1.5 < reads[5] / reads[4] < 2.1, reads
+        assert png_size(output / f"{name}-readings.png")[0] > 1000
         # Finer sampling pays: the instrument sees what it is there to see.
         assert curves["off"][-1] < curves["off"][0] / 10, curves
     assert all(float(row["median_ms"]) > 0 for row in rows)

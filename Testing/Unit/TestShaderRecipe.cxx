@@ -15,7 +15,7 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
   EXPECT_EQ(FragmentShaderParts(plain),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
       "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "March/Midpoint.glsl", "RayMarch.frag.glsl" }));
+      "March/Midpoint.glsl", "Probe/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -39,6 +39,9 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
     (Parts{ "Shade/BlinnPhong.glsl", "March/ShadedSegments.glsl" }));
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
+  RenderSettings counting = plain;
+  counting.countFetches = true;
+  EXPECT_EQ(changed(counting), Parts{ "Probe/FetchCount.glsl" });
 }
 
 TEST(ShaderRecipe, ARuleOfIntegrationIsItsMarchAndWhatThatLooksUp)
@@ -63,7 +66,7 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
   EXPECT_EQ(FragmentShaderParts(maximum),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
       "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
-      "March/Projection.glsl", "RayMarch.frag.glsl" }));
+      "March/Projection.glsl", "Probe/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)
@@ -73,7 +76,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 46u);
+  EXPECT_EQ(distinct.size(), 47u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -95,6 +95,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   }
   parts.push_back(BlendFile(settings.blend));
   parts.push_back(MarchFile(settings));
+  parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
   parts.push_back("RayMarch.frag.glsl");
   return parts;
 }
@@ -106,7 +107,9 @@ std::string VertexShaderPart()
 
 std::vector<RenderSettings> EveryRecipe()
 {
-  std::vector<RenderSettings> recipes;
+  RenderSettings counting;
+  counting.countFetches = true;
+  std::vector<RenderSettings> recipes = { counting };
   for (Acceleration acceleration :
     { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
   {

@@ -46,5 +46,5 @@ void main()
   {
     discard;
   }
-  fragOutput0 = BlendResult(March(ray, inside));
+  fragOutput0 = Probed(BlendResult(March(ray, inside)));
 }

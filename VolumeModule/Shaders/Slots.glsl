@@ -30,11 +30,12 @@ vec3 PositionTexture(Ray ray, float t)
   return ray.originTexture + t * ray.directionTexture;
 }
 
-// The stored scalar: a texture value, which optical table and thresholds are scaled to.
-float ScalarAt(vec3 positionTexture)
-{
-  return textureLod(volumeTexture, positionTexture, 0.0).r;
-}
+// --- Probe: observes the work of a ray -------------------------------------------------------
+// The stored scalar: a texture value, which optical table and thresholds are scaled to. Every
+// reading of the volume goes through here.
+float ScalarAt(vec3 positionTexture);
+// What is drawn for a ray that has made this picture.
+vec4 Probed(vec4 picture);
 
 // --- Depth: where opaque geometry ends a ray ------------------------------------------------
 // t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
