@@ -14,7 +14,7 @@ Viewport ProbeFramebuffer::PixelsFor(const Viewport& picture)
 {
   constexpr int Smallest = 8;
   return { 0, 0, std::clamp(picture.width / 2, Smallest, 96),
-    std::clamp(picture.height / 4, Smallest, 48) };
+    std::clamp(picture.height / 2, Smallest, 48) };
 }
 
 std::vector<float> ProbeFramebuffer::Draw(

@@ -18,8 +18,8 @@ namespace
 
 // The part of the tolerance that is left for the steps; the field and the early end of rays have
 // the rest. The largest error of a picture is one of many more rays than are tried out.
-constexpr double PercentileOfTolerance = 0.6;
-constexpr double LargestOfTolerance = 0.7;
+constexpr double PercentileOfTolerance = 0.75;
+constexpr double LargestOfTolerance = 1.2;
 
 // Where sample distances are searched, in voxels; and no ray gets more samples than this.
 constexpr double CoarsestVoxels = 4.0;
