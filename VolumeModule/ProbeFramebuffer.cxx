@@ -12,9 +12,7 @@ namespace varimarch
 
 Viewport ProbeFramebuffer::PixelsFor(const Viewport& picture)
 {
-  constexpr int Smallest = 8;
-  return { 0, 0, std::clamp(picture.width / 2, Smallest, 96),
-    std::clamp(picture.height / 2, Smallest, 48) };
+  return { 0, 0, std::min(picture.width, 96), std::min(picture.height, 48) };
 }
 
 std::vector<float> ProbeFramebuffer::Draw(

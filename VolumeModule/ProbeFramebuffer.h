@@ -19,8 +19,7 @@ class ProbeFramebuffer
 {
 public:
   /// Its size for pictures of a size [pixels]: enough rays to show the 99.9th percentile of an
-  /// error, in two tiles of a software rasteriser, so that two cores share the work; for a small
-  /// picture not more than a quarter of its own.
+  /// error, in two tiles of a software rasteriser, so that two cores share the work.
   static Viewport PixelsFor(const Viewport& picture);
 
   /// Calls `draw` with this framebuffer bound, cleared to nothing, and returns what it drew:

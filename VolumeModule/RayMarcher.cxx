@@ -131,8 +131,10 @@ void RayMarcher::UpdateScalarField(const Frame& frame)
 
 void RayMarcher::UpdateOpticalField(const Frame& frame)
 {
-  const OpticalTolerance tolerance =
-    OpticalTolerance::ForError(frame.fieldError, frame.geometry.DiagonalMm());
+  const double longestRayMm = frame.geometry.DiagonalMm();
+  const OpticalTolerance tolerance = frame.settings.shading
+    ? OpticalTolerance::Nothing(longestRayMm)
+    : OpticalTolerance::ForError(frame.fieldError, longestRayMm);
   const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
     this->builds.opticalTable, tolerance.color / tolerance.longestRayMm };
   if (this->fieldSource == source)

@@ -100,6 +100,21 @@ TEST(Mapper, AdditiveIsCloseToTheTruth)
   EXPECT_LT(scene.Error().rootMeanSquare, 1.0) << "where it is white";
 }
 
+TEST(Mapper, LightOnABrickOfOneLookIsNotTakenAsTheSameEverywhere)
+{
+  // Bone of one opacity and colour, whatever its value: homogeneous but for its light.
+  MapperScene scene(SmallTorso());
+  scene.volume->GetProperty()->ShadeOn();
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(0.0, 1.0, 0.9, 0.8);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(-900.0, 0.0);
+  scene.opacities->AddPoint(-500.0, 0.02);
+  scene.opacities->AddPoint(2000.0, 0.02);
+  scene.mapper->SetAccelerationModeToOpticalField();
+  ExpectInvisibleError(scene);
+}
+
 TEST(Mapper, ParallelProjectionIsWithinHalfAGreyLevelOfTheTruth)
 {
   MapperScene scene(SmallTorso());

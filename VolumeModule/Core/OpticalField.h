@@ -48,6 +48,10 @@ struct OpticalTolerance
   {
     return { error / 8.0, error / 8.0, error / 2.0, longestRayMm };
   }
+
+  /// No brick is homogeneous: for pictures in which more than the values of a brick is seen, such
+  /// as the light on its gradients.
+  static OpticalTolerance Nothing(double longestRayMm) { return { 0.0, 0.0, -1.0, longestRayMm }; }
 };
 
 /// Builds the field on all cores from what the shader will look up: the table.

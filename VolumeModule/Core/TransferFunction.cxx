@@ -210,10 +210,14 @@ double TransferFunction::SmallestNodeGap() const
 namespace
 {
 
-/// A power of two with at least four entries from a node to the next, within the limits.
+// Between two nodes the opacity is linear, and the extinction is not; and where a node falls
+// between two entries a corner is cut off.
+constexpr double EntriesPerNodeGap = 32.0;
+
+/// A power of two with enough entries from a node to the next, within the limits.
 std::size_t EntryCount(double length, double smallestNodeGap, std::size_t mostEntries)
 {
-  const double wanted = 4.0 * length / smallestNodeGap;
+  const double wanted = EntriesPerNodeGap * length / smallestNodeGap;
   std::size_t count = 1024;
   while (double(count) < wanted && 2 * count <= mostEntries)
   {

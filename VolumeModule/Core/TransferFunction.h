@@ -92,7 +92,7 @@ struct OpticalTable
 constexpr float OpaqueExtinction = 1e30f;
 
 /// Samples a transfer function over the part of [smallestValue, largestValue] where it changes,
-/// on all cores. The number of entries is a power of two with at least four from each node to the
+/// on all cores. The number of entries is a power of two with at least 32 from each node to the
 /// next, at least 1024 and at most `mostEntries`; where nothing changes it is two. Steps become
 /// ramps one entry wide.
 /// @throws std::invalid_argument unless smallestValue <= largestValue, both finite

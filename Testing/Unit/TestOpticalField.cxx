@@ -1,0 +1,167 @@
+#include "Core/OpticalField.h"
+
+#include "Core/BrickRanges.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr int Side = BrickRanges::CellsPerSide;
+
+struct RandomScene
+{
+  glm::ivec3 dimensions;
+  std::vector<std::uint8_t> voxels;
+  OpticalTable table;
+
+  ScalarGrid<std::uint8_t> Grid() const { return { this->voxels.data(), this->dimensions }; }
+};
+
+/// Smooth blobs in emptiness, with a plateau, under a function with visible and invisible parts.
+RandomScene SceneOf(unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto number = [&](double from, double to)
+  { return std::uniform_real_distribution<double>(from, to)(random); };
+  RandomScene scene;
+  scene.dimensions = { 23 + int(seed % 7), 30, 41 };
+  const glm::dvec3 center(number(5, 20), number(5, 25), number(5, 35));
+  const double radius = number(9, 14);
+  for (int z = 0; z < scene.dimensions.z; ++z)
+  {
+    for (int y = 0; y < scene.dimensions.y; ++y)
+    {
+      for (int x = 0; x < scene.dimensions.x; ++x)
+      {
+        const double distance = glm::length(glm::dvec3(x, y, z) - center);
+        const double value = 255.0 * std::clamp(4.0 * (1.0 - distance / radius), 0.0, 1.0);
+        scene.voxels.push_back(std::uint8_t(value));
+      }
+    }
+  }
+  const double first = number(10, 100);
+  scene.table =
+    BuildOpticalTable(TransferFunction({ { 0.0, { 1.0, 0.0, 0.0 } }, { 255.0, { 0.0, 1.0, 0.5 } } },
+                        { { first, 0.0 }, { first + 20.0, number(0.01, 0.5) }, { 180.0, 0.0 },
+                          { 200.0, 0.0 }, { 240.0, 0.1 } },
+                        1.0),
+      0.0, 255.0);
+  return scene;
+}
+
+glm::vec4 Look(const OpticalTable& table, double value)
+{
+  const double position =
+    std::clamp((value - table.firstValue) / (table.lastValue - table.firstValue), 0.0, 1.0) *
+    double(table.entries.size() - 1);
+  const auto below = std::min(std::size_t(position), table.entries.size() - 2);
+  return glm::mix(table.entries[below], table.entries[below + 1], float(position - below));
+}
+
+glm::ivec3 BrickAt(const OpticalField& field, glm::dvec3 position)
+{
+  return glm::clamp(
+    glm::ivec3(glm::floor(position / double(Side))), glm::ivec3(0), field.brickCount - 1);
+}
+
+std::uint8_t ByteAt(const OpticalField& field, glm::ivec3 brick)
+{
+  return field
+    .bricks[(std::size_t(brick.z) * field.brickCount.y + brick.y) * field.brickCount.x + brick.x];
+}
+
+OpticalField FieldOf(const RandomScene& scene, const OpticalTolerance& tolerance)
+{
+  return BuildOpticalField(BuildBrickRanges(scene.Grid(), 0.0, 255.0), scene.table, tolerance);
+}
+
+}
+
+class OpticalFieldOf : public testing::TestWithParam<unsigned>
+{
+};
+
+TEST_P(OpticalFieldOf, ABlockThatMayBeLeftIsInvisibleEverywhere)
+{
+  const RandomScene scene = SceneOf(GetParam());
+  const auto grid = scene.Grid();
+  const OpticalField field = FieldOf(scene, OpticalTolerance::ForError(1.0 / 64.0, 60.0));
+  std::mt19937 random(GetParam());
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const auto point = [&](glm::dvec3 lower, glm::dvec3 upper)
+  { return lower + (upper - lower) * glm::dvec3(unit(random), unit(random), unit(random)); };
+  const glm::dvec3 last(scene.dimensions - 1);
+  int left = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const glm::ivec3 brick = BrickAt(field, point(glm::dvec3(0.0), last));
+    const int byte = ByteAt(field, brick);
+    if (byte < OpticalField::Invisible)
+    {
+      continue;
+    }
+    ++left;
+    const int radius = byte - OpticalField::Invisible;
+    const glm::dvec3 lower = glm::max(glm::dvec3(Side * (brick - radius)), 0.0);
+    const glm::dvec3 upper = glm::min(glm::dvec3(Side * (brick + radius + 1)), last);
+    EXPECT_EQ(Look(scene.table, grid.Value(point(lower, upper))).a, 0.0f);
+  }
+  EXPECT_GT(left, 100) << "hardly any block could be left";
+}
+
+TEST_P(OpticalFieldOf, AHomogeneousBrickKeepsItsTolerance)
+{
+  const RandomScene scene = SceneOf(GetParam());
+  const auto grid = scene.Grid();
+  const OpticalTolerance tolerance{ 0.2, 0.05, 0.3, 60.0 };
+  const OpticalField field = FieldOf(scene, tolerance);
+  std::mt19937 random(GetParam());
+  std::uniform_real_distribution<double> inside(0.0, double(Side));
+  int homogeneous = 0;
+  for (int i = 0; i < int(field.bricks.size()); ++i)
+  {
+    if (field.bricks[i] != OpticalField::Homogeneous)
+    {
+      continue;
+    }
+    ++homogeneous;
+    const glm::ivec3 brick(i % field.brickCount.x, i / field.brickCount.x % field.brickCount.y,
+      i / field.brickCount.x / field.brickCount.y);
+    glm::vec4 smallest(1e30f);
+    glm::vec4 largest(-1e30f);
+    for (int sample = 0; sample < 50; ++sample)
+    {
+      const glm::dvec3 position = glm::min(
+        glm::dvec3(Side * brick) + glm::dvec3(inside(random), inside(random), inside(random)),
+        glm::dvec3(scene.dimensions - 1));
+      const glm::vec4 look = Look(scene.table, grid.Value(position));
+      smallest = glm::min(smallest, look);
+      largest = glm::max(largest, look);
+    }
+    const double allowed = std::max(
+      tolerance.relativeExtinction * smallest.a, tolerance.opticalDepth / tolerance.longestRayMm);
+    EXPECT_LE(largest.a - smallest.a, allowed + 1e-6);
+    EXPECT_LE(largest.r - smallest.r, tolerance.color + 1e-6);
+  }
+  EXPECT_GT(homogeneous, 0);
+}
+
+TEST_P(OpticalFieldOf, WithoutToleranceNoBrickIsHomogeneous)
+{
+  const RandomScene scene = SceneOf(GetParam());
+  const OpticalField field = FieldOf(scene, OpticalTolerance::Nothing(60.0));
+  for (const std::uint8_t byte : field.bricks)
+  {
+    EXPECT_NE(byte, OpticalField::Homogeneous);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomScenes, OpticalFieldOf, testing::Range(1u, 9u));
