@@ -72,11 +72,12 @@ void AccelerationField::BuildRanges(
   this->rangeSeconds = stopwatch.Seconds();
 }
 
-void AccelerationField::BuildOpticalField(
-  vtkOpenGLRenderWindow* window, const OpticalTable& table, const OpticalTolerance& tolerance)
+void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window, const OpticalTable& table,
+  const OpticalTolerance& tolerance, const Box& boxGrid)
 {
   const Stopwatch stopwatch;
   const OpticalField field = varimarch::BuildOpticalField(this->ranges, table, tolerance);
+  this->visibleBoxGrid = VisibleBox(field, boxGrid);
   this->fieldSeconds = stopwatch.Seconds();
   this->Upload(window, field.brickCount, field.bricks);
 }

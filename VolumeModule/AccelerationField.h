@@ -27,11 +27,13 @@ public:
   void BuildRanges(
     vtkDataArray* scalars, glm::ivec3 dimensions, double smallestScalar, double largestScalar);
 
+  /// @param boxGrid  of the volume
   /// @throws std::runtime_error when the device cannot hold the texture
-  void BuildOpticalField(
-    vtkOpenGLRenderWindow* window, const OpticalTable& table, const OpticalTolerance& tolerance);
+  void BuildOpticalField(vtkOpenGLRenderWindow* window, const OpticalTable& table,
+    const OpticalTolerance& tolerance, const Box& boxGrid);
 
   vtkTextureObject* Texture() const { return this->texture; }
+  const Box& VisibleBoxGrid() const { return this->visibleBoxGrid; } ///< of the optical field
   glm::ivec3 Size() const { return this->size; } ///< texels
   double BuildSeconds() const { return this->rangeSeconds + this->fieldSeconds; }
   std::size_t Bytes() const { return this->bytes; }
@@ -43,6 +45,7 @@ private:
 
   vtkNew<vtkTextureObject> texture;
   BrickRanges ranges;
+  Box visibleBoxGrid = {};
   glm::ivec3 size = glm::ivec3(1);
   double rangeSeconds = 0.0;
   double fieldSeconds = 0.0;

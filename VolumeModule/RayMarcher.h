@@ -120,6 +120,7 @@ private:
   ToleranceChoice ChooseSteps(const Frame& frame);
   std::vector<float> DrawProbe(Frame frame, Integration integration, double sampleDistanceMm);
 
+  Box DrawnBoxGrid(const Frame& frame) const;
   void SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetStepUniforms(const Frame& frame);

@@ -13,6 +13,7 @@
 #include "vtk_glew.h"
 
 #include <glm/gtc/matrix_access.hpp>
+#include <glm/vector_relational.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -119,11 +120,18 @@ private:
 
 }
 
+// Rays outside what can be seen are not begun, and others begin where it does.
+Box RayMarcher::DrawnBoxGrid(const Frame& frame) const
+{
+  return frame.settings.acceleration == Acceleration::OpticalField ? this->field.VisibleBoxGrid()
+                                                                   : frame.geometry.boxGrid;
+}
+
 void RayMarcher::SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
 {
-  const PixelRays rays = ComputePixelRays(clipFromGrid, frame.geometry.boxGrid);
+  const Box box = this->DrawnBoxGrid(frame);
+  const PixelRays rays = ComputePixelRays(clipFromGrid, box);
   const Viewport& viewport = frame.viewport;
-  const Box& box = frame.geometry.boxGrid;
 
   this->program.Set("clipFromGrid", clipFromGrid);
   this->program.Set("viewportOriginPixels", glm::dvec2(viewport.left, viewport.bottom));
@@ -251,6 +259,11 @@ void RayMarcher::SetProjectionUniforms(const Frame& frame)
 
 void RayMarcher::DrawBox(const Frame& frame)
 {
+  const Box box = this->DrawnBoxGrid(frame);
+  if (glm::any(glm::greaterThanEqual(box.lower, box.upper)))
+  {
+    return;
+  }
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   this->volume.Texture()->Activate();
   this->program.Set("volumeTexture", this->volume.Texture());
@@ -277,7 +290,7 @@ void RayMarcher::DrawBox(const Frame& frame)
   {
     const bool mirrored = glm::determinant(frame.geometry.WorldFromGridDirection()) < 0.0;
     const BoxDrawingState drawing(frame.window->GetState(), mirrored);
-    this->boxGeometry.Draw(this->program.Program(), frame.geometry.boxGrid);
+    this->boxGeometry.Draw(this->program.Program(), box);
   }
   for (vtkTextureObject* texture : { this->volume.Texture(), this->field.Texture(),
          this->opticalTable.Texture(), this->preIntegratedTable.Texture(), this->depth.Texture() })

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <functional>
+#include <iterator>
 
 namespace varimarch
 {
@@ -301,6 +302,37 @@ OpticalField BuildOpticalField(
   forEachBrick([&](std::size_t brick, std::uint8_t brickDistance)
     { field.bricks[brick] += std::max(int(brickDistance) - 1, 0); });
   return field;
+}
+
+Box VisibleBox(const OpticalField& field, const Box& boxGrid)
+{
+  const glm::ivec3 count = field.brickCount;
+  glm::ivec3 first = count;
+  glm::ivec3 last(-1);
+  for (int row = 0; row < count.y * count.z; ++row)
+  {
+    const auto begin = field.bricks.begin() + std::ptrdiff_t(row) * count.x;
+    const auto visible = [](std::uint8_t brick) { return brick < OpticalField::Invisible; };
+    const auto found = std::find_if(begin, begin + count.x, visible);
+    if (found != begin + count.x)
+    {
+      const auto reversedBegin = std::make_reverse_iterator(begin + count.x);
+      const auto lastFound = std::find_if(reversedBegin, reversedBegin + count.x, visible);
+      const int y = row % count.y;
+      const int z = row / count.y;
+      first = glm::min(first, glm::ivec3(int(found - begin), y, z));
+      last = glm::max(last, glm::ivec3(count.x - 1 - int(lastFound - reversedBegin), y, z));
+    }
+  }
+  Box box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    constexpr int Side = BrickRanges::CellsPerSide;
+    box.lower[axis] = first[axis] == 0 ? boxGrid.lower[axis] : Side * first[axis];
+    box.upper[axis] =
+      last[axis] == count[axis] - 1 ? boxGrid.upper[axis] : Side * (last[axis] + 1);
+  }
+  return box;
 }
 
 }

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Core_OpticalField_h
 #define Varimarch_Core_OpticalField_h
 
+#include "Core/Box.h"
 #include "Core/BrickRanges.h"
 #include "Core/TransferFunction.h"
 
@@ -57,6 +58,11 @@ struct OpticalTolerance
 /// Builds the field on all cores from what the shader will look up: the table.
 OpticalField BuildOpticalField(
   const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance);
+
+/// The smallest box of whole bricks that holds all that is not invisible, cut at `boxGrid` [grid
+/// space]; an empty box, whose lower is not below its upper, where nothing is visible. A brick at a
+/// face of the volume reaches to the face of `boxGrid`.
+Box VisibleBox(const OpticalField& field, const Box& boxGrid);
 
 }
 
