@@ -149,8 +149,8 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
     this->rangesOfVolume = this->builds.volumeTexture;
     ++this->builds.brickRanges;
   }
-  this->field.BuildOpticalField(frame.window, this->opticalTable.Table(), tolerance,
-    frame.geometry.boxGrid);
+  this->field.BuildOpticalField(
+    frame.window, this->opticalTable.Table(), tolerance, frame.geometry.boxGrid);
   this->fieldSource = source;
   ++this->builds.field;
 }

@@ -129,6 +129,7 @@ private:
   void SetShadeUniforms(const Frame& frame);
   void SetBlendUniforms(const Frame& frame);
   void SetProjectionUniforms(const Frame& frame);
+  void SetUniforms(const Frame& frame);
   void DrawBox(const Frame& frame);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> window;

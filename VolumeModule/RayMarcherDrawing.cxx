@@ -13,8 +13,8 @@
 #include "vtk_glew.h"
 
 #include <glm/gtc/matrix_access.hpp>
-#include <glm/vector_relational.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -257,13 +257,8 @@ void RayMarcher::SetProjectionUniforms(const Frame& frame)
   }
 }
 
-void RayMarcher::DrawBox(const Frame& frame)
+void RayMarcher::SetUniforms(const Frame& frame)
 {
-  const Box box = this->DrawnBoxGrid(frame);
-  if (glm::any(glm::greaterThanEqual(box.lower, box.upper)))
-  {
-    return;
-  }
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   this->volume.Texture()->Activate();
   this->program.Set("volumeTexture", this->volume.Texture());
@@ -286,7 +281,16 @@ void RayMarcher::DrawBox(const Frame& frame)
   {
     this->SetDepthUniforms(frame, clipFromGrid);
   }
+}
 
+void RayMarcher::DrawBox(const Frame& frame)
+{
+  const Box box = this->DrawnBoxGrid(frame);
+  if (glm::any(glm::greaterThanEqual(box.lower, box.upper)))
+  {
+    return;
+  }
+  this->SetUniforms(frame);
   {
     const bool mirrored = glm::determinant(frame.geometry.WorldFromGridDirection()) < 0.0;
     const BoxDrawingState drawing(frame.window->GetState(), mirrored);

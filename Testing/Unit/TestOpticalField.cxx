@@ -117,6 +117,37 @@ TEST_P(OpticalFieldOf, ABlockThatMayBeLeftIsInvisibleEverywhere)
   EXPECT_GT(left, 100) << "hardly any block could be left";
 }
 
+TEST_P(OpticalFieldOf, NothingIsVisibleOutsideTheVisibleBox)
+{
+  const RandomScene scene = SceneOf(GetParam());
+  const auto grid = scene.Grid();
+  const OpticalField field = FieldOf(scene, OpticalTolerance::Nothing(60.0));
+  const glm::dvec3 last(scene.dimensions - 1);
+  const Box box = VisibleBox(field, { glm::dvec3(0.0), last });
+  std::mt19937 random(GetParam());
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int outside = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const glm::dvec3 position = last * glm::dvec3(unit(random), unit(random), unit(random));
+    if (glm::clamp(position, box.lower, box.upper) != position)
+    {
+      ++outside;
+      EXPECT_EQ(Look(scene.table, grid.Value(position)).a, 0.0f);
+    }
+  }
+  EXPECT_GT(outside, 0) << "the box is that of the whole volume";
+}
+
+TEST(OpticalField, WhereNothingIsVisibleTheBoxIsEmpty)
+{
+  RandomScene scene = SceneOf(1);
+  scene.table = BuildOpticalTable(TransferFunction({}, { { 0.0, 0.0 } }, 1.0), 0.0, 255.0);
+  const Box box = VisibleBox(
+    FieldOf(scene, OpticalTolerance::Nothing(60.0)), { glm::dvec3(0.0), glm::dvec3(40.0) });
+  EXPECT_GE(box.lower.x, box.upper.x);
+}
+
 TEST_P(OpticalFieldOf, AHomogeneousBrickKeepsItsTolerance)
 {
   const RandomScene scene = SceneOf(GetParam());

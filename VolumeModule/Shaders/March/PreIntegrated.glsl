@@ -1,7 +1,7 @@
 // Pre-integrated rule: between two samples the scalar is taken as linear, and the transfer function
 // is integrated exactly over what it takes: no peak is missed between two samples. Order 2.
 
-const int PartsPerSegment = 4;
+const int PartsPerSegment = 8;
 
 Accumulation March(Ray ray, Interval inside)
 {
