@@ -195,4 +195,49 @@ TEST_P(OpticalFieldOf, WithoutToleranceNoBrickIsHomogeneous)
   }
 }
 
+TEST(BrickRanges, AreThoseOfAllVoxelsThatABrickReads)
+{
+  // The same values as 8 and 16 bits, the second spread so that 8 bits do not suffice.
+  const RandomScene scene = SceneOf(3);
+  std::vector<std::uint16_t> spread(scene.voxels.begin(), scene.voxels.end());
+  for (std::uint16_t& voxel : spread)
+  {
+    voxel = std::uint16_t(voxel * 100);
+  }
+  const ScalarGrid<std::uint16_t> wideGrid(spread.data(), scene.dimensions);
+  const BrickRanges narrow = BuildBrickRanges(scene.Grid(), 0.0, 255.0);
+  const BrickRanges wide = BuildBrickRanges(wideGrid, 0.0, 25500.0);
+  const glm::ivec3 count = narrow.BrickCount();
+  for (int i = 0; i < count.x * count.y * count.z; ++i)
+  {
+    const glm::ivec3 first =
+      Side * glm::ivec3(i % count.x, i / count.x % count.y, i / count.x / count.y);
+    int smallest = 255;
+    int largest = 0;
+    for (int voxel = 0; voxel < 125; ++voxel)
+    {
+      const glm::ivec3 position =
+        glm::min(first + glm::ivec3(voxel % 5, voxel / 5 % 5, voxel / 25), scene.dimensions - 1);
+      smallest = std::min(smallest, int(scene.Grid().Voxel(position)));
+      largest = std::max(largest, int(scene.Grid().Voxel(position)));
+    }
+    EXPECT_EQ(narrow[i].smallest, smallest);
+    EXPECT_EQ(narrow[i].largest, largest);
+    EXPECT_EQ(wide[i].smallest, 100 * smallest);
+    EXPECT_EQ(wide[i].largest, 100 * largest);
+  }
+}
+
+TEST(BrickRanges, AndTheFieldTakeAtMostATwentiethOfAnEightBitVolume)
+{
+  const glm::ivec3 dimensions(128);
+  const std::vector<std::uint8_t> voxels(128 * 128 * 128, 7);
+  const BrickRanges ranges =
+    BuildBrickRanges(ScalarGrid<std::uint8_t>(voxels.data(), dimensions), 0.0, 255.0);
+  const OpticalTable table = BuildOpticalTable(TransferFunction({}, {}, 1.0), 0.0, 255.0);
+  const OpticalField field =
+    BuildOpticalField(ranges, table, OpticalTolerance::ForError(0.01, 100.0));
+  EXPECT_LE(ranges.Bytes() + field.bricks.size(), voxels.size() / 20);
+}
+
 INSTANTIATE_TEST_SUITE_P(RandomScenes, OpticalFieldOf, testing::Range(1u, 9u));

@@ -75,7 +75,7 @@ BrickRanges::Steps StepsOf(
     return { 1, 0 };
   }
   const auto steps = [&](Scalar value)
-  { return (double(value) - ranges.firstValue) / ranges.valuePerStep; };
+  { return (double(value) - ranges.FirstValue()) / ranges.ValuePerStep(); };
   return { std::uint16_t(std::clamp(std::floor(steps(smallest)), 0.0, LargestStep)),
     std::uint16_t(std::clamp(std::ceil(steps(largest)), 0.0, LargestStep)) };
 }
@@ -92,28 +92,60 @@ double ValuePerStep(double range, bool integers)
 
 }
 
+BrickRanges::BrickRanges(glm::ivec3 cellCount, double firstValue, double lastValue, bool integers)
+  : brickCount((cellCount + Side - 1) / Side)
+  , firstValue(firstValue)
+  , valuePerStep(varimarch::ValuePerStep(lastValue - firstValue, integers))
+{
+  const std::size_t count =
+    std::size_t(this->brickCount.x) * this->brickCount.y * this->brickCount.z;
+  constexpr double LargestNarrowStep = 255.0;
+  if (integers && lastValue - firstValue <= LargestNarrowStep)
+  {
+    this->narrow.resize(count);
+  }
+  else
+  {
+    this->wide.resize(count);
+  }
+}
+
+BrickRanges::Steps BrickRanges::operator[](std::size_t brick) const
+{
+  return this->narrow.empty() ? Steps{ this->wide[brick][0], this->wide[brick][1] }
+                              : Steps{ this->narrow[brick][0], this->narrow[brick][1] };
+}
+
+void BrickRanges::Set(std::size_t brick, Steps steps)
+{
+  if (this->narrow.empty())
+  {
+    this->wide[brick] = { steps.smallest, steps.largest };
+  }
+  else
+  {
+    this->narrow[brick] = { std::uint8_t(steps.smallest), std::uint8_t(steps.largest) };
+  }
+}
+
 template <class Scalar>
 BrickRanges BuildBrickRanges(
   const ScalarGrid<Scalar>& grid, double smallestValue, double largestValue)
 {
   const glm::ivec3 voxels = grid.Dimensions();
-  BrickRanges ranges;
-  ranges.brickCount = (grid.CellCount() + Side - 1) / Side;
-  ranges.firstValue = smallestValue;
-  ranges.valuePerStep =
-    ValuePerStep(largestValue - smallestValue, std::numeric_limits<Scalar>::is_integer);
-  ranges.bricks.resize(
-    std::size_t(ranges.brickCount.x) * ranges.brickCount.y * ranges.brickCount.z);
+  BrickRanges ranges(
+    grid.CellCount(), smallestValue, largestValue, std::numeric_limits<Scalar>::is_integer);
+  const glm::ivec3 bricks = ranges.BrickCount();
 
-  const int rowsOfBricks = ranges.brickCount.y * ranges.brickCount.z;
+  const int rowsOfBricks = bricks.y * bricks.z;
   tbb::parallel_for(tbb::blocked_range<int>(0, rowsOfBricks),
     [&](const tbb::blocked_range<int>& rows)
     {
       ColumnRanges<Scalar> columns(voxels.x);
       for (int row = rows.begin(); row != rows.end(); ++row)
       {
-        const int brickY = row % ranges.brickCount.y;
-        const int brickZ = row / ranges.brickCount.y;
+        const int brickY = row % bricks.y;
+        const int brickZ = row / bricks.y;
         columns.Start();
         for (int z = Side * brickZ; z <= std::min(Side * (brickZ + 1), voxels.z - 1); ++z)
         {
@@ -122,11 +154,11 @@ BrickRanges BuildBrickRanges(
             columns.Add(grid.Voxels() + (std::size_t(z) * voxels.y + y) * voxels.x);
           }
         }
-        for (int brickX = 0; brickX < ranges.brickCount.x; ++brickX)
+        for (int brickX = 0; brickX < bricks.x; ++brickX)
         {
           const int last = std::min(Side * (brickX + 1), voxels.x - 1);
-          ranges.bricks[std::size_t(row) * ranges.brickCount.x + brickX] =
-            StepsOf(columns, Side * brickX, last, ranges);
+          ranges.Set(
+            std::size_t(row) * bricks.x + brickX, StepsOf(columns, Side * brickX, last, ranges));
         }
       }
     });

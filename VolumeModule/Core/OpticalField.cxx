@@ -152,8 +152,8 @@ public:
   {
     const double extent = table.lastValue - table.firstValue;
     const double entriesPerValue = extent > 0.0 ? this->lastEntry / extent : 0.0;
-    this->entryOfFirstStep = (ranges.firstValue - table.firstValue) * entriesPerValue;
-    this->entriesPerStep = ranges.valuePerStep * entriesPerValue;
+    this->entryOfFirstStep = (ranges.FirstValue() - table.firstValue) * entriesPerValue;
+    this->entriesPerStep = ranges.ValuePerStep() * entriesPerValue;
   }
 
   std::uint8_t ClassOf(BrickRanges::Steps steps) const
@@ -269,10 +269,10 @@ OpticalField BuildOpticalField(
   const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance)
 {
   const BrickClassifier classifier(ranges, table, tolerance);
-  const glm::ivec3 count = ranges.brickCount;
+  const glm::ivec3 count = ranges.BrickCount();
   OpticalField field;
   field.brickCount = count;
-  field.bricks.resize(ranges.bricks.size());
+  field.bricks.resize(std::size_t(count.x) * count.y * count.z);
   InvisibleDistance distance(count);
 
   // Calls work with the index and the distance of every brick.
@@ -294,7 +294,7 @@ OpticalField BuildOpticalField(
   forEachBrick(
     [&](std::size_t brick, std::uint8_t& brickDistance)
     {
-      field.bricks[brick] = classifier.ClassOf(ranges.bricks[brick]);
+      field.bricks[brick] = classifier.ClassOf(ranges[brick]);
       const bool invisible = field.bricks[brick] == OpticalField::Invisible;
       brickDistance = invisible ? InvisibleDistance::Farthest : 0;
     });
@@ -329,8 +329,7 @@ Box VisibleBox(const OpticalField& field, const Box& boxGrid)
   {
     constexpr int Side = BrickRanges::CellsPerSide;
     box.lower[axis] = first[axis] == 0 ? boxGrid.lower[axis] : Side * first[axis];
-    box.upper[axis] =
-      last[axis] == count[axis] - 1 ? boxGrid.upper[axis] : Side * (last[axis] + 1);
+    box.upper[axis] = last[axis] == count[axis] - 1 ? boxGrid.upper[axis] : Side * (last[axis] + 1);
   }
   return box;
 }
