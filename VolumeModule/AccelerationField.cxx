@@ -54,6 +54,29 @@ private:
 
 }
 
+template <class Texel>
+void AccelerationField::Upload(
+  vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels)
+{
+  constexpr bool narrow = sizeof(Texel) == 1;
+  AllocateTexture3D(this->texture, window, size, narrow ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_SHORT,
+    narrow ? GL_R8 : GL_R16, "an acceleration field");
+  this->size = size;
+  this->bytes = texels.size() * sizeof(Texel);
+
+  // Nearest: a value between two texels would promise what neither proves.
+  this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->texture->Activate();
+  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, size.x, size.y, size.z, GL_RED,
+    narrow ? GL_UNSIGNED_BYTE : GL_UNSIGNED_SHORT, texels.data());
+  this->texture->Deactivate();
+}
+
 void AccelerationField::BuildScalarField(
   vtkOpenGLRenderWindow* window, vtkDataArray* scalars, glm::ivec3 dimensions, double tolerance)
 {
@@ -82,24 +105,21 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window, const O
   this->Upload(window, field.brickCount, field.bricks);
 }
 
-void AccelerationField::Upload(
-  vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<std::uint8_t>& bytes)
+void AccelerationField::BuildExtremes(vtkOpenGLRenderWindow* window, bool largest)
 {
-  AllocateTexture3D(this->texture, window, size, VTK_UNSIGNED_CHAR, GL_R8, "an acceleration field");
-  this->size = size;
-  this->bytes = bytes.size();
-
-  // Nearest: a value between two texels would promise what neither proves.
-  this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->texture->SetWrapR(vtkTextureObject::ClampToEdge);
-  this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->texture->Activate();
-  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage3D(
-    GL_TEXTURE_3D, 0, 0, 0, 0, size.x, size.y, size.z, GL_RED, GL_UNSIGNED_BYTE, bytes.data());
-  this->texture->Deactivate();
+  const Stopwatch stopwatch;
+  const glm::ivec3 count = this->ranges.BrickCount();
+  std::vector<std::uint16_t> extremes(std::size_t(count.x) * count.y * count.z);
+  for (std::size_t i = 0; i < extremes.size(); ++i)
+  {
+    const BrickRanges::Steps steps = this->ranges[i];
+    // Beside a value that is not finite there may be any other.
+    const std::uint16_t unknown = largest ? 65535 : 0;
+    const std::uint16_t extreme = largest ? steps.largest : steps.smallest;
+    extremes[i] = steps.IsFinite() ? extreme : unknown;
+  }
+  this->fieldSeconds = stopwatch.Seconds();
+  this->Upload(window, count, extremes);
 }
 
 void AccelerationField::Release(vtkWindow* window)

@@ -32,16 +32,22 @@ public:
   void BuildOpticalField(vtkOpenGLRenderWindow* window, const OpticalTable& table,
     const OpticalTolerance& tolerance, const Box& boxGrid);
 
+  /// The largest or smallest value of each brick, from the ranges, as texels of 16 bits that hold
+  /// steps of BrickRanges.
+  /// @throws std::runtime_error when the device cannot hold the texture
+  void BuildExtremes(vtkOpenGLRenderWindow* window, bool largest);
+
+  const BrickRanges& Ranges() const { return this->ranges; }
   vtkTextureObject* Texture() const { return this->texture; }
   const Box& VisibleBoxGrid() const { return this->visibleBoxGrid; } ///< of the optical field
-  glm::ivec3 Size() const { return this->size; } ///< texels
+  glm::ivec3 Size() const { return this->size; }                     ///< texels
   double BuildSeconds() const { return this->rangeSeconds + this->fieldSeconds; }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
 
 private:
-  void Upload(
-    vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<std::uint8_t>& bytes);
+  template <class Texel>
+  void Upload(vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels);
 
   vtkNew<vtkTextureObject> texture;
   BrickRanges ranges;

@@ -108,7 +108,14 @@ void RayMarcher::UpdateField(const Frame& frame)
       this->UpdateScalarField(frame);
       break;
     case Acceleration::OpticalField:
-      this->UpdateOpticalField(frame);
+      if (IsExtreme(frame.settings.blend))
+      {
+        this->UpdateExtremes(frame);
+      }
+      else
+      {
+        this->UpdateOpticalField(frame);
+      }
       break;
   }
 }
@@ -142,6 +149,32 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
     return;
   }
   this->fieldSource.reset();
+  this->UpdateRanges(frame);
+  this->field.BuildOpticalField(
+    frame.window, this->opticalTable.Table(), tolerance, frame.geometry.boxGrid);
+  this->fieldSource = source;
+  ++this->builds.field;
+}
+
+void RayMarcher::UpdateExtremes(const Frame& frame)
+{
+  // The table's build 0 tells it from a field that knows the transfer function.
+  const bool largest = frame.settings.blend == Blend::MaximumIntensity;
+  const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture, 0,
+    largest ? 1.0 : -1.0 };
+  if (this->fieldSource == source)
+  {
+    return;
+  }
+  this->fieldSource.reset();
+  this->UpdateRanges(frame);
+  this->field.BuildExtremes(frame.window, largest);
+  this->fieldSource = source;
+  ++this->builds.field;
+}
+
+void RayMarcher::UpdateRanges(const Frame& frame)
+{
   if (this->rangesOfVolume != this->builds.volumeTexture)
   {
     this->field.BuildRanges(frame.scalars, frame.geometry.dimensions, this->volume.SmallestScalar(),
@@ -149,10 +182,6 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
     this->rangesOfVolume = this->builds.volumeTexture;
     ++this->builds.brickRanges;
   }
-  this->field.BuildOpticalField(
-    frame.window, this->opticalTable.Table(), tolerance, frame.geometry.boxGrid);
-  this->fieldSource = source;
-  ++this->builds.field;
 }
 
 void RayMarcher::UpdateDepth(const Frame& frame)

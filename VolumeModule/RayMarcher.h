@@ -67,9 +67,9 @@ struct BuildCounts
 struct FieldSource
 {
   Acceleration acceleration;
-  int volumeBuild; ///< of the volume texture
-  int tableBuild;  ///< of the optical table; 0 for a field that does not know it
-  double tolerance;
+  int volumeBuild;  ///< of the volume texture
+  int tableBuild;   ///< of the optical table; 0 for a field that does not know it
+  double tolerance; ///< or, for extremes, their sense
 
   bool operator==(const FieldSource& other) const
   {
@@ -113,6 +113,8 @@ private:
   void UpdateField(const Frame& frame);
   void UpdateScalarField(const Frame& frame);
   void UpdateOpticalField(const Frame& frame);
+  void UpdateExtremes(const Frame& frame);
+  void UpdateRanges(const Frame& frame);
   void UpdateDepth(const Frame& frame);
   void UpdateTolerance(const Frame& frame);
   void UpdateProgram(const Frame& frame);

@@ -123,8 +123,9 @@ private:
 // Rays outside what can be seen are not begun, and others begin where it does.
 Box RayMarcher::DrawnBoxGrid(const Frame& frame) const
 {
-  return frame.settings.acceleration == Acceleration::OpticalField ? this->field.VisibleBoxGrid()
-                                                                   : frame.geometry.boxGrid;
+  const bool knowsWhatIsVisible =
+    frame.settings.acceleration == Acceleration::OpticalField && !IsExtreme(frame.settings.blend);
+  return knowsWhatIsVisible ? this->field.VisibleBoxGrid() : frame.geometry.boxGrid;
 }
 
 void RayMarcher::SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
@@ -179,6 +180,15 @@ void RayMarcher::SetStepUniforms(const Frame& frame)
     this->program.Set("brickCountInverse", 1.0 / size);
     this->program.Set("cellsPerBrick", double(BrickRanges::CellsPerSide));
     this->program.Set("nudgeMm", NudgeOfVoxel * frame.geometry.SmallestSpacingMm());
+  }
+  if (frame.settings.acceleration == Acceleration::OpticalField && IsExtreme(frame.settings.blend))
+  {
+    const BrickRanges& ranges = this->field.Ranges();
+    const TexelMapping& mapping = this->volume.Mapping();
+    this->program.Set("sense", frame.settings.blend == Blend::MaximumIntensity ? 1.0 : -1.0);
+    this->program.Set("scalarFromField",
+      glm::dvec2(65535.0 * ranges.ValuePerStep() / mapping.scale,
+        (ranges.FirstValue() - mapping.offset) / mapping.scale));
   }
 }
 

@@ -21,6 +21,10 @@ namespace
 constexpr double PercentileOfTolerance = 0.75;
 constexpr double LargestOfTolerance = 1.2;
 
+// Where a ray finds the second highest peak its error is large, and few of the rays do: the tried
+// ones show less of it.
+constexpr double ExtremesPart = 0.4;
+
 // Where sample distances are searched, in voxels; and no ray gets more samples than this.
 constexpr double CoarsestVoxels = 4.0;
 constexpr double FinestVoxels = 1.0 / 128.0;
@@ -79,8 +83,10 @@ void RayMarcher::UpdateTolerance(const Frame& frame)
 
 ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame)
 {
-  const ErrorLimit limit{ PercentileOfTolerance * frame.errorTolerance,
-    LargestOfTolerance * frame.errorTolerance };
+  const double stepsTolerance =
+    IsExtreme(frame.settings.blend) ? ExtremesPart * frame.errorTolerance : frame.errorTolerance;
+  const ErrorLimit limit{ PercentileOfTolerance * stepsTolerance,
+    LargestOfTolerance * stepsTolerance };
   const StepRange range = RangeOf(frame.geometry);
   const auto drawingBy = [&](Integration integration)
   {

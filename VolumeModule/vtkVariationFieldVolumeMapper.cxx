@@ -84,8 +84,9 @@ Acceleration AccelerationOf(int accelerationMode, Blend blend)
     case vtkVariationFieldVolumeMapper::ScalarField:
       return Acceleration::ScalarField;
     case vtkVariationFieldVolumeMapper::OpticalField:
-      // What is invisible to a composite may be the maximum.
-      return blend == Blend::Composite ? Acceleration::OpticalField : Acceleration::Off;
+      // What is invisible to a composite counts in a sum of values.
+      return blend == Blend::Composite || varimarch::IsExtreme(blend) ? Acceleration::OpticalField
+                                                                      : Acceleration::Off;
   }
   return Acceleration::Off;
 }

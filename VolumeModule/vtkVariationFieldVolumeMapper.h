@@ -56,7 +56,8 @@ public:
   /**
    * What lets a ray skip samples. Default: OpticalField, which knows the transfer function: it
    * leaves what is invisible at once, and crosses what looks the same in one step, at a cost of at
-   * most 1/255 in a channel. It serves composites; a projection is then marched without a field.
+   * most 1/255 in a channel. For a maximum or minimum it leaves what cannot better the one found so
+   * far; averages and sums are marched without a field.
    */
   vtkSetClampMacro(AccelerationMode, int, Off, OpticalField);
   vtkGetMacro(AccelerationMode, int);

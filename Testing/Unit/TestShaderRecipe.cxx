@@ -66,7 +66,7 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
   EXPECT_EQ(FragmentShaderParts(maximum),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
       "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
-      "March/Projection.glsl", "Probe/None.glsl", "RayMarch.frag.glsl" }));
+      "March/Extreme.glsl", "Probe/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)
@@ -76,7 +76,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 47u);
+  EXPECT_EQ(distinct.size(), 51u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -33,6 +33,12 @@ enum class Blend
   Isosurface,       ///< surfaces of equal value
 };
 
+/// Whether one value of a ray decides on its pixel.
+inline bool IsExtreme(Blend blend)
+{
+  return blend == Blend::MaximumIntensity || blend == Blend::MinimumIntensity;
+}
+
 /// Every choice that changes the shader. Values (a tolerance, a step length) are not here: they
 /// are uniforms, and changing them rebuilds nothing.
 struct RenderSettings

@@ -8,14 +8,14 @@ namespace varimarch
 namespace
 {
 
-std::string StepFile(Acceleration acceleration)
+std::string StepFile(const RenderSettings& settings)
 {
-  switch (acceleration)
+  switch (settings.acceleration)
   {
     case Acceleration::ScalarField:
       return "Step/VariationField.glsl";
     case Acceleration::OpticalField:
-      return "Step/OpticalField.glsl";
+      return IsExtreme(settings.blend) ? "Step/BrickExtremes.glsl" : "Step/OpticalField.glsl";
     case Acceleration::Off:
       break;
   }
@@ -46,7 +46,7 @@ std::string MarchFile(const RenderSettings& settings)
 {
   if (settings.blend != Blend::Composite)
   {
-    return "March/Projection.glsl";
+    return IsExtreme(settings.blend) ? "March/Extreme.glsl" : "March/Projection.glsl";
   }
   if (settings.shading)
   {
@@ -86,7 +86,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
     "Math/IntersectBox.glsl",
     "Math/Absorption.glsl",
     settings.sceneGeometry ? "Depth/SceneGeometry.glsl" : "Depth/None.glsl",
-    StepFile(settings.acceleration),
+    StepFile(settings),
     UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl" : "Classify/OpticalTable.glsl",
   };
   if (UsesShading(settings))
@@ -121,11 +121,10 @@ std::vector<RenderSettings> EveryRecipe()
         recipes.push_back({ Blend::Composite, acceleration, false, sceneGeometry, integration });
       }
       recipes.push_back({ Blend::Composite, acceleration, true, sceneGeometry });
-      // What is invisible to a composite may be the maximum: that field serves composites only.
       for (Blend blend : { Blend::MaximumIntensity, Blend::MinimumIntensity,
              Blend::AverageIntensity, Blend::Additive })
       {
-        if (acceleration != Acceleration::OpticalField)
+        if (acceleration != Acceleration::OpticalField || IsExtreme(blend))
         {
           recipes.push_back({ blend, acceleration, false, sceneGeometry });
         }

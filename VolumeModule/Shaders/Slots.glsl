@@ -44,8 +44,8 @@ float DepthLimit(Ray ray);
 // --- Step: which part of the ray comes next --------------------------------------------------
 // The segment that follows t, the index-th of its ray [mm]. It may begin later, where nothing
 // between can be seen, and ends after t: at plainMm, or farther where the volume allows it.
-// visibility: the part of what follows that is still seen, [0,1].
-Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float visibility);
+// blendState: what BlendState tells of the ray so far.
+Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState);
 
 // --- Classify: what a scalar looks like ----------------------------------------------------
 // Colour (r,g,b), not premultiplied, and extinction [1/mm]. A file defines one of these two, as its
@@ -68,7 +68,8 @@ vec3 Shade(vec3 color, vec3 gradient, Ray ray);
 //                               optical depth
 //   Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm);
 //                               projection: takes in the next part of the ray, of one scalar
-//   float BlendVisibility(Accumulation sum); part of what follows that is still seen, [0,1]
+//   float BlendState(Accumulation sum);      what steps depend on. Composite: the part of what
+//                               follows that is still seen, [0,1]; extremes: the scalar so far
 //   bool BlendFinished(Accumulation sum);    nothing that follows could be seen
 //   vec4 BlendResult(Accumulation sum);      premultiplied RGBA
 

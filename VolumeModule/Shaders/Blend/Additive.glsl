@@ -22,7 +22,7 @@ Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
   return Accumulation(sum.integral + opacity * gray * lengthMm);
 }
 
-float BlendVisibility(Accumulation sum)
+float BlendState(Accumulation sum)
 {
   return 1.0;
 }

@@ -26,7 +26,7 @@ Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
   return Accumulation(sum.integral + opacity * gray * countedMm, sum.lengthMm + countedMm);
 }
 
-float BlendVisibility(Accumulation sum)
+float BlendState(Accumulation sum)
 {
   return 1.0;
 }

@@ -24,7 +24,7 @@ Accumulation BlendPart(Accumulation sum, vec3 color, float depth)
   return sum;
 }
 
-float BlendVisibility(Accumulation sum)
+float BlendState(Accumulation sum)
 {
   return sum.transmittance;
 }

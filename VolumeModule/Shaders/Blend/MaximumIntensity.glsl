@@ -20,9 +20,9 @@ Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
   return Accumulation(max(sum.largest, scalar));
 }
 
-float BlendVisibility(Accumulation sum)
+float BlendState(Accumulation sum)
 {
-  return 1.0;
+  return sum.largest;
 }
 
 bool BlendFinished(Accumulation sum)

@@ -20,9 +20,9 @@ Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
   return Accumulation(min(sum.smallest, scalar));
 }
 
-float BlendVisibility(Accumulation sum)
+float BlendState(Accumulation sum)
 {
-  return 1.0;
+  return sum.smallest;
 }
 
 bool BlendFinished(Accumulation sum)

@@ -9,7 +9,7 @@ Accumulation March(Ray ray, Interval inside)
   for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
   {
     Interval segment =
-      NextSegment(ray, inside, t, index, float(PartsPerSegment) * stepMm, BlendVisibility(sum));
+      NextSegment(ray, inside, t, index, float(PartsPerSegment) * stepMm, BlendState(sum));
     t = min(segment.exit, inside.exit);
     float partMm = max(t - segment.enter, 0.0) / float(PartsPerSegment);
     for (int part = 0; part < PartsPerSegment; ++part)

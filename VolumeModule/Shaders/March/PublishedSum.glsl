@@ -10,7 +10,7 @@ Accumulation March(Ray ray, Interval inside)
   float t = inside.enter;
   for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
   {
-    Interval segment = NextSegment(ray, inside, t, index, stepMm, BlendVisibility(sum));
+    Interval segment = NextSegment(ray, inside, t, index, stepMm, BlendState(sum));
     t = min(segment.exit, inside.exit);
     vec4 optical = Classify(ScalarAt(PositionTexture(ray, segment.enter)));
     float samples = max(t - segment.enter, 0.0) / stepMm;

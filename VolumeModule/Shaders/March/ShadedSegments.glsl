@@ -28,7 +28,7 @@ Accumulation March(Ray ray, Interval inside)
     float lengthMm;
     do
     {
-      Interval segment = NextSegment(ray, inside, t, index, stepMm, BlendVisibility(sum));
+      Interval segment = NextSegment(ray, inside, t, index, stepMm, BlendState(sum));
       known = known && segment.enter <= t;
       t = min(segment.exit, inside.exit);
       lengthMm = max(t - segment.enter, 0.0);

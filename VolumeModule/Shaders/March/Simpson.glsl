@@ -12,8 +12,8 @@ Accumulation March(Ray ray, Interval inside)
   float t = inside.enter;
   for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
   {
-    Interval segment = NextSegment(
-      ray, inside, t, index, 2.0 * float(PanelsPerSegment) * stepMm, BlendVisibility(sum));
+    Interval segment =
+      NextSegment(ray, inside, t, index, 2.0 * float(PanelsPerSegment) * stepMm, BlendState(sum));
     t = min(segment.exit, inside.exit);
     float panelMm = max(t - segment.enter, 0.0) / float(PanelsPerSegment);
     vec4 start = Classify(ScalarAt(PositionTexture(ray, segment.enter)));

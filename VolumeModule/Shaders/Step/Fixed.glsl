@@ -1,6 +1,6 @@
 // Equal steps. Positions come from the index, so that nothing accumulates over thousands of steps.
 
-Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float visibility)
+Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
   return Interval(t, inside.enter + float(index + 1) * plainMm);
 }

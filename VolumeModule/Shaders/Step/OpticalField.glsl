@@ -11,7 +11,7 @@ uniform float cellsPerBrick;
 uniform vec3 brickCount;
 uniform vec3 brickCountInverse;
 
-Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float visibility)
+Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
   vec3 originBrick = ray.originGrid / cellsPerBrick;
   vec3 directionBrick = ray.directionGrid / cellsPerBrick;
@@ -42,7 +42,7 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm
   }
   // An error made behind a veil is seen through it: the step may grow as the veil thickens. The
   // square root stands between what a rule of first and one of second order ask for.
-  float growth = min(inversesqrt(max(visibility, 1e-6)), LongestGrowth);
+  float growth = min(inversesqrt(max(blendState, 1e-6)), LongestGrowth);
   float plain = t + growth * plainMm;
   return Interval(t, content < 0.5 ? plain : max(plain, proven));
 }

@@ -7,7 +7,7 @@ uniform sampler3D fieldTexture; // nearest
 uniform vec3 cellCount;
 uniform vec3 cellCountInverse;
 
-Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float visibility)
+Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
   float plain = t + plainMm;
   vec3 position = ray.originGrid + t * ray.directionGrid;
