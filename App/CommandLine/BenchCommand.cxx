@@ -7,6 +7,7 @@
 #include "Results.h"
 #include "Scene/ImageFiles.h"
 #include "Scene/OutputFile.h"
+#include "ToleranceReport.h"
 #include "VtkMessages.h"
 #include "WorkPrecisionHtml.h"
 #include "WorkPrecisionReport.h"
@@ -84,8 +85,8 @@ struct WorkPrecisionCommand
     }
     ThrowIfVtkReportedError();
     this->Write(scenes, page, folder);
-    std::cout << TableText(scenes) << "Report: " << (folder / "work-precision.html").string()
-              << "\n";
+    std::cout << TableText(scenes) << ToleranceText(scenes)
+              << "Report: " << (folder / "work-precision.html").string() << "\n";
   }
 
   void Write(const std::vector<WorkPrecision>& scenes, const WorkPrecisionPage& page,

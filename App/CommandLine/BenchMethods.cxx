@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 namespace varimarch
 {
@@ -28,48 +29,101 @@ RenderOptions With(Acceleration acceleration, Integration integration = Integrat
   return options;
 }
 
+std::vector<BenchSetting> SampleDistances(vtkImageData* image, const RenderOptions& options)
+{
+  std::vector<BenchSetting> settings;
+  for (const double voxels : { 4.0, 2.0, 1.0, 0.5, 0.25, 0.125 })
+  {
+    settings.push_back(AtDistance(image, voxels, options));
+  }
+  return settings;
 }
 
-const std::vector<BenchMethod>& BenchMethods()
+// As far as the error tolerances reach, which these are the measure of.
+std::vector<BenchSetting> FineSampleDistances(vtkImageData* image, const RenderOptions& options)
+{
+  std::vector<BenchSetting> settings = SampleDistances(image, options);
+  for (const double voxels : { 0.0625, 0.03125 })
+  {
+    settings.push_back(AtDistance(image, voxels, options));
+  }
+  return settings;
+}
+
+// The mapper chooses the sample distance.
+std::vector<BenchSetting> ErrorTolerances(vtkImageData* /*image*/, const RenderOptions& options)
+{
+  std::vector<BenchSetting> settings;
+  for (const int part : { 16, 32, 64, 128, 255 })
+  {
+    settings.push_back({ "tolerance 1/" + std::to_string(part), options });
+    settings.back().options.errorTolerance = 1.0 / part;
+  }
+  return settings;
+}
+
+/// A row of the table of methods, so that another way to draw is another row.
+struct Row
+{
+  BenchMethod method;
+  RenderOptions options;
+  std::vector<BenchSetting> (*sweep)(vtkImageData*, const RenderOptions&);
+  double variation255; ///< tolerance of the scalar field, in 1/255 of the range of the data
+  bool unshadedOnly;   ///< what it is about is not used in shaded volumes
+};
+
+const std::vector<Row>& Rows()
 {
   constexpr MapperKind Ours = MapperKind::Varimarch;
-  const RenderOptions off = With(Acceleration::Off);
   const RenderOptions scalar = With(Acceleration::ScalarField);
   const RenderOptions optical = With(Acceleration::OpticalField);
   const RenderOptions preIntegrated = With(Acceleration::OpticalField, Integration::PreIntegrated);
   const RenderOptions simpson = With(Acceleration::OpticalField, Integration::Simpson);
   const RenderOptions published = With(Acceleration::ScalarField, Integration::PublishedSum);
-  static const std::vector<BenchMethod> methods = {
-    { "optical", "Varimarch, optical field", Ours, optical, 0.0, false,
-      { Blue, Marker::Circle, Stroke::Solid } },
-    { "off", "Varimarch, no field", Ours, off, 0.0, false,
-      { SkyBlue, Marker::Diamond, Stroke::Dashed } },
-    { "scalar-1", "Varimarch, scalar field, E 1/255", Ours, scalar, 1.0, false,
-      { Green, Marker::Circle, Stroke::Solid } },
-    { "scalar-4", "Varimarch, scalar field, E 4/255", Ours, scalar, 4.0, false,
-      { Green, Marker::Diamond, Stroke::Dashed } },
-    { "scalar-10", "Varimarch, scalar field, E 10/255", Ours, scalar, 10.0, false,
-      { Green, Marker::Square, Stroke::Dotted } },
-    { "pre-integrated", "Varimarch, optical, pre-integrated", Ours, preIntegrated, 0.0, true,
-      { Purple, Marker::Circle, Stroke::Solid } },
-    { "simpson", "Varimarch, optical, Simpson", Ours, simpson, 0.0, true,
-      { Purple, Marker::Square, Stroke::Dashed } },
-    { "published", "published sum, scalar, E 4/255", Ours, published, 4.0, true,
-      { Orange, Marker::Diamond, Stroke::Solid } },
-    { "vtk-gpu", "VTK GPU mapper", MapperKind::VtkGpu, {}, 0.0, false,
-      { Vermilion, Marker::Square, Stroke::Solid } },
-    { "vtk-cpu", "VTK fixed-point mapper", MapperKind::VtkCpu, {}, 0.0, false,
-      { Black, Marker::Diamond, Stroke::Dashed } },
+  static const std::vector<Row> rows = {
+    { { "tolerance", "Varimarch, error tolerances", Ours,
+        { Blue, Marker::Square, Stroke::Dotted } },
+      {}, ErrorTolerances, 0.0, false },
+    { { "optical", "Varimarch, optical field", Ours, { Blue, Marker::Circle, Stroke::Solid } },
+      optical, FineSampleDistances, 0.0, false },
+    { { "off", "Varimarch, no field", Ours, { SkyBlue, Marker::Diamond, Stroke::Dashed } },
+      With(Acceleration::Off), SampleDistances, 0.0, false },
+    { { "scalar-1", "Varimarch, scalar field, E 1/255", Ours,
+        { Green, Marker::Circle, Stroke::Solid } },
+      scalar, SampleDistances, 1.0, false },
+    { { "scalar-4", "Varimarch, scalar field, E 4/255", Ours,
+        { Green, Marker::Diamond, Stroke::Dashed } },
+      scalar, SampleDistances, 4.0, false },
+    { { "scalar-10", "Varimarch, scalar field, E 10/255", Ours,
+        { Green, Marker::Square, Stroke::Dotted } },
+      scalar, SampleDistances, 10.0, false },
+    { { "pre-integrated", "Varimarch, optical, pre-integrated", Ours,
+        { Purple, Marker::Circle, Stroke::Solid } },
+      preIntegrated, FineSampleDistances, 0.0, true },
+    { { "simpson", "Varimarch, optical, Simpson", Ours,
+        { Purple, Marker::Square, Stroke::Dashed } },
+      simpson, FineSampleDistances, 0.0, true },
+    { { "published", "published sum, scalar, E 4/255", Ours,
+        { Orange, Marker::Diamond, Stroke::Solid } },
+      published, SampleDistances, 4.0, true },
+    { { "vtk-gpu", "VTK GPU mapper", MapperKind::VtkGpu,
+        { Vermilion, Marker::Square, Stroke::Solid } },
+      {}, SampleDistances, 0.0, false },
+    { { "vtk-cpu", "VTK fixed-point mapper", MapperKind::VtkCpu,
+        { Black, Marker::Diamond, Stroke::Dashed } },
+      {}, SampleDistances, 0.0, false },
   };
-  return methods;
+  return rows;
+}
+
 }
 
 std::vector<std::string> BenchMethodNames()
 {
   std::vector<std::string> names;
-  for (const BenchMethod& method : BenchMethods())
+  for (const Row& row : Rows())
   {
-    names.push_back(method.name);
+    names.push_back(row.method.name);
   }
   return names;
 }
@@ -78,25 +132,27 @@ std::vector<BenchRun> WorkPrecisionRuns(
   const Scene& scene, vtkImageData* image, const std::vector<std::string>& chosen)
 {
   std::vector<BenchRun> runs;
-  for (const BenchMethod& method : BenchMethods())
+  for (const Row& row : Rows())
   {
     const bool wanted =
-      chosen.empty() || std::find(chosen.begin(), chosen.end(), method.name) != chosen.end();
-    if (!wanted || (method.unshadedOnly && scene.look.shading.enabled))
+      chosen.empty() || std::find(chosen.begin(), chosen.end(), row.method.name) != chosen.end();
+    if (wanted && !(row.unshadedOnly && scene.look.shading.enabled))
     {
-      continue;
+      RenderOptions options = row.options;
+      options.variationTolerance = Variation(image, row.variation255);
+      runs.push_back({ row.method, row.sweep(image, options) });
     }
-    BenchRun run = { method, {} };
-    for (const double voxels : { 4.0, 2.0, 1.0, 0.5, 0.25, 0.125 })
-    {
-      BenchSetting setting = { voxels, method.options };
-      setting.options.sampleDistanceMm = voxels * VoxelMm(image);
-      setting.options.variationTolerance = Variation(image, method.variation255);
-      run.settings.push_back(setting);
-    }
-    runs.push_back(run);
   }
   return runs;
+}
+
+BenchSetting AtDistance(vtkImageData* image, double voxels, const RenderOptions& options)
+{
+  std::ostringstream label;
+  label << voxels << " voxels";
+  BenchSetting setting = { label.str(), options };
+  setting.options.sampleDistanceMm = voxels * VoxelMm(image);
+  return setting;
 }
 
 double VoxelMm(vtkImageData* image)

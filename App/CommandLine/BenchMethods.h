@@ -12,27 +12,21 @@
 namespace varimarch
 {
 
-/// A way to draw that a benchmark sweeps over sample distances: a row of one table, so that
-/// another way is another row.
+/// A way to draw that a benchmark sweeps over settings.
 struct BenchMethod
 {
   std::string name;  ///< on the command line and in tables
   std::string title; ///< for people
   MapperKind kind;
-  RenderOptions options; ///< but for the sample distance and the tolerance of the scalar field
-  double variation255;   ///< that tolerance, in 1/255 of the range of the data
-  bool unshadedOnly;     ///< what it is about is not used in shaded volumes
   CurveStyle style;
 };
 
-const std::vector<BenchMethod>& BenchMethods();
-
 std::vector<std::string> BenchMethodNames();
 
-/// One of a method's sample distances.
+/// One of the settings that a method is swept over.
 struct BenchSetting
 {
-  double voxels; ///< sample distance in smallest distances of voxels
+  std::string label; ///< what tells it from the method's other ones, such as "0.5 voxels"
   RenderOptions options;
 };
 
@@ -43,11 +37,14 @@ struct BenchRun
   std::vector<BenchSetting> settings;
 };
 
-/// The work-precision runs of a scene: the chosen methods that are about something in it, over
-/// sample distances from 4 voxels to an eighth of one.
+/// The work-precision runs of a scene: the chosen methods that are about something in it, our
+/// defaults over error tolerances and all others over sample distances.
 /// @param chosen  names; empty: all
 std::vector<BenchRun> WorkPrecisionRuns(
   const Scene& scene, vtkImageData* image, const std::vector<std::string>& chosen);
+
+/// Those options with a sample distance in smallest distances of voxels.
+BenchSetting AtDistance(vtkImageData* image, double voxels, const RenderOptions& options);
 
 /// The smallest distance of voxels [mm].
 double VoxelMm(vtkImageData* image);

@@ -13,13 +13,18 @@ namespace
 
 constexpr const char* VisMale = "vismale/vismale_128x256x256_uint8.mhd";
 
-BenchMethod Method(const std::string& name, MapperKind kind, Acceleration acceleration,
-  Integration integration = Integration::Midpoint)
+BenchMethod Method(const std::string& name, MapperKind kind)
 {
-  BenchMethod method = { name, name, kind, {}, 0.0, false, {} };
-  method.options.acceleration = acceleration;
-  method.options.integration = integration;
-  return method;
+  return { name, name, kind, {} };
+}
+
+RenderOptions With(Acceleration acceleration, Integration integration, double earlyTermination)
+{
+  RenderOptions options;
+  options.acceleration = acceleration;
+  options.integration = integration;
+  options.earlyTerminationTransmittance = earlyTermination;
+  return options;
 }
 
 double LongestEdgeMm(vtkImageData* image)
@@ -46,26 +51,23 @@ Look BanqueroLook(vtkImageData* image)
 std::vector<BenchRun> BanqueroRuns(vtkImageData* image)
 {
   constexpr double PublishedVariation255 = 4.0; // of figure 10, free of artifacts
-  std::vector<BenchRun> runs = {
-    { Method("plain", MapperKind::Varimarch, Acceleration::Off, Integration::PublishedSum), {} },
-    { Method("field", MapperKind::Varimarch, Acceleration::ScalarField, Integration::PublishedSum),
-      {} },
-    { Method("ours", MapperKind::Varimarch, Acceleration::OpticalField), {} }
-  };
-  for (BenchRun& run : runs)
+  const auto run =
+    [&](const std::string& name, Acceleration acceleration, Integration rule, double termination)
   {
+    BenchRun swept = { Method(name, MapperKind::Varimarch), {} };
+    RenderOptions options = With(acceleration, rule, termination);
+    options.variationTolerance = Variation(image, PublishedVariation255);
     for (const int steps : PublishedSteps)
     {
-      const double distanceMm = LongestEdgeMm(image) / steps;
-      BenchSetting setting = { distanceMm / VoxelMm(image), run.method.options };
-      setting.options.sampleDistanceMm = distanceMm;
-      setting.options.variationTolerance = Variation(image, PublishedVariation255);
-      setting.options.earlyTerminationTransmittance =
-        run.method.name == "ours" ? setting.options.earlyTerminationTransmittance : 0.0;
-      run.settings.push_back(setting);
+      const double voxels = LongestEdgeMm(image) / steps / VoxelMm(image);
+      swept.settings.push_back(AtDistance(image, voxels, options));
     }
-  }
-  return runs;
+    return swept;
+  };
+  return { run("plain", Acceleration::Off, Integration::PublishedSum, 0.0),
+    run("field", Acceleration::ScalarField, Integration::PublishedSum, 0.0),
+    run("ours", Acceleration::OpticalField, Integration::Midpoint,
+      RenderOptions().earlyTerminationTransmittance) };
 }
 
 // Values to 40 are clear, those from 41 have one opacity. Its distance is not told: a voxel.
@@ -83,19 +85,15 @@ Look VoltLook(vtkImageData* image, int alpha255, bool shaded)
 std::vector<BenchRun> VoltRuns(vtkImageData* image)
 {
   constexpr double Voxels = 0.49;
-  std::vector<BenchRun> runs = {
-    { Method("ours", MapperKind::Varimarch, Acceleration::OpticalField), {} },
-    { Method("off", MapperKind::Varimarch, Acceleration::Off), {} },
-    { Method("vtk-gpu", MapperKind::VtkGpu, Acceleration::Off), {} }
-  };
-  for (BenchRun& run : runs)
+  constexpr double Saturated = 0.05; // a saturation of 95 %
+  const auto run = [&](const std::string& name, MapperKind kind, Acceleration acceleration)
   {
-    BenchSetting setting = { Voxels, run.method.options };
-    setting.options.sampleDistanceMm = Voxels * VoxelMm(image);
-    setting.options.earlyTerminationTransmittance = 0.05; // a saturation of 95 %
-    run.settings = { setting };
-  }
-  return runs;
+    return BenchRun{ Method(name, kind),
+      { AtDistance(image, Voxels, With(acceleration, Integration::Midpoint, Saturated)) } };
+  };
+  return { run("ours", MapperKind::Varimarch, Acceleration::OpticalField),
+    run("off", MapperKind::Varimarch, Acceleration::Off),
+    run("vtk-gpu", MapperKind::VtkGpu, Acceleration::Off) };
 }
 
 // One scene with all that is to be run on it, however long it takes.

@@ -79,17 +79,25 @@ std::optional<double> FetchesPerPixel(OffscreenView& view)
   return sum / double(counts->GetNumberOfPoints());
 }
 
+double EstimatedError(OffscreenView& view)
+{
+  auto* mapper = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
+  return mapper ? mapper->GetEstimatedError() : 0.0;
+}
+
 // Draws one setting, measures its error, and returns how long such a picture takes [s].
 double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision& result)
 {
+  constexpr double NearOneVoxel = 0.99; // VTK's mappers keep distances as float
   const double seconds = runner.SecondsOf(setting);
   const auto picture = runner.view->FloatImage();
   ThrowIfVtkReportedError();
   WorkCurve& curve = runner.curve;
   curve.eightBits = HoldsEightBitsOnly(picture) && (curve.points.empty() || curve.eightBits);
-  curve.points.push_back({ setting, ErrorOf(picture, result.truth.picture, result.scene.background),
+  curve.points.push_back({ setting, runner.view->Pipeline().UsedSampleDistanceMm(),
+    EstimatedError(*runner.view), ErrorOf(picture, result.truth.picture, result.scene.background),
     FetchesPerPixel(*runner.view), {}, 0.0 });
-  if (!curve.picture || setting.voxels >= 1.0)
+  if (!curve.picture || VoxelsOf(result, curve.points.back()) >= NearOneVoxel)
   {
     curve.picture = picture;
     curve.shown = curve.points.size() - 1;
@@ -107,14 +115,12 @@ Runner StartedRunner(const BenchRun& run, const WorkPrecision& result,
   {
     if (seconds > options.longestSeconds)
     {
-      runner.curve.skipped = "sample distances of " + Fixed(setting.voxels, 3) +
-        " voxels and less: a picture every " + Fixed(runner.curve.points.back().setting.voxels, 3) +
-        " voxels took " + Fixed(seconds, 1) + " s, more than the " +
-        Fixed(options.longestSeconds, 1) + " s allowed";
+      runner.curve.skipped = setting.label + " and finer: a picture at " +
+        runner.curve.points.back().setting.label + " took " + Fixed(seconds, 1) +
+        " s, more than the " + Fixed(options.longestSeconds, 1) + " s allowed";
       break;
     }
-    onStep(result.name + ": errors of " + run.method.name + " at " + Fixed(setting.voxels, 3) +
-      " voxels");
+    onStep(result.name + ": errors of " + run.method.name + " at " + setting.label);
     seconds = AddPoint(runner, setting, result);
   }
   return runner;
@@ -160,22 +166,35 @@ WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const Loa
   return result;
 }
 
-std::optional<double> MillisecondsAtError(const WorkCurve& curve, double rootMeanSquare)
+const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method)
+{
+  const auto found = std::find_if(scene.curves.begin(), scene.curves.end(),
+    [&](const WorkCurve& curve) { return curve.method.name == method; });
+  return found == scene.curves.end() ? nullptr : &*found;
+}
+
+double VoxelsOf(const WorkPrecision& scene, const WorkPoint& point)
+{
+  return point.sampleDistanceMm / VoxelMm(scene.volume.image);
+}
+
+std::optional<double> MillisecondsAtError(
+  const WorkCurve& curve, double ImageError::*measure, double error)
 {
   std::optional<double> best;
   const auto offer = [&](double milliseconds)
   { best = best ? std::min(*best, milliseconds) : milliseconds; };
   for (std::size_t i = 0; i < curve.points.size(); ++i)
   {
-    const double right = curve.points[i].error.light.rootMeanSquare;
-    if (right <= rootMeanSquare)
+    const double right = curve.points[i].error.light.*measure;
+    if (right <= error)
     {
       offer(curve.points[i].medianMs);
     }
-    const double left = i == 0 ? right : curve.points[i - 1].error.light.rootMeanSquare;
-    if (left > rootMeanSquare && right < rootMeanSquare)
+    const double left = i == 0 ? right : curve.points[i - 1].error.light.*measure;
+    if (left > error && right < error)
     {
-      const double part = std::log(left / rootMeanSquare) / std::log(left / right);
+      const double part = std::log(left / error) / std::log(left / right);
       const double leftMs = curve.points[i - 1].medianMs;
       offer(leftMs * std::pow(curve.points[i].medianMs / leftMs, part));
     }

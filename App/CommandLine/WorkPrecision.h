@@ -17,6 +17,8 @@ namespace varimarch
 struct WorkPoint
 {
   BenchSetting setting;
+  double sampleDistanceMm; ///< between the samples of its picture
+  double estimatedError;   ///< the mapper's own, of 1; 0 for a sample distance that it was given
   PictureError error;
   std::optional<double> fetchesPerPixel; ///< readings of the volume; VTK's mappers do not tell
   std::vector<double> roundsMs;
@@ -59,9 +61,18 @@ struct MeasuringOptions
 WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const LoadedVolume& volume,
   const std::vector<BenchRun>& runs, const MeasuringOptions& options, const OnStep& onStep);
 
+/// The curve of a method that was run on a scene; null when it was not.
+const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method);
+
+/// The distance between a point's samples, in smallest distances of voxels.
+double VoxelsOf(const WorkPrecision& scene, const WorkPoint& point);
+
 /// The time of a method at an error, between its settings by straight lines in the log-log plot.
 /// Where even its coarsest setting errs less, that one's time; empty where it never errs so little.
-std::optional<double> MillisecondsAtError(const WorkCurve& curve, double rootMeanSquare);
+/// @param measure  which of the errors, such as &ImageError::rootMeanSquare
+/// @param error    > 0, in 1/255
+std::optional<double> MillisecondsAtError(
+  const WorkCurve& curve, double ImageError::*measure, double error);
 
 }
 

@@ -4,6 +4,7 @@
 #include "Scene/Canvas.h"
 #include "Scene/DifferencePicture.h"
 #include "Scene/ImageFiles.h"
+#include "ToleranceReport.h"
 #include "WorkPrecisionReport.h"
 
 #include <vtkBase64Utilities.h>
@@ -80,14 +81,15 @@ std::string PicturesOf(const WorkPrecision& scene)
   const auto& background = scene.scene.background;
   Canvas scale(512, DifferenceScaleHeight, { 255, 255, 255 });
   DrawDifferenceScale(scale, 0, 0, 512);
-  std::string html = "<h3>Pictures, about one sample per voxel</h3>\n<div class=\"pictures\">\n" +
+  std::string html =
+    "<h3>Pictures, where possible about one sample per voxel</h3>\n<div class=\"pictures\">\n" +
     Figure(BytesOver(scene.truth.picture, background), "the truth");
   for (const WorkCurve& curve : scene.curves)
   {
     const WorkPoint& point = curve.points[curve.shown];
     html += Figure(BytesOver(curve.picture, background),
-      curve.method.title + ", every " + Fixed(*point.setting.options.sampleDistanceMm, 3) +
-        " mm: " + Fixed(point.medianMs, 1) + " ms");
+      curve.method.title + ", " + point.setting.label + ", every " +
+        Fixed(point.sampleDistanceMm, 3) + " mm: " + Fixed(point.medianMs, 1) + " ms");
     html += Figure(DifferencePicture(curve.picture, scene.truth.picture),
       "its difference from the truth: RMSE " + Fixed(point.error.light.rootMeanSquare, 2) +
         ", largest " + Fixed(point.error.light.largest, 1) + " of 255");
@@ -118,11 +120,27 @@ std::string EqualErrorTable(const WorkPrecision& scene)
   return html + "</table>\n";
 }
 
+std::string ToleranceTable(const WorkPrecision& scene)
+{
+  const std::vector<ToleranceRow> rows = ToleranceRows(scene);
+  if (rows.empty())
+  {
+    return "";
+  }
+  std::string html =
+    "<h3>How our defaults keep an error tolerance</h3>\n<table>" + Row("th", ToleranceHeadings());
+  for (const ToleranceRow& row : rows)
+  {
+    html += Row("td", ToleranceCells(row));
+  }
+  return html + "</table>\n<p>" + Escaped(ToleranceExplanation()) + "</p>\n";
+}
+
 std::string FullTable(const WorkPrecision& scene)
 {
   std::string html = "<h3>All settings</h3>\n<table>" +
     Row("th",
-      { "method", "sample distance [voxels]", "[mm]", "RMSE [1/255]", "99.9 %", "largest", "SSIM",
+      { "method", "setting", "sample distance [mm]", "RMSE [1/255]", "99.9 %", "largest", "SSIM",
         "CIEDE2000 mean", "99 %", "readings per pixel", "median [ms]" });
   std::string notes;
   for (const WorkCurve& curve : scene.curves)
@@ -132,9 +150,8 @@ std::string FullTable(const WorkPrecision& scene)
       const ImageError& light = point.error.light;
       const PerceptualError& perceived = point.error.perceived;
       html += Row("td",
-        { curve.method.title, Fixed(point.setting.voxels, 3),
-          Fixed(*point.setting.options.sampleDistanceMm, 3), Fixed(light.rootMeanSquare, 3),
-          Fixed(light.percentile999, 2), Fixed(light.largest, 2),
+        { curve.method.title, point.setting.label, Fixed(point.sampleDistanceMm, 3),
+          Fixed(light.rootMeanSquare, 3), Fixed(light.percentile999, 2), Fixed(light.largest, 2),
           Fixed(perceived.structuralSimilarity, 5), Fixed(perceived.meanColorDifference, 3),
           Fixed(perceived.colorDifference99, 2),
           point.fetchesPerPixel ? Fixed(*point.fetchesPerPixel, 1) : "",
@@ -162,7 +179,7 @@ std::string Section(const WorkPrecision& scene, const std::vector<std::string>& 
     plots += "<p>" + Image("image/svg+xml", svg, "error over work of all methods") + "</p>\n";
   }
   return "<h2>" + Escaped(scene.name) + "</h2>\n<p>" + Escaped(facts.str()) + "</p>\n" + plots +
-    EqualErrorTable(scene) + PicturesOf(scene) + FullTable(scene);
+    EqualErrorTable(scene) + ToleranceTable(scene) + PicturesOf(scene) + FullTable(scene);
 }
 
 }

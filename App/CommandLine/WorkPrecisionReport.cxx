@@ -2,6 +2,7 @@
 
 #include "Results.h"
 #include "Scene/SceneNames.h"
+#include "ToleranceReport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +15,20 @@ namespace varimarch
 namespace
 {
 
-const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method)
-{
-  const auto found = std::find_if(scene.curves.begin(), scene.curves.end(),
-    [&](const WorkCurve& curve) { return curve.method.name == method; });
-  return found == scene.curves.end() ? nullptr : &*found;
-}
-
 std::string OrNothing(const std::optional<double>& number)
 {
-  return number ? Fixed(*number, 3) : "";
+  return number ? Fixed(*number, 5) : "";
 }
 
-nlohmann::ordered_json ToJson(const WorkPoint& point)
+nlohmann::ordered_json ToJson(const WorkPrecision& scene, const WorkPoint& point)
 {
-  nlohmann::ordered_json json = { { "voxels", point.setting.voxels },
-    { "sampleDistanceMm", *point.setting.options.sampleDistanceMm } };
+  nlohmann::ordered_json json = { { "setting", point.setting.label },
+    { "voxels", VoxelsOf(scene, point) }, { "sampleDistanceMm", point.sampleDistanceMm } };
+  if (const auto tolerance = ToleranceOf(point))
+  {
+    json["errorTolerance"] = *tolerance;
+    json["estimatedError"] = point.estimatedError;
+  }
   json.update(ToJson(point.error));
   if (point.fetchesPerPixel)
   {
@@ -40,14 +39,14 @@ nlohmann::ordered_json ToJson(const WorkPoint& point)
   return json;
 }
 
-nlohmann::ordered_json ToJson(const WorkCurve& curve)
+nlohmann::ordered_json ToJson(const WorkPrecision& scene, const WorkCurve& curve)
 {
   nlohmann::ordered_json json = { { "method", curve.method.name }, { "title", curve.method.title },
     { "renderer", NameOf(MapperKindNames(), curve.method.kind) }, { "eightBits", curve.eightBits },
     { "skipped", curve.skipped } };
   for (const WorkPoint& point : curve.points)
   {
-    json["points"].push_back(ToJson(point));
+    json["points"].push_back(ToJson(scene, point));
   }
   return json;
 }
@@ -107,8 +106,8 @@ std::vector<EqualErrorRow> EqualErrorRows(const WorkPrecision& scene)
     for (const WorkPoint& point : gpu->points)
     {
       const double error = point.error.light.rootMeanSquare;
-      rows.push_back(
-        { point.setting.voxels, error, point.medianMs, MillisecondsAtError(*ours, error) });
+      rows.push_back({ VoxelsOf(scene, point), error, point.medianMs,
+        MillisecondsAtError(*ours, &ImageError::rootMeanSquare, error) });
     }
   }
   return rows;
@@ -124,10 +123,10 @@ std::string TableText(const std::vector<WorkPrecision>& scenes)
   {
     for (const EqualErrorRow& row : EqualErrorRows(scene))
     {
-      text << std::left << std::setw(24) << scene.name << std::right << std::setw(12) << row.voxels
-           << std::setw(12) << Fixed(row.rmse, 3) << std::setw(12) << Fixed(row.vtkMs, 1)
-           << std::setw(12) << (row.oursMs ? Fixed(*row.oursMs, 1) : "-") << std::setw(15)
-           << (row.oursMs ? Fixed(row.vtkMs / *row.oursMs, 2) : "-") << "\n";
+      text << std::left << std::setw(24) << scene.name << std::right << std::setw(12)
+           << Fixed(row.voxels, 3) << std::setw(12) << Fixed(row.rmse, 3) << std::setw(12)
+           << Fixed(row.vtkMs, 1) << std::setw(12) << (row.oursMs ? Fixed(*row.oursMs, 1) : "-")
+           << std::setw(15) << (row.oursMs ? Fixed(row.vtkMs / *row.oursMs, 2) : "-") << "\n";
     }
   }
   return text.str() + "Our optical field where it errs as much as VTK's GPU mapper does.\n";
@@ -136,7 +135,8 @@ std::string TableText(const std::vector<WorkPrecision>& scenes)
 std::string TableCsv(const std::vector<WorkPrecision>& scenes)
 {
   std::ostringstream csv;
-  csv << "scene,method,renderer,voxels,sample_distance_mm,rmse_255,percentile_99_9_255,largest_255,"
+  csv << "scene,method,renderer,setting,error_tolerance,voxels,sample_distance_mm,rmse_255,"
+         "percentile_99_9_255,largest_255,"
          "ssim,ciede2000_mean,ciede2000_99,fetches_per_pixel,median_ms\n";
   csv.precision(9);
   for (const WorkPrecision& scene : scenes)
@@ -148,10 +148,11 @@ std::string TableCsv(const std::vector<WorkPrecision>& scenes)
         const ImageError& light = point.error.light;
         const PerceptualError& perceived = point.error.perceived;
         csv << scene.name << "," << curve.method.name << ","
-            << NameOf(MapperKindNames(), curve.method.kind) << "," << point.setting.voxels << ","
-            << *point.setting.options.sampleDistanceMm << "," << light.rootMeanSquare << ","
-            << light.percentile999 << "," << light.largest << "," << perceived.structuralSimilarity
-            << "," << perceived.meanColorDifference << "," << perceived.colorDifference99 << ","
+            << NameOf(MapperKindNames(), curve.method.kind) << "," << point.setting.label << ","
+            << OrNothing(ToleranceOf(point)) << "," << VoxelsOf(scene, point) << ","
+            << point.sampleDistanceMm << "," << light.rootMeanSquare << "," << light.percentile999
+            << "," << light.largest << "," << perceived.structuralSimilarity << ","
+            << perceived.meanColorDifference << "," << perceived.colorDifference99 << ","
             << OrNothing(point.fetchesPerPixel) << "," << point.medianMs << "\n";
       }
     }
@@ -169,7 +170,11 @@ nlohmann::ordered_json ToJson(const WorkPrecision& scene)
     { "eightBitRmse255", scene.eightBitRmse } };
   for (const WorkCurve& curve : scene.curves)
   {
-    json["methods"].push_back(ToJson(curve));
+    json["methods"].push_back(ToJson(scene, curve));
+  }
+  for (const ToleranceRow& row : ToleranceRows(scene))
+  {
+    json["tolerances"].push_back(ToJson(row));
   }
   return json;
 }

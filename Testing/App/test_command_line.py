@@ -115,7 +115,8 @@ def bench(folder):
         curves = {method: [float(row["rmse_255"]) for row in rows
                            if row["scene"] == name and row["method"] == method]
                   for method in ("optical", "off", "vtk-gpu", "vtk-cpu")}
-        assert all(len(curve) == 6 for curve in curves.values()), curves
+        lengths = {method: len(curve) for method, curve in curves.items()}
+        assert lengths == {"optical": 8, "off": 6, "vtk-gpu": 6, "vtk-cpu": 6}, lengths
         reads = [float(row["fetches_per_pixel"] or 0) for row in rows if row["scene"] == name
                  and row["method"] == "off"]
         # Half the distance, twice the readings, but for rays that end within a step or early.
@@ -135,9 +136,40 @@ def bench_leaves_out_what_takes_long(folder):
         "--methods", "vtk-gpu", "--longest", "1e-9")
     (scene,) = json.loads((folder / "work-precision.json").read_text())["scenes"]
     (method,) = scene["methods"]
-    assert [point["voxels"] for point in method["points"]] == [4]
-    assert "2.000 voxels and less" in method["skipped"]
+    assert [point["setting"] for point in method["points"]] == ["4 voxels"]
+    assert "2 voxels and finer" in method["skipped"]
     assert html.escape(method["skipped"]) in (folder / "work-precision.html").read_text()
+
+
+def bench_judges_error_tolerances(folder):
+    text, _ = run("bench", "work-precision", VOLUME, "-o", folder, "--size", "48x40", "--rounds",
+                  "1", "--methods", "tolerance,optical,vtk-gpu,vtk-cpu", "--no-shade")
+    rows = list(csv.DictReader((folder / "work-precision.csv").open()))
+    swept = [row for row in rows if row["method"] == "tolerance"]
+    tolerances = [16, 32, 64, 128, 255]
+    assert [round(1 / float(row["error_tolerance"])) for row in swept] == tolerances
+    distances = [float(row["sample_distance_mm"]) for row in swept]
+    assert distances == sorted(distances, reverse=True) and distances[0] > distances[-1], distances
+    (scene,) = json.loads((folder / "work-precision.json").read_text())["scenes"]
+    spacing = min(scene["volume"]["spacingMm"])
+    for row in rows:
+        if row["method"] != "tolerance":
+            # Nobody else is given a tolerance, or another distance than the one that is swept.
+            assert row["error_tolerance"] == ""
+            distance = float(row["setting"].removesuffix(" voxels")) * spacing
+            assert abs(float(row["sample_distance_mm"]) / distance - 1) < 1e-6, row
+    judged = scene["tolerances"]
+    for row, measured in zip(judged, swept, strict=True):
+        allowed = 255 * row["errorTolerance"]
+        assert abs(row["percentile99.9OfTolerance"] * allowed
+                   / float(measured["percentile_99_9_255"]) - 1) < 1e-5, (row, measured)
+        assert row["percentile99.9OfTolerance"] <= 1 and row["largestOfTolerance"] <= 2, row
+        assert not {"99.9", "largest"} & set(row["missed"].split()), row
+        assert row["handTuned"] == "optical" and 0 < row["estimateOfTolerance"] < 1, row
+        assert ("time" in row["missed"]) == (row["timesHandTuned"] > 2), row
+    page = (folder / "work-precision.html").read_text()
+    for number in tolerances:
+        assert f"tolerance 1/{number}" in text and f"<td>tolerance 1/{number}</td>" in page
 
 
 def published(folder):
@@ -231,6 +263,6 @@ def interrupt(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (render, compare, bench, bench_leaves_out_what_takes_long, published, info,
-                 usage, errors, interrupt)
+        cases = (render, compare, bench, bench_leaves_out_what_takes_long,
+                 bench_judges_error_tolerances, published, info, usage, errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))
