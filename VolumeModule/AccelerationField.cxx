@@ -11,6 +11,7 @@
 #include "vtk_glew.h"
 
 #include <chrono>
+#include <utility>
 
 namespace varimarch
 {
@@ -82,8 +83,7 @@ void AccelerationField::BuildScalarField(
 {
   const Stopwatch stopwatch;
   const VariationField field = ScalarFieldOf(scalars, dimensions, tolerance);
-  this->rangeSeconds = 0.0;
-  this->fieldSeconds = stopwatch.Seconds();
+  this->buildSeconds = stopwatch.Seconds();
   this->Upload(window, field.cellCount, field.cells);
 }
 
@@ -101,7 +101,7 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window, const O
   const Stopwatch stopwatch;
   const OpticalField field = varimarch::BuildOpticalField(this->ranges, table, tolerance);
   this->visibleBoxGrid = VisibleBox(field, boxGrid);
-  this->fieldSeconds = stopwatch.Seconds();
+  this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + stopwatch.Seconds();
   this->Upload(window, field.brickCount, field.bricks);
 }
 
@@ -118,7 +118,7 @@ void AccelerationField::BuildExtremes(vtkOpenGLRenderWindow* window, bool larges
     const std::uint16_t extreme = largest ? steps.largest : steps.smallest;
     extremes[i] = steps.IsFinite() ? extreme : unknown;
   }
-  this->fieldSeconds = stopwatch.Seconds();
+  this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + stopwatch.Seconds();
   this->Upload(window, count, extremes);
 }
 

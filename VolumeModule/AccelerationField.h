@@ -41,7 +41,8 @@ public:
   vtkTextureObject* Texture() const { return this->texture; }
   const Box& VisibleBoxGrid() const { return this->visibleBoxGrid; } ///< of the optical field
   glm::ivec3 Size() const { return this->size; }                     ///< texels
-  double BuildSeconds() const { return this->rangeSeconds + this->fieldSeconds; }
+  /// Of the last field, with the ranges that were built for it.
+  double BuildSeconds() const { return this->buildSeconds; }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
 
@@ -53,8 +54,8 @@ private:
   BrickRanges ranges;
   Box visibleBoxGrid = {};
   glm::ivec3 size = glm::ivec3(1);
-  double rangeSeconds = 0.0;
-  double fieldSeconds = 0.0;
+  double rangeSeconds = 0.0; ///< of ranges that no field has been built of yet
+  double buildSeconds = 0.0;
   std::size_t bytes = 0;
 };
 

@@ -159,7 +159,8 @@ public:
   double GetUsedSampleDistance();
 
   /**
-   * Time to build the field last time [s]; 0 before.
+   * Time to build the field last time [s]; 0 before. What reads the volume is built, and counts,
+   * only with a new volume.
    */
   double GetFieldBuildSeconds();
 
