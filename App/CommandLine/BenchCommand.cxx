@@ -7,6 +7,7 @@
 #include "Results.h"
 #include "Scene/ImageFiles.h"
 #include "Scene/OutputFile.h"
+#include "SpeedCommand.h"
 #include "ToleranceReport.h"
 #include "VtkMessages.h"
 #include "WorkPrecisionHtml.h"
@@ -210,6 +211,8 @@ void AddBenchCommand(CLI::App& program, const std::string& commandText)
   bench->require_subcommand(1);
   AddWorkPrecisionCommand(*bench, commandText);
   AddPublishedCommand(*bench, commandText);
+  AddSpeedCommand(*bench, commandText);
+  AddScalingCommand(*bench, commandText);
 }
 
 }

@@ -1,7 +1,7 @@
 #include "WorkPrecision.h"
 
+#include "FrameCost.h"
 #include "Results.h"
-#include "Scene/OffscreenView.h"
 #include "VtkMessages.h"
 
 #include <vtkVariationFieldVolumeMapper.h>
@@ -57,26 +57,6 @@ double EightBitRmse(vtkImageData* truth)
     sum += (level - std::round(level)) * (level - std::round(level));
   }
   return std::sqrt(sum / double(count));
-}
-
-// The mean over all pixels, also those that see no volume.
-std::optional<double> FetchesPerPixel(OffscreenView& view)
-{
-  auto* mapper = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
-  if (!mapper)
-  {
-    return std::nullopt;
-  }
-  mapper->DrawFetchCountsOn();
-  const auto counts = view.FloatImage();
-  mapper->DrawFetchCountsOff();
-  const auto* red = static_cast<const float*>(counts->GetScalarPointer());
-  double sum = 0.0;
-  for (vtkIdType pixel = 0; pixel < counts->GetNumberOfPoints(); ++pixel)
-  {
-    sum += red[4 * pixel];
-  }
-  return sum / double(counts->GetNumberOfPoints());
 }
 
 double EstimatedError(OffscreenView& view)

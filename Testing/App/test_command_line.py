@@ -172,9 +172,8 @@ def bench_judges_error_tolerances(folder):
         assert f"tolerance 1/{number}" in text and f"<td>tolerance 1/{number}</td>" in page
 
 
-def published(folder):
-    """A small ball in place of one of the papers' volumes; the others are missing and named."""
-    volumes = folder / "volumes"
+def write_ball(volumes):
+    """A small ball as the Visible Male of a folder of volumes."""
     (volumes / "vismale").mkdir(parents=True)
     name = "vismale_128x256x256_uint8"
     side = 16
@@ -184,6 +183,12 @@ def published(folder):
     (volumes / "vismale" / f"{name}.mhd").write_text(
         "ObjectType = Image\nNDims = 3\nDimSize = 16 16 16\nElementSpacing = 1 1 1\n"
         f"ElementType = MET_UCHAR\nElementDataFile = {name}.raw\n")
+
+
+def published(folder):
+    """A small ball in place of one of the papers' volumes; the others are missing and named."""
+    volumes = folder / "volumes"
+    write_ball(volumes)
     text, _ = run("bench", "published", "--volumes", volumes, "-o", folder / "out", "--side", "32",
                   "--rounds", "1")
     assert (folder / "out" / "published.md").read_text() == text
@@ -197,6 +202,72 @@ def published(folder):
         (alpha, shaded) for alpha in (15, 63, 255) for shaded in (False, True)]
     _, errors = run("bench", "published", "--volumes", folder / "out", "-o", folder, expect=1)
     assert "found none" in errors
+
+
+def speed(folder):
+    """A small ball in place of one of the volumes, with each look, and a procedural scene."""
+    volumes = folder / "volumes"
+    write_ball(volumes)
+    text, _ = run("bench", "speed", "procedural:shells:16x16x16", "--volumes", volumes, "--only",
+                  "vismale,tooth-soft", "-o", folder / "out", "--sides", "32,48", "--shading",
+                  "off", "--rounds", "2", "--json", folder / "copy.json")
+    assert (folder / "out" / "speed.md").read_text() == text
+    results = json.loads((folder / "out" / "speed.json").read_text())
+    assert json.loads((folder / "copy.json").read_text()) == results
+    assert results["missing"] == ["tooth/tooth_103x94x161_uint8.mhd"]
+    scenes = ["vismale-soft", "vismale-dense", "vismale-thin-peak", "procedural:shells:16x16x16"]
+    assert [(case["scene"], case["side"]) for case in results["cases"]] == [
+        (scene, side) for scene in scenes for side in (32, 48)]
+    rivals = {"vtk-gpu": 1, "vtk-cpu": 0.2, "off": 1, "published": 1}
+    kept = 0
+    for case in results["cases"]:
+        points = case["points"]
+        assert [point["method"] for point in points[:5]] == [
+            "ours", "off", "published", "vtk-gpu", "vtk-cpu"]
+        assert all(len(point["rounds"]) == 2 for point in points)
+        assert all(("fetchesPerPixel" in point) == (point["renderer"] == "ours")
+                   for point in points)
+        assert points[1]["median"]["firstFieldMs"] == 0 < points[0]["median"]["firstFieldMs"]
+        error = {point["method"]: point["error255"]["rmse"] for point in points[:5]}
+        for kept_error in case.get("keeping", []):
+            kept += 1
+            ours = points[kept_error["point"]]
+            rival = kept_error["rival"]
+            assert ours["error255"]["rmse"] <= rivals[rival] * error[rival] * 1.001, case
+    assert kept > 16, "hardly any error is kept"
+    assert [target["against"] for target in results["targets"]][::2] == [
+        target["against"] for target in results["targets"]][1::2]
+    assert all(("**missed**" in row) != ("| met" in row) for row in text.splitlines()
+               if row.startswith("| VTK's GPU mapper"))
+    assert png_size(folder / "out" / "speed.png")[0] > 1000
+    _, errors = run("bench", "speed", "-o", folder, expect=2)
+    assert "SCENES or --volumes" in errors
+    _, errors = run("bench", "speed", "--volumes", folder, "-o", folder, expect=1)
+    assert "found none" in errors
+
+
+def speed_draws_what_takes_long_in_one_round(folder):
+    run("bench", "speed", "procedural:shells:16x16x16", "-o", folder, "--sides", "32", "--shading",
+        "on", "--rounds", "2", "--longest", "1e-9")
+    (case,) = json.loads((folder / "speed.json").read_text())["cases"]
+    assert case["shaded"] and all(len(point["rounds"]) == 1 for point in case["points"])
+    assert "published" not in [point["method"] for point in case["points"]]
+
+
+def scaling(folder):
+    text, _ = run("bench", "scaling", "-o", folder, "--sides", "16,32", "--size", "48x40",
+                  "--rounds", "2", "--no-shade")
+    assert (folder / "scaling.md").read_text() == text
+    results = json.loads((folder / "scaling.json").read_text())
+    assert results["size"] == [48, 40]
+    assert [(curve["volume"], curve["renderer"]) for curve in results["curves"]] == [
+        (volume, renderer) for volume in ("shells", "torso") for renderer in ("ours", "vtk-gpu")]
+    for curve in results["curves"]:
+        assert [point["side"] for point in curve["points"]] == [16, 32] and not curve["stopped"]
+        assert all(len(point["rounds"]) == 2 for point in curve["points"])
+    ours = results["curves"][0]["points"]
+    assert ours[1]["graphicsBytes"] > ours[0]["graphicsBytes"] > 16 ** 3
+    assert png_size(folder / "scaling.png")[0] > 1000
 
 
 def info(folder):
@@ -264,5 +335,6 @@ def interrupt(folder):
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
         cases = (render, compare, bench, bench_leaves_out_what_takes_long,
-                 bench_judges_error_tolerances, published, info, usage, errors, interrupt)
+                 bench_judges_error_tolerances, published, speed,
+                 speed_draws_what_takes_long_in_one_round, scaling, info, usage, errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

@@ -1,0 +1,239 @@
+#include "SpeedBench.h"
+
+#include "BenchMethods.h"
+#include "Results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// One scene at one size in the making.
+struct Bench
+{
+  const Scene& scene;
+  vtkImageData* image;
+  const Truth& truth;
+  const SpeedOptions& options;
+  const OnStep& onStep;
+
+  OffscreenView NewView(MapperKind kind, const RenderOptions& render) const
+  {
+    Scene drawn = this->scene;
+    drawn.render = render;
+    return OffscreenView(drawn, this->image, kind);
+  }
+
+  ImageError ErrorOf(OffscreenView& view) const
+  {
+    const auto picture = view.FloatImage();
+    return CompareImages(static_cast<const float*>(picture->GetScalarPointer()),
+      static_cast<const float*>(this->truth.picture->GetScalarPointer()),
+      std::size_t(picture->GetNumberOfPoints()));
+  }
+
+  // Everything but the later rounds.
+  SpeedPoint FirstRound(
+    const std::string& method, MapperKind kind, const RenderOptions& render) const
+  {
+    this->onStep("error of " + method);
+    OffscreenView view = this->NewView(kind, render);
+    SpeedPoint point = { method, kind, render, {}, {}, {}, {}, {} };
+    point.rounds.push_back(CostOfFrames(view, this->scene.look));
+    view.Pipeline().SetLook(this->scene.look);
+    view.Render();
+    point.error = this->ErrorOf(view);
+    point.fetchesPerPixel = FetchesPerPixel(view);
+    point.graphicsBytes = GraphicsBytes(view);
+    return point;
+  }
+
+  void AddRounds(std::vector<SpeedPoint>& points) const
+  {
+    for (int round = 2; round <= this->options.rounds; ++round)
+    {
+      for (SpeedPoint& point : points)
+      {
+        if (point.rounds.front().stillMs > 1000.0 * this->options.longestSeconds)
+        {
+          continue;
+        }
+        this->onStep("times of " + point.method + ", round " + std::to_string(round) + " of " +
+          std::to_string(this->options.rounds));
+        OffscreenView view = this->NewView(point.kind, point.options);
+        point.rounds.push_back(CostOfFrames(view, this->scene.look));
+      }
+    }
+    for (SpeedPoint& point : points)
+    {
+      point.median = MedianOf(point.rounds);
+    }
+  }
+};
+
+RenderOptions Tolerating(double errorTolerance, Acceleration acceleration)
+{
+  RenderOptions options;
+  options.errorTolerance = errorTolerance;
+  options.acceleration = acceleration;
+  return options;
+}
+
+std::vector<SpeedPoint> DefaultPoints(const Bench& bench)
+{
+  const double tolerance = RenderOptions().errorTolerance;
+  RenderOptions everyVoxel;
+  everyVoxel.sampleDistanceMm = VoxelMm(bench.image);
+  RenderOptions published = everyVoxel;
+  published.acceleration = Acceleration::ScalarField;
+  published.integration = Integration::PublishedSum;
+  published.variationTolerance = Variation(bench.image, 4.0); // its authors' choice, in 1/255
+
+  constexpr MapperKind Ours = MapperKind::Varimarch;
+  std::vector<SpeedPoint> points;
+  points.push_back(
+    bench.FirstRound("ours", Ours, Tolerating(tolerance, Acceleration::OpticalField)));
+  points.push_back(bench.FirstRound("off", Ours, Tolerating(tolerance, Acceleration::Off)));
+  if (!bench.scene.look.shading.enabled)
+  {
+    points.push_back(bench.FirstRound("published", Ours, published));
+  }
+  points.push_back(bench.FirstRound("vtk-gpu", MapperKind::VtkGpu, everyVoxel));
+  points.push_back(bench.FirstRound("vtk-cpu", MapperKind::VtkCpu, everyVoxel));
+  return points;
+}
+
+/// A tolerance of ours and the error that comes of it.
+struct Rung
+{
+  double tolerance;
+  double rmse; ///< [1/255]
+};
+
+// From coarse to fine, until the RMSE is at most `lowest` or a picture takes too long.
+std::vector<Rung> Ladder(const Bench& bench, double lowest)
+{
+  constexpr double Coarsest = 1.0 / 4.0;
+  constexpr int Finest = 16; // a tolerance of 1/1024
+  std::vector<Rung> rungs;
+  OffscreenView view =
+    bench.NewView(MapperKind::Varimarch, Tolerating(Coarsest, Acceleration::OpticalField));
+  for (int i = 0; i <= Finest; ++i)
+  {
+    const double tolerance = Coarsest * std::pow(2.0, -0.5 * i);
+    bench.onStep("error of ours at a tolerance of 1/" + Fixed(1.0 / tolerance, 0));
+    view.Pipeline().SetRenderOptions(Tolerating(tolerance, Acceleration::OpticalField));
+    const double seconds = view.Render();
+    rungs.push_back({ tolerance, bench.ErrorOf(view).rootMeanSquare });
+    if (rungs.back().rmse <= lowest || seconds > bench.options.longestSeconds)
+    {
+      break;
+    }
+  }
+  return rungs;
+}
+
+// The index of ours at this tolerance; measured when it is not there yet.
+std::size_t PointAt(const Bench& bench, double tolerance, std::vector<SpeedPoint>& points)
+{
+  const auto found = std::find_if(points.begin(), points.end(),
+    [&](const SpeedPoint& point)
+    { return point.method == "ours" && point.options.errorTolerance == tolerance; });
+  const std::size_t index = std::size_t(found - points.begin());
+  if (found == points.end())
+  {
+    points.push_back(bench.FirstRound(
+      "ours", MapperKind::Varimarch, Tolerating(tolerance, Acceleration::OpticalField)));
+  }
+  return index;
+}
+
+// The RMSE that ours may have [1/255]; empty without the rival.
+std::optional<double> WantedError(const SpeedCase& measured, const SpeedTarget& target)
+{
+  const SpeedPoint* rival = Rival(measured, target);
+  return rival ? std::optional<double>(target.partOfError * rival->error.rootMeanSquare)
+               : std::nullopt;
+}
+
+// Finds the points of ours that the targets are about.
+void KeepErrors(const Bench& bench, SpeedCase& measured)
+{
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const SpeedTarget& target : SpeedTargets())
+  {
+    lowest = std::min(lowest, WantedError(measured, target).value_or(lowest));
+  }
+  const std::vector<Rung> rungs = Ladder(bench, lowest);
+  for (const SpeedTarget& target : SpeedTargets())
+  {
+    const std::optional<double> wanted = WantedError(measured, target);
+    const auto rung = std::find_if(rungs.begin(), rungs.end(),
+      [&](const Rung& candidate) { return wanted && candidate.rmse <= *wanted; });
+    measured.keeping.push_back(rung == rungs.end()
+        ? std::nullopt
+        : std::optional<std::size_t>(PointAt(bench, rung->tolerance, measured.points)));
+  }
+}
+
+}
+
+const std::vector<SpeedTarget>& SpeedTargets()
+{
+  static const std::vector<SpeedTarget> targets = {
+    { "VTK's GPU mapper, RMSE lower", "vtk-gpu", 1.0, 15.0, 4.0 },
+    { "VTK's fixed-point mapper, RMSE 5 times lower", "vtk-cpu", 0.2, 2.0, 0.0 },
+    { "no field, same RMSE", "off", 1.0, 5.0, 1.0 },
+    { "published field and sum, same RMSE", "published", 1.0, 3.0, 0.0 },
+  };
+  return targets;
+}
+
+const SpeedPoint* Rival(const SpeedCase& measured, const SpeedTarget& target)
+{
+  const auto rival = std::find_if(measured.points.begin(), measured.points.end(),
+    [&](const SpeedPoint& point) { return point.method == target.rival; });
+  return rival == measured.points.end() ? nullptr : &*rival;
+}
+
+std::optional<double> TimesAsFast(const SpeedCase& measured, std::size_t target)
+{
+  const SpeedPoint* rival = Rival(measured, SpeedTargets()[target]);
+  const std::optional<std::size_t> ours = measured.keeping[target];
+  return rival && ours
+    ? std::optional<double>(rival->median.stillMs / measured.points[*ours].median.stillMs)
+    : std::nullopt;
+}
+
+std::vector<SpeedCase> MeasureSpeed(
+  const LoadedScene& loaded, const SpeedOptions& options, const OnStep& onStep)
+{
+  std::vector<SpeedCase> cases;
+  for (const bool shaded : options.shaded)
+  {
+    for (const int side : options.sides)
+    {
+      const std::string what = loaded.name + (shaded ? ", shaded, " : ", ") + std::to_string(side) +
+        " x " + std::to_string(side) + ": ";
+      const OnStep onStepHere = [&](const std::string& step) { onStep(what + step); };
+      Scene scene = loaded.scene;
+      scene.look.shading.enabled = shaded;
+      scene.size = { side, side };
+      const Truth truth = TruthOf(scene, loaded.volume.image, onStepHere);
+      const Bench bench = { scene, loaded.volume.image, truth, options, onStepHere };
+      SpeedCase measured = { loaded.name, shaded, side, DefaultPoints(bench), {}, {} };
+      KeepErrors(bench, measured);
+      bench.AddRounds(measured.points);
+      measured.openglRenderer = bench.NewView(MapperKind::Varimarch, scene.render).DeviceName();
+      cases.push_back(measured);
+    }
+  }
+  return cases;
+}
+
+}
