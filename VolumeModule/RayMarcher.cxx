@@ -7,6 +7,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
 
+#include <limits>
+
 namespace varimarch
 {
 
@@ -18,25 +20,26 @@ constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 
 }
 
-void RayMarcher::Draw(const Frame& frame)
+void RayMarcher::Draw(Frame frame)
 {
   this->EnterWindow(frame.window);
   this->UpdateVolume(frame);
+  frame.settings.gaps = !this->volume.AllFinite();
+  this->UpdateGaps(frame);
   this->UpdateOpticalTable(frame);
   this->UpdateField(frame);
   this->UpdateDepth(frame);
   this->UpdateTolerance(frame);
 
-  Frame drawn = frame;
   if (this->tolerance)
   {
-    drawn.settings.integration = this->tolerance->integration;
-    drawn.sampleDistanceMm = this->tolerance->step.sampleDistance;
+    frame.settings.integration = this->tolerance->integration;
+    frame.sampleDistanceMm = this->tolerance->step.sampleDistance;
   }
-  this->usedSampleDistanceMm = drawn.sampleDistanceMm;
-  this->UpdatePreIntegratedTable(drawn);
-  this->UpdateProgram(drawn);
-  this->DrawBox(drawn);
+  this->usedSampleDistanceMm = frame.sampleDistanceMm;
+  this->UpdatePreIntegratedTable(frame);
+  this->UpdateProgram(frame);
+  this->DrawBox(frame);
 }
 
 void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* window)
@@ -184,6 +187,22 @@ void RayMarcher::UpdateRanges(const Frame& frame)
   }
 }
 
+void RayMarcher::UpdateGaps(const Frame& frame)
+{
+  if (!frame.settings.gaps)
+  {
+    this->gaps.Release(frame.window);
+    this->gapsOfVolume = 0;
+  }
+  else if (this->gapsOfVolume != this->builds.volumeTexture)
+  {
+    // Whatever is finite is within this tolerance.
+    this->gaps.BuildScalarField(frame.window, frame.scalars, frame.geometry.dimensions,
+      std::numeric_limits<double>::infinity());
+    this->gapsOfVolume = this->builds.volumeTexture;
+  }
+}
+
 void RayMarcher::UpdateDepth(const Frame& frame)
 {
   if (!frame.settings.sceneGeometry)
@@ -205,13 +224,15 @@ void RayMarcher::UpdateProgram(const Frame& frame)
 
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
-  return this->volume.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
-    this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->probe.Bytes();
+  return this->volume.Bytes() + this->gaps.Bytes() + this->field.Bytes() +
+    this->opticalTable.Bytes() + this->preIntegratedTable.Bytes() + this->depth.Bytes() +
+    this->probe.Bytes();
 }
 
 void RayMarcher::Release(vtkWindow* window)
 {
   this->volume.Release(window);
+  this->gaps.Release(window);
   this->field.Release(window);
   this->opticalTable.Release(window);
   this->preIntegratedTable.Release(window);
@@ -219,6 +240,7 @@ void RayMarcher::Release(vtkWindow* window)
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource = nullptr;
+  this->gapsOfVolume = 0;
   this->fieldSource.reset();
   this->rangesOfVolume = 0;
   this->preIntegratedOfTable = 0;

@@ -93,7 +93,7 @@ class RayMarcher
 {
 public:
   /// @throws std::runtime_error when the device cannot hold a resource or compile the shader
-  void Draw(const Frame& frame);
+  void Draw(Frame frame);
 
   void Release(vtkWindow* window);
 
@@ -115,6 +115,7 @@ private:
   void UpdateOpticalField(const Frame& frame);
   void UpdateExtremes(const Frame& frame);
   void UpdateRanges(const Frame& frame);
+  void UpdateGaps(const Frame& frame);
   void UpdateDepth(const Frame& frame);
   void UpdateTolerance(const Frame& frame);
   void UpdateProgram(const Frame& frame);
@@ -124,6 +125,7 @@ private:
 
   Box DrawnBoxGrid(const Frame& frame) const;
   void SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
+  void SetGapUniforms(const Frame& frame);
   void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetStepUniforms(const Frame& frame);
   void SetClassifyUniforms();
@@ -137,6 +139,7 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> window;
   VolumeTexture volume;
   AccelerationField field;
+  AccelerationField gaps; ///< which cells have a voxel that is not finite; empty when none has
   OpticalTableTexture opticalTable;
   PreIntegratedTableTexture preIntegratedTable;
   SceneDepthTexture depth;
@@ -155,6 +158,7 @@ private:
   double tableUnitDistanceMm = 0.0;
   int preIntegratedOfTable = 0;           ///< the optical table's build that it was made from
   std::optional<FieldSource> fieldSource; ///< none: there is no field
+  int gapsOfVolume = 0;                   ///< the volume texture's build that the gaps belong to
   int rangesOfVolume = 0; ///< the volume texture's build that the field's ranges belong to
 };
 

@@ -25,19 +25,13 @@ namespace varimarch
 namespace
 {
 
-// A ray makes no more segments than this, whatever the sample distance, so that a frame ends.
-constexpr double MostSegments = 1 << 20;
-
-// How far a ray is carried over the face of a block that it has reached, as a part of a voxel.
-constexpr double NudgeOfVoxel = 1e-3;
-
 // As many as a ray along the diagonal takes at the sample distance, and as many as the faces of
 // cells it can pass.
 int MostSegmentsOf(const Frame& frame)
 {
   const double steps = std::ceil(frame.geometry.DiagonalMm() / frame.sampleDistanceMm);
   const glm::ivec3 voxels = frame.geometry.dimensions;
-  return int(std::min(MostSegments, steps + voxels.x + voxels.y + voxels.z));
+  return int(steps) + voxels.x + voxels.y + voxels.z;
 }
 
 struct HeadLight
@@ -141,10 +135,21 @@ void RayMarcher::SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGr
   this->program.Set("directionGrid", rays.directionGrid);
   this->program.Set("worldFromGrid", frame.geometry.WorldFromGridDirection());
   this->program.Set("nearPlaneGrid", rays.nearPlaneGrid);
+  this->program.Set("farPlaneGrid", rays.farPlaneGrid);
   this->program.Set("boxLowerGrid", box.lower);
   this->program.Set("boxUpperGrid", box.upper);
   this->program.Set("voxelCountInverse", 1.0 / glm::dvec3(frame.geometry.dimensions));
   this->program.Set("mostSegments", MostSegmentsOf(frame));
+}
+
+void RayMarcher::SetGapUniforms(const Frame& frame)
+{
+  const glm::dvec3 cells(this->gaps.Size());
+  this->gaps.Texture()->Activate();
+  this->program.Set("gapTexture", this->gaps.Texture());
+  this->program.Set("gapCellCount", cells);
+  this->program.Set("gapCellCountInverse", 1.0 / cells);
+  this->program.Set("gapVoxelCount", glm::dvec3(frame.geometry.dimensions));
 }
 
 void RayMarcher::SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
@@ -179,7 +184,6 @@ void RayMarcher::SetStepUniforms(const Frame& frame)
     this->program.Set("brickCount", size);
     this->program.Set("brickCountInverse", 1.0 / size);
     this->program.Set("cellsPerBrick", double(BrickRanges::CellsPerSide));
-    this->program.Set("nudgeMm", NudgeOfVoxel * frame.geometry.SmallestSpacingMm());
   }
   if (frame.settings.acceleration == Acceleration::OpticalField && IsExtreme(frame.settings.blend))
   {
@@ -287,6 +291,10 @@ void RayMarcher::SetUniforms(const Frame& frame)
   {
     this->SetShadeUniforms(frame);
   }
+  if (frame.settings.gaps)
+  {
+    this->SetGapUniforms(frame);
+  }
   if (frame.settings.sceneGeometry)
   {
     this->SetDepthUniforms(frame, clipFromGrid);
@@ -306,8 +314,9 @@ void RayMarcher::DrawBox(const Frame& frame)
     const BoxDrawingState drawing(frame.window->GetState(), mirrored);
     this->boxGeometry.Draw(this->program.Program(), box);
   }
-  for (vtkTextureObject* texture : { this->volume.Texture(), this->field.Texture(),
-         this->opticalTable.Texture(), this->preIntegratedTable.Texture(), this->depth.Texture() })
+  for (vtkTextureObject* texture :
+    { this->volume.Texture(), this->gaps.Texture(), this->field.Texture(),
+      this->opticalTable.Texture(), this->preIntegratedTable.Texture(), this->depth.Texture() })
   {
     if (texture->GetHandle())
     {

@@ -29,6 +29,9 @@ constexpr double ExtremesPart = 0.4;
 constexpr double CoarsestVoxels = 4.0;
 constexpr double FinestVoxels = 1.0 / 128.0;
 constexpr double MostSamples = 32768.0;
+// Nor does the longest get fewer: halving a distance longer than the volume would change nothing,
+// and tell nothing.
+constexpr double FewestSamples = 16.0;
 
 // How much smaller the error of a pre-integrated picture must be to pay for its samples, which
 // cost a third more: 1.33 squared, for the order of both rules is 2.
@@ -59,7 +62,8 @@ std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
 StepRange RangeOf(const VolumeGeometry& geometry)
 {
   const double voxelMm = geometry.SmallestSpacingMm();
-  const double coarsestMm = CoarsestVoxels * voxelMm;
+  const double coarsestMm =
+    std::min(CoarsestVoxels * voxelMm, geometry.DiagonalMm() / FewestSamples);
   const double finestMm = std::max(FinestVoxels * voxelMm, geometry.DiagonalMm() / MostSamples);
   return { coarsestMm, std::min(finestMm, coarsestMm) };
 }

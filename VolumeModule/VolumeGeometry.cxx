@@ -15,6 +15,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace varimarch
 {
@@ -55,6 +56,11 @@ double VolumeGeometry::DiagonalMm() const
     }
   }
   return longest;
+}
+
+double VolumeGeometry::ShortestSampleDistanceMm() const
+{
+  return std::ldexp(this->DiagonalMm(), -16);
 }
 
 VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume)

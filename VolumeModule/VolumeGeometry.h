@@ -32,6 +32,10 @@ struct VolumeGeometry
 
   /// Length of the longest ray through the volume [mm].
   double DiagonalMm() const;
+
+  /// The shortest distance of samples: with more than 2^16 of them along a ray, what is lost in
+  /// the rounding of each outweighs what they gain, and a picture has to end [mm].
+  double ShortestSampleDistanceMm() const;
 };
 
 VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume);

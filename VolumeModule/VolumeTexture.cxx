@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
@@ -53,9 +54,24 @@ TexelMapping FloatMapping(double smallest, double largest)
   return { scale, farFromZero ? smallest : 0.0 };
 }
 
+template <class Scalar>
+bool IsFinite(Scalar scalar)
+{
+  if constexpr (std::is_integral<Scalar>::value)
+  {
+    return true;
+  }
+  else
+  {
+    return std::isfinite(scalar);
+  }
+}
+
 // Slices are converted and uploaded a few at a time: a second copy of the volume is never held.
+// What is not finite becomes 0: a filter makes NaN of it even where its weight is 0.
+/// @return whether all scalars are finite
 template <class Texel, class Scalar>
-void UploadSlices(const Scalar* scalars, glm::ivec3 dimensions, const TexelMapping& mapping)
+bool UploadSlices(const Scalar* scalars, glm::ivec3 dimensions, const TexelMapping& mapping)
 {
   constexpr std::size_t texelsAtOnce = std::size_t(1) << 22;
   const std::size_t sliceTexels = std::size_t(dimensions.x) * dimensions.y;
@@ -65,6 +81,7 @@ void UploadSlices(const Scalar* scalars, glm::ivec3 dimensions, const TexelMappi
   const double factor = (normalized ? LargestTexel16 : 1.0) / mapping.scale;
   const double rounding = normalized ? 0.5 : 0.0;
 
+  std::atomic<bool> allFinite = true;
   std::vector<Texel> texels(sliceTexels * slicesAtOnce);
   for (int slice = 0; slice < dimensions.z; slice += slicesAtOnce)
   {
@@ -73,14 +90,23 @@ void UploadSlices(const Scalar* scalars, glm::ivec3 dimensions, const TexelMappi
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, slices * sliceTexels, 1 << 16),
       [&](const tbb::blocked_range<std::size_t>& range)
       {
+        bool rangeIsFinite = true;
         for (std::size_t i = range.begin(); i != range.end(); ++i)
         {
-          texels[i] = Texel((double(source[i]) - mapping.offset) * factor + rounding);
+          const bool finite = IsFinite(source[i]);
+          texels[i] =
+            finite ? Texel((double(source[i]) - mapping.offset) * factor + rounding) : Texel(0);
+          rangeIsFinite = rangeIsFinite && finite;
+        }
+        if (!rangeIsFinite)
+        {
+          allFinite = false;
         }
       });
     glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, dimensions.x, dimensions.y, slices, GL_RED,
       normalized ? GL_UNSIGNED_SHORT : GL_FLOAT, texels.data());
   }
+  return allFinite;
 }
 
 }
@@ -148,7 +174,7 @@ void VolumeTexture::Upload(
   void* const voxels = scalars->GetVoidPointer(0);
   switch (scalars->GetDataType())
   {
-    vtkTemplateMacro(normalized
+    vtkTemplateMacro(this->allFinite = normalized
         ? UploadSlices<std::uint16_t>(static_cast<VTK_TT*>(voxels), dimensions, this->mapping)
         : UploadSlices<float>(static_cast<VTK_TT*>(voxels), dimensions, this->mapping));
   }

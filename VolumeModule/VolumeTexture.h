@@ -38,6 +38,7 @@ public:
   const TexelMapping& Mapping() const { return this->mapping; }
   double SmallestScalar() const { return this->smallestScalar; } ///< of the finite values
   double LargestScalar() const { return this->largestScalar; }
+  bool AllFinite() const { return this->allFinite; }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
 
@@ -46,6 +47,7 @@ private:
   TexelMapping mapping;
   double smallestScalar = 0.0;
   double largestScalar = 0.0;
+  bool allFinite = true;
   std::size_t bytes = 0;
 };
 

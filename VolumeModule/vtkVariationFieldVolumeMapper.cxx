@@ -18,6 +18,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -162,7 +163,7 @@ void vtkVariationFieldVolumeMapper::Internals::ChooseSampling(
     tolerance ? Share * frame.errorTolerance : mapper->EarlyTerminationTransmittance;
   frame.sampleDistanceMm = mapper->AutoAdjustSampleDistances
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
-    : mapper->SampleDistance;
+    : std::max(mapper->SampleDistance, frame.geometry.ShortestSampleDistanceMm());
 }
 
 // What the picture lacks of what was asked for; empty when it lacks nothing.
@@ -177,6 +178,15 @@ std::string vtkVariationFieldVolumeMapper::Internals::Shortcomings(
   if (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0)
   {
     shortcomings += "Clipping planes are not supported yet: the whole volume is drawn. ";
+  }
+  if (!mapper->GetAutoAdjustSampleDistances() &&
+    this->Marcher.UsedSampleDistanceMm() > mapper->GetSampleDistance())
+  {
+    std::ostringstream text;
+    text << "The sample distance " << mapper->GetSampleDistance()
+         << " is too short for this volume: " << this->Marcher.UsedSampleDistanceMm()
+         << " is used, 2^16 samples along its diagonal. ";
+    shortcomings += text.str();
   }
   if (this->Marcher.Tolerance() && !this->Marcher.Tolerance()->step.KeepsLimit())
   {

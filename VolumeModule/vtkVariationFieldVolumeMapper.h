@@ -21,6 +21,12 @@
  * Blend modes: composite, maximum, minimum and average intensity, additive, as VTK has them, in the
  * limit that its samples tend to.
  *
+ * Voxels that are not finite (NaN, infinity) have no value: the cells that touch one are left out,
+ * transparent and without a maximum, and beside them there is only ambient light. Other volumes pay
+ * nothing for that.
+ *
+ * The camera's clipping range cuts the volume at both ends.
+ *
  * Not for: rectilinear grids, cell data, several components, isosurface and slice blending. They
  * are reported as errors.
  *
@@ -100,9 +106,10 @@ public:
    * sample distance, integration rule, field tolerance and early termination so that 99.9 % of the
    * pixels keep it and none exceeds twice as much. Each new view is first tried out with a few
    * thousand of its rays, which costs a tenth to a fifth of a picture's time; what they miss is not
-   * known, so this is an estimate, not a proof. What cannot be kept with 128 samples per voxel is
-   * reported as a warning. 0: sample distance and early termination are what their own settings
-   * say.
+   * known, so this is an estimate, not a proof: of rays that just graze a hard surface, and of a
+   * peak of opacity too thin for any sample, it knows nothing. What cannot be kept with 128 samples
+   * per voxel is reported as a warning. 0: sample distance and early termination are what their own
+   * settings say.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);
@@ -127,7 +134,8 @@ public:
   ///@{
   /**
    * Distance between samples along a ray [world units, mm], > 0. Default 1. Used only while
-   * AutoAdjustSampleDistances is off.
+   * AutoAdjustSampleDistances is off. At most 2^16 samples are taken along the diagonal of the
+   * volume; a shorter distance is lengthened to that, with a warning.
    */
   vtkSetClampMacro(SampleDistance, double, 1e-30, 1e30);
   vtkGetMacro(SampleDistance, double);

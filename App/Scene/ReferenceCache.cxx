@@ -80,6 +80,7 @@ void AddView(ContentDigest& digest, const ReferenceView& view)
     AddMatrix(digest, direction);
   }
   AddMatrix(digest, view.rays.nearPlaneGrid);
+  AddMatrix(digest, view.rays.farPlaneGrid);
   AddMatrix(digest, view.worldFromGridDirection);
   digest.Add(view.width);
   digest.Add(view.height);

@@ -7,6 +7,8 @@
 #include "Scene/ProceduralVolume.h"
 #include "VolumeGeometry.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 #include <vtkStringArray.h>
 
 using namespace varimarch;
@@ -16,9 +18,10 @@ vtkSmartPointer<vtkImageData> SmallTorso()
   return ProceduralVolume({ ProceduralKind::Torso, { 40, 36, 24 }, 7 });
 }
 
-MapperScene::MapperScene(vtkImageData* image, int size)
+MapperScene::MapperScene(vtkImageData* image, int size, vtkHeadlessRenderWindow* window)
   : image(image)
   , size(size)
+  , window(window)
 {
   this->window->SetSize(size, size);
   this->window->AddRenderer(this->renderer);
@@ -48,6 +51,11 @@ MapperScene::MapperScene(vtkImageData* image, int size)
   camera->Zoom(1.4);
 }
 
+MapperScene::~MapperScene()
+{
+  this->window->RemoveRenderer(this->renderer);
+}
+
 std::vector<float> MapperScene::Draw()
 {
   const auto captured = CaptureFloatImage(this->window, this->renderer);
@@ -75,20 +83,32 @@ Blend BlendOf(int vtkBlendMode)
   }
 }
 
+// Doubles hold the values of every type that is drawn here.
+std::vector<double> VoxelsOf(vtkImageData* image)
+{
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  std::vector<double> voxels(scalars->GetNumberOfTuples());
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+  {
+    voxels[i] = scalars->GetComponent(vtkIdType(i), 0);
+  }
+  return voxels;
+}
+
 }
 
 std::vector<float> MapperScene::Truth(double tolerance)
 {
   const VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
-  const ScalarGrid<short> grid(
-    static_cast<const short*>(this->image->GetScalarPointer()), geometry.dimensions);
+  const std::vector<double> voxels = VoxelsOf(this->image);
+  const ScalarGrid<double> grid(voxels.data(), geometry.dimensions);
   vtkVolumeProperty* property = this->volume->GetProperty();
 
   ReferenceScene scene{ [&](glm::ivec3 cell) { return CornersOfCell(grid, cell); },
     geometry.boxGrid, TransferFunctionOf(property) };
   scene.blend = BlendOf(this->mapper->GetBlendMode());
   double range[2];
-  this->image->GetScalarRange(range);
+  this->image->GetPointData()->GetScalars()->GetFiniteRange(range);
   scene.grayRange = { range[0], range[1] };
   scene.averagedRange = { this->mapper->GetAverageIPScalarRange()[0],
     this->mapper->GetAverageIPScalarRange()[1] };

@@ -22,8 +22,12 @@
 class MapperScene
 {
 public:
-  /// @param image  short, one component: what the reference reads
-  explicit MapperScene(vtkImageData* image, int size = 96);
+  /// @param window  one that has been drawn to keeps its shaders for the next scene
+  explicit MapperScene(vtkImageData* image, int size = 96,
+    vtkHeadlessRenderWindow* window = vtkSmartPointer<vtkHeadlessRenderWindow>::New());
+  ~MapperScene();
+  MapperScene(const MapperScene&) = delete;
+  void operator=(const MapperScene&) = delete;
 
   /// The picture in float: premultiplied RGBA before the background.
   std::vector<float> Draw();
@@ -38,7 +42,7 @@ public:
 
   vtkSmartPointer<vtkImageData> image;
   int size;
-  vtkNew<vtkHeadlessRenderWindow> window;
+  vtkSmartPointer<vtkHeadlessRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkVolume> volume;
   vtkNew<vtkVariationFieldVolumeMapper> mapper;

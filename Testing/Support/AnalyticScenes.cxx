@@ -205,7 +205,7 @@ std::vector<float> AnalyticScene::Picture(const ReferenceView& view) const
     {
       const Ray ray = view.rays.At(
         2.0 * (column + 0.5) / view.width - 1.0, 2.0 * (row + 0.5) / view.height - 1.0);
-      const Interval inside = Intersection(ray, this->BoxGrid(), view.rays.BeyondNearPlane(ray));
+      const Interval inside = Intersection(ray, this->BoxGrid(), view.rays.BetweenPlanes(ray));
       const glm::dvec4 color = inside.IsEmpty()
         ? glm::dvec4(0.0)
         : this->Color({ ray, glm::length(view.worldFromGridDirection * ray.direction), inside });

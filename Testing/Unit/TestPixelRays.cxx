@@ -82,6 +82,22 @@ TEST(PixelRays, StartAtTheNearPlaneWhenTheEyeIsInside)
   EXPECT_NEAR(ray.origin.x, 30.5, 1e-9);
 }
 
+TEST(PixelRays, LieBetweenTheNearAndTheFarPlane)
+{
+  for (const glm::dmat4& projection : { glm::perspective(glm::radians(30.0), 1.0, 180.0, 300.0),
+         glm::ortho(-60.0, 60.0, -60.0, 60.0, 180.0, 300.0) })
+  {
+    const glm::dmat4 along =
+      glm::lookAt(glm::dvec3(-200.0, 15.0, 7.0), glm::dvec3(0.0, 15.0, 7.0), glm::dvec3(0, 0, 1));
+    const PixelRays rays = ComputePixelRays(projection * along, box);
+    const Ray ray = rays.At(0.0, 0.0);
+    const Interval between = rays.BetweenPlanes(ray);
+    EXPECT_NEAR(ray.origin.x, 0.0, 1e-9) << "rays start at the volume";
+    EXPECT_EQ(between.enter, 0.0);
+    EXPECT_NEAR(ray.origin.x + between.exit * ray.direction.x, 100.0, 1e-9);
+  }
+}
+
 TEST(PixelRays, RefuseAMatrixWithoutAnInverse)
 {
   EXPECT_THROW(ComputePixelRays(glm::dmat4(0.0), box), std::invalid_argument);

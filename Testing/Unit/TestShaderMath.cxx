@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,7 @@ namespace glsl
 using namespace glm;
 #include "Shaders/Math/Absorption.glsl"
 #include "Shaders/Math/IntersectBox.glsl"
+#include "Shaders/Math/LatticeWalk.glsl"
 }
 
 TEST(Absorption, KeepsItsDigitsFromTinyToHugeDepths)
@@ -58,4 +60,34 @@ TEST(IntersectBox, IsNeverNotANumberForRaysInTheFaces)
       EXPECT_FLOAT_EQ(inside.y, 5.0f);
     }
   }
+}
+
+TEST(LatticeWalk, AdvancesWithEveryBlockWhateverTheDirection)
+{
+  // In a face, along an edge, nearly so, and where a step of the ray is lost to rounding.
+  for (const glm::vec3& direction : { glm::vec3(1.0f, 0.0f, 0.0f), { 1.0f, -0.0f, -1e-35f },
+         { 1.0f, -1e-20f, 0.0f }, { 0.7f, 0.7f, -1e-6f }, { -1e-3f, -1.0f, 1e-7f } })
+  {
+    const glm::vec3 start(4.0f, 4.0f, 4.0f);
+    const glsl::LatticeRay ray = glsl::RayInLattice(start - 3000.0f * direction, direction);
+    glsl::LatticePlace place = glsl::PlaceAt(ray, 2996.0f, glm::vec3(8.0f));
+    for (int block = 0; block < 40; ++block)
+    {
+      const glsl::LatticePlace behind = glsl::BehindBlock(ray, place, 0.0f);
+      EXPECT_GE(behind.t, place.t);
+      const glm::vec3 moved = glm::abs(behind.cell - place.cell);
+      EXPECT_GE(moved.x + moved.y + moved.z, 1.0f);
+      EXPECT_LE(std::max({ moved.x, moved.y, moved.z }), 1.0f);
+      place = behind;
+    }
+  }
+}
+
+TEST(LatticeWalk, LeavesABlockAtItsNearestFace)
+{
+  const glsl::LatticeRay ray = glsl::RayInLattice({ 0.5f, 20.25f, 3.5f }, { 1.0f, -0.5f, 0.0f });
+  const glsl::LatticePlace behind =
+    glsl::BehindBlock(ray, glsl::PlaceAt(ray, 2.0f, glm::vec3(32.0f)), 1.0f);
+  EXPECT_FLOAT_EQ(behind.t, 3.5f); // cells 1 ... 3 and 18 ... 20: left at x = 4
+  EXPECT_EQ(behind.cell, glm::vec3(4.0f, 18.0f, 3.0f));
 }

@@ -13,9 +13,9 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
   EXPECT_EQ(FragmentShaderParts(plain),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "March/Midpoint.glsl", "Probe/None.glsl", "RayMarch.frag.glsl" }));
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
+      "Depth/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
+      "March/Midpoint.glsl", "Gaps/None.glsl", "Probe/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -42,6 +42,9 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   RenderSettings counting = plain;
   counting.countFetches = true;
   EXPECT_EQ(changed(counting), Parts{ "Probe/FetchCount.glsl" });
+  RenderSettings gaps = plain;
+  gaps.gaps = true;
+  EXPECT_EQ(changed(gaps), Parts{ "Gaps/Cells.glsl" });
 }
 
 TEST(ShaderRecipe, ARuleOfIntegrationIsItsMarchAndWhatThatLooksUp)
@@ -50,7 +53,7 @@ TEST(ShaderRecipe, ARuleOfIntegrationIsItsMarchAndWhatThatLooksUp)
   {
     const Parts parts =
       FragmentShaderParts({ Blend::Composite, Acceleration::Off, false, false, integration });
-    return Parts{ parts.at(5), parts.at(7) };
+    return Parts{ parts.at(6), parts.at(8) };
   };
   EXPECT_EQ(marchOf(Integration::PreIntegrated),
     (Parts{ "Classify/PreIntegrated.glsl", "March/PreIntegrated.glsl" }));
@@ -64,9 +67,10 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
 {
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
-      "March/Extreme.glsl", "Probe/None.glsl", "RayMarch.frag.glsl" }));
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
+      "Depth/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
+      "Blend/MaximumIntensity.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Probe/None.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)
@@ -76,7 +80,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 51u);
+  EXPECT_EQ(distinct.size(), 54u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

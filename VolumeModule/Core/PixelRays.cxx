@@ -54,7 +54,8 @@ PixelRays ComputePixelRays(const glm::dmat4& clipFromGrid, const Box& boxGrid)
   rays.startGrid = { centre + NearestClipDepth(clipFromGrid, boxGrid) * alongDepth, alongX,
     alongY };
   rays.directionGrid = { direction(centre), direction(alongX), direction(alongY) };
-  rays.nearPlaneGrid = glm::row(clipFromGrid, 2) + glm::row(clipFromGrid, 3);
+  rays.nearPlaneGrid = glm::row(clipFromGrid, 3) + glm::row(clipFromGrid, 2);
+  rays.farPlaneGrid = glm::row(clipFromGrid, 3) - glm::row(clipFromGrid, 2);
 
   // Scales cancel out of every use; without them float uniforms cannot overflow.
   const double startScale = 1.0 / rays.startGrid[0].w;
@@ -71,6 +72,8 @@ PixelRays ComputePixelRays(const glm::dmat4& clipFromGrid, const Box& boxGrid)
     rays.directionGrid[i] *= directionScale;
   }
   rays.nearPlaneGrid *= planeScale;
+  // The far plane may be at infinity, where it cuts nothing.
+  rays.farPlaneGrid *= planeScale;
   return rays;
 }
 
@@ -81,12 +84,14 @@ Ray PixelRays::At(double x, double y) const
     this->directionGrid[0] + x * this->directionGrid[1] + y * this->directionGrid[2] };
 }
 
-Interval PixelRays::BeyondNearPlane(const Ray& rayGrid) const
+Interval PixelRays::BetweenPlanes(const Ray& rayGrid) const
 {
+  const glm::dvec4 origin(rayGrid.origin, 1.0);
   const double approach = glm::dot(glm::dvec3(this->nearPlaneGrid), rayGrid.direction);
-  const double distance = glm::dot(this->nearPlaneGrid, glm::dvec4(rayGrid.origin, 1.0));
-  return { approach > 0.0 ? std::max(0.0, -distance / approach) : 0.0,
-    std::numeric_limits<double>::infinity() };
+  const double departure = -glm::dot(glm::dvec3(this->farPlaneGrid), rayGrid.direction);
+  return { approach > 0.0 ? std::max(0.0, -glm::dot(this->nearPlaneGrid, origin) / approach) : 0.0,
+    departure > 0.0 ? glm::dot(this->farPlaneGrid, origin) / departure
+                    : std::numeric_limits<double>::infinity() };
 }
 
 }

@@ -24,12 +24,13 @@ struct PixelRays
   std::array<glm::dvec4, 3> startGrid;
   std::array<glm::dvec3, 3> directionGrid; ///< away from the eye, any length
   glm::dvec4 nearPlaneGrid;                ///< dot(plane, (position, 1)) >= 0 beyond the near plane
+  glm::dvec4 farPlaneGrid;                 ///< and before the far plane
 
   /// The ray of one pixel centre, x and y in [-1, 1].
   Ray At(double x, double y) const;
 
-  /// The part of a ray from its start on that lies beyond the near plane.
-  Interval BeyondNearPlane(const Ray& rayGrid) const;
+  /// The part of a ray from its start on that lies between the near and the far plane.
+  Interval BetweenPlanes(const Ray& rayGrid) const;
 };
 
 /// @param clipFromGrid  grid space to OpenGL clip space, invertible

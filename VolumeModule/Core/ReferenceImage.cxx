@@ -23,7 +23,7 @@ ReferenceColor PixelColor(
   const Ray ray =
     view.rays.At(2.0 * (column + 0.5) / view.width - 1.0, 2.0 * (row + 0.5) / view.height - 1.0);
   const double mmPerParameter = glm::length(view.worldFromGridDirection * ray.direction);
-  return integrator.Color(ray, mmPerParameter, view.rays.BeyondNearPlane(ray));
+  return integrator.Color(ray, mmPerParameter, view.rays.BetweenPlanes(ray));
 }
 
 using Tile = tbb::blocked_range2d<int>;

@@ -1,6 +1,7 @@
 #include "Core/ShaderRecipe.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace varimarch
 {
@@ -84,6 +85,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   std::vector<std::string> parts = {
     "Slots.glsl",
     "Math/IntersectBox.glsl",
+    "Math/LatticeWalk.glsl",
     "Math/Absorption.glsl",
     settings.sceneGeometry ? "Depth/SceneGeometry.glsl" : "Depth/None.glsl",
     StepFile(settings),
@@ -95,6 +97,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   }
   parts.push_back(BlendFile(settings.blend));
   parts.push_back(MarchFile(settings));
+  parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
   parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
   parts.push_back("RayMarch.frag.glsl");
   return parts;
@@ -110,6 +113,13 @@ std::vector<RenderSettings> EveryRecipe()
   RenderSettings counting;
   counting.countFetches = true;
   std::vector<RenderSettings> recipes = { counting };
+  for (const auto& [blend, shading] : { std::pair(Blend::Composite, false),
+         std::pair(Blend::Composite, true), std::pair(Blend::MaximumIntensity, false) })
+  {
+    RenderSettings withGaps{ blend, Acceleration::Off, shading, false };
+    withGaps.gaps = true;
+    recipes.push_back(withGaps);
+  }
   for (Acceleration acceleration :
     { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
   {

@@ -12,8 +12,13 @@ namespace varimarch
 namespace
 {
 
-// An order of 1.6: what is left of the error when the distance is halved is 1/3 of it.
-constexpr double ErrorPerChange = 1.5;
+// What halving the distance changes is 1 - 2^-order of the error.
+constexpr double SupposedOrder = 1.6;
+
+double ErrorPerChange(double order)
+{
+  return 1.0 / (1.0 - std::exp2(-order));
+}
 
 struct Estimate
 {
@@ -25,8 +30,8 @@ Estimate EstimateError(
   const std::vector<float>& picture, const std::vector<float>& finer, const ErrorLimit& limit)
 {
   const ImageError change = CompareImages(picture.data(), finer.data(), picture.size() / 4);
-  const double percentile999 = ErrorPerChange * change.percentile999 / 255.0;
-  const double largest = ErrorPerChange * change.largest / 255.0;
+  const double percentile999 = ErrorPerChange(SupposedOrder) * change.percentile999 / 255.0;
+  const double largest = ErrorPerChange(SupposedOrder) * change.largest / 255.0;
   return { percentile999, std::max(percentile999 / limit.percentile999, largest / limit.largest) };
 }
 
@@ -77,16 +82,20 @@ private:
   std::map<int, std::vector<float>> pictures;
 };
 
-/// Between two levels the error is taken as a power of the distance.
+/// Between two levels the error is taken as a power of the distance. Where it falls slower than was
+/// supposed, as at opaque surfaces, halving the distance has changed a smaller part of it.
 StepChoice Between(
   const Levels& levels, int level, const Estimate& estimate, const Estimate& coarser)
 {
   const auto safeLog = [](double number) { return std::log2(std::max(number, 1e-12)); };
   const double slope = safeLog(coarser.ofLimit) - safeLog(estimate.ofLimit);
-  const double part = slope > 0.0 ? std::clamp(-safeLog(estimate.ofLimit) / slope, 0.0, 1.0) : 0.0;
   const double errorSlope = safeLog(coarser.percentile999) - safeLog(estimate.percentile999);
+  const double order = std::clamp(slope, 1.0, SupposedOrder);
+  const double missed = std::log2(ErrorPerChange(order) / ErrorPerChange(SupposedOrder));
+  const double part =
+    slope > 0.0 ? std::min((-safeLog(estimate.ofLimit) - missed) / slope, 1.0) : 1.0;
   return { levels.Distance(level) * std::exp2(part),
-    estimate.percentile999 * std::exp2(part * errorSlope), 1.0 };
+    estimate.percentile999 * std::exp2(missed + part * errorSlope), 1.0 };
 }
 
 }
@@ -104,7 +113,7 @@ StepChoice FindSampleDistance(
   while (estimate.ofLimit <= 1.0 && level > 0)
   {
     const Estimate coarser = levels.At(level - 1);
-    if (coarser.ofLimit > 1.0)
+    if (coarser.ofLimit > 1.0 || level == 1)
     {
       return Between(levels, level, estimate, coarser);
     }

@@ -23,6 +23,9 @@ double SafeMidpoint(const NodeShape& shape)
   return std::clamp(shape.midpoint, 0.00001, 0.99999);
 }
 
+/// A sharper curve is a step.
+constexpr double LargestSmoothSharpness = 0.99;
+
 /// How far a curve has left the nearer of two nodes, as a part of its way to the other, [0, 1/2],
 /// at the part `s` of the way, where 1/2 is the midpoint.
 /// The curve of vtkPiecewiseFunction and vtkColorTransferFunction: a Hermite cubic whose tangents
@@ -30,7 +33,7 @@ double SafeMidpoint(const NodeShape& shape)
 /// from both nodes.
 double Departure(double s, double sharpness)
 {
-  if (sharpness > 0.99)
+  if (sharpness > LargestSmoothSharpness)
   {
     return 0.0;
   }
@@ -214,10 +217,23 @@ namespace
 // between two entries a corner is cut off.
 constexpr double EntriesPerNodeGap = 32.0;
 
-/// A power of two with enough entries from a node to the next, within the limits.
-std::size_t EntryCount(double length, double smallestNodeGap, std::size_t mostEntries)
+/// Whether the curve jumps anywhere.
+template <class Node>
+bool HasStep(const std::vector<Node>& nodes)
 {
-  const double wanted = EntriesPerNodeGap * length / smallestNodeGap;
+  const auto isStep = [](const Node& node, const Node& next)
+  { return node.value == next.value || node.shape.sharpness > LargestSmoothSharpness; };
+  return std::adjacent_find(nodes.begin(), nodes.end(), isStep) != nodes.end();
+}
+
+/// A power of two with enough entries from a node to the next, within the limits.
+std::size_t EntryCount(
+  double length, const TransferFunction& transferFunction, std::size_t mostEntries)
+{
+  // A step becomes a ramp one entry wide, which moves an opaque surface: as little as can be.
+  const bool step = HasStep(transferFunction.Colors()) || HasStep(transferFunction.Opacities());
+  const double wanted =
+    step ? mostEntries : EntriesPerNodeGap * length / transferFunction.SmallestNodeGap();
   std::size_t count = 1024;
   while (double(count) < wanted && 2 * count <= mostEntries)
   {
@@ -258,8 +274,7 @@ OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double 
     return { smallestValue, largestValue, { everywhere, everywhere } };
   }
 
-  const std::size_t count =
-    EntryCount(last - first, transferFunction.SmallestNodeGap(), mostEntries);
+  const std::size_t count = EntryCount(last - first, transferFunction, mostEntries);
   OpticalTable table{ first, last, std::vector<glm::vec4>(count) };
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
     [&](const tbb::blocked_range<std::size_t>& range)

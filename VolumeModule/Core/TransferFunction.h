@@ -93,8 +93,8 @@ constexpr float OpaqueExtinction = 1e30f;
 
 /// Samples a transfer function over the part of [smallestValue, largestValue] where it changes,
 /// on all cores. The number of entries is a power of two with at least 32 from each node to the
-/// next, at least 1024 and at most `mostEntries`; where nothing changes it is two. Steps become
-/// ramps one entry wide.
+/// next, at least 1024 and at most `mostEntries`, as many as that for functions with a step, which
+/// becomes a ramp one entry wide; where nothing changes it is two.
 /// @throws std::invalid_argument unless smallestValue <= largestValue, both finite
 OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
   double largestValue, std::size_t mostEntries = 65536);

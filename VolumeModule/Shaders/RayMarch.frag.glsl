@@ -6,6 +6,7 @@ uniform vec2 viewportPixelsInverse;
 uniform vec4 startGrid[3];
 uniform vec3 directionGrid[3];
 uniform vec4 nearPlaneGrid; // dot(plane, position) >= 0 beyond the near plane
+uniform vec4 farPlaneGrid;  // and before the far plane
 uniform vec3 boxLowerGrid;
 uniform vec3 boxUpperGrid;
 uniform vec3 voxelCountInverse;
@@ -30,10 +31,14 @@ Interval InsideOf(Ray ray)
   vec2 inside = IntersectBox(ray.originGrid, ray.directionGrid, boxLowerGrid, boxUpperGrid);
   // The near plane cuts the box when the camera is close to it or inside.
   float approach = dot(nearPlaneGrid.xyz, ray.directionGrid);
-  float offset = -dot(nearPlaneGrid, vec4(ray.originGrid, 1.0));
   if (approach > 0.0)
   {
-    inside.x = max(inside.x, offset / approach);
+    inside.x = max(inside.x, -dot(nearPlaneGrid, vec4(ray.originGrid, 1.0)) / approach);
+  }
+  float departure = -dot(farPlaneGrid.xyz, ray.directionGrid);
+  if (departure > 0.0)
+  {
+    inside.y = min(inside.y, dot(farPlaneGrid, vec4(ray.originGrid, 1.0)) / departure);
   }
   return Interval(inside.x, min(inside.y, DepthLimit(ray)));
 }
@@ -46,5 +51,5 @@ void main()
   {
     discard;
   }
-  fragOutput0 = Probed(BlendResult(March(ray, inside)));
+  fragOutput0 = Probed(BlendResult(MarchVolume(ray, inside)));
 }

@@ -74,4 +74,11 @@ vec3 Shade(vec3 color, vec3 gradient, Ray ray);
 //   vec4 BlendResult(Accumulation sum);      premultiplied RGBA
 
 // --- March: the loop along a ray, with its rule of integration --------------------------------
-// Defines, after all the others: Accumulation March(Ray ray, Interval inside);
+// Defines: Accumulation March(Ray ray, Interval inside, Accumulation sum);
+//                               takes in the part of the ray that is inside
+
+// --- Gaps: the parts of a ray where the volume has a value -------------------------------------
+// Whether all voxels are finite that a gradient there is made of.
+bool HasGradient(vec3 positionTexture);
+// Defines, after all the others: Accumulation MarchVolume(Ray ray, Interval inside);
+//                               marches through all parts that have a value

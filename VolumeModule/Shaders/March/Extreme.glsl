@@ -4,9 +4,8 @@
 const int PartsPerSegment = 8;
 const int Halvings = 8;
 
-Accumulation March(Ray ray, Interval inside)
+Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
-  Accumulation sum = BlendBegin();
   float t = inside.enter;
   float best = t;
   for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)

@@ -3,9 +3,8 @@
 
 const int PartsPerSegment = 8;
 
-Accumulation March(Ray ray, Interval inside)
+Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
-  Accumulation sum = BlendBegin();
   float t = inside.enter;
   for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
   {

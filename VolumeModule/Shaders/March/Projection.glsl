@@ -2,9 +2,8 @@
 
 const int PartsPerSegment = 2;
 
-Accumulation March(Ray ray, Interval inside)
+Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
-  Accumulation sum = BlendBegin();
   float t = inside.enter;
   for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
   {

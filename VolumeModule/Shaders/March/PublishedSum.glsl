@@ -4,9 +4,8 @@
 // s. A sum that many samples would make one after the other is so replaced by its first term, and
 // may exceed 1. Order 1 at most.
 
-Accumulation March(Ray ray, Interval inside)
+Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
-  Accumulation sum = BlendBegin();
   float t = inside.enter;
   for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
   {

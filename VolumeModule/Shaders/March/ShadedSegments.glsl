@@ -14,9 +14,8 @@ bool IsVisible(float startScalar, float endScalar)
   return Classify(startScalar).a + Classify(middle).a + Classify(endScalar).a > 0.0;
 }
 
-Accumulation March(Ray ray, Interval inside)
+Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
-  Accumulation sum = BlendBegin();
   float t = inside.enter;
   float endScalar = 0.0;
   vec3 endGradient = vec3(0.0);

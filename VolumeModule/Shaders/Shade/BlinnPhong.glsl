@@ -1,7 +1,8 @@
 // Blinn-Phong with a head light: Blinn, "Models of light reflection for computer synthesized
 // pictures" (SIGGRAPH 1977). Light and eye are in one place, so the half vector is the direction
 // to the eye. Both sides of a surface are lit. The normal is the gradient by central differences
-// one voxel to either side; where it vanishes only ambient light is left, as in VTK.
+// one voxel to either side; where it vanishes, or is made of a voxel that is not
+// finite, only ambient light is left, as in VTK.
 
 uniform vec3 voxelSizeTexture;
 uniform mat3 worldFromGradient; // a gradient per voxel -> a normal in the world, any length
@@ -15,9 +16,10 @@ vec3 GradientAt(vec3 positionTexture)
   vec3 x = vec3(voxelSizeTexture.x, 0.0, 0.0);
   vec3 y = vec3(0.0, voxelSizeTexture.y, 0.0);
   vec3 z = vec3(0.0, 0.0, voxelSizeTexture.z);
-  return vec3(ScalarAt(positionTexture + x) - ScalarAt(positionTexture - x),
+  vec3 gradient = vec3(ScalarAt(positionTexture + x) - ScalarAt(positionTexture - x),
     ScalarAt(positionTexture + y) - ScalarAt(positionTexture - y),
     ScalarAt(positionTexture + z) - ScalarAt(positionTexture - z));
+  return HasGradient(positionTexture) ? gradient : vec3(0.0);
 }
 
 vec3 Shade(vec3 color, vec3 gradient, Ray ray)

@@ -5,7 +5,6 @@
 
 const float LongestGrowth = 4.0; // of a step behind what is nearly opaque
 
-uniform float nudgeMm;          // carries a ray across the face of a block that it has just reached
 uniform sampler3D fieldTexture; // nearest
 uniform float cellsPerBrick;
 uniform vec3 brickCount;
@@ -13,36 +12,29 @@ uniform vec3 brickCountInverse;
 
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
-  vec3 originBrick = ray.originGrid / cellsPerBrick;
-  vec3 directionBrick = ray.directionGrid / cellsPerBrick;
-  vec3 inverse = SafeInverse(directionBrick);
-  vec3 ahead = step(vec3(0.0), directionBrick);
-  vec3 outward = 2.0 * ahead - 1.0;
-
+  LatticeRay lattice =
+    RayInLattice(ray.originGrid / cellsPerBrick, ray.directionGrid / cellsPerBrick);
+  LatticePlace place = PlaceAt(lattice, t, brickCount);
+  LatticePlace behind = place;
   float content = 0.0;
-  float proven = t;
   for (int skip = 0; skip < mostSegments; ++skip)
   {
-    vec3 brick = clamp(floor(originBrick + t * directionBrick), vec3(0.0), brickCount - 1.0);
     content =
-      floor(textureLod(fieldTexture, (brick + 0.5) * brickCountInverse, 0.0).r * 255.0 + 0.5);
-    float radius = max(content - 128.0, 0.0);
-    // Planes through which the ray leaves the block, on each axis.
-    vec3 exits = (brick + ahead + outward * radius - originBrick) * inverse;
-    proven = min(min(exits.x, exits.y), exits.z);
+      floor(textureLod(fieldTexture, (place.cell + 0.5) * brickCountInverse, 0.0).r * 255.0 + 0.5);
+    behind = BehindBlock(lattice, place, max(content - 128.0, 0.0));
     if (content < 127.5)
     {
       break;
     }
-    t = max(t, proven) + nudgeMm;
-    if (t >= inside.exit)
+    place = behind;
+    if (place.t >= inside.exit)
     {
-      return Interval(t, t);
+      break;
     }
   }
   // An error made behind a veil is seen through it: the step may grow as the veil thickens. The
   // square root stands between what a rule of first and one of second order ask for.
   float growth = min(inversesqrt(max(blendState, 1e-6)), LongestGrowth);
-  float plain = t + growth * plainMm;
-  return Interval(t, content < 0.5 ? plain : max(plain, proven));
+  float plain = place.t + growth * plainMm;
+  return Interval(place.t, content < 0.5 ? plain : max(plain, behind.t));
 }

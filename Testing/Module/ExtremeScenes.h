@@ -1,0 +1,35 @@
+#ifndef Varimarch_Testing_ExtremeScenes_h
+#define Varimarch_Testing_ExtremeScenes_h
+
+#include "Module/MapperScene.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// A scene at the end of what a number, a geometry or a transfer function may be.
+struct ExtremeScene
+{
+  std::string name;
+  std::function<vtkSmartPointer<vtkImageData>()> image;
+  std::function<void(MapperScene&)> prepare; ///< transfer function, camera, settings
+};
+
+std::vector<ExtremeScene> ExtremeMaterials(); ///< opacities and transfer functions
+std::vector<ExtremeScene> HardSurfaces();     ///< opaque from one value to the next
+std::vector<ExtremeScene> ExtremeScalars();   ///< ranges, offsets, values that are not finite
+std::vector<ExtremeScene> ThinShapes();       ///< one voxel thick
+std::vector<ExtremeScene> ExtremeShapes();    ///< stretched, tiny and huge volumes
+std::vector<ExtremeScene> ExtremeViews();     ///< cameras and clipping ranges
+/// Sample distances, without an error tolerance, and a shell that no sample distance shows.
+std::vector<ExtremeScene> ExtremesWithoutTolerance();
+
+/// All of the above.
+std::vector<ExtremeScene> ExtremeScenes();
+
+/// The scene, set up in a window, with the mapper's default error tolerance.
+std::unique_ptr<MapperScene> MapperSceneOf(
+  const ExtremeScene& scene, int size, vtkHeadlessRenderWindow* window);
+
+#endif

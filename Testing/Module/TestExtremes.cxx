@@ -1,0 +1,224 @@
+// What happens at the ends of what numbers, geometries and transfer functions may be.
+
+#include "Module/ExtremeScenes.h"
+#include "Support/ExpectedVtkErrors.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Mapper = vtkVariationFieldVolumeMapper;
+
+std::string Describe(Mapper* mapper)
+{
+  return "acceleration " + std::to_string(mapper->GetAccelerationMode()) + ", rule " +
+    std::to_string(mapper->GetIntegrationRule()) + ", blend mode " +
+    std::to_string(mapper->GetBlendMode()) + ", tolerance " +
+    std::to_string(mapper->GetErrorTolerance());
+}
+
+// No NaN, no infinity, and an opacity that is one.
+void ExpectPicture(MapperScene& scene)
+{
+  const std::vector<float> drawn = scene.Draw();
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+  {
+    const bool good =
+      std::isfinite(drawn[i]) && drawn[i] >= 0.0f && (i % 4 != 3 || drawn[i] <= 1.0f);
+    ASSERT_TRUE(good) << drawn[i] << " in channel " << i % 4 << " of pixel " << i / 4 << ", "
+                      << Describe(scene.mapper);
+  }
+}
+
+// Calls test() with every way that a mapper may draw the scene.
+template <class Test>
+void ForEveryRecipe(MapperScene& scene, Test test)
+{
+  vtkVolumeProperty* const property = scene.volume->GetProperty();
+  for (int acceleration : { Mapper::Off, Mapper::ScalarField, Mapper::OpticalField })
+  {
+    scene.mapper->SetAccelerationMode(acceleration);
+    scene.mapper->SetBlendModeToComposite();
+    for (int rule = Mapper::Automatic; rule <= Mapper::PublishedSum; ++rule)
+    {
+      scene.mapper->SetIntegrationRule(rule);
+      test();
+    }
+    property->ShadeOn();
+    test();
+    property->ShadeOff();
+    scene.mapper->SetIntegrationRule(Mapper::Automatic);
+    for (int blend : { Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::MINIMUM_INTENSITY_BLEND,
+           Mapper::AVERAGE_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND })
+    {
+      scene.mapper->SetBlendMode(blend);
+      test();
+    }
+  }
+}
+
+}
+
+TEST(Extremes, DrawNothingButNumbers)
+{
+  // One window for all, whose shaders are compiled once.
+  vtkNew<vtkHeadlessRenderWindow> window;
+  ExpectedVtkErrors warnings;
+  for (const ExtremeScene& extreme : ExtremeScenes())
+  {
+    SCOPED_TRACE(extreme.name);
+    const auto scene = MapperSceneOf(extreme, 4, window);
+    ForEveryRecipe(*scene, [&] { ExpectPicture(*scene); });
+    if (scene->mapper->GetErrorTolerance() > 0.0)
+    {
+      scene->mapper->SetErrorTolerance(0.0);
+      ForEveryRecipe(*scene, [&] { ExpectPicture(*scene); });
+    }
+  }
+}
+
+namespace
+{
+
+struct Judged
+{
+  varimarch::ImageError error; ///< in 1/255
+  double offPart;              ///< of the pixels, those that are off by more than the tolerance
+  bool warned;
+};
+
+double OffPart(const std::vector<float>& drawn, const std::vector<float>& truth, double tolerance)
+{
+  int off = 0;
+  for (std::size_t pixel = 0; pixel < drawn.size(); pixel += 4)
+  {
+    off += !std::equal(&drawn[pixel], &drawn[pixel] + 4, &truth[pixel],
+      [&](float a, float b) { return std::abs(a - b) <= tolerance; });
+  }
+  return 4.0 * off / double(drawn.size());
+}
+
+// Calls expect() with what came of each of the scene's pictures by the mapper's defaults.
+template <class Expect>
+void JudgeEveryBlend(const ExtremeScene& extreme, vtkHeadlessRenderWindow* window, Expect expect)
+{
+  for (int blend :
+    { Mapper::COMPOSITE_BLEND, Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::AVERAGE_INTENSITY_BLEND })
+  {
+    for (bool shaded : { false, true })
+    {
+      if (shaded && blend != Mapper::COMPOSITE_BLEND)
+      {
+        continue;
+      }
+      const auto scene = MapperSceneOf(extreme, 48, window);
+      scene->mapper->SetBlendMode(blend);
+      scene->volume->GetProperty()->SetShade(shaded);
+      SCOPED_TRACE(extreme.name + (shaded ? ", shaded, " : ", ") + Describe(scene->mapper));
+      ExpectedVtkErrors warnings;
+      const std::vector<float> drawn = scene->Draw();
+      const std::vector<float> truth = scene->Truth();
+      expect({ varimarch::CompareImages(drawn.data(), truth.data(), truth.size() / 4),
+        OffPart(drawn, truth, scene->mapper->GetErrorTolerance()), !warnings.Messages().empty() });
+    }
+  }
+}
+
+void ExpectToleranceOrWarning(const std::vector<ExtremeScene>& scenes)
+{
+  constexpr double tolerance = 255.0 / 64.0;
+  vtkNew<vtkHeadlessRenderWindow> window;
+  for (const ExtremeScene& extreme : scenes)
+  {
+    JudgeEveryBlend(extreme, window,
+      [](const Judged& judged)
+      {
+        EXPECT_TRUE(judged.warned || judged.error.percentile999 <= tolerance)
+          << judged.error.percentile999;
+        // A maximum may be that of the second highest peak, in a ray of some thousand.
+        EXPECT_TRUE(
+          judged.warned || judged.offPart < 0.001 || judged.error.largest <= 2.0 * tolerance)
+          << judged.error.largest;
+      });
+  }
+}
+
+}
+
+TEST(Extremes, OfMaterialsKeepTheErrorToleranceOrWarn)
+{
+  ExpectToleranceOrWarning(ExtremeMaterials());
+}
+
+TEST(Extremes, OfScalarsKeepTheErrorToleranceOrWarn)
+{
+  ExpectToleranceOrWarning(ExtremeScalars());
+}
+
+TEST(Extremes, OfShapesKeepTheErrorToleranceOrWarn)
+{
+  ExpectToleranceOrWarning(ThinShapes());
+  ExpectToleranceOrWarning(ExtremeShapes());
+}
+
+TEST(Extremes, OfViewsKeepTheErrorToleranceOrWarn)
+{
+  ExpectToleranceOrWarning(ExtremeViews());
+}
+
+TEST(Extremes, HardSurfacesAreWrongOnlyWhereRaysGrazeThem)
+{
+  // At such a silhouette a pixel is wholly right or wholly wrong.
+  vtkNew<vtkHeadlessRenderWindow> window;
+  for (const ExtremeScene& extreme : HardSurfaces())
+  {
+    JudgeEveryBlend(extreme, window,
+      [](const Judged& judged)
+      { EXPECT_TRUE(judged.warned || judged.offPart < 0.005) << judged.offPart; });
+  }
+}
+
+TEST(Extremes, ASampleDistanceTooShortToEndIsLengthenedWithAWarning)
+{
+  vtkNew<vtkHeadlessRenderWindow> window;
+  for (const ExtremeScene& extreme : ExtremesWithoutTolerance())
+  {
+    if (extreme.name != "StepOf1e-30")
+    {
+      continue;
+    }
+    const auto scene = MapperSceneOf(extreme, 16, window);
+    ExpectedVtkErrors warnings;
+    EXPECT_LT(scene->Error().largest, 0.5);
+    EXPECT_NE(warnings.Text().find("is too short for this volume"), std::string::npos);
+  }
+}
+
+TEST(Extremes, VoxelsThatAreNotFiniteCostOtherVolumesNothing)
+{
+  const auto gapsOf = [](double value)
+  {
+    const auto image = SmallTorso();
+    MapperScene scene(image, 16);
+    vtkNew<vtkImageData> floats;
+    floats->CopyStructure(image);
+    floats->AllocateScalars(VTK_FLOAT, 1);
+    floats->GetPointData()->GetScalars()->Fill(0.0);
+    floats->SetScalarComponentFromDouble(9, 9, 9, 0, value);
+    scene.mapper->SetInputData(floats);
+    scene.Draw();
+    const std::vector<std::string> parts = scene.ShaderParts();
+    return std::find(parts.begin(), parts.end(), "Gaps/Cells.glsl") != parts.end();
+  };
+  EXPECT_FALSE(gapsOf(1.0));
+  EXPECT_TRUE(gapsOf(std::nan("")));
+}
