@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 using namespace varimarch;
 
@@ -38,7 +39,9 @@ struct Validation
 // @param stage  "vert" or "frag"
 Validation Validate(const std::vector<ShaderFile>& files, const std::string& stage)
 {
-  const std::string path = std::string(SCRATCH_FOLDER) + "/recipe." + stage;
+  // Tests of this program run side by side, each in its own process and with its own file.
+  const std::string path =
+    std::string(SCRATCH_FOLDER) + "/recipe-" + std::to_string(getpid()) + "." + stage;
   std::ofstream(path) << AssembleShader(files);
   const std::string command = std::string(GLSLANG_VALIDATOR) + " '" + path + "' 2>&1";
   FILE* const pipe = popen(command.c_str(), "r");
@@ -49,6 +52,7 @@ Validation Validate(const std::vector<ShaderFile>& files, const std::string& sta
     messages += line.data();
   }
   const int status = pclose(pipe);
+  std::remove(path.c_str());
   return { WIFEXITED(status) && WEXITSTATUS(status) == 0, TraceShaderErrors(messages, files) };
 }
 
