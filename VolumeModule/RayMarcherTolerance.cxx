@@ -97,7 +97,9 @@ ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame)
     return [this, &frame, integration](double sampleDistanceMm)
     { return this->DrawProbe(frame, integration, sampleDistanceMm); };
   };
-  const auto choiceBy = [&](Integration integration, double firstMm)
+  // Each search begins at the same place, so that what it finds does not depend on the one before.
+  const double firstMm = frame.geometry.SmallestSpacingMm();
+  const auto choiceBy = [&](Integration integration)
   {
     return ToleranceChoice{ InputsOf(frame, this->builds), RuleInputsOf(frame, this->builds),
       integration, FindSampleDistance(drawingBy(integration), limit, range, firstMm) };
@@ -106,20 +108,17 @@ ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame)
   // The rule is chosen anew only for another transfer function or volume: not while a camera moves.
   if (this->tolerance && this->tolerance->ruleInputs == RuleInputsOf(frame, this->builds))
   {
-    return choiceBy(this->tolerance->integration, this->tolerance->step.sampleDistance);
+    return choiceBy(this->tolerance->integration);
   }
-  const double firstMm =
-    this->tolerance ? this->tolerance->step.sampleDistance : frame.geometry.SmallestSpacingMm();
-  const ToleranceChoice choice = choiceBy(frame.settings.integration, firstMm);
+  const ToleranceChoice choice = choiceBy(frame.settings.integration);
   if (!frame.chooseIntegration)
   {
     return choice;
   }
-  const double distanceMm = choice.step.sampleDistance;
   const double preIntegrated =
-    ErrorOfLimit(drawingBy(Integration::PreIntegrated), limit, distanceMm);
+    ErrorOfLimit(drawingBy(Integration::PreIntegrated), limit, choice.step.sampleDistance);
   return PreIntegrationGain * preIntegrated < choice.step.ofLimit
-    ? choiceBy(Integration::PreIntegrated, distanceMm)
+    ? choiceBy(Integration::PreIntegrated)
     : choice;
 }
 
@@ -128,6 +127,7 @@ std::vector<float> RayMarcher::DrawProbe(
 {
   frame.viewport = ProbeFramebuffer::PixelsFor(frame.viewport);
   frame.settings.integration = integration;
+  frame.settings.countFetches = false; // errors are of colours, whatever the picture shows
   frame.sampleDistanceMm = sampleDistanceMm;
   this->UpdatePreIntegratedTable(frame);
   this->UpdateProgram(frame);

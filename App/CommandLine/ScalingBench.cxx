@@ -16,7 +16,6 @@ void AddRound(const LoadedScene& loaded, MapperKind kind, ScalingPoint& point)
   if (point.rounds.size() == 1)
   {
     view.Pipeline().SetLook(loaded.scene.look);
-    view.Render();
     point.fetchesPerPixel = FetchesPerPixel(view);
     point.graphicsBytes = GraphicsBytes(view);
   }

@@ -47,6 +47,22 @@ const std::vector<ToleranceCase> Cases = {
     [](MapperScene& scene) { scene.mapper->SetBlendModeToMaximumIntensity(); } },
 };
 
+// Between the samples of a ray along z, both where they are four and where they are two voxels
+// apart.
+vtkSmartPointer<vtkImageData> SheetsEveryFourVoxels()
+{
+  constexpr int Side = 41;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(Side, Side, Side);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* voxels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < Side * Side * Side; ++i)
+  {
+    voxels[i] = i / (Side * Side) % 4 == 0 ? 100 : 0;
+  }
+  return image;
+}
+
 }
 
 class ErrorTolerance : public testing::TestWithParam<ToleranceCase>
@@ -120,4 +136,40 @@ TEST(ErrorTolerance, DrawsNothingIntoTheWindowWhenTriedOut)
   scene.mapper->SetErrorTolerance(1.0 / 64.0);
   const std::vector<float> tried = scene.Draw();
   EXPECT_EQ(tried, scene.Draw());
+}
+
+TEST(ErrorTolerance, IsTriedOutByColoursWhileFetchCountsAreDrawn)
+{
+  MapperScene counting(SmallTorso());
+  counting.mapper->DrawFetchCountsOn();
+  MapperScene colored(SmallTorso());
+  for (MapperScene* scene : { &counting, &colored })
+  {
+    scene->mapper->SetErrorTolerance(1.0 / 64.0);
+    scene->Draw();
+  }
+  EXPECT_EQ(counting.mapper->GetUsedSampleDistance(), colored.mapper->GetUsedSampleDistance());
+  EXPECT_EQ(counting.mapper->GetEstimatedError(), colored.mapper->GetEstimatedError());
+}
+
+TEST(ErrorTolerance, DoesNotDependOnTheOnesBefore)
+{
+  MapperScene scene(SheetsEveryFourVoxels());
+  SetOpacities(scene, { { 0.0, 0.0 }, { 100.0, 0.03 } });
+  scene.mapper->SetAccelerationModeToOff();
+  vtkCamera* const camera = scene.renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetPosition(camera->GetFocalPoint()[0], camera->GetFocalPoint()[1], 200.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  const auto distanceFor = [&](double tolerance)
+  {
+    scene.mapper->SetErrorTolerance(tolerance);
+    scene.Draw();
+    return scene.mapper->GetUsedSampleDistance();
+  };
+  const double alone = distanceFor(1.0 / 64.0);
+  const double coarse = distanceFor(1.0);
+  EXPECT_GT(coarse, alone);
+  // Begun at four voxels, a search would see nothing there, nothing at two voxels, and believe it.
+  EXPECT_EQ(distanceFor(1.0 / 64.0), alone);
 }
