@@ -54,6 +54,19 @@ std::string WrittenPlot(const LogLogPlot& plot, const std::string& stem)
   return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
 }
 
+std::vector<std::string> WrittenPlots(
+  const WorkPrecision& scene, const std::filesystem::path& folder)
+{
+  std::vector<std::string> svgs = { WrittenPlot(
+    TimePlot(scene), (folder / (scene.name + "-time")).string()) };
+  const LogLogPlot fetches = FetchPlot(scene);
+  if (!fetches.curves.empty())
+  {
+    svgs.push_back(WrittenPlot(fetches, (folder / (scene.name + "-readings")).string()));
+  }
+  return svgs;
+}
+
 struct WorkPrecisionCommand
 {
   std::string commandText;
@@ -71,21 +84,17 @@ struct WorkPrecisionCommand
     std::vector<WorkPrecision> scenes;
     for (const std::string& input : this->inputs)
     {
+      SetInterruptNotice(folder,
+        std::to_string(scenes.size()) + " of " + std::to_string(this->inputs.size()) + " scenes");
       const auto [scene, volume] = this->sceneOptions.Load(input);
       Progress progress("Measuring " + input);
       scenes.push_back(MeasureRuns(SceneName(input, scenes), scene, volume,
         WorkPrecisionRuns(scene, volume.image, this->methods), this->options,
         [&](const std::string& step) { progress.SetActivity(step); }));
-      const std::string stem = (folder / scenes.back().name).string();
-      page.plotSvgs.push_back({ WrittenPlot(TimePlot(scenes.back()), stem + "-time") });
-      const LogLogPlot fetches = FetchPlot(scenes.back());
-      if (!fetches.curves.empty())
-      {
-        page.plotSvgs.back().push_back(WrittenPlot(fetches, stem + "-readings"));
-      }
+      page.plotSvgs.push_back(WrittenPlots(scenes.back(), folder));
+      ThrowIfVtkReportedError();
+      this->Write(scenes, page, folder);
     }
-    ThrowIfVtkReportedError();
-    this->Write(scenes, page, folder);
     std::cout << TableText(scenes) << ToleranceText(scenes)
               << "Report: " << (folder / "work-precision.html").string() << "\n";
   }
@@ -122,13 +131,13 @@ void AddWorkPrecisionCommand(CLI::App& bench, const std::string& commandText)
   command->commandText = commandText;
   CLI::App* app = bench.add_subcommand(
     "work-precision", "Error against run time of our mapper's choices and of VTK's mappers");
-  app->footer(
-    "Writes work-precision.html, which needs no other file, .csv and .json, and each scene's plot\n"
-    "as PNG and SVG.\n"
-    "Examples:\n"
-    "  varimarch bench work-precision head.nii.gz -o report --size 256x256\n"
-    "  varimarch bench work-precision Data/Scenes/*.json -o report --rounds 5\n"
-    "  varimarch bench work-precision scene.json -o report --methods optical,vtk-gpu");
+  app->footer("Writes work-precision.html, which needs no other file, .csv and .json, and "
+              "each scene's plots\n"
+              "as PNG and SVG, after each scene: stopped, it leaves what it has.\n"
+              "Examples:\n"
+              "  varimarch bench work-precision head.nii.gz -o report --size 256x256\n"
+              "  varimarch bench work-precision Data/Scenes/*.json -o report --rounds 5\n"
+              "  varimarch bench work-precision scene.json -o report --methods optical,vtk-gpu");
   app
     ->add_option("SCENES", command->inputs,
       "Scene files (.json), volume files, DICOM folders, or procedural:NAME[:XxYxZ]")
@@ -161,16 +170,29 @@ struct PublishedCommand
   {
     const std::filesystem::path folder = OutputFolder(this->outputFolder);
     PublishedPage page = { this->commandText, ThisMachine(), {} };
+    SetInterruptNotice(folder, "nothing yet");
     {
       Progress progress("Measuring the published scenes");
-      page.measured = MeasurePublished(
-        this->options, [&](const std::string& step) { progress.SetActivity(step); });
+      MeasurePublished(
+        this->options, [&](const std::string& step) { progress.SetActivity(step); },
+        [&](const PublishedMeasurements& measured)
+        {
+          page.measured = measured;
+          this->Write(page, folder);
+        });
     }
+    std::cout << PublishedMarkdown(page);
+  }
+
+  void Write(const PublishedPage& page, const std::filesystem::path& folder) const
+  {
     WriteFileWhole(folder / "published.md", PublishedMarkdown(page));
     const nlohmann::ordered_json results = ToJson(page);
     WriteResults(results, folder / "published.json");
     WriteResults(results, this->jsonPath);
-    std::cout << PublishedMarkdown(page);
+    SetInterruptNotice(folder,
+      std::to_string(page.measured.volumes.size() + page.measured.volt.size()) +
+        " scenes of those it was to measure");
   }
 };
 

@@ -1,5 +1,7 @@
 #include "OutputFolder.h"
 
+#include "Scene/OutputFile.h"
+
 #include <stdexcept>
 
 namespace varimarch
@@ -15,6 +17,11 @@ std::filesystem::path OutputFolder(const std::string& path)
       (error ? ": " + error.message() : ""));
   }
   return path;
+}
+
+void SetInterruptNotice(const std::filesystem::path& folder, const std::string& contents)
+{
+  SetInterruptNotice("varimarch: stopped; " + folder.string() + " holds " + contents);
 }
 
 }

@@ -11,6 +11,9 @@ namespace varimarch
 /// @throws std::runtime_error that names it and the system's reason
 std::filesystem::path OutputFolder(const std::string& path);
 
+/// What Ctrl-C and a request to terminate say from now on: that the folder holds so much.
+void SetInterruptNotice(const std::filesystem::path& folder, const std::string& contents);
+
 }
 
 #endif

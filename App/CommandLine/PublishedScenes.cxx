@@ -107,7 +107,8 @@ WorkPrecision Measured(const std::string& name, const Look& look, const LoadedVo
     name, scene, volume, runs, { options.rounds, std::numeric_limits<double>::infinity() }, onStep);
 }
 
-void AddVolt(const PublishedOptions& options, const OnStep& onStep, PublishedMeasurements& result)
+void AddVolt(const PublishedOptions& options, const OnStep& onStep, const OnPublished& onMeasured,
+  PublishedMeasurements& result)
 {
   const LoadedVolume volume =
     LoadVolume(FileSource{ options.folder + "/" + VisMale, std::nullopt });
@@ -118,6 +119,7 @@ void AddVolt(const PublishedOptions& options, const OnStep& onStep, PublishedMea
       const Look look = VoltLook(volume.image, alpha255, shaded);
       result.volt.push_back({ alpha255, shaded,
         Measured(look.name, look, volume, VoltRuns(volume.image), options, onStep) });
+      onMeasured(result);
     }
   }
 }
@@ -139,7 +141,8 @@ const std::vector<PublishedVolume>& PublishedVolumes()
   return volumes;
 }
 
-PublishedMeasurements MeasurePublished(const PublishedOptions& options, const OnStep& onStep)
+PublishedMeasurements MeasurePublished(
+  const PublishedOptions& options, const OnStep& onStep, const OnPublished& onMeasured)
 {
   PublishedMeasurements result;
   for (const PublishedVolume& published : PublishedVolumes())
@@ -155,6 +158,7 @@ PublishedMeasurements MeasurePublished(const PublishedOptions& options, const On
     result.volumes.push_back({ published,
       Measured(published.name, BanqueroLook(volume.image), volume, BanqueroRuns(volume.image),
         options, onStep) });
+    onMeasured(result);
   }
   if (result.volumes.empty())
   {
@@ -163,7 +167,7 @@ PublishedMeasurements MeasurePublished(const PublishedOptions& options, const On
   }
   if (std::filesystem::exists(options.folder + "/" + VisMale))
   {
-    AddVolt(options, onStep, result);
+    AddVolt(options, onStep, onMeasured, result);
   }
   return result;
 }

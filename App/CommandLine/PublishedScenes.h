@@ -3,6 +3,7 @@
 
 #include "WorkPrecision.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -58,8 +59,12 @@ struct PublishedOptions
   int rounds = 3;
 };
 
+/// Told after each scene what has been measured so far.
+using OnPublished = std::function<void(const PublishedMeasurements&)>;
+
 /// @throws std::runtime_error when it holds none, or a mapper reports an error
-PublishedMeasurements MeasurePublished(const PublishedOptions& options, const OnStep& onStep);
+PublishedMeasurements MeasurePublished(
+  const PublishedOptions& options, const OnStep& onStep, const OnPublished& onMeasured);
 
 }
 

@@ -82,19 +82,27 @@ struct SpeedCommand
     page.missing = loaded.missing;
     page.options.shaded = this->shading == "both" ? std::vector<bool>{ false, true }
                                                   : std::vector<bool>{ this->shading == "on" };
-    for (const LoadedScene& scene : loaded.scenes)
+    for (std::size_t i = 0; i < loaded.scenes.size(); ++i)
     {
+      const LoadedScene& scene = loaded.scenes[i];
+      SetInterruptNotice(
+        folder, std::to_string(i) + " of " + std::to_string(loaded.scenes.size()) + " scenes");
       Progress progress("Measuring " + scene.name);
       const std::vector<SpeedCase> cases = MeasureSpeed(
         scene, page.options, [&](const std::string& step) { progress.SetActivity(step); });
       page.cases.insert(page.cases.end(), cases.begin(), cases.end());
+      this->Write(page, folder);
     }
+    std::cout << SpeedMarkdown(page);
+  }
+
+  void Write(const SpeedPage& page, const std::filesystem::path& folder) const
+  {
     const nlohmann::ordered_json results = ToJson(page);
     WriteResults(results, folder / "speed.json");
     WriteResults(results, this->jsonPath);
     WriteFileWhole(folder / "speed.md", SpeedMarkdown(page));
     WritePlot(SpeedPlot(page.cases), folder / "speed");
-    std::cout << SpeedMarkdown(page);
   }
 };
 
@@ -107,9 +115,11 @@ struct ScalingCommand
   std::string outputFolder;
   std::string jsonPath;
 
-  // All curves of one procedural volume.
-  std::vector<ScalingCurve> Curves(const std::string& volume, ScalingPage& page) const
+  // Adds all curves of one procedural volume, and writes the page at each point.
+  void AddCurves(
+    const std::string& volume, const std::filesystem::path& folder, ScalingPage& page) const
   {
+    const std::vector<ScalingCurve> before = page.curves;
     std::vector<ScalingCurve> curves = { { volume, MapperKind::Varimarch, {}, {} },
       { volume, MapperKind::VtkGpu, {}, {} } };
     for (const int side : this->sides)
@@ -122,25 +132,32 @@ struct ScalingCommand
       AddScalingPoints(
         { input, scene, loaded }, side, this->rounds,
         [&](const std::string& step) { progress.SetActivity(input + ": " + step); }, curves);
+      page.curves = before;
+      page.curves.insert(page.curves.end(), curves.begin(), curves.end());
+      this->Write(page, folder);
+      SetInterruptNotice(folder, "volumes up to " + input);
     }
-    return curves;
   }
 
   void Run() const
   {
     const std::filesystem::path folder = OutputFolder(this->outputFolder);
     ScalingPage page = { this->commandText, ThisMachine(), this->rounds, {}, {} };
+    SetInterruptNotice(folder, "nothing yet");
     for (const std::string volume : { "shells", "torso" })
     {
-      const std::vector<ScalingCurve> curves = this->Curves(volume, page);
-      page.curves.insert(page.curves.end(), curves.begin(), curves.end());
+      this->AddCurves(volume, folder, page);
     }
+    std::cout << ScalingMarkdown(page);
+  }
+
+  void Write(const ScalingPage& page, const std::filesystem::path& folder) const
+  {
     const nlohmann::ordered_json results = ToJson(page);
     WriteResults(results, folder / "scaling.json");
     WriteResults(results, this->jsonPath);
     WriteFileWhole(folder / "scaling.md", ScalingMarkdown(page));
     WritePlot(ScalingPlot(page.curves), folder / "scaling");
-    std::cout << ScalingMarkdown(page);
   }
 };
 

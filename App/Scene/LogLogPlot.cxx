@@ -1,5 +1,6 @@
 #include "Scene/LogLogPlot.h"
 
+#include "Scene/OutputFile.h"
 #include "Scene/vtkHeadlessRenderWindow.h"
 
 #include <vtkAxis.h>
@@ -263,17 +264,17 @@ void WritePlotSvg(const LogLogPlot& plot, const std::string& path)
   // vtkSVGExporter clips the curves away, so VTK's other way to SVG; it adds the extension itself.
   vtkNew<vtkOpenGLGL2PSExporter> exporter;
   exporter->SetRenderWindow(chart.Window());
-  exporter->SetFilePrefix(std::filesystem::path(path).replace_extension().c_str());
   exporter->SetFileFormatToSVG();
   exporter->CompressOff();
   exporter->SilentOn(); // it cannot embed the empty background, and says so
   exporter->SetTitle(plot.title.c_str());
-  std::filesystem::remove(path);
-  exporter->Write();
-  if (!std::filesystem::exists(path))
-  {
-    throw std::runtime_error(path + ": cannot be written");
-  }
+  WriteFileWhole(path,
+    [&](const std::string& part)
+    {
+      exporter->SetFilePrefix(std::filesystem::path(part).replace_extension().c_str());
+      exporter->Write();
+      return std::filesystem::exists(part);
+    });
 }
 
 }

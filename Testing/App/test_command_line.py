@@ -43,7 +43,7 @@ def render(folder):
         assert written["volume"]["dimensions"] == [48, 40, 32]
         assert written["look"] == "ct-vessels" and written["renderer"] == renderer
         assert "--view left" in written["command"]
-    assert not list(folder.glob("*.part")), "an unfinished file is left"
+    assert not list(folder.glob("*.part*")), "an unfinished file is left"
     for acceleration in ("off", "scalar", "optical"):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64",
             "--acceleration", acceleration)
@@ -329,12 +329,34 @@ def interrupt(folder):
     time.sleep(1.5)
     process.send_signal(signal.SIGINT)
     assert process.wait(timeout=20) == -signal.SIGINT
-    assert not list(folder.rglob("*.part"))
+    assert not list(folder.rglob("*.part*"))
+
+
+def bench_keeps_what_it_has_when_stopped(folder):
+    """Each scene is written once it is measured; what a signal leaves is whole, and is told."""
+    process = subprocess.Popen(
+        [sys.argv[1], "bench", "work-precision", VOLUME, "procedural:torso:192x192x192", "-o",
+         str(folder), "--size", "48x40", "--methods", "off,vtk-cpu"],
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 60
+    while not (folder / "work-precision.html").exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    time.sleep(0.2)
+    process.send_signal(signal.SIGTERM)
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == -signal.SIGTERM, errors
+    assert errors.splitlines()[-1] == f"varimarch: stopped; {folder} holds 1 of 2 scenes", errors
+    (scene,) = json.loads((folder / "work-precision.json").read_text())["scenes"]
+    rows = list(csv.DictReader((folder / "work-precision.csv").open()))
+    assert {row["scene"] for row in rows} == {scene["name"]}
+    assert (folder / "work-precision.html").read_text().rstrip().endswith("</html>")
+    assert not list(folder.glob("*.part*"))
 
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
         cases = (render, compare, bench, bench_leaves_out_what_takes_long,
                  bench_judges_error_tolerances, published, speed,
-                 speed_draws_what_takes_long_in_one_round, scaling, info, usage, errors, interrupt)
+                 speed_draws_what_takes_long_in_one_round, scaling, info, usage, errors, interrupt,
+                 bench_keeps_what_it_has_when_stopped)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))
