@@ -10,7 +10,7 @@
 #include "SpeedCommand.h"
 #include "ToleranceReport.h"
 #include "VtkMessages.h"
-#include "WorkPrecisionHtml.h"
+#include "WorkPrecisionMarkdown.h"
 #include "WorkPrecisionReport.h"
 
 #include <algorithm>
@@ -58,7 +58,7 @@ std::vector<std::string> WrittenPlots(
   const WorkPrecision& scene, const std::filesystem::path& folder)
 {
   std::vector<std::string> svgs = { WrittenPlot(
-    TimePlot(scene), (folder / (scene.name + "-time")).string()) };
+    TimePlot(scene), (folder / PlotStem(scene)).string()) };
   const LogLogPlot fetches = FetchPlot(scene);
   if (!fetches.curves.empty())
   {
@@ -114,6 +114,7 @@ struct WorkPrecisionCommand
     WriteResults(results, folder / "work-precision.json");
     WriteResults(results, this->jsonPath);
     WriteFileWhole(folder / "work-precision.csv", TableCsv(scenes));
+    WriteFileWhole(folder / "work-precision.md", WorkPrecisionMarkdown(scenes, page));
     WriteFileWhole(folder / "work-precision.html", WorkPrecisionHtml(scenes, page));
   }
 };
@@ -131,7 +132,7 @@ void AddWorkPrecisionCommand(CLI::App& bench, const std::string& commandText)
   command->commandText = commandText;
   CLI::App* app = bench.add_subcommand(
     "work-precision", "Error against run time of our mapper's choices and of VTK's mappers");
-  app->footer("Writes work-precision.html, which needs no other file, .csv and .json, and "
+  app->footer("Writes work-precision.html, which needs no other file, .md, .csv and .json, and "
               "each scene's plots\n"
               "as PNG and SVG, after each scene: stopped, it leaves what it has.\n"
               "Examples:\n"

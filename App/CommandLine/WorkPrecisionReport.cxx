@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace varimarch
@@ -82,6 +83,24 @@ LogLogPlot ErrorPlot(const WorkPrecision& scene, const std::string& xTitle, cons
   return plot;
 }
 
+// The time of the fastest of some methods at an RMSE.
+std::optional<double> FastestAtError(
+  const WorkPrecision& scene, const std::vector<std::string>& methods, double rmse)
+{
+  std::optional<double> fastest;
+  for (const std::string& method : methods)
+  {
+    const WorkCurve* curve = CurveOf(scene, method);
+    const std::optional<double> milliseconds =
+      curve ? MillisecondsAtError(*curve, &ImageError::rootMeanSquare, rmse) : std::nullopt;
+    if (milliseconds && *milliseconds < fastest.value_or(*milliseconds + 1.0))
+    {
+      fastest = milliseconds;
+    }
+  }
+  return fastest;
+}
+
 }
 
 LogLogPlot TimePlot(const WorkPrecision& scene)
@@ -111,6 +130,52 @@ std::vector<EqualErrorRow> EqualErrorRows(const WorkPrecision& scene)
     }
   }
   return rows;
+}
+
+const std::vector<std::string>& OurMethods()
+{
+  static const std::vector<std::string> methods = { "tolerance", "optical", "pre-integrated" };
+  return methods;
+}
+
+std::array<double, 2> ErrorsOf(const WorkCurve& curve)
+{
+  const auto [smallest, largest] = std::minmax_element(curve.points.begin(), curve.points.end(),
+    [](const WorkPoint& a, const WorkPoint& b)
+    { return a.error.light.rootMeanSquare < b.error.light.rootMeanSquare; });
+  return { smallest->error.light.rootMeanSquare, largest->error.light.rootMeanSquare };
+}
+
+std::optional<WorstRatio> WorstAgainstVtk(
+  const WorkPrecision& scene, const std::vector<std::string>& methods)
+{
+  constexpr int Errors = 200; // that are looked at, evenly spaced in the plot
+  const WorkCurve* vtk = CurveOf(scene, "vtk-gpu");
+  if (!vtk ||
+    std::none_of(methods.begin(), methods.end(),
+      [&](const std::string& method) { return CurveOf(scene, method); }))
+  {
+    return std::nullopt;
+  }
+  const auto [smallest, largest] = ErrorsOf(*vtk);
+  WorstRatio worst = { largest, std::numeric_limits<double>::infinity() };
+  for (int i = 0; i <= Errors && worst.times; ++i)
+  {
+    const double rmse =
+      std::max(largest * std::pow(smallest / largest, double(i) / Errors), smallest);
+    const double vtkMs = *MillisecondsAtError(*vtk, &ImageError::rootMeanSquare, rmse);
+    const std::optional<double> oursMs = FastestAtError(scene, methods, rmse);
+    if (!oursMs || vtkMs / *oursMs < *worst.times)
+    {
+      worst = { rmse, oursMs ? std::optional<double>(vtkMs / *oursMs) : std::nullopt };
+    }
+  }
+  return worst;
+}
+
+std::string PlotStem(const WorkPrecision& scene)
+{
+  return scene.name + "-time";
 }
 
 std::string TableText(const std::vector<WorkPrecision>& scenes)
@@ -171,6 +236,14 @@ nlohmann::ordered_json ToJson(const WorkPrecision& scene)
   for (const WorkCurve& curve : scene.curves)
   {
     json["methods"].push_back(ToJson(scene, curve));
+  }
+  if (const auto worst = WorstAgainstVtk(scene, OurMethods()))
+  {
+    json["worstAgainstVtkGpu"] = { { "rmse255", worst->rmse } };
+    if (worst->times)
+    {
+      json["worstAgainstVtkGpu"]["timesAsFast"] = *worst->times;
+    }
   }
   for (const ToleranceRow& row : ToleranceRows(scene))
   {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,27 @@ struct EqualErrorRow
 
 /// A row for each setting of VTK's GPU mapper; none when one of both was not measured.
 std::vector<EqualErrorRow> EqualErrorRows(const WorkPrecision& scene);
+
+/// The methods that are our mapper as it is meant to be used.
+const std::vector<std::string>& OurMethods();
+
+/// Where methods are the least faster than VTK's GPU mapper.
+struct WorstRatio
+{
+  double rmse;
+  std::optional<double> times; ///< as fast; empty: none of their settings errs so little
+};
+
+/// Of all RMSE that VTK's GPU mapper reaches, from its largest to its smallest; at each the fastest
+/// of the methods counts. Empty when it, or all of them, were not measured.
+std::optional<WorstRatio> WorstAgainstVtk(
+  const WorkPrecision& scene, const std::vector<std::string>& methods);
+
+/// The smallest and the largest RMSE of a curve.
+std::array<double, 2> ErrorsOf(const WorkCurve& curve);
+
+/// The file of a scene's plot over time, without folder and extension.
+std::string PlotStem(const WorkPrecision& scene);
 
 /// Columns in line, for a terminal: those rows of all scenes.
 std::string TableText(const std::vector<WorkPrecision>& scenes);

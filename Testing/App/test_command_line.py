@@ -170,6 +170,14 @@ def bench_judges_error_tolerances(folder):
     page = (folder / "work-precision.html").read_text()
     for number in tolerances:
         assert f"tolerance 1/{number}" in text and f"<td>tolerance 1/{number}</td>" in page
+    tables = (folder / "work-precision.md").read_text()
+    judgement = tables[tables.index("## Left of"):tables.index("## Error tolerances")]
+    errors = [float(row["rmse_255"]) for row in rows if row["method"] == "vtk-gpu"]
+    worst = scene["worstAgainstVtkGpu"]
+    assert min(errors) * 0.999 <= worst["rmse255"] <= max(errors) * 1.001, (worst, errors)
+    yes = worst.get("timesAsFast", 0) > 1
+    assert (f"| {'yes' if yes else '**no**'} |" in judgement) and f"Yes on {int(yes)} of 1" in judgement
+    assert tables.count("| tolerance 1/") == len(tolerances)
 
 
 def write_ball(volumes):
