@@ -1,0 +1,62 @@
+#ifndef Varimarch_Testing_ExtremeSceneParts_h
+#define Varimarch_Testing_ExtremeSceneParts_h
+
+#include "Module/ExtremeScenes.h"
+
+#include <array>
+
+/// What extreme scenes are made of: small volumes of smooth lumps, transfer functions, cameras.
+namespace extreme
+{
+
+using Dimensions = std::array<int, 3>;
+using Spacing = std::array<double, 3>;
+using Image = std::function<vtkSmartPointer<vtkImageData>()>;
+using Preparation = std::function<void(MapperScene&)>;
+
+constexpr Dimensions SmallBox = { 11, 9, 10 };
+
+/// Values from `first` to `first + range`, never symmetric, centred at the origin.
+Image Lumpy(Dimensions dimensions = SmallBox, int type = VTK_FLOAT, double first = 0.0,
+  double range = 1.0, Spacing spacing = { 1.0, 1.0, 1.0 });
+
+/// The same with one value in some of the voxels.
+Image LumpyWith(
+  double value, const std::vector<Dimensions>& voxels, Dimensions dimensions = SmallBox);
+
+Image Constant(double value, int type = VTK_FLOAT);
+
+/// Clear below two fifths of the values, then a ramp of opacity.
+Preparation LookAt(double first, double range, double opacity = 0.3);
+
+void UsualLook(MapperScene& scene);
+void DenseLook(MapperScene& scene);
+
+struct Node
+{
+  double value;
+  double opacity;
+};
+
+/// Opacities as given, colours that go from first to last.
+Preparation Opacities(const std::vector<Node>& nodes, double first = 0.0, double last = 1.0);
+
+/// The usual look of a material for which the opacities hold over this distance.
+Preparation UnitDistance(double distanceMm);
+
+struct View
+{
+  std::array<double, 3> position;
+  std::array<double, 3> focalPoint;
+  double angle = 30.0;
+  std::array<double, 2> clippingRange = { 0.01, 100.0 };
+};
+
+Preparation SeenFrom(const View& view);
+
+/// Pixels half a voxel apart, so that rays run through voxels, along edges and in faces of cells.
+Preparation SeenAlong(std::array<double, 3> direction, double sideVoxels = 0.5);
+
+}
+
+#endif
