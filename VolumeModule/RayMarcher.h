@@ -18,6 +18,7 @@
 #include "vtkWeakPointer.h"
 
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <array>
 #include <optional>
@@ -50,6 +51,7 @@ struct Frame
   double variationTolerance; ///< of the scalar field; negative: chosen from the range
   double earlyTerminationTransmittance;
   std::array<double, 2> averagedRange; ///< the scalars that count in an average
+  glm::dvec4 gapOptical;               ///< colour and extinction [1/mm] of cells that have no value
 };
 
 /// How often each resource was made.

@@ -150,6 +150,10 @@ void RayMarcher::SetGapUniforms(const Frame& frame)
   this->program.Set("gapCellCount", cells);
   this->program.Set("gapCellCountInverse", 1.0 / cells);
   this->program.Set("gapVoxelCount", glm::dvec3(frame.geometry.dimensions));
+  if (FillsGaps(frame.settings))
+  {
+    this->program.Set("gapOptical", frame.gapOptical);
+  }
 }
 
 void RayMarcher::SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)

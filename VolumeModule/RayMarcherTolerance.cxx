@@ -3,6 +3,8 @@
 
 #include "RayMarcher.h"
 
+#include "Core/ShaderRecipe.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
 
@@ -53,8 +55,9 @@ std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
   inputs.insert(inputs.end(),
     { double(builds.field), double(frame.property->GetMTime()), double(frame.settings.blend),
       double(frame.settings.acceleration), double(frame.settings.shading),
-      double(frame.settings.sceneGeometry), frame.averagedRange[0], frame.averagedRange[1],
-      double(frame.viewport.width), double(frame.viewport.height) });
+      double(frame.settings.sceneGeometry), FillsGaps(frame.settings) ? frame.gapOptical.a : 0.0,
+      frame.averagedRange[0], frame.averagedRange[1], double(frame.viewport.width),
+      double(frame.viewport.height) });
   inputs.insert(inputs.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
   return inputs;
 }

@@ -118,6 +118,15 @@ double AutomaticSamplesPerVoxel(const varimarch::RenderSettings& settings)
   return settings.shading ? 8.0 : 4.0;
 }
 
+// A homogeneous material as a transfer function of one node would have it.
+glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistanceMm)
+{
+  const varimarch::TransferFunction material(
+    { { 0.0, { color[0], color[1], color[2] } } }, { { 0.0, opacity } }, unitDistanceMm);
+  const double extinction = std::min(material.Extinction(0.0), double(varimarch::OpaqueExtinction));
+  return glm::dvec4(material.Color(0.0), extinction);
+}
+
 // The scalars to draw. Throws a sentence that tells what is wrong with the input.
 vtkDataArray* CheckedScalars(vtkImageData* image, vtkDataArray* scalars, int cellFlag)
 {
@@ -259,6 +268,9 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   frame.settings.countFetches = this->DrawFetchCounts;
   frame.settings.sceneGeometry = HasOpaqueGeometry(renderer);
   frame.averagedRange = { this->AverageIPScalarRange[0], this->AverageIPScalarRange[1] };
+  frame.settings.fillGaps = this->NanOpacity > 0.0;
+  frame.gapOptical =
+    GapOptical(this->NanColor, this->NanOpacity, frame.property->GetScalarOpacityUnitDistance());
   frame.viewport = varimarch::ViewportOf(renderer);
   Internals::ChooseSampling(this, frame);
 
@@ -370,6 +382,9 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
   os << indent << "EarlyTerminationTransmittance: " << this->EarlyTerminationTransmittance << "\n";
+  os << indent << "NanColor: " << this->NanColor[0] << ", " << this->NanColor[1] << ", "
+     << this->NanColor[2] << "\n";
+  os << indent << "NanOpacity: " << this->NanOpacity << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "UsedSampleDistance: " << this->GetUsedSampleDistance() << "\n";
   os << indent << "EstimatedError: " << this->GetEstimatedError() << "\n";

@@ -22,8 +22,8 @@
  * limit that its samples tend to.
  *
  * Voxels that are not finite (NaN, infinity) have no value: the cells that touch one are left out,
- * transparent and without a maximum, and beside them there is only ambient light. Other volumes pay
- * nothing for that.
+ * transparent unless NanOpacity asks for a colour, and without a maximum; beside them there is only
+ * ambient light. Other volumes pay nothing for that.
  *
  * The camera's clipping range cuts the volume at both ends.
  *
@@ -123,6 +123,20 @@ public:
 
   ///@{
   /**
+   * How a composite shows the cells that touch a voxel that is not finite, be it NaN or an
+   * infinity: a material of this colour, not lit, and of this opacity over one
+   * vtkVolumeProperty::ScalarOpacityUnitDistance, each [0, 1]. Named as in vtkLookupTable; the
+   * NaN colours of the property's functions are not used, for those are opaque by default. Default:
+   * opacity 0, transparent; colour (0.5, 0, 0). The other blend modes leave these cells out.
+   */
+  vtkSetVector3Macro(NanColor, double);
+  vtkGetVector3Macro(NanColor, double);
+  vtkSetClampMacro(NanOpacity, double, 0.0, 1.0);
+  vtkGetMacro(NanOpacity, double);
+  ///@}
+
+  ///@{
+  /**
    * Draw, in place of the picture, how often each ray has read the volume: as red, not scaled, so
    * only into a framebuffer of floats. For measurements. Default off.
    */
@@ -217,6 +231,8 @@ protected:
   double SampleDistance = 1.0;
   vtkTypeBool AutoAdjustSampleDistances = 1;
   double EarlyTerminationTransmittance = 1.0 / 1024.0;
+  double NanColor[3] = { 0.5, 0.0, 0.0 };
+  double NanOpacity = 0.0;
 
 private:
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);

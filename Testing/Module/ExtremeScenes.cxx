@@ -25,6 +25,16 @@ Preparation SampledEvery(double distance)
   };
 }
 
+Preparation NanColor(double opacity)
+{
+  return [=](MapperScene& scene)
+  {
+    UsualLook(scene);
+    scene.mapper->SetNanColor(0.1, 1.0, 0.3);
+    scene.mapper->SetNanOpacity(opacity);
+  };
+}
+
 }
 
 std::vector<ExtremeScene> ExtremeMaterials()
@@ -95,6 +105,8 @@ std::vector<ExtremeScene> ExtremeScalars()
     { "PlusInfinity", LumpyWith(infinity, some), UsualLook },
     { "MinusInfinity", LumpyWith(-infinity, some), UsualLook },
     { "NotANumberInADenseVolume", LumpyWith(nan, some), DenseLook },
+    { "NotANumberInAColor", LumpyWith(nan, some), NanColor(0.3) },
+    { "NotANumberInAnOpaqueColor", LumpyWith(nan, some), NanColor(1.0) },
     { "NothingButNotANumber", LumpyWith(nan, all), UsualLook },
     { "NothingButInfinity", LumpyWith(infinity, all), UsualLook },
   };

@@ -11,6 +11,8 @@
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
+#include <cmath>
+
 using namespace varimarch;
 
 vtkSmartPointer<vtkImageData> SmallTorso()
@@ -110,6 +112,9 @@ std::vector<float> MapperScene::Truth(double tolerance)
   double range[2];
   this->image->GetPointData()->GetScalars()->GetFiniteRange(range);
   scene.grayRange = { range[0], range[1] };
+  const double* const nanColor = this->mapper->GetNanColor();
+  scene.gap = { { nanColor[0], nanColor[1], nanColor[2] },
+    -std::log1p(-this->mapper->GetNanOpacity()) / property->GetScalarOpacityUnitDistance() };
   scene.averagedRange = { this->mapper->GetAverageIPScalarRange()[0],
     this->mapper->GetAverageIPScalarRange()[1] };
   if (property->GetShade())

@@ -203,22 +203,75 @@ TEST(Extremes, ASampleDistanceTooShortToEndIsLengthenedWithAWarning)
   }
 }
 
+namespace
+{
+
+// One voxel of 10 x 9 x 8 has the value, the others go from 0 to 1.
+vtkSmartPointer<vtkImageData> FloatsWith(double value)
+{
+  auto floats = vtkSmartPointer<vtkImageData>::New();
+  floats->SetDimensions(10, 9, 8);
+  floats->SetOrigin(-4.5, -4.0, -3.5);
+  floats->AllocateScalars(VTK_FLOAT, 1);
+  vtkDataArray* const scalars = floats->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    scalars->SetComponent(i, 0, double(i % 10) / 9.0);
+  }
+  floats->SetScalarComponentFromDouble(5, 3, 4, 0, value);
+  return floats;
+}
+
+}
+
+TEST(Extremes, ANanColorFillsTheCellsThatTouchSuchAVoxelAndNothingElse)
+{
+  MapperScene scene(FloatsWith(std::nan("")), 64);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(0.0, 0.0);
+  scene.mapper->SetNanColor(0.2, 1.0, 0.4);
+  scene.mapper->SetNanOpacity(1.0);
+  const std::vector<float> cellsAlone = scene.Truth();
+
+  scene.opacities->AddPoint(1.0, 0.3);
+  for (int blend : { Mapper::COMPOSITE_BLEND, Mapper::MAXIMUM_INTENSITY_BLEND,
+         Mapper::MINIMUM_INTENSITY_BLEND, Mapper::AVERAGE_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND })
+  {
+    scene.mapper->SetBlendMode(blend);
+    scene.mapper->SetNanOpacity(0.0);
+    const std::vector<float> clear = scene.Draw();
+    scene.mapper->SetNanOpacity(1.0);
+    const std::vector<float> filled = scene.Draw();
+    int filledPixels = 0;
+    for (std::size_t pixel = 0; pixel < filled.size(); pixel += 4)
+    {
+      const bool meetsCells = blend == Mapper::COMPOSITE_BLEND && cellsAlone[pixel + 3] > 0.0f;
+      filledPixels += meetsCells;
+      const bool same = std::equal(&filled[pixel], &filled[pixel] + 4, &clear[pixel]);
+      EXPECT_EQ(same, !meetsCells) << "pixel " << pixel / 4 << ", " << Describe(scene.mapper);
+      EXPECT_TRUE(!meetsCells || filled[pixel + 3] == 1.0f) << "pixel " << pixel / 4;
+    }
+    EXPECT_EQ(filledPixels > 50, blend == Mapper::COMPOSITE_BLEND);
+  }
+}
+
 TEST(Extremes, VoxelsThatAreNotFiniteCostOtherVolumesNothing)
 {
-  const auto gapsOf = [](double value)
+  using Parts = std::vector<std::string>;
+  const auto partsOf = [](double value, double nanOpacity)
   {
-    const auto image = SmallTorso();
-    MapperScene scene(image, 16);
-    vtkNew<vtkImageData> floats;
-    floats->CopyStructure(image);
-    floats->AllocateScalars(VTK_FLOAT, 1);
-    floats->GetPointData()->GetScalars()->Fill(0.0);
-    floats->SetScalarComponentFromDouble(9, 9, 9, 0, value);
-    scene.mapper->SetInputData(floats);
+    MapperScene scene(FloatsWith(value), 16);
+    scene.mapper->SetNanOpacity(nanOpacity);
     scene.Draw();
-    const std::vector<std::string> parts = scene.ShaderParts();
-    return std::find(parts.begin(), parts.end(), "Gaps/Cells.glsl") != parts.end();
+    Parts parts = scene.ShaderParts();
+    parts.erase(
+      std::remove_if(parts.begin(), parts.end(),
+        [](const std::string& part) { return part.find("Gaps/") != 0 && part.find("Fill/") != 0; }),
+      parts.end());
+    return parts;
   };
-  EXPECT_FALSE(gapsOf(1.0));
-  EXPECT_TRUE(gapsOf(std::nan("")));
+  EXPECT_EQ(partsOf(1.0, 0.0), Parts{ "Gaps/None.glsl" });
+  EXPECT_EQ(partsOf(1.0, 0.5), Parts{ "Gaps/None.glsl" });
+  EXPECT_EQ(partsOf(std::nan(""), 0.0), (Parts{ "Fill/None.glsl", "Gaps/Cells.glsl" }));
+  EXPECT_EQ(partsOf(std::nan(""), 0.5), (Parts{ "Fill/Color.glsl", "Gaps/Cells.glsl" }));
 }

@@ -274,6 +274,18 @@ TEST(Reference, VoxelThatIsNotFiniteHidesOnlyItsCells)
   }
 }
 
+TEST(Reference, CellsThatAreNotFiniteAreOfTheMaterialOfGaps)
+{
+  Volume volume{ { 7, 2, 2 }, std::vector<double>(28, 1.0) };
+  volume.voxels[3] = std::numeric_limits<double>::quiet_NaN();
+  ReferenceScene scene = SceneOf(volume, { { { 0.0, blue } }, { { 0.0, 0.5 } }, 1.0 });
+  scene.gap = { red, 0.3 };
+  const double before = 1.0 - 0.25;
+  const double gap = 0.25 * (1.0 - std::exp(-0.6));
+  const double behind = 0.25 * std::exp(-0.6) * (1.0 - 0.25);
+  ExpectNear(ColorAlong(scene, alongX), { gap, 0.0, before + behind, before + gap + behind });
+}
+
 TEST(Reference, MaximumInsideACellIsFound)
 {
   // Along the diagonal of a cell x y (1 - z) is u^2 (1 - u), at most 4 / 27.

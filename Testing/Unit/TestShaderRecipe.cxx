@@ -44,7 +44,16 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(changed(counting), Parts{ "Probe/FetchCount.glsl" });
   RenderSettings gaps = plain;
   gaps.gaps = true;
-  EXPECT_EQ(changed(gaps), Parts{ "Gaps/Cells.glsl" });
+  EXPECT_EQ(changed(gaps), (Parts{ "Fill/None.glsl", "Gaps/Cells.glsl" }));
+  gaps.fillGaps = true;
+  EXPECT_EQ(changed(gaps), (Parts{ "Fill/Color.glsl", "Gaps/Cells.glsl" }));
+}
+
+TEST(ShaderRecipe, VolumesWithoutGapsHaveNothingToFill)
+{
+  RenderSettings settings;
+  settings.fillGaps = true;
+  EXPECT_EQ(FragmentShaderParts(settings), FragmentShaderParts(RenderSettings()));
 }
 
 TEST(ShaderRecipe, ARuleOfIntegrationIsItsMarchAndWhatThatLooksUp)
@@ -80,7 +89,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 54u);
+  EXPECT_EQ(distinct.size(), 55u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -80,6 +80,11 @@ bool UsesPreIntegration(const RenderSettings& settings)
     !settings.shading;
 }
 
+bool FillsGaps(const RenderSettings& settings)
+{
+  return settings.gaps && settings.fillGaps && settings.blend == Blend::Composite;
+}
+
 std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
 {
   std::vector<std::string> parts = {
@@ -97,6 +102,10 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   }
   parts.push_back(BlendFile(settings.blend));
   parts.push_back(MarchFile(settings));
+  if (settings.gaps)
+  {
+    parts.push_back(FillsGaps(settings) ? "Fill/Color.glsl" : "Fill/None.glsl");
+  }
   parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
   parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
   parts.push_back("RayMarch.frag.glsl");
@@ -120,6 +129,10 @@ std::vector<RenderSettings> EveryRecipe()
     withGaps.gaps = true;
     recipes.push_back(withGaps);
   }
+  RenderSettings filled;
+  filled.gaps = true;
+  filled.fillGaps = true;
+  recipes.push_back(filled);
   for (Acceleration acceleration :
     { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
   {

@@ -77,6 +77,10 @@ vec3 Shade(vec3 color, vec3 gradient, Ray ray);
 // Defines: Accumulation March(Ray ray, Interval inside, Accumulation sum);
 //                               takes in the part of the ray that is inside
 
+// --- Fill: what is drawn where the volume has no value; only where there are gaps ---------------
+// Takes in a part of the ray, of this length.
+//   Accumulation FillGap(Accumulation sum, float lengthMm);
+
 // --- Gaps: the parts of a ray where the volume has a value -------------------------------------
 // Whether all voxels are finite that a gradient there is made of.
 bool HasGradient(vec3 positionTexture);

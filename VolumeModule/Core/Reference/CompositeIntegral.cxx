@@ -19,6 +19,7 @@ public:
   }
 
   void AddCell(const CellPart& part, const CellCorners& corners);
+  void AddGap(const CellPart& part);
 
   /// Whether what follows cannot be seen.
   bool Finished() const { return this->transmittance < 0.1 * this->integral.tolerance; }
@@ -72,6 +73,12 @@ void CompositeIntegral::Sum::AddCell(const CellPart& part, const CellCorners& co
       this->AddBand(piece, band, from, to);
       return !this->Finished();
     });
+}
+
+void CompositeIntegral::Sum::AddGap(const CellPart& part)
+{
+  this->AddHomogeneous(
+    this->integral.scene.gap, (part.t.exit - part.t.enter) * this->ray.mmPerParameter);
 }
 
 void CompositeIntegral::Sum::AddBand(
@@ -178,10 +185,18 @@ CompositeIntegral::CompositeIntegral(ReferenceScene givenScene, double tolerance
 ReferenceColor CompositeIntegral::Along(const MeasuredRay& ray) const
 {
   Sum sum(*this, ray);
-  WalkFiniteCells(this->scene, ray,
-    [&](const CellPart& part, const CellCorners& corners)
+  WalkCells(ray.grid, ray.inside,
+    [&](const CellPart& part)
     {
-      sum.AddCell(part, corners);
+      const CellCorners corners = this->scene.cornersOfCell(part.cell);
+      if (AllFinite(corners))
+      {
+        sum.AddCell(part, corners);
+      }
+      else
+      {
+        sum.AddGap(part);
+      }
       return !sum.Finished();
     });
   return sum.Color();

@@ -5,6 +5,7 @@
 #include "Core/CellCubic.h"
 #include "Core/CellWalk.h"
 #include "Core/RenderSettings.h"
+#include "Core/TransferBands.h"
 #include "Core/TransferFunction.h"
 
 #include <functional>
@@ -28,8 +29,8 @@ struct PieceLight
   std::vector<double> kinks = {}; ///< where it is not smooth, sorted, in (0, 1)
 };
 
-/// What the reference draws. A cell with a voxel that is not finite is left out: it is transparent,
-/// no maximum or minimum, no part of an average, and no surface bounds it.
+/// What the reference draws. A cell with a voxel that is not finite is left out: it is transparent
+/// but for `gap`, no maximum or minimum, no part of an average, and no surface bounds it.
 struct ReferenceScene
 {
   /// The voxels, as [&grid](glm::ivec3 cell) { return CornersOfCell(grid, cell); } gives them.
@@ -52,6 +53,9 @@ struct ReferenceScene
 
   /// Isosurface: a surface bounds what is at least this value; any order.
   std::vector<double> isovalues = {};
+
+  /// Composite: the homogeneous material, not lit, of cells that touch a voxel that is not finite.
+  OpticalProperties gap = { glm::dvec3(0.0), 0.0 };
 };
 
 }

@@ -1,7 +1,7 @@
-// Cells with a voxel that is not finite are left out: the march ends at their faces and goes on
-// behind them.
-// The field's texel of cell c holds 0 where the cell is left out, else k + 1 where none of the
-// cells c - k ... c + k is (the variation field of a tolerance without limit).
+// Cells with a voxel that is not finite are filled with what is drawn there: the march ends at
+// their faces and goes on behind them. The field's texel of cell c holds 0 where the cell is left
+// out, else k + 1 where none of the cells c - k ... c + k is (the variation field of a tolerance
+// without limit).
 
 uniform sampler3D gapTexture; // nearest
 uniform vec3 gapCellCount;
@@ -48,6 +48,7 @@ Accumulation MarchVolume(Ray ray, Interval inside)
     {
       sum = March(ray, part, sum);
     }
+    sum = FillGap(sum, max(min(place.t, inside.exit) - part.exit, 0.0));
   }
   return sum;
 }

@@ -1,0 +1,6 @@
+// What has no value is transparent.
+
+Accumulation FillGap(Accumulation sum, float lengthMm)
+{
+  return sum;
+}
