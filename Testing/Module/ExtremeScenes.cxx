@@ -135,17 +135,6 @@ std::vector<ExtremeScene> ExtremesWithoutTolerance()
   };
 }
 
-std::vector<ExtremeScene> ExtremeScenes()
-{
-  std::vector<ExtremeScene> all;
-  for (const auto& scenes : { ExtremeMaterials(), HardSurfaces(), ExtremeScalars(), ThinShapes(),
-         ExtremeShapes(), ExtremeViews(), ExtremesWithoutTolerance() })
-  {
-    all.insert(all.end(), scenes.begin(), scenes.end());
-  }
-  return all;
-}
-
 std::unique_ptr<MapperScene> MapperSceneOf(
   const ExtremeScene& extreme, int size, vtkHeadlessRenderWindow* window)
 {

@@ -25,9 +25,6 @@ std::vector<ExtremeScene> ExtremeViews();     ///< cameras and clipping ranges
 /// Sample distances, without an error tolerance, and a shell that no sample distance shows.
 std::vector<ExtremeScene> ExtremesWithoutTolerance();
 
-/// All of the above.
-std::vector<ExtremeScene> ExtremeScenes();
-
 /// The scene, set up in a window, with the mapper's default error tolerance.
 std::unique_ptr<MapperScene> MapperSceneOf(
   const ExtremeScene& scene, int size, vtkHeadlessRenderWindow* window);

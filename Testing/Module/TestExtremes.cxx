@@ -68,12 +68,15 @@ void ForEveryRecipe(MapperScene& scene, Test test)
 
 }
 
-TEST(Extremes, DrawNothingButNumbers)
+namespace
+{
+
+void ExpectNothingButNumbers(const std::vector<ExtremeScene>& scenes)
 {
   // One window for all, whose shaders are compiled once.
   vtkNew<vtkHeadlessRenderWindow> window;
   ExpectedVtkErrors warnings;
-  for (const ExtremeScene& extreme : ExtremeScenes())
+  for (const ExtremeScene& extreme : scenes)
   {
     SCOPED_TRACE(extreme.name);
     const auto scene = MapperSceneOf(extreme, 4, window);
@@ -84,6 +87,35 @@ TEST(Extremes, DrawNothingButNumbers)
       ForEveryRecipe(*scene, [&] { ExpectPicture(*scene); });
     }
   }
+}
+
+}
+
+TEST(Extremes, OfMaterialsDrawNothingButNumbers)
+{
+  ExpectNothingButNumbers(ExtremeMaterials());
+  ExpectNothingButNumbers(HardSurfaces());
+}
+
+TEST(Extremes, OfScalarsDrawNothingButNumbers)
+{
+  ExpectNothingButNumbers(ExtremeScalars());
+}
+
+TEST(Extremes, OfShapesDrawNothingButNumbers)
+{
+  ExpectNothingButNumbers(ThinShapes());
+  ExpectNothingButNumbers(ExtremeShapes());
+}
+
+TEST(Extremes, OfViewsDrawNothingButNumbers)
+{
+  ExpectNothingButNumbers(ExtremeViews());
+}
+
+TEST(Extremes, OfSampleDistancesDrawNothingButNumbers)
+{
+  ExpectNothingButNumbers(ExtremesWithoutTolerance());
 }
 
 namespace
