@@ -1,5 +1,7 @@
 #include "BenchMethods.h"
 
+#include "Scene/ScenePipeline.h"
+
 #include <algorithm>
 #include <array>
 #include <sstream>
@@ -68,8 +70,8 @@ struct Row
   BenchMethod method;
   RenderOptions options;
   std::vector<BenchSetting> (*sweep)(vtkImageData*, const RenderOptions&);
-  double variation255; ///< tolerance of the scalar field, in 1/255 of the range of the data
-  bool unshadedOnly;   ///< what it is about is not used in shaded volumes
+  double variation255;        ///< tolerance of the scalar field, in 1/255 of the range of the data
+  bool unshadedCompositeOnly; ///< what it is about is used in nothing else
 };
 
 const std::vector<Row>& Rows()
@@ -82,7 +84,7 @@ const std::vector<Row>& Rows()
   const RenderOptions published = With(Acceleration::ScalarField, Integration::PublishedSum);
   static const std::vector<Row> rows = {
     { { "tolerance", "Varimarch, error tolerances", Ours,
-        { Blue, Marker::Square, Stroke::Dotted } },
+        { Blue, Marker::Square, Stroke::Dashed } },
       {}, ErrorTolerances, 0.0, false },
     { { "optical", "Varimarch, optical field", Ours, { Blue, Marker::Circle, Stroke::Solid } },
       optical, FineSampleDistances, 0.0, false },
@@ -131,12 +133,15 @@ std::vector<std::string> BenchMethodNames()
 std::vector<BenchRun> WorkPrecisionRuns(
   const Scene& scene, vtkImageData* image, const std::vector<std::string>& chosen)
 {
+  const bool unshadedComposite =
+    scene.look.blend == Blend::Composite && !scene.look.shading.enabled;
   std::vector<BenchRun> runs;
   for (const Row& row : Rows())
   {
     const bool wanted =
       chosen.empty() || std::find(chosen.begin(), chosen.end(), row.method.name) != chosen.end();
-    if (wanted && !(row.unshadedOnly && scene.look.shading.enabled))
+    if (wanted && CanBlend(row.method.kind, scene.look.blend) &&
+      (!row.unshadedCompositeOnly || unshadedComposite))
     {
       RenderOptions options = row.options;
       options.variationTolerance = Variation(image, row.variation255);

@@ -20,6 +20,10 @@ std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
   std::vector<std::unique_ptr<OffscreenView>> views;
   for (const auto& [name, kind] : MapperKindNames())
   {
+    if (!CanBlend(kind, scene.look.blend))
+    {
+      continue;
+    }
     onStep("Warming up " + name);
     views.push_back(std::make_unique<OffscreenView>(scene, image, kind));
     OffscreenView& view = *views.back();

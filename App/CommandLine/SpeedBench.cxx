@@ -99,12 +99,15 @@ std::vector<SpeedPoint> DefaultPoints(const Bench& bench)
   points.push_back(
     bench.FirstRound("ours", Ours, Tolerating(tolerance, Acceleration::OpticalField)));
   points.push_back(bench.FirstRound("off", Ours, Tolerating(tolerance, Acceleration::Off)));
-  if (!bench.scene.look.shading.enabled)
+  if (!bench.scene.look.shading.enabled && bench.scene.look.blend == Blend::Composite)
   {
     points.push_back(bench.FirstRound("published", Ours, published));
   }
   points.push_back(bench.FirstRound("vtk-gpu", MapperKind::VtkGpu, everyVoxel));
-  points.push_back(bench.FirstRound("vtk-cpu", MapperKind::VtkCpu, everyVoxel));
+  if (CanBlend(MapperKind::VtkCpu, bench.scene.look.blend))
+  {
+    points.push_back(bench.FirstRound("vtk-cpu", MapperKind::VtkCpu, everyVoxel));
+  }
   return points;
 }
 

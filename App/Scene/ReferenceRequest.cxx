@@ -60,6 +60,9 @@ ReferenceScene SceneOf(const ReferenceRequest& request, const Scalar* voxels)
   const ScalarGrid<Scalar> grid(voxels, request.geometry.dimensions);
   ReferenceScene scene{ [grid](glm::ivec3 cell) { return CornersOfCell(grid, cell); },
     request.geometry.boxGrid, request.transferFunction, request.blend };
+  double range[2];
+  request.scalars->GetFiniteRange(range);
+  scene.grayRange = { range[0], range[1] };
   if (request.light)
   {
     scene.shade = HeadLightShading(

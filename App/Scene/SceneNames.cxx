@@ -43,7 +43,8 @@ const NameTable<View>& ViewNames()
 const NameTable<Blend>& BlendNames()
 {
   static const NameTable<Blend> table = { { "composite", Blend::Composite },
-    { "maximum", Blend::MaximumIntensity } };
+    { "maximum", Blend::MaximumIntensity }, { "minimum", Blend::MinimumIntensity },
+    { "average", Blend::AverageIntensity }, { "additive", Blend::Additive } };
   return table;
 }
 

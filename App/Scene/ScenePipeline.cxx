@@ -63,6 +63,23 @@ int RuleOf(std::optional<Integration> integration)
   }
 }
 
+int VtkBlendModeOf(Blend blend)
+{
+  switch (blend)
+  {
+    case Blend::MaximumIntensity:
+      return vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND;
+    case Blend::MinimumIntensity:
+      return vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
+    case Blend::AverageIntensity:
+      return vtkVolumeMapper::AVERAGE_INTENSITY_BLEND;
+    case Blend::Additive:
+      return vtkVolumeMapper::ADDITIVE_BLEND;
+    default:
+      return vtkVolumeMapper::COMPOSITE_BLEND;
+  }
+}
+
 void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
 {
   mapper->SetAutoAdjustSampleDistances(!options.sampleDistanceMm);
@@ -90,6 +107,11 @@ void Apply(const RenderOptions& options, vtkFixedPointVolumeRayCastMapper* mappe
 
 }
 
+bool CanBlend(MapperKind kind, Blend blend)
+{
+  return kind != MapperKind::VtkCpu || blend != Blend::AverageIntensity;
+}
+
 ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind kind)
   : image(image)
   , mapper(NewMapper(kind))
@@ -115,9 +137,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
 void ScenePipeline::SetLook(const Look& look)
 {
   ApplyLook(InUnitsOfData(look, this->image), this->volume->GetProperty());
-  this->mapper->SetBlendMode(look.blend == Blend::MaximumIntensity
-      ? vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND
-      : vtkVolumeMapper::COMPOSITE_BLEND);
+  this->mapper->SetBlendMode(VtkBlendModeOf(look.blend));
 }
 
 void ScenePipeline::SetCamera(const Camera& camera, double aspect)

@@ -13,6 +13,9 @@
 namespace varimarch
 {
 
+/// Whether a mapper can blend so: VTK's fixed-point mapper draws no average.
+bool CanBlend(MapperKind kind, Blend blend);
+
 /// The one place where a scene becomes a VTK pipeline: volume, property, mapper, renderer and
 /// camera. It makes no window: add Renderer() to one of the scene's size.
 class ScenePipeline

@@ -82,6 +82,16 @@ TEST(PictureAgainstReference, MaximumConvergesToTheLargestValue)
   EXPECT_LT(fine.largest, 1.0);
 }
 
+TEST(PictureAgainstReference, TheOtherBlendsConvergeToWhatTheyAreCalled)
+{
+  for (const Blend blend : { Blend::MinimumIntensity, Blend::AverageIntensity, Blend::Additive })
+  {
+    const ImageError fine = ErrorAtDistance(SceneOf(blend, false), 0.05);
+    EXPECT_LT(fine.rootMeanSquare, 0.1) << int(blend);
+    EXPECT_LT(fine.largest, 1.0) << int(blend);
+  }
+}
+
 TEST(PictureAgainstReference, ATurnedVolumeOfAnotherTypeIsInTheSamePlace)
 {
   Scene scene = SceneOf(Blend::Composite, true);

@@ -1,5 +1,6 @@
 #include "Scene/ProceduralVolume.h"
 #include "Scene/ReferenceCache.h"
+#include "Scene/SceneNames.h"
 
 #include <gtest/gtest.h>
 
@@ -95,7 +96,11 @@ TEST_F(ReferenceCacheTest, EverythingThatChangesThePictureDrawsAnother)
   EXPECT_TRUE(drawsWith([](Scene& s) { s.look.opacities[1].opacity = 0.06; })) << "opacity";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.look.opacityUnitDistanceMm = 2.0; })) << "unit distance";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.look.shading.enabled = true; })) << "shading";
-  EXPECT_TRUE(drawsWith([](Scene& s) { s.look.blend = Blend::MaximumIntensity; })) << "blend";
+  for (const auto& [name, blend] : BlendNames())
+  {
+    const bool isOther = blend != this->scene.look.blend;
+    EXPECT_EQ(drawsWith([blend = blend](Scene& s) { s.look.blend = blend; }), isOther) << name;
+  }
   EXPECT_TRUE(drawsWith([](Scene& s) { s.camera.azimuthDegrees = 1.0; })) << "camera";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.camera.parallel = true; })) << "projection";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.size = { 4, 16 }; })) << "size";

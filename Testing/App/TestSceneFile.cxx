@@ -1,4 +1,5 @@
 #include "Scene/SceneFile.h"
+#include "Scene/SceneNames.h"
 
 #include <nlohmann/json.hpp>
 
@@ -234,6 +235,14 @@ void ExpectKeysInSchema(
       ExpectKeysInSchema(element, schema.at("items"), root);
     }
   }
+}
+
+TEST(SceneFile, SchemaKnowsEveryBlend)
+{
+  std::ifstream file(std::string(VARIMARCH_SCENE_FOLDER) + "/scene.schema.json");
+  const nlohmann::json schema = nlohmann::json::parse(file);
+  const auto& known = schema["definitions"]["look"]["properties"]["blend"]["enum"];
+  EXPECT_EQ(known.get<std::vector<std::string>>(), NamesOf(BlendNames()));
 }
 
 TEST(SceneFile, SchemaKnowsEveryKey)

@@ -94,6 +94,17 @@ def compare(folder):
     assert png_size(output / "side-by-side.png")[0] > 4 * 80
 
 
+def compare_with_every_blend(folder):
+    """VTK's fixed-point mapper draws no average, and is left out there."""
+    for blend in ("maximum", "minimum", "average", "additive"):
+        run("compare", "procedural:marschner-lobb:24x24x24", "-o", folder, "--size", "40x30",
+            "--rounds", "1", "--blend", blend)
+        renderers = json.loads((folder / "compare.json").read_text())["renderers"]
+        names = ["ours", "vtk-gpu", "vtk-cpu"][:2 if blend == "average" else 3]
+        assert [row["renderer"] for row in renderers] == names, blend
+        assert 0 < renderers[0]["error255"]["rmse"] < 1, (blend, renderers)
+
+
 def bench(folder):
     scene = folder / "two shells.json"
     scene.write_text('{"volume": {"procedural": "shells", "size": [16, 16, 16]},'
@@ -363,7 +374,7 @@ def bench_keeps_what_it_has_when_stopped(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (render, compare, bench, bench_leaves_out_what_takes_long,
+        cases = (render, compare, compare_with_every_blend, bench, bench_leaves_out_what_takes_long,
                  bench_judges_error_tolerances, published, speed,
                  speed_draws_what_takes_long_in_one_round, scaling, info, usage, errors, interrupt,
                  bench_keeps_what_it_has_when_stopped)
