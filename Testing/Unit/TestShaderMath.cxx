@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace glsl
 {
@@ -62,24 +63,42 @@ TEST(IntersectBox, IsNeverNotANumberForRaysInTheFaces)
   }
 }
 
+namespace
+{
+
+// Every block is one cell, and the ray goes on to one of the cells ahead, never back or past one.
+void ExpectAdvance(const glm::vec3& start, const glm::vec3& direction)
+{
+  const glsl::LatticeRay ray = glsl::RayInLattice(start - 3000.0f * direction, direction);
+  glsl::LatticePlace place = glsl::PlaceAt(ray, 2996.0f, glm::vec3(8.0f));
+  for (int block = 0; block < 40; ++block)
+  {
+    const glsl::LatticePlace behind = glsl::BehindBlock(ray, place, 0.0f);
+    EXPECT_GE(behind.t, place.t);
+    const glm::vec3 ahead = (behind.cell - place.cell) * (2.0f * ray.ahead - 1.0f);
+    EXPECT_GE(ahead.x + ahead.y + ahead.z, 1.0f);
+    EXPECT_GE(std::min({ ahead.x, ahead.y, ahead.z }), 0.0f);
+    EXPECT_LE(std::max({ ahead.x, ahead.y, ahead.z }), 1.0f);
+    place = behind;
+  }
+}
+
+}
+
 TEST(LatticeWalk, AdvancesWithEveryBlockWhateverTheDirection)
 {
   // In a face, along an edge, nearly so, and where a step of the ray is lost to rounding.
+  const glm::vec3 corner(4.0f, 4.0f, 4.0f);
   for (const glm::vec3& direction : { glm::vec3(1.0f, 0.0f, 0.0f), { 1.0f, -0.0f, -1e-35f },
          { 1.0f, -1e-20f, 0.0f }, { 0.7f, 0.7f, -1e-6f }, { -1e-3f, -1.0f, 1e-7f } })
   {
-    const glm::vec3 start(4.0f, 4.0f, 4.0f);
-    const glsl::LatticeRay ray = glsl::RayInLattice(start - 3000.0f * direction, direction);
-    glsl::LatticePlace place = glsl::PlaceAt(ray, 2996.0f, glm::vec3(8.0f));
-    for (int block = 0; block < 40; ++block)
-    {
-      const glsl::LatticePlace behind = glsl::BehindBlock(ray, place, 0.0f);
-      EXPECT_GE(behind.t, place.t);
-      const glm::vec3 moved = glm::abs(behind.cell - place.cell);
-      EXPECT_GE(moved.x + moved.y + moved.z, 1.0f);
-      EXPECT_LE(std::max({ moved.x, moved.y, moved.z }), 1.0f);
-      place = behind;
-    }
+    ExpectAdvance(corner, direction);
+  }
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> number(-1.0f, 1.0f);
+  for (int i = 0; i < 1000; ++i)
+  {
+    ExpectAdvance(corner, glm::vec3(number(random), number(random), number(random)));
   }
 }
 
