@@ -56,7 +56,7 @@ std::vector<BenchSetting> FineSampleDistances(vtkImageData* image, const RenderO
 std::vector<BenchSetting> ErrorTolerances(vtkImageData* /*image*/, const RenderOptions& options)
 {
   std::vector<BenchSetting> settings;
-  for (const int part : { 16, 32, 64, 128, 255 })
+  for (const int part : { 4, 8, 16, 32, 64, 128, 255 })
   {
     settings.push_back({ "tolerance 1/" + std::to_string(part), options });
     settings.back().options.errorTolerance = 1.0 / part;

@@ -157,7 +157,7 @@ def bench_judges_error_tolerances(folder):
                   "1", "--methods", "tolerance,optical,vtk-gpu,vtk-cpu", "--no-shade")
     rows = list(csv.DictReader((folder / "work-precision.csv").open()))
     swept = [row for row in rows if row["method"] == "tolerance"]
-    tolerances = [16, 32, 64, 128, 255]
+    tolerances = [4, 8, 16, 32, 64, 128, 255]
     assert [round(1 / float(row["error_tolerance"])) for row in swept] == tolerances
     distances = [float(row["sample_distance_mm"]) for row in swept]
     assert distances == sorted(distances, reverse=True) and distances[0] > distances[-1], distances
