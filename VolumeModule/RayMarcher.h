@@ -87,6 +87,7 @@ struct ToleranceChoice
   std::vector<double> ruleInputs; ///< those of them that the rule of integration depends on
   Integration integration;
   StepChoice step;
+  double missedOfLimit = 0.0; ///< found once per rule: peaks between samples, as step.ofLimit
 };
 
 /// Draws frames. Holds the graphics resources and remakes those, and only those, whose source has
@@ -123,6 +124,7 @@ private:
   void UpdateProgram(const Frame& frame);
 
   ToleranceChoice ChooseSteps(const Frame& frame);
+  double MissedOfLimit(const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit);
   std::vector<float> DrawProbe(Frame frame, Integration integration, double sampleDistanceMm);
 
   Box DrawnBoxGrid(const Frame& frame) const;

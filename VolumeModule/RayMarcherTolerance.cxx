@@ -4,6 +4,7 @@
 #include "RayMarcher.h"
 
 #include "Core/ShaderRecipe.h"
+#include "PropertyTransferFunction.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
@@ -39,11 +40,43 @@ constexpr double FewestSamples = 16.0;
 // cost a third more: 1.33 squared, for the order of both rules is 2.
 constexpr double PreIntegrationGain = 1.8;
 
+// A peak wider than this part of the values is met by more than one in a thousand samples, so that
+// trying out sees it.
+constexpr double NarrowPeak = 1.0 / 256.0;
+
+// Of a larger optical table a pre-integrated one loses so much that it moves steps, by the same at
+// every sample distance: its error would not be seen.
+constexpr std::size_t MostPreIntegratedEntries = 8192;
+
+// A pre-integrated table has 1024 values on a side and moves steps by as much: less than this many
+// times the limit may be its own error.
+constexpr double CertainlyMissed = 4.0;
+
+// The picture's opacity, which does not depend on light.
+std::vector<float> OpacityOf(std::vector<float> picture)
+{
+  for (std::size_t i = 0; i < picture.size(); ++i)
+  {
+    picture[i] = i % 4 == 3 ? picture[i] : 0.0f;
+  }
+  return picture;
+}
+
+// A rule that is known to miss something has no smaller error than that.
+ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const ErrorLimit& limit)
+{
+  choice.missedOfLimit = missedOfLimit;
+  choice.step.ofLimit = std::max(choice.step.ofLimit, missedOfLimit);
+  choice.step.error = std::max(choice.step.error, missedOfLimit * limit.percentile999);
+  return choice;
+}
+
 // What decides on the rule of integration.
 std::vector<double> RuleInputsOf(const Frame& frame, const BuildCounts& builds)
 {
   return { double(builds.volumeTexture), double(builds.opticalTable),
-    double(frame.chooseIntegration), double(frame.settings.integration), frame.errorTolerance,
+    double(frame.chooseIntegration), double(frame.settings.integration),
+    double(frame.settings.blend), double(frame.settings.shading), frame.errorTolerance,
     frame.geometry.SmallestSpacingMm() };
 }
 
@@ -53,8 +86,7 @@ std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   std::vector<double> inputs = RuleInputsOf(frame, builds);
   inputs.insert(inputs.end(),
-    { double(builds.field), double(frame.property->GetMTime()), double(frame.settings.blend),
-      double(frame.settings.acceleration), double(frame.settings.shading),
+    { double(builds.field), double(frame.property->GetMTime()), double(frame.settings.acceleration),
       double(frame.settings.sceneGeometry), FillsGaps(frame.settings) ? frame.gapOptical.a : 0.0,
       frame.averagedRange[0], frame.averagedRange[1], double(frame.viewport.width),
       double(frame.viewport.height) });
@@ -111,18 +143,48 @@ ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame)
   // The rule is chosen anew only for another transfer function or volume: not while a camera moves.
   if (this->tolerance && this->tolerance->ruleInputs == RuleInputsOf(frame, this->builds))
   {
-    return choiceBy(this->tolerance->integration);
+    return WithMissed(
+      choiceBy(this->tolerance->integration), this->tolerance->missedOfLimit, limit);
   }
   const ToleranceChoice choice = choiceBy(frame.settings.integration);
-  if (!frame.chooseIntegration)
+  const double missedOfLimit = this->MissedOfLimit(frame, choice, limit);
+  const bool tooFine =
+    this->opticalTable.Table().entries.size() > MostPreIntegratedEntries && missedOfLimit == 0.0;
+  if (!frame.chooseIntegration || tooFine)
   {
-    return choice;
+    return WithMissed(choice, missedOfLimit, limit);
   }
   const double preIntegrated =
     ErrorOfLimit(drawingBy(Integration::PreIntegrated), limit, choice.step.sampleDistance);
-  return PreIntegrationGain * preIntegrated < choice.step.ofLimit
+  return missedOfLimit > 0.0 || PreIntegrationGain * preIntegrated < choice.step.ofLimit
     ? choiceBy(Integration::PreIntegrated)
     : choice;
+}
+
+// Halving the distance tells nothing of a peak that lies between all samples. Pre-integration
+// misses none: what it differs by, beyond what its own steps make, is an error of the others.
+double RayMarcher::MissedOfLimit(
+  const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit)
+{
+  const double range = this->volume.LargestScalar() - this->volume.SmallestScalar();
+  if (frame.settings.blend != Blend::Composite ||
+    (choice.integration == Integration::PreIntegrated && !frame.settings.shading) ||
+    TransferFunctionOf(frame.property).SmallestNodeGap() >= NarrowPeak * range)
+  {
+    return 0.0;
+  }
+  Frame unlit = frame;
+  unlit.settings.shading = false;
+  const double distanceMm = choice.step.sampleDistance;
+  const std::vector<float> steps =
+    OpacityOf(this->DrawProbe(frame, choice.integration, distanceMm));
+  const std::vector<float> coarse =
+    OpacityOf(this->DrawProbe(unlit, Integration::PreIntegrated, distanceMm));
+  const std::vector<float> fine =
+    OpacityOf(this->DrawProbe(unlit, Integration::PreIntegrated, 0.5 * distanceMm));
+  const double missed =
+    DifferenceOfLimit(steps, fine, limit) - DifferenceOfLimit(coarse, fine, limit);
+  return missed > CertainlyMissed ? missed : 0.0;
 }
 
 std::vector<float> RayMarcher::DrawProbe(

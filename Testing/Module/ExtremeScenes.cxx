@@ -67,6 +67,12 @@ std::vector<ExtremeScene> HardSurfaces()
   return {
     { "ExtinctionOf1e6", Lumpy(), UnitDistance(1e-6) },
     { "ExtinctionOf1e12", Lumpy(), UnitDistance(1e-12) },
+    { "OpaquePeakNarrowerThanATexel", Lumpy(SmallBox, VTK_UNSIGNED_SHORT, 0.0, 65535.0),
+      [](MapperScene& scene)
+      {
+        Opacities({ { 30000.2, 0.0 }, { 30000.5, 0.9 }, { 30000.8, 0.0 } }, 0.0, 65535.0)(scene);
+        scene.volume->GetProperty()->SetScalarOpacityUnitDistance(1e-6);
+      } },
     { "OpaqueAboveAStep", Lumpy(), Opacities({ { 0.0, 0.0 }, { 0.5, 0.0 }, { 0.5, 1.0 } }) },
     { "OneUlpFromOpaque", Lumpy(),
       Opacities({ { 0.0, 0.0 }, { 0.5, 0.0 }, { 0.5, OneUlpBelowOne }, { 1.0, OneUlpBelowOne } }) },
@@ -115,12 +121,6 @@ std::vector<ExtremeScene> ExtremeScalars()
 std::vector<ExtremeScene> ExtremesWithoutTolerance()
 {
   return {
-    { "OpaquePeakNarrowerThanATexel", Lumpy(SmallBox, VTK_UNSIGNED_SHORT, 0.0, 65535.0),
-      [](MapperScene& scene)
-      {
-        Opacities({ { 30000.2, 0.0 }, { 30000.5, 0.9 }, { 30000.8, 0.0 } }, 0.0, 65535.0)(scene);
-        scene.volume->GetProperty()->SetScalarOpacityUnitDistance(1e-6);
-      } },
     { "EightThousandSteps", Lumpy({ 2001, 3, 3 }),
       [](MapperScene& scene)
       {

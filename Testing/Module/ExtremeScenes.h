@@ -22,7 +22,7 @@ std::vector<ExtremeScene> ExtremeScalars();   ///< ranges, offsets, values that 
 std::vector<ExtremeScene> ThinShapes();       ///< one voxel thick
 std::vector<ExtremeScene> ExtremeShapes();    ///< stretched, tiny and huge volumes
 std::vector<ExtremeScene> ExtremeViews();     ///< cameras and clipping ranges
-/// Sample distances, without an error tolerance, and a shell that no sample distance shows.
+/// Sample distances, without an error tolerance.
 std::vector<ExtremeScene> ExtremesWithoutTolerance();
 
 /// The scene, set up in a window, with the mapper's default error tolerance.

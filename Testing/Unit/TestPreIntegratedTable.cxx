@@ -79,7 +79,20 @@ TEST(PreIntegratedTable, WhatIsOpaqueIsOpaqueAndSpoilsNothingElse)
   const PreIntegratedTable table = BuildPreIntegratedTable(PeakTable());
   EXPECT_GT(At(table, 20.0, 95.0).a, 1e20f);
   EXPECT_EQ(At(table, 62.0, 88.0).a, 0.0f);
-  EXPECT_NEAR(At(table, 20.0, 95.0).b, 0.92, 0.03) << "the colour is that of the opaque part";
+  EXPECT_NEAR(At(table, 20.0, 95.0).b / At(table, 20.0, 95.0).a, 0.92, 0.03)
+    << "the colour is that of the opaque part";
+}
+
+TEST(PreIntegratedTable, WhiteIsWhiteBetweenAnyEntriesToo)
+{
+  const TransferFunction white({ { 0.0, glm::dvec3(1.0) } },
+    { { 0.0, 0.0 }, { 40.0, 0.0 }, { 50.0, 1.0 }, { 60.0, 0.0 } }, 1.0);
+  for (const glm::vec4& entry :
+    BuildPreIntegratedTable(BuildOpticalTable(white, 0.0, 100.0)).entries)
+  {
+    // What is linear in the entries holds for all that a filter makes of them.
+    ASSERT_LE(std::abs(entry.r - entry.a), 1e-6f * entry.a);
+  }
 }
 
 TEST(PreIntegratedTable, ItsMemoryIsBounded)

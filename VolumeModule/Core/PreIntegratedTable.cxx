@@ -82,13 +82,18 @@ glm::vec4 Mean(const Prefix& before, const Prefix& after, double length)
   const Prefix sum = after.Plus(before, -1.0);
   if (sum.opaqueLength > 1e-9 * length)
   {
-    return glm::vec4(sum.opaqueColor / sum.opaqueLength,
-      double(OpaqueExtinction) * std::min(sum.opaqueLength / length, 1.0));
+    const double extinction = double(OpaqueExtinction) * std::min(sum.opaqueLength / length, 1.0);
+    return glm::vec4(extinction * sum.opaqueColor / sum.opaqueLength, extinction);
   }
   const double extinction = std::max(sum.extinction, 0.0);
   const glm::dvec3 color =
     extinction > 0.0 ? glm::clamp(sum.emission / extinction, 0.0, 1.0) : glm::dvec3(0.0);
-  return glm::vec4(color, extinction / length);
+  return glm::vec4(color, 1.0) * float(extinction / length);
+}
+
+glm::vec4 Emitted(const glm::vec4& entry)
+{
+  return glm::vec4(glm::vec3(entry) * entry.a, entry.a);
 }
 
 }
@@ -108,7 +113,7 @@ PreIntegratedTable BuildPreIntegratedTable(const OpticalTable& table, std::size_
         for (int column = 0; column <= row; ++column)
         {
           const glm::vec4 mean = column == row
-            ? nodes.entries[row]
+            ? Emitted(nodes.entries[row])
             : Mean(nodes.sums[column], nodes.sums[row], (row - column) * entriesPerNode);
           result.entries[std::size_t(row) * size + column] = mean;
           result.entries[std::size_t(column) * size + row] = mean;

@@ -9,8 +9,10 @@ namespace varimarch
 {
 
 /// What a transfer function makes of a piece of a ray along which the scalar goes linearly from one
-/// value to another: entry (i, j) holds the mean extinction and the mean colour, weighted by
-/// extinction, over the values from i to j, at equal distances of firstValue ... lastValue. The
+/// value to another: entry (i, j) holds the mean extinction and the mean emission, which is
+/// extinction times colour, over the values from i to j, at equal distances of firstValue ...
+/// lastValue. Emission, because between two entries a colour would be mixed with that of what is
+/// invisible. The
 /// mean extinction times the length is the exact optical depth, so no peak of the transfer function
 /// falls between two samples. Engel, Kraus, Ertl, "High-quality pre-integrated volume rendering
 /// using hardware-accelerated pixel shading" (Graphics Hardware 2001), without the order of colours
@@ -20,7 +22,7 @@ struct PreIntegratedTable
   double firstValue;
   double lastValue;
   int size;                       ///< along each side, >= 2
-  std::vector<glm::vec4> entries; ///< (r, g, b, extinction [1/mm]); size * size
+  std::vector<glm::vec4> entries; ///< (emission, extinction) [1/mm]; size * size
 };
 
 /// @param mostEntries  bounds the memory: size * size is at most this, >= 4

@@ -123,6 +123,13 @@ StepChoice FindSampleDistance(
   return { levels.Distance(level), estimate.percentile999, estimate.ofLimit };
 }
 
+double DifferenceOfLimit(
+  const std::vector<float>& a, const std::vector<float>& b, const ErrorLimit& limit)
+{
+  const ImageError difference = CompareImages(a.data(), b.data(), a.size() / 4);
+  return difference.percentile999 / (255.0 * limit.percentile999);
+}
+
 double ErrorOfLimit(const SampleDrawing& draw, const ErrorLimit& limit, double sampleDistance)
 {
   return EstimateError(draw(sampleDistance), draw(0.5 * sampleDistance), limit).ofLimit;

@@ -39,10 +39,15 @@ using SampleDrawing = std::function<std::vector<float>(double sampleDistance)>;
 /// distance is estimated by what halving it changes: for a rule of order p that is 1 - 2^-p of the
 /// error, 3/4 for p = 2, 1/2 for p = 1; in between lies what interpolated data allow
 /// (Richardson 1911).
-/// @param first  the distance to begin with; the nearer to the result, the fewer drawings. Where the
+/// @param first  the distance to begin with; the nearer to the result, the fewer drawings. Where
+/// the
 ///               error does not grow with the distance, the result depends on it.
 StepChoice FindSampleDistance(
   const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range, double first);
+
+/// How far one picture is from another as a part of what the limit allows.
+double DifferenceOfLimit(
+  const std::vector<float>& a, const std::vector<float>& b, const ErrorLimit& limit);
 
 /// The estimated error at a distance as a part of what the limit allows; <= 1 keeps it.
 double ErrorOfLimit(const SampleDrawing& draw, const ErrorLimit& limit, double sampleDistance);

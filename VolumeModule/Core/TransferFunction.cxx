@@ -248,6 +248,53 @@ glm::vec4 OpticalEntry(const TransferFunction& transferFunction, double value)
   return glm::vec4(transferFunction.Color(value), extinction);
 }
 
+/// The values in (lower, upper) at which the opacity has nodes, each once.
+std::vector<double> OpacityNodesIn(
+  const TransferFunction& transferFunction, double lower, double upper)
+{
+  std::vector<double> values;
+  for (const OpacityNode& node : transferFunction.Opacities())
+  {
+    const bool known = !values.empty() && values.back() == node.value;
+    if (lower < node.value && node.value < upper && !known)
+    {
+      values.push_back(node.value);
+    }
+  }
+  return values;
+}
+
+/// What stands at a value of a table whose entries are `gap` apart. Where several nodes lie within
+/// one entry to either side, a sample would miss what is between them: there it is the mean under
+/// the hat function of the entry, so that no extinction is lost.
+glm::vec4 EntryAt(const TransferFunction& transferFunction, double value, double gap)
+{
+  std::vector<double> ends = OpacityNodesIn(transferFunction, value - gap, value + gap);
+  if (ends.size() < 2)
+  {
+    return OpticalEntry(transferFunction, value);
+  }
+  ends.insert(ends.begin(), value - gap);
+  ends.push_back(value + gap);
+  constexpr int Points = 32; // from each node to the next
+  double extinction = 0.0;
+  glm::dvec3 emission(0.0);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+  {
+    const double width = (ends[i + 1] - ends[i]) / Points;
+    for (int point = 0; point < Points; ++point)
+    {
+      const double place = ends[i] + (point + 0.5) * width;
+      const double weight = (1.0 - std::abs(place - value) / gap) * width / gap;
+      const glm::dvec4 sample(OpticalEntry(transferFunction, place));
+      extinction += weight * sample.a;
+      emission += weight * sample.a * glm::dvec3(sample);
+    }
+  }
+  const glm::dvec3 color = extinction > 0.0 ? emission / extinction : transferFunction.Color(value);
+  return glm::vec4(color, extinction);
+}
+
 }
 
 OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
@@ -275,6 +322,7 @@ OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double 
   }
 
   const std::size_t count = EntryCount(last - first, transferFunction, mostEntries);
+  const double gap = (last - first) / double(count - 1);
   OpticalTable table{ first, last, std::vector<glm::vec4>(count) };
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
     [&](const tbb::blocked_range<std::size_t>& range)
@@ -283,7 +331,7 @@ OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double 
       {
         const double fraction = double(i) / double(count - 1);
         table.entries[i] =
-          OpticalEntry(transferFunction, (1.0 - fraction) * first + fraction * last);
+          EntryAt(transferFunction, (1.0 - fraction) * first + fraction * last, gap);
       }
     });
   return table;

@@ -94,7 +94,8 @@ constexpr float OpaqueExtinction = 1e30f;
 /// Samples a transfer function over the part of [smallestValue, largestValue] where it changes,
 /// on all cores. The number of entries is a power of two with at least 32 from each node to the
 /// next, at least 1024 and at most `mostEntries`, as many as that for functions with a step, which
-/// becomes a ramp one entry wide; where nothing changes it is two.
+/// becomes a ramp one entry wide; where nothing changes it is two. A peak between two entries
+/// becomes one of their width, of the same integral of extinction over the values.
 /// @throws std::invalid_argument unless smallestValue <= largestValue, both finite
 OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
   double largestValue, std::size_t mostEntries = 65536);

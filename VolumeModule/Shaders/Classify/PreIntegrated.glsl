@@ -1,4 +1,5 @@
-// Transfer function as a table of its means between two scalars (Core/PreIntegratedTable). It
+// Transfer function as a table of its means between two scalars (Core/PreIntegratedTable): emission
+// and extinction. It
 // covers the scalars between which the function changes. What of a piece lies below or above them
 // has the properties of the first or last, and weighs as much as its part of the piece.
 
@@ -24,6 +25,7 @@ vec4 ClassifyBetween(float startScalar, float endScalar)
   vec3 extinctions =
     vec3(max(1.0 - below - above, 0.0) * inside.a, below * opticalBelow.a, above * opticalAbove.a);
   float extinction = extinctions.x + extinctions.y + extinctions.z;
-  vec3 emission = mat3(inside.rgb, opticalBelow.rgb, opticalAbove.rgb) * extinctions;
+  vec3 emission = max(1.0 - below - above, 0.0) * inside.rgb +
+    mat2x3(opticalBelow.rgb, opticalAbove.rgb) * extinctions.yz;
   return vec4(emission / max(extinction, 1e-30), extinction);
 }
