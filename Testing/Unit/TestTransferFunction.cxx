@@ -233,3 +233,20 @@ TEST(OpticalTable, AReversedOrInfiniteRangeIsRefused)
   EXPECT_THROW(BuildOpticalTable(function, 0.0, infinity), std::invalid_argument);
   EXPECT_THROW(BuildOpticalTable(function, std::nan(""), 1.0), std::invalid_argument);
 }
+
+TEST(OpticalTable, APeakBetweenTwoEntriesKeepsItsIntegral)
+{
+  // Extinction about 1e-3 (1 - |v - 500.5| / 0.01): an integral of 1e-5, between entries 1 apart.
+  const TransferFunction peak(
+    {}, { { 0.0, 0.0 }, { 500.49, 0.0 }, { 500.5, 1e-3 }, { 500.51, 0.0 }, { 1023.0, 0.0 } }, 1.0);
+  const OpticalTable table = BuildOpticalTable(peak, 0.0, 1023.0, 1024);
+  ASSERT_EQ(table.entries.size(), 1024u);
+  double integral = 0.0;
+  for (const glm::vec4& entry : table.entries)
+  {
+    integral += entry.a;
+  }
+  EXPECT_NEAR(integral, 1e-5, 1e-8);
+  EXPECT_EQ(table.entries[499].a, 0.0f);
+  EXPECT_EQ(table.entries[502].a, 0.0f);
+}
