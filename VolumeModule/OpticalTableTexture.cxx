@@ -20,6 +20,7 @@ void OpticalTableTexture::Upload(vtkOpenGLRenderWindow* window, OpticalTable new
     this->texture->CreateTextureBuffer(unsigned(count), 4, VTK_FLOAT, this->buffer);
   }
   this->table = std::move(newTable);
+  this->visibleValues = varimarch::VisibleValues(this->table);
 }
 
 void OpticalTableTexture::Release(vtkWindow* window)

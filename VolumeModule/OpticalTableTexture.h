@@ -21,6 +21,7 @@ public:
 
   vtkTextureObject* Texture() const { return this->texture; }
   const OpticalTable& Table() const { return this->table; }
+  const std::array<double, 2>& VisibleValues() const { return this->visibleValues; }
   std::size_t Bytes() const { return this->table.entries.size() * sizeof(glm::vec4); }
   void Release(vtkWindow* window);
 
@@ -28,6 +29,7 @@ private:
   vtkNew<vtkOpenGLBufferObject> buffer;
   vtkNew<vtkTextureObject> texture;
   OpticalTable table = {};
+  std::array<double, 2> visibleValues = {};
 };
 
 }

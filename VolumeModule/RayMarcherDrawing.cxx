@@ -233,6 +233,11 @@ void RayMarcher::SetPreIntegratedUniforms()
 
 void RayMarcher::SetShadeUniforms(const Frame& frame)
 {
+  const std::array<double, 2>& visible = this->opticalTable.VisibleValues();
+  const TexelMapping& mapping = this->volume.Mapping();
+  this->program.Set("visibleScalars",
+    glm::dvec2(LimitedTexel(mapping, visible[0]), LimitedTexel(mapping, visible[1])));
+
   const HeadLight light = HeadLightOf(frame.renderer);
   const glm::dmat3 worldFromGradient = frame.geometry.WorldFromGridNormal();
   this->program.Set("voxelSizeTexture", 1.0 / glm::dvec3(frame.geometry.dimensions));

@@ -250,3 +250,26 @@ TEST(OpticalTable, APeakBetweenTwoEntriesKeepsItsIntegral)
   EXPECT_EQ(table.entries[499].a, 0.0f);
   EXPECT_EQ(table.entries[502].a, 0.0f);
 }
+
+TEST(OpticalTable, VisibleValuesEncloseAllThatAbsorbs)
+{
+  const auto visible = [](std::vector<OpacityNode> nodes)
+  { return VisibleValues(BuildOpticalTable(OpacityCurve(std::move(nodes)), 0.0, 1000.0)); };
+  const auto inside =
+    visible({ { 0.0, 0.0 }, { 200.0, 0.0 }, { 300.0, 0.5 }, { 400.0, 0.0 }, { 1000.0, 0.0 } });
+  EXPECT_NEAR(inside[0], 200.0, 1.0);
+  EXPECT_LE(inside[0], 200.0);
+  EXPECT_NEAR(inside[1], 400.0, 1.0);
+  EXPECT_GE(inside[1], 400.0);
+
+  const auto below = visible({ { 100.0, 0.5 }, { 300.0, 0.0 }, { 700.0, 0.0 }, { 900.0, 0.0 } });
+  EXPECT_EQ(below[0], -infinity);
+  EXPECT_NEAR(below[1], 300.0, 1.0);
+
+  const auto above = visible({ { 100.0, 0.0 }, { 300.0, 0.0 }, { 700.0, 0.5 } });
+  EXPECT_NEAR(above[0], 300.0, 1.0);
+  EXPECT_EQ(above[1], infinity);
+
+  const auto nothing = visible({ { 0.0, 0.0 }, { 1000.0, 0.0 } });
+  EXPECT_GT(nothing[0], nothing[1]);
+}

@@ -337,4 +337,22 @@ OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double 
   return table;
 }
 
+std::array<double, 2> VisibleValues(const OpticalTable& table)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto absorbs = [](const glm::vec4& entry) { return entry.a > 0.0f; };
+  const auto first = std::find_if(table.entries.begin(), table.entries.end(), absorbs);
+  if (first == table.entries.end())
+  {
+    return { infinity, -infinity };
+  }
+  const auto behindLast =
+    std::find_if(table.entries.rbegin(), table.entries.rend(), absorbs).base();
+  const double gap = (table.lastValue - table.firstValue) / double(table.entries.size() - 1);
+  const auto valueAt = [&](auto entry)
+  { return table.firstValue + gap * double(entry - table.entries.begin()); };
+  return { first == table.entries.begin() ? -infinity : valueAt(first - 1),
+    behindLast == table.entries.end() ? infinity : valueAt(behindLast) };
+}
+
 }

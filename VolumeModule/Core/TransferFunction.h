@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -99,6 +100,10 @@ constexpr float OpaqueExtinction = 1e30f;
 /// @throws std::invalid_argument unless smallestValue <= largestValue, both finite
 OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
   double largestValue, std::size_t mostEntries = 65536);
+
+/// The values between which a table has any extinction, neither of them included: infinite where
+/// the end entries have, (infinity, -infinity) where none has.
+std::array<double, 2> VisibleValues(const OpticalTable& table);
 
 }
 

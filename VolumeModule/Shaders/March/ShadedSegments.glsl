@@ -1,25 +1,28 @@
 // The loop for shaded volumes. A gradient costs six fetches and a normal can turn round within a
 // fraction of a voxel, at the ridge of a thin bone. So scalar and gradient are fetched once for
 // each segment, at its end, and taken as linear between; the parts of a segment, with their own
-// normal and light, then cost arithmetic only.
+// normal and light, then cost arithmetic only. Where the ray jumps, a segment without length makes
+// the scalar behind known.
 // An inner loop looks for the next segment that absorbs anything before the gradient is fetched.
 // A branch would not do: where pixels are drawn in lockstep both of its sides are paid for, while
 // a loop ends for all of them when it has ended for each.
 
 const int PartsPerSegment = 4;
 
+uniform vec2 visibleScalars; // only between these does anything absorb
+
 bool IsVisible(float startScalar, float endScalar)
 {
-  float middle = 0.5 * (startScalar + endScalar);
-  return Classify(startScalar).a + Classify(middle).a + Classify(endScalar).a > 0.0;
+  return max(startScalar, endScalar) > visibleScalars.x &&
+    min(startScalar, endScalar) < visibleScalars.y;
 }
 
 Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
   float t = inside.enter;
-  float endScalar = 0.0;
+  float endScalar = ScalarAt(PositionTexture(ray, t));
   vec3 endGradient = vec3(0.0);
-  bool known = false; // scalar and gradient at t
+  bool known = false; // the gradient at t
   int index = 0;
   while (index < mostSegments && t < inside.exit && !BlendFinished(sum))
   {
@@ -28,13 +31,13 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
     do
     {
       Interval segment = NextSegment(ray, inside, t, index, stepMm, BlendState(sum));
-      known = known && segment.enter <= t;
-      t = min(segment.exit, inside.exit);
-      lengthMm = max(t - segment.enter, 0.0);
-      startScalar = ScalarAt(PositionTexture(ray, segment.enter));
+      bool jumps = segment.enter > t;
+      t = min(jumps ? segment.enter : segment.exit, inside.exit);
+      lengthMm = jumps ? 0.0 : max(t - segment.enter, 0.0);
+      startScalar = endScalar;
       endScalar = ScalarAt(PositionTexture(ray, t));
       ++index;
-      if (IsVisible(startScalar, endScalar))
+      if (lengthMm > 0.0 && IsVisible(startScalar, endScalar))
       {
         break;
       }
