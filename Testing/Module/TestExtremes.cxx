@@ -271,6 +271,27 @@ TEST(Extremes, HardSurfacesAreWrongOnlyWhereRaysGrazeThem)
   }
 }
 
+TEST(Extremes, ThousandsOfStepsKeepTheirPlaces)
+{
+  // A place summed up from 8000 float steps would be off by a part of a voxel.
+  vtkNew<vtkHeadlessRenderWindow> window;
+  for (const ExtremeScene& extreme : ExtremesWithoutTolerance())
+  {
+    if (extreme.name != "EightThousandSteps" && extreme.name != "StepOf1e-4Voxels")
+    {
+      continue;
+    }
+    SCOPED_TRACE(extreme.name);
+    const auto scene = MapperSceneOf(extreme, 16, window);
+    for (int acceleration : { Mapper::Off, Mapper::OpticalField })
+    {
+      scene->mapper->SetAccelerationMode(acceleration);
+      const varimarch::ImageError error = scene->Error();
+      EXPECT_LT(error.largest, 0.1) << acceleration;
+    }
+  }
+}
+
 TEST(Extremes, ASampleDistanceTooShortToEndIsLengthenedWithAWarning)
 {
   vtkNew<vtkHeadlessRenderWindow> window;
