@@ -28,10 +28,9 @@ constexpr double LargestOfTolerance = 1.2;
 // ones show less of it.
 constexpr double ExtremesPart = 0.4;
 
-// Where sample distances are searched, in voxels; and no ray gets more samples than this.
+// Where sample distances are searched, in voxels.
 constexpr double CoarsestVoxels = 4.0;
 constexpr double FinestVoxels = 1.0 / 128.0;
-constexpr double MostSamples = 32768.0;
 // Nor does the longest get fewer: halving a distance longer than the volume would change nothing,
 // and tell nothing.
 constexpr double FewestSamples = 16.0;
@@ -99,7 +98,9 @@ StepRange RangeOf(const VolumeGeometry& geometry)
   const double voxelMm = geometry.SmallestSpacingMm();
   const double coarsestMm =
     std::min(CoarsestVoxels * voxelMm, geometry.DiagonalMm() / FewestSamples);
-  const double finestMm = std::max(FinestVoxels * voxelMm, geometry.DiagonalMm() / MostSamples);
+  // Halves of the finest are drawn too.
+  const double finestMm =
+    std::max(FinestVoxels * voxelMm, 2.0 * geometry.ShortestSampleDistanceMm());
   return { coarsestMm, std::min(finestMm, coarsestMm) };
 }
 

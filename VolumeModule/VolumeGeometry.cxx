@@ -60,7 +60,7 @@ double VolumeGeometry::DiagonalMm() const
 
 double VolumeGeometry::ShortestSampleDistanceMm() const
 {
-  return std::ldexp(this->DiagonalMm(), -16);
+  return this->DiagonalMm() / 30000.0;
 }
 
 VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume)

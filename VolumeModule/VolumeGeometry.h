@@ -33,8 +33,9 @@ struct VolumeGeometry
   /// Length of the longest ray through the volume [mm].
   double DiagonalMm() const;
 
-  /// The shortest distance of samples: with more than 2^16 of them along a ray, what is lost in
-  /// the rounding of each outweighs what they gain, and a picture has to end [mm].
+  /// The shortest distance of samples [mm]: 30000 along the longest ray. Software rasterisers end a
+  /// shader, and with it the ray, after 2^16 rounds of all its loops together, of which a sample
+  /// takes up to two.
   double ShortestSampleDistanceMm() const;
 };
 
