@@ -19,13 +19,14 @@ namespace varimarch
 namespace
 {
 
-VariationField ScalarFieldOf(vtkDataArray* scalars, glm::ivec3 dimensions, double tolerance)
+VariationField ScalarFieldOf(const ScalarRegion& region, double tolerance)
 {
-  void* const voxels = scalars->GetVoidPointer(0);
-  switch (scalars->GetDataType())
+  void* const voxels = region.scalars->GetVoidPointer(0);
+  switch (region.scalars->GetDataType())
   {
     vtkTemplateMacro(return BuildVariationField(
-      ScalarGrid<VTK_TT>(static_cast<VTK_TT*>(voxels), dimensions), tolerance));
+      ScalarGrid<VTK_TT>(static_cast<VTK_TT*>(voxels), region.dimensions).Part(region.voxels),
+      tolerance));
   }
   return {};
 }
@@ -79,10 +80,10 @@ void AccelerationField::Upload(
 }
 
 void AccelerationField::BuildScalarField(
-  vtkOpenGLRenderWindow* window, vtkDataArray* scalars, glm::ivec3 dimensions, double tolerance)
+  vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance)
 {
   const Stopwatch stopwatch;
-  const VariationField field = ScalarFieldOf(scalars, dimensions, tolerance);
+  const VariationField field = ScalarFieldOf(region, tolerance);
   this->buildSeconds = stopwatch.Seconds();
   this->Upload(window, field.cellCount, field.cells);
 }
@@ -95,14 +96,13 @@ void AccelerationField::BuildRanges(
   this->rangeSeconds = stopwatch.Seconds();
 }
 
-void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window, const OpticalTable& table,
-  const OpticalTolerance& tolerance, const Box& boxGrid)
+void AccelerationField::BuildOpticalField(
+  vtkOpenGLRenderWindow* window, const OpticalTable& table, const OpticalTolerance& tolerance)
 {
   const Stopwatch stopwatch;
-  const OpticalField field = varimarch::BuildOpticalField(this->ranges, table, tolerance);
-  this->visibleBoxGrid = VisibleBox(field, boxGrid);
+  this->optical = varimarch::BuildOpticalField(this->ranges, table, tolerance);
   this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + stopwatch.Seconds();
-  this->Upload(window, field.brickCount, field.bricks);
+  this->Upload(window, this->optical.brickCount, this->optical.bricks);
 }
 
 void AccelerationField::BuildExtremes(vtkOpenGLRenderWindow* window, bool largest)
@@ -126,6 +126,7 @@ void AccelerationField::Release(vtkWindow* window)
 {
   this->texture->ReleaseGraphicsResources(window);
   this->ranges = BrickRanges();
+  this->optical = OpticalField();
   this->bytes = 0;
 }
 

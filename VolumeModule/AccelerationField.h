@@ -3,6 +3,7 @@
 
 #include "Core/BrickRanges.h"
 #include "Core/OpticalField.h"
+#include "VolumeTexture.h"
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
@@ -18,19 +19,19 @@ namespace varimarch
 class AccelerationField
 {
 public:
+  /// Of the cells of a region.
   /// @param tolerance  see BuildVariationField
   /// @throws std::runtime_error when the device cannot hold the texture
   void BuildScalarField(
-    vtkOpenGLRenderWindow* window, vtkDataArray* scalars, glm::ivec3 dimensions, double tolerance);
+    vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance);
 
   /// The part of the optical field that reads the volume; kept for every later BuildOpticalField.
   void BuildRanges(
     vtkDataArray* scalars, glm::ivec3 dimensions, double smallestScalar, double largestScalar);
 
-  /// @param boxGrid  of the volume
   /// @throws std::runtime_error when the device cannot hold the texture
-  void BuildOpticalField(vtkOpenGLRenderWindow* window, const OpticalTable& table,
-    const OpticalTolerance& tolerance, const Box& boxGrid);
+  void BuildOpticalField(
+    vtkOpenGLRenderWindow* window, const OpticalTable& table, const OpticalTolerance& tolerance);
 
   /// The largest or smallest value of each brick, from the ranges, as texels of 16 bits that hold
   /// steps of BrickRanges.
@@ -39,8 +40,9 @@ public:
 
   const BrickRanges& Ranges() const { return this->ranges; }
   vtkTextureObject* Texture() const { return this->texture; }
-  const Box& VisibleBoxGrid() const { return this->visibleBoxGrid; } ///< of the optical field
-  glm::ivec3 Size() const { return this->size; }                     ///< texels
+  /// Of the optical field, the smallest box that holds what is visible in a part of the volume.
+  Box VisibleBoxGrid(const Box& partGrid) const { return VisibleBox(this->optical, partGrid); }
+  glm::ivec3 Size() const { return this->size; } ///< texels
   /// Of the last field, with the ranges that were built for it.
   double BuildSeconds() const { return this->buildSeconds; }
   std::size_t Bytes() const { return this->bytes; }
@@ -52,7 +54,7 @@ private:
 
   vtkNew<vtkTextureObject> texture;
   BrickRanges ranges;
-  Box visibleBoxGrid = {};
+  OpticalField optical;
   glm::ivec3 size = glm::ivec3(1);
   double rangeSeconds = 0.0; ///< of ranges that no field has been built of yet
   double buildSeconds = 0.0;

@@ -7,8 +7,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
 
-#include <limits>
-
 namespace varimarch
 {
 
@@ -24,11 +22,10 @@ void RayMarcher::Draw(Frame frame)
 {
   this->EnterWindow(frame.window);
   this->UpdateVolume(frame);
-  frame.settings.gaps = !this->volume.AllFinite();
-  this->UpdateGaps(frame);
   this->UpdateOpticalTable(frame);
   this->UpdateField(frame);
   this->UpdateDepth(frame);
+  this->UpdateBlocks(frame);
   this->UpdateTolerance(frame);
 
   if (this->tolerance)
@@ -38,8 +35,7 @@ void RayMarcher::Draw(Frame frame)
   }
   this->usedSampleDistanceMm = frame.sampleDistanceMm;
   this->UpdatePreIntegratedTable(frame);
-  this->UpdateProgram(frame);
-  this->DrawBox(frame);
+  this->DrawVolume(frame);
 }
 
 void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* window)
@@ -58,7 +54,7 @@ void RayMarcher::UpdateVolume(const Frame& frame)
     return;
   }
   this->volumeSource = nullptr;
-  this->volume.Upload(frame.window, frame.scalars, frame.geometry.dimensions);
+  this->blocks.SetScalars(frame.scalars, frame.geometry.dimensions);
   this->volumeSource = frame.scalars;
   this->volumeTime = frame.scalarsTime;
   this->tableSource = nullptr; // a table covers the range of the scalars
@@ -74,9 +70,10 @@ void RayMarcher::UpdateOpticalTable(const Frame& frame)
   {
     return;
   }
+  const ScalarTexels& texels = this->blocks.Texels();
   this->opticalTable.Upload(frame.window,
-    BuildOpticalTable(TransferFunctionOf(frame.property), this->volume.SmallestScalar(),
-      this->volume.LargestScalar()));
+    BuildOpticalTable(
+      TransferFunctionOf(frame.property), texels.smallestScalar, texels.largestScalar));
   this->tableSource = frame.property;
   this->tableTime = time;
   this->tableUnitDistanceMm = unitDistanceMm;
@@ -100,6 +97,10 @@ void RayMarcher::UpdatePreIntegratedTable(const Frame& frame)
 
 void RayMarcher::UpdateField(const Frame& frame)
 {
+  if (frame.settings.acceleration != Acceleration::ScalarField)
+  {
+    this->blocks.SetScalarField(frame.window, {});
+  }
   switch (frame.settings.acceleration)
   {
     case Acceleration::Off:
@@ -125,7 +126,8 @@ void RayMarcher::UpdateField(const Frame& frame)
 
 void RayMarcher::UpdateScalarField(const Frame& frame)
 {
-  const double range = this->volume.LargestScalar() - this->volume.SmallestScalar();
+  const ScalarTexels& texels = this->blocks.Texels();
+  const double range = texels.largestScalar - texels.smallestScalar;
   const double tolerance =
     frame.variationTolerance >= 0.0 ? frame.variationTolerance : DefaultToleranceOfRange * range;
   const FieldSource source{ Acceleration::ScalarField, this->builds.volumeTexture, 0, tolerance };
@@ -133,8 +135,9 @@ void RayMarcher::UpdateScalarField(const Frame& frame)
   {
     return;
   }
-  this->fieldSource.reset();
-  this->field.BuildScalarField(frame.window, frame.scalars, frame.geometry.dimensions, tolerance);
+  this->field.Release(frame.window);
+  this->rangesOfVolume = 0;
+  this->blocks.SetScalarField(frame.window, tolerance);
   this->fieldSource = source;
   ++this->builds.field;
 }
@@ -153,8 +156,7 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
   }
   this->fieldSource.reset();
   this->UpdateRanges(frame);
-  this->field.BuildOpticalField(
-    frame.window, this->opticalTable.Table(), tolerance, frame.geometry.boxGrid);
+  this->field.BuildOpticalField(frame.window, this->opticalTable.Table(), tolerance);
   this->fieldSource = source;
   ++this->builds.field;
 }
@@ -180,26 +182,11 @@ void RayMarcher::UpdateRanges(const Frame& frame)
 {
   if (this->rangesOfVolume != this->builds.volumeTexture)
   {
-    this->field.BuildRanges(frame.scalars, frame.geometry.dimensions, this->volume.SmallestScalar(),
-      this->volume.LargestScalar());
+    const ScalarTexels& texels = this->blocks.Texels();
+    this->field.BuildRanges(
+      frame.scalars, frame.geometry.dimensions, texels.smallestScalar, texels.largestScalar);
     this->rangesOfVolume = this->builds.volumeTexture;
     ++this->builds.brickRanges;
-  }
-}
-
-void RayMarcher::UpdateGaps(const Frame& frame)
-{
-  if (!frame.settings.gaps)
-  {
-    this->gaps.Release(frame.window);
-    this->gapsOfVolume = 0;
-  }
-  else if (this->gapsOfVolume != this->builds.volumeTexture)
-  {
-    // Whatever is finite is within this tolerance.
-    this->gaps.BuildScalarField(frame.window, frame.scalars, frame.geometry.dimensions,
-      std::numeric_limits<double>::infinity());
-    this->gapsOfVolume = this->builds.volumeTexture;
   }
 }
 
@@ -220,19 +207,30 @@ void RayMarcher::UpdateProgram(const Frame& frame)
   {
     ++this->builds.shader;
   }
+  if (frame.settings.pass != RayPass::Picture)
+  {
+    this->shaderParts = this->program.Parts();
+  }
 }
 
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
-  return this->volume.Bytes() + this->gaps.Bytes() + this->field.Bytes() +
-    this->opticalTable.Bytes() + this->preIntegratedTable.Bytes() + this->depth.Bytes() +
-    this->probe.Bytes();
+  return this->blocks.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
+    this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->probe.Bytes() +
+    this->accumulation.Bytes();
+}
+
+double RayMarcher::FieldBuildSeconds() const
+{
+  const bool isOfCells =
+    this->fieldSource && this->fieldSource->acceleration == Acceleration::ScalarField;
+  return isOfCells ? this->blocks.FieldBuildSeconds() : this->field.BuildSeconds();
 }
 
 void RayMarcher::Release(vtkWindow* window)
 {
-  this->volume.Release(window);
-  this->gaps.Release(window);
+  this->blocks.Release(window);
+  this->accumulation.Release(window);
   this->field.Release(window);
   this->opticalTable.Release(window);
   this->preIntegratedTable.Release(window);
@@ -240,7 +238,7 @@ void RayMarcher::Release(vtkWindow* window)
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource = nullptr;
-  this->gapsOfVolume = 0;
+  this->visibleOfField = -1;
   this->fieldSource.reset();
   this->rangesOfVolume = 0;
   this->preIntegratedOfTable = 0;

@@ -8,11 +8,12 @@
 #include "OpticalTableTexture.h"
 #include "PreIntegratedTableTexture.h"
 #include "ProbeFramebuffer.h"
+#include "RayAccumulation.h"
 #include "RayMarchProgram.h"
 #include "SceneDepthTexture.h"
+#include "VolumeBlocks.h"
 #include "VolumeBoxGeometry.h"
 #include "VolumeGeometry.h"
-#include "VolumeTexture.h"
 
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
@@ -52,12 +53,14 @@ struct Frame
   double earlyTerminationTransmittance;
   std::array<double, 2> averagedRange; ///< the scalars that count in an average
   glm::dvec4 gapOptical;               ///< colour and extinction [1/mm] of cells that have no value
+  std::size_t mostMemoryBytes;         ///< of the graphics device; 0: what it has
+  bool triesPreIntegration;            ///< there is memory for its table
 };
 
 /// How often each resource was made.
 struct BuildCounts
 {
-  int volumeTexture = 0;
+  int volumeTexture = 0; ///< by new scalars
   int brickRanges = 0;
   int field = 0;
   int opticalTable = 0;
@@ -69,7 +72,7 @@ struct BuildCounts
 struct FieldSource
 {
   Acceleration acceleration;
-  int volumeBuild;  ///< of the volume texture
+  int volumeBuild;  ///< of the volume's textures
   int tableBuild;   ///< of the optical table; 0 for a field that does not know it
   double tolerance; ///< or, for extremes, their sense
 
@@ -90,6 +93,16 @@ struct ToleranceChoice
   double missedOfLimit = 0.0; ///< found once per rule: peaks between samples, as step.ofLimit
 };
 
+/// The volume or a block of it, as it is drawn.
+struct DrawnBlock
+{
+  const VolumeBlock* block; ///< none where rays are not marched
+  VoxelRegion voxels;
+  Box boxGrid;                ///< what its rays are marched through
+  Box coverGrid;              ///< covers their pixels
+  glm::dvec3 sharedUpperGrid; ///< upper faces at which another block begins; elsewhere far away
+};
+
 /// Draws frames. Holds the graphics resources and remakes those, and only those, whose source has
 /// changed since the last frame; what a frame does not need is not there.
 class RayMarcher
@@ -101,11 +114,13 @@ public:
   void Release(vtkWindow* window);
 
   const BuildCounts& Builds() const { return this->builds; }
-  const std::vector<std::string>& ShaderParts() const { return this->program.Parts(); }
+  int BlockUploads() const { return this->blocks.Uploads(); }
+  /// Of the march.
+  const std::vector<std::string>& ShaderParts() const { return this->shaderParts; }
   double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }
   /// How the last picture keeps its tolerance; nothing when it has none.
   const std::optional<ToleranceChoice>& Tolerance() const { return this->tolerance; }
-  double FieldBuildSeconds() const { return this->field.BuildSeconds(); }
+  double FieldBuildSeconds() const;
   std::size_t GraphicsMemoryBytes() const;
 
 private:
@@ -118,8 +133,8 @@ private:
   void UpdateOpticalField(const Frame& frame);
   void UpdateExtremes(const Frame& frame);
   void UpdateRanges(const Frame& frame);
-  void UpdateGaps(const Frame& frame);
   void UpdateDepth(const Frame& frame);
+  void UpdateBlocks(Frame& frame);
   void UpdateTolerance(const Frame& frame);
   void UpdateProgram(const Frame& frame);
 
@@ -127,32 +142,46 @@ private:
   double MissedOfLimit(const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit);
   std::vector<float> DrawProbe(Frame frame, Integration integration, double sampleDistanceMm);
 
-  Box DrawnBoxGrid(const Frame& frame) const;
-  void SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
-  void SetGapUniforms(const Frame& frame);
+  // The volume in blocks.
+  BlockLimits LimitsOf(const Frame& frame) const;
+  std::size_t FixedBytes(const Frame& frame) const;
+  std::size_t BytesForBlocks(const Frame& frame) const;
+  void UpdateVisibleBoxes(const Frame& frame);
+  std::vector<int> BlocksInView(const Frame& frame) const;
+  void DrawVolume(const Frame& frame);
+  void DrawBlock(Frame frame, int block);
+  void DrawBlocks(const Frame& frame);
+
+  void SetRayUniforms(const Frame& frame, const DrawnBlock& drawn, const glm::dmat4& clipFromGrid);
+  void SetResumeUniforms(const Frame& frame, const DrawnBlock& drawn);
+  void SetGapUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
-  void SetStepUniforms(const Frame& frame);
+  void SetStepUniforms(const Frame& frame, const VolumeBlock& block);
   void SetClassifyUniforms();
   void SetPreIntegratedUniforms();
-  void SetShadeUniforms(const Frame& frame);
+  void SetShadeUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetBlendUniforms(const Frame& frame);
   void SetProjectionUniforms(const Frame& frame);
-  void SetUniforms(const Frame& frame);
-  void DrawBox(const Frame& frame);
+  void SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn);
+  void SetUniforms(const Frame& frame, const DrawnBlock& drawn);
+  void DrawBox(const Frame& frame, const DrawnBlock& drawn);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> window;
-  VolumeTexture volume;
-  AccelerationField field;
-  AccelerationField gaps; ///< which cells have a voxel that is not finite; empty when none has
+  VolumeBlocks blocks;
+  AccelerationField field; ///< of bricks
   OpticalTableTexture opticalTable;
   PreIntegratedTableTexture preIntegratedTable;
   SceneDepthTexture depth;
   VolumeBoxGeometry boxGeometry;
   ProbeFramebuffer probe;
+  RayAccumulation accumulation; ///< only where there are several blocks
   RayMarchProgram program;
   BuildCounts builds;
   std::optional<ToleranceChoice> tolerance;
   double usedSampleDistanceMm = 0.0;
+  std::vector<std::string> shaderParts;
+  Box visibleBox = {};           ///< what of the volume is drawn
+  std::vector<Box> visibleBoxes; ///< and of each block
 
   // What each resource was made from.
   vtkDataArray* volumeSource = nullptr;
@@ -162,8 +191,8 @@ private:
   double tableUnitDistanceMm = 0.0;
   int preIntegratedOfTable = 0;           ///< the optical table's build that it was made from
   std::optional<FieldSource> fieldSource; ///< none: there is no field
-  int gapsOfVolume = 0;                   ///< the volume texture's build that the gaps belong to
-  int rangesOfVolume = 0; ///< the volume texture's build that the field's ranges belong to
+  int rangesOfVolume = 0;                 ///< the volume's build that the field's ranges belong to
+  int visibleOfField = -1; ///< the field's build that the visible boxes belong to; 0: to none
 };
 
 }

@@ -71,7 +71,7 @@ double LimitedTexel(const TexelMapping& mapping, double scalar)
 class BoxDrawingState
 {
 public:
-  BoxDrawingState(vtkOpenGLState* state, bool mirrored)
+  BoxDrawingState(vtkOpenGLState* state, bool mirrored, bool blended)
     : depthTest(state, GL_DEPTH_TEST)
     , blend(state, GL_BLEND)
     , cullFace(state, GL_CULL_FACE)
@@ -83,7 +83,7 @@ public:
     state->vtkglGetIntegerv(GL_CULL_FACE_MODE, &this->cullFaceMode);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
-    state->vtkglEnable(GL_BLEND);
+    state->SetEnumState(GL_BLEND, blended);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     // The inner sides of the box: there is one behind every pixel, also from within.
     state->vtkglEnable(GL_CULL_FACE);
@@ -114,18 +114,11 @@ private:
 
 }
 
-// Rays outside what can be seen are not begun, and others begin where it does.
-Box RayMarcher::DrawnBoxGrid(const Frame& frame) const
+void RayMarcher::SetRayUniforms(
+  const Frame& frame, const DrawnBlock& drawn, const glm::dmat4& clipFromGrid)
 {
-  const bool knowsWhatIsVisible =
-    frame.settings.acceleration == Acceleration::OpticalField && !IsExtreme(frame.settings.blend);
-  return knowsWhatIsVisible ? this->field.VisibleBoxGrid() : frame.geometry.boxGrid;
-}
-
-void RayMarcher::SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
-{
-  const Box box = this->DrawnBoxGrid(frame);
-  const PixelRays rays = ComputePixelRays(clipFromGrid, box);
+  // The same rays for every block, to the last bit: none then has a gap where two blocks meet.
+  const PixelRays rays = ComputePixelRays(clipFromGrid, this->visibleBox);
   const Viewport& viewport = frame.viewport;
 
   this->program.Set("clipFromGrid", clipFromGrid);
@@ -136,20 +129,32 @@ void RayMarcher::SetRayUniforms(const Frame& frame, const glm::dmat4& clipFromGr
   this->program.Set("worldFromGrid", frame.geometry.WorldFromGridDirection());
   this->program.Set("nearPlaneGrid", rays.nearPlaneGrid);
   this->program.Set("farPlaneGrid", rays.farPlaneGrid);
-  this->program.Set("boxLowerGrid", box.lower);
-  this->program.Set("boxUpperGrid", box.upper);
-  this->program.Set("voxelCountInverse", 1.0 / glm::dvec3(frame.geometry.dimensions));
+  this->program.Set("boxLowerGrid", drawn.boxGrid.lower);
+  this->program.Set("boxUpperGrid", drawn.boxGrid.upper);
+  this->program.Set("firstVoxelGrid", glm::dvec3(drawn.voxels.first));
+  this->program.Set("voxelCountInverse", 1.0 / glm::dvec3(drawn.voxels.count));
   this->program.Set("mostSegments", MostSegmentsOf(frame));
 }
 
-void RayMarcher::SetGapUniforms(const Frame& frame)
+void RayMarcher::SetResumeUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
-  const glm::dvec3 cells(this->gaps.Size());
-  this->gaps.Texture()->Activate();
-  this->program.Set("gapTexture", this->gaps.Texture());
+  vtkTextureObject* const gathered = frame.settings.pass == RayPass::Block
+    ? this->accumulation.Drawn()
+    : this->accumulation.Finished();
+  gathered->Activate();
+  this->program.Set("gatheredTexture", gathered);
+  this->program.Set("sharedUpperGrid", drawn.sharedUpperGrid);
+}
+
+void RayMarcher::SetGapUniforms(const Frame& frame, const DrawnBlock& drawn)
+{
+  const AccelerationField& gaps = drawn.block->gaps;
+  const glm::dvec3 cells(gaps.Size());
+  gaps.Texture()->Activate();
+  this->program.Set("gapTexture", gaps.Texture());
   this->program.Set("gapCellCount", cells);
   this->program.Set("gapCellCountInverse", 1.0 / cells);
-  this->program.Set("gapVoxelCount", glm::dvec3(frame.geometry.dimensions));
+  this->program.Set("gapVoxelCount", glm::dvec3(drawn.voxels.count));
   if (FillsGaps(frame.settings))
   {
     this->program.Set("gapOptical", frame.gapOptical);
@@ -168,17 +173,19 @@ void RayMarcher::SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFrom
   this->program.Set("clipWeightRow", glm::row(clipFromGrid, 3));
 }
 
-void RayMarcher::SetStepUniforms(const Frame& frame)
+void RayMarcher::SetStepUniforms(const Frame& frame, const VolumeBlock& block)
 {
   this->program.Set("stepMm", frame.sampleDistanceMm);
   if (frame.settings.acceleration == Acceleration::Off)
   {
     return;
   }
-  this->field.Texture()->Activate();
-  this->program.Set("fieldTexture", this->field.Texture());
-  const glm::dvec3 size(this->field.Size());
-  if (frame.settings.acceleration == Acceleration::ScalarField)
+  const bool isOfCells = frame.settings.acceleration == Acceleration::ScalarField;
+  const AccelerationField& field = isOfCells ? block.scalarField : this->field;
+  field.Texture()->Activate();
+  this->program.Set("fieldTexture", field.Texture());
+  const glm::dvec3 size(field.Size());
+  if (isOfCells)
   {
     this->program.Set("cellCount", size);
     this->program.Set("cellCountInverse", 1.0 / size);
@@ -192,7 +199,7 @@ void RayMarcher::SetStepUniforms(const Frame& frame)
   if (frame.settings.acceleration == Acceleration::OpticalField && IsExtreme(frame.settings.blend))
   {
     const BrickRanges& ranges = this->field.Ranges();
-    const TexelMapping& mapping = this->volume.Mapping();
+    const TexelMapping& mapping = this->blocks.Texels().mapping;
     this->program.Set("sense", frame.settings.blend == Blend::MaximumIntensity ? 1.0 : -1.0);
     this->program.Set("scalarFromField",
       glm::dvec2(65535.0 * ranges.ValuePerStep() / mapping.scale,
@@ -207,7 +214,7 @@ void RayMarcher::SetClassifyUniforms()
   const double last = double(table.entries.size() - 1);
   const double extent = table.lastValue - table.firstValue;
   const double indexPerScalar = extent > 0.0 ? last / extent : 0.0;
-  const TexelMapping& mapping = this->volume.Mapping();
+  const TexelMapping& mapping = this->blocks.Texels().mapping;
   this->opticalTable.Texture()->Activate();
   this->program.Set("opticalTable", this->opticalTable.Texture());
   this->program.Set("tableFromScalar",
@@ -221,7 +228,7 @@ void RayMarcher::SetPreIntegratedUniforms()
   const OpticalTable& table = this->opticalTable.Table();
   const double extent = table.lastValue - table.firstValue;
   const double placePerValue = extent > 0.0 ? 1.0 / extent : 0.0;
-  const TexelMapping& mapping = this->volume.Mapping();
+  const TexelMapping& mapping = this->blocks.Texels().mapping;
   this->preIntegratedTable.Texture()->Activate();
   this->program.Set("preIntegratedTable", this->preIntegratedTable.Texture());
   this->program.Set("tableSize", double(this->preIntegratedTable.Size()));
@@ -231,16 +238,16 @@ void RayMarcher::SetPreIntegratedUniforms()
   this->program.Set("opticalAbove", glm::dvec4(table.entries.back()));
 }
 
-void RayMarcher::SetShadeUniforms(const Frame& frame)
+void RayMarcher::SetShadeUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
   const std::array<double, 2>& visible = this->opticalTable.VisibleValues();
-  const TexelMapping& mapping = this->volume.Mapping();
+  const TexelMapping& mapping = this->blocks.Texels().mapping;
   this->program.Set("visibleScalars",
     glm::dvec2(LimitedTexel(mapping, visible[0]), LimitedTexel(mapping, visible[1])));
 
   const HeadLight light = HeadLightOf(frame.renderer);
   const glm::dmat3 worldFromGradient = frame.geometry.WorldFromGridNormal();
-  this->program.Set("voxelSizeTexture", 1.0 / glm::dvec3(frame.geometry.dimensions));
+  this->program.Set("voxelSizeTexture", 1.0 / glm::dvec3(drawn.voxels.count));
   this->program.Set("worldFromGradient", worldFromGradient);
   this->program.Set("ambientLight", glm::dvec3(frame.property->GetAmbient()));
   this->program.Set("diffuseLight", frame.property->GetDiffuse() * light.diffuse);
@@ -260,9 +267,9 @@ void RayMarcher::SetBlendUniforms(const Frame& frame)
 
 void RayMarcher::SetProjectionUniforms(const Frame& frame)
 {
-  const TexelMapping& mapping = this->volume.Mapping();
-  const double smallest = mapping.TexelOf(this->volume.SmallestScalar());
-  const double largest = mapping.TexelOf(this->volume.LargestScalar());
+  const TexelMapping& mapping = this->blocks.Texels().mapping;
+  const double smallest = mapping.TexelOf(this->blocks.Texels().smallestScalar);
+  const double largest = mapping.TexelOf(this->blocks.Texels().largestScalar);
   this->program.Set("smallestScalar", smallest);
   this->program.Set("opacityUnitDistanceMm", frame.property->GetScalarOpacityUnitDistance());
   switch (frame.settings.blend)
@@ -280,13 +287,12 @@ void RayMarcher::SetProjectionUniforms(const Frame& frame)
   }
 }
 
-void RayMarcher::SetUniforms(const Frame& frame)
+void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
-  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
-  this->volume.Texture()->Activate();
-  this->program.Set("volumeTexture", this->volume.Texture());
-  this->SetRayUniforms(frame, clipFromGrid);
-  this->SetStepUniforms(frame);
+  const VolumeTexture& volume = drawn.block->volume;
+  volume.Texture()->Activate();
+  this->program.Set("volumeTexture", volume.Texture());
+  this->SetStepUniforms(frame, *drawn.block);
   if (UsesPreIntegration(frame.settings))
   {
     this->SetPreIntegratedUniforms();
@@ -295,14 +301,32 @@ void RayMarcher::SetUniforms(const Frame& frame)
   {
     this->SetClassifyUniforms();
   }
-  this->SetBlendUniforms(frame);
   if (frame.settings.shading)
   {
-    this->SetShadeUniforms(frame);
+    this->SetShadeUniforms(frame, drawn);
   }
   if (frame.settings.gaps)
   {
-    this->SetGapUniforms(frame);
+    this->SetGapUniforms(frame, drawn);
+  }
+}
+
+void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
+{
+  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+  this->SetRayUniforms(frame, drawn, clipFromGrid);
+  this->SetBlendUniforms(frame);
+  if (frame.settings.pass != RayPass::Whole)
+  {
+    this->SetResumeUniforms(frame, drawn);
+  }
+  if (frame.settings.pass != RayPass::Picture)
+  {
+    this->SetMarchUniforms(frame, drawn);
+  }
+  else if (frame.settings.blend != Blend::Composite)
+  {
+    this->SetClassifyUniforms();
   }
   if (frame.settings.sceneGeometry)
   {
@@ -310,22 +334,25 @@ void RayMarcher::SetUniforms(const Frame& frame)
   }
 }
 
-void RayMarcher::DrawBox(const Frame& frame)
+void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
 {
-  const Box box = this->DrawnBoxGrid(frame);
-  if (glm::any(glm::greaterThanEqual(box.lower, box.upper)))
-  {
-    return;
-  }
-  this->SetUniforms(frame);
+  this->SetUniforms(frame, drawn);
   {
     const bool mirrored = glm::determinant(frame.geometry.WorldFromGridDirection()) < 0.0;
-    const BoxDrawingState drawing(frame.window->GetState(), mirrored);
-    this->boxGeometry.Draw(this->program.Program(), box);
+    const BoxDrawingState drawing(
+      frame.window->GetState(), mirrored, frame.settings.pass != RayPass::Block);
+    this->boxGeometry.Draw(this->program.Program(), drawn.coverGrid);
   }
-  for (vtkTextureObject* texture :
-    { this->volume.Texture(), this->gaps.Texture(), this->field.Texture(),
-      this->opticalTable.Texture(), this->preIntegratedTable.Texture(), this->depth.Texture() })
+  std::vector<vtkTextureObject*> textures = { this->field.Texture(), this->opticalTable.Texture(),
+    this->preIntegratedTable.Texture(), this->depth.Texture(), this->accumulation.Drawn(),
+    this->accumulation.Finished() };
+  if (drawn.block)
+  {
+    textures.insert(textures.end(),
+      { drawn.block->volume.Texture(), drawn.block->gaps.Texture(),
+        drawn.block->scalarField.Texture() });
+  }
+  for (vtkTextureObject* texture : textures)
   {
     if (texture->GetHandle())
     {

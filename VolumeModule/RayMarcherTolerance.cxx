@@ -167,8 +167,8 @@ ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame)
 double RayMarcher::MissedOfLimit(
   const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit)
 {
-  const double range = this->volume.LargestScalar() - this->volume.SmallestScalar();
-  if (frame.settings.blend != Blend::Composite ||
+  const double range = this->blocks.Texels().largestScalar - this->blocks.Texels().smallestScalar;
+  if (frame.settings.blend != Blend::Composite || !frame.triesPreIntegration ||
     (choice.integration == Integration::PreIntegrated && !frame.settings.shading) ||
     TransferFunctionOf(frame.property).SmallestNodeGap() >= NarrowPeak * range)
   {
@@ -196,8 +196,7 @@ std::vector<float> RayMarcher::DrawProbe(
   frame.settings.countFetches = false; // errors are of colours, whatever the picture shows
   frame.sampleDistanceMm = sampleDistanceMm;
   this->UpdatePreIntegratedTable(frame);
-  this->UpdateProgram(frame);
-  return this->probe.Draw(frame.window, frame.viewport, [&] { this->DrawBox(frame); });
+  return this->probe.Draw(frame.window, frame.viewport, [&] { this->DrawVolume(frame); });
 }
 
 }

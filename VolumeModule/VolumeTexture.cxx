@@ -27,12 +27,6 @@ namespace
 
 constexpr double LargestTexel16 = 65535.0;
 
-bool FitsNormalized16(vtkDataArray* scalars, double smallest, double largest)
-{
-  const int type = scalars->GetDataType();
-  return type != VTK_FLOAT && type != VTK_DOUBLE && largest - smallest <= LargestTexel16;
-}
-
 // Integers spread over the 16 bits by a whole factor, so that each voxel's texel is exact and the
 // filter has all bits to interpolate in.
 TexelMapping NormalizedMapping(double smallest, double largest)
@@ -67,13 +61,20 @@ bool IsFinite(Scalar scalar)
   }
 }
 
+template <class Scalar>
+ScalarGrid<Scalar> GridOf(const Scalar* scalars, const ScalarRegion& region)
+{
+  return ScalarGrid<Scalar>(scalars, region.dimensions).Part(region.voxels);
+}
+
 // Slices are converted and uploaded a few at a time: a second copy of the volume is never held.
 // What is not finite becomes 0: a filter makes NaN of it even where its weight is 0.
 /// @return whether all scalars are finite
 template <class Texel, class Scalar>
-bool UploadSlices(const Scalar* scalars, glm::ivec3 dimensions, const TexelMapping& mapping)
+bool UploadSlices(const ScalarGrid<Scalar>& grid, const TexelMapping& mapping)
 {
   constexpr std::size_t texelsAtOnce = std::size_t(1) << 22;
+  const glm::ivec3 dimensions = grid.Dimensions();
   const std::size_t sliceTexels = std::size_t(dimensions.x) * dimensions.y;
   const int slicesAtOnce =
     int(std::clamp(texelsAtOnce / sliceTexels, std::size_t(1), std::size_t(dimensions.z)));
@@ -86,19 +87,23 @@ bool UploadSlices(const Scalar* scalars, glm::ivec3 dimensions, const TexelMappi
   for (int slice = 0; slice < dimensions.z; slice += slicesAtOnce)
   {
     const int slices = std::min(slicesAtOnce, dimensions.z - slice);
-    const Scalar* source = scalars + slice * sliceTexels;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, slices * sliceTexels, 1 << 16),
-      [&](const tbb::blocked_range<std::size_t>& range)
+    tbb::parallel_for(tbb::blocked_range<int>(0, slices * dimensions.y),
+      [&](const tbb::blocked_range<int>& rows)
       {
-        bool rangeIsFinite = true;
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        bool rowsAreFinite = true;
+        for (int row = rows.begin(); row != rows.end(); ++row)
         {
-          const bool finite = IsFinite(source[i]);
-          texels[i] =
-            finite ? Texel((double(source[i]) - mapping.offset) * factor + rounding) : Texel(0);
-          rangeIsFinite = rangeIsFinite && finite;
+          const Scalar* const source = grid.Row(row % dimensions.y, slice + row / dimensions.y);
+          Texel* const target = texels.data() + std::size_t(row) * dimensions.x;
+          for (int x = 0; x < dimensions.x; ++x)
+          {
+            const bool finite = IsFinite(source[x]);
+            target[x] =
+              finite ? Texel((double(source[x]) - mapping.offset) * factor + rounding) : Texel(0);
+            rowsAreFinite = rowsAreFinite && finite;
+          }
         }
-        if (!rangeIsFinite)
+        if (!rowsAreFinite)
         {
           allFinite = false;
         }
@@ -148,21 +153,32 @@ void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   }
 }
 
-void VolumeTexture::Upload(
-  vtkOpenGLRenderWindow* window, vtkDataArray* scalars, glm::ivec3 dimensions)
+ScalarTexels ScalarTexelsOf(vtkDataArray* scalars)
 {
   double range[2];
   scalars->GetFiniteRange(range, 0);
   const bool anyFinite = range[0] <= range[1];
-  this->smallestScalar = anyFinite ? range[0] : 0.0;
-  this->largestScalar = anyFinite ? range[1] : 0.0;
+  const int type = scalars->GetDataType();
+  ScalarTexels texels;
+  texels.smallestScalar = anyFinite ? range[0] : 0.0;
+  texels.largestScalar = anyFinite ? range[1] : 0.0;
+  texels.integers = type != VTK_FLOAT && type != VTK_DOUBLE;
+  texels.normalized =
+    texels.integers && texels.largestScalar - texels.smallestScalar <= LargestTexel16;
+  texels.mapping = texels.normalized
+    ? NormalizedMapping(texels.smallestScalar, texels.largestScalar)
+    : FloatMapping(texels.smallestScalar, texels.largestScalar);
+  return texels;
+}
 
-  const bool normalized = FitsNormalized16(scalars, this->smallestScalar, this->largestScalar);
-  this->mapping = normalized ? NormalizedMapping(this->smallestScalar, this->largestScalar)
-                             : FloatMapping(this->smallestScalar, this->largestScalar);
-  AllocateTexture3D(this->texture, window, dimensions, normalized ? VTK_UNSIGNED_SHORT : VTK_FLOAT,
+void VolumeTexture::Upload(
+  vtkOpenGLRenderWindow* window, const ScalarRegion& region, const ScalarTexels& texels)
+{
+  const bool normalized = texels.normalized;
+  const glm::ivec3 size = region.voxels.count;
+  AllocateTexture3D(this->texture, window, size, normalized ? VTK_UNSIGNED_SHORT : VTK_FLOAT,
     normalized ? GL_R16 : GL_R32F, "a volume");
-  this->bytes = std::size_t(dimensions.x) * dimensions.y * dimensions.z * (normalized ? 2 : 4);
+  this->bytes = std::size_t(size.x) * size.y * size.z * texels.BytesPerTexel();
 
   this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->texture->SetWrapT(vtkTextureObject::ClampToEdge);
@@ -171,12 +187,12 @@ void VolumeTexture::Upload(
   this->texture->SetMagnificationFilter(vtkTextureObject::Linear);
   this->texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  void* const voxels = scalars->GetVoidPointer(0);
-  switch (scalars->GetDataType())
+  void* const voxels = region.scalars->GetVoidPointer(0);
+  switch (region.scalars->GetDataType())
   {
     vtkTemplateMacro(this->allFinite = normalized
-        ? UploadSlices<std::uint16_t>(static_cast<VTK_TT*>(voxels), dimensions, this->mapping)
-        : UploadSlices<float>(static_cast<VTK_TT*>(voxels), dimensions, this->mapping));
+        ? UploadSlices<std::uint16_t>(GridOf(static_cast<VTK_TT*>(voxels), region), texels.mapping)
+        : UploadSlices<float>(GridOf(static_cast<VTK_TT*>(voxels), region), texels.mapping));
   }
   this->texture->Deactivate();
 }

@@ -1,6 +1,8 @@
 #ifndef Varimarch_VolumeTexture_h
 #define Varimarch_VolumeTexture_h
 
+#include "Core/ScalarGrid.h"
+
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 
@@ -23,30 +25,46 @@ struct TexelMapping
   double TexelOf(double scalar) const { return (scalar - this->offset) / this->scale; }
 };
 
-/// The scalars of a volume as a 3D texture: normalised 16 bit where that is exact, else float.
+/// What all textures of a volume have in common, so that pictures of them meet without a seam.
+struct ScalarTexels
+{
+  double smallestScalar = 0.0; ///< of the finite values
+  double largestScalar = 0.0;
+  TexelMapping mapping;
+  bool normalized = true; ///< 16 bit; else float
+  bool integers = true;   ///< then all scalars are finite
+
+  std::size_t BytesPerTexel() const { return this->normalized ? 2 : 4; }
+};
+
+ScalarTexels ScalarTexelsOf(vtkDataArray* scalars);
+
+/// A part of the scalars of a volume.
+struct ScalarRegion
+{
+  vtkDataArray* scalars; ///< one component, dimensions.x * dimensions.y * dimensions.z values
+  glm::ivec3 dimensions;
+  VoxelRegion voxels;
+};
+
+/// Scalars as a 3D texture: normalised 16 bit where that is exact, else float.
 /// 8 bit data takes 16 bit texels too, because software rasterisers filter 8 bit texels in 8 bit
 /// arithmetic, which is off by more than a grey level.
 class VolumeTexture
 {
 public:
-  /// Uploads the scalars. A texture of the same size and format is reused.
-  /// @param scalars     one component, dimensions.x * dimensions.y * dimensions.z values
+  /// Uploads the scalars of a region. A texture of the same size and format is reused.
   /// @throws std::runtime_error when the device cannot hold the texture
-  void Upload(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, glm::ivec3 dimensions);
+  void Upload(
+    vtkOpenGLRenderWindow* window, const ScalarRegion& region, const ScalarTexels& texels);
 
   vtkTextureObject* Texture() const { return this->texture; }
-  const TexelMapping& Mapping() const { return this->mapping; }
-  double SmallestScalar() const { return this->smallestScalar; } ///< of the finite values
-  double LargestScalar() const { return this->largestScalar; }
-  bool AllFinite() const { return this->allFinite; }
+  bool AllFinite() const { return this->allFinite; } ///< in the region
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
 
 private:
   vtkNew<vtkTextureObject> texture;
-  TexelMapping mapping;
-  double smallestScalar = 0.0;
-  double largestScalar = 0.0;
   bool allFinite = true;
   std::size_t bytes = 0;
 };

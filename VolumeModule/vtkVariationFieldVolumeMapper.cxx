@@ -272,6 +272,7 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   frame.gapOptical =
     GapOptical(this->NanColor, this->NanOpacity, frame.property->GetScalarOpacityUnitDistance());
   frame.viewport = varimarch::ViewportOf(renderer);
+  frame.mostMemoryBytes = std::size_t(this->MaximumGraphicsMemory);
   Internals::ChooseSampling(this, frame);
 
   window->MakeCurrent();
@@ -341,6 +342,11 @@ int vtkVariationFieldVolumeMapper::GetVolumeTextureBuilds()
   return this->Private->Marcher.Builds().volumeTexture;
 }
 
+int vtkVariationFieldVolumeMapper::GetBlockUploads()
+{
+  return this->Private->Marcher.BlockUploads();
+}
+
 int vtkVariationFieldVolumeMapper::GetBrickRangesBuilds()
 {
   return this->Private->Marcher.Builds().brickRanges;
@@ -386,6 +392,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << this->NanColor[2] << "\n";
   os << indent << "NanOpacity: " << this->NanOpacity << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "MaximumGraphicsMemory: " << this->MaximumGraphicsMemory << "\n";
   os << indent << "UsedSampleDistance: " << this->GetUsedSampleDistance() << "\n";
   os << indent << "EstimatedError: " << this->GetEstimatedError() << "\n";
 }

@@ -186,6 +186,17 @@ public:
    */
   double GetFieldBuildSeconds();
 
+  ///@{
+  /**
+   * Most graphics memory that this mapper may take [bytes]; 0, the default: what the device has.
+   * A volume that does not fit, or that is larger than the device's 3D textures may be, is drawn in
+   * blocks, of which those stay in graphics memory that find room; the others are uploaded when
+   * their turn comes. A volume that fits is drawn at once, and pays nothing for this.
+   */
+  vtkSetClampMacro(MaximumGraphicsMemory, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumGraphicsMemory, vtkIdType);
+  ///@}
+
   /**
    * Bytes of graphics memory this mapper holds now, textures and buffers.
    */
@@ -201,7 +212,8 @@ public:
    * How often each part was built since this mapper was made: what
    * Documentation/Architecture.md promises to be rebuilt, and nothing else.
    */
-  int GetVolumeTextureBuilds();
+  int GetVolumeTextureBuilds(); ///< by new scalars
+  int GetBlockUploads();        ///< of the volume, or of the blocks that it is drawn in
   int GetBrickRangesBuilds();
   int GetFieldBuilds();
   int GetOpticalTableBuilds();
@@ -233,6 +245,7 @@ protected:
   double EarlyTerminationTransmittance = 1.0 / 1024.0;
   double NanColor[3] = { 0.5, 0.0, 0.0 };
   double NanOpacity = 0.0;
+  vtkIdType MaximumGraphicsMemory = 0;
 
 private:
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);

@@ -234,21 +234,6 @@ TEST(Errors, AreReportedOnceAndClearedByABetterInput)
   EXPECT_EQ(errors.Messages().size(), 1u);
 }
 
-TEST(Errors, AVolumeThatDoesNotFitTheDeviceIsNamed)
-{
-  vtkNew<vtkImageData> longBar;
-  longBar->SetDimensions(1 << 15, 2, 2);
-  longBar->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  MapperScene scene(SmallTorso());
-  scene.mapper->SetInputData(longBar);
-  ExpectedVtkErrors errors;
-  scene.window->Render();
-  EXPECT_NE(errors.Text().find("Cannot draw a volume of 32768 x 2 x 2: this device's 3D textures "
-                               "have at most"),
-    std::string::npos)
-    << errors.Text();
-}
-
 TEST(Errors, AnUnsupportedBlendModeIsNamed)
 {
   MapperScene scene(SmallTorso());

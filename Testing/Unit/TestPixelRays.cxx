@@ -102,3 +102,24 @@ TEST(PixelRays, RefuseAMatrixWithoutAnInverse)
 {
   EXPECT_THROW(ComputePixelRays(glm::dmat4(0.0), box), std::invalid_argument);
 }
+
+TEST(PixelRays, ComeFromTheEye)
+{
+  const glm::dmat4 perspective = glm::perspective(glm::radians(30.0), 1.3, 50.0, 500.0);
+  const glm::dvec4 eye = ComputePixelRays(perspective * view, box).eyeGrid;
+  EXPECT_GT(eye.w, 0.0);
+  EXPECT_LT(glm::length(glm::dvec3(eye) / eye.w - glm::dvec3(200.0, -150.0, 90.0)), 1e-8);
+
+  // Infinitely far away, on the side that the camera looks from.
+  const glm::dmat4 parallel = glm::ortho(-60.0, 60.0, -40.0, 40.0, 50.0, 500.0);
+  for (double flip : { 1.0, -1.0 }) // a matrix of homogeneous points may have either sign
+  {
+    const glm::dvec4 farEye = ComputePixelRays(flip * (parallel * view), box).eyeGrid;
+    for (double face : { 0.0, 63.0 })
+    {
+      EXPECT_GT(farEye.x, face * farEye.w);
+      EXPECT_LT(farEye.y, face * farEye.w);
+      EXPECT_GT(farEye.z, face * farEye.w);
+    }
+  }
+}

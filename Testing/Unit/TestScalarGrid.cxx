@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -99,4 +100,18 @@ TEST(ScalarGrid, GradientOfALinearFunctionIsPerMm)
   EXPECT_NEAR(gradient.x, 4.0, 1e-12);
   EXPECT_NEAR(gradient.y, -3.0, 1e-12);
   EXPECT_NEAR(gradient.z, 2.0, 1e-12);
+}
+
+TEST(ScalarGrid, APartHoldsTheVoxelsOfItsRegion)
+{
+  std::vector<int> voxels(5 * 4 * 3);
+  std::iota(voxels.begin(), voxels.end(), 0);
+  const ScalarGrid<int> grid(voxels.data(), { 5, 4, 3 });
+  const glm::ivec3 first(1, 2, 1);
+  const ScalarGrid<int> part = grid.Part({ first, { 3, 2, 2 } }).Part({ { 1, 0, 0 }, { 2, 2, 2 } });
+  EXPECT_EQ(part.Dimensions(), glm::ivec3(2));
+  for (const glm::ivec3& index : { glm::ivec3(0), glm::ivec3(1, 0, 1), glm::ivec3(0, 1, 0) })
+  {
+    EXPECT_EQ(part.Voxel(index), grid.Voxel(first + glm::ivec3(1, 0, 0) + index));
+  }
 }

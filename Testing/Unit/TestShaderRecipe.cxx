@@ -15,7 +15,8 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
   EXPECT_EQ(FragmentShaderParts(plain),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
       "Depth/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "March/Midpoint.glsl", "Gaps/None.glsl", "Probe/None.glsl", "RayMarch.frag.glsl" }));
+      "March/Midpoint.glsl", "Gaps/None.glsl", "Probe/None.glsl", "Resume/Whole.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -79,7 +80,16 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
       "Depth/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
       "Blend/MaximumIntensity.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Probe/None.glsl",
-      "RayMarch.frag.glsl" }));
+      "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+}
+
+TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
+{
+  RenderSettings settings{ Blend::Composite, Acceleration::OpticalField, true, false };
+  settings.pass = RayPass::Picture;
+  EXPECT_EQ(FragmentShaderParts(settings),
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
+      "Blend/Composite.glsl", "Probe/None.glsl", "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)
@@ -89,7 +99,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 55u);
+  EXPECT_EQ(distinct.size(), 65u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -151,7 +151,7 @@ BrickRanges BuildBrickRanges(
         {
           for (int y = Side * brickY; y <= std::min(Side * (brickY + 1), voxels.y - 1); ++y)
           {
-            columns.Add(grid.Voxels() + (std::size_t(z) * voxels.y + y) * voxels.x);
+            columns.Add(grid.Row(y, z));
           }
         }
         for (int brickX = 0; brickX < bricks.x; ++brickX)

@@ -304,32 +304,38 @@ OpticalField BuildOpticalField(
   return field;
 }
 
-Box VisibleBox(const OpticalField& field, const Box& boxGrid)
+Box VisibleBox(const OpticalField& field, const Box& partGrid)
 {
+  constexpr int Side = BrickRanges::CellsPerSide;
   const glm::ivec3 count = field.brickCount;
+  const glm::ivec3 lowest = glm::max(glm::ivec3(glm::floor(partGrid.lower / double(Side))), 0);
+  const glm::ivec3 behind = glm::min(glm::ivec3(glm::ceil(partGrid.upper / double(Side))), count);
   glm::ivec3 first = count;
   glm::ivec3 last(-1);
-  for (int row = 0; row < count.y * count.z; ++row)
+  const auto visible = [](std::uint8_t brick) { return brick < OpticalField::Invisible; };
+  for (int z = lowest.z; z < behind.z; ++z)
   {
-    const auto begin = field.bricks.begin() + std::ptrdiff_t(row) * count.x;
-    const auto visible = [](std::uint8_t brick) { return brick < OpticalField::Invisible; };
-    const auto found = std::find_if(begin, begin + count.x, visible);
-    if (found != begin + count.x)
+    for (int y = lowest.y; y < behind.y; ++y)
     {
-      const auto reversedBegin = std::make_reverse_iterator(begin + count.x);
-      const auto lastFound = std::find_if(reversedBegin, reversedBegin + count.x, visible);
-      const int y = row % count.y;
-      const int z = row / count.y;
-      first = glm::min(first, glm::ivec3(int(found - begin), y, z));
-      last = glm::max(last, glm::ivec3(count.x - 1 - int(lastFound - reversedBegin), y, z));
+      const auto row = field.bricks.begin() + (std::ptrdiff_t(z) * count.y + y) * count.x;
+      const auto found = std::find_if(row + lowest.x, row + behind.x, visible);
+      if (found != row + behind.x)
+      {
+        const auto afterLast = std::find_if(std::make_reverse_iterator(row + behind.x),
+          std::make_reverse_iterator(row + lowest.x), visible)
+                                 .base();
+        first = glm::min(first, glm::ivec3(int(found - row), y, z));
+        last = glm::max(last, glm::ivec3(int(afterLast - row) - 1, y, z));
+      }
     }
   }
   Box box;
   for (int axis = 0; axis < 3; ++axis)
   {
-    constexpr int Side = BrickRanges::CellsPerSide;
-    box.lower[axis] = first[axis] == 0 ? boxGrid.lower[axis] : Side * first[axis];
-    box.upper[axis] = last[axis] == count[axis] - 1 ? boxGrid.upper[axis] : Side * (last[axis] + 1);
+    box.lower[axis] =
+      first[axis] == lowest[axis] ? partGrid.lower[axis] : double(Side * first[axis]);
+    box.upper[axis] =
+      last[axis] == behind[axis] - 1 ? partGrid.upper[axis] : double(Side * (last[axis] + 1));
   }
   return box;
 }

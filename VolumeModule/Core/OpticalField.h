@@ -59,10 +59,10 @@ struct OpticalTolerance
 OpticalField BuildOpticalField(
   const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance);
 
-/// The smallest box of whole bricks that holds all that is not invisible, cut at `boxGrid` [grid
-/// space]; an empty box, whose lower is not below its upper, where nothing is visible. A brick at a
-/// face of the volume reaches to the face of `boxGrid`.
-Box VisibleBox(const OpticalField& field, const Box& boxGrid);
+/// The smallest box of whole bricks that holds all that is not invisible in a part of the volume,
+/// cut at the part's box [grid space]; an empty box, whose lower is not below its upper, where
+/// nothing is visible. A brick at a face of the volume reaches to the face of `partGrid`.
+Box VisibleBox(const OpticalField& field, const Box& partGrid);
 
 }
 

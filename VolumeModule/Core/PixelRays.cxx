@@ -54,6 +54,9 @@ PixelRays ComputePixelRays(const glm::dmat4& clipFromGrid, const Box& boxGrid)
   rays.startGrid = { centre + NearestClipDepth(clipFromGrid, boxGrid) * alongDepth, alongX,
     alongY };
   rays.directionGrid = { direction(centre), direction(alongX), direction(alongY) };
+  // All rays meet where x, y and w of clip space vanish: alongDepth. By the derivative above
+  // alongDepth.xyz - start * alongDepth.w points away from the eye where the start's w is positive.
+  rays.eyeGrid = rays.startGrid[0].w > 0.0 ? -alongDepth : alongDepth;
   rays.nearPlaneGrid = glm::row(clipFromGrid, 3) + glm::row(clipFromGrid, 2);
   rays.farPlaneGrid = glm::row(clipFromGrid, 3) - glm::row(clipFromGrid, 2);
 

@@ -25,6 +25,9 @@ struct PixelRays
   std::array<glm::dvec3, 3> directionGrid; ///< away from the eye, any length
   glm::dvec4 nearPlaneGrid;                ///< dot(plane, (position, 1)) >= 0 beyond the near plane
   glm::dvec4 farPlaneGrid;                 ///< and before the far plane
+  /// Where the rays come from, homogeneous, at infinity in a parallel projection: the eye is beyond
+  /// the plane x = f where eyeGrid.x > f * eyeGrid.w, and likewise for y and z.
+  glm::dvec4 eyeGrid;
 
   /// The ray of one pixel centre, x and y in [-1, 1].
   Ray At(double x, double y) const;

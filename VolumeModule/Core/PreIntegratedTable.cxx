@@ -96,11 +96,22 @@ glm::vec4 Emitted(const glm::vec4& entry)
   return glm::vec4(glm::vec3(entry) * entry.a, entry.a);
 }
 
+int SizeFor(const OpticalTable& table, std::size_t mostEntries)
+{
+  return int(std::min(std::sqrt(double(mostEntries)), double(table.entries.size())));
+}
+
+}
+
+std::size_t PreIntegratedTableBytes(const OpticalTable& table, std::size_t mostEntries)
+{
+  const std::size_t size = SizeFor(table, mostEntries);
+  return size * size * sizeof(glm::vec4);
 }
 
 PreIntegratedTable BuildPreIntegratedTable(const OpticalTable& table, std::size_t mostEntries)
 {
-  const int size = int(std::min(std::sqrt(double(mostEntries)), double(table.entries.size())));
+  const int size = SizeFor(table, mostEntries);
   const Nodes nodes = NodesOf(table, size);
   const double entriesPerNode = double(table.entries.size() - 1) / (size - 1);
   PreIntegratedTable result{ table.firstValue, table.lastValue, size,

@@ -29,6 +29,10 @@ struct PreIntegratedTable
 PreIntegratedTable BuildPreIntegratedTable(
   const OpticalTable& table, std::size_t mostEntries = 1024 * 1024);
 
+/// What its entries take.
+std::size_t PreIntegratedTableBytes(
+  const OpticalTable& table, std::size_t mostEntries = 1024 * 1024);
+
 }
 
 #endif

@@ -39,6 +39,14 @@ inline bool IsExtreme(Blend blend)
   return blend == Blend::MaximumIntensity || blend == Blend::MinimumIntensity;
 }
 
+/// What one drawing does for the rays of a picture.
+enum class RayPass
+{
+  Whole,   ///< all: the volume is one block
+  Block,   ///< marches them through one of several blocks, from where those in front have ended
+  Picture, ///< makes pixels of what they have gathered in all blocks
+};
+
 /// Every choice that changes the shader. Values (a tolerance, a step length) are not here: they
 /// are uniforms, and changing them rebuilds nothing.
 struct RenderSettings
@@ -51,6 +59,7 @@ struct RenderSettings
   bool gaps = false;         ///< leave out cells that touch a voxel that is not finite,
   bool fillGaps = false;     ///< or draw them in a colour of their own; composite only
   bool countFetches = false; ///< draw how often each ray has read the volume, not the picture
+  RayPass pass = RayPass::Whole;
 };
 
 }

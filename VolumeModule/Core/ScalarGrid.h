@@ -9,6 +9,13 @@
 namespace varimarch
 {
 
+/// A box of voxels within a grid.
+struct VoxelRegion
+{
+  glm::ivec3 first;
+  glm::ivec3 count; ///< along each axis
+};
+
 /// A view of scalar values on the points of a regular grid: what a renderer samples.
 /// It owns nothing; the voxels must outlive it.
 ///
@@ -25,10 +32,26 @@ public:
     : voxels(voxels)
     , dimensions(dimensions)
     , spacingMm(spacingMm)
+    , valuesPerRow(dimensions.x)
+    , valuesPerSlice(std::size_t(dimensions.x) * dimensions.y)
   {
   }
 
-  const Scalar* Voxels() const { return this->voxels; }
+  /// The voxels of a region, as a grid of their own.
+  ScalarGrid Part(const VoxelRegion& region) const
+  {
+    ScalarGrid part = *this;
+    part.voxels = this->Row(region.first.y, region.first.z) + region.first.x;
+    part.dimensions = region.count;
+    return part;
+  }
+
+  /// The voxels (0, y, z), (1, y, z), ...
+  const Scalar* Row(int y, int z) const
+  {
+    return this->voxels + z * this->valuesPerSlice + y * this->valuesPerRow;
+  }
+
   glm::ivec3 Dimensions() const { return this->dimensions; }
   glm::dvec3 SpacingMm() const { return this->spacingMm; }
 
@@ -41,11 +64,7 @@ public:
     return std::size_t(this->dimensions.x) * this->dimensions.y * this->dimensions.z;
   }
 
-  Scalar Voxel(glm::ivec3 index) const
-  {
-    return this->voxels[(std::size_t(index.z) * this->dimensions.y + index.y) * this->dimensions.x +
-      index.x];
-  }
+  Scalar Voxel(glm::ivec3 index) const { return this->Row(index.y, index.z)[index.x]; }
 
   /// Trilinear interpolation at a position in grid space.
   double Value(glm::dvec3 positionGrid) const
@@ -92,6 +111,8 @@ private:
   const Scalar* voxels;
   glm::ivec3 dimensions;
   glm::dvec3 spacingMm;
+  std::size_t valuesPerRow;
+  std::size_t valuesPerSlice;
 };
 
 }

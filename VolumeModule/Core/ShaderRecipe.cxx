@@ -9,6 +9,11 @@ namespace varimarch
 namespace
 {
 
+std::string DepthFile(const RenderSettings& settings)
+{
+  return settings.sceneGeometry ? "Depth/SceneGeometry.glsl" : "Depth/None.glsl";
+}
+
 std::string StepFile(const RenderSettings& settings)
 {
   switch (settings.acceleration)
@@ -67,6 +72,51 @@ std::string MarchFile(const RenderSettings& settings)
   return "March/Midpoint.glsl";
 }
 
+std::string ResumeFile(RayPass pass)
+{
+  switch (pass)
+  {
+    case RayPass::Block:
+      return "Resume/Block.glsl";
+    case RayPass::Picture:
+      return "Resume/Picture.glsl";
+    case RayPass::Whole:
+      break;
+  }
+  return "Resume/Whole.glsl";
+}
+
+// No march: only where the rays are that have a pixel, and what it becomes. The probe is there
+// because the contract's own functions call it.
+std::vector<std::string> PictureParts(const RenderSettings& settings)
+{
+  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl",
+    DepthFile(settings) };
+  if (settings.blend != Blend::Composite)
+  {
+    parts.insert(parts.end(), { "Classify/OpticalTable.glsl" });
+  }
+  parts.insert(parts.end(),
+    { BlendFile(settings.blend), "Probe/None.glsl", ResumeFile(settings.pass),
+      "RayMarch.frag.glsl" });
+  return parts;
+}
+
+std::vector<RenderSettings> RecipesInBlocks()
+{
+  std::vector<RenderSettings> recipes;
+  for (Blend blend : { Blend::Composite, Blend::MaximumIntensity, Blend::MinimumIntensity,
+         Blend::AverageIntensity, Blend::Additive })
+  {
+    for (RayPass pass : { RayPass::Block, RayPass::Picture })
+    {
+      recipes.push_back({ blend, Acceleration::Off });
+      recipes.back().pass = pass;
+    }
+  }
+  return recipes;
+}
+
 bool UsesShading(const RenderSettings& settings)
 {
   return settings.shading && settings.blend == Blend::Composite;
@@ -87,12 +137,16 @@ bool FillsGaps(const RenderSettings& settings)
 
 std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
 {
+  if (settings.pass == RayPass::Picture)
+  {
+    return PictureParts(settings);
+  }
   std::vector<std::string> parts = {
     "Slots.glsl",
     "Math/IntersectBox.glsl",
     "Math/LatticeWalk.glsl",
     "Math/Absorption.glsl",
-    settings.sceneGeometry ? "Depth/SceneGeometry.glsl" : "Depth/None.glsl",
+    DepthFile(settings),
     StepFile(settings),
     UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl" : "Classify/OpticalTable.glsl",
   };
@@ -108,6 +162,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   }
   parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
   parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
+  parts.push_back(ResumeFile(settings.pass));
   parts.push_back("RayMarch.frag.glsl");
   return parts;
 }
@@ -133,6 +188,8 @@ std::vector<RenderSettings> EveryRecipe()
   filled.gaps = true;
   filled.fillGaps = true;
   recipes.push_back(filled);
+  const std::vector<RenderSettings> inBlocks = RecipesInBlocks();
+  recipes.insert(recipes.end(), inBlocks.begin(), inBlocks.end());
   for (Acceleration acceleration :
     { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
   {

@@ -118,8 +118,7 @@ void WindowRanges<Scalar>::CopyRow(const ScalarGrid<Scalar>& grid, int y, int z)
   {
     return;
   }
-  const Scalar* voxels =
-    grid.Voxels() + (std::size_t(z) * dimensions.y + y) * std::size_t(dimensions.x);
+  const Scalar* const voxels = grid.Row(y, z);
   for (int x = 0; x < dimensions.x; ++x)
   {
     if constexpr (std::is_floating_point_v<Scalar>)

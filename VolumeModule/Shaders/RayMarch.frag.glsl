@@ -7,9 +7,9 @@ uniform vec4 startGrid[3];
 uniform vec3 directionGrid[3];
 uniform vec4 nearPlaneGrid; // dot(plane, position) >= 0 beyond the near plane
 uniform vec4 farPlaneGrid;  // and before the far plane
-uniform vec3 boxLowerGrid;
+uniform vec3 boxLowerGrid;  // of what is drawn
 uniform vec3 boxUpperGrid;
-uniform vec3 voxelCountInverse;
+uniform vec3 voxelCountInverse; // of the volume texture
 
 out vec4 fragOutput0;
 
@@ -21,7 +21,7 @@ Ray PixelRay()
   Ray ray;
   ray.originGrid = start.xyz / start.w;
   ray.directionGrid = direction / length(worldFromGrid * direction);
-  ray.originTexture = (ray.originGrid + 0.5) * voxelCountInverse;
+  ray.originTexture = (ray.originGrid - firstVoxelGrid + 0.5) * voxelCountInverse;
   ray.directionTexture = ray.directionGrid * voxelCountInverse;
   return ray;
 }
@@ -51,5 +51,5 @@ void main()
   {
     discard;
   }
-  fragOutput0 = Probed(BlendResult(MarchVolume(ray, inside)));
+  fragOutput0 = DrawnRay(ray, inside);
 }

@@ -1,6 +1,7 @@
 // The contract: what every slot file may use, and what it must define.
 //
-// Spaces: *grid* has voxel (i,j,k) at (i,j,k); *texture* has the volume texture in [0,1];
+// Spaces: *grid* has voxel (i,j,k) at (i,j,k); *texture* has the volume texture, which holds the
+// volume or a block of it, in [0,1];
 // *world* is the scene, its lengths in mm.
 
 // A ray through the volume. position(t) = origin + t * direction; t is a world length [mm].
@@ -24,6 +25,7 @@ uniform mat3 worldFromGrid;        // directions only
 uniform float stepMm;              // the sample distance
 uniform int mostSegments;          // a ray has no more, so that every frame ends
 uniform sampler3D volumeTexture;
+uniform vec3 firstVoxelGrid; // of the volume texture; 0 where it holds the whole volume
 
 vec3 PositionTexture(Ray ray, float t)
 {
@@ -83,6 +85,8 @@ vec3 Shade(vec3 color, vec3 gradient, Ray ray);
 //                               follows that is still seen, [0,1]; extremes: the scalar so far
 //   bool BlendFinished(Accumulation sum);    nothing that follows could be seen
 //   vec4 BlendResult(Accumulation sum);      premultiplied RGBA
+//   vec4 BlendKept(Accumulation sum);        the sum in four floats, 0 at the beginning
+//   Accumulation BlendResumed(vec4 kept);    and the sum again
 
 // --- March: the loop along a ray, with its rule of integration --------------------------------
 // Defines: Accumulation March(Ray ray, Interval inside, Accumulation sum);
@@ -95,5 +99,10 @@ vec3 Shade(vec3 color, vec3 gradient, Ray ray);
 // --- Gaps: the parts of a ray where the volume has a value -------------------------------------
 // Whether all voxels are finite that a gradient there is made of.
 bool HasGradient(vec3 positionTexture);
-// Defines, after all the others: Accumulation MarchVolume(Ray ray, Interval inside);
+// Defines, after all the others: Accumulation MarchVolume(Ray ray, Interval inside, Accumulation
+// sum);
 //                               marches through all parts that have a value
+
+// --- Resume: where rays begin and end, with a volume in one block or in several ------------------
+// What is drawn for a ray.
+vec4 DrawnRay(Ray ray, Interval inside);

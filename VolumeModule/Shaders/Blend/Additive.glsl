@@ -36,3 +36,13 @@ vec4 BlendResult(Accumulation sum)
 {
   return vec4(vec3(clamp(sum.integral / opacityUnitDistanceMm, 0.0, 1.0)), 1.0);
 }
+
+vec4 BlendKept(Accumulation sum)
+{
+  return vec4(sum.integral, 0.0, 0.0, 0.0);
+}
+
+Accumulation BlendResumed(vec4 kept)
+{
+  return Accumulation(kept.r);
+}

@@ -41,3 +41,13 @@ vec4 BlendResult(Accumulation sum)
   float mean = clamp(sum.integral / max(sum.lengthMm, 1e-30), 0.0, 1.0);
   return sum.lengthMm > 0.0 ? vec4(vec3(mean), 1.0) : vec4(0.0);
 }
+
+vec4 BlendKept(Accumulation sum)
+{
+  return vec4(sum.integral, sum.lengthMm, 0.0, 0.0);
+}
+
+Accumulation BlendResumed(vec4 kept)
+{
+  return Accumulation(kept.r, kept.g);
+}

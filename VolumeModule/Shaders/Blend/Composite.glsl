@@ -38,3 +38,13 @@ vec4 BlendResult(Accumulation sum)
 {
   return vec4(sum.color, 1.0 - sum.transmittance);
 }
+
+vec4 BlendKept(Accumulation sum)
+{
+  return vec4(sum.color, 1.0 - sum.transmittance);
+}
+
+Accumulation BlendResumed(vec4 kept)
+{
+  return Accumulation(kept.rgb, 1.0 - kept.a);
+}

@@ -36,3 +36,13 @@ vec4 BlendResult(Accumulation sum)
   float opacity = Absorption(min(optical.a * opacityUnitDistanceMm, 100.0));
   return vec4(optical.rgb * opacity, opacity);
 }
+
+vec4 BlendKept(Accumulation sum)
+{
+  return vec4(sum.largest - smallestScalar, 0.0, 0.0, 0.0);
+}
+
+Accumulation BlendResumed(vec4 kept)
+{
+  return Accumulation(kept.r + smallestScalar);
+}

@@ -27,11 +27,10 @@ bool HasGradient(vec3 positionTexture)
   return least > 0.5;
 }
 
-Accumulation MarchVolume(Ray ray, Interval inside)
+Accumulation MarchVolume(Ray ray, Interval inside, Accumulation sum)
 {
-  LatticeRay lattice = RayInLattice(ray.originGrid, ray.directionGrid);
+  LatticeRay lattice = RayInLattice(ray.originGrid - firstVoxelGrid, ray.directionGrid);
   LatticePlace place = PlaceAt(lattice, inside.enter, gapCellCount);
-  Accumulation sum = BlendBegin();
   while (place.t < inside.exit && !BlendFinished(sum))
   {
     // Blocks without a gap are joined to one march.

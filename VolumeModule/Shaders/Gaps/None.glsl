@@ -5,7 +5,7 @@ bool HasGradient(vec3 positionTexture)
   return true;
 }
 
-Accumulation MarchVolume(Ray ray, Interval inside)
+Accumulation MarchVolume(Ray ray, Interval inside, Accumulation sum)
 {
-  return March(ray, inside, BlendBegin());
+  return March(ray, inside, sum);
 }

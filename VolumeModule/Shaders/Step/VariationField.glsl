@@ -10,14 +10,15 @@ uniform vec3 cellCountInverse;
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
   float plain = t + plainMm;
-  vec3 position = ray.originGrid + t * ray.directionGrid;
+  vec3 origin = ray.originGrid - firstVoxelGrid;
+  vec3 position = origin + t * ray.directionGrid;
   vec3 cell = clamp(floor(position), vec3(0.0), cellCount - 1.0);
   float reach = textureLod(fieldTexture, (cell + 0.5) * cellCountInverse, 0.0).r * 255.0;
 
   // Planes through which the ray leaves the block, on each axis.
   vec3 ahead = step(vec3(0.0), ray.directionGrid);
   vec3 leaving = cell + ahead + (2.0 * ahead - 1.0) * (floor(reach + 0.5) - 1.0);
-  vec3 exits = (leaving - ray.originGrid) * SafeInverse(ray.directionGrid);
+  vec3 exits = (leaving - origin) * SafeInverse(ray.directionGrid);
   float proven = min(min(exits.x, exits.y), exits.z);
   return Interval(t, reach < 0.5 ? plain : max(plain, proven));
 }

@@ -1,0 +1,6 @@
+// The volume is one block: each ray is marched at once.
+
+vec4 DrawnRay(Ray ray, Interval inside)
+{
+  return Probed(BlendResult(MarchVolume(ray, inside, BlendBegin())));
+}

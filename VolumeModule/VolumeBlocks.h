@@ -1,0 +1,92 @@
+#ifndef Varimarch_VolumeBlocks_h
+#define Varimarch_VolumeBlocks_h
+
+#include "AccelerationField.h"
+#include "Core/BlockPartition.h"
+#include "Core/BlockResidency.h"
+#include "VolumeTexture.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class vtkDataArray;
+class vtkOpenGLRenderWindow;
+
+namespace varimarch
+{
+
+/// The textures of one block: its voxels, and what is known of its cells.
+struct VolumeBlock
+{
+  VolumeTexture volume;
+  AccelerationField gaps; ///< which cells have a voxel that is not finite; empty when none has
+  AccelerationField scalarField;
+  bool isCurrent = false;                ///< whether it holds the scalars as they are now
+  std::optional<double> scalarTolerance; ///< that the field was built for
+
+  std::size_t Bytes() const
+  {
+    return this->volume.Bytes() + this->gaps.Bytes() + this->scalarField.Bytes();
+  }
+  void Release(vtkWindow* window);
+};
+
+/// A volume on the graphics device, in one block or in several that come and go: each is uploaded
+/// when it is asked for, and stays as long as the memory allows. The voxels stay the caller's.
+class VolumeBlocks
+{
+public:
+  /// All blocks will be uploaded anew, into the textures that are there.
+  void SetScalars(vtkDataArray* scalars, glm::ivec3 dimensions);
+
+  /// The published field is of cells, and so a matter of blocks. None: no block has it.
+  void SetScalarField(vtkWindow* window, std::optional<double> tolerance);
+
+  /// What a voxel takes at most, with what is known of its cells.
+  std::size_t BytesPerVoxel() const;
+
+  /// True when the volume is now divided differently: then no block is resident.
+  /// @throws std::runtime_error when the limits are too narrow for any block
+  bool Divide(vtkWindow* window, const BlockLimits& limits);
+
+  const BlockPartition& Partition() const { return this->partition; }
+  const ScalarTexels& Texels() const { return this->texels; }
+
+  /// @param order     the blocks that the next picture takes, in this order
+  /// @param capacity  no more bytes than that are held from now on
+  void BeginPicture(vtkWindow* window, const std::vector<int>& order, std::size_t capacity);
+
+  /// The next block of the order, uploaded if it is not there.
+  /// @throws std::runtime_error when the device cannot hold it
+  const VolumeBlock& Take(vtkOpenGLRenderWindow* window, int block);
+
+  std::size_t Bytes() const;
+  int Uploads() const { return this->uploads; }
+  double FieldBuildSeconds() const
+  {
+    return this->fieldBuildSeconds;
+  } ///< of the blocks' fields so far
+  void Release(vtkWindow* window);
+
+private:
+  void LetGo(vtkWindow* window, const std::vector<int>& released);
+  void Upload(vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
+  void UpdateScalarField(
+    vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
+
+  vtkDataArray* scalars = nullptr;
+  glm::ivec3 dimensions = glm::ivec3(0);
+  ScalarTexels texels;
+  std::optional<double> scalarTolerance;
+  BlockPartition partition;
+  BlockResidency residency;
+  std::size_t capacity = 0;
+  std::vector<std::unique_ptr<VolumeBlock>> blocks; ///< by their number; none: not resident
+  int uploads = 0;
+  double fieldBuildSeconds = 0.0;
+};
+
+}
+
+#endif
