@@ -8,6 +8,8 @@
 #include "Scene/SceneNames.h"
 #include "VtkMessages.h"
 
+#include <vtkVariationFieldVolumeMapper.h>
+
 #include <iostream>
 #include <memory>
 
@@ -24,13 +26,25 @@ struct RenderCommand
   std::string renderer = "ours";
   std::string outputPath;
   std::string jsonPath;
+  double graphicsMegabytes = 0.0;
+  int repeats = 0;
 
   void Run() const
   {
     const auto [scene, volume] = this->sceneOptions.Load();
     const auto progress = std::make_unique<Progress>("Drawing " + this->outputPath);
     OffscreenView view(scene, volume.image, ValueOf(MapperKindNames(), this->renderer));
+    auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
+    if (ours)
+    {
+      ours->SetMaximumGraphicsMemory(vtkIdType(1e6 * this->graphicsMegabytes));
+    }
     const double seconds = view.Render();
+    std::vector<double> repeatSeconds;
+    for (int i = 0; i < this->repeats; ++i)
+    {
+      repeatSeconds.push_back(view.Render());
+    }
     ThrowIfVtkReportedError();
     WritePng(view.Bytes(), this->outputPath);
 
@@ -41,6 +55,15 @@ struct RenderCommand
     results["renderer"] = this->renderer;
     results["sampleDistanceMm"] = sampleDistanceMm;
     results["firstPictureSeconds"] = seconds;
+    if (!repeatSeconds.empty())
+    {
+      results["repeatSeconds"] = Median(repeatSeconds);
+    }
+    if (ours)
+    {
+      results["graphicsMemoryBytes"] = ours->GetGraphicsMemoryBytes();
+      results["blockUploads"] = ours->GetBlockUploads();
+    }
     results["openglRenderer"] = view.DeviceName();
     results["picture"] = this->outputPath;
     WriteResults(results, this->jsonPath);
@@ -67,6 +90,14 @@ void AddRenderCommand(CLI::App& program, const std::string& commandText)
     ->required();
   app->add_option("--renderer", command->renderer, "Who draws (default ours)")
     ->check(NameValidator(NamesOf(MapperKindNames())))
+    ->group("Sampling");
+  app
+    ->add_option("--graphics-memory", command->graphicsMegabytes,
+      "Most that our mapper takes, in MB; what does not fit is drawn in blocks (default: all)")
+    ->check(CLI::NonNegativeNumber)
+    ->group("Sampling");
+  app->add_option("--repeat", command->repeats, "Draw so often again, and tell the median time")
+    ->check(CLI::NonNegativeNumber)
     ->group("Sampling");
   AddJsonOption(*app, command->jsonPath);
   app->callback([command] { command->Run(); });

@@ -47,6 +47,10 @@ def render(folder):
     for acceleration in ("off", "scalar", "optical"):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64",
             "--acceleration", acceleration)
+    run("render", VOLUME, "-o", folder / "a.png", "--size", "32x32", "--error-tolerance", "0",
+        "--graphics-memory", "0.1", "--repeat", "1", "--json", folder / "blocks.json")
+    blocks = json.loads((folder / "blocks.json").read_text())
+    assert blocks["blockUploads"] > 1 and blocks["graphicsMemoryBytes"] <= 1e5, blocks
     rules = set()
     for rule in ("midpoint", "pre-integrated", "simpson", "published-sum"):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", "--no-shade",
