@@ -100,9 +100,10 @@ void AccelerationField::BuildOpticalField(
   vtkOpenGLRenderWindow* window, const OpticalTable& table, const OpticalTolerance& tolerance)
 {
   const Stopwatch stopwatch;
-  this->optical = varimarch::BuildOpticalField(this->ranges, table, tolerance);
+  const OpticalField field = varimarch::BuildOpticalField(this->ranges, table, tolerance);
+  this->visible = VisibleBricks(field);
   this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + stopwatch.Seconds();
-  this->Upload(window, this->optical.brickCount, this->optical.bricks);
+  this->Upload(window, field.brickCount, field.bricks);
 }
 
 void AccelerationField::BuildExtremes(vtkOpenGLRenderWindow* window, bool largest)
@@ -126,7 +127,7 @@ void AccelerationField::Release(vtkWindow* window)
 {
   this->texture->ReleaseGraphicsResources(window);
   this->ranges = BrickRanges();
-  this->optical = OpticalField();
+  this->visible = VisibleBricks();
   this->bytes = 0;
 }
 

@@ -41,7 +41,7 @@ public:
   const BrickRanges& Ranges() const { return this->ranges; }
   vtkTextureObject* Texture() const { return this->texture; }
   /// Of the optical field, the smallest box that holds what is visible in a part of the volume.
-  Box VisibleBoxGrid(const Box& partGrid) const { return VisibleBox(this->optical, partGrid); }
+  Box VisibleBoxGrid(const Box& partGrid) const { return this->visible.Bounds(partGrid); }
   glm::ivec3 Size() const { return this->size; } ///< texels
   /// Of the last field, with the ranges that were built for it.
   double BuildSeconds() const { return this->buildSeconds; }
@@ -54,7 +54,7 @@ private:
 
   vtkNew<vtkTextureObject> texture;
   BrickRanges ranges;
-  OpticalField optical;
+  VisibleBricks visible;
   glm::ivec3 size = glm::ivec3(1);
   double rangeSeconds = 0.0; ///< of ranges that no field has been built of yet
   double buildSeconds = 0.0;

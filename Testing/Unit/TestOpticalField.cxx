@@ -123,7 +123,7 @@ TEST_P(OpticalFieldOf, NothingIsVisibleOutsideTheVisibleBox)
   const auto grid = scene.Grid();
   const OpticalField field = FieldOf(scene, OpticalTolerance::Nothing(60.0));
   const glm::dvec3 last(scene.dimensions - 1);
-  const Box box = VisibleBox(field, { glm::dvec3(0.0), last });
+  const Box box = VisibleBricks(field).Bounds({ glm::dvec3(0.0), last });
   std::mt19937 random(GetParam());
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   int outside = 0;
@@ -143,8 +143,8 @@ TEST(OpticalField, WhereNothingIsVisibleTheBoxIsEmpty)
 {
   RandomScene scene = SceneOf(1);
   scene.table = BuildOpticalTable(TransferFunction({}, { { 0.0, 0.0 } }, 1.0), 0.0, 255.0);
-  const Box box = VisibleBox(
-    FieldOf(scene, OpticalTolerance::Nothing(60.0)), { glm::dvec3(0.0), glm::dvec3(40.0) });
+  const VisibleBricks visible(FieldOf(scene, OpticalTolerance::Nothing(60.0)));
+  const Box box = visible.Bounds({ glm::dvec3(0.0), glm::dvec3(40.0) });
   EXPECT_GE(box.lower.x, box.upper.x);
 }
 

@@ -304,25 +304,34 @@ OpticalField BuildOpticalField(
   return field;
 }
 
-Box VisibleBox(const OpticalField& field, const Box& partGrid)
+VisibleBricks::VisibleBricks(const OpticalField& field)
+  : brickCount(field.brickCount)
+  , visible(field.bricks.size())
+{
+  for (std::size_t i = 0; i < field.bricks.size(); ++i)
+  {
+    this->visible[i] = field.bricks[i] < OpticalField::Invisible;
+  }
+}
+
+Box VisibleBricks::Bounds(const Box& partGrid) const
 {
   constexpr int Side = BrickRanges::CellsPerSide;
-  const glm::ivec3 count = field.brickCount;
+  const glm::ivec3 count = this->brickCount;
   const glm::ivec3 lowest = glm::max(glm::ivec3(glm::floor(partGrid.lower / double(Side))), 0);
   const glm::ivec3 behind = glm::min(glm::ivec3(glm::ceil(partGrid.upper / double(Side))), count);
   glm::ivec3 first = count;
   glm::ivec3 last(-1);
-  const auto visible = [](std::uint8_t brick) { return brick < OpticalField::Invisible; };
   for (int z = lowest.z; z < behind.z; ++z)
   {
     for (int y = lowest.y; y < behind.y; ++y)
     {
-      const auto row = field.bricks.begin() + (std::ptrdiff_t(z) * count.y + y) * count.x;
-      const auto found = std::find_if(row + lowest.x, row + behind.x, visible);
+      const auto row = this->visible.begin() + (std::ptrdiff_t(z) * count.y + y) * count.x;
+      const auto found = std::find(row + lowest.x, row + behind.x, true);
       if (found != row + behind.x)
       {
-        const auto afterLast = std::find_if(std::make_reverse_iterator(row + behind.x),
-          std::make_reverse_iterator(row + lowest.x), visible)
+        const auto afterLast = std::find(std::make_reverse_iterator(row + behind.x),
+          std::make_reverse_iterator(row + lowest.x), true)
                                  .base();
         first = glm::min(first, glm::ivec3(int(found - row), y, z));
         last = glm::max(last, glm::ivec3(int(afterLast - row) - 1, y, z));

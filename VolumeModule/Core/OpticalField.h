@@ -59,10 +59,22 @@ struct OpticalTolerance
 OpticalField BuildOpticalField(
   const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance);
 
-/// The smallest box of whole bricks that holds all that is not invisible in a part of the volume,
-/// cut at the part's box [grid space]; an empty box, whose lower is not below its upper, where
-/// nothing is visible. A brick at a face of the volume reaches to the face of `partGrid`.
-Box VisibleBox(const OpticalField& field, const Box& partGrid);
+/// Which bricks of a field are not invisible: all that is kept of it when a device has the rest.
+class VisibleBricks
+{
+public:
+  VisibleBricks() = default;
+  explicit VisibleBricks(const OpticalField& field);
+
+  /// The smallest box of whole bricks that holds all that is visible in a part of the volume, cut
+  /// at the part [grid space]; an empty box, whose lower is not below its upper, where nothing is.
+  /// A brick at a face of the part reaches to the face.
+  Box Bounds(const Box& partGrid) const;
+
+private:
+  glm::ivec3 brickCount = glm::ivec3(0);
+  std::vector<bool> visible; ///< x fastest
+};
 
 }
 
