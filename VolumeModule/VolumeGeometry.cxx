@@ -60,7 +60,7 @@ double VolumeGeometry::DiagonalMm() const
 
 double VolumeGeometry::ShortestSampleDistanceMm() const
 {
-  return this->DiagonalMm() / 30000.0;
+  return this->DiagonalMm() / 20000.0;
 }
 
 VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume)

@@ -119,13 +119,6 @@ struct WorkPrecisionCommand
   }
 };
 
-void AddRoundsOption(CLI::App& command, int& rounds)
-{
-  command.add_option("--rounds", rounds, "Times to measure each (default 3)")
-    ->check(CLI::Range(1, 10000).description(""))
-    ->type_name("N");
-}
-
 void AddWorkPrecisionCommand(CLI::App& bench, const std::string& commandText)
 {
   const auto command = std::make_shared<WorkPrecisionCommand>();
@@ -144,9 +137,7 @@ void AddWorkPrecisionCommand(CLI::App& bench, const std::string& commandText)
       "Scene files (.json), volume files, DICOM folders, or procedural:NAME[:XxYxZ]")
     ->required();
   command->sceneOptions.AddLookAndPictureTo(*app);
-  app->add_option("-o,--output", command->outputFolder, "The folder for the report")
-    ->type_name("FOLDER")
-    ->required();
+  AddOutputOption(*app, command->outputFolder);
   app->add_option("--methods", command->methods, "Only these (default all)")
     ->delimiter(',')
     ->check(NameValidator(BenchMethodNames()));
@@ -215,9 +206,7 @@ void AddPublishedCommand(CLI::App& bench, const std::string& commandText)
     ->check(CLI::ExistingDirectory.description(""))
     ->type_name("FOLDER")
     ->required();
-  app->add_option("-o,--output", command->outputFolder, "The folder for the tables")
-    ->type_name("FOLDER")
-    ->required();
+  AddOutputOption(*app, command->outputFolder);
   app->add_option("--side", command->options.side, "Of the square pictures (default 512)")
     ->check(CLI::Range(1, 4096).description(""))
     ->type_name("PIXELS");

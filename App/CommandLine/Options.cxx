@@ -371,4 +371,18 @@ LoadedVolume LoadVolumeReporting(const VolumeSource& source)
   return volume;
 }
 
+void AddOutputOption(CLI::App& command, std::string& folder)
+{
+  command.add_option("-o,--output", folder, "The folder for the report")
+    ->type_name("FOLDER")
+    ->required();
+}
+
+void AddRoundsOption(CLI::App& command, int& rounds)
+{
+  command.add_option("--rounds", rounds, "Times to measure each (default 3)")
+    ->check(CLI::Range(1, 10000).description(""))
+    ->type_name("N");
+}
+
 }

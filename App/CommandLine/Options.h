@@ -90,6 +90,10 @@ void AddJsonOption(CLI::App& command, std::string& path);
 /// Reads a volume with a line about it on stderr when that takes long, and its warnings.
 LoadedVolume LoadVolumeReporting(const VolumeSource& source);
 
+/// Of the benches: the folder that the report goes to, and how often each is measured.
+void AddOutputOption(CLI::App& command, std::string& folder);
+void AddRoundsOption(CLI::App& command, int& rounds);
+
 }
 
 #endif

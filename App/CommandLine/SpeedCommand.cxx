@@ -30,20 +30,6 @@ void WritePlot(const LogLogPlot& plot, const std::filesystem::path& stem)
   }
 }
 
-void AddOutputOption(CLI::App& command, std::string& folder)
-{
-  command.add_option("-o,--output", folder, "The folder for the report")
-    ->type_name("FOLDER")
-    ->required();
-}
-
-void AddRoundsOption(CLI::App& command, int& rounds)
-{
-  command.add_option("--rounds", rounds, "Times to measure each (default 3)")
-    ->check(CLI::Range(1, 10000).description(""))
-    ->type_name("N");
-}
-
 struct SpeedCommand
 {
   std::string commandText;

@@ -13,10 +13,10 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
   EXPECT_EQ(FragmentShaderParts(plain),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
-      "Depth/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "March/Midpoint.glsl", "Gaps/None.glsl", "Probe/None.glsl", "Resume/Whole.glsl",
-      "RayMarch.frag.glsl" }));
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
+      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
+      "Fetch/FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Probe/None.glsl",
+      "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -35,7 +35,7 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::ScalarField, false, false }),
     Parts{ "Step/VariationField.glsl" });
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
-    Parts{ "Step/OpticalField.glsl" });
+    (Parts{ "Math/LatticeWalk.glsl", "Step/OpticalField.glsl" }));
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, true, false }),
     (Parts{ "Shade/BlinnPhong.glsl", "March/ShadedSegments.glsl" }));
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, false, true }),
@@ -45,9 +45,10 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(changed(counting), Parts{ "Probe/FetchCount.glsl" });
   RenderSettings gaps = plain;
   gaps.gaps = true;
-  EXPECT_EQ(changed(gaps), (Parts{ "Fill/None.glsl", "Gaps/Cells.glsl" }));
+  EXPECT_EQ(changed(gaps), (Parts{ "Math/LatticeWalk.glsl", "Fill/None.glsl", "Gaps/Cells.glsl" }));
   gaps.fillGaps = true;
-  EXPECT_EQ(changed(gaps), (Parts{ "Fill/Color.glsl", "Gaps/Cells.glsl" }));
+  EXPECT_EQ(
+    changed(gaps), (Parts{ "Math/LatticeWalk.glsl", "Fill/Color.glsl", "Gaps/Cells.glsl" }));
 }
 
 TEST(ShaderRecipe, VolumesWithoutGapsHaveNothingToFill)
@@ -63,10 +64,13 @@ TEST(ShaderRecipe, ARuleOfIntegrationIsItsMarchAndWhatThatLooksUp)
   {
     const Parts parts =
       FragmentShaderParts({ Blend::Composite, Acceleration::Off, false, false, integration });
-    return Parts{ parts.at(6), parts.at(8) };
+    const auto blend = std::find(parts.begin(), parts.end(), "Blend/Composite.glsl");
+    Parts march(blend + 1, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
+    march.insert(march.begin(), *(blend - 1));
+    return march;
   };
   EXPECT_EQ(marchOf(Integration::PreIntegrated),
-    (Parts{ "Classify/PreIntegrated.glsl", "March/PreIntegrated.glsl" }));
+    (Parts{ "Classify/PreIntegrated.glsl", "Fetch/FourScalars.glsl", "March/PreIntegrated.glsl" }));
   EXPECT_EQ(
     marchOf(Integration::Simpson), (Parts{ "Classify/OpticalTable.glsl", "March/Simpson.glsl" }));
   EXPECT_EQ(marchOf(Integration::PublishedSum),
@@ -77,10 +81,10 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
 {
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
-      "Depth/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
-      "Blend/MaximumIntensity.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Probe/None.glsl",
-      "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
+      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
+      "March/Extreme.glsl", "Gaps/None.glsl", "Probe/None.glsl", "Resume/Whole.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
@@ -89,7 +93,7 @@ TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
   settings.pass = RayPass::Picture;
   EXPECT_EQ(FragmentShaderParts(settings),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Blend/Composite.glsl", "Probe/None.glsl", "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
+      "Blend/Composite.glsl", "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)

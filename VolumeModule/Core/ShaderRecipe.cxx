@@ -86,8 +86,7 @@ std::string ResumeFile(RayPass pass)
   return "Resume/Whole.glsl";
 }
 
-// No march: only where the rays are that have a pixel, and what it becomes. The probe is there
-// because the contract's own functions call it.
+// No march: only where the rays are that have a pixel, and what it becomes.
 std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
   std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl",
@@ -96,9 +95,8 @@ std::vector<std::string> PictureParts(const RenderSettings& settings)
   {
     parts.insert(parts.end(), { "Classify/OpticalTable.glsl" });
   }
-  parts.insert(parts.end(),
-    { BlendFile(settings.blend), "Probe/None.glsl", ResumeFile(settings.pass),
-      "RayMarch.frag.glsl" });
+  parts.insert(
+    parts.end(), { BlendFile(settings.blend), ResumeFile(settings.pass), "RayMarch.frag.glsl" });
   return parts;
 }
 
@@ -122,6 +120,17 @@ bool UsesShading(const RenderSettings& settings)
   return settings.shading && settings.blend == Blend::Composite;
 }
 
+// Whether rays walk through bricks, or through cells with gaps.
+bool Walks(const RenderSettings& settings)
+{
+  return settings.acceleration == Acceleration::OpticalField || settings.gaps;
+}
+
+bool FetchesFour(const std::string& marchFile)
+{
+  return marchFile == "March/Midpoint.glsl" || marchFile == "March/PreIntegrated.glsl";
+}
+
 }
 
 bool UsesPreIntegration(const RenderSettings& settings)
@@ -141,21 +150,26 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     return PictureParts(settings);
   }
-  std::vector<std::string> parts = {
-    "Slots.glsl",
-    "Math/IntersectBox.glsl",
-    "Math/LatticeWalk.glsl",
-    "Math/Absorption.glsl",
-    DepthFile(settings),
-    StepFile(settings),
-    UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl" : "Classify/OpticalTable.glsl",
-  };
+  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl" };
+  if (Walks(settings))
+  {
+    parts.push_back("Math/LatticeWalk.glsl");
+  }
+  parts.insert(parts.end(),
+    { "Math/Absorption.glsl", DepthFile(settings), StepFile(settings),
+      UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl"
+                                   : "Classify/OpticalTable.glsl" });
   if (UsesShading(settings))
   {
     parts.push_back("Shade/BlinnPhong.glsl");
   }
   parts.push_back(BlendFile(settings.blend));
-  parts.push_back(MarchFile(settings));
+  const std::string march = MarchFile(settings);
+  if (FetchesFour(march))
+  {
+    parts.push_back("Fetch/FourScalars.glsl");
+  }
+  parts.push_back(march);
   if (settings.gaps)
   {
     parts.push_back(FillsGaps(settings) ? "Fill/Color.glsl" : "Fill/None.glsl");

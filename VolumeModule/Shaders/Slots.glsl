@@ -39,17 +39,6 @@ float ScalarAt(vec3 positionTexture);
 // What is drawn for a ray that has made this picture.
 vec4 Probed(vec4 picture);
 
-// The scalars at four points of the ray, the first at this t, the others each apartMm farther.
-// Where a fetch of the volume is a call, as in software rasterisers, several fetches in a row, and
-// what is made of them afterwards, cost less than each with its own arithmetic in a loop.
-vec4 ScalarsOfFour(Ray ray, float firstT, float apartMm)
-{
-  return vec4(ScalarAt(PositionTexture(ray, firstT)),
-    ScalarAt(PositionTexture(ray, firstT + apartMm)),
-    ScalarAt(PositionTexture(ray, firstT + 2.0 * apartMm)),
-    ScalarAt(PositionTexture(ray, firstT + 3.0 * apartMm)));
-}
-
 // --- Depth: where opaque geometry ends a ray ------------------------------------------------
 // t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
 float DepthLimit(Ray ray);
