@@ -1,7 +1,7 @@
 // Transfer function as a table of its means between two scalars (Core/PreIntegratedTable): emission
 // and extinction. It covers the scalars between which the function changes. What of a piece lies
-// below or above them has the properties of the first or last, and weighs as much as its part of the
-// piece.
+// below or above them has the properties of the first or last, and weighs as much as its part of
+// the piece.
 
 uniform sampler2D preIntegratedTable;
 uniform float tableSize;
