@@ -1,0 +1,47 @@
+#ifndef Varimarch_Frame_h
+#define Varimarch_Frame_h
+
+#include "Core/RenderSettings.h"
+#include "VolumeGeometry.h"
+
+#include "vtkType.h"
+
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
+
+class vtkDataArray;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkVolumeProperty;
+
+namespace varimarch
+{
+
+/// What is to be drawn: one volume in one renderer, checked, with every choice made.
+struct Frame
+{
+  vtkOpenGLRenderWindow* window;
+  vtkRenderer* renderer;
+  vtkVolumeProperty* property;
+  vtkDataArray* scalars;
+  vtkMTimeType scalarsTime;
+  VolumeGeometry geometry;
+  Viewport viewport;
+  RenderSettings settings;
+  double errorTolerance;  ///< of a premultiplied channel; > 0: chooses the sample distance,
+  bool chooseIntegration; ///< and the rule of integration if asked
+  double sampleDistanceMm;
+  double fieldError;         ///< that homogeneous bricks may add to a premultiplied channel
+  double variationTolerance; ///< of the scalar field; negative: chosen from the range
+  double earlyTerminationTransmittance;
+  std::array<double, 2> averagedRange; ///< the scalars that count in an average
+  glm::dvec4 gapOptical;               ///< colour and extinction [1/mm] of cells that have no value
+  std::size_t mostMemoryBytes;         ///< of the graphics device; 0: what it has
+  bool triesPreIntegration;            ///< there is memory for its table
+};
+
+}
+
+#endif

@@ -1,0 +1,288 @@
+#include "FrameOfMapper.h"
+
+#include "Core/TransferFunction.h"
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+bool HasOpaqueGeometry(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    // vtkVolume does not override HasOpaqueGeometry, whose default is yes.
+    if (prop->GetVisibility() && !vtkVolume::SafeDownCast(prop) && prop->HasOpaqueGeometry())
+    {
+      return true;
+    }
+  }
+  // Another renderer's geometry, in a layer below this one.
+  return renderer->GetPreserveDepthBuffer() != 0;
+}
+
+Blend BlendOf(int blendMode)
+{
+  switch (blendMode)
+  {
+    case vtkVolumeMapper::COMPOSITE_BLEND:
+      return Blend::Composite;
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return Blend::MaximumIntensity;
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return Blend::MinimumIntensity;
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+      return Blend::AverageIntensity;
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      return Blend::Additive;
+  }
+  throw std::runtime_error("Blend mode " + std::to_string(blendMode) +
+    " is not supported: expected composite (0), maximum (1), minimum (2) or average intensity (3), "
+    "or "
+    "additive (4)");
+}
+
+Acceleration AccelerationOf(int accelerationMode, Blend blend)
+{
+  switch (accelerationMode)
+  {
+    case vtkVariationFieldVolumeMapper::ScalarField:
+      return Acceleration::ScalarField;
+    case vtkVariationFieldVolumeMapper::OpticalField:
+      // What is invisible to a composite counts in a sum of values.
+      return blend == Blend::Composite || IsExtreme(blend) ? Acceleration::OpticalField
+                                                           : Acceleration::Off;
+  }
+  return Acceleration::Off;
+}
+
+Integration IntegrationOf(int integrationRule)
+{
+  switch (integrationRule)
+  {
+    case vtkVariationFieldVolumeMapper::PreIntegrated:
+      return Integration::PreIntegrated;
+    case vtkVariationFieldVolumeMapper::Simpson:
+      return Integration::Simpson;
+    case vtkVariationFieldVolumeMapper::PublishedSum:
+      return Integration::PublishedSum;
+  }
+  return Integration::Midpoint;
+}
+
+// Samples per voxel that keep a composite within half a grey level of a fine march, measured on a
+// head CT with a bone transfer function. Normals turn faster than values change; a maximum needs
+// no more than to pass close by.
+double AutomaticSamplesPerVoxel(const RenderSettings& settings)
+{
+  if (settings.blend != Blend::Composite)
+  {
+    return 2.0;
+  }
+  return settings.shading ? 8.0 : 4.0;
+}
+
+// A homogeneous material as a transfer function of one node would have it.
+glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistanceMm)
+{
+  const TransferFunction material(
+    { { 0.0, { color[0], color[1], color[2] } } }, { { 0.0, opacity } }, unitDistanceMm);
+  const double extinction = std::min(material.Extinction(0.0), double(OpaqueExtinction));
+  return glm::dvec4(material.Color(0.0), extinction);
+}
+
+// The scalars to draw. Throws a sentence that tells what is wrong with the input.
+vtkDataArray* CheckedScalars(vtkImageData* image, vtkDataArray* scalars, int cellFlag)
+{
+  if (!scalars)
+  {
+    throw std::runtime_error("The input has no scalars to draw");
+  }
+  const std::string name = scalars->GetName() ? scalars->GetName() : "scalars";
+  if (cellFlag != 0)
+  {
+    throw std::runtime_error("Array \"" + name + "\" holds cell data: expected point data");
+  }
+  if (scalars->GetNumberOfComponents() != 1)
+  {
+    throw std::runtime_error("Array \"" + name + "\" has " +
+      std::to_string(scalars->GetNumberOfComponents()) + " components: expected 1");
+  }
+  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::runtime_error("Array \"" + name + "\" has " +
+      std::to_string(scalars->GetNumberOfTuples()) + " values: expected one for each of " +
+      std::to_string(image->GetNumberOfPoints()) + " points");
+  }
+  return scalars;
+}
+
+void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  // Of the tolerance, the field and the early end of rays may use an eighth each.
+  constexpr double Share = 1.0 / 8.0;
+  constexpr double FieldErrorWithoutTolerance = 1.0 / 255.0;
+  frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
+  frame.chooseIntegration =
+    mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
+    frame.settings.blend == Blend::Composite && !frame.settings.shading;
+  frame.variationTolerance = mapper->GetVariationTolerance();
+  frame.errorTolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
+  const bool tolerance = frame.errorTolerance > 0.0;
+  frame.fieldError = tolerance ? Share * frame.errorTolerance : FieldErrorWithoutTolerance;
+  frame.earlyTerminationTransmittance =
+    tolerance ? Share * frame.errorTolerance : mapper->GetEarlyTerminationTransmittance();
+  frame.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
+    ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
+    : std::max(mapper->GetSampleDistance(), frame.geometry.ShortestSampleDistanceMm());
+}
+
+bool HasOtherLights(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (light->GetSwitch() && !light->LightTypeIsHeadlight())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What a mapper has as input.
+struct MapperInput
+{
+  vtkImageData* image;
+  vtkDataArray* scalars;
+};
+
+std::optional<MapperInput> InputOf(vtkVariationFieldVolumeMapper* mapper)
+{
+  auto* image = vtkImageData::SafeDownCast(mapper->GetInput());
+  if (!image)
+  {
+    throw std::runtime_error("The input is not vtkImageData");
+  }
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return std::nullopt;
+  }
+  int cellFlag = 0;
+  vtkDataArray* scalars = vtkAbstractVolumeMapper::GetScalars(image, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+  return MapperInput{ image, CheckedScalars(image, scalars, cellFlag) };
+}
+
+RenderSettings SettingsOf(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolumeProperty* property)
+{
+  RenderSettings settings;
+  settings.blend = BlendOf(mapper->GetBlendMode());
+  settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings.blend);
+  settings.shading = property->GetShade() != 0 && settings.blend == Blend::Composite;
+  settings.countFetches = mapper->GetDrawFetchCounts();
+  settings.sceneGeometry = HasOpaqueGeometry(renderer);
+  settings.fillGaps = mapper->GetNanOpacity() > 0.0;
+  return settings;
+}
+
+}
+
+std::optional<Frame> FrameOf(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    throw std::runtime_error("The render window does not use OpenGL");
+  }
+  const std::optional<MapperInput> input = InputOf(mapper);
+  if (!input)
+  {
+    return std::nullopt;
+  }
+  Frame frame;
+  frame.window = window;
+  frame.renderer = renderer;
+  frame.property = volume->GetProperty();
+  frame.scalars = input->scalars;
+  frame.scalarsTime = std::max(input->image->GetMTime(), input->scalars->GetMTime());
+  frame.geometry = VolumeGeometryOf(input->image, volume);
+  frame.viewport = ViewportOf(renderer);
+  frame.settings = SettingsOf(mapper, renderer, frame.property);
+  const double* averaged = mapper->GetAverageIPScalarRange();
+  frame.averagedRange = { averaged[0], averaged[1] };
+  frame.gapOptical = GapOptical(
+    mapper->GetNanColor(), mapper->GetNanOpacity(), frame.property->GetScalarOpacityUnitDistance());
+  frame.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
+  ChooseSampling(mapper, frame);
+  return frame;
+}
+
+std::string MissingFeatures(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  vtkVolumeProperty* property = volume->GetProperty();
+  std::string missing;
+  if (mapper->GetCropping())
+  {
+    missing += "Cropping is not supported yet: the whole volume is drawn. ";
+  }
+  if (planes && planes->GetNumberOfItems() > 0)
+  {
+    missing += "Clipping planes are not supported yet: the whole volume is drawn. ";
+  }
+  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  {
+    missing += "Transfer functions of two values are not supported yet. ";
+  }
+  else if (property->HasGradientOpacity() && !property->GetDisableGradientOpacity())
+  {
+    missing += "Gradient opacity is not supported yet. ";
+  }
+  if (property->GetShade() && HasOtherLights(renderer))
+  {
+    missing += "Lights other than head lights are not supported yet. ";
+  }
+  return missing;
+}
+
+std::string UnsupportedFeature(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  try
+  {
+    FrameOf(mapper, renderer, volume);
+  }
+  catch (const std::exception& problem)
+  {
+    return problem.what();
+  }
+  return MissingFeatures(mapper, renderer, volume);
+}
+
+}

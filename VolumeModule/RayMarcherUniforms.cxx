@@ -1,0 +1,289 @@
+// The uniforms of each slot, when all resources of a frame are there.
+
+#include "RayMarcher.h"
+
+#include "Core/ShaderRecipe.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
+
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// As many as a ray along the diagonal takes at the sample distance, and as many as the faces of
+// cells it can pass.
+int MostSegmentsOf(const Frame& frame)
+{
+  const double steps = std::ceil(frame.geometry.DiagonalMm() / frame.sampleDistanceMm);
+  const glm::ivec3 voxels = frame.geometry.dimensions;
+  return int(steps) + voxels.x + voxels.y + voxels.z;
+}
+
+struct HeadLight
+{
+  glm::dvec3 diffuse = glm::dvec3(0.0);
+  glm::dvec3 specular = glm::dvec3(0.0);
+};
+
+// All head lights that are on, as one. VTK makes one for a renderer that has none.
+HeadLight HeadLightOf(vtkRenderer* renderer)
+{
+  HeadLight sum;
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (light->GetSwitch() && light->LightTypeIsHeadlight())
+    {
+      const double* diffuse = light->GetDiffuseColor();
+      const double* specular = light->GetSpecularColor();
+      sum.diffuse += light->GetIntensity() * glm::dvec3(diffuse[0], diffuse[1], diffuse[2]);
+      sum.specular += light->GetIntensity() * glm::dvec3(specular[0], specular[1], specular[2]);
+    }
+  }
+  return sum;
+}
+
+// A scalar as a texel that a float can hold: VTK's endless range is about that of floats.
+double LimitedTexel(const TexelMapping& mapping, double scalar)
+{
+  constexpr double most = 1e30;
+  return std::clamp(mapping.TexelOf(scalar), -most, most);
+}
+
+}
+
+void RayMarcher::SetRayUniforms(
+  const Frame& frame, const DrawnBlock& drawn, const glm::dmat4& clipFromGrid)
+{
+  // The same rays for every block, to the last bit: none then has a gap where two blocks meet.
+  const PixelRays rays = ComputePixelRays(clipFromGrid, this->visibleBox);
+  const Viewport& viewport = frame.viewport;
+
+  this->program.Set("clipFromGrid", clipFromGrid);
+  this->program.Set("viewportOriginPixels", glm::dvec2(viewport.left, viewport.bottom));
+  this->program.Set("viewportPixelsInverse", 1.0 / glm::dvec2(viewport.width, viewport.height));
+  this->program.Set("startGrid", rays.startGrid);
+  this->program.Set("directionGrid", rays.directionGrid);
+  this->program.Set("worldFromGrid", frame.geometry.WorldFromGridDirection());
+  this->program.Set("nearPlaneGrid", rays.nearPlaneGrid);
+  this->program.Set("farPlaneGrid", rays.farPlaneGrid);
+  this->program.Set("boxLowerGrid", drawn.boxGrid.lower);
+  this->program.Set("boxUpperGrid", drawn.boxGrid.upper);
+  this->program.Set("firstVoxelGrid", glm::dvec3(drawn.voxels.first));
+  this->program.Set("voxelCountInverse", 1.0 / glm::dvec3(drawn.voxels.count));
+  this->program.Set("mostSegments", MostSegmentsOf(frame));
+}
+
+void RayMarcher::SetResumeUniforms(const Frame& frame, const DrawnBlock& drawn)
+{
+  vtkTextureObject* const gathered = frame.settings.pass == RayPass::Block
+    ? this->accumulation.Drawn()
+    : this->accumulation.Finished();
+  gathered->Activate();
+  this->program.Set("gatheredTexture", gathered);
+  this->program.Set("sharedUpperGrid", drawn.sharedUpperGrid);
+}
+
+void RayMarcher::SetGapUniforms(const Frame& frame, const DrawnBlock& drawn)
+{
+  const AccelerationField& gaps = drawn.block->gaps;
+  const glm::dvec3 cells(gaps.Size());
+  gaps.Texture()->Activate();
+  this->program.Set("gapTexture", gaps.Texture());
+  this->program.Set("gapCellCount", cells);
+  this->program.Set("gapCellCountInverse", 1.0 / cells);
+  this->program.Set("gapVoxelCount", glm::dvec3(drawn.voxels.count));
+  if (FillsGaps(frame.settings))
+  {
+    this->program.Set("gapOptical", frame.gapOptical);
+  }
+}
+
+void RayMarcher::SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
+{
+  const glm::dvec2 depthPixels(
+    this->depth.Texture()->GetWidth(), this->depth.Texture()->GetHeight());
+  this->program.Set(
+    "depthPixelsPerPixel", depthPixels / glm::dvec2(frame.viewport.width, frame.viewport.height));
+  this->depth.Texture()->Activate();
+  this->program.Set("depthTexture", this->depth.Texture());
+  this->program.Set("clipDepthRow", glm::row(clipFromGrid, 2));
+  this->program.Set("clipWeightRow", glm::row(clipFromGrid, 3));
+}
+
+void RayMarcher::SetStepUniforms(const Frame& frame, const VolumeBlock& block)
+{
+  this->program.Set("stepMm", frame.sampleDistanceMm);
+  if (frame.settings.acceleration == Acceleration::Off)
+  {
+    return;
+  }
+  const bool isOfCells = frame.settings.acceleration == Acceleration::ScalarField;
+  const AccelerationField& field = isOfCells ? block.scalarField : this->field;
+  field.Texture()->Activate();
+  this->program.Set("fieldTexture", field.Texture());
+  const glm::dvec3 size(field.Size());
+  if (isOfCells)
+  {
+    this->program.Set("cellCount", size);
+    this->program.Set("cellCountInverse", 1.0 / size);
+  }
+  else
+  {
+    this->program.Set("brickCount", size);
+    this->program.Set("brickCountInverse", 1.0 / size);
+    this->program.Set("cellsPerBrick", double(BrickRanges::CellsPerSide));
+  }
+  if (frame.settings.acceleration == Acceleration::OpticalField && IsExtreme(frame.settings.blend))
+  {
+    const BrickRanges& ranges = this->field.Ranges();
+    const TexelMapping& mapping = this->blocks.Texels().mapping;
+    this->program.Set("sense", frame.settings.blend == Blend::MaximumIntensity ? 1.0 : -1.0);
+    this->program.Set("scalarFromField",
+      glm::dvec2(65535.0 * ranges.ValuePerStep() / mapping.scale,
+        (ranges.FirstValue() - mapping.offset) / mapping.scale));
+  }
+}
+
+void RayMarcher::SetClassifyUniforms()
+{
+  // Texel to scalar to table index, as one scale and bias.
+  const OpticalTable& table = this->opticalTable.Table();
+  const double last = double(table.entries.size() - 1);
+  const double extent = table.lastValue - table.firstValue;
+  const double indexPerScalar = extent > 0.0 ? last / extent : 0.0;
+  const TexelMapping& mapping = this->blocks.Texels().mapping;
+  this->opticalTable.Texture()->Activate();
+  this->program.Set("opticalTable", this->opticalTable.Texture());
+  this->program.Set("tableFromScalar",
+    glm::dvec2(
+      mapping.scale * indexPerScalar, (mapping.offset - table.firstValue) * indexPerScalar));
+  this->program.Set("lastTableIndex", last);
+}
+
+void RayMarcher::SetPreIntegratedUniforms()
+{
+  const OpticalTable& table = this->opticalTable.Table();
+  const double extent = table.lastValue - table.firstValue;
+  const double placePerValue = extent > 0.0 ? 1.0 / extent : 0.0;
+  const TexelMapping& mapping = this->blocks.Texels().mapping;
+  this->preIntegratedTable.Texture()->Activate();
+  this->program.Set("preIntegratedTable", this->preIntegratedTable.Texture());
+  this->program.Set("tableSize", double(this->preIntegratedTable.Size()));
+  this->program.Set("placeFromScalar",
+    glm::dvec2(mapping.scale * placePerValue, (mapping.offset - table.firstValue) * placePerValue));
+  this->program.Set("opticalBelow", glm::dvec4(table.entries.front()));
+  this->program.Set("opticalAbove", glm::dvec4(table.entries.back()));
+}
+
+void RayMarcher::SetShadeUniforms(const Frame& frame, const DrawnBlock& drawn)
+{
+  const std::array<double, 2>& visible = this->opticalTable.VisibleValues();
+  const TexelMapping& mapping = this->blocks.Texels().mapping;
+  this->program.Set("visibleScalars",
+    glm::dvec2(LimitedTexel(mapping, visible[0]), LimitedTexel(mapping, visible[1])));
+
+  const HeadLight light = HeadLightOf(frame.renderer);
+  const glm::dmat3 worldFromGradient = frame.geometry.WorldFromGridNormal();
+  this->program.Set("voxelSizeTexture", 1.0 / glm::dvec3(drawn.voxels.count));
+  this->program.Set("worldFromGradient", worldFromGradient);
+  this->program.Set("ambientLight", glm::dvec3(frame.property->GetAmbient()));
+  this->program.Set("diffuseLight", frame.property->GetDiffuse() * light.diffuse);
+  this->program.Set("specularLight", frame.property->GetSpecular() * light.specular);
+  this->program.Set("specularPower", frame.property->GetSpecularPower());
+}
+
+void RayMarcher::SetBlendUniforms(const Frame& frame)
+{
+  if (frame.settings.blend == Blend::Composite)
+  {
+    this->program.Set("earlyTerminationTransmittance", frame.earlyTerminationTransmittance);
+    return;
+  }
+  this->SetProjectionUniforms(frame);
+}
+
+void RayMarcher::SetProjectionUniforms(const Frame& frame)
+{
+  const TexelMapping& mapping = this->blocks.Texels().mapping;
+  const double smallest = mapping.TexelOf(this->blocks.Texels().smallestScalar);
+  const double largest = mapping.TexelOf(this->blocks.Texels().largestScalar);
+  this->program.Set("smallestScalar", smallest);
+  this->program.Set("opacityUnitDistanceMm", frame.property->GetScalarOpacityUnitDistance());
+  switch (frame.settings.blend)
+  {
+    case Blend::AverageIntensity:
+      this->program.Set("averagedScalars",
+        glm::dvec2(LimitedTexel(mapping, frame.averagedRange[0]),
+          LimitedTexel(mapping, frame.averagedRange[1])));
+      [[fallthrough]];
+    case Blend::Additive:
+      this->program.Set("grayPerScalar", largest > smallest ? 1.0 / (largest - smallest) : 0.0);
+      break;
+    default:
+      this->program.Set("largestScalar", largest);
+  }
+}
+
+void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
+{
+  const VolumeTexture& volume = drawn.block->volume;
+  volume.Texture()->Activate();
+  this->program.Set("volumeTexture", volume.Texture());
+  this->SetStepUniforms(frame, *drawn.block);
+  if (UsesPreIntegration(frame.settings))
+  {
+    this->SetPreIntegratedUniforms();
+  }
+  else
+  {
+    this->SetClassifyUniforms();
+  }
+  if (frame.settings.shading)
+  {
+    this->SetShadeUniforms(frame, drawn);
+  }
+  if (frame.settings.gaps)
+  {
+    this->SetGapUniforms(frame, drawn);
+  }
+}
+
+void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
+{
+  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+  this->SetRayUniforms(frame, drawn, clipFromGrid);
+  this->SetBlendUniforms(frame);
+  if (frame.settings.pass != RayPass::Whole)
+  {
+    this->SetResumeUniforms(frame, drawn);
+  }
+  if (frame.settings.pass != RayPass::Picture)
+  {
+    this->SetMarchUniforms(frame, drawn);
+  }
+  else if (frame.settings.blend != Blend::Composite)
+  {
+    this->SetClassifyUniforms();
+  }
+  if (frame.settings.sceneGeometry)
+  {
+    this->SetDepthUniforms(frame, clipFromGrid);
+  }
+}
+
+}
