@@ -16,6 +16,16 @@
 #include <filesystem>
 #include <stdexcept>
 
+namespace
+{
+
+bool IsFormat(int format)
+{
+  return 0 <= format && format < vtkVolumeFileReader::GetNumberOfFormats();
+}
+
+}
+
 /// The image is here only from RequestInformation to RequestData, which hands it out.
 struct vtkVolumeFileReader::Contents
 {
@@ -198,18 +208,22 @@ int vtkVolumeFileReader::GetNumberOfFormats()
 
 const char* vtkVolumeFileReader::GetFormatName(int format)
 {
-  return varimarch::VolumeFormats().at(format).name;
+  return IsFormat(format) ? varimarch::VolumeFormats()[format].name : nullptr;
 }
 
 const char* vtkVolumeFileReader::GetFormatDescription(int format)
 {
-  return varimarch::VolumeFormats().at(format).description;
+  return IsFormat(format) ? varimarch::VolumeFormats()[format].description : nullptr;
 }
 
 std::string vtkVolumeFileReader::GetFormatExtensions(int format)
 {
   std::string all;
-  for (const std::string& extension : varimarch::VolumeFormats().at(format).extensions)
+  if (!IsFormat(format))
+  {
+    return all;
+  }
+  for (const std::string& extension : varimarch::VolumeFormats()[format].extensions)
   {
     all += (all.empty() ? "" : " ") + extension;
   }

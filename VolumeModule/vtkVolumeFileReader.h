@@ -131,7 +131,7 @@ public:
   ///@{
   /**
    * The formats, for file dialogs: a name, a description, and extensions as in ".nrrd .nhdr".
-   * 0 <= format < GetNumberOfFormats().
+   * 0 <= format < GetNumberOfFormats(); others have no name, no description, no extensions.
    */
   static int GetNumberOfFormats();
   static const char* GetFormatName(int format);

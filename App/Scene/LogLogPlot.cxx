@@ -1,7 +1,6 @@
 #include "Scene/LogLogPlot.h"
 
 #include "Scene/OutputFile.h"
-#include "Scene/vtkHeadlessRenderWindow.h"
 
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>
@@ -9,6 +8,7 @@
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
+#include <vtkHeadlessRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkOpenGLGL2PSExporter.h>
 #include <vtkPen.h>

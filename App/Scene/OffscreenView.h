@@ -2,8 +2,8 @@
 #define Varimarch_Scene_OffscreenView_h
 
 #include "Scene/ScenePipeline.h"
-#include "Scene/vtkHeadlessRenderWindow.h"
 
+#include <vtkHeadlessRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>

@@ -2,10 +2,10 @@
 #define Varimarch_Testing_MapperScene_h
 
 #include "Core/ImageError.h"
-#include "Scene/vtkHeadlessRenderWindow.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
+#include <vtkHeadlessRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>

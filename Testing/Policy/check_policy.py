@@ -109,7 +109,7 @@ def ends_a_path(path, files):
 
 
 def readme_example_is_tested():
-    example = "Testing/Install/Example/CMakeLists.txt"
+    example = "Documentation/Examples/Window/CMakeLists.txt"
     text = text_of(example).strip()
     if text and text in text_of("README.md"):
         return []

@@ -13,12 +13,13 @@
 #ifndef vtkHeadlessRenderWindow_h
 #define vtkHeadlessRenderWindow_h
 
+#include "VarimarchVolumeModule.h" // For export macro
 #include "vtkGenericOpenGLRenderWindow.h"
 
 #include <memory> // For the EGL context
 #include <string> // For FailureReason
 
-class vtkHeadlessRenderWindow : public vtkGenericOpenGLRenderWindow
+class VARIMARCHVOLUME_EXPORT vtkHeadlessRenderWindow : public vtkGenericOpenGLRenderWindow
 {
 public:
   static vtkHeadlessRenderWindow* New();

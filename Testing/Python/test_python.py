@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""Uses the package varimarch as a user does, without a display.
+
+Usage: test_python.py CASE [VARIMARCH]
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import warnings
+
+import numpy
+import varimarch
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume, vtkVolumeProperty
+
+SMALL = {"size": (32, 32)}
+WHITE = {"color": "white", "opacity": [(0, 0), (100, 1)], "shade": False, **SMALL}
+
+
+def ball(side=24):
+    """Values that fall from 500 in the middle to below 0 in the corners."""
+    z, y, x = numpy.mgrid[-1 : 1 : side * 1j, -1 : 1 : side * 1j, -1 : 1 : side * 1j]
+    return 500 - 400 * numpy.sqrt(x * x + 2 * y * y + z * z)
+
+
+def pixels_of_png(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1]
+
+
+def draws_what_the_program_draws(folder):
+    """Presets, cameras and sizes mean the same here and on the command line."""
+    volume = folder / "ball.vti"
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(str(volume))
+    writer.SetInputData(varimarch.to_image(ball().astype(numpy.int16), (1, 2, 3), (4, 5, 6)))
+    writer.Write()
+    looks = [{"preset": preset} for preset in varimarch.presets()]
+    views = [{"view": view} for view in varimarch.pictures.VIEWS]
+    turned = {"view": "left", "azimuth": 20, "elevation": -30, "zoom": 1.2}
+    for arguments in looks + views + [turned]:
+        arguments = {"preset": "ct-bone", **arguments}
+        options = [f"--{name}={value}" for name, value in arguments.items()]
+        subprocess.run([sys.argv[2], "render", volume, "-o", folder / "program.png", "--size=40x30",
+                        *options], check=True, stdout=subprocess.DEVNULL)
+        picture = varimarch.render(varimarch.read(volume), size=(40, 30), **arguments)
+        assert numpy.array_equal(picture, pixels_of_png(folder / "program.png")), arguments
+        varimarch.write_png(picture, folder / "python.png")
+        assert numpy.array_equal(picture, pixels_of_png(folder / "python.png"))
+
+
+def axes_lie_where_the_patient_is(_folder):
+    """Seen from the front, z is up and x, the patient's left, is at the right."""
+    array = numpy.zeros((16, 16, 16))
+    array[10:14, 6:10, 2:6] = 100
+    rows, columns = numpy.nonzero(varimarch.render(array, **WHITE)[:, :, 0])
+    assert rows.size and rows.max() < 16 and columns.max() < 16, (rows, columns)
+    stretched = varimarch.render(array, spacing=(1, 1, 4), **WHITE)
+    rows, columns = numpy.nonzero(stretched[:, :, 0])
+    assert numpy.ptp(rows) > 2 * numpy.ptp(columns), "spacing is not of x, y, z"
+
+
+def types_of_numbers_make_no_difference(_folder):
+    values = numpy.clip(ball(), 0, 100).round()
+    expected = varimarch.render(values, **WHITE)
+    assert expected.any()
+    for kind in ("u1", "i1", "<u2", ">i2", "<i4", ">u4", "i8", "u8", "<f2", ">f4", "g"):
+        picture = varimarch.render(values.astype(kind), **WHITE)
+        difference = abs(picture.astype(int) - expected)
+        assert difference.max() <= 1, f"{kind}: off by {difference.max()}"
+    for layout in (numpy.asfortranarray(values), numpy.repeat(values, 2, axis=2)[:, :, ::2]):
+        assert numpy.array_equal(varimarch.render(layout, **WHITE), expected)
+    varimarch.render(values > 50, preset="mr-head", **SMALL)
+
+
+def arrays_and_images_share_memory(_folder):
+    array = ball(5)[:, :, :4].copy()
+    direction = [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]
+    image = varimarch.to_image(array, (1, 2, 3), (4, 5, 6), direction)
+    assert image.GetDimensions() == (4, 5, 5) and image.GetSpacing() == (1, 2, 3)
+    assert image.GetDirectionMatrix().GetElement(0, 1) == 1
+    point = [0.0, 0.0, 0.0]
+    image.TransformIndexToPhysicalPoint((0, 1, 0), point)
+    assert point == [6, 5, 6], point
+    assert numpy.shares_memory(varimarch.to_array(image), array)
+    expected = array.copy()
+    del array
+    assert numpy.array_equal(varimarch.to_array(image), expected), "the memory was given back"
+
+
+def every_blend_draws_its_own(_folder):
+    look = {"color": [(-300, "black"), (500, (1, 0.9, 0.5))], "opacity": [(-300, 0.01), (500, 0.1)]}
+    pictures = {
+        varimarch.render(ball(), blend=blend, **look, **SMALL).tobytes()
+        for blend in ("composite", "maximum", "minimum", "average", "additive")
+    }
+    assert len(pictures) == 5, "two blends draw the same picture"
+
+
+def what_is_wrong_is_one_sentence(folder):
+    empty = vtkImageData()
+    empty.SetDimensions(4, 4, 4)
+    good = ball(8)
+    cases = (
+        (ValueError, "shape (3, 3)", lambda: varimarch.render(numpy.zeros((3, 3)))),
+        (ValueError, "shape ()", lambda: varimarch.render("head.nii")),
+        (TypeError, "complex128", lambda: varimarch.render(good.astype(complex))),
+        (ValueError, "finite", lambda: varimarch.render(good * numpy.nan)),
+        (ValueError, "no scalars", lambda: varimarch.render(empty)),
+        (RuntimeError, "scalars", lambda: varimarch.render(empty, preset="ct-bone")),
+        (ValueError, "spacing", lambda: varimarch.render(good, spacing=(1, 0, 1))),
+        (ValueError, "its own", lambda: varimarch.render(empty, spacing=(1, 1, 1))),
+        (ValueError, 'did you mean "ct-bone"?', lambda: varimarch.render(good, preset="ct-bon")),
+        (ValueError, "rising", lambda: varimarch.render(good, opacity=[(1, 0), (0, 1)])),
+        (ValueError, "found 2", lambda: varimarch.render(good, opacity=[(1, 2)])),
+        (ValueError, "list of", lambda: varimarch.render(good, opacity=0.5)),
+        (ValueError, "browm", lambda: varimarch.render(good, color="browm")),
+        (ValueError, "zoom", lambda: varimarch.render(good, zoom=0)),
+        (ValueError, "elevation", lambda: varimarch.render(good, elevation=90)),
+        (ValueError, "size", lambda: varimarch.render(good, size=(0, 4))),
+        (ValueError, "known: ", lambda: varimarch.render(good, view="front")),
+        (OSError, "none.nrrd", lambda: varimarch.read(folder / "none.nrrd")),
+        (ValueError, "float64", lambda: varimarch.write_png(good, folder / "a.png")),
+        (OSError, "none", lambda: varimarch.write_png(varimarch.render(good, **SMALL),
+                                                      folder / "none" / "a.png")),
+    )
+    for kind, part, action in cases:
+        try:
+            action()
+        except kind as error:
+            text = str(error)
+            assert part in text and "\n" not in text and "(0x" not in text, text
+        else:
+            raise AssertionError(f"nothing is wrong where {part} was expected")
+
+
+def warnings_are_python_warnings(_folder):
+    """Five hundred thin shells cannot be drawn within one millionth by as many samples as allowed."""
+    spikes = [(i, i % 2) for i in range(500)]
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        varimarch.render(ball(), color="white", opacity=spikes, shade=False, error_tolerance=1e-6,
+                         **SMALL)
+    assert caught and all(str(warning.message)[0].isupper() for warning in caught), caught
+
+
+def classes_work_in_a_pipeline(_folder):
+    """As in any program that uses VTK from Python, with our mapper and window."""
+    source = vtkRTAnalyticSource()
+    mapper = varimarch.vtkVariationFieldVolumeMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    volume.SetProperty(vtkVolumeProperty())
+    renderer = vtkRenderer()
+    renderer.AddVolume(volume)
+    window = varimarch.vtkHeadlessRenderWindow()
+    window.SetSize(24, 16)
+    window.AddRenderer(renderer)
+    window.Render()
+    picture = varimarch.capture(window)
+    assert picture.shape == (16, 24, 3) and picture.any()
+    assert mapper.GetFieldBuilds() == 1 and mapper.GetEstimatedError() <= 1 / 64
+    assert varimarch.vtkVolumeFileReader.GetFormatName(-1) is None
+    assert varimarch.vtkVolumeFileReader.GetFormatName(0)
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as name:
+        globals()[sys.argv[1]](pathlib.Path(name))

@@ -1,0 +1,47 @@
+"""Arguments, checked: each function returns the value, or raises a ValueError of one sentence."""
+
+import difflib
+
+import numpy
+
+
+def choice(name, value, known):
+    """The value, which must be one of those known."""
+    if value in known:
+        return value
+    near = difflib.get_close_matches(str(value), known, 1)
+    advice = f'did you mean "{near[0]}"?' if near else "known: " + ", ".join(known)
+    raise ValueError(f'unknown {name} "{value}"; {advice}')
+
+
+def number(name, value, low, high):
+    """As a float from low to high."""
+    found = numbers_of(value, ())
+    if found is None or not low <= found <= high:
+        raise ValueError(f"{name}: expected a number from {low:g} to {high:g}, found {value!r}")
+    return float(found)
+
+
+def three_numbers(name, values):
+    """As an array of finite numbers."""
+    found = numbers_of(values, (3,))
+    if found is None:
+        raise ValueError(f"{name}: expected three finite numbers, found {values!r}")
+    return found
+
+
+def matrix_of_directions(name, values):
+    """As an array of 3 x 3."""
+    found = numbers_of(values, (3, 3))
+    if found is None or abs(numpy.linalg.det(found)) < 1e-12:
+        raise ValueError(f"{name}: expected 3 x 3 numbers that can be inverted, found {values!r}")
+    return found
+
+
+def numbers_of(values, shape):
+    """As an array of this shape; None when they are not so, or not finite numbers."""
+    try:
+        found = numpy.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        return None
+    return found if found.shape == shape and numpy.isfinite(found).all() else None
