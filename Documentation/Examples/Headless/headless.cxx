@@ -17,6 +17,35 @@
 #include <cstdlib>
 #include <iostream>
 
+namespace
+{
+
+// From nothing to solid, over the whole range of the values.
+void ShowRange(const double range[2], vtkVolumeProperty* property)
+{
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(range[0], 0.8, 0.4, 0.3);
+  colors->AddRGBPoint(range[1], 1.0, 1.0, 0.9);
+  vtkNew<vtkPiecewiseFunction> opacities;
+  opacities->AddPoint(range[0] + 0.2 * (range[1] - range[0]), 0.0);
+  opacities->AddPoint(range[1], 1.0);
+  property->SetColor(colors);
+  property->SetScalarOpacity(opacities);
+}
+
+void WritePicture(vtkRenderWindow* window, const char* path)
+{
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(path);
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->Write();
+}
+
+}
+
 int main(int argc, char** argv)
 {
   if (argc != 3)
@@ -32,21 +61,11 @@ int main(int argc, char** argv)
     return EXIT_FAILURE; // VTK has printed the reason.
   }
 
-  // From nothing to solid, over the whole range of the values.
-  const double* range = reader->GetOutput()->GetScalarRange();
-  vtkNew<vtkColorTransferFunction> colors;
-  colors->AddRGBPoint(range[0], 0.8, 0.4, 0.3);
-  colors->AddRGBPoint(range[1], 1.0, 1.0, 0.9);
-  vtkNew<vtkPiecewiseFunction> opacities;
-  opacities->AddPoint(range[0] + 0.2 * (range[1] - range[0]), 0.0);
-  opacities->AddPoint(range[1], 1.0);
-
   vtkNew<vtkVariationFieldVolumeMapper> mapper;
   mapper->SetInputConnection(reader->GetOutputPort());
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
-  volume->GetProperty()->SetColor(colors);
-  volume->GetProperty()->SetScalarOpacity(opacities);
+  ShowRange(reader->GetOutput()->GetScalarRange(), volume->GetProperty());
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
 
@@ -59,14 +78,7 @@ int main(int argc, char** argv)
   window->SetSize(256, 256);
   window->AddRenderer(renderer);
   window->Render();
-
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(argv[2]);
-  writer->SetInputConnection(picture->GetOutputPort());
-  writer->Write();
+  WritePicture(window, argv[2]);
   std::cout << "drawn by " << window->GetDeviceName() << '\n';
   return EXIT_SUCCESS;
 }
