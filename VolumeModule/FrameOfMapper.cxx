@@ -1,12 +1,11 @@
 #include "FrameOfMapper.h"
 
 #include "Core/TransferFunction.h"
+#include "Lights.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneCollection.h"
@@ -157,21 +156,6 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
     : std::max(mapper->GetSampleDistance(), frame.geometry.ShortestSampleDistanceMm());
 }
 
-bool HasOtherLights(vtkRenderer* renderer)
-{
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator iterator;
-  lights->InitTraversal(iterator);
-  while (vtkLight* light = lights->GetNextLight(iterator))
-  {
-    if (light->GetSwitch() && !light->LightTypeIsHeadlight())
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 // What a mapper has as input.
 struct MapperInput
 {
@@ -203,6 +187,7 @@ RenderSettings SettingsOf(
   settings.blend = BlendOf(mapper->GetBlendMode());
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings.blend);
   settings.shading = property->GetShade() != 0 && settings.blend == Blend::Composite;
+  settings.lights = settings.shading && !HasHeadLightOnly(renderer);
   settings.countFetches = mapper->GetDrawFetchCounts();
   settings.sceneGeometry = HasOpaqueGeometry(renderer);
   settings.fillGaps = mapper->GetNanOpacity() > 0.0;
@@ -242,8 +227,7 @@ std::optional<Frame> FrameOf(
   return frame;
 }
 
-std::string MissingFeatures(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume)
 {
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   vtkVolumeProperty* property = volume->GetProperty();
@@ -264,10 +248,6 @@ std::string MissingFeatures(
   {
     missing += "Gradient opacity is not supported yet. ";
   }
-  if (property->GetShade() && HasOtherLights(renderer))
-  {
-    missing += "Lights other than head lights are not supported yet. ";
-  }
   return missing;
 }
 
@@ -282,7 +262,7 @@ std::string UnsupportedFeature(
   {
     return problem.what();
   }
-  return MissingFeatures(mapper, renderer, volume);
+  return MissingFeatures(mapper, volume);
 }
 
 }

@@ -20,8 +20,7 @@ std::optional<Frame> FrameOf(
 
 /// What a picture lacks of what is asked for: sentences, each followed by a space; empty when it
 /// lacks nothing.
-std::string MissingFeatures(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume);
 
 /// Why a picture would not be all that is asked for, be it that nothing can be drawn or that it
 /// lacks a feature; empty when it would be.

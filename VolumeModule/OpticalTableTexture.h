@@ -2,32 +2,25 @@
 #define Varimarch_OpticalTableTexture_h
 
 #include "Core/TransferFunction.h"
-
-#include "vtkNew.h"
-#include "vtkOpenGLBufferObject.h"
-#include "vtkTextureObject.h"
-
-class vtkOpenGLRenderWindow;
+#include "FloatBufferTexture.h"
 
 namespace varimarch
 {
 
-/// A transfer function on the device: an OpticalTable in a buffer texture, so that the shader
-/// interpolates it in full precision.
+/// A transfer function on the device, as an OpticalTable.
 class OpticalTableTexture
 {
 public:
   void Upload(vtkOpenGLRenderWindow* window, OpticalTable table);
 
-  vtkTextureObject* Texture() const { return this->texture; }
+  vtkTextureObject* Texture() const { return this->texture.Texture(); }
   const OpticalTable& Table() const { return this->table; }
   const std::array<double, 2>& VisibleValues() const { return this->visibleValues; }
-  std::size_t Bytes() const { return this->table.entries.size() * sizeof(glm::vec4); }
+  std::size_t Bytes() const { return this->texture.Bytes(); }
   void Release(vtkWindow* window);
 
 private:
-  vtkNew<vtkOpenGLBufferObject> buffer;
-  vtkNew<vtkTextureObject> texture;
+  FloatBufferTexture texture;
   OpticalTable table = {};
   std::array<double, 2> visibleValues = {};
 };

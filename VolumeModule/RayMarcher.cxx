@@ -25,6 +25,7 @@ void RayMarcher::Draw(Frame frame)
   this->UpdateOpticalTable(frame);
   this->UpdateField(frame);
   this->UpdateDepth(frame);
+  this->UpdateLights(frame);
   this->UpdateBlocks(frame);
   this->UpdateTolerance(frame);
 
@@ -216,8 +217,8 @@ void RayMarcher::UpdateProgram(const Frame& frame)
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
   return this->blocks.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
-    this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->probe.Bytes() +
-    this->accumulation.Bytes();
+    this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
+    this->probe.Bytes() + this->accumulation.Bytes();
 }
 
 double RayMarcher::FieldBuildSeconds() const
@@ -235,6 +236,7 @@ void RayMarcher::Release(vtkWindow* window)
   this->opticalTable.Release(window);
   this->preIntegratedTable.Release(window);
   this->depth.Release(window);
+  this->lights.Release(window);
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource = nullptr;

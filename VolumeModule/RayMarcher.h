@@ -107,6 +107,7 @@ private:
   void UpdateExtremes(const Frame& frame);
   void UpdateRanges(const Frame& frame);
   void UpdateDepth(const Frame& frame);
+  void UpdateLights(const Frame& frame);
   void UpdateBlocks(Frame& frame);
   void UpdateTolerance(const Frame& frame);
   void UpdateProgram(const Frame& frame);
@@ -132,7 +133,8 @@ private:
   void SetStepUniforms(const Frame& frame, const VolumeBlock& block);
   void SetClassifyUniforms();
   void SetPreIntegratedUniforms();
-  void SetShadeUniforms(const Frame& frame, const DrawnBlock& drawn);
+  void SetMaterialUniforms(const Frame& frame, const DrawnBlock& drawn);
+  void SetLightUniforms(const Frame& frame);
   void SetBlendUniforms(const Frame& frame);
   void SetProjectionUniforms(const Frame& frame);
   void SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn);
@@ -145,6 +147,7 @@ private:
   OpticalTableTexture opticalTable;
   PreIntegratedTableTexture preIntegratedTable;
   SceneDepthTexture depth;
+  FloatBufferTexture lights; ///< only where there are others than head lights
   VolumeBoxGeometry boxGeometry;
   ProbeFramebuffer probe;
   RayAccumulation accumulation; ///< only where there are several blocks

@@ -71,8 +71,8 @@ void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
     this->boxGeometry.Draw(this->program.Program(), drawn.coverGrid);
   }
   std::vector<vtkTextureObject*> textures = { this->field.Texture(), this->opticalTable.Texture(),
-    this->preIntegratedTable.Texture(), this->depth.Texture(), this->accumulation.Drawn(),
-    this->accumulation.Finished() };
+    this->preIntegratedTable.Texture(), this->depth.Texture(), this->lights.Texture(),
+    this->accumulation.Drawn(), this->accumulation.Finished() };
   if (drawn.block)
   {
     textures.insert(textures.end(),

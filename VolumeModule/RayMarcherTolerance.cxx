@@ -4,6 +4,7 @@
 #include "RayMarcher.h"
 
 #include "Core/ShaderRecipe.h"
+#include "Lights.h"
 #include "PropertyTransferFunction.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -90,6 +91,13 @@ std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
       frame.averagedRange[0], frame.averagedRange[1], double(frame.viewport.width),
       double(frame.viewport.height) });
   inputs.insert(inputs.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
+  if (frame.settings.lights)
+  {
+    for (const glm::vec4& texel : LightTexelsOf(frame.renderer).texels)
+    {
+      inputs.insert(inputs.end(), glm::value_ptr(texel), glm::value_ptr(texel) + 4);
+    }
+  }
   return inputs;
 }
 

@@ -4,8 +4,6 @@
 
 #include "Core/ShaderRecipe.h"
 
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeProperty.h"
 
@@ -29,39 +27,6 @@ int MostSegmentsOf(const Frame& frame)
   const double steps = std::ceil(frame.geometry.DiagonalMm() / frame.sampleDistanceMm);
   const glm::ivec3 voxels = frame.geometry.dimensions;
   return int(steps) + voxels.x + voxels.y + voxels.z;
-}
-
-struct HeadLight
-{
-  glm::dvec3 diffuse = glm::dvec3(0.0);
-  glm::dvec3 specular = glm::dvec3(0.0);
-};
-
-// All head lights that are on, as one. VTK makes one for a renderer that has none.
-HeadLight HeadLightOf(vtkRenderer* renderer)
-{
-  HeadLight sum;
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator iterator;
-  lights->InitTraversal(iterator);
-  while (vtkLight* light = lights->GetNextLight(iterator))
-  {
-    if (light->GetSwitch() && light->LightTypeIsHeadlight())
-    {
-      const double* diffuse = light->GetDiffuseColor();
-      const double* specular = light->GetSpecularColor();
-      sum.diffuse += light->GetIntensity() * glm::dvec3(diffuse[0], diffuse[1], diffuse[2]);
-      sum.specular += light->GetIntensity() * glm::dvec3(specular[0], specular[1], specular[2]);
-    }
-  }
-  return sum;
-}
-
-// A scalar as a texel that a float can hold: VTK's endless range is about that of floats.
-double LimitedTexel(const TexelMapping& mapping, double scalar)
-{
-  constexpr double most = 1e30;
-  return std::clamp(mapping.TexelOf(scalar), -most, most);
 }
 
 }
@@ -190,23 +155,6 @@ void RayMarcher::SetPreIntegratedUniforms()
   this->program.Set("opticalAbove", glm::dvec4(table.entries.back()));
 }
 
-void RayMarcher::SetShadeUniforms(const Frame& frame, const DrawnBlock& drawn)
-{
-  const std::array<double, 2>& visible = this->opticalTable.VisibleValues();
-  const TexelMapping& mapping = this->blocks.Texels().mapping;
-  this->program.Set("visibleScalars",
-    glm::dvec2(LimitedTexel(mapping, visible[0]), LimitedTexel(mapping, visible[1])));
-
-  const HeadLight light = HeadLightOf(frame.renderer);
-  const glm::dmat3 worldFromGradient = frame.geometry.WorldFromGridNormal();
-  this->program.Set("voxelSizeTexture", 1.0 / glm::dvec3(drawn.voxels.count));
-  this->program.Set("worldFromGradient", worldFromGradient);
-  this->program.Set("ambientLight", glm::dvec3(frame.property->GetAmbient()));
-  this->program.Set("diffuseLight", frame.property->GetDiffuse() * light.diffuse);
-  this->program.Set("specularLight", frame.property->GetSpecular() * light.specular);
-  this->program.Set("specularPower", frame.property->GetSpecularPower());
-}
-
 void RayMarcher::SetBlendUniforms(const Frame& frame)
 {
   if (frame.settings.blend == Blend::Composite)
@@ -228,8 +176,8 @@ void RayMarcher::SetProjectionUniforms(const Frame& frame)
   {
     case Blend::AverageIntensity:
       this->program.Set("averagedScalars",
-        glm::dvec2(LimitedTexel(mapping, frame.averagedRange[0]),
-          LimitedTexel(mapping, frame.averagedRange[1])));
+        glm::dvec2(mapping.LimitedTexelOf(frame.averagedRange[0]),
+          mapping.LimitedTexelOf(frame.averagedRange[1])));
       [[fallthrough]];
     case Blend::Additive:
       this->program.Set("grayPerScalar", largest > smallest ? 1.0 / (largest - smallest) : 0.0);
@@ -255,7 +203,7 @@ void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
   }
   if (frame.settings.shading)
   {
-    this->SetShadeUniforms(frame, drawn);
+    this->SetMaterialUniforms(frame, drawn);
   }
   if (frame.settings.gaps)
   {

@@ -116,6 +116,12 @@ bool UploadSlices(const ScalarGrid<Scalar>& grid, const TexelMapping& mapping)
 
 }
 
+double TexelMapping::LimitedTexelOf(double scalar) const
+{
+  constexpr double most = 1e30;
+  return std::clamp(this->TexelOf(scalar), -most, most);
+}
+
 void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, const char* what)
 {

@@ -23,6 +23,10 @@ struct TexelMapping
   double offset = 0.0;
 
   double TexelOf(double scalar) const { return (scalar - this->offset) / this->scale; }
+
+  /// As a float can hold it, for scalars that may be infinite; VTK's endless range is about that of
+  /// floats.
+  double LimitedTexelOf(double scalar) const;
 };
 
 /// What all textures of a volume have in common, so that pictures of them meet without a seam.

@@ -21,15 +21,14 @@ struct vtkVariationFieldVolumeMapper::Internals
   std::string ReportedError; ///< the one the user has already been told
   std::string ReportedWarning;
 
-  std::string Warnings(
-    vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume) const;
+  std::string Warnings(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const;
 };
 
 // What the last picture lacks of what was asked for; empty when it lacks nothing.
 std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume) const
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const
 {
-  std::string warnings = varimarch::MissingFeatures(mapper, renderer, volume);
+  std::string warnings = varimarch::MissingFeatures(mapper, volume);
   if (!mapper->GetAutoAdjustSampleDistances() &&
     this->Marcher.UsedSampleDistanceMm() > mapper->GetSampleDistance())
   {
@@ -87,7 +86,7 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
     frame->window->MakeCurrent();
     this->Private->Marcher.Draw(*frame);
     vtkOpenGLCheckErrorMacro("OpenGL error after drawing");
-    this->WarnOnce(this->Private->Warnings(this, renderer, volume));
+    this->WarnOnce(this->Private->Warnings(this, volume));
   }
 }
 

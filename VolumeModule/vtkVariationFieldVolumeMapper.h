@@ -25,6 +25,10 @@
  * transparent unless NanOpacity asks for a colour, and without a maximum; beside them there is only
  * ambient light. Other volumes pay nothing for that.
  *
+ * Shading is by all lights that are on, from where they are, and on both sides of surfaces or on
+ * one, as the renderer says; a surface faces to where the values fall. Ambient light is that of the
+ * lights, as in VTK, but where there are head lights only it is white.
+ *
  * The camera's clipping range cuts the volume at both ends.
  *
  * Not for: rectilinear grids, cell data, several components, isosurface and slice blending. They

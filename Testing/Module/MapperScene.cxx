@@ -125,10 +125,33 @@ std::vector<float> MapperScene::Truth(double tolerance)
       light, [&](glm::ivec3 cell) { return GradientsOfCell(grid, cell); },
       geometry.WorldFromGridDirection());
   }
+  return this->DrawReferenceOf(scene, tolerance);
+}
+
+std::vector<float> MapperScene::DrawReferenceOf(const ReferenceScene& scene, double tolerance)
+{
+  const VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
   const ReferenceView view{ ComputePixelRays(ClipFromWorld(this->renderer) * geometry.worldFromGrid,
                               geometry.boxGrid),
     geometry.WorldFromGridDirection(), this->size, this->size };
   return DrawReference(ReferenceIntegrator(scene, tolerance), view)->rgba;
+}
+
+ImageError MapperScene::ErrorOf(const Material& material, double tolerance)
+{
+  const std::vector<float> drawn = this->Draw();
+  ReferenceScene scene{ {}, VolumeGeometryOf(this->image, this->volume).boxGrid,
+    TransferFunction({}, {}, 1.0) };
+  scene.material = material;
+  const std::vector<float> truth = this->DrawReferenceOf(scene, tolerance);
+  return CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+}
+
+std::array<float, 4> MapperScene::MiddlePixel()
+{
+  const std::vector<float> drawn = this->Draw();
+  const std::size_t middle = 4 * (std::size_t(this->size / 2) * this->size + this->size / 2);
+  return { drawn[middle], drawn[middle + 1], drawn[middle + 2], drawn[middle + 3] };
 }
 
 ImageError MapperScene::Error()

@@ -2,6 +2,7 @@
 #define Varimarch_Testing_MapperScene_h
 
 #include "Core/ImageError.h"
+#include "Core/Reference/ReferenceScene.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
@@ -15,6 +16,8 @@
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +41,15 @@ public:
   /// How far Draw is from Truth.
   varimarch::ImageError Error();
 
+  /// What a point looks like on its way to the eye; positions and rays in the grid.
+  using Material = std::function<varimarch::OpticalProperties(glm::dvec3, const varimarch::Ray&)>;
+
+  /// How far Draw is from the composite of a material.
+  varimarch::ImageError ErrorOf(const Material& material, double tolerance = 1e-4);
+
+  /// The middle pixel: premultiplied RGBA.
+  std::array<float, 4> MiddlePixel();
+
   std::vector<std::string> ShaderParts();
 
   vtkSmartPointer<vtkImageData> image;
@@ -48,6 +60,9 @@ public:
   vtkNew<vtkVariationFieldVolumeMapper> mapper;
   vtkNew<vtkColorTransferFunction> colors;
   vtkNew<vtkPiecewiseFunction> opacities;
+
+private:
+  std::vector<float> DrawReferenceOf(const varimarch::ReferenceScene& scene, double tolerance);
 };
 
 /// A torso phantom with noise: int16, anisotropic, 40 x 36 x 24 voxels.

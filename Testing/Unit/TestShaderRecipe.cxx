@@ -37,7 +37,13 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
     (Parts{ "Math/LatticeWalk.glsl", "Step/OpticalField.glsl" }));
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, true, false }),
-    (Parts{ "Shade/BlinnPhong.glsl", "March/ShadedSegments.glsl" }));
+    (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl",
+      "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
+  RenderSettings lit{ Blend::Composite, Acceleration::Off, true, false };
+  lit.lights = true;
+  EXPECT_EQ(changed(lit),
+    (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "Material/OneComponent.glsl",
+      "March/MaterialSegments.glsl" }));
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
   RenderSettings counting = plain;
@@ -103,7 +109,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 65u);
+  EXPECT_EQ(distinct.size(), 66u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

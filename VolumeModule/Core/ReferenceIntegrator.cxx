@@ -15,9 +15,9 @@ ReferenceIntegrator::ReferenceIntegrator(const ReferenceScene& scene, double tol
     throw std::invalid_argument(
       "Reference: the tolerance must be 1e-12 or more, found " + std::to_string(tolerance));
   }
-  if (!scene.cornersOfCell)
+  if (!scene.cornersOfCell && !scene.material)
   {
-    throw std::invalid_argument("Reference: the scene must have voxels, found none");
+    throw std::invalid_argument("Reference: the scene must have voxels or a material, found none");
   }
 }
 

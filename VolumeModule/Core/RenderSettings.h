@@ -53,13 +53,14 @@ struct RenderSettings
 {
   Blend blend = Blend::Composite;
   Acceleration acceleration = Acceleration::OpticalField;
-  bool shading = false;       ///< Blinn-Phong with a head light; composite only
-  bool sceneGeometry = false; ///< stop rays at opaque geometry already drawn
+  bool shading = false;                            ///< Blinn-Phong; composite only
+  bool sceneGeometry = false;                      ///< stop rays at opaque geometry already drawn
   Integration integration = Integration::Midpoint; ///< of a composite without shading
   bool gaps = false;         ///< leave out cells that touch a voxel that is not finite,
   bool fillGaps = false;     ///< or draw them in a colour of their own; composite only
   bool countFetches = false; ///< draw how often each ray has read the volume, not the picture
   RayPass pass = RayPass::Whole;
+  bool lights = false; ///< shading by all lights of the scene, not by a head light alone
 };
 
 }

@@ -56,7 +56,7 @@ std::string MarchFile(const RenderSettings& settings)
   }
   if (settings.shading)
   {
-    return "March/ShadedSegments.glsl";
+    return "March/MaterialSegments.glsl";
   }
   switch (settings.integration)
   {
@@ -115,6 +115,14 @@ std::vector<RenderSettings> RecipesInBlocks()
   return recipes;
 }
 
+std::vector<RenderSettings> RecipesOfMaterials()
+{
+  RenderSettings lit;
+  lit.shading = true;
+  lit.lights = true;
+  return { lit };
+}
+
 bool UsesShading(const RenderSettings& settings)
 {
   return settings.shading && settings.blend == Blend::Composite;
@@ -161,7 +169,10 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
                                    : "Classify/OpticalTable.glsl" });
   if (UsesShading(settings))
   {
-    parts.push_back("Shade/BlinnPhong.glsl");
+    parts.insert(parts.end(),
+      { "Gradient/CentralDifferences.glsl",
+        settings.lights ? "Shade/Lights.glsl" : "Shade/HeadLight.glsl",
+        "Material/OneComponent.glsl" });
   }
   parts.push_back(BlendFile(settings.blend));
   const std::string march = MarchFile(settings);
@@ -190,7 +201,8 @@ std::vector<RenderSettings> EveryRecipe()
 {
   RenderSettings counting;
   counting.countFetches = true;
-  std::vector<RenderSettings> recipes = { counting };
+  std::vector<RenderSettings> recipes = RecipesOfMaterials();
+  recipes.push_back(counting);
   for (const auto& [blend, shading] : { std::pair(Blend::Composite, false),
          std::pair(Blend::Composite, true), std::pair(Blend::MaximumIntensity, false) })
   {

@@ -56,11 +56,25 @@ vec4 Classify(float scalar);
 // Means over a piece of ray along which the scalar goes linearly from one value to another.
 vec4 ClassifyBetween(float startScalar, float endScalar);
 
-// --- Shade: light at a sample; only where there is shading -----------------------------------
-// By central differences, one voxel to either side.
+// --- Gradient: only where light or opacity depend on it -----------------------------------------
+// In texels of the volume per voxel, along the axes of the grid.
 vec3 GradientAt(vec3 positionTexture);
-// Colour of the material lit at a point of the ray, from the gradient there.
-vec3 Shade(vec3 color, vec3 gradient, Ray ray);
+
+// --- Shade: light at a sample; only where there is a material -----------------------------------
+// What is emitted at t by a material of this color. reflectance: coefficients of ambient, diffuse
+// and specular light, and the specular power.
+vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t);
+
+// --- Material: what a point looks like, where more than one scalar tells -------------------------
+// Defines what is read of the volume at a point, struct Values, and, only where it absorbs
+// anything, struct Gradients; both can be taken as linear over a short piece of ray:
+//   Values ValuesAt(vec3 positionTexture);
+//   Gradients GradientsAt(vec3 positionTexture);
+//   Values Between(Values start, Values end, float along);            along in [0,1]
+//   Gradients Between(Gradients start, Gradients end, float along);
+//   bool MayAbsorb(Values start, Values end);                         anything between the two
+//   vec4 Material(Values values, Gradients gradients, Ray ray, float t);
+//                               colour as it is lit, not premultiplied, and extinction [1/mm]
 
 // --- Blend: what the samples of a ray become -----------------------------------------------
 // Defines struct Accumulation, and:

@@ -21,7 +21,7 @@ public:
   ReferenceColor Along(const MeasuredRay& ray) const override;
 
 private:
-  class Sum;
+  class Cells;
 
   ReferenceScene scene;
   double tolerance;

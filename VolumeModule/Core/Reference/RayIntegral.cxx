@@ -4,6 +4,7 @@
 #include "Core/Reference/ExtremeIntegral.h"
 #include "Core/Reference/GrayIntegral.h"
 #include "Core/Reference/IsosurfaceIntegral.h"
+#include "Core/Reference/MaterialIntegral.h"
 
 #include <stdexcept>
 
@@ -15,6 +16,10 @@ std::unique_ptr<const RayIntegral> NewRayIntegral(ReferenceScene scene, double t
   switch (scene.blend)
   {
     case Blend::Composite:
+      if (scene.material)
+      {
+        return std::make_unique<MaterialIntegral>(std::move(scene), tolerance);
+      }
       return std::make_unique<CompositeIntegral>(std::move(scene), tolerance);
     case Blend::MaximumIntensity:
       return std::make_unique<ExtremeIntegral>(std::move(scene), Extreme::Largest);

@@ -54,6 +54,10 @@ struct ReferenceScene
   /// Isosurface: a surface bounds what is at least this value; any order.
   std::vector<double> isovalues = {};
 
+  /// Composite: what a point looks like along a ray, in place of voxels, transfer function and
+  /// light; smooth within halves of cells. None: they tell.
+  std::function<OpticalProperties(glm::dvec3 positionGrid, const Ray& rayGrid)> material = {};
+
   /// Composite: the homogeneous material, not lit, of cells that touch a voxel that is not finite.
   OpticalProperties gap = { glm::dvec3(0.0), 0.0 };
 };

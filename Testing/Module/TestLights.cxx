@@ -1,0 +1,288 @@
+// Lights other than a head light: closed forms where surfaces face the eye, and the reference with
+// lights of its own where they do not.
+
+#include "Module/MapperScene.h"
+#include "VolumeGeometry.h"
+
+#include <vtkDataArray.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkPointData.h>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr double Tolerance = 0.5 / 255.0;
+constexpr double Red = 0.8;
+
+// A block whose values fall towards the eye, nearly opaque: its front at z = 8 fills the picture.
+// Ambient, diffuse and specular light 0.1, 0.6 and 0.3, power 8.
+class FacingBlock
+{
+public:
+  FacingBlock()
+    : scene(Values(), 17)
+  {
+    this->scene.colors->RemoveAllPoints();
+    this->scene.colors->AddRGBPoint(0.0, Red, 0.4, 0.2);
+    this->scene.opacities->RemoveAllPoints();
+    this->scene.opacities->AddPoint(0.0, 0.9999);
+    vtkVolumeProperty* property = this->scene.volume->GetProperty();
+    property->ShadeOn();
+    property->SetAmbient(0.1);
+    property->SetDiffuse(0.6);
+    property->SetSpecular(0.3);
+    property->SetSpecularPower(8.0);
+    property->SetScalarOpacityUnitDistance(0.05);
+    vtkCamera* camera = this->scene.renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.5);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetFocalPoint(4.0, 4.0, 0.0);
+    camera->SetPosition(4.0, 4.0, 30.0);
+    camera->SetClippingRange(1.0, 100.0);
+    this->scene.renderer->AutomaticLightCreationOff();
+    this->scene.renderer->RemoveAllLights();
+  }
+
+  vtkLight* AddLight(glm::dvec3 position, glm::dvec3 focus)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(position.x, position.y, position.z);
+    light->SetFocalPoint(focus.x, focus.y, focus.z);
+    this->scene.renderer->AddLight(light);
+    return light;
+  }
+
+  double DrawnRed() { return this->scene.MiddlePixel()[0]; }
+
+  MapperScene scene;
+
+private:
+  static vtkSmartPointer<vtkImageData> Values()
+  {
+    const auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(9, 9, 9);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    for (int i = 0; i < 9 * 9 * 9; ++i)
+    {
+      static_cast<unsigned char*>(image->GetScalarPointer())[i] = (unsigned char)(8 - i / 81);
+    }
+    return image;
+  }
+};
+
+const glm::dvec3 front(4.0, 4.0, 8.0);
+
+}
+
+TEST(Lights, DirectionalLightFallsWithTheCosine)
+{
+  FacingBlock block;
+  const double cosine = 0.5;
+  const glm::dvec3 toLight(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+  block.AddLight(front + 10.0 * toLight, front);
+  const double shining = std::cos(0.5 * std::acos(cosine));
+  EXPECT_NEAR(block.DrawnRed(), 0.6 * cosine * Red + 0.3 * std::pow(shining, 8.0), Tolerance);
+}
+
+TEST(Lights, AmbientLightIsThatOfTheLightsUnlessTheyAreHeadLights)
+{
+  FacingBlock block;
+  vtkLight* light = block.AddLight(front + glm::dvec3(0.0, 0.0, 10.0), front);
+  light->SetDiffuseColor(0.0, 0.0, 0.0);
+  light->SetSpecularColor(0.0, 0.0, 0.0);
+  EXPECT_NEAR(block.DrawnRed(), 0.0, Tolerance);
+  light->SetAmbientColor(0.5, 0.0, 0.0);
+  light->SetIntensity(0.5);
+  EXPECT_NEAR(block.DrawnRed(), 0.1 * 0.25 * Red, Tolerance);
+  light->SetLightTypeToHeadlight();
+  EXPECT_NEAR(block.DrawnRed(), 0.1 * Red, Tolerance);
+}
+
+TEST(Lights, AddUpHoweverManyThereAre)
+{
+  FacingBlock block;
+  for (int i = 0; i < 12; ++i)
+  {
+    vtkLight* light = block.AddLight(front + glm::dvec3(0.0, 0.0, 10.0), front);
+    light->SetIntensity(0.05);
+  }
+  EXPECT_NEAR(block.DrawnRed(), 12 * 0.05 * (0.6 * Red + 0.3), Tolerance);
+}
+
+TEST(Lights, PositionalLightIsAttenuatedWithItsDistance)
+{
+  FacingBlock block;
+  vtkLight* light = block.AddLight(front + glm::dvec3(0.0, 0.0, 4.0), front);
+  light->PositionalOn();
+  light->SetConeAngle(180.0);
+  light->SetAttenuationValues(0.5, 0.25, 0.125);
+  EXPECT_NEAR(block.DrawnRed(), (0.6 * Red + 0.3) / (0.5 + 0.25 * 4.0 + 0.125 * 16.0), Tolerance);
+}
+
+TEST(Lights, SpotLightFallsTowardsItsConeAndIsDarkBeyond)
+{
+  FacingBlock block;
+  // It stands above the middle of the picture, and points 20 degrees beside it.
+  const double beside = 5.0 * std::tan(glm::radians(20.0));
+  vtkLight* light =
+    block.AddLight(front + glm::dvec3(0.0, 0.0, 5.0), front + glm::dvec3(beside, 0.0, 0.0));
+  light->PositionalOn();
+  light->SetConeAngle(30.0);
+  light->SetExponent(3.0);
+  EXPECT_NEAR(
+    block.DrawnRed(), std::pow(std::cos(glm::radians(20.0)), 3.0) * (0.6 * Red + 0.3), Tolerance);
+  light->SetConeAngle(15.0);
+  EXPECT_NEAR(block.DrawnRed(), 0.0, Tolerance);
+}
+
+TEST(Lights, TheBackOfASurfaceIsLitOnlyWhereBothSidesAre)
+{
+  FacingBlock block;
+  block.AddLight(front - glm::dvec3(0.0, 0.0, 10.0), front);
+  EXPECT_NEAR(block.DrawnRed(), 0.6 * Red, 0.005) << "no light is reflected to the eye";
+  block.scene.renderer->TwoSidedLightingOff();
+  EXPECT_NEAR(block.DrawnRed(), 0.0, Tolerance);
+  // A head light still lights the front, and leaves ambient light on a back.
+  FacingBlock facing;
+  facing.scene.renderer->TwoSidedLightingOff();
+  facing.AddLight(front, front)->SetLightTypeToHeadlight();
+  EXPECT_NEAR(facing.DrawnRed(), 0.7 * Red + 0.3, Tolerance);
+  facing.scene.renderer->GetActiveCamera()->SetPosition(4.0, 4.0, -22.0);
+  EXPECT_NEAR(facing.DrawnRed(), 0.1 * Red, Tolerance);
+}
+
+TEST(Lights, CameraLightsGoWithTheCamera)
+{
+  FacingBlock block;
+  vtkLight* light = block.AddLight({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 });
+  light->SetLightTypeToCameraLight();
+  const double before = block.DrawnRed();
+  EXPECT_NEAR(before, 0.6 * Red + 0.3, Tolerance);
+  block.scene.renderer->GetActiveCamera()->SetPosition(4.0, 4.0, -22.0);
+  EXPECT_NEAR(block.DrawnRed(), before, Tolerance);
+}
+
+namespace
+{
+
+glm::dvec3 Vector(const double* values)
+{
+  return { values[0], values[1], values[2] };
+}
+
+// The lights of a renderer in double precision, as the shader should have them.
+glm::dvec3 Lit(MapperScene& scene, glm::dvec3 color, glm::dvec3 normal, glm::dvec3 positionWorld,
+  glm::dvec3 toEye)
+{
+  vtkVolumeProperty* property = scene.volume->GetProperty();
+  glm::dvec3 sum(0.0);
+  vtkCollectionSimpleIterator iterator;
+  scene.renderer->GetLights()->InitTraversal(iterator);
+  while (vtkLight* light = scene.renderer->GetLights()->GetNextLight(iterator))
+  {
+    const glm::dvec3 position = Vector(light->GetTransformedPosition());
+    const glm::dvec3 focus = Vector(light->GetTransformedFocalPoint());
+    const glm::dvec3 away = light->GetPositional() ? positionWorld - position : focus - position;
+    const glm::dvec3 toLight = -glm::normalize(away);
+    const double inCone = glm::dot(-toLight, glm::normalize(focus - position));
+    const bool lit = !light->GetPositional() || light->GetConeAngle() >= 90.0 ||
+      inCone >= std::cos(glm::radians(light->GetConeAngle()));
+    const double shining = std::abs(glm::dot(normal, glm::normalize(toLight + toEye)));
+    sum += lit ? property->GetDiffuse() * std::abs(glm::dot(normal, toLight)) * color *
+          Vector(light->GetDiffuseColor()) +
+        property->GetSpecular() * std::pow(shining, property->GetSpecularPower()) *
+          Vector(light->GetSpecularColor())
+               : glm::dvec3(0.0);
+  }
+  return sum;
+}
+
+}
+
+TEST(Lights, OnStretchedShearedAndTurnedVolumesAreThoseOfTheReference)
+{
+  const vtkSmartPointer<vtkImageData> torso = SmallTorso();
+  MapperScene scene(torso, 48);
+  scene.volume->SetScale(1.4, 0.7, 1.0);
+  scene.volume->RotateWXYZ(35.0, 0.3, 1.0, 0.2);
+  scene.volume->GetProperty()->ShadeOn();
+  scene.volume->GetProperty()->SetSpecularPower(5.0);
+  scene.renderer->ResetCamera();
+  scene.renderer->AutomaticLightCreationOff();
+  scene.renderer->RemoveAllLights();
+  vtkNew<vtkLight> sun;
+  sun->SetPosition(1.0, -0.5, 2.0);
+  sun->SetDiffuseColor(1.0, 0.5, 0.2);
+  scene.renderer->AddLight(sun);
+  vtkNew<vtkLight> lamp;
+  lamp->SetPosition(-60.0, -250.0, 30.0);
+  lamp->PositionalOn();
+  lamp->SetConeAngle(180.0);
+  lamp->SetSpecularColor(0.2, 0.5, 1.0);
+  scene.renderer->AddLight(lamp);
+
+  const VolumeGeometry geometry = VolumeGeometryOf(torso, scene.volume);
+  const auto* voxels = static_cast<const short*>(torso->GetScalarPointer());
+  const ScalarGrid<short> grid(voxels, geometry.dimensions);
+  const TransferFunction transferFunction(
+    { { -200.0, { 0.8, 0.5, 0.4 } }, { 150.0, { 0.9, 0.3, 0.2 } }, { 400.0, { 1.0, 0.95, 0.85 } } },
+    { { -200.0, 0.0 }, { 0.0, 0.01 }, { 150.0, 0.01 }, { 400.0, 0.2 } }, 1.0);
+  const auto material = [&](glm::dvec3 positionGrid, const Ray& rayGrid) -> OpticalProperties
+  {
+    const double value = grid.Value(positionGrid);
+    const glm::dvec3 normal =
+      glm::normalize(geometry.WorldFromGridNormal() * grid.Gradient(positionGrid));
+    const glm::dvec3 toEye = -glm::normalize(geometry.WorldFromGridDirection() * rayGrid.direction);
+    return { Lit(scene, transferFunction.Color(value), normal,
+               glm::dvec3(geometry.worldFromGrid * glm::dvec4(positionGrid, 1.0)), toEye),
+      transferFunction.Extinction(value) };
+  };
+  const ImageError error = scene.ErrorOf(material);
+  EXPECT_LT(error.rootMeanSquare, 0.5);
+  EXPECT_LT(error.largest, 10.0);
+}
+
+TEST(Lights, TakeTheirShaderOnlyWhereTheyAre)
+{
+  MapperScene scene(SmallTorso(), 16);
+  scene.volume->GetProperty()->ShadeOn();
+  scene.Draw();
+  EXPECT_EQ(scene.ShaderParts().at(8), "Shade/HeadLight.glsl");
+  const vtkIdType bytes = scene.mapper->GetGraphicsMemoryBytes();
+  vtkNew<vtkLight> sun;
+  scene.renderer->AddLight(sun);
+  scene.Draw();
+  EXPECT_EQ(scene.ShaderParts().at(8), "Shade/Lights.glsl");
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes + 2 * 5 * 16);
+  scene.volume->GetProperty()->ShadeOff();
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes);
+}
+
+TEST(TransferFunctions, OfOneChannelAreGray)
+{
+  MapperScene scene(SmallTorso(), 32);
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(-200.0, 0.1, 0.1, 0.1);
+  scene.colors->AddRGBPoint(400.0, 0.9, 0.9, 0.9);
+  const std::vector<float> expected = scene.Draw();
+  vtkNew<vtkPiecewiseFunction> gray;
+  gray->AddPoint(-200.0, 0.1);
+  gray->AddPoint(400.0, 0.9);
+  scene.volume->GetProperty()->SetColor(gray);
+  EXPECT_LT(CompareImages(scene.Draw().data(), expected.data(), 32 * 32).largest, 1e-3);
+  gray->AddPoint(400.0, 0.5);
+  EXPECT_GT(CompareImages(scene.Draw().data(), expected.data(), 32 * 32).largest, 10.0);
+}
