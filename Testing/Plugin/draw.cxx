@@ -1,0 +1,114 @@
+// A program of somebody who knows VTK and nothing of this tree: draws a wavelet by one of the
+// mappers that leave the choice to VTK's factory, and says which class that came to be.
+//
+// Usage: draw gpu|smart|blocks PICTURE.ppm
+
+#include <vtkColorTransferFunction.h>
+#include <vtkExtractVOI.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkMultiBlockVolumeMapper.h>
+#include <vtkNew.h>
+#include <vtkPNMWriter.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkRTAnalyticSource.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkSmartVolumeMapper.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <iostream>
+#include <string>
+
+namespace
+{
+
+vtkSmartPointer<vtkVolumeMapper> GpuMapper(vtkRTAnalyticSource* wavelet)
+{
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  mapper->SetInputConnection(wavelet->GetOutputPort());
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(0.05F);
+  std::cout << mapper->GetClassName() << '\n';
+  return mapper;
+}
+
+vtkSmartPointer<vtkVolumeMapper> SmartMapper(vtkRTAnalyticSource* wavelet)
+{
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  mapper->SetInputConnection(wavelet->GetOutputPort());
+  return mapper;
+}
+
+vtkSmartPointer<vtkVolumeMapper> BlocksMapper(vtkRTAnalyticSource* wavelet)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (int block = 0; block < 2; ++block)
+  {
+    vtkNew<vtkExtractVOI> half;
+    half->SetInputConnection(wavelet->GetOutputPort());
+    half->SetVOI(block == 0 ? -16 : 0, block == 0 ? 0 : 16, -16, 16, -16, 16);
+    half->Update();
+    blocks->SetBlock(block, half->GetOutput());
+  }
+  vtkNew<vtkMultiBlockVolumeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  return mapper;
+}
+
+vtkSmartPointer<vtkVolumeMapper> Mapper(const std::string& kind, vtkRTAnalyticSource* wavelet)
+{
+  if (kind == "blocks")
+  {
+    return BlocksMapper(wavelet);
+  }
+  return kind == "smart" ? SmartMapper(wavelet) : GpuMapper(wavelet);
+}
+
+void SetLook(vtkVolumeProperty* property)
+{
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(30.0, 0.1, 0.2, 0.9);
+  color->AddRGBPoint(280.0, 1.0, 0.7, 0.3);
+  property->SetColor(color);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(100.0, 0.0);
+  opacity->AddPoint(280.0, 0.3);
+  property->SetScalarOpacity(opacity);
+  property->SetInterpolationTypeToLinear();
+}
+
+}
+
+int main(int argumentCount, char** arguments)
+{
+  if (argumentCount != 3)
+  {
+    return 2;
+  }
+  vtkNew<vtkRTAnalyticSource> wavelet;
+  wavelet->SetWholeExtent(-16, 16, -16, 16, -16, 16);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(Mapper(arguments[1], wavelet));
+  SetLook(volume->GetProperty());
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddVolume(volume);
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(96, 96);
+  window->AddRenderer(renderer);
+  window->Render();
+
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  vtkNew<vtkPNMWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(arguments[2]);
+  writer->Write();
+  return 0;
+}

@@ -1,0 +1,203 @@
+#include "vtkVariationFieldGPUVolumeRayCastMapper.h"
+
+#include "FrameOfMapper.h"
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCommand.h"
+#include "vtkContourValues.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMultiVolume.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkUniforms.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <cstdlib>
+#include <iostream>
+
+namespace
+{
+
+// Something that VTK's mapper draws otherwise, and the sentence that says so.
+struct Setting
+{
+  bool isUsed;
+  const char* sentence;
+};
+
+bool HasBlanking(vtkDataSet* input)
+{
+  auto* image = vtkImageData::SafeDownCast(input);
+  return image && (image->HasAnyBlankPoints() || image->HasAnyBlankCells());
+}
+
+bool HasOwnShader(vtkVolume* volume)
+{
+  vtkShaderProperty* shader = volume->GetShaderProperty();
+  return shader->HasVertexShaderCode() || shader->HasFragmentShaderCode() ||
+    shader->HasGeometryShaderCode() || shader->GetNumberOfShaderReplacements() > 0 ||
+    shader->GetFragmentCustomUniforms()->GetNumberOfUniforms() > 0;
+}
+
+// A pass that takes the volume apart, such as depth peeling, writes into the mapper's shader.
+bool IsDrawnByRenderPass(vtkVolume* volume)
+{
+  vtkInformation* keys = volume->GetPropertyKeys();
+  return keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
+}
+
+}
+
+vtkStandardNewMacro(vtkVariationFieldGPUVolumeRayCastMapper);
+
+vtkVariationFieldGPUVolumeRayCastMapper::vtkVariationFieldGPUVolumeRayCastMapper() = default;
+
+vtkVariationFieldGPUVolumeRayCastMapper::~vtkVariationFieldGPUVolumeRayCastMapper() = default;
+
+vtkVariationFieldVolumeMapper* vtkVariationFieldGPUVolumeRayCastMapper::GetVariationFieldMapper()
+{
+  return this->VariationFieldMapper;
+}
+
+const char* vtkVariationFieldGPUVolumeRayCastMapper::GetReasonForVtkMapper()
+{
+  return this->ReasonForVtkMapper.c_str();
+}
+
+void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
+{
+  vtkVariationFieldVolumeMapper* mapper = this->VariationFieldMapper;
+  const bool hasInput = this->GetNumberOfInputConnections(0) > 0;
+  mapper->SetInputConnection(hasInput ? this->GetInputConnection(0, 0) : nullptr);
+  mapper->SetScalarMode(this->ScalarMode);
+  mapper->SelectScalarArray(this->ArrayId);
+  mapper->SelectScalarArray(this->ArrayName);
+  mapper->SetArrayAccessMode(this->ArrayAccessMode);
+  mapper->SetBlendMode(this->BlendMode);
+  mapper->SetAverageIPScalarRange(this->AverageIPScalarRange);
+  mapper->SetCropping(this->Cropping);
+  mapper->SetCroppingRegionPlanes(this->CroppingRegionPlanes);
+  mapper->SetCroppingRegionFlags(this->CroppingRegionFlags);
+  mapper->SetClippingPlanes(this->ClippingPlanes);
+  mapper->SetSampleDistance(this->SampleDistance);
+  // VTK's mapper, too, ignores its sample distance when that is locked to the spacing.
+  mapper->SetAutoAdjustSampleDistances(
+    this->AutoAdjustSampleDistances || this->LockSampleDistanceToInputSpacing);
+}
+
+// What vtkVariationFieldVolumeMapper has no setting for: here, until it has.
+std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting(
+  vtkRenderer* renderer, vtkVolume* volume)
+{
+  const bool isDistanceGiven = !this->VariationFieldMapper->GetAutoAdjustSampleDistances();
+  const Setting settings[] = {
+    { vtkMultiVolume::SafeDownCast(volume) != nullptr, "A vtkMultiVolume is not supported yet. " },
+    { renderer->GetSelector() != nullptr, "Selection by hardware is not supported yet. " },
+    { IsDrawnByRenderPass(volume), "Render passes such as depth peeling are not supported yet. " },
+    { HasOwnShader(volume), "Changes of the shader's text are not supported yet. " },
+    { volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION,
+      "Interpolation by the nearest voxel is not supported yet. " },
+    { HasBlanking(this->GetInput()), "Blanked points and cells are not supported yet. " },
+    { this->MaskInput != nullptr, "Masks are not supported yet. " },
+    { this->UseJittering && isDistanceGiven,
+      "Jittering with a sample distance of one's own is not supported yet. " },
+    { !this->AutoAdjustSampleDistances && this->ImageSampleDistance != 1.0F,
+      "An image sample distance is not supported yet. " },
+    { this->FinalColorWindow != 1.0F || this->FinalColorLevel != 0.5F,
+      "Window and level of the picture are not supported yet. " },
+    { this->RenderToImage != 0, "Rendering to an image is not supported yet. " },
+    { this->UseDepthPass != 0, "A depth pass is not supported yet. " },
+    { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR,
+      "Transfer functions of a range of their own are not supported yet. " },
+  };
+  std::string sentences;
+  for (const Setting& setting : settings)
+  {
+    sentences += setting.isUsed ? setting.sentence : "";
+  }
+  return sentences;
+}
+
+void vtkVariationFieldGPUVolumeRayCastMapper::ChooseMapper(vtkRenderer* renderer, vtkVolume* volume)
+{
+  const bool wasVtk = !this->ReasonForVtkMapper.empty();
+  this->ForwardSettings();
+  this->ReasonForVtkMapper = this->UnsupportedSetting(renderer, volume) +
+    varimarch::UnsupportedFeature(this->VariationFieldMapper, renderer, volume);
+  const bool isVtk = !this->ReasonForVtkMapper.empty();
+
+  // One copy of the volume in graphics memory is enough. VTK's may have been loaded beforehand.
+  vtkWindow* window = renderer->GetRenderWindow();
+  if (isVtk && !wasVtk)
+  {
+    this->VariationFieldMapper->ReleaseGraphicsResources(window);
+  }
+  else if (!isVtk)
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
+
+  const std::string told = isVtk ? "VTK's mapper draws. " + this->ReasonForVtkMapper
+                                 : "The variation field mapper draws. ";
+  if (this->ToldUser != told)
+  {
+    this->ToldUser = told;
+    vtkDebugMacro(<< told);
+    if (std::getenv("VARIMARCH_VERBOSE"))
+    {
+      std::cerr << "Varimarch: " << told << '\n';
+    }
+  }
+}
+
+void vtkVariationFieldGPUVolumeRayCastMapper::Draw(vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+  this->VariationFieldMapper->Render(renderer, volume);
+  this->TimeToDraw = this->VariationFieldMapper->GetTimeToDraw();
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+}
+
+void vtkVariationFieldGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm(0, 0)->Update();
+  }
+  this->ChooseMapper(renderer, volume);
+  if (this->ReasonForVtkMapper.empty())
+  {
+    this->Draw(renderer, volume);
+  }
+  else
+  {
+    this->Superclass::Render(renderer, volume);
+  }
+}
+
+void vtkVariationFieldGPUVolumeRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->VariationFieldMapper->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkVariationFieldGPUVolumeRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ReasonForVtkMapper: " << this->ReasonForVtkMapper << "\n";
+  os << indent << "VariationFieldMapper:\n";
+  this->VariationFieldMapper->PrintSelf(os, indent.GetNextIndent());
+}
+
+// For VolumeModule/Plugin/Factory.cxx, which loads this library by name and cannot link to it.
+extern "C" VARIMARCHVOLUME_EXPORT vtkObject* VarimarchNewGPUVolumeRayCastMapper()
+{
+  return vtkVariationFieldGPUVolumeRayCastMapper::New();
+}
