@@ -1,5 +1,6 @@
 #include "FrameOfMapper.h"
 
+#include "Core/ShaderRecipe.h"
 #include "Core/TransferFunction.h"
 #include "Lights.h"
 #include "vtkVariationFieldVolumeMapper.h"
@@ -98,7 +99,7 @@ double AutomaticSamplesPerVoxel(const RenderSettings& settings)
   {
     return 2.0;
   }
-  return settings.shading ? 8.0 : 4.0;
+  return MarchesMaterial(settings) ? 8.0 : 4.0;
 }
 
 // A homogeneous material as a transfer function of one node would have it.
@@ -144,7 +145,7 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
   frame.chooseIntegration =
     mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
-    frame.settings.blend == Blend::Composite && !frame.settings.shading;
+    frame.settings.blend == Blend::Composite && !MarchesMaterial(frame.settings);
   frame.variationTolerance = mapper->GetVariationTolerance();
   frame.errorTolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
   const bool tolerance = frame.errorTolerance > 0.0;
@@ -187,6 +188,8 @@ RenderSettings SettingsOf(
   settings.blend = BlendOf(mapper->GetBlendMode());
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings.blend);
   settings.shading = property->GetShade() != 0 && settings.blend == Blend::Composite;
+  settings.gradientOpacity = settings.blend == Blend::Composite && property->HasGradientOpacity() &&
+    !property->GetDisableGradientOpacity();
   settings.lights = settings.shading && !HasHeadLightOnly(renderer);
   settings.countFetches = mapper->GetDrawFetchCounts();
   settings.sceneGeometry = HasOpaqueGeometry(renderer);
@@ -243,10 +246,6 @@ std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* vo
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {
     missing += "Transfer functions of two values are not supported yet. ";
-  }
-  else if (property->HasGradientOpacity() && !property->GetDisableGradientOpacity())
-  {
-    missing += "Gradient opacity is not supported yet. ";
   }
   return missing;
 }

@@ -93,6 +93,11 @@ TransferFunction TransferFunctionOf(vtkVolumeProperty* property)
     property->GetScalarOpacityUnitDistance());
 }
 
+TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function)
+{
+  return TransferFunction({}, NodesOf(function), 1.0);
+}
+
 unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property)
 {
   const unsigned long colorTime = property->GetColorChannels() == 1

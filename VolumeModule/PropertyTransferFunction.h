@@ -3,6 +3,7 @@
 
 #include "Core/TransferFunction.h"
 
+class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
 namespace varimarch
@@ -12,6 +13,9 @@ namespace varimarch
 /// VTK's nodes with midpoint and sharpness, its gray or colour channel, and clamping off as a step
 /// to nothing. A colour function in another space than linear RGB is sampled finely between nodes.
 TransferFunction TransferFunctionOf(vtkVolumeProperty* property);
+
+/// A curve of opacities, as VTK has it; without colours.
+TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function);
 
 /// When one of those curves changed last.
 unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property);

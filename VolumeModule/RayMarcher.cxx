@@ -23,6 +23,7 @@ void RayMarcher::Draw(Frame frame)
   this->EnterWindow(frame.window);
   this->UpdateVolume(frame);
   this->UpdateOpticalTable(frame);
+  this->UpdateGradientOpacity(frame);
   this->UpdateField(frame);
   this->UpdateDepth(frame);
   this->UpdateLights(frame);
@@ -146,7 +147,7 @@ void RayMarcher::UpdateScalarField(const Frame& frame)
 void RayMarcher::UpdateOpticalField(const Frame& frame)
 {
   const double longestRayMm = frame.geometry.DiagonalMm();
-  const OpticalTolerance tolerance = frame.settings.shading
+  const OpticalTolerance tolerance = MarchesMaterial(frame.settings)
     ? OpticalTolerance::Nothing(longestRayMm)
     : OpticalTolerance::ForError(frame.fieldError, longestRayMm);
   const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
@@ -218,7 +219,7 @@ std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
   return this->blocks.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
     this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
-    this->probe.Bytes() + this->accumulation.Bytes();
+    this->gradientOpacity.Bytes() + this->probe.Bytes() + this->accumulation.Bytes();
 }
 
 double RayMarcher::FieldBuildSeconds() const
@@ -237,6 +238,8 @@ void RayMarcher::Release(vtkWindow* window)
   this->preIntegratedTable.Release(window);
   this->depth.Release(window);
   this->lights.Release(window);
+  this->gradientOpacity.Release(window);
+  this->gradientOpacitySource.clear();
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource = nullptr;

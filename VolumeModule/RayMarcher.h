@@ -108,6 +108,7 @@ private:
   void UpdateRanges(const Frame& frame);
   void UpdateDepth(const Frame& frame);
   void UpdateLights(const Frame& frame);
+  void UpdateGradientOpacity(const Frame& frame);
   void UpdateBlocks(Frame& frame);
   void UpdateTolerance(const Frame& frame);
   void UpdateProgram(const Frame& frame);
@@ -135,6 +136,7 @@ private:
   void SetPreIntegratedUniforms();
   void SetMaterialUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetLightUniforms(const Frame& frame);
+  void SetGradientOpacityUniforms(const Frame& frame);
   void SetBlendUniforms(const Frame& frame);
   void SetProjectionUniforms(const Frame& frame);
   void SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn);
@@ -147,6 +149,7 @@ private:
   OpticalTableTexture opticalTable;
   PreIntegratedTableTexture preIntegratedTable;
   SceneDepthTexture depth;
+  FloatBufferTexture gradientOpacity;
   FloatBufferTexture lights; ///< only where there are others than head lights
   VolumeBoxGeometry boxGeometry;
   ProbeFramebuffer probe;
@@ -165,9 +168,10 @@ private:
   vtkVolumeProperty* tableSource = nullptr;
   vtkMTimeType tableTime = 0;
   double tableUnitDistanceMm = 0.0;
-  int preIntegratedOfTable = 0;           ///< the optical table's build that it was made from
-  std::optional<FieldSource> fieldSource; ///< none: there is no field
-  int rangesOfVolume = 0;                 ///< the volume's build that the field's ranges belong to
+  std::vector<double> gradientOpacitySource; ///< empty: there is none
+  int preIntegratedOfTable = 0;              ///< the optical table's build that it was made from
+  std::optional<FieldSource> fieldSource;    ///< none: there is no field
+  int rangesOfVolume = 0;  ///< the volume's build that the field's ranges belong to
   int visibleOfField = -1; ///< the field's build that the visible boxes belong to; 0: to none
 };
 

@@ -95,7 +95,7 @@ std::size_t RayMarcher::FixedBytes(const Frame& frame) const
   const Viewport probed = ProbeFramebuffer::PixelsFor(frame.viewport);
   const std::size_t probeBytes = 4 * sizeof(float) * probed.width * probed.height;
   return this->field.Bytes() + this->opticalTable.Bytes() + this->depth.Bytes() +
-    this->lights.Bytes() +
+    this->lights.Bytes() + this->gradientOpacity.Bytes() +
     (mayPreIntegrate ? PreIntegratedTableBytes(this->opticalTable.Table()) : 0) +
     (frame.errorTolerance > 0.0 ? probeBytes : 0);
 }

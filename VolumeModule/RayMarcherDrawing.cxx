@@ -72,7 +72,7 @@ void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
   }
   std::vector<vtkTextureObject*> textures = { this->field.Texture(), this->opticalTable.Texture(),
     this->preIntegratedTable.Texture(), this->depth.Texture(), this->lights.Texture(),
-    this->accumulation.Drawn(), this->accumulation.Finished() };
+    this->gradientOpacity.Texture(), this->accumulation.Drawn(), this->accumulation.Finished() };
   if (drawn.block)
   {
     textures.insert(textures.end(),

@@ -76,7 +76,8 @@ std::vector<double> RuleInputsOf(const Frame& frame, const BuildCounts& builds)
 {
   return { double(builds.volumeTexture), double(builds.opticalTable),
     double(frame.chooseIntegration), double(frame.settings.integration),
-    double(frame.settings.blend), double(frame.settings.shading), frame.errorTolerance,
+    double(frame.settings.blend), double(frame.settings.shading),
+    double(frame.settings.gradientOpacity), frame.errorTolerance,
     frame.geometry.SmallestSpacingMm() };
 }
 
@@ -177,6 +178,7 @@ double RayMarcher::MissedOfLimit(
 {
   const double range = this->blocks.Texels().largestScalar - this->blocks.Texels().smallestScalar;
   if (frame.settings.blend != Blend::Composite || !frame.triesPreIntegration ||
+    frame.settings.gradientOpacity ||
     (choice.integration == Integration::PreIntegrated && !frame.settings.shading) ||
     TransferFunctionOf(frame.property).SmallestNodeGap() >= NarrowPeak * range)
   {

@@ -201,7 +201,7 @@ void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
   {
     this->SetClassifyUniforms();
   }
-  if (frame.settings.shading)
+  if (MarchesMaterial(frame.settings))
   {
     this->SetMaterialUniforms(frame, drawn);
   }

@@ -22,6 +22,10 @@ struct VolumeGeometry
   glm::dmat4
     worldFromGrid; ///< extent, origin, spacing and direction of the image, then the volume's
 
+  /// Mean spacing of the image over twice the spacing along each axis: what makes differences of
+  /// voxels two apart the gradients that VTK's gradient opacity is a function of.
+  glm::dvec3 gradientFactors;
+
   glm::dmat3 WorldFromGridDirection() const { return glm::dmat3(this->worldFromGrid); }
 
   /// Takes gradients, differences per voxel, to normals in the world.

@@ -15,6 +15,7 @@ using namespace glm;
 #include "Shaders/Math/Absorption.glsl"
 #include "Shaders/Math/IntersectBox.glsl"
 #include "Shaders/Math/LatticeWalk.glsl"
+#include "Shaders/Math/WithOpacityFactor.glsl"
 }
 
 TEST(Absorption, KeepsItsDigitsFromTinyToHugeDepths)
@@ -26,6 +27,25 @@ TEST(Absorption, KeepsItsDigitsFromTinyToHugeDepths)
   }
   EXPECT_EQ(glsl::Absorption(0.0f), 0.0f);
   EXPECT_EQ(glsl::Absorption(100.0f), 1.0f);
+}
+
+TEST(WithOpacityFactor, MultipliesTheOpacityOfAUnitDistance)
+{
+  for (const double unit : { 0.1, 1.0, 30.0 })
+  {
+    for (double depth = 1e-12; depth < 40.0; depth *= 1.7)
+    {
+      for (const double factor : { 0.0, 1e-6, 0.02, 0.3, 0.9, 1.0 })
+      {
+        const double extinction = float(depth / unit);
+        const double expected =
+          -std::log1p(factor * std::expm1(-extinction * float(unit))) / float(unit);
+        const double found = glsl::WithOpacityFactor(float(extinction), float(unit), float(factor));
+        EXPECT_NEAR(found, expected, 3e-6 * expected) << depth << " " << unit << " " << factor;
+      }
+    }
+  }
+  EXPECT_EQ(glsl::WithOpacityFactor(1e30f, 1.0f, 1.0f), 1e30f) << "opaque stays opaque";
 }
 
 namespace

@@ -37,13 +37,18 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
     (Parts{ "Math/LatticeWalk.glsl", "Step/OpticalField.glsl" }));
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, true, false }),
-    (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl",
+    (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
       "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
   RenderSettings lit{ Blend::Composite, Acceleration::Off, true, false };
   lit.lights = true;
   EXPECT_EQ(changed(lit),
-    (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "Material/OneComponent.glsl",
-      "March/MaterialSegments.glsl" }));
+    (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "GradientOpacity/None.glsl",
+      "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
+  RenderSettings gradient = plain;
+  gradient.gradientOpacity = true;
+  EXPECT_EQ(changed(gradient),
+    (Parts{ "Math/WithOpacityFactor.glsl", "Gradient/CentralDifferences.glsl", "Shade/None.glsl",
+      "GradientOpacity/Table.glsl", "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
   EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
   RenderSettings counting = plain;
@@ -109,7 +114,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 66u);
+  EXPECT_EQ(distinct.size(), 68u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -60,7 +60,8 @@ struct RenderSettings
   bool fillGaps = false;     ///< or draw them in a colour of their own; composite only
   bool countFetches = false; ///< draw how often each ray has read the volume, not the picture
   RayPass pass = RayPass::Whole;
-  bool lights = false; ///< shading by all lights of the scene, not by a head light alone
+  bool lights = false;          ///< shading by all lights of the scene, not by a head light alone
+  bool gradientOpacity = false; ///< opacity depends on the gradient; composite only
 };
 
 }

@@ -54,7 +54,7 @@ std::string MarchFile(const RenderSettings& settings)
   {
     return IsExtreme(settings.blend) ? "March/Extreme.glsl" : "March/Projection.glsl";
   }
-  if (settings.shading)
+  if (MarchesMaterial(settings))
   {
     return "March/MaterialSegments.glsl";
   }
@@ -120,12 +120,21 @@ std::vector<RenderSettings> RecipesOfMaterials()
   RenderSettings lit;
   lit.shading = true;
   lit.lights = true;
-  return { lit };
+  RenderSettings gradient;
+  gradient.gradientOpacity = true;
+  RenderSettings litGradient = gradient;
+  litGradient.shading = true;
+  return { lit, gradient, litGradient };
 }
 
-bool UsesShading(const RenderSettings& settings)
+std::vector<std::string> MaterialParts(const RenderSettings& settings)
 {
-  return settings.shading && settings.blend == Blend::Composite;
+  const std::string shade = !settings.shading ? "Shade/None.glsl"
+    : settings.lights                         ? "Shade/Lights.glsl"
+                                              : "Shade/HeadLight.glsl";
+  return { "Gradient/CentralDifferences.glsl", shade,
+    settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl",
+    "Material/OneComponent.glsl" };
 }
 
 // Whether rays walk through bricks, or through cells with gaps.
@@ -144,7 +153,12 @@ bool FetchesFour(const std::string& marchFile)
 bool UsesPreIntegration(const RenderSettings& settings)
 {
   return settings.integration == Integration::PreIntegrated && settings.blend == Blend::Composite &&
-    !settings.shading;
+    !MarchesMaterial(settings);
+}
+
+bool MarchesMaterial(const RenderSettings& settings)
+{
+  return settings.blend == Blend::Composite && (settings.shading || settings.gradientOpacity);
 }
 
 bool FillsGaps(const RenderSettings& settings)
@@ -163,16 +177,19 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     parts.push_back("Math/LatticeWalk.glsl");
   }
+  parts.push_back("Math/Absorption.glsl");
+  if (settings.gradientOpacity && MarchesMaterial(settings))
+  {
+    parts.push_back("Math/WithOpacityFactor.glsl");
+  }
   parts.insert(parts.end(),
-    { "Math/Absorption.glsl", DepthFile(settings), StepFile(settings),
+    { DepthFile(settings), StepFile(settings),
       UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl"
                                    : "Classify/OpticalTable.glsl" });
-  if (UsesShading(settings))
+  if (MarchesMaterial(settings))
   {
-    parts.insert(parts.end(),
-      { "Gradient/CentralDifferences.glsl",
-        settings.lights ? "Shade/Lights.glsl" : "Shade/HeadLight.glsl",
-        "Material/OneComponent.glsl" });
+    const std::vector<std::string> material = MaterialParts(settings);
+    parts.insert(parts.end(), material.begin(), material.end());
   }
   parts.push_back(BlendFile(settings.blend));
   const std::string march = MarchFile(settings);

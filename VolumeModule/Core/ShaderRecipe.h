@@ -16,6 +16,9 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings);
 /// Whether the recipe looks materials up in a PreIntegratedTable.
 bool UsesPreIntegration(const RenderSettings& settings);
 
+/// Whether the recipe marches a material: what depends on more than one scalar.
+bool MarchesMaterial(const RenderSettings& settings);
+
 /// Whether the recipe draws cells that touch a voxel that is not finite.
 bool FillsGaps(const RenderSettings& settings);
 

@@ -65,6 +65,11 @@ vec3 GradientAt(vec3 positionTexture);
 // and specular light, and the specular power.
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t);
 
+// --- GradientOpacity: where opacity depends on the gradient
+// --------------------------------------- The extinction [1/mm] of a component, from that without a
+// gradient.
+float AtGradient(float extinction, vec3 gradient, int component);
+
 // --- Material: what a point looks like, where more than one scalar tells -------------------------
 // Defines what is read of the volume at a point, struct Values, and, only where it absorbs
 // anything, struct Gradients; both can be taken as linear over a short piece of ray:

@@ -1,4 +1,4 @@
-// One scalar, seen through the transfer function and lit.
+// One scalar, seen through the transfer function, and lit.
 
 uniform vec2 visibleScalars; // only between these does anything absorb
 uniform vec4 reflectance;
@@ -42,5 +42,6 @@ bool MayAbsorb(Values start, Values end)
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {
   vec4 optical = Classify(values.scalar);
-  return vec4(Shade(optical.rgb, gradients.scalar, reflectance, ray, t), optical.a);
+  return vec4(Shade(optical.rgb, gradients.scalar, reflectance, ray, t),
+    AtGradient(optical.a, gradients.scalar, 0));
 }

@@ -1,0 +1,6 @@
+// Opacity does not depend on the gradient.
+
+float AtGradient(float extinction, vec3 gradient, int component)
+{
+  return extinction;
+}
