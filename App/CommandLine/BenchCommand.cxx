@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include "FeatureCommand.h"
 #include "Options.h"
 #include "OutputFolder.h"
 #include "Progress.h"
@@ -225,6 +226,7 @@ void AddBenchCommand(CLI::App& program, const std::string& commandText)
   AddPublishedCommand(*bench, commandText);
   AddSpeedCommand(*bench, commandText);
   AddScalingCommand(*bench, commandText);
+  AddFeatureCommand(*bench, commandText);
 }
 
 }

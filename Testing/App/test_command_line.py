@@ -293,6 +293,19 @@ def scaling(folder):
     assert png_size(folder / "scaling.png")[0] > 1000
 
 
+def features(folder):
+    text, _ = run("bench", "features", "procedural:shells:16x16x16", "-o", folder, "--size",
+                  "32x32", "--rounds", "1", "--only", "shading,dependent-4")
+    assert (folder / "features.md").read_text() == text
+    measured = json.loads((folder / "features.json").read_text())["features"]
+    assert [feature["name"] for feature in measured] == ["shading", "dependent-4"]
+    for feature in measured:
+        assert not feature["failure"]
+        assert all(feature[who][time] > 0 for who in ("ours", "vtk")
+                   for time in ("beforeMs", "onMs", "afterMs"))
+    assert not measured[0]["drawnByVtk"]
+
+
 def info(folder):
     text, _ = run("info", VOLUME, "--json", folder / "info.json", "--bins", "8")
     assert "48 x 40 x 32" in text and "L P S" in text and "short" in text
@@ -380,6 +393,6 @@ if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
         cases = (render, compare, compare_with_every_blend, bench, bench_leaves_out_what_takes_long,
                  bench_judges_error_tolerances, published, speed,
-                 speed_draws_what_takes_long_in_one_round, scaling, info, usage, errors, interrupt,
-                 bench_keeps_what_it_has_when_stopped)
+                 speed_draws_what_takes_long_in_one_round, scaling, features, info, usage, errors,
+                 interrupt, bench_keeps_what_it_has_when_stopped)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

@@ -1,0 +1,153 @@
+#include "FeatureBench.h"
+
+#include "Results.h"
+#include "Scene/ImageOrientation.h"
+#include "Scene/SceneCamera.h"
+#include "Scene/VolumeProperty.h"
+#include "VtkMessages.h"
+
+#include <vtkCamera.h>
+#include <vtkHeadlessRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkSmartPointer.h>
+#include <vtkTransform.h>
+#include <vtkVariationFieldGPUVolumeRayCastMapper.h>
+#include <vtkVolumeProperty.h>
+
+#include <chrono>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int PicturesPerTime = 3;
+constexpr double DegreesPerPicture = 2.0;
+
+// A window on a scene, for the calls that all of VTK's GPU mappers have in common.
+class FeatureView
+{
+public:
+  FeatureView(
+    const Scene& scene, vtkImageData* image, vtkSmartPointer<vtkGPUVolumeRayCastMapper> mapper)
+    : mapper(std::move(mapper))
+  {
+    vtkNew<vtkTransform> worldFromImage;
+    this->image = WithoutDirection(RightHanded(image), worldFromImage);
+    this->mapper->SetInputDataObject(this->image);
+    this->volume->SetUserTransform(worldFromImage);
+    this->volume->SetMapper(this->mapper);
+    ApplyLook(InUnitsOfData(scene.look, image), this->volume->GetProperty());
+    this->renderer->AddVolume(this->volume);
+    PlaceCamera(scene.camera, image->GetBounds(), double(scene.size[0]) / scene.size[1],
+      this->renderer->GetActiveCamera());
+    this->window->SetSize(scene.size[0], scene.size[1]);
+    this->window->AddRenderer(this->renderer);
+  }
+
+  FeatureStage Stage() { return { this->mapper, this->volume, this->renderer, this->image }; }
+
+  // Of a picture, when what has been switched is there.
+  double MedianMs()
+  {
+    this->window->Render();
+    ThrowIfVtkReportedError();
+    std::vector<double> times;
+    for (int picture = 0; picture < PicturesPerTime; ++picture)
+    {
+      this->renderer->GetActiveCamera()->Azimuth(DegreesPerPicture);
+      this->renderer->ResetCameraClippingRange();
+      const auto start = std::chrono::steady_clock::now();
+      this->window->Render();
+      this->window->WaitForCompletion();
+      const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+      times.push_back(elapsed.count());
+    }
+    // Each time begins where the one before did.
+    this->renderer->GetActiveCamera()->Azimuth(-PicturesPerTime * DegreesPerPicture);
+    this->renderer->ResetCameraClippingRange();
+    return Median(times);
+  }
+
+private:
+  vtkSmartPointer<vtkImageData> image;
+  vtkSmartPointer<vtkGPUVolumeRayCastMapper> mapper;
+  vtkNew<vtkVolume> volume;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkHeadlessRenderWindow> window;
+};
+
+FeatureCost CostOf(const Feature& feature, FeatureView& view)
+{
+  FeatureCost cost = {};
+  feature.prepare(view.Stage());
+  cost.beforeMs = view.MedianMs();
+  feature.switchOn(view.Stage());
+  cost.onMs = view.MedianMs();
+  feature.switchOff(view.Stage());
+  cost.afterMs = view.MedianMs();
+  return cost;
+}
+
+FeatureCost MedianOf(const std::vector<FeatureCost>& costs)
+{
+  FeatureCost median = {};
+  for (double FeatureCost::*time :
+    { &FeatureCost::beforeMs, &FeatureCost::onMs, &FeatureCost::afterMs })
+  {
+    std::vector<double> times;
+    for (const FeatureCost& cost : costs)
+    {
+      times.push_back(cost.*time);
+    }
+    median.*time = Median(times);
+  }
+  return median;
+}
+
+// Why the plugin's mapper does not draw the feature itself.
+std::string ReasonForVtkMapper(const Feature& feature, const Scene& scene, vtkImageData* image)
+{
+  const auto mapper = vtkSmartPointer<vtkVariationFieldGPUVolumeRayCastMapper>::New();
+  FeatureView view(scene, image, mapper);
+  feature.prepare(view.Stage());
+  feature.switchOn(view.Stage());
+  view.MedianMs();
+  return mapper->GetReasonForVtkMapper();
+}
+
+}
+
+FeatureMeasurement MeasureFeature(
+  const Feature& feature, const Scene& scene, vtkImageData* image, int rounds, const OnStep& onStep)
+{
+  FeatureMeasurement measurement = { &feature, {}, {}, "", "" };
+  try
+  {
+    measurement.drawnByVtk = ReasonForVtkMapper(feature, scene, image);
+    std::vector<FeatureCost> ours;
+    std::vector<FeatureCost> vtk;
+    for (int round = 1; round <= rounds; ++round)
+    {
+      onStep(feature.name + ", round " + std::to_string(round) + " of " + std::to_string(rounds));
+      FeatureView ourView(
+        scene, image, vtkSmartPointer<vtkVariationFieldGPUVolumeRayCastMapper>::New());
+      ours.push_back(CostOf(feature, ourView));
+      FeatureView vtkView(scene, image, vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New());
+      vtk.push_back(CostOf(feature, vtkView));
+    }
+    measurement.ours = MedianOf(ours);
+    measurement.vtk = MedianOf(vtk);
+  }
+  catch (const std::runtime_error& problem)
+  {
+    measurement.failure = problem.what();
+  }
+  return measurement;
+}
+
+}

@@ -1,0 +1,333 @@
+#include "FeatureList.h"
+
+#include "FeatureInputs.h"
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkContourValues.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPlane.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkSphereSource.h>
+#include <vtkVolumeProperty.h>
+
+#include <array>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+using Stage = const FeatureStage&;
+
+vtkVolumeProperty* PropertyOf(Stage stage)
+{
+  return stage.volume->GetProperty();
+}
+
+// A scalar at this part of the range.
+double ScalarAt(Stage stage, double part)
+{
+  const double* range = stage.image->GetScalarRange();
+  return range[0] + part * (range[1] - range[0]);
+}
+
+// Half the steepest slope that two neighbouring voxels could have.
+double HalfSteepestGradient(Stage stage)
+{
+  const double* range = stage.image->GetScalarRange();
+  return 0.5 * (range[1] - range[0]) / stage.image->GetSpacing()[0];
+}
+
+void ShadeOff(Stage stage)
+{
+  PropertyOf(stage)->ShadeOff();
+}
+
+void ShadeOn(Stage stage)
+{
+  PropertyOf(stage)->ShadeOn();
+}
+
+void Composite(Stage stage)
+{
+  stage.mapper->SetBlendModeToComposite();
+}
+
+Feature::Switch BlendMode(int mode)
+{
+  return [mode](Stage stage) { stage.mapper->SetBlendMode(mode); };
+}
+
+void Isosurface(Stage stage)
+{
+  PropertyOf(stage)->GetIsoSurfaceValues()->SetValue(0, ScalarAt(stage, 0.4));
+  stage.mapper->SetBlendModeToIsoSurface();
+}
+
+void SliceAcross(Stage stage)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(stage.volume->GetCenter());
+  plane->SetNormal(0.3, -1.0, 0.2);
+  PropertyOf(stage)->SetSliceFunction(plane);
+  stage.mapper->SetBlendModeToSlice();
+}
+
+void GradientOpacityOn(Stage stage)
+{
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.2);
+  opacity->AddPoint(0.25 * HalfSteepestGradient(stage), 1.0);
+  PropertyOf(stage)->SetGradientOpacity(opacity);
+}
+
+void GradientOpacityOff(Stage stage)
+{
+  PropertyOf(stage)->SetGradientOpacity(nullptr);
+}
+
+// Three lights that stand in the scene, beside the head light.
+void LightsOn(Stage stage)
+{
+  const double* center = stage.volume->GetCenter();
+  const double reach = stage.volume->GetLength();
+  const std::array<std::array<double, 3>, 3> directions = { { { 1.0, -1.0, 0.5 },
+    { -1.0, -0.5, 0.0 }, { 0.0, -0.5, 1.0 } } };
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPositional(i == 0);
+    light->SetFocalPoint(center);
+    light->SetPosition(center[0] + reach * directions[i][0], center[1] + reach * directions[i][1],
+      center[2] + reach * directions[i][2]);
+    light->SetIntensity(0.4);
+    stage.renderer->AddLight(light);
+  }
+}
+
+void LightsOff(Stage stage)
+{
+  stage.renderer->RemoveAllLights();
+  stage.renderer->CreateLight();
+}
+
+void NearestOn(Stage stage)
+{
+  PropertyOf(stage)->SetInterpolationTypeToNearest();
+}
+
+void NearestOff(Stage stage)
+{
+  PropertyOf(stage)->SetInterpolationTypeToLinear();
+}
+
+void CroppingOff(Stage stage)
+{
+  stage.mapper->CroppingOff();
+}
+
+Feature::Switch Cropping(int flags)
+{
+  return [flags](Stage stage)
+  {
+    const double* bounds = stage.image->GetBounds();
+    std::array<double, 6> planes = {};
+    for (int side = 0; side < 6; ++side)
+    {
+      const double* axis = bounds + side / 2 * 2;
+      planes[side] = axis[0] + (side % 2 == 0 ? 0.25 : 0.75) * (axis[1] - axis[0]);
+    }
+    stage.mapper->SetCroppingRegionPlanes(planes.data());
+    stage.mapper->SetCroppingRegionFlags(flags);
+    stage.mapper->CroppingOn();
+  };
+}
+
+void ClippingOn(Stage stage)
+{
+  for (const std::array<double, 3>& normal :
+    { std::array<double, 3>{ 1.0, 0.3, 0.0 }, std::array<double, 3>{ 0.0, 1.0, 0.4 } })
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(stage.volume->GetCenter());
+    plane->SetNormal(normal.data());
+    stage.mapper->AddClippingPlane(plane);
+  }
+}
+
+void ClippingOff(Stage stage)
+{
+  stage.mapper->RemoveAllClippingPlanes();
+}
+
+Feature::Switch Sphere(double opacity)
+{
+  return [opacity](Stage stage)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(stage.volume->GetCenter());
+    sphere->SetRadius(0.15 * stage.volume->GetLength());
+    sphere->SetThetaResolution(64);
+    sphere->SetPhiResolution(64);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetOpacity(opacity);
+    stage.renderer->AddActor(actor);
+  };
+}
+
+void SphereOff(Stage stage)
+{
+  stage.renderer->RemoveActor(stage.renderer->GetActors()->GetLastActor());
+}
+
+void TranslucentSphereOn(Stage stage)
+{
+  stage.renderer->UseDepthPeelingOn();
+  stage.renderer->UseDepthPeelingForVolumesOn();
+  Sphere(0.5)(stage);
+}
+
+void TranslucentSphereOff(Stage stage)
+{
+  stage.renderer->UseDepthPeelingOff();
+  stage.renderer->UseDepthPeelingForVolumesOff();
+  SphereOff(stage);
+}
+
+void WindowOn(Stage stage)
+{
+  stage.mapper->SetFinalColorWindow(0.8f);
+  stage.mapper->SetFinalColorLevel(0.45f);
+}
+
+void WindowOff(Stage stage)
+{
+  stage.mapper->SetFinalColorWindow(1.0f);
+  stage.mapper->SetFinalColorLevel(0.5f);
+}
+
+Feature::Switch Input(vtkSmartPointer<vtkDataSet> (*make)(vtkImageData*))
+{
+  return [make](Stage stage) { stage.mapper->SetInputDataObject(make(stage.image)); };
+}
+
+void PlainInput(Stage stage)
+{
+  stage.mapper->SetInputDataObject(stage.image);
+  PropertyOf(stage)->IndependentComponentsOn();
+}
+
+void DependentInput(Stage stage)
+{
+  stage.mapper->SetInputDataObject(WithFourColors(stage.image));
+  PropertyOf(stage)->IndependentComponentsOff();
+}
+
+void IndependentInput(Stage stage)
+{
+  stage.mapper->SetInputDataObject(WithTwoComponents(stage.image));
+  vtkVolumeProperty* property = PropertyOf(stage);
+  property->SetColor(1, property->GetRGBTransferFunction(0));
+  property->SetScalarOpacity(1, property->GetScalarOpacity(0));
+  property->SetScalarOpacityUnitDistance(1, property->GetScalarOpacityUnitDistance(0));
+}
+
+void TwoValuesOn(Stage stage)
+{
+  PropertyOf(stage)->SetTransferFunction2D(OpacityOfScalarAndGradient());
+  PropertyOf(stage)->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+}
+
+void TwoValuesOff(Stage stage)
+{
+  PropertyOf(stage)->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
+}
+
+void BinaryMaskOn(Stage stage)
+{
+  stage.mapper->SetMaskInput(BallMask(stage.image));
+  stage.mapper->SetMaskTypeToBinary();
+}
+
+void LabelMapOn(Stage stage)
+{
+  constexpr int Label = 255;
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(ScalarAt(stage, 0.0), 0.2, 0.3, 1.0);
+  color->AddRGBPoint(ScalarAt(stage, 1.0), 0.8, 1.0, 1.0);
+  PropertyOf(stage)->SetLabelColor(Label, color);
+  PropertyOf(stage)->SetLabelScalarOpacity(Label, PropertyOf(stage)->GetScalarOpacity());
+  stage.mapper->SetMaskInput(BallMask(stage.image));
+  stage.mapper->SetMaskTypeToLabelMap();
+}
+
+void MaskOff(Stage stage)
+{
+  stage.mapper->SetMaskInput(nullptr);
+}
+
+}
+
+const std::vector<Feature>& Features()
+{
+  using Mapper = vtkGPUVolumeRayCastMapper;
+  static const std::vector<Feature> features = {
+    { "shading", "composite", ShadeOff, ShadeOn, ShadeOff },
+    { "lights", "shading", ShadeOn, LightsOn, LightsOff },
+    { "gradient-opacity", "composite", ShadeOff, GradientOpacityOn, GradientOpacityOff },
+    { "gradient-opacity-shaded", "shading", ShadeOn, GradientOpacityOn, GradientOpacityOff },
+    { "two-values", "composite", ShadeOff, TwoValuesOn, TwoValuesOff },
+    { "nearest", "composite", ShadeOff, NearestOn, NearestOff },
+    { "maximum", "composite", ShadeOff, BlendMode(Mapper::MAXIMUM_INTENSITY_BLEND), Composite },
+    { "minimum", "composite", ShadeOff, BlendMode(Mapper::MINIMUM_INTENSITY_BLEND), Composite },
+    { "average", "composite", ShadeOff, BlendMode(Mapper::AVERAGE_INTENSITY_BLEND), Composite },
+    { "additive", "composite", ShadeOff, BlendMode(Mapper::ADDITIVE_BLEND), Composite },
+    { "isosurface", "shading", ShadeOn, Isosurface, Composite },
+    { "slice", "composite", ShadeOff, SliceAcross, Composite },
+    { "cropping-box", "composite", ShadeOff, Cropping(VTK_CROP_SUBVOLUME), CroppingOff },
+    { "cropping-fence", "composite", ShadeOff, Cropping(VTK_CROP_FENCE), CroppingOff },
+    { "clipping", "composite", ShadeOff, ClippingOn, ClippingOff },
+    { "opaque-geometry", "composite", ShadeOff, Sphere(1.0), SphereOff },
+    { "translucent-geometry", "composite", ShadeOff, TranslucentSphereOn, TranslucentSphereOff },
+    { "jitter", "composite", ShadeOff, [](Stage stage) { stage.mapper->UseJitteringOn(); },
+      [](Stage stage) { stage.mapper->UseJitteringOff(); } },
+    { "image-distance-2", "composite", ShadeOff,
+      [](Stage stage) { stage.mapper->SetImageSampleDistance(2.0f); },
+      [](Stage stage) { stage.mapper->SetImageSampleDistance(1.0f); } },
+    { "window-level", "composite", ShadeOff, WindowOn, WindowOff },
+    { "mask-binary", "composite", ShadeOff, BinaryMaskOn, MaskOff },
+    { "mask-labels", "composite", ShadeOff, LabelMapOn, MaskOff },
+    { "independent-2", "composite", ShadeOff, IndependentInput, PlainInput },
+    { "dependent-4", "composite", ShadeOff, DependentInput, PlainInput },
+    { "cell-data", "composite", ShadeOff, Input(OnCells), PlainInput },
+    { "rectilinear", "composite", ShadeOff, Input(OnRectilinearGrid), PlainInput },
+    { "blanking", "composite", ShadeOff, Input(WithBlankedBall), PlainInput },
+    { "picture-and-depth", "composite", ShadeOff,
+      [](Stage stage) { stage.mapper->RenderToImageOn(); },
+      [](Stage stage) { stage.mapper->RenderToImageOff(); } },
+  };
+  return features;
+}
+
+std::vector<std::string> FeatureNames()
+{
+  std::vector<std::string> names;
+  for (const Feature& feature : Features())
+  {
+    names.push_back(feature.name);
+  }
+  return names;
+}
+
+}
