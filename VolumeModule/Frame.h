@@ -6,6 +6,7 @@
 
 #include "vtkType.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include <array>
@@ -40,6 +41,8 @@ struct Frame
   glm::dvec4 gapOptical;               ///< colour and extinction [1/mm] of cells that have no value
   std::size_t mostMemoryBytes;         ///< of the graphics device; 0: what it has
   bool triesPreIntegration;            ///< there is memory for its table
+  glm::dvec2 windowScaleBias;          ///< of the picture's colours
+  double imageSampleDistance;          ///< of rays [pixels]
 };
 
 }

@@ -3,6 +3,7 @@
 #include "Core/ShaderRecipe.h"
 #include "Core/TransferFunction.h"
 #include "Lights.h"
+#include "PictureOfMapper.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkDataArray.h"
@@ -16,6 +17,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace varimarch
@@ -149,9 +151,11 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.variationTolerance = mapper->GetVariationTolerance();
   frame.errorTolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
   const bool tolerance = frame.errorTolerance > 0.0;
-  frame.fieldError = tolerance ? Share * frame.errorTolerance : FieldErrorWithoutTolerance;
+  // A window narrower than all colours magnifies their errors.
+  const double share = Share / std::max(1.0, std::abs(frame.windowScaleBias.x));
+  frame.fieldError = tolerance ? share * frame.errorTolerance : FieldErrorWithoutTolerance;
   frame.earlyTerminationTransmittance =
-    tolerance ? Share * frame.errorTolerance : mapper->GetEarlyTerminationTransmittance();
+    tolerance ? share * frame.errorTolerance : mapper->GetEarlyTerminationTransmittance();
   frame.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
     : std::max(mapper->GetSampleDistance(), frame.geometry.ShortestSampleDistanceMm());
@@ -226,6 +230,7 @@ std::optional<Frame> FrameOf(
   frame.gapOptical = GapOptical(
     mapper->GetNanColor(), mapper->GetNanOpacity(), frame.property->GetScalarOpacityUnitDistance());
   frame.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
+  ChoosePicture(mapper, frame);
   ChooseSampling(mapper, frame);
   return frame;
 }

@@ -1,16 +1,7 @@
 #ifndef Varimarch_RayAccumulation_h
 #define Varimarch_RayAccumulation_h
 
-#include "VolumeGeometry.h"
-
-#include "vtkNew.h"
-#include "vtkOpenGLFramebufferObject.h"
-#include "vtkTextureObject.h"
-
-#include <cstddef>
-#include <functional>
-
-class vtkOpenGLRenderWindow;
+#include "FloatFramebuffer.h"
 
 namespace varimarch
 {
@@ -34,15 +25,14 @@ public:
   void Keep(const Viewport& part);
 
   vtkTextureObject* Drawn() const { return this->kept; }
-  vtkTextureObject* Finished() const { return this->target; } ///< after Draw
-  std::size_t Bytes() const;
+  vtkTextureObject* Finished() const { return this->target.Texture(); } ///< after Draw
+  std::size_t Bytes() const { return 2 * this->target.Bytes(); }
   void Release(vtkWindow* window);
 
 private:
-  void Allocate(vtkOpenGLRenderWindow* window, const Viewport& pixels);
+  void AllocateKept(vtkOpenGLRenderWindow* window);
 
-  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
-  vtkNew<vtkTextureObject> target;
+  FloatFramebuffer target;
   vtkNew<vtkTextureObject> kept;
 };
 

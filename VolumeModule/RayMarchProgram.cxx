@@ -86,6 +86,11 @@ void RayMarchProgram::Set(const char* name, double value)
   this->program->SetUniformf(name, float(value));
 }
 
+void RayMarchProgram::Set(const char* name, glm::ivec2 value)
+{
+  this->program->SetUniform2i(name, glm::value_ptr(value));
+}
+
 void RayMarchProgram::Set(const char* name, glm::dvec2 value)
 {
   this->program->SetUniform2f(name, glm::value_ptr(glm::vec2(value)));

@@ -38,6 +38,7 @@ public:
   // Uniforms are computed in double and rounded once, here.
   void Set(const char* name, int value);
   void Set(const char* name, double value);
+  void Set(const char* name, glm::ivec2 value);
   void Set(const char* name, glm::dvec2 value);
   void Set(const char* name, glm::dvec3 value);
   void Set(const char* name, glm::dvec4 value);

@@ -27,6 +27,7 @@ void RayMarcher::Draw(Frame frame)
   this->UpdateField(frame);
   this->UpdateDepth(frame);
   this->UpdateLights(frame);
+  this->UpdateNoise(frame);
   this->UpdateBlocks(frame);
   this->UpdateTolerance(frame);
 
@@ -37,7 +38,7 @@ void RayMarcher::Draw(Frame frame)
   }
   this->usedSampleDistanceMm = frame.sampleDistanceMm;
   this->UpdatePreIntegratedTable(frame);
-  this->DrawVolume(frame);
+  this->DrawPicture(frame);
 }
 
 void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* window)
@@ -203,13 +204,23 @@ void RayMarcher::UpdateDepth(const Frame& frame)
     frame.viewport.width, frame.viewport.height);
 }
 
+void RayMarcher::UpdateNoise(const Frame& frame)
+{
+  if (!frame.settings.jitter)
+  {
+    this->picture.noise.Release(frame.window);
+    return;
+  }
+  this->picture.noise.Update(frame.window);
+}
+
 void RayMarcher::UpdateProgram(const Frame& frame)
 {
   if (this->program.Use(frame.window, frame.settings))
   {
     ++this->builds.shader;
   }
-  if (frame.settings.pass != RayPass::Picture)
+  if (Marches(frame.settings.pass))
   {
     this->shaderParts = this->program.Parts();
   }
@@ -219,7 +230,8 @@ std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
   return this->blocks.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
     this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
-    this->gradientOpacity.Bytes() + this->probe.Bytes() + this->accumulation.Bytes();
+    this->gradientOpacity.Bytes() + this->probe.Bytes() + this->accumulation.Bytes() +
+    this->picture.Bytes();
 }
 
 double RayMarcher::FieldBuildSeconds() const
@@ -233,6 +245,7 @@ void RayMarcher::Release(vtkWindow* window)
 {
   this->blocks.Release(window);
   this->accumulation.Release(window);
+  this->picture.Release(window);
   this->field.Release(window);
   this->opticalTable.Release(window);
   this->preIntegratedTable.Release(window);

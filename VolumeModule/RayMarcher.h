@@ -6,6 +6,7 @@
 #include "Core/StepSearch.h"
 #include "Frame.h"
 #include "OpticalTableTexture.h"
+#include "PictureResources.h"
 #include "PreIntegratedTableTexture.h"
 #include "ProbeFramebuffer.h"
 #include "RayAccumulation.h"
@@ -109,6 +110,7 @@ private:
   void UpdateDepth(const Frame& frame);
   void UpdateLights(const Frame& frame);
   void UpdateGradientOpacity(const Frame& frame);
+  void UpdateNoise(const Frame& frame);
   void UpdateBlocks(Frame& frame);
   void UpdateTolerance(const Frame& frame);
   void UpdateProgram(const Frame& frame);
@@ -123,12 +125,17 @@ private:
   std::size_t BytesForBlocks(const Frame& frame) const;
   void UpdateVisibleBoxes(const Frame& frame);
   std::vector<int> BlocksInView(const Frame& frame) const;
+  DrawnBlock BoxOfVisible() const;
   void DrawVolume(const Frame& frame);
   void DrawBlock(Frame frame, int block);
   void DrawBlocks(const Frame& frame);
 
+  void DrawPicture(const Frame& frame);
+
   void SetRayUniforms(const Frame& frame, const DrawnBlock& drawn, const glm::dmat4& clipFromGrid);
   void SetResumeUniforms(const Frame& frame, const DrawnBlock& drawn);
+  void SetResampledUniforms(const Frame& frame);
+  void SetNoiseUniforms();
   void SetGapUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetStepUniforms(const Frame& frame, const VolumeBlock& block);
@@ -154,6 +161,7 @@ private:
   VolumeBoxGeometry boxGeometry;
   ProbeFramebuffer probe;
   RayAccumulation accumulation; ///< only where there are several blocks
+  PictureResources picture;
   RayMarchProgram program;
   BuildCounts builds;
   std::optional<ToleranceChoice> tolerance;

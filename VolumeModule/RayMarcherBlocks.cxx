@@ -95,7 +95,7 @@ std::size_t RayMarcher::FixedBytes(const Frame& frame) const
   const Viewport probed = ProbeFramebuffer::PixelsFor(frame.viewport);
   const std::size_t probeBytes = 4 * sizeof(float) * probed.width * probed.height;
   return this->field.Bytes() + this->opticalTable.Bytes() + this->depth.Bytes() +
-    this->lights.Bytes() + this->gradientOpacity.Bytes() +
+    this->lights.Bytes() + this->gradientOpacity.Bytes() + this->picture.Bytes() +
     (mayPreIntegrate ? PreIntegratedTableBytes(this->opticalTable.Table()) : 0) +
     (frame.errorTolerance > 0.0 ? probeBytes : 0);
 }
@@ -242,7 +242,12 @@ void RayMarcher::DrawBlocks(const Frame& frame)
   Frame picture = frame;
   picture.settings.pass = RayPass::Picture;
   this->UpdateProgram(picture);
-  this->DrawBox(picture, { nullptr, {}, this->visibleBox, this->visibleBox, glm::dvec3(Nowhere) });
+  this->DrawBox(picture, this->BoxOfVisible());
+}
+
+DrawnBlock RayMarcher::BoxOfVisible() const
+{
+  return { nullptr, {}, this->visibleBox, this->visibleBox, glm::dvec3(Nowhere) };
 }
 
 void RayMarcher::DrawBlock(Frame frame, int block)

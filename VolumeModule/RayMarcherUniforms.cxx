@@ -90,9 +90,20 @@ void RayMarcher::SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFrom
   this->program.Set("clipWeightRow", glm::row(clipFromGrid, 3));
 }
 
+void RayMarcher::SetNoiseUniforms()
+{
+  this->picture.noise.Texture()->Activate();
+  this->program.Set("noiseTexture", this->picture.noise.Texture());
+  this->program.Set("noisePixelsMask", glm::ivec2(BlueNoiseTexture::Pixels - 1));
+}
+
 void RayMarcher::SetStepUniforms(const Frame& frame, const VolumeBlock& block)
 {
   this->program.Set("stepMm", frame.sampleDistanceMm);
+  if (frame.settings.jitter)
+  {
+    this->SetNoiseUniforms();
+  }
   if (frame.settings.acceleration == Acceleration::Off)
   {
     return;
@@ -157,6 +168,10 @@ void RayMarcher::SetPreIntegratedUniforms()
 
 void RayMarcher::SetBlendUniforms(const Frame& frame)
 {
+  if (frame.settings.windowLevel)
+  {
+    this->program.Set("windowScaleBias", frame.windowScaleBias);
+  }
   if (frame.settings.blend == Blend::Composite)
   {
     this->program.Set("earlyTerminationTransmittance", frame.earlyTerminationTransmittance);
@@ -215,18 +230,27 @@ void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   this->SetRayUniforms(frame, drawn, clipFromGrid);
-  this->SetBlendUniforms(frame);
-  if (frame.settings.pass != RayPass::Whole)
+  switch (frame.settings.pass)
   {
-    this->SetResumeUniforms(frame, drawn);
-  }
-  if (frame.settings.pass != RayPass::Picture)
-  {
-    this->SetMarchUniforms(frame, drawn);
-  }
-  else if (frame.settings.blend != Blend::Composite)
-  {
-    this->SetClassifyUniforms();
+    case RayPass::Block:
+      this->SetResumeUniforms(frame, drawn);
+      [[fallthrough]];
+    case RayPass::Whole:
+      this->SetBlendUniforms(frame);
+      this->SetMarchUniforms(frame, drawn);
+      break;
+    case RayPass::Picture:
+      this->SetResumeUniforms(frame, drawn);
+      this->SetBlendUniforms(frame);
+      if (frame.settings.blend != Blend::Composite)
+      {
+        this->SetClassifyUniforms();
+      }
+      break;
+    case RayPass::Upscaled:
+    case RayPass::Averaged:
+      this->SetResampledUniforms(frame);
+      break;
   }
   if (frame.settings.sceneGeometry)
   {

@@ -90,13 +90,16 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
   // VTK's mapper, too, ignores its sample distance when that is locked to the spacing.
   mapper->SetAutoAdjustSampleDistances(
     this->AutoAdjustSampleDistances || this->LockSampleDistanceToInputSpacing);
+  mapper->SetImageSampleDistance(this->ImageSampleDistance);
+  mapper->SetUseJittering(this->UseJittering);
+  mapper->SetFinalColorWindow(this->FinalColorWindow);
+  mapper->SetFinalColorLevel(this->FinalColorLevel);
 }
 
 // What vtkVariationFieldVolumeMapper has no setting for: here, until it has.
 std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting(
   vtkRenderer* renderer, vtkVolume* volume)
 {
-  const bool isDistanceGiven = !this->VariationFieldMapper->GetAutoAdjustSampleDistances();
   const Setting settings[] = {
     { vtkMultiVolume::SafeDownCast(volume) != nullptr, "A vtkMultiVolume is not supported yet. " },
     { renderer->GetSelector() != nullptr, "Selection by hardware is not supported yet. " },
@@ -106,12 +109,6 @@ std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting(
       "Interpolation by the nearest voxel is not supported yet. " },
     { HasBlanking(this->GetInput()), "Blanked points and cells are not supported yet. " },
     { this->MaskInput != nullptr, "Masks are not supported yet. " },
-    { this->UseJittering && isDistanceGiven,
-      "Jittering with a sample distance of one's own is not supported yet. " },
-    { !this->AutoAdjustSampleDistances && this->ImageSampleDistance != 1.0F,
-      "An image sample distance is not supported yet. " },
-    { this->FinalColorWindow != 1.0F || this->FinalColorLevel != 0.5F,
-      "Window and level of the picture are not supported yet. " },
     { this->RenderToImage != 0, "Rendering to an image is not supported yet. " },
     { this->UseDepthPass != 0, "A depth pass is not supported yet. " },
     { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR,

@@ -202,6 +202,10 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NanOpacity: " << this->NanOpacity << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "MaximumGraphicsMemory: " << this->MaximumGraphicsMemory << "\n";
+  os << indent << "UseJittering: " << this->UseJittering << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
+  os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";
   os << indent << "UsedSampleDistance: " << this->GetUsedSampleDistance() << "\n";
   os << indent << "EstimatedError: " << this->GetEstimatedError() << "\n";
 }

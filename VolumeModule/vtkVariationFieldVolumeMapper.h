@@ -179,6 +179,39 @@ public:
   vtkGetMacro(EarlyTerminationTransmittance, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether the first sample of each ray is moved by a noise (blue: neighbours share none of it),
+   * the same in every picture. It turns the rings that a sample distance too long for the data
+   * makes into a fine grain. Default off.
+   */
+  vtkSetClampMacro(UseJittering, vtkTypeBool, 0, 1);
+  vtkGetMacro(UseJittering, vtkTypeBool);
+  vtkBooleanMacro(UseJittering, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of rays in the picture [pixels], 0.1 to 100, default 1: a ray for each pixel. With a
+   * longer one the pixels between are interpolated, not across edges of opaque geometry; with a
+   * shorter one, rounded to 1/2, 1/3 and so on, each pixel is the mean of its rays.
+   */
+  vtkSetClampMacro(ImageSampleDistance, float, 0.1f, 100.0f);
+  vtkGetMacro(ImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * Colours of the picture from FinalColorLevel - FinalColorWindow / 2 to FinalColorLevel +
+   * FinalColorWindow / 2 are shown as black to white, before they are multiplied by opacity. A
+   * negative window reverses them. Defaults 1 and 0.5: colours as they are.
+   */
+  vtkSetMacro(FinalColorWindow, float);
+  vtkGetMacro(FinalColorWindow, float);
+  vtkSetMacro(FinalColorLevel, float);
+  vtkGetMacro(FinalColorLevel, float);
+  ///@}
+
   /**
    * The sample distance of the last picture [world units].
    */
@@ -250,6 +283,10 @@ protected:
   double NanColor[3] = { 0.5, 0.0, 0.0 };
   double NanOpacity = 0.0;
   vtkIdType MaximumGraphicsMemory = 0;
+  vtkTypeBool UseJittering = 0;
+  float ImageSampleDistance = 1.0f;
+  float FinalColorWindow = 1.0f;
+  float FinalColorLevel = 0.5f;
 
 private:
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);

@@ -86,6 +86,20 @@ const std::vector<Change> ForwardedSettings{
       mapper->SetBlendModeToAverageIntensity();
       mapper->SetAverageIPScalarRange(50.0, 150.0);
     } },
+  { "Jitter",
+    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&)
+    {
+      UseGivenDistance(mapper);
+      mapper->UseJitteringOn();
+    } },
+  { "ImageSampleDistance",
+    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&)
+    {
+      UseGivenDistance(mapper);
+      mapper->SetImageSampleDistance(4.0F);
+    } },
+  { "WindowLevel",
+    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&) { mapper->SetFinalColorLevel(0.2F); } },
 };
 
 const std::vector<Change> UnsupportedSettings{
@@ -102,20 +116,6 @@ const std::vector<Change> UnsupportedSettings{
       mapper->SetMaskInput(mask);
       mapper->SetMaskTypeToBinary();
     } },
-  { "Jitter",
-    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&)
-    {
-      UseGivenDistance(mapper);
-      mapper->UseJitteringOn();
-    } },
-  { "ImageSampleDistance",
-    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&)
-    {
-      UseGivenDistance(mapper);
-      mapper->SetImageSampleDistance(4.0F);
-    } },
-  { "WindowLevel",
-    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&) { mapper->SetFinalColorLevel(0.2F); } },
   { "DepthPass",
     [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&)
     {
@@ -187,10 +187,11 @@ TEST(GPUAdapter, GoesBackToTheVariationFieldWhenTheFeatureIsOff)
   MapperScene scene(SmallTorso());
   vtkNew<vtkVariationFieldGPUVolumeRayCastMapper> adapter;
   const std::vector<float> before = Drawn(scene, adapter, Nothing);
-  adapter->SetFinalColorLevel(0.2F);
+  adapter->UseDepthPassOn();
+  adapter->GetDepthPassContourValues()->SetValue(0, 200.0);
   EXPECT_NE(scene.Draw(), before);
   EXPECT_EQ(adapter->GetVariationFieldMapper()->GetGraphicsMemoryBytes(), 0) << "two copies";
-  adapter->SetFinalColorLevel(0.5F);
+  adapter->UseDepthPassOff();
   EXPECT_EQ(scene.Draw(), before);
 }
 

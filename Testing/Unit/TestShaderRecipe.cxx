@@ -9,57 +9,78 @@
 using namespace varimarch;
 using Parts = std::vector<std::string>;
 
+namespace
+{
+
+const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
+
+// The parts of these settings that the plain ones do not have.
+Parts Changed(const RenderSettings& settings)
+{
+  const Parts before = FragmentShaderParts(plain);
+  const Parts after = FragmentShaderParts(settings);
+  Parts added;
+  std::copy_if(after.begin(), after.end(), std::back_inserter(added),
+    [&](const std::string& part)
+    { return std::find(before.begin(), before.end(), part) == before.end(); });
+  return added;
+}
+
+}
+
 TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
-  const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
   EXPECT_EQ(FragmentShaderParts(plain),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
+      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
       "Fetch/FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Probe/None.glsl",
-      "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
 {
-  const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
-  const auto changed = [&](RenderSettings settings)
-  {
-    const Parts before = FragmentShaderParts(plain);
-    const Parts after = FragmentShaderParts(settings);
-    Parts added;
-    std::copy_if(after.begin(), after.end(), std::back_inserter(added),
-      [&](const std::string& part)
-      { return std::find(before.begin(), before.end(), part) == before.end(); });
-    return added;
-  };
-  EXPECT_EQ(changed({ Blend::Composite, Acceleration::ScalarField, false, false }),
+  EXPECT_EQ(Changed({ Blend::Composite, Acceleration::ScalarField, false, false }),
     Parts{ "Step/VariationField.glsl" });
-  EXPECT_EQ(changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
+  EXPECT_EQ(Changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
     (Parts{ "Math/LatticeWalk.glsl", "Step/OpticalField.glsl" }));
-  EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, true, false }),
+  EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, true, false }),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
       "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
   RenderSettings lit{ Blend::Composite, Acceleration::Off, true, false };
   lit.lights = true;
-  EXPECT_EQ(changed(lit),
+  EXPECT_EQ(Changed(lit),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "GradientOpacity/None.glsl",
       "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
   RenderSettings gradient = plain;
   gradient.gradientOpacity = true;
-  EXPECT_EQ(changed(gradient),
+  EXPECT_EQ(Changed(gradient),
     (Parts{ "Math/WithOpacityFactor.glsl", "Gradient/CentralDifferences.glsl", "Shade/None.glsl",
       "GradientOpacity/Table.glsl", "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
-  EXPECT_EQ(changed({ Blend::Composite, Acceleration::Off, false, true }),
+  EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
   RenderSettings counting = plain;
   counting.countFetches = true;
-  EXPECT_EQ(changed(counting), Parts{ "Probe/FetchCount.glsl" });
+  EXPECT_EQ(Changed(counting), Parts{ "Probe/FetchCount.glsl" });
+}
+
+TEST(ShaderRecipe, EachChoiceOfThePictureChangesItsOwnSlotOnly)
+{
+  RenderSettings jittered = plain;
+  jittered.jitter = true;
+  EXPECT_EQ(Changed(jittered), Parts{ "Jitter/BlueNoise.glsl" });
+  RenderSettings windowed = plain;
+  windowed.windowLevel = true;
+  EXPECT_EQ(Changed(windowed), Parts{ "Window/WindowLevel.glsl" });
+}
+
+TEST(ShaderRecipe, GapsTakeTheirWalkAndWhatFillsThem)
+{
   RenderSettings gaps = plain;
   gaps.gaps = true;
-  EXPECT_EQ(changed(gaps), (Parts{ "Math/LatticeWalk.glsl", "Fill/None.glsl", "Gaps/Cells.glsl" }));
+  EXPECT_EQ(Changed(gaps), (Parts{ "Math/LatticeWalk.glsl", "Fill/None.glsl", "Gaps/Cells.glsl" }));
   gaps.fillGaps = true;
   EXPECT_EQ(
-    changed(gaps), (Parts{ "Math/LatticeWalk.glsl", "Fill/Color.glsl", "Gaps/Cells.glsl" }));
+    Changed(gaps), (Parts{ "Math/LatticeWalk.glsl", "Fill/Color.glsl", "Gaps/Cells.glsl" }));
 }
 
 TEST(ShaderRecipe, VolumesWithoutGapsHaveNothingToFill)
@@ -93,9 +114,9 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
-      "March/Extreme.glsl", "Gaps/None.glsl", "Probe/None.glsl", "Resume/Whole.glsl",
-      "RayMarch.frag.glsl" }));
+      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
+      "Blend/MaximumIntensity.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Probe/None.glsl",
+      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
@@ -104,7 +125,7 @@ TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
   settings.pass = RayPass::Picture;
   EXPECT_EQ(FragmentShaderParts(settings),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Blend/Composite.glsl", "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
+      "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)
@@ -114,7 +135,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 68u);
+  EXPECT_EQ(distinct.size(), 75u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

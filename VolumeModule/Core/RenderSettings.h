@@ -42,10 +42,18 @@ inline bool IsExtreme(Blend blend)
 /// What one drawing does for the rays of a picture.
 enum class RayPass
 {
-  Whole,   ///< all: the volume is one block
-  Block,   ///< marches them through one of several blocks, from where those in front have ended
-  Picture, ///< makes pixels of what they have gathered in all blocks
+  Whole,    ///< all: the volume is one block
+  Block,    ///< marches them through one of several blocks, from where those in front have ended
+  Picture,  ///< makes pixels of what they have gathered in all blocks
+  Upscaled, ///< makes pixels of a picture drawn with fewer rays,
+  Averaged, ///< or with more
 };
+
+/// Whether the volume is read in it.
+inline bool Marches(RayPass pass)
+{
+  return pass == RayPass::Whole || pass == RayPass::Block;
+}
 
 /// Every choice that changes the shader. Values (a tolerance, a step length) are not here: they
 /// are uniforms, and changing them rebuilds nothing.
@@ -62,6 +70,8 @@ struct RenderSettings
   RayPass pass = RayPass::Whole;
   bool lights = false;          ///< shading by all lights of the scene, not by a head light alone
   bool gradientOpacity = false; ///< opacity depends on the gradient; composite only
+  bool jitter = false;          ///< begin rays with a part of a step
+  bool windowLevel = false;     ///< scale the picture's colours
 };
 
 }

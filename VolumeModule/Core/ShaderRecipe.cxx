@@ -80,10 +80,19 @@ std::string ResumeFile(RayPass pass)
       return "Resume/Block.glsl";
     case RayPass::Picture:
       return "Resume/Picture.glsl";
+    case RayPass::Upscaled:
+      return "Resume/Upscaled.glsl";
+    case RayPass::Averaged:
+      return "Resume/Averaged.glsl";
     case RayPass::Whole:
       break;
   }
   return "Resume/Whole.glsl";
+}
+
+std::string WindowFile(const RenderSettings& settings)
+{
+  return settings.windowLevel ? "Window/WindowLevel.glsl" : "Window/None.glsl";
 }
 
 // No march: only where the rays are that have a pixel, and what it becomes.
@@ -95,9 +104,60 @@ std::vector<std::string> PictureParts(const RenderSettings& settings)
   {
     parts.insert(parts.end(), { "Classify/OpticalTable.glsl" });
   }
-  parts.insert(
-    parts.end(), { BlendFile(settings.blend), ResumeFile(settings.pass), "RayMarch.frag.glsl" });
+  parts.insert(parts.end(),
+    { BlendFile(settings.blend), WindowFile(settings), ResumeFile(settings.pass),
+      "RayMarch.frag.glsl" });
   return parts;
+}
+
+// Nor here: pixels of a picture of other rays, whose colours it has.
+std::vector<std::string> ResampledParts(const RenderSettings& settings)
+{
+  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl", DepthFile(settings) };
+  if (settings.pass == RayPass::Upscaled)
+  {
+    parts.push_back(settings.sceneGeometry ? "Edges/SceneGeometry.glsl" : "Edges/None.glsl");
+  }
+  parts.insert(parts.end(), { ResumeFile(settings.pass), "RayMarch.frag.glsl" });
+  return parts;
+}
+
+std::vector<RenderSettings> RecipesOfPictures()
+{
+  std::vector<RenderSettings> recipes;
+  for (RayPass pass : { RayPass::Upscaled, RayPass::Averaged })
+  {
+    for (bool sceneGeometry : { false, true })
+    {
+      recipes.push_back({ Blend::Composite, Acceleration::Off, false, sceneGeometry });
+      recipes.back().pass = pass;
+    }
+  }
+  for (Acceleration acceleration :
+    { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
+  {
+    recipes.push_back({ Blend::Composite, acceleration });
+    recipes.back().jitter = true;
+    recipes.back().windowLevel = true;
+  }
+  return recipes;
+}
+
+std::vector<RenderSettings> RecipesWithGaps()
+{
+  std::vector<RenderSettings> recipes;
+  for (const auto& [blend, shading] : { std::pair(Blend::Composite, false),
+         std::pair(Blend::Composite, true), std::pair(Blend::MaximumIntensity, false) })
+  {
+    RenderSettings withGaps{ blend, Acceleration::Off, shading, false };
+    withGaps.gaps = true;
+    recipes.push_back(withGaps);
+  }
+  RenderSettings filled;
+  filled.gaps = true;
+  filled.fillGaps = true;
+  recipes.push_back(filled);
+  return recipes;
 }
 
 std::vector<RenderSettings> RecipesInBlocks()
@@ -166,11 +226,33 @@ bool FillsGaps(const RenderSettings& settings)
   return settings.gaps && settings.fillGaps && settings.blend == Blend::Composite;
 }
 
+// Which parts of a ray are marched, and what becomes of its result.
+static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
+{
+  std::vector<std::string> parts;
+  if (settings.gaps)
+  {
+    parts.push_back(FillsGaps(settings) ? "Fill/Color.glsl" : "Fill/None.glsl");
+  }
+  parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
+  parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
+  if (settings.pass == RayPass::Whole)
+  {
+    parts.push_back(WindowFile(settings));
+  }
+  parts.insert(parts.end(), { ResumeFile(settings.pass), "RayMarch.frag.glsl" });
+  return parts;
+}
+
 std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
 {
   if (settings.pass == RayPass::Picture)
   {
     return PictureParts(settings);
+  }
+  if (!Marches(settings.pass))
+  {
+    return ResampledParts(settings);
   }
   std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl" };
   if (Walks(settings))
@@ -183,7 +265,8 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
     parts.push_back("Math/WithOpacityFactor.glsl");
   }
   parts.insert(parts.end(),
-    { DepthFile(settings), StepFile(settings),
+    { DepthFile(settings), settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl",
+      StepFile(settings),
       UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl"
                                    : "Classify/OpticalTable.glsl" });
   if (MarchesMaterial(settings))
@@ -198,14 +281,8 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
     parts.push_back("Fetch/FourScalars.glsl");
   }
   parts.push_back(march);
-  if (settings.gaps)
-  {
-    parts.push_back(FillsGaps(settings) ? "Fill/Color.glsl" : "Fill/None.glsl");
-  }
-  parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
-  parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
-  parts.push_back(ResumeFile(settings.pass));
-  parts.push_back("RayMarch.frag.glsl");
+  const std::vector<std::string> around = PartsAroundMarch(settings);
+  parts.insert(parts.end(), around.begin(), around.end());
   return parts;
 }
 
@@ -218,21 +295,12 @@ std::vector<RenderSettings> EveryRecipe()
 {
   RenderSettings counting;
   counting.countFetches = true;
-  std::vector<RenderSettings> recipes = RecipesOfMaterials();
-  recipes.push_back(counting);
-  for (const auto& [blend, shading] : { std::pair(Blend::Composite, false),
-         std::pair(Blend::Composite, true), std::pair(Blend::MaximumIntensity, false) })
+  std::vector<RenderSettings> recipes = { counting };
+  for (const std::vector<RenderSettings>& others :
+    { RecipesOfMaterials(), RecipesWithGaps(), RecipesInBlocks(), RecipesOfPictures() })
   {
-    RenderSettings withGaps{ blend, Acceleration::Off, shading, false };
-    withGaps.gaps = true;
-    recipes.push_back(withGaps);
+    recipes.insert(recipes.end(), others.begin(), others.end());
   }
-  RenderSettings filled;
-  filled.gaps = true;
-  filled.fillGaps = true;
-  recipes.push_back(filled);
-  const std::vector<RenderSettings> inBlocks = RecipesInBlocks();
-  recipes.insert(recipes.end(), inBlocks.begin(), inBlocks.end());
   for (Acceleration acceleration :
     { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
   {

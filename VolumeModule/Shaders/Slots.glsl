@@ -43,6 +43,12 @@ vec4 Probed(vec4 picture);
 // t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
 float DepthLimit(Ray ray);
 
+// --- Jitter: where a ray has its first sample ------------------------------------------------
+// Length of the first segment of a ray, as a part of the others' (0, 1].
+float FirstSegment();
+// Length of a segment where nothing tells a better one [mm].
+float PlainMm(int index, float plainMm);
+
 // --- Step: which part of the ray comes next --------------------------------------------------
 // The segment that follows t, the index-th of its ray [mm]. It may begin later, where nothing
 // between can be seen, and ends after t: at plainMm, or farther where the volume allows it.
@@ -110,6 +116,14 @@ bool HasGradient(vec3 positionTexture);
 // Defines, after all the others: Accumulation MarchVolume(Ray ray, Interval inside, Accumulation
 // sum);
 //                               marches through all parts that have a value
+
+// --- Window: what is done to the colours of a picture ------------------------------------------
+vec4 Windowed(vec4 picture);
+
+// --- Edges: only where a picture is drawn with fewer rays than pixels --------------------------
+uniform vec2 coarsePerPixel; // rays per pixel on each axis
+// How far the ray through this pixel of those is to be trusted for this one, (0, 1].
+float Trust(Ray ray, Interval inside, ivec2 coarsePixel);
 
 // --- Resume: where rays begin and end, with a volume in one block or in several ------------------
 // What is drawn for a ray.

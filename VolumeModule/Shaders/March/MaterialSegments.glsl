@@ -48,7 +48,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
       lengthMm = jumps ? 0.0 : max(t - segment.enter, 0.0);
       startValues = endValues;
       endValues = ValuesAt(PositionTexture(ray, t));
-      ++index;
+      index += jumps ? 0 : 1; // the first segment is the first that is marched
       if (lengthMm > 0.0 && MayAbsorb(startValues, endValues))
       {
         break;

@@ -5,5 +5,5 @@ uniform sampler2D gatheredTexture;
 vec4 DrawnRay(Ray ray, Interval inside)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy - viewportOriginPixels);
-  return BlendResult(BlendResumed(texelFetch(gatheredTexture, pixel, 0)));
+  return Windowed(BlendResult(BlendResumed(texelFetch(gatheredTexture, pixel, 0))));
 }

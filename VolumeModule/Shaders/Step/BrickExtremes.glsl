@@ -22,5 +22,5 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm
     }
     place = BehindBlock(lattice, place, 0.0);
   }
-  return Interval(place.t, place.t + plainMm);
+  return Interval(place.t, place.t + PlainMm(index, plainMm));
 }

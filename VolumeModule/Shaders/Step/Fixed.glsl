@@ -2,5 +2,5 @@
 
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
-  return Interval(t, inside.enter + float(index + 1) * plainMm);
+  return Interval(t, inside.enter + (float(index) + FirstSegment()) * plainMm);
 }

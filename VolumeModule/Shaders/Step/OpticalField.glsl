@@ -35,6 +35,6 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm
   // An error made behind a veil is seen through it: the step may grow as the veil thickens. The
   // square root stands between what a rule of first and one of second order ask for.
   float growth = min(inversesqrt(max(blendState, 1e-6)), LongestGrowth);
-  float plain = place.t + growth * plainMm;
+  float plain = place.t + growth * PlainMm(index, plainMm);
   return Interval(place.t, content < 0.5 ? plain : max(plain, behind.t));
 }

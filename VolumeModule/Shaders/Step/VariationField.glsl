@@ -9,7 +9,7 @@ uniform vec3 cellCountInverse;
 
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
-  float plain = t + plainMm;
+  float plain = t + PlainMm(index, plainMm);
   vec3 origin = ray.originGrid - firstVoxelGrid;
   vec3 position = origin + t * ray.directionGrid;
   vec3 cell = clamp(floor(position), vec3(0.0), cellCount - 1.0);

@@ -1,0 +1,31 @@
+#include "BlueNoiseTexture.h"
+
+#include "Core/BlueNoise.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkType.h"
+
+#include <vector>
+
+namespace varimarch
+{
+
+void BlueNoiseTexture::Update(vtkOpenGLRenderWindow* window)
+{
+  if (this->texture->GetHandle())
+  {
+    return;
+  }
+  std::vector<std::uint16_t> tile = BlueNoiseTile(Pixels);
+  this->texture->SetContext(window);
+  this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->texture->Create2DFromRaw(Pixels, Pixels, 1, VTK_UNSIGNED_SHORT, tile.data());
+}
+
+void BlueNoiseTexture::Release(vtkWindow* window)
+{
+  this->texture->ReleaseGraphicsResources(window);
+}
+
+}

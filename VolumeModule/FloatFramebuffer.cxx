@@ -1,0 +1,80 @@
+#include "FloatFramebuffer.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkType.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+std::size_t FloatFramebuffer::BytesFor(const Viewport& pixels)
+{
+  return 4 * sizeof(float) * pixels.width * pixels.height;
+}
+
+void FloatFramebuffer::Draw(
+  vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw)
+{
+  vtkOpenGLState* const state = window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  const vtkOpenGLState::ScopedglClearColor clearColor(state);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  state->PushFramebufferBindings();
+  try
+  {
+    this->Bind(window, pixels);
+    state->vtkglViewport(0, 0, pixels.width, pixels.height);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    draw();
+  }
+  catch (...)
+  {
+    state->PopFramebufferBindings();
+    throw;
+  }
+  state->PopFramebufferBindings();
+}
+
+void FloatFramebuffer::Bind(vtkOpenGLRenderWindow* window, const Viewport& pixels)
+{
+  const unsigned int width = std::max(this->texture->GetWidth(), unsigned(pixels.width));
+  const unsigned int height = std::max(this->texture->GetHeight(), unsigned(pixels.height));
+  this->framebuffer->SetContext(window);
+  this->texture->SetContext(window);
+  if (!this->texture->GetHandle() || this->texture->GetWidth() != width ||
+    this->texture->GetHeight() != height)
+  {
+    this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    this->texture->Allocate2D(width, height, 4, VTK_FLOAT);
+  }
+  this->framebuffer->Bind();
+  this->framebuffer->AddColorAttachment(0, this->texture);
+  this->framebuffer->ActivateDrawBuffer(0);
+  this->framebuffer->ActivateReadBuffer(0);
+  if (!this->framebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER))
+  {
+    throw std::runtime_error("OpenGL offers no framebuffer of 32 bit floats, which a volume drawn "
+                             "in blocks, or with other rays than pixels, needs");
+  }
+}
+
+std::size_t FloatFramebuffer::Bytes() const
+{
+  const std::size_t pixels = std::size_t(this->texture->GetWidth()) * this->texture->GetHeight();
+  return this->texture->GetHandle() ? 4 * sizeof(float) * pixels : 0;
+}
+
+void FloatFramebuffer::Release(vtkWindow* window)
+{
+  this->framebuffer->ReleaseGraphicsResources(window);
+  this->texture->ReleaseGraphicsResources(window);
+}
+
+}

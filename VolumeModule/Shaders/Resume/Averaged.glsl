@@ -1,0 +1,18 @@
+// The picture was drawn with several rays in each pixel, of which it shows the mean.
+
+uniform sampler2D coarseTexture;
+uniform int raysPerSide;
+
+vec4 DrawnRay(Ray ray, Interval inside)
+{
+  ivec2 first = ivec2(gl_FragCoord.xy - viewportOriginPixels) * raysPerSide;
+  vec4 sum = vec4(0.0);
+  for (int y = 0; y < raysPerSide; ++y)
+  {
+    for (int x = 0; x < raysPerSide; ++x)
+    {
+      sum += texelFetch(coarseTexture, first + ivec2(x, y), 0);
+    }
+  }
+  return sum / float(raysPerSide * raysPerSide);
+}
