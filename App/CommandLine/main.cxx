@@ -45,6 +45,8 @@ int Run(int argc, char** argv)
     "Draws medical volumes with the variation-field ray marcher, without a display.");
   program.name("varimarch");
   program.require_subcommand(1);
+  program.set_version_flag(
+    "--version", "varimarch " VARIMARCH_VERSION, "Print the version and exit");
   program.footer("varimarch SUBCOMMAND --help tells more, with examples.\n"
                  "Exit codes: 0 success, 1 failure, 2 bad usage.");
   const std::string commandText = CommandText(argc, argv);

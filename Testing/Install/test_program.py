@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""The installed program and its manual.
+
+Usage: test_program.py PREFIX VERSION
+"""
+
+import gzip
+import pathlib
+import re
+import subprocess
+import sys
+
+PREFIX, VERSION = pathlib.Path(sys.argv[1]), sys.argv[2]
+
+
+def varimarch(*arguments):
+    """What the installed program prints. It finds its library by itself."""
+    done = subprocess.run([PREFIX / "bin/varimarch", *arguments], capture_output=True, text=True,
+                          check=False, env={})
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def check_manual(command):
+    """Every word of the help that users type is in the page, and so are the subcommands' pages."""
+    help_text = varimarch(*command[1:], "--help")
+    page = PREFIX / "share/man/man1" / ("-".join(command) + ".1.gz")
+    text = gzip.decompress(page.read_bytes()).decode()
+    assert f"varimarch {VERSION}" in text.splitlines()[0], text[:80]
+    plain = re.sub(r"\\[&:]", "", text).replace("\\-", "-")
+    # Options are set in bold, and what remains of a backslash here is a letter after it: \fB.
+    options = re.findall(r"^ {2}(-\S+|[A-Z]\S*) ", help_text, flags=re.M)
+    examples = re.findall(r"^ {2}(varimarch .*)", help_text, flags=re.M)
+    assert "-h,--help" in options, help_text
+    for option in options:
+        assert re.search(rf"^\\fB{re.escape(option)}[ \\]", plain, flags=re.M), (page, option)
+    for example in examples:
+        assert f"\n{example}\n" in plain, (page, example)
+    subcommands = help_text.partition("\nSubcommands:\n")[2].partition("\n\n")[0]
+    for subcommand in re.findall(r"^ {2}(\S+)", subcommands, flags=re.M):
+        check_manual([*command, subcommand])
+
+
+if __name__ == "__main__":
+    assert varimarch("--version") == f"varimarch {VERSION}\n"
+    assert "16 x 16 x 16" in varimarch("info", "procedural:shells:16x16x16")
+    scenes = sorted((PREFIX / "share/varimarch/Scenes").glob("*.json"))
+    assert scenes, "no scenes are installed"
+    check_manual(["varimarch"])
