@@ -2,6 +2,7 @@
 #define Varimarch_Frame_h
 
 #include "Core/RenderSettings.h"
+#include "Cuts.h"
 #include "VolumeGeometry.h"
 
 #include "vtkType.h"
@@ -29,6 +30,7 @@ struct Frame
   vtkDataArray* scalars;
   vtkMTimeType scalarsTime;
   VolumeGeometry geometry;
+  Cuts cuts; ///< what of it is drawn
   Viewport viewport;
   RenderSettings settings;
   double errorTolerance;  ///< of a premultiplied channel; > 0: chooses the sample distance,

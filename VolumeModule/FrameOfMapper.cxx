@@ -10,7 +10,6 @@
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -225,6 +224,9 @@ std::optional<Frame> FrameOf(
   frame.geometry = VolumeGeometryOf(input->image, volume);
   frame.viewport = ViewportOf(renderer);
   frame.settings = SettingsOf(mapper, renderer, frame.property);
+  frame.cuts = CutsOf(mapper, frame.geometry);
+  frame.settings.clipping = !frame.cuts.planesGrid.empty();
+  frame.settings.cropping = frame.cuts.regions.has_value();
   const double* averaged = mapper->GetAverageIPScalarRange();
   frame.averagedRange = { averaged[0], averaged[1] };
   frame.gapOptical = GapOptical(
@@ -235,19 +237,10 @@ std::optional<Frame> FrameOf(
   return frame;
 }
 
-std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume)
+std::string MissingFeatures(vtkVariationFieldVolumeMapper*, vtkVolume* volume)
 {
-  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   vtkVolumeProperty* property = volume->GetProperty();
   std::string missing;
-  if (mapper->GetCropping())
-  {
-    missing += "Cropping is not supported yet: the whole volume is drawn. ";
-  }
-  if (planes && planes->GetNumberOfItems() > 0)
-  {
-    missing += "Clipping planes are not supported yet: the whole volume is drawn. ";
-  }
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {
     missing += "Transfer functions of two values are not supported yet. ";

@@ -28,6 +28,7 @@ void RayMarcher::Draw(Frame frame)
   this->UpdateDepth(frame);
   this->UpdateLights(frame);
   this->UpdateNoise(frame);
+  this->UpdateCuts(frame);
   this->UpdateBlocks(frame);
   this->UpdateTolerance(frame);
 
@@ -214,6 +215,17 @@ void RayMarcher::UpdateNoise(const Frame& frame)
   this->picture.noise.Update(frame.window);
 }
 
+void RayMarcher::UpdateCuts(const Frame& frame)
+{
+  if (!frame.settings.clipping)
+  {
+    this->clippingPlanes.Release(frame.window);
+    return;
+  }
+  const std::vector<glm::dvec4>& planes = frame.cuts.planesGrid;
+  this->clippingPlanes.Upload(frame.window, std::vector<glm::vec4>(planes.begin(), planes.end()));
+}
+
 void RayMarcher::UpdateProgram(const Frame& frame)
 {
   if (this->program.Use(frame.window, frame.settings))
@@ -228,10 +240,10 @@ void RayMarcher::UpdateProgram(const Frame& frame)
 
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
-  return this->blocks.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
-    this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
-    this->gradientOpacity.Bytes() + this->probe.Bytes() + this->accumulation.Bytes() +
-    this->picture.Bytes();
+  return this->clippingPlanes.Bytes() + this->blocks.Bytes() + this->field.Bytes() +
+    this->opticalTable.Bytes() + this->preIntegratedTable.Bytes() + this->depth.Bytes() +
+    this->lights.Bytes() + this->gradientOpacity.Bytes() + this->probe.Bytes() +
+    this->accumulation.Bytes() + this->picture.Bytes();
 }
 
 double RayMarcher::FieldBuildSeconds() const
@@ -253,6 +265,7 @@ void RayMarcher::Release(vtkWindow* window)
   this->lights.Release(window);
   this->gradientOpacity.Release(window);
   this->gradientOpacitySource.clear();
+  this->clippingPlanes.Release(window);
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource = nullptr;

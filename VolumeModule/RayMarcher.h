@@ -4,6 +4,7 @@
 #include "AccelerationField.h"
 #include "Core/PixelRays.h"
 #include "Core/StepSearch.h"
+#include "FloatBufferTexture.h"
 #include "Frame.h"
 #include "OpticalTableTexture.h"
 #include "PictureResources.h"
@@ -111,6 +112,7 @@ private:
   void UpdateLights(const Frame& frame);
   void UpdateGradientOpacity(const Frame& frame);
   void UpdateNoise(const Frame& frame);
+  void UpdateCuts(const Frame& frame);
   void UpdateBlocks(Frame& frame);
   void UpdateTolerance(const Frame& frame);
   void UpdateProgram(const Frame& frame);
@@ -137,6 +139,7 @@ private:
   void SetResampledUniforms(const Frame& frame);
   void SetNoiseUniforms();
   void SetGapUniforms(const Frame& frame, const DrawnBlock& drawn);
+  void SetCutUniforms(const Frame& frame);
   void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetStepUniforms(const Frame& frame, const VolumeBlock& block);
   void SetClassifyUniforms();
@@ -158,6 +161,7 @@ private:
   SceneDepthTexture depth;
   FloatBufferTexture gradientOpacity;
   FloatBufferTexture lights; ///< only where there are others than head lights
+  FloatBufferTexture clippingPlanes;
   VolumeBoxGeometry boxGeometry;
   ProbeFramebuffer probe;
   RayAccumulation accumulation; ///< only where there are several blocks
@@ -181,6 +185,7 @@ private:
   std::optional<FieldSource> fieldSource;    ///< none: there is no field
   int rangesOfVolume = 0;  ///< the volume's build that the field's ranges belong to
   int visibleOfField = -1; ///< the field's build that the visible boxes belong to; 0: to none
+  Box visibleOfBox = {};   ///< and the box that cuts left then
 };
 
 }

@@ -94,8 +94,9 @@ std::size_t RayMarcher::FixedBytes(const Frame& frame) const
     UsesPreIntegration(frame.settings) || (isTriedOut && frame.triesPreIntegration);
   const Viewport probed = ProbeFramebuffer::PixelsFor(frame.viewport);
   const std::size_t probeBytes = 4 * sizeof(float) * probed.width * probed.height;
-  return this->field.Bytes() + this->opticalTable.Bytes() + this->depth.Bytes() +
-    this->lights.Bytes() + this->gradientOpacity.Bytes() + this->picture.Bytes() +
+  return this->clippingPlanes.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
+    this->depth.Bytes() + this->lights.Bytes() + this->gradientOpacity.Bytes() +
+    this->picture.Bytes() +
     (mayPreIntegrate ? PreIntegratedTableBytes(this->opticalTable.Table()) : 0) +
     (frame.errorTolerance > 0.0 ? probeBytes : 0);
 }
@@ -173,12 +174,18 @@ void RayMarcher::UpdateVisibleBoxes(const Frame& frame)
   const bool knowsWhatIsVisible =
     frame.settings.acceleration == Acceleration::OpticalField && !IsExtreme(frame.settings.blend);
   const int fieldBuild = knowsWhatIsVisible ? this->builds.field : 0;
-  if (this->visibleOfField == fieldBuild)
+  const Box& left = frame.cuts.boxGrid;
+  if (this->visibleOfField == fieldBuild && this->visibleOfBox.lower == left.lower &&
+    this->visibleOfBox.upper == left.upper)
   {
     return;
   }
-  const auto visible = [&](const Box& part)
-  { return knowsWhatIsVisible ? this->field.VisibleBoxGrid(part) : part; };
+  const auto visible = [&](const Box& box)
+  {
+    const Box part{ glm::max(box.lower, left.lower), glm::min(box.upper, left.upper) };
+    const bool isEmpty = glm::any(glm::greaterThanEqual(part.lower, part.upper));
+    return knowsWhatIsVisible && !isEmpty ? this->field.VisibleBoxGrid(part) : part;
+  };
   const BlockPartition& partition = this->blocks.Partition();
   this->visibleBox = visible(frame.geometry.boxGrid);
   this->visibleBoxes.clear();
@@ -187,6 +194,7 @@ void RayMarcher::UpdateVisibleBoxes(const Frame& frame)
     this->visibleBoxes.push_back(visible(partition.BoxOf(block, frame.geometry.boxGrid)));
   }
   this->visibleOfField = fieldBuild;
+  this->visibleOfBox = left;
 }
 
 // Those in which something visible may be in view, front to back.
@@ -259,8 +267,10 @@ void RayMarcher::DrawBlock(Frame frame, int block)
   // Which of two neighbours has a ray along their common face is for the ray to say, not for the
   // rasteriser: the cover reaches farther.
   const Box cover{ visible.lower - 0.5, visible.upper + 0.5 };
+  // What cuts leave may end at a face of the block: then none begins behind it.
+  const glm::bvec3 isShared = glm::lessThan(upper, frame.cuts.boxGrid.upper);
   const DrawnBlock drawn{ &this->blocks.Take(frame.window, block), partition.VoxelsOf(block),
-    visible, cover, glm::mix(glm::dvec3(Nowhere), upper, glm::lessThan(upper, volumeBox.upper)) };
+    visible, cover, glm::mix(glm::dvec3(Nowhere), upper, isShared) };
   frame.settings.gaps = !drawn.block->volume.AllFinite();
   this->UpdateProgram(frame);
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;

@@ -91,6 +91,8 @@ std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
       double(frame.settings.sceneGeometry), FillsGaps(frame.settings) ? frame.gapOptical.a : 0.0,
       frame.averagedRange[0], frame.averagedRange[1], double(frame.viewport.width),
       double(frame.viewport.height) });
+  const std::vector<double> cuts = frame.cuts.Numbers();
+  inputs.insert(inputs.end(), cuts.begin(), cuts.end());
   inputs.insert(inputs.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
   if (frame.settings.lights)
   {

@@ -78,6 +78,21 @@ void RayMarcher::SetGapUniforms(const Frame& frame, const DrawnBlock& drawn)
   }
 }
 
+void RayMarcher::SetCutUniforms(const Frame& frame)
+{
+  if (frame.settings.clipping)
+  {
+    this->clippingPlanes.Texture()->Activate();
+    this->program.Set("clippingPlanes", this->clippingPlanes.Texture());
+    this->program.Set("clippingPlaneCount", int(frame.cuts.planesGrid.size()));
+  }
+  if (frame.settings.cropping && frame.settings.pass != RayPass::Picture)
+  {
+    this->program.Set("croppingPlanes", frame.cuts.regions->planesGrid);
+    this->program.Set("croppingRegions", frame.cuts.regions->drawn);
+  }
+}
+
 void RayMarcher::SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
 {
   const glm::dvec2 depthPixels(
@@ -230,6 +245,7 @@ void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   this->SetRayUniforms(frame, drawn, clipFromGrid);
+  this->SetCutUniforms(frame);
   switch (frame.settings.pass)
   {
     case RayPass::Block:

@@ -73,8 +73,9 @@ VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume)
   VolumeGeometry geometry;
   geometry.dimensions = { extent[1] - extent[0] + 1, extent[3] - extent[2] + 1,
     extent[5] - extent[4] + 1 };
-  geometry.worldFromGrid = FromVtk(worldFromData) * FromVtk(image->GetIndexToPhysicalMatrix()) *
+  geometry.dataFromGrid = FromVtk(image->GetIndexToPhysicalMatrix()) *
     glm::translate(glm::dmat4(1.0), glm::dvec3(extent[0], extent[2], extent[4]));
+  geometry.worldFromGrid = FromVtk(worldFromData) * geometry.dataFromGrid;
   const double* const spacing = image->GetSpacing();
   const glm::dvec3 absolute(std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]));
   geometry.gradientFactors = (absolute.x + absolute.y + absolute.z) / 3.0 / (2.0 * absolute);

@@ -17,10 +17,10 @@ namespace varimarch
 /// Where a volume lies. Grid space has the image's first voxel at (0,0,0), whatever its extent.
 struct VolumeGeometry
 {
-  glm::ivec3 dimensions; ///< voxels
-  Box boxGrid;           ///< what is drawn: all cells; an axis with one voxel is one voxel thick
-  glm::dmat4
-    worldFromGrid; ///< extent, origin, spacing and direction of the image, then the volume's
+  glm::ivec3 dimensions;    ///< voxels
+  Box boxGrid;              ///< what is drawn: all cells; an axis with one voxel is one voxel thick
+  glm::dmat4 dataFromGrid;  ///< extent, origin, spacing and direction of the image
+  glm::dmat4 worldFromGrid; ///< the same, then the volume's matrix
 
   /// Mean spacing of the image over twice the spacing along each axis: what makes differences of
   /// voxels two apart the gradients that VTK's gradient opacity is a function of.

@@ -2,6 +2,7 @@
 
 #include "Core/HeadLightShading.h"
 #include "Core/ReferenceImage.h"
+#include "Module/CutRays.h"
 #include "PropertyTransferFunction.h"
 #include "Scene/FloatCapture.h"
 #include "Scene/ProceduralVolume.h"
@@ -117,6 +118,7 @@ std::vector<float> MapperScene::Truth(double tolerance)
     -std::log1p(-this->mapper->GetNanOpacity()) / property->GetScalarOpacityUnitDistance() };
   scene.averagedRange = { this->mapper->GetAverageIPScalarRange()[0],
     this->mapper->GetAverageIPScalarRange()[1] };
+  scene.leftOf = CutRays(this->mapper, geometry.worldFromGrid, geometry.dataFromGrid);
   if (property->GetShade())
   {
     const HeadLight light{ glm::dvec3(property->GetAmbient()), glm::dvec3(property->GetDiffuse()),

@@ -100,6 +100,23 @@ const std::vector<Change> ForwardedSettings{
     } },
   { "WindowLevel",
     [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&) { mapper->SetFinalColorLevel(0.2F); } },
+  { "Cropping",
+    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene& scene)
+    {
+      double half[6];
+      scene.image->GetBounds(half);
+      half[1] = 0.5 * (half[0] + half[1]);
+      mapper->SetCroppingRegionPlanes(half);
+      mapper->SetCroppingRegionFlagsToSubVolume();
+      mapper->CroppingOn();
+    } },
+  { "ClippingPlane",
+    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(1.0, 0.0, 0.0);
+      mapper->AddClippingPlane(plane);
+    } },
 };
 
 const std::vector<Change> UnsupportedSettings{
@@ -136,20 +153,6 @@ const std::vector<Change> UnsupportedSettings{
     {
       scene.volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 200.0);
       mapper->SetBlendModeToIsoSurface();
-    } },
-  { "Cropping",
-    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene& scene)
-    {
-      mapper->SetCroppingRegionPlanes(scene.image->GetBounds());
-      mapper->SetCroppingRegionFlagsToFence();
-      mapper->CroppingOn();
-    } },
-  { "ClippingPlane",
-    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&)
-    {
-      vtkNew<vtkPlane> plane;
-      plane->SetNormal(1.0, 0.0, 0.0);
-      mapper->AddClippingPlane(plane);
     } },
 };
 

@@ -66,13 +66,14 @@ double ValueAt(const AnalyticScene& scene, glm::dvec3 position)
 /// Where a ray meets the faces of cells, and where it begins and ends.
 std::vector<double> FacesAlong(const AnalyticScene& scene, const MeasuredRay& ray)
 {
-  std::vector<double> faces = { ray.inside.enter, ray.inside.exit };
+  const Interval inside = ray.parts.front(); // no scene of a closed form has cuts
+  std::vector<double> faces = { inside.enter, inside.exit };
   for (int axis = 0; axis < 3; ++axis)
   {
     for (std::size_t face = 0; face < scene.values[axis].size(); ++face)
     {
       const double t = (double(face) - ray.grid.origin[axis]) / ray.grid.direction[axis];
-      if (t > ray.inside.enter && t < ray.inside.exit)
+      if (t > inside.enter && t < inside.exit)
       {
         faces.push_back(t);
       }
@@ -208,7 +209,8 @@ std::vector<float> AnalyticScene::Picture(const ReferenceView& view) const
       const Interval inside = Intersection(ray, this->BoxGrid(), view.rays.BetweenPlanes(ray));
       const glm::dvec4 color = inside.IsEmpty()
         ? glm::dvec4(0.0)
-        : this->Color({ ray, glm::length(view.worldFromGridDirection * ray.direction), inside });
+        : this->Color(
+            { ray, glm::length(view.worldFromGridDirection * ray.direction), { inside } });
       for (int channel = 0; channel < 4; ++channel)
       {
         picture.push_back(float(color[channel]));

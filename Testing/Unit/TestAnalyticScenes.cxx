@@ -31,7 +31,7 @@ bool ExpectClosedForm(const AnalyticScene& scene, const ReferenceScene& referenc
     return false;
   }
   const double mmPerParameter = glm::length(ray.direction * scene.spacingMm);
-  const glm::dvec4 truth = scene.Color({ ray, mmPerParameter, inside });
+  const glm::dvec4 truth = scene.Color({ ray, mmPerParameter, { inside } });
   ExpectNear(ColorAlong(reference, ray, mmPerParameter), truth);
   return truth.a > 0.01;
 }
@@ -138,7 +138,7 @@ TEST(AnalyticScene, BallsHaveTheFormsOfTheSmoothBallButForTheirVoxels)
   for (const AnalyticScene& scene : AnalyticScenes())
   {
     const Ray ray{ { -5.0, 8.0, 8.0 }, { 1.0, 0.0, 0.0 } };
-    const double alpha = scene.Color({ ray, 1.0, Intersection(ray, scene.BoxGrid()) }).a;
+    const double alpha = scene.Color({ ray, 1.0, { Intersection(ray, scene.BoxGrid()) } }).a;
     if (scene.name == "ball")
     {
       EXPECT_NEAR(alpha, 1.0 - std::exp(-0.2 * 2.0 * 7.1), 0.01);

@@ -32,9 +32,10 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   EXPECT_EQ(FragmentShaderParts(plain),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "Fetch/FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Probe/None.glsl",
-      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+      "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
+      "Blend/Composite.glsl", "Fetch/FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl",
+      "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -71,6 +72,15 @@ TEST(ShaderRecipe, EachChoiceOfThePictureChangesItsOwnSlotOnly)
   RenderSettings windowed = plain;
   windowed.windowLevel = true;
   EXPECT_EQ(Changed(windowed), Parts{ "Window/WindowLevel.glsl" });
+}
+
+TEST(ShaderRecipe, CutsChangeTheirOwnSlotsOnly)
+{
+  RenderSettings cuts = plain;
+  cuts.clipping = true;
+  EXPECT_EQ(Changed(cuts), Parts{ "Clip/Planes.glsl" });
+  cuts.cropping = true;
+  EXPECT_EQ(Changed(cuts), (Parts{ "Clip/Planes.glsl", "Crop/Regions.glsl" }));
 }
 
 TEST(ShaderRecipe, GapsTakeTheirWalkAndWhatFillsThem)
@@ -114,9 +124,9 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
-      "Blend/MaximumIntensity.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Probe/None.glsl",
-      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+      "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
+      "Blend/MaximumIntensity.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Crop/None.glsl",
+      "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
@@ -125,7 +135,8 @@ TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
   settings.pass = RayPass::Picture;
   EXPECT_EQ(FragmentShaderParts(settings),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
+      "Clip/None.glsl", "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)
@@ -135,7 +146,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 75u);
+  EXPECT_EQ(distinct.size(), 80u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

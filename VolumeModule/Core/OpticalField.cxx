@@ -318,8 +318,11 @@ Box VisibleBricks::Bounds(const Box& partGrid) const
 {
   constexpr int Side = BrickRanges::CellsPerSide;
   const glm::ivec3 count = this->brickCount;
-  const glm::ivec3 lowest = glm::max(glm::ivec3(glm::floor(partGrid.lower / double(Side))), 0);
-  const glm::ivec3 behind = glm::min(glm::ivec3(glm::ceil(partGrid.upper / double(Side))), count);
+  const glm::ivec3 lowest =
+    glm::clamp(glm::ivec3(glm::floor(partGrid.lower / double(Side))), glm::ivec3(0), count - 1);
+  // A part beyond the outermost voxels shows these.
+  const glm::ivec3 behind =
+    glm::clamp(glm::ivec3(glm::ceil(partGrid.upper / double(Side))), lowest + 1, count);
   glm::ivec3 first = count;
   glm::ivec3 last(-1);
   for (int z = lowest.z; z < behind.z; ++z)

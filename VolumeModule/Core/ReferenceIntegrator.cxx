@@ -8,6 +8,7 @@ namespace varimarch
 
 ReferenceIntegrator::ReferenceIntegrator(const ReferenceScene& scene, double tolerance)
   : boxGrid(scene.boxGrid)
+  , leftOf(scene.leftOf)
   , integral(NewRayIntegral(scene, tolerance))
 {
   if (!(tolerance >= SmallestTolerance))
@@ -25,11 +26,18 @@ ReferenceColor ReferenceIntegrator::Color(
   const Ray& rayGrid, double mmPerParameter, Interval limits) const
 {
   const Interval inside = Intersection(rayGrid, this->boxGrid, limits);
+  const glm::dvec4 transparent(0.0);
   if (inside.IsEmpty())
   {
-    return { glm::dvec4(0.0), 0.0 };
+    return { transparent, 0.0 };
   }
-  return this->integral->Along({ rayGrid, mmPerParameter, inside });
+  if (!this->leftOf)
+  {
+    return this->integral->Along({ rayGrid, mmPerParameter, { inside } });
+  }
+  const std::vector<Interval> left = this->leftOf(rayGrid, inside);
+  return left.empty() ? ReferenceColor{ transparent, 0.0 }
+                      : this->integral->Along({ rayGrid, mmPerParameter, left });
 }
 
 }

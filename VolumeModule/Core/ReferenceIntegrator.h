@@ -25,6 +25,7 @@ public:
 
 private:
   Box boxGrid;
+  std::function<std::vector<Interval>(const Ray& rayGrid, Interval inside)> leftOf;
   std::shared_ptr<const RayIntegral> integral;
 };
 

@@ -64,6 +64,8 @@ struct RenderSettings
   bool shading = false;                            ///< Blinn-Phong; composite only
   bool sceneGeometry = false;                      ///< stop rays at opaque geometry already drawn
   Integration integration = Integration::Midpoint; ///< of a composite without shading
+  bool clipping = false;                           ///< end rays at clipping planes
+  bool cropping = false;                           ///< leave out regions of the volume
   bool gaps = false;         ///< leave out cells that touch a voxel that is not finite,
   bool fillGaps = false;     ///< or draw them in a colour of their own; composite only
   bool countFetches = false; ///< draw how often each ray has read the volume, not the picture

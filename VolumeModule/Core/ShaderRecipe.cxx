@@ -14,6 +14,11 @@ std::string DepthFile(const RenderSettings& settings)
   return settings.sceneGeometry ? "Depth/SceneGeometry.glsl" : "Depth/None.glsl";
 }
 
+std::string ClipFile(const RenderSettings& settings)
+{
+  return settings.clipping ? "Clip/Planes.glsl" : "Clip/None.glsl";
+}
+
 std::string StepFile(const RenderSettings& settings)
 {
   switch (settings.acceleration)
@@ -99,7 +104,7 @@ std::string WindowFile(const RenderSettings& settings)
 std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
   std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl",
-    DepthFile(settings) };
+    DepthFile(settings), ClipFile(settings) };
   if (settings.blend != Blend::Composite)
   {
     parts.insert(parts.end(), { "Classify/OpticalTable.glsl" });
@@ -113,7 +118,8 @@ std::vector<std::string> PictureParts(const RenderSettings& settings)
 // Nor here: pixels of a picture of other rays, whose colours it has.
 std::vector<std::string> ResampledParts(const RenderSettings& settings)
 {
-  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl", DepthFile(settings) };
+  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl", DepthFile(settings),
+    ClipFile(settings) };
   if (settings.pass == RayPass::Upscaled)
   {
     parts.push_back(settings.sceneGeometry ? "Edges/SceneGeometry.glsl" : "Edges/None.glsl");
@@ -187,6 +193,24 @@ std::vector<RenderSettings> RecipesOfMaterials()
   return { lit, gradient, litGradient };
 }
 
+std::vector<RenderSettings> RecipesWithCuts()
+{
+  std::vector<RenderSettings> recipes;
+  for (const auto& [clipping, cropping] :
+    { std::pair(true, false), std::pair(false, true), std::pair(true, true) })
+  {
+    recipes.emplace_back();
+    recipes.back().clipping = clipping;
+    recipes.back().cropping = cropping;
+  }
+  RenderSettings inBlocks = recipes.back();
+  inBlocks.pass = RayPass::Block;
+  recipes.push_back(inBlocks);
+  inBlocks.pass = RayPass::Picture;
+  recipes.push_back(inBlocks);
+  return recipes;
+}
+
 std::vector<std::string> MaterialParts(const RenderSettings& settings)
 {
   const std::string shade = !settings.shading ? "Shade/None.glsl"
@@ -235,6 +259,7 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
     parts.push_back(FillsGaps(settings) ? "Fill/Color.glsl" : "Fill/None.glsl");
   }
   parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
+  parts.push_back(settings.cropping ? "Crop/Regions.glsl" : "Crop/None.glsl");
   parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
   if (settings.pass == RayPass::Whole)
   {
@@ -265,8 +290,8 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
     parts.push_back("Math/WithOpacityFactor.glsl");
   }
   parts.insert(parts.end(),
-    { DepthFile(settings), settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl",
-      StepFile(settings),
+    { DepthFile(settings), ClipFile(settings),
+      settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl", StepFile(settings),
       UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl"
                                    : "Classify/OpticalTable.glsl" });
   if (MarchesMaterial(settings))
@@ -296,8 +321,8 @@ std::vector<RenderSettings> EveryRecipe()
   RenderSettings counting;
   counting.countFetches = true;
   std::vector<RenderSettings> recipes = { counting };
-  for (const std::vector<RenderSettings>& others :
-    { RecipesOfMaterials(), RecipesWithGaps(), RecipesInBlocks(), RecipesOfPictures() })
+  for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(), RecipesWithGaps(),
+         RecipesInBlocks(), RecipesOfPictures(), RecipesWithCuts() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

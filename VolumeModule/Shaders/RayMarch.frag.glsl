@@ -40,7 +40,7 @@ Interval InsideOf(Ray ray)
   {
     inside.y = min(inside.y, dot(farPlaneGrid, vec4(ray.originGrid, 1.0)) / departure);
   }
-  return Interval(inside.x, min(inside.y, DepthLimit(ray)));
+  return Clipped(ray, Interval(inside.x, min(inside.y, DepthLimit(ray))));
 }
 
 void main()

@@ -43,6 +43,9 @@ vec4 Probed(vec4 picture);
 // t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
 float DepthLimit(Ray ray);
 
+// --- Clip: which part of a ray clipping planes leave ------------------------------------------
+Interval Clipped(Ray ray, Interval inside);
+
 // --- Jitter: where a ray has its first sample ------------------------------------------------
 // Length of the first segment of a ray, as a part of the others' (0, 1].
 float FirstSegment();
@@ -116,6 +119,11 @@ bool HasGradient(vec3 positionTexture);
 // Defines, after all the others: Accumulation MarchVolume(Ray ray, Interval inside, Accumulation
 // sum);
 //                               marches through all parts that have a value
+
+// --- Crop: which parts of a ray cropping leaves -------------------------------------------------
+// Defines, after all the others: Accumulation MarchCropped(Ray ray, Interval inside, Accumulation
+// sum);
+//                               marches through all parts that are left
 
 // --- Window: what is done to the colours of a picture ------------------------------------------
 vec4 Windowed(vec4 picture);

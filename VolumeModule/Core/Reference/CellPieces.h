@@ -21,12 +21,28 @@ CellPiece PieceOf(const CellPart& part, const CellCorners& corners, const Ray& r
 
 bool AllFinite(const CellCorners& corners);
 
+/// Calls visit(part) for the cells along all parts of a ray, front to back, until it returns false.
+template <class Visit>
+void WalkCells(const MeasuredRay& ray, Visit visit)
+{
+  bool goesOn = true;
+  for (auto part = ray.parts.begin(); part != ray.parts.end() && goesOn; ++part)
+  {
+    WalkCells(ray.grid, *part,
+      [&](const CellPart& cellPart)
+      {
+        goesOn = visit(cellPart);
+        return goesOn;
+      });
+  }
+}
+
 /// Calls visit(part, corners) for the cells along a ray that have a value everywhere, front to
 /// back, until it returns false.
 template <class Visit>
 void WalkFiniteCells(const ReferenceScene& scene, const MeasuredRay& ray, Visit visit)
 {
-  WalkCells(ray.grid, ray.inside,
+  WalkCells(ray,
     [&](const CellPart& part)
     {
       const CellCorners corners = scene.cornersOfCell(part.cell);

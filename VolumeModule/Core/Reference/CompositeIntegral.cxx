@@ -107,7 +107,7 @@ CompositeIntegral::CompositeIntegral(ReferenceScene givenScene, double tolerance
 ReferenceColor CompositeIntegral::Along(const MeasuredRay& ray) const
 {
   Cells cells(*this, ray);
-  WalkCells(ray.grid, ray.inside,
+  WalkCells(ray,
     [&](const CellPart& part)
     {
       const CellCorners corners = this->scene.cornersOfCell(part.cell);

@@ -1,6 +1,6 @@
 #include "Core/Reference/MaterialIntegral.h"
 
-#include "Core/CellWalk.h"
+#include "Core/Reference/CellPieces.h"
 #include "Core/Reference/CompositeSum.h"
 
 #include <utility>
@@ -20,7 +20,7 @@ ReferenceColor MaterialIntegral::Along(const MeasuredRay& ray) const
   const auto materialAt = [&](double t)
   { return this->scene.material(ray.PositionGrid(t), ray.grid); };
   const Ray halfCells{ 2.0 * ray.grid.origin, 2.0 * ray.grid.direction };
-  WalkCells(halfCells, ray.inside,
+  WalkCells(MeasuredRay{ halfCells, ray.mmPerParameter, ray.parts },
     [&](const CellPart& part)
     {
       sum.AddVarying(materialAt, part.t.enter, part.t.exit, ray.mmPerParameter);

@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 
 #include <memory>
+#include <vector>
 
 namespace varimarch
 {
@@ -16,14 +17,18 @@ struct ReferenceColor
   double error;    ///< estimate of the largest error of a channel
 };
 
-/// The part of a ray that counts, and how long its parameter is.
+/// The parts of a ray that count, and how long its parameter is.
 struct MeasuredRay
 {
   Ray grid;
-  double mmPerParameter; ///< > 0
-  Interval inside;       ///< finite, not empty
+  double mmPerParameter;       ///< > 0
+  std::vector<Interval> parts; ///< front to back; each finite, not empty
 
-  double LengthMm() const { return (this->inside.exit - this->inside.enter) * mmPerParameter; }
+  /// From the beginning of the first part to the end of the last.
+  double LengthMm() const
+  {
+    return (this->parts.back().exit - this->parts.front().enter) * this->mmPerParameter;
+  }
   glm::dvec3 PositionGrid(double t) const { return this->grid.origin + t * this->grid.direction; }
 };
 

@@ -60,6 +60,9 @@ struct ReferenceScene
 
   /// Composite: the homogeneous material, not lit, of cells that touch a voxel that is not finite.
   OpticalProperties gap = { glm::dvec3(0.0), 0.0 };
+
+  /// What cuts leave of the part of a ray inside the box, front to back; none: all of it.
+  std::function<std::vector<Interval>(const Ray& rayGrid, Interval inside)> leftOf = {};
 };
 
 }

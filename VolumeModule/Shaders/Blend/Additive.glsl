@@ -1,9 +1,10 @@
-// The integral of opacity times gray over lengths in unit distances, at most 1, in white on black.
-// Gray goes from 0 to 1 over the scalars of the volume.
+// The integral of opacity times gray over lengths in unit distances, at most 1, in white on black;
+// a ray without any sample is transparent. Gray goes from 0 to 1 over the scalars of the volume.
 
 struct Accumulation
 {
   float integral; // [mm]
+  float lengthMm; // of all samples
 };
 
 uniform float smallestScalar;
@@ -12,14 +13,14 @@ uniform float opacityUnitDistanceMm;
 
 Accumulation BlendBegin()
 {
-  return Accumulation(0.0);
+  return Accumulation(0.0, 0.0);
 }
 
 Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
 {
   float opacity = Absorption(min(Classify(scalar).a * opacityUnitDistanceMm, 100.0));
   float gray = (scalar - smallestScalar) * grayPerScalar;
-  return Accumulation(sum.integral + opacity * gray * lengthMm);
+  return Accumulation(sum.integral + opacity * gray * lengthMm, sum.lengthMm + lengthMm);
 }
 
 float BlendState(Accumulation sum)
@@ -34,15 +35,16 @@ bool BlendFinished(Accumulation sum)
 
 vec4 BlendResult(Accumulation sum)
 {
-  return vec4(vec3(clamp(sum.integral / opacityUnitDistanceMm, 0.0, 1.0)), 1.0);
+  float white = clamp(sum.integral / opacityUnitDistanceMm, 0.0, 1.0);
+  return sum.lengthMm > 0.0 ? vec4(vec3(white), 1.0) : vec4(0.0);
 }
 
 vec4 BlendKept(Accumulation sum)
 {
-  return vec4(sum.integral, 0.0, 0.0, 0.0);
+  return vec4(sum.integral, sum.lengthMm, 0.0, 0.0);
 }
 
 Accumulation BlendResumed(vec4 kept)
 {
-  return Accumulation(kept.r);
+  return Accumulation(kept.r, kept.g);
 }

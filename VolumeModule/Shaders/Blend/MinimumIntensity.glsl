@@ -1,5 +1,5 @@
 // The smallest scalar along the ray, seen through the transfer function: its opacity over one unit
-// distance, whatever the length of the ray.
+// distance, whatever the length of the ray. A ray without any sample is transparent.
 
 struct Accumulation
 {
@@ -12,7 +12,12 @@ uniform float opacityUnitDistanceMm;
 
 Accumulation BlendBegin()
 {
-  return Accumulation(largestScalar);
+  return Accumulation(largestScalar + 1.0); // beyond all scalars: none yet
+}
+
+bool HasSample(Accumulation sum)
+{
+  return sum.smallest < largestScalar + 0.5;
 }
 
 Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
@@ -34,15 +39,15 @@ vec4 BlendResult(Accumulation sum)
 {
   vec4 optical = Classify(sum.smallest);
   float opacity = Absorption(min(optical.a * opacityUnitDistanceMm, 100.0));
-  return vec4(optical.rgb * opacity, opacity);
+  return HasSample(sum) ? vec4(optical.rgb * opacity, opacity) : vec4(0.0);
 }
 
 vec4 BlendKept(Accumulation sum)
 {
-  return vec4(sum.smallest - largestScalar, 0.0, 0.0, 0.0);
+  return HasSample(sum) ? vec4(sum.smallest - largestScalar, 1.0, 0.0, 0.0) : vec4(0.0);
 }
 
 Accumulation BlendResumed(vec4 kept)
 {
-  return Accumulation(kept.r + largestScalar);
+  return kept.g > 0.0 ? Accumulation(kept.r + largestScalar) : BlendBegin();
 }

@@ -13,5 +13,5 @@ vec4 DrawnRay(Ray ray, Interval inside)
   inside.exit = another ? inside.enter : inside.exit;
 
   Accumulation sum = BlendResumed(texelFetch(gatheredTexture, ivec2(gl_FragCoord.xy), 0));
-  return BlendKept(MarchVolume(ray, inside, sum));
+  return BlendKept(MarchCropped(ray, inside, sum));
 }

@@ -2,5 +2,5 @@
 
 vec4 DrawnRay(Ray ray, Interval inside)
 {
-  return Probed(Windowed(BlendResult(MarchVolume(ray, inside, BlendBegin()))));
+  return Probed(Windowed(BlendResult(MarchCropped(ray, inside, BlendBegin()))));
 }

@@ -1,0 +1,30 @@
+#ifndef Varimarch_Testing_CutRays_h
+#define Varimarch_Testing_CutRays_h
+
+#include "Core/Box.h"
+
+#include <vtkVolumeMapper.h>
+
+#include <glm/mat4x4.hpp>
+
+#include <vector>
+
+/// What a mapper's clipping planes and cropping leave of a ray, as VTK defines them: point by point
+/// in the world and in the data, with none of the mapper's formulas.
+class CutRays
+{
+public:
+  CutRays(vtkVolumeMapper* mapper, const glm::dmat4& worldFromGrid, const glm::dmat4& dataFromGrid);
+
+  std::vector<varimarch::Interval> operator()(
+    const varimarch::Ray& rayGrid, varimarch::Interval inside) const;
+
+private:
+  bool IsLeft(glm::dvec3 positionGrid) const;
+
+  vtkVolumeMapper* mapper;
+  glm::dmat4 worldFromGrid;
+  glm::dmat4 dataFromGrid;
+};
+
+#endif

@@ -1,0 +1,6 @@
+// No planes but those of the volume's box.
+
+Interval Clipped(Ray ray, Interval inside)
+{
+  return inside;
+}

@@ -1,0 +1,19 @@
+// Clipping planes end the part of a ray that is marched, at the very place where it meets them.
+
+uniform samplerBuffer clippingPlanes; // grid space; dot(plane, position) >= 0 is left
+uniform int clippingPlaneCount;
+
+Interval Clipped(Ray ray, Interval inside)
+{
+  for (int i = 0; i < clippingPlaneCount; ++i)
+  {
+    vec4 plane = texelFetch(clippingPlanes, i);
+    float beyond = dot(plane, vec4(ray.originGrid, 1.0));
+    float approach = dot(plane.xyz, ray.directionGrid);
+    float crossing = -beyond / approach;
+    inside.enter = approach > 0.0 ? max(inside.enter, crossing) : inside.enter;
+    inside.exit = approach < 0.0 ? min(inside.exit, crossing) : inside.exit;
+    inside.exit = approach == 0.0 && beyond < 0.0 ? inside.enter : inside.exit;
+  }
+  return inside;
+}

@@ -1,0 +1,6 @@
+// The whole ray is drawn.
+
+Accumulation MarchCropped(Ray ray, Interval inside, Accumulation sum)
+{
+  return MarchVolume(ray, inside, sum);
+}

@@ -1,0 +1,52 @@
+// Cropping by regions: six planes cut a ray into pieces, each of which lies in one region.
+
+uniform vec4 croppingPlanes[6]; // grid space; x, y, z of the data, lower and upper
+uniform int croppingRegions;    // bit x + 3 y + 9 z: drawn; 0 below, 1 between, 2 above the planes
+
+float NextCrossing(Ray ray, float t, float exit)
+{
+  float next = exit;
+  for (int i = 0; i < 6; ++i)
+  {
+    float approach = dot(croppingPlanes[i].xyz, ray.directionGrid);
+    float crossing = -dot(croppingPlanes[i], vec4(ray.originGrid, 1.0)) / approach;
+    next = approach != 0.0 && crossing > t ? min(next, crossing) : next;
+  }
+  return next;
+}
+
+bool IsDrawn(Ray ray, float t)
+{
+  vec4 position = vec4(ray.originGrid + t * ray.directionGrid, 1.0);
+  int region = 0;
+  for (int axis = 2; axis >= 0; --axis)
+  {
+    int planesBelow = int(dot(croppingPlanes[2 * axis], position) >= 0.0) +
+      int(dot(croppingPlanes[2 * axis + 1], position) >= 0.0);
+    region = 3 * region + planesBelow;
+  }
+  return (croppingRegions >> region & 1) != 0;
+}
+
+Accumulation MarchCropped(Ray ray, Interval inside, Accumulation sum)
+{
+  float t = inside.enter;
+  while (t < inside.exit && !BlendFinished(sum))
+  {
+    // Pieces that are drawn are joined to one march.
+    Interval part = Interval(t, t);
+    bool drawn = true;
+    while (t < inside.exit && drawn)
+    {
+      float next = NextCrossing(ray, t, inside.exit);
+      drawn = IsDrawn(ray, 0.5 * (t + next));
+      part.exit = drawn ? next : part.exit;
+      t = next;
+    }
+    if (part.enter < part.exit)
+    {
+      sum = MarchVolume(ray, part, sum);
+    }
+  }
+  return sum;
+}
