@@ -100,10 +100,15 @@ TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function)
 
 unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property)
 {
-  const unsigned long colorTime = property->GetColorChannels() == 1
-    ? property->GetGrayTransferFunction()->GetMTime()
-    : property->GetRGBTransferFunction()->GetMTime();
-  return std::max(colorTime, property->GetScalarOpacity()->GetMTime());
+  // A function that takes another's place may be older than the other.
+  const bool isGray = property->GetColorChannels() == 1;
+  const unsigned long colorTime = isGray ? std::max(property->GetGrayTransferFunction()->GetMTime(),
+                                             property->GetGrayTransferFunctionMTime().GetMTime())
+                                         : std::max(property->GetRGBTransferFunction()->GetMTime(),
+                                             property->GetRGBTransferFunctionMTime().GetMTime());
+  const unsigned long opacityTime = std::max(
+    property->GetScalarOpacity()->GetMTime(), property->GetScalarOpacityMTime().GetMTime());
+  return std::max(colorTime, opacityTime);
 }
 
 }

@@ -95,6 +95,17 @@ TEST(Rebuilds, AChangedTransferFunctionRebuildsTheTableAndTheClassesOfBricks)
     expected);
 }
 
+TEST(Rebuilds, AFunctionInPlaceOfAnotherCountsAsAChangeHoweverOldItIs)
+{
+  vtkNew<vtkPiecewiseFunction> older;
+  older->AddPoint(150.0, 0.0);
+  older->AddPoint(400.0, 0.5);
+  MapperScene scene(SmallTorso());
+  scene.colors->Modified(); // the newest of all, before and after
+  EXPECT_EQ(BuiltBy(scene, [&] { scene.volume->GetProperty()->SetScalarOpacity(older); }),
+    (Counts{ 0, 0, 1, 1, 0 }));
+}
+
 TEST(Rebuilds, TheScalarFieldKnowsNothingOfTheTransferFunction)
 {
   MapperScene scene(SmallTorso());
