@@ -52,6 +52,8 @@ std::vector<ExtremeScene> ExtremeMaterials()
       Opacities({ { 0.0, OneUlpBelowOne }, { 1.0, OneUlpBelowOne } }) },
     { "OneUlpFromOpaqueAtTheEndOfARamp", Lumpy(),
       Opacities({ { 0.3, 0.0 }, { 0.8, OneUlpBelowOne } }) },
+    { "OpaqueAtTheTipOfATent", Lumpy(SmallBox, VTK_UNSIGNED_SHORT, 0.0, 65535.0),
+      Opacities({ { 0.0, 0.0 }, { 30000.0, 1.0 }, { 61380.0, 0.0 } }, 0.0, 65535.0) },
     { "OpaqueEverywhere", Lumpy(), Opacities({ { 0.0, 1.0 }, { 1.0, 1.0 } }) },
     { "PeakNarrowerThanATexelOf16Bits", Lumpy(SmallBox, VTK_UNSIGNED_SHORT, 0.0, 65535.0),
       Opacities({ { 30000.2, 0.0 }, { 30000.5, 0.9 }, { 30000.8, 0.0 } }, 0.0, 65535.0) },

@@ -217,6 +217,20 @@ TEST(OpticalTable, OpaqueEntriesAreFinite)
   EXPECT_EQ(table.entries.back().a * 0.0f, 0.0f);
 }
 
+TEST(OpticalTable, AnOpaqueTipKeepsItsIntegralAndIsNoWall)
+{
+  // The mean of the extinction -log(1 - x) is 1 on either side of the tip, where an entry lies.
+  const OpticalTable table =
+    BuildOpticalTable(OpacityCurve({ { 0.0, 0.0 }, { 500.0, 1.0 }, { 1023.0, 0.0 } }), 0.0, 1023.0);
+  ASSERT_EQ(table.entries.size(), 1024u);
+  double integral = 0.0;
+  for (const glm::vec4& entry : table.entries)
+  {
+    integral += entry.a;
+  }
+  EXPECT_NEAR(integral, 1023.0, 1.0);
+}
+
 TEST(OpticalTable, ALoneStepSeparatesTheValuesBesideIt)
 {
   const TransferFunction function = OpacityCurve({ { 100.0, 0.0 }, { 100.0, 0.5 } });

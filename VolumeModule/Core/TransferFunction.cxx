@@ -264,13 +264,23 @@ std::vector<double> OpacityNodesIn(
   return values;
 }
 
+/// Whether the curve is opaque at a value and on neither side of it, as at the tip of a tent. Light
+/// passes there: the extinction beside it grows like a logarithm, whose integral is finite.
+bool IsOpaqueInPassing(const TransferFunction& transferFunction, double value, double gap)
+{
+  return std::isinf(transferFunction.Extinction(value)) &&
+    !std::isinf(transferFunction.Extinction(value - gap)) &&
+    !std::isinf(transferFunction.Extinction(value + gap));
+}
+
 /// What stands at a value of a table whose entries are `gap` apart. Where several nodes lie within
-/// one entry to either side, a sample would miss what is between them: there it is the mean under
-/// the hat function of the entry, so that no extinction is lost.
+/// one entry to either side, a sample would miss what is between them, and at an opaque tip it
+/// would be a wall: there it is the mean under the hat function of the entry, so that the integral
+/// stays.
 glm::vec4 EntryAt(const TransferFunction& transferFunction, double value, double gap)
 {
   std::vector<double> ends = OpacityNodesIn(transferFunction, value - gap, value + gap);
-  if (ends.size() < 2)
+  if (ends.size() < 2 && !IsOpaqueInPassing(transferFunction, value, gap))
   {
     return OpticalEntry(transferFunction, value);
   }
