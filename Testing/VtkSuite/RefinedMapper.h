@@ -1,0 +1,9 @@
+#ifndef Varimarch_Testing_RefinedMapper_h
+#define Varimarch_Testing_RefinedMapper_h
+
+// The driver of VTK's tests includes this file and calls what it declares.
+#include <vtkTestingObjectFactory.h>
+
+void RegisterRefinedMapper();
+
+#endif
