@@ -4,6 +4,7 @@
 Usage: test_python.py CASE [VARIMARCH]
 """
 
+import os
 import pathlib
 import subprocess
 import sys
@@ -142,6 +143,17 @@ def what_is_wrong_is_one_sentence(folder):
             assert part in text and "\n" not in text and "(0x" not in text, text
         else:
             raise AssertionError(f"nothing is wrong where {part} was expected")
+
+
+def without_opengl_is_one_sentence(folder):
+    """EGL looks for its drivers with the first call, in a folder that is empty here."""
+    os.environ["__EGL_VENDOR_LIBRARY_DIRS"] = str(folder)
+    try:
+        varimarch.render(ball(8))
+    except RuntimeError as error:
+        assert "EGL" in str(error) and "\n" not in str(error), error
+    else:
+        raise AssertionError("there is a picture without OpenGL")
 
 
 def warnings_are_python_warnings(_folder):
