@@ -11,6 +11,7 @@
 #include "vtk_glew.h"
 
 #include <chrono>
+#include <limits>
 #include <utility>
 
 namespace varimarch
@@ -19,10 +20,12 @@ namespace varimarch
 namespace
 {
 
+// Of a volume of one component.
 VariationField ScalarFieldOf(const ScalarRegion& region, double tolerance)
 {
-  void* const voxels = region.scalars->GetVoidPointer(0);
-  switch (region.scalars->GetDataType())
+  vtkDataArray* const array = region.channels.front().array;
+  void* const voxels = array->GetVoidPointer(0);
+  switch (array->GetDataType())
   {
     vtkTemplateMacro(return BuildVariationField(
       ScalarGrid<VTK_TT>(static_cast<VTK_TT*>(voxels), region.dimensions).Part(region.voxels),
@@ -31,15 +34,60 @@ VariationField ScalarFieldOf(const ScalarRegion& region, double tolerance)
   return {};
 }
 
-BrickRanges RangesOf(vtkDataArray* scalars, glm::ivec3 dimensions, double smallest, double largest)
+template <class Scalar>
+BrickRanges RangesOf(
+  const Scalar* scalars, int stride, glm::ivec3 dimensions, const ScalarTexels& texels)
 {
-  void* const voxels = scalars->GetVoidPointer(0);
-  switch (scalars->GetDataType())
+  if (stride == 1)
   {
-    vtkTemplateMacro(return BuildBrickRanges(
-      ScalarGrid<VTK_TT>(static_cast<VTK_TT*>(voxels), dimensions), smallest, largest));
+    return BuildBrickRanges(
+      ScalarGrid<Scalar>(scalars, dimensions), texels.smallestScalar, texels.largestScalar);
+  }
+  // A component is copied, one at a time.
+  std::vector<Scalar> component(std::size_t(dimensions.x) * dimensions.y * dimensions.z);
+  for (std::size_t i = 0; i < component.size(); ++i)
+  {
+    component[i] = scalars[i * stride];
+  }
+  return BuildBrickRanges(
+    ScalarGrid<Scalar>(component.data(), dimensions), texels.smallestScalar, texels.largestScalar);
+}
+
+BrickRanges RangesOf(const VoxelChannel& channel, glm::ivec3 dimensions, const ScalarTexels& texels)
+{
+  void* const voxels = channel.array->GetVoidPointer(channel.component);
+  const int stride = channel.array->GetNumberOfComponents();
+  switch (channel.array->GetDataType())
+  {
+    vtkTemplateMacro(
+      return RangesOf(static_cast<const VTK_TT*>(voxels), stride, dimensions, texels));
   }
   return {};
+}
+
+// For the voxels of a region 0, or NaN where any channel is not finite.
+std::vector<float> GapsOf(const ScalarRegion& region)
+{
+  const glm::ivec3 count = region.voxels.count;
+  std::vector<float> gaps(std::size_t(count.x) * count.y * count.z);
+  std::size_t voxel = 0;
+  for (int z = 0; z < count.z; ++z)
+  {
+    for (int y = 0; y < count.y; ++y)
+    {
+      for (int x = 0; x < count.x; ++x, ++voxel)
+      {
+        const glm::ivec3 at = region.voxels.first + glm::ivec3(x, y, z);
+        const vtkIdType tuple =
+          at.x + vtkIdType(region.dimensions.x) * (at.y + vtkIdType(region.dimensions.y) * at.z);
+        for (const VoxelChannel& channel : region.channels)
+        {
+          gaps[voxel] += float(0.0 * channel.array->GetComponent(tuple, channel.component));
+        }
+      }
+    }
+  }
+  return gaps;
 }
 
 class Stopwatch
@@ -62,7 +110,7 @@ void AccelerationField::Upload(
 {
   constexpr bool narrow = sizeof(Texel) == 1;
   AllocateTexture3D(this->texture, window, size, narrow ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_SHORT,
-    narrow ? GL_R8 : GL_R16, "an acceleration field");
+    narrow ? GL_R8 : GL_R16, 1, "an acceleration field");
   this->size = size;
   this->bytes = texels.size() * sizeof(Texel);
 
@@ -88,19 +136,43 @@ void AccelerationField::BuildScalarField(
   this->Upload(window, field.cellCount, field.cells);
 }
 
+void AccelerationField::BuildGaps(vtkOpenGLRenderWindow* window, const ScalarRegion& region)
+{
+  // Whatever is finite is within this tolerance.
+  const double unlimited = std::numeric_limits<double>::infinity();
+  if (region.channels.size() == 1 && region.channels.front().array->GetNumberOfComponents() == 1)
+  {
+    this->BuildScalarField(window, region, unlimited);
+    return;
+  }
+  const std::vector<float> gaps = GapsOf(region);
+  const VariationField field =
+    BuildVariationField(ScalarGrid<float>(gaps.data(), region.voxels.count), unlimited);
+  this->Upload(window, field.cellCount, field.cells);
+}
+
 void AccelerationField::BuildRanges(
-  vtkDataArray* scalars, glm::ivec3 dimensions, double smallestScalar, double largestScalar)
+  const VoxelChannels& channels, glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels)
 {
   const Stopwatch stopwatch;
-  this->ranges = RangesOf(scalars, dimensions, smallestScalar, largestScalar);
+  this->ranges.clear();
+  for (std::size_t i = 0; i < channels.size(); ++i)
+  {
+    this->ranges.push_back(RangesOf(channels[i], dimensions, texels[i]));
+  }
   this->rangeSeconds = stopwatch.Seconds();
 }
 
-void AccelerationField::BuildOpticalField(
-  vtkOpenGLRenderWindow* window, const OpticalTable& table, const OpticalTolerance& tolerance)
+void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
+  const std::vector<ChannelTable>& tables, const OpticalTolerance& tolerance)
 {
   const Stopwatch stopwatch;
-  const OpticalField field = varimarch::BuildOpticalField(this->ranges, table, tolerance);
+  std::vector<OpticalChannel> channels;
+  for (const ChannelTable& shown : tables)
+  {
+    channels.push_back({ this->ranges[shown.channel], *shown.table });
+  }
+  const OpticalField field = varimarch::BuildOpticalField(channels, tolerance);
   this->visible = VisibleBricks(field);
   this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + stopwatch.Seconds();
   this->Upload(window, field.brickCount, field.bricks);
@@ -109,11 +181,12 @@ void AccelerationField::BuildOpticalField(
 void AccelerationField::BuildExtremes(vtkOpenGLRenderWindow* window, bool largest)
 {
   const Stopwatch stopwatch;
-  const glm::ivec3 count = this->ranges.BrickCount();
+  const BrickRanges& values = this->ranges.front();
+  const glm::ivec3 count = values.BrickCount();
   std::vector<std::uint16_t> extremes(std::size_t(count.x) * count.y * count.z);
   for (std::size_t i = 0; i < extremes.size(); ++i)
   {
-    const BrickRanges::Steps steps = this->ranges[i];
+    const BrickRanges::Steps steps = values[i];
     // Beside a value that is not finite there may be any other.
     const std::uint16_t unknown = largest ? 65535 : 0;
     const std::uint16_t extreme = largest ? steps.largest : steps.smallest;
@@ -126,7 +199,7 @@ void AccelerationField::BuildExtremes(vtkOpenGLRenderWindow* window, bool larges
 void AccelerationField::Release(vtkWindow* window)
 {
   this->texture->ReleaseGraphicsResources(window);
-  this->ranges = BrickRanges();
+  this->ranges.clear();
   this->visible = VisibleBricks();
   this->bytes = 0;
 }

@@ -8,11 +8,17 @@
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 
-class vtkDataArray;
 class vtkOpenGLRenderWindow;
 
 namespace varimarch
 {
+
+/// A channel, and the transfer function that shows it.
+struct ChannelTable
+{
+  int channel;
+  const OpticalTable* table;
+};
 
 /// The field that lets rays jump, as a 3D texture of bytes: one for each cell (the scalar field)
 /// or for each brick of cells (the optical field).
@@ -25,20 +31,26 @@ public:
   void BuildScalarField(
     vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance);
 
+  /// The field of cells that a voxel touches which is not finite in any channel: the scalar field
+  /// of an unlimited tolerance.
+  /// @throws std::runtime_error when the device cannot hold the texture
+  void BuildGaps(vtkOpenGLRenderWindow* window, const ScalarRegion& region);
+
   /// The part of the optical field that reads the volume; kept for every later BuildOpticalField.
   void BuildRanges(
-    vtkDataArray* scalars, glm::ivec3 dimensions, double smallestScalar, double largestScalar);
+    const VoxelChannels& channels, glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels);
 
   /// @throws std::runtime_error when the device cannot hold the texture
-  void BuildOpticalField(
-    vtkOpenGLRenderWindow* window, const OpticalTable& table, const OpticalTolerance& tolerance);
+  /// @param tables  what shows a channel's values
+  void BuildOpticalField(vtkOpenGLRenderWindow* window, const std::vector<ChannelTable>& tables,
+    const OpticalTolerance& tolerance);
 
   /// The largest or smallest value of each brick, from the ranges, as texels of 16 bits that hold
   /// steps of BrickRanges.
   /// @throws std::runtime_error when the device cannot hold the texture
   void BuildExtremes(vtkOpenGLRenderWindow* window, bool largest);
 
-  const BrickRanges& Ranges() const { return this->ranges; }
+  const BrickRanges& Ranges() const { return this->ranges.front(); } ///< of the first channel
   vtkTextureObject* Texture() const { return this->texture; }
   /// Of the optical field, the smallest box that holds what is visible in a part of the volume.
   Box VisibleBoxGrid(const Box& partGrid) const { return this->visible.Bounds(partGrid); }
@@ -53,7 +65,7 @@ private:
   void Upload(vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels);
 
   vtkNew<vtkTextureObject> texture;
-  BrickRanges ranges;
+  std::vector<BrickRanges> ranges; ///< of each channel
   VisibleBricks visible;
   glm::ivec3 size = glm::ivec3(1);
   double rangeSeconds = 0.0; ///< of ranges that no field has been built of yet

@@ -4,6 +4,7 @@
 #include "Core/RenderSettings.h"
 #include "Cuts.h"
 #include "VolumeGeometry.h"
+#include "VolumeTexture.h"
 
 #include "vtkType.h"
 
@@ -28,6 +29,7 @@ struct Frame
   vtkRenderer* renderer;
   vtkVolumeProperty* property;
   vtkDataArray* scalars;
+  VoxelChannels channels; ///< what of the scalars is drawn
   vtkMTimeType scalarsTime;
   VolumeGeometry geometry;
   Cuts cuts; ///< what of it is drawn

@@ -63,16 +63,21 @@ Blend BlendOf(int blendMode)
     "additive (4)");
 }
 
-Acceleration AccelerationOf(int accelerationMode, Blend blend)
+Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings)
 {
+  const bool one = settings.components == Components::One;
   switch (accelerationMode)
   {
     case vtkVariationFieldVolumeMapper::ScalarField:
-      return Acceleration::ScalarField;
+      // The published field is of one scalar.
+      return one ? Acceleration::ScalarField : Acceleration::Off;
     case vtkVariationFieldVolumeMapper::OpticalField:
-      // What is invisible to a composite counts in a sum of values.
-      return blend == Blend::Composite || IsExtreme(blend) ? Acceleration::OpticalField
-                                                           : Acceleration::Off;
+      // What is invisible to a composite counts in a sum of values. An extreme of several
+      // components is one of each, so that a brick could be left only where it betters none of
+      // them.
+      return settings.blend == Blend::Composite || (one && IsExtreme(settings.blend))
+        ? Acceleration::OpticalField
+        : Acceleration::Off;
   }
   return Acceleration::Off;
 }
@@ -112,6 +117,29 @@ glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistance
   return glm::dvec4(material.Color(0.0), extinction);
 }
 
+// What the components of an array are. Throws a sentence when they are nothing that can be drawn.
+Components ComponentsOf(const std::string& name, int count, bool independent)
+{
+  if (count < 1 || count > 4)
+  {
+    throw std::runtime_error(
+      "Array \"" + name + "\" has " + std::to_string(count) + " components: expected 1 to 4");
+  }
+  if (count == 1)
+  {
+    return Components::One;
+  }
+  if (!independent && count == 3)
+  {
+    throw std::runtime_error("Array \"" + name +
+      "\" has 3 components that depend on each other: expected 2 (colour and opacity), 4 (red, "
+      "green, blue and opacity), or independent ones");
+  }
+  return independent ? Components::Independent
+    : count == 2     ? Components::LuminanceOpacity
+                     : Components::Rgba;
+}
+
 // The scalars to draw. Throws a sentence that tells what is wrong with the input.
 vtkDataArray* CheckedScalars(vtkImageData* image, vtkDataArray* scalars, int cellFlag)
 {
@@ -123,11 +151,6 @@ vtkDataArray* CheckedScalars(vtkImageData* image, vtkDataArray* scalars, int cel
   if (cellFlag != 0)
   {
     throw std::runtime_error("Array \"" + name + "\" holds cell data: expected point data");
-  }
-  if (scalars->GetNumberOfComponents() != 1)
-  {
-    throw std::runtime_error("Array \"" + name + "\" has " +
-      std::to_string(scalars->GetNumberOfComponents()) + " components: expected 1");
   }
   if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
@@ -184,15 +207,29 @@ std::optional<MapperInput> InputOf(vtkVariationFieldVolumeMapper* mapper)
   return MapperInput{ image, CheckedScalars(image, scalars, cellFlag) };
 }
 
-RenderSettings SettingsOf(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolumeProperty* property)
+bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& settings)
+{
+  for (int part = 0; part < PartCount(settings); ++part)
+  {
+    if (property->HasGradientOpacity(part) && !property->GetDisableGradientOpacity(part))
+    {
+      return settings.blend == Blend::Composite;
+    }
+  }
+  return false;
+}
+
+RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer,
+  vtkVolumeProperty* property, vtkDataArray* scalars)
 {
   RenderSettings settings;
   settings.blend = BlendOf(mapper->GetBlendMode());
-  settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings.blend);
+  settings.componentCount = scalars->GetNumberOfComponents();
+  settings.components = ComponentsOf(scalars->GetName() ? scalars->GetName() : "scalars",
+    settings.componentCount, property->GetIndependentComponents() != 0);
+  settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings);
   settings.shading = property->GetShade() != 0 && settings.blend == Blend::Composite;
-  settings.gradientOpacity = settings.blend == Blend::Composite && property->HasGradientOpacity() &&
-    !property->GetDisableGradientOpacity();
+  settings.gradientOpacity = HasGradientOpacity(property, settings);
   settings.lights = settings.shading && !HasHeadLightOnly(renderer);
   settings.countFetches = mapper->GetDrawFetchCounts();
   settings.sceneGeometry = HasOpaqueGeometry(renderer);
@@ -223,7 +260,11 @@ std::optional<Frame> FrameOf(
   frame.scalarsTime = std::max(input->image->GetMTime(), input->scalars->GetMTime());
   frame.geometry = VolumeGeometryOf(input->image, volume);
   frame.viewport = ViewportOf(renderer);
-  frame.settings = SettingsOf(mapper, renderer, frame.property);
+  frame.settings = SettingsOf(mapper, renderer, frame.property, input->scalars);
+  for (int component = 0; component < frame.settings.componentCount; ++component)
+  {
+    frame.channels.push_back({ input->scalars, component });
+  }
   frame.cuts = CutsOf(mapper, frame.geometry);
   frame.settings.clipping = !frame.cuts.planesGrid.empty();
   frame.settings.cropping = frame.cuts.regions.has_value();

@@ -7,22 +7,28 @@
 namespace varimarch
 {
 
-/// A transfer function on the device, as an OpticalTable.
+/// Transfer functions on the device, as OpticalTables one after the other.
 class OpticalTableTexture
 {
 public:
-  void Upload(vtkOpenGLRenderWindow* window, OpticalTable table);
+  /// @param tables  at least one
+  void Upload(vtkOpenGLRenderWindow* window, std::vector<OpticalTable> tables);
 
   vtkTextureObject* Texture() const { return this->texture.Texture(); }
-  const OpticalTable& Table() const { return this->table; }
-  const std::array<double, 2>& VisibleValues() const { return this->visibleValues; }
+  const OpticalTable& Table() const { return this->tables.front(); }
+  const std::vector<OpticalTable>& Tables() const { return this->tables; }
+  const std::array<double, 2>& VisibleValues(std::size_t table = 0) const
+  {
+    return this->visibleValues[table];
+  }
+  std::size_t FirstEntryOf(std::size_t table) const; ///< in the buffer
   std::size_t Bytes() const { return this->texture.Bytes(); }
   void Release(vtkWindow* window);
 
 private:
   FloatBufferTexture texture;
-  OpticalTable table = {};
-  std::array<double, 2> visibleValues = {};
+  std::vector<OpticalTable> tables = { OpticalTable() };
+  std::vector<std::array<double, 2>> visibleValues; ///< of each table
 };
 
 }

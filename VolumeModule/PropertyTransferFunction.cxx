@@ -84,13 +84,13 @@ std::vector<ColorNode> NodesOf(vtkColorTransferFunction* function)
 
 }
 
-TransferFunction TransferFunctionOf(vtkVolumeProperty* property)
+TransferFunction TransferFunctionOf(vtkVolumeProperty* property, int component)
 {
-  std::vector<ColorNode> colors = property->GetColorChannels() == 1
-    ? GrayNodesOf(property->GetGrayTransferFunction())
-    : NodesOf(property->GetRGBTransferFunction());
-  return TransferFunction(std::move(colors), NodesOf(property->GetScalarOpacity()),
-    property->GetScalarOpacityUnitDistance());
+  std::vector<ColorNode> colors = property->GetColorChannels(component) == 1
+    ? GrayNodesOf(property->GetGrayTransferFunction(component))
+    : NodesOf(property->GetRGBTransferFunction(component));
+  return TransferFunction(std::move(colors), NodesOf(property->GetScalarOpacity(component)),
+    property->GetScalarOpacityUnitDistance(component));
 }
 
 TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function)
@@ -98,16 +98,17 @@ TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function)
   return TransferFunction({}, NodesOf(function), 1.0);
 }
 
-unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property)
+unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property, int component)
 {
   // A function that takes another's place may be older than the other.
-  const bool isGray = property->GetColorChannels() == 1;
-  const unsigned long colorTime = isGray ? std::max(property->GetGrayTransferFunction()->GetMTime(),
-                                             property->GetGrayTransferFunctionMTime().GetMTime())
-                                         : std::max(property->GetRGBTransferFunction()->GetMTime(),
-                                             property->GetRGBTransferFunctionMTime().GetMTime());
-  const unsigned long opacityTime = std::max(
-    property->GetScalarOpacity()->GetMTime(), property->GetScalarOpacityMTime().GetMTime());
+  const bool isGray = property->GetColorChannels(component) == 1;
+  const unsigned long colorTime = isGray
+    ? std::max(property->GetGrayTransferFunction(component)->GetMTime(),
+        property->GetGrayTransferFunctionMTime(component).GetMTime())
+    : std::max(property->GetRGBTransferFunction(component)->GetMTime(),
+        property->GetRGBTransferFunctionMTime(component).GetMTime());
+  const unsigned long opacityTime = std::max(property->GetScalarOpacity(component)->GetMTime(),
+    property->GetScalarOpacityMTime(component).GetMTime());
   return std::max(colorTime, opacityTime);
 }
 

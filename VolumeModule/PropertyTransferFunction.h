@@ -9,16 +9,16 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// The transfer function that a property's curves for the first component describe, exactly:
+/// The transfer function that a property's curves for a component describe, exactly:
 /// VTK's nodes with midpoint and sharpness, its gray or colour channel, and clamping off as a step
 /// to nothing. A colour function in another space than linear RGB is sampled finely between nodes.
-TransferFunction TransferFunctionOf(vtkVolumeProperty* property);
+TransferFunction TransferFunctionOf(vtkVolumeProperty* property, int component = 0);
 
 /// A curve of opacities, as VTK has it; without colours.
 TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function);
 
 /// When one of those curves changed last.
-unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property);
+unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property, int component = 0);
 
 }
 

@@ -1,7 +1,6 @@
 #include "RayMarcher.h"
 
 #include "Core/ShaderRecipe.h"
-#include "PropertyTransferFunction.h"
 
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -53,13 +52,13 @@ void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* window)
 
 void RayMarcher::UpdateVolume(const Frame& frame)
 {
-  if (this->volumeSource == frame.scalars && this->volumeTime == frame.scalarsTime)
+  if (this->volumeSource == frame.channels && this->volumeTime == frame.scalarsTime)
   {
     return;
   }
-  this->volumeSource = nullptr;
-  this->blocks.SetScalars(frame.scalars, frame.geometry.dimensions);
-  this->volumeSource = frame.scalars;
+  this->volumeSource.clear();
+  this->blocks.SetVoxels(frame.channels, frame.geometry.dimensions);
+  this->volumeSource = frame.channels;
   this->volumeTime = frame.scalarsTime;
   this->tableSource = nullptr; // a table covers the range of the scalars
   ++this->builds.volumeTexture;
@@ -67,20 +66,23 @@ void RayMarcher::UpdateVolume(const Frame& frame)
 
 void RayMarcher::UpdateOpticalTable(const Frame& frame)
 {
-  const vtkMTimeType time = TransferFunctionTimeOf(frame.property);
-  const double unitDistanceMm = frame.property->GetScalarOpacityUnitDistance();
-  if (this->tableSource == frame.property && this->tableTime == time &&
-    this->tableUnitDistanceMm == unitDistanceMm)
+  const std::vector<double> inputs = MaterialTableInputs(frame.property, frame.settings);
+  if (this->tableSource == frame.property && this->tableInputs == inputs)
   {
     return;
   }
-  const ScalarTexels& texels = this->blocks.Texels();
-  this->opticalTable.Upload(frame.window,
-    BuildOpticalTable(
-      TransferFunctionOf(frame.property), texels.smallestScalar, texels.largestScalar));
+  constexpr std::size_t mostEntries = 65536; // of all tables together
+  this->materialTables = MaterialTablesOf(frame.property, frame.settings);
+  std::vector<OpticalTable> tables;
+  for (const MaterialTable& table : this->materialTables)
+  {
+    const ScalarTexels& texels = this->blocks.TexelsOfChannels()[table.channel];
+    tables.push_back(BuildOpticalTable(table.transferFunction, texels.smallestScalar,
+      texels.largestScalar, mostEntries / this->materialTables.size()));
+  }
+  this->opticalTable.Upload(frame.window, std::move(tables));
   this->tableSource = frame.property;
-  this->tableTime = time;
-  this->tableUnitDistanceMm = unitDistanceMm;
+  this->tableInputs = inputs;
   ++this->builds.opticalTable;
 }
 
@@ -160,7 +162,15 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
   }
   this->fieldSource.reset();
   this->UpdateRanges(frame);
-  this->field.BuildOpticalField(frame.window, this->opticalTable.Table(), tolerance);
+  std::vector<ChannelTable> tables;
+  for (std::size_t i = 0; i < this->materialTables.size(); ++i)
+  {
+    if (this->materialTables[i].decidesOnOpacity)
+    {
+      tables.push_back({ this->materialTables[i].channel, &this->opticalTable.Tables()[i] });
+    }
+  }
+  this->field.BuildOpticalField(frame.window, tables, tolerance);
   this->fieldSource = source;
   ++this->builds.field;
 }
@@ -186,9 +196,8 @@ void RayMarcher::UpdateRanges(const Frame& frame)
 {
   if (this->rangesOfVolume != this->builds.volumeTexture)
   {
-    const ScalarTexels& texels = this->blocks.Texels();
     this->field.BuildRanges(
-      frame.scalars, frame.geometry.dimensions, texels.smallestScalar, texels.largestScalar);
+      frame.channels, frame.geometry.dimensions, this->blocks.TexelsOfChannels());
     this->rangesOfVolume = this->builds.volumeTexture;
     ++this->builds.brickRanges;
   }
@@ -268,7 +277,7 @@ void RayMarcher::Release(vtkWindow* window)
   this->clippingPlanes.Release(window);
   this->boxGeometry.Release();
   this->program.Forget();
-  this->volumeSource = nullptr;
+  this->volumeSource.clear();
   this->visibleOfField = -1;
   this->fieldSource.reset();
   this->rangesOfVolume = 0;

@@ -6,6 +6,7 @@
 #include "Core/StepSearch.h"
 #include "FloatBufferTexture.h"
 #include "Frame.h"
+#include "MaterialTables.h"
 #include "OpticalTableTexture.h"
 #include "PictureResources.h"
 #include "PreIntegratedTableTexture.h"
@@ -142,7 +143,10 @@ private:
   void SetCutUniforms(const Frame& frame);
   void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetStepUniforms(const Frame& frame, const VolumeBlock& block);
-  void SetClassifyUniforms();
+  void SetClassifyUniforms(const Frame& frame);
+  void SetComponentTableUniforms();
+  void SetComponentUniforms(const Frame& frame);
+  void SetComponentProjectionUniforms(const Frame& frame);
   void SetPreIntegratedUniforms();
   void SetMaterialUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetLightUniforms(const Frame& frame);
@@ -175,11 +179,11 @@ private:
   std::vector<Box> visibleBoxes; ///< and of each block
 
   // What each resource was made from.
-  vtkDataArray* volumeSource = nullptr;
+  VoxelChannels volumeSource; ///< none: there is no volume
   vtkMTimeType volumeTime = 0;
   vtkVolumeProperty* tableSource = nullptr;
-  vtkMTimeType tableTime = 0;
-  double tableUnitDistanceMm = 0.0;
+  std::vector<double> tableInputs;
+  std::vector<MaterialTable> materialTables; ///< what is in the optical table
   std::vector<double> gradientOpacitySource; ///< empty: there is none
   int preIntegratedOfTable = 0;              ///< the optical table's build that it was made from
   std::optional<FieldSource> fieldSource;    ///< none: there is no field

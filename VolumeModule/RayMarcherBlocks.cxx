@@ -165,6 +165,14 @@ void RayMarcher::UpdateBlocks(Frame& frame)
     throw std::runtime_error("Fetch counts are not drawn for a volume in blocks: the maximum "
                              "graphics memory, or the device's 3D textures, are too small for it");
   }
+  if (frame.settings.components != Components::One &&
+    frame.settings.blend == Blend::AverageIntensity)
+  {
+    throw std::runtime_error(
+      "The average intensity of several components is not drawn for a volume "
+      "in blocks: the maximum graphics memory, or the device's 3D textures, "
+      "are too small for it");
+  }
   frame.settings.gaps = !this->blocks.Texels().integers; // each block will tell
 }
 

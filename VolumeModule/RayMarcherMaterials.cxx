@@ -1,10 +1,12 @@
 // The resources and uniforms of materials: what gives a point of the volume its look beyond one
 // transfer function.
 
+#include "Core/ShaderRecipe.h"
 #include "Lights.h"
 #include "PropertyTransferFunction.h"
 #include "RayMarcher.h"
 
+#include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
@@ -21,22 +23,76 @@ namespace
 // So many that a piecewise linear function loses less than a display can show.
 constexpr int GradientOpacityEntryCount = 4096;
 
-// The largest gradient that VTK tells from larger ones.
+// The largest gradient of a channel that VTK tells from larger ones.
 double LargestGradient(const ScalarTexels& texels)
 {
   const double range = texels.largestScalar - texels.smallestScalar;
   return 0.25 * (range > 0.0 ? range : 1.0);
 }
 
-std::vector<glm::vec4> GradientOpacityEntries(vtkPiecewiseFunction* function, double largest)
+/// @param largest  gradients of the last entry
+std::vector<glm::vec4> GradientOpacityEntries(
+  vtkVolumeProperty* property, const std::vector<double>& largest)
 {
-  const TransferFunction curve = OpacityCurveOf(function);
-  std::vector<glm::vec4> entries(GradientOpacityEntryCount);
-  for (int i = 0; i < GradientOpacityEntryCount; ++i)
+  std::vector<glm::vec4> entries(GradientOpacityEntryCount, glm::vec4(1.0f));
+  for (std::size_t part = 0; part < largest.size(); ++part)
   {
-    entries[i] = glm::vec4(curve.Opacity(largest * i / (GradientOpacityEntryCount - 1)));
+    if (property->HasGradientOpacity(int(part)) && !property->GetDisableGradientOpacity(int(part)))
+    {
+      const TransferFunction curve = OpacityCurveOf(property->GetGradientOpacity(int(part)));
+      for (int i = 0; i < GradientOpacityEntryCount; ++i)
+      {
+        const double gradient = largest[part] * i / (GradientOpacityEntryCount - 1);
+        entries[i][int(part)] = float(curve.Opacity(gradient));
+      }
+    }
   }
   return entries;
+}
+
+glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component)
+{
+  return { property->GetAmbient(component), property->GetDiffuse(component),
+    property->GetSpecular(component), property->GetSpecularPower(component) };
+}
+
+// What a texel of a colour must be multiplied by, as VTK takes numbers that are colours.
+double LargestColor(vtkDataArray* array)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+    case VTK_DOUBLE:
+      return 1.0;
+    case VTK_SHORT:
+    case VTK_UNSIGNED_SHORT:
+      return array->GetDataTypeMax();
+    default:
+      return 255.0;
+  }
+}
+
+// Of each part.
+glm::dvec4 UnitDistancesOf(const Frame& frame)
+{
+  glm::dvec4 distances(1.0);
+  for (int part = 0; part < PartCount(frame.settings); ++part)
+  {
+    distances[part] = frame.property->GetScalarOpacityUnitDistance(part);
+  }
+  return distances;
+}
+
+std::array<double, 4> WeightsOf(const Frame& frame)
+{
+  std::array<double, 4> weights = { 1.0, 1.0, 1.0, 1.0 };
+  for (int part = 0; part < PartCount(frame.settings); ++part)
+  {
+    weights[part] = frame.settings.components == Components::Independent
+      ? frame.property->GetComponentWeight(part)
+      : 1.0;
+  }
+  return weights;
 }
 
 }
@@ -61,26 +117,35 @@ void RayMarcher::UpdateGradientOpacity(const Frame& frame)
     this->gradientOpacitySource.clear();
     return;
   }
-  vtkPiecewiseFunction* const function = frame.property->GetGradientOpacity();
-  const double largest = LargestGradient(this->blocks.Texels());
-  const std::vector<double> source = { double(function->GetMTime()), largest };
+  std::vector<double> largest;
+  std::vector<double> source = { double(frame.property->GetMTime()) };
+  for (int part = 0; part < PartCount(frame.settings); ++part)
+  {
+    largest.push_back(LargestGradient(this->blocks.TexelsOfChannels()[part]));
+  }
+  source.insert(source.end(), largest.begin(), largest.end());
   if (this->gradientOpacitySource != source)
   {
-    this->gradientOpacity.Upload(frame.window, GradientOpacityEntries(function, largest));
+    this->gradientOpacity.Upload(frame.window, GradientOpacityEntries(frame.property, largest));
     this->gradientOpacitySource = source;
   }
 }
 
 void RayMarcher::SetMaterialUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
-  const std::array<double, 2>& visible = this->opticalTable.VisibleValues();
-  const TexelMapping& mapping = this->blocks.Texels().mapping;
-  this->program.Set("visibleScalars",
-    glm::dvec2(mapping.LimitedTexelOf(visible[0]), mapping.LimitedTexelOf(visible[1])));
   this->program.Set("voxelSizeTexture", 1.0 / glm::dvec3(drawn.voxels.count));
-  this->program.Set("reflectance",
-    glm::dvec4(frame.property->GetAmbient(), frame.property->GetDiffuse(),
-      frame.property->GetSpecular(), frame.property->GetSpecularPower()));
+  if (frame.settings.components != Components::One)
+  {
+    this->SetComponentUniforms(frame);
+  }
+  else
+  {
+    const std::array<double, 2>& visible = this->opticalTable.VisibleValues();
+    const TexelMapping& mapping = this->blocks.Texels().mapping;
+    this->program.Set("visibleScalars",
+      glm::dvec2(mapping.LimitedTexelOf(visible[0]), mapping.LimitedTexelOf(visible[1])));
+    this->program.Set("reflectance", ReflectanceOf(frame.property, 0));
+  }
   if (frame.settings.shading)
   {
     this->SetLightUniforms(frame);
@@ -91,18 +156,98 @@ void RayMarcher::SetMaterialUniforms(const Frame& frame, const DrawnBlock& drawn
   }
 }
 
-void RayMarcher::SetGradientOpacityUniforms(const Frame& frame)
+void RayMarcher::SetComponentTableUniforms()
 {
-  const ScalarTexels& texels = this->blocks.Texels();
-  const double last = GradientOpacityEntryCount - 1;
-  this->gradientOpacity.Texture()->Activate();
-  this->program.Set("gradientOpacityTable", this->gradientOpacity.Texture());
-  this->program.Set("lastGradientEntry", last);
-  this->program.Set("spacingFactors", frame.geometry.gradientFactors);
-  this->program.Set(
-    "entriesPerGradient", glm::dvec4(texels.mapping.scale / LargestGradient(texels) * last));
-  this->program.Set(
-    "opacityUnitDistancesMm", glm::dvec4(frame.property->GetScalarOpacityUnitDistance()));
+  std::array<glm::dvec2, 4> fromScalar = {};
+  std::array<double, 4> first = {};
+  std::array<double, 4> last = {};
+  for (std::size_t i = 0; i < this->materialTables.size(); ++i)
+  {
+    const OpticalTable& table = this->opticalTable.Tables()[i];
+    const int channel = this->materialTables[i].channel;
+    const TexelMapping& mapping = this->blocks.TexelsOfChannels()[channel].mapping;
+    const double extent = table.lastValue - table.firstValue;
+    last[i] = double(table.entries.size() - 1);
+    first[i] = double(this->opticalTable.FirstEntryOf(i));
+    const double indexPerValue = extent > 0.0 ? last[i] / extent : 0.0;
+    fromScalar[i] = { mapping.scale * indexPerValue,
+      (mapping.offset - table.firstValue) * indexPerValue };
+  }
+  this->opticalTable.Texture()->Activate();
+  this->program.Set("opticalTable", this->opticalTable.Texture());
+  this->program.Set("tablesFromScalar", fromScalar);
+  this->program.Set("firstEntries", first);
+  this->program.Set("lastTableIndices", last);
+  const std::vector<ScalarTexels>& texels = this->blocks.TexelsOfChannels();
+  if (this->materialTables.front().channel == 3)
+  {
+    const double largest = LargestColor(this->volumeSource.front().array);
+    const TexelMapping mappings[] = { texels[0].mapping, texels[1].mapping, texels[2].mapping };
+    this->program.Set(
+      "colorScale", glm::dvec3(mappings[0].scale, mappings[1].scale, mappings[2].scale) / largest);
+    this->program.Set("colorBias",
+      glm::dvec3(mappings[0].offset, mappings[1].offset, mappings[2].offset) / largest);
+  }
+}
+
+void RayMarcher::SetComponentUniforms(const Frame& frame)
+{
+  std::array<glm::dvec2, 4> visibleScalars;
+  visibleScalars.fill({ 1e30, -1e30 }); // none
+  for (std::size_t i = 0; i < this->materialTables.size(); ++i)
+  {
+    const MaterialTable& table = this->materialTables[i];
+    if (table.decidesOnOpacity)
+    {
+      const TexelMapping& mapping = this->blocks.TexelsOfChannels()[table.channel].mapping;
+      const std::array<double, 2>& visible = this->opticalTable.VisibleValues(i);
+      visibleScalars[table.channel] = { mapping.LimitedTexelOf(visible[0]),
+        mapping.LimitedTexelOf(visible[1]) };
+    }
+  }
+  std::array<glm::dvec4, 4> reflectances = {};
+  for (int part = 0; part < PartCount(frame.settings); ++part)
+  {
+    reflectances[part] = ReflectanceOf(frame.property, part);
+  }
+  this->program.Set("visibleScalarsOf", visibleScalars);
+  this->program.Set("reflectances", reflectances);
+  this->program.Set("partWeights", WeightsOf(frame));
+}
+
+void RayMarcher::SetComponentProjectionUniforms(const Frame& frame)
+{
+  const std::vector<ScalarTexels>& channels = this->blocks.TexelsOfChannels();
+  glm::dvec4 smallest(0.0);
+  glm::dvec4 largest(0.0);
+  glm::dvec4 grayPerScalar(0.0);
+  glm::dvec4 averagedLower(0.0);
+  glm::dvec4 averagedUpper(0.0);
+  for (int i = 0; i < int(channels.size()); ++i)
+  {
+    const TexelMapping& mapping = channels[i].mapping;
+    smallest[i] = mapping.TexelOf(channels[i].smallestScalar);
+    largest[i] = mapping.TexelOf(channels[i].largestScalar);
+    grayPerScalar[i] = largest[i] > smallest[i] ? 1.0 / (largest[i] - smallest[i]) : 0.0;
+    averagedLower[i] = mapping.LimitedTexelOf(frame.averagedRange[0]);
+    averagedUpper[i] = mapping.LimitedTexelOf(frame.averagedRange[1]);
+  }
+  this->program.Set("partWeights", WeightsOf(frame));
+  this->program.Set("opacityUnitDistancesMm", UnitDistancesOf(frame));
+  if (IsExtreme(frame.settings.blend))
+  {
+    const bool isMaximum = frame.settings.blend == Blend::MaximumIntensity;
+    this->program.Set("sense", isMaximum ? 1.0 : -1.0);
+    this->program.Set("leastExtremes", isMaximum ? smallest : largest);
+    return;
+  }
+  this->program.Set("smallestScalars", smallest);
+  this->program.Set("grayPerScalars", grayPerScalar);
+  if (frame.settings.blend == Blend::AverageIntensity)
+  {
+    this->program.Set("averagedLower", averagedLower);
+    this->program.Set("averagedUpper", averagedUpper);
+  }
 }
 
 void RayMarcher::SetLightUniforms(const Frame& frame)
@@ -121,6 +266,23 @@ void RayMarcher::SetLightUniforms(const Frame& frame)
   this->program.Set("ambientLight", AmbientLightOf(frame.renderer));
   this->program.Set("backsLit", frame.renderer->GetTwoSidedLighting() ? 1.0 : 0.0);
   this->program.Set("worldOfGridOrigin", glm::dvec3(frame.geometry.worldFromGrid[3]));
+}
+
+void RayMarcher::SetGradientOpacityUniforms(const Frame& frame)
+{
+  const double last = GradientOpacityEntryCount - 1;
+  glm::dvec4 entriesPerGradient(0.0);
+  for (int part = 0; part < PartCount(frame.settings); ++part)
+  {
+    const ScalarTexels& texels = this->blocks.TexelsOfChannels()[part];
+    entriesPerGradient[part] = texels.mapping.scale / LargestGradient(texels) * last;
+  }
+  this->gradientOpacity.Texture()->Activate();
+  this->program.Set("gradientOpacityTable", this->gradientOpacity.Texture());
+  this->program.Set("lastGradientEntry", last);
+  this->program.Set("spacingFactors", frame.geometry.gradientFactors);
+  this->program.Set("entriesPerGradient", entriesPerGradient);
+  this->program.Set("opacityUnitDistancesMm", UnitDistancesOf(frame));
 }
 
 }

@@ -180,7 +180,7 @@ double RayMarcher::MissedOfLimit(
 {
   const double range = this->blocks.Texels().largestScalar - this->blocks.Texels().smallestScalar;
   if (frame.settings.blend != Blend::Composite || !frame.triesPreIntegration ||
-    frame.settings.gradientOpacity ||
+    frame.settings.gradientOpacity || frame.settings.components != Components::One ||
     (choice.integration == Integration::PreIntegrated && !frame.settings.shading) ||
     TransferFunctionOf(frame.property).SmallestNodeGap() >= NarrowPeak * range)
   {

@@ -150,8 +150,13 @@ void RayMarcher::SetStepUniforms(const Frame& frame, const VolumeBlock& block)
   }
 }
 
-void RayMarcher::SetClassifyUniforms()
+void RayMarcher::SetClassifyUniforms(const Frame& frame)
 {
+  if (frame.settings.components != Components::One)
+  {
+    this->SetComponentTableUniforms();
+    return;
+  }
   // Texel to scalar to table index, as one scale and bias.
   const OpticalTable& table = this->opticalTable.Table();
   const double last = double(table.entries.size() - 1);
@@ -192,6 +197,11 @@ void RayMarcher::SetBlendUniforms(const Frame& frame)
     this->program.Set("earlyTerminationTransmittance", frame.earlyTerminationTransmittance);
     return;
   }
+  if (frame.settings.components != Components::One)
+  {
+    this->SetComponentProjectionUniforms(frame);
+    return;
+  }
   this->SetProjectionUniforms(frame);
 }
 
@@ -229,7 +239,7 @@ void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
   }
   else
   {
-    this->SetClassifyUniforms();
+    this->SetClassifyUniforms(frame);
   }
   if (MarchesMaterial(frame.settings))
   {
@@ -260,7 +270,7 @@ void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
       this->SetBlendUniforms(frame);
       if (frame.settings.blend != Blend::Composite)
       {
-        this->SetClassifyUniforms();
+        this->SetClassifyUniforms(frame);
       }
       break;
     case RayPass::Upscaled:

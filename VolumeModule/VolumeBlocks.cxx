@@ -1,9 +1,6 @@
 #include "VolumeBlocks.h"
 
-#include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
-
-#include <limits>
 
 namespace varimarch
 {
@@ -15,11 +12,11 @@ void VolumeBlock::Release(vtkWindow* window)
   this->scalarField.Release(window);
 }
 
-void VolumeBlocks::SetScalars(vtkDataArray* scalars, glm::ivec3 dimensions)
+void VolumeBlocks::SetVoxels(const VoxelChannels& newChannels, glm::ivec3 newDimensions)
 {
-  this->scalars = scalars;
-  this->dimensions = dimensions;
-  this->texels = ScalarTexelsOf(scalars);
+  this->channels = newChannels;
+  this->dimensions = newDimensions;
+  this->texels = ScalarTexelsOf(newChannels);
   for (const auto& block : this->blocks)
   {
     if (block)
@@ -45,8 +42,9 @@ void VolumeBlocks::SetScalarField(vtkWindow* window, std::optional<double> toler
 
 std::size_t VolumeBlocks::BytesPerVoxel() const
 {
-  const std::size_t gapBytes = this->texels.integers ? 0 : 1;
-  return this->texels.BytesPerTexel() + gapBytes + (this->scalarTolerance ? 1 : 0);
+  const std::size_t gapBytes = this->Texels().integers ? 0 : 1;
+  return this->texels.size() * this->Texels().BytesPerTexel() + gapBytes +
+    (this->scalarTolerance ? 1 : 0);
 }
 
 bool VolumeBlocks::Divide(vtkWindow* window, const BlockLimits& limits)
@@ -81,7 +79,7 @@ void VolumeBlocks::LetGo(vtkWindow* window, const std::vector<int>& released)
 
 const VolumeBlock& VolumeBlocks::Take(vtkOpenGLRenderWindow* window, int block)
 {
-  const ScalarRegion region{ this->scalars, this->dimensions, this->partition.VoxelsOf(block) };
+  const ScalarRegion region{ this->channels, this->dimensions, this->partition.VoxelsOf(block) };
   const glm::ivec3 count = region.voxels.count;
   const std::size_t bytes = this->BytesPerVoxel() * count.x * count.y * count.z;
   std::vector<int> released = this->residency.Use(block, bytes, this->capacity);
@@ -117,8 +115,7 @@ void VolumeBlocks::Upload(
   }
   else
   {
-    // Whatever is finite is within this tolerance.
-    block.gaps.BuildScalarField(window, region, std::numeric_limits<double>::infinity());
+    block.gaps.BuildGaps(window, region);
   }
   block.isCurrent = true;
   ++this->uploads;

@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-class vtkDataArray;
 class vtkOpenGLRenderWindow;
 
 namespace varimarch
@@ -38,7 +37,7 @@ class VolumeBlocks
 {
 public:
   /// All blocks will be uploaded anew, into the textures that are there.
-  void SetScalars(vtkDataArray* scalars, glm::ivec3 dimensions);
+  void SetVoxels(const VoxelChannels& channels, glm::ivec3 dimensions);
 
   /// The published field is of cells, and so a matter of blocks. None: no block has it.
   void SetScalarField(vtkWindow* window, std::optional<double> tolerance);
@@ -51,7 +50,8 @@ public:
   bool Divide(vtkWindow* window, const BlockLimits& limits);
 
   const BlockPartition& Partition() const { return this->partition; }
-  const ScalarTexels& Texels() const { return this->texels; }
+  const ScalarTexels& Texels() const { return this->texels.front(); } ///< of the first channel
+  const std::vector<ScalarTexels>& TexelsOfChannels() const { return this->texels; }
 
   /// @param order     the blocks that the next picture takes, in this order
   /// @param capacity  no more bytes than that are held from now on
@@ -75,9 +75,9 @@ private:
   void UpdateScalarField(
     vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
 
-  vtkDataArray* scalars = nullptr;
+  VoxelChannels channels;
   glm::ivec3 dimensions = glm::ivec3(0);
-  ScalarTexels texels;
+  std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< of each channel
   std::optional<double> scalarTolerance;
   BlockPartition partition;
   BlockResidency residency;

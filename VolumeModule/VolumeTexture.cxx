@@ -61,55 +61,113 @@ bool IsFinite(Scalar scalar)
   }
 }
 
-template <class Scalar>
-ScalarGrid<Scalar> GridOf(const Scalar* scalars, const ScalarRegion& region)
+// Where a channel of some rows of voxels goes.
+struct ChannelRows
 {
-  return ScalarGrid<Scalar>(scalars, region.dimensions).Part(region.voxels);
-}
+  glm::ivec3 dimensions; ///< of the volume
+  VoxelRegion voxels;    ///< the rows
+  int stride;            ///< numbers from a voxel to the next
+  int texelStride;
+  TexelMapping mapping;
+};
 
-// Slices are converted and uploaded a few at a time: a second copy of the volume is never held.
 // What is not finite becomes 0: a filter makes NaN of it even where its weight is 0.
 /// @return whether all scalars are finite
 template <class Texel, class Scalar>
-bool UploadSlices(const ScalarGrid<Scalar>& grid, const TexelMapping& mapping)
+bool ConvertRow(const Scalar* source, int stride, Texel* target, int texelStride, int count,
+  const TexelMapping& mapping)
 {
-  constexpr std::size_t texelsAtOnce = std::size_t(1) << 22;
-  const glm::ivec3 dimensions = grid.Dimensions();
-  const std::size_t sliceTexels = std::size_t(dimensions.x) * dimensions.y;
-  const int slicesAtOnce =
-    int(std::clamp(texelsAtOnce / sliceTexels, std::size_t(1), std::size_t(dimensions.z)));
   constexpr bool normalized = std::is_integral<Texel>::value;
   const double factor = (normalized ? LargestTexel16 : 1.0) / mapping.scale;
   const double rounding = normalized ? 0.5 : 0.0;
-
-  std::atomic<bool> allFinite = true;
-  std::vector<Texel> texels(sliceTexels * slicesAtOnce);
-  for (int slice = 0; slice < dimensions.z; slice += slicesAtOnce)
+  bool allFinite = true;
+  for (int x = 0; x < count; ++x)
   {
-    const int slices = std::min(slicesAtOnce, dimensions.z - slice);
-    tbb::parallel_for(tbb::blocked_range<int>(0, slices * dimensions.y),
-      [&](const tbb::blocked_range<int>& rows)
+    const Scalar scalar = source[x * stride];
+    const bool finite = IsFinite(scalar);
+    target[x * texelStride] =
+      finite ? Texel((double(scalar) - mapping.offset) * factor + rounding) : Texel(0);
+    allFinite = allFinite && finite;
+  }
+  return allFinite;
+}
+
+/// @param scalars  the channel's number of the first voxel
+template <class Texel, class Scalar>
+bool ConvertChannel(const Scalar* scalars, const ChannelRows& rows, Texel* texels)
+{
+  std::atomic<bool> allFinite = true;
+  const glm::ivec3 count = rows.voxels.count;
+  const glm::ivec3 first = rows.voxels.first;
+  tbb::parallel_for(tbb::blocked_range<int>(0, count.y * count.z),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      bool rowsAreFinite = true;
+      for (int row = range.begin(); row != range.end(); ++row)
       {
-        bool rowsAreFinite = true;
-        for (int row = rows.begin(); row != rows.end(); ++row)
-        {
-          const Scalar* const source = grid.Row(row % dimensions.y, slice + row / dimensions.y);
-          Texel* const target = texels.data() + std::size_t(row) * dimensions.x;
-          for (int x = 0; x < dimensions.x; ++x)
-          {
-            const bool finite = IsFinite(source[x]);
-            target[x] =
-              finite ? Texel((double(source[x]) - mapping.offset) * factor + rounding) : Texel(0);
-            rowsAreFinite = rowsAreFinite && finite;
-          }
-        }
-        if (!rowsAreFinite)
-        {
-          allFinite = false;
-        }
-      });
-    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, dimensions.x, dimensions.y, slices, GL_RED,
-      normalized ? GL_UNSIGNED_SHORT : GL_FLOAT, texels.data());
+        const std::size_t y = first.y + row % count.y;
+        const std::size_t z = first.z + row / count.y;
+        const std::size_t voxel = first.x + rows.dimensions.x * (y + rows.dimensions.y * z);
+        const Scalar* const source = scalars + voxel * rows.stride;
+        Texel* const target = texels + std::size_t(row) * count.x * rows.texelStride;
+        // The usual strides as constants, which the compiler makes faster code of.
+        const bool finite = rows.stride == 1 && rows.texelStride == 1
+          ? ConvertRow(source, 1, target, 1, count.x, rows.mapping)
+          : ConvertRow(source, rows.stride, target, rows.texelStride, count.x, rows.mapping);
+        rowsAreFinite = rowsAreFinite && finite;
+      }
+      if (!rowsAreFinite)
+      {
+        allFinite = false;
+      }
+    });
+  return allFinite;
+}
+
+template <class Texel>
+bool ConvertChannel(const VoxelChannel& channel, const ChannelRows& rows, Texel* texels)
+{
+  void* const voxels = channel.array->GetVoidPointer(channel.component);
+  switch (channel.array->GetDataType())
+  {
+    vtkTemplateMacro(
+      return ConvertChannel<Texel>(static_cast<const VTK_TT*>(voxels), rows, texels));
+  }
+  return true;
+}
+
+constexpr GLenum FormatOfChannels[] = { GL_RED, GL_RG, GL_RGB, GL_RGBA };
+constexpr GLint Format16OfChannels[] = { GL_R16, GL_RG16, GL_RGB16, GL_RGBA16 };
+constexpr GLint FormatFloatOfChannels[] = { GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F };
+
+// Slices are converted and uploaded a few at a time: a second copy of the volume is never held.
+/// @return whether all scalars are finite
+template <class Texel>
+bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& texelsOfChannels)
+{
+  constexpr std::size_t texelsAtOnce = std::size_t(1) << 22;
+  const VoxelRegion& all = region.voxels;
+  const int channels = int(region.channels.size());
+  const std::size_t sliceTexels = std::size_t(all.count.x) * all.count.y * channels;
+  const int slicesAtOnce =
+    int(std::clamp(texelsAtOnce / sliceTexels, std::size_t(1), std::size_t(all.count.z)));
+  bool allFinite = true;
+  std::vector<Texel> texels(sliceTexels * slicesAtOnce);
+  for (int slice = 0; slice < all.count.z; slice += slicesAtOnce)
+  {
+    const int slices = std::min(slicesAtOnce, all.count.z - slice);
+    const VoxelRegion part{ all.first + glm::ivec3(0, 0, slice),
+      { all.count.x, all.count.y, slices } };
+    for (int i = 0; i < channels; ++i)
+    {
+      const VoxelChannel& channel = region.channels[i];
+      const ChannelRows rows{ region.dimensions, part, channel.array->GetNumberOfComponents(),
+        channels, texelsOfChannels[i].mapping };
+      allFinite = ConvertChannel(channel, rows, texels.data() + i) && allFinite;
+    }
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, part.count.x, part.count.y, slices,
+      FormatOfChannels[channels - 1], std::is_integral<Texel>::value ? GL_UNSIGNED_SHORT : GL_FLOAT,
+      texels.data());
   }
   return allFinite;
 }
@@ -123,11 +181,11 @@ double TexelMapping::LimitedTexelOf(double scalar) const
 }
 
 void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
-  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, const char* what)
+  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, int channels, const char* what)
 {
   const glm::ivec3 allocated(texture->GetWidth(), texture->GetHeight(), texture->GetDepth());
   if (texture->GetHandle() && allocated == dimensions &&
-    texture->GetInternalFormat(vtkType, 1, false) == internalFormat)
+    texture->GetInternalFormat(vtkType, channels, false) == internalFormat)
   {
     return;
   }
@@ -148,10 +206,10 @@ void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   texture->ResetFormatAndType();
   texture->SetContext(window);
   texture->SetInternalFormat(internalFormat);
-  texture->SetFormat(GL_RED);
+  texture->SetFormat(FormatOfChannels[channels - 1]);
   const bool fits =
-    texture->AllocateProxyTexture3D(dimensions.x, dimensions.y, dimensions.z, 1, vtkType) &&
-    texture->Create3DFromRaw(dimensions.x, dimensions.y, dimensions.z, 1, vtkType, nullptr);
+    texture->AllocateProxyTexture3D(dimensions.x, dimensions.y, dimensions.z, channels, vtkType) &&
+    texture->Create3DFromRaw(dimensions.x, dimensions.y, dimensions.z, channels, vtkType, nullptr);
   if (!fits)
   {
     texture->ReleaseGraphicsResources(window);
@@ -159,32 +217,45 @@ void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   }
 }
 
-ScalarTexels ScalarTexelsOf(vtkDataArray* scalars)
+std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels)
 {
-  double range[2];
-  scalars->GetFiniteRange(range, 0);
-  const bool anyFinite = range[0] <= range[1];
-  const int type = scalars->GetDataType();
-  ScalarTexels texels;
-  texels.smallestScalar = anyFinite ? range[0] : 0.0;
-  texels.largestScalar = anyFinite ? range[1] : 0.0;
-  texels.integers = type != VTK_FLOAT && type != VTK_DOUBLE;
-  texels.normalized =
-    texels.integers && texels.largestScalar - texels.smallestScalar <= LargestTexel16;
-  texels.mapping = texels.normalized
-    ? NormalizedMapping(texels.smallestScalar, texels.largestScalar)
-    : FloatMapping(texels.smallestScalar, texels.largestScalar);
-  return texels;
+  std::vector<ScalarTexels> all;
+  bool allNormalized = true;
+  bool allIntegers = true;
+  for (const VoxelChannel& channel : channels)
+  {
+    double range[2];
+    channel.array->GetFiniteRange(range, channel.component);
+    const bool anyFinite = range[0] <= range[1];
+    const int type = channel.array->GetDataType();
+    ScalarTexels texels;
+    texels.smallestScalar = anyFinite ? range[0] : 0.0;
+    texels.largestScalar = anyFinite ? range[1] : 0.0;
+    allIntegers = allIntegers && type != VTK_FLOAT && type != VTK_DOUBLE;
+    allNormalized = allNormalized && allIntegers &&
+      texels.largestScalar - texels.smallestScalar <= LargestTexel16;
+    all.push_back(texels);
+  }
+  for (ScalarTexels& texels : all)
+  {
+    texels.integers = allIntegers;
+    texels.normalized = allNormalized;
+    texels.mapping = allNormalized ? NormalizedMapping(texels.smallestScalar, texels.largestScalar)
+                                   : FloatMapping(texels.smallestScalar, texels.largestScalar);
+  }
+  return all;
 }
 
-void VolumeTexture::Upload(
-  vtkOpenGLRenderWindow* window, const ScalarRegion& region, const ScalarTexels& texels)
+void VolumeTexture::Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
+  const std::vector<ScalarTexels>& texels)
 {
-  const bool normalized = texels.normalized;
+  const bool normalized = texels.front().normalized;
+  const int channels = int(region.channels.size());
   const glm::ivec3 size = region.voxels.count;
   AllocateTexture3D(this->texture, window, size, normalized ? VTK_UNSIGNED_SHORT : VTK_FLOAT,
-    normalized ? GL_R16 : GL_R32F, "a volume");
-  this->bytes = std::size_t(size.x) * size.y * size.z * texels.BytesPerTexel();
+    normalized ? Format16OfChannels[channels - 1] : FormatFloatOfChannels[channels - 1], channels,
+    "a volume");
+  this->bytes = std::size_t(size.x) * size.y * size.z * channels * texels.front().BytesPerTexel();
 
   this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->texture->SetWrapT(vtkTextureObject::ClampToEdge);
@@ -193,13 +264,8 @@ void VolumeTexture::Upload(
   this->texture->SetMagnificationFilter(vtkTextureObject::Linear);
   this->texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  void* const voxels = region.scalars->GetVoidPointer(0);
-  switch (region.scalars->GetDataType())
-  {
-    vtkTemplateMacro(this->allFinite = normalized
-        ? UploadSlices<std::uint16_t>(GridOf(static_cast<VTK_TT*>(voxels), region), texels.mapping)
-        : UploadSlices<float>(GridOf(static_cast<VTK_TT*>(voxels), region), texels.mapping));
-  }
+  this->allFinite =
+    normalized ? UploadSlices<std::uint16_t>(region, texels) : UploadSlices<float>(region, texels);
   this->texture->Deactivate();
 }
 

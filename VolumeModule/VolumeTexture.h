@@ -8,6 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <vector>
+
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
 
@@ -41,17 +43,32 @@ struct ScalarTexels
   std::size_t BytesPerTexel() const { return this->normalized ? 2 : 4; }
 };
 
-ScalarTexels ScalarTexelsOf(vtkDataArray* scalars);
+/// One of the numbers that each voxel has: a component of an array.
+struct VoxelChannel
+{
+  vtkDataArray* array; ///< dimensions.x * dimensions.y * dimensions.z tuples
+  int component;
 
-/// A part of the scalars of a volume.
+  bool operator==(const VoxelChannel& other) const
+  {
+    return this->array == other.array && this->component == other.component;
+  }
+};
+
+using VoxelChannels = std::vector<VoxelChannel>; ///< one to four
+
+/// Of each channel; they share one format.
+std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels);
+
+/// A part of the voxels of a volume.
 struct ScalarRegion
 {
-  vtkDataArray* scalars; ///< one component, dimensions.x * dimensions.y * dimensions.z values
+  VoxelChannels channels;
   glm::ivec3 dimensions;
   VoxelRegion voxels;
 };
 
-/// Scalars as a 3D texture: normalised 16 bit where that is exact, else float.
+/// Voxels as a 3D texture of as many channels: normalised 16 bit where that is exact, else float.
 /// 8 bit data takes 16 bit texels too, because software rasterisers filter 8 bit texels in 8 bit
 /// arithmetic, which is off by more than a grey level.
 class VolumeTexture
@@ -59,8 +76,8 @@ class VolumeTexture
 public:
   /// Uploads the scalars of a region. A texture of the same size and format is reused.
   /// @throws std::runtime_error when the device cannot hold the texture
-  void Upload(
-    vtkOpenGLRenderWindow* window, const ScalarRegion& region, const ScalarTexels& texels);
+  void Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
+    const std::vector<ScalarTexels>& texels);
 
   vtkTextureObject* Texture() const { return this->texture; }
   bool AllFinite() const { return this->allFinite; } ///< in the region
@@ -74,10 +91,11 @@ private:
 };
 
 /// Allocates a 3D texture, or says why the device cannot hold it.
+/// @param channels  numbers per texel, 1 to 4
 /// @param what  the thing it is for, as in "the volume"
 /// @throws std::runtime_error naming the limit
 void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
-  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, const char* what);
+  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, int channels, const char* what);
 
 }
 

@@ -2,10 +2,11 @@
  * @class   vtkVariationFieldVolumeMapper
  * @brief   Draws a volume by ray marching that jumps where the volume hardly varies
  *
- * A direct vtkVolumeMapper for vtkImageData with one component of point data, of any scalar type.
- * It marches a ray per pixel through the volume in a fragment shader. Where the *variation field*
- * proves that the volume stays within a tolerance, the ray takes the whole block in one step and
- * integrates emission and absorption over it in closed form, instead of sampling it.
+ * A direct vtkVolumeMapper for vtkImageData with one to four components of point data, of any
+ * scalar type. It marches a ray per pixel through the volume in a fragment shader. Where the
+ * *variation field* proves that the volume stays within a tolerance, the ray takes the whole block
+ * in one step and integrates emission and absorption over it in closed form, instead of sampling
+ * it.
  *
  * Use it like any other volume mapper:
  * @code
@@ -31,7 +32,14 @@
  *
  * The camera's clipping range cuts the volume at both ends.
  *
- * Not for: rectilinear grids, cell data, several components, isosurface and slice blending. They
+ * Independent components are materials of a mixture: their extinctions and emissions, each times
+ * its weight, add up, in whatever order they are. A maximum or minimum shows that mixture of what
+ * each is over its unit distance, averages and sums are weighted. Of two components that depend on
+ * each other the first has the colour and the second the opacity; of four, the first three are a
+ * colour, in parts of 255, of the largest number of 16 bit types, or of 1 for floats. Their light
+ * is that on the first component.
+ *
+ * Not for: rectilinear grids, cell data, isosurface and slice blending. They
  * are reported as errors.
  *
  * @sa vtkVolumeMapper vtkVolumeProperty

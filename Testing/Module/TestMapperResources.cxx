@@ -228,14 +228,14 @@ TEST(Errors, AreReportedOnceAndClearedByABetterInput)
   MapperScene scene(SmallTorso());
   vtkNew<vtkImageData> colors;
   colors->SetDimensions(4, 4, 4);
-  colors->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  colors->AllocateScalars(VTK_UNSIGNED_CHAR, 5);
   scene.mapper->SetInputData(colors);
   {
     ExpectedVtkErrors errors;
     scene.window->Render();
     scene.window->Render();
     ASSERT_EQ(errors.Messages().size(), 1u);
-    EXPECT_NE(errors.Text().find("has 3 components: expected 1"), std::string::npos);
+    EXPECT_NE(errors.Text().find("has 5 components: expected 1 to 4"), std::string::npos);
   }
   scene.mapper->SetInputData(scene.image);
   scene.window->Render();

@@ -188,6 +188,34 @@ private:
   double entriesPerStep;
 };
 
+// A brick of several components is what the least alike of them is.
+class ChannelsClassifier
+{
+public:
+  ChannelsClassifier(const std::vector<OpticalChannel>& channels, const OpticalTolerance& tolerance)
+    : channels(channels)
+  {
+    for (const OpticalChannel& channel : channels)
+    {
+      this->classifiers.emplace_back(channel.ranges, channel.table, tolerance);
+    }
+  }
+
+  std::uint8_t ClassOf(std::size_t brick) const
+  {
+    std::uint8_t least = OpticalField::Invisible;
+    for (std::size_t i = 0; i < this->channels.size(); ++i)
+    {
+      least = std::min(least, this->classifiers[i].ClassOf(this->channels[i].ranges[brick]));
+    }
+    return least;
+  }
+
+private:
+  const std::vector<OpticalChannel>& channels;
+  std::vector<BrickClassifier> classifiers;
+};
+
 // Chebyshev distance of every invisible brick to the nearest one that is not, by the two passes of
 // Rosenfeld and Pfaltz (Pattern Recognition 1968) over the 26 neighbours, which are exact for this
 // distance. Bricks are padded by one on every side: nothing outside the volume can be seen.
@@ -266,10 +294,10 @@ private:
 }
 
 OpticalField BuildOpticalField(
-  const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance)
+  const std::vector<OpticalChannel>& channels, const OpticalTolerance& tolerance)
 {
-  const BrickClassifier classifier(ranges, table, tolerance);
-  const glm::ivec3 count = ranges.BrickCount();
+  const ChannelsClassifier classifier(channels, tolerance);
+  const glm::ivec3 count = channels.front().ranges.BrickCount();
   OpticalField field;
   field.brickCount = count;
   field.bricks.resize(std::size_t(count.x) * count.y * count.z);
@@ -294,7 +322,7 @@ OpticalField BuildOpticalField(
   forEachBrick(
     [&](std::size_t brick, std::uint8_t& brickDistance)
     {
-      field.bricks[brick] = classifier.ClassOf(ranges[brick]);
+      field.bricks[brick] = classifier.ClassOf(brick);
       const bool invisible = field.bricks[brick] == OpticalField::Invisible;
       brickDistance = invisible ? InvisibleDistance::Farthest : 0;
     });

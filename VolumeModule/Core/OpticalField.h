@@ -55,9 +55,24 @@ struct OpticalTolerance
   static OpticalTolerance Nothing(double longestRayMm) { return { 0.0, 0.0, -1.0, longestRayMm }; }
 };
 
-/// Builds the field on all cores from what the shader will look up: the table.
+/// The values of one component of a volume, and what the shader will look up for them.
+struct OpticalChannel
+{
+  const BrickRanges& ranges;
+  const OpticalTable& table;
+};
+
+/// Builds the field on all cores. A brick of several components is invisible where all of them are,
+/// and homogeneous where each is or is invisible; to a largest error, each may add as much.
+/// @param channels  at least one, of one volume
 OpticalField BuildOpticalField(
-  const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance);
+  const std::vector<OpticalChannel>& channels, const OpticalTolerance& tolerance);
+
+inline OpticalField BuildOpticalField(
+  const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance)
+{
+  return BuildOpticalField({ OpticalChannel{ ranges, table } }, tolerance);
+}
 
 /// Which bricks of a field are not invisible: all that is kept of it when a device has the rest.
 class VisibleBricks

@@ -39,6 +39,15 @@ inline bool IsExtreme(Blend blend)
   return blend == Blend::MaximumIntensity || blend == Blend::MinimumIntensity;
 }
 
+/// What the components of a volume are.
+enum class Components
+{
+  One,
+  Independent,      ///< two to four materials, mixed
+  LuminanceOpacity, ///< two: colour and opacity of one material
+  Rgba,             ///< four: a colour, and opacity
+};
+
 /// What one drawing does for the rays of a picture.
 enum class RayPass
 {
@@ -70,7 +79,9 @@ struct RenderSettings
   bool fillGaps = false;     ///< or draw them in a colour of their own; composite only
   bool countFetches = false; ///< draw how often each ray has read the volume, not the picture
   RayPass pass = RayPass::Whole;
-  bool lights = false;          ///< shading by all lights of the scene, not by a head light alone
+  bool lights = false; ///< shading by all lights of the scene, not by a head light alone
+  Components components = Components::One;
+  int componentCount = 1;       ///< of the volume
   bool gradientOpacity = false; ///< opacity depends on the gradient; composite only
   bool jitter = false;          ///< begin rays with a part of a step
   bool windowLevel = false;     ///< scale the picture's colours

@@ -33,8 +33,27 @@ std::string StepFile(const RenderSettings& settings)
   return "Step/Fixed.glsl";
 }
 
-std::string BlendFile(Blend blend)
+std::string ComponentBlendFile(Blend blend)
 {
+  switch (blend)
+  {
+    case Blend::MaximumIntensity:
+    case Blend::MinimumIntensity:
+      return "Blend/ComponentExtreme.glsl";
+    case Blend::AverageIntensity:
+      return "Blend/ComponentAverage.glsl";
+    default:
+      return "Blend/ComponentAdditive.glsl";
+  }
+}
+
+std::string BlendFile(const RenderSettings& settings)
+{
+  const Blend blend = settings.blend;
+  if (settings.components != Components::One && blend != Blend::Composite)
+  {
+    return ComponentBlendFile(blend);
+  }
   switch (blend)
   {
     case Blend::Composite:
@@ -55,6 +74,10 @@ std::string BlendFile(Blend blend)
 
 std::string MarchFile(const RenderSettings& settings)
 {
+  if (settings.blend != Blend::Composite && settings.components != Components::One)
+  {
+    return "March/ComponentProjection.glsl";
+  }
   if (settings.blend != Blend::Composite)
   {
     return IsExtreme(settings.blend) ? "March/Extreme.glsl" : "March/Projection.glsl";
@@ -100,6 +123,37 @@ std::string WindowFile(const RenderSettings& settings)
   return settings.windowLevel ? "Window/WindowLevel.glsl" : "Window/None.glsl";
 }
 
+std::string CountFile(int count)
+{
+  const char* const names[] = { "One", "Two", "Three", "Four" };
+  return std::string("Count/") + names[count - 1] + ".glsl";
+}
+
+std::string ComponentsFile(Components components)
+{
+  switch (components)
+  {
+    case Components::LuminanceOpacity:
+      return "Components/LuminanceOpacity.glsl";
+    case Components::Rgba:
+      return "Components/Rgba.glsl";
+    default:
+      return "Components/Independent.glsl";
+  }
+}
+
+// What makes colours and extinctions of scalars.
+std::vector<std::string> ClassifyParts(const RenderSettings& settings)
+{
+  if (settings.components == Components::One)
+  {
+    return { UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl"
+                                          : "Classify/OpticalTable.glsl" };
+  }
+  return { "Classify/ComponentTables.glsl", CountFile(PartCount(settings)),
+    ComponentsFile(settings.components) };
+}
+
 // No march: only where the rays are that have a pixel, and what it becomes.
 std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
@@ -107,11 +161,11 @@ std::vector<std::string> PictureParts(const RenderSettings& settings)
     DepthFile(settings), ClipFile(settings) };
   if (settings.blend != Blend::Composite)
   {
-    parts.insert(parts.end(), { "Classify/OpticalTable.glsl" });
+    const std::vector<std::string> classify = ClassifyParts(settings);
+    parts.insert(parts.end(), classify.begin(), classify.end());
   }
   parts.insert(parts.end(),
-    { BlendFile(settings.blend), WindowFile(settings), ResumeFile(settings.pass),
-      "RayMarch.frag.glsl" });
+    { BlendFile(settings), WindowFile(settings), ResumeFile(settings.pass), "RayMarch.frag.glsl" });
   return parts;
 }
 
@@ -128,97 +182,20 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   return parts;
 }
 
-std::vector<RenderSettings> RecipesOfPictures()
-{
-  std::vector<RenderSettings> recipes;
-  for (RayPass pass : { RayPass::Upscaled, RayPass::Averaged })
-  {
-    for (bool sceneGeometry : { false, true })
-    {
-      recipes.push_back({ Blend::Composite, Acceleration::Off, false, sceneGeometry });
-      recipes.back().pass = pass;
-    }
-  }
-  for (Acceleration acceleration :
-    { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
-  {
-    recipes.push_back({ Blend::Composite, acceleration });
-    recipes.back().jitter = true;
-    recipes.back().windowLevel = true;
-  }
-  return recipes;
-}
-
-std::vector<RenderSettings> RecipesWithGaps()
-{
-  std::vector<RenderSettings> recipes;
-  for (const auto& [blend, shading] : { std::pair(Blend::Composite, false),
-         std::pair(Blend::Composite, true), std::pair(Blend::MaximumIntensity, false) })
-  {
-    RenderSettings withGaps{ blend, Acceleration::Off, shading, false };
-    withGaps.gaps = true;
-    recipes.push_back(withGaps);
-  }
-  RenderSettings filled;
-  filled.gaps = true;
-  filled.fillGaps = true;
-  recipes.push_back(filled);
-  return recipes;
-}
-
-std::vector<RenderSettings> RecipesInBlocks()
-{
-  std::vector<RenderSettings> recipes;
-  for (Blend blend : { Blend::Composite, Blend::MaximumIntensity, Blend::MinimumIntensity,
-         Blend::AverageIntensity, Blend::Additive })
-  {
-    for (RayPass pass : { RayPass::Block, RayPass::Picture })
-    {
-      recipes.push_back({ blend, Acceleration::Off });
-      recipes.back().pass = pass;
-    }
-  }
-  return recipes;
-}
-
-std::vector<RenderSettings> RecipesOfMaterials()
-{
-  RenderSettings lit;
-  lit.shading = true;
-  lit.lights = true;
-  RenderSettings gradient;
-  gradient.gradientOpacity = true;
-  RenderSettings litGradient = gradient;
-  litGradient.shading = true;
-  return { lit, gradient, litGradient };
-}
-
-std::vector<RenderSettings> RecipesWithCuts()
-{
-  std::vector<RenderSettings> recipes;
-  for (const auto& [clipping, cropping] :
-    { std::pair(true, false), std::pair(false, true), std::pair(true, true) })
-  {
-    recipes.emplace_back();
-    recipes.back().clipping = clipping;
-    recipes.back().cropping = cropping;
-  }
-  RenderSettings inBlocks = recipes.back();
-  inBlocks.pass = RayPass::Block;
-  recipes.push_back(inBlocks);
-  inBlocks.pass = RayPass::Picture;
-  recipes.push_back(inBlocks);
-  return recipes;
-}
-
 std::vector<std::string> MaterialParts(const RenderSettings& settings)
 {
   const std::string shade = !settings.shading ? "Shade/None.glsl"
     : settings.lights                         ? "Shade/Lights.glsl"
                                               : "Shade/HeadLight.glsl";
-  return { "Gradient/CentralDifferences.glsl", shade,
-    settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl",
-    "Material/OneComponent.glsl" };
+  const std::string opacity =
+    settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl";
+  if (settings.components == Components::One)
+  {
+    return { "Gradient/CentralDifferences.glsl", shade, opacity, "Material/OneComponent.glsl" };
+  }
+  return { UsesGradients(settings) ? "Gradient/CentralDifferencesOfAll.glsl"
+                                   : "Gradient/NoneOfAll.glsl",
+    shade, opacity, "Material/Components.glsl" };
 }
 
 // Whether rays walk through bricks, or through cells with gaps.
@@ -241,6 +218,17 @@ bool UsesPreIntegration(const RenderSettings& settings)
 }
 
 bool MarchesMaterial(const RenderSettings& settings)
+{
+  return settings.blend == Blend::Composite &&
+    (settings.shading || settings.gradientOpacity || settings.components != Components::One);
+}
+
+int PartCount(const RenderSettings& settings)
+{
+  return settings.components == Components::Independent ? settings.componentCount : 1;
+}
+
+bool UsesGradients(const RenderSettings& settings)
 {
   return settings.blend == Blend::Composite && (settings.shading || settings.gradientOpacity);
 }
@@ -291,15 +279,15 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   }
   parts.insert(parts.end(),
     { DepthFile(settings), ClipFile(settings),
-      settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl", StepFile(settings),
-      UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl"
-                                   : "Classify/OpticalTable.glsl" });
+      settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl", StepFile(settings) });
+  const std::vector<std::string> classify = ClassifyParts(settings);
+  parts.insert(parts.end(), classify.begin(), classify.end());
   if (MarchesMaterial(settings))
   {
     const std::vector<std::string> material = MaterialParts(settings);
     parts.insert(parts.end(), material.begin(), material.end());
   }
-  parts.push_back(BlendFile(settings.blend));
+  parts.push_back(BlendFile(settings));
   const std::string march = MarchFile(settings);
   if (FetchesFour(march))
   {
@@ -314,40 +302,6 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
 std::string VertexShaderPart()
 {
   return "RayMarch.vert.glsl";
-}
-
-std::vector<RenderSettings> EveryRecipe()
-{
-  RenderSettings counting;
-  counting.countFetches = true;
-  std::vector<RenderSettings> recipes = { counting };
-  for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(), RecipesWithGaps(),
-         RecipesInBlocks(), RecipesOfPictures(), RecipesWithCuts() })
-  {
-    recipes.insert(recipes.end(), others.begin(), others.end());
-  }
-  for (Acceleration acceleration :
-    { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
-  {
-    for (bool sceneGeometry : { false, true })
-    {
-      for (Integration integration : { Integration::Midpoint, Integration::PreIntegrated,
-             Integration::Simpson, Integration::PublishedSum })
-      {
-        recipes.push_back({ Blend::Composite, acceleration, false, sceneGeometry, integration });
-      }
-      recipes.push_back({ Blend::Composite, acceleration, true, sceneGeometry });
-      for (Blend blend : { Blend::MaximumIntensity, Blend::MinimumIntensity,
-             Blend::AverageIntensity, Blend::Additive })
-      {
-        if (acceleration != Acceleration::OpticalField || IsExtreme(blend))
-        {
-          recipes.push_back({ blend, acceleration, false, sceneGeometry });
-        }
-      }
-    }
-  }
-  return recipes;
 }
 
 }

@@ -19,6 +19,12 @@ bool UsesPreIntegration(const RenderSettings& settings);
 /// Whether the recipe marches a material: what depends on more than one scalar.
 bool MarchesMaterial(const RenderSettings& settings);
 
+/// How many materials the recipe mixes.
+int PartCount(const RenderSettings& settings);
+
+/// Whether the recipe looks at gradients.
+bool UsesGradients(const RenderSettings& settings);
+
 /// Whether the recipe draws cells that touch a voxel that is not finite.
 bool FillsGaps(const RenderSettings& settings);
 

@@ -33,8 +33,10 @@ vec3 PositionTexture(Ray ray, float t)
 }
 
 // --- Probe: observes the work of a ray -------------------------------------------------------
-// The stored scalar: a texture value, which optical table and thresholds are scaled to. Every
-// reading of the volume goes through here.
+// The stored scalars, of up to four components: texture values, which tables and thresholds are
+// scaled to. Every reading of the volume goes through here.
+vec4 TexelAt(vec3 positionTexture);
+// The scalar of a volume of one component.
 float ScalarAt(vec3 positionTexture);
 // What is drawn for a ray that has made this picture.
 vec4 Probed(vec4 picture);
@@ -65,18 +67,28 @@ vec4 Classify(float scalar);
 // Means over a piece of ray along which the scalar goes linearly from one value to another.
 vec4 ClassifyBetween(float startScalar, float endScalar);
 
+// Of several tables, one.
+vec4 ClassifyBy(int table, float scalar);
+
+// --- Count, Components: only where a volume has several components ----------------------------
+// Count defines PartCount, the number of materials that are mixed. Components defines
+//   vec4 PartOptical(vec4 texel, int part);    colour and extinction of one
+//   vec4 MoreExtreme(vec4 best, vec4 texel, float sense);
+//                                              the larger values (sense 1), or the smaller (-1)
+
 // --- Gradient: only where light or opacity depend on it -----------------------------------------
 // In texels of the volume per voxel, along the axes of the grid.
 vec3 GradientAt(vec3 positionTexture);
+// A column for each component.
+mat4x3 GradientsAllAt(vec3 positionTexture);
 
 // --- Shade: light at a sample; only where there is a material -----------------------------------
 // What is emitted at t by a material of this color. reflectance: coefficients of ambient, diffuse
 // and specular light, and the specular power.
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t);
 
-// --- GradientOpacity: where opacity depends on the gradient
-// --------------------------------------- The extinction [1/mm] of a component, from that without a
-// gradient.
+// --- GradientOpacity: where opacity depends on the gradient -----------------------------------
+// The extinction [1/mm] of a component, from that without a gradient.
 float AtGradient(float extinction, vec3 gradient, int component);
 
 // --- Material: what a point looks like, where more than one scalar tells -------------------------
@@ -98,6 +110,8 @@ float AtGradient(float extinction, vec3 gradient, int component);
 //                               optical depth
 //   Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm);
 //                               projection: takes in the next part of the ray, of one scalar
+//   Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm);
+//                               the same, of several components
 //   float BlendState(Accumulation sum);      what steps depend on. Composite: the part of what
 //                               follows that is still seen, [0,1]; extremes: the scalar so far
 //   bool BlendFinished(Accumulation sum);    nothing that follows could be seen

@@ -2,10 +2,15 @@
 
 float fetches = 0.0;
 
-float ScalarAt(vec3 positionTexture)
+vec4 TexelAt(vec3 positionTexture)
 {
   fetches += 1.0;
-  return textureLod(volumeTexture, positionTexture, 0.0).r;
+  return textureLod(volumeTexture, positionTexture, 0.0);
+}
+
+float ScalarAt(vec3 positionTexture)
+{
+  return TexelAt(positionTexture).r;
 }
 
 vec4 Probed(vec4 picture)

@@ -1,8 +1,13 @@
 // Nothing is observed.
 
+vec4 TexelAt(vec3 positionTexture)
+{
+  return textureLod(volumeTexture, positionTexture, 0.0);
+}
+
 float ScalarAt(vec3 positionTexture)
 {
-  return textureLod(volumeTexture, positionTexture, 0.0).r;
+  return TexelAt(positionTexture).r;
 }
 
 vec4 Probed(vec4 picture)

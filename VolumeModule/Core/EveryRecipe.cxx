@@ -1,0 +1,149 @@
+#include "Core/ShaderRecipe.h"
+
+#include <utility>
+
+namespace varimarch
+{
+
+namespace
+{
+
+std::vector<RenderSettings> RecipesOfPictures()
+{
+  std::vector<RenderSettings> recipes;
+  for (RayPass pass : { RayPass::Upscaled, RayPass::Averaged })
+  {
+    for (bool sceneGeometry : { false, true })
+    {
+      recipes.push_back({ Blend::Composite, Acceleration::Off, false, sceneGeometry });
+      recipes.back().pass = pass;
+    }
+  }
+  for (Acceleration acceleration :
+    { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
+  {
+    recipes.push_back({ Blend::Composite, acceleration });
+    recipes.back().jitter = true;
+    recipes.back().windowLevel = true;
+  }
+  return recipes;
+}
+
+std::vector<RenderSettings> RecipesWithGaps()
+{
+  std::vector<RenderSettings> recipes;
+  for (const auto& [blend, shading] : { std::pair(Blend::Composite, false),
+         std::pair(Blend::Composite, true), std::pair(Blend::MaximumIntensity, false) })
+  {
+    RenderSettings withGaps{ blend, Acceleration::Off, shading, false };
+    withGaps.gaps = true;
+    recipes.push_back(withGaps);
+  }
+  RenderSettings filled;
+  filled.gaps = true;
+  filled.fillGaps = true;
+  recipes.push_back(filled);
+  return recipes;
+}
+
+std::vector<RenderSettings> RecipesInBlocks()
+{
+  std::vector<RenderSettings> recipes;
+  for (Blend blend : { Blend::Composite, Blend::MaximumIntensity, Blend::MinimumIntensity,
+         Blend::AverageIntensity, Blend::Additive })
+  {
+    for (RayPass pass : { RayPass::Block, RayPass::Picture })
+    {
+      recipes.push_back({ blend, Acceleration::Off });
+      recipes.back().pass = pass;
+    }
+  }
+  return recipes;
+}
+
+std::vector<RenderSettings> RecipesOfMaterials()
+{
+  RenderSettings lit;
+  lit.shading = true;
+  lit.lights = true;
+  RenderSettings gradient;
+  gradient.gradientOpacity = true;
+  RenderSettings litGradient = gradient;
+  litGradient.shading = true;
+  std::vector<RenderSettings> recipes = { lit, gradient, litGradient };
+  for (const auto& [components, count] : { std::pair(Components::Independent, 2),
+         std::pair(Components::Independent, 3), std::pair(Components::Independent, 4),
+         std::pair(Components::LuminanceOpacity, 2), std::pair(Components::Rgba, 4) })
+  {
+    for (RenderSettings settings : { RenderSettings(), lit, litGradient })
+    {
+      settings.components = components;
+      settings.componentCount = count;
+      recipes.push_back(settings);
+    }
+    for (Blend blend : { Blend::MaximumIntensity, Blend::AverageIntensity, Blend::Additive })
+    {
+      RenderSettings projection{ blend, Acceleration::Off };
+      projection.components = components;
+      projection.componentCount = count;
+      recipes.push_back(projection);
+    }
+  }
+  return recipes;
+}
+
+std::vector<RenderSettings> RecipesWithCuts()
+{
+  std::vector<RenderSettings> recipes;
+  for (const auto& [clipping, cropping] :
+    { std::pair(true, false), std::pair(false, true), std::pair(true, true) })
+  {
+    recipes.emplace_back();
+    recipes.back().clipping = clipping;
+    recipes.back().cropping = cropping;
+  }
+  RenderSettings inBlocks = recipes.back();
+  inBlocks.pass = RayPass::Block;
+  recipes.push_back(inBlocks);
+  inBlocks.pass = RayPass::Picture;
+  recipes.push_back(inBlocks);
+  return recipes;
+}
+
+}
+
+std::vector<RenderSettings> EveryRecipe()
+{
+  RenderSettings counting;
+  counting.countFetches = true;
+  std::vector<RenderSettings> recipes = { counting };
+  for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(), RecipesWithGaps(),
+         RecipesInBlocks(), RecipesOfPictures(), RecipesWithCuts() })
+  {
+    recipes.insert(recipes.end(), others.begin(), others.end());
+  }
+  for (Acceleration acceleration :
+    { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
+  {
+    for (bool sceneGeometry : { false, true })
+    {
+      for (Integration integration : { Integration::Midpoint, Integration::PreIntegrated,
+             Integration::Simpson, Integration::PublishedSum })
+      {
+        recipes.push_back({ Blend::Composite, acceleration, false, sceneGeometry, integration });
+      }
+      recipes.push_back({ Blend::Composite, acceleration, true, sceneGeometry });
+      for (Blend blend : { Blend::MaximumIntensity, Blend::MinimumIntensity,
+             Blend::AverageIntensity, Blend::Additive })
+      {
+        if (acceleration != Acceleration::OpticalField || IsExtreme(blend))
+        {
+          recipes.push_back({ blend, acceleration, false, sceneGeometry });
+        }
+      }
+    }
+  }
+  return recipes;
+}
+
+}

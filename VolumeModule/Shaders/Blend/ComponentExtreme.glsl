@@ -1,0 +1,60 @@
+// The largest values along the ray, or the smallest, seen through the transfer functions: the
+// mixture of what each component is over its unit distance, whatever the length of the ray. A ray
+// without any sample is transparent.
+
+uniform float sense; // 1: the largest
+uniform vec4 leastExtremes;
+uniform float partWeights[4];
+uniform vec4 opacityUnitDistancesMm;
+
+struct Accumulation
+{
+  vec4 extremes;
+  bool any; // whether there was a sample
+};
+
+Accumulation BlendBegin()
+{
+  return Accumulation(leastExtremes, false);
+}
+
+Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm)
+{
+  return Accumulation(sum.any ? MoreExtreme(sum.extremes, texel, sense) : texel, true);
+}
+
+float BlendState(Accumulation sum)
+{
+  return 1.0;
+}
+
+bool BlendFinished(Accumulation sum)
+{
+  return false;
+}
+
+vec4 BlendResult(Accumulation sum)
+{
+  vec3 emission = vec3(0.0);
+  float depth = 0.0;
+  for (int part = 0; part < PartCount; ++part)
+  {
+    vec4 optical = PartOptical(sum.extremes, part);
+    float partDepth = partWeights[part] * optical.a * opacityUnitDistancesMm[part];
+    emission += partDepth * optical.rgb;
+    depth += partDepth;
+  }
+  float opacity = Absorption(min(depth, 100.0));
+  return sum.any ? vec4(emission / max(depth, 1e-30) * opacity, opacity) : vec4(0.0);
+}
+
+// Nothing is kept as 0, and no value as less than 1.
+vec4 BlendKept(Accumulation sum)
+{
+  return sum.any ? sense * (sum.extremes - leastExtremes) + 1.0 : vec4(0.0);
+}
+
+Accumulation BlendResumed(vec4 kept)
+{
+  return Accumulation(sense * (kept - 1.0) + leastExtremes, kept.x > 0.0);
+}

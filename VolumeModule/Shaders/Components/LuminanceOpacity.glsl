@@ -1,0 +1,11 @@
+// Two components of one material: colour by the first, opacity by the second.
+
+vec4 PartOptical(vec4 texel, int part)
+{
+  return vec4(ClassifyBy(0, texel.x).rgb, ClassifyBy(1, texel.y).a);
+}
+
+vec4 MoreExtreme(vec4 best, vec4 texel, float sense)
+{
+  return sense * texel.y > sense * best.y ? texel : best;
+}

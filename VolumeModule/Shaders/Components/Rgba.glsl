@@ -1,0 +1,14 @@
+// Four components of one material: its colour, and opacity by the fourth.
+
+uniform vec3 colorScale; // texture values -> colour
+uniform vec3 colorBias;
+
+vec4 PartOptical(vec4 texel, int part)
+{
+  return vec4(clamp(texel.rgb * colorScale + colorBias, 0.0, 1.0), ClassifyBy(0, texel.a).a);
+}
+
+vec4 MoreExtreme(vec4 best, vec4 texel, float sense)
+{
+  return sense * texel.a > sense * best.a ? texel : best;
+}

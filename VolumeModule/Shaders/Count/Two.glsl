@@ -1,0 +1,3 @@
+// How many materials are mixed.
+
+const int PartCount = 2;

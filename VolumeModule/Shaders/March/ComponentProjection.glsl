@@ -1,0 +1,21 @@
+// Projections of several components look at every sample, and at nothing but its values.
+
+const int PartsPerSegment = 2;
+
+Accumulation March(Ray ray, Interval inside, Accumulation sum)
+{
+  float t = inside.enter;
+  for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
+  {
+    Interval segment =
+      NextSegment(ray, inside, t, index, float(PartsPerSegment) * stepMm, BlendState(sum));
+    t = min(segment.exit, inside.exit);
+    float partMm = max(t - segment.enter, 0.0) / float(PartsPerSegment);
+    for (int part = 0; part < PartsPerSegment; ++part)
+    {
+      float middle = segment.enter + (float(part) + 0.5) * partMm;
+      sum = BlendTexel(sum, TexelAt(PositionTexture(ray, middle)), partMm);
+    }
+  }
+  return sum;
+}
