@@ -41,6 +41,19 @@ void FloatFramebuffer::Draw(
   state->PopFramebufferBindings();
 }
 
+std::vector<float> FloatFramebuffer::Read(vtkOpenGLRenderWindow* window, const Viewport& pixels)
+{
+  std::vector<float> rgba(4 * std::size_t(pixels.width) * pixels.height);
+  window->MakeCurrent();
+  vtkOpenGLState* const state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Bind(window, pixels);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, pixels.width, pixels.height, GL_RGBA, GL_FLOAT, rgba.data());
+  state->PopFramebufferBindings();
+  return rgba;
+}
+
 void FloatFramebuffer::Bind(vtkOpenGLRenderWindow* window, const Viewport& pixels)
 {
   const unsigned int width = std::max(this->texture->GetWidth(), unsigned(pixels.width));

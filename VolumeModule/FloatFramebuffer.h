@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 
@@ -27,6 +28,9 @@ public:
   /// @throws std::runtime_error when OpenGL has no framebuffer of floats
   void Draw(
     vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw);
+
+  /// What is there after Draw: four floats for each of its pixels.
+  std::vector<float> Read(vtkOpenGLRenderWindow* window, const Viewport& pixels);
 
   vtkTextureObject* Texture() const { return this->texture; }
   std::size_t Bytes() const;

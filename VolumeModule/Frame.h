@@ -3,6 +3,8 @@
 
 #include "Core/RenderSettings.h"
 #include "Cuts.h"
+#include "PassOfVolume.h"
+#include "UserShaderCode.h"
 #include "VolumeGeometry.h"
 #include "VolumeTexture.h"
 
@@ -17,6 +19,7 @@
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+class vtkVolume;
 class vtkVolumeProperty;
 
 namespace varimarch
@@ -47,6 +50,11 @@ struct Frame
   bool triesPreIntegration;            ///< there is memory for its table
   glm::dvec2 windowScaleBias;          ///< of the picture's colours
   double imageSampleDistance;          ///< of rays [pixels]
+  vtkVolume* volume;
+  VolumePass volumePass;
+  UserShaderCode userCode;
+  bool toImages;   ///< draw these, not into the window
+  bool clampDepth; ///< of the image of depths, where nothing is visible
 };
 
 }

@@ -4,6 +4,7 @@
 #include "Core/TransferFunction.h"
 #include "Lights.h"
 #include "PictureOfMapper.h"
+#include "UserShaderCode.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkDataArray.h"
@@ -273,7 +274,7 @@ std::optional<Frame> FrameOf(
   frame.gapOptical = GapOptical(
     mapper->GetNanColor(), mapper->GetNanOpacity(), frame.property->GetScalarOpacityUnitDistance());
   frame.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
-  ChoosePicture(mapper, frame);
+  ChoosePicture(mapper, renderer, volume, frame);
   ChooseSampling(mapper, frame);
   return frame;
 }
@@ -286,7 +287,7 @@ std::string MissingFeatures(vtkVariationFieldVolumeMapper*, vtkVolume* volume)
   {
     missing += "Transfer functions of two values are not supported yet. ";
   }
-  return missing;
+  return missing + MissingShaderCode(volume);
 }
 
 std::string UnsupportedFeature(

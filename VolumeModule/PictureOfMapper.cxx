@@ -21,7 +21,8 @@ glm::dvec2 WindowScaleBias(double window, double level)
 
 }
 
-void ChoosePicture(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+void ChoosePicture(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, Frame& frame)
 {
   const double window = mapper->GetFinalColorWindow();
   const double level = mapper->GetFinalColorLevel();
@@ -29,6 +30,30 @@ void ChoosePicture(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.windowScaleBias = WindowScaleBias(window, level);
   frame.settings.jitter = mapper->GetUseJittering() != 0;
   frame.imageSampleDistance = mapper->GetImageSampleDistance();
+
+  frame.volume = volume;
+  frame.userCode = UserShaderCodeOf(volume);
+  frame.volumePass = PassOfVolume(mapper, renderer, volume);
+  frame.settings.pass = frame.volumePass.pass;
+  frame.toImages = mapper->GetRenderToImage() != 0 && frame.settings.pass == RayPass::Whole;
+  frame.clampDepth = mapper->GetClampDepthToBackface() != 0;
+  if (Peels(frame.settings.pass))
+  {
+    // The pass has a framebuffer of its own, and the depth of what is opaque.
+    frame.viewport = { 0, 0, frame.viewport.width, frame.viewport.height };
+    frame.settings.sceneGeometry = false;
+  }
+}
+
+void UseQuality(const PictureQuality& quality, vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  const double least = mapper->GetMinimumImageSampleDistance();
+  const double most = std::max<double>(least, mapper->GetMaximumImageSampleDistance());
+  frame.imageSampleDistance =
+    std::max(frame.imageSampleDistance, std::clamp(quality.imageSampleDistance, least, most));
+  // The field stays: it would have to be built again.
+  frame.errorTolerance *= quality.toleranceFactor;
+  frame.sampleDistanceMm *= quality.toleranceFactor;
 }
 
 }

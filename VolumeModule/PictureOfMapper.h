@@ -1,6 +1,7 @@
 #ifndef Varimarch_PictureOfMapper_h
 #define Varimarch_PictureOfMapper_h
 
+#include "Core/InteractiveQuality.h"
 #include "Frame.h"
 
 class vtkVariationFieldVolumeMapper;
@@ -8,9 +9,13 @@ class vtkVariationFieldVolumeMapper;
 namespace varimarch
 {
 
-/// Takes over what the mapper's settings say of the picture: its window and level, its rays and
-/// their noise.
-void ChoosePicture(vtkVariationFieldVolumeMapper* mapper, Frame& frame);
+/// Takes over what is asked of the picture: its window and level, its rays and their noise, whether
+/// it is one of a selection, of layers or an image, and what code of its own it has.
+void ChoosePicture(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, Frame& frame);
+
+/// Lets a picture be coarser.
+void UseQuality(const PictureQuality& quality, vtkVariationFieldVolumeMapper* mapper, Frame& frame);
 
 }
 

@@ -14,8 +14,15 @@ struct PictureResources
 {
   FloatFramebuffer rays;  ///< where they are not as many as pixels
   BlueNoiseTexture noise; ///< with jitter
+  FloatFramebuffer colorImage;
+  FloatFramebuffer depthImage; ///< 1 - depth, as red
+  Viewport imagePixels = {};   ///< of both; 0: there are none
 
-  std::size_t Bytes() const { return this->rays.Bytes() + this->noise.Bytes(); }
+  std::size_t Bytes() const
+  {
+    return this->rays.Bytes() + this->noise.Bytes() + this->colorImage.Bytes() +
+      this->depthImage.Bytes();
+  }
 
   std::vector<vtkTextureObject*> Textures() const
   {
@@ -26,6 +33,14 @@ struct PictureResources
   {
     this->rays.Release(window);
     this->noise.Release(window);
+    this->ReleaseImages(window);
+  }
+
+  void ReleaseImages(vtkWindow* window)
+  {
+    this->colorImage.Release(window);
+    this->depthImage.Release(window);
+    this->imagePixels = {};
   }
 };
 

@@ -4,14 +4,21 @@
 #include "Core/ShaderRecipe.h"
 #include "ShaderFiles.h"
 
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkCommand.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLUniforms.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
+#include "vtkVolume.h"
+#include "vtk_glew.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace varimarch
@@ -34,28 +41,81 @@ std::string CompilerMessages(
   return compiles ? "" : TraceShaderErrors(messages, files);
 }
 
+// The files, with a user's text in place of those slots that it is for.
+std::vector<ShaderFile> WithUserCode(
+  std::vector<ShaderFile> files, const std::vector<std::string>& parts, const UserShaderCode& code)
+{
+  for (const auto& [slot, text] : code.textOfSlot)
+  {
+    const auto isOfSlot = [&, prefix = slot + "/"](const ShaderFile& file)
+    { return file.path.compare(0, prefix.size(), prefix) == 0; };
+    const auto file = std::find_if(files.begin(), files.end(), isOfSlot);
+    if (file == files.end())
+    {
+      std::string known;
+      for (const std::string& part : parts)
+      {
+        known += " " + part;
+      }
+      throw std::runtime_error(
+        "The shader of this picture has no slot " + slot + " to be replaced: it has" + known);
+    }
+    *file = { "//Varimarch::" + slot, text };
+  }
+  if (!code.uniforms.empty())
+  {
+    files.insert(files.begin() + 1, { "custom uniforms", code.uniforms });
+  }
+  return files;
 }
 
-RayMarchProgram::Sources RayMarchProgram::Assemble(const std::vector<std::string>& parts)
+// Which of two outputs is the first is for the linker to say, unless it is told.
+void OrderOutputs(vtkShaderProgram* program)
+{
+  const auto handle = GLuint(program->GetHandle());
+  if (glGetFragDataLocation(handle, "fragOutput1") != 0 &&
+    glGetFragDataLocation(handle, "fragOutput0") == 0)
+  {
+    return;
+  }
+  glBindFragDataLocation(handle, 0, "fragOutput0");
+  glBindFragDataLocation(handle, 1, "fragOutput1");
+  glLinkProgram(handle);
+  glUseProgram(handle);
+}
+
+}
+
+RayMarchProgram::Sources RayMarchProgram::Assemble(
+  const std::vector<std::string>& parts, const UserShaderCode& userCode)
 {
   const std::vector<ShaderFile> vertex = LoadShaderFiles({ VertexShaderPart() });
-  const std::vector<ShaderFile> fragment = LoadShaderFiles(parts);
+  const std::vector<ShaderFile> fragment = WithUserCode(LoadShaderFiles(parts), parts, userCode);
   Sources sources{ AssembleShader(vertex), AssembleShader(fragment), "" };
   sources.failure = CompilerMessages(vtkShader::Vertex, sources.vertex, vertex) +
     CompilerMessages(vtkShader::Fragment, sources.fragment, fragment);
   return sources;
 }
 
-bool RayMarchProgram::Use(vtkOpenGLRenderWindow* window, const RenderSettings& settings)
+bool RayMarchProgram::Use(
+  vtkOpenGLRenderWindow* window, const RenderSettings& settings, const UserShaderCode& userCode)
 {
   this->parts = FragmentShaderParts(settings);
-  const bool isNew = this->sourcesOfParts.count(this->parts) == 0;
+  // A shader without a march has none of the slots that a user replaces.
+  const UserShaderCode& used = Marches(settings.pass) ? userCode : UserShaderCode();
+  std::vector<std::string> key = this->parts;
+  key.push_back(used.uniforms);
+  for (const auto& [slot, text] : used.textOfSlot)
+  {
+    key.insert(key.end(), { slot, text });
+  }
+  const bool isNew = this->sourcesOfParts.count(key) == 0;
   if (isNew)
   {
-    this->sourcesOfParts[this->parts] = Assemble(this->parts);
+    this->sourcesOfParts[key] = Assemble(this->parts, used);
   }
   // A shader that has failed is not tried again with every frame.
-  Sources& sources = this->sourcesOfParts[this->parts];
+  Sources& sources = this->sourcesOfParts[key];
   if (sources.failure.empty())
   {
     this->program = window->GetShaderCache()->ReadyShaderProgram(
@@ -66,7 +126,19 @@ bool RayMarchProgram::Use(vtkOpenGLRenderWindow* window, const RenderSettings& s
   {
     throw std::runtime_error("Cannot compile the ray march shader: " + sources.failure);
   }
+  OrderOutputs(this->program);
   return isNew;
+}
+
+void RayMarchProgram::SetUniformsOf(vtkVolume* volume)
+{
+  auto* uniforms =
+    vtkOpenGLUniforms::SafeDownCast(volume->GetShaderProperty()->GetFragmentCustomUniforms());
+  if (uniforms)
+  {
+    uniforms->SetUniforms(this->program);
+  }
+  volume->GetMapper()->InvokeEvent(vtkCommand::UpdateShaderEvent, this->program);
 }
 
 void RayMarchProgram::Forget()

@@ -2,6 +2,7 @@
 #define Varimarch_RayMarchProgram_h
 
 #include "Core/RenderSettings.h"
+#include "UserShaderCode.h"
 
 #include "vtkNew.h"
 
@@ -30,7 +31,8 @@ class RayMarchProgram
 public:
   /// Makes the program of the settings current. True when it had to be made.
   /// @throws std::runtime_error with the compiler's messages, traced to the shader files
-  bool Use(vtkOpenGLRenderWindow* window, const RenderSettings& settings);
+  bool Use(vtkOpenGLRenderWindow* window, const RenderSettings& settings,
+    const UserShaderCode& userCode = {});
 
   vtkShaderProgram* Program() const { return this->program; }
   const std::vector<std::string>& Parts() const { return this->parts; }
@@ -45,6 +47,9 @@ public:
   void Set(const char* name, const glm::dmat3& value);
   void Set(const char* name, const glm::dmat4& value);
   void Set(const char* name, vtkTextureObject* activeTexture);
+
+  /// The volume's own uniforms; then its mapper tells its observers of the shader.
+  void SetUniformsOf(vtkVolume* volume);
 
   template <class Vector, std::size_t Count>
   void Set(const char* name, const std::array<Vector, Count>& values)
@@ -64,11 +69,12 @@ private:
     std::string fragment;
     std::string failure; ///< why these sources are no program; empty while they are
   };
-  static Sources Assemble(const std::vector<std::string>& parts);
+  static Sources Assemble(const std::vector<std::string>& parts, const UserShaderCode& userCode);
 
   vtkShaderProgram* program = nullptr; ///< the cache's
   std::vector<std::string> parts;
-  std::map<std::vector<std::string>, Sources> sourcesOfParts; ///< all that were asked for so far
+  /// All that were asked for so far, by their parts and what a user has put in their place.
+  std::map<std::vector<std::string>, Sources> sourcesOfParts;
 };
 
 }

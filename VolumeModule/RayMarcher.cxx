@@ -237,7 +237,7 @@ void RayMarcher::UpdateCuts(const Frame& frame)
 
 void RayMarcher::UpdateProgram(const Frame& frame)
 {
-  if (this->program.Use(frame.window, frame.settings))
+  if (this->program.Use(frame.window, frame.settings, frame.userCode))
   {
     ++this->builds.shader;
   }

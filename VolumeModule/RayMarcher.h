@@ -87,12 +87,18 @@ public:
   /// @throws std::runtime_error when the device cannot hold a resource or compile the shader
   void Draw(Frame frame);
 
+  /// The images that were drawn last, as RGBA, or 1 - depth as red; in the window that has them.
+  const Viewport& ImagePixels() const { return this->picture.imagePixels; }
+  std::vector<float> ColorImage();
+  std::vector<float> DepthImage();
+
   void Release(vtkWindow* window);
 
   const BuildCounts& Builds() const { return this->builds; }
   int BlockUploads() const { return this->blocks.Uploads(); }
   /// Of the march.
   const std::vector<std::string>& ShaderParts() const { return this->shaderParts; }
+  double UsedImageSampleDistance() const { return this->usedImageSampleDistance; }
   double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }
   /// How the last picture keeps its tolerance; nothing when it has none.
   const std::optional<ToleranceChoice>& Tolerance() const { return this->tolerance; }
@@ -134,10 +140,13 @@ private:
   void DrawBlocks(const Frame& frame);
 
   void DrawPicture(const Frame& frame);
+  void DrawPass(const Frame& frame);
+  void DrawImages(const Frame& frame, const Viewport& rays);
 
   void SetRayUniforms(const Frame& frame, const DrawnBlock& drawn, const glm::dmat4& clipFromGrid);
   void SetResumeUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetResampledUniforms(const Frame& frame);
+  void SetPassUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetNoiseUniforms();
   void SetGapUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetCutUniforms(const Frame& frame);
@@ -174,6 +183,7 @@ private:
   BuildCounts builds;
   std::optional<ToleranceChoice> tolerance;
   double usedSampleDistanceMm = 0.0;
+  double usedImageSampleDistance = 1.0;
   std::vector<std::string> shaderParts;
   Box visibleBox = {};           ///< what of the volume is drawn
   std::vector<Box> visibleBoxes; ///< and of each block

@@ -14,11 +14,27 @@ namespace varimarch
 namespace
 {
 
+enum class Blending
+{
+  Over,    ///< what is there
+  Replace, ///< it
+  AsSet    ///< by who asks for the drawing
+};
+
+Blending BlendingOf(RayPass pass)
+{
+  if (Peels(pass))
+  {
+    return Blending::AsSet;
+  }
+  return pass == RayPass::Block || Picks(pass) ? Blending::Replace : Blending::Over;
+}
+
 // Restores what drawing the box changes.
 class BoxDrawingState
 {
 public:
-  BoxDrawingState(vtkOpenGLState* state, bool mirrored, bool blended)
+  BoxDrawingState(vtkOpenGLState* state, bool mirrored, Blending blending)
     : depthTest(state, GL_DEPTH_TEST)
     , blend(state, GL_BLEND)
     , cullFace(state, GL_CULL_FACE)
@@ -30,8 +46,11 @@ public:
     state->vtkglGetIntegerv(GL_CULL_FACE_MODE, &this->cullFaceMode);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
-    state->SetEnumState(GL_BLEND, blended);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (blending != Blending::AsSet)
+    {
+      state->SetEnumState(GL_BLEND, blending == Blending::Over);
+      state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    }
     // The inner sides of the box: there is one behind every pixel, also from within.
     state->vtkglEnable(GL_CULL_FACE);
     state->vtkglCullFace(mirrored ? GL_BACK : GL_FRONT);
@@ -67,7 +86,7 @@ void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
   {
     const bool mirrored = glm::determinant(frame.geometry.WorldFromGridDirection()) < 0.0;
     const BoxDrawingState drawing(
-      frame.window->GetState(), mirrored, frame.settings.pass != RayPass::Block);
+      frame.window->GetState(), mirrored, BlendingOf(frame.settings.pass));
     this->boxGeometry.Draw(this->program.Program(), drawn.coverGrid);
   }
   std::vector<vtkTextureObject*> textures = { this->field.Texture(), this->opticalTable.Texture(),

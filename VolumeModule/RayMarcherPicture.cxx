@@ -35,6 +35,18 @@ Viewport RaysOf(const Viewport& picture, double imageSampleDistance)
 void RayMarcher::DrawPicture(const Frame& frame)
 {
   const Viewport rays = RaysOf(frame.viewport, frame.imageSampleDistance);
+  this->usedImageSampleDistance = double(frame.viewport.width) / rays.width;
+  if (frame.settings.pass != RayPass::Whole)
+  {
+    this->DrawPass(frame);
+    return;
+  }
+  if (frame.toImages)
+  {
+    this->DrawImages(frame, rays);
+    return;
+  }
+  this->picture.ReleaseImages(frame.window);
   if (rays.width == frame.viewport.width && rays.height == frame.viewport.height)
   {
     this->picture.rays.Release(frame.window);

@@ -204,6 +204,7 @@ std::vector<float> RayMarcher::DrawProbe(
   Frame frame, Integration integration, double sampleDistanceMm)
 {
   frame.viewport = ProbeFramebuffer::PixelsFor(frame.viewport);
+  frame.settings.pass = RayPass::Whole;
   frame.settings.integration = integration;
   frame.settings.countFetches = false; // errors are of colours, whatever the picture shows
   frame.sampleDistanceMm = sampleDistanceMm;

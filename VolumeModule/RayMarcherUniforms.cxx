@@ -256,27 +256,28 @@ void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   this->SetRayUniforms(frame, drawn, clipFromGrid);
   this->SetCutUniforms(frame);
-  switch (frame.settings.pass)
+  const RayPass pass = frame.settings.pass;
+  if (pass == RayPass::Block || pass == RayPass::Picture)
   {
-    case RayPass::Block:
-      this->SetResumeUniforms(frame, drawn);
-      [[fallthrough]];
-    case RayPass::Whole:
-      this->SetBlendUniforms(frame);
-      this->SetMarchUniforms(frame, drawn);
-      break;
-    case RayPass::Picture:
-      this->SetResumeUniforms(frame, drawn);
-      this->SetBlendUniforms(frame);
-      if (frame.settings.blend != Blend::Composite)
-      {
-        this->SetClassifyUniforms(frame);
-      }
-      break;
-    case RayPass::Upscaled:
-    case RayPass::Averaged:
-      this->SetResampledUniforms(frame);
-      break;
+    this->SetResumeUniforms(frame, drawn);
+  }
+  if (pass == RayPass::Upscaled || pass == RayPass::Averaged)
+  {
+    this->SetResampledUniforms(frame);
+  }
+  else
+  {
+    this->SetBlendUniforms(frame);
+  }
+  if (Marches(pass))
+  {
+    this->SetMarchUniforms(frame, drawn);
+    this->SetPassUniforms(frame, clipFromGrid);
+    this->program.SetUniformsOf(frame.volume);
+  }
+  else if (pass == RayPass::Picture && frame.settings.blend != Blend::Composite)
+  {
+    this->SetClassifyUniforms(frame);
   }
   if (frame.settings.sceneGeometry)
   {

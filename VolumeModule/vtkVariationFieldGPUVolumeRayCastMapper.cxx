@@ -10,12 +10,9 @@
 #include "vtkInformation.h"
 #include "vtkMultiVolume.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProperty.h"
-#include "vtkUniforms.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -36,21 +33,6 @@ bool HasBlanking(vtkDataSet* input)
 {
   auto* image = vtkImageData::SafeDownCast(input);
   return image && (image->HasAnyBlankPoints() || image->HasAnyBlankCells());
-}
-
-bool HasOwnShader(vtkVolume* volume)
-{
-  vtkShaderProperty* shader = volume->GetShaderProperty();
-  return shader->HasVertexShaderCode() || shader->HasFragmentShaderCode() ||
-    shader->HasGeometryShaderCode() || shader->GetNumberOfShaderReplacements() > 0 ||
-    shader->GetFragmentCustomUniforms()->GetNumberOfUniforms() > 0;
-}
-
-// A pass that takes the volume apart, such as depth peeling, writes into the mapper's shader.
-bool IsDrawnByRenderPass(vtkVolume* volume)
-{
-  vtkInformation* keys = volume->GetPropertyKeys();
-  return keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
 }
 
 }
@@ -91,25 +73,25 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
   mapper->SetAutoAdjustSampleDistances(
     this->AutoAdjustSampleDistances || this->LockSampleDistanceToInputSpacing);
   mapper->SetImageSampleDistance(this->ImageSampleDistance);
+  mapper->SetMinimumImageSampleDistance(this->MinimumImageSampleDistance);
+  mapper->SetMaximumImageSampleDistance(this->MaximumImageSampleDistance);
+  mapper->SetRenderToImage(this->RenderToImage);
+  mapper->SetDepthImageScalarType(this->DepthImageScalarType);
+  mapper->SetClampDepthToBackface(this->ClampDepthToBackface);
   mapper->SetUseJittering(this->UseJittering);
   mapper->SetFinalColorWindow(this->FinalColorWindow);
   mapper->SetFinalColorLevel(this->FinalColorLevel);
 }
 
 // What vtkVariationFieldVolumeMapper has no setting for: here, until it has.
-std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting(
-  vtkRenderer* renderer, vtkVolume* volume)
+std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting(vtkVolume* volume)
 {
   const Setting settings[] = {
     { vtkMultiVolume::SafeDownCast(volume) != nullptr, "A vtkMultiVolume is not supported yet. " },
-    { renderer->GetSelector() != nullptr, "Selection by hardware is not supported yet. " },
-    { IsDrawnByRenderPass(volume), "Render passes such as depth peeling are not supported yet. " },
-    { HasOwnShader(volume), "Changes of the shader's text are not supported yet. " },
     { volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION,
       "Interpolation by the nearest voxel is not supported yet. " },
     { HasBlanking(this->GetInput()), "Blanked points and cells are not supported yet. " },
     { this->MaskInput != nullptr, "Masks are not supported yet. " },
-    { this->RenderToImage != 0, "Rendering to an image is not supported yet. " },
     { this->UseDepthPass != 0, "A depth pass is not supported yet. " },
     { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR,
       "Transfer functions of a range of their own are not supported yet. " },
@@ -126,7 +108,7 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ChooseMapper(vtkRenderer* renderer
 {
   const bool wasVtk = !this->ReasonForVtkMapper.empty();
   this->ForwardSettings();
-  this->ReasonForVtkMapper = this->UnsupportedSetting(renderer, volume) +
+  this->ReasonForVtkMapper = this->UnsupportedSetting(volume) +
     varimarch::UnsupportedFeature(this->VariationFieldMapper, renderer, volume);
   const bool isVtk = !this->ReasonForVtkMapper.empty();
 
@@ -177,6 +159,20 @@ void vtkVariationFieldGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, vtkV
   {
     this->Superclass::Render(renderer, volume);
   }
+}
+
+void vtkVariationFieldGPUVolumeRayCastMapper::GetColorImage(vtkImageData* image)
+{
+  const bool isOurs = this->ReasonForVtkMapper.empty();
+  isOurs ? this->VariationFieldMapper->GetColorImage(image)
+         : this->Superclass::GetColorImage(image);
+}
+
+void vtkVariationFieldGPUVolumeRayCastMapper::GetDepthImage(vtkImageData* image)
+{
+  const bool isOurs = this->ReasonForVtkMapper.empty();
+  isOurs ? this->VariationFieldMapper->GetDepthImage(image)
+         : this->Superclass::GetDepthImage(image);
 }
 
 void vtkVariationFieldGPUVolumeRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)

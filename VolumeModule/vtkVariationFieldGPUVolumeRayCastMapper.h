@@ -56,6 +56,14 @@ public:
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
+  ///@{
+  /**
+   * With RenderToImage: what was drawn last.
+   */
+  void GetColorImage(vtkImageData* image) override;
+  void GetDepthImage(vtkImageData* image) override;
+  ///@}
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -64,7 +72,7 @@ protected:
 
 private:
   void ForwardSettings();
-  std::string UnsupportedSetting(vtkRenderer* renderer, vtkVolume* volume);
+  std::string UnsupportedSetting(vtkVolume* volume);
   void ChooseMapper(vtkRenderer* renderer, vtkVolume* volume);
   void Draw(vtkRenderer* renderer, vtkVolume* volume);
 

@@ -1,15 +1,23 @@
 #include "vtkVariationFieldVolumeMapper.h"
 
+#include "Core/InteractiveQuality.h"
 #include "FrameOfMapper.h"
+#include "ImagesOfPicture.h"
+#include "PictureOfMapper.h"
 #include "RayMarcher.h"
 
 #include "vtkCommand.h"
+#include "vtkDataSet.h"
+#include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkStringArray.h"
 #include "vtkTimerLog.h"
+#include "vtkVolume.h"
 
 #include <optional>
 #include <sstream>
@@ -20,6 +28,9 @@ struct vtkVariationFieldVolumeMapper::Internals
   varimarch::RayMarcher Marcher;
   std::string ReportedError; ///< the one the user has already been told
   std::string ReportedWarning;
+  varimarch::InteractiveQuality Quality;
+
+  void DrawInTime(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, varimarch::Frame frame);
 
   std::string Warnings(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const;
 };
@@ -48,6 +59,84 @@ std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
     warnings += text.str();
   }
   return warnings;
+}
+
+namespace
+{
+
+// Somebody interacts where a picture is wanted in less than this.
+constexpr double LongestInteractiveSeconds = 1.0;
+
+// All but the search for steps, which every new view takes.
+int BuildsOf(const varimarch::BuildCounts& builds)
+{
+  return builds.volumeTexture + builds.brickRanges + builds.field + builds.opticalTable +
+    builds.shader;
+}
+
+// A selector counts a prop as selectable between these.
+class PropOfSelector
+{
+public:
+  explicit PropOfSelector(vtkHardwareSelector* selector)
+    : selector(selector)
+  {
+    if (selector)
+    {
+      selector->BeginRenderProp();
+    }
+  }
+
+  PropOfSelector(const PropOfSelector&) = delete;
+  void operator=(const PropOfSelector&) = delete;
+
+  ~PropOfSelector()
+  {
+    if (this->selector)
+    {
+      this->selector->EndRenderProp();
+    }
+  }
+
+  // Numbers of more than 24 bits take further passes.
+  void TellCounts(vtkDataSet* input)
+  {
+    if (this->selector && this->selector->GetCurrentPass() >= vtkHardwareSelector::POINT_ID_LOW24)
+    {
+      this->selector->UpdateMaximumPointId(input->GetNumberOfPoints());
+      this->selector->UpdateMaximumCellId(input->GetNumberOfCells());
+    }
+  }
+
+private:
+  vtkHardwareSelector* selector;
+};
+
+}
+
+// As coarsely as the allocated time asks for; in full where nobody waits.
+void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, varimarch::Frame frame)
+{
+  const double allocatedSeconds = volume->GetAllocatedRenderTime();
+  if (!mapper->GetAutoAdjustSampleDistances() || allocatedSeconds >= LongestInteractiveSeconds ||
+    varimarch::Picks(frame.settings.pass))
+  {
+    this->Marcher.Draw(frame);
+    return;
+  }
+  varimarch::UseQuality(this->Quality.Next(allocatedSeconds), mapper, frame);
+  const int builds = BuildsOf(this->Marcher.Builds());
+  frame.window->WaitForCompletion();
+  vtkNew<vtkTimerLog> timer;
+  timer->StartTimer();
+  this->Marcher.Draw(frame);
+  frame.window->WaitForCompletion();
+  timer->StopTimer();
+  if (BuildsOf(this->Marcher.Builds()) == builds)
+  {
+    this->Quality.Took(timer->GetElapsedTime());
+  }
 }
 
 vtkStandardNewMacro(vtkVariationFieldVolumeMapper);
@@ -80,11 +169,13 @@ void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* vol
 
 void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
 {
+  PropOfSelector prop(renderer->GetSelector());
   const std::optional<varimarch::Frame> frame = varimarch::FrameOf(this, renderer, volume);
   if (frame)
   {
     frame->window->MakeCurrent();
-    this->Private->Marcher.Draw(*frame);
+    this->Private->DrawInTime(this, volume, *frame);
+    prop.TellCounts(this->GetDataSetInput());
     vtkOpenGLCheckErrorMacro("OpenGL error after drawing");
     this->WarnOnce(this->Private->Warnings(this, volume));
   }
@@ -114,6 +205,31 @@ void vtkVariationFieldVolumeMapper::WarnOnce(const std::string& warning)
 double vtkVariationFieldVolumeMapper::GetUsedSampleDistance()
 {
   return this->Private->Marcher.UsedSampleDistanceMm();
+}
+
+double vtkVariationFieldVolumeMapper::GetUsedImageSampleDistance()
+{
+  return this->Private->Marcher.UsedImageSampleDistance();
+}
+
+void vtkVariationFieldVolumeMapper::GetColorImage(vtkImageData* image)
+{
+  const varimarch::Viewport& pixels = this->Private->Marcher.ImagePixels();
+  if (pixels.width > 0)
+  {
+    varimarch::FillColorImage(
+      this->Private->Marcher.ColorImage(), pixels.width, pixels.height, image);
+  }
+}
+
+void vtkVariationFieldVolumeMapper::GetDepthImage(vtkImageData* image)
+{
+  const varimarch::Viewport& pixels = this->Private->Marcher.ImagePixels();
+  if (pixels.width > 0)
+  {
+    varimarch::FillDepthImage(this->Private->Marcher.DepthImage(), pixels.width, pixels.height,
+      this->DepthImageScalarType, image);
+  }
 }
 
 double vtkVariationFieldVolumeMapper::GetEstimatedError()
@@ -204,6 +320,12 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumGraphicsMemory: " << this->MaximumGraphicsMemory << "\n";
   os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";
+  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
+  os << indent << "UsedImageSampleDistance: " << this->GetUsedImageSampleDistance() << "\n";
+  os << indent << "RenderToImage: " << this->RenderToImage << "\n";
+  os << indent << "DepthImageScalarType: " << this->DepthImageScalarType << "\n";
+  os << indent << "ClampDepthToBackface: " << this->ClampDepthToBackface << "\n";
   os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
   os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";
   os << indent << "UsedSampleDistance: " << this->GetUsedSampleDistance() << "\n";

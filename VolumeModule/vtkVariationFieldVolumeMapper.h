@@ -30,6 +30,20 @@
  * one, as the renderer says; a surface faces to where the values fall. Ambient light is that of the
  * lights, as in VTK, but where there are head lights only it is white.
  *
+ * A vtkHardwareSelector selects the volume, and the point or cell at which a ray becomes half
+ * opaque or, where it never does, visible. Translucent geometry in the volume is right with
+ * vtkRenderer::SetUseDepthPeeling and SetUseDepthPeelingForVolumes.
+ *
+ * Code of one's own takes the place of a slot of the shader, a folder of VolumeModule/Shaders whose
+ * contract is in Slots.glsl there, by the volume's vtkShaderProperty:
+ * @code
+ *   volume->GetShaderProperty()->AddFragmentShaderReplacement("//Varimarch::Window", true,
+ *     "vec4 Windowed(vec4 picture) { return picture.bgra; }", false);
+ * @endcode
+ * Its fragment custom uniforms are declared for it, and vtkCommand::UpdateShaderEvent is sent by
+ * the volume's mapper before each drawing. Fields do not know the code: AccelerationModeOff if it
+ * shows what the transfer function does not.
+ *
  * The camera's clipping range cuts the volume at both ends.
  *
  * Independent components are materials of a mixture: their extinctions and emissions, each times
@@ -54,6 +68,7 @@
 #include <memory> // For Internals
 #include <string> // For ReportOnce
 
+class vtkImageData;
 class vtkStringArray;
 
 class VARIMARCHVOLUME_EXPORT vtkVariationFieldVolumeMapper : public vtkVolumeMapper
@@ -210,6 +225,50 @@ public:
 
   ///@{
   /**
+   * Between these the mapper chooses the image sample distance while somebody interacts: while
+   * AutoAdjustSampleDistances is on and the volume has been allocated less than a second, as it is
+   * where the window's desired update rate is above 1. Pictures are then drawn with fewer rays and
+   * up to four times the error tolerance, as the time that the last ones took asks for; and in full
+   * as soon as nobody does. Defaults 1 and 10.
+   */
+  vtkSetClampMacro(MinimumImageSampleDistance, float, 0.1f, 100.0f);
+  vtkGetMacro(MinimumImageSampleDistance, float);
+  vtkSetClampMacro(MaximumImageSampleDistance, float, 0.1f, 100.0f);
+  vtkGetMacro(MaximumImageSampleDistance, float);
+  ///@}
+
+  /**
+   * The image sample distance of the last picture [pixels].
+   */
+  double GetUsedImageSampleDistance();
+
+  ///@{
+  /**
+   * Draw into images and not into the window: the picture, RGBA of unsigned char, over white that
+   * is clear; and the depth, as in a depth buffer, at which anything first is visible, 1 where
+   * nothing is or, with ClampDepthToBackface, where the ray leaves the volume. Both are those of
+   * the last picture, as large as the renderer over the image sample distance. Default off; float.
+   */
+  vtkSetMacro(RenderToImage, vtkTypeBool);
+  vtkGetMacro(RenderToImage, vtkTypeBool);
+  vtkBooleanMacro(RenderToImage, vtkTypeBool);
+  vtkSetMacro(DepthImageScalarType, int);
+  vtkGetMacro(DepthImageScalarType, int);
+  void SetDepthImageScalarTypeToUnsignedChar() { this->SetDepthImageScalarType(VTK_UNSIGNED_CHAR); }
+  void SetDepthImageScalarTypeToUnsignedShort()
+  {
+    this->SetDepthImageScalarType(VTK_UNSIGNED_SHORT);
+  }
+  void SetDepthImageScalarTypeToFloat() { this->SetDepthImageScalarType(VTK_FLOAT); }
+  vtkSetMacro(ClampDepthToBackface, vtkTypeBool);
+  vtkGetMacro(ClampDepthToBackface, vtkTypeBool);
+  vtkBooleanMacro(ClampDepthToBackface, vtkTypeBool);
+  void GetColorImage(vtkImageData* image);
+  void GetDepthImage(vtkImageData* image);
+  ///@}
+
+  ///@{
+  /**
    * Colours of the picture from FinalColorLevel - FinalColorWindow / 2 to FinalColorLevel +
    * FinalColorWindow / 2 are shown as black to white, before they are multiplied by opacity. A
    * negative window reverses them. Defaults 1 and 0.5: colours as they are.
@@ -293,6 +352,11 @@ protected:
   vtkIdType MaximumGraphicsMemory = 0;
   vtkTypeBool UseJittering = 0;
   float ImageSampleDistance = 1.0f;
+  float MinimumImageSampleDistance = 1.0f;
+  float MaximumImageSampleDistance = 10.0f;
+  vtkTypeBool RenderToImage = 0;
+  int DepthImageScalarType = VTK_FLOAT;
+  vtkTypeBool ClampDepthToBackface = 0;
   float FinalColorWindow = 1.0f;
   float FinalColorLevel = 0.5f;
 

@@ -146,7 +146,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 110u);
+  EXPECT_EQ(distinct.size(), 116u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -26,6 +26,12 @@ std::vector<RenderSettings> RecipesOfPictures()
     recipes.back().jitter = true;
     recipes.back().windowLevel = true;
   }
+  for (RayPass pass : { RayPass::PeelOutside, RayPass::PeelBetween, RayPass::PeelLast,
+         RayPass::PickProp, RayPass::PickVoxel, RayPass::FirstDepth })
+  {
+    recipes.push_back({});
+    recipes.back().pass = pass;
+  }
   return recipes;
 }
 

@@ -51,17 +51,35 @@ enum class Components
 /// What one drawing does for the rays of a picture.
 enum class RayPass
 {
-  Whole,    ///< all: the volume is one block
-  Block,    ///< marches them through one of several blocks, from where those in front have ended
-  Picture,  ///< makes pixels of what they have gathered in all blocks
-  Upscaled, ///< makes pixels of a picture drawn with fewer rays,
-  Averaged, ///< or with more
+  Whole,       ///< all: the volume is one block
+  Block,       ///< marches them through one of several blocks, from where those in front have ended
+  Picture,     ///< makes pixels of what they have gathered in all blocks
+  Upscaled,    ///< makes pixels of a picture drawn with fewer rays,
+  Averaged,    ///< or with more
+  PeelOutside, ///< as Whole, but in front of all translucent geometry and behind it,
+  PeelBetween, ///< between two pairs of its layers,
+  PeelLast,    ///< or between its innermost layers
+  PickProp,    ///< as Whole, but the number of the volume,
+  PickVoxel,   ///< of the point or cell that a ray meets,
+  FirstDepth,  ///< or how deep that is
 };
 
 /// Whether the volume is read in it.
 inline bool Marches(RayPass pass)
 {
-  return pass == RayPass::Whole || pass == RayPass::Block;
+  return pass != RayPass::Picture && pass != RayPass::Upscaled && pass != RayPass::Averaged;
+}
+
+/// Whether translucent geometry divides the rays in it.
+inline bool Peels(RayPass pass)
+{
+  return pass == RayPass::PeelOutside || pass == RayPass::PeelBetween || pass == RayPass::PeelLast;
+}
+
+/// Whether what is drawn is the number of something.
+inline bool Picks(RayPass pass)
+{
+  return pass == RayPass::PickProp || pass == RayPass::PickVoxel;
 }
 
 /// Every choice that changes the shader. Values (a tolerance, a step length) are not here: they

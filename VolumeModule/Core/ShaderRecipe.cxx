@@ -112,6 +112,18 @@ std::string ResumeFile(RayPass pass)
       return "Resume/Upscaled.glsl";
     case RayPass::Averaged:
       return "Resume/Averaged.glsl";
+    case RayPass::PeelOutside:
+      return "Resume/PeelOutside.glsl";
+    case RayPass::PeelBetween:
+      return "Resume/PeelBetween.glsl";
+    case RayPass::PeelLast:
+      return "Resume/PeelLast.glsl";
+    case RayPass::PickProp:
+      return "Resume/PickProp.glsl";
+    case RayPass::PickVoxel:
+      return "Resume/PickVoxel.glsl";
+    case RayPass::FirstDepth:
+      return "Resume/FirstDepth.glsl";
     case RayPass::Whole:
       break;
   }
@@ -249,9 +261,17 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
   parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
   parts.push_back(settings.cropping ? "Crop/Regions.glsl" : "Crop/None.glsl");
   parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
-  if (settings.pass == RayPass::Whole)
+  if (settings.pass == RayPass::Whole || Peels(settings.pass))
   {
     parts.push_back(WindowFile(settings));
+  }
+  if (Peels(settings.pass))
+  {
+    parts.push_back("Peel/Segment.glsl");
+  }
+  if (settings.pass == RayPass::PickVoxel || settings.pass == RayPass::FirstDepth)
+  {
+    parts.push_back("Locate/Opacity.glsl");
   }
   parts.insert(parts.end(), { ResumeFile(settings.pass), "RayMarch.frag.glsl" });
   return parts;

@@ -25,6 +25,9 @@ uniform mat3 worldFromGrid;        // directions only
 uniform float stepMm;              // the sample distance
 uniform int mostSegments;          // a ray has no more, so that every frame ends
 uniform sampler3D volumeTexture;
+// Rows of clipFromGrid that give clip z and w: the surface of equal depth is a plane in the grid.
+uniform vec4 clipDepthRow;
+uniform vec4 clipWeightRow;
 uniform vec3 firstVoxelGrid; // of the volume texture; 0 where it holds the whole volume
 
 vec3 PositionTexture(Ray ray, float t)
@@ -146,6 +149,15 @@ vec4 Windowed(vec4 picture);
 uniform vec2 coarsePerPixel; // rays per pixel on each axis
 // How far the ray through this pixel of those is to be trusted for this one, (0, 1].
 float Trust(Ray ray, Interval inside, ivec2 coarsePixel);
+
+// --- Peel: only between layers of translucent geometry -----------------------------------------
+// What is seen of the volume between two depths of the depth buffer.
+vec4 Segment(Ray ray, Interval inside, float frontDepth, float backDepth);
+
+// --- Locate: only where a place along a ray is asked for ----------------------------------------
+// Defines: const float Nowhere; and
+//   float FirstWithOpacity(Ray ray, Interval inside, float opacity);
+//                               t where the ray first has this opacity, or Nowhere [mm]
 
 // --- Resume: where rays begin and end, with a volume in one block or in several ------------------
 // What is drawn for a ray.

@@ -2,9 +2,6 @@
 
 uniform sampler2D depthTexture;
 uniform vec2 depthPixelsPerPixel; // not 1 where a picture is drawn with fewer rays or more
-// Rows of clipFromGrid that give clip z and w: the surface of equal depth is a plane in the grid.
-uniform vec4 clipDepthRow;
-uniform vec4 clipWeightRow;
 
 // Where the geometry at a pixel of this picture would end this ray, were it as deep here.
 float DepthLimitAt(Ray ray, vec2 pixel)

@@ -1,0 +1,263 @@
+// What is drawn in the picture's place: layers between translucent geometry, selections, images,
+// and pictures in time; and what users put into the shader.
+
+#include "Module/HomogeneousScene.h"
+#include "Support/ExpectedVtkErrors.h"
+
+#include <vtkHardwareSelector.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkProperty.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
+#include <vtkVolumePicker.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using Rgba = std::array<double, 4>;
+
+void ExpectMiddle(const std::vector<float>& picture, int size, const Rgba& truth, double tolerance)
+{
+  for (int channel = 0; channel < 4; ++channel)
+  {
+    EXPECT_NEAR(picture[4 * (size / 2 * size + size / 2) + channel], truth[channel], tolerance)
+      << "channel " << channel;
+  }
+}
+
+void UseDepthPeeling(vtkRenderer* renderer)
+{
+  renderer->UseDepthPeelingOn();
+  renderer->UseDepthPeelingForVolumesOn();
+  renderer->SetOcclusionRatio(0.0);
+  renderer->SetMaximumNumberOfPeels(20);
+}
+
+vtkSmartPointer<vtkActor> GlassPlane(double zMm, const std::array<double, 3>& rgb, double opacity)
+{
+  const vtkSmartPointer<vtkActor> plane = Plane(zMm, -100.0, rgb);
+  plane->GetProperty()->SetOpacity(opacity);
+  return plane;
+}
+
+Rgba Glass(const std::array<double, 3>& rgb, double opacity)
+{
+  return { opacity * rgb[0], opacity * rgb[1], opacity * rgb[2], opacity };
+}
+
+// An opacity of the material that is half opaque after a length.
+double HalfAfter(double lengthMm)
+{
+  return 1.0 - std::pow(0.5, 1.0 / lengthMm);
+}
+
+// What a selector finds at the middle pixel: the prop and the number, or none.
+std::pair<vtkProp*, vtkIdType> SelectedInMiddle(HomogeneousScene& scene, int association)
+{
+  scene.window->Render();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.renderer);
+  selector->SetFieldAssociation(association);
+  selector->SetArea(16, 16, 16, 16);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  if (selection->GetNumberOfNodes() == 0)
+  {
+    return { nullptr, -1 };
+  }
+  vtkSelectionNode* const node = selection->GetNode(0);
+  auto* const ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+  auto* const prop = vtkProp::SafeDownCast(node->GetProperties()->Get(vtkSelectionNode::PROP()));
+  const bool found = ids && ids->GetNumberOfTuples() > 0;
+  return { prop, found ? ids->GetValue(0) : vtkIdType(-1) };
+}
+
+}
+
+TEST(DepthPeeling, PutsOneTranslucentPlaneIntoTheVolume)
+{
+  HomogeneousScene scene;
+  UseDepthPeeling(scene.renderer);
+  const std::array<double, 3> rgb = { 0.1, 0.8, 0.4 };
+  scene.renderer->AddActor(GlassPlane(3.0, rgb, 0.4));
+  const Rgba truth = Over(scene.Piece(5.0), Over(Glass(rgb, 0.4), scene.Piece(11.0)));
+  // VTK's pass keeps its layers in 8 bits.
+  ExpectMiddle(scene.Draw(), scene.size, truth, 3.0 / 255.0);
+}
+
+TEST(DepthPeeling, PutsManyPlanesAndAnOpaqueOneIntoTheVolume)
+{
+  HomogeneousScene scene(0.04);
+  UseDepthPeeling(scene.renderer);
+  const std::array<double, 3> red = { 0.9, 0.1, 0.0 };
+  const std::array<double, 3> green = { 0.1, 0.8, 0.2 };
+  const std::array<double, 3> blue = { 0.0, 0.2, 0.9 };
+  scene.renderer->AddActor(GlassPlane(12.0, green, 0.2)); // in front of the volume
+  scene.renderer->AddActor(GlassPlane(-2.0, red, 0.3));
+  scene.renderer->AddActor(GlassPlane(5.0, green, 0.3));
+  scene.renderer->AddActor(GlassPlane(1.0, blue, 0.3));
+  const Rgba back = Over(scene.Piece(3.0), Over(Glass(red, 0.3), scene.Piece(6.0)));
+  const Rgba open = Over(Glass(green, 0.2),
+    Over(scene.Piece(3.0),
+      Over(Glass(green, 0.3), Over(scene.Piece(4.0), Over(Glass(blue, 0.3), back)))));
+  ExpectMiddle(scene.Draw(), scene.size, open, 5.0 / 255.0);
+
+  scene.renderer->AddActor(Plane(-5.0, -100.0, { 1.0, 1.0, 1.0 }));
+  const Rgba closed =
+    Over(scene.Piece(3.0), Over(Glass(red, 0.3), Over(scene.Piece(3.0), { 1.0, 1.0, 1.0, 1.0 })));
+  const Rgba truth = Over(Glass(green, 0.2),
+    Over(scene.Piece(3.0),
+      Over(Glass(green, 0.3), Over(scene.Piece(4.0), Over(Glass(blue, 0.3), closed)))));
+  ExpectMiddle(scene.Draw(), scene.size, truth, 5.0 / 255.0);
+}
+
+TEST(DepthPeeling, LeavesPixelsWithoutTranslucentGeometryAsTheyAre)
+{
+  HomogeneousScene scene;
+  UseDepthPeeling(scene.renderer);
+  const vtkSmartPointer<vtkActor> half = Plane(3.0, 3.0, { 0.1, 0.8, 0.4 });
+  half->GetProperty()->SetOpacity(0.4);
+  scene.renderer->AddActor(half);
+  ExpectMiddle(scene.Draw(), scene.size, scene.Piece(HomogeneousScene::SideMm), 2.0 / 255.0);
+}
+
+TEST(Selection, FindsTheCellAndThePointWhereARayBecomesHalfOpaque)
+{
+  // Half opaque 1.3 mm behind the front face, at z = 14.7 of the grid; x and y are 8.245.
+  HomogeneousScene scene(HalfAfter(1.3));
+  const auto [cellProp, cell] = SelectedInMiddle(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  EXPECT_EQ(cellProp, scene.volume);
+  EXPECT_EQ(cell, (14 * 16 + 8) * 16 + 8);
+  const auto [pointProp, point] = SelectedInMiddle(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  EXPECT_EQ(pointProp, scene.volume);
+  EXPECT_EQ(point, (15 * 17 + 8) * 17 + 8);
+}
+
+TEST(Selection, FindsWhatIsInFrontOfTheVolumeAndWhatIsSeenThroughIt)
+{
+  HomogeneousScene scene(HalfAfter(1.3));
+  const vtkSmartPointer<vtkActor> before = Plane(12.0, -100.0, { 1.0, 0.0, 0.0 });
+  scene.renderer->AddActor(before);
+  EXPECT_EQ(SelectedInMiddle(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS).first, before.Get());
+
+  HomogeneousScene clear(1e-5);
+  const vtkSmartPointer<vtkActor> inside = Plane(0.0, -100.0, { 1.0, 0.0, 0.0 });
+  clear.renderer->AddActor(inside);
+  EXPECT_EQ(SelectedInMiddle(clear, vtkDataObject::FIELD_ASSOCIATION_CELLS).first, inside.Get());
+}
+
+TEST(Selection, LeavesThePictureAsItWas)
+{
+  HomogeneousScene scene;
+  const std::vector<float> before = scene.Draw();
+  SelectedInMiddle(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  EXPECT_EQ(scene.Draw(), before);
+}
+
+TEST(Selection, ByTheVolumePickerFindsItsFrontFace)
+{
+  HomogeneousScene scene(0.5);
+  scene.window->Render();
+  vtkNew<vtkVolumePicker> picker;
+  picker->Pick(16.0, 16.0, 0.0, scene.renderer);
+  EXPECT_EQ(picker->GetVolume(), scene.volume);
+  EXPECT_NEAR(picker->GetPickPosition()[2], 8.0, 0.1);
+}
+
+TEST(RenderToImage, FillsImagesAndNotTheWindow)
+{
+  HomogeneousScene scene;
+  scene.mapper->RenderToImageOn();
+  scene.mapper->SetImageSampleDistance(2.0f);
+  const std::vector<float> drawn = scene.Draw();
+  EXPECT_EQ(*std::max_element(drawn.begin(), drawn.end()), 0.0f);
+  vtkNew<vtkImageData> color;
+  vtkNew<vtkImageData> depth;
+  scene.mapper->GetColorImage(color);
+  scene.mapper->GetDepthImage(depth);
+  ASSERT_EQ(color->GetDimensions()[0], 16);
+  ASSERT_EQ(depth->GetDimensions()[1], 16);
+  const Rgba overWhite = Over(scene.Piece(HomogeneousScene::SideMm), { 1.0, 1.0, 1.0, 0.0 });
+  for (int channel = 0; channel < 4; ++channel)
+  {
+    EXPECT_NEAR(
+      color->GetScalarComponentAsDouble(8, 8, 0, channel), 255.0 * overWhite[channel], 0.51);
+  }
+  // The front face is 92 mm from the camera, whose planes are at 50 and 150.
+  EXPECT_NEAR(depth->GetScalarComponentAsDouble(8, 8, 0, 0), 0.42, 1e-3);
+}
+
+TEST(RenderToImage, HasTheDepthOfTheFarPlaneOrOfTheBackFaceWhereNothingIsVisible)
+{
+  HomogeneousScene scene(0.0);
+  scene.mapper->RenderToImageOn();
+  scene.mapper->SetAccelerationModeToOff();
+  scene.mapper->SetDepthImageScalarTypeToUnsignedShort();
+  scene.Draw();
+  vtkNew<vtkImageData> depth;
+  scene.mapper->GetDepthImage(depth);
+  EXPECT_EQ(depth->GetScalarType(), VTK_UNSIGNED_SHORT);
+  EXPECT_EQ(depth->GetScalarComponentAsDouble(16, 16, 0, 0), 65535.0);
+  scene.mapper->ClampDepthToBackfaceOn();
+  scene.Draw();
+  scene.mapper->GetDepthImage(depth);
+  EXPECT_NEAR(depth->GetScalarComponentAsDouble(16, 16, 0, 0), 0.58 * 65535.0, 2.0);
+}
+
+TEST(UserCode, TakesThePlaceOfASlotAndHasUniforms)
+{
+  HomogeneousScene scene;
+  const Rgba plain = scene.Piece(HomogeneousScene::SideMm);
+  vtkShaderProperty* const shader = scene.volume->GetShaderProperty();
+  shader->GetFragmentCustomUniforms()->SetUniformf("redPart", 0.5f);
+  shader->AddFragmentShaderReplacement("//Varimarch::Window", true,
+    "vec4 Windowed(vec4 picture) { return vec4(picture.r * redPart, picture.b, picture.ga); }",
+    false);
+  ExpectMiddle(scene.Draw(), scene.size, { 0.5 * plain[0], plain[2], plain[1], plain[3] }, 1e-5);
+  shader->GetFragmentCustomUniforms()->SetUniformf("redPart", 0.25f);
+  ExpectMiddle(scene.Draw(), scene.size, { 0.25 * plain[0], plain[2], plain[1], plain[3] }, 1e-5);
+  shader->ClearAllShaderReplacements();
+  shader->GetFragmentCustomUniforms()->RemoveAllUniforms();
+  ExpectMiddle(scene.Draw(), scene.size, plain, 1e-5);
+}
+
+TEST(UserCode, ForWhatIsNotThereIsNamed)
+{
+  HomogeneousScene scene;
+  vtkShaderProperty* const shader = scene.volume->GetShaderProperty();
+  shader->AddFragmentShaderReplacement("//VTK::Shading::Exit", true, "x", false);
+  {
+    ExpectedVtkErrors errors;
+    scene.window->Render();
+    EXPECT_NE(errors.Text().find("has no //VTK::Shading::Exit"), std::string::npos);
+  }
+  shader->ClearAllShaderReplacements();
+  shader->AddFragmentShaderReplacement("//Varimarch::Windows", true, "x", false);
+  ExpectedVtkErrors errors;
+  scene.window->Render();
+  EXPECT_NE(errors.Text().find("has no slot Windows"), std::string::npos);
+}
+
+TEST(Interaction, TakesFewerRaysWhileItLastsAndAllAfterwards)
+{
+  MapperScene scene(SmallTorso(), 64);
+  const std::vector<float> still = scene.Draw();
+  EXPECT_EQ(scene.mapper->GetUsedImageSampleDistance(), 1.0);
+  scene.window->SetDesiredUpdateRate(1e7); // faster than any machine
+  scene.mapper->SetMaximumImageSampleDistance(4.0f);
+  for (int picture = 0; picture < 6; ++picture)
+  {
+    scene.Draw();
+  }
+  EXPECT_EQ(scene.mapper->GetUsedImageSampleDistance(), 4.0);
+  scene.window->SetDesiredUpdateRate(0.0001);
+  EXPECT_EQ(scene.Draw(), still);
+  EXPECT_EQ(scene.mapper->GetUsedImageSampleDistance(), 1.0);
+}

@@ -1,0 +1,83 @@
+#include "Core/InteractiveQuality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+using namespace varimarch;
+
+namespace
+{
+
+// A machine that takes as long as there are rays, and a little more.
+double SecondsOf(const PictureQuality& quality, double fullSeconds)
+{
+  return 0.002 + fullSeconds / (quality.imageSampleDistance * quality.imageSampleDistance);
+}
+
+// The time that a picture takes after some.
+double SecondsAfter(InteractiveQuality& quality, int pictures, double allocated, double fullSeconds)
+{
+  double seconds = 0.0;
+  for (int i = 0; i < pictures; ++i)
+  {
+    seconds = SecondsOf(quality.Next(allocated), fullSeconds);
+    quality.Took(seconds);
+  }
+  return seconds;
+}
+
+}
+
+TEST(InteractiveQuality, StaysFullWhileThereIsTime)
+{
+  InteractiveQuality quality;
+  SecondsAfter(quality, 20, 0.1, 0.05);
+  EXPECT_EQ(quality.Level(), 0);
+}
+
+TEST(InteractiveQuality, IsInTimeAtTheLatestWithTheFifthPicture)
+{
+  for (double fullSeconds : { 0.15, 0.4, 1.0, 2.0 })
+  {
+    InteractiveQuality quality;
+    EXPECT_LT(SecondsAfter(quality, 5, 0.1, fullSeconds), 0.1) << fullSeconds;
+  }
+}
+
+TEST(InteractiveQuality, DoesNotFlickerWhereTimesVaryByAFifth)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> noise(0.9, 1.1);
+  for (double fullSeconds : { 0.12, 0.2, 0.3, 0.5, 0.9 })
+  {
+    InteractiveQuality quality;
+    SecondsAfter(quality, 30, 0.1, fullSeconds);
+    std::set<int> levels;
+    for (int i = 0; i < 200; ++i)
+    {
+      quality.Took(noise(random) * SecondsOf(quality.Next(0.1), fullSeconds));
+      levels.insert(quality.Level());
+    }
+    EXPECT_LE(levels.size(), 2u) << fullSeconds;
+    EXPECT_LE(*levels.rbegin() - *levels.begin(), 1) << fullSeconds;
+  }
+}
+
+TEST(InteractiveQuality, ComesBackWhereThePictureBecomesEasy)
+{
+  InteractiveQuality quality;
+  SecondsAfter(quality, 10, 0.1, 2.0);
+  EXPECT_GT(quality.Level(), 2);
+  SecondsAfter(quality, 60, 0.1, 0.03);
+  EXPECT_EQ(quality.Level(), 0);
+}
+
+TEST(InteractiveQuality, EndsAtTheCoarsestLevelWhereNothingHelps)
+{
+  InteractiveQuality quality;
+  SecondsAfter(quality, 10, 1e-6, 1.0);
+  EXPECT_EQ(quality.Level(), InteractiveQuality::CoarsestLevel());
+}

@@ -1,0 +1,28 @@
+#ifndef Varimarch_PassOfVolume_h
+#define Varimarch_PassOfVolume_h
+
+#include "Core/RenderSettings.h"
+
+class vtkAbstractVolumeMapper;
+class vtkOpenGLRenderPass;
+class vtkRenderer;
+class vtkVolume;
+
+namespace varimarch
+{
+
+/// What a volume is drawn for: its picture, translucent geometry in it, or a selection.
+struct VolumePass
+{
+  RayPass pass = RayPass::Whole;
+  vtkOpenGLRenderPass* renderPass = nullptr; ///< that peels; else none
+  float propColor[3] = { 0.0f, 0.0f, 0.0f }; ///< while picking: of the volume
+  bool picksCells = false;                   ///< and not points
+  bool highestBits = false;                  ///< of what is picked; else the lowest 24
+};
+
+VolumePass PassOfVolume(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
+}
+
+#endif

@@ -1,0 +1,97 @@
+// What is drawn in the picture's place: translucent geometry's layers of it, selections, images.
+
+#include "RayMarcher.h"
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkVolume.h"
+
+#include <glm/common.hpp>
+#include <glm/gtc/matrix_access.hpp>
+
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Less is not seen, by vtkOpenGLGPUVolumeRayCastMapper's measure.
+constexpr double LeastPickedOpacity = 3.0 / 255.0;
+
+// And the least at which an image of depths begins.
+constexpr double LeastDepthOpacity = 1e-3;
+
+}
+
+void RayMarcher::DrawPass(const Frame& frame)
+{
+  if (this->blocks.Partition().Count() > 1)
+  {
+    throw std::runtime_error("A volume in blocks is not drawn between translucent geometry, nor "
+                             "selected: the maximum graphics memory, or the device's 3D textures, "
+                             "are too small for it");
+  }
+  this->DrawVolume(frame);
+}
+
+void RayMarcher::DrawImages(const Frame& frame, const Viewport& rays)
+{
+  Frame color = frame;
+  color.viewport = rays;
+  this->picture.colorImage.Draw(frame.window, rays, [&] { this->DrawVolume(color); });
+  Frame depth = color;
+  depth.settings.pass = RayPass::FirstDepth;
+  this->picture.depthImage.Draw(frame.window, rays, [&] { this->DrawPass(depth); });
+  this->picture.imagePixels = rays;
+}
+
+void RayMarcher::SetPassUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
+{
+  const RayPass pass = frame.settings.pass;
+  if (Peels(pass) || pass == RayPass::FirstDepth)
+  {
+    this->program.Set("clipDepthRow", glm::row(clipFromGrid, 2));
+    this->program.Set("clipWeightRow", glm::row(clipFromGrid, 3));
+  }
+  if (Peels(pass))
+  {
+    frame.volumePass.renderPass->SetShaderParameters(
+      this->program.Program(), nullptr, frame.volume, nullptr);
+  }
+  if (pass == RayPass::FirstDepth)
+  {
+    this->program.Set("leastOpacity", LeastDepthOpacity);
+    this->program.Set("clampDepth", int(frame.clampDepth));
+  }
+  if (Picks(pass))
+  {
+    this->program.Set("leastOpacity", LeastPickedOpacity);
+  }
+  if (pass == RayPass::PickProp)
+  {
+    const float* color = frame.volumePass.propColor;
+    this->program.Set("propColor", glm::dvec3(color[0], color[1], color[2]));
+  }
+  if (pass == RayPass::PickVoxel)
+  {
+    const bool cells = frame.volumePass.picksCells;
+    this->program.Set(
+      "pickedCount", glm::dvec3(glm::max(frame.geometry.dimensions - int(cells), 1)));
+    this->program.Set("pickedOffset", cells ? 0.0 : 0.5);
+    this->program.Set("pickedHighestBits", int(frame.volumePass.highestBits));
+  }
+}
+
+std::vector<float> RayMarcher::ColorImage()
+{
+  return this->picture.colorImage.Read(this->window, this->picture.imagePixels);
+}
+
+std::vector<float> RayMarcher::DepthImage()
+{
+  return this->picture.depthImage.Read(this->window, this->picture.imagePixels);
+}
+
+}

@@ -1,0 +1,19 @@
+// Depth peeling, first pass: the volume in front of all translucent geometry, and behind all of it.
+// The names of the textures are those that vtkDualDepthPeelingPass gives them; -1 stands for none,
+// and the nearest depth is negated.
+
+uniform sampler2D outerDepthTex; // (-1, opaque geometry)
+uniform sampler2D innerDepthTex; // (-nearest, farthest translucent geometry), or as the other
+
+out vec4 fragOutput1;
+
+vec4 DrawnRay(Ray ray, Interval inside)
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy - viewportOriginPixels);
+  vec2 inner = texelFetch(innerDepthTex, pixel, 0).xy;
+  vec2 outer = texelFetch(outerDepthTex, pixel, 0).xy;
+  bool translucent = inner.x != -1.0;
+  float opaque = outer.y >= 0.0 ? outer.y : 1.0;
+  fragOutput1 = Segment(ray, inside, 0.0, translucent ? -inner.x : 0.0);
+  return Segment(ray, inside, translucent ? inner.y : 0.0, opaque);
+}
