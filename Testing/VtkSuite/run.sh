@@ -16,6 +16,11 @@ shift
 work=$build/vtk-suite
 mkdir -p "$work"
 
+for program in apt-get dpkg-source xvfb-run
+do
+  command -v "$program" >/dev/null || { echo "$0: $program is missing" >&2; exit 1; }
+done
+
 # fetchSource FOLDER: unpacks the source package into it.
 fetchSource()
 {

@@ -108,6 +108,11 @@ def python_test(name):
     )
 
 
+def commit():
+    command = ["git", "-C", str(SUITE), "rev-parse", "--short", "HEAD"]
+    return subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip()
+
+
 def main():
     names = [line.split()[1] for line in (SUITE / "tests.txt").read_text().splitlines()]
     scripts = [f"TestFixedPointRayCaster{kind}" for kind in
@@ -120,7 +125,9 @@ def main():
         kept.write_text(json.dumps(results, indent=1))
     (SUITE.parents[1] / "Documentation/Reports/VtkTests.md").write_text(
         report.page([results[name] for name in names if name in results],
-                    [results[name] for name in scripts if name in results])
+                    [results[name] for name in scripts if name in results],
+                    [name for name in names + scripts if name not in results],
+                    commit())
     )
 
 
