@@ -173,8 +173,22 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
     channels.push_back({ this->ranges[shown.channel], *shown.table });
   }
   const OpticalField field = varimarch::BuildOpticalField(channels, tolerance);
+  this->Keep(window, field, stopwatch.Seconds());
+}
+
+void AccelerationField::BuildIsosurfaceField(
+  vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues)
+{
+  const Stopwatch stopwatch;
+  const OpticalField field = varimarch::BuildIsosurfaceField(this->ranges.front(), isovalues);
+  this->Keep(window, field, stopwatch.Seconds());
+}
+
+void AccelerationField::Keep(
+  vtkOpenGLRenderWindow* window, const OpticalField& field, double seconds)
+{
   this->visible = VisibleBricks(field);
-  this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + stopwatch.Seconds();
+  this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + seconds;
   this->Upload(window, field.brickCount, field.bricks);
 }
 

@@ -45,6 +45,9 @@ public:
   void BuildOpticalField(vtkOpenGLRenderWindow* window, const std::vector<ChannelTable>& tables,
     const OpticalTolerance& tolerance);
 
+  /// @throws std::runtime_error when the device cannot hold the texture
+  void BuildIsosurfaceField(vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues);
+
   /// The largest or smallest value of each brick, from the ranges, as texels of 16 bits that hold
   /// steps of BrickRanges.
   /// @throws std::runtime_error when the device cannot hold the texture
@@ -61,6 +64,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void Keep(vtkOpenGLRenderWindow* window, const OpticalField& field, double seconds);
   template <class Texel>
   void Upload(vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels);
 

@@ -4,6 +4,7 @@
 #include "Core/RenderSettings.h"
 #include "Cuts.h"
 #include "PassOfVolume.h"
+#include "SliceSurface.h"
 #include "UserShaderCode.h"
 #include "VolumeGeometry.h"
 #include "VolumeTexture.h"
@@ -15,6 +16,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
@@ -44,6 +46,8 @@ struct Frame
   double fieldError;         ///< that homogeneous bricks may add to a premultiplied channel
   double variationTolerance; ///< of the scalar field; negative: chosen from the range
   double earlyTerminationTransmittance;
+  std::vector<double> isovalues; ///< of isosurfaces; ascending
+  SliceSurface slice;
   std::array<double, 2> averagedRange; ///< the scalars that count in an average
   glm::dvec4 gapOptical;               ///< colour and extinction [1/mm] of cells that have no value
   std::size_t mostMemoryBytes;         ///< of the graphics device; 0: what it has

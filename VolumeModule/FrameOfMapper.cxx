@@ -7,8 +7,10 @@
 #include "UserShaderCode.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
+#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkImplicitFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPropCollection.h"
@@ -18,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <stdexcept>
 
 namespace varimarch
@@ -57,11 +61,14 @@ Blend BlendOf(int blendMode)
       return Blend::AverageIntensity;
     case vtkVolumeMapper::ADDITIVE_BLEND:
       return Blend::Additive;
+    case vtkVolumeMapper::ISOSURFACE_BLEND:
+      return Blend::Isosurface;
+    case vtkVolumeMapper::SLICE_BLEND:
+      return Blend::Slice;
   }
   throw std::runtime_error("Blend mode " + std::to_string(blendMode) +
     " is not supported: expected composite (0), maximum (1), minimum (2) or average intensity (3), "
-    "or "
-    "additive (4)");
+    "additive (4), isosurface (5) or slice (6)");
 }
 
 Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings)
@@ -70,13 +77,14 @@ Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings
   switch (accelerationMode)
   {
     case vtkVariationFieldVolumeMapper::ScalarField:
-      // The published field is of one scalar.
-      return one ? Acceleration::ScalarField : Acceleration::Off;
+      // Where values are not sampled, their variation says nothing; nor does it of several scalars.
+      return one && IsSampled(settings) ? Acceleration::ScalarField : Acceleration::Off;
     case vtkVariationFieldVolumeMapper::OpticalField:
       // What is invisible to a composite counts in a sum of values. An extreme of several
       // components is one of each, so that a brick could be left only where it betters none of
-      // them.
-      return settings.blend == Blend::Composite || (one && IsExtreme(settings.blend))
+      // them. A slice is read but once.
+      return settings.blend == Blend::Composite || settings.blend == Blend::Isosurface ||
+          (one && IsExtreme(settings.blend))
         ? Acceleration::OpticalField
         : Acceleration::Off;
   }
@@ -170,7 +178,8 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
   frame.chooseIntegration =
     mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
-    frame.settings.blend == Blend::Composite && !MarchesMaterial(frame.settings);
+    frame.settings.blend == Blend::Composite && IsSampled(frame.settings) &&
+    !MarchesMaterial(frame.settings);
   frame.variationTolerance = mapper->GetVariationTolerance();
   frame.errorTolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
   const bool tolerance = frame.errorTolerance > 0.0;
@@ -179,6 +188,8 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.fieldError = tolerance ? share * frame.errorTolerance : FieldErrorWithoutTolerance;
   frame.earlyTerminationTransmittance =
     tolerance ? share * frame.errorTolerance : mapper->GetEarlyTerminationTransmittance();
+  // What is exact has no steps to try out.
+  frame.errorTolerance = IsSampled(frame.settings) ? frame.errorTolerance : 0.0;
   frame.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
     : std::max(mapper->GetSampleDistance(), frame.geometry.ShortestSampleDistanceMm());
@@ -225,17 +236,54 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
 {
   RenderSettings settings;
   settings.blend = BlendOf(mapper->GetBlendMode());
+  settings.nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
   settings.componentCount = scalars->GetNumberOfComponents();
   settings.components = ComponentsOf(scalars->GetName() ? scalars->GetName() : "scalars",
     settings.componentCount, property->GetIndependentComponents() != 0);
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings);
-  settings.shading = property->GetShade() != 0 && settings.blend == Blend::Composite;
+  settings.shading = property->GetShade() != 0 && !IsProjection(settings.blend);
   settings.gradientOpacity = HasGradientOpacity(property, settings);
   settings.lights = settings.shading && !HasHeadLightOnly(renderer);
   settings.countFetches = mapper->GetDrawFetchCounts();
   settings.sceneGeometry = HasOpaqueGeometry(renderer);
   settings.fillGaps = mapper->GetNanOpacity() > 0.0;
   return settings;
+}
+
+// Ascending, each once.
+std::vector<double> IsovaluesOf(vtkVolumeProperty* property)
+{
+  vtkContourValues* const contours = property->GetIsoSurfaceValues();
+  const double* const values = contours->GetValues();
+  std::set<double> isovalues;
+  std::copy_if(values, values + contours->GetNumberOfContours(),
+    std::inserter(isovalues, isovalues.end()), [](double value) { return std::isfinite(value); });
+  return { isovalues.begin(), isovalues.end() };
+}
+
+// The surfaces that a frame draws. False when there are none.
+bool ChooseSurfaces(Frame& frame)
+{
+  if (frame.settings.blend == Blend::Isosurface)
+  {
+    if (frame.settings.components != Components::One)
+    {
+      throw std::runtime_error("Isosurfaces of several components are not supported: expected 1");
+    }
+    frame.isovalues = IsovaluesOf(frame.property);
+    return !frame.isovalues.empty();
+  }
+  if (frame.settings.blend == Blend::Slice)
+  {
+    vtkImplicitFunction* const function = frame.property->GetSliceFunction();
+    frame.slice = function ? SliceSurfaceOf(function, frame.geometry) : SliceSurface();
+    // A slice in a face of the volume is in the volume, whatever rounding says.
+    constexpr double ReachVoxels = 3e-4;
+    frame.geometry.boxGrid.lower -= ReachVoxels;
+    frame.geometry.boxGrid.upper += ReachVoxels;
+    return function != nullptr;
+  }
+  return true;
 }
 
 }
@@ -265,6 +313,10 @@ std::optional<Frame> FrameOf(
   for (int component = 0; component < frame.settings.componentCount; ++component)
   {
     frame.channels.push_back({ input->scalars, component });
+  }
+  if (!ChooseSurfaces(frame))
+  {
+    return std::nullopt;
   }
   frame.cuts = CutsOf(mapper, frame.geometry);
   frame.settings.clipping = !frame.cuts.planesGrid.empty();

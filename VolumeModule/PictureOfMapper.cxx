@@ -28,7 +28,7 @@ void ChoosePicture(
   const double level = mapper->GetFinalColorLevel();
   frame.settings.windowLevel = window != 1.0 || level != 0.5;
   frame.windowScaleBias = WindowScaleBias(window, level);
-  frame.settings.jitter = mapper->GetUseJittering() != 0;
+  frame.settings.jitter = mapper->GetUseJittering() != 0 && IsSampled(frame.settings);
   frame.imageSampleDistance = mapper->GetImageSampleDistance();
 
   frame.volume = volume;

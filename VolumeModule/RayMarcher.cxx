@@ -28,6 +28,7 @@ void RayMarcher::Draw(Frame frame)
   this->UpdateLights(frame);
   this->UpdateNoise(frame);
   this->UpdateCuts(frame);
+  this->UpdateIsosurfaces(frame);
   this->UpdateBlocks(frame);
   this->UpdateTolerance(frame);
 
@@ -121,6 +122,10 @@ void RayMarcher::UpdateField(const Frame& frame)
       if (IsExtreme(frame.settings.blend))
       {
         this->UpdateExtremes(frame);
+      }
+      else if (frame.settings.blend == Blend::Isosurface)
+      {
+        this->UpdateIsosurfaceField(frame);
       }
       else
       {
@@ -249,10 +254,10 @@ void RayMarcher::UpdateProgram(const Frame& frame)
 
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
-  return this->clippingPlanes.Bytes() + this->blocks.Bytes() + this->field.Bytes() +
-    this->opticalTable.Bytes() + this->preIntegratedTable.Bytes() + this->depth.Bytes() +
-    this->lights.Bytes() + this->gradientOpacity.Bytes() + this->probe.Bytes() +
-    this->accumulation.Bytes() + this->picture.Bytes();
+  return this->clippingPlanes.Bytes() + this->isosurfaces.Bytes() + this->blocks.Bytes() +
+    this->field.Bytes() + this->opticalTable.Bytes() + this->preIntegratedTable.Bytes() +
+    this->depth.Bytes() + this->lights.Bytes() + this->gradientOpacity.Bytes() +
+    this->probe.Bytes() + this->accumulation.Bytes() + this->picture.Bytes();
 }
 
 double RayMarcher::FieldBuildSeconds() const
@@ -275,6 +280,7 @@ void RayMarcher::Release(vtkWindow* window)
   this->gradientOpacity.Release(window);
   this->gradientOpacitySource.clear();
   this->clippingPlanes.Release(window);
+  this->isosurfaces.Release(window);
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource.clear();

@@ -52,10 +52,13 @@ struct FieldSource
   int tableBuild;   ///< of the optical table; 0 for a field that does not know it
   double tolerance; ///< or, for extremes, their sense
 
+  std::vector<double> isovalues = {};
+
   bool operator==(const FieldSource& other) const
   {
-    return this->acceleration == other.acceleration && this->volumeBuild == other.volumeBuild &&
-      this->tableBuild == other.tableBuild && this->tolerance == other.tolerance;
+    return this->isovalues == other.isovalues && this->acceleration == other.acceleration &&
+      this->volumeBuild == other.volumeBuild && this->tableBuild == other.tableBuild &&
+      this->tolerance == other.tolerance;
   }
 };
 
@@ -78,6 +81,9 @@ struct DrawnBlock
   Box coverGrid;              ///< covers their pixels
   glm::dvec3 sharedUpperGrid; ///< upper faces at which another block begins; elsewhere far away
 };
+
+/// Coefficients of ambient, diffuse and specular light, and the specular power.
+glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component);
 
 /// Draws frames. Holds the graphics resources and remakes those, and only those, whose source has
 /// changed since the last frame; what a frame does not need is not there.
@@ -114,6 +120,8 @@ private:
   void UpdateScalarField(const Frame& frame);
   void UpdateOpticalField(const Frame& frame);
   void UpdateExtremes(const Frame& frame);
+  void UpdateIsosurfaceField(const Frame& frame);
+  void UpdateIsosurfaces(const Frame& frame);
   void UpdateRanges(const Frame& frame);
   void UpdateDepth(const Frame& frame);
   void UpdateLights(const Frame& frame);
@@ -157,6 +165,7 @@ private:
   void SetComponentUniforms(const Frame& frame);
   void SetComponentProjectionUniforms(const Frame& frame);
   void SetPreIntegratedUniforms();
+  void SetExactUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetMaterialUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetLightUniforms(const Frame& frame);
   void SetGradientOpacityUniforms(const Frame& frame);
@@ -175,6 +184,7 @@ private:
   FloatBufferTexture gradientOpacity;
   FloatBufferTexture lights; ///< only where there are others than head lights
   FloatBufferTexture clippingPlanes;
+  FloatBufferTexture isosurfaces;
   VolumeBoxGeometry boxGeometry;
   ProbeFramebuffer probe;
   RayAccumulation accumulation; ///< only where there are several blocks

@@ -94,9 +94,9 @@ std::size_t RayMarcher::FixedBytes(const Frame& frame) const
     UsesPreIntegration(frame.settings) || (isTriedOut && frame.triesPreIntegration);
   const Viewport probed = ProbeFramebuffer::PixelsFor(frame.viewport);
   const std::size_t probeBytes = 4 * sizeof(float) * probed.width * probed.height;
-  return this->clippingPlanes.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
-    this->depth.Bytes() + this->lights.Bytes() + this->gradientOpacity.Bytes() +
-    this->picture.Bytes() +
+  return this->clippingPlanes.Bytes() + this->isosurfaces.Bytes() + this->field.Bytes() +
+    this->opticalTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
+    this->gradientOpacity.Bytes() + this->picture.Bytes() +
     (mayPreIntegrate ? PreIntegratedTableBytes(this->opticalTable.Table()) : 0) +
     (frame.errorTolerance > 0.0 ? probeBytes : 0);
 }

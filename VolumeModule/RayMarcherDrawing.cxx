@@ -94,7 +94,7 @@ void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
     this->gradientOpacity.Texture(), this->accumulation.Drawn(), this->accumulation.Finished() };
   const std::vector<vtkTextureObject*> ofPicture = this->picture.Textures();
   textures.insert(textures.end(), ofPicture.begin(), ofPicture.end());
-  textures.push_back(this->clippingPlanes.Texture());
+  textures.insert(textures.end(), { this->clippingPlanes.Texture(), this->isosurfaces.Texture() });
   if (drawn.block)
   {
     textures.insert(textures.end(),

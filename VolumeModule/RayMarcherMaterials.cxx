@@ -50,12 +50,6 @@ std::vector<glm::vec4> GradientOpacityEntries(
   return entries;
 }
 
-glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component)
-{
-  return { property->GetAmbient(component), property->GetDiffuse(component),
-    property->GetSpecular(component), property->GetSpecularPower(component) };
-}
-
 // What a texel of a colour must be multiplied by, as VTK takes numbers that are colours.
 double LargestColor(vtkDataArray* array)
 {
@@ -95,6 +89,12 @@ std::array<double, 4> WeightsOf(const Frame& frame)
   return weights;
 }
 
+}
+
+glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component)
+{
+  return { property->GetAmbient(component), property->GetDiffuse(component),
+    property->GetSpecular(component), property->GetSpecularPower(component) };
 }
 
 void RayMarcher::UpdateLights(const Frame& frame)

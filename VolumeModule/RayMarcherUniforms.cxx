@@ -192,7 +192,7 @@ void RayMarcher::SetBlendUniforms(const Frame& frame)
   {
     this->program.Set("windowScaleBias", frame.windowScaleBias);
   }
-  if (frame.settings.blend == Blend::Composite)
+  if (frame.settings.blend == Blend::Composite || IsOfSurfaces(frame.settings.blend))
   {
     this->program.Set("earlyTerminationTransmittance", frame.earlyTerminationTransmittance);
     return;
@@ -230,8 +230,15 @@ void RayMarcher::SetProjectionUniforms(const Frame& frame)
 void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
   const VolumeTexture& volume = drawn.block->volume;
+  const int filter = frame.settings.nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
+  volume.Texture()->SetMinificationFilter(filter);
+  volume.Texture()->SetMagnificationFilter(filter);
   volume.Texture()->Activate();
   this->program.Set("volumeTexture", volume.Texture());
+  if (!IsSampled(frame.settings))
+  {
+    this->SetExactUniforms(frame, drawn);
+  }
   this->SetStepUniforms(frame, *drawn.block);
   if (UsesPreIntegration(frame.settings))
   {
@@ -275,7 +282,7 @@ void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
     this->SetPassUniforms(frame, clipFromGrid);
     this->program.SetUniformsOf(frame.volume);
   }
-  else if (pass == RayPass::Picture && frame.settings.blend != Blend::Composite)
+  else if (pass == RayPass::Picture && IsProjection(frame.settings.blend))
   {
     this->SetClassifyUniforms(frame);
   }

@@ -8,9 +8,12 @@
 #include "Scene/ProceduralVolume.h"
 #include "VolumeGeometry.h"
 
+#include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
 
@@ -81,6 +84,8 @@ Blend BlendOf(int vtkBlendMode)
       return Blend::AverageIntensity;
     case vtkVolumeMapper::ADDITIVE_BLEND:
       return Blend::Additive;
+    case vtkVolumeMapper::ISOSURFACE_BLEND:
+      return Blend::Isosurface;
     default:
       return Blend::Composite;
   }
@@ -98,17 +103,67 @@ std::vector<double> VoxelsOf(vtkImageData* image)
   return voxels;
 }
 
+CellCorners OneValue(double value)
+{
+  CellCorners corners;
+  corners.fill(value);
+  return corners;
+}
+
+// Without interpolation a voxel is a box of one value. The reference has it as a cell: half a voxel
+// away in its grid.
+struct VoxelBoxes
+{
+  const ScalarGrid<double>& grid;
+
+  double Value(glm::ivec3 voxel) const
+  {
+    return this->grid.Voxel(glm::clamp(voxel, glm::ivec3(0), this->grid.Dimensions() - 1));
+  }
+
+  std::array<CellCorners, 3> Gradients(glm::ivec3 voxel) const
+  {
+    const auto along = [&](glm::ivec3 axis)
+    { return OneValue(0.5 * (this->Value(voxel + axis) - this->Value(voxel - axis))); };
+    return { along({ 1, 0, 0 }), along({ 0, 1, 0 }), along({ 0, 0, 1 }) };
+  }
+};
+
+}
+
+bool MapperScene::IsNearest()
+{
+  return this->volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+}
+
+VolumeGeometry MapperScene::ReferenceGeometry()
+{
+  VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
+  if (this->IsNearest())
+  {
+    const glm::dmat4 voxelFromCell = glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5));
+    geometry.boxGrid = { geometry.boxGrid.lower + 0.5, geometry.boxGrid.upper + 0.5 };
+    geometry.worldFromGrid = geometry.worldFromGrid * voxelFromCell;
+    geometry.dataFromGrid = geometry.dataFromGrid * voxelFromCell;
+  }
+  return geometry;
 }
 
 std::vector<float> MapperScene::Truth(double tolerance)
 {
-  const VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
+  const VolumeGeometry geometry = this->ReferenceGeometry();
   const std::vector<double> voxels = VoxelsOf(this->image);
   const ScalarGrid<double> grid(voxels.data(), geometry.dimensions);
+  const VoxelBoxes boxes{ grid };
+  const bool isNearest = this->IsNearest();
   vtkVolumeProperty* property = this->volume->GetProperty();
 
-  ReferenceScene scene{ [&](glm::ivec3 cell) { return CornersOfCell(grid, cell); },
+  ReferenceScene scene{ [&](glm::ivec3 cell)
+    { return isNearest ? OneValue(boxes.Value(cell)) : CornersOfCell(grid, cell); },
     geometry.boxGrid, TransferFunctionOf(property) };
+  const double* const isovalues = property->GetIsoSurfaceValues()->GetValues();
+  scene.isovalues.assign(
+    isovalues, isovalues + property->GetIsoSurfaceValues()->GetNumberOfContours());
   scene.blend = BlendOf(this->mapper->GetBlendMode());
   double range[2];
   this->image->GetPointData()->GetScalars()->GetFiniteRange(range);
@@ -124,7 +179,9 @@ std::vector<float> MapperScene::Truth(double tolerance)
     const HeadLight light{ glm::dvec3(property->GetAmbient()), glm::dvec3(property->GetDiffuse()),
       glm::dvec3(property->GetSpecular()), property->GetSpecularPower() };
     scene.shade = HeadLightShading(
-      light, [&](glm::ivec3 cell) { return GradientsOfCell(grid, cell); },
+      light,
+      [&](glm::ivec3 cell)
+      { return isNearest ? boxes.Gradients(cell) : GradientsOfCell(grid, cell); },
       geometry.WorldFromGridDirection());
   }
   return this->DrawReferenceOf(scene, tolerance);
@@ -132,7 +189,7 @@ std::vector<float> MapperScene::Truth(double tolerance)
 
 std::vector<float> MapperScene::DrawReferenceOf(const ReferenceScene& scene, double tolerance)
 {
-  const VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
+  const VolumeGeometry geometry = this->ReferenceGeometry();
   const ReferenceView view{ ComputePixelRays(ClipFromWorld(this->renderer) * geometry.worldFromGrid,
                               geometry.boxGrid),
     geometry.WorldFromGridDirection(), this->size, this->size };

@@ -3,6 +3,7 @@
 
 #include "Core/ImageError.h"
 #include "Core/Reference/ReferenceScene.h"
+#include "VolumeGeometry.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
@@ -62,6 +63,8 @@ public:
   vtkNew<vtkPiecewiseFunction> opacities;
 
 private:
+  bool IsNearest();
+  varimarch::VolumeGeometry ReferenceGeometry();
   std::vector<float> DrawReferenceOf(const varimarch::ReferenceScene& scene, double tolerance);
 };
 

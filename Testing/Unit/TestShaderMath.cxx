@@ -13,6 +13,7 @@ namespace glsl
 {
 using namespace glm;
 #include "Shaders/Math/Absorption.glsl"
+#include "Shaders/Math/CellCubic.glsl"
 #include "Shaders/Math/IntersectBox.glsl"
 #include "Shaders/Math/LatticeWalk.glsl"
 #include "Shaders/Math/WithOpacityFactor.glsl"
@@ -52,6 +53,44 @@ namespace
 {
 const glm::vec3 lower(0.0f);
 const glm::vec3 upper(10.0f, 20.0f, 30.0f);
+}
+
+TEST(CellCubic, IsTheCubicThroughFourValues)
+{
+  const auto cubic = [](double u) { return 0.3 - 2.0 * u + 5.0 * u * u - 3.5 * u * u * u; };
+  const glm::vec4 b =
+    glsl::CubicThrough(glm::vec4(cubic(0.0), cubic(1.0 / 3.0), cubic(2.0 / 3.0), cubic(1.0)));
+  for (double u = 0.0; u <= 1.0; u += 1.0 / 64.0)
+  {
+    EXPECT_NEAR(glsl::CubicValue(b, float(u)), cubic(u), 1e-6);
+  }
+  EXPECT_EQ(glsl::CubicValue(b, 1.0f), float(cubic(1.0)));
+}
+
+TEST(CellCubic, IsMonotoneBetweenItsExtremesAndCrossesEachValueOnce)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> number(-1.0f, 1.0f);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const glm::vec4 b(number(random), number(random), number(random), number(random));
+    const glm::vec2 extremes = glsl::CubicExtremes(b);
+    for (const glm::vec2 part :
+      { glm::vec2(0.0f, extremes.x), extremes, glm::vec2(extremes.y, 1.0f) })
+    {
+      ASSERT_LE(part.x, part.y);
+      const float first = glsl::CubicValue(b, part.x);
+      const float last = glsl::CubicValue(b, part.y);
+      for (float along = 0.1f; along < 1.0f; along += 0.2f)
+      {
+        const float inside = glsl::CubicValue(b, glm::mix(part.x, part.y, along));
+        EXPECT_GE(inside, std::min(first, last) - 1e-5f);
+        EXPECT_LE(inside, std::max(first, last) + 1e-5f);
+        const float value = glm::mix(first, last, along);
+        EXPECT_NEAR(glsl::CubicValue(b, glsl::CubicCrossing(b, value, part)), value, 1e-5f);
+      }
+    }
+  }
 }
 
 TEST(IntersectBox, GivesWhereARayEntersAndLeaves)

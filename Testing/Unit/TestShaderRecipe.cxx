@@ -129,6 +129,36 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
       "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
+TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
+{
+  const auto partsOf = [](Blend blend, bool nearest)
+  {
+    RenderSettings settings{ blend, Acceleration::Off };
+    settings.nearest = nearest;
+    const Parts parts = FragmentShaderParts(settings);
+    // Between what every shader begins with and what every one ends with.
+    return Parts(parts.begin() + 2, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
+  };
+  EXPECT_EQ(partsOf(Blend::Composite, true),
+    (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
+      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
+      "Voxel/Homogeneous.glsl", "March/Voxels.glsl" }));
+  EXPECT_EQ(partsOf(Blend::MinimumIntensity, true),
+    (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
+      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
+      "Blend/MinimumIntensity.glsl", "Voxel/Projected.glsl", "March/Voxels.glsl" }));
+  EXPECT_EQ(partsOf(Blend::Isosurface, false),
+    (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Math/CellCubic.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+      "Gradient/CentralDifferences.glsl", "Shade/None.glsl", "Blend/Composite.glsl",
+      "Surface/Isosurfaces.glsl", "March/Isosurfaces.glsl" }));
+  EXPECT_EQ(partsOf(Blend::Slice, false),
+    (Parts{ "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
+      "Classify/OpticalTable.glsl", "Gradient/CentralDifferences.glsl", "Shade/None.glsl",
+      "GradientOpacity/None.glsl", "Material/OneComponent.glsl", "Blend/Composite.glsl",
+      "March/Slice.glsl" }));
+}
+
 TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
 {
   RenderSettings settings{ Blend::Composite, Acceleration::OpticalField, true, false };
@@ -146,7 +176,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 116u);
+  EXPECT_EQ(distinct.size(), 129u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

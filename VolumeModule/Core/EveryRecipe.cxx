@@ -116,6 +116,30 @@ std::vector<RenderSettings> RecipesWithCuts()
   return recipes;
 }
 
+std::vector<RenderSettings> ExactRecipes()
+{
+  std::vector<RenderSettings> recipes;
+  const auto add = [&](Blend blend, bool nearest, bool shading)
+  {
+    recipes.push_back({ blend, Acceleration::Off, shading });
+    recipes.back().nearest = nearest;
+  };
+  for (Blend blend :
+    { Blend::MaximumIntensity, Blend::MinimumIntensity, Blend::AverageIntensity, Blend::Additive })
+  {
+    add(blend, true, false);
+  }
+  for (bool shading : { false, true })
+  {
+    add(Blend::Composite, true, shading);
+    add(Blend::Isosurface, true, shading);
+    add(Blend::Isosurface, false, shading);
+    add(Blend::Slice, false, shading);
+  }
+  recipes.push_back({ Blend::Isosurface, Acceleration::OpticalField });
+  return recipes;
+}
+
 }
 
 std::vector<RenderSettings> EveryRecipe()
@@ -124,7 +148,7 @@ std::vector<RenderSettings> EveryRecipe()
   counting.countFetches = true;
   std::vector<RenderSettings> recipes = { counting };
   for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(), RecipesWithGaps(),
-         RecipesInBlocks(), RecipesOfPictures(), RecipesWithCuts() })
+         RecipesInBlocks(), RecipesOfPictures(), RecipesWithCuts(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

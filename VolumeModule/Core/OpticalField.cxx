@@ -1,5 +1,7 @@
 #include "Core/OpticalField.h"
 
+#include "Core/ChebyshevDistance.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -216,92 +218,14 @@ private:
   std::vector<BrickClassifier> classifiers;
 };
 
-// Chebyshev distance of every invisible brick to the nearest one that is not, by the two passes of
-// Rosenfeld and Pfaltz (Pattern Recognition 1968) over the 26 neighbours, which are exact for this
-// distance. Bricks are padded by one on every side: nothing outside the volume can be seen.
-class InvisibleDistance
+// Builds a field from the class of each brick, classOf(index).
+template <class ClassOf>
+OpticalField BuildField(glm::ivec3 count, ClassOf classOf)
 {
-public:
-  explicit InvisibleDistance(glm::ivec3 brickCount)
-    : brickCount(brickCount)
-    , row(brickCount.x + 2)
-    , plane(std::ptrdiff_t(row) * (brickCount.y + 2))
-    , distances(std::size_t(plane) * (brickCount.z + 2), Farthest)
-    , nearest(brickCount.x)
-  {
-  }
-
-  std::uint8_t* Row(int y, int z)
-  {
-    return &this->distances[(z + 1) * this->plane + (y + 1) * this->row + 1];
-  }
-
-  // 0 where visible; from Farthest where invisible to its distance, 1 beside a visible brick.
-  void Measure()
-  {
-    for (int z = 0; z < this->brickCount.z; ++z)
-    {
-      for (int y = 0; y < this->brickCount.y; ++y)
-      {
-        this->UpdateRow(this->Row(y, z), -1);
-      }
-    }
-    for (int z = this->brickCount.z - 1; z >= 0; --z)
-    {
-      for (int y = this->brickCount.y - 1; y >= 0; --y)
-      {
-        this->UpdateRow(this->Row(y, z), 1);
-      }
-    }
-  }
-
-  static constexpr std::uint8_t Farthest = OpticalField::LargestRadius + 1;
-
-private:
-  // Looks at the 13 neighbours that come before a brick in the direction of the pass.
-  void UpdateRow(std::uint8_t* brick, int direction)
-  {
-    const std::ptrdiff_t y = direction * this->row;
-    const std::ptrdiff_t z = direction * this->plane;
-    const std::uint8_t* const rows[] = { brick + y, brick + z - this->row, brick + z,
-      brick + z + this->row };
-    const int width = this->brickCount.x;
-    std::fill(this->nearest.begin(), this->nearest.end(), Farthest);
-    for (const std::uint8_t* neighbour : rows)
-    {
-      for (int x = 0; x < width; ++x)
-      {
-        const std::uint8_t beside = std::min(neighbour[x - 1], neighbour[x + 1]);
-        this->nearest[x] = std::min(this->nearest[x], std::min(beside, neighbour[x]));
-      }
-    }
-    const int first = direction < 0 ? 0 : width - 1;
-    for (int i = 0; i < width; ++i)
-    {
-      const int x = first - direction * i;
-      const int before = std::min(this->nearest[x], brick[x + direction]);
-      brick[x] = std::uint8_t(std::min(int(brick[x]), before + 1));
-    }
-  }
-
-  glm::ivec3 brickCount;
-  std::ptrdiff_t row;
-  std::ptrdiff_t plane;
-  std::vector<std::uint8_t> distances;
-  std::vector<std::uint8_t> nearest;
-};
-
-}
-
-OpticalField BuildOpticalField(
-  const std::vector<OpticalChannel>& channels, const OpticalTolerance& tolerance)
-{
-  const ChannelsClassifier classifier(channels, tolerance);
-  const glm::ivec3 count = channels.front().ranges.BrickCount();
   OpticalField field;
   field.brickCount = count;
   field.bricks.resize(std::size_t(count.x) * count.y * count.z);
-  InvisibleDistance distance(count);
+  ChebyshevDistance distance(count);
 
   // Calls work with the index and the distance of every brick.
   const auto forEachBrick = [&](auto&& work)
@@ -322,14 +246,41 @@ OpticalField BuildOpticalField(
   forEachBrick(
     [&](std::size_t brick, std::uint8_t& brickDistance)
     {
-      field.bricks[brick] = classifier.ClassOf(brick);
+      field.bricks[brick] = classOf(brick);
       const bool invisible = field.bricks[brick] == OpticalField::Invisible;
-      brickDistance = invisible ? InvisibleDistance::Farthest : 0;
+      brickDistance = invisible ? ChebyshevDistance::Farthest : 0;
     });
   distance.Measure();
   forEachBrick([&](std::size_t brick, std::uint8_t brickDistance)
     { field.bricks[brick] += std::max(int(brickDistance) - 1, 0); });
   return field;
+}
+
+}
+
+OpticalField BuildOpticalField(
+  const std::vector<OpticalChannel>& channels, const OpticalTolerance& tolerance)
+{
+  const ChannelsClassifier classifier(channels, tolerance);
+  return BuildField(channels.front().ranges.BrickCount(),
+    [&](std::size_t brick) { return classifier.ClassOf(brick); });
+}
+
+OpticalField BuildIsosurfaceField(const BrickRanges& ranges, const std::vector<double>& isovalues)
+{
+  const auto valueOf = [&](double step)
+  { return ranges.FirstValue() + step * ranges.ValuePerStep(); };
+  return BuildField(ranges.BrickCount(),
+    [&](std::size_t brick)
+    {
+      // Half a step more on either side, for what rounding leaves.
+      const BrickRanges::Steps steps = ranges[brick];
+      const double lower = valueOf(steps.smallest - 0.5);
+      const double upper = valueOf(steps.largest + 0.5);
+      const bool isPassed = std::any_of(isovalues.begin(), isovalues.end(),
+        [&](double isovalue) { return lower <= isovalue && isovalue <= upper; });
+      return isPassed || !steps.IsFinite() ? OpticalField::Structured : OpticalField::Invisible;
+    });
 }
 
 VisibleBricks::VisibleBricks(const OpticalField& field)

@@ -74,6 +74,9 @@ inline OpticalField BuildOpticalField(
   return BuildOpticalField({ OpticalChannel{ ranges, table } }, tolerance);
 }
 
+/// The field for isosurfaces: bricks that none of them passes are invisible, the others structured.
+OpticalField BuildIsosurfaceField(const BrickRanges& ranges, const std::vector<double>& isovalues);
+
 /// Which bricks of a field are not invisible: all that is kept of it when a device has the rest.
 class VisibleBricks
 {

@@ -31,6 +31,7 @@ enum class Blend
   AverageIntensity, ///< the mean of opacity times value
   Additive,         ///< the integral of opacity times value
   Isosurface,       ///< surfaces of equal value
+  Slice,            ///< what lies on one surface
 };
 
 /// Whether one value of a ray decides on its pixel.
@@ -47,6 +48,18 @@ enum class Components
   LuminanceOpacity, ///< two: colour and opacity of one material
   Rgba,             ///< four: a colour, and opacity
 };
+
+/// Whether what is drawn of a ray lies on surfaces, which are found exactly.
+inline bool IsOfSurfaces(Blend blend)
+{
+  return blend == Blend::Isosurface || blend == Blend::Slice;
+}
+
+/// Whether a pixel is made of values along its ray, not of colours.
+inline bool IsProjection(Blend blend)
+{
+  return blend != Blend::Composite && !IsOfSurfaces(blend);
+}
 
 /// What one drawing does for the rays of a picture.
 enum class RayPass
@@ -88,9 +101,10 @@ struct RenderSettings
 {
   Blend blend = Blend::Composite;
   Acceleration acceleration = Acceleration::OpticalField;
-  bool shading = false;                            ///< Blinn-Phong; composite only
+  bool shading = false;                            ///< Blinn-Phong; composite and surfaces only
   bool sceneGeometry = false;                      ///< stop rays at opaque geometry already drawn
   Integration integration = Integration::Midpoint; ///< of a composite without shading
+  bool nearest = false;                            ///< voxels are boxes of one value
   bool clipping = false;                           ///< end rays at clipping planes
   bool cropping = false;                           ///< leave out regions of the volume
   bool gaps = false;         ///< leave out cells that touch a voxel that is not finite,
@@ -104,6 +118,15 @@ struct RenderSettings
   bool jitter = false;          ///< begin rays with a part of a step
   bool windowLevel = false;     ///< scale the picture's colours
 };
+
+/// Whether rays are sampled: steps then decide on a picture. Voxels as boxes are exact but for
+/// projections of several components, and so are surfaces.
+inline bool IsSampled(const RenderSettings& settings)
+{
+  const bool severalProjected =
+    settings.components != Components::One && IsProjection(settings.blend);
+  return (!settings.nearest || severalProjected) && !IsOfSurfaces(settings.blend);
+}
 
 }
 

@@ -50,7 +50,7 @@ std::string ComponentBlendFile(Blend blend)
 std::string BlendFile(const RenderSettings& settings)
 {
   const Blend blend = settings.blend;
-  if (settings.components != Components::One && blend != Blend::Composite)
+  if (settings.components != Components::One && IsProjection(blend))
   {
     return ComponentBlendFile(blend);
   }
@@ -67,16 +67,29 @@ std::string BlendFile(const RenderSettings& settings)
     case Blend::Additive:
       return "Blend/Additive.glsl";
     case Blend::Isosurface:
-      break;
+    case Blend::Slice:
+      return "Blend/Composite.glsl"; // of surfaces, each of an optical depth
   }
-  throw std::invalid_argument("Shader: there is none yet for isosurfaces");
+  throw std::invalid_argument("Shader: unknown blend mode");
 }
 
 std::string MarchFile(const RenderSettings& settings)
 {
-  if (settings.blend != Blend::Composite && settings.components != Components::One)
+  if (settings.blend == Blend::Isosurface)
+  {
+    return settings.nearest ? "March/VoxelSurfaces.glsl" : "March/Isosurfaces.glsl";
+  }
+  if (settings.blend == Blend::Slice)
+  {
+    return "March/Slice.glsl";
+  }
+  if (IsProjection(settings.blend) && settings.components != Components::One)
   {
     return "March/ComponentProjection.glsl";
+  }
+  if (settings.nearest)
+  {
+    return MarchesMaterial(settings) ? "March/MaterialVoxels.glsl" : "March/Voxels.glsl";
   }
   if (settings.blend != Blend::Composite)
   {
@@ -171,7 +184,7 @@ std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
   std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl",
     DepthFile(settings), ClipFile(settings) };
-  if (settings.blend != Blend::Composite)
+  if (IsProjection(settings.blend))
   {
     const std::vector<std::string> classify = ClassifyParts(settings);
     parts.insert(parts.end(), classify.begin(), classify.end());
@@ -194,31 +207,72 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   return parts;
 }
 
+std::string ShadeFile(const RenderSettings& settings)
+{
+  if (!settings.shading)
+  {
+    return "Shade/None.glsl";
+  }
+  return settings.lights ? "Shade/Lights.glsl" : "Shade/HeadLight.glsl";
+}
+
 std::vector<std::string> MaterialParts(const RenderSettings& settings)
 {
-  const std::string shade = !settings.shading ? "Shade/None.glsl"
-    : settings.lights                         ? "Shade/Lights.glsl"
-                                              : "Shade/HeadLight.glsl";
   const std::string opacity =
     settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl";
   if (settings.components == Components::One)
   {
-    return { "Gradient/CentralDifferences.glsl", shade, opacity, "Material/OneComponent.glsl" };
+    return { "Gradient/CentralDifferences.glsl", ShadeFile(settings), opacity,
+      "Material/OneComponent.glsl" };
   }
   return { UsesGradients(settings) ? "Gradient/CentralDifferencesOfAll.glsl"
                                    : "Gradient/NoneOfAll.glsl",
-    shade, opacity, "Material/Components.glsl" };
+    ShadeFile(settings), opacity, "Material/Components.glsl" };
 }
 
-// Whether rays walk through bricks, or through cells with gaps.
+// How a scalar gets its look, and what its look depends on.
+std::vector<std::string> LookParts(const RenderSettings& settings)
+{
+  if (settings.blend == Blend::Isosurface)
+  {
+    return { "Gradient/CentralDifferences.glsl", ShadeFile(settings) };
+  }
+  std::vector<std::string> parts = ClassifyParts(settings);
+  if (MarchesMaterial(settings))
+  {
+    const std::vector<std::string> material = MaterialParts(settings);
+    parts.insert(parts.end(), material.begin(), material.end());
+  }
+  return parts;
+}
+
+// The march and what it calls.
+std::vector<std::string> MarchParts(const RenderSettings& settings)
+{
+  const std::string march = MarchFile(settings);
+  std::vector<std::string> parts;
+  if (settings.blend == Blend::Isosurface)
+  {
+    parts.push_back("Surface/Isosurfaces.glsl");
+  }
+  if (march == "March/Voxels.glsl")
+  {
+    parts.push_back(
+      settings.blend == Blend::Composite ? "Voxel/Homogeneous.glsl" : "Voxel/Projected.glsl");
+  }
+  if (march == "March/Midpoint.glsl" || march == "March/PreIntegrated.glsl")
+  {
+    parts.push_back("Fetch/FourScalars.glsl");
+  }
+  parts.push_back(march);
+  return parts;
+}
+
+// Whether rays walk through bricks, voxels, or cells.
 bool Walks(const RenderSettings& settings)
 {
-  return settings.acceleration == Acceleration::OpticalField || settings.gaps;
-}
-
-bool FetchesFour(const std::string& marchFile)
-{
-  return marchFile == "March/Midpoint.glsl" || marchFile == "March/PreIntegrated.glsl";
+  return settings.acceleration == Acceleration::OpticalField || settings.gaps ||
+    (!IsSampled(settings) && settings.blend != Blend::Slice);
 }
 
 }
@@ -226,13 +280,15 @@ bool FetchesFour(const std::string& marchFile)
 bool UsesPreIntegration(const RenderSettings& settings)
 {
   return settings.integration == Integration::PreIntegrated && settings.blend == Blend::Composite &&
-    !MarchesMaterial(settings);
+    !settings.nearest && !MarchesMaterial(settings);
 }
 
 bool MarchesMaterial(const RenderSettings& settings)
 {
-  return settings.blend == Blend::Composite &&
-    (settings.shading || settings.gradientOpacity || settings.components != Components::One);
+  const bool isComposite = settings.blend == Blend::Composite;
+  return settings.blend == Blend::Slice ||
+    (isComposite &&
+      (settings.shading || settings.gradientOpacity || settings.components != Components::One));
 }
 
 int PartCount(const RenderSettings& settings)
@@ -242,7 +298,8 @@ int PartCount(const RenderSettings& settings)
 
 bool UsesGradients(const RenderSettings& settings)
 {
-  return settings.blend == Blend::Composite && (settings.shading || settings.gradientOpacity);
+  return (settings.blend == Blend::Composite || settings.blend == Blend::Slice) &&
+    (settings.shading || settings.gradientOpacity);
 }
 
 bool FillsGaps(const RenderSettings& settings)
@@ -297,25 +354,21 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     parts.push_back("Math/WithOpacityFactor.glsl");
   }
-  parts.insert(parts.end(),
-    { DepthFile(settings), ClipFile(settings),
-      settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl", StepFile(settings) });
-  const std::vector<std::string> classify = ClassifyParts(settings);
-  parts.insert(parts.end(), classify.begin(), classify.end());
-  if (MarchesMaterial(settings))
+  if (MarchFile(settings) == "March/Isosurfaces.glsl")
   {
-    const std::vector<std::string> material = MaterialParts(settings);
-    parts.insert(parts.end(), material.begin(), material.end());
+    parts.push_back("Math/CellCubic.glsl");
   }
+  const auto add = [&](const std::vector<std::string>& more)
+  { parts.insert(parts.end(), more.begin(), more.end()); };
+  add({ DepthFile(settings), ClipFile(settings) });
+  if (settings.blend != Blend::Slice)
+  {
+    add({ settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl", StepFile(settings) });
+  }
+  add(LookParts(settings));
   parts.push_back(BlendFile(settings));
-  const std::string march = MarchFile(settings);
-  if (FetchesFour(march))
-  {
-    parts.push_back("Fetch/FourScalars.glsl");
-  }
-  parts.push_back(march);
-  const std::vector<std::string> around = PartsAroundMarch(settings);
-  parts.insert(parts.end(), around.begin(), around.end());
+  add(MarchParts(settings));
+  add(PartsAroundMarch(settings));
   return parts;
 }
 

@@ -122,6 +122,15 @@ float AtGradient(float extinction, vec3 gradient, int component);
 //   vec4 BlendKept(Accumulation sum);        the sum in four floats, 0 at the beginning
 //   Accumulation BlendResumed(vec4 kept);    and the sum again
 
+// --- Voxel: what a voxel without interpolation adds; only for March/Voxels --------------------
+// Defines: Accumulation BlendVoxel(Accumulation sum, vec3 middleTexture, Ray ray, float lengthMm);
+
+// --- Surface: what isosurfaces look like; only where they are drawn -----------------------------
+// Defines the number of them, isosurfaceCount, and, for each, by ascending isovalue:
+//   float IsovalueOf(int surface);
+//   bool IsPassed(int surface, float startScalar, float endScalar);
+//   Accumulation BlendSurface(Accumulation sum, int surface, vec3 gradient, Ray ray, float t);
+
 // --- March: the loop along a ray, with its rule of integration --------------------------------
 // Defines: Accumulation March(Ray ray, Interval inside, Accumulation sum);
 //                               takes in the part of the ray that is inside

@@ -31,8 +31,10 @@ std::unique_ptr<const RayIntegral> NewRayIntegral(ReferenceScene scene, double t
       return std::make_unique<AdditiveIntegral>(std::move(scene), tolerance);
     case Blend::Isosurface:
       return std::make_unique<IsosurfaceIntegral>(std::move(scene));
+    case Blend::Slice:
+      break;
   }
-  throw std::invalid_argument("Reference: unknown blend mode");
+  throw std::invalid_argument("Reference: there is none for slices");
 }
 
 }

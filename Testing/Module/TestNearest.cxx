@@ -1,0 +1,130 @@
+// Nearest interpolation, VTK's default: voxels are boxes of one value, and drawn exactly.
+
+#include "Module/MapperScene.h"
+#include "Scene/ProceduralVolume.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr int Size = 64;
+
+bool Uses(MapperScene& scene, const std::string& part)
+{
+  const std::vector<std::string> parts = scene.ShaderParts();
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
+// What floats lose on the way; nothing is sampled. A ray through the edge of a voxel that is the
+// largest of its ray may see it or not: of these there are few.
+void ExpectExact(MapperScene& scene)
+{
+  const ImageError error = scene.Error();
+  EXPECT_LT(error.rootMeanSquare,
+    scene.mapper->GetBlendMode() == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND ? 0.3 : 0.02);
+  EXPECT_LT(error.percentile999, 0.3);
+  const std::vector<float> drawn = scene.Draw();
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1f) << "nothing is seen";
+}
+
+}
+
+TEST(Nearest, IsWhatAPropertySaysByDefault)
+{
+  MapperScene scene(SmallTorso(), Size);
+  vtkNew<vtkVolumeProperty> property;
+  property->SetColor(scene.colors);
+  property->SetScalarOpacity(scene.opacities);
+  scene.volume->SetProperty(property);
+  scene.Draw();
+  EXPECT_TRUE(Uses(scene, "March/Voxels.glsl"));
+  property->SetInterpolationTypeToLinear();
+  scene.Draw();
+  EXPECT_FALSE(Uses(scene, "March/Voxels.glsl"));
+}
+
+class NearestOfBlend : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(NearestOfBlend, IsTheTruthWhateverTheField)
+{
+  for (const int mode : { vtkVariationFieldVolumeMapper::Off,
+         vtkVariationFieldVolumeMapper::ScalarField, vtkVariationFieldVolumeMapper::OpticalField })
+  {
+    SCOPED_TRACE(mode);
+    MapperScene scene(SmallTorso(), Size);
+    scene.mapper->SetBlendMode(GetParam());
+    scene.mapper->SetAccelerationMode(mode);
+    scene.mapper->SetEarlyTerminationTransmittance(0.0);
+    scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+    scene.opacities->AddPoint(-1100.0, 0.3);
+    scene.opacities->AddPoint(-400.0, 0.0);
+    ExpectExact(scene);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryBlend, NearestOfBlend,
+  testing::Values(int(vtkVolumeMapper::COMPOSITE_BLEND),
+    int(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND), int(vtkVolumeMapper::MINIMUM_INTENSITY_BLEND),
+    int(vtkVolumeMapper::AVERAGE_INTENSITY_BLEND), int(vtkVolumeMapper::ADDITIVE_BLEND)));
+
+TEST(Nearest, AVoxelHasOneNormal)
+{
+  for (const int mode :
+    { vtkVariationFieldVolumeMapper::Off, vtkVariationFieldVolumeMapper::OpticalField })
+  {
+    MapperScene scene(SmallTorso(), Size);
+    scene.mapper->SetAccelerationMode(mode);
+    scene.mapper->SetEarlyTerminationTransmittance(0.0);
+    scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+    scene.volume->GetProperty()->ShadeOn();
+    ExpectExact(scene);
+    EXPECT_TRUE(Uses(scene, "March/MaterialVoxels.glsl"));
+  }
+}
+
+TEST(Nearest, IsCutAndTurnedLikeEverythingElse)
+{
+  MapperScene scene(SmallTorso(), Size);
+  scene.mapper->SetEarlyTerminationTransmittance(0.0);
+  scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+  scene.volume->SetScale(1.2, 0.8, 1.0);
+  scene.volume->RotateWXYZ(35.0, 0.3, 1.0, 0.2);
+  scene.renderer->ResetCamera();
+  double bounds[6];
+  scene.image->GetBounds(bounds);
+  scene.mapper->CroppingOn();
+  scene.mapper->SetCroppingRegionPlanes(0.7 * bounds[0], 0.6 * bounds[1], 0.7 * bounds[2],
+    0.8 * bounds[3], 0.7 * bounds[4], 0.5 * bounds[5]);
+  scene.mapper->SetCroppingRegionFlags(VTK_CROP_FENCE);
+  ExpectExact(scene);
+}
+
+TEST(Nearest, IsTheSameInBlocks)
+{
+  MapperScene scene(ProceduralVolume({ ProceduralKind::Torso, { 64, 56, 48 }, 7 }), Size);
+  scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+  const std::vector<float> whole = scene.Draw();
+  scene.mapper->SetMaximumGraphicsMemory(200000);
+  const std::vector<float> inBlocks = scene.Draw();
+  EXPECT_TRUE(Uses(scene, "Resume/Block.glsl"));
+  EXPECT_LT(CompareImages(inBlocks.data(), whole.data(), whole.size() / 4).percentile999, 0.3);
+}
+
+TEST(Nearest, NeedsNoStepsAndSoTriesNoneOut)
+{
+  MapperScene scene(SmallTorso(), Size);
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 0);
+  EXPECT_EQ(scene.mapper->GetEstimatedError(), 0.0);
+  EXPECT_LT(scene.Error().largest, 255.0 / 64.0);
+}

@@ -1,0 +1,72 @@
+// The resources and uniforms of what is drawn of surfaces: isosurfaces and slices.
+
+#include "PropertyTransferFunction.h"
+#include "RayMarcher.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+
+namespace varimarch
+{
+
+void RayMarcher::UpdateIsosurfaceField(const Frame& frame)
+{
+  FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture, 0, 0.0 };
+  source.isovalues = frame.isovalues;
+  if (this->fieldSource == source)
+  {
+    return;
+  }
+  this->fieldSource.reset();
+  this->UpdateRanges(frame);
+  this->field.BuildIsosurfaceField(frame.window, frame.isovalues);
+  this->fieldSource = source;
+  ++this->builds.field;
+}
+
+void RayMarcher::UpdateIsosurfaces(const Frame& frame)
+{
+  if (frame.settings.blend != Blend::Isosurface)
+  {
+    this->isosurfaces.Release(frame.window);
+    return;
+  }
+  const TransferFunction transferFunction = TransferFunctionOf(frame.property);
+  const TexelMapping& mapping = this->blocks.Texels().mapping;
+  std::vector<glm::vec4> texels;
+  for (double isovalue : frame.isovalues)
+  {
+    const double depth = -std::log1p(-transferFunction.Opacity(isovalue));
+    texels.emplace_back(transferFunction.Color(isovalue), std::min(depth, 100.0));
+    texels.emplace_back(mapping.LimitedTexelOf(isovalue));
+  }
+  this->isosurfaces.Upload(frame.window, texels);
+}
+
+void RayMarcher::SetExactUniforms(const Frame& frame, const DrawnBlock& drawn)
+{
+  this->program.Set("voxelCount", glm::dvec3(drawn.voxels.count));
+  if (frame.settings.blend == Blend::Slice)
+  {
+    this->program.Set("sliceMatrix", frame.slice.matrix);
+    this->program.Set("sliceCenterGrid", frame.slice.centerGrid);
+    this->program.Set("sliceUnitDistanceMm", frame.property->GetScalarOpacityUnitDistance());
+  }
+  if (frame.settings.blend != Blend::Isosurface)
+  {
+    return;
+  }
+  this->isosurfaces.Texture()->Activate();
+  this->program.Set("isosurfaces", this->isosurfaces.Texture());
+  this->program.Set("isosurfaceCount", int(frame.isovalues.size()));
+  this->program.Set("voxelSizeTexture", 1.0 / glm::dvec3(drawn.voxels.count));
+  this->program.Set("surfaceReflectance", ReflectanceOf(frame.property, 0));
+  if (frame.settings.shading)
+  {
+    this->SetLightUniforms(frame);
+  }
+}
+
+}

@@ -1,0 +1,39 @@
+// A slice: what of the volume lies on a surface of second degree, such as a plane or a sphere.
+// It has the opacity of one unit distance.
+
+const float ReachVoxels = 1e-4; // a surface in a face of the volume is on one side of it, for sure
+
+uniform mat4 sliceMatrix;     // symmetric; the surface is where dot(p, sliceMatrix * p) = 0, with
+uniform vec3 sliceCenterGrid; // p = (position from here, 1)
+uniform float sliceUnitDistanceMm;
+
+Accumulation BlendSlice(Accumulation sum, Ray ray, float t)
+{
+  vec3 position = PositionTexture(ray, t);
+  vec4 optical = Material(ValuesAt(position), GradientsAt(position), ray, t);
+  return BlendPart(sum, optical.rgb, optical.a * sliceUnitDistanceMm);
+}
+
+Accumulation March(Ray ray, Interval inside, Accumulation sum)
+{
+  vec4 origin = vec4(ray.originGrid - sliceCenterGrid, 1.0);
+  vec4 direction = vec4(ray.directionGrid, 0.0);
+  vec4 image = sliceMatrix * direction;
+  float a = dot(direction, image);
+  float halfB = dot(origin, image);
+  float c = dot(origin, sliceMatrix * origin);
+  float discriminant = halfB * halfB - a * c;
+  float q = -(halfB + (halfB < 0.0 ? -1.0 : 1.0) * sqrt(max(discriminant, 0.0)));
+  vec2 roots = vec2(q / a, c / q); // of a plane, for which a is 0, the first is beyond everything
+  roots = roots.x < roots.y ? roots : roots.yx;
+  float reach = ReachVoxels / length(ray.directionGrid);
+  for (int i = 0; i < 2; ++i)
+  {
+    float ahead = roots[i] + reach;
+    if (discriminant >= 0.0 && inside.enter <= ahead && ahead < inside.exit)
+    {
+      sum = BlendSlice(sum, ray, roots[i]);
+    }
+  }
+  return sum;
+}

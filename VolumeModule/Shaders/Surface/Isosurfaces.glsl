@@ -1,0 +1,23 @@
+// Isosurfaces, by ascending isovalue. A surface bounds what is at least its isovalue.
+
+uniform samplerBuffer isosurfaces; // of each two texels: colour and optical depth; its isovalue
+uniform int isosurfaceCount;
+uniform vec4 surfaceReflectance; // ambient, diffuse, specular, specular power
+
+float IsovalueOf(int surface)
+{
+  return texelFetch(isosurfaces, 2 * surface + 1).r;
+}
+
+// Whether it is passed by a ray along which the scalar goes from one value to another.
+bool IsPassed(int surface, float startScalar, float endScalar)
+{
+  float isovalue = IsovalueOf(surface);
+  return min(startScalar, endScalar) < isovalue && isovalue <= max(startScalar, endScalar);
+}
+
+Accumulation BlendSurface(Accumulation sum, int surface, vec3 gradient, Ray ray, float t)
+{
+  vec4 optical = texelFetch(isosurfaces, 2 * surface);
+  return BlendPart(sum, Shade(optical.rgb, gradient, surfaceReflectance, ray, t), optical.a);
+}
