@@ -157,15 +157,18 @@ vtkDataArray* CheckedScalars(vtkImageData* image, vtkDataArray* scalars, int cel
     throw std::runtime_error("The input has no scalars to draw");
   }
   const std::string name = scalars->GetName() ? scalars->GetName() : "scalars";
-  if (cellFlag != 0)
+  constexpr int fieldData = 2;
+  if (cellFlag == fieldData)
   {
-    throw std::runtime_error("Array \"" + name + "\" holds cell data: expected point data");
+    throw std::runtime_error(
+      "Array \"" + name + "\" holds field data: expected point or cell data");
   }
-  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  const vtkIdType count = cellFlag == 0 ? image->GetNumberOfPoints() : image->GetNumberOfCells();
+  if (scalars->GetNumberOfTuples() != count)
   {
     throw std::runtime_error("Array \"" + name + "\" has " +
       std::to_string(scalars->GetNumberOfTuples()) + " values: expected one for each of " +
-      std::to_string(image->GetNumberOfPoints()) + " points");
+      std::to_string(count) + (cellFlag == 0 ? " points" : " cells"));
   }
   return scalars;
 }
@@ -200,6 +203,7 @@ struct MapperInput
 {
   vtkImageData* image;
   vtkDataArray* scalars;
+  VoxelPlace place; ///< of the scalars
 };
 
 std::optional<MapperInput> InputOf(vtkVariationFieldVolumeMapper* mapper)
@@ -216,7 +220,8 @@ std::optional<MapperInput> InputOf(vtkVariationFieldVolumeMapper* mapper)
   int cellFlag = 0;
   vtkDataArray* scalars = vtkAbstractVolumeMapper::GetScalars(image, mapper->GetScalarMode(),
     mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
-  return MapperInput{ image, CheckedScalars(image, scalars, cellFlag) };
+  return MapperInput{ image, CheckedScalars(image, scalars, cellFlag),
+    cellFlag == 0 ? VoxelPlace::Points : VoxelPlace::Cells };
 }
 
 bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& settings)
@@ -307,7 +312,7 @@ std::optional<Frame> FrameOf(
   frame.property = volume->GetProperty();
   frame.scalars = input->scalars;
   frame.scalarsTime = std::max(input->image->GetMTime(), input->scalars->GetMTime());
-  frame.geometry = VolumeGeometryOf(input->image, volume);
+  frame.geometry = VolumeGeometryOf(input->image, volume, input->place);
   frame.viewport = ViewportOf(renderer);
   frame.settings = SettingsOf(mapper, renderer, frame.property, input->scalars);
   for (int component = 0; component < frame.settings.componentCount; ++component)

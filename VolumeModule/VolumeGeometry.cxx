@@ -63,7 +63,7 @@ double VolumeGeometry::ShortestSampleDistanceMm() const
   return this->DiagonalMm() / 20000.0;
 }
 
-VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume)
+VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume, VoxelPlace place)
 {
   int extent[6];
   image->GetExtent(extent);
@@ -71,20 +71,24 @@ VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume)
   volume->GetMatrix(worldFromData);
 
   VolumeGeometry geometry;
-  geometry.dimensions = { extent[1] - extent[0] + 1, extent[3] - extent[2] + 1,
-    extent[5] - extent[4] + 1 };
-  geometry.dataFromGrid = FromVtk(image->GetIndexToPhysicalMatrix()) *
-    glm::translate(glm::dmat4(1.0), glm::dvec3(extent[0], extent[2], extent[4]));
+  glm::dvec3 firstIndex;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    const bool isOfCells = place == VoxelPlace::Cells && points > 1;
+    const bool isThin = !isOfCells && points == 1;
+    const int voxels = isOfCells ? points - 1 : points;
+    geometry.dimensions[axis] = voxels;
+    geometry.boxGrid.lower[axis] = isOfCells || isThin ? -0.5 : 0.0;
+    geometry.boxGrid.upper[axis] = isOfCells || isThin ? voxels - 0.5 : voxels - 1.0;
+    firstIndex[axis] = extent[2 * axis] + (isOfCells ? 0.5 : 0.0);
+  }
+  geometry.dataFromGrid =
+    FromVtk(image->GetIndexToPhysicalMatrix()) * glm::translate(glm::dmat4(1.0), firstIndex);
   geometry.worldFromGrid = FromVtk(worldFromData) * geometry.dataFromGrid;
   const double* const spacing = image->GetSpacing();
   const glm::dvec3 absolute(std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]));
   geometry.gradientFactors = (absolute.x + absolute.y + absolute.z) / 3.0 / (2.0 * absolute);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int voxels = geometry.dimensions[axis];
-    geometry.boxGrid.lower[axis] = voxels > 1 ? 0.0 : -0.5;
-    geometry.boxGrid.upper[axis] = voxels > 1 ? voxels - 1.0 : 0.5;
-  }
   return geometry;
 }
 

@@ -43,7 +43,16 @@ struct VolumeGeometry
   double ShortestSampleDistanceMm() const;
 };
 
-VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume);
+/// What of an image has the values. A cell's is that of its middle: its voxel lies there, and what
+/// is drawn reaches half a voxel beyond the outermost ones, where their values go on.
+enum class VoxelPlace
+{
+  Points,
+  Cells,
+};
+
+VolumeGeometry VolumeGeometryOf(
+  vtkImageData* image, vtkVolume* volume, VoxelPlace place = VoxelPlace::Points);
 
 /// The part of the framebuffer that a renderer draws to [pixels].
 struct Viewport

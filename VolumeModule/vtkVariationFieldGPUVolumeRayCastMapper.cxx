@@ -88,8 +88,6 @@ std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting(vtkVolum
 {
   const Setting settings[] = {
     { vtkMultiVolume::SafeDownCast(volume) != nullptr, "A vtkMultiVolume is not supported yet. " },
-    { volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION,
-      "Interpolation by the nearest voxel is not supported yet. " },
     { HasBlanking(this->GetInput()), "Blanked points and cells are not supported yet. " },
     { this->MaskInput != nullptr, "Masks are not supported yet. " },
     { this->UseDepthPass != 0, "A depth pass is not supported yet. " },

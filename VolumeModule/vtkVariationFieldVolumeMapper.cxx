@@ -167,8 +167,19 @@ void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* vol
   this->TimeToDraw = timer->GetElapsedTime();
 }
 
+void vtkVariationFieldVolumeMapper::LockSampleDistance()
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetInput());
+  if (image && this->LockSampleDistanceToInputSpacing)
+  {
+    this->SampleDistance =
+      this->SpacingAdjustedSampleDistance(image->GetSpacing(), image->GetExtent());
+  }
+}
+
 void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
 {
+  this->LockSampleDistance();
   PropOfSelector prop(renderer->GetSelector());
   const std::optional<varimarch::Frame> frame = varimarch::FrameOf(this, renderer, volume);
   if (frame)
@@ -312,6 +323,8 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
+  os << indent << "LockSampleDistanceToInputSpacing: " << this->LockSampleDistanceToInputSpacing
+     << "\n";
   os << indent << "EarlyTerminationTransmittance: " << this->EarlyTerminationTransmittance << "\n";
   os << indent << "NanColor: " << this->NanColor[0] << ", " << this->NanColor[1] << ", "
      << this->NanColor[2] << "\n";

@@ -53,8 +53,11 @@
  * colour, in parts of 255, of the largest number of 16 bit types, or of 1 for floats. Their light
  * is that on the first component.
  *
- * Not for: rectilinear grids, cell data, isosurface and slice blending. They
- * are reported as errors.
+ * Interpolation is what the property says, by default nearest as everywhere in VTK: voxels are then
+ * boxes of one value, and drawn exactly. So are isosurfaces, and slices by a function of second
+ * degree, such as a vtkPlane or vtkSphere; steps and error tolerance have no say in these.
+ *
+ * Not for: rectilinear grids, and isosurfaces of several components. They are reported as errors.
  *
  * @sa vtkVolumeMapper vtkVolumeProperty
  */
@@ -180,6 +183,17 @@ public:
    */
   vtkSetClampMacro(SampleDistance, double, 1e-30, 1e30);
   vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * While on, SampleDistance is set with every picture to what VTK derives from the spacing of the
+   * input: half the mean spacing, less for few voxels (vtkVolumeMapper). Default off. Like
+   * SampleDistance it has an effect only while AutoAdjustSampleDistances is off.
+   */
+  vtkSetClampMacro(LockSampleDistanceToInputSpacing, vtkTypeBool, 0, 1);
+  vtkGetMacro(LockSampleDistanceToInputSpacing, vtkTypeBool);
+  vtkBooleanMacro(LockSampleDistanceToInputSpacing, vtkTypeBool);
   ///@}
 
   ///@{
@@ -346,6 +360,7 @@ protected:
   double VariationTolerance = -1.0;
   double SampleDistance = 1.0;
   vtkTypeBool AutoAdjustSampleDistances = 1;
+  vtkTypeBool LockSampleDistanceToInputSpacing = 0;
   double EarlyTerminationTransmittance = 1.0 / 1024.0;
   double NanColor[3] = { 0.5, 0.0, 0.0 };
   double NanOpacity = 0.0;
@@ -361,6 +376,7 @@ protected:
   float FinalColorLevel = 0.5f;
 
 private:
+  void LockSampleDistance();
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
   void ReportOnce(const std::string& problem);
   void WarnOnce(const std::string& warning);

@@ -8,6 +8,7 @@
 #include "Scene/ProceduralVolume.h"
 #include "VolumeGeometry.h"
 
+#include <vtkCellData.h>
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
@@ -91,10 +92,17 @@ Blend BlendOf(int vtkBlendMode)
   }
 }
 
+// Of the points, or where these have none, of the cells.
+vtkDataArray* ScalarsOf(vtkImageData* image)
+{
+  vtkDataArray* const ofPoints = image->GetPointData()->GetScalars();
+  return ofPoints ? ofPoints : image->GetCellData()->GetScalars();
+}
+
 // Doubles hold the values of every type that is drawn here.
 std::vector<double> VoxelsOf(vtkImageData* image)
 {
-  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  vtkDataArray* const scalars = ScalarsOf(image);
   std::vector<double> voxels(scalars->GetNumberOfTuples());
   for (std::size_t i = 0; i < voxels.size(); ++i)
   {
@@ -138,7 +146,8 @@ bool MapperScene::IsNearest()
 
 VolumeGeometry MapperScene::ReferenceGeometry()
 {
-  VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
+  VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume,
+    this->image->GetPointData()->GetScalars() ? VoxelPlace::Points : VoxelPlace::Cells);
   if (this->IsNearest())
   {
     const glm::dmat4 voxelFromCell = glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5));
@@ -166,7 +175,7 @@ std::vector<float> MapperScene::Truth(double tolerance)
     isovalues, isovalues + property->GetIsoSurfaceValues()->GetNumberOfContours());
   scene.blend = BlendOf(this->mapper->GetBlendMode());
   double range[2];
-  this->image->GetPointData()->GetScalars()->GetFiniteRange(range);
+  ScalarsOf(this->image)->GetFiniteRange(range);
   scene.grayRange = { range[0], range[1] };
   const double* const nanColor = this->mapper->GetNanColor();
   scene.gap = { { nanColor[0], nanColor[1], nanColor[2] },

@@ -117,12 +117,18 @@ const std::vector<Change> ForwardedSettings{
       plane->SetNormal(1.0, 0.0, 0.0);
       mapper->AddClippingPlane(plane);
     } },
-};
-
-const std::vector<Change> UnsupportedSettings{
   { "Nearest",
     [](vtkGPUVolumeRayCastMapper*, MapperScene& scene)
     { scene.volume->GetProperty()->SetInterpolationTypeToNearest(); } },
+  { "IsoSurface",
+    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene& scene)
+    {
+      scene.volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 200.0);
+      mapper->SetBlendModeToIsoSurface();
+    } },
+};
+
+const std::vector<Change> UnsupportedSettings{
   { "Mask",
     [](vtkGPUVolumeRayCastMapper* mapper, MapperScene& scene)
     {
@@ -147,12 +153,6 @@ const std::vector<Change> UnsupportedSettings{
     {
       scene.volume->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::RenderToImage::Exit",
         true, "fragOutput0.r = 0.5; //VTK::RenderToImage::Exit", false);
-    } },
-  { "IsoSurface",
-    [](vtkGPUVolumeRayCastMapper* mapper, MapperScene& scene)
-    {
-      scene.volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 200.0);
-      mapper->SetBlendModeToIsoSurface();
     } },
 };
 
