@@ -65,31 +65,6 @@ BrickRanges RangesOf(const VoxelChannel& channel, glm::ivec3 dimensions, const S
   return {};
 }
 
-// For the voxels of a region 0, or NaN where any channel is not finite.
-std::vector<float> GapsOf(const ScalarRegion& region)
-{
-  const glm::ivec3 count = region.voxels.count;
-  std::vector<float> gaps(std::size_t(count.x) * count.y * count.z);
-  std::size_t voxel = 0;
-  for (int z = 0; z < count.z; ++z)
-  {
-    for (int y = 0; y < count.y; ++y)
-    {
-      for (int x = 0; x < count.x; ++x, ++voxel)
-      {
-        const glm::ivec3 at = region.voxels.first + glm::ivec3(x, y, z);
-        const vtkIdType tuple =
-          at.x + vtkIdType(region.dimensions.x) * (at.y + vtkIdType(region.dimensions.y) * at.z);
-        for (const VoxelChannel& channel : region.channels)
-        {
-          gaps[voxel] += float(0.0 * channel.array->GetComponent(tuple, channel.component));
-        }
-      }
-    }
-  }
-  return gaps;
-}
-
 class Stopwatch
 {
 public:
@@ -136,19 +111,9 @@ void AccelerationField::BuildScalarField(
   this->Upload(window, field.cellCount, field.cells);
 }
 
-void AccelerationField::BuildGaps(vtkOpenGLRenderWindow* window, const ScalarRegion& region)
+void AccelerationField::SetGaps(vtkOpenGLRenderWindow* window, const GapField& gaps)
 {
-  // Whatever is finite is within this tolerance.
-  const double unlimited = std::numeric_limits<double>::infinity();
-  if (region.channels.size() == 1 && region.channels.front().array->GetNumberOfComponents() == 1)
-  {
-    this->BuildScalarField(window, region, unlimited);
-    return;
-  }
-  const std::vector<float> gaps = GapsOf(region);
-  const VariationField field =
-    BuildVariationField(ScalarGrid<float>(gaps.data(), region.voxels.count), unlimited);
-  this->Upload(window, field.cellCount, field.cells);
+  this->Upload(window, gaps.count, gaps.texels);
 }
 
 void AccelerationField::BuildRanges(

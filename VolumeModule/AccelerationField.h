@@ -2,6 +2,7 @@
 #define Varimarch_AccelerationField_h
 
 #include "Core/BrickRanges.h"
+#include "Core/GapField.h"
 #include "Core/OpticalField.h"
 #include "VolumeTexture.h"
 
@@ -31,10 +32,9 @@ public:
   void BuildScalarField(
     vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance);
 
-  /// The field of cells that a voxel touches which is not finite in any channel: the scalar field
-  /// of an unlimited tolerance.
+  /// What is left out, which only looks like an acceleration.
   /// @throws std::runtime_error when the device cannot hold the texture
-  void BuildGaps(vtkOpenGLRenderWindow* window, const ScalarRegion& region);
+  void SetGaps(vtkOpenGLRenderWindow* window, const GapField& gaps);
 
   /// The part of the optical field that reads the volume; kept for every later BuildOpticalField.
   void BuildRanges(

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Frame_h
 #define Varimarch_Frame_h
 
+#include "BlockGaps.h"
 #include "Core/RenderSettings.h"
 #include "Cuts.h"
 #include "PassOfVolume.h"
@@ -37,6 +38,7 @@ struct Frame
   VoxelChannels channels; ///< what of the scalars is drawn
   vtkMTimeType scalarsTime;
   VolumeGeometry geometry;
+  Blanking blanking;
   Cuts cuts; ///< what of it is drawn
   Viewport viewport;
   RenderSettings settings;

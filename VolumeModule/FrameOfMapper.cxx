@@ -15,6 +15,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -255,6 +256,12 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   return settings;
 }
 
+// None where no flag says anything.
+vtkUnsignedCharArray* FlagsIn(vtkUnsignedCharArray* flags)
+{
+  return flags && flags->GetNumberOfTuples() > 0 && flags->GetRange()[1] > 0.0 ? flags : nullptr;
+}
+
 // Ascending, each once.
 std::vector<double> IsovaluesOf(vtkVolumeProperty* property)
 {
@@ -315,6 +322,8 @@ std::optional<Frame> FrameOf(
   frame.geometry = VolumeGeometryOf(input->image, volume, input->place);
   frame.viewport = ViewportOf(renderer);
   frame.settings = SettingsOf(mapper, renderer, frame.property, input->scalars);
+  frame.blanking = { FlagsIn(input->image->GetPointGhostArray()),
+    FlagsIn(input->image->GetCellGhostArray()), input->place, frame.settings.nearest };
   for (int component = 0; component < frame.settings.componentCount; ++component)
   {
     frame.channels.push_back({ input->scalars, component });

@@ -53,6 +53,7 @@ void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* window)
 
 void RayMarcher::UpdateVolume(const Frame& frame)
 {
+  this->blocks.SetBlanking(frame.blanking);
   if (this->volumeSource == frame.channels && this->volumeTime == frame.scalarsTime)
   {
     return;

@@ -157,7 +157,7 @@ void RayMarcher::UpdateBlocks(Frame& frame)
   {
     this->accumulation.Release(frame.window);
     this->blocks.BeginPicture(frame.window, { 0 }, this->BytesForBlocks(frame));
-    frame.settings.gaps = !this->blocks.Take(frame.window, 0).volume.AllFinite();
+    frame.settings.gaps = this->blocks.Take(frame.window, 0).HasGaps();
     return;
   }
   if (frame.settings.countFetches)
@@ -173,7 +173,7 @@ void RayMarcher::UpdateBlocks(Frame& frame)
       "in blocks: the maximum graphics memory, or the device's 3D textures, "
       "are too small for it");
   }
-  frame.settings.gaps = !this->blocks.Texels().integers; // each block will tell
+  frame.settings.gaps = this->blocks.MayHaveGaps(); // each block will tell
 }
 
 // Rays outside what can be seen are not begun, and others begin where it does.
@@ -279,7 +279,7 @@ void RayMarcher::DrawBlock(Frame frame, int block)
   const glm::bvec3 isShared = glm::lessThan(upper, frame.cuts.boxGrid.upper);
   const DrawnBlock drawn{ &this->blocks.Take(frame.window, block), partition.VoxelsOf(block),
     visible, cover, glm::mix(glm::dvec3(Nowhere), upper, isShared) };
-  frame.settings.gaps = !drawn.block->volume.AllFinite();
+  frame.settings.gaps = drawn.block->HasGaps();
   this->UpdateProgram(frame);
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   this->accumulation.Keep(PixelsOf(cover, clipFromGrid, frame.viewport));

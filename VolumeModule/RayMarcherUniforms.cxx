@@ -71,6 +71,7 @@ void RayMarcher::SetGapUniforms(const Frame& frame, const DrawnBlock& drawn)
   this->program.Set("gapTexture", gaps.Texture());
   this->program.Set("gapCellCount", cells);
   this->program.Set("gapCellCountInverse", 1.0 / cells);
+  this->program.Set("gapShift", frame.blanking.IsOfVoxels() ? 0.5 : 0.0);
   this->program.Set("gapVoxelCount", glm::dvec3(drawn.voxels.count));
   if (FillsGaps(frame.settings))
   {

@@ -26,6 +26,22 @@ void VolumeBlocks::SetVoxels(const VoxelChannels& newChannels, glm::ivec3 newDim
   }
 }
 
+void VolumeBlocks::SetBlanking(const Blanking& newBlanking)
+{
+  if (newBlanking == this->blanking)
+  {
+    return;
+  }
+  this->blanking = newBlanking;
+  for (const auto& block : this->blocks)
+  {
+    if (block)
+    {
+      block->gapsAreCurrent = false;
+    }
+  }
+}
+
 void VolumeBlocks::SetScalarField(vtkWindow* window, std::optional<double> tolerance)
 {
   this->scalarTolerance = tolerance;
@@ -42,7 +58,7 @@ void VolumeBlocks::SetScalarField(vtkWindow* window, std::optional<double> toler
 
 std::size_t VolumeBlocks::BytesPerVoxel() const
 {
-  const std::size_t gapBytes = this->Texels().integers ? 0 : 1;
+  const std::size_t gapBytes = this->MayHaveGaps() ? 1 : 0;
   return this->texels.size() * this->Texels().BytesPerTexel() + gapBytes +
     (this->scalarTolerance ? 1 : 0);
 }
@@ -100,6 +116,7 @@ const VolumeBlock& VolumeBlocks::Take(vtkOpenGLRenderWindow* window, int block)
   {
     this->Upload(window, *taken, region);
   }
+  this->UpdateGaps(window, *taken, region);
   this->UpdateScalarField(window, *taken, region);
   return *taken;
 }
@@ -109,16 +126,27 @@ void VolumeBlocks::Upload(
 {
   block.scalarTolerance.reset();
   block.volume.Upload(window, region, this->texels);
-  if (block.volume.AllFinite())
+  block.isCurrent = true;
+  block.gapsAreCurrent = false;
+  ++this->uploads;
+}
+
+void VolumeBlocks::UpdateGaps(
+  vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region)
+{
+  if (block.gapsAreCurrent)
+  {
+    return;
+  }
+  if (block.volume.AllFinite() && !this->blanking.Any())
   {
     block.gaps.Release(window);
   }
   else
   {
-    block.gaps.BuildGaps(window, region);
+    block.gaps.SetGaps(window, GapFieldOf(region, this->blanking));
   }
-  block.isCurrent = true;
-  ++this->uploads;
+  block.gapsAreCurrent = true;
 }
 
 void VolumeBlocks::UpdateScalarField(

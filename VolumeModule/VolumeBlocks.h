@@ -2,6 +2,7 @@
 #define Varimarch_VolumeBlocks_h
 
 #include "AccelerationField.h"
+#include "BlockGaps.h"
 #include "Core/BlockPartition.h"
 #include "Core/BlockResidency.h"
 #include "VolumeTexture.h"
@@ -19,11 +20,13 @@ namespace varimarch
 struct VolumeBlock
 {
   VolumeTexture volume;
-  AccelerationField gaps; ///< which cells have a voxel that is not finite; empty when none has
+  AccelerationField gaps; ///< what is left out; empty where nothing is
   AccelerationField scalarField;
-  bool isCurrent = false;                ///< whether it holds the scalars as they are now
+  bool isCurrent = false; ///< whether it holds the scalars as they are now
+  bool gapsAreCurrent = false;
   std::optional<double> scalarTolerance; ///< that the field was built for
 
+  bool HasGaps() const { return this->gaps.Bytes() > 0; }
   std::size_t Bytes() const
   {
     return this->volume.Bytes() + this->gaps.Bytes() + this->scalarField.Bytes();
@@ -38,6 +41,10 @@ class VolumeBlocks
 public:
   /// All blocks will be uploaded anew, into the textures that are there.
   void SetVoxels(const VoxelChannels& channels, glm::ivec3 dimensions);
+
+  /// What is left out beside voxels that are not finite; flags that have changed count as scalars.
+  void SetBlanking(const Blanking& newBlanking);
+  bool MayHaveGaps() const { return !this->Texels().integers || this->blanking.Any(); }
 
   /// The published field is of cells, and so a matter of blocks. None: no block has it.
   void SetScalarField(vtkWindow* window, std::optional<double> tolerance);
@@ -72,12 +79,14 @@ public:
 private:
   void LetGo(vtkWindow* window, const std::vector<int>& released);
   void Upload(vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
+  void UpdateGaps(vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
   void UpdateScalarField(
     vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
 
   VoxelChannels channels;
   glm::ivec3 dimensions = glm::ivec3(0);
   std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< of each channel
+  Blanking blanking;
   std::optional<double> scalarTolerance;
   BlockPartition partition;
   BlockResidency residency;

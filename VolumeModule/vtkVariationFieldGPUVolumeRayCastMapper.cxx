@@ -29,12 +29,6 @@ struct Setting
   const char* sentence;
 };
 
-bool HasBlanking(vtkDataSet* input)
-{
-  auto* image = vtkImageData::SafeDownCast(input);
-  return image && (image->HasAnyBlankPoints() || image->HasAnyBlankCells());
-}
-
 }
 
 vtkStandardNewMacro(vtkVariationFieldGPUVolumeRayCastMapper);
@@ -88,7 +82,6 @@ std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting(vtkVolum
 {
   const Setting settings[] = {
     { vtkMultiVolume::SafeDownCast(volume) != nullptr, "A vtkMultiVolume is not supported yet. " },
-    { HasBlanking(this->GetInput()), "Blanked points and cells are not supported yet. " },
     { this->MaskInput != nullptr, "Masks are not supported yet. " },
     { this->UseDepthPass != 0, "A depth pass is not supported yet. " },
     { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR,

@@ -198,16 +198,21 @@ TEST(GPUAdapter, GoesBackToTheVariationFieldWhenTheFeatureIsOff)
   EXPECT_EQ(scene.Draw(), before);
 }
 
-TEST(GPUAdapter, LeavesOtherInputsToVtksMapper)
+TEST(GPUAdapter, LeavesOutWhatIsBlanked)
 {
   const vtkSmartPointer<vtkImageData> image = SmallTorso();
   vtkNew<vtkUniformGrid> blanked;
   blanked->ShallowCopy(image);
-  blanked->BlankPoint(blanked->GetNumberOfPoints() / 2);
   MapperScene scene(blanked);
   vtkNew<vtkVariationFieldGPUVolumeRayCastMapper> adapter;
-  Drawn(scene, adapter, Nothing);
-  EXPECT_NE(std::string(adapter->GetReasonForVtkMapper()), "");
+  const std::vector<float> before = Drawn(scene, adapter, Nothing);
+  for (vtkIdType point = 0; point < blanked->GetNumberOfPoints() / 2; ++point)
+  {
+    blanked->BlankPoint(point);
+  }
+  blanked->Modified();
+  EXPECT_NE(Drawn(scene, adapter, Nothing), before);
+  EXPECT_STREQ(adapter->GetReasonForVtkMapper(), "");
 }
 
 TEST_P(ForwardedSetting, IsDrawnAsByTheMapperItself)

@@ -1,0 +1,39 @@
+#ifndef Varimarch_BlockGaps_h
+#define Varimarch_BlockGaps_h
+
+#include "Core/GapField.h"
+#include "VolumeGeometry.h"
+#include "VolumeTexture.h"
+
+class vtkUnsignedCharArray;
+
+namespace varimarch
+{
+
+/// What of a volume is left out, beside voxels that are not finite: points and cells whose ghost
+/// flags say anything, as vtkUniformGrid::BlankPoint and duplicates between processes have it.
+struct Blanking
+{
+  vtkUnsignedCharArray* points = nullptr; ///< none: no flags, or none that says anything
+  vtkUnsignedCharArray* cells = nullptr;
+  VoxelPlace place = VoxelPlace::Points; ///< what the voxels are
+  bool nearest = false;                  ///< voxels are boxes of one value
+
+  bool Any() const { return this->points || this->cells; }
+
+  /// Whether gaps are of voxels as boxes, not of the cells between them.
+  bool IsOfVoxels() const;
+
+  bool operator==(const Blanking& other) const
+  {
+    return this->points == other.points && this->cells == other.cells &&
+      this->place == other.place && this->nearest == other.nearest;
+  }
+};
+
+/// The gaps of a region of a volume.
+GapField GapFieldOf(const ScalarRegion& region, const Blanking& blanking);
+
+}
+
+#endif
