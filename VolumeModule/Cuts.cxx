@@ -58,8 +58,9 @@ void Cut(Cuts& cuts, const glm::dvec4& planeGrid)
   upper = planeGrid[*axis] < 0.0 ? std::min(upper, place) : upper;
 }
 
-void Clip(Cuts& cuts, vtkPlaneCollection* planes, const glm::dmat4& worldFromGrid)
+std::vector<glm::dvec4> PlanesInGrid(vtkPlaneCollection* planes, const glm::dmat4& worldFromGrid)
 {
+  std::vector<glm::dvec4> planesGrid;
   vtkCollectionSimpleIterator iterator;
   planes->InitTraversal(iterator);
   while (vtkPlane* plane = planes->GetNextPlane(iterator))
@@ -68,8 +69,9 @@ void Clip(Cuts& cuts, vtkPlaneCollection* planes, const glm::dmat4& worldFromGri
     const double* origin = plane->GetOrigin();
     const glm::dvec3 normalWorld(normal[0], normal[1], normal[2]);
     const double offset = -glm::dot(normalWorld, { origin[0], origin[1], origin[2] });
-    Cut(cuts, PlaneInGrid({ normalWorld, offset }, worldFromGrid));
+    planesGrid.push_back(PlaneInGrid({ normalWorld, offset }, worldFromGrid));
   }
+  return planesGrid;
 }
 
 void Crop(Cuts& cuts, vtkVolumeMapper* mapper, const glm::dmat4& dataFromGrid)
@@ -125,12 +127,15 @@ std::vector<double> Cuts::Numbers() const
   return numbers;
 }
 
-Cuts CutsOf(vtkVolumeMapper* mapper, const VolumeGeometry& geometry)
+Cuts CutsOf(vtkVolumeMapper* mapper, const VolumeGeometry& geometry, bool keepPlanes)
 {
   Cuts cuts{ geometry.boxGrid, {}, {} };
   if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
   {
-    Clip(cuts, planes, geometry.worldFromGrid);
+    for (const glm::dvec4& plane : PlanesInGrid(planes, geometry.worldFromGrid))
+    {
+      keepPlanes ? cuts.planesGrid.push_back(plane) : Cut(cuts, plane);
+    }
   }
   if (mapper->GetCropping())
   {

@@ -36,7 +36,8 @@ struct Cuts
 
 /// Clipping planes are in the world, cropping planes in coordinates of the data: with the image's
 /// origin, spacing and direction, without the volume's matrix.
-Cuts CutsOf(vtkVolumeMapper* mapper, const VolumeGeometry& geometry);
+/// @param keepPlanes  whether clipping planes along the axes of the grid stay planes
+Cuts CutsOf(vtkVolumeMapper* mapper, const VolumeGeometry& geometry, bool keepPlanes);
 
 }
 

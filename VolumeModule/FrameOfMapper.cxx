@@ -298,6 +298,16 @@ bool ChooseSurfaces(Frame& frame)
   return true;
 }
 
+void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  const bool seesCuts = frame.property->GetUseClippedVoxelIntensity() != 0 &&
+    frame.settings.components == Components::One;
+  frame.cuts = CutsOf(mapper, frame.geometry, seesCuts);
+  frame.settings.clipping = !frame.cuts.planesGrid.empty();
+  frame.settings.clippedGradients = seesCuts && frame.settings.clipping;
+  frame.settings.cropping = frame.cuts.regions.has_value();
+}
+
 }
 
 std::optional<Frame> FrameOf(
@@ -332,9 +342,7 @@ std::optional<Frame> FrameOf(
   {
     return std::nullopt;
   }
-  frame.cuts = CutsOf(mapper, frame.geometry);
-  frame.settings.clipping = !frame.cuts.planesGrid.empty();
-  frame.settings.cropping = frame.cuts.regions.has_value();
+  ChooseCuts(mapper, frame);
   const double* averaged = mapper->GetAverageIPScalarRange();
   frame.averagedRange = { averaged[0], averaged[1] };
   frame.gapOptical = GapOptical(

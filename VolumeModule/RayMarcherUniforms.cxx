@@ -86,6 +86,8 @@ void RayMarcher::SetCutUniforms(const Frame& frame)
     this->clippingPlanes.Texture()->Activate();
     this->program.Set("clippingPlanes", this->clippingPlanes.Texture());
     this->program.Set("clippingPlaneCount", int(frame.cuts.planesGrid.size()));
+    this->program.Set("clippedScalar",
+      this->blocks.Texels().mapping.LimitedTexelOf(frame.property->GetClippedVoxelIntensity()));
   }
   if (frame.settings.cropping && frame.settings.pass != RayPass::Picture)
   {

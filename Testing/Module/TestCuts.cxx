@@ -282,6 +282,28 @@ TEST(Cuts, NormalsAtACutAreThoseOfTheData)
   ExpectTruth(scene, 0.2, 4.0);
 }
 
+TEST(Cuts, ACutIsASurfaceWhereItsIntensityIsGiven)
+{
+  // Opaque, without a gradient of its own: ambient light only, but for the cut.
+  HalvingScene scene;
+  scene.opacities->AddPoint(0.0, 1.0);
+  vtkVolumeProperty* const property = scene.volume->GetProperty();
+  property->ShadeOn();
+  property->SetAmbient(0.1);
+  property->SetDiffuse(0.6);
+  property->SetSpecular(0.0);
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(0.0, 0.0, -1.0);
+  plane->SetOrigin(0.0, 0.0, 5.3);
+  scene.mapper->AddClippingPlane(plane);
+  const auto middle = [&] { return scene.Draw()[4 * (10 * 20 + 10)]; };
+  EXPECT_NEAR(middle(), 0.1, 1e-5);
+  property->UseClippedVoxelIntensityOn();
+  property->SetClippedVoxelIntensity(0.0);
+  EXPECT_NEAR(middle(), 0.1 + 0.6, 1e-5);
+  EXPECT_TRUE(Uses(scene, "Gradient/ClippedDifferences.glsl"));
+}
+
 TEST(Cuts, AVolumeInBlocksIsCutAsTheWholeIs)
 {
   MapperScene scene(ProceduralVolume({ ProceduralKind::Torso, { 64, 56, 48 }, 7 }), Size);

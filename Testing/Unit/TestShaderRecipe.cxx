@@ -176,7 +176,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 129u);
+  EXPECT_EQ(distinct.size(), 130u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -108,7 +108,11 @@ std::vector<RenderSettings> RecipesWithCuts()
     recipes.back().clipping = clipping;
     recipes.back().cropping = cropping;
   }
-  RenderSettings inBlocks = recipes.back();
+  RenderSettings lit = recipes.front();
+  lit.shading = true;
+  lit.clippedGradients = true;
+  recipes.push_back(lit);
+  RenderSettings inBlocks = recipes[2];
   inBlocks.pass = RayPass::Block;
   recipes.push_back(inBlocks);
   inBlocks.pass = RayPass::Picture;

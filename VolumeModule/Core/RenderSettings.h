@@ -107,9 +107,10 @@ struct RenderSettings
   bool nearest = false;                            ///< voxels are boxes of one value
   bool clipping = false;                           ///< end rays at clipping planes
   bool cropping = false;                           ///< leave out regions of the volume
-  bool gaps = false;         ///< leave out cells that touch a voxel that is not finite,
-  bool fillGaps = false;     ///< or draw them in a colour of their own; composite only
-  bool countFetches = false; ///< draw how often each ray has read the volume, not the picture
+  bool clippedGradients = false; ///< gradients see a cut as a surface; one component only
+  bool gaps = false;             ///< leave out cells that touch a voxel that is not finite,
+  bool fillGaps = false;         ///< or draw them in a colour of their own; composite only
+  bool countFetches = false;     ///< draw how often each ray has read the volume, not the picture
   RayPass pass = RayPass::Whole;
   bool lights = false; ///< shading by all lights of the scene, not by a head light alone
   Components components = Components::One;

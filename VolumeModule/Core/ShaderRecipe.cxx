@@ -216,14 +216,19 @@ std::string ShadeFile(const RenderSettings& settings)
   return settings.lights ? "Shade/Lights.glsl" : "Shade/HeadLight.glsl";
 }
 
+std::string GradientFile(const RenderSettings& settings)
+{
+  return settings.clippedGradients ? "Gradient/ClippedDifferences.glsl"
+                                   : "Gradient/CentralDifferences.glsl";
+}
+
 std::vector<std::string> MaterialParts(const RenderSettings& settings)
 {
   const std::string opacity =
     settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl";
   if (settings.components == Components::One)
   {
-    return { "Gradient/CentralDifferences.glsl", ShadeFile(settings), opacity,
-      "Material/OneComponent.glsl" };
+    return { GradientFile(settings), ShadeFile(settings), opacity, "Material/OneComponent.glsl" };
   }
   return { UsesGradients(settings) ? "Gradient/CentralDifferencesOfAll.glsl"
                                    : "Gradient/NoneOfAll.glsl",
@@ -235,7 +240,7 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
 {
   if (settings.blend == Blend::Isosurface)
   {
-    return { "Gradient/CentralDifferences.glsl", ShadeFile(settings) };
+    return { GradientFile(settings), ShadeFile(settings) };
   }
   std::vector<std::string> parts = ClassifyParts(settings);
   if (MarchesMaterial(settings))

@@ -50,6 +50,8 @@ float DepthLimit(Ray ray);
 
 // --- Clip: which part of a ray clipping planes leave ------------------------------------------
 Interval Clipped(Ray ray, Interval inside);
+// Whether they cut a place away; only where there are planes.
+bool IsClipped(vec3 positionGrid);
 
 // --- Jitter: where a ray has its first sample ------------------------------------------------
 // Length of the first segment of a ray, as a part of the others' (0, 1].

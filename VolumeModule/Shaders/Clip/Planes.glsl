@@ -3,6 +3,16 @@
 uniform samplerBuffer clippingPlanes; // grid space; dot(plane, position) >= 0 is left
 uniform int clippingPlaneCount;
 
+bool IsClipped(vec3 positionGrid)
+{
+  bool clipped = false;
+  for (int i = 0; i < clippingPlaneCount; ++i)
+  {
+    clipped = clipped || dot(texelFetch(clippingPlanes, i), vec4(positionGrid, 1.0)) < 0.0;
+  }
+  return clipped;
+}
+
 Interval Clipped(Ray ray, Interval inside)
 {
   for (int i = 0; i < clippingPlaneCount; ++i)
