@@ -76,10 +76,12 @@ void RayMarcher::SetPassUniforms(const Frame& frame, const glm::dmat4& clipFromG
   }
   if (pass == RayPass::PickVoxel)
   {
-    const bool cells = frame.volumePass.picksCells;
-    this->program.Set(
-      "pickedCount", glm::dvec3(glm::max(frame.geometry.dimensions - int(cells), 1)));
-    this->program.Set("pickedOffset", cells ? 0.0 : 0.5);
+    // A voxel is a point, or a cell that lies half a voxel behind its first point.
+    const int cells = frame.volumePass.picksCells ? 1 : 0;
+    const int voxelsAreCells = frame.blanking.place == VoxelPlace::Cells ? 1 : 0;
+    const glm::ivec3 count = frame.geometry.dimensions + voxelsAreCells - cells;
+    this->program.Set("pickedCount", glm::dvec3(glm::max(count, 1)));
+    this->program.Set("pickedOffset", 0.5 * (1 + voxelsAreCells - cells));
     this->program.Set("pickedHighestBits", int(frame.volumePass.highestBits));
   }
 }
