@@ -248,7 +248,7 @@ TEST(Errors, AreReportedOnceAndClearedByABetterInput)
 TEST(Errors, AnUnsupportedBlendModeIsNamed)
 {
   MapperScene scene(SmallTorso());
-  scene.mapper->SetBlendModeToIsoSurface();
+  scene.mapper->SetBlendMode(99);
   ExpectedVtkErrors errors;
   scene.window->Render();
   EXPECT_NE(errors.Text().find("is not supported: expected composite"), std::string::npos);
