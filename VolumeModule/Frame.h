@@ -38,6 +38,7 @@ struct Frame
   VoxelChannels channels; ///< what of the scalars is drawn
   vtkMTimeType scalarsTime;
   VolumeGeometry geometry;
+  std::vector<UnevenAxis> axes; ///< of a rectilinear grid; none of an image
   Blanking blanking;
   Cuts cuts; ///< what of it is drawn
   Viewport viewport;

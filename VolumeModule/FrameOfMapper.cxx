@@ -2,6 +2,7 @@
 
 #include "Core/ShaderRecipe.h"
 #include "Core/TransferFunction.h"
+#include "InputOfMapper.h"
 #include "Lights.h"
 #include "PictureOfMapper.h"
 #include "UserShaderCode.h"
@@ -9,7 +10,7 @@
 
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
-#include "vtkImageData.h"
+#include "vtkDataSet.h"
 #include "vtkImplicitFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
@@ -150,30 +151,6 @@ Components ComponentsOf(const std::string& name, int count, bool independent)
                      : Components::Rgba;
 }
 
-// The scalars to draw. Throws a sentence that tells what is wrong with the input.
-vtkDataArray* CheckedScalars(vtkImageData* image, vtkDataArray* scalars, int cellFlag)
-{
-  if (!scalars)
-  {
-    throw std::runtime_error("The input has no scalars to draw");
-  }
-  const std::string name = scalars->GetName() ? scalars->GetName() : "scalars";
-  constexpr int fieldData = 2;
-  if (cellFlag == fieldData)
-  {
-    throw std::runtime_error(
-      "Array \"" + name + "\" holds field data: expected point or cell data");
-  }
-  const vtkIdType count = cellFlag == 0 ? image->GetNumberOfPoints() : image->GetNumberOfCells();
-  if (scalars->GetNumberOfTuples() != count)
-  {
-    throw std::runtime_error("Array \"" + name + "\" has " +
-      std::to_string(scalars->GetNumberOfTuples()) + " values: expected one for each of " +
-      std::to_string(count) + (cellFlag == 0 ? " points" : " cells"));
-  }
-  return scalars;
-}
-
 void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   // Of the tolerance, the field and the early end of rays may use an eighth each.
@@ -197,32 +174,6 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
     : std::max(mapper->GetSampleDistance(), frame.geometry.ShortestSampleDistanceMm());
-}
-
-// What a mapper has as input.
-struct MapperInput
-{
-  vtkImageData* image;
-  vtkDataArray* scalars;
-  VoxelPlace place; ///< of the scalars
-};
-
-std::optional<MapperInput> InputOf(vtkVariationFieldVolumeMapper* mapper)
-{
-  auto* image = vtkImageData::SafeDownCast(mapper->GetInput());
-  if (!image)
-  {
-    throw std::runtime_error("The input is not vtkImageData");
-  }
-  if (image->GetNumberOfPoints() == 0)
-  {
-    return std::nullopt;
-  }
-  int cellFlag = 0;
-  vtkDataArray* scalars = vtkAbstractVolumeMapper::GetScalars(image, mapper->GetScalarMode(),
-    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
-  return MapperInput{ image, CheckedScalars(image, scalars, cellFlag),
-    cellFlag == 0 ? VoxelPlace::Points : VoxelPlace::Cells };
 }
 
 bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& settings)
@@ -298,6 +249,30 @@ bool ChooseSurfaces(Frame& frame)
   return true;
 }
 
+// Where voxels are, and which of them are left out.
+void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
+{
+  frame.axes = input.Axes(frame.settings.nearest);
+  frame.geometry = input.Geometry(volume, frame.axes);
+  frame.blanking = { FlagsIn(input.data->GetPointGhostArray()),
+    FlagsIn(input.data->GetCellGhostArray()), input.place, frame.settings.nearest };
+  if (frame.axes.empty())
+  {
+    return;
+  }
+  if (frame.settings.blend == Blend::Isosurface)
+  {
+    throw std::runtime_error("Isosurfaces of rectilinear grids are not supported");
+  }
+  if (frame.blanking.Any())
+  {
+    throw std::runtime_error("Blanked parts of rectilinear grids are not supported");
+  }
+  frame.settings.uneven = true;
+  // The fields are of an even grid.
+  frame.settings.acceleration = Acceleration::Off;
+}
+
 void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   const bool seesCuts = frame.property->GetUseClippedVoxelIntensity() != 0 &&
@@ -328,12 +303,10 @@ std::optional<Frame> FrameOf(
   frame.renderer = renderer;
   frame.property = volume->GetProperty();
   frame.scalars = input->scalars;
-  frame.scalarsTime = std::max(input->image->GetMTime(), input->scalars->GetMTime());
-  frame.geometry = VolumeGeometryOf(input->image, volume, input->place);
+  frame.scalarsTime = std::max(input->data->GetMTime(), input->scalars->GetMTime());
   frame.viewport = ViewportOf(renderer);
   frame.settings = SettingsOf(mapper, renderer, frame.property, input->scalars);
-  frame.blanking = { FlagsIn(input->image->GetPointGhostArray()),
-    FlagsIn(input->image->GetCellGhostArray()), input->place, frame.settings.nearest };
+  ChoosePlaces(*input, volume, frame);
   for (int component = 0; component < frame.settings.componentCount; ++component)
   {
     frame.channels.push_back({ input->scalars, component });

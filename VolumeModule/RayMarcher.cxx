@@ -29,6 +29,7 @@ void RayMarcher::Draw(Frame frame)
   this->UpdateNoise(frame);
   this->UpdateCuts(frame);
   this->UpdateIsosurfaces(frame);
+  this->UpdateSpacing(frame);
   this->UpdateBlocks(frame);
   this->UpdateTolerance(frame);
 
@@ -255,10 +256,11 @@ void RayMarcher::UpdateProgram(const Frame& frame)
 
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
-  return this->clippingPlanes.Bytes() + this->isosurfaces.Bytes() + this->blocks.Bytes() +
-    this->field.Bytes() + this->opticalTable.Bytes() + this->preIntegratedTable.Bytes() +
-    this->depth.Bytes() + this->lights.Bytes() + this->gradientOpacity.Bytes() +
-    this->probe.Bytes() + this->accumulation.Bytes() + this->picture.Bytes();
+  return this->clippingPlanes.Bytes() + this->isosurfaces.Bytes() + this->spacing.Bytes() +
+    this->blocks.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
+    this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
+    this->gradientOpacity.Bytes() + this->probe.Bytes() + this->accumulation.Bytes() +
+    this->picture.Bytes();
 }
 
 double RayMarcher::FieldBuildSeconds() const
@@ -282,6 +284,8 @@ void RayMarcher::Release(vtkWindow* window)
   this->gradientOpacitySource.clear();
   this->clippingPlanes.Release(window);
   this->isosurfaces.Release(window);
+  this->spacing.Release(window);
+  this->spacingBins.clear();
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource.clear();

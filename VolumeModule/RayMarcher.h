@@ -122,6 +122,8 @@ private:
   void UpdateExtremes(const Frame& frame);
   void UpdateIsosurfaceField(const Frame& frame);
   void UpdateIsosurfaces(const Frame& frame);
+  void UpdateSpacing(const Frame& frame);
+  void SetSpacingUniforms(const Frame& frame);
   void UpdateRanges(const Frame& frame);
   void UpdateDepth(const Frame& frame);
   void UpdateLights(const Frame& frame);
@@ -185,6 +187,8 @@ private:
   FloatBufferTexture lights; ///< only where there are others than head lights
   FloatBufferTexture clippingPlanes;
   FloatBufferTexture isosurfaces;
+  FloatBufferTexture spacing;         ///< only where voxels are at uneven places,
+  std::vector<glm::vec4> spacingBins; ///< made of these
   VolumeBoxGeometry boxGeometry;
   ProbeFramebuffer probe;
   RayAccumulation accumulation; ///< only where there are several blocks

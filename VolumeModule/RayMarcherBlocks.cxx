@@ -94,8 +94,8 @@ std::size_t RayMarcher::FixedBytes(const Frame& frame) const
     UsesPreIntegration(frame.settings) || (isTriedOut && frame.triesPreIntegration);
   const Viewport probed = ProbeFramebuffer::PixelsFor(frame.viewport);
   const std::size_t probeBytes = 4 * sizeof(float) * probed.width * probed.height;
-  return this->clippingPlanes.Bytes() + this->isosurfaces.Bytes() + this->field.Bytes() +
-    this->opticalTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
+  return this->clippingPlanes.Bytes() + this->isosurfaces.Bytes() + this->spacing.Bytes() +
+    this->field.Bytes() + this->opticalTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
     this->gradientOpacity.Bytes() + this->picture.Bytes() +
     (mayPreIntegrate ? PreIntegratedTableBytes(this->opticalTable.Table()) : 0) +
     (frame.errorTolerance > 0.0 ? probeBytes : 0);
@@ -158,7 +158,16 @@ void RayMarcher::UpdateBlocks(Frame& frame)
     this->accumulation.Release(frame.window);
     this->blocks.BeginPicture(frame.window, { 0 }, this->BytesForBlocks(frame));
     frame.settings.gaps = this->blocks.Take(frame.window, 0).HasGaps();
+    if (frame.settings.uneven && frame.settings.gaps)
+    {
+      throw std::runtime_error("Rectilinear grids with values that are not finite are not drawn");
+    }
     return;
+  }
+  if (frame.settings.uneven)
+  {
+    throw std::runtime_error("Rectilinear grids are not drawn in blocks: the maximum graphics "
+                             "memory, or the device's 3D textures, are too small for this one");
   }
   if (frame.settings.countFetches)
   {

@@ -94,7 +94,8 @@ void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
     this->gradientOpacity.Texture(), this->accumulation.Drawn(), this->accumulation.Finished() };
   const std::vector<vtkTextureObject*> ofPicture = this->picture.Textures();
   textures.insert(textures.end(), ofPicture.begin(), ofPicture.end());
-  textures.insert(textures.end(), { this->clippingPlanes.Texture(), this->isosurfaces.Texture() });
+  textures.insert(textures.end(),
+    { this->clippingPlanes.Texture(), this->isosurfaces.Texture(), this->spacing.Texture() });
   if (drawn.block)
   {
     textures.insert(textures.end(),

@@ -242,6 +242,10 @@ void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
   {
     this->SetExactUniforms(frame, drawn);
   }
+  if (frame.settings.uneven)
+  {
+    this->SetSpacingUniforms(frame);
+  }
   this->SetStepUniforms(frame, *drawn.block);
   if (UsesPreIntegration(frame.settings))
   {

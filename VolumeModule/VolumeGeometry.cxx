@@ -9,6 +9,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -29,6 +30,13 @@ glm::dmat4 FromVtk(vtkMatrix4x4* matrix)
   return glm::transpose(glm::make_mat4(matrix->GetData()));
 }
 
+// Of a gradient in VTK's sense: differences over distances, times the mean of these.
+glm::dvec3 GradientFactors(glm::dvec3 spacing)
+{
+  const glm::dvec3 absolute = glm::abs(spacing);
+  return (absolute.x + absolute.y + absolute.z) / 3.0 / (2.0 * absolute);
+}
+
 }
 
 glm::dmat3 VolumeGeometry::WorldFromGridNormal() const
@@ -39,7 +47,8 @@ glm::dmat3 VolumeGeometry::WorldFromGridNormal() const
 double VolumeGeometry::SmallestSpacingMm() const
 {
   const glm::dmat3 axes = this->WorldFromGridDirection();
-  return std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
+  return this->smallestGap *
+    std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
 }
 
 double VolumeGeometry::DiagonalMm() const
@@ -87,8 +96,29 @@ VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume, VoxelPla
     FromVtk(image->GetIndexToPhysicalMatrix()) * glm::translate(glm::dmat4(1.0), firstIndex);
   geometry.worldFromGrid = FromVtk(worldFromData) * geometry.dataFromGrid;
   const double* const spacing = image->GetSpacing();
-  const glm::dvec3 absolute(std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]));
-  geometry.gradientFactors = (absolute.x + absolute.y + absolute.z) / 3.0 / (2.0 * absolute);
+  geometry.gradientFactors = GradientFactors({ spacing[0], spacing[1], spacing[2] });
+  return geometry;
+}
+
+VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* volume)
+{
+  vtkNew<vtkMatrix4x4> worldFromData;
+  volume->GetMatrix(worldFromData);
+  VolumeGeometry geometry;
+  glm::dvec3 first;
+  glm::dvec3 step;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.dimensions[axis] = axes[axis].VoxelCount();
+    geometry.boxGrid.lower[axis] = axes[axis].LowerGrid();
+    geometry.boxGrid.upper[axis] = axes[axis].UpperGrid();
+    geometry.smallestGap = std::min(geometry.smallestGap, axes[axis].SmallestGapGrid());
+    first[axis] = axes[axis].FirstVoxel();
+    step[axis] = axes[axis].Step();
+  }
+  geometry.dataFromGrid = glm::scale(glm::translate(glm::dmat4(1.0), first), step);
+  geometry.worldFromGrid = FromVtk(worldFromData) * geometry.dataFromGrid;
+  geometry.gradientFactors = GradientFactors(step);
   return geometry;
 }
 

@@ -2,6 +2,7 @@
 #define Varimarch_VolumeGeometry_h
 
 #include "Core/Box.h"
+#include "Core/UnevenAxis.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -25,6 +26,8 @@ struct VolumeGeometry
   /// Mean spacing of the image over twice the spacing along each axis: what makes differences of
   /// voxels two apart the gradients that VTK's gradient opacity is a function of.
   glm::dvec3 gradientFactors;
+
+  double smallestGap = 1.0; ///< of neighbouring voxels, along any axis of the grid
 
   glm::dmat3 WorldFromGridDirection() const { return glm::dmat3(this->worldFromGrid); }
 
@@ -50,6 +53,9 @@ enum class VoxelPlace
   Points,
   Cells,
 };
+
+/// Of a rectilinear grid: the even grid from its first voxel to its last.
+VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* volume);
 
 VolumeGeometry VolumeGeometryOf(
   vtkImageData* image, vtkVolume* volume, VoxelPlace place = VoxelPlace::Points);

@@ -311,6 +311,7 @@ int vtkVariationFieldVolumeMapper::GetToleranceSearches()
 int vtkVariationFieldVolumeMapper::FillInputPortInformation(int, vtkInformation* information)
 {
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
   return 1;
 }
 

@@ -57,7 +57,9 @@
  * boxes of one value, and drawn exactly. So are isosurfaces, and slices by a function of second
  * degree, such as a vtkPlane or vtkSphere; steps and error tolerance have no say in these.
  *
- * Not for: rectilinear grids, and isosurfaces of several components. They are reported as errors.
+ * A rectilinear grid is interpolated between its own coordinates; it is marched without a field.
+ *
+ * Not for: isosurfaces of several components or of rectilinear grids. They are reported as errors.
  *
  * @sa vtkVolumeMapper vtkVolumeProperty
  */

@@ -31,11 +31,11 @@ Parts Changed(const RenderSettings& settings)
 TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   EXPECT_EQ(FragmentShaderParts(plain),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
-      "Blend/Composite.glsl", "Fetch/FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl",
-      "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
-      "RayMarch.frag.glsl" }));
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl", "Math/Absorption.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+      "Classify/OpticalTable.glsl", "Blend/Composite.glsl", "Fetch/FourScalars.glsl",
+      "March/Midpoint.glsl", "Gaps/None.glsl", "Crop/None.glsl", "Probe/None.glsl",
+      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -123,10 +123,11 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
 {
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
-      "Blend/MaximumIntensity.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Crop/None.glsl",
-      "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl", "Math/Absorption.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+      "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl", "March/Extreme.glsl",
+      "Gaps/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
+      "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
@@ -137,7 +138,7 @@ TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
     settings.nearest = nearest;
     const Parts parts = FragmentShaderParts(settings);
     // Between what every shader begins with and what every one ends with.
-    return Parts(parts.begin() + 2, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
+    return Parts(parts.begin() + 3, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
   };
   EXPECT_EQ(partsOf(Blend::Composite, true),
     (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
@@ -176,7 +177,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 130u);
+  EXPECT_EQ(distinct.size(), 132u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

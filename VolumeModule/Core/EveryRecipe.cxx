@@ -141,6 +141,11 @@ std::vector<RenderSettings> ExactRecipes()
     add(Blend::Slice, false, shading);
   }
   recipes.push_back({ Blend::Isosurface, Acceleration::OpticalField });
+  for (bool shading : { false, true })
+  {
+    recipes.push_back({ Blend::Composite, Acceleration::Off, shading });
+    recipes.back().uneven = true;
+  }
   return recipes;
 }
 

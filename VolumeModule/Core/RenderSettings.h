@@ -105,6 +105,7 @@ struct RenderSettings
   bool sceneGeometry = false;                      ///< stop rays at opaque geometry already drawn
   Integration integration = Integration::Midpoint; ///< of a composite without shading
   bool nearest = false;                            ///< voxels are boxes of one value
+  bool uneven = false;                             ///< voxels are at uneven places
   bool clipping = false;                           ///< end rays at clipping planes
   bool cropping = false;                           ///< leave out regions of the volume
   bool clippedGradients = false; ///< gradients see a cut as a surface; one component only
@@ -121,12 +122,13 @@ struct RenderSettings
 };
 
 /// Whether rays are sampled: steps then decide on a picture. Voxels as boxes are exact but for
-/// projections of several components, and so are surfaces.
+/// projections of several components and at uneven places, and so are surfaces.
 inline bool IsSampled(const RenderSettings& settings)
 {
   const bool severalProjected =
     settings.components != Components::One && IsProjection(settings.blend);
-  return (!settings.nearest || severalProjected) && !IsOfSurfaces(settings.blend);
+  return (!settings.nearest || severalProjected || settings.uneven) &&
+    !IsOfSurfaces(settings.blend);
 }
 
 }

@@ -87,7 +87,7 @@ std::string MarchFile(const RenderSettings& settings)
   {
     return "March/ComponentProjection.glsl";
   }
-  if (settings.nearest)
+  if (settings.nearest && !settings.uneven)
   {
     return MarchesMaterial(settings) ? "March/MaterialVoxels.glsl" : "March/Voxels.glsl";
   }
@@ -285,7 +285,7 @@ bool Walks(const RenderSettings& settings)
 bool UsesPreIntegration(const RenderSettings& settings)
 {
   return settings.integration == Integration::PreIntegrated && settings.blend == Blend::Composite &&
-    !settings.nearest && !MarchesMaterial(settings);
+    IsSampled(settings) && !MarchesMaterial(settings);
 }
 
 bool MarchesMaterial(const RenderSettings& settings)
@@ -349,7 +349,8 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     return ResampledParts(settings);
   }
-  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl" };
+  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl",
+    settings.uneven ? "Spacing/Uneven.glsl" : "Spacing/Even.glsl" };
   if (Walks(settings))
   {
     parts.push_back("Math/LatticeWalk.glsl");

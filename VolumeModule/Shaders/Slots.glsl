@@ -35,6 +35,10 @@ vec3 PositionTexture(Ray ray, float t)
   return ray.originTexture + t * ray.directionTexture;
 }
 
+// --- Spacing: where voxels are -----------------------------------------------------------------
+// The place in the texture of one in the even grid that rays are straight in.
+vec3 VoxelPlace(vec3 positionTexture);
+
 // --- Probe: observes the work of a ray -------------------------------------------------------
 // The stored scalars, of up to four components: texture values, which tables and thresholds are
 // scaled to. Every reading of the volume goes through here.

@@ -5,7 +5,7 @@ float fetches = 0.0;
 vec4 TexelAt(vec3 positionTexture)
 {
   fetches += 1.0;
-  return textureLod(volumeTexture, positionTexture, 0.0);
+  return textureLod(volumeTexture, VoxelPlace(positionTexture), 0.0);
 }
 
 float ScalarAt(vec3 positionTexture)

@@ -2,7 +2,7 @@
 
 vec4 TexelAt(vec3 positionTexture)
 {
-  return textureLod(volumeTexture, positionTexture, 0.0);
+  return textureLod(volumeTexture, VoxelPlace(positionTexture), 0.0);
 }
 
 float ScalarAt(vec3 positionTexture)

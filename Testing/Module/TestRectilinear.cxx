@@ -1,0 +1,216 @@
+// Rectilinear grids: values are between the coordinates that they have, and lengths are those of
+// the world.
+
+#include "Module/MapperScene.h"
+#include "PropertyTransferFunction.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+
+#include <glm/vec3.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+using Places = std::array<std::vector<double>, 3>;
+
+vtkSmartPointer<vtkDoubleArray> ArrayOf(const std::vector<double>& numbers)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  for (double number : numbers)
+  {
+    array->InsertNextValue(number);
+  }
+  return array;
+}
+
+// Places as uneven as a boundary layer's, the last at `extent`.
+std::vector<double> UnevenPlaces(int count, double extent, double power)
+{
+  std::vector<double> places;
+  for (int i = 0; i < count; ++i)
+  {
+    places.push_back(extent * std::pow(double(i) / (count - 1), power));
+  }
+  return places;
+}
+
+double Wave(int x, int y, int z)
+{
+  return 0.5 + 0.25 * std::sin(0.7 * x + 0.3 * y) + 0.25 * std::cos(0.5 * y - 0.6 * z + 1.0);
+}
+
+vtkSmartPointer<vtkRectilinearGrid> WaveGrid(const Places& places)
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  const int counts[3] = { int(places[0].size()), int(places[1].size()), int(places[2].size()) };
+  grid->SetDimensions(counts);
+  grid->SetXCoordinates(ArrayOf(places[0]));
+  grid->SetYCoordinates(ArrayOf(places[1]));
+  grid->SetZCoordinates(ArrayOf(places[2]));
+  vtkNew<vtkFloatArray> values;
+  for (int i = 0; i < counts[0] * counts[1] * counts[2]; ++i)
+  {
+    values->InsertNextValue(
+      float(Wave(i % counts[0], i / counts[0] % counts[1], i / counts[0] / counts[1])));
+  }
+  grid->GetPointData()->SetScalars(values);
+  return grid;
+}
+
+// An image with the even grid of a rectilinear one: as many voxels between the same ends.
+vtkSmartPointer<vtkImageData> EvenImage(const Places& places)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(int(places[0].size()), int(places[1].size()), int(places[2].size()));
+  image->SetOrigin(places[0].front(), places[1].front(), places[2].front());
+  double spacing[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = (places[axis].back() - places[axis].front()) / double(places[axis].size() - 1);
+  }
+  image->SetSpacing(spacing);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  return image;
+}
+
+// Interpolated between the coordinates, by a search.
+double ValueAt(const Places& places, glm::dvec3 position)
+{
+  int lower[3];
+  double weight[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& all = places[axis];
+    const auto upper = std::upper_bound(all.begin() + 1, all.end() - 1, position[axis]);
+    lower[axis] = int(upper - all.begin()) - 1;
+    weight[axis] = std::clamp(
+      (position[axis] - all[lower[axis]]) / (all[lower[axis] + 1] - all[lower[axis]]), 0.0, 1.0);
+  }
+  double value = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double part =
+      Wave(lower[0] + (corner & 1), lower[1] + (corner >> 1 & 1), lower[2] + (corner >> 2));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      part *= corner >> axis & 1 ? weight[axis] : 1.0 - weight[axis];
+    }
+    value += part;
+  }
+  return value;
+}
+
+const Places Uneven = { UnevenPlaces(10, 18.0, 2.0), UnevenPlaces(9, 15.0, 0.6),
+  UnevenPlaces(11, 20.0, 1.0) };
+
+void UseGentleMaterials(MapperScene& scene)
+{
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(0.0, 0.9, 0.3, 0.2);
+  scene.colors->AddRGBPoint(1.0, 0.2, 0.6, 0.9);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(0.0, 0.0);
+  scene.opacities->AddPoint(1.0, 0.2);
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistance(0.05);
+  scene.mapper->SetEarlyTerminationTransmittance(1e-4);
+}
+
+}
+
+TEST(Rectilinear, ValuesAreBetweenTheirCoordinatesWhateverTheVolumesMatrix)
+{
+  MapperScene scene(EvenImage(Uneven), 48);
+  UseGentleMaterials(scene);
+  scene.volume->SetScale(1.2, 0.8, 1.0);
+  scene.volume->RotateZ(20.0);
+  scene.mapper->SetInputData(WaveGrid(Uneven));
+  scene.renderer->ResetCamera();
+  const TransferFunction look = TransferFunctionOf(scene.volume->GetProperty());
+  const auto material = [&](glm::dvec3 positionGrid, const Ray&)
+  {
+    glm::dvec3 position;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      position[axis] =
+        scene.image->GetOrigin()[axis] + positionGrid[axis] * scene.image->GetSpacing()[axis];
+    }
+    const double value = ValueAt(Uneven, position);
+    return OpticalProperties{ look.Color(value), look.Extinction(value) };
+  };
+  const ImageError error = scene.ErrorOf(material);
+  EXPECT_LT(error.rootMeanSquare, 0.1);
+  EXPECT_LT(error.largest, 1.0);
+  const std::vector<float> drawn = scene.Draw();
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3f) << "nothing is seen";
+}
+
+TEST(Rectilinear, AnEvenGridIsDrawnAsTheImageItIs)
+{
+  const Places even = { UnevenPlaces(10, 18.0, 1.0), UnevenPlaces(9, 15.0, 1.0),
+    UnevenPlaces(11, 20.0, 1.0) };
+  const auto grid = WaveGrid(even);
+  const auto image = EvenImage(even);
+  image->GetPointData()->SetScalars(grid->GetPointData()->GetScalars());
+  MapperScene scene(image, 48);
+  UseGentleMaterials(scene);
+  scene.mapper->SetAccelerationModeToOff();
+  for (const bool shade : { false, true })
+  {
+    scene.volume->GetProperty()->SetShade(shade);
+    scene.mapper->SetInputData(image);
+    const std::vector<float> ofImage = scene.Draw();
+    scene.mapper->SetInputData(grid);
+    const std::vector<float> ofGrid = scene.Draw();
+    EXPECT_LT(CompareImages(ofGrid.data(), ofImage.data(), 48 * 48).largest, 0.3);
+  }
+}
+
+// One axis of cells of 1, 2, 4 and 8 mm, seen along another, parallel, a pixel a mm.
+TEST(Rectilinear, CellsWithoutInterpolationGoFromFaceToFace)
+{
+  const Places places = { std::vector<double>{ 0.0, 1.0, 3.0, 7.0, 15.0 },
+    std::vector<double>{ 0.0, 15.0 }, std::vector<double>{ 0.0, 1.0 } };
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(5, 2, 2);
+  grid->SetXCoordinates(ArrayOf(places[0]));
+  grid->SetYCoordinates(ArrayOf(places[1]));
+  grid->SetZCoordinates(ArrayOf(places[2]));
+  vtkNew<vtkFloatArray> values;
+  for (float value : { 1.0f, 2.0f, 3.0f, 4.0f })
+  {
+    values->InsertNextValue(value);
+  }
+  grid->GetCellData()->SetScalars(values);
+  MapperScene scene(EvenImage(places), 16);
+  scene.mapper->SetInputData(grid);
+  scene.mapper->SetBlendModeToMaximumIntensity();
+  scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(0.0, 0.0);
+  scene.opacities->AddPoint(10.0, 1.0);
+  vtkCamera* const camera = scene.renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(8.0, 8.0, 0.0);
+  camera->SetPosition(8.0, 8.0, 30.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetParallelScale(8.0);
+  camera->SetClippingRange(1.0, 100.0);
+  const std::vector<float> drawn = scene.Draw();
+  for (int column = 0; column < 15; ++column)
+  {
+    const double expected = column < 1 ? 0.1 : column < 3 ? 0.2 : column < 7 ? 0.3 : 0.4;
+    EXPECT_NEAR(drawn[4 * (8 * 16 + column) + 3], expected, 1e-4) << column;
+  }
+  EXPECT_EQ(drawn[4 * (8 * 16 + 15) + 3], 0.0f) << "beyond the last cell";
+}

@@ -1,0 +1,36 @@
+#ifndef Varimarch_InputOfMapper_h
+#define Varimarch_InputOfMapper_h
+
+#include "Core/UnevenAxis.h"
+#include "VolumeGeometry.h"
+
+#include <optional>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkVolumeMapper;
+
+namespace varimarch
+{
+
+/// What a mapper has as input.
+struct MapperInput
+{
+  vtkDataSet* data; ///< an image or a rectilinear grid
+  vtkDataArray* scalars;
+  VoxelPlace place; ///< of the scalars
+
+  VolumeGeometry Geometry(vtkVolume* volume, const std::vector<UnevenAxis>& axes) const;
+
+  /// Of a rectilinear grid; none of an image.
+  std::vector<UnevenAxis> Axes(bool nearest) const;
+};
+
+/// Nothing where the input is empty.
+/// @throws std::runtime_error a sentence, when it is nothing that can be drawn
+std::optional<MapperInput> InputOf(vtkVolumeMapper* mapper);
+
+}
+
+#endif

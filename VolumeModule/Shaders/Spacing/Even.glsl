@@ -1,0 +1,6 @@
+// Voxels are at even places.
+
+vec3 VoxelPlace(vec3 positionTexture)
+{
+  return positionTexture;
+}
