@@ -4,6 +4,7 @@
 #include "BlockGaps.h"
 #include "Core/RenderSettings.h"
 #include "Cuts.h"
+#include "MaskTexture.h"
 #include "PassOfVolume.h"
 #include "SliceSurface.h"
 #include "UserShaderCode.h"
@@ -43,6 +44,8 @@ struct Frame
   Cuts cuts; ///< what of it is drawn
   Viewport viewport;
   RenderSettings settings;
+  MaskVoxels mask;        ///< where the settings have one
+  double labelPart;       ///< of the transfer functions of labels, [0, 1]
   double errorTolerance;  ///< of a premultiplied channel; > 0: chooses the sample distance,
   bool chooseIntegration; ///< and the rule of integration if asked
   double sampleDistanceMm;

@@ -4,6 +4,7 @@
 #include "Core/TransferFunction.h"
 #include "InputOfMapper.h"
 #include "Lights.h"
+#include "MaterialOfMapper.h"
 #include "PictureOfMapper.h"
 #include "UserShaderCode.h"
 #include "vtkVariationFieldVolumeMapper.h"
@@ -128,29 +129,6 @@ glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistance
   return glm::dvec4(material.Color(0.0), extinction);
 }
 
-// What the components of an array are. Throws a sentence when they are nothing that can be drawn.
-Components ComponentsOf(const std::string& name, int count, bool independent)
-{
-  if (count < 1 || count > 4)
-  {
-    throw std::runtime_error(
-      "Array \"" + name + "\" has " + std::to_string(count) + " components: expected 1 to 4");
-  }
-  if (count == 1)
-  {
-    return Components::One;
-  }
-  if (!independent && count == 3)
-  {
-    throw std::runtime_error("Array \"" + name +
-      "\" has 3 components that depend on each other: expected 2 (colour and opacity), 4 (red, "
-      "green, blue and opacity), or independent ones");
-  }
-  return independent ? Components::Independent
-    : count == 2     ? Components::LuminanceOpacity
-                     : Components::Rgba;
-}
-
 void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   // Of the tolerance, the field and the early end of rays may use an eighth each.
@@ -176,16 +154,10 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
     : std::max(mapper->GetSampleDistance(), frame.geometry.ShortestSampleDistanceMm());
 }
 
-bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& settings)
+bool HasComponents(vtkVariationFieldVolumeMapper* mapper)
 {
-  for (int part = 0; part < PartCount(settings); ++part)
-  {
-    if (property->HasGradientOpacity(part) && !property->GetDisableGradientOpacity(part))
-    {
-      return settings.blend == Blend::Composite;
-    }
-  }
-  return false;
+  const std::optional<MapperInput> input = InputOf(mapper);
+  return input && input->scalars->GetNumberOfComponents() > 1;
 }
 
 RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer,
@@ -194,12 +166,9 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   RenderSettings settings;
   settings.blend = BlendOf(mapper->GetBlendMode());
   settings.nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
-  settings.componentCount = scalars->GetNumberOfComponents();
-  settings.components = ComponentsOf(scalars->GetName() ? scalars->GetName() : "scalars",
-    settings.componentCount, property->GetIndependentComponents() != 0);
+  ChooseMaterial(mapper, property, scalars, settings);
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings);
   settings.shading = property->GetShade() != 0 && !IsProjection(settings.blend);
-  settings.gradientOpacity = HasGradientOpacity(property, settings);
   settings.lights = settings.shading && !HasHeadLightOnly(renderer);
   settings.countFetches = mapper->GetDrawFetchCounts();
   settings.sceneGeometry = HasOpaqueGeometry(renderer);
@@ -268,6 +237,10 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
   {
     throw std::runtime_error("Blanked parts of rectilinear grids are not supported");
   }
+  if (frame.settings.mask != Mask::None)
+  {
+    throw std::runtime_error("Masks of rectilinear grids are not supported");
+  }
   frame.settings.uneven = true;
   // The fields are of an even grid.
   frame.settings.acceleration = Acceleration::Off;
@@ -307,10 +280,7 @@ std::optional<Frame> FrameOf(
   frame.viewport = ViewportOf(renderer);
   frame.settings = SettingsOf(mapper, renderer, frame.property, input->scalars);
   ChoosePlaces(*input, volume, frame);
-  for (int component = 0; component < frame.settings.componentCount; ++component)
-  {
-    frame.channels.push_back({ input->scalars, component });
-  }
+  ChooseVoxels(mapper, input->data, frame);
   if (!ChooseSurfaces(frame))
   {
     return std::nullopt;
@@ -326,13 +296,19 @@ std::optional<Frame> FrameOf(
   return frame;
 }
 
-std::string MissingFeatures(vtkVariationFieldVolumeMapper*, vtkVolume* volume)
+std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume)
 {
   vtkVolumeProperty* property = volume->GetProperty();
   std::string missing;
-  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D &&
+    (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND || HasComponents(mapper)))
   {
-    missing += "Transfer functions of two values are not supported yet. ";
+    missing += "Transfer functions of two values are supported for composites of one component. ";
+  }
+  if (mapper->GetMaskInput() && HasComponents(mapper) &&
+    mapper->GetMaskType() == vtkVariationFieldVolumeMapper::LabelMapMaskType)
+  {
+    missing += "Label maps are supported for volumes of one component. ";
   }
   return missing + MissingShaderCode(volume);
 }

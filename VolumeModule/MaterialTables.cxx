@@ -3,14 +3,84 @@
 #include "Core/ShaderRecipe.h"
 #include "PropertyTransferFunction.h"
 
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
 
 namespace varimarch
 {
 
+std::vector<int> LabelsOf(vtkVolumeProperty* property)
+{
+  const std::set<int> labels = property->GetLabelMapLabels();
+  return std::vector<int>(labels.begin(), labels.end());
+}
+
+TwoValueTable TwoValueTableOf(vtkVolumeProperty* property)
+{
+  vtkImageData* const image = property->GetTransferFunction2D();
+  vtkDataArray* const colors = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!colors || colors->GetNumberOfComponents() != 4 || image->GetNumberOfPoints() == 0)
+  {
+    throw std::runtime_error("The transfer function of two values is missing: expected an image of "
+                             "four components");
+  }
+  const int* const dimensions = image->GetDimensions();
+  TwoValueTable table{ { dimensions[0], dimensions[1] }, {} };
+  for (vtkIdType i = 0; i < vtkIdType(table.size.x) * table.size.y; ++i)
+  {
+    glm::vec4 entry;
+    for (int component = 0; component < 4; ++component)
+    {
+      entry[component] = float(std::clamp(colors->GetComponent(i, component), 0.0, 1.0));
+    }
+    table.entries.push_back(entry);
+  }
+  return table;
+}
+
+OpticalTable UpperBound(
+  const TwoValueTable& table, const std::array<double, 2>& range, double opacityUnitDistanceMm)
+{
+  OpticalTable bound{ range[0], range[1], {} };
+  for (int x = 0; x < table.size.x; ++x)
+  {
+    double opacity = 0.0;
+    for (int y = 0; y < table.size.y; ++y)
+    {
+      opacity = std::max(opacity, double(table.entries[std::size_t(y) * table.size.x + x].a));
+    }
+    const double extinction =
+      std::min(-std::log1p(-opacity) / opacityUnitDistanceMm, double(OpaqueExtinction));
+    bound.entries.emplace_back(1.0, 1.0, 1.0, extinction);
+  }
+  if (bound.entries.size() == 1)
+  {
+    bound.entries.push_back(bound.entries.front());
+  }
+  return bound;
+}
+
 std::vector<MaterialTable> MaterialTablesOf(
   vtkVolumeProperty* property, const RenderSettings& settings)
 {
+  if (settings.mask == Mask::Labels)
+  {
+    std::vector<MaterialTable> rows = { { 0, TransferFunctionOf(property), true } };
+    for (const int label : LabelsOf(property))
+    {
+      rows.push_back({ 0, LabelTransferFunctionOf(property, label), true });
+    }
+    return rows;
+  }
   switch (settings.components)
   {
     case Components::LuminanceOpacity:
@@ -36,6 +106,26 @@ std::vector<double> MaterialTableInputs(vtkVolumeProperty* property, const Rende
   {
     inputs.push_back(double(TransferFunctionTimeOf(property, component)));
     inputs.push_back(property->GetScalarOpacityUnitDistance(component));
+  }
+  inputs.push_back(double(settings.functionOf));
+  if (settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels)
+  {
+    inputs.push_back(double(property->GetMTime()));
+  }
+  if (settings.mask == Mask::Labels)
+  {
+    for (const int label : LabelsOf(property))
+    {
+      vtkColorTransferFunction* const color = property->GetLabelColor(label);
+      vtkPiecewiseFunction* const opacity = property->GetLabelScalarOpacity(label);
+      inputs.insert(inputs.end(),
+        { double(label), color ? double(color->GetMTime()) : 0.0,
+          opacity ? double(opacity->GetMTime()) : 0.0 });
+    }
+  }
+  if (settings.functionOf != FunctionOf::Value && property->GetTransferFunction2D())
+  {
+    inputs.push_back(double(property->GetTransferFunction2D()->GetMTime()));
   }
   return inputs;
 }

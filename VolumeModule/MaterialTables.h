@@ -4,6 +4,9 @@
 #include "Core/RenderSettings.h"
 #include "Core/TransferFunction.h"
 
+#include <glm/vec2.hpp>
+
+#include <array>
 #include <vector>
 
 class vtkVolumeProperty;
@@ -20,9 +23,29 @@ struct MaterialTable
 };
 
 /// All that a property's materials are looked up in: of independent components one for each, of
-/// two that depend on each other first that of colours, of RGBA only that of opacities.
+/// two that depend on each other first that of colours, of RGBA only that of opacities, of labels
+/// one for each row. Not where transfer functions are of two values.
 std::vector<MaterialTable> MaterialTablesOf(
   vtkVolumeProperty* property, const RenderSettings& settings);
+
+/// The labels that have curves of their own. Row i + 1 of the tables is that of the i-th of them,
+/// row 0 that of all other labels.
+std::vector<int> LabelsOf(vtkVolumeProperty* property);
+
+/// A transfer function of two values: colours, and opacities over a unit distance.
+struct TwoValueTable
+{
+  glm::ivec2 size;
+  std::vector<glm::vec4> entries; ///< x fastest
+};
+
+/// @throws std::runtime_error when the property has none
+TwoValueTable TwoValueTableOf(vtkVolumeProperty* property);
+
+/// What shows wherever a table shows anything, whatever its second value is: of each first value
+/// the largest extinction.
+OpticalTable UpperBound(
+  const TwoValueTable& table, const std::array<double, 2>& range, double opacityUnitDistanceMm);
 
 /// All that these tables depend on, but the range of the values.
 std::vector<double> MaterialTableInputs(

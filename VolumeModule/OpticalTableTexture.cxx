@@ -7,7 +7,29 @@ namespace varimarch
 
 void OpticalTableTexture::Upload(vtkOpenGLRenderWindow* window, std::vector<OpticalTable> newTables)
 {
-  std::vector<glm::vec4> entries;
+  this->Upload(window, std::move(newTables), {});
+}
+
+void OpticalTableTexture::UploadRows(
+  vtkOpenGLRenderWindow* window, std::vector<OpticalTable> newTables, const TexelMapping& mapping)
+{
+  std::vector<glm::vec4> rows;
+  std::size_t first = newTables.size();
+  for (const OpticalTable& table : newTables)
+  {
+    const double last = double(table.entries.size() - 1);
+    const double extent = table.lastValue - table.firstValue;
+    const double indexPerValue = extent > 0.0 ? last / extent : 0.0;
+    rows.emplace_back(mapping.scale * indexPerValue,
+      (mapping.offset - table.firstValue) * indexPerValue, double(first), last);
+    first += table.entries.size();
+  }
+  this->Upload(window, std::move(newTables), std::move(rows));
+}
+
+void OpticalTableTexture::Upload(vtkOpenGLRenderWindow* window, std::vector<OpticalTable> newTables,
+  std::vector<glm::vec4> entries)
+{
   this->visibleValues.clear();
   for (const OpticalTable& table : newTables)
   {

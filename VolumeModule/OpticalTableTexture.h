@@ -3,6 +3,7 @@
 
 #include "Core/TransferFunction.h"
 #include "FloatBufferTexture.h"
+#include "VolumeTexture.h"
 
 namespace varimarch
 {
@@ -15,6 +16,11 @@ public:
   void Upload(vtkOpenGLRenderWindow* window, std::vector<OpticalTable> tables);
 
   vtkTextureObject* Texture() const { return this->texture.Texture(); }
+  /// With a row for each table before all entries, as Shaders/Classify/LabelTables.glsl reads them.
+  /// @param mapping  of the texels that the tables are for
+  void UploadRows(
+    vtkOpenGLRenderWindow* window, std::vector<OpticalTable> tables, const TexelMapping& mapping);
+
   const OpticalTable& Table() const { return this->tables.front(); }
   const std::vector<OpticalTable>& Tables() const { return this->tables; }
   const std::array<double, 2>& VisibleValues(std::size_t table = 0) const
@@ -26,6 +32,9 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void Upload(
+    vtkOpenGLRenderWindow* window, std::vector<OpticalTable> tables, std::vector<glm::vec4> rows);
+
   FloatBufferTexture texture;
   std::vector<OpticalTable> tables = { OpticalTable() };
   std::vector<std::array<double, 2>> visibleValues; ///< of each table

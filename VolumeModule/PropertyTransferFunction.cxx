@@ -93,6 +93,15 @@ TransferFunction TransferFunctionOf(vtkVolumeProperty* property, int component)
     property->GetScalarOpacityUnitDistance(component));
 }
 
+TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label)
+{
+  const TransferFunction without = TransferFunctionOf(property);
+  vtkColorTransferFunction* const color = property->GetLabelColor(label);
+  vtkPiecewiseFunction* const opacity = property->GetLabelScalarOpacity(label);
+  return TransferFunction(color ? NodesOf(color) : without.Colors(),
+    opacity ? NodesOf(opacity) : without.Opacities(), without.OpacityUnitDistanceMm());
+}
+
 TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function)
 {
   return TransferFunction({}, NodesOf(function), 1.0);

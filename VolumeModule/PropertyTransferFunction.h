@@ -14,6 +14,9 @@ namespace varimarch
 /// to nothing. A colour function in another space than linear RGB is sampled finely between nodes.
 TransferFunction TransferFunctionOf(vtkVolumeProperty* property, int component = 0);
 
+/// That of a label of a mask: what it has no curve for is as without a label.
+TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label);
+
 /// A curve of opacities, as VTK has it; without colours.
 TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function);
 

@@ -23,6 +23,7 @@ void RayMarcher::Draw(Frame frame)
   this->UpdateVolume(frame);
   this->UpdateOpticalTable(frame);
   this->UpdateGradientOpacity(frame);
+  this->UpdateMask(frame);
   this->UpdateField(frame);
   this->UpdateDepth(frame);
   this->UpdateLights(frame);
@@ -74,16 +75,15 @@ void RayMarcher::UpdateOpticalTable(const Frame& frame)
   {
     return;
   }
-  constexpr std::size_t mostEntries = 65536; // of all tables together
-  this->materialTables = MaterialTablesOf(frame.property, frame.settings);
-  std::vector<OpticalTable> tables;
-  for (const MaterialTable& table : this->materialTables)
+  std::vector<OpticalTable> tables = this->BuildTables(frame);
+  if (frame.settings.mask == Mask::Labels)
   {
-    const ScalarTexels& texels = this->blocks.TexelsOfChannels()[table.channel];
-    tables.push_back(BuildOpticalTable(table.transferFunction, texels.smallestScalar,
-      texels.largestScalar, mostEntries / this->materialTables.size()));
+    this->opticalTable.UploadRows(frame.window, std::move(tables), this->blocks.Texels().mapping);
   }
-  this->opticalTable.Upload(frame.window, std::move(tables));
+  else
+  {
+    this->opticalTable.Upload(frame.window, std::move(tables));
+  }
   this->tableSource = frame.property;
   this->tableInputs = inputs;
   ++this->builds.opticalTable;
@@ -259,8 +259,8 @@ std::size_t RayMarcher::GraphicsMemoryBytes() const
   return this->clippingPlanes.Bytes() + this->isosurfaces.Bytes() + this->spacing.Bytes() +
     this->blocks.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
     this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
-    this->gradientOpacity.Bytes() + this->probe.Bytes() + this->accumulation.Bytes() +
-    this->picture.Bytes();
+    this->gradientOpacity.Bytes() + this->twoValues.Bytes() + this->mask.Bytes() +
+    this->probe.Bytes() + this->accumulation.Bytes() + this->picture.Bytes();
 }
 
 double RayMarcher::FieldBuildSeconds() const
@@ -281,6 +281,8 @@ void RayMarcher::Release(vtkWindow* window)
   this->depth.Release(window);
   this->lights.Release(window);
   this->gradientOpacity.Release(window);
+  this->twoValues.Release(window);
+  this->mask.Release(window);
   this->gradientOpacitySource.clear();
   this->clippingPlanes.Release(window);
   this->isosurfaces.Release(window);

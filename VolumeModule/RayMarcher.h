@@ -128,6 +128,8 @@ private:
   void UpdateDepth(const Frame& frame);
   void UpdateLights(const Frame& frame);
   void UpdateGradientOpacity(const Frame& frame);
+  void UpdateMask(const Frame& frame);
+  std::vector<OpticalTable> BuildTables(const Frame& frame);
   void UpdateNoise(const Frame& frame);
   void UpdateCuts(const Frame& frame);
   void UpdateBlocks(Frame& frame);
@@ -170,6 +172,8 @@ private:
   void SetExactUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetMaterialUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetLightUniforms(const Frame& frame);
+  void SetMaskUniforms(const Frame& frame);
+  void SetTwoValueUniforms(const Frame& frame);
   void SetGradientOpacityUniforms(const Frame& frame);
   void SetBlendUniforms(const Frame& frame);
   void SetProjectionUniforms(const Frame& frame);
@@ -183,6 +187,9 @@ private:
   OpticalTableTexture opticalTable;
   PreIntegratedTableTexture preIntegratedTable;
   SceneDepthTexture depth;
+  MaskTexture mask;
+  FloatBufferTexture twoValues; ///< a transfer function of two values
+  glm::ivec2 twoValuesSize = glm::ivec2(1);
   FloatBufferTexture gradientOpacity;
   FloatBufferTexture lights; ///< only where there are others than head lights
   FloatBufferTexture clippingPlanes;

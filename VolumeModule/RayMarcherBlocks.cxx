@@ -96,7 +96,8 @@ std::size_t RayMarcher::FixedBytes(const Frame& frame) const
   const std::size_t probeBytes = 4 * sizeof(float) * probed.width * probed.height;
   return this->clippingPlanes.Bytes() + this->isosurfaces.Bytes() + this->spacing.Bytes() +
     this->field.Bytes() + this->opticalTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
-    this->gradientOpacity.Bytes() + this->picture.Bytes() +
+    this->gradientOpacity.Bytes() + this->twoValues.Bytes() + this->mask.Bytes() +
+    this->picture.Bytes() +
     (mayPreIntegrate ? PreIntegratedTableBytes(this->opticalTable.Table()) : 0) +
     (frame.errorTolerance > 0.0 ? probeBytes : 0);
 }

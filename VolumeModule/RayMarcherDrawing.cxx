@@ -91,7 +91,8 @@ void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
   }
   std::vector<vtkTextureObject*> textures = { this->field.Texture(), this->opticalTable.Texture(),
     this->preIntegratedTable.Texture(), this->depth.Texture(), this->lights.Texture(),
-    this->gradientOpacity.Texture(), this->accumulation.Drawn(), this->accumulation.Finished() };
+    this->gradientOpacity.Texture(), this->twoValues.Texture(), this->mask.Texture(),
+    this->accumulation.Drawn(), this->accumulation.Finished() };
   const std::vector<vtkTextureObject*> ofPicture = this->picture.Textures();
   textures.insert(textures.end(), ofPicture.begin(), ofPicture.end());
   textures.insert(textures.end(),

@@ -14,6 +14,8 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
+
 namespace varimarch
 {
 
@@ -23,27 +25,47 @@ namespace
 // So many that a piecewise linear function loses less than a display can show.
 constexpr int GradientOpacityEntryCount = 4096;
 
-// The largest gradient of a channel that VTK tells from larger ones.
-double LargestGradient(const ScalarTexels& texels)
+using Curves = std::vector<vtkPiecewiseFunction*>; ///< none: 1 everywhere
+
+// Of each part, or of each row of labels.
+Curves GradientOpacitiesOf(vtkVolumeProperty* property, const RenderSettings& settings)
 {
-  const double range = texels.largestScalar - texels.smallestScalar;
-  return 0.25 * (range > 0.0 ? range : 1.0);
+  Curves curves;
+  for (int part = 0; part < PartCount(settings); ++part)
+  {
+    const bool has =
+      property->HasGradientOpacity(part) && !property->GetDisableGradientOpacity(part);
+    curves.push_back(has ? property->GetGradientOpacity(part) : nullptr);
+  }
+  if (settings.mask == Mask::Labels)
+  {
+    for (const int label : LabelsOf(property))
+    {
+      vtkPiecewiseFunction* const own = property->GetLabelGradientOpacity(label);
+      curves.push_back(own ? own : curves.front());
+    }
+  }
+  return curves;
 }
 
-/// @param largest  gradients of the last entry
+// Four curves share the numbers of an entry.
+/// @param largest  of each curve, the gradient of the last entry; one for all curves of labels
 std::vector<glm::vec4> GradientOpacityEntries(
-  vtkVolumeProperty* property, const std::vector<double>& largest)
+  const Curves& curves, const std::vector<double>& largest)
 {
-  std::vector<glm::vec4> entries(GradientOpacityEntryCount, glm::vec4(1.0f));
-  for (std::size_t part = 0; part < largest.size(); ++part)
+  const std::size_t groups = (curves.size() + 3) / 4;
+  std::vector<glm::vec4> entries(groups * GradientOpacityEntryCount, glm::vec4(1.0f));
+  for (std::size_t i = 0; i < curves.size(); ++i)
   {
-    if (property->HasGradientOpacity(int(part)) && !property->GetDisableGradientOpacity(int(part)))
+    if (curves[i])
     {
-      const TransferFunction curve = OpacityCurveOf(property->GetGradientOpacity(int(part)));
-      for (int i = 0; i < GradientOpacityEntryCount; ++i)
+      const TransferFunction curve = OpacityCurveOf(curves[i]);
+      const double last = largest[std::min(i, largest.size() - 1)];
+      for (int entry = 0; entry < GradientOpacityEntryCount; ++entry)
       {
-        const double gradient = largest[part] * i / (GradientOpacityEntryCount - 1);
-        entries[i][int(part)] = float(curve.Opacity(gradient));
+        const double gradient = last * entry / (GradientOpacityEntryCount - 1);
+        entries[i / 4 * GradientOpacityEntryCount + entry][int(i % 4)] =
+          float(curve.Opacity(gradient));
       }
     }
   }
@@ -118,7 +140,12 @@ void RayMarcher::UpdateGradientOpacity(const Frame& frame)
     return;
   }
   std::vector<double> largest;
+  const Curves curves = GradientOpacitiesOf(frame.property, frame.settings);
   std::vector<double> source = { double(frame.property->GetMTime()) };
+  for (vtkPiecewiseFunction* curve : curves)
+  {
+    source.push_back(curve ? double(curve->GetMTime()) : 0.0);
+  }
   for (int part = 0; part < PartCount(frame.settings); ++part)
   {
     largest.push_back(LargestGradient(this->blocks.TexelsOfChannels()[part]));
@@ -126,7 +153,7 @@ void RayMarcher::UpdateGradientOpacity(const Frame& frame)
   source.insert(source.end(), largest.begin(), largest.end());
   if (this->gradientOpacitySource != source)
   {
-    this->gradientOpacity.Upload(frame.window, GradientOpacityEntries(frame.property, largest));
+    this->gradientOpacity.Upload(frame.window, GradientOpacityEntries(curves, largest));
     this->gradientOpacitySource = source;
   }
 }
@@ -140,7 +167,12 @@ void RayMarcher::SetMaterialUniforms(const Frame& frame, const DrawnBlock& drawn
   }
   else
   {
-    const std::array<double, 2>& visible = this->opticalTable.VisibleValues();
+    std::array<double, 2> visible = this->opticalTable.VisibleValues();
+    for (std::size_t i = 1; i < this->opticalTable.Tables().size(); ++i)
+    {
+      const std::array<double, 2>& values = this->opticalTable.VisibleValues(i);
+      visible = { std::min(visible[0], values[0]), std::max(visible[1], values[1]) };
+    }
     const TexelMapping& mapping = this->blocks.Texels().mapping;
     this->program.Set("visibleScalars",
       glm::dvec2(mapping.LimitedTexelOf(visible[0]), mapping.LimitedTexelOf(visible[1])));

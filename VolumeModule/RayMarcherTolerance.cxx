@@ -71,6 +71,13 @@ ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const E
   return choice;
 }
 
+// Whether the opacity is that of one transfer function, whatever the light.
+bool IsShadedTransferFunction(const RenderSettings& settings)
+{
+  return !settings.gradientOpacity && settings.components == Components::One &&
+    settings.functionOf == FunctionOf::Value && settings.mask != Mask::Labels;
+}
+
 // What decides on the rule of integration.
 std::vector<double> RuleInputsOf(const Frame& frame, const BuildCounts& builds)
 {
@@ -89,7 +96,8 @@ std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
   inputs.insert(inputs.end(),
     { double(builds.field), double(frame.property->GetMTime()), double(frame.settings.acceleration),
       double(frame.settings.sceneGeometry), FillsGaps(frame.settings) ? frame.gapOptical.a : 0.0,
-      frame.averagedRange[0], frame.averagedRange[1], double(frame.viewport.width),
+      frame.averagedRange[0], frame.averagedRange[1], double(frame.settings.mask),
+      double(frame.mask.time), frame.labelPart, double(frame.viewport.width),
       double(frame.viewport.height) });
   const std::vector<double> cuts = frame.cuts.Numbers();
   inputs.insert(inputs.end(), cuts.begin(), cuts.end());
@@ -180,7 +188,7 @@ double RayMarcher::MissedOfLimit(
 {
   const double range = this->blocks.Texels().largestScalar - this->blocks.Texels().smallestScalar;
   if (frame.settings.blend != Blend::Composite || !frame.triesPreIntegration ||
-    frame.settings.gradientOpacity || frame.settings.components != Components::One ||
+    (MarchesMaterial(frame.settings) && !IsShadedTransferFunction(frame.settings)) ||
     (choice.integration == Integration::PreIntegrated && !frame.settings.shading) ||
     TransferFunctionOf(frame.property).SmallestNodeGap() >= NarrowPeak * range)
   {

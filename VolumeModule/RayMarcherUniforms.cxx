@@ -155,6 +155,17 @@ void RayMarcher::SetStepUniforms(const Frame& frame, const VolumeBlock& block)
 
 void RayMarcher::SetClassifyUniforms(const Frame& frame)
 {
+  if (frame.settings.functionOf != FunctionOf::Value)
+  {
+    this->SetTwoValueUniforms(frame);
+    return;
+  }
+  if (frame.settings.mask == Mask::Labels)
+  {
+    this->opticalTable.Texture()->Activate();
+    this->program.Set("opticalTable", this->opticalTable.Texture());
+    return;
+  }
   if (frame.settings.components != Components::One)
   {
     this->SetComponentTableUniforms();
@@ -262,6 +273,10 @@ void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
   if (frame.settings.gaps)
   {
     this->SetGapUniforms(frame, drawn);
+  }
+  if (frame.settings.mask != Mask::None)
+  {
+    this->SetMaskUniforms(frame);
   }
 }
 

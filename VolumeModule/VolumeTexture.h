@@ -43,6 +43,13 @@ struct ScalarTexels
   std::size_t BytesPerTexel() const { return this->normalized ? 2 : 4; }
 };
 
+/// The largest gradient, per mean spacing, that VTK tells from larger ones: a quarter of the range.
+inline double LargestGradient(const ScalarTexels& texels)
+{
+  const double range = texels.largestScalar - texels.smallestScalar;
+  return 0.25 * (range > 0.0 ? range : 1.0);
+}
+
 /// One of the numbers that each voxel has: a component of an array.
 struct VoxelChannel
 {

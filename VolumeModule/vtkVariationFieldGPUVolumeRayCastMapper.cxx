@@ -62,6 +62,10 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
   mapper->SetCroppingRegionPlanes(this->CroppingRegionPlanes);
   mapper->SetCroppingRegionFlags(this->CroppingRegionFlags);
   mapper->SetClippingPlanes(this->ClippingPlanes);
+  mapper->SetMaskInput(this->MaskInput);
+  mapper->SetMaskType(this->MaskType);
+  mapper->SetMaskBlendFactor(this->MaskBlendFactor);
+  mapper->SetTransfer2DYAxisArray(this->Transfer2DYAxisArray);
   mapper->SetSampleDistance(this->SampleDistance);
   // VTK's mapper, too, ignores its sample distance when that is locked to the spacing.
   mapper->SetAutoAdjustSampleDistances(
@@ -82,9 +86,9 @@ std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting(vtkVolum
 {
   const Setting settings[] = {
     { vtkMultiVolume::SafeDownCast(volume) != nullptr, "A vtkMultiVolume is not supported yet. " },
-    { this->MaskInput != nullptr, "Masks are not supported yet. " },
     { this->UseDepthPass != 0, "A depth pass is not supported yet. " },
-    { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR,
+    { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR ||
+        this->GradientOpacityRangeType != SCALAR,
       "Transfer functions of a range of their own are not supported yet. " },
   };
   std::string sentences;

@@ -146,7 +146,24 @@ vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper()
 {
 }
 
-vtkVariationFieldVolumeMapper::~vtkVariationFieldVolumeMapper() = default;
+vtkVariationFieldVolumeMapper::~vtkVariationFieldVolumeMapper()
+{
+  this->SetTransfer2DYAxisArray(nullptr);
+}
+
+void vtkVariationFieldVolumeMapper::SetMaskInput(vtkImageData* mask)
+{
+  if (this->MaskInput != mask)
+  {
+    this->MaskInput = mask;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkVariationFieldVolumeMapper::GetMaskInput()
+{
+  return this->MaskInput;
+}
 
 void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -342,6 +359,11 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ClampDepthToBackface: " << this->ClampDepthToBackface << "\n";
   os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
   os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";
+  os << indent << "MaskInput: " << this->MaskInput << "\n";
+  os << indent << "MaskType: " << this->MaskType << "\n";
+  os << indent << "MaskBlendFactor: " << this->MaskBlendFactor << "\n";
+  os << indent << "Transfer2DYAxisArray: "
+     << (this->Transfer2DYAxisArray ? this->Transfer2DYAxisArray : "none") << "\n";
   os << indent << "UsedSampleDistance: " << this->GetUsedSampleDistance() << "\n";
   os << indent << "EstimatedError: " << this->GetEstimatedError() << "\n";
 }

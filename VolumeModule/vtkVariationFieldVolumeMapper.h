@@ -68,6 +68,7 @@
 #define vtkVariationFieldVolumeMapper_h
 
 #include "VarimarchVolumeModule.h" // For export macro
+#include "vtkSmartPointer.h"       // For MaskInput
 #include "vtkVolumeMapper.h"
 
 #include <memory> // For Internals
@@ -295,6 +296,49 @@ public:
   vtkGetMacro(FinalColorLevel, float);
   ///@}
 
+  enum TypesOfMask
+  {
+    BinaryMaskType,
+    LabelMapMaskType
+  };
+
+  ///@{
+  /**
+   * A mask over the same box as the volume, of any resolution: of one component, each voxel of it
+   * filling the cube around it. Default: none. As in vtkGPUVolumeRayCastMapper a binary mask
+   * confines all blend modes to where it is above 0; a label map, the default type, makes
+   * composites of one component show each voxel by the functions of its label
+   * (vtkVolumeProperty::SetLabelColor, SetLabelScalarOpacity, SetLabelGradientOpacity), of any
+   * value. What a label has no function for is as without a label.
+   */
+  void SetMaskInput(vtkImageData* mask);
+  vtkImageData* GetMaskInput();
+  vtkSetClampMacro(MaskType, int, BinaryMaskType, LabelMapMaskType);
+  vtkGetMacro(MaskType, int);
+  void SetMaskTypeToBinary() { this->SetMaskType(BinaryMaskType); }
+  void SetMaskTypeToLabelMap() { this->SetMaskType(LabelMapMaskType); }
+  ///@}
+
+  ///@{
+  /**
+   * How much of a label map's functions is used, the rest being those without a label. Range [0,
+   * 1], default 1.
+   */
+  vtkSetClampMacro(MaskBlendFactor, float, 0.0f, 1.0f);
+  vtkGetMacro(MaskBlendFactor, float);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of point data that is the second value of a transfer function of two
+   * (vtkVolumeProperty::SetTransferFunction2D); none, the default: the magnitude of the gradient.
+   * Of the function's image, the first and the last point on each axis are the ends of the values'
+   * ranges; gradients are measured as for gradient opacity.
+   */
+  vtkSetStringMacro(Transfer2DYAxisArray);
+  vtkGetStringMacro(Transfer2DYAxisArray);
+  ///@}
+
   /**
    * The sample distance of the last picture [world units].
    */
@@ -367,6 +411,10 @@ protected:
   double NanColor[3] = { 0.5, 0.0, 0.0 };
   double NanOpacity = 0.0;
   vtkIdType MaximumGraphicsMemory = 0;
+  vtkSmartPointer<vtkImageData> MaskInput;
+  int MaskType = LabelMapMaskType;
+  float MaskBlendFactor = 1.0f;
+  char* Transfer2DYAxisArray = nullptr;
   vtkTypeBool UseJittering = 0;
   float ImageSampleDistance = 1.0f;
   float MinimumImageSampleDistance = 1.0f;

@@ -126,9 +126,6 @@ const std::vector<Change> ForwardedSettings{
       scene.volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 200.0);
       mapper->SetBlendModeToIsoSurface();
     } },
-};
-
-const std::vector<Change> UnsupportedSettings{
   { "Mask",
     [](vtkGPUVolumeRayCastMapper* mapper, MapperScene& scene)
     {
@@ -139,6 +136,9 @@ const std::vector<Change> UnsupportedSettings{
       mapper->SetMaskInput(mask);
       mapper->SetMaskTypeToBinary();
     } },
+};
+
+const std::vector<Change> UnsupportedSettings{
   { "DepthPass",
     [](vtkGPUVolumeRayCastMapper* mapper, MapperScene&)
     {

@@ -34,8 +34,8 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl", "Math/Absorption.glsl",
       "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
       "Classify/OpticalTable.glsl", "Blend/Composite.glsl", "Fetch/FourScalars.glsl",
-      "March/Midpoint.glsl", "Gaps/None.glsl", "Crop/None.glsl", "Probe/None.glsl",
-      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+      "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl",
+      "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -126,7 +126,7 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl", "Math/Absorption.glsl",
       "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
       "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl", "March/Extreme.glsl",
-      "Gaps/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
+      "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
       "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
@@ -177,7 +177,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 132u);
+  EXPECT_EQ(distinct.size(), 142u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

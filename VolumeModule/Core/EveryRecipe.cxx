@@ -67,6 +67,32 @@ std::vector<RenderSettings> RecipesInBlocks()
   return recipes;
 }
 
+std::vector<RenderSettings> RecipesOfFunctionsAndMasks()
+{
+  RenderSettings binary;
+  binary.mask = Mask::Binary;
+  RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off };
+  maximum.mask = Mask::Binary;
+  std::vector<RenderSettings> recipes = { binary, maximum };
+  for (const bool shading : { false, true })
+  {
+    RenderSettings labels;
+    labels.shading = shading;
+    labels.mask = Mask::Labels;
+    recipes.push_back(labels);
+    labels.gradientOpacity = true;
+    recipes.push_back(labels);
+    for (FunctionOf functionOf : { FunctionOf::ValueAndGradient, FunctionOf::TwoValues })
+    {
+      RenderSettings two;
+      two.shading = shading;
+      two.functionOf = functionOf;
+      recipes.push_back(two);
+    }
+  }
+  return recipes;
+}
+
 std::vector<RenderSettings> RecipesOfMaterials()
 {
   RenderSettings lit;
@@ -77,6 +103,8 @@ std::vector<RenderSettings> RecipesOfMaterials()
   RenderSettings litGradient = gradient;
   litGradient.shading = true;
   std::vector<RenderSettings> recipes = { lit, gradient, litGradient };
+  const std::vector<RenderSettings> others = RecipesOfFunctionsAndMasks();
+  recipes.insert(recipes.end(), others.begin(), others.end());
   for (const auto& [components, count] : { std::pair(Components::Independent, 2),
          std::pair(Components::Independent, 3), std::pair(Components::Independent, 4),
          std::pair(Components::LuminanceOpacity, 2), std::pair(Components::Rgba, 4) })

@@ -61,6 +61,22 @@ inline bool IsProjection(Blend blend)
   return blend != Blend::Composite && !IsOfSurfaces(blend);
 }
 
+/// What a transfer function is a function of.
+enum class FunctionOf
+{
+  Value,
+  ValueAndGradient,
+  TwoValues,
+};
+
+/// What a second volume says of each voxel.
+enum class Mask
+{
+  None,
+  Binary, ///< whether it is drawn
+  Labels, ///< which transfer functions show it; composite of one component only
+};
+
 /// What one drawing does for the rays of a picture.
 enum class RayPass
 {
@@ -114,6 +130,8 @@ struct RenderSettings
   bool countFetches = false;     ///< draw how often each ray has read the volume, not the picture
   RayPass pass = RayPass::Whole;
   bool lights = false; ///< shading by all lights of the scene, not by a head light alone
+  Mask mask = Mask::None;
+  FunctionOf functionOf = FunctionOf::Value; ///< else of one component, and composite
   Components components = Components::One;
   int componentCount = 1;       ///< of the volume
   bool gradientOpacity = false; ///< opacity depends on the gradient; composite only

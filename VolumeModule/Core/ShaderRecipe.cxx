@@ -1,5 +1,7 @@
 #include "Core/ShaderRecipe.h"
 
+#include "Core/MaterialRecipe.h"
+
 #include <stdexcept>
 #include <utility>
 
@@ -113,6 +115,20 @@ std::string MarchFile(const RenderSettings& settings)
   return "March/Midpoint.glsl";
 }
 
+std::string MaskFile(Mask mask)
+{
+  switch (mask)
+  {
+    case Mask::Binary:
+      return "Mask/Binary.glsl";
+    case Mask::Labels:
+      return "Mask/Labels.glsl";
+    case Mask::None:
+      break;
+  }
+  return "Mask/None.glsl";
+}
+
 std::string ResumeFile(RayPass pass)
 {
   switch (pass)
@@ -148,37 +164,6 @@ std::string WindowFile(const RenderSettings& settings)
   return settings.windowLevel ? "Window/WindowLevel.glsl" : "Window/None.glsl";
 }
 
-std::string CountFile(int count)
-{
-  const char* const names[] = { "One", "Two", "Three", "Four" };
-  return std::string("Count/") + names[count - 1] + ".glsl";
-}
-
-std::string ComponentsFile(Components components)
-{
-  switch (components)
-  {
-    case Components::LuminanceOpacity:
-      return "Components/LuminanceOpacity.glsl";
-    case Components::Rgba:
-      return "Components/Rgba.glsl";
-    default:
-      return "Components/Independent.glsl";
-  }
-}
-
-// What makes colours and extinctions of scalars.
-std::vector<std::string> ClassifyParts(const RenderSettings& settings)
-{
-  if (settings.components == Components::One)
-  {
-    return { UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl"
-                                          : "Classify/OpticalTable.glsl" };
-  }
-  return { "Classify/ComponentTables.glsl", CountFile(PartCount(settings)),
-    ComponentsFile(settings.components) };
-}
-
 // No march: only where the rays are that have a pixel, and what it becomes.
 std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
@@ -205,34 +190,6 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   }
   parts.insert(parts.end(), { ResumeFile(settings.pass), "RayMarch.frag.glsl" });
   return parts;
-}
-
-std::string ShadeFile(const RenderSettings& settings)
-{
-  if (!settings.shading)
-  {
-    return "Shade/None.glsl";
-  }
-  return settings.lights ? "Shade/Lights.glsl" : "Shade/HeadLight.glsl";
-}
-
-std::string GradientFile(const RenderSettings& settings)
-{
-  return settings.clippedGradients ? "Gradient/ClippedDifferences.glsl"
-                                   : "Gradient/CentralDifferences.glsl";
-}
-
-std::vector<std::string> MaterialParts(const RenderSettings& settings)
-{
-  const std::string opacity =
-    settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl";
-  if (settings.components == Components::One)
-  {
-    return { GradientFile(settings), ShadeFile(settings), opacity, "Material/OneComponent.glsl" };
-  }
-  return { UsesGradients(settings) ? "Gradient/CentralDifferencesOfAll.glsl"
-                                   : "Gradient/NoneOfAll.glsl",
-    ShadeFile(settings), opacity, "Material/Components.glsl" };
 }
 
 // How a scalar gets its look, and what its look depends on.
@@ -277,7 +234,7 @@ std::vector<std::string> MarchParts(const RenderSettings& settings)
 bool Walks(const RenderSettings& settings)
 {
   return settings.acceleration == Acceleration::OpticalField || settings.gaps ||
-    (!IsSampled(settings) && settings.blend != Blend::Slice);
+    settings.mask != Mask::None || (!IsSampled(settings) && settings.blend != Blend::Slice);
 }
 
 }
@@ -293,7 +250,8 @@ bool MarchesMaterial(const RenderSettings& settings)
   const bool isComposite = settings.blend == Blend::Composite;
   return settings.blend == Blend::Slice ||
     (isComposite &&
-      (settings.shading || settings.gradientOpacity || settings.components != Components::One));
+      (settings.shading || settings.gradientOpacity || settings.components != Components::One ||
+        settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels));
 }
 
 int PartCount(const RenderSettings& settings)
@@ -321,6 +279,7 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
     parts.push_back(FillsGaps(settings) ? "Fill/Color.glsl" : "Fill/None.glsl");
   }
   parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
+  parts.push_back(MaskFile(settings.mask));
   parts.push_back(settings.cropping ? "Crop/Regions.glsl" : "Crop/None.glsl");
   parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
   if (settings.pass == RayPass::Whole || Peels(settings.pass))
@@ -356,7 +315,9 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
     parts.push_back("Math/LatticeWalk.glsl");
   }
   parts.push_back("Math/Absorption.glsl");
-  if (settings.gradientOpacity && MarchesMaterial(settings))
+  const bool opacityIsComputed = settings.gradientOpacity ||
+    settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels;
+  if (opacityIsComputed && MarchesMaterial(settings))
   {
     parts.push_back("Math/WithOpacityFactor.glsl");
   }

@@ -78,6 +78,8 @@ vec4 ClassifyBetween(float startScalar, float endScalar);
 
 // Of several tables, one.
 vec4 ClassifyBy(int table, float scalar);
+// Of two values, each [0,1] in its range.
+vec4 ClassifyTwo(vec2 place);
 
 // --- Count, Components: only where a volume has several components ----------------------------
 // Count defines PartCount, the number of materials that are mixed. Components defines
@@ -173,6 +175,11 @@ vec4 Segment(Ray ray, Interval inside, float frontDepth, float backDepth);
 // Defines: const float Nowhere; and
 //   float FirstWithOpacity(Ray ray, Interval inside, float opacity);
 //                               t where the ray first has this opacity, or Nowhere [mm]
+
+// --- Mask: the parts of a ray that a mask tells apart -------------------------------------------
+// Defines, after all the others: Accumulation MarchMasked(Ray ray, Interval inside, Accumulation
+// sum);
+//                               marches through all parts that are drawn
 
 // --- Resume: where rays begin and end, with a volume in one block or in several ------------------
 // What is drawn for a ray.

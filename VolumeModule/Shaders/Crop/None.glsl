@@ -2,5 +2,5 @@
 
 Accumulation MarchCropped(Ray ray, Interval inside, Accumulation sum)
 {
-  return MarchVolume(ray, inside, sum);
+  return MarchMasked(ray, inside, sum);
 }

@@ -45,7 +45,7 @@ Accumulation MarchCropped(Ray ray, Interval inside, Accumulation sum)
     }
     if (part.enter < part.exit)
     {
-      sum = MarchVolume(ray, part, sum);
+      sum = MarchMasked(ray, part, sum);
     }
   }
   return sum;

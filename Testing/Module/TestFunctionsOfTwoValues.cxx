@@ -1,0 +1,192 @@
+// Transfer functions of two values: the second is the gradient's magnitude, or another array.
+
+#include "Module/MapperScene.h"
+#include "Support/ExpectedVtkErrors.h"
+#include "VolumeGeometry.h"
+
+#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr double Tolerance = 0.5 / 255.0;
+
+// A function of 5 x 3 points: red is the place of the first value, green that of the second; the
+// opacity is a tenth of their product.
+vtkSmartPointer<vtkImageData> Function()
+{
+  const auto function = vtkSmartPointer<vtkImageData>::New();
+  function->SetDimensions(5, 3, 1);
+  function->AllocateScalars(VTK_FLOAT, 4);
+  for (int y = 0; y < 3; ++y)
+  {
+    for (int x = 0; x < 5; ++x)
+    {
+      function->SetScalarComponentFromDouble(x, y, 0, 0, x / 4.0);
+      function->SetScalarComponentFromDouble(x, y, 0, 1, y / 2.0);
+      function->SetScalarComponentFromDouble(x, y, 0, 2, 0.5);
+      function->SetScalarComponentFromDouble(x, y, 0, 3, 0.1 * x / 4.0 * y / 2.0);
+    }
+  }
+  return function;
+}
+
+// A block of 9 x 9 x 33 voxels, seen along z. The first value rises along x from 0 to 80, so that
+// its gradient is 10, half of a quarter of the range; the second one is 30 in a range of 0 to 120.
+class TwoValues
+{
+public:
+  TwoValues()
+    : scene(Values(), 9)
+  {
+    vtkVolumeProperty* property = this->scene.volume->GetProperty();
+    property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+    property->SetTransferFunction2D(Function());
+    vtkCamera* camera = this->scene.renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.4);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetFocalPoint(4.0, 4.0, 0.0);
+    camera->SetPosition(4.0, 4.0, 300.0);
+    camera->SetClippingRange(1.0, 1000.0);
+  }
+
+  // The picture where the values are at these places of their ranges.
+  void ExpectPlaces(double first, double second)
+  {
+    const double alpha = 1.0 - std::pow(1.0 - 0.1 * first * second, 32.0);
+    const std::array<float, 4> drawn = this->scene.MiddlePixel();
+    EXPECT_NEAR(drawn[3], alpha, Tolerance);
+    EXPECT_NEAR(drawn[0], first * alpha, Tolerance);
+    EXPECT_NEAR(drawn[1], second * alpha, Tolerance);
+  }
+
+  MapperScene scene;
+
+private:
+  static vtkSmartPointer<vtkImageData> Values()
+  {
+    const auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(9, 9, 33);
+    image->AllocateScalars(VTK_SHORT, 1);
+    vtkNew<vtkFloatArray> second;
+    second->SetName("second");
+    second->SetNumberOfTuples(9 * 9 * 33);
+    for (int i = 0; i < 9 * 9 * 33; ++i)
+    {
+      static_cast<short*>(image->GetScalarPointer())[i] = short(10 * (i % 9));
+      second->SetValue(i, i % 9 == 0 ? 120.0f * (i / 9 % 2) : 30.0f);
+    }
+    image->GetPointData()->AddArray(second);
+    return image;
+  }
+};
+
+}
+
+TEST(FunctionsOfTwoValues, TakeTheGradientAndMeetTheEndsOfTheRange)
+{
+  TwoValues values;
+  values.scene.mapper->AutoAdjustSampleDistancesOff();
+  for (const double sampleDistance : { 4.0, 1.0, 0.25 })
+  {
+    values.scene.mapper->SetSampleDistance(sampleDistance);
+    values.ExpectPlaces(0.5, 0.5);
+  }
+  // Not at a point of the function.
+  vtkCamera* camera = values.scene.renderer->GetActiveCamera();
+  camera->SetFocalPoint(5.3, 4.0, 0.0);
+  camera->SetPosition(5.3, 4.0, 300.0);
+  values.ExpectPlaces(5.3 / 8.0, 0.5);
+}
+
+TEST(FunctionsOfTwoValues, TakeAnArrayByName)
+{
+  TwoValues values;
+  values.scene.mapper->SetTransfer2DYAxisArray("second");
+  values.ExpectPlaces(0.5, 0.25);
+  values.scene.mapper->SetTransfer2DYAxisArray("no such array");
+  ExpectedVtkErrors errors;
+  values.scene.window->Render();
+  EXPECT_NE(errors.Text().find("no such array"), std::string::npos);
+}
+
+TEST(FunctionsOfTwoValues, AreUploadedAnewWhenTheirImageChanges)
+{
+  TwoValues values;
+  values.ExpectPlaces(0.5, 0.5);
+  vtkImageData* function = values.scene.volume->GetProperty()->GetTransferFunction2D();
+  function->GetPointData()->GetScalars()->FillComponent(3, 0.0);
+  function->Modified();
+  EXPECT_EQ(values.scene.MiddlePixel()[3], 0.0f);
+}
+
+class FunctionOfTorso : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(FunctionOfTorso, IsThatOfTheReference)
+{
+  const auto torso = SmallTorso();
+  const bool shaded = GetParam();
+  MapperScene scene(torso, 48);
+  vtkVolumeProperty* property = scene.volume->GetProperty();
+  property->SetShade(shaded);
+  property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  property->SetTransferFunction2D(Function());
+
+  const VolumeGeometry geometry = VolumeGeometryOf(torso, scene.volume);
+  const ScalarGrid<short> grid(
+    static_cast<const short*>(torso->GetScalarPointer()), geometry.dimensions);
+  double spacing[3];
+  torso->GetSpacing(spacing);
+  double range[2];
+  torso->GetScalarRange(range);
+  const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+  const auto material = [&](glm::dvec3 position, const Ray& rayGrid) -> OpticalProperties
+  {
+    const glm::dvec3 gradient = grid.Gradient(position);
+    const double magnitude =
+      mean * glm::length(gradient / glm::dvec3(spacing[0], spacing[1], spacing[2]));
+    const double first = (grid.Value(position) - range[0]) / (range[1] - range[0]);
+    const double second = std::min(magnitude / (0.25 * (range[1] - range[0])), 1.0);
+    const glm::dvec3 toEye = glm::normalize(geometry.WorldFromGridDirection() * rayGrid.direction);
+    const double facing =
+      std::abs(glm::dot(glm::normalize(geometry.WorldFromGridNormal() * gradient), toEye));
+    const glm::dvec3 rgb(first, second, 0.5);
+    return { shaded ? rgb * (0.1 + 0.7 * facing) + 0.2 * std::pow(facing, 10.0) : rgb,
+      -std::log1p(-0.1 * first * second) };
+  };
+  const ImageError error = scene.ErrorOf(material);
+  EXPECT_LT(error.rootMeanSquare, 0.5);
+  EXPECT_LT(error.largest, 10.0);
+  const std::vector<float> drawn = scene.Draw();
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the picture is empty";
+}
+
+INSTANTIATE_TEST_SUITE_P(ShadedOrNot, FunctionOfTorso, testing::Values(false, true));
+
+TEST(FunctionsOfTwoValues, TakeTheirShadersOnlyWhereTheyAre)
+{
+  TwoValues values;
+  values.scene.mapper->SetTransfer2DYAxisArray("second");
+  values.scene.mapper->SetAccelerationModeToOff();
+  values.scene.Draw();
+  const std::vector<std::string> parts = values.scene.ShaderParts();
+  const auto classify = std::find(parts.begin(), parts.end(), "Classify/TwoValueTable.glsl");
+  const auto march = std::find(classify, parts.end(), "March/MaterialSegments.glsl");
+  EXPECT_EQ(std::vector<std::string>(classify, march),
+    (std::vector<std::string>{ "Classify/TwoValueTable.glsl", "Gradient/None.glsl",
+      "Shade/None.glsl", "Material/TwoValues.glsl", "Blend/Composite.glsl" }));
+}

@@ -1,0 +1,290 @@
+// Masks: which voxels are drawn, and by which functions. Each voxel of a mask fills the cube around
+// it, so that what a ray crosses of a label is known exactly.
+
+#include "Module/MapperScene.h"
+#include "VolumeGeometry.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr double Tolerance = 0.5 / 255.0;
+
+using Labels = std::function<int(glm::ivec3)>;
+
+vtkSmartPointer<vtkImageData> MaskOf(glm::ivec3 size, const Labels& labels, int type = VTK_INT)
+{
+  const auto mask = vtkSmartPointer<vtkImageData>::New();
+  mask->SetDimensions(size.x, size.y, size.z);
+  mask->AllocateScalars(type, 1);
+  for (int z = 0; z < size.z; ++z)
+  {
+    for (int y = 0; y < size.y; ++y)
+    {
+      for (int x = 0; x < size.x; ++x)
+      {
+        mask->SetScalarComponentFromDouble(x, y, z, 0, labels({ x, y, z }));
+      }
+    }
+  }
+  return mask;
+}
+
+// A block of 9 x 9 x 33 voxels of value 50 in a range of 0 to 100, seen along its z axis: white,
+// its opacity 0.05 per unit distance.
+class Block
+{
+public:
+  Block()
+    : scene(Values(), 9)
+  {
+    this->scene.colors->RemoveAllPoints();
+    this->scene.colors->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+    this->scene.opacities->RemoveAllPoints();
+    this->scene.opacities->AddPoint(0.0, 0.05);
+    vtkCamera* camera = this->scene.renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.4);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetFocalPoint(4.0, 4.0, 0.0);
+    camera->SetPosition(4.0, 4.0, 300.0);
+    camera->SetClippingRange(1.0, 1000.0);
+  }
+
+  void SetMask(const Labels& labels, bool binary = false)
+  {
+    this->scene.mapper->SetMaskInput(MaskOf({ 9, 9, 33 }, labels));
+    this->scene.mapper->SetMaskType(binary ? 0 : 1);
+  }
+
+  MapperScene scene;
+
+private:
+  static vtkSmartPointer<vtkImageData> Values()
+  {
+    const auto image = MaskOf(
+      { 9, 9, 33 }, [](glm::ivec3 voxel) { return voxel.x == 0 ? 100 * (voxel.y % 2) : 50; });
+    return image;
+  }
+};
+
+vtkSmartPointer<vtkPiecewiseFunction> Constant(double value)
+{
+  const auto function = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  function->AddPoint(0.0, value);
+  return function;
+}
+
+}
+
+TEST(BinaryMask, EndsHalfWayBetweenVoxels)
+{
+  Block block;
+  // Voxels 10 to 19 and 25: ten and one unit distances.
+  block.SetMask([](glm::ivec3 voxel)
+    { return (voxel.z >= 10 && voxel.z < 20) || voxel.z == 25 ? 255 : 0; },
+    true);
+  for (const bool coarse : { false, true })
+  {
+    block.scene.mapper->SetAutoAdjustSampleDistances(!coarse);
+    block.scene.mapper->SetSampleDistance(4.0);
+    EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 11.0), Tolerance);
+  }
+  block.SetMask([](glm::ivec3) { return 0; }, true);
+  EXPECT_EQ(block.scene.MiddlePixel()[3], 0.0f);
+}
+
+TEST(BinaryMask, ConfinesEveryBlendMode)
+{
+  const auto torso = SmallTorso();
+  MapperScene scene(torso, 48);
+  scene.opacities->AddPoint(-1100.0, 0.3);
+  for (int blend : { vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
+         vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, vtkVolumeMapper::AVERAGE_INTENSITY_BLEND,
+         vtkVolumeMapper::ADDITIVE_BLEND })
+  {
+    scene.mapper->SetBlendMode(blend);
+    scene.mapper->SetMaskInput(nullptr);
+    const std::vector<float> whole = scene.Draw();
+    scene.mapper->SetMaskTypeToBinary();
+    scene.mapper->SetMaskInput(MaskOf({ 40, 36, 24 }, [](glm::ivec3) { return 1; }));
+    EXPECT_LT(CompareImages(whole.data(), scene.Draw().data(), 48 * 48).largest, 2.0) << blend;
+    scene.mapper->SetMaskInput(
+      MaskOf({ 40, 36, 24 }, [](glm::ivec3 voxel) { return voxel.x < 20 ? 1 : 0; }));
+    EXPECT_GT(CompareImages(whole.data(), scene.Draw().data(), 48 * 48).largest, 20.0) << blend;
+  }
+}
+
+TEST(BinaryMask, OfAnotherResolutionSpansTheSameBox)
+{
+  Block block;
+  block.scene.mapper->SetMaskTypeToBinary();
+  block.scene.mapper->SetMaskInput(MaskOf(
+    { 3, 3, 11 }, [](glm::ivec3 voxel) { return voxel.z >= 2 && voxel.z < 5 ? 1 : 0; },
+    VTK_UNSIGNED_CHAR));
+  EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 9.0), Tolerance);
+}
+
+TEST(LabelMap, OpacityIsThatOfAUnitDistanceWhateverTheStep)
+{
+  Block block;
+  vtkVolumeProperty* property = block.scene.volume->GetProperty();
+  // Any label value.
+  property->SetLabelScalarOpacity(70000, Constant(0.2));
+  property->SetLabelScalarOpacity(-3, Constant(0.0));
+  block.SetMask(
+    [](glm::ivec3 voxel) {
+      return voxel.z >= 20 ? 70000 : voxel.z >= 10 ? -3 : voxel.z == 5 ? 12 : 0;
+    });
+  const double expected = 1.0 - std::pow(0.8, 12.5) * std::pow(0.95, 9.5);
+  for (const double sampleDistance : { 4.0, 1.0, 0.25 })
+  {
+    block.scene.mapper->AutoAdjustSampleDistancesOff();
+    block.scene.mapper->SetSampleDistance(sampleDistance);
+    EXPECT_NEAR(block.scene.MiddlePixel()[3], expected, Tolerance) << sampleDistance;
+  }
+}
+
+TEST(LabelMap, ColoursAreOfTheLabelsAndTheRestIsAsWithout)
+{
+  Block block;
+  vtkVolumeProperty* property = block.scene.volume->GetProperty();
+  vtkNew<vtkColorTransferFunction> red;
+  red->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
+  property->SetLabelColor(1, red);
+  block.SetMask([](glm::ivec3 voxel) { return voxel.z >= 28 ? 1 : 0; });
+  const double inFront = 1.0 - std::pow(0.95, 4.5);
+  const double all = 1.0 - std::pow(0.95, 32.0);
+  EXPECT_NEAR(block.scene.MiddlePixel()[0], all, Tolerance);
+  EXPECT_NEAR(block.scene.MiddlePixel()[1], all - inFront, Tolerance);
+  // Half of the label's colour, half of that without a label.
+  block.scene.mapper->SetMaskBlendFactor(0.5);
+  EXPECT_NEAR(block.scene.MiddlePixel()[1], all - 0.5 * inFront, Tolerance);
+  block.scene.mapper->SetMaskBlendFactor(0.0);
+  EXPECT_NEAR(block.scene.MiddlePixel()[1], all, Tolerance);
+}
+
+TEST(LabelMap, OpacitiesOfAUnitDistanceAreMixed)
+{
+  Block block;
+  block.scene.volume->GetProperty()->SetLabelScalarOpacity(1, Constant(0.25));
+  block.SetMask([](glm::ivec3) { return 1; });
+  block.scene.mapper->SetMaskBlendFactor(0.25);
+  const double expected = 1.0 - std::pow(1.0 - (0.75 * 0.05 + 0.25 * 0.25), 32.0);
+  EXPECT_NEAR(block.scene.MiddlePixel()[3], expected, Tolerance);
+}
+
+namespace
+{
+
+// A torso of three labels: 1 has a colour and an opacity of its own, 2 a gradient opacity.
+class LabelledTorso
+{
+public:
+  LabelledTorso()
+    : scene(SmallTorso(), 48)
+    , geometry(VolumeGeometryOf(this->scene.image, this->scene.volume))
+    , grid(static_cast<const short*>(this->scene.image->GetScalarPointer()), size)
+  {
+    this->scene.mapper->SetMaskInput(MaskOf(size, LabelOf, VTK_UNSIGNED_CHAR));
+    this->green->AddRGBPoint(0.0, 0.1, 0.9, 0.2);
+    this->veil->AddPoint(-100.0, 0.0);
+    this->veil->AddPoint(300.0, 0.08);
+    this->factors->AddPoint(0.0, 0.2);
+    this->factors->AddPoint(100.0, 1.0);
+    vtkVolumeProperty* property = this->scene.volume->GetProperty();
+    property->ShadeOn();
+    property->SetLabelColor(1, this->green);
+    property->SetLabelScalarOpacity(1, this->veil);
+    property->SetLabelGradientOpacity(2, this->factors);
+  }
+
+  OpticalProperties MaterialAt(glm::dvec3 position, const Ray& rayGrid)
+  {
+    const glm::ivec3 nearest(glm::floor(position + 0.5));
+    const int label = LabelOf(glm::clamp(nearest, glm::ivec3(0), size - 1));
+    const double value = this->grid.Value(position);
+    const glm::dvec3 gradient = this->grid.Gradient(position);
+    const double factor = label == 2 ? this->factors->GetValue(this->Magnitude(gradient)) : 1.0;
+    const double opacity = (label == 1 ? this->veil : this->scene.opacities)->GetValue(value);
+    double rgb[3];
+    (label == 1 ? this->green : this->scene.colors)->GetColor(value, rgb);
+    const glm::dvec3 normal = this->geometry.WorldFromGridNormal() * gradient;
+    const glm::dvec3 toEye = this->geometry.WorldFromGridDirection() * rayGrid.direction;
+    const double facing = std::abs(glm::dot(glm::normalize(normal), glm::normalize(toEye)));
+    return { glm::dvec3(rgb[0], rgb[1], rgb[2]) * (0.1 + 0.7 * facing) +
+        0.2 * std::pow(facing, 10.0),
+      -std::log1p(-opacity * factor) };
+  }
+
+  MapperScene scene;
+
+private:
+  static int LabelOf(glm::ivec3 voxel) { return (voxel.x / 13 + voxel.z / 9) % 3; }
+
+  // Per mean spacing.
+  double Magnitude(glm::dvec3 gradient) const
+  {
+    double spacing[3];
+    this->scene.image->GetSpacing(spacing);
+    const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+    return mean * glm::length(gradient / glm::dvec3(spacing[0], spacing[1], spacing[2]));
+  }
+
+  static constexpr glm::ivec3 size = glm::ivec3(40, 36, 24);
+  VolumeGeometry geometry;
+  ScalarGrid<short> grid;
+  vtkNew<vtkColorTransferFunction> green;
+  vtkNew<vtkPiecewiseFunction> veil;
+  vtkNew<vtkPiecewiseFunction> factors;
+};
+
+}
+
+TEST(LabelMap, WithFunctionsOfEachLabelIsThatOfTheReference)
+{
+  LabelledTorso torso;
+  const ImageError error = torso.scene.ErrorOf(
+    [&](glm::dvec3 position, const Ray& rayGrid) { return torso.MaterialAt(position, rayGrid); });
+  EXPECT_LT(error.rootMeanSquare, 0.5);
+  EXPECT_LT(error.largest, 10.0);
+  const std::vector<float> drawn = torso.scene.Draw();
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the picture is empty";
+}
+
+TEST(Masks, TakeTheirShaderAndTextureOnlyWhereTheyAre)
+{
+  Block block;
+  block.scene.Draw();
+  const vtkIdType bytes = block.scene.mapper->GetGraphicsMemoryBytes();
+  const auto count = [&](const char* part)
+  {
+    const std::vector<std::string> parts = block.scene.ShaderParts();
+    return std::count(parts.begin(), parts.end(), part);
+  };
+  EXPECT_EQ(count("Mask/None.glsl"), 1);
+  block.SetMask([](glm::ivec3 voxel) { return voxel.z % 2; }, true);
+  block.scene.Draw();
+  EXPECT_EQ(count("Mask/Binary.glsl"), 1);
+  EXPECT_EQ(count("March/Midpoint.glsl"), 1) << "a binary mask takes no other march";
+  EXPECT_EQ(block.scene.mapper->GetGraphicsMemoryBytes(), bytes + 9 * 9 * 33 * 4);
+  block.scene.mapper->SetMaskTypeToLabelMap();
+  block.scene.Draw();
+  EXPECT_EQ(count("Mask/Labels.glsl"), 1);
+  EXPECT_EQ(count("Material/Labelled.glsl"), 1);
+  block.scene.mapper->SetMaskInput(nullptr);
+  block.scene.Draw();
+  EXPECT_EQ(block.scene.mapper->GetGraphicsMemoryBytes(), bytes);
+}

@@ -1,0 +1,58 @@
+#ifndef Varimarch_MaskTexture_h
+#define Varimarch_MaskTexture_h
+
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+#include "vtkType.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+class vtkDataArray;
+class vtkOpenGLRenderWindow;
+
+namespace varimarch
+{
+
+/// What a mask says of its voxels, which span the same box as those of the volume.
+struct MaskVoxels
+{
+  vtkDataArray* labels = nullptr; ///< one component
+  glm::ivec3 dimensions = glm::ivec3(0);
+  vtkMTimeType time = 0; ///< when they changed last
+  bool binary = false;
+  std::vector<int> rows; ///< not binary: labels that have a row of their own; sorted
+
+  bool operator==(const MaskVoxels& other) const
+  {
+    return this->labels == other.labels && this->time == other.time &&
+      this->binary == other.binary && this->rows == other.rows;
+  }
+};
+
+/// A mask on the device: for each voxel its row, or whether it is drawn, and how far that is the
+/// same (LabelReach), as Shaders/Mask reads them. It is whole where the volume is in blocks.
+class MaskTexture
+{
+public:
+  /// Uploads a mask if it is another than the last.
+  /// @throws std::runtime_error when the device cannot hold it
+  void Update(vtkOpenGLRenderWindow* window, const MaskVoxels& mask);
+
+  vtkTextureObject* Texture() const { return this->texture; }
+  glm::ivec3 Size() const { return this->mask.dimensions; }
+  int Builds() const { return this->builds; }
+  std::size_t Bytes() const { return this->bytes; }
+  void Release(vtkWindow* window);
+
+private:
+  vtkNew<vtkTextureObject> texture;
+  MaskVoxels mask;
+  int builds = 0;
+  std::size_t bytes = 0;
+};
+
+}
+
+#endif
