@@ -4,11 +4,12 @@
 #include "FrameOfMapper.h"
 #include "ImagesOfPicture.h"
 #include "PictureOfMapper.h"
+#include "PropOfSelector.h"
 #include "RayMarcher.h"
+#include "VolumesOfRenderer.h"
 
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
-#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -19,12 +20,27 @@
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 struct vtkVariationFieldVolumeMapper::Internals
 {
+  // The first of several volumes to be drawn draws them all; it tells the others so.
+  struct DrawnAhead
+  {
+    vtkRenderer* Renderer = nullptr;
+    vtkMTimeType Time = 0; // when what that depends on had changed last
+  };
+  DrawnAhead Ahead;
+
+  static void Draw(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+  static void DrawInOrder(
+    vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
   varimarch::RayMarcher Marcher;
   std::string ReportedError; ///< the one the user has already been told
   std::string ReportedWarning;
@@ -73,44 +89,6 @@ int BuildsOf(const varimarch::BuildCounts& builds)
   return builds.volumeTexture + builds.brickRanges + builds.field + builds.opticalTable +
     builds.shader;
 }
-
-// A selector counts a prop as selectable between these.
-class PropOfSelector
-{
-public:
-  explicit PropOfSelector(vtkHardwareSelector* selector)
-    : selector(selector)
-  {
-    if (selector)
-    {
-      selector->BeginRenderProp();
-    }
-  }
-
-  PropOfSelector(const PropOfSelector&) = delete;
-  void operator=(const PropOfSelector&) = delete;
-
-  ~PropOfSelector()
-  {
-    if (this->selector)
-    {
-      this->selector->EndRenderProp();
-    }
-  }
-
-  // Numbers of more than 24 bits take further passes.
-  void TellCounts(vtkDataSet* input)
-  {
-    if (this->selector && this->selector->GetCurrentPass() >= vtkHardwareSelector::POINT_ID_LOW24)
-    {
-      this->selector->UpdateMaximumPointId(input->GetNumberOfPoints());
-      this->selector->UpdateMaximumCellId(input->GetNumberOfCells());
-    }
-  }
-
-private:
-  vtkHardwareSelector* selector;
-};
 
 }
 
@@ -165,23 +143,62 @@ vtkImageData* vtkVariationFieldVolumeMapper::GetMaskInput()
   return this->MaskInput;
 }
 
-void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+// One volume, with all that a mapper tells of its drawing.
+void vtkVariationFieldVolumeMapper::Internals::Draw(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
-  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+  mapper->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   try
   {
-    this->DrawFrame(renderer, volume);
-    this->Private->ReportedError.clear();
+    mapper->DrawFrame(renderer, volume);
+    mapper->Private->ReportedError.clear();
   }
   catch (const std::exception& problem)
   {
-    this->ReportOnce(problem.what());
+    mapper->ReportOnce(problem.what());
   }
-  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+  mapper->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
   timer->StopTimer();
-  this->TimeToDraw = timer->GetElapsedTime();
+  mapper->TimeToDraw = timer->GetElapsedTime();
+}
+
+// All volumes of the renderer, back to front, where it is not asked for this one alone.
+void vtkVariationFieldVolumeMapper::Internals::DrawInOrder(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  const std::vector<vtkVolume*> volumes = varimarch::VolumesBackToFront(renderer);
+  const vtkMTimeType time = varimarch::TimeOf(volumes, renderer);
+  const DrawnAhead ahead = std::exchange(mapper->Private->Ahead, {});
+  if (ahead.Renderer == renderer && ahead.Time == time)
+  {
+    return;
+  }
+  const bool isListed = std::find(volumes.begin(), volumes.end(), volume) != volumes.end();
+  if (!isListed || volumes.size() == 1)
+  {
+    Draw(mapper, renderer, volume);
+    return;
+  }
+  for (vtkVolume* next : volumes)
+  {
+    auto* nextMapper = vtkVariationFieldVolumeMapper::SafeDownCast(next->GetMapper());
+    if (next != volume)
+    {
+      next->Update();
+      nextMapper->Private->Ahead = { renderer, time };
+    }
+    Draw(nextMapper, renderer, next);
+  }
+}
+
+void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  const bool isAlone = volume->GetMapper() != this || this->RenderToImage ||
+    varimarch::PassOfVolume(this, renderer, volume).pass != varimarch::RayPass::Whole;
+  isAlone ? Internals::Draw(this, renderer, volume)
+          : Internals::DrawInOrder(this, renderer, volume);
 }
 
 void vtkVariationFieldVolumeMapper::LockSampleDistance()
@@ -197,7 +214,7 @@ void vtkVariationFieldVolumeMapper::LockSampleDistance()
 void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->LockSampleDistance();
-  PropOfSelector prop(renderer->GetSelector());
+  varimarch::PropOfSelector prop(renderer->GetSelector());
   const std::optional<varimarch::Frame> frame = varimarch::FrameOf(this, renderer, volume);
   if (frame)
   {
