@@ -102,6 +102,9 @@ TEST(BinaryMask, EndsHalfWayBetweenVoxels)
     block.scene.mapper->SetSampleDistance(4.0);
     EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 11.0), Tolerance);
   }
+  // The half of the first voxel that is inside the volume.
+  block.SetMask([](glm::ivec3 voxel) { return voxel.z == 0 ? 1 : 0; }, true);
+  EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 0.5), Tolerance);
   block.SetMask([](glm::ivec3) { return 0; }, true);
   EXPECT_EQ(block.scene.MiddlePixel()[3], 0.0f);
 }
