@@ -65,6 +65,9 @@ BrickRanges RangesOf(const VoxelChannel& channel, glm::ivec3 dimensions, const S
   return {};
 }
 
+// With a smaller part of bricks to skip, to look for them costs more than is skipped.
+constexpr double LeastSkippablePart = 1.0 / 8.0;
+
 class Stopwatch
 {
 public:
@@ -138,7 +141,17 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
     channels.push_back({ this->ranges[shown.channel], *shown.table });
   }
   const OpticalField field = varimarch::BuildOpticalField(channels, tolerance);
-  this->Keep(window, field, stopwatch.Seconds());
+  this->Keep(field, stopwatch.Seconds());
+  const Box all{ glm::dvec3(0.0),
+    double(BrickRanges::CellsPerSide) * glm::dvec3(field.brickCount) };
+  if (field.SkippablePart(this->visible.Bounds(all)) >= LeastSkippablePart)
+  {
+    this->Upload(window, field.brickCount, field.bricks);
+  }
+  else
+  {
+    this->ReleaseTexture(window);
+  }
 }
 
 void AccelerationField::BuildIsosurfaceField(
@@ -146,15 +159,14 @@ void AccelerationField::BuildIsosurfaceField(
 {
   const Stopwatch stopwatch;
   const OpticalField field = varimarch::BuildIsosurfaceField(this->ranges.front(), isovalues);
-  this->Keep(window, field, stopwatch.Seconds());
+  this->Keep(field, stopwatch.Seconds());
+  this->Upload(window, field.brickCount, field.bricks);
 }
 
-void AccelerationField::Keep(
-  vtkOpenGLRenderWindow* window, const OpticalField& field, double seconds)
+void AccelerationField::Keep(const OpticalField& field, double seconds)
 {
   this->visible = VisibleBricks(field);
   this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + seconds;
-  this->Upload(window, field.brickCount, field.bricks);
 }
 
 void AccelerationField::BuildExtremes(vtkOpenGLRenderWindow* window, bool largest)
@@ -175,12 +187,17 @@ void AccelerationField::BuildExtremes(vtkOpenGLRenderWindow* window, bool larges
   this->Upload(window, count, extremes);
 }
 
-void AccelerationField::Release(vtkWindow* window)
+void AccelerationField::ReleaseTexture(vtkWindow* window)
 {
   this->texture->ReleaseGraphicsResources(window);
+  this->bytes = 0;
+}
+
+void AccelerationField::Release(vtkWindow* window)
+{
+  this->ReleaseTexture(window);
   this->ranges.clear();
   this->visible = VisibleBricks();
-  this->bytes = 0;
 }
 
 }

@@ -40,6 +40,7 @@ public:
   void BuildRanges(
     const VoxelChannels& channels, glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels);
 
+  /// There is no texture of it where rays could hardly skip anything.
   /// @throws std::runtime_error when the device cannot hold the texture
   /// @param tables  what shows a channel's values
   void BuildOpticalField(vtkOpenGLRenderWindow* window, const std::vector<ChannelTable>& tables,
@@ -55,6 +56,7 @@ public:
 
   const BrickRanges& Ranges() const { return this->ranges.front(); } ///< of the first channel
   vtkTextureObject* Texture() const { return this->texture; }
+  bool HasTexture() const { return this->bytes > 0; }
   /// Of the optical field, the smallest box that holds what is visible in a part of the volume.
   Box VisibleBoxGrid(const Box& partGrid) const { return this->visible.Bounds(partGrid); }
   glm::ivec3 Size() const { return this->size; } ///< texels
@@ -64,7 +66,8 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void Keep(vtkOpenGLRenderWindow* window, const OpticalField& field, double seconds);
+  void ReleaseTexture(vtkWindow* window);
+  void Keep(const OpticalField& field, double seconds);
   template <class Texel>
   void Upload(vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels);
 

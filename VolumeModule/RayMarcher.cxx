@@ -25,6 +25,7 @@ void RayMarcher::Draw(Frame frame)
   this->UpdateGradientOpacity(frame);
   this->UpdateMask(frame);
   this->UpdateField(frame);
+  frame.settings.skipsBricks = this->field.HasTexture();
   this->UpdateDepth(frame);
   this->UpdateLights(frame);
   this->UpdateNoise(frame);

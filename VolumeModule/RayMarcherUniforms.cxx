@@ -122,11 +122,13 @@ void RayMarcher::SetStepUniforms(const Frame& frame, const VolumeBlock& block)
   {
     this->SetNoiseUniforms();
   }
-  if (frame.settings.acceleration == Acceleration::Off)
+  const bool isOfCells = frame.settings.acceleration == Acceleration::ScalarField;
+  const bool isOfBricks =
+    frame.settings.acceleration == Acceleration::OpticalField && frame.settings.skipsBricks;
+  if (!isOfCells && !isOfBricks)
   {
     return;
   }
-  const bool isOfCells = frame.settings.acceleration == Acceleration::ScalarField;
   const AccelerationField& field = isOfCells ? block.scalarField : this->field;
   field.Texture()->Activate();
   this->program.Set("fieldTexture", field.Texture());

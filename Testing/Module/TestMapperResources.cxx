@@ -168,6 +168,27 @@ TEST(Resources, NothingIsResidentThatTheSceneDoesNotNeed)
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), 0);
 }
 
+TEST(Resources, AFieldWithHardlyABrickToSkipIsNotResident)
+{
+  MapperScene scene(SmallTorso());
+  scene.volume->GetProperty()->ShadeOn();
+  const auto stepAndBytes = [&]
+  {
+    scene.window->Render();
+    const std::vector<std::string> parts = scene.ShaderParts();
+    const auto step = std::find_if(parts.begin(), parts.end(),
+      [](const std::string& part) { return part.rfind("Step/", 0) == 0; });
+    return std::pair(*step, scene.mapper->GetGraphicsMemoryBytes());
+  };
+  const auto [skipping, withField] = stepAndBytes();
+  EXPECT_EQ(skipping, "Step/OpticalField.glsl");
+
+  scene.opacities->AddPoint(-2000.0, 0.01); // air too
+  const auto [growing, withoutField] = stepAndBytes();
+  EXPECT_EQ(growing, "Step/Growing.glsl");
+  EXPECT_EQ(withoutField, withField - 10 * 9 * 6);
+}
+
 TEST(Resources, TheDepthBufferIsCopiedOnlyForOpaqueGeometry)
 {
   MapperScene scene(SmallTorso());

@@ -148,6 +148,16 @@ TEST(OpticalField, WhereNothingIsVisibleTheBoxIsEmpty)
   EXPECT_GE(box.lower.x, box.upper.x);
 }
 
+TEST(OpticalField, WhatIsSkippableIsAllButTheStructuredBricksOfABox)
+{
+  constexpr std::uint8_t Structured = OpticalField::Structured;
+  const OpticalField field{ { 2, 2, 1 },
+    { Structured, OpticalField::Homogeneous, Structured, OpticalField::Invisible + 3 } };
+  EXPECT_DOUBLE_EQ(field.SkippablePart({ glm::dvec3(0.0), { 8.0, 8.0, 4.0 } }), 0.5);
+  EXPECT_DOUBLE_EQ(field.SkippablePart({ glm::dvec3(0.0), { 4.0, 8.0, 4.0 } }), 0.0);
+  EXPECT_DOUBLE_EQ(field.SkippablePart({ { 4.0, 0.0, 0.0 }, { 8.0, 8.0, 4.0 } }), 1.0);
+}
+
 TEST_P(OpticalFieldOf, AHomogeneousBrickKeepsItsTolerance)
 {
   const RandomScene scene = SceneOf(GetParam());

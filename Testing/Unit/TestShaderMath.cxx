@@ -16,6 +16,7 @@ using namespace glm;
 #include "Shaders/Math/CellCubic.glsl"
 #include "Shaders/Math/IntersectBox.glsl"
 #include "Shaders/Math/LatticeWalk.glsl"
+#include "Shaders/Math/StepGrowth.glsl"
 #include "Shaders/Math/WithOpacityFactor.glsl"
 }
 
@@ -168,4 +169,11 @@ TEST(LatticeWalk, LeavesABlockAtItsNearestFace)
     glsl::BehindBlock(ray, glsl::PlaceAt(ray, 2.0f, glm::vec3(32.0f)), 1.0f);
   EXPECT_FLOAT_EQ(behind.t, 3.5f); // cells 1 ... 3 and 18 ... 20: left at x = 4
   EXPECT_EQ(behind.cell, glm::vec3(4.0f, 18.0f, 3.0f));
+}
+
+TEST(StepGrowth, IsOneInTheOpenAndLimitedBehindVeils)
+{
+  EXPECT_FLOAT_EQ(glsl::StepGrowth(1.0f), 1.0f);
+  EXPECT_FLOAT_EQ(glsl::StepGrowth(0.25f), 2.0f);
+  EXPECT_FLOAT_EQ(glsl::StepGrowth(0.0f), 4.0f);
 }

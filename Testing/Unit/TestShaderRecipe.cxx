@@ -43,7 +43,10 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::ScalarField, false, false }),
     Parts{ "Step/VariationField.glsl" });
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
-    (Parts{ "Math/LatticeWalk.glsl", "Step/OpticalField.glsl" }));
+    (Parts{ "Math/LatticeWalk.glsl", "Math/StepGrowth.glsl", "Step/OpticalField.glsl" }));
+  RenderSettings growing{ Blend::Composite, Acceleration::OpticalField, false, false };
+  growing.skipsBricks = false;
+  EXPECT_EQ(Changed(growing), (Parts{ "Math/StepGrowth.glsl", "Step/Growing.glsl" }));
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, true, false }),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
       "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
@@ -177,7 +180,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 142u);
+  EXPECT_EQ(distinct.size(), 144u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -52,6 +52,17 @@ std::vector<RenderSettings> RecipesWithGaps()
   return recipes;
 }
 
+std::vector<RenderSettings> RecipesOfGrowingSteps()
+{
+  std::vector<RenderSettings> recipes;
+  for (bool shading : { false, true })
+  {
+    recipes.push_back({ Blend::Composite, Acceleration::OpticalField, shading, false });
+    recipes.back().skipsBricks = false;
+  }
+  return recipes;
+}
+
 std::vector<RenderSettings> RecipesInBlocks()
 {
   std::vector<RenderSettings> recipes;
@@ -184,8 +195,9 @@ std::vector<RenderSettings> EveryRecipe()
   RenderSettings counting;
   counting.countFetches = true;
   std::vector<RenderSettings> recipes = { counting };
-  for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(), RecipesWithGaps(),
-         RecipesInBlocks(), RecipesOfPictures(), RecipesWithCuts(), ExactRecipes() })
+  for (const std::vector<RenderSettings>& others :
+    { RecipesOfMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(), RecipesInBlocks(),
+      RecipesOfPictures(), RecipesWithCuts(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

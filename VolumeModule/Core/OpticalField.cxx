@@ -283,6 +283,26 @@ OpticalField BuildIsosurfaceField(const BrickRanges& ranges, const std::vector<d
     });
 }
 
+double OpticalField::SkippablePart(const Box& boxGrid) const
+{
+  constexpr double Side = BrickRanges::CellsPerSide;
+  const glm::ivec3 first = glm::max(glm::ivec3(glm::floor(boxGrid.lower / Side)), 0);
+  const glm::ivec3 behind = glm::min(glm::ivec3(glm::ceil(boxGrid.upper / Side)), this->brickCount);
+  std::ptrdiff_t structured = 0;
+  std::ptrdiff_t all = 0;
+  for (int z = first.z; z < behind.z; ++z)
+  {
+    for (int y = first.y; y < behind.y; ++y)
+    {
+      const auto row =
+        this->bricks.begin() + (std::ptrdiff_t(z) * this->brickCount.y + y) * this->brickCount.x;
+      structured += std::count(row + first.x, row + behind.x, Structured);
+      all += behind.x - first.x;
+    }
+  }
+  return all > 0 ? 1.0 - double(structured) / double(all) : 1.0;
+}
+
 VisibleBricks::VisibleBricks(const OpticalField& field)
   : brickCount(field.brickCount)
   , visible(field.bricks.size())

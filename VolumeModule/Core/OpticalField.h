@@ -28,6 +28,9 @@ struct OpticalField
 
   glm::ivec3 brickCount = glm::ivec3(0);
   std::vector<std::uint8_t> bricks; ///< x fastest
+
+  /// The part of the bricks in a box of whole bricks [grid space] that a ray takes in one step.
+  double SkippablePart(const Box& boxGrid) const;
 };
 
 /// What a brick must keep to count as homogeneous. With s the extinction [1/mm] and c a colour

@@ -128,6 +128,7 @@ struct RenderSettings
   bool gaps = false;             ///< leave out cells that touch a voxel that is not finite,
   bool fillGaps = false;         ///< or draw them in a colour of their own; composite only
   bool countFetches = false;     ///< draw how often each ray has read the volume, not the picture
+  bool skipsBricks = true;       ///< composites with the optical field: there is enough to skip
   RayPass pass = RayPass::Whole;
   bool lights = false; ///< shading by all lights of the scene, not by a head light alone
   Mask mask = Mask::None;

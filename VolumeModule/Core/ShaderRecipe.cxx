@@ -28,7 +28,11 @@ std::string StepFile(const RenderSettings& settings)
     case Acceleration::ScalarField:
       return "Step/VariationField.glsl";
     case Acceleration::OpticalField:
-      return IsExtreme(settings.blend) ? "Step/BrickExtremes.glsl" : "Step/OpticalField.glsl";
+      if (IsExtreme(settings.blend))
+      {
+        return "Step/BrickExtremes.glsl";
+      }
+      return settings.skipsBricks ? "Step/OpticalField.glsl" : "Step/Growing.glsl";
     case Acceleration::Off:
       break;
   }
@@ -233,8 +237,20 @@ std::vector<std::string> MarchParts(const RenderSettings& settings)
 // Whether rays walk through bricks, voxels, or cells.
 bool Walks(const RenderSettings& settings)
 {
-  return settings.acceleration == Acceleration::OpticalField || settings.gaps ||
+  return StepFile(settings) == "Step/OpticalField.glsl" ||
+    StepFile(settings) == "Step/BrickExtremes.glsl" || settings.gaps ||
     settings.mask != Mask::None || (!IsSampled(settings) && settings.blend != Blend::Slice);
+}
+
+// How long the next step is.
+std::vector<std::string> StepParts(const RenderSettings& settings)
+{
+  const std::string jitter = settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl";
+  if (settings.acceleration == Acceleration::OpticalField && !IsExtreme(settings.blend))
+  {
+    return { "Math/StepGrowth.glsl", jitter, StepFile(settings) };
+  }
+  return { jitter, StepFile(settings) };
 }
 
 }
@@ -330,7 +346,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   add({ DepthFile(settings), ClipFile(settings) });
   if (settings.blend != Blend::Slice)
   {
-    add({ settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl", StepFile(settings) });
+    add(StepParts(settings));
   }
   add(LookParts(settings));
   parts.push_back(BlendFile(settings));

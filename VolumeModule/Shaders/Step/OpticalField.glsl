@@ -3,8 +3,6 @@
 // The field's texel holds 0 where the brick is structured, 1 where it is homogeneous, 128 + k
 // where all bricks b - k ... b + k are invisible.
 
-const float LongestGrowth = 4.0; // of a step behind what is nearly opaque
-
 uniform sampler3D fieldTexture; // nearest
 uniform float cellsPerBrick;
 uniform vec3 brickCount;
@@ -32,9 +30,6 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm
       break;
     }
   }
-  // An error made behind a veil is seen through it: the step may grow as the veil thickens. The
-  // square root stands between what a rule of first and one of second order ask for.
-  float growth = min(inversesqrt(max(blendState, 1e-6)), LongestGrowth);
-  float plain = place.t + growth * PlainMm(index, plainMm);
+  float plain = place.t + StepGrowth(blendState) * PlainMm(index, plainMm);
   return Interval(place.t, content < 0.5 ? plain : max(plain, behind.t));
 }
