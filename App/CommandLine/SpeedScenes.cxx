@@ -35,7 +35,7 @@ const std::vector<SpeedVolume>& SpeedVolumes()
     { "abdomen", "ct_abdomen_pancreas/dicom", 80.0, 900.0, -300.0, 60.0 },
     { "skull", "ct_skull_phantom/dicom", 300.0, 2500.0, 600.0, 80.0 },
     { "mr-head", "mr_head_studyforrest/mr_head_studyforrest_274x384x384_int16.mha", 40.0, 220.0,
-      110.0, 8.0 },
+      20.0, 8.0 },
   };
   return volumes;
 }
