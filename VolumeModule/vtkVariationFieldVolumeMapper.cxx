@@ -70,8 +70,15 @@ std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
     std::ostringstream text;
     const varimarch::StepChoice& step = this->Marcher.Tolerance()->step;
     text << "The error tolerance " << mapper->ErrorTolerance
-         << " cannot be kept: with a sample every " << step.sampleDistance
-         << ", 99.9 % of the pixels are off by up to " << step.error << ". ";
+         << " cannot be kept: with a sample every " << step.sampleDistance;
+    if (step.error > mapper->ErrorTolerance)
+    {
+      text << ", 99.9 % of the pixels are off by up to " << step.error << ". ";
+    }
+    else
+    {
+      text << ", single pixels are off by more than that, though 99.9 % keep it. ";
+    }
     warnings += text.str();
   }
   return warnings;

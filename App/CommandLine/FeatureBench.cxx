@@ -7,14 +7,18 @@
 #include "VtkMessages.h"
 
 #include <vtkCamera.h>
+#include <vtkDataArray.h>
 #include <vtkHeadlessRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTransform.h>
 #include <vtkVariationFieldGPUVolumeRayCastMapper.h>
 #include <vtkVolumeProperty.h>
+#include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
@@ -73,6 +77,23 @@ public:
     return Median(times);
   }
 
+  // Whether there is nothing but the black background in the last picture.
+  bool ShowsNothing()
+  {
+    vtkNew<vtkWindowToImageFilter> pixels;
+    pixels->SetInput(this->window);
+    pixels->ReadFrontBufferOff();
+    pixels->ShouldRerenderOff();
+    pixels->Update();
+    vtkDataArray* channels = pixels->GetOutput()->GetPointData()->GetScalars();
+    double largest = 0.0;
+    for (int channel = 0; channel < channels->GetNumberOfComponents(); ++channel)
+    {
+      largest = std::max(largest, channels->GetRange(channel)[1]);
+    }
+    return largest == 0.0;
+  }
+
 private:
   vtkSmartPointer<vtkImageData> image;
   vtkSmartPointer<vtkGPUVolumeRayCastMapper> mapper;
@@ -109,15 +130,24 @@ FeatureCost MedianOf(const std::vector<FeatureCost>& costs)
   return median;
 }
 
-// Why the plugin's mapper does not draw the feature itself.
-std::string ReasonForVtkMapper(const Feature& feature, const Scene& scene, vtkImageData* image)
+void SwitchOn(const Feature& feature, FeatureView& view)
 {
-  const auto mapper = vtkSmartPointer<vtkVariationFieldGPUVolumeRayCastMapper>::New();
-  FeatureView view(scene, image, mapper);
   feature.prepare(view.Stage());
   feature.switchOn(view.Stage());
   view.MedianMs();
-  return mapper->GetReasonForVtkMapper();
+}
+
+// What each mapper makes of the feature.
+void FindWhoDraws(const Scene& scene, vtkImageData* image, FeatureMeasurement& measurement)
+{
+  const auto ours = vtkSmartPointer<vtkVariationFieldGPUVolumeRayCastMapper>::New();
+  FeatureView ourView(scene, image, ours);
+  SwitchOn(*measurement.feature, ourView);
+  measurement.drawnByVtk = ours->GetReasonForVtkMapper();
+
+  FeatureView vtkView(scene, image, vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New());
+  SwitchOn(*measurement.feature, vtkView);
+  measurement.vtkShowsNothing = vtkView.ShowsNothing() && !ourView.ShowsNothing();
 }
 
 }
@@ -125,10 +155,10 @@ std::string ReasonForVtkMapper(const Feature& feature, const Scene& scene, vtkIm
 FeatureMeasurement MeasureFeature(
   const Feature& feature, const Scene& scene, vtkImageData* image, int rounds, const OnStep& onStep)
 {
-  FeatureMeasurement measurement = { &feature, {}, {}, "", "" };
+  FeatureMeasurement measurement = { &feature, {}, {}, "", false, "" };
   try
   {
-    measurement.drawnByVtk = ReasonForVtkMapper(feature, scene, image);
+    FindWhoDraws(scene, image, measurement);
     std::vector<FeatureCost> ours;
     std::vector<FeatureCost> vtk;
     for (int round = 1; round <= rounds; ++round)

@@ -30,6 +30,7 @@ struct FeatureMeasurement
   FeatureCost ours;
   FeatureCost vtk;
   std::string drawnByVtk; ///< why our plugin leaves it to VTK's mapper; empty: it does not
+  bool vtkShowsNothing;   ///< where ours shows something: its times tell nothing
   std::string failure;    ///< what a mapper said; empty when both have drawn it
 };
 

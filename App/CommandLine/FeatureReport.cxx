@@ -19,8 +19,8 @@ std::string Row(const FeatureMeasurement& measured)
   const FeatureCost& vtk = measured.vtk;
   return start + Fixed(ours.beforeMs, 1) + " | " + Fixed(ours.onMs, 1) + " | " +
     Fixed(ours.Ratio(), 2) + " | " + Fixed(ours.afterMs / ours.beforeMs, 2) + " | " +
-    Fixed(vtk.onMs, 1) + " | " + Fixed(vtk.Ratio(), 2) + " | " + Fixed(vtk.onMs / ours.onMs, 2) +
-    " |\n";
+    Fixed(vtk.onMs, 1) + " | " + Fixed(vtk.Ratio(), 2) + " | " +
+    (measured.vtkShowsNothing ? "-" : Fixed(vtk.onMs / ours.onMs, 2)) + " |\n";
 }
 
 // What the table's rows do not say of features that are not drawn by us, or not at all.
@@ -37,6 +37,10 @@ std::string Notes(const std::vector<FeatureMeasurement>& features)
     {
       notes += "- " + measured.feature->name +
         " is left to VTK's mapper by the plugin: " + measured.drawnByVtk + "\n";
+    }
+    if (measured.vtkShowsNothing)
+    {
+      notes += "- " + measured.feature->name + ": VTK's mapper shows nothing\n";
     }
   }
   return notes.empty() ? "" : "\n" + notes;
@@ -76,10 +80,10 @@ nlohmann::ordered_json ToJson(const FeaturePage& page)
     { "rounds", page.rounds } };
   for (const FeatureMeasurement& measured : page.features)
   {
-    json["features"].push_back(
-      { { "name", measured.feature->name }, { "over", measured.feature->over },
-        { "ours", ToJson(measured.ours) }, { "vtk", ToJson(measured.vtk) },
-        { "drawnByVtk", measured.drawnByVtk }, { "failure", measured.failure } });
+    json["features"].push_back({ { "name", measured.feature->name },
+      { "over", measured.feature->over }, { "ours", ToJson(measured.ours) },
+      { "vtk", ToJson(measured.vtk) }, { "drawnByVtk", measured.drawnByVtk },
+      { "vtkShowsNothing", measured.vtkShowsNothing }, { "failure", measured.failure } });
   }
   return json;
 }
