@@ -88,6 +88,20 @@ double LargestColor(vtkDataArray* array)
   }
 }
 
+// The component that a part's opacity is of.
+int OpacityComponentOf(const RenderSettings& settings, int part)
+{
+  switch (settings.components)
+  {
+    case Components::LuminanceOpacity:
+      return 1;
+    case Components::Rgba:
+      return 3;
+    default:
+      return part;
+  }
+}
+
 // Of each part.
 glm::dvec4 UnitDistancesOf(const Frame& frame)
 {
@@ -148,7 +162,8 @@ void RayMarcher::UpdateGradientOpacity(const Frame& frame)
   }
   for (int part = 0; part < PartCount(frame.settings); ++part)
   {
-    largest.push_back(LargestGradient(this->blocks.TexelsOfChannels()[part]));
+    const int component = OpacityComponentOf(frame.settings, part);
+    largest.push_back(LargestGradient(this->blocks.TexelsOfChannels()[component]));
   }
   source.insert(source.end(), largest.begin(), largest.end());
   if (this->gradientOpacitySource != source)
@@ -306,7 +321,8 @@ void RayMarcher::SetGradientOpacityUniforms(const Frame& frame)
   glm::dvec4 entriesPerGradient(0.0);
   for (int part = 0; part < PartCount(frame.settings); ++part)
   {
-    const ScalarTexels& texels = this->blocks.TexelsOfChannels()[part];
+    const ScalarTexels& texels =
+      this->blocks.TexelsOfChannels()[OpacityComponentOf(frame.settings, part)];
     entriesPerGradient[part] = texels.mapping.scale / LargestGradient(texels) * last;
   }
   this->gradientOpacity.Texture()->Activate();

@@ -174,6 +174,27 @@ TEST(Components, TwoDependentAreColourAndOpacity)
   EXPECT_NEAR(scene.MiddlePixel()[0], 0.6 * 0.1, Tolerance);
 }
 
+TEST(Components, GradientOpacityOfDependentOnesIsOfTheirOpacity)
+{
+  // Only the second component has a gradient.
+  MapperScene scene(
+    ImageOf(VTK_DOUBLE, 2,
+      [](glm::ivec3 voxel, int component) { return component == 0 ? 30.0 : 40.0 + 4.0 * voxel.z; }),
+    9);
+  LookAlongZ(scene);
+  vtkVolumeProperty* property = scene.volume->GetProperty();
+  property->IndependentComponentsOff();
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.1);
+  opacity->AddPoint(100.0, 0.1);
+  property->SetScalarOpacity(opacity);
+  vtkNew<vtkPiecewiseFunction> factors;
+  factors->AddPoint(0.0, 0.2);
+  factors->AddPoint(1.0, 1.0);
+  property->SetGradientOpacity(factors);
+  EXPECT_NEAR(scene.MiddlePixel()[3], 1.0 - std::pow(1.0 - 0.1, 6.0), Tolerance);
+}
+
 TEST(Components, FourDependentAreAColourAndOpacity)
 {
   for (const int type : { VTK_UNSIGNED_CHAR, VTK_FLOAT })

@@ -84,6 +84,7 @@ vec4 ClassifyTwo(vec2 place);
 // --- Count, Components: only where a volume has several components ----------------------------
 // Count defines PartCount, the number of materials that are mixed. Components defines
 //   vec4 PartOptical(vec4 texel, int part);    colour and extinction of one
+//   int OpacityComponent(int part);            the component that its opacity is of
 //   vec4 MoreExtreme(vec4 best, vec4 texel, float sense);
 //                                              the larger values (sense 1), or the smaller (-1)
 

@@ -57,7 +57,8 @@ vec4 Material(Values values, Gradients gradients, Ray ray, float t)
   {
     vec4 optical = PartOptical(values.scalars, part);
     vec3 gradient = gradients.ofScalars[part];
-    float absorbed = partWeights[part] * AtGradient(optical.a, gradient, part);
+    vec3 opacityGradient = gradients.ofScalars[OpacityComponent(part)];
+    float absorbed = partWeights[part] * AtGradient(optical.a, opacityGradient, part);
     emission += absorbed * Shade(optical.rgb, gradient, reflectances[part], ray, t);
     extinction += absorbed;
   }
