@@ -62,27 +62,25 @@ TEST_P(IndependentComponents, AreAMixtureByTheirWeights)
   EXPECT_NEAR(drawn[3], alpha, Tolerance);
 }
 
-TEST_P(IndependentComponents, AreTheSameMixtureOverAUnitDistanceInAnExtreme)
+TEST_P(IndependentComponents, AddWhatEachIsOverAUnitDistanceInAnExtreme)
 {
   const int count = GetParam();
   MapperScene scene(ConstantBut(count), 9);
   LookAlongZ(scene);
-  glm::dvec3 emission(0.0);
-  double depth = 0.0;
+  glm::dvec4 sum(0.0);
   for (int component = 0; component < count; ++component)
   {
     SetLook(scene.volume->GetProperty(), component, looks[component]);
     scene.volume->GetProperty()->SetComponentWeight(component, 1.0 - 0.2 * component);
     const double opacity = OpacityOf(looks[component], 60.0 + 10.0 * component);
-    depth += (1.0 - 0.2 * component) * -std::log1p(-opacity);
-    emission += (1.0 - 0.2 * component) * -std::log1p(-opacity) * looks[component].color;
+    sum += (1.0 - 0.2 * component) * opacity * glm::dvec4(looks[component].color, 1.0);
   }
   for (int blend :
     { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND })
   {
     scene.mapper->SetBlendMode(blend);
-    EXPECT_NEAR(scene.MiddlePixel()[3], -std::expm1(-depth), Tolerance);
-    EXPECT_NEAR(scene.MiddlePixel()[1], -std::expm1(-depth) * emission.g / depth, Tolerance);
+    EXPECT_NEAR(scene.MiddlePixel()[3], sum.a, Tolerance);
+    EXPECT_NEAR(scene.MiddlePixel()[1], sum.g, Tolerance);
   }
 }
 
@@ -132,6 +130,25 @@ TEST(Components, MinimumIsASmallestValue)
   scene.mapper->AutoAdjustSampleDistancesOff();
   scene.mapper->SetSampleDistance(0.02);
   EXPECT_LT(scene.MiddlePixel()[3], 0.05);
+}
+
+TEST(Components, MaximaOfSeveralAddTheirLight)
+{
+  MapperScene scene(
+    ImageOf(VTK_UNSIGNED_CHAR, 2,
+      [](glm::ivec3 voxel, int component) { return voxel.z == 2 + 2 * component ? 200.0 : 0.0; }),
+    9);
+  LookAlongZ(scene);
+  SetLook(scene.volume->GetProperty(), 0, { glm::dvec3(1.0, 0.0, 0.0), 0.0, 200.0, 0.3 });
+  SetLook(scene.volume->GetProperty(), 1, { glm::dvec3(0.0, 1.0, 0.0), 0.0, 200.0, 0.4 });
+  scene.volume->GetProperty()->SetComponentWeight(1, 0.5);
+  scene.mapper->SetBlendModeToMaximumIntensity();
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistance(0.002);
+  const std::array<float, 4> drawn = scene.MiddlePixel();
+  EXPECT_NEAR(drawn[0], 0.3, Tolerance);
+  EXPECT_NEAR(drawn[1], 0.5 * 0.4, Tolerance);
+  EXPECT_NEAR(drawn[3], 0.3 + 0.5 * 0.4, Tolerance);
 }
 
 TEST(Components, OfEveryTypeKeepTheirPrecision)
@@ -278,7 +295,8 @@ TEST(Components, TakeTheirShadersAndAsManyChannelsOnlyWhereTheyAre)
   EXPECT_EQ(std::vector<std::string>(classify, march),
     (std::vector<std::string>{ "Classify/ComponentTables.glsl", "Count/Three.glsl",
       "Components/Independent.glsl", "Gradient/NoneOfAll.glsl", "Shade/None.glsl",
-      "GradientOpacity/None.glsl", "Material/Components.glsl", "Blend/Composite.glsl" }));
+      "GradientOpacity/None.glsl", "Values/All.glsl", "Material/Components.glsl",
+      "Blend/Composite.glsl" }));
   const vtkIdType tables = scene.mapper->GetGraphicsMemoryBytes() - 16 * 16 * 16 * 3 * 2;
   EXPECT_EQ(tables % 16, 0);
   EXPECT_LE(tables, 3 * 1024 * 16);

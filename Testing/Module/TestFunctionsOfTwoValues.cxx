@@ -188,5 +188,5 @@ TEST(FunctionsOfTwoValues, TakeTheirShadersOnlyWhereTheyAre)
   const auto march = std::find(classify, parts.end(), "March/MaterialSegments.glsl");
   EXPECT_EQ(std::vector<std::string>(classify, march),
     (std::vector<std::string>{ "Classify/TwoValueTable.glsl", "Gradient/None.glsl",
-      "Shade/None.glsl", "Material/TwoValues.glsl", "Blend/Composite.glsl" }));
+      "Shade/None.glsl", "Values/Two.glsl", "Material/TwoValues.glsl", "Blend/Composite.glsl" }));
 }

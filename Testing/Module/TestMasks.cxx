@@ -280,12 +280,12 @@ TEST(Masks, TakeTheirShaderAndTextureOnlyWhereTheyAre)
   EXPECT_EQ(count("Mask/None.glsl"), 1);
   block.SetMask([](glm::ivec3 voxel) { return voxel.z % 2; }, true);
   block.scene.Draw();
-  EXPECT_EQ(count("Mask/Binary.glsl"), 1);
+  EXPECT_EQ(count("Region/Named.glsl"), 1);
   EXPECT_EQ(count("March/Midpoint.glsl"), 1) << "a binary mask takes no other march";
   EXPECT_EQ(block.scene.mapper->GetGraphicsMemoryBytes(), bytes + 9 * 9 * 33 * 4);
   block.scene.mapper->SetMaskTypeToLabelMap();
   block.scene.Draw();
-  EXPECT_EQ(count("Mask/Labels.glsl"), 1);
+  EXPECT_EQ(count("Region/Labels.glsl"), 1);
   EXPECT_EQ(count("Material/Labelled.glsl"), 1);
   block.scene.mapper->SetMaskInput(nullptr);
   block.scene.Draw();

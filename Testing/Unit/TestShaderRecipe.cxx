@@ -49,17 +49,18 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(Changed(growing), (Parts{ "Math/StepGrowth.glsl", "Step/Growing.glsl" }));
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, true, false }),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
-      "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
+      "Values/One.glsl", "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
   RenderSettings lit{ Blend::Composite, Acceleration::Off, true, false };
   lit.lights = true;
   EXPECT_EQ(Changed(lit),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "GradientOpacity/None.glsl",
-      "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
+      "Values/One.glsl", "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
   RenderSettings gradient = plain;
   gradient.gradientOpacity = true;
   EXPECT_EQ(Changed(gradient),
     (Parts{ "Math/WithOpacityFactor.glsl", "Gradient/CentralDifferences.glsl", "Shade/None.glsl",
-      "GradientOpacity/Table.glsl", "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
+      "GradientOpacity/Table.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
+      "March/MaterialSegments.glsl" }));
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
   RenderSettings counting = plain;
@@ -159,8 +160,8 @@ TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
   EXPECT_EQ(partsOf(Blend::Slice, false),
     (Parts{ "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
       "Classify/OpticalTable.glsl", "Gradient/CentralDifferences.glsl", "Shade/None.glsl",
-      "GradientOpacity/None.glsl", "Material/OneComponent.glsl", "Blend/Composite.glsl",
-      "March/Slice.glsl" }));
+      "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
+      "Blend/Composite.glsl", "March/Slice.glsl" }));
 }
 
 TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)

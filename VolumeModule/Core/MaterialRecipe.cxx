@@ -68,28 +68,30 @@ std::vector<std::string> MaterialParts(const RenderSettings& settings)
   if (settings.functionOf == FunctionOf::TwoValues)
   {
     return { settings.shading ? GradientFile(settings) : "Gradient/None.glsl", ShadeFile(settings),
-      "Material/TwoValues.glsl" };
+      "Values/Two.glsl", "Material/TwoValues.glsl" };
   }
   if (settings.functionOf == FunctionOf::ValueAndGradient)
   {
-    return { GradientFile(settings), ShadeFile(settings), "Material/ValueAndGradient.glsl" };
+    return { GradientFile(settings), ShadeFile(settings), "Values/One.glsl",
+      "Material/ValueAndGradient.glsl" };
   }
   if (settings.mask == Mask::Labels)
   {
     return { UsesGradients(settings) ? GradientFile(settings) : "Gradient/None.glsl",
       ShadeFile(settings),
       settings.gradientOpacity ? "GradientOpacity/LabelTables.glsl" : "GradientOpacity/None.glsl",
-      "Material/Labelled.glsl" };
+      "Values/One.glsl", "Material/Labelled.glsl" };
   }
   const std::string opacity =
     settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl";
   if (settings.components == Components::One)
   {
-    return { GradientFile(settings), ShadeFile(settings), opacity, "Material/OneComponent.glsl" };
+    return { GradientFile(settings), ShadeFile(settings), opacity, "Values/One.glsl",
+      "Material/OneComponent.glsl" };
   }
   return { UsesGradients(settings) ? "Gradient/CentralDifferencesOfAll.glsl"
                                    : "Gradient/NoneOfAll.glsl",
-    ShadeFile(settings), opacity, "Material/Components.glsl" };
+    ShadeFile(settings), opacity, "Values/All.glsl", "Material/Components.glsl" };
 }
 
 }

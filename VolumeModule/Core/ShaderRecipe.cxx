@@ -91,7 +91,7 @@ std::string MarchFile(const RenderSettings& settings)
   }
   if (IsProjection(settings.blend) && settings.components != Components::One)
   {
-    return "March/ComponentProjection.glsl";
+    return "March/Projection.glsl";
   }
   if (settings.nearest && !settings.uneven)
   {
@@ -119,18 +119,18 @@ std::string MarchFile(const RenderSettings& settings)
   return "March/Midpoint.glsl";
 }
 
-std::string MaskFile(Mask mask)
+std::vector<std::string> MaskParts(Mask mask)
 {
   switch (mask)
   {
     case Mask::Binary:
-      return "Mask/Binary.glsl";
+      return { "Region/Named.glsl", "Mask/Voxels.glsl" };
     case Mask::Labels:
-      return "Mask/Labels.glsl";
+      return { "Region/Labels.glsl", "Mask/Voxels.glsl" };
     case Mask::None:
       break;
   }
-  return "Mask/None.glsl";
+  return { "Mask/None.glsl" };
 }
 
 std::string ResumeFile(RayPass pass)
@@ -226,6 +226,11 @@ std::vector<std::string> MarchParts(const RenderSettings& settings)
     parts.push_back(
       settings.blend == Blend::Composite ? "Voxel/Homogeneous.glsl" : "Voxel/Projected.glsl");
   }
+  if (march == "March/Projection.glsl")
+  {
+    parts.push_back(
+      settings.components == Components::One ? "Sample/Scalar.glsl" : "Sample/Texel.glsl");
+  }
   if (march == "March/Midpoint.glsl" || march == "March/PreIntegrated.glsl")
   {
     parts.push_back("Fetch/FourScalars.glsl");
@@ -295,7 +300,8 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
     parts.push_back(FillsGaps(settings) ? "Fill/Color.glsl" : "Fill/None.glsl");
   }
   parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
-  parts.push_back(MaskFile(settings.mask));
+  const std::vector<std::string> mask = MaskParts(settings.mask);
+  parts.insert(parts.end(), mask.begin(), mask.end());
   parts.push_back(settings.cropping ? "Crop/Regions.glsl" : "Crop/None.glsl");
   parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
   if (settings.pass == RayPass::Whole || Peels(settings.pass))

@@ -103,7 +103,7 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t);
 // The extinction [1/mm] of a component, from that without a gradient.
 float AtGradient(float extinction, vec3 gradient, int component);
 
-// --- Material: what a point looks like, where more than one scalar tells -------------------------
+// --- Values: what of a point its material depends on ---------------------------------------------
 // Defines what is read of the volume at a point, struct Values, and, only where it absorbs
 // anything, struct Gradients; both can be taken as linear over a short piece of ray:
 //   Values ValuesAt(vec3 positionTexture);
@@ -111,6 +111,9 @@ float AtGradient(float extinction, vec3 gradient, int component);
 //   Values Between(Values start, Values end, float along);            along in [0,1]
 //   Gradients Between(Gradients start, Gradients end, float along);
 //   bool MayAbsorb(Values start, Values end);                         anything between the two
+
+// --- Material: what a point looks like, where more than one scalar tells -------------------------
+// Defines:
 //   vec4 Material(Values values, Gradients gradients, Ray ray, float t);
 //                               colour as it is lit, not premultiplied, and extinction [1/mm]
 
@@ -130,6 +133,9 @@ float AtGradient(float extinction, vec3 gradient, int component);
 //   vec4 BlendResult(Accumulation sum);      premultiplied RGBA
 //   vec4 BlendKept(Accumulation sum);        the sum in four floats, 0 at the beginning
 //   Accumulation BlendResumed(vec4 kept);    and the sum again
+
+// --- Sample: what a sample adds; only for March/Projection ------------------------------------
+// Defines: Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm);
 
 // --- Voxel: what a voxel without interpolation adds; only for March/Voxels --------------------
 // Defines: Accumulation BlendVoxel(Accumulation sum, vec3 middleTexture, Ray ray, float lengthMm);
@@ -154,6 +160,10 @@ bool HasGradient(vec3 positionTexture);
 // Defines, after all the others: Accumulation MarchVolume(Ray ray, Interval inside, Accumulation
 // sum);
 //                               marches through all parts that have a value
+
+// --- Region: what is drawn of a mask's voxels; only where there is a mask -----------------------
+// Whether voxels of this content are drawn; then what follows is drawn by it.
+//   bool EntersRegion(float content);
 
 // --- Crop: which parts of a ray cropping leaves -------------------------------------------------
 // Defines, after all the others: Accumulation MarchCropped(Ray ray, Interval inside, Accumulation

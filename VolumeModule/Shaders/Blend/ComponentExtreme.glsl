@@ -1,5 +1,6 @@
-// The largest values along the ray, or the smallest, seen through the transfer functions: the
-// mixture of what each component is over its unit distance, whatever the length of the ray. A ray
+// The largest values along the ray, or the smallest, seen through the transfer functions: colour
+// and opacity of each component over its unit distance, whatever the length of the ray, are added
+// up to 1, as lights are, for the extremes of several components lie at several places. A ray
 // without any sample is transparent.
 
 uniform float sense; // 1: the largest
@@ -35,17 +36,14 @@ bool BlendFinished(Accumulation sum)
 
 vec4 BlendResult(Accumulation sum)
 {
-  vec3 emission = vec3(0.0);
-  float depth = 0.0;
+  vec4 picture = vec4(0.0);
   for (int part = 0; part < PartCount; ++part)
   {
     vec4 optical = PartOptical(sum.extremes, part);
-    float partDepth = partWeights[part] * optical.a * opacityUnitDistancesMm[part];
-    emission += partDepth * optical.rgb;
-    depth += partDepth;
+    float opacity = Absorption(min(optical.a * opacityUnitDistancesMm[part], 100.0));
+    picture += partWeights[part] * opacity * vec4(optical.rgb, 1.0);
   }
-  float opacity = Absorption(min(depth, 100.0));
-  return sum.any ? vec4(emission / max(depth, 1e-30) * opacity, opacity) : vec4(0.0);
+  return sum.any ? min(picture, 1.0) : vec4(0.0);
 }
 
 // Nothing is kept as 0, and no value as less than 1.

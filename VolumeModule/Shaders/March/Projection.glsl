@@ -1,4 +1,4 @@
-// Projections look at every sample, and at nothing but its scalar.
+// Projections look at every sample, and at nothing but its values.
 
 const int PartsPerSegment = 2;
 
@@ -14,7 +14,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       float middle = segment.enter + (float(part) + 0.5) * partMm;
-      sum = BlendScalar(sum, ScalarAt(PositionTexture(ray, middle)), partMm);
+      sum = BlendSample(sum, PositionTexture(ray, middle), partMm);
     }
   }
   return sum;

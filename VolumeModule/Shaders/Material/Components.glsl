@@ -2,52 +2,8 @@
 // is mixed add up, as those of particles between each other do, whatever their order. The weight of
 // a component is the part that it has in the mixture.
 
-uniform vec2 visibleScalarsOf[4]; // only between these does a component absorb anything
 uniform vec4 reflectances[4];
 uniform float partWeights[4];
-
-struct Values
-{
-  vec4 scalars;
-};
-
-struct Gradients
-{
-  mat4x3 ofScalars;
-};
-
-Values ValuesAt(vec3 positionTexture)
-{
-  return Values(TexelAt(positionTexture));
-}
-
-Gradients GradientsAt(vec3 positionTexture)
-{
-  return Gradients(GradientsAllAt(positionTexture));
-}
-
-Values Between(Values start, Values end, float along)
-{
-  return Values(mix(start.scalars, end.scalars, along));
-}
-
-Gradients Between(Gradients start, Gradients end, float along)
-{
-  return Gradients(start.ofScalars + along * (end.ofScalars - start.ofScalars));
-}
-
-bool MayAbsorb(Values start, Values end)
-{
-  bool may = false;
-  for (int component = 0; component < 4; ++component)
-  {
-    vec2 visible = visibleScalarsOf[component];
-    may = may ||
-      (max(start.scalars[component], end.scalars[component]) > visible.x &&
-        min(start.scalars[component], end.scalars[component]) < visible.y);
-  }
-  return may;
-}
 
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {

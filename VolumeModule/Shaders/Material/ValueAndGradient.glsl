@@ -2,47 +2,10 @@
 // Gradients are measured as VTK does: in units of the data per mean spacing of the voxels, from 0
 // to a quarter of the range.
 
-uniform vec2 visibleScalars; // only between these does anything absorb
 uniform vec4 reflectance;
 uniform vec2 placeFromScalar; // scale and bias: texture value -> [0,1] in its range
 uniform vec3 spacingFactors;  // mean spacing over twice the spacing along each axis
 uniform float placePerGradient;
-
-struct Values
-{
-  float scalar;
-};
-
-struct Gradients
-{
-  vec3 scalar;
-};
-
-Values ValuesAt(vec3 positionTexture)
-{
-  return Values(ScalarAt(positionTexture));
-}
-
-Gradients GradientsAt(vec3 positionTexture)
-{
-  return Gradients(GradientAt(positionTexture));
-}
-
-Values Between(Values start, Values end, float along)
-{
-  return Values(mix(start.scalar, end.scalar, along));
-}
-
-Gradients Between(Gradients start, Gradients end, float along)
-{
-  return Gradients(mix(start.scalar, end.scalar, along));
-}
-
-bool MayAbsorb(Values start, Values end)
-{
-  return max(start.scalar, end.scalar) > visibleScalars.x &&
-    min(start.scalar, end.scalar) < visibleScalars.y;
-}
 
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {

@@ -1,6 +1,6 @@
-// Each voxel has a label, which fills the cube around it: the march goes exactly to where another
-// label begins. The mask's texel holds (the row of its label in the tables; k + 1 where all voxels
-// v - k ... v + k have the same).
+// Each voxel of a mask fills the cube around it, and the march goes exactly to the faces at which
+// its content changes. The mask's texel holds (the content; k + 1 where all voxels v - k ... v + k
+// have the same).
 
 uniform sampler3D maskTexture; // nearest
 uniform vec3 maskVoxelCount;
@@ -19,21 +19,20 @@ Accumulation MarchMasked(Ray ray, Interval inside, Accumulation sum)
   LatticePlace place = PlaceAt(lattice, inside.enter, maskVoxelCount);
   while (place.t < inside.exit && !BlendFinished(sum))
   {
-    // Blocks of one label are joined to one march.
+    // Blocks of one content are joined to one march.
     Interval part = Interval(place.t, place.t);
-    labelRow = int(MaskAt(place.cell).x);
-    bool same = true;
-    while (place.t < inside.exit && same)
+    float content = MaskAt(place.cell).x;
+    vec2 mask = vec2(content, 0.0);
+    while (place.t < inside.exit && mask.x == content)
     {
-      vec2 mask = MaskAt(place.cell);
-      same = int(mask.x) == labelRow;
-      if (same)
+      mask = MaskAt(place.cell);
+      if (mask.x == content)
       {
         place = BehindBlock(lattice, place, max(mask.y - 1.0, 0.0));
         part.exit = min(place.t, inside.exit);
       }
     }
-    if (part.enter < part.exit)
+    if (EntersRegion(content) && part.enter < part.exit)
     {
       sum = MarchVolume(ray, part, sum);
     }

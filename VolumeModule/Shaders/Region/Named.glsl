@@ -1,0 +1,6 @@
+// Only voxels that the mask names are drawn.
+
+bool EntersRegion(float content)
+{
+  return content > 0.5;
+}

@@ -1,0 +1,46 @@
+// Up to four components, and the gradient of each.
+
+uniform vec2 visibleScalarsOf[4]; // only between these does a component absorb anything
+
+struct Values
+{
+  vec4 scalars;
+};
+
+struct Gradients
+{
+  mat4x3 ofScalars;
+};
+
+Values ValuesAt(vec3 positionTexture)
+{
+  return Values(TexelAt(positionTexture));
+}
+
+Gradients GradientsAt(vec3 positionTexture)
+{
+  return Gradients(GradientsAllAt(positionTexture));
+}
+
+Values Between(Values start, Values end, float along)
+{
+  return Values(mix(start.scalars, end.scalars, along));
+}
+
+Gradients Between(Gradients start, Gradients end, float along)
+{
+  return Gradients(start.ofScalars + along * (end.ofScalars - start.ofScalars));
+}
+
+bool MayAbsorb(Values start, Values end)
+{
+  bool may = false;
+  for (int component = 0; component < 4; ++component)
+  {
+    vec2 visible = visibleScalarsOf[component];
+    may = may ||
+      (max(start.scalars[component], end.scalars[component]) > visible.x &&
+        min(start.scalars[component], end.scalars[component]) < visible.y);
+  }
+  return may;
+}
