@@ -48,10 +48,10 @@
  *
  * Independent components are materials of a mixture: their extinctions and emissions, each times
  * its weight, add up, in whatever order they are. A maximum or minimum adds, up to 1, colour and
- * opacity of what each is over its unit distance; averages and sums are weighted. Of two components that depend on
- * each other the first has the colour and the second the opacity; of four, the first three are a
- * colour, in parts of 255, of the largest number of 16 bit types, or of 1 for floats. Their light
- * is that on the first component.
+ * opacity of what each is over its unit distance; averages and sums are weighted. Of two components
+ * that depend on each other the first has the colour and the second the opacity; of four, the first
+ * three are a colour, in parts of 255, of the largest number of 16 bit types, or of 1 for floats.
+ * Their light is that on the first component.
  *
  * Interpolation is what the property says, by default nearest as everywhere in VTK: voxels are then
  * boxes of one value, and drawn exactly. So are isosurfaces, and slices by a function of second
