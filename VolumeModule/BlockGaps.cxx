@@ -71,12 +71,37 @@ std::vector<Presence> PresenceOf(
   return presence;
 }
 
+// Leaves the cells out that have a flagged point.
+void TakeCellsAround(vtkUnsignedCharArray* pointFlags, glm::ivec3 pointCount,
+  const ScalarRegion& region, std::vector<Presence>& cells)
+{
+  const unsigned char* const flags = pointFlags->GetPointer(0);
+  const glm::ivec3 toOpposite = glm::min(pointCount - 1, glm::ivec3(1));
+  const std::size_t rowLength = pointCount.x;
+  const std::size_t sliceSize = rowLength * pointCount.y;
+  ForEach(region.voxels, region.dimensions,
+    [&](std::size_t index, std::size_t cell)
+    {
+      const std::size_t row = cell / region.dimensions.x;
+      const std::size_t point = cell % region.dimensions.x + row % region.dimensions.y * rowLength +
+        row / region.dimensions.y * sliceSize;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const glm::ivec3 step = glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2) * toOpposite;
+        if (flags[point + step.x + step.y * rowLength + step.z * sliceSize] != 0)
+        {
+          cells[index] = Presence::LeftOut;
+        }
+      }
+    });
+}
+
 }
 
 bool Blanking::IsOfVoxels() const
 {
   const bool ofPoints = this->place == VoxelPlace::Points;
-  return ofPoints ? this->nearest && !this->cells : this->nearest || this->cells;
+  return ofPoints ? this->nearest && !this->cells : this->nearest || this->Any();
 }
 
 GapField GapFieldOf(const ScalarRegion& region, const Blanking& blanking)
@@ -85,6 +110,10 @@ GapField GapFieldOf(const ScalarRegion& region, const Blanking& blanking)
   PresenceGrid grid{ region.voxels.count,
     PresenceOf(ofPoints ? blanking.points : blanking.cells, region.voxels, region.dimensions), {},
     !blanking.nearest };
+  if (!ofPoints && blanking.points)
+  {
+    TakeCellsAround(blanking.points, blanking.pointCount, region, grid.voxels);
+  }
   if (ofPoints && blanking.cells)
   {
     const glm::ivec3 one(1);

@@ -5,17 +5,21 @@
 #include "VolumeGeometry.h"
 #include "VolumeTexture.h"
 
+#include <glm/vec3.hpp>
+
 class vtkUnsignedCharArray;
 
 namespace varimarch
 {
 
 /// What of a volume is left out, beside voxels that are not finite: points and cells whose ghost
-/// flags say anything, as vtkUniformGrid::BlankPoint and duplicates between processes have it.
+/// flags say anything, as vtkUniformGrid::BlankPoint and duplicates between processes have it. A
+/// point takes the cells around it away, as vtkUniformGrid::IsCellVisible has it.
 struct Blanking
 {
   vtkUnsignedCharArray* points = nullptr; ///< none: no flags, or none that says anything
   vtkUnsignedCharArray* cells = nullptr;
+  glm::ivec3 pointCount = glm::ivec3(0);
   VoxelPlace place = VoxelPlace::Points; ///< what the voxels are
   bool nearest = false;                  ///< voxels are boxes of one value
 
@@ -27,7 +31,8 @@ struct Blanking
   bool operator==(const Blanking& other) const
   {
     return this->points == other.points && this->cells == other.cells &&
-      this->place == other.place && this->nearest == other.nearest;
+      this->pointCount == other.pointCount && this->place == other.place &&
+      this->nearest == other.nearest;
   }
 };
 

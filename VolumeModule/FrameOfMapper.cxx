@@ -224,7 +224,8 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
   frame.axes = input.Axes(frame.settings.nearest);
   frame.geometry = input.Geometry(volume, frame.axes);
   frame.blanking = { FlagsIn(input.data->GetPointGhostArray()),
-    FlagsIn(input.data->GetCellGhostArray()), input.place, frame.settings.nearest };
+    FlagsIn(input.data->GetCellGhostArray()), input.PointCount(), input.place,
+    frame.settings.nearest };
   if (frame.axes.empty())
   {
     return;

@@ -50,6 +50,20 @@ std::vector<double> NumbersOf(vtkDataArray* array)
 
 }
 
+glm::ivec3 MapperInput::PointCount() const
+{
+  glm::ivec3 count(0);
+  if (auto* image = vtkImageData::SafeDownCast(this->data))
+  {
+    image->GetDimensions(&count.x);
+  }
+  else if (auto* grid = vtkRectilinearGrid::SafeDownCast(this->data))
+  {
+    grid->GetDimensions(&count.x);
+  }
+  return count;
+}
+
 VolumeGeometry MapperInput::Geometry(vtkVolume* volume, const std::vector<UnevenAxis>& axes) const
 {
   return axes.empty()

@@ -21,6 +21,8 @@ struct MapperInput
   vtkDataArray* scalars;
   VoxelPlace place; ///< of the scalars
 
+  glm::ivec3 PointCount() const;
+
   VolumeGeometry Geometry(vtkVolume* volume, const std::vector<UnevenAxis>& axes) const;
 
   /// Of a rectilinear grid; none of an image.

@@ -90,6 +90,21 @@ TEST(Blanking, APointTakesTheCellsAroundItAway)
   EXPECT_NEAR(scene.LengthMm(2.25, 3.25), 8.0, LengthError);
 }
 
+TEST(Blanking, APointTakesTheCellsAroundItAwayWhereCellsHaveTheValues)
+{
+  const auto grid = Grid(true);
+  grid->BlankPoint(PointAt(3, 4, 5));
+  BlankedScene scene(grid);
+  for (const int interpolation : { VTK_LINEAR_INTERPOLATION, VTK_NEAREST_INTERPOLATION })
+  {
+    scene.volume->GetProperty()->SetInterpolationType(interpolation);
+    EXPECT_NEAR(scene.LengthMm(3.25, 4.25), 6.0, LengthError);
+    EXPECT_NEAR(scene.LengthMm(2.75, 3.75), 6.0, LengthError);
+    EXPECT_NEAR(scene.LengthMm(4.25, 4.25), 8.0, LengthError);
+    EXPECT_NEAR(scene.LengthMm(3.25, 5.25), 8.0, LengthError);
+  }
+}
+
 TEST(Blanking, ACellIsLeftOutAndNoMore)
 {
   for (const bool ofCells : { false, true })
