@@ -1,16 +1,19 @@
 // A program of somebody who knows VTK and nothing of this tree: draws a wavelet by one of the
 // mappers that leave the choice to VTK's factory, and says which class that came to be.
 //
-// Usage: draw gpu|smart|blocks PICTURE.ppm
+// Usage: draw gpu|smart|component|magnitude|blocks PICTURE.ppm
 
 #include <vtkColorTransferFunction.h>
 #include <vtkExtractVOI.h>
+#include <vtkFloatArray.h>
 #include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiBlockVolumeMapper.h>
 #include <vtkNew.h>
 #include <vtkPNMWriter.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
 #include <vtkRTAnalyticSource.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -43,6 +46,36 @@ vtkSmartPointer<vtkVolumeMapper> SmartMapper(vtkRTAnalyticSource* wavelet)
   return mapper;
 }
 
+// Vectors whose second component, or whose magnitude, is the wavelet.
+vtkSmartPointer<vtkImageData> Vectors(vtkImageData* wavelet, bool magnitude)
+{
+  vtkNew<vtkFloatArray> vectors;
+  vectors->SetName("vectors");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(wavelet->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < wavelet->GetNumberOfPoints(); ++point)
+  {
+    const double value = wavelet->GetPointData()->GetScalars()->GetComponent(point, 0);
+    magnitude ? vectors->SetTuple3(point, 0.6 * value, 0.0, -0.8 * value)
+              : vectors->SetTuple3(point, 300.0 - value, value, 200.0);
+  }
+  vtkNew<vtkImageData> image;
+  image->CopyStructure(wavelet);
+  image->GetPointData()->SetScalars(vectors);
+  return image;
+}
+
+vtkSmartPointer<vtkVolumeMapper> VectorMapper(vtkRTAnalyticSource* wavelet, bool magnitude)
+{
+  wavelet->Update();
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  mapper->SetInputData(Vectors(wavelet->GetOutput(), magnitude));
+  mapper->SetVectorMode(
+    magnitude ? vtkSmartVolumeMapper::MAGNITUDE : vtkSmartVolumeMapper::COMPONENT);
+  mapper->SetVectorComponent(1);
+  return mapper;
+}
+
 vtkSmartPointer<vtkVolumeMapper> BlocksMapper(vtkRTAnalyticSource* wavelet)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -64,6 +97,10 @@ vtkSmartPointer<vtkVolumeMapper> Mapper(const std::string& kind, vtkRTAnalyticSo
   if (kind == "blocks")
   {
     return BlocksMapper(wavelet);
+  }
+  if (kind == "component" || kind == "magnitude")
+  {
+    return VectorMapper(wavelet, kind == "magnitude");
   }
   return kind == "smart" ? SmartMapper(wavelet) : GpuMapper(wavelet);
 }

@@ -61,6 +61,15 @@ def programs_draw_with_it():
         assert_agree(our_picture, vtk_picture, **tolerated)
 
 
+def vectors_are_drawn_by_component_and_by_magnitude():
+    """Of both, the program makes the scalars of the plain picture."""
+    plain = draw(PROGRAM, "smart", "PICTURE", plugin=PLUGIN)[2]
+    for kind in ("component", "magnitude"):
+        _, said, picture = draw(PROGRAM, kind, "PICTURE", plugin=PLUGIN)
+        assert WE_DRAW in said, said
+        assert_agree(picture, plain, **COARSE)
+
+
 def scripts_draw_with_it():
     vtk_class, _, vtk_picture = draw(sys.executable, SCRIPT, "PICTURE")
     our_class, said, our_picture = draw(sys.executable, SCRIPT, "PICTURE", plugin=PLUGIN)
