@@ -5,6 +5,7 @@
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkActor.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -252,6 +253,18 @@ TEST(Blocks, KeepAnErrorTolerance)
   EXPECT_LE(scene.mapper->GetGraphicsMemoryBytes(), FewBlocks);
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetToleranceSearches(), 1);
+}
+
+TEST(Blocks, OfCellsMakeThePictureOfTheWhole)
+{
+  const vtkSmartPointer<vtkImageData> points = Torso();
+  vtkNew<vtkImageData> cells;
+  cells->SetDimensions(65, 57, 49);
+  cells->SetSpacing(points->GetSpacing());
+  cells->GetCellData()->SetScalars(points->GetPointData()->GetScalars());
+  MapperScene scene(cells, Size);
+  UseFineSteps(scene, 0.03);
+  EXPECT_LT(DifferenceInBlocks(scene, FewBlocks).largest, 0.5);
 }
 
 namespace
