@@ -89,6 +89,15 @@ enum class View
   Inferior,
 };
 
+/// A camera that was moved by hand. World space, LPS.
+struct CameraPose
+{
+  std::array<double, 3> positionMm;
+  std::array<double, 3> focalPointMm;
+  std::array<double, 3> viewUp;
+  double parallelScaleMm; ///< half the height of the picture, > 0; parallel only
+};
+
 struct Camera
 {
   View view = View::Anterior;
@@ -97,6 +106,7 @@ struct Camera
   double zoom = 1.0;             ///< > 0; at 1 the volume's box just fits the picture
   bool parallel = false;
   double viewAngleDegrees = 30.0; ///< vertical, (0, 180); perspective only
+  std::optional<CameraPose> pose; ///< in place of view, azimuth, elevation and zoom
 };
 
 struct RenderOptions

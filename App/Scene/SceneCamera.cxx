@@ -60,11 +60,26 @@ glm::dvec3 CornerInView(int corner, const double boundsWorld[6], vtkMatrix4x4* v
   return { offset[0], offset[1], offset[2] };
 }
 
+void Pose(const CameraPose& pose, vtkCamera* camera)
+{
+  camera->SetPosition(pose.positionMm.data());
+  camera->SetFocalPoint(pose.focalPointMm.data());
+  camera->SetViewUp(pose.viewUp.data());
+  camera->SetParallelScale(pose.parallelScaleMm);
+}
+
 }
 
 void PlaceCamera(
   const Camera& placement, const double boundsWorld[6], double aspect, vtkCamera* camera)
 {
+  camera->SetParallelProjection(placement.parallel);
+  camera->SetViewAngle(placement.viewAngleDegrees);
+  if (placement.pose)
+  {
+    Pose(*placement.pose, camera);
+    return;
+  }
   // Turn about the middle of the box.
   const glm::dvec3 center(0.5 * (boundsWorld[0] + boundsWorld[1]),
     0.5 * (boundsWorld[2] + boundsWorld[3]), 0.5 * (boundsWorld[4] + boundsWorld[5]));
@@ -92,10 +107,18 @@ void PlaceCamera(
   const glm::dvec3 fitted =
     center - distance * glm::dvec3(direction[0], direction[1], direction[2]);
   camera->SetPosition(fitted.x, fitted.y, fitted.z);
-  camera->SetParallelProjection(placement.parallel);
   camera->SetParallelScale(halfHeight);
-  camera->SetViewAngle(placement.viewAngleDegrees);
   camera->Zoom(placement.zoom);
+}
+
+CameraPose PoseOf(vtkCamera* camera)
+{
+  CameraPose pose;
+  camera->GetPosition(pose.positionMm.data());
+  camera->GetFocalPoint(pose.focalPointMm.data());
+  camera->GetViewUp(pose.viewUp.data());
+  pose.parallelScaleMm = camera->GetParallelScale();
+  return pose;
 }
 
 }

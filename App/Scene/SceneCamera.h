@@ -15,6 +15,8 @@ namespace varimarch
 void PlaceCamera(
   const Camera& placement, const double boundsWorld[6], double aspect, vtkCamera* camera);
 
+CameraPose PoseOf(vtkCamera* camera);
+
 }
 
 #endif

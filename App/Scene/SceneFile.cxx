@@ -65,9 +65,16 @@ VolumeSource VolumeFromJson(const JsonCursor& json)
   return source;
 }
 
+CameraPose PoseFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "position", "focalPoint", "viewUp", "parallelScale" });
+  return { json.At("position").Numbers<3>({}), json.At("focalPoint").Numbers<3>({}),
+    json.At("viewUp").Numbers<3>({}), json.At("parallelScale").Number(Positive) };
+}
+
 Camera CameraFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "view", "azimuth", "elevation", "zoom", "projection", "viewAngle" });
+  json.RequireObject({ "view", "azimuth", "elevation", "zoom", "projection", "viewAngle", "pose" });
   Camera camera;
   if (const auto view = json.Find("view"))
   {
@@ -92,6 +99,10 @@ Camera CameraFromJson(const JsonCursor& json)
   if (const auto angle = json.Find("viewAngle"))
   {
     camera.viewAngleDegrees = angle->Number({ 0.0, 180.0, true, true });
+  }
+  if (const auto pose = json.Find("pose"))
+  {
+    camera.pose = PoseFromJson(*pose);
   }
   return camera;
 }
@@ -195,6 +206,21 @@ nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
   return json;
 }
 
+nlohmann::ordered_json JsonFromCamera(const Camera& camera)
+{
+  nlohmann::ordered_json json = { { "view", NameOf(ViewNames(), camera.view) },
+    { "azimuth", camera.azimuthDegrees }, { "elevation", camera.elevationDegrees },
+    { "zoom", camera.zoom }, { "projection", NameOf(ProjectionNames(), camera.parallel) },
+    { "viewAngle", camera.viewAngleDegrees } };
+  if (camera.pose)
+  {
+    json["pose"] = { { "position", camera.pose->positionMm },
+      { "focalPoint", camera.pose->focalPointMm }, { "viewUp", camera.pose->viewUp },
+      { "parallelScale", camera.pose->parallelScaleMm } };
+  }
+  return json;
+}
+
 nlohmann::ordered_json JsonFromOptional(const std::optional<double>& number)
 {
   return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json("auto");
@@ -204,15 +230,11 @@ nlohmann::ordered_json JsonFromOptional(const std::optional<double>& number)
 
 std::string SceneText(const Scene& scene)
 {
-  const Camera& camera = scene.camera;
   const RenderOptions& render = scene.render;
   nlohmann::ordered_json json;
   json["volume"] = JsonFromVolume(scene.volume);
   json["look"] = JsonFromLook(scene.look);
-  json["camera"] = { { "view", NameOf(ViewNames(), camera.view) },
-    { "azimuth", camera.azimuthDegrees }, { "elevation", camera.elevationDegrees },
-    { "zoom", camera.zoom }, { "projection", NameOf(ProjectionNames(), camera.parallel) },
-    { "viewAngle", camera.viewAngleDegrees } };
+  json["camera"] = JsonFromCamera(scene.camera);
   json["render"] = { { "sampleDistance", JsonFromOptional(render.sampleDistanceMm) },
     { "acceleration", NameOf(AccelerationNames(), render.acceleration) },
     { "errorTolerance", render.errorTolerance },

@@ -25,7 +25,23 @@ void Apply(const RawLayout& raw, vtkVolumeFileReader* reader)
   reader->SetRawBigEndian(raw.bigEndian);
 }
 
-LoadedVolume ReadFile(const FileSource& source)
+// Passes progress on, and the answer back.
+void Observe(vtkVolumeFileReader* reader, const LoadObserver& observer)
+{
+  vtkNew<vtkCallbackCommand> progress;
+  progress->SetClientData(const_cast<LoadObserver*>(&observer));
+  progress->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void* part)
+    {
+      if (!(*static_cast<const LoadObserver*>(client))(*static_cast<const double*>(part)))
+      {
+        static_cast<vtkVolumeFileReader*>(caller)->SetAbortExecute(1);
+      }
+    });
+  reader->AddObserver(vtkCommand::ProgressEvent, progress);
+}
+
+LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
 {
   vtkNew<vtkVolumeFileReader> reader;
   // The error goes on as an exception; an observer keeps VTK from reporting it as well.
@@ -37,7 +53,15 @@ LoadedVolume ReadFile(const FileSource& source)
   {
     Apply(*source.raw, reader);
   }
+  if (observer)
+  {
+    Observe(reader, observer);
+  }
   reader->Update();
+  if (reader->GetErrorCode() == vtkErrorCode::UserError)
+  {
+    throw std::runtime_error("Reading " + source.path + " was stopped");
+  }
   if (reader->GetErrorCode() != vtkErrorCode::NoError)
   {
     throw std::runtime_error(reader->GetErrorMessage());
@@ -53,14 +77,14 @@ LoadedVolume ReadFile(const FileSource& source)
 
 }
 
-LoadedVolume LoadVolume(const VolumeSource& source)
+LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer)
 {
   if (const auto* procedural = std::get_if<ProceduralSource>(&source))
   {
     const bool isCT = procedural->kind == ProceduralKind::Torso;
     return { ProceduralVolume(*procedural), isCT ? "CT" : "", {} };
   }
-  return ReadFile(std::get<FileSource>(source));
+  return ReadFile(std::get<FileSource>(source), observer);
 }
 
 std::string SuitablePreset(const LoadedVolume& volume)

@@ -6,6 +6,7 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,13 @@ struct LoadedVolume
   std::vector<std::string> warnings;   ///< one sentence each
 };
 
-/// Reads or computes the volume of a scene.
-/// @throws std::runtime_error with one sentence that names the file and what is wrong with it
-LoadedVolume LoadVolume(const VolumeSource& source);
+/// Told the part of the work that is done, [0, 1]; says whether to go on.
+using LoadObserver = std::function<bool(double)>;
+
+/// Reads or computes the volume of a scene. Procedural volumes know no progress.
+/// @throws std::runtime_error with one sentence that names the file and what is wrong with it, or
+///   says that the observer did not want to go on
+LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer = {});
 
 /// A preset that suits a volume nobody has described: for CT, known by its modality or by values
 /// as low as air's in Hounsfield units, "ct-bone"; else "mr-head".

@@ -12,11 +12,15 @@ namespace varimarch
 
 Look InUnitsOfData(const Look& look, vtkImageData* image)
 {
+  return look.domain == Domain::Data ? look : InUnitsOfData(look, ImageStatistics(image));
+}
+
+Look InUnitsOfData(const Look& look, const ImageStatistics& statistics)
+{
   if (look.domain == Domain::Data)
   {
     return look;
   }
-  const ImageStatistics statistics(image);
   const double zero = statistics.Percentile(1.0);
   const double one = statistics.Percentile(99.9);
   Look resolved = look;

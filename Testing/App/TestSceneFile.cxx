@@ -28,7 +28,8 @@ Scene UnusualScene()
   scene.look.opacityUnitDistanceMm = 3.0;
   scene.look.shading = { false, 0.3, 0.4, 0.5, 60.0 };
   scene.look.blend = Blend::MaximumIntensity;
-  scene.camera = { View::Inferior, -12.5, 33.0, 1.75, true, 42.0 };
+  scene.camera = { View::Inferior, -12.5, 33.0, 1.75, true, 42.0,
+    CameraPose{ { 1.0, -2.5, 3.0 }, { 4.0, 5.0, 6.0 }, { 0.0, 0.0, 1.0 }, 80.0 } };
   scene.render = { 0.125, Acceleration::ScalarField, Integration::Simpson, 0.25, 3.5, 0.0 };
   scene.size = { 640, 360 };
   scene.background = { 0.1, 0.2, 0.3 };
@@ -58,6 +59,11 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   EXPECT_EQ(back.look.blend, Blend::MaximumIntensity);
   EXPECT_EQ(back.camera.view, View::Inferior);
   EXPECT_TRUE(back.camera.parallel);
+  ASSERT_TRUE(back.camera.pose);
+  EXPECT_EQ(back.camera.pose->positionMm, scene.camera.pose->positionMm);
+  EXPECT_EQ(back.camera.pose->focalPointMm, scene.camera.pose->focalPointMm);
+  EXPECT_EQ(back.camera.pose->viewUp, scene.camera.pose->viewUp);
+  EXPECT_EQ(back.camera.pose->parallelScaleMm, 80.0);
   EXPECT_EQ(back.render.sampleDistanceMm, 0.125);
   EXPECT_EQ(back.render.integration, Integration::Simpson);
   EXPECT_EQ(back.render.errorTolerance, 0.25);

@@ -1,0 +1,199 @@
+#include "Viewer/MainWindow.h"
+
+#include "Viewer/View/VolumeView.h"
+
+#include <QAction>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QStatusBar>
+#include <QUrl>
+
+#include <vtkVolumeFileReader.h>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// "Volumes (*.nrrd *.nhdr ...)", then a line for each format, for a file dialog.
+QString FileFilter()
+{
+  QStringList all;
+  QStringList formats;
+  for (int format = 0; format < vtkVolumeFileReader::GetNumberOfFormats(); ++format)
+  {
+    const QStringList extensions =
+      QString::fromStdString(vtkVolumeFileReader::GetFormatExtensions(format))
+        .split(' ', Qt::SkipEmptyParts)
+        .replaceInStrings(QRegularExpression("^"), "*");
+    all += extensions;
+    formats += QStringLiteral("%1 (%2)").arg(
+      vtkVolumeFileReader::GetFormatDescription(format), extensions.join(' '));
+  }
+  formats.prepend(MainWindow::tr("Volumes (%1)").arg(all.join(' ')));
+  formats.append(MainWindow::tr("All files (*)"));
+  return formats.join(";;");
+}
+
+}
+
+MainWindow::MainWindow(QWidget* parent)
+  : QMainWindow(parent)
+  , view(new VolumeView(&this->model, MapperKind::Varimarch))
+{
+  this->setWindowTitle(tr("Varimarch, not for diagnostic use"));
+  this->setCentralWidget(this->view);
+  this->setAcceptDrops(true);
+  this->resize(1280, 800);
+  this->MakeMenus();
+  this->MakeViewMenu();
+  this->MakeStatusBar();
+  connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
+  connect(&this->loader, &VolumeLoader::Failed, this, &MainWindow::ShowFailure);
+  connect(&this->loader, &VolumeLoader::Cancelled, this,
+    [this]
+    {
+      this->ShowLoading(false);
+      this->statusBar()->showMessage(tr("Loading was cancelled"));
+    });
+}
+
+void MainWindow::MakeMenus()
+{
+  QMenu* const file = this->menuBar()->addMenu(tr("&File"));
+  file->addAction(tr("&Open…"), this, &MainWindow::ChooseFile, QKeySequence::Open);
+  file->addAction(
+    tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
+  file->addSeparator();
+  file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
+
+  QMenu* const edit = this->menuBar()->addMenu(tr("&Edit"));
+  QAction* const undo = this->model.History()->createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  QAction* const redo = this->model.History()->createRedoAction(this, tr("&Redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  edit->addActions({ undo, redo });
+}
+
+void MainWindow::MakeViewMenu()
+{
+  QMenu* const menu = this->menuBar()->addMenu(tr("&View"));
+  // The keys of the keypad, as other viewers have them.
+  const std::tuple<View, QString, QString> views[] = {
+    { View::Anterior, tr("&Anterior"), "1" },
+    { View::Posterior, tr("&Posterior"), "Shift+1" },
+    { View::Left, tr("&Left"), "3" },
+    { View::Right, tr("&Right"), "Shift+3" },
+    { View::Superior, tr("&Superior"), "7" },
+    { View::Inferior, tr("&Inferior"), "Shift+7" },
+  };
+  for (const auto& [direction, name, key] : views)
+  {
+    menu->addAction(
+      name, this,
+      [this, direction = direction]
+      {
+        if (this->model.CurrentStudy())
+        {
+          this->model.Edit(ScenePart::Camera, tr("standard view"),
+            [direction](Scene& scene)
+            {
+              scene.camera.view = direction;
+              scene.camera.pose.reset();
+            });
+        }
+      },
+      QKeySequence(key));
+  }
+}
+
+void MainWindow::MakeStatusBar()
+{
+  this->progress = new QProgressBar;
+  this->progress->setRange(0, 100);
+  this->cancel = new QPushButton(tr("Cancel"));
+  this->statusBar()->addPermanentWidget(this->progress);
+  this->statusBar()->addPermanentWidget(this->cancel);
+  this->ShowLoading(false);
+  this->statusBar()->showMessage(tr("Open a scan, or drop one here"));
+  connect(this->cancel, &QPushButton::clicked, &this->loader, &VolumeLoader::Cancel);
+  connect(&this->loader, &VolumeLoader::Progress, this->progress,
+    [this](double part) { this->progress->setValue(int(100.0 * part)); });
+}
+
+void MainWindow::Open(const QString& path)
+{
+  this->ShowLoading(true);
+  this->statusBar()->showMessage(tr("Loading %1").arg(QFileInfo(path).fileName()));
+  this->loader.Load(FileSource{ path.toStdString(), std::nullopt });
+}
+
+void MainWindow::ChooseFile()
+{
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open a volume"), {}, FileFilter());
+  if (!path.isEmpty())
+  {
+    this->Open(path);
+  }
+}
+
+void MainWindow::ChooseFolder()
+{
+  const QString path = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM files"));
+  if (!path.isEmpty())
+  {
+    this->Open(path);
+  }
+}
+
+void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
+{
+  this->ShowLoading(false);
+  this->model.Open(source, study);
+  QStringList warnings;
+  for (const std::string& warning : study->volume.warnings)
+  {
+    warnings.append(QString::fromStdString(warning));
+  }
+  this->statusBar()->showMessage(warnings.join(' '));
+}
+
+void MainWindow::ShowFailure(const QString& reason)
+{
+  this->ShowLoading(false);
+  this->statusBar()->showMessage(reason);
+  auto* const box =
+    new QMessageBox(QMessageBox::Warning, tr("Cannot open"), reason, QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+void MainWindow::ShowLoading(bool loading)
+{
+  this->progress->setVisible(loading);
+  this->progress->setValue(0);
+  this->cancel->setVisible(loading);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile())
+  {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+  this->Open(event->mimeData()->urls().first().toLocalFile());
+}
+
+}

@@ -1,0 +1,54 @@
+#ifndef Varimarch_Viewer_MainWindow_h
+#define Varimarch_Viewer_MainWindow_h
+
+#include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/VolumeLoader.h"
+
+#include <QMainWindow>
+
+class QProgressBar;
+class QPushButton;
+
+namespace varimarch
+{
+
+class VolumeView;
+
+/// The window: menus, the views, the panels around them, and the loading of volumes.
+class MainWindow : public QMainWindow
+{
+  Q_OBJECT
+
+public:
+  explicit MainWindow(QWidget* parent = nullptr);
+
+  /// Begins to load a file, or a folder with a DICOM series.
+  void Open(const QString& path);
+
+  SceneModel* Model() { return &this->model; }
+  VolumeLoader* Loader() { return &this->loader; }
+
+protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+private:
+  void MakeMenus();
+  void MakeViewMenu();
+  void MakeStatusBar();
+  void ChooseFile();
+  void ChooseFolder();
+  void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
+  void ShowFailure(const QString& reason);
+  void ShowLoading(bool loading);
+
+  SceneModel model;
+  VolumeLoader loader;
+  VolumeView* view;
+  QProgressBar* progress;
+  QPushButton* cancel;
+};
+
+}
+
+#endif

@@ -1,0 +1,84 @@
+#ifndef Varimarch_Viewer_SceneModel_h
+#define Varimarch_Viewer_SceneModel_h
+
+#include "Scene/ImageStatistics.h"
+#include "Scene/Scene.h"
+#include "Scene/VolumeLoading.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <functional>
+#include <memory>
+
+namespace varimarch
+{
+
+/// A volume in memory, and what of it takes a look at all voxels.
+struct Study
+{
+  LoadedVolume volume;
+  ImageStatistics statistics;
+};
+
+/// What of a scene has changed.
+enum class ScenePart
+{
+  Volume, ///< and with it everything else
+  Look,
+  Camera,
+  Render,
+  Background,
+};
+
+/// The one object that holds what the window shows: a volume, and its scene as plain data. Panels
+/// edit it and know nothing of each other; views listen. Every edit is a step that can be undone.
+/// Values of its look are in units of the data.
+class SceneModel : public QObject
+{
+  Q_OBJECT
+
+public:
+  /// Edits with the same gesture, such as all positions of one drag, are one step.
+  static constexpr int NoGesture = -1;
+
+  explicit SceneModel(QObject* parent = nullptr);
+
+  /// None before the first volume.
+  std::shared_ptr<const Study> CurrentStudy() const { return this->study; }
+  const Scene& CurrentScene() const { return this->scene; }
+
+  /// Takes another volume, with a look that suits it, and forgets the steps that were of the last.
+  void Open(const VolumeSource& source, std::shared_ptr<const Study> opened);
+
+  /// Changes a part of the scene.
+  /// @param name  of the step, for "Undo NAME"
+  void Edit(ScenePart part, const QString& name, const std::function<void(Scene&)>& change,
+    int gesture = NoGesture);
+
+  /// Replaces the look; one in relative values is brought into units of the data.
+  void SetLook(const Look& look, const QString& name, int gesture = NoGesture);
+
+  QUndoStack* History() { return &this->history; }
+
+signals:
+  void Changed(varimarch::ScenePart part);
+
+private:
+  class EditStep;
+
+  void Replace(ScenePart part, const Scene& newScene);
+
+  std::shared_ptr<const Study> study;
+  Scene scene;
+  QUndoStack history;
+};
+
+}
+
+Q_DECLARE_METATYPE(varimarch::ScenePart)
+Q_DECLARE_METATYPE(varimarch::VolumeSource)
+Q_DECLARE_METATYPE(std::shared_ptr<const varimarch::Study>)
+
+#endif

@@ -1,0 +1,110 @@
+#include "Viewer/Model/VolumeLoader.h"
+
+#include <QThread>
+
+#include <exception>
+#include <new>
+
+namespace varimarch
+{
+
+// What the thread and the one that waits for it share.
+struct VolumeLoader::Task
+{
+  VolumeSource source;
+  std::atomic<bool> stop{ false };
+  std::shared_ptr<const Study> study; ///< when it ended well
+  QString failure;                    ///< when it did not
+};
+
+VolumeLoader::VolumeLoader(QObject* parent)
+  : QObject(parent)
+{
+}
+
+VolumeLoader::~VolumeLoader()
+{
+  if (this->thread)
+  {
+    this->thread->disconnect(this);
+    this->task->stop = true;
+    this->thread->wait();
+    delete this->thread;
+  }
+}
+
+// In the thread.
+void VolumeLoader::Run(Task& task)
+{
+  const auto observe = [&](double part)
+  {
+    emit this->Progress(part);
+    return !task.stop;
+  };
+  try
+  {
+    LoadedVolume volume = LoadVolume(task.source, observe);
+    ImageStatistics statistics(volume.image);
+    task.study = std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
+  }
+  catch (const std::bad_alloc&)
+  {
+    task.failure = tr("There is not enough memory for this volume.");
+  }
+  catch (const std::exception& problem)
+  {
+    task.failure = QString::fromStdString(problem.what());
+  }
+}
+
+void VolumeLoader::Load(const VolumeSource& source)
+{
+  if (this->thread)
+  {
+    this->Cancel();
+    this->thread->wait();
+    this->Finish();
+  }
+  this->task = std::make_shared<Task>();
+  this->task->source = source;
+  this->thread = QThread::create([this, task = this->task] { this->Run(*task); });
+  // What the last thread had to say may still be under way.
+  connect(this->thread, &QThread::finished, this,
+    [this, ended = this->thread]
+    {
+      if (ended == this->thread)
+      {
+        this->Finish();
+      }
+    });
+  this->thread->start();
+}
+
+void VolumeLoader::Cancel()
+{
+  if (this->task)
+  {
+    this->task->stop = true;
+  }
+}
+
+void VolumeLoader::Finish()
+{
+  this->thread->deleteLater();
+  this->thread = nullptr;
+  const std::shared_ptr<Task> ended = std::move(this->task);
+  if (ended->stop)
+  {
+    emit this->Cancelled();
+  }
+  else if (ended->study)
+  {
+    emit this->Loaded(ended->source, ended->study);
+  }
+  else
+  {
+    emit this->Failed(ended->failure);
+  }
+}
+
+}

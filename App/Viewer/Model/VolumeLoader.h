@@ -1,0 +1,54 @@
+#ifndef Varimarch_Viewer_VolumeLoader_h
+#define Varimarch_Viewer_VolumeLoader_h
+
+#include "Viewer/Model/SceneModel.h"
+
+#include <QObject>
+#include <QString>
+
+#include <atomic>
+#include <memory>
+
+class QThread;
+
+namespace varimarch
+{
+
+/// Reads volumes in a thread of its own, one at a time; a new one takes the place of the last.
+/// Exactly one of Loaded, Failed and Cancelled ends what Load began, unless this is destroyed.
+class VolumeLoader : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit VolumeLoader(QObject* parent = nullptr);
+  ~VolumeLoader() override;
+
+  void Load(const VolumeSource& source);
+
+  /// Returns at once; the thread stops at the next step of its reading.
+  void Cancel();
+
+  bool IsLoading() const { return this->thread != nullptr; }
+
+signals:
+  /// @param part  of the work that is done, [0, 1]
+  void Progress(double part);
+  void Loaded(const varimarch::VolumeSource& source, std::shared_ptr<const varimarch::Study> study);
+  /// @param reason  one sentence
+  void Failed(const QString& reason);
+  void Cancelled();
+
+private:
+  struct Task;
+
+  void Run(Task& task);
+  void Finish();
+
+  QThread* thread = nullptr;
+  std::shared_ptr<Task> task;
+};
+
+}
+
+#endif

@@ -1,0 +1,36 @@
+// varimarch-viewer: opens a volume in a window.
+
+#include "Viewer/MainWindow.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSurfaceFormat>
+#include <QVTKOpenGLNativeWidget.h>
+
+int main(int argumentCount, char** arguments)
+{
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication application(argumentCount, arguments);
+  QCoreApplication::setApplicationName("varimarch-viewer");
+  QCoreApplication::setApplicationVersion(VARIMARCH_VERSION);
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+    "Looks into CT and MR volumes, with an error that is promised. Not for diagnostic use.");
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(
+    "volume", "A volume file, or a folder with a DICOM series, to open.", "[volume]");
+  parser.process(application);
+
+  varimarch::MainWindow window;
+  window.show();
+  if (!parser.positionalArguments().isEmpty())
+  {
+    window.Open(parser.positionalArguments().first());
+  }
+  return QApplication::exec();
+}

@@ -1,0 +1,87 @@
+// The model: every edit is a step, one gesture is one step, and a new volume forgets the steps.
+
+#include "Scene/ProceduralVolume.h"
+#include "Viewer/Model/SceneModel.h"
+
+#include <QSignalSpy>
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+std::shared_ptr<const Study> SmallStudy()
+{
+  LoadedVolume volume = LoadVolume(ProceduralSource{ ProceduralKind::Torso, { 16, 16, 16 }, 1 });
+  ImageStatistics statistics(volume.image);
+  return std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
+}
+
+class OpenedModel : public testing::Test
+{
+protected:
+  OpenedModel() { this->model.Open(ProceduralSource(), SmallStudy()); }
+
+  void Zoom(double zoom, int gesture = SceneModel::NoGesture)
+  {
+    this->model.Edit(
+      ScenePart::Camera, "zoom", [&](Scene& scene) { scene.camera.zoom = zoom; }, gesture);
+  }
+
+  SceneModel model;
+};
+
+}
+
+TEST_F(OpenedModel, HasALookInUnitsOfTheData)
+{
+  EXPECT_EQ(this->model.CurrentScene().look.name, "ct-bone");
+  EXPECT_EQ(this->model.CurrentScene().look.domain, Domain::Data);
+  Look relative;
+  relative.domain = Domain::Relative;
+  relative.colors = { { 1.0, { 1.0, 0.0, 0.0 } } };
+  relative.opacities = { { 0.0, 0.0 }, { 1.0, 0.5 } };
+  this->model.SetLook(relative, "a look");
+  EXPECT_EQ(this->model.CurrentScene().look.domain, Domain::Data);
+  EXPECT_EQ(this->model.CurrentScene().look.opacities[1].value,
+    this->model.CurrentStudy()->statistics.Percentile(99.9));
+}
+
+TEST_F(OpenedModel, EditsAreUndoneAndDoneAgain)
+{
+  QSignalSpy changes(&this->model, &SceneModel::Changed);
+  this->Zoom(2.0);
+  this->Zoom(3.0);
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 3.0);
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 2.0);
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 1.0);
+  this->model.History()->redo();
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 2.0);
+  ASSERT_EQ(changes.count(), 5);
+  EXPECT_EQ(changes.last().first().value<ScenePart>(), ScenePart::Camera);
+}
+
+TEST_F(OpenedModel, AGestureIsOneStep)
+{
+  this->Zoom(2.0, 7);
+  this->Zoom(3.0, 7);
+  this->Zoom(4.0, 7);
+  this->Zoom(5.0, 8);
+  EXPECT_EQ(this->model.History()->count(), 2);
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 4.0);
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 1.0);
+}
+
+TEST_F(OpenedModel, AnotherVolumeForgetsTheStepsOfTheLast)
+{
+  this->Zoom(2.0);
+  this->model.Open(ProceduralSource(), SmallStudy());
+  EXPECT_FALSE(this->model.History()->canUndo());
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 1.0);
+}

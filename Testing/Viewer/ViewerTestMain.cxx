@@ -1,0 +1,15 @@
+// A main() for tests of the viewer: widgets are drawn into memory unless a platform is asked for.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+
+#include <cstdlib>
+
+int main(int argumentCount, char** arguments)
+{
+  testing::InitGoogleTest(&argumentCount, arguments);
+  setenv("QT_QPA_PLATFORM", "offscreen", 0);
+  QApplication application(argumentCount, arguments);
+  return RUN_ALL_TESTS();
+}
