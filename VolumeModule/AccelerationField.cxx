@@ -10,6 +10,7 @@
 #include "vtkType.h"
 #include "vtk_glew.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <utility>
@@ -19,6 +20,15 @@ namespace varimarch
 
 namespace
 {
+
+// The blocks [c - k, c + k] whose values depend on no other voxels than those of a larger block.
+void Narrow(VariationField& field, int reachVoxels)
+{
+  for (std::uint8_t& cell : field.cells)
+  {
+    cell = std::uint8_t(std::max(cell - reachVoxels, 0));
+  }
+}
 
 // Of a volume of one component.
 VariationField ScalarFieldOf(const ScalarRegion& region, double tolerance)
@@ -36,12 +46,13 @@ VariationField ScalarFieldOf(const ScalarRegion& region, double tolerance)
 
 template <class Scalar>
 BrickRanges RangesOf(
-  const Scalar* scalars, int stride, glm::ivec3 dimensions, const ScalarTexels& texels)
+  const Scalar* scalars, int stride, const VoxelValues& values, const ScalarTexels& texels)
 {
+  const glm::ivec3 dimensions = values.dimensions;
   if (stride == 1)
   {
-    return BuildBrickRanges(
-      ScalarGrid<Scalar>(scalars, dimensions), texels.smallestScalar, texels.largestScalar);
+    return BuildBrickRanges(ScalarGrid<Scalar>(scalars, dimensions), texels.smallestValue,
+      texels.largestValue, values.reachVoxels);
   }
   // A component is copied, one at a time.
   std::vector<Scalar> component(std::size_t(dimensions.x) * dimensions.y * dimensions.z);
@@ -49,18 +60,19 @@ BrickRanges RangesOf(
   {
     component[i] = scalars[i * stride];
   }
-  return BuildBrickRanges(
-    ScalarGrid<Scalar>(component.data(), dimensions), texels.smallestScalar, texels.largestScalar);
+  return BuildBrickRanges(ScalarGrid<Scalar>(component.data(), dimensions), texels.smallestValue,
+    texels.largestValue, values.reachVoxels);
 }
 
-BrickRanges RangesOf(const VoxelChannel& channel, glm::ivec3 dimensions, const ScalarTexels& texels)
+BrickRanges RangesOf(const VoxelValues& values, std::size_t index)
 {
+  const VoxelChannel& channel = values.channels[index];
   void* const voxels = channel.array->GetVoidPointer(channel.component);
   const int stride = channel.array->GetNumberOfComponents();
   switch (channel.array->GetDataType())
   {
     vtkTemplateMacro(
-      return RangesOf(static_cast<const VTK_TT*>(voxels), stride, dimensions, texels));
+      return RangesOf(static_cast<const VTK_TT*>(voxels), stride, values, values.texels[index]));
   }
   return {};
 }
@@ -106,10 +118,11 @@ void AccelerationField::Upload(
 }
 
 void AccelerationField::BuildScalarField(
-  vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance)
+  vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance, int reachVoxels)
 {
   const Stopwatch stopwatch;
-  const VariationField field = ScalarFieldOf(region, tolerance);
+  VariationField field = ScalarFieldOf(region, tolerance);
+  Narrow(field, reachVoxels);
   this->buildSeconds = stopwatch.Seconds();
   this->Upload(window, field.cellCount, field.cells);
 }
@@ -119,14 +132,13 @@ void AccelerationField::SetGaps(vtkOpenGLRenderWindow* window, const GapField& g
   this->Upload(window, gaps.count, gaps.texels);
 }
 
-void AccelerationField::BuildRanges(
-  const VoxelChannels& channels, glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels)
+void AccelerationField::BuildRanges(const VoxelValues& values)
 {
   const Stopwatch stopwatch;
   this->ranges.clear();
-  for (std::size_t i = 0; i < channels.size(); ++i)
+  for (std::size_t i = 0; i < values.channels.size(); ++i)
   {
-    this->ranges.push_back(RangesOf(channels[i], dimensions, texels[i]));
+    this->ranges.push_back(RangesOf(values, i));
   }
   this->rangeSeconds = stopwatch.Seconds();
 }

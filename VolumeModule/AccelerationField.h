@@ -27,18 +27,18 @@ class AccelerationField
 {
 public:
   /// Of the cells of a region.
-  /// @param tolerance  see BuildVariationField
+  /// @param tolerance    see BuildVariationField
+  /// @param reachVoxels  see VoxelValues
   /// @throws std::runtime_error when the device cannot hold the texture
   void BuildScalarField(
-    vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance);
+    vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance, int reachVoxels);
 
   /// What is left out, which only looks like an acceleration.
   /// @throws std::runtime_error when the device cannot hold the texture
   void SetGaps(vtkOpenGLRenderWindow* window, const GapField& gaps);
 
   /// The part of the optical field that reads the volume; kept for every later BuildOpticalField.
-  void BuildRanges(
-    const VoxelChannels& channels, glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels);
+  void BuildRanges(const VoxelValues& values);
 
   /// There is no texture of it where rays could hardly skip anything.
   /// @throws std::runtime_error when the device cannot hold the texture

@@ -166,6 +166,7 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   RenderSettings settings;
   settings.blend = BlendOf(mapper->GetBlendMode());
   settings.nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  settings.cubic = mapper->GetCubicInterpolation() != 0 && !settings.nearest;
   ChooseMaterial(mapper, property, scalars, settings);
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings);
   settings.shading = property->GetShade() != 0 && !IsProjection(settings.blend);
@@ -202,6 +203,10 @@ bool ChooseSurfaces(Frame& frame)
     {
       throw std::runtime_error("Isosurfaces of several components are not supported: expected 1");
     }
+    if (frame.settings.cubic)
+    {
+      throw std::runtime_error("Isosurfaces of cubic interpolation are not supported");
+    }
     frame.isovalues = IsovaluesOf(frame.property);
     return !frame.isovalues.empty();
   }
@@ -237,6 +242,10 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
   if (frame.blanking.Any())
   {
     throw std::runtime_error("Blanked parts of rectilinear grids are not supported");
+  }
+  if (frame.settings.cubic)
+  {
+    throw std::runtime_error("Cubic interpolation of rectilinear grids is not supported");
   }
   if (frame.settings.mask != Mask::None)
   {

@@ -1,6 +1,7 @@
 #include "RayMarcher.h"
 
 #include "Core/ShaderRecipe.h"
+#include "Core/SplineCoefficients.h"
 
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -57,14 +58,22 @@ void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* window)
 void RayMarcher::UpdateVolume(const Frame& frame)
 {
   this->blocks.SetBlanking(frame.blanking);
-  if (this->volumeSource == frame.channels && this->volumeTime == frame.scalarsTime)
+  const bool isCubic = frame.settings.cubic;
+  if (this->volumeSource == frame.channels && this->volumeTime == frame.scalarsTime &&
+    this->volumeIsCubic == isCubic)
   {
     return;
   }
   this->volumeSource.clear();
-  this->blocks.SetVoxels(frame.channels, frame.geometry.dimensions);
+  const glm::ivec3 dimensions = frame.geometry.dimensions;
+  this->spline = isCubic ? SplineVolume(frame.channels, dimensions) : SplineVolume();
+  this->blocks.SetVoxels(isCubic
+      ? VoxelValues{ this->spline.Channels(), dimensions, this->spline.Texels(frame.channels),
+          SplineReachVoxels }
+      : VoxelValues{ frame.channels, dimensions, ScalarTexelsOf(frame.channels) });
   this->volumeSource = frame.channels;
   this->volumeTime = frame.scalarsTime;
+  this->volumeIsCubic = isCubic;
   this->tableSource = nullptr; // a table covers the range of the scalars
   ++this->builds.volumeTexture;
 }
@@ -169,7 +178,7 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
     return;
   }
   this->fieldSource.reset();
-  this->UpdateRanges(frame);
+  this->UpdateRanges();
   std::vector<ChannelTable> tables;
   for (std::size_t i = 0; i < this->materialTables.size(); ++i)
   {
@@ -194,18 +203,17 @@ void RayMarcher::UpdateExtremes(const Frame& frame)
     return;
   }
   this->fieldSource.reset();
-  this->UpdateRanges(frame);
+  this->UpdateRanges();
   this->field.BuildExtremes(frame.window, largest);
   this->fieldSource = source;
   ++this->builds.field;
 }
 
-void RayMarcher::UpdateRanges(const Frame& frame)
+void RayMarcher::UpdateRanges()
 {
   if (this->rangesOfVolume != this->builds.volumeTexture)
   {
-    this->field.BuildRanges(
-      frame.channels, frame.geometry.dimensions, this->blocks.TexelsOfChannels());
+    this->field.BuildRanges(this->blocks.Values());
     this->rangesOfVolume = this->builds.volumeTexture;
     ++this->builds.brickRanges;
   }
@@ -292,6 +300,7 @@ void RayMarcher::Release(vtkWindow* window)
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource.clear();
+  this->spline = SplineVolume();
   this->visibleOfField = -1;
   this->fieldSource.reset();
   this->rangesOfVolume = 0;

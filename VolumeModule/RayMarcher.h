@@ -14,6 +14,7 @@
 #include "RayAccumulation.h"
 #include "RayMarchProgram.h"
 #include "SceneDepthTexture.h"
+#include "SplineVolume.h"
 #include "VolumeBlocks.h"
 #include "VolumeBoxGeometry.h"
 
@@ -124,7 +125,7 @@ private:
   void UpdateIsosurfaces(const Frame& frame);
   void UpdateSpacing(const Frame& frame);
   void SetSpacingUniforms(const Frame& frame);
-  void UpdateRanges(const Frame& frame);
+  void UpdateRanges();
   void UpdateDepth(const Frame& frame);
   void UpdateLights(const Frame& frame);
   void UpdateGradientOpacity(const Frame& frame);
@@ -182,6 +183,7 @@ private:
   void DrawBox(const Frame& frame, const DrawnBlock& drawn);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> window;
+  SplineVolume spline; ///< only where voxels are interpolated by one
   VolumeBlocks blocks;
   AccelerationField field; ///< of bricks
   OpticalTableTexture opticalTable;
@@ -212,6 +214,7 @@ private:
   // What each resource was made from.
   VoxelChannels volumeSource; ///< none: there is no volume
   vtkMTimeType volumeTime = 0;
+  bool volumeIsCubic = false;
   vtkVolumeProperty* tableSource = nullptr;
   std::vector<double> tableInputs;
   std::vector<MaterialTable> materialTables; ///< what is in the optical table

@@ -266,7 +266,8 @@ void RayMarcher::SetComponentProjectionUniforms(const Frame& frame)
 {
   const std::vector<ScalarTexels>& channels = this->blocks.TexelsOfChannels();
   glm::dvec4 smallest(0.0);
-  glm::dvec4 largest(0.0);
+  glm::dvec4 leastMaximum(0.0);
+  glm::dvec4 mostMinimum(0.0);
   glm::dvec4 grayPerScalar(0.0);
   glm::dvec4 averagedLower(0.0);
   glm::dvec4 averagedUpper(0.0);
@@ -274,8 +275,10 @@ void RayMarcher::SetComponentProjectionUniforms(const Frame& frame)
   {
     const TexelMapping& mapping = channels[i].mapping;
     smallest[i] = mapping.TexelOf(channels[i].smallestScalar);
-    largest[i] = mapping.TexelOf(channels[i].largestScalar);
-    grayPerScalar[i] = largest[i] > smallest[i] ? 1.0 / (largest[i] - smallest[i]) : 0.0;
+    const double range = mapping.TexelOf(channels[i].largestScalar) - smallest[i];
+    grayPerScalar[i] = range > 0.0 ? 1.0 / range : 0.0;
+    leastMaximum[i] = mapping.TexelOf(channels[i].smallestValue);
+    mostMinimum[i] = mapping.TexelOf(channels[i].largestValue);
     averagedLower[i] = mapping.LimitedTexelOf(frame.averagedRange[0]);
     averagedUpper[i] = mapping.LimitedTexelOf(frame.averagedRange[1]);
   }
@@ -285,7 +288,7 @@ void RayMarcher::SetComponentProjectionUniforms(const Frame& frame)
   {
     const bool isMaximum = frame.settings.blend == Blend::MaximumIntensity;
     this->program.Set("sense", isMaximum ? 1.0 : -1.0);
-    this->program.Set("leastExtremes", isMaximum ? smallest : largest);
+    this->program.Set("leastExtremes", isMaximum ? leastMaximum : mostMinimum);
     return;
   }
   this->program.Set("smallestScalars", smallest);

@@ -20,7 +20,7 @@ void RayMarcher::UpdateIsosurfaceField(const Frame& frame)
     return;
   }
   this->fieldSource.reset();
-  this->UpdateRanges(frame);
+  this->UpdateRanges();
   this->field.BuildIsosurfaceField(frame.window, frame.isovalues);
   this->fieldSource = source;
   ++this->builds.field;

@@ -34,7 +34,7 @@ std::vector<OpticalTable> RayMarcher::BuildTables(const Frame& frame)
   {
     const ScalarTexels& texels = this->blocks.TexelsOfChannels()[table.channel];
     tables.push_back(BuildOpticalTable(
-      table.transferFunction, texels.smallestScalar, texels.largestScalar, entries));
+      table.transferFunction, texels.smallestValue, texels.largestValue, entries));
   }
   return tables;
 }

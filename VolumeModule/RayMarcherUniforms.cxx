@@ -224,8 +224,10 @@ void RayMarcher::SetBlendUniforms(const Frame& frame)
 void RayMarcher::SetProjectionUniforms(const Frame& frame)
 {
   const TexelMapping& mapping = this->blocks.Texels().mapping;
-  const double smallest = mapping.TexelOf(this->blocks.Texels().smallestScalar);
-  const double largest = mapping.TexelOf(this->blocks.Texels().largestScalar);
+  const ScalarTexels& texels = this->blocks.Texels();
+  const bool isExtreme = IsExtreme(frame.settings.blend);
+  const double smallest = mapping.TexelOf(isExtreme ? texels.smallestValue : texels.smallestScalar);
+  const double largest = mapping.TexelOf(isExtreme ? texels.largestValue : texels.largestScalar);
   this->program.Set("smallestScalar", smallest);
   this->program.Set("opacityUnitDistanceMm", frame.property->GetScalarOpacityUnitDistance());
   switch (frame.settings.blend)
@@ -254,6 +256,10 @@ void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
   if (!IsSampled(frame.settings))
   {
     this->SetExactUniforms(frame, drawn);
+  }
+  if (frame.settings.cubic)
+  {
+    this->program.Set("splineVoxelCount", glm::dvec3(drawn.voxels.count));
   }
   if (frame.settings.uneven)
   {

@@ -12,11 +12,9 @@ void VolumeBlock::Release(vtkWindow* window)
   this->scalarField.Release(window);
 }
 
-void VolumeBlocks::SetVoxels(const VoxelChannels& newChannels, glm::ivec3 newDimensions)
+void VolumeBlocks::SetVoxels(const VoxelValues& newValues)
 {
-  this->channels = newChannels;
-  this->dimensions = newDimensions;
-  this->texels = ScalarTexelsOf(newChannels);
+  this->values = newValues;
   for (const auto& block : this->blocks)
   {
     if (block)
@@ -59,13 +57,13 @@ void VolumeBlocks::SetScalarField(vtkWindow* window, std::optional<double> toler
 std::size_t VolumeBlocks::BytesPerVoxel() const
 {
   const std::size_t gapBytes = this->MayHaveGaps() ? 1 : 0;
-  return this->texels.size() * this->Texels().BytesPerTexel() + gapBytes +
+  return this->values.texels.size() * this->Texels().BytesPerTexel() + gapBytes +
     (this->scalarTolerance ? 1 : 0);
 }
 
 bool VolumeBlocks::Divide(vtkWindow* window, const BlockLimits& limits)
 {
-  const BlockPartition divided(this->dimensions, limits);
+  const BlockPartition divided(this->values.dimensions, limits);
   if (divided == this->partition)
   {
     return false;
@@ -95,7 +93,8 @@ void VolumeBlocks::LetGo(vtkWindow* window, const std::vector<int>& released)
 
 const VolumeBlock& VolumeBlocks::Take(vtkOpenGLRenderWindow* window, int block)
 {
-  const ScalarRegion region{ this->channels, this->dimensions, this->partition.VoxelsOf(block) };
+  const ScalarRegion region{ this->values.channels, this->values.dimensions,
+    this->partition.VoxelsOf(block) };
   const glm::ivec3 count = region.voxels.count;
   const std::size_t bytes = this->BytesPerVoxel() * count.x * count.y * count.z;
   std::vector<int> released = this->residency.Use(block, bytes, this->capacity);
@@ -125,7 +124,7 @@ void VolumeBlocks::Upload(
   vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region)
 {
   block.scalarTolerance.reset();
-  block.volume.Upload(window, region, this->texels);
+  block.volume.Upload(window, region, this->values.texels);
   block.isCurrent = true;
   block.gapsAreCurrent = false;
   ++this->uploads;
@@ -154,7 +153,8 @@ void VolumeBlocks::UpdateScalarField(
 {
   if (this->scalarTolerance && block.scalarTolerance != this->scalarTolerance)
   {
-    block.scalarField.BuildScalarField(window, region, *this->scalarTolerance);
+    block.scalarField.BuildScalarField(
+      window, region, *this->scalarTolerance, this->values.reachVoxels);
     block.scalarTolerance = this->scalarTolerance;
     this->fieldBuildSeconds += block.scalarField.BuildSeconds();
   }

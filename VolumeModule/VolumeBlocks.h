@@ -40,11 +40,11 @@ class VolumeBlocks
 {
 public:
   /// All blocks will be uploaded anew, into the textures that are there.
-  void SetVoxels(const VoxelChannels& channels, glm::ivec3 dimensions);
+  void SetVoxels(const VoxelValues& newValues);
 
   /// What is left out beside voxels that are not finite; flags that have changed count as scalars.
   void SetBlanking(const Blanking& newBlanking);
-  bool MayHaveGaps() const { return !this->Texels().integers || this->blanking.Any(); }
+  bool MayHaveGaps() const { return !this->Texels().finite || this->blanking.Any(); }
 
   /// The published field is of cells, and so a matter of blocks. None: no block has it.
   void SetScalarField(vtkWindow* window, std::optional<double> tolerance);
@@ -57,8 +57,12 @@ public:
   bool Divide(vtkWindow* window, const BlockLimits& limits);
 
   const BlockPartition& Partition() const { return this->partition; }
-  const ScalarTexels& Texels() const { return this->texels.front(); } ///< of the first channel
-  const std::vector<ScalarTexels>& TexelsOfChannels() const { return this->texels; }
+  const VoxelValues& Values() const { return this->values; }
+  const ScalarTexels& Texels() const
+  {
+    return this->values.texels.front();
+  } ///< of the first channel
+  const std::vector<ScalarTexels>& TexelsOfChannels() const { return this->values.texels; }
 
   /// @param order     the blocks that the next picture takes, in this order
   /// @param capacity  no more bytes than that are held from now on
@@ -83,9 +87,7 @@ private:
   void UpdateScalarField(
     vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
 
-  VoxelChannels channels;
-  glm::ivec3 dimensions = glm::ivec3(0);
-  std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< of each channel
+  VoxelValues values;
   Blanking blanking;
   std::optional<double> scalarTolerance;
   BlockPartition partition;

@@ -231,6 +231,8 @@ std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels)
     ScalarTexels texels;
     texels.smallestScalar = anyFinite ? range[0] : 0.0;
     texels.largestScalar = anyFinite ? range[1] : 0.0;
+    texels.smallestValue = texels.smallestScalar;
+    texels.largestValue = texels.largestScalar;
     allIntegers = allIntegers && type != VTK_FLOAT && type != VTK_DOUBLE;
     allNormalized = allNormalized && allIntegers &&
       texels.largestScalar - texels.smallestScalar <= LargestTexel16;
@@ -238,7 +240,7 @@ std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels)
   }
   for (ScalarTexels& texels : all)
   {
-    texels.integers = allIntegers;
+    texels.finite = allIntegers;
     texels.normalized = allNormalized;
     texels.mapping = allNormalized ? NormalizedMapping(texels.smallestScalar, texels.largestScalar)
                                    : FloatMapping(texels.smallestScalar, texels.largestScalar);

@@ -34,11 +34,13 @@ struct TexelMapping
 /// What all textures of a volume have in common, so that pictures of them meet without a seam.
 struct ScalarTexels
 {
-  double smallestScalar = 0.0; ///< of the finite values
+  double smallestScalar = 0.0; ///< of the finite voxels
   double largestScalar = 0.0;
+  double smallestValue = 0.0; ///< bounds of what is interpolated, which may go beyond the voxels
+  double largestValue = 0.0;
   TexelMapping mapping;
   bool normalized = true; ///< 16 bit; else float
-  bool integers = true;   ///< then all scalars are finite
+  bool finite = true;     ///< all voxels are, for sure
 
   std::size_t BytesPerTexel() const { return this->normalized ? 2 : 4; }
 };
@@ -64,8 +66,18 @@ struct VoxelChannel
 
 using VoxelChannels = std::vector<VoxelChannel>; ///< one to four
 
-/// Of each channel; they share one format.
+/// Of each channel, for linear interpolation; they share one format.
 std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels);
+
+/// The numbers that the values of a volume are interpolated from: its voxels, or what a filter has
+/// made of them.
+struct VoxelValues
+{
+  VoxelChannels channels;
+  glm::ivec3 dimensions = glm::ivec3(0);
+  std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< of each channel
+  int reachVoxels = 0; ///< how far beyond its cell a value depends on them
+};
 
 /// A part of the voxels of a volume.
 struct ScalarRegion

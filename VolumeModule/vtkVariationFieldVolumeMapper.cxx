@@ -373,6 +373,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NanOpacity: " << this->NanOpacity << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "MaximumGraphicsMemory: " << this->MaximumGraphicsMemory << "\n";
+  os << indent << "CubicInterpolation: " << this->CubicInterpolation << "\n";
   os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";

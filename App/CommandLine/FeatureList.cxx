@@ -13,6 +13,8 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
+#include <vtkVariationFieldGPUVolumeRayCastMapper.h>
+#include <vtkVariationFieldVolumeMapper.h>
 #include <vtkVolumeProperty.h>
 
 #include <array>
@@ -127,6 +129,29 @@ void NearestOn(Stage stage)
 void NearestOff(Stage stage)
 {
   PropertyOf(stage)->SetInterpolationTypeToLinear();
+}
+
+void CubicOn(vtkVariationFieldVolumeMapper* mapper)
+{
+  mapper->CubicInterpolationOn();
+}
+
+void CubicOff(vtkVariationFieldVolumeMapper* mapper)
+{
+  mapper->CubicInterpolationOff();
+}
+
+// A setting of ours alone.
+Feature::Switch Ours(const std::function<void(vtkVariationFieldVolumeMapper*)>& set)
+{
+  return [set](Stage stage)
+  {
+    auto* adapter = vtkVariationFieldGPUVolumeRayCastMapper::SafeDownCast(stage.mapper);
+    if (adapter)
+    {
+      set(adapter->GetVariationFieldMapper());
+    }
+  };
 }
 
 void CroppingOff(Stage stage)
@@ -289,6 +314,8 @@ const std::vector<Feature>& Features()
     { "gradient-opacity-shaded", "shading", ShadeOn, GradientOpacityOn, GradientOpacityOff },
     { "two-values", "composite", ShadeOff, TwoValuesOn, TwoValuesOff },
     { "nearest", "composite", ShadeOff, NearestOn, NearestOff },
+    { "cubic", "composite", ShadeOff, Ours(CubicOn), Ours(CubicOff), false },
+    { "cubic-shaded", "shading", ShadeOn, Ours(CubicOn), Ours(CubicOff), false },
     { "maximum", "composite", ShadeOff, BlendMode(Mapper::MAXIMUM_INTENSITY_BLEND), Composite },
     { "minimum", "composite", ShadeOff, BlendMode(Mapper::MINIMUM_INTENSITY_BLEND), Composite },
     { "average", "composite", ShadeOff, BlendMode(Mapper::AVERAGE_INTENSITY_BLEND), Composite },

@@ -31,7 +31,8 @@ struct Feature
   std::string over; ///< what it is added to, for people
   Switch prepare;   ///< what it is added to
   Switch switchOn;
-  Switch switchOff; ///< what is left is what was prepared
+  Switch switchOff;   ///< what is left is what was prepared
+  bool isVtks = true; ///< else VTK's mapper does not have it: its times tell nothing
 };
 
 /// All that `varimarch bench features` measures.

@@ -17,9 +17,13 @@ std::string Row(const FeatureMeasurement& measured)
   }
   const FeatureCost& ours = measured.ours;
   const FeatureCost& vtk = measured.vtk;
-  return start + Fixed(ours.beforeMs, 1) + " | " + Fixed(ours.onMs, 1) + " | " +
-    Fixed(ours.Ratio(), 2) + " | " + Fixed(ours.afterMs / ours.beforeMs, 2) + " | " +
-    Fixed(vtk.onMs, 1) + " | " + Fixed(vtk.Ratio(), 2) + " | " +
+  const std::string ourPart = start + Fixed(ours.beforeMs, 1) + " | " + Fixed(ours.onMs, 1) +
+    " | " + Fixed(ours.Ratio(), 2) + " | " + Fixed(ours.afterMs / ours.beforeMs, 2) + " | ";
+  if (!measured.feature->isVtks)
+  {
+    return ourPart + "- | - | - |\n";
+  }
+  return ourPart + Fixed(vtk.onMs, 1) + " | " + Fixed(vtk.Ratio(), 2) + " | " +
     (measured.vtkShowsNothing ? "-" : Fixed(vtk.onMs / ours.onMs, 2)) + " |\n";
 }
 
@@ -38,7 +42,11 @@ std::string Notes(const std::vector<FeatureMeasurement>& features)
       notes += "- " + measured.feature->name +
         " is left to VTK's mapper by the plugin: " + measured.drawnByVtk + "\n";
     }
-    if (measured.vtkShowsNothing)
+    if (!measured.feature->isVtks)
+    {
+      notes += "- " + measured.feature->name + ": VTK's mapper does not have it\n";
+    }
+    else if (measured.vtkShowsNothing)
     {
       notes += "- " + measured.feature->name + ": VTK's mapper shows nothing\n";
     }

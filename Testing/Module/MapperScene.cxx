@@ -208,8 +208,7 @@ std::vector<float> MapperScene::DrawReferenceOf(const ReferenceScene& scene, dou
 ImageError MapperScene::ErrorOf(const Material& material, double tolerance)
 {
   const std::vector<float> drawn = this->Draw();
-  ReferenceScene scene{ {}, VolumeGeometryOf(this->image, this->volume).boxGrid,
-    TransferFunction({}, {}, 1.0) };
+  ReferenceScene scene{ {}, this->ReferenceGeometry().boxGrid, TransferFunction({}, {}, 1.0) };
   scene.material = material;
   const std::vector<float> truth = this->DrawReferenceOf(scene, tolerance);
   return CompareImages(drawn.data(), truth.data(), truth.size() / 4);

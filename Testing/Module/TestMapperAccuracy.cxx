@@ -66,7 +66,8 @@ TEST_P(ExtremeAccuracy, LeavingBricksChangesNothing)
   const std::vector<float> without = scene.Draw();
   scene.mapper->SetAccelerationModeToOpticalField();
   const std::vector<float> with = scene.Draw();
-  EXPECT_EQ(scene.ShaderParts().at(8), "Step/BrickExtremes.glsl");
+  const std::vector<std::string> parts = scene.ShaderParts();
+  EXPECT_EQ(std::count(parts.begin(), parts.end(), "Step/BrickExtremes.glsl"), 1);
   // The samples lie elsewhere; the peaks they lead to are the same but for a few.
   const varimarch::ImageError error =
     varimarch::CompareImages(with.data(), without.data(), without.size() / 4);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -14,6 +15,7 @@ namespace glsl
 using namespace glm;
 #include "Shaders/Math/Absorption.glsl"
 #include "Shaders/Math/CellCubic.glsl"
+#include "Shaders/Math/CubicSpline.glsl"
 #include "Shaders/Math/IntersectBox.glsl"
 #include "Shaders/Math/LatticeWalk.glsl"
 #include "Shaders/Math/StepGrowth.glsl"
@@ -90,6 +92,33 @@ TEST(CellCubic, IsMonotoneBetweenItsExtremesAndCrossesEachValueOnce)
         const float value = glm::mix(first, last, along);
         EXPECT_NEAR(glsl::CubicValue(b, glsl::CubicCrossing(b, value, part)), value, 1e-5f);
       }
+    }
+  }
+}
+
+TEST(CubicSpline, ReadsTheFourCoefficientsOfAnAxisTwoByTwo)
+{
+  // What linear readings at these places are made of, by their weights.
+  const auto weightsOf = [](const glsl::SplineReadings& at)
+  {
+    return std::array<double, 4>{ -at.nearWeight.x * at.nearPlace.x,
+      at.nearWeight.x * (1.0 + at.nearPlace.x), at.farWeight.x * (2.0 - at.farPlace.x),
+      at.farWeight.x * (at.farPlace.x - 1.0) };
+  };
+  for (double x = 0.0; x <= 1.0; x += 1.0 / 32.0)
+  {
+    const double y = 1.0 - x;
+    const std::array<double, 4> value = { y * y * y / 6.0,
+      (4.0 - 6.0 * x * x + 3.0 * x * x * x) / 6.0, (4.0 - 6.0 * y * y + 3.0 * y * y * y) / 6.0,
+      x * x * x / 6.0 };
+    const std::array<double, 4> slope = { -y * y / 2.0, (3.0 * x * x - 4.0 * x) / 2.0,
+      (4.0 * y - 3.0 * y * y) / 2.0, x * x / 2.0 };
+    const auto drawnValue = weightsOf(glsl::SplineValue(glm::vec3(float(x))));
+    const auto drawnSlope = weightsOf(glsl::SplineSlope(glm::vec3(float(x))));
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_NEAR(drawnValue[i], value[i], 1e-6) << x << " " << i;
+      EXPECT_NEAR(drawnSlope[i], slope[i], 1e-6) << x << " " << i;
     }
   }
 }

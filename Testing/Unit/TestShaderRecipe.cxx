@@ -31,11 +31,12 @@ Parts Changed(const RenderSettings& settings)
 TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   EXPECT_EQ(FragmentShaderParts(plain),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl", "Math/Absorption.glsl",
-      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
-      "Classify/OpticalTable.glsl", "Blend/Composite.glsl", "Fetch/FourScalars.glsl",
-      "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl",
-      "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
+      "Interpolation/Linear.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
+      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
+      "Fetch/FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
+      "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -76,6 +77,18 @@ TEST(ShaderRecipe, EachChoiceOfThePictureChangesItsOwnSlotOnly)
   RenderSettings windowed = plain;
   windowed.windowLevel = true;
   EXPECT_EQ(Changed(windowed), Parts{ "Window/WindowLevel.glsl" });
+}
+
+TEST(ShaderRecipe, ASplineChangesHowTheVolumeIsReadAndItsGradients)
+{
+  RenderSettings cubic = plain;
+  cubic.cubic = true;
+  const Parts value = { "Math/CubicSpline.glsl", "Interpolation/CubicSpline.glsl" };
+  EXPECT_EQ(Changed(cubic), value);
+  cubic.shading = true;
+  const Parts lit = Changed(cubic);
+  EXPECT_EQ(
+    Parts(lit.begin(), lit.begin() + 3), (Parts{ value[0], value[1], "Gradient/OfSpline.glsl" }));
 }
 
 TEST(ShaderRecipe, CutsChangeTheirOwnSlotsOnly)
@@ -127,11 +140,12 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
 {
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl", "Math/Absorption.glsl",
-      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
-      "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl", "March/Extreme.glsl",
-      "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
-      "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
+      "Interpolation/Linear.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
+      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
+      "Blend/MaximumIntensity.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl",
+      "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
@@ -142,7 +156,7 @@ TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
     settings.nearest = nearest;
     const Parts parts = FragmentShaderParts(settings);
     // Between what every shader begins with and what every one ends with.
-    return Parts(parts.begin() + 3, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
+    return Parts(parts.begin() + 4, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
   };
   EXPECT_EQ(partsOf(Blend::Composite, true),
     (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
@@ -181,7 +195,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 144u);
+  EXPECT_EQ(distinct.size(), 148u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

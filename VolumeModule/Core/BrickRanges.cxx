@@ -130,13 +130,17 @@ void BrickRanges::Set(std::size_t brick, Steps steps)
 
 template <class Scalar>
 BrickRanges BuildBrickRanges(
-  const ScalarGrid<Scalar>& grid, double smallestValue, double largestValue)
+  const ScalarGrid<Scalar>& grid, double smallestValue, double largestValue, int reachVoxels)
 {
   const glm::ivec3 voxels = grid.Dimensions();
   BrickRanges ranges(
     grid.CellCount(), smallestValue, largestValue, std::numeric_limits<Scalar>::is_integer);
   const glm::ivec3 bricks = ranges.BrickCount();
 
+  // The voxels that a brick's values depend on, along an axis.
+  const auto firstOf = [=](int brick) { return std::max(Side * brick - reachVoxels, 0); };
+  const auto lastOf = [=](int brick, int count)
+  { return std::min(Side * (brick + 1) + reachVoxels, count - 1); };
   const int rowsOfBricks = bricks.y * bricks.z;
   tbb::parallel_for(tbb::blocked_range<int>(0, rowsOfBricks),
     [&](const tbb::blocked_range<int>& rows)
@@ -147,18 +151,17 @@ BrickRanges BuildBrickRanges(
         const int brickY = row % bricks.y;
         const int brickZ = row / bricks.y;
         columns.Start();
-        for (int z = Side * brickZ; z <= std::min(Side * (brickZ + 1), voxels.z - 1); ++z)
+        for (int z = firstOf(brickZ); z <= lastOf(brickZ, voxels.z); ++z)
         {
-          for (int y = Side * brickY; y <= std::min(Side * (brickY + 1), voxels.y - 1); ++y)
+          for (int y = firstOf(brickY); y <= lastOf(brickY, voxels.y); ++y)
           {
             columns.Add(grid.Row(y, z));
           }
         }
         for (int brickX = 0; brickX < bricks.x; ++brickX)
         {
-          const int last = std::min(Side * (brickX + 1), voxels.x - 1);
-          ranges.Set(
-            std::size_t(row) * bricks.x + brickX, StepsOf(columns, Side * brickX, last, ranges));
+          ranges.Set(std::size_t(row) * bricks.x + brickX,
+            StepsOf(columns, firstOf(brickX), lastOf(brickX, voxels.x), ranges));
         }
       }
     });
@@ -166,7 +169,7 @@ BrickRanges BuildBrickRanges(
 }
 
 #define VARIMARCH_RANGES_OF(Scalar) \
-  template BrickRanges BuildBrickRanges(const ScalarGrid<Scalar>&, double, double)
+  template BrickRanges BuildBrickRanges(const ScalarGrid<Scalar>&, double, double, int)
 VARIMARCH_RANGES_OF(char);
 VARIMARCH_RANGES_OF(signed char);
 VARIMARCH_RANGES_OF(unsigned char);

@@ -14,8 +14,9 @@ namespace varimarch
 /// structure that depends on the data only.
 ///
 /// A brick of cells reads 5 x 5 x 5 voxels, its far faces included, so that the range holds for
-/// every interpolated value in it. Ranges are kept in 8 or 16 bits relative to the range of the
-/// whole volume, rounded outwards: exact for 8 bit data and for integers that span less than 2^16.
+/// every interpolated value in it; where values depend on voxels farther off, on those too. Ranges
+/// are kept in 8 or 16 bits relative to the range of the whole volume, rounded outwards: exact for
+/// 8 bit data and for integers that span less than 2^16.
 class BrickRanges
 {
 public:
@@ -63,9 +64,11 @@ private:
 
 /// Reads the volume once, on all cores.
 /// @param smallestValue, largestValue  range of the finite values of the grid
+/// @param reachVoxels  how far beyond its cell a value depends on voxels: not for linear
+///                     interpolation
 template <class Scalar>
 BrickRanges BuildBrickRanges(
-  const ScalarGrid<Scalar>& grid, double smallestValue, double largestValue);
+  const ScalarGrid<Scalar>& grid, double smallestValue, double largestValue, int reachVoxels = 0);
 
 }
 

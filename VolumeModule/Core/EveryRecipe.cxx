@@ -137,6 +137,20 @@ std::vector<RenderSettings> RecipesOfMaterials()
   return recipes;
 }
 
+std::vector<RenderSettings> RecipesOfSplines()
+{
+  RenderSettings cubic;
+  cubic.cubic = true;
+  RenderSettings lit = cubic;
+  lit.shading = true;
+  RenderSettings components = lit;
+  components.components = Components::Independent;
+  components.componentCount = 2;
+  RenderSettings maximum{ Blend::MaximumIntensity };
+  maximum.cubic = true;
+  return { cubic, lit, components, maximum };
+}
+
 std::vector<RenderSettings> RecipesWithCuts()
 {
   std::vector<RenderSettings> recipes;
@@ -197,7 +211,7 @@ std::vector<RenderSettings> EveryRecipe()
   std::vector<RenderSettings> recipes = { counting };
   for (const std::vector<RenderSettings>& others :
     { RecipesOfMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(), RecipesInBlocks(),
-      RecipesOfPictures(), RecipesWithCuts(), ExactRecipes() })
+      RecipesOfPictures(), RecipesOfSplines(), RecipesWithCuts(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

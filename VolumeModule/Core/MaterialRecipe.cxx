@@ -40,8 +40,11 @@ std::string ShadeFile(const RenderSettings& settings)
 
 std::string GradientFile(const RenderSettings& settings)
 {
-  return settings.clippedGradients ? "Gradient/ClippedDifferences.glsl"
-                                   : "Gradient/CentralDifferences.glsl";
+  if (settings.clippedGradients)
+  {
+    return "Gradient/ClippedDifferences.glsl";
+  }
+  return settings.cubic ? "Gradient/OfSpline.glsl" : "Gradient/CentralDifferences.glsl";
 }
 
 std::vector<std::string> ClassifyParts(const RenderSettings& settings)
@@ -89,9 +92,10 @@ std::vector<std::string> MaterialParts(const RenderSettings& settings)
     return { GradientFile(settings), ShadeFile(settings), opacity, "Values/One.glsl",
       "Material/OneComponent.glsl" };
   }
-  return { UsesGradients(settings) ? "Gradient/CentralDifferencesOfAll.glsl"
-                                   : "Gradient/NoneOfAll.glsl",
-    ShadeFile(settings), opacity, "Values/All.glsl", "Material/Components.glsl" };
+  const std::string gradients =
+    settings.cubic ? "Gradient/OfSplines.glsl" : "Gradient/CentralDifferencesOfAll.glsl";
+  return { UsesGradients(settings) ? gradients : "Gradient/NoneOfAll.glsl", ShadeFile(settings),
+    opacity, "Values/All.glsl", "Material/Components.glsl" };
 }
 
 }

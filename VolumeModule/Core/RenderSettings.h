@@ -121,6 +121,7 @@ struct RenderSettings
   bool sceneGeometry = false;                      ///< stop rays at opaque geometry already drawn
   Integration integration = Integration::Midpoint; ///< of a composite without shading
   bool nearest = false;                            ///< voxels are boxes of one value
+  bool cubic = false;                              ///< a spline through the voxels, not nearest
   bool uneven = false;                             ///< voxels are at uneven places
   bool clipping = false;                           ///< end rays at clipping planes
   bool cropping = false;                           ///< leave out regions of the volume

@@ -247,6 +247,19 @@ bool Walks(const RenderSettings& settings)
     settings.mask != Mask::None || (!IsSampled(settings) && settings.blend != Blend::Slice);
 }
 
+// What every march begins with: where voxels are, and what lies between them.
+std::vector<std::string> VoxelParts(const RenderSettings& settings)
+{
+  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl",
+    settings.uneven ? "Spacing/Uneven.glsl" : "Spacing/Even.glsl" };
+  if (settings.cubic)
+  {
+    parts.push_back("Math/CubicSpline.glsl");
+  }
+  parts.push_back(settings.cubic ? "Interpolation/CubicSpline.glsl" : "Interpolation/Linear.glsl");
+  return parts;
+}
+
 // How long the next step is.
 std::vector<std::string> StepParts(const RenderSettings& settings)
 {
@@ -330,8 +343,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     return ResampledParts(settings);
   }
-  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl",
-    settings.uneven ? "Spacing/Uneven.glsl" : "Spacing/Even.glsl" };
+  std::vector<std::string> parts = VoxelParts(settings);
   if (Walks(settings))
   {
     parts.push_back("Math/LatticeWalk.glsl");

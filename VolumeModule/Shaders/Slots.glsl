@@ -39,12 +39,18 @@ vec3 PositionTexture(Ray ray, float t)
 // The place in the texture of one in the even grid that rays are straight in.
 vec3 VoxelPlace(vec3 positionTexture);
 
-// --- Probe: observes the work of a ray -------------------------------------------------------
-// The stored scalars, of up to four components: texture values, which tables and thresholds are
-// scaled to. Every reading of the volume goes through here.
+// --- Interpolation: what lies between voxels ---------------------------------------------------
+// The scalars there, of up to four components: texture values, which tables and thresholds are
+// scaled to.
 vec4 TexelAt(vec3 positionTexture);
 // The scalar of a volume of one component.
 float ScalarAt(vec3 positionTexture);
+// Of a spline, the derivative along an axis (1, 0, 0), (0, 1, 0) or (0, 0, 1), per voxel.
+vec4 SlopeAlong(vec3 axis, vec3 positionTexture);
+
+// --- Probe: observes the work of a ray -------------------------------------------------------
+// What is stored at a place in the texture. Every reading of the volume goes through here.
+vec4 StoredAt(vec3 placeTexture);
 // What is drawn for a ray that has made this picture.
 vec4 Probed(vec4 picture);
 

@@ -2,15 +2,10 @@
 
 float fetches = 0.0;
 
-vec4 TexelAt(vec3 positionTexture)
+vec4 StoredAt(vec3 placeTexture)
 {
   fetches += 1.0;
-  return textureLod(volumeTexture, VoxelPlace(positionTexture), 0.0);
-}
-
-float ScalarAt(vec3 positionTexture)
-{
-  return TexelAt(positionTexture).r;
+  return textureLod(volumeTexture, placeTexture, 0.0);
 }
 
 vec4 Probed(vec4 picture)
