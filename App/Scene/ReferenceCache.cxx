@@ -100,6 +100,10 @@ std::string KeyOf(const ReferenceRequest& request)
   AddTransferFunction(digest, request.transferFunction);
   AddLight(digest, request.light);
   digest.Add(request.blend);
+  for (const glm::dvec4& plane : request.cutPlanesGrid)
+  {
+    AddMatrix(digest, plane);
+  }
   AddView(digest, request.view);
   digest.Add(request.tolerance);
   return digest.Text();

@@ -1,6 +1,7 @@
 #include "Scene/ReferenceRequest.h"
 
 #include "PropertyTransferFunction.h"
+#include "Scene/SceneCuts.h"
 #include "Scene/ScenePipeline.h"
 
 #include <vtkCamera.h>
@@ -8,6 +9,7 @@
 #include <vtkPointData.h>
 #include <vtkVolumeProperty.h>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -54,6 +56,34 @@ ReferenceView ViewOf(const Scene& scene, vtkRenderer* renderer, const VolumeGeom
     scene.size[0], scene.size[1] };
 }
 
+std::vector<glm::dvec4> PlanesInGrid(
+  const std::vector<CutPlane>& planes, const VolumeGeometry& geometry)
+{
+  std::vector<glm::dvec4> planesGrid;
+  for (const CutPlane& plane : planes)
+  {
+    const glm::dvec3 normal = glm::make_vec3(plane.normal.data());
+    const glm::dvec4 planeWorld(normal, -glm::dot(normal, glm::make_vec3(plane.pointMm.data())));
+    planesGrid.push_back(planeWorld * geometry.worldFromGrid);
+  }
+  return planesGrid;
+}
+
+// The part of an interval where a ray is on the positive side of a plane.
+Interval PositivePart(const glm::dvec4& plane, const Ray& ray, Interval part)
+{
+  const double atOrigin = glm::dot(plane, glm::dvec4(ray.origin, 1.0));
+  const double perLength = glm::dot(glm::dvec3(plane), ray.direction);
+  if (perLength == 0.0)
+  {
+    return atOrigin >= 0.0 ? part : Interval{ 0.0, 0.0 };
+  }
+  double& end = perLength > 0.0 ? part.enter : part.exit;
+  const double crossing = -atOrigin / perLength;
+  end = perLength > 0.0 ? std::max(end, crossing) : std::min(end, crossing);
+  return part;
+}
+
 template <class Scalar>
 ReferenceScene SceneOf(const ReferenceRequest& request, const Scalar* voxels)
 {
@@ -63,6 +93,17 @@ ReferenceScene SceneOf(const ReferenceRequest& request, const Scalar* voxels)
   double range[2];
   request.scalars->GetFiniteRange(range);
   scene.grayRange = { range[0], range[1] };
+  if (!request.cutPlanesGrid.empty())
+  {
+    scene.leftOf = [planes = request.cutPlanesGrid](const Ray& rayGrid, Interval inside)
+    {
+      for (const glm::dvec4& plane : planes)
+      {
+        inside = PositivePart(plane, rayGrid, inside);
+      }
+      return inside.IsEmpty() ? std::vector<Interval>() : std::vector<Interval>{ inside };
+    };
+  }
   if (request.light)
   {
     scene.shade = HeadLightShading(
@@ -93,6 +134,7 @@ ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, do
   const VolumeGeometry geometry = VolumeGeometryOf(image, pipeline.Volume());
   return { scalars, geometry, TransferFunctionOf(pipeline.Volume()->GetProperty()),
     LightOf(scene.look.shading, scene.look.blend), scene.look.blend,
+    PlanesInGrid(PlanesOf(scene.cuts, image), geometry),
     ViewOf(scene, pipeline.Renderer(), geometry), tolerance };
 }
 

@@ -8,7 +8,10 @@
 
 #include <vtkDataArray.h>
 
+#include <glm/vec4.hpp>
+
 #include <optional>
+#include <vector>
 
 namespace varimarch
 {
@@ -21,6 +24,7 @@ struct ReferenceRequest
   TransferFunction transferFunction;
   std::optional<HeadLight> light; ///< none: unshaded
   Blend blend;
+  std::vector<glm::dvec4> cutPlanesGrid; ///< what lies on their positive sides is left
   ReferenceView view;
   double tolerance;
 };

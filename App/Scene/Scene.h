@@ -109,6 +109,29 @@ struct Camera
   std::optional<CameraPose> pose; ///< in place of view, azimuth, elevation and zoom
 };
 
+/// What lies on the side that the normal points to stays. World space, LPS.
+struct CutPlane
+{
+  std::array<double, 3> pointMm;
+  std::array<double, 3> normal; ///< of any length > 0
+};
+
+/// What of a volume is left to see.
+struct SceneCuts
+{
+  /// From where to where along each axis of the volume: x first, x last, y ..., 0 is the first
+  /// voxel, 1 the last.
+  std::array<double, 6> box = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+  std::vector<CutPlane> planes;
+};
+
+/// Measured by the user, and written over the picture. World space, LPS.
+struct Distance
+{
+  std::array<double, 3> fromMm;
+  std::array<double, 3> toMm;
+};
+
 struct RenderOptions
 {
   std::optional<double> sampleDistanceMm; ///< > 0; empty: the mapper chooses
@@ -134,6 +157,8 @@ struct Scene
   VolumeSource volume;
   Look look;
   Camera camera;
+  SceneCuts cuts;
+  std::vector<Distance> distances;
   RenderOptions render;
   std::array<int, 2> size = { 512, 512 }; ///< of the picture [pixels]
   std::array<double, 3> background = { 0.0, 0.0, 0.0 };

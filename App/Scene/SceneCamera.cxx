@@ -2,6 +2,7 @@
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
+#include <vtkNew.h>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -119,6 +120,16 @@ CameraPose PoseOf(vtkCamera* camera)
   camera->GetViewUp(pose.viewUp.data());
   pose.parallelScaleMm = camera->GetParallelScale();
   return pose;
+}
+
+std::array<double, 3> ViewDirection(const Camera& camera)
+{
+  vtkNew<vtkCamera> placed;
+  const double bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+  PlaceCamera(camera, bounds, 1.0, placed);
+  std::array<double, 3> direction;
+  placed->GetDirectionOfProjection(direction.data());
+  return direction;
 }
 
 }

@@ -17,6 +17,9 @@ void PlaceCamera(
 
 CameraPose PoseOf(vtkCamera* camera);
 
+/// From the eye to what it looks at, in world space, of length 1.
+std::array<double, 3> ViewDirection(const Camera& camera);
+
 }
 
 #endif

@@ -15,6 +15,8 @@ constexpr NumberRange Positive = { 0.0, Infinity, true };
 // OpenGL's least guaranteed largest side of a 2D texture is 16384 in the versions that matter.
 constexpr int LargestPictureSide = 16384;
 constexpr int LargestVolumeSide = 1 << 20;
+// Of cuts and measurements; more than anybody sets by hand.
+constexpr std::size_t MostMarks = 1000;
 
 RawLayout RawLayoutFromJson(const JsonCursor& json)
 {
@@ -107,6 +109,41 @@ Camera CameraFromJson(const JsonCursor& json)
   return camera;
 }
 
+CutPlane CutPlaneFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "point", "normal" });
+  CutPlane plane = { json.At("point").Numbers<3>({}), json.At("normal").Numbers<3>({}) };
+  if (plane.normal == std::array<double, 3>{})
+  {
+    json.At("normal").Fail("expected a direction, found 0, 0, 0");
+  }
+  return plane;
+}
+
+SceneCuts CutsFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "box", "planes" });
+  SceneCuts cuts;
+  if (const auto box = json.Find("box"))
+  {
+    cuts.box = box->Numbers<6>({ 0.0, 1.0 });
+  }
+  if (const auto planes = json.Find("planes"))
+  {
+    for (const JsonCursor& plane : planes->Elements(0, MostMarks))
+    {
+      cuts.planes.push_back(CutPlaneFromJson(plane));
+    }
+  }
+  return cuts;
+}
+
+Distance DistanceFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "from", "to" });
+  return { json.At("from").Numbers<3>({}), json.At("to").Numbers<3>({}) };
+}
+
 // A number, or the word "auto" for what the mapper chooses.
 std::optional<double> NumberOrAuto(const JsonCursor& json, const NumberRange& range)
 {
@@ -162,13 +199,25 @@ RenderOptions RenderFromJson(const JsonCursor& json)
 Scene SceneFromJson(const JsonCursor& json)
 {
   // "$schema" lets an editor find the schema; it means nothing here.
-  json.RequireObject({ "$schema", "volume", "look", "camera", "render", "size", "background" });
+  json.RequireObject(
+    { "$schema", "volume", "look", "camera", "cuts", "distances", "render", "size", "background" });
   Scene scene;
   scene.volume = VolumeFromJson(json.At("volume"));
   scene.look = LookFromJson(json.At("look"));
   if (const auto camera = json.Find("camera"))
   {
     scene.camera = CameraFromJson(*camera);
+  }
+  if (const auto cuts = json.Find("cuts"))
+  {
+    scene.cuts = CutsFromJson(*cuts);
+  }
+  if (const auto distances = json.Find("distances"))
+  {
+    for (const JsonCursor& distance : distances->Elements(0, MostMarks))
+    {
+      scene.distances.push_back(DistanceFromJson(distance));
+    }
   }
   if (const auto render = json.Find("render"))
   {
@@ -221,6 +270,27 @@ nlohmann::ordered_json JsonFromCamera(const Camera& camera)
   return json;
 }
 
+nlohmann::ordered_json JsonFromCuts(const SceneCuts& cuts)
+{
+  nlohmann::ordered_json json = { { "box", cuts.box },
+    { "planes", nlohmann::ordered_json::array() } };
+  for (const CutPlane& plane : cuts.planes)
+  {
+    json["planes"].push_back({ { "point", plane.pointMm }, { "normal", plane.normal } });
+  }
+  return json;
+}
+
+nlohmann::ordered_json JsonFromDistances(const std::vector<Distance>& distances)
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Distance& distance : distances)
+  {
+    json.push_back({ { "from", distance.fromMm }, { "to", distance.toMm } });
+  }
+  return json;
+}
+
 nlohmann::ordered_json JsonFromOptional(const std::optional<double>& number)
 {
   return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json("auto");
@@ -235,6 +305,8 @@ std::string SceneText(const Scene& scene)
   json["volume"] = JsonFromVolume(scene.volume);
   json["look"] = JsonFromLook(scene.look);
   json["camera"] = JsonFromCamera(scene.camera);
+  json["cuts"] = JsonFromCuts(scene.cuts);
+  json["distances"] = JsonFromDistances(scene.distances);
   json["render"] = { { "sampleDistance", JsonFromOptional(render.sampleDistanceMm) },
     { "acceleration", NameOf(AccelerationNames(), render.acceleration) },
     { "errorTolerance", render.errorTolerance },

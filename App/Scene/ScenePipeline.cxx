@@ -2,10 +2,13 @@
 
 #include "Scene/ImageOrientation.h"
 #include "Scene/SceneCamera.h"
+#include "Scene/SceneCuts.h"
 #include "Scene/VolumeProperty.h"
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
 #include <vtkTransform.h>
 #include <vtkVariationFieldVolumeMapper.h>
 #include <vtkVolumeProperty.h>
@@ -129,6 +132,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   this->volume->SetMapper(this->mapper);
   this->renderer->AddVolume(this->volume);
   this->SetLook(scene.look);
+  this->SetCuts(scene.cuts);
   this->SetRenderOptions(scene.render);
   this->SetBackground(scene.background);
   this->SetCamera(scene.camera, double(scene.size[0]) / scene.size[1]);
@@ -144,6 +148,19 @@ void ScenePipeline::SetCamera(const Camera& camera, double aspect)
 {
   PlaceCamera(camera, this->image->GetBounds(), aspect, this->renderer->GetActiveCamera());
   this->renderer->ResetCameraClippingRange();
+}
+
+void ScenePipeline::SetCuts(const SceneCuts& cuts)
+{
+  vtkNew<vtkPlaneCollection> planes;
+  for (const CutPlane& cut : PlanesOf(cuts, this->image))
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(cut.pointMm.data());
+    plane->SetNormal(cut.normal.data());
+    planes->AddItem(plane);
+  }
+  this->mapper->SetClippingPlanes(planes);
 }
 
 void ScenePipeline::SetRenderOptions(const RenderOptions& options)

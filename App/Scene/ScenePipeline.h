@@ -24,13 +24,14 @@ public:
   /// @param image  the volume that the scene's source names; shared, not copied
   ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind kind);
 
-  vtkRenderer* Renderer() { return this->renderer; }
+  vtkRenderer* Renderer() const { return this->renderer; }
   vtkVolume* Volume() { return this->volume; }
   vtkVolumeMapper* Mapper() { return this->mapper; }
 
   /// Each changes one part of the scene; the volume stays.
   void SetLook(const Look& look);
   void SetCamera(const Camera& camera, double aspect);
+  void SetCuts(const SceneCuts& cuts);
   void SetRenderOptions(const RenderOptions& options);
   void SetBackground(const std::array<double, 3>& rgb);
 

@@ -1,8 +1,14 @@
 #include "Viewer/MainWindow.h"
 
+#include "Viewer/Panels/CutsPanel.h"
+#include "Viewer/Panels/QualityPanel.h"
+#include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/PictureExport.h"
 #include "Viewer/View/VolumeView.h"
 
 #include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -47,7 +53,7 @@ QString FileFilter()
 
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
-  , view(new VolumeView(&this->model, MapperKind::Varimarch))
+  , view(new ComparisonView(&this->model))
 {
   this->setWindowTitle(tr("Varimarch, not for diagnostic use"));
   this->setCentralWidget(this->view);
@@ -55,6 +61,8 @@ MainWindow::MainWindow(QWidget* parent)
   this->resize(1280, 800);
   this->MakeMenus();
   this->MakeViewMenu();
+  this->MakeToolMenu();
+  this->MakePanels();
   this->MakeStatusBar();
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
   connect(&this->loader, &VolumeLoader::Failed, this, &MainWindow::ShowFailure);
@@ -72,6 +80,9 @@ void MainWindow::MakeMenus()
   file->addAction(tr("&Open…"), this, &MainWindow::ChooseFile, QKeySequence::Open);
   file->addAction(
     tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
+  file->addSeparator();
+  file->addAction(
+    tr("Export a &picture…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"));
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
 
@@ -115,6 +126,52 @@ void MainWindow::MakeViewMenu()
   }
 }
 
+void MainWindow::MakeToolMenu()
+{
+  QMenu* const menu = this->menuBar()->addMenu(tr("&Tools"));
+  QAction* const measure = menu->addAction(tr("&Measure a distance"));
+  measure->setCheckable(true);
+  measure->setShortcut(QKeySequence("M"));
+  measure->setStatusTip(tr("Drag from one point to another"));
+  connect(measure, &QAction::toggled, this->view->Ours(), &VolumeView::SetMeasuring);
+  menu->addAction(tr("&Remove all distances"), this,
+    [this]
+    {
+      this->model.Edit(ScenePart::Distances, tr("remove the distances"),
+        [](Scene& scene) { scene.distances.clear(); });
+    });
+  menu->addSeparator();
+  auto* const comparisons = new QActionGroup(this);
+  const std::tuple<QString, std::optional<MapperKind>> kinds[] = {
+    { tr("&No comparison"), std::nullopt },
+    { tr("Compare with VTK's &GPU mapper"), MapperKind::VtkGpu },
+    { tr("Compare with VTK's &CPU mapper"), MapperKind::VtkCpu },
+  };
+  for (const auto& [name, kind] : kinds)
+  {
+    QAction* const action = comparisons->addAction(menu->addAction(name));
+    action->setCheckable(true);
+    action->setChecked(!kind);
+    connect(
+      action, &QAction::triggered, this, [this, kind = kind] { this->view->CompareWith(kind); });
+  }
+}
+
+void MainWindow::MakePanels()
+{
+  const std::tuple<QString, QString, QWidget*> panels[] = {
+    { "cuts", tr("Cut away"), new CutsPanel(&this->model) },
+    { "quality", tr("Quality"), new QualityPanel(&this->model) },
+  };
+  for (const auto& [name, title, panel] : panels)
+  {
+    auto* const dock = new QDockWidget(title);
+    dock->setObjectName(name);
+    dock->setWidget(panel);
+    this->addDockWidget(Qt::RightDockWidgetArea, dock);
+  }
+}
+
 void MainWindow::MakeStatusBar()
 {
   this->progress = new QProgressBar;
@@ -124,6 +181,8 @@ void MainWindow::MakeStatusBar()
   this->statusBar()->addPermanentWidget(this->cancel);
   this->ShowLoading(false);
   this->statusBar()->showMessage(tr("Open a scan, or drop one here"));
+  connect(this->view->Ours(), &VolumeView::Pointed, this->statusBar(),
+    [this](const QString& text) { this->statusBar()->showMessage(text); });
   connect(this->cancel, &QPushButton::clicked, &this->loader, &VolumeLoader::Cancel);
   connect(&this->loader, &VolumeLoader::Progress, this->progress,
     [this](double part) { this->progress->setValue(int(100.0 * part)); });
@@ -151,6 +210,15 @@ void MainWindow::ChooseFolder()
   if (!path.isEmpty())
   {
     this->Open(path);
+  }
+}
+
+void MainWindow::ExportPicture()
+{
+  if (this->model.CurrentStudy())
+  {
+    ExportDialog dialog(&this->model, this->view->Ours()->size(), this);
+    dialog.exec();
   }
 }
 

@@ -12,7 +12,7 @@ class QPushButton;
 namespace varimarch
 {
 
-class VolumeView;
+class ComparisonView;
 
 /// The window: menus, the views, the panels around them, and the loading of volumes.
 class MainWindow : public QMainWindow
@@ -27,6 +27,7 @@ public:
 
   SceneModel* Model() { return &this->model; }
   VolumeLoader* Loader() { return &this->loader; }
+  ComparisonView* CentralView() { return this->view; }
 
 protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -35,16 +36,19 @@ protected:
 private:
   void MakeMenus();
   void MakeViewMenu();
+  void MakeToolMenu();
+  void MakePanels();
   void MakeStatusBar();
   void ChooseFile();
   void ChooseFolder();
+  void ExportPicture();
   void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   void ShowFailure(const QString& reason);
   void ShowLoading(bool loading);
 
   SceneModel model;
   VolumeLoader loader;
-  VolumeView* view;
+  ComparisonView* view;
   QProgressBar* progress;
   QPushButton* cancel;
 };

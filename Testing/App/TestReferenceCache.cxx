@@ -103,6 +103,7 @@ TEST_F(ReferenceCacheTest, EverythingThatChangesThePictureDrawsAnother)
   }
   EXPECT_TRUE(drawsWith([](Scene& s) { s.camera.azimuthDegrees = 1.0; })) << "camera";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.camera.parallel = true; })) << "projection";
+  EXPECT_TRUE(drawsWith([](Scene& s) { s.cuts.box[0] = 0.5; })) << "cuts";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.size = { 4, 16 }; })) << "size";
   static_cast<float*>(this->image->GetScalarPointer())[700] += 0.1f;
   EXPECT_TRUE(this->Draws(this->scene)) << "a voxel";

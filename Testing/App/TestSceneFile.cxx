@@ -30,6 +30,8 @@ Scene UnusualScene()
   scene.look.blend = Blend::MaximumIntensity;
   scene.camera = { View::Inferior, -12.5, 33.0, 1.75, true, 42.0,
     CameraPose{ { 1.0, -2.5, 3.0 }, { 4.0, 5.0, 6.0 }, { 0.0, 0.0, 1.0 }, 80.0 } };
+  scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } } };
+  scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 } } };
   scene.render = { 0.125, Acceleration::ScalarField, Integration::Simpson, 0.25, 3.5, 0.0 };
   scene.size = { 640, 360 };
   scene.background = { 0.1, 0.2, 0.3 };
@@ -64,6 +66,13 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   EXPECT_EQ(back.camera.pose->focalPointMm, scene.camera.pose->focalPointMm);
   EXPECT_EQ(back.camera.pose->viewUp, scene.camera.pose->viewUp);
   EXPECT_EQ(back.camera.pose->parallelScaleMm, 80.0);
+  EXPECT_EQ(back.cuts.box, scene.cuts.box);
+  ASSERT_EQ(back.cuts.planes.size(), 1);
+  EXPECT_EQ(back.cuts.planes[0].pointMm, scene.cuts.planes[0].pointMm);
+  EXPECT_EQ(back.cuts.planes[0].normal, scene.cuts.planes[0].normal);
+  ASSERT_EQ(back.distances.size(), 1);
+  EXPECT_EQ(back.distances[0].fromMm, scene.distances[0].fromMm);
+  EXPECT_EQ(back.distances[0].toMm, scene.distances[0].toMm);
   EXPECT_EQ(back.render.sampleDistanceMm, 0.125);
   EXPECT_EQ(back.render.integration, Integration::Simpson);
   EXPECT_EQ(back.render.errorTolerance, 0.25);

@@ -1,7 +1,6 @@
 // The model: every edit is a step, one gesture is one step, and a new volume forgets the steps.
 
-#include "Scene/ProceduralVolume.h"
-#include "Viewer/Model/SceneModel.h"
+#include "SmallStudy.h"
 
 #include <QSignalSpy>
 
@@ -11,13 +10,6 @@ using namespace varimarch;
 
 namespace
 {
-
-std::shared_ptr<const Study> SmallStudy()
-{
-  LoadedVolume volume = LoadVolume(ProceduralSource{ ProceduralKind::Torso, { 16, 16, 16 }, 1 });
-  ImageStatistics statistics(volume.image);
-  return std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
-}
 
 class OpenedModel : public testing::Test
 {

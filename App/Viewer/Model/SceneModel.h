@@ -28,6 +28,8 @@ enum class ScenePart
   Volume, ///< and with it everything else
   Look,
   Camera,
+  Cuts,
+  Distances,
   Render,
   Background,
 };
@@ -44,6 +46,9 @@ public:
   static constexpr int NoGesture = -1;
 
   explicit SceneModel(QObject* parent = nullptr);
+
+  /// A number that no gesture had before.
+  int NewGesture() { return ++this->lastGesture; }
 
   /// None before the first volume.
   std::shared_ptr<const Study> CurrentStudy() const { return this->study; }
@@ -73,6 +78,7 @@ private:
   std::shared_ptr<const Study> study;
   Scene scene;
   QUndoStack history;
+  int lastGesture = 0;
 };
 
 }

@@ -1,17 +1,21 @@
 #include "Viewer/View/VolumeView.h"
 
+#include "Scene/FloatCapture.h"
 #include "Scene/SceneCamera.h"
+#include "Scene/ScenePicking.h"
 
-#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QTimer>
 
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkEventQtSlotConnect.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkMatrix4x4.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkRendererCollection.h>
 
 #include <cmath>
 
@@ -24,29 +28,67 @@ namespace
 constexpr double PicturesPerSecondWhileMoving = 15.0;
 constexpr double PicturesPerSecondWhenStill = 0.01;
 
+bool IsAt(const CameraPose& pose, vtkCamera* camera)
+{
+  const CameraPose now = PoseOf(camera);
+  return now.positionMm == pose.positionMm && now.focalPointMm == pose.focalPointMm &&
+    now.viewUp == pose.viewUp && now.parallelScaleMm == pose.parallelScaleMm;
 }
+
+}
+
+// Lies over the picture, and lets the mouse through.
+class VolumeView::OverlayWidget : public QWidget
+{
+public:
+  explicit OverlayWidget(VolumeView* view)
+    : QWidget(view)
+    , view(view)
+  {
+    this->setAttribute(Qt::WA_TransparentForMouseEvents);
+  }
+
+protected:
+  void paintEvent(QPaintEvent*) override
+  {
+    if (this->view->pipeline)
+    {
+      QPainter painter(this);
+      DrawOverlay(painter, this->view->model->CurrentScene(), this->view->Frame());
+      painter.setPen(QColor(200, 200, 200));
+      painter.drawText(this->rect().adjusted(10, 10, -10, -10), Qt::AlignLeft | Qt::AlignTop,
+        this->view->Report());
+    }
+  }
+
+private:
+  VolumeView* view;
+};
 
 VolumeView::VolumeView(SceneModel* model, MapperKind kind, QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
   , model(model)
   , kind(kind)
-  , report(new QLabel(this))
+  , overlay(new OverlayWidget(this))
 {
   this->setRenderWindow(this->window);
+  this->setMouseTracking(true);
   this->window->SetMultiSamples(0);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   vtkRenderWindowInteractor* const interactor = this->interactor();
   interactor->SetInteractorStyle(style);
   interactor->SetDesiredUpdateRate(PicturesPerSecondWhileMoving);
   interactor->SetStillUpdateRate(PicturesPerSecondWhenStill);
+  this->events->Connect(style, vtkCommand::StartInteractionEvent, this, SLOT(BeginTurning()));
+  this->events->Connect(style, vtkCommand::InteractionEvent, this, SLOT(KeepCamera()));
   this->events->Connect(style, vtkCommand::EndInteractionEvent, this, SLOT(KeepCamera()));
   this->events->Connect(this->window, vtkCommand::StartEvent, this, SLOT(BeginPicture()));
   this->events->Connect(this->window, vtkCommand::EndEvent, this, SLOT(EndPicture()));
-
-  this->report->setAttribute(Qt::WA_TransparentForMouseEvents);
-  this->report->setStyleSheet(QStringLiteral("color: #c8c8c8; background: transparent;"));
-  this->report->move(8, 8);
   connect(model, &SceneModel::Changed, this, &VolumeView::Update);
+  if (model->CurrentStudy())
+  {
+    this->Update(ScenePart::Volume);
+  }
 }
 
 VolumeView::~VolumeView()
@@ -55,9 +97,32 @@ VolumeView::~VolumeView()
   this->events->Disconnect();
 }
 
+bool VolumeView::event(QEvent* event)
+{
+  const bool press = event->type() == QEvent::MouseButtonPress;
+  const bool release = event->type() == QEvent::MouseButtonRelease;
+  if (this->pipeline && (press || release || event->type() == QEvent::MouseMove))
+  {
+    const auto* const mouse = static_cast<QMouseEvent*>(event);
+    const bool ours = (press || release) ? mouse->button() == Qt::LeftButton
+                                         : this->measured != SceneModel::NoGesture;
+    if (this->measuring && ours)
+    {
+      this->Measure(mouse->localPos(), event->type());
+      return true;
+    }
+    if (mouse->buttons() == Qt::NoButton && !release)
+    {
+      this->Point(mouse->localPos());
+    }
+  }
+  return QVTKOpenGLNativeWidget::event(event);
+}
+
 void VolumeView::resizeEvent(QResizeEvent* event)
 {
   QVTKOpenGLNativeWidget::resizeEvent(event);
+  this->overlay->resize(this->size());
   if (this->pipeline && !this->model->CurrentScene().camera.pose)
   {
     this->TakeCamera();
@@ -76,8 +141,19 @@ void VolumeView::Update(ScenePart part)
       this->pipeline->SetLook(scene.look);
       break;
     case ScenePart::Camera:
+      if (scene.camera.pose &&
+        IsAt(*scene.camera.pose, this->pipeline->Renderer()->GetActiveCamera()))
+      {
+        return; // it is this view that has turned
+      }
       this->TakeCamera();
       break;
+    case ScenePart::Cuts:
+      this->pipeline->SetCuts(scene.cuts);
+      break;
+    case ScenePart::Distances:
+      this->overlay->update();
+      return;
     case ScenePart::Render:
       this->pipeline->SetRenderOptions(scene.render);
       break;
@@ -105,14 +181,26 @@ void VolumeView::TakeCamera()
   this->pipeline->SetCamera(this->model->CurrentScene().camera, this->Aspect());
 }
 
+void VolumeView::BeginTurning()
+{
+  this->turning = this->model->NewGesture();
+}
+
 // What the user has turned the camera to becomes a step of the history.
 void VolumeView::KeepCamera()
 {
-  if (this->pipeline)
+  if (!this->pipeline)
   {
-    const CameraPose pose = PoseOf(this->pipeline->Renderer()->GetActiveCamera());
+    return;
+  }
+  vtkCamera* const camera = this->pipeline->Renderer()->GetActiveCamera();
+  const std::optional<CameraPose>& known = this->model->CurrentScene().camera.pose;
+  if (!known || !IsAt(*known, camera))
+  {
+    const CameraPose pose = PoseOf(camera);
     this->model->Edit(
-      ScenePart::Camera, tr("turn the camera"), [&](Scene& scene) { scene.camera.pose = pose; });
+      ScenePart::Camera, tr("turn the camera"), [&](Scene& scene) { scene.camera.pose = pose; },
+      this->turning);
   }
 }
 
@@ -130,6 +218,15 @@ void VolumeView::RequestPicture()
   }
 }
 
+vtkSmartPointer<vtkImageData> VolumeView::FloatPicture()
+{
+  this->capturing = true;
+  const vtkSmartPointer<vtkImageData> picture =
+    CaptureFloatImage(this->window, this->pipeline->Renderer());
+  this->capturing = false;
+  return picture;
+}
+
 void VolumeView::BeginPicture()
 {
   this->pictureTimer.start();
@@ -137,18 +234,103 @@ void VolumeView::BeginPicture()
 
 void VolumeView::EndPicture()
 {
+  if (this->capturing)
+  {
+    return;
+  }
   this->window->WaitForCompletion();
   this->pictureSeconds = 1e-9 * double(this->pictureTimer.nsecsElapsed());
-  if (this->pipeline)
-  {
-    const double tolerance = this->model->CurrentScene().render.errorTolerance;
-    const QString error = tolerance > 0.0
-      ? tr("error at most 1/%1").arg(int(std::lround(1.0 / tolerance)))
-      : tr("error not bounded");
-    this->report->setText(tr("%1 ms  ·  %2").arg(1e3 * this->pictureSeconds, 0, 'f', 0).arg(error));
-    this->report->adjustSize();
-  }
+  this->overlay->update();
   emit this->Drawn();
+}
+
+QString VolumeView::Report() const
+{
+  const QString time = tr("%1 ms").arg(1e3 * this->pictureSeconds, 0, 'f', 0);
+  if (this->kind != MapperKind::Varimarch)
+  {
+    const QString mapper = this->kind == MapperKind::VtkGpu ? tr("VTK, GPU") : tr("VTK, CPU");
+    return tr("%1  ·  %2  ·  error unknown").arg(mapper, time);
+  }
+  const double tolerance = this->model->CurrentScene().render.errorTolerance;
+  return tolerance > 0.0
+    ? tr("%1  ·  error at most 1/%2").arg(time).arg(int(std::lround(1.0 / tolerance)))
+    : tr("%1  ·  error not bounded").arg(time);
+}
+
+PictureFrame VolumeView::Frame() const
+{
+  return FrameOf(this->pipeline->Renderer()->GetActiveCamera(), this->size());
+}
+
+void VolumeView::SetMeasuring(bool newMeasuring)
+{
+  this->measuring = newMeasuring;
+  this->setCursor(newMeasuring ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+std::optional<std::array<double, 3>> VolumeView::PointAt(const QPointF& place) const
+{
+  vtkNew<vtkMatrix4x4> worldFromClip;
+  vtkMatrix4x4::Invert(
+    this->pipeline->Renderer()->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      this->Aspect(), -1.0, 1.0),
+    worldFromClip);
+  const auto pointAtDepth = [&](double depth)
+  {
+    double point[4] = { 2.0 * place.x() / this->width() - 1.0,
+      1.0 - 2.0 * place.y() / this->height(), depth, 1.0 };
+    worldFromClip->MultiplyPoint(point, point);
+    return std::array<double, 3>{ point[0] / point[3], point[1] / point[3], point[2] / point[3] };
+  };
+  return PointSeen(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
+    pointAtDepth(-1.0), pointAtDepth(1.0));
+}
+
+void VolumeView::Measure(const QPointF& place, QEvent::Type type)
+{
+  const std::optional<std::array<double, 3>> point = this->PointAt(place);
+  if (type == QEvent::MouseButtonPress && point)
+  {
+    this->measured = this->model->NewGesture();
+    this->model->Edit(
+      ScenePart::Distances, tr("measure"),
+      [&](Scene& scene) {
+        scene.distances.push_back({ *point, *point });
+      },
+      this->measured);
+  }
+  else if (this->measured != SceneModel::NoGesture && point)
+  {
+    this->model->Edit(
+      ScenePart::Distances, tr("measure"),
+      [&](Scene& scene) { scene.distances.back().toMm = *point; }, this->measured);
+  }
+  if (type == QEvent::MouseButtonRelease && this->measured != SceneModel::NoGesture)
+  {
+    this->measured = SceneModel::NoGesture;
+    if (LengthMm(this->model->CurrentScene().distances.back()) == 0.0)
+    {
+      this->model->History()->undo();
+    }
+  }
+}
+
+void VolumeView::Point(const QPointF& place)
+{
+  const std::optional<std::array<double, 3>> point = this->PointAt(place);
+  if (!point)
+  {
+    emit this->Pointed({});
+    return;
+  }
+  const LoadedVolume& volume = this->model->CurrentStudy()->volume;
+  emit this->Pointed(tr("%1%2 at %3, %4, %5 mm")
+                       .arg(volume.modality == "CT" ? tr("HU ") : tr("value "))
+                       .arg(ValueAt(volume.image, *point).value_or(0.0), 0, 'f', 0)
+                       .arg((*point)[0], 0, 'f', 1)
+                       .arg((*point)[1], 0, 'f', 1)
+                       .arg((*point)[2], 0, 'f', 1));
 }
 
 double VolumeView::Aspect() const

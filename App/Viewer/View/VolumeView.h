@@ -3,16 +3,18 @@
 
 #include "Scene/ScenePipeline.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/View/Overlay.h"
 
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <optional>
 
-class QLabel;
 class vtkEventQtSlotConnect;
 class vtkGenericOpenGLRenderWindow;
 
@@ -35,34 +37,60 @@ public:
   /// Of the last picture, until its last pixel was there [s].
   double PictureSeconds() const { return this->pictureSeconds; }
 
+  /// How the last picture shows the world.
+  PictureFrame Frame() const;
+
+  /// The same picture in float, see CaptureFloatImage.
+  vtkSmartPointer<vtkImageData> FloatPicture();
+
+  /// While measuring, the left button puts the ends of a distance where it hits something.
+  void SetMeasuring(bool measuring);
+
+  /// What is seen at a place of the widget, in world space [mm]; none where nothing is.
+  std::optional<std::array<double, 3>> PointAt(const QPointF& place) const;
+
 signals:
   void Drawn();
 
+  /// The pointer is over something: where and what, for a status bar; empty over nothing.
+  void Pointed(const QString& text);
+
 protected:
+  bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
 private slots:
   // Called by VTK's events.
+  void BeginTurning();
   void KeepCamera();
   void BeginPicture();
   void EndPicture();
 
 private:
+  class OverlayWidget;
+
   void Update(ScenePart part);
   void TakeVolume();
   void TakeCamera();
   void RequestPicture();
+  void Measure(const QPointF& place, QEvent::Type type);
+  void Point(const QPointF& place);
   double Aspect() const;
+  QString Report() const;
 
   SceneModel* model;
   MapperKind kind;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkEventQtSlotConnect> events;
   std::optional<ScenePipeline> pipeline;
-  QLabel* report;
+  OverlayWidget* overlay;
   QElapsedTimer pictureTimer;
   double pictureSeconds = 0.0;
   bool pictureRequested = false;
+  bool capturing = false;
+  int turning = SceneModel::NoGesture; ///< the camera's gesture
+  bool measuring = false;
+  int measured = SceneModel::NoGesture; ///< the gesture of the distance whose end is dragged
 };
 
 }

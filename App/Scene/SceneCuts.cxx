@@ -1,0 +1,97 @@
+#include "Scene/SceneCuts.h"
+
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace varimarch
+{
+
+namespace
+{
+
+glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
+{
+  return { numbers[0], numbers[1], numbers[2] };
+}
+
+std::array<double, 3> NumbersOf(const glm::dvec3& vector)
+{
+  return { vector.x, vector.y, vector.z };
+}
+
+// The place in the world at parts of the way from the first voxel to the last along each axis.
+glm::dvec3 PointAt(const glm::dvec3& parts, vtkImageData* image)
+{
+  const int* const extent = image->GetExtent();
+  double index[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double first = extent[2 * axis];
+    index[axis] = first + parts[axis] * (extent[2 * axis + 1] - first);
+  }
+  glm::dvec3 pointWorld;
+  image->TransformContinuousIndexToPhysicalPoint(index, &pointWorld.x);
+  return pointWorld;
+}
+
+// Upright on the two other axes, which in a sheared volume is not along this one.
+glm::dvec3 NormalOf(int axis, vtkImageData* image)
+{
+  const auto direction = [&](int of)
+  {
+    const double* const elements = image->GetDirectionMatrix()->GetData();
+    return glm::dvec3(elements[of], elements[3 + of], elements[6 + of]);
+  };
+  const glm::dvec3 normal = glm::cross(direction((axis + 1) % 3), direction((axis + 2) % 3));
+  return glm::dot(normal, direction(axis)) > 0.0 ? normal : -normal;
+}
+
+}
+
+std::vector<CutPlane> PlanesOf(const SceneCuts& cuts, vtkImageData* image)
+{
+  std::vector<CutPlane> planes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3 normal = NormalOf(axis, image);
+    glm::dvec3 parts(0.5);
+    if (parts[axis] = cuts.box[2 * axis]; parts[axis] > 0.0)
+    {
+      planes.push_back({ NumbersOf(PointAt(parts, image)), NumbersOf(normal) });
+    }
+    if (parts[axis] = cuts.box[2 * axis + 1]; parts[axis] < 1.0)
+    {
+      planes.push_back({ NumbersOf(PointAt(parts, image)), NumbersOf(-normal) });
+    }
+  }
+  planes.insert(planes.end(), cuts.planes.begin(), cuts.planes.end());
+  return planes;
+}
+
+std::array<double, 3> MiddleOf(vtkImageData* image)
+{
+  return NumbersOf(PointAt(glm::dvec3(0.5), image));
+}
+
+std::array<double, 2> ReachAlong(const std::array<double, 3>& normal, vtkImageData* image)
+{
+  const glm::dvec3 direction = glm::normalize(VectorOf(normal));
+  const glm::dvec3 middle = PointAt(glm::dvec3(0.5), image);
+  std::array<double, 2> reach = { std::numeric_limits<double>::max(),
+    std::numeric_limits<double>::lowest() };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 parts(corner & 1, corner >> 1 & 1, corner >> 2);
+    const double distanceMm = glm::dot(direction, PointAt(parts, image) - middle);
+    reach = { std::min(reach[0], distanceMm), std::max(reach[1], distanceMm) };
+  }
+  return reach;
+}
+
+}

@@ -1,0 +1,26 @@
+#ifndef Varimarch_Scene_SceneCuts_h
+#define Varimarch_Scene_SceneCuts_h
+
+#include "Scene/Scene.h"
+
+#include <array>
+#include <vector>
+
+class vtkImageData;
+
+namespace varimarch
+{
+
+/// All planes that a mapper cuts by: those of the box that take anything away, then the others.
+std::vector<CutPlane> PlanesOf(const SceneCuts& cuts, vtkImageData* image);
+
+/// Of world space, the middle of a volume [mm].
+std::array<double, 3> MiddleOf(vtkImageData* image);
+
+/// How far along a plane's normal the volume lies: from where to where, measured from its middle
+/// [mm].
+std::array<double, 2> ReachAlong(const std::array<double, 3>& normal, vtkImageData* image);
+
+}
+
+#endif

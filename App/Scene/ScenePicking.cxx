@@ -1,0 +1,120 @@
+#include "Scene/ScenePicking.h"
+
+#include "Core/TransferFunction.h"
+#include "Scene/SceneCuts.h"
+
+#include <vtkImageData.h>
+#include <vtkImageInterpolator.h>
+#include <vtkNew.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
+{
+  return { numbers[0], numbers[1], numbers[2] };
+}
+
+// The values of an image along a ray.
+class RayValues
+{
+public:
+  explicit RayValues(vtkImageData* image)
+    : image(image)
+  {
+    this->interpolator->SetInterpolationModeToLinear();
+    this->interpolator->Initialize(image);
+  }
+
+  std::optional<double> At(const glm::dvec3& pointWorld)
+  {
+    double index[3];
+    this->image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, index);
+    const int* const extent = this->image->GetExtent();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!(index[axis] >= extent[2 * axis] && index[axis] <= extent[2 * axis + 1]))
+      {
+        return std::nullopt;
+      }
+    }
+    double value;
+    this->interpolator->InterpolateIJK(index, &value);
+    return value;
+  }
+
+private:
+  vtkImageData* image;
+  vtkNew<vtkImageInterpolator> interpolator;
+};
+
+bool IsLeft(const glm::dvec3& pointWorld, const std::vector<CutPlane>& planes)
+{
+  return std::all_of(planes.begin(), planes.end(),
+    [&](const CutPlane& plane)
+    { return glm::dot(VectorOf(plane.normal), pointWorld - VectorOf(plane.pointMm)) >= 0.0; });
+}
+
+}
+
+std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData* image,
+  const std::array<double, 3>& from, const std::array<double, 3>& to)
+{
+  const TransferFunction look(
+    scene.look.colors, scene.look.opacities, scene.look.opacityUnitDistanceMm);
+  const std::vector<CutPlane> planes = PlanesOf(scene.cuts, image);
+  const double* const spacing = image->GetSpacing();
+  const double stepMm = 0.25 * std::min({ spacing[0], spacing[1], spacing[2] });
+  const glm::dvec3 start = VectorOf(from);
+  const glm::dvec3 direction = glm::normalize(VectorOf(to) - start);
+  const double lengthMm = glm::distance(start, VectorOf(to));
+
+  RayValues values(image);
+  double opticalDepth = 0.0;
+  double largestOpacity = 0.0;
+  std::optional<std::array<double, 3>> seen;
+  for (double t = 0.5 * stepMm; t < lengthMm; t += stepMm)
+  {
+    const glm::dvec3 point = start + t * direction;
+    const std::optional<double> value = values.At(point);
+    if (!value || !IsLeft(point, planes))
+    {
+      continue;
+    }
+    if (scene.look.blend == Blend::Composite)
+    {
+      opticalDepth += stepMm * look.Extinction(*value);
+      if (opticalDepth >= std::log(2.0))
+      {
+        return std::array<double, 3>{ point.x, point.y, point.z };
+      }
+    }
+    else if (look.Opacity(*value) > largestOpacity)
+    {
+      largestOpacity = look.Opacity(*value);
+      seen = { point.x, point.y, point.z };
+    }
+  }
+  return seen;
+}
+
+std::optional<double> ValueAt(vtkImageData* image, const std::array<double, 3>& pointMm)
+{
+  return RayValues(image).At(VectorOf(pointMm));
+}
+
+double LengthMm(const Distance& distance)
+{
+  return glm::distance(VectorOf(distance.fromMm), VectorOf(distance.toMm));
+}
+
+}

@@ -1,0 +1,268 @@
+#include "Viewer/Panels/CutsPanel.h"
+
+#include "Scene/AnatomicalDirection.h"
+#include "Scene/SceneCamera.h"
+#include "Scene/SceneCuts.h"
+
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int SliderSteps = 1000;
+
+glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
+{
+  return { numbers[0], numbers[1], numbers[2] };
+}
+
+QString NameOf(const CutPlane& plane)
+{
+  const std::array<double, 3> away = { -plane.normal[0], -plane.normal[1], -plane.normal[2] };
+  return CutsPanel::tr("without the side %1")
+    .arg(QString::fromStdString(AnatomicalDirection(away.data())));
+}
+
+// How far a plane is along its normal's reach through the volume, [0, 1], and back.
+double PartOf(const CutPlane& plane, vtkImageData* image)
+{
+  const auto [first, last] = ReachAlong(plane.normal, image);
+  const double distance = glm::dot(
+    glm::normalize(VectorOf(plane.normal)), VectorOf(plane.pointMm) - VectorOf(MiddleOf(image)));
+  return std::clamp((distance - first) / (last - first), 0.0, 1.0);
+}
+
+std::array<double, 3> PointAt(double part, const CutPlane& plane, vtkImageData* image)
+{
+  const auto [first, last] = ReachAlong(plane.normal, image);
+  const glm::dvec3 point = VectorOf(MiddleOf(image)) +
+    (first + part * (last - first)) * glm::normalize(VectorOf(plane.normal));
+  return { point.x, point.y, point.z };
+}
+
+}
+
+CutsPanel::CutsPanel(SceneModel* model, QWidget* parent)
+  : QWidget(parent)
+  , model(model)
+{
+  auto* const layout = new QVBoxLayout(this);
+  layout->addWidget(this->MakePlanes());
+  layout->addWidget(this->MakeBox());
+  layout->addStretch();
+  this->setEnabled(false);
+  connect(model, &SceneModel::Changed, this, &CutsPanel::Show);
+}
+
+QToolButton* CutsPanel::MakeAddButton()
+{
+  auto* const menu = new QMenu(this);
+  const std::tuple<QString, std::array<double, 3>> halves[] = {
+    { tr("Left half away"), { -1.0, 0.0, 0.0 } },
+    { tr("Right half away"), { 1.0, 0.0, 0.0 } },
+    { tr("Front half away"), { 0.0, 1.0, 0.0 } },
+    { tr("Back half away"), { 0.0, -1.0, 0.0 } },
+    { tr("Upper half away"), { 0.0, 0.0, -1.0 } },
+    { tr("Lower half away"), { 0.0, 0.0, 1.0 } },
+  };
+  for (const auto& [name, normal] : halves)
+  {
+    menu->addAction(
+      name, this, [this, name = name, normal = normal] { this->AddPlane(normal, name); });
+  }
+  menu->addAction(tr("Half that faces me away"), this, &CutsPanel::AddFacingPlane);
+  auto* const add = new QToolButton;
+  add->setText(tr("Cut away…"));
+  add->setObjectName("addPlane");
+  add->setMenu(menu);
+  add->setPopupMode(QToolButton::InstantPopup);
+  return add;
+}
+
+// All that happens while it is held is one step.
+QSlider* CutsPanel::MakeSlider(const QString& name)
+{
+  auto* const slider = new QSlider(Qt::Horizontal);
+  slider->setRange(0, SliderSteps);
+  slider->setAccessibleName(name);
+  connect(
+    slider, &QSlider::sliderPressed, this, [this] { this->gesture = this->model->NewGesture(); });
+  connect(
+    slider, &QSlider::sliderReleased, this, [this] { this->gesture = SceneModel::NoGesture; });
+  return slider;
+}
+
+QWidget* CutsPanel::MakePlanes()
+{
+  auto* const group = new QGroupBox(tr("Planes"));
+  this->planes = new QListWidget;
+  this->planes->setMaximumHeight(90);
+  this->depth = this->MakeSlider(tr("Depth of the plane"));
+  this->flip = new QPushButton(tr("Other side"));
+  this->remove = new QPushButton(tr("Remove"));
+
+  auto* const layout = new QGridLayout(group);
+  layout->addWidget(this->MakeAddButton(), 0, 0);
+  layout->addWidget(this->planes, 1, 0, 1, 2);
+  layout->addWidget(this->depth, 2, 0, 1, 2);
+  layout->addWidget(this->flip, 3, 0);
+  layout->addWidget(this->remove, 3, 1);
+
+  connect(this->planes, &QListWidget::currentRowChanged, this, [this] { this->ShowPlanes(); });
+  connect(this->depth, &QSlider::valueChanged, this, &CutsPanel::MovePlane);
+  connect(this->flip, &QPushButton::clicked, this, &CutsPanel::FlipPlane);
+  connect(this->remove, &QPushButton::clicked, this, &CutsPanel::RemovePlane);
+  return group;
+}
+
+QWidget* CutsPanel::MakeBox()
+{
+  auto* const group = new QGroupBox(tr("Box"));
+  auto* const layout = new QGridLayout(group);
+  const QString names[] = { tr("x from"), tr("x to"), tr("y from"), tr("y to"), tr("z from"),
+    tr("z to") };
+  for (int face = 0; face < 6; ++face)
+  {
+    QSlider* const slider = this->MakeSlider(names[face]);
+    layout->addWidget(new QLabel(names[face]), face, 0);
+    layout->addWidget(slider, face, 1);
+    connect(slider, &QSlider::valueChanged, this,
+      [this, face](int position) { this->MoveFace(face, position); });
+    this->faces[face] = slider;
+  }
+  auto* const all = new QPushButton(tr("All of the volume"));
+  layout->addWidget(all, 6, 1);
+  connect(all, &QPushButton::clicked, this,
+    [this]
+    {
+      this->model->Edit(ScenePart::Cuts, tr("show all of the volume"),
+        [](Scene& scene) { scene.cuts.box = SceneCuts().box; });
+    });
+  return group;
+}
+
+void CutsPanel::Show(ScenePart part)
+{
+  if (part == ScenePart::Volume || part == ScenePart::Cuts)
+  {
+    this->setEnabled(true);
+    this->ShowPlanes();
+    this->ShowBox();
+  }
+}
+
+void CutsPanel::ShowPlanes()
+{
+  const std::vector<CutPlane>& cuts = this->model->CurrentScene().cuts.planes;
+  const QSignalBlocker quietList(this->planes);
+  const QSignalBlocker quietDepth(this->depth);
+  const int selected = std::min(this->planes->currentRow(), int(cuts.size()) - 1);
+  this->planes->clear();
+  for (const CutPlane& plane : cuts)
+  {
+    this->planes->addItem(NameOf(plane));
+  }
+  this->planes->setCurrentRow(selected);
+  for (QWidget* widget : std::initializer_list<QWidget*>{ this->depth, this->flip, this->remove })
+  {
+    widget->setEnabled(selected >= 0);
+  }
+  if (selected >= 0)
+  {
+    const double part = PartOf(cuts[selected], this->model->CurrentStudy()->volume.image);
+    this->depth->setValue(int(std::lround(part * SliderSteps)));
+  }
+}
+
+void CutsPanel::ShowBox()
+{
+  for (int face = 0; face < 6; ++face)
+  {
+    const QSignalBlocker quiet(this->faces[face]);
+    this->faces[face]->setValue(
+      int(std::lround(this->model->CurrentScene().cuts.box[face] * SliderSteps)));
+  }
+}
+
+void CutsPanel::AddPlane(const std::array<double, 3>& normal, const QString& stepName)
+{
+  const std::array<double, 3> middle = MiddleOf(this->model->CurrentStudy()->volume.image);
+  this->model->Edit(ScenePart::Cuts, stepName,
+    [&](Scene& scene) {
+      scene.cuts.planes.push_back({ middle, normal });
+    });
+  this->planes->setCurrentRow(this->planes->count() - 1);
+}
+
+void CutsPanel::AddFacingPlane()
+{
+  const std::array<double, 3> direction = ViewDirection(this->model->CurrentScene().camera);
+  this->AddPlane(direction, tr("cut what faces me away"));
+}
+
+void CutsPanel::MovePlane(int position)
+{
+  vtkImageData* const image = this->model->CurrentStudy()->volume.image;
+  this->EditPlane(tr("move a plane"),
+    [&](CutPlane& plane)
+    { plane.pointMm = PointAt(double(position) / SliderSteps, plane, image); });
+}
+
+void CutsPanel::EditPlane(const QString& stepName, const std::function<void(CutPlane&)>& change)
+{
+  const int selected = this->planes->currentRow();
+  this->model->Edit(
+    ScenePart::Cuts, stepName, [&](Scene& scene) { change(scene.cuts.planes[selected]); },
+    this->gesture);
+}
+
+void CutsPanel::FlipPlane()
+{
+  this->EditPlane(tr("turn a plane round"),
+    [](CutPlane& plane) {
+      plane.normal = { -plane.normal[0], -plane.normal[1], -plane.normal[2] };
+    });
+}
+
+void CutsPanel::RemovePlane()
+{
+  const int selected = this->planes->currentRow();
+  this->model->Edit(ScenePart::Cuts, tr("remove a plane"),
+    [&](Scene& scene) { scene.cuts.planes.erase(scene.cuts.planes.begin() + selected); });
+}
+
+// The two faces of an axis stay in order, a step apart.
+void CutsPanel::MoveFace(int face, int position)
+{
+  constexpr double step = 1.0 / SliderSteps;
+  const double part = position * step;
+  this->model->Edit(
+    ScenePart::Cuts, tr("crop"),
+    [&](Scene& scene)
+    {
+      std::array<double, 6>& box = scene.cuts.box;
+      box[face] =
+        face % 2 == 0 ? std::min(part, box[face + 1] - step) : std::max(part, box[face - 1] + step);
+    },
+    this->gesture);
+}
+
+}

@@ -1,0 +1,53 @@
+#ifndef Varimarch_Viewer_CutsPanel_h
+#define Varimarch_Viewer_CutsPanel_h
+
+#include "Viewer/Model/SceneModel.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QListWidget;
+class QPushButton;
+class QSlider;
+class QToolButton;
+
+namespace varimarch
+{
+
+/// What of the volume is left to see: a box along its axes, and planes in any direction.
+class CutsPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit CutsPanel(SceneModel* model, QWidget* parent = nullptr);
+
+private:
+  QToolButton* MakeAddButton();
+  QSlider* MakeSlider(const QString& name);
+  QWidget* MakePlanes();
+  QWidget* MakeBox();
+  void Show(ScenePart part);
+  void ShowPlanes();
+  void ShowBox();
+  void AddPlane(const std::array<double, 3>& normal, const QString& stepName);
+  void AddFacingPlane();
+  void MovePlane(int position);
+  void EditPlane(const QString& stepName, const std::function<void(CutPlane&)>& change);
+  void FlipPlane();
+  void RemovePlane();
+  void MoveFace(int face, int position);
+
+  SceneModel* model;
+  QListWidget* planes;
+  QSlider* depth;
+  QPushButton* flip;
+  QPushButton* remove;
+  std::array<QSlider*, 6> faces;
+  int gesture = SceneModel::NoGesture; ///< of the slider that is held
+};
+
+}
+
+#endif

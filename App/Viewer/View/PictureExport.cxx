@@ -1,0 +1,174 @@
+#include "Viewer/View/PictureExport.h"
+
+#include "Scene/OffscreenView.h"
+#include "Scene/SceneFile.h"
+#include "Viewer/Model/SceneModel.h"
+#include "Viewer/View/Overlay.h"
+
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QMessageBox>
+#include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSpinBox>
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int LargestSide = 16384;
+// Words are as large in a picture of any size as in one of this height.
+constexpr double HeightOfWords = 800.0;
+
+QImage ImageOf(vtkImageData* floatPicture)
+{
+  const int* const size = floatPicture->GetDimensions();
+  QImage image(size[0], size[1], QImage::Format_ARGB32_Premultiplied);
+  const auto* rgba = static_cast<const float*>(floatPicture->GetScalarPointer());
+  const auto byteOf = [](float channel)
+  { return int(std::lround(255.0F * std::clamp(channel, 0.0F, 1.0F))); };
+  for (int row = size[1] - 1; row >= 0; --row)
+  {
+    auto* const pixels = reinterpret_cast<QRgb*>(image.scanLine(row));
+    for (int column = 0; column < size[0]; ++column, rgba += 4)
+    {
+      pixels[column] = qRgba(byteOf(rgba[0]), byteOf(rgba[1]), byteOf(rgba[2]), byteOf(rgba[3]));
+    }
+  }
+  return image;
+}
+
+QImage OnBackground(const QImage& image, const std::array<double, 3>& rgb)
+{
+  QImage result(image.size(), QImage::Format_RGB32);
+  result.fill(QColor::fromRgbF(rgb[0], rgb[1], rgb[2]));
+  QPainter(&result).drawImage(0, 0, image);
+  return result;
+}
+
+void DrawNotice(QPainter& painter, const QSizeF& size)
+{
+  painter.setPen(QColor(150, 150, 150));
+  painter.drawText(QRectF(10.0, 0.0, size.width() - 20.0, size.height() - 8.0),
+    Qt::AlignLeft | Qt::AlignBottom,
+    QCoreApplication::translate("PictureExport", "Not for diagnostic use"));
+}
+
+// The scene as others may see it.
+std::string TextWithoutPlace(Scene scene)
+{
+  if (auto* const file = std::get_if<FileSource>(&scene.volume))
+  {
+    file->path = "volume";
+  }
+  return SceneText(scene);
+}
+
+}
+
+QImage ExportedPicture(const Scene& scene, vtkImageData* image, const ExportOptions& options,
+  const std::function<void(double)>& onProgress)
+{
+  Scene exported = scene;
+  exported.size = { options.pixels.width(), options.pixels.height() };
+  OffscreenView view(exported, image, MapperKind::Varimarch);
+  QImage picture = ImageOf(view.FloatImage(onProgress));
+  if (!options.transparent)
+  {
+    picture = OnBackground(picture, scene.background);
+  }
+  const double scale = picture.height() / HeightOfWords;
+  const QSizeF size = QSizeF(picture.size()) / scale;
+  QPainter painter(&picture);
+  painter.scale(scale, scale);
+  if (options.overlay)
+  {
+    DrawOverlay(painter, exported, FrameOf(view.Pipeline().Renderer()->GetActiveCamera(), size));
+  }
+  DrawNotice(painter, size);
+  painter.end();
+  picture.setText("varimarch-scene", QString::fromStdString(TextWithoutPlace(exported)));
+  return picture;
+}
+
+ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
+  : QDialog(parent)
+  , model(model)
+  , width(new QSpinBox)
+  , height(new QSpinBox)
+  , transparent(new QCheckBox(tr("Transparent background")))
+  , overlay(new QCheckBox(tr("Directions and distances")))
+  , progress(new QProgressBar)
+{
+  this->setWindowTitle(tr("Export a picture"));
+  for (QSpinBox* side : { this->width, this->height })
+  {
+    side->setRange(16, LargestSide);
+    side->setSuffix(tr(" pixels"));
+  }
+  this->width->setValue(viewSize.width());
+  this->height->setValue(viewSize.height());
+  this->overlay->setChecked(true);
+  this->progress->setRange(0, 100);
+  this->progress->hide();
+  auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
+  auto* const layout = new QFormLayout(this);
+  layout->addRow(tr("Width"), this->width);
+  layout->addRow(tr("Height"), this->height);
+  layout->addRow(this->transparent);
+  layout->addRow(this->overlay);
+  layout->addRow(this->progress);
+  layout->addRow(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::Export);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void ExportDialog::Export()
+{
+  const QString path =
+    QFileDialog::getSaveFileName(this, tr("Export a picture"), "picture.png", tr("PNG (*.png)"));
+  if (path.isEmpty())
+  {
+    return;
+  }
+  this->progress->show();
+  try
+  {
+    const QImage picture =
+      ExportedPicture(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
+        { { this->width->value(), this->height->value() }, this->transparent->isChecked(),
+          this->overlay->isChecked() },
+        [this](double part)
+        {
+          this->progress->setValue(int(100.0 * part));
+          this->progress->repaint();
+        });
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
+    {
+      throw std::runtime_error(
+        tr("Cannot write %1: %2").arg(path, file.errorString()).toStdString());
+    }
+    this->accept();
+  }
+  catch (const std::exception& problem)
+  {
+    QMessageBox::warning(this, tr("Cannot export"), QString::fromStdString(problem.what()));
+  }
+  this->progress->hide();
+}
+
+}

@@ -1,0 +1,140 @@
+// What a ray meets, and what a scene's cuts leave of a volume.
+
+#include "Scene/OffscreenView.h"
+#include "Scene/SceneCuts.h"
+#include "Scene/ScenePicking.h"
+
+#include <vtkImageData.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+// A ramp along x: the value is x in mm, from -10 to 10, turned by a direction matrix if asked.
+vtkSmartPointer<vtkImageData> Ramp(bool turned)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(21, 21, 21);
+  if (turned)
+  {
+    // The image's x runs along the world's y, its y against the world's x.
+    image->SetDirectionMatrix(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+    image->SetOrigin(10.0, -10.0, -10.0);
+  }
+  else
+  {
+    image->SetOrigin(-10.0, -10.0, -10.0);
+  }
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  for (int i = 0; i < 21 * 21 * 21; ++i)
+  {
+    values[i] = float(i % 21 - 10);
+  }
+  return image;
+}
+
+// Clear below 3; opaque within a hundredth of a mm above.
+Scene WallAtThree()
+{
+  Scene scene;
+  scene.look.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };
+  scene.look.opacities = { { 3.0, 0.0 }, { 3.0, 0.9999 } };
+  scene.look.opacityUnitDistanceMm = 0.01;
+  scene.look.shading.enabled = false;
+  scene.size = { 32, 32 };
+  return scene;
+}
+
+constexpr double StepMm = 0.25;
+
+}
+
+TEST(PointSeen, IsWhereTheVolumeBecomesOpaque)
+{
+  const auto seen = PointSeen(WallAtThree(), Ramp(false), { -50.0, 1.0, 2.0 }, { 50.0, 1.0, 2.0 });
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR((*seen)[0], 3.0, StepMm);
+  EXPECT_EQ((*seen)[1], 1.0);
+  EXPECT_EQ((*seen)[2], 2.0);
+}
+
+TEST(PointSeen, FollowsTheDirectionOfTheImage)
+{
+  const auto seen = PointSeen(WallAtThree(), Ramp(true), { 1.0, -50.0, 2.0 }, { 1.0, 50.0, 2.0 });
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR((*seen)[1], 3.0, StepMm);
+}
+
+TEST(PointSeen, IsBehindWhatIsCutAway)
+{
+  Scene scene = WallAtThree();
+  scene.cuts.planes = { { { 6.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 } } };
+  const auto seen = PointSeen(scene, Ramp(false), { -50.0, 1.0, 2.0 }, { 50.0, 1.0, 2.0 });
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR((*seen)[0], 6.0, StepMm);
+  scene.cuts.box[1] = 0.5;
+  EXPECT_FALSE(PointSeen(scene, Ramp(false), { -50.0, 1.0, 2.0 }, { 50.0, 1.0, 2.0 }));
+}
+
+TEST(PointSeen, IsNoneBesideTheVolume)
+{
+  EXPECT_FALSE(PointSeen(WallAtThree(), Ramp(false), { -50.0, 11.0, 2.0 }, { 50.0, 11.0, 2.0 }));
+}
+
+TEST(PointSeen, OfAMaximumIsTheLargestOpacity)
+{
+  Scene scene = WallAtThree();
+  scene.look.blend = Blend::MaximumIntensity;
+  scene.look.opacities = { { -10.0, 0.0 }, { 5.0, 0.8 }, { 10.0, 0.1 } };
+  const auto seen = PointSeen(scene, Ramp(false), { -50.0, 1.0, 2.0 }, { 50.0, 1.0, 2.0 });
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR((*seen)[0], 5.0, StepMm);
+}
+
+TEST(ValueAt, IsBetweenVoxelsAndNoneOutside)
+{
+  EXPECT_NEAR(ValueAt(Ramp(false), { 2.25, 0.0, 0.0 }).value(), 2.25, 1e-5);
+  EXPECT_NEAR(ValueAt(Ramp(true), { 0.0, 2.25, 0.0 }).value(), 2.25, 1e-5);
+  EXPECT_FALSE(ValueAt(Ramp(false), { 10.5, 0.0, 0.0 }));
+}
+
+TEST(SceneCuts, KeepTheSameOfATurnedVolumeWithEveryMapper)
+{
+  // A quarter of the volume's x is left: of the picture's width, seen along z, or of its height.
+  Scene scene = WallAtThree();
+  scene.look.opacities = { { -10.0, 0.9999 } };
+  scene.camera.view = View::Superior;
+  scene.camera.parallel = true;
+  scene.cuts.box = { 0.5, 0.75, 0.0, 1.0, 0.0, 1.0 };
+  for (const bool turned : { false, true })
+  {
+    for (const MapperKind kind : { MapperKind::Varimarch, MapperKind::VtkGpu, MapperKind::VtkCpu })
+    {
+      OffscreenView view(scene, Ramp(turned), kind);
+      view.Render();
+      const vtkSmartPointer<vtkImageData> bytes = view.Bytes();
+      int opaque = 0;
+      for (int pixel = 0; pixel < 32 * 32; ++pixel)
+      {
+        const auto* rgb = static_cast<unsigned char*>(bytes->GetScalarPointer()) + 3 * pixel;
+        opaque += rgb[0] > 127 ? 1 : 0;
+      }
+      // A column of pixels at each cut may fall to either side.
+      EXPECT_NEAR(opaque, 32 * 8, 32) << turned << " " << int(kind);
+    }
+  }
+}
+
+TEST(SceneCuts, ReachesAreThoseOfTheCorners)
+{
+  const auto [first, last] = ReachAlong({ 0.0, 0.0, 3.0 }, Ramp(false));
+  EXPECT_NEAR(first, -10.0, 1e-9);
+  EXPECT_NEAR(last, 10.0, 1e-9);
+  EXPECT_NEAR(ReachAlong({ 1.0, 1.0, 1.0 }, Ramp(true))[1], std::sqrt(300.0), 1e-9);
+}

@@ -1,0 +1,128 @@
+// The panel of cuts: what its buttons and sliders do to the scene, and what they show of it.
+
+#include "Scene/SceneCuts.h"
+#include "SmallStudy.h"
+#include "Viewer/Panels/CutsPanel.h"
+
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+class Cutting : public testing::Test
+{
+protected:
+  Cutting() { this->model.Open(ProceduralSource(), SmallStudy()); }
+
+  void AddPlane(int entry)
+  {
+    this->panel.findChild<QToolButton*>("addPlane")->menu()->actions()[entry]->trigger();
+  }
+
+  QSlider* Slider(const QString& name)
+  {
+    for (QSlider* slider : this->panel.findChildren<QSlider*>())
+    {
+      if (slider->accessibleName() == name)
+      {
+        return slider;
+      }
+    }
+    return nullptr;
+  }
+
+  const std::vector<CutPlane>& Planes() const { return this->model.CurrentScene().cuts.planes; }
+
+  SceneModel model;
+  CutsPanel panel{ &this->model };
+};
+
+}
+
+TEST_F(Cutting, IsPossibleOnlyWithAVolume)
+{
+  SceneModel empty;
+  CutsPanel before(&empty);
+  EXPECT_FALSE(before.isEnabled());
+  empty.Open(ProceduralSource(), SmallStudy());
+  EXPECT_TRUE(before.isEnabled());
+}
+
+TEST_F(Cutting, AwayOfAHalfKeepsTheOther)
+{
+  this->AddPlane(0); // the patient's left is +x
+  ASSERT_EQ(this->Planes().size(), 1);
+  EXPECT_EQ(this->Planes()[0].normal, (std::array<double, 3>{ -1.0, 0.0, 0.0 }));
+  EXPECT_EQ(this->Planes()[0].pointMm, MiddleOf(this->model.CurrentStudy()->volume.image));
+  this->model.History()->undo();
+  EXPECT_TRUE(this->Planes().empty());
+}
+
+TEST_F(Cutting, BySliderGoesFromFaceToFace)
+{
+  this->AddPlane(0);
+  QSlider* const depth = this->Slider("Depth of the plane");
+  const double* const bounds = this->model.CurrentStudy()->volume.image->GetBounds();
+  depth->setValue(depth->maximum());
+  EXPECT_NEAR(this->Planes()[0].pointMm[0], bounds[0], 1e-9);
+  depth->setValue(0);
+  EXPECT_NEAR(this->Planes()[0].pointMm[0], bounds[1], 1e-9);
+}
+
+TEST_F(Cutting, ByADragIsOneStep)
+{
+  this->AddPlane(0);
+  QSlider* const depth = this->Slider("Depth of the plane");
+  const int steps = this->model.History()->count();
+  depth->setSliderDown(true);
+  for (int position : { 510, 540, 580 })
+  {
+    depth->setSliderPosition(position);
+  }
+  depth->setSliderDown(false);
+  EXPECT_EQ(this->model.History()->count(), steps + 1);
+  this->model.History()->undo();
+  EXPECT_EQ(depth->value(), 500);
+}
+
+TEST_F(Cutting, OnTheOtherSideAndRemoved)
+{
+  this->AddPlane(2);
+  const auto click = [&](const QString& text)
+  {
+    for (QPushButton* button : this->panel.findChildren<QPushButton*>())
+    {
+      if (button->text() == text)
+      {
+        button->click();
+      }
+    }
+  };
+  click("Other side");
+  EXPECT_EQ(this->Planes()[0].normal[1], -1.0);
+  EXPECT_EQ(this->panel.findChild<QListWidget*>()->item(0)->text(), "without the side P");
+  click("Remove");
+  EXPECT_TRUE(this->Planes().empty());
+  EXPECT_EQ(this->panel.findChild<QListWidget*>()->count(), 0);
+}
+
+TEST_F(Cutting, ByTheBoxKeepsItsFacesInOrder)
+{
+  this->Slider("x from")->setValue(700);
+  this->Slider("x to")->setValue(300);
+  const std::array<double, 6>& box = this->model.CurrentScene().cuts.box;
+  EXPECT_DOUBLE_EQ(box[0], 0.7);
+  EXPECT_GT(box[1], box[0]);
+  this->model.History()->undo();
+  this->model.History()->undo();
+  EXPECT_EQ(this->Slider("x from")->value(), 0);
+}

@@ -1,0 +1,137 @@
+// The whole window, as a user has it, on a display without a screen.
+
+#include "Viewer/MainWindow.h"
+#include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/VolumeView.h"
+
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <vtkXMLImageDataWriter.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr int MostMilliseconds = 60000;
+
+class Window : public testing::Test
+{
+protected:
+  Window()
+  {
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetInputData(
+      LoadVolume(ProceduralSource{ ProceduralKind::Torso, { 32, 28, 20 }, 1 }).image);
+    writer->SetFileName(this->Path("torso.vti").toUtf8());
+    writer->Write();
+    this->window.resize(900, 500);
+    this->window.show();
+  }
+
+  QString Path(const QString& name) const { return this->folder.filePath(name); }
+
+  VolumeView* View() { return this->window.CentralView()->Ours(); }
+  SceneModel* Model() { return this->window.Model(); }
+
+  /// Opens the torso, and waits until it is seen.
+  void OpenTorso()
+  {
+    this->window.Open(this->Path("torso.vti"));
+    QSignalSpy drawn(this->View(), &VolumeView::Drawn);
+    ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return this->Model()->CurrentStudy() && !drawn.isEmpty(); }, MostMilliseconds));
+  }
+
+  QTemporaryDir folder;
+  MainWindow window;
+};
+
+}
+
+TEST_F(Window, OpensAFile)
+{
+  this->OpenTorso();
+  EXPECT_EQ(this->Model()->CurrentScene().look.name, "ct-bone");
+  EXPECT_FALSE(this->Model()->History()->canUndo());
+}
+
+TEST_F(Window, KeepsTheVolumeWhenAFileIsBad)
+{
+  this->OpenTorso();
+  const auto study = this->Model()->CurrentStudy();
+  std::ofstream(this->Path("bad.nrrd").toStdString()) << "NRRD0004\ntype: nonsense\n\n";
+  QSignalSpy failed(this->window.Loader(), &VolumeLoader::Failed);
+  this->window.Open(this->Path("bad.nrrd"));
+  ASSERT_TRUE(failed.wait(MostMilliseconds));
+  EXPECT_EQ(this->Model()->CurrentStudy(), study);
+  auto* const box = this->window.findChild<QMessageBox*>();
+  ASSERT_TRUE(box);
+  EXPECT_TRUE(box->text().contains("bad.nrrd"));
+}
+
+TEST_F(Window, CutsMeasuresAndUndoes)
+{
+  this->OpenTorso();
+  const QPoint middle = this->View()->rect().center();
+  ASSERT_TRUE(this->View()->PointAt(middle)) << "the spine";
+
+  // The bone at the middle of the picture, then 30 pixels up and back down to a place beside it.
+  this->View()->SetMeasuring(true);
+  QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
+  QTest::mouseMove(this->View(), middle + QPoint(0, -20));
+  QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(0, -20));
+  ASSERT_EQ(this->Model()->CurrentScene().distances.size(), 1);
+  EXPECT_EQ(this->Model()->CurrentScene().distances[0].fromMm, *this->View()->PointAt(middle));
+  EXPECT_EQ(this->Model()->History()->count(), 1) << "a drag is a step";
+  this->View()->SetMeasuring(false);
+
+  // What faces the eye goes: a ray to the middle hits nothing before the middle of the volume.
+  const double before = (*this->View()->PointAt(middle))[1];
+  this->Model()->Edit(ScenePart::Cuts, "cut", [](Scene& scene) { scene.cuts.box[2] = 0.75; });
+  const auto behind = this->View()->PointAt(middle);
+  EXPECT_TRUE(!behind || (*behind)[1] > before);
+  this->Model()->History()->undo();
+  this->Model()->History()->undo();
+  EXPECT_TRUE(this->Model()->CurrentScene().distances.empty());
+
+  // Turning by the mouse is a step as well.
+  QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
+  for (int step = 1; step <= 3; ++step)
+  {
+    QTest::mouseMove(this->View(), middle + QPoint(20 * step, 0));
+    QTest::qWait(20);
+  }
+  QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(60, 0));
+  EXPECT_TRUE(this->Model()->CurrentScene().camera.pose);
+  EXPECT_EQ(this->Model()->History()->count(), 1);
+}
+
+TEST_F(Window, ComparesWithVtk)
+{
+  this->OpenTorso();
+  ComparisonView* const view = this->window.CentralView();
+  const QSize alone = this->View()->size();
+  QSignalSpy compared(view, &ComparisonView::Compared);
+  view->CompareWith(MapperKind::VtkGpu);
+  ASSERT_TRUE(compared.wait(MostMilliseconds));
+  ASSERT_TRUE(view->LastDifference());
+  EXPECT_GT(view->LastDifference()->rootMeanSquare, 0.0);
+  EXPECT_LT(view->LastDifference()->rootMeanSquare, 20.0) << "of one scene";
+  view->CompareWith(std::nullopt);
+  EXPECT_FALSE(view->LastDifference());
+  EXPECT_EQ(this->View()->size(), alone);
+}
+
+TEST_F(Window, ClosesWhileItLoads)
+{
+  this->window.Open(this->Path("torso.vti"));
+  this->window.close();
+}

@@ -1,0 +1,49 @@
+// Exported pictures: their size, what is transparent, and the scene in their text.
+
+#include "Scene/SceneFile.h"
+#include "SmallStudy.h"
+#include "Viewer/View/PictureExport.h"
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+Scene SceneOfPatient()
+{
+  Scene scene;
+  scene.volume = FileSource{ "/scans/DOE^JOHN/head.nrrd", std::nullopt };
+  scene.look.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };
+  scene.look.opacities = { { 100.0, 0.0 }, { 300.0, 0.8 } };
+  scene.background = { 0.0, 0.0, 1.0 };
+  return scene;
+}
+
+}
+
+TEST(ExportedPicture, HasTheSizeAndTheBackgroundThatAreAskedFor)
+{
+  const auto study = SmallStudy();
+  const QImage onBackground =
+    ExportedPicture(SceneOfPatient(), study->volume.image, { { 120, 80 }, false, false });
+  EXPECT_EQ(onBackground.size(), QSize(120, 80));
+  EXPECT_EQ(onBackground.pixelColor(0, 0), QColor(0, 0, 255));
+  const QImage transparent =
+    ExportedPicture(SceneOfPatient(), study->volume.image, { { 120, 80 }, true, false });
+  EXPECT_EQ(transparent.pixelColor(0, 0).alpha(), 0);
+  EXPECT_GT(transparent.pixelColor(60, 40).alpha(), 200) << "the spine";
+}
+
+TEST(ExportedPicture, TellsHowItWasMadeAndNotOfWhom)
+{
+  const auto study = SmallStudy();
+  const Scene scene = SceneOfPatient();
+  const QString text = ExportedPicture(scene, study->volume.image, { { 32, 32 }, false, false })
+                         .text("varimarch-scene");
+  EXPECT_FALSE(text.contains("DOE"));
+  const Scene back = SceneFromText(text.toStdString(), "picture");
+  EXPECT_EQ(back.look.opacities.size(), 2);
+  EXPECT_EQ(back.size, (std::array<int, 2>{ 32, 32 }));
+}
