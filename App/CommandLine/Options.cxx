@@ -347,7 +347,7 @@ std::pair<Scene, LoadedVolume> SceneOptions::Load(const std::string& input) cons
   }
   else if (!isScene)
   {
-    scene.look = Preset(SuitablePreset(loaded));
+    scene.look = Preset(SuggestedPreset(loaded).name);
   }
   this->Override(scene);
   return { scene, loaded };

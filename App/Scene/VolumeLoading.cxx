@@ -87,13 +87,19 @@ LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer
   return ReadFile(std::get<FileSource>(source), observer);
 }
 
-std::string SuitablePreset(const LoadedVolume& volume)
+PresetSuggestion SuggestedPreset(const LoadedVolume& volume)
 {
   constexpr double HighestAirHounsfield = -900.0;
-  const bool isCT = volume.modality.empty()
-    ? volume.image->GetScalarRange()[0] <= HighestAirHounsfield
-    : volume.modality == "CT";
-  return isCT ? "ct-bone" : "mr-head";
+  if (!volume.modality.empty())
+  {
+    return { volume.modality == "CT" ? "ct-bone" : "mr-head",
+      "the file says that it is " + volume.modality };
+  }
+  if (volume.image->GetScalarRange()[0] <= HighestAirHounsfield)
+  {
+    return { "ct-bone", "its values go down to those of air in CT" };
+  }
+  return { "mr-head", "its values are not those of CT" };
 }
 
 }

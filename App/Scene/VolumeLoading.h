@@ -28,9 +28,15 @@ using LoadObserver = std::function<bool(double)>;
 ///   says that the observer did not want to go on
 LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer = {});
 
-/// A preset that suits a volume nobody has described: for CT, known by its modality or by values
-/// as low as air's in Hounsfield units, "ct-bone"; else "mr-head".
-std::string SuitablePreset(const LoadedVolume& volume);
+struct PresetSuggestion
+{
+  std::string name;
+  std::string reason; ///< "the file says that it is CT"
+};
+
+/// A preset for a volume nobody has described: for CT, known by its modality or by values as low as
+/// air's in Hounsfield units, "ct-bone"; else "mr-head".
+PresetSuggestion SuggestedPreset(const LoadedVolume& volume);
 
 }
 

@@ -1,5 +1,7 @@
 #include "Viewer/MainWindow.h"
 
+#include "Scene/Presets.h"
+#include "Scene/SceneFile.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/View/ComparisonView.h"
@@ -8,6 +10,8 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -18,6 +22,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QStatusBar>
 #include <QUrl>
 
@@ -53,6 +58,8 @@ QString FileFilter()
 
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
+  , autosave(&this->model,
+      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/autosaved.json")
   , view(new ComparisonView(&this->model))
 {
   this->setWindowTitle(tr("Varimarch, not for diagnostic use"));
@@ -62,6 +69,7 @@ MainWindow::MainWindow(QWidget* parent)
   this->MakeMenus();
   this->MakeViewMenu();
   this->MakeToolMenu();
+  this->MakeHelpMenu();
   this->MakePanels();
   this->MakeStatusBar();
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
@@ -80,6 +88,7 @@ void MainWindow::MakeMenus()
   file->addAction(tr("&Open…"), this, &MainWindow::ChooseFile, QKeySequence::Open);
   file->addAction(
     tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
+  file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
   file->addSeparator();
   file->addAction(
     tr("Export a &picture…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"));
@@ -92,6 +101,17 @@ void MainWindow::MakeMenus()
   QAction* const redo = this->model.History()->createRedoAction(this, tr("&Redo"));
   redo->setShortcut(QKeySequence::Redo);
   edit->addActions({ undo, redo });
+  edit->addSeparator();
+  edit->addAction(
+    tr("&First look again"), this,
+    [this]
+    {
+      if (const auto study = this->model.CurrentStudy())
+      {
+        this->model.SetLook(Preset(SuggestedPreset(study->volume).name), tr("first look"));
+      }
+    },
+    QKeySequence("R"));
 }
 
 void MainWindow::MakeViewMenu()
@@ -157,6 +177,12 @@ void MainWindow::MakeToolMenu()
   }
 }
 
+void MainWindow::MakeHelpMenu()
+{
+  QMenu* const menu = this->menuBar()->addMenu(tr("&Help"));
+  menu->addAction(tr("&About Varimarch"), this, &MainWindow::ShowAbout);
+}
+
 void MainWindow::MakePanels()
 {
   const std::tuple<QString, QString, QWidget*> panels[] = {
@@ -190,9 +216,72 @@ void MainWindow::MakeStatusBar()
 
 void MainWindow::Open(const QString& path)
 {
+  this->restored.reset();
+  if (QFileInfo(path).suffix() != "json")
+  {
+    this->Load(FileSource{ path.toStdString(), std::nullopt });
+    return;
+  }
+  try
+  {
+    this->restored = ReadScene(path.toStdString());
+    this->Load(this->restored->volume);
+  }
+  catch (const std::exception& problem)
+  {
+    this->ShowFailure(QString::fromStdString(problem.what()));
+  }
+}
+
+void MainWindow::Load(const VolumeSource& source)
+{
   this->ShowLoading(true);
-  this->statusBar()->showMessage(tr("Loading %1").arg(QFileInfo(path).fileName()));
-  this->loader.Load(FileSource{ path.toStdString(), std::nullopt });
+  const auto* const file = std::get_if<FileSource>(&source);
+  const QString name = file ? QFileInfo(QString::fromStdString(file->path)).fileName() : QString();
+  this->statusBar()->showMessage(tr("Loading %1").arg(name));
+  this->loader.Load(source);
+}
+
+void MainWindow::SaveSession()
+{
+  if (!this->model.CurrentStudy())
+  {
+    return;
+  }
+  const QString path = QFileDialog::getSaveFileName(
+    this, tr("Save the session"), "session.json", tr("Sessions (*.json)"));
+  if (path.isEmpty())
+  {
+    return;
+  }
+  try
+  {
+    WriteScene(this->model.CurrentScene(), path);
+    this->statusBar()->showMessage(tr("Saved %1").arg(path));
+  }
+  catch (const std::exception& problem)
+  {
+    QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
+  }
+}
+
+void MainWindow::OfferAutosaved()
+{
+  if (this->autosave.HasCopy() &&
+    QMessageBox::question(this, tr("Varimarch"),
+      tr("The last time, the program did not come to its end. Go on where you were?")) ==
+      QMessageBox::Yes)
+  {
+    this->Open(this->autosave.Path());
+  }
+}
+
+void MainWindow::ShowAbout()
+{
+  QMessageBox::about(this, tr("About Varimarch"),
+    tr("<b>Varimarch %1</b><p>Looks into CT and MR volumes, with an error that is promised.</p>"
+       "<p><b>Not for diagnostic use.</b> This program is not a medical device.</p>")
+      .arg(QCoreApplication::applicationVersion()));
 }
 
 void MainWindow::ChooseFile()
@@ -225,13 +314,24 @@ void MainWindow::ExportPicture()
 void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
 {
   this->ShowLoading(false);
-  this->model.Open(source, study);
-  QStringList warnings;
+  if (this->restored)
+  {
+    this->model.Restore(*this->restored, study);
+    this->restored.reset();
+  }
+  else
+  {
+    this->model.Open(source, study);
+  }
+  QStringList messages;
   for (const std::string& warning : study->volume.warnings)
   {
-    warnings.append(QString::fromStdString(warning));
+    messages.append(QString::fromStdString(warning));
   }
-  this->statusBar()->showMessage(warnings.join(' '));
+  messages.append(tr("Look \"%1\": %2. R brings it back.")
+                    .arg(QString::fromStdString(this->model.CurrentScene().look.name),
+                      QString::fromStdString(SuggestedPreset(study->volume).reason)));
+  this->statusBar()->showMessage(messages.join(' '));
 }
 
 void MainWindow::ShowFailure(const QString& reason)
@@ -262,6 +362,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 void MainWindow::dropEvent(QDropEvent* event)
 {
   this->Open(event->mimeData()->urls().first().toLocalFile());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  this->loader.Cancel();
+  this->autosave.Remove();
+  QMainWindow::closeEvent(event);
 }
 
 }

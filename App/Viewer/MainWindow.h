@@ -2,9 +2,12 @@
 #define Varimarch_Viewer_MainWindow_h
 
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/SessionFile.h"
 #include "Viewer/Model/VolumeLoader.h"
 
 #include <QMainWindow>
+
+#include <optional>
 
 class QProgressBar;
 class QPushButton;
@@ -22,8 +25,11 @@ class MainWindow : public QMainWindow
 public:
   explicit MainWindow(QWidget* parent = nullptr);
 
-  /// Begins to load a file, or a folder with a DICOM series.
+  /// Begins to load a file, a folder with a DICOM series, or a session that was saved.
   void Open(const QString& path);
+
+  /// Offers what an earlier program, which did not come to its end, has left.
+  void OfferAutosaved();
 
   SceneModel* Model() { return &this->model; }
   VolumeLoader* Loader() { return &this->loader; }
@@ -32,15 +38,20 @@ public:
 protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
 
 private:
   void MakeMenus();
   void MakeViewMenu();
   void MakeToolMenu();
+  void MakeHelpMenu();
   void MakePanels();
   void MakeStatusBar();
   void ChooseFile();
   void ChooseFolder();
+  void SaveSession();
+  void ShowAbout();
+  void Load(const VolumeSource& source);
   void ExportPicture();
   void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   void ShowFailure(const QString& reason);
@@ -48,6 +59,8 @@ private:
 
   SceneModel model;
   VolumeLoader loader;
+  Autosave autosave;
+  std::optional<Scene> restored; ///< the scene whose volume is being loaded
   ComparisonView* view;
   QProgressBar* progress;
   QPushButton* cancel;

@@ -22,8 +22,8 @@ int main(int argumentCount, char** arguments)
     "Looks into CT and MR volumes, with an error that is promised. Not for diagnostic use.");
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument(
-    "volume", "A volume file, or a folder with a DICOM series, to open.", "[volume]");
+  parser.addPositionalArgument("volume",
+    "A volume file, a folder with a DICOM series, or a saved session, to open.", "[volume]");
   parser.process(application);
 
   varimarch::MainWindow window;
@@ -31,6 +31,10 @@ int main(int argumentCount, char** arguments)
   if (!parser.positionalArguments().isEmpty())
   {
     window.Open(parser.positionalArguments().first());
+  }
+  else
+  {
+    window.OfferAutosaved();
   }
   return QApplication::exec();
 }

@@ -63,9 +63,9 @@ TEST(Presets, RelativeOnesFollowTheData)
 TEST(Presets, SuitTheModality)
 {
   const auto torso = ProceduralVolume({ ProceduralKind::Torso, { 16, 16, 16 }, 1 });
-  EXPECT_EQ(SuitablePreset({ torso, "CT", {} }), "ct-bone");
-  EXPECT_EQ(SuitablePreset({ torso, "", {} }), "ct-bone");
-  EXPECT_EQ(SuitablePreset({ torso, "MR", {} }), "mr-head");
+  EXPECT_EQ(SuggestedPreset({ torso, "CT", {} }).name, "ct-bone");
+  EXPECT_EQ(SuggestedPreset({ torso, "", {} }).name, "ct-bone");
+  EXPECT_EQ(SuggestedPreset({ torso, "MR", {} }).name, "mr-head");
 }
 
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QStandardPaths>
 
 #include <cstdlib>
 
@@ -10,6 +11,7 @@ int main(int argumentCount, char** arguments)
 {
   testing::InitGoogleTest(&argumentCount, arguments);
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
+  QStandardPaths::setTestModeEnabled(true);
   QApplication application(argumentCount, arguments);
   return RUN_ALL_TESTS();
 }

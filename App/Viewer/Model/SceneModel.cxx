@@ -55,14 +55,21 @@ SceneModel::SceneModel(QObject* parent)
 
 void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> opened)
 {
-  this->history.clear();
-  this->study = std::move(opened);
   Scene first;
   first.volume = source;
-  first.look = InUnitsOfData(Preset(SuitablePreset(this->study->volume)), this->study->statistics);
+  first.look = Preset(SuggestedPreset(opened->volume).name);
   first.render = this->scene.render;
   first.background = this->scene.background;
-  this->Replace(ScenePart::Volume, first);
+  this->Restore(first, std::move(opened));
+}
+
+void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened)
+{
+  this->history.clear();
+  this->study = std::move(opened);
+  Scene restored = saved;
+  restored.look = InUnitsOfData(saved.look, this->study->statistics);
+  this->Replace(ScenePart::Volume, restored);
 }
 
 void SceneModel::Edit(

@@ -57,6 +57,9 @@ public:
   /// Takes another volume, with a look that suits it, and forgets the steps that were of the last.
   void Open(const VolumeSource& source, std::shared_ptr<const Study> opened);
 
+  /// Takes a scene as it was saved, with its volume.
+  void Restore(const Scene& saved, std::shared_ptr<const Study> opened);
+
   /// Changes a part of the scene.
   /// @param name  of the step, for "Undo NAME"
   void Edit(ScenePart part, const QString& name, const std::function<void(Scene&)>& change,

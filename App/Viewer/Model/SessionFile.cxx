@@ -1,0 +1,69 @@
+#include "Viewer/Model/SessionFile.h"
+
+#include "Scene/OutputFile.h"
+#include "Scene/SceneFile.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <exception>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int DelayMilliseconds = 2000;
+
+}
+
+void WriteScene(const Scene& scene, const QString& path)
+{
+  WriteFileWhole(path.toStdString(), SceneText(scene));
+}
+
+Autosave::Autosave(SceneModel* model, const QString& path, QObject* parent)
+  : QObject(parent)
+  , model(model)
+  , path(path)
+{
+  QDir().mkpath(QFileInfo(path).path());
+  this->delay.setSingleShot(true);
+  this->delay.setInterval(DelayMilliseconds);
+  connect(&this->delay, &QTimer::timeout, this, &Autosave::Save);
+  connect(model, &SceneModel::Changed, this,
+    [this]
+    {
+      if (!this->delay.isActive())
+      {
+        this->delay.start();
+      }
+    });
+}
+
+bool Autosave::HasCopy() const
+{
+  return QFile::exists(this->path);
+}
+
+void Autosave::Remove()
+{
+  this->delay.stop();
+  QFile::remove(this->path);
+}
+
+void Autosave::Save()
+{
+  try
+  {
+    WriteScene(this->model->CurrentScene(), this->path);
+  }
+  catch (const std::exception&)
+  {
+    // A copy for emergencies is not worth a message at every edit.
+  }
+}
+
+}

@@ -1,0 +1,54 @@
+// Sessions on disk: what is written reads back, and an autosaved copy is there until the end.
+
+#include "Scene/SceneFile.h"
+#include "SmallStudy.h"
+#include "Viewer/Model/SessionFile.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+class Sessions : public testing::Test
+{
+protected:
+  Sessions() { this->model.Open(ProceduralSource(), SmallStudy()); }
+
+  QTemporaryDir folder;
+  QString path = folder.filePath("sub/scene.json");
+  SceneModel model;
+};
+
+}
+
+TEST_F(Sessions, AreRestoredAsTheyWere)
+{
+  this->model.Edit(ScenePart::Distances, "measure",
+    [](Scene& scene) {
+      scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.0 } } };
+    });
+  const QString file = this->folder.filePath("scene.json");
+  WriteScene(this->model.CurrentScene(), file);
+  SceneModel restored;
+  restored.Restore(ReadScene(file.toStdString()), SmallStudy());
+  ASSERT_EQ(restored.CurrentScene().distances.size(), 1);
+  EXPECT_EQ(restored.CurrentScene().look.opacities.size(),
+    this->model.CurrentScene().look.opacities.size());
+  EXPECT_FALSE(restored.History()->canUndo());
+}
+
+TEST_F(Sessions, AreKeptWhileTheyAreEditedAndGoneAfterAnOrderlyEnd)
+{
+  Autosave autosave(&this->model, this->path);
+  EXPECT_FALSE(autosave.HasCopy());
+  this->model.Edit(ScenePart::Camera, "zoom", [](Scene& scene) { scene.camera.zoom = 2.5; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.HasCopy(); }, 30000));
+  EXPECT_EQ(ReadScene(this->path.toStdString()).camera.zoom, 2.5);
+  autosave.Remove();
+  EXPECT_FALSE(autosave.HasCopy());
+}
