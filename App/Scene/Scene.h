@@ -125,6 +125,14 @@ struct SceneCuts
   std::vector<CutPlane> planes;
 };
 
+/// Slices through the volume along the patient's axes, as the viewer has them beside the picture.
+struct SliceSettings
+{
+  std::optional<std::array<double, 3>> crosshairMm; ///< world space, LPS; empty: the middle
+  std::optional<std::array<double, 2>> windowLevel; ///< units of the data; empty: from the data
+  double slabMm = 0.0; ///< >= 0; what is thicker than a slice shows the largest value in it
+};
+
 /// Measured by the user, and written over the picture. World space, LPS.
 struct Distance
 {
@@ -158,6 +166,7 @@ struct Scene
   Look look;
   Camera camera;
   SceneCuts cuts;
+  SliceSettings slices;
   std::vector<Distance> distances;
   RenderOptions render;
   std::array<int, 2> size = { 512, 512 }; ///< of the picture [pixels]

@@ -138,6 +138,25 @@ SceneCuts CutsFromJson(const JsonCursor& json)
   return cuts;
 }
 
+SliceSettings SlicesFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "crosshair", "windowLevel", "slab" });
+  SliceSettings slices;
+  if (const auto crosshair = json.Find("crosshair"))
+  {
+    slices.crosshairMm = crosshair->Numbers<3>({});
+  }
+  if (const auto windowLevel = json.Find("windowLevel"))
+  {
+    slices.windowLevel = windowLevel->Numbers<2>({});
+  }
+  if (const auto slab = json.Find("slab"))
+  {
+    slices.slabMm = slab->Number({ 0.0 });
+  }
+  return slices;
+}
+
 Distance DistanceFromJson(const JsonCursor& json)
 {
   json.RequireObject({ "from", "to" });
@@ -199,8 +218,8 @@ RenderOptions RenderFromJson(const JsonCursor& json)
 Scene SceneFromJson(const JsonCursor& json)
 {
   // "$schema" lets an editor find the schema; it means nothing here.
-  json.RequireObject(
-    { "$schema", "volume", "look", "camera", "cuts", "distances", "render", "size", "background" });
+  json.RequireObject({ "$schema", "volume", "look", "camera", "cuts", "slices", "distances",
+    "render", "size", "background" });
   Scene scene;
   scene.volume = VolumeFromJson(json.At("volume"));
   scene.look = LookFromJson(json.At("look"));
@@ -211,6 +230,10 @@ Scene SceneFromJson(const JsonCursor& json)
   if (const auto cuts = json.Find("cuts"))
   {
     scene.cuts = CutsFromJson(*cuts);
+  }
+  if (const auto slices = json.Find("slices"))
+  {
+    scene.slices = SlicesFromJson(*slices);
   }
   if (const auto distances = json.Find("distances"))
   {
@@ -281,6 +304,20 @@ nlohmann::ordered_json JsonFromCuts(const SceneCuts& cuts)
   return json;
 }
 
+nlohmann::ordered_json JsonFromSlices(const SliceSettings& slices)
+{
+  nlohmann::ordered_json json = { { "slab", slices.slabMm } };
+  if (slices.crosshairMm)
+  {
+    json["crosshair"] = *slices.crosshairMm;
+  }
+  if (slices.windowLevel)
+  {
+    json["windowLevel"] = *slices.windowLevel;
+  }
+  return json;
+}
+
 nlohmann::ordered_json JsonFromDistances(const std::vector<Distance>& distances)
 {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -306,6 +343,7 @@ std::string SceneText(const Scene& scene)
   json["look"] = JsonFromLook(scene.look);
   json["camera"] = JsonFromCamera(scene.camera);
   json["cuts"] = JsonFromCuts(scene.cuts);
+  json["slices"] = JsonFromSlices(scene.slices);
   json["distances"] = JsonFromDistances(scene.distances);
   json["render"] = { { "sampleDistance", JsonFromOptional(render.sampleDistanceMm) },
     { "acceleration", NameOf(AccelerationNames(), render.acceleration) },

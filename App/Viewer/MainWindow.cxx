@@ -6,6 +6,7 @@
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
+#include "Viewer/View/SliceView.h"
 #include "Viewer/View/VolumeView.h"
 
 #include <QAction>
@@ -22,6 +23,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSplitter>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QUrl>
@@ -63,7 +65,7 @@ MainWindow::MainWindow(QWidget* parent)
   , view(new ComparisonView(&this->model))
 {
   this->setWindowTitle(tr("Varimarch, not for diagnostic use"));
-  this->setCentralWidget(this->view);
+  this->setCentralWidget(this->MakeViews());
   this->setAcceptDrops(true);
   this->resize(1280, 800);
   this->MakeMenus();
@@ -80,6 +82,22 @@ MainWindow::MainWindow(QWidget* parent)
       this->ShowLoading(false);
       this->statusBar()->showMessage(tr("Loading was cancelled"));
     });
+}
+
+QWidget* MainWindow::MakeViews()
+{
+  auto* const slices = new QSplitter(Qt::Vertical);
+  for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
+  {
+    slices->addWidget(new SliceView(&this->model, plane));
+  }
+  auto* const all = new QSplitter(Qt::Horizontal);
+  all->addWidget(this->view);
+  all->addWidget(slices);
+  all->setSizes({ 720, 280 });
+  all->setStretchFactor(0, 3);
+  all->setStretchFactor(1, 1);
+  return all;
 }
 
 void MainWindow::MakeMenus()

@@ -41,6 +41,7 @@ protected:
   void closeEvent(QCloseEvent* event) override;
 
 private:
+  QWidget* MakeViews();
   void MakeMenus();
   void MakeViewMenu();
   void MakeToolMenu();

@@ -31,6 +31,7 @@ Scene UnusualScene()
   scene.camera = { View::Inferior, -12.5, 33.0, 1.75, true, 42.0,
     CameraPose{ { 1.0, -2.5, 3.0 }, { 4.0, 5.0, 6.0 }, { 0.0, 0.0, 1.0 }, 80.0 } };
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } } };
+  scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0 };
   scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 } } };
   scene.render = { 0.125, Acceleration::ScalarField, Integration::Simpson, 0.25, 3.5, 0.0 };
   scene.size = { 640, 360 };
@@ -70,6 +71,9 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   ASSERT_EQ(back.cuts.planes.size(), 1);
   EXPECT_EQ(back.cuts.planes[0].pointMm, scene.cuts.planes[0].pointMm);
   EXPECT_EQ(back.cuts.planes[0].normal, scene.cuts.planes[0].normal);
+  EXPECT_EQ(back.slices.crosshairMm, scene.slices.crosshairMm);
+  EXPECT_EQ(back.slices.windowLevel, scene.slices.windowLevel);
+  EXPECT_EQ(back.slices.slabMm, 5.0);
   ASSERT_EQ(back.distances.size(), 1);
   EXPECT_EQ(back.distances[0].fromMm, scene.distances[0].fromMm);
   EXPECT_EQ(back.distances[0].toMm, scene.distances[0].toMm);

@@ -29,6 +29,7 @@ enum class ScenePart
   Look,
   Camera,
   Cuts,
+  Slices,
   Distances,
   Render,
   Background,

@@ -151,6 +151,7 @@ void VolumeView::Update(ScenePart part)
     case ScenePart::Cuts:
       this->pipeline->SetCuts(scene.cuts);
       break;
+    case ScenePart::Slices:
     case ScenePart::Distances:
       this->overlay->update();
       return;

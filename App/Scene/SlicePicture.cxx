@@ -1,0 +1,145 @@
+#include "Scene/SlicePicture.h"
+
+#include <vtkImageData.h>
+#include <vtkImageInterpolator.h>
+#include <vtkNew.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace varimarch
+{
+
+namespace
+{
+
+glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
+{
+  return { numbers[0], numbers[1], numbers[2] };
+}
+
+glm::dvec3 IndexOf(const glm::dvec3& pointWorld, vtkImageData* image)
+{
+  glm::dvec3 index;
+  image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, &index.x);
+  return index;
+}
+
+class SliceSampler
+{
+public:
+  SliceSampler(vtkImageData* image, const SliceRequest& request)
+    : request(request)
+    , extent(image->GetExtent())
+  {
+    const SliceAxes axes = AxesOf(request.plane);
+    const glm::dvec3 middle = VectorOf(request.middleMm);
+    const double* const spacing = image->GetSpacing();
+    const double stepMm = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
+    this->slabSteps = int(std::ceil(0.5 * request.slabMm / stepMm));
+    this->middleIndex = IndexOf(middle, image);
+    this->right = IndexOf(middle + request.mmPerPixel * VectorOf(axes.right), image) - middleIndex;
+    this->down = IndexOf(middle + request.mmPerPixel * VectorOf(axes.down), image) - middleIndex;
+    this->through = IndexOf(middle + stepMm * VectorOf(axes.through), image) - middleIndex;
+    this->interpolator->SetInterpolationModeToLinear();
+    this->interpolator->Initialize(image);
+  }
+
+  void DrawRow(int row, std::uint8_t* pixels) const
+  {
+    for (int column = 0; column < this->request.width; ++column)
+    {
+      const glm::dvec3 index = this->middleIndex +
+        (column + 0.5 - 0.5 * this->request.width) * this->right +
+        (row + 0.5 - 0.5 * this->request.height) * this->down;
+      pixels[column] = this->GrayOf(this->LargestThrough(index));
+    }
+  }
+
+private:
+  std::optional<double> LargestThrough(const glm::dvec3& index) const
+  {
+    std::optional<double> largest;
+    for (int step = -this->slabSteps; step <= this->slabSteps; ++step)
+    {
+      const std::optional<double> value = this->ValueAt(index + double(step) * this->through);
+      if (value && (!largest || *value > *largest))
+      {
+        largest = value;
+      }
+    }
+    return largest;
+  }
+
+  std::optional<double> ValueAt(const glm::dvec3& index) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!(index[axis] >= this->extent[2 * axis] && index[axis] <= this->extent[2 * axis + 1]))
+      {
+        return std::nullopt;
+      }
+    }
+    double value;
+    this->interpolator->InterpolateIJK(&index.x, &value);
+    return value;
+  }
+
+  std::uint8_t GrayOf(std::optional<double> value) const
+  {
+    if (!value || std::isnan(*value))
+    {
+      return 0;
+    }
+    const double part = (*value - this->request.level) / this->request.window + 0.5;
+    return std::uint8_t(std::lround(255.0 * std::clamp(part, 0.0, 1.0)));
+  }
+
+  const SliceRequest& request;
+  const int* extent;
+  int slabSteps;
+  glm::dvec3 middleIndex;
+  glm::dvec3 right;
+  glm::dvec3 down;
+  glm::dvec3 through;
+  vtkNew<vtkImageInterpolator> interpolator;
+};
+
+}
+
+SliceAxes AxesOf(SlicePlane plane)
+{
+  switch (plane)
+  {
+    case SlicePlane::Coronal:
+      return { { 1.0, 0.0, 0.0 }, { 0.0, 0.0, -1.0 }, { 0.0, 1.0, 0.0 } };
+    case SlicePlane::Sagittal:
+      return { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, -1.0 }, { 1.0, 0.0, 0.0 } };
+    default:
+      return { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  }
+}
+
+std::vector<std::uint8_t> SlicePicture(vtkImageData* image, const SliceRequest& request)
+{
+  std::vector<std::uint8_t> pixels(std::size_t(request.width) * request.height);
+  const SliceSampler sampler(image, request);
+  tbb::parallel_for(tbb::blocked_range<int>(0, request.height),
+    [&](const tbb::blocked_range<int>& rows)
+    {
+      for (int row = rows.begin(); row != rows.end(); ++row)
+      {
+        sampler.DrawRow(row, pixels.data() + std::size_t(row) * request.width);
+      }
+    });
+  return pixels;
+}
+
+}

@@ -1,0 +1,238 @@
+#include "Viewer/View/SliceView.h"
+
+#include "Scene/AnatomicalDirection.h"
+#include "Scene/SceneCuts.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr double ZoomPerNotch = 1.15;
+const QColor CrosshairColor(90, 200, 250, 170);
+
+glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
+{
+  return { numbers[0], numbers[1], numbers[2] };
+}
+
+std::array<double, 3> NumbersOf(const glm::dvec3& vector)
+{
+  return { vector.x, vector.y, vector.z };
+}
+
+QString LettersOf(const glm::dvec3& direction)
+{
+  return QString::fromStdString(AnatomicalDirection(&direction.x));
+}
+
+}
+
+SliceView::SliceView(SceneModel* model, SlicePlane plane, QWidget* parent)
+  : QWidget(parent)
+  , model(model)
+  , plane(plane)
+  , axes(AxesOf(plane))
+{
+  this->setMinimumSize(120, 90);
+  this->setAttribute(Qt::WA_OpaquePaintEvent);
+  this->setCursor(Qt::CrossCursor);
+  connect(model, &SceneModel::Changed, this,
+    [this](ScenePart part)
+    {
+      if (part == ScenePart::Volume || part == ScenePart::Slices)
+      {
+        this->update();
+      }
+    });
+}
+
+std::array<double, 3> SliceView::PointAt(const QPointF& place) const
+{
+  const QPointF fromMiddle = place - QRectF(this->rect()).center();
+  // The picture stays where it is while the crosshair goes about in it.
+  glm::dvec3 point = VectorOf(this->Request().middleMm);
+  point += this->MmPerPixel() * fromMiddle.x() * VectorOf(this->axes.right);
+  point += this->MmPerPixel() * fromMiddle.y() * VectorOf(this->axes.down);
+  return NumbersOf(point);
+}
+
+QPointF SliceView::PlaceOf(const std::array<double, 3>& pointMm) const
+{
+  const glm::dvec3 fromMiddle = VectorOf(pointMm) - VectorOf(this->Request().middleMm);
+  return QRectF(this->rect()).center() +
+    QPointF(glm::dot(fromMiddle, VectorOf(this->axes.right)),
+      glm::dot(fromMiddle, VectorOf(this->axes.down))) /
+    this->MmPerPixel();
+}
+
+void SliceView::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.fillRect(this->rect(), Qt::black);
+  if (!this->model->CurrentStudy())
+  {
+    return;
+  }
+  const SliceRequest request = this->Request();
+  const std::vector<std::uint8_t> pixels =
+    SlicePicture(this->model->CurrentStudy()->volume.image, request);
+  painter.drawImage(this->rect(),
+    QImage(pixels.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
+  this->DrawCrosshair(painter);
+  this->DrawLetters(painter);
+}
+
+void SliceView::DrawCrosshair(QPainter& painter) const
+{
+  const QPointF place = this->PlaceOf(this->Crosshair());
+  painter.setPen(CrosshairColor);
+  painter.drawLine(QPointF(0.0, place.y()), QPointF(this->width(), place.y()));
+  painter.drawLine(QPointF(place.x(), 0.0), QPointF(place.x(), this->height()));
+}
+
+void SliceView::DrawLetters(QPainter& painter) const
+{
+  const glm::dvec3 right = VectorOf(this->axes.right);
+  const glm::dvec3 down = VectorOf(this->axes.down);
+  const QRect inside = this->rect().adjusted(6, 4, -6, -4);
+  painter.setPen(QColor(235, 235, 235));
+  painter.drawText(inside, Qt::AlignRight | Qt::AlignVCenter, LettersOf(right));
+  painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, LettersOf(-right));
+  painter.drawText(inside, Qt::AlignBottom | Qt::AlignHCenter, LettersOf(down));
+  painter.drawText(inside, Qt::AlignTop | Qt::AlignHCenter, LettersOf(-down));
+  const auto [window, level] = this->WindowLevel();
+  painter.setPen(QColor(160, 160, 160));
+  painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop,
+    tr("W %1 L %2").arg(window, 0, 'f', 0).arg(level, 0, 'f', 0));
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event)
+{
+  if (!this->model->CurrentStudy())
+  {
+    return;
+  }
+  this->gesture = this->model->NewGesture();
+  this->pressed = event->pos();
+  this->pressedWindowLevel = this->WindowLevel();
+  if (event->button() == Qt::LeftButton)
+  {
+    this->SetCrosshair(this->PointAt(event->localPos()), this->gesture);
+  }
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event)
+{
+  if (!this->model->CurrentStudy())
+  {
+    return;
+  }
+  if (event->buttons() & Qt::LeftButton)
+  {
+    this->SetCrosshair(this->PointAt(event->localPos()), this->gesture);
+  }
+  else if (event->buttons() & Qt::RightButton)
+  {
+    this->DragWindowLevel(event->pos() - this->pressed);
+  }
+}
+
+// To the right is wider, down is brighter, as in radiologists' programs.
+void SliceView::DragWindowLevel(const QPoint& moved)
+{
+  const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
+  const double perPixel = (statistics.Percentile(99.9) - statistics.Percentile(0.1)) / 1000.0;
+  const std::array<double, 2> changed = {
+    std::max(this->pressedWindowLevel[0] + perPixel * moved.x(), perPixel),
+    this->pressedWindowLevel[1] - perPixel * moved.y(),
+  };
+  this->model->Edit(
+    ScenePart::Slices, tr("window and level"),
+    [&](Scene& scene) { scene.slices.windowLevel = changed; }, this->gesture);
+}
+
+void SliceView::wheelEvent(QWheelEvent* event)
+{
+  if (!this->model->CurrentStudy())
+  {
+    return;
+  }
+  const double notches = event->angleDelta().y() / 120.0;
+  if (event->modifiers() & Qt::ControlModifier)
+  {
+    this->zoom = std::clamp(this->zoom * std::pow(ZoomPerNotch, notches), 0.2, 50.0);
+    this->update();
+    return;
+  }
+  const double* const spacing = this->model->CurrentStudy()->volume.image->GetSpacing();
+  const double stepMm = std::min({ spacing[0], spacing[1], spacing[2] });
+  this->SetCrosshair(
+    NumbersOf(VectorOf(this->Crosshair()) + notches * stepMm * VectorOf(this->axes.through)),
+    SceneModel::NoGesture);
+}
+
+SliceRequest SliceView::Request() const
+{
+  vtkImageData* const image = this->model->CurrentStudy()->volume.image;
+  // In the slice's plane the volume's middle, across it the crosshair.
+  const glm::dvec3 middle = VectorOf(MiddleOf(image));
+  const glm::dvec3 through = VectorOf(this->axes.through);
+  const glm::dvec3 shown =
+    middle + glm::dot(VectorOf(this->Crosshair()) - middle, through) * through;
+  const auto [window, level] = this->WindowLevel();
+  return { this->plane, NumbersOf(shown), this->MmPerPixel(), this->width(), this->height(), window,
+    level, this->model->CurrentScene().slices.slabMm };
+}
+
+// The volume just fits at a zoom of 1.
+double SliceView::MmPerPixel() const
+{
+  vtkImageData* const image = this->model->CurrentStudy()->volume.image;
+  const auto acrossMm = [&](const std::array<double, 3>& direction)
+  {
+    const auto [first, last] = ReachAlong(direction, image);
+    return last - first;
+  };
+  return std::max(acrossMm(this->axes.right) / std::max(this->width(), 1),
+           acrossMm(this->axes.down) / std::max(this->height(), 1)) /
+    this->zoom;
+}
+
+std::array<double, 3> SliceView::Crosshair() const
+{
+  return this->model->CurrentScene().slices.crosshairMm.value_or(
+    MiddleOf(this->model->CurrentStudy()->volume.image));
+}
+
+std::array<double, 2> SliceView::WindowLevel() const
+{
+  if (const auto& chosen = this->model->CurrentScene().slices.windowLevel)
+  {
+    return *chosen;
+  }
+  const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
+  const double first = statistics.Percentile(0.1);
+  const double last = statistics.Percentile(99.9);
+  return { std::max(last - first, 1e-6), 0.5 * (first + last) };
+}
+
+void SliceView::SetCrosshair(const std::array<double, 3>& pointMm, int ofGesture)
+{
+  this->model->Edit(
+    ScenePart::Slices, tr("move the crosshair"),
+    [&](Scene& scene) { scene.slices.crosshairMm = pointMm; }, ofGesture);
+}
+
+}

@@ -1,0 +1,57 @@
+#ifndef Varimarch_Viewer_SliceView_h
+#define Varimarch_Viewer_SliceView_h
+
+#include "Scene/SlicePicture.h"
+#include "Viewer/Model/SceneModel.h"
+
+#include <QImage>
+#include <QPoint>
+#include <QWidget>
+
+#include <array>
+
+namespace varimarch
+{
+
+/// A slice of the volume through the crosshair, which all slices share. The left button puts the
+/// crosshair, the right one drags window and level, the wheel goes through the slices, with Ctrl it
+/// zooms.
+class SliceView : public QWidget
+{
+  Q_OBJECT
+
+public:
+  SliceView(SceneModel* model, SlicePlane plane, QWidget* parent = nullptr);
+
+  /// World space [mm].
+  std::array<double, 3> PointAt(const QPointF& place) const;
+  QPointF PlaceOf(const std::array<double, 3>& pointMm) const;
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+private:
+  SliceRequest Request() const;
+  void DrawCrosshair(QPainter& painter) const;
+  void DrawLetters(QPainter& painter) const;
+  void DragWindowLevel(const QPoint& moved);
+  double MmPerPixel() const;
+  std::array<double, 3> Crosshair() const;
+  std::array<double, 2> WindowLevel() const;
+  void SetCrosshair(const std::array<double, 3>& pointMm, int gesture);
+
+  SceneModel* model;
+  SlicePlane plane;
+  SliceAxes axes;
+  double zoom = 1.0;
+  int gesture = SceneModel::NoGesture;
+  QPoint pressed;
+  std::array<double, 2> pressedWindowLevel = {};
+};
+
+}
+
+#endif

@@ -1,0 +1,83 @@
+// Slices: the patient's sides are where radiologists expect them, and values are those between
+// voxels.
+
+#include "Scene/SlicePicture.h"
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace varimarch;
+
+namespace
+{
+
+// Values are 0 but at one voxel, of 255; voxels of 1 mm, the middle one at the world's origin.
+vtkSmartPointer<vtkImageData> OneVoxel(int x, int y, int z)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(21, 21, 21);
+  image->SetOrigin(-10.0, -10.0, -10.0);
+  image->AllocateScalars(VTK_SHORT, 1);
+  auto* const values = static_cast<short*>(image->GetScalarPointer());
+  std::fill(values, values + 21 * 21 * 21, short(0));
+  *static_cast<short*>(image->GetScalarPointer(x + 10, y + 10, z + 10)) = 255;
+  return image;
+}
+
+// 21 pixels of 1 mm a side: the pixel at the middle is the world's origin.
+SliceRequest Request(SlicePlane plane)
+{
+  return { plane, { 0.0, 0.0, 0.0 }, 1.0, 21, 21, 255.0, 127.5, 0.0 };
+}
+
+int Pixel(const std::vector<std::uint8_t>& picture, int right, int down)
+{
+  return picture[(down + 10) * 21 + right + 10];
+}
+
+}
+
+TEST(SlicePicture, PutsThePatientWhereRadiologistsExpect)
+{
+  // Left, posterior and superior are the world's axes.
+  const auto left = SlicePicture(OneVoxel(5, 0, 0), Request(SlicePlane::Axial));
+  EXPECT_EQ(Pixel(left, 5, 0), 255) << "the left is at the right";
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 5, 0), Request(SlicePlane::Axial)), 0, 5), 255);
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(5, 0, 0), Request(SlicePlane::Coronal)), 5, 0), 255);
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 5), Request(SlicePlane::Coronal)), 0, -5), 255);
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 5, 0), Request(SlicePlane::Sagittal)), 5, 0), 255);
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 5), Request(SlicePlane::Sagittal)), 0, -5), 255);
+}
+
+TEST(SlicePicture, FollowsTheDirectionOfTheImage)
+{
+  const auto image = OneVoxel(5, 0, 0);
+  image->SetDirectionMatrix(0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+  EXPECT_EQ(Pixel(SlicePicture(image, Request(SlicePlane::Axial)), 0, 5), 255);
+}
+
+TEST(SlicePicture, IsLinearBetweenVoxelsAndBlackOutside)
+{
+  SliceRequest request = Request(SlicePlane::Axial);
+  request.middleMm = { 0.5, 0.0, 0.0 };
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 0), request), 0, 0), 128);
+  request = Request(SlicePlane::Axial);
+  request.level = -1000.0; // all of the volume is white
+  request.mmPerPixel = 2.0;
+  const auto picture = SlicePicture(OneVoxel(0, 0, 0), request);
+  EXPECT_EQ(Pixel(picture, 5, 0), 255);
+  EXPECT_EQ(Pixel(picture, 6, 0), 0);
+}
+
+TEST(SlicePicture, OfASlabIsItsLargestValue)
+{
+  SliceRequest request = Request(SlicePlane::Axial);
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 3), request), 0, 0), 0);
+  request.slabMm = 6.0;
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 3), request), 0, 0), 255);
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, -3), request), 0, 0), 255);
+}

@@ -1,0 +1,88 @@
+// Slices: the mouse puts the crosshair where it points, in all of them; every gesture is a step.
+
+#include "SmallStudy.h"
+#include "Viewer/View/SliceView.h"
+
+#include <QApplication>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+class Slices : public testing::Test
+{
+protected:
+  Slices()
+  {
+    this->model.Open(ProceduralSource(), SmallStudy());
+    for (SliceView* view : { &this->axial, &this->coronal })
+    {
+      view->resize(200, 160);
+      view->show();
+    }
+  }
+
+  std::array<double, 3> Crosshair() const
+  {
+    return this->model.CurrentScene().slices.crosshairMm.value();
+  }
+
+  SceneModel model;
+  SliceView axial{ &this->model, SlicePlane::Axial };
+  SliceView coronal{ &this->model, SlicePlane::Coronal };
+};
+
+}
+
+TEST_F(Slices, ShareTheCrosshairThatTheMousePuts)
+{
+  QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 120, 70 });
+  const std::array<double, 3> expected = this->axial.PointAt({ 120, 70 });
+  EXPECT_EQ(this->Crosshair(), expected);
+  const QPointF place = this->axial.PlaceOf(expected);
+  EXPECT_NEAR(place.x(), 120.0, 1e-6);
+  EXPECT_NEAR(place.y(), 70.0, 1e-6);
+  // The other view goes to the slice, so that its middle has the crosshair's depth.
+  EXPECT_NEAR(this->coronal.PointAt({ 3, 5 })[1], expected[1], 1e-9);
+}
+
+TEST_F(Slices, AreADragOneStep)
+{
+  QTest::mousePress(&this->axial, Qt::LeftButton, {}, { 100, 80 });
+  QTest::mouseMove(&this->axial, { 110, 80 });
+  QTest::mouseMove(&this->axial, { 130, 80 });
+  QTest::mouseRelease(&this->axial, Qt::LeftButton, {}, { 130, 80 });
+  EXPECT_EQ(this->model.History()->count(), 1);
+  this->model.History()->undo();
+  EXPECT_FALSE(this->model.CurrentScene().slices.crosshairMm);
+}
+
+TEST_F(Slices, ChangeWindowAndLevelByTheRightButton)
+{
+  QTest::mousePress(&this->axial, Qt::RightButton, {}, { 100, 80 });
+  QMouseEvent move(QEvent::MouseMove, QPointF(150, 60), Qt::NoButton, Qt::RightButton, {});
+  QApplication::sendEvent(&this->axial, &move);
+  const auto first = this->model.CurrentScene().slices.windowLevel.value();
+  QMouseEvent further(QEvent::MouseMove, QPointF(190, 60), Qt::NoButton, Qt::RightButton, {});
+  QApplication::sendEvent(&this->axial, &further);
+  const auto second = this->model.CurrentScene().slices.windowLevel.value();
+  EXPECT_GT(second[0], first[0]) << "wider to the right";
+  EXPECT_EQ(second[1], first[1]);
+  EXPECT_EQ(this->model.History()->count(), 1);
+}
+
+TEST_F(Slices, AreScrolledAVoxelPerNotch)
+{
+  QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 100, 80 });
+  const double before = this->Crosshair()[2];
+  QWheelEvent wheel(QPointF(100, 80), QPointF(), {}, { 0, 120 }, {}, {}, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&this->axial, &wheel);
+  const double* const spacing = this->model.CurrentStudy()->volume.image->GetSpacing();
+  EXPECT_NEAR(
+    this->Crosshair()[2], before + std::min({ spacing[0], spacing[1], spacing[2] }), 1e-9);
+}
