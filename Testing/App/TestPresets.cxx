@@ -18,7 +18,7 @@ namespace
 
 TEST(Presets, EveryOneIsReadable)
 {
-  EXPECT_EQ(PresetNames().size(), 5u);
+  EXPECT_EQ(PresetNames().size(), 11u);
   for (const std::string& name : PresetNames())
   {
     const Look look = Preset(name);
