@@ -65,7 +65,7 @@ std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
          << " is used, 20000 samples along its diagonal. ";
     warnings += text.str();
   }
-  if (this->Marcher.Tolerance() && !this->Marcher.Tolerance()->step.KeepsLimit())
+  if (!mapper->GetErrorToleranceIsKept())
   {
     std::ostringstream text;
     const varimarch::StepChoice& step = this->Marcher.Tolerance()->step;
@@ -347,6 +347,12 @@ int vtkVariationFieldVolumeMapper::GetShaderBuilds()
 int vtkVariationFieldVolumeMapper::GetToleranceSearches()
 {
   return this->Private->Marcher.Builds().tolerance;
+}
+
+bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()
+{
+  const auto& tolerance = this->Private->Marcher.Tolerance();
+  return !tolerance || tolerance->step.KeepsLimit();
 }
 
 int vtkVariationFieldVolumeMapper::FillInputPortInformation(int, vtkInformation* information)

@@ -382,6 +382,12 @@ public:
   vtkIdType GetGraphicsMemoryBytes();
 
   /**
+   * Whether the last picture keeps the ErrorTolerance everywhere. Not where single rays graze what
+   * is hard; a warning tells how many, and how fine the samples were.
+   */
+  bool GetErrorToleranceIsKept();
+
+  /**
    * The shader files of the last picture, one per slot, as paths below VolumeModule/Shaders.
    */
   void GetShaderParts(vtkStringArray* parts);

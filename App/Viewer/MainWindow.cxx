@@ -86,14 +86,14 @@ MainWindow::MainWindow(QWidget* parent)
 
 QWidget* MainWindow::MakeViews()
 {
-  auto* const slices = new QSplitter(Qt::Vertical);
+  this->slices = new QSplitter(Qt::Vertical);
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
   {
-    slices->addWidget(new SliceView(&this->model, plane));
+    this->slices->addWidget(new SliceView(&this->model, plane));
   }
   auto* const all = new QSplitter(Qt::Horizontal);
   all->addWidget(this->view);
-  all->addWidget(slices);
+  all->addWidget(this->slices);
   all->setSizes({ 720, 280 });
   all->setStretchFactor(0, 3);
   all->setStretchFactor(1, 1);
@@ -190,9 +190,15 @@ void MainWindow::MakeToolMenu()
     QAction* const action = comparisons->addAction(menu->addAction(name));
     action->setCheckable(true);
     action->setChecked(!kind);
-    connect(
-      action, &QAction::triggered, this, [this, kind = kind] { this->view->CompareWith(kind); });
+    connect(action, &QAction::triggered, this, [this, kind = kind] { this->Compare(kind); });
   }
+}
+
+void MainWindow::Compare(std::optional<MapperKind> kind)
+{
+  this->view->CompareWith(kind);
+  // Three pictures side by side want the room.
+  this->slices->setVisible(!kind);
 }
 
 void MainWindow::MakeHelpMenu()

@@ -11,6 +11,7 @@
 
 class QProgressBar;
 class QPushButton;
+class QSplitter;
 
 namespace varimarch
 {
@@ -30,6 +31,9 @@ public:
 
   /// Offers what an earlier program, which did not come to its end, has left.
   void OfferAutosaved();
+
+  /// Shows VTK's picture beside ours; none: ours alone.
+  void Compare(std::optional<MapperKind> kind);
 
   SceneModel* Model() { return &this->model; }
   VolumeLoader* Loader() { return &this->loader; }
@@ -63,6 +67,7 @@ private:
   Autosave autosave;
   std::optional<Scene> restored; ///< the scene whose volume is being loaded
   ComparisonView* view;
+  QSplitter* slices;
   QProgressBar* progress;
   QPushButton* cancel;
 };

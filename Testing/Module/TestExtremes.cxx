@@ -202,6 +202,8 @@ void JudgeEveryBlend(const ExtremeScene& extreme, vtkHeadlessRenderWindow* windo
       SCOPED_TRACE(extreme.name + (shaded ? ", shaded, " : ", ") + Describe(scene->mapper));
       ExpectedVtkErrors warnings;
       const std::vector<float> drawn = scene->Draw();
+      EXPECT_EQ(scene->mapper->GetErrorToleranceIsKept(),
+        warnings.Text().find("cannot be kept") == std::string::npos);
       const std::vector<float> truth = scene->Truth();
       const double tolerance = scene->mapper->GetErrorTolerance();
       const double offPart = OffPart(drawn, truth, tolerance);

@@ -11,6 +11,7 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QMessageBox>
+#include <QOpenGLContext>
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
@@ -82,6 +83,11 @@ std::string TextWithoutPlace(Scene scene)
 QImage ExportedPicture(const Scene& scene, vtkImageData* image, const ExportOptions& options,
   const std::function<void(double)>& onProgress)
 {
+  // A thread has one current context, be it of a window or without a display.
+  if (QOpenGLContext* const current = QOpenGLContext::currentContext())
+  {
+    current->doneCurrent();
+  }
   Scene exported = scene;
   exported.size = { options.pixels.width(), options.pixels.height() };
   OffscreenView view(exported, image, MapperKind::Varimarch);

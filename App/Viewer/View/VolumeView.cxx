@@ -16,6 +16,7 @@
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkVariationFieldVolumeMapper.h>
 
 #include <cmath>
 
@@ -127,6 +128,7 @@ void VolumeView::resizeEvent(QResizeEvent* event)
   {
     this->TakeCamera();
   }
+  this->RequestPicture();
 }
 
 void VolumeView::Update(ScenePart part)
@@ -245,18 +247,23 @@ void VolumeView::EndPicture()
   emit this->Drawn();
 }
 
-QString VolumeView::Report() const
+QString VolumeView::Report()
 {
   const QString time = tr("%1 ms").arg(1e3 * this->pictureSeconds, 0, 'f', 0);
   if (this->kind != MapperKind::Varimarch)
   {
     const QString mapper = this->kind == MapperKind::VtkGpu ? tr("VTK, GPU") : tr("VTK, CPU");
-    return tr("%1  ·  %2  ·  error unknown").arg(mapper, time);
+    return tr("%1\n%2\nerror unknown").arg(mapper, time);
   }
   const double tolerance = this->model->CurrentScene().render.errorTolerance;
-  return tolerance > 0.0
-    ? tr("%1  ·  error at most 1/%2").arg(time).arg(int(std::lround(1.0 / tolerance)))
-    : tr("%1  ·  error not bounded").arg(time);
+  if (tolerance <= 0.0)
+  {
+    return tr("%1\nerror not bounded").arg(time);
+  }
+  auto* const mapper = vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline->Mapper());
+  const QString error = tr("error at most 1/%1").arg(int(std::lround(1.0 / tolerance)));
+  return mapper->GetErrorToleranceIsKept() ? tr("%1\n%2").arg(time, error)
+                                           : tr("%1\n%2\nbut for single pixels").arg(time, error);
 }
 
 PictureFrame VolumeView::Frame() const

@@ -76,7 +76,7 @@ private:
   void Measure(const QPointF& place, QEvent::Type type);
   void Point(const QPointF& place);
   double Aspect() const;
-  QString Report() const;
+  QString Report();
 
   SceneModel* model;
   MapperKind kind;

@@ -1,0 +1,141 @@
+// Works the viewer as Documentation/UserGuide.md tells it, and takes the guide's pictures.
+//
+// Usage: ViewerGuide HEAD_CT FOLDER, on a display; writes viewer-*.png into the folder.
+
+#include "Viewer/MainWindow.h"
+#include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/PictureExport.h"
+#include "Viewer/View/VolumeView.h"
+
+#include <QApplication>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QSurfaceFormat>
+#include <QTest>
+#include <QToolButton>
+
+#include <iostream>
+#include <stdexcept>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr int MostMilliseconds = 120000;
+
+void Require(bool done, const char* what)
+{
+  if (!done)
+  {
+    throw std::runtime_error(what);
+  }
+}
+
+class Guide
+{
+public:
+  Guide(const QString& scan, const QString& folder)
+    : folder(folder)
+  {
+    this->window.resize(1280, 800);
+    this->window.show();
+    this->window.Open(scan);
+    Require(
+      QTest::qWaitFor([&] { return this->Model()->CurrentStudy() != nullptr; }, MostMilliseconds),
+      "the scan is not opened");
+    this->Take("viewer-first-picture");
+  }
+
+  void CutAway()
+  {
+    this->window.findChild<QToolButton*>("addPlane")->menu()->actions().first()->trigger();
+    this->Model()->Edit(ScenePart::Camera, "turn the camera",
+      [](Scene& scene)
+      {
+        scene.camera.azimuthDegrees = 50.0;
+        scene.camera.elevationDegrees = 15.0;
+      });
+    this->Take("viewer-cut");
+  }
+
+  void MeasureDistance()
+  {
+    VolumeView* const view = this->window.CentralView()->Ours();
+    view->SetMeasuring(true);
+    const QPoint from = view->rect().center() + QPoint(-40, -90);
+    const QPoint to = view->rect().center() + QPoint(90, 10);
+    QTest::mousePress(view, Qt::LeftButton, {}, from);
+    QTest::mouseMove(view, to);
+    QTest::mouseRelease(view, Qt::LeftButton, {}, to);
+    view->SetMeasuring(false);
+    Require(this->Model()->CurrentScene().distances.size() == 1, "no distance is measured");
+    this->Take("viewer-distance");
+  }
+
+  void CompareWithVtk()
+  {
+    ComparisonView* const view = this->window.CentralView();
+    QSignalSpy compared(view, &ComparisonView::Compared);
+    this->window.Compare(MapperKind::VtkGpu);
+    Require(compared.wait(MostMilliseconds), "the pictures are not compared");
+    this->Take("viewer-comparison");
+    this->window.Compare(std::nullopt);
+  }
+
+  void Export()
+  {
+    const QImage picture = ExportedPicture(this->Model()->CurrentScene(),
+      this->Model()->CurrentStudy()->volume.image, { { 640, 480 }, false, true });
+    Require(picture.save(this->folder + "/viewer-export.png"), "the picture is not written");
+  }
+
+private:
+  SceneModel* Model() { return this->window.Model(); }
+
+  // When nothing has been drawn for a moment, the picture is as fine as it gets.
+  void Take(const QString& name)
+  {
+    QSignalSpy drawn(this->window.CentralView()->Ours(), &VolumeView::Drawn);
+    int before = -1;
+    while (before != drawn.count())
+    {
+      before = drawn.count();
+      QTest::qWait(1500);
+    }
+    Require(this->window.grab().save(this->folder + "/" + name + ".png"),
+      "the window's picture is not written");
+  }
+
+  QString folder;
+  MainWindow window;
+};
+
+}
+
+int main(int argumentCount, char** arguments)
+{
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QStandardPaths::setTestModeEnabled(true);
+  QApplication application(argumentCount, arguments);
+  if (argumentCount != 3)
+  {
+    std::cerr << "Usage: ViewerGuide HEAD_CT FOLDER\n";
+    return 2;
+  }
+  try
+  {
+    Guide guide(arguments[1], arguments[2]);
+    guide.CutAway();
+    guide.MeasureDistance();
+    guide.CompareWithVtk();
+    guide.Export();
+    return 0;
+  }
+  catch (const std::exception& problem)
+  {
+    std::cerr << "ViewerGuide: " << problem.what() << '\n';
+    return 1;
+  }
+}
