@@ -26,6 +26,10 @@ public:
   /// @param percent  [0, 100]
   double Percentile(double percent) const;
 
+  /// Bin i holds the values nearest to Smallest() + i * BinSpacing(), the last one Largest().
+  const std::vector<std::int64_t>& Counts() const { return this->counts; }
+  double BinSpacing() const { return this->binSpacing; }
+
   /// The counts summed into a number of bins of equal width from Smallest to Largest.
   std::vector<std::int64_t> Histogram(int bins) const;
 

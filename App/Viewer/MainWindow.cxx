@@ -3,6 +3,7 @@
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Panels/CutsPanel.h"
+#include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
@@ -210,6 +211,7 @@ void MainWindow::MakeHelpMenu()
 void MainWindow::MakePanels()
 {
   const std::tuple<QString, QString, QWidget*> panels[] = {
+    { "look", tr("Look"), new LookPanel(&this->model) },
     { "cuts", tr("Cut away"), new CutsPanel(&this->model) },
     { "quality", tr("Quality"), new QualityPanel(&this->model) },
   };

@@ -70,6 +70,16 @@ TEST_F(OpenedModel, AGestureIsOneStep)
   EXPECT_EQ(this->model.CurrentScene().camera.zoom, 1.0);
 }
 
+TEST_F(OpenedModel, AGestureThatEndsWhereItBeganIsNoStep)
+{
+  this->Zoom(2.0, 7);
+  this->Zoom(3.0, 8);
+  this->Zoom(2.0, 8);
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 2.0);
+  EXPECT_EQ(this->model.History()->count(), 1);
+  EXPECT_FALSE(this->model.History()->canRedo());
+}
+
 TEST_F(OpenedModel, AnotherVolumeForgetsTheStepsOfTheLast)
 {
   this->Zoom(2.0);

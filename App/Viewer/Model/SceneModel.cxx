@@ -1,6 +1,7 @@
 #include "Viewer/Model/SceneModel.h"
 
 #include "Scene/Presets.h"
+#include "Scene/SceneFile.h"
 #include "Scene/VolumeProperty.h"
 
 #include <QUndoCommand>
@@ -37,6 +38,8 @@ public:
       return false;
     }
     this->after = step->after;
+    // A drag that was taken back is nothing that anybody wants to undo.
+    this->setObsolete(SceneText(this->before) == SceneText(this->after));
     return true;
   }
 

@@ -4,6 +4,7 @@
 #include "Scene/ImageStatistics.h"
 #include "Scene/Scene.h"
 #include "Scene/VolumeLoading.h"
+#include "Viewer/Model/Gesture.h"
 
 #include <QObject>
 #include <QString>
@@ -49,7 +50,7 @@ public:
   explicit SceneModel(QObject* parent = nullptr);
 
   /// A number that no gesture had before.
-  int NewGesture() { return ++this->lastGesture; }
+  int NewGesture() { return varimarch::NewGesture(); }
 
   /// None before the first volume.
   std::shared_ptr<const Study> CurrentStudy() const { return this->study; }
@@ -82,7 +83,6 @@ private:
   std::shared_ptr<const Study> study;
   Scene scene;
   QUndoStack history;
-  int lastGesture = 0;
 };
 
 }

@@ -1,0 +1,12 @@
+#include "Viewer/Model/Gesture.h"
+
+namespace varimarch
+{
+
+int NewGesture()
+{
+  static int last = 0;
+  return ++last;
+}
+
+}

@@ -1,0 +1,345 @@
+// What the editor does by keys and menus: all that the mouse does can be done without one.
+
+#include "Viewer/Model/Gesture.h"
+#include "Viewer/TransferFunctionEditor/EditorReading.h"
+#include "Viewer/TransferFunctionEditor/NodePopover.h"
+#include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
+
+#include <QAction>
+#include <QColorDialog>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMenu>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr double OpacityNudge = 0.01;
+constexpr double LargeNudge = 10.0;
+constexpr double ZoomPerKey = 1.25;
+
+bool IsArrow(int key)
+{
+  return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
+}
+
+}
+
+QAction* TransferFunctionEditor::AddAction(const QString& text, const QKeySequence& key)
+{
+  auto* const action = new QAction(text, this);
+  action->setShortcut(key);
+  action->setShortcutContext(Qt::WidgetShortcut);
+  this->addAction(action);
+  return action;
+}
+
+void TransferFunctionEditor::MakeEditActions()
+{
+  connect(this->AddAction(tr("Edit in numbers…"), Qt::Key_Return), &QAction::triggered, this,
+    [this]
+    {
+      if (!this->picture.selected.empty())
+      {
+        this->OpenPopover(*this->picture.selected.begin());
+      }
+    });
+  connect(this->AddAction(tr("Colour…"), Qt::Key_C), &QAction::triggered, this,
+    &TransferFunctionEditor::ChooseColor);
+  connect(this->AddAction(tr("Delete"), Qt::Key_Delete), &QAction::triggered, this,
+    &TransferFunctionEditor::DeleteSelected);
+  connect(this->AddAction(tr("Add a point after the selected one"), Qt::Key_Insert),
+    &QAction::triggered, this, &TransferFunctionEditor::AddBesideSelected);
+  connect(this->AddAction(tr("Select all"), QKeySequence::SelectAll), &QAction::triggered, this,
+    [this] { this->Select(AllNodes(this->picture.look)); });
+  auto* const separator = new QAction(this);
+  separator->setSeparator(true);
+  this->addAction(separator);
+}
+
+void TransferFunctionEditor::MakeAxisActions()
+{
+  QAction* const all = this->AddAction(tr("Show all values"), Qt::Key_F);
+  all->setIconText(tr("All"));
+  connect(all, &QAction::triggered, this,
+    [this]
+    {
+      this->showMost->setChecked(false);
+      this->FitToVoxels(100.0);
+    });
+  this->showMost = this->AddAction(tr("Leave out the outermost 1 % of the voxels"), Qt::Key_H);
+  this->showMost->setIconText(tr("99 %"));
+  this->showMost->setCheckable(true);
+  connect(this->showMost, &QAction::triggered, this,
+    [this](bool most) { this->FitToVoxels(most ? 99.0 : 100.0); });
+  QAction* const curve = this->AddAction(tr("Show the curve"), Qt::Key_E);
+  curve->setIconText(tr("Curve"));
+  connect(curve, &QAction::triggered, this, &TransferFunctionEditor::FitToCurve);
+  this->viewActions = { all, this->showMost, curve };
+}
+
+void TransferFunctionEditor::MakeScaleActions()
+{
+
+  QAction* const logarithmic = this->AddAction(tr("Logarithmic counts"), Qt::Key_L);
+  logarithmic->setIconText(tr("Log"));
+  logarithmic->setCheckable(true);
+  logarithmic->setChecked(this->picture.logarithmicCounts);
+  connect(logarithmic, &QAction::toggled, this,
+    [this](bool on)
+    {
+      this->picture.logarithmicCounts = on;
+      this->update();
+    });
+  QAction* const low = this->AddAction(tr("Enlarge low opacities"), Qt::Key_O);
+  low->setIconText(tr("Low opacities"));
+  low->setCheckable(true);
+  connect(low, &QAction::toggled, this,
+    [this](bool on)
+    {
+      this->picture.layout.lowOpacitiesEnlarged = on;
+      this->update();
+    });
+  this->viewActions.append({ logarithmic, low });
+}
+
+QAction* TransferFunctionEditor::ActionOf(const QKeyEvent& event) const
+{
+  const int modifiers = int(event.modifiers() & ~Qt::KeypadModifier);
+  const QKeySequence keys(event.key() == Qt::Key_Enter ? int(Qt::Key_Return)
+      : event.key() == Qt::Key_Backspace               ? int(Qt::Key_Delete)
+                                                       : event.key() | modifiers);
+  for (QAction* const action : this->actions())
+  {
+    if (!action->isSeparator() && action->shortcut() == keys)
+    {
+      return action;
+    }
+  }
+  return nullptr;
+}
+
+bool TransferFunctionEditor::event(QEvent* event)
+{
+  // While the editor has the focus its keys are its own, whatever the window uses them for.
+  if (event->type() == QEvent::ShortcutOverride)
+  {
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    if (IsArrow(key.key()) || this->ActionOf(key) ||
+      (key.key() == Qt::Key_Escape && this->mouse.IsDragging()))
+    {
+      event->accept();
+    }
+  }
+  return QWidget::event(event);
+}
+
+void TransferFunctionEditor::keyPressEvent(QKeyEvent* event)
+{
+  if (QAction* const action = this->ActionOf(*event))
+  {
+    action->trigger();
+  }
+  else if (IsArrow(event->key()))
+  {
+    this->Nudge(*event);
+  }
+  else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Minus)
+  {
+    const double factor = event->key() == Qt::Key_Plus ? ZoomPerKey : 1.0 / ZoomPerKey;
+    this->picture.layout.axis.Zoom(this->picture.layout.plot.center().x(), factor);
+    this->update();
+  }
+  else if (event->key() == Qt::Key_Escape && this->mouse.IsDragging())
+  {
+    this->mouse.Cancel();
+  }
+  else
+  {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+double TransferFunctionEditor::NudgeStep() const
+{
+  // One unit, as of Hounsfield; less where the data spans but a few.
+  const auto& statistics = this->picture.statistics;
+  const double width = statistics ? statistics->Largest() - statistics->Smallest() : 0.0;
+  return width > 0.0 ? std::min(1.0, std::pow(10.0, std::floor(std::log10(width)) - 2.0)) : 1.0;
+}
+
+void TransferFunctionEditor::Nudge(const QKeyEvent& event)
+{
+  if (this->picture.selected.empty())
+  {
+    this->Focus({ NodeKind::Opacity, 0 });
+    return;
+  }
+  this->keyGesture = event.isAutoRepeat() ? this->keyGesture : NewGesture();
+  const double size = event.modifiers().testFlag(Qt::ShiftModifier) ? LargeNudge : 1.0;
+  const int key = event.key();
+  const double right = key == Qt::Key_Right ? size : key == Qt::Key_Left ? -size : 0.0;
+  const double up = key == Qt::Key_Up ? size : key == Qt::Key_Down ? -size : 0.0;
+  this->Edit(MoveNodes(this->picture.look, this->picture.selected, right * this->NudgeStep(),
+               up * OpacityNudge),
+    tr("nudge points"), this->keyGesture);
+}
+
+void TransferFunctionEditor::Focus(const NodeId& node)
+{
+  this->Select({ node });
+  this->picture.focused = node;
+  this->setAccessibleDescription(DescriptionOf(this->picture, node));
+}
+
+void TransferFunctionEditor::focusInEvent(QFocusEvent* event)
+{
+  QWidget::focusInEvent(event);
+  const NodeSet nodes = AllNodes(this->picture.look);
+  if (event->reason() == Qt::TabFocusReason)
+  {
+    this->Focus(*nodes.begin());
+  }
+  else if (event->reason() == Qt::BacktabFocusReason)
+  {
+    this->Focus(*nodes.rbegin());
+  }
+}
+
+// Tab goes from node to node, and after the last to the next widget.
+bool TransferFunctionEditor::focusNextPrevChild(bool next)
+{
+  const NodeSet nodes = AllNodes(this->picture.look);
+  if (!this->picture.selected.empty())
+  {
+    const auto current = nodes.find(*this->picture.selected.begin());
+    if (next ? std::next(current) != nodes.end() : current != nodes.begin())
+    {
+      this->Focus(next ? *std::next(current) : *std::prev(current));
+      return true;
+    }
+  }
+  this->picture.focused.reset();
+  return QWidget::focusNextPrevChild(next);
+}
+
+void TransferFunctionEditor::DeleteSelected()
+{
+  if (!this->picture.selected.empty())
+  {
+    const Look changed = RemoveNodes(this->picture.look, this->picture.selected);
+    const QString name =
+      this->picture.selected.size() > 1 ? tr("delete points") : tr("delete point");
+    this->Select({});
+    this->Edit(changed, name, NewGesture());
+  }
+}
+
+void TransferFunctionEditor::AddBesideSelected()
+{
+  // Half way to the next point, or where the axis is at its middle.
+  const std::vector<OpacityNode>& points = this->picture.look.opacities;
+  const ValueAxis& axis = this->picture.layout.axis;
+  double value = axis.Rounded(0.5 * (axis.First() + axis.Last()), 1.0);
+  if (!this->picture.selected.empty())
+  {
+    const double selected = ValueOf(this->picture.look, *this->picture.selected.begin());
+    const auto next = std::find_if(points.begin(), points.end(),
+      [&](const OpacityNode& point) { return point.value > selected; });
+    value = next != points.end() ? 0.5 * (selected + next->value) : value;
+  }
+  const Insertion added =
+    InsertPoint(this->picture.look, value, FunctionOf(this->picture.look).Opacity(value));
+  this->Add(added, tr("add point"), NewGesture());
+  this->Focus(added.node);
+}
+
+void TransferFunctionEditor::ChooseColor()
+{
+  if (this->picture.selected.empty())
+  {
+    return;
+  }
+  const NodeSet nodes = this->picture.selected;
+  const Look before = this->picture.look;
+  const int gesture = NewGesture();
+  const double value = ValueOf(before, *nodes.begin());
+  auto* const dialog = new QColorDialog(QColorOf(FunctionOf(before).Color(value)), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setOption(QColorDialog::DontUseNativeDialog);
+  connect(dialog, &QColorDialog::currentColorChanged, this,
+    [=](const QColor& color)
+    {
+      // From the last: colours that points get for themselves move the others' numbers.
+      Look changed = before;
+      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+      {
+        changed = SetColor(changed, *node, { color.redF(), color.greenF(), color.blueF() });
+      }
+      this->Edit(changed, tr("choose colour"), gesture);
+    });
+  connect(
+    dialog, &QDialog::rejected, this, [=] { this->Edit(before, tr("choose colour"), gesture); });
+  dialog->open();
+}
+
+void TransferFunctionEditor::OpenPopover(const NodeId& node)
+{
+  const int gesture = NewGesture();
+  auto* const popover = new NodePopover(this->picture.look, node, this->picture.unit,
+    std::max(1, this->picture.layout.axis.Decimals()), this);
+  connect(popover, &NodePopover::Edited, this,
+    [this, gesture](const Look& edited) { this->Edit(edited, tr("edit point"), gesture); });
+  connect(popover, &NodePopover::DeleteWanted, this,
+    [this, popover]
+    {
+      popover->close();
+      this->DeleteSelected();
+    });
+  connect(popover, &NodePopover::ColorWanted, this,
+    [this, popover]
+    {
+      popover->close();
+      this->ChooseColor();
+    });
+  const QPointF at = this->picture.layout.PositionOf(this->picture.look, node);
+  popover->adjustSize();
+  popover->move(this->mapToGlobal(at.toPoint() + QPoint(12, 12)));
+  popover->show();
+}
+
+void TransferFunctionEditor::contextMenuEvent(QContextMenuEvent* event)
+{
+  const bool byMouse = event->reason() == QContextMenuEvent::Mouse;
+  const QPointF at = event->pos();
+  const auto node = this->picture.layout.NodeAt(this->picture.look, at, this->picture.selected);
+  if (byMouse && node && this->picture.selected.count(*node) == 0)
+  {
+    this->Select({ *node });
+  }
+  auto* const menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (byMouse && !node && this->picture.layout.plot.contains(at))
+  {
+    menu->addAction(tr("Add a point here"), this,
+      [this, at]
+      {
+        const EditorLayout& layout = this->picture.layout;
+        this->Add(
+          InsertPoint(this->picture.look, layout.axis.Rounded(layout.axis.ToValue(at.x()), 1.0),
+            layout.ToOpacity(at.y())),
+          tr("add point"), NewGesture());
+      });
+    menu->addSeparator();
+  }
+  menu->addActions(this->actions());
+  menu->popup(event->globalPos());
+}
+
+}

@@ -1,0 +1,52 @@
+#ifndef Varimarch_Viewer_NodePopover_h
+#define Varimarch_Viewer_NodePopover_h
+
+#include "Viewer/TransferFunctionEditor/LookEditing.h"
+
+#include <QFrame>
+
+class QDoubleSpinBox;
+class QFormLayout;
+class QPushButton;
+
+namespace varimarch
+{
+
+/// A node in numbers. Every change is told at once; Escape puts back what was there before.
+class NodePopover : public QFrame
+{
+  Q_OBJECT
+
+public:
+  /// @param decimals  of the value
+  NodePopover(const Look& look, const NodeId& node, const QString& unit, int decimals,
+    QWidget* parent = nullptr);
+
+signals:
+  void Edited(const varimarch::Look& look);
+  void ColorWanted();
+  void DeleteWanted();
+
+protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  QDoubleSpinBox* AddNumber(const QString& name, const char* objectName, double number);
+  void AddButtons();
+  void Apply(const Look& edited);
+  void ShowNumbers();
+  NodeShape EnteredShape() const;
+
+  const Look before;
+  Look look;
+  const NodeId node;
+  QFormLayout* form;
+  QDoubleSpinBox* value;
+  QDoubleSpinBox* opacity = nullptr; ///< only of an opacity node
+  QDoubleSpinBox* midpoint;
+  QDoubleSpinBox* sharpness;
+};
+
+}
+
+#endif

@@ -1,0 +1,107 @@
+#ifndef Varimarch_Viewer_TransferFunctionEditor_h
+#define Varimarch_Viewer_TransferFunctionEditor_h
+
+#include "Viewer/TransferFunctionEditor/EditorMouse.h"
+#include "Viewer/TransferFunctionEditor/EditorPainter.h"
+
+#include <QWidget>
+
+class QAction;
+
+namespace varimarch
+{
+
+/// Edits the transfer function of a look above the histogram of its volume. It keeps no history:
+/// whoever takes its edits does, and gives the look back that came of them.
+class TransferFunctionEditor : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit TransferFunctionEditor(QWidget* parent = nullptr);
+
+  /// Shows nearly all voxels, and the whole curve.
+  void SetStatistics(std::shared_ptr<const ImageStatistics> statistics);
+
+  /// Of the values: "HU", or another word.
+  void SetUnit(const QString& unit);
+
+  /// @param look  in units of the data; the selection stays where its nodes are still there
+  void SetLook(const Look& look);
+
+  const EditorPicture& Picture() const { return this->picture; }
+
+  /// What is shown of the values and counts, for buttons. All that can be done is in actions().
+  const QList<QAction*>& ViewActions() const { return this->viewActions; }
+
+  void Select(const NodeSet& nodes);
+
+  /// Shows an edited look and tells of it.
+  void Edit(const Look& edited, const QString& stepName, int gesture);
+
+  /// The same, and selects what is new.
+  void Add(const Insertion& insertion, const QString& stepName, int gesture);
+
+  void PanAxis(double pixels);
+
+  /// @param band  null: none
+  void ShowRubberBand(const QRectF& band);
+
+  QSize sizeHint() const override { return { 420, 260 }; }
+  QSize minimumSizeHint() const override { return { 240, 160 }; }
+
+signals:
+  /// At every change, at once. All changes of one gesture have its number.
+  void LookEdited(const varimarch::Look& look, const QString& stepName, int gesture);
+
+  /// The values under the pointer; empty when it leaves.
+  void Hovered(const QString& reading);
+
+protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+
+private:
+  void MakeEditActions();
+  void MakeAxisActions();
+  void MakeScaleActions();
+  QAction* AddAction(const QString& text, const QKeySequence& key);
+  QAction* ActionOf(const QKeyEvent& event) const;
+
+  void DeleteSelected();
+  void ChooseColor();
+  void AddBesideSelected();
+  void OpenPopover(const NodeId& node);
+  void Nudge(const QKeyEvent& event);
+  void ScaleCurve(double pixel, double notches);
+  void Focus(const NodeId& node);
+  void FitToVoxels(double percent);
+  void FitToCurve();
+  void Hover(const QPointF& position);
+  void ShowCursor(const QPointF& position);
+  double NudgeStep() const;
+
+  EditorPicture picture;
+  EditorMouse mouse;
+  QAction* showMost;
+  QList<QAction*> viewActions;
+  int keyGesture = 0;   ///< of the key that is held
+  int wheelGesture = 0; ///< of the wheel, until the pointer moves; 0: none
+};
+
+}
+
+Q_DECLARE_METATYPE(varimarch::Look)
+
+#endif

@@ -1,0 +1,208 @@
+// Editing a look: whatever is asked for, the curves stay curves, and what was not meant stays.
+
+#include "Viewer/TransferFunctionEditor/LookEditing.h"
+
+#include <glm/geometric.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr NodeId Point(int index)
+{
+  return { NodeKind::Opacity, index };
+}
+
+constexpr NodeId Stop(int index)
+{
+  return { NodeKind::Color, index };
+}
+
+// Points at 0, 100 with a step, and 200; a colour at 0, two at the step, and one at 150 alone.
+Look SteppedLook()
+{
+  Look look;
+  look.opacities = { { 0.0, 0.0 }, { 100.0, 0.2 }, { 100.0, 0.6 }, { 200.0, 1.0 } };
+  look.colors = { { 0.0, { 0.0, 0.0, 0.0 } }, { 100.0, { 1.0, 0.0, 0.0 } },
+    { 100.0, { 0.0, 1.0, 0.0 } }, { 150.0, { 0.0, 0.0, 1.0 } } };
+  return look;
+}
+
+void ExpectCurves(const Look& look)
+{
+  const auto below = [](const auto& a, const auto& b) { return a.value < b.value; };
+  EXPECT_TRUE(std::is_sorted(look.opacities.begin(), look.opacities.end(), below));
+  EXPECT_TRUE(std::is_sorted(look.colors.begin(), look.colors.end(), below));
+  EXPECT_FALSE(look.opacities.empty());
+  EXPECT_FALSE(look.colors.empty());
+  for (const OpacityNode& node : look.opacities)
+  {
+    EXPECT_GE(node.opacity, 0.0);
+    EXPECT_LE(node.opacity, 1.0);
+  }
+}
+
+}
+
+TEST(LookEditing, AnInsertedPointHasTheColorThatWasThere)
+{
+  const Look look = SteppedLook();
+  const Insertion added = InsertPoint(look, 50.0, 0.9);
+  EXPECT_EQ(added.node, Point(1));
+  EXPECT_EQ(added.look.opacities[1].opacity, 0.9);
+  ASSERT_EQ(added.look.colors.size(), look.colors.size() + 1);
+  for (double value = -50.0; value <= 250.0; value += 5.0)
+  {
+    const glm::dvec3 change = FunctionOf(added.look).Color(value) - FunctionOf(look).Color(value);
+    EXPECT_LT(glm::dot(change, change), 1e-20) << "at " << value;
+  }
+}
+
+TEST(LookEditing, APointAtAColorStopTakesItForItsOwn)
+{
+  const Insertion added = InsertPoint(SteppedLook(), 150.0, 0.5);
+  EXPECT_EQ(added.look.colors.size(), SteppedLook().colors.size());
+  EXPECT_EQ(WithTied(added.look, { added.node }), (NodeSet{ added.node, Stop(3) }));
+}
+
+TEST(LookEditing, AnInsertedColorLeavesStepsBetweenNodesWhereTheyAre)
+{
+  Look look = SteppedLook();
+  look.colors = { { 0.0, { 0.0, 0.0, 0.0 }, { 0.3, 1.0 } }, { 100.0, { 1.0, 1.0, 1.0 } } };
+  for (const double inserted : { 10.0, 60.0 })
+  {
+    const Look changed = InsertColor(look, inserted).look;
+    for (const double value : { 5.0, 20.0, 29.9, 30.1, 45.0, 70.0, 95.0 })
+    {
+      EXPECT_EQ(FunctionOf(changed).Color(value).r, value < 30.0 ? 0.0 : 1.0) << "at " << value;
+    }
+  }
+}
+
+TEST(LookEditing, PointsStopAtTheirNeighboursAndColorsAtTheirs)
+{
+  const Look look = SteppedLook();
+  EXPECT_EQ(MoveNodes(look, { Point(0) }, 500.0, 0.0).opacities[0].value, 100.0);
+  EXPECT_EQ(MoveNodes(look, { Point(3) }, -500.0, 0.0).opacities[3].value, 100.0);
+  // Its colour is held by the one at 150.
+  EXPECT_EQ(MoveNodes(look, { Point(2) }, 500.0, 0.0).opacities[2].value, 150.0);
+  EXPECT_EQ(MoveNodes(look, { Point(3) }, 0.0, 3.0).opacities[3].opacity, 1.0);
+  EXPECT_EQ(MoveNodes(look, { Point(3) }, 0.0, -3.0).opacities[3].opacity, 0.0);
+}
+
+TEST(LookEditing, TiedColorsMoveWithTheirPointsAndPointsWithTheirColors)
+{
+  const Look look = SteppedLook();
+  for (const NodeSet& moved : { NodeSet{ Point(0) }, NodeSet{ Stop(0) } })
+  {
+    const Look changed = MoveNodes(look, moved, 30.0, 0.0);
+    EXPECT_EQ(changed.opacities[0].value, 30.0);
+    EXPECT_EQ(changed.colors[0].value, 30.0);
+    EXPECT_EQ(changed.opacities[1].value, 100.0);
+  }
+  // Each side of a step has its own.
+  EXPECT_EQ(WithTied(look, { Point(1) }), (NodeSet{ Point(1), Stop(1) }));
+  EXPECT_EQ(WithTied(look, { Point(2) }), (NodeSet{ Point(2), Stop(2) }));
+  EXPECT_EQ(WithTied(look, { Stop(3) }), (NodeSet{ Stop(3) }));
+}
+
+TEST(LookEditing, SelectedPointsMoveAsOne)
+{
+  const Look look = SteppedLook();
+  const Look changed = MoveNodes(look, { Point(1), Point(2) }, 500.0, 0.1);
+  EXPECT_EQ(changed.opacities[1].value, 150.0);
+  EXPECT_EQ(changed.opacities[2].value, 150.0);
+  EXPECT_DOUBLE_EQ(changed.opacities[1].opacity, 0.3);
+  EXPECT_DOUBLE_EQ(changed.opacities[2].opacity, 0.7);
+  EXPECT_EQ(changed.opacities[0].value, 0.0);
+}
+
+TEST(LookEditing, AValueThatWasTypedIsTakenExactly)
+{
+  const Look changed = SetValue(SteppedLook(), Point(2), 100.0 + 1.0 / 3.0);
+  EXPECT_EQ(changed.opacities[2].value, 100.0 + 1.0 / 3.0);
+  EXPECT_EQ(changed.colors[2].value, 100.0 + 1.0 / 3.0);
+  EXPECT_EQ(SetValue(SteppedLook(), Point(0), 900.0).opacities[0].value, 100.0);
+}
+
+TEST(LookEditing, ADeletedPointTakesItsColorAlongAndAColorNoPoint)
+{
+  const Look withoutPoint = RemoveNodes(SteppedLook(), { Point(1) });
+  EXPECT_EQ(withoutPoint.opacities.size(), 3u);
+  ASSERT_EQ(withoutPoint.colors.size(), 3u);
+  EXPECT_EQ(withoutPoint.colors[1].rgb, glm::dvec3(0.0, 1.0, 0.0));
+  const Look withoutColor = RemoveNodes(SteppedLook(), { Stop(1) });
+  EXPECT_EQ(withoutColor.opacities.size(), 4u);
+  EXPECT_EQ(withoutColor.colors.size(), 3u);
+}
+
+TEST(LookEditing, EachCurveKeepsANode)
+{
+  const Look changed = RemoveNodes(SteppedLook(), AllNodes(SteppedLook()));
+  EXPECT_EQ(changed.opacities.size(), 1u);
+  EXPECT_EQ(changed.colors.size(), 1u);
+}
+
+TEST(LookEditing, APointWithoutAColorGetsOneAndOthersKeepTheirs)
+{
+  const glm::dvec3 blue(0.0, 0.0, 1.0);
+  const Look ofTied = SetColor(SteppedLook(), Point(1), blue);
+  EXPECT_EQ(ofTied.colors.size(), 4u);
+  EXPECT_EQ(ofTied.colors[1].rgb, blue);
+  EXPECT_EQ(ofTied.colors[2].rgb, glm::dvec3(0.0, 1.0, 0.0));
+  const Look ofLone = SetColor(SteppedLook(), Point(3), blue);
+  ASSERT_EQ(ofLone.colors.size(), 5u);
+  EXPECT_EQ(ofLone.colors[4].value, 200.0);
+  EXPECT_EQ(ofLone.colors[4].rgb, blue);
+}
+
+TEST(LookEditing, AScaledCurveIsTheSameCurveElsewhere)
+{
+  const Look look = SteppedLook();
+  const Look scaled = ScaleLook(look, 3.0, 50.0);
+  for (double value = -20.0; value <= 220.0; value += 7.0)
+  {
+    const double there = 50.0 + 3.0 * (value - 50.0);
+    EXPECT_NEAR(FunctionOf(scaled).Opacity(there), FunctionOf(look).Opacity(value), 1e-12);
+  }
+  EXPECT_EQ(scaled.opacities[1].value, scaled.opacities[2].value);
+}
+
+TEST(LookEditing, AnyMovesOfAnyNodesKeepCurvesStepsAndTies)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> shift(-150.0, 150.0);
+  Look look = SteppedLook();
+  for (int i = 0; i < 2000; ++i)
+  {
+    NodeSet moved;
+    for (const NodeId& node : AllNodes(look))
+    {
+      if (random() % 3 == 0)
+      {
+        moved.insert(node);
+      }
+    }
+    const NodeSet together = WithTied(look, moved);
+    const Look changed = MoveNodes(look, moved, shift(random), shift(random) / 150.0);
+    ExpectCurves(changed);
+    // Nodes that were at one value and moved, or stayed, together, still are at one.
+    for (const NodeId& a : AllNodes(look))
+    {
+      for (const NodeId& b : AllNodes(look))
+      {
+        if (ValueOf(look, a) == ValueOf(look, b) && together.count(a) == together.count(b))
+        {
+          EXPECT_EQ(ValueOf(changed, a), ValueOf(changed, b));
+        }
+      }
+    }
+    look = changed;
+  }
+}
