@@ -15,11 +15,6 @@ namespace varimarch
 namespace
 {
 
-// The kinds of Shaders/Shade/Lights.glsl.
-constexpr double AtEye = 0.0;
-constexpr double Directional = 1.0;
-constexpr double Positional = 2.0;
-
 // A cone as wide as this is none, as in OpenGL.
 constexpr double WidestConeDegrees = 90.0;
 constexpr double NoCone = -2.0; // less than any cosine
@@ -68,12 +63,9 @@ void AddTexels(std::vector<glm::vec4>& texels, vtkLight* light)
   const glm::dvec3 shinesAlong = Vector(light->GetTransformedFocalPoint()) - position;
   const double reach = glm::length(shinesAlong);
   const glm::dvec3 direction = reach > 0.0 ? shinesAlong / reach : glm::dvec3(0.0);
-  const double kind = IsPlainHeadLight(light) ? AtEye
-    : light->GetPositional()                  ? Positional
-                                              : Directional;
   const bool cone = light->GetConeAngle() < WidestConeDegrees;
   const double intensity = light->GetIntensity();
-  texels.emplace_back(kind == Directional ? -direction : position, kind);
+  texels.emplace_back(light->GetPositional() ? position : -direction, 0.0);
   texels.emplace_back(intensity * Vector(light->GetDiffuseColor()),
     cone ? std::cos(glm::radians(light->GetConeAngle())) : NoCone);
   texels.emplace_back(
@@ -89,8 +81,11 @@ HeadLightColors HeadLightColorsOf(vtkRenderer* renderer)
   HeadLightColors sum;
   for (vtkLight* light : LightsThatAreOn(renderer))
   {
-    sum.diffuse += light->GetIntensity() * Vector(light->GetDiffuseColor());
-    sum.specular += light->GetIntensity() * Vector(light->GetSpecularColor());
+    if (IsPlainHeadLight(light))
+    {
+      sum.diffuse += light->GetIntensity() * Vector(light->GetDiffuseColor());
+      sum.specular += light->GetIntensity() * Vector(light->GetSpecularColor());
+    }
   }
   return sum;
 }
@@ -117,11 +112,19 @@ glm::dvec3 AmbientLightOf(vtkRenderer* renderer)
 LightTexels LightTexelsOf(vtkRenderer* renderer)
 {
   LightTexels lights;
-  for (vtkLight* light : LightsThatAreOn(renderer))
+  const auto add = [&](bool near, int& count)
   {
-    AddTexels(lights.texels, light);
-    ++lights.lightCount;
-  }
+    for (vtkLight* light : LightsThatAreOn(renderer))
+    {
+      if (!IsPlainHeadLight(light) && (light->GetPositional() != 0) == near)
+      {
+        AddTexels(lights.texels, light);
+        ++count;
+      }
+    }
+  };
+  add(false, lights.distantCount);
+  add(true, lights.nearCount);
   if (lights.texels.empty())
   {
     lights.texels.emplace_back(0.0f);

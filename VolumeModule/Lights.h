@@ -18,7 +18,7 @@ struct HeadLightColors
   glm::dvec3 specular = glm::dvec3(0.0);
 };
 
-/// All lights of the renderer that are on, as one head light.
+/// The plain head lights of the renderer that are on, as one.
 HeadLightColors HeadLightColorsOf(vtkRenderer* renderer);
 
 /// Whether one head light that shines on both sides of surfaces is all there is: the usual case,
@@ -29,10 +29,12 @@ bool HasHeadLightOnly(vtkRenderer* renderer);
 /// are black by default; but white where there are head lights only.
 glm::dvec3 AmbientLightOf(vtkRenderer* renderer);
 
-/// The lights that are on, in the world, as Shaders/Shade/Lights.glsl reads them; never empty.
+/// The other lights that are on, in the world, as Shaders/Shade/Lights.glsl reads them; never
+/// empty.
 struct LightTexels
 {
-  int lightCount = 0;
+  int distantCount = 0; ///< of those that shine from one direction, which come first
+  int nearCount = 0;
   std::vector<glm::vec4> texels;
 };
 

@@ -303,16 +303,18 @@ void RayMarcher::SetComponentProjectionUniforms(const Frame& frame)
 void RayMarcher::SetLightUniforms(const Frame& frame)
 {
   this->program.Set("worldFromGradient", frame.geometry.WorldFromGridNormal());
+  const HeadLightColors light = HeadLightColorsOf(frame.renderer);
+  this->program.Set("diffuseLight", light.diffuse);
+  this->program.Set("specularLight", light.specular);
   if (!frame.settings.lights)
   {
-    const HeadLightColors light = HeadLightColorsOf(frame.renderer);
-    this->program.Set("diffuseLight", light.diffuse);
-    this->program.Set("specularLight", light.specular);
     return;
   }
+  const LightTexels others = LightTexelsOf(frame.renderer);
   this->lights.Texture()->Activate();
   this->program.Set("lightTexels", this->lights.Texture());
-  this->program.Set("lightCount", LightTexelsOf(frame.renderer).lightCount);
+  this->program.Set("distantCount", others.distantCount);
+  this->program.Set("nearCount", others.nearCount);
   this->program.Set("ambientLight", AmbientLightOf(frame.renderer));
   this->program.Set("backsLit", frame.renderer->GetTwoSidedLighting() ? 1.0 : 0.0);
   this->program.Set("worldOfGridOrigin", glm::dvec3(frame.geometry.worldFromGrid[3]));

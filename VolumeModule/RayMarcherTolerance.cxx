@@ -104,6 +104,9 @@ std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
   inputs.insert(inputs.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
   if (frame.settings.lights)
   {
+    const HeadLightColors head = HeadLightColorsOf(frame.renderer);
+    inputs.insert(inputs.end(), glm::value_ptr(head.diffuse), glm::value_ptr(head.diffuse) + 3);
+    inputs.insert(inputs.end(), glm::value_ptr(head.specular), glm::value_ptr(head.specular) + 3);
     for (const glm::vec4& texel : LightTexelsOf(frame.renderer).texels)
     {
       inputs.insert(inputs.end(), glm::value_ptr(texel), glm::value_ptr(texel) + 4);

@@ -271,7 +271,7 @@ TEST(Lights, TakeTheirShaderOnlyWhereTheyAre)
   scene.renderer->AddLight(sun);
   scene.Draw();
   EXPECT_TRUE(takes("Shade/Lights.glsl"));
-  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes + 2 * 5 * 16);
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes + 5 * 16);
   scene.volume->GetProperty()->ShadeOff();
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes);
