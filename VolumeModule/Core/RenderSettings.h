@@ -111,6 +111,12 @@ inline bool Picks(RayPass pass)
   return pass == RayPass::PickProp || pass == RayPass::PickVoxel;
 }
 
+/// Whether what is drawn tells a place along the ray.
+inline bool Locates(RayPass pass)
+{
+  return pass == RayPass::PickVoxel || pass == RayPass::FirstDepth;
+}
+
 /// Every choice that changes the shader. Values (a tolerance, a step length) are not here: they
 /// are uniforms, and changing them rebuilds nothing.
 struct RenderSettings

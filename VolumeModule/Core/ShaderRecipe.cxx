@@ -325,7 +325,7 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
   {
     parts.push_back("Peel/Segment.glsl");
   }
-  if (settings.pass == RayPass::PickVoxel || settings.pass == RayPass::FirstDepth)
+  if (Locates(settings.pass))
   {
     parts.push_back("Locate/Opacity.glsl");
   }
@@ -362,7 +362,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   const auto add = [&](const std::vector<std::string>& more)
   { parts.insert(parts.end(), more.begin(), more.end()); };
   add({ DepthFile(settings), ClipFile(settings) });
-  if (settings.blend != Blend::Slice)
+  if (settings.blend != Blend::Slice || Locates(settings.pass))
   {
     add(StepParts(settings));
   }

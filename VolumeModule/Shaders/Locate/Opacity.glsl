@@ -1,36 +1,42 @@
-// Where a ray first has an opacity: it is marched in pieces, and the piece in which it gets there
-// in smaller ones.
+// Where a ray first has an opacity: it is marched in pieces, and that in which it gets there is
+// halved until the opacity is taken as linear. Pieces begin behind what is invisible.
 
-const int Pieces = 64;
-const int PiecesOfPiece = 16;
 const float Nowhere = 3.0e38;
+const float StepsPerPiece = 8.0;
+const float ShortestVoxels = 0.25; // piece
 
 float FirstWithOpacity(Ray ray, Interval inside, float opacity)
 {
   Accumulation sum = BlendBegin();
   float t = inside.enter;
-  float pieceMm = (inside.exit - inside.enter) / float(Pieces);
-  bool small = false;
-  float found = Nowhere;
-  for (int piece = 0; piece < Pieces + PiecesOfPiece + 1 && t < inside.exit; ++piece)
+  float end = inside.exit;
+  float endOpacity = 0.0; // where it is enough; 0 while that is not known
+  float shortestMm = ShortestVoxels / length(ray.directionGrid);
+  float shortest = 0.0;
+  for (int index = 0; index < mostSegments && end - t > shortest; ++index)
   {
-    float end = min(t + pieceMm, inside.exit);
-    Accumulation next = MarchCropped(ray, Interval(t, end), sum);
-    if (BlendResult(next).a < opacity)
+    Interval piece = Interval(t, 0.5 * (t + end));
+    if (endOpacity == 0.0)
+    {
+      piece = NextSegment(ray, inside, t, index, StepsPerPiece * stepMm, BlendState(sum));
+      piece.exit = min(piece.exit, inside.exit);
+    }
+    Accumulation next = MarchCropped(ray, piece, sum);
+    float reached = BlendResult(next).a;
+    if (reached < opacity)
     {
       sum = next;
-      t = end;
-    }
-    else if (small)
-    {
-      found = 0.5 * (t + end);
-      break;
+      t = piece.exit;
     }
     else
     {
-      pieceMm /= float(PiecesOfPiece);
-      small = true;
+      t = piece.enter;
+      end = piece.exit;
+      endOpacity = reached;
+      shortest = shortestMm;
     }
   }
-  return found;
+  float begun = BlendResult(sum).a;
+  float along = clamp((opacity - begun) / max(endOpacity - begun, 1e-30), 0.0, 1.0);
+  return endOpacity > 0.0 ? mix(t, end, along) : Nowhere;
 }
