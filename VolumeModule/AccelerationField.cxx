@@ -181,22 +181,14 @@ void AccelerationField::Keep(const OpticalField& field, double seconds)
   this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + seconds;
 }
 
-void AccelerationField::BuildExtremes(vtkOpenGLRenderWindow* window, bool largest)
+void AccelerationField::BuildExtremes(
+  vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest)
 {
   const Stopwatch stopwatch;
   const BrickRanges& values = this->ranges.front();
-  const glm::ivec3 count = values.BrickCount();
-  std::vector<std::uint16_t> extremes(std::size_t(count.x) * count.y * count.z);
-  for (std::size_t i = 0; i < extremes.size(); ++i)
-  {
-    const BrickRanges::Steps steps = values[i];
-    // Beside a value that is not finite there may be any other.
-    const std::uint16_t unknown = largest ? 65535 : 0;
-    const std::uint16_t extreme = largest ? steps.largest : steps.smallest;
-    extremes[i] = steps.IsFinite() ? extreme : unknown;
-  }
+  const std::vector<std::uint16_t> extremes = BuildExtremeBricks(values, look, largest);
   this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + stopwatch.Seconds();
-  this->Upload(window, count, extremes);
+  this->Upload(window, values.BrickCount(), extremes);
 }
 
 void AccelerationField::ReleaseTexture(vtkWindow* window)

@@ -2,6 +2,7 @@
 #define Varimarch_AccelerationField_h
 
 #include "Core/BrickRanges.h"
+#include "Core/ExtremeBricks.h"
 #include "Core/GapField.h"
 #include "Core/OpticalField.h"
 #include "VolumeTexture.h"
@@ -49,10 +50,10 @@ public:
   /// @throws std::runtime_error when the device cannot hold the texture
   void BuildIsosurfaceField(vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues);
 
-  /// The largest or smallest value of each brick, from the ranges, as texels of 16 bits that hold
-  /// steps of BrickRanges.
+  /// What a ray must have found to leave each brick out, as texels of 16 bits; see
+  /// BuildExtremeBricks.
   /// @throws std::runtime_error when the device cannot hold the texture
-  void BuildExtremes(vtkOpenGLRenderWindow* window, bool largest);
+  void BuildExtremes(vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest);
 
   const BrickRanges& Ranges() const { return this->ranges.front(); } ///< of the first channel
   vtkTextureObject* Texture() const { return this->texture; }

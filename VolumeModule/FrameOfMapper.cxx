@@ -83,11 +83,10 @@ Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings
       // Where values are not sampled, their variation says nothing; nor does it of several scalars.
       return one && IsSampled(settings) ? Acceleration::ScalarField : Acceleration::Off;
     case vtkVariationFieldVolumeMapper::OpticalField:
-      // What is invisible to a composite counts in a sum of values. An extreme of several
-      // components is one of each, so that a brick could be left only where it betters none of
-      // them. A slice is read but once.
+      // A projection of several components is one of each, so that a brick could be left only where
+      // that changes none of them. A slice is read but once.
       return settings.blend == Blend::Composite || settings.blend == Blend::Isosurface ||
-          (one && IsExtreme(settings.blend))
+          (one && IsProjection(settings.blend))
         ? Acceleration::OpticalField
         : Acceleration::Off;
   }
@@ -133,7 +132,7 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   // Of the tolerance, the field and the early end of rays may use an eighth each.
   constexpr double Share = 1.0 / 8.0;
-  constexpr double FieldErrorWithoutTolerance = 1.0 / 255.0;
+  const double fieldErrorWithoutTolerance = IsExtreme(frame.settings.blend) ? 0.0 : 1.0 / 255.0;
   frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
   frame.chooseIntegration =
     mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
@@ -144,7 +143,7 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   const bool tolerance = frame.errorTolerance > 0.0;
   // A window narrower than all colours magnifies their errors.
   const double share = Share / std::max(1.0, std::abs(frame.windowScaleBias.x));
-  frame.fieldError = tolerance ? share * frame.errorTolerance : FieldErrorWithoutTolerance;
+  frame.fieldError = tolerance ? share * frame.errorTolerance : fieldErrorWithoutTolerance;
   frame.earlyTerminationTransmittance =
     tolerance ? share * frame.errorTolerance : mapper->GetEarlyTerminationTransmittance();
   // What is exact has no steps to try out.
@@ -266,6 +265,23 @@ void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.settings.cropping = frame.cuts.regions.has_value();
 }
 
+// Where some scalars do not count in an average, neither does the length of what has them: a ray
+// must look at it even where it is invisible.
+void ChooseAveraged(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  const double* averaged = mapper->GetAverageIPScalarRange();
+  frame.averagedRange = { averaged[0], averaged[1] };
+  const double* scalars = frame.scalars->GetFiniteRange();
+  // A spline goes beyond its voxels, by less than these differ.
+  const double beyond = frame.settings.cubic ? scalars[1] - scalars[0] : 0.0;
+  const bool allCount = averaged[0] <= scalars[0] - beyond && scalars[1] + beyond <= averaged[1];
+  if (frame.settings.blend == Blend::AverageIntensity && !allCount &&
+    frame.settings.acceleration == Acceleration::OpticalField)
+  {
+    frame.settings.acceleration = Acceleration::Off;
+  }
+}
+
 }
 
 std::optional<Frame> FrameOf(
@@ -296,8 +312,7 @@ std::optional<Frame> FrameOf(
     return std::nullopt;
   }
   ChooseCuts(mapper, frame);
-  const double* averaged = mapper->GetAverageIPScalarRange();
-  frame.averagedRange = { averaged[0], averaged[1] };
+  ChooseAveraged(mapper, frame);
   frame.gapOptical = GapOptical(
     mapper->GetNanColor(), mapper->GetNanOpacity(), frame.property->GetScalarOpacityUnitDistance());
   frame.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());

@@ -168,7 +168,8 @@ void RayMarcher::UpdateScalarField(const Frame& frame)
 void RayMarcher::UpdateOpticalField(const Frame& frame)
 {
   const double longestRayMm = frame.geometry.DiagonalMm();
-  const OpticalTolerance tolerance = MarchesMaterial(frame.settings)
+  const OpticalTolerance tolerance =
+    MarchesMaterial(frame.settings) || IsProjection(frame.settings.blend)
     ? OpticalTolerance::Nothing(longestRayMm)
     : OpticalTolerance::ForError(frame.fieldError, longestRayMm);
   const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
@@ -194,17 +195,18 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
 
 void RayMarcher::UpdateExtremes(const Frame& frame)
 {
-  // The table's build 0 tells it from a field that knows the transfer function.
   const bool largest = frame.settings.blend == Blend::MaximumIntensity;
-  const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture, 0,
-    largest ? 1.0 : -1.0 };
+  const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
+    this->builds.opticalTable, frame.fieldError, largest ? 1.0 : -1.0 };
   if (this->fieldSource == source)
   {
     return;
   }
   this->fieldSource.reset();
   this->UpdateRanges();
-  this->field.BuildExtremes(frame.window, largest);
+  const ExtremeLook look{ this->opticalTable.Table(),
+    frame.property->GetScalarOpacityUnitDistance(), frame.fieldError };
+  this->field.BuildExtremes(frame.window, look, largest);
   this->fieldSource = source;
   ++this->builds.field;
 }

@@ -49,9 +49,10 @@ struct BuildCounts
 struct FieldSource
 {
   Acceleration acceleration;
-  int volumeBuild;  ///< of the volume's textures
-  int tableBuild;   ///< of the optical table; 0 for a field that does not know it
-  double tolerance; ///< or, for extremes, their sense
+  int volumeBuild; ///< of the volume's textures
+  int tableBuild;  ///< of the optical table; 0 for a field that does not know it
+  double tolerance;
+  double sense = 0.0; ///< of extremes: 1 for the largest, -1 for the smallest
 
   std::vector<double> isovalues = {};
 
@@ -59,7 +60,7 @@ struct FieldSource
   {
     return this->isovalues == other.isovalues && this->acceleration == other.acceleration &&
       this->volumeBuild == other.volumeBuild && this->tableBuild == other.tableBuild &&
-      this->tolerance == other.tolerance;
+      this->tolerance == other.tolerance && this->sense == other.sense;
   }
 };
 

@@ -189,8 +189,8 @@ void RayMarcher::UpdateBlocks(Frame& frame)
 // Rays outside what can be seen are not begun, and others begin where it does.
 void RayMarcher::UpdateVisibleBoxes(const Frame& frame)
 {
-  const bool knowsWhatIsVisible =
-    frame.settings.acceleration == Acceleration::OpticalField && !IsExtreme(frame.settings.blend);
+  const bool knowsWhatIsVisible = frame.settings.acceleration == Acceleration::OpticalField &&
+    !IsProjection(frame.settings.blend);
   const int fieldBuild = knowsWhatIsVisible ? this->builds.field : 0;
   const Box& left = frame.cuts.boxGrid;
   if (this->visibleOfField == fieldBuild && this->visibleOfBox.lower == left.lower &&

@@ -148,10 +148,14 @@ void RayMarcher::SetStepUniforms(const Frame& frame, const VolumeBlock& block)
   {
     const BrickRanges& ranges = this->field.Ranges();
     const TexelMapping& mapping = this->blocks.Texels().mapping;
-    this->program.Set("sense", frame.settings.blend == Blend::MaximumIntensity ? 1.0 : -1.0);
+    const double sense = frame.settings.blend == Blend::MaximumIntensity ? 1.0 : -1.0;
+    // What a ray has found is the extreme of a brick even where rounding has made it less.
+    constexpr double rounding = 1.0 / 64.0; // of a step
+    const double firstValue = ranges.FirstValue() - sense * rounding * ranges.ValuePerStep();
+    this->program.Set("sense", sense);
     this->program.Set("scalarFromField",
       glm::dvec2(65535.0 * ranges.ValuePerStep() / mapping.scale,
-        (ranges.FirstValue() - mapping.offset) / mapping.scale));
+        (firstValue - mapping.offset) / mapping.scale));
   }
 }
 

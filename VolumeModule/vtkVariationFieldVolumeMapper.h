@@ -96,8 +96,8 @@ public:
   /**
    * What lets a ray skip samples. Default: OpticalField, which knows the transfer function: it
    * leaves what is invisible at once, and crosses what looks the same in one step, at a cost of at
-   * most 1/255 in a channel. For a maximum or minimum it leaves what cannot better the one found so
-   * far; averages and sums are marched without a field.
+   * most 1/255 in a channel. For a maximum or minimum it leaves what would not change what is seen
+   * of the one found so far; so it is for sums and averages, if all scalars count in these.
    */
   vtkSetClampMacro(AccelerationMode, int, Off, OpticalField);
   vtkGetMacro(AccelerationMode, int);

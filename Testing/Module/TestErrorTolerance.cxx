@@ -43,8 +43,18 @@ const std::vector<ToleranceCase> Cases = {
     [](MapperScene& scene) {
       SetOpacities(scene, { { -1000.0, 0.0 }, { 1000.0, 0.002 } });
     } },
-  { "MaximumIntensity",
-    [](MapperScene& scene) { scene.mapper->SetBlendModeToMaximumIntensity(); } },
+  { "Additive",
+    [](MapperScene& scene)
+    {
+      scene.mapper->SetBlendModeToAdditive();
+      SetOpacities(scene, { { -1000.0, 0.0 }, { 1000.0, 0.02 } });
+    } },
+  { "AverageIntensity",
+    [](MapperScene& scene)
+    {
+      scene.mapper->SetBlendModeToAverageIntensity();
+      SetOpacities(scene, { { -100.0, 0.0 }, { 100.0, 1.0 } });
+    } },
 };
 
 // Between the samples of a ray along z, both where they are four and where they are two voxels

@@ -141,11 +141,11 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
     (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
-      "Interpolation/Linear.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
-      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
-      "Blend/MaximumIntensity.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl",
-      "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
-      "RayMarch.frag.glsl" }));
+      "Interpolation/Linear.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
+      "Math/CellCubic.glsl", "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl",
+      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
+      "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl",
+      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
@@ -195,7 +195,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 148u);
+  EXPECT_EQ(distinct.size(), 152u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -229,10 +229,7 @@ std::vector<RenderSettings> EveryRecipe()
       for (Blend blend : { Blend::MaximumIntensity, Blend::MinimumIntensity,
              Blend::AverageIntensity, Blend::Additive })
       {
-        if (acceleration != Acceleration::OpticalField || IsExtreme(blend))
-        {
-          recipes.push_back({ blend, acceleration, false, sceneGeometry });
-        }
+        recipes.push_back({ blend, acceleration, false, sceneGeometry });
       }
     }
   }

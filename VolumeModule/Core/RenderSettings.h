@@ -147,14 +147,15 @@ struct RenderSettings
   bool windowLevel = false;     ///< scale the picture's colours
 };
 
-/// Whether rays are sampled: steps then decide on a picture. Voxels as boxes are exact but for
-/// projections of several components and at uneven places, and so are surfaces.
+/// Whether rays are sampled: steps then decide on a picture. Voxels as boxes, and extremes between
+/// them, are exact but for projections of several components and at uneven places, and so are
+/// surfaces. Along a spline an extreme is not.
 inline bool IsSampled(const RenderSettings& settings)
 {
   const bool severalProjected =
     settings.components != Components::One && IsProjection(settings.blend);
-  return (!settings.nearest || severalProjected || settings.uneven) &&
-    !IsOfSurfaces(settings.blend);
+  const bool exact = settings.nearest || (IsExtreme(settings.blend) && !settings.cubic);
+  return (!exact || severalProjected || settings.uneven) && !IsOfSurfaces(settings.blend);
 }
 
 }

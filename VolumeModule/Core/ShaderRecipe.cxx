@@ -99,7 +99,7 @@ std::string MarchFile(const RenderSettings& settings)
   }
   if (settings.blend != Blend::Composite)
   {
-    return IsExtreme(settings.blend) ? "March/Extreme.glsl" : "March/Projection.glsl";
+    return IsSampled(settings) ? "March/Projection.glsl" : "March/Extreme.glsl";
   }
   if (MarchesMaterial(settings))
   {
@@ -355,7 +355,8 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     parts.push_back("Math/WithOpacityFactor.glsl");
   }
-  if (MarchFile(settings) == "March/Isosurfaces.glsl")
+  const std::string march = MarchFile(settings);
+  if (march == "March/Isosurfaces.glsl" || march == "March/Extreme.glsl")
   {
     parts.push_back("Math/CellCubic.glsl");
   }

@@ -1,39 +1,39 @@
-// A maximum or minimum: samples find the peak, and halving steps around the best of them climb it.
-// So the steps need only be short enough to tell the highest peak from the others.
+// A maximum or minimum of interpolated voxels, exactly: in a cell the scalar is a cubic along the
+// ray, known from four readings, which has its largest and smallest values at its ends or extremes.
 
-const int PartsPerSegment = 8;
-const int Halvings = 8;
+const float CellsPerSegment = 4.0;
+
+uniform vec3 voxelCount; // of the volume texture
 
 Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
-  float t = inside.enter;
-  float best = t;
-  for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
+  // Cells before the first voxel and behind the last one are cells too: 0 and voxelCount.
+  LatticeRay lattice = RayInLattice(ray.originGrid - firstVoxelGrid + 1.0, ray.directionGrid);
+  LatticePlace place = PlaceAt(lattice, inside.enter, voxelCount + 1.0);
+  float plainMm = CellsPerSegment / length(ray.directionGrid);
+  for (int index = 0; index < mostSegments && place.t < inside.exit && !BlendFinished(sum); ++index)
   {
-    Interval segment =
-      NextSegment(ray, inside, t, index, float(PartsPerSegment) * stepMm, BlendState(sum));
-    t = min(segment.exit, inside.exit);
-    float partMm = max(t - segment.enter, 0.0) / float(PartsPerSegment);
-    for (int part = 0; part < PartsPerSegment; ++part)
+    Interval segment = NextSegment(ray, inside, place.t, index, plainMm, BlendState(sum));
+    if (segment.enter > place.t)
     {
-      float middle = segment.enter + (float(part) + 0.5) * partMm;
-      float before = BlendState(sum);
-      sum = BlendScalar(sum, ScalarAt(PositionTexture(ray, middle)), partMm);
-      best = BlendState(sum) != before ? middle : best;
+      place = PlaceAt(lattice, segment.enter, voxelCount + 1.0);
     }
-  }
-
-  float reach = stepMm;
-  for (int halving = 0; halving < Halvings; ++halving)
-  {
-    reach *= 0.5;
-    float center = best;
-    for (int side = -1; side <= 1; side += 2)
+    float end = min(segment.exit, inside.exit);
+    vec4 scalars = vec4(ScalarAt(PositionTexture(ray, place.t)));
+    while (place.t < end)
     {
-      float beside = clamp(center + float(side) * reach, inside.enter, inside.exit);
-      float before = BlendState(sum);
-      sum = BlendScalar(sum, ScalarAt(PositionTexture(ray, beside)), 0.0);
-      best = BlendState(sum) != before ? beside : best;
+      float enter = place.t;
+      place = BehindBlock(lattice, place, 0.0);
+      float exit = min(place.t, inside.exit);
+      scalars = vec4(scalars.w, ScalarAt(PositionTexture(ray, mix(enter, exit, 1.0 / 3.0))),
+        ScalarAt(PositionTexture(ray, mix(enter, exit, 2.0 / 3.0))),
+        ScalarAt(PositionTexture(ray, exit)));
+      vec4 cubic = CubicThrough(scalars);
+      vec2 extremes = CubicExtremes(cubic);
+      sum = BlendScalar(sum, cubic.x, 0.0);
+      sum = BlendScalar(sum, CubicValue(cubic, extremes.x), 0.0);
+      sum = BlendScalar(sum, CubicValue(cubic, extremes.y), 0.0);
+      sum = BlendScalar(sum, cubic.w, 0.0);
     }
   }
   return sum;

@@ -1,6 +1,7 @@
-// Projections look at every sample, and at nothing but its values.
+// Projections look at nothing but values. What a ray leaves out is invisible throughout, as its
+// first point is.
 
-const int PartsPerSegment = 2;
+const int PartsPerSegment = 4;
 
 Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
@@ -9,6 +10,8 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
   {
     Interval segment =
       NextSegment(ray, inside, t, index, float(PartsPerSegment) * stepMm, BlendState(sum));
+    float leftOutMm = min(segment.enter, inside.exit) - t;
+    sum = BlendSample(sum, PositionTexture(ray, t), leftOutMm);
     t = min(segment.exit, inside.exit);
     float partMm = max(t - segment.enter, 0.0) / float(PartsPerSegment);
     for (int part = 0; part < PartsPerSegment; ++part)
