@@ -1,12 +1,10 @@
 #include "Viewer/MainWindow.h"
 
 #include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/View/ComparisonView.h"
-#include "Viewer/View/PictureExport.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/VolumeView.h"
 
@@ -15,49 +13,18 @@
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDockWidget>
-#include <QDragEnterEvent>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRegularExpression>
+#include <QScrollArea>
+#include <QSettings>
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QStatusBar>
-#include <QUrl>
-
-#include <vtkVolumeFileReader.h>
 
 namespace varimarch
 {
-
-namespace
-{
-
-// "Volumes (*.nrrd *.nhdr ...)", then a line for each format, for a file dialog.
-QString FileFilter()
-{
-  QStringList all;
-  QStringList formats;
-  for (int format = 0; format < vtkVolumeFileReader::GetNumberOfFormats(); ++format)
-  {
-    const QStringList extensions =
-      QString::fromStdString(vtkVolumeFileReader::GetFormatExtensions(format))
-        .split(' ', Qt::SkipEmptyParts)
-        .replaceInStrings(QRegularExpression("^"), "*");
-    all += extensions;
-    formats += QStringLiteral("%1 (%2)").arg(
-      vtkVolumeFileReader::GetFormatDescription(format), extensions.join(' '));
-  }
-  formats.prepend(MainWindow::tr("Volumes (%1)").arg(all.join(' ')));
-  formats.append(MainWindow::tr("All files (*)"));
-  return formats.join(";;");
-}
-
-}
 
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
@@ -75,6 +42,9 @@ MainWindow::MainWindow(QWidget* parent)
   this->MakeHelpMenu();
   this->MakePanels();
   this->MakeStatusBar();
+  const QSettings settings;
+  this->restoreGeometry(settings.value("window/geometry").toByteArray());
+  this->restoreState(settings.value("window/panels").toByteArray());
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
   connect(&this->loader, &VolumeLoader::Failed, this, &MainWindow::ShowFailure);
   connect(&this->loader, &VolumeLoader::Cancelled, this,
@@ -107,6 +77,8 @@ void MainWindow::MakeMenus()
   file->addAction(tr("&Open…"), this, &MainWindow::ChooseFile, QKeySequence::Open);
   file->addAction(
     tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
+  this->recentMenu = file->addMenu(tr("&Recent scans"));
+  connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
   file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
   file->addSeparator();
   file->addAction(
@@ -210,18 +182,27 @@ void MainWindow::MakeHelpMenu()
 
 void MainWindow::MakePanels()
 {
-  const std::tuple<QString, QString, QWidget*> panels[] = {
-    { "look", tr("Look"), new LookPanel(&this->model) },
-    { "cuts", tr("Cut away"), new CutsPanel(&this->model) },
-    { "quality", tr("Quality"), new QualityPanel(&this->model) },
-  };
-  for (const auto& [name, title, panel] : panels)
+  const auto dockOf = [this](const QString& name, const QString& title, QWidget* panel)
   {
+    // A window may be lower than its panels.
+    auto* const scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(panel);
     auto* const dock = new QDockWidget(title);
     dock->setObjectName(name);
-    dock->setWidget(panel);
+    dock->setWidget(scroll);
     this->addDockWidget(Qt::RightDockWidgetArea, dock);
-  }
+    return dock;
+  };
+  QDockWidget* const look = dockOf("look", tr("Look"), new LookPanel(&this->model));
+  QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
+  QDockWidget* const quality = dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
+  this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  this->tabifyDockWidget(look, cuts);
+  look->raise();
+  this->resizeDocks({ look, quality }, { 600, 90 }, Qt::Vertical);
+  this->resizeDocks({ look }, { 380 }, Qt::Horizontal);
 }
 
 void MainWindow::MakeStatusBar()
@@ -240,68 +221,6 @@ void MainWindow::MakeStatusBar()
     [this](double part) { this->progress->setValue(int(100.0 * part)); });
 }
 
-void MainWindow::Open(const QString& path)
-{
-  this->restored.reset();
-  if (QFileInfo(path).suffix() != "json")
-  {
-    this->Load(FileSource{ path.toStdString(), std::nullopt });
-    return;
-  }
-  try
-  {
-    this->restored = ReadScene(path.toStdString());
-    this->Load(this->restored->volume);
-  }
-  catch (const std::exception& problem)
-  {
-    this->ShowFailure(QString::fromStdString(problem.what()));
-  }
-}
-
-void MainWindow::Load(const VolumeSource& source)
-{
-  this->ShowLoading(true);
-  const auto* const file = std::get_if<FileSource>(&source);
-  const QString name = file ? QFileInfo(QString::fromStdString(file->path)).fileName() : QString();
-  this->statusBar()->showMessage(tr("Loading %1").arg(name));
-  this->loader.Load(source);
-}
-
-void MainWindow::SaveSession()
-{
-  if (!this->model.CurrentStudy())
-  {
-    return;
-  }
-  const QString path = QFileDialog::getSaveFileName(
-    this, tr("Save the session"), "session.json", tr("Sessions (*.json)"));
-  if (path.isEmpty())
-  {
-    return;
-  }
-  try
-  {
-    WriteScene(this->model.CurrentScene(), path);
-    this->statusBar()->showMessage(tr("Saved %1").arg(path));
-  }
-  catch (const std::exception& problem)
-  {
-    QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
-  }
-}
-
-void MainWindow::OfferAutosaved()
-{
-  if (this->autosave.HasCopy() &&
-    QMessageBox::question(this, tr("Varimarch"),
-      tr("The last time, the program did not come to its end. Go on where you were?")) ==
-      QMessageBox::Yes)
-  {
-    this->Open(this->autosave.Path());
-  }
-}
-
 void MainWindow::ShowAbout()
 {
   QMessageBox::about(this, tr("About Varimarch"),
@@ -310,90 +229,13 @@ void MainWindow::ShowAbout()
       .arg(QCoreApplication::applicationVersion()));
 }
 
-void MainWindow::ChooseFile()
-{
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open a volume"), {}, FileFilter());
-  if (!path.isEmpty())
-  {
-    this->Open(path);
-  }
-}
-
-void MainWindow::ChooseFolder()
-{
-  const QString path = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM files"));
-  if (!path.isEmpty())
-  {
-    this->Open(path);
-  }
-}
-
-void MainWindow::ExportPicture()
-{
-  if (this->model.CurrentStudy())
-  {
-    ExportDialog dialog(&this->model, this->view->Ours()->size(), this);
-    dialog.exec();
-  }
-}
-
-void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
-{
-  this->ShowLoading(false);
-  if (this->restored)
-  {
-    this->model.Restore(*this->restored, study);
-    this->restored.reset();
-  }
-  else
-  {
-    this->model.Open(source, study);
-  }
-  QStringList messages;
-  for (const std::string& warning : study->volume.warnings)
-  {
-    messages.append(QString::fromStdString(warning));
-  }
-  messages.append(tr("Look \"%1\": %2. R brings it back.")
-                    .arg(QString::fromStdString(this->model.CurrentScene().look.name),
-                      QString::fromStdString(SuggestedPreset(study->volume).reason)));
-  this->statusBar()->showMessage(messages.join(' '));
-}
-
-void MainWindow::ShowFailure(const QString& reason)
-{
-  this->ShowLoading(false);
-  this->statusBar()->showMessage(reason);
-  auto* const box =
-    new QMessageBox(QMessageBox::Warning, tr("Cannot open"), reason, QMessageBox::Ok, this);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();
-}
-
-void MainWindow::ShowLoading(bool loading)
-{
-  this->progress->setVisible(loading);
-  this->progress->setValue(0);
-  this->cancel->setVisible(loading);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event)
-{
-  if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile())
-  {
-    event->acceptProposedAction();
-  }
-}
-
-void MainWindow::dropEvent(QDropEvent* event)
-{
-  this->Open(event->mimeData()->urls().first().toLocalFile());
-}
-
 void MainWindow::closeEvent(QCloseEvent* event)
 {
   this->loader.Cancel();
   this->autosave.Remove();
+  QSettings settings;
+  settings.setValue("window/geometry", this->saveGeometry());
+  settings.setValue("window/panels", this->saveState());
   QMainWindow::closeEvent(event);
 }
 

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Viewer_MainWindow_h
 #define Varimarch_Viewer_MainWindow_h
 
+#include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SessionFile.h"
 #include "Viewer/Model/VolumeLoader.h"
@@ -9,6 +10,7 @@
 
 #include <optional>
 
+class QMenu;
 class QProgressBar;
 class QPushButton;
 class QSplitter;
@@ -18,7 +20,8 @@ namespace varimarch
 
 class ComparisonView;
 
-/// The window: menus, the views, the panels around them, and the loading of volumes.
+/// The window: menus, the views, the panels around them, and the loading of volumes. What it opens
+/// and keeps stands in MainWindowFiles.cxx.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -55,6 +58,7 @@ private:
   void ChooseFile();
   void ChooseFolder();
   void SaveSession();
+  void ListRecentScans();
   void ShowAbout();
   void Load(const VolumeSource& source);
   void ExportPicture();
@@ -65,9 +69,11 @@ private:
   SceneModel model;
   VolumeLoader loader;
   Autosave autosave;
+  RecentScans recentScans;
   std::optional<Scene> restored; ///< the scene whose volume is being loaded
   ComparisonView* view;
   QSplitter* slices;
+  QMenu* recentMenu;
   QProgressBar* progress;
   QPushButton* cancel;
 };

@@ -15,6 +15,7 @@ int main(int argumentCount, char** arguments)
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication application(argumentCount, arguments);
   QCoreApplication::setApplicationName("varimarch-viewer");
+  QCoreApplication::setOrganizationName("varimarch");
   QCoreApplication::setApplicationVersion(VARIMARCH_VERSION);
 
   QCommandLineParser parser;

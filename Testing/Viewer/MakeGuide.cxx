@@ -8,10 +8,13 @@
 #include "Viewer/View/VolumeView.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QMenu>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
@@ -50,6 +53,7 @@ public:
 
   void CutAway()
   {
+    this->window.findChild<QDockWidget*>("cuts")->raise();
     this->window.findChild<QToolButton*>("addPlane")->menu()->actions().first()->trigger();
     this->Model()->Edit(ScenePart::Camera, "turn the camera",
       [](Scene& scene)
@@ -117,8 +121,14 @@ private:
 int main(int argumentCount, char** arguments)
 {
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  // Nothing of the user's is read or written.
+  const QTemporaryDir settings;
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
   QStandardPaths::setTestModeEnabled(true);
   QApplication application(argumentCount, arguments);
+  QCoreApplication::setOrganizationName("varimarch");
+  QCoreApplication::setApplicationName("viewer-tests");
   if (argumentCount != 3)
   {
     std::cerr << "Usage: ViewerGuide HEAD_CT FOLDER\n";

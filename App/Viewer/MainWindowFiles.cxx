@@ -1,0 +1,209 @@
+// What the window opens and keeps: scans, sessions, pictures.
+
+#include "Viewer/MainWindow.h"
+
+#include "Scene/SceneFile.h"
+#include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/PictureExport.h"
+#include "Viewer/View/VolumeView.h"
+
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QStatusBar>
+#include <QUrl>
+
+#include <vtkVolumeFileReader.h>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// "Volumes (*.nrrd *.nhdr ...)", then a line for each format, for a file dialog.
+QString FileFilter()
+{
+  QStringList all;
+  QStringList formats;
+  for (int format = 0; format < vtkVolumeFileReader::GetNumberOfFormats(); ++format)
+  {
+    const QStringList extensions =
+      QString::fromStdString(vtkVolumeFileReader::GetFormatExtensions(format))
+        .split(' ', Qt::SkipEmptyParts)
+        .replaceInStrings(QRegularExpression("^"), "*");
+    all += extensions;
+    formats += QStringLiteral("%1 (%2)").arg(
+      vtkVolumeFileReader::GetFormatDescription(format), extensions.join(' '));
+  }
+  formats.prepend(MainWindow::tr("Volumes (%1)").arg(all.join(' ')));
+  formats.append(MainWindow::tr("All files (*)"));
+  return formats.join(";;");
+}
+
+}
+
+void MainWindow::Open(const QString& path)
+{
+  this->restored.reset();
+  if (QFileInfo(path).suffix() != "json")
+  {
+    this->Load(FileSource{ path.toStdString(), std::nullopt });
+    return;
+  }
+  try
+  {
+    this->restored = ReadScene(path.toStdString());
+    this->Load(this->restored->volume);
+  }
+  catch (const std::exception& problem)
+  {
+    this->ShowFailure(QString::fromStdString(problem.what()));
+  }
+}
+
+void MainWindow::Load(const VolumeSource& source)
+{
+  this->ShowLoading(true);
+  const auto* const file = std::get_if<FileSource>(&source);
+  const QString name = file ? QFileInfo(QString::fromStdString(file->path)).fileName() : QString();
+  this->statusBar()->showMessage(tr("Loading %1").arg(name));
+  this->loader.Load(source);
+}
+
+void MainWindow::SaveSession()
+{
+  if (!this->model.CurrentStudy())
+  {
+    return;
+  }
+  const QString path = QFileDialog::getSaveFileName(
+    this, tr("Save the session"), "session.json", tr("Sessions (*.json)"));
+  if (path.isEmpty())
+  {
+    return;
+  }
+  try
+  {
+    WriteScene(this->model.CurrentScene(), path);
+    this->statusBar()->showMessage(tr("Saved %1").arg(path));
+  }
+  catch (const std::exception& problem)
+  {
+    QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
+  }
+}
+
+void MainWindow::OfferAutosaved()
+{
+  if (this->autosave.HasCopy() &&
+    QMessageBox::question(this, tr("Varimarch"),
+      tr("The last time, the program did not come to its end. Go on where you were?")) ==
+      QMessageBox::Yes)
+  {
+    this->Open(this->autosave.Path());
+  }
+}
+
+void MainWindow::ChooseFile()
+{
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open a volume"), {}, FileFilter());
+  if (!path.isEmpty())
+  {
+    this->Open(path);
+  }
+}
+
+void MainWindow::ChooseFolder()
+{
+  const QString path = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM files"));
+  if (!path.isEmpty())
+  {
+    this->Open(path);
+  }
+}
+
+void MainWindow::ExportPicture()
+{
+  if (this->model.CurrentStudy())
+  {
+    ExportDialog dialog(&this->model, this->view->Ours()->size(), this);
+    dialog.exec();
+  }
+}
+
+void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
+{
+  this->ShowLoading(false);
+  if (this->restored)
+  {
+    this->model.Restore(*this->restored, study);
+    this->restored.reset();
+  }
+  else
+  {
+    this->model.Open(source, study);
+  }
+  if (const auto* const file = std::get_if<FileSource>(&source))
+  {
+    this->recentScans.Add(QString::fromStdString(file->path), *study);
+  }
+  QStringList messages;
+  for (const std::string& warning : study->volume.warnings)
+  {
+    messages.append(QString::fromStdString(warning));
+  }
+  messages.append(tr("Look \"%1\": %2. R brings it back.")
+                    .arg(QString::fromStdString(this->model.CurrentScene().look.name),
+                      QString::fromStdString(SuggestedPreset(study->volume).reason)));
+  this->statusBar()->showMessage(messages.join(' '));
+}
+
+void MainWindow::ShowFailure(const QString& reason)
+{
+  this->ShowLoading(false);
+  this->statusBar()->showMessage(reason);
+  auto* const box =
+    new QMessageBox(QMessageBox::Warning, tr("Cannot open"), reason, QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+void MainWindow::ShowLoading(bool loading)
+{
+  this->progress->setVisible(loading);
+  this->progress->setValue(0);
+  this->cancel->setVisible(loading);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile())
+  {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+  this->Open(event->mimeData()->urls().first().toLocalFile());
+}
+
+void MainWindow::ListRecentScans()
+{
+  this->recentMenu->clear();
+  for (const RecentScan& scan : this->recentScans.List())
+  {
+    this->recentMenu->addAction(scan.label, this, [this, path = scan.path] { this->Open(path); });
+  }
+  this->recentMenu->addSeparator();
+  this->recentMenu->addAction(tr("Forget these"), this, [this] { this->recentScans.Clear(); });
+}
+
+}
