@@ -83,6 +83,7 @@ void MainWindow::MakeMenus()
   file->addSeparator();
   file->addAction(
     tr("Export a &picture…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"));
+  file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
 

@@ -62,6 +62,7 @@ private:
   void ShowAbout();
   void Load(const VolumeSource& source);
   void ExportPicture();
+  void ExportTurntable();
   void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   void ShowFailure(const QString& reason);
   void ShowLoading(bool loading);

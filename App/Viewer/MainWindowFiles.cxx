@@ -14,6 +14,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStatusBar>
@@ -135,6 +136,37 @@ void MainWindow::ExportPicture()
   {
     ExportDialog dialog(&this->model, this->view->Ours()->size(), this);
     dialog.exec();
+  }
+}
+
+void MainWindow::ExportTurntable()
+{
+  constexpr int Pictures = 72;
+  const QString path = this->model.CurrentStudy()
+    ? QFileDialog::getSaveFileName(
+        this, tr("Export a turntable"), "turntable.ogv", tr("Movie (*.ogv);;Pictures (*.png)"))
+    : QString();
+  if (path.isEmpty())
+  {
+    return;
+  }
+  QProgressDialog waiting(tr("Drawing a turn"), tr("Cancel"), 0, Pictures, this);
+  waiting.setWindowModality(Qt::WindowModal);
+  waiting.setMinimumDuration(0);
+  try
+  {
+    PictureMaker maker(this->model.CurrentScene(), this->model.CurrentStudy()->volume.image,
+      { this->view->Ours()->size(), false, true });
+    WriteTurntable(maker, Pictures, path,
+      [&](double part)
+      {
+        waiting.setValue(int(part * Pictures));
+        return !waiting.wasCanceled();
+      });
+  }
+  catch (const std::exception& problem)
+  {
+    QMessageBox::warning(this, tr("Cannot export"), QString::fromStdString(problem.what()));
   }
 }
 

@@ -90,9 +90,9 @@ public:
 
   void Export()
   {
-    const QImage picture = ExportedPicture(this->Model()->CurrentScene(),
-      this->Model()->CurrentStudy()->volume.image, { { 640, 480 }, false, true });
-    Require(picture.save(this->folder + "/viewer-export.png"), "the picture is not written");
+    PictureMaker maker(this->Model()->CurrentScene(), this->Model()->CurrentStudy()->volume.image,
+      { { 640, 480 }, false, true });
+    Require(maker.Draw().save(this->folder + "/viewer-export.png"), "the picture is not written");
   }
 
 private:

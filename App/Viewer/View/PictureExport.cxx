@@ -1,6 +1,5 @@
 #include "Viewer/View/PictureExport.h"
 
-#include "Scene/OffscreenView.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/View/Overlay.h"
@@ -18,6 +17,7 @@
 #include <QSaveFile>
 #include <QSpinBox>
 
+#include <vtkCamera.h>
 #include <vtkImageData.h>
 
 #include <algorithm>
@@ -68,6 +68,22 @@ void DrawNotice(QPainter& painter, const QSizeF& size)
     QCoreApplication::translate("PictureExport", "Not for diagnostic use"));
 }
 
+// A thread has one current context, be it of a window or without a display.
+void LeaveContext()
+{
+  if (QOpenGLContext* const current = QOpenGLContext::currentContext())
+  {
+    current->doneCurrent();
+  }
+}
+
+Scene OfSize(Scene scene, const QSize& pixels)
+{
+  LeaveContext();
+  scene.size = { pixels.width(), pixels.height() };
+  return scene;
+}
+
 // The scene as others may see it.
 std::string TextWithoutPlace(Scene scene)
 {
@@ -80,34 +96,41 @@ std::string TextWithoutPlace(Scene scene)
 
 }
 
-QImage ExportedPicture(const Scene& scene, vtkImageData* image, const ExportOptions& options,
-  const std::function<void(double)>& onProgress)
+PictureMaker::PictureMaker(const Scene& scene, vtkImageData* image, const ExportOptions& options)
+  : scene(OfSize(scene, options.pixels))
+  , options(options)
+  , view(this->scene, image, MapperKind::Varimarch)
 {
-  // A thread has one current context, be it of a window or without a display.
-  if (QOpenGLContext* const current = QOpenGLContext::currentContext())
+}
+
+QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
+{
+  LeaveContext();
+  QImage picture = ImageOf(this->view.FloatImage(onProgress));
+  if (!this->options.transparent)
   {
-    current->doneCurrent();
-  }
-  Scene exported = scene;
-  exported.size = { options.pixels.width(), options.pixels.height() };
-  OffscreenView view(exported, image, MapperKind::Varimarch);
-  QImage picture = ImageOf(view.FloatImage(onProgress));
-  if (!options.transparent)
-  {
-    picture = OnBackground(picture, scene.background);
+    picture = OnBackground(picture, this->scene.background);
   }
   const double scale = picture.height() / HeightOfWords;
   const QSizeF size = QSizeF(picture.size()) / scale;
   QPainter painter(&picture);
   painter.scale(scale, scale);
-  if (options.overlay)
+  if (this->options.overlay)
   {
-    DrawOverlay(painter, exported, FrameOf(view.Pipeline().Renderer()->GetActiveCamera(), size));
+    DrawOverlay(
+      painter, this->scene, FrameOf(this->view.Pipeline().Renderer()->GetActiveCamera(), size));
   }
   DrawNotice(painter, size);
   painter.end();
-  picture.setText("varimarch-scene", QString::fromStdString(TextWithoutPlace(exported)));
+  picture.setText("varimarch-scene", QString::fromStdString(TextWithoutPlace(this->scene)));
   return picture;
+}
+
+void PictureMaker::Turn(double degrees)
+{
+  vtkRenderer* const renderer = this->view.Pipeline().Renderer();
+  renderer->GetActiveCamera()->Azimuth(degrees);
+  renderer->ResetCameraClippingRange();
 }
 
 ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
@@ -153,15 +176,15 @@ void ExportDialog::Export()
   this->progress->show();
   try
   {
-    const QImage picture =
-      ExportedPicture(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
-        { { this->width->value(), this->height->value() }, this->transparent->isChecked(),
-          this->overlay->isChecked() },
-        [this](double part)
-        {
-          this->progress->setValue(int(100.0 * part));
-          this->progress->repaint();
-        });
+    PictureMaker maker(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
+      { { this->width->value(), this->height->value() }, this->transparent->isChecked(),
+        this->overlay->isChecked() });
+    const QImage picture = maker.Draw(
+      [this](double part)
+      {
+        this->progress->setValue(int(100.0 * part));
+        this->progress->repaint();
+      });
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
     {

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Viewer_PictureExport_h
 #define Varimarch_Viewer_PictureExport_h
 
+#include "Scene/OffscreenView.h"
 #include "Scene/Scene.h"
 
 #include <QDialog>
@@ -26,12 +27,36 @@ struct ExportOptions
   bool overlay = true;      ///< letters and distances
 };
 
-/// A scene drawn anew, with the notice that it is not for diagnostic use. The settings are in its
-/// text "varimarch-scene", without the volume's place, which may name a patient.
-/// @param onProgress  told the part that is done, [0, 1)
+/// Draws a scene anew, of any size and without a window, with the notice that it is not for
+/// diagnostic use.
+class PictureMaker
+{
+public:
+  /// @param image  the scene's volume; must outlive this
+  /// @throws std::runtime_error one sentence, where there is no OpenGL
+  PictureMaker(const Scene& scene, vtkImageData* image, const ExportOptions& options);
+
+  /// The settings are in the picture's text "varimarch-scene", without the volume's place, which
+  /// may name a patient.
+  /// @param onProgress  told the part that is done, [0, 1)
+  QImage Draw(const std::function<void(double)>& onProgress = nullptr);
+
+  /// Turns the eye about the picture's vertical.
+  void Turn(double degrees);
+
+private:
+  Scene scene;
+  ExportOptions options;
+  OffscreenView view;
+};
+
+/// Pictures of a whole turn about the picture's vertical: a movie where the path ends in ".ogv",
+/// else a series "NAME-000.png" and on. Nothing is left of it when it is stopped or fails.
+/// @param onProgress  told the part that is done, [0, 1); says whether to go on
+/// @return whether it is complete
 /// @throws std::runtime_error one sentence
-QImage ExportedPicture(const Scene& scene, vtkImageData* image, const ExportOptions& options,
-  const std::function<void(double)>& onProgress = nullptr);
+bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
+  const std::function<bool(double)>& onProgress);
 
 /// Asks for the size and what else to know, and where to; draws and writes the picture.
 class ExportDialog : public QDialog
