@@ -29,7 +29,8 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// What is to be drawn: one volume in one renderer, checked, with every choice made.
+/// What is to be drawn: one volume in one renderer, or the first of several that overlap, checked,
+/// with every choice made.
 struct Frame
 {
   vtkOpenGLRenderWindow* window;
@@ -65,6 +66,9 @@ struct Frame
   UserShaderCode userCode;
   bool toImages;   ///< draw these, not into the window
   bool clampDepth; ///< of the image of depths, where nothing is visible
+
+  /// Volumes that overlap with this one, in the same picture: of each what is its own.
+  std::vector<Frame> others;
 };
 
 }

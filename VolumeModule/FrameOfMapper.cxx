@@ -3,6 +3,7 @@
 #include "Core/ShaderRecipe.h"
 #include "Core/TransferFunction.h"
 #include "InputOfMapper.h"
+#include "JoinedFrame.h"
 #include "Lights.h"
 #include "MaterialOfMapper.h"
 #include "PictureOfMapper.h"
@@ -153,9 +154,9 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
     : std::max(mapper->GetSampleDistance(), frame.geometry.ShortestSampleDistanceMm());
 }
 
-bool HasComponents(vtkVariationFieldVolumeMapper* mapper)
+bool HasComponents(vtkVariationFieldVolumeMapper* mapper, int port)
 {
-  const std::optional<MapperInput> input = InputOf(mapper);
+  const std::optional<MapperInput> input = InputOf(mapper, port);
   return input && input->scalars->GetNumberOfComponents() > 1;
 }
 
@@ -282,17 +283,17 @@ void ChooseAveraged(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   }
 }
 
-}
-
-std::optional<Frame> FrameOf(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+// One of the volumes of a prop, which itself is that volume where it has no more.
+std::optional<Frame> FrameOfVolume(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer,
+  vtkVolume* prop, const VolumeOfPort& one)
 {
+  vtkVolume* const volume = one.volume;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
     throw std::runtime_error("The render window does not use OpenGL");
   }
-  const std::optional<MapperInput> input = InputOf(mapper);
+  const std::optional<MapperInput> input = InputOf(mapper, one.port);
   if (!input)
   {
     return std::nullopt;
@@ -316,22 +317,50 @@ std::optional<Frame> FrameOf(
   frame.gapOptical = GapOptical(
     mapper->GetNanColor(), mapper->GetNanOpacity(), frame.property->GetScalarOpacityUnitDistance());
   frame.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
-  ChoosePicture(mapper, renderer, volume, frame);
+  ChoosePicture(mapper, renderer, prop, frame);
   ChooseSampling(mapper, frame);
   return frame;
 }
 
+}
+
+std::optional<Frame> FrameOf(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  std::vector<Frame> frames;
+  for (const VolumeOfPort& one : VolumesOfPorts(mapper, volume))
+  {
+    if (std::optional<Frame> frame = FrameOfVolume(mapper, renderer, volume, one))
+    {
+      frames.push_back(std::move(*frame));
+    }
+  }
+  return frames.size() > 1 ? JoinedFrame(std::move(frames), mapper)
+    : frames.empty()       ? std::nullopt
+                           : std::optional<Frame>(std::move(frames.front()));
+}
+
 std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume)
 {
-  vtkVolumeProperty* property = volume->GetProperty();
+  bool twoValues = false;
+  bool labels = false;
+  for (const VolumeOfPort& one : VolumesOfPorts(mapper, volume))
+  {
+    const bool hasComponents = HasComponents(mapper, one.port);
+    const int mode = one.volume->GetProperty()->GetTransferFunctionMode();
+    twoValues = twoValues ||
+      (mode == vtkVolumeProperty::TF_2D &&
+        (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND || hasComponents));
+    labels = labels ||
+      (mapper->GetMaskInput() && hasComponents &&
+        mapper->GetMaskType() == vtkVariationFieldVolumeMapper::LabelMapMaskType);
+  }
   std::string missing;
-  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D &&
-    (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND || HasComponents(mapper)))
+  if (twoValues)
   {
     missing += "Transfer functions of two values are supported for composites of one component. ";
   }
-  if (mapper->GetMaskInput() && HasComponents(mapper) &&
-    mapper->GetMaskType() == vtkVariationFieldVolumeMapper::LabelMapMaskType)
+  if (labels)
   {
     missing += "Label maps are supported for volumes of one component. ";
   }

@@ -85,9 +85,9 @@ std::vector<UnevenAxis> MapperInput::Axes(bool nearest) const
   return axes;
 }
 
-std::optional<MapperInput> InputOf(vtkVolumeMapper* mapper)
+std::optional<MapperInput> InputOf(vtkVolumeMapper* mapper, int port)
 {
-  vtkDataSet* const data = mapper->GetDataSetInput();
+  auto* const data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(port, 0));
   if (!vtkImageData::SafeDownCast(data) && !vtkRectilinearGrid::SafeDownCast(data))
   {
     throw std::runtime_error("The input is neither vtkImageData nor vtkRectilinearGrid");

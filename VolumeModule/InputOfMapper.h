@@ -31,7 +31,7 @@ struct MapperInput
 
 /// Nothing where the input is empty.
 /// @throws std::runtime_error a sentence, when it is nothing that can be drawn
-std::optional<MapperInput> InputOf(vtkVolumeMapper* mapper);
+std::optional<MapperInput> InputOf(vtkVolumeMapper* mapper, int port = 0);
 
 }
 

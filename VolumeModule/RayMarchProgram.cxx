@@ -141,6 +141,17 @@ void RayMarchProgram::SetUniformsOf(vtkVolume* volume)
   volume->GetMapper()->InvokeEvent(vtkCommand::UpdateShaderEvent, this->program);
 }
 
+void RayMarchProgram::Share(const RayMarchProgram& whole, std::size_t newVolume)
+{
+  this->program = whole.program;
+  this->volume = newVolume;
+}
+
+std::string RayMarchProgram::NameOf(const char* name) const
+{
+  return this->volume ? NameOfVolume(name, *this->volume) : name;
+}
+
 void RayMarchProgram::Forget()
 {
   this->program = nullptr;
@@ -150,49 +161,49 @@ void RayMarchProgram::Forget()
 
 void RayMarchProgram::Set(const char* name, int value)
 {
-  this->program->SetUniformi(name, value);
+  this->program->SetUniformi(this->NameOf(name).c_str(), value);
 }
 
 void RayMarchProgram::Set(const char* name, double value)
 {
-  this->program->SetUniformf(name, float(value));
+  this->program->SetUniformf(this->NameOf(name).c_str(), float(value));
 }
 
 void RayMarchProgram::Set(const char* name, glm::ivec2 value)
 {
-  this->program->SetUniform2i(name, glm::value_ptr(value));
+  this->program->SetUniform2i(this->NameOf(name).c_str(), glm::value_ptr(value));
 }
 
 void RayMarchProgram::Set(const char* name, glm::dvec2 value)
 {
-  this->program->SetUniform2f(name, glm::value_ptr(glm::vec2(value)));
+  this->program->SetUniform2f(this->NameOf(name).c_str(), glm::value_ptr(glm::vec2(value)));
 }
 
 void RayMarchProgram::Set(const char* name, glm::dvec3 value)
 {
-  this->program->SetUniform3f(name, glm::value_ptr(glm::vec3(value)));
+  this->program->SetUniform3f(this->NameOf(name).c_str(), glm::value_ptr(glm::vec3(value)));
 }
 
 void RayMarchProgram::Set(const char* name, glm::dvec4 value)
 {
-  this->program->SetUniform4f(name, glm::value_ptr(glm::vec4(value)));
+  this->program->SetUniform4f(this->NameOf(name).c_str(), glm::value_ptr(glm::vec4(value)));
 }
 
 void RayMarchProgram::Set(const char* name, const glm::dmat3& value)
 {
   glm::mat3 rounded(value);
-  this->program->SetUniformMatrix3x3(name, glm::value_ptr(rounded));
+  this->program->SetUniformMatrix3x3(this->NameOf(name).c_str(), glm::value_ptr(rounded));
 }
 
 void RayMarchProgram::Set(const char* name, const glm::dmat4& value)
 {
   glm::mat4 rounded(value);
-  this->program->SetUniformMatrix4x4(name, glm::value_ptr(rounded));
+  this->program->SetUniformMatrix4x4(this->NameOf(name).c_str(), glm::value_ptr(rounded));
 }
 
 void RayMarchProgram::Set(const char* name, vtkTextureObject* activeTexture)
 {
-  this->program->SetUniformi(name, activeTexture->GetTextureUnit());
+  this->program->SetUniformi(this->NameOf(name).c_str(), activeTexture->GetTextureUnit());
 }
 
 }

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ public:
   /// @throws std::runtime_error with the compiler's messages, traced to the shader files
   bool Use(vtkOpenGLRenderWindow* window, const RenderSettings& settings,
     const UserShaderCode& userCode = {});
+
+  /// The uniforms of another program that are those of one of its volumes, by their names where
+  /// there is but one.
+  void Share(const RayMarchProgram& whole, std::size_t volume);
 
   vtkShaderProgram* Program() const { return this->program; }
   const std::vector<std::string>& Parts() const { return this->parts; }
@@ -71,7 +76,10 @@ private:
   };
   static Sources Assemble(const std::vector<std::string>& parts, const UserShaderCode& userCode);
 
+  std::string NameOf(const char* name) const; ///< in the program
+
   vtkShaderProgram* program = nullptr; ///< the cache's
+  std::optional<std::size_t> volume;   ///< whose uniforms are meant, where it is not all of it
   std::vector<std::string> parts;
   /// All that were asked for so far, by their parts and what a user has put in their place.
   std::map<std::vector<std::string>, Sources> sourcesOfParts;

@@ -21,19 +21,12 @@ constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 void RayMarcher::Draw(Frame frame)
 {
   this->EnterWindow(frame.window);
-  this->UpdateVolume(frame);
-  this->UpdateOpticalTable(frame);
-  this->UpdateGradientOpacity(frame);
-  this->UpdateMask(frame);
-  this->UpdateField(frame);
-  frame.settings.skipsBricks = this->field.HasTexture();
   this->UpdateDepth(frame);
-  this->UpdateLights(frame);
   this->UpdateNoise(frame);
   this->UpdateCuts(frame);
-  this->UpdateIsosurfaces(frame);
-  this->UpdateSpacing(frame);
-  this->UpdateBlocks(frame);
+  this->UpdateOthers(frame);
+  this->UpdateResources(frame);
+  this->drawnBox = this->BoxOfAll(frame);
   this->UpdateTolerance(frame);
 
   if (this->tolerance)
@@ -44,6 +37,21 @@ void RayMarcher::Draw(Frame frame)
   this->usedSampleDistanceMm = frame.sampleDistanceMm;
   this->UpdatePreIntegratedTable(frame);
   this->DrawPicture(frame);
+}
+
+// Those that a volume has for itself, be it one of several.
+void RayMarcher::UpdateResources(Frame& frame)
+{
+  this->UpdateVolume(frame);
+  this->UpdateOpticalTable(frame);
+  this->UpdateGradientOpacity(frame);
+  this->UpdateMask(frame);
+  this->UpdateField(frame);
+  frame.settings.skipsBricks = this->field.HasTexture();
+  this->UpdateLights(frame);
+  this->UpdateIsosurfaces(frame);
+  this->UpdateSpacing(frame);
+  this->UpdateBlocks(frame);
 }
 
 void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* window)
@@ -271,7 +279,8 @@ std::size_t RayMarcher::GraphicsMemoryBytes() const
     this->blocks.Bytes() + this->field.Bytes() + this->opticalTable.Bytes() +
     this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
     this->gradientOpacity.Bytes() + this->twoValues.Bytes() + this->mask.Bytes() +
-    this->probe.Bytes() + this->accumulation.Bytes() + this->picture.Bytes();
+    this->probe.Bytes() + this->accumulation.Bytes() + this->picture.Bytes() +
+    this->BytesOfOthers();
 }
 
 double RayMarcher::FieldBuildSeconds() const
@@ -283,6 +292,7 @@ double RayMarcher::FieldBuildSeconds() const
 
 void RayMarcher::Release(vtkWindow* window)
 {
+  this->ReleaseOthers(window, 0);
   this->blocks.Release(window);
   this->accumulation.Release(window);
   this->picture.Release(window);

@@ -25,6 +25,7 @@
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <memory>
 #include <optional>
 
 class vtkDataArray;
@@ -43,6 +44,13 @@ struct BuildCounts
   int opticalTable = 0;
   int shader = 0;
   int tolerance = 0; ///< searches for the steps that keep a tolerance
+
+  /// All but those searches, which every new view takes.
+  int OfResources() const
+  {
+    return this->volumeTexture + this->brickRanges + this->field + this->opticalTable +
+      this->shader;
+  }
 };
 
 /// What a field was made from; it must be made again when any of it differs.
@@ -115,6 +123,7 @@ public:
 
 private:
   void EnterWindow(vtkOpenGLRenderWindow* window);
+  void UpdateResources(Frame& frame);
   void UpdateVolume(const Frame& frame);
   void UpdateOpticalTable(const Frame& frame);
   void UpdatePreIntegratedTable(const Frame& frame);
@@ -152,6 +161,19 @@ private:
   void DrawVolume(const Frame& frame);
   void DrawBlock(Frame frame, int block);
   void DrawBlocks(const Frame& frame);
+
+  // Several volumes that overlap: the first is this marcher's, and draws all.
+  void UpdateOthers(Frame& frame);
+  void CheckOneBlock(const Frame& frame) const;
+  Box BoxOfAll(const Frame& frame) const;
+  void ReleaseOthers(vtkWindow* window, std::size_t first);
+  std::size_t BytesOfOthers() const;
+  std::vector<double> ToleranceInputs(const Frame& frame) const;
+  DrawnBlock WholeVolume(const Frame& frame);
+  std::vector<vtkTextureObject*> TexturesOf(const DrawnBlock& drawn) const;
+  void SetPlaceUniforms(const Frame& frame, const DrawnBlock& drawn);
+  void SetOwnUniforms(const Frame& frame, const glm::dmat4& gridFromRays);
+  void SetUniformsOfOthers(const Frame& frame);
 
   void DrawPicture(const Frame& frame);
   void DrawPass(const Frame& frame);
@@ -209,8 +231,10 @@ private:
   double usedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;
   std::vector<std::string> shaderParts;
-  Box visibleBox = {};           ///< what of the volume is drawn
-  std::vector<Box> visibleBoxes; ///< and of each block
+  std::vector<std::unique_ptr<RayMarcher>> others; ///< of volumes that overlap with this one
+  Box drawnBox = {};                               ///< where rays are marched: through all volumes
+  Box visibleBox = {};                             ///< what of the volume is drawn
+  std::vector<Box> visibleBoxes;                   ///< and of each block
 
   // What each resource was made from.
   VoxelChannels volumeSource; ///< none: there is no volume

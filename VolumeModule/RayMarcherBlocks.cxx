@@ -97,7 +97,7 @@ std::size_t RayMarcher::FixedBytes(const Frame& frame) const
   return this->clippingPlanes.Bytes() + this->isosurfaces.Bytes() + this->spacing.Bytes() +
     this->field.Bytes() + this->opticalTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
     this->gradientOpacity.Bytes() + this->twoValues.Bytes() + this->mask.Bytes() +
-    this->picture.Bytes() +
+    this->picture.Bytes() + this->BytesOfOthers() +
     (mayPreIntegrate ? PreIntegratedTableBytes(this->opticalTable.Table()) : 0) +
     (frame.errorTolerance > 0.0 ? probeBytes : 0);
 }
@@ -234,16 +234,14 @@ std::vector<int> RayMarcher::BlocksInView(const Frame& frame) const
 
 void RayMarcher::DrawVolume(const Frame& frame)
 {
-  if (glm::any(glm::greaterThanEqual(this->visibleBox.lower, this->visibleBox.upper)))
+  if (glm::any(glm::greaterThanEqual(this->drawnBox.lower, this->drawnBox.upper)))
   {
     return;
   }
   if (this->blocks.Partition().Count() == 1)
   {
     this->UpdateProgram(frame);
-    this->DrawBox(frame,
-      { &this->blocks.Take(frame.window, 0), { glm::ivec3(0), frame.geometry.dimensions },
-        this->visibleBox, this->visibleBox, glm::dvec3(Nowhere) });
+    this->DrawBox(frame, this->WholeVolume(frame));
     return;
   }
   this->DrawBlocks(frame);
@@ -273,7 +271,13 @@ void RayMarcher::DrawBlocks(const Frame& frame)
 
 DrawnBlock RayMarcher::BoxOfVisible() const
 {
-  return { nullptr, {}, this->visibleBox, this->visibleBox, glm::dvec3(Nowhere) };
+  return { nullptr, {}, this->drawnBox, this->drawnBox, glm::dvec3(Nowhere) };
+}
+
+DrawnBlock RayMarcher::WholeVolume(const Frame& frame)
+{
+  return { &this->blocks.Take(frame.window, 0), { glm::ivec3(0), frame.geometry.dimensions },
+    this->drawnBox, this->drawnBox, glm::dvec3(Nowhere) };
 }
 
 void RayMarcher::DrawBlock(Frame frame, int block)

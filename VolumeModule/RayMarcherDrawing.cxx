@@ -80,6 +80,32 @@ private:
 
 }
 
+// All that a drawing may have made active.
+std::vector<vtkTextureObject*> RayMarcher::TexturesOf(const DrawnBlock& drawn) const
+{
+  std::vector<vtkTextureObject*> textures = { this->field.Texture(), this->opticalTable.Texture(),
+    this->preIntegratedTable.Texture(), this->depth.Texture(), this->lights.Texture(),
+    this->gradientOpacity.Texture(), this->twoValues.Texture(), this->mask.Texture(),
+    this->accumulation.Drawn(), this->accumulation.Finished() };
+  const std::vector<vtkTextureObject*> ofPicture = this->picture.Textures();
+  textures.insert(textures.end(), ofPicture.begin(), ofPicture.end());
+  textures.insert(textures.end(),
+    { this->clippingPlanes.Texture(), this->isosurfaces.Texture(), this->spacing.Texture() });
+  for (const auto& other : this->others)
+  {
+    const std::vector<vtkTextureObject*> ofOther =
+      other->TexturesOf({ &other->blocks.Take(this->window, 0), {}, {}, {}, {} });
+    textures.insert(textures.end(), ofOther.begin(), ofOther.end());
+  }
+  if (drawn.block)
+  {
+    textures.insert(textures.end(),
+      { drawn.block->volume.Texture(), drawn.block->gaps.Texture(),
+        drawn.block->scalarField.Texture() });
+  }
+  return textures;
+}
+
 void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
 {
   this->SetUniforms(frame, drawn);
@@ -89,21 +115,7 @@ void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
       frame.window->GetState(), mirrored, BlendingOf(frame.settings.pass));
     this->boxGeometry.Draw(this->program.Program(), drawn.coverGrid);
   }
-  std::vector<vtkTextureObject*> textures = { this->field.Texture(), this->opticalTable.Texture(),
-    this->preIntegratedTable.Texture(), this->depth.Texture(), this->lights.Texture(),
-    this->gradientOpacity.Texture(), this->twoValues.Texture(), this->mask.Texture(),
-    this->accumulation.Drawn(), this->accumulation.Finished() };
-  const std::vector<vtkTextureObject*> ofPicture = this->picture.Textures();
-  textures.insert(textures.end(), ofPicture.begin(), ofPicture.end());
-  textures.insert(textures.end(),
-    { this->clippingPlanes.Texture(), this->isosurfaces.Texture(), this->spacing.Texture() });
-  if (drawn.block)
-  {
-    textures.insert(textures.end(),
-      { drawn.block->volume.Texture(), drawn.block->gaps.Texture(),
-        drawn.block->scalarField.Texture() });
-  }
-  for (vtkTextureObject* texture : textures)
+  for (vtkTextureObject* texture : this->TexturesOf(drawn))
   {
     if (texture->GetHandle())
     {

@@ -4,6 +4,7 @@
 #include "RayMarcher.h"
 
 #include "Core/ShaderRecipe.h"
+#include "JoinedFrame.h"
 #include "Lights.h"
 #include "PropertyTransferFunction.h"
 
@@ -74,8 +75,9 @@ ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const E
 // Whether the opacity is that of one transfer function, whatever the light.
 bool IsShadedTransferFunction(const RenderSettings& settings)
 {
-  return !settings.gradientOpacity && settings.components == Components::One &&
-    settings.functionOf == FunctionOf::Value && settings.mask != Mask::Labels;
+  return !settings.overlaps && !settings.gradientOpacity &&
+    settings.components == Components::One && settings.functionOf == FunctionOf::Value &&
+    settings.mask != Mask::Labels;
 }
 
 // What decides on the rule of integration.
@@ -115,17 +117,26 @@ std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
   return inputs;
 }
 
-StepRange RangeOf(const VolumeGeometry& geometry)
+StepRange RangeOf(const Frame& frame)
 {
-  const double voxelMm = geometry.SmallestSpacingMm();
-  const double coarsestMm =
-    std::min(CoarsestVoxels * voxelMm, geometry.DiagonalMm() / FewestSamples);
+  const double voxelMm = SmallestSpacingMm(frame);
+  const double coarsestMm = std::min(CoarsestVoxels * voxelMm, LongestRayMm(frame) / FewestSamples);
   // Halves of the finest are drawn too.
-  const double finestMm =
-    std::max(FinestVoxels * voxelMm, 2.0 * geometry.ShortestSampleDistanceMm());
+  const double finestMm = std::max(FinestVoxels * voxelMm, 2.0 * ShortestSampleDistanceMm(frame));
   return { coarsestMm, std::min(finestMm, coarsestMm) };
 }
 
+}
+
+std::vector<double> RayMarcher::ToleranceInputs(const Frame& frame) const
+{
+  std::vector<double> inputs = InputsOf(frame, this->builds);
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    const std::vector<double> ofOther = this->others[i]->ToleranceInputs(frame.others[i]);
+    inputs.insert(inputs.end(), ofOther.begin(), ofOther.end());
+  }
+  return inputs;
 }
 
 void RayMarcher::UpdateTolerance(const Frame& frame)
@@ -136,7 +147,7 @@ void RayMarcher::UpdateTolerance(const Frame& frame)
     this->probe.Release(frame.window);
     return;
   }
-  if (!this->tolerance || this->tolerance->inputs != InputsOf(frame, this->builds))
+  if (!this->tolerance || this->tolerance->inputs != this->ToleranceInputs(frame))
   {
     this->tolerance = this->ChooseSteps(frame);
     ++this->builds.tolerance;
@@ -149,17 +160,17 @@ ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame)
     IsExtreme(frame.settings.blend) ? ExtremesPart * frame.errorTolerance : frame.errorTolerance;
   const ErrorLimit limit{ PercentileOfTolerance * stepsTolerance,
     LargestOfTolerance * stepsTolerance };
-  const StepRange range = RangeOf(frame.geometry);
+  const StepRange range = RangeOf(frame);
   const auto drawingBy = [&](Integration integration)
   {
     return [this, &frame, integration](double sampleDistanceMm)
     { return this->DrawProbe(frame, integration, sampleDistanceMm); };
   };
   // Each search begins at the same place, so that what it finds does not depend on the one before.
-  const double firstMm = frame.geometry.SmallestSpacingMm();
+  const double firstMm = SmallestSpacingMm(frame);
   const auto choiceBy = [&](Integration integration)
   {
-    return ToleranceChoice{ InputsOf(frame, this->builds), RuleInputsOf(frame, this->builds),
+    return ToleranceChoice{ this->ToleranceInputs(frame), RuleInputsOf(frame, this->builds),
       integration, FindSampleDistance(drawingBy(integration), limit, range, firstMm) };
   };
 

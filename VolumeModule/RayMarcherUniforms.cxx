@@ -3,6 +3,7 @@
 #include "RayMarcher.h"
 
 #include "Core/ShaderRecipe.h"
+#include "JoinedFrame.h"
 
 #include "vtkRenderer.h"
 #include "vtkVolumeProperty.h"
@@ -24,9 +25,13 @@ namespace
 // cells it can pass.
 int MostSegmentsOf(const Frame& frame)
 {
-  const double steps = std::ceil(frame.geometry.DiagonalMm() / frame.sampleDistanceMm);
-  const glm::ivec3 voxels = frame.geometry.dimensions;
-  return int(steps) + voxels.x + voxels.y + voxels.z;
+  const double steps = std::ceil(LongestRayMm(frame) / frame.sampleDistanceMm);
+  int most = int(steps);
+  const auto add = [&](const Frame& one)
+  { most += one.geometry.dimensions.x + one.geometry.dimensions.y + one.geometry.dimensions.z; };
+  add(frame);
+  std::for_each(frame.others.begin(), frame.others.end(), add);
+  return most;
 }
 
 }
@@ -35,7 +40,7 @@ void RayMarcher::SetRayUniforms(
   const Frame& frame, const DrawnBlock& drawn, const glm::dmat4& clipFromGrid)
 {
   // The same rays for every block, to the last bit: none then has a gap where two blocks meet.
-  const PixelRays rays = ComputePixelRays(clipFromGrid, this->visibleBox);
+  const PixelRays rays = ComputePixelRays(clipFromGrid, this->drawnBox);
   const Viewport& viewport = frame.viewport;
 
   this->program.Set("clipFromGrid", clipFromGrid);
@@ -43,14 +48,19 @@ void RayMarcher::SetRayUniforms(
   this->program.Set("viewportPixelsInverse", 1.0 / glm::dvec2(viewport.width, viewport.height));
   this->program.Set("startGrid", rays.startGrid);
   this->program.Set("directionGrid", rays.directionGrid);
-  this->program.Set("worldFromGrid", frame.geometry.WorldFromGridDirection());
   this->program.Set("nearPlaneGrid", rays.nearPlaneGrid);
   this->program.Set("farPlaneGrid", rays.farPlaneGrid);
   this->program.Set("boxLowerGrid", drawn.boxGrid.lower);
   this->program.Set("boxUpperGrid", drawn.boxGrid.upper);
+  this->program.Set("mostSegments", MostSegmentsOf(frame));
+  this->SetPlaceUniforms(frame, drawn);
+}
+
+void RayMarcher::SetPlaceUniforms(const Frame& frame, const DrawnBlock& drawn)
+{
+  this->program.Set("worldFromGrid", frame.geometry.WorldFromGridDirection());
   this->program.Set("firstVoxelGrid", glm::dvec3(drawn.voxels.first));
   this->program.Set("voxelCountInverse", 1.0 / glm::dvec3(drawn.voxels.count));
-  this->program.Set("mostSegments", MostSegmentsOf(frame));
 }
 
 void RayMarcher::SetResumeUniforms(const Frame& frame, const DrawnBlock& drawn)
@@ -313,6 +323,7 @@ void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
   if (Marches(pass))
   {
     this->SetMarchUniforms(frame, drawn);
+    this->SetUniformsOfOthers(frame);
     this->SetPassUniforms(frame, clipFromGrid);
     this->program.SetUniformsOf(frame.volume);
   }

@@ -8,7 +8,6 @@
 #include "vtkContourValues.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkMultiVolume.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderWindow.h"
@@ -50,8 +49,11 @@ const char* vtkVariationFieldGPUVolumeRayCastMapper::GetReasonForVtkMapper()
 void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
 {
   vtkVariationFieldVolumeMapper* mapper = this->VariationFieldMapper;
-  const bool hasInput = this->GetNumberOfInputConnections(0) > 0;
-  mapper->SetInputConnection(hasInput ? this->GetInputConnection(0, 0) : nullptr);
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    const bool hasInput = this->GetNumberOfInputConnections(port) > 0;
+    mapper->SetInputConnection(port, hasInput ? this->GetInputConnection(port, 0) : nullptr);
+  }
   mapper->SetScalarMode(this->ScalarMode);
   mapper->SelectScalarArray(this->ArrayId);
   mapper->SelectScalarArray(this->ArrayName);
@@ -82,10 +84,9 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
 }
 
 // What vtkVariationFieldVolumeMapper has no setting for: here, until it has.
-std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting(vtkVolume* volume)
+std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting()
 {
   const Setting settings[] = {
-    { vtkMultiVolume::SafeDownCast(volume) != nullptr, "A vtkMultiVolume is not supported yet. " },
     { this->UseDepthPass != 0, "A depth pass is not supported yet. " },
     { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR ||
         this->GradientOpacityRangeType != SCALAR,
@@ -103,7 +104,7 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ChooseMapper(vtkRenderer* renderer
 {
   const bool wasVtk = !this->ReasonForVtkMapper.empty();
   this->ForwardSettings();
-  this->ReasonForVtkMapper = this->UnsupportedSetting(volume) +
+  this->ReasonForVtkMapper = this->UnsupportedSetting() +
     varimarch::UnsupportedFeature(this->VariationFieldMapper, renderer, volume);
   const bool isVtk = !this->ReasonForVtkMapper.empty();
 
@@ -141,9 +142,12 @@ void vtkVariationFieldGPUVolumeRayCastMapper::Draw(vtkRenderer* renderer, vtkVol
 
 void vtkVariationFieldGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  if (this->GetNumberOfInputConnections(0) > 0)
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
-    this->GetInputAlgorithm(0, 0)->Update();
+    if (this->GetNumberOfInputConnections(port) > 0)
+    {
+      this->GetInputAlgorithm(port, 0)->Update();
+    }
   }
   this->ChooseMapper(renderer, volume);
   if (this->ReasonForVtkMapper.empty())

@@ -72,7 +72,7 @@ protected:
 
 private:
   void ForwardSettings();
-  std::string UnsupportedSetting(vtkVolume* volume);
+  std::string UnsupportedSetting();
   void ChooseMapper(vtkRenderer* renderer, vtkVolume* volume);
   void Draw(vtkRenderer* renderer, vtkVolume* volume);
 

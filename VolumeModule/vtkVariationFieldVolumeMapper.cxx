@@ -90,13 +90,6 @@ namespace
 // Somebody interacts where a picture is wanted in less than this.
 constexpr double LongestInteractiveSeconds = 1.0;
 
-// All but the search for steps, which every new view takes.
-int BuildsOf(const varimarch::BuildCounts& builds)
-{
-  return builds.volumeTexture + builds.brickRanges + builds.field + builds.opticalTable +
-    builds.shader;
-}
-
 }
 
 // As coarsely as the allocated time asks for; in full where nobody waits.
@@ -111,14 +104,14 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
     return;
   }
   varimarch::UseQuality(this->Quality.Next(allocatedSeconds), mapper, frame);
-  const int builds = BuildsOf(this->Marcher.Builds());
+  const int builds = this->Marcher.Builds().OfResources();
   frame.window->WaitForCompletion();
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
   this->Marcher.Draw(frame);
   frame.window->WaitForCompletion();
   timer->StopTimer();
-  if (BuildsOf(this->Marcher.Builds()) == builds)
+  if (this->Marcher.Builds().OfResources() == builds)
   {
     this->Quality.Took(timer->GetElapsedTime());
   }
@@ -129,6 +122,7 @@ vtkStandardNewMacro(vtkVariationFieldVolumeMapper);
 vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper()
   : Private(std::make_unique<Internals>())
 {
+  this->SetNumberOfInputPorts(10); // as many as vtkGPUVolumeRayCastMapper has
 }
 
 vtkVariationFieldVolumeMapper::~vtkVariationFieldVolumeMapper()
@@ -355,8 +349,9 @@ bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()
   return !tolerance || tolerance->step.KeepsLimit();
 }
 
-int vtkVariationFieldVolumeMapper::FillInputPortInformation(int, vtkInformation* information)
+int vtkVariationFieldVolumeMapper::FillInputPortInformation(int port, vtkInformation* information)
 {
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0 ? 1 : 0);
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
   return 1;

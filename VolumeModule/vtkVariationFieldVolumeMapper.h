@@ -60,6 +60,12 @@
  *
  * A rectilinear grid is interpolated between its own coordinates; it is marched without a field.
  *
+ * Several inputs are the volumes of a vtkMultiVolume, which may overlap: a composite of the sum of
+ * their extinctions and emissions, each with its own matrix, property and kind of voxels. As
+ * vtkMultiVolume asks a vtkGPUVolumeRayCastMapper for its bounds, programs set them up with
+ * vtkVariationFieldGPUVolumeRayCastMapper. Not with masks, cropping, blanked voxels or voxels that
+ * are not finite, cuts as surfaces, user code, images of depth, or in blocks.
+ *
  * Not for: isosurfaces of several components or of rectilinear grids. They are reported as errors.
  *
  * @sa vtkVolumeMapper vtkVolumeProperty

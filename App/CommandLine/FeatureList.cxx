@@ -7,6 +7,7 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
 #include <vtkLight.h>
+#include <vtkMultiVolume.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
@@ -15,6 +16,7 @@
 #include <vtkSphereSource.h>
 #include <vtkVariationFieldGPUVolumeRayCastMapper.h>
 #include <vtkVariationFieldVolumeMapper.h>
+#include <vtkVolumeCollection.h>
 #include <vtkVolumeProperty.h>
 
 #include <array>
@@ -302,6 +304,31 @@ void MaskOff(Stage stage)
   stage.mapper->SetMaskInput(nullptr);
 }
 
+// The same volume once more, turned.
+void SecondVolumeOn(Stage stage)
+{
+  vtkNew<vtkVolume> second;
+  second->SetProperty(PropertyOf(stage));
+  second->SetUserTransform(stage.volume->GetUserTransform());
+  second->SetOrigin(stage.volume->GetCenter());
+  second->RotateZ(40.0);
+  vtkNew<vtkMultiVolume> several;
+  several->SetMapper(stage.mapper);
+  several->SetVolume(stage.volume, 0);
+  several->SetVolume(second, 1);
+  stage.mapper->SetInputDataObject(1, stage.image);
+  stage.renderer->RemoveVolume(stage.volume);
+  stage.renderer->AddVolume(several);
+}
+
+void SecondVolumeOff(Stage stage)
+{
+  stage.mapper->RemoveInputConnection(1, 0);
+  vtkVolumeCollection* const volumes = stage.renderer->GetVolumes();
+  stage.renderer->RemoveVolume(vtkVolume::SafeDownCast(volumes->GetItemAsObject(0)));
+  stage.renderer->AddVolume(stage.volume);
+}
+
 }
 
 const std::vector<Feature>& Features()
@@ -340,6 +367,7 @@ const std::vector<Feature>& Features()
     { "cell-data", "composite", ShadeOff, Input(OnCells), PlainInput },
     { "rectilinear", "composite", ShadeOff, Input(OnRectilinearGrid), PlainInput },
     { "blanking", "composite", ShadeOff, Input(WithBlankedBall), PlainInput },
+    { "multi-volume", "composite", ShadeOff, SecondVolumeOn, SecondVolumeOff },
     { "picture-and-depth", "composite", ShadeOff,
       [](Stage stage) { stage.mapper->RenderToImageOn(); },
       [](Stage stage) { stage.mapper->RenderToImageOff(); } },

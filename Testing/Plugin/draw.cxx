@@ -1,7 +1,7 @@
 // A program of somebody who knows VTK and nothing of this tree: draws a wavelet by one of the
 // mappers that leave the choice to VTK's factory, and says which class that came to be.
 //
-// Usage: draw gpu|smart|component|magnitude|blocks PICTURE.ppm
+// Usage: draw gpu|several|smart|component|magnitude|blocks PICTURE.ppm
 
 #include <vtkColorTransferFunction.h>
 #include <vtkExtractVOI.h>
@@ -10,6 +10,7 @@
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiBlockVolumeMapper.h>
+#include <vtkMultiVolume.h>
 #include <vtkNew.h>
 #include <vtkPNMWriter.h>
 #include <vtkPiecewiseFunction.h>
@@ -118,6 +119,21 @@ void SetLook(vtkVolumeProperty* property)
   property->SetInterpolationTypeToLinear();
 }
 
+// Two volumes that overlap, the second with a wavelet of its own.
+vtkSmartPointer<vtkVolume> Several(vtkVolume* volume, vtkRTAnalyticSource* second)
+{
+  vtkNew<vtkVolume> other;
+  SetLook(other->GetProperty());
+  other->RotateY(30.0);
+  other->SetPosition(8.0, 2.0, -3.0);
+  volume->GetMapper()->SetInputConnection(1, second->GetOutputPort());
+  auto several = vtkSmartPointer<vtkMultiVolume>::New();
+  several->SetMapper(volume->GetMapper());
+  several->SetVolume(volume, 0);
+  several->SetVolume(other, 1);
+  return several;
+}
+
 }
 
 int main(int argumentCount, char** arguments)
@@ -133,7 +149,12 @@ int main(int argumentCount, char** arguments)
   SetLook(volume->GetProperty());
 
   vtkNew<vtkRenderer> renderer;
-  renderer->AddVolume(volume);
+  vtkNew<vtkRTAnalyticSource> second;
+  second->SetWholeExtent(-12, 12, -14, 14, -16, 16);
+  const bool overlap = std::string(arguments[1]) == "several";
+  const vtkSmartPointer<vtkVolume> drawn =
+    overlap ? Several(volume, second) : vtkSmartPointer<vtkVolume>(volume);
+  renderer->AddVolume(drawn);
   vtkNew<vtkRenderWindow> window;
   window->SetMultiSamples(0);
   window->SetSize(96, 96);

@@ -35,3 +35,30 @@ TEST(ShaderAssembly, LeavesNumbersOutsideItsFilesAlone)
 {
   EXPECT_EQ(TraceShaderErrors("0:9001: error, 10:30 lost", files), "0:9001: error, 10:30 lost");
 }
+
+TEST(ShaderAssembly, GivesEachOfSeveralVolumesNamesOfItsOwn)
+{
+  const std::vector<varimarch::ShaderFile> volume = {
+    { "VolumeSlots.glsl", "uniform float own;\n" },
+    { "Volumes/Next.glsl", "float Sum()\n{\n  return SumBefore() + own;\n}\n" },
+  };
+  std::vector<varimarch::ShaderFile> several = { { "Volumes/None.glsl", "float SumBefore();\n" } };
+  for (int i = 0; i < 3; ++i)
+  {
+    several.insert(several.end(), volume.begin(), volume.end());
+  }
+  const std::string text = volume.front().text + "\n#line 3000\n" + volume.back().text + "\n";
+  const std::string source = AssembleShader(several);
+  const auto stands = [&](const std::string& part)
+  { return source.find(part) != std::string::npos; };
+  // The first asks for what there is before all of them, the last has the names that are there.
+  EXPECT_TRUE(stands("#line 1000\nfloat SumBefore();\n\n"
+                     "#define Sum Sum_1\n#define own own_1\n#line 2000\n" +
+    text));
+  EXPECT_TRUE(stands("#undef SumBefore\n#define SumBefore Sum_1\n#undef Sum\n#undef own\n"
+                     "#define Sum Sum_2\n#define own own_2\n#line 4000\n"));
+  EXPECT_TRUE(stands("#undef SumBefore\n#define SumBefore Sum_2\n#undef Sum\n#undef own\n"
+                     "#line 6000\n"));
+  EXPECT_EQ(varimarch::NameOfVolume("own", 0), "own_1");
+  EXPECT_EQ(varimarch::NameOfVolume("own[2]", 1), "own_2[2]");
+}

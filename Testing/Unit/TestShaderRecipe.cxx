@@ -31,7 +31,7 @@ Parts Changed(const RenderSettings& settings)
 TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   EXPECT_EQ(FragmentShaderParts(plain),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
+    (Parts{ "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
       "Interpolation/Linear.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
       "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
       "Fetch/FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
@@ -140,7 +140,7 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
 {
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
+    (Parts{ "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
       "Interpolation/Linear.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
       "Math/CellCubic.glsl", "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl",
       "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
@@ -156,7 +156,7 @@ TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
     settings.nearest = nearest;
     const Parts parts = FragmentShaderParts(settings);
     // Between what every shader begins with and what every one ends with.
-    return Parts(parts.begin() + 4, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
+    return Parts(parts.begin() + 5, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
   };
   EXPECT_EQ(partsOf(Blend::Composite, true),
     (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
@@ -173,9 +173,35 @@ TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
       "Surface/Isosurfaces.glsl", "March/Isosurfaces.glsl" }));
   EXPECT_EQ(partsOf(Blend::Slice, false),
     (Parts{ "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
-      "Classify/OpticalTable.glsl", "Gradient/CentralDifferences.glsl", "Shade/None.glsl",
+      "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
       "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
       "Blend/Composite.glsl", "March/Slice.glsl" }));
+}
+
+TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
+{
+  RenderSettings settings{ Blend::Composite, Acceleration::Off };
+  settings.overlaps = true;
+  RenderSettings lit = settings;
+  lit.shading = true;
+  settings.others = { lit };
+  const Parts parts = FragmentShaderParts(settings);
+  EXPECT_EQ(parts,
+    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Math/StepGrowth.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Blend/Composite.glsl",
+      "Volumes/None.glsl",
+      // The lit volume,
+      "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl", "Probe/None.glsl",
+      "Gaps/None.glsl", "Classify/OpticalTable.glsl", "Gradient/CentralDifferences.glsl",
+      "Shade/HeadLight.glsl", "GradientOpacity/None.glsl", "Values/One.glsl",
+      "Material/OneComponent.glsl", "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl",
+      // and the other.
+      "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl", "Probe/None.glsl",
+      "Gaps/None.glsl", "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
+      "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
+      "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl", "March/Several.glsl",
+      "Mask/None.glsl", "Crop/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
@@ -183,9 +209,9 @@ TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
   RenderSettings settings{ Blend::Composite, Acceleration::OpticalField, true, false };
   settings.pass = RayPass::Picture;
   EXPECT_EQ(FragmentShaderParts(settings),
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Depth/None.glsl",
-      "Clip/None.glsl", "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl",
-      "RayMarch.frag.glsl" }));
+    (Parts{ "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Blend/Composite.glsl", "Window/None.glsl",
+      "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)
@@ -195,7 +221,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 152u);
+  EXPECT_EQ(distinct.size(), 159u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)
@@ -205,6 +231,10 @@ TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)
     std::map<std::string, int> filesOfSlot;
     for (const std::string& part : FragmentShaderParts(settings))
     {
+      if (part == "VolumeSlots.glsl")
+      {
+        filesOfSlot.clear(); // each of several volumes has files of its own
+      }
       const std::size_t slash = part.find('/');
       if (slash != std::string::npos && part.substr(0, slash) != "Math")
       {

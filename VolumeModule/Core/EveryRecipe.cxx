@@ -173,6 +173,45 @@ std::vector<RenderSettings> RecipesWithCuts()
   return recipes;
 }
 
+std::vector<RenderSettings> RecipesOfSeveralVolumes()
+{
+  RenderSettings one;
+  one.overlaps = true;
+  RenderSettings lit = one;
+  lit.shading = true;
+  lit.gradientOpacity = true;
+  RenderSettings nearest{ Blend::Composite, Acceleration::Off };
+  nearest.overlaps = true;
+  nearest.nearest = true;
+  RenderSettings mixture = lit;
+  mixture.lights = true;
+  mixture.components = Components::Independent;
+  mixture.componentCount = 3;
+  RenderSettings two = one;
+  two.acceleration = Acceleration::ScalarField;
+  two.functionOf = FunctionOf::ValueAndGradient;
+  two.cubic = true;
+  std::vector<RenderSettings> recipes;
+  const auto add = [&](RenderSettings first, const std::vector<RenderSettings>& others)
+  {
+    first.others = others;
+    recipes.push_back(first);
+  };
+  add(one, { one });
+  add(one, { lit });
+  add(lit, { nearest });
+  add(nearest, { nearest, nearest });
+  add(mixture, { two, one, lit });
+  RenderSettings cut = one;
+  cut.clipping = true;
+  cut.sceneGeometry = true;
+  cut.jitter = true;
+  add(cut, { one });
+  cut.pass = RayPass::PeelBetween;
+  add(cut, { one });
+  return recipes;
+}
+
 std::vector<RenderSettings> ExactRecipes()
 {
   std::vector<RenderSettings> recipes;
@@ -209,9 +248,9 @@ std::vector<RenderSettings> EveryRecipe()
   RenderSettings counting;
   counting.countFetches = true;
   std::vector<RenderSettings> recipes = { counting };
-  for (const std::vector<RenderSettings>& others :
-    { RecipesOfMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(), RecipesInBlocks(),
-      RecipesOfPictures(), RecipesOfSplines(), RecipesWithCuts(), ExactRecipes() })
+  for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(), RecipesOfGrowingSteps(),
+         RecipesWithGaps(), RecipesInBlocks(), RecipesOfPictures(), RecipesOfSplines(),
+         RecipesWithCuts(), RecipesOfSeveralVolumes(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

@@ -89,8 +89,8 @@ std::vector<std::string> MaterialParts(const RenderSettings& settings)
     settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl";
   if (settings.components == Components::One)
   {
-    return { GradientFile(settings), ShadeFile(settings), opacity, "Values/One.glsl",
-      "Material/OneComponent.glsl" };
+    return { UsesGradients(settings) ? GradientFile(settings) : "Gradient/None.glsl",
+      ShadeFile(settings), opacity, "Values/One.glsl", "Material/OneComponent.glsl" };
   }
   const std::string gradients =
     settings.cubic ? "Gradient/OfSplines.glsl" : "Gradient/CentralDifferencesOfAll.glsl";

@@ -1,6 +1,9 @@
 #ifndef Varimarch_Core_RenderSettings_h
 #define Varimarch_Core_RenderSettings_h
 
+#include <algorithm>
+#include <vector>
+
 namespace varimarch
 {
 
@@ -145,13 +148,19 @@ struct RenderSettings
   bool gradientOpacity = false; ///< opacity depends on the gradient; composite only
   bool jitter = false;          ///< begin rays with a part of a step
   bool windowLevel = false;     ///< scale the picture's colours
+  bool overlaps = false;        ///< is marched together with other volumes; composite only,
+  std::vector<RenderSettings> others = {}; ///< which are these, where it is the first of them
 };
 
 /// Whether rays are sampled: steps then decide on a picture. Voxels as boxes, and extremes between
 /// them, are exact but for projections of several components and at uneven places, and so are
-/// surfaces. Along a spline an extreme is not.
+/// surfaces. Along a spline an extreme is not. Of volumes that overlap any may be.
 inline bool IsSampled(const RenderSettings& settings)
 {
+  if (std::any_of(settings.others.begin(), settings.others.end(), IsSampled))
+  {
+    return true;
+  }
   const bool severalProjected =
     settings.components != Components::One && IsProjection(settings.blend);
   const bool exact = settings.nearest || (IsExtreme(settings.blend) && !settings.cubic);

@@ -1,9 +1,9 @@
 #include "Core/ShaderRecipe.h"
 
 #include "Core/MaterialRecipe.h"
+#include "Core/PassRecipe.h"
 
-#include <stdexcept>
-#include <utility>
+#include <algorithm>
 
 namespace varimarch
 {
@@ -19,6 +19,21 @@ std::string DepthFile(const RenderSettings& settings)
 std::string ClipFile(const RenderSettings& settings)
 {
   return settings.clipping ? "Clip/Planes.glsl" : "Clip/None.glsl";
+}
+
+std::string JitterFile(const RenderSettings& settings)
+{
+  return settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl";
+}
+
+std::string SpacingFile(const RenderSettings& settings)
+{
+  return settings.uneven ? "Spacing/Uneven.glsl" : "Spacing/Even.glsl";
+}
+
+std::string ProbeFile(const RenderSettings& settings)
+{
+  return settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl";
 }
 
 std::string StepFile(const RenderSettings& settings)
@@ -37,46 +52,6 @@ std::string StepFile(const RenderSettings& settings)
       break;
   }
   return "Step/Fixed.glsl";
-}
-
-std::string ComponentBlendFile(Blend blend)
-{
-  switch (blend)
-  {
-    case Blend::MaximumIntensity:
-    case Blend::MinimumIntensity:
-      return "Blend/ComponentExtreme.glsl";
-    case Blend::AverageIntensity:
-      return "Blend/ComponentAverage.glsl";
-    default:
-      return "Blend/ComponentAdditive.glsl";
-  }
-}
-
-std::string BlendFile(const RenderSettings& settings)
-{
-  const Blend blend = settings.blend;
-  if (settings.components != Components::One && IsProjection(blend))
-  {
-    return ComponentBlendFile(blend);
-  }
-  switch (blend)
-  {
-    case Blend::Composite:
-      return "Blend/Composite.glsl";
-    case Blend::MaximumIntensity:
-      return "Blend/MaximumIntensity.glsl";
-    case Blend::MinimumIntensity:
-      return "Blend/MinimumIntensity.glsl";
-    case Blend::AverageIntensity:
-      return "Blend/AverageIntensity.glsl";
-    case Blend::Additive:
-      return "Blend/Additive.glsl";
-    case Blend::Isosurface:
-    case Blend::Slice:
-      return "Blend/Composite.glsl"; // of surfaces, each of an optical depth
-  }
-  throw std::invalid_argument("Shader: unknown blend mode");
 }
 
 std::string MarchFile(const RenderSettings& settings)
@@ -133,46 +108,11 @@ std::vector<std::string> MaskParts(Mask mask)
   return { "Mask/None.glsl" };
 }
 
-std::string ResumeFile(RayPass pass)
-{
-  switch (pass)
-  {
-    case RayPass::Block:
-      return "Resume/Block.glsl";
-    case RayPass::Picture:
-      return "Resume/Picture.glsl";
-    case RayPass::Upscaled:
-      return "Resume/Upscaled.glsl";
-    case RayPass::Averaged:
-      return "Resume/Averaged.glsl";
-    case RayPass::PeelOutside:
-      return "Resume/PeelOutside.glsl";
-    case RayPass::PeelBetween:
-      return "Resume/PeelBetween.glsl";
-    case RayPass::PeelLast:
-      return "Resume/PeelLast.glsl";
-    case RayPass::PickProp:
-      return "Resume/PickProp.glsl";
-    case RayPass::PickVoxel:
-      return "Resume/PickVoxel.glsl";
-    case RayPass::FirstDepth:
-      return "Resume/FirstDepth.glsl";
-    case RayPass::Whole:
-      break;
-  }
-  return "Resume/Whole.glsl";
-}
-
-std::string WindowFile(const RenderSettings& settings)
-{
-  return settings.windowLevel ? "Window/WindowLevel.glsl" : "Window/None.glsl";
-}
-
 // No march: only where the rays are that have a pixel, and what it becomes.
 std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
-  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl",
-    DepthFile(settings), ClipFile(settings) };
+  std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl",
+    "Math/Absorption.glsl", DepthFile(settings), ClipFile(settings) };
   if (IsProjection(settings.blend))
   {
     const std::vector<std::string> classify = ClassifyParts(settings);
@@ -186,8 +126,8 @@ std::vector<std::string> PictureParts(const RenderSettings& settings)
 // Nor here: pixels of a picture of other rays, whose colours it has.
 std::vector<std::string> ResampledParts(const RenderSettings& settings)
 {
-  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl", DepthFile(settings),
-    ClipFile(settings) };
+  std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl",
+    DepthFile(settings), ClipFile(settings) };
   if (settings.pass == RayPass::Upscaled)
   {
     parts.push_back(settings.sceneGeometry ? "Edges/SceneGeometry.glsl" : "Edges/None.glsl");
@@ -247,28 +187,29 @@ bool Walks(const RenderSettings& settings)
     settings.mask != Mask::None || (!IsSampled(settings) && settings.blend != Blend::Slice);
 }
 
+// Whether what a transfer function says of the opacity is multiplied by something else.
+bool ComputesOpacity(const RenderSettings& settings)
+{
+  return MarchesMaterial(settings) &&
+    (settings.gradientOpacity || settings.functionOf != FunctionOf::Value ||
+      settings.mask == Mask::Labels);
+}
+
 // What every march begins with: where voxels are, and what lies between them.
 std::vector<std::string> VoxelParts(const RenderSettings& settings)
 {
-  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl",
-    settings.uneven ? "Spacing/Uneven.glsl" : "Spacing/Even.glsl" };
-  if (settings.cubic)
-  {
-    parts.push_back("Math/CubicSpline.glsl");
-  }
-  parts.push_back(settings.cubic ? "Interpolation/CubicSpline.glsl" : "Interpolation/Linear.glsl");
-  return parts;
+  return { SpacingFile(settings),
+    settings.cubic ? "Interpolation/CubicSpline.glsl" : "Interpolation/Linear.glsl" };
 }
 
 // How long the next step is.
 std::vector<std::string> StepParts(const RenderSettings& settings)
 {
-  const std::string jitter = settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl";
   if (settings.acceleration == Acceleration::OpticalField && !IsExtreme(settings.blend))
   {
-    return { "Math/StepGrowth.glsl", jitter, StepFile(settings) };
+    return { "Math/StepGrowth.glsl", JitterFile(settings), StepFile(settings) };
   }
-  return { jitter, StepFile(settings) };
+  return { JitterFile(settings), StepFile(settings) };
 }
 
 }
@@ -282,7 +223,7 @@ bool UsesPreIntegration(const RenderSettings& settings)
 bool MarchesMaterial(const RenderSettings& settings)
 {
   const bool isComposite = settings.blend == Blend::Composite;
-  return settings.blend == Blend::Slice ||
+  return settings.blend == Blend::Slice || settings.overlaps ||
     (isComposite &&
       (settings.shading || settings.gradientOpacity || settings.components != Components::One ||
         settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels));
@@ -316,20 +257,78 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
   const std::vector<std::string> mask = MaskParts(settings.mask);
   parts.insert(parts.end(), mask.begin(), mask.end());
   parts.push_back(settings.cropping ? "Crop/Regions.glsl" : "Crop/None.glsl");
-  parts.push_back(settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl");
-  if (settings.pass == RayPass::Whole || Peels(settings.pass))
+  parts.push_back(ProbeFile(settings));
+  const std::vector<std::string> pass = PassParts(settings);
+  parts.insert(parts.end(), pass.begin(), pass.end());
+  parts.push_back("RayMarch.frag.glsl");
+  return parts;
+}
+
+// The files of one of several volumes that overlap; see Shaders/VolumeSlots.glsl.
+static std::vector<std::string> PartsOfOne(const RenderSettings& settings)
+{
+  std::vector<std::string> parts = { "VolumeSlots.glsl" };
+  const auto add = [&](const std::vector<std::string>& more)
+  { parts.insert(parts.end(), more.begin(), more.end()); };
+  add(VoxelParts(settings));
+  add({ ProbeFile(settings), "Gaps/None.glsl" });
+  add(LookParts(settings));
+  add({ StepFile(settings), settings.nearest ? "Reading/Voxels.glsl" : "Reading/Cells.glsl",
+    "Volumes/Next.glsl" });
+  return parts;
+}
+
+static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
+{
+  const auto any = [&](bool (*has)(const RenderSettings&))
+  { return has(settings) || std::any_of(settings.others.begin(), settings.others.end(), has); };
+  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl" };
+  const auto add = [&](const std::vector<std::string>& more)
+  { parts.insert(parts.end(), more.begin(), more.end()); };
+  if (any(Walks))
   {
-    parts.push_back(WindowFile(settings));
+    add({ "Math/LatticeWalk.glsl" });
   }
-  if (Peels(settings.pass))
+  if (any([](const RenderSettings& one) { return one.cubic; }))
   {
-    parts.push_back("Peel/Segment.glsl");
+    add({ "Math/CubicSpline.glsl" });
   }
-  if (Locates(settings.pass))
+  add({ "Math/Absorption.glsl", "Math/StepGrowth.glsl" });
+  if (any(ComputesOpacity))
   {
-    parts.push_back("Locate/Opacity.glsl");
+    add({ "Math/WithOpacityFactor.glsl" });
   }
-  parts.insert(parts.end(), { ResumeFile(settings.pass), "RayMarch.frag.glsl" });
+  add({ DepthFile(settings), ClipFile(settings), JitterFile(settings), BlendFile(settings),
+    "Volumes/None.glsl" });
+  for (const RenderSettings& other : settings.others)
+  {
+    add(PartsOfOne(other));
+  }
+  add(PartsOfOne(settings));
+  add({ "March/Several.glsl", "Mask/None.glsl", "Crop/None.glsl" });
+  add(PassParts(settings));
+  add({ "RayMarch.frag.glsl" });
+  return parts;
+}
+
+// The formulas that a march calls.
+static std::vector<std::string> MathParts(const RenderSettings& settings)
+{
+  std::vector<std::string> parts;
+  if (Walks(settings))
+  {
+    parts.push_back("Math/LatticeWalk.glsl");
+  }
+  parts.push_back("Math/Absorption.glsl");
+  if (ComputesOpacity(settings))
+  {
+    parts.push_back("Math/WithOpacityFactor.glsl");
+  }
+  const std::string march = MarchFile(settings);
+  if (march == "March/Isosurfaces.glsl" || march == "March/Extreme.glsl")
+  {
+    parts.push_back("Math/CellCubic.glsl");
+  }
   return parts;
 }
 
@@ -343,25 +342,19 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     return ResampledParts(settings);
   }
-  std::vector<std::string> parts = VoxelParts(settings);
-  if (Walks(settings))
+  if (!settings.others.empty())
   {
-    parts.push_back("Math/LatticeWalk.glsl");
+    return PartsOfSeveral(settings);
   }
-  parts.push_back("Math/Absorption.glsl");
-  const bool opacityIsComputed = settings.gradientOpacity ||
-    settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels;
-  if (opacityIsComputed && MarchesMaterial(settings))
-  {
-    parts.push_back("Math/WithOpacityFactor.glsl");
-  }
-  const std::string march = MarchFile(settings);
-  if (march == "March/Isosurfaces.glsl" || march == "March/Extreme.glsl")
-  {
-    parts.push_back("Math/CellCubic.glsl");
-  }
+  std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl" };
   const auto add = [&](const std::vector<std::string>& more)
   { parts.insert(parts.end(), more.begin(), more.end()); };
+  if (settings.cubic)
+  {
+    add({ "Math/CubicSpline.glsl" });
+  }
+  add(VoxelParts(settings));
+  add(MathParts(settings));
   add({ DepthFile(settings), ClipFile(settings) });
   if (settings.blend != Blend::Slice || Locates(settings.pass))
   {

@@ -9,7 +9,6 @@ uniform vec4 nearPlaneGrid; // dot(plane, position) >= 0 beyond the near plane
 uniform vec4 farPlaneGrid;  // and before the far plane
 uniform vec3 boxLowerGrid;  // of what is drawn
 uniform vec3 boxUpperGrid;
-uniform vec3 voxelCountInverse; // of the volume texture
 
 out vec4 fragOutput0;
 

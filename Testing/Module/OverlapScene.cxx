@@ -1,0 +1,156 @@
+#include "Module/OverlapScene.h"
+
+#include "Core/ReferenceImage.h"
+#include "Scene/FloatCapture.h"
+
+#include <vtkStringArray.h>
+
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr double HalfViewMm = 12.0;
+const Box viewWorld{ glm::dvec3(-2.0 * HalfViewMm), glm::dvec3(2.0 * HalfViewMm) };
+
+// What one of the volumes looks like at places of the world.
+struct WorldMaterial
+{
+  VolumeGeometry geometry;
+  std::vector<double> voxels;
+  Look look;
+  bool nearest;
+  bool shaded;
+
+  OpticalProperties At(glm::dvec3 positionWorld, glm::dvec3 toEye) const
+  {
+    const glm::dvec3 place(
+      glm::inverse(this->geometry.worldFromGrid) * glm::dvec4(positionWorld, 1.0));
+    const Box& box = this->geometry.boxGrid;
+    if (glm::any(glm::lessThan(place, box.lower)) || glm::any(glm::greaterThan(place, box.upper)))
+    {
+      return { glm::dvec3(0.0), 0.0 };
+    }
+    const ScalarGrid<double> grid(this->voxels.data(), this->geometry.dimensions);
+    const glm::dvec3 read = this->nearest ? glm::floor(place + 0.5) : place;
+    const glm::dvec3 normal = this->geometry.WorldFromGridNormal() * grid.Gradient(read);
+    const double facing = std::abs(glm::dot(glm::normalize(normal), glm::normalize(toEye)));
+    const glm::dvec3 color = this->look.color;
+    return { this->shaded ? color * (0.1 + 0.7 * facing) + 0.2 * std::pow(facing, 10.0) : color,
+      -std::log1p(-OpacityOf(this->look, grid.Value(read))) };
+  }
+};
+
+}
+
+OverlapScene::OverlapScene(int size)
+  : size(size)
+{
+  this->window->SetSize(size, size);
+  this->window->AddRenderer(this->renderer);
+  this->several->SetMapper(this->mapper);
+  this->mapper->GetVariationFieldMapper()->SetErrorTolerance(0.0);
+  vtkCamera* camera = this->renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(HalfViewMm);
+  camera->SetPosition(0.0, 0.0, 100.0);
+  camera->SetClippingRange(50.0, 150.0);
+}
+
+vtkVolume* OverlapScene::Add(int port, vtkImageData* image, const Look& look)
+{
+  Part part{ image, vtkSmartPointer<vtkVolume>::New(), look };
+  SetLook(part.volume->GetProperty(), 0, look);
+  part.volume->GetProperty()->SetInterpolationTypeToLinear();
+  this->mapper->SetInputDataObject(port, image);
+  this->several->SetVolume(part.volume, port);
+  this->renderer->AddVolume(this->several);
+  this->parts[port] = part;
+  return part.volume;
+}
+
+void OverlapScene::Remove(int port)
+{
+  this->mapper->RemoveInputConnection(port, 0);
+  this->several->RemoveVolume(port);
+  this->parts.erase(port);
+}
+
+std::vector<float> OverlapScene::Draw()
+{
+  const auto captured = CaptureFloatImage(this->window, this->renderer);
+  const auto* pixels = static_cast<const float*>(captured->GetScalarPointer());
+  return std::vector<float>(pixels, pixels + 4 * this->size * this->size);
+}
+
+PixelRays OverlapScene::RaysWorld()
+{
+  return ComputePixelRays(ClipFromWorld(this->renderer), viewWorld);
+}
+
+std::vector<float> OverlapScene::Truth()
+{
+  std::vector<WorldMaterial> materials;
+  for (const auto& [port, part] : this->parts)
+  {
+    vtkVolumeProperty* const property = part.volume->GetProperty();
+    const auto* voxels = static_cast<const double*>(part.image->GetScalarPointer());
+    materials.push_back({ VolumeGeometryOf(part.image, part.volume),
+      { voxels, voxels + part.image->GetNumberOfPoints() }, part.look,
+      property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION, property->GetShade() != 0 });
+  }
+  ReferenceScene scene{ {}, viewWorld, TransferFunction({}, {}, 1.0) };
+  scene.material = [&](glm::dvec3 position, const Ray& ray)
+  {
+    OpticalProperties sum{ glm::dvec3(0.0), 0.0 };
+    for (const WorldMaterial& material : materials)
+    {
+      const OpticalProperties one = material.At(position, -ray.direction);
+      sum.rgb += one.extinction * one.rgb;
+      sum.extinction += one.extinction;
+    }
+    return OpticalProperties{ sum.rgb / std::max(sum.extinction, 1e-300), sum.extinction };
+  };
+  const ReferenceView view{ this->RaysWorld(), glm::dmat3(1.0), this->size, this->size };
+  return DrawReference(ReferenceIntegrator(scene, 1e-4), view)->rgba;
+}
+
+ImageError OverlapScene::Error()
+{
+  const std::vector<float> drawn = this->Draw();
+  const std::vector<float> truth = this->Truth();
+  return CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+}
+
+std::vector<std::string> OverlapScene::ShaderParts()
+{
+  vtkNew<vtkStringArray> parts;
+  this->mapper->GetVariationFieldMapper()->GetShaderParts(parts);
+  std::vector<std::string> names;
+  for (vtkIdType i = 0; i < parts->GetNumberOfValues(); ++i)
+  {
+    names.push_back(parts->GetValue(i));
+  }
+  return names;
+}
+
+vtkSmartPointer<vtkImageData> CenteredImage(
+  glm::ivec3 dimensions, glm::dvec3 sizeMm, const std::function<double(glm::dvec3 voxel)>& value)
+{
+  auto image = ImageOf(
+    VTK_DOUBLE, 1, [&](glm::ivec3 voxel, int) { return value(glm::dvec3(voxel)); }, dimensions);
+  const glm::dvec3 spacing = sizeMm / glm::dvec3(dimensions - 1);
+  image->SetSpacing(spacing.x, spacing.y, spacing.z);
+  image->SetOrigin(-0.5 * sizeMm.x, -0.5 * sizeMm.y, -0.5 * sizeMm.z);
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> HomogeneousBox(glm::dvec3 sizeMm)
+{
+  return CenteredImage({ 5, 4, 6 }, sizeMm, [](glm::dvec3) { return 1.0; });
+}

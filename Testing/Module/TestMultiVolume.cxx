@@ -1,0 +1,342 @@
+// Volumes that overlap, by a vtkMultiVolume: their extinctions and emissions add up.
+
+#include "Module/HomogeneousScene.h"
+#include "Module/OverlapScene.h"
+
+#include <vtkPlane.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+// Values 0 and 2 have this opacity, and so has every value between.
+Look OneMaterial(glm::dvec3 color, double opacity)
+{
+  return { color, -2.0, -1.0, opacity };
+}
+
+const Look red = OneMaterial({ 0.9, 0.2, 0.1 }, 0.1);
+const Look blue = OneMaterial({ 0.1, 0.3, 0.8 }, 0.05);
+
+// A box of one material in the world, for closed forms.
+struct ClosedBox
+{
+  VolumeGeometry geometry;
+  Look look;
+
+  Interval PartOf(const Ray& rayWorld) const
+  {
+    const glm::dmat4 gridFromWorld = glm::inverse(this->geometry.worldFromGrid);
+    const Ray ray{ glm::dvec3(gridFromWorld * glm::dvec4(rayWorld.origin, 1.0)),
+      glm::dmat3(gridFromWorld) * rayWorld.direction };
+    return Intersection(ray, this->geometry.boxGrid);
+  }
+};
+
+// Emission and absorption along a ray of a direction of unit length, piece by piece between the
+// faces of all boxes.
+glm::dvec4 ClosedForm(const std::vector<ClosedBox>& boxes, const Ray& rayWorld)
+{
+  std::vector<double> faces;
+  for (const ClosedBox& box : boxes)
+  {
+    const Interval part = box.PartOf(rayWorld);
+    faces.insert(faces.end(), { part.enter, part.exit });
+  }
+  std::sort(faces.begin(), faces.end());
+  glm::dvec4 sum(0.0);
+  for (std::size_t i = 1; i < faces.size(); ++i)
+  {
+    const double middle = 0.5 * (faces[i - 1] + faces[i]);
+    glm::dvec3 emission(0.0);
+    double extinction = 0.0;
+    for (const ClosedBox& box : boxes)
+    {
+      const Interval part = box.PartOf(rayWorld);
+      const bool isIn = part.enter < middle && middle < part.exit;
+      const double own = isIn ? -std::log1p(-box.look.opacity) : 0.0;
+      emission += own * box.look.color;
+      extinction += own;
+    }
+    if (extinction > 0.0)
+    {
+      const double absorbed = -std::expm1(-extinction * (faces[i] - faces[i - 1]));
+      sum += (1.0 - sum.a) * absorbed * glm::dvec4(emission / extinction, 1.0);
+    }
+  }
+  return sum;
+}
+
+void ExpectClosedForm(OverlapScene& scene, const std::vector<ClosedBox>& boxes)
+{
+  const std::vector<float> drawn = scene.Draw();
+  ASSERT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");
+  const PixelRays rays = scene.RaysWorld();
+  double seen = 0.0;
+  for (int pixel = 0; pixel < scene.size * scene.size; ++pixel)
+  {
+    const double x = (pixel % scene.size + 0.5) / scene.size * 2.0 - 1.0;
+    const double y = (pixel / scene.size + 0.5) / scene.size * 2.0 - 1.0;
+    Ray ray = rays.At(x, y);
+    ray.direction = glm::normalize(ray.direction);
+    const glm::dvec4 truth = ClosedForm(boxes, ray);
+    for (int channel = 0; channel < 4; ++channel)
+    {
+      // Rounding of floats, of places of some ten millimetres.
+      ASSERT_NEAR(drawn[4 * pixel + channel], truth[channel], 5e-5) << x << " " << y;
+    }
+    seen = std::max(seen, truth.a);
+  }
+  EXPECT_GT(seen, 0.3) << "the picture is empty";
+}
+
+struct TwoBoxes
+{
+  explicit TwoBoxes(OverlapScene& scene, int firstPort = 0, int secondPort = 3)
+  {
+    this->images = { HomogeneousBox({ 12.0, 16.0, 10.0 }), HomogeneousBox({ 18.0, 8.0, 14.0 }) };
+    this->volumes = { scene.Add(firstPort, this->images[0], red),
+      scene.Add(secondPort, this->images[1], blue) };
+    this->volumes[0]->RotateX(20.0);
+    this->volumes[1]->SetPosition(3.0, -2.0, 1.0);
+    this->volumes[1]->SetScale(1.0, 1.3, 0.8);
+    this->volumes[1]->RotateWXYZ(40.0, 1.0, 2.0, 3.0);
+  }
+
+  std::vector<ClosedBox> Closed() const
+  {
+    return { { VolumeGeometryOf(this->images[0], this->volumes[0]), red },
+      { VolumeGeometryOf(this->images[1], this->volumes[1]), blue } };
+  }
+
+  std::vector<vtkSmartPointer<vtkImageData>> images;
+  std::vector<vtkSmartPointer<vtkVolume>> volumes;
+};
+
+}
+
+TEST(MultiVolume, HomogeneousBoxesAtAnAngleHaveTheirClosedForm)
+{
+  OverlapScene scene;
+  const TwoBoxes boxes(scene);
+  ExpectClosedForm(scene, boxes.Closed());
+  // The renderer chooses the clipping range by the bounds that VTK has of them.
+  scene.renderer->GetActiveCamera()->ParallelProjectionOff();
+  scene.renderer->ResetCamera();
+  ExpectClosedForm(scene, boxes.Closed());
+}
+
+TEST(MultiVolume, AreCutByClippingPlanesAndEndAtOpaqueGeometry)
+{
+  OverlapScene scene;
+  const TwoBoxes boxes(scene);
+  const std::vector<float> whole = scene.Draw();
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 1.0);
+  plane->SetNormal(0.0, 0.0, -1.0);
+  scene.mapper->AddClippingPlane(plane);
+  const std::vector<float> behind = scene.Draw();
+  plane->SetNormal(0.0, 0.0, 1.0);
+  const std::vector<float> front = scene.Draw();
+  scene.mapper->RemoveAllClippingPlanes();
+  scene.renderer->AddActor(Plane(1.0, -100.0, { 0.0, 0.0, 0.0 }));
+  const std::vector<float> beforeGeometry = scene.Draw();
+  double largest = 0.0;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    // What is in front lets a part of what is behind through, and geometry shows what is in front.
+    const double joined = front[i] + (1.0 - front[i / 4 * 4 + 3]) * behind[i];
+    ASSERT_NEAR(joined, whole[i], 5e-5);
+    const bool isAlpha = i % 4 == 3;
+    ASSERT_NEAR(beforeGeometry[i], isAlpha ? 1.0 : front[i], 5e-5);
+    largest = std::max(largest, double(std::min(front[i], behind[i])));
+  }
+  EXPECT_GT(largest, 0.2) << "the plane cuts nothing";
+}
+
+TEST(MultiVolume, OneThatIsFarFromTheOtherIsDrawnAsIfAlone)
+{
+  OverlapScene scene;
+  const TwoBoxes boxes(scene);
+  const std::vector<float> together = scene.Draw();
+  boxes.volumes[1]->SetPosition(1000.0, 0.0, 300.0);
+  ExpectClosedForm(scene, boxes.Closed());
+  boxes.volumes[0]->SetPosition(-1000.0, 0.0, 300.0);
+  boxes.volumes[1]->SetPosition(3.0, -2.0, 1.0);
+  ExpectClosedForm(scene, boxes.Closed());
+  boxes.volumes[0]->SetPosition(0.0, 0.0, 0.0);
+  EXPECT_EQ(scene.Draw(), together);
+}
+
+TEST(MultiVolume, OneAloneIsTheSameAsWithoutAMultiVolume)
+{
+  OverlapScene scene;
+  const TwoBoxes boxes(scene);
+  scene.Draw();
+  const vtkIdType bytesOfTwo = scene.mapper->GetVariationFieldMapper()->GetGraphicsMemoryBytes();
+  scene.Remove(3);
+  const std::vector<float> left = scene.Draw();
+  ASSERT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");
+  const vtkIdType bytesLeft = scene.mapper->GetVariationFieldMapper()->GetGraphicsMemoryBytes();
+  for (const std::string& part : scene.ShaderParts())
+  {
+    EXPECT_TRUE(part.find("Volumes/") != 0 && part.find("Reading/") != 0) << part;
+  }
+
+  vtkNew<vtkVolume> alone;
+  alone->SetProperty(boxes.volumes[0]->GetProperty());
+  alone->RotateX(20.0);
+  vtkNew<vtkVariationFieldVolumeMapper> mapper;
+  mapper->SetInputData(boxes.images[0]);
+  mapper->SetErrorTolerance(0.0);
+  alone->SetMapper(mapper);
+  scene.renderer->RemoveVolume(scene.several);
+  scene.renderer->AddVolume(alone);
+  EXPECT_EQ(scene.Draw(), left);
+  EXPECT_EQ(mapper->GetGraphicsMemoryBytes(), bytesLeft);
+  EXPECT_LT(bytesLeft, bytesOfTwo);
+}
+
+namespace
+{
+
+// How two balls with soft rims are drawn, at angles, with voxels of different sizes.
+struct BallLooks
+{
+  bool firstShaded;
+  bool secondShaded;
+  bool firstNearest;
+  bool secondNearest;
+};
+
+const Look ballLooks[] = { { { 1.0, 0.3, 0.1 }, 20.0, 100.0, 0.15 },
+  { { 0.2, 0.5, 1.0 }, 10.0, 120.0, 0.3 } };
+
+double Ball(glm::dvec3 place, glm::dvec3 center)
+{
+  return 130.0 - 16.0 * glm::length(place - center);
+}
+
+void AddBalls(OverlapScene& scene, const BallLooks& looks, const int (&ports)[2] = { 0, 1 })
+{
+  const auto first = CenteredImage({ 14, 15, 13 }, { 18.0, 16.0, 17.0 },
+    [](glm::dvec3 voxel) {
+      return Ball(voxel, { 6.0, 7.0, 6.0 });
+    });
+  const auto second = CenteredImage({ 15, 12, 16 }, { 16.0, 18.0, 15.0 },
+    [](glm::dvec3 voxel) {
+      return Ball(voxel * glm::dvec3(1.0, 1.3, 0.9), { 7.0, 7.0, 7.0 });
+    });
+  vtkVolume* const one = scene.Add(ports[0], first, ballLooks[0]);
+  one->RotateWXYZ(25.0, 1.0, 1.0, 0.0);
+  one->GetProperty()->SetShade(looks.firstShaded);
+  vtkVolume* const other = scene.Add(ports[1], second, ballLooks[1]);
+  other->SetPosition(3.0, 2.0, -1.0);
+  other->RotateWXYZ(50.0, 0.0, 1.0, 1.0);
+  other->GetProperty()->SetShade(looks.secondShaded);
+  if (looks.firstNearest)
+  {
+    one->GetProperty()->SetInterpolationTypeToNearest();
+  }
+  if (looks.secondNearest)
+  {
+    other->GetProperty()->SetInterpolationTypeToNearest();
+  }
+}
+
+}
+
+class OverlappingBalls : public testing::TestWithParam<BallLooks>
+{
+};
+
+TEST_P(OverlappingBalls, KeepTheErrorTolerance)
+{
+  OverlapScene scene;
+  AddBalls(scene, GetParam());
+  for (const double ofGrayLevels : { 4.0, 0.5 })
+  {
+    scene.mapper->GetVariationFieldMapper()->SetErrorTolerance(ofGrayLevels / 255.0);
+    const ImageError error = scene.Error();
+    ASSERT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");
+    EXPECT_LT(error.percentile999, ofGrayLevels);
+    EXPECT_LT(error.largest, 2.0 * ofGrayLevels);
+  }
+  const std::vector<float> drawn = scene.Draw();
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the picture is empty";
+}
+
+INSTANTIATE_TEST_SUITE_P(ShadedOrNot, OverlappingBalls,
+  testing::Values(BallLooks{ false, false, false, false }, BallLooks{ true, false, false, false },
+    BallLooks{ true, true, false, false }, BallLooks{ true, false, false, true },
+    BallLooks{ false, true, true, true }));
+
+TEST(MultiVolume, TheOrderOfPortsMakesNoDifference)
+{
+  OverlapScene scene;
+  AddBalls(scene, { true, false, false, false });
+  const std::vector<float> drawn = scene.Draw();
+  OverlapScene swapped;
+  AddBalls(swapped, { true, false, false, false }, { 5, 0 });
+  const std::vector<float> other = swapped.Draw();
+  // Rounding of floats, which are those of another grid.
+  EXPECT_LT(CompareImages(drawn.data(), other.data(), drawn.size() / 4).largest, 0.1);
+}
+
+TEST(MultiVolume, FieldsLeaveOutWhatIsInvisibleInAllOfThem)
+{
+  OverlapScene scene;
+  AddBalls(scene, { true, false, false, false });
+  const std::vector<float> drawn = scene.Draw();
+  scene.mapper->GetVariationFieldMapper()->SetAccelerationModeToOff();
+  const std::vector<float> withoutField = scene.Draw();
+  EXPECT_LT(CompareImages(drawn.data(), withoutField.data(), drawn.size() / 4).largest, 1.0);
+}
+
+TEST(MultiVolume, IsRebuiltWhereOneOfThemHasChanged)
+{
+  OverlapScene scene;
+  const TwoBoxes boxes(scene);
+  vtkVariationFieldVolumeMapper* const mapper = scene.mapper->GetVariationFieldMapper();
+  mapper->SetErrorTolerance(1.0 / 64.0);
+  std::vector<float> last = scene.Draw();
+  int searches = mapper->GetToleranceSearches();
+  EXPECT_EQ(scene.Draw(), last);
+  EXPECT_EQ(mapper->GetToleranceSearches(), searches) << "nothing has changed";
+  const std::function<void()> changes[] = {
+    [&] { boxes.volumes[1]->RotateY(10.0); },
+    [&] { SetLook(boxes.volumes[1]->GetProperty(), 0, red); },
+    [&] {
+      scene.mapper->SetInputDataObject(3, HomogeneousBox({ 5.0, 20.0, 3.0 }));
+    },
+  };
+  for (const std::function<void()>& change : changes)
+  {
+    change();
+    const std::vector<float> next = scene.Draw();
+    EXPECT_NE(next, last);
+    EXPECT_EQ(mapper->GetToleranceSearches(), searches + 1);
+    searches = mapper->GetToleranceSearches();
+    last = next;
+  }
+}
+
+TEST(MultiVolume, WhatVtkDrawsOtherwiseIsLeftToItsMapper)
+{
+  OverlapScene scene;
+  const TwoBoxes boxes(scene);
+  scene.Draw();
+  scene.mapper->CroppingOn();
+  scene.Draw();
+  EXPECT_STREQ(
+    scene.mapper->GetReasonForVtkMapper(), "Volumes that overlap are not drawn with cropping");
+  scene.mapper->CroppingOff();
+  scene.Draw();
+  EXPECT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");
+}

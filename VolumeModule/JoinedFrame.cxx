@@ -1,0 +1,145 @@
+#include "JoinedFrame.h"
+
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include "vtkMultiVolume.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace varimarch
+{
+
+namespace
+{
+
+struct Exclusion
+{
+  bool isUsed;
+  const char* name;
+};
+
+// Throws a sentence for what several volumes are not drawn with.
+void CheckTogether(const Frame& frame, vtkVariationFieldVolumeMapper* mapper)
+{
+  const RenderSettings& settings = frame.settings;
+  const Exclusion exclusions[] = {
+    { settings.blend != Blend::Composite, "another blend mode than composite" },
+    { settings.mask != Mask::None, "a mask" },
+    { mapper->GetCropping() != 0, "cropping" },
+    { settings.clippedGradients, "cuts that are seen as surfaces" },
+    { frame.blanking.Any(), "blanked voxels" },
+    { !frame.userCode.IsEmpty(), "code of one's own in the shader" },
+    { settings.countFetches, "counts of fetches" },
+    { settings.pass == RayPass::PickVoxel, "a selection of their voxels" },
+    { frame.toImages, "an image of their depth" },
+  };
+  for (const Exclusion& exclusion : exclusions)
+  {
+    if (exclusion.isUsed)
+    {
+      throw std::runtime_error(
+        std::string("Volumes that overlap are not drawn with ") + exclusion.name);
+    }
+  }
+}
+
+// What is the picture's is the first volume's.
+void JoinTo(Frame& first, Frame other)
+{
+  first.errorTolerance = std::max(first.errorTolerance, other.errorTolerance);
+  first.settings.jitter = first.settings.jitter || other.settings.jitter;
+  other.cuts = { other.geometry.boxGrid, {}, {} };
+  other.settings.clipping = false;
+  other.settings.jitter = false;
+  first.settings.others.push_back(other.settings);
+  first.others.push_back(std::move(other));
+}
+
+template <class Number>
+double SumOf(const Frame& frame, const Number& numberOf)
+{
+  double sum = numberOf(frame.geometry);
+  for (const Frame& other : frame.others)
+  {
+    sum += numberOf(other.geometry);
+  }
+  return sum;
+}
+
+}
+
+std::vector<VolumeOfPort> VolumesOfPorts(vtkVariationFieldVolumeMapper* mapper, vtkVolume* prop)
+{
+  auto* const several = vtkMultiVolume::SafeDownCast(prop);
+  if (!several)
+  {
+    return { { 0, prop } };
+  }
+  std::vector<VolumeOfPort> volumes;
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    vtkVolume* const volume =
+      mapper->GetNumberOfInputConnections(port) > 0 ? several->GetVolume(port) : nullptr;
+    if (volume)
+    {
+      volumes.push_back({ port, volume });
+    }
+  }
+  return volumes;
+}
+
+Frame JoinedFrame(std::vector<Frame> frames, vtkVariationFieldVolumeMapper* mapper)
+{
+  for (Frame& frame : frames)
+  {
+    CheckTogether(frame, mapper);
+    frame.settings.overlaps = true;
+    frame.fieldError /= double(frames.size());
+    frame.chooseIntegration = false;
+  }
+  Frame first = std::move(frames.front());
+  // In the shader the planes of the first volume are those of all; its box stays its own.
+  first.cuts = CutsOf(mapper, first.geometry, true);
+  first.settings.clipping = !first.cuts.planesGrid.empty();
+  double sampleDistanceMm = first.sampleDistanceMm;
+  for (std::size_t i = 1; i < frames.size(); ++i)
+  {
+    sampleDistanceMm = std::min(sampleDistanceMm, frames[i].sampleDistanceMm);
+    JoinTo(first, std::move(frames[i]));
+  }
+  // Where nothing is sampled, the faces of voxels are the steps.
+  first.sampleDistanceMm = IsSampled(first.settings)
+    ? std::max(sampleDistanceMm, ShortestSampleDistanceMm(first))
+    : LongestRayMm(first);
+  return first;
+}
+
+double SmallestSpacingMm(const Frame& frame)
+{
+  double smallest = frame.geometry.SmallestSpacingMm();
+  for (const Frame& other : frame.others)
+  {
+    smallest = std::min(smallest, other.geometry.SmallestSpacingMm());
+  }
+  return smallest;
+}
+
+double LongestRayMm(const Frame& frame)
+{
+  return SumOf(frame, [](const VolumeGeometry& geometry) { return geometry.DiagonalMm(); });
+}
+
+double ShortestSampleDistanceMm(const Frame& frame)
+{
+  const double sumMm = SumOf(
+    frame, [](const VolumeGeometry& geometry) { return geometry.ShortestSampleDistanceMm(); });
+  // One volume takes three rounds for a segment; several two, and two for each of them.
+  constexpr double RoundsOfOne = 3.0;
+  const double volumes = 1.0 + double(frame.others.size());
+  return frame.others.empty() ? sumMm : sumMm * (2.0 + 2.0 * volumes) / RoundsOfOne;
+}
+
+}

@@ -1,0 +1,145 @@
+// Several volumes that overlap: each has a marcher of its own for its resources and uniforms, and
+// the first draws all in one march, along rays in its grid.
+
+#include "RayMarcher.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+bool IsEmpty(const Box& box)
+{
+  return glm::any(glm::greaterThanEqual(box.lower, box.upper));
+}
+
+glm::dmat4 GridFromGrid(const Frame& to, const Frame& from)
+{
+  return glm::inverse(to.geometry.worldFromGrid) * from.geometry.worldFromGrid;
+}
+
+// The box around both, be one of them empty or not.
+Box Around(const Box& box, const Box& other, const glm::dmat4& boxFromOther)
+{
+  Box around = box;
+  bool isEmpty = IsEmpty(box);
+  for (int corner = 0; corner < 8 && !IsEmpty(other); ++corner)
+  {
+    const glm::dvec3 place(boxFromOther *
+      glm::dvec4(corner & 1 ? other.upper.x : other.lower.x,
+        corner & 2 ? other.upper.y : other.lower.y, corner & 4 ? other.upper.z : other.lower.z,
+        1.0));
+    around = { isEmpty ? place : glm::min(around.lower, place),
+      isEmpty ? place : glm::max(around.upper, place) };
+    isEmpty = false;
+  }
+  return around;
+}
+
+}
+
+void RayMarcher::UpdateOthers(Frame& frame)
+{
+  const std::size_t count = frame.others.size();
+  this->ReleaseOthers(frame.window, count);
+  frame.settings.others.clear();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (i == this->others.size())
+    {
+      this->others.push_back(std::make_unique<RayMarcher>());
+    }
+    RayMarcher& marcher = *this->others[i];
+    Frame& other = frame.others[i];
+    marcher.EnterWindow(frame.window);
+    marcher.UpdateResources(other);
+    marcher.CheckOneBlock(other);
+    marcher.drawnBox = marcher.visibleBox;
+    frame.settings.others.push_back(other.settings);
+  }
+}
+
+// Of a volume that overlaps with others, after its blocks are there.
+void RayMarcher::CheckOneBlock(const Frame& frame) const
+{
+  if (this->blocks.Partition().Count() > 1)
+  {
+    throw std::runtime_error("Volumes that overlap are not drawn in blocks: the maximum graphics "
+                             "memory, or the device's 3D textures, are too small for them");
+  }
+  if (frame.settings.gaps)
+  {
+    throw std::runtime_error("Volumes that overlap are not drawn where values are not finite");
+  }
+}
+
+Box RayMarcher::BoxOfAll(const Frame& frame) const
+{
+  if (!frame.others.empty())
+  {
+    this->CheckOneBlock(frame);
+  }
+  Box box = this->visibleBox;
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    box = Around(box, this->others[i]->visibleBox, GridFromGrid(frame, frame.others[i]));
+  }
+  return box;
+}
+
+void RayMarcher::ReleaseOthers(vtkWindow* window, std::size_t first)
+{
+  for (std::size_t i = first; i < this->others.size(); ++i)
+  {
+    this->others[i]->Release(window);
+  }
+  this->others.resize(std::min(first, this->others.size()));
+}
+
+std::size_t RayMarcher::BytesOfOthers() const
+{
+  std::size_t bytes = 0;
+  for (const auto& other : this->others)
+  {
+    bytes += other->GraphicsMemoryBytes();
+  }
+  return bytes;
+}
+
+void RayMarcher::SetOwnUniforms(const Frame& frame, const glm::dmat4& gridFromRays)
+{
+  this->program.Set("ownGridFromRays", gridFromRays);
+  this->program.Set("ownLowerGrid", this->visibleBox.lower);
+  this->program.Set("ownUpperGrid", glm::max(this->visibleBox.lower, this->visibleBox.upper));
+  this->program.Set("voxelCount", glm::dvec3(frame.geometry.dimensions));
+}
+
+void RayMarcher::SetUniformsOfOthers(const Frame& frame)
+{
+  if (frame.others.empty())
+  {
+    return;
+  }
+  this->SetOwnUniforms(frame, glm::dmat4(1.0));
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    RayMarcher& marcher = *this->others[i];
+    const Frame& other = frame.others[i];
+    const DrawnBlock drawn = marcher.WholeVolume(other);
+    marcher.program.Share(this->program, i);
+    marcher.SetPlaceUniforms(other, drawn);
+    marcher.SetMarchUniforms(other, drawn);
+    marcher.SetOwnUniforms(other, GridFromGrid(other, frame));
+  }
+}
+
+}

@@ -1,0 +1,46 @@
+// A volume without interpolation: its voxels are boxes of one value, at whose faces segments end.
+// What is read is that of a voxel's middle, and exact.
+
+uniform vec3 voxelCount; // of the volume texture
+
+Values startValues;
+Values endValues;
+Gradients startGradients;
+Gradients endGradients;
+LatticeRay voxelRay;
+LatticePlace voxel; // that a segment is in
+
+void BeginReading(Ray ray, float t)
+{
+  voxelRay = RayInLattice(ray.originGrid - firstVoxelGrid + 0.5, ray.directionGrid);
+  voxel = PlaceAt(voxelRay, t, voxelCount);
+}
+
+float NextReadingFace(float t)
+{
+  LatticePlace behind = BehindBlock(voxelRay, voxel, 0.0);
+  if (behind.t < t)
+  {
+    voxel = PlaceAt(voxelRay, t, voxelCount);
+    behind = BehindBlock(voxelRay, voxel, 0.0);
+  }
+  // Through an edge or a corner a ray leaves several voxels at once.
+  for (int i = 0; i < mostSegments && behind.t <= t; ++i)
+  {
+    voxel = behind;
+    behind = BehindBlock(voxelRay, voxel, 0.0);
+  }
+  return behind.t;
+}
+
+void ReadValues(Ray ray, Interval segment)
+{
+  startValues = ValuesAt((voxel.cell + 0.5) / voxelCount);
+  endValues = startValues;
+}
+
+void ReadGradients(Ray ray, Interval segment, bool isNext)
+{
+  startGradients = GradientsAt((voxel.cell + 0.5) / voxelCount);
+  endGradients = startGradients;
+}

@@ -1,0 +1,84 @@
+// One of several volumes that overlap, with those before it in the shader. The ray of a pixel is
+// that in the grid of the last; each volume has the same ray in its own grid, along which t, a
+// length in the world, means the same place.
+
+uniform mat4 ownGridFromRays;
+uniform vec3 ownLowerGrid; // of what is drawn of this volume
+uniform vec3 ownUpperGrid;
+
+Ray ownRay;
+Interval ownPart; // of it is in this volume
+bool absorbs;     // in the segment that was read last
+float gradientsT; // where endGradients were read
+
+Interval BeginVolumes(Ray ray, Interval inside)
+{
+  Interval before = BeginVolumesBefore(ray, inside);
+  ownRay.originGrid = (ownGridFromRays * vec4(ray.originGrid, 1.0)).xyz;
+  ownRay.directionGrid = mat3(ownGridFromRays) * ray.directionGrid;
+  ownRay.originTexture = (ownRay.originGrid - firstVoxelGrid + 0.5) * voxelCountInverse;
+  ownRay.directionTexture = ownRay.directionGrid * voxelCountInverse;
+  vec2 box = IntersectBox(ownRay.originGrid, ownRay.directionGrid, ownLowerGrid, ownUpperGrid);
+  ownPart = Interval(max(inside.enter, box.x), min(inside.exit, box.y));
+  bool meets = ownPart.enter < ownPart.exit;
+  ownPart = Interval(meets ? ownPart.enter : Never, meets ? ownPart.exit : -Never);
+  BeginReading(ownRay, ownPart.enter);
+  gradientsT = -Never;
+  return Interval(min(before.enter, ownPart.enter), max(before.exit, ownPart.exit));
+}
+
+float NextFace(float t)
+{
+  float face = ownPart.enter > t ? ownPart.enter : ownPart.exit;
+  if (t >= ownPart.enter && t < ownPart.exit)
+  {
+    face = min(face, NextReadingFace(t));
+  }
+  return min(NextFaceBefore(t), face > t ? face : Never);
+}
+
+Interval NextVisible(float t, int index, float blendState)
+{
+  Interval before = NextVisibleBefore(t, index, blendState);
+  float from = max(t, ownPart.enter);
+  Interval own = Interval(Never, Never);
+  if (from < ownPart.exit)
+  {
+    own = NextSegment(ownRay, ownPart, from, index, 0.0, blendState);
+    own.enter = own.enter < ownPart.exit ? own.enter : Never;
+  }
+  // What is seen later ends what looks the same until then.
+  float enter = min(before.enter, own.enter);
+  return Interval(enter,
+    min(
+      before.enter > enter ? before.enter : before.exit, own.enter > enter ? own.enter : own.exit));
+}
+
+bool ReadSegment(Interval segment)
+{
+  bool anyBefore = ReadSegmentBefore(segment);
+  ReadValues(ownRay, segment);
+  absorbs = ownPart.enter <= segment.enter && segment.exit <= ownPart.exit &&
+    segment.enter < segment.exit && MayAbsorb(startValues, endValues);
+  return anyBefore || absorbs;
+}
+
+// At this place, [0,1], along the segment.
+vec4 EmissionAt(float along, Interval segment)
+{
+  vec4 optical = Material(Between(startValues, endValues, along),
+    Between(startGradients, endGradients, along), ownRay, mix(segment.enter, segment.exit, along));
+  return absorbs ? vec4(optical.rgb * optical.a, optical.a) : vec4(0.0);
+}
+
+Mixture MixtureOf(Interval segment)
+{
+  Mixture sum = MixtureOfBefore(segment);
+  ReadGradients(ownRay, segment, gradientsT == segment.enter);
+  gradientsT = segment.exit;
+  sum.first += EmissionAt(0.125, segment);
+  sum.second += EmissionAt(0.375, segment);
+  sum.third += EmissionAt(0.625, segment);
+  sum.fourth += EmissionAt(0.875, segment);
+  return sum;
+}
