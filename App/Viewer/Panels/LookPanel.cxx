@@ -53,8 +53,11 @@ void LookPanel::MakePresets(QVBoxLayout* column)
   connect(this->presets, QOverload<int>::of(&QComboBox::activated), this,
     [this](int index)
     {
-      const std::string name = this->presets->itemText(index).toStdString();
-      this->model->SetLook(Preset(name), tr("choose %1").arg(QString::fromStdString(name)));
+      const QString name = this->presets->itemText(index);
+      if (IsPresetName(name.toStdString()))
+      {
+        this->model->SetLook(Preset(name.toStdString()), tr("choose %1").arg(name));
+      }
     });
   auto* const load = new QPushButton(tr("Load look…"));
   auto* const save = new QPushButton(tr("Save look…"));
@@ -185,16 +188,28 @@ void LookPanel::Update(ScenePart part)
   }
 }
 
-// The list shows a preset only while the look is still what the preset says.
+// The list shows a preset only while the look is still what the preset says; else a row of its own,
+// the last, says what it was.
 void LookPanel::ShowPreset()
 {
   const Look& look = this->model->CurrentScene().look;
   const bool isPreset = IsPresetName(look.name) &&
     LookText(InUnitsOfData(Preset(look.name), this->model->CurrentStudy()->statistics)) ==
       LookText(look);
+  const int presetCount = int(PresetNames().size());
+  this->presets->removeItem(presetCount);
   const QString name = QString::fromStdString(look.name);
-  this->presets->setPlaceholderText(name.isEmpty() ? tr("own look") : tr("%1, edited").arg(name));
-  this->presets->setCurrentIndex(isPreset ? this->presets->findText(name) : -1);
+  if (isPreset)
+  {
+    this->presets->setCurrentText(name);
+  }
+  else
+  {
+    this->presets->addItem(IsPresetName(look.name) ? tr("%1, edited").arg(name)
+        : name.isEmpty()                           ? tr("own look")
+                                                   : name);
+    this->presets->setCurrentIndex(presetCount);
+  }
 }
 
 void LookPanel::ChooseFileToLoad()

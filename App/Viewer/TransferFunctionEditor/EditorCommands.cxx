@@ -10,6 +10,7 @@
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QScreen>
 
 #include <algorithm>
 #include <cmath>
@@ -310,7 +311,10 @@ void TransferFunctionEditor::OpenPopover(const NodeId& node)
     });
   const QPointF at = this->picture.layout.PositionOf(this->picture.look, node);
   popover->adjustSize();
-  popover->move(this->mapToGlobal(at.toPoint() + QPoint(12, 12)));
+  const QPoint wanted = this->mapToGlobal(at.toPoint() + QPoint(12, 12));
+  const QRect screen = this->screen()->availableGeometry();
+  popover->move(std::min(wanted.x(), screen.right() - popover->width()),
+    std::min(wanted.y(), screen.bottom() - popover->height()));
   popover->show();
 }
 

@@ -47,8 +47,8 @@ public:
   /// @param band  null: none
   void ShowRubberBand(const QRectF& band);
 
-  QSize sizeHint() const override { return { 420, 260 }; }
-  QSize minimumSizeHint() const override { return { 240, 160 }; }
+  QSize sizeHint() const override { return { 420, 320 }; }
+  QSize minimumSizeHint() const override { return { 280, 220 }; }
 
 signals:
   /// At every change, at once. All changes of one gesture have its number.
