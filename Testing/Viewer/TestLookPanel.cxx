@@ -134,6 +134,17 @@ TEST_F(PanelOfAModel, WhatIsSavedIsWhatIsLoaded)
   EXPECT_EQ(this->Shown().name, "ct-lung");
 }
 
+TEST_F(PanelOfAModel, ASlicerPropertyIsWrittenAndReadByItsName)
+{
+  const Look saved = this->Shown();
+  const QString path = this->folder.filePath("bone.vp");
+  this->panel.Save(path);
+  this->Choose("presets", "ct-lung");
+  this->panel.Load(path);
+  EXPECT_EQ(this->Shown().name, "bone");
+  EXPECT_TRUE(SameCurves(this->Shown(), saved));
+}
+
 TEST_F(PanelOfAModel, ABadFileIsExplainedAndChangesNothing)
 {
   const QString path = this->folder.filePath("bad.json");

@@ -4,12 +4,14 @@
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneNames.h"
+#include "Scene/SlicerProperty.h"
 #include "Scene/VolumeProperty.h"
 #include "Viewer/Model/Gesture.h"
 #include "Viewer/Panels/NumberSlider.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
 
 #include <QComboBox>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -21,9 +23,32 @@
 #include <QVBoxLayout>
 
 #include <exception>
+#include <stdexcept>
 
 namespace varimarch
 {
+
+namespace
+{
+
+bool IsSlicerProperty(const QString& path)
+{
+  return QFileInfo(path).suffix().compare("vp", Qt::CaseInsensitive) == 0;
+}
+
+Look ReadSlicerProperty(const QString& path)
+{
+  constexpr qint64 MostBytes = 4 << 20;
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly))
+  {
+    throw std::runtime_error(
+      "Cannot read " + path.toStdString() + ": " + file.errorString().toStdString());
+  }
+  return LookFromSlicerText(file.read(MostBytes).toStdString(), path.toStdString());
+}
+
+}
 
 LookPanel::LookPanel(SceneModel* model, QWidget* parent)
   : QWidget(parent)
@@ -214,8 +239,8 @@ void LookPanel::ShowPreset()
 
 void LookPanel::ChooseFileToLoad()
 {
-  const QString path =
-    QFileDialog::getOpenFileName(this, tr("Load a look"), {}, tr("Looks (*.json)"));
+  const QString path = QFileDialog::getOpenFileName(
+    this, tr("Load a look"), {}, tr("Looks (*.json);;3D Slicer volume properties (*.vp)"));
   if (!path.isEmpty())
   {
     this->Load(path);
@@ -224,8 +249,8 @@ void LookPanel::ChooseFileToLoad()
 
 void LookPanel::ChooseFileToSave()
 {
-  const QString path =
-    QFileDialog::getSaveFileName(this, tr("Save the look"), {}, tr("Looks (*.json)"));
+  const QString path = QFileDialog::getSaveFileName(
+    this, tr("Save the look"), {}, tr("Looks (*.json);;3D Slicer volume properties (*.vp)"));
   if (!path.isEmpty())
   {
     this->Save(QFileInfo(path).suffix().isEmpty() ? path + ".json" : path);
@@ -237,7 +262,8 @@ void LookPanel::Load(const QString& path)
   this->Attempt(
     [&]
     {
-      const Look look = ReadLook(path.toStdString());
+      const Look look =
+        IsSlicerProperty(path) ? ReadSlicerProperty(path) : ReadLook(path.toStdString());
       this->model->SetLook(look, tr("load %1").arg(QFileInfo(path).fileName()));
     });
 }
@@ -249,7 +275,8 @@ void LookPanel::Save(const QString& path)
     {
       Look look = this->model->CurrentScene().look;
       look.name = QFileInfo(path).completeBaseName().toStdString();
-      WriteFileWhole(path.toStdString(), LookText(look));
+      WriteFileWhole(
+        path.toStdString(), IsSlicerProperty(path) ? SlicerText(look) : LookText(look));
     });
 }
 
