@@ -19,9 +19,22 @@ std::size_t FloatFramebuffer::BytesFor(const Viewport& pixels)
 void FloatFramebuffer::Draw(
   vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw)
 {
+  this->DrawMore(window, pixels,
+    [&]
+    {
+      vtkOpenGLState* const state = window->GetState();
+      const vtkOpenGLState::ScopedglClearColor clearColor(state);
+      state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+      state->vtkglClear(GL_COLOR_BUFFER_BIT);
+      draw();
+    });
+}
+
+void FloatFramebuffer::DrawMore(
+  vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw)
+{
   vtkOpenGLState* const state = window->GetState();
   const vtkOpenGLState::ScopedglViewport viewport(state);
-  const vtkOpenGLState::ScopedglClearColor clearColor(state);
   const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   state->PushFramebufferBindings();
   try
@@ -29,8 +42,6 @@ void FloatFramebuffer::Draw(
     this->Bind(window, pixels);
     state->vtkglViewport(0, 0, pixels.width, pixels.height);
     state->vtkglDisable(GL_SCISSOR_TEST);
-    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    state->vtkglClear(GL_COLOR_BUFFER_BIT);
     draw();
   }
   catch (...)

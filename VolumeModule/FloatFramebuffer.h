@@ -29,6 +29,10 @@ public:
   void Draw(
     vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw);
 
+  /// The same, on what is there.
+  void DrawMore(
+    vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw);
+
   /// What is there after Draw: four floats for each of its pixels.
   std::vector<float> Read(vtkOpenGLRenderWindow* window, const Viewport& pixels);
 

@@ -54,6 +54,8 @@ struct Frame
   double variationTolerance; ///< of the scalar field; negative: chosen from the range
   double earlyTerminationTransmittance;
   std::vector<double> isovalues; ///< of isosurfaces; ascending
+  int surfaceComponent = 0;      ///< whose values they are of
+  double dampingGradient = 0.0;  ///< [units of data per mean spacing]
   SliceSurface slice;
   std::array<double, 2> averagedRange; ///< the scalars that count in an average
   glm::dvec4 gapOptical;               ///< colour and extinction [1/mm] of cells that have no value
@@ -61,6 +63,10 @@ struct Frame
   bool triesPreIntegration;            ///< there is memory for its table
   glm::dvec2 windowScaleBias;          ///< of the picture's colours
   double imageSampleDistance;          ///< of rays [pixels]
+  int mostAccumulated = 1;             ///< pictures of a scene that stays as it is,
+  std::vector<double> sceneNumbers;    ///< in all of these, which are known where it is above 1
+  glm::dvec2 rayOffsetPixels = glm::dvec2(0.0); ///< of a ray, from the middle of its pixel
+  bool addsUp = false;                          ///< to what is there
   vtkVolume* volume;
   VolumePass volumePass;
   UserShaderCode userCode;

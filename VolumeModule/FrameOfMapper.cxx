@@ -171,6 +171,8 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings);
   settings.shading = property->GetShade() != 0 && !IsProjection(settings.blend);
   settings.lights = settings.shading && !HasHeadLightOnly(renderer);
+  settings.damping = settings.shading && settings.components == Components::One &&
+    mapper->GetDampingGradient() > 0.0;
   settings.countFetches = mapper->GetDrawFetchCounts();
   settings.sceneGeometry = HasOpaqueGeometry(renderer);
   settings.fillGaps = mapper->GetNanOpacity() > 0.0;
@@ -199,10 +201,7 @@ bool ChooseSurfaces(Frame& frame)
 {
   if (frame.settings.blend == Blend::Isosurface)
   {
-    if (frame.settings.components != Components::One)
-    {
-      throw std::runtime_error("Isosurfaces of several components are not supported: expected 1");
-    }
+    ChooseSurfaceComponent(frame);
     if (frame.settings.cubic)
     {
       throw std::runtime_error("Isosurfaces of cubic interpolation are not supported");
@@ -312,6 +311,7 @@ std::optional<Frame> FrameOfVolume(vtkVariationFieldVolumeMapper* mapper, vtkRen
   {
     return std::nullopt;
   }
+  frame.dampingGradient = mapper->GetDampingGradient();
   ChooseCuts(mapper, frame);
   ChooseAveraged(mapper, frame);
   frame.gapOptical = GapOptical(

@@ -158,4 +158,28 @@ void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame
   frame.labelPart = mapper->GetMaskBlendFactor();
 }
 
+void ChooseSurfaceComponent(Frame& frame)
+{
+  if (frame.settings.components == Components::One)
+  {
+    return;
+  }
+  if (frame.settings.components != Components::Independent)
+  {
+    throw std::runtime_error(
+      "Isosurfaces of components that depend on each other are not supported");
+  }
+  for (int component = 1; component < frame.settings.componentCount; ++component)
+  {
+    if (frame.property->GetComponentWeight(component) >
+      frame.property->GetComponentWeight(frame.surfaceComponent))
+    {
+      frame.surfaceComponent = component;
+    }
+  }
+  frame.channels = { frame.channels[frame.surfaceComponent] };
+  frame.settings.components = Components::One;
+  frame.settings.componentCount = 1;
+}
+
 }

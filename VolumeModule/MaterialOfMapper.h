@@ -20,6 +20,10 @@ void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* pr
 /// @throws std::runtime_error a sentence, when something of them is missing
 void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame& frame);
 
+/// For isosurfaces: of several components leaves, as in VTK, the first of the largest weight.
+/// @throws std::runtime_error a sentence, when the components depend on each other
+void ChooseSurfaceComponent(Frame& frame);
+
 }
 
 #endif

@@ -1,6 +1,9 @@
 #include "PictureOfMapper.h"
 
+#include "StillScene.h"
 #include "vtkVariationFieldVolumeMapper.h"
+
+#include "vtkCommand.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +40,12 @@ void ChoosePicture(
   frame.settings.pass = frame.volumePass.pass;
   frame.toImages = mapper->GetRenderToImage() != 0 && frame.settings.pass == RayPass::Whole;
   frame.clampDepth = mapper->GetClampDepthToBackface() != 0;
+  const bool maySeeOther = mapper->HasObserver(vtkCommand::UpdateShaderEvent) != 0;
+  frame.mostAccumulated = maySeeOther ? 1 : mapper->GetMaximumAccumulatedPictures();
+  if (frame.mostAccumulated > 1)
+  {
+    frame.sceneNumbers = NumbersOfScene(mapper, frame);
+  }
   if (Peels(frame.settings.pass))
   {
     // The pass has a framebuffer of its own, and the depth of what is opaque.
@@ -51,6 +60,7 @@ void UseQuality(const PictureQuality& quality, vtkVariationFieldVolumeMapper* ma
   const double most = std::max<double>(least, mapper->GetMaximumImageSampleDistance());
   frame.imageSampleDistance =
     std::max(frame.imageSampleDistance, std::clamp(quality.imageSampleDistance, least, most));
+  frame.mostAccumulated = 1;
   // The field stays: it would have to be built again.
   frame.errorTolerance *= quality.toleranceFactor;
   frame.sampleDistanceMm *= quality.toleranceFactor;

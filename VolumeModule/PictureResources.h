@@ -1,6 +1,7 @@
 #ifndef Varimarch_PictureResources_h
 #define Varimarch_PictureResources_h
 
+#include "AccumulatedPictures.h"
 #include "BlueNoiseTexture.h"
 #include "FloatFramebuffer.h"
 
@@ -12,25 +13,27 @@ namespace varimarch
 /// What a picture takes beside its volume, each only where it is asked for.
 struct PictureResources
 {
-  FloatFramebuffer rays;  ///< where they are not as many as pixels
-  BlueNoiseTexture noise; ///< with jitter
+  AccumulatedPictures accumulated; ///< where several pictures are gathered
+  FloatFramebuffer rays;           ///< where they are not as many as pixels
+  BlueNoiseTexture noise;          ///< with jitter
   FloatFramebuffer colorImage;
   FloatFramebuffer depthImage; ///< 1 - depth, as red
   Viewport imagePixels = {};   ///< of both; 0: there are none
 
   std::size_t Bytes() const
   {
-    return this->rays.Bytes() + this->noise.Bytes() + this->colorImage.Bytes() +
-      this->depthImage.Bytes();
+    return this->accumulated.Bytes() + this->rays.Bytes() + this->noise.Bytes() +
+      this->colorImage.Bytes() + this->depthImage.Bytes();
   }
 
   std::vector<vtkTextureObject*> Textures() const
   {
-    return { this->rays.Texture(), this->noise.Texture() };
+    return { this->accumulated.Sum(), this->rays.Texture(), this->noise.Texture() };
   }
 
   void Release(vtkWindow* window)
   {
+    this->accumulated.Release(window);
     this->rays.Release(window);
     this->noise.Release(window);
     this->ReleaseImages(window);

@@ -21,6 +21,7 @@ constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 void RayMarcher::Draw(Frame frame)
 {
   this->EnterWindow(frame.window);
+  this->BeginAccumulation(frame);
   this->UpdateDepth(frame);
   this->UpdateNoise(frame);
   this->UpdateCuts(frame);

@@ -24,6 +24,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -92,6 +93,10 @@ struct DrawnBlock
   glm::dvec3 sharedUpperGrid; ///< upper faces at which another block begins; elsewhere far away
 };
 
+/// A box so much larger that it covers all pixels of which the box covers a part, if it is at least
+/// a few pixels wide.
+Box WithItsEdges(const Box& box);
+
 /// Coefficients of ambient, diffuse and specular light, and the specular power.
 glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component);
 
@@ -114,6 +119,8 @@ public:
   int BlockUploads() const { return this->blocks.Uploads(); }
   /// Of the march.
   const std::vector<std::string>& ShaderParts() const { return this->shaderParts; }
+  /// How many pictures the last one is the mean of.
+  int AccumulatedPictures() const { return std::max(this->picture.accumulated.Count(), 1); }
   double UsedImageSampleDistance() const { return this->usedImageSampleDistance; }
   double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }
   /// How the last picture keeps its tolerance; nothing when it has none.
@@ -175,6 +182,8 @@ private:
   void SetOwnUniforms(const Frame& frame, const glm::dmat4& gridFromRays);
   void SetUniformsOfOthers(const Frame& frame);
 
+  void BeginAccumulation(Frame& frame);
+  void DrawAccumulated(const Frame& frame);
   void DrawPicture(const Frame& frame);
   void DrawPass(const Frame& frame);
   void DrawImages(const Frame& frame, const Viewport& rays);
@@ -182,6 +191,7 @@ private:
   void SetRayUniforms(const Frame& frame, const DrawnBlock& drawn, const glm::dmat4& clipFromGrid);
   void SetResumeUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetResampledUniforms(const Frame& frame);
+  void SetMeanUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetPassUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetNoiseUniforms();
   void SetGapUniforms(const Frame& frame, const DrawnBlock& drawn);

@@ -86,6 +86,12 @@ Viewport PixelsOf(const Box& box, const glm::dmat4& clipFromGrid, const Viewport
 
 }
 
+Box WithItsEdges(const Box& box)
+{
+  const glm::dvec3 more = glm::max(0.125 * (box.upper - box.lower), glm::dvec3(1.0));
+  return { box.lower - more, box.upper + more };
+}
+
 // Of the graphics memory, all that is not blocks nor their accumulation.
 std::size_t RayMarcher::FixedBytes(const Frame& frame) const
 {
@@ -241,7 +247,9 @@ void RayMarcher::DrawVolume(const Frame& frame)
   if (this->blocks.Partition().Count() == 1)
   {
     this->UpdateProgram(frame);
-    this->DrawBox(frame, this->WholeVolume(frame));
+    DrawnBlock drawn = this->WholeVolume(frame);
+    drawn.coverGrid = frame.addsUp ? WithItsEdges(drawn.coverGrid) : drawn.coverGrid;
+    this->DrawBox(frame, drawn);
     return;
   }
   this->DrawBlocks(frame);
@@ -266,7 +274,9 @@ void RayMarcher::DrawBlocks(const Frame& frame)
   Frame picture = frame;
   picture.settings.pass = RayPass::Picture;
   this->UpdateProgram(picture);
-  this->DrawBox(picture, this->BoxOfVisible());
+  DrawnBlock drawn = this->BoxOfVisible();
+  drawn.coverGrid = frame.addsUp ? WithItsEdges(drawn.coverGrid) : drawn.coverGrid;
+  this->DrawBox(picture, drawn);
 }
 
 DrawnBlock RayMarcher::BoxOfVisible() const
@@ -288,7 +298,8 @@ void RayMarcher::DrawBlock(Frame frame, int block)
   const glm::dvec3 upper = partition.BoxOf(block, volumeBox).upper;
   // Which of two neighbours has a ray along their common face is for the ray to say, not for the
   // rasteriser: the cover reaches farther.
-  const Box cover{ visible.lower - 0.5, visible.upper + 0.5 };
+  const Box cover =
+    frame.addsUp ? WithItsEdges(visible) : Box{ visible.lower - 0.5, visible.upper + 0.5 };
   // What cuts leave may end at a face of the block: then none begins behind it.
   const glm::bvec3 isShared = glm::lessThan(upper, frame.cuts.boxGrid.upper);
   const DrawnBlock drawn{ &this->blocks.Take(frame.window, block), partition.VoxelsOf(block),

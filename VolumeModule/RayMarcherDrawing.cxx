@@ -18,16 +18,22 @@ enum class Blending
 {
   Over,    ///< what is there
   Replace, ///< it
+  Add,     ///< to it
   AsSet    ///< by who asks for the drawing
 };
 
-Blending BlendingOf(RayPass pass)
+Blending BlendingOf(const Frame& frame)
 {
+  const RayPass pass = frame.settings.pass;
   if (Peels(pass))
   {
     return Blending::AsSet;
   }
-  return pass == RayPass::Block || Picks(pass) ? Blending::Replace : Blending::Over;
+  if (pass == RayPass::Block || Picks(pass))
+  {
+    return Blending::Replace;
+  }
+  return frame.addsUp ? Blending::Add : Blending::Over;
 }
 
 // Restores what drawing the box changes.
@@ -48,8 +54,9 @@ public:
     state->vtkglDepthMask(GL_FALSE);
     if (blending != Blending::AsSet)
     {
-      state->SetEnumState(GL_BLEND, blending == Blending::Over);
-      state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      const GLenum factor = blending == Blending::Add ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA;
+      state->SetEnumState(GL_BLEND, blending != Blending::Replace);
+      state->vtkglBlendFuncSeparate(GL_ONE, factor, GL_ONE, factor);
     }
     // The inner sides of the box: there is one behind every pixel, also from within.
     state->vtkglEnable(GL_CULL_FACE);
@@ -111,8 +118,7 @@ void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
   this->SetUniforms(frame, drawn);
   {
     const bool mirrored = glm::determinant(frame.geometry.WorldFromGridDirection()) < 0.0;
-    const BoxDrawingState drawing(
-      frame.window->GetState(), mirrored, BlendingOf(frame.settings.pass));
+    const BoxDrawingState drawing(frame.window->GetState(), mirrored, BlendingOf(frame));
     this->boxGeometry.Draw(this->program.Program(), drawn.coverGrid);
   }
   for (vtkTextureObject* texture : this->TexturesOf(drawn))

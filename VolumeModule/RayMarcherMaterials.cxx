@@ -306,6 +306,12 @@ void RayMarcher::SetLightUniforms(const Frame& frame)
   const HeadLightColors light = HeadLightColorsOf(frame.renderer);
   this->program.Set("diffuseLight", light.diffuse);
   this->program.Set("specularLight", light.specular);
+  if (frame.settings.damping)
+  {
+    const double scalarPerTexel = this->blocks.Texels().mapping.scale;
+    this->program.Set(
+      "dampingFactors", frame.geometry.gradientFactors * (scalarPerTexel / frame.dampingGradient));
+  }
   if (!frame.settings.lights)
   {
     return;

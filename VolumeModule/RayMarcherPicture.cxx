@@ -16,6 +16,10 @@ namespace varimarch
 namespace
 {
 
+// Of a picture after the first of the same scene, beside the first's.
+constexpr double LaterTolerance = 1.0 / 4.0;
+constexpr double LaterDistance = 1.0 / 2.0;
+
 // Rays of a picture whose pixels are as far apart as that [pixels]; more than one in a pixel stand
 // in equal rows.
 Viewport RaysOf(const Viewport& picture, double imageSampleDistance)
@@ -30,6 +34,57 @@ Viewport RaysOf(const Viewport& picture, double imageSampleDistance)
   return { 0, 0, side(picture.width), side(picture.height) };
 }
 
+}
+
+// The first picture is what it would be alone. The next ones have shorter steps.
+void RayMarcher::BeginAccumulation(Frame& frame)
+{
+  if (frame.settings.pass != RayPass::Whole)
+  {
+    return;
+  }
+  const bool accumulates = frame.mostAccumulated > 1 && frame.others.empty() && !frame.toImages &&
+    !frame.settings.countFetches && frame.imageSampleDistance == 1.0;
+  if (!accumulates)
+  {
+    frame.mostAccumulated = 1;
+    this->picture.accumulated.Release(frame.window);
+    return;
+  }
+  this->picture.accumulated.Begin(frame.sceneNumbers);
+  if (this->picture.accumulated.Count() > 0)
+  {
+    frame.errorTolerance *= LaterTolerance;
+    frame.sampleDistanceMm *= LaterDistance;
+  }
+}
+
+void RayMarcher::DrawAccumulated(const Frame& frame)
+{
+  varimarch::AccumulatedPictures& pictures = this->picture.accumulated;
+  if (pictures.Count() < frame.mostAccumulated)
+  {
+    Frame next = frame;
+    next.viewport = { 0, 0, frame.viewport.width, frame.viewport.height };
+    next.rayOffsetPixels = pictures.NextOffsetPixels();
+    next.addsUp = true;
+    pictures.Add(frame.window, next.viewport, [&] { this->DrawVolume(next); });
+  }
+  Frame mean = frame;
+  mean.settings.pass = RayPass::Accumulated;
+  this->UpdateProgram(mean);
+  DrawnBlock drawn = this->BoxOfVisible();
+  drawn.coverGrid = WithItsEdges(drawn.coverGrid);
+  this->DrawBox(mean, drawn);
+}
+
+void RayMarcher::SetMeanUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
+{
+  this->picture.accumulated.Sum()->Activate();
+  this->program.Set("sumTexture", this->picture.accumulated.Sum());
+  this->program.Set("pictureCount", double(this->picture.accumulated.Count()));
+  this->program.Set("viewportOriginPixels", glm::dvec2(frame.viewport.left, frame.viewport.bottom));
+  this->program.Set("clipFromGrid", clipFromGrid);
 }
 
 void RayMarcher::DrawPicture(const Frame& frame)
@@ -47,6 +102,12 @@ void RayMarcher::DrawPicture(const Frame& frame)
     return;
   }
   this->picture.ReleaseImages(frame.window);
+  if (frame.mostAccumulated > 1)
+  {
+    this->picture.rays.Release(frame.window);
+    this->DrawAccumulated(frame);
+    return;
+  }
   if (rays.width == frame.viewport.width && rays.height == frame.viewport.height)
   {
     this->picture.rays.Release(frame.window);

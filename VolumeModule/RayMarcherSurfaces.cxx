@@ -33,7 +33,8 @@ void RayMarcher::UpdateIsosurfaces(const Frame& frame)
     this->isosurfaces.Release(frame.window);
     return;
   }
-  const TransferFunction transferFunction = TransferFunctionOf(frame.property);
+  const TransferFunction transferFunction =
+    TransferFunctionOf(frame.property, frame.surfaceComponent);
   const TexelMapping& mapping = this->blocks.Texels().mapping;
   std::vector<glm::vec4> texels;
   for (double isovalue : frame.isovalues)
@@ -62,7 +63,7 @@ void RayMarcher::SetExactUniforms(const Frame& frame, const DrawnBlock& drawn)
   this->program.Set("isosurfaces", this->isosurfaces.Texture());
   this->program.Set("isosurfaceCount", int(frame.isovalues.size()));
   this->program.Set("voxelSizeTexture", 1.0 / glm::dvec3(drawn.voxels.count));
-  this->program.Set("surfaceReflectance", ReflectanceOf(frame.property, 0));
+  this->program.Set("surfaceReflectance", ReflectanceOf(frame.property, frame.surfaceComponent));
   if (frame.settings.shading)
   {
     this->SetLightUniforms(frame);

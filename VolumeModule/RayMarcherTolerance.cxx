@@ -97,10 +97,10 @@ std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
   std::vector<double> inputs = RuleInputsOf(frame, builds);
   inputs.insert(inputs.end(),
     { double(builds.field), double(frame.property->GetMTime()), double(frame.settings.acceleration),
-      double(frame.settings.sceneGeometry), FillsGaps(frame.settings) ? frame.gapOptical.a : 0.0,
-      frame.averagedRange[0], frame.averagedRange[1], double(frame.settings.mask),
-      double(frame.mask.time), frame.labelPart, double(frame.viewport.width),
-      double(frame.viewport.height) });
+      double(frame.settings.sceneGeometry), frame.dampingGradient,
+      FillsGaps(frame.settings) ? frame.gapOptical.a : 0.0, frame.averagedRange[0],
+      frame.averagedRange[1], double(frame.settings.mask), double(frame.mask.time), frame.labelPart,
+      double(frame.viewport.width), double(frame.viewport.height) });
   const std::vector<double> cuts = frame.cuts.Numbers();
   inputs.insert(inputs.end(), cuts.begin(), cuts.end());
   inputs.insert(inputs.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);

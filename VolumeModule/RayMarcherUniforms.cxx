@@ -44,7 +44,8 @@ void RayMarcher::SetRayUniforms(
   const Viewport& viewport = frame.viewport;
 
   this->program.Set("clipFromGrid", clipFromGrid);
-  this->program.Set("viewportOriginPixels", glm::dvec2(viewport.left, viewport.bottom));
+  this->program.Set(
+    "viewportOriginPixels", glm::dvec2(viewport.left, viewport.bottom) - frame.rayOffsetPixels);
   this->program.Set("viewportPixelsInverse", 1.0 / glm::dvec2(viewport.width, viewport.height));
   this->program.Set("startGrid", rays.startGrid);
   this->program.Set("directionGrid", rays.directionGrid);
@@ -305,6 +306,11 @@ void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
 void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+  if (frame.settings.pass == RayPass::Accumulated)
+  {
+    this->SetMeanUniforms(frame, clipFromGrid);
+    return;
+  }
   this->SetRayUniforms(frame, drawn, clipFromGrid);
   this->SetCutUniforms(frame);
   const RayPass pass = frame.settings.pass;

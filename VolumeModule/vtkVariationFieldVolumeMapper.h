@@ -66,7 +66,10 @@
  * vtkVariationFieldGPUVolumeRayCastMapper. Not with masks, cropping, blanked voxels or voxels that
  * are not finite, cuts as surfaces, user code, images of depth, or in blocks.
  *
- * Not for: isosurfaces of several components or of rectilinear grids. They are reported as errors.
+ * Of independent components, isosurfaces are those of the one with the largest weight.
+ *
+ * Not for: isosurfaces of components that depend on each other, or of rectilinear grids. They are
+ * reported as errors.
  *
  * @sa vtkVolumeMapper vtkVolumeProperty
  */
@@ -228,6 +231,17 @@ public:
 
   ///@{
   /**
+   * Where the gradient is smaller than this, in units of the data per mean spacing of the voxels as
+   * for gradient opacity, diffuse and specular light are damped in proportion: a homogeneous
+   * material, whose gradient is noise, keeps its ambient light only, and surfaces stand out of it.
+   * After Volt (2009). Of volumes of one component. 0, the default: light as it is.
+   */
+  vtkSetClampMacro(DampingGradient, double, 0.0, 1e30);
+  vtkGetMacro(DampingGradient, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether voxels that the property asks to interpolate linearly are interpolated by a tricubic
    * spline through them: every voxel keeps its value, and edges have no staircase; but beside a
    * sharp one the values go beyond those of the voxels, by up to a tenth of the step. Lights see
@@ -273,6 +287,21 @@ public:
   vtkGetMacro(MinimumImageSampleDistance, float);
   vtkSetClampMacro(MaximumImageSampleDistance, float, 0.1f, 100.0f);
   vtkGetMacro(MaximumImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * While the scene stays as it is, each picture that is asked for is drawn with its rays elsewhere
+   * in their pixels, and from the second one with a quarter of the error tolerance, and the mean of
+   * all is shown: edges become smooth, at the cost of one picture each. Not more than so many are
+   * drawn; a program that has time renders until GetAccumulatedPictures says so. Anything that
+   * changes what is seen begins anew; while somebody interacts, and with an ImageSampleDistance
+   * other than 1, each picture stands alone, and where UpdateShaderEvent is observed too. Default
+   * 1: off.
+   */
+  vtkSetClampMacro(MaximumAccumulatedPictures, int, 1, 65536);
+  vtkGetMacro(MaximumAccumulatedPictures, int);
+  int GetAccumulatedPictures(); ///< how many the last picture is the mean of; 1 when off
   ///@}
 
   /**
@@ -442,9 +471,11 @@ protected:
   int MaskType = LabelMapMaskType;
   float MaskBlendFactor = 1.0f;
   char* Transfer2DYAxisArray = nullptr;
+  double DampingGradient = 0.0;
   vtkTypeBool CubicInterpolation = 0;
   vtkTypeBool UseJittering = 0;
   float ImageSampleDistance = 1.0f;
+  int MaximumAccumulatedPictures = 1;
   float MinimumImageSampleDistance = 1.0f;
   float MaximumImageSampleDistance = 10.0f;
   vtkTypeBool RenderToImage = 0;

@@ -1,6 +1,7 @@
 #include "FeatureList.h"
 
 #include "FeatureInputs.h"
+#include "OurFeatures.h"
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
@@ -14,8 +15,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
-#include <vtkVariationFieldGPUVolumeRayCastMapper.h>
-#include <vtkVariationFieldVolumeMapper.h>
 #include <vtkVolumeCollection.h>
 #include <vtkVolumeProperty.h>
 
@@ -133,29 +132,6 @@ void NearestOff(Stage stage)
   PropertyOf(stage)->SetInterpolationTypeToLinear();
 }
 
-void CubicOn(vtkVariationFieldVolumeMapper* mapper)
-{
-  mapper->CubicInterpolationOn();
-}
-
-void CubicOff(vtkVariationFieldVolumeMapper* mapper)
-{
-  mapper->CubicInterpolationOff();
-}
-
-// A setting of ours alone.
-Feature::Switch Ours(const std::function<void(vtkVariationFieldVolumeMapper*)>& set)
-{
-  return [set](Stage stage)
-  {
-    auto* adapter = vtkVariationFieldGPUVolumeRayCastMapper::SafeDownCast(stage.mapper);
-    if (adapter)
-    {
-      set(adapter->GetVariationFieldMapper());
-    }
-  };
-}
-
 void CroppingOff(Stage stage)
 {
   stage.mapper->CroppingOff();
@@ -242,6 +218,16 @@ void WindowOff(Stage stage)
 {
   stage.mapper->SetFinalColorWindow(1.0f);
   stage.mapper->SetFinalColorLevel(0.5f);
+}
+
+void ToImages(Stage stage)
+{
+  stage.mapper->RenderToImageOn();
+}
+
+void ToWindow(Stage stage)
+{
+  stage.mapper->RenderToImageOff();
 }
 
 Feature::Switch Input(vtkSmartPointer<vtkDataSet> (*make)(vtkImageData*))
@@ -341,8 +327,9 @@ const std::vector<Feature>& Features()
     { "gradient-opacity-shaded", "shading", ShadeOn, GradientOpacityOn, GradientOpacityOff },
     { "two-values", "composite", ShadeOff, TwoValuesOn, TwoValuesOff },
     { "nearest", "composite", ShadeOff, NearestOn, NearestOff },
-    { "cubic", "composite", ShadeOff, Ours(CubicOn), Ours(CubicOff), false },
-    { "cubic-shaded", "shading", ShadeOn, Ours(CubicOn), Ours(CubicOff), false },
+    { "damping", "shading", ShadeOn, DampingOn, DampingOff, false },
+    { "cubic", "composite", ShadeOff, CubicOn, CubicOff, false },
+    { "cubic-shaded", "shading", ShadeOn, CubicOn, CubicOff, false },
     { "maximum", "composite", ShadeOff, BlendMode(Mapper::MAXIMUM_INTENSITY_BLEND), Composite },
     { "minimum", "composite", ShadeOff, BlendMode(Mapper::MINIMUM_INTENSITY_BLEND), Composite },
     { "average", "composite", ShadeOff, BlendMode(Mapper::AVERAGE_INTENSITY_BLEND), Composite },
@@ -368,9 +355,7 @@ const std::vector<Feature>& Features()
     { "rectilinear", "composite", ShadeOff, Input(OnRectilinearGrid), PlainInput },
     { "blanking", "composite", ShadeOff, Input(WithBlankedBall), PlainInput },
     { "multi-volume", "composite", ShadeOff, SecondVolumeOn, SecondVolumeOff },
-    { "picture-and-depth", "composite", ShadeOff,
-      [](Stage stage) { stage.mapper->RenderToImageOn(); },
-      [](Stage stage) { stage.mapper->RenderToImageOff(); } },
+    { "picture-and-depth", "composite", ShadeOff, ToImages, ToWindow },
   };
   return features;
 }

@@ -314,3 +314,39 @@ TEST(Slices, ByAFunctionOfHigherDegreeAreRefusedWithASentence)
   EXPECT_NE(errors.Text().find("Slices by vtkBox are not supported"), std::string::npos)
     << errors.Text();
 }
+
+TEST(Isosurfaces, OfIndependentComponentsAreThoseOfTheLargestWeight)
+{
+  const vtkSmartPointer<vtkImageData> torso = SmallTorso();
+  const auto prepare = [](MapperScene& scene, int component)
+  {
+    scene.mapper->SetBlendModeToIsoSurface();
+    vtkVolumeProperty* const property = scene.volume->GetProperty();
+    property->GetIsoSurfaceValues()->SetValue(0, 100.0);
+    property->SetColor(component, scene.colors);
+    property->SetScalarOpacity(component, scene.opacities);
+    property->SetAmbient(component, 0.4);
+    property->ShadeOn();
+  };
+  MapperScene alone(torso, 48);
+  prepare(alone, 0);
+
+  const auto two = vtkSmartPointer<vtkImageData>::New();
+  two->CopyStructure(torso);
+  two->AllocateScalars(VTK_SHORT, 2);
+  const auto* const values = static_cast<const short*>(torso->GetScalarPointer());
+  auto* const both = static_cast<short*>(two->GetScalarPointer());
+  for (vtkIdType i = 0; i < torso->GetNumberOfPoints(); ++i)
+  {
+    both[2 * i] = short(i % 500);
+    both[2 * i + 1] = values[i];
+  }
+  MapperScene second(two, 48);
+  prepare(second, 1);
+  second.volume->GetProperty()->SetComponentWeight(0, 0.3);
+  second.volume->GetProperty()->SetComponentWeight(1, 0.7);
+  const std::vector<float> drawn = second.Draw();
+  EXPECT_EQ(drawn, alone.Draw());
+  second.volume->GetProperty()->SetComponentWeight(0, 0.8);
+  EXPECT_NE(second.Draw(), drawn);
+}

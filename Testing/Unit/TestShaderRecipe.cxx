@@ -50,12 +50,14 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(Changed(growing), (Parts{ "Math/StepGrowth.glsl", "Step/Growing.glsl" }));
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, true, false }),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
-      "Values/One.glsl", "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
+      "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl",
+      "March/MaterialSegments.glsl" }));
   RenderSettings lit{ Blend::Composite, Acceleration::Off, true, false };
   lit.lights = true;
   EXPECT_EQ(Changed(lit),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "GradientOpacity/None.glsl",
-      "Values/One.glsl", "Material/OneComponent.glsl", "March/MaterialSegments.glsl" }));
+      "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl",
+      "March/MaterialSegments.glsl" }));
   RenderSettings gradient = plain;
   gradient.gradientOpacity = true;
   EXPECT_EQ(Changed(gradient),
@@ -77,6 +79,16 @@ TEST(ShaderRecipe, EachChoiceOfThePictureChangesItsOwnSlotOnly)
   RenderSettings windowed = plain;
   windowed.windowLevel = true;
   EXPECT_EQ(Changed(windowed), Parts{ "Window/WindowLevel.glsl" });
+}
+
+TEST(ShaderRecipe, DampingIsAFileOfItsSlotWhereThereIsLight)
+{
+  RenderSettings damped = plain;
+  damped.damping = true;
+  EXPECT_EQ(Changed(damped), Parts());
+  damped.shading = true;
+  const Parts parts = Changed(damped);
+  EXPECT_EQ(std::count(parts.begin(), parts.end(), "Damping/Homogeneous.glsl"), 1);
 }
 
 TEST(ShaderRecipe, ASplineChangesHowTheVolumeIsReadAndItsGradients)
@@ -194,7 +206,8 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
       "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl", "Probe/None.glsl",
       "Gaps/None.glsl", "Classify/OpticalTable.glsl", "Gradient/CentralDifferences.glsl",
       "Shade/HeadLight.glsl", "GradientOpacity/None.glsl", "Values/One.glsl",
-      "Material/OneComponent.glsl", "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl",
+      "Material/OneComponent.glsl", "Damping/None.glsl", "Step/Fixed.glsl", "Reading/Cells.glsl",
+      "Volumes/Next.glsl",
       // and the other.
       "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl", "Probe/None.glsl",
       "Gaps/None.glsl", "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
@@ -221,7 +234,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 159u);
+  EXPECT_EQ(distinct.size(), 161u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

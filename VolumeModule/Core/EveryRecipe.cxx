@@ -26,6 +26,8 @@ std::vector<RenderSettings> RecipesOfPictures()
     recipes.back().jitter = true;
     recipes.back().windowLevel = true;
   }
+  recipes.emplace_back();
+  recipes.back().pass = RayPass::Accumulated;
   for (RayPass pass : { RayPass::PeelOutside, RayPass::PeelBetween, RayPass::PeelLast,
          RayPass::PickProp, RayPass::PickVoxel, RayPass::FirstDepth })
   {
@@ -113,7 +115,10 @@ std::vector<RenderSettings> RecipesOfMaterials()
   gradient.gradientOpacity = true;
   RenderSettings litGradient = gradient;
   litGradient.shading = true;
-  std::vector<RenderSettings> recipes = { lit, gradient, litGradient };
+  RenderSettings damped;
+  damped.shading = true;
+  damped.damping = true;
+  std::vector<RenderSettings> recipes = { lit, damped, gradient, litGradient };
   const std::vector<RenderSettings> others = RecipesOfFunctionsAndMasks();
   recipes.insert(recipes.end(), others.begin(), others.end());
   for (const auto& [components, count] : { std::pair(Components::Independent, 2),

@@ -74,6 +74,7 @@ std::string ResumeFile(RayPass pass)
       return "Resume/PickVoxel.glsl";
     case RayPass::FirstDepth:
       return "Resume/FirstDepth.glsl";
+    case RayPass::Accumulated: // has a shader of its own
     case RayPass::Whole:
       break;
   }

@@ -87,7 +87,8 @@ enum class RayPass
   Block,       ///< marches them through one of several blocks, from where those in front have ended
   Picture,     ///< makes pixels of what they have gathered in all blocks
   Upscaled,    ///< makes pixels of a picture drawn with fewer rays,
-  Averaged,    ///< or with more
+  Averaged,    ///< or with more,
+  Accumulated, ///< or of several that have been added up
   PeelOutside, ///< as Whole, but in front of all translucent geometry and behind it,
   PeelBetween, ///< between two pairs of its layers,
   PeelLast,    ///< or between its innermost layers
@@ -99,7 +100,8 @@ enum class RayPass
 /// Whether the volume is read in it.
 inline bool Marches(RayPass pass)
 {
-  return pass != RayPass::Picture && pass != RayPass::Upscaled && pass != RayPass::Averaged;
+  return pass != RayPass::Picture && pass != RayPass::Upscaled && pass != RayPass::Averaged &&
+    pass != RayPass::Accumulated;
 }
 
 /// Whether translucent geometry divides the rays in it.
@@ -140,7 +142,8 @@ struct RenderSettings
   bool countFetches = false;     ///< draw how often each ray has read the volume, not the picture
   bool skipsBricks = true;       ///< composites with the optical field: there is enough to skip
   RayPass pass = RayPass::Whole;
-  bool lights = false; ///< shading by all lights of the scene, not by a head light alone
+  bool damping = false; ///< shading without light where there hardly is a gradient; one component
+  bool lights = false;  ///< shading by all lights of the scene, not by a head light alone
   Mask mask = Mask::None;
   FunctionOf functionOf = FunctionOf::Value; ///< else of one component, and composite
   Components components = Components::One;

@@ -126,6 +126,10 @@ std::vector<std::string> PictureParts(const RenderSettings& settings)
 // Nor here: pixels of a picture of other rays, whose colours it has.
 std::vector<std::string> ResampledParts(const RenderSettings& settings)
 {
+  if (settings.pass == RayPass::Accumulated)
+  {
+    return { "Mean.frag.glsl" };
+  }
   std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl",
     DepthFile(settings), ClipFile(settings) };
   if (settings.pass == RayPass::Upscaled)
@@ -139,15 +143,23 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
 // How a scalar gets its look, and what its look depends on.
 std::vector<std::string> LookParts(const RenderSettings& settings)
 {
+  std::vector<std::string> parts;
   if (settings.blend == Blend::Isosurface)
   {
-    return { GradientFile(settings), ShadeFile(settings) };
+    parts = { GradientFile(settings), ShadeFile(settings) };
   }
-  std::vector<std::string> parts = ClassifyParts(settings);
+  else
+  {
+    parts = ClassifyParts(settings);
+  }
   if (MarchesMaterial(settings))
   {
     const std::vector<std::string> material = MaterialParts(settings);
     parts.insert(parts.end(), material.begin(), material.end());
+  }
+  if (settings.shading && (settings.blend == Blend::Isosurface || MarchesMaterial(settings)))
+  {
+    parts.push_back(settings.damping ? "Damping/Homogeneous.glsl" : "Damping/None.glsl");
   }
   return parts;
 }

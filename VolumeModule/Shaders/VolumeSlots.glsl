@@ -69,6 +69,10 @@ mat4x3 GradientsAllAt(vec3 positionTexture);
 // and specular light, and the specular power.
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t);
 
+// --- Damping: only with light ------------------------------------------------------------------
+// The part of diffuse and specular light that is left at a gradient, [0,1].
+float LitPart(vec3 gradient);
+
 // --- GradientOpacity: where opacity depends on the gradient -----------------------------------
 // The extinction [1/mm] of a component, from that without a gradient.
 float AtGradient(float extinction, vec3 gradient, int component);

@@ -9,6 +9,7 @@ uniform vec3 specularLight;
 
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
 {
+  reflectance.yz *= LitPart(gradient);
   vec3 normal = worldFromGradient * gradient;
   float size = length(normal);
   vec3 toEye = -(worldFromGrid * ray.directionGrid);

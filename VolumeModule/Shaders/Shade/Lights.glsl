@@ -48,6 +48,7 @@ vec2 Reflected(vec3 normal, vec3 toLight, vec3 toEye, float power)
 
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
 {
+  reflectance.yz *= LitPart(gradient);
   vec3 outward = -(worldFromGradient * gradient);
   vec3 normal = outward / max(length(outward), 1e-30);
   vec3 positionWorld = worldFromGrid * (ray.originGrid + t * ray.directionGrid) + worldOfGridOrigin;

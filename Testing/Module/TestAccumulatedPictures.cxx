@@ -1,0 +1,191 @@
+// Pictures of a scene that stays as it is, added up.
+
+#include "Module/MapperScene.h"
+
+#include <vtkActor.h>
+#include <vtkDataArray.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkSphereSource.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr int Size = 24;
+
+// A bone that is opaque at once, so that its outline has an edge.
+void ShowAnEdge(MapperScene& scene)
+{
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(150.0, 0.0);
+  scene.opacities->AddPoint(160.0, 0.9);
+  scene.volume->GetProperty()->SetScalarOpacityUnitDistance(0.2);
+  scene.mapper->SetErrorTolerance(1.0 / 16.0);
+}
+
+// What the pixels would be if each were the mean of 8 x 8 rays to the integral.
+std::vector<float> SupersampledTruth(const std::function<void(MapperScene&)>& prepare)
+{
+  constexpr int PerSide = 8;
+  MapperScene scene(SmallTorso(), PerSide * Size);
+  prepare(scene);
+  const std::vector<float> fine = scene.Truth();
+  std::vector<float> mean(4 * Size * Size);
+  for (int row = 0; row < PerSide * Size; ++row)
+  {
+    for (int column = 0; column < PerSide * Size; ++column)
+    {
+      for (int channel = 0; channel < 4; ++channel)
+      {
+        mean[4 * (row / PerSide * Size + column / PerSide) + channel] +=
+          fine[4 * (row * PerSide * Size + column) + channel] / (PerSide * PerSide);
+      }
+    }
+  }
+  return mean;
+}
+
+double ErrorOf(const std::vector<float>& drawn, const std::vector<float>& truth)
+{
+  return CompareImages(drawn.data(), truth.data(), truth.size() / 4).rootMeanSquare;
+}
+
+std::vector<float> MeanOfAll(MapperScene& scene)
+{
+  std::vector<float> mean;
+  do
+  {
+    mean = scene.Draw();
+  } while (scene.mapper->GetAccumulatedPictures() < scene.mapper->GetMaximumAccumulatedPictures());
+  return mean;
+}
+
+int PicturesAfter(MapperScene& scene, const std::function<void()>& change)
+{
+  scene.window->Render();
+  scene.window->Render();
+  EXPECT_GE(scene.mapper->GetAccumulatedPictures(), 2);
+  change();
+  scene.window->Render();
+  return scene.mapper->GetAccumulatedPictures();
+}
+
+}
+
+TEST(AccumulatedPictures, TendToThePictureOfManyRaysPerPixel)
+{
+  const std::vector<float> truth = SupersampledTruth(ShowAnEdge);
+  MapperScene scene(SmallTorso(), Size);
+  ShowAnEdge(scene);
+  const std::vector<float> alone = scene.Draw();
+  scene.mapper->SetMaximumAccumulatedPictures(32);
+  EXPECT_EQ(scene.Draw(), alone) << "the first is what it would be alone";
+  const std::vector<float> mean = MeanOfAll(scene);
+  const double errorAlone = ErrorOf(alone, truth);
+  EXPECT_GT(errorAlone, 5.0);
+  EXPECT_LT(ErrorOf(mean, truth), errorAlone / 5.0);
+  EXPECT_EQ(scene.Draw(), mean) << "no more are drawn than are asked for";
+}
+
+TEST(AccumulatedPictures, SmoothTheFacesOfTheVolumeItself)
+{
+  const auto prepare = [](MapperScene& scene)
+  {
+    scene.opacities->RemoveAllPoints();
+    scene.opacities->AddPoint(0.0, 0.3);
+    scene.mapper->SetErrorTolerance(1.0 / 64.0);
+    scene.renderer->GetActiveCamera()->Zoom(0.6);
+  };
+  const std::vector<float> truth = SupersampledTruth(prepare);
+  MapperScene scene(SmallTorso(), Size);
+  prepare(scene);
+  const std::vector<float> alone = scene.Draw();
+  scene.mapper->SetMaximumAccumulatedPictures(32);
+  const std::vector<float> mean = MeanOfAll(scene);
+  EXPECT_LT(ErrorOf(mean, truth), ErrorOf(alone, truth) / 5.0);
+}
+
+TEST(AccumulatedPictures, BeginAnewWithAllThatChangesWhatIsSeen)
+{
+  MapperScene scene(SmallTorso(), Size);
+  scene.volume->GetProperty()->ShadeOn();
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> surface;
+  surface->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(surface);
+  scene.renderer->AddActor(actor);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(scene.volume->GetCenter());
+  scene.mapper->AddClippingPlane(plane);
+  scene.mapper->SetMaximumAccumulatedPictures(9);
+  const std::vector<std::function<void()>> changes = {
+    [&] { scene.renderer->GetActiveCamera()->Azimuth(1.0); },
+    [&] { scene.volume->RotateZ(1.0); },
+    [&] { scene.opacities->AddPoint(300.0, 0.11); },
+    [&] { scene.volume->GetProperty()->SetAmbient(0.3); },
+    [&] { scene.image->GetPointData()->GetScalars()->Modified(); },
+    [&] { scene.image->Modified(); },
+    [&] { scene.mapper->SetBlendModeToMaximumIntensity(); },
+    [&] { scene.mapper->SetBlendModeToComposite(); },
+    [&] { scene.mapper->SetErrorTolerance(0.05); },
+    [&] { plane->SetNormal(0.2, 0.3, 1.0); },
+    [&] { actor->SetPosition(3.0, 0.0, 0.0); },
+    [&] { sphere->SetRadius(3.0); },
+    [&] { actor->VisibilityOff(); },
+    [&]
+    { vtkLight::SafeDownCast(scene.renderer->GetLights()->GetItemAsObject(0))->SetIntensity(0.7); },
+    [&] { scene.renderer->SetViewport(0.0, 0.0, 0.5, 1.0); },
+    [&] { scene.window->SetSize(20, 30); },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    EXPECT_EQ(PicturesAfter(scene, changes[i]), 1) << "change " << i;
+  }
+}
+
+TEST(AccumulatedPictures, GoOnWhereNothingIsChanged)
+{
+  MapperScene scene(SmallTorso(), Size);
+  scene.mapper->SetMaximumAccumulatedPictures(4);
+  EXPECT_EQ(PicturesAfter(scene, [&] { scene.renderer->ResetCameraClippingRange(); }), 3);
+  scene.window->Render();
+  scene.window->Render();
+  EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 4);
+}
+
+TEST(AccumulatedPictures, StandAloneWhileSomebodyInteracts)
+{
+  MapperScene scene(SmallTorso(), Size);
+  scene.mapper->SetMaximumAccumulatedPictures(4);
+  scene.window->SetDesiredUpdateRate(20.0);
+  scene.window->Render();
+  scene.window->Render();
+  EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 1);
+}
+
+TEST(AccumulatedPictures, TakeNothingWhenOff)
+{
+  MapperScene scene(SmallTorso(), Size);
+  const std::vector<float> picture = scene.Draw();
+  const vtkIdType bytes = scene.mapper->GetGraphicsMemoryBytes();
+  const int shaders = scene.mapper->GetShaderBuilds();
+  EXPECT_EQ(scene.Draw(), picture);
+  EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 1);
+  scene.mapper->SetMaximumAccumulatedPictures(2);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes + 16 * Size * Size);
+  EXPECT_EQ(scene.mapper->GetShaderBuilds(), shaders + 1) << "that of the mean";
+  scene.mapper->SetMaximumAccumulatedPictures(1);
+  EXPECT_EQ(scene.Draw(), picture);
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes);
+}
