@@ -78,6 +78,8 @@ Blend BlendOf(int blendMode)
 Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings)
 {
   const bool one = settings.components == Components::One;
+  // A walk from voxel to voxel does not count the length that it leaves out.
+  const bool sums = IsProjection(settings.blend) && !settings.nearest;
   switch (accelerationMode)
   {
     case vtkVariationFieldVolumeMapper::ScalarField:
@@ -87,7 +89,7 @@ Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings
       // A projection of several components is one of each, so that a brick could be left only where
       // that changes none of them. A slice is read but once.
       return settings.blend == Blend::Composite || settings.blend == Blend::Isosurface ||
-          (one && IsProjection(settings.blend))
+          (one && (IsExtreme(settings.blend) || sums))
         ? Acceleration::OpticalField
         : Acceleration::Off;
   }
