@@ -20,9 +20,18 @@ def presets():
     return {look["name"]: look["description"] for look in texts}
 
 
+def look_of(preset):
+    return json.loads((PRESET_FOLDER / f"{choice('preset', preset, presets())}.json").read_text())
+
+
+def blend_of(preset):
+    """The word for how a preset's values become a picture."""
+    return look_of(preset)["blend"]
+
+
 def property_of(image, preset, color, opacity, opacity_unit_distance, shade):
     """A vtkVolumeProperty: the preset, with what is given in its place. The rest as in render()."""
-    look = json.loads((PRESET_FOLDER / f"{choice('preset', preset, presets())}.json").read_text())
+    look = look_of(preset)
     units = units_of_data(image) if look["domain"] == "relative" else float
     volume_property = vtkVolumeProperty()
     volume_property.SetColor(

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
 
 from .arguments import choice, number
 from .images import to_array, to_image
-from .looks import property_of, rgb_of
+from .looks import blend_of, property_of, rgb_of
 from .VarimarchVolume import vtkHeadlessRenderWindow, vtkVariationFieldVolumeMapper
 from .vtk_messages import vtk_messages_as_exceptions
 
@@ -46,7 +46,7 @@ def render(
     opacity=None,
     opacity_unit_distance=1.0,
     shade=None,
-    blend="composite",
+    blend=None,
     size=(512, 512),
     background="black",
     view="anterior",
@@ -67,7 +67,7 @@ def render(
     opacity: instead of the preset's: a list of (value, opacity), with opacities from 0 to 1.
     opacity_unit_distance: the length over which material has these opacities [mm].
     shade: whether there is light and shadow; default: as the preset says.
-    blend: "composite", "maximum", "minimum", "average" or "additive".
+    blend: "composite", "maximum", "minimum", "average" or "additive"; default: as the preset says.
 
     size: width and height of the picture [pixels].
     background: a colour.
@@ -88,7 +88,7 @@ def render(
     mapper = vtkVariationFieldVolumeMapper()
     mapper.SetInputData(image)
     mapper.SetErrorTolerance(number("error_tolerance", error_tolerance, 0, 1))
-    getattr(mapper, f"SetBlendModeTo{BLENDS[choice('blend', blend, BLENDS)]}")()
+    getattr(mapper, f"SetBlendModeTo{BLENDS[choice('blend', blend or blend_of(preset), BLENDS)]}")()
     actor = vtkVolume()
     actor.SetMapper(mapper)
     actor.SetProperty(property_of(image, preset, color, opacity, opacity_unit_distance, shade))
