@@ -1,10 +1,11 @@
 #include "Scene/SceneCuts.h"
 
+#include "Scene/WorldVector.h"
+
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -14,16 +15,6 @@ namespace varimarch
 
 namespace
 {
-
-glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
-{
-  return { numbers[0], numbers[1], numbers[2] };
-}
-
-std::array<double, 3> NumbersOf(const glm::dvec3& vector)
-{
-  return { vector.x, vector.y, vector.z };
-}
 
 // The place in the world at parts of the way from the first voxel to the last along each axis.
 glm::dvec3 PointAt(const glm::dvec3& parts, vtkImageData* image)
@@ -92,6 +83,22 @@ std::array<double, 2> ReachAlong(const std::array<double, 3>& normal, vtkImageDa
     reach = { std::min(reach[0], distanceMm), std::max(reach[1], distanceMm) };
   }
   return reach;
+}
+
+double DepthOf(const CutPlane& plane, vtkImageData* image)
+{
+  const auto [first, last] = ReachAlong(plane.normal, image);
+  const glm::dvec3 fromMiddle = VectorOf(plane.pointMm) - VectorOf(MiddleOf(image));
+  const double distanceMm = glm::dot(glm::normalize(VectorOf(plane.normal)), fromMiddle);
+  return std::clamp((distanceMm - first) / (last - first), 0.0, 1.0);
+}
+
+CutPlane AtDepth(double depth, const CutPlane& plane, vtkImageData* image)
+{
+  const auto [first, last] = ReachAlong(plane.normal, image);
+  const glm::dvec3 alongMm =
+    (first + depth * (last - first)) * glm::normalize(VectorOf(plane.normal));
+  return { NumbersOf(VectorOf(MiddleOf(image)) + alongMm), plane.normal };
 }
 
 }

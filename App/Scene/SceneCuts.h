@@ -21,6 +21,14 @@ std::array<double, 3> MiddleOf(vtkImageData* image);
 /// [mm].
 std::array<double, 2> ReachAlong(const std::array<double, 3>& normal, vtkImageData* image);
 
+/// How deep a plane lies in a volume along its normal: 0 where it keeps all of it, 1 where nothing
+/// is left.
+double DepthOf(const CutPlane& plane, vtkImageData* image);
+
+/// A plane of the same direction at a depth, through a point above or below the volume's middle.
+/// @param depth  [0, 1], see DepthOf
+CutPlane AtDepth(double depth, const CutPlane& plane, vtkImageData* image);
+
 }
 
 #endif

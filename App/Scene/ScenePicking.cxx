@@ -2,13 +2,13 @@
 
 #include "Core/TransferFunction.h"
 #include "Scene/SceneCuts.h"
+#include "Scene/WorldVector.h"
 
 #include <vtkImageData.h>
 #include <vtkImageInterpolator.h>
 #include <vtkNew.h>
 
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +18,6 @@ namespace varimarch
 
 namespace
 {
-
-glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
-{
-  return { numbers[0], numbers[1], numbers[2] };
-}
 
 // The values of an image along a ray.
 class RayValues

@@ -1,11 +1,12 @@
 #include "Scene/SlicePicture.h"
 
+#include "Scene/WorldVector.h"
+
 #include <vtkImageData.h>
 #include <vtkImageInterpolator.h>
 #include <vtkNew.h>
 
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -19,11 +20,6 @@ namespace varimarch
 
 namespace
 {
-
-glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
-{
-  return { numbers[0], numbers[1], numbers[2] };
-}
 
 glm::dvec3 IndexOf(const glm::dvec3& pointWorld, vtkImageData* image)
 {

@@ -138,3 +138,17 @@ TEST(SceneCuts, ReachesAreThoseOfTheCorners)
   EXPECT_NEAR(last, 10.0, 1e-9);
   EXPECT_NEAR(ReachAlong({ 1.0, 1.0, 1.0 }, Ramp(true))[1], std::sqrt(300.0), 1e-9);
 }
+
+TEST(CutPlane, AtADepthIsThatDeep)
+{
+  const CutPlane plane = { { 3.0, 7.0, 0.0 }, { 0.0, -2.0, 0.0 } };
+  EXPECT_NEAR(DepthOf(plane, Ramp(false)), 0.15, 1e-9) << "3 of the 20 mm from the side it keeps";
+  for (const bool turned : { false, true })
+  {
+    const CutPlane moved = AtDepth(0.75, plane, Ramp(turned));
+    EXPECT_NEAR(moved.pointMm[1], -5.0, 1e-9);
+    EXPECT_EQ(moved.normal, plane.normal);
+    EXPECT_NEAR(DepthOf(moved, Ramp(turned)), 0.75, 1e-9);
+  }
+  EXPECT_EQ(DepthOf({ { 0.0, 50.0, 0.0 }, { 0.0, 1.0, 0.0 } }, Ramp(false)), 1.0);
+}

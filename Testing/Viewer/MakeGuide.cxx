@@ -2,6 +2,7 @@
 //
 // Usage: ViewerGuide HEAD_CT FOLDER, on a display; writes viewer-*.png into the folder.
 
+#include "PrivateSettings.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
@@ -10,11 +11,8 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
-#include <QSettings>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QSurfaceFormat>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
@@ -121,14 +119,8 @@ private:
 int main(int argumentCount, char** arguments)
 {
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
-  // Nothing of the user's is read or written.
-  const QTemporaryDir settings;
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-  QStandardPaths::setTestModeEnabled(true);
+  const PrivateSettings settings;
   QApplication application(argumentCount, arguments);
-  QCoreApplication::setOrganizationName("varimarch");
-  QCoreApplication::setApplicationName("viewer-tests");
   if (argumentCount != 3)
   {
     std::cerr << "Usage: ViewerGuide HEAD_CT FOLDER\n";

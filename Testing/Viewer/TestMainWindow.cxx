@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <vtkRenderWindow.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <gtest/gtest.h>
@@ -112,6 +113,22 @@ TEST_F(Window, CutsMeasuresAndUndoes)
   QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(60, 0));
   EXPECT_TRUE(this->Model()->CurrentScene().camera.pose);
   EXPECT_EQ(this->Model()->History()->count(), 1);
+}
+
+TEST_F(Window, DrawsAnEditQuicklyThenFinely)
+{
+  this->OpenTorso();
+  QTest::qWait(500);
+  std::vector<double> rates;
+  QObject::connect(this->View(), &VolumeView::Drawn, this->View(),
+    [&] { rates.push_back(this->View()->renderWindow()->GetDesiredUpdateRate()); });
+  this->Model()->Edit(ScenePart::Background, "gray",
+    [](Scene& scene) {
+      scene.background = { 0.5, 0.5, 0.5 };
+    });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rates.size() >= 2; }, MostMilliseconds));
+  EXPECT_GT(rates.front(), 5.0);
+  EXPECT_LT(rates.back(), 0.1);
 }
 
 TEST_F(Window, ComparesWithVtk)

@@ -49,9 +49,6 @@ public:
 
   explicit SceneModel(QObject* parent = nullptr);
 
-  /// A number that no gesture had before.
-  int NewGesture() { return varimarch::NewGesture(); }
-
   /// None before the first volume.
   std::shared_ptr<const Study> CurrentStudy() const { return this->study; }
   const Scene& CurrentScene() const { return this->scene; }

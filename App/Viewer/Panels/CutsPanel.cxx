@@ -15,9 +15,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -29,33 +26,11 @@ namespace
 
 constexpr int SliderSteps = 1000;
 
-glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
-{
-  return { numbers[0], numbers[1], numbers[2] };
-}
-
 QString NameOf(const CutPlane& plane)
 {
   const std::array<double, 3> away = { -plane.normal[0], -plane.normal[1], -plane.normal[2] };
   return CutsPanel::tr("without the side %1")
     .arg(QString::fromStdString(AnatomicalDirection(away.data())));
-}
-
-// How far a plane is along its normal's reach through the volume, [0, 1], and back.
-double PartOf(const CutPlane& plane, vtkImageData* image)
-{
-  const auto [first, last] = ReachAlong(plane.normal, image);
-  const double distance = glm::dot(
-    glm::normalize(VectorOf(plane.normal)), VectorOf(plane.pointMm) - VectorOf(MiddleOf(image)));
-  return std::clamp((distance - first) / (last - first), 0.0, 1.0);
-}
-
-std::array<double, 3> PointAt(double part, const CutPlane& plane, vtkImageData* image)
-{
-  const auto [first, last] = ReachAlong(plane.normal, image);
-  const glm::dvec3 point = VectorOf(MiddleOf(image)) +
-    (first + part * (last - first)) * glm::normalize(VectorOf(plane.normal));
-  return { point.x, point.y, point.z };
 }
 
 }
@@ -103,8 +78,7 @@ QSlider* CutsPanel::MakeSlider(const QString& name)
   auto* const slider = new QSlider(Qt::Horizontal);
   slider->setRange(0, SliderSteps);
   slider->setAccessibleName(name);
-  connect(
-    slider, &QSlider::sliderPressed, this, [this] { this->gesture = this->model->NewGesture(); });
+  connect(slider, &QSlider::sliderPressed, this, [this] { this->gesture = NewGesture(); });
   connect(
     slider, &QSlider::sliderReleased, this, [this] { this->gesture = SceneModel::NoGesture; });
   return slider;
@@ -187,8 +161,8 @@ void CutsPanel::ShowPlanes()
   }
   if (selected >= 0)
   {
-    const double part = PartOf(cuts[selected], this->model->CurrentStudy()->volume.image);
-    this->depth->setValue(int(std::lround(part * SliderSteps)));
+    const double deep = DepthOf(cuts[selected], this->model->CurrentStudy()->volume.image);
+    this->depth->setValue(int(std::lround(deep * SliderSteps)));
   }
 }
 
@@ -222,8 +196,7 @@ void CutsPanel::MovePlane(int position)
 {
   vtkImageData* const image = this->model->CurrentStudy()->volume.image;
   this->EditPlane(tr("move a plane"),
-    [&](CutPlane& plane)
-    { plane.pointMm = PointAt(double(position) / SliderSteps, plane, image); });
+    [&](CutPlane& plane) { plane = AtDepth(double(position) / SliderSteps, plane, image); });
 }
 
 void CutsPanel::EditPlane(const QString& stepName, const std::function<void(CutPlane&)>& change)

@@ -2,6 +2,7 @@
 
 #include "Scene/AnatomicalDirection.h"
 #include "Scene/ScenePicking.h"
+#include "Scene/WorldVector.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -12,7 +13,6 @@
 #include <vtkSmartPointer.h>
 
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 
@@ -26,11 +26,6 @@ const QColor TextColor(235, 235, 235);
 const QColor MarkColor(255, 210, 80);
 constexpr double Margin = 10.0;     // [logical pixels]
 constexpr double CubeHalfSide = 22; // [logical pixels]
-
-glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
-{
-  return { numbers[0], numbers[1], numbers[2] };
-}
 
 std::array<double, 3> Opposite(const std::array<double, 3>& direction)
 {

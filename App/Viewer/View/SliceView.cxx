@@ -2,13 +2,13 @@
 
 #include "Scene/AnatomicalDirection.h"
 #include "Scene/SceneCuts.h"
+#include "Scene/WorldVector.h"
 
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
 
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +21,6 @@ namespace
 
 constexpr double ZoomPerNotch = 1.15;
 const QColor CrosshairColor(90, 200, 250, 170);
-
-glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
-{
-  return { numbers[0], numbers[1], numbers[2] };
-}
-
-std::array<double, 3> NumbersOf(const glm::dvec3& vector)
-{
-  return { vector.x, vector.y, vector.z };
-}
 
 QString LettersOf(const glm::dvec3& direction)
 {
@@ -124,7 +114,7 @@ void SliceView::mousePressEvent(QMouseEvent* event)
   {
     return;
   }
-  this->gesture = this->model->NewGesture();
+  this->gesture = NewGesture();
   this->pressed = event->pos();
   this->pressedWindowLevel = this->WindowLevel();
   if (event->button() == Qt::LeftButton)

@@ -6,7 +6,6 @@
 
 #include <QMouseEvent>
 #include <QPainter>
-#include <QTimer>
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
@@ -19,6 +18,7 @@
 #include <vtkVariationFieldVolumeMapper.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace varimarch
 {
@@ -28,6 +28,7 @@ namespace
 
 constexpr double PicturesPerSecondWhileMoving = 15.0;
 constexpr double PicturesPerSecondWhenStill = 0.01;
+constexpr int StillMilliseconds = 250;
 
 bool IsAt(const CameraPose& pose, vtkCamera* camera)
 {
@@ -79,12 +80,14 @@ VolumeView::VolumeView(SceneModel* model, MapperKind kind, QWidget* parent)
   vtkRenderWindowInteractor* const interactor = this->interactor();
   interactor->SetInteractorStyle(style);
   interactor->SetDesiredUpdateRate(PicturesPerSecondWhileMoving);
-  interactor->SetStillUpdateRate(PicturesPerSecondWhenStill);
+  // A fine picture comes by the timer, so that a wheel can go on.
+  interactor->SetStillUpdateRate(PicturesPerSecondWhileMoving);
   this->events->Connect(style, vtkCommand::StartInteractionEvent, this, SLOT(BeginTurning()));
   this->events->Connect(style, vtkCommand::InteractionEvent, this, SLOT(KeepCamera()));
-  this->events->Connect(style, vtkCommand::EndInteractionEvent, this, SLOT(KeepCamera()));
+  this->events->Connect(style, vtkCommand::EndInteractionEvent, this, SLOT(EndTurning()));
   this->events->Connect(this->window, vtkCommand::StartEvent, this, SLOT(BeginPicture()));
   this->events->Connect(this->window, vtkCommand::EndEvent, this, SLOT(EndPicture()));
+  this->PrepareTimers();
   connect(model, &SceneModel::Changed, this, &VolumeView::Update);
   if (model->CurrentStudy())
   {
@@ -186,7 +189,15 @@ void VolumeView::TakeCamera()
 
 void VolumeView::BeginTurning()
 {
-  this->turning = this->model->NewGesture();
+  this->turning = NewGesture();
+  this->isTurning = true;
+}
+
+void VolumeView::EndTurning()
+{
+  this->isTurning = false;
+  this->finePicture.start();
+  this->KeepCamera();
 }
 
 // What the user has turned the camera to becomes a step of the history.
@@ -209,13 +220,28 @@ void VolumeView::KeepCamera()
 
 void VolumeView::RequestPicture()
 {
-  if (!this->pictureRequested)
+  this->quickPicture.start();
+  this->finePicture.start();
+}
+
+void VolumeView::PrepareTimers()
+{
+  const std::tuple<QTimer*, int, double> timers[] = {
+    { &this->quickPicture, 0, PicturesPerSecondWhileMoving },
+    { &this->finePicture, StillMilliseconds, PicturesPerSecondWhenStill },
+  };
+  for (const auto& [timer, milliseconds, rate] : timers)
   {
-    this->pictureRequested = true;
-    QTimer::singleShot(0, this,
-      [this]
+    timer->setSingleShot(true);
+    timer->setInterval(milliseconds);
+    connect(timer, &QTimer::timeout, this,
+      [this, rate = rate]
       {
-        this->pictureRequested = false;
+        // While the camera is turned, VTK's style sets the rate.
+        if (!this->isTurning)
+        {
+          this->window->SetDesiredUpdateRate(rate);
+        }
         this->window->Render();
       });
   }
@@ -300,7 +326,7 @@ void VolumeView::Measure(const QPointF& place, QEvent::Type type)
   const std::optional<std::array<double, 3>> point = this->PointAt(place);
   if (type == QEvent::MouseButtonPress && point)
   {
-    this->measured = this->model->NewGesture();
+    this->measured = NewGesture();
     this->model->Edit(
       ScenePart::Distances, tr("measure"),
       [&](Scene& scene) {

@@ -7,6 +7,7 @@
 
 #include <QElapsedTimer>
 #include <QEvent>
+#include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <vtkNew.h>
@@ -22,7 +23,8 @@ namespace varimarch
 {
 
 /// The volume in three dimensions, as one mapper draws it. Listens to the model, and tells it where
-/// the user has turned the camera. However many changes come at once, one picture follows.
+/// the user has turned the camera. However many changes come at once, one quick picture follows,
+/// and a fine one when they have ended.
 class VolumeView : public QVTKOpenGLNativeWidget
 {
   Q_OBJECT
@@ -62,6 +64,7 @@ protected:
 private slots:
   // Called by VTK's events.
   void BeginTurning();
+  void EndTurning();
   void KeepCamera();
   void BeginPicture();
   void EndPicture();
@@ -72,6 +75,7 @@ private:
   void Update(ScenePart part);
   void TakeVolume();
   void TakeCamera();
+  void PrepareTimers();
   void RequestPicture();
   void Measure(const QPointF& place, QEvent::Type type);
   void Point(const QPointF& place);
@@ -84,11 +88,13 @@ private:
   vtkNew<vtkEventQtSlotConnect> events;
   std::optional<ScenePipeline> pipeline;
   OverlayWidget* overlay;
+  QTimer quickPicture; ///< while changes come
+  QTimer finePicture;  ///< when none has come for a moment
   QElapsedTimer pictureTimer;
   double pictureSeconds = 0.0;
-  bool pictureRequested = false;
   bool capturing = false;
   int turning = SceneModel::NoGesture; ///< the camera's gesture
+  bool isTurning = false;
   bool measuring = false;
   int measured = SceneModel::NoGesture; ///< the gesture of the distance whose end is dragged
 };
