@@ -33,7 +33,7 @@ void RayMarcher::Draw(Frame frame)
   if (this->tolerance)
   {
     frame.settings.integration = this->tolerance->integration;
-    frame.sampleDistanceMm = this->tolerance->step.sampleDistance;
+    frame.sampleDistanceMm = this->SampleDistanceInView();
   }
   this->usedSampleDistanceMm = frame.sampleDistanceMm;
   this->UpdatePreIntegratedTable(frame);

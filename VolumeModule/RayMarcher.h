@@ -2,6 +2,7 @@
 #define Varimarch_RayMarcher_h
 
 #include "AccelerationField.h"
+#include "BoxInView.h"
 #include "Core/PixelRays.h"
 #include "Core/StepSearch.h"
 #include "FloatBufferTexture.h"
@@ -46,7 +47,7 @@ struct BuildCounts
   int shader = 0;
   int tolerance = 0; ///< searches for the steps that keep a tolerance
 
-  /// All but those searches, which every new view takes.
+  /// All but those searches, which new views take.
   int OfResources() const
   {
     return this->volumeTexture + this->brickRanges + this->field + this->opticalTable +
@@ -73,11 +74,25 @@ struct FieldSource
   }
 };
 
+/// All that the steps which keep a tolerance depend on.
+struct ToleranceInputs
+{
+  std::vector<double> rule;      ///< that the rule of integration depends on too
+  std::vector<double> scene;     ///< in any view
+  std::vector<CornersClip> view; ///< where the volumes are in it
+
+  bool operator==(const ToleranceInputs& other) const
+  {
+    return this->rule == other.rule && this->scene == other.scene && this->view == other.view;
+  }
+  /// Whether the scene is the same, and the view nearly.
+  bool IsNear(const ToleranceInputs& other) const;
+};
+
 /// How a picture keeps an error tolerance.
 struct ToleranceChoice
 {
-  std::vector<double> inputs;     ///< all that it depends on
-  std::vector<double> ruleInputs; ///< those of them that the rule of integration depends on
+  ToleranceInputs inputs; ///< that it was found for
   Integration integration;
   StepChoice step;
   double missedOfLimit = 0.0; ///< found once per rule: peaks between samples, as step.ofLimit
@@ -123,7 +138,8 @@ public:
   int AccumulatedPictures() const { return std::max(this->picture.accumulated.Count(), 1); }
   double UsedImageSampleDistance() const { return this->usedImageSampleDistance; }
   double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }
-  /// How the last picture keeps its tolerance; nothing when it has none.
+  /// How the last picture keeps its tolerance, or one before from nearly the same place; nothing
+  /// when it has none.
   const std::optional<ToleranceChoice>& Tolerance() const { return this->tolerance; }
   double FieldBuildSeconds() const;
   std::size_t GraphicsMemoryBytes() const;
@@ -154,7 +170,8 @@ private:
   void UpdateTolerance(const Frame& frame);
   void UpdateProgram(const Frame& frame);
 
-  ToleranceChoice ChooseSteps(const Frame& frame);
+  double SampleDistanceInView() const;
+  ToleranceChoice ChooseSteps(const Frame& frame, const ToleranceInputs& inputs);
   double MissedOfLimit(const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit);
   std::vector<float> DrawProbe(Frame frame, Integration integration, double sampleDistanceMm);
 
@@ -175,7 +192,7 @@ private:
   Box BoxOfAll(const Frame& frame) const;
   void ReleaseOthers(vtkWindow* window, std::size_t first);
   std::size_t BytesOfOthers() const;
-  std::vector<double> ToleranceInputs(const Frame& frame) const;
+  void AddToleranceInputs(const Frame& frame, ToleranceInputs& inputs) const;
   DrawnBlock WholeVolume(const Frame& frame);
   std::vector<vtkTextureObject*> TexturesOf(const DrawnBlock& drawn) const;
   void SetPlaceUniforms(const Frame& frame, const DrawnBlock& drawn);
@@ -238,6 +255,7 @@ private:
   RayMarchProgram program;
   BuildCounts builds;
   std::optional<ToleranceChoice> tolerance;
+  std::vector<CornersClip> toleranceView; ///< of the last picture that kept one
   double usedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;
   std::vector<std::string> shaderParts;

@@ -3,6 +3,7 @@
 
 #include "RayMarcher.h"
 
+#include "BoxInView.h"
 #include "Core/PreIntegratedTable.h"
 #include "Core/ShaderRecipe.h"
 
@@ -31,58 +32,6 @@ constexpr std::size_t BlocksInMemory = 16;
 
 // A plane that no ray runs in.
 constexpr double Nowhere = 1e30;
-
-std::array<glm::dvec4, 8> CornersClip(const Box& box, const glm::dmat4& clipFromGrid)
-{
-  std::array<glm::dvec4, 8> corners;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    corners[corner] = clipFromGrid *
-      glm::dvec4(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
-        corner & 4 ? box.upper.z : box.lower.z, 1.0);
-  }
-  return corners;
-}
-
-// Not so when all corners are beyond the same side of the view.
-bool IsInView(const Box& box, const glm::dmat4& clipFromGrid)
-{
-  const std::array<glm::dvec4, 8> corners = CornersClip(box, clipFromGrid);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (double side : { -1.0, 1.0 })
-    {
-      const auto isBeyond = [&](const glm::dvec4& corner)
-      { return side * corner[axis] > corner.w; };
-      if (std::all_of(corners.begin(), corners.end(), isBeyond))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-// The pixels that a box may cover, within the picture.
-Viewport PixelsOf(const Box& box, const glm::dmat4& clipFromGrid, const Viewport& picture)
-{
-  const glm::dvec2 size(picture.width, picture.height);
-  glm::dvec2 lower = size;
-  glm::dvec2 upper(0.0);
-  for (const glm::dvec4& corner : CornersClip(box, clipFromGrid))
-  {
-    if (!(corner.w > 0.0))
-    {
-      return picture; // the eye is beside the box, or in it
-    }
-    const glm::dvec2 pixel = (glm::dvec2(corner) / corner.w * 0.5 + 0.5) * size;
-    lower = glm::min(lower, pixel);
-    upper = glm::max(upper, pixel);
-  }
-  const glm::ivec2 first(glm::clamp(glm::floor(lower), glm::dvec2(0.0), size));
-  const glm::ivec2 behind(glm::clamp(glm::ceil(upper), glm::dvec2(first), size));
-  return { first.x, first.y, behind.x - first.x, behind.y - first.y };
-}
 
 }
 

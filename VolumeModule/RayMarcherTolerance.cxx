@@ -53,6 +53,11 @@ constexpr std::size_t MostPreIntegratedEntries = 8192;
 // times the limit may be its own error.
 constexpr double CertainlyMissed = 4.0;
 
+// A view is near another if no corner of a volume has moved by more than this part of the picture;
+// there the error is taken to be that of steps which are longer by the rest of this part.
+constexpr double NearMove = 0.05;
+constexpr double NearbyPart = 0.9;
+
 // The picture's opacity, which does not depend on light.
 std::vector<float> OpacityOf(std::vector<float> picture)
 {
@@ -90,20 +95,17 @@ std::vector<double> RuleInputsOf(const Frame& frame, const BuildCounts& builds)
     frame.geometry.SmallestSpacingMm() };
 }
 
-// All that decides on the picture but what is drawn in front of the volume.
-std::vector<double> InputsOf(const Frame& frame, const BuildCounts& builds)
+// All that decides on the picture in any view, but what is drawn in front of the volume.
+std::vector<double> SceneInputsOf(const Frame& frame, const BuildCounts& builds)
 {
-  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
-  std::vector<double> inputs = RuleInputsOf(frame, builds);
-  inputs.insert(inputs.end(),
-    { double(builds.field), double(frame.property->GetMTime()), double(frame.settings.acceleration),
-      double(frame.settings.sceneGeometry), frame.dampingGradient,
-      FillsGaps(frame.settings) ? frame.gapOptical.a : 0.0, frame.averagedRange[0],
-      frame.averagedRange[1], double(frame.settings.mask), double(frame.mask.time), frame.labelPart,
-      double(frame.viewport.width), double(frame.viewport.height) });
+  std::vector<double> inputs{ double(builds.field), double(frame.property->GetMTime()),
+    double(frame.settings.acceleration), double(frame.settings.sceneGeometry),
+    frame.dampingGradient, FillsGaps(frame.settings) ? frame.gapOptical.a : 0.0,
+    frame.averagedRange[0], frame.averagedRange[1], double(frame.settings.mask),
+    double(frame.mask.time), frame.labelPart, double(frame.viewport.width),
+    double(frame.viewport.height) };
   const std::vector<double> cuts = frame.cuts.Numbers();
   inputs.insert(inputs.end(), cuts.begin(), cuts.end());
-  inputs.insert(inputs.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
   if (frame.settings.lights)
   {
     const HeadLightColors head = HeadLightColorsOf(frame.renderer);
@@ -128,17 +130,37 @@ StepRange RangeOf(const Frame& frame)
 
 }
 
-std::vector<double> RayMarcher::ToleranceInputs(const Frame& frame) const
+bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
 {
-  std::vector<double> inputs = InputsOf(frame, this->builds);
-  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  if (this->rule != other.rule || this->scene != other.scene ||
+    this->view.size() != other.view.size())
   {
-    const std::vector<double> ofOther = this->others[i]->ToleranceInputs(frame.others[i]);
-    inputs.insert(inputs.end(), ofOther.begin(), ofOther.end());
+    return false;
   }
-  return inputs;
+  double moved = 0.0;
+  for (std::size_t i = 0; i < this->view.size(); ++i)
+  {
+    moved = std::max(moved, LargestMove(this->view[i], other.view[i]));
+  }
+  return moved <= NearMove;
 }
 
+void RayMarcher::AddToleranceInputs(const Frame& frame, ToleranceInputs& inputs) const
+{
+  const std::vector<double> rule = RuleInputsOf(frame, this->builds);
+  inputs.rule.insert(inputs.rule.end(), rule.begin(), rule.end());
+  const std::vector<double> scene = SceneInputsOf(frame, this->builds);
+  inputs.scene.insert(inputs.scene.end(), scene.begin(), scene.end());
+  inputs.view.push_back(CornersOf(
+    frame.geometry.boxGrid, ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid));
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    this->others[i]->AddToleranceInputs(frame.others[i], inputs);
+  }
+}
+
+// While the view moves, a search serves until the volume is seen from elsewhere; when it rests, it
+// gets its own.
 void RayMarcher::UpdateTolerance(const Frame& frame)
 {
   if (!(frame.errorTolerance > 0.0))
@@ -147,14 +169,27 @@ void RayMarcher::UpdateTolerance(const Frame& frame)
     this->probe.Release(frame.window);
     return;
   }
-  if (!this->tolerance || this->tolerance->inputs != this->ToleranceInputs(frame))
+  ToleranceInputs inputs;
+  this->AddToleranceInputs(frame, inputs);
+  const bool rests = inputs.view == this->toleranceView;
+  this->toleranceView = inputs.view;
+  if (this->tolerance &&
+    (rests ? this->tolerance->inputs == inputs : this->tolerance->inputs.IsNear(inputs)))
   {
-    this->tolerance = this->ChooseSteps(frame);
-    ++this->builds.tolerance;
+    return;
   }
+  this->tolerance = this->ChooseSteps(frame, inputs);
+  ++this->builds.tolerance;
 }
 
-ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame)
+double RayMarcher::SampleDistanceInView() const
+{
+  const ToleranceChoice& choice = *this->tolerance;
+  return choice.inputs.view == this->toleranceView ? choice.step.sampleDistance
+                                                   : NearbyPart * choice.step.sampleDistance;
+}
+
+ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame, const ToleranceInputs& inputs)
 {
   const double stepsTolerance =
     IsExtreme(frame.settings.blend) ? ExtremesPart * frame.errorTolerance : frame.errorTolerance;
@@ -170,12 +205,12 @@ ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame)
   const double firstMm = SmallestSpacingMm(frame);
   const auto choiceBy = [&](Integration integration)
   {
-    return ToleranceChoice{ this->ToleranceInputs(frame), RuleInputsOf(frame, this->builds),
-      integration, FindSampleDistance(drawingBy(integration), limit, range, firstMm) };
+    return ToleranceChoice{ inputs, integration,
+      FindSampleDistance(drawingBy(integration), limit, range, firstMm) };
   };
 
   // The rule is chosen anew only for another transfer function or volume: not while a camera moves.
-  if (this->tolerance && this->tolerance->ruleInputs == RuleInputsOf(frame, this->builds))
+  if (this->tolerance && this->tolerance->inputs.rule == inputs.rule)
   {
     return WithMissed(
       choiceBy(this->tolerance->integration), this->tolerance->missedOfLimit, limit);

@@ -100,6 +100,7 @@ std::string KeyOf(const ReferenceRequest& request)
   AddTransferFunction(digest, request.transferFunction);
   AddLight(digest, request.light);
   digest.Add(request.blend);
+  digest.Add(request.cutPlanesGrid.size());
   for (const glm::dvec4& plane : request.cutPlanesGrid)
   {
     AddMatrix(digest, plane);

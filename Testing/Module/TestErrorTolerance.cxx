@@ -101,6 +101,27 @@ TEST_P(ErrorTolerance, IsKept)
   }
 }
 
+TEST_P(ErrorTolerance, IsKeptWhileTheViewMoves)
+{
+  constexpr double Tolerance = 1.0 / 64.0;
+  MapperScene scene(SmallTorso());
+  scene.mapper->AutoAdjustSampleDistancesOn();
+  GetParam().prepare(scene);
+  scene.mapper->SetErrorTolerance(Tolerance);
+  scene.Draw();
+  for (int picture = 0; picture < 2; ++picture)
+  {
+    scene.renderer->GetActiveCamera()->Azimuth(2.0);
+    const std::vector<float> drawn = scene.Draw();
+    const std::vector<float> truth = scene.Truth();
+    const varimarch::ImageError error =
+      varimarch::CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+    EXPECT_LE(error.percentile999, 255.0 * Tolerance);
+    EXPECT_LE(error.largest, 2.0 * 255.0 * Tolerance);
+  }
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, ErrorTolerance, testing::ValuesIn(Cases),
   [](const testing::TestParamInfo<ToleranceCase>& info) { return info.param.name; });
 
@@ -120,6 +141,31 @@ TEST(ErrorTolerance, IsTriedOutAgainOnlyWhenThePictureChanges)
   scene.mapper->SetErrorTolerance(1.0 / 32.0);
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetToleranceSearches(), 4);
+}
+
+TEST(ErrorTolerance, OneSearchServesViewsNearbyUntilTheViewRests)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  scene.Draw();
+  const double searchedDistance = scene.mapper->GetUsedSampleDistance();
+  vtkCamera* const camera = scene.renderer->GetActiveCamera();
+  const auto searchesAfter = [&](const std::function<void()>& move)
+  {
+    move();
+    scene.renderer->ResetCameraClippingRange();
+    scene.Draw();
+    return scene.mapper->GetToleranceSearches();
+  };
+  EXPECT_EQ(searchesAfter([&] { camera->Azimuth(1.0); }), 1);
+  EXPECT_LT(scene.mapper->GetUsedSampleDistance(), searchedDistance) << "it is not quite the same";
+  EXPECT_EQ(searchesAfter([&] { camera->Azimuth(-1.0); }), 1);
+  EXPECT_EQ(scene.mapper->GetUsedSampleDistance(), searchedDistance);
+  EXPECT_EQ(searchesAfter([&] { camera->Zoom(1.02); }), 1);
+  EXPECT_EQ(searchesAfter([] {}), 2) << "a view that rests";
+  EXPECT_EQ(searchesAfter([&] { camera->Zoom(1.3); }), 3);
+  EXPECT_EQ(searchesAfter([&] { camera->Dolly(10.0); }), 4) << "into the volume";
+  EXPECT_EQ(searchesAfter([&] { camera->Azimuth(1.0); }), 5) << "within the volume";
 }
 
 TEST(ErrorTolerance, ChoosesPreIntegrationForThinPeaksOnly)
