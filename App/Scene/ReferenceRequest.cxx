@@ -129,6 +129,11 @@ ReferenceScene SceneOf(const ReferenceRequest& request)
 
 ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, double tolerance)
 {
+  if (!scene.cuts.scissors.empty())
+  {
+    throw std::invalid_argument("Reference picture: it knows cuts by planes and the box only, "
+                                "found cuts by scissors");
+  }
   vtkDataArray* scalars = CheckedScalars(image);
   ScenePipeline pipeline(scene, image, MapperKind::Varimarch);
   const VolumeGeometry geometry = VolumeGeometryOf(image, pipeline.Volume());

@@ -116,6 +116,16 @@ struct CutPlane
   std::array<double, 3> normal; ///< of any length > 0
 };
 
+/// An outline that was drawn over a picture, and cuts through the depth of the volume.
+struct ScissorsCut
+{
+  Camera camera; ///< of the picture, with a pose
+  /// Around the outline, from the middle of the picture in halves of its height: to the right,
+  /// upwards. At least three points; where it crosses itself, the even-odd rule holds.
+  std::vector<std::array<double, 2>> outline;
+  bool keepsInside = false; ///< what is outside goes; else what is inside
+};
+
 /// What of a volume is left to see.
 struct SceneCuts
 {
@@ -123,6 +133,15 @@ struct SceneCuts
   /// voxel, 1 the last.
   std::array<double, 6> box = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   std::vector<CutPlane> planes;
+  std::vector<ScissorsCut> scissors;
+};
+
+/// How a slab of several slices becomes one picture.
+enum class SlabBlend
+{
+  Maximum,
+  Minimum,
+  Mean,
 };
 
 /// Slices through the volume along the patient's axes, as the viewer has them beside the picture.
@@ -130,14 +149,33 @@ struct SliceSettings
 {
   std::optional<std::array<double, 3>> crosshairMm; ///< world space, LPS; empty: the middle
   std::optional<std::array<double, 2>> windowLevel; ///< units of the data; empty: from the data
-  double slabMm = 0.0; ///< >= 0; what is thicker than a slice shows the largest value in it
+  double slabMm = 0.0;                              ///< >= 0; 0: a single slice
+  SlabBlend slabBlend = SlabBlend::Maximum;
 };
 
-/// Measured by the user, and written over the picture. World space, LPS.
+// What the user has measured, written over the picture. World space, LPS; names may be empty.
+
 struct Distance
 {
   std::array<double, 3> fromMm;
   std::array<double, 3> toMm;
+  std::string name = {};
+};
+
+struct Angle
+{
+  std::array<double, 3> fromMm;
+  std::array<double, 3> vertexMm; ///< where the angle is
+  std::array<double, 3> toMm;
+  std::string name = {};
+};
+
+/// A box along the volume's axes, of whose voxels there are statistics.
+struct MeasuredBox
+{
+  std::array<double, 3> fromMm; ///< a corner, and the one opposite to it
+  std::array<double, 3> toMm;
+  std::string name = {};
 };
 
 struct RenderOptions
@@ -168,6 +206,8 @@ struct Scene
   SceneCuts cuts;
   SliceSettings slices;
   std::vector<Distance> distances;
+  std::vector<Angle> angles;
+  std::vector<MeasuredBox> boxes;
   RenderOptions render;
   std::array<int, 2> size = { 512, 512 }; ///< of the picture [pixels]
   std::array<double, 3> background = { 0.0, 0.0, 0.0 };

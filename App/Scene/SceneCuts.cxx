@@ -16,21 +16,6 @@ namespace varimarch
 namespace
 {
 
-// The place in the world at parts of the way from the first voxel to the last along each axis.
-glm::dvec3 PointAt(const glm::dvec3& parts, vtkImageData* image)
-{
-  const int* const extent = image->GetExtent();
-  double index[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double first = extent[2 * axis];
-    index[axis] = first + parts[axis] * (extent[2 * axis + 1] - first);
-  }
-  glm::dvec3 pointWorld;
-  image->TransformContinuousIndexToPhysicalPoint(index, &pointWorld.x);
-  return pointWorld;
-}
-
 // Upright on the two other axes, which in a sheared volume is not along this one.
 glm::dvec3 NormalOf(int axis, vtkImageData* image)
 {
@@ -45,6 +30,20 @@ glm::dvec3 NormalOf(int axis, vtkImageData* image)
 
 }
 
+glm::dvec3 PointAtParts(const glm::dvec3& parts, vtkImageData* image)
+{
+  const int* const extent = image->GetExtent();
+  double index[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double first = extent[2 * axis];
+    index[axis] = first + parts[axis] * (extent[2 * axis + 1] - first);
+  }
+  glm::dvec3 pointWorld;
+  image->TransformContinuousIndexToPhysicalPoint(index, &pointWorld.x);
+  return pointWorld;
+}
+
 std::vector<CutPlane> PlanesOf(const SceneCuts& cuts, vtkImageData* image)
 {
   std::vector<CutPlane> planes;
@@ -54,11 +53,11 @@ std::vector<CutPlane> PlanesOf(const SceneCuts& cuts, vtkImageData* image)
     glm::dvec3 parts(0.5);
     if (parts[axis] = cuts.box[2 * axis]; parts[axis] > 0.0)
     {
-      planes.push_back({ NumbersOf(PointAt(parts, image)), NumbersOf(normal) });
+      planes.push_back({ NumbersOf(PointAtParts(parts, image)), NumbersOf(normal) });
     }
     if (parts[axis] = cuts.box[2 * axis + 1]; parts[axis] < 1.0)
     {
-      planes.push_back({ NumbersOf(PointAt(parts, image)), NumbersOf(-normal) });
+      planes.push_back({ NumbersOf(PointAtParts(parts, image)), NumbersOf(-normal) });
     }
   }
   planes.insert(planes.end(), cuts.planes.begin(), cuts.planes.end());
@@ -67,19 +66,26 @@ std::vector<CutPlane> PlanesOf(const SceneCuts& cuts, vtkImageData* image)
 
 std::array<double, 3> MiddleOf(vtkImageData* image)
 {
-  return NumbersOf(PointAt(glm::dvec3(0.5), image));
+  return NumbersOf(PointAtParts(glm::dvec3(0.5), image));
+}
+
+void MoveFace(std::array<double, 6>& box, int face, double part)
+{
+  constexpr double Thinnest = 0.001;
+  box[face] = face % 2 == 0 ? std::clamp(part, 0.0, box[face + 1] - Thinnest)
+                            : std::clamp(part, box[face - 1] + Thinnest, 1.0);
 }
 
 std::array<double, 2> ReachAlong(const std::array<double, 3>& normal, vtkImageData* image)
 {
   const glm::dvec3 direction = glm::normalize(VectorOf(normal));
-  const glm::dvec3 middle = PointAt(glm::dvec3(0.5), image);
+  const glm::dvec3 middle = PointAtParts(glm::dvec3(0.5), image);
   std::array<double, 2> reach = { std::numeric_limits<double>::max(),
     std::numeric_limits<double>::lowest() };
   for (int corner = 0; corner < 8; ++corner)
   {
     const glm::dvec3 parts(corner & 1, corner >> 1 & 1, corner >> 2);
-    const double distanceMm = glm::dot(direction, PointAt(parts, image) - middle);
+    const double distanceMm = glm::dot(direction, PointAtParts(parts, image) - middle);
     reach = { std::min(reach[0], distanceMm), std::max(reach[1], distanceMm) };
   }
   return reach;

@@ -3,6 +3,8 @@
 
 #include "Scene/Scene.h"
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <vector>
 
@@ -14,8 +16,16 @@ namespace varimarch
 /// All planes that a mapper cuts by: those of the box that take anything away, then the others.
 std::vector<CutPlane> PlanesOf(const SceneCuts& cuts, vtkImageData* image);
 
+/// The place in the world at parts of the way from the first voxel to the last along each axis.
+glm::dvec3 PointAtParts(const glm::dvec3& parts, vtkImageData* image);
+
 /// Of world space, the middle of a volume [mm].
 std::array<double, 3> MiddleOf(vtkImageData* image);
+
+/// Moves a face of a box; it stays within the volume and a thousandth of it before its opposite.
+/// @param face  as in SceneCuts::box
+/// @param part  where to, as in SceneCuts::box
+void MoveFace(std::array<double, 6>& box, int face, double part);
 
 /// How far along a plane's normal the volume lies: from where to where, measured from its middle
 /// [mm].

@@ -1,6 +1,9 @@
 #include "Scene/SceneFile.h"
 
+#include "Scene/CameraJson.h"
+#include "Scene/CutsJson.h"
 #include "Scene/LookJson.h"
+#include "Scene/MeasuresJson.h"
 
 #include <filesystem>
 
@@ -15,8 +18,6 @@ constexpr NumberRange Positive = { 0.0, Infinity, true };
 // OpenGL's least guaranteed largest side of a 2D texture is 16384 in the versions that matter.
 constexpr int LargestPictureSide = 16384;
 constexpr int LargestVolumeSide = 1 << 20;
-// Of cuts and measurements; more than anybody sets by hand.
-constexpr std::size_t MostMarks = 1000;
 
 RawLayout RawLayoutFromJson(const JsonCursor& json)
 {
@@ -67,80 +68,9 @@ VolumeSource VolumeFromJson(const JsonCursor& json)
   return source;
 }
 
-CameraPose PoseFromJson(const JsonCursor& json)
-{
-  json.RequireObject({ "position", "focalPoint", "viewUp", "parallelScale" });
-  return { json.At("position").Numbers<3>({}), json.At("focalPoint").Numbers<3>({}),
-    json.At("viewUp").Numbers<3>({}), json.At("parallelScale").Number(Positive) };
-}
-
-Camera CameraFromJson(const JsonCursor& json)
-{
-  json.RequireObject({ "view", "azimuth", "elevation", "zoom", "projection", "viewAngle", "pose" });
-  Camera camera;
-  if (const auto view = json.Find("view"))
-  {
-    camera.view = view->Choice(ViewNames());
-  }
-  if (const auto azimuth = json.Find("azimuth"))
-  {
-    camera.azimuthDegrees = azimuth->Number();
-  }
-  if (const auto elevation = json.Find("elevation"))
-  {
-    camera.elevationDegrees = elevation->Number({ -90.0, 90.0, true, true });
-  }
-  if (const auto zoom = json.Find("zoom"))
-  {
-    camera.zoom = zoom->Number(Positive);
-  }
-  if (const auto projection = json.Find("projection"))
-  {
-    camera.parallel = projection->Choice(ProjectionNames());
-  }
-  if (const auto angle = json.Find("viewAngle"))
-  {
-    camera.viewAngleDegrees = angle->Number({ 0.0, 180.0, true, true });
-  }
-  if (const auto pose = json.Find("pose"))
-  {
-    camera.pose = PoseFromJson(*pose);
-  }
-  return camera;
-}
-
-CutPlane CutPlaneFromJson(const JsonCursor& json)
-{
-  json.RequireObject({ "point", "normal" });
-  CutPlane plane = { json.At("point").Numbers<3>({}), json.At("normal").Numbers<3>({}) };
-  if (plane.normal == std::array<double, 3>{})
-  {
-    json.At("normal").Fail("expected a direction, found 0, 0, 0");
-  }
-  return plane;
-}
-
-SceneCuts CutsFromJson(const JsonCursor& json)
-{
-  json.RequireObject({ "box", "planes" });
-  SceneCuts cuts;
-  if (const auto box = json.Find("box"))
-  {
-    cuts.box = box->Numbers<6>({ 0.0, 1.0 });
-  }
-  if (const auto planes = json.Find("planes"))
-  {
-    for (const JsonCursor& plane : planes->Elements(0, MostMarks))
-    {
-      cuts.planes.push_back(CutPlaneFromJson(plane));
-    }
-  }
-  return cuts;
-}
-
 SliceSettings SlicesFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "crosshair", "windowLevel", "slab" });
+  json.RequireObject({ "crosshair", "windowLevel", "slab", "slabBlend" });
   SliceSettings slices;
   if (const auto crosshair = json.Find("crosshair"))
   {
@@ -154,13 +84,11 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
   {
     slices.slabMm = slab->Number({ 0.0 });
   }
+  if (const auto blend = json.Find("slabBlend"))
+  {
+    slices.slabBlend = blend->Choice(SlabBlendNames());
+  }
   return slices;
-}
-
-Distance DistanceFromJson(const JsonCursor& json)
-{
-  json.RequireObject({ "from", "to" });
-  return { json.At("from").Numbers<3>({}), json.At("to").Numbers<3>({}) };
 }
 
 // A number, or the word "auto" for what the mapper chooses.
@@ -219,7 +147,7 @@ Scene SceneFromJson(const JsonCursor& json)
 {
   // "$schema" lets an editor find the schema; it means nothing here.
   json.RequireObject({ "$schema", "volume", "look", "camera", "cuts", "slices", "distances",
-    "render", "size", "background" });
+    "angles", "boxes", "render", "size", "background" });
   Scene scene;
   scene.volume = VolumeFromJson(json.At("volume"));
   scene.look = LookFromJson(json.At("look"));
@@ -235,13 +163,9 @@ Scene SceneFromJson(const JsonCursor& json)
   {
     scene.slices = SlicesFromJson(*slices);
   }
-  if (const auto distances = json.Find("distances"))
-  {
-    for (const JsonCursor& distance : distances->Elements(0, MostMarks))
-    {
-      scene.distances.push_back(DistanceFromJson(distance));
-    }
-  }
+  scene.distances = DistancesFromJson(json);
+  scene.angles = AnglesFromJson(json);
+  scene.boxes = BoxesFromJson(json);
   if (const auto render = json.Find("render"))
   {
     scene.render = RenderFromJson(*render);
@@ -278,35 +202,10 @@ nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
   return json;
 }
 
-nlohmann::ordered_json JsonFromCamera(const Camera& camera)
-{
-  nlohmann::ordered_json json = { { "view", NameOf(ViewNames(), camera.view) },
-    { "azimuth", camera.azimuthDegrees }, { "elevation", camera.elevationDegrees },
-    { "zoom", camera.zoom }, { "projection", NameOf(ProjectionNames(), camera.parallel) },
-    { "viewAngle", camera.viewAngleDegrees } };
-  if (camera.pose)
-  {
-    json["pose"] = { { "position", camera.pose->positionMm },
-      { "focalPoint", camera.pose->focalPointMm }, { "viewUp", camera.pose->viewUp },
-      { "parallelScale", camera.pose->parallelScaleMm } };
-  }
-  return json;
-}
-
-nlohmann::ordered_json JsonFromCuts(const SceneCuts& cuts)
-{
-  nlohmann::ordered_json json = { { "box", cuts.box },
-    { "planes", nlohmann::ordered_json::array() } };
-  for (const CutPlane& plane : cuts.planes)
-  {
-    json["planes"].push_back({ { "point", plane.pointMm }, { "normal", plane.normal } });
-  }
-  return json;
-}
-
 nlohmann::ordered_json JsonFromSlices(const SliceSettings& slices)
 {
-  nlohmann::ordered_json json = { { "slab", slices.slabMm } };
+  nlohmann::ordered_json json = { { "slab", slices.slabMm },
+    { "slabBlend", NameOf(SlabBlendNames(), slices.slabBlend) } };
   if (slices.crosshairMm)
   {
     json["crosshair"] = *slices.crosshairMm;
@@ -314,16 +213,6 @@ nlohmann::ordered_json JsonFromSlices(const SliceSettings& slices)
   if (slices.windowLevel)
   {
     json["windowLevel"] = *slices.windowLevel;
-  }
-  return json;
-}
-
-nlohmann::ordered_json JsonFromDistances(const std::vector<Distance>& distances)
-{
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const Distance& distance : distances)
-  {
-    json.push_back({ { "from", distance.fromMm }, { "to", distance.toMm } });
   }
   return json;
 }
@@ -345,6 +234,8 @@ std::string SceneText(const Scene& scene)
   json["cuts"] = JsonFromCuts(scene.cuts);
   json["slices"] = JsonFromSlices(scene.slices);
   json["distances"] = JsonFromDistances(scene.distances);
+  json["angles"] = JsonFromAngles(scene.angles);
+  json["boxes"] = JsonFromBoxes(scene.boxes);
   json["render"] = { { "sampleDistance", JsonFromOptional(render.sampleDistanceMm) },
     { "acceleration", NameOf(AccelerationNames(), render.acceleration) },
     { "errorTolerance", render.errorTolerance },

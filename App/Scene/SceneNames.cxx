@@ -77,6 +77,13 @@ const NameTable<ProceduralKind>& ProceduralNames()
   return table;
 }
 
+const NameTable<SlabBlend>& SlabBlendNames()
+{
+  static const NameTable<SlabBlend> table = { { "maximum", SlabBlend::Maximum },
+    { "minimum", SlabBlend::Minimum }, { "mean", SlabBlend::Mean } };
+  return table;
+}
+
 const NameTable<bool>& ProjectionNames()
 {
   static const NameTable<bool> table = { { "perspective", false }, { "parallel", true } };

@@ -22,6 +22,7 @@ const NameTable<Integration>& IntegrationNames();
 const NameTable<Domain>& DomainNames();
 
 const NameTable<ProceduralKind>& ProceduralNames();
+const NameTable<SlabBlend>& SlabBlendNames();
 const NameTable<bool>& ProjectionNames(); ///< true is parallel
 const NameTable<bool>& ByteOrderNames();  ///< true is big-endian
 

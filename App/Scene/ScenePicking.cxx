@@ -2,6 +2,7 @@
 
 #include "Core/TransferFunction.h"
 #include "Scene/SceneCuts.h"
+#include "Scene/Scissors.h"
 #include "Scene/WorldVector.h"
 
 #include <vtkImageData.h>
@@ -23,8 +24,9 @@ namespace
 class RayValues
 {
 public:
-  explicit RayValues(vtkImageData* image)
+  explicit RayValues(vtkImageData* image, vtkImageData* mask = nullptr)
     : image(image)
+    , mask(mask)
   {
     this->interpolator->SetInterpolationModeToLinear();
     this->interpolator->Initialize(image);
@@ -32,8 +34,8 @@ public:
 
   std::optional<double> At(const glm::dvec3& pointWorld)
   {
-    double index[3];
-    this->image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, index);
+    glm::dvec3 index;
+    this->image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, &index.x);
     const int* const extent = this->image->GetExtent();
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -42,13 +44,18 @@ public:
         return std::nullopt;
       }
     }
+    if (!Leaves(this->mask, this->image, index))
+    {
+      return std::nullopt;
+    }
     double value;
-    this->interpolator->InterpolateIJK(index, &value);
+    this->interpolator->InterpolateIJK(&index.x, &value);
     return value;
   }
 
 private:
   vtkImageData* image;
+  vtkImageData* mask; ///< may be null
   vtkNew<vtkImageInterpolator> interpolator;
 };
 
@@ -62,7 +69,7 @@ bool IsLeft(const glm::dvec3& pointWorld, const std::vector<CutPlane>& planes)
 }
 
 std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData* image,
-  const std::array<double, 3>& from, const std::array<double, 3>& to)
+  const std::array<double, 3>& from, const std::array<double, 3>& to, vtkImageData* mask)
 {
   const TransferFunction look(
     scene.look.colors, scene.look.opacities, scene.look.opacityUnitDistanceMm);
@@ -73,7 +80,7 @@ std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData*
   const glm::dvec3 direction = glm::normalize(VectorOf(to) - start);
   const double lengthMm = glm::distance(start, VectorOf(to));
 
-  RayValues values(image);
+  RayValues values(image, mask);
   double opticalDepth = 0.0;
   double largestOpacity = 0.0;
   std::optional<std::array<double, 3>> seen;
@@ -105,11 +112,6 @@ std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData*
 std::optional<double> ValueAt(vtkImageData* image, const std::array<double, 3>& pointMm)
 {
   return RayValues(image).At(VectorOf(pointMm));
-}
-
-double LengthMm(const Distance& distance)
-{
-  return glm::distance(VectorOf(distance.fromMm), VectorOf(distance.toMm));
 }
 
 }

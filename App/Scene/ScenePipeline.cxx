@@ -3,6 +3,7 @@
 #include "Scene/ImageOrientation.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/SceneCuts.h"
+#include "Scene/Scissors.h"
 #include "Scene/VolumeProperty.h"
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
@@ -115,6 +116,11 @@ bool CanBlend(MapperKind kind, Blend blend)
   return kind != MapperKind::VtkCpu || blend != Blend::AverageIntensity;
 }
 
+bool CanCutByScissors(MapperKind kind)
+{
+  return kind != MapperKind::VtkCpu;
+}
+
 ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind kind)
   : image(image)
   , mapper(NewMapper(kind))
@@ -161,6 +167,27 @@ void ScenePipeline::SetCuts(const SceneCuts& cuts)
     planes->AddItem(plane);
   }
   this->mapper->SetClippingPlanes(planes);
+  // A mask is a look at all voxels; planes are dragged without one.
+  if (this->scissors != cuts.scissors)
+  {
+    this->SetScissors(cuts.scissors);
+  }
+}
+
+void ScenePipeline::SetScissors(const std::vector<ScissorsCut>& cuts)
+{
+  this->scissors = cuts;
+  this->mask = MaskOf(cuts, this->image);
+  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
+  {
+    ours->SetMaskTypeToBinary();
+    ours->SetMaskInput(this->mask);
+  }
+  else if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(this->mapper))
+  {
+    gpu->SetMaskTypeToBinary();
+    gpu->SetMaskInput(this->mask ? RightHanded(this->mask) : nullptr);
+  }
 }
 
 void ScenePipeline::SetRenderOptions(const RenderOptions& options)

@@ -10,11 +10,16 @@
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 
+#include <vector>
+
 namespace varimarch
 {
 
 /// Whether a mapper can blend so: VTK's fixed-point mapper draws no average.
 bool CanBlend(MapperKind kind, Blend blend);
+
+/// Whether a mapper draws what scissors leave: VTK's fixed-point mapper has no masks.
+bool CanCutByScissors(MapperKind kind);
 
 /// The one place where a scene becomes a VTK pipeline: volume, property, mapper, renderer and
 /// camera. It makes no window: add Renderer() to one of the scene's size.
@@ -28,6 +33,9 @@ public:
   vtkVolume* Volume() { return this->volume; }
   vtkVolumeMapper* Mapper() { return this->mapper; }
 
+  /// What the scissors leave, see Scissors.h; null where none cut.
+  vtkImageData* Mask() const { return this->mask; }
+
   /// Each changes one part of the scene; the volume stays.
   void SetLook(const Look& look);
   void SetCamera(const Camera& camera, double aspect);
@@ -39,7 +47,11 @@ public:
   double UsedSampleDistanceMm() const;
 
 private:
+  void SetScissors(const std::vector<ScissorsCut>& cuts);
+
   vtkSmartPointer<vtkImageData> image;
+  std::vector<ScissorsCut> scissors; ///< that the mask is of
+  vtkSmartPointer<vtkImageData> mask;
   vtkSmartPointer<vtkVolumeMapper> mapper;
   vtkNew<vtkVolume> volume;
   vtkNew<vtkRenderer> renderer;

@@ -55,23 +55,37 @@ public:
       const glm::dvec3 index = this->middleIndex +
         (column + 0.5 - 0.5 * this->request.width) * this->right +
         (row + 0.5 - 0.5 * this->request.height) * this->down;
-      pixels[column] = this->GrayOf(this->LargestThrough(index));
+      pixels[column] = this->GrayOf(this->BlendedThrough(index));
     }
   }
 
 private:
-  std::optional<double> LargestThrough(const glm::dvec3& index) const
+  std::optional<double> BlendedThrough(const glm::dvec3& index) const
   {
-    std::optional<double> largest;
+    std::optional<double> blended;
+    int count = 0;
     for (int step = -this->slabSteps; step <= this->slabSteps; ++step)
     {
-      const std::optional<double> value = this->ValueAt(index + double(step) * this->through);
-      if (value && (!largest || *value > *largest))
+      if (const auto value = this->ValueAt(index + double(step) * this->through))
       {
-        largest = value;
+        blended = blended ? this->Blended(*blended, *value) : *value;
+        ++count;
       }
     }
-    return largest;
+    return blended && this->request.slabBlend == SlabBlend::Mean ? *blended / count : blended;
+  }
+
+  double Blended(double a, double b) const
+  {
+    switch (this->request.slabBlend)
+    {
+      case SlabBlend::Minimum:
+        return std::min(a, b);
+      case SlabBlend::Mean:
+        return a + b;
+      default:
+        return std::max(a, b);
+    }
   }
 
   std::optional<double> ValueAt(const glm::dvec3& index) const

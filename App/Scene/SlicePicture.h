@@ -1,6 +1,8 @@
 #ifndef Varimarch_Scene_SlicePicture_h
 #define Varimarch_Scene_SlicePicture_h
 
+#include "Scene/Scene.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -39,7 +41,8 @@ struct SliceRequest
   int height;
   double window; ///< the range of values from black to white, > 0
   double level;  ///< its middle
-  double slabMm; ///< >= 0: thicker than a slice, the largest value in it
+  double slabMm; ///< >= 0; 0: a single slice
+  SlabBlend slabBlend = SlabBlend::Maximum;
 };
 
 /// Gray pixels, row by row from the upper left. Between voxels linear; black beside the volume.

@@ -3,7 +3,9 @@
 #include "Scene/Presets.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/LookPanel.h"
+#include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/QualityPanel.h"
+#include "Viewer/Panels/SlabBar.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/VolumeView.h"
@@ -22,6 +24,7 @@
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QVBoxLayout>
 
 namespace varimarch
 {
@@ -57,14 +60,21 @@ MainWindow::MainWindow(QWidget* parent)
 
 QWidget* MainWindow::MakeViews()
 {
+  this->sliceColumn = new QWidget;
   this->slices = new QSplitter(Qt::Vertical);
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
   {
-    this->slices->addWidget(new SliceView(&this->model, plane));
+    this->sliceViews.push_back(new SliceView(&this->model, plane));
+    this->slices->addWidget(this->sliceViews.back());
   }
+  auto* const column = new QVBoxLayout(this->sliceColumn);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(this->slices, 1);
+  column->addWidget(new SlabBar(&this->model));
   auto* const all = new QSplitter(Qt::Horizontal);
   all->addWidget(this->view);
-  all->addWidget(this->slices);
+  all->addWidget(this->sliceColumn);
   all->setSizes({ 720, 280 });
   all->setStretchFactor(0, 3);
   all->setStretchFactor(1, 1);
@@ -138,43 +148,6 @@ void MainWindow::MakeViewMenu()
   }
 }
 
-void MainWindow::MakeToolMenu()
-{
-  QMenu* const menu = this->menuBar()->addMenu(tr("&Tools"));
-  QAction* const measure = menu->addAction(tr("&Measure a distance"));
-  measure->setCheckable(true);
-  measure->setShortcut(QKeySequence("M"));
-  measure->setStatusTip(tr("Drag from one point to another"));
-  connect(measure, &QAction::toggled, this->view->Ours(), &VolumeView::SetMeasuring);
-  menu->addAction(tr("&Remove all distances"), this,
-    [this]
-    {
-      this->model.Edit(ScenePart::Distances, tr("remove the distances"),
-        [](Scene& scene) { scene.distances.clear(); });
-    });
-  menu->addSeparator();
-  auto* const comparisons = new QActionGroup(this);
-  const std::tuple<QString, std::optional<MapperKind>> kinds[] = {
-    { tr("&No comparison"), std::nullopt },
-    { tr("Compare with VTK's &GPU mapper"), MapperKind::VtkGpu },
-    { tr("Compare with VTK's &CPU mapper"), MapperKind::VtkCpu },
-  };
-  for (const auto& [name, kind] : kinds)
-  {
-    QAction* const action = comparisons->addAction(menu->addAction(name));
-    action->setCheckable(true);
-    action->setChecked(!kind);
-    connect(action, &QAction::triggered, this, [this, kind = kind] { this->Compare(kind); });
-  }
-}
-
-void MainWindow::Compare(std::optional<MapperKind> kind)
-{
-  this->view->CompareWith(kind);
-  // Three pictures side by side want the room.
-  this->slices->setVisible(!kind);
-}
-
 void MainWindow::MakeHelpMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu(tr("&Help"));
@@ -199,8 +172,12 @@ void MainWindow::MakePanels()
   QDockWidget* const look = dockOf("look", tr("Look"), new LookPanel(&this->model));
   QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
   QDockWidget* const quality = dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
+  // Handles stand in the picture while cuts are what the user works at.
+  connect(cuts, &QDockWidget::visibilityChanged, this->view->Ours(), &VolumeView::ShowCutHandles);
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  QDockWidget* const measures = dockOf("measures", tr("Measures"), new MeasuresPanel(&this->model));
   this->tabifyDockWidget(look, cuts);
+  this->tabifyDockWidget(cuts, measures);
   look->raise();
   this->resizeDocks({ look, quality }, { 600, 90 }, Qt::Vertical);
   this->resizeDocks({ look }, { 380 }, Qt::Horizontal);

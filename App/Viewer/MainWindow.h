@@ -9,6 +9,7 @@
 #include <QMainWindow>
 
 #include <optional>
+#include <vector>
 
 class QMenu;
 class QProgressBar;
@@ -19,9 +20,10 @@ namespace varimarch
 {
 
 class ComparisonView;
+class SliceView;
 
 /// The window: menus, the views, the panels around them, and the loading of volumes. What it opens
-/// and keeps stands in MainWindowFiles.cxx.
+/// and keeps stands in MainWindowFiles.cxx, its tools in MainWindowTools.cxx.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -52,6 +54,8 @@ private:
   void MakeMenus();
   void MakeViewMenu();
   void MakeToolMenu();
+  void MakeLeftButtonActions(QMenu* menu);
+  void MakeComparisonActions(QMenu* menu);
   void MakeHelpMenu();
   void MakePanels();
   void MakeStatusBar();
@@ -73,7 +77,9 @@ private:
   RecentScans recentScans;
   std::optional<Scene> restored; ///< the scene whose volume is being loaded
   ComparisonView* view;
+  QWidget* sliceColumn;
   QSplitter* slices;
+  std::vector<SliceView*> sliceViews;
   QMenu* recentMenu;
   QProgressBar* progress;
   QPushButton* cancel;

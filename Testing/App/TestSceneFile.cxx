@@ -1,5 +1,6 @@
 #include "Scene/SceneFile.h"
 #include "Scene/SceneNames.h"
+#include "Scene/Scissors.h"
 
 #include <nlohmann/json.hpp>
 
@@ -30,9 +31,12 @@ Scene UnusualScene()
   scene.look.blend = Blend::MaximumIntensity;
   scene.camera = { View::Inferior, -12.5, 33.0, 1.75, true, 42.0,
     CameraPose{ { 1.0, -2.5, 3.0 }, { 4.0, 5.0, 6.0 }, { 0.0, 0.0, 1.0 }, 80.0 } };
-  scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } } };
-  scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0 };
-  scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 } } };
+  scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
+    { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } } };
+  scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0, SlabBlend::Mean };
+  scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "length" } };
+  scene.angles = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, { 7.0, 8.0, 9.0 }, "bend" } };
+  scene.boxes = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "liver" } };
   scene.render = { 0.125, Acceleration::ScalarField, Integration::Simpson, 0.25, 3.5, 0.0 };
   scene.size = { 640, 360 };
   scene.background = { 0.1, 0.2, 0.3 };
@@ -84,6 +88,20 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   const RawLayout raw = std::get<FileSource>(back.volume).raw.value();
   EXPECT_TRUE(raw.bigEndian);
   EXPECT_EQ(raw.spacingMm[1], 0.25);
+}
+
+TEST(SceneFile, KeepsWhatWasMeasuredAndCutByHand)
+{
+  const Scene scene = UnusualScene();
+  const Scene back = SceneFromText(SceneText(scene), "test");
+  EXPECT_EQ(back.distances[0].name, "length");
+  ASSERT_EQ(back.angles.size(), 1);
+  EXPECT_EQ(back.angles[0].vertexMm, scene.angles[0].vertexMm);
+  EXPECT_EQ(back.angles[0].name, "bend");
+  ASSERT_EQ(back.boxes.size(), 1);
+  EXPECT_EQ(back.boxes[0].fromMm, scene.boxes[0].fromMm);
+  EXPECT_EQ(back.slices.slabBlend, SlabBlend::Mean);
+  EXPECT_TRUE(back.cuts.scissors == scene.cuts.scissors);
 }
 
 TEST(SceneFile, WhatIsLeftOutIsTheDefault)

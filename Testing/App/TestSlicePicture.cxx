@@ -81,3 +81,19 @@ TEST(SlicePicture, OfASlabIsItsLargestValue)
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 3), request), 0, 0), 255);
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, -3), request), 0, 0), 255);
 }
+
+TEST(SlicePicture, OfASlabIsItsLargestSmallestOrMean)
+{
+  SliceRequest request = Request(SlicePlane::Axial);
+  request.slabMm = 4.0; // from -2 to 2 mm, the voxel is at 2 mm
+  const auto image = OneVoxel(0, 0, 2);
+  const auto middle = [&](SlabBlend blend)
+  {
+    request.slabBlend = blend;
+    return Pixel(SlicePicture(image, request), 0, 0);
+  };
+  EXPECT_EQ(middle(SlabBlend::Maximum), 255);
+  EXPECT_EQ(middle(SlabBlend::Minimum), 0);
+  // Of nine samples half a mm apart the last is the voxel, the one before it half of it.
+  EXPECT_EQ(middle(SlabBlend::Mean), 43);
+}

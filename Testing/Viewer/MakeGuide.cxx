@@ -62,16 +62,40 @@ public:
     this->Take("viewer-cut");
   }
 
+  // The rest that the head lies on, at both of its sides.
+  void CutOut()
+  {
+    this->Model()->History()->undo();
+    this->Model()->History()->undo();
+    VolumeView* const view = this->window.CentralView()->Ours();
+    const QPointF middle = QRectF(view->rect()).center();
+    const double unit = 0.01 * view->height();
+    view->SetTool(LeftButton::KeepOnly);
+    const QPointF outline[] = { { -15, 40 }, { -19, 15 }, { -20, 0 }, { -18, -16 }, { -8, -25 },
+      { 8, -25 }, { 18, -16 }, { 20, 0 }, { 19, 15 }, { 15, 40 } };
+    const auto place = [&](const QPointF& point) { return (middle + unit * point).toPoint(); };
+    QTest::mousePress(view, Qt::LeftButton, {}, place(outline[0]));
+    for (const QPointF& point : outline)
+    {
+      QTest::mouseMove(view, place(point));
+    }
+    QTest::mouseRelease(view, Qt::LeftButton, {}, place(outline[9]));
+    view->SetTool(LeftButton::Turn);
+    Require(this->Model()->CurrentScene().cuts.scissors.size() == 1, "nothing is cut out");
+    this->Take("viewer-scissors");
+  }
+
   void MeasureDistance()
   {
+    this->window.findChild<QDockWidget*>("measures")->raise();
     VolumeView* const view = this->window.CentralView()->Ours();
-    view->SetMeasuring(true);
+    view->SetTool(LeftButton::Distance);
     const QPoint from = view->rect().center() + QPoint(-40, -90);
     const QPoint to = view->rect().center() + QPoint(90, 10);
     QTest::mousePress(view, Qt::LeftButton, {}, from);
     QTest::mouseMove(view, to);
     QTest::mouseRelease(view, Qt::LeftButton, {}, to);
-    view->SetMeasuring(false);
+    view->SetTool(LeftButton::Turn);
     Require(this->Model()->CurrentScene().distances.size() == 1, "no distance is measured");
     this->Take("viewer-distance");
   }
@@ -130,6 +154,7 @@ int main(int argumentCount, char** arguments)
   {
     Guide guide(arguments[1], arguments[2]);
     guide.CutAway();
+    guide.CutOut();
     guide.MeasureDistance();
     guide.CompareWithVtk();
     guide.Export();

@@ -4,6 +4,7 @@
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/VolumeView.h"
 
+#include <QDockWidget>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -85,14 +86,14 @@ TEST_F(Window, CutsMeasuresAndUndoes)
   ASSERT_TRUE(this->View()->PointAt(middle)) << "the spine";
 
   // The bone at the middle of the picture, then 30 pixels up and back down to a place beside it.
-  this->View()->SetMeasuring(true);
+  this->View()->SetTool(LeftButton::Distance);
   QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
   QTest::mouseMove(this->View(), middle + QPoint(0, -20));
   QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(0, -20));
   ASSERT_EQ(this->Model()->CurrentScene().distances.size(), 1);
   EXPECT_EQ(this->Model()->CurrentScene().distances[0].fromMm, *this->View()->PointAt(middle));
   EXPECT_EQ(this->Model()->History()->count(), 1) << "a drag is a step";
-  this->View()->SetMeasuring(false);
+  this->View()->SetTool(LeftButton::Turn);
 
   // What faces the eye goes: a ray to the middle hits nothing before the middle of the volume.
   const double before = (*this->View()->PointAt(middle))[1];
@@ -129,6 +130,40 @@ TEST_F(Window, DrawsAnEditQuicklyThenFinely)
   ASSERT_TRUE(QTest::qWaitFor([&] { return rates.size() >= 2; }, MostMilliseconds));
   EXPECT_GT(rates.front(), 5.0);
   EXPECT_LT(rates.back(), 0.1);
+}
+
+TEST_F(Window, CutsByHand)
+{
+  this->OpenTorso();
+  // Scissors take the middle of the picture away, and bring nothing else along.
+  const QPoint middle = this->View()->rect().center();
+  ASSERT_TRUE(this->View()->PointAt(middle)) << "the spine";
+  this->View()->SetTool(LeftButton::CutOut);
+  const QPoint corners[] = { { -30, -30 }, { 30, -30 }, { 30, 30 }, { -30, 30 } };
+  QTest::mousePress(this->View(), Qt::LeftButton, {}, middle + corners[0]);
+  for (const QPoint& corner : corners)
+  {
+    QTest::mouseMove(this->View(), middle + corner);
+  }
+  QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + corners[3]);
+  EXPECT_FALSE(this->View()->PointAt(middle));
+  EXPECT_FALSE(this->Model()->CurrentScene().camera.pose) << "the camera stays";
+  this->Model()->History()->undo();
+  EXPECT_TRUE(this->View()->PointAt(middle));
+
+  // Handles stand in the picture while the panel of cuts is up.
+  this->View()->SetTool(LeftButton::Turn);
+  this->window.findChild<QDockWidget*>("cuts")->raise();
+  QTest::qWait(100);
+  const SceneCuts& cuts = this->Model()->CurrentScene().cuts;
+  const auto handles =
+    HandlesOf(cuts, this->Model()->CurrentStudy()->volume.image, this->View()->Frame());
+  const QPoint face = this->View()->Frame().pixelOf(handles.at(1).pointMm)->toPoint();
+  QTest::mousePress(this->View(), Qt::LeftButton, {}, face);
+  QTest::mouseMove(this->View(), 0.5 * (face + middle));
+  QTest::mouseRelease(this->View(), Qt::LeftButton, {}, 0.5 * (face + middle));
+  EXPECT_NEAR(cuts.box[1], 0.75, 0.05);
+  EXPECT_EQ(this->Model()->History()->count(), 1);
 }
 
 TEST_F(Window, ComparesWithVtk)

@@ -28,7 +28,7 @@ protected:
 
 TEST_F(Sessions, AreRestoredAsTheyWere)
 {
-  this->model.Edit(ScenePart::Distances, "measure",
+  this->model.Edit(ScenePart::Measures, "measure",
     [](Scene& scene) {
       scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.0 } } };
     });

@@ -32,6 +32,14 @@ protected:
     return this->model.CurrentScene().slices.crosshairMm.value();
   }
 
+  void DragInAxial(const QPoint& from, const QPoint& to)
+  {
+    QTest::mousePress(&this->axial, Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&this->axial, &move);
+    QTest::mouseRelease(&this->axial, Qt::LeftButton, {}, to);
+  }
+
   SceneModel model;
   SliceView axial{ &this->model, SlicePlane::Axial };
   SliceView coronal{ &this->model, SlicePlane::Coronal };
@@ -42,13 +50,13 @@ protected:
 TEST_F(Slices, ShareTheCrosshairThatTheMousePuts)
 {
   QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 120, 70 });
-  const std::array<double, 3> expected = this->axial.PointAt({ 120, 70 });
+  const std::array<double, 3> expected = *this->axial.PointAt({ 120, 70 });
   EXPECT_EQ(this->Crosshair(), expected);
   const QPointF place = this->axial.PlaceOf(expected);
   EXPECT_NEAR(place.x(), 120.0, 1e-6);
   EXPECT_NEAR(place.y(), 70.0, 1e-6);
   // The other view goes to the slice, so that its middle has the crosshair's depth.
-  EXPECT_NEAR(this->coronal.PointAt({ 3, 5 })[1], expected[1], 1e-9);
+  EXPECT_NEAR((*this->coronal.PointAt({ 3, 5 }))[1], expected[1], 1e-9);
 }
 
 TEST_F(Slices, AreADragOneStep)
@@ -85,4 +93,26 @@ TEST_F(Slices, AreScrolledAVoxelPerNotch)
   const double* const spacing = this->model.CurrentStudy()->volume.image->GetSpacing();
   EXPECT_NEAR(
     this->Crosshair()[2], before + std::min({ spacing[0], spacing[1], spacing[2] }), 1e-9);
+}
+
+TEST_F(Slices, MeasureABoxAsDeepAsItIsNarrow)
+{
+  this->axial.SetTool(LeftButton::Box);
+  const auto from = *this->axial.PointAt({ 60, 50 });
+  const auto to = *this->axial.PointAt({ 120, 80 });
+  this->DragInAxial({ 60, 50 }, { 120, 80 });
+  ASSERT_EQ(this->model.CurrentScene().boxes.size(), 1);
+  EXPECT_EQ(this->model.History()->count(), 1);
+  const MeasuredBox& box = this->model.CurrentScene().boxes[0];
+  EXPECT_NEAR(box.fromMm[0], from[0], 1e-9);
+  EXPECT_NEAR(box.toMm[1], to[1], 1e-9);
+  EXPECT_NEAR(box.toMm[2] - box.fromMm[2], to[1] - from[1], 1e-9);
+  EXPECT_FALSE(this->model.CurrentScene().slices.crosshairMm) << "the crosshair stays";
+
+  // Its corner is dragged within the slice, and keeps its depth.
+  const double depth = box.toMm[2];
+  this->DragInAxial({ 120, 80 }, { 150, 80 });
+  EXPECT_NEAR(
+    this->model.CurrentScene().boxes.at(0).toMm[0], (*this->axial.PointAt({ 150, 80 }))[0], 1e-9);
+  EXPECT_NEAR(this->model.CurrentScene().boxes.at(0).toMm[2], depth, 1e-9);
 }

@@ -31,7 +31,7 @@ enum class ScenePart
   Camera,
   Cuts,
   Slices,
-  Distances,
+  Measures, ///< distances, angles, boxes
   Render,
   Background,
 };

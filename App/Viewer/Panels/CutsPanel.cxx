@@ -25,6 +25,21 @@ namespace
 {
 
 constexpr int SliderSteps = 1000;
+constexpr int MostPlanes = 6; // more than anybody keeps apart in a picture
+
+// The plane that differs from what was there before, be it new or moved by hand; else the one that
+// was selected, or the last.
+int PlaneToSelect(
+  const std::vector<CutPlane>& before, const std::vector<CutPlane>& now, int selected)
+{
+  const auto changed = std::mismatch(now.begin(), now.end(), before.begin(), before.end(),
+    [](const CutPlane& a, const CutPlane& b) {
+      return a.pointMm == b.pointMm && a.normal == b.normal;
+    }).first;
+  return before.size() <= now.size() && changed != now.end()
+    ? int(changed - now.begin())
+    : std::min(selected, int(now.size()) - 1);
+}
 
 QString NameOf(const CutPlane& plane)
 {
@@ -42,6 +57,7 @@ CutsPanel::CutsPanel(SceneModel* model, QWidget* parent)
   auto* const layout = new QVBoxLayout(this);
   layout->addWidget(this->MakePlanes());
   layout->addWidget(this->MakeBox());
+  layout->addWidget(this->MakeScissors());
   layout->addStretch();
   this->setEnabled(false);
   connect(model, &SceneModel::Changed, this, &CutsPanel::Show);
@@ -64,12 +80,13 @@ QToolButton* CutsPanel::MakeAddButton()
       name, this, [this, name = name, normal = normal] { this->AddPlane(normal, name); });
   }
   menu->addAction(tr("Half that faces me away"), this, &CutsPanel::AddFacingPlane);
-  auto* const add = new QToolButton;
-  add->setText(tr("Cut away…"));
-  add->setObjectName("addPlane");
-  add->setMenu(menu);
-  add->setPopupMode(QToolButton::InstantPopup);
-  return add;
+  this->add = new QToolButton;
+  this->add->setText(tr("Cut away…"));
+  this->add->setObjectName("addPlane");
+  this->add->setToolTip(tr("A plane cuts a side away, up to %n of them", nullptr, MostPlanes));
+  this->add->setMenu(menu);
+  this->add->setPopupMode(QToolButton::InstantPopup);
+  return this->add;
 }
 
 // All that happens while it is held is one step.
@@ -133,6 +150,33 @@ QWidget* CutsPanel::MakeBox()
   return group;
 }
 
+QWidget* CutsPanel::MakeScissors()
+{
+  auto* const group = new QGroupBox(tr("Scissors"));
+  auto* const layout = new QGridLayout(group);
+  this->scissors = new QLabel;
+  this->scissors->setWordWrap(true);
+  this->bringBack = new QPushButton(tr("Bring all back"));
+  layout->addWidget(this->scissors, 0, 0);
+  layout->addWidget(this->bringBack, 1, 0);
+  connect(this->bringBack, &QPushButton::clicked, this,
+    [this]
+    {
+      this->model->Edit(ScenePart::Cuts, tr("bring back what scissors cut"),
+        [](Scene& scene) { scene.cuts.scissors.clear(); });
+    });
+  return group;
+}
+
+void CutsPanel::ShowScissors()
+{
+  const int count = int(this->model->CurrentScene().cuts.scissors.size());
+  this->scissors->setText(count == 0
+      ? tr("Choose Cut out or Keep above, and draw around what is to go or to stay.")
+      : tr("Cuts by scissors: %1").arg(count));
+  this->bringBack->setEnabled(count > 0);
+}
+
 void CutsPanel::Show(ScenePart part)
 {
   if (part == ScenePart::Volume || part == ScenePart::Cuts)
@@ -140,6 +184,7 @@ void CutsPanel::Show(ScenePart part)
     this->setEnabled(true);
     this->ShowPlanes();
     this->ShowBox();
+    this->ShowScissors();
   }
 }
 
@@ -148,7 +193,9 @@ void CutsPanel::ShowPlanes()
   const std::vector<CutPlane>& cuts = this->model->CurrentScene().cuts.planes;
   const QSignalBlocker quietList(this->planes);
   const QSignalBlocker quietDepth(this->depth);
-  const int selected = std::min(this->planes->currentRow(), int(cuts.size()) - 1);
+  const int selected = PlaneToSelect(this->shown, cuts, this->planes->currentRow());
+  this->shown = cuts;
+  this->add->setEnabled(int(cuts.size()) < MostPlanes);
   this->planes->clear();
   for (const CutPlane& plane : cuts)
   {
@@ -183,7 +230,6 @@ void CutsPanel::AddPlane(const std::array<double, 3>& normal, const QString& ste
     [&](Scene& scene) {
       scene.cuts.planes.push_back({ middle, normal });
     });
-  this->planes->setCurrentRow(this->planes->count() - 1);
 }
 
 void CutsPanel::AddFacingPlane()
@@ -222,19 +268,12 @@ void CutsPanel::RemovePlane()
     [&](Scene& scene) { scene.cuts.planes.erase(scene.cuts.planes.begin() + selected); });
 }
 
-// The two faces of an axis stay in order, a step apart.
 void CutsPanel::MoveFace(int face, int position)
 {
-  constexpr double step = 1.0 / SliderSteps;
-  const double part = position * step;
   this->model->Edit(
     ScenePart::Cuts, tr("crop"),
     [&](Scene& scene)
-    {
-      std::array<double, 6>& box = scene.cuts.box;
-      box[face] =
-        face % 2 == 0 ? std::min(part, box[face + 1] - step) : std::max(part, box[face - 1] + step);
-    },
+    { varimarch::MoveFace(scene.cuts.box, face, double(position) / SliderSteps); },
     this->gesture);
 }
 

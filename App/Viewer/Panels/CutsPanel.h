@@ -6,7 +6,9 @@
 #include <QWidget>
 
 #include <array>
+#include <vector>
 
+class QLabel;
 class QListWidget;
 class QPushButton;
 class QSlider;
@@ -28,9 +30,11 @@ private:
   QSlider* MakeSlider(const QString& name);
   QWidget* MakePlanes();
   QWidget* MakeBox();
+  QWidget* MakeScissors();
   void Show(ScenePart part);
   void ShowPlanes();
   void ShowBox();
+  void ShowScissors();
   void AddPlane(const std::array<double, 3>& normal, const QString& stepName);
   void AddFacingPlane();
   void MovePlane(int position);
@@ -40,11 +44,15 @@ private:
   void MoveFace(int face, int position);
 
   SceneModel* model;
+  QToolButton* add;
   QListWidget* planes;
+  std::vector<CutPlane> shown; ///< the planes of the list
   QSlider* depth;
   QPushButton* flip;
   QPushButton* remove;
   std::array<QSlider*, 6> faces;
+  QLabel* scissors;
+  QPushButton* bringBack;
   int gesture = SceneModel::NoGesture; ///< of the slider that is held
 };
 

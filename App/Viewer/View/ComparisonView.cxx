@@ -68,11 +68,22 @@ void ComparisonView::CompareWith(std::optional<MapperKind> kind)
   if (kind)
   {
     this->theirs = new VolumeView(this->model, *kind, this);
+    this->theirs->SetTool(this->tool);
     connect(this->theirs, &VolumeView::Drawn, this, [this] { this->stillness.start(); });
     this->theirs->show();
   }
   this->result->setVisible(this->theirs != nullptr);
   this->PlaceParts();
+}
+
+void ComparisonView::SetTool(LeftButton button)
+{
+  this->tool = button;
+  this->ours->SetTool(button);
+  if (this->theirs)
+  {
+    this->theirs->SetTool(button);
+  }
 }
 
 void ComparisonView::resizeEvent(QResizeEvent*)

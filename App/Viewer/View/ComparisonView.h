@@ -3,6 +3,7 @@
 
 #include "Core/ImageError.h"
 #include "Scene/Scene.h"
+#include "Viewer/Tools/MouseTools.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -32,6 +33,9 @@ public:
   /// None: our picture alone.
   void CompareWith(std::optional<MapperKind> kind);
 
+  /// What the left button does, in all pictures.
+  void SetTool(LeftButton button);
+
   /// Of the last comparison, of VTK's picture from ours.
   std::optional<ImageError> LastDifference() const { return this->lastDifference; }
 
@@ -49,6 +53,7 @@ private:
   SceneModel* model;
   VolumeView* ours;
   VolumeView* theirs = nullptr;
+  LeftButton tool = LeftButton::Turn;
   QWidget* result;
   QLabel* picture;
   QLabel* numbers;

@@ -98,6 +98,7 @@ std::string TextWithoutPlace(Scene scene)
 
 PictureMaker::PictureMaker(const Scene& scene, vtkImageData* image, const ExportOptions& options)
   : scene(OfSize(scene, options.pixels))
+  , image(image)
   , options(options)
   , view(this->scene, image, MapperKind::Varimarch)
 {
@@ -117,8 +118,8 @@ QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
   painter.scale(scale, scale);
   if (this->options.overlay)
   {
-    DrawOverlay(
-      painter, this->scene, FrameOf(this->view.Pipeline().Renderer()->GetActiveCamera(), size));
+    DrawOverlay(painter, { this->scene, MeasureTexts(this->scene, this->image), this->image },
+      FrameOf(this->view.Pipeline().Renderer()->GetActiveCamera(), size));
   }
   DrawNotice(painter, size);
   painter.end();

@@ -46,6 +46,7 @@ public:
 
 private:
   Scene scene;
+  vtkImageData* image;
   ExportOptions options;
   OffscreenView view;
 };

@@ -3,6 +3,7 @@
 #include "Scene/AnatomicalDirection.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/WorldVector.h"
+#include "Viewer/View/MeasureOverlay.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -34,21 +35,66 @@ SliceView::SliceView(SceneModel* model, SlicePlane plane, QWidget* parent)
   , model(model)
   , plane(plane)
   , axes(AxesOf(plane))
+  , measure(model, *this)
 {
   this->setMinimumSize(120, 90);
   this->setAttribute(Qt::WA_OpaquePaintEvent);
   this->setCursor(Qt::CrossCursor);
-  connect(model, &SceneModel::Changed, this,
-    [this](ScenePart part)
-    {
-      if (part == ScenePart::Volume || part == ScenePart::Slices)
-      {
-        this->update();
-      }
-    });
+  connect(model, &SceneModel::Changed, this, &SliceView::Update);
 }
 
-std::array<double, 3> SliceView::PointAt(const QPointF& place) const
+void SliceView::Update(ScenePart part)
+{
+  if (part == ScenePart::Volume || part == ScenePart::Measures)
+  {
+    this->texts =
+      MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image);
+    this->update();
+  }
+  if (part == ScenePart::Slices)
+  {
+    this->update();
+  }
+}
+
+void SliceView::SetTool(LeftButton button)
+{
+  const std::optional<MeasureKind> kind = MeasureOf(button);
+  this->measuring = bool(kind);
+  this->measure.SetKind(kind.value_or(MeasureKind::Distance));
+}
+
+PictureFrame SliceView::Frame() const
+{
+  const glm::dvec3 through = VectorOf(this->axes.through);
+  const auto sightLineAt = [this, through](const QPointF& place)
+  {
+    const glm::dvec3 point = VectorOf(*this->PointAt(place));
+    return SightLine{ point - through, point + through };
+  };
+  return { this->size(),
+    [this](const std::array<double, 3>& point) { return std::optional(this->PlaceOf(point)); },
+    sightLineAt, this->axes.right, NumbersOf(-VectorOf(this->axes.down)), NumbersOf(-through) };
+}
+
+std::optional<glm::dvec3> SliceView::Through() const
+{
+  return VectorOf(this->axes.through);
+}
+
+// What reaches the slab, or comes nearer to a single slice than half a voxel.
+bool SliceView::Shows(const std::array<double, 3>& from, const std::array<double, 3>& to) const
+{
+  const double* const spacing = this->model->CurrentStudy()->volume.image->GetSpacing();
+  const double reachMm = 0.5 *
+    std::max(this->model->CurrentScene().slices.slabMm, *std::max_element(spacing, spacing + 3));
+  const auto depth = [this](const std::array<double, 3>& point)
+  { return glm::dot(VectorOf(point) - VectorOf(this->Crosshair()), VectorOf(this->axes.through)); };
+  const auto [first, last] = std::minmax({ depth(from), depth(to) });
+  return first <= reachMm && last >= -reachMm;
+}
+
+std::optional<std::array<double, 3>> SliceView::PointAt(const QPointF& place) const
 {
   const QPointF fromMiddle = place - QRectF(this->rect()).center();
   // The picture stays where it is while the crosshair goes about in it.
@@ -82,6 +128,16 @@ void SliceView::paintEvent(QPaintEvent*)
     QImage(pixels.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
   this->DrawCrosshair(painter);
   this->DrawLetters(painter);
+  this->DrawMeasuresOfSlice(painter);
+}
+
+void SliceView::DrawMeasuresOfSlice(QPainter& painter) const
+{
+  painter.setRenderHint(QPainter::Antialiasing);
+  DrawMeasures(painter,
+    { this->model->CurrentScene(), this->texts, this->model->CurrentStudy()->volume.image },
+    this->Frame(), [this](const auto& from, const auto& to) { return this->Shows(from, to); });
+  this->measure.Paint(painter);
 }
 
 void SliceView::DrawCrosshair(QPainter& painter) const
@@ -117,9 +173,21 @@ void SliceView::mousePressEvent(QMouseEvent* event)
   this->gesture = NewGesture();
   this->pressed = event->pos();
   this->pressedWindowLevel = this->WindowLevel();
-  if (event->button() == Qt::LeftButton)
+  this->toolIsActive =
+    this->measuring && event->button() == Qt::LeftButton && this->measure.Press(event->localPos());
+  if (!this->toolIsActive && event->button() == Qt::LeftButton)
   {
-    this->SetCrosshair(this->PointAt(event->localPos()), this->gesture);
+    this->SetCrosshair(*this->PointAt(event->localPos()), this->gesture);
+  }
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event)
+{
+  if (this->toolIsActive && event->button() == Qt::LeftButton)
+  {
+    this->toolIsActive = false;
+    this->measure.Release(event->localPos());
+    this->update();
   }
 }
 
@@ -129,9 +197,14 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
   {
     return;
   }
-  if (event->buttons() & Qt::LeftButton)
+  if (this->toolIsActive)
   {
-    this->SetCrosshair(this->PointAt(event->localPos()), this->gesture);
+    this->measure.Drag(event->localPos());
+    this->update();
+  }
+  else if (event->buttons() & Qt::LeftButton)
+  {
+    this->SetCrosshair(*this->PointAt(event->localPos()), this->gesture);
   }
   else if (event->buttons() & Qt::RightButton)
   {
@@ -183,7 +256,8 @@ SliceRequest SliceView::Request() const
     middle + glm::dot(VectorOf(this->Crosshair()) - middle, through) * through;
   const auto [window, level] = this->WindowLevel();
   return { this->plane, NumbersOf(shown), this->MmPerPixel(), this->width(), this->height(), window,
-    level, this->model->CurrentScene().slices.slabMm };
+    level, this->model->CurrentScene().slices.slabMm,
+    this->model->CurrentScene().slices.slabBlend };
 }
 
 // The volume just fits at a zoom of 1.

@@ -2,7 +2,9 @@
 #define Varimarch_Viewer_SliceView_h
 
 #include "Scene/SlicePicture.h"
+#include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Tools/MouseTools.h"
 
 #include <QImage>
 #include <QPoint>
@@ -14,26 +16,38 @@ namespace varimarch
 {
 
 /// A slice of the volume through the crosshair, which all slices share. The left button puts the
-/// crosshair, the right one drags window and level, the wheel goes through the slices, with Ctrl it
-/// zooms.
-class SliceView : public QWidget
+/// crosshair or measures, the right one drags window and level, the wheel goes through the slices,
+/// with Ctrl it zooms.
+class SliceView
+  : public QWidget
+  , public ToolSurface
 {
   Q_OBJECT
 
 public:
   SliceView(SceneModel* model, SlicePlane plane, QWidget* parent = nullptr);
 
-  /// World space [mm].
-  std::array<double, 3> PointAt(const QPointF& place) const;
+  /// What the left button does; what is for the volume alone leaves it the crosshair.
+  void SetTool(LeftButton button);
+
+  PictureFrame Frame() const override;
+
+  /// World space [mm]; always one.
+  std::optional<std::array<double, 3>> PointAt(const QPointF& place) const override;
   QPointF PlaceOf(const std::array<double, 3>& pointMm) const;
 
 protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
 private:
+  std::optional<glm::dvec3> Through() const override;
+  bool Shows(const std::array<double, 3>& from, const std::array<double, 3>& to) const override;
+  void Update(ScenePart part);
+  void DrawMeasuresOfSlice(QPainter& painter) const;
   SliceRequest Request() const;
   void DrawCrosshair(QPainter& painter) const;
   void DrawLetters(QPainter& painter) const;
@@ -48,6 +62,10 @@ private:
   SliceAxes axes;
   double zoom = 1.0;
   int gesture = SceneModel::NoGesture;
+  MeasureTool measure;
+  bool measuring = false;    ///< the left button measures
+  bool toolIsActive = false; ///< its gesture goes on
+  MeasureTexts texts;
   QPoint pressed;
   std::array<double, 2> pressedWindowLevel = {};
 };

@@ -3,6 +3,7 @@
 #include "Scene/FloatCapture.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/ScenePicking.h"
+#include "Scene/WorldVector.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -13,7 +14,6 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkMatrix4x4.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
@@ -56,7 +56,11 @@ protected:
     if (this->view->pipeline)
     {
       QPainter painter(this);
-      DrawOverlay(painter, this->view->model->CurrentScene(), this->view->Frame());
+      DrawOverlay(painter,
+        { this->view->model->CurrentScene(), this->view->texts,
+          this->view->model->CurrentStudy()->volume.image },
+        this->view->Frame());
+      this->view->tools.Paint(painter);
       painter.setPen(QColor(200, 200, 200));
       painter.drawText(this->rect().adjusted(10, 10, -10, -10), Qt::AlignLeft | Qt::AlignTop,
         this->view->Report());
@@ -72,6 +76,7 @@ VolumeView::VolumeView(SceneModel* model, MapperKind kind, QWidget* parent)
   , model(model)
   , kind(kind)
   , overlay(new OverlayWidget(this))
+  , tools(model, *this, [this] { return this->CurrentCamera(); })
 {
   this->setRenderWindow(this->window);
   this->setMouseTracking(true);
@@ -103,20 +108,18 @@ VolumeView::~VolumeView()
 
 bool VolumeView::event(QEvent* event)
 {
-  const bool press = event->type() == QEvent::MouseButtonPress;
-  const bool release = event->type() == QEvent::MouseButtonRelease;
-  if (this->pipeline && (press || release || event->type() == QEvent::MouseMove))
+  if (this->pipeline && this->tools.Take(event))
+  {
+    this->overlay->update();
+    return true;
+  }
+  if (this->pipeline && event->type() == QEvent::MouseMove)
   {
     const auto* const mouse = static_cast<QMouseEvent*>(event);
-    const bool ours = (press || release) ? mouse->button() == Qt::LeftButton
-                                         : this->measured != SceneModel::NoGesture;
-    if (this->measuring && ours)
+    if (mouse->buttons() == Qt::NoButton)
     {
-      this->Measure(mouse->localPos(), event->type());
-      return true;
-    }
-    if (mouse->buttons() == Qt::NoButton && !release)
-    {
+      this->setCursor(this->tools.Cursor(mouse->localPos()));
+      this->overlay->update();
       this->Point(mouse->localPos());
     }
   }
@@ -157,7 +160,9 @@ void VolumeView::Update(ScenePart part)
       this->pipeline->SetCuts(scene.cuts);
       break;
     case ScenePart::Slices:
-    case ScenePart::Distances:
+      return;
+    case ScenePart::Measures:
+      this->texts = MeasureTexts(scene, this->model->CurrentStudy()->volume.image);
       this->overlay->update();
       return;
     case ScenePart::Render:
@@ -179,6 +184,8 @@ void VolumeView::TakeVolume()
   this->pipeline.emplace(
     this->model->CurrentScene(), this->model->CurrentStudy()->volume.image, this->kind);
   this->window->AddRenderer(this->pipeline->Renderer());
+  this->texts =
+    MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image);
   this->TakeCamera();
 }
 
@@ -297,57 +304,31 @@ PictureFrame VolumeView::Frame() const
   return FrameOf(this->pipeline->Renderer()->GetActiveCamera(), this->size());
 }
 
-void VolumeView::SetMeasuring(bool newMeasuring)
+void VolumeView::SetTool(LeftButton button)
 {
-  this->measuring = newMeasuring;
-  this->setCursor(newMeasuring ? Qt::CrossCursor : Qt::ArrowCursor);
+  this->tools.Choose(button);
+  this->setCursor(this->tools.Cursor(this->mapFromGlobal(QCursor::pos())));
+  this->overlay->update();
+}
+
+void VolumeView::ShowCutHandles(bool shown)
+{
+  this->tools.ShowCutHandles(shown);
+  this->overlay->update();
+}
+
+Camera VolumeView::CurrentCamera() const
+{
+  Camera camera = this->model->CurrentScene().camera;
+  camera.pose = PoseOf(this->pipeline->Renderer()->GetActiveCamera());
+  return camera;
 }
 
 std::optional<std::array<double, 3>> VolumeView::PointAt(const QPointF& place) const
 {
-  vtkNew<vtkMatrix4x4> worldFromClip;
-  vtkMatrix4x4::Invert(
-    this->pipeline->Renderer()->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-      this->Aspect(), -1.0, 1.0),
-    worldFromClip);
-  const auto pointAtDepth = [&](double depth)
-  {
-    double point[4] = { 2.0 * place.x() / this->width() - 1.0,
-      1.0 - 2.0 * place.y() / this->height(), depth, 1.0 };
-    worldFromClip->MultiplyPoint(point, point);
-    return std::array<double, 3>{ point[0] / point[3], point[1] / point[3], point[2] / point[3] };
-  };
+  const SightLine sight = this->Frame().sightLineAt(place);
   return PointSeen(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
-    pointAtDepth(-1.0), pointAtDepth(1.0));
-}
-
-void VolumeView::Measure(const QPointF& place, QEvent::Type type)
-{
-  const std::optional<std::array<double, 3>> point = this->PointAt(place);
-  if (type == QEvent::MouseButtonPress && point)
-  {
-    this->measured = NewGesture();
-    this->model->Edit(
-      ScenePart::Distances, tr("measure"),
-      [&](Scene& scene) {
-        scene.distances.push_back({ *point, *point });
-      },
-      this->measured);
-  }
-  else if (this->measured != SceneModel::NoGesture && point)
-  {
-    this->model->Edit(
-      ScenePart::Distances, tr("measure"),
-      [&](Scene& scene) { scene.distances.back().toMm = *point; }, this->measured);
-  }
-  if (type == QEvent::MouseButtonRelease && this->measured != SceneModel::NoGesture)
-  {
-    this->measured = SceneModel::NoGesture;
-    if (LengthMm(this->model->CurrentScene().distances.back()) == 0.0)
-    {
-      this->model->History()->undo();
-    }
-  }
+    NumbersOf(sight.nearest), NumbersOf(sight.farthest), this->pipeline->Mask());
 }
 
 void VolumeView::Point(const QPointF& place)

@@ -3,6 +3,7 @@
 
 #include "Scene/ScenePipeline.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Tools/MouseTools.h"
 #include "Viewer/View/Overlay.h"
 
 #include <QElapsedTimer>
@@ -25,7 +26,9 @@ namespace varimarch
 /// The volume in three dimensions, as one mapper draws it. Listens to the model, and tells it where
 /// the user has turned the camera. However many changes come at once, one quick picture follows,
 /// and a fine one when they have ended.
-class VolumeView : public QVTKOpenGLNativeWidget
+class VolumeView
+  : public QVTKOpenGLNativeWidget
+  , public ToolSurface
 {
   Q_OBJECT
 
@@ -40,16 +43,18 @@ public:
   double PictureSeconds() const { return this->pictureSeconds; }
 
   /// How the last picture shows the world.
-  PictureFrame Frame() const;
+  PictureFrame Frame() const override;
 
   /// The same picture in float, see CaptureFloatImage.
   vtkSmartPointer<vtkImageData> FloatPicture();
 
-  /// While measuring, the left button puts the ends of a distance where it hits something.
-  void SetMeasuring(bool measuring);
+  std::optional<std::array<double, 3>> PointAt(const QPointF& place) const override;
 
-  /// What is seen at a place of the widget, in world space [mm]; none where nothing is.
-  std::optional<std::array<double, 3>> PointAt(const QPointF& place) const;
+  /// What the left button does.
+  void SetTool(LeftButton button);
+
+  /// Whether cuts can be grabbed in the picture.
+  void ShowCutHandles(bool shown);
 
 signals:
   void Drawn();
@@ -77,7 +82,7 @@ private:
   void TakeCamera();
   void PrepareTimers();
   void RequestPicture();
-  void Measure(const QPointF& place, QEvent::Type type);
+  Camera CurrentCamera() const;
   void Point(const QPointF& place);
   double Aspect() const;
   QString Report();
@@ -95,8 +100,8 @@ private:
   bool capturing = false;
   int turning = SceneModel::NoGesture; ///< the camera's gesture
   bool isTurning = false;
-  bool measuring = false;
-  int measured = SceneModel::NoGesture; ///< the gesture of the distance whose end is dragged
+  MouseTools tools;
+  MeasureTexts texts; ///< of what was measured
 };
 
 }

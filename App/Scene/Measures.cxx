@@ -1,0 +1,161 @@
+#include "Scene/Measures.h"
+
+#include "Scene/WorldVector.h"
+
+#include <vtkArrayDispatch.h>
+#include <vtkDataArray.h>
+#include <vtkDataArrayRange.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Of differences from one of the values, lest the squares of large ones swallow them.
+struct Sums
+{
+  double offset = 0.0;
+  std::int64_t count = 0;
+  double sum = 0.0;
+  double sumOfSquares = 0.0;
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
+
+  void Add(double value)
+  {
+    if (std::isfinite(value))
+    {
+      const double difference = value - this->offset;
+      ++this->count;
+      this->sum += difference;
+      this->sumOfSquares += difference * difference;
+      this->smallest = std::min(this->smallest, value);
+      this->largest = std::max(this->largest, value);
+    }
+  }
+
+  static Sums Joined(const Sums& a, const Sums& b)
+  {
+    return { a.offset, a.count + b.count, a.sum + b.sum, a.sumOfSquares + b.sumOfSquares,
+      std::min(a.smallest, b.smallest), std::max(a.largest, b.largest) };
+  }
+};
+
+// First and last voxel along each axis, as in vtkImageData's extents; without a voxel the last is
+// before the first.
+std::array<int, 6> VoxelsIn(const MeasuredBox& box, vtkImageData* image)
+{
+  double corners[2][3];
+  image->TransformPhysicalPointToContinuousIndex(box.fromMm.data(), corners[0]);
+  image->TransformPhysicalPointToContinuousIndex(box.toMm.data(), corners[1]);
+  std::array<int, 6> voxels;
+  const int* const extent = image->GetExtent();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Beside the volume by any length, but within what an int holds.
+    const auto part = [&](int corner) {
+      return std::clamp(corners[corner][axis], extent[2 * axis] - 1.0, extent[2 * axis + 1] + 1.0);
+    };
+    const double first = std::min(part(0), part(1));
+    const double last = std::max(part(0), part(1));
+    int begin = int(std::ceil(first - 1e-9));
+    int end = int(std::floor(last + 1e-9));
+    if (end < begin)
+    {
+      begin = end = int(std::lround(0.5 * (first + last)));
+    }
+    voxels[2 * axis] = std::max(begin, extent[2 * axis]);
+    voxels[2 * axis + 1] = std::min(end, extent[2 * axis + 1]);
+  }
+  return voxels;
+}
+
+Sums SumsOf(const std::array<int, 6>& voxels, vtkImageData* image)
+{
+  Sums sums;
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  const int* const extent = image->GetExtent();
+  const auto indexOf = [&](int i, int j, int k)
+  {
+    const vtkIdType rows = extent[3] - extent[2] + 1;
+    const vtkIdType columns = extent[1] - extent[0] + 1;
+    return ((k - extent[4]) * rows + (j - extent[2])) * columns + (i - extent[0]);
+  };
+  const auto sumUp = [&](auto* array)
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    const double first = double(tuples[indexOf(voxels[0], voxels[2], voxels[4])][0]);
+    Sums none;
+    none.offset = std::isfinite(first) ? first : 0.0;
+    sums = tbb::parallel_reduce(
+      tbb::blocked_range2d<int>(voxels[4], voxels[5] + 1, voxels[2], voxels[3] + 1), none,
+      [&](const tbb::blocked_range2d<int>& part, Sums partial)
+      {
+        for (int k = part.rows().begin(); k != part.rows().end(); ++k)
+        {
+          for (int j = part.cols().begin(); j != part.cols().end(); ++j)
+          {
+            for (vtkIdType i = indexOf(voxels[0], j, k); i <= indexOf(voxels[1], j, k); ++i)
+            {
+              partial.Add(double(tuples[i][0]));
+            }
+          }
+        }
+        return partial;
+      },
+      Sums::Joined);
+  };
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, sumUp))
+  {
+    sumUp(scalars);
+  }
+  return sums;
+}
+
+}
+
+double LengthMm(const Distance& distance)
+{
+  return glm::distance(VectorOf(distance.fromMm), VectorOf(distance.toMm));
+}
+
+double AngleDegrees(const Angle& angle)
+{
+  const glm::dvec3 first = VectorOf(angle.fromMm) - VectorOf(angle.vertexMm);
+  const glm::dvec3 second = VectorOf(angle.toMm) - VectorOf(angle.vertexMm);
+  // Also of nearly parallel arms exact, as the arc cosine is not.
+  return glm::degrees(std::atan2(glm::length(glm::cross(first, second)), glm::dot(first, second)));
+}
+
+BoxStatistics StatisticsOf(const MeasuredBox& box, vtkImageData* image)
+{
+  const std::array<int, 6> voxels = VoxelsIn(box, image);
+  if (voxels[1] < voxels[0] || voxels[3] < voxels[2] || voxels[5] < voxels[4])
+  {
+    return {};
+  }
+  const Sums sums = SumsOf(voxels, image);
+  if (sums.count == 0)
+  {
+    return {};
+  }
+  const double* const spacing = image->GetSpacing();
+  const double mean = sums.sum / double(sums.count);
+  const double variance = sums.sumOfSquares / double(sums.count) - mean * mean;
+  return { sums.count, double(sums.count) * spacing[0] * spacing[1] * spacing[2],
+    sums.offset + mean, std::sqrt(std::max(variance, 0.0)), sums.smallest, sums.largest };
+}
+
+}

@@ -1,0 +1,233 @@
+#include "Scene/Scissors.h"
+
+#include "Scene/SceneCamera.h"
+
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkImageStencilToImage.h>
+#include <vtkLassoStencilSource.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+
+#include <glm/mat4x3.hpp>
+#include <glm/trigonometric.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int StencilPixels = 2048; // of the longer side: finer than a screen
+constexpr std::int64_t MostMaskVoxels = std::int64_t(1) << 24;
+
+// From the world to places in the picture as an outline has them.
+glm::dmat4x3 OutlineFromWorld(const Camera& camera)
+{
+  vtkNew<vtkCamera> placed;
+  const double anyBounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+  PlaceCamera(camera, anyBounds, 1.0, placed);
+  vtkMatrix4x4* const view = placed->GetViewTransformMatrix();
+  const double half = camera.parallel ? placed->GetParallelScale()
+                                      : std::tan(0.5 * glm::radians(camera.viewAngleDegrees));
+  glm::dmat4x3 matrix;
+  for (int column = 0; column < 4; ++column)
+  {
+    const double divisor =
+      camera.parallel ? (column == 3 ? 1.0 : 0.0) : -view->GetElement(2, column);
+    matrix[column] = { view->GetElement(0, column) / half, view->GetElement(1, column) / half,
+      divisor };
+  }
+  return matrix;
+}
+
+vtkSmartPointer<vtkImageData> FilledOutline(const std::vector<std::array<double, 2>>& outline)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const std::array<double, 2>& point : outline)
+  {
+    points->InsertNextPoint(point[0], point[1], 0.0);
+  }
+  const double* const bounds = points->GetBounds();
+  const double longest = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], 1e-9 });
+  const double spacing = longest / StencilPixels;
+  vtkNew<vtkLassoStencilSource> lasso;
+  lasso->SetPoints(points);
+  lasso->SetOutputOrigin(bounds[0], bounds[2], 0.0);
+  lasso->SetOutputSpacing(spacing, spacing, 1.0);
+  lasso->SetOutputWholeExtent(0, int(std::ceil((bounds[1] - bounds[0]) / spacing)), 0,
+    int(std::ceil((bounds[3] - bounds[2]) / spacing)), 0, 0);
+  vtkNew<vtkImageStencilToImage> filled;
+  filled->SetInputConnection(lasso->GetOutputPort());
+  filled->SetOutputScalarTypeToUnsignedChar();
+  filled->Update();
+  return filled->GetOutput();
+}
+
+// What one cut takes away: a cone or prism of its outline through the world.
+class Stencil
+{
+public:
+  explicit Stencil(const ScissorsCut& cut)
+    : outlineFromWorld(varimarch::OutlineFromWorld(cut.camera))
+    , keepsInside(cut.keepsInside)
+    , inside(FilledOutline(cut.outline))
+  {
+  }
+
+  /// Homogeneous: the third number divides the others.
+  glm::dvec3 Projected(const glm::dvec3& pointWorld) const
+  {
+    return this->outlineFromWorld * glm::dvec4(pointWorld, 1.0);
+  }
+
+  bool Removes(const glm::dvec3& projected) const
+  {
+    return this->HasInside(projected) != this->keepsInside;
+  }
+
+private:
+  bool HasInside(const glm::dvec3& projected) const
+  {
+    // Nothing behind the eye is in the picture.
+    if (projected.z <= 0.0)
+    {
+      return false;
+    }
+    const double* const origin = this->inside->GetOrigin();
+    const double perUnit = 1.0 / this->inside->GetSpacing()[0];
+    const double column = (projected.x / projected.z - origin[0]) * perUnit + 0.5;
+    const double row = (projected.y / projected.z - origin[1]) * perUnit + 0.5;
+    const int* const size = this->inside->GetDimensions();
+    if (!(column >= 0.0 && column < size[0] && row >= 0.0 && row < size[1]))
+    {
+      return false;
+    }
+    const auto* const pixels = static_cast<const unsigned char*>(this->inside->GetScalarPointer());
+    return pixels[std::size_t(row) * size[0] + std::size_t(column)] != 0;
+  }
+
+  glm::dmat4x3 outlineFromWorld;
+  bool keepsInside;
+  vtkSmartPointer<vtkImageData> inside; ///< fine pixels around the outline: 1 inside, 0 outside
+};
+
+// The numbers of mask voxels along each axis.
+std::array<int, 3> MaskSize(vtkImageData* image)
+{
+  const int* const size = image->GetDimensions();
+  for (int factor = 1;; ++factor)
+  {
+    const auto along = [&](int axis) { return (size[axis] + factor - 1) / factor; };
+    if (std::int64_t(along(0)) * along(1) * along(2) <= MostMaskVoxels)
+    {
+      return { along(0), along(1), along(2) };
+    }
+  }
+}
+
+// The world at the middle of a voxel of the mask, which spans the volume's voxels whole.
+glm::dvec3 MiddleOfMaskVoxel(
+  const glm::dvec3& voxel, const std::array<int, 3>& maskSize, vtkImageData* image)
+{
+  const int* const extent = image->GetExtent();
+  const int* const size = image->GetDimensions();
+  double index[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    index[axis] = extent[2 * axis] + (voxel[axis] + 0.5) * size[axis] / maskSize[axis] - 0.5;
+  }
+  glm::dvec3 world;
+  image->TransformContinuousIndexToPhysicalPoint(index, &world.x);
+  return world;
+}
+
+void TakeAway(const Stencil& stencil, vtkImageData* mask, vtkImageData* image)
+{
+  const int* const dimensions = mask->GetDimensions();
+  const std::array<int, 3> size = { dimensions[0], dimensions[1], dimensions[2] };
+  const auto projected = [&](const glm::dvec3& voxel)
+  { return stencil.Projected(MiddleOfMaskVoxel(voxel, size, image)); };
+  const glm::dvec3 first = projected({ 0.0, 0.0, 0.0 });
+  const glm::dvec3 alongX = projected({ 1.0, 0.0, 0.0 }) - first;
+  const glm::dvec3 alongY = projected({ 0.0, 1.0, 0.0 }) - first;
+  const glm::dvec3 alongZ = projected({ 0.0, 0.0, 1.0 }) - first;
+  auto* const voxels = static_cast<unsigned char*>(mask->GetScalarPointer());
+  tbb::parallel_for(tbb::blocked_range<int>(0, size[2]),
+    [&](const tbb::blocked_range<int>& slices)
+    {
+      for (int z = slices.begin(); z != slices.end(); ++z)
+      {
+        unsigned char* voxel = voxels + std::int64_t(z) * size[0] * size[1];
+        for (int y = 0; y < size[1]; ++y)
+        {
+          for (int x = 0; x < size[0]; ++x, ++voxel)
+          {
+            *voxel &= !stencil.Removes(
+              first + double(x) * alongX + double(y) * alongY + double(z) * alongZ);
+          }
+        }
+      }
+    });
+}
+
+}
+
+vtkSmartPointer<vtkImageData> MaskOf(const std::vector<ScissorsCut>& cuts, vtkImageData* image)
+{
+  if (cuts.empty())
+  {
+    return nullptr;
+  }
+  const std::array<int, 3> size = MaskSize(image);
+  auto mask = vtkSmartPointer<vtkImageData>::New();
+  mask->SetDimensions(size.data());
+  mask->SetDirectionMatrix(image->GetDirectionMatrix());
+  mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* const voxels = static_cast<unsigned char*>(mask->GetScalarPointer());
+  std::fill_n(voxels, mask->GetNumberOfPoints(), 1);
+  for (const ScissorsCut& cut : cuts)
+  {
+    TakeAway(Stencil(cut), mask, image);
+  }
+  return mask;
+}
+
+bool Leaves(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index)
+{
+  if (!mask)
+  {
+    return true;
+  }
+  const int* const extent = image->GetExtent();
+  const int* const size = image->GetDimensions();
+  const int* const maskSize = mask->GetDimensions();
+  int voxel[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double part = (index[axis] - extent[2 * axis] + 0.5) / size[axis];
+    voxel[axis] = std::clamp(int(part * maskSize[axis]), 0, maskSize[axis] - 1);
+  }
+  return *static_cast<unsigned char*>(mask->GetScalarPointer(voxel)) != 0;
+}
+
+bool operator==(const ScissorsCut& a, const ScissorsCut& b)
+{
+  const CameraPose& poseA = *a.camera.pose;
+  const CameraPose& poseB = *b.camera.pose;
+  return a.outline == b.outline && a.keepsInside == b.keepsInside &&
+    a.camera.parallel == b.camera.parallel &&
+    a.camera.viewAngleDegrees == b.camera.viewAngleDegrees &&
+    poseA.positionMm == poseB.positionMm && poseA.focalPointMm == poseB.focalPointMm &&
+    poseA.viewUp == poseB.viewUp && poseA.parallelScaleMm == poseB.parallelScaleMm;
+}
+
+}

@@ -1,0 +1,90 @@
+// What the window offers to do with a volume: the left button's tools, and comparison.
+
+#include "Viewer/MainWindow.h"
+
+#include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/SliceView.h"
+#include "Viewer/View/VolumeView.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSplitter>
+#include <QToolBar>
+
+namespace varimarch
+{
+
+void MainWindow::MakeToolMenu()
+{
+  QMenu* const menu = this->menuBar()->addMenu(tr("&Tools"));
+  this->MakeLeftButtonActions(menu);
+  menu->addSeparator();
+  this->MakeComparisonActions(menu);
+}
+
+// In the menu for their keys, and in a bar for everybody else.
+void MainWindow::MakeLeftButtonActions(QMenu* menu)
+{
+  const std::tuple<LeftButton, QString, QString, QString> tools[] = {
+    { LeftButton::Turn, tr("&Turn"), "T", tr("Drag to turn the volume") },
+    { LeftButton::Brightness, tr("&Brightness"), "W",
+      tr("Drag across for the window, up and down for the level; also Ctrl and drag") },
+    { LeftButton::Distance, tr("&Distance"), "M", tr("Drag from one point to another") },
+    { LeftButton::Angle, tr("&Angle"), "A",
+      tr("Drag from the end of one arm to the vertex, then press at the end of the other") },
+    { LeftButton::Box, tr("B&ox"), "B", tr("Drag from corner to corner: mean, deviation, volume") },
+    { LeftButton::CutOut, tr("&Cut out"), "X", tr("Draw around what is to go") },
+    { LeftButton::KeepOnly, tr("&Keep"), "Shift+X", tr("Draw around what is to stay") },
+  };
+  auto* const bar = this->addToolBar(tr("Left button"));
+  bar->setObjectName("leftButton");
+  bar->setMovable(false);
+  auto* const group = new QActionGroup(this);
+  for (const auto& [tool, name, key, tip] : tools)
+  {
+    QAction* const action = group->addAction(menu->addAction(name));
+    action->setCheckable(true);
+    action->setChecked(tool == LeftButton::Turn);
+    action->setShortcut(QKeySequence(key));
+    action->setToolTip(tr("%1 (%2)").arg(tip, action->shortcut().toString()));
+    action->setStatusTip(tip);
+    bar->addAction(action);
+    connect(action, &QAction::triggered, this,
+      [this, tool = tool]
+      {
+        this->view->SetTool(tool);
+        for (SliceView* slice : this->sliceViews)
+        {
+          slice->SetTool(tool);
+        }
+      });
+  }
+}
+
+void MainWindow::MakeComparisonActions(QMenu* menu)
+{
+  auto* const comparisons = new QActionGroup(this);
+  const std::tuple<QString, std::optional<MapperKind>> kinds[] = {
+    { tr("&No comparison"), std::nullopt },
+    { tr("Compare with VTK's &GPU mapper"), MapperKind::VtkGpu },
+    { tr("Compare with VTK's &CPU mapper"), MapperKind::VtkCpu },
+  };
+  for (const auto& [name, kind] : kinds)
+  {
+    QAction* const action = comparisons->addAction(menu->addAction(name));
+    action->setCheckable(true);
+    action->setChecked(!kind);
+    connect(action, &QAction::triggered, this, [this, kind = kind] { this->Compare(kind); });
+  }
+}
+
+void MainWindow::Compare(std::optional<MapperKind> kind)
+{
+  this->view->CompareWith(kind);
+  // Three pictures side by side want the room.
+  this->sliceColumn->setVisible(!kind);
+}
+
+}

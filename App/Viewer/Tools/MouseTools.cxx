@@ -1,0 +1,130 @@
+#include "Viewer/Tools/MouseTools.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace varimarch
+{
+
+std::optional<MeasureKind> MeasureOf(LeftButton button)
+{
+  switch (button)
+  {
+    case LeftButton::Distance:
+      return MeasureKind::Distance;
+    case LeftButton::Angle:
+      return MeasureKind::Angle;
+    case LeftButton::Box:
+      return MeasureKind::Box;
+    default:
+      return std::nullopt;
+  }
+}
+
+MouseTools::MouseTools(
+  SceneModel* model, const ToolSurface& surface, const std::function<Camera()>& camera)
+  : handles(model, surface)
+  , measure(model, surface)
+  , scissors(model, surface, camera)
+  , brightness(model, surface)
+{
+}
+
+void MouseTools::Choose(LeftButton button)
+{
+  this->chosen = nullptr;
+  if (const auto kind = MeasureOf(button))
+  {
+    this->measure.SetKind(*kind);
+    this->chosen = &this->measure;
+  }
+  else if (button == LeftButton::Brightness)
+  {
+    this->chosen = &this->brightness;
+  }
+  else if (button != LeftButton::Turn)
+  {
+    this->scissors.SetKeepsInside(button == LeftButton::KeepOnly);
+    this->chosen = &this->scissors;
+  }
+}
+
+bool MouseTools::Take(QEvent* event)
+{
+  const auto* const mouse = static_cast<QMouseEvent*>(event);
+  switch (event->type())
+  {
+    case QEvent::MouseButtonPress:
+      return this->Press(static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove:
+      this->handles.Hover(mouse->localPos());
+      if (this->active)
+      {
+        this->active->Drag(mouse->localPos());
+      }
+      return this->active != nullptr;
+    case QEvent::MouseButtonRelease:
+      if (!this->active || mouse->button() != Qt::LeftButton)
+      {
+        return false;
+      }
+      this->active->Release(mouse->localPos());
+      this->active = nullptr;
+      return true;
+    case QEvent::KeyPress:
+      if (!this->active || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+      {
+        return false;
+      }
+      this->active->Cancel();
+      this->active = nullptr;
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Of other buttons nothing while a gesture goes on, lest the camera turns below it.
+bool MouseTools::Press(QMouseEvent* mouse)
+{
+  if (this->active || mouse->button() != Qt::LeftButton)
+  {
+    return this->active != nullptr;
+  }
+  MouseTool* const tool = this->ToolFor(mouse);
+  if (tool && tool->Press(mouse->localPos()))
+  {
+    this->active = tool;
+  }
+  return tool != nullptr;
+}
+
+MouseTool* MouseTools::ToolFor(QMouseEvent* mouse)
+{
+  if (mouse->modifiers() & Qt::ControlModifier)
+  {
+    return &this->brightness;
+  }
+  return this->handles.IsOver(mouse->localPos()) ? &this->handles : this->chosen;
+}
+
+Qt::CursorShape MouseTools::Cursor(const QPointF& place) const
+{
+  if (this->handles.IsOver(place))
+  {
+    return Qt::SizeAllCursor;
+  }
+  return this->chosen ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+void MouseTools::Paint(QPainter& painter) const
+{
+  this->handles.Paint(painter);
+  if (this->chosen)
+  {
+    this->chosen->Paint(painter);
+  }
+}
+
+}

@@ -1,0 +1,265 @@
+// What the left button does in a view: handles of cuts, measuring, scissors, window and level.
+
+#include "Scene/Measures.h"
+#include "Scene/SceneCamera.h"
+#include "Scene/SceneCuts.h"
+#include "Scene/WorldVector.h"
+#include "SmallStudy.h"
+#include "Viewer/Panels/CutsPanel.h"
+#include "Viewer/Tools/MouseTools.h"
+
+#include <QKeyEvent>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QSlider>
+
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <glm/geometric.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+// A picture of 400 x 300 places by a camera; what is seen is a sheet through the volume's middle.
+class Sheet : public ToolSurface
+{
+public:
+  explicit Sheet(SceneModel* model)
+    : model(model)
+  {
+  }
+
+  PictureFrame Frame() const override
+  {
+    vtkNew<vtkCamera> camera;
+    vtkImageData* const image = this->model->CurrentStudy()->volume.image;
+    PlaceCamera(this->model->CurrentScene().camera, image->GetBounds(), 4.0 / 3.0, camera);
+    camera->SetClippingRange(1.0, 5000.0);
+    return FrameOf(camera, { 400.0, 300.0 });
+  }
+
+  std::optional<std::array<double, 3>> PointAt(const QPointF& place) const override
+  {
+    const PictureFrame frame = this->Frame();
+    const SightLine sight = frame.sightLineAt(place);
+    const glm::dvec3 along = glm::normalize(sight.farthest - sight.nearest);
+    const glm::dvec3 towardsEye = VectorOf(frame.towardsEyeWorld);
+    const glm::dvec3 middle = VectorOf(MiddleOf(this->model->CurrentStudy()->volume.image));
+    const double distance =
+      glm::dot(middle - sight.nearest, towardsEye) / glm::dot(along, towardsEye);
+    return NumbersOf(sight.nearest + distance * along);
+  }
+
+private:
+  SceneModel* model;
+};
+
+class Tools : public testing::Test
+{
+protected:
+  Tools()
+  {
+    this->model.Open(ProceduralSource(), SmallStudy());
+    this->tools.ShowCutHandles(true);
+  }
+
+  bool Send(QEvent::Type type, const QPointF& place, Qt::KeyboardModifiers keys = {})
+  {
+    QMouseEvent event(type, place, Qt::LeftButton, Qt::LeftButton, keys);
+    return this->tools.Take(&event);
+  }
+
+  void DragAlong(const std::vector<QPointF>& places, Qt::KeyboardModifiers keys = {})
+  {
+    this->Send(QEvent::MouseButtonPress, places.front(), keys);
+    for (const QPointF& place : places)
+    {
+      this->Send(QEvent::MouseMove, place);
+    }
+    this->Send(QEvent::MouseButtonRelease, places.back());
+  }
+
+  QPointF PlaceOf(const glm::dvec3& point) const
+  {
+    return *this->sheet.Frame().pixelOf(NumbersOf(point));
+  }
+
+  QPointF PlaceOf(CutHandleKind kind, int index) const
+  {
+    for (const CutHandle& handle : HandlesOf(this->Cuts(), this->Image(), this->sheet.Frame()))
+    {
+      if (handle.kind == kind && handle.index == index)
+      {
+        return *this->sheet.Frame().pixelOf(handle.pointMm);
+      }
+    }
+    throw std::logic_error("no such handle");
+  }
+
+  void AddPlane(const std::array<double, 3>& normal)
+  {
+    this->model.Edit(ScenePart::Cuts, "cut",
+      [&](Scene& scene) {
+        scene.cuts.planes.push_back({ MiddleOf(this->Image()), normal });
+      });
+  }
+
+  const SceneCuts& Cuts() const { return this->model.CurrentScene().cuts; }
+  vtkImageData* Image() const { return this->model.CurrentStudy()->volume.image; }
+  int Steps() { return this->model.History()->count(); }
+
+  SceneModel model;
+  Sheet sheet{ &this->model };
+  MouseTools tools{ &this->model, this->sheet,
+    [this]
+    {
+      Camera camera = this->model.CurrentScene().camera;
+      camera.pose = CameraPose{ { 0, -500, 0 }, { 0, 0, 0 }, { 0, 0, 1 }, 100.0 };
+      return camera;
+    } };
+};
+
+}
+
+TEST_F(Tools, PushAPlaneByItsDiscInOneStep)
+{
+  CutsPanel panel(&this->model);
+  this->AddPlane({ -1.0, 0.0, 0.0 });
+  const glm::dvec3 target = VectorOf(MiddleOf(this->Image())) + glm::dvec3(30.0, 0.0, 0.0);
+  const QPointF disc = this->PlaceOf(CutHandleKind::PushPlane, 0);
+  const int steps = this->Steps();
+  this->DragAlong({ disc, 0.5 * (disc + this->PlaceOf(target)), this->PlaceOf(target) });
+  EXPECT_NEAR(this->Cuts().planes[0].pointMm[0], target.x, 1e-6);
+  EXPECT_EQ(this->Cuts().planes[0].normal, (std::array<double, 3>{ -1.0, 0.0, 0.0 }));
+  EXPECT_EQ(this->Steps(), steps + 1);
+  // The panel follows.
+  const double depth = DepthOf(this->Cuts().planes[0], this->Image());
+  EXPECT_NEAR(panel.findChild<QSlider*>()->value(), 1000.0 * depth, 0.51);
+  EXPECT_EQ(panel.findChild<QListWidget*>()->currentRow(), 0);
+  // Nothing lies beyond the volume.
+  this->DragAlong({ this->PlaceOf(CutHandleKind::PushPlane, 0), { 399.0, 150.0 } });
+  EXPECT_NEAR(DepthOf(this->Cuts().planes[0], this->Image()), 0.0, 1e-9);
+}
+
+TEST_F(Tools, TurnAPlaneByItsArrow)
+{
+  this->AddPlane({ -1.0, 0.0, 0.0 });
+  const QPointF foot = this->PlaceOf(CutHandleKind::PushPlane, 0);
+  const QPointF tip = this->PlaceOf(CutHandleKind::TurnPlane, 0);
+  EXPECT_GT(tip.x(), foot.x() + 50.0) << "towards what is cut away";
+  // Up the picture, which is towards the head, and far beyond the arrow's reach.
+  this->DragAlong({ tip, foot + QPointF(0.0, -140.0) });
+  const CutPlane& plane = this->Cuts().planes[0];
+  EXPECT_LT(plane.normal[2], -0.95);
+  EXPECT_NEAR(plane.normal[0], 0.0, 1e-3);
+  EXPECT_EQ(plane.pointMm, MiddleOf(this->Image())) << "about its foot";
+}
+
+TEST_F(Tools, PushAPlaneThatFacesTheEyeByGoingUp)
+{
+  this->AddPlane({ 0.0, 1.0, 0.0 }); // what is before it goes
+  const QPointF disc = this->PlaceOf(CutHandleKind::PushPlane, 0);
+  this->DragAlong({ disc, disc - QPointF(0.0, 20.0) });
+  EXPECT_GT(this->Cuts().planes[0].pointMm[1], MiddleOf(this->Image())[1] + 1.0);
+}
+
+TEST_F(Tools, CropByAFaceAndMoveTheBox)
+{
+  const QPointF face = this->PlaceOf(CutHandleKind::MoveFace, 1);
+  const QPointF middle = this->PlaceOf(VectorOf(MiddleOf(this->Image())));
+  this->DragAlong({ face, 0.5 * (face + middle) });
+  EXPECT_NEAR(this->Cuts().box[1], 0.75, 1e-6);
+  EXPECT_EQ(this->Steps(), 1);
+  // Only now is there room to move it.
+  const QPointF box = this->PlaceOf(CutHandleKind::MoveBox, 0);
+  this->DragAlong({ box, box + QPointF(300.0, 0.0) });
+  EXPECT_NEAR(this->Cuts().box[0], 0.25, 1e-9);
+  EXPECT_NEAR(this->Cuts().box[1], 1.0, 1e-9) << "as far as the volume goes";
+  this->model.History()->undo();
+  this->model.History()->undo();
+  EXPECT_EQ(this->Cuts().box, SceneCuts().box);
+}
+
+TEST_F(Tools, LeaveTheCameraWhatIsNotTheirs)
+{
+  EXPECT_FALSE(this->Send(QEvent::MouseButtonPress, { 3.0, 3.0 }));
+  const QPointF face = this->PlaceOf(CutHandleKind::MoveFace, 1);
+  this->tools.ShowCutHandles(false);
+  EXPECT_FALSE(this->Send(QEvent::MouseButtonPress, face)) << "hidden";
+}
+
+TEST_F(Tools, TakeAGestureBackWithEscape)
+{
+  this->AddPlane({ -1.0, 0.0, 0.0 });
+  const QPointF disc = this->PlaceOf(CutHandleKind::PushPlane, 0);
+  this->Send(QEvent::MouseButtonPress, disc);
+  this->Send(QEvent::MouseMove, disc + QPointF(40.0, 0.0));
+  QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, {});
+  EXPECT_TRUE(this->tools.Take(&escape));
+  EXPECT_NEAR(this->Cuts().planes[0].pointMm[0], MiddleOf(this->Image())[0], 1e-9);
+  EXPECT_FALSE(this->tools.Take(&escape)) << "there is nothing more to take back";
+}
+
+TEST_F(Tools, CutOutWhatIsDrawnAround)
+{
+  this->tools.Choose(LeftButton::CutOut);
+  this->DragAlong({ { 100, 100 }, { 300, 100 }, { 300, 250 }, { 100, 250 } });
+  ASSERT_EQ(this->Cuts().scissors.size(), 1);
+  const ScissorsCut& cut = this->Cuts().scissors[0];
+  EXPECT_FALSE(cut.keepsInside);
+  ASSERT_EQ(cut.outline.size(), 4);
+  // From the middle of the picture, in halves of its height.
+  EXPECT_DOUBLE_EQ(cut.outline[0][0], -100.0 / 150.0);
+  EXPECT_DOUBLE_EQ(cut.outline[0][1], 50.0 / 150.0);
+  EXPECT_DOUBLE_EQ(cut.outline[2][1], -100.0 / 150.0);
+  EXPECT_TRUE(cut.camera.pose);
+  this->model.History()->undo();
+  EXPECT_TRUE(this->Cuts().scissors.empty());
+  this->tools.Choose(LeftButton::KeepOnly);
+  this->DragAlong({ { 100, 100 }, { 300, 100 }, { 300, 250 } });
+  EXPECT_TRUE(this->Cuts().scissors.at(0).keepsInside);
+  this->DragAlong({ { 100, 100 }, { 102, 100 } });
+  EXPECT_EQ(this->Cuts().scissors.size(), 1) << "a click is no outline";
+}
+
+TEST_F(Tools, MeasureAnAngleInTwoDrags)
+{
+  this->tools.Choose(LeftButton::Angle);
+  this->DragAlong({ { 260, 150 }, { 200, 150 } });
+  EXPECT_TRUE(this->model.CurrentScene().angles.empty()) << "one arm is no angle";
+  this->DragAlong({ { 210, 60 }, { 200, 90 } });
+  ASSERT_EQ(this->model.CurrentScene().angles.size(), 1);
+  EXPECT_NEAR(AngleDegrees(this->model.CurrentScene().angles[0]), 90.0, 1e-6);
+  EXPECT_EQ(this->Steps(), 1);
+  // Its end is dragged later.
+  this->DragAlong({ { 200, 90 }, { 260, 90 } });
+  EXPECT_NEAR(AngleDegrees(this->model.CurrentScene().angles[0]), 45.0, 1e-6);
+  EXPECT_EQ(this->model.CurrentScene().angles.size(), 1);
+}
+
+TEST_F(Tools, MoveTheLookWithControlWhateverWasChosen)
+{
+  this->tools.Choose(LeftButton::Distance);
+  const Look before = this->model.CurrentScene().look;
+  this->DragAlong({ { 200, 150 }, { 200, 170 }, { 200, 180 } }, Qt::ControlModifier);
+  const Look& moved = this->model.CurrentScene().look;
+  EXPECT_LT(moved.opacities[1].value, before.opacities[1].value) << "down is brighter";
+  const auto width = [](const Look& look)
+  { return look.opacities.back().value - look.opacities.front().value; };
+  EXPECT_NEAR(width(moved), width(before), 1e-9);
+  EXPECT_EQ(this->Steps(), 1);
+  this->DragAlong({ { 200, 150 }, { 260, 150 } }, Qt::ControlModifier);
+  EXPECT_NEAR(width(this->model.CurrentScene().look), std::exp(60.0 / 300.0) * width(before), 1e-6)
+    << "wider to the right";
+  this->model.History()->undo();
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().look.opacities[1].value, before.opacities[1].value);
+}
