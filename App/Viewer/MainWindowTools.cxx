@@ -78,6 +78,10 @@ void MainWindow::MakeComparisonActions(QMenu* menu)
     action->setChecked(!kind);
     connect(action, &QAction::triggered, this, [this, kind = kind] { this->Compare(kind); });
   }
+  QAction* const wipe = menu->addAction(tr("&Wipe between them"));
+  wipe->setCheckable(true);
+  wipe->setStatusTip(tr("Both pictures in one place, with a divider that is dragged"));
+  connect(wipe, &QAction::toggled, this->view, &ComparisonView::SetWipe);
 }
 
 void MainWindow::Compare(std::optional<MapperKind> kind)

@@ -4,8 +4,10 @@
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/VolumeView.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QMessageBox>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -180,6 +182,40 @@ TEST_F(Window, ComparesWithVtk)
   view->CompareWith(std::nullopt);
   EXPECT_FALSE(view->LastDifference());
   EXPECT_EQ(this->View()->size(), alone);
+}
+
+TEST_F(Window, WipesBetweenOursAndVtks)
+{
+  this->OpenTorso();
+  ComparisonView* const view = this->window.CentralView();
+  QSignalSpy compared(view, &ComparisonView::Compared);
+  view->SetWipe(true);
+  view->CompareWith(MapperKind::VtkGpu);
+  ASSERT_TRUE(compared.wait(MostMilliseconds));
+  EXPECT_GT(view->LastDifference()->rootMeanSquare, 0.0);
+  EXPECT_LT(view->LastDifference()->rootMeanSquare, 20.0) << "both lie over each other";
+  const QList<VolumeView*> pictures = view->findChildren<VolumeView*>();
+  ASSERT_EQ(pictures.size(), 2);
+  EXPECT_EQ(pictures[0]->size(), pictures[1]->size());
+  const auto leftEdgeOfTheirs = [&]
+  {
+    VolumeView* const theirs = pictures[0] == this->View() ? pictures[1] : pictures[0];
+    EXPECT_EQ(theirs->mapTo(view, QPoint()), this->View()->mapTo(view, QPoint()));
+    return theirs->parentWidget()->x();
+  };
+  EXPECT_NEAR(leftEdgeOfTheirs(), view->width() / 2, 1);
+  // The divider is dragged by the mouse, and goes by keys.
+  QWidget* const divider = view->childAt(view->width() / 2, 20);
+  ASSERT_NE(divider, this->View());
+  QTest::mousePress(divider, Qt::LeftButton, {}, divider->rect().center());
+  QMouseEvent move(QEvent::MouseMove, divider->rect().center() + QPoint(60, 0), Qt::NoButton,
+    Qt::LeftButton, {});
+  QApplication::sendEvent(divider, &move);
+  QTest::mouseRelease(divider, Qt::LeftButton);
+  EXPECT_NEAR(leftEdgeOfTheirs(), view->width() / 2 + 60, 6);
+  const int before = leftEdgeOfTheirs();
+  QTest::keyClick(divider, Qt::Key_Left);
+  EXPECT_LT(leftEdgeOfTheirs(), before);
 }
 
 TEST_F(Window, ClosesWhileItLoads)

@@ -5,11 +5,16 @@
 #include "Viewer/View/VolumeView.h"
 
 #include <QImage>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QPixmap>
 #include <QVBoxLayout>
 
 #include <vtkImageData.h>
+
+#include <algorithm>
 
 namespace varimarch
 {
@@ -18,6 +23,8 @@ namespace
 {
 
 constexpr int StillMilliseconds = 400;
+constexpr int DividerPixels = 9; // that can be grabbed; a line in its middle is seen
+constexpr double DividerStep = 0.02;
 
 // A byte picture, whose row 0 is the lowest.
 QImage ImageOf(vtkImageData* bytePicture)
@@ -30,16 +37,69 @@ QImage ImageOf(vtkImageData* bytePicture)
 
 }
 
+// Between two pictures that lie over each other. Also the arrow keys move it.
+class ComparisonView::Divider : public QWidget
+{
+public:
+  explicit Divider(ComparisonView* view)
+    : QWidget(view)
+    , view(view)
+  {
+    this->setCursor(Qt::SplitHCursor);
+    this->setFocusPolicy(Qt::StrongFocus);
+    this->setAccessibleName(ComparisonView::tr("Divider between ours and VTK's picture"));
+    this->hide();
+  }
+
+protected:
+  void mouseMoveEvent(QMouseEvent* event) override
+  {
+    this->view->MoveDivider(
+      double(this->mapToParent(event->pos()).x()) / std::max(this->view->width(), 1));
+  }
+
+  void keyPressEvent(QKeyEvent* event) override
+  {
+    const int key = event->key();
+    if (key != Qt::Key_Left && key != Qt::Key_Right)
+    {
+      QWidget::keyPressEvent(event);
+      return;
+    }
+    this->view->MoveDivider(
+      this->view->dividerPart + (key == Qt::Key_Left ? -DividerStep : DividerStep));
+  }
+
+  void paintEvent(QPaintEvent*) override
+  {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPointF middle = QRectF(this->rect()).center();
+    painter.setPen(QPen(QColor(0, 0, 0, 140), 3.0));
+    painter.drawLine(QPointF(middle.x(), 0.0), QPointF(middle.x(), this->height()));
+    painter.setPen(QPen(Qt::white, 1.0));
+    painter.drawLine(QPointF(middle.x(), 0.0), QPointF(middle.x(), this->height()));
+    painter.setBrush(this->hasFocus() ? QColor(120, 200, 255) : QColor(Qt::white));
+    painter.drawRoundedRect(QRectF(middle - QPointF(3.5, 14.0), QSizeF(7.0, 28.0)), 3.0, 3.0);
+  }
+
+private:
+  ComparisonView* view;
+};
+
 ComparisonView::ComparisonView(SceneModel* model, QWidget* parent)
   : QWidget(parent)
   , model(model)
   , ours(new VolumeView(model, MapperKind::Varimarch, this))
+  , theirPart(new QWidget(this))
+  , divider(new Divider(this))
   , result(new QWidget(this))
+  , title(new QLabel(tr("Difference")))
   , picture(new QLabel)
   , numbers(new QLabel)
 {
   auto* const layout = new QVBoxLayout(this->result);
-  layout->addWidget(new QLabel(tr("Difference")));
+  layout->addWidget(this->title);
   layout->addWidget(this->picture, 1);
   layout->addWidget(this->numbers);
   this->picture->setAlignment(Qt::AlignCenter);
@@ -67,12 +127,23 @@ void ComparisonView::CompareWith(std::optional<MapperKind> kind)
   this->stillness.stop();
   if (kind)
   {
-    this->theirs = new VolumeView(this->model, *kind, this);
+    this->theirs = new VolumeView(this->model, *kind, this->theirPart);
     this->theirs->SetTool(this->tool);
     connect(this->theirs, &VolumeView::Drawn, this, [this] { this->stillness.start(); });
     this->theirs->show();
   }
-  this->result->setVisible(this->theirs != nullptr);
+  this->PlaceParts();
+}
+
+void ComparisonView::SetWipe(bool newWipe)
+{
+  this->wipe = newWipe;
+  this->PlaceParts();
+}
+
+void ComparisonView::MoveDivider(double part)
+{
+  this->dividerPart = std::clamp(part, 0.0, 1.0);
   this->PlaceParts();
 }
 
@@ -94,14 +165,51 @@ void ComparisonView::resizeEvent(QResizeEvent*)
 // Both pictures have the same number of pixels, so that they can be compared.
 void ComparisonView::PlaceParts()
 {
-  const int count = this->theirs ? 3 : 1;
-  const int width = this->width() / count;
-  this->ours->setGeometry(0, 0, width, this->height());
-  if (this->theirs)
+  const bool compares = this->theirs != nullptr;
+  this->theirPart->setVisible(compares);
+  this->result->setVisible(compares);
+  this->divider->setVisible(compares && this->wipe);
+  this->title->setVisible(!this->wipe);
+  this->picture->setVisible(!this->wipe);
+  if (!compares)
   {
-    this->theirs->setGeometry(width, 0, width, this->height());
-    this->result->setGeometry(2 * width, 0, this->width() - 2 * width, this->height());
+    this->ours->setGeometry(this->rect());
   }
+  else if (this->wipe)
+  {
+    this->PlaceOverEachOther();
+  }
+  else
+  {
+    this->PlaceSideBySide();
+  }
+}
+
+void ComparisonView::PlaceSideBySide()
+{
+  const int width = this->width() / 3;
+  this->ours->setGeometry(0, 0, width, this->height());
+  this->theirPart->setGeometry(width, 0, width, this->height());
+  this->theirs->setGeometry(0, 0, width, this->height());
+  this->theirs->SetReportSide(Qt::AlignLeft);
+  this->result->setGeometry(2 * width, 0, this->width() - 2 * width, this->height());
+}
+
+// Theirs lies over ours, and its part begins at the divider.
+void ComparisonView::PlaceOverEachOther()
+{
+  const int below = this->result->heightForWidth(this->width()) > 0
+    ? this->result->heightForWidth(this->width())
+    : this->result->sizeHint().height();
+  const QSize size(this->width(), std::max(this->height() - below, 1));
+  const int place = int(this->dividerPart * size.width());
+  this->ours->setGeometry(QRect(QPoint(0, 0), size));
+  this->theirPart->setGeometry(place, 0, size.width() - place, size.height());
+  this->theirs->setGeometry(QRect(QPoint(-place, 0), size));
+  this->theirs->SetReportSide(Qt::AlignRight);
+  this->result->setGeometry(0, size.height(), size.width(), below);
+  this->divider->setGeometry(place - DividerPixels / 2, 0, DividerPixels, size.height());
+  this->divider->raise();
 }
 
 void ComparisonView::Compare()
@@ -116,6 +224,7 @@ void ComparisonView::Compare()
     static_cast<const float*>(ourPicture->GetScalarPointer()),
     std::size_t(ourPicture->GetNumberOfPoints()));
   this->ShowDifference(ourPicture, theirPicture);
+  this->PlaceParts();
   emit this->Compared();
 }
 

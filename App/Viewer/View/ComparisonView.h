@@ -19,8 +19,9 @@ namespace varimarch
 class SceneModel;
 class VolumeView;
 
-/// Our picture, and on demand beside it VTK's of the same scene, with their difference: where it
-/// is, how large, and the time of each. Compares when both have been still for a moment.
+/// Our picture, and on demand VTK's of the same scene, with their difference and the time of each:
+/// side by side, with a picture of where they differ, or one over the other, with a divider between
+/// them that is dragged. Compares when both have been still for a moment.
 class ComparisonView : public QWidget
 {
   Q_OBJECT
@@ -32,6 +33,12 @@ public:
 
   /// None: our picture alone.
   void CompareWith(std::optional<MapperKind> kind);
+
+  /// Whether the pictures lie over each other; else they stand side by side.
+  void SetWipe(bool newWipe);
+
+  /// Where the divider is, as a part of the width from the left, [0, 1].
+  void MoveDivider(double part);
 
   /// What the left button does, in all pictures.
   void SetTool(LeftButton button);
@@ -46,15 +53,24 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  class Divider;
+
   void PlaceParts();
+  void PlaceSideBySide();
+  void PlaceOverEachOther();
   void Compare();
   void ShowDifference(vtkImageData* ourPicture, vtkImageData* theirPicture);
 
   SceneModel* model;
   VolumeView* ours;
   VolumeView* theirs = nullptr;
+  QWidget* theirPart; ///< shows as much of theirs as is to be seen
+  Divider* divider;
+  bool wipe = false;
+  double dividerPart = 0.5;
   LeftButton tool = LeftButton::Turn;
   QWidget* result;
+  QLabel* title;
   QLabel* picture;
   QLabel* numbers;
   QTimer stillness;

@@ -62,8 +62,8 @@ protected:
         this->view->Frame());
       this->view->tools.Paint(painter);
       painter.setPen(QColor(200, 200, 200));
-      painter.drawText(this->rect().adjusted(10, 10, -10, -10), Qt::AlignLeft | Qt::AlignTop,
-        this->view->Report());
+      painter.drawText(this->rect().adjusted(10, 10, -10, -10),
+        this->view->reportSide | Qt::AlignTop, this->view->Report());
     }
   }
 
@@ -286,7 +286,10 @@ QString VolumeView::Report()
   if (this->kind != MapperKind::Varimarch)
   {
     const QString mapper = this->kind == MapperKind::VtkGpu ? tr("VTK, GPU") : tr("VTK, CPU");
-    return tr("%1\n%2\nerror unknown").arg(mapper, time);
+    const bool cuts =
+      CanCutByScissors(this->kind) || this->model->CurrentScene().cuts.scissors.empty();
+    return cuts ? tr("%1\n%2\nerror unknown").arg(mapper, time)
+                : tr("%1\n%2\nerror unknown\nknows no scissors").arg(mapper, time);
   }
   const double tolerance = this->model->CurrentScene().render.errorTolerance;
   if (tolerance <= 0.0)
@@ -314,6 +317,12 @@ void VolumeView::SetTool(LeftButton button)
 void VolumeView::ShowCutHandles(bool shown)
 {
   this->tools.ShowCutHandles(shown);
+  this->overlay->update();
+}
+
+void VolumeView::SetReportSide(Qt::AlignmentFlag side)
+{
+  this->reportSide = side;
   this->overlay->update();
 }
 

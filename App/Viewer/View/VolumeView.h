@@ -53,6 +53,9 @@ public:
   /// What the left button does.
   void SetTool(LeftButton button);
 
+  /// In which upper corner the time and the error stand.
+  void SetReportSide(Qt::AlignmentFlag side);
+
   /// Whether cuts can be grabbed in the picture.
   void ShowCutHandles(bool shown);
 
@@ -93,6 +96,7 @@ private:
   vtkNew<vtkEventQtSlotConnect> events;
   std::optional<ScenePipeline> pipeline;
   OverlayWidget* overlay;
+  Qt::AlignmentFlag reportSide = Qt::AlignLeft;
   QTimer quickPicture; ///< while changes come
   QTimer finePicture;  ///< when none has come for a moment
   QElapsedTimer pictureTimer;
