@@ -6,6 +6,7 @@
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/Panels/SlabBar.h"
+#include "Viewer/Theme.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/VolumeView.h"
@@ -146,6 +147,8 @@ void MainWindow::MakeViewMenu()
       },
       QKeySequence(key));
   }
+  menu->addSeparator();
+  menu->addMenu(NewThemeMenu(this));
 }
 
 void MainWindow::MakeHelpMenu()

@@ -1,6 +1,7 @@
 // varimarch-viewer: opens a volume in a window.
 
 #include "Viewer/MainWindow.h"
+#include "Viewer/Theme.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -27,6 +28,7 @@ int main(int argumentCount, char** arguments)
     "A volume file, a folder with a DICOM series, or a saved session, to open.", "[volume]");
   parser.process(application);
 
+  varimarch::ApplyTheme(varimarch::ChosenTheme());
   varimarch::MainWindow window;
   window.show();
   if (!parser.positionalArguments().isEmpty())

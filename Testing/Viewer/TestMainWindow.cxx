@@ -4,8 +4,12 @@
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/VolumeView.h"
 
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -25,6 +29,13 @@ namespace
 {
 
 constexpr int MostMilliseconds = 60000;
+
+// To find a widget in a window.
+std::string Words(const QWidget* widget)
+{
+  const QVariant text = widget->property("text");
+  return (text.isValid() ? text.toString() : widget->accessibleName()).toStdString();
+}
 
 class Window : public testing::Test
 {
@@ -184,6 +195,58 @@ TEST_F(Window, ComparesWithVtk)
   EXPECT_EQ(this->View()->size(), alone);
 }
 
+TEST_F(Window, RefinesAPictureThatStays)
+{
+  this->View()->SetLongestRefinement(1e6); // however busy the machine is
+  this->OpenTorso();
+  QSignalSpy refined(this->View(), &VolumeView::Refined);
+  QSignalSpy drawn(this->View(), &VolumeView::Drawn);
+  ASSERT_TRUE(QTest::qWaitFor(
+    [&] { return !refined.isEmpty() && refined.last().first().toInt() == 8; }, MostMilliseconds));
+  drawn.clear();
+  // An edit begins anew, and a comparison is of single pictures.
+  this->Model()->Edit(ScenePart::Cuts, "cut", [](Scene& scene) { scene.cuts.box[2] = 0.3; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return drawn.count() == 2; }, MostMilliseconds));
+  refined.clear();
+  ASSERT_TRUE(refined.wait(MostMilliseconds));
+  EXPECT_EQ(refined.first().first().toInt(), 2);
+  this->View()->SetRefining(false);
+  refined.clear();
+  QTest::qWait(1000);
+  EXPECT_TRUE(refined.isEmpty());
+}
+
+// Where a window is no larger than the smallest that is promised, all can be read and reached.
+TEST_F(Window, FitsASmallScreen)
+{
+  this->OpenTorso();
+  this->window.resize(1280, 720);
+  for (const char* const name : { "look", "cuts", "measures" })
+  {
+    this->window.findChild<QDockWidget*>(name)->raise();
+    QTest::qWait(100);
+    EXPECT_EQ(this->window.size(), QSize(1280, 720)) << "the window had to grow for " << name;
+    int seen = 0;
+    for (QWidget* const widget : this->window.findChildren<QWidget*>())
+    {
+      const bool isToRead = qobject_cast<QLabel*>(widget) ||
+        qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) ||
+        qobject_cast<QAbstractSpinBox*>(widget);
+      const bool isOfQt = widget->inherits("QDockWidgetTitleButton");
+      if (!isToRead || isOfQt || !widget->isVisible() || widget->visibleRegion().isEmpty())
+      {
+        continue;
+      }
+      ++seen;
+      const std::string what = widget->metaObject()->className() + (' ' + Words(widget));
+      EXPECT_EQ(widget->visibleRegion().boundingRect().width(), widget->width()) << what;
+      EXPECT_GE(widget->width(), widget->minimumSizeHint().width()) << what;
+      EXPECT_GE(widget->height(), widget->minimumSizeHint().height()) << what;
+    }
+    EXPECT_GT(seen, 15);
+  }
+}
+
 TEST_F(Window, WipesBetweenOursAndVtks)
 {
   this->OpenTorso();
@@ -208,8 +271,8 @@ TEST_F(Window, WipesBetweenOursAndVtks)
   QWidget* const divider = view->childAt(view->width() / 2, 20);
   ASSERT_NE(divider, this->View());
   QTest::mousePress(divider, Qt::LeftButton, {}, divider->rect().center());
-  QMouseEvent move(QEvent::MouseMove, divider->rect().center() + QPoint(60, 0), Qt::NoButton,
-    Qt::LeftButton, {});
+  QMouseEvent move(
+    QEvent::MouseMove, divider->rect().center() + QPoint(60, 0), Qt::NoButton, Qt::LeftButton, {});
   QApplication::sendEvent(divider, &move);
   QTest::mouseRelease(divider, Qt::LeftButton);
   EXPECT_NEAR(leftEdgeOfTheirs(), view->width() / 2 + 60, 6);

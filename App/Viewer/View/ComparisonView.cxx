@@ -125,6 +125,7 @@ void ComparisonView::CompareWith(std::optional<MapperKind> kind)
   this->theirs = nullptr;
   this->lastDifference.reset();
   this->stillness.stop();
+  this->ours->SetRefining(!kind);
   if (kind)
   {
     this->theirs = new VolumeView(this->model, *kind, this->theirPart);
@@ -231,8 +232,11 @@ void ComparisonView::Compare()
 void ComparisonView::ShowDifference(vtkImageData* ourPicture, vtkImageData* theirPicture)
 {
   const QImage image = ImageOf(WithDifferenceScale(DifferencePicture(theirPicture, ourPicture)));
-  this->picture->setPixmap(QPixmap::fromImage(
-    image.scaled(this->picture->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+  const double ratio = this->devicePixelRatioF();
+  QPixmap pixmap = QPixmap::fromImage(
+    image.scaled(this->picture->size() * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  pixmap.setDevicePixelRatio(ratio);
+  this->picture->setPixmap(pixmap);
   this->numbers->setText(tr("RMSE %1, largest %2 of 255. Ours %3 ms, VTK's %4 ms.")
                            .arg(this->lastDifference->rootMeanSquare, 0, 'f', 2)
                            .arg(this->lastDifference->largest, 0, 'f', 1)

@@ -121,7 +121,12 @@ void SliceView::paintEvent(QPaintEvent*)
   {
     return;
   }
-  const SliceRequest request = this->Request();
+  // As fine as the screen.
+  SliceRequest request = this->Request();
+  const double ratio = this->devicePixelRatioF();
+  request.width = std::max(int(request.width * ratio), 1);
+  request.height = std::max(int(request.height * ratio), 1);
+  request.mmPerPixel /= ratio;
   const std::vector<std::uint8_t> pixels =
     SlicePicture(this->model->CurrentStudy()->volume.image, request);
   painter.drawImage(this->rect(),

@@ -4,6 +4,7 @@
 #include "Scene/SceneCamera.h"
 #include "Scene/ScenePicking.h"
 #include "Scene/WorldVector.h"
+#include "Viewer/View/PictureReport.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -29,6 +30,8 @@ namespace
 constexpr double PicturesPerSecondWhileMoving = 15.0;
 constexpr double PicturesPerSecondWhenStill = 0.01;
 constexpr int StillMilliseconds = 250;
+constexpr int RefinementMilliseconds = 100;
+constexpr int RefiningPictures = 8;
 
 bool IsAt(const CameraPose& pose, vtkCamera* camera)
 {
@@ -63,7 +66,9 @@ protected:
       this->view->tools.Paint(painter);
       painter.setPen(QColor(200, 200, 200));
       painter.drawText(this->rect().adjusted(10, 10, -10, -10),
-        this->view->reportSide | Qt::AlignTop, this->view->Report());
+        this->view->reportSide | Qt::AlignTop,
+        PictureReport(*this->view->pipeline, this->view->kind, this->view->model->CurrentScene(),
+          this->view->pictureSeconds));
     }
   }
 
@@ -183,6 +188,7 @@ void VolumeView::TakeVolume()
   }
   this->pipeline.emplace(
     this->model->CurrentScene(), this->model->CurrentStudy()->volume.image, this->kind);
+  this->TakeRefining();
   this->window->AddRenderer(this->pipeline->Renderer());
   this->texts =
     MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image);
@@ -198,6 +204,7 @@ void VolumeView::BeginTurning()
 {
   this->turning = NewGesture();
   this->isTurning = true;
+  this->refinement.stop();
 }
 
 void VolumeView::EndTurning()
@@ -227,6 +234,7 @@ void VolumeView::KeepCamera()
 
 void VolumeView::RequestPicture()
 {
+  this->refinement.stop();
   this->quickPicture.start();
   this->finePicture.start();
 }
@@ -252,6 +260,45 @@ void VolumeView::PrepareTimers()
         this->window->Render();
       });
   }
+  connect(&this->finePicture, &QTimer::timeout, &this->refinement, qOverload<>(&QTimer::start));
+  this->refinement.setSingleShot(true);
+  this->refinement.setInterval(RefinementMilliseconds);
+  connect(&this->refinement, &QTimer::timeout, this, &VolumeView::Refine);
+}
+
+void VolumeView::SetRefining(bool newRefines)
+{
+  this->refines = newRefines;
+  if (this->pipeline)
+  {
+    this->TakeRefining();
+    this->RequestPicture();
+  }
+}
+
+void VolumeView::TakeRefining()
+{
+  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline->Mapper()))
+  {
+    ours->SetMaximumAccumulatedPictures(this->refines ? RefiningPictures : 1);
+  }
+}
+
+void VolumeView::Refine()
+{
+  auto* const ours = this->pipeline
+    ? vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline->Mapper())
+    : nullptr;
+  if (!ours || this->isTurning || this->lastSeconds > this->longestRefinement ||
+    ours->GetAccumulatedPictures() >= ours->GetMaximumAccumulatedPictures())
+  {
+    return;
+  }
+  this->refining = true;
+  this->window->Render();
+  this->refining = false;
+  this->refinement.start();
+  emit this->Refined(ours->GetAccumulatedPictures());
 }
 
 vtkSmartPointer<vtkImageData> VolumeView::FloatPicture()
@@ -275,31 +322,13 @@ void VolumeView::EndPicture()
     return;
   }
   this->window->WaitForCompletion();
-  this->pictureSeconds = 1e-9 * double(this->pictureTimer.nsecsElapsed());
+  this->lastSeconds = 1e-9 * double(this->pictureTimer.nsecsElapsed());
   this->overlay->update();
-  emit this->Drawn();
-}
-
-QString VolumeView::Report()
-{
-  const QString time = tr("%1 ms").arg(1e3 * this->pictureSeconds, 0, 'f', 0);
-  if (this->kind != MapperKind::Varimarch)
+  if (!this->refining)
   {
-    const QString mapper = this->kind == MapperKind::VtkGpu ? tr("VTK, GPU") : tr("VTK, CPU");
-    const bool cuts =
-      CanCutByScissors(this->kind) || this->model->CurrentScene().cuts.scissors.empty();
-    return cuts ? tr("%1\n%2\nerror unknown").arg(mapper, time)
-                : tr("%1\n%2\nerror unknown\nknows no scissors").arg(mapper, time);
+    this->pictureSeconds = this->lastSeconds;
+    emit this->Drawn();
   }
-  const double tolerance = this->model->CurrentScene().render.errorTolerance;
-  if (tolerance <= 0.0)
-  {
-    return tr("%1\nerror not bounded").arg(time);
-  }
-  auto* const mapper = vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline->Mapper());
-  const QString error = tr("error at most 1/%1").arg(int(std::lround(1.0 / tolerance)));
-  return mapper->GetErrorToleranceIsKept() ? tr("%1\n%2").arg(time, error)
-                                           : tr("%1\n%2\nbut for single pixels").arg(time, error);
 }
 
 PictureFrame VolumeView::Frame() const

@@ -25,7 +25,7 @@ namespace varimarch
 
 /// The volume in three dimensions, as one mapper draws it. Listens to the model, and tells it where
 /// the user has turned the camera. However many changes come at once, one quick picture follows,
-/// and a fine one when they have ended.
+/// and a fine one when they have ended, which is then refined.
 class VolumeView
   : public QVTKOpenGLNativeWidget
   , public ToolSurface
@@ -53,6 +53,14 @@ public:
   /// What the left button does.
   void SetTool(LeftButton button);
 
+  /// Whether a picture that stays is refined while nothing else is to be done: ours becomes the
+  /// mean of several, of which each has its rays elsewhere in the pixels. Default on. Not while
+  /// pictures are compared, which is of one.
+  void SetRefining(bool refining);
+
+  /// Pictures that take longer are not refined, lest somebody waits for one. Default 0.5 s.
+  void SetLongestRefinement(double seconds) { this->longestRefinement = seconds; }
+
   /// In which upper corner the time and the error stand.
   void SetReportSide(Qt::AlignmentFlag side);
 
@@ -61,6 +69,7 @@ public:
 
 signals:
   void Drawn();
+  void Refined(int pictures); ///< that the picture is now the mean of
 
   /// The pointer is over something: where and what, for a status bar; empty over nothing.
   void Pointed(const QString& text);
@@ -85,10 +94,11 @@ private:
   void TakeCamera();
   void PrepareTimers();
   void RequestPicture();
+  void TakeRefining();
+  void Refine();
   Camera CurrentCamera() const;
   void Point(const QPointF& place);
   double Aspect() const;
-  QString Report();
 
   SceneModel* model;
   MapperKind kind;
@@ -99,8 +109,13 @@ private:
   Qt::AlignmentFlag reportSide = Qt::AlignLeft;
   QTimer quickPicture; ///< while changes come
   QTimer finePicture;  ///< when none has come for a moment
+  QTimer refinement;   ///< when the fine one is there, and nothing else is to be done
+  bool refines = true;
+  double longestRefinement = 0.5; ///< [s]
+  bool refining = false;          ///< the picture that is drawn now is one of several
   QElapsedTimer pictureTimer;
   double pictureSeconds = 0.0;
+  double lastSeconds = 0.0; ///< the same of the last picture, be it a refining one
   bool capturing = false;
   int turning = SceneModel::NoGesture; ///< the camera's gesture
   bool isTurning = false;

@@ -1,0 +1,56 @@
+#include "Viewer/View/PictureReport.h"
+
+#include <QCoreApplication>
+
+#include <vtkVariationFieldVolumeMapper.h>
+
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+struct Texts
+{
+  Q_DECLARE_TR_FUNCTIONS(PictureReport)
+};
+
+QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
+{
+  const QString mapper = kind == MapperKind::VtkGpu ? Texts::tr("VTK, GPU") : Texts::tr("VTK, CPU");
+  const bool cuts = CanCutByScissors(kind) || scene.cuts.scissors.empty();
+  return cuts ? Texts::tr("%1\n%2\nerror unknown").arg(mapper, time)
+              : Texts::tr("%1\n%2\nerror unknown\nknows no scissors").arg(mapper, time);
+}
+
+}
+
+QString PictureReport(ScenePipeline& pipeline, MapperKind kind, const Scene& scene, double seconds)
+{
+  const QString time = Texts::tr("%1 ms").arg(1e3 * seconds, 0, 'f', 0);
+  auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(pipeline.Mapper());
+  if (!ours)
+  {
+    return ReportOfVtk(kind, scene, time);
+  }
+  const double tolerance = scene.render.errorTolerance;
+  if (tolerance <= 0.0)
+  {
+    return Texts::tr("%1\nerror not bounded").arg(time);
+  }
+  QString report =
+    Texts::tr("%1\nerror at most 1/%2").arg(time).arg(int(std::lround(1.0 / tolerance)));
+  if (!ours->GetErrorToleranceIsKept())
+  {
+    report += Texts::tr("\nbut for single pixels");
+  }
+  if (ours->GetAccumulatedPictures() > 1)
+  {
+    report += Texts::tr("\nmean of %1 pictures").arg(ours->GetAccumulatedPictures());
+  }
+  return report;
+}
+
+}
