@@ -105,7 +105,8 @@ TEST(PictureAgainstReference, ATurnedVolumeOfAnotherTypeIsInTheSamePlace)
   image->SetSpacing(8.0, 9.0, 13.0);
   scene.render.sampleDistanceMm = 1.0;
   EXPECT_LT(ErrorOf(scene, image).rootMeanSquare, 0.3);
-  scene.cuts = { { 0.2, 1.0, 0.0, 0.7, 0.1, 0.9 }, { { MiddleOf(image), { 1.0, -2.0, 0.5 } } } };
+  scene.cuts = { { 0.2, 1.0, 0.0, 0.7, 0.1, 0.9 }, { { MiddleOf(image), { 1.0, -2.0, 0.5 } } },
+    {} };
   scene.render.sampleDistanceMm = 0.5;
   EXPECT_LT(ErrorOf(scene, image).rootMeanSquare, 0.15) << "with cuts";
 }
