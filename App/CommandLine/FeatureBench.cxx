@@ -44,7 +44,7 @@ public:
     this->mapper->SetInputDataObject(this->image);
     this->volume->SetUserTransform(worldFromImage);
     this->volume->SetMapper(this->mapper);
-    ApplyLook(InUnitsOfData(scene.look, image), this->volume->GetProperty());
+    ApplyLook(InUnitsOfData(scene.look, image), MeanSpacingMm(image), this->volume->GetProperty());
     this->renderer->AddVolume(this->volume);
     PlaceCamera(scene.camera, image->GetBounds(), double(scene.size[0]) / scene.size[1],
       this->renderer->GetActiveCamera());

@@ -1,6 +1,7 @@
 #include "Options.h"
 
 #include "Progress.h"
+#include "Scene/LookFiles.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneNames.h"
@@ -38,6 +39,14 @@ std::optional<std::array<int, count>> Sides(const std::string& text, int smalles
     position = next + 1;
   }
   return sides;
+}
+
+void RequireItsSurfaces(const Look& look)
+{
+  if (look.blend == Blend::Isosurface && look.isosurfaces.empty())
+  {
+    throw CLI::ValidationError("--blend", "isosurface needs a look that has isosurfaces");
+  }
 }
 
 template <std::size_t count>
@@ -195,7 +204,7 @@ void SceneOptions::AddLookOptions(CLI::App& command)
       .add_option("--preset", this->preset, "Look to use (default: ct-bone for CT, else mr-head)")
       ->check(NameValidator(PresetNames()))
       ->group(group);
-  command.add_option("--transfer-function", this->transferFunction, "Look from a JSON file")
+  command.add_option("--transfer-function", this->transferFunction, "Look from a file")
     ->type_name("FILE")
     ->excludes(presetOption)
     ->group(group);
@@ -272,11 +281,11 @@ void SceneOptions::AddSamplingOptions(CLI::App& command)
     ->group(group);
 }
 
-std::optional<Look> SceneOptions::ChosenLook() const
+std::optional<Look> SceneOptions::ChosenLook(vtkImageData* image) const
 {
   if (!this->transferFunction.empty())
   {
-    return ReadLook(this->transferFunction);
+    return ReadLookFile(this->transferFunction, ContextOf(image));
   }
   if (!this->preset.empty())
   {
@@ -295,6 +304,7 @@ void SceneOptions::Override(Scene& scene) const
   if (!this->blend.empty())
   {
     scene.look.blend = ValueOf(BlendNames(), this->blend);
+    RequireItsSurfaces(scene.look);
   }
   if (!this->size.empty())
   {
@@ -329,7 +339,6 @@ void SceneOptions::Override(Scene& scene) const
 
 std::pair<Scene, LoadedVolume> SceneOptions::Load(const std::string& input) const
 {
-  const std::optional<Look> chosenLook = this->ChosenLook();
   const bool isScene = IsSceneFile(input);
   if (isScene)
   {
@@ -341,7 +350,7 @@ std::pair<Scene, LoadedVolume> SceneOptions::Load(const std::string& input) cons
     scene.volume = this->volume.SourceOf(input);
   }
   LoadedVolume loaded = LoadVolumeReporting(scene.volume);
-  if (chosenLook)
+  if (const std::optional<Look> chosenLook = this->ChosenLook(loaded.image))
   {
     scene.look = *chosenLook;
   }
@@ -384,5 +393,4 @@ void AddRoundsOption(CLI::App& command, int& rounds)
     ->check(CLI::Range(1, 10000).description(""))
     ->type_name("N");
 }
-
 }

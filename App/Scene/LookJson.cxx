@@ -1,5 +1,6 @@
 #include "Scene/LookJson.h"
 
+#include "Scene/LookFormats/LookContext.h"
 #include "Scene/Presets.h"
 
 namespace varimarch
@@ -10,9 +11,6 @@ namespace
 
 constexpr NumberRange UnitInterval = { 0.0, 1.0 };
 constexpr NumberRange Positive = { 0.0, std::numeric_limits<double>::infinity(), true };
-// Curves are sampled into a table, so more nodes than this cannot be seen; it bounds the memory
-// that a damaged file can ask for.
-constexpr std::size_t MostNodes = 10000;
 
 NodeShape ShapeFromJson(const JsonCursor& json)
 {
@@ -46,7 +44,7 @@ template <class Node>
 std::vector<Node> NodesFromJson(const JsonCursor& json, Node (*nodeFromJson)(const JsonCursor&))
 {
   std::vector<Node> nodes;
-  for (const JsonCursor& element : json.Elements(1, MostNodes))
+  for (const JsonCursor& element : json.Elements(1, MostLookNodes))
   {
     nodes.push_back(nodeFromJson(element));
     if (nodes.size() > 1 && nodes.back().value < nodes[nodes.size() - 2].value)
@@ -80,12 +78,78 @@ Shading ShadingFromJson(const JsonCursor& json)
   return shading;
 }
 
+Isosurface IsosurfaceFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "value", "rgb", "opacity" });
+  const std::array<double, 3> rgb = json.At("rgb").Numbers<3>(UnitInterval);
+  Isosurface surface = { json.At("value").Number(), { rgb[0], rgb[1], rgb[2] } };
+  if (const auto opacity = json.Find("opacity"))
+  {
+    surface.opacity = opacity->Number(UnitInterval);
+  }
+  return surface;
+}
+
+std::array<double, 2> RangeFromJson(const JsonCursor& json)
+{
+  const std::array<double, 2> range = json.Numbers<2>();
+  if (range[0] > range[1])
+  {
+    json.Fail("expected the first value and then the last, found the last first");
+  }
+  return range;
+}
+
+void ReadTexts(const JsonCursor& json, Look& look)
+{
+  if (const auto name = json.Find("name"))
+  {
+    look.name = name->Text();
+  }
+  if (const auto description = json.Find("description"))
+  {
+    look.description = description->Text();
+  }
+}
+
+// The blending, and what only some kinds of it need.
+void ReadBlend(const JsonCursor& json, Look& look)
+{
+  if (const auto surfaces = json.Find("isosurfaces"))
+  {
+    look.isosurfaces = NodesFromJson(*surfaces, IsosurfaceFromJson);
+  }
+  if (const auto range = json.Find("averagedRange"))
+  {
+    look.averagedRange = RangeFromJson(*range);
+  }
+  if (const auto blend = json.Find("blend"))
+  {
+    look.blend = blend->Choice(BlendNames());
+    if (look.blend == Blend::Isosurface && look.isosurfaces.empty())
+    {
+      json.Fail("the blending \"isosurface\" expects the key \"isosurfaces\", found none");
+    }
+  }
+}
+
 nlohmann::ordered_json JsonWithShape(nlohmann::ordered_json json, const NodeShape& shape)
 {
   if (shape.midpoint != NodeShape().midpoint || shape.sharpness != NodeShape().sharpness)
   {
     json["midpoint"] = shape.midpoint;
     json["sharpness"] = shape.sharpness;
+  }
+  return json;
+}
+
+nlohmann::ordered_json JsonFromOpacities(const std::vector<OpacityNode>& nodes)
+{
+  nlohmann::ordered_json json;
+  for (const OpacityNode& node : nodes)
+  {
+    json.push_back(
+      JsonWithShape({ { "value", node.value }, { "opacity", node.opacity } }, node.shape));
   }
   return json;
 }
@@ -103,17 +167,11 @@ Look LookFromJson(const JsonCursor& json)
     }
     return Preset(name);
   }
-  json.RequireObject({ "name", "description", "domain", "colors", "opacities",
-    "opacityUnitDistance", "shading", "blend" });
+  json.RequireObject(
+    { "name", "description", "domain", "colors", "opacities", "opacityUnitDistance",
+      "gradientOpacities", "shading", "blend", "isosurfaces", "averagedRange" });
   Look look;
-  if (const auto name = json.Find("name"))
-  {
-    look.name = name->Text();
-  }
-  if (const auto description = json.Find("description"))
-  {
-    look.description = description->Text();
-  }
+  ReadTexts(json, look);
   if (const auto domain = json.Find("domain"))
   {
     look.domain = domain->Choice(DomainNames());
@@ -124,14 +182,15 @@ Look LookFromJson(const JsonCursor& json)
   {
     look.opacityUnitDistanceMm = distance->Number(Positive);
   }
+  if (const auto nodes = json.Find("gradientOpacities"))
+  {
+    look.gradientOpacities = NodesFromJson(*nodes, OpacityNodeFromJson);
+  }
   if (const auto shading = json.Find("shading"))
   {
     look.shading = ShadingFromJson(*shading);
   }
-  if (const auto blend = json.Find("blend"))
-  {
-    look.blend = blend->Choice(BlendNames());
-  }
+  ReadBlend(json, look);
   return look;
 }
 
@@ -146,16 +205,25 @@ nlohmann::ordered_json JsonFromLook(const Look& look)
     json["colors"].push_back(JsonWithShape(
       { { "value", node.value }, { "rgb", { node.rgb.r, node.rgb.g, node.rgb.b } } }, node.shape));
   }
-  for (const OpacityNode& node : look.opacities)
-  {
-    json["opacities"].push_back(
-      JsonWithShape({ { "value", node.value }, { "opacity", node.opacity } }, node.shape));
-  }
+  json["opacities"] = JsonFromOpacities(look.opacities);
   json["opacityUnitDistance"] = look.opacityUnitDistanceMm;
+  if (!look.gradientOpacities.empty())
+  {
+    json["gradientOpacities"] = JsonFromOpacities(look.gradientOpacities);
+  }
   json["shading"] = { { "enabled", look.shading.enabled }, { "ambient", look.shading.ambient },
     { "diffuse", look.shading.diffuse }, { "specular", look.shading.specular },
     { "specularPower", look.shading.specularPower } };
   json["blend"] = NameOf(BlendNames(), look.blend);
+  for (const Isosurface& surface : look.isosurfaces)
+  {
+    json["isosurfaces"].push_back({ { "value", surface.value },
+      { "rgb", { surface.rgb.r, surface.rgb.g, surface.rgb.b } }, { "opacity", surface.opacity } });
+  }
+  if (look.averagedRange)
+  {
+    json["averagedRange"] = *look.averagedRange;
+  }
   return json;
 }
 

@@ -100,6 +100,16 @@ std::string KeyOf(const ReferenceRequest& request)
   AddTransferFunction(digest, request.transferFunction);
   AddLight(digest, request.light);
   digest.Add(request.blend);
+  for (const double isovalue : request.isovalues)
+  {
+    digest.Add(isovalue);
+  }
+  digest.Add(request.averagedRange.has_value());
+  if (request.averagedRange)
+  {
+    digest.Add(request.averagedRange->lower);
+    digest.Add(request.averagedRange->upper);
+  }
   digest.Add(request.cutPlanesGrid.size());
   for (const glm::dvec4& plane : request.cutPlanesGrid)
   {

@@ -3,6 +3,7 @@
 #include "PropertyTransferFunction.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/ScenePipeline.h"
+#include "Scene/VolumeProperty.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
@@ -36,12 +37,28 @@ vtkDataArray* CheckedScalars(vtkImageData* image)
 
 std::optional<HeadLight> LightOf(const Shading& shading, Blend blend)
 {
-  if (!shading.enabled || blend != Blend::Composite)
+  if (!shading.enabled || (blend != Blend::Composite && blend != Blend::Isosurface))
   {
     return std::nullopt;
   }
   return HeadLight{ glm::dvec3(shading.ambient), glm::dvec3(shading.diffuse),
     glm::dvec3(shading.specular), shading.specularPower };
+}
+
+std::vector<double> IsovaluesOf(const Look& look)
+{
+  std::vector<double> isovalues;
+  for (const Isosurface& surface : look.isosurfaces)
+  {
+    isovalues.push_back(surface.value);
+  }
+  return isovalues;
+}
+
+std::optional<ValueRange> AveragedRangeOf(const Look& look)
+{
+  const auto& range = look.averagedRange;
+  return range ? std::optional(ValueRange{ (*range)[0], (*range)[1] }) : std::nullopt;
 }
 
 /// The rays of the pipeline's camera: those of its mapper too.
@@ -93,6 +110,8 @@ ReferenceScene SceneOf(const ReferenceRequest& request, const Scalar* voxels)
   double range[2];
   request.scalars->GetFiniteRange(range);
   scene.grayRange = { range[0], range[1] };
+  scene.averagedRange = request.averagedRange.value_or(scene.averagedRange);
+  scene.isovalues = request.isovalues;
   if (!request.cutPlanesGrid.empty())
   {
     scene.leftOf = [planes = request.cutPlanesGrid](const Ray& rayGrid, Interval inside)
@@ -135,10 +154,16 @@ ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, do
                                 "found cuts by scissors");
   }
   vtkDataArray* scalars = CheckedScalars(image);
+  if (!scene.look.gradientOpacities.empty())
+  {
+    throw std::invalid_argument("Reference picture: expected a look without gradient opacity");
+  }
   ScenePipeline pipeline(scene, image, MapperKind::Varimarch);
   const VolumeGeometry geometry = VolumeGeometryOf(image, pipeline.Volume());
   return { scalars, geometry, TransferFunctionOf(pipeline.Volume()->GetProperty()),
     LightOf(scene.look.shading, scene.look.blend), scene.look.blend,
+    IsovaluesOf(InUnitsOfData(scene.look, image)),
+    AveragedRangeOf(InUnitsOfData(scene.look, image)),
     PlanesInGrid(PlanesOf(scene.cuts, image), geometry),
     ViewOf(scene, pipeline.Renderer(), geometry), tolerance };
 }

@@ -24,12 +24,15 @@ struct ReferenceRequest
   TransferFunction transferFunction;
   std::optional<HeadLight> light; ///< none: unshaded
   Blend blend;
-  std::vector<glm::dvec4> cutPlanesGrid; ///< what lies on their positive sides is left
+  std::vector<double> isovalues;
+  std::optional<ValueRange> averagedRange; ///< none: all values
+  std::vector<glm::dvec4> cutPlanesGrid;   ///< what lies on their positive sides is left
   ReferenceView view;
   double tolerance;
 };
 
-/// @throws std::invalid_argument for a volume without scalars, or with several components
+/// @throws std::invalid_argument for a volume without scalars, or with several components, and for
+///         gradient opacity, which the reference does not know
 ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, double tolerance);
 
 /// @return nothing when `progress` gave up

@@ -64,6 +64,14 @@ struct Shading
   double specularPower = 16.0; ///< >= 1
 };
 
+/// Of the blending that draws surfaces of equal value.
+struct Isosurface
+{
+  double value;
+  glm::dvec3 rgb;       ///< [0, 1]
+  double opacity = 1.0; ///< of the surface, however thick what is behind it, [0, 1]
+};
+
 /// How values are seen: the transfer function and the light.
 struct Look
 {
@@ -73,8 +81,14 @@ struct Look
   std::vector<ColorNode> colors;      ///< sorted by value, at least one
   std::vector<OpacityNode> opacities; ///< sorted by value, at least one
   double opacityUnitDistanceMm = 1.0; ///< > 0
+  /// Factors of the opacity by the magnitude of the gradient [units of the value per mm], of a
+  /// composite; sorted by it, empty: the gradient has no say.
+  std::vector<OpacityNode> gradientOpacities;
   Shading shading;
   Blend blend = Blend::Composite;
+  std::vector<Isosurface> isosurfaces; ///< sorted by value, for that blending at least one
+  /// The first and the last value that counts in an average; empty: all do.
+  std::optional<std::array<double, 2>> averagedRange;
 };
 
 /// Where the eye is, in the patient's terms. World space is LPS: +x left, +y posterior,

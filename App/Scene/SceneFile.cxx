@@ -274,9 +274,4 @@ Scene ReadScene(const std::string& path)
   return scene;
 }
 
-Look ReadLook(const std::string& path)
-{
-  return LookFromJson(JsonCursor(ReadJson(path), path));
-}
-
 }

@@ -16,7 +16,6 @@ namespace varimarch
 
 /// Reads a scene; a relative path of its volume starts at the scene file's folder.
 Scene ReadScene(const std::string& path);
-Look ReadLook(const std::string& path);
 
 /// Keys that may be left out are always written, so that the text holds the whole scene.
 std::string SceneText(const Scene& scene);

@@ -44,7 +44,8 @@ const NameTable<Blend>& BlendNames()
 {
   static const NameTable<Blend> table = { { "composite", Blend::Composite },
     { "maximum", Blend::MaximumIntensity }, { "minimum", Blend::MinimumIntensity },
-    { "average", Blend::AverageIntensity }, { "additive", Blend::Additive } };
+    { "average", Blend::AverageIntensity }, { "additive", Blend::Additive },
+    { "isosurface", Blend::Isosurface } };
   return table;
 }
 

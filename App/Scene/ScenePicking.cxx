@@ -66,6 +66,48 @@ bool IsLeft(const glm::dvec3& pointWorld, const std::vector<CutPlane>& planes)
     { return glm::dot(VectorOf(plane.normal), pointWorld - VectorOf(plane.pointMm)) >= 0.0; });
 }
 
+// Of blends where it goes from front to back, the light along a ray.
+class RayLight
+{
+public:
+  explicit RayLight(const Look& look)
+    : look(look)
+    , function(look.colors, look.opacities, look.opacityUnitDistanceMm)
+  {
+  }
+
+  /// @param value  none: there is nothing here
+  bool HalfIsGoneAfter(std::optional<double> value, double stepMm)
+  {
+    if (value && this->look.blend == Blend::Composite)
+    {
+      this->opticalDepth += stepMm * this->function.Extinction(*value);
+    }
+    if (value && this->before && this->look.blend == Blend::Isosurface)
+    {
+      this->PassSurfaces(*this->before, *value);
+    }
+    this->before = value;
+    return this->opticalDepth >= std::log(2.0);
+  }
+
+private:
+  // What lies at the faces of the volume, or at cuts, is none.
+  void PassSurfaces(double from, double to)
+  {
+    for (const Isosurface& surface : this->look.isosurfaces)
+    {
+      const bool isPassed = (from >= surface.value) != (to >= surface.value);
+      this->opticalDepth -= isPassed ? std::log1p(-surface.opacity) : 0.0;
+    }
+  }
+
+  const Look& look;
+  TransferFunction function;
+  double opticalDepth = 0.0;
+  std::optional<double> before;
+};
+
 }
 
 std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData* image,
@@ -81,29 +123,22 @@ std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData*
   const double lengthMm = glm::distance(start, VectorOf(to));
 
   RayValues values(image, mask);
-  double opticalDepth = 0.0;
+  RayLight light(scene.look);
   double largestOpacity = 0.0;
   std::optional<std::array<double, 3>> seen;
   for (double t = 0.5 * stepMm; t < lengthMm; t += stepMm)
   {
     const glm::dvec3 point = start + t * direction;
-    const std::optional<double> value = values.At(point);
-    if (!value || !IsLeft(point, planes))
+    const std::optional<double> value =
+      IsLeft(point, planes) ? values.At(point) : std::optional<double>();
+    if (light.HalfIsGoneAfter(value, stepMm))
     {
-      continue;
+      return NumbersOf(point);
     }
-    if (scene.look.blend == Blend::Composite)
-    {
-      opticalDepth += stepMm * look.Extinction(*value);
-      if (opticalDepth >= std::log(2.0))
-      {
-        return std::array<double, 3>{ point.x, point.y, point.z };
-      }
-    }
-    else if (look.Opacity(*value) > largestOpacity)
+    if (value && IsProjection(scene.look.blend) && look.Opacity(*value) > largestOpacity)
     {
       largestOpacity = look.Opacity(*value);
-      seen = { point.x, point.y, point.z };
+      seen = NumbersOf(point);
     }
   }
   return seen;

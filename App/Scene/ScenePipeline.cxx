@@ -22,6 +22,8 @@ namespace varimarch
 namespace
 {
 
+constexpr std::array<double, 2> AllValues = { VTK_FLOAT_MIN, VTK_FLOAT_MAX };
+
 vtkSmartPointer<vtkVolumeMapper> NewMapper(MapperKind kind)
 {
   switch (kind)
@@ -79,6 +81,8 @@ int VtkBlendModeOf(Blend blend)
       return vtkVolumeMapper::AVERAGE_INTENSITY_BLEND;
     case Blend::Additive:
       return vtkVolumeMapper::ADDITIVE_BLEND;
+    case Blend::Isosurface:
+      return vtkVolumeMapper::ISOSURFACE_BLEND;
     default:
       return vtkVolumeMapper::COMPOSITE_BLEND;
   }
@@ -113,7 +117,8 @@ void Apply(const RenderOptions& options, vtkFixedPointVolumeRayCastMapper* mappe
 
 bool CanBlend(MapperKind kind, Blend blend)
 {
-  return kind != MapperKind::VtkCpu || blend != Blend::AverageIntensity;
+  return kind != MapperKind::VtkCpu ||
+    (blend != Blend::AverageIntensity && blend != Blend::Isosurface);
 }
 
 bool CanCutByScissors(MapperKind kind)
@@ -146,8 +151,11 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
 
 void ScenePipeline::SetLook(const Look& look)
 {
-  ApplyLook(InUnitsOfData(look, this->image), this->volume->GetProperty());
+  const Look resolved = InUnitsOfData(look, this->image);
+  ApplyLook(resolved, MeanSpacingMm(this->image), this->volume->GetProperty());
   this->mapper->SetBlendMode(VtkBlendModeOf(look.blend));
+  const auto averaged = resolved.averagedRange.value_or(AllValues);
+  this->mapper->SetAverageIPScalarRange(averaged[0], averaged[1]);
 }
 
 void ScenePipeline::SetCamera(const Camera& camera, double aspect)

@@ -15,7 +15,7 @@
 namespace varimarch
 {
 
-/// Whether a mapper can blend so: VTK's fixed-point mapper draws no average.
+/// Whether a mapper can blend so: VTK's fixed-point mapper draws no average and no isosurface.
 bool CanBlend(MapperKind kind, Blend blend);
 
 /// Whether a mapper draws what scissors leave: VTK's fixed-point mapper has no masks.

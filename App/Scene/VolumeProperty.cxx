@@ -3,12 +3,78 @@
 #include "Scene/ImageStatistics.h"
 
 #include <vtkColorTransferFunction.h>
-#include <vtkNew.h>
+#include <vtkContourValues.h>
+#include <vtkImageData.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkSmartPointer.h>
 #include <vtkVolumeProperty.h>
+
+#include <cmath>
 
 namespace varimarch
 {
+
+namespace
+{
+
+// In both, a second node at a value would replace the first without duplicates, and a step become
+// a ramp.
+vtkSmartPointer<vtkColorTransferFunction> ColorsOf(const std::vector<ColorNode>& nodes)
+{
+  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
+  colors->AllowDuplicateScalarsOn();
+  for (const ColorNode& node : nodes)
+  {
+    colors->AddRGBPoint(
+      node.value, node.rgb.r, node.rgb.g, node.rgb.b, node.shape.midpoint, node.shape.sharpness);
+  }
+  return colors;
+}
+
+vtkSmartPointer<vtkPiecewiseFunction> CurveOf(
+  const std::vector<OpacityNode>& nodes, double factorOfValues)
+{
+  auto curve = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  curve->AllowDuplicateScalarsOn();
+  for (const OpacityNode& node : nodes)
+  {
+    curve->AddPoint(
+      factorOfValues * node.value, node.opacity, node.shape.midpoint, node.shape.sharpness);
+  }
+  return curve;
+}
+
+// VTK asks the transfer function what a surface looks like.
+std::vector<ColorNode> ColorsOfSurfaces(const Look& look)
+{
+  std::vector<ColorNode> nodes;
+  for (const Isosurface& surface : look.isosurfaces)
+  {
+    nodes.push_back({ surface.value, surface.rgb });
+  }
+  return nodes;
+}
+
+std::vector<OpacityNode> OpacitiesOfSurfaces(const Look& look)
+{
+  std::vector<OpacityNode> nodes;
+  for (const Isosurface& surface : look.isosurfaces)
+  {
+    nodes.push_back({ surface.value, surface.opacity });
+  }
+  return nodes;
+}
+
+void ApplySurfaces(const std::vector<Isosurface>& surfaces, vtkVolumeProperty* property)
+{
+  property->GetIsoSurfaceValues()->SetNumberOfContours(int(surfaces.size()));
+  for (int i = 0; i < int(surfaces.size()); ++i)
+  {
+    property->GetIsoSurfaceValues()->SetValue(i, surfaces[i].value);
+  }
+}
+
+}
 
 Look InUnitsOfData(const Look& look, vtkImageData* image)
 {
@@ -25,35 +91,47 @@ Look InUnitsOfData(const Look& look, const ImageStatistics& statistics)
   const double one = statistics.Percentile(99.9);
   Look resolved = look;
   resolved.domain = Domain::Data;
+  const auto resolve = [=](double& value) { value = zero + value * (one - zero); };
   for (ColorNode& node : resolved.colors)
   {
-    node.value = zero + node.value * (one - zero);
+    resolve(node.value);
   }
   for (OpacityNode& node : resolved.opacities)
   {
-    node.value = zero + node.value * (one - zero);
+    resolve(node.value);
+  }
+  for (Isosurface& surface : resolved.isosurfaces)
+  {
+    resolve(surface.value);
+  }
+  if (resolved.averagedRange)
+  {
+    resolve((*resolved.averagedRange)[0]);
+    resolve((*resolved.averagedRange)[1]);
+  }
+  // A gradient is a difference of values.
+  for (OpacityNode& node : resolved.gradientOpacities)
+  {
+    node.value *= one - zero;
   }
   return resolved;
 }
 
-void ApplyLook(const Look& look, vtkVolumeProperty* property)
+double MeanSpacingMm(vtkImageData* image)
 {
-  // Without this a second node at a value would replace the first, and a step become a ramp.
-  vtkNew<vtkColorTransferFunction> colors;
-  colors->AllowDuplicateScalarsOn();
-  for (const ColorNode& node : look.colors)
-  {
-    colors->AddRGBPoint(
-      node.value, node.rgb.r, node.rgb.g, node.rgb.b, node.shape.midpoint, node.shape.sharpness);
-  }
-  vtkNew<vtkPiecewiseFunction> opacities;
-  opacities->AllowDuplicateScalarsOn();
-  for (const OpacityNode& node : look.opacities)
-  {
-    opacities->AddPoint(node.value, node.opacity, node.shape.midpoint, node.shape.sharpness);
-  }
-  property->SetColor(colors);
-  property->SetScalarOpacity(opacities);
+  const double* const spacing = image->GetSpacing();
+  return (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
+}
+
+void ApplyLook(const Look& look, double meanSpacingMm, vtkVolumeProperty* property)
+{
+  const bool surfaces = look.blend == Blend::Isosurface;
+  property->SetColor(ColorsOf(surfaces ? ColorsOfSurfaces(look) : look.colors));
+  property->SetScalarOpacity(CurveOf(surfaces ? OpacitiesOfSurfaces(look) : look.opacities, 1.0));
+  ApplySurfaces(look.isosurfaces, property);
+  property->SetGradientOpacity(look.gradientOpacities.empty()
+      ? vtkSmartPointer<vtkPiecewiseFunction>()
+      : CurveOf(look.gradientOpacities, meanSpacingMm));
   property->SetScalarOpacityUnitDistance(look.opacityUnitDistanceMm);
   property->SetInterpolationTypeToLinear();
   property->SetShade(look.shading.enabled);

@@ -16,8 +16,11 @@ class ImageStatistics;
 Look InUnitsOfData(const Look& look, vtkImageData* image);
 Look InUnitsOfData(const Look& look, const ImageStatistics& statistics);
 
-/// Gives a property the curves and coefficients of a look whose domain is Data.
-void ApplyLook(const Look& look, vtkVolumeProperty* property);
+/// Mean distance of neighbouring voxels [mm]. VTK measures gradients in units of the data per this.
+double MeanSpacingMm(vtkImageData* image);
+
+/// Gives a property the curves, surfaces and coefficients of a look whose domain is Data.
+void ApplyLook(const Look& look, double meanSpacingMm, vtkVolumeProperty* property);
 
 }
 

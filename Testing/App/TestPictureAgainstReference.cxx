@@ -57,6 +57,21 @@ ImageError ErrorAtDistance(Scene scene, double sampleDistanceMm)
 // The two share no formula: agreement to thousandths of a step of 8 bits leaves no room for a wrong
 // ray, voxel position, opacity correction or light.
 
+TEST(PictureAgainstReference, ShadedIsosurfacesHaveTheirOwnColoursAndOpacities)
+{
+  Scene scene = SceneOf(Blend::Isosurface, true);
+  scene.look.isosurfaces = { { 0.4, { 1.0, 0.5, 0.0 }, 0.25 }, { 0.7, { 0.0, 0.5, 1.0 }, 0.75 } };
+  EXPECT_LT(ErrorAtDistance(scene, 1.0).rootMeanSquare, 0.1);
+}
+
+// Every ray has values in the range: of one that only grazes it samples see nothing.
+TEST(PictureAgainstReference, AnAverageIsThatOfTheValuesInItsRange)
+{
+  Scene scene = SceneOf(Blend::AverageIntensity, false);
+  scene.look.averagedRange = { { -1.0, 0.6 } };
+  EXPECT_LT(ErrorAtDistance(scene, 0.02).rootMeanSquare, 0.1);
+}
+
 TEST(PictureAgainstReference, CompositeConvergesToTheIntegral)
 {
   const Scene scene = SceneOf(Blend::Composite, false);

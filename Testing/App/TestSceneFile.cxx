@@ -28,7 +28,10 @@ Scene UnusualScene()
   scene.look.opacities = { { 0.3, 0.0, {} }, { 1.0 / 3.0, 0.7, { 0.75, 1.0 } } };
   scene.look.opacityUnitDistanceMm = 3.0;
   scene.look.shading = { false, 0.3, 0.4, 0.5, 60.0 };
-  scene.look.blend = Blend::MaximumIntensity;
+  scene.look.blend = Blend::Isosurface;
+  scene.look.gradientOpacities = { { 0.5, 0.25, { 0.25, 0.5 } }, { 2.0, 1.0 } };
+  scene.look.isosurfaces = { { 0.5, { 0.1, 0.2, 0.3 }, 0.75 } };
+  scene.look.averagedRange = { { 0.125, 0.75 } };
   scene.camera = { View::Inferior, -12.5, 33.0, 1.75, true, 42.0,
     CameraPose{ { 1.0, -2.5, 3.0 }, { 4.0, 5.0, 6.0 }, { 0.0, 0.0, 1.0 }, 80.0 } };
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
@@ -63,7 +66,7 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   EXPECT_EQ(back.look.opacities[1].shape.midpoint, 0.75);
   EXPECT_EQ(back.look.colors[0].shape.sharpness, 0.5);
   EXPECT_EQ(back.look.domain, Domain::Relative);
-  EXPECT_EQ(back.look.blend, Blend::MaximumIntensity);
+  EXPECT_EQ(back.look.blend, Blend::Isosurface);
   EXPECT_EQ(back.camera.view, View::Inferior);
   EXPECT_TRUE(back.camera.parallel);
   ASSERT_TRUE(back.camera.pose);
@@ -102,6 +105,37 @@ TEST(SceneFile, KeepsWhatWasMeasuredAndCutByHand)
   EXPECT_EQ(back.boxes[0].fromMm, scene.boxes[0].fromMm);
   EXPECT_EQ(back.slices.slabBlend, SlabBlend::Mean);
   EXPECT_TRUE(back.cuts.scissors == scene.cuts.scissors);
+}
+
+TEST(SceneFile, WhatSomeLooksHaveReadsBackTheSame)
+{
+  const Scene scene = UnusualScene();
+  const Scene back = SceneFromText(SceneText(scene), "test");
+  ASSERT_EQ(back.look.gradientOpacities.size(), 2);
+  EXPECT_EQ(back.look.gradientOpacities[0].opacity, 0.25);
+  EXPECT_EQ(back.look.gradientOpacities[0].shape.midpoint, 0.25);
+  ASSERT_EQ(back.look.isosurfaces.size(), 1);
+  EXPECT_EQ(back.look.isosurfaces[0].value, 0.5);
+  EXPECT_EQ(back.look.isosurfaces[0].rgb, glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(back.look.isosurfaces[0].opacity, 0.75);
+  EXPECT_EQ(back.look.averagedRange, scene.look.averagedRange);
+}
+
+TEST(SceneFile, IsosurfacesAreNeededByTheirBlending)
+{
+  const std::string look = R"({ "colors": [ { "value": 0, "rgb": [1, 1, 1] } ],
+    "opacities": [ { "value": 0, "opacity": 1 } ], "blend": "isosurface" })";
+  try
+  {
+    LookFromText(look, "a.json");
+    FAIL();
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_STREQ(error.what(),
+      "a.json: the blending \"isosurface\" expects the key "
+      "\"isosurfaces\", found none");
+  }
 }
 
 TEST(SceneFile, WhatIsLeftOutIsTheDefault)

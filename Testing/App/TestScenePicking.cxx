@@ -64,6 +64,19 @@ TEST(PointSeen, IsWhereTheVolumeBecomesOpaque)
   EXPECT_EQ((*seen)[2], 2.0);
 }
 
+// Half of the light is gone at the second of the two.
+TEST(PointSeen, IsOnASurfaceOfEqualValue)
+{
+  Scene scene = WallAtThree();
+  scene.look.blend = Blend::Isosurface;
+  scene.look.isosurfaces = { { 3.0, { 1.0, 1.0, 1.0 }, 0.4 }, { 5.0, { 1.0, 1.0, 1.0 }, 0.4 } };
+  const auto seen = PointSeen(scene, Ramp(false), { -50.0, 1.0, 2.0 }, { 50.0, 1.0, 2.0 });
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR((*seen)[0], 5.0, StepMm);
+  scene.look.isosurfaces.pop_back();
+  EXPECT_FALSE(PointSeen(scene, Ramp(false), { -50.0, 1.0, 2.0 }, { 50.0, 1.0, 2.0 }));
+}
+
 TEST(PointSeen, FollowsTheDirectionOfTheImage)
 {
   const auto seen = PointSeen(WallAtThree(), Ramp(true), { 1.0, -50.0, 2.0 }, { 1.0, 50.0, 2.0 });

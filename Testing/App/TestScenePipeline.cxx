@@ -47,4 +47,31 @@ TEST(ScenePipeline, EveryMapperDrawsATurnedAndMirroredVolumeAlike)
   EXPECT_LT(RmseFromOurs(scene, turned, MapperKind::VtkCpu), 1.5 * expectedCpu);
 }
 
+// The ramp rises by 10 per voxel and 5 per mm, the voxels are 3 mm apart on the average.
+TEST(ScenePipeline, GradientOpacityIsPerMillimetreWhateverTheSpacing)
+{
+  vtkNew<vtkImageData> ramp;
+  ramp->SetDimensions(16, 16, 16);
+  ramp->SetSpacing(2.0, 3.0, 4.0);
+  ramp->AllocateScalars(VTK_SHORT, 1);
+  auto* values = static_cast<short*>(ramp->GetScalarPointer());
+  for (int i = 0; i < 16 * 16 * 16; ++i)
+  {
+    values[i] = short(10 * (i % 16));
+  }
+  Scene scene;
+  scene.look.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };
+  scene.look.opacities = { { 0.0, 0.5 } };
+  scene.look.shading.enabled = false;
+  scene.size = { 32, 32 };
+  const auto alphaAt = [&](double darkBelow)
+  {
+    scene.look.gradientOpacities = { { darkBelow, 0.0 }, { darkBelow, 1.0 } };
+    const auto picture = OffscreenView(scene, ramp, MapperKind::Varimarch).FloatImage();
+    return picture->GetScalarComponentAsDouble(16, 16, 0, 3);
+  };
+  EXPECT_GT(alphaAt(4.5), 0.9);
+  EXPECT_LT(alphaAt(5.5), 0.01);
+}
+
 }

@@ -1,9 +1,11 @@
 // Slicer's volume properties: what is written is read, what is dirty is cleaned, what is broken is
 // explained.
 
+#include "Scene/LookFormats/SlicerProperty.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
-#include "Scene/SlicerProperty.h"
+
+#include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +16,7 @@ using namespace varimarch;
 namespace
 {
 
+const LookContext Context = { -1000.0, 3000.0, 2.0 };
 const std::string Head = "1\n1\n0.9\n0.1\n0.2\n10\n";
 const std::string Tail = "4 0 1 255 1\n8 -100 0 0 0 300 1 0.5 0.25\n";
 
@@ -21,7 +24,7 @@ std::string ProblemOf(const std::string& text)
 {
   try
   {
-    LookFromSlicerText(text, "bone.vp");
+    LookFromSlicerText(text, "bone.vp", LookContext());
   }
   catch (const std::runtime_error& problem)
   {
@@ -34,7 +37,8 @@ std::string ProblemOf(const std::string& text)
 
 TEST(SlicerProperty, IsReadWithDiffuseBeforeAmbient)
 {
-  const Look look = LookFromSlicerText(Head + "4 150 0 1500 0.75\n" + Tail, "folder/bone.vp");
+  const Look look =
+    LookFromSlicerText(Head + "4 150 0 1500 0.75\n" + Tail, "folder/bone.vp", Context);
   EXPECT_EQ(look.name, "bone");
   EXPECT_EQ(look.domain, Domain::Data);
   EXPECT_TRUE(look.shading.enabled);
@@ -54,15 +58,41 @@ TEST(SlicerProperty, OfEveryCtPresetComesBackAsItWas)
   for (const std::string name : { "ct-bone", "ct-lung", "ct-soft-tissue", "ct-vessels" })
   {
     Look look = Preset(name);
-    const Look back = LookFromSlicerText(SlicerText(look), name + ".vp");
+    const Look back = LookFromSlicerText(SlicerText(look, Context), name + ".vp", Context);
     look.description.clear();
     EXPECT_EQ(LookText(back), LookText(look));
   }
 }
 
+// Theirs is per mean spacing, which is 2 mm here.
+TEST(SlicerProperty, HasGradientOpacityPerSpacing)
+{
+  const std::string text = Head + "2 150 0\n" + "4 20 0.1 80 1\n8 0 0 0 0 1 1 1 1\n";
+  const Look look = LookFromSlicerText(text, "x", Context);
+  ASSERT_EQ(look.gradientOpacities.size(), 2u);
+  EXPECT_EQ(look.gradientOpacities[0].value, 10.0);
+  EXPECT_EQ(look.gradientOpacities[0].opacity, 0.1);
+  EXPECT_NE(SlicerText(look, Context).find("\n4 20 0.1"), std::string::npos);
+}
+
+TEST(SlicerProperty, InJsonComesBackAsItWas)
+{
+  Look look = Preset("ct-bone");
+  look.description.clear();
+  look.gradientOpacities = { { 3.0, 0.25, { 0.25, 0.5 } }, { 40.0, 1.0 } };
+  look.opacities[1].shape = { 0.25, 0.75 };
+  look.colors[1].shape = { 0.75, 0.5 };
+  look.isosurfaces = { { 300.0, look.colors[1].rgb, look.opacities[1].opacity } };
+  const std::string text = SlicerJson(look, Context);
+  const Look back =
+    LookFromSlicerJson(nlohmann::json::parse(text), "folder/ct-bone.vp.json", Context);
+  EXPECT_EQ(LookText(back), LookText(look));
+}
+
 TEST(SlicerProperty, IsPutInOrderAndIntoItsRanges)
 {
-  const Look look = LookFromSlicerText(Head + "8 300 1.5 100 -1 200 0.25 200 0.75\n" + Tail, "x");
+  const Look look =
+    LookFromSlicerText(Head + "8 300 1.5 100 -1 200 0.25 200 0.75\n" + Tail, "x", Context);
   ASSERT_EQ(look.opacities.size(), 4u);
   EXPECT_EQ(look.opacities[0].value, 100.0);
   EXPECT_EQ(look.opacities[0].opacity, 0.0);

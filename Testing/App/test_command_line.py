@@ -99,13 +99,15 @@ def compare(folder):
 
 
 def compare_with_every_blend(folder):
-    """VTK's fixed-point mapper draws no average, and is left out there."""
-    for blend in ("maximum", "minimum", "average", "additive"):
+    (look := folder / "look.json").write_text('{"colors": [{"value": 0, "rgb": [1, 1, 1]}],'
+        '"opacities": [{"value": 0, "opacity": 1}], "isosurfaces": [{"value": 0.5, "rgb": [1, 1, 1]}]}')
+    for blend in ("maximum", "minimum", "average", "additive", "isosurface"):
+        function = ["--transfer-function", look] if blend == "isosurface" else ()
         run("compare", "procedural:marschner-lobb:24x24x24", "-o", folder, "--size", "40x30",
-            "--rounds", "1", "--blend", blend)
+            "--rounds", "1", "--blend", blend, *function)
         renderers = json.loads((folder / "compare.json").read_text())["renderers"]
-        names = ["ours", "vtk-gpu", "vtk-cpu"][:2 if blend == "average" else 3]
-        assert [row["renderer"] for row in renderers] == names, blend
+        count = 2 if blend in ("average", "isosurface") else 3  # not with VTK's fixed-point mapper
+        assert [row["renderer"] for row in renderers] == ["ours", "vtk-gpu", "vtk-cpu"][:count]
         assert 0 < renderers[0]["error255"]["rmse"] < 1, (blend, renderers)
 
 

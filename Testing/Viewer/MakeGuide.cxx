@@ -49,6 +49,17 @@ public:
     this->Take("viewer-first-picture");
   }
 
+  void SeeSurfaces()
+  {
+    Look look = this->Model()->CurrentScene().look;
+    look.blend = Blend::Isosurface;
+    look.isosurfaces = { { -300.0, { 0.87, 0.66, 0.53 }, 0.25 },
+      { 350.0, { 0.95, 0.90, 0.78 }, 1.0 } };
+    this->Model()->SetLook(look, "isosurfaces");
+    this->Take("viewer-surfaces");
+    this->Model()->History()->undo();
+  }
+
   void CutAway()
   {
     this->window.findChild<QDockWidget*>("cuts")->raise();
@@ -153,6 +164,7 @@ int main(int argumentCount, char** arguments)
   try
   {
     Guide guide(arguments[1], arguments[2]);
+    guide.SeeSurfaces();
     guide.CutAway();
     guide.CutOut();
     guide.MeasureDistance();

@@ -14,6 +14,8 @@ using namespace varimarch;
 namespace
 {
 
+constexpr double Ramp = 10.0;
+
 constexpr NodeId Point(int index)
 {
   return { NodeKind::Opacity, index };
@@ -53,7 +55,7 @@ void ExpectCurves(const Look& look)
 TEST(LookEditing, AnInsertedPointHasTheColorThatWasThere)
 {
   const Look look = SteppedLook();
-  const Insertion added = InsertPoint(look, 50.0, 0.9);
+  const Insertion added = InsertPoint(look, 50.0, 0.9, Ramp);
   EXPECT_EQ(added.node, Point(1));
   EXPECT_EQ(added.look.opacities[1].opacity, 0.9);
   ASSERT_EQ(added.look.colors.size(), look.colors.size() + 1);
@@ -64,9 +66,63 @@ TEST(LookEditing, AnInsertedPointHasTheColorThatWasThere)
   }
 }
 
+// Without it, all below the new point would be as opaque as that.
+TEST(LookEditing, APointBeyondADarkEndComesWithADarkOne)
+{
+  Look look = SteppedLook();
+  look.opacities.push_back({ 300.0, 0.0 });
+  const Insertion below = InsertPoint(look, -50.0, 0.5, Ramp);
+  EXPECT_EQ(below.node, Point(1));
+  EXPECT_EQ(below.look.opacities[0].value, -60.0);
+  for (const double dark : { -1000.0, -60.0, 301.0, 5000.0 })
+  {
+    EXPECT_EQ(FunctionOf(below.look).Opacity(dark), 0.0) << dark;
+  }
+  EXPECT_EQ(FunctionOf(below.look).Opacity(-50.0), 0.5);
+  const Insertion above = InsertPoint(look, 304.0, 0.5, Ramp);
+  EXPECT_EQ(above.node, Point(5));
+  EXPECT_EQ(above.look.opacities.back().value, 308.0) << "no farther than the end is away";
+  EXPECT_EQ(FunctionOf(above.look).Opacity(5000.0), 0.0);
+}
+
+TEST(LookEditing, APointThatLightsNothingDarkComesAlone)
+{
+  const Look look = SteppedLook(); // lit above its last point
+  EXPECT_EQ(InsertPoint(look, 250.0, 0.5, Ramp).look.opacities.size(), 5u);
+  EXPECT_EQ(InsertPoint(look, -50.0, 0.0, Ramp).look.opacities.size(), 5u);
+  EXPECT_EQ(InsertPoint(look, 50.0, 0.9, Ramp).look.opacities.size(), 5u);
+}
+
+TEST(LookEditing, OfIsosurfacesTheyAreTheNodes)
+{
+  Look look = WithSurface(SteppedLook());
+  look.blend = Blend::Isosurface;
+  ASSERT_EQ(AllNodes(look), (NodeSet{ { NodeKind::Surface, 0 } }));
+  EXPECT_EQ(look.isosurfaces[0].value, 100.0) << "where the curve is half as opaque as it gets";
+  const Insertion added = InsertPoint(look, 50.0, 0.25, Ramp);
+  EXPECT_EQ(added.node, (NodeId{ NodeKind::Surface, 0 }));
+  ASSERT_EQ(added.look.isosurfaces.size(), 2u);
+  EXPECT_EQ(added.look.isosurfaces[0].rgb, glm::dvec3(0.5, 0.0, 0.0));
+  const Look moved = MoveNodes(added.look, { added.node }, 70.0, 0.5);
+  EXPECT_EQ(moved.isosurfaces[0].value, 100.0) << "not past its neighbour";
+  EXPECT_EQ(moved.isosurfaces[0].opacity, 0.75);
+  EXPECT_EQ(SetColor(moved, added.node, { 0.0, 0.0, 1.0 }).isosurfaces[0].rgb.b, 1.0);
+  EXPECT_EQ(RemoveNodes(moved, AllNodes(moved)).isosurfaces.size(), 1u) << "one stays";
+  EXPECT_EQ(moved.opacities.size(), look.opacities.size());
+}
+
+TEST(LookEditing, ACurveWithoutColoursGetsNone)
+{
+  Look curve;
+  curve.opacities = { { 0.0, 0.0 }, { 10.0, 1.0 } };
+  const Insertion added = InsertPoint(curve, 5.0, 0.25, Ramp);
+  EXPECT_EQ(added.look.opacities.size(), 3u);
+  EXPECT_TRUE(added.look.colors.empty());
+}
+
 TEST(LookEditing, APointAtAColorStopTakesItForItsOwn)
 {
-  const Insertion added = InsertPoint(SteppedLook(), 150.0, 0.5);
+  const Insertion added = InsertPoint(SteppedLook(), 150.0, 0.5, Ramp);
   EXPECT_EQ(added.look.colors.size(), SteppedLook().colors.size());
   EXPECT_EQ(WithTied(added.look, { added.node }), (NodeSet{ added.node, Stop(3) }));
 }

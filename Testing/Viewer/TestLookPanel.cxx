@@ -6,13 +6,16 @@
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
+#include <QMenu>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include <gtest/gtest.h>
 
@@ -75,7 +78,7 @@ TEST_F(PanelOfAModel, EveryControlEditsTheModelInAStepOfItsOwn)
   EXPECT_EQ(this->Shown().shading.ambient, 0.5);
   this->Digits("unitDistance")->setValue(2.5);
   EXPECT_EQ(this->Shown().opacityUnitDistanceMm, 2.5);
-  this->Choose("blend", "maximum");
+  this->Choose("blend", "Maximum");
   EXPECT_EQ(this->Shown().blend, Blend::MaximumIntensity);
   QTest::keyClick(this->Find<QGroupBox>("shading"), Qt::Key_Space);
   EXPECT_FALSE(this->Shown().shading.enabled);
@@ -160,4 +163,95 @@ TEST_F(PanelOfAModel, ABadFileIsExplainedAndChangesNothing)
   EXPECT_TRUE(this->Find<QLabel>("problem")->text().contains("missing/mine"));
   EXPECT_EQ(LookText(this->Shown()), before);
   EXPECT_EQ(this->model.History()->count(), 0);
+}
+
+TEST_F(PanelOfAModel, ABlendingShowsOnlyTheNumbersThatItNeeds)
+{
+  EXPECT_TRUE(this->Find<QWidget>("unitDistance")->isVisible());
+  EXPECT_FALSE(this->Find<QWidget>("averagedRange")->isVisible());
+  this->Choose("blend", "Average");
+  EXPECT_FALSE(this->Find<QWidget>("unitDistance")->isVisible());
+  EXPECT_FALSE(this->Find<QWidget>("shading")->isVisible());
+  EXPECT_FALSE(this->Find<QWidget>("gradientOpacity")->isVisible());
+  ASSERT_TRUE(this->Find<QWidget>("averagedRange")->isVisible());
+  EXPECT_FALSE(this->Shown().averagedRange);
+  this->Find<QDoubleSpinBox>("averagedFirst")->setValue(-500.0);
+  ASSERT_TRUE(this->Shown().averagedRange);
+  EXPECT_EQ((*this->Shown().averagedRange)[0], -500.0);
+  this->model.History()->undo();
+  EXPECT_FALSE(this->Shown().averagedRange);
+}
+
+TEST_F(PanelOfAModel, IsosurfacesBeginWithOneAndGoWithTheirBlending)
+{
+  this->Choose("blend", "Isosurfaces");
+  EXPECT_EQ(this->Shown().blend, Blend::Isosurface);
+  EXPECT_EQ(this->Shown().isosurfaces.size(), 1u);
+  EXPECT_TRUE(this->Find<QWidget>("shading")->isVisible());
+  this->model.History()->undo();
+  EXPECT_TRUE(this->Shown().isosurfaces.empty());
+}
+
+TEST_F(PanelOfAModel, KindsOfLightAreChosenByNameAndKnownByTheirNumbers)
+{
+  auto* const lights = this->Find<QComboBox>("lights");
+  EXPECT_EQ(lights->currentText(), "In numbers");
+  this->Choose("lights", "Glossy");
+  EXPECT_EQ(this->Shown().shading.specularPower, 48.0);
+  EXPECT_EQ(this->Digits("Power")->value(), 48.0);
+  EXPECT_EQ(lights->findText("In numbers"), -1);
+  this->Choose("lights", "Flat: colours as they are");
+  EXPECT_FALSE(this->Shown().shading.enabled);
+  EXPECT_TRUE(lights->isEnabled()) << "the way back";
+  this->Choose("lights", "Soft");
+  EXPECT_TRUE(this->Find<QGroupBox>("shading")->isChecked());
+  this->Digits("Ambient")->setValue(0.5);
+  EXPECT_EQ(lights->currentText(), "In numbers");
+}
+
+TEST_F(PanelOfAModel, AColourMapIsPutOnTheCurveInOneStep)
+{
+  const std::vector<OpacityNode> before = this->Shown().opacities;
+  this->Find<QToolButton>("colorMaps")->menu()->actions().at(1)->trigger();
+  EXPECT_EQ(this->Shown().opacities.size(), before.size());
+  EXPECT_EQ(this->Shown().colors.front().value, before.front().value);
+  EXPECT_EQ(this->Shown().colors.back().value, before.back().value);
+  EXPECT_LT(this->Shown().colors.front().rgb.r, 0.01) << "cividis begins in dark blue";
+  EXPECT_EQ(this->model.History()->count(), 1);
+}
+
+TEST_F(PanelOfAModel, GradientOpacityIsInTheSceneOnlyWhileItIsOn)
+{
+  auto* const box = this->Find<QCheckBox>("gradientOpacity");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return box->isEnabled(); })) << "counted in a thread";
+  EXPECT_FALSE(this->Find<QWidget>("gradientEditor")->isVisible());
+  QTest::keyClick(box, Qt::Key_Space);
+  ASSERT_EQ(this->Shown().gradientOpacities.size(), 2u);
+  EXPECT_EQ(this->Shown().gradientOpacities[0].opacity, 0.0);
+  EXPECT_GT(this->Shown().gradientOpacities[0].value, 0.0);
+  auto* const editor = this->Find<TransferFunctionEditor>("gradientEditor");
+  EXPECT_TRUE(editor->isVisible());
+  EXPECT_TRUE(editor->Picture().statistics);
+  editor->Select({ { NodeKind::Opacity, 1 } });
+  QTest::keyClick(editor, Qt::Key_Down);
+  EXPECT_NEAR(this->Shown().gradientOpacities[1].opacity, 0.99, 1e-9);
+  const std::vector<OpacityNode> edited = this->Shown().gradientOpacities;
+  QTest::keyClick(box, Qt::Key_Space);
+  EXPECT_TRUE(this->Shown().gradientOpacities.empty());
+  QTest::keyClick(box, Qt::Key_Space);
+  ASSERT_EQ(this->Shown().gradientOpacities.size(), 2u);
+  EXPECT_EQ(this->Shown().gradientOpacities[1].opacity, edited[1].opacity) << "as it was left";
+  EXPECT_EQ(this->model.History()->count(), 4);
+}
+
+TEST_F(PanelOfAModel, FilesOfOtherProgramsAreReadInUnitsOfTheVolume)
+{
+  const QString path = this->folder.filePath("map.json");
+  std::ofstream(path.toStdString())
+    << R"([ { "Points": [0, 0, 0.5, 0, 1, 1, 0.5, 0,], "RGBPoints": [0, 0, 0, 0, 1, 1, 1, 1] } ])";
+  this->panel.Load(path);
+  const ImageStatistics& statistics = this->model.CurrentStudy()->statistics;
+  ASSERT_EQ(this->Shown().opacities.size(), 2u);
+  EXPECT_EQ(this->Shown().opacities[0].value, statistics.Smallest());
+  EXPECT_EQ(this->Shown().opacities[1].value, statistics.Largest());
 }

@@ -91,6 +91,41 @@ TEST_F(EditorOfAModel, ADragFromTheCurvePullsANewPointOutOfIt)
   EXPECT_EQ(this->Steps(), 1);
 }
 
+// The flat line below the first point; what is left of the pointer stays dark, in one step.
+TEST_F(EditorOfAModel, ADragFromTheDarkEndLightsOnlyWhereThePointIs)
+{
+  const QPoint onLine(int(this->Layout().axis.ToPixel(-300.0)), int(this->Layout().ToY(0.0)) - 1);
+  this->Drag(onLine, { 10, -60 });
+  ASSERT_EQ(this->Edited().opacities.size(), 6u);
+  const double value = this->Layout().axis.ToValue(onLine.x() + 10);
+  const double pixel = this->Layout().axis.ValuePerPixel();
+  EXPECT_EQ(this->Edited().opacities[0].opacity, 0.0);
+  EXPECT_NEAR(this->Edited().opacities[1].value, value, 1.5 * pixel);
+  EXPECT_NEAR(this->Edited().opacities[1].opacity, 60.0 / this->Layout().plot.height(), 0.01);
+  EXPECT_EQ(FunctionOf(this->Edited()).Opacity(-1000.0), 0.0);
+  EXPECT_EQ(this->editor.Picture().selected, (NodeSet{ { NodeKind::Opacity, 1 } }));
+  EXPECT_EQ(this->Steps(), 1);
+}
+
+TEST_F(EditorOfAModel, IsosurfacesAreAddedMovedAndRemoved)
+{
+  Look look = WithSurface(this->Edited());
+  look.blend = Blend::Isosurface;
+  this->model.SetLook(look, "isosurfaces");
+  QTest::mouseClick(&this->editor, Qt::LeftButton, {}, this->Empty());
+  ASSERT_EQ(this->Edited().isosurfaces.size(), 2u);
+  const double pixel = this->Layout().axis.ValuePerPixel();
+  EXPECT_NEAR(this->Edited().isosurfaces[1].value, 1000.0, pixel);
+  const QPoint at = this->Layout().PositionOf(this->Edited(), { NodeKind::Surface, 1 }).toPoint();
+  this->Drag(at, { 20, -30 });
+  EXPECT_NEAR(this->Edited().isosurfaces[1].value, 1000.0 + 20.0 * pixel, 2.0 * pixel);
+  EXPECT_GT(this->Edited().isosurfaces[1].opacity, 0.3);
+  QTest::keyClick(&this->editor, Qt::Key_Delete);
+  EXPECT_EQ(this->Edited().isosurfaces.size(), 1u);
+  EXPECT_EQ(this->Edited().opacities.size(), 4u) << "the curve rests";
+  EXPECT_EQ(this->Steps(), 4);
+}
+
 TEST_F(EditorOfAModel, DeleteRemovesWhatIsSelected)
 {
   QTest::mouseClick(&this->editor, Qt::LeftButton, {}, this->At(1));

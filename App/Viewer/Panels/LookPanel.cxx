@@ -1,29 +1,28 @@
 #include "Viewer/Panels/LookPanel.h"
 
-#include "Scene/OutputFile.h"
+#include "Scene/ColorMaps.h"
+#include "Scene/LookFiles.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
-#include "Scene/SceneNames.h"
-#include "Scene/SlicerProperty.h"
 #include "Scene/VolumeProperty.h"
-#include "Viewer/Model/Gesture.h"
-#include "Viewer/Panels/NumberSlider.h"
+#include "Viewer/Panels/BlendingForm.h"
+#include "Viewer/Panels/GradientOpacityBox.h"
+#include "Viewer/Panels/ShadingBox.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
 
 #include <QComboBox>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFormLayout>
-#include <QGroupBox>
+#include <QIcon>
+#include <QImage>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <exception>
-#include <stdexcept>
 
 namespace varimarch
 {
@@ -31,21 +30,41 @@ namespace varimarch
 namespace
 {
 
-bool IsSlicerProperty(const QString& path)
+QIcon PictureOf(const ColorMap& map)
 {
-  return QFileInfo(path).suffix().compare("vp", Qt::CaseInsensitive) == 0;
+  constexpr int Width = 96;
+  constexpr int Height = 16;
+  const TransferFunction function(map.nodes, {}, 1.0);
+  QImage image(Width, Height, QImage::Format_RGB32);
+  for (int x = 0; x < Width; ++x)
+  {
+    for (int y = 0; y < Height; ++y)
+    {
+      image.setPixelColor(x, y, QColorOf(function.Color((x + 0.5) / Width)));
+    }
+  }
+  return QPixmap::fromImage(image);
 }
 
-Look ReadSlicerProperty(const QString& path)
+// "Looks (*.json);;3D Slicer volume properties (*.vp.json);; ...", for a file dialog.
+QString FileFilter(bool toWrite)
 {
-  constexpr qint64 MostBytes = 4 << 20;
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly))
+  QStringList all;
+  QStringList lines;
+  for (const LookFileFormat& format : LookFileFormats())
   {
-    throw std::runtime_error(
-      "Cannot read " + path.toStdString() + ": " + file.errorString().toStdString());
+    if (format.canBeWritten || !toWrite)
+    {
+      const QString pattern = "*" + QString::fromStdString(format.extension);
+      all += pattern;
+      lines += QStringLiteral("%1 (%2)").arg(QString::fromStdString(format.description), pattern);
+    }
   }
-  return LookFromSlicerText(file.read(MostBytes).toStdString(), path.toStdString());
+  if (!toWrite)
+  {
+    lines.prepend(LookPanel::tr("All looks (%1)").arg(all.join(' ')));
+  }
+  return lines.join(";;");
 }
 
 }
@@ -58,8 +77,9 @@ LookPanel::LookPanel(SceneModel* model, QWidget* parent)
   auto* const column = new QVBoxLayout(this);
   this->MakePresets(column);
   this->MakeEditor(column);
-  this->MakeBlending(column);
-  this->MakeShading(column);
+  column->addWidget(new BlendingForm(model));
+  column->addWidget(new GradientOpacityBox(model));
+  column->addWidget(new ShadingBox(model));
   this->setEnabled(false);
   connect(model, &SceneModel::Changed, this, &LookPanel::Update);
 }
@@ -108,6 +128,7 @@ void LookPanel::MakeEditor(QVBoxLayout* column)
   auto* const tools = new QToolBar;
   tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
   tools->addActions(this->editor->ViewActions());
+  tools->addWidget(this->MakeColorMaps());
   column->addWidget(tools);
   column->addWidget(this->editor, 1);
   connect(this->editor, &TransferFunctionEditor::LookEdited, this,
@@ -115,77 +136,28 @@ void LookPanel::MakeEditor(QVBoxLayout* column)
     { this->model->SetLook(look, name, gesture); });
 }
 
-void LookPanel::MakeBlending(QVBoxLayout* column)
+QToolButton* LookPanel::MakeColorMaps()
 {
-  auto* const form = new QFormLayout;
-  this->blend = new QComboBox;
-  this->blend->setObjectName("blend");
-  for (const std::string& name : NamesOf(BlendNames()))
+  auto* const button = new QToolButton;
+  button->setObjectName("colorMaps");
+  button->setText(tr("Colours"));
+  button->setToolTip(tr("Colours for all kinds of colour vision, over the curve as it is"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* const menu = new QMenu(button);
+  for (const ColorMap& map : ColorMaps())
   {
-    this->blend->addItem(QString::fromStdString(name));
+    const QString name = QString::fromStdString(map.name);
+    menu->addAction(PictureOf(map), name, this,
+      [this, &map, name]
+      {
+        const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
+        this->model->SetLook(WithColorMap(this->model->CurrentScene().look, map,
+                               statistics.Smallest(), statistics.Largest()),
+          tr("colours of %1").arg(name));
+      });
   }
-  connect(this->blend, QOverload<int>::of(&QComboBox::activated), this,
-    [this](int index)
-    {
-      this->EditLook(tr("blending"), SceneModel::NoGesture,
-        [index](Look& look) { look.blend = BlendNames()[index].second; });
-    });
-  form->addRow(tr("Blending"), this->blend);
-
-  this->unitDistance = new NumberSlider(0.01, 100.0, NumberSlider::Scale::Logarithmic);
-  this->unitDistance->setObjectName("unitDistance");
-  this->unitDistance->SetSuffix(tr(" mm"));
-  this->unitDistance->setToolTip(tr("The thickness of material that has the curve's opacities"));
-  connect(this->unitDistance, &NumberSlider::Edited, this,
-    [this](double millimetres, int gesture)
-    {
-      this->EditLook(tr("opacity distance"), gesture,
-        [=](Look& look) { look.opacityUnitDistanceMm = millimetres; });
-    });
-  form->addRow(tr("Opacity per"), this->unitDistance);
-  column->addLayout(form);
-}
-
-void LookPanel::MakeShading(QVBoxLayout* column)
-{
-  this->shading = new QGroupBox(tr("Shading"));
-  this->shading->setObjectName("shading");
-  this->shading->setCheckable(true);
-  connect(this->shading, &QGroupBox::clicked, this,
-    [this](bool on)
-    {
-      this->EditLook(
-        tr("shading"), SceneModel::NoGesture, [on](Look& look) { look.shading.enabled = on; });
-    });
-  this->coefficients = new QFormLayout(this->shading);
-  using Scale = NumberSlider::Scale;
-  this->AddCoefficient(tr("Ambient"), &Shading::ambient, new NumberSlider(0, 1, Scale::Linear));
-  this->AddCoefficient(tr("Diffuse"), &Shading::diffuse, new NumberSlider(0, 1, Scale::Linear));
-  this->AddCoefficient(tr("Specular"), &Shading::specular, new NumberSlider(0, 1, Scale::Linear));
-  this->AddCoefficient(
-    tr("Power"), &Shading::specularPower, new NumberSlider(1, 1000, Scale::Logarithmic));
-  column->addWidget(this->shading);
-}
-
-void LookPanel::AddCoefficient(
-  const QString& name, double Shading::*coefficient, NumberSlider* slider)
-{
-  slider->setObjectName(name);
-  connect(slider, &NumberSlider::Edited, this,
-    [=](double number, int gesture)
-    {
-      this->EditLook(
-        name.toLower(), gesture, [=](Look& look) { look.shading.*coefficient = number; });
-    });
-  this->coefficients->addRow(name, slider);
-  this->sliders.emplace_back(slider, coefficient);
-}
-
-void LookPanel::EditLook(const QString& name, int gesture, const std::function<void(Look&)>& change)
-{
-  Look changed = this->model->CurrentScene().look;
-  change(changed);
-  this->model->SetLook(changed, name, gesture);
+  button->setMenu(menu);
+  return button;
 }
 
 void LookPanel::Update(ScenePart part)
@@ -204,13 +176,6 @@ void LookPanel::Update(ScenePart part)
     this->editor->SetStatistics({ study, &study->statistics });
   }
   this->ShowPreset();
-  this->blend->setCurrentText(QString::fromStdString(NameOf(BlendNames(), look.blend)));
-  this->unitDistance->SetNumber(look.opacityUnitDistanceMm);
-  this->shading->setChecked(look.shading.enabled);
-  for (const auto& [slider, coefficient] : this->sliders)
-  {
-    slider->SetNumber(look.shading.*coefficient);
-  }
 }
 
 // The list shows a preset only while the look is still what the preset says; else a row of its own,
@@ -239,8 +204,7 @@ void LookPanel::ShowPreset()
 
 void LookPanel::ChooseFileToLoad()
 {
-  const QString path = QFileDialog::getOpenFileName(
-    this, tr("Load a look"), {}, tr("Looks (*.json);;3D Slicer volume properties (*.vp)"));
+  const QString path = QFileDialog::getOpenFileName(this, tr("Load a look"), {}, FileFilter(false));
   if (!path.isEmpty())
   {
     this->Load(path);
@@ -249,11 +213,13 @@ void LookPanel::ChooseFileToLoad()
 
 void LookPanel::ChooseFileToSave()
 {
-  const QString path = QFileDialog::getSaveFileName(
-    this, tr("Save the look"), {}, tr("Looks (*.json);;3D Slicer volume properties (*.vp)"));
+  QString filter;
+  const QString path =
+    QFileDialog::getSaveFileName(this, tr("Save the look"), {}, FileFilter(true), &filter);
   if (!path.isEmpty())
   {
-    this->Save(QFileInfo(path).suffix().isEmpty() ? path + ".json" : path);
+    const QString ending = filter.section("(*", 1).chopped(1);
+    this->Save(QFileInfo(path).suffix().isEmpty() ? path + ending : path);
   }
 }
 
@@ -262,22 +228,22 @@ void LookPanel::Load(const QString& path)
   this->Attempt(
     [&]
     {
-      const Look look =
-        IsSlicerProperty(path) ? ReadSlicerProperty(path) : ReadLook(path.toStdString());
+      const Look look = ReadLookFile(path.toStdString(), this->FileContext());
       this->model->SetLook(look, tr("load %1").arg(QFileInfo(path).fileName()));
     });
 }
 
 void LookPanel::Save(const QString& path)
 {
-  this->Attempt(
-    [&]
-    {
-      Look look = this->model->CurrentScene().look;
-      look.name = QFileInfo(path).completeBaseName().toStdString();
-      WriteFileWhole(
-        path.toStdString(), IsSlicerProperty(path) ? SlicerText(look) : LookText(look));
-    });
+  this->Attempt([&]
+    { WriteLookFile(this->model->CurrentScene().look, path.toStdString(), this->FileContext()); });
+}
+
+LookContext LookPanel::FileContext() const
+{
+  LookContext context = ContextOf(this->model->CurrentStudy()->volume.image);
+  context.opacities = this->model->CurrentScene().look.opacities;
+  return context;
 }
 
 void LookPanel::Attempt(const std::function<void()>& action)

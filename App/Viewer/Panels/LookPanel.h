@@ -1,24 +1,21 @@
 #ifndef Varimarch_Viewer_LookPanel_h
 #define Varimarch_Viewer_LookPanel_h
 
+#include "Scene/LookFormats/LookContext.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <QWidget>
 
 #include <functional>
-#include <utility>
-#include <vector>
 
 class QComboBox;
-class QFormLayout;
-class QGroupBox;
 class QLabel;
+class QToolButton;
 class QVBoxLayout;
 
 namespace varimarch
 {
 
-class NumberSlider;
 class TransferFunctionEditor;
 
 /// How the values of the volume are seen: transfer function, light, blending, presets and files of
@@ -39,25 +36,18 @@ public:
 private:
   void MakePresets(QVBoxLayout* column);
   void MakeEditor(QVBoxLayout* column);
-  void MakeBlending(QVBoxLayout* column);
-  void MakeShading(QVBoxLayout* column);
-  void AddCoefficient(const QString& name, double Shading::*coefficient, NumberSlider* slider);
+  QToolButton* MakeColorMaps();
   void ChooseFileToLoad();
   void ChooseFileToSave();
   void Update(ScenePart part);
   void ShowPreset();
-  void EditLook(const QString& name, int gesture, const std::function<void(Look&)>& change);
+  LookContext FileContext() const;
   void Attempt(const std::function<void()>& action);
 
   SceneModel* model;
   QComboBox* presets;
   QLabel* problem; ///< of the last file; hidden when there was none
   TransferFunctionEditor* editor;
-  QComboBox* blend;
-  NumberSlider* unitDistance;
-  QGroupBox* shading;
-  QFormLayout* coefficients;
-  std::vector<std::pair<NumberSlider*, double Shading::*>> sliders;
 };
 
 }

@@ -51,8 +51,8 @@ void TransferFunctionEditor::MakeEditActions()
         this->OpenPopover(*this->picture.selected.begin());
       }
     });
-  connect(this->AddAction(tr("Colour…"), Qt::Key_C), &QAction::triggered, this,
-    &TransferFunctionEditor::ChooseColor);
+  this->chooseColor = this->AddAction(tr("Colour…"), Qt::Key_C);
+  connect(this->chooseColor, &QAction::triggered, this, &TransferFunctionEditor::ChooseColor);
   connect(this->AddAction(tr("Delete"), Qt::Key_Delete), &QAction::triggered, this,
     &TransferFunctionEditor::DeleteSelected);
   connect(this->AddAction(tr("Add a point after the selected one"), Qt::Key_Insert),
@@ -99,7 +99,7 @@ void TransferFunctionEditor::MakeScaleActions()
       this->update();
     });
   QAction* const low = this->AddAction(tr("Enlarge low opacities"), Qt::Key_O);
-  low->setIconText(tr("Low opacities"));
+  low->setIconText(tr("Low"));
   low->setCheckable(true);
   connect(low, &QAction::toggled, this,
     [this](bool on)
@@ -179,7 +179,7 @@ void TransferFunctionEditor::Nudge(const QKeyEvent& event)
 {
   if (this->picture.selected.empty())
   {
-    this->Focus({ NodeKind::Opacity, 0 });
+    this->Focus(*AllNodes(this->picture.look).begin());
     return;
   }
   this->keyGesture = event.isAutoRepeat() ? this->keyGesture : NewGesture();
@@ -245,33 +245,40 @@ void TransferFunctionEditor::DeleteSelected()
 void TransferFunctionEditor::AddBesideSelected()
 {
   // Half way to the next point, or where the axis is at its middle.
-  const std::vector<OpacityNode>& points = this->picture.look.opacities;
+  std::vector<double> values;
+  for (const NodeId& node : AllNodes(this->picture.look))
+  {
+    if (node.kind != NodeKind::Color)
+    {
+      values.push_back(ValueOf(this->picture.look, node));
+    }
+  }
   const ValueAxis& axis = this->picture.layout.axis;
   double value = axis.Rounded(0.5 * (axis.First() + axis.Last()), 1.0);
   if (!this->picture.selected.empty())
   {
     const double selected = ValueOf(this->picture.look, *this->picture.selected.begin());
-    const auto next = std::find_if(points.begin(), points.end(),
-      [&](const OpacityNode& point) { return point.value > selected; });
-    value = next != points.end() ? 0.5 * (selected + next->value) : value;
+    const auto next = std::upper_bound(values.begin(), values.end(), selected);
+    value = next != values.end() ? 0.5 * (selected + *next) : value;
   }
+  const bool surface = this->picture.look.blend == Blend::Isosurface;
+  const double opacity = surface ? 1.0 : FunctionOf(this->picture.look).Opacity(value);
   const Insertion added =
-    InsertPoint(this->picture.look, value, FunctionOf(this->picture.look).Opacity(value));
+    InsertPoint(this->picture.look, value, opacity, this->picture.layout.LongestRamp());
   this->Add(added, tr("add point"), NewGesture());
   this->Focus(added.node);
 }
 
 void TransferFunctionEditor::ChooseColor()
 {
-  if (this->picture.selected.empty())
+  if (this->picture.selected.empty() || !this->picture.layout.hasColors)
   {
     return;
   }
   const NodeSet nodes = this->picture.selected;
   const Look before = this->picture.look;
   const int gesture = NewGesture();
-  const double value = ValueOf(before, *nodes.begin());
-  auto* const dialog = new QColorDialog(QColorOf(FunctionOf(before).Color(value)), this);
+  auto* const dialog = new QColorDialog(QColorOf(ColorOf(before, *nodes.begin())), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setOption(QColorDialog::DontUseNativeDialog);
   connect(dialog, &QColorDialog::currentColorChanged, this,
@@ -337,7 +344,7 @@ void TransferFunctionEditor::contextMenuEvent(QContextMenuEvent* event)
         const EditorLayout& layout = this->picture.layout;
         this->Add(
           InsertPoint(this->picture.look, layout.axis.Rounded(layout.axis.ToValue(at.x()), 1.0),
-            layout.ToOpacity(at.y())),
+            layout.ToOpacity(at.y()), layout.LongestRamp()),
           tr("add point"), NewGesture());
       });
     menu->addSeparator();

@@ -24,14 +24,16 @@ void EditorLayout::Resize(const QSizeF& size, const QFontMetricsF& font)
   const double left = Margin + font.horizontalAdvance("0.05") + 6.0;
   const double right = size.width() - Margin;
   const double ticksHeight = font.height() + 8.0;
-  const double below = BarHeight + StopHeight + ticksHeight + 4.0;
+  const double barHeight = this->hasColors ? BarHeight : 0.0;
+  const double stopHeight = this->hasColors ? StopHeight : 0.0;
+  const double below = barHeight + stopHeight + ticksHeight + 4.0;
   this->reading = QRectF(left, 0.0, right - left, font.height() + 2.0);
   const double top = this->reading.bottom() + Margin;
   this->plot =
     QRectF(left, top, std::max(right - left, 1.0), std::max(size.height() - top - below, 1.0));
   this->ticks = QRectF(left, this->plot.bottom(), this->plot.width(), ticksHeight);
-  this->colorBar = QRectF(left, this->ticks.bottom(), this->plot.width(), BarHeight);
-  this->stops = QRectF(left, this->colorBar.bottom(), this->plot.width(), StopHeight);
+  this->colorBar = QRectF(left, this->ticks.bottom(), this->plot.width(), barHeight);
+  this->stops = QRectF(left, this->colorBar.bottom(), this->plot.width(), stopHeight);
   this->axis.SetPixels(this->plot.left(), this->plot.right());
 }
 
@@ -51,7 +53,7 @@ QPointF EditorLayout::PositionOf(const Look& look, const NodeId& node) const
 {
   const double x = this->axis.ToPixel(ValueOf(look, node));
   return node.kind == NodeKind::Color ? QPointF(x, this->stops.top() + 0.5 * StopHeight)
-                                      : QPointF(x, this->ToY(look.opacities[node.index].opacity));
+                                      : QPointF(x, this->ToY(OpacityOf(look, node)));
 }
 
 std::optional<NodeId> EditorLayout::NodeAt(
@@ -71,20 +73,20 @@ std::optional<NodeId> EditorLayout::NodeAt(
       least = distance;
     }
   };
-  for (int i = 0; i < int(look.opacities.size()); ++i)
+  for (const NodeId& node : AllNodes(look))
   {
-    consider({ NodeKind::Opacity, i });
-  }
-  for (int i = 0; i < int(look.colors.size()); ++i)
-  {
-    consider({ NodeKind::Color, i });
+    consider(node);
   }
   return nearest;
 }
 
-bool EditorLayout::IsOnCurve(const TransferFunction& function, const QPointF& position) const
+bool EditorLayout::IsOnCurve(const Look& look, const QPointF& position) const
 {
-  const double y = this->ToY(function.Opacity(this->axis.ToValue(position.x())));
+  if (look.blend == Blend::Isosurface)
+  {
+    return false;
+  }
+  const double y = this->ToY(FunctionOf(look).Opacity(this->axis.ToValue(position.x())));
   return this->plot.contains(position) && std::abs(position.y() - y) <= CurveReach;
 }
 

@@ -24,15 +24,18 @@ struct EditorLayout
   /// [0, 1], also beyond the plot.
   double ToOpacity(double y) const;
 
-  /// The middle of a point of the curve, or of a stop below the colour bar.
+  /// The middle of a point of the curve or of a surface, or of a stop below the colour bar.
   QPointF PositionOf(const Look& look, const NodeId& node) const;
 
   /// The node that a pointer here means: the nearest within reach, of equals the preferred one.
   std::optional<NodeId> NodeAt(
     const Look& look, const QPointF& position, const NodeSet& preferred) const;
 
-  /// Whether a pointer here means the curve between its nodes.
-  bool IsOnCurve(const TransferFunction& function, const QPointF& position) const;
+  /// Whether a pointer here means the curve between its nodes; there is none of isosurfaces.
+  bool IsOnCurve(const Look& look, const QPointF& position) const;
+
+  /// From a new point to a dark one that it comes with, at most [units of the data].
+  double LongestRamp() const { return 0.05 * (this->axis.Last() - this->axis.First()); }
 
   QRectF reading;
   QRectF plot;
@@ -40,6 +43,7 @@ struct EditorLayout
   QRectF stops;
   QRectF ticks;
   ValueAxis axis;
+  bool hasColors = true;             ///< else there is no bar
   bool lowOpacitiesEnlarged = false; ///< the height is the root of the opacity
 };
 

@@ -87,7 +87,7 @@ void EditorMouse::PressNode(const NodeId& node, bool toggles)
     : this->horizontal             ? TransferFunctionEditor::tr("move colour")
                                    : TransferFunctionEditor::tr("move point");
   this->Grab(selected, ValueOf(this->atPress, node),
-    this->horizontal ? 0.0 : this->atPress.opacities[node.index].opacity);
+    this->horizontal ? 0.0 : OpacityOf(this->atPress, node));
 }
 
 void EditorMouse::PressWholeCurve()
@@ -128,7 +128,7 @@ void EditorMouse::Move(const QMouseEvent& event)
   {
     (std::abs(way.x()) < std::abs(way.y()) ? way.rx() : way.ry()) = 0.0;
   }
-  if (this->drag == Drag::Nodes)
+  if (this->drag == Drag::Nodes || this->drag == Drag::NewPoint)
   {
     this->MoveNodes(way, fine);
   }
@@ -148,7 +148,7 @@ void EditorMouse::BeginFromEmpty()
 {
   const EditorPicture& picture = this->editor->Picture();
   const bool inPlot = picture.layout.plot.contains(this->pressed);
-  if (inPlot && !picture.layout.IsOnCurve(FunctionOf(picture.look), this->pressed))
+  if (inPlot && !picture.layout.IsOnCurve(picture.look, this->pressed))
   {
     this->drag = Drag::RubberBand;
   }
@@ -157,7 +157,8 @@ void EditorMouse::BeginFromEmpty()
     const NodeId added = *picture.selected.begin();
     this->horizontal = added.kind == NodeKind::Color;
     this->Grab({ added }, ValueOf(picture.look, added),
-      this->horizontal ? 0.0 : picture.look.opacities[added.index].opacity);
+      this->horizontal ? 0.0 : OpacityOf(picture.look, added));
+    this->drag = inPlot ? Drag::NewPoint : Drag::Nodes;
   }
 }
 
@@ -170,10 +171,12 @@ bool EditorMouse::AddAt(const QPointF& position)
   {
     const double opacity = RoundedOpacity(layout.ToOpacity(position.y()));
     this->name = TransferFunctionEditor::tr("add point");
-    this->editor->Add(InsertPoint(this->atPress, value, opacity), this->name, this->gesture);
+    this->editor->Add(
+      InsertPoint(this->atPress, value, opacity, layout.LongestRamp()), this->name, this->gesture);
     return true;
   }
-  if (layout.colorBar.united(layout.stops).contains(position))
+  if (this->atPress.blend != Blend::Isosurface &&
+    layout.colorBar.united(layout.stops).contains(position))
   {
     this->name = TransferFunctionEditor::tr("add colour");
     this->editor->Add(InsertColor(this->atPress, value), this->name, this->gesture);
@@ -196,6 +199,16 @@ void EditorMouse::MoveNodes(const QPointF& way, bool fine)
   {
     const double y = layout.ToY(this->anchorOpacity) + way.y();
     opacityShift = RoundedOpacity(layout.ToOpacity(y)) - this->anchorOpacity;
+  }
+  if (this->drag == Drag::NewPoint)
+  {
+    // Added anew at every place: what it comes with depends on where it is.
+    const double value =
+      WithinNeighbors(this->atPress, this->anchorValue, this->anchorValue + valueShift);
+    this->editor->Add(
+      InsertPoint(this->atPress, value, this->anchorOpacity + opacityShift, layout.LongestRamp()),
+      this->name, this->gesture);
+    return;
   }
   this->editor->Edit(varimarch::MoveNodes(this->base, this->grabbed, valueShift, opacityShift),
     this->name, this->gesture);
@@ -238,7 +251,8 @@ void EditorMouse::Release(const QMouseEvent& event)
 
 void EditorMouse::Cancel()
 {
-  const bool changesLook = this->drag == Drag::Nodes && this->moved;
+  const bool changesLook =
+    (this->drag == Drag::Nodes || this->drag == Drag::NewPoint) && this->moved;
   this->drag = Drag::None;
   this->editor->ShowRubberBand({});
   if (changesLook)

@@ -38,6 +38,7 @@ private:
     None,
     Begun, ///< on an empty place: a click, or the beginning of a drag
     Nodes,
+    NewPoint, ///< pulled out of the curve
     Axis,
     RubberBand,
   };

@@ -68,25 +68,17 @@ void EditorPainter::Paint()
   this->painter->setClipRect(this->layout.plot);
   this->PaintHistogram();
   this->painter->restore();
-  this->PaintColors();
+  if (this->picture.look.blend != Blend::Isosurface)
+  {
+    this->PaintColors();
+    this->painter->save();
+    this->painter->setClipRect(this->layout.plot.adjusted(0.0, -2.0, 0.0, 2.0));
+    this->PaintCurve();
+    this->painter->restore();
+    this->PaintTies();
+  }
   this->PaintTicks();
-  this->painter->save();
-  this->painter->setClipRect(this->layout.plot.adjusted(0.0, -2.0, 0.0, 2.0));
-  this->PaintCurve();
-  this->painter->restore();
-  this->PaintTies();
-  // Points at the ends of the axis are seen whole.
-  this->painter->setClipRect(QRectF(this->layout.plot.topLeft(), this->layout.stops.bottomRight())
-                               .adjusted(-8.0, -9.0, 8.0, 4.0));
-  for (int i = 0; i < int(this->picture.look.colors.size()); ++i)
-  {
-    this->PaintStop(i);
-  }
-  for (int i = 0; i < int(this->picture.look.opacities.size()); ++i)
-  {
-    this->PaintPoint(i);
-  }
-  this->painter->setClipping(false);
+  this->PaintNodes();
   if (!this->picture.rubberBand.isNull())
   {
     QColor fill = this->palette.color(QPalette::Highlight);
@@ -96,6 +88,27 @@ void EditorPainter::Paint()
     this->painter->drawRect(this->picture.rubberBand);
   }
   this->PaintReading();
+}
+
+void EditorPainter::PaintNodes()
+{
+  // Points at the ends of the axis are seen whole.
+  this->painter->setClipRect(QRectF(this->layout.plot.topLeft(), this->layout.stops.bottomRight())
+                               .adjusted(-8.0, -9.0, 8.0, 4.0));
+  const NodeSet nodes = AllNodes(this->picture.look);
+  // What lies above is painted later.
+  for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+  {
+    if (node->kind == NodeKind::Color)
+    {
+      this->PaintStop(*node);
+    }
+    else
+    {
+      this->PaintPoint(*node);
+    }
+  }
+  this->painter->setClipping(false);
 }
 
 QColor EditorPainter::Ink(double strength) const
@@ -195,10 +208,13 @@ void EditorPainter::PaintColors()
     below.lineTo(x, this->layout.ToY(this->function.Opacity(value)));
   }
   below.lineTo(bar.right(), this->layout.plot.bottom());
-  this->painter->drawImage(bar, colors);
-  this->painter->setPen(QPen(this->Ink(0.3), 1.0));
-  this->painter->setBrush(Qt::NoBrush);
-  this->painter->drawRect(bar);
+  if (this->layout.hasColors)
+  {
+    this->painter->drawImage(bar, colors);
+    this->painter->setPen(QPen(this->Ink(0.3), 1.0));
+    this->painter->setBrush(Qt::NoBrush);
+    this->painter->drawRect(bar);
+  }
 
   this->painter->save();
   this->painter->setClipPath(below);
@@ -257,21 +273,23 @@ QPen EditorPainter::OutlineOf(const NodeId& node) const
     : QPen(this->Ink(0.9), 1.5);
 }
 
-void EditorPainter::PaintPoint(int index)
+void EditorPainter::PaintPoint(const NodeId& node)
 {
-  const NodeId node{ NodeKind::Opacity, index };
   const QPointF at = this->layout.PositionOf(this->picture.look, node);
-  // A step has a colour on either side.
-  const double value = ValueOf(this->picture.look, node);
-  glm::dvec3 color = this->function.Color(value);
-  for (const NodeId& tied : WithTied(this->picture.look, { node }))
+  const QColor color = QColorOf(ColorOf(this->picture.look, node));
+  if (node.kind == NodeKind::Surface)
   {
-    color = tied.kind == NodeKind::Color ? this->picture.look.colors[tied.index].rgb : color;
+    // A post, as high as the surface is opaque.
+    const QPointF foot(at.x(), this->layout.plot.bottom());
+    this->painter->setPen(QPen(this->Ink(0.9), 5.0));
+    this->painter->drawLine(at, foot);
+    this->painter->setPen(QPen(color, 3.0));
+    this->painter->drawLine(at, foot);
   }
   this->painter->setPen(QPen(this->palette.color(QPalette::Base), 5.0));
   this->painter->drawEllipse(at, PointRadius, PointRadius);
   this->painter->setPen(this->OutlineOf(node));
-  this->painter->setBrush(QColorOf(color));
+  this->painter->setBrush(color);
   this->painter->drawEllipse(at, PointRadius, PointRadius);
   if (this->picture.focused == node)
   {
@@ -281,9 +299,8 @@ void EditorPainter::PaintPoint(int index)
   }
 }
 
-void EditorPainter::PaintStop(int index)
+void EditorPainter::PaintStop(const NodeId& node)
 {
-  const NodeId node{ NodeKind::Color, index };
   const double x = this->layout.PositionOf(this->picture.look, node).x();
   const double top = this->layout.stops.top() + 1.0;
   const QPolygonF marker({ { x, top }, { x + 5.0, top + 5.0 }, { x + 5.0, top + 12.0 },
@@ -291,7 +308,7 @@ void EditorPainter::PaintStop(int index)
   QPen outline = this->OutlineOf(node);
   outline.setWidthF(this->picture.selected.count(node) > 0 ? 2.5 : 1.0);
   this->painter->setPen(outline);
-  this->painter->setBrush(QColorOf(this->picture.look.colors[index].rgb));
+  this->painter->setBrush(QColorOf(this->picture.look.colors[node.index].rgb));
   this->painter->drawPolygon(marker);
   if (this->picture.focused == node)
   {

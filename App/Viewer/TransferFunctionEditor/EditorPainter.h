@@ -48,8 +48,9 @@ private:
   void PaintColors();
   void PaintCurve();
   void PaintTies();
-  void PaintPoint(int index);
-  void PaintStop(int index);
+  void PaintNodes();
+  void PaintPoint(const NodeId& node);
+  void PaintStop(const NodeId& node);
   void PaintReading();
 
   QColor Ink(double strength) const;

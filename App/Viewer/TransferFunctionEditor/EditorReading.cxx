@@ -62,10 +62,13 @@ QString ReadingAt(const EditorPicture& picture, const QPointF& position)
     picture.layout.NodeAt(picture.look, position, picture.selected);
   const double value =
     node ? ValueOf(picture.look, *node) : picture.layout.axis.ToValue(position.x());
-  const double opacity = node && node->kind == NodeKind::Opacity
-    ? picture.look.opacities[node->index].opacity
-    : FunctionOf(picture.look).Opacity(value);
-  QStringList parts{ ValueText(picture, value), OpacityText(opacity) };
+  const bool ofNode = node && node->kind != NodeKind::Color;
+  QStringList parts{ ValueText(picture, value) };
+  if (ofNode || picture.look.blend != Blend::Isosurface)
+  {
+    parts.append(OpacityText(
+      ofNode ? OpacityOf(picture.look, *node) : FunctionOf(picture.look).Opacity(value)));
+  }
   if (picture.statistics)
   {
     parts.append(CountsText(picture, value));
@@ -81,7 +84,14 @@ QString DescriptionOf(const EditorPicture& picture, const NodeId& node)
     return Translated("point %1 of %2, %3, %4")
       .arg(node.index + 1)
       .arg(picture.look.opacities.size())
-      .arg(value, OpacityText(picture.look.opacities[node.index].opacity));
+      .arg(value, OpacityText(OpacityOf(picture.look, node)));
+  }
+  if (node.kind == NodeKind::Surface)
+  {
+    return Translated("surface %1 of %2, %3, %4")
+      .arg(node.index + 1)
+      .arg(picture.look.isosurfaces.size())
+      .arg(value, OpacityText(OpacityOf(picture.look, node)));
   }
   return Translated("colour %1 of %2, %3")
     .arg(node.index + 1)

@@ -1,5 +1,7 @@
 #include "Viewer/TransferFunctionEditor/LookEditing.h"
 
+#include "Viewer/TransferFunctionEditor/NodeIndices.h"
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -19,15 +21,6 @@ struct Limits
   double high = Infinity;
 };
 
-template <class Node>
-std::pair<int, int> IndicesAt(const std::vector<Node>& nodes, double value)
-{
-  const auto below = [](const Node& node, double limit) { return node.value < limit; };
-  const auto above = [](double limit, const Node& node) { return limit < node.value; };
-  return { int(std::lower_bound(nodes.begin(), nodes.end(), value, below) - nodes.begin()),
-    int(std::upper_bound(nodes.begin(), nodes.end(), value, above) - nodes.begin()) };
-}
-
 /// The opacity node that a colour node is tied to, or -1.
 int OwnerOfColor(const Look& look, int color)
 {
@@ -41,13 +34,34 @@ int OwnerOfColor(const Look& look, int color)
   return std::min(firstOpacity + color - firstColor, endOfOpacities - 1);
 }
 
+// Of a look that may be changed or not.
+template <class LookType>
+auto& ValueIn(LookType& look, const NodeId& node)
+{
+  switch (node.kind)
+  {
+    case NodeKind::Opacity:
+      return look.opacities[node.index].value;
+    case NodeKind::Color:
+      return look.colors[node.index].value;
+    default:
+      return look.isosurfaces[node.index].value;
+  }
+}
+
+template <class LookType>
+auto& OpacityIn(LookType& look, const NodeId& node)
+{
+  return node.kind == NodeKind::Surface ? look.isosurfaces[node.index].opacity
+                                        : look.opacities[node.index].opacity;
+}
+
 template <class Change>
 void ChangeValues(Look& look, const NodeSet& nodes, const Change& change)
 {
   for (const NodeId& node : nodes)
   {
-    double& value = node.kind == NodeKind::Opacity ? look.opacities[node.index].value
-                                                   : look.colors[node.index].value;
+    double& value = ValueIn(look, node);
     value = change(value);
   }
 }
@@ -90,32 +104,8 @@ std::map<double, Limits> LimitsOf(const Look& look, const NodeSet& moving)
   std::map<double, Limits> limits;
   NarrowLimits(look.opacities, NodeKind::Opacity, moving, limits);
   NarrowLimits(look.colors, NodeKind::Color, moving, limits);
+  NarrowLimits(look.isosurfaces, NodeKind::Surface, moving, limits);
   return limits;
-}
-
-/// Inserts a node into the curve. A segment that is not straight keeps its bend where it was, on
-/// one side of the new node.
-template <class Node>
-int InsertNode(std::vector<Node>& nodes, Node inserted)
-{
-  const int index = IndicesAt(nodes, inserted.value).second;
-  if (index > 0 && index < int(nodes.size()))
-  {
-    Node& left = nodes[index - 1];
-    const double right = nodes[index].value;
-    const NodeShape straight;
-    const NodeShape shape = left.shape;
-    if (shape.midpoint != straight.midpoint || shape.sharpness != straight.sharpness)
-    {
-      const double halfWay = HalfWayValue(left.value, right, shape);
-      Node& bent = halfWay < inserted.value ? left : inserted;
-      const double end = halfWay < inserted.value ? inserted.value : right;
-      left.shape = straight;
-      bent.shape = { (halfWay - bent.value) / (end - bent.value), shape.sharpness };
-    }
-  }
-  nodes.insert(nodes.begin() + index, inserted);
-  return index;
 }
 
 template <class Node>
@@ -129,7 +119,7 @@ void EraseNodes(std::vector<Node>& nodes, NodeKind kind, const NodeSet& removed)
       left.push_back(nodes[i]);
     }
   }
-  if (left.empty())
+  if (left.empty() && !nodes.empty())
   {
     left.push_back(nodes.front());
   }
@@ -149,29 +139,53 @@ bool SameNodes(const std::vector<Node>& a, const std::vector<Node>& b, SameOrdin
 
 }
 
-bool Exists(const Look& look, const NodeId& node)
-{
-  const std::size_t count =
-    node.kind == NodeKind::Opacity ? look.opacities.size() : look.colors.size();
-  return node.index >= 0 && node.index < int(count);
-}
-
 double ValueOf(const Look& look, const NodeId& node)
 {
-  return node.kind == NodeKind::Opacity ? look.opacities[node.index].value
-                                        : look.colors[node.index].value;
+  return ValueIn(look, node);
+}
+
+double OpacityOf(const Look& look, const NodeId& node)
+{
+  return OpacityIn(look, node);
+}
+
+glm::dvec3 ColorOf(const Look& look, const NodeId& node)
+{
+  if (node.kind == NodeKind::Surface)
+  {
+    return look.isosurfaces[node.index].rgb;
+  }
+  // A step has a colour on either side.
+  glm::dvec3 rgb = FunctionOf(look).Color(ValueOf(look, node));
+  for (const NodeId& tied : WithTied(look, { node }))
+  {
+    rgb = tied.kind == NodeKind::Color ? look.colors[tied.index].rgb : rgb;
+  }
+  return rgb;
 }
 
 NodeShape ShapeOf(const Look& look, const NodeId& node)
 {
-  return node.kind == NodeKind::Opacity ? look.opacities[node.index].shape
-                                        : look.colors[node.index].shape;
+  switch (node.kind)
+  {
+    case NodeKind::Opacity:
+      return look.opacities[node.index].shape;
+    case NodeKind::Color:
+      return look.colors[node.index].shape;
+    default:
+      return {};
+  }
 }
 
 bool SameCurves(const Look& a, const Look& b)
 {
-  return SameNodes(a.opacities, b.opacities,
-           [](const OpacityNode& x, const OpacityNode& y) { return x.opacity == y.opacity; }) &&
+  const bool sameSurfaces = std::equal(a.isosurfaces.begin(), a.isosurfaces.end(),
+    b.isosurfaces.begin(), b.isosurfaces.end(),
+    [](const Isosurface& x, const Isosurface& y)
+    { return x.value == y.value && x.rgb == y.rgb && x.opacity == y.opacity; });
+  return sameSurfaces && (a.blend == Blend::Isosurface) == (b.blend == Blend::Isosurface) &&
+    SameNodes(a.opacities, b.opacities,
+      [](const OpacityNode& x, const OpacityNode& y) { return x.opacity == y.opacity; }) &&
     SameNodes(
       a.colors, b.colors, [](const ColorNode& x, const ColorNode& y) { return x.rgb == y.rgb; });
 }
@@ -184,14 +198,20 @@ TransferFunction FunctionOf(const Look& look)
 NodeSet AllNodes(const Look& look)
 {
   NodeSet nodes;
-  for (int i = 0; i < int(look.opacities.size()); ++i)
+  const auto add = [&](NodeKind kind, std::size_t count)
   {
-    nodes.insert({ NodeKind::Opacity, i });
-  }
-  for (int i = 0; i < int(look.colors.size()); ++i)
+    for (int i = 0; i < int(count); ++i)
+    {
+      nodes.insert({ kind, i });
+    }
+  };
+  if (look.blend == Blend::Isosurface)
   {
-    nodes.insert({ NodeKind::Color, i });
+    add(NodeKind::Surface, look.isosurfaces.size());
+    return nodes;
   }
+  add(NodeKind::Opacity, look.opacities.size());
+  add(NodeKind::Color, look.colors.size());
   return nodes;
 }
 
@@ -215,22 +235,6 @@ NodeSet WithTied(const Look& look, const NodeSet& nodes)
   return tied;
 }
 
-Insertion InsertPoint(const Look& look, double value, double opacity)
-{
-  const auto [firstColor, endOfColors] = IndicesAt(look.colors, value);
-  Look changed = firstColor == endOfColors ? InsertColor(look, value).look : look;
-  const int index =
-    InsertNode(changed.opacities, OpacityNode{ value, std::clamp(opacity, 0.0, 1.0) });
-  return { changed, { NodeKind::Opacity, index } };
-}
-
-Insertion InsertColor(const Look& look, double value)
-{
-  Look changed = look;
-  const int index = InsertNode(changed.colors, ColorNode{ value, FunctionOf(look).Color(value) });
-  return { changed, { NodeKind::Color, index } };
-}
-
 Look MoveNodes(const Look& look, const NodeSet& nodes, double valueShift, double opacityShift)
 {
   Look changed = look;
@@ -246,9 +250,9 @@ Look MoveNodes(const Look& look, const NodeSet& nodes, double valueShift, double
     [&](double value) { return std::clamp(value + shift, limits[value].low, limits[value].high); });
   for (const NodeId& node : nodes)
   {
-    if (node.kind == NodeKind::Opacity)
+    if (node.kind != NodeKind::Color)
     {
-      double& opacity = changed.opacities[node.index].opacity;
+      double& opacity = OpacityIn(changed, node);
       opacity = std::clamp(opacity + opacityShift, 0.0, 1.0);
     }
   }
@@ -268,6 +272,7 @@ Look RemoveNodes(const Look& look, const NodeSet& nodes)
   Look changed = look;
   EraseNodes(changed.opacities, NodeKind::Opacity, removed);
   EraseNodes(changed.colors, NodeKind::Color, removed);
+  EraseNodes(changed.isosurfaces, NodeKind::Surface, removed);
   return changed;
 }
 
@@ -284,13 +289,18 @@ Look SetValue(const Look& look, const NodeId& node, double value)
 Look SetOpacity(const Look& look, const NodeId& node, double opacity)
 {
   Look changed = look;
-  changed.opacities[node.index].opacity = std::clamp(opacity, 0.0, 1.0);
+  OpacityIn(changed, node) = std::clamp(opacity, 0.0, 1.0);
   return changed;
 }
 
 Look SetColor(const Look& look, const NodeId& node, const glm::dvec3& rgb)
 {
   Look changed = look;
+  if (node.kind == NodeKind::Surface)
+  {
+    changed.isosurfaces[node.index].rgb = rgb;
+    return changed;
+  }
   const NodeSet tied = node.kind == NodeKind::Color ? NodeSet{ node } : WithTied(look, { node });
   bool hasColor = false;
   for (const NodeId& color : tied)
@@ -303,7 +313,9 @@ Look SetColor(const Look& look, const NodeId& node, const glm::dvec3& rgb)
   }
   if (!hasColor)
   {
-    InsertNode(changed.colors, ColorNode{ ValueOf(look, node), rgb });
+    const Insertion added = InsertColor(look, ValueOf(look, node));
+    changed = added.look;
+    changed.colors[added.node.index].rgb = rgb;
   }
   return changed;
 }
@@ -319,14 +331,8 @@ Look SetShape(const Look& look, const NodeId& node, const NodeShape& shape)
 Look ScaleLook(const Look& look, double factor, double fixedValue)
 {
   Look changed = look;
-  for (OpacityNode& node : changed.opacities)
-  {
-    node.value = fixedValue + factor * (node.value - fixedValue);
-  }
-  for (ColorNode& node : changed.colors)
-  {
-    node.value = fixedValue + factor * (node.value - fixedValue);
-  }
+  ChangeValues(changed, AllNodes(look),
+    [=](double value) { return fixedValue + factor * (value - fixedValue); });
   return changed;
 }
 

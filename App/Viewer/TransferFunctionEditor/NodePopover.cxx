@@ -37,12 +37,24 @@ NodePopover::NodePopover(
   this->value->setSingleStep(std::pow(10.0, -decimals));
   connect(this->value, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
     [this](double entered) { this->Apply(SetValue(this->look, this->node, entered)); });
-  if (node.kind == NodeKind::Opacity)
+  if (node.kind != NodeKind::Color)
   {
     this->opacity = this->AddNumber(tr("Opacity"), "opacity", 0.0);
     connect(this->opacity, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
       [this](double entered) { this->Apply(SetOpacity(this->look, this->node, entered)); });
   }
+  if (node.kind != NodeKind::Surface)
+  {
+    this->AddShape();
+  }
+  this->ShowNumbers();
+  this->AddButtons();
+  this->value->setFocus();
+  this->value->selectAll();
+}
+
+void NodePopover::AddShape()
+{
   this->midpoint = this->AddNumber(tr("Midpoint"), "midpoint", 0.5);
   this->midpoint->setToolTip(tr("Where the way to the next point is half done"));
   this->sharpness = this->AddNumber(tr("Sharpness"), "sharpness", 0.0);
@@ -52,10 +64,6 @@ NodePopover::NodePopover(
     connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
       [this] { this->Apply(SetShape(this->look, this->node, this->EnteredShape())); });
   }
-  this->ShowNumbers();
-  this->AddButtons();
-  this->value->setFocus();
-  this->value->selectAll();
 }
 
 QDoubleSpinBox* NodePopover::AddNumber(const QString& name, const char* objectName, double number)
@@ -75,14 +83,16 @@ QDoubleSpinBox* NodePopover::AddNumber(const QString& name, const char* objectNa
 
 void NodePopover::AddButtons()
 {
-  auto* const color = new QPushButton(tr("Choose…"));
-  color->setObjectName("color");
-  QPixmap sample(16, 16);
-  sample.fill(QColorOf(FunctionOf(this->look).Color(ValueOf(this->look, this->node))));
-  color->setIcon(sample);
-  connect(color, &QPushButton::clicked, this, &NodePopover::ColorWanted);
-  this->form->addRow(tr("Colour"), color);
-
+  if (!this->look.colors.empty())
+  {
+    auto* const color = new QPushButton(tr("Choose…"));
+    color->setObjectName("color");
+    QPixmap sample(16, 16);
+    sample.fill(QColorOf(ColorOf(this->look, this->node)));
+    color->setIcon(sample);
+    connect(color, &QPushButton::clicked, this, &NodePopover::ColorWanted);
+    this->form->addRow(tr("Colour"), color);
+  }
   auto* const remove = new QPushButton(tr("Delete"));
   remove->setObjectName("delete");
   connect(remove, &QPushButton::clicked, this, &NodePopover::DeleteWanted);
@@ -101,12 +111,15 @@ void NodePopover::ShowNumbers()
   const QSignalBlocker blockers[] = { QSignalBlocker(this->value), QSignalBlocker(this->opacity),
     QSignalBlocker(this->midpoint), QSignalBlocker(this->sharpness) };
   this->value->setValue(ValueOf(this->look, this->node));
-  const NodeShape shape = ShapeOf(this->look, this->node);
-  this->midpoint->setValue(shape.midpoint);
-  this->sharpness->setValue(shape.sharpness);
+  if (this->midpoint)
+  {
+    const NodeShape shape = ShapeOf(this->look, this->node);
+    this->midpoint->setValue(shape.midpoint);
+    this->sharpness->setValue(shape.sharpness);
+  }
   if (this->opacity)
   {
-    this->opacity->setValue(this->look.opacities[this->node.index].opacity);
+    this->opacity->setValue(OpacityOf(this->look, this->node));
   }
 }
 

@@ -32,6 +32,7 @@ protected:
 
 private:
   QDoubleSpinBox* AddNumber(const QString& name, const char* objectName, double number);
+  void AddShape();
   void AddButtons();
   void Apply(const Look& edited);
   void ShowNumbers();
@@ -42,9 +43,9 @@ private:
   const NodeId node;
   QFormLayout* form;
   QDoubleSpinBox* value;
-  QDoubleSpinBox* opacity = nullptr; ///< only of an opacity node
-  QDoubleSpinBox* midpoint;
-  QDoubleSpinBox* sharpness;
+  QDoubleSpinBox* opacity = nullptr;  ///< not of a colour
+  QDoubleSpinBox* midpoint = nullptr; ///< not of a surface
+  QDoubleSpinBox* sharpness = nullptr;
 };
 
 }

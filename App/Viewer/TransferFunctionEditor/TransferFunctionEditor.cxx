@@ -54,6 +54,13 @@ void TransferFunctionEditor::SetStatistics(std::shared_ptr<const ImageStatistics
   this->update();
 }
 
+void TransferFunctionEditor::LeaveOutColors()
+{
+  this->picture.layout.hasColors = false;
+  this->picture.look.colors.clear();
+  this->removeAction(this->chooseColor);
+}
+
 void TransferFunctionEditor::SetUnit(const QString& unit)
 {
   this->picture.unit = unit;

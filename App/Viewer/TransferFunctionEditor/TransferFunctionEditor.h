@@ -23,6 +23,9 @@ public:
   /// Shows nearly all voxels, and the whole curve.
   void SetStatistics(std::shared_ptr<const ImageStatistics> statistics);
 
+  /// Edits a curve alone, such as that of gradient opacity.
+  void LeaveOutColors();
+
   /// Of the values: "HU", or another word.
   void SetUnit(const QString& unit);
 
@@ -47,8 +50,11 @@ public:
   /// @param band  null: none
   void ShowRubberBand(const QRectF& band);
 
-  QSize sizeHint() const override { return { 420, 320 }; }
-  QSize minimumSizeHint() const override { return { 280, 220 }; }
+  QSize sizeHint() const override { return { 420, this->picture.layout.hasColors ? 320 : 180 }; }
+  QSize minimumSizeHint() const override
+  {
+    return { 280, this->picture.layout.hasColors ? 220 : 150 };
+  }
 
 signals:
   /// At every change, at once. All changes of one gesture have its number.
@@ -94,6 +100,7 @@ private:
 
   EditorPicture picture;
   EditorMouse mouse;
+  QAction* chooseColor;
   QAction* showMost;
   QList<QAction*> viewActions;
   int keyGesture = 0;   ///< of the key that is held

@@ -1,0 +1,178 @@
+#include "Scene/LookFiles.h"
+
+#include "Scene/JsonCursor.h"
+#include "Scene/LookFormats/InviwoTransferFunction.h"
+#include "Scene/LookFormats/MricroGlClut.h"
+#include "Scene/LookFormats/OsirixPreset.h"
+#include "Scene/LookFormats/ParaViewColorMap.h"
+#include "Scene/LookFormats/SlicerProperty.h"
+#include "Scene/LookJson.h"
+#include "Scene/OutputFile.h"
+#include "Scene/SceneFile.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+namespace varimarch
+{
+
+namespace
+{
+
+using Reader = Look (*)(
+  const std::string& bytes, const std::string& file, const LookContext& context);
+using Writer = std::string (*)(const Look& look, const LookContext& context);
+
+// Larger than any that a program writes.
+constexpr std::uintmax_t MostBytes = 16 << 20;
+
+// JSON with spaces for commas that close nothing.
+std::string WithoutTrailingCommas(std::string text)
+{
+  bool inString = false;
+  std::size_t comma = std::string::npos;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const char letter = text[i];
+    if (inString)
+    {
+      i += letter == '\\' ? 1 : 0;
+      inString = letter != '"';
+    }
+    else if ((letter == ']' || letter == '}') && comma != std::string::npos)
+    {
+      text[comma] = ' ';
+      comma = std::string::npos;
+    }
+    else if (!std::isspace(static_cast<unsigned char>(letter)))
+    {
+      comma = letter == ',' ? i : std::string::npos;
+      inString = letter == '"';
+    }
+  }
+  return text;
+}
+
+Look LookFromAnyJson(const std::string& text, const std::string& file, const LookContext& context)
+{
+  const nlohmann::json json = ParseJson(WithoutTrailingCommas(text), file);
+  if (IsParaViewColorMap(json))
+  {
+    return LookFromParaViewJson(json, file, context);
+  }
+  return json.contains("volumeProperties") ? LookFromSlicerJson(json, file, context)
+                                           : LookFromJson(JsonCursor(json, file));
+}
+
+std::string OwnText(const Look& look, const LookContext&)
+{
+  return LookText(look);
+}
+
+std::string ParaViewText(const Look& look, const LookContext&)
+{
+  return ParaViewJson(look);
+}
+
+struct Row
+{
+  LookFileFormat format;
+  Reader read;
+  Writer write; ///< none: not written
+};
+
+// A name has the row of its longest ending.
+const std::vector<Row>& Table()
+{
+  static const std::vector<Row> table = {
+    { { "Looks", ".json", true }, LookFromAnyJson, OwnText },
+    { { "3D Slicer volume properties", ".vp.json", true }, LookFromAnyJson, SlicerJson },
+    { { "3D Slicer volume properties, old", ".vp", true }, LookFromSlicerText, SlicerText },
+    { { "ParaView colour maps", ".paraview.json", true }, LookFromAnyJson, ParaViewText },
+    { { "MRIcroGL colour tables", ".clut", false }, LookFromClut, nullptr },
+    { { "OsiriX and Horos presets", ".plist", false }, LookFromPlist, nullptr },
+    { { "Inviwo transfer functions", ".itf", false }, LookFromItf, nullptr },
+  };
+  return table;
+}
+
+std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char letter) { return char(std::tolower(letter)); });
+  return text;
+}
+
+// Ours where the name has no ending of these.
+const Row& RowOf(const std::string& path)
+{
+  const std::string name = LowerCase(std::filesystem::path(path).filename().string());
+  const Row* best = &Table().front();
+  std::size_t length = 0;
+  for (const Row& row : Table())
+  {
+    const std::string& ending = row.format.extension;
+    const bool has = name.size() >= ending.size() &&
+      name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+    if (has && ending.size() > length)
+    {
+      best = &row;
+      length = ending.size();
+    }
+  }
+  return *best;
+}
+
+std::string BytesOf(const std::string& path)
+{
+  std::error_code unknown;
+  std::ifstream stream(path, std::ios::binary);
+  // A folder opens too, and only fails when read.
+  if (!stream || std::filesystem::is_directory(path, unknown))
+  {
+    FailToReadLook(path, "it cannot be read as a file");
+  }
+  if (std::filesystem::file_size(path, unknown) > MostBytes)
+  {
+    FailToReadLook(path, "expected at most 16 MB, and it is larger");
+  }
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+}
+
+const std::vector<LookFileFormat>& LookFileFormats()
+{
+  static const std::vector<LookFileFormat> formats = []
+  {
+    std::vector<LookFileFormat> list;
+    for (const Row& row : Table())
+    {
+      list.push_back(row.format);
+    }
+    return list;
+  }();
+  return formats;
+}
+
+Look ReadLookFile(const std::string& path, const LookContext& context)
+{
+  return RowOf(path).read(BytesOf(path), path, context);
+}
+
+void WriteLookFile(const Look& look, const std::string& path, const LookContext& context)
+{
+  const Row& row = RowOf(path);
+  if (!row.write)
+  {
+    throw std::runtime_error("Cannot write " + path + ": " + row.format.description +
+      " are only read; expected a name that ends in .json, .vp.json, .vp or .paraview.json.");
+  }
+  Look named = look;
+  named.name = NameOfLookFile(path);
+  WriteFileWhole(path, row.write(named, context));
+}
+
+}

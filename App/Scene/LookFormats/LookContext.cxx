@@ -1,0 +1,152 @@
+#include "Scene/LookFormats/LookContext.h"
+
+#include "Scene/VolumeProperty.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+template <class Node>
+void CleanNodes(std::vector<Node>& nodes, const std::string& file)
+{
+  const auto isFinite = [](const Node& node) { return std::isfinite(node.value); };
+  if (!std::all_of(nodes.begin(), nodes.end(), isFinite) || nodes.size() > MostLookNodes)
+  {
+    FailToReadLook(file,
+      nodes.size() > MostLookNodes
+        ? "a curve has more than " + std::to_string(MostLookNodes) + " nodes"
+        : "the value of a node is not a finite number");
+  }
+  // Stable: two nodes at a value are a step, whose sides must not change places.
+  std::stable_sort(
+    nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.value < b.value; });
+}
+
+// What is no number becomes 0.
+double ToUnit(double number)
+{
+  return number > 0.0 ? std::min(number, 1.0) : 0.0;
+}
+
+template <class Node>
+void CleanShapes(std::vector<Node>& nodes)
+{
+  for (Node& node : nodes)
+  {
+    node.shape = { ToUnit(node.shape.midpoint), ToUnit(node.shape.sharpness) };
+  }
+}
+
+void CleanOpacities(std::vector<OpacityNode>& nodes, const std::string& file)
+{
+  CleanNodes(nodes, file);
+  CleanShapes(nodes);
+  for (OpacityNode& node : nodes)
+  {
+    node.opacity = ToUnit(node.opacity);
+  }
+}
+
+glm::dvec3 CleanColor(const glm::dvec3& rgb)
+{
+  return { ToUnit(rgb.r), ToUnit(rgb.g), ToUnit(rgb.b) };
+}
+
+void CleanShading(Shading& shading)
+{
+  shading.ambient = ToUnit(shading.ambient);
+  shading.diffuse = ToUnit(shading.diffuse);
+  shading.specular = ToUnit(shading.specular);
+  shading.specularPower = std::clamp(shading.specularPower, 1.0, 1000.0);
+}
+
+}
+
+void FailToReadLook(const std::string& file, const std::string& message)
+{
+  throw std::runtime_error("Cannot read " + file + ": " + message + ".");
+}
+
+std::string NameOfLookFile(const std::string& path)
+{
+  const std::string name = std::filesystem::path(path).filename().string();
+  return name.substr(0, std::max<std::size_t>(name.find('.'), 1));
+}
+
+LookContext ContextOf(vtkImageData* image)
+{
+  double range[2];
+  image->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
+  return { range[0], range[1], MeanSpacingMm(image) };
+}
+
+Look CleanLook(Look look, const std::string& file, const LookContext& context)
+{
+  look.name = NameOfLookFile(file);
+  look.opacities = look.opacities.empty() ? context.opacities : look.opacities;
+  if (look.colors.empty() || look.opacities.empty())
+  {
+    FailToReadLook(
+      file, look.colors.empty() ? "it holds no colours" : "it holds colours, but no opacities");
+  }
+  CleanOpacities(look.opacities, file);
+  CleanOpacities(look.gradientOpacities, file);
+  CleanNodes(look.colors, file);
+  CleanShapes(look.colors);
+  for (ColorNode& node : look.colors)
+  {
+    node.rgb = CleanColor(node.rgb);
+  }
+  CleanNodes(look.isosurfaces, file);
+  CleanShading(look.shading);
+  look.opacityUnitDistanceMm =
+    look.opacityUnitDistanceMm > 0.0 ? look.opacityUnitDistanceMm : Look().opacityUnitDistanceMm;
+  return look;
+}
+
+void Spread(Look& look, double zero, double one)
+{
+  for (ColorNode& node : look.colors)
+  {
+    node.value = zero + node.value * (one - zero);
+  }
+  for (OpacityNode& node : look.opacities)
+  {
+    node.value = zero + node.value * (one - zero);
+  }
+}
+
+void TakeGradientOpacities(
+  const std::vector<OpacityNode>& nodes, const LookContext& context, Look& look)
+{
+  const bool hasSay = std::any_of(
+    nodes.begin(), nodes.end(), [](const OpacityNode& node) { return node.opacity < 1.0; });
+  look.gradientOpacities = hasSay ? nodes : std::vector<OpacityNode>();
+  for (OpacityNode& node : look.gradientOpacities)
+  {
+    node.value /= context.meanSpacingMm;
+  }
+}
+
+std::vector<OpacityNode> GradientOpacitiesPerSpacing(const Look& look, const LookContext& context)
+{
+  std::vector<OpacityNode> nodes = look.gradientOpacities;
+  for (OpacityNode& node : nodes)
+  {
+    node.value *= context.meanSpacingMm;
+  }
+  return nodes.empty() ? std::vector<OpacityNode>{ { 0.0, 1.0 }, { 255.0, 1.0 } } : nodes;
+}
+
+}

@@ -1,0 +1,119 @@
+#include "Viewer/Panels/GradientOpacityBox.h"
+
+#include "Scene/GradientMagnitudes.h"
+#include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
+
+#include <QCheckBox>
+#include <QToolBar>
+#include <QVBoxLayout>
+#include <QtConcurrentRun>
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// What is homogeneous fades, what is an edge stays.
+std::vector<OpacityNode> EdgesOf(const ImageStatistics& gradients)
+{
+  const double dark = gradients.Percentile(60.0);
+  const double full = std::max(gradients.Percentile(95.0), dark + gradients.BinSpacing());
+  return { { dark, 0.0 }, { full, 1.0 } };
+}
+
+}
+
+GradientOpacityBox::GradientOpacityBox(SceneModel* model, QWidget* parent)
+  : QWidget(parent)
+  , model(model)
+  , isOn(new QCheckBox(tr("Opacity by gradient")))
+  , editor(new TransferFunctionEditor)
+{
+  this->isOn->setObjectName("gradientOpacity");
+  this->isOn->setToolTip(tr("Lets edges between materials stand out of what is homogeneous"));
+  this->isOn->setEnabled(false);
+  this->editor->LeaveOutColors();
+  this->editor->setObjectName("gradientEditor");
+  this->editor->setAccessibleName(tr("Opacity by gradient"));
+  this->editor->hide();
+  auto* const tools = new QToolBar;
+  tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  tools->addActions(this->editor->ViewActions());
+  tools->hide();
+  auto* const column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(this->isOn);
+  column->addWidget(tools);
+  column->addWidget(this->editor, 1);
+  // Folded up while it is off.
+  connect(this->isOn, &QCheckBox::toggled, tools, &QWidget::setVisible);
+  connect(this->isOn, &QCheckBox::toggled, this->editor, &QWidget::setVisible);
+  connect(this->isOn, &QCheckBox::clicked, this, &GradientOpacityBox::Switch);
+  connect(this->editor, &TransferFunctionEditor::LookEdited, this,
+    [this](const Look& edited, const QString& name, int gesture)
+    { this->Edit(edited.opacities, name, gesture); });
+  connect(&this->counting, &QFutureWatcherBase::finished, this, &GradientOpacityBox::TakeCounts);
+  connect(model, &SceneModel::Changed, this, &GradientOpacityBox::Update);
+}
+
+void GradientOpacityBox::Switch(bool on)
+{
+  if (!on)
+  {
+    this->remembered = this->model->CurrentScene().look.gradientOpacities;
+    this->Edit({}, tr("switch off opacity by gradient"), SceneModel::NoGesture);
+    return;
+  }
+  this->Edit(this->remembered.empty() ? EdgesOf(*this->counting.result()) : this->remembered,
+    tr("switch on opacity by gradient"), SceneModel::NoGesture);
+}
+
+void GradientOpacityBox::Edit(
+  const std::vector<OpacityNode>& nodes, const QString& name, int gesture)
+{
+  Look look = this->model->CurrentScene().look;
+  look.gradientOpacities = nodes;
+  this->model->SetLook(look, name, gesture);
+}
+
+void GradientOpacityBox::Update(ScenePart part)
+{
+  if (part == ScenePart::Volume)
+  {
+    this->remembered.clear();
+    this->BeginToCount();
+  }
+  if (part != ScenePart::Look && part != ScenePart::Volume)
+  {
+    return;
+  }
+  const Look& look = this->model->CurrentScene().look;
+  this->setVisible(look.blend == Blend::Composite);
+  this->isOn->setChecked(!look.gradientOpacities.empty());
+  if (!look.gradientOpacities.empty())
+  {
+    Look curve;
+    curve.opacities = look.gradientOpacities;
+    this->editor->SetLook(curve);
+  }
+}
+
+void GradientOpacityBox::BeginToCount()
+{
+  this->isOn->setEnabled(false);
+  const auto study = this->model->CurrentStudy();
+  this->editor->SetUnit(study->volume.modality == "CT" ? tr("HU/mm") : tr("per mm"));
+  this->counting.setFuture(QtConcurrent::run(
+    [study] { return Statistics(new ImageStatistics(GradientMagnitudes(study->volume.image))); }));
+}
+
+void GradientOpacityBox::TakeCounts()
+{
+  this->isOn->setEnabled(true);
+  this->editor->SetStatistics(this->counting.result());
+}
+
+}

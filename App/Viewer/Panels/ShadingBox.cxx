@@ -1,0 +1,126 @@
+#include "Viewer/Panels/ShadingBox.h"
+
+#include "Scene/ShadingPresets.h"
+#include "Viewer/Panels/NumberSlider.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+
+namespace varimarch
+{
+
+namespace
+{
+
+QString WordFor(const std::string& kind)
+{
+  const std::pair<const char*, QString> words[] = {
+    { "soft", ShadingBox::tr("Soft") },
+    { "clinical", ShadingBox::tr("Clinical") },
+    { "glossy", ShadingBox::tr("Glossy") },
+    { "flat", ShadingBox::tr("Flat: colours as they are") },
+  };
+  for (const auto& [name, word] : words)
+  {
+    if (kind == name)
+    {
+      return word;
+    }
+  }
+  return QString::fromStdString(kind);
+}
+
+}
+
+ShadingBox::ShadingBox(SceneModel* model, QWidget* parent)
+  : QGroupBox(tr("Light and shading"), parent)
+  , model(model)
+  , form(new QFormLayout(this))
+{
+  this->setObjectName("shading");
+  this->setCheckable(true);
+  connect(this, &QGroupBox::clicked, this,
+    [this](bool on)
+    {
+      Shading shading = this->model->CurrentScene().look.shading;
+      shading.enabled = on;
+      this->Edit(tr("shading"), shading, SceneModel::NoGesture);
+    });
+  this->MakeKinds();
+  using Scale = NumberSlider::Scale;
+  this->AddCoefficient(tr("Ambient"), &Shading::ambient, new NumberSlider(0, 1, Scale::Linear));
+  this->AddCoefficient(tr("Diffuse"), &Shading::diffuse, new NumberSlider(0, 1, Scale::Linear));
+  this->AddCoefficient(tr("Specular"), &Shading::specular, new NumberSlider(0, 1, Scale::Linear));
+  this->AddCoefficient(
+    tr("Power"), &Shading::specularPower, new NumberSlider(1, 1000, Scale::Logarithmic));
+  connect(model, &SceneModel::Changed, this, &ShadingBox::Update);
+}
+
+void ShadingBox::MakeKinds()
+{
+  this->kinds = new QComboBox;
+  this->kinds->setObjectName("lights");
+  for (const auto& preset : ShadingPresets())
+  {
+    this->kinds->addItem(WordFor(preset.first));
+  }
+  connect(this->kinds, QOverload<int>::of(&QComboBox::activated), this,
+    [this](int index)
+    {
+      if (index < int(ShadingPresets().size()))
+      {
+        this->Edit(tr("light"), ShadingPresets()[index].second, SceneModel::NoGesture);
+      }
+    });
+  this->form->addRow(tr("Kind"), this->kinds);
+}
+
+void ShadingBox::AddCoefficient(
+  const QString& name, double Shading::*coefficient, NumberSlider* slider)
+{
+  slider->setObjectName(name);
+  connect(slider, &NumberSlider::Edited, this,
+    [=](double number, int gesture)
+    {
+      Shading shading = this->model->CurrentScene().look.shading;
+      shading.*coefficient = number;
+      this->Edit(name.toLower(), shading, gesture);
+    });
+  this->form->addRow(name, slider);
+  this->sliders.emplace_back(slider, coefficient);
+}
+
+void ShadingBox::Edit(const QString& name, const Shading& shading, int gesture)
+{
+  Look look = this->model->CurrentScene().look;
+  look.shading = shading;
+  this->model->SetLook(look, name, gesture);
+}
+
+void ShadingBox::Update(ScenePart part)
+{
+  if (part != ScenePart::Look && part != ScenePart::Volume)
+  {
+    return;
+  }
+  const Look& look = this->model->CurrentScene().look;
+  this->setVisible(look.blend == Blend::Composite || look.blend == Blend::Isosurface);
+  this->setChecked(look.shading.enabled);
+  // A kind of one's own has a row while it is shown, the last.
+  const int presetCount = int(ShadingPresets().size());
+  this->kinds->removeItem(presetCount);
+  const auto name = NameOfShading(look.shading);
+  if (!name)
+  {
+    this->kinds->addItem(tr("In numbers"));
+  }
+  this->kinds->setCurrentIndex(name ? this->kinds->findText(WordFor(*name)) : presetCount);
+  // Also without light: a kind can be chosen.
+  this->kinds->setEnabled(true);
+  for (const auto& [slider, coefficient] : this->sliders)
+  {
+    slider->SetNumber(look.shading.*coefficient);
+  }
+}
+
+}
