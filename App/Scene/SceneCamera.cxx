@@ -1,5 +1,7 @@
 #include "Scene/SceneCamera.h"
 
+#include "Scene/WorldVector.h"
+
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -120,6 +122,29 @@ CameraPose PoseOf(vtkCamera* camera)
   camera->GetViewUp(pose.viewUp.data());
   pose.parallelScaleMm = camera->GetParallelScale();
   return pose;
+}
+
+Camera WithProjection(const Camera& camera, bool parallel)
+{
+  Camera changed = camera;
+  changed.parallel = parallel;
+  if (!camera.pose || camera.parallel == parallel)
+  {
+    return changed;
+  }
+  const double tangent = std::tan(0.5 * glm::radians(camera.viewAngleDegrees));
+  const glm::dvec3 focalPoint = VectorOf(camera.pose->focalPointMm);
+  const glm::dvec3 toEye = VectorOf(camera.pose->positionMm) - focalPoint;
+  if (parallel)
+  {
+    changed.pose->parallelScaleMm = glm::length(toEye) * tangent;
+  }
+  else
+  {
+    const double distance = camera.pose->parallelScaleMm / tangent;
+    changed.pose->positionMm = NumbersOf(focalPoint + distance * glm::normalize(toEye));
+  }
+  return changed;
 }
 
 std::array<double, 3> ViewDirection(const Camera& camera)

@@ -17,6 +17,9 @@ void PlaceCamera(
 
 CameraPose PoseOf(vtkCamera* camera);
 
+/// The camera with a projection; what is at the focal point keeps its size in the picture.
+Camera WithProjection(const Camera& camera, bool parallel);
+
 /// From the eye to what it looks at, in world space, of length 1.
 std::array<double, 3> ViewDirection(const Camera& camera);
 

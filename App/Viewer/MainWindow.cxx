@@ -1,6 +1,7 @@
 #include "Viewer/MainWindow.h"
 
 #include "Scene/Presets.h"
+#include "Scene/SceneCamera.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/MeasuresPanel.h"
@@ -147,8 +148,27 @@ void MainWindow::MakeViewMenu()
       },
       QKeySequence(key));
   }
+  this->MakeProjectionAction(menu);
   menu->addSeparator();
   menu->addMenu(NewThemeMenu(this));
+}
+
+void MainWindow::MakeProjectionAction(QMenu* menu)
+{
+  menu->addSeparator();
+  QAction* const parallel = menu->addAction(tr("Pa&rallel projection"));
+  parallel->setObjectName("parallelProjection");
+  parallel->setCheckable(true);
+  parallel->setShortcut(QKeySequence("5"));
+  parallel->setStatusTip(tr("Without perspective: what is farther away is as large"));
+  connect(parallel, &QAction::triggered, this,
+    [this](bool on)
+    {
+      this->model.Edit(ScenePart::Camera, tr("projection"),
+        [on](Scene& scene) { scene.camera = WithProjection(scene.camera, on); });
+    });
+  connect(&this->model, &SceneModel::Changed, parallel,
+    [this, parallel] { parallel->setChecked(this->model.CurrentScene().camera.parallel); });
 }
 
 void MainWindow::MakeHelpMenu()

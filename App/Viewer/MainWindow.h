@@ -53,6 +53,7 @@ private:
   QWidget* MakeViews();
   void MakeMenus();
   void MakeViewMenu();
+  void MakeProjectionAction(QMenu* menu);
   void MakeToolMenu();
   void MakeLeftButtonActions(QMenu* menu);
   void MakeComparisonActions(QMenu* menu);

@@ -4,6 +4,8 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -131,6 +133,32 @@ TEST(PlaceCamera, ZoomEnlarges)
   vtkNew<vtkCamera> camera;
   PlaceCamera(placement, Bounds, 1.0, camera);
   EXPECT_NEAR(LargestCornerOffset(camera, 1.0), 2.0, 1e-6);
+}
+
+// How large what is at the focal point is: the height of the picture there, of both kinds.
+double HeightAtFocus(const Camera& placement)
+{
+  vtkNew<vtkCamera> camera;
+  PlaceCamera(placement, Bounds, 1.0, camera);
+  return placement.parallel
+    ? 2.0 * camera->GetParallelScale()
+    : 2.0 * camera->GetDistance() * std::tan(0.5 * glm::radians(camera->GetViewAngle()));
+}
+
+TEST(WithProjection, KeepsTheSizeOfWhatIsLookedAt)
+{
+  Camera placement;
+  placement.pose =
+    CameraPose{ { 10.0, -300.0, 20.0 }, { 10.0, 0.0, 20.0 }, { 0.0, 0.0, 1.0 }, 7.0 };
+  const Camera parallel = WithProjection(placement, true);
+  EXPECT_TRUE(parallel.parallel);
+  EXPECT_NEAR(HeightAtFocus(parallel), HeightAtFocus(placement), 1e-9);
+  Camera nearer = parallel;
+  nearer.pose->parallelScaleMm *= 0.5;
+  const Camera back = WithProjection(nearer, false);
+  EXPECT_NEAR(HeightAtFocus(back), HeightAtFocus(nearer), 1e-9);
+  EXPECT_EQ(back.pose->focalPointMm, placement.pose->focalPointMm);
+  EXPECT_NEAR(back.pose->positionMm[1], -150.0, 1e-9);
 }
 
 }

@@ -6,6 +6,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
@@ -16,6 +17,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 #include <vtkXMLImageDataWriter.h>
 
@@ -285,4 +287,19 @@ TEST_F(Window, ClosesWhileItLoads)
 {
   this->window.Open(this->Path("torso.vti"));
   this->window.close();
+}
+
+TEST_F(Window, ShowsPerspectiveOrNone)
+{
+  this->OpenTorso();
+  auto* const action = this->window.findChild<QAction*>("parallelProjection");
+  vtkCamera* const camera = this->View()->Pipeline()->Renderer()->GetActiveCamera();
+  for (const bool parallel : { true, false, true })
+  {
+    action->trigger();
+    EXPECT_EQ(camera->GetParallelProjection() != 0, parallel);
+  }
+  this->Model()->History()->undo();
+  EXPECT_EQ(camera->GetParallelProjection(), 0);
+  EXPECT_FALSE(action->isChecked());
 }

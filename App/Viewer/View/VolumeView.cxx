@@ -33,8 +33,13 @@ constexpr int StillMilliseconds = 250;
 constexpr int RefinementMilliseconds = 100;
 constexpr int RefiningPictures = 8;
 
-bool IsAt(const CameraPose& pose, vtkCamera* camera)
+bool IsAt(const Camera& placement, vtkCamera* camera)
 {
+  if (!placement.pose || placement.parallel != (camera->GetParallelProjection() != 0))
+  {
+    return false;
+  }
+  const CameraPose& pose = *placement.pose;
   const CameraPose now = PoseOf(camera);
   return now.positionMm == pose.positionMm && now.focalPointMm == pose.focalPointMm &&
     now.viewUp == pose.viewUp && now.parallelScaleMm == pose.parallelScaleMm;
@@ -154,8 +159,7 @@ void VolumeView::Update(ScenePart part)
       this->pipeline->SetLook(scene.look);
       break;
     case ScenePart::Camera:
-      if (scene.camera.pose &&
-        IsAt(*scene.camera.pose, this->pipeline->Renderer()->GetActiveCamera()))
+      if (IsAt(scene.camera, this->pipeline->Renderer()->GetActiveCamera()))
       {
         return; // it is this view that has turned
       }
@@ -222,8 +226,7 @@ void VolumeView::KeepCamera()
     return;
   }
   vtkCamera* const camera = this->pipeline->Renderer()->GetActiveCamera();
-  const std::optional<CameraPose>& known = this->model->CurrentScene().camera.pose;
-  if (!known || !IsAt(*known, camera))
+  if (!IsAt(this->model->CurrentScene().camera, camera))
   {
     const CameraPose pose = PoseOf(camera);
     this->model->Edit(
