@@ -96,6 +96,7 @@ void MainWindow::MakeMenus()
   file->addAction(
     tr("Export a &picture…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"));
   file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
+  file->addAction(tr("Export a &report…"), this, &MainWindow::ExportReport);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
 

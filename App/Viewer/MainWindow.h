@@ -68,6 +68,8 @@ private:
   void Load(const VolumeSource& source);
   void ExportPicture();
   void ExportTurntable();
+  void ExportReport();
+  void ShowBenchmark();
   void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   void ShowFailure(const QString& reason);
   void ShowLoading(bool loading);

@@ -2,6 +2,7 @@
 
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/View/CurrentContext.h"
 #include "Viewer/View/Overlay.h"
 
 #include <QCheckBox>
@@ -10,7 +11,6 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QMessageBox>
-#include <QOpenGLContext>
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
@@ -68,18 +68,9 @@ void DrawNotice(QPainter& painter, const QSizeF& size)
     QCoreApplication::translate("PictureExport", "Not for diagnostic use"));
 }
 
-// A thread has one current context, be it of a window or without a display.
-void LeaveContext()
-{
-  if (QOpenGLContext* const current = QOpenGLContext::currentContext())
-  {
-    current->doneCurrent();
-  }
-}
-
 Scene OfSize(Scene scene, const QSize& pixels)
 {
-  LeaveContext();
+  LeaveCurrentContext();
   scene.size = { pixels.width(), pixels.height() };
   return scene;
 }
@@ -106,7 +97,7 @@ PictureMaker::PictureMaker(const Scene& scene, vtkImageData* image, const Export
 
 QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
 {
-  LeaveContext();
+  LeaveCurrentContext();
   QImage picture = ImageOf(this->view.FloatImage(onProgress));
   if (!this->options.transparent)
   {

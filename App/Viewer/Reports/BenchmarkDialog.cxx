@@ -1,0 +1,279 @@
+#include "Viewer/Reports/BenchmarkDialog.h"
+
+#include "Scene/OutputFile.h"
+#include "Viewer/Reports/PdfPages.h"
+#include "Viewer/View/CurrentContext.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTextDocument>
+#include <QTimer>
+
+#include <exception>
+
+namespace varimarch
+{
+
+namespace
+{
+
+QString SummaryText(const std::vector<OrbitPicture>& pictures, const QString& theirs)
+{
+  const OrbitSummary summary = SummaryOf(pictures);
+  return BenchmarkDialog::tr("Median of %1 pictures: ours %2 ms, %3 %4 ms, %5 times as long. "
+                             "Difference: RMSE %6, largest %7, of 255.")
+    .arg(pictures.size())
+    .arg(summary.medianOursMs, 0, 'f', 1)
+    .arg(theirs)
+    .arg(summary.medianTheirsMs, 0, 'f', 1)
+    .arg(summary.medianTheirsMs / summary.medianOursMs, 0, 'f', 2)
+    .arg(summary.rootMeanSquare, 0, 'f', 2)
+    .arg(summary.largest, 0, 'f', 1);
+}
+
+QStringList CellsOf(const OrbitPicture& picture)
+{
+  return { QString::number(picture.degrees, 'f', 0), QString::number(picture.oursMs, 'f', 1),
+    QString::number(picture.theirsMs, 'f', 1), QString::number(picture.rootMeanSquare, 'f', 2),
+    QString::number(picture.largest, 'f', 1) };
+}
+
+QStringList ColumnNames()
+{
+  return { BenchmarkDialog::tr("Angle [°]"), BenchmarkDialog::tr("Ours [ms]"),
+    BenchmarkDialog::tr("VTK's [ms]"), BenchmarkDialog::tr("RMSE"),
+    BenchmarkDialog::tr("Largest") };
+}
+
+QString HtmlRow(const QStringList& cells, const char* tag)
+{
+  QString row = "<tr>";
+  for (const QString& cell : cells)
+  {
+    row += QStringLiteral("<%1 align='right'>&nbsp;&nbsp;%2</%1>").arg(tag, cell.toHtmlEscaped());
+  }
+  return row + "</tr>";
+}
+
+}
+
+BenchmarkDialog::BenchmarkDialog(SceneModel* model, QSize pictureSize, QWidget* parent)
+  : QDialog(parent)
+  , model(model)
+  , pictureSize(pictureSize)
+  , progress(new QProgressBar)
+  , summary(new QLabel)
+{
+  this->setObjectName("benchmark");
+  this->setWindowTitle(tr("Benchmark"));
+  this->resize(520, 480);
+  auto* const column = new QVBoxLayout(this);
+  auto* const purpose = new QLabel(tr("Draws what the window shows from all around, by our mapper "
+                                      "and by VTK's, and compares times and pictures."));
+  purpose->setWordWrap(true);
+  column->addWidget(purpose);
+  column->addWidget(this->MakeChoices());
+  this->MakeTable();
+  column->addWidget(this->progress);
+  column->addWidget(this->table, 1);
+  this->summary->setObjectName("summary");
+  this->summary->setWordWrap(true);
+  this->summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(this->summary);
+  this->MakeButtons();
+  this->ShowState();
+}
+
+QWidget* BenchmarkDialog::MakeChoices()
+{
+  this->kind = new QComboBox;
+  this->kind->setObjectName("kind");
+  this->kind->addItem(tr("VTK's GPU mapper"), int(MapperKind::VtkGpu));
+  this->kind->addItem(tr("VTK's CPU mapper"), int(MapperKind::VtkCpu));
+  this->count = new QSpinBox;
+  this->count->setObjectName("count");
+  this->count->setRange(1, 360);
+  this->count->setValue(24);
+  auto* const choices = new QWidget;
+  auto* const form = new QFormLayout(choices);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(tr("Compare with"), this->kind);
+  form->addRow(tr("Pictures of the turn"), this->count);
+  return choices;
+}
+
+void BenchmarkDialog::MakeTable()
+{
+  this->table = new QTableWidget(0, ColumnNames().size());
+  this->table->setHorizontalHeaderLabels(ColumnNames());
+  this->table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  this->table->verticalHeader()->hide();
+  this->table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+}
+
+void BenchmarkDialog::MakeButtons()
+{
+  auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  this->start = buttons->addButton(tr("Start"), QDialogButtonBox::ActionRole);
+  this->start->setObjectName("start");
+  this->save = buttons->addButton(tr("Export…"), QDialogButtonBox::ActionRole);
+  connect(this->start, &QPushButton::clicked, this,
+    [this] { this->IsRunning() ? this->Stop() : this->Start(); });
+  connect(this->save, &QPushButton::clicked, this, &BenchmarkDialog::Export);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  this->layout()->addWidget(buttons);
+}
+
+MapperKind BenchmarkDialog::ChosenKind() const
+{
+  return MapperKind(this->kind->currentData().toInt());
+}
+
+void BenchmarkDialog::Start()
+{
+  Scene scene = this->model->CurrentScene();
+  if (!CanBlend(this->ChosenKind(), scene.look.blend))
+  {
+    this->summary->setText(tr("VTK's CPU mapper does not know the blending of this look; choose "
+                              "VTK's GPU mapper."));
+    return;
+  }
+  scene.size = { this->pictureSize.width(), this->pictureSize.height() };
+  this->measured.clear();
+  this->table->setRowCount(0);
+  this->measuredKind = this->kind->currentText();
+  this->study = this->model->CurrentStudy();
+  try
+  {
+    LeaveCurrentContext();
+    this->orbit = std::make_unique<OrbitBenchmark>(
+      scene, this->study->volume.image, this->ChosenKind(), this->count->value());
+  }
+  catch (const std::exception& problem)
+  {
+    this->summary->setText(QString::fromStdString(problem.what()));
+    return;
+  }
+  this->ShowState();
+  QTimer::singleShot(0, this, &BenchmarkDialog::Continue);
+}
+
+void BenchmarkDialog::Continue()
+{
+  if (!this->orbit)
+  {
+    return;
+  }
+  LeaveCurrentContext();
+  this->orbit->DrawNext();
+  this->measured = this->orbit->Pictures();
+  this->AddRow(this->measured.back());
+  if (this->orbit->IsDone())
+  {
+    this->Stop();
+    return;
+  }
+  this->ShowState();
+  QTimer::singleShot(0, this, &BenchmarkDialog::Continue);
+}
+
+void BenchmarkDialog::Stop()
+{
+  LeaveCurrentContext();
+  this->orbit.reset();
+  this->ShowState();
+  emit this->Ended();
+}
+
+void BenchmarkDialog::done(int result)
+{
+  if (this->IsRunning())
+  {
+    this->Stop();
+  }
+  QDialog::done(result);
+}
+
+void BenchmarkDialog::AddRow(const OrbitPicture& picture)
+{
+  const int row = this->table->rowCount();
+  this->table->insertRow(row);
+  const QStringList cells = CellsOf(picture);
+  for (int column = 0; column < cells.size(); ++column)
+  {
+    auto* const item = new QTableWidgetItem(cells[column]);
+    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    this->table->setItem(row, column, item);
+  }
+  this->table->scrollToBottom();
+}
+
+void BenchmarkDialog::ShowState()
+{
+  this->progress->setRange(0, this->count->value());
+  this->progress->setValue(int(this->measured.size()));
+  this->start->setText(this->IsRunning() ? tr("Stop") : tr("Start"));
+  this->start->setEnabled(this->model->CurrentStudy() != nullptr);
+  this->kind->setEnabled(!this->IsRunning());
+  this->count->setEnabled(!this->IsRunning());
+  this->save->setEnabled(!this->measured.empty() && !this->IsRunning());
+  this->summary->setText(
+    this->measured.empty() ? QString() : SummaryText(this->measured, this->measuredKind));
+}
+
+void BenchmarkDialog::Export()
+{
+  const QString path = QFileDialog::getSaveFileName(
+    this, tr("Export the benchmark"), "benchmark.pdf", tr("Report (*.pdf);;Table (*.csv)"));
+  if (path.isEmpty())
+  {
+    return;
+  }
+  try
+  {
+    this->Write(path);
+  }
+  catch (const std::exception& problem)
+  {
+    QMessageBox::warning(this, tr("Cannot export"), QString::fromStdString(problem.what()));
+  }
+}
+
+void BenchmarkDialog::Write(const QString& path) const
+{
+  if (path.endsWith(".csv", Qt::CaseInsensitive))
+  {
+    WriteFileWhole(path.toStdString(), CsvOf(this->measured));
+    return;
+  }
+  QString rows = HtmlRow(ColumnNames(), "th");
+  for (const OrbitPicture& picture : this->measured)
+  {
+    rows += HtmlRow(CellsOf(picture), "td");
+  }
+  const int* const voxels = this->study->volume.image->GetDimensions();
+  const QString scene = tr("A turn around a volume of %1 x %2 x %3 voxels, in pictures of %4 x %5 "
+                           "pixels, by ours and by %6.")
+                          .arg(voxels[0])
+                          .arg(voxels[1])
+                          .arg(voxels[2])
+                          .arg(this->pictureSize.width())
+                          .arg(this->pictureSize.height())
+                          .arg(this->measuredKind);
+  QTextDocument document;
+  document.setHtml(QStringLiteral("<h1>%1</h1>%2<p>%3</p><p><b>%4</b></p><table>%5</table>")
+                     .arg(tr("Benchmark"), OriginHtml(), scene,
+                       SummaryText(this->measured, this->measuredKind), rows));
+  WritePdf(document, tr("Benchmark"), path);
+}
+
+}

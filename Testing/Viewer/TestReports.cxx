@@ -1,0 +1,163 @@
+// What is written for others: a benchmark's orbit and a scan's report.
+
+#include "SmallStudy.h"
+#include "Viewer/Reports/BenchmarkDialog.h"
+#include "Viewer/Reports/ScanReport.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace varimarch;
+
+namespace
+{
+
+QByteArray BytesOf(const QString& path)
+{
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+class Reports : public testing::Test
+{
+protected:
+  Reports()
+  {
+    this->model.Open(FileSource{ "/scans/DOE^JOHN/head.nrrd", std::nullopt }, SmallStudy());
+  }
+
+  SceneModel model;
+  QTemporaryDir folder;
+};
+
+class Benchmark : public Reports
+{
+protected:
+  template <class Widget>
+  Widget* Find(const char* name) const
+  {
+    return this->dialog.findChild<Widget*>(name);
+  }
+
+  void Run()
+  {
+    QSignalSpy ended(&this->dialog, &BenchmarkDialog::Ended);
+    QTest::mouseClick(this->Find<QPushButton>("start"), Qt::LeftButton);
+    ASSERT_TRUE(this->dialog.IsRunning());
+    ASSERT_TRUE(ended.wait(60000));
+  }
+
+  BenchmarkDialog dialog{ &this->model, QSize(64, 48) };
+};
+
+}
+
+TEST(OrbitSummary, IsOfTheMiddlePictureAndOfAllErrors)
+{
+  const OrbitSummary summary =
+    SummaryOf({ { 0, 10, 30, 3, 20 }, { 120, 12, 50, 4, 70 }, { 240, 90, 40, 0, 5 } });
+  EXPECT_EQ(summary.medianOursMs, 12.0);
+  EXPECT_EQ(summary.medianTheirsMs, 40.0);
+  EXPECT_NEAR(summary.rootMeanSquare, std::sqrt(25.0 / 3.0), 1e-12);
+  EXPECT_EQ(summary.largest, 70.0);
+}
+
+TEST_F(Benchmark, GoesAroundOnceAndIsExported)
+{
+  this->Find<QSpinBox>("count")->setValue(4);
+  this->Run();
+  ASSERT_EQ(this->dialog.findChild<QTableWidget*>()->rowCount(), 4);
+  EXPECT_EQ(this->dialog.findChild<QTableWidget*>()->item(3, 0)->text(), "270");
+  EXPECT_TRUE(this->Find<QLabel>("summary")->text().startsWith("Median of 4 pictures"));
+  this->dialog.Write(this->folder.filePath("orbit.csv"));
+  const QList<QByteArray> lines = BytesOf(this->folder.filePath("orbit.csv")).split('\n');
+  ASSERT_EQ(lines.size(), 6);
+  EXPECT_EQ(lines[0], "degrees,ours_ms,vtk_ms,rmse_255,largest_255");
+  const QList<QByteArray> numbers = lines[2].split(',');
+  EXPECT_EQ(numbers[0], "90");
+  EXPECT_GT(numbers[1].toDouble(), 0.0);
+  EXPECT_GT(numbers[2].toDouble(), 0.0);
+  EXPECT_GT(numbers[3].toDouble(), 0.0) << "the two are never quite alike";
+  EXPECT_LT(numbers[3].toDouble(), 30.0);
+  this->dialog.Write(this->folder.filePath("orbit.pdf"));
+  EXPECT_TRUE(BytesOf(this->folder.filePath("orbit.pdf")).startsWith("%PDF"));
+  EXPECT_THROW(this->dialog.Write(this->folder.filePath("no/orbit.pdf")), std::runtime_error);
+}
+
+TEST_F(Benchmark, StopsWhenItIsAskedToAndKeepsWhatItHas)
+{
+  this->Find<QSpinBox>("count")->setValue(300);
+  QSignalSpy ended(&this->dialog, &BenchmarkDialog::Ended);
+  QTest::mouseClick(this->Find<QPushButton>("start"), Qt::LeftButton);
+  auto* const table = this->dialog.findChild<QTableWidget*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->rowCount() > 0; }, 60000));
+  QTest::mouseClick(this->Find<QPushButton>("start"), Qt::LeftButton);
+  EXPECT_FALSE(this->dialog.IsRunning());
+  EXPECT_EQ(ended.count(), 1);
+  const int rows = table->rowCount();
+  EXPECT_LT(rows, 300);
+  QTest::qWait(50);
+  EXPECT_EQ(table->rowCount(), rows);
+}
+
+TEST_F(Benchmark, SaysWhatVtkCannotDraw)
+{
+  Look look = this->model.CurrentScene().look;
+  look.blend = Blend::AverageIntensity;
+  this->model.SetLook(look, "average");
+  this->Find<QComboBox>("kind")->setCurrentText("VTK's CPU mapper");
+  QTest::mouseClick(this->Find<QPushButton>("start"), Qt::LeftButton);
+  EXPECT_FALSE(this->dialog.IsRunning());
+  EXPECT_TRUE(this->Find<QLabel>("summary")->text().contains("does not know the blending"));
+}
+
+// The words are looked for in the page as it is laid out: those of a PDF itself are numbers of
+// glyphs.
+TEST_F(Reports, OfAScanTellHowItIsDrawnAndNotOfWhom)
+{
+  this->model.Edit(ScenePart::Measures, "measure",
+    [](Scene& scene) {
+      scene.distances.push_back({ { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 }, "head" });
+    });
+  const QString text = ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy());
+  for (const char* const words : { "ct-bone", "50.0 mm", "at most 1/64", "32 x 28 x 20", "CT" })
+  {
+    EXPECT_TRUE(text.contains(words)) << words;
+  }
+  EXPECT_FALSE(text.contains("DOE"));
+  EXPECT_FALSE(text.contains("head"));
+}
+
+TEST_F(Reports, NameALookOfOnesOwnNowhere)
+{
+  Look look = this->model.CurrentScene().look;
+  look.name = "John Doe";
+  this->model.SetLook(look, "load");
+  const QString text = ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy());
+  EXPECT_FALSE(text.contains("John"));
+  EXPECT_TRUE(text.contains("own look"));
+}
+
+TEST_F(Reports, OfAScanHaveItsPictures)
+{
+  const QString path = this->folder.filePath("report.pdf");
+  WriteScanReport(&this->model, path);
+  const QByteArray pdf = BytesOf(path);
+  EXPECT_TRUE(pdf.startsWith("%PDF"));
+  EXPECT_GE(pdf.count("/Subtype /Image"), 4) << "the volume and three slices";
+  EXPECT_FALSE(pdf.contains("DOE"));
+  EXPECT_THROW(
+    WriteScanReport(&this->model, this->folder.filePath("no/report.pdf")), std::runtime_error);
+}
