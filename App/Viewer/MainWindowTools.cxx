@@ -82,7 +82,7 @@ void MainWindow::MakeComparisonActions(QMenu* menu)
   wipe->setCheckable(true);
   wipe->setStatusTip(tr("Both pictures in one place, with a divider that is dragged"));
   connect(wipe, &QAction::toggled, this->view, &ComparisonView::SetWipe);
-  menu->addAction(tr("&Benchmark…"), this, &MainWindow::ShowBenchmark);
+  menu->addAction(tr("&Benchmark…"), this, &MainWindow::ShowBenchmark)->setObjectName("benchmark");
 }
 
 void MainWindow::Compare(std::optional<MapperKind> kind)

@@ -1,6 +1,7 @@
 // The whole window, as a user has it, on a display without a screen.
 
 #include "Viewer/MainWindow.h"
+#include "Viewer/Reports/BenchmarkDialog.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/VolumeView.h"
 
@@ -14,6 +15,7 @@
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -302,4 +304,26 @@ TEST_F(Window, ShowsPerspectiveOrNone)
   this->Model()->History()->undo();
   EXPECT_EQ(camera->GetParallelProjection(), 0);
   EXPECT_FALSE(action->isChecked());
+}
+
+// A window and what is drawn without one share a thread, which has one current context.
+TEST_F(Window, DrawsOnWhileABenchmarkRuns)
+{
+  this->OpenTorso();
+  this->window.findChild<QAction*>("benchmark")->trigger();
+  auto* const dialog = this->window.findChild<BenchmarkDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  QSignalSpy ended(dialog, &BenchmarkDialog::Ended);
+  QSignalSpy drawn(this->View(), &VolumeView::Drawn);
+  dialog->findChild<QSpinBox*>("count")->setValue(3);
+  dialog->Start();
+  ASSERT_TRUE(QTest::qWaitFor(
+    [&]
+    {
+      this->View()->update();
+      this->View()->renderWindow()->Render();
+      return !ended.isEmpty();
+    },
+    MostMilliseconds));
+  EXPECT_GT(drawn.count(), 1);
 }

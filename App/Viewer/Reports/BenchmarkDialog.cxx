@@ -93,6 +93,12 @@ BenchmarkDialog::BenchmarkDialog(SceneModel* model, QSize pictureSize, QWidget* 
   this->ShowState();
 }
 
+BenchmarkDialog::~BenchmarkDialog()
+{
+  const DrawingWithoutDisplay drawing;
+  this->orbit.reset();
+}
+
 QWidget* BenchmarkDialog::MakeChoices()
 {
   this->kind = new QComboBox;
@@ -154,7 +160,7 @@ void BenchmarkDialog::Start()
   this->study = this->model->CurrentStudy();
   try
   {
-    LeaveCurrentContext();
+    const DrawingWithoutDisplay drawing;
     this->orbit = std::make_unique<OrbitBenchmark>(
       scene, this->study->volume.image, this->ChosenKind(), this->count->value());
   }
@@ -173,8 +179,10 @@ void BenchmarkDialog::Continue()
   {
     return;
   }
-  LeaveCurrentContext();
-  this->orbit->DrawNext();
+  {
+    const DrawingWithoutDisplay drawing;
+    this->orbit->DrawNext();
+  }
   this->measured = this->orbit->Pictures();
   this->AddRow(this->measured.back());
   if (this->orbit->IsDone())
@@ -188,8 +196,10 @@ void BenchmarkDialog::Continue()
 
 void BenchmarkDialog::Stop()
 {
-  LeaveCurrentContext();
-  this->orbit.reset();
+  {
+    const DrawingWithoutDisplay drawing;
+    this->orbit.reset();
+  }
   this->ShowState();
   emit this->Ended();
 }

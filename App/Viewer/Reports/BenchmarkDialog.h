@@ -30,6 +30,7 @@ class BenchmarkDialog : public QDialog
 public:
   /// @param pictureSize  of the pictures to draw
   BenchmarkDialog(SceneModel* model, QSize pictureSize, QWidget* parent = nullptr);
+  ~BenchmarkDialog() override;
 
   void Start();
 

@@ -1,20 +1,19 @@
 #ifndef Varimarch_Viewer_CurrentContext_h
 #define Varimarch_Viewer_CurrentContext_h
 
-#include <QOpenGLContext>
-
 namespace varimarch
 {
 
-/// Lets go of the context of Qt that is current. A thread has one, be it of a window or without a
-/// display: to be called before anything is drawn without one.
-inline void LeaveCurrentContext()
+/// While it lives, the thread may draw without a display. A thread has one current context: this
+/// lets go of Qt's, and in the end of EGL's, without which Qt's windows could not draw again.
+class DrawingWithoutDisplay
 {
-  if (QOpenGLContext* const current = QOpenGLContext::currentContext())
-  {
-    current->doneCurrent();
-  }
-}
+public:
+  DrawingWithoutDisplay();
+  ~DrawingWithoutDisplay();
+  DrawingWithoutDisplay(const DrawingWithoutDisplay&) = delete;
+  DrawingWithoutDisplay& operator=(const DrawingWithoutDisplay&) = delete;
+};
 
 }
 

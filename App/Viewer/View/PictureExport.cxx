@@ -70,7 +70,6 @@ void DrawNotice(QPainter& painter, const QSizeF& size)
 
 Scene OfSize(Scene scene, const QSize& pixels)
 {
-  LeaveCurrentContext();
   scene.size = { pixels.width(), pixels.height() };
   return scene;
 }
@@ -91,14 +90,21 @@ PictureMaker::PictureMaker(const Scene& scene, vtkImageData* image, const Export
   : scene(OfSize(scene, options.pixels))
   , image(image)
   , options(options)
-  , view(this->scene, image, MapperKind::Varimarch)
 {
+  const DrawingWithoutDisplay drawing;
+  this->view.emplace(this->scene, image, MapperKind::Varimarch);
+}
+
+PictureMaker::~PictureMaker()
+{
+  const DrawingWithoutDisplay drawing;
+  this->view.reset();
 }
 
 QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
 {
-  LeaveCurrentContext();
-  QImage picture = ImageOf(this->view.FloatImage(onProgress));
+  const DrawingWithoutDisplay drawing;
+  QImage picture = ImageOf(this->view->FloatImage(onProgress));
   if (!this->options.transparent)
   {
     picture = OnBackground(picture, this->scene.background);
@@ -110,7 +116,7 @@ QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
   if (this->options.overlay)
   {
     DrawOverlay(painter, { this->scene, MeasureTexts(this->scene, this->image), this->image },
-      FrameOf(this->view.Pipeline().Renderer()->GetActiveCamera(), size));
+      FrameOf(this->view->Pipeline().Renderer()->GetActiveCamera(), size));
   }
   DrawNotice(painter, size);
   painter.end();
@@ -120,7 +126,7 @@ QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
 
 void PictureMaker::Turn(double degrees)
 {
-  vtkRenderer* const renderer = this->view.Pipeline().Renderer();
+  vtkRenderer* const renderer = this->view->Pipeline().Renderer();
   renderer->GetActiveCamera()->Azimuth(degrees);
   renderer->ResetCameraClippingRange();
 }

@@ -9,6 +9,7 @@
 #include <QSize>
 
 #include <functional>
+#include <optional>
 
 class QCheckBox;
 class QProgressBar;
@@ -35,6 +36,9 @@ public:
   /// @param image  the scene's volume; must outlive this
   /// @throws std::runtime_error one sentence, where there is no OpenGL
   PictureMaker(const Scene& scene, vtkImageData* image, const ExportOptions& options);
+  ~PictureMaker();
+  PictureMaker(const PictureMaker&) = delete;
+  PictureMaker& operator=(const PictureMaker&) = delete;
 
   /// The settings are in the picture's text "varimarch-scene", without the volume's place, which
   /// may name a patient.
@@ -48,7 +52,7 @@ private:
   Scene scene;
   vtkImageData* image;
   ExportOptions options;
-  OffscreenView view;
+  std::optional<OffscreenView> view;
 };
 
 /// Pictures of a whole turn about the picture's vertical: a movie where the path ends in ".ogv",
