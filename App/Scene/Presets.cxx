@@ -3,6 +3,7 @@
 #include "PresetTexts.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneNames.h"
+#include "Scene/VolumeProperty.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -37,6 +38,12 @@ Look Preset(const std::string& name)
   }
   throw std::invalid_argument(
     "unknown preset \"" + name + "\"; " + Suggestion(name, PresetNames()));
+}
+
+bool IsPreset(const Look& look, const ImageStatistics& statistics)
+{
+  return IsPresetName(look.name) &&
+    LookText(InUnitsOfData(Preset(look.name), statistics)) == LookText(look);
 }
 
 }

@@ -9,6 +9,8 @@
 namespace varimarch
 {
 
+class ImageStatistics;
+
 /// The looks that come with the program: the files of Data/Presets, built in, so that nothing has
 /// to be found at run time.
 std::vector<std::string> PresetNames();
@@ -17,6 +19,9 @@ bool IsPresetName(const std::string& name);
 
 /// @throws std::invalid_argument for a name that is none of PresetNames()
 Look Preset(const std::string& name);
+
+/// Whether a look is still what the preset of its name is for a volume.
+bool IsPreset(const Look& look, const ImageStatistics& statistics);
 
 }
 

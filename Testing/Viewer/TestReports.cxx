@@ -140,6 +140,15 @@ TEST_F(Reports, OfAScanTellHowItIsDrawnAndNotOfWhom)
   EXPECT_FALSE(text.contains("head"));
 }
 
+TEST_F(Reports, SayThatALookWasEdited)
+{
+  Look look = this->model.CurrentScene().look;
+  look.shading.ambient = 0.5;
+  this->model.SetLook(look, "edit");
+  EXPECT_TRUE(ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy())
+                .contains("ct-bone, edited"));
+}
+
 TEST_F(Reports, NameALookOfOnesOwnNowhere)
 {
   Look look = this->model.CurrentScene().look;

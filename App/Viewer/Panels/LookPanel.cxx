@@ -3,8 +3,6 @@
 #include "Scene/ColorMaps.h"
 #include "Scene/LookFiles.h"
 #include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
-#include "Scene/VolumeProperty.h"
 #include "Viewer/Panels/BlendingForm.h"
 #include "Viewer/Panels/GradientOpacityBox.h"
 #include "Viewer/Panels/ShadingBox.h"
@@ -183,9 +181,7 @@ void LookPanel::Update(ScenePart part)
 void LookPanel::ShowPreset()
 {
   const Look& look = this->model->CurrentScene().look;
-  const bool isPreset = IsPresetName(look.name) &&
-    LookText(InUnitsOfData(Preset(look.name), this->model->CurrentStudy()->statistics)) ==
-      LookText(look);
+  const bool isPreset = IsPreset(look, this->model->CurrentStudy()->statistics);
   const int presetCount = int(PresetNames().size());
   this->presets->removeItem(presetCount);
   const QString name = QString::fromStdString(look.name);

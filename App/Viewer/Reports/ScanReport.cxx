@@ -22,6 +22,8 @@ namespace
 
 const QSize PictureSize(1200, 900);
 const QSize SliceSize(480, 420);
+// Of a picture that fills an A4 page between its margins [1/96 inch].
+constexpr int WidthOnPage = 640;
 
 QString Translated(const char* text)
 {
@@ -40,9 +42,12 @@ QString Row(const QString& name, const QString& value)
 }
 
 // The name of a file of one's own may be that of a patient.
-QString NameOf(const Look& look)
+QString NameOf(const Look& look, const ImageStatistics& statistics)
 {
-  return IsPresetName(look.name) ? QString::fromStdString(look.name) : Translated("own look");
+  const QString name = QString::fromStdString(look.name);
+  return !IsPresetName(look.name) ? Translated("own look")
+    : IsPreset(look, statistics)  ? name
+                                  : Translated("%1, edited").arg(name);
 }
 
 QString LightText(const Shading& shading)
@@ -74,9 +79,9 @@ QString VolumeRows(const LoadedVolume& volume)
         .arg(Number(spacing[0], 3), Number(spacing[1], 3), Number(spacing[2], 3)));
 }
 
-QString SettingRows(const Scene& scene)
+QString SettingRows(const Scene& scene, const ImageStatistics& statistics)
 {
-  return Row(Translated("Look"), NameOf(scene.look)) +
+  return Row(Translated("Look"), NameOf(scene.look, statistics)) +
     Row(Translated("Blending"), QString::fromStdString(NameOf(BlendNames(), scene.look.blend))) +
     Row(Translated("Opacity per"), Number(scene.look.opacityUnitDistanceMm, 2) + " mm") +
     Row(Translated("Opacity by gradient"),
@@ -127,14 +132,16 @@ void AddSlices(QTextDocument& document, SceneModel* model)
 
 QString ScanReportHtml(const Scene& scene, const Study& study)
 {
-  return QStringLiteral("<h1>%1</h1>%2<p><img src='picture' width='1000'></p>"
-                        "<p><img src='axial' width='330'> <img src='coronal' width='330'> "
-                        "<img src='sagittal' width='330'></p>"
-                        "<h2>%3</h2><table>%4</table><h2>%5</h2><table>%6</table>"
-                        "<h2>%7</h2><table>%8</table>")
+  return QStringLiteral("<h1>%1</h1>%2<p><img src='picture' width='%9'></p>"
+                        "<p><img src='axial' width='%10'> <img src='coronal' width='%10'> "
+                        "<img src='sagittal' width='%10'></p>"
+                        "<h3>%3</h3><table>%4</table><h3>%5</h3><table>%6</table>"
+                        "<h3>%7</h3><table>%8</table>")
     .arg(Translated("Volume report"), OriginHtml(), Translated("Volume"), VolumeRows(study.volume),
-      Translated("How it is drawn"), SettingRows(scene), Translated("Measured"),
-      MeasureRows(scene, study));
+      Translated("How it is drawn"), SettingRows(scene, study.statistics), Translated("Measured"),
+      MeasureRows(scene, study))
+    .arg(WidthOnPage)
+    .arg((WidthOnPage - 10) / 3);
 }
 
 void WriteScanReport(SceneModel* model, const QString& path)
