@@ -1,17 +1,16 @@
 // Scissors: what an outline over a picture takes away, in masks, in pictures, and for picking.
 
 #include "Scene/OffscreenView.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/SceneCuts.h"
+#include "Scene/ReferenceRequest.h"
 #include "Scene/ScenePicking.h"
 #include "Scene/Scissors.h"
-#include "Scene/VolumeLoading.h"
 
 #include <vtkImageData.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 using namespace varimarch;
 
@@ -147,4 +146,16 @@ TEST(Scissors, LeaveNothingToPick)
   const auto mask = MaskOf({ cut }, image);
   EXPECT_TRUE(PointSeen(scene, image, { -4, -50, 0 }, { -4, 50, 0 }, mask));
   EXPECT_FALSE(PointSeen(scene, image, { 4, -50, 0 }, { 4, 50, 0 }, mask));
+}
+
+TEST(Scissors, AreRefusedByTheReferenceInASentence)
+{
+  Scene scene;
+  scene.look.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };
+  scene.look.opacities = { { 0.0, 0.9 } };
+  EXPECT_NO_THROW(ReferenceRequestFor(scene, Cube(4), 1e-3));
+  ScissorsCut cut = FromTheFront(true);
+  cut.outline = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 } };
+  scene.cuts.scissors = { cut };
+  EXPECT_THROW(ReferenceRequestFor(scene, Cube(4), 1e-3), std::invalid_argument);
 }

@@ -1,6 +1,7 @@
 // The list of what was measured, and the thickness of slices.
 
 #include "SmallStudy.h"
+#include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/SlabBar.h"
 
@@ -52,6 +53,18 @@ TEST_F(Measures, AreListedWithTheirValues)
   EXPECT_EQ(this->Text(2, 0), "knee");
   EXPECT_EQ(this->Text(2, 1), QString::fromUtf8("90.0°"));
   EXPECT_TRUE(this->Text(3, 1).contains(" voxels")) << this->Text(3, 1).toStdString();
+}
+
+TEST_F(Measures, OfABoxAreShorterInPictures)
+{
+  const Study& study = *this->model.CurrentStudy();
+  const MeasureTexts texts(this->model.CurrentScene(), study.volume.image);
+  const QStringList lines = texts.boxLabels.at(0).split('\n');
+  ASSERT_EQ(lines.size(), 2);
+  EXPECT_TRUE(texts.boxes.at(0).startsWith(lines[0] + ", from ")) << lines[0].toStdString();
+  EXPECT_TRUE(texts.boxes.at(0).contains('\n' + lines[1] + ", ")) << lines[1].toStdString();
+  EXPECT_EQ(VolumeText(999.0), QString::fromUtf8("999 mm³"));
+  EXPECT_EQ(VolumeText(1234.0), "1.23 ml");
 }
 
 TEST_F(Measures, AreRenamedAndRemovedAndBroughtBack)

@@ -10,17 +10,30 @@ namespace
 
 constexpr double Mm3PerMl = 1000.0;
 
+QString Number(double value)
+{
+  return QString::number(value, 'g', 4);
+}
+
 QString BoxText(const BoxStatistics& statistics)
 {
   if (statistics.voxels == 0)
   {
     return MeasureTexts::tr("no voxels");
   }
-  const auto number = [](double value) { return QString::number(value, 'g', 4); };
   return MeasureTexts::tr("%1 ± %2, from %3 to %4\n%5, %6 voxels")
-    .arg(number(statistics.mean), number(statistics.standardDeviation), number(statistics.smallest),
-      number(statistics.largest), VolumeText(statistics.volumeMm3))
+    .arg(Number(statistics.mean), Number(statistics.standardDeviation), Number(statistics.smallest),
+      Number(statistics.largest), VolumeText(statistics.volumeMm3))
     .arg(statistics.voxels);
+}
+
+QString BoxLabel(const BoxStatistics& statistics)
+{
+  return statistics.voxels == 0
+    ? MeasureTexts::tr("no voxels")
+    : MeasureTexts::tr("%1 ± %2\n%3")
+        .arg(Number(statistics.mean), Number(statistics.standardDeviation),
+          VolumeText(statistics.volumeMm3));
 }
 
 }
@@ -37,7 +50,9 @@ MeasureTexts::MeasureTexts(const Scene& scene, vtkImageData* image)
   }
   for (const MeasuredBox& box : scene.boxes)
   {
-    this->boxes.append(BoxText(StatisticsOf(box, image)));
+    const BoxStatistics statistics = StatisticsOf(box, image);
+    this->boxes.append(BoxText(statistics));
+    this->boxLabels.append(BoxLabel(statistics));
   }
 }
 

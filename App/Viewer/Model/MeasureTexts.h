@@ -27,6 +27,7 @@ public:
   QStringList distances; ///< "12.3 mm"
   QStringList angles;    ///< "45.0°"
   QStringList boxes;     ///< two lines: "312 ± 45, from 10 to 420", "1.23 ml, 1482 voxels"
+  QStringList boxLabels; ///< the same in short, for pictures: "312 ± 45", "1.23 ml"
 };
 
 /// "1.23 ml", below a millilitre "123 mm³".

@@ -56,6 +56,7 @@ bool MouseTools::Take(QEvent* event)
   switch (event->type())
   {
     case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
       return this->Press(static_cast<QMouseEvent*>(event));
     case QEvent::MouseMove:
       this->handles.Hover(mouse->localPos());

@@ -158,12 +158,12 @@ void DrawMeasures(QPainter& painter, const MeasuredScene& measured, const Pictur
       DrawAngle(painter, angle, Named(angle.name, texts.angles[i]), frame);
     }
   }
-  for (int i = 0; i < texts.boxes.size(); ++i)
+  for (int i = 0; i < texts.boxLabels.size(); ++i)
   {
     const MeasuredBox& box = scene.boxes[i];
     if (isShown(box.fromMm, box.toMm))
     {
-      DrawBox(painter, box, Named(box.name, texts.boxes[i]), image, frame);
+      DrawBox(painter, box, Named(box.name, texts.boxLabels[i]), image, frame);
     }
   }
 }
