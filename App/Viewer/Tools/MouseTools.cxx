@@ -52,38 +52,52 @@ void MouseTools::Choose(LeftButton button)
 
 bool MouseTools::Take(QEvent* event)
 {
-  const auto* const mouse = static_cast<QMouseEvent*>(event);
   switch (event->type())
   {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
       return this->Press(static_cast<QMouseEvent*>(event));
     case QEvent::MouseMove:
-      this->handles.Hover(mouse->localPos());
-      if (this->active)
-      {
-        this->active->Drag(mouse->localPos());
-      }
-      return this->active != nullptr;
+      return this->Move(static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonRelease:
-      if (!this->active || mouse->button() != Qt::LeftButton)
-      {
-        return false;
-      }
-      this->active->Release(mouse->localPos());
-      this->active = nullptr;
-      return true;
+      return this->Release(static_cast<QMouseEvent*>(event));
     case QEvent::KeyPress:
-      if (!this->active || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
-      {
-        return false;
-      }
-      this->active->Cancel();
-      this->active = nullptr;
-      return true;
+      return static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && this->Cancel();
     default:
       return false;
   }
+}
+
+bool MouseTools::Move(QMouseEvent* mouse)
+{
+  this->handles.Hover(mouse->localPos());
+  if (this->active)
+  {
+    this->active->Drag(mouse->localPos());
+  }
+  return this->active != nullptr;
+}
+
+bool MouseTools::Release(QMouseEvent* mouse)
+{
+  if (!this->active || mouse->button() != Qt::LeftButton)
+  {
+    return false;
+  }
+  this->active->Release(mouse->localPos());
+  this->active = nullptr;
+  return true;
+}
+
+bool MouseTools::Cancel()
+{
+  if (!this->active)
+  {
+    return false;
+  }
+  this->active->Cancel();
+  this->active = nullptr;
+  return true;
 }
 
 // Of other buttons nothing while a gesture goes on, lest the camera turns below it.

@@ -49,7 +49,11 @@ public:
   void Paint(QPainter& painter) const;
 
 private:
+  // Each says whether the event was for a tool.
   bool Press(QMouseEvent* mouse);
+  bool Move(QMouseEvent* mouse);
+  bool Release(QMouseEvent* mouse);
+  bool Cancel();
   MouseTool* ToolFor(QMouseEvent* mouse);
 
   CutHandles handles;
