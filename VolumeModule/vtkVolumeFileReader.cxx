@@ -116,7 +116,8 @@ std::vector<vtkVolumeFileReader::DICOMSeries> vtkVolumeFileReader::ListDICOMSeri
       std::vector<std::string> warnings;
       for (const auto& series : varimarch::FindDicomSeries(this->FileName, warnings, progress))
       {
-        list.push_back({ series.uid, series.description, series.modality, series.imageCount });
+        list.push_back({ series.uid, series.description, series.modality, series.imageCount,
+          series.files->GetValue(series.files->GetNumberOfValues() / 2) });
       }
     });
   return list;

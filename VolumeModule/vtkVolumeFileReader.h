@@ -99,6 +99,7 @@ public:
     std::string Description; ///< as the scanner's operator named it, or empty
     std::string Modality;
     vtkTypeInt64 NumberOfImages;
+    std::string MiddleFile; ///< that with the image in the middle of the series
   };
 
   /**

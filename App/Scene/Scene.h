@@ -5,6 +5,7 @@
 #include "Core/TransferFunction.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -20,12 +21,14 @@ struct RawLayout
   std::string type = "uint8";         ///< one of RawTypeNames()
   std::array<double, 3> spacingMm = { 1.0, 1.0, 1.0 };
   bool bigEndian = false;
+  std::int64_t headerBytes = 0; ///< before the first voxel, >= 0
 };
 
 struct FileSource
 {
   std::string path;             ///< a file, or a folder with a DICOM series
   std::optional<RawLayout> raw; ///< only for files without a header
+  std::string series = {};      ///< UID of one of several DICOM series; empty: the largest
 };
 
 enum class ProceduralKind

@@ -4,6 +4,7 @@
 #include "Scene/CutsJson.h"
 #include "Scene/LookJson.h"
 #include "Scene/MeasuresJson.h"
+#include "Scene/VolumeJson.h"
 
 #include <filesystem>
 
@@ -17,56 +18,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr NumberRange Positive = { 0.0, Infinity, true };
 // OpenGL's least guaranteed largest side of a 2D texture is 16384 in the versions that matter.
 constexpr int LargestPictureSide = 16384;
-constexpr int LargestVolumeSide = 1 << 20;
-
-RawLayout RawLayoutFromJson(const JsonCursor& json)
-{
-  json.RequireObject({ "dimensions", "type", "spacing", "byteOrder" });
-  RawLayout raw;
-  raw.dimensions = json.At("dimensions").Integers<3>(1, LargestVolumeSide);
-  json.At("type").Choice(RawTypeNames());
-  raw.type = json.At("type").Text();
-  if (const auto spacing = json.Find("spacing"))
-  {
-    raw.spacingMm = spacing->Numbers<3>(Positive);
-  }
-  if (const auto order = json.Find("byteOrder"))
-  {
-    raw.bigEndian = order->Choice(ByteOrderNames());
-  }
-  return raw;
-}
-
-VolumeSource VolumeFromJson(const JsonCursor& json)
-{
-  json.RequireObject({ "file", "raw", "procedural", "size", "seed" });
-  if (const auto file = json.Find("file"))
-  {
-    json.RequireObject({ "file", "raw" });
-    FileSource source = { file->Text(), std::nullopt };
-    if (const auto raw = json.Find("raw"))
-    {
-      source.raw = RawLayoutFromJson(*raw);
-    }
-    return source;
-  }
-  if (!json.Find("procedural"))
-  {
-    json.Fail("expected the key \"file\" or \"procedural\", found neither");
-  }
-  json.RequireObject({ "procedural", "size", "seed" });
-  ProceduralSource source;
-  source.kind = json.At("procedural").Choice(ProceduralNames());
-  if (const auto size = json.Find("size"))
-  {
-    source.dimensions = size->Integers<3>(2, LargestProceduralSide);
-  }
-  if (const auto seed = json.Find("seed"))
-  {
-    source.seed = seed->Integer(0, std::numeric_limits<int>::max());
-  }
-  return source;
-}
 
 SliceSettings SlicesFromJson(const JsonCursor& json)
 {
@@ -179,27 +130,6 @@ Scene SceneFromJson(const JsonCursor& json)
     scene.background = background->Numbers<3>({ 0.0, 1.0 });
   }
   return scene;
-}
-
-nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
-{
-  nlohmann::ordered_json json;
-  if (const auto* procedural = std::get_if<ProceduralSource>(&volume))
-  {
-    json["procedural"] = NameOf(ProceduralNames(), procedural->kind);
-    json["size"] = procedural->dimensions;
-    json["seed"] = procedural->seed;
-    return json;
-  }
-  const FileSource& file = std::get<FileSource>(volume);
-  json["file"] = file.path;
-  if (file.raw)
-  {
-    json["raw"] = { { "dimensions", file.raw->dimensions }, { "type", file.raw->type },
-      { "spacing", file.raw->spacingMm },
-      { "byteOrder", NameOf(ByteOrderNames(), file.raw->bigEndian) } };
-  }
-  return json;
 }
 
 nlohmann::ordered_json JsonFromSlices(const SliceSettings& slices)

@@ -9,6 +9,9 @@
 #include <vtkStringArray.h>
 #include <vtkVolumeFileReader.h>
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <stdexcept>
 
 namespace varimarch
@@ -23,6 +26,7 @@ void Apply(const RawLayout& raw, vtkVolumeFileReader* reader)
   reader->SetRawScalarType(ValueOf(RawTypeNames(), raw.type));
   reader->SetRawSpacing(raw.spacingMm[0], raw.spacingMm[1], raw.spacingMm[2]);
   reader->SetRawBigEndian(raw.bigEndian);
+  reader->SetRawHeaderBytes(raw.headerBytes);
 }
 
 // Passes progress on, and the answer back.
@@ -41,31 +45,54 @@ void Observe(vtkVolumeFileReader* reader, const LoadObserver& observer)
   reader->AddObserver(vtkCommand::ProgressEvent, progress);
 }
 
+// A reader whose errors go on as exceptions.
+class QuietReader
+{
+public:
+  QuietReader(const std::string& path, const LoadObserver& observer)
+    : path(path)
+  {
+    // An observer of errors keeps VTK from reporting them as well.
+    vtkNew<vtkCallbackCommand> nothing;
+    nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+    this->reader->AddObserver(vtkCommand::ErrorEvent, nothing);
+    this->reader->SetFileName(path.c_str());
+    if (observer)
+    {
+      Observe(this->reader, observer);
+    }
+  }
+
+  vtkVolumeFileReader* operator->() { return this->reader; }
+
+  // After each piece of work.
+  void Check()
+  {
+    if (this->reader->GetErrorCode() == vtkErrorCode::UserError)
+    {
+      throw std::runtime_error("Reading " + this->path + " was stopped");
+    }
+    if (this->reader->GetErrorCode() != vtkErrorCode::NoError)
+    {
+      throw std::runtime_error(this->reader->GetErrorMessage());
+    }
+  }
+
+private:
+  std::string path;
+  vtkNew<vtkVolumeFileReader> reader;
+};
+
 LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
 {
-  vtkNew<vtkVolumeFileReader> reader;
-  // The error goes on as an exception; an observer keeps VTK from reporting it as well.
-  vtkNew<vtkCallbackCommand> nothing;
-  nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  reader->AddObserver(vtkCommand::ErrorEvent, nothing);
-  reader->SetFileName(source.path.c_str());
+  QuietReader reader(source.path, observer);
+  reader->SetDICOMSeriesUID(source.series.c_str());
   if (source.raw)
   {
-    Apply(*source.raw, reader);
-  }
-  if (observer)
-  {
-    Observe(reader, observer);
+    Apply(*source.raw, reader.operator->());
   }
   reader->Update();
-  if (reader->GetErrorCode() == vtkErrorCode::UserError)
-  {
-    throw std::runtime_error("Reading " + source.path + " was stopped");
-  }
-  if (reader->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw std::runtime_error(reader->GetErrorMessage());
-  }
+  reader.Check();
   LoadedVolume volume = { reader->GetOutput(), reader->GetModality(), {} };
   vtkStringArray* warnings = reader->GetWarnings();
   for (vtkIdType i = 0; i < warnings->GetNumberOfValues(); ++i)
@@ -73,6 +100,19 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
     volume.warnings.push_back(warnings->GetValue(i));
   }
   return volume;
+}
+
+GrayPicture MiddleOfFile(const std::string& path)
+{
+  try
+  {
+    return MiddleSlice(ReadFile({ path, std::nullopt }, {}).image);
+  }
+  catch (const std::runtime_error&)
+  {
+    // That is told when somebody chooses the series.
+    return {};
+  }
 }
 
 }
@@ -85,6 +125,35 @@ LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer
     return { ProceduralVolume(*procedural), isCT ? "CT" : "", {} };
   }
   return ReadFile(std::get<FileSource>(source), observer);
+}
+
+bool MayHoldSeveralSeries(const FileSource& source)
+{
+  const std::filesystem::path path = source.path;
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char letter) { return char(std::tolower(letter)); });
+  return source.series.empty() && (name == "dicomdir" || std::filesystem::is_directory(path));
+}
+
+std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserver& observer)
+{
+  QuietReader reader(path, observer);
+  const auto found = reader->ListDICOMSeries();
+  reader.Check();
+  std::vector<SeriesSummary> all;
+  for (const vtkVolumeFileReader::DICOMSeries& series : found)
+  {
+    if (observer && !observer(1.0))
+    {
+      throw std::runtime_error("Reading " + path + " was stopped");
+    }
+    all.push_back({ series.UID, series.Description, series.Modality, series.NumberOfImages,
+      MiddleOfFile(series.MiddleFile) });
+  }
+  std::stable_sort(all.begin(), all.end(),
+    [](const SeriesSummary& a, const SeriesSummary& b) { return a.imageCount > b.imageCount; });
+  return all;
 }
 
 PresetSuggestion SuggestedPreset(const LoadedVolume& volume)

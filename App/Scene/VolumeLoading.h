@@ -2,6 +2,7 @@
 #define Varimarch_Scene_VolumeLoading_h
 
 #include "Scene/Scene.h"
+#include "Scene/SlicePixels.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -27,6 +28,23 @@ using LoadObserver = std::function<bool(double)>;
 /// @throws std::runtime_error with one sentence that names the file and what is wrong with it, or
 ///   says that the observer did not want to go on
 LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer = {});
+
+/// One of the DICOM series at a place.
+struct SeriesSummary
+{
+  std::string uid;
+  std::string description; ///< as the scanner's operator named it, or empty
+  std::string modality;    ///< "CT", "MR" ...
+  std::int64_t imageCount;
+  GrayPicture middle; ///< the image in its middle; empty when it cannot be read
+};
+
+/// Whether there may be several series: a folder, or the index file of a disc.
+bool MayHoldSeveralSeries(const FileSource& source);
+
+/// The series in a folder and the folders in it, or those of an index file; the largest first.
+/// @throws std::runtime_error as LoadVolume does
+std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserver& observer = {});
 
 struct PresetSuggestion
 {

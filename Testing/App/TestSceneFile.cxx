@@ -20,7 +20,7 @@ Scene UnusualScene()
 {
   Scene scene;
   scene.volume = FileSource{ "/data/scan.raw",
-    RawLayout{ { 10, 20, 30 }, "float32", { 0.5, 0.25, 2.0 }, true } };
+    RawLayout{ { 10, 20, 30 }, "float32", { 0.5, 0.25, 2.0 }, true, 352 }, "1.2.840.1" };
   scene.look.name = "test";
   scene.look.description = "for a test";
   scene.look.domain = Domain::Relative;
@@ -62,6 +62,8 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   // The text holds everything, so that equal texts are equal scenes; a few values besides, lest
   // writing and reading leave out the same one.
   EXPECT_EQ(SceneText(back), text);
+  EXPECT_EQ(std::get<FileSource>(back.volume).raw->headerBytes, 352);
+  EXPECT_EQ(std::get<FileSource>(back.volume).series, "1.2.840.1");
   EXPECT_EQ(back.look.opacities[1].value, 1.0 / 3.0);
   EXPECT_EQ(back.look.opacities[1].shape.midpoint, 0.75);
   EXPECT_EQ(back.look.colors[0].shape.sharpness, 0.5);

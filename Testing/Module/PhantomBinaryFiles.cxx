@@ -231,6 +231,7 @@ std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions
     volume.values.begin() + std::ptrdiff_t((slice + 1) * sliceValues));
   return DicomFileMeta(ctImageStorage, instanceUid) + Element(8, 0x16, "UI", ctImageStorage) +
     Element(8, 0x18, "UI", instanceUid) + Element(8, 0x60, "CS", "CT") +
+    (options.description.empty() ? "" : Element(8, 0x103e, "LO", options.description)) +
     Element(0x10, 0x10, "PN", "Doe^Jane") + Element(0x20, 0xd, "UI", "1.2") +
     Element(0x20, 0xe, "UI", options.seriesUid) +
     // Numbered against the order of positions: readers must not rely on it.
@@ -249,6 +250,7 @@ std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions
     Element(0x28, 0x1050, "DS", "40") + Element(0x28, 0x1051, "DS", "400") +
     Element(0x28, 0x1052, "DS", Decimals({ options.intercept })) +
     Element(0x28, 0x1053, "DS", Decimals({ options.slope })) +
+    (options.lossy ? Element(0x28, 0x2110, "CS", "01") : "") +
     Element(0x7fe0, 0x10, "OW", VoxelBytes(pixels));
 }
 

@@ -98,9 +98,11 @@ struct DicomOptions
   std::string seriesUid = "1.2.3";
   double slope = 1.0;
   double intercept = 0.0;
-  int rows = 0;              ///< what the header says, if not the truth
-  int instance = 0;          ///< tells images of the same slice apart
-  std::string position = {}; ///< what the header says, if not the truth
+  int rows = 0;                 ///< what the header says, if not the truth
+  int instance = 0;             ///< tells images of the same slice apart
+  std::string position = {};    ///< what the header says, if not the truth
+  bool lossy = false;           ///< whether the header says that compression has changed the values
+  std::string description = {}; ///< of the series
 };
 /// A slice of a volume of shorts, uncompressed and little-endian.
 std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions& options = {});

@@ -166,6 +166,65 @@ TEST(DicomVolumes, MissingSlicesAreAWarning)
   ASSERT_STREQ(reader->GetErrorMessage(), "");
   EXPECT_NEAR(reader->GetOutput()->GetSpacing()[2], 2.5, 1e-6);
   EXPECT_NE(Warnings(reader).find("mm apart"), std::string::npos) << Warnings(reader);
+  EXPECT_NE(
+    Warnings(reader).find("3 slices are missing between \"slice8.dcm\" and \"slice12.dcm\"."),
+    std::string::npos)
+    << Warnings(reader);
+}
+
+TEST(DicomVolumes, UnevenSlicesAreAWarningThatNamesTheWidestGap)
+{
+  const TemporaryFolder folder;
+  StoredVolume volume = phantom::Stored(0);
+  volume.originMm = glm::dvec3(0.0);
+  volume.axesMm = glm::dmat3(1.0);
+  DicomOptions later;
+  later.position = "0\\0\\2.2";
+  WriteSlices(folder, "images", volume, { 0, 1 });
+  WriteSlices(folder, "images", volume, { 2 }, later);
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_NE(Warnings(reader).find("Slices lie 1 to 1.2 mm apart, most between \"slice1.dcm\" and "
+                                  "\"slice2.dcm\""),
+    std::string::npos)
+    << Warnings(reader);
+}
+
+TEST(DicomVolumes, MixedDirectionsAreAWarningThatNamesWhatIsLeftOut)
+{
+  const TemporaryFolder folder;
+  WriteSlices(folder, "images", phantom::Stored(0), { 0, 1, 2 });
+  StoredVolume across = phantom::Stored(0);
+  across.axesMm = glm::dmat3(across.axesMm[1], across.axesMm[2], across.axesMm[0]);
+  DicomOptions options;
+  options.instance = 70;
+  folder.Write("images/across.dcm", DicomBytes(across, 0, options));
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 60);
+  EXPECT_NE(Warnings(reader).find("that of the others: \"across.dcm\"."), std::string::npos)
+    << Warnings(reader);
+}
+
+TEST(DicomVolumes, CompressionWithLossIsAWarningThatNamesTheFiles)
+{
+  const TemporaryFolder folder;
+  DicomOptions options;
+  options.lossy = true;
+  WriteSlices(folder, "images", phantom::Stored(0), { 0 });
+  WriteSlices(folder, "images", phantom::Stored(0), { 1, 2 }, options);
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(folder.Path("images").c_str());
+  reader->Update();
+  ASSERT_STREQ(reader->GetErrorMessage(), "");
+  EXPECT_NE(Warnings(reader).find("2 of 3 images were compressed with loss"), std::string::npos)
+    << Warnings(reader);
+  EXPECT_NE(Warnings(reader).find("\"slice1.dcm\", \"slice2.dcm\""), std::string::npos)
+    << Warnings(reader);
 }
 
 TEST(DicomVolumes, RepeatedSlicesAreReadOnceWithAWarning)

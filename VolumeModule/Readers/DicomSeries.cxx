@@ -1,5 +1,6 @@
 #include "Readers/DicomSeries.h"
 
+#include "Readers/DicomSlices.h"
 #include "Readers/FileError.h"
 #include "Readers/HeaderText.h"
 #include "Readers/VtkMessages.h"
@@ -76,8 +77,8 @@ void CheckFileHolds(const std::string& path, vtkDICOMMetaData* meta, int file)
 
 /// The files whose images are of the size that most images have; others, such as a scout, are no
 /// slices of the same volume.
-void TakeImagesOfOneSize(
-  vtkStringArray* files, vtkDICOMMetaData* meta, DicomSeries& series, std::int64_t& otherCount)
+void TakeImagesOfOneSize(vtkStringArray* files, vtkDICOMMetaData* meta, DicomSeries& series,
+  std::vector<std::string>& leftOut)
 {
   using Size = std::pair<int, int>;
   const auto sizeOf = [&](int file)
@@ -101,7 +102,7 @@ void TakeImagesOfOneSize(
     }
     else
     {
-      otherCount += FrameCount(meta, file);
+      leftOut.push_back(FileName(files->GetValue(file)));
     }
   }
 }
@@ -112,13 +113,13 @@ DicomSeries SeriesOf(vtkDICOMDirectory* directory, int index, std::vector<std::s
   DicomSeries series = { record.Get(DC::SeriesInstanceUID).AsString(),
     record.Get(DC::SeriesDescription).AsUTF8String(), record.Get(DC::Modality).AsString(), 0,
     nullptr };
-  std::int64_t otherCount = 0;
+  std::vector<std::string> leftOut;
   TakeImagesOfOneSize(directory->GetFileNamesForSeries(index),
-    directory->GetMetaDataForSeries(index), series, otherCount);
-  if (otherCount > 0)
+    directory->GetMetaDataForSeries(index), series, leftOut);
+  if (!leftOut.empty())
   {
-    warnings.push_back(std::to_string(otherCount) +
-      " images of a series were left out because their size is not that of the others.");
+    warnings.push_back("Images were left out because their size is not that of the others: " +
+      FileList(leftOut) + ".");
   }
   return series;
 }

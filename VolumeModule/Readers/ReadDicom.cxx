@@ -1,5 +1,6 @@
 // DICOM through vtk-dicom: sorts slices by position, reads compressed and multi-frame files.
 #include "Readers/DicomSeries.h"
+#include "Readers/DicomSlices.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
@@ -15,16 +16,11 @@
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkInformation.h>
-#include <vtkIntArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -80,19 +76,6 @@ const DicomSeries& ChosenSeries(
   return *chosen;
 }
 
-/// Attribute of the file and frame that a slice came from.
-const vtkDICOMValue& SliceValue(vtkDICOMReader* reader, int slice, vtkDICOMTag tag)
-{
-  const int file = int(reader->GetFileIndexArray()->GetComponent(slice, 0));
-  const int frame = int(reader->GetFrameIndexArray()->GetComponent(slice, 0));
-  return reader->GetMetaData()->Get(file, frame, tag);
-}
-
-int SliceCount(vtkDICOMReader* reader)
-{
-  return int(reader->GetFileIndexArray()->GetNumberOfTuples());
-}
-
 /// Reads the headers of the files and puts them in order.
 void UpdateInformation(const std::string& path, vtkDICOMReader* reader, const VtkMessages& messages)
 {
@@ -103,31 +86,54 @@ void UpdateInformation(const std::string& path, vtkDICOMReader* reader, const Vt
   }
 }
 
+/// The slices of a stack, as far as their order is known.
+struct Stack
+{
+  std::string id;
+  std::vector<std::string> fileNames;
+};
+
+std::vector<Stack> StacksOf(
+  const std::string& path, vtkDICOMReader* reader, const VtkMessages& messages)
+{
+  std::vector<Stack> stacks;
+  for (vtkIdType i = 0; i < reader->GetStackIDs()->GetNumberOfValues(); ++i)
+  {
+    stacks.push_back({ reader->GetStackIDs()->GetValue(i), {} });
+  }
+  for (Stack& stack : stacks)
+  {
+    reader->SetDesiredStackID(stack.id.c_str());
+    UpdateInformation(path, reader, messages);
+    for (int slice = 0; slice < SliceCount(reader); ++slice)
+    {
+      stack.fileNames.push_back(SliceFileName(reader, slice));
+    }
+  }
+  return stacks;
+}
+
 /// A series may hold several stacks of slices, and several times: takes the largest, and the first.
 void ChooseStackAndTime(const std::string& path, vtkDICOMReader* reader,
   const VtkMessages& messages, std::vector<std::string>& warnings)
 {
   UpdateInformation(path, reader, messages);
-  const auto stackCount = reader->GetStackIDs()->GetNumberOfValues();
-  if (stackCount > 1)
+  KeepOneDirection(reader, warnings);
+  UpdateInformation(path, reader, messages);
+  if (reader->GetStackIDs()->GetNumberOfValues() > 1)
   {
-    std::vector<std::string> ids;
-    for (vtkIdType i = 0; i < stackCount; ++i)
+    std::vector<Stack> stacks = StacksOf(path, reader, messages);
+    const auto largest = std::max_element(stacks.begin(), stacks.end(),
+      [](const Stack& a, const Stack& b) { return a.fileNames.size() < b.fileNames.size(); });
+    std::iter_swap(stacks.begin(), largest);
+    reader->SetDesiredStackID(stacks.front().id.c_str());
+    std::vector<std::string> leftOut;
+    for (auto stack = stacks.begin() + 1; stack != stacks.end(); ++stack)
     {
-      ids.push_back(reader->GetStackIDs()->GetValue(i));
+      leftOut.insert(leftOut.end(), stack->fileNames.begin(), stack->fileNames.end());
     }
-    std::string largest;
-    int largestCount = 0;
-    for (const std::string& id : ids)
-    {
-      reader->SetDesiredStackID(id.c_str());
-      UpdateInformation(path, reader, messages);
-      largest = SliceCount(reader) > largestCount ? id : largest;
-      largestCount = std::max(largestCount, SliceCount(reader));
-    }
-    reader->SetDesiredStackID(largest.c_str());
-    warnings.push_back("The series has " + std::to_string(stackCount) +
-      " stacks of slices; only the largest was read.");
+    warnings.push_back("The series has " + std::to_string(stacks.size()) +
+      " stacks of slices; only the largest was read, without " + FileList(leftOut) + ".");
   }
   if (reader->GetTimeDimension() > 1)
   {
@@ -178,60 +184,6 @@ std::vector<Rescale> RescaleOf(vtkDICOMReader* reader)
   return slices;
 }
 
-/// Where the first pixel of a slice lies, as far as the file says it.
-glm::dvec3 PositionMm(vtkDICOMReader* reader, int slice)
-{
-  const vtkDICOMValue& value = SliceValue(reader, slice, DC::ImagePositionPatient);
-  glm::dvec3 positionMm(0.0);
-  if (value.GetNumberOfValues() == 3)
-  {
-    value.GetValues(&positionMm[0], 3);
-  }
-  return positionMm;
-}
-
-/// Gantry tilt, and slices that do not lie at equal distances although they are drawn so.
-void WarnOfGeometry(
-  vtkDICOMReader* reader, const ImageGeometry& geometry, std::vector<std::string>& warnings)
-{
-  if (!SliceValue(reader, 0, DC::ImageOrientationPatient).IsValid())
-  {
-    warnings.push_back(UnknownSides);
-    return;
-  }
-  const glm::dvec3 normal = glm::normalize(glm::cross(geometry.axesMm[0], geometry.axesMm[1]));
-  const double drawnMm = glm::dot(geometry.axesMm[2], normal);
-  const double tilt = std::acos(std::min(1.0, drawnMm / glm::length(geometry.axesMm[2])));
-  std::ostringstream text;
-  text.precision(4);
-  if (glm::degrees(tilt) > 0.1)
-  {
-    text << "The gantry was tilted by " << glm::degrees(tilt) << " degrees.";
-    warnings.push_back(text.str());
-    text.str("");
-  }
-
-  double smallestMm = drawnMm;
-  double largestMm = drawnMm;
-  double lastMm = 0.0;
-  for (int slice = 0; slice < SliceCount(reader); ++slice)
-  {
-    const double locationMm = glm::dot(PositionMm(reader, slice), normal);
-    if (slice > 0)
-    {
-      smallestMm = std::min(smallestMm, locationMm - lastMm);
-      largestMm = std::max(largestMm, locationMm - lastMm);
-    }
-    lastMm = locationMm;
-  }
-  if (largestMm - smallestMm > 0.01 * drawnMm)
-  {
-    text << "Slices lie " << smallestMm << " to " << largestMm << " mm apart, but are drawn "
-         << drawnMm << " mm apart.";
-    warnings.push_back(text.str());
-  }
-}
-
 /// What else the first slice says: nothing that identifies the patient.
 void TakeMetadata(vtkDICOMReader* reader, Volume& volume)
 {
@@ -249,10 +201,6 @@ void TakeMetadata(vtkDICOMReader* reader, Volume& volume)
   {
     volume.warnings.push_back(
       "The values are of the kind " + colours + ", which is not turned into brightness here.");
-  }
-  if (SliceValue(reader, 0, DC::LossyImageCompression).AsString() == "01")
-  {
-    volume.warnings.push_back("The images were compressed with loss.");
   }
 }
 
@@ -287,6 +235,7 @@ Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgre
   volume.warnings.insert(
     volume.warnings.end(), messages.Warnings().begin(), messages.Warnings().end());
   WarnOfGeometry(reader, geometry, volume.warnings);
+  WarnOfLoss(reader, volume.warnings);
   TakeMetadata(reader, volume);
   return volume;
 }

@@ -1,0 +1,104 @@
+#include "Scene/VolumeJson.h"
+
+#include <limits>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr NumberRange Positive = { 0.0, std::numeric_limits<double>::infinity(), true };
+constexpr int LargestVolumeSide = 1 << 20;
+
+RawLayout RawLayoutFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "dimensions", "type", "spacing", "byteOrder", "headerBytes" });
+  RawLayout raw;
+  raw.dimensions = json.At("dimensions").Integers<3>(1, LargestVolumeSide);
+  json.At("type").Choice(RawTypeNames());
+  raw.type = json.At("type").Text();
+  if (const auto spacing = json.Find("spacing"))
+  {
+    raw.spacingMm = spacing->Numbers<3>(Positive);
+  }
+  if (const auto order = json.Find("byteOrder"))
+  {
+    raw.bigEndian = order->Choice(ByteOrderNames());
+  }
+  if (const auto header = json.Find("headerBytes"))
+  {
+    raw.headerBytes = header->Integer(0, std::numeric_limits<int>::max());
+  }
+  return raw;
+}
+
+FileSource FileFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "file", "series", "raw" });
+  FileSource source = { json.At("file").Text(), std::nullopt };
+  if (const auto series = json.Find("series"))
+  {
+    source.series = series->Text();
+  }
+  if (const auto raw = json.Find("raw"))
+  {
+    source.raw = RawLayoutFromJson(*raw);
+  }
+  return source;
+}
+
+}
+
+VolumeSource VolumeFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "file", "series", "raw", "procedural", "size", "seed" });
+  if (json.Find("file"))
+  {
+    return FileFromJson(json);
+  }
+  if (!json.Find("procedural"))
+  {
+    json.Fail("expected the key \"file\" or \"procedural\", found neither");
+  }
+  json.RequireObject({ "procedural", "size", "seed" });
+  ProceduralSource source;
+  source.kind = json.At("procedural").Choice(ProceduralNames());
+  if (const auto size = json.Find("size"))
+  {
+    source.dimensions = size->Integers<3>(2, LargestProceduralSide);
+  }
+  if (const auto seed = json.Find("seed"))
+  {
+    source.seed = seed->Integer(0, std::numeric_limits<int>::max());
+  }
+  return source;
+}
+
+nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
+{
+  nlohmann::ordered_json json;
+  if (const auto* procedural = std::get_if<ProceduralSource>(&volume))
+  {
+    json["procedural"] = NameOf(ProceduralNames(), procedural->kind);
+    json["size"] = procedural->dimensions;
+    json["seed"] = procedural->seed;
+    return json;
+  }
+  const FileSource& file = std::get<FileSource>(volume);
+  json["file"] = file.path;
+  if (!file.series.empty())
+  {
+    json["series"] = file.series;
+  }
+  if (file.raw)
+  {
+    json["raw"] = { { "dimensions", file.raw->dimensions }, { "type", file.raw->type },
+      { "spacing", file.raw->spacingMm },
+      { "byteOrder", NameOf(ByteOrderNames(), file.raw->bigEndian) },
+      { "headerBytes", file.raw->headerBytes } };
+  }
+  return json;
+}
+
+}
