@@ -2,9 +2,12 @@
 
 #include "Scene/Presets.h"
 #include "Scene/SceneCamera.h"
+#include "Viewer/Model/Log.h"
+#include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/MeasuresPanel.h"
+#include "Viewer/Panels/PresetGallery.h"
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/Panels/SlabBar.h"
 #include "Viewer/Theme.h"
@@ -15,10 +18,8 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QCloseEvent>
-#include <QCoreApplication>
 #include <QDockWidget>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -36,9 +37,16 @@ MainWindow::MainWindow(QWidget* parent)
   , autosave(&this->model,
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/autosaved.json")
   , view(new ComparisonView(&this->model))
+  , warnings(new WarningBar)
 {
   this->setWindowTitle(tr("Varimarch, not for diagnostic use"));
-  this->setCentralWidget(this->MakeViews());
+  auto* const center = new QWidget;
+  auto* const column = new QVBoxLayout(center);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(this->warnings);
+  column->addWidget(this->MakeViews(), 1);
+  this->setCentralWidget(center);
   this->setAcceptDrops(true);
   this->resize(1280, 800);
   this->MakeMenus();
@@ -51,10 +59,12 @@ MainWindow::MainWindow(QWidget* parent)
   this->restoreGeometry(settings.value("window/geometry").toByteArray());
   this->restoreState(settings.value("window/panels").toByteArray());
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
+  connect(&this->loader, &VolumeLoader::SeriesFound, this, &MainWindow::AskForSeries);
   connect(&this->loader, &VolumeLoader::Failed, this, &MainWindow::ShowFailure);
   connect(&this->loader, &VolumeLoader::Cancelled, this,
     [this]
     {
+      LogEvent("loading cancelled");
       this->ShowLoading(false);
       this->statusBar()->showMessage(tr("Loading was cancelled"));
     });
@@ -89,6 +99,7 @@ void MainWindow::MakeMenus()
   file->addAction(tr("&Open…"), this, &MainWindow::ChooseFile, QKeySequence::Open);
   file->addAction(
     tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
+  file->addAction(tr("Open &bare voxels…"), this, &MainWindow::ChooseRawFile);
   this->recentMenu = file->addMenu(tr("&Recent scans"));
   connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
   file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
@@ -172,12 +183,6 @@ void MainWindow::MakeProjectionAction(QMenu* menu)
     [this, parallel] { parallel->setChecked(this->model.CurrentScene().camera.parallel); });
 }
 
-void MainWindow::MakeHelpMenu()
-{
-  QMenu* const menu = this->menuBar()->addMenu(tr("&Help"));
-  menu->addAction(tr("&About Varimarch"), this, &MainWindow::ShowAbout);
-}
-
 void MainWindow::MakePanels()
 {
   const auto dockOf = [this](const QString& name, const QString& title, QWidget* panel)
@@ -193,6 +198,9 @@ void MainWindow::MakePanels()
     this->addDockWidget(Qt::RightDockWidgetArea, dock);
     return dock;
   };
+  QDockWidget* const presets = dockOf("presets", tr("Presets"),
+    new PresetGallery(&this->model,
+      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/presets"));
   QDockWidget* const look = dockOf("look", tr("Look"), new LookPanel(&this->model));
   QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
   QDockWidget* const quality = dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
@@ -200,9 +208,10 @@ void MainWindow::MakePanels()
   connect(cuts, &QDockWidget::visibilityChanged, this->view->Ours(), &VolumeView::ShowCutHandles);
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   QDockWidget* const measures = dockOf("measures", tr("Measures"), new MeasuresPanel(&this->model));
+  this->tabifyDockWidget(presets, look);
   this->tabifyDockWidget(look, cuts);
   this->tabifyDockWidget(cuts, measures);
-  look->raise();
+  presets->raise();
   this->resizeDocks({ look, quality }, { 600, 90 }, Qt::Vertical);
   this->resizeDocks({ look }, { 380 }, Qt::Horizontal);
 }
@@ -223,16 +232,9 @@ void MainWindow::MakeStatusBar()
     [this](double part) { this->progress->setValue(int(100.0 * part)); });
 }
 
-void MainWindow::ShowAbout()
-{
-  QMessageBox::about(this, tr("About Varimarch"),
-    tr("<b>Varimarch %1</b><p>Looks into CT and MR volumes, with an error that is promised.</p>"
-       "<p><b>Not for diagnostic use.</b> This program is not a medical device.</p>")
-      .arg(QCoreApplication::applicationVersion()));
-}
-
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+  LogEvent("window closed");
   this->loader.Cancel();
   this->autosave.Remove();
   QSettings settings;

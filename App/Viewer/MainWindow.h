@@ -21,6 +21,7 @@ namespace varimarch
 
 class ComparisonView;
 class SliceView;
+class WarningBar;
 
 /// The window: menus, the views, the panels around them, and the loading of volumes. What it opens
 /// and keeps stands in MainWindowFiles.cxx, its tools in MainWindowTools.cxx.
@@ -36,6 +37,9 @@ public:
 
   /// Offers what an earlier program, which did not come to its end, has left.
   void OfferAutosaved();
+
+  /// Says that this is not for diagnostic use, once and for all.
+  void ShowNoticeOnce();
 
   /// Shows VTK's picture beside ours; none: ours alone.
   void Compare(std::optional<MapperKind> kind);
@@ -62,6 +66,7 @@ private:
   void MakeStatusBar();
   void ChooseFile();
   void ChooseFolder();
+  void ChooseRawFile();
   void SaveSession();
   void ListRecentScans();
   void ShowAbout();
@@ -70,6 +75,8 @@ private:
   void ExportTurntable();
   void ExportReport();
   void ShowBenchmark();
+  void AskForLayout(const QString& path);
+  void AskForSeries(const FileSource& source, const std::vector<SeriesSummary>& series);
   void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   void ShowFailure(const QString& reason);
   void ShowLoading(bool loading);
@@ -83,6 +90,7 @@ private:
   QWidget* sliceColumn;
   QSplitter* slices;
   std::vector<SliceView*> sliceViews;
+  WarningBar* warnings;
   QMenu* recentMenu;
   QProgressBar* progress;
   QPushButton* cancel;

@@ -3,11 +3,17 @@
 #include "Viewer/MainWindow.h"
 
 #include "Scene/SceneFile.h"
+#include "Viewer/Model/Log.h"
+#include "Viewer/Model/PresetTitles.h"
+#include "Viewer/Open/RawForm.h"
+#include "Viewer/Open/SeriesPicker.h"
+#include "Viewer/Open/WarningBar.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
 #include "Viewer/View/VolumeView.h"
 
 #include <QDragEnterEvent>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -48,11 +54,31 @@ QString FileFilter()
   return formats.join(";;");
 }
 
+void LogVolume(const LoadedVolume& volume)
+{
+  const int* const count = volume.image->GetDimensions();
+  LogEvent("volume opened",
+    { { "columns", double(count[0]) }, { "rows", double(count[1]) }, { "slices", double(count[2]) },
+      { "bytes per value", double(volume.image->GetScalarSize()) },
+      { "warnings", double(volume.warnings.size()) } });
+}
+
+bool IsBareVoxels(const QString& path)
+{
+  return path.endsWith(".raw", Qt::CaseInsensitive) ||
+    path.endsWith(".raw.gz", Qt::CaseInsensitive);
+}
+
 }
 
 void MainWindow::Open(const QString& path)
 {
   this->restored.reset();
+  if (IsBareVoxels(path) && QFile::exists(path))
+  {
+    this->AskForLayout(path);
+    return;
+  }
   if (QFileInfo(path).suffix() != "json")
   {
     this->Load(FileSource{ path.toStdString(), std::nullopt });
@@ -71,11 +97,37 @@ void MainWindow::Open(const QString& path)
 
 void MainWindow::Load(const VolumeSource& source)
 {
+  LogEvent("loading");
   this->ShowLoading(true);
   const auto* const file = std::get_if<FileSource>(&source);
   const QString name = file ? QFileInfo(QString::fromStdString(file->path)).fileName() : QString();
   this->statusBar()->showMessage(tr("Loading %1").arg(name));
   this->loader.Load(source);
+}
+
+void MainWindow::AskForLayout(const QString& path)
+{
+  auto* const form = new RawForm(path, this);
+  form->setAttribute(Qt::WA_DeleteOnClose);
+  connect(form, &RawForm::Chosen, this, &MainWindow::Load);
+  form->open();
+}
+
+void MainWindow::AskForSeries(const FileSource& source, const std::vector<SeriesSummary>& series)
+{
+  LogEvent("series to choose from", { { "count", double(series.size()) } });
+  this->ShowLoading(false);
+  this->statusBar()->clearMessage();
+  auto* const picker = new SeriesPicker(series, this);
+  picker->setAttribute(Qt::WA_DeleteOnClose);
+  connect(picker, &SeriesPicker::Chosen, this,
+    [this, source](const QString& uid)
+    {
+      FileSource chosen = source;
+      chosen.series = uid.toStdString();
+      this->Load(chosen);
+    });
+  picker->open();
 }
 
 void MainWindow::SaveSession()
@@ -130,6 +182,17 @@ void MainWindow::ChooseFolder()
   }
 }
 
+void MainWindow::ChooseRawFile()
+{
+  const QString path =
+    QFileDialog::getOpenFileName(this, tr("Open bare voxels"), {}, tr("All files (*)"));
+  if (!path.isEmpty())
+  {
+    this->restored.reset();
+    this->AskForLayout(path);
+  }
+}
+
 void MainWindow::ExportPicture()
 {
   if (this->model.CurrentStudy())
@@ -172,9 +235,11 @@ void MainWindow::ExportTurntable()
 
 void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
 {
+  LogVolume(study->volume);
   this->ShowLoading(false);
   if (this->restored)
   {
+    this->restored->volume = source;
     this->model.Restore(*this->restored, study);
     this->restored.reset();
   }
@@ -186,19 +251,21 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
   {
     this->recentScans.Add(QString::fromStdString(file->path), *study);
   }
-  QStringList messages;
+  QStringList doubts;
   for (const std::string& warning : study->volume.warnings)
   {
-    messages.append(QString::fromStdString(warning));
+    doubts.append(QString::fromStdString(warning));
   }
-  messages.append(tr("Look \"%1\": %2. R brings it back.")
-                    .arg(QString::fromStdString(this->model.CurrentScene().look.name),
-                      QString::fromStdString(SuggestedPreset(study->volume).reason)));
-  this->statusBar()->showMessage(messages.join(' '));
+  this->warnings->Show(doubts);
+  this->statusBar()->showMessage(
+    tr("Look \"%1\": %2. R brings it back.")
+      .arg(PresetTitle(this->model.CurrentScene().look.name),
+        QString::fromStdString(SuggestedPreset(study->volume).reason)));
 }
 
 void MainWindow::ShowFailure(const QString& reason)
 {
+  LogEvent("opening failed");
   this->ShowLoading(false);
   this->statusBar()->showMessage(reason);
   auto* const box =

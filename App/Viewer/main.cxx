@@ -1,10 +1,12 @@
 // varimarch-viewer: opens a volume in a window.
 
 #include "Viewer/MainWindow.h"
+#include "Viewer/Model/Log.h"
 #include "Viewer/Theme.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QStandardPaths>
 #include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 
@@ -29,8 +31,10 @@ int main(int argumentCount, char** arguments)
   parser.process(application);
 
   varimarch::ApplyTheme(varimarch::ChosenTheme());
+  varimarch::StartLog(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
   varimarch::MainWindow window;
   window.show();
+  window.ShowNoticeOnce();
   if (!parser.positionalArguments().isEmpty())
   {
     window.Open(parser.positionalArguments().first());

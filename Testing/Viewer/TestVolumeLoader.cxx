@@ -1,5 +1,6 @@
-// Loading in a thread: it ends in exactly one of three ways, also when it is stopped or left.
+// Loading in a thread: it ends in exactly one of four ways, also when it is stopped or left.
 
+#include "Module/PhantomFiles.h"
 #include "Viewer/Model/VolumeLoader.h"
 
 #include <QSignalSpy>
@@ -16,10 +17,29 @@ constexpr int MostMilliseconds = 30000;
 class Loading : public testing::Test
 {
 protected:
-  int Ends() const { return this->loaded.count() + this->failed.count() + this->cancelled.count(); }
+  int Ends() const
+  {
+    return this->loaded.count() + this->found.count() + this->failed.count() +
+      this->cancelled.count();
+  }
 
+  /// Writes slices of the phantom into a folder, as a series of its own.
+  void WriteSeries(const std::string& uid, int sliceCount)
+  {
+    DicomOptions options;
+    options.seriesUid = uid;
+    options.description = "Series " + uid;
+    for (int slice = 0; slice < sliceCount; ++slice)
+    {
+      this->folder.Write("disc/" + uid + "-" + std::to_string(slice),
+        DicomBytes(phantom::Stored(0), slice, options));
+    }
+  }
+
+  TemporaryFolder folder;
   VolumeLoader loader;
   QSignalSpy loaded{ &this->loader, &VolumeLoader::Loaded };
+  QSignalSpy found{ &this->loader, &VolumeLoader::SeriesFound };
   QSignalSpy failed{ &this->loader, &VolumeLoader::Failed };
   QSignalSpy cancelled{ &this->loader, &VolumeLoader::Cancelled };
 };
@@ -45,6 +65,35 @@ TEST_F(Loading, OfAMissingFileFailsWithItsName)
   this->loader.Load(FileSource{ "/missing/head.nrrd", std::nullopt });
   ASSERT_TRUE(this->failed.wait(MostMilliseconds));
   EXPECT_TRUE(this->failed.first().first().toString().contains("/missing/head.nrrd"));
+  EXPECT_EQ(this->Ends(), 1);
+}
+
+TEST_F(Loading, OfSeveralSeriesAsksWhichTheLargestFirst)
+{
+  this->WriteSeries("1.2.33", 2);
+  this->WriteSeries("1.2.44", 3);
+  this->loader.Load(FileSource{ this->folder.Path("disc"), std::nullopt });
+  ASSERT_TRUE(this->found.wait(MostMilliseconds));
+  EXPECT_EQ(this->Ends(), 1);
+  const auto series = this->found.first()[1].value<std::vector<SeriesSummary>>();
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series[0].uid, "1.2.44");
+  EXPECT_EQ(series[0].imageCount, 3);
+  EXPECT_EQ(series[1].description, "Series 1.2.33");
+  EXPECT_EQ(series[1].modality, "CT");
+  EXPECT_EQ(series[1].middle.pixels.size(), 20u) << "the picture of a slice";
+
+  this->loader.Load(FileSource{ this->folder.Path("disc"), std::nullopt, "1.2.33" });
+  ASSERT_TRUE(this->loaded.wait(MostMilliseconds));
+  const auto study = this->loaded.first()[1].value<std::shared_ptr<const Study>>();
+  EXPECT_EQ(study->volume.image->GetDimensions()[2], 2);
+}
+
+TEST_F(Loading, OfAFolderWithOneSeriesAsksNothing)
+{
+  this->WriteSeries("1.2.33", 3);
+  this->loader.Load(FileSource{ this->folder.Path("disc"), std::nullopt });
+  ASSERT_TRUE(this->loaded.wait(MostMilliseconds));
   EXPECT_EQ(this->Ends(), 1);
 }
 

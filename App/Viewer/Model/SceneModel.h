@@ -85,7 +85,9 @@ private:
 }
 
 Q_DECLARE_METATYPE(varimarch::ScenePart)
+Q_DECLARE_METATYPE(varimarch::FileSource)
 Q_DECLARE_METATYPE(varimarch::VolumeSource)
+Q_DECLARE_METATYPE(std::vector<varimarch::SeriesSummary>)
 Q_DECLARE_METATYPE(std::shared_ptr<const varimarch::Study>)
 
 #endif

@@ -14,6 +14,7 @@ struct VolumeLoader::Task
   VolumeSource source;
   std::atomic<bool> stop{ false };
   std::shared_ptr<const Study> study; ///< when it ended well
+  std::vector<SeriesSummary> series;  ///< or when one has to be chosen
   QString failure;                    ///< when it did not
 };
 
@@ -34,18 +35,32 @@ VolumeLoader::~VolumeLoader()
 }
 
 // In the thread.
-void VolumeLoader::Run(Task& task)
+void VolumeLoader::Read(Task& task)
 {
   const auto observe = [&](double part)
   {
     emit this->Progress(part);
     return !task.stop;
   };
+  auto* const file = std::get_if<FileSource>(&task.source);
+  if (file && MayHoldSeveralSeries(*file))
+  {
+    task.series = ListSeries(file->path, observe);
+    if (task.series.size() > 1)
+    {
+      return;
+    }
+  }
+  LoadedVolume volume = LoadVolume(task.source, observe);
+  ImageStatistics statistics(volume.image);
+  task.study = std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
+}
+
+void VolumeLoader::Run(Task& task)
+{
   try
   {
-    LoadedVolume volume = LoadVolume(task.source, observe);
-    ImageStatistics statistics(volume.image);
-    task.study = std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
+    this->Read(task);
   }
   catch (const std::bad_alloc&)
   {
@@ -100,6 +115,10 @@ void VolumeLoader::Finish()
   else if (ended->study)
   {
     emit this->Loaded(ended->source, ended->study);
+  }
+  else if (ended->failure.isEmpty())
+  {
+    emit this->SeriesFound(std::get<FileSource>(ended->source), ended->series);
   }
   else
   {

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <memory>
+#include <vector>
 
 class QThread;
 
@@ -15,7 +16,8 @@ namespace varimarch
 {
 
 /// Reads volumes in a thread of its own, one at a time; a new one takes the place of the last.
-/// Exactly one of Loaded, Failed and Cancelled ends what Load began, unless this is destroyed.
+/// Exactly one of Loaded, SeriesFound, Failed and Cancelled ends what Load began, unless this is
+/// destroyed.
 class VolumeLoader : public QObject
 {
   Q_OBJECT
@@ -35,6 +37,9 @@ signals:
   /// @param part  of the work that is done, [0, 1]
   void Progress(double part);
   void Loaded(const varimarch::VolumeSource& source, std::shared_ptr<const varimarch::Study> study);
+  /// There are several DICOM series, and the source does not say which.
+  void SeriesFound(
+    const varimarch::FileSource& source, const std::vector<varimarch::SeriesSummary>& series);
   /// @param reason  one sentence
   void Failed(const QString& reason);
   void Cancelled();
@@ -43,6 +48,7 @@ private:
   struct Task;
 
   void Run(Task& task);
+  void Read(Task& task);
   void Finish();
 
   QThread* thread = nullptr;

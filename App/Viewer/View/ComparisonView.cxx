@@ -2,6 +2,7 @@
 
 #include "Scene/DifferencePicture.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/View/ByteImage.h"
 #include "Viewer/View/VolumeView.h"
 
 #include <QImage>
@@ -25,15 +26,6 @@ namespace
 constexpr int StillMilliseconds = 400;
 constexpr int DividerPixels = 9; // that can be grabbed; a line in its middle is seen
 constexpr double DividerStep = 0.02;
-
-// A byte picture, whose row 0 is the lowest.
-QImage ImageOf(vtkImageData* bytePicture)
-{
-  const int* const size = bytePicture->GetDimensions();
-  return QImage(static_cast<const uchar*>(bytePicture->GetScalarPointer()), size[0], size[1],
-    3 * size[0], QImage::Format_RGB888)
-    .mirrored();
-}
 
 }
 

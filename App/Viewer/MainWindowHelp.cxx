@@ -1,0 +1,71 @@
+// What the window says of itself: the notice, and the menu of help.
+
+#include "Viewer/MainWindow.h"
+
+#include "Viewer/Model/Log.h"
+
+#include <QCoreApplication>
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QUrl>
+
+namespace varimarch
+{
+
+namespace
+{
+
+const QString NoticeKey = QStringLiteral("notice/read");
+
+QString Notice()
+{
+  return MainWindow::tr(
+    "<b>Not for diagnostic use.</b> This program is not a medical device. It must not be used to "
+    "diagnose, to plan or to guide a treatment.");
+}
+
+}
+
+void MainWindow::ShowNoticeOnce()
+{
+  if (QSettings().value(NoticeKey).toBool())
+  {
+    return;
+  }
+  auto* const box = new QMessageBox(
+    QMessageBox::Information, tr("Varimarch"), Notice(), QMessageBox::NoButton, this);
+  box->setObjectName("notice");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* const understood = box->addButton(tr("I understand"), QMessageBox::AcceptRole);
+  connect(
+    understood, &QAbstractButton::clicked, box, [] { QSettings().setValue(NoticeKey, true); });
+  box->open();
+}
+
+void MainWindow::MakeHelpMenu()
+{
+  QMenu* const menu = this->menuBar()->addMenu(tr("&Help"));
+  menu->addAction(tr("Open the folder of the &log"), this,
+    []
+    {
+      const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+      QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(LogFileIn(folder)).path()));
+    });
+  menu->addAction(tr("&About Varimarch"), this, &MainWindow::ShowAbout);
+}
+
+void MainWindow::ShowAbout()
+{
+  QMessageBox::about(this, tr("About Varimarch"),
+    tr("<b>Varimarch %1</b><p>Looks into CT and MR volumes, with an error that is promised.</p>")
+        .arg(QCoreApplication::applicationVersion()) +
+      "<p>" + Notice() + "</p>");
+}
+
+}

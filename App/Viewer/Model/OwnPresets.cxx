@@ -1,0 +1,97 @@
+#include "Viewer/Model/OwnPresets.h"
+
+#include "Scene/LookFiles.h"
+#include "Scene/OutputFile.h"
+#include "Scene/SceneFile.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+const QString Ending = QStringLiteral(".json");
+
+[[noreturn]] void Fail(const QString& sentence)
+{
+  throw std::runtime_error(sentence.toStdString());
+}
+
+}
+
+OwnPresets::OwnPresets(const QString& folder)
+  : folder(folder)
+{
+}
+
+QString OwnPresets::PathOf(const QString& name) const
+{
+  return this->folder + '/' + name + Ending;
+}
+
+QStringList OwnPresets::Names() const
+{
+  QStringList names;
+  for (const QFileInfo& file :
+    QDir(this->folder).entryInfoList({ '*' + Ending }, QDir::Files, QDir::Name | QDir::IgnoreCase))
+  {
+    names.append(file.completeBaseName());
+  }
+  return names;
+}
+
+Look OwnPresets::Read(const QString& name) const
+{
+  Look look = ReadLookFile(this->PathOf(name).toStdString(), LookContext());
+  look.name = name.toStdString();
+  return look;
+}
+
+QString OwnPresets::Keep(const Look& look)
+{
+  const QString base = QCoreApplication::translate("OwnPresets", "My look %1");
+  QDir().mkpath(this->folder);
+  int number = 1;
+  while (QFile::exists(this->PathOf(base.arg(number))))
+  {
+    ++number;
+  }
+  Look kept = look;
+  kept.name = base.arg(number).toStdString();
+  WriteFileWhole(this->PathOf(base.arg(number)).toStdString(), LookText(kept));
+  return base.arg(number);
+}
+
+void OwnPresets::Rename(const QString& name, const QString& newName)
+{
+  if (newName.isEmpty() || newName.startsWith('.') || newName.contains('/'))
+  {
+    Fail(QCoreApplication::translate(
+      "OwnPresets", "A preset's name has neither a dot at its beginning nor a slash in it."));
+  }
+  if (QFile::exists(this->PathOf(newName)))
+  {
+    Fail(QCoreApplication::translate("OwnPresets", "There is a preset %1 already.").arg(newName));
+  }
+  if (!QFile::rename(this->PathOf(name), this->PathOf(newName)))
+  {
+    Fail(QCoreApplication::translate("OwnPresets", "The preset %1 cannot be renamed to %2.")
+           .arg(name, newName));
+  }
+}
+
+void OwnPresets::Remove(const QString& name)
+{
+  if (!QFile::remove(this->PathOf(name)))
+  {
+    Fail(QCoreApplication::translate("OwnPresets", "The preset %1 cannot be removed.").arg(name));
+  }
+}
+
+}

@@ -1,0 +1,232 @@
+#include "Viewer/Open/RawForm.h"
+
+#include "Scene/RawGuess.h"
+#include "Scene/SceneNames.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <limits>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int LargestSide = 1 << 16;
+constexpr int SmallestPreview = 256; ///< [logical pixels]
+constexpr double LargestSpacingMm = 1000.0;
+
+template <class SpinBox>
+QHBoxLayout* RowOf(const std::array<SpinBox*, 3>& boxes)
+{
+  auto* const row = new QHBoxLayout;
+  for (SpinBox* box : boxes)
+  {
+    row->addWidget(box);
+  }
+  return row;
+}
+
+}
+
+RawForm::RawForm(const QString& file, QWidget* parent)
+  : QDialog(parent)
+  , path(file.toStdString())
+  , fileBytes(QFileInfo(file).size())
+  , isPacked(file.endsWith(".gz", Qt::CaseInsensitive))
+{
+  this->setWindowTitle(tr("How is %1 to be read?").arg(QFileInfo(file).fileName()));
+  auto* const row = new QHBoxLayout;
+  row->addLayout(this->MakeForm());
+  row->addLayout(this->MakePreview(), 1);
+  auto* const column = new QVBoxLayout(this);
+  column->addLayout(row, 1);
+  column->addWidget(this->MakeButtons());
+  this->openButton->setDefault(true); // not before it is in the dialog
+  connect(&this->preview, &RawPreview::Ready, this,
+    [this](const QImage& read)
+    {
+      this->picture = read;
+      this->ShowPicture();
+    });
+  this->SetLayout(GuessedRawLayout(this->path, this->fileBytes));
+}
+
+QFormLayout* RawForm::MakeForm()
+{
+  auto* const form = new QFormLayout;
+  const auto changed = [this] { this->Update(); };
+  const QString axes[] = { tr("Columns"), tr("Rows"), tr("Slices") };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->dimensions[axis] = new QSpinBox;
+    this->dimensions[axis]->setRange(1, LargestSide);
+    this->dimensions[axis]->setAccessibleName(axes[axis]);
+    connect(this->dimensions[axis], QOverload<int>::of(&QSpinBox::valueChanged), this, changed);
+    form->addRow(axes[axis], this->dimensions[axis]);
+  }
+  this->type = new QComboBox;
+  for (const std::string& name : NamesOf(RawTypeNames()))
+  {
+    this->type->addItem(QString::fromStdString(name));
+  }
+  this->byteOrder = new QComboBox;
+  this->byteOrder->addItems({ tr("small end first"), tr("big end first") });
+  this->headerBytes = new QSpinBox;
+  this->headerBytes->setRange(0, std::numeric_limits<int>::max());
+  this->headerBytes->setAccessibleName(tr("Bytes before the first voxel"));
+  connect(this->type, QOverload<int>::of(&QComboBox::currentIndexChanged), this, changed);
+  connect(this->byteOrder, QOverload<int>::of(&QComboBox::currentIndexChanged), this, changed);
+  connect(this->headerBytes, QOverload<int>::of(&QSpinBox::valueChanged), this, changed);
+  form->addRow(tr("Type"), this->type);
+  form->addRow(tr("Byte order"), this->byteOrder);
+  form->addRow(tr("Header bytes"), this->headerBytes);
+  for (QDoubleSpinBox*& box : this->spacing)
+  {
+    box = new QDoubleSpinBox;
+    box->setDecimals(4);
+    box->setRange(1e-4, LargestSpacingMm);
+  }
+  form->addRow(tr("Spacing [mm]"), RowOf(this->spacing));
+  return form;
+}
+
+QLayout* RawForm::MakePreview()
+{
+  this->slicePicture = new QLabel;
+  this->slicePicture->setObjectName("slicePicture");
+  this->slicePicture->setMinimumSize(SmallestPreview, SmallestPreview);
+  this->slicePicture->setAlignment(Qt::AlignCenter);
+  this->slicePicture->setStyleSheet("background: black; color: #cccccc;");
+  this->slice = new QSlider(Qt::Horizontal);
+  this->slice->setAccessibleName(tr("Slice"));
+  connect(this->slice, &QSlider::valueChanged, this,
+    [this](int index) { this->preview.Read(this->path, this->Layout(), index); });
+  this->fit = new QLabel;
+  this->fit->setObjectName("fit");
+  this->fit->setWordWrap(true);
+  this->takeHeader = new QPushButton(tr("They are a header"));
+  this->takeHeader->setObjectName("takeHeader");
+  this->takeHeader->setAutoDefault(false);
+  connect(this->takeHeader, &QPushButton::clicked, this,
+    [this]
+    {
+      const std::int64_t more = this->fileBytes - BytesOf(this->Layout());
+      const std::int64_t header = this->headerBytes->value() + more;
+      this->headerBytes->setValue(
+        int(std::min<std::int64_t>(header, this->headerBytes->maximum())));
+    });
+  auto* const column = new QVBoxLayout;
+  column->addWidget(this->slicePicture, 1);
+  column->addWidget(this->slice);
+  column->addWidget(this->fit);
+  column->addWidget(this->takeHeader, 0, Qt::AlignLeft);
+  return column;
+}
+
+QWidget* RawForm::MakeButtons()
+{
+  auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  this->openButton = buttons->addButton(tr("Open"), QDialogButtonBox::AcceptRole);
+  this->openButton->setObjectName("open");
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons, &QDialogButtonBox::accepted, this,
+    [this]
+    {
+      emit this->Chosen({ this->path, this->Layout() });
+      this->accept();
+    });
+  return buttons;
+}
+
+RawLayout RawForm::Layout() const
+{
+  RawLayout layout;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    layout.dimensions[axis] = this->dimensions[axis]->value();
+    layout.spacingMm[axis] = this->spacing[axis]->value();
+  }
+  layout.type = this->type->currentText().toStdString();
+  layout.bigEndian = this->byteOrder->currentIndex() == 1;
+  layout.headerBytes = this->headerBytes->value();
+  return layout;
+}
+
+void RawForm::SetLayout(const RawLayout& layout)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->dimensions[axis]->setValue(layout.dimensions[axis]);
+    this->spacing[axis]->setValue(layout.spacingMm[axis]);
+  }
+  this->type->setCurrentText(QString::fromStdString(layout.type));
+  this->slice->setMaximum(layout.dimensions[2] - 1);
+  this->slice->setValue(layout.dimensions[2] / 2);
+  this->Update();
+}
+
+void RawForm::Update()
+{
+  this->slice->setMaximum(this->dimensions[2]->value() - 1);
+  this->ShowFit();
+  this->preview.Read(this->path, this->Layout(), this->slice->value());
+}
+
+void RawForm::ShowFit()
+{
+  const std::int64_t more = this->fileBytes - BytesOf(this->Layout());
+  const QLocale locale;
+  this->openButton->setEnabled(this->isPacked || more >= 0);
+  this->takeHeader->setVisible(!this->isPacked && more > 0);
+  if (this->isPacked)
+  {
+    this->fit->setText(tr("The file is packed, so whether its size fits is seen when it is read."));
+  }
+  else if (more == 0)
+  {
+    this->fit->setText(tr("It fits: the file has the %1 bytes that this needs.")
+                         .arg(locale.toString(qlonglong(this->fileBytes))));
+  }
+  else if (more > 0)
+  {
+    this->fit->setText(
+      tr("The file has %1 bytes more than this needs.").arg(locale.toString(qlonglong(more))));
+  }
+  else
+  {
+    this->fit->setText(tr("It does not fit: the file has %1 bytes less than this needs.")
+                         .arg(locale.toString(qlonglong(-more))));
+  }
+}
+
+void RawForm::ShowPicture()
+{
+  if (this->picture.isNull())
+  {
+    this->slicePicture->setText(tr("The file ends before this slice"));
+    return;
+  }
+  this->slicePicture->setPixmap(QPixmap::fromImage(this->picture.scaled(
+    this->slicePicture->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+}
+
+void RawForm::resizeEvent(QResizeEvent* event)
+{
+  QDialog::resizeEvent(event);
+  this->ShowPicture();
+}
+
+}

@@ -1,0 +1,67 @@
+#ifndef Varimarch_Viewer_RawForm_h
+#define Varimarch_Viewer_RawForm_h
+
+#include "Viewer/Open/RawPreview.h"
+
+#include <QDialog>
+
+#include <array>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QSpinBox;
+
+namespace varimarch
+{
+
+/// Asks how the bytes of a file without a header are to be read. Shows a slice as it would be read
+/// then, and says in words whether the file has as many bytes.
+class RawForm : public QDialog
+{
+  Q_OBJECT
+
+public:
+  /// Begins with what the file's name and size suggest.
+  RawForm(const QString& path, QWidget* parent);
+
+  RawLayout Layout() const;
+
+signals:
+  void Chosen(const varimarch::FileSource& source);
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  QFormLayout* MakeForm();
+  QLayout* MakePreview();
+  QWidget* MakeButtons();
+  void SetLayout(const RawLayout& layout);
+  void Update();
+  void ShowFit();
+  void ShowPicture();
+
+  std::string path;
+  std::int64_t fileBytes;
+  bool isPacked; ///< its size says nothing
+  RawPreview preview;
+  QImage picture;
+  std::array<QSpinBox*, 3> dimensions;
+  std::array<QDoubleSpinBox*, 3> spacing;
+  QComboBox* type;
+  QComboBox* byteOrder;
+  QSpinBox* headerBytes;
+  QPushButton* takeHeader;
+  QLabel* slicePicture;
+  QSlider* slice;
+  QLabel* fit;
+  QPushButton* openButton;
+};
+
+}
+
+#endif

@@ -1,0 +1,43 @@
+#include "Viewer/Open/WarningBar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+
+namespace varimarch
+{
+
+WarningBar::WarningBar(QWidget* parent)
+  : QFrame(parent)
+  , text(new QLabel)
+{
+  this->setObjectName("warnings");
+  // Legible in dark and in light themes alike.
+  this->setStyleSheet("#warnings { background: #fff3cd; border-bottom: 1px solid #d9a400; }"
+                      "#warnings QLabel { color: #3d2f00; }");
+  auto* const sign = new QLabel;
+  sign->setPixmap(this->style()->standardIcon(QStyle::SP_MessageBoxWarning).pixmap(20, 20));
+  this->text->setTextFormat(Qt::PlainText);
+  this->text->setWordWrap(true);
+  this->text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* const close = new QToolButton;
+  close->setIcon(this->style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("I have read this"));
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  auto* const row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->addWidget(sign, 0, Qt::AlignTop);
+  row->addWidget(this->text, 1);
+  row->addWidget(close, 0, Qt::AlignTop);
+  this->hide();
+}
+
+void WarningBar::Show(const QStringList& warnings)
+{
+  this->text->setText(warnings.join('\n'));
+  this->setVisible(!warnings.isEmpty());
+}
+
+}

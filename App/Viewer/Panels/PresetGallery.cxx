@@ -1,0 +1,293 @@
+#include "Viewer/Panels/PresetGallery.h"
+
+#include "Scene/Presets.h"
+#include "Scene/SceneFile.h"
+#include "Scene/VolumeProperty.h"
+#include "Viewer/Model/PresetTitles.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <exception>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr QSize PictureSize(104, 86);
+constexpr int HasPictureRole = Qt::UserRole;
+constexpr int NameRole = Qt::UserRole + 1; // of an own preset; others have none
+
+// What a look is, whatever it is called.
+std::string NamelessText(Look look)
+{
+  look.name.clear();
+  look.description.clear();
+  return LookText(look);
+}
+
+// Those for volumes of this kind first.
+std::vector<std::string> PresetsFor(const LoadedVolume& volume)
+{
+  std::vector<std::string> names = PresetNames();
+  const std::string kind = SuggestedPreset(volume).name.substr(0, 3);
+  std::stable_partition(
+    names.begin(), names.end(), [&](const std::string& name) { return name.substr(0, 3) == kind; });
+  return names;
+}
+
+QIcon EmptyIcon()
+{
+  QPixmap empty(PictureSize);
+  empty.fill(QColor(40, 40, 40));
+  return empty;
+}
+
+}
+
+PresetGallery::PresetGallery(SceneModel* model, const QString& folder, QWidget* parent)
+  : QWidget(parent)
+  , model(model)
+  , ownPresets(folder)
+{
+  this->MakeList();
+  this->problem = new QLabel;
+  this->problem->setWordWrap(true);
+  this->problem->hide();
+  auto* const column = new QVBoxLayout(this);
+  column->addWidget(this->list, 1);
+  column->addWidget(this->problem);
+  column->addWidget(this->MakeButtons());
+  this->setEnabled(false);
+  connect(model, &SceneModel::Changed, this, &PresetGallery::Update);
+  connect(&this->thumbnails, &PresetThumbnails::Drawn, this, &PresetGallery::ShowPicture);
+}
+
+void PresetGallery::MakeList()
+{
+  this->list = new QListWidget;
+  this->list->setAccessibleName(tr("Presets"));
+  this->list->setViewMode(QListView::IconMode);
+  this->list->setIconSize(PictureSize);
+  this->list->setGridSize(PictureSize + QSize(8, 26));
+  this->list->setResizeMode(QListView::Adjust);
+  this->list->setMovement(QListView::Static);
+  this->list->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  const auto choose = [this](QListWidgetItem* item) { this->Choose(this->list->row(item)); };
+  connect(this->list, &QListWidget::itemClicked, this, choose);
+  connect(this->list, &QListWidget::itemActivated, this, choose);
+  connect(this->list, &QListWidget::itemChanged, this, &PresetGallery::Rename);
+  connect(this->list, &QListWidget::currentRowChanged, this,
+    [this](int row) { this->remove->setEnabled(this->IsOwn(row)); });
+}
+
+QWidget* PresetGallery::MakeButtons()
+{
+  auto* const buttons = new QWidget;
+  this->keep = new QPushButton(tr("Keep this look"));
+  this->keep->setObjectName("keep");
+  this->keep->setToolTip(tr("Puts the look of the moment into this list"));
+  this->remove = new QPushButton(tr("Remove"));
+  this->remove->setObjectName("remove");
+  this->remove->setToolTip(tr("Takes a look of your own out of this list"));
+  this->remove->setShortcut(QKeySequence::Delete);
+  this->remove->setEnabled(false);
+  connect(this->keep, &QPushButton::clicked, this, &PresetGallery::Keep);
+  connect(this->remove, &QPushButton::clicked, this, &PresetGallery::Remove);
+  auto* const row = new QHBoxLayout(buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(this->keep, 1);
+  row->addWidget(this->remove);
+  return buttons;
+}
+
+void PresetGallery::showEvent(QShowEvent*)
+{
+  this->DrawPictures();
+}
+
+void PresetGallery::Update(ScenePart part)
+{
+  this->thumbnails.Rest();
+  if (part == ScenePart::Volume)
+  {
+    this->setEnabled(true);
+    this->ListLooks();
+  }
+  if (part == ScenePart::Volume || part == ScenePart::Look)
+  {
+    this->MarkCurrent();
+  }
+}
+
+void PresetGallery::ListLooks()
+{
+  const auto study = this->model->CurrentStudy();
+  this->problem->hide();
+  this->looks.clear();
+  this->list->clear();
+  for (const std::string& name : PresetsFor(study->volume))
+  {
+    const Look look = Preset(name);
+    this->AddItem(PresetTitle(name), QString::fromStdString(look.description),
+      InUnitsOfData(look, study->statistics));
+  }
+  for (const QString& name : this->ownPresets.Names())
+  {
+    this->AddOwn(name);
+  }
+  this->DrawPictures();
+}
+
+void PresetGallery::AddItem(const QString& title, const QString& tip, const Look& look)
+{
+  const QSignalBlocker quiet(this->list);
+  auto* const item = new QListWidgetItem(EmptyIcon(), title, this->list);
+  item->setToolTip(tip);
+  item->setData(HasPictureRole, false);
+  this->looks.push_back(look);
+}
+
+// A file that somebody has put there may be no look.
+void PresetGallery::AddOwn(const QString& name)
+{
+  this->Attempt(
+    [&]
+    {
+      const Look look = this->ownPresets.Read(name);
+      this->AddItem(name, tr("Your own: F2 renames it, Delete removes it"),
+        InUnitsOfData(look, this->model->CurrentStudy()->statistics));
+      QListWidgetItem* const item = this->list->item(this->list->count() - 1);
+      const QSignalBlocker quiet(this->list);
+      item->setFlags(item->flags() | Qt::ItemIsEditable);
+      item->setData(NameRole, name);
+    });
+}
+
+void PresetGallery::DrawPictures()
+{
+  if (!this->isVisible() || !this->model->CurrentStudy())
+  {
+    return;
+  }
+  this->drawnRows.clear();
+  std::vector<Look> wanted;
+  for (int row = 0; row < this->list->count(); ++row)
+  {
+    if (!this->list->item(row)->data(HasPictureRole).toBool())
+    {
+      this->drawnRows.push_back(row);
+      wanted.push_back(this->looks[row]);
+    }
+  }
+  this->thumbnails.Draw(this->model->CurrentStudy(), std::move(wanted), PictureSize);
+}
+
+void PresetGallery::ShowPicture(int index, const QImage& picture)
+{
+  const QSignalBlocker quiet(this->list);
+  QListWidgetItem* const item = this->list->item(this->drawnRows[index]);
+  QIcon icon(QPixmap::fromImage(picture));
+  // The look of the moment is framed, not tinted.
+  icon.addPixmap(QPixmap::fromImage(picture), QIcon::Selected);
+  item->setIcon(icon);
+  item->setData(HasPictureRole, true);
+  this->list->viewport()->update();
+}
+
+void PresetGallery::MarkCurrent()
+{
+  const std::string text = NamelessText(this->model->CurrentScene().look);
+  const auto found = std::find_if(this->looks.begin(), this->looks.end(),
+    [&](const Look& look) { return NamelessText(look) == text; });
+  const int row = found == this->looks.end() ? -1 : int(found - this->looks.begin());
+  this->list->setCurrentRow(row);
+}
+
+void PresetGallery::Choose(int row)
+{
+  // A double-click is a click as well.
+  if (NamelessText(this->looks[row]) != NamelessText(this->model->CurrentScene().look))
+  {
+    this->model->SetLook(this->looks[row], tr("choose %1").arg(this->list->item(row)->text()));
+  }
+}
+
+void PresetGallery::Keep()
+{
+  this->problem->hide();
+  this->Attempt(
+    [this]
+    {
+      this->AddOwn(this->ownPresets.Keep(this->model->CurrentScene().look));
+      this->DrawPictures();
+      // The name that it has for now is there to be typed over.
+      QListWidgetItem* const item = this->list->item(this->list->count() - 1);
+      this->list->setCurrentItem(item);
+      this->list->editItem(item);
+    });
+}
+
+void PresetGallery::Rename(QListWidgetItem* item)
+{
+  const QString name = item->data(NameRole).toString();
+  const QSignalBlocker quiet(this->list);
+  this->problem->hide();
+  this->Attempt(
+    [&]
+    {
+      this->ownPresets.Rename(name, item->text());
+      item->setData(NameRole, item->text());
+      this->looks[this->list->row(item)].name = item->text().toStdString();
+    });
+  item->setText(item->data(NameRole).toString());
+}
+
+void PresetGallery::Remove()
+{
+  const QString name = this->list->currentItem()->data(NameRole).toString();
+  if (QMessageBox::question(this, tr("Remove a preset"),
+        tr("Remove the preset %1? It cannot be brought back.").arg(name)) != QMessageBox::Yes)
+  {
+    return;
+  }
+  this->problem->hide();
+  this->Attempt(
+    [&]
+    {
+      const int row = this->list->currentRow();
+      this->ownPresets.Remove(name);
+      this->looks.erase(this->looks.begin() + row);
+      delete this->list->takeItem(row);
+      this->DrawPictures();
+      this->MarkCurrent();
+    });
+}
+
+bool PresetGallery::IsOwn(int row) const
+{
+  return row >= 0 && !this->list->item(row)->data(NameRole).isNull();
+}
+
+void PresetGallery::Attempt(const std::function<void()>& action)
+{
+  try
+  {
+    action();
+  }
+  catch (const std::exception& failure)
+  {
+    this->problem->setText(QString::fromStdString(failure.what()));
+    this->problem->show();
+  }
+}
+
+}

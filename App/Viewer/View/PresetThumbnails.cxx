@@ -1,0 +1,143 @@
+#include "Viewer/View/PresetThumbnails.h"
+
+#include "Scene/OffscreenView.h"
+#include "Scene/SmallCopy.h"
+#include "Viewer/View/ByteImage.h"
+
+#include <QElapsedTimer>
+#include <QThread>
+
+#include <atomic>
+#include <exception>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int LargestSide = 128; ///< of the small copy [voxels]
+constexpr int RestMilliseconds = 500;
+constexpr double ErrorTolerance = 1.0 / 32.0;
+
+}
+
+// What the thread works on. The volume is one of its own object, of which it looks at the voxels.
+struct PresetThumbnails::Task
+{
+  vtkNew<vtkImageData> volume;
+  std::vector<Look> looks;
+  QSize pixels;
+  std::atomic<bool> stop{ false };
+  std::atomic<bool> rest{ false };
+
+  // Whether to go on, after as long a rest as is asked for.
+  bool GoesOn()
+  {
+    while (!this->stop && this->rest.exchange(false))
+    {
+      QThread::msleep(RestMilliseconds);
+    }
+    return !this->stop;
+  }
+};
+
+PresetThumbnails::PresetThumbnails(QObject* parent)
+  : QObject(parent)
+{
+}
+
+PresetThumbnails::~PresetThumbnails()
+{
+  if (this->thread)
+  {
+    this->thread->disconnect(this);
+    this->atWork->stop = true;
+    this->thread->wait();
+    delete this->thread;
+  }
+}
+
+void PresetThumbnails::Draw(
+  const std::shared_ptr<const Study>& study, std::vector<Look> looks, QSize pixels)
+{
+  this->task = std::make_shared<Task>();
+  this->task->volume->ShallowCopy(study->volume.image);
+  this->task->looks = std::move(looks);
+  this->task->pixels = pixels;
+  this->task->rest = true;
+  if (this->atWork)
+  {
+    this->atWork->stop = true;
+  }
+  else
+  {
+    this->Start();
+  }
+}
+
+void PresetThumbnails::Rest()
+{
+  if (this->task)
+  {
+    this->task->rest = true;
+  }
+}
+
+void PresetThumbnails::Start()
+{
+  this->atWork = this->task;
+  this->thread = QThread::create([this, task = this->task] { this->Run(task); });
+  connect(this->thread, &QThread::finished, this, &PresetThumbnails::Finish);
+  this->thread->start();
+}
+
+void PresetThumbnails::Finish()
+{
+  this->thread->deleteLater();
+  this->thread = nullptr;
+  const bool isLast = this->atWork == this->task;
+  this->atWork.reset();
+  if (!isLast)
+  {
+    this->Start();
+  }
+}
+
+// In the thread.
+void PresetThumbnails::Run(const std::shared_ptr<Task>& task)
+{
+  if (!task->GoesOn())
+  {
+    return;
+  }
+  try
+  {
+    Scene scene;
+    scene.look = task->looks.front();
+    scene.size = { task->pixels.width(), task->pixels.height() };
+    scene.render.errorTolerance = ErrorTolerance;
+    OffscreenView view(scene, SmallCopy(task->volume, LargestSide), MapperKind::Varimarch);
+    for (int index = 0; index < int(task->looks.size()) && task->GoesOn(); ++index)
+    {
+      view.Pipeline().SetLook(task->looks[index]);
+      view.Render();
+      QMetaObject::invokeMethod(
+        this,
+        [this, task, index, picture = ImageOf(view.Bytes())]
+        {
+          if (task == this->task)
+          {
+            emit this->Drawn(index, picture);
+          }
+        },
+        Qt::QueuedConnection);
+    }
+  }
+  catch (const std::exception&)
+  {
+    // Without OpenGL there are no small pictures; the looks are still there to be chosen.
+  }
+}
+
+}

@@ -1,0 +1,165 @@
+// What the window asks before it opens, what it warns of, and what it keeps to itself.
+
+#include "Module/PhantomFiles.h"
+#include "Viewer/MainWindow.h"
+#include "Viewer/Model/Log.h"
+#include "Viewer/Open/RawForm.h"
+#include "Viewer/Open/SeriesPicker.h"
+#include "Viewer/Open/WarningBar.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr int MostMilliseconds = 60000;
+
+class Opening : public testing::Test
+{
+protected:
+  Opening() { this->window.show(); }
+
+  void WriteSeries(const std::string& uid, int sliceCount)
+  {
+    DicomOptions options;
+    options.seriesUid = uid;
+    options.lossy = true;
+    for (int slice = 0; slice < sliceCount; ++slice)
+    {
+      this->folder.Write("DOE^JANE/" + uid + "-" + std::to_string(slice),
+        DicomBytes(phantom::Stored(0), slice, options));
+    }
+  }
+
+  void Open(const std::string& name)
+  {
+    this->window.Open(QString::fromStdString(this->folder.Path(name)));
+  }
+
+  template <class Widget>
+  Widget* Awaited()
+  {
+    const auto isThere = [this] { return this->window.findChild<Widget*>() != nullptr; };
+    return QTest::qWaitFor(isThere, MostMilliseconds) ? this->window.findChild<Widget*>() : nullptr;
+  }
+
+  bool IsOpened()
+  {
+    return QTest::qWaitFor(
+      [this] { return this->window.Model()->CurrentStudy() != nullptr; }, MostMilliseconds);
+  }
+
+  int SliceCount()
+  {
+    return this->window.Model()->CurrentStudy()->volume.image->GetDimensions()[2];
+  }
+
+  TemporaryFolder folder;
+  MainWindow window;
+};
+
+}
+
+TEST_F(Opening, AsksWhichOfSeveralSeriesAndWarns)
+{
+  this->WriteSeries("1.2.33", 2);
+  this->WriteSeries("1.2.44", 3);
+  this->Open("DOE^JANE");
+  auto* const picker = this->Awaited<SeriesPicker>();
+  ASSERT_TRUE(picker);
+  EXPECT_FALSE(this->window.Model()->CurrentStudy());
+  QTest::keyClick(picker->findChild<QListWidget*>(), Qt::Key_Down);
+  QTest::keyClick(picker->findChild<QListWidget*>(), Qt::Key_Return);
+  ASSERT_TRUE(this->IsOpened());
+  EXPECT_EQ(this->SliceCount(), 2);
+  EXPECT_EQ(std::get<FileSource>(this->window.Model()->CurrentScene().volume).series, "1.2.33");
+  const auto* const bar = this->window.findChild<WarningBar*>();
+  EXPECT_TRUE(bar->isVisible());
+  bool isTold = false;
+  for (const QLabel* label : bar->findChildren<QLabel*>())
+  {
+    isTold = isTold || label->text().contains("compressed with loss");
+  }
+  EXPECT_TRUE(isTold);
+}
+
+TEST_F(Opening, AsksHowBareVoxelsAreToBeRead)
+{
+  this->folder.Write("scan_4x4x3_uint8.raw", std::string(48, 'a'));
+  this->Open("scan_4x4x3_uint8.raw");
+  auto* const form = this->Awaited<RawForm>();
+  ASSERT_TRUE(form);
+  form->findChild<QPushButton*>("open")->click();
+  ASSERT_TRUE(this->IsOpened());
+  EXPECT_EQ(this->SliceCount(), 3);
+  EXPECT_FALSE(this->window.findChild<WarningBar*>()->isVisible());
+}
+
+TEST_F(Opening, LeavesNothingOfAPatientInTheLog)
+{
+  const QTemporaryDir log;
+  StartLog(log.path());
+  this->WriteSeries("1.2.33", 2);
+  this->WriteSeries("1.2.44", 3);
+  this->Open("DOE^JANE");
+  auto* const picker = this->Awaited<SeriesPicker>();
+  ASSERT_TRUE(picker);
+  QTest::keyClick(picker->findChild<QListWidget*>(), Qt::Key_Return);
+  ASSERT_TRUE(this->IsOpened());
+  QSignalSpy failed(this->window.Loader(), &VolumeLoader::Failed);
+  this->folder.Write("DOE^JANE.nrrd", "NRRD0004\ntype: nonsense\n\n");
+  this->Open("DOE^JANE.nrrd");
+  ASSERT_TRUE(failed.wait(MostMilliseconds));
+  this->window.close();
+
+  QFile file(LogFileIn(log.path()));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(file.readAll());
+  for (const char* event : { "loading", "series to choose from, count 2",
+         "volume opened, columns 5, rows 4, slices 3", "opening failed", "window closed" })
+  {
+    EXPECT_TRUE(text.contains(event)) << event;
+  }
+  const QString place = QString::fromStdString(this->folder.Path(""));
+  for (const QString& secret : { QString("doe"), QString("jane"), QString("1.2.33"), place })
+  {
+    EXPECT_FALSE(text.contains(secret, Qt::CaseInsensitive)) << secret.toStdString();
+  }
+}
+
+TEST_F(Opening, SaysOnceThatItIsNotForDiagnosticUse)
+{
+  QSettings().remove("notice/read");
+  this->window.ShowNoticeOnce();
+  auto* const notice = this->window.findChild<QMessageBox*>("notice");
+  ASSERT_TRUE(notice);
+  EXPECT_TRUE(notice->text().contains("Not for diagnostic use"));
+  MainWindow again;
+  again.ShowNoticeOnce();
+  EXPECT_TRUE(again.findChild<QMessageBox*>("notice")) << "it has not been read yet";
+  notice->buttons().first()->click();
+  MainWindow later;
+  later.ShowNoticeOnce();
+  EXPECT_FALSE(later.findChild<QMessageBox*>("notice"));
+}
+
+TEST_F(Opening, CanBeLeftWhileItAsks)
+{
+  this->WriteSeries("1.2.33", 2);
+  this->WriteSeries("1.2.44", 3);
+  this->Open("DOE^JANE");
+  ASSERT_TRUE(this->Awaited<SeriesPicker>());
+  this->window.close();
+}

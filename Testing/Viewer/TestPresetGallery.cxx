@@ -1,0 +1,169 @@
+// The gallery of presets: pictures of this volume, a click for the whole look, and own ones.
+
+#include "Scene/Presets.h"
+#include "SmallStudy.h"
+#include "Viewer/Panels/PresetGallery.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr int MostMilliseconds = 60000;
+
+class Gallery : public testing::Test
+{
+protected:
+  Gallery()
+  {
+    this->panel.resize(400, 600);
+    this->panel.show();
+    this->model.Open(ProceduralSource(), SmallStudy());
+  }
+
+  QListWidget* List() { return this->panel.findChild<QListWidget*>(); }
+
+  QListWidgetItem* Item(const QString& title)
+  {
+    return this->List()->findItems(title, Qt::MatchExactly).value(0);
+  }
+
+  QImage Picture(int row) { return this->List()->item(row)->icon().pixmap(200, 200).toImage(); }
+
+  void Click(const QString& title)
+  {
+    QTest::mouseClick(this->List()->viewport(), Qt::LeftButton, {},
+      this->List()->visualItemRect(this->Item(title)).center());
+  }
+
+  void Press(const QString& button) { this->panel.findChild<QPushButton*>(button)->click(); }
+
+  const Look& TheLook() const { return this->model.CurrentScene().look; }
+
+  QTemporaryDir folder;
+  SceneModel model;
+  PresetGallery panel{ &this->model, this->folder.filePath("presets") };
+};
+
+}
+
+TEST_F(Gallery, ShowsThisVolumeAsEachPresetDoes)
+{
+  ASSERT_EQ(this->List()->count(), int(PresetNames().size()));
+  const QImage empty = this->Picture(0);
+  ASSERT_TRUE(QTest::qWaitFor(
+    [&] { return this->Picture(this->List()->count() - 1) != empty; }, MostMilliseconds));
+  const QImage bone = this->Picture(this->List()->row(this->Item("CT bone")));
+  const QImage skin = this->Picture(this->List()->row(this->Item("CT skin")));
+  EXPECT_NE(bone, skin);
+  EXPECT_GT(qGray(skin.pixel(skin.rect().center())), 20) << "the torso is in the middle";
+}
+
+TEST_F(Gallery, MarksTheLookOfTheMoment)
+{
+  EXPECT_EQ(this->List()->currentItem(), this->Item("CT bone"));
+  Look edited = this->TheLook();
+  edited.shading.ambient = 0.5;
+  this->model.SetLook(edited, "edit");
+  EXPECT_FALSE(this->List()->currentItem());
+}
+
+TEST_F(Gallery, TakesTheWholeLookByAClickInOneStep)
+{
+  this->Click("CT lungs");
+  EXPECT_EQ(this->TheLook().name, "ct-lung");
+  this->Click("CT maximum");
+  EXPECT_EQ(this->TheLook().blend, Blend::MaximumIntensity);
+  this->Click("CT maximum");
+  EXPECT_EQ(this->model.History()->count(), 2);
+  this->model.History()->undo();
+  EXPECT_EQ(this->TheLook().name, "ct-lung");
+  EXPECT_EQ(this->List()->currentItem(), this->Item("CT lungs"));
+}
+
+TEST_F(Gallery, IsWorkedByKeys)
+{
+  this->List()->setCurrentItem(this->Item("CT skin"));
+  QTest::keyClick(this->List(), Qt::Key_Return);
+  EXPECT_EQ(this->TheLook().name, "ct-skin");
+}
+
+TEST_F(Gallery, KeepsRenamesAndRemovesOwnOnes)
+{
+  Look own = this->TheLook();
+  own.shading.specularPower = 77.0;
+  this->model.SetLook(own, "edit");
+  this->Press("keep");
+  ASSERT_TRUE(this->Item("My look 1"));
+  this->Item("My look 1")->setText("Temporal bone");
+  this->Click("CT lungs");
+  this->Click("Temporal bone");
+  EXPECT_EQ(this->TheLook().shading.specularPower, 77.0);
+  EXPECT_EQ(this->TheLook().name, "Temporal bone");
+
+  SceneModel later;
+  PresetGallery again(&later, this->folder.filePath("presets"));
+  later.Open(ProceduralSource(), SmallStudy());
+  const QListWidget* const list = again.findChild<QListWidget*>();
+  EXPECT_EQ(list->item(list->count() - 1)->text(), "Temporal bone");
+
+  QTimer::singleShot(0, &this->panel,
+    [this] { this->panel.findChild<QMessageBox*>()->button(QMessageBox::Yes)->click(); });
+  this->Press("remove");
+  EXPECT_FALSE(this->Item("Temporal bone"));
+  EXPECT_FALSE(QFile::exists(this->folder.filePath("presets/Temporal bone.json")));
+}
+
+TEST_F(Gallery, RemovesNoPresetOfTheProgram)
+{
+  this->Click("CT lungs");
+  EXPECT_FALSE(this->panel.findChild<QPushButton*>("remove")->isEnabled());
+  this->Press("keep");
+  EXPECT_TRUE(this->panel.findChild<QPushButton*>("remove")->isEnabled());
+}
+
+TEST_F(Gallery, SaysWhatIsWrongWithAFileAndShowsTheOthers)
+{
+  this->Press("keep");
+  std::ofstream(this->folder.filePath("presets/broken.json").toStdString()) << "{";
+  this->model.Open(ProceduralSource(), SmallStudy());
+  EXPECT_TRUE(this->Item("My look 1"));
+  EXPECT_FALSE(this->Item("broken"));
+  bool isTold = false;
+  for (const QLabel* label : this->panel.findChildren<QLabel*>())
+  {
+    isTold = isTold || (!label->isHidden() && label->text().contains("broken.json"));
+  }
+  EXPECT_TRUE(isTold);
+}
+
+TEST_F(Gallery, TakesNoNameTwice)
+{
+  this->Press("keep");
+  this->Press("keep");
+  this->Item("My look 2")->setText("My look 1");
+  EXPECT_TRUE(this->Item("My look 2"));
+  this->Item("My look 2")->setText("../outside");
+  EXPECT_TRUE(this->Item("My look 2"));
+}
+
+TEST_F(Gallery, StopsDrawingForAnotherVolumeAndAtTheEnd)
+{
+  QTest::qWait(700); // in the midst of it
+  this->model.Open(ProceduralSource(), SmallStudy());
+  const QImage empty = this->Picture(0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return this->Picture(0) != empty; }, MostMilliseconds));
+}
