@@ -62,6 +62,7 @@ private:
   void MakeLeftButtonActions(QMenu* menu);
   void MakeComparisonActions(QMenu* menu);
   void MakeHelpMenu();
+  void MakeLanguageMenu(QMenu* menu);
   void MakePanels();
   void MakeStatusBar();
   void ChooseFile();

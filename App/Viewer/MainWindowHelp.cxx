@@ -2,8 +2,10 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Viewer/Model/Language.h"
 #include "Viewer/Model/Log.h"
 
+#include <QActionGroup>
 #include <QCoreApplication>
 #include <QDesktopServices>
 #include <QFileInfo>
@@ -13,6 +15,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QStatusBar>
 #include <QUrl>
 
 namespace varimarch
@@ -48,9 +51,31 @@ void MainWindow::ShowNoticeOnce()
   box->open();
 }
 
+void MainWindow::MakeLanguageMenu(QMenu* menu)
+{
+  auto* const choices = new QActionGroup(this);
+  QVector<Language> offered = Languages();
+  offered.prepend({ {}, tr("The &desktop's") });
+  for (const Language& language : offered)
+  {
+    QAction* const action = choices->addAction(menu->addAction(language.name));
+    action->setCheckable(true);
+    action->setChecked(language.code == ChosenLanguage());
+    connect(action, &QAction::triggered, this,
+      [this, language]
+      {
+        ChooseLanguage(language.code);
+        this->statusBar()->showMessage(language.code.isEmpty()
+            ? tr("The program speaks the desktop's language from its next start on")
+            : tr("The program speaks %1 from its next start on").arg(language.name));
+      });
+  }
+}
+
 void MainWindow::MakeHelpMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu(tr("&Help"));
+  this->MakeLanguageMenu(menu->addMenu(tr("&Language")));
   menu->addAction(tr("Open the folder of the &log"), this,
     []
     {

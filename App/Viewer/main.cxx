@@ -1,6 +1,7 @@
 // varimarch-viewer: opens a volume in a window.
 
 #include "Viewer/MainWindow.h"
+#include "Viewer/Model/Language.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Theme.h"
 
@@ -20,6 +21,8 @@ int main(int argumentCount, char** arguments)
   QCoreApplication::setApplicationName("varimarch-viewer");
   QCoreApplication::setOrganizationName("varimarch");
   QCoreApplication::setApplicationVersion(VARIMARCH_VERSION);
+
+  varimarch::Speak(varimarch::ChosenLanguage(), &application);
 
   QCommandLineParser parser;
   parser.setApplicationDescription(

@@ -8,7 +8,7 @@ packages=(
   libvtk9-dev libvtk-dicom-dev libglm-dev libtbb-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libplist-dev
   libegl-dev libgl-dev libglew-dev
   python3-dev python3-numpy python3-vtk9 vtk9
-  qtbase5-dev libvtk9-qt-dev libspdlog-dev
+  qtbase5-dev qttools5-dev qttools5-dev-tools libvtk9-qt-dev libspdlog-dev
   # To test
   libgtest-dev glslang-tools xvfb xauth
   # To draw without a graphics card

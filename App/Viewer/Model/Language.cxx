@@ -1,0 +1,62 @@
+#include "Viewer/Model/Language.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QTranslator>
+
+// The macro wants to stand outside of namespaces.
+static void TakeTranslationsIn()
+{
+  Q_INIT_RESOURCE(translations);
+}
+
+namespace varimarch
+{
+
+namespace
+{
+
+const QString Key = QStringLiteral("language");
+
+}
+
+QVector<Language> Languages()
+{
+  return { { "en", "English" }, { "de", "Deutsch" }, { "es", "Español" } };
+}
+
+QString ChosenLanguage()
+{
+  return QSettings().value(Key).toString();
+}
+
+void ChooseLanguage(const QString& code)
+{
+  QSettings().setValue(Key, code);
+}
+
+void Speak(const QString& code, QCoreApplication* application)
+{
+  TakeTranslationsIn();
+  for (QTranslator* last : application->findChildren<QTranslator*>())
+  {
+    delete last;
+  }
+  const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
+  // Buttons such as "Cancel" are Qt's own words.
+  const QString folderOfQt = QLibraryInfo::location(QLibraryInfo::TranslationsPath);
+  const std::pair<QString, QString> places[] = { { "qtbase", folderOfQt },
+    { "varimarch", ":/translations" } };
+  for (const auto& [name, folder] : places)
+  {
+    auto* const translator = new QTranslator(application);
+    if (translator->load(locale, name, "_", folder))
+    {
+      QCoreApplication::installTranslator(translator);
+    }
+  }
+}
+
+}

@@ -1,0 +1,1605 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>BrightnessTool</name>
+    <message>
+        <source>window and level</source>
+        <translation>Fenster und Mitte</translation>
+    </message>
+</context>
+<context>
+    <name>CutHandles</name>
+    <message>
+        <source>push a plane</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>turn a plane</source>
+        <translation>Ebene drehen</translation>
+    </message>
+    <message>
+        <source>crop</source>
+        <translation>beschneiden</translation>
+    </message>
+    <message>
+        <source>move the box</source>
+        <translation>Quader verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTexts</name>
+    <message>
+        <source>no voxels</source>
+        <translation>keine Voxel</translation>
+    </message>
+    <message>
+        <source>%1 ± %2, from %3 to %4
+%5, %6 voxels</source>
+        <translation>%1 ± %2, von %3 bis %4
+%5, %6 Voxel</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 mm³</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 ± %2
+%3</source>
+        <translation>%1 ± %2
+%3</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>measure</source>
+        <translation>messen</translation>
+    </message>
+</context>
+<context>
+    <name>OwnPresets</name>
+    <message>
+        <source>My look %1</source>
+        <translation>Meine Darstellung %1</translation>
+    </message>
+    <message>
+        <source>A preset&apos;s name has neither a dot at its beginning nor a slash in it.</source>
+        <translation>Der Name einer Vorlage beginnt nicht mit einem Punkt und enthält keinen Schrägstrich.</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already.</source>
+        <translation>Eine Vorlage %1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>The preset %1 cannot be renamed to %2.</source>
+        <translation>Die Vorlage %1 lässt sich nicht in %2 umbenennen.</translation>
+    </message>
+    <message>
+        <source>The preset %1 cannot be removed.</source>
+        <translation>Die Vorlage %1 lässt sich nicht entfernen.</translation>
+    </message>
+</context>
+<context>
+    <name>PdfPages</name>
+    <message>
+        <source>Not for diagnostic use: made by a program that is not a medical device</source>
+        <translation>Nicht für die Diagnose: von einem Programm, das kein Medizinprodukt ist</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2</source>
+        <translation>%1 lässt sich nicht schreiben: %2</translation>
+    </message>
+</context>
+<context>
+    <name>PictureExport</name>
+    <message>
+        <source>Not for diagnostic use</source>
+        <translation>Nicht für die Diagnose</translation>
+    </message>
+</context>
+<context>
+    <name>PictureReport</name>
+    <message>
+        <source>VTK, GPU</source>
+        <translation>VTK, GPU</translation>
+    </message>
+    <message>
+        <source>VTK, CPU</source>
+        <translation>VTK, CPU</translation>
+    </message>
+    <message>
+        <source>%1
+%2
+error unknown</source>
+        <translation>%1
+%2
+Fehler unbekannt</translation>
+    </message>
+    <message>
+        <source>%1
+%2
+error unknown
+knows no scissors</source>
+        <translation>%1
+%2
+Fehler unbekannt
+kennt keine Schere</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1
+error not bounded</source>
+        <translation>%1
+Fehler nicht begrenzt</translation>
+    </message>
+    <message>
+        <source>%1
+error at most 1/%2</source>
+        <translation>%1
+Fehler höchstens 1/%2</translation>
+    </message>
+    <message>
+        <source>
+but for single pixels</source>
+        <translation>
+außer bei einzelnen Pixeln</translation>
+    </message>
+    <message>
+        <source>
+mean of %1 pictures</source>
+        <translation>
+Mittel von %1 Bildern</translation>
+    </message>
+</context>
+<context>
+    <name>PresetTitles</name>
+    <message>
+        <source>CT airways</source>
+        <translation>CT Atemwege</translation>
+    </message>
+    <message>
+        <source>CT bone</source>
+        <translation>CT Knochen</translation>
+    </message>
+    <message>
+        <source>CT implants</source>
+        <translation>CT Implantate</translation>
+    </message>
+    <message>
+        <source>CT lungs</source>
+        <translation>CT Lunge</translation>
+    </message>
+    <message>
+        <source>CT maximum</source>
+        <translation>CT Maximum</translation>
+    </message>
+    <message>
+        <source>CT skin</source>
+        <translation>CT Haut</translation>
+    </message>
+    <message>
+        <source>CT soft tissue</source>
+        <translation>CT Weichteile</translation>
+    </message>
+    <message>
+        <source>CT vessels</source>
+        <translation>CT Gefäße</translation>
+    </message>
+    <message>
+        <source>MR angiography</source>
+        <translation>MR Angiographie</translation>
+    </message>
+    <message>
+        <source>MR head, T1</source>
+        <translation>MR Kopf, T1</translation>
+    </message>
+    <message>
+        <source>MR maximum</source>
+        <translation>MR Maximum</translation>
+    </message>
+    <message>
+        <source>MR head, T2</source>
+        <translation>MR Kopf, T2</translation>
+    </message>
+</context>
+<context>
+    <name>RecentScans</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>%1, %2 x %3 x %4, opened %5</source>
+        <translation>%1, %2 x %3 x %4, geöffnet %5</translation>
+    </message>
+</context>
+<context>
+    <name>ScissorsTool</name>
+    <message>
+        <source>keep the inside</source>
+        <translation>das Innere behalten</translation>
+    </message>
+    <message>
+        <source>cut out</source>
+        <translation>ausschneiden</translation>
+    </message>
+</context>
+<context>
+    <name>Theme</name>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Wie der &amp;Schreibtisch</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+</context>
+<context>
+    <name>Turntable</name>
+    <message>
+        <source>Cannot write %1</source>
+        <translation>%1 lässt sich nicht schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::BenchmarkDialog</name>
+    <message>
+        <source>Median of %1 pictures: ours %2 ms, %3 %4 ms, %5 times as long. Difference: RMSE %6, largest %7, of 255.</source>
+        <translation>Median von %1 Bildern: unserer %2 ms, %3 %4 ms, %5-mal so lange. Unterschied: RMSE %6, größter %7, von 255.</translation>
+    </message>
+    <message>
+        <source>Angle [°]</source>
+        <translation>Winkel [°]</translation>
+    </message>
+    <message>
+        <source>Ours [ms]</source>
+        <translation>Unserer [ms]</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s [ms]</source>
+        <translation>VTKs [ms]</translation>
+    </message>
+    <message>
+        <source>RMSE</source>
+        <translation>RMSE</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>Leistungsvergleich</translation>
+    </message>
+    <message>
+        <source>Draws what the window shows from all around, by our mapper and by VTK&apos;s, and compares times and pictures.</source>
+        <translation>Zeichnet ringsum, was das Fenster zeigt, mit unserem und mit VTKs Mapper und vergleicht Zeiten und Bilder.</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s GPU mapper</source>
+        <translation>VTKs GPU-Mapper</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s CPU mapper</source>
+        <translation>VTKs CPU-Mapper</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Pictures of the turn</source>
+        <translation>Bilder der Drehung</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s CPU mapper does not know the blending of this look; choose VTK&apos;s GPU mapper.</source>
+        <translation>VTKs CPU-Mapper kennt die Mischung dieser Darstellung nicht; VTKs GPU-Mapper wählen.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Export the benchmark</source>
+        <translation>Leistungsvergleich exportieren</translation>
+    </message>
+    <message>
+        <source>Report (*.pdf);;Table (*.csv)</source>
+        <translation>Bericht (*.pdf);;Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Cannot export</source>
+        <translation>Export nicht möglich</translation>
+    </message>
+    <message>
+        <source>A turn around a volume of %1 x %2 x %3 voxels, in pictures of %4 x %5 pixels, by ours and by %6.</source>
+        <translation>Eine Drehung um ein Volumen von %1 x %2 x %3 Voxeln, in Bildern von %4 x %5 Pixeln, mit unserem und mit %6.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::BlendingForm</name>
+    <message>
+        <source>Composite</source>
+        <translation>Überlagerung</translation>
+    </message>
+    <message>
+        <source>Material that light passes through, as the curve says</source>
+        <translation>Material, durch das Licht dringt, wie die Kurve es sagt</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>The largest value along each ray: vessels, implants (MIP)</source>
+        <translation>Der größte Wert auf jedem Strahl: Gefäße, Implantate (MIP)</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>The smallest value along each ray: airways (MinIP)</source>
+        <translation>Der kleinste Wert auf jedem Strahl: Atemwege (MinIP)</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>The mean along each ray: as a thick slice</source>
+        <translation>Das Mittel auf jedem Strahl: wie eine dicke Schicht</translation>
+    </message>
+    <message>
+        <source>Additive</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>The sum along each ray: as an X-ray picture</source>
+        <translation>Die Summe auf jedem Strahl: wie ein Röntgenbild</translation>
+    </message>
+    <message>
+        <source>Isosurfaces</source>
+        <translation>Isoflächen</translation>
+    </message>
+    <message>
+        <source>Surfaces of equal value, each with its colour and opacity</source>
+        <translation>Flächen gleichen Werts, jede mit ihrer Farbe und Deckkraft</translation>
+    </message>
+    <message>
+        <source>Blending</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The thickness of material that has the curve&apos;s opacities</source>
+        <translation>Die Dicke des Materials, die die Deckkraft der Kurve hat</translation>
+    </message>
+    <message>
+        <source>opacity distance</source>
+        <translation>Strecke der Deckkraft</translation>
+    </message>
+    <message>
+        <source>Opacity per</source>
+        <translation>Deckkraft je</translation>
+    </message>
+    <message>
+        <source>Other values do not count in the mean</source>
+        <translation>Andere Werte zählen im Mittel nicht</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Values from</source>
+        <translation>Werte von</translation>
+    </message>
+    <message>
+        <source>blending</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
+        <source>values that count</source>
+        <translation>Werte, die zählen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ComparisonView</name>
+    <message>
+        <source>Divider between ours and VTK&apos;s picture</source>
+        <translation>Trennlinie zwischen unserem und VTKs Bild</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>RMSE %1, largest %2 of 255. Ours %3 ms, VTK&apos;s %4 ms.</source>
+        <translation>RMSE %1, größter %2 von 255. Unseres %3 ms, VTKs %4 ms.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::CutsPanel</name>
+    <message>
+        <source>without the side %1</source>
+        <translation>ohne die Seite %1</translation>
+    </message>
+    <message>
+        <source>Left half away</source>
+        <translation>Linke Hälfte weg</translation>
+    </message>
+    <message>
+        <source>Right half away</source>
+        <translation>Rechte Hälfte weg</translation>
+    </message>
+    <message>
+        <source>Front half away</source>
+        <translation>Vordere Hälfte weg</translation>
+    </message>
+    <message>
+        <source>Back half away</source>
+        <translation>Hintere Hälfte weg</translation>
+    </message>
+    <message>
+        <source>Upper half away</source>
+        <translation>Obere Hälfte weg</translation>
+    </message>
+    <message>
+        <source>Lower half away</source>
+        <translation>Untere Hälfte weg</translation>
+    </message>
+    <message>
+        <source>Half that faces me away</source>
+        <translation>Mir zugewandte Hälfte weg</translation>
+    </message>
+    <message>
+        <source>Cut away…</source>
+        <translation>Wegschneiden…</translation>
+    </message>
+    <message numerus="yes">
+        <source>A plane cuts a side away, up to %n of them</source>
+        <translation>
+            <numerusform>Eine Ebene schneidet eine Seite weg, bis zu %n davon</numerusform>
+            <numerusform>Eine Ebene schneidet eine Seite weg, bis zu %n davon</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Depth of the plane</source>
+        <translation>Tiefe der Ebene</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation>x von</translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation>x bis</translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation>y von</translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation>y bis</translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation>z von</translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation>z bis</translation>
+    </message>
+    <message>
+        <source>All of the volume</source>
+        <translation>Das ganze Volumen</translation>
+    </message>
+    <message>
+        <source>show all of the volume</source>
+        <translation>ganzes Volumen zeigen</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Bring all back</source>
+        <translation>Alles zurückholen</translation>
+    </message>
+    <message>
+        <source>bring back what scissors cut</source>
+        <translation>Ausgeschnittenes zurückholen</translation>
+    </message>
+    <message>
+        <source>Choose Cut out or Keep above, and draw around what is to go or to stay.</source>
+        <translation>Oben Ausschneiden oder Behalten wählen und umfahren, was weg soll oder bleiben soll.</translation>
+    </message>
+    <message>
+        <source>Cuts by scissors: %1</source>
+        <translation>Schnitte mit der Schere: %1</translation>
+    </message>
+    <message>
+        <source>cut what faces me away</source>
+        <translation>mir Zugewandtes wegschneiden</translation>
+    </message>
+    <message>
+        <source>move a plane</source>
+        <translation>Ebene bewegen</translation>
+    </message>
+    <message>
+        <source>turn a plane round</source>
+        <translation>Ebene umkehren</translation>
+    </message>
+    <message>
+        <source>remove a plane</source>
+        <translation>Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>crop</source>
+        <translation>beschneiden</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ExportDialog</name>
+    <message>
+        <source>Transparent background</source>
+        <translation>Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>Directions and distances</source>
+        <translation>Richtungen und Strecken</translation>
+    </message>
+    <message>
+        <source>Export a picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> Pixel</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2</source>
+        <translation>%1 lässt sich nicht schreiben: %2</translation>
+    </message>
+    <message>
+        <source>Cannot export</source>
+        <translation>Export nicht möglich</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::GradientOpacityBox</name>
+    <message>
+        <source>Opacity by gradient</source>
+        <translation>Deckkraft nach Gradient</translation>
+    </message>
+    <message>
+        <source>Lets edges between materials stand out of what is homogeneous</source>
+        <translation>Hebt Grenzen zwischen Materialien aus Gleichförmigem hervor</translation>
+    </message>
+    <message>
+        <source>switch off opacity by gradient</source>
+        <translation>Deckkraft nach Gradient ausschalten</translation>
+    </message>
+    <message>
+        <source>switch on opacity by gradient</source>
+        <translation>Deckkraft nach Gradient einschalten</translation>
+    </message>
+    <message>
+        <source>HU/mm</source>
+        <translation>HE/mm</translation>
+    </message>
+    <message>
+        <source>per mm</source>
+        <translation>je mm</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::LookPanel</name>
+    <message>
+        <source>Preset</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>choose %1</source>
+        <translation>%1 wählen</translation>
+    </message>
+    <message>
+        <source>Load look…</source>
+        <translation>Darstellung laden…</translation>
+    </message>
+    <message>
+        <source>Save look…</source>
+        <translation>Darstellung speichern…</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HE</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>%1, edited</source>
+        <translation>%1, bearbeitet</translation>
+    </message>
+    <message>
+        <source>own look</source>
+        <translation>eigene Darstellung</translation>
+    </message>
+    <message>
+        <source>Load a look</source>
+        <translation>Darstellung laden</translation>
+    </message>
+    <message>
+        <source>Save the look</source>
+        <translation>Darstellung speichern</translation>
+    </message>
+    <message>
+        <source>load %1</source>
+        <translation>%1 laden</translation>
+    </message>
+    <message>
+        <source>All looks (%1)</source>
+        <translation>Alle Darstellungen (%1)</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Colours for all kinds of colour vision, over the curve as it is</source>
+        <translation>Farben für jedes Farbensehen, über der Kurve, wie sie ist</translation>
+    </message>
+    <message>
+        <source>colours of %1</source>
+        <translation>Farben von %1</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::MainWindow</name>
+    <message>
+        <source>Varimarch, not for diagnostic use</source>
+        <translation>Varimarch, nicht für die Diagnose</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled</source>
+        <translation>Das Laden wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a &amp;folder…</source>
+        <translation>&amp;Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open &amp;bare voxels…</source>
+        <translation>&amp;Rohe Voxel öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Recent scans</source>
+        <translation>&amp;Letzte Aufnahmen</translation>
+    </message>
+    <message>
+        <source>&amp;Save the session…</source>
+        <translation>Sitzung &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Export a &amp;picture…</source>
+        <translation>&amp;Bild exportieren…</translation>
+    </message>
+    <message>
+        <source>Export a &amp;turntable…</source>
+        <translation>&amp;Drehung exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>B&amp;eenden</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;First look again</source>
+        <translation>&amp;Erste Darstellung wieder</translation>
+    </message>
+    <message>
+        <source>first look</source>
+        <translation>erste Darstellung</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>Von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>Von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>Von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>Von &amp;oben</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>Von &amp;unten</translation>
+    </message>
+    <message>
+        <source>standard view</source>
+        <translation>Standardansicht</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Wegschneiden</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Open a scan, or drop one here</source>
+        <translation>Aufnahme öffnen oder hier ablegen</translation>
+    </message>
+    <message>
+        <source>Volumes (%1)</source>
+        <translation>Volumen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.json)</source>
+        <translation>Sitzungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>Speichern nicht möglich</translation>
+    </message>
+    <message>
+        <source>Varimarch</source>
+        <translation>Varimarch</translation>
+    </message>
+    <message>
+        <source>The last time, the program did not come to its end. Go on where you were?</source>
+        <translation>Das Programm wurde zuletzt nicht ordentlich beendet. Dort weitermachen?</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Volumen öffnen</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files</source>
+        <translation>Ordner mit DICOM-Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>Open bare voxels</source>
+        <translation>Rohe Voxel öffnen</translation>
+    </message>
+    <message>
+        <source>Export a turntable</source>
+        <translation>Drehung exportieren</translation>
+    </message>
+    <message>
+        <source>Movie (*.ogv);;Pictures (*.png)</source>
+        <translation>Film (*.ogv);;Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing a turn</source>
+        <translation>Eine Drehung wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Cannot export</source>
+        <translation>Export nicht möglich</translation>
+    </message>
+    <message>
+        <source>Look &quot;%1&quot;: %2. R brings it back.</source>
+        <translation>Darstellung „%1“: %2. R holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Cannot open</source>
+        <translation>Öffnen nicht möglich</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>Diese vergessen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Not for diagnostic use.&lt;/b&gt; This program is not a medical device. It must not be used to diagnose, to plan or to guide a treatment.</source>
+        <translation>&lt;b&gt;Nicht für die Diagnose.&lt;/b&gt; Dieses Programm ist kein Medizinprodukt. Es darf nicht verwendet werden, um zu diagnostizieren oder eine Behandlung zu planen oder zu leiten.</translation>
+    </message>
+    <message>
+        <source>I understand</source>
+        <translation>Ich habe verstanden</translation>
+    </message>
+    <message>
+        <source>The &amp;desktop&apos;s</source>
+        <translation>Die des &amp;Schreibtischs</translation>
+    </message>
+    <message>
+        <source>The program speaks the desktop&apos;s language from its next start on</source>
+        <translation>Das Programm spricht ab dem nächsten Start die Sprache des Schreibtischs</translation>
+    </message>
+    <message>
+        <source>The program speaks %1 from its next start on</source>
+        <translation>Das Programm spricht ab dem nächsten Start %1</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Open the folder of the &amp;log</source>
+        <translation>Ordner des &amp;Protokolls öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;About Varimarch</source>
+        <translation>Ü&amp;ber Varimarch</translation>
+    </message>
+    <message>
+        <source>About Varimarch</source>
+        <translation>Über Varimarch</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Looks into CT and MR volumes, with an error that is promised.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Blickt in CT- und MR-Volumen, mit einem zugesagten Fehler.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>Drag to turn the volume</source>
+        <translation>Ziehen dreht das Volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness</source>
+        <translation>&amp;Helligkeit</translation>
+    </message>
+    <message>
+        <source>Drag across for the window, up and down for the level; also Ctrl and drag</source>
+        <translation>Quer ziehen für das Fenster, auf und ab für die Mitte; auch Strg und ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Strecke</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another</source>
+        <translation>Von einem Punkt zu einem anderen ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>Drag from the end of one arm to the vertex, then press at the end of the other</source>
+        <translation>Vom Ende eines Schenkels zum Scheitel ziehen, dann am Ende des anderen drücken</translation>
+    </message>
+    <message>
+        <source>B&amp;ox</source>
+        <translation>&amp;Quader</translation>
+    </message>
+    <message>
+        <source>Drag from corner to corner: mean, deviation, volume</source>
+        <translation>Von Ecke zu Ecke ziehen: Mittel, Streuung, Volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Cut out</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Draw around what is to go</source>
+        <translation>Umfahren, was weg soll</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>Draw around what is to stay</source>
+        <translation>Umfahren, was bleiben soll</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>Linke Taste</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;No comparison</source>
+        <translation>&amp;Kein Vergleich</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s &amp;GPU mapper</source>
+        <translation>Mit VTKs &amp;GPU-Mapper vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s &amp;CPU mapper</source>
+        <translation>Mit VTKs &amp;CPU-Mapper vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe between them</source>
+        <translation>&amp;Dazwischen wischen</translation>
+    </message>
+    <message>
+        <source>Both pictures in one place, with a divider that is dragged</source>
+        <translation>Beide Bilder an einem Ort, mit einer Trennlinie zum Ziehen</translation>
+    </message>
+    <message>
+        <source>Export a &amp;report…</source>
+        <translation>Be&amp;richt exportieren…</translation>
+    </message>
+    <message>
+        <source>Pa&amp;rallel projection</source>
+        <translation>Pa&amp;rallelprojektion</translation>
+    </message>
+    <message>
+        <source>Without perspective: what is farther away is as large</source>
+        <translation>Ohne Perspektive: Ferneres ist gleich groß</translation>
+    </message>
+    <message>
+        <source>projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Export a report</source>
+        <translation>Bericht exportieren</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>&amp;Benchmark…</source>
+        <translation>&amp;Leistungsvergleich…</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::MeasuresPanel</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Choose Distance, Angle or Box above, and drag in the volume or in a slice. Points can be dragged later; a double-click on a name changes it.</source>
+        <translation>Oben Strecke, Winkel oder Quader wählen und im Volumen oder in einer Schicht ziehen. Punkte lassen sich später ziehen; ein Doppelklick auf einen Namen ändert ihn.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>rename</source>
+        <translation>umbenennen</translation>
+    </message>
+    <message>
+        <source>remove a measure</source>
+        <translation>Maß entfernen</translation>
+    </message>
+    <message>
+        <source>remove the measures</source>
+        <translation>Maße entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::NodePopover</name>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Midpoint</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Where the way to the next point is half done</source>
+        <translation>Wo der Weg zum nächsten Punkt halb getan ist</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>Schärfe</translation>
+    </message>
+    <message>
+        <source>0 is a straight line to the next point, 1 a step</source>
+        <translation>0 ist eine Gerade zum nächsten Punkt, 1 eine Stufe</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::PresetGallery</name>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Keep this look</source>
+        <translation>Diese Darstellung behalten</translation>
+    </message>
+    <message>
+        <source>Puts the look of the moment into this list</source>
+        <translation>Nimmt die jetzige Darstellung in diese Liste auf</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes a look of your own out of this list</source>
+        <translation>Nimmt eine eigene Darstellung aus dieser Liste</translation>
+    </message>
+    <message>
+        <source>Your own: F2 renames it, Delete removes it</source>
+        <translation>Eigene: F2 benennt sie um, Entf entfernt sie</translation>
+    </message>
+    <message>
+        <source>choose %1</source>
+        <translation>%1 wählen</translation>
+    </message>
+    <message>
+        <source>Remove a preset</source>
+        <translation>Vorlage entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the preset %1? It cannot be brought back.</source>
+        <translation>Die Vorlage %1 entfernen? Sie lässt sich nicht zurückholen.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::QualityPanel</name>
+    <message>
+        <source>Largest error</source>
+        <translation>Größter Fehler</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Error at most</source>
+        <translation>Fehler höchstens</translation>
+    </message>
+    <message>
+        <source>quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>1/%1 of the brightest</source>
+        <translation>1/%1 des Hellsten</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::RawForm</name>
+    <message>
+        <source>How is %1 to be read?</source>
+        <translation>Wie ist %1 zu lesen?</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>small end first</source>
+        <translation>kleines Ende zuerst (little-endian)</translation>
+    </message>
+    <message>
+        <source>big end first</source>
+        <translation>großes Ende zuerst (big-endian)</translation>
+    </message>
+    <message>
+        <source>Bytes before the first voxel</source>
+        <translation>Bytes vor dem ersten Voxel</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytefolge</translation>
+    </message>
+    <message>
+        <source>Header bytes</source>
+        <translation>Bytes des Kopfs</translation>
+    </message>
+    <message>
+        <source>Spacing [mm]</source>
+        <translation>Abstand [mm]</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>They are a header</source>
+        <translation>Sie sind ein Kopf</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>The file is packed, so whether its size fits is seen when it is read.</source>
+        <translation>Die Datei ist gepackt; ob ihre Größe passt, zeigt sich beim Lesen.</translation>
+    </message>
+    <message>
+        <source>It fits: the file has the %1 bytes that this needs.</source>
+        <translation>Es passt: Die Datei hat die %1 Bytes, die das braucht.</translation>
+    </message>
+    <message>
+        <source>The file has %1 bytes more than this needs.</source>
+        <translation>Die Datei hat %1 Bytes mehr, als das braucht.</translation>
+    </message>
+    <message>
+        <source>It does not fit: the file has %1 bytes less than this needs.</source>
+        <translation>Es passt nicht: Die Datei hat %1 Bytes weniger, als das braucht.</translation>
+    </message>
+    <message>
+        <source>The file ends before this slice</source>
+        <translation>Die Datei endet vor dieser Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SeriesPicker</name>
+    <message>
+        <source>%1
+%2, images: %3</source>
+        <translation>%1
+%2, Bilder: %3</translation>
+    </message>
+    <message>
+        <source>Without a description</source>
+        <translation>Ohne Beschreibung</translation>
+    </message>
+    <message>
+        <source>Choose a series</source>
+        <translation>Serie wählen</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serien</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>There are %1 series here.</source>
+        <translation>Hier gibt es %1 Serien.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ShadingBox</name>
+    <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>Clinical</source>
+        <translation>Klinisch</translation>
+    </message>
+    <message>
+        <source>Glossy</source>
+        <translation>Glänzend</translation>
+    </message>
+    <message>
+        <source>Flat: colours as they are</source>
+        <translation>Flach: Farben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Light and shading</source>
+        <translation>Licht und Schattierung</translation>
+    </message>
+    <message>
+        <source>shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>Ambient</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>Diffuse</source>
+        <translation>Diffus</translation>
+    </message>
+    <message>
+        <source>Specular</source>
+        <translation>Glanz</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Schärfe des Glanzes</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>In numbers</source>
+        <translation>In Zahlen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SlabBar</name>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>What a slab shows</source>
+        <translation>Was eine dicke Schicht zeigt</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Thickness of the slices</source>
+        <translation>Dicke der Schichten</translation>
+    </message>
+    <message>
+        <source>Slices of some thickness show the largest, the smallest or the mean value in it</source>
+        <translation>Dicke Schichten zeigen den größten, kleinsten oder mittleren Wert darin</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>slab</source>
+        <translation>Dicke der Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SliceView</name>
+    <message>
+        <source>W %1 L %2</source>
+        <translation>F %1 M %2</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>Fenster und Mitte</translation>
+    </message>
+    <message>
+        <source>move the crosshair</source>
+        <translation>Fadenkreuz bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::TransferFunctionEditor</name>
+    <message>
+        <source>Edit in numbers…</source>
+        <translation>In Zahlen bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one</source>
+        <translation>Punkt nach dem gewählten einfügen</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alle wählen</translation>
+    </message>
+    <message>
+        <source>Show all values</source>
+        <translation>Alle Werte zeigen</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Leave out the outermost 1 % of the voxels</source>
+        <translation>Das äußerste 1 % der Voxel weglassen</translation>
+    </message>
+    <message>
+        <source>99 %</source>
+        <translation>99 %</translation>
+    </message>
+    <message>
+        <source>Show the curve</source>
+        <translation>Die Kurve zeigen</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Logarithmic counts</source>
+        <translation>Logarithmische Anzahlen</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>Enlarge low opacities</source>
+        <translation>Geringe Deckkraft vergrößern</translation>
+    </message>
+    <message>
+        <source>nudge points</source>
+        <translation>Punkte rücken</translation>
+    </message>
+    <message>
+        <source>delete points</source>
+        <translation>Punkte löschen</translation>
+    </message>
+    <message>
+        <source>delete point</source>
+        <translation>Punkt löschen</translation>
+    </message>
+    <message>
+        <source>add point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>choose colour</source>
+        <translation>Farbe wählen</translation>
+    </message>
+    <message>
+        <source>edit point</source>
+        <translation>Punkt bearbeiten</translation>
+    </message>
+    <message>
+        <source>Add a point here</source>
+        <translation>Hier einen Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>move points</source>
+        <translation>Punkte bewegen</translation>
+    </message>
+    <message>
+        <source>move colour</source>
+        <translation>Farbe bewegen</translation>
+    </message>
+    <message>
+        <source>move point</source>
+        <translation>Punkt bewegen</translation>
+    </message>
+    <message>
+        <source>shift the curve</source>
+        <translation>Kurve verschieben</translation>
+    </message>
+    <message>
+        <source>add colour</source>
+        <translation>Farbe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>scale the curve</source>
+        <translation>Kurve strecken</translation>
+    </message>
+    <message>
+        <source>Low</source>
+        <translation>Gering</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::VolumeLoader</name>
+    <message>
+        <source>There is not enough memory for this volume.</source>
+        <translation>Für dieses Volumen reicht der Speicher nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::VolumeView</name>
+    <message>
+        <source>turn the camera</source>
+        <translation>Kamera drehen</translation>
+    </message>
+    <message>
+        <source>%1%2 at %3, %4, %5 mm</source>
+        <translation>%1%2 bei %3, %4, %5 mm</translation>
+    </message>
+    <message>
+        <source>HU </source>
+        <translation>HE </translation>
+    </message>
+    <message>
+        <source>value </source>
+        <translation>Wert </translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::WarningBar</name>
+    <message>
+        <source>I have read this</source>
+        <translation>Ich habe das gelesen</translation>
+    </message>
+</context>
+</TS>

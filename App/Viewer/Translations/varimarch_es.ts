@@ -1,0 +1,1605 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es">
+<context>
+    <name>BrightnessTool</name>
+    <message>
+        <source>window and level</source>
+        <translation>ventana y nivel</translation>
+    </message>
+</context>
+<context>
+    <name>CutHandles</name>
+    <message>
+        <source>push a plane</source>
+        <translation>desplazar un plano</translation>
+    </message>
+    <message>
+        <source>turn a plane</source>
+        <translation>girar un plano</translation>
+    </message>
+    <message>
+        <source>crop</source>
+        <translation>recortar</translation>
+    </message>
+    <message>
+        <source>move the box</source>
+        <translation>mover la caja</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTexts</name>
+    <message>
+        <source>no voxels</source>
+        <translation>ningún vóxel</translation>
+    </message>
+    <message>
+        <source>%1 ± %2, from %3 to %4
+%5, %6 voxels</source>
+        <translation>%1 ± %2, de %3 a %4
+%5, %6 vóxeles</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 mm³</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 ± %2
+%3</source>
+        <translation>%1 ± %2
+%3</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>measure</source>
+        <translation>medir</translation>
+    </message>
+</context>
+<context>
+    <name>OwnPresets</name>
+    <message>
+        <source>My look %1</source>
+        <translation>Mi aspecto %1</translation>
+    </message>
+    <message>
+        <source>A preset&apos;s name has neither a dot at its beginning nor a slash in it.</source>
+        <translation>El nombre de un preajuste no empieza por un punto ni contiene una barra.</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already.</source>
+        <translation>Ya existe un preajuste %1.</translation>
+    </message>
+    <message>
+        <source>The preset %1 cannot be renamed to %2.</source>
+        <translation>El preajuste %1 no se puede renombrar como %2.</translation>
+    </message>
+    <message>
+        <source>The preset %1 cannot be removed.</source>
+        <translation>El preajuste %1 no se puede eliminar.</translation>
+    </message>
+</context>
+<context>
+    <name>PdfPages</name>
+    <message>
+        <source>Not for diagnostic use: made by a program that is not a medical device</source>
+        <translation>No apto para diagnóstico: hecho por un programa que no es un producto sanitario</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2</source>
+        <translation>No se puede escribir %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>PictureExport</name>
+    <message>
+        <source>Not for diagnostic use</source>
+        <translation>No apto para diagnóstico</translation>
+    </message>
+</context>
+<context>
+    <name>PictureReport</name>
+    <message>
+        <source>VTK, GPU</source>
+        <translation>VTK, GPU</translation>
+    </message>
+    <message>
+        <source>VTK, CPU</source>
+        <translation>VTK, CPU</translation>
+    </message>
+    <message>
+        <source>%1
+%2
+error unknown</source>
+        <translation>%1
+%2
+error desconocido</translation>
+    </message>
+    <message>
+        <source>%1
+%2
+error unknown
+knows no scissors</source>
+        <translation>%1
+%2
+error desconocido
+no conoce las tijeras</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1
+error not bounded</source>
+        <translation>%1
+error no acotado</translation>
+    </message>
+    <message>
+        <source>%1
+error at most 1/%2</source>
+        <translation>%1
+error como máximo 1/%2</translation>
+    </message>
+    <message>
+        <source>
+but for single pixels</source>
+        <translation>
+salvo en píxeles aislados</translation>
+    </message>
+    <message>
+        <source>
+mean of %1 pictures</source>
+        <translation>
+media de %1 imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>PresetTitles</name>
+    <message>
+        <source>CT airways</source>
+        <translation>TC vías aéreas</translation>
+    </message>
+    <message>
+        <source>CT bone</source>
+        <translation>TC hueso</translation>
+    </message>
+    <message>
+        <source>CT implants</source>
+        <translation>TC implantes</translation>
+    </message>
+    <message>
+        <source>CT lungs</source>
+        <translation>TC pulmones</translation>
+    </message>
+    <message>
+        <source>CT maximum</source>
+        <translation>TC máximo</translation>
+    </message>
+    <message>
+        <source>CT skin</source>
+        <translation>TC piel</translation>
+    </message>
+    <message>
+        <source>CT soft tissue</source>
+        <translation>TC partes blandas</translation>
+    </message>
+    <message>
+        <source>CT vessels</source>
+        <translation>TC vasos</translation>
+    </message>
+    <message>
+        <source>MR angiography</source>
+        <translation>RM angiografía</translation>
+    </message>
+    <message>
+        <source>MR head, T1</source>
+        <translation>RM cabeza, T1</translation>
+    </message>
+    <message>
+        <source>MR maximum</source>
+        <translation>RM máximo</translation>
+    </message>
+    <message>
+        <source>MR head, T2</source>
+        <translation>RM cabeza, T2</translation>
+    </message>
+</context>
+<context>
+    <name>RecentScans</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>%1, %2 x %3 x %4, opened %5</source>
+        <translation>%1, %2 x %3 x %4, abierto %5</translation>
+    </message>
+</context>
+<context>
+    <name>ScissorsTool</name>
+    <message>
+        <source>keep the inside</source>
+        <translation>conservar el interior</translation>
+    </message>
+    <message>
+        <source>cut out</source>
+        <translation>cortar</translation>
+    </message>
+</context>
+<context>
+    <name>Theme</name>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Como el &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+</context>
+<context>
+    <name>Turntable</name>
+    <message>
+        <source>Cannot write %1</source>
+        <translation>No se puede escribir %1</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::BenchmarkDialog</name>
+    <message>
+        <source>Median of %1 pictures: ours %2 ms, %3 %4 ms, %5 times as long. Difference: RMSE %6, largest %7, of 255.</source>
+        <translation>Mediana de %1 imágenes: la nuestra %2 ms, %3 %4 ms, %5 veces más. Diferencia: RMSE %6, máxima %7, de 255.</translation>
+    </message>
+    <message>
+        <source>Angle [°]</source>
+        <translation>Ángulo [°]</translation>
+    </message>
+    <message>
+        <source>Ours [ms]</source>
+        <translation>Nuestro [ms]</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s [ms]</source>
+        <translation>De VTK [ms]</translation>
+    </message>
+    <message>
+        <source>RMSE</source>
+        <translation>RMSE</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Máxima</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>Prueba de rendimiento</translation>
+    </message>
+    <message>
+        <source>Draws what the window shows from all around, by our mapper and by VTK&apos;s, and compares times and pictures.</source>
+        <translation>Dibuja desde todos los lados lo que muestra la ventana, con nuestro mapper y el de VTK, y compara tiempos e imágenes.</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s GPU mapper</source>
+        <translation>mapper de GPU de VTK</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s CPU mapper</source>
+        <translation>mapper de CPU de VTK</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Comparar con</translation>
+    </message>
+    <message>
+        <source>Pictures of the turn</source>
+        <translation>Imágenes del giro</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Empezar</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s CPU mapper does not know the blending of this look; choose VTK&apos;s GPU mapper.</source>
+        <translation>El mapper de CPU de VTK no conoce la mezcla de este aspecto; elija el mapper de GPU de VTK.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>Export the benchmark</source>
+        <translation>Exportar la prueba de rendimiento</translation>
+    </message>
+    <message>
+        <source>Report (*.pdf);;Table (*.csv)</source>
+        <translation>Informe (*.pdf);;Tabla (*.csv)</translation>
+    </message>
+    <message>
+        <source>Cannot export</source>
+        <translation>No se puede exportar</translation>
+    </message>
+    <message>
+        <source>A turn around a volume of %1 x %2 x %3 voxels, in pictures of %4 x %5 pixels, by ours and by %6.</source>
+        <translation>Un giro alrededor de un volumen de %1 x %2 x %3 vóxeles, en imágenes de %4 x %5 píxeles, con el nuestro y con %6.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::BlendingForm</name>
+    <message>
+        <source>Composite</source>
+        <translation>Composición</translation>
+    </message>
+    <message>
+        <source>Material that light passes through, as the curve says</source>
+        <translation>Material que la luz atraviesa, según la curva</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>The largest value along each ray: vessels, implants (MIP)</source>
+        <translation>El valor mayor en cada rayo: vasos, implantes (MIP)</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>The smallest value along each ray: airways (MinIP)</source>
+        <translation>El valor menor en cada rayo: vías aéreas (MinIP)</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Promedio</translation>
+    </message>
+    <message>
+        <source>The mean along each ray: as a thick slice</source>
+        <translation>La media en cada rayo: como un corte grueso</translation>
+    </message>
+    <message>
+        <source>Additive</source>
+        <translation>Aditiva</translation>
+    </message>
+    <message>
+        <source>The sum along each ray: as an X-ray picture</source>
+        <translation>La suma en cada rayo: como una radiografía</translation>
+    </message>
+    <message>
+        <source>Isosurfaces</source>
+        <translation>Isosuperficies</translation>
+    </message>
+    <message>
+        <source>Surfaces of equal value, each with its colour and opacity</source>
+        <translation>Superficies de igual valor, cada una con su color y opacidad</translation>
+    </message>
+    <message>
+        <source>Blending</source>
+        <translation>Mezcla</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The thickness of material that has the curve&apos;s opacities</source>
+        <translation>El grosor de material que tiene las opacidades de la curva</translation>
+    </message>
+    <message>
+        <source>opacity distance</source>
+        <translation>distancia de opacidad</translation>
+    </message>
+    <message>
+        <source>Opacity per</source>
+        <translation>Opacidad por</translation>
+    </message>
+    <message>
+        <source>Other values do not count in the mean</source>
+        <translation>Otros valores no cuentan en la media</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>hasta</translation>
+    </message>
+    <message>
+        <source>Values from</source>
+        <translation>Valores desde</translation>
+    </message>
+    <message>
+        <source>blending</source>
+        <translation>mezcla</translation>
+    </message>
+    <message>
+        <source>values that count</source>
+        <translation>valores que cuentan</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ComparisonView</name>
+    <message>
+        <source>Divider between ours and VTK&apos;s picture</source>
+        <translation>Divisor entre nuestra imagen y la de VTK</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>RMSE %1, largest %2 of 255. Ours %3 ms, VTK&apos;s %4 ms.</source>
+        <translation>RMSE %1, máxima %2 de 255. La nuestra %3 ms, la de VTK %4 ms.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::CutsPanel</name>
+    <message>
+        <source>without the side %1</source>
+        <translation>sin el lado %1</translation>
+    </message>
+    <message>
+        <source>Left half away</source>
+        <translation>Quitar la mitad izquierda</translation>
+    </message>
+    <message>
+        <source>Right half away</source>
+        <translation>Quitar la mitad derecha</translation>
+    </message>
+    <message>
+        <source>Front half away</source>
+        <translation>Quitar la mitad anterior</translation>
+    </message>
+    <message>
+        <source>Back half away</source>
+        <translation>Quitar la mitad posterior</translation>
+    </message>
+    <message>
+        <source>Upper half away</source>
+        <translation>Quitar la mitad superior</translation>
+    </message>
+    <message>
+        <source>Lower half away</source>
+        <translation>Quitar la mitad inferior</translation>
+    </message>
+    <message>
+        <source>Half that faces me away</source>
+        <translation>Quitar la mitad que me mira</translation>
+    </message>
+    <message>
+        <source>Cut away…</source>
+        <translation>Cortar…</translation>
+    </message>
+    <message numerus="yes">
+        <source>A plane cuts a side away, up to %n of them</source>
+        <translation>
+            <numerusform>Un plano quita un lado, hasta %n de ellos</numerusform>
+            <numerusform>Un plano quita un lado, hasta %n de ellos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Planos</translation>
+    </message>
+    <message>
+        <source>Depth of the plane</source>
+        <translation>Profundidad del plano</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Otro lado</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation>x desde</translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation>x hasta</translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation>y desde</translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation>y hasta</translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation>z desde</translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation>z hasta</translation>
+    </message>
+    <message>
+        <source>All of the volume</source>
+        <translation>Todo el volumen</translation>
+    </message>
+    <message>
+        <source>show all of the volume</source>
+        <translation>mostrar todo el volumen</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Tijeras</translation>
+    </message>
+    <message>
+        <source>Bring all back</source>
+        <translation>Recuperar todo</translation>
+    </message>
+    <message>
+        <source>bring back what scissors cut</source>
+        <translation>recuperar lo cortado con tijeras</translation>
+    </message>
+    <message>
+        <source>Choose Cut out or Keep above, and draw around what is to go or to stay.</source>
+        <translation>Elija arriba Cortar o Conservar y rodee lo que debe irse o quedarse.</translation>
+    </message>
+    <message>
+        <source>Cuts by scissors: %1</source>
+        <translation>Cortes con tijeras: %1</translation>
+    </message>
+    <message>
+        <source>cut what faces me away</source>
+        <translation>cortar lo que me mira</translation>
+    </message>
+    <message>
+        <source>move a plane</source>
+        <translation>mover un plano</translation>
+    </message>
+    <message>
+        <source>turn a plane round</source>
+        <translation>invertir un plano</translation>
+    </message>
+    <message>
+        <source>remove a plane</source>
+        <translation>eliminar un plano</translation>
+    </message>
+    <message>
+        <source>crop</source>
+        <translation>recortar</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ExportDialog</name>
+    <message>
+        <source>Transparent background</source>
+        <translation>Fondo transparente</translation>
+    </message>
+    <message>
+        <source>Directions and distances</source>
+        <translation>Direcciones y distancias</translation>
+    </message>
+    <message>
+        <source>Export a picture</source>
+        <translation>Exportar una imagen</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> píxeles</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Alto</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2</source>
+        <translation>No se puede escribir %1: %2</translation>
+    </message>
+    <message>
+        <source>Cannot export</source>
+        <translation>No se puede exportar</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::GradientOpacityBox</name>
+    <message>
+        <source>Opacity by gradient</source>
+        <translation>Opacidad por gradiente</translation>
+    </message>
+    <message>
+        <source>Lets edges between materials stand out of what is homogeneous</source>
+        <translation>Destaca los bordes entre materiales sobre lo homogéneo</translation>
+    </message>
+    <message>
+        <source>switch off opacity by gradient</source>
+        <translation>desactivar la opacidad por gradiente</translation>
+    </message>
+    <message>
+        <source>switch on opacity by gradient</source>
+        <translation>activar la opacidad por gradiente</translation>
+    </message>
+    <message>
+        <source>HU/mm</source>
+        <translation>UH/mm</translation>
+    </message>
+    <message>
+        <source>per mm</source>
+        <translation>por mm</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::LookPanel</name>
+    <message>
+        <source>Preset</source>
+        <translation>Preajuste</translation>
+    </message>
+    <message>
+        <source>choose %1</source>
+        <translation>elegir %1</translation>
+    </message>
+    <message>
+        <source>Load look…</source>
+        <translation>Cargar aspecto…</translation>
+    </message>
+    <message>
+        <source>Save look…</source>
+        <translation>Guardar aspecto…</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>UH</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>%1, edited</source>
+        <translation>%1, editado</translation>
+    </message>
+    <message>
+        <source>own look</source>
+        <translation>aspecto propio</translation>
+    </message>
+    <message>
+        <source>Load a look</source>
+        <translation>Cargar un aspecto</translation>
+    </message>
+    <message>
+        <source>Save the look</source>
+        <translation>Guardar el aspecto</translation>
+    </message>
+    <message>
+        <source>load %1</source>
+        <translation>cargar %1</translation>
+    </message>
+    <message>
+        <source>All looks (%1)</source>
+        <translation>Todos los aspectos (%1)</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Colours for all kinds of colour vision, over the curve as it is</source>
+        <translation>Colores para toda visión del color, sobre la curva tal cual</translation>
+    </message>
+    <message>
+        <source>colours of %1</source>
+        <translation>colores de %1</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::MainWindow</name>
+    <message>
+        <source>Varimarch, not for diagnostic use</source>
+        <translation>Varimarch, no apto para diagnóstico</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled</source>
+        <translation>Se canceló la carga</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
+    </message>
+    <message>
+        <source>Open a &amp;folder…</source>
+        <translation>Abrir una &amp;carpeta…</translation>
+    </message>
+    <message>
+        <source>Open &amp;bare voxels…</source>
+        <translation>Abrir &amp;vóxeles sin cabecera…</translation>
+    </message>
+    <message>
+        <source>&amp;Recent scans</source>
+        <translation>Estudios &amp;recientes</translation>
+    </message>
+    <message>
+        <source>&amp;Save the session…</source>
+        <translation>&amp;Guardar la sesión…</translation>
+    </message>
+    <message>
+        <source>Export a &amp;picture…</source>
+        <translation>Exportar una &amp;imagen…</translation>
+    </message>
+    <message>
+        <source>Export a &amp;turntable…</source>
+        <translation>Exportar un &amp;giro…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>&amp;First look again</source>
+        <translation>&amp;Primer aspecto otra vez</translation>
+    </message>
+    <message>
+        <source>first look</source>
+        <translation>primer aspecto</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vista</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>&amp;Anterior</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>&amp;Posterior</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Izquierda</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Derecha</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>&amp;Superior</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>I&amp;nferior</translation>
+    </message>
+    <message>
+        <source>standard view</source>
+        <translation>vista estándar</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Preajustes</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Calidad</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Medidas</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Open a scan, or drop one here</source>
+        <translation>Abra un estudio o suéltelo aquí</translation>
+    </message>
+    <message>
+        <source>Volumes (%1)</source>
+        <translation>Volúmenes (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>Cargando %1</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Guardar la sesión</translation>
+    </message>
+    <message>
+        <source>Sessions (*.json)</source>
+        <translation>Sesiones (*.json)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 guardado</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>No se puede guardar</translation>
+    </message>
+    <message>
+        <source>Varimarch</source>
+        <translation>Varimarch</translation>
+    </message>
+    <message>
+        <source>The last time, the program did not come to its end. Go on where you were?</source>
+        <translation>La última vez el programa no llegó a su fin. ¿Continuar donde estaba?</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Abrir un volumen</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files</source>
+        <translation>Abrir una carpeta de archivos DICOM</translation>
+    </message>
+    <message>
+        <source>Open bare voxels</source>
+        <translation>Abrir vóxeles sin cabecera</translation>
+    </message>
+    <message>
+        <source>Export a turntable</source>
+        <translation>Exportar un giro</translation>
+    </message>
+    <message>
+        <source>Movie (*.ogv);;Pictures (*.png)</source>
+        <translation>Película (*.ogv);;Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing a turn</source>
+        <translation>Dibujando un giro</translation>
+    </message>
+    <message>
+        <source>Cannot export</source>
+        <translation>No se puede exportar</translation>
+    </message>
+    <message>
+        <source>Look &quot;%1&quot;: %2. R brings it back.</source>
+        <translation>Aspecto «%1»: %2. R lo recupera.</translation>
+    </message>
+    <message>
+        <source>Cannot open</source>
+        <translation>No se puede abrir</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>Olvidar estos</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Not for diagnostic use.&lt;/b&gt; This program is not a medical device. It must not be used to diagnose, to plan or to guide a treatment.</source>
+        <translation>&lt;b&gt;No apto para diagnóstico.&lt;/b&gt; Este programa no es un producto sanitario. No debe usarse para diagnosticar ni para planificar o guiar un tratamiento.</translation>
+    </message>
+    <message>
+        <source>I understand</source>
+        <translation>Entendido</translation>
+    </message>
+    <message>
+        <source>The &amp;desktop&apos;s</source>
+        <translation>El del &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>The program speaks the desktop&apos;s language from its next start on</source>
+        <translation>El programa hablará el idioma del escritorio desde el próximo inicio</translation>
+    </message>
+    <message>
+        <source>The program speaks %1 from its next start on</source>
+        <translation>El programa hablará %1 desde el próximo inicio</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>Open the folder of the &amp;log</source>
+        <translation>Abrir la carpeta del &amp;registro</translation>
+    </message>
+    <message>
+        <source>&amp;About Varimarch</source>
+        <translation>&amp;Acerca de Varimarch</translation>
+    </message>
+    <message>
+        <source>About Varimarch</source>
+        <translation>Acerca de Varimarch</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Looks into CT and MR volumes, with an error that is promised.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Mira dentro de volúmenes de TC y RM, con un error prometido.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Herramientas</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Girar</translation>
+    </message>
+    <message>
+        <source>Drag to turn the volume</source>
+        <translation>Arrastre para girar el volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness</source>
+        <translation>&amp;Brillo</translation>
+    </message>
+    <message>
+        <source>Drag across for the window, up and down for the level; also Ctrl and drag</source>
+        <translation>Arrastre en horizontal para la ventana, en vertical para el nivel; también Ctrl y arrastrar</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Distancia</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another</source>
+        <translation>Arrastre de un punto a otro</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>Á&amp;ngulo</translation>
+    </message>
+    <message>
+        <source>Drag from the end of one arm to the vertex, then press at the end of the other</source>
+        <translation>Arrastre del extremo de un lado al vértice y pulse en el extremo del otro</translation>
+    </message>
+    <message>
+        <source>B&amp;ox</source>
+        <translation>Ca&amp;ja</translation>
+    </message>
+    <message>
+        <source>Drag from corner to corner: mean, deviation, volume</source>
+        <translation>Arrastre de esquina a esquina: media, desviación, volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Cut out</source>
+        <translation>&amp;Cortar</translation>
+    </message>
+    <message>
+        <source>Draw around what is to go</source>
+        <translation>Rodee lo que debe irse</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>C&amp;onservar</translation>
+    </message>
+    <message>
+        <source>Draw around what is to stay</source>
+        <translation>Rodee lo que debe quedarse</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>Botón izquierdo</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;No comparison</source>
+        <translation>&amp;Sin comparación</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s &amp;GPU mapper</source>
+        <translation>Comparar con el mapper de &amp;GPU de VTK</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s &amp;CPU mapper</source>
+        <translation>Comparar con el mapper de &amp;CPU de VTK</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe between them</source>
+        <translation>&amp;Deslizar entre ambas</translation>
+    </message>
+    <message>
+        <source>Both pictures in one place, with a divider that is dragged</source>
+        <translation>Ambas imágenes en un lugar, con un divisor que se arrastra</translation>
+    </message>
+    <message>
+        <source>Export a &amp;report…</source>
+        <translation>Exportar un &amp;informe…</translation>
+    </message>
+    <message>
+        <source>Pa&amp;rallel projection</source>
+        <translation>Proyección pa&amp;ralela</translation>
+    </message>
+    <message>
+        <source>Without perspective: what is farther away is as large</source>
+        <translation>Sin perspectiva: lo más lejano es igual de grande</translation>
+    </message>
+    <message>
+        <source>projection</source>
+        <translation>proyección</translation>
+    </message>
+    <message>
+        <source>Export a report</source>
+        <translation>Exportar un informe</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>&amp;Benchmark…</source>
+        <translation>&amp;Prueba de rendimiento…</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::MeasuresPanel</name>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Eliminar todo</translation>
+    </message>
+    <message>
+        <source>Choose Distance, Angle or Box above, and drag in the volume or in a slice. Points can be dragged later; a double-click on a name changes it.</source>
+        <translation>Elija arriba Distancia, Ángulo o Caja y arrastre en el volumen o en un corte. Los puntos se pueden mover después; un doble clic en un nombre lo cambia.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>rename</source>
+        <translation>renombrar</translation>
+    </message>
+    <message>
+        <source>remove a measure</source>
+        <translation>eliminar una medida</translation>
+    </message>
+    <message>
+        <source>remove the measures</source>
+        <translation>eliminar las medidas</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::NodePopover</name>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>Midpoint</source>
+        <translation>Punto medio</translation>
+    </message>
+    <message>
+        <source>Where the way to the next point is half done</source>
+        <translation>Donde se ha hecho la mitad del camino al punto siguiente</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>Nitidez</translation>
+    </message>
+    <message>
+        <source>0 is a straight line to the next point, 1 a step</source>
+        <translation>0 es una recta hasta el punto siguiente, 1 un escalón</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::PresetGallery</name>
+    <message>
+        <source>Presets</source>
+        <translation>Preajustes</translation>
+    </message>
+    <message>
+        <source>Keep this look</source>
+        <translation>Conservar este aspecto</translation>
+    </message>
+    <message>
+        <source>Puts the look of the moment into this list</source>
+        <translation>Añade el aspecto actual a esta lista</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Takes a look of your own out of this list</source>
+        <translation>Quita un aspecto propio de esta lista</translation>
+    </message>
+    <message>
+        <source>Your own: F2 renames it, Delete removes it</source>
+        <translation>Propio: F2 lo renombra, Supr lo elimina</translation>
+    </message>
+    <message>
+        <source>choose %1</source>
+        <translation>elegir %1</translation>
+    </message>
+    <message>
+        <source>Remove a preset</source>
+        <translation>Eliminar un preajuste</translation>
+    </message>
+    <message>
+        <source>Remove the preset %1? It cannot be brought back.</source>
+        <translation>¿Eliminar el preajuste %1? No se podrá recuperar.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::QualityPanel</name>
+    <message>
+        <source>Largest error</source>
+        <translation>Error máximo</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Rápido</translation>
+    </message>
+    <message>
+        <source>Error at most</source>
+        <translation>Error como máximo</translation>
+    </message>
+    <message>
+        <source>quality</source>
+        <translation>calidad</translation>
+    </message>
+    <message>
+        <source>1/%1 of the brightest</source>
+        <translation>1/%1 de lo más brillante</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::RawForm</name>
+    <message>
+        <source>How is %1 to be read?</source>
+        <translation>¿Cómo se debe leer %1?</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Columnas</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Filas</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Cortes</translation>
+    </message>
+    <message>
+        <source>small end first</source>
+        <translation>byte menor primero (little-endian)</translation>
+    </message>
+    <message>
+        <source>big end first</source>
+        <translation>byte mayor primero (big-endian)</translation>
+    </message>
+    <message>
+        <source>Bytes before the first voxel</source>
+        <translation>Bytes antes del primer vóxel</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Orden de bytes</translation>
+    </message>
+    <message>
+        <source>Header bytes</source>
+        <translation>Bytes de cabecera</translation>
+    </message>
+    <message>
+        <source>Spacing [mm]</source>
+        <translation>Espaciado [mm]</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>They are a header</source>
+        <translation>Son una cabecera</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>The file is packed, so whether its size fits is seen when it is read.</source>
+        <translation>El archivo está comprimido; al leerlo se verá si su tamaño encaja.</translation>
+    </message>
+    <message>
+        <source>It fits: the file has the %1 bytes that this needs.</source>
+        <translation>Encaja: el archivo tiene los %1 bytes que esto necesita.</translation>
+    </message>
+    <message>
+        <source>The file has %1 bytes more than this needs.</source>
+        <translation>El archivo tiene %1 bytes más de los que esto necesita.</translation>
+    </message>
+    <message>
+        <source>It does not fit: the file has %1 bytes less than this needs.</source>
+        <translation>No encaja: el archivo tiene %1 bytes menos de los que esto necesita.</translation>
+    </message>
+    <message>
+        <source>The file ends before this slice</source>
+        <translation>El archivo termina antes de este corte</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SeriesPicker</name>
+    <message>
+        <source>%1
+%2, images: %3</source>
+        <translation>%1
+%2, imágenes: %3</translation>
+    </message>
+    <message>
+        <source>Without a description</source>
+        <translation>Sin descripción</translation>
+    </message>
+    <message>
+        <source>Choose a series</source>
+        <translation>Elegir una serie</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Series</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>There are %1 series here.</source>
+        <translation>Aquí hay %1 series.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ShadingBox</name>
+    <message>
+        <source>Soft</source>
+        <translation>Suave</translation>
+    </message>
+    <message>
+        <source>Clinical</source>
+        <translation>Clínica</translation>
+    </message>
+    <message>
+        <source>Glossy</source>
+        <translation>Brillante</translation>
+    </message>
+    <message>
+        <source>Flat: colours as they are</source>
+        <translation>Plana: los colores tal cual</translation>
+    </message>
+    <message>
+        <source>Light and shading</source>
+        <translation>Luz y sombreado</translation>
+    </message>
+    <message>
+        <source>shading</source>
+        <translation>sombreado</translation>
+    </message>
+    <message>
+        <source>Ambient</source>
+        <translation>Ambiente</translation>
+    </message>
+    <message>
+        <source>Diffuse</source>
+        <translation>Difusa</translation>
+    </message>
+    <message>
+        <source>Specular</source>
+        <translation>Especular</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Exponente</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>luz</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>In numbers</source>
+        <translation>En números</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SlabBar</name>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>What a slab shows</source>
+        <translation>Qué muestra un corte grueso</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Thickness of the slices</source>
+        <translation>Grosor de los cortes</translation>
+    </message>
+    <message>
+        <source>Slices of some thickness show the largest, the smallest or the mean value in it</source>
+        <translation>Los cortes gruesos muestran el valor mayor, el menor o la media</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Grosor</translation>
+    </message>
+    <message>
+        <source>slab</source>
+        <translation>grosor del corte</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SliceView</name>
+    <message>
+        <source>W %1 L %2</source>
+        <translation>A %1 N %2</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>ventana y nivel</translation>
+    </message>
+    <message>
+        <source>move the crosshair</source>
+        <translation>mover la cruz</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::TransferFunctionEditor</name>
+    <message>
+        <source>Edit in numbers…</source>
+        <translation>Editar en números…</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Color…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one</source>
+        <translation>Añadir un punto tras el elegido</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Seleccionar todo</translation>
+    </message>
+    <message>
+        <source>Show all values</source>
+        <translation>Mostrar todos los valores</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todo</translation>
+    </message>
+    <message>
+        <source>Leave out the outermost 1 % of the voxels</source>
+        <translation>Omitir el 1 % más extremo de los vóxeles</translation>
+    </message>
+    <message>
+        <source>99 %</source>
+        <translation>99 %</translation>
+    </message>
+    <message>
+        <source>Show the curve</source>
+        <translation>Mostrar la curva</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>Logarithmic counts</source>
+        <translation>Recuentos logarítmicos</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>Enlarge low opacities</source>
+        <translation>Ampliar las opacidades bajas</translation>
+    </message>
+    <message>
+        <source>nudge points</source>
+        <translation>ajustar puntos</translation>
+    </message>
+    <message>
+        <source>delete points</source>
+        <translation>borrar puntos</translation>
+    </message>
+    <message>
+        <source>delete point</source>
+        <translation>borrar punto</translation>
+    </message>
+    <message>
+        <source>add point</source>
+        <translation>añadir punto</translation>
+    </message>
+    <message>
+        <source>choose colour</source>
+        <translation>elegir color</translation>
+    </message>
+    <message>
+        <source>edit point</source>
+        <translation>editar punto</translation>
+    </message>
+    <message>
+        <source>Add a point here</source>
+        <translation>Añadir un punto aquí</translation>
+    </message>
+    <message>
+        <source>move points</source>
+        <translation>mover puntos</translation>
+    </message>
+    <message>
+        <source>move colour</source>
+        <translation>mover color</translation>
+    </message>
+    <message>
+        <source>move point</source>
+        <translation>mover punto</translation>
+    </message>
+    <message>
+        <source>shift the curve</source>
+        <translation>desplazar la curva</translation>
+    </message>
+    <message>
+        <source>add colour</source>
+        <translation>añadir color</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Función de transferencia</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>scale the curve</source>
+        <translation>escalar la curva</translation>
+    </message>
+    <message>
+        <source>Low</source>
+        <translation>Bajas</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::VolumeLoader</name>
+    <message>
+        <source>There is not enough memory for this volume.</source>
+        <translation>No hay memoria suficiente para este volumen.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::VolumeView</name>
+    <message>
+        <source>turn the camera</source>
+        <translation>girar la cámara</translation>
+    </message>
+    <message>
+        <source>%1%2 at %3, %4, %5 mm</source>
+        <translation>%1%2 en %3, %4, %5 mm</translation>
+    </message>
+    <message>
+        <source>HU </source>
+        <translation>UH </translation>
+    </message>
+    <message>
+        <source>value </source>
+        <translation>valor </translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::WarningBar</name>
+    <message>
+        <source>I have read this</source>
+        <translation>Ya lo he leído</translation>
+    </message>
+</context>
+</TS>
