@@ -28,8 +28,8 @@ std::string SliceFileName(vtkDICOMReader* reader, int slice);
 /// Names as words of a sentence: "a.dcm", "b.dcm" and 7 others.
 std::string FileList(const std::vector<std::string>& names);
 
-/// Leaves the reader with the files whose slices lie as most do; others, such as a scout of the same
-/// size, are no slices of the same volume.
+/// Leaves the reader with the files whose slices lie as most do; others, such as a scout of the
+/// same size, are no slices of the same volume.
 void KeepOneDirection(vtkDICOMReader* reader, std::vector<std::string>& warnings);
 
 /// Gantry tilt, missing slices, and slices that do not lie at equal distances although they are
