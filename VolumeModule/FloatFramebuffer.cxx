@@ -11,6 +11,31 @@
 namespace varimarch
 {
 
+namespace
+{
+
+void Allocate(
+  vtkTextureObject* texture, vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height)
+{
+  texture->SetContext(window);
+  if (!texture->GetHandle() || texture->GetWidth() != width || texture->GetHeight() != height)
+  {
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    texture->Allocate2D(width, height, 4, VTK_FLOAT);
+  }
+}
+
+}
+
+FloatFramebuffer::FloatFramebuffer(int outputs)
+{
+  for (int output = 0; output < outputs; ++output)
+  {
+    this->textures.push_back(vtkSmartPointer<vtkTextureObject>::New());
+  }
+}
+
 std::size_t FloatFramebuffer::BytesFor(const Viewport& pixels)
 {
   return 4 * sizeof(float) * pixels.width * pixels.height;
@@ -52,13 +77,15 @@ void FloatFramebuffer::DrawMore(
   state->PopFramebufferBindings();
 }
 
-std::vector<float> FloatFramebuffer::Read(vtkOpenGLRenderWindow* window, const Viewport& pixels)
+std::vector<float> FloatFramebuffer::Read(
+  vtkOpenGLRenderWindow* window, const Viewport& pixels, int output)
 {
   std::vector<float> rgba(4 * std::size_t(pixels.width) * pixels.height);
   window->MakeCurrent();
   vtkOpenGLState* const state = window->GetState();
   state->PushFramebufferBindings();
   this->Bind(window, pixels);
+  this->framebuffer->ActivateReadBuffer(output);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, pixels.width, pixels.height, GL_RGBA, GL_FLOAT, rgba.data());
   state->PopFramebufferBindings();
@@ -67,21 +94,19 @@ std::vector<float> FloatFramebuffer::Read(vtkOpenGLRenderWindow* window, const V
 
 void FloatFramebuffer::Bind(vtkOpenGLRenderWindow* window, const Viewport& pixels)
 {
-  const unsigned int width = std::max(this->texture->GetWidth(), unsigned(pixels.width));
-  const unsigned int height = std::max(this->texture->GetHeight(), unsigned(pixels.height));
+  const unsigned int width = std::max(this->Texture()->GetWidth(), unsigned(pixels.width));
+  const unsigned int height = std::max(this->Texture()->GetHeight(), unsigned(pixels.height));
   this->framebuffer->SetContext(window);
-  this->texture->SetContext(window);
-  if (!this->texture->GetHandle() || this->texture->GetWidth() != width ||
-    this->texture->GetHeight() != height)
+  for (vtkTextureObject* texture : this->textures)
   {
-    this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    this->texture->Allocate2D(width, height, 4, VTK_FLOAT);
+    Allocate(texture, window, width, height);
   }
   this->framebuffer->Bind();
-  this->framebuffer->AddColorAttachment(0, this->texture);
-  this->framebuffer->ActivateDrawBuffer(0);
-  this->framebuffer->ActivateReadBuffer(0);
+  for (std::size_t output = 0; output < this->textures.size(); ++output)
+  {
+    this->framebuffer->AddColorAttachment(output, this->textures[output]);
+  }
+  this->framebuffer->ActivateDrawBuffers(this->textures.size());
   if (!this->framebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER))
   {
     throw std::runtime_error("OpenGL offers no framebuffer of 32 bit floats, which a volume drawn "
@@ -91,14 +116,18 @@ void FloatFramebuffer::Bind(vtkOpenGLRenderWindow* window, const Viewport& pixel
 
 std::size_t FloatFramebuffer::Bytes() const
 {
-  const std::size_t pixels = std::size_t(this->texture->GetWidth()) * this->texture->GetHeight();
-  return this->texture->GetHandle() ? 4 * sizeof(float) * pixels : 0;
+  const std::size_t pixels =
+    std::size_t(this->Texture()->GetWidth()) * this->Texture()->GetHeight();
+  return this->Texture()->GetHandle() ? 4 * sizeof(float) * pixels * this->textures.size() : 0;
 }
 
 void FloatFramebuffer::Release(vtkWindow* window)
 {
   this->framebuffer->ReleaseGraphicsResources(window);
-  this->texture->ReleaseGraphicsResources(window);
+  for (vtkTextureObject* texture : this->textures)
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
 }
 
 }

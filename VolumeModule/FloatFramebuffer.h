@@ -5,6 +5,7 @@
 
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
 #include <cstddef>
@@ -16,11 +17,15 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A texture of four floats per pixel that is drawn to in the window's place and read afterwards.
+/// A texture of four floats per pixel that is drawn to in the window's place and read afterwards,
+/// or several that are drawn to at once.
 class FloatFramebuffer
 {
 public:
-  /// What a picture of this size takes.
+  /// @param outputs  textures, one for each of a shader's outputs
+  explicit FloatFramebuffer(int outputs = 1);
+
+  /// What a picture of this size takes, for each output.
   static std::size_t BytesFor(const Viewport& pixels);
 
   /// Calls `draw` with this bound as framebuffer and cleared to nothing. It covers `pixels`, whose
@@ -34,9 +39,9 @@ public:
     vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw);
 
   /// What is there after Draw: four floats for each of its pixels.
-  std::vector<float> Read(vtkOpenGLRenderWindow* window, const Viewport& pixels);
+  std::vector<float> Read(vtkOpenGLRenderWindow* window, const Viewport& pixels, int output = 0);
 
-  vtkTextureObject* Texture() const { return this->texture; }
+  vtkTextureObject* Texture() const { return this->textures.front(); }
   std::size_t Bytes() const;
   void Release(vtkWindow* window);
 
@@ -44,7 +49,7 @@ private:
   void Bind(vtkOpenGLRenderWindow* window, const Viewport& pixels);
 
   vtkNew<vtkOpenGLFramebufferObject> framebuffer;
-  vtkNew<vtkTextureObject> texture;
+  std::vector<vtkSmartPointer<vtkTextureObject>> textures;
 };
 
 }

@@ -16,14 +16,13 @@ struct PictureResources
   AccumulatedPictures accumulated; ///< where several pictures are gathered
   FloatFramebuffer rays;           ///< where they are not as many as pixels
   BlueNoiseTexture noise;          ///< with jitter
-  FloatFramebuffer colorImage;
-  FloatFramebuffer depthImage; ///< 1 - depth, as red
-  Viewport imagePixels = {};   ///< of both; 0: there are none
+  FloatFramebuffer images{ 2 };    ///< colour, and 1 - depth as red
+  Viewport imagePixels = {};       ///< of both; 0: there are none
 
   std::size_t Bytes() const
   {
     return this->accumulated.Bytes() + this->rays.Bytes() + this->noise.Bytes() +
-      this->colorImage.Bytes() + this->depthImage.Bytes();
+      this->images.Bytes();
   }
 
   std::vector<vtkTextureObject*> Textures() const
@@ -41,8 +40,7 @@ struct PictureResources
 
   void ReleaseImages(vtkWindow* window)
   {
-    this->colorImage.Release(window);
-    this->depthImage.Release(window);
+    this->images.Release(window);
     this->imagePixels = {};
   }
 };

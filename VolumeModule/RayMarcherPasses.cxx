@@ -38,19 +38,17 @@ void RayMarcher::DrawPass(const Frame& frame)
 
 void RayMarcher::DrawImages(const Frame& frame, const Viewport& rays)
 {
-  Frame color = frame;
-  color.viewport = rays;
-  this->picture.colorImage.Draw(frame.window, rays, [&] { this->DrawVolume(color); });
-  Frame depth = color;
-  depth.settings.pass = RayPass::FirstDepth;
-  this->picture.depthImage.Draw(frame.window, rays, [&] { this->DrawPass(depth); });
+  Frame images = frame;
+  images.viewport = rays;
+  images.settings.pass = RayPass::PictureAndDepth;
+  this->picture.images.Draw(frame.window, rays, [&] { this->DrawPass(images); });
   this->picture.imagePixels = rays;
 }
 
 void RayMarcher::SetPassUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
 {
   const RayPass pass = frame.settings.pass;
-  if (Peels(pass) || pass == RayPass::FirstDepth)
+  if (Peels(pass) || pass == RayPass::PictureAndDepth)
   {
     this->program.Set("clipDepthRow", glm::row(clipFromGrid, 2));
     this->program.Set("clipWeightRow", glm::row(clipFromGrid, 3));
@@ -60,7 +58,7 @@ void RayMarcher::SetPassUniforms(const Frame& frame, const glm::dmat4& clipFromG
     frame.volumePass.renderPass->SetShaderParameters(
       this->program.Program(), nullptr, frame.volume, nullptr);
   }
-  if (pass == RayPass::FirstDepth)
+  if (pass == RayPass::PictureAndDepth)
   {
     this->program.Set("leastOpacity", LeastDepthOpacity);
     this->program.Set("clampDepth", int(frame.clampDepth));
@@ -88,12 +86,12 @@ void RayMarcher::SetPassUniforms(const Frame& frame, const glm::dmat4& clipFromG
 
 std::vector<float> RayMarcher::ColorImage()
 {
-  return this->picture.colorImage.Read(this->window, this->picture.imagePixels);
+  return this->picture.images.Read(this->window, this->picture.imagePixels, 0);
 }
 
 std::vector<float> RayMarcher::DepthImage()
 {
-  return this->picture.depthImage.Read(this->window, this->picture.imagePixels);
+  return this->picture.images.Read(this->window, this->picture.imagePixels, 1);
 }
 
 }

@@ -147,13 +147,12 @@ public:
    * Largest error accepted in a premultiplied RGBA channel of a pixel before the background, 0 to
    * 1, default 1/64. While it is above 0 and AutoAdjustSampleDistances is on, the mapper chooses
    * sample distance, integration rule, field tolerance and early termination so that 99.9 % of the
-   * pixels keep it and none exceeds twice as much. A new view is first tried out with a few thousand
-   * of its rays, which costs a tenth to a fifth of a picture's time and serves the views nearby
-   * while a camera moves; what they miss is not known, so this is an estimate, not a proof: of rays
-   * that just graze a hard surface, and of a peak of opacity too thin for any sample, it knows
-   * nothing. What cannot be kept with 128 samples
-   * per voxel is reported as a warning. 0: sample distance and early termination are what their own
-   * settings say.
+   * pixels keep it and none exceeds twice as much. A new view is first tried out with a few
+   * thousand of its rays, which costs a tenth to a fifth of a picture's time and serves the views
+   * nearby while a camera moves; what they miss is not known, so this is an estimate, not a proof:
+   * of rays that just graze a hard surface, and of a peak of opacity too thin for any sample, it
+   * knows nothing. What cannot be kept with 128 samples per voxel is reported as a warning. 0:
+   * sample distance and early termination are what their own settings say.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);

@@ -194,6 +194,30 @@ TEST(RenderToImage, FillsImagesAndNotTheWindow)
   EXPECT_NEAR(depth->GetScalarComponentAsDouble(8, 8, 0, 0), 0.42, 1e-3);
 }
 
+// What was marched to find the depth is not marched again: the colour goes on from there.
+TEST(RenderToImage, HasTheColoursOfTheWindow)
+{
+  MapperScene scene(SmallTorso(), 32);
+  scene.volume->GetProperty()->ShadeOn();
+  const std::vector<float> drawn = scene.Draw();
+  scene.mapper->RenderToImageOn();
+  scene.Draw();
+  vtkNew<vtkImageData> color;
+  scene.mapper->GetColorImage(color);
+  for (int pixel = 0; pixel < 32 * 32; ++pixel)
+  {
+    const float* const window = &drawn[4 * pixel];
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double overWhite = window[channel] + 1.0 - window[3];
+      ASSERT_NEAR(color->GetScalarComponentAsDouble(pixel % 32, pixel / 32, 0, channel),
+        255.0 * overWhite, 1.0)
+        << pixel;
+    }
+  }
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5f) << "the picture is empty";
+}
+
 TEST(RenderToImage, HasTheDepthOfTheFarPlaneOrOfTheBackFaceWhereNothingIsVisible)
 {
   HomogeneousScene scene(0.0);

@@ -29,7 +29,7 @@ std::vector<RenderSettings> RecipesOfPictures()
   recipes.emplace_back();
   recipes.back().pass = RayPass::Accumulated;
   for (RayPass pass : { RayPass::PeelOutside, RayPass::PeelBetween, RayPass::PeelLast,
-         RayPass::PickProp, RayPass::PickVoxel, RayPass::FirstDepth })
+         RayPass::PickProp, RayPass::PickVoxel, RayPass::PictureAndDepth })
   {
     recipes.push_back({});
     recipes.back().pass = pass;

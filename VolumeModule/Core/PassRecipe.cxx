@@ -72,8 +72,8 @@ std::string ResumeFile(RayPass pass)
       return "Resume/PickProp.glsl";
     case RayPass::PickVoxel:
       return "Resume/PickVoxel.glsl";
-    case RayPass::FirstDepth:
-      return "Resume/FirstDepth.glsl";
+    case RayPass::PictureAndDepth:
+      return "Resume/PictureAndDepth.glsl";
     case RayPass::Accumulated: // has a shader of its own
     case RayPass::Whole:
       break;
@@ -89,7 +89,8 @@ std::string WindowFile(const RenderSettings& settings)
 std::vector<std::string> PassParts(const RenderSettings& settings)
 {
   std::vector<std::string> parts;
-  if (settings.pass == RayPass::Whole || Peels(settings.pass))
+  if (settings.pass == RayPass::Whole || settings.pass == RayPass::PictureAndDepth ||
+    Peels(settings.pass))
   {
     parts.push_back(WindowFile(settings));
   }

@@ -93,8 +93,8 @@ enum class RayPass
   PeelBetween, ///< between two pairs of its layers,
   PeelLast,    ///< or between its innermost layers
   PickProp,    ///< as Whole, but the number of the volume,
-  PickVoxel,   ///< of the point or cell that a ray meets,
-  FirstDepth,  ///< or how deep that is
+  PickVoxel,   ///< or of the point or cell that a ray meets
+  PictureAndDepth, ///< as Whole, and how deep that is
 };
 
 /// Whether the volume is read in it.
@@ -119,7 +119,7 @@ inline bool Picks(RayPass pass)
 /// Whether what is drawn tells a place along the ray.
 inline bool Locates(RayPass pass)
 {
-  return pass == RayPass::PickVoxel || pass == RayPass::FirstDepth;
+  return pass == RayPass::PickVoxel || pass == RayPass::PictureAndDepth;
 }
 
 /// Every choice that changes the shader. Values (a tolerance, a step length) are not here: they

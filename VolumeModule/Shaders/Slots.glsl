@@ -121,7 +121,7 @@ vec4 Segment(Ray ray, Interval inside, float frontDepth, float backDepth);
 
 // --- Locate: only where a place along a ray is asked for ----------------------------------------
 // Defines: const float Nowhere; and
-//   float FirstWithOpacity(Ray ray, Interval inside, float opacity);
+//   Located Locate(Ray ray, Interval inside, float opacity);
 //                               t where the ray first has this opacity, or Nowhere [mm]
 
 // --- Mask: the parts of a ray that a mask tells apart -------------------------------------------

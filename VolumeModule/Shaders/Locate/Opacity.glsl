@@ -5,7 +5,14 @@ const float Nowhere = 3.0e38;
 const float StepsPerPiece = 8.0;
 const float ShortestVoxels = 0.25; // piece
 
-float FirstWithOpacity(Ray ray, Interval inside, float opacity)
+struct Located
+{
+  float t;          // Nowhere if it never has it
+  float marched;    // up to here, at most t,
+  Accumulation sum; // to this
+};
+
+Located Locate(Ray ray, Interval inside, float opacity)
 {
   Accumulation sum = BlendBegin();
   float t = inside.enter;
@@ -38,5 +45,5 @@ float FirstWithOpacity(Ray ray, Interval inside, float opacity)
   }
   float begun = BlendResult(sum).a;
   float along = clamp((opacity - begun) / max(endOpacity - begun, 1e-30), 0.0, 1.0);
-  return endOpacity > 0.0 ? mix(t, end, along) : Nowhere;
+  return Located(endOpacity > 0.0 ? mix(t, end, along) : Nowhere, t, sum);
 }

@@ -11,7 +11,7 @@ vec4 DrawnRay(Ray ray, Interval inside)
   float t = Nowhere;
   for (int i = 0; i < 2 && !(t < Nowhere); ++i)
   {
-    t = FirstWithOpacity(ray, inside, i == 0 ? 0.5 : leastOpacity);
+    t = Locate(ray, inside, i == 0 ? 0.5 : leastOpacity).t;
   }
   if (!(t < Nowhere))
   {

@@ -1,0 +1,19 @@
+// The picture, and the depth, as in a depth buffer, at which a ray first meets anything visible.
+// What is marched to find that is not marched again.
+
+uniform float leastOpacity;
+uniform bool clampDepth; // where nothing is visible: to where the ray leaves the volume
+
+out vec4 fragOutput1;
+
+vec4 DrawnRay(Ray ray, Interval inside)
+{
+  Located first = Locate(ray, inside, leastOpacity);
+  float t = first.t < Nowhere || !clampDepth ? first.t : inside.exit;
+  vec4 place = vec4(ray.originGrid + min(t, inside.exit) * ray.directionGrid, 1.0);
+  float depth = 0.5 * dot(clipDepthRow, place) / dot(clipWeightRow, place) + 0.5;
+  // Drawn over 0, which stands for what is not drawn: the far plane.
+  fragOutput1 = vec4(t < Nowhere ? 1.0 - depth : 0.0, 0.0, 0.0, 0.0);
+  Interval rest = Interval(first.marched, inside.exit);
+  return Probed(Windowed(BlendResult(MarchCropped(ray, rest, first.sum))));
+}
