@@ -33,6 +33,10 @@ name = vtkGPUVolumeRayCastMapper().GetClassName()
 assert name == "vtkVariationFieldGPUVolumeRayCastMapper", name
 print("the plugin makes a", name)'
 
+install ./varimarch-viewer_*.deb
+QT_QPA_PLATFORM=offscreen varimarch-viewer --version
+ls /usr/share/applications/varimarch-viewer.desktop
+
 install ./libvarimarch-dev_*.deb g++ make cmake
 cmake -S Examples/Headless -B headless >cmake.log 2>&1 || { cat cmake.log; exit 1; }
 cmake --build headless
@@ -40,6 +44,6 @@ printf 'NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n0 
 headless/headless cube.nrrd headless.png
 drawn headless.png
 
-apt-get --quiet=2 --assume-yes purge 'libvarimarch*' varimarch python3-varimarch >apt.log 2>&1
+apt-get --quiet=2 --assume-yes purge 'libvarimarch*' 'varimarch*' python3-varimarch >apt.log 2>&1
 left=$(find /usr /etc /var/lib -xdev -iname '*varimarch*')
 [ -z "$left" ] || { echo "left behind: $left"; exit 1; }
