@@ -55,6 +55,7 @@ public:
     look.blend = Blend::Isosurface;
     look.isosurfaces = { { -300.0, { 0.87, 0.66, 0.53 }, 0.25 },
       { 350.0, { 0.95, 0.90, 0.78 }, 1.0 } };
+    this->window.findChild<QDockWidget*>("look")->raise();
     this->Model()->SetLook(look, "isosurfaces");
     this->Take("viewer-surfaces");
     this->Model()->History()->undo();

@@ -27,13 +27,14 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
   vec2 roots = vec2(q / a, c / q); // of a plane, for which a is 0, the first is beyond everything
   roots = roots.x < roots.y ? roots : roots.yx;
   float reach = ReachVoxels / length(ray.directionGrid);
-  for (int i = 0; i < 2; ++i)
+  vec2 ahead = roots + reach;
+  bool meetsFirst = discriminant >= 0.0 && inside.enter <= ahead.x && ahead.x < inside.exit;
+  bool meetsSecond = discriminant >= 0.0 && inside.enter <= ahead.y && ahead.y < inside.exit;
+  // A plane is met once, and its rays, drawn in lockstep, pay for one round.
+  int meetings = int(meetsFirst) + int(meetsSecond);
+  for (int i = 0; i < meetings; ++i)
   {
-    float ahead = roots[i] + reach;
-    if (discriminant >= 0.0 && inside.enter <= ahead && ahead < inside.exit)
-    {
-      sum = BlendSlice(sum, ray, roots[i]);
-    }
+    sum = BlendSlice(sum, ray, i == 0 && meetsFirst ? roots.x : roots.y);
   }
   return sum;
 }
