@@ -159,8 +159,8 @@ public:
   ///@}
 
   /**
-   * What the error of the steps in the last picture was estimated to be: 99.9 % of the pixels are
-   * off by no more, in units of 1. 0 without an error tolerance.
+   * What the error of the steps was estimated to be, in the last picture or in one of a view
+   * nearby: 99.9 % of the pixels are off by no more, in units of 1. 0 without an error tolerance.
    */
   double GetEstimatedError();
 

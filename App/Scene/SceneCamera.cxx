@@ -124,6 +124,12 @@ CameraPose PoseOf(vtkCamera* camera)
   return pose;
 }
 
+bool operator==(const CameraPose& a, const CameraPose& b)
+{
+  return a.positionMm == b.positionMm && a.focalPointMm == b.focalPointMm && a.viewUp == b.viewUp &&
+    a.parallelScaleMm == b.parallelScaleMm;
+}
+
 Camera WithProjection(const Camera& camera, bool parallel)
 {
   Camera changed = camera;

@@ -17,6 +17,8 @@ void PlaceCamera(
 
 CameraPose PoseOf(vtkCamera* camera);
 
+bool operator==(const CameraPose& a, const CameraPose& b);
+
 /// The camera with a projection; what is at the focal point keeps its size in the picture.
 Camera WithProjection(const Camera& camera, bool parallel);
 

@@ -221,13 +221,9 @@ bool Leaves(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index)
 
 bool operator==(const ScissorsCut& a, const ScissorsCut& b)
 {
-  const CameraPose& poseA = *a.camera.pose;
-  const CameraPose& poseB = *b.camera.pose;
   return a.outline == b.outline && a.keepsInside == b.keepsInside &&
     a.camera.parallel == b.camera.parallel &&
-    a.camera.viewAngleDegrees == b.camera.viewAngleDegrees &&
-    poseA.positionMm == poseB.positionMm && poseA.focalPointMm == poseB.focalPointMm &&
-    poseA.viewUp == poseB.viewUp && poseA.parallelScaleMm == poseB.parallelScaleMm;
+    a.camera.viewAngleDegrees == b.camera.viewAngleDegrees && a.camera.pose == b.camera.pose;
 }
 
 }

@@ -4,6 +4,7 @@
 #include "Module/HomogeneousScene.h"
 #include "Support/ExpectedVtkErrors.h"
 
+#include <vtkContourValues.h>
 #include <vtkHardwareSelector.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
@@ -194,11 +195,17 @@ TEST(RenderToImage, FillsImagesAndNotTheWindow)
   EXPECT_NEAR(depth->GetScalarComponentAsDouble(8, 8, 0, 0), 0.42, 1e-3);
 }
 
+class RenderToImageOfBlend : public testing::TestWithParam<vtkVolumeMapper::BlendModes>
+{
+};
+
 // What was marched to find the depth is not marched again: the colour goes on from there.
-TEST(RenderToImage, HasTheColoursOfTheWindow)
+TEST_P(RenderToImageOfBlend, HasTheColoursOfTheWindow)
 {
   MapperScene scene(SmallTorso(), 32);
   scene.volume->GetProperty()->ShadeOn();
+  scene.volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 100.0);
+  scene.mapper->SetBlendMode(GetParam());
   const std::vector<float> drawn = scene.Draw();
   scene.mapper->RenderToImageOn();
   scene.Draw();
@@ -215,7 +222,24 @@ TEST(RenderToImage, HasTheColoursOfTheWindow)
         << pixel;
     }
   }
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5f) << "the picture is empty";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.05f) << "the picture is empty";
+}
+
+// The minimum of the torso is black.
+INSTANTIATE_TEST_SUITE_P(Blends, RenderToImageOfBlend,
+  testing::Values(vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
+    vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, vtkVolumeMapper::ADDITIVE_BLEND,
+    vtkVolumeMapper::ISOSURFACE_BLEND));
+
+TEST(RenderToImage, HasNoDepthWhereOnlyWhatIsInvisibleIsSummedUp)
+{
+  HomogeneousScene scene(0.0);
+  scene.mapper->SetBlendModeToAdditive();
+  scene.mapper->RenderToImageOn();
+  scene.Draw();
+  vtkNew<vtkImageData> depth;
+  scene.mapper->GetDepthImage(depth);
+  EXPECT_EQ(depth->GetScalarComponentAsDouble(16, 16, 0, 0), 1.0);
 }
 
 TEST(RenderToImage, HasTheDepthOfTheFarPlaneOrOfTheBackFaceWhereNothingIsVisible)

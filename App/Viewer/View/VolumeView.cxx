@@ -35,14 +35,8 @@ constexpr int RefiningPictures = 8;
 
 bool IsAt(const Camera& placement, vtkCamera* camera)
 {
-  if (!placement.pose || placement.parallel != (camera->GetParallelProjection() != 0))
-  {
-    return false;
-  }
-  const CameraPose& pose = *placement.pose;
-  const CameraPose now = PoseOf(camera);
-  return now.positionMm == pose.positionMm && now.focalPointMm == pose.focalPointMm &&
-    now.viewUp == pose.viewUp && now.parallelScaleMm == pose.parallelScaleMm;
+  return placement.pose == PoseOf(camera) &&
+    placement.parallel == (camera->GetParallelProjection() != 0);
 }
 
 }

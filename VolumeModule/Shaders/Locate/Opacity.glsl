@@ -8,7 +8,7 @@ const float ShortestVoxels = 0.25; // piece
 struct Located
 {
   float t;          // Nowhere if it never has it
-  float marched;    // up to here, at most t,
+  float marched;    // up to here, at most t, in whole pieces,
   Accumulation sum; // to this
 };
 
@@ -20,20 +20,24 @@ Located Locate(Ray ray, Interval inside, float opacity)
   float endOpacity = 0.0; // where it is enough; 0 while that is not known
   float shortestMm = ShortestVoxels / length(ray.directionGrid);
   float shortest = 0.0;
+  Located before = Located(Nowhere, t, sum);
   for (int index = 0; index < mostSegments && end - t > shortest; ++index)
   {
+    bool isHalf = endOpacity > 0.0;
     Interval piece = Interval(t, 0.5 * (t + end));
-    if (endOpacity == 0.0)
+    if (!isHalf)
     {
       piece = NextSegment(ray, inside, t, index, StepsPerPiece * stepMm, BlendState(sum));
       piece.exit = min(piece.exit, inside.exit);
     }
-    Accumulation next = MarchCropped(ray, piece, sum);
+    // With what is left out in front: its length counts in some sums, but nothing is seen there.
+    Accumulation next = MarchCropped(ray, Interval(t, piece.exit), sum);
     float reached = BlendResult(next).a;
-    if (reached < opacity)
+    if (reached < opacity || !(piece.enter < piece.exit))
     {
       sum = next;
       t = piece.exit;
+      before = isHalf ? before : Located(Nowhere, t, sum);
     }
     else
     {
@@ -45,5 +49,6 @@ Located Locate(Ray ray, Interval inside, float opacity)
   }
   float begun = BlendResult(sum).a;
   float along = clamp((opacity - begun) / max(endOpacity - begun, 1e-30), 0.0, 1.0);
-  return Located(endOpacity > 0.0 ? mix(t, end, along) : Nowhere, t, sum);
+  before.t = endOpacity > 0.0 ? mix(t, end, along) : Nowhere;
+  return before;
 }
