@@ -103,7 +103,8 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
     this->Marcher.Draw(frame);
     return;
   }
-  varimarch::UseQuality(this->Quality.Next(allocatedSeconds), mapper, frame);
+  const double pixels = double(frame.viewport.width) * frame.viewport.height;
+  varimarch::UseQuality(this->Quality.Next(allocatedSeconds, pixels), mapper, frame);
   const int builds = this->Marcher.Builds().OfResources();
   frame.window->WaitForCompletion();
   vtkNew<vtkTimerLog> timer;

@@ -12,6 +12,8 @@
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkSphereSource.h>
 #include <vtkStringArray.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -23,6 +25,18 @@ using namespace varimarch;
 vtkSmartPointer<vtkImageData> SmallTorso()
 {
   return ProceduralVolume({ ProceduralKind::Torso, { 40, 36, 24 }, 7 });
+}
+
+vtkSmartPointer<vtkActor> Ball(const double centerWorld[3], double radiusMm)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(centerWorld[0], centerWorld[1], centerWorld[2]);
+  sphere->SetRadius(radiusMm);
+  vtkNew<vtkPolyDataMapper> surface;
+  surface->SetInputConnection(sphere->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(surface);
+  return actor;
 }
 
 MapperScene::MapperScene(vtkImageData* image, int size, vtkHeadlessRenderWindow* window)

@@ -5,6 +5,7 @@
 #include "Core/Reference/ReferenceScene.h"
 #include "VolumeGeometry.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkHeadlessRenderWindow.h>
@@ -70,5 +71,8 @@ private:
 
 /// A torso phantom with noise: int16, anisotropic, 40 x 36 x 24 voxels.
 vtkSmartPointer<vtkImageData> SmallTorso();
+
+/// Of geometry, with light.
+vtkSmartPointer<vtkActor> Ball(const double centerWorld[3], double radiusMm);
 
 #endif

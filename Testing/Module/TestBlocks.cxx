@@ -4,12 +4,9 @@
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
-#include <vtkActor.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkSphereSource.h>
 #include <vtk_glew.h>
 
 #include <gtest/gtest.h>
@@ -228,14 +225,7 @@ TEST(Blocks, EndAtGeometryAndKeepToTheirViewport)
 {
   MapperScene scene(Torso(), Size);
   UseFineSteps(scene, 0.02);
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(scene.volume->GetCenter());
-  sphere->SetRadius(0.3 * scene.volume->GetLength());
-  vtkNew<vtkPolyDataMapper> surface;
-  surface->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(surface);
-  scene.renderer->AddActor(actor);
+  scene.renderer->AddActor(Ball(scene.volume->GetCenter(), 0.3 * scene.volume->GetLength()));
   EXPECT_LT(DifferenceInBlocks(scene, FewBlocks).largest, 0.02);
   scene.renderer->SetViewport(0.25, 0.5, 0.75, 1.0);
   EXPECT_LT(DifferenceInBlocks(scene, FewBlocks).largest, 0.02);

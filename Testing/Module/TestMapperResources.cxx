@@ -3,11 +3,8 @@
 #include "Module/MapperScene.h"
 #include "Support/ExpectedVtkErrors.h"
 
-#include <vtkActor.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkSphereSource.h>
 #include <vtk_glew.h>
 
 #include <gtest/gtest.h>
@@ -200,11 +197,8 @@ TEST(Resources, TheDepthBufferIsCopiedOnlyForOpaqueGeometry)
   };
   EXPECT_FALSE(hasDepth());
   const vtkIdType without = scene.mapper->GetGraphicsMemoryBytes();
-  vtkNew<vtkSphereSource> sphere;
-  vtkNew<vtkPolyDataMapper> surface;
-  surface->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(surface);
+  const double middle[3] = {};
+  const vtkSmartPointer<vtkActor> actor = Ball(middle, 0.5);
   scene.renderer->AddActor(actor);
   EXPECT_TRUE(hasDepth());
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), without + 96 * 96 * 5);

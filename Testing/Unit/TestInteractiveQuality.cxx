@@ -11,6 +11,9 @@ using namespace varimarch;
 namespace
 {
 
+constexpr double SmallPicture = 256.0 * 256.0;
+constexpr double LargePicture = 3840.0 * 2160.0;
+
 // A machine that takes as long as there are rays, and a little more.
 double SecondsOf(const PictureQuality& quality, double fullSeconds)
 {
@@ -23,7 +26,7 @@ double SecondsAfter(InteractiveQuality& quality, int pictures, double allocated,
   double seconds = 0.0;
   for (int i = 0; i < pictures; ++i)
   {
-    seconds = SecondsOf(quality.Next(allocated), fullSeconds);
+    seconds = SecondsOf(quality.Next(allocated, SmallPicture), fullSeconds);
     quality.Took(seconds);
   }
   return seconds;
@@ -58,7 +61,7 @@ TEST(InteractiveQuality, DoesNotFlickerWhereTimesVaryByAFifth)
     std::set<int> levels;
     for (int i = 0; i < 200; ++i)
     {
-      quality.Took(noise(random) * SecondsOf(quality.Next(0.1), fullSeconds));
+      quality.Took(noise(random) * SecondsOf(quality.Next(0.1, SmallPicture), fullSeconds));
       levels.insert(quality.Level());
     }
     EXPECT_LE(levels.size(), 2u) << fullSeconds;
@@ -80,4 +83,20 @@ TEST(InteractiveQuality, EndsAtTheCoarsestLevelWhereNothingHelps)
   InteractiveQuality quality;
   SecondsAfter(quality, 10, 1e-6, 1.0);
   EXPECT_EQ(quality.Level(), InteractiveQuality::CoarsestLevel());
+}
+
+TEST(InteractiveQuality, BeginsWithFewRaysWhileNoTimeIsKnown)
+{
+  InteractiveQuality quality;
+  EXPECT_EQ(quality.Next(0.1, SmallPicture).imageSampleDistance, 1.0);
+  EXPECT_EQ(quality.Next(0.1, LargePicture).imageSampleDistance, 8.0) << "though nothing was told";
+}
+
+TEST(InteractiveQuality, IsFullWithTheSecondPictureOfAFastMachine)
+{
+  InteractiveQuality quality;
+  quality.Next(0.1, LargePicture);
+  quality.Took(1e-4);
+  quality.Next(0.1, LargePicture);
+  EXPECT_EQ(quality.Level(), 0);
 }

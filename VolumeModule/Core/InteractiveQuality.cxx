@@ -25,6 +25,22 @@ constexpr double Aim = 0.9;
 constexpr double Spare = 0.7;
 constexpr int PicturesBeforeFiner = 3;
 
+// Cast in a tenth of a second on two cores without a graphics card.
+constexpr double RaysBeforeTimesAreKnown = 1 << 16;
+
+int LevelForPixels(double pixels)
+{
+  int level = 0;
+  const auto raysOf = [pixels](const QualityLevel& of)
+  { return pixels / (of.quality.imageSampleDistance * of.quality.imageSampleDistance); };
+  while (
+    level < InteractiveQuality::CoarsestLevel() && raysOf(levels[level]) > RaysBeforeTimesAreKnown)
+  {
+    ++level;
+  }
+  return level;
+}
+
 }
 
 int InteractiveQuality::CoarsestLevel()
@@ -32,23 +48,36 @@ int InteractiveQuality::CoarsestLevel()
   return int(levels.size()) - 1;
 }
 
-PictureQuality InteractiveQuality::Next(double allocatedSeconds)
+double InteractiveQuality::ExpectedSeconds(int other) const
 {
-  const auto expected = [&](int other)
-  { return this->seconds * levels[other].cost / levels[this->level].cost; };
-  if (this->seconds > allocatedSeconds)
+  return this->seconds * levels[other].cost / levels[this->level].cost;
+}
+
+int InteractiveQuality::LevelInTime(int finest, double allocatedSeconds) const
+{
+  int inTime = finest;
+  while (inTime < CoarsestLevel() && this->ExpectedSeconds(inTime) > Aim * allocatedSeconds)
   {
-    int coarser = this->level;
-    while (coarser < CoarsestLevel() && expected(coarser) > Aim * allocatedSeconds)
-    {
-      ++coarser;
-    }
-    this->level = coarser;
+    ++inTime;
+  }
+  return inTime;
+}
+
+PictureQuality InteractiveQuality::Next(double allocatedSeconds, double pixels)
+{
+  if (this->levelIsGuessed && this->seconds == 0.0)
+  {
+    this->level = LevelForPixels(pixels);
+  }
+  else if (this->levelIsGuessed || this->seconds > allocatedSeconds)
+  {
+    this->level = this->LevelInTime(this->levelIsGuessed ? 0 : this->level, allocatedSeconds);
+    this->levelIsGuessed = false;
     this->picturesWithTimeToSpare = 0;
     this->seconds = 0.0;
   }
   else if (this->level > 0 && this->seconds > 0.0 &&
-    expected(this->level - 1) < Spare * allocatedSeconds)
+    this->ExpectedSeconds(this->level - 1) < Spare * allocatedSeconds)
   {
     ++this->picturesWithTimeToSpare;
   }
