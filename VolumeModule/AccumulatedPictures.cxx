@@ -1,8 +1,12 @@
 #include "AccumulatedPictures.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtk_glew.h"
 
 #include <glm/common.hpp>
+
+#include <chrono>
 
 namespace varimarch
 {
@@ -13,6 +17,7 @@ void AccumulatedPictures::Begin(const std::vector<double>& newScene)
   {
     this->scene = newScene;
     this->count = 0;
+    this->strips.Restart();
   }
 }
 
@@ -24,18 +29,55 @@ glm::dvec2 AccumulatedPictures::NextOffsetPixels() const
   return glm::fract(0.5 + double(this->count) * step) - 0.5;
 }
 
-void AccumulatedPictures::Add(
+void AccumulatedPictures::Begin(
   vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw)
 {
-  this->count == 0 ? this->sum.Draw(window, pixels, draw)
-                   : this->sum.DrawMore(window, pixels, draw);
-  ++this->count;
+  this->sum.Draw(window, pixels, draw);
+}
+
+void AccumulatedPictures::Add(vtkOpenGLRenderWindow* window, const Viewport& pixels,
+  double longestSeconds, const std::function<void()>& draw)
+{
+  this->pictureRows = pixels.height;
+  const PictureStrips::Rows strip = this->strips.Next(pixels.height, longestSeconds);
+  if (longestSeconds > 0.0)
+  {
+    window->WaitForCompletion();
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  this->sum.DrawMore(window, pixels,
+    [&]
+    {
+      vtkOpenGLState* const state = window->GetState();
+      const vtkOpenGLState::ScopedglScissor scissor(state);
+      state->vtkglEnable(GL_SCISSOR_TEST);
+      state->vtkglScissor(0, strip.begin, pixels.width, strip.count);
+      if (this->count == 0)
+      {
+        const vtkOpenGLState::ScopedglClearColor clearColor(state);
+        state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        state->vtkglClear(GL_COLOR_BUFFER_BIT);
+      }
+      draw();
+    });
+  if (longestSeconds > 0.0)
+  {
+    window->WaitForCompletion();
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  this->strips.Took(strip, took.count(), longestSeconds);
+  if (this->RowsOfNext() == pixels.height)
+  {
+    ++this->count;
+    this->strips.Restart();
+  }
 }
 
 void AccumulatedPictures::Release(vtkWindow* window)
 {
   this->sum.Release(window);
   this->count = 0;
+  this->strips.Restart();
 }
 
 }

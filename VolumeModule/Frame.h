@@ -63,8 +63,9 @@ struct Frame
   bool triesPreIntegration;            ///< there is memory for its table
   glm::dvec2 windowScaleBias;          ///< of the picture's colours
   double imageSampleDistance;          ///< of rays [pixels]
-  int mostAccumulated = 1;             ///< pictures of a scene that stays as it is,
-  std::vector<double> sceneNumbers;    ///< in all of these, which are known where it is above 1
+  int mostAccumulated = 0;             ///< pictures of a scene that stays as it is; 0: none is kept
+  double longestPartSeconds = 0.0;     ///< of one that is kept; 0: it is drawn at once
+  std::vector<double> sceneNumbers;    ///< all of the scene's, which are known where any is kept
   glm::dvec2 rayOffsetPixels = glm::dvec2(0.0); ///< of a ray, from the middle of its pixel
   bool addsUp = false;                          ///< to what is there
   vtkVolume* volume;

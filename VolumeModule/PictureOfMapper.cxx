@@ -41,9 +41,11 @@ void ChoosePicture(
   frame.toImages = mapper->GetRenderToImage() != 0 && frame.settings.pass == RayPass::Whole;
   frame.clampDepth = mapper->GetClampDepthToBackface() != 0;
   const bool maySeeOther = mapper->HasObserver(vtkCommand::UpdateShaderEvent) != 0;
-  frame.mostAccumulated = maySeeOther ? 1 : mapper->GetMaximumAccumulatedPictures();
-  if (frame.mostAccumulated > 1)
+  const int most = mapper->GetMaximumAccumulatedPictures();
+  if (!maySeeOther && (most > 1 || mapper->GetLongestPartSeconds() > 0.0))
   {
+    frame.mostAccumulated = most;
+    frame.longestPartSeconds = mapper->GetLongestPartSeconds();
     frame.sceneNumbers = NumbersOfScene(mapper, frame);
   }
   if (Peels(frame.settings.pass))
@@ -60,7 +62,7 @@ void UseQuality(const PictureQuality& quality, vtkVariationFieldVolumeMapper* ma
   const double most = std::max<double>(least, mapper->GetMaximumImageSampleDistance());
   frame.imageSampleDistance =
     std::max(frame.imageSampleDistance, std::clamp(quality.imageSampleDistance, least, most));
-  frame.mostAccumulated = 1;
+  frame.mostAccumulated = 0;
   // The field stays: it would have to be built again.
   frame.errorTolerance *= quality.toleranceFactor;
   frame.sampleDistanceMm *= quality.toleranceFactor;

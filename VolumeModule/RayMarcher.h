@@ -134,8 +134,10 @@ public:
   int BlockUploads() const { return this->blocks.Uploads(); }
   /// Of the march.
   const std::vector<std::string>& ShaderParts() const { return this->shaderParts; }
-  /// How many pictures the last one is the mean of.
-  int AccumulatedPictures() const { return std::max(this->picture.accumulated.Count(), 1); }
+  /// How many pictures the last one is the mean of; 0 while the first is not all there.
+  int AccumulatedPictures() const;
+  /// Of all that is drawn of a scene that stays as it is, [0, 1].
+  double DrawnPart(int mostAccumulated) const;
   double UsedImageSampleDistance() const { return this->usedImageSampleDistance; }
   double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }
   /// How the last picture keeps its tolerance, or one before from nearly the same place; nothing
@@ -201,6 +203,8 @@ private:
 
   void BeginAccumulation(Frame& frame);
   void DrawAccumulated(const Frame& frame);
+  void DrawBeneath(const Frame& frame);
+  void DrawResampled(const Frame& frame);
   void DrawPicture(const Frame& frame);
   void DrawPass(const Frame& frame);
   void DrawImages(const Frame& frame, const Viewport& rays);

@@ -20,6 +20,9 @@ namespace
 constexpr double LaterTolerance = 1.0 / 4.0;
 constexpr double LaterDistance = 1.0 / 2.0;
 
+// Between the rays of what is seen until the first picture is there: a sixteenth of its time.
+constexpr double DistanceBeneath = 4.0; // [pixels]
+
 // Rays of a picture whose pixels are as far apart as that [pixels]; more than one in a pixel stand
 // in equal rows.
 Viewport RaysOf(const Viewport& picture, double imageSampleDistance)
@@ -43,11 +46,11 @@ void RayMarcher::BeginAccumulation(Frame& frame)
   {
     return;
   }
-  const bool accumulates = frame.mostAccumulated > 1 && frame.others.empty() && !frame.toImages &&
+  const bool accumulates = frame.mostAccumulated > 0 && frame.others.empty() && !frame.toImages &&
     !frame.settings.countFetches && frame.imageSampleDistance == 1.0;
   if (!accumulates)
   {
-    frame.mostAccumulated = 1;
+    frame.mostAccumulated = 0;
     this->picture.accumulated.Release(frame.window);
     return;
   }
@@ -68,7 +71,14 @@ void RayMarcher::DrawAccumulated(const Frame& frame)
     next.viewport = { 0, 0, frame.viewport.width, frame.viewport.height };
     next.rayOffsetPixels = pictures.NextOffsetPixels();
     next.addsUp = true;
-    pictures.Add(frame.window, next.viewport, [&] { this->DrawVolume(next); });
+    // Blocks are drawn into a framebuffer of all the rays.
+    const bool isInStrips = frame.longestPartSeconds > 0.0 && this->blocks.Partition().Count() == 1;
+    if (isInStrips && pictures.IsEmpty() && pictures.IsDivided(next.viewport))
+    {
+      this->DrawBeneath(frame);
+    }
+    pictures.Add(frame.window, next.viewport, isInStrips ? frame.longestPartSeconds : 0.0,
+      [&] { this->DrawVolume(next); });
   }
   Frame mean = frame;
   mean.settings.pass = RayPass::Accumulated;
@@ -78,11 +88,34 @@ void RayMarcher::DrawAccumulated(const Frame& frame)
   this->DrawBox(mean, drawn);
 }
 
+// What is seen where the first picture has not come yet.
+void RayMarcher::DrawBeneath(const Frame& frame)
+{
+  Frame beneath = frame;
+  beneath.viewport = { 0, 0, frame.viewport.width, frame.viewport.height };
+  beneath.imageSampleDistance = DistanceBeneath;
+  this->picture.accumulated.Begin(
+    frame.window, beneath.viewport, [&] { this->DrawResampled(beneath); });
+  this->picture.rays.Release(frame.window);
+}
+
+int RayMarcher::AccumulatedPictures() const
+{
+  return this->picture.accumulated.IsEmpty() ? 1 : this->picture.accumulated.Count();
+}
+
+double RayMarcher::DrawnPart(int mostAccumulated) const
+{
+  const varimarch::AccumulatedPictures& pictures = this->picture.accumulated;
+  return pictures.IsEmpty() ? 1.0 : pictures.CountWithParts() / mostAccumulated;
+}
+
 void RayMarcher::SetMeanUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
 {
   this->picture.accumulated.Sum()->Activate();
   this->program.Set("sumTexture", this->picture.accumulated.Sum());
   this->program.Set("pictureCount", double(this->picture.accumulated.Count()));
+  this->program.Set("rowsOfNext", this->picture.accumulated.RowsOfNext());
   this->program.Set("viewportOriginPixels", glm::dvec2(frame.viewport.left, frame.viewport.bottom));
   this->program.Set("clipFromGrid", clipFromGrid);
 }
@@ -102,7 +135,7 @@ void RayMarcher::DrawPicture(const Frame& frame)
     return;
   }
   this->picture.ReleaseImages(frame.window);
-  if (frame.mostAccumulated > 1)
+  if (frame.mostAccumulated > 0)
   {
     this->picture.rays.Release(frame.window);
     this->DrawAccumulated(frame);
@@ -114,6 +147,12 @@ void RayMarcher::DrawPicture(const Frame& frame)
     this->DrawVolume(frame);
     return;
   }
+  this->DrawResampled(frame);
+}
+
+void RayMarcher::DrawResampled(const Frame& frame)
+{
+  const Viewport rays = RaysOf(frame.viewport, frame.imageSampleDistance);
   Frame coarse = frame;
   coarse.viewport = rays;
   this->picture.rays.Draw(frame.window, rays, [&] { this->DrawVolume(coarse); });

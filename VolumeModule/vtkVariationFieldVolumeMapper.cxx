@@ -254,6 +254,11 @@ double vtkVariationFieldVolumeMapper::GetUsedSampleDistance()
   return this->Private->Marcher.UsedSampleDistanceMm();
 }
 
+double vtkVariationFieldVolumeMapper::GetDrawnPart()
+{
+  return this->Private->Marcher.DrawnPart(this->MaximumAccumulatedPictures);
+}
+
 int vtkVariationFieldVolumeMapper::GetAccumulatedPictures()
 {
   return this->Private->Marcher.AccumulatedPictures();

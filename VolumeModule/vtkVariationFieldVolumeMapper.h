@@ -301,7 +301,21 @@ public:
    */
   vtkSetClampMacro(MaximumAccumulatedPictures, int, 1, 65536);
   vtkGetMacro(MaximumAccumulatedPictures, int);
-  int GetAccumulatedPictures(); ///< how many the last picture is the mean of; 1 when off
+  /// How many the last picture is the mean of; 1 when off, 0 while the first is not all there.
+  int GetAccumulatedPictures();
+  ///@}
+
+  ///@{
+  /**
+   * How long a Render() is to draw a picture of a scene that stays as it is [s]. What is not drawn
+   * by then is shown coarsely, and the next Render() goes on, so that a program stays responsive
+   * while large pictures come; it renders until GetDrawnPart() is 1. As for accumulated pictures,
+   * anything that changes what is seen begins anew, and where those stand alone, and for a volume
+   * in blocks, pictures are drawn at once. Default 0: always.
+   */
+  vtkSetClampMacro(LongestPartSeconds, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LongestPartSeconds, double);
+  double GetDrawnPart(); ///< of all pictures that are to be accumulated, [0, 1]
   ///@}
 
   /**
@@ -476,6 +490,7 @@ protected:
   vtkTypeBool UseJittering = 0;
   float ImageSampleDistance = 1.0f;
   int MaximumAccumulatedPictures = 1;
+  double LongestPartSeconds = 0.0;
   float MinimumImageSampleDistance = 1.0f;
   float MaximumImageSampleDistance = 10.0f;
   vtkTypeBool RenderToImage = 0;

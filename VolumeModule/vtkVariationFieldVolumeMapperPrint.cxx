@@ -29,6 +29,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";
   os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
   os << indent << "MaximumAccumulatedPictures: " << this->MaximumAccumulatedPictures << "\n";
+  os << indent << "LongestPartSeconds: " << this->LongestPartSeconds << "\n";
   os << indent << "UsedImageSampleDistance: " << this->GetUsedImageSampleDistance() << "\n";
   os << indent << "RenderToImage: " << this->RenderToImage << "\n";
   os << indent << "DepthImageScalarType: " << this->DepthImageScalarType << "\n";

@@ -189,3 +189,53 @@ TEST(AccumulatedPictures, TakeNothingWhenOff)
   EXPECT_EQ(scene.Draw(), picture);
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes);
 }
+
+// However slow: the parts of a picture are as short as they can be.
+TEST(AccumulatedPictures, InPartsAreThePictureInTheEnd)
+{
+  MapperScene scene(SmallTorso(), 2 * Size);
+  scene.volume->GetProperty()->ShadeOn();
+  const std::vector<float> whole = scene.Draw();
+  scene.mapper->SetLongestPartSeconds(1e-9);
+  const std::vector<float> coarse = scene.Draw();
+  EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 0);
+  EXPECT_NE(coarse, whole);
+  EXPECT_LT(ErrorOf(coarse, whole), 0.5 * ErrorOf(std::vector<float>(whole.size()), whole))
+    << "what is not there yet is seen coarsely";
+  double part = scene.mapper->GetDrawnPart();
+  std::vector<float> last;
+  while (scene.mapper->GetDrawnPart() < 1.0)
+  {
+    last = scene.Draw();
+    ASSERT_GT(scene.mapper->GetDrawnPart(), part);
+    part = scene.mapper->GetDrawnPart();
+  }
+  EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 1);
+  EXPECT_EQ(last, whole);
+  scene.renderer->GetActiveCamera()->Azimuth(20.0);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 0) << "another view begins anew";
+}
+
+TEST(AccumulatedPictures, InPartsHaveTheSameMean)
+{
+  const auto meanOf = [](double longestPartSeconds)
+  {
+    MapperScene scene(SmallTorso(), 2 * Size);
+    ShowAnEdge(scene);
+    scene.mapper->SetMaximumAccumulatedPictures(3);
+    scene.mapper->SetLongestPartSeconds(longestPartSeconds);
+    return MeanOfAll(scene);
+  };
+  EXPECT_EQ(meanOf(1e-9), meanOf(0.0));
+}
+
+TEST(AccumulatedPictures, InPartsAreDrawnAtOnceWhileSomebodyInteracts)
+{
+  MapperScene scene(SmallTorso(), 2 * Size);
+  scene.mapper->SetLongestPartSeconds(1e-9);
+  scene.window->SetDesiredUpdateRate(15.0);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 1);
+  EXPECT_EQ(scene.mapper->GetDrawnPart(), 1.0);
+}

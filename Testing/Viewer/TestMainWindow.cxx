@@ -201,19 +201,19 @@ TEST_F(Window, ComparesWithVtk)
 
 TEST_F(Window, RefinesAPictureThatStays)
 {
-  this->View()->SetLongestRefinement(1e6); // however busy the machine is
   this->OpenTorso();
   QSignalSpy refined(this->View(), &VolumeView::Refined);
   QSignalSpy drawn(this->View(), &VolumeView::Drawn);
-  ASSERT_TRUE(QTest::qWaitFor(
-    [&] { return !refined.isEmpty() && refined.last().first().toInt() == 8; }, MostMilliseconds));
+  ASSERT_TRUE(
+    QTest::qWaitFor([&] { return !refined.isEmpty() && refined.last().first().toDouble() == 8.0; },
+      MostMilliseconds));
   drawn.clear();
   // An edit begins anew, and a comparison is of single pictures.
   this->Model()->Edit(ScenePart::Cuts, "cut", [](Scene& scene) { scene.cuts.box[2] = 0.3; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return drawn.count() == 2; }, MostMilliseconds));
   refined.clear();
   ASSERT_TRUE(refined.wait(MostMilliseconds));
-  EXPECT_EQ(refined.first().first().toInt(), 2);
+  EXPECT_LE(refined.first().first().toDouble(), 2.0);
   this->View()->SetRefining(false);
   refined.clear();
   QTest::qWait(1000);

@@ -166,6 +166,12 @@ mean of %1 pictures</source>
         <translation>
 Mittel von %1 Bildern</translation>
     </message>
+    <message>
+        <source>%1
+%2 % of the picture</source>
+        <translation>%1
+%2 % des Bildes</translation>
+    </message>
 </context>
 <context>
     <name>PresetTitles</name>

@@ -166,6 +166,12 @@ mean of %1 pictures</source>
         <translation>
 media de %1 imágenes</translation>
     </message>
+    <message>
+        <source>%1
+%2 % of the picture</source>
+        <translation>%1
+%2 % de la imagen</translation>
+    </message>
 </context>
 <context>
     <name>PresetTitles</name>

@@ -35,6 +35,11 @@ QString PictureReport(ScenePipeline& pipeline, MapperKind kind, const Scene& sce
   {
     return ReportOfVtk(kind, scene, time);
   }
+  if (ours->GetAccumulatedPictures() == 0)
+  {
+    const double part = ours->GetDrawnPart() * ours->GetMaximumAccumulatedPictures();
+    return Texts::tr("%1\n%2 % of the picture").arg(time).arg(int(100.0 * part));
+  }
   const double tolerance = scene.render.errorTolerance;
   if (tolerance <= 0.0)
   {

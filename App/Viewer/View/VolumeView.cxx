@@ -30,8 +30,9 @@ namespace
 constexpr double PicturesPerSecondWhileMoving = 15.0;
 constexpr double PicturesPerSecondWhenStill = 0.01;
 constexpr int StillMilliseconds = 250;
-constexpr int RefinementMilliseconds = 100;
+constexpr int RefinementMilliseconds = 20; // between its parts, for what else is to be done
 constexpr int RefiningPictures = 8;
+constexpr double LongestPartSeconds = 0.3;
 
 bool IsAt(const Camera& placement, vtkCamera* camera)
 {
@@ -263,31 +264,32 @@ void VolumeView::PrepareTimers()
   connect(&this->refinement, &QTimer::timeout, this, &VolumeView::Refine);
 }
 
+vtkVariationFieldVolumeMapper* VolumeView::OurMapper()
+{
+  return this->pipeline ? vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline->Mapper())
+                        : nullptr;
+}
+
 void VolumeView::SetRefining(bool newRefines)
 {
   this->refines = newRefines;
-  if (this->pipeline)
-  {
-    this->TakeRefining();
-    this->RequestPicture();
-  }
+  this->TakeRefining();
+  this->RequestPicture();
 }
 
 void VolumeView::TakeRefining()
 {
-  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline->Mapper()))
+  if (auto* const ours = this->OurMapper())
   {
     ours->SetMaximumAccumulatedPictures(this->refines ? RefiningPictures : 1);
+    ours->SetLongestPartSeconds(this->refines ? LongestPartSeconds : 0.0);
   }
 }
 
 void VolumeView::Refine()
 {
-  auto* const ours = this->pipeline
-    ? vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline->Mapper())
-    : nullptr;
-  if (!ours || this->isTurning || this->lastSeconds > this->longestRefinement ||
-    ours->GetAccumulatedPictures() >= ours->GetMaximumAccumulatedPictures())
+  auto* const ours = this->OurMapper();
+  if (!ours || this->isTurning || ours->GetDrawnPart() >= 1.0)
   {
     return;
   }
@@ -295,7 +297,7 @@ void VolumeView::Refine()
   this->window->Render();
   this->refining = false;
   this->refinement.start();
-  emit this->Refined(ours->GetAccumulatedPictures());
+  emit this->Refined(ours->GetDrawnPart() * ours->GetMaximumAccumulatedPictures());
 }
 
 vtkSmartPointer<vtkImageData> VolumeView::FloatPicture()
@@ -319,11 +321,16 @@ void VolumeView::EndPicture()
     return;
   }
   this->window->WaitForCompletion();
-  this->lastSeconds = 1e-9 * double(this->pictureTimer.nsecsElapsed());
+  const double seconds = 1e-9 * double(this->pictureTimer.nsecsElapsed());
   this->overlay->update();
-  if (!this->refining)
+  if (this->refining && this->isWhole)
   {
-    this->pictureSeconds = this->lastSeconds;
+    return; // it is one of several
+  }
+  this->pictureSeconds = seconds + (this->refining ? this->pictureSeconds : 0.0);
+  this->isWhole = !this->OurMapper() || this->OurMapper()->GetAccumulatedPictures() > 0;
+  if (this->isWhole)
+  {
     emit this->Drawn();
   }
 }

@@ -19,6 +19,7 @@
 
 class vtkEventQtSlotConnect;
 class vtkGenericOpenGLRenderWindow;
+class vtkVariationFieldVolumeMapper;
 
 namespace varimarch
 {
@@ -39,7 +40,7 @@ public:
   /// None before the first volume.
   ScenePipeline* Pipeline() { return this->pipeline ? &*this->pipeline : nullptr; }
 
-  /// Of the last picture, until its last pixel was there [s].
+  /// Of the last picture, until its last pixel was there, without what came between its parts [s].
   double PictureSeconds() const { return this->pictureSeconds; }
 
   /// How the last picture shows the world.
@@ -53,13 +54,10 @@ public:
   /// What the left button does.
   void SetTool(LeftButton button);
 
-  /// Whether a picture that stays is refined while nothing else is to be done: ours becomes the
-  /// mean of several, of which each has its rays elsewhere in the pixels. Default on. Not while
-  /// pictures are compared, which is of one.
+  /// Whether a picture that stays is refined while nothing else is to be done: ours comes in parts,
+  /// lest somebody waits for it, and becomes the mean of several, of which each has its rays
+  /// elsewhere in the pixels. Default on. Not while pictures are compared, which is of one.
   void SetRefining(bool refining);
-
-  /// Pictures that take longer are not refined, lest somebody waits for one. Default 0.5 s.
-  void SetLongestRefinement(double seconds) { this->longestRefinement = seconds; }
 
   /// In which upper corner the time and the error stand.
   void SetReportSide(Qt::AlignmentFlag side);
@@ -68,8 +66,8 @@ public:
   void ShowCutHandles(bool shown);
 
 signals:
-  void Drawn();
-  void Refined(int pictures); ///< that the picture is now the mean of
+  void Drawn();                  ///< a picture, or its last part
+  void Refined(double pictures); ///< that the picture is now the mean of, with parts of the last
 
   /// The pointer is over something: where and what, for a status bar; empty over nothing.
   void Pointed(const QString& text);
@@ -94,6 +92,7 @@ private:
   void TakeCamera();
   void PrepareTimers();
   void RequestPicture();
+  vtkVariationFieldVolumeMapper* OurMapper(); ///< none where it is VTK's
   void TakeRefining();
   void Refine();
   Camera CurrentCamera() const;
@@ -111,11 +110,10 @@ private:
   QTimer finePicture;  ///< when none has come for a moment
   QTimer refinement;   ///< when the fine one is there, and nothing else is to be done
   bool refines = true;
-  double longestRefinement = 0.5; ///< [s]
-  bool refining = false;          ///< the picture that is drawn now is one of several
+  bool refining = false; ///< what is drawn now adds to the picture that is there
+  bool isWhole = true;   ///< all parts of the last picture are there
   QElapsedTimer pictureTimer;
   double pictureSeconds = 0.0;
-  double lastSeconds = 0.0; ///< the same of the last picture, be it a refining one
   bool capturing = false;
   int turning = SceneModel::NoGesture; ///< the camera's gesture
   bool isTurning = false;
