@@ -10,8 +10,10 @@
 #include "Viewer/Open/WarningBar.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
+#include "Viewer/View/Turntable.h"
 #include "Viewer/View/VolumeView.h"
 
+#include <QCoreApplication>
 #include <QDragEnterEvent>
 #include <QFile>
 #include <QFileDialog>
@@ -67,6 +69,21 @@ bool IsBareVoxels(const QString& path)
 {
   return path.endsWith(".raw", Qt::CaseInsensitive) ||
     path.endsWith(".raw.gz", Qt::CaseInsensitive);
+}
+
+// Where to write a turn; a name without an ending gets that of the kind that is chosen.
+QString ChosenTurntable(QWidget* parent)
+{
+  const QStringList filters = TurntableFilters();
+  QFileDialog dialog(parent, MainWindow::tr("Export a turntable"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  const auto takeEnding = [&dialog](const QString& filter)
+  { dialog.setDefaultSuffix(filter.section("*.", 1).section(')', 0, 0)); };
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, takeEnding);
+  dialog.setNameFilters(filters);
+  takeEnding(filters.first());
+  dialog.selectFile("turntable");
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().first() : QString();
 }
 
 }
@@ -205,10 +222,11 @@ void MainWindow::ExportPicture()
 void MainWindow::ExportTurntable()
 {
   constexpr int Pictures = 72;
-  const QString path = this->model.CurrentStudy()
-    ? QFileDialog::getSaveFileName(
-        this, tr("Export a turntable"), "turntable.ogv", tr("Movie (*.ogv);;Pictures (*.png)"))
-    : QString();
+  if (!this->model.CurrentStudy())
+  {
+    return;
+  }
+  const QString path = ChosenTurntable(this);
   if (path.isEmpty())
   {
     return;
@@ -224,6 +242,7 @@ void MainWindow::ExportTurntable()
       [&](double part)
       {
         waiting.setValue(int(part * Pictures));
+        QCoreApplication::processEvents();
         return !waiting.wasCanceled();
       });
   }

@@ -271,6 +271,38 @@ Mittel von %1 Bildern</translation>
         <source>Cannot write %1</source>
         <translation>%1 lässt sich nicht schreiben</translation>
     </message>
+    <message>
+        <source>ffmpeg does not start: %1</source>
+        <translation>ffmpeg startet nicht: %1</translation>
+    </message>
+    <message>
+        <source>the program ffmpeg makes MP4, and is not there</source>
+        <translation>MP4 macht das Programm ffmpeg, und es fehlt</translation>
+    </message>
+    <message>
+        <source>ffmpeg ended with code %1</source>
+        <translation>ffmpeg endete mit dem Code %1</translation>
+    </message>
+    <message>
+        <source>ffmpeg says: %1</source>
+        <translation>ffmpeg sagt: %1</translation>
+    </message>
+    <message>
+        <source>Movie, MP4 (*.mp4)</source>
+        <translation>Film, MP4 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Movie, Ogg Theora (*.ogv)</source>
+        <translation>Film, Ogg Theora (*.ogv)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2</source>
+        <translation>%1 lässt sich nicht schreiben: %2</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::BenchmarkDialog</name>
@@ -905,10 +937,6 @@ Mittel von %1 Bildern</translation>
     <message>
         <source>Export a turntable</source>
         <translation>Drehung exportieren</translation>
-    </message>
-    <message>
-        <source>Movie (*.ogv);;Pictures (*.png)</source>
-        <translation>Film (*.ogv);;Bilder (*.png)</translation>
     </message>
     <message>
         <source>Drawing a turn</source>

@@ -271,6 +271,38 @@ media de %1 imágenes</translation>
         <source>Cannot write %1</source>
         <translation>No se puede escribir %1</translation>
     </message>
+    <message>
+        <source>ffmpeg does not start: %1</source>
+        <translation>ffmpeg no arranca: %1</translation>
+    </message>
+    <message>
+        <source>the program ffmpeg makes MP4, and is not there</source>
+        <translation>el programa ffmpeg hace MP4 y no está</translation>
+    </message>
+    <message>
+        <source>ffmpeg ended with code %1</source>
+        <translation>ffmpeg terminó con el código %1</translation>
+    </message>
+    <message>
+        <source>ffmpeg says: %1</source>
+        <translation>ffmpeg dice: %1</translation>
+    </message>
+    <message>
+        <source>Movie, MP4 (*.mp4)</source>
+        <translation>Película, MP4 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Movie, Ogg Theora (*.ogv)</source>
+        <translation>Película, Ogg Theora (*.ogv)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2</source>
+        <translation>No se puede escribir %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::BenchmarkDialog</name>
@@ -905,10 +937,6 @@ media de %1 imágenes</translation>
     <message>
         <source>Export a turntable</source>
         <translation>Exportar un giro</translation>
-    </message>
-    <message>
-        <source>Movie (*.ogv);;Pictures (*.png)</source>
-        <translation>Película (*.ogv);;Imágenes (*.png)</translation>
     </message>
     <message>
         <source>Drawing a turn</source>

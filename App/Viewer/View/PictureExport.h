@@ -55,14 +55,6 @@ private:
   std::optional<OffscreenView> view;
 };
 
-/// Pictures of a whole turn about the picture's vertical: a movie where the path ends in ".ogv",
-/// else a series "NAME-000.png" and on. Nothing is left of it when it is stopped or fails.
-/// @param onProgress  told the part that is done, [0, 1); says whether to go on
-/// @return whether it is complete
-/// @throws std::runtime_error one sentence
-bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
-  const std::function<bool(double)>& onProgress);
-
 /// Asks for the size and what else to know, and where to; draws and writes the picture.
 class ExportDialog : public QDialog
 {

@@ -1,4 +1,7 @@
-#include "Viewer/View/PictureExport.h"
+#include "Viewer/View/Turntable.h"
+
+#include "Viewer/View/Mp4Movie.h"
+#include "Viewer/View/TurnWriter.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -10,7 +13,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 namespace varimarch
 {
@@ -18,24 +20,7 @@ namespace varimarch
 namespace
 {
 
-constexpr int PicturesPerSecond = 24;
-
-[[noreturn]] void Fail(const QString& path)
-{
-  throw std::runtime_error(
-    QCoreApplication::translate("Turntable", "Cannot write %1").arg(path).toStdString());
-}
-
-// Takes the pictures of a turn; what was taken goes when it is not completed.
-class Series
-{
-public:
-  virtual ~Series() = default;
-  virtual void Add(const QImage& picture) = 0;
-  virtual void Complete() = 0;
-};
-
-class PictureSeries : public Series
+class PictureSeries : public TurnWriter
 {
 public:
   explicit PictureSeries(const QString& path)
@@ -60,7 +45,7 @@ public:
     this->files.append(file);
     if (!picture.save(file))
     {
-      Fail(file);
+      FailToWrite(file);
     }
   }
 
@@ -71,26 +56,25 @@ private:
   QStringList files;
 };
 
-class Movie : public Series
+class OggMovie : public TurnWriter
 {
 public:
-  explicit Movie(const QString& path)
+  explicit OggMovie(const QString& path)
     : path(path)
-    , part(path + ".part")
+    , file(path)
   {
-    this->writer->SetFileName(this->part.toUtf8());
-    this->writer->SetRate(PicturesPerSecond);
+    this->writer->SetFileName(this->file.Part().toUtf8());
+    this->writer->SetRate(MoviePicturesPerSecond);
     this->writer->SetQuality(2);
     this->writer->SetInputData(this->frame);
   }
 
-  ~Movie() override
+  ~OggMovie() override
   {
     if (this->started)
     {
       this->writer->End();
     }
-    QFile::remove(this->part);
   }
 
   void Add(const QImage& picture) override
@@ -104,7 +88,7 @@ public:
     this->writer->Write();
     if (this->writer->GetError())
     {
-      Fail(this->path);
+      FailToWrite(this->path);
     }
   }
 
@@ -112,11 +96,7 @@ public:
   {
     this->writer->End();
     this->started = false;
-    QFile::remove(this->path);
-    if (!QFile::rename(this->part, this->path))
-    {
-      Fail(this->path);
-    }
+    this->file.Complete();
   }
 
 private:
@@ -134,36 +114,72 @@ private:
   }
 
   QString path;
-  QString part;
+  UnfinishedFile file;
   vtkNew<vtkImageData> frame;
   vtkNew<vtkOggTheoraWriter> writer;
   bool started = false;
 };
 
+std::unique_ptr<TurnWriter> WriterOf(const QString& path)
+{
+  if (path.endsWith(".mp4", Qt::CaseInsensitive))
+  {
+    return std::make_unique<Mp4Movie>(path);
+  }
+  if (path.endsWith(".ogv", Qt::CaseInsensitive))
+  {
+    return std::make_unique<OggMovie>(path);
+  }
+  return std::make_unique<PictureSeries>(path);
+}
+
+}
+
+QStringList TurntableFilters()
+{
+  QStringList filters;
+  if (!FfmpegProgram().isEmpty())
+  {
+    filters << QCoreApplication::translate("Turntable", "Movie, MP4 (*.mp4)");
+  }
+  return filters << QCoreApplication::translate("Turntable", "Movie, Ogg Theora (*.ogv)")
+                 << QCoreApplication::translate("Turntable", "Pictures (*.png)");
 }
 
 bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
   const std::function<bool(double)>& onProgress)
 {
-  std::unique_ptr<Series> series;
-  if (path.endsWith(".ogv"))
+  const std::unique_ptr<TurnWriter> writer = WriterOf(path);
+  const auto isTaken = [&](double part)
   {
-    series = std::make_unique<Movie>(path);
-  }
-  else
-  {
-    series = std::make_unique<PictureSeries>(path);
-  }
+    while (writer->IsBusy())
+    {
+      if (!onProgress(part))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
   for (int i = 0; i < count; ++i)
   {
     if (!onProgress(double(i) / count))
     {
       return false;
     }
-    series->Add(maker.Draw());
+    writer->Add(maker.Draw());
     maker.Turn(360.0 / count);
+    if (!isTaken((i + 0.5) / count))
+    {
+      return false;
+    }
   }
-  series->Complete();
+  writer->End();
+  if (!isTaken((count - 0.5) / count))
+  {
+    return false;
+  }
+  writer->Complete();
   return true;
 }
 
