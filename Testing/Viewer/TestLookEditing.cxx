@@ -107,7 +107,7 @@ TEST(LookEditing, OfIsosurfacesTheyAreTheNodes)
   EXPECT_EQ(moved.isosurfaces[0].value, 100.0) << "not past its neighbour";
   EXPECT_EQ(moved.isosurfaces[0].opacity, 0.75);
   EXPECT_EQ(SetColor(moved, added.node, { 0.0, 0.0, 1.0 }).isosurfaces[0].rgb.b, 1.0);
-  EXPECT_EQ(RemoveNodes(moved, AllNodes(moved)).isosurfaces.size(), 1u) << "one stays";
+  EXPECT_EQ(RemoveNodes(moved, AllNodes(moved), Ramp).isosurfaces.size(), 1u) << "one stays";
   EXPECT_EQ(moved.opacities.size(), look.opacities.size());
 }
 
@@ -189,18 +189,40 @@ TEST(LookEditing, AValueThatWasTypedIsTakenExactly)
 
 TEST(LookEditing, ADeletedPointTakesItsColorAlongAndAColorNoPoint)
 {
-  const Look withoutPoint = RemoveNodes(SteppedLook(), { Point(1) });
+  const Look withoutPoint = RemoveNodes(SteppedLook(), { Point(1) }, Ramp);
   EXPECT_EQ(withoutPoint.opacities.size(), 3u);
   ASSERT_EQ(withoutPoint.colors.size(), 3u);
   EXPECT_EQ(withoutPoint.colors[1].rgb, glm::dvec3(0.0, 1.0, 0.0));
-  const Look withoutColor = RemoveNodes(SteppedLook(), { Stop(1) });
+  const Look withoutColor = RemoveNodes(SteppedLook(), { Stop(1) }, Ramp);
   EXPECT_EQ(withoutColor.opacities.size(), 4u);
   EXPECT_EQ(withoutColor.colors.size(), 3u);
 }
 
+// Without its last dark point a curve would go on as its lit one, over air and all.
+TEST(LookEditing, WithoutADarkEndItIsDarkBeyondNevertheless)
+{
+  Look look = SteppedLook();
+  look.opacities.push_back({ 300.0, 0.0 });
+  const NodeSet ends[] = { { Point(0) }, { Point(4) }, { Point(0), Point(4) },
+    { Point(0), Point(1), Point(2), Point(4) } };
+  for (const NodeSet& removed : ends)
+  {
+    const Look changed = RemoveNodes(look, removed, Ramp);
+    ExpectCurves(changed);
+    for (const double dark : { -1000.0, 0.0, 300.0, 5000.0 })
+    {
+      EXPECT_EQ(FunctionOf(changed).Opacity(dark), 0.0) << dark;
+    }
+    EXPECT_EQ(FunctionOf(changed).Opacity(200.0), 1.0);
+  }
+  EXPECT_EQ(RemoveNodes(look, { Point(4) }, Ramp).opacities.back().value, 210.0);
+  EXPECT_EQ(RemoveNodes(look, { Point(3) }, Ramp).opacities.size(), 4u) << "the end stays";
+  EXPECT_EQ(RemoveNodes(SteppedLook(), { Point(3) }, Ramp).opacities.size(), 3u) << "it was lit";
+}
+
 TEST(LookEditing, EachCurveKeepsANode)
 {
-  const Look changed = RemoveNodes(SteppedLook(), AllNodes(SteppedLook()));
+  const Look changed = RemoveNodes(SteppedLook(), AllNodes(SteppedLook()), Ramp);
   EXPECT_EQ(changed.opacities.size(), 1u);
   EXPECT_EQ(changed.colors.size(), 1u);
 }

@@ -234,7 +234,8 @@ void TransferFunctionEditor::DeleteSelected()
 {
   if (!this->picture.selected.empty())
   {
-    const Look changed = RemoveNodes(this->picture.look, this->picture.selected);
+    const Look changed =
+      RemoveNodes(this->picture.look, this->picture.selected, this->picture.layout.LongestRamp());
     const QString name =
       this->picture.selected.size() > 1 ? tr("delete points") : tr("delete point");
     this->Select({});

@@ -126,6 +126,23 @@ void EraseNodes(std::vector<Node>& nodes, NodeKind kind, const NodeSet& removed)
   nodes = std::move(left);
 }
 
+/// Lets what is beyond the ends of a curve stay dark where it was dark in another, longer one.
+void KeepDarkBeyondEnds(
+  std::vector<OpacityNode>& nodes, const std::vector<OpacityNode>& longer, double longestRamp)
+{
+  const OpacityNode first = nodes.front();
+  const OpacityNode last = nodes.back();
+  if (longer.front().opacity == 0.0 && first.opacity > 0.0)
+  {
+    const double ramp = std::min(longestRamp, first.value - longer.front().value);
+    nodes.insert(nodes.begin(), { first.value - ramp, 0.0 });
+  }
+  if (longer.back().opacity == 0.0 && last.opacity > 0.0)
+  {
+    nodes.push_back({ last.value + std::min(longestRamp, longer.back().value - last.value), 0.0 });
+  }
+}
+
 template <class Node, class SameOrdinate>
 bool SameNodes(const std::vector<Node>& a, const std::vector<Node>& b, SameOrdinate sameOrdinate)
 {
@@ -259,7 +276,7 @@ Look MoveNodes(const Look& look, const NodeSet& nodes, double valueShift, double
   return changed;
 }
 
-Look RemoveNodes(const Look& look, const NodeSet& nodes)
+Look RemoveNodes(const Look& look, const NodeSet& nodes, double longestRamp)
 {
   NodeSet removed = nodes;
   for (int color = 0; color < int(look.colors.size()); ++color)
@@ -271,6 +288,7 @@ Look RemoveNodes(const Look& look, const NodeSet& nodes)
   }
   Look changed = look;
   EraseNodes(changed.opacities, NodeKind::Opacity, removed);
+  KeepDarkBeyondEnds(changed.opacities, look.opacities, longestRamp);
   EraseNodes(changed.colors, NodeKind::Color, removed);
   EraseNodes(changed.isosurfaces, NodeKind::Surface, removed);
   return changed;

@@ -90,7 +90,9 @@ Insertion InsertColor(const Look& look, double value);
 Look MoveNodes(const Look& look, const NodeSet& nodes, double valueShift, double opacityShift);
 
 /// Removes nodes, and with an opacity node the colours tied to it; of each curve one node stays.
-Look RemoveNodes(const Look& look, const NodeSet& nodes);
+/// Where a dark end goes, the new end comes with a dark node, as in InsertPoint.
+/// @param longestRamp  as of InsertPoint
+Look RemoveNodes(const Look& look, const NodeSet& nodes, double longestRamp);
 
 /// Moves a node and those tied to it to a value, or as near as the nodes that stay let them.
 Look SetValue(const Look& look, const NodeId& node, double value);
