@@ -11,26 +11,58 @@
 #include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 
-int main(int argumentCount, char** arguments)
+#include <algorithm>
+#include <iterator>
+
+namespace
 {
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);
-  QSurfaceFormat::setDefaultFormat(format);
-  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
-  QApplication application(argumentCount, arguments);
-  QCoreApplication::setApplicationName("varimarch-viewer");
-  QCoreApplication::setOrganizationName("varimarch");
-  QCoreApplication::setApplicationVersion(VARIMARCH_VERSION);
 
-  varimarch::Speak(varimarch::ChosenLanguage(), &application);
-
-  QCommandLineParser parser;
+void AddOptions(QCommandLineParser& parser)
+{
   parser.setApplicationDescription(
     "Looks into CT and MR volumes, with an error that is promised. Not for diagnostic use.");
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("volume",
     "A volume file, a folder with a DICOM series, or a saved session, to open.", "[volume]");
+}
+
+// Prints help or version, if one is asked for, and ends the program. That needs no display, which
+// an application with windows would ask for at once. Options that are Qt's own are let pass.
+void AnswerWithoutDisplay(int argumentCount, char** arguments)
+{
+  QStringList words;
+  std::transform(arguments, arguments + argumentCount, std::back_inserter(words),
+    [](const char* word) { return QString::fromLocal8Bit(word); });
+  QCommandLineParser parser;
+  AddOptions(parser);
+  parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
+  parser.parse(words);
+  if (parser.isSet("help") || parser.isSet("help-all") || parser.isSet("version"))
+  {
+    const QCoreApplication application(argumentCount, arguments);
+    parser.isSet("version") ? parser.showVersion() : parser.showHelp();
+  }
+}
+
+}
+
+int main(int argumentCount, char** arguments)
+{
+  QCoreApplication::setApplicationName("varimarch-viewer");
+  QCoreApplication::setOrganizationName("varimarch");
+  QCoreApplication::setApplicationVersion(VARIMARCH_VERSION);
+  AnswerWithoutDisplay(argumentCount, arguments);
+
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication application(argumentCount, arguments);
+  varimarch::Speak(varimarch::ChosenLanguage(), &application);
+
+  QCommandLineParser parser;
+  AddOptions(parser);
   parser.process(application);
 
   varimarch::ApplyTheme(varimarch::ChosenTheme());
