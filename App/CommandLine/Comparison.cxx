@@ -1,6 +1,7 @@
 #include "Comparison.h"
 
 #include "Results.h"
+#include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/SceneNames.h"
 #include "VtkMessages.h"

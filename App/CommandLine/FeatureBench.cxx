@@ -2,6 +2,7 @@
 
 #include "Results.h"
 #include "Scene/ImageOrientation.h"
+#include "Scene/Median.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/VolumeProperty.h"
 #include "VtkMessages.h"

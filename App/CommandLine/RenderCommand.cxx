@@ -4,6 +4,7 @@
 #include "Progress.h"
 #include "Results.h"
 #include "Scene/ImageFiles.h"
+#include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/SceneNames.h"
 #include "VtkMessages.h"

@@ -3,8 +3,6 @@
 #include "Scene/JsonCursor.h"
 #include "Scene/OutputFile.h"
 
-#include <algorithm>
-#include <array>
 #include <iomanip>
 #include <sstream>
 
@@ -31,13 +29,6 @@ void WriteResults(const nlohmann::ordered_json& results, const std::string& path
   {
     WriteFileWhole(path, TextFromJson(results));
   }
-}
-
-double Median(std::vector<double> numbers)
-{
-  std::sort(numbers.begin(), numbers.end());
-  const std::size_t middle = numbers.size() / 2;
-  return numbers.size() % 2 ? numbers[middle] : 0.5 * (numbers[middle - 1] + numbers[middle]);
 }
 
 std::string Fixed(double number, int digits)

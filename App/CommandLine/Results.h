@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
-#include <vector>
 
 namespace varimarch
 {
@@ -17,9 +16,6 @@ nlohmann::ordered_json ResultsOf(const std::string& commandText, const LoadedVol
 
 /// Writes results as JSON; does nothing when the user asked for no file.
 void WriteResults(const nlohmann::ordered_json& results, const std::string& path);
-
-/// The middle one, or the mean of the two in the middle; of at least one.
-double Median(std::vector<double> numbers);
 
 /// A number with so many digits behind the point, for tables.
 std::string Fixed(double number, int digits);

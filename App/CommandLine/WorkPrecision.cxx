@@ -2,6 +2,7 @@
 
 #include "FrameCost.h"
 #include "Results.h"
+#include "Scene/Median.h"
 #include "VtkMessages.h"
 
 #include <vtkVariationFieldVolumeMapper.h>

@@ -1,6 +1,7 @@
 #include "Scene/OrbitBenchmark.h"
 
 #include "Core/ImageError.h"
+#include "Scene/Median.h"
 
 #include <vtkCamera.h>
 
@@ -26,13 +27,6 @@ void Turn(OffscreenView& view, double degrees)
   vtkRenderer* const renderer = view.Pipeline().Renderer();
   renderer->GetActiveCamera()->Azimuth(degrees);
   renderer->ResetCameraClippingRange();
-}
-
-double Median(std::vector<double> numbers)
-{
-  const auto middle = numbers.begin() + std::ptrdiff_t(numbers.size() / 2);
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
 }
 
 }
