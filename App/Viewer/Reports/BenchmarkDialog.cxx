@@ -179,9 +179,16 @@ void BenchmarkDialog::Continue()
   {
     return;
   }
+  try
   {
     const DrawingWithoutDisplay drawing;
     this->orbit->DrawNext();
+  }
+  catch (const std::exception& problem)
+  {
+    this->Stop();
+    this->summary->setText(QString::fromStdString(problem.what()));
+    return;
   }
   this->measured = this->orbit->Pictures();
   this->AddRow(this->measured.back());

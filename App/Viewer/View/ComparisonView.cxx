@@ -2,8 +2,8 @@
 
 #include "Scene/DifferencePicture.h"
 #include "Viewer/Model/SceneModel.h"
-#include "Viewer/View/ByteImage.h"
 #include "Viewer/View/VolumeView.h"
+#include "Viewer/View/VtkPictures.h"
 
 #include <QImage>
 #include <QKeyEvent>
@@ -223,7 +223,8 @@ void ComparisonView::Compare()
 
 void ComparisonView::ShowDifference(vtkImageData* ourPicture, vtkImageData* theirPicture)
 {
-  const QImage image = ImageOf(WithDifferenceScale(DifferencePicture(theirPicture, ourPicture)));
+  const QImage image =
+    ImageOfBytes(WithDifferenceScale(DifferencePicture(theirPicture, ourPicture)));
   const double ratio = this->devicePixelRatioF();
   QPixmap pixmap = QPixmap::fromImage(
     image.scaled(this->picture->size() * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation));

@@ -4,6 +4,7 @@
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/View/CurrentContext.h"
 #include "Viewer/View/Overlay.h"
+#include "Viewer/View/VtkPictures.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
@@ -20,8 +21,6 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace varimarch
@@ -33,24 +32,6 @@ namespace
 constexpr int LargestSide = 16384;
 // Words are as large in a picture of any size as in one of this height.
 constexpr double HeightOfWords = 800.0;
-
-QImage ImageOf(vtkImageData* floatPicture)
-{
-  const int* const size = floatPicture->GetDimensions();
-  QImage image(size[0], size[1], QImage::Format_ARGB32_Premultiplied);
-  const auto* rgba = static_cast<const float*>(floatPicture->GetScalarPointer());
-  const auto byteOf = [](float channel)
-  { return int(std::lround(255.0F * std::clamp(channel, 0.0F, 1.0F))); };
-  for (int row = size[1] - 1; row >= 0; --row)
-  {
-    auto* const pixels = reinterpret_cast<QRgb*>(image.scanLine(row));
-    for (int column = 0; column < size[0]; ++column, rgba += 4)
-    {
-      pixels[column] = qRgba(byteOf(rgba[0]), byteOf(rgba[1]), byteOf(rgba[2]), byteOf(rgba[3]));
-    }
-  }
-  return image;
-}
 
 QImage OnBackground(const QImage& image, const std::array<double, 3>& rgb)
 {
@@ -104,7 +85,7 @@ PictureMaker::~PictureMaker()
 QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
 {
   const DrawingWithoutDisplay drawing;
-  QImage picture = ImageOf(this->view->FloatImage(onProgress));
+  QImage picture = ImageOfFloats(this->view->FloatImage(onProgress));
   if (!this->options.transparent)
   {
     picture = OnBackground(picture, this->scene.background);

@@ -2,7 +2,7 @@
 
 #include "Scene/OffscreenView.h"
 #include "Scene/SmallCopy.h"
-#include "Viewer/View/ByteImage.h"
+#include "Viewer/View/VtkPictures.h"
 
 #include <QElapsedTimer>
 #include <QThread>
@@ -124,7 +124,7 @@ void PresetThumbnails::Run(const std::shared_ptr<Task>& task)
       view.Render();
       QMetaObject::invokeMethod(
         this,
-        [this, task, index, picture = ImageOf(view.Bytes())]
+        [this, task, index, picture = ImageOfBytes(view.Bytes())]
         {
           if (task == this->task)
           {
