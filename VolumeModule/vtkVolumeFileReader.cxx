@@ -93,7 +93,7 @@ void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)
   std::copy_n(this->RawSpacing, 3, options.raw.spacingMm.begin());
   options.raw.headerBytes = this->RawHeaderBytes;
   options.raw.bigEndian = this->RawBigEndian;
-  options.seriesUid = this->DICOMSeriesUID;
+  options.series = this->DICOMSeriesUID;
   this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
   for (const std::string& warning : this->Read->Volume.warnings)
   {

@@ -83,8 +83,9 @@ public:
 
   ///@{
   /**
-   * Which of several DICOM series to read, by its SeriesInstanceUID. Empty, the default, is the one
-   * with most images.
+   * Which of several DICOM series to read: by its SeriesInstanceUID, by the beginning of just one
+   * of them, or by its number in ListDICOMSeries(), from 1. Empty, the default, is the first; the
+   * warnings list all then.
    */
   vtkSetStdStringFromCharMacro(DICOMSeriesUID);
   vtkGetCharFromStdStringMacro(DICOMSeriesUID);
@@ -104,7 +105,8 @@ public:
 
   /**
    * Looks which DICOM series there are at FileName: a folder with the folders in it, a DICOMDIR or
-   * a file. Reads headers only. Reports errors as Update() does, and returns none then.
+   * a file; those with most images first. Reads headers only. Reports errors as Update() does, and
+   * returns none then.
    */
   std::vector<DICOMSeries> ListDICOMSeries();
 

@@ -10,6 +10,7 @@
 #include "Scene/OutputFile.h"
 #include "SpeedCommand.h"
 #include "ToleranceReport.h"
+#include "Validators.h"
 #include "VtkMessages.h"
 #include "WorkPrecisionMarkdown.h"
 #include "WorkPrecisionReport.h"

@@ -6,6 +6,7 @@
 #include "Progress.h"
 #include "Results.h"
 #include "Scene/OutputFile.h"
+#include "Validators.h"
 
 #include <algorithm>
 #include <filesystem>

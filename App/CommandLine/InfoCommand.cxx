@@ -43,6 +43,7 @@ void AddInfoCommand(CLI::App& program, const std::string& commandText)
   app->footer("Examples:\n"
               "  varimarch info head.nii.gz\n"
               "  varimarch info dicom-folder --bins 64\n"
+              "  varimarch info dicom-folder --series 2\n"
               "  varimarch info scan.raw --raw-dimensions 256x256x128 --json scan.json");
   command->volumeOptions.AddTo(*app,
     "A volume file, a folder with a DICOM series, or\n"

@@ -5,9 +5,8 @@
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneNames.h"
+#include "Validators.h"
 
-#include <array>
-#include <charconv>
 #include <iostream>
 
 namespace varimarch
@@ -17,29 +16,6 @@ namespace
 {
 
 constexpr int LargestPictureSide = 16384;
-constexpr int LargestVolumeSide = 1 << 20;
-const std::string ProceduralPrefix = "procedural:";
-
-// "640x480" as its numbers; empty when it is not `count` whole numbers within the limits.
-template <std::size_t count>
-std::optional<std::array<int, count>> Sides(const std::string& text, int smallest, int largest)
-{
-  std::array<int, count> sides;
-  const char* position = text.data();
-  const char* const end = text.data() + text.size();
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const auto [next, error] = std::from_chars(position, end, sides[i]);
-    const bool last = i + 1 == count;
-    if (error != std::errc() || sides[i] < smallest || sides[i] > largest ||
-      (last ? next != end : next == end || *next != 'x'))
-    {
-      return std::nullopt;
-    }
-    position = next + 1;
-  }
-  return sides;
-}
 
 void RequireItsSurfaces(const Look& look)
 {
@@ -49,60 +25,6 @@ void RequireItsSurfaces(const Look& look)
   }
 }
 
-template <std::size_t count>
-CLI::Validator SidesValidator(const std::string& example, int smallest, int largest)
-{
-  const auto check = [=](std::string& text)
-  {
-    return Sides<count>(text, smallest, largest)
-      ? std::string()
-      : "expected a size such as " + example + ", each side from " + std::to_string(smallest) +
-        " to " + std::to_string(largest) + ", found \"" + text + "\"";
-  };
-  return CLI::Validator(check, "");
-}
-
-CLI::Validator Above(double limit)
-{
-  const auto check = [limit](std::string& text)
-  {
-    double number = 0.0;
-    const bool good = CLI::detail::lexical_cast(text, number) && number > limit &&
-      number < std::numeric_limits<double>::infinity();
-    return good
-      ? std::string()
-      : "expected a number > " + CLI::detail::to_string(limit) + ", found \"" + text + "\"";
-  };
-  return CLI::Validator(check, "");
-}
-
-// "procedural:torso" or "procedural:torso:128x128x64"
-ProceduralSource ProceduralFromInput(const std::string& input)
-{
-  const std::string rest = input.substr(ProceduralPrefix.size());
-  const std::size_t colon = rest.find(':');
-  const std::string name = rest.substr(0, colon);
-  const std::string error = NameValidator(NamesOf(ProceduralNames()))(name);
-  if (!error.empty())
-  {
-    throw CLI::ValidationError("VOLUME", error);
-  }
-  ProceduralSource source;
-  source.kind = ValueOf(ProceduralNames(), name);
-  if (colon != std::string::npos)
-  {
-    const std::string size = rest.substr(colon + 1);
-    const auto validator = SidesValidator<3>("128x128x64", 2, LargestProceduralSide);
-    const std::string sizeError = validator(size);
-    if (!sizeError.empty())
-    {
-      throw CLI::ValidationError("VOLUME", sizeError);
-    }
-    source.dimensions = *Sides<3>(size, 2, LargestProceduralSide);
-  }
-  return source;
-}
-
 bool IsSceneFile(const std::string& input)
 {
   const std::string extension = ".json";
@@ -110,75 +32,6 @@ bool IsSceneFile(const std::string& input)
     input.compare(input.size() - extension.size(), extension.size(), extension) == 0;
 }
 
-}
-
-CLI::Validator NameValidator(const std::vector<std::string>& names)
-{
-  const auto check = [names](std::string& text)
-  {
-    const bool known = std::find(names.begin(), names.end(), text) != names.end();
-    return known ? std::string() : "unknown name \"" + text + "\"; " + Suggestion(text, names);
-  };
-  return CLI::Validator(check, CLI::detail::join(names, "|"));
-}
-
-void VolumeOptions::AddTo(CLI::App& command, const std::string& inputDescription)
-{
-  command.add_option("VOLUME", this->input, inputDescription)->required();
-  const std::string group = "Raw files (no header)";
-  CLI::Option* dimensions =
-    command.add_option("--raw-dimensions", this->rawDimensions, "Voxels along each axis")
-      ->check(SidesValidator<3>("256x256x128", 1, LargestVolumeSide))
-      ->type_name("XxYxZ")
-      ->group(group);
-  command.add_option("--raw-type", this->rawType, "Type of a voxel (default uint8)")
-    ->check(NameValidator(NamesOf(RawTypeNames())))
-    ->needs(dimensions)
-    ->group(group);
-  command
-    .add_option("--raw-spacing", this->rawSpacing, "Distances of voxels in mm (default 1,1,1)")
-    ->check(Above(0.0))
-    ->delimiter(',')
-    ->expected(3)
-    ->type_name("X,Y,Z")
-    ->needs(dimensions)
-    ->group(group);
-  command.add_option("--raw-byte-order", this->rawByteOrder, "Order of bytes (default little)")
-    ->check(NameValidator(NamesOf(ByteOrderNames())))
-    ->needs(dimensions)
-    ->group(group);
-}
-
-void VolumeOptions::RefuseRawLayout(const std::string& kind) const
-{
-  if (!this->rawDimensions.empty())
-  {
-    throw CLI::ValidationError(
-      "--raw-dimensions", "expected a raw file, found the " + kind + " " + this->input);
-  }
-}
-
-VolumeSource VolumeOptions::SourceOf(const std::string& anyInput) const
-{
-  if (anyInput.compare(0, ProceduralPrefix.size(), ProceduralPrefix) == 0)
-  {
-    this->RefuseRawLayout("procedural volume");
-    return ProceduralFromInput(anyInput);
-  }
-  FileSource source = { anyInput, std::nullopt };
-  if (!this->rawDimensions.empty())
-  {
-    RawLayout raw;
-    raw.dimensions = *Sides<3>(this->rawDimensions, 1, LargestVolumeSide);
-    raw.type = this->rawType.empty() ? raw.type : this->rawType;
-    if (!this->rawSpacing.empty())
-    {
-      std::copy(this->rawSpacing.begin(), this->rawSpacing.end(), raw.spacingMm.begin());
-    }
-    raw.bigEndian = !this->rawByteOrder.empty() && ValueOf(ByteOrderNames(), this->rawByteOrder);
-    source.raw = raw;
-  }
-  return source;
 }
 
 void SceneOptions::AddTo(CLI::App& command)
@@ -342,7 +195,7 @@ std::pair<Scene, LoadedVolume> SceneOptions::Load(const std::string& input) cons
   const bool isScene = IsSceneFile(input);
   if (isScene)
   {
-    this->volume.RefuseRawLayout("scene file");
+    this->volume.RefuseFileOptions("scene file");
   }
   Scene scene = isScene ? ReadScene(input) : Scene();
   if (!isScene)

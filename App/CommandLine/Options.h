@@ -3,6 +3,7 @@
 
 #include "Scene/Scene.h"
 #include "Scene/VolumeLoading.h"
+#include "VolumeOptions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,30 +13,6 @@
 
 namespace varimarch
 {
-
-/// Which volume to read: the first argument of every subcommand and the layout of a raw file.
-class VolumeOptions
-{
-public:
-  void AddTo(CLI::App& command, const std::string& inputDescription);
-
-  const std::string& Input() const { return this->input; }
-
-  /// The file, folder or procedural volume that an input names.
-  VolumeSource SourceOf(const std::string& anyInput) const;
-
-  /// For an input that says itself what its voxels are, such as a scene file.
-  /// @param kind  of the input, for the message
-  /// @throws CLI::ValidationError when there are options for a raw file nevertheless
-  void RefuseRawLayout(const std::string& kind) const;
-
-private:
-  std::string input;
-  std::string rawDimensions;
-  std::string rawType;
-  std::vector<double> rawSpacing;
-  std::string rawByteOrder;
-};
 
 /// What render, compare and bench have in common: everything a scene file can say, each overriding
 /// it.
@@ -80,9 +57,6 @@ private:
   std::optional<double> errorTolerance;
   std::optional<double> tolerance;
 };
-
-/// Accepts only these names, suggests the nearest for others, and lists them in the help.
-CLI::Validator NameValidator(const std::vector<std::string>& names);
 
 /// Adds `--json FILE`.
 void AddJsonOption(CLI::App& command, std::string& path);

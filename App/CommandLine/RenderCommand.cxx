@@ -7,6 +7,7 @@
 #include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/SceneNames.h"
+#include "Validators.h"
 #include "VtkMessages.h"
 
 #include <vtkVariationFieldVolumeMapper.h>

@@ -9,6 +9,7 @@
 #include "Scene/OutputFile.h"
 #include "SpeedReport.h"
 #include "SpeedSummary.h"
+#include "Validators.h"
 
 #include <filesystem>
 #include <iostream>

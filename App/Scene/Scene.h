@@ -28,7 +28,7 @@ struct FileSource
 {
   std::string path;             ///< a file, or a folder with a DICOM series
   std::optional<RawLayout> raw; ///< only for files without a header
-  std::string series = {};      ///< UID of one of several DICOM series; empty: the largest
+  std::string series = {};      ///< one of several DICOM series, as vtkVolumeFileReader names it
 };
 
 enum class ProceduralKind

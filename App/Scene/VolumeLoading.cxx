@@ -151,8 +151,6 @@ std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserve
     all.push_back({ series.UID, series.Description, series.Modality, series.NumberOfImages,
       MiddleOfFile(series.MiddleFile) });
   }
-  std::stable_sort(all.begin(), all.end(),
-    [](const SeriesSummary& a, const SeriesSummary& b) { return a.imageCount > b.imageCount; });
   return all;
 }
 

@@ -82,6 +82,7 @@ TEST(DicomVolumes, ValuesAreRescaledSliceBySlice)
 
 TEST(DicomVolumes, TheLargestSeriesIsReadUnlessAnotherIsAskedFor)
 {
+  const std::string TheTwo = "1 (CT, 3 images, 1.2.44), 2 (CT, 2 images, 1.2.33)";
   const TemporaryFolder folder;
   WriteSlices(folder, "images/a", phantom::Stored(0), { 0, 1 }, { "1.2.33" });
   WriteSlices(folder, "images/b", phantom::Stored(0), { 0, 1, 2 }, { "1.2.44" });
@@ -89,18 +90,29 @@ TEST(DicomVolumes, TheLargestSeriesIsReadUnlessAnotherIsAskedFor)
   vtkNew<vtkVolumeFileReader> reader;
   reader->SetFileName(folder.Path("images").c_str());
   EXPECT_EQ(reader->ListDICOMSeries().size(), 2u);
+  EXPECT_EQ(reader->ListDICOMSeries().front().UID, "1.2.44");
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetDimensions()[2], 3);
+  EXPECT_NE(Warnings(reader).find(TheTwo), std::string::npos) << Warnings(reader);
 
-  reader->SetDICOMSeriesUID("1.2.33");
-  reader->Update();
-  EXPECT_EQ(reader->GetOutput()->GetDimensions()[2], 2);
+  for (const char* const name : { "1.2.33", "1.2.3", "2" })
+  {
+    reader->SetDICOMSeriesUID(name);
+    reader->Update();
+    EXPECT_EQ(reader->GetOutput()->GetDimensions()[2], 2) << name;
+    EXPECT_EQ(Warnings(reader), "");
+  }
 
   const ExpectedVtkErrors errors;
-  reader->SetDICOMSeriesUID("1.2.55");
-  reader->Update();
-  EXPECT_NE(std::string(reader->GetErrorMessage()).find("1.2.55"), std::string::npos);
-  EXPECT_EQ(errors.Messages().size(), 1u);
+  for (const char* const name : { "1.2.55", "3", "0", "1.2." })
+  {
+    reader->SetDICOMSeriesUID(name);
+    reader->Update();
+    const std::string message = reader->GetErrorMessage();
+    EXPECT_NE(message.find('"' + std::string(name) + '"'), std::string::npos) << message;
+    EXPECT_NE(message.find(TheTwo), std::string::npos) << message;
+  }
+  EXPECT_EQ(errors.Messages().size(), 4u);
 }
 
 TEST(DicomVolumes, AnIndexFileTellsWhichImagesBelong)

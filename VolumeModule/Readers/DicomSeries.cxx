@@ -164,7 +164,53 @@ std::vector<DicomSeries> FindDicomSeries(
   {
     warnings.insert(warnings.end(), list->begin(), list->end());
   }
+  std::stable_sort(all.begin(), all.end(),
+    [](const DicomSeries& a, const DicomSeries& b) { return a.imageCount > b.imageCount; });
   return all;
+}
+
+const DicomSeries& SeriesNamed(
+  const std::string& path, const std::vector<DicomSeries>& all, const std::string& name)
+{
+  if (name.empty())
+  {
+    return all.front();
+  }
+  std::vector<const DicomSeries*> named;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (all[i].uid == name || name == std::to_string(i + 1))
+    {
+      return all[i];
+    }
+    if (all[i].uid.compare(0, name.size(), name) == 0)
+    {
+      named.push_back(&all[i]);
+    }
+  }
+  if (named.size() != 1)
+  {
+    FailToRead(path,
+      (named.empty() ? "the series " : "just one series whose UID begins with ") + Quoted(name),
+      SeriesList(all));
+  }
+  return *named.front();
+}
+
+std::string SeriesList(const std::vector<DicomSeries>& all)
+{
+  std::string list;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const DicomSeries& series = all[i];
+    list += (i > 0 ? ", " : "") + std::to_string(i + 1) + " (" + series.modality + ", " +
+      std::to_string(series.imageCount) + " images, " +
+      (series.description.empty() ? "" : series.description + ", ") + series.uid + ")";
+  }
+  // Somebody typed the descriptions, and it goes to a terminal.
+  std::replace_if(
+    list.begin(), list.end(), [](unsigned char letter) { return letter < ' '; }, '?');
+  return list;
 }
 
 }

@@ -61,21 +61,6 @@ void ReadSlices(const std::string& path, vtkDICOMReader* reader, const VtkMessag
   }
 }
 
-const DicomSeries& ChosenSeries(
-  const std::string& path, const std::vector<DicomSeries>& all, const std::string& uid)
-{
-  const auto chosen = uid.empty()
-    ? std::max_element(all.begin(), all.end(),
-        [](const DicomSeries& a, const DicomSeries& b) { return a.imageCount < b.imageCount; })
-    : std::find_if(
-        all.begin(), all.end(), [&](const DicomSeries& series) { return series.uid == uid; });
-  if (chosen == all.end())
-  {
-    FailToRead(path, "the series " + Quoted(uid), std::to_string(all.size()) + " others");
-  }
-  return *chosen;
-}
-
 /// Reads the headers of the files and puts them in order.
 void UpdateInformation(const std::string& path, vtkDICOMReader* reader, const VtkMessages& messages)
 {
@@ -212,7 +197,11 @@ Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgre
   ReadProgress scan = progress.Part(0.0, 0.3);
   ReadProgress reading = progress.Part(0.3, 1.0);
   const std::vector<DicomSeries> all = FindDicomSeries(path, volume.warnings, scan);
-  const DicomSeries& series = ChosenSeries(path, all, options.seriesUid);
+  const DicomSeries& series = SeriesNamed(path, all, options.series);
+  if (options.series.empty() && all.size() > 1)
+  {
+    volume.warnings.push_back("This is the first of several series: " + SeriesList(all) + ".");
+  }
 
   VtkMessages messages;
   vtkNew<vtkDICOMReader> reader;

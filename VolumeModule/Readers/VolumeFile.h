@@ -59,7 +59,7 @@ struct RawLayout
 struct ReadOptions
 {
   RawLayout raw;
-  std::string seriesUid; ///< DICOM series to read; empty is the one with most slices
+  std::string series; ///< DICOM series to read, see SeriesNamed
 };
 
 /// Thrown when the user has stopped the reading.

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Which volume varimarch reads when the file or folder alone does not say it.
+
+Usage: test_volume_options.py VARIMARCH CASE
+"""
+
+import json
+import pathlib
+import struct
+import sys
+import tempfile
+
+from test_command_line import VOLUME, run
+
+
+def dicom_slice(series, number):
+    """A DICOM image of 4 x 3 pixels, explicit little endian, as PS3.5 and PS3.10 have it."""
+    def element(group, tag, kind, value):
+        value = value if isinstance(value, bytes) else str(value).encode()
+        value += (b"\0" if kind == "UI" else b" ") * (len(value) % 2)
+        head = struct.pack("<HH2s", group, tag, kind.encode())
+        long = kind in ("OB", "OW")
+        return head + struct.pack("<xxI" if long else "<H", len(value)) + value
+
+    def numbers(*values):
+        return struct.pack(f"<{len(values)}H", *values)
+
+    image_class, image = "1.2.840.10008.5.1.4.1.1.2", f"{series}.9.{number}"
+    meta = (element(2, 0x1, "OB", b"\0\1") + element(2, 0x2, "UI", image_class)
+            + element(2, 0x3, "UI", image) + element(2, 0x10, "UI", "1.2.840.10008.1.2.1"))
+    size = element(2, 0, "UL", struct.pack("<I", len(meta)))
+    return b"\0" * 128 + b"DICM" + size + meta + b"".join(element(*row) for row in (
+        (8, 0x16, "UI", image_class), (8, 0x18, "UI", image), (8, 0x60, "CS", "CT"),
+        (8, 0x103E, "LO", f"Series of {series}"), (0x20, 0xD, "UI", "1.2.7"),
+        (0x20, 0xE, "UI", series), (0x20, 0x13, "IS", number),
+        (0x20, 0x32, "DS", f"0\\0\\{number}"), (0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0"),
+        (0x28, 2, "US", numbers(1)), (0x28, 4, "CS", "MONOCHROME2"), (0x28, 0x10, "US", numbers(3)),
+        (0x28, 0x11, "US", numbers(4)), (0x28, 0x30, "DS", "1\\1"), (0x28, 0x100, "US", numbers(16)),
+        (0x28, 0x101, "US", numbers(16)), (0x28, 0x102, "US", numbers(15)),
+        (0x28, 0x103, "US", numbers(1)), (0x7FE0, 0x10, "OW", numbers(*range(12)))))
+
+
+def series(folder):
+    """One of several DICOM series is chosen by number, by UID, or by the beginning of one."""
+    scan = folder / "scan"
+    scan.mkdir()
+    for uid, count in (("1.2.33", 2), ("1.2.44", 3)):
+        for number in range(count):
+            (scan / f"{uid}-{number}").write_bytes(dicom_slice(uid, number))
+
+    def slices(*arguments):
+        _, errors = run("info", scan, "--json", folder / "info.json", *arguments)
+        return json.loads((folder / "info.json").read_text())["volume"]["dimensions"][2], errors
+
+    both = "1 (CT, 3 images, Series of 1.2.44, 1.2.44), 2 (CT, 2 images, Series of 1.2.33, 1.2.33)"
+    count, errors = slices()
+    assert count == 3 and both in errors, errors
+    for name in ("2", "1.2.33", "1.2.3"):
+        assert slices("--series", name) == (2, ""), name
+    run("render", scan, "--series", "2", "-o", folder / "a.png", "--size", "32x32")
+    run("compare", scan, "--series", "2", "-o", folder / "c", "--size", "32x32", "--rounds", "1")
+    for name in ("3", "1.2."):
+        _, errors = run("info", scan, "--series", name, expect=1)
+        assert f'"{name}", found {both}.' in errors, errors
+    _, errors = run("info", VOLUME, "--series", "1", expect=2)
+    assert f"--series: expected a folder of DICOM files, found the procedural volume {VOLUME}" in errors
+    _, errors = run("info", scan / "1.2.33-0", "--series", "1", expect=2)
+    assert "expected a folder of DICOM files, found the file" in errors, errors
+
+
+def raw(folder):
+    """Bare voxels are read as the options say, header and all."""
+    voxels = folder / "voxels.raw"
+    voxels.write_bytes(b"header!" + struct.pack(">24H", *range(100, 124)))
+    layout = ["--raw-dimensions", "4x3x2", "--raw-type", "uint16", "--raw-byte-order", "big",
+              "--raw-spacing", "1,2,3", "--json", folder / "info.json"]
+    run("info", voxels, *layout, "--raw-header-bytes", "7")
+    volume = json.loads((folder / "info.json").read_text())["volume"]
+    assert volume["range"] == [100, 123] and volume["spacingMm"] == [1, 2, 3], volume
+    _, errors = run("info", voxels, *layout)
+    assert "7 bytes longer" in errors, errors
+    _, errors = run("info", voxels, *layout, "--raw-header-bytes", "-1", expect=2)
+    assert "--raw-header-bytes" in errors, errors
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as name:
+        {"series": series, "raw": raw}[sys.argv[2]](pathlib.Path(name))
