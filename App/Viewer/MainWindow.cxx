@@ -101,6 +101,7 @@ void MainWindow::MakeMenus()
     tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
   file->addAction(tr("Open &bare voxels…"), this, &MainWindow::ChooseRawFile);
   this->recentMenu = file->addMenu(tr("&Recent scans"));
+  this->recentMenu->setObjectName("recent");
   connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
   file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
   file->addSeparator();

@@ -33,7 +33,8 @@ public:
   explicit MainWindow(QWidget* parent = nullptr);
 
   /// Begins to load a file, a folder with a DICOM series, or a session that was saved.
-  void Open(const QString& path);
+  /// @param series  the digest of the one to open of several series; empty: the user is asked
+  void Open(const QString& path, const QString& series = {});
 
   /// Offers what an earlier program, which did not come to its end, has left.
   void OfferAutosaved();
@@ -71,7 +72,7 @@ private:
   void SaveSession();
   void ListRecentScans();
   void ShowAbout();
-  void Load(const VolumeSource& source);
+  void Load(const VolumeSource& source, const QString& series = {});
   void ExportPicture();
   void ExportTurntable();
   void ExportReport();

@@ -88,7 +88,7 @@ QString ChosenTurntable(QWidget* parent)
 
 }
 
-void MainWindow::Open(const QString& path)
+void MainWindow::Open(const QString& path, const QString& series)
 {
   this->restored.reset();
   if (IsBareVoxels(path) && QFile::exists(path))
@@ -98,7 +98,7 @@ void MainWindow::Open(const QString& path)
   }
   if (QFileInfo(path).suffix() != "json")
   {
-    this->Load(FileSource{ path.toStdString(), std::nullopt });
+    this->Load(FileSource{ path.toStdString(), std::nullopt }, series);
     return;
   }
   try
@@ -112,21 +112,21 @@ void MainWindow::Open(const QString& path)
   }
 }
 
-void MainWindow::Load(const VolumeSource& source)
+void MainWindow::Load(const VolumeSource& source, const QString& series)
 {
   LogEvent("loading");
   this->ShowLoading(true);
   const auto* const file = std::get_if<FileSource>(&source);
   const QString name = file ? QFileInfo(QString::fromStdString(file->path)).fileName() : QString();
   this->statusBar()->showMessage(tr("Loading %1").arg(name));
-  this->loader.Load(source);
+  this->loader.Load(source, series);
 }
 
 void MainWindow::AskForLayout(const QString& path)
 {
   auto* const form = new RawForm(path, this);
   form->setAttribute(Qt::WA_DeleteOnClose);
-  connect(form, &RawForm::Chosen, this, &MainWindow::Load);
+  connect(form, &RawForm::Chosen, this, [this](const FileSource& source) { this->Load(source); });
   form->open();
 }
 
@@ -268,7 +268,7 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
   }
   if (const auto* const file = std::get_if<FileSource>(&source))
   {
-    this->recentScans.Add(QString::fromStdString(file->path), *study);
+    this->recentScans.Add(*file, *study);
   }
   QStringList doubts;
   for (const std::string& warning : study->volume.warnings)
@@ -318,7 +318,8 @@ void MainWindow::ListRecentScans()
   this->recentMenu->clear();
   for (const RecentScan& scan : this->recentScans.List())
   {
-    this->recentMenu->addAction(scan.label, this, [this, path = scan.path] { this->Open(path); });
+    this->recentMenu->addAction(
+      scan.label, this, [this, scan] { this->Open(scan.path, scan.series); });
   }
   this->recentMenu->addSeparator();
   this->recentMenu->addAction(tr("Forget these"), this, [this] { this->recentScans.Clear(); });

@@ -10,6 +10,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
@@ -93,6 +94,27 @@ TEST_F(Opening, AsksWhichOfSeveralSeriesAndWarns)
     isTold = isTold || label->text().contains("compressed with loss");
   }
   EXPECT_TRUE(isTold);
+}
+
+TEST_F(Opening, OpensARecentSeriesWithoutAskingAgain)
+{
+  this->WriteSeries("1.2.33", 2);
+  this->WriteSeries("1.2.44", 3);
+  this->Open("DOE^JANE");
+  ASSERT_TRUE(this->Awaited<SeriesPicker>());
+  QTest::keyClick(this->Awaited<SeriesPicker>()->findChild<QListWidget*>(), Qt::Key_Down);
+  QTest::keyClick(this->Awaited<SeriesPicker>()->findChild<QListWidget*>(), Qt::Key_Return);
+  ASSERT_TRUE(this->IsOpened());
+
+  MainWindow later;
+  auto* const recent = later.findChild<QMenu*>("recent");
+  ASSERT_TRUE(recent);
+  emit recent->aboutToShow();
+  recent->actions().first()->trigger();
+  ASSERT_TRUE(
+    QTest::qWaitFor([&] { return later.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
+  EXPECT_EQ(later.Model()->CurrentStudy()->volume.image->GetDimensions()[2], 2);
+  EXPECT_FALSE(later.findChild<SeriesPicker*>());
 }
 
 TEST_F(Opening, AsksHowBareVoxelsAreToBeRead)

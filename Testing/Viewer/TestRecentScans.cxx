@@ -4,6 +4,7 @@
 #include "Viewer/Model/RecentScans.h"
 
 #include <QFile>
+#include <QSettings>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
@@ -26,6 +27,11 @@ protected:
     return file.fileName();
   }
 
+  FileSource Source(const QString& name, const std::string& series = {})
+  {
+    return { this->File(name).toStdString(), std::nullopt, series };
+  }
+
   QTemporaryDir folder;
   RecentScans scans;
 };
@@ -35,29 +41,50 @@ protected:
 TEST_F(Recent, AreListedTheLatestFirstAndOnce)
 {
   const auto study = SmallStudy();
-  this->scans.Add(this->File("a"), *study);
-  this->scans.Add(this->File("b"), *study);
-  this->scans.Add(this->File("a"), *study);
+  this->scans.Add(this->Source("a"), *study);
+  this->scans.Add(this->Source("b"), *study);
+  this->scans.Add(this->Source("a"), *study);
   ASSERT_EQ(RecentScans().List().size(), 2);
   EXPECT_EQ(RecentScans().List()[0].path, this->File("a"));
 }
 
 TEST_F(Recent, SayWhatTheyAreAndNotOfWhom)
 {
-  this->scans.Add(this->File("DOE^JOHN"), *SmallStudy());
+  this->scans.Add(this->Source("DOE^JOHN"), *SmallStudy());
   const QString label = this->scans.List().first().label;
   EXPECT_FALSE(label.contains("DOE"));
   EXPECT_TRUE(label.startsWith("CT, 32 x 28 x 20"));
 }
 
+TEST_F(Recent, TellTheSeriesOfAFolderApartWithoutNamingThem)
+{
+  const auto study = SmallStudy();
+  for (const char* const uid : { "1.2.33", "1.2.44", "1.2.33" })
+  {
+    this->scans.Add(this->Source("disc", uid), *study);
+  }
+  ASSERT_EQ(this->scans.List().size(), 2);
+  EXPECT_EQ(this->scans.List().first().series, DigestOfSeries("1.2.33"));
+  EXPECT_NE(DigestOfSeries("1.2.33"), DigestOfSeries("1.2.44"));
+  EXPECT_TRUE(DigestOfSeries("").isEmpty());
+  QSettings settings;
+  settings.sync();
+  QFile kept(settings.fileName());
+  ASSERT_TRUE(kept.open(QIODevice::ReadOnly));
+  const QByteArray text = kept.readAll();
+  EXPECT_TRUE(text.contains(DigestOfSeries("1.2.33").toUtf8()));
+  EXPECT_FALSE(text.contains("1.2.33"));
+}
+
 TEST_F(Recent, ForgetWhatIsGoneAndWhatIsOldest)
 {
   const auto study = SmallStudy();
-  this->scans.Add(this->folder.filePath("missing"), *study);
+  this->scans.Add(
+    FileSource{ this->folder.filePath("missing").toStdString(), std::nullopt }, *study);
   EXPECT_TRUE(this->scans.List().isEmpty());
   for (int i = 0; i < RecentScans::Most + 3; ++i)
   {
-    this->scans.Add(this->File(QString::number(i)), *study);
+    this->scans.Add(this->Source(QString::number(i)), *study);
   }
   EXPECT_EQ(this->scans.List().size(), RecentScans::Most);
   EXPECT_EQ(this->scans.List().last().path, this->File("3"));

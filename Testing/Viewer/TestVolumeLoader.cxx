@@ -1,6 +1,7 @@
 // Loading in a thread: it ends in exactly one of four ways, also when it is stopped or left.
 
 #include "Module/PhantomFiles.h"
+#include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/VolumeLoader.h"
 
 #include <QSignalSpy>
@@ -87,6 +88,30 @@ TEST_F(Loading, OfSeveralSeriesAsksWhichTheLargestFirst)
   ASSERT_TRUE(this->loaded.wait(MostMilliseconds));
   const auto study = this->loaded.first()[1].value<std::shared_ptr<const Study>>();
   EXPECT_EQ(study->volume.image->GetDimensions()[2], 2);
+}
+
+TEST_F(Loading, TakesTheSeriesOfADigestAndAsksWhereItIsGone)
+{
+  this->WriteSeries("1.2.33", 2);
+  this->WriteSeries("1.2.44", 3);
+  const FileSource disc{ this->folder.Path("disc"), std::nullopt };
+  this->loader.Load(disc, DigestOfSeries("1.2.33"));
+  ASSERT_TRUE(this->loaded.wait(MostMilliseconds));
+  const auto source = this->loaded.first()[0].value<VolumeSource>();
+  EXPECT_EQ(std::get<FileSource>(source).series, "1.2.33");
+  EXPECT_EQ(this->Ends(), 1);
+  this->loader.Load(disc, DigestOfSeries("1.2.55"));
+  ASSERT_TRUE(this->found.wait(MostMilliseconds));
+  EXPECT_EQ(this->Ends(), 2);
+}
+
+TEST_F(Loading, DoesNotTakeTheOnlySeriesForAnother)
+{
+  this->WriteSeries("1.2.33", 2);
+  this->loader.Load(
+    FileSource{ this->folder.Path("disc"), std::nullopt }, DigestOfSeries("1.2.55"));
+  ASSERT_TRUE(this->found.wait(MostMilliseconds));
+  EXPECT_EQ(this->Ends(), 1);
 }
 
 TEST_F(Loading, OfAFolderWithOneSeriesAsksNothing)

@@ -1,9 +1,11 @@
 #include "Viewer/Model/RecentScans.h"
 
 #include <QCoreApplication>
+#include <QCryptographicHash>
 #include <QDateTime>
 #include <QFile>
 #include <QLocale>
+#include <QSettings>
 
 #include <vtkImageData.h>
 
@@ -33,27 +35,40 @@ QString LabelOf(const Study& study)
 
 }
 
+QString DigestOfSeries(const std::string& uid)
+{
+  const QByteArray bytes = QByteArray::fromStdString(uid);
+  return bytes.isEmpty() ? QString()
+                         : QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
+}
+
 QVector<RecentScan> RecentScans::List() const
 {
   QVector<RecentScan> scans;
-  const QStringList kept = this->settings.value(Key).toStringList();
-  for (int i = 0; i + 1 < kept.size(); i += 2)
+  QSettings settings;
+  const int count = settings.beginReadArray(Key);
+  for (int i = 0; i < count; ++i)
   {
-    if (QFile::exists(kept[i]))
+    settings.setArrayIndex(i);
+    const auto text = [&](const char* key) { return settings.value(key).toString(); };
+    if (QFile::exists(text("path")))
     {
-      scans.append({ kept[i], kept[i + 1] });
+      scans.append({ text("path"), text("label"), text("series") });
     }
   }
   return scans;
 }
 
-void RecentScans::Add(const QString& path, const Study& study)
+void RecentScans::Add(const FileSource& source, const Study& study)
 {
+  const RecentScan added = { QString::fromStdString(source.path), LabelOf(study),
+    DigestOfSeries(source.series) };
   QVector<RecentScan> scans = this->List();
   scans.erase(std::remove_if(scans.begin(), scans.end(),
-                [&](const RecentScan& scan) { return scan.path == path; }),
+                [&](const RecentScan& scan)
+                { return scan.path == added.path && scan.series == added.series; }),
     scans.end());
-  scans.prepend({ path, LabelOf(study) });
+  scans.prepend(added);
   this->Keep(scans.mid(0, Most));
 }
 
@@ -64,12 +79,17 @@ void RecentScans::Clear()
 
 void RecentScans::Keep(const QVector<RecentScan>& scans)
 {
-  QStringList kept;
-  for (const RecentScan& scan : scans)
+  QSettings settings;
+  settings.remove(Key);
+  settings.beginWriteArray(Key, scans.size());
+  for (int i = 0; i < scans.size(); ++i)
   {
-    kept << scan.path << scan.label;
+    settings.setArrayIndex(i);
+    settings.setValue("path", scans[i].path);
+    settings.setValue("label", scans[i].label);
+    settings.setValue("series", scans[i].series);
   }
-  this->settings.setValue(Key, kept);
+  settings.endArray();
 }
 
 }

@@ -3,7 +3,6 @@
 
 #include "Viewer/Model/SceneModel.h"
 
-#include <QSettings>
 #include <QString>
 #include <QVector>
 
@@ -15,8 +14,12 @@ namespace varimarch
 struct RecentScan
 {
   QString path;
-  QString label; ///< "CT, 256 x 256 x 108, opened 21 Nov 2026 21:08"
+  QString label;  ///< "CT, 256 x 256 x 108, opened 21 Nov 2026 21:08"
+  QString series; ///< which of several DICOM series, as DigestOfSeries; else empty
 };
+
+/// What tells a DICOM series again without naming it: its UID leads to a patient.
+QString DigestOfSeries(const std::string& uid);
 
 /// The last scans that were opened, the latest first, kept from one run of the program to the next.
 class RecentScans
@@ -25,13 +28,11 @@ public:
   static constexpr int Most = 8;
 
   QVector<RecentScan> List() const;
-  void Add(const QString& path, const Study& study);
+  void Add(const FileSource& source, const Study& study);
   void Clear();
 
 private:
-  void Keep(const QVector<RecentScan>& scans);
-
-  QSettings settings;
+  static void Keep(const QVector<RecentScan>& scans);
 };
 
 }

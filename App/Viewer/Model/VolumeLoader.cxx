@@ -1,7 +1,10 @@
 #include "Viewer/Model/VolumeLoader.h"
 
+#include "Viewer/Model/RecentScans.h"
+
 #include <QThread>
 
+#include <algorithm>
 #include <exception>
 #include <new>
 
@@ -12,6 +15,7 @@ namespace varimarch
 struct VolumeLoader::Task
 {
   VolumeSource source;
+  QString digest; ///< of the series to take
   std::atomic<bool> stop{ false };
   std::shared_ptr<const Study> study; ///< when it ended well
   std::vector<SeriesSummary> series;  ///< or when one has to be chosen
@@ -46,7 +50,15 @@ void VolumeLoader::Read(Task& task)
   if (file && MayHoldSeveralSeries(*file))
   {
     task.series = ListSeries(file->path, observe);
-    if (task.series.size() > 1)
+    const bool isKnown = !task.digest.isEmpty();
+    const auto known = std::find_if(task.series.begin(), task.series.end(),
+      [&](const SeriesSummary& series)
+      { return isKnown && DigestOfSeries(series.uid) == task.digest; });
+    if (known != task.series.end())
+    {
+      file->series = known->uid;
+    }
+    else if (isKnown || task.series.size() > 1)
     {
       return;
     }
@@ -72,7 +84,7 @@ void VolumeLoader::Run(Task& task)
   }
 }
 
-void VolumeLoader::Load(const VolumeSource& source)
+void VolumeLoader::Load(const VolumeSource& source, const QString& series)
 {
   if (this->thread)
   {
@@ -82,6 +94,7 @@ void VolumeLoader::Load(const VolumeSource& source)
   }
   this->task = std::make_shared<Task>();
   this->task->source = source;
+  this->task->digest = series;
   this->thread = QThread::create([this, task = this->task] { this->Run(*task); });
   // What the last thread had to say may still be under way.
   connect(this->thread, &QThread::finished, this,

@@ -26,7 +26,10 @@ public:
   explicit VolumeLoader(QObject* parent = nullptr);
   ~VolumeLoader() override;
 
-  void Load(const VolumeSource& source);
+  /// @param series  the digest (DigestOfSeries) of the one to take of several DICOM series; empty:
+  /// it
+  ///   is asked for
+  void Load(const VolumeSource& source, const QString& series = {});
 
   /// Returns at once; the thread stops at the next step of its reading.
   void Cancel();
@@ -37,7 +40,7 @@ signals:
   /// @param part  of the work that is done, [0, 1]
   void Progress(double part);
   void Loaded(const varimarch::VolumeSource& source, std::shared_ptr<const varimarch::Study> study);
-  /// There are several DICOM series, and the source does not say which.
+  /// There are several DICOM series, and nothing says which, or not that one which is asked for.
   void SeriesFound(
     const varimarch::FileSource& source, const std::vector<varimarch::SeriesSummary>& series);
   /// @param reason  one sentence
