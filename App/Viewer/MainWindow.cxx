@@ -27,6 +27,7 @@
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 namespace varimarch
@@ -231,6 +232,19 @@ void MainWindow::MakeStatusBar()
   connect(this->cancel, &QPushButton::clicked, &this->loader, &VolumeLoader::Cancel);
   connect(&this->loader, &VolumeLoader::Progress, this->progress,
     [this](double part) { this->progress->setValue(int(100.0 * part)); });
+}
+
+void MainWindow::childEvent(QChildEvent* event)
+{
+  QMainWindow::childEvent(event);
+  // Qt makes the tabs of panels when they are laid over each other, and would cut their titles off
+  // where there is little room.
+  auto* const tabs = event->polished() ? qobject_cast<QTabBar*>(event->child()) : nullptr;
+  if (tabs)
+  {
+    tabs->setElideMode(Qt::ElideNone);
+    tabs->setUsesScrollButtons(true);
+  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

@@ -53,6 +53,7 @@ protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void childEvent(QChildEvent* event) override;
 
 private:
   QWidget* MakeViews();

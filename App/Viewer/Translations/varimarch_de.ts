@@ -868,7 +868,7 @@ Mittel von %1 Bildern</translation>
     </message>
     <message>
         <source>Cut away</source>
-        <translation>Wegschneiden</translation>
+        <translation>Schneiden</translation>
     </message>
     <message>
         <source>Quality</source>
