@@ -1,10 +1,12 @@
 #include "VolumeOptions.h"
 
+#include "Scene/RawGuess.h"
 #include "Scene/SceneNames.h"
 #include "Scene/VolumeLoading.h"
 #include "Validators.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 namespace varimarch
@@ -41,6 +43,21 @@ ProceduralSource ProceduralFromInput(const std::string& input)
     source.dimensions = *Sides<3>(size, 2, LargestProceduralSide);
   }
   return source;
+}
+
+// Of bare voxels that come without their dimensions: what they may be.
+std::string WithoutDimensions(const std::string& path)
+{
+  const std::string needed = "needed for the bare voxels of " + path;
+  const auto fileBytes = std::int64_t(std::filesystem::file_size(path));
+  const RawLayout guess = GuessedRawLayout(path, fileBytes);
+  if (BytesOf(guess) != fileBytes)
+  {
+    return needed;
+  }
+  const auto& sides = guess.dimensions;
+  return needed + "; its size fits --raw-dimensions " + std::to_string(sides[0]) + 'x' +
+    std::to_string(sides[1]) + 'x' + std::to_string(sides[2]) + " --raw-type " + guess.type;
 }
 
 }
@@ -116,6 +133,11 @@ VolumeSource VolumeOptions::SourceOf(const std::string& anyInput) const
     this->RefuseSeries("file");
   }
   source.series = this->series;
+  if (this->rawDimensions.empty() && IsBareVoxels(anyInput) &&
+    std::filesystem::is_regular_file(anyInput))
+  {
+    throw CLI::ValidationError("--raw-dimensions", WithoutDimensions(anyInput));
+  }
   if (!this->rawDimensions.empty())
   {
     RawLayout raw;

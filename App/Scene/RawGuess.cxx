@@ -70,6 +70,11 @@ bool IsSquareSlices(std::int64_t voxels, RawLayout& layout)
 
 }
 
+bool IsBareVoxels(const std::string& path)
+{
+  return std::regex_search(path, std::regex("\\.raw(\\.gz)?$", std::regex::icase));
+}
+
 RawLayout GuessedRawLayout(const std::string& path, std::int64_t fileBytes)
 {
   const std::string name = std::filesystem::path(path).filename().string();

@@ -2,6 +2,7 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Scene/RawGuess.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/PresetTitles.h"
@@ -65,12 +66,6 @@ void LogVolume(const LoadedVolume& volume)
       { "warnings", double(volume.warnings.size()) } });
 }
 
-bool IsBareVoxels(const QString& path)
-{
-  return path.endsWith(".raw", Qt::CaseInsensitive) ||
-    path.endsWith(".raw.gz", Qt::CaseInsensitive);
-}
-
 // Where to write a turn; a name without an ending gets that of the kind that is chosen.
 QString ChosenTurntable(QWidget* parent)
 {
@@ -91,7 +86,7 @@ QString ChosenTurntable(QWidget* parent)
 void MainWindow::Open(const QString& path, const QString& series)
 {
   this->restored.reset();
-  if (IsBareVoxels(path) && QFile::exists(path))
+  if (IsBareVoxels(path.toStdString()) && QFile::exists(path))
   {
     this->AskForLayout(path);
     return;

@@ -13,6 +13,18 @@ using Sides = std::array<int, 3>;
 
 }
 
+TEST(RawGuess, KnowsBareVoxelsByTheEndingAlone)
+{
+  for (const char* const path : { "head.raw", "a.b/HEAD.RAW", "head.raw.gz" })
+  {
+    EXPECT_TRUE(IsBareVoxels(path)) << path;
+  }
+  for (const char* const path : { "head.nrrd", "raw", "head.raw/slice", "head.raw.nii" })
+  {
+    EXPECT_FALSE(IsBareVoxels(path)) << path;
+  }
+}
+
 TEST(RawGuess, TakesTheNameAtItsWord)
 {
   const RawLayout layout = GuessedRawLayout("/data/bonsai_256x128x64_uint16.raw", 1);

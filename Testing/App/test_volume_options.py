@@ -79,6 +79,12 @@ def raw(folder):
     assert volume["range"] == [100, 123] and volume["spacingMm"] == [1, 2, 3], volume
     _, errors = run("info", voxels, *layout)
     assert "7 bytes longer" in errors, errors
+    _, errors = run("info", voxels, expect=2)
+    assert f"--raw-dimensions: needed for the bare voxels of {voxels}\n" in errors, errors
+    guessed = folder / "voxels_4x3x2.raw"
+    guessed.write_bytes(voxels.read_bytes()[7:])
+    _, errors = run("info", guessed, expect=2)
+    assert "; its size fits --raw-dimensions 4x3x2 --raw-type int16" in errors, errors
     _, errors = run("info", voxels, *layout, "--raw-header-bytes", "-1", expect=2)
     assert "--raw-header-bytes" in errors, errors
 
