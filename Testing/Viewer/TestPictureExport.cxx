@@ -39,12 +39,18 @@ TEST(ExportedPicture, HasTheSizeAndTheBackgroundThatAreAskedFor)
 TEST(ExportedPicture, TellsHowItWasMadeAndNotOfWhom)
 {
   const auto study = SmallStudy();
-  const Scene scene = SceneOfPatient();
+  Scene scene = SceneOfPatient();
+  scene.volume = FileSource{ "/scans/DOE^JOHN/head.nrrd", std::nullopt, "1.2.840.99" };
+  scene.look.name = "bone of DOE";
+  scene.look.description = "as DOE needs it";
+  scene.distances.push_back({ { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 }, "DOE" });
   const QString text = PictureMaker(scene, study->volume.image, { { 32, 32 }, false, false })
                          .Draw()
                          .text("varimarch-scene");
-  EXPECT_FALSE(text.contains("DOE"));
+  EXPECT_FALSE(text.contains("DOE")) << text.toStdString();
+  EXPECT_FALSE(text.contains("1.2.840.99"));
   const Scene back = SceneFromText(text.toStdString(), "picture");
   EXPECT_EQ(back.look.opacities.size(), 2);
+  EXPECT_EQ(back.distances.size(), 1);
   EXPECT_EQ(back.size, (std::array<int, 2>{ 32, 32 }));
 }

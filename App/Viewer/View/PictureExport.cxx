@@ -1,5 +1,6 @@
 #include "Viewer/View/PictureExport.h"
 
+#include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/View/CurrentContext.h"
@@ -55,13 +56,31 @@ Scene OfSize(Scene scene, const QSize& pixels)
   return scene;
 }
 
-// The scene as others may see it.
-std::string TextWithoutPlace(Scene scene)
+template <class Measure>
+void ForgetNames(std::vector<Measure>& measures)
+{
+  for (Measure& measure : measures)
+  {
+    measure.name.clear();
+  }
+}
+
+// The scene as others may see it: places, and names of the user's own, may be those of a patient.
+std::string AnonymousText(Scene scene)
 {
   if (auto* const file = std::get_if<FileSource>(&scene.volume))
   {
     file->path = "volume";
+    file->series.clear();
   }
+  if (!IsPresetName(scene.look.name))
+  {
+    scene.look.name.clear();
+    scene.look.description.clear();
+  }
+  ForgetNames(scene.distances);
+  ForgetNames(scene.angles);
+  ForgetNames(scene.boxes);
   return SceneText(scene);
 }
 
@@ -101,7 +120,7 @@ QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
   }
   DrawNotice(painter, size);
   painter.end();
-  picture.setText("varimarch-scene", QString::fromStdString(TextWithoutPlace(this->scene)));
+  picture.setText("varimarch-scene", QString::fromStdString(AnonymousText(this->scene)));
   return picture;
 }
 

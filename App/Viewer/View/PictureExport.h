@@ -40,8 +40,8 @@ public:
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
 
-  /// The settings are in the picture's text "varimarch-scene", without the volume's place, which
-  /// may name a patient.
+  /// The settings are in the picture's text "varimarch-scene", without what may tell of a patient:
+  /// the volume's place and series, and names of the user's own.
   /// @param onProgress  told the part that is done, [0, 1)
   QImage Draw(const std::function<void(double)>& onProgress = nullptr);
 
