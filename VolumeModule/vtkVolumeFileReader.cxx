@@ -94,6 +94,7 @@ void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)
   options.raw.headerBytes = this->RawHeaderBytes;
   options.raw.bigEndian = this->RawBigEndian;
   options.series = this->DICOMSeriesUID;
+  options.rectify = this->RectifySlices;
   this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
   for (const std::string& warning : this->Read->Volume.warnings)
   {
@@ -192,6 +193,11 @@ double vtkVolumeFileReader::GetLevel()
   return this->HasWindowLevel() ? this->Read->Volume.windowLevel->level : 0.0;
 }
 
+bool vtkVolumeFileReader::HasIrregularSlices()
+{
+  return !this->Read->Volume.irregularSlicesMm.empty();
+}
+
 vtkStringArray* vtkVolumeFileReader::GetWarnings()
 {
   return this->Read->Warnings;
@@ -249,5 +255,6 @@ void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RawHeaderBytes: " << this->RawHeaderBytes << '\n';
   os << indent << "RawBigEndian: " << this->RawBigEndian << '\n';
   os << indent << "DICOMSeriesUID: " << this->DICOMSeriesUID << '\n';
+  os << indent << "RectifySlices: " << this->RectifySlices << '\n';
   os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
 }

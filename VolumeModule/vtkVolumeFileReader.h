@@ -13,8 +13,9 @@
  *
  * The output lies in DICOM's LPS space (x to the patient's left, y to the back, z to the head) in
  * mm, by its origin, its spacing (> 0) and its direction matrix, which may be mirrored or sheared.
- * Voxels keep their order in the file: nothing is resampled or flipped. Extents begin at 0.
- * Stored values are rescaled to what they mean: Hounsfield units for CT.
+ * Voxels keep their order in the file: nothing is flipped, and nothing resampled unless
+ * RectifySlices asks for it. Extents begin at 0. Stored values are rescaled to what they mean:
+ * Hounsfield units for CT.
  *
  * When a file cannot be read, the output is empty, GetErrorCode() is not 0, and one error event
  * carries one sentence, also in GetErrorMessage(): which file, what was expected, what was found.
@@ -91,6 +92,18 @@ public:
   vtkGetCharFromStdStringMacro(DICOMSeriesUID);
   ///@}
 
+  ///@{
+  /**
+   * Whether a DICOM series whose gantry was tilted, or whose slices lie at uneven distances or are
+   * missing, is resampled on an even grid with right angles. A volume as scanned keeps the shear of
+   * a tilt in its direction matrix, but has its slices at even distances. A series that is even
+   * already stays as it is. Default: false.
+   */
+  vtkSetMacro(RectifySlices, bool);
+  vtkGetMacro(RectifySlices, bool);
+  vtkBooleanMacro(RectifySlices, bool);
+  ///@}
+
   /**
    * A DICOM series: one scan of a patient.
    */
@@ -122,6 +135,9 @@ public:
   bool HasWindowLevel();
   double GetWindow();
   double GetLevel();
+  /// Whether slices of the scan were tilted, lie at uneven distances or are missing: whether
+  /// RectifySlices changes the volume.
+  bool HasIrregularSlices();
   /// Sentences about what is doubtful, such as missing slices. Owned by the reader.
   vtkStringArray* GetWarnings();
   ///@}
@@ -174,6 +190,7 @@ private:
   vtkTypeInt64 RawHeaderBytes = 0;
   bool RawBigEndian = false;
   std::string DICOMSeriesUID;
+  bool RectifySlices = false;
 
   std::unique_ptr<Contents> Read;
   std::string ErrorMessage;

@@ -1,7 +1,6 @@
 #include "Readers/DicomSlices.h"
 
 #include "Readers/FileError.h"
-#include "Readers/VolumeFile.h"
 
 #include <vtkDICOMDictHash.h>
 #include <vtkDICOMMetaData.h>
@@ -12,31 +11,14 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat2x3.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <sstream>
 
 namespace varimarch
 {
 namespace
 {
-
-constexpr int MostGapsNamed = 3;
-
-/// Where the first pixel of a slice lies, as far as the file says it.
-glm::dvec3 PositionMm(vtkDICOMReader* reader, int slice)
-{
-  const vtkDICOMValue& value = SliceValue(reader, slice, DC::ImagePositionPatient);
-  glm::dvec3 positionMm(0.0);
-  if (value.GetNumberOfValues() == 3)
-  {
-    value.GetValues(&positionMm[0], 3);
-  }
-  return positionMm;
-}
 
 /// Files whose slices lie alike.
 struct Direction
@@ -62,71 +44,6 @@ bool IsNear(const glm::dmat2x3& a, const glm::dmat2x3& b)
   constexpr double LargestDifference = 0.01;
   return glm::distance(a[0], b[0]) < LargestDifference &&
     glm::distance(a[1], b[1]) < LargestDifference;
-}
-
-/// The way from a slice to the next along their normal.
-struct Gap
-{
-  double widthMm;
-  std::string between; ///< "a.dcm" and "b.dcm"
-};
-
-std::vector<Gap> GapsOf(vtkDICOMReader* reader, const glm::dvec3& normal)
-{
-  std::vector<Gap> gaps;
-  for (int slice = 1; slice < SliceCount(reader); ++slice)
-  {
-    const glm::dvec3 stepMm = PositionMm(reader, slice) - PositionMm(reader, slice - 1);
-    gaps.push_back({ glm::dot(stepMm, normal),
-      Quoted(SliceFileName(reader, slice - 1)) + " and " + Quoted(SliceFileName(reader, slice)) });
-  }
-  return gaps;
-}
-
-std::string Rounded(double number)
-{
-  std::ostringstream text;
-  text.precision(4);
-  text << number;
-  return text.str();
-}
-
-/// Holes of one slice or more, one sentence for each of the first.
-void WarnOfMissingSlices(
-  const std::vector<Gap>& gaps, double drawnMm, std::vector<std::string>& warnings)
-{
-  int count = 0;
-  for (const Gap& gap : gaps)
-  {
-    const int missing = int(std::lround(gap.widthMm / drawnMm)) - 1;
-    if (missing >= 1 && ++count <= MostGapsNamed)
-    {
-      warnings.push_back((missing == 1 ? "A slice is" : std::to_string(missing) + " slices are") +
-        " missing between " + gap.between + ".");
-    }
-  }
-  if (count > MostGapsNamed)
-  {
-    warnings.push_back(
-      "Slices are missing in " + std::to_string(count - MostGapsNamed) + " more places.");
-  }
-}
-
-void WarnOfUnevenSpacing(
-  const std::vector<Gap>& gaps, double drawnMm, std::vector<std::string>& warnings)
-{
-  if (gaps.empty())
-  {
-    return;
-  }
-  const auto isNarrower = [](const Gap& a, const Gap& b) { return a.widthMm < b.widthMm; };
-  const auto [narrowest, widest] = std::minmax_element(gaps.begin(), gaps.end(), isNarrower);
-  if (std::max(widest->widthMm, drawnMm) - std::min(narrowest->widthMm, drawnMm) > 0.01 * drawnMm)
-  {
-    warnings.push_back("Slices lie " + Rounded(narrowest->widthMm) + " to " +
-      Rounded(widest->widthMm) + " mm apart, most between " + widest->between + ", but are drawn " +
-      Rounded(drawnMm) + " mm apart.");
-  }
 }
 
 }
@@ -197,27 +114,6 @@ void KeepOneDirection(vtkDICOMReader* reader, std::vector<std::string>& warnings
     warnings.push_back("Images were left out because their direction is not that of the others: " +
       FileList(leftOut) + ".");
   }
-}
-
-void WarnOfGeometry(
-  vtkDICOMReader* reader, const ImageGeometry& geometry, std::vector<std::string>& warnings)
-{
-  if (!SliceValue(reader, 0, DC::ImageOrientationPatient).IsValid())
-  {
-    warnings.push_back(UnknownSides);
-    return;
-  }
-  const glm::dvec3 normal = glm::normalize(glm::cross(geometry.axesMm[0], geometry.axesMm[1]));
-  const double drawnMm = glm::dot(geometry.axesMm[2], normal);
-  const double tilt = std::acos(std::min(1.0, drawnMm / glm::length(geometry.axesMm[2])));
-  if (glm::degrees(tilt) > 0.1)
-  {
-    warnings.push_back("The gantry was tilted by " + Rounded(glm::degrees(tilt)) +
-      " degrees; each slice is drawn where it lay, so that shapes are true.");
-  }
-  const std::vector<Gap> gaps = GapsOf(reader, normal);
-  WarnOfMissingSlices(gaps, drawnMm, warnings);
-  WarnOfUnevenSpacing(gaps, drawnMm, warnings);
 }
 
 void WarnOfLoss(vtkDICOMReader* reader, std::vector<std::string>& warnings)

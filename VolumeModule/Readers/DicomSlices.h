@@ -1,8 +1,6 @@
 #ifndef Varimarch_Readers_DicomSlices_h
 #define Varimarch_Readers_DicomSlices_h
 
-#include "Readers/ImageGeometry.h"
-
 #include <vtkDICOMTag.h>
 
 #include <string>
@@ -31,11 +29,6 @@ std::string FileList(const std::vector<std::string>& names);
 /// Leaves the reader with the files whose slices lie as most do; others, such as a scout of the
 /// same size, are no slices of the same volume.
 void KeepOneDirection(vtkDICOMReader* reader, std::vector<std::string>& warnings);
-
-/// Gantry tilt, missing slices, and slices that do not lie at equal distances although they are
-/// drawn so.
-void WarnOfGeometry(
-  vtkDICOMReader* reader, const ImageGeometry& geometry, std::vector<std::string>& warnings);
 
 /// Compression that has changed the values.
 void WarnOfLoss(vtkDICOMReader* reader, std::vector<std::string>& warnings);

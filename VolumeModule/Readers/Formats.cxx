@@ -2,6 +2,7 @@
 
 #include "Readers/FileError.h"
 #include "Readers/HeaderText.h"
+#include "Readers/Rectify.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -147,7 +148,13 @@ Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgr
       "bytes that begin with " + Quoted(FirstBytes(path).substr(0, 8)));
   }
   progress.Report(0.0);
-  Volume volume = format->read(path, options, progress);
+  ReadProgress reading = progress.Part(0.0, options.rectify ? 0.8 : 1.0);
+  ReadProgress rectifying = progress.Part(0.8, 1.0);
+  Volume volume = format->read(path, options, reading);
+  if (options.rectify)
+  {
+    volume = Rectified(path, volume, rectifying);
+  }
   progress.Report(1.0);
   return volume;
 }

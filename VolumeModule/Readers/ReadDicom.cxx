@@ -1,6 +1,7 @@
 // DICOM through vtk-dicom: sorts slices by position, reads compressed and multi-frame files.
 #include "Readers/DicomSeries.h"
 #include "Readers/DicomSlices.h"
+#include "Readers/DicomStack.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
@@ -223,7 +224,9 @@ Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgre
   PlaceImage(path, geometry, volume.image);
   volume.warnings.insert(
     volume.warnings.end(), messages.Warnings().begin(), messages.Warnings().end());
-  WarnOfGeometry(reader, geometry, volume.warnings);
+  const DicomStack stack(reader, geometry);
+  volume.irregularSlicesMm = stack.IrregularSlicesMm();
+  stack.Warn(options.rectify && !volume.irregularSlicesMm.empty(), volume.warnings);
   WarnOfLoss(reader, volume.warnings);
   TakeMetadata(reader, volume);
   return volume;

@@ -5,6 +5,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -31,6 +33,9 @@ struct Volume
   std::string description; ///< what was imaged, or empty
   std::optional<WindowLevel> windowLevel;
   std::vector<std::string> warnings; ///< sentences: what is doubtful about the volume
+  /// Where the first voxels of the scanned slices lie, in their order along the normal, if these
+  /// were tilted or lie at uneven distances [LPS, mm]; otherwise none.
+  std::vector<glm::dvec3> irregularSlicesMm;
 };
 
 /// A warning for files that have no orientation.
@@ -59,7 +64,8 @@ struct RawLayout
 struct ReadOptions
 {
   RawLayout raw;
-  std::string series; ///< DICOM series to read, see SeriesNamed
+  std::string series;   ///< DICOM series to read, see SeriesNamed
+  bool rectify = false; ///< whether slices that lie irregularly are resampled on an even grid
 };
 
 /// Thrown when the user has stopped the reading.
