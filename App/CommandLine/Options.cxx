@@ -198,10 +198,7 @@ std::pair<Scene, LoadedVolume> SceneOptions::Load(const std::string& input) cons
     this->volume.RefuseFileOptions("scene file");
   }
   Scene scene = isScene ? ReadScene(input) : Scene();
-  if (!isScene)
-  {
-    scene.volume = this->volume.SourceOf(input);
-  }
+  scene.volume = isScene ? this->volume.Override(scene.volume) : this->volume.SourceOf(input);
   LoadedVolume loaded = LoadVolumeReporting(scene.volume);
   if (const std::optional<Look> chosenLook = this->ChosenLook(loaded.image))
   {

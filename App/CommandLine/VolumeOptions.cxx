@@ -70,6 +70,8 @@ void VolumeOptions::AddTo(CLI::App& command, const std::string& inputDescription
       "Of several DICOM series: a number in the list of them that is shown\n"
       "without this, a SeriesInstanceUID, or the beginning of just one (default 1)")
     ->type_name("SERIES");
+  command.add_flag(
+    "--rectify", this->rectify, "Resample slices that were tilted or lie unevenly on an even grid");
   const std::string group = "Raw files (no header)";
   CLI::Option* dimensions =
     command.add_option("--raw-dimensions", this->rawDimensions, "Voxels along each axis")
@@ -110,6 +112,14 @@ void VolumeOptions::RefuseSeries(const std::string& kind) const
   }
 }
 
+void VolumeOptions::RefuseRectify() const
+{
+  if (this->rectify)
+  {
+    throw CLI::ValidationError("--rectify", "expected a scan, found a procedural volume");
+  }
+}
+
 void VolumeOptions::RefuseFileOptions(const std::string& kind) const
 {
   this->RefuseSeries(kind);
@@ -125,6 +135,7 @@ VolumeSource VolumeOptions::SourceOf(const std::string& anyInput) const
   if (anyInput.compare(0, ProceduralPrefix.size(), ProceduralPrefix) == 0)
   {
     this->RefuseFileOptions("procedural volume");
+    this->RefuseRectify();
     return ProceduralFromInput(anyInput);
   }
   FileSource source = { anyInput, std::nullopt };
@@ -138,6 +149,7 @@ VolumeSource VolumeOptions::SourceOf(const std::string& anyInput) const
   {
     throw CLI::ValidationError("--raw-dimensions", WithoutDimensions(anyInput));
   }
+  source.rectified = this->rectify;
   if (!this->rawDimensions.empty())
   {
     RawLayout raw;
@@ -151,6 +163,18 @@ VolumeSource VolumeOptions::SourceOf(const std::string& anyInput) const
     raw.headerBytes = this->rawHeaderBytes;
     source.raw = raw;
   }
+  return source;
+}
+
+VolumeSource VolumeOptions::Override(const VolumeSource& inScene) const
+{
+  VolumeSource source = inScene;
+  if (auto* const file = std::get_if<FileSource>(&source))
+  {
+    file->rectified = file->rectified || this->rectify;
+    return source;
+  }
+  this->RefuseRectify();
   return source;
 }
 

@@ -12,8 +12,8 @@
 namespace varimarch
 {
 
-/// Which volume to read: the first argument of every subcommand, the layout of a raw file, and the
-/// choice of a DICOM series.
+/// Which volume to read: the first argument of every subcommand, the layout of a raw file, the
+/// choice of a DICOM series, and how its slices are to lie.
 class VolumeOptions
 {
 public:
@@ -30,10 +30,16 @@ public:
   ///   nevertheless
   void RefuseFileOptions(const std::string& kind) const;
 
+  /// The volume of a scene file, with what the options override.
+  /// @throws CLI::ValidationError when they cannot
+  VolumeSource Override(const VolumeSource& inScene) const;
+
 private:
   void RefuseSeries(const std::string& kind) const;
+  void RefuseRectify() const;
 
   std::string input;
+  bool rectify = false;
   std::string series;
   std::string rawDimensions;
   std::string rawType;

@@ -44,6 +44,19 @@ std::array<std::string, 3> AxisLetters(vtkImageData* image)
   return letters;
 }
 
+std::string SlicesText(SliceLayout slices)
+{
+  switch (slices)
+  {
+    case SliceLayout::Irregular:
+      return "tilted, uneven or missing; --rectify resamples them on an even grid";
+    case SliceLayout::Rectified:
+      return "tilted, uneven or missing; resampled on an even grid";
+    default:
+      return "even";
+  }
+}
+
 double Bytes(vtkImageData* image)
 {
   return double(image->GetNumberOfPoints()) * image->GetScalarSize() *
@@ -91,6 +104,7 @@ std::string VolumeText(
        << "origin       " << Triple(image->GetOrigin(), ", ") << " mm (LPS)\n"
        << "orientation  " << letters[0] << " " << letters[1] << " " << letters[2]
        << " (where the axes point in the patient)\n"
+       << "slices       " << SlicesText(volume.slices) << "\n"
        << "memory       " << Fixed(Bytes(image) / BytesPerMiB, 1) << " MiB\n"
        << "range        " << Short(statistics.Smallest()) << " to " << Short(statistics.Largest())
        << "\n"
@@ -113,6 +127,8 @@ nlohmann::ordered_json VolumeJson(
   json["originMm"] = { origin[0], origin[1], origin[2] };
   json["directionRows"] = std::vector<double>(direction, direction + 9);
   json["orientation"] = AxisLetters(image);
+  json["irregularSlices"] = volume.slices != SliceLayout::Even;
+  json["rectified"] = volume.slices == SliceLayout::Rectified;
   json["bytes"] = std::int64_t(Bytes(image));
   json["range"] = { statistics.Smallest(), statistics.Largest() };
   for (const double percent : Percents)

@@ -29,6 +29,7 @@ struct FileSource
   std::string path;             ///< a file, or a folder with a DICOM series
   std::optional<RawLayout> raw; ///< only for files without a header
   std::string series = {};      ///< one of several DICOM series, as vtkVolumeFileReader names it
+  bool rectified = false; ///< whether slices that were tilted or lie unevenly are resampled evenly
 };
 
 enum class ProceduralKind

@@ -35,11 +35,15 @@ RawLayout RawLayoutFromJson(const JsonCursor& json)
 
 FileSource FileFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "file", "series", "raw" });
+  json.RequireObject({ "file", "series", "rectified", "raw" });
   FileSource source = { json.At("file").Text(), std::nullopt };
   if (const auto series = json.Find("series"))
   {
     source.series = series->Text();
+  }
+  if (const auto rectified = json.Find("rectified"))
+  {
+    source.rectified = rectified->Boolean();
   }
   if (const auto raw = json.Find("raw"))
   {
@@ -52,7 +56,7 @@ FileSource FileFromJson(const JsonCursor& json)
 
 VolumeSource VolumeFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "file", "series", "raw", "procedural", "size", "seed" });
+  json.RequireObject({ "file", "series", "rectified", "raw", "procedural", "size", "seed" });
   if (json.Find("file"))
   {
     return FileFromJson(json);
@@ -90,6 +94,10 @@ nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
   if (!file.series.empty())
   {
     json["series"] = file.series;
+  }
+  if (file.rectified)
+  {
+    json["rectified"] = true;
   }
   if (file.raw)
   {

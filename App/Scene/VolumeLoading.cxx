@@ -87,6 +87,7 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
 {
   QuietReader reader(source.path, observer);
   reader->SetDICOMSeriesUID(source.series.c_str());
+  reader->SetRectifySlices(source.rectified);
   if (source.raw)
   {
     Apply(*source.raw, reader.operator->());
@@ -94,6 +95,10 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   reader->Update();
   reader.Check();
   LoadedVolume volume = { reader->GetOutput(), reader->GetModality(), {} };
+  if (reader->HasIrregularSlices())
+  {
+    volume.slices = source.rectified ? SliceLayout::Rectified : SliceLayout::Irregular;
+  }
   vtkStringArray* warnings = reader->GetWarnings();
   for (vtkIdType i = 0; i < warnings->GetNumberOfValues(); ++i)
   {

@@ -14,11 +14,21 @@
 namespace varimarch
 {
 
+/// How the slices of a scan lie: tilted, at uneven distances or with some missing they are
+/// irregular.
+enum class SliceLayout
+{
+  Even,
+  Irregular, ///< and would be resampled if the source asked for it
+  Rectified, ///< they were irregular, and are resampled on an even grid
+};
+
 struct LoadedVolume
 {
   vtkSmartPointer<vtkImageData> image; ///< world space is LPS [mm]
   std::string modality;                ///< as DICOM has it: "CT", "MR"; empty when not known
   std::vector<std::string> warnings;   ///< one sentence each
+  SliceLayout slices = SliceLayout::Even;
 };
 
 /// Told the part of the work that is done, [0, 1]; says whether to go on.

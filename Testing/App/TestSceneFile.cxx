@@ -20,7 +20,7 @@ Scene UnusualScene()
 {
   Scene scene;
   scene.volume = FileSource{ "/data/scan.raw",
-    RawLayout{ { 10, 20, 30 }, "float32", { 0.5, 0.25, 2.0 }, true, 352 }, "1.2.840.1" };
+    RawLayout{ { 10, 20, 30 }, "float32", { 0.5, 0.25, 2.0 }, true, 352 }, "1.2.840.1", true };
   scene.look.name = "test";
   scene.look.description = "for a test";
   scene.look.domain = Domain::Relative;
@@ -64,6 +64,7 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   EXPECT_EQ(SceneText(back), text);
   EXPECT_EQ(std::get<FileSource>(back.volume).raw->headerBytes, 352);
   EXPECT_EQ(std::get<FileSource>(back.volume).series, "1.2.840.1");
+  EXPECT_TRUE(std::get<FileSource>(back.volume).rectified);
   EXPECT_EQ(back.look.opacities[1].value, 1.0 / 3.0);
   EXPECT_EQ(back.look.opacities[1].shape.midpoint, 0.75);
   EXPECT_EQ(back.look.colors[0].shape.sharpness, 0.5);
@@ -200,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(Messages, SceneFileError,
     ErrorCase{ R"({ "volume": {}, "look": "ct-bone" })",
       "volume: expected the key \"file\" or \"procedural\", found neither" },
     ErrorCase{ R"({ "volume": { "file": "a.raw", "seed": 1 }, "look": "ct-bone" })",
-      "volume: unknown key \"seed\"; known: file, series, raw" },
+      "volume: unknown key \"seed\"; known: file, series, rectified, raw" },
     ErrorCase{ R"({ "volume": { "procedural": "torsoo" }, "look": "ct-bone" })",
       "volume.procedural: unknown value \"torsoo\"; did you mean \"torso\"?" },
     ErrorCase{ R"({ "volume": { "procedural": "torso" }, "look": "ct-bones" })",
