@@ -76,6 +76,29 @@ void MoveFace(std::array<double, 6>& box, int face, double part)
                             : std::clamp(part, box[face - 1] + Thinnest, 1.0);
 }
 
+std::array<double, 6> BoxInOther(
+  const std::array<double, 6>& box, vtkImageData* image, vtkImageData* other)
+{
+  const std::array<double, 6> whole = SceneCuts().box;
+  std::array<double, 6> moved = whole;
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face / 2;
+    glm::dvec3 parts(0.5);
+    parts[axis] = box[face];
+    const glm::dvec3 pointWorld = PointAtParts(parts, image);
+    double index[3];
+    other->TransformPhysicalPointToContinuousIndex(&pointWorld.x, index);
+    const int* const extent = other->GetExtent() + 2 * axis;
+    const double steps = std::max(1, extent[1] - extent[0]);
+    if (box[face] != whole[face])
+    {
+      MoveFace(moved, face, (index[axis] - extent[0]) / steps);
+    }
+  }
+  return moved;
+}
+
 std::array<double, 2> ReachAlong(const std::array<double, 3>& normal, vtkImageData* image)
 {
   const glm::dvec3 direction = glm::normalize(VectorOf(normal));

@@ -27,6 +27,12 @@ std::array<double, 3> MiddleOf(vtkImageData* image);
 /// @param part  where to, as in SceneCuts::box
 void MoveFace(std::array<double, 6>& box, int face, double part);
 
+/// Where the faces of a volume's box are when the volume takes another form, such as rectified.
+/// Those that took nothing away still do not.
+/// @param box  as in SceneCuts::box
+std::array<double, 6> BoxInOther(
+  const std::array<double, 6>& box, vtkImageData* image, vtkImageData* other);
+
 /// How far along a plane's normal the volume lies: from where to where, measured from its middle
 /// [mm].
 std::array<double, 2> ReachAlong(const std::array<double, 3>& normal, vtkImageData* image);

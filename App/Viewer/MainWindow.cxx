@@ -59,6 +59,15 @@ MainWindow::MainWindow(QWidget* parent)
   const QSettings settings;
   this->restoreGeometry(settings.value("window/geometry").toByteArray());
   this->restoreState(settings.value("window/panels").toByteArray());
+  connect(this->warnings, &WarningBar::RemedyWanted, this, &MainWindow::RectifyOrNot);
+  connect(&this->model, &SceneModel::Changed, this,
+    [this](ScenePart part)
+    {
+      if (part == ScenePart::Volume)
+      {
+        this->ShowDoubts();
+      }
+    });
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
   connect(&this->loader, &VolumeLoader::SeriesFound, this, &MainWindow::AskForSeries);
   connect(&this->loader, &VolumeLoader::Failed, this, &MainWindow::ShowFailure);

@@ -81,6 +81,9 @@ private:
   void AskForLayout(const QString& path);
   void AskForSeries(const FileSource& source, const std::vector<SeriesSummary>& series);
   void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
+  void ShowDoubts();
+  void RectifyOrNot();
+  void Exchange(const VolumeSource& source, const std::shared_ptr<const Study>& form);
   void ShowFailure(const QString& reason);
   void ShowLoading(bool loading);
 
@@ -89,6 +92,7 @@ private:
   Autosave autosave;
   RecentScans recentScans;
   std::optional<Scene> restored; ///< the scene whose volume is being loaded
+  bool exchanges = false;        ///< whether another form of what is shown is being loaded
   ComparisonView* view;
   QWidget* sliceColumn;
   QSplitter* slices;

@@ -31,6 +31,8 @@
 
 #include <vtkVolumeFileReader.h>
 
+#include <utility>
+
 namespace varimarch
 {
 
@@ -86,6 +88,7 @@ QString ChosenTurntable(QWidget* parent)
 void MainWindow::Open(const QString& path, const QString& series)
 {
   this->restored.reset();
+  this->exchanges = false;
   if (IsBareVoxels(path.toStdString()) && QFile::exists(path))
   {
     this->AskForLayout(path);
@@ -201,6 +204,7 @@ void MainWindow::ChooseRawFile()
   if (!path.isEmpty())
   {
     this->restored.reset();
+    this->exchanges = false;
     this->AskForLayout(path);
   }
 }
@@ -251,6 +255,11 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
 {
   LogVolume(study->volume);
   this->ShowLoading(false);
+  if (std::exchange(this->exchanges, false))
+  {
+    this->Exchange(source, study);
+    return;
+  }
   if (this->restored)
   {
     this->restored->volume = source;
@@ -265,16 +274,49 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
   {
     this->recentScans.Add(*file, *study);
   }
-  QStringList doubts;
-  for (const std::string& warning : study->volume.warnings)
-  {
-    doubts.append(QString::fromStdString(warning));
-  }
-  this->warnings->Show(doubts);
   this->statusBar()->showMessage(
     tr("Look \"%1\": %2. R brings it back.")
       .arg(PresetTitle(this->model.CurrentScene().look.name),
         QString::fromStdString(SuggestedPreset(study->volume).reason)));
+}
+
+void MainWindow::ShowDoubts()
+{
+  const LoadedVolume& volume = this->model.CurrentStudy()->volume;
+  QStringList doubts;
+  for (const std::string& warning : volume.warnings)
+  {
+    doubts.append(QString::fromStdString(warning));
+  }
+  const QString remedy = volume.slices == SliceLayout::Irregular ? tr("Rectify")
+    : volume.slices == SliceLayout::Rectified                    ? tr("Show as scanned")
+                                                                 : QString();
+  this->warnings->Show(doubts, remedy);
+}
+
+void MainWindow::RectifyOrNot()
+{
+  VolumeSource source = this->model.CurrentScene().volume;
+  auto& file = std::get<FileSource>(source);
+  file.rectified = !file.rectified;
+  const std::shared_ptr<const Study> known = this->model.ExchangedStudy();
+  if (known && known->volume.slices != this->model.CurrentStudy()->volume.slices)
+  {
+    this->Exchange(source, known);
+  }
+  else if (!this->loader.IsLoading())
+  {
+    this->exchanges = true;
+    this->Load(source);
+  }
+}
+
+void MainWindow::Exchange(const VolumeSource& source, const std::shared_ptr<const Study>& form)
+{
+  const bool isRectified = form->volume.slices == SliceLayout::Rectified;
+  this->model.Exchange(
+    source, form, isRectified ? tr("rectifying slices") : tr("slices as scanned"));
+  this->statusBar()->clearMessage();
 }
 
 void MainWindow::ShowFailure(const QString& reason)

@@ -3,6 +3,7 @@
 #include "Module/PhantomFiles.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Model/SessionFile.h"
 #include "Viewer/Open/RawForm.h"
 #include "Viewer/Open/SeriesPicker.h"
 #include "Viewer/Open/WarningBar.h"
@@ -43,6 +44,27 @@ protected:
         DicomBytes(phantom::Stored(0), slice, options));
     }
   }
+
+  /// Slices of 4 rows, each of which leans by more than a row against the one before.
+  void WriteTiltedSeries()
+  {
+    StoredVolume volume = phantom::Stored(0);
+    volume.axesMm = glm::dmat3(0.7, 0, 0, 0, 1.1, 0, 0, 1.5, 2.5);
+    for (int slice = 0; slice < 3; ++slice)
+    {
+      this->folder.Write("tilted/" + std::to_string(slice), DicomBytes(volume, slice));
+    }
+  }
+
+  int RowCount() { return this->window.Model()->CurrentStudy()->volume.image->GetDimensions()[1]; }
+
+  bool HasRows(int count)
+  {
+    return QTest::qWaitFor([=] { return this->RowCount() == count; }, MostMilliseconds);
+  }
+
+  /// The button in the strip of doubts.
+  QPushButton* Remedy() { return this->window.findChild<QPushButton*>("remedy"); }
 
   void Open(const std::string& name)
   {
@@ -115,6 +137,63 @@ TEST_F(Opening, OpensARecentSeriesWithoutAskingAgain)
     QTest::qWaitFor([&] { return later.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
   EXPECT_EQ(later.Model()->CurrentStudy()->volume.image->GetDimensions()[2], 2);
   EXPECT_FALSE(later.findChild<SeriesPicker*>());
+}
+
+TEST_F(Opening, OffersToRectifyATiltedScan)
+{
+  this->WriteTiltedSeries();
+  this->Open("tilted");
+  ASSERT_TRUE(this->IsOpened());
+  EXPECT_EQ(this->RowCount(), 4);
+  this->window.Model()->Edit(ScenePart::Cuts, "cut",
+    [](Scene& scene) {
+      scene.cuts.planes.push_back({ { 1.0, 2.0, 3.0 }, { 0.0, 0.0, 1.0 } });
+    });
+  ASSERT_TRUE(this->Remedy()->isVisible());
+  EXPECT_EQ(this->Remedy()->text(), "Rectify");
+
+  this->Remedy()->click();
+  ASSERT_TRUE(this->HasRows(7)) << "3 mm of tilt are 2.7 rows";
+  EXPECT_EQ(this->Remedy()->text(), "Show as scanned");
+  EXPECT_EQ(this->window.Model()->CurrentScene().cuts.planes.size(), 1u);
+  WriteScene(this->window.Model()->CurrentScene(),
+    QString::fromStdString(this->folder.Path("session.json")));
+
+  QUndoStack* const history = this->window.Model()->History();
+  history->undo();
+  EXPECT_EQ(this->RowCount(), 4);
+  EXPECT_EQ(this->Remedy()->text(), "Rectify");
+  history->redo();
+  EXPECT_EQ(this->RowCount(), 7);
+  this->Remedy()->click();
+  EXPECT_EQ(this->RowCount(), 4) << "what was read is not read again";
+  EXPECT_FALSE(std::get<FileSource>(this->window.Model()->CurrentScene().volume).rectified);
+
+  this->Open("session.json");
+  ASSERT_TRUE(this->HasRows(7));
+  EXPECT_EQ(this->Remedy()->text(), "Show as scanned");
+}
+
+TEST_F(Opening, StaysAsScannedWhenRectifyingIsCancelled)
+{
+  this->WriteTiltedSeries();
+  this->Open("tilted");
+  ASSERT_TRUE(this->IsOpened());
+  QSignalSpy cancelled(this->window.Loader(), &VolumeLoader::Cancelled);
+  this->Remedy()->click();
+  this->window.Loader()->Cancel();
+  ASSERT_TRUE(cancelled.wait(MostMilliseconds));
+  EXPECT_EQ(this->RowCount(), 4);
+  EXPECT_FALSE(this->window.Model()->History()->canUndo());
+}
+
+TEST_F(Opening, OffersNothingForAScanThatIsEven)
+{
+  this->WriteSeries("1.2.33", 3);
+  this->Open("DOE^JANE");
+  ASSERT_TRUE(this->IsOpened());
+  EXPECT_TRUE(this->window.findChild<WarningBar*>()->isVisible());
+  EXPECT_FALSE(this->Remedy()->isVisible());
 }
 
 TEST_F(Opening, AsksHowBareVoxelsAreToBeRead)

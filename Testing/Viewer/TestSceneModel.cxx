@@ -80,6 +80,32 @@ TEST_F(OpenedModel, AGestureThatEndsWhereItBeganIsNoStep)
   EXPECT_FALSE(this->model.History()->canRedo());
 }
 
+TEST_F(OpenedModel, AnotherFormOfTheVolumeIsAStepThatKeepsTheRest)
+{
+  this->Zoom(2.0);
+  const std::shared_ptr<const Study> before = this->model.CurrentStudy();
+  const std::shared_ptr<const Study> form = SmallStudy();
+  const FileSource rectified{ "/scans/head", std::nullopt, "", true };
+  QSignalSpy changes(&this->model, &SceneModel::Changed);
+  this->model.Exchange(rectified, form, "rectify");
+  EXPECT_EQ(this->model.CurrentStudy(), form);
+  EXPECT_EQ(this->model.ExchangedStudy(), before);
+  EXPECT_TRUE(std::get<FileSource>(this->model.CurrentScene().volume).rectified);
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 2.0);
+  EXPECT_EQ(changes.last().first().value<ScenePart>(), ScenePart::Volume);
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentStudy(), before);
+  EXPECT_TRUE(std::holds_alternative<ProceduralSource>(this->model.CurrentScene().volume));
+  EXPECT_EQ(changes.last().first().value<ScenePart>(), ScenePart::Volume);
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 1.0);
+  this->model.History()->redo();
+  this->model.History()->redo();
+  EXPECT_EQ(this->model.CurrentStudy(), form);
+  this->model.Open(ProceduralSource(), SmallStudy());
+  EXPECT_FALSE(this->model.ExchangedStudy());
+}
+
 TEST_F(OpenedModel, AnotherVolumeForgetsTheStepsOfTheLast)
 {
   this->Zoom(2.0);

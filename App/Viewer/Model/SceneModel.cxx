@@ -1,6 +1,7 @@
 #include "Viewer/Model/SceneModel.h"
 
 #include "Scene/Presets.h"
+#include "Scene/SceneCuts.h"
 #include "Scene/SceneFile.h"
 #include "Scene/VolumeProperty.h"
 
@@ -15,11 +16,11 @@ namespace varimarch
 class SceneModel::EditStep : public QUndoCommand
 {
 public:
-  EditStep(SceneModel* model, ScenePart part, const QString& name, Scene after, int gesture)
+  EditStep(SceneModel* model, ScenePart part, const QString& name, State after, int gesture)
     : QUndoCommand(name)
     , model(model)
     , part(part)
-    , before(model->scene)
+    , before(model->state)
     , after(std::move(after))
     , gesture(gesture)
   {
@@ -39,15 +40,15 @@ public:
     }
     this->after = step->after;
     // A drag that was taken back is nothing that anybody wants to undo.
-    this->setObsolete(SceneText(this->before) == SceneText(this->after));
+    this->setObsolete(SceneText(this->before.scene) == SceneText(this->after.scene));
     return true;
   }
 
 private:
   SceneModel* model;
   ScenePart part;
-  Scene before;
-  Scene after;
+  State before;
+  State after;
   int gesture;
 };
 
@@ -61,38 +62,49 @@ void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> o
   Scene first;
   first.volume = source;
   first.look = Preset(SuggestedPreset(opened->volume).name);
-  first.render = this->scene.render;
-  first.background = this->scene.background;
+  first.render = this->state.scene.render;
+  first.background = this->state.scene.background;
   this->Restore(first, std::move(opened));
 }
 
 void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened)
 {
   this->history.clear();
-  this->study = std::move(opened);
-  Scene restored = saved;
-  restored.look = InUnitsOfData(saved.look, this->study->statistics);
+  this->exchanged.reset();
+  State restored = { std::move(opened), saved };
+  restored.scene.look = InUnitsOfData(saved.look, restored.study->statistics);
   this->Replace(ScenePart::Volume, restored);
+}
+
+void SceneModel::Exchange(
+  const VolumeSource& source, std::shared_ptr<const Study> form, const QString& name)
+{
+  this->exchanged = this->state.study;
+  State changed = { std::move(form), this->state.scene };
+  changed.scene.volume = source;
+  changed.scene.cuts.box =
+    BoxInOther(changed.scene.cuts.box, this->exchanged->volume.image, changed.study->volume.image);
+  this->history.push(new EditStep(this, ScenePart::Volume, name, std::move(changed), NoGesture));
 }
 
 void SceneModel::Edit(
   ScenePart part, const QString& name, const std::function<void(Scene&)>& change, int gesture)
 {
-  Scene changed = this->scene;
-  change(changed);
+  State changed = this->state;
+  change(changed.scene);
   this->history.push(new EditStep(this, part, name, std::move(changed), gesture));
 }
 
 void SceneModel::SetLook(const Look& look, const QString& name, int gesture)
 {
-  const Look inUnitsOfData = InUnitsOfData(look, this->study->statistics);
+  const Look inUnitsOfData = InUnitsOfData(look, this->state.study->statistics);
   this->Edit(
     ScenePart::Look, name, [&](Scene& edited) { edited.look = inUnitsOfData; }, gesture);
 }
 
-void SceneModel::Replace(ScenePart part, const Scene& newScene)
+void SceneModel::Replace(ScenePart part, const State& newState)
 {
-  this->scene = newScene;
+  this->state = newState;
   emit this->Changed(part);
 }
 

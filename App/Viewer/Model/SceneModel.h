@@ -50,14 +50,21 @@ public:
   explicit SceneModel(QObject* parent = nullptr);
 
   /// None before the first volume.
-  std::shared_ptr<const Study> CurrentStudy() const { return this->study; }
-  const Scene& CurrentScene() const { return this->scene; }
+  std::shared_ptr<const Study> CurrentStudy() const { return this->state.study; }
+  const Scene& CurrentScene() const { return this->state.scene; }
 
   /// Takes another volume, with a look that suits it, and forgets the steps that were of the last.
   void Open(const VolumeSource& source, std::shared_ptr<const Study> opened);
 
   /// Takes a scene as it was saved, with its volume.
   void Restore(const Scene& saved, std::shared_ptr<const Study> opened);
+
+  /// Takes another form of the volume that is shown, such as rectified; all else stays. A step, so
+  /// that the form before stays in memory.
+  void Exchange(const VolumeSource& source, std::shared_ptr<const Study> form, const QString& name);
+
+  /// The form of the volume that the last exchange took away; none without one.
+  std::shared_ptr<const Study> ExchangedStudy() const { return this->exchanged; }
 
   /// Changes a part of the scene.
   /// @param name  of the step, for "Undo NAME"
@@ -75,10 +82,16 @@ signals:
 private:
   class EditStep;
 
-  void Replace(ScenePart part, const Scene& newScene);
+  struct State
+  {
+    std::shared_ptr<const Study> study;
+    Scene scene;
+  };
 
-  std::shared_ptr<const Study> study;
-  Scene scene;
+  void Replace(ScenePart part, const State& newState);
+
+  State state;
+  std::shared_ptr<const Study> exchanged;
   QUndoStack history;
 };
 

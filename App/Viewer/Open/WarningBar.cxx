@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QStyle>
 #include <QToolButton>
 
@@ -11,6 +12,7 @@ namespace varimarch
 WarningBar::WarningBar(QWidget* parent)
   : QFrame(parent)
   , text(new QLabel)
+  , remedy(new QPushButton)
 {
   this->setObjectName("warnings");
   // Legible in dark and in light themes alike.
@@ -21,6 +23,8 @@ WarningBar::WarningBar(QWidget* parent)
   this->text->setTextFormat(Qt::PlainText);
   this->text->setWordWrap(true);
   this->text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  this->remedy->setObjectName("remedy");
+  connect(this->remedy, &QPushButton::clicked, this, &WarningBar::RemedyWanted);
   auto* const close = new QToolButton;
   close->setIcon(this->style()->standardIcon(QStyle::SP_TitleBarCloseButton));
   close->setAutoRaise(true);
@@ -30,12 +34,15 @@ WarningBar::WarningBar(QWidget* parent)
   row->setContentsMargins(8, 4, 8, 4);
   row->addWidget(sign, 0, Qt::AlignTop);
   row->addWidget(this->text, 1);
+  row->addWidget(this->remedy, 0, Qt::AlignTop);
   row->addWidget(close, 0, Qt::AlignTop);
   this->hide();
 }
 
-void WarningBar::Show(const QStringList& warnings)
+void WarningBar::Show(const QStringList& warnings, const QString& remedy)
 {
+  this->remedy->setText(remedy);
+  this->remedy->setVisible(!remedy.isEmpty());
   this->text->setText(warnings.join('\n'));
   this->setVisible(!warnings.isEmpty());
 }

@@ -5,6 +5,7 @@
 #include <QStringList>
 
 class QLabel;
+class QPushButton;
 
 namespace varimarch
 {
@@ -19,10 +20,15 @@ public:
   explicit WarningBar(QWidget* parent = nullptr);
 
   /// None: nothing to be seen.
-  void Show(const QStringList& warnings);
+  /// @param remedy  what a button beside them says; empty: there is none
+  void Show(const QStringList& warnings, const QString& remedy);
+
+signals:
+  void RemedyWanted();
 
 private:
   QLabel* text;
+  QPushButton* remedy;
 };
 
 }

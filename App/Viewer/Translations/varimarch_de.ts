@@ -1118,6 +1118,22 @@ Mittel von %1 Bildern</translation>
         <source>&amp;Benchmark…</source>
         <translation>&amp;Leistungsvergleich…</translation>
     </message>
+    <message>
+        <source>Rectify</source>
+        <translation>Entzerren</translation>
+    </message>
+    <message>
+        <source>Show as scanned</source>
+        <translation>Wie aufgenommen zeigen</translation>
+    </message>
+    <message>
+        <source>rectifying slices</source>
+        <translation>Schichten entzerren</translation>
+    </message>
+    <message>
+        <source>slices as scanned</source>
+        <translation>Schichten wie aufgenommen</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>

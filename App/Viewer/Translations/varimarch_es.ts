@@ -1118,6 +1118,22 @@ media de %1 imágenes</translation>
         <source>&amp;Benchmark…</source>
         <translation>&amp;Prueba de rendimiento…</translation>
     </message>
+    <message>
+        <source>Rectify</source>
+        <translation>Rectificar</translation>
+    </message>
+    <message>
+        <source>Show as scanned</source>
+        <translation>Mostrar como se adquirió</translation>
+    </message>
+    <message>
+        <source>rectifying slices</source>
+        <translation>rectificar los cortes</translation>
+    </message>
+    <message>
+        <source>slices as scanned</source>
+        <translation>cortes como se adquirieron</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
