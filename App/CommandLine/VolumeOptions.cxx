@@ -144,12 +144,12 @@ VolumeSource VolumeOptions::SourceOf(const std::string& anyInput) const
     this->RefuseSeries("file");
   }
   source.series = this->series;
+  source.rectified = this->rectify;
   if (this->rawDimensions.empty() && IsBareVoxels(anyInput) &&
     std::filesystem::is_regular_file(anyInput))
   {
     throw CLI::ValidationError("--raw-dimensions", WithoutDimensions(anyInput));
   }
-  source.rectified = this->rectify;
   if (!this->rawDimensions.empty())
   {
     RawLayout raw;

@@ -275,6 +275,9 @@ TEST_F(RectifiedSlices, MayBeTiltedAndUnevenAtOnce)
   vtkImageData* const image = this->Read(scan);
   ExpectOrthonormal(image);
   ExpectTrue(scan, image);
+  this->Read(scan, false);
+  EXPECT_FALSE(this->IsTold("shapes are true"));
+  EXPECT_TRUE(this->IsTold("are drawn"));
 }
 
 TEST_F(RectifiedSlices, AreAsDenseAsTheScanIsAnywhere)

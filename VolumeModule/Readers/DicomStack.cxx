@@ -95,8 +95,9 @@ void DicomStack::Warn(bool isRectified, std::vector<std::string>& warnings) cons
   }
   if (this->IsTilted())
   {
+    const bool isDrawnTrue = !isRectified && !this->IsUneven();
     warnings.push_back("The gantry was tilted by " + Rounded(this->tiltDegrees) + " degrees" +
-      (isRectified ? "." : "; each slice is drawn where it lay, so that shapes are true."));
+      (isDrawnTrue ? "; each slice is drawn where it lay, so that shapes are true." : "."));
   }
   this->WarnOfMissingSlices(warnings);
   if (this->IsUneven())
