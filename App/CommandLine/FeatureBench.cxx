@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <stdexcept>
 
 namespace varimarch
@@ -29,8 +30,11 @@ namespace varimarch
 namespace
 {
 
-constexpr int PicturesPerTime = 3;
+constexpr int PicturesPerSweep = 3;
 constexpr double DegreesPerPicture = 2.0;
+
+// What takes a few milliseconds is measured often, for others disturb it most.
+constexpr double ShortestTimeMs = 250.0;
 
 // A window on a scene, for the calls that all of VTK's GPU mappers have in common.
 class FeatureView
@@ -61,7 +65,17 @@ public:
     this->window->Render();
     ThrowIfVtkReportedError();
     std::vector<double> times;
-    for (int picture = 0; picture < PicturesPerTime; ++picture)
+    do
+    {
+      this->Sweep(times);
+    } while (std::accumulate(times.begin(), times.end(), 0.0) < ShortestTimeMs);
+    return Median(times);
+  }
+
+  // Pictures of a camera that moves, in the end back to where it was.
+  void Sweep(std::vector<double>& timesMs)
+  {
+    for (int picture = 0; picture < PicturesPerSweep; ++picture)
     {
       this->renderer->GetActiveCamera()->Azimuth(DegreesPerPicture);
       this->renderer->ResetCameraClippingRange();
@@ -70,12 +84,10 @@ public:
       this->window->WaitForCompletion();
       const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
-      times.push_back(elapsed.count());
+      timesMs.push_back(elapsed.count());
     }
-    // Each time begins where the one before did.
-    this->renderer->GetActiveCamera()->Azimuth(-PicturesPerTime * DegreesPerPicture);
+    this->renderer->GetActiveCamera()->Azimuth(-PicturesPerSweep * DegreesPerPicture);
     this->renderer->ResetCameraClippingRange();
-    return Median(times);
   }
 
   // Whether there is nothing but the black background in the last picture.

@@ -21,6 +21,7 @@
 
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
+#include <vtkVariationFieldVolumeMapper.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <gtest/gtest.h>
@@ -249,6 +250,27 @@ TEST_F(Window, FitsASmallScreen)
     }
     EXPECT_GT(seen, 15);
   }
+}
+
+// Of two pixels for each of a usual one, to each side.
+class LargeScreen : public Window
+{
+};
+
+TEST_F(LargeScreen, ShowsAVolumeCoarselyAtOnceAndThenInFull)
+{
+  this->window.resize(1920, 1080);
+  this->OpenTorso();
+  auto* const mapper =
+    vtkVariationFieldVolumeMapper::SafeDownCast(this->View()->Pipeline()->Mapper());
+  EXPECT_GT(mapper->GetUsedImageSampleDistance(), 3.0);
+  QSignalSpy refined(this->View(), &VolumeView::Refined);
+  ASSERT_TRUE(refined.wait(MostMilliseconds));
+  EXPECT_LT(refined.first().first().toDouble(), 1.0) << "the picture comes in parts";
+  ASSERT_TRUE(
+    QTest::qWaitFor([&] { return mapper->GetAccumulatedPictures() > 0; }, MostMilliseconds));
+  EXPECT_EQ(mapper->GetUsedImageSampleDistance(), 1.0);
+  EXPECT_EQ(this->View()->renderWindow()->GetSize()[0], 2 * this->View()->width());
 }
 
 TEST_F(Window, WipesBetweenOursAndVtks)
