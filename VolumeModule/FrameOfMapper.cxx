@@ -299,7 +299,7 @@ std::optional<Frame> FrameOfVolume(vtkVariationFieldVolumeMapper* mapper, vtkRen
   {
     return std::nullopt;
   }
-  Frame frame;
+  Frame frame = {};
   frame.window = window;
   frame.renderer = renderer;
   frame.property = volume->GetProperty();

@@ -2,6 +2,7 @@
 //
 // Usage: ViewerGuide HEAD_CT FOLDER, on a display; writes viewer-*.png into the folder.
 
+#include "LeaksOfOthers.h"
 #include "PrivateSettings.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/View/ComparisonView.h"

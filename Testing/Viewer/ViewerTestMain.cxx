@@ -1,5 +1,6 @@
 // A main() for tests of the viewer: widgets are drawn into memory unless a platform is asked for.
 
+#include "LeaksOfOthers.h"
 #include "PrivateSettings.h"
 
 #include <gtest/gtest.h>
