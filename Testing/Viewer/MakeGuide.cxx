@@ -17,6 +17,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include <vtkVariationFieldVolumeMapper.h>
+
 #include <iostream>
 #include <stdexcept>
 
@@ -136,9 +138,11 @@ private:
   // When nothing has been drawn for a moment, the picture is as fine as it gets.
   void Take(const QString& name)
   {
-    QSignalSpy drawn(this->window.CentralView()->Ours(), &VolumeView::Drawn);
+    VolumeView* const view = this->window.CentralView()->Ours();
+    auto* const mapper = vtkVariationFieldVolumeMapper::SafeDownCast(view->Pipeline()->Mapper());
+    QSignalSpy drawn(view, &VolumeView::Drawn);
     int before = -1;
-    while (before != drawn.count())
+    while (before != drawn.count() || mapper->GetDrawnPart() < 1.0)
     {
       before = drawn.count();
       QTest::qWait(1500);
