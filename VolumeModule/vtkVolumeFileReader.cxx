@@ -173,9 +173,19 @@ const char* vtkVolumeFileReader::GetModality()
   return this->Read->Volume.modality.c_str();
 }
 
-const char* vtkVolumeFileReader::GetDescription()
+const char* vtkVolumeFileReader::GetBodyPart()
 {
-  return this->Read->Volume.description.c_str();
+  return this->Read->Volume.bodyPart.c_str();
+}
+
+bool vtkVolumeFileReader::HasContrastAgent()
+{
+  return this->Read->Volume.hasContrastAgent;
+}
+
+const char* vtkVolumeFileReader::GetWeighting()
+{
+  return this->Read->Volume.weighting.c_str();
 }
 
 bool vtkVolumeFileReader::HasWindowLevel()

@@ -129,8 +129,11 @@ public:
    */
   /// "CT", "MR", another DICOM modality, or empty.
   const char* GetModality();
-  /// What was imaged and how, or empty.
-  const char* GetDescription();
+  /// What was imaged, as DICOM has it, such as "HEAD"; or empty.
+  const char* GetBodyPart();
+  bool HasContrastAgent();
+  /// Of MR, by the times of its sequence: "T1", "T2", "angiography", or empty.
+  const char* GetWeighting();
   /// Whether the file says how to show the values: the width and the centre of the range to show.
   bool HasWindowLevel();
   double GetWindow();

@@ -2,6 +2,7 @@
 
 #include "Progress.h"
 #include "Scene/LookFiles.h"
+#include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneNames.h"
@@ -206,7 +207,7 @@ std::pair<Scene, LoadedVolume> SceneOptions::Load(const std::string& input) cons
   }
   else if (!isScene)
   {
-    scene.look = Preset(SuggestedPreset(loaded).name);
+    scene.look = Preset(SuggestedPreset(loaded, ImageStatistics(loaded.image)).name);
   }
   this->Override(scene);
   return { scene, loaded };

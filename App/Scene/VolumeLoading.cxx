@@ -95,6 +95,9 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   reader->Update();
   reader.Check();
   LoadedVolume volume = { reader->GetOutput(), reader->GetModality(), {} };
+  volume.bodyPart = reader->GetBodyPart();
+  volume.hasContrastAgent = reader->HasContrastAgent();
+  volume.weighting = reader->GetWeighting();
   if (reader->HasIrregularSlices())
   {
     volume.slices = source.rectified ? SliceLayout::Rectified : SliceLayout::Irregular;
@@ -157,21 +160,6 @@ std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserve
       MiddleOfFile(series.MiddleFile) });
   }
   return all;
-}
-
-PresetSuggestion SuggestedPreset(const LoadedVolume& volume)
-{
-  constexpr double HighestAirHounsfield = -900.0;
-  if (!volume.modality.empty())
-  {
-    return { volume.modality == "CT" ? "ct-bone" : "mr-head",
-      "the file says that it is " + volume.modality };
-  }
-  if (volume.image->GetScalarRange()[0] <= HighestAirHounsfield)
-  {
-    return { "ct-bone", "its values go down to those of air in CT" };
-  }
-  return { "mr-head", "its values are not those of CT" };
 }
 
 }

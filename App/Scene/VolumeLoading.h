@@ -29,6 +29,9 @@ struct LoadedVolume
   std::string modality;                ///< as DICOM has it: "CT", "MR"; empty when not known
   std::vector<std::string> warnings;   ///< one sentence each
   SliceLayout slices = SliceLayout::Even;
+  std::string bodyPart = {};     ///< as DICOM has it: "HEAD"; empty when not known
+  bool hasContrastAgent = false; ///< the file says so
+  std::string weighting = {};    ///< of MR: "T1", "T2", "angiography"; empty when not known
 };
 
 /// Told the part of the work that is done, [0, 1]; says whether to go on.
@@ -55,16 +58,6 @@ bool MayHoldSeveralSeries(const FileSource& source);
 /// The series in a folder and the folders in it, or those of an index file; the largest first.
 /// @throws std::runtime_error as LoadVolume does
 std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserver& observer = {});
-
-struct PresetSuggestion
-{
-  std::string name;
-  std::string reason; ///< "the file says that it is CT"
-};
-
-/// A preset for a volume nobody has described: for CT, known by its modality or by values as low as
-/// air's in Hounsfield units, "ct-bone"; else "mr-head".
-PresetSuggestion SuggestedPreset(const LoadedVolume& volume);
 
 }
 

@@ -1,5 +1,6 @@
 #include "Viewer/MainWindow.h"
 
+#include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneCamera.h"
 #include "Viewer/Model/Log.h"
@@ -135,7 +136,8 @@ void MainWindow::MakeMenus()
     {
       if (const auto study = this->model.CurrentStudy())
       {
-        this->model.SetLook(Preset(SuggestedPreset(study->volume).name), tr("first look"));
+        this->model.SetLook(
+          Preset(SuggestedPreset(study->volume, study->statistics).name), tr("first look"));
       }
     },
     QKeySequence("R"));

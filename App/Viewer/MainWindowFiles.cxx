@@ -277,7 +277,7 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
   this->statusBar()->showMessage(
     tr("Look \"%1\": %2. R brings it back.")
       .arg(PresetTitle(this->model.CurrentScene().look.name),
-        QString::fromStdString(SuggestedPreset(study->volume).reason)));
+        SuggestionText(SuggestedPreset(study->volume, study->statistics))));
 }
 
 void MainWindow::ShowDoubts()

@@ -1,3 +1,4 @@
+#include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/ProceduralVolume.h"
 #include "Scene/SceneFile.h"
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 using namespace varimarch;
@@ -18,7 +20,7 @@ namespace
 
 TEST(Presets, EveryOneIsReadable)
 {
-  EXPECT_EQ(PresetNames().size(), 11u);
+  EXPECT_EQ(PresetNames().size(), 12u);
   for (const std::string& name : PresetNames())
   {
     const Look look = Preset(name);
@@ -60,12 +62,63 @@ TEST(Presets, RelativeOnesFollowTheData)
   }
 }
 
-TEST(Presets, SuitTheModality)
+// What is suggested for the torso, if its file says that.
+PresetSuggestion SuggestionFor(const LoadedVolume& said)
 {
-  const auto torso = ProceduralVolume({ ProceduralKind::Torso, { 16, 16, 16 }, 1 });
-  EXPECT_EQ(SuggestedPreset({ torso, "CT", {} }).name, "ct-bone");
-  EXPECT_EQ(SuggestedPreset({ torso, "", {} }).name, "ct-bone");
-  EXPECT_EQ(SuggestedPreset({ torso, "MR", {} }).name, "mr-head");
+  LoadedVolume volume = said;
+  volume.image = ProceduralVolume({ ProceduralKind::Torso, { 16, 16, 16 }, 1 });
+  return SuggestedPreset(volume, ImageStatistics(volume.image));
+}
+
+TEST(Presets, SuitWhatTheFileSays)
+{
+  LoadedVolume said;
+  said.modality = "CT";
+  EXPECT_EQ(SuggestionFor(said).name, "ct-bone");
+  EXPECT_EQ(SuggestionFor(said).reason, SuggestionReason::Modality);
+  said.bodyPart = "HEAD";
+  EXPECT_EQ(SuggestionFor(said).name, "ct-bone");
+  EXPECT_EQ(SuggestionFor(said).reason, SuggestionReason::BodyPart);
+  EXPECT_EQ(SuggestionFor(said).said, "HEAD");
+  said.bodyPart = "Chest";
+  EXPECT_EQ(SuggestionFor(said).name, "ct-lung");
+  said.bodyPart = "ABDOMENPELVIS";
+  EXPECT_EQ(SuggestionFor(said).name, "ct-soft-tissue");
+  said.hasContrastAgent = true;
+  EXPECT_EQ(SuggestionFor(said).name, "ct-vessels");
+  EXPECT_EQ(SuggestionFor(said).reason, SuggestionReason::ContrastAgent);
+
+  said = {};
+  said.modality = "MR";
+  EXPECT_EQ(SuggestionFor(said).name, "mr-head");
+  said.weighting = "T2";
+  EXPECT_EQ(SuggestionFor(said).name, "mr-t2");
+  said.weighting = "angiography";
+  EXPECT_EQ(SuggestionFor(said).name, "mr-angiography");
+  said.modality = "PT";
+  EXPECT_EQ(SuggestionFor(said).name, "mr-maximum");
+}
+
+TEST(Presets, SuitTheHistogramWhereTheFileSaysNothing)
+{
+  LoadedVolume volume;
+  volume.image = ProceduralVolume({ ProceduralKind::Torso, { 16, 16, 16 }, 1 });
+  const auto suggested = [&] { return SuggestedPreset(volume, ImageStatistics(volume.image)); };
+  EXPECT_EQ(suggested().name, "ct-bone");
+  EXPECT_EQ(suggested().reason, SuggestionReason::ValuesOfAir);
+  const vtkIdType count = volume.image->GetNumberOfPoints();
+  const auto fill = [&](vtkIdType voxels, short value)
+  {
+    std::fill_n(static_cast<short*>(volume.image->GetScalarPointer()), voxels, value);
+    volume.image->GetPointData()->GetScalars()->Modified();
+  };
+  fill(count / 1000, 3000);
+  EXPECT_EQ(suggested().name, "ct-bone") << "a filling";
+  fill(count / 200, 3000);
+  EXPECT_EQ(suggested().name, "ct-implants");
+  fill(count, 40);
+  EXPECT_EQ(suggested().name, "mr-head");
+  EXPECT_EQ(suggested().reason, SuggestionReason::OtherValues);
 }
 
 }

@@ -217,6 +217,18 @@ std::string Nifti2Bytes(const StoredVolume& volume, bool bigEndian)
   return header.Bytes() + VoxelBytes(volume, bigEndian);
 }
 
+// How the image was taken, as far as the options say.
+static std::string AcquisitionElements(const DicomOptions& options)
+{
+  const auto text = [](int element, const std::string& kind, const std::string& value)
+  { return value.empty() ? "" : Element(0x18, element, kind, value); };
+  const auto number = [&](int element, double value)
+  { return value > 0.0 ? Element(0x18, element, "DS", Decimals({ value })) : ""; };
+  return text(0x10, "LO", options.contrastAgent) + text(0x15, "CS", options.bodyPart) +
+    text(0x25, "CS", options.isAngiography ? "Y" : "") + number(0x80, options.repetitionMs) +
+    number(0x81, options.echoMs);
+}
+
 std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions& options)
 {
   const std::string instanceUid =
@@ -230,10 +242,10 @@ std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions
   pixels.values.assign(volume.values.begin() + std::ptrdiff_t(slice * sliceValues),
     volume.values.begin() + std::ptrdiff_t((slice + 1) * sliceValues));
   return DicomFileMeta(ctImageStorage, instanceUid) + Element(8, 0x16, "UI", ctImageStorage) +
-    Element(8, 0x18, "UI", instanceUid) + Element(8, 0x60, "CS", "CT") +
+    Element(8, 0x18, "UI", instanceUid) + Element(8, 0x60, "CS", options.modality) +
     (options.description.empty() ? "" : Element(8, 0x103e, "LO", options.description)) +
-    Element(0x10, 0x10, "PN", "Doe^Jane") + Element(0x20, 0xd, "UI", "1.2") +
-    Element(0x20, 0xe, "UI", options.seriesUid) +
+    Element(0x10, 0x10, "PN", "Doe^Jane") + AcquisitionElements(options) +
+    Element(0x20, 0xd, "UI", "1.2") + Element(0x20, 0xe, "UI", options.seriesUid) +
     // Numbered against the order of positions: readers must not rely on it.
     Element(0x20, 0x13, "IS", std::to_string((slice * 7) % 5)) +
     Element(0x20, 0x32, "DS",

@@ -103,6 +103,12 @@ struct DicomOptions
   std::string position = {};    ///< what the header says, if not the truth
   bool lossy = false;           ///< whether the header says that compression has changed the values
   std::string description = {}; ///< of the series
+  std::string modality = "CT";
+  std::string contrastAgent = {};
+  std::string bodyPart = {};
+  bool isAngiography = false;
+  double repetitionMs = 0.0; ///< 0: the header does not say
+  double echoMs = 0.0;
 };
 /// A slice of a volume of shorts, uncompressed and little-endian.
 std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions& options = {});

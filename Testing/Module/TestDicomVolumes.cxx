@@ -7,6 +7,7 @@
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkVolumeFileReader.h>
 
@@ -78,6 +79,41 @@ TEST(DicomVolumes, ValuesAreRescaledSliceBySlice)
   EXPECT_EQ(reader->GetWindow(), 400.0);
   EXPECT_EQ(reader->GetLevel(), 40.0);
   EXPECT_EQ(Warnings(reader), "");
+}
+
+TEST(DicomVolumes, WhatWasImagedAndHowIsTold)
+{
+  const auto read = [](const DicomOptions& options)
+  {
+    const TemporaryFolder folder;
+    WriteSlices(folder, "images", phantom::Stored(0), { 0, 1, 2 }, options);
+    auto reader = vtkSmartPointer<vtkVolumeFileReader>::New();
+    reader->SetFileName(folder.Path("images").c_str());
+    reader->Update();
+    return reader;
+  };
+  DicomOptions chest;
+  chest.bodyPart = "CHEST";
+  chest.contrastAgent = "Iodine";
+  chest.echoMs = 90.0; // only means anything for MR
+  EXPECT_STREQ(read(chest)->GetBodyPart(), "CHEST");
+  EXPECT_TRUE(read(chest)->HasContrastAgent());
+  EXPECT_STREQ(read(chest)->GetWeighting(), "");
+  EXPECT_FALSE(read({})->HasContrastAgent());
+  EXPECT_STREQ(read({})->GetBodyPart(), "");
+
+  DicomOptions mr;
+  mr.modality = "MR";
+  EXPECT_STREQ(read(mr)->GetWeighting(), "");
+  mr.echoMs = 90.0;
+  mr.repetitionMs = 4000.0;
+  EXPECT_STREQ(read(mr)->GetWeighting(), "T2");
+  mr.echoMs = 12.0;
+  EXPECT_STREQ(read(mr)->GetWeighting(), "") << "proton density";
+  mr.repetitionMs = 500.0;
+  EXPECT_STREQ(read(mr)->GetWeighting(), "T1");
+  mr.isAngiography = true;
+  EXPECT_STREQ(read(mr)->GetWeighting(), "angiography");
 }
 
 TEST(DicomVolumes, TheLargestSeriesIsReadUnlessAnotherIsAskedFor)

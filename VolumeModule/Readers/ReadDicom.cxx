@@ -170,13 +170,36 @@ std::vector<Rescale> RescaleOf(vtkDICOMReader* reader)
   return slices;
 }
 
+/// By the times of the sequence; in between they weigh neither.
+std::string WeightingOf(vtkDICOMReader* reader)
+{
+  constexpr double ShortestEchoMsOfT2 = 60.0;
+  constexpr double LongestEchoMsOfT1 = 30.0;
+  constexpr double LongestRepetitionMsOfT1 = 1000.0;
+  if (SliceValue(reader, 0, DC::AngioFlag).AsString() == "Y")
+  {
+    return "angiography";
+  }
+  const double echoMs = SliceValue(reader, 0, DC::EchoTime).AsDouble();
+  const double repetitionMs = SliceValue(reader, 0, DC::RepetitionTime).AsDouble();
+  if (echoMs >= ShortestEchoMsOfT2)
+  {
+    return "T2";
+  }
+  const bool isShort = echoMs <= LongestEchoMsOfT1 && repetitionMs <= LongestRepetitionMsOfT1;
+  return echoMs > 0.0 && repetitionMs > 0.0 && isShort ? "T1" : "";
+}
+
 /// What else the first slice says: nothing that identifies the patient.
 void TakeMetadata(vtkDICOMReader* reader, Volume& volume)
 {
   volume.modality = SliceValue(reader, 0, DC::Modality).AsString();
-  volume.description = SliceValue(reader, 0, DC::BodyPartExamined).AsString();
-  const bool hasContrast = !SliceValue(reader, 0, DC::ContrastBolusAgent).AsString().empty();
-  volume.description += hasContrast ? " with contrast agent" : "";
+  volume.bodyPart = SliceValue(reader, 0, DC::BodyPartExamined).AsString();
+  volume.hasContrastAgent = !SliceValue(reader, 0, DC::ContrastBolusAgent).AsString().empty();
+  if (volume.modality == "MR")
+  {
+    volume.weighting = WeightingOf(reader);
+  }
   const double window = SliceValue(reader, 0, DC::WindowWidth).AsDouble();
   if (window > 0)
   {

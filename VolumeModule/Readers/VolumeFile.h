@@ -29,8 +29,10 @@ struct WindowLevel
 struct Volume
 {
   vtkSmartPointer<vtkImageData> image;
-  std::string modality;    ///< "CT", "MR", another DICOM modality, or empty
-  std::string description; ///< what was imaged, or empty
+  std::string modality; ///< "CT", "MR", another DICOM modality, or empty
+  std::string bodyPart; ///< as DICOM has it, "HEAD", "CHEST"; or empty
+  bool hasContrastAgent = false;
+  std::string weighting; ///< of MR: "T1", "T2", "angiography", or empty
   std::optional<WindowLevel> windowLevel;
   std::vector<std::string> warnings; ///< sentences: what is doubtful about the volume
   /// Where the first voxels of the scanned slices lie, in their order along the normal, if these

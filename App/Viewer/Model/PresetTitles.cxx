@@ -28,4 +28,26 @@ QString PresetTitle(const std::string& name)
                                : QCoreApplication::translate("PresetTitles", found->second);
 }
 
+QString SuggestionText(const PresetSuggestion& suggestion)
+{
+  static const std::map<SuggestionReason, const char*> texts = {
+    { SuggestionReason::Modality,
+      QT_TRANSLATE_NOOP("PresetTitles", "the file says that it is %1") },
+    { SuggestionReason::BodyPart,
+      QT_TRANSLATE_NOOP("PresetTitles", "the file says that it shows %1") },
+    { SuggestionReason::ContrastAgent,
+      QT_TRANSLATE_NOOP("PresetTitles", "the file tells of a contrast agent") },
+    { SuggestionReason::Weighting,
+      QT_TRANSLATE_NOOP("PresetTitles", "the file says that it was taken for %1") },
+    { SuggestionReason::Metal,
+      QT_TRANSLATE_NOOP("PresetTitles", "there is metal in it, denser than any bone") },
+    { SuggestionReason::ValuesOfAir,
+      QT_TRANSLATE_NOOP("PresetTitles", "its values go down to those of air in CT") },
+    { SuggestionReason::OtherValues,
+      QT_TRANSLATE_NOOP("PresetTitles", "its values are not those of CT") },
+  };
+  const QString text = QCoreApplication::translate("PresetTitles", texts.at(suggestion.reason));
+  return suggestion.said.empty() ? text : text.arg(QString::fromStdString(suggestion.said));
+}
+
 }

@@ -1,5 +1,6 @@
 #include "Viewer/Model/SceneModel.h"
 
+#include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/SceneFile.h"
@@ -61,7 +62,7 @@ void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> o
 {
   Scene first;
   first.volume = source;
-  first.look = Preset(SuggestedPreset(opened->volume).name);
+  first.look = Preset(SuggestedPreset(opened->volume, opened->statistics).name);
   first.render = this->state.scene.render;
   first.background = this->state.scene.background;
   this->Restore(first, std::move(opened));

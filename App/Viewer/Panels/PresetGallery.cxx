@@ -1,5 +1,6 @@
 #include "Viewer/Panels/PresetGallery.h"
 
+#include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Scene/VolumeProperty.h"
@@ -35,10 +36,10 @@ std::string NamelessText(Look look)
 }
 
 // Those for volumes of this kind first.
-std::vector<std::string> PresetsFor(const LoadedVolume& volume)
+std::vector<std::string> PresetsFor(const Study& study)
 {
   std::vector<std::string> names = PresetNames();
-  const std::string kind = SuggestedPreset(volume).name.substr(0, 3);
+  const std::string kind = SuggestedPreset(study.volume, study.statistics).name.substr(0, 3);
   std::stable_partition(
     names.begin(), names.end(), [&](const std::string& name) { return name.substr(0, 3) == kind; });
   return names;
@@ -134,7 +135,7 @@ void PresetGallery::ListLooks()
   this->problem->hide();
   this->looks.clear();
   this->list->clear();
-  for (const std::string& name : PresetsFor(study->volume))
+  for (const std::string& name : PresetsFor(*study))
   {
     const Look look = Preset(name);
     this->AddItem(PresetTitle(name), QString::fromStdString(look.description),

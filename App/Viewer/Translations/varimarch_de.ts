@@ -223,6 +223,34 @@ Mittel von %1 Bildern</translation>
         <source>MR head, T2</source>
         <translation>MR Kopf, T2</translation>
     </message>
+    <message>
+        <source>the file says that it is %1</source>
+        <translation>laut Datei ist es %1</translation>
+    </message>
+    <message>
+        <source>the file says that it shows %1</source>
+        <translation>laut Datei zeigt es %1</translation>
+    </message>
+    <message>
+        <source>the file tells of a contrast agent</source>
+        <translation>die Datei nennt ein Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>the file says that it was taken for %1</source>
+        <translation>laut Datei ist es für %1 aufgenommen</translation>
+    </message>
+    <message>
+        <source>there is metal in it, denser than any bone</source>
+        <translation>es enthält Metall, dichter als jeder Knochen</translation>
+    </message>
+    <message>
+        <source>its values go down to those of air in CT</source>
+        <translation>seine Werte reichen bis zu denen von Luft im CT</translation>
+    </message>
+    <message>
+        <source>its values are not those of CT</source>
+        <translation>seine Werte sind nicht die eines CT</translation>
+    </message>
 </context>
 <context>
     <name>RecentScans</name>

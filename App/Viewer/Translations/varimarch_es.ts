@@ -223,6 +223,34 @@ media de %1 imágenes</translation>
         <source>MR head, T2</source>
         <translation>RM cabeza, T2</translation>
     </message>
+    <message>
+        <source>the file says that it is %1</source>
+        <translation>el archivo dice que es %1</translation>
+    </message>
+    <message>
+        <source>the file says that it shows %1</source>
+        <translation>el archivo dice que muestra %1</translation>
+    </message>
+    <message>
+        <source>the file tells of a contrast agent</source>
+        <translation>el archivo menciona un medio de contraste</translation>
+    </message>
+    <message>
+        <source>the file says that it was taken for %1</source>
+        <translation>el archivo dice que se adquirió para %1</translation>
+    </message>
+    <message>
+        <source>there is metal in it, denser than any bone</source>
+        <translation>contiene metal, más denso que cualquier hueso</translation>
+    </message>
+    <message>
+        <source>its values go down to those of air in CT</source>
+        <translation>sus valores llegan hasta los del aire en TC</translation>
+    </message>
+    <message>
+        <source>its values are not those of CT</source>
+        <translation>sus valores no son los de una TC</translation>
+    </message>
 </context>
 <context>
     <name>RecentScans</name>
