@@ -48,12 +48,41 @@ public:
     {
       return std::nullopt;
     }
+    return this->AtIndex(index);
+  }
+
+  /// The magnitude of the gradient at a point in the volume [units of the data per mm], by central
+  /// differences of a voxel to each side.
+  double SteepnessAt(const glm::dvec3& pointWorld)
+  {
+    glm::dvec3 index;
+    this->image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, &index.x);
+    const double* const spacing = this->image->GetSpacing();
+    glm::dvec3 gradient;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::dvec3 step(0.0);
+      step[axis] = 1.0;
+      gradient[axis] =
+        (this->AtIndex(index + step) - this->AtIndex(index - step)) / (2.0 * spacing[axis]);
+    }
+    return glm::length(gradient);
+  }
+
+private:
+  // Beyond the faces the outermost voxels go on.
+  double AtIndex(glm::dvec3 index)
+  {
+    const int* const extent = this->image->GetExtent();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = std::clamp(index[axis], double(extent[2 * axis]), double(extent[2 * axis + 1]));
+    }
     double value;
     this->interpolator->InterpolateIJK(&index.x, &value);
     return value;
   }
 
-private:
   vtkImageData* image;
   vtkImageData* mask; ///< may be null
   vtkNew<vtkImageInterpolator> interpolator;
@@ -74,14 +103,22 @@ public:
     : look(look)
     , function(look.colors, look.opacities, look.opacityUnitDistanceMm)
   {
+    if (!look.gradientOpacities.empty())
+    {
+      this->gradientOpacity.emplace(look.colors, look.gradientOpacities, 1.0);
+    }
   }
 
   /// @param value  none: there is nothing here
-  bool HalfIsGoneAfter(std::optional<double> value, double stepMm)
+  bool HalfIsGoneAfter(
+    std::optional<double> value, RayValues& values, const glm::dvec3& pointWorld, double stepMm)
   {
     if (value && this->look.blend == Blend::Composite)
     {
-      this->opticalDepth += stepMm * this->function.Extinction(*value);
+      const double factor = this->gradientOpacity
+        ? this->gradientOpacity->Opacity(values.SteepnessAt(pointWorld))
+        : 1.0;
+      this->opticalDepth += stepMm * this->Extinction(*value, factor);
     }
     if (value && this->before && this->look.blend == Blend::Isosurface)
     {
@@ -92,6 +129,14 @@ public:
   }
 
 private:
+  // The factor is of the opacity of a unit distance.
+  double Extinction(double value, double factor) const
+  {
+    return factor < 1.0
+      ? -std::log1p(-factor * this->function.Opacity(value)) / this->look.opacityUnitDistanceMm
+      : this->function.Extinction(value);
+  }
+
   // What lies at the faces of the volume, or at cuts, is none.
   void PassSurfaces(double from, double to)
   {
@@ -104,6 +149,7 @@ private:
 
   const Look& look;
   TransferFunction function;
+  std::optional<TransferFunction> gradientOpacity; ///< of its magnitude; none: a factor of 1
   double opticalDepth = 0.0;
   std::optional<double> before;
 };
@@ -131,7 +177,7 @@ std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData*
     const glm::dvec3 point = start + t * direction;
     const std::optional<double> value =
       IsLeft(point, planes) ? values.At(point) : std::optional<double>();
-    if (light.HalfIsGoneAfter(value, stepMm))
+    if (light.HalfIsGoneAfter(value, values, point, stepMm))
     {
       return NumbersOf(point);
     }

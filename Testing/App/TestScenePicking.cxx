@@ -64,6 +64,27 @@ TEST(PointSeen, IsWhereTheVolumeBecomesOpaque)
   EXPECT_EQ((*seen)[2], 2.0);
 }
 
+// The ramp rises by 1 per mm.
+TEST(PointSeen, IsNotWhatItsGradientHides)
+{
+  Scene scene = WallAtThree();
+  const auto seen = [&] {
+    return PointSeen(scene, Ramp(true), { 1.0, -50.0, 2.0 }, { 1.0, 50.0, 2.0 });
+  };
+  ASSERT_TRUE(seen());
+  scene.look.gradientOpacities = { { 1.1, 0.0 }, { 2.0, 1.0 } };
+  EXPECT_FALSE(seen());
+  scene.look.gradientOpacities = { { 0.5, 0.0 }, { 0.9, 1.0 } };
+  ASSERT_TRUE(seen());
+  EXPECT_NEAR((*seen())[1], 3.0, StepMm);
+  // A tenth of 0.9999 in each hundredth of a mm: half is gone after 0.066 mm.
+  scene.look.gradientOpacities = { { 0.0, 0.1 } };
+  ASSERT_TRUE(seen());
+  EXPECT_NEAR((*seen())[1], 3.0, StepMm);
+  scene.look.opacityUnitDistanceMm = 1.0;
+  EXPECT_NEAR((*seen())[1], 3.0 + std::log(0.5) / std::log1p(-0.1 * 0.9999), StepMm);
+}
+
 // Half of the light is gone at the second of the two.
 TEST(PointSeen, IsOnASurfaceOfEqualValue)
 {
