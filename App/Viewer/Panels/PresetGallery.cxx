@@ -78,7 +78,9 @@ void PresetGallery::MakeList()
   this->list->setAccessibleName(tr("Presets"));
   this->list->setViewMode(QListView::IconMode);
   this->list->setIconSize(PictureSize);
-  this->list->setGridSize(PictureSize + QSize(8, 26));
+  this->list->setWordWrap(true);
+  const int twoLines = 2 * this->list->fontMetrics().lineSpacing();
+  this->list->setGridSize(PictureSize + QSize(8, 8 + twoLines));
   this->list->setResizeMode(QListView::Adjust);
   this->list->setMovement(QListView::Static);
   this->list->setEditTriggers(QAbstractItemView::EditKeyPressed);
