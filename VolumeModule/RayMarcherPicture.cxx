@@ -107,7 +107,7 @@ int RayMarcher::AccumulatedPictures() const
 double RayMarcher::DrawnPart(int mostAccumulated) const
 {
   const varimarch::AccumulatedPictures& pictures = this->picture.accumulated;
-  return pictures.IsEmpty() ? 1.0 : pictures.CountWithParts() / mostAccumulated;
+  return pictures.IsEmpty() ? 1.0 : std::min(pictures.CountWithParts() / mostAccumulated, 1.0);
 }
 
 void RayMarcher::SetMeanUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)

@@ -51,6 +51,16 @@ TEST(PictureStrips, AreOneWhereThereIsTime)
   EXPECT_EQ(strips.Next(Rows, 0.2).count, Rows);
 }
 
+// The last strip of a picture is four rows here.
+TEST(PictureStrips, StayAsHighAfterAShortRest)
+{
+  PictureStrips strips;
+  LongestStrip(strips, 1660.0, 0.2);
+  LongestStrip(strips, 1660.0, 0.2);
+  strips.Restart();
+  EXPECT_NEAR(strips.Next(Rows, 0.2).count, 332, 2);
+}
+
 TEST(PictureStrips, AreAllThatIsLeftWhereNobodyAsksForLess)
 {
   PictureStrips strips;

@@ -12,4 +12,15 @@ inline std::shared_ptr<const varimarch::Study> SmallStudy()
   return std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
 }
 
+/// Whose volume's path names somebody; before a blue background.
+inline varimarch::Scene SceneOfPatient()
+{
+  varimarch::Scene scene;
+  scene.volume = varimarch::FileSource{ "/scans/DOE^JOHN/head.nrrd", std::nullopt };
+  scene.look.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };
+  scene.look.opacities = { { 100.0, 0.0 }, { 300.0, 0.8 } };
+  scene.background = { 0.0, 0.0, 1.0 };
+  return scene;
+}
+
 #endif

@@ -8,21 +8,6 @@
 
 using namespace varimarch;
 
-namespace
-{
-
-Scene SceneOfPatient()
-{
-  Scene scene;
-  scene.volume = FileSource{ "/scans/DOE^JOHN/head.nrrd", std::nullopt };
-  scene.look.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };
-  scene.look.opacities = { { 100.0, 0.0 }, { 300.0, 0.8 } };
-  scene.background = { 0.0, 0.0, 1.0 };
-  return scene;
-}
-
-}
-
 TEST(ExportedPicture, HasTheSizeAndTheBackgroundThatAreAskedFor)
 {
   const auto study = SmallStudy();

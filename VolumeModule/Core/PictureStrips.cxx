@@ -34,9 +34,11 @@ void PictureStrips::Took(const Rows& strip, double seconds, double longestSecond
   this->done = strip.begin + strip.count;
   if (longestSeconds > 0.0)
   {
-    const double change = longestSeconds / std::max(seconds, 1e-6);
-    this->rows =
-      std::max(int(strip.count * std::clamp(change, 1.0 / MostChange, MostChange)), FewestRows);
+    // The rest of a picture may be a few rows, which tell less than the strips before.
+    const double before = this->rows > 0 ? this->rows : strip.count;
+    const double inTime = strip.count * longestSeconds / std::max(seconds, 1e-6);
+    const double most = std::max(MostChange * strip.count, before);
+    this->rows = std::max(int(std::clamp(inTime, before / MostChange, most)), FewestRows);
   }
 }
 
