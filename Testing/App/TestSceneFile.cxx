@@ -1,3 +1,4 @@
+#include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneNames.h"
 #include "Scene/Scissors.h"
@@ -6,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -317,6 +319,17 @@ TEST(SceneFile, SchemaKnowsEveryBlend)
   const nlohmann::json schema = nlohmann::json::parse(file);
   const auto& known = schema["definitions"]["look"]["properties"]["blend"]["enum"];
   EXPECT_EQ(known.get<std::vector<std::string>>(), NamesOf(BlendNames()));
+}
+
+TEST(SceneFile, SchemaKnowsEveryPreset)
+{
+  std::ifstream file(std::string(VARIMARCH_SCENE_FOLDER) + "/scene.schema.json");
+  const nlohmann::json schema = nlohmann::json::parse(file);
+  std::vector<std::string> known = schema["properties"]["look"]["oneOf"][0]["enum"];
+  std::vector<std::string> names = PresetNames();
+  std::sort(known.begin(), known.end());
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(known, names);
 }
 
 TEST(SceneFile, SchemaKnowsEveryKey)
