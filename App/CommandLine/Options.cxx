@@ -97,7 +97,9 @@ void SceneOptions::AddPictureOptions(CLI::App& command)
     ->group(group);
   command.add_flag("--parallel", this->parallel, "Parallel instead of perspective projection")
     ->group(group);
-  command.add_option("--background", this->background, "Colour, each from 0 to 1 (default 0,0,0)")
+  command
+    .add_option(
+      "--background", this->background, "Colour, each from 0 to 1 (default: the preset's)")
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->delimiter(',')
     ->expected(3)
@@ -116,7 +118,7 @@ void SceneOptions::AddSamplingOptions(CLI::App& command)
     ->group(group);
   command
     .add_option("--error-tolerance", this->errorTolerance,
-      "Largest error accepted in a colour channel, 0 to 1 (default 1/64)")
+      "Largest error accepted in a colour channel, 0 to 1 (default: the preset's)")
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->type_name("E")
     ->group(group);
@@ -135,7 +137,7 @@ void SceneOptions::AddSamplingOptions(CLI::App& command)
     ->group(group);
 }
 
-std::optional<Look> SceneOptions::ChosenLook(vtkImageData* image) const
+std::optional<Preset> SceneOptions::ChosenPreset(vtkImageData* image) const
 {
   if (!this->transferFunction.empty())
   {
@@ -143,7 +145,7 @@ std::optional<Look> SceneOptions::ChosenLook(vtkImageData* image) const
   }
   if (!this->preset.empty())
   {
-    return Preset(this->preset);
+    return BuiltInPreset(this->preset);
   }
   return std::nullopt;
 }
@@ -201,13 +203,13 @@ std::pair<Scene, LoadedVolume> SceneOptions::Load(const std::string& input) cons
   Scene scene = isScene ? ReadScene(input) : Scene();
   scene.volume = isScene ? this->volume.Override(scene.volume) : this->volume.SourceOf(input);
   LoadedVolume loaded = LoadVolumeReporting(scene.volume);
-  if (const std::optional<Look> chosenLook = this->ChosenLook(loaded.image))
+  if (const std::optional<Preset> chosen = this->ChosenPreset(loaded.image))
   {
-    scene.look = *chosenLook;
+    TakePreset(*chosen, scene);
   }
   else if (!isScene)
   {
-    scene.look = Preset(SuggestedPreset(loaded, ImageStatistics(loaded.image)).name);
+    TakePreset(BuiltInPreset(SuggestedPreset(loaded, ImageStatistics(loaded.image)).name), scene);
   }
   this->Override(scene);
   return { scene, loaded };

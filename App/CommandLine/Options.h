@@ -36,7 +36,7 @@ private:
   void AddLookOptions(CLI::App& command);
   void AddPictureOptions(CLI::App& command);
   void AddSamplingOptions(CLI::App& command);
-  std::optional<Look> ChosenLook(vtkImageData* image) const;
+  std::optional<Preset> ChosenPreset(vtkImageData* image) const;
   void Override(Scene& scene) const;
 
   VolumeOptions volume;

@@ -69,7 +69,7 @@ void DrawDifferenceScale(Canvas& canvas, int left, int bottom, int width)
       canvas.SetPixel(left + Margin + x, bottom + y, ScaleColor(double(x) / length));
     }
   }
-  const std::array<const char*, 4> labels = { "0.1 or less", "1", "10", "100 or more" };
+  const std::array<const char*, 4> labels = { "≤ 0.1", "1", "10", "≥ 100" };
   for (std::size_t i = 0; i < labels.size(); ++i)
   {
     const auto anchor = i == 0 ? Canvas::Anchor::Left

@@ -21,9 +21,12 @@ namespace varimarch
 namespace
 {
 
-using Reader = Look (*)(
+using LookReader = Look (*)(
   const std::string& bytes, const std::string& file, const LookContext& context);
-using Writer = std::string (*)(const Look& look, const LookContext& context);
+using LookWriter = std::string (*)(const Look& look, const LookContext& context);
+using Reader = Preset (*)(
+  const std::string& bytes, const std::string& file, const LookContext& context);
+using Writer = std::string (*)(const Preset& preset, const LookContext& context);
 
 // Larger than any that a program writes.
 constexpr std::uintmax_t MostBytes = 16 << 20;
@@ -55,20 +58,33 @@ std::string WithoutTrailingCommas(std::string text)
   return text;
 }
 
-Look LookFromAnyJson(const std::string& text, const std::string& file, const LookContext& context)
+// Other programs' files hold a look, and nothing else of a preset.
+template <LookReader Read>
+Preset ReadLook(const std::string& bytes, const std::string& file, const LookContext& context)
+{
+  return { Read(bytes, file, context) };
+}
+
+template <LookWriter Write>
+std::string WriteLook(const Preset& preset, const LookContext& context)
+{
+  return Write(preset.look, context);
+}
+
+Preset ReadAnyJson(const std::string& text, const std::string& file, const LookContext& context)
 {
   const nlohmann::json json = ParseJson(WithoutTrailingCommas(text), file);
   if (IsParaViewColorMap(json))
   {
-    return LookFromParaViewJson(json, file, context);
+    return { LookFromParaViewJson(json, file, context) };
   }
-  return json.contains("volumeProperties") ? LookFromSlicerJson(json, file, context)
-                                           : LookFromJson(JsonCursor(json, file));
+  return json.contains("volumeProperties") ? Preset{ LookFromSlicerJson(json, file, context) }
+                                           : PresetFromJson(JsonCursor(json, file));
 }
 
-std::string OwnText(const Look& look, const LookContext&)
+std::string OwnText(const Preset& preset, const LookContext&)
 {
-  return LookText(look);
+  return PresetText(preset);
 }
 
 std::string ParaViewText(const Look& look, const LookContext&)
@@ -87,13 +103,14 @@ struct Row
 const std::vector<Row>& Table()
 {
   static const std::vector<Row> table = {
-    { { "Looks", ".json", true }, LookFromAnyJson, OwnText },
-    { { "3D Slicer volume properties", ".vp.json", true }, LookFromAnyJson, SlicerJson },
-    { { "3D Slicer volume properties, old", ".vp", true }, LookFromSlicerText, SlicerText },
-    { { "ParaView colour maps", ".paraview.json", true }, LookFromAnyJson, ParaViewText },
-    { { "MRIcroGL colour tables", ".clut", false }, LookFromClut, nullptr },
-    { { "OsiriX and Horos presets", ".plist", false }, LookFromPlist, nullptr },
-    { { "Inviwo transfer functions", ".itf", false }, LookFromItf, nullptr },
+    { { "Looks", ".json", true }, ReadAnyJson, OwnText },
+    { { "3D Slicer volume properties", ".vp.json", true }, ReadAnyJson, WriteLook<SlicerJson> },
+    { { "3D Slicer volume properties, old", ".vp", true }, ReadLook<LookFromSlicerText>,
+      WriteLook<SlicerText> },
+    { { "ParaView colour maps", ".paraview.json", true }, ReadAnyJson, WriteLook<ParaViewText> },
+    { { "MRIcroGL colour tables", ".clut", false }, ReadLook<LookFromClut>, nullptr },
+    { { "OsiriX and Horos presets", ".plist", false }, ReadLook<LookFromPlist>, nullptr },
+    { { "Inviwo transfer functions", ".itf", false }, ReadLook<LookFromItf>, nullptr },
   };
   return table;
 }
@@ -157,12 +174,12 @@ const std::vector<LookFileFormat>& LookFileFormats()
   return formats;
 }
 
-Look ReadLookFile(const std::string& path, const LookContext& context)
+Preset ReadLookFile(const std::string& path, const LookContext& context)
 {
   return RowOf(path).read(BytesOf(path), path, context);
 }
 
-void WriteLookFile(const Look& look, const std::string& path, const LookContext& context)
+void WriteLookFile(const Preset& preset, const std::string& path, const LookContext& context)
 {
   const Row& row = RowOf(path);
   if (!row.write)
@@ -170,8 +187,8 @@ void WriteLookFile(const Look& look, const std::string& path, const LookContext&
     throw std::runtime_error("Cannot write " + path + ": " + row.format.description +
       " are only read; expected a name that ends in .json, .vp.json, .vp or .paraview.json.");
   }
-  Look named = look;
-  named.name = NameOfLookFile(path);
+  Preset named = preset;
+  named.look.name = NameOfLookFile(path);
   WriteFileWhole(path, row.write(named, context));
 }
 

@@ -20,15 +20,16 @@ struct LookFileFormat
 /// Ours is the first.
 const std::vector<LookFileFormat>& LookFileFormats();
 
-/// Reads a look of ours or of another program, by the ending of its name, and JSON by what is in
-/// it. Commas after the last element, as programs that write JSON by hand leave them, are no error.
+/// Reads a preset of ours or a look of another program, by the ending of its name, and JSON by what
+/// is in it. Commas after the last element, as programs that write JSON by hand leave them, are no
+/// error.
 /// @throws std::runtime_error one sentence that names the file
-Look ReadLookFile(const std::string& path, const LookContext& context);
+Preset ReadLookFile(const std::string& path, const LookContext& context);
 
-/// Writes a look in units of the data as the ending of the name says, by default as ours, and names
-/// it after the file.
+/// Writes a preset in units of the data as the ending of the name says, by default as ours, and
+/// names it after the file. Files of other programs hold the look alone.
 /// @throws std::runtime_error one sentence that names the file
-void WriteLookFile(const Look& look, const std::string& path, const LookContext& context);
+void WriteLookFile(const Preset& preset, const std::string& path, const LookContext& context);
 
 }
 

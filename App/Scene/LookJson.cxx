@@ -154,22 +154,8 @@ nlohmann::ordered_json JsonFromOpacities(const std::vector<OpacityNode>& nodes)
   return json;
 }
 
-}
-
 Look LookFromJson(const JsonCursor& json)
 {
-  if (json.IsText())
-  {
-    const std::string name = json.Text();
-    if (!IsPresetName(name))
-    {
-      json.Fail("unknown preset \"" + name + "\"; " + Suggestion(name, PresetNames()));
-    }
-    return Preset(name);
-  }
-  json.RequireObject(
-    { "name", "description", "domain", "colors", "opacities", "opacityUnitDistance",
-      "gradientOpacities", "shading", "blend", "isosurfaces", "averagedRange" });
   Look look;
   ReadTexts(json, look);
   if (const auto domain = json.Find("domain"))
@@ -192,6 +178,34 @@ Look LookFromJson(const JsonCursor& json)
   }
   ReadBlend(json, look);
   return look;
+}
+
+}
+
+Preset PresetFromJson(const JsonCursor& json)
+{
+  if (json.IsText())
+  {
+    const std::string name = json.Text();
+    if (!IsPresetName(name))
+    {
+      json.Fail("unknown preset \"" + name + "\"; " + Suggestion(name, PresetNames()));
+    }
+    return BuiltInPreset(name);
+  }
+  json.RequireObject({ "name", "description", "domain", "colors", "opacities",
+    "opacityUnitDistance", "gradientOpacities", "shading", "blend", "isosurfaces", "averagedRange",
+    "errorTolerance", "background" });
+  Preset preset = { LookFromJson(json) };
+  if (const auto tolerance = json.Find("errorTolerance"))
+  {
+    preset.errorTolerance = tolerance->Number(UnitInterval);
+  }
+  if (const auto background = json.Find("background"))
+  {
+    preset.background = background->Numbers<3>(UnitInterval);
+  }
+  return preset;
 }
 
 nlohmann::ordered_json JsonFromLook(const Look& look)
@@ -223,6 +237,20 @@ nlohmann::ordered_json JsonFromLook(const Look& look)
   if (look.averagedRange)
   {
     json["averagedRange"] = *look.averagedRange;
+  }
+  return json;
+}
+
+nlohmann::ordered_json JsonFromPreset(const Preset& preset)
+{
+  nlohmann::ordered_json json = JsonFromLook(preset.look);
+  if (preset.errorTolerance)
+  {
+    json["errorTolerance"] = *preset.errorTolerance;
+  }
+  if (preset.background)
+  {
+    json["background"] = *preset.background;
   }
   return json;
 }

@@ -7,10 +7,11 @@
 namespace varimarch
 {
 
-/// A look from an object, or the preset that a text names.
-Look LookFromJson(const JsonCursor& json);
+/// A preset from an object, or the one that a text names.
+Preset PresetFromJson(const JsonCursor& json);
 
 nlohmann::ordered_json JsonFromLook(const Look& look);
+nlohmann::ordered_json JsonFromPreset(const Preset& preset);
 
 }
 

@@ -1,6 +1,6 @@
 #include "Scene/Presets.h"
 
-#include "PresetTexts.h"
+#include "PresetFiles.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneNames.h"
 #include "Scene/VolumeProperty.h"
@@ -14,7 +14,7 @@ namespace varimarch
 std::vector<std::string> PresetNames()
 {
   std::vector<std::string> names;
-  for (const PresetText& preset : PresetTexts())
+  for (const PresetFile& preset : PresetFiles())
   {
     names.push_back(preset.name);
   }
@@ -27,23 +27,35 @@ bool IsPresetName(const std::string& name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Look Preset(const std::string& name)
+Preset BuiltInPreset(const std::string& name)
 {
-  for (const PresetText& preset : PresetTexts())
+  for (const PresetFile& preset : PresetFiles())
   {
     if (name == preset.name)
     {
-      return LookFromText(preset.json, "preset " + name);
+      return PresetFromText(preset.json, "preset " + name);
     }
   }
   throw std::invalid_argument(
     "unknown preset \"" + name + "\"; " + Suggestion(name, PresetNames()));
 }
 
-bool IsPreset(const Look& look, const ImageStatistics& statistics)
+bool IsBuiltInLook(const Look& look, const ImageStatistics& statistics)
 {
   return IsPresetName(look.name) &&
-    LookText(InUnitsOfData(Preset(look.name), statistics)) == LookText(look);
+    LookText(InUnitsOfData(BuiltInPreset(look.name).look, statistics)) == LookText(look);
+}
+
+void TakePreset(const Preset& preset, Scene& scene)
+{
+  scene.look = preset.look;
+  scene.render.errorTolerance = preset.errorTolerance.value_or(scene.render.errorTolerance);
+  scene.background = preset.background.value_or(scene.background);
+}
+
+Preset PresetOf(const Scene& scene)
+{
+  return { scene.look, scene.render.errorTolerance, scene.background };
 }
 
 }

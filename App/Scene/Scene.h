@@ -95,6 +95,14 @@ struct Look
   std::optional<std::array<double, 2>> averagedRange;
 };
 
+/// A look, and what else a picture should be like; what is empty stays as it was.
+struct Preset
+{
+  Look look;
+  std::optional<double> errorTolerance = {}; ///< as in RenderOptions
+  std::optional<std::array<double, 3>> background = {};
+};
+
 /// Where the eye is, in the patient's terms. World space is LPS: +x left, +y posterior,
 /// +z superior.
 enum class View

@@ -4,6 +4,7 @@
 #include "Scene/CutsJson.h"
 #include "Scene/LookJson.h"
 #include "Scene/MeasuresJson.h"
+#include "Scene/Presets.h"
 #include "Scene/VolumeJson.h"
 
 #include <filesystem>
@@ -62,11 +63,10 @@ std::optional<Value> ChoiceOrAuto(const JsonCursor& json, const NameTable<Value>
   return json.IsText() && json.Text() == "auto" ? std::nullopt : std::optional(json.Choice(names));
 }
 
-RenderOptions RenderFromJson(const JsonCursor& json)
+void ReadRender(const JsonCursor& json, RenderOptions& render)
 {
   json.RequireObject({ "sampleDistance", "errorTolerance", "acceleration", "integration",
     "variationTolerance", "earlyTermination" });
-  RenderOptions render;
   if (const auto distance = json.Find("sampleDistance"))
   {
     render.sampleDistanceMm = NumberOrAuto(*distance, Positive);
@@ -91,7 +91,6 @@ RenderOptions RenderFromJson(const JsonCursor& json)
   {
     render.earlyTerminationTransmittance = transmittance->Number({ 0.0, 1.0, false, true });
   }
-  return render;
 }
 
 Scene SceneFromJson(const JsonCursor& json)
@@ -101,7 +100,8 @@ Scene SceneFromJson(const JsonCursor& json)
     "angles", "boxes", "render", "size", "background" });
   Scene scene;
   scene.volume = VolumeFromJson(json.At("volume"));
-  scene.look = LookFromJson(json.At("look"));
+  // What a preset says comes first: the scene's own keys take its place.
+  TakePreset(PresetFromJson(json.At("look")), scene);
   if (const auto camera = json.Find("camera"))
   {
     scene.camera = CameraFromJson(*camera);
@@ -119,7 +119,7 @@ Scene SceneFromJson(const JsonCursor& json)
   scene.boxes = BoxesFromJson(json);
   if (const auto render = json.Find("render"))
   {
-    scene.render = RenderFromJson(*render);
+    ReadRender(*render, scene.render);
   }
   if (const auto size = json.Find("size"))
   {
@@ -183,14 +183,19 @@ std::string LookText(const Look& look)
   return TextFromJson(JsonFromLook(look));
 }
 
+std::string PresetText(const Preset& preset)
+{
+  return TextFromJson(JsonFromPreset(preset));
+}
+
 Scene SceneFromText(const std::string& text, const std::string& file)
 {
   return SceneFromJson(JsonCursor(ParseJson(text, file), file));
 }
 
-Look LookFromText(const std::string& text, const std::string& file)
+Preset PresetFromText(const std::string& text, const std::string& file)
 {
-  return LookFromJson(JsonCursor(ParseJson(text, file), file));
+  return PresetFromJson(JsonCursor(ParseJson(text, file), file));
 }
 
 Scene ReadScene(const std::string& path)

@@ -8,7 +8,7 @@
 namespace varimarch
 {
 
-/// Scenes and looks as JSON: Documentation/SceneFormat.md describes the format,
+/// Scenes, looks and presets as JSON: Documentation/SceneFormat.md describes the format,
 /// Data/Scenes/scene.schema.json defines it for editors.
 ///
 /// Every function that reads throws std::runtime_error with one sentence that names the file, the
@@ -20,10 +20,11 @@ Scene ReadScene(const std::string& path);
 /// Keys that may be left out are always written, so that the text holds the whole scene.
 std::string SceneText(const Scene& scene);
 std::string LookText(const Look& look);
+std::string PresetText(const Preset& preset);
 
 /// Parse a text instead of a file; `file` names it in errors.
 Scene SceneFromText(const std::string& text, const std::string& file);
-Look LookFromText(const std::string& text, const std::string& file);
+Preset PresetFromText(const std::string& text, const std::string& file);
 
 }
 

@@ -3,6 +3,8 @@
 #include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneCamera.h"
+#include "Viewer/LiveColorDialog.h"
+#include "Viewer/Model/Gesture.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/CutsPanel.h"
@@ -19,6 +21,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QCloseEvent>
+#include <QColorDialog>
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QProgressBar>
@@ -136,8 +139,8 @@ void MainWindow::MakeMenus()
     {
       if (const auto study = this->model.CurrentStudy())
       {
-        this->model.SetLook(
-          Preset(SuggestedPreset(study->volume, study->statistics).name), tr("first look"));
+        const std::string name = SuggestedPreset(study->volume, study->statistics).name;
+        this->model.SetPreset(BuiltInPreset(name), tr("first look"));
       }
     },
     QKeySequence("R"));
@@ -174,6 +177,8 @@ void MainWindow::MakeViewMenu()
       QKeySequence(key));
   }
   this->MakeProjectionAction(menu);
+  menu->addAction(tr("&Background…"), this, &MainWindow::ChooseBackground)
+    ->setObjectName("background");
   menu->addSeparator();
   menu->addMenu(NewThemeMenu(this));
 }
@@ -194,6 +199,28 @@ void MainWindow::MakeProjectionAction(QMenu* menu)
     });
   connect(&this->model, &SceneModel::Changed, parallel,
     [this, parallel] { parallel->setChecked(this->model.CurrentScene().camera.parallel); });
+}
+
+void MainWindow::ChooseBackground()
+{
+  if (!this->model.CurrentStudy())
+  {
+    return;
+  }
+  const std::array<double, 3> before = this->model.CurrentScene().background;
+  const auto edit = [this, gesture = NewGesture()](const std::array<double, 3>& rgb)
+  {
+    this->model.Edit(
+      ScenePart::Background, tr("background"), [&](Scene& scene) { scene.background = rgb; },
+      gesture);
+  };
+  const QColorDialog* const dialog = OpenLiveColorDialog(
+    QColor::fromRgbF(before[0], before[1], before[2]),
+    [edit](const QColor& color) {
+      edit({ color.redF(), color.greenF(), color.blueF() });
+    },
+    this);
+  connect(dialog, &QDialog::rejected, this, [edit, before] { edit(before); });
 }
 
 void MainWindow::MakePanels()

@@ -60,6 +60,7 @@ private:
   void MakeMenus();
   void MakeViewMenu();
   void MakeProjectionAction(QMenu* menu);
+  void ChooseBackground();
   void MakeToolMenu();
   void MakeLeftButtonActions(QMenu* menu);
   void MakeComparisonActions(QMenu* menu);

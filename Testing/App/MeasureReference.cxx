@@ -22,7 +22,7 @@ int main(int argc, char** argv)
   {
     Scene scene;
     scene.volume = FileSource{ argv[1], {} };
-    scene.look = Preset(argv[2]);
+    scene.look = BuiltInPreset(argv[2]).look;
     scene.look.shading.enabled = !(argc > 5 && std::strcmp(argv[5], "unshaded") == 0);
     scene.size = { std::stoi(argv[3]), std::stoi(argv[3]) };
     const LoadedVolume volume = LoadVolume(scene.volume);

@@ -17,7 +17,7 @@ Scene SmallTorso()
 {
   Scene scene;
   scene.volume = ProceduralSource{ ProceduralKind::Torso, { 48, 40, 32 }, 1 };
-  scene.look = Preset("ct-bone");
+  scene.look = BuiltInPreset("ct-bone").look;
   scene.size = { 70, 50 };
   scene.background = { 0.2, 0.4, 0.6 };
   return scene;

@@ -38,7 +38,7 @@ protected:
 
   Look Read(const std::string& name, const std::string& bytes) const
   {
-    return ReadLookFile(this->Write(name, bytes), Ct);
+    return ReadLookFile(this->Write(name, bytes), Ct).look;
   }
 
   // Without the folder.
@@ -167,18 +167,37 @@ TEST_F(LookFiles, OfParaViewKeepTheColoursOfAnotherColourSpace)
 
 TEST_F(LookFiles, WrittenForOtherProgramsAreReadAsTheyWere)
 {
-  Look look = Preset("ct-bone");
+  const Preset preset = BuiltInPreset("ct-bone");
+  const Look& look = preset.look;
   for (const std::string name : { "a.json", "a.vp.json", "a.vp", "a.paraview.json", "b.VP" })
   {
     const std::string path = (this->folder / name).string();
-    WriteLookFile(look, path, Ct);
-    const Look back = ReadLookFile(path, Ct);
+    WriteLookFile(preset, path, Ct);
+    const Look back = ReadLookFile(path, Ct).look;
     EXPECT_EQ(back.name, name.substr(0, 1)) << name;
     EXPECT_EQ(TextOf(back.opacities), TextOf(look.opacities)) << name;
     ASSERT_EQ(back.colors.size(), look.colors.size()) << name;
     EXPECT_EQ(back.colors[1].rgb, look.colors[1].rgb) << name;
   }
-  EXPECT_THROW(WriteLookFile(look, (this->folder / "a.clut").string(), Ct), std::runtime_error);
+  EXPECT_THROW(WriteLookFile(preset, (this->folder / "a.clut").string(), Ct), std::runtime_error);
+}
+
+TEST_F(LookFiles, OfOursAloneHoldQualityAndBackground)
+{
+  Preset preset = BuiltInPreset("ct-bone");
+  preset.errorTolerance = 0.125;
+  preset.background = { 0.25, 0.5, 0.75 };
+  const auto written = [&](const char* name)
+  {
+    const std::string path = (this->folder / name).string();
+    WriteLookFile(preset, path, Ct);
+    return ReadLookFile(path, Ct);
+  };
+  EXPECT_EQ(written("a.json").errorTolerance, preset.errorTolerance);
+  EXPECT_EQ(written("a.json").background, preset.background);
+  EXPECT_FALSE(written("a.vp.json").errorTolerance);
+  EXPECT_FALSE(written("a.vp").background);
+  EXPECT_FALSE(written("a.paraview.json").background);
 }
 
 TEST_F(LookFiles, OfMricroGlMayHaveImpossibleOpacities)

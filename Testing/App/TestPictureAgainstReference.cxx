@@ -136,7 +136,7 @@ TEST(PictureAgainstReference, RealHeadIsWithinHalfAStepOfTheIntegralByDefault)
   }
   const LoadedVolume volume = LoadVolume(FileSource{ path, std::nullopt });
   Scene scene;
-  scene.look = Preset("ct-bone");
+  scene.look = BuiltInPreset("ct-bone").look;
   scene.size = { 128, 128 };
   for (const bool shading : { false, true })
   {

@@ -23,8 +23,11 @@ TEST(Presets, EveryOneIsReadable)
   EXPECT_EQ(PresetNames().size(), 12u);
   for (const std::string& name : PresetNames())
   {
-    const Look look = Preset(name);
+    const Preset preset = BuiltInPreset(name);
+    const Look& look = preset.look;
     EXPECT_EQ(look.name, name);
+    EXPECT_TRUE(preset.errorTolerance) << name;
+    EXPECT_TRUE(preset.background) << name;
     EXPECT_FALSE(look.description.empty()) << name;
     EXPECT_EQ(look.opacities.front().opacity, 0.0) << name << " must not show the air";
   }
@@ -34,7 +37,7 @@ TEST(Presets, UnknownNameSuggestsTheNearest)
 {
   try
   {
-    Preset("ct-bones");
+    BuiltInPreset("ct-bones");
     FAIL();
   }
   catch (const std::invalid_argument& error)
@@ -46,7 +49,7 @@ TEST(Presets, UnknownNameSuggestsTheNearest)
 TEST(Presets, RelativeOnesFollowTheData)
 {
   const auto volume = ProceduralVolume({ ProceduralKind::MarschnerLobb, { 20, 20, 20 }, 1 });
-  const Look look = Preset("mr-head");
+  const Look look = BuiltInPreset("mr-head").look;
   ASSERT_EQ(look.domain, Domain::Relative);
   const Look before = InUnitsOfData(look, volume);
   for (vtkIdType i = 0; i < volume->GetNumberOfPoints(); ++i)

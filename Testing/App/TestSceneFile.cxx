@@ -126,13 +126,28 @@ TEST(SceneFile, WhatSomeLooksHaveReadsBackTheSame)
   EXPECT_EQ(back.look.averagedRange, scene.look.averagedRange);
 }
 
+TEST(SceneFile, TakesAllThatItsPresetHoldsButWhatItSaysItself)
+{
+  const Preset lung = BuiltInPreset("ct-lung");
+  const std::string volume = R"({ "volume": { "procedural": "torso" }, "look": "ct-lung")";
+  const Scene taken = SceneFromText(volume + "}", "a.json");
+  EXPECT_EQ(taken.render.errorTolerance, lung.errorTolerance);
+  EXPECT_EQ(taken.background, lung.background);
+  const Scene own = SceneFromText(
+    volume + R"(, "background": [1, 0, 1], "render": { "errorTolerance": 0.5 } })", "a.json");
+  EXPECT_EQ(own.background, (std::array{ 1.0, 0.0, 1.0 }));
+  EXPECT_EQ(own.render.errorTolerance, 0.5);
+  EXPECT_EQ(SceneFromText(volume + R"(, "render": {} })", "a.json").render.errorTolerance,
+    lung.errorTolerance);
+}
+
 TEST(SceneFile, IsosurfacesAreNeededByTheirBlending)
 {
   const std::string look = R"({ "colors": [ { "value": 0, "rgb": [1, 1, 1] } ],
     "opacities": [ { "value": 0, "opacity": 1 } ], "blend": "isosurface" })";
   try
   {
-    LookFromText(look, "a.json");
+    PresetFromText(look, "a.json");
     FAIL();
   }
   catch (const std::runtime_error& error)
@@ -215,7 +230,7 @@ TEST(SceneFile, NodesMustBeInOrder)
 {
   try
   {
-    LookFromText(R"({ "colors": [ { "value": 1, "rgb": [0, 0, 0] } ],
+    PresetFromText(R"({ "colors": [ { "value": 1, "rgb": [0, 0, 0] } ],
       "opacities": [ { "value": 5, "opacity": 0 }, { "value": 4, "opacity": 1 } ] })",
       "look.json");
     FAIL();
@@ -330,6 +345,17 @@ TEST(SceneFile, SchemaKnowsEveryPreset)
   std::sort(known.begin(), known.end());
   std::sort(names.begin(), names.end());
   EXPECT_EQ(known, names);
+}
+
+TEST(SceneFile, SchemaKnowsEveryKeyOfPresets)
+{
+  std::ifstream file(std::string(VARIMARCH_SCENE_FOLDER) + "/scene.schema.json");
+  const nlohmann::json schema = nlohmann::json::parse(file);
+  for (const std::string& name : PresetNames())
+  {
+    const std::string text = PresetText(BuiltInPreset(name));
+    ExpectKeysInSchema(nlohmann::json::parse(text), schema["definitions"]["look"], schema);
+  }
 }
 
 TEST(SceneFile, SchemaKnowsEveryKey)

@@ -27,7 +27,7 @@ double RmseFromOurs(const Scene& scene, vtkImageData* image, MapperKind kind)
 TEST(ScenePipeline, EveryMapperDrawsATurnedAndMirroredVolumeAlike)
 {
   Scene scene;
-  scene.look = Preset("ct-bone");
+  scene.look = BuiltInPreset("ct-bone").look;
   scene.size = { 96, 96 };
   scene.camera.azimuthDegrees = 35.0;
   scene.camera.elevationDegrees = 20.0;

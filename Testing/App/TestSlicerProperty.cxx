@@ -57,7 +57,7 @@ TEST(SlicerProperty, OfEveryCtPresetComesBackAsItWas)
 {
   for (const std::string name : { "ct-bone", "ct-lung", "ct-soft-tissue", "ct-vessels" })
   {
-    Look look = Preset(name);
+    Look look = BuiltInPreset(name).look;
     const Look back = LookFromSlicerText(SlicerText(look, Context), name + ".vp", Context);
     look.description.clear();
     EXPECT_EQ(LookText(back), LookText(look));
@@ -77,7 +77,7 @@ TEST(SlicerProperty, HasGradientOpacityPerSpacing)
 
 TEST(SlicerProperty, InJsonComesBackAsItWas)
 {
-  Look look = Preset("ct-bone");
+  Look look = BuiltInPreset("ct-bone").look;
   look.description.clear();
   look.gradientOpacities = { { 3.0, 0.25, { 0.25, 0.5 } }, { 40.0, 1.0 } };
   look.opacities[1].shape = { 0.25, 0.75 };

@@ -21,7 +21,13 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume, vtkVolumeProperty
 
 SMALL = {"size": (32, 32)}
-WHITE = {"color": "white", "opacity": [(0, 0), (100, 1)], "shade": False, **SMALL}
+WHITE = {
+    "color": "white",
+    "opacity": [(0, 0), (100, 1)],
+    "shade": False,
+    "background": "black",
+    **SMALL,
+}
 
 
 def ball(side=24):

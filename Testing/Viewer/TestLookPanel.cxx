@@ -83,14 +83,14 @@ TEST_F(PanelOfAModel, EveryControlEditsTheModelInAStepOfItsOwn)
   QTest::keyClick(this->Find<QGroupBox>("shading"), Qt::Key_Space);
   EXPECT_FALSE(this->Shown().shading.enabled);
   this->Choose("presets", "ct-lung");
-  EXPECT_EQ(this->Shown().opacities.size(), Preset("ct-lung").opacities.size());
+  EXPECT_EQ(this->Shown().opacities.size(), BuiltInPreset("ct-lung").look.opacities.size());
   EXPECT_EQ(this->model.History()->count(), 5);
   while (this->model.History()->canUndo())
   {
     this->model.History()->undo();
   }
-  EXPECT_EQ(LookText(this->Shown()), LookText(Preset("ct-bone")));
-  EXPECT_EQ(this->Digits("Ambient")->value(), Preset("ct-bone").shading.ambient);
+  EXPECT_EQ(LookText(this->Shown()), LookText(BuiltInPreset("ct-bone").look));
+  EXPECT_EQ(this->Digits("Ambient")->value(), BuiltInPreset("ct-bone").look.shading.ambient);
 }
 
 TEST_F(PanelOfAModel, ASliderThatIsDraggedIsOneStep)

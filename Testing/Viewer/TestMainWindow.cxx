@@ -9,6 +9,7 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -21,6 +22,7 @@
 
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 #include <vtkVariationFieldVolumeMapper.h>
 #include <vtkXMLImageDataWriter.h>
 
@@ -334,6 +336,31 @@ TEST_F(Window, ShowsPerspectiveOrNone)
   this->Model()->History()->undo();
   EXPECT_EQ(camera->GetParallelProjection(), 0);
   EXPECT_FALSE(action->isChecked());
+}
+
+TEST_F(Window, ShowsABackgroundWhileItIsChosen)
+{
+  this->OpenTorso();
+  const std::array<double, 3> before = this->Model()->CurrentScene().background;
+  const auto choose = [&](const QColor& color)
+  {
+    this->window.findChild<QAction*>("background")->trigger();
+    auto* const dialog = this->window.findChild<QColorDialog*>();
+    dialog->setCurrentColor(Qt::white);
+    dialog->setCurrentColor(color);
+    return dialog;
+  };
+  vtkRenderer* const renderer = this->View()->Pipeline()->Renderer();
+  delete choose(Qt::green);
+  EXPECT_EQ(renderer->GetBackground()[1], 1.0);
+  EXPECT_EQ(renderer->GetBackground()[0], 0.0);
+  EXPECT_EQ(this->Model()->History()->count(), 1) << "one visit to the dialog is a step";
+  this->Model()->History()->undo();
+  EXPECT_EQ(renderer->GetBackground()[1], before[1]);
+
+  choose(Qt::red)->reject();
+  EXPECT_EQ(this->Model()->CurrentScene().background, before);
+  EXPECT_FALSE(this->Model()->History()->canUndo());
 }
 
 // A window and what is drawn without one share a thread, which has one current context.

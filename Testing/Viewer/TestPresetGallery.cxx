@@ -79,6 +79,11 @@ TEST_F(Gallery, MarksTheLookOfTheMoment)
   edited.shading.ambient = 0.5;
   this->model.SetLook(edited, "edit");
   EXPECT_FALSE(this->List()->currentItem());
+  this->model.History()->undo();
+  EXPECT_EQ(this->List()->currentItem(), this->Item("CT bone"));
+  this->model.Edit(
+    ScenePart::Render, "quality", [](Scene& scene) { scene.render.errorTolerance = 0.5; });
+  EXPECT_FALSE(this->List()->currentItem());
 }
 
 TEST_F(Gallery, TakesTheWholeLookByAClickInOneStep)
@@ -94,6 +99,27 @@ TEST_F(Gallery, TakesTheWholeLookByAClickInOneStep)
   EXPECT_EQ(this->List()->currentItem(), this->Item("CT lungs"));
 }
 
+TEST_F(Gallery, TakesQualityAndBackgroundInTheSameStep)
+{
+  const auto change = [](Scene& scene)
+  {
+    scene.render.errorTolerance = 0.5;
+    scene.background = { 1.0, 1.0, 1.0 };
+  };
+  this->model.Edit(ScenePart::Render, "quality and background", change);
+  std::vector<ScenePart> parts;
+  QObject::connect(
+    &this->model, &SceneModel::Changed, [&](ScenePart part) { parts.push_back(part); });
+  this->Click("CT bone");
+  const Preset bone = BuiltInPreset("ct-bone");
+  EXPECT_EQ(this->model.CurrentScene().render.errorTolerance, bone.errorTolerance);
+  EXPECT_EQ(this->model.CurrentScene().background, bone.background);
+  EXPECT_EQ(parts, (std::vector{ ScenePart::Look, ScenePart::Render, ScenePart::Background }));
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().render.errorTolerance, 0.5);
+  EXPECT_EQ(this->model.CurrentScene().background, (std::array{ 1.0, 1.0, 1.0 }));
+}
+
 TEST_F(Gallery, IsWorkedByKeys)
 {
   this->List()->setCurrentItem(this->Item("CT skin"));
@@ -106,12 +132,17 @@ TEST_F(Gallery, KeepsRenamesAndRemovesOwnOnes)
   Look own = this->TheLook();
   own.shading.specularPower = 77.0;
   this->model.SetLook(own, "edit");
+  this->model.Edit(ScenePart::Background, "rose",
+    [](Scene& scene) {
+      scene.background = { 1.0, 0.5, 0.5 };
+    });
   this->Press("keep");
   ASSERT_TRUE(this->Item("My look 1"));
   this->Item("My look 1")->setText("Temporal bone");
   this->Click("CT lungs");
   this->Click("Temporal bone");
   EXPECT_EQ(this->TheLook().shading.specularPower, 77.0);
+  EXPECT_EQ(this->model.CurrentScene().background, (std::array{ 1.0, 0.5, 0.5 }));
   EXPECT_EQ(this->TheLook().name, "Temporal bone");
 
   SceneModel later;

@@ -46,14 +46,14 @@ QStringList OwnPresets::Names() const
   return names;
 }
 
-Look OwnPresets::Read(const QString& name) const
+Preset OwnPresets::Read(const QString& name) const
 {
-  Look look = ReadLookFile(this->PathOf(name).toStdString(), LookContext());
-  look.name = name.toStdString();
-  return look;
+  Preset preset = ReadLookFile(this->PathOf(name).toStdString(), LookContext());
+  preset.look.name = name.toStdString();
+  return preset;
 }
 
-QString OwnPresets::Keep(const Look& look)
+QString OwnPresets::Keep(const Preset& preset)
 {
   const QString base = QCoreApplication::translate("OwnPresets", "My look %1");
   QDir().mkpath(this->folder);
@@ -62,9 +62,9 @@ QString OwnPresets::Keep(const Look& look)
   {
     ++number;
   }
-  Look kept = look;
-  kept.name = base.arg(number).toStdString();
-  WriteFileWhole(this->PathOf(base.arg(number)).toStdString(), LookText(kept));
+  Preset kept = preset;
+  kept.look.name = base.arg(number).toStdString();
+  WriteFileWhole(this->PathOf(base.arg(number)).toStdString(), PresetText(kept));
   return base.arg(number);
 }
 

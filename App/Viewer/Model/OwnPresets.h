@@ -9,8 +9,8 @@
 namespace varimarch
 {
 
-/// Looks that the user has kept: each is a file in a folder, under its name. Whoever puts a file of
-/// a look there has it in the list as well.
+/// Presets that the user has kept: each is a file in a folder, under its name. Whoever puts a file
+/// of a look there has it in the list as well.
 ///
 /// What changes the folder throws std::runtime_error with one sentence when it cannot be done.
 class OwnPresets
@@ -22,10 +22,10 @@ public:
   QStringList Names() const;
 
   /// @throws std::runtime_error that names the file and what is wrong with it
-  Look Read(const QString& name) const;
+  Preset Read(const QString& name) const;
 
-  /// Keeps a look under a name that none has yet, and returns that name.
-  QString Keep(const Look& look);
+  /// Keeps a preset under a name that none has yet, and returns that name.
+  QString Keep(const Preset& preset);
 
   void Rename(const QString& name, const QString& newName);
   void Remove(const QString& name);

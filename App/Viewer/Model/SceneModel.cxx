@@ -17,25 +17,26 @@ namespace varimarch
 class SceneModel::EditStep : public QUndoCommand
 {
 public:
-  EditStep(SceneModel* model, ScenePart part, const QString& name, State after, int gesture)
+  EditStep(
+    SceneModel* model, std::vector<ScenePart> parts, const QString& name, State after, int gesture)
     : QUndoCommand(name)
     , model(model)
-    , part(part)
+    , parts(std::move(parts))
     , before(model->state)
     , after(std::move(after))
     , gesture(gesture)
   {
   }
 
-  void undo() override { this->model->Replace(this->part, this->before); }
-  void redo() override { this->model->Replace(this->part, this->after); }
+  void undo() override { this->model->Replace(this->parts, this->before); }
+  void redo() override { this->model->Replace(this->parts, this->after); }
 
   int id() const override { return this->gesture; }
 
   bool mergeWith(const QUndoCommand* next) override
   {
     const auto* const step = static_cast<const EditStep*>(next);
-    if (step->part != this->part)
+    if (step->parts != this->parts)
     {
       return false;
     }
@@ -47,7 +48,7 @@ public:
 
 private:
   SceneModel* model;
-  ScenePart part;
+  std::vector<ScenePart> parts;
   State before;
   State after;
   int gesture;
@@ -62,9 +63,8 @@ void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> o
 {
   Scene first;
   first.volume = source;
-  first.look = Preset(SuggestedPreset(opened->volume, opened->statistics).name);
   first.render = this->state.scene.render;
-  first.background = this->state.scene.background;
+  TakePreset(BuiltInPreset(SuggestedPreset(opened->volume, opened->statistics).name), first);
   this->Restore(first, std::move(opened));
 }
 
@@ -74,7 +74,7 @@ void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened
   this->exchanged.reset();
   State restored = { std::move(opened), saved };
   restored.scene.look = InUnitsOfData(saved.look, restored.study->statistics);
-  this->Replace(ScenePart::Volume, restored);
+  this->Replace({ ScenePart::Volume }, restored);
 }
 
 void SceneModel::Exchange(
@@ -85,7 +85,8 @@ void SceneModel::Exchange(
   changed.scene.volume = source;
   changed.scene.cuts.box =
     BoxInOther(changed.scene.cuts.box, this->exchanged->volume.image, changed.study->volume.image);
-  this->history.push(new EditStep(this, ScenePart::Volume, name, std::move(changed), NoGesture));
+  this->history.push(
+    new EditStep(this, { ScenePart::Volume }, name, std::move(changed), NoGesture));
 }
 
 void SceneModel::Edit(
@@ -93,7 +94,7 @@ void SceneModel::Edit(
 {
   State changed = this->state;
   change(changed.scene);
-  this->history.push(new EditStep(this, part, name, std::move(changed), gesture));
+  this->history.push(new EditStep(this, { part }, name, std::move(changed), gesture));
 }
 
 void SceneModel::SetLook(const Look& look, const QString& name, int gesture)
@@ -103,10 +104,23 @@ void SceneModel::SetLook(const Look& look, const QString& name, int gesture)
     ScenePart::Look, name, [&](Scene& edited) { edited.look = inUnitsOfData; }, gesture);
 }
 
-void SceneModel::Replace(ScenePart part, const State& newState)
+void SceneModel::SetPreset(const Preset& preset, const QString& name)
+{
+  State changed = this->state;
+  TakePreset(preset, changed.scene);
+  changed.scene.look = InUnitsOfData(preset.look, changed.study->statistics);
+  this->history.push(
+    new EditStep(this, { ScenePart::Look, ScenePart::Render, ScenePart::Background }, name,
+      std::move(changed), NoGesture));
+}
+
+void SceneModel::Replace(const std::vector<ScenePart>& parts, const State& newState)
 {
   this->state = newState;
-  emit this->Changed(part);
+  for (const ScenePart part : parts)
+  {
+    emit this->Changed(part);
+  }
 }
 
 }

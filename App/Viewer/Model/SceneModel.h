@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace varimarch
 {
@@ -53,7 +54,8 @@ public:
   std::shared_ptr<const Study> CurrentStudy() const { return this->state.study; }
   const Scene& CurrentScene() const { return this->state.scene; }
 
-  /// Takes another volume, with a look that suits it, and forgets the steps that were of the last.
+  /// Takes another volume, with a preset that suits it, and forgets the steps that were of the
+  /// last.
   void Open(const VolumeSource& source, std::shared_ptr<const Study> opened);
 
   /// Takes a scene as it was saved, with its volume.
@@ -74,6 +76,9 @@ public:
   /// Replaces the look; one in relative values is brought into units of the data.
   void SetLook(const Look& look, const QString& name, int gesture = NoGesture);
 
+  /// The same of a preset: its look, its quality and its background, in one step.
+  void SetPreset(const Preset& preset, const QString& name);
+
   QUndoStack* History() { return &this->history; }
 
 signals:
@@ -88,7 +93,7 @@ private:
     Scene scene;
   };
 
-  void Replace(ScenePart part, const State& newState);
+  void Replace(const std::vector<ScenePart>& parts, const State& newState);
 
   State state;
   std::shared_ptr<const Study> exchanged;

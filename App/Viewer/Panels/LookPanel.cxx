@@ -91,7 +91,7 @@ void LookPanel::MakePresets(QVBoxLayout* column)
   {
     this->presets->addItem(QString::fromStdString(name));
     this->presets->setItemData(this->presets->count() - 1,
-      QString::fromStdString(Preset(name).description), Qt::ToolTipRole);
+      QString::fromStdString(BuiltInPreset(name).look.description), Qt::ToolTipRole);
   }
   connect(this->presets, QOverload<int>::of(&QComboBox::activated), this,
     [this](int index)
@@ -99,7 +99,7 @@ void LookPanel::MakePresets(QVBoxLayout* column)
       const QString name = this->presets->itemText(index);
       if (IsPresetName(name.toStdString()))
       {
-        this->model->SetLook(Preset(name.toStdString()), tr("choose %1").arg(name));
+        this->model->SetPreset(BuiltInPreset(name.toStdString()), tr("choose %1").arg(name));
       }
     });
   auto* const load = new QPushButton(tr("Load look…"));
@@ -181,7 +181,7 @@ void LookPanel::Update(ScenePart part)
 void LookPanel::ShowPreset()
 {
   const Look& look = this->model->CurrentScene().look;
-  const bool isPreset = IsPreset(look, this->model->CurrentStudy()->statistics);
+  const bool isPreset = IsBuiltInLook(look, this->model->CurrentStudy()->statistics);
   const int presetCount = int(PresetNames().size());
   this->presets->removeItem(presetCount);
   const QString name = QString::fromStdString(look.name);
@@ -224,15 +224,17 @@ void LookPanel::Load(const QString& path)
   this->Attempt(
     [&]
     {
-      const Look look = ReadLookFile(path.toStdString(), this->FileContext());
-      this->model->SetLook(look, tr("load %1").arg(QFileInfo(path).fileName()));
+      const Preset preset = ReadLookFile(path.toStdString(), this->FileContext());
+      this->model->SetPreset(preset, tr("load %1").arg(QFileInfo(path).fileName()));
     });
 }
 
 void LookPanel::Save(const QString& path)
 {
-  this->Attempt([&]
-    { WriteLookFile(this->model->CurrentScene().look, path.toStdString(), this->FileContext()); });
+  this->Attempt(
+    [&] {
+      WriteLookFile(PresetOf(this->model->CurrentScene()), path.toStdString(), this->FileContext());
+    });
 }
 
 LookContext LookPanel::FileContext() const

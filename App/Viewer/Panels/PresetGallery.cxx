@@ -27,12 +27,20 @@ constexpr QSize PictureSize(104, 86);
 constexpr int HasPictureRole = Qt::UserRole;
 constexpr int NameRole = Qt::UserRole + 1; // of an own preset; others have none
 
-// What a look is, whatever it is called.
-std::string NamelessText(Look look)
+// What a scene looks like, whatever that is called.
+std::string NamelessText(const Scene& scene)
 {
-  look.name.clear();
-  look.description.clear();
-  return LookText(look);
+  Preset preset = PresetOf(scene);
+  preset.look.name.clear();
+  preset.look.description.clear();
+  return PresetText(preset);
+}
+
+// The same of a scene that has taken a preset.
+std::string NamelessText(Scene scene, const Preset& preset)
+{
+  TakePreset(preset, scene);
+  return NamelessText(scene);
 }
 
 // Those for volumes of this kind first.
@@ -123,25 +131,26 @@ void PresetGallery::Update(ScenePart part)
   if (part == ScenePart::Volume)
   {
     this->setEnabled(true);
-    this->ListLooks();
+    this->ListPresets();
   }
-  if (part == ScenePart::Volume || part == ScenePart::Look)
+  const bool isOfPresets = part == ScenePart::Volume || part == ScenePart::Look ||
+    part == ScenePart::Render || part == ScenePart::Background;
+  if (isOfPresets)
   {
     this->MarkCurrent();
   }
 }
 
-void PresetGallery::ListLooks()
+void PresetGallery::ListPresets()
 {
   const auto study = this->model->CurrentStudy();
   this->problem->hide();
-  this->looks.clear();
+  this->presets.clear();
   this->list->clear();
   for (const std::string& name : PresetsFor(*study))
   {
-    const Look look = Preset(name);
-    this->AddItem(PresetTitle(name), QString::fromStdString(look.description),
-      InUnitsOfData(look, study->statistics));
+    const Preset preset = BuiltInPreset(name);
+    this->AddItem(PresetTitle(name), QString::fromStdString(preset.look.description), preset);
   }
   for (const QString& name : this->ownPresets.Names())
   {
@@ -150,13 +159,15 @@ void PresetGallery::ListLooks()
   this->DrawPictures();
 }
 
-void PresetGallery::AddItem(const QString& title, const QString& tip, const Look& look)
+void PresetGallery::AddItem(const QString& title, const QString& tip, const Preset& preset)
 {
   const QSignalBlocker quiet(this->list);
   auto* const item = new QListWidgetItem(EmptyIcon(), title, this->list);
   item->setToolTip(tip);
   item->setData(HasPictureRole, false);
-  this->looks.push_back(look);
+  this->presets.push_back(preset);
+  Look& look = this->presets.back().look;
+  look = InUnitsOfData(look, this->model->CurrentStudy()->statistics);
 }
 
 // A file that somebody has put there may be no look.
@@ -165,9 +176,8 @@ void PresetGallery::AddOwn(const QString& name)
   this->Attempt(
     [&]
     {
-      const Look look = this->ownPresets.Read(name);
-      this->AddItem(name, tr("Your own: F2 renames it, Delete removes it"),
-        InUnitsOfData(look, this->model->CurrentStudy()->statistics));
+      this->AddItem(
+        name, tr("Your own: F2 renames it, Delete removes it"), this->ownPresets.Read(name));
       QListWidgetItem* const item = this->list->item(this->list->count() - 1);
       const QSignalBlocker quiet(this->list);
       item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -182,13 +192,13 @@ void PresetGallery::DrawPictures()
     return;
   }
   this->drawnRows.clear();
-  std::vector<Look> wanted;
+  std::vector<Preset> wanted;
   for (int row = 0; row < this->list->count(); ++row)
   {
     if (!this->list->item(row)->data(HasPictureRole).toBool())
     {
       this->drawnRows.push_back(row);
-      wanted.push_back(this->looks[row]);
+      wanted.push_back(this->presets[row]);
     }
   }
   this->thumbnails.Draw(this->model->CurrentStudy(), std::move(wanted), PictureSize);
@@ -208,19 +218,21 @@ void PresetGallery::ShowPicture(int index, const QImage& picture)
 
 void PresetGallery::MarkCurrent()
 {
-  const std::string text = NamelessText(this->model->CurrentScene().look);
-  const auto found = std::find_if(this->looks.begin(), this->looks.end(),
-    [&](const Look& look) { return NamelessText(look) == text; });
-  const int row = found == this->looks.end() ? -1 : int(found - this->looks.begin());
+  const Scene& scene = this->model->CurrentScene();
+  const std::string text = NamelessText(scene);
+  const auto found = std::find_if(this->presets.begin(), this->presets.end(),
+    [&](const Preset& preset) { return NamelessText(scene, preset) == text; });
+  const int row = found == this->presets.end() ? -1 : int(found - this->presets.begin());
   this->list->setCurrentRow(row);
 }
 
 void PresetGallery::Choose(int row)
 {
   // A double-click is a click as well.
-  if (NamelessText(this->looks[row]) != NamelessText(this->model->CurrentScene().look))
+  const Scene& scene = this->model->CurrentScene();
+  if (NamelessText(scene, this->presets[row]) != NamelessText(scene))
   {
-    this->model->SetLook(this->looks[row], tr("choose %1").arg(this->list->item(row)->text()));
+    this->model->SetPreset(this->presets[row], tr("choose %1").arg(this->list->item(row)->text()));
   }
 }
 
@@ -230,7 +242,7 @@ void PresetGallery::Keep()
   this->Attempt(
     [this]
     {
-      this->AddOwn(this->ownPresets.Keep(this->model->CurrentScene().look));
+      this->AddOwn(this->ownPresets.Keep(PresetOf(this->model->CurrentScene())));
       this->DrawPictures();
       // The name that it has for now is there to be typed over.
       QListWidgetItem* const item = this->list->item(this->list->count() - 1);
@@ -249,7 +261,7 @@ void PresetGallery::Rename(QListWidgetItem* item)
     {
       this->ownPresets.Rename(name, item->text());
       item->setData(NameRole, item->text());
-      this->looks[this->list->row(item)].name = item->text().toStdString();
+      this->presets[this->list->row(item)].look.name = item->text().toStdString();
     });
   item->setText(item->data(NameRole).toString());
 }
@@ -268,7 +280,7 @@ void PresetGallery::Remove()
     {
       const int row = this->list->currentRow();
       this->ownPresets.Remove(name);
-      this->looks.erase(this->looks.begin() + row);
+      this->presets.erase(this->presets.begin() + row);
       delete this->list->takeItem(row);
       this->DrawPictures();
       this->MarkCurrent();

@@ -18,8 +18,8 @@ class QPushButton;
 namespace varimarch
 {
 
-/// The looks that come with the program and those that the user has kept, as small pictures of this
-/// volume. A click takes the whole look; one button keeps the look of the moment.
+/// The presets that come with the program and those that the user has kept, as small pictures of
+/// this volume. A click takes all of it; one button keeps what is shown at the moment.
 class PresetGallery : public QWidget
 {
   Q_OBJECT
@@ -35,8 +35,8 @@ private:
   void MakeList();
   QWidget* MakeButtons();
   void Update(ScenePart part);
-  void ListLooks();
-  void AddItem(const QString& title, const QString& tip, const Look& look);
+  void ListPresets();
+  void AddItem(const QString& title, const QString& tip, const Preset& preset);
   void AddOwn(const QString& name);
   void DrawPictures();
   void ShowPicture(int index, const QImage& picture);
@@ -51,8 +51,8 @@ private:
   SceneModel* model;
   OwnPresets ownPresets;
   PresetThumbnails thumbnails;
-  std::vector<Look> looks;    ///< of the rows, in units of the data; the user's come last
-  std::vector<int> drawnRows; ///< whose pictures are being drawn
+  std::vector<Preset> presets; ///< of the rows, in units of the data; the user's come last
+  std::vector<int> drawnRows;  ///< whose pictures are being drawn
   QListWidget* list;
   QPushButton* keep;
   QPushButton* remove;

@@ -45,9 +45,9 @@ QString Row(const QString& name, const QString& value)
 QString NameOf(const Look& look, const ImageStatistics& statistics)
 {
   const QString name = QString::fromStdString(look.name);
-  return !IsPresetName(look.name) ? Translated("own look")
-    : IsPreset(look, statistics)  ? name
-                                  : Translated("%1, edited").arg(name);
+  return !IsPresetName(look.name)     ? Translated("own look")
+    : IsBuiltInLook(look, statistics) ? name
+                                      : Translated("%1, edited").arg(name);
 }
 
 QString LightText(const Shading& shading)

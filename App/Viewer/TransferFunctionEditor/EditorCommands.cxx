@@ -1,5 +1,6 @@
 // What the editor does by keys and menus: all that the mouse does can be done without one.
 
+#include "Viewer/LiveColorDialog.h"
 #include "Viewer/Model/Gesture.h"
 #include "Viewer/TransferFunctionEditor/EditorReading.h"
 #include "Viewer/TransferFunctionEditor/NodePopover.h"
@@ -279,23 +280,20 @@ void TransferFunctionEditor::ChooseColor()
   const NodeSet nodes = this->picture.selected;
   const Look before = this->picture.look;
   const int gesture = NewGesture();
-  auto* const dialog = new QColorDialog(QColorOf(ColorOf(before, *nodes.begin())), this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QColorDialog::DontUseNativeDialog);
-  connect(dialog, &QColorDialog::currentColorChanged, this,
-    [=](const QColor& color)
+  const auto color = [=](const QColor& chosen)
+  {
+    // From the last: colours that points get for themselves move the others' numbers.
+    Look changed = before;
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
     {
-      // From the last: colours that points get for themselves move the others' numbers.
-      Look changed = before;
-      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-      {
-        changed = SetColor(changed, *node, { color.redF(), color.greenF(), color.blueF() });
-      }
-      this->Edit(changed, tr("choose colour"), gesture);
-    });
+      changed = SetColor(changed, *node, { chosen.redF(), chosen.greenF(), chosen.blueF() });
+    }
+    this->Edit(changed, tr("choose colour"), gesture);
+  };
+  const QColorDialog* const dialog =
+    OpenLiveColorDialog(QColorOf(ColorOf(before, *nodes.begin())), color, this);
   connect(
     dialog, &QDialog::rejected, this, [=] { this->Edit(before, tr("choose colour"), gesture); });
-  dialog->open();
 }
 
 void TransferFunctionEditor::OpenPopover(const NodeId& node)

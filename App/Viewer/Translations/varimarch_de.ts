@@ -1162,6 +1162,14 @@ Mittel von %1 Bildern</translation>
         <source>slices as scanned</source>
         <translation>Schichten wie aufgenommen</translation>
     </message>
+    <message>
+        <source>&amp;Background…</source>
+        <translation>&amp;Hintergrund…</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>Hintergrund</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>

@@ -1162,6 +1162,14 @@ media de %1 imágenes</translation>
         <source>slices as scanned</source>
         <translation>cortes como se adquirieron</translation>
     </message>
+    <message>
+        <source>&amp;Background…</source>
+        <translation>&amp;Fondo…</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>fondo</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>

@@ -223,6 +223,13 @@ void ComparisonView::Compare()
 
 void ComparisonView::ShowDifference(vtkImageData* ourPicture, vtkImageData* theirPicture)
 {
+  this->numbers->setText(tr("RMSE %1, largest %2 of 255. Ours %3 ms, VTK's %4 ms.")
+                           .arg(this->lastDifference->rootMeanSquare, 0, 'f', 2)
+                           .arg(this->lastDifference->largest, 0, 'f', 1)
+                           .arg(1e3 * this->ours->PictureSeconds(), 0, 'f', 0)
+                           .arg(1e3 * this->theirs->PictureSeconds(), 0, 'f', 0));
+  // More lines of numbers leave less room to the picture.
+  this->result->layout()->activate();
   const QImage image =
     ImageOfBytes(WithDifferenceScale(DifferencePicture(theirPicture, ourPicture)));
   const double ratio = this->devicePixelRatioF();
@@ -230,11 +237,6 @@ void ComparisonView::ShowDifference(vtkImageData* ourPicture, vtkImageData* thei
     image.scaled(this->picture->size() * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation));
   pixmap.setDevicePixelRatio(ratio);
   this->picture->setPixmap(pixmap);
-  this->numbers->setText(tr("RMSE %1, largest %2 of 255. Ours %3 ms, VTK's %4 ms.")
-                           .arg(this->lastDifference->rootMeanSquare, 0, 'f', 2)
-                           .arg(this->lastDifference->largest, 0, 'f', 1)
-                           .arg(1e3 * this->ours->PictureSeconds(), 0, 'f', 0)
-                           .arg(1e3 * this->theirs->PictureSeconds(), 0, 'f', 0));
 }
 
 }

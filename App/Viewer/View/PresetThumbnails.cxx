@@ -1,6 +1,7 @@
 #include "Viewer/View/PresetThumbnails.h"
 
 #include "Scene/OffscreenView.h"
+#include "Scene/Presets.h"
 #include "Scene/SmallCopy.h"
 #include "Viewer/View/VtkPictures.h"
 
@@ -19,6 +20,7 @@ namespace
 constexpr int LargestSide = 128; ///< of the small copy [voxels]
 constexpr int RestMilliseconds = 500;
 constexpr double ErrorTolerance = 1.0 / 32.0;
+constexpr double Zoom = 1.3; // most volumes are empty in their corners
 
 }
 
@@ -26,7 +28,7 @@ constexpr double ErrorTolerance = 1.0 / 32.0;
 struct PresetThumbnails::Task
 {
   vtkNew<vtkImageData> volume;
-  std::vector<Look> looks;
+  std::vector<Preset> presets;
   QSize pixels;
   std::atomic<bool> stop{ false };
   std::atomic<bool> rest{ false };
@@ -59,11 +61,11 @@ PresetThumbnails::~PresetThumbnails()
 }
 
 void PresetThumbnails::Draw(
-  const std::shared_ptr<const Study>& study, std::vector<Look> looks, QSize pixels)
+  const std::shared_ptr<const Study>& study, std::vector<Preset> presets, QSize pixels)
 {
   this->task = std::make_shared<Task>();
   this->task->volume->ShallowCopy(study->volume.image);
-  this->task->looks = std::move(looks);
+  this->task->presets = std::move(presets);
   this->task->pixels = pixels;
   this->task->rest = true;
   if (this->atWork)
@@ -114,13 +116,16 @@ void PresetThumbnails::Run(const std::shared_ptr<Task>& task)
   try
   {
     Scene scene;
-    scene.look = task->looks.front();
+    TakePreset(task->presets.front(), scene);
     scene.size = { task->pixels.width(), task->pixels.height() };
     scene.render.errorTolerance = ErrorTolerance;
+    scene.camera.zoom = Zoom;
     OffscreenView view(scene, SmallCopy(task->volume, LargestSide), MapperKind::Varimarch);
-    for (int index = 0; index < int(task->looks.size()) && task->GoesOn(); ++index)
+    for (int index = 0; index < int(task->presets.size()) && task->GoesOn(); ++index)
     {
-      view.Pipeline().SetLook(task->looks[index]);
+      TakePreset(task->presets[index], scene);
+      view.Pipeline().SetLook(scene.look);
+      view.Pipeline().SetBackground(scene.background);
       view.Render();
       QMetaObject::invokeMethod(
         this,

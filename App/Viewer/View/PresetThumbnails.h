@@ -15,7 +15,7 @@ class QThread;
 namespace varimarch
 {
 
-/// Draws small pictures of a volume as looks show it, one after the other in a thread of its own,
+/// Draws small pictures of a volume as presets show it, one after the other in a thread of its own,
 /// with a small copy of the volume, so that neither the window nor its memory feel it.
 class PresetThumbnails : public QObject
 {
@@ -26,14 +26,14 @@ public:
   ~PresetThumbnails() override;
 
   /// Begins anew: of earlier ones none comes any more.
-  /// @param looks  in units of the data
-  void Draw(const std::shared_ptr<const Study>& study, std::vector<Look> looks, QSize pixels);
+  /// @param presets  in units of the data
+  void Draw(const std::shared_ptr<const Study>& study, std::vector<Preset> presets, QSize pixels);
 
   /// Waits for a moment before the next one, because somebody is at work.
   void Rest();
 
 signals:
-  /// @param index  of the look
+  /// @param index  of the preset
   void Drawn(int index, const QImage& picture);
 
 private:

@@ -21,17 +21,12 @@ def presets():
 
 
 def look_of(preset):
+    """What Data/Presets says of a name: Documentation/SceneFormat.md tells the keys."""
     return json.loads((PRESET_FOLDER / f"{choice('preset', preset, presets())}.json").read_text())
 
 
-def blend_of(preset):
-    """The word for how a preset's values become a picture."""
-    return look_of(preset)["blend"]
-
-
-def property_of(image, preset, color, opacity, opacity_unit_distance, shade):
-    """A vtkVolumeProperty: the preset, with what is given in its place. The rest as in render()."""
-    look = look_of(preset)
+def property_of(image, look, color, opacity, opacity_unit_distance, shade):
+    """A vtkVolumeProperty: the preset's look, with what is given in its place, as in render()."""
     units = units_of_data(image) if look["domain"] == "relative" else float
     volume_property = vtkVolumeProperty()
     volume_property.SetColor(

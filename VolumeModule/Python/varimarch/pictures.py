@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
 
 from .arguments import choice, number
 from .images import to_array, to_image
-from .looks import blend_of, property_of, rgb_of
+from .looks import look_of, property_of, rgb_of
 from .VarimarchVolume import vtkHeadlessRenderWindow, vtkVariationFieldVolumeMapper
 from .vtk_messages import vtk_messages_as_exceptions
 
@@ -48,13 +48,13 @@ def render(
     shade=None,
     blend=None,
     size=(512, 512),
-    background="black",
+    background=None,
     view="anterior",
     azimuth=0.0,
     elevation=0.0,
     zoom=1.0,
     parallel=False,
-    error_tolerance=1.0 / 64.0,
+    error_tolerance=None,
 ):
     """Draws a volume, and returns the picture: an array [row, column, (red, green, blue)] of uint8.
 
@@ -70,31 +70,33 @@ def render(
     blend: "composite", "maximum", "minimum", "average" or "additive"; default: as the preset says.
 
     size: width and height of the picture [pixels].
-    background: a colour.
+    background: a colour; default: the preset's.
     view: the side of the patient that the eye is at: "anterior", "posterior", "left", "right",
         "superior" or "inferior". x points to the patient's left, y to the back, z to the head.
     azimuth, elevation: turn and lift the eye from there [degrees].
     zoom: 1 just fits the volume's box into the picture.
     parallel: a parallel projection instead of a perspective one of 30 degrees.
 
-    error_tolerance: largest error accepted in a channel, 0 to 1; smaller takes longer.
+    error_tolerance: largest error accepted in a channel, 0 to 1; smaller takes longer; default: the preset's.
 
     Raises ValueError or TypeError for bad arguments, RuntimeError when it cannot draw; each with one
     sentence.
     """
     image = image_of(volume, spacing)
     width, height = picture_size(size)
+    look = look_of(preset)
 
     mapper = vtkVariationFieldVolumeMapper()
     mapper.SetInputData(image)
-    mapper.SetErrorTolerance(number("error_tolerance", error_tolerance, 0, 1))
-    getattr(mapper, f"SetBlendModeTo{BLENDS[choice('blend', blend or blend_of(preset), BLENDS)]}")()
+    tolerance = look["errorTolerance"] if error_tolerance is None else error_tolerance
+    mapper.SetErrorTolerance(number("error_tolerance", tolerance, 0, 1))
+    getattr(mapper, f"SetBlendModeTo{BLENDS[choice('blend', blend or look['blend'], BLENDS)]}")()
     actor = vtkVolume()
     actor.SetMapper(mapper)
-    actor.SetProperty(property_of(image, preset, color, opacity, opacity_unit_distance, shade))
+    actor.SetProperty(property_of(image, look, color, opacity, opacity_unit_distance, shade))
 
     renderer = vtkRenderer()
-    renderer.SetBackground(rgb_of(background))
+    renderer.SetBackground(rgb_of(look["background"] if background is None else background))
     renderer.AddVolume(actor)
     camera = renderer.GetActiveCamera()
     turn_camera(camera, image.GetCenter(), choice("view", view, VIEWS), azimuth, elevation)

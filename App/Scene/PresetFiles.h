@@ -1,19 +1,19 @@
-#ifndef Varimarch_Scene_PresetTexts_h
-#define Varimarch_Scene_PresetTexts_h
+#ifndef Varimarch_Scene_PresetFiles_h
+#define Varimarch_Scene_PresetFiles_h
 
 #include <vector>
 
 namespace varimarch
 {
 
-struct PresetText
+struct PresetFile
 {
   const char* name;
   const char* json;
 };
 
 /// The files of Data/Presets; the build writes this table.
-const std::vector<PresetText>& PresetTexts();
+const std::vector<PresetFile>& PresetFiles();
 
 }
 
