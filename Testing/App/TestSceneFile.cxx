@@ -128,17 +128,18 @@ TEST(SceneFile, WhatSomeLooksHaveReadsBackTheSame)
 
 TEST(SceneFile, TakesAllThatItsPresetHoldsButWhatItSaysItself)
 {
-  const Preset lung = BuiltInPreset("ct-lung");
-  const std::string volume = R"({ "volume": { "procedural": "torso" }, "look": "ct-lung")";
+  const Preset preset = { BuiltInPreset("ct-lung").look, 0.25, { { 0.5, 0.25, 0.75 } } };
+  const std::string volume =
+    R"({ "volume": { "procedural": "torso" }, "look": )" + PresetText(preset);
   const Scene taken = SceneFromText(volume + "}", "a.json");
-  EXPECT_EQ(taken.render.errorTolerance, lung.errorTolerance);
-  EXPECT_EQ(taken.background, lung.background);
+  EXPECT_EQ(taken.render.errorTolerance, preset.errorTolerance);
+  EXPECT_EQ(taken.background, preset.background);
   const Scene own = SceneFromText(
     volume + R"(, "background": [1, 0, 1], "render": { "errorTolerance": 0.5 } })", "a.json");
   EXPECT_EQ(own.background, (std::array{ 1.0, 0.0, 1.0 }));
   EXPECT_EQ(own.render.errorTolerance, 0.5);
   EXPECT_EQ(SceneFromText(volume + R"(, "render": {} })", "a.json").render.errorTolerance,
-    lung.errorTolerance);
+    preset.errorTolerance);
 }
 
 TEST(SceneFile, IsosurfacesAreNeededByTheirBlending)
