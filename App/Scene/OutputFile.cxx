@@ -50,6 +50,42 @@ void SetUnfinishedPath(const std::string& path)
   }
 }
 
+// For the error that the system met last.
+[[noreturn]] void FailToWrite(const std::string& path)
+{
+  throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
+}
+
+// Two programs that write one file must not write one part.
+std::string PartOf(const std::filesystem::path& path)
+{
+  std::filesystem::path part = path;
+  part.replace_filename(
+    path.stem().string() + "." + std::to_string(getpid()) + ".part" + path.extension().string());
+  return part.string();
+}
+
+}
+
+UnfinishedFile::UnfinishedFile(const std::string& path)
+  : path(path)
+  , part(PartOf(path))
+{
+  SetUnfinishedPath(this->part);
+}
+
+UnfinishedFile::~UnfinishedFile()
+{
+  std::remove(this->part.c_str());
+  SetUnfinishedPath("");
+}
+
+void UnfinishedFile::Complete()
+{
+  if (std::rename(this->part.c_str(), this->path.c_str()) != 0)
+  {
+    FailToWrite(this->path);
+  }
 }
 
 void WriteFileWhole(const std::string& path, const std::string& bytes)
@@ -67,22 +103,13 @@ void WriteFileWhole(const std::string& path, const std::string& bytes)
 void WriteFileWhole(
   const std::string& path, const std::function<bool(const std::string& part)>& write)
 {
-  // Two programs that write one file must not write one part.
-  const std::filesystem::path whole = path;
-  std::filesystem::path unfinished = whole;
-  unfinished.replace_filename(
-    whole.stem().string() + "." + std::to_string(getpid()) + ".part" + whole.extension().string());
-  const std::string part = unfinished.string();
-  SetUnfinishedPath(part);
+  UnfinishedFile file(path);
   errno = 0;
-  if (!write(part) || std::rename(part.c_str(), path.c_str()) != 0)
+  if (!write(file.Part()))
   {
-    const std::string reason = std::strerror(errno);
-    std::remove(part.c_str());
-    SetUnfinishedPath("");
-    throw std::runtime_error(path + ": cannot be written: " + reason);
+    FailToWrite(path);
   }
-  SetUnfinishedPath("");
+  file.Complete();
 }
 
 void RemoveUnfinishedFileOnInterrupt()

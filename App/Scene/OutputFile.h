@@ -7,8 +7,29 @@
 namespace varimarch
 {
 
-/// Writes a file so that nobody ever sees half of it: under a name with the process and "part"
-/// before the extension, renamed when complete. Replaces a file of that name.
+/// A file that nobody ever sees half of: while it is written its name has the process and "part"
+/// before the extension, and it goes unless it is completed.
+class UnfinishedFile
+{
+public:
+  explicit UnfinishedFile(const std::string& path);
+  ~UnfinishedFile();
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  void operator=(const UnfinishedFile&) = delete;
+
+  /// To write to.
+  const std::string& Part() const { return this->part; }
+
+  /// Gives it its name, in place of a file that had it.
+  /// @throws std::runtime_error that names the file and the system's reason
+  void Complete();
+
+private:
+  std::string path;
+  std::string part;
+};
+
+/// Writes a file at once that nobody ever sees half of.
 /// @throws std::runtime_error that names the file and the system's reason
 void WriteFileWhole(const std::string& path, const std::string& bytes);
 
@@ -17,7 +38,7 @@ void WriteFileWhole(const std::string& path, const std::string& bytes);
 void WriteFileWhole(
   const std::string& path, const std::function<bool(const std::string& part)>& write);
 
-/// From now on Ctrl-C and a request to terminate take an unfinished file away with them.
+/// From now on Ctrl-C and a request to terminate take the last unfinished file away with them.
 void RemoveUnfinishedFileOnInterrupt();
 
 /// What they say on stderr before they end the program: a line without its end, of less than 1024

@@ -59,7 +59,7 @@ QString FfmpegProgram()
 
 Mp4Movie::Mp4Movie(const QString& path)
   : path(path)
-  , file(path)
+  , file(path.toStdString())
 {
   QObject::connect(&this->ffmpeg, &QProcess::errorOccurred,
     [this](QProcess::ProcessError error)
@@ -96,7 +96,8 @@ void Mp4Movie::Start(const QImage& first)
   options += EncoderOptions();
   options += { "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4" };
   this->ffmpeg.setStandardOutputFile(QProcess::nullDevice());
-  this->ffmpeg.start(FfmpegProgram(), options << "file:" + this->file.Part());
+  this->ffmpeg.start(
+    FfmpegProgram(), options << "file:" + QString::fromStdString(this->file.Part()));
   if (!this->ffmpeg.waitForStarted(LongestAnswerMs))
   {
     FailToWrite(this->path, WhyItDidNotStart(this->ffmpeg));

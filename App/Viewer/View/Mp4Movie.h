@@ -1,6 +1,7 @@
 #ifndef Varimarch_Viewer_Mp4Movie_h
 #define Varimarch_Viewer_Mp4Movie_h
 
+#include "Scene/OutputFile.h"
 #include "Viewer/View/TurnWriter.h"
 
 #include <QProcess>

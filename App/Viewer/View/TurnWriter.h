@@ -31,27 +31,6 @@ public:
   virtual void Complete() = 0;
 };
 
-/// A file that has another name while it is written, and goes unless it is completed.
-class UnfinishedFile
-{
-public:
-  explicit UnfinishedFile(const QString& path);
-  ~UnfinishedFile();
-  UnfinishedFile(const UnfinishedFile&) = delete;
-  void operator=(const UnfinishedFile&) = delete;
-
-  /// To write to.
-  const QString& Part() const { return this->part; }
-
-  /// In place of a file of its name.
-  /// @throws std::runtime_error one sentence
-  void Complete();
-
-private:
-  QString path;
-  QString part;
-};
-
 /// "Cannot write turn.mp4", and why when that is known.
 /// @throws std::runtime_error it
 [[noreturn]] void FailToWrite(const QString& path, const QString& reason = {});

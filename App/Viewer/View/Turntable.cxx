@@ -1,5 +1,6 @@
 #include "Viewer/View/Turntable.h"
 
+#include "Scene/OutputFile.h"
 #include "Viewer/View/Mp4Movie.h"
 #include "Viewer/View/TurnWriter.h"
 
@@ -61,9 +62,9 @@ class OggMovie : public TurnWriter
 public:
   explicit OggMovie(const QString& path)
     : path(path)
-    , file(path)
+    , file(path.toStdString())
   {
-    this->writer->SetFileName(this->file.Part().toUtf8());
+    this->writer->SetFileName(this->file.Part().c_str());
     this->writer->SetRate(MoviePicturesPerSecond);
     this->writer->SetQuality(2);
     this->writer->SetInputData(this->frame);
