@@ -40,6 +40,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
   {
     Values startValues;
     float lengthMm;
+    bool absorbs;
     do
     {
       Interval segment = NextSegment(ray, inside, t, index, stepMm, BlendState(sum));
@@ -49,12 +50,17 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
       startValues = endValues;
       endValues = ValuesAt(PositionTexture(ray, t));
       index += jumps ? 0 : 1; // the first segment is the first that is marched
-      if (lengthMm > 0.0 && MayAbsorb(startValues, endValues))
+      absorbs = lengthMm > 0.0 && MayAbsorb(startValues, endValues);
+      if (absorbs)
       {
         break;
       }
       known = false;
     } while (t < inside.exit && index < mostSegments);
+    if (!absorbs)
+    {
+      break; // all that was left is invisible
+    }
 
     Gradients gradients = GradientsAt(PositionTexture(ray, t));
     // Before the first visible segment there is no gradient yet; there it absorbs least.

@@ -24,8 +24,12 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
   {
     Interval segment =
       NextSegment(ray, inside, t, index, PartsPerSegment * stepMm, BlendState(sum));
+    if (segment.enter >= inside.exit)
+    {
+      break; // all that is left is invisible
+    }
     t = min(segment.exit, inside.exit);
-    float partMm = max(t - segment.enter, 0.0) / PartsPerSegment;
+    float partMm = (t - segment.enter) / PartsPerSegment;
     float startScalar = ScalarAt(PositionTexture(ray, segment.enter));
     vec4 firstHalf = ScalarsOfFour(ray, segment.enter + partMm, partMm);
     vec4 secondHalf = ScalarsOfFour(ray, segment.enter + 5.0 * partMm, partMm);

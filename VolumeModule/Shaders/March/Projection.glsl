@@ -12,8 +12,12 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
       NextSegment(ray, inside, t, index, float(PartsPerSegment) * stepMm, BlendState(sum));
     float leftOutMm = min(segment.enter, inside.exit) - t;
     sum = BlendSample(sum, PositionTexture(ray, t), leftOutMm);
+    if (segment.enter >= inside.exit)
+    {
+      break; // all that is left is invisible
+    }
     t = min(segment.exit, inside.exit);
-    float partMm = max(t - segment.enter, 0.0) / float(PartsPerSegment);
+    float partMm = (t - segment.enter) / float(PartsPerSegment);
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       float middle = segment.enter + (float(part) + 0.5) * partMm;

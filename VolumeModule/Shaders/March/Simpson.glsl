@@ -13,8 +13,12 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
   {
     Interval segment =
       NextSegment(ray, inside, t, index, 2.0 * float(PanelsPerSegment) * stepMm, BlendState(sum));
+    if (segment.enter >= inside.exit)
+    {
+      break; // all that is left is invisible
+    }
     t = min(segment.exit, inside.exit);
-    float panelMm = max(t - segment.enter, 0.0) / float(PanelsPerSegment);
+    float panelMm = (t - segment.enter) / float(PanelsPerSegment);
     vec4 start = Classify(ScalarAt(PositionTexture(ray, segment.enter)));
     for (int panel = 0; panel < PanelsPerSegment; ++panel)
     {
