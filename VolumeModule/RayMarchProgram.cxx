@@ -2,6 +2,7 @@
 
 #include "Core/ShaderAssembly.h"
 #include "Core/ShaderRecipe.h"
+#include "Core/UniformsReadOnce.h"
 #include "ShaderFiles.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace varimarch
 {
@@ -69,6 +71,13 @@ std::vector<ShaderFile> WithUserCode(
   return files;
 }
 
+// Graphics cards keep uniforms where every pixel has them for nothing.
+bool GathersUniforms()
+{
+  const auto* const renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer && std::string(renderer).find("llvmpipe") != std::string::npos;
+}
+
 // Which of two outputs is the first is for the linker to say, unless it is told.
 void OrderOutputs(vtkShaderProgram* program)
 {
@@ -90,7 +99,11 @@ RayMarchProgram::Sources RayMarchProgram::Assemble(
   const std::vector<std::string>& parts, const UserShaderCode& userCode)
 {
   const std::vector<ShaderFile> vertex = LoadShaderFiles({ VertexShaderPart() });
-  const std::vector<ShaderFile> fragment = WithUserCode(LoadShaderFiles(parts), parts, userCode);
+  std::vector<ShaderFile> fragment = WithUserCode(LoadShaderFiles(parts), parts, userCode);
+  if (GathersUniforms())
+  {
+    fragment = WithUniformsReadOnce(std::move(fragment), LoadShaderFiles({ "Unity.glsl" }).front());
+  }
   Sources sources{ AssembleShader(vertex), AssembleShader(fragment), "" };
   sources.failure = CompilerMessages(vtkShader::Vertex, sources.vertex, vertex) +
     CompilerMessages(vtkShader::Fragment, sources.fragment, fragment);

@@ -1,5 +1,6 @@
 #include "Core/ShaderAssembly.h"
 #include "Core/ShaderRecipe.h"
+#include "Core/UniformsReadOnce.h"
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,17 @@ TEST(Shaders, EveryRecipeCompiles)
   {
     const std::vector<std::string> parts = FragmentShaderParts(settings);
     const Validation validation = Validate(LoadParts(parts), "frag");
+    EXPECT_TRUE(validation.passed) << Describe(parts) << "\n" << validation.messages;
+  }
+}
+
+TEST(Shaders, EveryRecipeCompilesWithUniformsReadOnce)
+{
+  for (const RenderSettings& settings : EveryRecipe())
+  {
+    const std::vector<std::string> parts = FragmentShaderParts(settings);
+    const Validation validation =
+      Validate(WithUniformsReadOnce(LoadParts(parts), LoadParts({ "Unity.glsl" }).front()), "frag");
     EXPECT_TRUE(validation.passed) << Describe(parts) << "\n" << validation.messages;
   }
 }

@@ -1,6 +1,6 @@
 // Midpoint rule: a segment is cut into equal parts, each homogeneous as its middle is. Order 2.
-// Four parts, so that the look-up of a segment's length is paid a fourth as often; with more, what is
-// marched beyond the end of a brick outweighs it.
+// Four parts, so that the look-up of a segment's length is paid a fourth as often; with more, what
+// is marched beyond the end of a brick outweighs it.
 
 const float PartsPerSegment = 4.0;
 
