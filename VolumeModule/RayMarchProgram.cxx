@@ -1,8 +1,8 @@
 #include "RayMarchProgram.h"
 
+#include "Core/FlatUniforms.h"
 #include "Core/ShaderAssembly.h"
 #include "Core/ShaderRecipe.h"
-#include "Core/UniformsReadOnce.h"
 #include "ShaderFiles.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 namespace varimarch
 {
@@ -78,6 +77,14 @@ bool GathersUniforms()
   return renderer && std::string(renderer).find("llvmpipe") != std::string::npos;
 }
 
+// The position takes four.
+int MostFlatComponents()
+{
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &most);
+  return std::max(most - 4, 0);
+}
+
 // Which of two outputs is the first is for the linker to say, unless it is told.
 void OrderOutputs(vtkShaderProgram* program)
 {
@@ -98,11 +105,11 @@ void OrderOutputs(vtkShaderProgram* program)
 RayMarchProgram::Sources RayMarchProgram::Assemble(
   const std::vector<std::string>& parts, const UserShaderCode& userCode)
 {
-  const std::vector<ShaderFile> vertex = LoadShaderFiles({ VertexShaderPart() });
+  std::vector<ShaderFile> vertex = LoadShaderFiles({ VertexShaderPart() });
   std::vector<ShaderFile> fragment = WithUserCode(LoadShaderFiles(parts), parts, userCode);
   if (GathersUniforms())
   {
-    fragment = WithUniformsReadOnce(std::move(fragment), LoadShaderFiles({ "Unity.glsl" }).front());
+    HandUniformsOn(vertex, fragment, MostFlatComponents());
   }
   Sources sources{ AssembleShader(vertex), AssembleShader(fragment), "" };
   sources.failure = CompilerMessages(vtkShader::Vertex, sources.vertex, vertex) +

@@ -1,6 +1,6 @@
+#include "Core/FlatUniforms.h"
 #include "Core/ShaderAssembly.h"
 #include "Core/ShaderRecipe.h"
-#include "Core/UniformsReadOnce.h"
 
 #include <gtest/gtest.h>
 
@@ -79,14 +79,18 @@ TEST(Shaders, EveryRecipeCompiles)
   }
 }
 
-TEST(Shaders, EveryRecipeCompilesWithUniformsReadOnce)
+TEST(Shaders, EveryRecipeCompilesWithFlatUniforms)
 {
   for (const RenderSettings& settings : EveryRecipe())
   {
     const std::vector<std::string> parts = FragmentShaderParts(settings);
-    const Validation validation =
-      Validate(WithUniformsReadOnce(LoadParts(parts), LoadParts({ "Unity.glsl" }).front()), "frag");
-    EXPECT_TRUE(validation.passed) << Describe(parts) << "\n" << validation.messages;
+    std::vector<ShaderFile> vertex = LoadParts({ VertexShaderPart() });
+    std::vector<ShaderFile> fragment = LoadParts(parts);
+    HandUniformsOn(vertex, fragment, 124);
+    const Validation ofVertex = Validate(vertex, "vert");
+    const Validation ofFragment = Validate(fragment, "frag");
+    EXPECT_TRUE(ofVertex.passed) << Describe(parts) << "\n" << ofVertex.messages;
+    EXPECT_TRUE(ofFragment.passed) << Describe(parts) << "\n" << ofFragment.messages;
   }
 }
 

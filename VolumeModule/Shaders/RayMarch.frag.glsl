@@ -44,7 +44,6 @@ Interval InsideOf(Ray ray)
 
 void main()
 {
-  // Uniforms read once are read here.
   Ray ray = PixelRay();
   Interval inside = InsideOf(ray);
   if (!(inside.enter < inside.exit))
