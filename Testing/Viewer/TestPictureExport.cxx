@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace varimarch;
 
 TEST(ExportedPicture, HasTheSizeAndTheBackgroundThatAreAskedFor)
@@ -19,6 +21,29 @@ TEST(ExportedPicture, HasTheSizeAndTheBackgroundThatAreAskedFor)
     PictureMaker(SceneOfPatient(), study->volume.image, { { 120, 80 }, true, false }).Draw();
   EXPECT_EQ(transparent.pixelColor(0, 0).alpha(), 0);
   EXPECT_GT(transparent.pixelColor(60, 40).alpha(), 200) << "the spine";
+}
+
+TEST(ExportedPicture, HasANoticeThatIsLegibleOnAnyBackground)
+{
+  const auto study = SmallStudy();
+  for (const double gray : { 0.0, 0.5, 1.0 })
+  {
+    Scene scene = SceneOfPatient();
+    scene.background = { gray, gray, gray };
+    const QImage picture =
+      PictureMaker(scene, study->volume.image, { { 800, 600 }, false, false }).Draw();
+    int darkest = 255;
+    int brightest = 0;
+    for (int y = 560; y < 600; ++y)
+    {
+      for (int x = 0; x < 100; ++x)
+      {
+        darkest = std::min(darkest, qGray(picture.pixel(x, y)));
+        brightest = std::max(brightest, qGray(picture.pixel(x, y)));
+      }
+    }
+    EXPECT_GT(brightest - darkest, 150) << gray;
+  }
 }
 
 TEST(ExportedPicture, TellsHowItWasMadeAndNotOfWhom)

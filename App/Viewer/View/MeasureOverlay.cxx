@@ -125,7 +125,11 @@ void DrawBox(QPainter& painter, const MeasuredBox& box, const QString& text, vtk
 void DrawLegibly(QPainter& painter, const QRectF& box, int alignment, const QString& text)
 {
   painter.setPen(QColor(0, 0, 0, 200));
-  painter.drawText(box.translated(1.0, 1.0), alignment, text);
+  for (const QPointF& offset :
+    { QPointF(-1.0, -1.0), QPointF(1.0, -1.0), QPointF(-1.0, 1.0), QPointF(1.0, 1.0) })
+  {
+    painter.drawText(box.translated(offset), alignment, text);
+  }
   painter.setPen(TextColor);
   painter.drawText(box, alignment, text);
 }

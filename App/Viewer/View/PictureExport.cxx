@@ -44,8 +44,7 @@ QImage OnBackground(const QImage& image, const std::array<double, 3>& rgb)
 
 void DrawNotice(QPainter& painter, const QSizeF& size)
 {
-  painter.setPen(QColor(150, 150, 150));
-  painter.drawText(QRectF(10.0, 0.0, size.width() - 20.0, size.height() - 8.0),
+  DrawLegibly(painter, QRectF(10.0, 0.0, size.width() - 20.0, size.height() - 8.0),
     Qt::AlignLeft | Qt::AlignBottom,
     QCoreApplication::translate("PictureExport", "Not for diagnostic use"));
 }

@@ -64,8 +64,7 @@ protected:
           this->view->model->CurrentStudy()->volume.image },
         this->view->Frame());
       this->view->tools.Paint(painter);
-      painter.setPen(QColor(200, 200, 200));
-      painter.drawText(this->rect().adjusted(10, 10, -10, -10),
+      DrawLegibly(painter, this->rect().adjusted(10, 10, -10, -10),
         this->view->reportSide | Qt::AlignTop,
         PictureReport(*this->view->pipeline, this->view->kind, this->view->model->CurrentScene(),
           this->view->pictureSeconds));
