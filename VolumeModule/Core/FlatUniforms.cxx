@@ -1,6 +1,5 @@
 #include "Core/FlatUniforms.h"
 
-#include <algorithm>
 #include <limits>
 #include <map>
 #include <regex>
@@ -124,8 +123,7 @@ void ChangeLines(std::vector<ShaderFile>& files, Change change)
 void HandUniformsOn(
   std::vector<ShaderFile>& vertex, std::vector<ShaderFile>& fragment, int mostComponents)
 {
-  const auto isVolume = [](const ShaderFile& file) { return file.path == "VolumeSlots.glsl"; };
-  if (std::count_if(fragment.begin(), fragment.end(), isVolume) > 1)
+  if (VolumeCount(fragment) > 1)
   {
     return;
   }

@@ -1,5 +1,6 @@
 #include "Core/ShaderAssembly.h"
 
+#include <algorithm>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -83,6 +84,12 @@ std::string Renaming(const std::vector<VolumeText>& volumes, std::size_t volume)
   return text;
 }
 
+}
+
+std::size_t VolumeCount(const std::vector<ShaderFile>& files)
+{
+  return std::size_t(std::count_if(
+    files.begin(), files.end(), [](const ShaderFile& file) { return file.path == FirstOfVolume; }));
 }
 
 std::string NameOfVolume(const std::string& name, std::size_t volume)

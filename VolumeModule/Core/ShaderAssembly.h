@@ -20,6 +20,9 @@ struct ShaderFile
 /// the preprocessor does it.
 std::string AssembleShader(const std::vector<ShaderFile>& files);
 
+/// How many volumes a fragment shader is for: as often as VolumeSlots.glsl is among its files.
+std::size_t VolumeCount(const std::vector<ShaderFile>& files);
+
 /// What a name, be it followed by an index or not, is called for one of several volumes, but the
 /// last, whose names stay as they are.
 std::string NameOfVolume(const std::string& name, std::size_t volume);
