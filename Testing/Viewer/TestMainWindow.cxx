@@ -197,6 +197,10 @@ TEST_F(Window, ComparesWithVtk)
   ASSERT_TRUE(view->LastDifference());
   EXPECT_GT(view->LastDifference()->rootMeanSquare, 0.0);
   EXPECT_LT(view->LastDifference()->rootMeanSquare, 20.0) << "of one scene";
+  const auto* const difference = view->findChild<QLabel*>("difference");
+  QApplication::processEvents();
+  EXPECT_LE(difference->pixmap(Qt::ReturnByValue).height(), difference->height())
+    << "its scale is at the bottom";
   view->CompareWith(std::nullopt);
   EXPECT_FALSE(view->LastDifference());
   EXPECT_EQ(this->View()->size(), alone);

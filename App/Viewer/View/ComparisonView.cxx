@@ -94,6 +94,7 @@ ComparisonView::ComparisonView(SceneModel* model, QWidget* parent)
   layout->addWidget(this->title);
   layout->addWidget(this->picture, 1);
   layout->addWidget(this->numbers);
+  this->picture->setObjectName("difference");
   this->picture->setAlignment(Qt::AlignCenter);
   this->picture->setMinimumSize(1, 1);
   this->numbers->setWordWrap(true);
