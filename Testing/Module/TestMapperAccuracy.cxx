@@ -122,6 +122,27 @@ TEST(Mapper, AdditiveIsCloseToTheTruth)
   EXPECT_LT(scene.Error().rootMeanSquare, 1.0) << "where it is white";
 }
 
+// The middle of the picture is between two bright voxels at opposite corners.
+TEST(Mapper, ARayThatSeesNothingReadsNothing)
+{
+  constexpr int Side = 33;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(Side, Side, Side);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), Side * Side * Side, 0);
+  image->SetScalarComponentFromDouble(2, 2, 2, 0, 100.0);
+  image->SetScalarComponentFromDouble(30, 30, 30, 0, 100.0);
+  MapperScene scene(image, 33);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(50.0, 0.0);
+  scene.opacities->AddPoint(100.0, 1.0);
+  scene.mapper->SetAccelerationModeToOpticalField();
+  scene.mapper->DrawFetchCountsOn();
+  const std::vector<float> counts = scene.Draw();
+  EXPECT_GT(*std::max_element(counts.begin(), counts.end()), 2.0f);
+  EXPECT_EQ(counts[4 * (16 * 33 + 16)], 0.0f);
+}
+
 TEST(Mapper, SumsAndAveragesLeaveInvisibleBricksOutAndCountTheirLength)
 {
   MapperScene scene(SmallTorso());
