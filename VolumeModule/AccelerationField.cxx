@@ -10,6 +10,8 @@
 #include "vtkType.h"
 #include "vtk_glew.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -80,6 +82,21 @@ BrickRanges RangesOf(const VoxelValues& values, std::size_t index)
 // With a smaller part of bricks to skip, to look for them costs more than is skipped.
 constexpr double LeastSkippablePart = 1.0 / 8.0;
 
+// So large that there are few of them, and so small that rays begin close to what they see.
+constexpr int BricksPerBlock = 2; // along a side
+
+VisibleBlocks VisibleBlocksOf(const OpticalField& field)
+{
+  constexpr float side = float(BricksPerBlock * BrickRanges::CellsPerSide);
+  // What is drawn may reach half a voxel beyond the outermost ones.
+  VisibleBlocks blocks{ side + 2.0f, {} };
+  for (const glm::ivec3& block : VisibleHull(field, BricksPerBlock))
+  {
+    blocks.centersGrid.push_back((glm::vec3(block) + 0.5f) * side);
+  }
+  return blocks;
+}
+
 class Stopwatch
 {
 public:
@@ -144,7 +161,7 @@ void AccelerationField::BuildRanges(const VoxelValues& values)
 }
 
 void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
-  const std::vector<ChannelTable>& tables, const OpticalTolerance& tolerance)
+  const std::vector<ChannelTable>& tables, const OpticalTolerance& tolerance, Marcher marcher)
 {
   const Stopwatch stopwatch;
   std::vector<OpticalChannel> channels;
@@ -152,17 +169,25 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
   {
     channels.push_back({ this->ranges[shown.channel], *shown.table });
   }
-  const OpticalField field = varimarch::BuildOpticalField(channels, tolerance);
-  this->Keep(field, stopwatch.Seconds());
+  OpticalField field = varimarch::BuildOpticalField(channels, tolerance);
+  this->ReleaseField(window);
+  const bool isForProcessor = marcher == Marcher::Processor;
+  tbb::parallel_invoke([&] { this->visible = VisibleBricks(field); },
+    [&] {
+      this->visibleBlocks = isForProcessor ? VisibleBlocksOf(field) : varimarch::VisibleBlocks();
+    });
+  this->AddBuildSeconds(stopwatch.Seconds());
   const Box all{ glm::dvec3(0.0),
     double(BrickRanges::CellsPerSide) * glm::dvec3(field.brickCount) };
-  if (field.SkippablePart(this->visible.Bounds(all)) >= LeastSkippablePart)
+  const bool skipsAny = field.SkippablePart(this->visible.Bounds(all)) >= LeastSkippablePart;
+  if (skipsAny && !isForProcessor)
   {
     this->Upload(window, field.brickCount, field.bricks);
   }
-  else
+  else if (skipsAny)
   {
-    this->ReleaseTexture(window);
+    this->size = field.brickCount;
+    this->bricks = std::move(field.bricks);
   }
 }
 
@@ -171,13 +196,14 @@ void AccelerationField::BuildIsosurfaceField(
 {
   const Stopwatch stopwatch;
   const OpticalField field = varimarch::BuildIsosurfaceField(this->ranges.front(), isovalues);
-  this->Keep(field, stopwatch.Seconds());
+  this->ReleaseField(window);
+  this->visible = VisibleBricks(field);
+  this->AddBuildSeconds(stopwatch.Seconds());
   this->Upload(window, field.brickCount, field.bricks);
 }
 
-void AccelerationField::Keep(const OpticalField& field, double seconds)
+void AccelerationField::AddBuildSeconds(double seconds)
 {
-  this->visible = VisibleBricks(field);
   this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + seconds;
 }
 
@@ -187,19 +213,22 @@ void AccelerationField::BuildExtremes(
   const Stopwatch stopwatch;
   const BrickRanges& values = this->ranges.front();
   const std::vector<std::uint16_t> extremes = BuildExtremeBricks(values, look, largest);
-  this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + stopwatch.Seconds();
+  this->AddBuildSeconds(stopwatch.Seconds());
+  this->ReleaseField(window);
   this->Upload(window, values.BrickCount(), extremes);
 }
 
-void AccelerationField::ReleaseTexture(vtkWindow* window)
+void AccelerationField::ReleaseField(vtkWindow* window)
 {
+  this->bricks = {};
+  this->visibleBlocks = {};
   this->texture->ReleaseGraphicsResources(window);
   this->bytes = 0;
 }
 
 void AccelerationField::Release(vtkWindow* window)
 {
-  this->ReleaseTexture(window);
+  this->ReleaseField(window);
   this->ranges.clear();
   this->visible = VisibleBricks();
 }

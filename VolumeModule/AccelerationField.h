@@ -5,6 +5,9 @@
 #include "Core/ExtremeBricks.h"
 #include "Core/GapField.h"
 #include "Core/OpticalField.h"
+#include "Core/Packets/VisibleDepths.h"
+#include "Core/RenderSettings.h"
+#include "Core/VisibleBricks.h"
 #include "VolumeTexture.h"
 
 #include "vtkNew.h"
@@ -41,11 +44,12 @@ public:
   /// The part of the optical field that reads the volume; kept for every later BuildOpticalField.
   void BuildRanges(const VoxelValues& values);
 
-  /// There is no texture of it where rays could hardly skip anything.
+  /// There is nothing of it where rays could hardly skip anything.
   /// @throws std::runtime_error when the device cannot hold the texture
-  /// @param tables  what shows a channel's values
+  /// @param tables   what shows a channel's values
+  /// @param marcher  who reads it: for the processor there is no texture, but Bricks()
   void BuildOpticalField(vtkOpenGLRenderWindow* window, const std::vector<ChannelTable>& tables,
-    const OpticalTolerance& tolerance);
+    const OpticalTolerance& tolerance, Marcher marcher);
 
   /// @throws std::runtime_error when the device cannot hold the texture
   void BuildIsosurfaceField(vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues);
@@ -57,7 +61,9 @@ public:
 
   const BrickRanges& Ranges() const { return this->ranges.front(); } ///< of the first channel
   vtkTextureObject* Texture() const { return this->texture; }
-  bool HasTexture() const { return this->bytes > 0; }
+  const std::vector<std::uint8_t>& Bricks() const { return this->bricks; }
+  const varimarch::VisibleBlocks& VisibleBlocks() const { return this->visibleBlocks; }
+  bool SkipsAny() const { return this->bytes > 0 || !this->bricks.empty(); }
   /// Of the optical field, the smallest box that holds what is visible in a part of the volume.
   Box VisibleBoxGrid(const Box& partGrid) const { return this->visible.Bounds(partGrid); }
   glm::ivec3 Size() const { return this->size; } ///< texels
@@ -67,14 +73,16 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void ReleaseTexture(vtkWindow* window);
-  void Keep(const OpticalField& field, double seconds);
+  void ReleaseField(vtkWindow* window);
+  void AddBuildSeconds(double seconds);
   template <class Texel>
   void Upload(vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels);
 
   vtkNew<vtkTextureObject> texture;
   std::vector<BrickRanges> ranges; ///< of each channel
   VisibleBricks visible;
+  std::vector<std::uint8_t> bricks; ///< of an optical field, where the processor marches rays,
+  varimarch::VisibleBlocks visibleBlocks; ///< and what there is between them
   glm::ivec3 size = glm::ivec3(1);
   double rangeSeconds = 0.0; ///< of ranges that no field has been built of yet
   double buildSeconds = 0.0;

@@ -16,16 +16,17 @@ void BlueNoiseTexture::Update(vtkOpenGLRenderWindow* window)
   {
     return;
   }
-  std::vector<std::uint16_t> tile = BlueNoiseTile(Pixels);
+  this->tile = BlueNoiseTile(Pixels);
   this->texture->SetContext(window);
   this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
   this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->texture->Create2DFromRaw(Pixels, Pixels, 1, VTK_UNSIGNED_SHORT, tile.data());
+  this->texture->Create2DFromRaw(Pixels, Pixels, 1, VTK_UNSIGNED_SHORT, this->tile.data());
 }
 
 void BlueNoiseTexture::Release(vtkWindow* window)
 {
   this->texture->ReleaseGraphicsResources(window);
+  this->tile.clear();
 }
 
 }

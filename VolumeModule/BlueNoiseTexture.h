@@ -5,6 +5,8 @@
 #include "vtkTextureObject.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 
@@ -20,11 +22,14 @@ public:
   /// Makes and uploads the tile unless it is there.
   void Update(vtkOpenGLRenderWindow* window);
 
+  const std::vector<std::uint16_t>& Tile() const { return this->tile; } ///< after Update
+
   vtkTextureObject* Texture() const { return this->texture; }
   std::size_t Bytes() const { return this->texture->GetHandle() ? 2 * Pixels * Pixels : 0; }
   void Release(vtkWindow* window);
 
 private:
+  std::vector<std::uint16_t> tile;
   vtkNew<vtkTextureObject> texture;
 };
 

@@ -71,7 +71,9 @@ struct Frame
   vtkVolume* volume;
   VolumePass volumePass;
   UserShaderCode userCode;
-  bool toImages;   ///< draw these, not into the window
+  bool toImages;                    ///< draw these, not into the window
+  bool mayMarchByProcessor = false; ///< where OpenGL is drawn by it too
+  Marcher marcher = Marcher::Device;
   bool clampDepth; ///< of the image of depths, where nothing is visible
 
   /// Volumes that overlap with this one, in the same picture: of each what is its own.

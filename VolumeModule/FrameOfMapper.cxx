@@ -318,6 +318,7 @@ std::optional<Frame> FrameOfVolume(vtkVariationFieldVolumeMapper* mapper, vtkRen
   ChooseAveraged(mapper, frame);
   frame.gapOptical = GapOptical(
     mapper->GetNanColor(), mapper->GetNanOpacity(), frame.property->GetScalarOpacityUnitDistance());
+  frame.mayMarchByProcessor = mapper->GetProcessorMarching() != 0;
   frame.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
   ChoosePicture(mapper, renderer, prop, frame);
   ChooseSampling(mapper, frame);

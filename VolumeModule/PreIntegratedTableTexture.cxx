@@ -3,11 +3,14 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkType.h"
 
+#include <utility>
+
 namespace varimarch
 {
 
 void PreIntegratedTableTexture::Upload(vtkOpenGLRenderWindow* window, PreIntegratedTable table)
 {
+  this->kept = {};
   this->size = table.size;
   this->texture->SetContext(window);
   this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -18,10 +21,17 @@ void PreIntegratedTableTexture::Upload(vtkOpenGLRenderWindow* window, PreIntegra
     unsigned(table.size), unsigned(table.size), 4, VTK_FLOAT, &table.entries.front().x);
 }
 
+void PreIntegratedTableTexture::Keep(vtkWindow* window, PreIntegratedTable table)
+{
+  this->Release(window);
+  this->kept = std::move(table);
+}
+
 void PreIntegratedTableTexture::Release(vtkWindow* window)
 {
   this->texture->ReleaseGraphicsResources(window);
   this->size = 0;
+  this->kept = {};
 }
 
 }

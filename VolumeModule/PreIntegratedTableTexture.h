@@ -11,12 +11,14 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A PreIntegratedTable on the device.
+/// A PreIntegratedTable on the device, or in memory where the processor marches rays.
 class PreIntegratedTableTexture
 {
 public:
   void Upload(vtkOpenGLRenderWindow* window, PreIntegratedTable table);
+  void Keep(vtkWindow* window, PreIntegratedTable table);
 
+  const PreIntegratedTable& Kept() const { return this->kept; }
   vtkTextureObject* Texture() const { return this->texture; }
   int Size() const { return this->size; }
   std::size_t Bytes() const { return std::size_t(this->size) * this->size * sizeof(glm::vec4); }
@@ -24,7 +26,8 @@ public:
 
 private:
   vtkNew<vtkTextureObject> texture;
-  int size = 0;
+  int size = 0; ///< of the texture
+  PreIntegratedTable kept = {};
 };
 
 }

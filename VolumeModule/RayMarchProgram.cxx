@@ -4,6 +4,7 @@
 #include "Core/ShaderAssembly.h"
 #include "Core/ShaderRecipe.h"
 #include "ShaderFiles.h"
+#include "SoftwareRasterizer.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCommand.h"
@@ -70,13 +71,6 @@ std::vector<ShaderFile> WithUserCode(
   return files;
 }
 
-// Graphics cards keep uniforms where every pixel has them for nothing.
-bool GathersUniforms()
-{
-  const auto* const renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return renderer && std::string(renderer).find("llvmpipe") != std::string::npos;
-}
-
 // The position takes four.
 int MostFlatComponents()
 {
@@ -107,7 +101,8 @@ RayMarchProgram::Sources RayMarchProgram::Assemble(
 {
   std::vector<ShaderFile> vertex = LoadShaderFiles({ VertexShaderPart() });
   std::vector<ShaderFile> fragment = WithUserCode(LoadShaderFiles(parts), parts, userCode);
-  if (GathersUniforms())
+  // Graphics cards keep uniforms where every pixel has them for nothing.
+  if (IsSoftwareRasterizer())
   {
     HandUniformsOn(vertex, fragment, MostFlatComponents());
   }

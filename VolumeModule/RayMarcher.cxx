@@ -2,10 +2,13 @@
 
 #include "Core/ShaderRecipe.h"
 #include "Core/SplineCoefficients.h"
+#include "PropertyTransferFunction.h"
 
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
+
+#include <utility>
 
 namespace varimarch
 {
@@ -16,12 +19,33 @@ namespace
 // The tolerance of the field when none is given, as a part of the range of the scalars.
 constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 
+// Entries of a pre-integrated table on a side: so many between two nodes of the transfer function,
+// if these bounds allow it. The smaller it is, the more of it stays in the processor's caches.
+constexpr double PreIntegratedPerGap = 64.0;
+constexpr std::size_t FewestPreIntegrated = 256;
+constexpr std::size_t MostPreIntegrated = 1024;
+
+std::size_t PreIntegratedEntries(vtkVolumeProperty* property, const OpticalTable& table)
+{
+  const TransferFunction function = TransferFunctionOf(property);
+  const double range = table.lastValue - table.firstValue;
+  std::size_t side = function.IsPiecewiseLinear() ? FewestPreIntegrated : MostPreIntegrated;
+  while (
+    side < MostPreIntegrated && side * function.SmallestNodeGap() < PreIntegratedPerGap * range)
+  {
+    side *= 2;
+  }
+  return side * side;
+}
+
 }
 
 void RayMarcher::Draw(Frame frame)
 {
   this->EnterWindow(frame.window);
   this->BeginAccumulation(frame);
+  this->UpdateVolume(frame);
+  frame.marcher = this->MarchesPackets(frame) ? Marcher::Processor : Marcher::Device;
   this->UpdateDepth(frame);
   this->UpdateNoise(frame);
   this->UpdateCuts(frame);
@@ -43,12 +67,11 @@ void RayMarcher::Draw(Frame frame)
 // Those that a volume has for itself, be it one of several.
 void RayMarcher::UpdateResources(Frame& frame)
 {
-  this->UpdateVolume(frame);
   this->UpdateOpticalTable(frame);
   this->UpdateGradientOpacity(frame);
   this->UpdateMask(frame);
   this->UpdateField(frame);
-  frame.settings.skipsBricks = this->field.HasTexture();
+  frame.settings.skipsBricks = this->field.SkipsAny();
   this->UpdateLights(frame);
   this->UpdateIsosurfaces(frame);
   this->UpdateSpacing(frame);
@@ -115,11 +138,17 @@ void RayMarcher::UpdatePreIntegratedTable(const Frame& frame)
     this->preIntegratedTable.Release(frame.window);
     this->preIntegratedOfTable = 0;
   }
-  else if (this->preIntegratedOfTable != this->builds.opticalTable)
+  else if (this->preIntegratedOfTable != this->builds.opticalTable ||
+    this->preIntegratedFor != frame.marcher)
   {
-    this->preIntegratedTable.Upload(
-      frame.window, BuildPreIntegratedTable(this->opticalTable.Table()));
+    const OpticalTable& optical = this->opticalTable.Table();
+    PreIntegratedTable table =
+      BuildPreIntegratedTable(optical, PreIntegratedEntries(frame.property, optical));
+    frame.marcher == Marcher::Processor
+      ? this->preIntegratedTable.Keep(frame.window, std::move(table))
+      : this->preIntegratedTable.Upload(frame.window, std::move(table));
     this->preIntegratedOfTable = this->builds.opticalTable;
+    this->preIntegratedFor = frame.marcher;
   }
 }
 
@@ -182,7 +211,7 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
     ? OpticalTolerance::Nothing(longestRayMm)
     : OpticalTolerance::ForError(frame.fieldError, longestRayMm);
   const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
-    this->builds.opticalTable, tolerance.color / tolerance.longestRayMm };
+    this->builds.opticalTable, tolerance.color / tolerance.longestRayMm, 0.0, frame.marcher };
   if (this->fieldSource == source)
   {
     return;
@@ -197,7 +226,7 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
       tables.push_back({ this->materialTables[i].channel, &this->opticalTable.Tables()[i] });
     }
   }
-  this->field.BuildOpticalField(frame.window, tables, tolerance);
+  this->field.BuildOpticalField(frame.window, tables, tolerance, frame.marcher);
   this->fieldSource = source;
   ++this->builds.field;
 }
@@ -281,7 +310,7 @@ std::size_t RayMarcher::GraphicsMemoryBytes() const
     this->preIntegratedTable.Bytes() + this->depth.Bytes() + this->lights.Bytes() +
     this->gradientOpacity.Bytes() + this->twoValues.Bytes() + this->mask.Bytes() +
     this->probe.Bytes() + this->accumulation.Bytes() + this->picture.Bytes() +
-    this->BytesOfOthers();
+    this->packets.Bytes() + this->BytesOfOthers();
 }
 
 double RayMarcher::FieldBuildSeconds() const
@@ -310,6 +339,7 @@ void RayMarcher::Release(vtkWindow* window)
   this->isosurfaces.Release(window);
   this->spacing.Release(window);
   this->spacingBins.clear();
+  this->packets.Release(window);
   this->boxGeometry.Release();
   this->program.Forget();
   this->volumeSource.clear();

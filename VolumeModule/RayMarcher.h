@@ -3,12 +3,14 @@
 
 #include "AccelerationField.h"
 #include "BoxInView.h"
+#include "Core/Packets/PacketScene.h"
 #include "Core/PixelRays.h"
 #include "Core/StepSearch.h"
 #include "FloatBufferTexture.h"
 #include "Frame.h"
 #include "MaterialTables.h"
 #include "OpticalTableTexture.h"
+#include "PacketPicture.h"
 #include "PictureResources.h"
 #include "PreIntegratedTableTexture.h"
 #include "ProbeFramebuffer.h"
@@ -63,6 +65,7 @@ struct FieldSource
   int tableBuild;  ///< of the optical table; 0 for a field that does not know it
   double tolerance;
   double sense = 0.0; ///< of extremes: 1 for the largest, -1 for the smallest
+  Marcher marcher = Marcher::Device;
 
   std::vector<double> isovalues = {};
 
@@ -70,7 +73,8 @@ struct FieldSource
   {
     return this->isovalues == other.isovalues && this->acceleration == other.acceleration &&
       this->volumeBuild == other.volumeBuild && this->tableBuild == other.tableBuild &&
-      this->tolerance == other.tolerance && this->sense == other.sense;
+      this->tolerance == other.tolerance && this->sense == other.sense &&
+      this->marcher == other.marcher;
   }
 };
 
@@ -111,6 +115,9 @@ struct DrawnBlock
 /// A box so much larger that it covers all pixels of which the box covers a part, if it is at least
 /// a few pixels wide.
 Box WithItsEdges(const Box& box);
+
+/// More segments than any ray has.
+int MostSegmentsOf(const Frame& frame);
 
 /// Coefficients of ambient, diffuse and specular light, and the specular power.
 glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component);
@@ -188,6 +195,16 @@ private:
   void DrawBlock(Frame frame, int block);
   void DrawBlocks(const Frame& frame);
 
+  // By the processor.
+  bool MarchesPackets(const Frame& frame);
+  bool HasGapsForPackets(const Frame& frame);
+  PacketLook LookOfPackets(const Frame& frame) const;
+  PacketSteps StepsOfPackets(const Frame& frame) const;
+  PacketScene SceneOfPackets(const Frame& frame, const std::vector<glm::vec4>& planes,
+    const std::vector<float>& depth) const;
+  void DrawPackets(const Frame& frame);
+  void SetMarchedUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
+
   // Several volumes that overlap: the first is this marcher's, and draws all.
   void UpdateOthers(Frame& frame);
   void CheckOneBlock(const Frame& frame) const;
@@ -256,6 +273,8 @@ private:
   ProbeFramebuffer probe;
   RayAccumulation accumulation; ///< only where there are several blocks
   PictureResources picture;
+  PacketPicture packets;
+  PixelRectangle marchedPixels = {}; ///< of the viewport, by the processor
   RayMarchProgram program;
   BuildCounts builds;
   std::optional<ToleranceChoice> tolerance;
@@ -276,8 +295,11 @@ private:
   std::vector<double> tableInputs;
   std::vector<MaterialTable> materialTables; ///< what is in the optical table
   std::vector<double> gradientOpacitySource; ///< empty: there is none
-  int preIntegratedOfTable = 0;              ///< the optical table's build that it was made from
-  std::optional<FieldSource> fieldSource;    ///< none: there is no field
+  int preIntegratedOfTable = 0;              ///< the optical table's build that it was made from,
+  Marcher preIntegratedFor = Marcher::Device;
+  std::optional<FieldSource> fieldSource; ///< none: there is no field
+  int finiteOfVolume = 0;                 ///< the volume's build of which it is known whether
+  bool voxelsAreFinite = false;
   int rangesOfVolume = 0;  ///< the volume's build that the field's ranges belong to
   int visibleOfField = -1; ///< the field's build that the visible boxes belong to; 0: to none
   Box visibleOfBox = {};   ///< and the box that cuts left then

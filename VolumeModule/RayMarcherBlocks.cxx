@@ -30,6 +30,33 @@ constexpr std::size_t NoLimit = std::numeric_limits<std::size_t>::max();
 // their shared voxels and draw calls hardly count.
 constexpr std::size_t BlocksInMemory = 16;
 
+// Of a volume that is not on the device.
+BlockLimits WithoutLimits()
+{
+  return { std::numeric_limits<int>::max(), 1, NoLimit };
+}
+
+void CheckIsDrawnInBlocks(const RenderSettings& settings)
+{
+  if (settings.uneven)
+  {
+    throw std::runtime_error("Rectilinear grids are not drawn in blocks: the maximum graphics "
+                             "memory, or the device's 3D textures, are too small for this one");
+  }
+  if (settings.countFetches)
+  {
+    throw std::runtime_error("Fetch counts are not drawn for a volume in blocks: the maximum "
+                             "graphics memory, or the device's 3D textures, are too small for it");
+  }
+  if (settings.components != Components::One && settings.blend == Blend::AverageIntensity)
+  {
+    throw std::runtime_error(
+      "The average intensity of several components is not drawn for a volume "
+      "in blocks: the maximum graphics memory, or the device's 3D textures, "
+      "are too small for it");
+  }
+}
+
 // A plane that no ray runs in.
 constexpr double Nowhere = 1e30;
 
@@ -104,11 +131,17 @@ void RayMarcher::UpdateBlocks(Frame& frame)
   frame.triesPreIntegration = frame.mostMemoryBytes == 0 ||
     4 * PreIntegratedTableBytes(this->opticalTable.Table()) <= frame.mostMemoryBytes;
   frame.chooseIntegration = frame.chooseIntegration && frame.triesPreIntegration;
-  if (this->blocks.Divide(frame.window, this->LimitsOf(frame)))
+  const bool isWhole = frame.marcher == Marcher::Processor;
+  if (this->blocks.Divide(frame.window, isWhole ? WithoutLimits() : this->LimitsOf(frame)))
   {
     this->visibleOfField = -1;
   }
   this->UpdateVisibleBoxes(frame);
+  if (isWhole)
+  {
+    this->accumulation.Release(frame.window);
+    return;
+  }
   if (this->blocks.Partition().Count() == 1)
   {
     this->accumulation.Release(frame.window);
@@ -120,24 +153,7 @@ void RayMarcher::UpdateBlocks(Frame& frame)
     }
     return;
   }
-  if (frame.settings.uneven)
-  {
-    throw std::runtime_error("Rectilinear grids are not drawn in blocks: the maximum graphics "
-                             "memory, or the device's 3D textures, are too small for this one");
-  }
-  if (frame.settings.countFetches)
-  {
-    throw std::runtime_error("Fetch counts are not drawn for a volume in blocks: the maximum "
-                             "graphics memory, or the device's 3D textures, are too small for it");
-  }
-  if (frame.settings.components != Components::One &&
-    frame.settings.blend == Blend::AverageIntensity)
-  {
-    throw std::runtime_error(
-      "The average intensity of several components is not drawn for a volume "
-      "in blocks: the maximum graphics memory, or the device's 3D textures, "
-      "are too small for it");
-  }
+  CheckIsDrawnInBlocks(frame.settings);
   frame.settings.gaps = this->blocks.MayHaveGaps(); // each block will tell
 }
 
@@ -191,6 +207,11 @@ void RayMarcher::DrawVolume(const Frame& frame)
 {
   if (glm::any(glm::greaterThanEqual(this->drawnBox.lower, this->drawnBox.upper)))
   {
+    return;
+  }
+  if (frame.marcher == Marcher::Processor)
+  {
+    this->DrawPackets(frame);
     return;
   }
   if (this->blocks.Partition().Count() == 1)

@@ -94,6 +94,7 @@ std::vector<vtkTextureObject*> RayMarcher::TexturesOf(const DrawnBlock& drawn) c
     this->preIntegratedTable.Texture(), this->depth.Texture(), this->lights.Texture(),
     this->gradientOpacity.Texture(), this->twoValues.Texture(), this->mask.Texture(),
     this->accumulation.Drawn(), this->accumulation.Finished() };
+  textures.push_back(this->packets.Texture());
   const std::vector<vtkTextureObject*> ofPicture = this->picture.Textures();
   textures.insert(textures.end(), ofPicture.begin(), ofPicture.end());
   textures.insert(textures.end(),

@@ -61,6 +61,7 @@ void RayMarcher::UpdateOthers(Frame& frame)
     RayMarcher& marcher = *this->others[i];
     Frame& other = frame.others[i];
     marcher.EnterWindow(frame.window);
+    marcher.UpdateVolume(other);
     marcher.UpdateResources(other);
     marcher.CheckOneBlock(other);
     marcher.drawnBox = marcher.visibleBox;

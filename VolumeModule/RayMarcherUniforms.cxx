@@ -18,9 +18,6 @@
 namespace varimarch
 {
 
-namespace
-{
-
 // As many as a ray along the diagonal takes at the sample distance, and as many as the faces of
 // cells it can pass.
 int MostSegmentsOf(const Frame& frame)
@@ -32,8 +29,6 @@ int MostSegmentsOf(const Frame& frame)
   add(frame);
   std::for_each(frame.others.begin(), frame.others.end(), add);
   return most;
-}
-
 }
 
 void RayMarcher::SetRayUniforms(
@@ -306,14 +301,15 @@ void RayMarcher::SetMarchUniforms(const Frame& frame, const DrawnBlock& drawn)
 void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
-  if (frame.settings.pass == RayPass::Accumulated)
+  const RayPass pass = frame.settings.pass;
+  if (pass == RayPass::Accumulated || pass == RayPass::Marched)
   {
-    this->SetMeanUniforms(frame, clipFromGrid);
+    pass == RayPass::Accumulated ? this->SetMeanUniforms(frame, clipFromGrid)
+                                 : this->SetMarchedUniforms(frame, clipFromGrid);
     return;
   }
   this->SetRayUniforms(frame, drawn, clipFromGrid);
   this->SetCutUniforms(frame);
-  const RayPass pass = frame.settings.pass;
   if (pass == RayPass::Block || pass == RayPass::Picture)
   {
     this->SetResumeUniforms(frame, drawn);

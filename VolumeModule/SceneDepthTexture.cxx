@@ -65,6 +65,20 @@ void SceneDepthTexture::Capture(
   state->PopFramebufferBindings();
 }
 
+std::vector<float> SceneDepthTexture::Read(vtkOpenGLRenderWindow* window)
+{
+  const auto width = GLsizei(this->depth->GetWidth());
+  const auto height = GLsizei(this->depth->GetHeight());
+  std::vector<float> depths(std::size_t(width) * height);
+  vtkOpenGLState* const state = window->GetState();
+  state->PushFramebufferBindings();
+  this->framebuffer->Bind(GL_READ_FRAMEBUFFER);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  state->PopFramebufferBindings();
+  return depths;
+}
+
 void SceneDepthTexture::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
   this->depth->SetContext(window);

@@ -5,6 +5,8 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
 
+#include <vector>
+
 class vtkOpenGLRenderWindow;
 
 namespace varimarch
@@ -17,6 +19,9 @@ class SceneDepthTexture
 public:
   /// Copies a rectangle of the framebuffer that is bound for drawing [pixels].
   void Capture(vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height);
+
+  /// What was captured, row by row from below.
+  std::vector<float> Read(vtkOpenGLRenderWindow* window);
 
   vtkTextureObject* Texture() const { return this->depth; }
   std::size_t Bytes() const { return this->bytes; }

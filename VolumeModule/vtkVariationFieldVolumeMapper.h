@@ -117,6 +117,19 @@ public:
 
   ///@{
   /**
+   * Where OpenGL itself is drawn by the processor, as Mesa's llvmpipe does, march composites of one
+   * component without a shader, in packets of eight rays: two to three times as fast, with the same
+   * steps. It needs AVX2 and FMA; shaders draw what packets have no code for (other blend modes,
+   * several components, masks, cropping, lights beside head lights, user code, a maximum graphics
+   * memory). Default: on.
+   */
+  vtkSetMacro(ProcessorMarching, vtkTypeBool);
+  vtkGetMacro(ProcessorMarching, vtkTypeBool);
+  vtkBooleanMacro(ProcessorMarching, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * For ScalarField: largest difference of two values in a block that a ray may jump across, in
    * units of the data.
    * A negative value (the default) means 1/256 of the range of the scalars.
@@ -437,7 +450,8 @@ public:
   bool GetErrorToleranceIsKept();
 
   /**
-   * The shader files of the last picture, one per slot, as paths below VolumeModule/Shaders.
+   * The shader files of the last picture, one per slot, as paths below VolumeModule/Shaders; none
+   * where the processor has marched its rays.
    */
   void GetShaderParts(vtkStringArray* parts);
 
@@ -470,6 +484,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* information) override;
 
   int AccelerationMode = OpticalField;
+  vtkTypeBool ProcessorMarching = 1;
   int IntegrationRule = Automatic;
   double ErrorTolerance = 1.0 / 64.0;
   bool DrawFetchCounts = false;

@@ -9,6 +9,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AccelerationMode: " << this->AccelerationMode << "\n";
+  os << indent << "ProcessorMarching: " << this->ProcessorMarching << "\n";
   os << indent << "IntegrationRule: " << this->IntegrationRule << "\n";
   os << indent << "DrawFetchCounts: " << this->DrawFetchCounts << "\n";
   os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";

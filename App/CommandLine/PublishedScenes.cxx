@@ -54,7 +54,7 @@ std::vector<BenchRun> BanqueroRuns(vtkImageData* image)
   const auto run =
     [&](const std::string& name, Acceleration acceleration, Integration rule, double termination)
   {
-    BenchRun swept = { Method(name, MapperKind::Varimarch), {} };
+    BenchRun swept = { Method(name, MapperKind::VarimarchShaders), {} };
     RenderOptions options = With(acceleration, rule, termination);
     options.variationTolerance = Variation(image, PublishedVariation255);
     for (const int steps : PublishedSteps)

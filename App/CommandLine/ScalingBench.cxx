@@ -16,8 +16,8 @@ void AddRound(const LoadedScene& loaded, MapperKind kind, ScalingPoint& point)
   if (point.rounds.size() == 1)
   {
     view.Pipeline().SetLook(loaded.scene.look);
-    point.fetchesPerPixel = FetchesPerPixel(view);
     point.graphicsBytes = GraphicsBytes(view);
+    point.fetchesPerPixel = FetchesPerPixel(view);
   }
 }
 

@@ -16,7 +16,7 @@ namespace varimarch
 /// A way to draw, measured on one scene.
 struct SpeedPoint
 {
-  std::string method; ///< "ours", "off", "published", "vtk-gpu" or "vtk-cpu"
+  std::string method; ///< "ours", "ours-shader", "off", "published", "vtk-gpu" or "vtk-cpu"
   MapperKind kind;
   RenderOptions options;
   ImageError error;                      ///< against the truth
@@ -31,6 +31,7 @@ struct SpeedTarget
 {
   std::string title;
   std::string rival;   ///< a method
+  std::string ours;    ///< the one that is to be faster: rays by whom the rival's are marched
   double partOfError;  ///< our RMSE is to be below this part of the rival's
   double timesWanted;  ///< as fast as the rival, geometric mean of all scenes
   double timesAtLeast; ///< on every scene; 0: no matter

@@ -32,8 +32,9 @@ const char* const DefaultsHead =
   "*First*: first picture of a new window and mapper, the volume in memory. *Rebuild*: how much\n"
   "longer the picture after a change of transfer function takes than the next, trying out of rays\n"
   "included. *Field*: building\n"
-  "it for the first picture, and again for the change. *Readings*: of the volume, mean of all\n"
-  "pixels. *Memory*: graphics memory of the mapper. VTK's mappers do not tell the last three.\n\n"
+  "it for the first picture, and again for the change. *Readings*: of the volume by a shader,\n"
+  "mean of all pixels. *Memory*: graphics memory of the mapper. VTK's mappers do not tell the last "
+  "three.\n\n"
   "| scene | shaded | size | method | tolerance | RMSE | 99.9 % | still [ms] | first [ms] "
   "| rebuild [ms] | field [ms] | field again [ms] | memory [MiB] | readings | rounds |\n"
   "|---|---|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
@@ -47,7 +48,7 @@ std::string CaseCells(const SpeedCase& measured)
 // A tolerance as people say it; a dash where none is used.
 std::string ToleranceText(const SpeedPoint& point)
 {
-  const bool used = point.kind == MapperKind::Varimarch && !point.options.sampleDistanceMm;
+  const bool used = IsOurs(point.kind) && !point.options.sampleDistanceMm;
   return used ? "1/" + Fixed(1.0 / point.options.errorTolerance, 0) : "-";
 }
 
@@ -98,7 +99,7 @@ std::string KeepingRows(const SpeedCase& measured)
 std::string PointRow(const SpeedCase& measured, const SpeedPoint& point)
 {
   const FrameCost& cost = point.median;
-  const bool ours = point.kind == MapperKind::Varimarch;
+  const bool ours = IsOurs(point.kind);
   return CaseCells(measured) + point.method + " | " + ToleranceText(point) + " | " +
     Fixed(point.error.rootMeanSquare, 2) + " | " + Fixed(point.error.percentile999, 1) + " | " +
     Fixed(cost.stillMs, 1) + " | " + Fixed(cost.firstMs, 1) + " | " + Fixed(cost.rebuildMs, 1) +

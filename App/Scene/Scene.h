@@ -217,10 +217,16 @@ struct RenderOptions
 /// Who draws a scene: not part of it, since all should draw the same.
 enum class MapperKind
 {
-  Varimarch, ///< vtkVariationFieldVolumeMapper
-  VtkGpu,    ///< vtkOpenGLGPUVolumeRayCastMapper
-  VtkCpu,    ///< vtkFixedPointVolumeRayCastMapper
+  Varimarch,        ///< vtkVariationFieldVolumeMapper
+  VarimarchShaders, ///< the same, without ProcessorMarching
+  VtkGpu,           ///< vtkOpenGLGPUVolumeRayCastMapper
+  VtkCpu,           ///< vtkFixedPointVolumeRayCastMapper
 };
+
+inline bool IsOurs(MapperKind kind)
+{
+  return kind == MapperKind::Varimarch || kind == MapperKind::VarimarchShaders;
+}
 
 /// Everything a picture depends on, as plain data. SceneFile reads and writes it, ScenePipeline
 /// draws it.

@@ -100,7 +100,8 @@ const NameTable<bool>& ByteOrderNames()
 const NameTable<MapperKind>& MapperKindNames()
 {
   static const NameTable<MapperKind> table = { { "ours", MapperKind::Varimarch },
-    { "vtk-gpu", MapperKind::VtkGpu }, { "vtk-cpu", MapperKind::VtkCpu } };
+    { "ours-shader", MapperKind::VarimarchShaders }, { "vtk-gpu", MapperKind::VtkGpu },
+    { "vtk-cpu", MapperKind::VtkCpu } };
   return table;
 }
 

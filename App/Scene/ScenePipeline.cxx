@@ -33,7 +33,9 @@ vtkSmartPointer<vtkVolumeMapper> NewMapper(MapperKind kind)
     case MapperKind::VtkCpu:
       return vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
     default:
-      return vtkSmartPointer<vtkVariationFieldVolumeMapper>::New();
+      auto mapper = vtkSmartPointer<vtkVariationFieldVolumeMapper>::New();
+      mapper->SetProcessorMarching(kind == MapperKind::Varimarch);
+      return mapper;
   }
 }
 
@@ -130,7 +132,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   : image(image)
   , mapper(NewMapper(kind))
 {
-  if (kind == MapperKind::Varimarch)
+  if (IsOurs(kind))
   {
     this->mapper->SetInputDataObject(image);
   }

@@ -18,6 +18,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace varimarch;
@@ -48,6 +49,7 @@ MapperScene::MapperScene(vtkImageData* image, int size, vtkHeadlessRenderWindow*
   this->window->AddRenderer(this->renderer);
   this->mapper->SetInputData(image);
   this->mapper->SetErrorTolerance(0.0); // tests of the tolerance set their own
+  this->mapper->ProcessorMarchingOff(); // most tests are of shaders
 
   // Soft tissue as a veil, bone nearly opaque: visible, invisible and homogeneous parts.
   this->colors->AddRGBPoint(-200.0, 0.8, 0.5, 0.4);
@@ -235,11 +237,24 @@ std::array<float, 4> MapperScene::MiddlePixel()
   return { drawn[middle], drawn[middle + 1], drawn[middle + 2], drawn[middle + 3] };
 }
 
+std::vector<float> MapperScene::DrawByProcessor()
+{
+  this->mapper->ProcessorMarchingOn();
+  const std::vector<float> drawn = this->Draw();
+  this->mapper->ProcessorMarchingOff();
+  return drawn;
+}
+
 ImageError MapperScene::Error()
 {
-  const std::vector<float> drawn = this->Draw();
   const std::vector<float> truth = this->Truth();
-  return CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+  const std::vector<float> marched = this->DrawByProcessor();
+  const ImageError byProcessor = CompareImages(marched.data(), truth.data(), truth.size() / 4);
+  const std::vector<float> drawn = this->Draw();
+  const ImageError byShader = CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+  return { std::max(byShader.rootMeanSquare, byProcessor.rootMeanSquare),
+    std::max(byShader.percentile999, byProcessor.percentile999),
+    std::max(byShader.largest, byProcessor.largest) };
 }
 
 std::vector<std::string> MapperScene::ShaderParts()

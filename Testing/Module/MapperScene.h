@@ -34,13 +34,17 @@ public:
   MapperScene(const MapperScene&) = delete;
   void operator=(const MapperScene&) = delete;
 
-  /// The picture in float: premultiplied RGBA before the background.
+  /// The picture in float: premultiplied RGBA before the background. By a shader, unless the test
+  /// sets the mapper otherwise.
   std::vector<float> Draw();
+
+  /// By packets of rays where these can draw it.
+  std::vector<float> DrawByProcessor();
 
   /// The same picture by the reference integrator, shaded when the property is.
   std::vector<float> Truth(double tolerance = 1e-5);
 
-  /// How far Draw is from Truth.
+  /// How far Draw and DrawByProcessor are from Truth, whichever is farther.
   varimarch::ImageError Error();
 
   /// What a point looks like on its way to the eye; positions and rays in the grid.

@@ -162,7 +162,7 @@ TEST(GPUAdapter, DrawsWhatTheMapperItOwnsDrawsAlone)
 {
   MapperScene scene(SmallTorso());
   scene.mapper->SetErrorTolerance(vtkNew<vtkVariationFieldVolumeMapper>()->GetErrorTolerance());
-  const std::vector<float> alone = scene.Draw();
+  const std::vector<float> alone = scene.DrawByProcessor();
   vtkNew<vtkVariationFieldGPUVolumeRayCastMapper> adapter;
   EXPECT_EQ(Drawn(scene, adapter, Nothing), alone);
   EXPECT_STREQ(adapter->GetReasonForVtkMapper(), "");

@@ -1,12 +1,15 @@
 #include "Core/OpticalField.h"
 
 #include "Core/BrickRanges.h"
+#include "Core/VisibleBricks.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace varimarch;
@@ -251,3 +254,41 @@ TEST(BrickRanges, AndTheFieldTakeAtMostATwentiethOfAnEightBitVolume)
 }
 
 INSTANTIATE_TEST_SUITE_P(RandomScenes, OpticalFieldOf, testing::Range(1u, 9u));
+
+// What is visible lies in the hull, or has hull on all sides.
+TEST_P(OpticalFieldOf, TheHullIsWhereTheVisibleBlocksEnd)
+{
+  const OpticalField field = FieldOf(SceneOf(GetParam()), OpticalTolerance::Nothing(60.0));
+  constexpr int BlockSide = 2;
+  const std::vector<glm::ivec3> hull = VisibleHull(field, BlockSide);
+  const glm::ivec3 blocks = (field.brickCount + BlockSide - 1) / BlockSide;
+  const auto holds = [&](glm::ivec3 block)
+  {
+    bool visible = false;
+    for (int i = 0; i < BlockSide * BlockSide * BlockSide; ++i)
+    {
+      const glm::ivec3 brick = BlockSide * block + glm::ivec3(i % 2, i / 2 % 2, i / 4);
+      const bool exists = glm::all(glm::greaterThanEqual(brick, glm::ivec3(0))) &&
+        glm::all(glm::lessThan(brick, field.brickCount));
+      visible = visible || (exists && ByteAt(field, brick) < OpticalField::Invisible);
+    }
+    return visible;
+  };
+  std::size_t expected = 0;
+  for (int i = 0; i < blocks.x * blocks.y * blocks.z; ++i)
+  {
+    const glm::ivec3 block(i % blocks.x, i / blocks.x % blocks.y, i / blocks.x / blocks.y);
+    bool isInside = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::ivec3 step(0);
+      step[axis] = 1;
+      isInside = isInside && holds(block - step) && holds(block + step);
+    }
+    const bool inHull = std::find(hull.begin(), hull.end(), block) != hull.end();
+    EXPECT_EQ(inHull, holds(block) && !isInside);
+    expected += holds(block) && !isInside ? 1 : 0;
+  }
+  EXPECT_EQ(hull.size(), expected);
+  EXPECT_GT(expected, 0u);
+}

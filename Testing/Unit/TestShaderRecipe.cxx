@@ -234,7 +234,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 161u);
+  EXPECT_EQ(distinct.size(), 163u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

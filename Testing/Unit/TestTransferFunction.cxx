@@ -287,3 +287,15 @@ TEST(OpticalTable, VisibleValuesEncloseAllThatAbsorbs)
   const auto nothing = visible({ { 0.0, 0.0 }, { 1000.0, 0.0 } });
   EXPECT_GT(nothing[0], nothing[1]);
 }
+
+TEST(TransferFunction, KnowsWhetherItIsPiecewiseLinear)
+{
+  const std::vector<ColorNode> colors = { { 0.0, glm::dvec3(0.0) }, { 10.0, glm::dvec3(1.0) } };
+  const auto isLinear = [&](std::vector<OpacityNode> opacities)
+  { return TransferFunction(colors, std::move(opacities), 1.0).IsPiecewiseLinear(); };
+  EXPECT_TRUE(isLinear({ { 0.0, 0.0 }, { 4.0, 0.5 }, { 10.0, 0.0 } }));
+  EXPECT_FALSE(isLinear({ { 0.0, 0.0, { 0.3, 0.0 } }, { 10.0, 0.5 } }));
+  EXPECT_FALSE(isLinear({ { 0.0, 0.0, { 0.5, 0.2 } }, { 10.0, 0.5 } }));
+  EXPECT_FALSE(isLinear({ { 0.0, 0.0 }, { 4.0, 0.0 }, { 4.0, 0.5 } })) << "it jumps";
+  EXPECT_TRUE(isLinear({ { 0.0, 0.0 }, { 10.0, 0.5, { 0.9, 0.9 } } })) << "nothing follows";
+}

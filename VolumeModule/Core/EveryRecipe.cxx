@@ -28,6 +28,12 @@ std::vector<RenderSettings> RecipesOfPictures()
   }
   recipes.emplace_back();
   recipes.back().pass = RayPass::Accumulated;
+  for (bool windowLevel : { false, true })
+  {
+    recipes.emplace_back();
+    recipes.back().pass = RayPass::Marched;
+    recipes.back().windowLevel = windowLevel;
+  }
   for (RayPass pass : { RayPass::PeelOutside, RayPass::PeelBetween, RayPass::PeelLast,
          RayPass::PickProp, RayPass::PickVoxel, RayPass::PictureAndDepth })
   {

@@ -80,23 +80,6 @@ inline OpticalField BuildOpticalField(
 /// The field for isosurfaces: bricks that none of them passes are invisible, the others structured.
 OpticalField BuildIsosurfaceField(const BrickRanges& ranges, const std::vector<double>& isovalues);
 
-/// Which bricks of a field are not invisible: all that is kept of it when a device has the rest.
-class VisibleBricks
-{
-public:
-  VisibleBricks() = default;
-  explicit VisibleBricks(const OpticalField& field);
-
-  /// The smallest box of whole bricks that holds all that is visible in a part of the volume, cut
-  /// at the part [grid space]; an empty box, whose lower is not below its upper, where nothing is.
-  /// A brick at a face of the part reaches to the face.
-  Box Bounds(const Box& partGrid) const;
-
-private:
-  glm::ivec3 brickCount = glm::ivec3(0);
-  std::vector<bool> visible; ///< x fastest
-};
-
 }
 
 #endif

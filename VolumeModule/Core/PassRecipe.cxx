@@ -74,7 +74,8 @@ std::string ResumeFile(RayPass pass)
       return "Resume/PickVoxel.glsl";
     case RayPass::PictureAndDepth:
       return "Resume/PictureAndDepth.glsl";
-    case RayPass::Accumulated: // has a shader of its own
+    case RayPass::Accumulated: // have shaders of their own
+    case RayPass::Marched:
     case RayPass::Whole:
       break;
   }

@@ -80,6 +80,13 @@ enum class Mask
   Labels, ///< which transfer functions show it; composite of one component only
 };
 
+/// Who marches the rays of a picture.
+enum class Marcher
+{
+  Device,    ///< the graphics device, by a shader
+  Processor, ///< packets of rays: Core/Packets
+};
+
 /// What one drawing does for the rays of a picture.
 enum class RayPass
 {
@@ -88,7 +95,8 @@ enum class RayPass
   Picture,     ///< makes pixels of what they have gathered in all blocks
   Upscaled,    ///< makes pixels of a picture drawn with fewer rays,
   Averaged,    ///< or with more,
-  Accumulated, ///< or of several that have been added up
+  Accumulated, ///< or of several that have been added up,
+  Marched,     ///< or of one that the processor has marched
   PeelOutside, ///< as Whole, but in front of all translucent geometry and behind it,
   PeelBetween, ///< between two pairs of its layers,
   PeelLast,    ///< or between its innermost layers
@@ -101,7 +109,7 @@ enum class RayPass
 inline bool Marches(RayPass pass)
 {
   return pass != RayPass::Picture && pass != RayPass::Upscaled && pass != RayPass::Averaged &&
-    pass != RayPass::Accumulated;
+    pass != RayPass::Accumulated && pass != RayPass::Marched;
 }
 
 /// Whether translucent geometry divides the rays in it.

@@ -130,6 +130,10 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   {
     return { "Mean.frag.glsl" };
   }
+  if (settings.pass == RayPass::Marched)
+  {
+    return { WindowFile(settings), "Marched.frag.glsl" };
+  }
   std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl",
     DepthFile(settings), ClipFile(settings) };
   if (settings.pass == RayPass::Upscaled)

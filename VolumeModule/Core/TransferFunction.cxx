@@ -196,6 +196,23 @@ double TransferFunction::LastValue() const
   return values.empty() ? 0.0 : values.back();
 }
 
+bool TransferFunction::IsPiecewiseLinear() const
+{
+  const auto isStraight = [](const auto& nodes)
+  {
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    {
+      const NodeShape& shape = nodes[i].shape;
+      if (shape.midpoint != 0.5 || shape.sharpness != 0.0 || nodes[i].value == nodes[i + 1].value)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  return isStraight(this->colors) && isStraight(this->opacities);
+}
+
 double TransferFunction::SmallestNodeGap() const
 {
   double smallest = std::numeric_limits<double>::infinity();

@@ -63,6 +63,9 @@ public:
   double FirstValue() const;
   double LastValue() const;
 
+  /// Whether all curves between nodes are straight, and none jumps.
+  bool IsPiecewiseLinear() const;
+
   /// Smallest distance between two nodes that lie at different values; infinity for fewer.
   double SmallestNodeGap() const;
 

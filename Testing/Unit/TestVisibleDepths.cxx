@@ -1,0 +1,134 @@
+#include "Core/Packets/VisibleDepths.h"
+
+#include "Core/PixelRays.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr int Width = 101;
+constexpr int Height = 67;
+constexpr float Side = 6.0f;
+
+PacketCamera CameraOf(const glm::dmat4& clipFromGrid)
+{
+  const PixelRays rays = ComputePixelRays(clipFromGrid, { glm::dvec3(0.0), glm::dvec3(100.0) });
+  PacketCamera camera = {};
+  for (int i = 0; i < 3; ++i)
+  {
+    camera.startGrid[i] = rays.startGrid[i];
+    camera.directionGrid[i] = rays.directionGrid[i];
+  }
+  camera.pictureWidth = Width;
+  camera.pictureHeight = Height;
+  return camera;
+}
+
+VisibleBlocks RandomBlocks(unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> place(20.0f, 80.0f);
+  VisibleBlocks blocks{ Side, {} };
+  for (int i = 0; i < 12; ++i)
+  {
+    const float x = place(random);
+    const float y = place(random);
+    blocks.centersGrid.emplace_back(x, y, place(random));
+  }
+  return blocks;
+}
+
+glm::dmat4 Perspective()
+{
+  return glm::perspective(0.7, double(Width) / Height, 10.0, 500.0) *
+    glm::lookAt(glm::dvec3(-90.0, 20.0, 130.0), glm::dvec3(50.0), glm::dvec3(0.0, 1.0, 0.0));
+}
+
+glm::dmat4 Parallel()
+{
+  return glm::ortho(-90.0, 90.0, -60.0, 60.0, 10.0, 500.0) *
+    glm::lookAt(glm::dvec3(-90.0, 20.0, 130.0), glm::dvec3(50.0), glm::dvec3(0.0, 1.0, 0.0));
+}
+
+glm::ivec2 PixelOf(const glm::dmat4& clipFromGrid, const glm::dvec3& position)
+{
+  const glm::dvec4 clip = clipFromGrid * glm::dvec4(position, 1.0);
+  return glm::ivec2((glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(Width, Height));
+}
+
+class VisibleDepthsOf : public testing::TestWithParam<bool>
+{
+};
+
+}
+
+TEST_P(VisibleDepthsOf, HoldAllPointsOfTheBlocks)
+{
+  const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
+  const PixelRectangle pixels{ 3, 5, Width - 10, Height - 9 };
+  const VisibleBlocks blocks = RandomBlocks(3);
+  const VisibleDepths visible(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
+  const PacketDepths depths = visible.Depths();
+  ASSERT_TRUE(depths.nearest);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> within(-0.5 * Side, 0.5 * Side);
+  int seen = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const glm::dvec3 position = glm::dvec3(blocks.centersGrid[i % blocks.centersGrid.size()]) +
+      glm::dvec3(within(random), within(random), within(random));
+    const glm::ivec2 pixel = PixelOf(clipFromGrid, position);
+    const bool isDrawn = pixel.x >= pixels.left && pixel.x < pixels.left + pixels.width &&
+      pixel.y >= pixels.bottom && pixel.y < pixels.bottom + pixels.height;
+    if (!isDrawn)
+    {
+      continue;
+    }
+    ++seen;
+    const int packet = (pixel.y - depths.bottom) / PacketHeight * depths.columns +
+      (pixel.x - depths.left) / PacketWidth;
+    const double depth = glm::dot(glm::dvec3(depths.axisGrid), position);
+    EXPECT_LE(depths.nearest[packet], depth + 1e-3);
+    EXPECT_GE(depths.farthest[packet], depth - 1e-3);
+  }
+  EXPECT_GT(seen, 1000);
+}
+
+TEST_P(VisibleDepthsOf, AreNothingWhereNoBlockIs)
+{
+  const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
+  const PixelRectangle pixels{ 0, 0, Width, Height };
+  const VisibleBlocks blocks{ Side, { glm::vec3(50.0f) } };
+  const VisibleDepths visible(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
+  const PacketDepths depths = visible.Depths();
+  const int middle = Height / 2 / PacketHeight * depths.columns + Width / 2 / PacketWidth;
+  EXPECT_LT(depths.nearest[middle], depths.farthest[middle]);
+  EXPECT_LT(depths.farthest[middle] - depths.nearest[middle], 2.0f * Side);
+  int empty = 0;
+  const int packets = depths.columns * ((Height + PacketHeight - 1) / PacketHeight);
+  for (int packet = 0; packet < packets; ++packet)
+  {
+    empty += depths.nearest[packet] > depths.farthest[packet] ? 1 : 0;
+  }
+  EXPECT_GT(empty, packets * 9 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Projections, VisibleDepthsOf, testing::Bool());
+
+// There a block may cover any pixel.
+TEST(VisibleDepths, SayNothingBesideTheEye)
+{
+  const glm::dmat4 clipFromGrid = Perspective();
+  const VisibleBlocks blocks{ Side, { glm::vec3(50.0f), glm::vec3(-90.0f, 20.0f, 130.0f) } };
+  const VisibleDepths visible(
+    blocks, clipFromGrid, CameraOf(clipFromGrid), { 0, 0, Width, Height });
+  EXPECT_FALSE(visible.Depths().nearest);
+}

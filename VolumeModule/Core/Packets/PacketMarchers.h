@@ -1,0 +1,294 @@
+#ifndef Varimarch_Core_Packets_PacketMarchers_h
+#define Varimarch_Core_Packets_PacketMarchers_h
+
+// The loops along the rays of a packet: Shaders/March/Midpoint.glsl, PreIntegrated.glsl and, of one
+// component and a head light, MaterialSegments.glsl. Rays that have ended take part, with pieces of
+// no length, until all have.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/PacketScene.h"
+#include "Core/Packets/PacketVoxels.h"
+#include "Core/Packets/PacketWalk.h"
+
+namespace varimarch
+{
+
+/// Which rays go on from t.
+inline LaneMask GoOn(
+  const PacketScene& scene, const PacketRays& rays, Lanes t, const PacketSum& sum)
+{
+  return LaneMask(t < rays.exit) &
+    LaneMask(sum.transmittance >= scene.steps.earlyTerminationTransmittance);
+}
+
+/// Marches segments of equal parts, each of which a rule takes in.
+/// @param take  (sum, where the segment begins, length of a part [mm], 0 where a ray has ended, and
+///              which rays do not begin it where they have ended the last)
+template <int PartsPerSegment, class Take>
+PacketSum MarchSegments(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, Take take)
+{
+  constexpr float Part = 1.0f / PartsPerSegment;
+  PacketSum sum;
+  Lanes t = rays.enter;
+  LaneMask going = GoOn(scene, rays, t, sum);
+  for (int index = 0; index < scene.steps.mostSegments && Any(going); ++index)
+  {
+    const SegmentLanes segment = walk.NextSegment(
+      t, AllInt(index), PartsPerSegment * scene.steps.stepMm, sum.transmittance, going);
+    going &= LaneMask(segment.enter < rays.exit);
+    if (!Any(going))
+    {
+      break; // all that is left is invisible
+    }
+    const LaneMask jumps = going & (LaneMask(segment.enter > t) | (AllInt(index) == 0));
+    t = Min(segment.exit, rays.exit);
+    take(sum, segment.enter, Select(going, (t - segment.enter) * Part, Lanes{}), jumps);
+    going &= GoOn(scene, rays, t, sum);
+  }
+  return sum;
+}
+
+/// The values at equal distances along rays. All cells are found before any is read, and all are
+/// read before any is classified: readings then do not wait for each other.
+template <class Voxel, int Count>
+void ReadValues(const PacketVoxels<Voxel>& voxels, const PacketRays& rays, Lanes first, Lanes apart,
+  Lanes (&values)[Count])
+{
+  typename PacketVoxels<Voxel>::Cell cells[Count];
+  for (int i = 0; i < Count; ++i)
+  {
+    cells[i] = voxels.CellOf(rays.At(first + float(i) * apart));
+  }
+  for (int i = 0; i < Count; ++i)
+  {
+    values[i] = voxels.ValueIn(cells[i]);
+  }
+}
+
+template <class Voxel>
+PacketSum MarchMidpoints(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  constexpr int Parts = 4;
+  const PacketVoxels<Voxel> voxels(scene.volume);
+  return MarchSegments<Parts>(scene, rays, walk,
+    [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
+    {
+      Lanes values[Parts];
+      ReadValues(voxels, rays, enter + 0.5f * partMm, partMm, values);
+      for (int part = 0; part < Parts; ++part)
+      {
+        if (Any(MayAbsorb(scene.look, values[part], values[part])))
+        {
+          sum.Add(Classify(scene.look, values[part]), partMm);
+        }
+      }
+    });
+}
+
+template <class Voxel>
+PacketSum MarchPreIntegrated(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  constexpr int Parts = 4;
+  const PacketVoxels<Voxel> voxels(scene.volume);
+  Lanes start = {};
+  Lanes values[Parts] = {};
+  return MarchSegments<Parts>(scene, rays, walk,
+    [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask jumps)
+    {
+      start = Any(jumps) ? voxels.ValueAt(rays.At(enter)) : values[Parts - 1];
+      ReadValues(voxels, rays, enter + partMm, partMm, values);
+      for (const Lanes& value : values)
+      {
+        if (Any(MayAbsorb(scene.look, start, value)))
+        {
+          sum.Add(ClassifyBetween(scene.look, start, value), partMm);
+        }
+        start = value;
+      }
+    });
+}
+
+/// What light depends on at a point, each linear between two of them.
+struct Surface
+{
+  Lanes3 normalWorld; ///< any length
+  Lanes towardsEye;   ///< normal times the direction of the ray
+  Lanes3 damped;      ///< the gradient in parts of that at which light is whole
+};
+
+inline Surface SurfaceOf(
+  const PacketLight& light, const Lanes3& gradient, const Lanes3& directionWorld)
+{
+  const glm::vec3& factors = light.dampingFactors;
+  const Lanes3 normal = Transformed(light.worldFromGradient, gradient);
+  return { normal, Dot(normal, directionWorld),
+    { gradient.x * factors.x, gradient.y * factors.y, gradient.z * factors.z } };
+}
+
+inline Lanes3 Mix(const Lanes3& a, const Lanes3& b, Lanes part)
+{
+  return { Mix(a.x, b.x, part), Mix(a.y, b.y, part), Mix(a.z, b.z, part) };
+}
+
+inline Surface Mix(const Surface& a, const Surface& b, Lanes part)
+{
+  return { Mix(a.normalWorld, b.normalWorld, part), Mix(a.towardsEye, b.towardsEye, part),
+    Mix(a.damped, b.damped, part) };
+}
+
+inline Surface Select(LaneMask mask, const Surface& yes, const Surface& no)
+{
+  const auto select = [&](const Lanes3& a, const Lanes3& b) {
+    return Lanes3{ Select(mask, a.x, b.x), Select(mask, a.y, b.y), Select(mask, a.z, b.z) };
+  };
+  return { select(yes.normalWorld, no.normalWorld), Select(mask, yes.towardsEye, no.towardsEye),
+    select(yes.damped, no.damped) };
+}
+
+/// Shaders/Shade/HeadLight.glsl.
+inline Lanes3 Lit(const PacketLight& light, const Lanes3& color, const Surface& surface)
+{
+  const Lanes squared = Dot(surface.normalWorld, surface.normalWorld);
+  // Of less, the square would be lost: there is no gradient to speak of.
+  const LaneMask hasNormal = LaneMask(squared > 1e-30f);
+  const Lanes facing =
+    Select(hasNormal, Min(Abs(surface.towardsEye) * InverseSqrt(squared), All(1.0f)), Lanes{});
+  const Lanes part = light.damps ? Min(Length(surface.damped), All(1.0f)) : All(1.0f);
+  const Lanes diffuse = part * light.reflectance.y * facing;
+  const Lanes ambient = All(light.reflectance.x);
+  Lanes3 lit{ color.x * (ambient + diffuse * light.diffuse.x),
+    color.y * (ambient + diffuse * light.diffuse.y),
+    color.z * (ambient + diffuse * light.diffuse.z) };
+  if (light.reflectance.z > 0.0f)
+  {
+    const Lanes specular = part * light.reflectance.z * Power(facing, light.reflectance.w);
+    lit = lit +
+      Lanes3{ specular * light.specular.x, specular * light.specular.y,
+        specular * light.specular.z };
+  }
+  return lit;
+}
+
+/// Values and surfaces go linearly from the start of a segment to its end.
+struct LitSegment
+{
+  Lanes startValue;
+  Lanes endValue;
+  Surface start;
+  Surface end;
+  Lanes lengthMm;
+};
+
+/// A march of a lit material, from one segment that absorbs anything to the next.
+template <class Voxel>
+class LitMarch
+{
+public:
+  LitMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+    : scene(scene)
+    , rays(rays)
+    , walk(walk)
+    , voxels(scene.volume)
+    , directionWorld(Transformed(scene.camera.worldFromGrid, rays.directionGrid))
+    , t(rays.enter)
+  {
+    this->segment.endValue = this->voxels.ValueAt(rays.At(this->t));
+    this->going = GoOn(scene, rays, this->t, this->sum);
+  }
+
+  PacketSum March()
+  {
+    while (this->FindSegment())
+    {
+      this->ReadSurface();
+      constexpr int Parts = 4;
+      for (int part = 0; part < Parts; ++part)
+      {
+        this->AddPart((float(part) + 0.5f) / Parts, 1.0f / Parts);
+      }
+      this->going &= GoOn(this->scene, this->rays, this->t, this->sum) &
+        (this->index < this->scene.steps.mostSegments);
+    }
+    return this->sum;
+  }
+
+private:
+  /// Goes on to the next segment that absorbs; false when no ray has any.
+  bool FindSegment()
+  {
+    LaneMask searching = this->going;
+    this->going = LaneMask{};
+    this->segment.lengthMm = Lanes{};
+    while (Any(searching))
+    {
+      this->NextSegment(searching);
+      const LaneMask absorbs = searching & LaneMask(this->segment.lengthMm > 0.0f) &
+        MayAbsorb(this->scene.look, this->segment.startValue, this->segment.endValue);
+      this->going |= absorbs;
+      searching &= ~absorbs;
+      this->known &= ~searching;
+      searching &=
+        LaneMask(this->t < this->rays.exit) & (this->index < this->scene.steps.mostSegments);
+    }
+    this->segment.lengthMm = Select(this->going, this->segment.lengthMm, Lanes{});
+    return Any(this->going);
+  }
+
+  // Of the rays of a mask. Where a ray jumps, a segment without length makes the value behind
+  // known.
+  void NextSegment(LaneMask mask)
+  {
+    const SegmentLanes next = this->walk.NextSegment(
+      this->t, this->index, this->scene.steps.stepMm, this->sum.transmittance, mask);
+    const LaneMask jumps = LaneMask(next.enter > this->t);
+    const Lanes end = Min(Select(jumps, next.enter, next.exit), this->rays.exit);
+    const Lanes length = Select(jumps, Lanes{}, Max(end - next.enter, Lanes{}));
+    const Lanes value = this->voxels.ValueAt(this->rays.At(end));
+    this->segment.startValue = Select(mask, this->segment.endValue, this->segment.startValue);
+    this->segment.endValue = Select(mask, value, this->segment.endValue);
+    this->segment.lengthMm = Select(mask, length, this->segment.lengthMm);
+    this->t = Select(mask, end, this->t);
+    this->index -= mask & ~jumps; // a mask is -1
+  }
+
+  void ReadSurface()
+  {
+    const Lanes3 gradient = this->voxels.GradientAt(this->rays.At(this->t), this->going);
+    const Surface surface = SurfaceOf(this->scene.light, gradient, this->directionWorld);
+    // Before the first visible segment there is no gradient yet; there it absorbs least.
+    this->segment.start = Select(this->known, this->segment.end, surface);
+    this->segment.end = surface;
+    this->known = this->going;
+  }
+
+  /// @param along  the middle of the part, [0, 1] of the segment
+  void AddPart(float along, float part)
+  {
+    const Lanes place = All(along);
+    Optical optical =
+      Classify(this->scene.look, Mix(this->segment.startValue, this->segment.endValue, place));
+    optical.color =
+      Lit(this->scene.light, optical.color, Mix(this->segment.start, this->segment.end, place));
+    this->sum.Add(optical, part * this->segment.lengthMm);
+  }
+
+  const PacketScene& scene;
+  const PacketRays& rays;
+  const PacketWalk& walk;
+  PacketVoxels<Voxel> voxels;
+  Lanes3 directionWorld;
+  PacketSum sum;
+  Lanes t;
+  IntLanes index = {};
+  LaneMask going;
+  LaneMask known = {}; ///< the surface at t
+  LitSegment segment = {};
+};
+
+}
+
+#endif

@@ -1,0 +1,183 @@
+#ifndef Varimarch_Core_Packets_PacketRays_h
+#define Varimarch_Core_Packets_PacketRays_h
+
+// The rays of a packet, two rows of four pixels, and which part of them is marched; see
+// Shaders/RayMarch.frag.glsl, whose names these are.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketScene.h"
+
+#include <cstddef>
+
+namespace varimarch
+{
+
+constexpr float Never = 3.0e38f;
+
+struct PacketRays
+{
+  Lanes3 originGrid;
+  Lanes3 directionGrid; ///< per mm
+  Lanes3 inverse;       ///< of the direction, finite
+  Lanes enter;          ///< part that is inside [mm]; as long as no time where there is none
+  Lanes exit;
+
+  Lanes3 At(Lanes t) const { return this->originGrid + t * this->directionGrid; }
+};
+
+inline Lanes Affine(float constant, float alongX, float alongY, Lanes x, Lanes y)
+{
+  return constant + x * alongX + y * alongY;
+}
+
+inline Lanes3 Transformed(const glm::mat3& matrix, const Lanes3& a)
+{
+  const glm::vec3 &x = matrix[0], &y = matrix[1], &z = matrix[2];
+  return { a.x * x.x + a.y * y.x + a.z * z.x, a.x * x.y + a.y * y.y + a.z * z.y,
+    a.x * x.z + a.y * y.z + a.z * z.z };
+}
+
+/// A component that is zero, or so small that its inverse would overflow, becomes a tiny one.
+inline Lanes SafeInverse(Lanes direction)
+{
+  return 1.0f / WithSignOf(Max(Abs(direction), All(1e-30f)), direction);
+}
+
+/// Slab test of Kay and Kajiya (SIGGRAPH 1986). Along the slab the inverse is so large that what is
+/// outside is left out, and what is in a plane of it counts as inside.
+inline void CutBySlab(PacketRays& rays, Lanes origin, Lanes inverse, float lower, float upper)
+{
+  const Lanes toLower = (lower - origin) * inverse;
+  const Lanes toUpper = (upper - origin) * inverse;
+  rays.enter = Max(rays.enter, Min(toLower, toUpper));
+  rays.exit = Min(rays.exit, Max(toLower, toUpper));
+}
+
+inline Lanes PlaneAt(const glm::vec4& plane, const Lanes3& position)
+{
+  return position.x * plane.x + position.y * plane.y + position.z * plane.z + plane.w;
+}
+
+inline Lanes PlaneAlong(const glm::vec4& plane, const Lanes3& direction)
+{
+  return direction.x * plane.x + direction.y * plane.y + direction.z * plane.z;
+}
+
+/// Leaves what is beyond a plane, where dot(plane, (position, 1)) >= 0.
+inline void CutByPlane(PacketRays& rays, const glm::vec4& plane)
+{
+  const Lanes beyond = PlaneAt(plane, rays.originGrid);
+  const Lanes approach = PlaneAlong(plane, rays.directionGrid);
+  const Lanes crossing = -beyond / approach;
+  rays.enter = Select(LaneMask(approach > 0.0f), Max(crossing, rays.enter), rays.enter);
+  rays.exit = Select(LaneMask(approach < 0.0f), Min(crossing, rays.exit), rays.exit);
+  const LaneMask cutOff = LaneMask(approach == 0.0f) & LaneMask(beyond < 0.0f);
+  rays.exit = Select(cutOff, rays.enter, rays.exit);
+}
+
+/// The depth at each pixel, of which some may be beyond the picture's edges.
+inline Lanes DepthsAt(const PacketCuts& cuts, int x, int y)
+{
+  alignas(32) float depths[LaneCount];
+  const auto within = [](float place, int count)
+  { return place < float(count) ? int(place) : count - 1; };
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    const int column = within(
+      (float(x + lane % PacketWidth) + 0.5f) * cuts.depthPixelsPerPixel.x, cuts.depthPixels.x);
+    const int row = within(
+      (float(y + lane / PacketWidth) + 0.5f) * cuts.depthPixelsPerPixel.y, cuts.depthPixels.y);
+    depths[lane] = cuts.depth[std::ptrdiff_t(row) * cuts.depthPixels.x + column];
+  }
+  return Lanes(_mm256_load_ps(depths));
+}
+
+/// See Shaders/Depth/SceneGeometry.glsl.
+inline void CutByDepth(PacketRays& rays, const PacketCuts& cuts, Lanes depth)
+{
+  const Lanes clipDepth = 2.0f * depth - 1.0f;
+  const Lanes approach = PlaneAlong(cuts.clipDepthRow, rays.directionGrid) -
+    clipDepth * PlaneAlong(cuts.clipWeightRow, rays.directionGrid);
+  const Lanes beyond = PlaneAt(cuts.clipDepthRow, rays.originGrid) -
+    clipDepth * PlaneAt(cuts.clipWeightRow, rays.originGrid);
+  const LaneMask ends = LaneMask(depth < 1.0f) & LaneMask(approach != 0.0f);
+  rays.exit = Select(ends, Min(-beyond / approach, rays.exit), rays.exit);
+}
+
+/// Leaves where something may be visible.
+inline void CutByVisible(PacketRays& rays, const PacketDepths& depths, int x, int y)
+{
+  const int packet =
+    (y - depths.bottom) / PacketHeight * depths.columns + (x - depths.left) / PacketWidth;
+  const glm::vec3& axis = depths.axisGrid;
+  CutByPlane(rays, { axis.x, axis.y, axis.z, -depths.nearest[packet] });
+  CutByPlane(rays, { -axis.x, -axis.y, -axis.z, depths.farthest[packet] });
+}
+
+/// Whether anything may be visible in a packet.
+inline bool IsVisible(const PacketDepths& depths, int x, int y)
+{
+  const int packet =
+    (y - depths.bottom) / PacketHeight * depths.columns + (x - depths.left) / PacketWidth;
+  return !depths.nearest || depths.nearest[packet] <= depths.farthest[packet];
+}
+
+/// Of whole lines.
+inline PacketRays LinesOf(const PacketCamera& camera, int x, int y)
+{
+  const Lanes column = { 0, 1, 2, 3, 0, 1, 2, 3 };
+  const Lanes row = { 0, 0, 0, 0, 1, 1, 1, 1 };
+  const Lanes viewX =
+    (column + (float(x) + 0.5f + camera.rayOffsetPixels.x)) * (2.0f / camera.pictureWidth) - 1.0f;
+  const Lanes viewY =
+    (row + (float(y) + 0.5f + camera.rayOffsetPixels.y)) * (2.0f / camera.pictureHeight) - 1.0f;
+  const glm::vec4* const s = camera.startGrid;
+  const glm::vec3* const d = camera.directionGrid;
+
+  PacketRays rays;
+  rays.originGrid = (1.0f / Affine(s[0].w, s[1].w, s[2].w, viewX, viewY)) *
+    Lanes3{ Affine(s[0].x, s[1].x, s[2].x, viewX, viewY),
+      Affine(s[0].y, s[1].y, s[2].y, viewX, viewY), Affine(s[0].z, s[1].z, s[2].z, viewX, viewY) };
+  const Lanes3 direction{ Affine(d[0].x, d[1].x, d[2].x, viewX, viewY),
+    Affine(d[0].y, d[1].y, d[2].y, viewX, viewY), Affine(d[0].z, d[1].z, d[2].z, viewX, viewY) };
+  rays.directionGrid = (1.0f / Length(Transformed(camera.worldFromGrid, direction))) * direction;
+  rays.inverse = { SafeInverse(rays.directionGrid.x), SafeInverse(rays.directionGrid.y),
+    SafeInverse(rays.directionGrid.z) };
+  rays.enter = All(-Never);
+  rays.exit = All(Never);
+  return rays;
+}
+
+/// @param x  and y: of the first pixel of the packet, in the picture
+inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
+{
+  const PacketCamera& camera = scene.camera;
+  PacketRays rays = LinesOf(camera, x, y);
+  const glm::vec3& lower = camera.boxLowerGrid;
+  const glm::vec3& upper = camera.boxUpperGrid;
+  CutBySlab(rays, rays.originGrid.x, rays.inverse.x, lower.x, upper.x);
+  CutBySlab(rays, rays.originGrid.y, rays.inverse.y, lower.y, upper.y);
+  CutBySlab(rays, rays.originGrid.z, rays.inverse.z, lower.z, upper.z);
+  CutByPlane(rays, camera.nearPlaneGrid);
+  CutByPlane(rays, camera.farPlaneGrid);
+  for (int plane = 0; plane < scene.cuts.planeCount; ++plane)
+  {
+    CutByPlane(rays, scene.cuts.planesGrid[plane]);
+  }
+  if (scene.cuts.depth)
+  {
+    CutByDepth(rays, scene.cuts, DepthsAt(scene.cuts, x, y));
+  }
+  if (scene.depths.nearest)
+  {
+    CutByVisible(rays, scene.depths, x, y);
+  }
+  const LaneMask inside = LaneMask(rays.enter < rays.exit);
+  rays.enter = Select(inside, rays.enter, Lanes{});
+  rays.exit = Select(inside, rays.exit, Lanes{});
+  return rays;
+}
+
+}
+
+#endif

@@ -1,0 +1,144 @@
+#ifndef Varimarch_Core_Packets_PacketScene_h
+#define Varimarch_Core_Packets_PacketScene_h
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+
+namespace varimarch
+{
+
+/// The types of voxels that packets of rays can read where they are.
+enum class VoxelType
+{
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Float32,
+};
+
+/// How a packet's rays are integrated; see RenderSettings.h and Shaders/March.
+enum class PacketRule
+{
+  Midpoint,
+  PreIntegrated,
+  Lit, ///< by a head light
+};
+
+/// Pixels of a packet: two rows of four.
+constexpr int PacketWidth = 4;
+constexpr int PacketHeight = 2;
+
+/// The part of a picture that is marched [pixels].
+struct PixelRectangle
+{
+  int left;
+  int bottom;
+  int width;
+  int height;
+};
+
+/// The rays of a picture: PixelRays in single precision, and where they are marched [grid space].
+struct PacketCamera
+{
+  glm::vec4 startGrid[3];
+  glm::vec3 directionGrid[3];
+  glm::vec4 nearPlaneGrid;
+  glm::vec4 farPlaneGrid;
+  glm::mat3 worldFromGrid; ///< directions only
+  glm::vec3 boxLowerGrid;
+  glm::vec3 boxUpperGrid;
+  int pictureWidth; ///< [pixels]
+  int pictureHeight;
+  glm::vec2 rayOffsetPixels; ///< from the middle of its pixel
+};
+
+/// Voxels as their owner keeps them: at least two along each axis, x fastest, fewer than 2^31, all
+/// of them finite.
+struct PacketVolume
+{
+  const void* voxels;
+  VoxelType type;
+  glm::ivec3 voxelCount;
+};
+
+/// OpticalTable, which is of extinctions per mm, or PreIntegratedTable where that is the rule.
+struct PacketLook
+{
+  const glm::vec4* table;
+  int lastIndex;     ///< of an entry, along a side
+  float indexScale;  ///< value -> index
+  float indexOffset; ///< is value * scale + offset
+  glm::vec4 below;   ///< of PreIntegratedTable: what is beyond its ends
+  glm::vec4 above;
+  glm::vec2 visibleValues; ///< only between these does anything absorb
+};
+
+/// Shaders/Shade/HeadLight.glsl and Shaders/Damping.
+struct PacketLight
+{
+  glm::mat3 worldFromGradient;
+  glm::vec4 reflectance; ///< coefficients of ambient, diffuse and specular light, specular power
+  glm::vec3 diffuse;
+  glm::vec3 specular;
+  glm::vec3 dampingFactors; ///< a gradient per voxel -> parts of that at which light is whole
+  bool damps;
+};
+
+/// How long the steps are.
+struct PacketSteps
+{
+  float stepMm;
+  int mostSegments;
+  float earlyTerminationTransmittance;
+  const std::uint8_t* bricks; ///< of an OpticalField; none: there is nothing to skip
+  glm::ivec3 brickCount;
+  float cellsPerBrick;
+  bool grow;                  ///< behind what is nearly opaque
+  const std::uint16_t* noise; ///< BlueNoiseTile, by which rays begin; none: with a whole step
+  int noiseMask;              ///< its size less 1
+};
+
+/// What cuts rays off.
+struct PacketCuts
+{
+  const glm::vec4* planesGrid; ///< dot(plane, (position, 1)) >= 0 is left
+  int planeCount;
+  const float* depth;     ///< of opaque geometry, [0, 1], from below; none: there is none
+  glm::ivec2 depthPixels; ///< its size
+  glm::vec2 depthPixelsPerPixel;
+  glm::vec4 clipDepthRow; ///< rows of clipFromGrid that give clip z and w
+  glm::vec4 clipWeightRow;
+};
+
+/// Between which depths something may be visible; see VisibleDepths.
+struct PacketDepths
+{
+  glm::vec3 axisGrid;   ///< that depths are along
+  const float* nearest; ///< of each packet, row by row; none: everything may be. Where it is beyond
+  const float* farthest; ///< this, nothing is.
+  int columns;           ///< of packets
+  int left;              ///< the first pixel
+  int bottom;
+};
+
+/// A composite picture of one volume of one component, in plain numbers.
+struct PacketScene
+{
+  PacketCamera camera;
+  PacketVolume volume;
+  PacketLook look;
+  PacketLight light; ///< of PacketRule::Lit
+  PacketSteps steps;
+  PacketCuts cuts;
+  PacketDepths depths;
+  PacketRule rule;
+};
+
+}
+
+#endif

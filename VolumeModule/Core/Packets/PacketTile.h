@@ -1,0 +1,17 @@
+#ifndef Varimarch_Core_Packets_PacketTile_h
+#define Varimarch_Core_Packets_PacketTile_h
+
+#include "Core/Packets/PacketScene.h"
+
+namespace varimarch
+{
+
+/// Marches those of the pixels that are in a tile of whole packets, on one core, which has AVX2 and
+/// FMA.
+/// @param rgba  of the pixels, as in MarchPackets
+void MarchTileByAvx2(
+  const PacketScene& scene, const PixelRectangle& pixels, const PixelRectangle& tile, float* rgba);
+
+}
+
+#endif

@@ -1,0 +1,99 @@
+// Compiled for processors with AVX2 and FMA, so that nothing here may be called on others, and no
+// function of other headers may come from here: those would get it too.
+
+#include "Core/Packets/PacketTile.h"
+
+#include "Core/Packets/PacketMarchers.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+template <class Voxel>
+PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  switch (scene.rule)
+  {
+    case PacketRule::Midpoint:
+      return MarchMidpoints<Voxel>(scene, rays, walk);
+    case PacketRule::PreIntegrated:
+      return MarchPreIntegrated<Voxel>(scene, rays, walk);
+    case PacketRule::Lit:
+      return LitMarch<Voxel>(scene, rays, walk).March();
+  }
+  return {};
+}
+
+PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  switch (scene.volume.type)
+  {
+    case VoxelType::Int8:
+      return March<std::int8_t>(scene, rays, walk);
+    case VoxelType::UInt8:
+      return March<std::uint8_t>(scene, rays, walk);
+    case VoxelType::Int16:
+      return March<std::int16_t>(scene, rays, walk);
+    case VoxelType::UInt16:
+      return March<std::uint16_t>(scene, rays, walk);
+    case VoxelType::Float32:
+      return March<float>(scene, rays, walk);
+  }
+  return {};
+}
+
+PacketSum MarchPacket(const PacketScene& scene, int x, int y)
+{
+  if (!IsVisible(scene.depths, x, y))
+  {
+    return {};
+  }
+  const PacketRays rays = RaysOf(scene, x, y);
+  return Any(LaneMask(rays.enter < rays.exit)) ? March(scene, rays, PacketWalk(scene, rays, x, y))
+                                               : PacketSum();
+}
+
+// Those of the packet's pixels that are asked for.
+void Store(const PacketSum& sum, int x, int y, const PixelRectangle& pixels, float* rgba)
+{
+  const Numbers red(sum.color.x);
+  const Numbers green(sum.color.y);
+  const Numbers blue(sum.color.z);
+  const Numbers opacity(1.0f - sum.transmittance);
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    const int column = x + lane % PacketWidth - pixels.left;
+    const int row = y + lane / PacketWidth - pixels.bottom;
+    if (column >= 0 && column < pixels.width && row >= 0 && row < pixels.height)
+    {
+      float* const pixel = rgba + 4 * (std::ptrdiff_t(row) * pixels.width + column);
+      pixel[0] = red.of[lane];
+      pixel[1] = green.of[lane];
+      pixel[2] = blue.of[lane];
+      pixel[3] = opacity.of[lane];
+    }
+  }
+}
+
+}
+
+void MarchTileByAvx2(
+  const PacketScene& scene, const PixelRectangle& pixels, const PixelRectangle& tile, float* rgba)
+{
+  const int top = pixels.bottom + pixels.height;
+  const int right = pixels.left + pixels.width;
+  for (int y = tile.bottom; y < tile.bottom + tile.height && y < top; y += PacketHeight)
+  {
+    for (int x = tile.left; x < tile.left + tile.width && x < right; x += PacketWidth)
+    {
+      if (x + PacketWidth > pixels.left && y + PacketHeight > pixels.bottom)
+      {
+        Store(MarchPacket(scene, x, y), x, y, pixels, rgba);
+      }
+    }
+  }
+}
+
+}

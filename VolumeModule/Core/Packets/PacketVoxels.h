@@ -1,0 +1,243 @@
+#ifndef Varimarch_Core_Packets_PacketVoxels_h
+#define Varimarch_Core_Packets_PacketVoxels_h
+
+// The volume as packets of rays read it.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketScene.h"
+
+#include <cstddef>
+
+namespace varimarch
+{
+
+/// Two values that follow each other along x, of each lane.
+struct ValuePairs
+{
+  Lanes first;
+  Lanes second;
+};
+
+/// Pairs of 8 bit voxels, as 16 bit numbers in memory.
+/// @param index  of the first, from the voxel at `base` on
+template <class Voxel>
+ValuePairs PairsOf8Bits(const Voxel* base, const IntNumbers& index)
+{
+  const auto pair = [&](int lane)
+  {
+    std::int16_t bits;
+    __builtin_memcpy(&bits, base + index.of[lane], sizeof bits);
+    return bits;
+  };
+  const __m128i bits =
+    _mm_setr_epi16(pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7));
+  const IntLanes wide = IntLanes(_mm256_cvtepu16_epi32(bits));
+  if constexpr (Voxel(-1) < Voxel(0))
+  {
+    return { FloatOf(wide << 24 >> 24), FloatOf(wide << 16 >> 24) };
+  }
+  return { FloatOf(wide & 0xff), FloatOf(wide >> 8) };
+}
+
+template <class Voxel>
+ValuePairs PairsOf16Bits(const Voxel* base, const IntNumbers& index)
+{
+  const auto pair = [&](int lane)
+  {
+    std::int32_t bits;
+    __builtin_memcpy(&bits, base + index.of[lane], sizeof bits);
+    return bits;
+  };
+  const IntLanes bits = { pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7) };
+  if constexpr (Voxel(-1) < Voxel(0))
+  {
+    return { FloatOf(bits << 16 >> 16), FloatOf(bits >> 16) };
+  }
+  return { FloatOf(bits & 0xffff), FloatOf(IntLanes(_mm256_srli_epi32(__m256i(bits), 16))) };
+}
+
+inline ValuePairs PairsOfFloats(const float* base, const IntNumbers& index)
+{
+  // Lanes 0 and 1 beside 4 and 5, and 2 and 3 beside 6 and 7: then two shuffles put each in place.
+  const auto pair = [&](int lane)
+  {
+    double bits;
+    __builtin_memcpy(&bits, base + index.of[lane], sizeof bits);
+    return bits;
+  };
+  const __m256 even = _mm256_castpd_ps(_mm256_setr_pd(pair(0), pair(1), pair(4), pair(5)));
+  const __m256 odd = _mm256_castpd_ps(_mm256_setr_pd(pair(2), pair(3), pair(6), pair(7)));
+  return { Lanes(_mm256_shuffle_ps(even, odd, 0x88)), Lanes(_mm256_shuffle_ps(even, odd, 0xdd)) };
+}
+
+inline ValuePairs PairsAt(const std::int8_t* base, const IntNumbers& index)
+{
+  return PairsOf8Bits(base, index);
+}
+
+inline ValuePairs PairsAt(const std::uint8_t* base, const IntNumbers& index)
+{
+  return PairsOf8Bits(base, index);
+}
+
+inline ValuePairs PairsAt(const std::int16_t* base, const IntNumbers& index)
+{
+  return PairsOf16Bits(base, index);
+}
+
+inline ValuePairs PairsAt(const std::uint16_t* base, const IntNumbers& index)
+{
+  return PairsOf16Bits(base, index);
+}
+
+inline ValuePairs PairsAt(const float* base, const IntNumbers& index)
+{
+  return PairsOfFloats(base, index);
+}
+
+inline Lanes Mix(Lanes a, Lanes b, Lanes part)
+{
+  return a + part * (b - a);
+}
+
+/// Trilinear interpolation between voxels, which go on beyond the outermost ones.
+template <class Voxel>
+class PacketVoxels
+{
+public:
+  struct Cell
+  {
+    IntNumbers index; ///< of its first voxel
+    Lanes3 part;      ///< how far into it, [0, 1]
+  };
+
+  explicit PacketVoxels(const PacketVolume& volume)
+    : first(static_cast<const Voxel*>(volume.voxels))
+    , perRow(volume.voxelCount.x)
+    , perSlice(std::ptrdiff_t(volume.voxelCount.x) * volume.voxelCount.y)
+    , lastVoxel{ All(float(volume.voxelCount.x - 1)), All(float(volume.voxelCount.y - 1)),
+      All(float(volume.voxelCount.z - 1)) }
+    , hasInnerCells(
+        volume.voxelCount.x >= 4 && volume.voxelCount.y >= 4 && volume.voxelCount.z >= 4)
+  {
+  }
+
+  Cell CellOf(const Lanes3& positionGrid) const
+  {
+    return this->CellAt(this->Inside(positionGrid, Lanes{}), Lanes{});
+  }
+
+  Lanes ValueIn(const Cell& cell) const
+  {
+    return Mix(Mix(this->AlongRow(cell, 0, 0), this->AlongRow(cell, 1, 0), cell.part.y),
+      Mix(this->AlongRow(cell, 0, 1), this->AlongRow(cell, 1, 1), cell.part.y), cell.part.z);
+  }
+
+  Lanes ValueAt(const Lanes3& positionGrid) const
+  {
+    return this->ValueIn(this->CellOf(positionGrid));
+  }
+
+  /// Differences of the values one voxel to either side.
+  /// @param mask  of rays whose gradient matters
+  Lanes3 GradientAt(const Lanes3& positionGrid, LaneMask mask) const
+  {
+    const Lanes one = All(1.0f);
+    const Lanes3 inner = this->Inside(positionGrid, one);
+    const LaneMask isOutside = LaneMask(inner.x != positionGrid.x) |
+      LaneMask(inner.y != positionGrid.y) | LaneMask(inner.z != positionGrid.z);
+    if (this->hasInnerCells && !Any(mask & isOutside))
+    {
+      return this->GradientIn(this->CellAt(inner, one));
+    }
+    const Lanes3 x{ one, Lanes{}, Lanes{} };
+    const Lanes3 y{ Lanes{}, one, Lanes{} };
+    const Lanes3 z{ Lanes{}, Lanes{}, one };
+    return { this->ValueAt(positionGrid + x) - this->ValueAt(positionGrid - x),
+      this->ValueAt(positionGrid + y) - this->ValueAt(positionGrid - y),
+      this->ValueAt(positionGrid + z) - this->ValueAt(positionGrid - z) };
+  }
+
+private:
+  // At least `border` voxels from the outermost ones.
+  Lanes3 Inside(const Lanes3& positionGrid, Lanes border) const
+  {
+    return { Clamp(positionGrid.x, border, this->lastVoxel.x - border),
+      Clamp(positionGrid.y, border, this->lastVoxel.y - border),
+      Clamp(positionGrid.z, border, this->lastVoxel.z - border) };
+  }
+
+  // The last plane of voxels inside is the end of the last cell.
+  Cell CellAt(const Lanes3& inside, Lanes border) const
+  {
+    const Lanes beforeLast = border + 1.0f;
+    const IntLanes x = Truncated(Min(inside.x, this->lastVoxel.x - beforeLast));
+    const IntLanes y = Truncated(Min(inside.y, this->lastVoxel.y - beforeLast));
+    const IntLanes z = Truncated(Min(inside.z, this->lastVoxel.z - beforeLast));
+    return { IntNumbers(x + int(this->perRow) * y + int(this->perSlice) * z),
+      { inside.x - FloatOf(x), inside.y - FloatOf(y), inside.z - FloatOf(z) } };
+  }
+
+  // The voxels of the rows through a cell, so many rows and slices from its first.
+  ValuePairs RowOf(const Cell& cell, int x, int rows, int slices) const
+  {
+    return PairsAt(this->first + (x + rows * this->perRow + slices * this->perSlice), cell.index);
+  }
+
+  Lanes AlongRow(const Cell& cell, int rows, int slices) const
+  {
+    const ValuePairs pair = this->RowOf(cell, 0, rows, slices);
+    return Mix(pair.first, pair.second, cell.part.x);
+  }
+
+  // What lies around a row of the cell: its values between the two voxels, and how these differ
+  // from those one voxel before and behind.
+  struct RowSlope
+  {
+    Lanes value;
+    Lanes slope;
+  };
+
+  RowSlope SlopeOf(const Cell& cell, int rows, int slices) const
+  {
+    const ValuePairs before = this->RowOf(cell, -1, rows, slices);
+    const ValuePairs behind = this->RowOf(cell, 1, rows, slices);
+    return { Mix(before.second, behind.first, cell.part.x),
+      Mix(behind.first, behind.second, cell.part.x) -
+        Mix(before.first, before.second, cell.part.x) };
+  }
+
+  // All that six values one voxel away are interpolated from, each read once.
+  Lanes3 GradientIn(const Cell& cell) const
+  {
+    const Lanes3& part = cell.part;
+    const RowSlope rows[2][2] = { { this->SlopeOf(cell, 0, 0), this->SlopeOf(cell, 1, 0) },
+      { this->SlopeOf(cell, 0, 1), this->SlopeOf(cell, 1, 1) } }; // [slice][row]
+    Lanes alongY[2];
+    for (int slice = 0; slice < 2; ++slice)
+    {
+      alongY[slice] = Mix(rows[slice][1].value, this->AlongRow(cell, 2, slice), part.y) -
+        Mix(this->AlongRow(cell, -1, slice), rows[slice][0].value, part.y);
+    }
+    Lanes alongZ[2];
+    for (int row = 0; row < 2; ++row)
+    {
+      alongZ[row] = Mix(rows[1][row].value, this->AlongRow(cell, row, 2), part.z) -
+        Mix(this->AlongRow(cell, row, -1), rows[0][row].value, part.z);
+    }
+    const Lanes front = Mix(rows[0][0].slope, rows[0][1].slope, part.y);
+    const Lanes back = Mix(rows[1][0].slope, rows[1][1].slope, part.y);
+    return { Mix(front, back, part.z), Mix(alongY[0], alongY[1], part.z),
+      Mix(alongZ[0], alongZ[1], part.y) };
+  }
+
+  const Voxel* first;
+  std::ptrdiff_t perRow;
+  std::ptrdiff_t perSlice;
+  Lanes3 lastVoxel;
+  bool hasInnerCells;
+};
+
+}
+
+#endif

@@ -1,0 +1,12 @@
+// No rays: those that the processor has marched.
+
+uniform vec2 viewportOriginPixels; // of the pixels that were marched
+uniform sampler2D marchedTexture;
+
+out vec4 fragOutput0;
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy - viewportOriginPixels);
+  fragOutput0 = Windowed(texelFetch(marchedTexture, pixel, 0));
+}
