@@ -76,6 +76,8 @@ std::string ClassName(MapperKind kind)
       return "vtkOpenGLGPUVolumeRayCastMapper";
     case MapperKind::VtkCpu:
       return "vtkFixedPointVolumeRayCastMapper";
+    case MapperKind::VarimarchShaders:
+      return "vtkVariationFieldVolumeMapper, shaders";
     default:
       return "vtkVariationFieldVolumeMapper";
   }
