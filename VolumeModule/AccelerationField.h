@@ -82,7 +82,7 @@ private:
   std::vector<BrickRanges> ranges; ///< of each channel
   VisibleBricks visible;
   std::vector<std::uint8_t> bricks; ///< of an optical field, where the processor marches rays,
-  varimarch::VisibleBlocks visibleBlocks; ///< and what there is between them
+  varimarch::VisibleBlocks visibleBlocks; ///< and the hull of what is visible
   glm::ivec3 size = glm::ivec3(1);
   double rangeSeconds = 0.0; ///< of ranges that no field has been built of yet
   double buildSeconds = 0.0;

@@ -13,13 +13,14 @@ namespace varimarch
 {
 
 void PacketPicture::March(
-  vtkOpenGLRenderWindow* window, const PacketScene& scene, const PixelRectangle& pixels)
+  vtkOpenGLRenderWindow* window, const PacketScene& scene, const Viewport& newPixels)
 {
-  this->rgba.resize(4 * std::size_t(pixels.width) * pixels.height);
-  MarchPackets(scene, pixels, this->rgba.data());
+  this->pixels = newPixels;
+  this->rgba.resize(4 * std::size_t(this->pixels.width) * this->pixels.height);
+  MarchPackets(scene, this->pixels, this->rgba.data());
 
-  const auto width = unsigned(pixels.width);
-  const auto height = unsigned(pixels.height);
+  const auto width = unsigned(this->pixels.width);
+  const auto height = unsigned(this->pixels.height);
   if (this->texture->GetWidth() < width || this->texture->GetHeight() < height)
   {
     const unsigned newWidth = std::max(this->texture->GetWidth(), width);
@@ -31,8 +32,8 @@ void PacketPicture::March(
   }
   this->texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage2D(
-    GL_TEXTURE_2D, 0, 0, 0, pixels.width, pixels.height, GL_RGBA, GL_FLOAT, this->rgba.data());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->pixels.width, this->pixels.height, GL_RGBA,
+    GL_FLOAT, this->rgba.data());
   this->texture->Deactivate();
 }
 

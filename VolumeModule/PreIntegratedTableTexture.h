@@ -18,6 +18,7 @@ public:
   void Upload(vtkOpenGLRenderWindow* window, PreIntegratedTable table);
   void Keep(vtkWindow* window, PreIntegratedTable table);
 
+  bool IsKept() const { return !this->kept.entries.empty(); }
   const PreIntegratedTable& Kept() const { return this->kept; }
   vtkTextureObject* Texture() const { return this->texture; }
   int Size() const { return this->size; }

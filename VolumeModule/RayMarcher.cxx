@@ -46,6 +46,10 @@ void RayMarcher::Draw(Frame frame)
   this->BeginAccumulation(frame);
   this->UpdateVolume(frame);
   frame.marcher = this->MarchesPackets(frame) ? Marcher::Processor : Marcher::Device;
+  if (frame.marcher == Marcher::Device)
+  {
+    this->packets.Release(frame.window);
+  }
   this->UpdateDepth(frame);
   this->UpdateNoise(frame);
   this->UpdateCuts(frame);
@@ -107,6 +111,7 @@ void RayMarcher::UpdateVolume(const Frame& frame)
   this->volumeTime = frame.scalarsTime;
   this->volumeIsCubic = isCubic;
   this->tableSource = nullptr; // a table covers the range of the scalars
+  this->voxelsAreFinite.reset();
   ++this->builds.volumeTexture;
 }
 
@@ -139,7 +144,7 @@ void RayMarcher::UpdatePreIntegratedTable(const Frame& frame)
     this->preIntegratedOfTable = 0;
   }
   else if (this->preIntegratedOfTable != this->builds.opticalTable ||
-    this->preIntegratedFor != frame.marcher)
+    this->preIntegratedTable.IsKept() != (frame.marcher == Marcher::Processor))
   {
     const OpticalTable& optical = this->opticalTable.Table();
     PreIntegratedTable table =
@@ -148,7 +153,6 @@ void RayMarcher::UpdatePreIntegratedTable(const Frame& frame)
       ? this->preIntegratedTable.Keep(frame.window, std::move(table))
       : this->preIntegratedTable.Upload(frame.window, std::move(table));
     this->preIntegratedOfTable = this->builds.opticalTable;
-    this->preIntegratedFor = frame.marcher;
   }
 }
 

@@ -197,7 +197,7 @@ private:
 
   // By the processor.
   bool MarchesPackets(const Frame& frame);
-  bool HasGapsForPackets(const Frame& frame);
+  bool HasPlainValues(const Frame& frame);
   PacketLook LookOfPackets(const Frame& frame) const;
   PacketSteps StepsOfPackets(const Frame& frame) const;
   PacketScene SceneOfPackets(const Frame& frame, const std::vector<glm::vec4>& planes,
@@ -274,7 +274,6 @@ private:
   RayAccumulation accumulation; ///< only where there are several blocks
   PictureResources picture;
   PacketPicture packets;
-  PixelRectangle marchedPixels = {}; ///< of the viewport, by the processor
   RayMarchProgram program;
   BuildCounts builds;
   std::optional<ToleranceChoice> tolerance;
@@ -295,11 +294,9 @@ private:
   std::vector<double> tableInputs;
   std::vector<MaterialTable> materialTables; ///< what is in the optical table
   std::vector<double> gradientOpacitySource; ///< empty: there is none
-  int preIntegratedOfTable = 0;              ///< the optical table's build that it was made from,
-  Marcher preIntegratedFor = Marcher::Device;
-  std::optional<FieldSource> fieldSource; ///< none: there is no field
-  int finiteOfVolume = 0;                 ///< the volume's build of which it is known whether
-  bool voxelsAreFinite = false;
+  int preIntegratedOfTable = 0;              ///< the optical table's build that it was made from
+  std::optional<FieldSource> fieldSource;    ///< none: there is no field
+  std::optional<bool> voxelsAreFinite;       ///< none: nobody has asked
   int rangesOfVolume = 0;  ///< the volume's build that the field's ranges belong to
   int visibleOfField = -1; ///< the field's build that the visible boxes belong to; 0: to none
   Box visibleOfBox = {};   ///< and the box that cuts left then

@@ -110,14 +110,15 @@ PacketCamera CameraOf(const Frame& frame, const PixelRays& rays, const Box& boxG
   return camera;
 }
 
-PacketLight LightOf(const Frame& frame)
+// Normals in texels, as shaders have them: products of those in units of the data could overflow.
+PacketLight LightOf(const Frame& frame, double scalarPerTexel)
 {
   const HeadLightColors light = HeadLightColorsOf(frame.renderer);
   const glm::dvec3 damping = frame.settings.damping
     ? frame.geometry.gradientFactors / frame.dampingGradient
     : glm::dvec3(0.0);
-  return { frame.geometry.WorldFromGridNormal(), ReflectanceOf(frame.property, 0), light.diffuse,
-    light.specular, damping, frame.settings.damping };
+  return { frame.geometry.WorldFromGridNormal() / scalarPerTexel, ReflectanceOf(frame.property, 0),
+    light.diffuse, light.specular, damping, frame.settings.damping };
 }
 
 PacketRule RuleOf(const RenderSettings& settings)
@@ -128,10 +129,9 @@ PacketRule RuleOf(const RenderSettings& settings)
 }
 
 // Of pixels of a viewport, those that are drawn.
-PixelRectangle WithinScissors(
-  const Viewport& pixels, const Viewport& viewport, vtkOpenGLState* state)
+Viewport WithinScissors(const Viewport& pixels, const Viewport& viewport, vtkOpenGLState* state)
 {
-  PixelRectangle drawn{ pixels.left, pixels.bottom, pixels.width, pixels.height };
+  Viewport drawn = pixels;
   if (!state->GetEnumState(GL_SCISSOR_TEST))
   {
     return drawn;
@@ -151,19 +151,25 @@ PixelRectangle WithinScissors(
 
 }
 
-// Shaders know where gaps are. Whether voxels are all finite is found once for each volume.
-bool RayMarcher::HasGapsForPackets(const Frame& frame)
+// Shaders know where gaps are, and shift and scale floats that are large, small or far from zero.
+bool RayMarcher::HasPlainValues(const Frame& frame)
 {
-  if (frame.blanking.Any() || this->blocks.Texels().finite)
+  const ScalarTexels& texels = this->blocks.Texels();
+  if (frame.blanking.Any() || texels.normalized)
   {
-    return frame.blanking.Any();
+    return !frame.blanking.Any();
   }
-  if (this->finiteOfVolume != this->builds.volumeTexture)
+  constexpr double Large = 1e15;
+  if (texels.mapping.offset != 0.0 || texels.mapping.scale > Large ||
+    texels.mapping.scale < 1.0 / Large)
+  {
+    return false;
+  }
+  if (!this->voxelsAreFinite)
   {
     this->voxelsAreFinite = AreFinite(frame.channels.front().array);
-    this->finiteOfVolume = this->builds.volumeTexture;
   }
-  return !this->voxelsAreFinite;
+  return *this->voxelsAreFinite;
 }
 
 bool RayMarcher::MarchesPackets(const Frame& frame)
@@ -171,7 +177,7 @@ bool RayMarcher::MarchesPackets(const Frame& frame)
   return frame.mayMarchByProcessor && CanMarchPackets() && IsSoftwareRasterizer() &&
     HasPacketRecipe(frame.settings) && !frame.toImages && frame.mostMemoryBytes == 0 &&
     frame.userCode.IsEmpty() && VoxelTypeOf(frame.channels) &&
-    CanBeIndexed(frame.geometry.dimensions) && !this->HasGapsForPackets(frame);
+    CanBeIndexed(frame.geometry.dimensions) && this->HasPlainValues(frame);
 }
 
 PacketLook RayMarcher::LookOfPackets(const Frame& frame) const
@@ -221,7 +227,7 @@ PacketScene RayMarcher::SceneOfPackets(
   scene.volume = { frame.channels.front().array->GetVoidPointer(0), *VoxelTypeOf(frame.channels),
     frame.geometry.dimensions };
   scene.look = this->LookOfPackets(frame);
-  scene.light = LightOf(frame);
+  scene.light = LightOf(frame, this->blocks.Texels().mapping.scale);
   scene.steps = this->StepsOfPackets(frame);
   scene.cuts.planesGrid = planes.data();
   scene.cuts.planeCount = int(planes.size());
@@ -244,9 +250,8 @@ void RayMarcher::DrawPackets(const Frame& frame)
   DrawnBlock drawn = this->BoxOfVisible();
   drawn.coverGrid = frame.addsUp ? WithItsEdges(drawn.coverGrid) : drawn.coverGrid;
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
-  const PixelRectangle pixels =
-    WithinScissors(PixelsOf(drawn.coverGrid, clipFromGrid, frame.viewport), frame.viewport,
-      frame.window->GetState());
+  const Viewport pixels = WithinScissors(PixelsOf(drawn.coverGrid, clipFromGrid, frame.viewport),
+    frame.viewport, frame.window->GetState());
   if (pixels.width == 0 || pixels.height == 0)
   {
     return;
@@ -264,7 +269,6 @@ void RayMarcher::DrawPackets(const Frame& frame)
   this->packets.March(frame.window, scene, pixels);
   this->shaderParts.clear();
 
-  this->marchedPixels = pixels;
   Frame marched = frame;
   marched.settings.pass = RayPass::Marched;
   this->UpdateProgram(marched);
@@ -276,8 +280,8 @@ void RayMarcher::SetMarchedUniforms(const Frame& frame, const glm::dmat4& clipFr
   this->packets.Texture()->Activate();
   this->program.Set("marchedTexture", this->packets.Texture());
   this->program.Set("viewportOriginPixels",
-    glm::dvec2(frame.viewport.left + this->marchedPixels.left,
-      frame.viewport.bottom + this->marchedPixels.bottom));
+    glm::dvec2(frame.viewport.left + this->packets.Pixels().left,
+      frame.viewport.bottom + this->packets.Pixels().bottom));
   this->program.Set("clipFromGrid", clipFromGrid);
   if (frame.settings.windowLevel)
   {

@@ -3,6 +3,7 @@
 
 #include "Core/Box.h"
 #include "Core/UnevenAxis.h"
+#include "Core/Viewport.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -60,15 +61,7 @@ VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* 
 VolumeGeometry VolumeGeometryOf(
   vtkImageData* image, vtkVolume* volume, VoxelPlace place = VoxelPlace::Points);
 
-/// The part of the framebuffer that a renderer draws to [pixels].
-struct Viewport
-{
-  int left;
-  int bottom;
-  int width;
-  int height;
-};
-
+/// The part of the framebuffer that a renderer draws to.
 Viewport ViewportOf(vtkRenderer* renderer);
 
 /// The renderer's camera and projection, for its current tile and eye.

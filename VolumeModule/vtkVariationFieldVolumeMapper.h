@@ -118,7 +118,7 @@ public:
   ///@{
   /**
    * Where OpenGL itself is drawn by the processor, as Mesa's llvmpipe does, march composites of one
-   * component without a shader, in packets of eight rays: two to three times as fast, with the same
+   * component without a shader, in packets of eight rays: about twice as fast, with the same
    * steps. It needs AVX2 and FMA; shaders draw what packets have no code for (other blend modes,
    * several components, masks, cropping, lights beside head lights, user code, a maximum graphics
    * memory). Default: on.

@@ -186,6 +186,28 @@ TEST(Resources, AFieldWithHardlyABrickToSkipIsNotResident)
   EXPECT_EQ(withoutField, withField - 10 * 9 * 6);
 }
 
+// Means over pairs of values: so many entries that a narrow peak spans some.
+TEST(Resources, ATableOfMeansIsAsLargeAsTheFunctionNeeds)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetIntegrationRule(vtkVariationFieldVolumeMapper::PreIntegrated);
+  scene.colors->RemoveAllPoints();
+  const auto bytes = [&](double width)
+  {
+    scene.opacities->RemoveAllPoints();
+    scene.opacities->AddPoint(-1024.0, 0.01);
+    scene.opacities->AddPoint(300.0 - width, 0.0);
+    scene.opacities->AddPoint(300.0, 0.5);
+    scene.opacities->AddPoint(300.0 + width, 0.0);
+    scene.window->Render();
+    return scene.mapper->GetGraphicsMemoryBytes();
+  };
+  const vtkIdType ofWide = bytes(900.0);
+  const vtkIdType ofNarrow = bytes(120.0);
+  EXPECT_GE(ofWide, 256 * 256 * 16);
+  EXPECT_EQ(ofNarrow - ofWide, (1024 * 1024 - 256 * 256) * 16);
+}
+
 TEST(Resources, TheDepthBufferIsCopiedOnlyForOpaqueGeometry)
 {
   MapperScene scene(SmallTorso());

@@ -73,7 +73,7 @@ class VisibleDepthsOf : public testing::TestWithParam<bool>
 TEST_P(VisibleDepthsOf, HoldAllPointsOfTheBlocks)
 {
   const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
-  const PixelRectangle pixels{ 3, 5, Width - 10, Height - 9 };
+  const Viewport pixels{ 3, 5, Width - 10, Height - 9 };
   const VisibleBlocks blocks = RandomBlocks(3);
   const VisibleDepths visible(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
   const PacketDepths depths = visible.Depths();
@@ -105,7 +105,7 @@ TEST_P(VisibleDepthsOf, HoldAllPointsOfTheBlocks)
 TEST_P(VisibleDepthsOf, AreNothingWhereNoBlockIs)
 {
   const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
-  const PixelRectangle pixels{ 0, 0, Width, Height };
+  const Viewport pixels{ 0, 0, Width, Height };
   const VisibleBlocks blocks{ Side, { glm::vec3(50.0f) } };
   const VisibleDepths visible(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
   const PacketDepths depths = visible.Depths();

@@ -43,11 +43,6 @@ inline Lanes Clamp(Lanes number, Lanes least, Lanes most)
   return Min(Max(number, least), most);
 }
 
-inline IntLanes Min(IntLanes a, IntLanes b)
-{
-  return IntLanes(_mm256_min_epi32(__m256i(a), __m256i(b)));
-}
-
 inline Lanes Floor(Lanes number)
 {
   return Lanes(_mm256_floor_ps(number));

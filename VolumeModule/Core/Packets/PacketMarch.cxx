@@ -23,7 +23,7 @@ bool CanMarchPackets()
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 
-void MarchPackets(const PacketScene& scene, const PixelRectangle& pixels, float* rgba)
+void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba)
 {
   // Those of the whole picture: a pixel is then in the same packet whatever part is marched.
   const int firstColumn = pixels.left / TileSide;
@@ -46,7 +46,7 @@ bool CanMarchPackets()
   return false;
 }
 
-void MarchPackets(const PacketScene&, const PixelRectangle&, float*) {}
+void MarchPackets(const PacketScene&, const Viewport&, float*) {}
 
 #endif
 

@@ -15,7 +15,7 @@ bool CanMarchPackets();
 /// what a software rasteriser makes of them (Documentation/Decisions/0018).
 /// @param pixels  part of the picture
 /// @param rgba    premultiplied, of those pixels, from below; 4 * width * height
-void MarchPackets(const PacketScene& scene, const PixelRectangle& pixels, float* rgba);
+void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba);
 
 }
 

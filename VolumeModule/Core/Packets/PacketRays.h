@@ -13,6 +13,7 @@ namespace varimarch
 {
 
 constexpr float Never = 3.0e38f;
+constexpr float InverseOfNone = 1e30f; // of the component of a direction
 
 struct PacketRays
 {
@@ -40,17 +41,22 @@ inline Lanes3 Transformed(const glm::mat3& matrix, const Lanes3& a)
 /// A component that is zero, or so small that its inverse would overflow, becomes a tiny one.
 inline Lanes SafeInverse(Lanes direction)
 {
-  return 1.0f / WithSignOf(Max(Abs(direction), All(1e-30f)), direction);
+  return 1.0f / WithSignOf(Max(Abs(direction), All(1.0f / InverseOfNone)), direction);
 }
 
-/// Slab test of Kay and Kajiya (SIGGRAPH 1986). Along the slab the inverse is so large that what is
-/// outside is left out, and what is in a plane of it counts as inside.
+/// Slab test of Kay and Kajiya (SIGGRAPH 1986). Rays along the slab are decided by comparison, as
+/// in Shaders/Math/IntersectBox.glsl.
 inline void CutBySlab(PacketRays& rays, Lanes origin, Lanes inverse, float lower, float upper)
 {
   const Lanes toLower = (lower - origin) * inverse;
   const Lanes toUpper = (upper - origin) * inverse;
-  rays.enter = Max(rays.enter, Min(toLower, toUpper));
-  rays.exit = Min(rays.exit, Max(toLower, toUpper));
+  const LaneMask isAlong = LaneMask(Abs(inverse) >= InverseOfNone);
+  const LaneMask isInside = LaneMask(origin >= lower) & LaneMask(origin <= upper);
+  const Lanes never = All(Never);
+  rays.enter =
+    Max(rays.enter, Select(isAlong, Select(isInside, -never, never), Min(toLower, toUpper)));
+  rays.exit =
+    Min(rays.exit, Select(isAlong, Select(isInside, never, -never), Max(toLower, toUpper)));
 }
 
 inline Lanes PlaneAt(const glm::vec4& plane, const Lanes3& position)
@@ -104,11 +110,15 @@ inline void CutByDepth(PacketRays& rays, const PacketCuts& cuts, Lanes depth)
   rays.exit = Select(ends, Min(-beyond / approach, rays.exit), rays.exit);
 }
 
+inline int PacketAt(const PacketDepths& depths, int x, int y)
+{
+  return (y - depths.bottom) / PacketHeight * depths.columns + (x - depths.left) / PacketWidth;
+}
+
 /// Leaves where something may be visible.
 inline void CutByVisible(PacketRays& rays, const PacketDepths& depths, int x, int y)
 {
-  const int packet =
-    (y - depths.bottom) / PacketHeight * depths.columns + (x - depths.left) / PacketWidth;
+  const int packet = PacketAt(depths, x, y);
   const glm::vec3& axis = depths.axisGrid;
   CutByPlane(rays, { axis.x, axis.y, axis.z, -depths.nearest[packet] });
   CutByPlane(rays, { -axis.x, -axis.y, -axis.z, depths.farthest[packet] });
@@ -117,8 +127,7 @@ inline void CutByVisible(PacketRays& rays, const PacketDepths& depths, int x, in
 /// Whether anything may be visible in a packet.
 inline bool IsVisible(const PacketDepths& depths, int x, int y)
 {
-  const int packet =
-    (y - depths.bottom) / PacketHeight * depths.columns + (x - depths.left) / PacketWidth;
+  const int packet = PacketAt(depths, x, y);
   return !depths.nearest || depths.nearest[packet] <= depths.farthest[packet];
 }
 

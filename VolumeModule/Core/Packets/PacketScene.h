@@ -1,6 +1,8 @@
 #ifndef Varimarch_Core_Packets_PacketScene_h
 #define Varimarch_Core_Packets_PacketScene_h
 
+#include "Core/Viewport.h"
+
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -32,15 +34,6 @@ enum class PacketRule
 /// Pixels of a packet: two rows of four.
 constexpr int PacketWidth = 4;
 constexpr int PacketHeight = 2;
-
-/// The part of a picture that is marched [pixels].
-struct PixelRectangle
-{
-  int left;
-  int bottom;
-  int width;
-  int height;
-};
 
 /// The rays of a picture: PixelRays in single precision, and where they are marched [grid space].
 struct PacketCamera

@@ -10,7 +10,7 @@ namespace varimarch
 /// FMA.
 /// @param rgba  of the pixels, as in MarchPackets
 void MarchTileByAvx2(
-  const PacketScene& scene, const PixelRectangle& pixels, const PixelRectangle& tile, float* rgba);
+  const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba);
 
 }
 

@@ -56,7 +56,7 @@ PacketSum MarchPacket(const PacketScene& scene, int x, int y)
 }
 
 // Those of the packet's pixels that are asked for.
-void Store(const PacketSum& sum, int x, int y, const PixelRectangle& pixels, float* rgba)
+void Store(const PacketSum& sum, int x, int y, const Viewport& pixels, float* rgba)
 {
   const Numbers red(sum.color.x);
   const Numbers green(sum.color.y);
@@ -80,7 +80,7 @@ void Store(const PacketSum& sum, int x, int y, const PixelRectangle& pixels, flo
 }
 
 void MarchTileByAvx2(
-  const PacketScene& scene, const PixelRectangle& pixels, const PixelRectangle& tile, float* rgba)
+  const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba)
 {
   const int top = pixels.bottom + pixels.height;
   const int right = pixels.left + pixels.width;

@@ -18,81 +18,55 @@ struct ValuePairs
   Lanes second;
 };
 
-/// Pairs of 8 bit voxels, as 16 bit numbers in memory.
-/// @param index  of the first, from the voxel at `base` on
-template <class Voxel>
-ValuePairs PairsOf8Bits(const Voxel* base, const IntNumbers& index)
+/// A pair of voxels in memory, as one number of so many bits.
+template <class Bits, class Voxel>
+Bits PairAt(const Voxel* first)
 {
-  const auto pair = [&](int lane)
-  {
-    std::int16_t bits;
-    __builtin_memcpy(&bits, base + index.of[lane], sizeof bits);
-    return bits;
-  };
-  const __m128i bits =
-    _mm_setr_epi16(pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7));
-  const IntLanes wide = IntLanes(_mm256_cvtepu16_epi32(bits));
+  static_assert(sizeof(Bits) == 2 * sizeof(Voxel));
+  Bits bits;
+  __builtin_memcpy(&bits, first, sizeof bits);
+  return bits;
+}
+
+/// Of 8 or 16 bit voxels, each lane's pair in its lower bits.
+template <class Voxel>
+ValuePairs UnpackedPairs(IntLanes bits)
+{
+  constexpr int width = 8 * sizeof(Voxel);
+  constexpr int unused = 32 - 2 * width;
   if constexpr (Voxel(-1) < Voxel(0))
   {
-    return { FloatOf(wide << 24 >> 24), FloatOf(wide << 16 >> 24) };
+    return { FloatOf(bits << (unused + width) >> (32 - width)),
+      FloatOf(bits << unused >> (32 - width)) };
   }
-  return { FloatOf(wide & 0xff), FloatOf(wide >> 8) };
+  constexpr int all = (1 << width) - 1;
+  return { FloatOf(bits & all), FloatOf(bits >> width & all) };
 }
 
+/// @param index  of the first voxel of each pair, from that at `base` on
 template <class Voxel>
-ValuePairs PairsOf16Bits(const Voxel* base, const IntNumbers& index)
+ValuePairs PairsAt(const Voxel* base, const IntNumbers& index)
 {
-  const auto pair = [&](int lane)
+  if constexpr (sizeof(Voxel) == 1)
   {
-    std::int32_t bits;
-    __builtin_memcpy(&bits, base + index.of[lane], sizeof bits);
-    return bits;
-  };
-  const IntLanes bits = { pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7) };
-  if constexpr (Voxel(-1) < Voxel(0))
-  {
-    return { FloatOf(bits << 16 >> 16), FloatOf(bits >> 16) };
+    const auto pair = [&](int lane) { return PairAt<std::int16_t>(base + index.of[lane]); };
+    return UnpackedPairs<Voxel>(IntLanes(_mm256_cvtepu16_epi32(
+      _mm_setr_epi16(pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7)))));
   }
-  return { FloatOf(bits & 0xffff), FloatOf(IntLanes(_mm256_srli_epi32(__m256i(bits), 16))) };
-}
-
-inline ValuePairs PairsOfFloats(const float* base, const IntNumbers& index)
-{
-  // Lanes 0 and 1 beside 4 and 5, and 2 and 3 beside 6 and 7: then two shuffles put each in place.
-  const auto pair = [&](int lane)
+  else if constexpr (sizeof(Voxel) == 2)
   {
-    double bits;
-    __builtin_memcpy(&bits, base + index.of[lane], sizeof bits);
-    return bits;
-  };
-  const __m256 even = _mm256_castpd_ps(_mm256_setr_pd(pair(0), pair(1), pair(4), pair(5)));
-  const __m256 odd = _mm256_castpd_ps(_mm256_setr_pd(pair(2), pair(3), pair(6), pair(7)));
-  return { Lanes(_mm256_shuffle_ps(even, odd, 0x88)), Lanes(_mm256_shuffle_ps(even, odd, 0xdd)) };
-}
-
-inline ValuePairs PairsAt(const std::int8_t* base, const IntNumbers& index)
-{
-  return PairsOf8Bits(base, index);
-}
-
-inline ValuePairs PairsAt(const std::uint8_t* base, const IntNumbers& index)
-{
-  return PairsOf8Bits(base, index);
-}
-
-inline ValuePairs PairsAt(const std::int16_t* base, const IntNumbers& index)
-{
-  return PairsOf16Bits(base, index);
-}
-
-inline ValuePairs PairsAt(const std::uint16_t* base, const IntNumbers& index)
-{
-  return PairsOf16Bits(base, index);
-}
-
-inline ValuePairs PairsAt(const float* base, const IntNumbers& index)
-{
-  return PairsOfFloats(base, index);
+    const auto pair = [&](int lane) { return PairAt<std::int32_t>(base + index.of[lane]); };
+    return UnpackedPairs<Voxel>(
+      IntLanes{ pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7) });
+  }
+  else
+  {
+    // Lanes 0 and 1 beside 4 and 5, and 2 and 3 beside 6 and 7: two shuffles put each in place.
+    const auto pair = [&](int lane) { return PairAt<double>(base + index.of[lane]); };
+    const __m256 even = _mm256_castpd_ps(_mm256_setr_pd(pair(0), pair(1), pair(4), pair(5)));
+    const __m256 odd = _mm256_castpd_ps(_mm256_setr_pd(pair(2), pair(3), pair(6), pair(7)));
+    return { Lanes(_mm256_shuffle_ps(even, odd, 0x88)), Lanes(_mm256_shuffle_ps(even, odd, 0xdd)) };
+  }
 }
 
 inline Lanes Mix(Lanes a, Lanes b, Lanes part)

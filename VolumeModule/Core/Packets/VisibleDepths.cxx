@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace varimarch
@@ -41,7 +40,7 @@ glm::vec3 Row(const glm::mat4& matrix, int row)
 }
 
 VisibleDepths::VisibleDepths(const VisibleBlocks& blocks, const glm::dmat4& clipFromGrid,
-  const PacketCamera& camera, const PixelRectangle& pixels)
+  const PacketCamera& camera, const Viewport& pixels)
   : axisGrid(glm::normalize(camera.directionGrid[0]))
   , firstColumn(pixels.left / PacketWidth)
   , firstRow(pixels.bottom / PacketHeight)
@@ -58,6 +57,7 @@ VisibleDepths::VisibleDepths(const VisibleBlocks& blocks, const glm::dmat4& clip
   const glm::vec2 first(
     float(this->firstColumn * PacketWidth), float(this->firstRow * PacketHeight));
   const glm::vec2 packet = { PacketWidth, PacketHeight };
+  const glm::vec2 count(float(this->columns), float(this->rows));
   for (const glm::vec3& center : blocks.centersGrid)
   {
     const glm::vec4 clip = matrix * glm::vec4(center, 1.0f);
@@ -75,11 +75,11 @@ VisibleDepths::VisibleDepths(const VisibleBlocks& blocks, const glm::dmat4& clip
       (glm::min(lower * nearScale, lower * farScale) + 1.0f) * halfPicture - first - 1.0f;
     const glm::vec2 to =
       (glm::max(upper * nearScale, upper * farScale) + 1.0f) * halfPicture - first + 1.0f;
-    const glm::ivec2 begin(glm::floor(from / packet));
-    const glm::ivec2 end(glm::floor(to / packet));
+    // Clamped before they are integers, which cannot hold what is close to the eye.
+    const glm::ivec2 begin(glm::clamp(glm::floor(from / packet), glm::vec2(0.0f), count));
+    const glm::ivec2 last(glm::clamp(glm::floor(to / packet), glm::vec2(-1.0f), count - 1.0f));
     const float depth = glm::dot(this->axisGrid, center);
-    this->Draw({ std::max(begin.x, 0), std::min(end.x, this->columns - 1), std::max(begin.y, 0),
-      std::min(end.y, this->rows - 1), depth - depthReach, depth + depthReach });
+    this->Draw({ begin.x, last.x, begin.y, last.y, depth - depthReach, depth + depthReach });
   }
 }
 

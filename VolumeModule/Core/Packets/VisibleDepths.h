@@ -28,7 +28,7 @@ class VisibleDepths
 public:
   /// @param pixels  part of the picture, whose packets begin at its lower left pixel
   VisibleDepths(const VisibleBlocks& blocks, const glm::dmat4& clipFromGrid,
-    const PacketCamera& camera, const PixelRectangle& pixels);
+    const PacketCamera& camera, const Viewport& pixels);
 
   /// None where a block is beside the eye: then all may be visible.
   PacketDepths Depths() const;

@@ -1,0 +1,98 @@
+#ifndef Varimarch_Testing_ProcessorMarching_h
+#define Varimarch_Testing_ProcessorMarching_h
+
+// What tests of rays that the processor marches share.
+
+#include "Core/Packets/PacketMarch.h"
+#include "Module/MapperScene.h"
+
+#include <vtkImageShiftScale.h>
+#include <vtkPlane.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+class ProcessorMarching : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (!varimarch::CanMarchPackets())
+    {
+      GTEST_SKIP() << "this processor has no AVX2 and FMA";
+    }
+  }
+};
+
+inline bool ByProcessor(MapperScene& scene)
+{
+  scene.DrawByProcessor();
+  return scene.ShaderParts().empty();
+}
+
+inline void ExpectSamePicture(MapperScene& scene)
+{
+  const std::vector<float> marched = scene.DrawByProcessor();
+  ASSERT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
+  const std::vector<float> drawn = scene.Draw();
+  ASSERT_FALSE(scene.ShaderParts().empty());
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1) << "the picture is empty";
+  const varimarch::ImageError difference =
+    varimarch::CompareImages(marched.data(), drawn.data(), drawn.size() / 4);
+  EXPECT_LT(difference.rootMeanSquare, 0.05);
+  EXPECT_LT(difference.percentile999, 0.5);
+}
+
+inline vtkSmartPointer<vtkImageData> TorsoOfType(int type)
+{
+  vtkNew<vtkImageShiftScale> bytes;
+  bytes->SetInputData(SmallTorso());
+  const bool narrow = type == VTK_UNSIGNED_CHAR || type == VTK_SIGNED_CHAR || type == VTK_CHAR;
+  bytes->SetShift(type == VTK_UNSIGNED_CHAR || type == VTK_UNSIGNED_SHORT ? 1024.0 : 0.0);
+  bytes->SetScale(narrow ? 1.0 / 16.0 : 1.0);
+  bytes->ClampOverflowOn();
+  bytes->SetOutputScalarType(type);
+  bytes->Update();
+  return bytes->GetOutput();
+}
+
+// From a tenth of the values on.
+inline void ShowUpperValues(MapperScene& scene)
+{
+  double range[2];
+  scene.image->GetScalarRange(range);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(range[0] + 0.55 * (range[1] - range[0]), 0.0);
+  scene.opacities->AddPoint(range[1], 0.4);
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(range[0], 0.8, 0.3, 0.2);
+  scene.colors->AddRGBPoint(range[1], 1.0, 0.95, 0.85);
+}
+
+// Half of it is clipped away obliquely.
+inline void Clip(MapperScene& scene)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(1.0, 0.4, 0.2);
+  scene.mapper->AddClippingPlane(plane);
+}
+
+struct Change
+{
+  const char* name;
+  std::function<void(MapperScene&)> make;
+};
+
+inline void PrintTo(const Change& change, std::ostream* os)
+{
+  *os << change.name;
+}
+
+inline std::string NameOf(const testing::TestParamInfo<Change>& info)
+{
+  return info.param.name;
+}
+
+#endif

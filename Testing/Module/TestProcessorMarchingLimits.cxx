@@ -1,0 +1,192 @@
+// Pictures that packets of rays have no code for: shaders draw them.
+
+#include "Module/ProcessorMarching.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageAppendComponents.h>
+#include <vtkImageCast.h>
+#include <vtkLight.h>
+#include <vtkPointData.h>
+#include <vtkShaderProperty.h>
+
+#include <limits>
+
+namespace
+{
+
+using Mapper = vtkVariationFieldVolumeMapper;
+
+// Each voxel once more, with a second value.
+vtkSmartPointer<vtkImageData> WithSecondComponent(vtkImageData* image)
+{
+  vtkNew<vtkImageAppendComponents> pairs;
+  pairs->AddInputData(image);
+  pairs->AddInputData(image);
+  pairs->Update();
+  return pairs->GetOutput();
+}
+
+// To more than one box.
+void Crop(MapperScene& scene)
+{
+  double bounds[6];
+  scene.image->GetBounds(bounds);
+  double planes[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    planes[i] = 0.75 * bounds[i] + 0.25 * bounds[i ^ 1];
+  }
+  scene.mapper->SetCroppingRegionPlanes(planes);
+  scene.mapper->SetCroppingRegionFlagsToCross();
+  scene.mapper->CroppingOn();
+}
+
+void LeaveLowerGradientsOut(MapperScene& scene)
+{
+  vtkNew<vtkPiecewiseFunction> factors;
+  factors->AddPoint(0.0, 0.0);
+  factors->AddPoint(100.0, 1.0);
+  scene.volume->GetProperty()->SetGradientOpacity(factors);
+}
+
+void KeepAll(MapperScene& scene)
+{
+  vtkNew<vtkImageData> mask;
+  mask->CopyStructure(scene.image);
+  mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  mask->GetPointData()->GetScalars()->Fill(255.0);
+  scene.mapper->SetMaskInput(mask);
+  scene.mapper->SetMaskTypeToBinary();
+}
+
+}
+
+class ProcessorMarchingIsNotFor
+  : public ProcessorMarching
+  , public testing::WithParamInterface<Change>
+{
+};
+
+TEST_P(ProcessorMarchingIsNotFor, SoAShaderDraws)
+{
+  MapperScene scene(SmallTorso());
+  ASSERT_TRUE(ByProcessor(scene));
+  GetParam().make(scene);
+  const std::vector<float> drawn = scene.DrawByProcessor();
+  EXPECT_FALSE(scene.ShaderParts().empty());
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
+  testing::Values(
+    Change{ "AMaximum", [](MapperScene& s) { s.mapper->SetBlendModeToMaximumIntensity(); } },
+    Change{
+      "Boxes", [](MapperScene& s) { s.volume->GetProperty()->SetInterpolationTypeToNearest(); } },
+    Change{ "ASpline", [](MapperScene& s) { s.mapper->CubicInterpolationOn(); } },
+    Change{ "Simpson", [](MapperScene& s) { s.mapper->SetIntegrationRule(Mapper::Simpson); } },
+    Change{
+      "TheScalarField", [](MapperScene& s) { s.mapper->SetAccelerationModeToScalarField(); } },
+    Change{ "CroppingRegions", Crop }, Change{ "OpacityOfGradients", LeaveLowerGradientsOut },
+    Change{ "AMask", KeepAll },
+    Change{ "LightOnCuts",
+      [](MapperScene& s)
+      {
+        Clip(s);
+        s.volume->GetProperty()->ShadeOn();
+        s.volume->GetProperty()->UseClippedVoxelIntensityOn();
+      } },
+    Change{ "SeveralComponents",
+      [](MapperScene& s) { s.mapper->SetInputData(WithSecondComponent(s.image)); } },
+    Change{ "CountsOfReadings", [](MapperScene& s) { s.mapper->SetDrawFetchCounts(true); } },
+    Change{ "LittleMemory", [](MapperScene& s) { s.mapper->SetMaximumGraphicsMemory(1 << 26); } },
+    Change{ "ALightFromTheSide",
+      [](MapperScene& s)
+      {
+        s.volume->GetProperty()->ShadeOn();
+        vtkNew<vtkLight> light;
+        light->SetLightTypeToSceneLight();
+        light->SetPosition(100.0, 0.0, 0.0);
+        s.renderer->AddLight(light);
+      } },
+    Change{ "CodeOfUsers",
+      [](MapperScene& s)
+      {
+        s.volume->GetShaderProperty()->AddFragmentShaderReplacement("//Varimarch::Window", true,
+          "vec4 Windowed(vec4 picture) { return picture.bgra; }", false);
+      } },
+    Change{ "OtherTypes",
+      [](MapperScene& s)
+      {
+        vtkNew<vtkImageCast> cast;
+        cast->SetInputData(s.image);
+        cast->SetOutputScalarTypeToInt();
+        cast->Update();
+        s.mapper->SetInputData(cast->GetOutput());
+      } }),
+  NameOf);
+
+TEST_F(ProcessorMarching, IsNotForPicturesInImages)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->RenderToImageOn();
+  EXPECT_FALSE(ByProcessor(scene));
+  vtkNew<vtkImageData> color;
+  scene.mapper->GetColorImage(color);
+  EXPECT_GT(color->GetScalarComponentAsDouble(
+              color->GetDimensions()[0] / 2, color->GetDimensions()[1] / 2, 0, 3),
+    0.0);
+}
+
+// Shaders shift and scale them first, so that neither products nor differences of them are lost.
+TEST_F(ProcessorMarching, LeavesFloatsInOddUnitsToShaders)
+{
+  struct Unit
+  {
+    double scale;
+    double shift;
+    bool isPlain;
+  };
+  for (const Unit& unit : { Unit{ 1e-20, 0.0, false }, Unit{ 1e-9, 0.0, true },
+         Unit{ 1e9, 0.0, true }, Unit{ 1e18, 0.0, false }, Unit{ 1.0, 1e7, false } })
+  {
+    vtkNew<vtkImageShiftScale> scaled;
+    scaled->SetInputData(SmallTorso());
+    scaled->SetScale(unit.scale);
+    scaled->SetShift(unit.shift);
+    scaled->SetOutputScalarTypeToFloat();
+    scaled->Update();
+    MapperScene scene(scaled->GetOutput());
+    ShowUpperValues(scene);
+    scene.volume->GetProperty()->ShadeOn();
+    SCOPED_TRACE(unit.scale);
+    EXPECT_EQ(ByProcessor(scene), unit.isPlain);
+    if (unit.isPlain)
+    {
+      ExpectSamePicture(scene);
+    }
+  }
+}
+
+// What is not a number is no material, and shaders know where it is.
+TEST_F(ProcessorMarching, LeavesGapsToShaders)
+{
+  MapperScene scene(TorsoOfType(VTK_FLOAT));
+  ShowUpperValues(scene);
+  EXPECT_TRUE(ByProcessor(scene));
+  scene.image->SetScalarComponentFromDouble(
+    20, 18, 12, 0, std::numeric_limits<double>::quiet_NaN());
+  scene.image->Modified();
+  EXPECT_FALSE(ByProcessor(scene));
+}
+
+// A slab one voxel thick has no pairs of voxels along an axis.
+TEST_F(ProcessorMarching, LeavesSingleSlicesToShaders)
+{
+  vtkNew<vtkImageData> slice;
+  slice->SetDimensions(9, 9, 1);
+  slice->AllocateScalars(VTK_SHORT, 1);
+  short* const voxels = static_cast<short*>(slice->GetScalarPointer());
+  std::fill(voxels, voxels + 81, short(400));
+  MapperScene scene(slice);
+  EXPECT_FALSE(ByProcessor(scene));
+}
