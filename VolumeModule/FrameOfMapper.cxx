@@ -139,8 +139,7 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
   frame.chooseIntegration =
     mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
-    frame.settings.blend == Blend::Composite && IsSampled(frame.settings) &&
-    !MarchesMaterial(frame.settings);
+    frame.settings.blend == Blend::Composite && IsSampled(frame.settings);
   frame.variationTolerance = mapper->GetVariationTolerance();
   frame.errorTolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
   const bool tolerance = frame.errorTolerance > 0.0;
@@ -151,6 +150,11 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
     tolerance ? share * frame.errorTolerance : mapper->GetEarlyTerminationTransmittance();
   // What is exact has no steps to try out.
   frame.errorTolerance = IsSampled(frame.settings) ? frame.errorTolerance : 0.0;
+  if (frame.chooseIntegration && MarchesMaterial(frame.settings) && frame.errorTolerance == 0.0)
+  {
+    // The rule that errs less at the short steps which nobody has tried out.
+    frame.settings.integration = Integration::PreIntegrated;
+  }
   frame.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
     : std::max(mapper->GetSampleDistance(), frame.geometry.ShortestSampleDistanceMm());

@@ -69,6 +69,17 @@ double SumOf(const Frame& frame, const Number& numberOf)
   return sum;
 }
 
+template <class Number>
+double SmallestOf(const Frame& frame, const Number& numberOf)
+{
+  double smallest = numberOf(frame.geometry);
+  for (const Frame& other : frame.others)
+  {
+    smallest = std::min(smallest, numberOf(other.geometry));
+  }
+  return smallest;
+}
+
 }
 
 std::vector<VolumeOfPort> VolumesOfPorts(vtkVariationFieldVolumeMapper* mapper, vtkVolume* prop)
@@ -119,12 +130,14 @@ Frame JoinedFrame(std::vector<Frame> frames, vtkVariationFieldVolumeMapper* mapp
 
 double SmallestSpacingMm(const Frame& frame)
 {
-  double smallest = frame.geometry.SmallestSpacingMm();
-  for (const Frame& other : frame.others)
-  {
-    smallest = std::min(smallest, other.geometry.SmallestSpacingMm());
-  }
-  return smallest;
+  return SmallestOf(
+    frame, [](const VolumeGeometry& geometry) { return geometry.SmallestSpacingMm(); });
+}
+
+double ThinnestSideMm(const Frame& frame)
+{
+  return SmallestOf(
+    frame, [](const VolumeGeometry& geometry) { return geometry.ThinnestSideMm(); });
 }
 
 double LongestRayMm(const Frame& frame)

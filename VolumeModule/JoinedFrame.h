@@ -33,6 +33,9 @@ double SmallestSpacingMm(const Frame& frame);
 /// What a ray passes of all of them at most [mm].
 double LongestRayMm(const Frame& frame);
 
+/// The shortest side of any of them [mm].
+double ThinnestSideMm(const Frame& frame);
+
 /// The shortest distance of samples [mm]; see VolumeGeometry. Of several volumes each takes rounds
 /// of its own for each segment.
 double ShortestSampleDistanceMm(const Frame& frame);

@@ -130,7 +130,8 @@ void RayMarcher::UpdateBlocks(Frame& frame)
   // To try a rule out, its table must not leave little memory to the volume.
   frame.triesPreIntegration = frame.mostMemoryBytes == 0 ||
     4 * PreIntegratedTableBytes(this->opticalTable.Table()) <= frame.mostMemoryBytes;
-  frame.chooseIntegration = frame.chooseIntegration && frame.triesPreIntegration;
+  frame.chooseIntegration =
+    frame.chooseIntegration && (frame.triesPreIntegration || MarchesMaterial(frame.settings));
   const bool isWhole = frame.marcher == Marcher::Processor;
   if (this->blocks.Divide(frame.window, isWhole ? WithoutLimits() : this->LimitsOf(frame)))
   {

@@ -123,9 +123,9 @@ PacketLight LightOf(const Frame& frame, double scalarPerTexel)
 
 PacketRule RuleOf(const RenderSettings& settings)
 {
-  return settings.shading                                ? PacketRule::Lit
-    : settings.integration == Integration::PreIntegrated ? PacketRule::PreIntegrated
-                                                         : PacketRule::Midpoint;
+  const bool isMidpoint = settings.integration == Integration::Midpoint;
+  return settings.shading ? (isMidpoint ? PacketRule::LitMidpoint : PacketRule::LitLinear)
+                          : (isMidpoint ? PacketRule::Midpoint : PacketRule::PreIntegrated);
 }
 
 // Of pixels of a viewport, those that are drawn.

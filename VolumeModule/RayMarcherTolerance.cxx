@@ -36,10 +36,17 @@ constexpr double FinestVoxels = 1.0 / 128.0;
 // Nor does the longest get fewer: halving a distance longer than the volume would change nothing,
 // and tell nothing.
 constexpr double FewestSamples = 16.0;
+// For the same reason, across the thinnest side of a volume: a segment has four samples, and half
+// as long a one must still end in it.
+constexpr double FewestAcross = 8.0;
 
 // How much smaller the error of a pre-integrated picture must be to pay for its samples, which
 // cost a third more: 1.33 squared, for the order of both rules is 2.
 constexpr double PreIntegrationGain = 1.8;
+
+// The same of materials, whose samples cost 1.6 times as much when what lies between them is
+// linear: of 758 searches in 24 scenes 1.8 % from the better rule, geometric mean.
+constexpr double LinearGain = 2.5;
 
 // A peak wider than this part of the values is met by more than one in a thousand samples, so that
 // trying out sees it.
@@ -122,7 +129,8 @@ std::vector<double> SceneInputsOf(const Frame& frame, const BuildCounts& builds)
 StepRange RangeOf(const Frame& frame)
 {
   const double voxelMm = SmallestSpacingMm(frame);
-  const double coarsestMm = std::min(CoarsestVoxels * voxelMm, LongestRayMm(frame) / FewestSamples);
+  const double coarsestMm = std::min({ CoarsestVoxels * voxelMm,
+    LongestRayMm(frame) / FewestSamples, ThinnestSideMm(frame) / FewestAcross });
   // Halves of the finest are drawn too.
   const double finestMm = std::max(FinestVoxels * voxelMm, 2.0 * ShortestSampleDistanceMm(frame));
   return { coarsestMm, std::min(finestMm, coarsestMm) };
@@ -215,19 +223,34 @@ ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame, const ToleranceInput
     return WithMissed(
       choiceBy(this->tolerance->integration), this->tolerance->missedOfLimit, limit);
   }
-  const ToleranceChoice choice = choiceBy(frame.settings.integration);
-  const double missedOfLimit = this->MissedOfLimit(frame, choice, limit);
-  const bool tooFine =
-    this->opticalTable.Table().entries.size() > MostPreIntegratedEntries && missedOfLimit == 0.0;
-  if (!frame.chooseIntegration || tooFine)
-  {
-    return WithMissed(choice, missedOfLimit, limit);
-  }
-  const double preIntegrated =
-    ErrorOfLimit(drawingBy(Integration::PreIntegrated), limit, choice.step.sampleDistance);
-  return missedOfLimit > 0.0 || PreIntegrationGain * preIntegrated < choice.step.ofLimit
-    ? choiceBy(Integration::PreIntegrated)
+  const auto withMissed = [&](const ToleranceChoice& choice)
+  { return WithMissed(choice, this->MissedOfLimit(frame, choice, limit), limit); };
+  const ToleranceChoice choice = withMissed(choiceBy(frame.settings.integration));
+  return frame.chooseIntegration && this->PreIntegrationPays(frame, choice, limit)
+    ? withMissed(choiceBy(Integration::PreIntegrated))
     : choice;
+}
+
+bool RayMarcher::PreIntegrationPays(
+  const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit)
+{
+  if (choice.missedOfLimit > 0.0)
+  {
+    return true;
+  }
+  const bool isOfMaterial = MarchesMaterial(frame.settings);
+  const bool losesTooMuch =
+    !isOfMaterial && this->opticalTable.Table().entries.size() > MostPreIntegratedEntries;
+  const double distanceMm = choice.step.sampleDistance;
+  const bool isCoarsest = choice.step.KeepsLimit() && distanceMm >= RangeOf(frame).coarsest;
+  if (losesTooMuch || isCoarsest)
+  {
+    return false;
+  }
+  const auto draw = [&](double sampleDistanceMm)
+  { return this->DrawProbe(frame, Integration::PreIntegrated, sampleDistanceMm); };
+  const double gain = isOfMaterial ? LinearGain : PreIntegrationGain;
+  return gain * ErrorOfLimit(draw, limit, distanceMm) < choice.step.ofLimit;
 }
 
 // Halving the distance tells nothing of a peak that lies between all samples. Pre-integration

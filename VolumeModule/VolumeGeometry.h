@@ -38,6 +38,8 @@ struct VolumeGeometry
   /// Smallest distance of two neighbouring voxels in the world [mm].
   double SmallestSpacingMm() const;
 
+  double ThinnestSideMm() const; ///< of the volume [mm]
+
   /// Length of the longest ray through the volume [mm].
   double DiagonalMm() const;
 

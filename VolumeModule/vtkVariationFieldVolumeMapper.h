@@ -140,16 +140,19 @@ public:
 
   enum IntegrationRules
   {
-    Automatic,     ///< Midpoint, or PreIntegrated where it keeps the error tolerance in less time
+    Automatic,     ///< Midpoint, or PreIntegrated where it keeps the error tolerance in less time;
+                   ///< PreIntegrated of materials (see below) without a tolerance
     Midpoint,      ///< homogeneous, as in the middle of a step
-    PreIntegrated, ///< the scalar linear between samples, the transfer function exact
+    PreIntegrated, ///< linear between samples, the transfer function exact
     Simpson,       ///< parabolas of extinction through three samples
     PublishedSum   ///< the published sum of repeated samples, to show its error
   };
 
   ///@{
   /**
-   * How a composite without shading is integrated between samples. Default Automatic.
+   * How a composite is integrated between samples. Of what depends on gradients or on several
+   * values, such as light, there are midpoints only and what is linear between samples, in four
+   * parts, which all but Midpoint then mean. Default Automatic.
    */
   vtkSetClampMacro(IntegrationRule, int, Automatic, PublishedSum);
   vtkGetMacro(IntegrationRule, int);

@@ -125,8 +125,7 @@ void SceneOptions::AddSamplingOptions(CLI::App& command)
   command.add_option("--acceleration", this->acceleration, "What lets our mapper skip samples")
     ->check(NameValidator(NamesOf(AccelerationNames())))
     ->group(group);
-  command
-    .add_option("--integration", this->integration, "Rule between samples of an unshaded composite")
+  command.add_option("--integration", this->integration, "Rule between samples of a composite")
     ->check(NameValidator(NamesOf(IntegrationNames())))
     ->group(group);
   command

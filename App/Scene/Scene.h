@@ -208,7 +208,7 @@ struct RenderOptions
 {
   std::optional<double> sampleDistanceMm; ///< > 0; empty: the mapper chooses
   Acceleration acceleration = Acceleration::OpticalField;
-  std::optional<Integration> integration;   ///< of an unshaded composite; empty: mapper chooses
+  std::optional<Integration> integration;   ///< of a composite; empty: the mapper chooses
   double errorTolerance = 1.0 / 64.0;       ///< [0, 1]; for a sample distance that it chooses
   std::optional<double> variationTolerance; ///< units of the data; empty: mapper chooses
   double earlyTerminationTransmittance = 1.0 / 1024; ///< [0, 1)

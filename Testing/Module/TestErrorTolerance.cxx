@@ -1,6 +1,7 @@
 // The mapper keeps the error that it is asked to keep, judged by the reference integrator.
 
 #include "Module/MapperScene.h"
+#include "Scene/ProceduralVolume.h"
 
 #include <gtest/gtest.h>
 
@@ -168,20 +169,38 @@ TEST(ErrorTolerance, OneSearchServesViewsNearbyUntilTheViewRests)
   EXPECT_EQ(searchesAfter([&] { camera->Azimuth(1.0); }), 5) << "within the volume";
 }
 
+namespace
+{
+
+std::string DrawnMarch(MapperScene& scene)
+{
+  scene.Draw();
+  const std::vector<std::string> parts = scene.ShaderParts();
+  return *std::find_if(parts.begin(), parts.end(),
+    [](const std::string& part) { return part.rfind("March/", 0) == 0; });
+}
+
+}
+
 TEST(ErrorTolerance, ChoosesPreIntegrationForThinPeaksOnly)
 {
   MapperScene scene(SmallTorso());
   scene.mapper->SetErrorTolerance(1.0 / 64.0);
-  const auto march = [&]
-  {
-    scene.Draw();
-    const std::vector<std::string> parts = scene.ShaderParts();
-    return *std::find_if(parts.begin(), parts.end(),
-      [](const std::string& part) { return part.rfind("March/", 0) == 0; });
-  };
-  EXPECT_EQ(march(), "March/Midpoint.glsl");
+  EXPECT_EQ(DrawnMarch(scene), "March/Midpoint.glsl");
   SetOpacities(scene, { { 300.0, 0.0 }, { 303.0, 0.5 }, { 306.0, 0.0 } });
-  EXPECT_EQ(march(), "March/PreIntegrated.glsl");
+  EXPECT_EQ(DrawnMarch(scene), "March/PreIntegrated.glsl");
+}
+
+// Midpoints where light comes from noise, and what is linear between samples from hard surfaces.
+TEST(ErrorTolerance, ChoosesTheRuleOfLitPicturesToo)
+{
+  MapperScene scene(
+    varimarch::ProceduralVolume({ varimarch::ProceduralKind::Torso, { 64, 64, 64 }, 7 }));
+  scene.volume->GetProperty()->ShadeOn();
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  EXPECT_EQ(DrawnMarch(scene), "March/MaterialSegments.glsl");
+  SetOpacities(scene, { { -1024.0, 0.0 }, { 400.0, 0.02 } });
+  EXPECT_EQ(DrawnMarch(scene), "March/MaterialMidpoint.glsl");
 }
 
 TEST(ErrorTolerance, DrawsNothingIntoTheWindowWhenTriedOut)

@@ -33,9 +33,10 @@ vtkSmartPointer<vtkImageData> Ramp(int voxels)
 class RampScene : public MapperScene
 {
 public:
-  explicit RampScene(int voxels)
+  explicit RampScene(int voxels, bool shaded = false)
     : MapperScene(Ramp(voxels), 8)
   {
+    this->volume->GetProperty()->SetShade(shaded);
     this->colors->RemoveAllPoints();
     this->colors->AddRGBPoint(0.0, 1.0, 0.2, 0.0);
     this->colors->AddRGBPoint(1000.0, 0.0, 0.4, 1.0);
@@ -72,6 +73,7 @@ struct RuleOrder
   int rule;
   int samples; ///< few enough that halving their distance does not reach a float's last digits
   double order;
+  bool shaded = false;
 };
 
 }
@@ -82,7 +84,7 @@ class IntegrationRule : public testing::TestWithParam<RuleOrder>
 
 TEST_P(IntegrationRule, ConvergesAsTheoryHasIt)
 {
-  RampScene scene(2);
+  RampScene scene(2, GetParam().shaded);
   scene.mapper->SetAccelerationModeToOff();
   scene.mapper->SetIntegrationRule(GetParam().rule);
   const int samples = GetParam().samples;
@@ -94,7 +96,7 @@ TEST_P(IntegrationRule, ConvergesAsTheoryHasIt)
 
 TEST_P(IntegrationRule, ConvergesAlikeWithTheOpticalField)
 {
-  RampScene scene(33);
+  RampScene scene(33, GetParam().shaded);
   scene.mapper->SetIntegrationRule(GetParam().rule);
   const int samples = 4 * GetParam().samples;
   scene.mapper->SetAccelerationModeToOff();
@@ -106,7 +108,8 @@ TEST_P(IntegrationRule, ConvergesAlikeWithTheOpticalField)
 
 INSTANTIATE_TEST_SUITE_P(Every, IntegrationRule,
   testing::Values(RuleOrder{ Mapper::Midpoint, 8, 2.0 }, RuleOrder{ Mapper::PreIntegrated, 8, 2.0 },
-    RuleOrder{ Mapper::Simpson, 4, 4.0 }, RuleOrder{ Mapper::PublishedSum, 32, 1.0 }));
+    RuleOrder{ Mapper::Simpson, 4, 4.0 }, RuleOrder{ Mapper::PublishedSum, 32, 1.0 },
+    RuleOrder{ Mapper::Midpoint, 8, 2.0, true }, RuleOrder{ Mapper::PreIntegrated, 8, 2.0, true }));
 
 TEST(IntegrationRules, PreIntegrationMissesNoPeakBetweenTwoSamples)
 {

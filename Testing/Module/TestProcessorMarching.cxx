@@ -26,6 +26,19 @@ TEST_P(ProcessorMarchingOf, IsThePictureOfTheShader)
 INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
   testing::Values(Change{ "Midpoints", [](MapperScene&) {} },
     Change{ "Light", [](MapperScene& s) { s.volume->GetProperty()->ShadeOn(); } },
+    Change{ "LightAtMidpoints",
+      [](MapperScene& s)
+      {
+        s.volume->GetProperty()->ShadeOn();
+        s.mapper->SetIntegrationRule(Mapper::Midpoint);
+      } },
+    Change{ "LightAtMidpointsWithoutAField",
+      [](MapperScene& s)
+      {
+        s.volume->GetProperty()->ShadeOn();
+        s.mapper->SetIntegrationRule(Mapper::Midpoint);
+        s.mapper->SetAccelerationModeToOff();
+      } },
     Change{ "Highlights",
       [](MapperScene& s)
       {

@@ -51,19 +51,23 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, true, false }),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
       "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl",
-      "March/MaterialSegments.glsl" }));
+      "March/MaterialMidpoint.glsl" }));
+  EXPECT_EQ(
+    Parts(Changed({ Blend::Composite, Acceleration::Off, true, false, Integration::PreIntegrated }))
+      .back(),
+    "March/MaterialSegments.glsl");
   RenderSettings lit{ Blend::Composite, Acceleration::Off, true, false };
   lit.lights = true;
   EXPECT_EQ(Changed(lit),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "GradientOpacity/None.glsl",
       "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl",
-      "March/MaterialSegments.glsl" }));
+      "March/MaterialMidpoint.glsl" }));
   RenderSettings gradient = plain;
   gradient.gradientOpacity = true;
   EXPECT_EQ(Changed(gradient),
     (Parts{ "Math/WithOpacityFactor.glsl", "Gradient/CentralDifferences.glsl", "Shade/None.glsl",
       "GradientOpacity/Table.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
-      "March/MaterialSegments.glsl" }));
+      "March/MaterialMidpoint.glsl" }));
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
   RenderSettings counting = plain;
@@ -234,7 +238,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 163u);
+  EXPECT_EQ(distinct.size(), 196u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -148,6 +148,20 @@ std::vector<RenderSettings> RecipesOfMaterials()
   return recipes;
 }
 
+std::vector<RenderSettings> RecipesOfLinearMaterials()
+{
+  std::vector<RenderSettings> recipes;
+  for (RenderSettings recipe : RecipesOfMaterials())
+  {
+    if (MarchesMaterial(recipe))
+    {
+      recipe.integration = Integration::PreIntegrated;
+      recipes.push_back(recipe);
+    }
+  }
+  return recipes;
+}
+
 std::vector<RenderSettings> RecipesOfSplines()
 {
   RenderSettings cubic;
@@ -259,9 +273,10 @@ std::vector<RenderSettings> EveryRecipe()
   RenderSettings counting;
   counting.countFetches = true;
   std::vector<RenderSettings> recipes = { counting };
-  for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(), RecipesOfGrowingSteps(),
-         RecipesWithGaps(), RecipesInBlocks(), RecipesOfPictures(), RecipesOfSplines(),
-         RecipesWithCuts(), RecipesOfSeveralVolumes(), ExactRecipes() })
+  for (const std::vector<RenderSettings>& others :
+    { RecipesOfMaterials(), RecipesOfLinearMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(),
+      RecipesInBlocks(), RecipesOfPictures(), RecipesOfSplines(), RecipesWithCuts(),
+      RecipesOfSeveralVolumes(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }
@@ -275,7 +290,10 @@ std::vector<RenderSettings> EveryRecipe()
       {
         recipes.push_back({ Blend::Composite, acceleration, false, sceneGeometry, integration });
       }
-      recipes.push_back({ Blend::Composite, acceleration, true, sceneGeometry });
+      for (Integration integration : { Integration::Midpoint, Integration::PreIntegrated })
+      {
+        recipes.push_back({ Blend::Composite, acceleration, true, sceneGeometry, integration });
+      }
       for (Blend blend : { Blend::MaximumIntensity, Blend::MinimumIntensity,
              Blend::AverageIntensity, Blend::Additive })
       {

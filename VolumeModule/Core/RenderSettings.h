@@ -16,11 +16,14 @@ enum class Acceleration
 };
 
 /// How a composite is integrated along a segment of the ray. Samples per segment are what the
-/// sample distance makes them, so that the rules compare at equal cost in texture fetches.
+/// sample distance makes them, so that the rules compare at equal cost in texture fetches. Of
+/// materials that depend on more than one value there are midpoints and what is linear between two
+/// samples, which all other rules then are.
 enum class Integration
 {
   Midpoint,      ///< homogeneous, as in the middle; order 2
-  PreIntegrated, ///< the scalar linear between samples, the transfer function exact; order 2
+  PreIntegrated, ///< linear between samples: the transfer function exact, or a material in four
+                 ///< parts; order 2
   Simpson,       ///< parabolas of extinction through three samples; order 4 where all is smooth
   PublishedSum,  ///< the sample at the beginning, repeated; order 1: for comparison
 };
@@ -138,7 +141,7 @@ struct RenderSettings
   Acceleration acceleration = Acceleration::OpticalField;
   bool shading = false;                            ///< Blinn-Phong; composite and surfaces only
   bool sceneGeometry = false;                      ///< stop rays at opaque geometry already drawn
-  Integration integration = Integration::Midpoint; ///< of a composite without shading
+  Integration integration = Integration::Midpoint; ///< of a composite
   bool nearest = false;                            ///< voxels are boxes of one value
   bool cubic = false;                              ///< a spline through the voxels, not nearest
   bool uneven = false;                             ///< voxels are at uneven places

@@ -78,7 +78,8 @@ std::string MarchFile(const RenderSettings& settings)
   }
   if (MarchesMaterial(settings))
   {
-    return "March/MaterialSegments.glsl";
+    return settings.integration == Integration::Midpoint ? "March/MaterialMidpoint.glsl"
+                                                         : "March/MaterialSegments.glsl";
   }
   switch (settings.integration)
   {

@@ -2,8 +2,8 @@
 #define Varimarch_Core_Packets_PacketMarchers_h
 
 // The loops along the rays of a packet: Shaders/March/Midpoint.glsl, PreIntegrated.glsl and, of one
-// component and a head light, MaterialSegments.glsl. Rays that have ended take part, with pieces of
-// no length, until all have.
+// component and a head light, MaterialMidpoint.glsl and MaterialSegments.glsl. Rays that have ended
+// take part, with pieces of no length, until all have.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketOptics.h"
@@ -171,6 +171,35 @@ inline Lanes3 Lit(const PacketLight& light, const Lanes3& color, const Surface& 
         specular * light.specular.z };
   }
   return lit;
+}
+
+template <class Voxel>
+PacketSum MarchLitMidpoints(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  constexpr int Parts = 4;
+  const PacketVoxels<Voxel> voxels(scene.volume);
+  const Lanes3 directionWorld = Transformed(scene.camera.worldFromGrid, rays.directionGrid);
+  return MarchSegments<Parts>(scene, rays, walk,
+    [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
+    {
+      const Lanes first = enter + 0.5f * partMm;
+      Lanes values[Parts];
+      ReadValues(voxels, rays, first, partMm, values);
+      for (int part = 0; part < Parts; ++part)
+      {
+        const LaneMask absorbs =
+          LaneMask(partMm > 0.0f) & MayAbsorb(scene.look, values[part], values[part]);
+        if (Any(absorbs))
+        {
+          const Lanes3 gradient = voxels.GradientAt(rays.At(first + float(part) * partMm), absorbs);
+          Optical optical = Classify(scene.look, values[part]);
+          optical.color =
+            Lit(scene.light, optical.color, SurfaceOf(scene.light, gradient, directionWorld));
+          sum.Add(optical, partMm);
+        }
+      }
+    });
 }
 
 /// Values and surfaces go linearly from the start of a segment to its end.

@@ -28,7 +28,8 @@ enum class PacketRule
 {
   Midpoint,
   PreIntegrated,
-  Lit, ///< by a head light
+  LitMidpoint, ///< by a head light
+  LitLinear,
 };
 
 /// Pixels of a packet: two rows of four.
@@ -125,7 +126,7 @@ struct PacketScene
   PacketCamera camera;
   PacketVolume volume;
   PacketLook look;
-  PacketLight light; ///< of PacketRule::Lit
+  PacketLight light; ///< of lit rules
   PacketSteps steps;
   PacketCuts cuts;
   PacketDepths depths;

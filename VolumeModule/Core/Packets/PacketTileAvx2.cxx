@@ -20,7 +20,9 @@ PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWa
       return MarchMidpoints<Voxel>(scene, rays, walk);
     case PacketRule::PreIntegrated:
       return MarchPreIntegrated<Voxel>(scene, rays, walk);
-    case PacketRule::Lit:
+    case PacketRule::LitMidpoint:
+      return MarchLitMidpoints<Voxel>(scene, rays, walk);
+    case PacketRule::LitLinear:
       return LitMarch<Voxel>(scene, rays, walk).March();
   }
   return {};
