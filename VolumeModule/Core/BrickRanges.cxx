@@ -90,12 +90,22 @@ double ValuePerStep(double range, bool integers)
   return integers && range <= LargestStep ? 1.0 : range / LargestStep;
 }
 
+int LastStep(double range, bool integers)
+{
+  if (!(range > 0.0))
+  {
+    return 0;
+  }
+  return int(integers && range <= LargestStep ? range : LargestStep);
+}
+
 }
 
 BrickRanges::BrickRanges(glm::ivec3 cellCount, double firstValue, double lastValue, bool integers)
   : brickCount((cellCount + Side - 1) / Side)
   , firstValue(firstValue)
   , valuePerStep(varimarch::ValuePerStep(lastValue - firstValue, integers))
+  , lastStep(varimarch::LastStep(lastValue - firstValue, integers))
 {
   const std::size_t count =
     std::size_t(this->brickCount.x) * this->brickCount.y * this->brickCount.z;
@@ -108,12 +118,6 @@ BrickRanges::BrickRanges(glm::ivec3 cellCount, double firstValue, double lastVal
   {
     this->wide.resize(count);
   }
-}
-
-BrickRanges::Steps BrickRanges::operator[](std::size_t brick) const
-{
-  return this->narrow.empty() ? Steps{ this->wide[brick][0], this->wide[brick][1] }
-                              : Steps{ this->narrow[brick][0], this->narrow[brick][1] };
 }
 
 void BrickRanges::Set(std::size_t brick, Steps steps)

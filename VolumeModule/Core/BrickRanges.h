@@ -42,9 +42,14 @@ public:
   glm::ivec3 BrickCount() const { return this->brickCount; }
   double FirstValue() const { return this->firstValue; }
   double ValuePerStep() const { return this->valuePerStep; }
+  int LastStep() const { return this->lastStep; } ///< which none exceeds
 
   /// @param brick  index, x fastest
-  Steps operator[](std::size_t brick) const;
+  Steps operator[](std::size_t brick) const
+  {
+    return this->narrow.empty() ? Steps{ this->wide[brick][0], this->wide[brick][1] }
+                                : Steps{ this->narrow[brick][0], this->narrow[brick][1] };
+  }
   void Set(std::size_t brick, Steps steps);
 
   std::size_t Bytes() const
@@ -57,6 +62,7 @@ private:
   glm::ivec3 brickCount = glm::ivec3(0);
   double firstValue = 0.0; ///< value of step 0
   double valuePerStep = 1.0;
+  int lastStep = 0;
   // One of the two: 8 bits suffice for whole numbers that span less than 2^8.
   std::vector<std::array<std::uint8_t, 2>> narrow;
   std::vector<std::array<std::uint16_t, 2>> wide;

@@ -3,6 +3,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +16,8 @@ namespace varimarch
 
 /// Chebyshev distance of every cell of a lattice to a set of them, by the two passes of Rosenfeld
 /// and Pfaltz (Pattern Recognition 1968) over the 26 neighbours, which are exact for this distance.
-/// Outside the lattice there is none of the set.
+/// Outside the lattice there is none of the set. A row waits for those before it in its plane and
+/// in the plane before, so that rows whose y + 2 z is the same are measured on all cores.
 class ChebyshevDistance
 {
 public:
@@ -22,7 +26,6 @@ public:
     , row(cellCount.x + 2)
     , plane(std::ptrdiff_t(row) * (cellCount.y + 2))
     , distances(std::size_t(plane) * (cellCount.z + 2), Farthest)
-    , nearest(cellCount.x)
   {
   }
 
@@ -35,48 +38,58 @@ public:
   /// beside the set, Farthest at most.
   void Measure()
   {
-    for (int z = 0; z < this->cellCount.z; ++z)
+    const int waves = this->cellCount.y + 2 * (this->cellCount.z - 1);
+    for (int wave = 0; wave < waves; ++wave)
     {
-      for (int y = 0; y < this->cellCount.y; ++y)
-      {
-        this->UpdateRow(this->Row(y, z), -1);
-      }
+      this->UpdateWave(wave, -1);
     }
-    for (int z = this->cellCount.z - 1; z >= 0; --z)
+    for (int wave = waves - 1; wave >= 0; --wave)
     {
-      for (int y = this->cellCount.y - 1; y >= 0; --y)
-      {
-        this->UpdateRow(this->Row(y, z), 1);
-      }
+      this->UpdateWave(wave, 1);
     }
   }
 
   static constexpr std::uint8_t Farthest = 128;
 
 private:
-  // Looks at the 13 neighbours that come before a cell in the direction of the pass.
-  void UpdateRow(std::uint8_t* cell, int direction)
+  // The rows of one y + 2 z.
+  void UpdateWave(int wave, int direction)
   {
-    const std::ptrdiff_t y = direction * this->row;
-    const std::ptrdiff_t z = direction * this->plane;
-    const std::uint8_t* const rows[] = { cell + y, cell + z - this->row, cell + z,
-      cell + z + this->row };
-    const int width = this->cellCount.x;
-    std::fill(this->nearest.begin(), this->nearest.end(), Farthest);
-    for (const std::uint8_t* neighbour : rows)
-    {
-      for (int x = 0; x < width; ++x)
+    const int first = std::max((wave - this->cellCount.y + 2) / 2, 0);
+    const int behind = std::min(wave / 2 + 1, this->cellCount.z);
+    constexpr int RowsAtOnce = 8;
+    tbb::parallel_for(tbb::blocked_range<int>(first, behind, RowsAtOnce),
+      [&](const tbb::blocked_range<int>& planes)
       {
-        const std::uint8_t beside = std::min(neighbour[x - 1], neighbour[x + 1]);
-        this->nearest[x] = std::min(this->nearest[x], std::min(beside, neighbour[x]));
-      }
+        std::vector<std::uint8_t> nearest(this->cellCount.x);
+        for (int z = planes.begin(); z != planes.end(); ++z)
+        {
+          this->UpdateRow(this->Row(wave - 2 * z, z), direction, nearest.data());
+        }
+      });
+  }
+
+  // Looks at the 13 neighbours that come before a cell in the direction of the pass.
+  void UpdateRow(std::uint8_t* cell, int direction, std::uint8_t* nearest) const
+  {
+    const std::uint8_t* const a = cell + direction * this->row;
+    const std::uint8_t* const b = cell + direction * this->plane - this->row;
+    const std::uint8_t* const c = cell + direction * this->plane;
+    const std::uint8_t* const d = cell + direction * this->plane + this->row;
+    const int width = this->cellCount.x;
+    const auto inColumn = [&](int x)
+    { return std::min(std::min(a[x], b[x]), std::min(c[x], d[x])); };
+    for (int x = 0; x < width; ++x)
+    {
+      nearest[x] = std::min(std::min(inColumn(x - 1), inColumn(x + 1)), inColumn(x));
     }
     const int first = direction < 0 ? 0 : width - 1;
+    int before = Farthest; // what a neighbour outside has
     for (int i = 0; i < width; ++i)
     {
       const int x = first - direction * i;
-      const int before = std::min(this->nearest[x], cell[x + direction]);
-      cell[x] = std::uint8_t(std::min(int(cell[x]), before + 1));
+      before = std::min(int(cell[x]), std::min(int(nearest[x]), before) + 1);
+      cell[x] = std::uint8_t(before);
     }
   }
 
@@ -84,7 +97,6 @@ private:
   std::ptrdiff_t row;
   std::ptrdiff_t plane;
   std::vector<std::uint8_t> distances;
-  std::vector<std::uint8_t> nearest;
 };
 
 }

@@ -137,11 +137,13 @@ std::vector<int> InvisibleUntil(const std::vector<glm::vec4>& entries)
   return until;
 }
 
-// Table entries between which the shader interpolates for the values of a brick.
-struct EntryInterval
+// What a step of ranges means to a brick that begins or ends with it. Found once for each step, for
+// there are a thousand bricks to one.
+struct StepLook
 {
-  int first;
-  int last;
+  int invisibleUntil; ///< last entries of a brick that begins here and looks alike
+  int homogeneousUntil;
+  int lastEntry; ///< that the values of a brick are made of that ends here
 };
 
 class BrickClassifier
@@ -149,13 +151,24 @@ class BrickClassifier
 public:
   BrickClassifier(
     const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance)
-    : lastEntry(double(table.entries.size()) - 1.0)
-    , alike{ InvisibleUntil(table.entries), HomogeneousUntil(table.entries, tolerance) }
+    : looks(std::size_t(ranges.LastStep()) + 1)
   {
+    const AlikeIntervals alike{ InvisibleUntil(table.entries),
+      HomogeneousUntil(table.entries, tolerance) };
+    const double lastEntry = double(table.entries.size()) - 1.0;
     const double extent = table.lastValue - table.firstValue;
-    const double entriesPerValue = extent > 0.0 ? this->lastEntry / extent : 0.0;
-    this->entryOfFirstStep = (ranges.FirstValue() - table.firstValue) * entriesPerValue;
-    this->entriesPerStep = ranges.ValuePerStep() * entriesPerValue;
+    const double entriesPerValue = extent > 0.0 ? lastEntry / extent : 0.0;
+    const double entryOfFirstStep = (ranges.FirstValue() - table.firstValue) * entriesPerValue;
+    const double entriesPerStep = ranges.ValuePerStep() * entriesPerValue;
+    for (std::size_t step = 0; step < this->looks.size(); ++step)
+    {
+      // A value that lies on an entry needs no other, whatever the last digits of the product say.
+      constexpr double rounding = 1e-6;
+      const double entry = entryOfFirstStep + double(step) * entriesPerStep;
+      const int first = int(std::clamp(std::floor(entry + rounding), 0.0, lastEntry));
+      const int last = int(std::clamp(std::ceil(entry - rounding), 0.0, lastEntry));
+      this->looks[step] = { alike.invisibleUntil[first], alike.homogeneousUntil[first], last };
+    }
   }
 
   std::uint8_t ClassOf(BrickRanges::Steps steps) const
@@ -164,30 +177,18 @@ public:
     {
       return OpticalField::Structured;
     }
-    const EntryInterval interval = this->IntervalOf(steps);
-    if (interval.last <= this->alike.invisibleUntil[interval.first])
+    const StepLook& first = this->looks[steps.smallest];
+    const int lastEntry = this->looks[steps.largest].lastEntry;
+    if (lastEntry <= first.invisibleUntil)
     {
       return OpticalField::Invisible;
     }
-    return interval.last <= this->alike.homogeneousUntil[interval.first] ? OpticalField::Homogeneous
-                                                                         : OpticalField::Structured;
+    return lastEntry <= first.homogeneousUntil ? OpticalField::Homogeneous
+                                               : OpticalField::Structured;
   }
 
 private:
-  EntryInterval IntervalOf(BrickRanges::Steps steps) const
-  {
-    // A value that lies on an entry needs no other, whatever the last digits of the product say.
-    constexpr double rounding = 1e-6;
-    const double first = this->entryOfFirstStep + steps.smallest * this->entriesPerStep;
-    const double last = this->entryOfFirstStep + steps.largest * this->entriesPerStep;
-    return { int(std::clamp(std::floor(first + rounding), 0.0, this->lastEntry)),
-      int(std::clamp(std::ceil(last - rounding), 0.0, this->lastEntry)) };
-  }
-
-  double lastEntry;
-  AlikeIntervals alike;
-  double entryOfFirstStep;
-  double entriesPerStep;
+  std::vector<StepLook> looks; ///< of each step
 };
 
 // A brick of several components is what the least alike of them is.
