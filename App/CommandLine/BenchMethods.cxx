@@ -64,14 +64,21 @@ std::vector<BenchSetting> ErrorTolerances(vtkImageData* /*image*/, const RenderO
   return settings;
 }
 
+enum class Pictures
+{
+  All,
+  Composites,
+  UnshadedComposites,
+};
+
 /// A row of the table of methods, so that another way to draw is another row.
 struct Row
 {
   BenchMethod method;
   RenderOptions options;
   std::vector<BenchSetting> (*sweep)(vtkImageData*, const RenderOptions&);
-  double variation255;        ///< tolerance of the scalar field, in 1/255 of the range of the data
-  bool unshadedCompositeOnly; ///< what it is about is used in nothing else
+  double variation255; ///< tolerance of the scalar field, in 1/255 of the range of the data
+  Pictures pictures;   ///< what it is about is used in no others
 };
 
 // Rules and fields are compared where each has its code.
@@ -87,37 +94,44 @@ const std::vector<Row>& Rows()
   static const std::vector<Row> rows = {
     { { "tolerance", "Varimarch, error tolerances", MapperKind::Varimarch,
         { Blue, Marker::Square, Stroke::Dashed } },
-      {}, ErrorTolerances, 0.0, false },
+      {}, ErrorTolerances, 0.0, Pictures::All },
     { { "optical", "Varimarch, optical field", Shaders, { Blue, Marker::Circle, Stroke::Solid } },
-      optical, FineSampleDistances, 0.0, false },
+      optical, FineSampleDistances, 0.0, Pictures::All },
     { { "off", "Varimarch, no field", Shaders, { SkyBlue, Marker::Diamond, Stroke::Dashed } },
-      With(Acceleration::Off), SampleDistances, 0.0, false },
+      With(Acceleration::Off), SampleDistances, 0.0, Pictures::All },
     { { "scalar-1", "Varimarch, scalar field, E 1/255", Shaders,
         { Green, Marker::Circle, Stroke::Solid } },
-      scalar, SampleDistances, 1.0, false },
+      scalar, SampleDistances, 1.0, Pictures::All },
     { { "scalar-4", "Varimarch, scalar field, E 4/255", Shaders,
         { Green, Marker::Diamond, Stroke::Dashed } },
-      scalar, SampleDistances, 4.0, false },
+      scalar, SampleDistances, 4.0, Pictures::All },
     { { "scalar-10", "Varimarch, scalar field, E 10/255", Shaders,
         { Green, Marker::Square, Stroke::Dotted } },
-      scalar, SampleDistances, 10.0, false },
+      scalar, SampleDistances, 10.0, Pictures::All },
     { { "pre-integrated", "Varimarch, optical, pre-integrated", Shaders,
         { Purple, Marker::Circle, Stroke::Solid } },
-      preIntegrated, FineSampleDistances, 0.0, true },
+      preIntegrated, FineSampleDistances, 0.0, Pictures::Composites },
     { { "simpson", "Varimarch, optical, Simpson", Shaders,
         { Purple, Marker::Square, Stroke::Dashed } },
-      simpson, FineSampleDistances, 0.0, true },
+      simpson, FineSampleDistances, 0.0, Pictures::UnshadedComposites },
     { { "published", "published sum, scalar, E 4/255", Shaders,
         { Orange, Marker::Diamond, Stroke::Solid } },
-      published, SampleDistances, 4.0, true },
+      published, SampleDistances, 4.0, Pictures::UnshadedComposites },
     { { "vtk-gpu", "VTK GPU mapper", MapperKind::VtkGpu,
         { Vermilion, Marker::Square, Stroke::Solid } },
-      {}, SampleDistances, 0.0, false },
+      {}, SampleDistances, 0.0, Pictures::All },
     { { "vtk-cpu", "VTK fixed-point mapper", MapperKind::VtkCpu,
         { Black, Marker::Diamond, Stroke::Dashed } },
-      {}, SampleDistances, 0.0, false },
+      {}, SampleDistances, 0.0, Pictures::All },
   };
   return rows;
+}
+
+bool IsUsedIn(Pictures pictures, const Look& look)
+{
+  const bool isComposite = look.blend == Blend::Composite;
+  return pictures == Pictures::All ||
+    (isComposite && (pictures == Pictures::Composites || !look.shading.enabled));
 }
 
 }
@@ -135,15 +149,12 @@ std::vector<std::string> BenchMethodNames()
 std::vector<BenchRun> WorkPrecisionRuns(
   const Scene& scene, vtkImageData* image, const std::vector<std::string>& chosen)
 {
-  const bool unshadedComposite =
-    scene.look.blend == Blend::Composite && !scene.look.shading.enabled;
   std::vector<BenchRun> runs;
   for (const Row& row : Rows())
   {
     const bool wanted =
       chosen.empty() || std::find(chosen.begin(), chosen.end(), row.method.name) != chosen.end();
-    if (wanted && CanBlend(row.method.kind, scene.look.blend) &&
-      (!row.unshadedCompositeOnly || unshadedComposite))
+    if (wanted && CanBlend(row.method.kind, scene.look.blend) && IsUsedIn(row.pictures, scene.look))
     {
       RenderOptions options = row.options;
       options.variationTolerance = Variation(image, row.variation255);

@@ -65,10 +65,11 @@ SpeedSummary SummaryOf(std::size_t target, const Setup& setup, const std::vector
 }
 
 // Colours of M. Okabe, K. Ito, "Color universal design", 2008.
-constexpr std::array<CurveStyle, 4> StylesOfTargets = { {
+constexpr std::array<CurveStyle, 5> StylesOfTargets = { {
   { { 213, 94, 0 }, Marker::Square, Stroke::Solid },
   { { 0, 0, 0 }, Marker::Diamond, Stroke::Dashed },
   { { 86, 180, 233 }, Marker::Circle, Stroke::Solid },
+  { { 230, 159, 0 }, Marker::Diamond, Stroke::Solid },
   { { 230, 159, 0 }, Marker::Diamond, Stroke::Dotted },
 } };
 
@@ -111,7 +112,8 @@ LogLogPlot SpeedPlot(const std::vector<SpeedCase>& cases)
   for (std::size_t target = 0; target < times.size(); ++target)
   {
     std::sort(times[target].begin(), times[target].end());
-    PlotCurve curve = { SpeedTargets()[target].rival, StylesOfTargets.at(target), {} };
+    const SpeedTarget& wanted = SpeedTargets()[target];
+    PlotCurve curve = { wanted.rival + ", by " + wanted.ours, StylesOfTargets.at(target), {} };
     for (const double timesAsFast : times[target])
     {
       curve.points.push_back({ double(curve.points.size() + 1), timesAsFast });

@@ -26,13 +26,8 @@ TEST_P(ProcessorMarchingOf, IsThePictureOfTheShader)
 INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
   testing::Values(Change{ "Midpoints", [](MapperScene&) {} },
     Change{ "Light", [](MapperScene& s) { s.volume->GetProperty()->ShadeOn(); } },
+    // With a field shaders look for bricks at every sample, packets at every fourth.
     Change{ "LightAtMidpoints",
-      [](MapperScene& s)
-      {
-        s.volume->GetProperty()->ShadeOn();
-        s.mapper->SetIntegrationRule(Mapper::Midpoint);
-      } },
-    Change{ "LightAtMidpointsWithoutAField",
       [](MapperScene& s)
       {
         s.volume->GetProperty()->ShadeOn();

@@ -173,6 +173,8 @@ inline Lanes3 Lit(const PacketLight& light, const Lanes3& color, const Surface& 
   return lit;
 }
 
+/// By segments of four samples, where a shader's have one: to look for the next brick costs a
+/// packet more beside a sample.
 template <class Voxel>
 PacketSum MarchLitMidpoints(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
@@ -180,20 +182,25 @@ PacketSum MarchLitMidpoints(
   constexpr int Parts = 4;
   const PacketVoxels<Voxel> voxels(scene.volume);
   const Lanes3 directionWorld = Transformed(scene.camera.worldFromGrid, rays.directionGrid);
+  bool isSeen = false; // what was read last: what is next is then read at once, with its gradient
   return MarchSegments<Parts>(scene, rays, walk,
     [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
     {
-      const Lanes first = enter + 0.5f * partMm;
-      Lanes values[Parts];
-      ReadValues(voxels, rays, first, partMm, values);
       for (int part = 0; part < Parts; ++part)
       {
-        const LaneMask absorbs =
-          LaneMask(partMm > 0.0f) & MayAbsorb(scene.look, values[part], values[part]);
-        if (Any(absorbs))
+        const Lanes3 place = rays.At(enter + (float(part) + 0.5f) * partMm);
+        const LaneMask going = LaneMask(partMm > 0.0f);
+        const auto mayAbsorb = [&](Lanes value)
+        { return Any(going & MayAbsorb(scene.look, value, value)); };
+        if (!isSeen && !mayAbsorb(voxels.ValueAt(place)))
         {
-          const Lanes3 gradient = voxels.GradientAt(rays.At(first + float(part) * partMm), absorbs);
-          Optical optical = Classify(scene.look, values[part]);
+          continue;
+        }
+        const auto [value, gradient] = voxels.SlopeAt(place, going);
+        isSeen = mayAbsorb(value);
+        if (isSeen)
+        {
+          Optical optical = Classify(scene.look, value);
           optical.color =
             Lit(scene.light, optical.color, SurfaceOf(scene.light, gradient, directionWorld));
           sum.Add(optical, partMm);
@@ -286,7 +293,7 @@ private:
 
   void ReadSurface()
   {
-    const Lanes3 gradient = this->voxels.GradientAt(this->rays.At(this->t), this->going);
+    const Lanes3 gradient = this->voxels.SlopeAt(this->rays.At(this->t), this->going).gradient;
     const Surface surface = SurfaceOf(this->scene.light, gradient, this->directionWorld);
     // Before the first visible segment there is no gradient yet; there it absorbs least.
     this->segment.start = Select(this->known, this->segment.end, surface);

@@ -11,8 +11,10 @@ namespace varimarch
 namespace
 {
 
+// Flattened: all that it calls is part of it, so that lanes stay in registers.
 template <class Voxel>
-PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+[[gnu::flatten]] PacketSum March(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   switch (scene.rule)
   {

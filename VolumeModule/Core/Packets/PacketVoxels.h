@@ -112,9 +112,15 @@ public:
     return this->ValueIn(this->CellOf(positionGrid));
   }
 
-  /// Differences of the values one voxel to either side.
+  /// A value, and its differences one voxel to either side.
+  struct Slope
+  {
+    Lanes value;
+    Lanes3 gradient;
+  };
+
   /// @param mask  of rays whose gradient matters
-  Lanes3 GradientAt(const Lanes3& positionGrid, LaneMask mask) const
+  Slope SlopeAt(const Lanes3& positionGrid, LaneMask mask) const
   {
     const Lanes one = All(1.0f);
     const Lanes3 inner = this->Inside(positionGrid, one);
@@ -122,14 +128,15 @@ public:
       LaneMask(inner.y != positionGrid.y) | LaneMask(inner.z != positionGrid.z);
     if (this->hasInnerCells && !Any(mask & isOutside))
     {
-      return this->GradientIn(this->CellAt(inner, one));
+      return this->SlopeIn(this->CellAt(inner, one));
     }
     const Lanes3 x{ one, Lanes{}, Lanes{} };
     const Lanes3 y{ Lanes{}, one, Lanes{} };
     const Lanes3 z{ Lanes{}, Lanes{}, one };
-    return { this->ValueAt(positionGrid + x) - this->ValueAt(positionGrid - x),
-      this->ValueAt(positionGrid + y) - this->ValueAt(positionGrid - y),
-      this->ValueAt(positionGrid + z) - this->ValueAt(positionGrid - z) };
+    return { this->ValueAt(positionGrid),
+      { this->ValueAt(positionGrid + x) - this->ValueAt(positionGrid - x),
+        this->ValueAt(positionGrid + y) - this->ValueAt(positionGrid - y),
+        this->ValueAt(positionGrid + z) - this->ValueAt(positionGrid - z) } };
   }
 
 private:
@@ -172,7 +179,7 @@ private:
     Lanes slope;
   };
 
-  RowSlope SlopeOf(const Cell& cell, int rows, int slices) const
+  RowSlope RowSlopeOf(const Cell& cell, int rows, int slices) const
   {
     const ValuePairs before = this->RowOf(cell, -1, rows, slices);
     const ValuePairs behind = this->RowOf(cell, 1, rows, slices);
@@ -181,12 +188,12 @@ private:
         Mix(before.first, before.second, cell.part.x) };
   }
 
-  // All that six values one voxel away are interpolated from, each read once.
-  Lanes3 GradientIn(const Cell& cell) const
+  // All that seven values are interpolated from, each read once.
+  Slope SlopeIn(const Cell& cell) const
   {
     const Lanes3& part = cell.part;
-    const RowSlope rows[2][2] = { { this->SlopeOf(cell, 0, 0), this->SlopeOf(cell, 1, 0) },
-      { this->SlopeOf(cell, 0, 1), this->SlopeOf(cell, 1, 1) } }; // [slice][row]
+    const RowSlope rows[2][2] = { { this->RowSlopeOf(cell, 0, 0), this->RowSlopeOf(cell, 1, 0) },
+      { this->RowSlopeOf(cell, 0, 1), this->RowSlopeOf(cell, 1, 1) } }; // [slice][row]
     Lanes alongY[2];
     for (int slice = 0; slice < 2; ++slice)
     {
@@ -201,8 +208,11 @@ private:
     }
     const Lanes front = Mix(rows[0][0].slope, rows[0][1].slope, part.y);
     const Lanes back = Mix(rows[1][0].slope, rows[1][1].slope, part.y);
-    return { Mix(front, back, part.z), Mix(alongY[0], alongY[1], part.z),
-      Mix(alongZ[0], alongZ[1], part.y) };
+    const Lanes value = Mix(Mix(rows[0][0].value, rows[0][1].value, part.y),
+      Mix(rows[1][0].value, rows[1][1].value, part.y), part.z);
+    return { value,
+      { Mix(front, back, part.z), Mix(alongY[0], alongY[1], part.z),
+        Mix(alongZ[0], alongZ[1], part.y) } };
   }
 
   const Voxel* first;
