@@ -118,10 +118,10 @@ public:
   ///@{
   /**
    * Where OpenGL itself is drawn by the processor, as Mesa's llvmpipe does, march composites of one
-   * component without a shader, in packets of eight rays: about twice as fast, with the same
-   * steps. It needs AVX2 and FMA; shaders draw what packets have no code for (other blend modes,
-   * several components, masks, cropping, lights beside head lights, user code, a maximum graphics
-   * memory). Default: on.
+   * component without a shader, in packets of eight rays: about twice as fast, by the
+   * same rules. It needs AVX2 and FMA; shaders draw what packets have no code for (other blend
+   * modes, several components, masks, cropping, lights beside head lights, user code, a maximum
+   * graphics memory). Default: on.
    */
   vtkSetMacro(ProcessorMarching, vtkTypeBool);
   vtkGetMacro(ProcessorMarching, vtkTypeBool);

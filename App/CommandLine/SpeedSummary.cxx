@@ -113,7 +113,7 @@ LogLogPlot SpeedPlot(const std::vector<SpeedCase>& cases)
   {
     std::sort(times[target].begin(), times[target].end());
     const SpeedTarget& wanted = SpeedTargets()[target];
-    PlotCurve curve = { wanted.rival + ", by " + wanted.ours, StylesOfTargets.at(target), {} };
+    PlotCurve curve = { wanted.ours + " against " + wanted.rival, StylesOfTargets.at(target), {} };
     for (const double timesAsFast : times[target])
     {
       curve.points.push_back({ double(curve.points.size() + 1), timesAsFast });

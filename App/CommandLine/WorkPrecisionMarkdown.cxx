@@ -86,8 +86,8 @@ std::string SpeedTable(const std::vector<WorkPrecision>& scenes)
     "\n## Speed at VTK's error\n\nTimes as fast as VTK's GPU mapper where the RMSE is the same, by "
     "straight lines between settings in the plot; *never*: none of the settings errs so little. "
     "Optical field: midpoints; pre-integrated: linear between samples; no field and fields at the "
-    "sample "
-    "distances that give this error. VTK CPU: the smallest RMSE of the fixed-point mapper.\n\n" +
+    "sample distances that give this error. VTK CPU: the smallest RMSE of the fixed-point "
+    "mapper.\n\n" +
     Head({ "scene", "VTK's RMSE at 1 voxel", "its ms", "error tolerances", "optical field",
            "pre-integrated", "no field", "scalar, E 4/255", "published sum",
            "VTK's RMSE at its finest", "its ms", "error tolerances", "optical field",
