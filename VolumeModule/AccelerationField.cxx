@@ -161,7 +161,8 @@ void AccelerationField::BuildRanges(const VoxelValues& values)
 }
 
 void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
-  const std::vector<ChannelTable>& tables, const OpticalTolerance& tolerance, Marcher marcher)
+  const std::vector<ChannelTable>& tables, const OpticalTolerance& tolerance, glm::ivec3 towards,
+  Marcher marcher)
 {
   const Stopwatch stopwatch;
   std::vector<OpticalChannel> channels;
@@ -169,7 +170,7 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
   {
     channels.push_back({ this->ranges[shown.channel], *shown.table });
   }
-  OpticalField field = varimarch::BuildOpticalField(channels, tolerance);
+  OpticalField field = varimarch::BuildOpticalField(channels, tolerance, towards);
   this->ReleaseField(window);
   const bool isForProcessor = marcher == Marcher::Processor;
   tbb::parallel_invoke([&] { this->visible = VisibleBricks(field); },
@@ -192,10 +193,11 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
 }
 
 void AccelerationField::BuildIsosurfaceField(
-  vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues)
+  vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues, glm::ivec3 towards)
 {
   const Stopwatch stopwatch;
-  const OpticalField field = varimarch::BuildIsosurfaceField(this->ranges.front(), isovalues);
+  const OpticalField field =
+    varimarch::BuildIsosurfaceField(this->ranges.front(), isovalues, towards);
   this->ReleaseField(window);
   this->visible = VisibleBricks(field);
   this->AddBuildSeconds(stopwatch.Seconds());

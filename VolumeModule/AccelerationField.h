@@ -47,12 +47,14 @@ public:
   /// There is nothing of it where rays could hardly skip anything.
   /// @throws std::runtime_error when the device cannot hold the texture
   /// @param tables   what shows a channel's values
+  /// @param towards  what rays it is for, see DirectionsOf
   /// @param marcher  who reads it: for the processor there is no texture, but Bricks()
   void BuildOpticalField(vtkOpenGLRenderWindow* window, const std::vector<ChannelTable>& tables,
-    const OpticalTolerance& tolerance, Marcher marcher);
+    const OpticalTolerance& tolerance, glm::ivec3 towards, Marcher marcher);
 
   /// @throws std::runtime_error when the device cannot hold the texture
-  void BuildIsosurfaceField(vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues);
+  void BuildIsosurfaceField(
+    vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues, glm::ivec3 towards);
 
   /// What a ray must have found to leave each brick out, as texels of 16 bits; see
   /// BuildExtremeBricks.

@@ -207,6 +207,23 @@ void RayMarcher::UpdateScalarField(const Frame& frame)
   ++this->builds.field;
 }
 
+// Whether there is not yet this field for the rays of a frame; what it is made of is then ready.
+// One for other rays counts as no other: what it shows is the same.
+bool RayMarcher::BeginsField(const Frame& frame, FieldSource& source)
+{
+  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+  const PixelRays rays = ComputePixelRays(clipFromGrid, frame.geometry.boxGrid);
+  source.towards = this->fieldDirections.Next(DirectionsOf(rays));
+  if (this->fieldSource == source)
+  {
+    return false;
+  }
+  this->builds.field += this->fieldSource && this->fieldSource->ShowsSame(source) ? 0 : 1;
+  this->fieldSource.reset();
+  this->UpdateRanges();
+  return true;
+}
+
 void RayMarcher::UpdateOpticalField(const Frame& frame)
 {
   const double longestRayMm = frame.geometry.DiagonalMm();
@@ -214,14 +231,12 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
     MarchesMaterial(frame.settings) || IsProjection(frame.settings.blend)
     ? OpticalTolerance::Nothing(longestRayMm)
     : OpticalTolerance::ForError(frame.fieldError, longestRayMm);
-  const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
+  FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
     this->builds.opticalTable, tolerance.color / tolerance.longestRayMm, 0.0, frame.marcher };
-  if (this->fieldSource == source)
+  if (!this->BeginsField(frame, source))
   {
     return;
   }
-  this->fieldSource.reset();
-  this->UpdateRanges();
   std::vector<ChannelTable> tables;
   for (std::size_t i = 0; i < this->materialTables.size(); ++i)
   {
@@ -230,9 +245,8 @@ void RayMarcher::UpdateOpticalField(const Frame& frame)
       tables.push_back({ this->materialTables[i].channel, &this->opticalTable.Tables()[i] });
     }
   }
-  this->field.BuildOpticalField(frame.window, tables, tolerance, frame.marcher);
+  this->field.BuildOpticalField(frame.window, tables, tolerance, source.towards, frame.marcher);
   this->fieldSource = source;
-  ++this->builds.field;
 }
 
 void RayMarcher::UpdateExtremes(const Frame& frame)

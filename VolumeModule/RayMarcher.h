@@ -3,6 +3,7 @@
 
 #include "AccelerationField.h"
 #include "BoxInView.h"
+#include "Core/FieldDirections.h"
 #include "Core/Packets/PacketScene.h"
 #include "Core/PixelRays.h"
 #include "Core/StepSearch.h"
@@ -66,10 +67,16 @@ struct FieldSource
   double tolerance;
   double sense = 0.0; ///< of extremes: 1 for the largest, -1 for the smallest
   Marcher marcher = Marcher::Device;
-
   std::vector<double> isovalues = {};
+  glm::ivec3 towards = glm::ivec3(0); ///< see FieldDirections
 
   bool operator==(const FieldSource& other) const
+  {
+    return this->ShowsSame(other) && this->towards == other.towards;
+  }
+
+  /// Whether the same is invisible, whatever the rays.
+  bool ShowsSame(const FieldSource& other) const
   {
     return this->isovalues == other.isovalues && this->acceleration == other.acceleration &&
       this->volumeBuild == other.volumeBuild && this->tableBuild == other.tableBuild &&
@@ -164,6 +171,7 @@ private:
   void UpdateOpticalField(const Frame& frame);
   void UpdateExtremes(const Frame& frame);
   void UpdateIsosurfaceField(const Frame& frame);
+  bool BeginsField(const Frame& frame, FieldSource& source);
   void UpdateIsosurfaces(const Frame& frame);
   void UpdateSpacing(const Frame& frame);
   void SetSpacingUniforms(const Frame& frame);
@@ -299,8 +307,9 @@ private:
   std::vector<double> gradientOpacitySource; ///< empty: there is none
   int preIntegratedOfTable = 0;              ///< the optical table's build that it was made from
   std::optional<FieldSource> fieldSource;    ///< none: there is no field
-  std::optional<bool> voxelsAreFinite;       ///< none: nobody has asked
-  int rangesOfVolume = 0;  ///< the volume's build that the field's ranges belong to
+  FieldDirections fieldDirections;
+  std::optional<bool> voxelsAreFinite; ///< none: nobody has asked
+  int rangesOfVolume = 0;              ///< the volume's build that the field's ranges belong to
   int visibleOfField = -1; ///< the field's build that the visible boxes belong to; 0: to none
   Box visibleOfBox = {};   ///< and the box that cuts left then
 };

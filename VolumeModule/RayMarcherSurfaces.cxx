@@ -15,15 +15,11 @@ void RayMarcher::UpdateIsosurfaceField(const Frame& frame)
 {
   FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture, 0, 0.0 };
   source.isovalues = frame.isovalues;
-  if (this->fieldSource == source)
+  if (this->BeginsField(frame, source))
   {
-    return;
+    this->field.BuildIsosurfaceField(frame.window, frame.isovalues, source.towards);
+    this->fieldSource = source;
   }
-  this->fieldSource.reset();
-  this->UpdateRanges();
-  this->field.BuildIsosurfaceField(frame.window, frame.isovalues);
-  this->fieldSource = source;
-  ++this->builds.field;
 }
 
 void RayMarcher::UpdateIsosurfaces(const Frame& frame)

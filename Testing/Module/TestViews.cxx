@@ -165,3 +165,61 @@ TEST(Layers, GeometryOfTheLayerBelowHidesAVolumeWhereDepthIsKept)
   EXPECT_NEAR(middle[1], 255.0 * 0.6, 1.0);
   EXPECT_NEAR(middle[2], 255.0 * 0.2, 1.0);
 }
+
+namespace
+{
+
+constexpr int SideCount = 26;
+
+// Of a cube: its faces, edges and corners.
+void LookFromSide(MapperScene& scene, int side)
+{
+  const int place = side < SideCount / 2 ? side : side + 1; // all of 3^3 but the middle
+  const double toEye[3] = { place % 3 - 1.0, place / 3 % 3 - 1.0, place / 9 - 1.0 };
+  vtkCamera* const camera = scene.renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(toEye);
+  camera->SetViewUp(toEye[1] + 0.3, toEye[2] + 0.5, toEye[0] - 0.4);
+  scene.renderer->ResetCamera();
+}
+
+void ExpectSame(const std::vector<float>& picture, const std::vector<float>& other, int side)
+{
+  const varimarch::ImageError difference =
+    varimarch::CompareImages(picture.data(), other.data(), other.size() / 4);
+  EXPECT_LT(difference.rootMeanSquare, 1.0) << "side " << side;
+}
+
+}
+
+// A field is measured towards where rays go.
+TEST(Views, FromAllSidesShowAllThatThereIs)
+{
+  MapperScene withoutField(SmallTorso());
+  withoutField.mapper->SetAccelerationModeToOff();
+  MapperScene turned(SmallTorso());
+  for (int side = 0; side < SideCount; ++side)
+  {
+    MapperScene fresh(SmallTorso());
+    LookFromSide(withoutField, side);
+    LookFromSide(turned, side);
+    LookFromSide(fresh, side);
+    const std::vector<float> whole = withoutField.Draw();
+    ExpectSame(turned.Draw(), whole, side);
+    ExpectSame(turned.DrawByProcessor(), whole, side);
+    ExpectSame(fresh.Draw(), whole, side);
+    ExpectSame(fresh.DrawByProcessor(), whole, side);
+  }
+}
+
+TEST(Views, FromOtherSidesBuildNoOtherField)
+{
+  MapperScene scene(SmallTorso());
+  scene.Draw();
+  for (int side = 0; side < SideCount; ++side)
+  {
+    LookFromSide(scene, side);
+    scene.Draw();
+  }
+  EXPECT_EQ(scene.mapper->GetFieldBuilds(), 1);
+}

@@ -221,12 +221,12 @@ private:
 
 // Builds a field from the class of each brick, classOf(index).
 template <class ClassOf>
-OpticalField BuildField(glm::ivec3 count, ClassOf classOf)
+OpticalField BuildField(glm::ivec3 count, glm::ivec3 towards, ClassOf classOf)
 {
   OpticalField field;
   field.brickCount = count;
   field.bricks.resize(std::size_t(count.x) * count.y * count.z);
-  ChebyshevDistance distance(count);
+  ChebyshevDistance distance(count, towards);
 
   // Calls work with the index and the distance of every brick.
   const auto forEachBrick = [&](auto&& work)
@@ -259,19 +259,20 @@ OpticalField BuildField(glm::ivec3 count, ClassOf classOf)
 
 }
 
-OpticalField BuildOpticalField(
-  const std::vector<OpticalChannel>& channels, const OpticalTolerance& tolerance)
+OpticalField BuildOpticalField(const std::vector<OpticalChannel>& channels,
+  const OpticalTolerance& tolerance, glm::ivec3 towards)
 {
   const ChannelsClassifier classifier(channels, tolerance);
-  return BuildField(channels.front().ranges.BrickCount(),
+  return BuildField(channels.front().ranges.BrickCount(), towards,
     [&](std::size_t brick) { return classifier.ClassOf(brick); });
 }
 
-OpticalField BuildIsosurfaceField(const BrickRanges& ranges, const std::vector<double>& isovalues)
+OpticalField BuildIsosurfaceField(
+  const BrickRanges& ranges, const std::vector<double>& isovalues, glm::ivec3 towards)
 {
   const auto valueOf = [&](double step)
   { return ranges.FirstValue() + step * ranges.ValuePerStep(); };
-  return BuildField(ranges.BrickCount(),
+  return BuildField(ranges.BrickCount(), towards,
     [&](std::size_t brick)
     {
       // Half a step more on either side, for what rounding leaves.

@@ -16,7 +16,9 @@ namespace varimarch
 ///   0            structured: march it
 ///   1            homogeneous: one sample stands for the whole brick
 ///   128 + k      invisible, and so are all bricks [b - k, b + k] on each axis, cut at the
-///                volume's faces: a ray may leave the block without a sample
+///                volume's faces: a ray may leave the block without a sample. Where all rays go the
+///                same way along an axis, they are [b, b + k] or [b - k, b]: behind a surface,
+///                which a ray has left, the blocks are then large at once
 /// It is a matter of milliseconds: a change of the transfer function makes a new one, and leaves
 /// the ranges, which read the whole volume, as they are.
 struct OpticalField
@@ -68,17 +70,19 @@ struct OpticalChannel
 /// Builds the field on all cores. A brick of several components is invisible where all of them are,
 /// and homogeneous where each is or is invisible; to a largest error, each may add as much.
 /// @param channels  at least one, of one volume
-OpticalField BuildOpticalField(
-  const std::vector<OpticalChannel>& channels, const OpticalTolerance& tolerance);
+/// @param towards   see DirectionsOf: the field is for rays of these directions only
+OpticalField BuildOpticalField(const std::vector<OpticalChannel>& channels,
+  const OpticalTolerance& tolerance, glm::ivec3 towards = glm::ivec3(0));
 
-inline OpticalField BuildOpticalField(
-  const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance)
+inline OpticalField BuildOpticalField(const BrickRanges& ranges, const OpticalTable& table,
+  const OpticalTolerance& tolerance, glm::ivec3 towards = glm::ivec3(0))
 {
-  return BuildOpticalField({ OpticalChannel{ ranges, table } }, tolerance);
+  return BuildOpticalField({ OpticalChannel{ ranges, table } }, tolerance, towards);
 }
 
 /// The field for isosurfaces: bricks that none of them passes are invisible, the others structured.
-OpticalField BuildIsosurfaceField(const BrickRanges& ranges, const std::vector<double>& isovalues);
+OpticalField BuildIsosurfaceField(const BrickRanges& ranges, const std::vector<double>& isovalues,
+  glm::ivec3 towards = glm::ivec3(0));
 
 }
 

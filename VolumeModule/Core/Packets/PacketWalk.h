@@ -153,22 +153,26 @@ private:
   SegmentLanes NextOfBricks(Lanes t, Lanes plainMm, LaneMask mask) const
   {
     BrickPlaces place = this->lattice.At(t);
-    Lanes behindT = t;
-    IntLanes content = {};
+    Lanes behindT = t; // of what is one segment
     for (int skip = 0; skip < this->steps.mostSegments && Any(mask); ++skip)
     {
-      const IntLanes found = this->lattice.ContentOf(place.brick);
-      const BrickPlaces behind = this->lattice.Behind(place, Max(FloatOf(found) - 128.0f, Lanes{}));
-      content = Select(mask, found, content);
-      behindT = Select(mask, behind.t, behindT);
-      mask &= found >= 128;
-      place.t = Select(mask, behind.t, place.t);
-      place.brick = { Select(mask, behind.brick.x, place.brick.x),
-        Select(mask, behind.brick.y, place.brick.y), Select(mask, behind.brick.z, place.brick.z) };
-      mask &= LaneMask(place.t < this->rays.exit);
+      const IntLanes content = this->lattice.ContentOf(place.brick);
+      const LaneMask isOneSegment = mask & (content != 0);
+      if (!Any(isOneSegment))
+      {
+        break; // what is here is marched
+      }
+      const BrickPlaces behind =
+        this->lattice.Behind(place, Max(FloatOf(content) - 128.0f, Lanes{}));
+      behindT = Select(isOneSegment, behind.t, behindT);
+      const LaneMask isInvisible = isOneSegment & (content >= 128);
+      place.t = Select(isInvisible, behind.t, place.t);
+      place.brick = { Select(isInvisible, behind.brick.x, place.brick.x),
+        Select(isInvisible, behind.brick.y, place.brick.y),
+        Select(isInvisible, behind.brick.z, place.brick.z) };
+      mask = isInvisible & LaneMask(place.t < this->rays.exit);
     }
-    const Lanes plain = place.t + plainMm;
-    return { place.t, Select(content == 0, plain, Max(plain, behindT)) };
+    return { place.t, Max(place.t + plainMm, behindT) };
   }
 
   const PacketSteps& steps;
