@@ -21,9 +21,8 @@ const char* const TargetsHead =
 
 const char* const KeepingHead =
   "\n## Scene by scene\n"
-  "Times are medians of five still pictures in a row. RMSE in 1/255 of premultiplied RGBA, "
-  "against\n"
-  "an adaptive integral in double precision. *Tolerance*: ours, of 1.\n\n"
+  "Times are medians of five still pictures. RMSE in 1/255 of premultiplied RGBA, against an\n"
+  "adaptive integral in double precision. *Tolerance*: ours, of 1.\n\n"
   "| scene | shaded | size | rival | rival [ms] | rival RMSE | ours | our tolerance | ours [ms] "
   "| our RMSE | times as fast |\n"
   "|---|---|---:|---|---:|---:|---|---:|---:|---:|---:|\n";
