@@ -466,7 +466,7 @@ public:
   int GetVolumeTextureBuilds(); ///< by new scalars
   int GetBlockUploads();        ///< of the volume, or of the blocks that it is drawn in
   int GetBrickRangesBuilds();
-  int GetFieldBuilds();
+  int GetFieldBuilds(); ///< but not of the same field for rays of other directions
   int GetOpticalTableBuilds();
   int GetShaderBuilds();
   int GetToleranceSearches();

@@ -96,7 +96,7 @@ namespace
 constexpr int Side = BrickRanges::CellsPerSide;
 const glm::ivec3 bricks(9, 7, 11);
 
-// Thin rods, so that blocks of all sizes are free of them.
+// Single voxels, so that blocks of all sizes are free of them.
 OpticalField FieldTowards(const glm::ivec3& towards)
 {
   const glm::ivec3 dimensions = Side * bricks + 1;

@@ -1,7 +1,7 @@
 // Steps by the optical field: invisible blocks are left at once, a homogeneous brick is one
 // segment, structured ones are marched at the sample distance.
 // The field's texel holds 0 where the brick is structured, 1 where it is homogeneous, 128 + k
-// where all bricks b - k ... b + k are invisible.
+// where all bricks b - k ... b + k are invisible, or those of them that lie towards the rays.
 
 uniform sampler3D fieldTexture; // nearest
 uniform float cellsPerBrick;
