@@ -13,16 +13,20 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A tile of blue noise as 16 bit texels: where rays have their first sample.
+/// A tile of blue noise of 16 bits: where rays have their first sample. On the device it is where
+/// shaders read it.
 class BlueNoiseTexture
 {
 public:
   static constexpr int Pixels = 64; ///< on a side
 
-  /// Makes and uploads the tile unless it is there.
-  void Update(vtkOpenGLRenderWindow* window);
+  /// Makes the tile unless it is there.
+  void MakeTile();
+  const std::vector<std::uint16_t>& Tile() const { return this->tile; }
 
-  const std::vector<std::uint16_t>& Tile() const { return this->tile; } ///< after Update
+  /// Has the tile, which has been made, on the device.
+  void Upload(vtkOpenGLRenderWindow* window);
+  void ReleaseTexture(vtkWindow* window);
 
   vtkTextureObject* Texture() const { return this->texture; }
   std::size_t Bytes() const { return this->texture->GetHandle() ? 2 * Pixels * Pixels : 0; }

@@ -5,17 +5,34 @@
 namespace varimarch
 {
 
-void OpticalTableTexture::Upload(vtkOpenGLRenderWindow* window, std::vector<OpticalTable> newTables)
+void OpticalTableTexture::SetTables(vtkWindow* window, std::vector<OpticalTable> newTables)
 {
-  this->Upload(window, std::move(newTables), {});
+  this->ReleaseTexture(window);
+  this->tables = std::move(newTables);
+  this->visibleValues.clear();
+  for (const OpticalTable& table : this->tables)
+  {
+    this->visibleValues.push_back(varimarch::VisibleValues(table));
+  }
 }
 
-void OpticalTableTexture::UploadRows(
-  vtkOpenGLRenderWindow* window, std::vector<OpticalTable> newTables, const TexelMapping& mapping)
+void OpticalTableTexture::Upload(vtkOpenGLRenderWindow* window)
 {
+  if (this->Bytes() == 0)
+  {
+    this->UploadBehind(window, {});
+  }
+}
+
+void OpticalTableTexture::UploadRows(vtkOpenGLRenderWindow* window, const TexelMapping& mapping)
+{
+  if (this->Bytes() > 0)
+  {
+    return;
+  }
   std::vector<glm::vec4> rows;
-  std::size_t first = newTables.size();
-  for (const OpticalTable& table : newTables)
+  std::size_t first = this->tables.size();
+  for (const OpticalTable& table : this->tables)
   {
     const double last = double(table.entries.size() - 1);
     const double extent = table.lastValue - table.firstValue;
@@ -24,20 +41,17 @@ void OpticalTableTexture::UploadRows(
       (mapping.offset - table.firstValue) * indexPerValue, double(first), last);
     first += table.entries.size();
   }
-  this->Upload(window, std::move(newTables), std::move(rows));
+  this->UploadBehind(window, std::move(rows));
 }
 
-void OpticalTableTexture::Upload(vtkOpenGLRenderWindow* window, std::vector<OpticalTable> newTables,
-  std::vector<glm::vec4> entries)
+void OpticalTableTexture::UploadBehind(
+  vtkOpenGLRenderWindow* window, std::vector<glm::vec4> entries)
 {
-  this->visibleValues.clear();
-  for (const OpticalTable& table : newTables)
+  for (const OpticalTable& table : this->tables)
   {
-    this->visibleValues.push_back(varimarch::VisibleValues(table));
     entries.insert(entries.end(), table.entries.begin(), table.entries.end());
   }
   this->texture.Upload(window, entries);
-  this->tables = std::move(newTables);
 }
 
 std::size_t OpticalTableTexture::FirstEntryOf(std::size_t table) const
@@ -52,7 +66,7 @@ std::size_t OpticalTableTexture::FirstEntryOf(std::size_t table) const
 
 void OpticalTableTexture::Release(vtkWindow* window)
 {
-  this->texture.Release(window);
+  this->ReleaseTexture(window);
   this->tables = { OpticalTable() };
 }
 

@@ -8,18 +8,23 @@
 namespace varimarch
 {
 
-/// Transfer functions on the device, as OpticalTables one after the other.
+/// Transfer functions as OpticalTables; where shaders read them, on the device too, one after the
+/// other.
 class OpticalTableTexture
 {
 public:
   /// @param tables  at least one
-  void Upload(vtkOpenGLRenderWindow* window, std::vector<OpticalTable> tables);
+  void SetTables(vtkWindow* window, std::vector<OpticalTable> tables);
 
-  vtkTextureObject* Texture() const { return this->texture.Texture(); }
+  /// Has the tables on the device.
+  void Upload(vtkOpenGLRenderWindow* window);
   /// With a row for each table before all entries, as Shaders/Classify/LabelTables.glsl reads them.
   /// @param mapping  of the texels that the tables are for
-  void UploadRows(
-    vtkOpenGLRenderWindow* window, std::vector<OpticalTable> tables, const TexelMapping& mapping);
+  void UploadRows(vtkOpenGLRenderWindow* window, const TexelMapping& mapping);
+  /// Has them in memory only.
+  void ReleaseTexture(vtkWindow* window) { this->texture.Release(window); }
+
+  vtkTextureObject* Texture() const { return this->texture.Texture(); }
 
   const OpticalTable& Table() const { return this->tables.front(); }
   const std::vector<OpticalTable>& Tables() const { return this->tables; }
@@ -32,8 +37,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void Upload(
-    vtkOpenGLRenderWindow* window, std::vector<OpticalTable> tables, std::vector<glm::vec4> rows);
+  void UploadBehind(vtkOpenGLRenderWindow* window, std::vector<glm::vec4> rows);
 
   FloatBufferTexture texture;
   std::vector<OpticalTable> tables = { OpticalTable() };

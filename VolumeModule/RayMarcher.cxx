@@ -118,22 +118,25 @@ void RayMarcher::UpdateVolume(const Frame& frame)
 void RayMarcher::UpdateOpticalTable(const Frame& frame)
 {
   const std::vector<double> inputs = MaterialTableInputs(frame.property, frame.settings);
-  if (this->tableSource == frame.property && this->tableInputs == inputs)
+  if (this->tableSource != frame.property || this->tableInputs != inputs)
   {
-    return;
+    this->opticalTable.SetTables(frame.window, this->BuildTables(frame));
+    this->tableSource = frame.property;
+    this->tableInputs = inputs;
+    ++this->builds.opticalTable;
   }
-  std::vector<OpticalTable> tables = this->BuildTables(frame);
-  if (frame.settings.mask == Mask::Labels)
+  if (frame.marcher == Marcher::Processor)
   {
-    this->opticalTable.UploadRows(frame.window, std::move(tables), this->blocks.Texels().mapping);
+    this->opticalTable.ReleaseTexture(frame.window);
+  }
+  else if (frame.settings.mask == Mask::Labels)
+  {
+    this->opticalTable.UploadRows(frame.window, this->blocks.Texels().mapping);
   }
   else
   {
-    this->opticalTable.Upload(frame.window, std::move(tables));
+    this->opticalTable.Upload(frame.window);
   }
-  this->tableSource = frame.property;
-  this->tableInputs = inputs;
-  ++this->builds.opticalTable;
 }
 
 void RayMarcher::UpdatePreIntegratedTable(const Frame& frame)
@@ -295,12 +298,14 @@ void RayMarcher::UpdateNoise(const Frame& frame)
     this->picture.noise.Release(frame.window);
     return;
   }
-  this->picture.noise.Update(frame.window);
+  this->picture.noise.MakeTile();
+  frame.marcher == Marcher::Processor ? this->picture.noise.ReleaseTexture(frame.window)
+                                      : this->picture.noise.Upload(frame.window);
 }
 
 void RayMarcher::UpdateCuts(const Frame& frame)
 {
-  if (!frame.settings.clipping)
+  if (!frame.settings.clipping || frame.marcher == Marcher::Processor)
   {
     this->clippingPlanes.Release(frame.window);
     return;
