@@ -126,12 +126,13 @@ MapperKind KindOf(const std::string& method)
   return method == "ours" ? MapperKind::Varimarch : MapperKind::VarimarchShaders;
 }
 
+constexpr double Coarsest = 1.0;
+constexpr double RungsPerHalf = 4.0;
+
 // Of a method of ours from coarse to fine, until the RMSE is at most `lowest` or a picture takes
 // too long.
 std::vector<Rung> Ladder(const Bench& bench, const std::string& method, double lowest)
 {
-  constexpr double Coarsest = 1.0;
-  constexpr double RungsPerHalf = 4.0;
   constexpr int Finest = 40; // a tolerance of 1/1024
   std::vector<Rung> rungs;
   OffscreenView view =
@@ -149,6 +150,26 @@ std::vector<Rung> Ladder(const Bench& bench, const std::string& method, double l
     }
   }
   return rungs;
+}
+
+// About the largest tolerance whose RMSE is at most `wanted`: a rung at which it is, or above it up
+// to three quarters of the way to the next coarser one.
+double LargestTolerance(const Bench& bench, const std::string& method, double rung, double wanted)
+{
+  if (rung == Coarsest)
+  {
+    return rung;
+  }
+  OffscreenView view = bench.NewView(KindOf(method), Tolerating(rung, Acceleration::OpticalField));
+  double largest = rung;
+  for (const double partOfRung : { 0.5, 0.25 })
+  {
+    const double tolerance = largest * std::pow(2.0, partOfRung / RungsPerHalf);
+    view.Pipeline().SetRenderOptions(Tolerating(tolerance, Acceleration::OpticalField));
+    view.Render();
+    largest = bench.ErrorOf(view).rootMeanSquare <= wanted ? tolerance : largest;
+  }
+  return largest;
 }
 
 // The index of a method of ours at this tolerance; measured when it is not there yet.
@@ -198,10 +219,13 @@ void KeepErrors(const Bench& bench, SpeedCase& measured)
     const std::optional<double> wanted = WantedError(measured, target);
     const auto rung = std::find_if(rungs.begin(), rungs.end(),
       [&](const Rung& candidate) { return wanted && candidate.rmse <= *wanted; });
-    measured.keeping.push_back(rung == rungs.end()
-        ? std::nullopt
-        : std::optional<std::size_t>(
-            PointAt(bench, target.ours, rung->tolerance, measured.points)));
+    if (rung == rungs.end())
+    {
+      measured.keeping.push_back(std::nullopt);
+      continue;
+    }
+    const double tolerance = LargestTolerance(bench, target.ours, rung->tolerance, *wanted);
+    measured.keeping.push_back(PointAt(bench, target.ours, tolerance, measured.points));
   }
 }
 
