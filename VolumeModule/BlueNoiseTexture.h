@@ -22,7 +22,7 @@ public:
 
   /// Makes the tile unless it is there.
   void MakeTile();
-  const std::vector<std::uint16_t>& Tile() const { return this->tile; }
+  const std::vector<std::uint16_t>& Tile() const { return this->tile; } ///< after MakeTile
 
   /// Has the tile, which has been made, on the device.
   void Upload(vtkOpenGLRenderWindow* window);
