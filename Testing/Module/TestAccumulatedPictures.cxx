@@ -28,7 +28,7 @@ void ShowAnEdge(MapperScene& scene)
   scene.opacities->RemoveAllPoints();
   scene.opacities->AddPoint(150.0, 0.0);
   scene.opacities->AddPoint(160.0, 0.9);
-  scene.volume->GetProperty()->SetScalarOpacityUnitDistance(0.2);
+  scene.volume->GetProperty()->SetScalarOpacityUnitDistance(1.0);
   scene.mapper->SetErrorTolerance(1.0 / 16.0);
 }
 

@@ -203,6 +203,6 @@ TEST(LatticeWalk, LeavesABlockAtItsNearestFace)
 TEST(StepGrowth, IsOneInTheOpenAndLimitedBehindVeils)
 {
   EXPECT_FLOAT_EQ(glsl::StepGrowth(1.0f), 1.0f);
-  EXPECT_FLOAT_EQ(glsl::StepGrowth(0.25f), 2.0f);
+  EXPECT_FLOAT_EQ(glsl::StepGrowth(0.125f), 2.0f);
   EXPECT_FLOAT_EQ(glsl::StepGrowth(0.0f), 4.0f);
 }

@@ -70,6 +70,16 @@ inline Lanes InverseSqrt(Lanes number)
   return estimate * (1.5f - 0.5f * number * estimate * estimate);
 }
 
+/// 1 / cube root of positive numbers, by two of Newton's steps from an estimate, a third of the
+/// exponent: within 3e-5, relative.
+inline Lanes InverseCubeRoot(Lanes number)
+{
+  constexpr float bitsOfEstimate = 1.42e9f; // 4/3 of 1.0f, and a little less: the best for all
+  Lanes root = Lanes(Truncated(bitsOfEstimate - FloatOf(IntLanes(number)) * (1.0f / 3.0f)));
+  root = root * (4.0f / 3.0f - 1.0f / 3.0f * number * root * root * root);
+  return root * (4.0f / 3.0f - 1.0f / 3.0f * number * root * root * root);
+}
+
 inline Lanes Abs(Lanes number)
 {
   return Lanes(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), number));

@@ -135,7 +135,7 @@ private:
   // Shaders/Math/StepGrowth.glsl.
   static Lanes Growth(Lanes transmittance)
   {
-    return Min(1.0f / Sqrt(Max(transmittance, All(1e-6f))), All(4.0f));
+    return Min(InverseCubeRoot(Max(transmittance, All(1e-6f))), All(4.0f));
   }
 
   static Lanes NoiseAt(const PacketSteps& steps, int x, int y)
