@@ -210,6 +210,9 @@ TEST(ErrorTolerance, ChoosesTheRuleOfLitPicturesToo)
     marchOf({ 40, 36, 24 }, { { -1024.0, 0.0 }, { 400.0, 0.5 } }), "March/MaterialMidpoint.glsl");
 }
 
+namespace
+{
+
 // A shell, lit, by packets of rays.
 class LitShell
 {
@@ -239,6 +242,8 @@ public:
 private:
   MapperScene scene;
 };
+
+}
 
 TEST(ErrorTolerance, OfLitPacketsIsKeptByMidpointsWhereTheyCan)
 {
