@@ -254,14 +254,16 @@ bool RayMarcher::PreIntegrationPays(
   const bool losesTooMuch = !MarchesMaterial(frame.settings) &&
     this->opticalTable.Table().entries.size() > MostPreIntegratedEntries;
   const double distanceMm = choice.step.sampleDistance;
-  const bool isCoarsest = choice.step.KeepsLimit() && distanceMm >= RangeOf(frame).coarsest;
+  const StepRange range = RangeOf(frame);
+  const bool isCoarsest = choice.step.KeepsLimit() && distanceMm >= range.coarsest;
   if (losesTooMuch || isCoarsest)
   {
     return false;
   }
   const auto draw = [&](double sampleDistanceMm)
   { return this->DrawProbe(frame, Integration::PreIntegrated, sampleDistanceMm); };
-  return GainThatPays(frame, choice) * ErrorOfLimit(draw, limit, distanceMm) < choice.step.ofLimit;
+  return GainThatPays(frame, choice) * ErrorOfLimit(draw, limit, range, distanceMm) <
+    choice.step.ofLimit;
 }
 
 // Halving the distance tells nothing of a peak that lies between all samples. Pre-integration

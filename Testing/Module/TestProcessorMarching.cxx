@@ -95,7 +95,6 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
         s.renderer->GetActiveCamera()->SetPosition(0.0, 20.0, 0.0);
         s.renderer->ResetCameraClippingRange();
       } },
-    Change{ "ATolerance", [](MapperScene& s) { s.mapper->SetErrorTolerance(1.0 / 64.0); } },
     Change{ "FewerRays",
       [](MapperScene& s)
       {
@@ -146,6 +145,17 @@ TEST_F(ProcessorMarching, HasNothingButPixelsOnTheDevice)
   const std::vector<float> drawn = byShader.Draw();
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), byShader.mapper->GetGraphicsMemoryBytes());
   EXPECT_EQ(scene.Draw(), drawn);
+}
+
+TEST_F(ProcessorMarching, FindsTheStepsOfTheShaderForATolerance)
+{
+  MapperScene scene(SmallTorso());
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  ASSERT_TRUE(ByProcessor(scene));
+  const double ofPackets = scene.mapper->GetUsedSampleDistance();
+  scene.Draw();
+  ASSERT_FALSE(scene.ShaderParts().empty());
+  EXPECT_NEAR(scene.mapper->GetUsedSampleDistance(), ofPackets, 0.02 * ofPackets);
 }
 
 TEST_F(ProcessorMarching, SeesWhatChanges)

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace varimarch;
 
@@ -24,6 +26,16 @@ struct PowerLaw
     return std::vector<float>(4 * 100, float(0.25 + error));
   }
 };
+
+/// A picture of noise: what its pixels are off by at one distance tells nothing of another.
+std::vector<float> IndependentErrors(double distance)
+{
+  std::mt19937 generator(unsigned(std::lround(1e6 * distance)));
+  std::normal_distribution<double> error(0.0, 0.003 * std::pow(distance, 1.5));
+  std::vector<float> picture(4 * 10000);
+  std::generate(picture.begin(), picture.end(), [&] { return float(0.5 + error(generator)); });
+  return picture;
+}
 
 constexpr ErrorLimit Limit{ 0.01, 0.02 };
 constexpr StepRange Range{ 4.0, 1.0 / 32.0 };
@@ -48,14 +60,21 @@ TEST(StepSearch, TheErrorAtTheDistanceFoundIsNearTheLimit)
   }
 }
 
-TEST(StepSearch, ItNeedsThreeDrawingsWhereItBeginsNearTheResult)
+TEST(StepSearch, ItNeedsFourDrawingsWhereItBeginsNearTheResult)
 {
   int drawings = 0;
   const PowerLaw law{ 0.01, 2.0, &drawings };
   const double found = FindSampleDistance(law, Limit, Range, 1.0).sampleDistance;
   drawings = 0;
   FindSampleDistance(law, Limit, Range, 0.99 * found);
-  EXPECT_LE(drawings, 3);
+  EXPECT_LE(drawings, 4);
+}
+
+TEST(StepSearch, ErrorsThatDoNotDependOnEachOtherAreNotCountedTwice)
+{
+  const double distance = FindSampleDistance(IndependentErrors, Limit, Range, 1.0).sampleDistance;
+  const std::vector<float> truth(4 * 10000, 0.5f);
+  EXPECT_NEAR(DifferenceOfLimit(IndependentErrors(distance), truth, Limit), 0.9, 0.15);
 }
 
 TEST(StepSearch, WhatCannotBeKeptIsSaidAndEndsAtTheFinestStep)

@@ -12,27 +12,36 @@ namespace varimarch
 namespace
 {
 
-// What halving the distance changes is 1 - 2^-order of the error.
 constexpr double SupposedOrder = 1.6;
 
-double ErrorPerChange(double order)
+// What halving the distance so often changes is 1 - 2^(-order halvings) of the error.
+double ErrorPerChange(double order, int halvings)
 {
-  return 1.0 / (1.0 - std::exp2(-order));
+  return 1.0 / (1.0 - std::exp2(-order * halvings));
 }
 
 struct Estimate
 {
+  int halvings; ///< that it was made by
   double percentile999;
   double ofLimit;
 };
 
-Estimate EstimateError(
-  const std::vector<float>& picture, const std::vector<float>& finer, const ErrorLimit& limit)
+// Quarters tell more of an error than halves, but none is drawn below half of the finest distance.
+int HalvingsFrom(double distance, const StepRange& range)
+{
+  return distance >= 2.0 * range.finest ? 2 : 1;
+}
+
+Estimate EstimateError(const std::vector<float>& picture, const std::vector<float>& finer,
+  int halvings, const ErrorLimit& limit)
 {
   const ImageError change = CompareImages(picture.data(), finer.data(), picture.size() / 4);
-  const double percentile999 = ErrorPerChange(SupposedOrder) * change.percentile999 / 255.0;
-  const double largest = ErrorPerChange(SupposedOrder) * change.largest / 255.0;
-  return { percentile999, std::max(percentile999 / limit.percentile999, largest / limit.largest) };
+  const double errorPerChange = ErrorPerChange(SupposedOrder, halvings);
+  const double percentile999 = errorPerChange * change.percentile999 / 255.0;
+  const double largest = errorPerChange * change.largest / 255.0;
+  return { halvings, percentile999,
+    std::max(percentile999 / limit.percentile999, largest / limit.largest) };
 }
 
 /// The pictures and estimates of one search, by level: the coarsest distance is halved as often as
@@ -62,7 +71,9 @@ public:
 
   Estimate At(int level)
   {
-    return EstimateError(this->Picture(level), this->Picture(level + 1), this->limit);
+    const int halvings = HalvingsFrom(this->Distance(level), this->range);
+    return EstimateError(
+      this->Picture(level), this->Picture(level + halvings), halvings, this->limit);
   }
 
 private:
@@ -83,7 +94,7 @@ private:
 };
 
 /// Between two levels the error is taken as a power of the distance. Where it falls slower than was
-/// supposed, as at opaque surfaces, halving the distance has changed a smaller part of it.
+/// supposed, as at opaque surfaces, a finer distance has changed a smaller part of it.
 StepChoice Between(
   const Levels& levels, int level, const Estimate& estimate, const Estimate& coarser)
 {
@@ -91,7 +102,8 @@ StepChoice Between(
   const double slope = safeLog(coarser.ofLimit) - safeLog(estimate.ofLimit);
   const double errorSlope = safeLog(coarser.percentile999) - safeLog(estimate.percentile999);
   const double order = std::clamp(slope, 1.0, SupposedOrder);
-  const double missed = std::log2(ErrorPerChange(order) / ErrorPerChange(SupposedOrder));
+  const double missed = std::log2(
+    ErrorPerChange(order, estimate.halvings) / ErrorPerChange(SupposedOrder, estimate.halvings));
   const double part =
     slope > 0.0 ? std::min((-safeLog(estimate.ofLimit) - missed) / slope, 1.0) : 1.0;
   return { levels.Distance(level) * std::exp2(part),
@@ -130,9 +142,13 @@ double DifferenceOfLimit(
   return difference.percentile999 / (255.0 * limit.percentile999);
 }
 
-double ErrorOfLimit(const SampleDrawing& draw, const ErrorLimit& limit, double sampleDistance)
+double ErrorOfLimit(
+  const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range, double sampleDistance)
 {
-  return EstimateError(draw(sampleDistance), draw(0.5 * sampleDistance), limit).ofLimit;
+  const int halvings = HalvingsFrom(sampleDistance, range);
+  return EstimateError(
+    draw(sampleDistance), draw(std::ldexp(sampleDistance, -halvings)), halvings, limit)
+    .ofLimit;
 }
 
 }

@@ -24,7 +24,7 @@ struct StepChoice
   bool KeepsLimit() const { return this->ofLimit <= 1.0; }
 };
 
-/// Where to search: at `coarsest` and its halves, not below `finest`.
+/// Where to search: at `coarsest` and its halves, not below `finest`. Half of that is drawn too.
 struct StepRange
 {
   double coarsest;
@@ -36,12 +36,11 @@ struct StepRange
 using SampleDrawing = std::function<std::vector<float>(double sampleDistance)>;
 
 /// Finds about the largest sample distance at which a picture keeps its limit. The error at a
-/// distance is estimated by what halving it changes: for a rule of order p that is 1 - 2^-p of the
-/// error, 3/4 for p = 2, 1/2 for p = 1; in between lies what interpolated data allow
-/// (Richardson 1911).
+/// distance is estimated by what a quarter of it changes: for a rule of order p that is 1 - 4^-p of
+/// the error (Richardson 1911), and nearly all of it where noise makes errors that do not depend on
+/// each other, of which halving would change more than there is.
 /// @param first  the distance to begin with; the nearer to the result, the fewer drawings. Where
-/// the
-///               error does not grow with the distance, the result depends on it.
+///               the error does not grow with the distance, the result depends on it.
 StepChoice FindSampleDistance(
   const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range, double first);
 
@@ -50,7 +49,9 @@ double DifferenceOfLimit(
   const std::vector<float>& a, const std::vector<float>& b, const ErrorLimit& limit);
 
 /// The estimated error at a distance as a part of what the limit allows; <= 1 keeps it.
-double ErrorOfLimit(const SampleDrawing& draw, const ErrorLimit& limit, double sampleDistance);
+/// @param range  not to draw below half of its finest distance
+double ErrorOfLimit(const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range,
+  double sampleDistance);
 
 }
 
