@@ -24,7 +24,7 @@ namespace
 // The part of the tolerance that is left for the steps; the field and the early end of rays have
 // the rest. The largest error of a picture is one of many more rays than are tried out.
 constexpr double PercentileOfTolerance = 0.66;
-constexpr double LargestOfTolerance = 1.2;
+constexpr double LargestOfTolerance = 1.0;
 
 // Where a ray finds the second highest peak its error is large, and few of the rays do: the tried
 // ones show less of it.

@@ -41,9 +41,10 @@ private:
 // Of one picture alone a third may be what the machine did meanwhile.
 double StillMs(OffscreenView& view)
 {
-  constexpr int Pictures = 5;
+  constexpr std::size_t FewestPictures = 5;
+  constexpr double LeastMs = 50.0;
   std::vector<double> times;
-  for (int i = 0; i < Pictures; ++i)
+  for (double sum = 0.0; times.size() < FewestPictures || sum < LeastMs; sum += times.back())
   {
     times.push_back(1000.0 * view.Render());
   }

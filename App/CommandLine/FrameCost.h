@@ -14,13 +14,13 @@ namespace varimarch
 struct FrameCost
 {
   double firstMs;       ///< the first picture of a new window and mapper, the volume in memory
-  double stillMs;       ///< the median of the next five, of which nothing has changed
+  double stillMs;       ///< the median of the next, of which nothing has changed: five, or 50 ms
   double rebuildMs;     ///< how much longer the one after a change of transfer function takes
   double firstFieldMs;  ///< building the field for the first picture; 0 without a field
   double changeFieldMs; ///< building it again for the changed transfer function
 };
 
-/// Draws eight pictures. The view must be new, and shows a changed look afterwards.
+/// Draws pictures. The view must be new, and shows a changed look afterwards.
 /// @throws std::runtime_error when the mapper reports an error
 FrameCost CostOfFrames(OffscreenView& view, const Look& look);
 

@@ -2,6 +2,7 @@
 
 #include "BenchMethods.h"
 #include "Results.h"
+#include "Scene/Median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,39 +38,74 @@ struct Bench
       std::size_t(picture->GetNumberOfPoints()));
   }
 
-  // Everything but the later rounds.
-  SpeedPoint FirstRound(
-    const std::string& method, MapperKind kind, const RenderOptions& render) const
+  // Without a round.
+  SpeedPoint PointOf(const std::string& method, MapperKind kind, const RenderOptions& render) const
   {
     this->onStep("error of " + method);
     OffscreenView view = this->NewView(kind, render);
-    SpeedPoint point = { method, kind, render, {}, {}, {}, {}, {} };
-    point.rounds.push_back(CostOfFrames(view, this->scene.look));
-    view.Pipeline().SetLook(this->scene.look);
-    view.Render();
+    SpeedPoint point = { method, kind, render, view.Render(), {}, {}, {}, {}, {} };
     point.error = this->ErrorOf(view);
     point.graphicsBytes = GraphicsBytes(view);
     point.fetchesPerPixel = FetchesPerPixel(view);
     return point;
   }
 
-  void AddRounds(std::vector<SpeedPoint>& points) const
+  bool IsDrawnIn(int round, const SpeedPoint& point) const
   {
-    for (int round = 2; round <= this->options.rounds; ++round)
+    return round == 1 || point.firstSeconds <= this->options.longestSeconds;
+  }
+
+  void AddRound(int round, SpeedPoint& point) const
+  {
+    this->onStep("times of " + point.method + ", round " + std::to_string(round) + " of " +
+      std::to_string(this->options.rounds));
+    OffscreenView view = this->NewView(point.kind, point.options);
+    point.rounds.push_back(CostOfFrames(view, this->scene.look));
+  }
+
+  // One right after the other, so that while the machine is slow it is so for both.
+  // @return how many times as fast ours was
+  double Compare(int round, SpeedPoint& rival, SpeedPoint& ours) const
+  {
+    const bool isRivalFirst = round % 2 == 1;
+    this->AddRound(round, isRivalFirst ? rival : ours);
+    this->AddRound(round, isRivalFirst ? ours : rival);
+    return rival.rounds.back().stillMs / ours.rounds.back().stillMs;
+  }
+
+  void AddComparisons(int round, SpeedCase& measured) const
+  {
+    for (std::size_t target = 0; target < SpeedTargets().size(); ++target)
     {
-      for (SpeedPoint& point : points)
+      if (!measured.keeping[target])
       {
-        if (point.rounds.front().stillMs > 1000.0 * this->options.longestSeconds)
-        {
-          continue;
-        }
-        this->onStep("times of " + point.method + ", round " + std::to_string(round) + " of " +
-          std::to_string(this->options.rounds));
-        OffscreenView view = this->NewView(point.kind, point.options);
-        point.rounds.push_back(CostOfFrames(view, this->scene.look));
+        continue;
+      }
+      const SpeedPoint* const found = Rival(measured, SpeedTargets()[target]);
+      SpeedPoint& rival = measured.points[std::size_t(found - measured.points.data())];
+      SpeedPoint& ours = measured.points[*measured.keeping[target]];
+      if (this->IsDrawnIn(round, rival) && this->IsDrawnIn(round, ours))
+      {
+        measured.timesAsFast[target].push_back(this->Compare(round, rival, ours));
       }
     }
-    for (SpeedPoint& point : points)
+  }
+
+  void AddRounds(SpeedCase& measured) const
+  {
+    measured.timesAsFast.resize(SpeedTargets().size());
+    for (int round = 1; round <= this->options.rounds; ++round)
+    {
+      this->AddComparisons(round, measured);
+      for (SpeedPoint& point : measured.points)
+      {
+        if (int(point.rounds.size()) < round && this->IsDrawnIn(round, point))
+        {
+          this->AddRound(round, point); // no target compares it
+        }
+      }
+    }
+    for (SpeedPoint& point : measured.points)
     {
       point.median = MedianOf(point.rounds);
     }
@@ -96,20 +132,19 @@ std::vector<SpeedPoint> DefaultPoints(const Bench& bench)
 
   constexpr MapperKind Ours = MapperKind::Varimarch;
   std::vector<SpeedPoint> points;
-  points.push_back(
-    bench.FirstRound("ours", Ours, Tolerating(tolerance, Acceleration::OpticalField)));
-  points.push_back(bench.FirstRound("off", Ours, Tolerating(tolerance, Acceleration::Off)));
+  points.push_back(bench.PointOf("ours", Ours, Tolerating(tolerance, Acceleration::OpticalField)));
+  points.push_back(bench.PointOf("off", Ours, Tolerating(tolerance, Acceleration::Off)));
   constexpr MapperKind Shaders = MapperKind::VarimarchShaders;
   points.push_back(
-    bench.FirstRound("ours-shader", Shaders, Tolerating(tolerance, Acceleration::OpticalField)));
+    bench.PointOf("ours-shader", Shaders, Tolerating(tolerance, Acceleration::OpticalField)));
   if (!bench.scene.look.shading.enabled && bench.scene.look.blend == Blend::Composite)
   {
-    points.push_back(bench.FirstRound("published", Shaders, published));
+    points.push_back(bench.PointOf("published", Shaders, published));
   }
-  points.push_back(bench.FirstRound("vtk-gpu", MapperKind::VtkGpu, everyVoxel));
+  points.push_back(bench.PointOf("vtk-gpu", MapperKind::VtkGpu, everyVoxel));
   if (CanBlend(MapperKind::VtkCpu, bench.scene.look.blend))
   {
-    points.push_back(bench.FirstRound("vtk-cpu", MapperKind::VtkCpu, everyVoxel));
+    points.push_back(bench.PointOf("vtk-cpu", MapperKind::VtkCpu, everyVoxel));
   }
   return points;
 }
@@ -183,7 +218,7 @@ std::size_t PointAt(
   if (found == points.end())
   {
     points.push_back(
-      bench.FirstRound(method, KindOf(method), Tolerating(tolerance, Acceleration::OpticalField)));
+      bench.PointOf(method, KindOf(method), Tolerating(tolerance, Acceleration::OpticalField)));
   }
   return index;
 }
@@ -253,11 +288,8 @@ const SpeedPoint* Rival(const SpeedCase& measured, const SpeedTarget& target)
 
 std::optional<double> TimesAsFast(const SpeedCase& measured, std::size_t target)
 {
-  const SpeedPoint* rival = Rival(measured, SpeedTargets()[target]);
-  const std::optional<std::size_t> ours = measured.keeping[target];
-  return rival && ours
-    ? std::optional<double>(rival->median.stillMs / measured.points[*ours].median.stillMs)
-    : std::nullopt;
+  const std::vector<double>& rounds = measured.timesAsFast[target];
+  return rounds.empty() ? std::nullopt : std::optional<double>(Median(rounds));
 }
 
 std::vector<SpeedCase> MeasureSpeed(
@@ -276,9 +308,9 @@ std::vector<SpeedCase> MeasureSpeed(
       scene.size = { side, side };
       const Truth truth = TruthOf(scene, loaded.volume.image, onStepHere);
       const Bench bench = { scene, loaded.volume.image, truth, options, onStepHere };
-      SpeedCase measured = { loaded.name, shaded, side, DefaultPoints(bench), {}, {} };
+      SpeedCase measured = { loaded.name, shaded, side, DefaultPoints(bench), {}, {}, {} };
       KeepErrors(bench, measured);
-      bench.AddRounds(measured.points);
+      bench.AddRounds(measured);
       measured.openglRenderer = bench.NewView(MapperKind::Varimarch, scene.render).DeviceName();
       cases.push_back(measured);
     }

@@ -19,11 +19,12 @@ struct SpeedPoint
   std::string method; ///< "ours", "ours-shader", "off", "published", "vtk-gpu" or "vtk-cpu"
   MapperKind kind;
   RenderOptions options;
+  double firstSeconds;                   ///< of a first picture
   ImageError error;                      ///< against the truth
   std::optional<double> fetchesPerPixel; ///< see FrameCost.h, as the next
   std::optional<double> graphicsBytes;
-  std::vector<FrameCost> rounds;
-  FrameCost median; ///< of these
+  std::vector<FrameCost> rounds; ///< more than one of each that compares it with several others
+  FrameCost median;              ///< of these
 };
 
 /// How fast we want to be where we err less than another method by a factor.
@@ -49,13 +50,16 @@ struct SpeedCase
   /// For each target the point of ours that keeps its error at the largest tolerance; empty where
   /// none does, or the rival is not about anything in the scene.
   std::vector<std::optional<std::size_t>> keeping;
+  /// For each target, of each round in which both were drawn one right after the other.
+  std::vector<std::vector<double>> timesAsFast;
   std::string openglRenderer;
 };
 
 /// @return null where the rival was not measured
 const SpeedPoint* Rival(const SpeedCase& measured, const SpeedTarget& target);
 
-/// How many times as fast as the rival of a target we are where we keep its error.
+/// How many times as fast as the rival of a target we are where we keep its error: the median of
+/// all rounds.
 std::optional<double> TimesAsFast(const SpeedCase& measured, std::size_t target);
 
 struct SpeedOptions
@@ -67,8 +71,8 @@ struct SpeedOptions
 };
 
 /// Draws a scene at each size, shaded and not, with each method at its default setting and with
-/// ours at the error tolerances that the targets need, in alternating rounds. Every round makes a
-/// new window and mapper.
+/// ours at the error tolerances that the targets need, in rounds. In each, what a target compares
+/// is drawn one right after the other, in turn first and second. All make a new window and mapper.
 /// @throws std::runtime_error when a mapper reports an error
 std::vector<SpeedCase> MeasureSpeed(
   const LoadedScene& loaded, const SpeedOptions& options, const OnStep& onStep);

@@ -60,14 +60,14 @@ TEST(StepSearch, TheErrorAtTheDistanceFoundIsNearTheLimit)
   }
 }
 
-TEST(StepSearch, ItNeedsFourDrawingsWhereItBeginsNearTheResult)
+TEST(StepSearch, ItNeedsFiveDrawingsWhereItBeginsNearTheResult)
 {
   int drawings = 0;
   const PowerLaw law{ 0.01, 2.0, &drawings };
   const double found = FindSampleDistance(law, Limit, Range, 1.0).sampleDistance;
   drawings = 0;
   FindSampleDistance(law, Limit, Range, 0.99 * found);
-  EXPECT_LE(drawings, 4);
+  EXPECT_LE(drawings, 5);
 }
 
 TEST(StepSearch, ErrorsThatDoNotDependOnEachOtherAreNotCountedTwice)
@@ -93,6 +93,17 @@ TEST(StepSearch, WhatIsExactAtAnyStepTakesTheCoarsest)
   const StepChoice choice = FindSampleDistance(PowerLaw{ 0.0, 1.0, &drawings }, Limit, Range, 1.0);
   EXPECT_TRUE(choice.KeepsLimit());
   EXPECT_DOUBLE_EQ(choice.sampleDistance, Range.coarsest);
+}
+
+TEST(StepSearch, WhatErrsMuchBetweenTwoDistancesThatWereTriedIsNotTaken)
+{
+  const auto draw = [](double distance)
+  {
+    const bool isHalved = std::log2(distance) == std::round(std::log2(distance));
+    const double error = isHalved ? 0.004 * distance * distance : 0.5;
+    return std::vector<float>(4 * 100, float(0.25 + error));
+  };
+  EXPECT_EQ(FindSampleDistance(draw, Limit, Range, 1.0).sampleDistance, 1.0);
 }
 
 TEST(StepSearch, OneBadPixelCountsByTheLimitOfTheLargestError)

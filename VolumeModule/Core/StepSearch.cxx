@@ -14,15 +14,18 @@ namespace
 
 constexpr double SupposedOrder = 1.6;
 
+// A distance that was not tried before may be off by so much of the limit.
+constexpr double MostOfLimit = 1.2;
+
 // What halving the distance so often changes is 1 - 2^(-order halvings) of the error.
-double ErrorPerChange(double order, int halvings)
+double ErrorPerChange(double order, double halvings)
 {
   return 1.0 / (1.0 - std::exp2(-order * halvings));
 }
 
 struct Estimate
 {
-  int halvings; ///< that it was made by
+  double halvings; ///< that it was made by
   double percentile999;
   double ofLimit;
 };
@@ -34,7 +37,7 @@ int HalvingsFrom(double distance, const StepRange& range)
 }
 
 Estimate EstimateError(const std::vector<float>& picture, const std::vector<float>& finer,
-  int halvings, const ErrorLimit& limit)
+  double halvings, const ErrorLimit& limit)
 {
   const ImageError change = CompareImages(picture.data(), finer.data(), picture.size() / 4);
   const double errorPerChange = ErrorPerChange(SupposedOrder, halvings);
@@ -71,12 +74,22 @@ public:
 
   Estimate At(int level)
   {
-    const int halvings = HalvingsFrom(this->Distance(level), this->range);
+    const int finer = this->Finer(level);
     return EstimateError(
-      this->Picture(level), this->Picture(level + halvings), halvings, this->limit);
+      this->Picture(level), this->Picture(finer), double(finer - level), this->limit);
+  }
+
+  /// At a distance beside a level, by what that one was judged by.
+  Estimate Beside(int level, double distance)
+  {
+    const int finer = this->Finer(level);
+    return EstimateError(this->draw(distance), this->Picture(finer),
+      std::log2(distance / this->Distance(finer)), this->limit);
   }
 
 private:
+  int Finer(int level) const { return level + HalvingsFrom(this->Distance(level), this->range); }
+
   const std::vector<float>& Picture(int level)
   {
     std::vector<float>& picture = this->pictures[level];
@@ -127,7 +140,13 @@ StepChoice FindSampleDistance(
     const Estimate coarser = levels.At(level - 1);
     if (coarser.ofLimit > 1.0 || level == 1)
     {
-      return Between(levels, level, estimate, coarser);
+      const StepChoice choice = Between(levels, level, estimate, coarser);
+      // Where few rays err, and these much, the error is no power of the distance.
+      if (levels.Beside(level, choice.sampleDistance).ofLimit <= MostOfLimit)
+      {
+        return choice;
+      }
+      break;
     }
     estimate = coarser;
     --level;

@@ -3,14 +3,27 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace varimarch
 {
 
-/// The packets that a block may be seen in, and its depths.
-struct VisibleDepths::Block
+namespace
+{
+
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+// Fewer are drawn by one thread: another would take longer to begin.
+constexpr std::size_t BlocksAtATime = 512;
+
+// The packets that a block may be seen in, and its depths.
+struct Rectangle
 {
   int left;
   int right; ///< included, as top
@@ -19,11 +32,6 @@ struct VisibleDepths::Block
   float nearest;
   float farthest;
 };
-
-namespace
-{
-
-constexpr float Infinity = std::numeric_limits<float>::infinity();
 
 // Half of what a block covers along a function that is linear in the grid.
 float ReachOf(const glm::vec3& perVoxel, float sideGrid)
@@ -35,6 +43,93 @@ float ReachOf(const glm::vec3& perVoxel, float sideGrid)
 glm::vec3 Row(const glm::mat4& matrix, int row)
 {
   return { matrix[0][row], matrix[1][row], matrix[2][row] };
+}
+
+// What blocks of one size look like.
+class Projection
+{
+public:
+  Projection(const glm::dmat4& clipFromGrid, const glm::vec3& axisGrid, float sideGrid,
+    const glm::vec2& picturePixels, const glm::ivec2& firstPacket, const glm::ivec2& packetCount)
+    : matrix(clipFromGrid)
+    , axisGrid(axisGrid)
+    , reach(ReachOf(Row(matrix, 0), sideGrid), ReachOf(Row(matrix, 1), sideGrid))
+    , weightReach(ReachOf(Row(matrix, 3), sideGrid))
+    , depthReach(ReachOf(axisGrid, sideGrid))
+    , halfPicture(0.5f * picturePixels)
+    , firstPixel(glm::vec2(firstPacket) * Packet)
+    , count(packetCount)
+  {
+  }
+
+  // None for a block beside the eye.
+  std::optional<Rectangle> Of(const glm::vec3& centerGrid) const
+  {
+    const glm::vec4 clip = this->matrix * glm::vec4(centerGrid, 1.0f);
+    if (!(clip.w > 1.01f * this->weightReach))
+    {
+      return std::nullopt;
+    }
+    const float nearScale = 1.0f / (clip.w - this->weightReach);
+    const float farScale = 1.0f / (clip.w + this->weightReach);
+    const glm::vec2 lower = glm::vec2(clip) - this->reach;
+    const glm::vec2 upper = glm::vec2(clip) + this->reach;
+    // In pixels, with one more to every side for rays beside the middles of theirs.
+    const glm::vec2 from =
+      (glm::min(lower * nearScale, lower * farScale) + 1.0f) * this->halfPicture -
+      this->firstPixel - 1.0f;
+    const glm::vec2 to =
+      (glm::max(upper * nearScale, upper * farScale) + 1.0f) * this->halfPicture -
+      this->firstPixel + 1.0f;
+    // Clamped before they are integers, which cannot hold what is close to the eye.
+    const glm::ivec2 begin(glm::clamp(glm::floor(from / Packet), glm::vec2(0.0f), this->count));
+    const glm::ivec2 last(
+      glm::clamp(glm::floor(to / Packet), glm::vec2(-1.0f), this->count - 1.0f));
+    const float depth = glm::dot(this->axisGrid, centerGrid);
+    return Rectangle{ begin.x, last.x, begin.y, last.y, depth - this->depthReach,
+      depth + this->depthReach };
+  }
+
+private:
+  static constexpr glm::vec2 Packet = glm::vec2(PacketWidth, PacketHeight);
+
+  glm::mat4 matrix;
+  glm::vec3 axisGrid;
+  glm::vec2 reach; ///< of a block in clip space
+  float weightReach;
+  float depthReach;
+  glm::vec2 halfPicture; ///< [pixels]
+  glm::vec2 firstPixel;
+  glm::vec2 count; ///< of packets
+};
+
+// What a thread has drawn.
+struct Layer
+{
+  int columns;
+  std::vector<float> nearest; ///< of each packet
+  std::vector<float> farthest;
+  bool isBounded = true;
+
+  void Draw(const Rectangle& block)
+  {
+    for (int row = block.bottom; row <= block.top; ++row)
+    {
+      float* const nearestOf = &this->nearest[std::size_t(row) * this->columns];
+      float* const farthestOf = &this->farthest[std::size_t(row) * this->columns];
+      for (int column = block.left; column <= block.right; ++column)
+      {
+        nearestOf[column] = std::min(nearestOf[column], block.nearest);
+        farthestOf[column] = std::max(farthestOf[column], block.farthest);
+      }
+    }
+  }
+};
+
+template <class Choose>
+void ChooseEach(std::vector<float>& values, const std::vector<float>& others, Choose choose)
+{
+  std::transform(values.begin(), values.end(), others.begin(), values.begin(), choose);
 }
 
 }
@@ -49,51 +144,32 @@ VisibleDepths::VisibleDepths(const VisibleBlocks& blocks, const glm::dmat4& clip
   , nearest(std::size_t(columns) * rows, Infinity)
   , farthest(std::size_t(columns) * rows, -Infinity)
 {
-  const glm::mat4 matrix(clipFromGrid);
-  const glm::vec3 reach(ReachOf(Row(matrix, 0), blocks.sideGrid),
-    ReachOf(Row(matrix, 1), blocks.sideGrid), ReachOf(Row(matrix, 3), blocks.sideGrid));
-  const float depthReach = ReachOf(this->axisGrid, blocks.sideGrid);
-  const glm::vec2 halfPicture = 0.5f * glm::vec2(camera.pictureWidth, camera.pictureHeight);
-  const glm::vec2 first(
-    float(this->firstColumn * PacketWidth), float(this->firstRow * PacketHeight));
-  const glm::vec2 packet = { PacketWidth, PacketHeight };
-  const glm::vec2 count(float(this->columns), float(this->rows));
-  for (const glm::vec3& center : blocks.centersGrid)
-  {
-    const glm::vec4 clip = matrix * glm::vec4(center, 1.0f);
-    if (!(clip.w > 1.01f * reach.z))
+  const Projection projection(clipFromGrid, this->axisGrid, blocks.sideGrid,
+    { camera.pictureWidth, camera.pictureHeight }, { this->firstColumn, this->firstRow },
+    { this->columns, this->rows });
+  tbb::enumerable_thread_specific<Layer> layers(
+    Layer{ this->columns, this->nearest, this->farthest });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.centersGrid.size(), BlocksAtATime),
+    [&](const tbb::blocked_range<std::size_t>& part)
     {
-      this->isBounded = false;
-      return;
-    }
-    const float nearScale = 1.0f / (clip.w - reach.z);
-    const float farScale = 1.0f / (clip.w + reach.z);
-    const glm::vec2 lower = glm::vec2(clip) - glm::vec2(reach);
-    const glm::vec2 upper = glm::vec2(clip) + glm::vec2(reach);
-    // In pixels, with one more to every side for rays beside the middles of theirs.
-    const glm::vec2 from =
-      (glm::min(lower * nearScale, lower * farScale) + 1.0f) * halfPicture - first - 1.0f;
-    const glm::vec2 to =
-      (glm::max(upper * nearScale, upper * farScale) + 1.0f) * halfPicture - first + 1.0f;
-    // Clamped before they are integers, which cannot hold what is close to the eye.
-    const glm::ivec2 begin(glm::clamp(glm::floor(from / packet), glm::vec2(0.0f), count));
-    const glm::ivec2 last(glm::clamp(glm::floor(to / packet), glm::vec2(-1.0f), count - 1.0f));
-    const float depth = glm::dot(this->axisGrid, center);
-    this->Draw({ begin.x, last.x, begin.y, last.y, depth - depthReach, depth + depthReach });
-  }
-}
-
-void VisibleDepths::Draw(const Block& block)
-{
-  for (int row = block.bottom; row <= block.top; ++row)
+      Layer& layer = layers.local();
+      for (std::size_t i = part.begin(); i < part.end() && layer.isBounded; ++i)
+      {
+        const std::optional<Rectangle> block = projection.Of(blocks.centersGrid[i]);
+        layer.isBounded = block.has_value();
+        if (block)
+        {
+          layer.Draw(*block);
+        }
+      }
+    });
+  for (const Layer& layer : layers)
   {
-    float* const nearestOf = &this->nearest[std::size_t(row) * this->columns];
-    float* const farthestOf = &this->farthest[std::size_t(row) * this->columns];
-    for (int column = block.left; column <= block.right; ++column)
-    {
-      nearestOf[column] = std::min(nearestOf[column], block.nearest);
-      farthestOf[column] = std::max(farthestOf[column], block.farthest);
-    }
+    this->isBounded = this->isBounded && layer.isBounded;
+    const auto less = [](float a, float b) { return std::min(a, b); };
+    const auto more = [](float a, float b) { return std::max(a, b); };
+    ChooseEach(this->nearest, layer.nearest, less);
+    ChooseEach(this->farthest, layer.farthest, more);
   }
 }
 

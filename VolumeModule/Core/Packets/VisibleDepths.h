@@ -34,9 +34,6 @@ public:
   PacketDepths Depths() const;
 
 private:
-  struct Block;
-  void Draw(const Block& block);
-
   glm::vec3 axisGrid;
   int firstColumn; ///< of packets
   int firstRow;
