@@ -190,8 +190,8 @@ private:
   double SampleDistanceInView() const;
   ToleranceChoice ChooseSteps(const Frame& frame, const ToleranceInputs& inputs);
   double MissedOfLimit(const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit);
-  /// Whether another rule keeps the limit in less time than midpoints.
-  bool PreIntegrationPays(
+  /// Whether another rule may keep the limit in less time than midpoints.
+  bool PreIntegrationMayPay(
     const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit);
   std::vector<float> DrawProbe(Frame frame, Integration integration, double sampleDistanceMm);
 
