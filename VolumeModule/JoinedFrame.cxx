@@ -1,5 +1,7 @@
 #include "JoinedFrame.h"
 
+#include "Core/ShaderRecipe.h"
+
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkMultiVolume.h"
@@ -122,9 +124,7 @@ Frame JoinedFrame(std::vector<Frame> frames, vtkVariationFieldVolumeMapper* mapp
     JoinTo(first, std::move(frames[i]));
   }
   // Where nothing is sampled, the faces of voxels are the steps.
-  first.sampleDistanceMm = IsSampled(first.settings)
-    ? std::max(sampleDistanceMm, ShortestSampleDistanceMm(first))
-    : LongestRayMm(first);
+  first.sampleDistanceMm = IsSampled(first.settings) ? sampleDistanceMm : LongestRayMm(first);
   return first;
 }
 
@@ -149,10 +149,16 @@ double ShortestSampleDistanceMm(const Frame& frame)
 {
   const double sumMm = SumOf(
     frame, [](const VolumeGeometry& geometry) { return geometry.ShortestSampleDistanceMm(); });
-  // One volume takes three rounds for a segment; several two, and two for each of them.
+  // One volume takes three rounds for a segment; several two, and two for each of them. Lit ones
+  // are searched for what is visible by a loop in which pixels wait for each other: five in some
+  // pictures, and may be more.
   constexpr double RoundsOfOne = 3.0;
+  constexpr double RoundsOfLit = 6.0;
+  const bool isLit = MarchesMaterial(frame.settings) && frame.marcher == Marcher::Device;
   const double volumes = 1.0 + double(frame.others.size());
-  return frame.others.empty() ? sumMm : sumMm * (2.0 + 2.0 * volumes) / RoundsOfOne;
+  const double rounds =
+    std::max(isLit ? RoundsOfLit : RoundsOfOne, frame.others.empty() ? 0.0 : 2.0 + 2.0 * volumes);
+  return sumMm * rounds / RoundsOfOne;
 }
 
 }

@@ -2,12 +2,14 @@
 
 #include "Core/ShaderRecipe.h"
 #include "Core/SplineCoefficients.h"
+#include "JoinedFrame.h"
 #include "PropertyTransferFunction.h"
 
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace varimarch
@@ -50,6 +52,7 @@ void RayMarcher::Draw(Frame frame)
   {
     this->packets.Release(frame.window);
   }
+  frame.sampleDistanceMm = std::max(frame.sampleDistanceMm, ShortestSampleDistanceMm(frame));
   this->UpdateDepth(frame);
   this->UpdateNoise(frame);
   this->UpdateCuts(frame);

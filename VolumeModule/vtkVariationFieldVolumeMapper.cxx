@@ -62,7 +62,7 @@ std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
     std::ostringstream text;
     text << "The sample distance " << mapper->GetSampleDistance()
          << " is too short for this volume: " << this->Marcher.UsedSampleDistanceMm()
-         << " is used, 20000 samples along its diagonal. ";
+         << " is used. ";
     warnings += text.str();
   }
   if (!mapper->GetErrorToleranceIsKept())

@@ -1,6 +1,7 @@
 // The mapper's pictures against the reference integrator: double precision, none of its formulas.
 
 #include "Module/MapperScene.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <vtkActor.h>
 #include <vtkPolyDataMapper.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace
 {
@@ -280,4 +282,39 @@ TEST(Mapper, OpaqueGeometryHidesWhatIsBehindIt)
     changed = std::max(changed, std::abs(double(behind[i]) - without[i]));
   }
   EXPECT_LT(changed, 0.004);
+}
+
+namespace
+{
+
+// Each ray meets what is visible at other places than its neighbours, again and again.
+vtkSmartPointer<vtkImageData> Noise()
+{
+  auto noise = vtkSmartPointer<vtkImageData>::New();
+  noise->SetDimensions(48, 48, 48);
+  noise->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* const voxels = static_cast<unsigned char*>(noise->GetScalarPointer());
+  std::mt19937 generator(1);
+  std::generate(voxels, voxels + noise->GetNumberOfPoints(), [&] { return generator() % 256; });
+  return noise;
+}
+
+}
+
+TEST(LitNoise, IsMarchedToTheEndHoweverShortTheSteps)
+{
+  MapperScene scene(Noise(), 24);
+  scene.volume->GetProperty()->ShadeOn();
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(120.0, 0.0);
+  scene.opacities->AddPoint(255.0, 0.05);
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  scene.mapper->SetAccelerationModeToOff();
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistance(scene.image->GetLength() / 19000.0);
+  const ExpectedVtkErrors itIsTooShort;
+  const varimarch::ImageError error = scene.Error();
+  EXPECT_LT(error.largest, 2.0);
+  EXPECT_FALSE(itIsTooShort.Messages().empty());
 }
