@@ -149,15 +149,14 @@ double ShortestSampleDistanceMm(const Frame& frame)
 {
   const double sumMm = SumOf(
     frame, [](const VolumeGeometry& geometry) { return geometry.ShortestSampleDistanceMm(); });
-  // One volume takes three rounds for a segment; several two, and two for each of them. Lit ones
-  // are searched for what is visible by a loop in which pixels wait for each other: five in some
-  // pictures, and may be more.
+  // One volume takes three rounds for a segment; several two, and two for each of them. A lit
+  // one is searched for what is visible by a loop in which pixels wait for each other: five rounds
+  // in some pictures, and there may be worse.
   constexpr double RoundsOfOne = 3.0;
   constexpr double RoundsOfLit = 6.0;
   const bool isLit = MarchesMaterial(frame.settings) && frame.marcher == Marcher::Device;
   const double volumes = 1.0 + double(frame.others.size());
-  const double rounds =
-    std::max(isLit ? RoundsOfLit : RoundsOfOne, frame.others.empty() ? 0.0 : 2.0 + 2.0 * volumes);
+  const double rounds = volumes > 1.0 ? 2.0 + 2.0 * volumes : (isLit ? RoundsOfLit : RoundsOfOne);
   return sumMm * rounds / RoundsOfOne;
 }
 

@@ -275,7 +275,7 @@ bool RayMarcher::PreIntegrationMayPay(
     choice.step.ofLimit;
 }
 
-// Halving the distance tells nothing of a peak that lies between all samples. Pre-integration
+// A shorter distance tells nothing of a peak that lies between all samples. Pre-integration
 // misses none: what it differs by, beyond what its own steps make, is an error of the others.
 double RayMarcher::MissedOfLimit(
   const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit)

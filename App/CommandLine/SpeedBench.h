@@ -19,12 +19,13 @@ struct SpeedPoint
   std::string method; ///< "ours", "ours-shader", "off", "published", "vtk-gpu" or "vtk-cpu"
   MapperKind kind;
   RenderOptions options;
-  double firstSeconds;                   ///< of a first picture
+  double firstSeconds;                   ///< that its first picture took
   ImageError error;                      ///< against the truth
   std::optional<double> fetchesPerPixel; ///< see FrameCost.h, as the next
   std::optional<double> graphicsBytes;
-  std::vector<FrameCost> rounds; ///< more than one of each that compares it with several others
-  FrameCost median;              ///< of these
+  std::vector<FrameCost>
+    rounds;         ///< one of each comparison in each round; at least one in the first
+  FrameCost median; ///< of these
 };
 
 /// How fast we want to be where we err less than another method by a factor.

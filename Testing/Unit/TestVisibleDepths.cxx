@@ -32,12 +32,12 @@ PacketCamera CameraOf(const glm::dmat4& clipFromGrid)
   return camera;
 }
 
-VisibleBlocks RandomBlocks(unsigned seed)
+VisibleBlocks RandomBlocks(unsigned seed, int count = 12)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(20.0f, 80.0f);
   VisibleBlocks blocks{ Side, {} };
-  for (int i = 0; i < 12; ++i)
+  for (int i = 0; i < count; ++i)
   {
     const float x = place(random);
     const float y = place(random);
@@ -119,6 +119,29 @@ TEST_P(VisibleDepthsOf, AreNothingWhereNoBlockIs)
     empty += depths.nearest[packet] > depths.farthest[packet] ? 1 : 0;
   }
   EXPECT_GT(empty, packets * 9 / 10);
+}
+
+// So many are drawn by several threads, single ones are not.
+TEST_P(VisibleDepthsOf, ManyBlocksAreThoseOfEach)
+{
+  const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
+  const PacketCamera camera = CameraOf(clipFromGrid);
+  const Viewport pixels{ 0, 0, Width, Height };
+  const VisibleBlocks blocks = RandomBlocks(5, 200000);
+  const VisibleDepths visible(blocks, clipFromGrid, camera, pixels);
+  const PacketDepths all = visible.Depths();
+  const int packets = all.columns * ((Height + PacketHeight - 1) / PacketHeight);
+  for (std::size_t first = 0; first < blocks.centersGrid.size(); first += 500)
+  {
+    const VisibleDepths alone(
+      { Side, { blocks.centersGrid[first] } }, clipFromGrid, camera, pixels);
+    const PacketDepths one = alone.Depths();
+    for (int packet = 0; packet < packets; ++packet)
+    {
+      ASSERT_LE(all.nearest[packet], one.nearest[packet]);
+      ASSERT_GE(all.farthest[packet], one.farthest[packet]);
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, VisibleDepthsOf, testing::Bool());
