@@ -106,6 +106,16 @@ TEST(StepSearch, WhatErrsMuchBetweenTwoDistancesThatWereTriedIsNotTaken)
   EXPECT_EQ(FindSampleDistance(draw, Limit, Range, 1.0).sampleDistance, 1.0);
 }
 
+TEST(StepSearch, WhereTheErrorHardlyFallsTheDistanceThatKeepsTheLimitIsTaken)
+{
+  const auto draw = [](double distance)
+  {
+    const double error = distance < 0.4 ? 0.0 : (distance < 0.8 ? 0.0085 : 0.0093);
+    return std::vector<float>(4 * 100, float(0.25 + error));
+  };
+  EXPECT_EQ(FindSampleDistance(draw, Limit, Range, 1.0).sampleDistance, 0.5);
+}
+
 TEST(StepSearch, OneBadPixelCountsByTheLimitOfTheLargestError)
 {
   const auto draw = [](double distance)

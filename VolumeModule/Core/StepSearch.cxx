@@ -118,7 +118,7 @@ StepChoice Between(
   const double missed = std::log2(
     ErrorPerChange(order, estimate.halvings) / ErrorPerChange(SupposedOrder, estimate.halvings));
   const double part =
-    slope > 0.0 ? std::min((-safeLog(estimate.ofLimit) - missed) / slope, 1.0) : 1.0;
+    slope > 0.0 ? std::clamp((-safeLog(estimate.ofLimit) - missed) / slope, 0.0, 1.0) : 1.0;
   return { levels.Distance(level) * std::exp2(part),
     estimate.percentile999 * std::exp2(missed + part * errorSlope), 1.0 };
 }
