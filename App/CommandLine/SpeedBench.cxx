@@ -188,7 +188,7 @@ std::vector<Rung> Ladder(const Bench& bench, const std::string& method, double l
 }
 
 // About the largest tolerance whose RMSE is at most `wanted`: a rung at which it is, or above it up
-// to three quarters of the way to the next coarser one.
+// to fifteen sixteenths of the way to the next coarser one.
 double LargestTolerance(const Bench& bench, const std::string& method, double rung, double wanted)
 {
   if (rung == Coarsest)
@@ -197,7 +197,7 @@ double LargestTolerance(const Bench& bench, const std::string& method, double ru
   }
   OffscreenView view = bench.NewView(KindOf(method), Tolerating(rung, Acceleration::OpticalField));
   double largest = rung;
-  for (const double partOfRung : { 0.5, 0.25 })
+  for (const double partOfRung : { 0.5, 0.25, 0.125, 0.0625 })
   {
     const double tolerance = largest * std::pow(2.0, partOfRung / RungsPerHalf);
     view.Pipeline().SetRenderOptions(Tolerating(tolerance, Acceleration::OpticalField));
