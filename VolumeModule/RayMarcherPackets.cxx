@@ -200,7 +200,7 @@ PacketSteps RayMarcher::StepsOfPackets(const Frame& frame) const
   PacketSteps steps = {};
   steps.stepMm = float(frame.sampleDistanceMm);
   steps.mostSegments = MostSegmentsOf(frame);
-  steps.earlyTerminationTransmittance = float(frame.earlyTerminationTransmittance);
+  steps.mostOpticalDepth = float(-std::log(frame.earlyTerminationTransmittance));
   steps.grow = frame.settings.acceleration == Acceleration::OpticalField;
   steps.brickCount = glm::ivec3(1);
   steps.cellsPerBrick = float(BrickRanges::CellsPerSide);

@@ -248,8 +248,8 @@ ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame, const ToleranceInput
     return choice;
   }
   const ToleranceChoice preIntegrated = withMissed(choiceBy(Integration::PreIntegrated));
-  const double longer = preIntegrated.step.sampleDistance / choice.step.sampleDistance;
-  return choice.step.KeepsLimit() && longer < PreIntegrationCostOf(frame) ? choice : preIntegrated;
+  return IsBetter(preIntegrated.step, PreIntegrationCostOf(frame), choice.step) ? preIntegrated
+                                                                                : choice;
 }
 
 // Known before it is searched for, which takes longer.

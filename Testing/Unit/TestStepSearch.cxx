@@ -106,6 +106,18 @@ TEST(StepSearch, WhatErrsMuchBetweenTwoDistancesThatWereTriedIsNotTaken)
   EXPECT_EQ(FindSampleDistance(draw, Limit, Range, 1.0).sampleDistance, 1.0);
 }
 
+TEST(StepSearch, HalfOfTheWayIsTakenWhereAllOfItErrsMuch)
+{
+  const auto draw = [](double distance)
+  {
+    const bool isHalved = std::log2(distance) == std::round(std::log2(distance));
+    const double error = isHalved || distance < 1.4 ? 0.004 * distance * distance : 0.5;
+    return std::vector<float>(4 * 100, float(0.25 + error));
+  };
+  const double allOfIt = std::sqrt(Limit.percentile999 / 0.004);
+  EXPECT_NEAR(FindSampleDistance(draw, Limit, Range, 1.0).sampleDistance, std::sqrt(allOfIt), 0.05);
+}
+
 TEST(StepSearch, WhereTheErrorHardlyFallsTheDistanceThatKeepsTheLimitIsTaken)
 {
   const auto draw = [](double distance)
@@ -127,4 +139,16 @@ TEST(StepSearch, OneBadPixelCountsByTheLimitOfTheLargestError)
   const StepChoice choice = FindSampleDistance(draw, Limit, Range, 1.0);
   EXPECT_LE(0.1 * choice.sampleDistance, 1.4 * Limit.largest);
   EXPECT_GE(0.1 * choice.sampleDistance, 0.7 * Limit.largest);
+}
+
+TEST(StepSearch, ARuleWhoseStepsCostMoreIsBetterWhereTheyAreLongerByMore)
+{
+  const StepChoice other{ 1.0, 0.01, 1.0 };
+  EXPECT_FALSE(IsBetter({ 2.4, 0.01, 1.0 }, 2.5, other));
+  EXPECT_TRUE(IsBetter({ 2.6, 0.01, 1.0 }, 2.5, other));
+}
+
+TEST(StepSearch, ARuleIsBetterThanOneThatDoesNotKeepTheLimit)
+{
+  EXPECT_TRUE(IsBetter({ 0.5, 0.01, 1.0 }, 2.5, { 1.0, 0.02, 2.0 }));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace varimarch
 {
@@ -108,8 +109,22 @@ private:
 
 /// Between two levels the error is taken as a power of the distance. Where it falls slower than was
 /// supposed, as at opaque surfaces, a finer distance has changed a smaller part of it.
-StepChoice Between(
-  const Levels& levels, int level, const Estimate& estimate, const Estimate& coarser)
+struct PowerLaw
+{
+  double distance; ///< of the finer level
+  double error;    ///< there, the 99.9th percentile
+  double octaves;  ///< by which a distance is longer whose error is the limit
+  double errorSlope;
+
+  StepChoice At(double partOfOctaves) const
+  {
+    const double longer = partOfOctaves * this->octaves;
+    return { this->distance * std::exp2(longer), this->error * std::exp2(longer * this->errorSlope),
+      1.0 };
+  }
+};
+
+PowerLaw LawBetween(double distance, const Estimate& estimate, const Estimate& coarser)
 {
   const auto safeLog = [](double number) { return std::log2(std::max(number, 1e-12)); };
   const double slope = safeLog(coarser.ofLimit) - safeLog(estimate.ofLimit);
@@ -117,12 +132,33 @@ StepChoice Between(
   const double order = std::clamp(slope, 1.0, SupposedOrder);
   const double missed = std::log2(
     ErrorPerChange(order, estimate.halvings) / ErrorPerChange(SupposedOrder, estimate.halvings));
-  const double part =
+  const double octaves =
     slope > 0.0 ? std::clamp((-safeLog(estimate.ofLimit) - missed) / slope, 0.0, 1.0) : 1.0;
-  return { levels.Distance(level) * std::exp2(part),
-    estimate.percentile999 * std::exp2(missed + part * errorSlope), 1.0 };
+  return { distance, estimate.percentile999 * std::exp2(missed), octaves, errorSlope };
 }
 
+// Where few rays err, and these much, the error is no power of the distance: what is found is
+// tried, and then half of the way there.
+std::optional<StepChoice> FindBetween(
+  Levels& levels, int level, const Estimate& estimate, const Estimate& coarser)
+{
+  const PowerLaw law = LawBetween(levels.Distance(level), estimate, coarser);
+  for (const double part : { 1.0, 0.5 })
+  {
+    const StepChoice choice = law.At(part);
+    if (levels.Beside(level, choice.sampleDistance).ofLimit <= MostOfLimit)
+    {
+      return choice;
+    }
+  }
+  return std::nullopt;
+}
+
+}
+
+bool IsBetter(const StepChoice& choice, double cost, const StepChoice& other)
+{
+  return !other.KeepsLimit() || choice.sampleDistance >= cost * other.sampleDistance;
 }
 
 StepChoice FindSampleDistance(
@@ -140,11 +176,9 @@ StepChoice FindSampleDistance(
     const Estimate coarser = levels.At(level - 1);
     if (coarser.ofLimit > 1.0 || level == 1)
     {
-      const StepChoice choice = Between(levels, level, estimate, coarser);
-      // Where few rays err, and these much, the error is no power of the distance.
-      if (levels.Beside(level, choice.sampleDistance).ofLimit <= MostOfLimit)
+      if (const std::optional<StepChoice> choice = FindBetween(levels, level, estimate, coarser))
       {
-        return choice;
+        return *choice;
       }
       break;
     }

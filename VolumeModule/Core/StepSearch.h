@@ -24,6 +24,11 @@ struct StepChoice
   bool KeepsLimit() const { return this->ofLimit <= 1.0; }
 };
 
+/// Whether the steps of one rule are better than another's: where the other's do not keep the
+/// limit, and where fewer are taken than what one costs makes up for.
+/// @param cost  of a step, in those of the other rule
+bool IsBetter(const StepChoice& choice, double cost, const StepChoice& other);
+
 /// Where to search: at `coarsest` and its halves, not below `finest`. Half of that is drawn too.
 struct StepRange
 {

@@ -70,16 +70,6 @@ inline Lanes InverseSqrt(Lanes number)
   return estimate * (1.5f - 0.5f * number * estimate * estimate);
 }
 
-/// 1 / cube root of positive numbers, by two of Newton's steps from an estimate, a third of the
-/// exponent: within 3e-5, relative.
-inline Lanes InverseCubeRoot(Lanes number)
-{
-  constexpr float bitsOfEstimate = 1.42e9f; // 4/3 of 1.0f, and a little less: the best for all
-  Lanes root = Lanes(Truncated(bitsOfEstimate - FloatOf(IntLanes(number)) * (1.0f / 3.0f)));
-  root = root * (4.0f / 3.0f - 1.0f / 3.0f * number * root * root * root);
-  return root * (4.0f / 3.0f - 1.0f / 3.0f * number * root * root * root);
-}
-
 inline Lanes Abs(Lanes number)
 {
   return Lanes(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), number));
@@ -179,6 +169,18 @@ struct PowerOfTwo
     this->partLessOne = sum * f;
   }
 };
+
+/// 2^number, for numbers from 0 to 2; within 6e-6, relative, and 1 of 0. By Estrin's scheme: for
+/// what waits for it.
+/// Polynomial: minimax of the relative error on [0, 2].
+inline Lanes SmallPowerOfTwo(Lanes number)
+{
+  const Lanes squared = number * number;
+  const Lanes lower = 1.0f + number * 6.93289441e-1f;
+  const Lanes middle = 2.39092316e-1f + number * 5.83119361e-2f;
+  const Lanes upper = 6.72009978e-3f + number * 2.59419137e-3f;
+  return lower + squared * (middle + squared * upper);
+}
 
 /// The binary logarithm of numbers above 0, of which denormalised ones count as the least other.
 /// ln m = 2 artanh((m - 1) / (m + 1)), with m in [sqrt(1/2), sqrt(2)): five terms of its series are

@@ -19,8 +19,7 @@ namespace varimarch
 inline LaneMask GoOn(
   const PacketScene& scene, const PacketRays& rays, Lanes t, const PacketSum& sum)
 {
-  return LaneMask(t < rays.exit) &
-    LaneMask(sum.transmittance >= scene.steps.earlyTerminationTransmittance);
+  return LaneMask(t < rays.exit) & LaneMask(sum.opticalDepth <= scene.steps.mostOpticalDepth);
 }
 
 /// Marches segments of equal parts, each of which a rule takes in.
@@ -37,7 +36,7 @@ PacketSum MarchSegments(
   for (int index = 0; index < scene.steps.mostSegments && Any(going); ++index)
   {
     const SegmentLanes segment = walk.NextSegment(
-      t, AllInt(index), PartsPerSegment * scene.steps.stepMm, sum.transmittance, going);
+      t, AllInt(index), PartsPerSegment * scene.steps.stepMm, sum.opticalDepth, going);
     going &= LaneMask(segment.enter < rays.exit);
     if (!Any(going))
     {
@@ -279,7 +278,7 @@ private:
   void NextSegment(LaneMask mask)
   {
     const SegmentLanes next = this->walk.NextSegment(
-      this->t, this->index, this->scene.steps.stepMm, this->sum.transmittance, mask);
+      this->t, this->index, this->scene.steps.stepMm, this->sum.opticalDepth, mask);
     const LaneMask jumps = LaneMask(next.enter > this->t);
     const Lanes end = Min(Select(jumps, next.enter, next.exit), this->rays.exit);
     const Lanes length = Select(jumps, Lanes{}, Max(end - next.enter, Lanes{}));

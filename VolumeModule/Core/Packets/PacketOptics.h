@@ -124,11 +124,14 @@ struct PacketSum
 {
   Lanes3 color = { Lanes{}, Lanes{}, Lanes{} }; ///< premultiplied
   Lanes transmittance = All(1.0f);
+  Lanes opticalDepth = {}; ///< of all parts: known before the transmittance is
 
   void Add(const Optical& optical, Lanes lengthMm)
   {
+    const Lanes depth = Min(optical.extinction * lengthMm, All(100.0f));
+    this->opticalDepth += depth;
     // 1 - exp(-depth), without cancellation: 1 - 2^i - 2^i (2^f - 1).
-    const PowerOfTwo power(-1.442695041f * Min(optical.extinction * lengthMm, All(100.0f)));
+    const PowerOfTwo power(-1.442695041f * depth);
     const Lanes absorbed = (1.0f - power.whole) - power.whole * power.partLessOne;
     const Lanes seen = this->transmittance * absorbed;
     this->color = this->color + seen * optical.color;

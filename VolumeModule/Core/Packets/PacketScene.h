@@ -88,7 +88,7 @@ struct PacketSteps
 {
   float stepMm;
   int mostSegments;
-  float earlyTerminationTransmittance;
+  float mostOpticalDepth;     ///< behind more, a ray ends
   const std::uint8_t* bricks; ///< of an OpticalField; none: there is nothing to skip
   glm::ivec3 brickCount;
   float cellsPerBrick;

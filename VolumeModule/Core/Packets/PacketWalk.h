@@ -115,7 +115,7 @@ public:
 
   /// Shaders/Slots.glsl, of the rays of a mask.
   SegmentLanes NextSegment(
-    Lanes t, IntLanes index, float plainMm, Lanes transmittance, LaneMask mask) const
+    Lanes t, IntLanes index, float plainMm, Lanes opticalDepth, LaneMask mask) const
   {
     if (!this->steps.grow)
     {
@@ -123,7 +123,7 @@ public:
       return { t, this->rays.enter + (FloatOf(index) + this->firstPart) * plainMm };
     }
     const Lanes longest =
-      Growth(transmittance) * Select(index == 0, this->firstPart * plainMm, All(plainMm));
+      Growth(opticalDepth) * Select(index == 0, this->firstPart * plainMm, All(plainMm));
     if (!this->steps.bricks)
     {
       return { t, t + longest };
@@ -132,10 +132,12 @@ public:
   }
 
 private:
-  // Shaders/Math/StepGrowth.glsl.
-  static Lanes Growth(Lanes transmittance)
+  // Shaders/Math/StepGrowth.glsl: exp(depth / 3), at most 4. Of all that a segment finds, where the
+  // next one is waits for this.
+  static Lanes Growth(Lanes opticalDepth)
   {
-    return Min(InverseCubeRoot(Max(transmittance, All(1e-6f))), All(4.0f));
+    constexpr float OctavesPerDepth = 1.442695041f / 3.0f;
+    return SmallPowerOfTwo(Min(OctavesPerDepth * opticalDepth, All(2.0f)));
   }
 
   static Lanes NoiseAt(const PacketSteps& steps, int x, int y)
