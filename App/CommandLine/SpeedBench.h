@@ -23,9 +23,8 @@ struct SpeedPoint
   ImageError error;                      ///< against the truth
   std::optional<double> fetchesPerPixel; ///< see FrameCost.h, as the next
   std::optional<double> graphicsBytes;
-  std::vector<FrameCost>
-    rounds;         ///< one of each comparison in each round; at least one in the first
-  FrameCost median; ///< of these
+  std::vector<FrameCost> rounds; ///< of each round one for each comparison, or one without any
+  FrameCost median;              ///< of these
 };
 
 /// How fast we want to be where we err less than another method by a factor.
