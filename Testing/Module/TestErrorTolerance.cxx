@@ -220,7 +220,7 @@ public:
   LitShell(double opacityUnitMm, double tolerance)
     : scene(varimarch::ProceduralVolume({ varimarch::ProceduralKind::Torso, { 64, 64, 64 }, 7 }))
   {
-    SetOpacities(this->scene, { { 200.0, 0.0 }, { 250.0, 0.5 }, { 300.0, 0.0 } });
+    SetOpacities(this->scene, { { 225.0, 0.0 }, { 250.0, 0.5 }, { 275.0, 0.0 } });
     this->scene.volume->GetProperty()->ShadeOn();
     this->scene.volume->GetProperty()->SetScalarOpacityUnitDistance(opacityUnitMm);
     this->scene.mapper->SetErrorTolerance(tolerance);

@@ -200,9 +200,10 @@ TEST(LatticeWalk, LeavesABlockAtItsNearestFace)
   EXPECT_EQ(behind.cell, glm::vec3(4.0f, 18.0f, 3.0f));
 }
 
-TEST(StepGrowth, IsOneInTheOpenAndLimitedBehindVeils)
+TEST(StepGrowth, BeginsBehindHalfOfTheLightAndIsLimited)
 {
   EXPECT_FLOAT_EQ(glsl::StepGrowth(1.0f), 1.0f);
+  EXPECT_FLOAT_EQ(glsl::StepGrowth(0.5f), 1.0f);
   EXPECT_FLOAT_EQ(glsl::StepGrowth(0.125f), 2.0f);
   EXPECT_FLOAT_EQ(glsl::StepGrowth(0.0f), 4.0f);
 }

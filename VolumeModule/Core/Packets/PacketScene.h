@@ -92,7 +92,7 @@ struct PacketSteps
   const std::uint8_t* bricks; ///< of an OpticalField; none: there is nothing to skip
   glm::ivec3 brickCount;
   float cellsPerBrick;
-  bool grow;                  ///< behind what is nearly opaque
+  bool grow;                  ///< where less than half of the light is left
   const std::uint16_t* noise; ///< BlueNoiseTile, by which rays begin; none: with a whole step
   int noiseMask;              ///< its size less 1
 };

@@ -122,8 +122,12 @@ public:
       // Positions come from the index, so that nothing accumulates over thousands of steps.
       return { t, this->rays.enter + (FloatOf(index) + this->firstPart) * plainMm };
     }
-    const Lanes longest =
-      Growth(opticalDepth) * Select(index == 0, this->firstPart * plainMm, All(plainMm));
+    Lanes longest = Select(index == 0, this->firstPart * plainMm, All(plainMm));
+    // A processor foresees this branch, and need not wait for the depth before it goes on.
+    if (Any(LaneMask(opticalDepth > DepthOfHalf)))
+    {
+      longest = Growth(opticalDepth) * longest;
+    }
     if (!this->steps.bricks)
     {
       return { t, t + longest };
@@ -132,12 +136,14 @@ public:
   }
 
 private:
-  // Shaders/Math/StepGrowth.glsl: exp(depth / 3), at most 4. Of all that a segment finds, where the
-  // next one is waits for this.
+  static constexpr float DepthOfHalf = 0.693147181f; ///< that half of the light goes through
+
+  // Shaders/Math/StepGrowth.glsl: sqrt(exp(depth) / 2), from 1 to 4.
   static Lanes Growth(Lanes opticalDepth)
   {
-    constexpr float OctavesPerDepth = 1.442695041f / 3.0f;
-    return SmallPowerOfTwo(Min(OctavesPerDepth * opticalDepth, All(2.0f)));
+    constexpr float OctavesPerDepth = 0.5f * 1.442695041f;
+    const Lanes octaves = OctavesPerDepth * (opticalDepth - DepthOfHalf);
+    return SmallPowerOfTwo(Clamp(octaves, Lanes{}, All(2.0f)));
   }
 
   static Lanes NoiseAt(const PacketSteps& steps, int x, int y)
