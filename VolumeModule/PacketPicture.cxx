@@ -3,51 +3,78 @@
 #include "Core/Packets/PacketMarch.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkType.h"
 #include "vtk_glew.h"
 
-#include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace varimarch
 {
+
+namespace
+{
+
+constexpr std::size_t BytesPerPixel = 4 * sizeof(float);
+
+[[noreturn]] void Fail(const Viewport& pixels, const std::string& limit)
+{
+  throw std::runtime_error("Cannot draw a picture of " + std::to_string(pixels.width) + " x " +
+    std::to_string(pixels.height) + " pixels: " + limit);
+}
+
+}
 
 void PacketPicture::March(
   vtkOpenGLRenderWindow* window, const PacketScene& scene, const Viewport& newPixels)
 {
   this->pixels = newPixels;
-  this->rgba.resize(4 * std::size_t(this->pixels.width) * this->pixels.height);
-  MarchPackets(scene, this->pixels, this->rgba.data());
-
-  const auto width = unsigned(this->pixels.width);
-  const auto height = unsigned(this->pixels.height);
-  if (this->texture->GetWidth() < width || this->texture->GetHeight() < height)
+  const std::size_t newCount = std::size_t(this->pixels.width) * this->pixels.height;
+  if (newCount > this->count)
   {
-    const unsigned newWidth = std::max(this->texture->GetWidth(), width);
-    const unsigned newHeight = std::max(this->texture->GetHeight(), height);
-    this->texture->SetContext(window);
-    this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    this->texture->Allocate2D(newWidth, newHeight, 4, VTK_FLOAT);
+    this->Allocate(window, newCount);
   }
-  this->texture->Activate();
-  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->pixels.width, this->pixels.height, GL_RGBA,
-    GL_FLOAT, this->rgba.data());
-  this->texture->Deactivate();
+  this->buffer->Bind();
+  void* const rgba = glMapBufferRange(GL_TEXTURE_BUFFER, 0, GLsizeiptr(newCount * BytesPerPixel),
+    GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+  if (!rgba)
+  {
+    this->buffer->Release();
+    Fail(this->pixels, "there is no memory for it");
+  }
+  MarchPackets(scene, this->pixels, static_cast<float*>(rgba));
+  glUnmapBuffer(GL_TEXTURE_BUFFER);
+  this->buffer->Release();
+}
+
+void PacketPicture::Allocate(vtkOpenGLRenderWindow* window, std::size_t newCount)
+{
+  this->Release(window);
+  GLint mostPixels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &mostPixels);
+  if (newCount > std::size_t(mostPixels))
+  {
+    Fail(this->pixels,
+      "this device's buffer textures have at most " + std::to_string(mostPixels) + " of them");
+  }
+  this->buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);
+  this->buffer->Bind();
+  glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(newCount * BytesPerPixel), nullptr, GL_STREAM_DRAW);
+  this->texture->SetContext(window);
+  this->texture->CreateTextureBuffer(unsigned(newCount), 4, VTK_FLOAT, this->buffer);
+  this->count = newCount;
 }
 
 std::size_t PacketPicture::Bytes() const
 {
-  return this->texture->GetHandle()
-    ? 4 * sizeof(float) * std::size_t(this->texture->GetWidth()) * this->texture->GetHeight()
-    : 0;
+  return this->count * BytesPerPixel;
 }
 
 void PacketPicture::Release(vtkWindow* window)
 {
   this->texture->ReleaseGraphicsResources(window);
-  this->rgba = {};
+  this->buffer->ReleaseGraphicsResources();
+  this->count = 0;
 }
 
 }

@@ -4,33 +4,38 @@
 #include "Core/Packets/PacketScene.h"
 
 #include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkTextureObject.h"
 
 #include <cstddef>
-#include <vector>
 
 class vtkOpenGLRenderWindow;
 
 namespace varimarch
 {
 
-/// A picture that the processor marches, as a texture.
+/// A picture that the processor marches, in a buffer texture: where OpenGL is software, that is
+/// memory which packets write into, so that no pixel is copied.
 class PacketPicture
 {
 public:
   /// @param newPixels  part of the picture
+  /// @throws std::runtime_error when there is no memory for them
   void March(vtkOpenGLRenderWindow* window, const PacketScene& scene, const Viewport& newPixels);
 
-  /// Premultiplied RGBA of the pixels that were marched last, the first of them at (0, 0).
+  /// Premultiplied RGBA of the pixels that were marched last, row by row.
   vtkTextureObject* Texture() const { return this->texture; }
   const Viewport& Pixels() const { return this->pixels; } ///< that were marched last
   std::size_t Bytes() const;
   void Release(vtkWindow* window);
 
 private:
-  vtkNew<vtkTextureObject> texture; ///< only ever grows
+  void Allocate(vtkOpenGLRenderWindow* window, std::size_t newCount);
+
+  vtkNew<vtkOpenGLBufferObject> buffer;
+  vtkNew<vtkTextureObject> texture;
+  std::size_t count = 0; ///< of pixels that there is memory for; only ever grows
   Viewport pixels = {};
-  std::vector<float> rgba;
 };
 
 }

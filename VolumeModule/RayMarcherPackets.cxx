@@ -279,6 +279,7 @@ void RayMarcher::SetMarchedUniforms(const Frame& frame, const glm::dmat4& clipFr
 {
   this->packets.Texture()->Activate();
   this->program.Set("marchedTexture", this->packets.Texture());
+  this->program.Set("marchedColumns", this->packets.Pixels().width);
   this->program.Set("viewportOriginPixels",
     glm::dvec2(frame.viewport.left + this->packets.Pixels().left,
       frame.viewport.bottom + this->packets.Pixels().bottom));
