@@ -157,7 +157,7 @@ void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   }
   frame.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
-    : std::max(mapper->GetSampleDistance(), frame.geometry.ShortestSampleDistanceMm());
+    : mapper->GetSampleDistance();
 }
 
 bool HasComponents(vtkVariationFieldVolumeMapper* mapper, int port)

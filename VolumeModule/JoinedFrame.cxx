@@ -149,12 +149,18 @@ double ShortestSampleDistanceMm(const Frame& frame)
 {
   const double sumMm = SumOf(
     frame, [](const VolumeGeometry& geometry) { return geometry.ShortestSampleDistanceMm(); });
+  if (frame.marcher == Marcher::Processor)
+  {
+    // No loop of its is ended; of more, some would be where rounding puts them.
+    constexpr double TimesAsMany = 4.0;
+    return sumMm / TimesAsMany;
+  }
   // One volume takes three rounds for a segment; several two, and two for each of them. A lit
   // one is searched for what is visible by a loop in which pixels wait for each other: five rounds
   // in some pictures, and there may be worse.
   constexpr double RoundsOfOne = 3.0;
   constexpr double RoundsOfLit = 6.0;
-  const bool isLit = MarchesMaterial(frame.settings) && frame.marcher == Marcher::Device;
+  const bool isLit = MarchesMaterial(frame.settings);
   const double volumes = 1.0 + double(frame.others.size());
   const double rounds = volumes > 1.0 ? 2.0 + 2.0 * volumes : (isLit ? RoundsOfLit : RoundsOfOne);
   return sumMm * rounds / RoundsOfOne;

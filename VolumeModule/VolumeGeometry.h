@@ -43,9 +43,9 @@ struct VolumeGeometry
   /// Length of the longest ray through the volume [mm].
   double DiagonalMm() const;
 
-  /// The shortest distance of samples [mm]: 20000 along the longest ray. Software rasterisers end a
-  /// shader, and with it the ray, after 2^16 rounds of all its loops together, of which a sample
-  /// takes up to three: where every segment is lit.
+  /// The shortest distance of samples by shaders [mm]: 20000 along the longest ray. Software
+  /// rasterisers end a shader, and with it the ray, after 2^16 rounds of all its loops together, of
+  /// which a sample takes up to three: where every segment is lit.
   double ShortestSampleDistanceMm() const;
 };
 

@@ -208,8 +208,8 @@ public:
   /**
    * Distance between samples along a ray [world units, mm], > 0. Default 1. Used only while
    * AutoAdjustSampleDistances is off. At most 20000 samples are taken along the diagonal of the
-   * volume, 10000 where it is lit by shaders; a shorter distance is lengthened to that, with a
-   * warning.
+   * volume by shaders, 10000 where it is lit, and 80000 by the processor; a shorter distance is
+   * lengthened to that, with a warning.
    */
   vtkSetClampMacro(SampleDistance, double, 1e-30, 1e30);
   vtkGetMacro(SampleDistance, double);

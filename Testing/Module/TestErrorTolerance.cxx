@@ -254,7 +254,7 @@ TEST(ErrorTolerance, OfLitPacketsIsKeptByMidpointsWhereTheyCan)
 TEST(ErrorTolerance, OfLitPacketsIsElseMissedByTheRuleThatIsNearer)
 {
   const ExpectedVtkErrors warnings; // it cannot be kept
-  LitShell shell(0.5, 1e-3);
+  LitShell shell(0.5, 1e-4);
   const double linear = shell.EstimateBy(Mapper::PreIntegrated);
   EXPECT_GT(shell.EstimateBy(Mapper::Midpoint), 1.5 * linear);
   EXPECT_EQ(shell.EstimateBy(Mapper::Automatic), linear);

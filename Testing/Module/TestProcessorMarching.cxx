@@ -2,6 +2,7 @@
 // those of the shaders, to a twentieth of a grey level (RMSE).
 
 #include "Module/ProcessorMarching.h"
+#include "Support/ExpectedVtkErrors.h"
 
 namespace
 {
@@ -221,4 +222,22 @@ TEST_F(ProcessorMarching, ComesAndGoes)
   scene.mapper->SetBlendModeToComposite();
   EXPECT_EQ(scene.Draw(), first);
   EXPECT_EQ(scene.mapper->GetVolumeTextureBuilds(), 1);
+}
+
+TEST_F(ProcessorMarching, TakesMoreSamplesThanShadersMay)
+{
+  MapperScene scene(SmallTorso(), 16);
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistance(scene.image->GetLength() / 60000.0);
+  const std::vector<float> truth = scene.Truth();
+  for (const bool byProcessor : { false, true })
+  {
+    scene.mapper->SetProcessorMarching(byProcessor);
+    const ExpectedVtkErrors itIsTooShort;
+    const std::vector<float> drawn = scene.Draw();
+    EXPECT_EQ(itIsTooShort.Messages().empty(), byProcessor);
+    const varimarch::ImageError error =
+      varimarch::CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+    EXPECT_LT(error.largest, 0.3);
+  }
 }
