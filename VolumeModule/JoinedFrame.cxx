@@ -151,7 +151,7 @@ double ShortestSampleDistanceMm(const Frame& frame)
     frame, [](const VolumeGeometry& geometry) { return geometry.ShortestSampleDistanceMm(); });
   if (frame.marcher == Marcher::Processor)
   {
-    // No loop of its is ended; of more, some would be where rounding puts them.
+    // Nothing ends its loops; of more samples some would be where rounding puts them.
     constexpr double TimesAsMany = 4.0;
     return sumMm / TimesAsMany;
   }

@@ -64,7 +64,9 @@ void RayMarcher::Draw(Frame frame)
   if (this->tolerance)
   {
     frame.settings.integration = this->tolerance->integration;
-    frame.sampleDistanceMm = this->SampleDistanceInView();
+    // Others than those who found the steps may draw by them: shaders, that count readings.
+    frame.sampleDistanceMm =
+      std::max(this->SampleDistanceInView(), ShortestSampleDistanceMm(frame));
   }
   this->usedSampleDistanceMm = frame.sampleDistanceMm;
   this->UpdatePreIntegratedTable(frame);

@@ -23,7 +23,7 @@ struct SpeedPoint
   ImageError error;                      ///< against the truth
   std::optional<double> fetchesPerPixel; ///< see FrameCost.h, as the next
   std::optional<double> graphicsBytes;
-  std::vector<FrameCost> rounds; ///< of each round one for each comparison, or one without any
+  std::vector<FrameCost> rounds; ///< of each round those of each comparison, or one without any
   FrameCost median;              ///< of these
 };
 

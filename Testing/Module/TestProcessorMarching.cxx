@@ -2,6 +2,7 @@
 // those of the shaders, to a twentieth of a grey level (RMSE).
 
 #include "Module/ProcessorMarching.h"
+#include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
 namespace
@@ -240,4 +241,21 @@ TEST_F(ProcessorMarching, TakesMoreSamplesThanShadersMay)
       varimarch::CompareImages(drawn.data(), truth.data(), truth.size() / 4);
     EXPECT_LT(error.largest, 0.3);
   }
+}
+
+TEST_F(ProcessorMarching, LeavesShadersTheirLongerSteps)
+{
+  const ExpectedVtkErrors itCannotBeKept;
+  MapperScene scene(
+    varimarch::ProceduralVolume({ varimarch::ProceduralKind::Torso, { 64, 64, 64 }, 7 }), 16);
+  scene.volume->GetProperty()->ShadeOn();
+  scene.mapper->SetAccelerationModeToOff();
+  scene.mapper->SetErrorTolerance(1e-6);
+  scene.mapper->ProcessorMarchingOn();
+  scene.Draw();
+  const double shortestOfLit = scene.image->GetLength() / 10000.0;
+  EXPECT_LT(scene.mapper->GetUsedSampleDistance(), 0.95 * shortestOfLit);
+  scene.mapper->DrawFetchCountsOn();
+  scene.Draw();
+  EXPECT_GT(scene.mapper->GetUsedSampleDistance(), 0.95 * shortestOfLit);
 }
