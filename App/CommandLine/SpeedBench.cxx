@@ -147,6 +147,7 @@ std::vector<SpeedPoint> DefaultPoints(const Bench& bench)
   constexpr MapperKind Shaders = MapperKind::VarimarchShaders;
   points.push_back(
     bench.PointOf("ours-shader", Shaders, Tolerating(tolerance, Acceleration::OpticalField)));
+  points.push_back(bench.PointOf("off-shader", Shaders, Tolerating(tolerance, Acceleration::Off)));
   if (!bench.scene.look.shading.enabled && bench.scene.look.blend == Blend::Composite)
   {
     points.push_back(bench.PointOf("published", Shaders, published));
@@ -282,6 +283,7 @@ const std::vector<SpeedTarget>& SpeedTargets()
     { "VTK's GPU mapper, RMSE lower", "vtk-gpu", "ours", 1.0, 15.0, 4.0 },
     { "VTK's fixed-point mapper, RMSE 5 times lower", "vtk-cpu", "ours", 0.2, 2.0, 0.0 },
     { "no field, same RMSE", "off", "ours", 1.0, 5.0, 1.0 },
+    { "no field, same RMSE, both by shaders", "off-shader", "ours-shader", 1.0, 5.0, 1.0 },
     { "published field and sum, same RMSE", "published", "ours", 1.0, 3.0, 0.0 },
     { "published field and sum, same RMSE, both by shaders", "published", "ours-shader", 1.0, 3.0,
       0.0 },

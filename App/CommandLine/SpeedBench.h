@@ -16,7 +16,7 @@ namespace varimarch
 /// A way to draw, measured on one scene.
 struct SpeedPoint
 {
-  std::string method; ///< "ours", "ours-shader", "off", "published", "vtk-gpu" or "vtk-cpu"
+  std::string method; ///< "ours", "off", each also "-shader", "published", "vtk-gpu" or "vtk-cpu"
   MapperKind kind;
   RenderOptions options;
   double firstSeconds;                   ///< that its first picture took

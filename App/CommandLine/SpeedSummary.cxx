@@ -65,10 +65,11 @@ SpeedSummary SummaryOf(std::size_t target, const Setup& setup, const std::vector
 }
 
 // Colours of M. Okabe, K. Ito, "Color universal design", 2008.
-constexpr std::array<CurveStyle, 5> StylesOfTargets = { {
+constexpr std::array<CurveStyle, 6> StylesOfTargets = { {
   { { 213, 94, 0 }, Marker::Square, Stroke::Solid },
   { { 0, 0, 0 }, Marker::Diamond, Stroke::Dashed },
   { { 86, 180, 233 }, Marker::Circle, Stroke::Solid },
+  { { 86, 180, 233 }, Marker::Circle, Stroke::Dotted },
   { { 230, 159, 0 }, Marker::Diamond, Stroke::Solid },
   { { 230, 159, 0 }, Marker::Diamond, Stroke::Dotted },
 } };

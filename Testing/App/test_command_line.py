@@ -244,16 +244,16 @@ def speed(folder):
     scenes = ["vismale-soft", "vismale-dense", "vismale-thin-peak", "procedural:shells:16x16x16"]
     assert [(case["scene"], case["side"]) for case in results["cases"]] == [
         (scene, side) for scene in scenes for side in (32, 48)]
-    rivals = {"vtk-gpu": 1, "vtk-cpu": 0.2, "off": 1, "published": 1}
+    rivals = {"vtk-gpu": 1, "vtk-cpu": 0.2, "off": 1, "off-shader": 1, "published": 1}
     kept = []
     for case in results["cases"]:
         points = case["points"]
-        assert [point["method"] for point in points[:6]] == [
-            "ours", "off", "ours-shader", "published", "vtk-gpu", "vtk-cpu"]
+        assert [point["method"] for point in points[:7]] == [
+            "ours", "off", "ours-shader", "off-shader", "published", "vtk-gpu", "vtk-cpu"]
         assert all(len(point["rounds"]) >= 2 for point in points)
         assert all(("fetchesPerPixel" in p) == p["renderer"].startswith("ours") for p in points)
         assert points[1]["median"]["firstFieldMs"] == 0 < points[0]["median"]["firstFieldMs"]
-        error = {point["method"]: point["error255"]["rmse"] for point in points[:6]}
+        error = {point["method"]: point["error255"]["rmse"] for point in points[:7]}
         for kept_error in case.get("keeping", []):
             kept.append(len(kept_error["rounds"]))
             ours, rival = points[kept_error["point"]], kept_error["rival"]
