@@ -87,6 +87,18 @@ TEST(StepSearch, WhatCannotBeKeptIsSaidAndEndsAtTheFinestStep)
   EXPECT_LE(drawings, 6);
 }
 
+TEST(StepSearch, TheFinestStepNeedNotBeAHalvingOfTheCoarsest)
+{
+  int drawings = 0;
+  const StepRange range{ 4.0, 0.6 };
+  const double atFinest = 0.8 * Limit.percentile999;
+  const PowerLaw law{ atFinest / std::pow(range.finest, 2.0), 2.0, &drawings };
+  const StepChoice choice = FindSampleDistance(law, Limit, range, 1.0);
+  EXPECT_TRUE(choice.KeepsLimit());
+  EXPECT_GE(choice.sampleDistance, range.finest);
+  EXPECT_LT(choice.sampleDistance, 0.8);
+}
+
 TEST(StepSearch, WhatIsExactAtAnyStepTakesTheCoarsest)
 {
   int drawings = 0;

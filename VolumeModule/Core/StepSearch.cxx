@@ -31,12 +31,6 @@ struct Estimate
   double ofLimit;
 };
 
-// Quarters tell more of an error than halves, but none is drawn below half of the finest distance.
-int HalvingsFrom(double distance, const StepRange& range)
-{
-  return distance >= 2.0 * range.finest ? 2 : 1;
-}
-
 Estimate EstimateError(const std::vector<float>& picture, const std::vector<float>& finer,
   double halvings, const ErrorLimit& limit)
 {
@@ -49,7 +43,8 @@ Estimate EstimateError(const std::vector<float>& picture, const std::vector<floa
 }
 
 /// The pictures and estimates of one search, by level: the coarsest distance is halved as often as
-/// the level says.
+/// the level says. The last level that is searched is at the finest distance, and one more is half
+/// of it.
 class Levels
 {
 public:
@@ -62,10 +57,16 @@ public:
 
   int Finest() const
   {
-    return std::max(int(std::log2(this->range.coarsest / this->range.finest)), 0);
+    constexpr double Rounding = 1e-6;
+    return int(std::ceil(std::log2(this->range.coarsest / this->range.finest) - Rounding));
   }
 
-  double Distance(int level) const { return std::ldexp(this->range.coarsest, -level); }
+  double Distance(int level) const
+  {
+    const int finest = this->Finest();
+    return level < finest ? std::ldexp(this->range.coarsest, -level)
+                          : std::ldexp(this->range.finest, finest - level);
+  }
 
   int Nearest(double distance) const
   {
@@ -76,8 +77,8 @@ public:
   Estimate At(int level)
   {
     const int finer = this->Finer(level);
-    return EstimateError(
-      this->Picture(level), this->Picture(finer), double(finer - level), this->limit);
+    return EstimateError(this->Picture(level), this->Picture(finer),
+      std::log2(this->Distance(level) / this->Distance(finer)), this->limit);
   }
 
   /// At a distance beside a level, by what that one was judged by.
@@ -89,7 +90,8 @@ public:
   }
 
 private:
-  int Finer(int level) const { return level + HalvingsFrom(this->Distance(level), this->range); }
+  // Quarters tell more of an error than halves.
+  int Finer(int level) const { return std::min(level + 2, this->Finest() + 1); }
 
   const std::vector<float>& Picture(int level)
   {
@@ -124,16 +126,21 @@ struct PowerLaw
   }
 };
 
-PowerLaw LawBetween(double distance, const Estimate& estimate, const Estimate& coarser)
+/// @param octavesApart  how much longer the coarser distance is
+PowerLaw LawBetween(
+  double distance, const Estimate& estimate, const Estimate& coarser, double octavesApart)
 {
   const auto safeLog = [](double number) { return std::log2(std::max(number, 1e-12)); };
-  const double slope = safeLog(coarser.ofLimit) - safeLog(estimate.ofLimit);
-  const double errorSlope = safeLog(coarser.percentile999) - safeLog(estimate.percentile999);
+  const auto slopeOf = [&](double error, double coarserError)
+  { return (safeLog(coarserError) - safeLog(error)) / octavesApart; };
+  const double slope = slopeOf(estimate.ofLimit, coarser.ofLimit);
+  const double errorSlope = slopeOf(estimate.percentile999, coarser.percentile999);
   const double order = std::clamp(slope, 1.0, SupposedOrder);
   const double missed = std::log2(
     ErrorPerChange(order, estimate.halvings) / ErrorPerChange(SupposedOrder, estimate.halvings));
-  const double octaves =
-    slope > 0.0 ? std::clamp((-safeLog(estimate.ofLimit) - missed) / slope, 0.0, 1.0) : 1.0;
+  const double octaves = slope > 0.0
+    ? std::clamp((-safeLog(estimate.ofLimit) - missed) / slope, 0.0, octavesApart)
+    : octavesApart;
   return { distance, estimate.percentile999 * std::exp2(missed), octaves, errorSlope };
 }
 
@@ -142,7 +149,9 @@ PowerLaw LawBetween(double distance, const Estimate& estimate, const Estimate& c
 std::optional<StepChoice> FindBetween(
   Levels& levels, int level, const Estimate& estimate, const Estimate& coarser)
 {
-  const PowerLaw law = LawBetween(levels.Distance(level), estimate, coarser);
+  const double distance = levels.Distance(level);
+  const PowerLaw law =
+    LawBetween(distance, estimate, coarser, std::log2(levels.Distance(level - 1) / distance));
   for (const double part : { 1.0, 0.5 })
   {
     const StepChoice choice = law.At(part);
@@ -198,9 +207,9 @@ double DifferenceOfLimit(
 double ErrorOfLimit(
   const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range, double sampleDistance)
 {
-  const int halvings = HalvingsFrom(sampleDistance, range);
+  const double halvings = sampleDistance >= 2.0 * range.finest ? 2.0 : 1.0;
   return EstimateError(
-    draw(sampleDistance), draw(std::ldexp(sampleDistance, -halvings)), halvings, limit)
+    draw(sampleDistance), draw(sampleDistance * std::exp2(-halvings)), halvings, limit)
     .ofLimit;
 }
 

@@ -29,7 +29,7 @@ struct StepChoice
 /// @param cost  of a step, in those of the other rule
 bool IsBetter(const StepChoice& choice, double cost, const StepChoice& other);
 
-/// Where to search: at `coarsest` and its halves, not below `finest`. Half of that is drawn too.
+/// Where to search: at `coarsest` and its halves, and last at `finest`. Half of that is drawn too.
 struct StepRange
 {
   double coarsest;
