@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  // Quarters tell more of an error than halves.
+  // Quarters tell more of an error than halves, but none is drawn below half of the finest.
   int Finer(int level) const { return std::min(level + 2, this->Finest() + 1); }
 
   const std::vector<float>& Picture(int level)
@@ -207,9 +207,8 @@ double DifferenceOfLimit(
 double ErrorOfLimit(
   const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range, double sampleDistance)
 {
-  const double halvings = sampleDistance >= 2.0 * range.finest ? 2.0 : 1.0;
-  return EstimateError(
-    draw(sampleDistance), draw(sampleDistance * std::exp2(-halvings)), halvings, limit)
+  const double finer = std::max(0.25 * sampleDistance, 0.5 * range.finest);
+  return EstimateError(draw(sampleDistance), draw(finer), std::log2(sampleDistance / finer), limit)
     .ofLimit;
 }
 

@@ -33,7 +33,7 @@ bool IsBetter(const StepChoice& choice, double cost, const StepChoice& other);
 struct StepRange
 {
   double coarsest;
-  double finest;
+  double finest; ///< at most the coarsest
 };
 
 /// Draws a sample of a picture's pixels at a sample distance: premultiplied RGBA, always the same
