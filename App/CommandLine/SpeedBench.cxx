@@ -277,16 +277,22 @@ void KeepErrors(const Bench& bench, SpeedCase& measured)
 
 }
 
+// Colours of M. Okabe, K. Ito, "Color universal design", 2008.
 const std::vector<SpeedTarget>& SpeedTargets()
 {
   static const std::vector<SpeedTarget> targets = {
-    { "VTK's GPU mapper, RMSE lower", "vtk-gpu", "ours", 1.0, 15.0, 4.0 },
-    { "VTK's fixed-point mapper, RMSE 5 times lower", "vtk-cpu", "ours", 0.2, 2.0, 0.0 },
-    { "no field, same RMSE", "off", "ours", 1.0, 5.0, 1.0 },
-    { "no field, same RMSE, both by shaders", "off-shader", "ours-shader", 1.0, 5.0, 1.0 },
-    { "published field and sum, same RMSE", "published", "ours", 1.0, 3.0, 0.0 },
+    { "VTK's GPU mapper, RMSE lower", "vtk-gpu", "ours", 1.0, 15.0, 4.0,
+      { { 213, 94, 0 }, Marker::Square, Stroke::Solid } },
+    { "VTK's fixed-point mapper, RMSE 5 times lower", "vtk-cpu", "ours", 0.2, 2.0, 0.0,
+      { { 0, 0, 0 }, Marker::Diamond, Stroke::Dashed } },
+    { "no field, same RMSE", "off", "ours", 1.0, 5.0, 1.0,
+      { { 86, 180, 233 }, Marker::Circle, Stroke::Solid } },
+    { "no field, same RMSE, both by shaders", "off-shader", "ours-shader", 1.0, 5.0, 1.0,
+      { { 86, 180, 233 }, Marker::Circle, Stroke::Dotted } },
+    { "published field and sum, same RMSE", "published", "ours", 1.0, 3.0, 0.0,
+      { { 230, 159, 0 }, Marker::Diamond, Stroke::Solid } },
     { "published field and sum, same RMSE, both by shaders", "published", "ours-shader", 1.0, 3.0,
-      0.0 },
+      0.0, { { 230, 159, 0 }, Marker::Diamond, Stroke::Dotted } },
   };
   return targets;
 }

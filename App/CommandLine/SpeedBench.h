@@ -3,6 +3,7 @@
 
 #include "Core/ImageError.h"
 #include "FrameCost.h"
+#include "Scene/LogLogPlot.h"
 #include "SpeedScenes.h"
 #include "Truth.h"
 
@@ -36,6 +37,7 @@ struct SpeedTarget
   double partOfError;  ///< our RMSE is to be below this part of the rival's
   double timesWanted;  ///< as fast as the rival, geometric mean of all scenes
   double timesAtLeast; ///< on every scene; 0: no matter
+  CurveStyle style;    ///< in a plot
 };
 
 const std::vector<SpeedTarget>& SpeedTargets();

@@ -1,7 +1,6 @@
 #include "SpeedSummary.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -64,16 +63,6 @@ SpeedSummary SummaryOf(std::size_t target, const Setup& setup, const std::vector
   return summary;
 }
 
-// Colours of M. Okabe, K. Ito, "Color universal design", 2008.
-constexpr std::array<CurveStyle, 6> StylesOfTargets = { {
-  { { 213, 94, 0 }, Marker::Square, Stroke::Solid },
-  { { 0, 0, 0 }, Marker::Diamond, Stroke::Dashed },
-  { { 86, 180, 233 }, Marker::Circle, Stroke::Solid },
-  { { 86, 180, 233 }, Marker::Circle, Stroke::Dotted },
-  { { 230, 159, 0 }, Marker::Diamond, Stroke::Solid },
-  { { 230, 159, 0 }, Marker::Diamond, Stroke::Dotted },
-} };
-
 }
 
 bool SpeedSummary::IsMet() const
@@ -114,7 +103,7 @@ LogLogPlot SpeedPlot(const std::vector<SpeedCase>& cases)
   {
     std::sort(times[target].begin(), times[target].end());
     const SpeedTarget& wanted = SpeedTargets()[target];
-    PlotCurve curve = { wanted.ours + " against " + wanted.rival, StylesOfTargets.at(target), {} };
+    PlotCurve curve = { wanted.ours + " against " + wanted.rival, wanted.style, {} };
     for (const double timesAsFast : times[target])
     {
       curve.points.push_back({ double(curve.points.size() + 1), timesAsFast });
