@@ -9,6 +9,7 @@
 #include "Core/StepSearch.h"
 #include "FloatBufferTexture.h"
 #include "Frame.h"
+#include "Lights.h"
 #include "MaterialTables.h"
 #include "OpticalTableTexture.h"
 #include "PacketPicture.h"
@@ -119,6 +120,14 @@ struct DrawnBlock
   glm::dvec3 sharedUpperGrid; ///< upper faces at which another block begins; elsewhere far away
 };
 
+/// What a frame's PacketScene points to, besides what the marcher keeps.
+struct PacketArrays
+{
+  std::vector<glm::vec4> planesGrid;
+  std::vector<float> depth; ///< none: there is no geometry
+  LightTexels lights;
+};
+
 /// A box so much larger that it covers all pixels of which the box covers a part, if it is at least
 /// a few pixels wide.
 Box WithItsEdges(const Box& box);
@@ -211,8 +220,8 @@ private:
   bool HasPlainValues(const Frame& frame);
   PacketLook LookOfPackets(const Frame& frame) const;
   PacketSteps StepsOfPackets(const Frame& frame) const;
-  PacketScene SceneOfPackets(const Frame& frame, const std::vector<glm::vec4>& planes,
-    const std::vector<float>& depth) const;
+  PacketGradientOpacity GradientOpacityOfPackets(const Frame& frame) const;
+  PacketScene SceneOfPackets(const Frame& frame, const PacketArrays& arrays) const;
   void DrawPackets(const Frame& frame);
   void SetMarchedUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
 
@@ -274,8 +283,8 @@ private:
   MaskTexture mask;
   FloatBufferTexture twoValues; ///< a transfer function of two values
   glm::ivec2 twoValuesSize = glm::ivec2(1);
-  FloatBufferTexture gradientOpacity;
-  FloatBufferTexture lights; ///< only where there are others than head lights
+  FloatBufferTexture gradientOpacity; ///< only where there is one, and for the device
+  FloatBufferTexture lights;          ///< likewise, where there are others than head lights
   FloatBufferTexture clippingPlanes;
   FloatBufferTexture isosurfaces;
   FloatBufferTexture spacing;         ///< only where voxels are at uneven places,
@@ -304,6 +313,7 @@ private:
   vtkVolumeProperty* tableSource = nullptr;
   std::vector<double> tableInputs;
   std::vector<MaterialTable> materialTables; ///< what is in the optical table
+  std::vector<glm::vec4> gradientOpacityEntries;
   std::vector<double> gradientOpacitySource; ///< empty: there is none
   int preIntegratedOfTable = 0;              ///< the optical table's build that it was made from
   std::optional<FieldSource> fieldSource;    ///< none: there is no field

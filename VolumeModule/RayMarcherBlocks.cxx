@@ -141,6 +141,7 @@ void RayMarcher::UpdateBlocks(Frame& frame)
   if (isWhole)
   {
     this->accumulation.Release(frame.window);
+    this->blocks.BeginPicture(frame.window, {}, 0); // which lets go of all
     return;
   }
   if (this->blocks.Partition().Count() == 1)

@@ -135,7 +135,7 @@ glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component)
 
 void RayMarcher::UpdateLights(const Frame& frame)
 {
-  if (frame.settings.lights)
+  if (frame.settings.lights && frame.marcher == Marcher::Device)
   {
     this->lights.Upload(frame.window, LightTexelsOf(frame.renderer).texels);
   }
@@ -150,6 +150,7 @@ void RayMarcher::UpdateGradientOpacity(const Frame& frame)
   if (!frame.settings.gradientOpacity)
   {
     this->gradientOpacity.Release(frame.window);
+    this->gradientOpacityEntries.clear();
     this->gradientOpacitySource.clear();
     return;
   }
@@ -168,8 +169,17 @@ void RayMarcher::UpdateGradientOpacity(const Frame& frame)
   source.insert(source.end(), largest.begin(), largest.end());
   if (this->gradientOpacitySource != source)
   {
-    this->gradientOpacity.Upload(frame.window, GradientOpacityEntries(curves, largest));
+    this->gradientOpacity.Release(frame.window);
+    this->gradientOpacityEntries = GradientOpacityEntries(curves, largest);
     this->gradientOpacitySource = source;
+  }
+  if (frame.marcher == Marcher::Processor)
+  {
+    this->gradientOpacity.Release(frame.window);
+  }
+  else if (this->gradientOpacity.Bytes() == 0)
+  {
+    this->gradientOpacity.Upload(frame.window, this->gradientOpacityEntries);
   }
 }
 

@@ -5,12 +5,13 @@
 #include "BoxInView.h"
 #include "Core/Packets/PacketMarch.h"
 #include "Core/ShaderRecipe.h"
-#include "Lights.h"
 #include "SoftwareRasterizer.h"
 
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
 #include "vtk_glew.h"
 
 #include <glm/gtc/matrix_access.hpp>
@@ -61,12 +62,11 @@ bool HasPacketRecipe(const RenderSettings& settings)
     settings.components == Components::One && settings.functionOf == FunctionOf::Value &&
     settings.mask == Mask::None && !settings.nearest && !settings.cubic && !settings.uneven;
   const bool isCutByPlanes = !settings.cropping && !settings.clippedGradients;
-  const bool isLitByHeadLight = !settings.lights && !settings.gradientOpacity;
   const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
-  const bool hasRule = settings.shading || settings.integration == Integration::Midpoint ||
+  const bool hasRule = MarchesMaterial(settings) || settings.integration == Integration::Midpoint ||
     settings.integration == Integration::PreIntegrated;
-  return isPlain && isCutByPlanes && isLitByHeadLight && hasSteps && hasRule &&
-    !settings.overlaps && !settings.countFetches && settings.pass == RayPass::Whole;
+  return isPlain && isCutByPlanes && hasSteps && hasRule && !settings.overlaps &&
+    !settings.countFetches && settings.pass == RayPass::Whole;
 }
 
 // In 32 bits, to the end of the last pair.
@@ -110,22 +110,52 @@ PacketCamera CameraOf(const Frame& frame, const PixelRays& rays, const Box& boxG
   return camera;
 }
 
-// Normals in texels, as shaders have them: products of those in units of the data could overflow.
-PacketLight LightOf(const Frame& frame, double scalarPerTexel)
+PacketShading ShadingOf(const RenderSettings& settings)
 {
-  const HeadLightColors light = HeadLightColorsOf(frame.renderer);
-  const glm::dvec3 damping = frame.settings.damping
-    ? frame.geometry.gradientFactors / frame.dampingGradient
-    : glm::dvec3(0.0);
-  return { frame.geometry.WorldFromGridNormal() / scalarPerTexel, ReflectanceOf(frame.property, 0),
-    light.diffuse, light.specular, damping, frame.settings.damping };
+  if (!settings.shading)
+  {
+    return PacketShading::None;
+  }
+  return settings.lights ? PacketShading::Lights : PacketShading::HeadLight;
+}
+
+// Normals in texels, as shaders have them: products of those in units of the data could overflow.
+PacketLight LightOf(const Frame& frame, const LightTexels& others, double scalarPerTexel)
+{
+  PacketLight light = {};
+  light.shading = ShadingOf(frame.settings);
+  if (light.shading == PacketShading::None)
+  {
+    return light;
+  }
+  const HeadLightColors atEye = HeadLightColorsOf(frame.renderer);
+  light.worldFromGradient = frame.geometry.WorldFromGridNormal() / scalarPerTexel;
+  light.reflectance = ReflectanceOf(frame.property, 0);
+  light.diffuse = atEye.diffuse;
+  light.specular = atEye.specular;
+  light.damps = frame.settings.damping;
+  if (light.damps)
+  {
+    light.dampingFactors = frame.geometry.gradientFactors / frame.dampingGradient;
+  }
+  if (light.shading == PacketShading::Lights)
+  {
+    light.ambient = AmbientLightOf(frame.renderer);
+    light.backsLit = frame.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
+    light.worldOfGridOrigin = glm::dvec3(frame.geometry.worldFromGrid[3]);
+    light.texels = others.texels.data();
+    light.distantCount = others.distantCount;
+    light.nearCount = others.nearCount;
+  }
+  return light;
 }
 
 PacketRule RuleOf(const RenderSettings& settings)
 {
   const bool isMidpoint = settings.integration == Integration::Midpoint;
-  return settings.shading ? (isMidpoint ? PacketRule::LitMidpoint : PacketRule::LitLinear)
-                          : (isMidpoint ? PacketRule::Midpoint : PacketRule::PreIntegrated);
+  return MarchesMaterial(settings)
+    ? (isMidpoint ? PacketRule::MaterialMidpoint : PacketRule::MaterialLinear)
+    : (isMidpoint ? PacketRule::Midpoint : PacketRule::PreIntegrated);
 }
 
 // Of pixels of a viewport, those that are drawn.
@@ -217,9 +247,21 @@ PacketSteps RayMarcher::StepsOfPackets(const Frame& frame) const
   return steps;
 }
 
-// Only while the frame is drawn: it points to what is in it.
-PacketScene RayMarcher::SceneOfPackets(
-  const Frame& frame, const std::vector<glm::vec4>& planes, const std::vector<float>& depth) const
+PacketGradientOpacity RayMarcher::GradientOpacityOfPackets(const Frame& frame) const
+{
+  PacketGradientOpacity opacity = {};
+  if (frame.settings.gradientOpacity)
+  {
+    opacity.factors = this->gradientOpacityEntries.data();
+    opacity.lastIndex = int(this->gradientOpacityEntries.size()) - 1;
+    opacity.indicesPerGradient =
+      frame.geometry.gradientFactors * (opacity.lastIndex / LargestGradient(this->blocks.Texels()));
+    opacity.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
+  }
+  return opacity;
+}
+
+PacketScene RayMarcher::SceneOfPackets(const Frame& frame, const PacketArrays& arrays) const
 {
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   PacketScene scene = {};
@@ -227,13 +269,14 @@ PacketScene RayMarcher::SceneOfPackets(
   scene.volume = { frame.channels.front().array->GetVoidPointer(0), *VoxelTypeOf(frame.channels),
     frame.geometry.dimensions };
   scene.look = this->LookOfPackets(frame);
-  scene.light = LightOf(frame, this->blocks.Texels().mapping.scale);
+  scene.light = LightOf(frame, arrays.lights, this->blocks.Texels().mapping.scale);
+  scene.gradientOpacity = this->GradientOpacityOfPackets(frame);
   scene.steps = this->StepsOfPackets(frame);
-  scene.cuts.planesGrid = planes.data();
-  scene.cuts.planeCount = int(planes.size());
-  if (!depth.empty())
+  scene.cuts.planesGrid = arrays.planesGrid.data();
+  scene.cuts.planeCount = int(arrays.planesGrid.size());
+  if (!arrays.depth.empty())
   {
-    scene.cuts.depth = depth.data();
+    scene.cuts.depth = arrays.depth.data();
     scene.cuts.depthPixels =
       glm::ivec2(this->depth.Texture()->GetWidth(), this->depth.Texture()->GetHeight());
     scene.cuts.depthPixelsPerPixel =
@@ -256,10 +299,10 @@ void RayMarcher::DrawPackets(const Frame& frame)
   {
     return;
   }
-  const std::vector<glm::vec4> planes(frame.cuts.planesGrid.begin(), frame.cuts.planesGrid.end());
-  const std::vector<float> depth =
-    frame.settings.sceneGeometry ? this->depth.Read(frame.window) : std::vector<float>();
-  PacketScene scene = this->SceneOfPackets(frame, planes, depth);
+  const PacketArrays arrays{ { frame.cuts.planesGrid.begin(), frame.cuts.planesGrid.end() },
+    frame.settings.sceneGeometry ? this->depth.Read(frame.window) : std::vector<float>(),
+    frame.settings.lights ? LightTexelsOf(frame.renderer) : LightTexels() };
+  PacketScene scene = this->SceneOfPackets(frame, arrays);
   std::optional<VisibleDepths> visible;
   if (scene.steps.bricks)
   {

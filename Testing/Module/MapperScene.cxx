@@ -17,6 +17,7 @@
 #include <vtkStringArray.h>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -223,17 +224,20 @@ std::vector<float> MapperScene::DrawReferenceOf(const ReferenceScene& scene, dou
 
 ImageError MapperScene::ErrorOf(const Material& material, double tolerance)
 {
-  const std::vector<float> drawn = this->Draw();
   ReferenceScene scene{ {}, this->ReferenceGeometry().boxGrid, TransferFunction({}, {}, 1.0) };
   scene.material = material;
-  const std::vector<float> truth = this->DrawReferenceOf(scene, tolerance);
-  return CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+  return this->ErrorTo(this->DrawReferenceOf(scene, tolerance));
 }
 
 std::array<float, 4> MapperScene::MiddlePixel()
 {
+  const std::vector<float> marched = this->DrawByProcessor();
   const std::vector<float> drawn = this->Draw();
   const std::size_t middle = 4 * (std::size_t(this->size / 2) * this->size + this->size / 2);
+  for (std::size_t i = middle; i < middle + 4; ++i)
+  {
+    EXPECT_NEAR(marched[i], drawn[i], 1e-3) << "the processor's and the shader's";
+  }
   return { drawn[middle], drawn[middle + 1], drawn[middle + 2], drawn[middle + 3] };
 }
 
@@ -247,7 +251,11 @@ std::vector<float> MapperScene::DrawByProcessor()
 
 ImageError MapperScene::Error()
 {
-  const std::vector<float> truth = this->Truth();
+  return this->ErrorTo(this->Truth());
+}
+
+ImageError MapperScene::ErrorTo(const std::vector<float>& truth)
+{
   const std::vector<float> marched = this->DrawByProcessor();
   const ImageError byProcessor = CompareImages(marched.data(), truth.data(), truth.size() / 4);
   const std::vector<float> drawn = this->Draw();

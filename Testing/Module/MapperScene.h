@@ -50,10 +50,10 @@ public:
   /// What a point looks like on its way to the eye; positions and rays in the grid.
   using Material = std::function<varimarch::OpticalProperties(glm::dvec3, const varimarch::Ray&)>;
 
-  /// How far Draw is from the composite of a material.
+  /// How far they are from the composite of a material, whichever is farther.
   varimarch::ImageError ErrorOf(const Material& material, double tolerance = 1e-4);
 
-  /// The middle pixel: premultiplied RGBA.
+  /// The middle pixel of Draw, premultiplied RGBA; that of DrawByProcessor is expected to be it.
   std::array<float, 4> MiddlePixel();
 
   std::vector<std::string> ShaderParts();
@@ -71,6 +71,7 @@ private:
   bool IsNearest();
   varimarch::VolumeGeometry ReferenceGeometry();
   std::vector<float> DrawReferenceOf(const varimarch::ReferenceScene& scene, double tolerance);
+  varimarch::ImageError ErrorTo(const std::vector<float>& truth);
 };
 
 /// A torso phantom with noise: int16, anisotropic, 40 x 36 x 24 voxels.

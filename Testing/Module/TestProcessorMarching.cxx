@@ -5,10 +5,37 @@
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
+#include <vtkLight.h>
+
 namespace
 {
 
 using Mapper = vtkVariationFieldVolumeMapper;
+
+void LeaveLowerGradientsOut(MapperScene& scene)
+{
+  vtkNew<vtkPiecewiseFunction> factors;
+  factors->AddPoint(0.0, 0.0);
+  factors->AddPoint(100.0, 1.0);
+  scene.volume->GetProperty()->SetGradientOpacity(factors);
+}
+
+// Beside the head light; with ambient light and highlights.
+vtkLight* ShineFromTheSide(MapperScene& scene)
+{
+  vtkVolumeProperty* const property = scene.volume->GetProperty();
+  property->ShadeOn();
+  property->SetSpecular(0.4);
+  scene.Draw(); // which makes the head light
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(300.0, 200.0, 100.0);
+  light->SetAmbientColor(0.5, 0.4, 0.3);
+  light->SetDiffuseColor(0.9, 0.3, 0.6);
+  light->SetSpecularColor(0.2, 0.8, 0.4);
+  scene.renderer->AddLight(light);
+  return light;
+}
 
 }
 
@@ -56,6 +83,47 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
         s.mapper->SetIntegrationRule(Mapper::PreIntegrated);
         s.mapper->AutoAdjustSampleDistancesOff();
         s.mapper->SetSampleDistance(0.5);
+      } },
+    Change{ "OpacityOfGradients", LeaveLowerGradientsOut },
+    Change{ "OpacityOfGradientsAtMidpoints",
+      [](MapperScene& s)
+      {
+        LeaveLowerGradientsOut(s);
+        s.mapper->SetIntegrationRule(Mapper::Midpoint);
+        s.mapper->SetAccelerationModeToOff();
+      } },
+    Change{ "LightAndOpacityOfGradients",
+      [](MapperScene& s)
+      {
+        s.volume->GetProperty()->ShadeOn();
+        LeaveLowerGradientsOut(s);
+      } },
+    Change{ "LightsFromTheSide",
+      [](MapperScene& s)
+      {
+        ShineFromTheSide(s);
+        ShineFromTheSide(s)->SetLightTypeToCameraLight();
+      } },
+    Change{ "LightOnOneSide",
+      [](MapperScene& s)
+      {
+        ShineFromTheSide(s);
+        s.renderer->TwoSidedLightingOff();
+      } },
+    Change{ "ANearLight",
+      [](MapperScene& s)
+      {
+        vtkLight* const light = ShineFromTheSide(s);
+        light->PositionalOn();
+        light->SetAttenuationValues(0.5, 0.002, 1e-5);
+        light->SetConeAngle(40.0);
+        light->SetExponent(3.0);
+      } },
+    Change{ "DampingOfLights",
+      [](MapperScene& s)
+      {
+        ShineFromTheSide(s);
+        s.mapper->SetDampingGradient(200.0);
       } },
     Change{ "NoField", [](MapperScene& s) { s.mapper->SetAccelerationModeToOff(); } },
     Change{ "NoFieldAndLight",
@@ -132,6 +200,8 @@ TEST_F(ProcessorMarching, HasNothingButPixelsOnTheDevice)
   {
     scene.mapper->UseJitteringOn();
     scene.mapper->AddClippingPlane(plane);
+    LeaveLowerGradientsOut(scene);
+    ShineFromTheSide(scene);
     scene.renderer->GetActiveCamera()->Zoom(8.0); // until all pixels see something
   };
   MapperScene scene(SmallTorso());

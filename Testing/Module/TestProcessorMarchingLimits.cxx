@@ -5,7 +5,6 @@
 #include <vtkDataArray.h>
 #include <vtkImageAppendComponents.h>
 #include <vtkImageCast.h>
-#include <vtkLight.h>
 #include <vtkPointData.h>
 #include <vtkShaderProperty.h>
 
@@ -39,14 +38,6 @@ void Crop(MapperScene& scene)
   scene.mapper->SetCroppingRegionPlanes(planes);
   scene.mapper->SetCroppingRegionFlagsToCross();
   scene.mapper->CroppingOn();
-}
-
-void LeaveLowerGradientsOut(MapperScene& scene)
-{
-  vtkNew<vtkPiecewiseFunction> factors;
-  factors->AddPoint(0.0, 0.0);
-  factors->AddPoint(100.0, 1.0);
-  scene.volume->GetProperty()->SetGradientOpacity(factors);
 }
 
 void KeepAll(MapperScene& scene)
@@ -86,8 +77,7 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
     Change{ "Simpson", [](MapperScene& s) { s.mapper->SetIntegrationRule(Mapper::Simpson); } },
     Change{
       "TheScalarField", [](MapperScene& s) { s.mapper->SetAccelerationModeToScalarField(); } },
-    Change{ "CroppingRegions", Crop }, Change{ "OpacityOfGradients", LeaveLowerGradientsOut },
-    Change{ "AMask", KeepAll },
+    Change{ "CroppingRegions", Crop }, Change{ "AMask", KeepAll },
     Change{ "LightOnCuts",
       [](MapperScene& s)
       {
@@ -99,15 +89,6 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
       [](MapperScene& s) { s.mapper->SetInputData(WithSecondComponent(s.image)); } },
     Change{ "CountsOfReadings", [](MapperScene& s) { s.mapper->SetDrawFetchCounts(true); } },
     Change{ "LittleMemory", [](MapperScene& s) { s.mapper->SetMaximumGraphicsMemory(1 << 26); } },
-    Change{ "ALightFromTheSide",
-      [](MapperScene& s)
-      {
-        s.volume->GetProperty()->ShadeOn();
-        vtkNew<vtkLight> light;
-        light->SetLightTypeToSceneLight();
-        light->SetPosition(100.0, 0.0, 0.0);
-        s.renderer->AddLight(light);
-      } },
     Change{ "CodeOfUsers",
       [](MapperScene& s)
       {

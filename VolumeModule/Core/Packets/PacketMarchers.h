@@ -2,10 +2,11 @@
 #define Varimarch_Core_Packets_PacketMarchers_h
 
 // The loops along the rays of a packet: Shaders/March/Midpoint.glsl, PreIntegrated.glsl and, of one
-// component and a head light, MaterialMidpoint.glsl and MaterialSegments.glsl. Rays that have ended
-// take part, with pieces of no length, until all have.
+// component, MaterialMidpoint.glsl and MaterialSegments.glsl. Rays that have ended take part, with
+// pieces of no length, until all have.
 
 #include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketMaterial.h"
 #include "Core/Packets/PacketOptics.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/PacketScene.h"
@@ -111,83 +112,23 @@ PacketSum MarchPreIntegrated(
     });
 }
 
-/// What light depends on at a point, each linear between two of them.
-struct Surface
-{
-  Lanes3 normalWorld; ///< any length
-  Lanes towardsEye;   ///< normal times the direction of the ray
-  Lanes3 damped;      ///< the gradient in parts of that at which light is whole
-};
-
-inline Surface SurfaceOf(
-  const PacketLight& light, const Lanes3& gradient, const Lanes3& directionWorld)
-{
-  const glm::vec3& factors = light.dampingFactors;
-  const Lanes3 normal = Transformed(light.worldFromGradient, gradient);
-  return { normal, Dot(normal, directionWorld),
-    { gradient.x * factors.x, gradient.y * factors.y, gradient.z * factors.z } };
-}
-
-inline Lanes3 Mix(const Lanes3& a, const Lanes3& b, Lanes part)
-{
-  return { Mix(a.x, b.x, part), Mix(a.y, b.y, part), Mix(a.z, b.z, part) };
-}
-
-inline Surface Mix(const Surface& a, const Surface& b, Lanes part)
-{
-  return { Mix(a.normalWorld, b.normalWorld, part), Mix(a.towardsEye, b.towardsEye, part),
-    Mix(a.damped, b.damped, part) };
-}
-
-inline Surface Select(LaneMask mask, const Surface& yes, const Surface& no)
-{
-  const auto select = [&](const Lanes3& a, const Lanes3& b) {
-    return Lanes3{ Select(mask, a.x, b.x), Select(mask, a.y, b.y), Select(mask, a.z, b.z) };
-  };
-  return { select(yes.normalWorld, no.normalWorld), Select(mask, yes.towardsEye, no.towardsEye),
-    select(yes.damped, no.damped) };
-}
-
-/// Shaders/Shade/HeadLight.glsl.
-inline Lanes3 Lit(const PacketLight& light, const Lanes3& color, const Surface& surface)
-{
-  const Lanes squared = Dot(surface.normalWorld, surface.normalWorld);
-  // Of less, the square would be lost: there is no gradient to speak of.
-  const LaneMask hasNormal = LaneMask(squared > 1e-30f);
-  const Lanes facing =
-    Select(hasNormal, Min(Abs(surface.towardsEye) * InverseSqrt(squared), All(1.0f)), Lanes{});
-  const Lanes part = light.damps ? Min(Length(surface.damped), All(1.0f)) : All(1.0f);
-  const Lanes diffuse = part * light.reflectance.y * facing;
-  const Lanes ambient = All(light.reflectance.x);
-  Lanes3 lit{ color.x * (ambient + diffuse * light.diffuse.x),
-    color.y * (ambient + diffuse * light.diffuse.y),
-    color.z * (ambient + diffuse * light.diffuse.z) };
-  if (light.reflectance.z > 0.0f)
-  {
-    const Lanes specular = part * light.reflectance.z * Power(facing, light.reflectance.w);
-    lit = lit +
-      Lanes3{ specular * light.specular.x, specular * light.specular.y,
-        specular * light.specular.z };
-  }
-  return lit;
-}
-
 /// By segments of four samples, where a shader's have one: to look for the next brick costs a
 /// packet more beside a sample.
-template <class Voxel>
-PacketSum MarchLitMidpoints(
+template <class Voxel, class Material>
+PacketSum MarchMaterialMidpoints(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   constexpr int Parts = 4;
   const PacketVoxels<Voxel> voxels(scene.volume);
-  const Lanes3 directionWorld = Transformed(scene.camera.worldFromGrid, rays.directionGrid);
+  const Material material(scene, rays);
   bool isSeen = false; // what was read last: what is next is then read at once, with its gradient
   return MarchSegments<Parts>(scene, rays, walk,
     [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
     {
       for (int part = 0; part < Parts; ++part)
       {
-        const Lanes3 place = rays.At(enter + (float(part) + 0.5f) * partMm);
+        const Lanes t = enter + (float(part) + 0.5f) * partMm;
+        const Lanes3 place = rays.At(t);
         const LaneMask going = LaneMask(partMm > 0.0f);
         const auto mayAbsorb = [&](Lanes value)
         { return Any(going & MayAbsorb(scene.look, value, value)); };
@@ -199,17 +140,14 @@ PacketSum MarchLitMidpoints(
         isSeen = mayAbsorb(value);
         if (isSeen)
         {
-          Optical optical = Classify(scene.look, value);
-          optical.color =
-            Lit(scene.light, optical.color, SurfaceOf(scene.light, gradient, directionWorld));
-          sum.Add(optical, partMm);
+          sum.Add(material.At(value, material.SurfaceOf(gradient), t), partMm);
         }
       }
     });
 }
 
 /// Values and surfaces go linearly from the start of a segment to its end.
-struct LitSegment
+struct MaterialSegment
 {
   Lanes startValue;
   Lanes endValue;
@@ -218,17 +156,17 @@ struct LitSegment
   Lanes lengthMm;
 };
 
-/// A march of a lit material, from one segment that absorbs anything to the next.
-template <class Voxel>
-class LitMarch
+/// A march of a material, from one segment that absorbs anything to the next.
+template <class Voxel, class Material>
+class MaterialMarch
 {
 public:
-  LitMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  MaterialMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
     : scene(scene)
     , rays(rays)
     , walk(walk)
     , voxels(scene.volume)
-    , directionWorld(Transformed(scene.camera.worldFromGrid, rays.directionGrid))
+    , material(scene, rays)
     , t(rays.enter)
   {
     this->segment.endValue = this->voxels.ValueAt(rays.At(this->t));
@@ -293,7 +231,7 @@ private:
   void ReadSurface()
   {
     const Lanes3 gradient = this->voxels.SlopeAt(this->rays.At(this->t), this->going).gradient;
-    const Surface surface = SurfaceOf(this->scene.light, gradient, this->directionWorld);
+    const Surface surface = this->material.SurfaceOf(gradient);
     // Before the first visible segment there is no gradient yet; there it absorbs least.
     this->segment.start = Select(this->known, this->segment.end, surface);
     this->segment.end = surface;
@@ -303,25 +241,24 @@ private:
   /// @param along  the middle of the part, [0, 1] of the segment
   void AddPart(float along, float part)
   {
+    const MaterialSegment& piece = this->segment;
     const Lanes place = All(along);
-    Optical optical =
-      Classify(this->scene.look, Mix(this->segment.startValue, this->segment.endValue, place));
-    optical.color =
-      Lit(this->scene.light, optical.color, Mix(this->segment.start, this->segment.end, place));
-    this->sum.Add(optical, part * this->segment.lengthMm);
+    const Optical optical = this->material.At(Mix(piece.startValue, piece.endValue, place),
+      Mix(piece.start, piece.end, place), this->t - (1.0f - along) * piece.lengthMm);
+    this->sum.Add(optical, part * piece.lengthMm);
   }
 
   const PacketScene& scene;
   const PacketRays& rays;
   const PacketWalk& walk;
   PacketVoxels<Voxel> voxels;
-  Lanes3 directionWorld;
+  Material material;
   PacketSum sum;
   Lanes t;
   IntLanes index = {};
   LaneMask going;
   LaneMask known = {}; ///< the surface at t
-  LitSegment segment = {};
+  MaterialSegment segment = {};
 };
 
 }

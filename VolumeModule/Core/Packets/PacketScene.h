@@ -28,8 +28,16 @@ enum class PacketRule
 {
   Midpoint,
   PreIntegrated,
-  LitMidpoint, ///< by a head light
-  LitLinear,
+  MaterialMidpoint, ///< of what depends on gradients too
+  MaterialLinear,
+};
+
+/// What surfaces are lit by.
+enum class PacketShading
+{
+  None,
+  HeadLight,
+  Lights,
 };
 
 /// Pixels of a packet: two rows of four.
@@ -72,15 +80,31 @@ struct PacketLook
   glm::vec2 visibleValues; ///< only between these does anything absorb
 };
 
-/// Shaders/Shade/HeadLight.glsl and Shaders/Damping.
+/// Shaders/Shade and Shaders/Damping.
 struct PacketLight
 {
+  PacketShading shading;
   glm::mat3 worldFromGradient;
   glm::vec4 reflectance; ///< coefficients of ambient, diffuse and specular light, specular power
-  glm::vec3 diffuse;
+  glm::vec3 diffuse;     ///< colours of the lights at the eye
   glm::vec3 specular;
   glm::vec3 dampingFactors; ///< a gradient per voxel -> parts of that at which light is whole
   bool damps;
+  glm::vec3 ambient; ///< from here on of Lights only
+  float backsLit;    ///< 1: both sides of a surface are
+  glm::vec3 worldOfGridOrigin;
+  const glm::vec4* texels; ///< the other lights, as LightTexels has them
+  int distantCount;
+  int nearCount;
+};
+
+/// Shaders/GradientOpacity/Table.glsl.
+struct PacketGradientOpacity
+{
+  const glm::vec4* factors; ///< from no gradient on, in x; none: opacity does not depend on it
+  int lastIndex;
+  glm::vec3 indicesPerGradient; ///< a gradient per voxel -> its length is an index
+  float unitDistanceMm;
 };
 
 /// How long the steps are.
@@ -126,7 +150,8 @@ struct PacketScene
   PacketCamera camera;
   PacketVolume volume;
   PacketLook look;
-  PacketLight light; ///< of lit rules
+  PacketLight light; ///< of materials, and
+  PacketGradientOpacity gradientOpacity;
   PacketSteps steps;
   PacketCuts cuts;
   PacketDepths depths;

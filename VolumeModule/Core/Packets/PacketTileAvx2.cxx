@@ -12,20 +12,36 @@ namespace
 {
 
 // Flattened: all that it calls is part of it, so that lanes stay in registers.
-template <class Voxel>
-[[gnu::flatten]] PacketSum March(
+template <class Voxel, class Material>
+[[gnu::flatten]] PacketSum MarchMaterial(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  return scene.rule == PacketRule::MaterialMidpoint
+    ? MarchMaterialMidpoints<Voxel, Material>(scene, rays, walk)
+    : MaterialMarch<Voxel, Material>(scene, rays, walk).March();
+}
+
+template <class Voxel>
+[[gnu::flatten]] PacketSum MarchValues(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  return scene.rule == PacketRule::Midpoint ? MarchMidpoints<Voxel>(scene, rays, walk)
+                                            : MarchPreIntegrated<Voxel>(scene, rays, walk);
+}
+
+template <class Voxel>
+PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   switch (scene.rule)
   {
     case PacketRule::Midpoint:
-      return MarchMidpoints<Voxel>(scene, rays, walk);
     case PacketRule::PreIntegrated:
-      return MarchPreIntegrated<Voxel>(scene, rays, walk);
-    case PacketRule::LitMidpoint:
-      return MarchLitMidpoints<Voxel>(scene, rays, walk);
-    case PacketRule::LitLinear:
-      return LitMarch<Voxel>(scene, rays, walk).March();
+      return MarchValues<Voxel>(scene, rays, walk);
+    case PacketRule::MaterialMidpoint:
+    case PacketRule::MaterialLinear:
+      return HeadLitMaterial::IsThatOf(scene)
+        ? MarchMaterial<Voxel, HeadLitMaterial>(scene, rays, walk)
+        : MarchMaterial<Voxel, PacketMaterial>(scene, rays, walk);
   }
   return {};
 }
