@@ -210,20 +210,27 @@ void AccelerationField::AddBuildSeconds(double seconds)
 }
 
 void AccelerationField::BuildExtremes(
-  vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest)
+  vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest, Marcher marcher)
 {
   const Stopwatch stopwatch;
   const BrickRanges& values = this->ranges.front();
-  const std::vector<std::uint16_t> extremes = BuildExtremeBricks(values, look, largest);
+  std::vector<std::uint16_t> built = BuildExtremeBricks(values, look, largest);
   this->AddBuildSeconds(stopwatch.Seconds());
   this->ReleaseField(window);
-  this->Upload(window, values.BrickCount(), extremes);
+  if (marcher == Marcher::Device)
+  {
+    this->Upload(window, values.BrickCount(), built);
+    return;
+  }
+  this->size = values.BrickCount();
+  this->extremes = std::move(built);
 }
 
 void AccelerationField::ReleaseField(vtkWindow* window)
 {
   this->bricks = {};
   this->visibleBlocks = {};
+  this->extremes = {};
   this->texture->ReleaseGraphicsResources(window);
   this->bytes = 0;
 }

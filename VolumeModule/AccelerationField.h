@@ -59,11 +59,14 @@ public:
   /// What a ray must have found to leave each brick out, as texels of 16 bits; see
   /// BuildExtremeBricks.
   /// @throws std::runtime_error when the device cannot hold the texture
-  void BuildExtremes(vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest);
+  /// @param marcher  who reads them: for the processor there is no texture, but Extremes()
+  void BuildExtremes(
+    vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest, Marcher marcher);
 
   const BrickRanges& Ranges() const { return this->ranges.front(); } ///< of the first channel
   vtkTextureObject* Texture() const { return this->texture; }
   const std::vector<std::uint8_t>& Bricks() const { return this->bricks; }
+  const std::vector<std::uint16_t>& Extremes() const { return this->extremes; }
   const varimarch::VisibleBlocks& VisibleBlocks() const { return this->visibleBlocks; }
   bool SkipsAny() const { return this->bytes > 0 || !this->bricks.empty(); }
   /// Of the optical field, the smallest box that holds what is visible in a part of the volume.
@@ -83,8 +86,11 @@ private:
   vtkNew<vtkTextureObject> texture;
   std::vector<BrickRanges> ranges; ///< of each channel
   VisibleBricks visible;
-  std::vector<std::uint8_t> bricks; ///< of an optical field, where the processor marches rays,
-  varimarch::VisibleBlocks visibleBlocks; ///< and the hull of what is visible
+  // Where the processor marches rays: of an optical field, and the hull of what is visible; or of
+  // extremes.
+  std::vector<std::uint8_t> bricks;
+  varimarch::VisibleBlocks visibleBlocks;
+  std::vector<std::uint16_t> extremes;
   glm::ivec3 size = glm::ivec3(1);
   double rangeSeconds = 0.0; ///< of ranges that no field has been built of yet
   double buildSeconds = 0.0;

@@ -261,7 +261,7 @@ void RayMarcher::UpdateExtremes(const Frame& frame)
 {
   const bool largest = frame.settings.blend == Blend::MaximumIntensity;
   const FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture,
-    this->builds.opticalTable, frame.fieldError, largest ? 1.0 : -1.0 };
+    this->builds.opticalTable, frame.fieldError, largest ? 1.0 : -1.0, frame.marcher };
   if (this->fieldSource == source)
   {
     return;
@@ -270,7 +270,7 @@ void RayMarcher::UpdateExtremes(const Frame& frame)
   this->UpdateRanges();
   const ExtremeLook look{ this->opticalTable.Table(),
     frame.property->GetScalarOpacityUnitDistance(), frame.fieldError };
-  this->field.BuildExtremes(frame.window, look, largest);
+  this->field.BuildExtremes(frame.window, look, largest, frame.marcher);
   this->fieldSource = source;
   ++this->builds.field;
 }

@@ -110,6 +110,14 @@ struct ToleranceChoice
   double missedOfLimit = 0.0; ///< found once per rule: peaks between samples, as step.ofLimit
 };
 
+/// What the numbers of a field of extremes stand for.
+struct ExtremeSteps
+{
+  double sense; ///< 1 for the largest, -1 for the smallest
+  double firstValue;
+  double valuePerStep;
+};
+
 /// The volume or a block of it, as it is drawn.
 struct DrawnBlock
 {
@@ -221,6 +229,7 @@ private:
   PacketLook LookOfPackets(const Frame& frame) const;
   PacketSteps StepsOfPackets(const Frame& frame) const;
   PacketGradientOpacity GradientOpacityOfPackets(const Frame& frame) const;
+  PacketExtreme ExtremeOfPackets(const Frame& frame) const;
   PacketScene SceneOfPackets(const Frame& frame, const PacketArrays& arrays) const;
   void DrawPackets(const Frame& frame);
   void SetMarchedUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
@@ -255,6 +264,7 @@ private:
   void SetGapUniforms(const Frame& frame, const DrawnBlock& drawn);
   void SetCutUniforms(const Frame& frame);
   void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
+  ExtremeSteps ExtremeStepsOf(Blend blend) const;
   void SetStepUniforms(const Frame& frame, const VolumeBlock& block);
   void SetClassifyUniforms(const Frame& frame);
   void SetComponentTableUniforms();

@@ -58,14 +58,16 @@ std::optional<VoxelType> VoxelTypeOf(const VoxelChannels& channels)
 // What packets have no code for is left to shaders, which have all.
 bool HasPacketRecipe(const RenderSettings& settings)
 {
-  const bool isPlain = settings.blend == Blend::Composite &&
-    settings.components == Components::One && settings.functionOf == FunctionOf::Value &&
-    settings.mask == Mask::None && !settings.nearest && !settings.cubic && !settings.uneven;
+  const bool isBlended = settings.blend == Blend::Composite || IsExtreme(settings.blend);
+  const bool isPlain = settings.components == Components::One &&
+    settings.functionOf == FunctionOf::Value && settings.mask == Mask::None && !settings.nearest &&
+    !settings.cubic && !settings.uneven;
   const bool isCutByPlanes = !settings.cropping && !settings.clippedGradients;
   const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
-  const bool hasRule = MarchesMaterial(settings) || settings.integration == Integration::Midpoint ||
+  const bool hasRule = IsExtreme(settings.blend) || MarchesMaterial(settings) ||
+    settings.integration == Integration::Midpoint ||
     settings.integration == Integration::PreIntegrated;
-  return isPlain && isCutByPlanes && hasSteps && hasRule && !settings.overlaps &&
+  return isBlended && isPlain && isCutByPlanes && hasSteps && hasRule && !settings.overlaps &&
     !settings.countFetches && settings.pass == RayPass::Whole;
 }
 
@@ -152,6 +154,10 @@ PacketLight LightOf(const Frame& frame, const LightTexels& others, double scalar
 
 PacketRule RuleOf(const RenderSettings& settings)
 {
+  if (IsExtreme(settings.blend))
+  {
+    return PacketRule::Extreme;
+  }
   const bool isMidpoint = settings.integration == Integration::Midpoint;
   return MarchesMaterial(settings)
     ? (isMidpoint ? PacketRule::MaterialMidpoint : PacketRule::MaterialLinear)
@@ -261,6 +267,30 @@ PacketGradientOpacity RayMarcher::GradientOpacityOfPackets(const Frame& frame) c
   return opacity;
 }
 
+PacketExtreme RayMarcher::ExtremeOfPackets(const Frame& frame) const
+{
+  PacketExtreme extreme = {};
+  if (!IsExtreme(frame.settings.blend))
+  {
+    return extreme;
+  }
+  const bool isMaximum = frame.settings.blend == Blend::MaximumIntensity;
+  const ScalarTexels& texels = this->blocks.Texels();
+  extreme.sense = isMaximum ? 1.0f : -1.0f;
+  extreme.best = float(isMaximum ? texels.largestValue : -texels.smallestValue);
+  extreme.opacityUnitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
+  extreme.brickCount = glm::ivec3(1);
+  if (frame.settings.acceleration == Acceleration::OpticalField)
+  {
+    const ExtremeSteps steps = this->ExtremeStepsOf(frame.settings.blend);
+    extreme.bricks = this->field.Extremes().data();
+    extreme.brickCount = this->field.Size();
+    extreme.bestOfFirstStep = float(steps.sense * steps.firstValue);
+    extreme.bestPerStep = float(steps.sense * steps.valuePerStep);
+  }
+  return extreme;
+}
+
 PacketScene RayMarcher::SceneOfPackets(const Frame& frame, const PacketArrays& arrays) const
 {
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
@@ -271,6 +301,7 @@ PacketScene RayMarcher::SceneOfPackets(const Frame& frame, const PacketArrays& a
   scene.look = this->LookOfPackets(frame);
   scene.light = LightOf(frame, arrays.lights, this->blocks.Texels().mapping.scale);
   scene.gradientOpacity = this->GradientOpacityOfPackets(frame);
+  scene.extreme = this->ExtremeOfPackets(frame);
   scene.steps = this->StepsOfPackets(frame);
   scene.cuts.planesGrid = arrays.planesGrid.data();
   scene.cuts.planeCount = int(arrays.planesGrid.size());

@@ -121,6 +121,16 @@ void RayMarcher::SetNoiseUniforms()
   this->program.Set("noisePixelsMask", glm::ivec2(BlueNoiseTexture::Pixels - 1));
 }
 
+// What a ray has found is the extreme of a brick even where rounding has made it less.
+ExtremeSteps RayMarcher::ExtremeStepsOf(Blend blend) const
+{
+  constexpr double rounding = 1.0 / 64.0; // of a step
+  const double sense = blend == Blend::MaximumIntensity ? 1.0 : -1.0;
+  const BrickRanges& ranges = this->field.Ranges();
+  return { sense, ranges.FirstValue() - sense * rounding * ranges.ValuePerStep(),
+    ranges.ValuePerStep() };
+}
+
 void RayMarcher::SetStepUniforms(const Frame& frame, const VolumeBlock& block)
 {
   this->program.Set("stepMm", frame.sampleDistanceMm);
@@ -152,16 +162,12 @@ void RayMarcher::SetStepUniforms(const Frame& frame, const VolumeBlock& block)
   }
   if (frame.settings.acceleration == Acceleration::OpticalField && IsExtreme(frame.settings.blend))
   {
-    const BrickRanges& ranges = this->field.Ranges();
     const TexelMapping& mapping = this->blocks.Texels().mapping;
-    const double sense = frame.settings.blend == Blend::MaximumIntensity ? 1.0 : -1.0;
-    // What a ray has found is the extreme of a brick even where rounding has made it less.
-    constexpr double rounding = 1.0 / 64.0; // of a step
-    const double firstValue = ranges.FirstValue() - sense * rounding * ranges.ValuePerStep();
-    this->program.Set("sense", sense);
+    const ExtremeSteps steps = this->ExtremeStepsOf(frame.settings.blend);
+    this->program.Set("sense", steps.sense);
     this->program.Set("scalarFromField",
-      glm::dvec2(65535.0 * ranges.ValuePerStep() / mapping.scale,
-        (firstValue - mapping.offset) / mapping.scale));
+      glm::dvec2(65535.0 * steps.valuePerStep / mapping.scale,
+        (steps.firstValue - mapping.offset) / mapping.scale));
   }
 }
 

@@ -20,6 +20,23 @@ void LeaveLowerGradientsOut(MapperScene& scene)
   scene.volume->GetProperty()->SetGradientOpacity(factors);
 }
 
+// Of values that hardly any ray has the largest of.
+void ShowAMaximum(MapperScene& scene)
+{
+  scene.mapper->SetBlendModeToMaximumIntensity();
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(-1100.0, 0.0);
+  scene.opacities->AddPoint(1500.0, 1.0);
+}
+
+void ShowAMinimum(MapperScene& scene)
+{
+  scene.mapper->SetBlendModeToMinimumIntensity();
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(-1300.0, 1.0);
+  scene.opacities->AddPoint(500.0, 0.0);
+}
+
 // Beside the head light; with ambient light and highlights.
 vtkLight* ShineFromTheSide(MapperScene& scene)
 {
@@ -125,6 +142,19 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
         ShineFromTheSide(s);
         s.mapper->SetDampingGradient(200.0);
       } },
+    Change{ "AMaximum", ShowAMaximum }, Change{ "AMinimum", ShowAMinimum },
+    Change{ "AMaximumWithoutField",
+      [](MapperScene& s)
+      {
+        ShowAMaximum(s);
+        s.mapper->SetAccelerationModeToOff();
+      } },
+    Change{ "AMaximumOfAPart",
+      [](MapperScene& s)
+      {
+        ShowAMaximum(s);
+        Clip(s);
+      } },
     Change{ "NoField", [](MapperScene& s) { s.mapper->SetAccelerationModeToOff(); } },
     Change{ "NoFieldAndLight",
       [](MapperScene& s)
@@ -192,12 +222,19 @@ INSTANTIATE_TEST_SUITE_P(EveryType, ProcessorMarchingOfVoxels,
   testing::Values(
     VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_FLOAT));
 
-TEST_F(ProcessorMarching, HasNothingButPixelsOnTheDevice)
+class ProcessorMarchingOfBlends
+  : public ProcessorMarching
+  , public testing::WithParamInterface<int>
+{
+};
+
+TEST_P(ProcessorMarchingOfBlends, HasNothingButPixelsOnTheDevice)
 {
   vtkNew<vtkPlane> plane; // oblique: others are a box
   plane->SetNormal(1.0, 1.0, 1.0);
   const auto prepare = [&](MapperScene& scene)
   {
+    scene.mapper->SetBlendMode(GetParam());
     scene.mapper->UseJitteringOn();
     scene.mapper->AddClippingPlane(plane);
     LeaveLowerGradientsOut(scene);
@@ -218,6 +255,9 @@ TEST_F(ProcessorMarching, HasNothingButPixelsOnTheDevice)
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), byShader.mapper->GetGraphicsMemoryBytes());
   EXPECT_EQ(scene.Draw(), drawn);
 }
+
+INSTANTIATE_TEST_SUITE_P(CompositeAndMaximum, ProcessorMarchingOfBlends,
+  testing::Values(Mapper::COMPOSITE_BLEND, Mapper::MAXIMUM_INTENSITY_BLEND));
 
 // At these tolerances no single ray decides, in which a difference of rounding could be seen.
 TEST_F(ProcessorMarching, FindsTheStepsOfTheShaderForATolerance)

@@ -70,7 +70,7 @@ TEST_P(ProcessorMarchingIsNotFor, SoAShaderDraws)
 
 INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
   testing::Values(
-    Change{ "AMaximum", [](MapperScene& s) { s.mapper->SetBlendModeToMaximumIntensity(); } },
+    Change{ "AnAverage", [](MapperScene& s) { s.mapper->SetBlendModeToAverageIntensity(); } },
     Change{
       "Boxes", [](MapperScene& s) { s.volume->GetProperty()->SetInterpolationTypeToNearest(); } },
     Change{ "ASpline", [](MapperScene& s) { s.mapper->CubicInterpolationOn(); } },

@@ -30,6 +30,7 @@ enum class PacketRule
   PreIntegrated,
   MaterialMidpoint, ///< of what depends on gradients too
   MaterialLinear,
+  Extreme,
 };
 
 /// What surfaces are lit by.
@@ -121,6 +122,18 @@ struct PacketSteps
   int noiseMask;              ///< its size less 1
 };
 
+/// A maximum or minimum; see Shaders/Step/BrickExtremes.glsl.
+struct PacketExtreme
+{
+  float sense; ///< 1: a maximum; -1: a minimum, of which all values are negated here
+  float best;  ///< that any voxel has
+  float opacityUnitDistanceMm;
+  const std::uint16_t* bricks; ///< of BuildExtremeBricks; none: there is nothing to skip
+  glm::ivec3 brickCount;
+  float bestOfFirstStep;
+  float bestPerStep;
+};
+
 /// What cuts rays off.
 struct PacketCuts
 {
@@ -144,7 +157,7 @@ struct PacketDepths
   int bottom;
 };
 
-/// A composite picture of one volume of one component, in plain numbers.
+/// A picture of one volume of one component, in plain numbers.
 struct PacketScene
 {
   PacketCamera camera;
@@ -152,6 +165,7 @@ struct PacketScene
   PacketLook look;
   PacketLight light; ///< of materials, and
   PacketGradientOpacity gradientOpacity;
+  PacketExtreme extreme; ///< where that is the rule
   PacketSteps steps;
   PacketCuts cuts;
   PacketDepths depths;

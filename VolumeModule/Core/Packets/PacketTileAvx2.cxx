@@ -3,6 +3,7 @@
 
 #include "Core/Packets/PacketTile.h"
 
+#include "Core/Packets/PacketExtreme.h"
 #include "Core/Packets/PacketMarchers.h"
 
 namespace varimarch
@@ -30,6 +31,12 @@ template <class Voxel>
 }
 
 template <class Voxel>
+[[gnu::flatten]] PacketSum MarchExtreme(const PacketScene& scene, const PacketRays& rays)
+{
+  return ExtremeMarch<Voxel>(scene, rays).March();
+}
+
+template <class Voxel>
 PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   switch (scene.rule)
@@ -42,6 +49,8 @@ PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWa
       return HeadLitMaterial::IsThatOf(scene)
         ? MarchMaterial<Voxel, HeadLitMaterial>(scene, rays, walk)
         : MarchMaterial<Voxel, PacketMaterial>(scene, rays, walk);
+    case PacketRule::Extreme:
+      return MarchExtreme<Voxel>(scene, rays);
   }
   return {};
 }

@@ -1,0 +1,162 @@
+#ifndef Varimarch_Core_Packets_PacketExtreme_h
+#define Varimarch_Core_Packets_PacketExtreme_h
+
+// A maximum or minimum of interpolated voxels, exactly: Shaders/March/Extreme.glsl and
+// Step/BrickExtremes.glsl. What is greater is better: of a minimum all values are negated.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketLattice.h"
+#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/PacketScene.h"
+#include "Core/Packets/PacketVoxels.h"
+
+namespace varimarch
+{
+
+/// Shaders/Math/CellCubic.glsl: where a cubic has extremes in [0, 1]; 0 where there are none.
+struct ExtremePlaces
+{
+  Lanes first;
+  Lanes second;
+};
+
+inline ExtremePlaces ExtremesOf(const CellCubicLanes& cubic)
+{
+  const Lanes3 slopes{ cubic.b1 - cubic.b0, cubic.b2 - cubic.b1, cubic.b3 - cubic.b2 };
+  const Lanes a = slopes.x - 2.0f * slopes.y + slopes.z;
+  const Lanes halfB = slopes.y - slopes.x;
+  const Lanes discriminant = halfB * halfB - a * slopes.x;
+  const Lanes root = WithSignOf(Sqrt(Max(discriminant, Lanes{})), halfB);
+  const Lanes q = -(halfB + root);
+  const LaneMask has = LaneMask(discriminant > 0.0f);
+  const auto within = [&](Lanes dividend, Lanes divisor)
+  {
+    const Lanes place = Clamp(dividend / divisor, Lanes{}, All(1.0f));
+    return Select(has & LaneMask(divisor != 0.0f), place, Lanes{});
+  };
+  return { within(q, a), within(slopes.x, q) };
+}
+
+/// De Casteljau's algorithm.
+inline Lanes ValueAt(const CellCubicLanes& cubic, Lanes u)
+{
+  const Lanes middle = Mix(cubic.b1, cubic.b2, u);
+  return Mix(
+    Mix(Mix(cubic.b0, cubic.b1, u), middle, u), Mix(middle, Mix(cubic.b2, cubic.b3, u), u), u);
+}
+
+/// A march from one brick that can better what is found to the next.
+template <class Voxel>
+class ExtremeMarch
+{
+public:
+  ExtremeMarch(const PacketScene& scene, const PacketRays& rays)
+    : scene(scene)
+    , extreme(scene.extreme)
+    , rays(rays)
+    , voxels(scene.volume)
+    // Cells before the first voxel and behind the last one are cells too.
+    , cells(rays, 1.0f, -1.0f, scene.volume.voxelCount + 1)
+    , bricks(rays, scene.steps.cellsPerBrick, 0.0f, scene.extreme.brickCount)
+  {
+  }
+
+  PacketSum March()
+  {
+    const Lanes segmentMm = CellsPerSegment / Length(this->rays.directionGrid);
+    Lanes t = this->rays.enter;
+    LaneMask going = LaneMask(t < this->rays.exit);
+    for (int index = 0; index < this->scene.steps.mostSegments && Any(going); ++index)
+    {
+      t = this->extreme.bricks ? this->NextBrick(t, going) : t;
+      going &= LaneMask(t < this->rays.exit);
+      t = this->MarchCells(t, Min(t + segmentMm, this->rays.exit), going);
+      going &= LaneMask(t < this->rays.exit) & LaneMask(this->found < this->extreme.best);
+    }
+    return this->Seen();
+  }
+
+private:
+  static constexpr float CellsPerSegment = 4.0f;
+
+  // Where the rays of a mask come to a brick that can better what they have found.
+  Lanes NextBrick(Lanes t, LaneMask mask) const
+  {
+    LatticePlaces place = this->bricks.At(t);
+    for (int skip = 0; skip < this->scene.steps.mostSegments; ++skip)
+    {
+      mask &=
+        LaneMask(this->BestOf(place.cell) <= this->found) & LaneMask(place.t < this->rays.exit);
+      if (!Any(mask))
+      {
+        break;
+      }
+      place = Select(mask, this->bricks.Behind(place), place);
+    }
+    return place.t;
+  }
+
+  Lanes BestOf(const Lanes3& brick) const
+  {
+    const IntNumbers index = this->bricks.IndexOf(brick);
+    const auto step = [&](int lane) { return std::int32_t(this->extreme.bricks[index.of[lane]]); };
+    const IntLanes steps{ step(0), step(1), step(2), step(3), step(4), step(5), step(6), step(7) };
+    return this->extreme.bestPerStep * FloatOf(steps) + this->extreme.bestOfFirstStep;
+  }
+
+  // Marches the rays of a mask to the end of the cell that `end` is in.
+  Lanes MarchCells(Lanes t, Lanes end, LaneMask mask)
+  {
+    LatticePlaces place = this->cells.At(t);
+    while (Any(mask))
+    {
+      const LatticePlaces behind = this->cells.Behind(place);
+      const Lanes exit = Min(behind.t, this->rays.exit);
+      this->Take(this->voxels.CubicIn(place.cell - Lanes3{ All(1.0f), All(1.0f), All(1.0f) },
+                   this->rays.At(place.t), this->rays.At(exit)),
+        mask);
+      place = Select(mask, behind, place);
+      mask &= LaneMask(place.t < end);
+    }
+    return place.t;
+  }
+
+  void Take(const CellCubicLanes& values, LaneMask mask)
+  {
+    const float sense = this->extreme.sense;
+    const CellCubicLanes cubic{ sense * values.b0, sense * values.b1, sense * values.b2,
+      sense * values.b3 };
+    Lanes best = Max(this->found, Max(cubic.b0, cubic.b3));
+    // A cubic is nowhere beyond its coefficients.
+    if (Any(mask & LaneMask(Max(cubic.b1, cubic.b2) > best)))
+    {
+      const ExtremePlaces places = ExtremesOf(cubic);
+      best = Max(best, Max(ValueAt(cubic, places.first), ValueAt(cubic, places.second)));
+    }
+    this->found = Select(mask, best, this->found);
+  }
+
+  // Shaders/Blend/MaximumIntensity.glsl.
+  PacketSum Seen() const
+  {
+    const LaneMask hasFound = LaneMask(this->found > -Never);
+    const Lanes value = Select(hasFound, this->extreme.sense * this->found, Lanes{});
+    PacketSum sum;
+    sum.Add(Classify(this->scene.look, value),
+      Select(hasFound, All(this->extreme.opacityUnitDistanceMm), Lanes{}));
+    return sum;
+  }
+
+  const PacketScene& scene;
+  const PacketExtreme& extreme;
+  const PacketRays& rays;
+  PacketVoxels<Voxel> voxels;
+  PacketLattice cells;
+  PacketLattice bricks;
+  Lanes found = All(-Never);
+};
+
+}
+
+#endif
