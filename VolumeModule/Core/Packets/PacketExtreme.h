@@ -5,6 +5,7 @@
 // Step/BrickExtremes.glsl. What is greater is better: of a minimum all values are negated.
 
 #include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketCellCubic.h"
 #include "Core/Packets/PacketLattice.h"
 #include "Core/Packets/PacketOptics.h"
 #include "Core/Packets/PacketRays.h"
@@ -13,38 +14,6 @@
 
 namespace varimarch
 {
-
-/// Shaders/Math/CellCubic.glsl: where a cubic has extremes in [0, 1]; 0 where there are none.
-struct ExtremePlaces
-{
-  Lanes first;
-  Lanes second;
-};
-
-inline ExtremePlaces ExtremesOf(const CellCubicLanes& cubic)
-{
-  const Lanes3 slopes{ cubic.b1 - cubic.b0, cubic.b2 - cubic.b1, cubic.b3 - cubic.b2 };
-  const Lanes a = slopes.x - 2.0f * slopes.y + slopes.z;
-  const Lanes halfB = slopes.y - slopes.x;
-  const Lanes discriminant = halfB * halfB - a * slopes.x;
-  const Lanes root = WithSignOf(Sqrt(Max(discriminant, Lanes{})), halfB);
-  const Lanes q = -(halfB + root);
-  const LaneMask has = LaneMask(discriminant > 0.0f);
-  const auto within = [&](Lanes dividend, Lanes divisor)
-  {
-    const Lanes place = Clamp(dividend / divisor, Lanes{}, All(1.0f));
-    return Select(has & LaneMask(divisor != 0.0f), place, Lanes{});
-  };
-  return { within(q, a), within(slopes.x, q) };
-}
-
-/// De Casteljau's algorithm.
-inline Lanes ValueAt(const CellCubicLanes& cubic, Lanes u)
-{
-  const Lanes middle = Mix(cubic.b1, cubic.b2, u);
-  return Mix(
-    Mix(Mix(cubic.b0, cubic.b1, u), middle, u), Mix(middle, Mix(cubic.b2, cubic.b3, u), u), u);
-}
 
 /// A march from one brick that can better what is found to the next.
 template <class Voxel>
@@ -108,13 +77,15 @@ private:
   // Marches the rays of a mask to the end of the cell that `end` is in.
   Lanes MarchCells(Lanes t, Lanes end, LaneMask mask)
   {
+    const Lanes3 one{ All(1.0f), All(1.0f), All(1.0f) };
     LatticePlaces place = this->cells.At(t);
     while (Any(mask))
     {
       const LatticePlaces behind = this->cells.Behind(place);
       const Lanes exit = Min(behind.t, this->rays.exit);
-      this->Take(this->voxels.CubicIn(place.cell - Lanes3{ All(1.0f), All(1.0f), All(1.0f) },
-                   this->rays.At(place.t), this->rays.At(exit)),
+      const CellCorners corners = this->voxels.CornersOf(place.cell - one);
+      this->Take(
+        this->extreme.sense * CubicBetween(corners, this->rays.At(place.t), this->rays.At(exit)),
         mask);
       place = Select(mask, behind, place);
       mask &= LaneMask(place.t < end);
@@ -122,17 +93,13 @@ private:
     return place.t;
   }
 
-  void Take(const CellCubicLanes& values, LaneMask mask)
+  void Take(const CellCubicLanes& cubic, LaneMask mask)
   {
-    const float sense = this->extreme.sense;
-    const CellCubicLanes cubic{ sense * values.b0, sense * values.b1, sense * values.b2,
-      sense * values.b3 };
     Lanes best = Max(this->found, Max(cubic.b0, cubic.b3));
-    // A cubic is nowhere beyond its coefficients.
     if (Any(mask & LaneMask(Max(cubic.b1, cubic.b2) > best)))
     {
       const ExtremePlaces places = ExtremesOf(cubic);
-      best = Max(best, Max(ValueAt(cubic, places.first), ValueAt(cubic, places.second)));
+      best = Max(best, Max(cubic.ValueAt(places.first), cubic.ValueAt(places.second)));
     }
     this->found = Select(mask, best, this->found);
   }

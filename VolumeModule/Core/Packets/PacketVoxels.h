@@ -74,13 +74,19 @@ inline Lanes Mix(Lanes a, Lanes b, Lanes part)
   return a + part * (b - a);
 }
 
-/// What is interpolated along a line through a cell: a cubic, by its Bernstein coefficients.
-struct CellCubicLanes
+/// The eight voxels of a cell, and which one that is.
+struct CellCorners
 {
-  Lanes b0;
-  Lanes b1;
-  Lanes b2;
-  Lanes b3;
+  ValuePairs rows[2][2]; ///< [slice][row]
+  Lanes3 cellGrid;       ///< the first of them
+
+  /// Where in the cell a position is, [0, 1] on each axis: positions outside are moved in.
+  Lanes3 Inside(const Lanes3& positionGrid) const
+  {
+    const Lanes3 part = positionGrid - this->cellGrid;
+    return { Clamp(part.x, Lanes{}, All(1.0f)), Clamp(part.y, Lanes{}, All(1.0f)),
+      Clamp(part.z, Lanes{}, All(1.0f)) };
+  }
 };
 
 /// Trilinear interpolation between voxels, which go on beyond the outermost ones.
@@ -148,11 +154,8 @@ public:
         this->ValueAt(positionGrid + z) - this->ValueAt(positionGrid - z) } };
   }
 
-  /// Along lines that each lie in one cell; see Core/CellCubic. Their ends tell where in the box
-  /// between them the coefficients are.
-  /// @param cellGrid  the first voxel; may be outside by one
-  CellCubicLanes CubicIn(
-    const Lanes3& cellGrid, const Lanes3& enterGrid, const Lanes3& leaveGrid) const
+  /// @param cellGrid  the first voxel; where that is outside, the nearest cell is read
+  CellCorners CornersOf(const Lanes3& cellGrid) const
   {
     const Lanes one = All(1.0f);
     const Lanes3 cell{ Clamp(cellGrid.x, Lanes{}, this->lastVoxel.x - one),
@@ -160,59 +163,12 @@ public:
       Clamp(cellGrid.z, Lanes{}, this->lastVoxel.z - one) };
     const IntNumbers index(Truncated(cell.x) + int(this->perRow) * Truncated(cell.y) +
       int(this->perSlice) * Truncated(cell.z));
-    const auto within = [&](const Lanes3& place)
-    {
-      const Lanes3 part = place - cell;
-      return Lanes3{ Clamp(part.x, Lanes{}, one), Clamp(part.y, Lanes{}, one),
-        Clamp(part.z, Lanes{}, one) };
-    };
-    return this->CubicBetween(index, within(enterGrid), within(leaveGrid));
+    return { { { this->PairsIn(index, 0, 0, 0), this->PairsIn(index, 0, 1, 0) },
+               { this->PairsIn(index, 0, 0, 1), this->PairsIn(index, 0, 1, 1) } },
+      cell };
   }
 
 private:
-  // Of a row, slice or cell, at the two ends of a line along each axis.
-  struct AtEnds
-  {
-    Lanes enter;
-    Lanes leave;
-  };
-
-  static AtEnds Mixed(Lanes first, Lanes second, Lanes enter, Lanes leave)
-  {
-    return { Mix(first, second, enter), Mix(first, second, leave) };
-  }
-
-  CellCubicLanes CubicBetween(
-    const IntNumbers& index, const Lanes3& enter, const Lanes3& leave) const
-  {
-    AtEnds rows[2][2]; // [slice][row], along x
-    for (int slice = 0; slice < 2; ++slice)
-    {
-      for (int row = 0; row < 2; ++row)
-      {
-        const ValuePairs pair = this->PairsIn(index, 0, row, slice);
-        rows[slice][row] = Mixed(pair.first, pair.second, enter.x, leave.x);
-      }
-    }
-    AtEnds slices[2][2]; // [slice][end along x], along y
-    for (int slice = 0; slice < 2; ++slice)
-    {
-      const AtEnds& near = rows[slice][0];
-      const AtEnds& far = rows[slice][1];
-      slices[slice][0] = Mixed(near.enter, far.enter, enter.y, leave.y);
-      slices[slice][1] = Mixed(near.leave, far.leave, enter.y, leave.y);
-    }
-    const auto alongZ = [&](int x, Lanes AtEnds::*y)
-    { return Mixed(slices[0][x].*y, slices[1][x].*y, enter.z, leave.z); };
-    const AtEnds enterEnter = alongZ(0, &AtEnds::enter); // x and y
-    const AtEnds enterLeave = alongZ(0, &AtEnds::leave);
-    const AtEnds leaveEnter = alongZ(1, &AtEnds::enter);
-    const AtEnds leaveLeave = alongZ(1, &AtEnds::leave);
-    constexpr float Third = 1.0f / 3.0f;
-    return { enterEnter.enter, Third * (leaveEnter.enter + enterLeave.enter + enterEnter.leave),
-      Third * (enterLeave.leave + leaveEnter.leave + leaveLeave.enter), leaveLeave.leave };
-  }
-
   // At least `border` voxels from the outermost ones.
   Lanes3 Inside(const Lanes3& positionGrid, Lanes border) const
   {
