@@ -172,36 +172,46 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
   }
   OpticalField field = varimarch::BuildOpticalField(channels, tolerance, towards);
   this->ReleaseField(window);
+  this->SetVisible(field, marcher);
+  this->AddBuildSeconds(stopwatch.Seconds());
+  const Box all{ glm::dvec3(0.0),
+    double(BrickRanges::CellsPerSide) * glm::dvec3(field.brickCount) };
+  if (field.SkippablePart(this->visible.Bounds(all)) >= LeastSkippablePart)
+  {
+    this->SetBricks(window, std::move(field), marcher);
+  }
+}
+
+void AccelerationField::BuildIsosurfaceField(vtkOpenGLRenderWindow* window,
+  const std::vector<double>& isovalues, glm::ivec3 towards, Marcher marcher)
+{
+  const Stopwatch stopwatch;
+  OpticalField field = varimarch::BuildIsosurfaceField(this->ranges.front(), isovalues, towards);
+  this->ReleaseField(window);
+  this->SetVisible(field, marcher);
+  this->AddBuildSeconds(stopwatch.Seconds());
+  this->SetBricks(window, std::move(field), marcher);
+}
+
+void AccelerationField::SetVisible(const OpticalField& field, Marcher marcher)
+{
   const bool isForProcessor = marcher == Marcher::Processor;
   tbb::parallel_invoke([&] { this->visible = VisibleBricks(field); },
     [&] {
       this->visibleBlocks = isForProcessor ? VisibleBlocksOf(field) : varimarch::VisibleBlocks();
     });
-  this->AddBuildSeconds(stopwatch.Seconds());
-  const Box all{ glm::dvec3(0.0),
-    double(BrickRanges::CellsPerSide) * glm::dvec3(field.brickCount) };
-  const bool skipsAny = field.SkippablePart(this->visible.Bounds(all)) >= LeastSkippablePart;
-  if (skipsAny && !isForProcessor)
-  {
-    this->Upload(window, field.brickCount, field.bricks);
-  }
-  else if (skipsAny)
-  {
-    this->size = field.brickCount;
-    this->bricks = std::move(field.bricks);
-  }
 }
 
-void AccelerationField::BuildIsosurfaceField(
-  vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues, glm::ivec3 towards)
+void AccelerationField::SetBricks(
+  vtkOpenGLRenderWindow* window, OpticalField field, Marcher marcher)
 {
-  const Stopwatch stopwatch;
-  const OpticalField field =
-    varimarch::BuildIsosurfaceField(this->ranges.front(), isovalues, towards);
-  this->ReleaseField(window);
-  this->visible = VisibleBricks(field);
-  this->AddBuildSeconds(stopwatch.Seconds());
-  this->Upload(window, field.brickCount, field.bricks);
+  if (marcher == Marcher::Device)
+  {
+    this->Upload(window, field.brickCount, field.bricks);
+    return;
+  }
+  this->size = field.brickCount;
+  this->bricks = std::move(field.bricks);
 }
 
 void AccelerationField::AddBuildSeconds(double seconds)

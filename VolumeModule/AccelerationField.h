@@ -53,8 +53,9 @@ public:
     const OpticalTolerance& tolerance, glm::ivec3 towards, Marcher marcher);
 
   /// @throws std::runtime_error when the device cannot hold the texture
-  void BuildIsosurfaceField(
-    vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues, glm::ivec3 towards);
+  /// @param marcher  likewise
+  void BuildIsosurfaceField(vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues,
+    glm::ivec3 towards, Marcher marcher);
 
   /// What a ray must have found to leave each brick out, as texels of 16 bits; see
   /// BuildExtremeBricks.
@@ -79,6 +80,8 @@ public:
 
 private:
   void ReleaseField(vtkWindow* window);
+  void SetVisible(const OpticalField& field, Marcher marcher);
+  void SetBricks(vtkOpenGLRenderWindow* window, OpticalField field, Marcher marcher);
   void AddBuildSeconds(double seconds);
   template <class Texel>
   void Upload(vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels);

@@ -134,6 +134,7 @@ struct PacketArrays
   std::vector<glm::vec4> planesGrid;
   std::vector<float> depth; ///< none: there is no geometry
   LightTexels lights;
+  std::vector<glm::vec4> isosurfaces;
 };
 
 /// A box so much larger that it covers all pixels of which the box covers a part, if it is at least
@@ -142,6 +143,9 @@ Box WithItsEdges(const Box& box);
 
 /// More segments than any ray has.
 int MostSegmentsOf(const Frame& frame);
+
+/// Of each isosurface its colour and optical depth, and its isovalue.
+std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame);
 
 /// Coefficients of ambient, diffuse and specular light, and the specular power.
 glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component);

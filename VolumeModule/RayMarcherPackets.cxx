@@ -58,13 +58,14 @@ std::optional<VoxelType> VoxelTypeOf(const VoxelChannels& channels)
 // What packets have no code for is left to shaders, which have all.
 bool HasPacketRecipe(const RenderSettings& settings)
 {
-  const bool isBlended = settings.blend == Blend::Composite || IsExtreme(settings.blend);
+  const bool isBlended = settings.blend == Blend::Composite || IsExtreme(settings.blend) ||
+    settings.blend == Blend::Isosurface;
   const bool isPlain = settings.components == Components::One &&
     settings.functionOf == FunctionOf::Value && settings.mask == Mask::None && !settings.nearest &&
     !settings.cubic && !settings.uneven;
   const bool isCutByPlanes = !settings.cropping && !settings.clippedGradients;
   const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
-  const bool hasRule = IsExtreme(settings.blend) || MarchesMaterial(settings) ||
+  const bool hasRule = settings.blend != Blend::Composite || MarchesMaterial(settings) ||
     settings.integration == Integration::Midpoint ||
     settings.integration == Integration::PreIntegrated;
   return isBlended && isPlain && isCutByPlanes && hasSteps && hasRule && !settings.overlaps &&
@@ -157,6 +158,10 @@ PacketRule RuleOf(const RenderSettings& settings)
   if (IsExtreme(settings.blend))
   {
     return PacketRule::Extreme;
+  }
+  if (settings.blend == Blend::Isosurface)
+  {
+    return PacketRule::Isosurfaces;
   }
   const bool isMidpoint = settings.integration == Integration::Midpoint;
   return MarchesMaterial(settings)
@@ -302,6 +307,7 @@ PacketScene RayMarcher::SceneOfPackets(const Frame& frame, const PacketArrays& a
   scene.light = LightOf(frame, arrays.lights, this->blocks.Texels().mapping.scale);
   scene.gradientOpacity = this->GradientOpacityOfPackets(frame);
   scene.extreme = this->ExtremeOfPackets(frame);
+  scene.isosurfaces = { arrays.isosurfaces.data(), int(arrays.isosurfaces.size() / 2) };
   scene.steps = this->StepsOfPackets(frame);
   scene.cuts.planesGrid = arrays.planesGrid.data();
   scene.cuts.planeCount = int(arrays.planesGrid.size());
@@ -332,7 +338,9 @@ void RayMarcher::DrawPackets(const Frame& frame)
   }
   const PacketArrays arrays{ { frame.cuts.planesGrid.begin(), frame.cuts.planesGrid.end() },
     frame.settings.sceneGeometry ? this->depth.Read(frame.window) : std::vector<float>(),
-    frame.settings.lights ? LightTexelsOf(frame.renderer) : LightTexels() };
+    frame.settings.lights ? LightTexelsOf(frame.renderer) : LightTexels(),
+    frame.settings.blend == Blend::Isosurface ? IsosurfaceEntriesOf(frame)
+                                              : std::vector<glm::vec4>() };
   PacketScene scene = this->SceneOfPackets(frame, arrays);
   std::optional<VisibleDepths> visible;
   if (scene.steps.bricks)

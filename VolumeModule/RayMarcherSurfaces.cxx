@@ -6,38 +6,50 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace varimarch
 {
 
+std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame)
+{
+  const TransferFunction transferFunction =
+    TransferFunctionOf(frame.property, frame.surfaceComponent);
+  std::vector<glm::vec4> entries;
+  for (double isovalue : frame.isovalues)
+  {
+    const double depth = -std::log1p(-transferFunction.Opacity(isovalue));
+    entries.emplace_back(transferFunction.Color(isovalue), std::min(depth, 100.0));
+    entries.emplace_back(isovalue);
+  }
+  return entries;
+}
+
 void RayMarcher::UpdateIsosurfaceField(const Frame& frame)
 {
-  FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture, 0, 0.0 };
+  FieldSource source{ Acceleration::OpticalField, this->builds.volumeTexture, 0, 0.0, 0.0,
+    frame.marcher };
   source.isovalues = frame.isovalues;
   if (this->BeginsField(frame, source))
   {
-    this->field.BuildIsosurfaceField(frame.window, frame.isovalues, source.towards);
+    this->field.BuildIsosurfaceField(frame.window, frame.isovalues, source.towards, frame.marcher);
     this->fieldSource = source;
   }
 }
 
 void RayMarcher::UpdateIsosurfaces(const Frame& frame)
 {
-  if (frame.settings.blend != Blend::Isosurface)
+  if (frame.settings.blend != Blend::Isosurface || frame.marcher == Marcher::Processor)
   {
     this->isosurfaces.Release(frame.window);
     return;
   }
-  const TransferFunction transferFunction =
-    TransferFunctionOf(frame.property, frame.surfaceComponent);
+  std::vector<glm::vec4> texels = IsosurfaceEntriesOf(frame);
   const TexelMapping& mapping = this->blocks.Texels().mapping;
-  std::vector<glm::vec4> texels;
-  for (double isovalue : frame.isovalues)
+  for (std::size_t i = 0; i < frame.isovalues.size(); ++i)
   {
-    const double depth = -std::log1p(-transferFunction.Opacity(isovalue));
-    texels.emplace_back(transferFunction.Color(isovalue), std::min(depth, 100.0));
-    texels.emplace_back(mapping.LimitedTexelOf(isovalue));
+    texels[2 * i + 1].x = float(mapping.LimitedTexelOf(frame.isovalues[i]));
   }
   this->isosurfaces.Upload(frame.window, texels);
 }

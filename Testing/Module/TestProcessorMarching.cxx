@@ -5,6 +5,7 @@
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
+#include <vtkContourValues.h>
 #include <vtkLight.h>
 
 namespace
@@ -35,6 +36,20 @@ void ShowAMinimum(MapperScene& scene)
   scene.opacities->RemoveAllPoints();
   scene.opacities->AddPoint(-1300.0, 1.0);
   scene.opacities->AddPoint(500.0, 0.0);
+}
+
+// Skin, through which bone is seen.
+void ShowIsosurfaces(MapperScene& scene)
+{
+  scene.mapper->SetBlendModeToIsoSurface();
+  scene.volume->GetProperty()->ShadeOn();
+  vtkContourValues* const values = scene.volume->GetProperty()->GetIsoSurfaceValues();
+  values->SetValue(0, -300.0);
+  values->SetValue(1, 100.0);
+  values->SetValue(2, 300.0);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(-300.0, 0.2);
+  scene.opacities->AddPoint(300.0, 0.8);
 }
 
 // Beside the head light; with ambient light and highlights.
@@ -155,6 +170,20 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
         ShowAMaximum(s);
         Clip(s);
       } },
+    Change{ "Isosurfaces", ShowIsosurfaces },
+    Change{ "IsosurfacesWithoutFieldNorLight",
+      [](MapperScene& s)
+      {
+        ShowIsosurfaces(s);
+        s.volume->GetProperty()->ShadeOff();
+        s.mapper->SetAccelerationModeToOff();
+      } },
+    Change{ "IsosurfacesOfAPart",
+      [](MapperScene& s)
+      {
+        ShowIsosurfaces(s);
+        Clip(s);
+      } },
     Change{ "NoField", [](MapperScene& s) { s.mapper->SetAccelerationModeToOff(); } },
     Change{ "NoFieldAndLight",
       [](MapperScene& s)
@@ -256,8 +285,9 @@ TEST_P(ProcessorMarchingOfBlends, HasNothingButPixelsOnTheDevice)
   EXPECT_EQ(scene.Draw(), drawn);
 }
 
-INSTANTIATE_TEST_SUITE_P(CompositeAndMaximum, ProcessorMarchingOfBlends,
-  testing::Values(Mapper::COMPOSITE_BLEND, Mapper::MAXIMUM_INTENSITY_BLEND));
+INSTANTIATE_TEST_SUITE_P(EveryBlend, ProcessorMarchingOfBlends,
+  testing::Values(
+    Mapper::COMPOSITE_BLEND, Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::ISOSURFACE_BLEND));
 
 // At these tolerances no single ray decides, in which a difference of rounding could be seen.
 TEST_F(ProcessorMarching, FindsTheStepsOfTheShaderForATolerance)

@@ -27,6 +27,12 @@ struct CellCubicLanes
     const Lanes right = Mix(middle, Mix(this->b2, this->b3, u), u);
     return Mix(left, right, u);
   }
+
+  Lanes SlopeAt(Lanes u) const
+  {
+    const Lanes middle = this->b2 - this->b1;
+    return 3.0f * Mix(Mix(this->b1 - this->b0, middle, u), Mix(middle, this->b3 - this->b2, u), u);
+  }
 };
 
 inline CellCubicLanes operator*(float factor, const CellCubicLanes& a)

@@ -272,7 +272,6 @@ public:
     return optical;
   }
 
-private:
   Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t) const
   {
     const PacketLight& light = this->scene.light;
@@ -288,6 +287,7 @@ private:
     return color;
   }
 
+private:
   Lanes3 WorldAt(Lanes t) const
   {
     const glm::vec3& origin = this->scene.light.worldOfGridOrigin;

@@ -31,6 +31,7 @@ enum class PacketRule
   MaterialMidpoint, ///< of what depends on gradients too
   MaterialLinear,
   Extreme,
+  Isosurfaces,
 };
 
 /// What surfaces are lit by.
@@ -134,6 +135,13 @@ struct PacketExtreme
   float bestPerStep;
 };
 
+/// Shaders/Surface/Isosurfaces.glsl.
+struct PacketIsosurfaces
+{
+  const glm::vec4* entries; ///< two of each, by ascending isovalue: colour and optical depth; that
+  int count;
+};
+
 /// What cuts rays off.
 struct PacketCuts
 {
@@ -165,7 +173,8 @@ struct PacketScene
   PacketLook look;
   PacketLight light; ///< of materials, and
   PacketGradientOpacity gradientOpacity;
-  PacketExtreme extreme; ///< where that is the rule
+  PacketExtreme extreme;         ///< where that is the rule,
+  PacketIsosurfaces isosurfaces; ///< and these
   PacketSteps steps;
   PacketCuts cuts;
   PacketDepths depths;

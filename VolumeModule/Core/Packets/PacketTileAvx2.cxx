@@ -4,6 +4,7 @@
 #include "Core/Packets/PacketTile.h"
 
 #include "Core/Packets/PacketExtreme.h"
+#include "Core/Packets/PacketIsosurfaces.h"
 #include "Core/Packets/PacketMarchers.h"
 
 namespace varimarch
@@ -37,6 +38,13 @@ template <class Voxel>
 }
 
 template <class Voxel>
+[[gnu::flatten]] PacketSum MarchIsosurfaces(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  return IsosurfaceMarch<Voxel>(scene, rays, walk).March();
+}
+
+template <class Voxel>
 PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   switch (scene.rule)
@@ -51,6 +59,8 @@ PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWa
         : MarchMaterial<Voxel, PacketMaterial>(scene, rays, walk);
     case PacketRule::Extreme:
       return MarchExtreme<Voxel>(scene, rays);
+    case PacketRule::Isosurfaces:
+      return MarchIsosurfaces<Voxel>(scene, rays, walk);
   }
   return {};
 }

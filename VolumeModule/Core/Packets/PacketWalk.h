@@ -44,11 +44,34 @@ public:
     {
       longest = Growth(opticalDepth) * longest;
     }
+    return this->NextOfBricks(t, longest, mask);
+  }
+
+  /// Of parts as long as they are marched where bricks are structured.
+  SegmentLanes NextOfBricks(Lanes t, Lanes plainMm, LaneMask mask) const
+  {
     if (!this->steps.bricks)
     {
-      return { t, t + longest };
+      return { t, t + plainMm };
     }
-    return this->NextOfBricks(t, longest, mask);
+    LatticePlaces place = this->lattice.At(t);
+    Lanes behindT = t; // of what is one segment
+    for (int skip = 0; skip < this->steps.mostSegments && Any(mask); ++skip)
+    {
+      const IntLanes content = this->ContentOf(place.cell);
+      const LaneMask isOneSegment = mask & (content != 0);
+      if (!Any(isOneSegment))
+      {
+        break; // what is here is marched
+      }
+      const LatticePlaces behind =
+        this->lattice.BehindBlock(place, Max(FloatOf(content) - 128.0f, Lanes{}));
+      behindT = Select(isOneSegment, behind.t, behindT);
+      const LaneMask isInvisible = isOneSegment & (content >= 128);
+      place = Select(isInvisible, behind, place);
+      mask = isInvisible & LaneMask(place.t < this->rays.exit);
+    }
+    return { place.t, Max(place.t + plainMm, behindT) };
   }
 
 private:
@@ -81,28 +104,6 @@ private:
     const auto content = [&](int lane) { return std::int32_t(this->steps.bricks[index.of[lane]]); };
     return IntLanes{ content(0), content(1), content(2), content(3), content(4), content(5),
       content(6), content(7) };
-  }
-
-  SegmentLanes NextOfBricks(Lanes t, Lanes plainMm, LaneMask mask) const
-  {
-    LatticePlaces place = this->lattice.At(t);
-    Lanes behindT = t; // of what is one segment
-    for (int skip = 0; skip < this->steps.mostSegments && Any(mask); ++skip)
-    {
-      const IntLanes content = this->ContentOf(place.cell);
-      const LaneMask isOneSegment = mask & (content != 0);
-      if (!Any(isOneSegment))
-      {
-        break; // what is here is marched
-      }
-      const LatticePlaces behind =
-        this->lattice.BehindBlock(place, Max(FloatOf(content) - 128.0f, Lanes{}));
-      behindT = Select(isOneSegment, behind.t, behindT);
-      const LaneMask isInvisible = isOneSegment & (content >= 128);
-      place = Select(isInvisible, behind, place);
-      mask = isInvisible & LaneMask(place.t < this->rays.exit);
-    }
-    return { place.t, Max(place.t + plainMm, behindT) };
   }
 
   const PacketSteps& steps;

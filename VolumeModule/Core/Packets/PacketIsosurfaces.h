@@ -1,0 +1,202 @@
+#ifndef Varimarch_Core_Packets_PacketIsosurfaces_h
+#define Varimarch_Core_Packets_PacketIsosurfaces_h
+
+// Isosurfaces of interpolated voxels, none of which is missed or passed twice:
+// Shaders/March/Isosurfaces.glsl and Surface/Isosurfaces.glsl.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketCellCubic.h"
+#include "Core/Packets/PacketLattice.h"
+#include "Core/Packets/PacketMaterial.h"
+#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/PacketScene.h"
+#include "Core/Packets/PacketVoxels.h"
+#include "Core/Packets/PacketWalk.h"
+
+namespace varimarch
+{
+
+/// A part of a cubic on which it is monotone.
+struct MonotonePiece
+{
+  Lanes begin; ///< [0, 1]
+  Lanes end;
+};
+
+/// Where a cubic takes a value that lies between those at the ends of a piece: Newton's steps,
+/// halves where these lead outside.
+/// @param mask  for whom it matters
+inline Lanes CrossingOf(
+  const CellCubicLanes& cubic, Lanes value, MonotonePiece piece, LaneMask mask)
+{
+  const LaneMask falls = LaneMask(cubic.ValueAt(piece.end) < cubic.ValueAt(piece.begin));
+  const Lanes rises = Select(falls, All(-1.0f), All(1.0f));
+  Lanes u = 0.5f * (piece.begin + piece.end);
+  for (int i = 0; i < 30 && Any(mask); ++i)
+  {
+    const Lanes above = rises * (cubic.ValueAt(u) - value);
+    const LaneMask isBelow = LaneMask(above < 0.0f);
+    piece = { Select(isBelow, u, piece.begin), Select(isBelow, piece.end, u) };
+    const Lanes slope = rises * cubic.SlopeAt(u);
+    const Lanes newton = u - above / slope;
+    const LaneMask isInside =
+      LaneMask(slope > 0.0f) & LaneMask(newton > piece.begin) & LaneMask(newton < piece.end);
+    const Lanes next = Select(isInside, newton, 0.5f * (piece.begin + piece.end));
+    const LaneMask moves = LaneMask(Abs(next - u) > 1e-6f);
+    u = Select(mask, next, u); // what was found stays
+    mask &= moves;
+  }
+  return u;
+}
+
+template <class Voxel>
+class IsosurfaceMarch
+{
+public:
+  IsosurfaceMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+    : scene(scene)
+    , surfaces(scene.isosurfaces)
+    , rays(rays)
+    , walk(walk)
+    , material(scene, rays)
+    , voxels(scene.volume)
+    // Cells before the first voxel and behind the last one are cells too.
+    , cells(rays, 1.0f, -1.0f, scene.volume.voxelCount + 1)
+    , place(cells.At(rays.enter))
+  {
+  }
+
+  PacketSum March()
+  {
+    const Lanes segmentMm = CellsPerSegment / Length(this->rays.directionGrid);
+    LaneMask going = this->GoingOf(this->rays.exit);
+    for (int index = 0; index < this->scene.steps.mostSegments && Any(going); ++index)
+    {
+      const SegmentLanes segment = this->walk.NextOfBricks(this->place.t, segmentMm, going);
+      const LaneMask jumps = going & LaneMask(segment.enter > this->place.t);
+      this->place = Select(jumps, this->cells.At(segment.enter), this->place);
+      this->known &= ~jumps;
+      going &= this->GoingOf(this->rays.exit);
+      this->MarchCells(Min(segment.exit, this->rays.exit), going);
+      going &= this->GoingOf(this->rays.exit);
+    }
+    return this->sum;
+  }
+
+private:
+  static constexpr float CellsPerSegment = 4.0f;
+
+  LaneMask GoingOf(Lanes end) const
+  {
+    return LaneMask(this->place.t < end) &
+      LaneMask(this->sum.opticalDepth <= this->scene.steps.mostOpticalDepth);
+  }
+
+  // Marches the rays of a mask to the end of the cell that `end` is in.
+  void MarchCells(Lanes end, LaneMask mask)
+  {
+    while (Any(mask))
+    {
+      const LatticePlaces behind = this->cells.Behind(this->place);
+      const Lanes exit = Min(behind.t, this->rays.exit);
+      const CellCubicLanes cubic = this->NextCubic(exit, mask);
+      const LaneMask holds = mask & this->MayHoldSurface(cubic);
+      if (Any(holds))
+      {
+        this->AddSurfaces(cubic, exit, holds);
+      }
+      this->place = Select(mask, behind, this->place);
+      mask &= this->GoingOf(end);
+    }
+  }
+
+  // Begins with the value that the last cell has ended with: rounding would have made it another,
+  // between which a surface may lie.
+  CellCubicLanes NextCubic(Lanes exit, LaneMask mask)
+  {
+    const Lanes3 one{ All(1.0f), All(1.0f), All(1.0f) };
+    CellCubicLanes cubic = CubicBetween(this->voxels.CornersOf(this->place.cell - one),
+      this->rays.At(this->place.t), this->rays.At(exit));
+    cubic.b0 = Select(this->known, this->endValue, cubic.b0);
+    this->endValue = Select(mask, cubic.b3, this->endValue);
+    this->known |= mask;
+    return cubic;
+  }
+
+  LaneMask MayHoldSurface(const CellCubicLanes& cubic) const
+  {
+    const Lanes lower = Min(Min(cubic.b0, cubic.b1), Min(cubic.b2, cubic.b3));
+    const Lanes upper = Max(Max(cubic.b0, cubic.b1), Max(cubic.b2, cubic.b3));
+    LaneMask holds = {};
+    for (int surface = 0; surface < this->surfaces.count; ++surface)
+    {
+      const float isovalue = this->surfaces.entries[2 * surface + 1].x;
+      holds |= LaneMask(lower < isovalue) & LaneMask(upper >= isovalue);
+    }
+    return holds;
+  }
+
+  void AddSurfaces(const CellCubicLanes& cubic, Lanes exit, LaneMask mask)
+  {
+    const ExtremePlaces extremes = ExtremesOf(cubic);
+    const Lanes first = Min(extremes.first, extremes.second);
+    const Lanes second = Max(extremes.first, extremes.second);
+    this->AddMonotone(cubic, { Lanes{}, first }, exit, mask);
+    this->AddMonotone(cubic, { first, second }, exit, mask);
+    this->AddMonotone(cubic, { second, All(1.0f) }, exit, mask);
+  }
+
+  void AddMonotone(const CellCubicLanes& cubic, MonotonePiece piece, Lanes exit, LaneMask mask)
+  {
+    const Lanes begin = cubic.ValueAt(piece.begin);
+    const Lanes end = cubic.ValueAt(piece.end);
+    const LaneMask rises = LaneMask(end > begin);
+    for (int i = 0; i < this->surfaces.count; ++i)
+    {
+      const IntNumbers surface(Select(rises, AllInt(i), AllInt(this->surfaces.count - 1 - i)));
+      const Lanes isovalue = this->EntriesOf(surface, 1).color.x;
+      const LaneMask isPassed =
+        mask & LaneMask(Min(begin, end) < isovalue) & LaneMask(Max(begin, end) >= isovalue);
+      if (Any(isPassed))
+      {
+        const Lanes u = CrossingOf(cubic, isovalue, piece, isPassed);
+        this->AddSurface(surface, Mix(this->place.t, exit, u), isPassed);
+      }
+    }
+  }
+
+  void AddSurface(const IntNumbers& surface, Lanes t, LaneMask mask)
+  {
+    Optical optical = this->EntriesOf(surface, 0);
+    const Lanes3 gradient = this->voxels.SlopeAt(this->rays.At(t), mask).gradient;
+    optical.color = this->material.Shaded(optical.color, this->material.SurfaceOf(gradient), t);
+    this->sum.Add(optical, Select(mask, All(1.0f), Lanes{}));
+  }
+
+  Optical EntriesOf(const IntNumbers& surface, int which) const
+  {
+    __m128 entries[LaneCount];
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      entries[lane] = _mm_loadu_ps(&this->surfaces.entries[2 * surface.of[lane] + which].x);
+    }
+    return Transposed(entries);
+  }
+
+  const PacketScene& scene;
+  const PacketIsosurfaces& surfaces;
+  const PacketRays& rays;
+  const PacketWalk& walk;
+  PacketMaterial material;
+  PacketVoxels<Voxel> voxels;
+  PacketLattice cells;
+  LatticePlaces place;
+  LaneMask known = {}; ///< the value at the place
+  Lanes endValue = {};
+  PacketSum sum;
+};
+
+}
+
+#endif
