@@ -7,6 +7,7 @@
 #include "Module/MapperScene.h"
 
 #include <vtkImageShiftScale.h>
+#include <vtkLight.h>
 #include <vtkPlane.h>
 
 #include <gtest/gtest.h>
@@ -77,6 +78,31 @@ inline void Clip(MapperScene& scene)
   vtkNew<vtkPlane> plane;
   plane->SetNormal(1.0, 0.4, 0.2);
   scene.mapper->AddClippingPlane(plane);
+}
+
+inline void LeaveLowerGradientsOut(MapperScene& scene)
+{
+  vtkNew<vtkPiecewiseFunction> factors;
+  factors->AddPoint(0.0, 0.0);
+  factors->AddPoint(100.0, 1.0);
+  scene.volume->GetProperty()->SetGradientOpacity(factors);
+}
+
+// Beside the head light; with ambient light and highlights.
+inline vtkLight* ShineFromTheSide(MapperScene& scene)
+{
+  vtkVolumeProperty* const property = scene.volume->GetProperty();
+  property->ShadeOn();
+  property->SetSpecular(0.4);
+  scene.Draw(); // which makes the head light
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(300.0, 200.0, 100.0);
+  light->SetAmbientColor(0.5, 0.4, 0.3);
+  light->SetDiffuseColor(0.9, 0.3, 0.6);
+  light->SetSpecularColor(0.2, 0.8, 0.4);
+  scene.renderer->AddLight(light);
+  return light;
 }
 
 struct Change
