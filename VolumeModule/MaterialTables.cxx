@@ -18,6 +18,21 @@
 namespace varimarch
 {
 
+namespace
+{
+
+glm::vec4 ColorAt(vtkDataArray* colors, vtkIdType index)
+{
+  glm::vec4 color;
+  for (int component = 0; component < 4; ++component)
+  {
+    color[component] = float(std::clamp(colors->GetComponent(index, component), 0.0, 1.0));
+  }
+  return color;
+}
+
+}
+
 std::vector<int> LabelsOf(vtkVolumeProperty* property)
 {
   const std::set<int> labels = property->GetLabelMapLabels();
@@ -34,15 +49,15 @@ TwoValueTable TwoValueTableOf(vtkVolumeProperty* property)
                              "four components");
   }
   const int* const dimensions = image->GetDimensions();
-  TwoValueTable table{ { dimensions[0], dimensions[1] }, {} };
-  for (vtkIdType i = 0; i < vtkIdType(table.size.x) * table.size.y; ++i)
+  TwoValueTable table{ { std::max(dimensions[0], 2), std::max(dimensions[1], 2) }, {} };
+  for (int y = 0; y < table.size.y; ++y)
   {
-    glm::vec4 entry;
-    for (int component = 0; component < 4; ++component)
+    for (int x = 0; x < table.size.x; ++x)
     {
-      entry[component] = float(std::clamp(colors->GetComponent(i, component), 0.0, 1.0));
+      const vtkIdType row = std::min(y, dimensions[1] - 1);
+      const vtkIdType entry = row * dimensions[0] + std::min(x, dimensions[0] - 1);
+      table.entries.push_back(ColorAt(colors, entry));
     }
-    table.entries.push_back(entry);
   }
   return table;
 }
@@ -61,10 +76,6 @@ OpticalTable UpperBound(
     const double extinction =
       std::min(-std::log1p(-opacity) / opacityUnitDistanceMm, double(OpaqueExtinction));
     bound.entries.emplace_back(1.0, 1.0, 1.0, extinction);
-  }
-  if (bound.entries.size() == 1)
-  {
-    bound.entries.push_back(bound.entries.front());
   }
   return bound;
 }

@@ -35,7 +35,7 @@ std::vector<int> LabelsOf(vtkVolumeProperty* property);
 /// A transfer function of two values: colours, and opacities over a unit distance.
 struct TwoValueTable
 {
-  glm::ivec2 size;
+  glm::ivec2 size;                ///< at least two along each axis
   std::vector<glm::vec4> entries; ///< x fastest
 };
 

@@ -130,6 +130,7 @@ void RayMarcher::UpdateOpticalTable(const Frame& frame)
     this->tableInputs = inputs;
     ++this->builds.opticalTable;
   }
+  this->twoValues.Update(frame.window, frame.marcher);
   if (frame.marcher == Marcher::Processor)
   {
     this->opticalTable.ReleaseTexture(frame.window);

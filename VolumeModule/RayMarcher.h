@@ -8,6 +8,7 @@
 #include "Core/PixelRays.h"
 #include "Core/StepSearch.h"
 #include "FloatBufferTexture.h"
+#include "FloatTable.h"
 #include "Frame.h"
 #include "Lights.h"
 #include "MaterialTables.h"
@@ -147,6 +148,9 @@ int MostSegmentsOf(const Frame& frame);
 /// Of each isosurface its colour and optical depth, and its isovalue.
 std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame);
 
+/// How packets of rays read these voxels; nothing where they cannot.
+std::optional<VoxelType> PacketVoxelTypeOf(const VoxelChannels& channels);
+
 /// Coefficients of ambient, diffuse and specular light, and the specular power.
 glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component);
 
@@ -230,6 +234,7 @@ private:
   // By the processor.
   bool MarchesPackets(const Frame& frame);
   bool HasPlainValues(const Frame& frame);
+  PacketTwoValues TwoValuesOfPackets(const Frame& frame) const;
   PacketLook LookOfPackets(const Frame& frame) const;
   PacketSteps StepsOfPackets(const Frame& frame) const;
   PacketGradientOpacity GradientOpacityOfPackets(const Frame& frame) const;
@@ -295,10 +300,10 @@ private:
   PreIntegratedTableTexture preIntegratedTable;
   SceneDepthTexture depth;
   MaskTexture mask;
-  FloatBufferTexture twoValues; ///< a transfer function of two values
+  FloatTable twoValues; ///< a transfer function of two values
   glm::ivec2 twoValuesSize = glm::ivec2(1);
-  FloatBufferTexture gradientOpacity; ///< only where there is one, and for the device
-  FloatBufferTexture lights;          ///< likewise, where there are others than head lights
+  FloatTable gradientOpacity;
+  FloatBufferTexture lights; ///< only for the device, where there are others than head lights
   FloatBufferTexture clippingPlanes;
   FloatBufferTexture isosurfaces;
   FloatBufferTexture spacing;         ///< only where voxels are at uneven places,
@@ -327,7 +332,6 @@ private:
   vtkVolumeProperty* tableSource = nullptr;
   std::vector<double> tableInputs;
   std::vector<MaterialTable> materialTables; ///< what is in the optical table
-  std::vector<glm::vec4> gradientOpacityEntries;
   std::vector<double> gradientOpacitySource; ///< empty: there is none
   int preIntegratedOfTable = 0;              ///< the optical table's build that it was made from
   std::optional<FieldSource> fieldSource;    ///< none: there is no field

@@ -150,7 +150,6 @@ void RayMarcher::UpdateGradientOpacity(const Frame& frame)
   if (!frame.settings.gradientOpacity)
   {
     this->gradientOpacity.Release(frame.window);
-    this->gradientOpacityEntries.clear();
     this->gradientOpacitySource.clear();
     return;
   }
@@ -169,18 +168,10 @@ void RayMarcher::UpdateGradientOpacity(const Frame& frame)
   source.insert(source.end(), largest.begin(), largest.end());
   if (this->gradientOpacitySource != source)
   {
-    this->gradientOpacity.Release(frame.window);
-    this->gradientOpacityEntries = GradientOpacityEntries(curves, largest);
+    this->gradientOpacity.Set(frame.window, GradientOpacityEntries(curves, largest));
     this->gradientOpacitySource = source;
   }
-  if (frame.marcher == Marcher::Processor)
-  {
-    this->gradientOpacity.Release(frame.window);
-  }
-  else if (this->gradientOpacity.Bytes() == 0)
-  {
-    this->gradientOpacity.Upload(frame.window, this->gradientOpacityEntries);
-  }
+  this->gradientOpacity.Update(frame.window, frame.marcher);
 }
 
 void RayMarcher::SetMaterialUniforms(const Frame& frame, const DrawnBlock& drawn)

@@ -11,10 +11,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
-#include "vtkVolumeProperty.h"
 #include "vtk_glew.h"
-
-#include <glm/gtc/matrix_access.hpp>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -31,38 +28,14 @@ namespace varimarch
 namespace
 {
 
-std::optional<VoxelType> VoxelTypeOf(const VoxelChannels& channels)
-{
-  vtkDataArray* const array = channels.front().array;
-  if (array->GetNumberOfComponents() != 1)
-  {
-    return std::nullopt;
-  }
-  switch (array->GetDataType())
-  {
-    case VTK_CHAR:
-    case VTK_SIGNED_CHAR:
-      return VoxelType::Int8;
-    case VTK_UNSIGNED_CHAR:
-      return VoxelType::UInt8;
-    case VTK_SHORT:
-      return VoxelType::Int16;
-    case VTK_UNSIGNED_SHORT:
-      return VoxelType::UInt16;
-    case VTK_FLOAT:
-      return VoxelType::Float32;
-  }
-  return std::nullopt;
-}
-
 // What packets have no code for is left to shaders, which have all.
 bool HasPacketRecipe(const RenderSettings& settings)
 {
   const bool isBlended = settings.blend == Blend::Composite || IsExtreme(settings.blend) ||
     settings.blend == Blend::Isosurface;
   const bool isPlain = settings.components == Components::One &&
-    settings.functionOf == FunctionOf::Value && settings.mask == Mask::None && !settings.nearest &&
-    !settings.cubic && !settings.uneven;
+    settings.functionOf != FunctionOf::TwoValues && settings.mask == Mask::None &&
+    !settings.nearest && !settings.cubic && !settings.uneven;
   const bool isCutByPlanes = !settings.cropping && !settings.clippedGradients;
   const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
   const bool hasRule = settings.blend != Blend::Composite || MarchesMaterial(settings) ||
@@ -92,81 +65,6 @@ bool AreFinite(vtkDataArray* array)
       finite = finite && isFinite;
     });
   return finite;
-}
-
-PacketCamera CameraOf(const Frame& frame, const PixelRays& rays, const Box& boxGrid)
-{
-  PacketCamera camera = {};
-  for (int i = 0; i < 3; ++i)
-  {
-    camera.startGrid[i] = rays.startGrid[i];
-    camera.directionGrid[i] = rays.directionGrid[i];
-  }
-  camera.nearPlaneGrid = rays.nearPlaneGrid;
-  camera.farPlaneGrid = rays.farPlaneGrid;
-  camera.worldFromGrid = frame.geometry.WorldFromGridDirection();
-  camera.boxLowerGrid = boxGrid.lower;
-  camera.boxUpperGrid = boxGrid.upper;
-  camera.pictureWidth = frame.viewport.width;
-  camera.pictureHeight = frame.viewport.height;
-  camera.rayOffsetPixels = frame.rayOffsetPixels;
-  return camera;
-}
-
-PacketShading ShadingOf(const RenderSettings& settings)
-{
-  if (!settings.shading)
-  {
-    return PacketShading::None;
-  }
-  return settings.lights ? PacketShading::Lights : PacketShading::HeadLight;
-}
-
-// Normals in texels, as shaders have them: products of those in units of the data could overflow.
-PacketLight LightOf(const Frame& frame, const LightTexels& others, double scalarPerTexel)
-{
-  PacketLight light = {};
-  light.shading = ShadingOf(frame.settings);
-  if (light.shading == PacketShading::None)
-  {
-    return light;
-  }
-  const HeadLightColors atEye = HeadLightColorsOf(frame.renderer);
-  light.worldFromGradient = frame.geometry.WorldFromGridNormal() / scalarPerTexel;
-  light.reflectance = ReflectanceOf(frame.property, 0);
-  light.diffuse = atEye.diffuse;
-  light.specular = atEye.specular;
-  light.damps = frame.settings.damping;
-  if (light.damps)
-  {
-    light.dampingFactors = frame.geometry.gradientFactors / frame.dampingGradient;
-  }
-  if (light.shading == PacketShading::Lights)
-  {
-    light.ambient = AmbientLightOf(frame.renderer);
-    light.backsLit = frame.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
-    light.worldOfGridOrigin = glm::dvec3(frame.geometry.worldFromGrid[3]);
-    light.texels = others.texels.data();
-    light.distantCount = others.distantCount;
-    light.nearCount = others.nearCount;
-  }
-  return light;
-}
-
-PacketRule RuleOf(const RenderSettings& settings)
-{
-  if (IsExtreme(settings.blend))
-  {
-    return PacketRule::Extreme;
-  }
-  if (settings.blend == Blend::Isosurface)
-  {
-    return PacketRule::Isosurfaces;
-  }
-  const bool isMidpoint = settings.integration == Integration::Midpoint;
-  return MarchesMaterial(settings)
-    ? (isMidpoint ? PacketRule::MaterialMidpoint : PacketRule::MaterialLinear)
-    : (isMidpoint ? PacketRule::Midpoint : PacketRule::PreIntegrated);
 }
 
 // Of pixels of a viewport, those that are drawn.
@@ -217,112 +115,8 @@ bool RayMarcher::MarchesPackets(const Frame& frame)
 {
   return frame.mayMarchByProcessor && CanMarchPackets() && IsSoftwareRasterizer() &&
     HasPacketRecipe(frame.settings) && !frame.toImages && frame.mostMemoryBytes == 0 &&
-    frame.userCode.IsEmpty() && VoxelTypeOf(frame.channels) &&
+    frame.userCode.IsEmpty() && PacketVoxelTypeOf(frame.channels) &&
     CanBeIndexed(frame.geometry.dimensions) && this->HasPlainValues(frame);
-}
-
-PacketLook RayMarcher::LookOfPackets(const Frame& frame) const
-{
-  const OpticalTable& table = this->opticalTable.Table();
-  const bool preIntegrated = UsesPreIntegration(frame.settings);
-  const std::vector<glm::vec4>& entries =
-    preIntegrated ? this->preIntegratedTable.Kept().entries : table.entries;
-  const int last =
-    preIntegrated ? this->preIntegratedTable.Kept().size - 1 : int(entries.size()) - 1;
-  const double extent = table.lastValue - table.firstValue;
-  const double indexPerValue = extent > 0.0 ? last / extent : 0.0;
-  const std::array<double, 2>& visible = this->opticalTable.VisibleValues();
-  return { entries.data(), last, float(indexPerValue), float(-table.firstValue * indexPerValue),
-    table.entries.front(), table.entries.back(), glm::vec2(visible[0], visible[1]) };
-}
-
-PacketSteps RayMarcher::StepsOfPackets(const Frame& frame) const
-{
-  PacketSteps steps = {};
-  steps.stepMm = float(frame.sampleDistanceMm);
-  steps.mostSegments = MostSegmentsOf(frame);
-  steps.mostOpticalDepth = float(-std::log(frame.earlyTerminationTransmittance));
-  steps.grow = frame.settings.acceleration == Acceleration::OpticalField;
-  steps.brickCount = glm::ivec3(1);
-  steps.cellsPerBrick = float(BrickRanges::CellsPerSide);
-  if (steps.grow && frame.settings.skipsBricks)
-  {
-    steps.bricks = this->field.Bricks().data();
-    steps.brickCount = this->field.Size();
-  }
-  if (frame.settings.jitter)
-  {
-    steps.noise = this->picture.noise.Tile().data();
-    steps.noiseMask = BlueNoiseTexture::Pixels - 1;
-  }
-  return steps;
-}
-
-PacketGradientOpacity RayMarcher::GradientOpacityOfPackets(const Frame& frame) const
-{
-  PacketGradientOpacity opacity = {};
-  if (frame.settings.gradientOpacity)
-  {
-    opacity.factors = this->gradientOpacityEntries.data();
-    opacity.lastIndex = int(this->gradientOpacityEntries.size()) - 1;
-    opacity.indicesPerGradient =
-      frame.geometry.gradientFactors * (opacity.lastIndex / LargestGradient(this->blocks.Texels()));
-    opacity.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
-  }
-  return opacity;
-}
-
-PacketExtreme RayMarcher::ExtremeOfPackets(const Frame& frame) const
-{
-  PacketExtreme extreme = {};
-  if (!IsExtreme(frame.settings.blend))
-  {
-    return extreme;
-  }
-  const bool isMaximum = frame.settings.blend == Blend::MaximumIntensity;
-  const ScalarTexels& texels = this->blocks.Texels();
-  extreme.sense = isMaximum ? 1.0f : -1.0f;
-  extreme.best = float(isMaximum ? texels.largestValue : -texels.smallestValue);
-  extreme.opacityUnitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
-  extreme.brickCount = glm::ivec3(1);
-  if (frame.settings.acceleration == Acceleration::OpticalField)
-  {
-    const ExtremeSteps steps = this->ExtremeStepsOf(frame.settings.blend);
-    extreme.bricks = this->field.Extremes().data();
-    extreme.brickCount = this->field.Size();
-    extreme.bestOfFirstStep = float(steps.sense * steps.firstValue);
-    extreme.bestPerStep = float(steps.sense * steps.valuePerStep);
-  }
-  return extreme;
-}
-
-PacketScene RayMarcher::SceneOfPackets(const Frame& frame, const PacketArrays& arrays) const
-{
-  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
-  PacketScene scene = {};
-  scene.camera = CameraOf(frame, ComputePixelRays(clipFromGrid, this->drawnBox), this->drawnBox);
-  scene.volume = { frame.channels.front().array->GetVoidPointer(0), *VoxelTypeOf(frame.channels),
-    frame.geometry.dimensions };
-  scene.look = this->LookOfPackets(frame);
-  scene.light = LightOf(frame, arrays.lights, this->blocks.Texels().mapping.scale);
-  scene.gradientOpacity = this->GradientOpacityOfPackets(frame);
-  scene.extreme = this->ExtremeOfPackets(frame);
-  scene.isosurfaces = { arrays.isosurfaces.data(), int(arrays.isosurfaces.size() / 2) };
-  scene.steps = this->StepsOfPackets(frame);
-  scene.cuts.planesGrid = arrays.planesGrid.data();
-  scene.cuts.planeCount = int(arrays.planesGrid.size());
-  if (!arrays.depth.empty())
-  {
-    scene.cuts.depth = arrays.depth.data();
-    scene.cuts.depthPixels =
-      glm::ivec2(this->depth.Texture()->GetWidth(), this->depth.Texture()->GetHeight());
-    scene.cuts.depthPixelsPerPixel =
-      glm::dvec2(scene.cuts.depthPixels) / glm::dvec2(frame.viewport.width, frame.viewport.height);
-    scene.cuts.clipDepthRow = glm::row(clipFromGrid, 2);
-    scene.cuts.clipWeightRow = glm::row(clipFromGrid, 3);
-  }
-  scene.rule = RuleOf(frame.settings);
-  return scene;
 }
 
 void RayMarcher::DrawPackets(const Frame& frame)

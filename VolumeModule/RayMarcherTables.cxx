@@ -8,6 +8,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace varimarch
 {
@@ -18,12 +19,14 @@ std::vector<OpticalTable> RayMarcher::BuildTables(const Frame& frame)
   this->twoValues.Release(frame.window);
   if (frame.settings.functionOf != FunctionOf::Value)
   {
-    const TwoValueTable table = TwoValueTableOf(frame.property);
+    TwoValueTable table = TwoValueTableOf(frame.property);
     const double unitDistanceMm = frame.property->GetScalarOpacityUnitDistance();
-    this->twoValues.Upload(frame.window, table.entries);
-    this->twoValuesSize = table.size;
     this->materialTables = { { 0, TransferFunction({}, {}, unitDistanceMm), true } };
-    return { UpperBound(table, { first.smallestScalar, first.largestScalar }, unitDistanceMm) };
+    OpticalTable bound =
+      UpperBound(table, { first.smallestScalar, first.largestScalar }, unitDistanceMm);
+    this->twoValuesSize = table.size;
+    this->twoValues.Set(frame.window, std::move(table.entries));
+    return { std::move(bound) };
   }
   constexpr std::size_t MostEntries = 65536; // of all tables together,
   constexpr std::size_t FewestEntries = 256; // but not less than these of each

@@ -120,7 +120,7 @@ public:
    * Where OpenGL itself is drawn by the processor, as Mesa's llvmpipe does, march composites,
    * maxima, minima and isosurfaces of one component without a shader, in packets of eight rays: two
    * to six times as fast, by the same rules. It needs AVX2 and FMA; shaders draw what packets have
-   * no code for (other blend modes, several components, masks, cropping, functions of two values,
+   * no code for (other blend modes, several components, masks, cropping, functions of two arrays,
    * cubic or nearest interpolation, translucent geometry, user code, a maximum graphics memory).
    * Default: on.
    */

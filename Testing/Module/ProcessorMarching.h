@@ -88,6 +88,27 @@ inline void LeaveLowerGradientsOut(MapperScene& scene)
   scene.volume->GetProperty()->SetGradientOpacity(factors);
 }
 
+// Of a table that is not square, whose opacity rises with both.
+inline void ShowValueAndGradient(MapperScene& scene)
+{
+  vtkNew<vtkImageData> function;
+  function->SetDimensions(7, 4, 1);
+  function->AllocateScalars(VTK_FLOAT, 4);
+  for (int y = 0; y < 4; ++y)
+  {
+    for (int x = 0; x < 7; ++x)
+    {
+      const double colorAndOpacity[4] = { x / 6.0, y / 3.0, 0.5, 0.02 * x * y / 3.0 };
+      for (int component = 0; component < 4; ++component)
+      {
+        function->SetScalarComponentFromDouble(x, y, 0, component, colorAndOpacity[component]);
+      }
+    }
+  }
+  scene.volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  scene.volume->GetProperty()->SetTransferFunction2D(function);
+}
+
 // Beside the head light; with ambient light and highlights.
 inline vtkLight* ShineFromTheSide(MapperScene& scene)
 {

@@ -122,6 +122,25 @@ TEST(FunctionsOfTwoValues, TakeAnArrayByName)
   EXPECT_NE(errors.Text().find("no such array"), std::string::npos);
 }
 
+TEST(FunctionsOfTwoValues, MayBeOfASinglePoint)
+{
+  TwoValues values;
+  vtkNew<vtkImageData> point;
+  point->SetDimensions(1, 1, 1);
+  point->AllocateScalars(VTK_FLOAT, 4);
+  const double colorAndOpacity[4] = { 1.0, 0.5, 0.0, 0.05 };
+  for (int component = 0; component < 4; ++component)
+  {
+    point->SetScalarComponentFromDouble(0, 0, 0, component, colorAndOpacity[component]);
+  }
+  values.scene.volume->GetProperty()->SetTransferFunction2D(point);
+  const double alpha = 1.0 - std::pow(1.0 - 0.05, 32.0);
+  const std::array<float, 4> drawn = values.scene.MiddlePixel();
+  EXPECT_NEAR(drawn[3], alpha, Tolerance);
+  EXPECT_NEAR(drawn[0], alpha, Tolerance);
+  EXPECT_NEAR(drawn[1], 0.5 * alpha, Tolerance);
+}
+
 TEST(FunctionsOfTwoValues, AreUploadedAnewWhenTheirImageChanges)
 {
   TwoValues values;

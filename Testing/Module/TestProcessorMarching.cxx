@@ -12,19 +12,19 @@ using Mapper = vtkVariationFieldVolumeMapper;
 
 }
 
-class ProcessorMarchingOfBlends
+class ProcessorMarchingOfScenes
   : public ProcessorMarching
-  , public testing::WithParamInterface<int>
+  , public testing::WithParamInterface<Change>
 {
 };
 
-TEST_P(ProcessorMarchingOfBlends, HasNothingButPixelsOnTheDevice)
+TEST_P(ProcessorMarchingOfScenes, HasNothingButPixelsOnTheDevice)
 {
   vtkNew<vtkPlane> plane; // oblique: others are a box
   plane->SetNormal(1.0, 1.0, 1.0);
   const auto prepare = [&](MapperScene& scene)
   {
-    scene.mapper->SetBlendMode(GetParam());
+    GetParam().make(scene);
     scene.mapper->UseJitteringOn();
     scene.mapper->AddClippingPlane(plane);
     LeaveLowerGradientsOut(scene);
@@ -46,9 +46,12 @@ TEST_P(ProcessorMarchingOfBlends, HasNothingButPixelsOnTheDevice)
   EXPECT_EQ(scene.Draw(), drawn);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryBlend, ProcessorMarchingOfBlends,
-  testing::Values(
-    Mapper::COMPOSITE_BLEND, Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::ISOSURFACE_BLEND));
+INSTANTIATE_TEST_SUITE_P(EveryTable, ProcessorMarchingOfScenes,
+  testing::Values(Change{ "AComposite", [](MapperScene&) {} },
+    Change{ "AMaximum", [](MapperScene& s) { s.mapper->SetBlendModeToMaximumIntensity(); } },
+    Change{ "Isosurfaces", [](MapperScene& s) { s.mapper->SetBlendModeToIsoSurface(); } },
+    Change{ "AFunctionOfValueAndGradient", ShowValueAndGradient }),
+  NameOf);
 
 // At these tolerances no single ray decides, in which a difference of rounding could be seen.
 TEST_F(ProcessorMarching, FindsTheStepsOfTheShaderForATolerance)

@@ -102,6 +102,13 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
         s.volume->GetProperty()->ShadeOn();
         LeaveLowerGradientsOut(s);
       } },
+    Change{ "AFunctionOfValueAndGradient", ShowValueAndGradient },
+    Change{ "AFunctionOfValueAndGradientWithLight",
+      [](MapperScene& s)
+      {
+        ShowValueAndGradient(s);
+        s.volume->GetProperty()->ShadeOn();
+      } },
     Change{ "LightsFromTheSide",
       [](MapperScene& s)
       {

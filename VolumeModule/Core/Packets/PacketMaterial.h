@@ -2,7 +2,7 @@
 #define Varimarch_Core_Packets_PacketMaterial_h
 
 // What a place of the volume looks like that its gradient tells of: Shaders/Material/
-// OneComponent.glsl.
+// OneComponent.glsl and ValueAndGradient.glsl.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketOptics.h"
@@ -241,6 +241,19 @@ inline Lanes AtGradient(
     extinction, opacity.unitDistanceMm, Mix(factors(0), factors(1), place - FloatOf(below)));
 }
 
+/// Shaders/Material/ValueAndGradient.glsl, without light.
+inline Optical ClassifyTwo(const PacketTwoValues& look, Lanes value, const Lanes3& gradient)
+{
+  const auto indexOf = [](Lanes place, int size)
+  { return Clamp(place, Lanes{}, All(1.0f)) * float(size - 1); };
+  Optical found = Interpolated(look.entries, look.size,
+    indexOf(value * look.placeScale + look.placeOffset, look.size.x),
+    indexOf(Length(Scaled(gradient, look.placesPerGradient)), look.size.y));
+  constexpr float Opaque = 1e30f;
+  found.extinction = WithOpacityFactor(All(Opaque), look.unitDistanceMm, found.extinction);
+  return found;
+}
+
 /// The look of what rays of a packet pass through.
 class PacketMaterial
 {
@@ -262,7 +275,9 @@ public:
   /// @param t  where it is along the rays [mm]
   Optical At(Lanes value, const Surface& surface, Lanes t) const
   {
-    Optical optical = Classify(this->scene.look, value);
+    Optical optical = this->scene.twoValues.entries
+      ? ClassifyTwo(this->scene.twoValues, value, surface.gradient)
+      : Classify(this->scene.look, value);
     optical.color = this->Shaded(optical.color, surface, t);
     if (this->scene.gradientOpacity.factors)
     {
@@ -310,7 +325,8 @@ public:
 
   static bool IsThatOf(const PacketScene& scene)
   {
-    return scene.light.shading == PacketShading::HeadLight && !scene.gradientOpacity.factors;
+    return scene.light.shading == PacketShading::HeadLight && !scene.gradientOpacity.factors &&
+      !scene.twoValues.entries;
   }
 
   Optical At(Lanes value, const Surface& surface, Lanes) const

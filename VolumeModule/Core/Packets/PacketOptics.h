@@ -62,23 +62,22 @@ inline Optical Classify(const PacketLook& look, Lanes value)
   return Transposed(entries);
 }
 
-/// The table's own part of Shaders/Classify/PreIntegrated.glsl.
-/// @param start  and end: indices, which need not be whole
-inline Optical Interpolated(const PacketLook& look, Lanes start, Lanes end)
+/// Between four entries of a table of rows.
+/// @param size  of the table, at least two along each axis
+/// @param x  and y: indices inside, which need not be whole
+inline Optical Interpolated(const glm::vec4* table, glm::ivec2 size, Lanes x, Lanes y)
 {
-  const Lanes last = All(float(look.lastIndex));
-  const IntLanes column = Truncated(Min(start, last - 1.0f));
-  const IntLanes row = Truncated(Min(end, last - 1.0f));
-  const int size = look.lastIndex + 1;
-  const IntNumbers index(column + size * row);
-  const Numbers along(start - FloatOf(column));
-  const Numbers across(end - FloatOf(row));
+  const IntLanes column = Truncated(Min(x, All(float(size.x - 2))));
+  const IntLanes row = Truncated(Min(y, All(float(size.y - 2))));
+  const IntNumbers index(column + size.x * row);
+  const Numbers along(x - FloatOf(column));
+  const Numbers across(y - FloatOf(row));
   __m128 entries[LaneCount];
   for (int lane = 0; lane < LaneCount; ++lane)
   {
-    const glm::vec4* const entry = look.table + index.of[lane];
+    const glm::vec4* const entry = table + index.of[lane];
     const __m128 lower = MixedEntries(entry, along.of[lane]);
-    const __m128 upper = MixedEntries(entry + size, along.of[lane]);
+    const __m128 upper = MixedEntries(entry + size.x, along.of[lane]);
     entries[lane] = _mm_fmadd_ps(_mm_set1_ps(across.of[lane]), _mm_sub_ps(upper, lower), lower);
   }
   return Transposed(entries);
@@ -111,7 +110,8 @@ inline Optical ClassifyBetween(const PacketLook& look, Lanes startValue, Lanes e
   const Lanes last = All(float(look.lastIndex));
   const Lanes start = startValue * look.indexScale + look.indexOffset;
   const Lanes end = endValue * look.indexScale + look.indexOffset;
-  Optical emission = Interpolated(look, Clamp(start, Lanes{}, last), Clamp(end, Lanes{}, last));
+  Optical emission = Interpolated(look.table, glm::ivec2(look.lastIndex + 1),
+    Clamp(start, Lanes{}, last), Clamp(end, Lanes{}, last));
   if (Any(LaneMask(Min(start, end) < 0.0f) | LaneMask(Max(start, end) > last)))
   {
     emission = WithEnds(look, emission, start, end);

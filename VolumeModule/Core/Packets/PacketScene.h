@@ -82,6 +82,17 @@ struct PacketLook
   glm::vec2 visibleValues; ///< only between these does anything absorb
 };
 
+/// Shaders/Classify/TwoValueTable.glsl, of a value and its gradient.
+struct PacketTwoValues
+{
+  const glm::vec4* entries;    ///< x, of the values, fastest; none: the look is of one value
+  glm::ivec2 size;             ///< at least two along each axis
+  float placeScale;            ///< value -> place in its range, [0, 1],
+  float placeOffset;           ///< is value * scale + offset
+  glm::vec3 placesPerGradient; ///< a gradient per voxel -> its length is a place
+  float unitDistanceMm;
+};
+
 /// Shaders/Shade and Shaders/Damping.
 struct PacketLight
 {
@@ -171,7 +182,8 @@ struct PacketScene
   PacketCamera camera;
   PacketVolume volume;
   PacketLook look;
-  PacketLight light; ///< of materials, and
+  PacketTwoValues twoValues; ///< of materials,
+  PacketLight light;         ///< these, and
   PacketGradientOpacity gradientOpacity;
   PacketExtreme extreme;         ///< where that is the rule,
   PacketIsosurfaces isosurfaces; ///< and these

@@ -13,9 +13,16 @@ namespace varimarch
 namespace
 {
 
-// Flattened: all that it calls is part of it, so that lanes stay in registers.
+// All that it calls is part of it, so that lanes stay in registers; not with the checks of a
+// sanitizer, of which there would be so many that they take a compiler ten minutes.
+#ifdef __SANITIZE_ADDRESS__
+#define FLATTENED
+#else
+#define FLATTENED [[gnu::flatten]]
+#endif
+
 template <class Voxel, class Material>
-[[gnu::flatten]] PacketSum MarchMaterial(
+FLATTENED PacketSum MarchMaterial(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   return scene.rule == PacketRule::MaterialMidpoint
@@ -24,7 +31,7 @@ template <class Voxel, class Material>
 }
 
 template <class Voxel>
-[[gnu::flatten]] PacketSum MarchValues(
+FLATTENED PacketSum MarchValues(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   return scene.rule == PacketRule::Midpoint ? MarchMidpoints<Voxel>(scene, rays, walk)
@@ -32,13 +39,13 @@ template <class Voxel>
 }
 
 template <class Voxel>
-[[gnu::flatten]] PacketSum MarchExtreme(const PacketScene& scene, const PacketRays& rays)
+FLATTENED PacketSum MarchExtreme(const PacketScene& scene, const PacketRays& rays)
 {
   return ExtremeMarch<Voxel>(scene, rays).March();
 }
 
 template <class Voxel>
-[[gnu::flatten]] PacketSum MarchIsosurfaces(
+FLATTENED PacketSum MarchIsosurfaces(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   return IsosurfaceMarch<Voxel>(scene, rays, walk).March();

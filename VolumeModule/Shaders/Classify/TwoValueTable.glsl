@@ -2,22 +2,19 @@
 // first and last entries on each axis are those of the ends of the values' ranges.
 
 uniform samplerBuffer twoValueTable; // x fastest
-uniform vec2 twoValueTableSize;
+uniform vec2 twoValueTableSize;      // at least two along each axis
 uniform float tableUnitDistanceMm;
 
 // @param place  of both values in their ranges, [0,1]
 vec4 ClassifyTwo(vec2 place)
 {
   vec2 index = clamp(place, 0.0, 1.0) * (twoValueTableSize - 1.0);
-  vec2 below = clamp(floor(index), vec2(0.0), max(twoValueTableSize - 2.0, 0.0));
+  vec2 below = min(floor(index), twoValueTableSize - 2.0);
   vec2 part = index - below;
   int entry = int(below.y * twoValueTableSize.x + below.x);
-  int right = twoValueTableSize.x > 1.0 ? 1 : 0;
-  int above = twoValueTableSize.y > 1.0 ? int(twoValueTableSize.x) : 0;
-  vec4 lower =
-    mix(texelFetch(twoValueTable, entry), texelFetch(twoValueTable, entry + right), part.x);
-  vec4 upper = mix(texelFetch(twoValueTable, entry + above),
-    texelFetch(twoValueTable, entry + above + right), part.x);
+  int above = entry + int(twoValueTableSize.x);
+  vec4 lower = mix(texelFetch(twoValueTable, entry), texelFetch(twoValueTable, entry + 1), part.x);
+  vec4 upper = mix(texelFetch(twoValueTable, above), texelFetch(twoValueTable, above + 1), part.x);
   vec4 found = mix(lower, upper, part.y);
   // Of an opaque material.
   return vec4(found.rgb, WithOpacityFactor(1e30, tableUnitDistanceMm, found.a));
