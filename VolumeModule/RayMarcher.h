@@ -234,6 +234,7 @@ private:
   // By the processor.
   bool MarchesPackets(const Frame& frame);
   bool HasPlainValues(const Frame& frame);
+  VoxelChannels ChannelsReadBy(const Frame& frame) const; ///< of packets
   PacketTwoValues TwoValuesOfPackets(const Frame& frame) const;
   PacketLook LookOfPackets(const Frame& frame) const;
   PacketSteps StepsOfPackets(const Frame& frame) const;

@@ -120,6 +120,11 @@ std::optional<VoxelType> PacketVoxelTypeOf(const VoxelChannels& channels)
   return std::nullopt;
 }
 
+VoxelChannels RayMarcher::ChannelsReadBy(const Frame& frame) const
+{
+  return frame.settings.cubic ? this->spline.Channels() : frame.channels;
+}
+
 PacketTwoValues RayMarcher::TwoValuesOfPackets(const Frame& frame) const
 {
   PacketTwoValues look = {};
@@ -218,8 +223,9 @@ PacketScene RayMarcher::SceneOfPackets(const Frame& frame, const PacketArrays& a
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   PacketScene scene = {};
   scene.camera = CameraOf(frame, ComputePixelRays(clipFromGrid, this->drawnBox), this->drawnBox);
-  scene.volume = { frame.channels.front().array->GetVoidPointer(0),
-    *PacketVoxelTypeOf(frame.channels), frame.geometry.dimensions };
+  const VoxelChannels channels = this->ChannelsReadBy(frame);
+  scene.volume = { channels.front().array->GetVoidPointer(0), *PacketVoxelTypeOf(channels),
+    frame.settings.cubic, frame.geometry.dimensions };
   scene.look = this->LookOfPackets(frame);
   scene.twoValues = this->TwoValuesOfPackets(frame);
   scene.light = LightOf(frame, arrays.lights, this->blocks.Texels().mapping.scale);

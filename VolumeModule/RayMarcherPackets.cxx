@@ -35,7 +35,8 @@ bool HasPacketRecipe(const RenderSettings& settings)
     settings.blend == Blend::Isosurface;
   const bool isPlain = settings.components == Components::One &&
     settings.functionOf != FunctionOf::TwoValues && settings.mask == Mask::None &&
-    !settings.nearest && !settings.cubic && !settings.uneven;
+    !settings.nearest && !settings.uneven &&
+    (!settings.cubic || settings.blend == Blend::Composite);
   const bool isCutByPlanes = !settings.cropping && !settings.clippedGradients;
   const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
   const bool hasRule = settings.blend != Blend::Composite || MarchesMaterial(settings) ||
@@ -45,11 +46,12 @@ bool HasPacketRecipe(const RenderSettings& settings)
     !settings.countFetches && settings.pass == RayPass::Whole;
 }
 
-// In 32 bits, to the end of the last pair.
-bool CanBeIndexed(glm::ivec3 voxels)
+// In 32 bits, to the end of the last that are read together.
+bool CanBeIndexed(glm::ivec3 voxels, bool cubic)
 {
+  const int fewest = cubic ? 4 : 2;
   const double count = double(voxels.x) * voxels.y * voxels.z;
-  return voxels.x >= 2 && voxels.y >= 2 && voxels.z >= 2 &&
+  return voxels.x >= fewest && voxels.y >= fewest && voxels.z >= fewest &&
     count < double(std::numeric_limits<int>::max());
 }
 
@@ -106,7 +108,7 @@ bool RayMarcher::HasPlainValues(const Frame& frame)
   }
   if (!this->voxelsAreFinite)
   {
-    this->voxelsAreFinite = AreFinite(frame.channels.front().array);
+    this->voxelsAreFinite = AreFinite(this->ChannelsReadBy(frame).front().array);
   }
   return *this->voxelsAreFinite;
 }
@@ -115,8 +117,8 @@ bool RayMarcher::MarchesPackets(const Frame& frame)
 {
   return frame.mayMarchByProcessor && CanMarchPackets() && IsSoftwareRasterizer() &&
     HasPacketRecipe(frame.settings) && !frame.toImages && frame.mostMemoryBytes == 0 &&
-    frame.userCode.IsEmpty() && PacketVoxelTypeOf(frame.channels) &&
-    CanBeIndexed(frame.geometry.dimensions) && this->HasPlainValues(frame);
+    frame.userCode.IsEmpty() && PacketVoxelTypeOf(this->ChannelsReadBy(frame)) &&
+    CanBeIndexed(frame.geometry.dimensions, frame.settings.cubic) && this->HasPlainValues(frame);
 }
 
 void RayMarcher::DrawPackets(const Frame& frame)

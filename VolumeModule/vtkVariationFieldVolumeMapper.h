@@ -121,7 +121,7 @@ public:
    * maxima, minima and isosurfaces of one component without a shader, in packets of eight rays: two
    * to six times as fast, by the same rules. It needs AVX2 and FMA; shaders draw what packets have
    * no code for (other blend modes, several components, masks, cropping, functions of two arrays,
-   * cubic or nearest interpolation, translucent geometry, user code, a maximum graphics memory).
+   * nearest interpolation, translucent geometry, user code, a maximum graphics memory).
    * Default: on.
    */
   vtkSetMacro(ProcessorMarching, vtkTypeBool);

@@ -73,7 +73,12 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
     Change{ "AnAverage", [](MapperScene& s) { s.mapper->SetBlendModeToAverageIntensity(); } },
     Change{
       "Boxes", [](MapperScene& s) { s.volume->GetProperty()->SetInterpolationTypeToNearest(); } },
-    Change{ "ASpline", [](MapperScene& s) { s.mapper->CubicInterpolationOn(); } },
+    Change{ "AMaximumAlongASpline",
+      [](MapperScene& s)
+      {
+        s.mapper->CubicInterpolationOn();
+        s.mapper->SetBlendModeToMaximumIntensity();
+      } },
     Change{ "Simpson", [](MapperScene& s) { s.mapper->SetIntegrationRule(Mapper::Simpson); } },
     Change{
       "TheScalarField", [](MapperScene& s) { s.mapper->SetAccelerationModeToScalarField(); } },
@@ -160,14 +165,34 @@ TEST_F(ProcessorMarching, LeavesGapsToShaders)
   EXPECT_FALSE(ByProcessor(scene));
 }
 
-// A slab one voxel thick has no pairs of voxels along an axis.
-TEST_F(ProcessorMarching, LeavesSingleSlicesToShaders)
+// A value lies between two voxels along each axis, that of a spline among four.
+TEST_F(ProcessorMarching, LeavesThinSlabsToShaders)
 {
-  vtkNew<vtkImageData> slice;
-  slice->SetDimensions(9, 9, 1);
-  slice->AllocateScalars(VTK_SHORT, 1);
-  short* const voxels = static_cast<short*>(slice->GetScalarPointer());
-  std::fill(voxels, voxels + 81, short(400));
-  MapperScene scene(slice);
-  EXPECT_FALSE(ByProcessor(scene));
+  struct Slab
+  {
+    int slices;
+    bool cubic;
+    bool isThick;
+  };
+  for (const Slab& slab : { Slab{ 1, false, false }, Slab{ 2, false, true }, Slab{ 3, true, false },
+         Slab{ 4, true, true } })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(9, 9, slab.slices);
+    image->AllocateScalars(VTK_SHORT, 1);
+    short* const voxels = static_cast<short*>(image->GetScalarPointer());
+    for (int i = 0; i < 81 * slab.slices; ++i)
+    {
+      voxels[i] = short(100 * (i % 9) + 50 * (i / 81));
+    }
+    MapperScene scene(image);
+    scene.mapper->SetCubicInterpolation(slab.cubic);
+    ShowUpperValues(scene);
+    SCOPED_TRACE(slab.slices);
+    EXPECT_EQ(ByProcessor(scene), slab.isThick);
+    if (slab.isThick)
+    {
+      ExpectSamePicture(scene);
+    }
+  }
 }

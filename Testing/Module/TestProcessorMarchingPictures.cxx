@@ -136,6 +136,13 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
         ShineFromTheSide(s);
         s.mapper->SetDampingGradient(200.0);
       } },
+    Change{ "ASpline", [](MapperScene& s) { s.mapper->CubicInterpolationOn(); } },
+    Change{ "ASplineWithLight",
+      [](MapperScene& s)
+      {
+        s.mapper->CubicInterpolationOn();
+        s.volume->GetProperty()->ShadeOn();
+      } },
     Change{ "AMaximum", ShowAMaximum }, Change{ "AMinimum", ShowAMinimum },
     Change{ "AMaximumWithoutField",
       [](MapperScene& s)

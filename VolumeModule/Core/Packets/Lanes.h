@@ -121,6 +121,29 @@ struct Lanes3
   Lanes z;
 };
 
+struct Lanes4
+{
+  Lanes x;
+  Lanes y;
+  Lanes z;
+  Lanes w;
+};
+
+/// Four numbers of each lane, which are together in memory.
+inline Lanes4 Transposed(const __m128 (&numbers)[LaneCount])
+{
+  const auto pair = [&](int lane)
+  { return _mm256_insertf128_ps(_mm256_castps128_ps256(numbers[lane]), numbers[lane + 4], 1); };
+  const __m256 lower = _mm256_unpacklo_ps(pair(0), pair(1));
+  const __m256 upper = _mm256_unpackhi_ps(pair(0), pair(1));
+  const __m256 lowerNext = _mm256_unpacklo_ps(pair(2), pair(3));
+  const __m256 upperNext = _mm256_unpackhi_ps(pair(2), pair(3));
+  return { Lanes(_mm256_shuffle_ps(lower, lowerNext, 0x44)),
+    Lanes(_mm256_shuffle_ps(lower, lowerNext, 0xee)),
+    Lanes(_mm256_shuffle_ps(upper, upperNext, 0x44)),
+    Lanes(_mm256_shuffle_ps(upper, upperNext, 0xee)) };
+}
+
 inline Lanes3 operator+(const Lanes3& a, const Lanes3& b)
 {
   return { a.x + b.x, a.y + b.y, a.z + b.z };

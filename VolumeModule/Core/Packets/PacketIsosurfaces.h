@@ -181,7 +181,7 @@ private:
     {
       entries[lane] = _mm_loadu_ps(&this->surfaces.entries[2 * surface.of[lane] + which].x);
     }
-    return Transposed(entries);
+    return OpticalOf(entries);
   }
 
   const PacketScene& scene;

@@ -2,7 +2,8 @@
 #define Varimarch_Core_Packets_PacketMarchers_h
 
 // The loops along the rays of a packet: Shaders/March/Midpoint.glsl, PreIntegrated.glsl and, of one
-// component, MaterialMidpoint.glsl and MaterialSegments.glsl. Rays that have ended take part, with
+// component, MaterialMidpoint.glsl and MaterialSegments.glsl. Voxels are PacketVoxels or
+// PacketSpline. Rays that have ended take part, with
 // pieces of no length, until all have.
 
 #include "Core/Packets/Lanes.h"
@@ -53,11 +54,11 @@ PacketSum MarchSegments(
 
 /// The values at equal distances along rays. All cells are found before any is read, and all are
 /// read before any is classified: readings then do not wait for each other.
-template <class Voxel, int Count>
-void ReadValues(const PacketVoxels<Voxel>& voxels, const PacketRays& rays, Lanes first, Lanes apart,
-  Lanes (&values)[Count])
+template <class Voxels, int Count>
+void ReadValues(
+  const Voxels& voxels, const PacketRays& rays, Lanes first, Lanes apart, Lanes (&values)[Count])
 {
-  typename PacketVoxels<Voxel>::Cell cells[Count];
+  typename Voxels::Cell cells[Count];
   for (int i = 0; i < Count; ++i)
   {
     cells[i] = voxels.CellOf(rays.At(first + float(i) * apart));
@@ -68,11 +69,11 @@ void ReadValues(const PacketVoxels<Voxel>& voxels, const PacketRays& rays, Lanes
   }
 }
 
-template <class Voxel>
+template <class Voxels>
 PacketSum MarchMidpoints(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   constexpr int Parts = 4;
-  const PacketVoxels<Voxel> voxels(scene.volume);
+  const Voxels voxels(scene.volume);
   return MarchSegments<Parts>(scene, rays, walk,
     [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
     {
@@ -88,12 +89,12 @@ PacketSum MarchMidpoints(const PacketScene& scene, const PacketRays& rays, const
     });
 }
 
-template <class Voxel>
+template <class Voxels>
 PacketSum MarchPreIntegrated(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   constexpr int Parts = 4;
-  const PacketVoxels<Voxel> voxels(scene.volume);
+  const Voxels voxels(scene.volume);
   Lanes start = {};
   Lanes values[Parts] = {};
   return MarchSegments<Parts>(scene, rays, walk,
@@ -114,12 +115,12 @@ PacketSum MarchPreIntegrated(
 
 /// By segments of four samples, where a shader's have one: to look for the next brick costs a
 /// packet more beside a sample.
-template <class Voxel, class Material>
+template <class Voxels, class Material>
 PacketSum MarchMaterialMidpoints(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   constexpr int Parts = 4;
-  const PacketVoxels<Voxel> voxels(scene.volume);
+  const Voxels voxels(scene.volume);
   const Material material(scene, rays);
   bool isSeen = false; // what was read last: what is next is then read at once, with its gradient
   return MarchSegments<Parts>(scene, rays, walk,
@@ -157,7 +158,7 @@ struct MaterialSegment
 };
 
 /// A march of a material, from one segment that absorbs anything to the next.
-template <class Voxel, class Material>
+template <class Voxels, class Material>
 class MaterialMarch
 {
 public:
@@ -251,7 +252,7 @@ private:
   const PacketScene& scene;
   const PacketRays& rays;
   const PacketWalk& walk;
-  PacketVoxels<Voxel> voxels;
+  Voxels voxels;
   Material material;
   PacketSum sum;
   Lanes t;

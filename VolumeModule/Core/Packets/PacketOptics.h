@@ -16,19 +16,10 @@ struct Optical
   Lanes extinction;
 };
 
-/// Four numbers of each lane, from eight entries in memory.
-inline Optical Transposed(const __m128 entries[LaneCount])
+inline Optical OpticalOf(const __m128 (&entries)[LaneCount])
 {
-  const auto pair = [&](int lane)
-  { return _mm256_insertf128_ps(_mm256_castps128_ps256(entries[lane]), entries[lane + 4], 1); };
-  const __m256 lower = _mm256_unpacklo_ps(pair(0), pair(1));
-  const __m256 upper = _mm256_unpackhi_ps(pair(0), pair(1));
-  const __m256 lowerNext = _mm256_unpacklo_ps(pair(2), pair(3));
-  const __m256 upperNext = _mm256_unpackhi_ps(pair(2), pair(3));
-  return { { Lanes(_mm256_shuffle_ps(lower, lowerNext, 0x44)),
-             Lanes(_mm256_shuffle_ps(lower, lowerNext, 0xee)),
-             Lanes(_mm256_shuffle_ps(upper, upperNext, 0x44)) },
-    Lanes(_mm256_shuffle_ps(upper, upperNext, 0xee)) };
+  const Lanes4 numbers = Transposed(entries);
+  return { { numbers.x, numbers.y, numbers.z }, numbers.w };
 }
 
 /// Whether anything does between two values, both included.
@@ -59,7 +50,7 @@ inline Optical Classify(const PacketLook& look, Lanes value)
   {
     entries[lane] = MixedEntries(look.table + index.of[lane], part.of[lane]);
   }
-  return Transposed(entries);
+  return OpticalOf(entries);
 }
 
 /// Between four entries of a table of rows.
@@ -80,7 +71,7 @@ inline Optical Interpolated(const glm::vec4* table, glm::ivec2 size, Lanes x, La
     const __m128 upper = MixedEntries(entry + size.x, along.of[lane]);
     entries[lane] = _mm_fmadd_ps(_mm_set1_ps(across.of[lane]), _mm_sub_ps(upper, lower), lower);
   }
-  return Transposed(entries);
+  return OpticalOf(entries);
 }
 
 /// Of pieces of which some are beyond the table's ends: what is there has the properties of its

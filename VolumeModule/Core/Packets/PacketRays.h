@@ -69,7 +69,7 @@ inline Lanes PlaneAlong(const glm::vec4& plane, const Lanes3& direction)
   return direction.x * plane.x + direction.y * plane.y + direction.z * plane.z;
 }
 
-/// Leaves what is beyond a plane, where dot(plane, (position, 1)) >= 0.
+/// Shaders/Clip/Planes.glsl: leaves what is beyond a plane, where dot(plane, (position, 1)) >= 0.
 inline void CutByPlane(PacketRays& rays, const glm::vec4& plane)
 {
   const Lanes beyond = PlaneAt(plane, rays.originGrid);

@@ -62,11 +62,13 @@ struct PacketCamera
 };
 
 /// Voxels as their owner keeps them: at least two along each axis, x fastest, fewer than 2^31, all
-/// of them finite.
+/// of them finite. Or coefficients of a spline through them, of type Float32, of which a composite
+/// is drawn, with at least four along each axis.
 struct PacketVolume
 {
   const void* voxels;
   VoxelType type;
+  bool areOfSpline;
   glm::ivec3 voxelCount;
 };
 

@@ -6,6 +6,7 @@
 #include "Core/Packets/PacketExtreme.h"
 #include "Core/Packets/PacketIsosurfaces.h"
 #include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketSpline.h"
 
 namespace varimarch
 {
@@ -21,21 +22,21 @@ namespace
 #define FLATTENED [[gnu::flatten]]
 #endif
 
-template <class Voxel, class Material>
+template <class Voxels, class Material>
 FLATTENED PacketSum MarchMaterial(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   return scene.rule == PacketRule::MaterialMidpoint
-    ? MarchMaterialMidpoints<Voxel, Material>(scene, rays, walk)
-    : MaterialMarch<Voxel, Material>(scene, rays, walk).March();
+    ? MarchMaterialMidpoints<Voxels, Material>(scene, rays, walk)
+    : MaterialMarch<Voxels, Material>(scene, rays, walk).March();
 }
 
-template <class Voxel>
+template <class Voxels>
 FLATTENED PacketSum MarchValues(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
-  return scene.rule == PacketRule::Midpoint ? MarchMidpoints<Voxel>(scene, rays, walk)
-                                            : MarchPreIntegrated<Voxel>(scene, rays, walk);
+  return scene.rule == PacketRule::Midpoint ? MarchMidpoints<Voxels>(scene, rays, walk)
+                                            : MarchPreIntegrated<Voxels>(scene, rays, walk);
 }
 
 template <class Voxel>
@@ -51,29 +52,38 @@ FLATTENED PacketSum MarchIsosurfaces(
   return IsosurfaceMarch<Voxel>(scene, rays, walk).March();
 }
 
+template <class Voxels>
+PacketSum MarchComposite(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  if (scene.rule == PacketRule::Midpoint || scene.rule == PacketRule::PreIntegrated)
+  {
+    return MarchValues<Voxels>(scene, rays, walk);
+  }
+  return HeadLitMaterial::IsThatOf(scene)
+    ? MarchMaterial<Voxels, HeadLitMaterial>(scene, rays, walk)
+    : MarchMaterial<Voxels, PacketMaterial>(scene, rays, walk);
+}
+
 template <class Voxel>
 PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   switch (scene.rule)
   {
-    case PacketRule::Midpoint:
-    case PacketRule::PreIntegrated:
-      return MarchValues<Voxel>(scene, rays, walk);
-    case PacketRule::MaterialMidpoint:
-    case PacketRule::MaterialLinear:
-      return HeadLitMaterial::IsThatOf(scene)
-        ? MarchMaterial<Voxel, HeadLitMaterial>(scene, rays, walk)
-        : MarchMaterial<Voxel, PacketMaterial>(scene, rays, walk);
     case PacketRule::Extreme:
       return MarchExtreme<Voxel>(scene, rays);
     case PacketRule::Isosurfaces:
       return MarchIsosurfaces<Voxel>(scene, rays, walk);
+    default:
+      return MarchComposite<PacketVoxels<Voxel>>(scene, rays, walk);
   }
-  return {};
 }
 
 PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
+  if (scene.volume.areOfSpline)
+  {
+    return MarchComposite<PacketSpline>(scene, rays, walk);
+  }
   switch (scene.volume.type)
   {
     case VoxelType::Int8:

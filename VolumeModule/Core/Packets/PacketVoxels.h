@@ -89,6 +89,13 @@ struct CellCorners
   }
 };
 
+/// A value, and its differences one voxel to either side.
+struct Slope
+{
+  Lanes value;
+  Lanes3 gradient;
+};
+
 /// Trilinear interpolation between voxels, which go on beyond the outermost ones.
 template <class Voxel>
 class PacketVoxels
@@ -126,13 +133,6 @@ public:
   {
     return this->ValueIn(this->CellOf(positionGrid));
   }
-
-  /// A value, and its differences one voxel to either side.
-  struct Slope
-  {
-    Lanes value;
-    Lanes3 gradient;
-  };
 
   /// @param mask  of rays whose gradient matters
   Slope SlopeAt(const Lanes3& positionGrid, LaneMask mask) const

@@ -85,6 +85,7 @@ private:
     return SmallPowerOfTwo(Clamp(octaves, Lanes{}, All(2.0f)));
   }
 
+  // Shaders/Jitter/BlueNoise.glsl.
   static Lanes NoiseAt(const PacketSteps& steps, int x, int y)
   {
     alignas(32) float parts[LaneCount];

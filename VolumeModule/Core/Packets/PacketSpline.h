@@ -1,0 +1,196 @@
+#ifndef Varimarch_Core_Packets_PacketSpline_h
+#define Varimarch_Core_Packets_PacketSpline_h
+
+// The tricubic spline through the voxels, as packets of rays read it:
+// Shaders/Interpolation/CubicSpline.glsl and Gradient/OfSpline.glsl.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketScene.h"
+#include "Core/Packets/PacketVoxels.h"
+
+#include <cstddef>
+
+namespace varimarch
+{
+
+/// Of the four coefficients along an axis that a value depends on, or its derivative.
+struct SplineWeights
+{
+  Lanes of[4];
+};
+
+/// @param part  [0, 1] of the way from the second coefficient to the third
+inline SplineWeights WeightsOfValue(Lanes part)
+{
+  const Lanes left = 1.0f - part;
+  constexpr float Sixth = 1.0f / 6.0f;
+  constexpr float TwoThirds = 2.0f / 3.0f;
+  return { { Sixth * left * left * left, TwoThirds - 0.5f * part * part * (2.0f - part),
+    TwoThirds - 0.5f * left * left * (2.0f - left), Sixth * part * part * part } };
+}
+
+inline SplineWeights WeightsOfSlope(Lanes part)
+{
+  const Lanes left = 1.0f - part;
+  return { { -0.5f * left * left, part * (1.5f * part - 2.0f), left * (2.0f - 1.5f * left),
+    0.5f * part * part } };
+}
+
+/// Where one of the four lies beyond the outermost coefficients, that of the face counts for it.
+/// @param beyond  -1 before the first of all, 1 behind the last, else 0
+inline SplineWeights MovedInside(const SplineWeights& weights, Lanes beyond)
+{
+  const Lanes(&w)[4] = weights.of;
+  const LaneMask before = LaneMask(beyond < 0.0f);
+  const LaneMask behind = LaneMask(beyond > 0.0f);
+  const auto choose = [&](Lanes ifBefore, Lanes ifBehind, Lanes inside)
+  { return Select(before, ifBefore, Select(behind, ifBehind, inside)); };
+  return { { choose(w[0] + w[1], Lanes{}, w[0]), choose(w[2], w[0], w[1]), choose(w[3], w[1], w[2]),
+    choose(Lanes{}, w[2] + w[3], w[3]) } };
+}
+
+/// The lanes in memory.
+struct SplineNumbers
+{
+  explicit SplineNumbers(const SplineWeights& weights)
+    : of{ Numbers(weights.of[0]), Numbers(weights.of[1]), Numbers(weights.of[2]),
+      Numbers(weights.of[3]) }
+  {
+  }
+
+  __m128 At(int which, int lane) const { return _mm_set1_ps(this->of[which].of[lane]); }
+
+  Numbers of[4];
+};
+
+/// Reads as PacketVoxels does.
+class PacketSpline
+{
+public:
+  /// 4 x 4 x 4 coefficients, and where in the middle one of their cells a position is.
+  struct Cell
+  {
+    IntNumbers index; ///< of the first
+    Lanes3 part;      ///< [0, 1]
+    Lanes3 beyond;    ///< as MovedInside takes it
+  };
+
+  explicit PacketSpline(const PacketVolume& volume)
+    : first(static_cast<const float*>(volume.voxels))
+    , perRow(volume.voxelCount.x)
+    , perSlice(std::ptrdiff_t(volume.voxelCount.x) * volume.voxelCount.y)
+    , lastVoxel{ All(float(volume.voxelCount.x - 1)), All(float(volume.voxelCount.y - 1)),
+      All(float(volume.voxelCount.z - 1)) }
+  {
+  }
+
+  Cell CellOf(const Lanes3& positionGrid) const
+  {
+    const AxisPlace x = PlaceOn(positionGrid.x, this->lastVoxel.x);
+    const AxisPlace y = PlaceOn(positionGrid.y, this->lastVoxel.y);
+    const AxisPlace z = PlaceOn(positionGrid.z, this->lastVoxel.z);
+    return { IntNumbers(Truncated(x.first) + int(this->perRow) * Truncated(y.first) +
+               int(this->perSlice) * Truncated(z.first)),
+      { x.part, y.part, z.part }, { x.beyond, y.beyond, z.beyond } };
+  }
+
+  Lanes ValueIn(const Cell& cell) const
+  {
+    const SplineNumbers alongY(MovedInside(WeightsOfValue(cell.part.y), cell.beyond.y));
+    const SplineNumbers alongZ(MovedInside(WeightsOfValue(cell.part.z), cell.beyond.z));
+    __m128 sums[LaneCount];
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      sums[lane] = _mm_setzero_ps();
+      for (int slice = 0; slice < 4; ++slice)
+      {
+        sums[lane] = _mm_fmadd_ps(
+          alongZ.At(slice, lane), this->SumOfRows(cell, slice, alongY, lane), sums[lane]);
+      }
+    }
+    return SumAlongX(sums, MovedInside(WeightsOfValue(cell.part.x), cell.beyond.x));
+  }
+
+  Lanes ValueAt(const Lanes3& positionGrid) const
+  {
+    return this->ValueIn(this->CellOf(positionGrid));
+  }
+
+  /// Twice the derivatives: differences over two voxels, which all that is made of gradients
+  /// expects.
+  Slope SlopeAt(const Lanes3& positionGrid, LaneMask) const
+  {
+    const Cell cell = this->CellOf(positionGrid);
+    const auto valueOf = [](Lanes part, Lanes beyond)
+    { return MovedInside(WeightsOfValue(part), beyond); };
+    const auto slopeOf = [](Lanes part, Lanes beyond)
+    { return MovedInside(WeightsOfSlope(part), beyond); };
+    const SplineNumbers valueY(valueOf(cell.part.y, cell.beyond.y));
+    const SplineNumbers slopeY(slopeOf(cell.part.y, cell.beyond.y));
+    const SplineNumbers valueZ(valueOf(cell.part.z, cell.beyond.z));
+    const SplineNumbers slopeZ(slopeOf(cell.part.z, cell.beyond.z));
+    __m128 values[LaneCount];
+    __m128 slopesY[LaneCount];
+    __m128 slopesZ[LaneCount];
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      values[lane] = slopesY[lane] = slopesZ[lane] = _mm_setzero_ps();
+      for (int slice = 0; slice < 4; ++slice)
+      {
+        const __m128 value = this->SumOfRows(cell, slice, valueY, lane);
+        const __m128 slope = this->SumOfRows(cell, slice, slopeY, lane);
+        values[lane] = _mm_fmadd_ps(valueZ.At(slice, lane), value, values[lane]);
+        slopesY[lane] = _mm_fmadd_ps(valueZ.At(slice, lane), slope, slopesY[lane]);
+        slopesZ[lane] = _mm_fmadd_ps(slopeZ.At(slice, lane), value, slopesZ[lane]);
+      }
+    }
+    const SplineWeights valueX = valueOf(cell.part.x, cell.beyond.x);
+    return { SumAlongX(values, valueX),
+      { 2.0f * SumAlongX(values, slopeOf(cell.part.x, cell.beyond.x)),
+        2.0f * SumAlongX(slopesY, valueX), 2.0f * SumAlongX(slopesZ, valueX) } };
+  }
+
+private:
+  // Which four coefficients a value depends on along an axis.
+  struct AxisPlace
+  {
+    Lanes first; ///< a whole number
+    Lanes part;
+    Lanes beyond;
+  };
+
+  static AxisPlace PlaceOn(Lanes position, Lanes lastVoxel)
+  {
+    const Lanes inside = Clamp(position, Lanes{}, lastVoxel);
+    const Lanes second = Floor(Min(inside, lastVoxel - 1.0f));
+    const Lanes wanted = second - 1.0f;
+    const Lanes first = Clamp(wanted, Lanes{}, lastVoxel - 3.0f);
+    return { first, inside - second, wanted - first };
+  }
+
+  // Of the four rows of a slice of a cell, in one lane.
+  __m128 SumOfRows(const Cell& cell, int slice, const SplineNumbers& weights, int lane) const
+  {
+    const float* const row = this->first + cell.index.of[lane] + slice * this->perSlice;
+    __m128 sum = _mm_mul_ps(weights.At(0, lane), _mm_loadu_ps(row));
+    sum = _mm_fmadd_ps(weights.At(1, lane), _mm_loadu_ps(row + this->perRow), sum);
+    sum = _mm_fmadd_ps(weights.At(2, lane), _mm_loadu_ps(row + 2 * this->perRow), sum);
+    return _mm_fmadd_ps(weights.At(3, lane), _mm_loadu_ps(row + 3 * this->perRow), sum);
+  }
+
+  static Lanes SumAlongX(const __m128 (&sums)[LaneCount], const SplineWeights& weights)
+  {
+    const Lanes4 along = Transposed(sums);
+    return weights.of[0] * along.x + weights.of[1] * along.y + weights.of[2] * along.z +
+      weights.of[3] * along.w;
+  }
+
+  const float* first;
+  std::ptrdiff_t perRow;
+  std::ptrdiff_t perSlice;
+  Lanes3 lastVoxel;
+};
+
+}
+
+#endif
