@@ -318,6 +318,7 @@ private:
   BuildCounts builds;
   std::optional<ToleranceChoice> tolerance;
   std::vector<CornersClip> toleranceView; ///< of the last picture that kept one
+  bool viewRests = false;                 ///< that is also the view of the picture before
   double usedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;
   std::vector<std::string> shaderParts;

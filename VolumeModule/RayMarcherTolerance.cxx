@@ -196,10 +196,13 @@ void RayMarcher::UpdateTolerance(const Frame& frame)
   }
   ToleranceInputs inputs;
   this->AddToleranceInputs(frame, inputs);
-  const bool rests = inputs.view == this->toleranceView;
+  if (BeginsPicture(frame.settings.pass))
+  {
+    this->viewRests = inputs.view == this->toleranceView;
+  }
   this->toleranceView = inputs.view;
   if (this->tolerance &&
-    (rests ? this->tolerance->inputs == inputs : this->tolerance->inputs.IsNear(inputs)))
+    (this->viewRests ? this->tolerance->inputs == inputs : this->tolerance->inputs.IsNear(inputs)))
   {
     return;
   }

@@ -129,6 +129,25 @@ TEST(DepthPeeling, LeavesPixelsWithoutTranslucentGeometryAsTheyAre)
   ExpectMiddle(scene.Draw(), scene.size, scene.Piece(HomogeneousScene::SideMm), 2.0 / 255.0);
 }
 
+// The passes of one picture have one view, which therefore does not rest.
+TEST(DepthPeeling, SearchesForNoStepsWhileTheViewMoves)
+{
+  MapperScene scene(SmallTorso());
+  UseDepthPeeling(scene.renderer);
+  scene.renderer->AddActor(GlassPlane(3.0, { 0.1, 0.8, 0.4 }, 0.4));
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  scene.Draw();
+  const int searches = scene.mapper->GetToleranceSearches();
+  for (int picture = 0; picture < 2; ++picture)
+  {
+    scene.renderer->GetActiveCamera()->Azimuth(2.0);
+    scene.Draw();
+  }
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), searches);
+  scene.Draw(); // it rests
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), searches + 1);
+}
+
 TEST(Selection, FindsTheCellAndThePointWhereARayBecomesHalfOpaque)
 {
   // Half opaque 1.3 mm behind the front face, at z = 14.7 of the grid; x and y are 8.245.

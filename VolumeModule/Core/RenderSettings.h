@@ -121,6 +121,12 @@ inline bool Peels(RayPass pass)
   return pass == RayPass::PeelOutside || pass == RayPass::PeelBetween || pass == RayPass::PeelLast;
 }
 
+/// Whether no other has drawn a part of the same picture before it.
+inline bool BeginsPicture(RayPass pass)
+{
+  return pass != RayPass::PeelBetween && pass != RayPass::PeelLast;
+}
+
 /// Whether what is drawn is the number of something.
 inline bool Picks(RayPass pass)
 {
