@@ -240,6 +240,7 @@ private:
   PacketSteps StepsOfPackets(const Frame& frame) const;
   PacketGradientOpacity GradientOpacityOfPackets(const Frame& frame) const;
   PacketExtreme ExtremeOfPackets(const Frame& frame) const;
+  PacketProjection ProjectionOfPackets(const Frame& frame) const;
   PacketScene SceneOfPackets(const Frame& frame, const PacketArrays& arrays) const;
   void DrawPackets(const Frame& frame);
   void SetMarchedUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);

@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace varimarch
 {
@@ -82,11 +83,19 @@ PacketRule RuleOf(const RenderSettings& settings)
 {
   if (IsExtreme(settings.blend))
   {
-    return PacketRule::Extreme;
+    return settings.nearest ? PacketRule::ExtremeVoxel : PacketRule::Extreme;
+  }
+  if (IsProjection(settings.blend))
+  {
+    return PacketRule::Projection;
   }
   if (settings.blend == Blend::Isosurface)
   {
     return PacketRule::Isosurfaces;
+  }
+  if (settings.nearest)
+  {
+    return MarchesMaterial(settings) ? PacketRule::MaterialVoxels : PacketRule::Voxels;
   }
   const bool isMidpoint = settings.integration == Integration::Midpoint;
   return MarchesMaterial(settings)
@@ -218,6 +227,24 @@ PacketExtreme RayMarcher::ExtremeOfPackets(const Frame& frame) const
   return extreme;
 }
 
+PacketProjection RayMarcher::ProjectionOfPackets(const Frame& frame) const
+{
+  const ScalarTexels& texels = this->blocks.Texels();
+  const double range = texels.largestScalar - texels.smallestScalar;
+  PacketProjection projection = {};
+  projection.isMean = frame.settings.blend == Blend::AverageIntensity;
+  projection.smallestValue = float(texels.smallestScalar);
+  projection.grayPerValue = float(range > 0.0 ? 1.0 / range : 0.0);
+  projection.opacityUnitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
+  constexpr float Any = std::numeric_limits<float>::max();
+  projection.countedValues = projection.isMean
+    ? glm::clamp(
+        glm::dvec2(frame.averagedRange[0], frame.averagedRange[1]), -double(Any), double(Any))
+    : glm::dvec2(-Any, Any);
+  projection.mostIntegral = projection.isMean ? Any : projection.opacityUnitDistanceMm;
+  return projection;
+}
+
 PacketScene RayMarcher::SceneOfPackets(const Frame& frame, const PacketArrays& arrays) const
 {
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
@@ -232,6 +259,7 @@ PacketScene RayMarcher::SceneOfPackets(const Frame& frame, const PacketArrays& a
   scene.gradientOpacity = this->GradientOpacityOfPackets(frame);
   scene.extreme = this->ExtremeOfPackets(frame);
   scene.isosurfaces = { arrays.isosurfaces.data(), int(arrays.isosurfaces.size() / 2) };
+  scene.projection = this->ProjectionOfPackets(frame);
   scene.steps = this->StepsOfPackets(frame);
   scene.cuts.planesGrid = arrays.planesGrid.data();
   scene.cuts.planeCount = int(arrays.planesGrid.size());

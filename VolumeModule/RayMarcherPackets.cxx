@@ -28,22 +28,31 @@ namespace varimarch
 namespace
 {
 
+// Not slices, nor the faces of boxes, nor sums of these, nor extremes of splines.
+bool IsBlendedByPackets(const RenderSettings& settings)
+{
+  const bool isComposite = settings.blend == Blend::Composite;
+  const bool isExtreme = IsExtreme(settings.blend);
+  const bool isSum = IsProjection(settings.blend) && !isExtreme;
+  if (settings.nearest)
+  {
+    return isComposite || isExtreme;
+  }
+  return isComposite || isSum || (!settings.cubic && settings.blend != Blend::Slice);
+}
+
 // What packets have no code for is left to shaders, which have all.
 bool HasPacketRecipe(const RenderSettings& settings)
 {
-  const bool isBlended = settings.blend == Blend::Composite || IsExtreme(settings.blend) ||
-    settings.blend == Blend::Isosurface;
   const bool isPlain = settings.components == Components::One &&
-    settings.functionOf != FunctionOf::TwoValues && settings.mask == Mask::None &&
-    !settings.nearest && !settings.uneven &&
-    (!settings.cubic || settings.blend == Blend::Composite);
+    settings.functionOf != FunctionOf::TwoValues && settings.mask == Mask::None && !settings.uneven;
   const bool isCutByPlanes = !settings.cropping && !settings.clippedGradients;
   const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
-  const bool hasRule = settings.blend != Blend::Composite || MarchesMaterial(settings) ||
-    settings.integration == Integration::Midpoint ||
+  const bool hasRule = settings.blend != Blend::Composite || !IsSampled(settings) ||
+    MarchesMaterial(settings) || settings.integration == Integration::Midpoint ||
     settings.integration == Integration::PreIntegrated;
-  return isBlended && isPlain && isCutByPlanes && hasSteps && hasRule && !settings.overlaps &&
-    !settings.countFetches && settings.pass == RayPass::Whole;
+  return IsBlendedByPackets(settings) && isPlain && isCutByPlanes && hasSteps && hasRule &&
+    !settings.overlaps && !settings.countFetches && settings.pass == RayPass::Whole;
 }
 
 // In 32 bits, to the end of the last that are read together.
@@ -139,7 +148,7 @@ void RayMarcher::DrawPackets(const Frame& frame)
                                               : std::vector<glm::vec4>() };
   PacketScene scene = this->SceneOfPackets(frame, arrays);
   std::optional<VisibleDepths> visible;
-  if (scene.steps.bricks)
+  if (scene.steps.bricks && scene.rule != PacketRule::Projection) // there what is invisible counts
   {
     visible.emplace(this->field.VisibleBlocks(), clipFromGrid, scene.camera, pixels);
     scene.depths = visible->Depths();

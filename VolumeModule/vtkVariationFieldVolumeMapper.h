@@ -117,12 +117,12 @@ public:
 
   ///@{
   /**
-   * Where OpenGL itself is drawn by the processor, as Mesa's llvmpipe does, march composites,
-   * maxima, minima and isosurfaces of one component without a shader, in packets of eight rays: two
-   * to six times as fast, by the same rules. It needs AVX2 and FMA; shaders draw what packets have
-   * no code for (other blend modes, several components, masks, cropping, functions of two arrays,
-   * nearest interpolation, translucent geometry, user code, a maximum graphics memory).
-   * Default: on.
+   * Where OpenGL itself is drawn by the processor, as Mesa's llvmpipe does, march volumes of one
+   * component without a shader, in packets of eight rays: two to six times as fast, by the same
+   * rules. It needs AVX2 and FMA; shaders draw what packets have no code for (slices, several
+   * components, masks, cropping regions, functions of two arrays, translucent geometry, user code,
+   * a maximum graphics memory; isosurfaces, averages and sums of nearest interpolation). Default:
+   * on.
    */
   vtkSetMacro(ProcessorMarching, vtkTypeBool);
   vtkGetMacro(ProcessorMarching, vtkTypeBool);

@@ -80,6 +80,17 @@ MapperScene::~MapperScene()
   this->window->RemoveRenderer(this->renderer);
 }
 
+void MapperScene::LookDown(glm::dvec3 focusWorld, double halfMm)
+{
+  vtkCamera* const camera = this->renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(halfMm);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetFocalPoint(focusWorld.x, focusWorld.y, focusWorld.z);
+  camera->SetPosition(focusWorld.x, focusWorld.y, 30.0);
+  camera->SetClippingRange(1.0, 100.0);
+}
+
 std::vector<float> MapperScene::Draw()
 {
   const auto captured = CaptureFloatImage(this->window, this->renderer);
@@ -275,4 +286,10 @@ std::vector<std::string> MapperScene::ShaderParts()
     names.push_back(parts->GetValue(i));
   }
   return names;
+}
+
+bool MapperScene::UsesShaderPart(const std::string& part)
+{
+  const std::vector<std::string> parts = this->ShaderParts();
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
 }

@@ -34,6 +34,9 @@ public:
   MapperScene(const MapperScene&) = delete;
   void operator=(const MapperScene&) = delete;
 
+  /// Along -z from 30 mm above 0, in parallel: the picture is `2 * halfMm` high and wide.
+  void LookDown(glm::dvec3 focusWorld, double halfMm);
+
   /// The picture in float: premultiplied RGBA before the background. By a shader, unless the test
   /// sets the mapper otherwise.
   std::vector<float> Draw();
@@ -56,7 +59,9 @@ public:
   /// The middle pixel of Draw, premultiplied RGBA; that of DrawByProcessor is expected to be it.
   std::array<float, 4> MiddlePixel();
 
+  /// Of the last Draw; none where no shader drew it.
   std::vector<std::string> ShaderParts();
+  bool UsesShaderPart(const std::string& part);
 
   vtkSmartPointer<vtkImageData> image;
   int size;

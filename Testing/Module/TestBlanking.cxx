@@ -25,13 +25,7 @@ public:
     this->opacities->RemoveAllPoints();
     this->opacities->AddPoint(0.0, 0.5);
     this->mapper->SetEarlyTerminationTransmittance(0.0);
-    vtkCamera* const camera = this->renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetFocalPoint(4.0, 4.0, 4.0);
-    camera->SetPosition(4.0, 4.0, 30.0);
-    camera->SetViewUp(0.0, 1.0, 0.0);
-    camera->SetParallelScale(4.0);
-    camera->SetClippingRange(1.0, 100.0);
+    this->LookDown({ 4.0, 4.0, 4.0 }, 4.0);
   }
 
   /// Of the material along the ray at x, y, in mm; pixel centres at a quarter and three quarters.

@@ -34,8 +34,7 @@ vtkSmartPointer<vtkImageData> Torso()
 
 bool IsDrawnInBlocks(MapperScene& scene)
 {
-  const std::vector<std::string> parts = scene.ShaderParts();
-  return std::find(parts.begin(), parts.end(), "Resume/Block.glsl") != parts.end();
+  return scene.UsesShaderPart("Resume/Block.glsl");
 }
 
 ImageError Difference(const std::vector<float>& drawn, const std::vector<float>& expected)

@@ -51,13 +51,7 @@ public:
     this->opacities->RemoveAllPoints();
     this->opacities->AddPoint(1.0, 0.5);
     this->opacities->AddPoint(2.0, 0.75);
-    vtkCamera* const camera = this->renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetFocalPoint(2.0, 2.5, 3.0);
-    camera->SetPosition(2.0, 2.5, 30.0);
-    camera->SetViewUp(0.0, 1.0, 0.0);
-    camera->SetParallelScale(4.0); // a pixel is half a mm
-    camera->SetClippingRange(1.0, 100.0);
+    this->LookDown({ 2.0, 2.5, 3.0 }, 4.0); // a pixel is half a mm
   }
 
   /// Halvings of light through a pixel.

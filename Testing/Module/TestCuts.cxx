@@ -71,12 +71,6 @@ void UseGentleMaterials(MapperScene& scene)
   scene.mapper->SetSampleDistance(0.4);
 }
 
-bool Uses(MapperScene& scene, const std::string& part)
-{
-  const std::vector<std::string> parts = scene.ShaderParts();
-  return std::find(parts.begin(), parts.end(), part) != parts.end();
-}
-
 void ExpectTruth(MapperScene& scene, double rootMeanSquare, double largest)
 {
   const ImageError error = scene.Error();
@@ -99,13 +93,7 @@ public:
     this->opacities->RemoveAllPoints();
     this->opacities->AddPoint(0.0, 0.5);
     this->mapper->SetEarlyTerminationTransmittance(0.0);
-    vtkCamera* const camera = this->renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetFocalPoint(5.0, 5.0, 5.0);
-    camera->SetPosition(5.0, 5.0, 30.0);
-    camera->SetViewUp(0.0, 1.0, 0.0);
-    camera->SetParallelScale(5.0); // a pixel is half a voxel
-    camera->SetClippingRange(1.0, 100.0);
+    this->LookDown({ 5.0, 5.0, 5.0 }, 5.0); // a pixel is half a voxel
   }
 
   /// Of the ray at x, y [mm], pixel centres at a quarter and three quarters.
@@ -141,13 +129,13 @@ TEST(Cuts, AClippingPlaneEndsRaysExactlyWhereItIs)
   scene.mapper->AddClippingPlane(plane);
   EXPECT_NEAR(scene.LengthMm(2.25, 3.25), 2.25, LengthError);
   EXPECT_NEAR(scene.LengthMm(4.75, 3.25), 4.75, LengthError);
-  EXPECT_TRUE(Uses(scene, "Clip/Planes.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Clip/Planes.glsl"));
 
   plane->SetNormal(0.0, 0.0, -2.0); // along the grid: a smaller box, and no plane for a shader
   plane->SetOrigin(7.0, 7.0, 3.3);
   scene.mapper->Modified();
   EXPECT_NEAR(scene.LengthMm(2.25, 3.25), 3.3, LengthError);
-  EXPECT_TRUE(Uses(scene, "Clip/None.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Clip/None.glsl"));
 }
 
 TEST(Cuts, AHundredClippingPlanesAreAsExactAsOne)
@@ -195,7 +183,7 @@ TEST(Cuts, CroppingPlanesAreWhereTheyAreInTheData)
   {
     scene.mapper->SetCroppingRegionPlanes(1.0, 9.0, 1.0, 9.0, 1.0, upper);
     EXPECT_NEAR(scene.LengthMm(2.25, 3.25), upper - 1.0, LengthError);
-    EXPECT_TRUE(Uses(scene, "Crop/None.glsl")) << "a box costs nothing";
+    EXPECT_TRUE(scene.UsesShaderPart("Crop/None.glsl")) << "a box costs nothing";
   }
   // All but the middle, along z: what is in front of the middle and what is behind.
   scene.mapper->SetCroppingRegionFlags(0x7ffffff & ~SubVolume);
@@ -268,7 +256,7 @@ TEST(Cuts, PlanesFollowTheMatricesOfImageAndVolume)
     AddObliquePlanes(scene);
     Crop(scene, flags);
     ExpectTruth(scene, 0.2, 2.5);
-    EXPECT_TRUE(Uses(scene, "Clip/Planes.glsl"));
+    EXPECT_TRUE(scene.UsesShaderPart("Clip/Planes.glsl"));
   }
 }
 
@@ -301,7 +289,7 @@ TEST(Cuts, ACutIsASurfaceWhereItsIntensityIsGiven)
   property->UseClippedVoxelIntensityOn();
   property->SetClippedVoxelIntensity(0.0);
   EXPECT_NEAR(middle(), 0.1 + 0.6, 1e-5);
-  EXPECT_TRUE(Uses(scene, "Gradient/ClippedDifferences.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Gradient/ClippedDifferences.glsl"));
 }
 
 TEST(Cuts, AVolumeInBlocksIsCutAsTheWholeIs)
@@ -316,7 +304,7 @@ TEST(Cuts, AVolumeInBlocksIsCutAsTheWholeIs)
     const std::vector<float> whole = scene.Draw();
     scene.mapper->SetMaximumGraphicsMemory(200000);
     const std::vector<float> inBlocks = scene.Draw();
-    EXPECT_TRUE(Uses(scene, "Resume/Block.glsl"));
+    EXPECT_TRUE(scene.UsesShaderPart("Resume/Block.glsl"));
     EXPECT_LT(CompareImages(inBlocks.data(), whole.data(), whole.size() / 4).largest, 0.2);
   }
 }

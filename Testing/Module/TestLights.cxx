@@ -44,13 +44,7 @@ public:
     property->SetSpecular(0.3);
     property->SetSpecularPower(8.0);
     property->SetScalarOpacityUnitDistance(0.05);
-    vtkCamera* camera = this->scene.renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(0.5);
-    camera->SetViewUp(0.0, 1.0, 0.0);
-    camera->SetFocalPoint(4.0, 4.0, 0.0);
-    camera->SetPosition(4.0, 4.0, 30.0);
-    camera->SetClippingRange(1.0, 100.0);
+    this->scene.LookDown({ 4.0, 4.0, 0.0 }, 0.5);
     this->scene.renderer->AutomaticLightCreationOff();
     this->scene.renderer->RemoveAllLights();
   }
@@ -258,19 +252,14 @@ TEST(Lights, OnStretchedShearedAndTurnedVolumesAreThoseOfTheReference)
 TEST(Lights, TakeTheirShaderOnlyWhereTheyAre)
 {
   MapperScene scene(SmallTorso(), 16);
-  const auto takes = [&](const char* part)
-  {
-    const std::vector<std::string> parts = scene.ShaderParts();
-    return std::find(parts.begin(), parts.end(), part) != parts.end();
-  };
   scene.volume->GetProperty()->ShadeOn();
   scene.Draw();
-  EXPECT_TRUE(takes("Shade/HeadLight.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Shade/HeadLight.glsl"));
   const vtkIdType bytes = scene.mapper->GetGraphicsMemoryBytes();
   vtkNew<vtkLight> sun;
   scene.renderer->AddLight(sun);
   scene.Draw();
-  EXPECT_TRUE(takes("Shade/Lights.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Shade/Lights.glsl"));
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes + 5 * 16);
   scene.volume->GetProperty()->ShadeOff();
   scene.Draw();

@@ -214,8 +214,7 @@ TEST(Resources, TheDepthBufferIsCopiedOnlyForOpaqueGeometry)
   const auto hasDepth = [&]
   {
     scene.window->Render();
-    const std::vector<std::string> parts = scene.ShaderParts();
-    return std::find(parts.begin(), parts.end(), "Depth/SceneGeometry.glsl") != parts.end();
+    return scene.UsesShaderPart("Depth/SceneGeometry.glsl");
   };
   EXPECT_FALSE(hasDepth());
   const vtkIdType without = scene.mapper->GetGraphicsMemoryBytes();

@@ -15,12 +15,6 @@ namespace
 
 constexpr int Size = 64;
 
-bool Uses(MapperScene& scene, const std::string& part)
-{
-  const std::vector<std::string> parts = scene.ShaderParts();
-  return std::find(parts.begin(), parts.end(), part) != parts.end();
-}
-
 // What floats lose on the way; nothing is sampled. A ray through the edge of a voxel that is the
 // largest of its ray may see it or not: of these there are few.
 void ExpectExact(MapperScene& scene)
@@ -43,10 +37,10 @@ TEST(Nearest, IsWhatAPropertySaysByDefault)
   property->SetScalarOpacity(scene.opacities);
   scene.volume->SetProperty(property);
   scene.Draw();
-  EXPECT_TRUE(Uses(scene, "March/Voxels.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("March/Voxels.glsl"));
   property->SetInterpolationTypeToLinear();
   scene.Draw();
-  EXPECT_FALSE(Uses(scene, "March/Voxels.glsl"));
+  EXPECT_FALSE(scene.UsesShaderPart("March/Voxels.glsl"));
 }
 
 class NearestOfBlend : public testing::TestWithParam<int>
@@ -86,7 +80,7 @@ TEST(Nearest, AVoxelHasOneNormal)
     scene.volume->GetProperty()->SetInterpolationTypeToNearest();
     scene.volume->GetProperty()->ShadeOn();
     ExpectExact(scene);
-    EXPECT_TRUE(Uses(scene, "March/MaterialVoxels.glsl"));
+    EXPECT_TRUE(scene.UsesShaderPart("March/MaterialVoxels.glsl"));
   }
 }
 
@@ -114,7 +108,7 @@ TEST(Nearest, IsTheSameInBlocks)
   const std::vector<float> whole = scene.Draw();
   scene.mapper->SetMaximumGraphicsMemory(200000);
   const std::vector<float> inBlocks = scene.Draw();
-  EXPECT_TRUE(Uses(scene, "Resume/Block.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Resume/Block.glsl"));
   EXPECT_LT(CompareImages(inBlocks.data(), whole.data(), whole.size() / 4).percentile999, 0.3);
 }
 

@@ -22,11 +22,6 @@ void ExpectPixel(
   }
 }
 
-bool Has(const std::vector<std::string>& parts, const std::string& part)
-{
-  return std::find(parts.begin(), parts.end(), part) != parts.end();
-}
-
 // An oblique sheet, thinner than the distance of samples, of which they make stripes.
 void MakeStripes(MapperScene& scene)
 {
@@ -102,7 +97,7 @@ TEST(Window, IsAlsoThatOfAVolumeInBlocks)
   const std::vector<float> plain = scene.Draw();
   scene.mapper->SetFinalColorWindow(0.5f);
   const std::vector<float> windowed = scene.Draw();
-  ASSERT_TRUE(Has(scene.ShaderParts(), "Resume/Block.glsl"));
+  ASSERT_TRUE(scene.UsesShaderPart("Resume/Block.glsl"));
   for (std::size_t i = 0; i < plain.size(); ++i)
   {
     const float alpha = plain[i | 3];
@@ -214,8 +209,8 @@ TEST(Resources, OfPicturesAreThereOnlyWhileTheyAreUsed)
   scene.window->Render();
   const vtkIdType plain = scene.mapper->GetGraphicsMemoryBytes();
   const std::vector<std::string> plainParts = scene.ShaderParts();
-  EXPECT_TRUE(Has(plainParts, "Jitter/None.glsl"));
-  EXPECT_TRUE(Has(plainParts, "Window/None.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Jitter/None.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Window/None.glsl"));
 
   scene.mapper->UseJitteringOn();
   scene.mapper->SetFinalColorLevel(0.4f);
@@ -224,8 +219,8 @@ TEST(Resources, OfPicturesAreThereOnlyWhileTheyAreUsed)
   const vtkIdType noise = 64 * 64 * 2;
   const vtkIdType rays = 16 * 16 * 16;
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), plain + noise + rays);
-  EXPECT_TRUE(Has(scene.ShaderParts(), "Jitter/BlueNoise.glsl"));
-  EXPECT_TRUE(Has(scene.ShaderParts(), "Window/WindowLevel.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Jitter/BlueNoise.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Window/WindowLevel.glsl"));
 
   scene.mapper->UseJitteringOff();
   scene.mapper->SetFinalColorLevel(0.5f);

@@ -2,6 +2,7 @@
 
 #include "Module/ProcessorMarching.h"
 
+#include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkImageAppendComponents.h>
 #include <vtkImageCast.h>
@@ -69,10 +70,19 @@ TEST_P(ProcessorMarchingIsNotFor, SoAShaderDraws)
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
-  testing::Values(
-    Change{ "AnAverage", [](MapperScene& s) { s.mapper->SetBlendModeToAverageIntensity(); } },
-    Change{
-      "Boxes", [](MapperScene& s) { s.volume->GetProperty()->SetInterpolationTypeToNearest(); } },
+  testing::Values(Change{ "AnAverageOfBoxes",
+                    [](MapperScene& s)
+                    {
+                      s.mapper->SetBlendModeToAverageIntensity();
+                      s.volume->GetProperty()->SetInterpolationTypeToNearest();
+                    } },
+    Change{ "FacesOfBoxes",
+      [](MapperScene& s)
+      {
+        s.mapper->SetBlendModeToIsoSurface();
+        s.volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 100.0);
+        s.volume->GetProperty()->SetInterpolationTypeToNearest();
+      } },
     Change{ "AMaximumAlongASpline",
       [](MapperScene& s)
       {

@@ -27,6 +27,11 @@ void ShowAMinimum(MapperScene& scene)
   scene.opacities->AddPoint(500.0, 0.0);
 }
 
+void ShowBoxes(MapperScene& scene)
+{
+  scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+}
+
 // Skin, through which bone is seen.
 void ShowIsosurfaces(MapperScene& scene)
 {
@@ -155,6 +160,52 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
       {
         ShowAMaximum(s);
         Clip(s);
+      } },
+    Change{ "Boxes", ShowBoxes },
+    Change{ "BoxesWithoutField",
+      [](MapperScene& s)
+      {
+        ShowBoxes(s);
+        s.mapper->SetAccelerationModeToOff();
+      } },
+    Change{ "BoxesWithLight",
+      [](MapperScene& s)
+      {
+        ShowBoxes(s);
+        s.volume->GetProperty()->ShadeOn();
+      } },
+    Change{ "BoxesWithLightAndOpacityOfGradients",
+      [](MapperScene& s)
+      {
+        ShowBoxes(s);
+        s.volume->GetProperty()->ShadeOn();
+        LeaveLowerGradientsOut(s);
+      } },
+    Change{ "AMaximumOfBoxes",
+      [](MapperScene& s)
+      {
+        ShowBoxes(s);
+        ShowAMaximum(s);
+      } },
+    Change{ "AnAverage", [](MapperScene& s) { s.mapper->SetBlendModeToAverageIntensity(); } },
+    Change{ "AnAverageOfSomeValues",
+      [](MapperScene& s)
+      {
+        s.mapper->SetBlendModeToAverageIntensity();
+        s.mapper->SetAverageIPScalarRange(-200.0, 300.0);
+      } },
+    Change{ "AnAverageAlongASpline",
+      [](MapperScene& s)
+      {
+        s.mapper->SetBlendModeToAverageIntensity();
+        s.mapper->CubicInterpolationOn();
+      } },
+    Change{ "ASum", [](MapperScene& s) { s.mapper->SetBlendModeToAdditive(); } },
+    Change{ "ASumWithoutField",
+      [](MapperScene& s)
+      {
+        s.mapper->SetBlendModeToAdditive();
+        s.mapper->SetAccelerationModeToOff();
       } },
     Change{ "Isosurfaces", ShowIsosurfaces },
     Change{ "IsosurfacesWithoutFieldNorLight",

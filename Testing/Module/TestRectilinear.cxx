@@ -199,13 +199,7 @@ TEST(Rectilinear, CellsWithoutInterpolationGoFromFaceToFace)
   scene.opacities->RemoveAllPoints();
   scene.opacities->AddPoint(0.0, 0.0);
   scene.opacities->AddPoint(10.0, 1.0);
-  vtkCamera* const camera = scene.renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetFocalPoint(8.0, 8.0, 0.0);
-  camera->SetPosition(8.0, 8.0, 30.0);
-  camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetParallelScale(8.0);
-  camera->SetClippingRange(1.0, 100.0);
+  scene.LookDown({ 8.0, 8.0, 0.0 }, 8.0);
   const std::vector<float> drawn = scene.Draw();
   for (int column = 0; column < 15; ++column)
   {

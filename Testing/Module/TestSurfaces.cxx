@@ -28,12 +28,6 @@ namespace
 
 constexpr int Size = 64;
 
-bool Uses(MapperScene& scene, const std::string& part)
-{
-  const std::vector<std::string> parts = scene.ShaderParts();
-  return std::find(parts.begin(), parts.end(), part) != parts.end();
-}
-
 // Skin as a veil, bone behind it, and a value that the volume does not take.
 void UseIsosurfaces(MapperScene& scene)
 {
@@ -98,13 +92,7 @@ public:
     this->opacities->RemoveAllPoints();
     this->opacities->AddPoint(0.0, 0.5);
     this->mapper->SetBlendModeToSlice();
-    vtkCamera* const camera = this->renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetFocalPoint(4.0, 4.0, 4.0);
-    camera->SetPosition(4.0, 4.0, 30.0);
-    camera->SetViewUp(0.0, 1.0, 0.0);
-    camera->SetParallelScale(4.0);
-    camera->SetClippingRange(1.0, 100.0);
+    this->LookDown({ 4.0, 4.0, 4.0 }, 4.0);
   }
 
   /// The scalar that is drawn at a pixel; negative where nothing is.
@@ -175,13 +163,7 @@ TEST(Isosurfaces, AShellThinnerThanAnyStepIsNotMissed)
   vtkContourValues* const values = scene.volume->GetProperty()->GetIsoSurfaceValues();
   values->SetValue(0, 20.0);
   values->SetValue(1, 20.0001);
-  vtkCamera* const camera = scene.renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetFocalPoint(4.0, 4.0, 4.0);
-  camera->SetPosition(4.0, 4.0, 30.0);
-  camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetParallelScale(4.0);
-  camera->SetClippingRange(1.0, 100.0);
+  scene.LookDown({ 4.0, 4.0, 4.0 }, 4.0);
   const std::vector<float> drawn = scene.Draw();
   // Behind the middle of the picture, at x = y = 4.25, the values go from 12.75 to 36.75.
   EXPECT_NEAR(drawn[4 * (8 * 16 + 8) + 3], 0.75, 1e-5) << "two surfaces of half opacity";
@@ -193,7 +175,7 @@ TEST(Isosurfaces, OfVoxelsWithoutInterpolationAreTheirFaces)
   UseIsosurfaces(scene);
   scene.volume->GetProperty()->SetInterpolationTypeToNearest();
   ExpectTruth(scene);
-  EXPECT_TRUE(Uses(scene, "March/VoxelSurfaces.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("March/VoxelSurfaces.glsl"));
 }
 
 TEST(Isosurfaces, WithoutAValueNothingIsDrawn)
@@ -212,7 +194,7 @@ TEST(Isosurfaces, AreTheSameInBlocks)
   const std::vector<float> whole = scene.Draw();
   scene.mapper->SetMaximumGraphicsMemory(200000);
   const std::vector<float> inBlocks = scene.Draw();
-  EXPECT_TRUE(Uses(scene, "Resume/Block.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Resume/Block.glsl"));
   EXPECT_LT(CompareImages(inBlocks.data(), whole.data(), whole.size() / 4).rootMeanSquare, 1.0);
 }
 

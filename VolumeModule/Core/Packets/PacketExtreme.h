@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketExtreme_h
 #define Varimarch_Core_Packets_PacketExtreme_h
 
-// A maximum or minimum of interpolated voxels, exactly: Shaders/March/Extreme.glsl and
+// A maximum or minimum, exactly: Shaders/March/Extreme.glsl, March/Voxels.glsl and
 // Step/BrickExtremes.glsl. What is greater is better: of a minimum all values are negated.
 
 #include "Core/Packets/Lanes.h"
@@ -15,8 +15,47 @@
 namespace varimarch
 {
 
-/// A march from one brick that can better what is found to the next.
+/// Cells of eight voxels each, between which values are cubics along rays. Cells before the first
+/// voxel and behind the last one are cells too.
 template <class Voxel>
+class CubicCells
+{
+public:
+  explicit CubicCells(const PacketVolume& volume)
+    : voxels(volume)
+    , cellCount(volume.voxelCount + 1)
+  {
+  }
+
+  PacketLattice LatticeOf(const PacketRays& rays) const
+  {
+    return PacketLattice(rays, 1.0f, -1.0f, this->cellCount);
+  }
+
+  /// What rays of a mask have found when they leave a cell.
+  Lanes BetterOf(const PacketRays& rays, const LatticePlaces& place, Lanes exit, float sense,
+    Lanes found, LaneMask mask) const
+  {
+    const Lanes3 one{ All(1.0f), All(1.0f), All(1.0f) };
+    const CellCubicLanes cubic = sense *
+      CubicBetween(this->voxels.CornersOf(place.cell - one), rays.At(place.t), rays.At(exit));
+    Lanes best = Max(found, Max(cubic.b0, cubic.b3));
+    if (Any(mask & LaneMask(Max(cubic.b1, cubic.b2) > best)))
+    {
+      const ExtremePlaces places = ExtremesOf(cubic);
+      best = Max(best, Max(cubic.ValueAt(places.first), cubic.ValueAt(places.second)));
+    }
+    return Select(mask, best, found);
+  }
+
+private:
+  PacketVoxels<Voxel> voxels;
+  glm::ivec3 cellCount;
+};
+
+/// A march from one brick that can better what is found to the next.
+/// @tparam Cells  CubicCells or PacketBoxes
+template <class Cells>
 class ExtremeMarch
 {
 public:
@@ -24,9 +63,8 @@ public:
     : scene(scene)
     , extreme(scene.extreme)
     , rays(rays)
-    , voxels(scene.volume)
-    // Cells before the first voxel and behind the last one are cells too.
-    , cells(rays, 1.0f, -1.0f, scene.volume.voxelCount + 1)
+    , cells(scene.volume)
+    , lattice(this->cells.LatticeOf(rays))
     , bricks(rays, scene.steps.cellsPerBrick, 0.0f, scene.extreme.brickCount)
   {
   }
@@ -77,31 +115,17 @@ private:
   // Marches the rays of a mask to the end of the cell that `end` is in.
   Lanes MarchCells(Lanes t, Lanes end, LaneMask mask)
   {
-    const Lanes3 one{ All(1.0f), All(1.0f), All(1.0f) };
-    LatticePlaces place = this->cells.At(t);
+    LatticePlaces place = this->lattice.At(t);
     while (Any(mask))
     {
-      const LatticePlaces behind = this->cells.Behind(place);
+      const LatticePlaces behind = this->lattice.Behind(place);
       const Lanes exit = Min(behind.t, this->rays.exit);
-      const CellCorners corners = this->voxels.CornersOf(place.cell - one);
-      this->Take(
-        this->extreme.sense * CubicBetween(corners, this->rays.At(place.t), this->rays.At(exit)),
-        mask);
+      this->found =
+        this->cells.BetterOf(this->rays, place, exit, this->extreme.sense, this->found, mask);
       place = Select(mask, behind, place);
       mask &= LaneMask(place.t < end);
     }
     return place.t;
-  }
-
-  void Take(const CellCubicLanes& cubic, LaneMask mask)
-  {
-    Lanes best = Max(this->found, Max(cubic.b0, cubic.b3));
-    if (Any(mask & LaneMask(Max(cubic.b1, cubic.b2) > best)))
-    {
-      const ExtremePlaces places = ExtremesOf(cubic);
-      best = Max(best, Max(cubic.ValueAt(places.first), cubic.ValueAt(places.second)));
-    }
-    this->found = Select(mask, best, this->found);
   }
 
   // Shaders/Blend/MaximumIntensity.glsl.
@@ -118,8 +142,8 @@ private:
   const PacketScene& scene;
   const PacketExtreme& extreme;
   const PacketRays& rays;
-  PacketVoxels<Voxel> voxels;
-  PacketLattice cells;
+  Cells cells;
+  PacketLattice lattice; ///< of them
   PacketLattice bricks;
   Lanes found = All(-Never);
 };

@@ -110,6 +110,14 @@ inline Optical ClassifyBetween(const PacketLook& look, Lanes startValue, Lanes e
   return { (1.0f / Max(emission.extinction, All(1e-30f))) * emission.color, emission.extinction };
 }
 
+/// Shaders/Math/Absorption.glsl: 1 - exp(-depth), without cancellation. Beyond a depth of 100
+/// nothing of a float is left.
+inline Lanes Absorption(Lanes depth)
+{
+  const PowerOfTwo power(-1.442695041f * Min(depth, All(100.0f))); // 1 - 2^i - 2^i (2^f - 1)
+  return (1.0f - power.whole) - power.whole * power.partLessOne;
+}
+
 /// Emission and absorption, front to back; see Shaders/Blend/Composite.glsl.
 struct PacketSum
 {
@@ -121,10 +129,7 @@ struct PacketSum
   {
     const Lanes depth = Min(optical.extinction * lengthMm, All(100.0f));
     this->opticalDepth += depth;
-    // 1 - exp(-depth), without cancellation: 1 - 2^i - 2^i (2^f - 1).
-    const PowerOfTwo power(-1.442695041f * depth);
-    const Lanes absorbed = (1.0f - power.whole) - power.whole * power.partLessOne;
-    const Lanes seen = this->transmittance * absorbed;
+    const Lanes seen = this->transmittance * Absorption(depth);
     this->color = this->color + seen * optical.color;
     this->transmittance -= seen;
   }

@@ -32,6 +32,10 @@ enum class PacketRule
   MaterialLinear,
   Extreme,
   Isosurfaces,
+  Projection,
+  Voxels, ///< without interpolation,
+  MaterialVoxels,
+  ExtremeVoxel,
 };
 
 /// What surfaces are lit by.
@@ -63,7 +67,7 @@ struct PacketCamera
 
 /// Voxels as their owner keeps them: at least two along each axis, x fastest, fewer than 2^31, all
 /// of them finite. Or coefficients of a spline through them, of type Float32, of which a composite
-/// is drawn, with at least four along each axis.
+/// or projection is drawn, with at least four along each axis.
 struct PacketVolume
 {
   const void* voxels;
@@ -148,6 +152,17 @@ struct PacketExtreme
   float bestPerStep;
 };
 
+/// A mean or a sum; see Shaders/Blend/AverageIntensity.glsl and Additive.glsl.
+struct PacketProjection
+{
+  bool isMean; ///< else a sum
+  float smallestValue;
+  float grayPerValue;
+  float opacityUnitDistanceMm;
+  glm::vec2 countedValues; ///< both included
+  float mostIntegral;      ///< [mm] behind that, a ray ends
+};
+
 /// Shaders/Surface/Isosurfaces.glsl.
 struct PacketIsosurfaces
 {
@@ -188,7 +203,8 @@ struct PacketScene
   PacketLight light;         ///< these, and
   PacketGradientOpacity gradientOpacity;
   PacketExtreme extreme;         ///< where that is the rule,
-  PacketIsosurfaces isosurfaces; ///< and these
+  PacketIsosurfaces isosurfaces; ///< these,
+  PacketProjection projection;   ///< and this
   PacketSteps steps;
   PacketCuts cuts;
   PacketDepths depths;

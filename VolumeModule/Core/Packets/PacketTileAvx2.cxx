@@ -3,9 +3,11 @@
 
 #include "Core/Packets/PacketTile.h"
 
+#include "Core/Packets/PacketBoxes.h"
 #include "Core/Packets/PacketExtreme.h"
 #include "Core/Packets/PacketIsosurfaces.h"
 #include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketProjection.h"
 #include "Core/Packets/PacketSpline.h"
 
 namespace varimarch
@@ -39,10 +41,30 @@ FLATTENED PacketSum MarchValues(
                                             : MarchPreIntegrated<Voxels>(scene, rays, walk);
 }
 
-template <class Voxel>
+template <class Cells>
 FLATTENED PacketSum MarchExtreme(const PacketScene& scene, const PacketRays& rays)
 {
-  return ExtremeMarch<Voxel>(scene, rays).March();
+  return ExtremeMarch<Cells>(scene, rays).March();
+}
+
+template <class Voxels>
+FLATTENED PacketSum MarchProjection(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  return ProjectionMarch<Voxels>(scene, rays, walk).March();
+}
+
+template <class Voxel>
+FLATTENED PacketSum MarchVoxels(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  if (scene.rule == PacketRule::Voxels)
+  {
+    return MarchBoxValues<Voxel>(scene, rays, walk);
+  }
+  return HeadLitMaterial::IsThatOf(scene)
+    ? MarchBoxMaterials<Voxel, HeadLitMaterial>(scene, rays, walk)
+    : MarchBoxMaterials<Voxel, PacketMaterial>(scene, rays, walk);
 }
 
 template <class Voxel>
@@ -53,8 +75,12 @@ FLATTENED PacketSum MarchIsosurfaces(
 }
 
 template <class Voxels>
-PacketSum MarchComposite(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+PacketSum MarchSampled(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
+  if (scene.rule == PacketRule::Projection)
+  {
+    return MarchProjection<Voxels>(scene, rays, walk);
+  }
   if (scene.rule == PacketRule::Midpoint || scene.rule == PacketRule::PreIntegrated)
   {
     return MarchValues<Voxels>(scene, rays, walk);
@@ -70,11 +96,16 @@ PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWa
   switch (scene.rule)
   {
     case PacketRule::Extreme:
-      return MarchExtreme<Voxel>(scene, rays);
+      return MarchExtreme<CubicCells<Voxel>>(scene, rays);
+    case PacketRule::ExtremeVoxel:
+      return MarchExtreme<PacketBoxes<Voxel>>(scene, rays);
     case PacketRule::Isosurfaces:
       return MarchIsosurfaces<Voxel>(scene, rays, walk);
+    case PacketRule::Voxels:
+    case PacketRule::MaterialVoxels:
+      return MarchVoxels<Voxel>(scene, rays, walk);
     default:
-      return MarchComposite<PacketVoxels<Voxel>>(scene, rays, walk);
+      return MarchSampled<PacketVoxels<Voxel>>(scene, rays, walk);
   }
 }
 
@@ -82,7 +113,7 @@ PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWa
 {
   if (scene.volume.areOfSpline)
   {
-    return MarchComposite<PacketSpline>(scene, rays, walk);
+    return MarchSampled<PacketSpline>(scene, rays, walk);
   }
   switch (scene.volume.type)
   {

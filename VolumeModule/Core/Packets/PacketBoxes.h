@@ -1,0 +1,156 @@
+#ifndef Varimarch_Core_Packets_PacketBoxes_h
+#define Varimarch_Core_Packets_PacketBoxes_h
+
+// Voxels without interpolation: boxes of one value, which reach half a voxel to every side.
+// Shaders/March/Voxels.glsl and, of one component, MaterialVoxels.glsl.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketLattice.h"
+#include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/PacketScene.h"
+#include "Core/Packets/PacketVoxels.h"
+#include "Core/Packets/PacketWalk.h"
+
+#include <type_traits>
+
+namespace varimarch
+{
+
+/// @param index  of the voxel of each lane, from `first` on
+template <class Voxel>
+Lanes ValuesAt(const Voxel* first, const IntNumbers& index)
+{
+  using Number = std::conditional_t<std::is_same_v<Voxel, float>, float, std::int32_t>;
+  const auto value = [&](int lane) { return Number(first[index.of[lane]]); };
+  if constexpr (std::is_same_v<Voxel, float>)
+  {
+    return Lanes{ value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7) };
+  }
+  else
+  {
+    return FloatOf(
+      IntLanes{ value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7) });
+  }
+}
+
+/// The boxes as a lattice whose cells they are. Beyond the outermost ones these go on.
+template <class Voxel>
+class PacketBoxes
+{
+public:
+  explicit PacketBoxes(const PacketVolume& volume)
+    : first(static_cast<const Voxel*>(volume.voxels))
+    , count(volume.voxelCount)
+  {
+  }
+
+  PacketLattice LatticeOf(const PacketRays& rays) const
+  {
+    return PacketLattice(rays, 1.0f, -0.5f, this->count);
+  }
+
+  /// @param voxel  whole numbers
+  Lanes ValueOf(const Lanes3& voxel) const
+  {
+    return ValuesAt(this->first,
+      IntNumbers(this->WithinAxis(voxel.x, 0) + this->count.x * this->WithinAxis(voxel.y, 1) +
+        this->count.x * this->count.y * this->WithinAxis(voxel.z, 2)));
+  }
+
+  /// Differences one voxel to either side.
+  Lanes3 GradientOf(const Lanes3& voxel) const
+  {
+    const auto along = [&](float x, float y, float z)
+    {
+      const Lanes3 step{ All(x), All(y), All(z) };
+      return this->ValueOf(voxel + step) - this->ValueOf(voxel - step);
+    };
+    return { along(1.0f, 0.0f, 0.0f), along(0.0f, 1.0f, 0.0f), along(0.0f, 0.0f, 1.0f) };
+  }
+
+  /// For ExtremeMarch: the value of a box. One that a ray but touches is not seen: rounding may
+  /// find such a one where the ray begins or ends.
+  Lanes BetterOf(const PacketRays& rays, const LatticePlaces& place, Lanes exit, float sense,
+    Lanes found, LaneMask mask) const
+  {
+    constexpr float ShortestVoxels = 2e-5f;
+    const LaneMask isSeen =
+      mask & LaneMask((exit - place.t) * Length(rays.directionGrid) > ShortestVoxels);
+    return Select(isSeen, Max(found, sense * this->ValueOf(place.cell)), found);
+  }
+
+private:
+  IntLanes WithinAxis(Lanes voxel, int axis) const
+  {
+    return Truncated(Clamp(voxel, Lanes{}, All(float(this->count[axis] - 1))));
+  }
+
+  const Voxel* first;
+  glm::ivec3 count;
+};
+
+/// Marches from face to face; each box is read once, and what is taken in of it is exact.
+/// @param take  (sum, voxel, its value, where the rays enter it, and how long they are in it [mm],
+///              0 where a ray has ended)
+template <class Voxel, class Take>
+PacketSum MarchBoxes(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
+  const PacketBoxes<Voxel>& boxes, Take take)
+{
+  constexpr float VoxelsPerSegment = 4.0f;
+  const Lanes segmentMm = VoxelsPerSegment / Length(rays.directionGrid);
+  const PacketLattice lattice = boxes.LatticeOf(rays);
+  PacketSum sum;
+  LatticePlaces place = lattice.At(rays.enter);
+  LaneMask going = GoOn(scene, rays, place.t, sum);
+  for (int index = 0; index < scene.steps.mostSegments && Any(going); ++index)
+  {
+    const SegmentLanes segment = walk.NextOfBricks(place.t, segmentMm, going);
+    const LaneMask jumps = going & LaneMask(segment.enter > place.t);
+    place = Select(jumps, lattice.At(segment.enter), place);
+    going &= LaneMask(place.t < rays.exit);
+    for (LaneMask inside = going; Any(inside);
+         inside &= LaneMask(place.t < segment.exit) & GoOn(scene, rays, place.t, sum))
+    {
+      const LatticePlaces behind = lattice.Behind(place);
+      const Lanes value = boxes.ValueOf(place.cell);
+      const LaneMask absorbs = inside & MayAbsorb(scene.look, value, value);
+      if (Any(absorbs))
+      {
+        const Lanes lengthMm = Select(absorbs, Min(behind.t, rays.exit) - place.t, Lanes{});
+        take(sum, place.cell, value, place.t, lengthMm);
+      }
+      place = Select(inside, behind, place);
+    }
+    going &= GoOn(scene, rays, place.t, sum);
+  }
+  return sum;
+}
+
+template <class Voxel>
+PacketSum MarchBoxValues(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  return MarchBoxes(scene, rays, walk, PacketBoxes<Voxel>(scene.volume),
+    [&](PacketSum& sum, const Lanes3&, Lanes value, Lanes, Lanes lengthMm)
+    { sum.Add(Classify(scene.look, value), lengthMm); });
+}
+
+/// A box has one gradient, that at its middle.
+template <class Voxel, class Material>
+PacketSum MarchBoxMaterials(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+{
+  const PacketBoxes<Voxel> boxes(scene.volume);
+  const Material material(scene, rays);
+  return MarchBoxes(scene, rays, walk, boxes,
+    [&](PacketSum& sum, const Lanes3& voxel, Lanes value, Lanes enter, Lanes lengthMm)
+    {
+      const Surface surface = material.SurfaceOf(boxes.GradientOf(voxel));
+      sum.Add(material.At(value, surface, enter + 0.5f * lengthMm), lengthMm);
+    });
+}
+
+}
+
+#endif

@@ -1,0 +1,109 @@
+#ifndef Varimarch_Core_Packets_PacketProjection_h
+#define Varimarch_Core_Packets_PacketProjection_h
+
+// A mean or a sum of values along rays: Shaders/March/Projection.glsl, Blend/AverageIntensity.glsl
+// and Blend/Additive.glsl.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/PacketScene.h"
+#include "Core/Packets/PacketWalk.h"
+
+namespace varimarch
+{
+
+/// A march of segments of equal parts. What a ray leaves out is invisible throughout, as its first
+/// point is, but its length counts.
+template <class Voxels>
+class ProjectionMarch
+{
+public:
+  ProjectionMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+    : scene(scene)
+    , projection(scene.projection)
+    , rays(rays)
+    , walk(walk)
+    , voxels(scene.volume)
+  {
+  }
+
+  PacketSum March()
+  {
+    Lanes t = this->rays.enter;
+    LaneMask going = LaneMask(t < this->rays.exit);
+    for (int index = 0; index < this->scene.steps.mostSegments && Any(going); ++index)
+    {
+      const SegmentLanes segment = this->walk.NextSegment(
+        t, AllInt(index), PartsPerSegment * this->scene.steps.stepMm, Lanes{}, going);
+      const LaneMask leavesOut = going & LaneMask(segment.enter > t);
+      if (Any(leavesOut))
+      {
+        const Lanes leftOutMm = Min(segment.enter, this->rays.exit) - t;
+        this->Add(this->voxels.ValueAt(this->rays.At(t)), Select(leavesOut, leftOutMm, Lanes{}));
+      }
+      going &= LaneMask(segment.enter < this->rays.exit);
+      t = Min(segment.exit, this->rays.exit);
+      this->AddParts(segment.enter, Select(going, t - segment.enter, Lanes{}));
+      going &=
+        LaneMask(t < this->rays.exit) & LaneMask(this->integral < this->projection.mostIntegral);
+    }
+    return this->Seen();
+  }
+
+private:
+  static constexpr int PartsPerSegment = 4;
+
+  void AddParts(Lanes enter, Lanes lengthMm)
+  {
+    const Lanes partMm = (1.0f / PartsPerSegment) * lengthMm;
+    Lanes values[PartsPerSegment];
+    ReadValues(this->voxels, this->rays, enter + 0.5f * partMm, partMm, values);
+    for (const Lanes& value : values)
+    {
+      this->Add(value, partMm);
+    }
+  }
+
+  void Add(Lanes value, Lanes lengthMm)
+  {
+    const LaneMask counts = LaneMask(value >= this->projection.countedValues.x) &
+      LaneMask(value <= this->projection.countedValues.y);
+    const Lanes countedMm = Select(counts, lengthMm, Lanes{});
+    this->lengthMm += countedMm;
+    if (Any(MayAbsorb(this->scene.look, value, value)))
+    {
+      const Lanes extinction = Classify(this->scene.look, value).extinction;
+      const Lanes opacity = Absorption(extinction * this->projection.opacityUnitDistanceMm);
+      const Lanes gray = (value - this->projection.smallestValue) * this->projection.grayPerValue;
+      this->integral += opacity * gray * countedMm;
+    }
+  }
+
+  // White on black; a ray without any sample is transparent.
+  PacketSum Seen() const
+  {
+    const Lanes lengthMm = this->projection.isMean ? Max(this->lengthMm, All(1e-30f))
+                                                   : All(this->projection.opacityUnitDistanceMm);
+    const LaneMask hasSample = LaneMask(this->lengthMm > 0.0f);
+    const Lanes white =
+      Select(hasSample, Clamp(this->integral / lengthMm, Lanes{}, All(1.0f)), Lanes{});
+    PacketSum sum;
+    sum.color = { white, white, white };
+    sum.transmittance = Select(hasSample, Lanes{}, All(1.0f));
+    return sum;
+  }
+
+  const PacketScene& scene;
+  const PacketProjection& projection;
+  const PacketRays& rays;
+  const PacketWalk& walk;
+  Voxels voxels;
+  Lanes integral = {}; ///< [mm]
+  Lanes lengthMm = {}; ///< of what counts
+};
+
+}
+
+#endif
