@@ -166,4 +166,17 @@ double ShortestSampleDistanceMm(const Frame& frame)
   return sumMm * rounds / RoundsOfOne;
 }
 
+// As many as a ray along the diagonal takes at the sample distance, and as many as the faces of
+// cells it can pass.
+int MostSegmentsOf(const Frame& frame)
+{
+  const double steps = std::ceil(LongestRayMm(frame) / frame.sampleDistanceMm);
+  int most = int(steps);
+  const auto add = [&](const Frame& one)
+  { most += one.geometry.dimensions.x + one.geometry.dimensions.y + one.geometry.dimensions.z; };
+  add(frame);
+  std::for_each(frame.others.begin(), frame.others.end(), add);
+  return most;
+}
+
 }

@@ -40,6 +40,9 @@ double ThinnestSideMm(const Frame& frame);
 /// of its own for each segment.
 double ShortestSampleDistanceMm(const Frame& frame);
 
+/// More segments than any ray has.
+int MostSegmentsOf(const Frame& frame);
+
 }
 
 #endif

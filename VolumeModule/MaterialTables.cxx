@@ -141,4 +141,23 @@ std::vector<double> MaterialTableInputs(vtkVolumeProperty* property, const Rende
   return inputs;
 }
 
+int OpacityComponentOf(const RenderSettings& settings, int part)
+{
+  switch (settings.components)
+  {
+    case Components::LuminanceOpacity:
+      return 1;
+    case Components::Rgba:
+      return 3;
+    default:
+      return part;
+  }
+}
+
+glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component)
+{
+  return { property->GetAmbient(component), property->GetDiffuse(component),
+    property->GetSpecular(component), property->GetSpecularPower(component) };
+}
+
 }

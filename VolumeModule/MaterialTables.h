@@ -5,6 +5,7 @@
 #include "Core/TransferFunction.h"
 
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <array>
 #include <vector>
@@ -50,6 +51,12 @@ OpticalTable UpperBound(
 /// All that these tables depend on, but the range of the values.
 std::vector<double> MaterialTableInputs(
   vtkVolumeProperty* property, const RenderSettings& settings);
+
+/// The component that a part's opacity is of.
+int OpacityComponentOf(const RenderSettings& settings, int part);
+
+/// Coefficients of ambient, diffuse and specular light, and the specular power.
+glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component);
 
 }
 

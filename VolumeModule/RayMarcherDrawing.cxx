@@ -88,28 +88,22 @@ private:
 }
 
 // All that a drawing may have made active.
-std::vector<vtkTextureObject*> RayMarcher::TexturesOf(const DrawnBlock& drawn) const
+std::vector<vtkTextureObject*> RayMarcher::TexturesOf(const DrawnBlock& drawn)
 {
-  std::vector<vtkTextureObject*> textures = { this->field.Texture(), this->opticalTable.Texture(),
-    this->preIntegratedTable.Texture(), this->depth.Texture(), this->lights.Texture(),
-    this->gradientOpacity.Texture(), this->twoValues.Texture(), this->mask.Texture(),
-    this->accumulation.Drawn(), this->accumulation.Finished() };
-  textures.push_back(this->packets.Texture());
-  const std::vector<vtkTextureObject*> ofPicture = this->picture.Textures();
-  textures.insert(textures.end(), ofPicture.begin(), ofPicture.end());
-  textures.insert(textures.end(),
-    { this->clippingPlanes.Texture(), this->isosurfaces.Texture(), this->spacing.Texture() });
-  for (const auto& other : this->others)
-  {
-    const std::vector<vtkTextureObject*> ofOther =
-      other->TexturesOf({ &other->blocks.Take(this->window, 0), {}, {}, {}, {} });
-    textures.insert(textures.end(), ofOther.begin(), ofOther.end());
-  }
+  std::vector<vtkTextureObject*> textures = { this->depth.Texture(), this->accumulation.Drawn(),
+    this->accumulation.Finished(), this->packets.Texture() };
+  const auto add = [&](const std::vector<vtkTextureObject*>& more)
+  { textures.insert(textures.end(), more.begin(), more.end()); };
+  add(this->picture.Textures());
+  add(this->volume.Textures());
   if (drawn.block)
   {
-    textures.insert(textures.end(),
-      { drawn.block->volume.Texture(), drawn.block->gaps.Texture(),
-        drawn.block->scalarField.Texture() });
+    add(drawn.block->Textures());
+  }
+  for (const auto& other : this->others)
+  {
+    add(other->Textures());
+    add(other->Blocks().Take(this->window, 0).Textures());
   }
   return textures;
 }

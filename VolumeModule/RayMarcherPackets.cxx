@@ -5,20 +5,15 @@
 #include "BoxInView.h"
 #include "Core/Packets/PacketMarch.h"
 #include "Core/ShaderRecipe.h"
+#include "PacketSceneOf.h"
 #include "SoftwareRasterizer.h"
 
-#include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtk_glew.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -64,20 +59,6 @@ bool CanBeIndexed(glm::ivec3 voxels, bool cubic)
     count < double(std::numeric_limits<int>::max());
 }
 
-bool AreFinite(vtkDataArray* array)
-{
-  const float* const voxels = static_cast<const float*>(array->GetVoidPointer(0));
-  std::atomic<bool> finite = true;
-  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, array->GetNumberOfValues(), 1 << 16),
-    [&](const tbb::blocked_range<vtkIdType>& part)
-    {
-      const bool isFinite = std::all_of(voxels + part.begin(), voxels + part.end(),
-        [](float voxel) { return std::isfinite(voxel); });
-      finite = finite && isFinite;
-    });
-  return finite;
-}
-
 // Of pixels of a viewport, those that are drawn.
 Viewport WithinScissors(const Viewport& pixels, const Viewport& viewport, vtkOpenGLState* state)
 {
@@ -104,30 +85,44 @@ Viewport WithinScissors(const Viewport& pixels, const Viewport& viewport, vtkOpe
 // Shaders know where gaps are, and shift and scale floats that are large, small or far from zero.
 bool RayMarcher::HasPlainValues(const Frame& frame)
 {
-  const ScalarTexels& texels = this->blocks.Texels();
+  const ScalarTexels& texels = this->volume.Blocks().Texels();
   if (frame.blanking.Any() || texels.normalized)
   {
     return !frame.blanking.Any();
   }
   constexpr double Large = 1e15;
-  if (texels.mapping.offset != 0.0 || texels.mapping.scale > Large ||
-    texels.mapping.scale < 1.0 / Large)
-  {
-    return false;
-  }
-  if (!this->voxelsAreFinite)
-  {
-    this->voxelsAreFinite = AreFinite(this->ChannelsReadBy(frame).front().array);
-  }
-  return *this->voxelsAreFinite;
+  return texels.mapping.offset == 0.0 && texels.mapping.scale <= Large &&
+    texels.mapping.scale >= 1.0 / Large && this->volume.AreVoxelsFinite();
 }
 
 bool RayMarcher::MarchesPackets(const Frame& frame)
 {
   return frame.mayMarchByProcessor && CanMarchPackets() && IsSoftwareRasterizer() &&
     HasPacketRecipe(frame.settings) && !frame.toImages && frame.mostMemoryBytes == 0 &&
-    frame.userCode.IsEmpty() && PacketVoxelTypeOf(this->ChannelsReadBy(frame)) &&
+    frame.userCode.IsEmpty() && PacketVoxelTypeOf(this->volume.MarchedChannels()) &&
     CanBeIndexed(frame.geometry.dimensions, frame.settings.cubic) && this->HasPlainValues(frame);
+}
+
+PacketSurroundings RayMarcher::SurroundingsOf(const Frame& frame)
+{
+  PacketSurroundings around = {};
+  around.drawnBox = this->drawnBox;
+  around.planesGrid = { frame.cuts.planesGrid.begin(), frame.cuts.planesGrid.end() };
+  if (frame.settings.sceneGeometry)
+  {
+    around.depth = this->depth.Read(frame.window);
+    around.depthPixels = this->depth.SizePixels();
+  }
+  if (frame.settings.lights)
+  {
+    around.lights = LightTexelsOf(frame.renderer);
+  }
+  if (frame.settings.blend == Blend::Isosurface)
+  {
+    around.isosurfaces = IsosurfaceEntriesOf(frame);
+  }
+  around.noise = frame.settings.jitter ? this->picture.noise.Tile().data() : nullptr;
+  return around;
 }
 
 void RayMarcher::DrawPackets(const Frame& frame)
@@ -141,16 +136,12 @@ void RayMarcher::DrawPackets(const Frame& frame)
   {
     return;
   }
-  const PacketArrays arrays{ { frame.cuts.planesGrid.begin(), frame.cuts.planesGrid.end() },
-    frame.settings.sceneGeometry ? this->depth.Read(frame.window) : std::vector<float>(),
-    frame.settings.lights ? LightTexelsOf(frame.renderer) : LightTexels(),
-    frame.settings.blend == Blend::Isosurface ? IsosurfaceEntriesOf(frame)
-                                              : std::vector<glm::vec4>() };
-  PacketScene scene = this->SceneOfPackets(frame, arrays);
+  const PacketSurroundings around = this->SurroundingsOf(frame);
+  PacketScene scene = PacketSceneOf(frame, this->volume, around);
   std::optional<VisibleDepths> visible;
   if (scene.steps.bricks && scene.rule != PacketRule::Projection) // there what is invisible counts
   {
-    visible.emplace(this->field.VisibleBlocks(), clipFromGrid, scene.camera, pixels);
+    visible.emplace(this->volume.Field().VisibleBlocks(), clipFromGrid, scene.camera, pixels);
     scene.depths = visible->Depths();
   }
   this->packets.March(frame.window, scene, pixels);

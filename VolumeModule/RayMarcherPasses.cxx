@@ -27,7 +27,7 @@ constexpr double LeastDepthOpacity = 1e-3;
 
 void RayMarcher::DrawPass(const Frame& frame)
 {
-  if (this->blocks.Partition().Count() > 1)
+  if (this->volume.Blocks().Partition().Count() > 1)
   {
     throw std::runtime_error("A volume in blocks is not drawn between translucent geometry, nor "
                              "selected: the maximum graphics memory, or the device's 3D textures, "

@@ -72,7 +72,8 @@ void RayMarcher::DrawAccumulated(const Frame& frame)
     next.rayOffsetPixels = pictures.NextOffsetPixels();
     next.addsUp = true;
     // Blocks are drawn into a framebuffer of all the rays.
-    const bool isInStrips = frame.longestPartSeconds > 0.0 && this->blocks.Partition().Count() == 1;
+    const bool isInStrips =
+      frame.longestPartSeconds > 0.0 && this->volume.Blocks().Partition().Count() == 1;
     if (isInStrips && pictures.IsEmpty() && pictures.IsDivided(next.viewport))
     {
       this->DrawBeneath(frame);

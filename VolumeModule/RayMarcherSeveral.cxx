@@ -1,5 +1,5 @@
-// Several volumes that overlap: each has a marcher of its own for its resources and uniforms, and
-// the first draws all in one march, along rays in its grid.
+// Several volumes that overlap: each has resources and uniforms of its own, and all are drawn in
+// one march, along rays in the grid of the first.
 
 #include "RayMarcher.h"
 
@@ -45,6 +45,20 @@ Box Around(const Box& box, const Box& other, const glm::dmat4& boxFromOther)
   return around;
 }
 
+// Of a volume that overlaps with others, after its blocks are there.
+void CheckOneBlock(const VolumeResources& resources, const Frame& frame)
+{
+  if (resources.Blocks().Partition().Count() > 1)
+  {
+    throw std::runtime_error("Volumes that overlap are not drawn in blocks: the maximum graphics "
+                             "memory, or the device's 3D textures, are too small for them");
+  }
+  if (frame.settings.gaps)
+  {
+    throw std::runtime_error("Volumes that overlap are not drawn where values are not finite");
+  }
+}
+
 }
 
 void RayMarcher::UpdateOthers(Frame& frame)
@@ -56,30 +70,14 @@ void RayMarcher::UpdateOthers(Frame& frame)
   {
     if (i == this->others.size())
     {
-      this->others.push_back(std::make_unique<RayMarcher>());
+      this->others.push_back(std::make_unique<VolumeResources>());
     }
-    RayMarcher& marcher = *this->others[i];
+    VolumeResources& resources = *this->others[i];
     Frame& other = frame.others[i];
-    marcher.EnterWindow(frame.window);
-    marcher.UpdateVolume(other);
-    marcher.UpdateResources(other);
-    marcher.CheckOneBlock(other);
-    marcher.drawnBox = marcher.visibleBox;
+    resources.UpdateVoxels(other);
+    resources.Update(other, {});
+    CheckOneBlock(resources, other);
     frame.settings.others.push_back(other.settings);
-  }
-}
-
-// Of a volume that overlaps with others, after its blocks are there.
-void RayMarcher::CheckOneBlock(const Frame& frame) const
-{
-  if (this->blocks.Partition().Count() > 1)
-  {
-    throw std::runtime_error("Volumes that overlap are not drawn in blocks: the maximum graphics "
-                             "memory, or the device's 3D textures, are too small for them");
-  }
-  if (frame.settings.gaps)
-  {
-    throw std::runtime_error("Volumes that overlap are not drawn where values are not finite");
   }
 }
 
@@ -87,12 +85,12 @@ Box RayMarcher::BoxOfAll(const Frame& frame) const
 {
   if (!frame.others.empty())
   {
-    this->CheckOneBlock(frame);
+    CheckOneBlock(this->volume, frame);
   }
-  Box box = this->visibleBox;
+  Box box = this->volume.VisibleBox();
   for (std::size_t i = 0; i < frame.others.size(); ++i)
   {
-    box = Around(box, this->others[i]->visibleBox, GridFromGrid(frame, frame.others[i]));
+    box = Around(box, this->others[i]->VisibleBox(), GridFromGrid(frame, frame.others[i]));
   }
   return box;
 }
@@ -111,17 +109,9 @@ std::size_t RayMarcher::BytesOfOthers() const
   std::size_t bytes = 0;
   for (const auto& other : this->others)
   {
-    bytes += other->GraphicsMemoryBytes();
+    bytes += other->Bytes();
   }
   return bytes;
-}
-
-void RayMarcher::SetOwnUniforms(const Frame& frame, const glm::dmat4& gridFromRays)
-{
-  this->program.Set("ownGridFromRays", gridFromRays);
-  this->program.Set("ownLowerGrid", this->visibleBox.lower);
-  this->program.Set("ownUpperGrid", glm::max(this->visibleBox.lower, this->visibleBox.upper));
-  this->program.Set("voxelCount", glm::dvec3(frame.geometry.dimensions));
 }
 
 void RayMarcher::SetUniformsOfOthers(const Frame& frame)
@@ -130,16 +120,19 @@ void RayMarcher::SetUniformsOfOthers(const Frame& frame)
   {
     return;
   }
-  this->SetOwnUniforms(frame, glm::dmat4(1.0));
+  VolumeUniforms(this->program, this->volume, frame).SetOwnGrid(glm::dmat4(1.0));
   for (std::size_t i = 0; i < frame.others.size(); ++i)
   {
-    RayMarcher& marcher = *this->others[i];
+    VolumeResources& resources = *this->others[i];
     const Frame& other = frame.others[i];
-    const DrawnBlock drawn = marcher.WholeVolume(other);
-    marcher.program.Share(this->program, i);
-    marcher.SetPlaceUniforms(other, drawn);
-    marcher.SetMarchUniforms(other, drawn);
-    marcher.SetOwnUniforms(other, GridFromGrid(other, frame));
+    const DrawnBlock drawn{ &resources.Blocks().Take(frame.window, 0),
+      { glm::ivec3(0), other.geometry.dimensions }, {}, {}, {} };
+    RayMarchProgram part;
+    part.Share(this->program, i);
+    VolumeUniforms uniforms(part, resources, other);
+    uniforms.SetPlace(drawn);
+    uniforms.SetMarch(drawn);
+    uniforms.SetOwnGrid(GridFromGrid(other, frame));
   }
 }
 

@@ -5,6 +5,8 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
 
+#include <glm/vec2.hpp>
+
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -24,6 +26,10 @@ public:
   std::vector<float> Read(vtkOpenGLRenderWindow* window);
 
   vtkTextureObject* Texture() const { return this->depth; }
+  glm::ivec2 SizePixels() const
+  {
+    return glm::ivec2(this->depth->GetWidth(), this->depth->GetHeight());
+  }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
 

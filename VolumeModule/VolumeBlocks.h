@@ -31,6 +31,10 @@ struct VolumeBlock
   {
     return this->volume.Bytes() + this->gaps.Bytes() + this->scalarField.Bytes();
   }
+  std::vector<vtkTextureObject*> Textures() const
+  {
+    return { this->volume.Texture(), this->gaps.Texture(), this->scalarField.Texture() };
+  }
   void Release(vtkWindow* window);
 };
 

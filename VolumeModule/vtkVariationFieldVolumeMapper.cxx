@@ -105,14 +105,14 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
   }
   const double pixels = double(frame.viewport.width) * frame.viewport.height;
   varimarch::UseQuality(this->Quality.Next(allocatedSeconds, pixels), mapper, frame);
-  const int builds = this->Marcher.Builds().OfResources();
+  const int builds = this->Marcher.ResourceBuilds();
   frame.window->WaitForCompletion();
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
   this->Marcher.Draw(frame);
   frame.window->WaitForCompletion();
   timer->StopTimer();
-  if (this->Marcher.Builds().OfResources() == builds)
+  if (this->Marcher.ResourceBuilds() == builds)
   {
     this->Quality.Took(timer->GetElapsedTime());
   }
@@ -346,12 +346,12 @@ int vtkVariationFieldVolumeMapper::GetOpticalTableBuilds()
 
 int vtkVariationFieldVolumeMapper::GetShaderBuilds()
 {
-  return this->Private->Marcher.Builds().shader;
+  return this->Private->Marcher.ShaderBuilds();
 }
 
 int vtkVariationFieldVolumeMapper::GetToleranceSearches()
 {
-  return this->Private->Marcher.Builds().tolerance;
+  return this->Private->Marcher.ToleranceSearches();
 }
 
 bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()

@@ -1,9 +1,10 @@
 // A frame in plain numbers, as packets of rays are marched by it.
 
-#include "RayMarcher.h"
+#include "PacketSceneOf.h"
 
-#include "Core/Packets/PacketMarch.h"
+#include "BlueNoiseTexture.h"
 #include "Core/ShaderRecipe.h"
+#include "JoinedFrame.h"
 
 #include "vtkDataArray.h"
 #include "vtkRenderer.h"
@@ -103,6 +104,111 @@ PacketRule RuleOf(const RenderSettings& settings)
     : (isMidpoint ? PacketRule::Midpoint : PacketRule::PreIntegrated);
 }
 
+PacketTwoValues TwoValuesOf(const Frame& frame, const VolumeResources& volume)
+{
+  PacketTwoValues look = {};
+  if (frame.settings.functionOf == FunctionOf::ValueAndGradient)
+  {
+    const ScalarTexels& texels = volume.Blocks().Texels();
+    const double range = texels.largestScalar - texels.smallestScalar;
+    const double placePerValue = range > 0.0 ? 1.0 / range : 0.0;
+    look.entries = volume.TwoValues().Entries().data();
+    look.size = volume.TwoValuesSize();
+    look.placeScale = float(placePerValue);
+    look.placeOffset = float(-texels.smallestScalar * placePerValue);
+    look.placesPerGradient = frame.geometry.gradientFactors / LargestGradient(texels);
+    look.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
+  }
+  return look;
+}
+
+PacketLook LookOf(const Frame& frame, const VolumeResources& volume)
+{
+  const OpticalTable& table = volume.OpticalTables().Table();
+  const bool preIntegrated = UsesPreIntegration(frame.settings);
+  const std::vector<glm::vec4>& entries =
+    preIntegrated ? volume.PreIntegrated().Kept().entries : table.entries;
+  const int last = preIntegrated ? volume.PreIntegrated().Kept().size - 1 : int(entries.size()) - 1;
+  const double extent = table.lastValue - table.firstValue;
+  const double indexPerValue = extent > 0.0 ? last / extent : 0.0;
+  const std::array<double, 2>& visible = volume.OpticalTables().VisibleValues();
+  return { entries.data(), last, float(indexPerValue), float(-table.firstValue * indexPerValue),
+    table.entries.front(), table.entries.back(), glm::vec2(visible[0], visible[1]) };
+}
+
+PacketSteps StepsOf(const Frame& frame, const VolumeResources& volume)
+{
+  PacketSteps steps = {};
+  steps.stepMm = float(frame.sampleDistanceMm);
+  steps.mostSegments = MostSegmentsOf(frame);
+  steps.mostOpticalDepth = float(-std::log(frame.earlyTerminationTransmittance));
+  steps.grow = frame.settings.acceleration == Acceleration::OpticalField;
+  steps.brickCount = glm::ivec3(1);
+  steps.cellsPerBrick = float(BrickRanges::CellsPerSide);
+  if (steps.grow && frame.settings.skipsBricks)
+  {
+    steps.bricks = volume.Field().Bricks().data();
+    steps.brickCount = volume.Field().Size();
+  }
+  return steps;
+}
+
+PacketGradientOpacity GradientOpacityOf(const Frame& frame, const VolumeResources& volume)
+{
+  PacketGradientOpacity opacity = {};
+  if (frame.settings.gradientOpacity)
+  {
+    opacity.factors = volume.GradientOpacity().Entries().data();
+    opacity.lastIndex = int(volume.GradientOpacity().Entries().size()) - 1;
+    opacity.indicesPerGradient = frame.geometry.gradientFactors *
+      (opacity.lastIndex / LargestGradient(volume.Blocks().Texels()));
+    opacity.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
+  }
+  return opacity;
+}
+
+PacketExtreme ExtremeOf(const Frame& frame, const VolumeResources& volume)
+{
+  PacketExtreme extreme = {};
+  if (!IsExtreme(frame.settings.blend))
+  {
+    return extreme;
+  }
+  const bool isMaximum = frame.settings.blend == Blend::MaximumIntensity;
+  const ScalarTexels& texels = volume.Blocks().Texels();
+  extreme.sense = isMaximum ? 1.0f : -1.0f;
+  extreme.best = float(isMaximum ? texels.largestValue : -texels.smallestValue);
+  extreme.opacityUnitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
+  extreme.brickCount = glm::ivec3(1);
+  if (frame.settings.acceleration == Acceleration::OpticalField)
+  {
+    const ExtremeSteps steps = volume.ExtremeStepsOf(frame.settings.blend);
+    extreme.bricks = volume.Field().Extremes().data();
+    extreme.brickCount = volume.Field().Size();
+    extreme.bestOfFirstStep = float(steps.sense * steps.firstValue);
+    extreme.bestPerStep = float(steps.sense * steps.valuePerStep);
+  }
+  return extreme;
+}
+
+PacketProjection ProjectionOf(const Frame& frame, const VolumeResources& volume)
+{
+  const ScalarTexels& texels = volume.Blocks().Texels();
+  const double range = texels.largestScalar - texels.smallestScalar;
+  PacketProjection projection = {};
+  projection.isMean = frame.settings.blend == Blend::AverageIntensity;
+  projection.smallestValue = float(texels.smallestScalar);
+  projection.grayPerValue = float(range > 0.0 ? 1.0 / range : 0.0);
+  projection.opacityUnitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
+  constexpr float Any = std::numeric_limits<float>::max();
+  projection.countedValues = projection.isMean
+    ? glm::clamp(
+        glm::dvec2(frame.averagedRange[0], frame.averagedRange[1]), -double(Any), double(Any))
+    : glm::dvec2(-Any, Any);
+  projection.mostIntegral = projection.isMean ? Any : projection.opacityUnitDistanceMm;
+  return projection;
+}
+
 }
 
 std::optional<VoxelType> PacketVoxelTypeOf(const VoxelChannels& channels)
@@ -129,150 +235,36 @@ std::optional<VoxelType> PacketVoxelTypeOf(const VoxelChannels& channels)
   return std::nullopt;
 }
 
-VoxelChannels RayMarcher::ChannelsReadBy(const Frame& frame) const
-{
-  return frame.settings.cubic ? this->spline.Channels() : frame.channels;
-}
-
-PacketTwoValues RayMarcher::TwoValuesOfPackets(const Frame& frame) const
-{
-  PacketTwoValues look = {};
-  if (frame.settings.functionOf == FunctionOf::ValueAndGradient)
-  {
-    const ScalarTexels& texels = this->blocks.Texels();
-    const double range = texels.largestScalar - texels.smallestScalar;
-    const double placePerValue = range > 0.0 ? 1.0 / range : 0.0;
-    look.entries = this->twoValues.Entries().data();
-    look.size = this->twoValuesSize;
-    look.placeScale = float(placePerValue);
-    look.placeOffset = float(-texels.smallestScalar * placePerValue);
-    look.placesPerGradient = frame.geometry.gradientFactors / LargestGradient(texels);
-    look.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
-  }
-  return look;
-}
-
-PacketLook RayMarcher::LookOfPackets(const Frame& frame) const
-{
-  const OpticalTable& table = this->opticalTable.Table();
-  const bool preIntegrated = UsesPreIntegration(frame.settings);
-  const std::vector<glm::vec4>& entries =
-    preIntegrated ? this->preIntegratedTable.Kept().entries : table.entries;
-  const int last =
-    preIntegrated ? this->preIntegratedTable.Kept().size - 1 : int(entries.size()) - 1;
-  const double extent = table.lastValue - table.firstValue;
-  const double indexPerValue = extent > 0.0 ? last / extent : 0.0;
-  const std::array<double, 2>& visible = this->opticalTable.VisibleValues();
-  return { entries.data(), last, float(indexPerValue), float(-table.firstValue * indexPerValue),
-    table.entries.front(), table.entries.back(), glm::vec2(visible[0], visible[1]) };
-}
-
-PacketSteps RayMarcher::StepsOfPackets(const Frame& frame) const
-{
-  PacketSteps steps = {};
-  steps.stepMm = float(frame.sampleDistanceMm);
-  steps.mostSegments = MostSegmentsOf(frame);
-  steps.mostOpticalDepth = float(-std::log(frame.earlyTerminationTransmittance));
-  steps.grow = frame.settings.acceleration == Acceleration::OpticalField;
-  steps.brickCount = glm::ivec3(1);
-  steps.cellsPerBrick = float(BrickRanges::CellsPerSide);
-  if (steps.grow && frame.settings.skipsBricks)
-  {
-    steps.bricks = this->field.Bricks().data();
-    steps.brickCount = this->field.Size();
-  }
-  if (frame.settings.jitter)
-  {
-    steps.noise = this->picture.noise.Tile().data();
-    steps.noiseMask = BlueNoiseTexture::Pixels - 1;
-  }
-  return steps;
-}
-
-PacketGradientOpacity RayMarcher::GradientOpacityOfPackets(const Frame& frame) const
-{
-  PacketGradientOpacity opacity = {};
-  if (frame.settings.gradientOpacity)
-  {
-    opacity.factors = this->gradientOpacity.Entries().data();
-    opacity.lastIndex = int(this->gradientOpacity.Entries().size()) - 1;
-    opacity.indicesPerGradient =
-      frame.geometry.gradientFactors * (opacity.lastIndex / LargestGradient(this->blocks.Texels()));
-    opacity.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
-  }
-  return opacity;
-}
-
-PacketExtreme RayMarcher::ExtremeOfPackets(const Frame& frame) const
-{
-  PacketExtreme extreme = {};
-  if (!IsExtreme(frame.settings.blend))
-  {
-    return extreme;
-  }
-  const bool isMaximum = frame.settings.blend == Blend::MaximumIntensity;
-  const ScalarTexels& texels = this->blocks.Texels();
-  extreme.sense = isMaximum ? 1.0f : -1.0f;
-  extreme.best = float(isMaximum ? texels.largestValue : -texels.smallestValue);
-  extreme.opacityUnitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
-  extreme.brickCount = glm::ivec3(1);
-  if (frame.settings.acceleration == Acceleration::OpticalField)
-  {
-    const ExtremeSteps steps = this->ExtremeStepsOf(frame.settings.blend);
-    extreme.bricks = this->field.Extremes().data();
-    extreme.brickCount = this->field.Size();
-    extreme.bestOfFirstStep = float(steps.sense * steps.firstValue);
-    extreme.bestPerStep = float(steps.sense * steps.valuePerStep);
-  }
-  return extreme;
-}
-
-PacketProjection RayMarcher::ProjectionOfPackets(const Frame& frame) const
-{
-  const ScalarTexels& texels = this->blocks.Texels();
-  const double range = texels.largestScalar - texels.smallestScalar;
-  PacketProjection projection = {};
-  projection.isMean = frame.settings.blend == Blend::AverageIntensity;
-  projection.smallestValue = float(texels.smallestScalar);
-  projection.grayPerValue = float(range > 0.0 ? 1.0 / range : 0.0);
-  projection.opacityUnitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
-  constexpr float Any = std::numeric_limits<float>::max();
-  projection.countedValues = projection.isMean
-    ? glm::clamp(
-        glm::dvec2(frame.averagedRange[0], frame.averagedRange[1]), -double(Any), double(Any))
-    : glm::dvec2(-Any, Any);
-  projection.mostIntegral = projection.isMean ? Any : projection.opacityUnitDistanceMm;
-  return projection;
-}
-
-PacketScene RayMarcher::SceneOfPackets(const Frame& frame, const PacketArrays& arrays) const
+PacketScene PacketSceneOf(
+  const Frame& frame, const VolumeResources& volume, const PacketSurroundings& around)
 {
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   PacketScene scene = {};
-  scene.camera = CameraOf(frame, ComputePixelRays(clipFromGrid, this->drawnBox), this->drawnBox);
-  const VoxelChannels channels = this->ChannelsReadBy(frame);
+  scene.camera = CameraOf(frame, ComputePixelRays(clipFromGrid, around.drawnBox), around.drawnBox);
+  const VoxelChannels channels = volume.MarchedChannels();
   scene.volume = { channels.front().array->GetVoidPointer(0), *PacketVoxelTypeOf(channels),
     frame.settings.cubic, frame.geometry.dimensions };
-  scene.look = this->LookOfPackets(frame);
-  scene.twoValues = this->TwoValuesOfPackets(frame);
-  scene.light = LightOf(frame, arrays.lights, this->blocks.Texels().mapping.scale);
-  scene.gradientOpacity = this->GradientOpacityOfPackets(frame);
-  scene.extreme = this->ExtremeOfPackets(frame);
-  scene.isosurfaces = { arrays.isosurfaces.data(), int(arrays.isosurfaces.size() / 2) };
-  scene.projection = this->ProjectionOfPackets(frame);
-  scene.steps = this->StepsOfPackets(frame);
-  scene.cuts.planesGrid = arrays.planesGrid.data();
-  scene.cuts.planeCount = int(arrays.planesGrid.size());
-  if (!arrays.depth.empty())
+  scene.look = LookOf(frame, volume);
+  scene.twoValues = TwoValuesOf(frame, volume);
+  scene.light = LightOf(frame, around.lights, volume.Blocks().Texels().mapping.scale);
+  scene.gradientOpacity = GradientOpacityOf(frame, volume);
+  scene.extreme = ExtremeOf(frame, volume);
+  scene.isosurfaces = { around.isosurfaces.data(), int(around.isosurfaces.size() / 2) };
+  scene.projection = ProjectionOf(frame, volume);
+  scene.steps = StepsOf(frame, volume);
+  scene.cuts.planesGrid = around.planesGrid.data();
+  scene.cuts.planeCount = int(around.planesGrid.size());
+  if (!around.depth.empty())
   {
-    scene.cuts.depth = arrays.depth.data();
-    scene.cuts.depthPixels =
-      glm::ivec2(this->depth.Texture()->GetWidth(), this->depth.Texture()->GetHeight());
+    scene.cuts.depth = around.depth.data();
+    scene.cuts.depthPixels = around.depthPixels;
     scene.cuts.depthPixelsPerPixel =
       glm::dvec2(scene.cuts.depthPixels) / glm::dvec2(frame.viewport.width, frame.viewport.height);
     scene.cuts.clipDepthRow = glm::row(clipFromGrid, 2);
     scene.cuts.clipWeightRow = glm::row(clipFromGrid, 3);
   }
+  scene.steps.noise = around.noise;
+  scene.steps.noiseMask = BlueNoiseTexture::Pixels - 1;
   scene.rule = RuleOf(frame.settings);
   return scene;
 }

@@ -1,14 +1,14 @@
 // How a picture keeps an error tolerance: a part of its rays is drawn at several sample distances,
 // which tells the error of each.
 
-#include "RayMarcher.h"
+#include "ToleranceSearch.h"
 
 #include "Core/ShaderRecipe.h"
 #include "JoinedFrame.h"
 #include "Lights.h"
+#include "ProbeFramebuffer.h"
 #include "PropertyTransferFunction.h"
 
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -110,7 +110,7 @@ bool IsShadedTransferFunction(const RenderSettings& settings)
 }
 
 // What decides on the rule of integration.
-std::vector<double> RuleInputsOf(const Frame& frame, const BuildCounts& builds)
+std::vector<double> RuleInputsOf(const Frame& frame, const VolumeBuilds& builds)
 {
   return { double(builds.volumeTexture), double(builds.opticalTable),
     double(frame.chooseIntegration), double(frame.settings.integration),
@@ -120,7 +120,7 @@ std::vector<double> RuleInputsOf(const Frame& frame, const BuildCounts& builds)
 }
 
 // All that decides on the picture in any view, but what is drawn in front of the volume.
-std::vector<double> SceneInputsOf(const Frame& frame, const BuildCounts& builds)
+std::vector<double> SceneInputsOf(const Frame& frame, const VolumeBuilds& builds)
 {
   std::vector<double> inputs{ double(builds.field), double(frame.property->GetMTime()),
     double(frame.settings.acceleration), double(frame.settings.sceneGeometry),
@@ -170,67 +170,69 @@ bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
   return moved <= NearMove;
 }
 
-void RayMarcher::AddToleranceInputs(const Frame& frame, ToleranceInputs& inputs) const
+void ToleranceInputs::Add(const Frame& frame, const VolumeBuilds& builds)
 {
-  const std::vector<double> rule = RuleInputsOf(frame, this->builds);
-  inputs.rule.insert(inputs.rule.end(), rule.begin(), rule.end());
-  const std::vector<double> scene = SceneInputsOf(frame, this->builds);
-  inputs.scene.insert(inputs.scene.end(), scene.begin(), scene.end());
-  inputs.view.push_back(CornersOf(
+  const std::vector<double> ofRule = RuleInputsOf(frame, builds);
+  this->rule.insert(this->rule.end(), ofRule.begin(), ofRule.end());
+  const std::vector<double> ofScene = SceneInputsOf(frame, builds);
+  this->scene.insert(this->scene.end(), ofScene.begin(), ofScene.end());
+  this->view.push_back(CornersOf(
     frame.geometry.boxGrid, ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid));
-  for (std::size_t i = 0; i < frame.others.size(); ++i)
-  {
-    this->others[i]->AddToleranceInputs(frame.others[i], inputs);
-  }
 }
 
 // While the view moves, a search serves until the volume is seen from elsewhere; when it rests, it
 // gets its own.
-void RayMarcher::UpdateTolerance(const Frame& frame)
+void ToleranceSearch::Update(const Frame& frame, const VolumeResources& volume,
+  const ToleranceInputs& inputs, const ProbeDrawing& draw)
 {
-  if (!(frame.errorTolerance > 0.0))
-  {
-    this->tolerance.reset();
-    this->probe.Release(frame.window);
-    return;
-  }
-  ToleranceInputs inputs;
-  this->AddToleranceInputs(frame, inputs);
   if (BeginsPicture(frame.settings.pass))
   {
-    this->viewRests = inputs.view == this->toleranceView;
+    this->viewRests = inputs.view == this->view;
   }
-  this->toleranceView = inputs.view;
-  if (this->tolerance &&
-    (this->viewRests ? this->tolerance->inputs == inputs : this->tolerance->inputs.IsNear(inputs)))
+  this->view = inputs.view;
+  const bool serves = this->choice &&
+    (this->viewRests ? this->choice->inputs == inputs : this->choice->inputs.IsNear(inputs));
+  if (!serves)
   {
-    return;
+    this->choice = this->ChooseSteps({ frame, volume, draw }, inputs);
+    ++this->searches;
   }
-  this->tolerance = this->ChooseSteps(frame, inputs);
-  ++this->builds.tolerance;
 }
 
-double RayMarcher::SampleDistanceInView() const
+double ToleranceSearch::SampleDistanceInViewMm() const
 {
-  const ToleranceChoice& choice = *this->tolerance;
-  return choice.inputs.view == this->toleranceView ? choice.step.sampleDistance
-                                                   : NearbyPart * choice.step.sampleDistance;
+  const StepChoice& step = this->choice->step;
+  return this->choice->inputs.view == this->view ? step.sampleDistance
+                                                 : NearbyPart * step.sampleDistance;
 }
 
-ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame, const ToleranceInputs& inputs)
+std::vector<float> ToleranceSearch::Trial::Draw(
+  Frame tried, Integration integration, double sampleDistanceMm) const
 {
-  const double stepsTolerance =
-    IsExtreme(frame.settings.blend) ? ExtremesPart * frame.errorTolerance : frame.errorTolerance;
+  tried.viewport = ProbeFramebuffer::PixelsFor(tried.viewport);
+  tried.settings.pass = RayPass::Whole;
+  tried.settings.integration = integration;
+  tried.settings.countFetches = false; // errors are of colours, whatever the picture shows
+  tried.sampleDistanceMm = sampleDistanceMm;
+  return this->draw(tried);
+}
+
+ToleranceChoice ToleranceSearch::ChooseSteps(
+  const Trial& trial, const ToleranceInputs& inputs) const
+{
+  const double stepsTolerance = IsExtreme(trial.frame.settings.blend)
+    ? ExtremesPart * trial.frame.errorTolerance
+    : trial.frame.errorTolerance;
   const ErrorLimit limit{ PercentileOfTolerance * stepsTolerance,
     LargestOfTolerance * stepsTolerance };
-  const StepRange range = RangeOf(frame);
+  const StepRange range = RangeOf(trial.frame);
   const auto drawingBy = [&](Integration integration)
   {
-    return [this, &frame, integration](double sampleDistanceMm)
-    { return this->DrawProbe(frame, integration, sampleDistanceMm); };
+    return [&trial, integration](double sampleDistanceMm)
+    { return trial.Draw(trial.frame, integration, sampleDistanceMm); };
   };
   // Each search begins at the same place, so that what it finds does not depend on the one before.
-  const double firstMm = SmallestSpacingMm(frame);
+  const double firstMm = SmallestSpacingMm(trial.frame);
   const auto choiceBy = [&](Integration integration)
   {
     return ToleranceChoice{ inputs, integration,
@@ -238,83 +240,72 @@ ToleranceChoice RayMarcher::ChooseSteps(const Frame& frame, const ToleranceInput
   };
 
   // The rule is chosen anew only for another transfer function or volume: not while a camera moves.
-  if (this->tolerance && this->tolerance->inputs.rule == inputs.rule)
+  if (this->choice && this->choice->inputs.rule == inputs.rule)
   {
-    return WithMissed(
-      choiceBy(this->tolerance->integration), this->tolerance->missedOfLimit, limit);
+    return WithMissed(choiceBy(this->choice->integration), this->choice->missedOfLimit, limit);
   }
   const auto withMissed = [&](const ToleranceChoice& choice)
-  { return WithMissed(choice, this->MissedOfLimit(frame, choice, limit), limit); };
-  const ToleranceChoice choice = withMissed(choiceBy(frame.settings.integration));
-  if (!frame.chooseIntegration || !this->PreIntegrationMayPay(frame, choice, limit))
+  { return WithMissed(choice, MissedOfLimit(trial, choice, limit), limit); };
+  const ToleranceChoice choice = withMissed(choiceBy(trial.frame.settings.integration));
+  if (!trial.frame.chooseIntegration || !PreIntegrationMayPay(trial, choice, limit))
   {
     return choice;
   }
   const ToleranceChoice preIntegrated = withMissed(choiceBy(Integration::PreIntegrated));
-  return IsBetter(preIntegrated.step, PreIntegrationCostOf(frame), choice.step) ? preIntegrated
-                                                                                : choice;
+  return IsBetter(preIntegrated.step, PreIntegrationCostOf(trial.frame), choice.step)
+    ? preIntegrated
+    : choice;
 }
 
 // Known before it is searched for, which takes longer.
-bool RayMarcher::PreIntegrationMayPay(
-  const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit)
+bool ToleranceSearch::PreIntegrationMayPay(
+  const Trial& trial, const ToleranceChoice& choice, const ErrorLimit& limit)
 {
   if (choice.missedOfLimit > 0.0)
   {
     return true;
   }
-  const bool losesTooMuch = !MarchesMaterial(frame.settings) &&
-    this->opticalTable.Table().entries.size() > MostPreIntegratedEntries;
+  const bool losesTooMuch = !MarchesMaterial(trial.frame.settings) &&
+    trial.volume.OpticalTables().Table().entries.size() > MostPreIntegratedEntries;
   const double distanceMm = choice.step.sampleDistance;
-  const StepRange range = RangeOf(frame);
+  const StepRange range = RangeOf(trial.frame);
   const bool isCoarsest = choice.step.KeepsLimit() && distanceMm >= range.coarsest;
   if (losesTooMuch || isCoarsest)
   {
     return false;
   }
   const auto draw = [&](double sampleDistanceMm)
-  { return this->DrawProbe(frame, Integration::PreIntegrated, sampleDistanceMm); };
-  return GainThatPays(frame, choice) * ErrorOfLimit(draw, limit, range, distanceMm) <
+  { return trial.Draw(trial.frame, Integration::PreIntegrated, sampleDistanceMm); };
+  return GainThatPays(trial.frame, choice) * ErrorOfLimit(draw, limit, range, distanceMm) <
     choice.step.ofLimit;
 }
 
 // A shorter distance tells nothing of a peak that lies between all samples. Pre-integration
 // misses none: what it differs by, beyond what its own steps make, is an error of the others.
-double RayMarcher::MissedOfLimit(
-  const Frame& frame, const ToleranceChoice& choice, const ErrorLimit& limit)
+double ToleranceSearch::MissedOfLimit(
+  const Trial& trial, const ToleranceChoice& choice, const ErrorLimit& limit)
 {
-  const double range = this->blocks.Texels().largestScalar - this->blocks.Texels().smallestScalar;
-  if (frame.settings.blend != Blend::Composite || !frame.triesPreIntegration ||
-    (MarchesMaterial(frame.settings) && !IsShadedTransferFunction(frame.settings)) ||
-    (choice.integration == Integration::PreIntegrated && !frame.settings.shading) ||
-    TransferFunctionOf(frame.property).SmallestNodeGap() >= NarrowPeak * range)
+  const double range =
+    trial.volume.Blocks().Texels().largestScalar - trial.volume.Blocks().Texels().smallestScalar;
+  if (trial.frame.settings.blend != Blend::Composite || !trial.frame.triesPreIntegration ||
+    (MarchesMaterial(trial.frame.settings) && !IsShadedTransferFunction(trial.frame.settings)) ||
+    (choice.integration == Integration::PreIntegrated && !trial.frame.settings.shading) ||
+    TransferFunctionOf(trial.frame.property).SmallestNodeGap() >= NarrowPeak * range)
   {
     return 0.0;
   }
-  Frame unlit = frame;
+  Frame unlit = trial.frame;
   unlit.settings.shading = false;
   const double distanceMm = choice.step.sampleDistance;
   const std::vector<float> steps =
-    OpacityOf(this->DrawProbe(frame, choice.integration, distanceMm));
+    OpacityOf(trial.Draw(trial.frame, choice.integration, distanceMm));
   const std::vector<float> coarse =
-    OpacityOf(this->DrawProbe(unlit, Integration::PreIntegrated, distanceMm));
+    OpacityOf(trial.Draw(unlit, Integration::PreIntegrated, distanceMm));
   const std::vector<float> fine =
-    OpacityOf(this->DrawProbe(unlit, Integration::PreIntegrated, 0.5 * distanceMm));
+    OpacityOf(trial.Draw(unlit, Integration::PreIntegrated, 0.5 * distanceMm));
   const double missed =
     DifferenceOfLimit(steps, fine, limit) - DifferenceOfLimit(coarse, fine, limit);
   return missed > CertainlyMissed ? missed : 0.0;
-}
-
-std::vector<float> RayMarcher::DrawProbe(
-  Frame frame, Integration integration, double sampleDistanceMm)
-{
-  frame.viewport = ProbeFramebuffer::PixelsFor(frame.viewport);
-  frame.settings.pass = RayPass::Whole;
-  frame.settings.integration = integration;
-  frame.settings.countFetches = false; // errors are of colours, whatever the picture shows
-  frame.sampleDistanceMm = sampleDistanceMm;
-  this->UpdatePreIntegratedTable(frame);
-  return this->probe.Draw(frame.window, frame.viewport, [&] { this->DrawVolume(frame); });
 }
 
 }

@@ -1,0 +1,39 @@
+#ifndef Varimarch_PacketSceneOf_h
+#define Varimarch_PacketSceneOf_h
+
+#include "Core/Packets/PacketScene.h"
+#include "Lights.h"
+#include "VolumeResources.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace varimarch
+{
+
+/// What packets of rays see of a frame beside its volume.
+struct PacketSurroundings
+{
+  Box drawnBox;                      ///< where rays are marched [grid space]
+  std::vector<glm::vec4> planesGrid; ///< that clip
+  std::vector<float> depth;          ///< none: there is no geometry
+  glm::ivec2 depthPixels;            ///< its size
+  LightTexels lights;
+  std::vector<glm::vec4> isosurfaces;
+  const std::uint16_t* noise; ///< BlueNoiseTile; none: without jitter
+};
+
+/// How packets of rays read these voxels; nothing where they cannot.
+std::optional<VoxelType> PacketVoxelTypeOf(const VoxelChannels& channels);
+
+/// A frame in plain numbers, which point into all three.
+PacketScene PacketSceneOf(
+  const Frame& frame, const VolumeResources& volume, const PacketSurroundings& around);
+
+}
+
+#endif
