@@ -29,45 +29,69 @@ std::uint16_t RowOf(double label, const MaskVoxels& mask)
   return std::uint16_t(hasRow ? found - mask.rows.begin() + 1 : 0);
 }
 
-}
-
-void MaskTexture::Update(vtkOpenGLRenderWindow* window, const MaskVoxels& newMask)
+std::vector<std::uint16_t> TexelsOf(const MaskVoxels& mask)
 {
-  if (this->mask == newMask)
-  {
-    return;
-  }
-  std::vector<std::uint16_t> rows(newMask.labels->GetNumberOfTuples());
+  std::vector<std::uint16_t> rows(mask.labels->GetNumberOfTuples());
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    rows[i] = RowOf(newMask.labels->GetComponent(vtkIdType(i), 0), newMask);
+    rows[i] = RowOf(mask.labels->GetComponent(vtkIdType(i), 0), mask);
   }
-  const std::vector<std::uint16_t> reach = LabelReach(rows, newMask.dimensions);
+  const std::vector<std::uint16_t> reach = LabelReach(rows, mask.dimensions);
   std::vector<std::uint16_t> texels;
   texels.reserve(2 * rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     texels.insert(texels.end(), { rows[i], reach[i] });
   }
-  const glm::ivec3 size = newMask.dimensions;
+  return texels;
+}
+
+}
+
+void MaskTexture::Update(vtkOpenGLRenderWindow* window, const MaskVoxels& newMask, Marcher marcher)
+{
+  if (!(this->mask == newMask))
+  {
+    this->Release(window);
+    this->mask = newMask;
+  }
+  if (marcher == Marcher::Device && this->bytes > 0)
+  {
+    return;
+  }
+  if (this->texels.empty())
+  {
+    this->texels = TexelsOf(newMask);
+  }
+  marcher == Marcher::Device ? this->Upload(window) : this->ReleaseTexture(window);
+}
+
+void MaskTexture::Upload(vtkOpenGLRenderWindow* window)
+{
+  const glm::ivec3 size = this->mask.dimensions;
   AllocateTexture3D(this->texture, window, size, VTK_UNSIGNED_SHORT, GL_RG16, 2, "a mask");
   this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
   this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   this->texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage3D(
-    GL_TEXTURE_3D, 0, 0, 0, 0, size.x, size.y, size.z, GL_RG, GL_UNSIGNED_SHORT, texels.data());
+  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, size.x, size.y, size.z, GL_RG, GL_UNSIGNED_SHORT,
+    this->texels.data());
   this->texture->Deactivate();
-  this->bytes = texels.size() * sizeof(std::uint16_t);
-  this->mask = newMask;
-  ++this->builds;
+  this->bytes = this->texels.size() * sizeof(std::uint16_t);
+  this->texels = {};
+}
+
+void MaskTexture::ReleaseTexture(vtkWindow* window)
+{
+  this->texture->ReleaseGraphicsResources(window);
+  this->bytes = 0;
 }
 
 void MaskTexture::Release(vtkWindow* window)
 {
-  this->texture->ReleaseGraphicsResources(window);
+  this->ReleaseTexture(window);
   this->mask = {};
-  this->bytes = 0;
+  this->texels = {};
 }
 
 }

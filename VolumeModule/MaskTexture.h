@@ -1,12 +1,15 @@
 #ifndef Varimarch_MaskTexture_h
 #define Varimarch_MaskTexture_h
 
+#include "Core/RenderSettings.h"
+
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 #include "vtkType.h"
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <vector>
 
 class vtkDataArray;
@@ -31,25 +34,29 @@ struct MaskVoxels
   }
 };
 
-/// A mask on the device: for each voxel its row, or whether it is drawn, and how far that is the
-/// same (LabelReach), as Shaders/Mask reads them. It is whole where the volume is in blocks.
+/// A mask: for each voxel its row, or whether it is drawn, and how far that is the same
+/// (LabelReach), as Shaders/Mask reads them; on the device, or in memory where the processor
+/// marches. It is whole where the volume is in blocks.
 class MaskTexture
 {
 public:
-  /// Uploads a mask if it is another than the last.
+  /// Takes a mask if it is another than the last, or elsewhere.
   /// @throws std::runtime_error when the device cannot hold it
-  void Update(vtkOpenGLRenderWindow* window, const MaskVoxels& mask);
+  void Update(vtkOpenGLRenderWindow* window, const MaskVoxels& mask, Marcher marcher);
 
   vtkTextureObject* Texture() const { return this->texture; }
+  const std::vector<std::uint16_t>& Texels() const { return this->texels; } ///< of the processor
   glm::ivec3 Size() const { return this->mask.dimensions; }
-  int Builds() const { return this->builds; }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
 
 private:
   vtkNew<vtkTextureObject> texture;
+  void Upload(vtkOpenGLRenderWindow* window);
+  void ReleaseTexture(vtkWindow* window);
+
   MaskVoxels mask;
-  int builds = 0;
+  std::vector<std::uint16_t> texels; ///< two of each voxel
   std::size_t bytes = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "OpticalTableTexture.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace varimarch
@@ -52,6 +53,16 @@ void OpticalTableTexture::UploadBehind(
     entries.insert(entries.end(), table.entries.begin(), table.entries.end());
   }
   this->texture.Upload(window, entries);
+}
+
+std::array<double, 2> OpticalTableTexture::VisibleValuesOfAny() const
+{
+  std::array<double, 2> any = this->visibleValues.front();
+  for (const std::array<double, 2>& values : this->visibleValues)
+  {
+    any = { std::min(any[0], values[0]), std::max(any[1], values[1]) };
+  }
+  return any;
 }
 
 std::size_t OpticalTableTexture::FirstEntryOf(std::size_t table) const

@@ -32,6 +32,7 @@ public:
   {
     return this->visibleValues[table];
   }
+  std::array<double, 2> VisibleValuesOfAny() const;  ///< of the tables
   std::size_t FirstEntryOf(std::size_t table) const; ///< in the buffer
   std::size_t Bytes() const { return this->texture.Bytes(); }
   void Release(vtkWindow* window);

@@ -26,10 +26,11 @@ constexpr std::size_t BytesPerPixel = 4 * sizeof(float);
 }
 
 void PacketPicture::March(
-  vtkOpenGLRenderWindow* window, const PacketScene& scene, const Viewport& newPixels)
+  vtkOpenGLRenderWindow* window, const std::vector<PacketScene>& scenes, const Viewport& newPixels)
 {
   this->pixels = newPixels;
-  const std::size_t newCount = std::size_t(this->pixels.width) * this->pixels.height;
+  const std::size_t countOfPicture = std::size_t(this->pixels.width) * this->pixels.height;
+  const std::size_t newCount = scenes.size() * countOfPicture;
   if (newCount > this->count)
   {
     this->Allocate(window, newCount);
@@ -42,7 +43,12 @@ void PacketPicture::March(
     this->buffer->Release();
     Fail(this->pixels, "there is no memory for it");
   }
-  MarchPackets(scene, this->pixels, static_cast<float*>(rgba));
+  float* picture = static_cast<float*>(rgba);
+  for (const PacketScene& scene : scenes)
+  {
+    MarchPackets(scene, this->pixels, picture);
+    picture += 4 * countOfPicture;
+  }
   glUnmapBuffer(GL_TEXTURE_BUFFER);
   this->buffer->Release();
 }

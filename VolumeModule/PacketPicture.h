@@ -8,22 +8,26 @@
 #include "vtkTextureObject.h"
 
 #include <cstddef>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 
 namespace varimarch
 {
 
-/// A picture that the processor marches, in a buffer texture: where OpenGL is software, that is
+/// Pictures that the processor marches, in a buffer texture: where OpenGL is software, that is
 /// memory which packets write into, so that no pixel is copied.
 class PacketPicture
 {
 public:
-  /// @param newPixels  part of the picture
+  /// @param scenes     a picture of each is made
+  /// @param newPixels  part of the pictures
   /// @throws std::runtime_error when there is no memory for them
-  void March(vtkOpenGLRenderWindow* window, const PacketScene& scene, const Viewport& newPixels);
+  void March(vtkOpenGLRenderWindow* window, const std::vector<PacketScene>& scenes,
+    const Viewport& newPixels);
 
-  /// Premultiplied RGBA of the pixels that were marched last, row by row.
+  /// Premultiplied RGBA of the pixels that were marched last, row by row, one picture behind the
+  /// other.
   vtkTextureObject* Texture() const { return this->texture; }
   const Viewport& Pixels() const { return this->pixels; } ///< that were marched last
   std::size_t Bytes() const;

@@ -12,6 +12,7 @@
 
 #include <glm/gtc/matrix_access.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -131,9 +132,27 @@ PacketLook LookOf(const Frame& frame, const VolumeResources& volume)
   const int last = preIntegrated ? volume.PreIntegrated().Kept().size - 1 : int(entries.size()) - 1;
   const double extent = table.lastValue - table.firstValue;
   const double indexPerValue = extent > 0.0 ? last / extent : 0.0;
-  const std::array<double, 2>& visible = volume.OpticalTables().VisibleValues();
+  const std::array<double, 2> visible = volume.OpticalTables().VisibleValuesOfAny();
   return { entries.data(), last, float(indexPerValue), float(-table.firstValue * indexPerValue),
     table.entries.front(), table.entries.back(), glm::vec2(visible[0], visible[1]) };
+}
+
+PacketMask MaskOf(
+  const Frame& frame, const VolumeResources& volume, const std::vector<PacketRow>& rows)
+{
+  PacketMask mask = {};
+  if (frame.settings.mask != Mask::None)
+  {
+    mask.texels = volume.Mask().Texels().data();
+    mask.isBinary = frame.settings.mask == Mask::Binary;
+  }
+  if (frame.settings.mask == Mask::Labels)
+  {
+    mask.rows = rows.data();
+    mask.rowPart = float(frame.labelPart);
+    mask.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
+  }
+  return mask;
 }
 
 PacketSteps StepsOf(const Frame& frame, const VolumeResources& volume)
@@ -159,7 +178,7 @@ PacketGradientOpacity GradientOpacityOf(const Frame& frame, const VolumeResource
   if (frame.settings.gradientOpacity)
   {
     opacity.factors = volume.GradientOpacity().Entries().data();
-    opacity.lastIndex = int(volume.GradientOpacity().Entries().size()) - 1;
+    opacity.lastIndex = VolumeResources::EntriesPerGradientCurve - 1;
     opacity.indicesPerGradient = frame.geometry.gradientFactors *
       (opacity.lastIndex / LargestGradient(volume.Blocks().Texels()));
     opacity.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance());
@@ -235,6 +254,20 @@ std::optional<VoxelType> PacketVoxelTypeOf(const VoxelChannels& channels)
   return std::nullopt;
 }
 
+std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables)
+{
+  std::vector<PacketRow> rows;
+  for (const OpticalTable& table : tables.Tables())
+  {
+    const int last = int(table.entries.size()) - 1;
+    const double extent = table.lastValue - table.firstValue;
+    const double indexPerValue = extent > 0.0 ? last / extent : 0.0;
+    rows.push_back({ table.entries.data(), last, float(indexPerValue),
+      float(-table.firstValue * indexPerValue) });
+  }
+  return rows;
+}
+
 PacketScene PacketSceneOf(
   const Frame& frame, const VolumeResources& volume, const PacketSurroundings& around)
 {
@@ -248,20 +281,28 @@ PacketScene PacketSceneOf(
   scene.twoValues = TwoValuesOf(frame, volume);
   scene.light = LightOf(frame, around.lights, volume.Blocks().Texels().mapping.scale);
   scene.gradientOpacity = GradientOpacityOf(frame, volume);
+  scene.mask = MaskOf(frame, volume, around.maskRows);
   scene.extreme = ExtremeOf(frame, volume);
   scene.isosurfaces = { around.isosurfaces.data(), int(around.isosurfaces.size() / 2) };
   scene.projection = ProjectionOf(frame, volume);
   scene.steps = StepsOf(frame, volume);
   scene.cuts.planesGrid = around.planesGrid.data();
   scene.cuts.planeCount = int(around.planesGrid.size());
+  if (frame.settings.cropping)
+  {
+    const CroppingRegions& regions = *frame.cuts.regions;
+    scene.cuts.crops = true;
+    std::copy(regions.planesGrid.begin(), regions.planesGrid.end(), scene.cuts.regions.planesGrid);
+    scene.cuts.regions.drawn = regions.drawn;
+  }
+  scene.cuts.clipDepthRow = glm::row(clipFromGrid, 2);
+  scene.cuts.clipWeightRow = glm::row(clipFromGrid, 3);
   if (!around.depth.empty())
   {
     scene.cuts.depth = around.depth.data();
     scene.cuts.depthPixels = around.depthPixels;
     scene.cuts.depthPixelsPerPixel =
       glm::dvec2(scene.cuts.depthPixels) / glm::dvec2(frame.viewport.width, frame.viewport.height);
-    scene.cuts.clipDepthRow = glm::row(clipFromGrid, 2);
-    scene.cuts.clipWeightRow = glm::row(clipFromGrid, 3);
   }
   scene.steps.noise = around.noise;
   scene.steps.noiseMask = BlueNoiseTexture::Pixels - 1;

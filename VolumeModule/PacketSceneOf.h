@@ -22,13 +22,18 @@ struct PacketSurroundings
   std::vector<glm::vec4> planesGrid; ///< that clip
   std::vector<float> depth;          ///< none: there is no geometry
   glm::ivec2 depthPixels;            ///< its size
+  std::vector<float> layerDepths;    ///< Slots.glsl's PeeledDepths of each pixel; none: no layers
   LightTexels lights;
+  std::vector<PacketRow> maskRows; ///< of labels
   std::vector<glm::vec4> isosurfaces;
   const std::uint16_t* noise; ///< BlueNoiseTile; none: without jitter
 };
 
 /// How packets of rays read these voxels; nothing where they cannot.
 std::optional<VoxelType> PacketVoxelTypeOf(const VoxelChannels& channels);
+
+/// What the labels of a mask look like.
+std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables);
 
 /// A frame in plain numbers, which point into all three.
 PacketScene PacketSceneOf(

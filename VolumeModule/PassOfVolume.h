@@ -11,6 +11,12 @@ class vtkVolume;
 namespace varimarch
 {
 
+/// Less is not selected, by vtkOpenGLGPUVolumeRayCastMapper's measure.
+constexpr float LeastPickedOpacity = 3.0f / 255.0f;
+
+/// And the least at which an image of depths begins.
+constexpr float LeastDepthOpacity = 1e-3f;
+
 /// What a volume is drawn for: its picture, translucent geometry in it, or a selection.
 struct VolumePass
 {

@@ -16,13 +16,14 @@ struct PictureResources
   AccumulatedPictures accumulated; ///< where several pictures are gathered
   FloatFramebuffer rays;           ///< where they are not as many as pixels
   BlueNoiseTexture noise;          ///< with jitter
+  FloatFramebuffer layerDepths;    ///< of translucent geometry, where the processor marches
   FloatFramebuffer images{ 2 };    ///< colour, and 1 - depth as red
   Viewport imagePixels = {};       ///< of both; 0: there are none
 
   std::size_t Bytes() const
   {
     return this->accumulated.Bytes() + this->rays.Bytes() + this->noise.Bytes() +
-      this->images.Bytes();
+      this->layerDepths.Bytes() + this->images.Bytes();
   }
 
   std::vector<vtkTextureObject*> Textures() const
@@ -35,6 +36,7 @@ struct PictureResources
     this->accumulated.Release(window);
     this->rays.Release(window);
     this->noise.Release(window);
+    this->layerDepths.Release(window);
     this->ReleaseImages(window);
   }
 

@@ -117,7 +117,7 @@ bool RayMarchProgram::Use(
 {
   this->parts = FragmentShaderParts(settings);
   // A shader without a march has none of the slots that a user replaces.
-  const UserShaderCode& used = Marches(settings.pass) ? userCode : UserShaderCode();
+  const UserShaderCode& used = Marches(settings) ? userCode : UserShaderCode();
   std::vector<std::string> key = this->parts;
   key.push_back(used.uniforms);
   for (const auto& [slot, text] : used.textOfSlot)

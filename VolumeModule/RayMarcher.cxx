@@ -74,7 +74,7 @@ void RayMarcher::UpdateProgram(const Frame& frame)
   {
     ++this->shaderBuilds;
   }
-  if (Marches(frame.settings.pass))
+  if (Marches(frame.settings))
   {
     this->shaderParts = this->program.Parts();
   }

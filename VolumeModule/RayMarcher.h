@@ -88,8 +88,9 @@ private:
   bool MarchesPackets(const Frame& frame);
   bool HasPlainValues(const Frame& frame);
   PacketSurroundings SurroundingsOf(const Frame& frame);
+  std::vector<float> DrawLayerDepths(const Frame& frame);
   void DrawPackets(const Frame& frame);
-  void SetMarchedUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
+  void SetPacketUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
 
   // Several volumes that overlap.
   void UpdateOthers(Frame& frame);
@@ -114,6 +115,7 @@ private:
   void SetPassUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetNoiseUniforms(const Frame& frame);
   void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
+  void SetMarchUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
   void SetUniforms(const Frame& frame, const DrawnBlock& drawn);
   std::vector<vtkTextureObject*> TexturesOf(const DrawnBlock& drawn);
   void DrawBox(const Frame& frame, const DrawnBlock& drawn);

@@ -25,6 +25,10 @@ enum class Blending
 Blending BlendingOf(const Frame& frame)
 {
   const RayPass pass = frame.settings.pass;
+  if (frame.settings.marching == Marching::After)
+  {
+    return Blending::Replace;
+  }
   if (Peels(pass))
   {
     return Blending::AsSet;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace varimarch
 {
@@ -37,17 +38,22 @@ bool IsBlendedByPackets(const RenderSettings& settings)
 }
 
 // What packets have no code for is left to shaders, which have all.
-bool HasPacketRecipe(const RenderSettings& settings)
+bool HasPacketRecipe(const Frame& frame)
 {
+  const RenderSettings& settings = frame.settings;
   const bool isPlain = settings.components == Components::One &&
-    settings.functionOf != FunctionOf::TwoValues && settings.mask == Mask::None && !settings.uneven;
-  const bool isCutByPlanes = !settings.cropping && !settings.clippedGradients;
+    settings.functionOf != FunctionOf::TwoValues && !settings.uneven;
+  const bool isMasked = settings.mask != Mask::None;
+  const bool isInPieces = settings.cropping || isMasked || frame.toImages || Locates(settings.pass);
+  const bool hasMask = !isMasked || frame.mask.dimensions == frame.geometry.dimensions;
+  const bool hasSum = !isInPieces || !IsProjection(settings.blend); // of pieces
   const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
   const bool hasRule = settings.blend != Blend::Composite || !IsSampled(settings) ||
     MarchesMaterial(settings) || settings.integration == Integration::Midpoint ||
     settings.integration == Integration::PreIntegrated;
-  return IsBlendedByPackets(settings) && isPlain && isCutByPlanes && hasSteps && hasRule &&
-    !settings.overlaps && !settings.countFetches && settings.pass == RayPass::Whole;
+  return IsBlendedByPackets(settings) && isPlain && hasSum && hasMask &&
+    !settings.clippedGradients && hasSteps && hasRule && !settings.overlaps &&
+    !settings.countFetches;
 }
 
 // In 32 bits, to the end of the last that are read together.
@@ -80,6 +86,31 @@ Viewport WithinScissors(const Viewport& pixels, const Viewport& viewport, vtkOpe
   return drawn;
 }
 
+// What Shaders/Marched take of a frame: pictures or places.
+std::vector<PacketScene> PartsOf(
+  const PacketScene& scene, const Frame& frame, const std::vector<float>& layerDepths)
+{
+  PacketScene other = scene;
+  if (Peels(frame.settings.pass))
+  {
+    PacketScene front = scene;
+    front.cuts.layers = layerDepths.data();
+    other.cuts.layers = layerDepths.data() + 2;
+    return { front, other };
+  }
+  if (frame.settings.pass == RayPass::PictureAndDepth)
+  {
+    other.location = { LeastDepthOpacity, 0.0f, frame.clampDepth };
+    other.depths = frame.clampDepth ? PacketDepths() : scene.depths; // rays end behind these
+    return { scene, other };
+  }
+  if (frame.settings.pass == RayPass::PickVoxel)
+  {
+    other.location = { 0.5f, LeastPickedOpacity, false };
+  }
+  return { other };
+}
+
 }
 
 // Shaders know where gaps are, and shift and scale floats that are large, small or far from zero.
@@ -98,8 +129,8 @@ bool RayMarcher::HasPlainValues(const Frame& frame)
 bool RayMarcher::MarchesPackets(const Frame& frame)
 {
   return frame.mayMarchByProcessor && CanMarchPackets() && IsSoftwareRasterizer() &&
-    HasPacketRecipe(frame.settings) && !frame.toImages && frame.mostMemoryBytes == 0 &&
-    frame.userCode.IsEmpty() && PacketVoxelTypeOf(this->volume.MarchedChannels()) &&
+    HasPacketRecipe(frame) && frame.mostMemoryBytes == 0 && frame.userCode.IsEmpty() &&
+    PacketVoxelTypeOf(this->volume.MarchedChannels()) &&
     CanBeIndexed(frame.geometry.dimensions, frame.settings.cubic) && this->HasPlainValues(frame);
 }
 
@@ -117,12 +148,31 @@ PacketSurroundings RayMarcher::SurroundingsOf(const Frame& frame)
   {
     around.lights = LightTexelsOf(frame.renderer);
   }
+  if (frame.settings.mask == Mask::Labels)
+  {
+    around.maskRows = PacketRowsOf(this->volume.OpticalTables());
+  }
   if (frame.settings.blend == Blend::Isosurface)
   {
     around.isosurfaces = IsosurfaceEntriesOf(frame);
   }
+  if (Peels(frame.settings.pass))
+  {
+    around.layerDepths = this->DrawLayerDepths(frame);
+  }
   around.noise = frame.settings.jitter ? this->picture.noise.Tile().data() : nullptr;
   return around;
+}
+
+std::vector<float> RayMarcher::DrawLayerDepths(const Frame& frame)
+{
+  Frame depths = frame;
+  depths.settings.marching = Marching::After;
+  this->UpdateProgram(depths);
+  FloatFramebuffer& framebuffer = this->picture.layerDepths;
+  framebuffer.Draw(
+    frame.window, frame.viewport, [&] { this->DrawBox(depths, this->BoxOfVisible()); });
+  return framebuffer.Read(frame.window, frame.viewport);
 }
 
 void RayMarcher::DrawPackets(const Frame& frame)
@@ -144,24 +194,30 @@ void RayMarcher::DrawPackets(const Frame& frame)
     visible.emplace(this->volume.Field().VisibleBlocks(), clipFromGrid, scene.camera, pixels);
     scene.depths = visible->Depths();
   }
-  this->packets.March(frame.window, scene, pixels);
+  this->packets.March(frame.window, PartsOf(scene, frame, around.layerDepths), pixels);
   this->shaderParts.clear();
 
   Frame marched = frame;
-  marched.settings.pass = RayPass::Marched;
+  marched.settings.marching = Marching::Before;
   this->UpdateProgram(marched);
   this->DrawBox(marched, drawn);
 }
 
-void RayMarcher::SetMarchedUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
+void RayMarcher::SetPacketUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
 {
+  this->program.Set("clipFromGrid", clipFromGrid);
+  this->SetPassUniforms(frame, clipFromGrid);
+  if (frame.settings.marching == Marching::After)
+  {
+    return;
+  }
+  const Viewport& pixels = this->packets.Pixels();
   this->packets.Texture()->Activate();
   this->program.Set("marchedTexture", this->packets.Texture());
-  this->program.Set("marchedColumns", this->packets.Pixels().width);
+  this->program.Set("marchedColumns", pixels.width);
+  this->program.Set("marchedPixels", pixels.width * pixels.height);
   this->program.Set("viewportOriginPixels",
-    glm::dvec2(frame.viewport.left + this->packets.Pixels().left,
-      frame.viewport.bottom + this->packets.Pixels().bottom));
-  this->program.Set("clipFromGrid", clipFromGrid);
+    glm::dvec2(frame.viewport.left + pixels.left, frame.viewport.bottom + pixels.bottom));
   if (frame.settings.windowLevel)
   {
     this->program.Set("windowScaleBias", frame.windowScaleBias);

@@ -14,17 +14,6 @@
 namespace varimarch
 {
 
-namespace
-{
-
-// Less is not seen, by vtkOpenGLGPUVolumeRayCastMapper's measure.
-constexpr double LeastPickedOpacity = 3.0 / 255.0;
-
-// And the least at which an image of depths begins.
-constexpr double LeastDepthOpacity = 1e-3;
-
-}
-
 void RayMarcher::DrawPass(const Frame& frame)
 {
   if (this->volume.Blocks().Partition().Count() > 1)

@@ -130,6 +130,7 @@ void RayMarcher::DrawPicture(const Frame& frame)
     this->DrawPass(frame);
     return;
   }
+  this->picture.layerDepths.Release(frame.window);
   if (frame.toImages)
   {
     this->DrawImages(frame, rays);

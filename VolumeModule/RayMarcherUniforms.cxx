@@ -43,6 +43,10 @@ void RayMarcher::SetResumeUniforms(const Frame& frame, const DrawnBlock& drawn)
 
 void RayMarcher::SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
 {
+  if (!frame.settings.sceneGeometry)
+  {
+    return;
+  }
   this->program.Set("depthPixelsPerPixel",
     glm::dvec2(this->depth.SizePixels()) / glm::dvec2(frame.viewport.width, frame.viewport.height));
   this->depth.Texture()->Activate();
@@ -62,14 +66,27 @@ void RayMarcher::SetNoiseUniforms(const Frame& frame)
   this->program.Set("noisePixelsMask", glm::ivec2(BlueNoiseTexture::Pixels - 1));
 }
 
+// Beside those of its volume.
+void RayMarcher::SetMarchUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
+{
+  this->SetNoiseUniforms(frame);
+  this->SetUniformsOfOthers(frame);
+  this->SetPassUniforms(frame, clipFromGrid);
+  this->program.SetUniformsOf(frame.volume);
+}
+
 void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
 {
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   const RayPass pass = frame.settings.pass;
-  if (pass == RayPass::Accumulated || pass == RayPass::Marched)
+  if (frame.settings.marching != Marching::Within)
   {
-    pass == RayPass::Accumulated ? this->SetMeanUniforms(frame, clipFromGrid)
-                                 : this->SetMarchedUniforms(frame, clipFromGrid);
+    this->SetPacketUniforms(frame, clipFromGrid);
+    return;
+  }
+  if (pass == RayPass::Accumulated)
+  {
+    this->SetMeanUniforms(frame, clipFromGrid);
     return;
   }
   VolumeUniforms ofVolume(this->program, this->volume, frame);
@@ -88,22 +105,16 @@ void RayMarcher::SetUniforms(const Frame& frame, const DrawnBlock& drawn)
   {
     ofVolume.SetBlend();
   }
-  if (Marches(pass))
+  if (Marches(frame.settings))
   {
     ofVolume.SetMarch(drawn);
-    this->SetNoiseUniforms(frame);
-    this->SetUniformsOfOthers(frame);
-    this->SetPassUniforms(frame, clipFromGrid);
-    this->program.SetUniformsOf(frame.volume);
+    this->SetMarchUniforms(frame, clipFromGrid);
   }
   else if (pass == RayPass::Picture && IsProjection(frame.settings.blend))
   {
     ofVolume.SetClassify();
   }
-  if (frame.settings.sceneGeometry)
-  {
-    this->SetDepthUniforms(frame, clipFromGrid);
-  }
+  this->SetDepthUniforms(frame, clipFromGrid);
 }
 
 }

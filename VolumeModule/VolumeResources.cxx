@@ -177,7 +177,7 @@ void VolumeResources::UpdateMask(const Frame& frame)
   }
   else
   {
-    this->mask.Update(frame.window, frame.mask);
+    this->mask.Update(frame.window, frame.mask, frame.marcher);
   }
 }
 

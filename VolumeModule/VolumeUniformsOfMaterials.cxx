@@ -69,12 +69,7 @@ void VolumeUniforms::SetMaterial(const DrawnBlock& drawn)
   }
   else
   {
-    std::array<double, 2> visible = this->resources.OpticalTables().VisibleValues();
-    for (std::size_t i = 1; i < this->resources.OpticalTables().Tables().size(); ++i)
-    {
-      const std::array<double, 2>& values = this->resources.OpticalTables().VisibleValues(i);
-      visible = { std::min(visible[0], values[0]), std::max(visible[1], values[1]) };
-    }
+    const std::array<double, 2> visible = this->resources.OpticalTables().VisibleValuesOfAny();
     const TexelMapping& mapping = this->resources.Blocks().Texels().mapping;
     this->program.Set("visibleScalars",
       glm::dvec2(mapping.LimitedTexelOf(visible[0]), mapping.LimitedTexelOf(visible[1])));

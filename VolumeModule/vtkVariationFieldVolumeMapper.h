@@ -120,9 +120,9 @@ public:
    * Where OpenGL itself is drawn by the processor, as Mesa's llvmpipe does, march volumes of one
    * component without a shader, in packets of eight rays: two to six times as fast, by the same
    * rules. It needs AVX2 and FMA; shaders draw what packets have no code for (slices, several
-   * components, masks, cropping regions, functions of two arrays, translucent geometry, user code,
-   * a maximum graphics memory; isosurfaces, averages and sums of nearest interpolation). Default:
-   * on.
+   * components, masks of other sizes than the volume's, functions of two arrays, blanking, user
+   * code, a maximum graphics memory; isosurfaces, averages and sums of nearest interpolation;
+   * extremes, averages and sums that are cropped, masked or drawn to images). Default: on.
    */
   vtkSetMacro(ProcessorMarching, vtkTypeBool);
   vtkGetMacro(ProcessorMarching, vtkTypeBool);

@@ -41,6 +41,14 @@ vtkSmartPointer<vtkActor> Ball(const double centerWorld[3], double radiusMm)
   return actor;
 }
 
+void UseDepthPeeling(vtkRenderer* renderer)
+{
+  renderer->UseDepthPeelingOn();
+  renderer->UseDepthPeelingForVolumesOn();
+  renderer->SetOcclusionRatio(0.0);
+  renderer->SetMaximumNumberOfPeels(20);
+}
+
 MapperScene::MapperScene(vtkImageData* image, int size, vtkHeadlessRenderWindow* window)
   : image(image)
   , size(size)

@@ -85,4 +85,7 @@ vtkSmartPointer<vtkImageData> SmallTorso();
 /// Of geometry, with light.
 vtkSmartPointer<vtkActor> Ball(const double centerWorld[3], double radiusMm);
 
+/// Of all layers of translucent geometry, and of the volume between them.
+void UseDepthPeeling(vtkRenderer* renderer);
+
 #endif

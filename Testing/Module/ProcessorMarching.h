@@ -6,6 +6,7 @@
 #include "Core/Packets/PacketMarch.h"
 #include "Module/MapperScene.h"
 
+#include <vtkContourValues.h>
 #include <vtkImageShiftScale.h>
 #include <vtkLight.h>
 #include <vtkPlane.h>
@@ -86,6 +87,25 @@ inline void LeaveLowerGradientsOut(MapperScene& scene)
   factors->AddPoint(0.0, 0.0);
   factors->AddPoint(100.0, 1.0);
   scene.volume->GetProperty()->SetGradientOpacity(factors);
+}
+
+inline void ShowBoxes(MapperScene& scene)
+{
+  scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+}
+
+// Skin, through which bone is seen.
+inline void ShowIsosurfaces(MapperScene& scene)
+{
+  scene.mapper->SetBlendModeToIsoSurface();
+  scene.volume->GetProperty()->ShadeOn();
+  vtkContourValues* const values = scene.volume->GetProperty()->GetIsoSurfaceValues();
+  values->SetValue(0, -300.0);
+  values->SetValue(1, 100.0);
+  values->SetValue(2, 300.0);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(-300.0, 0.2);
+  scene.opacities->AddPoint(300.0, 0.8);
 }
 
 // Of a table that is not square, whose opacity rises with both.

@@ -75,7 +75,8 @@ private:
   static vtkSmartPointer<vtkImageData> Values()
   {
     const auto image = MaskOf(
-      { 9, 9, 33 }, [](glm::ivec3 voxel) { return voxel.x == 0 ? 100 * (voxel.y % 2) : 50; });
+      { 9, 9, 33 }, [](glm::ivec3 voxel) { return voxel.x == 0 ? 100 * (voxel.y % 2) : 50; },
+      VTK_SHORT); // which packets of rays read
     return image;
   }
 };

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace
 {
@@ -34,12 +35,11 @@ void ExpectMiddle(const std::vector<float>& picture, int size, const Rgba& truth
   }
 }
 
-void UseDepthPeeling(vtkRenderer* renderer)
+// By shaders and by packets.
+void ExpectMiddle(MapperScene& scene, const Rgba& truth, double tolerance)
 {
-  renderer->UseDepthPeelingOn();
-  renderer->UseDepthPeelingForVolumesOn();
-  renderer->SetOcclusionRatio(0.0);
-  renderer->SetMaximumNumberOfPeels(20);
+  ExpectMiddle(scene.Draw(), scene.size, truth, tolerance);
+  ExpectMiddle(scene.DrawByProcessor(), scene.size, truth, tolerance);
 }
 
 vtkSmartPointer<vtkActor> GlassPlane(double zMm, const std::array<double, 3>& rgb, double opacity)
@@ -90,7 +90,7 @@ TEST(DepthPeeling, PutsOneTranslucentPlaneIntoTheVolume)
   scene.renderer->AddActor(GlassPlane(3.0, rgb, 0.4));
   const Rgba truth = Over(scene.Piece(5.0), Over(Glass(rgb, 0.4), scene.Piece(11.0)));
   // VTK's pass keeps its layers in 8 bits.
-  ExpectMiddle(scene.Draw(), scene.size, truth, 3.0 / 255.0);
+  ExpectMiddle(scene, truth, 3.0 / 255.0);
 }
 
 TEST(DepthPeeling, PutsManyPlanesAndAnOpaqueOneIntoTheVolume)
@@ -108,7 +108,7 @@ TEST(DepthPeeling, PutsManyPlanesAndAnOpaqueOneIntoTheVolume)
   const Rgba open = Over(Glass(green, 0.2),
     Over(scene.Piece(3.0),
       Over(Glass(green, 0.3), Over(scene.Piece(4.0), Over(Glass(blue, 0.3), back)))));
-  ExpectMiddle(scene.Draw(), scene.size, open, 5.0 / 255.0);
+  ExpectMiddle(scene, open, 5.0 / 255.0);
 
   scene.renderer->AddActor(Plane(-5.0, -100.0, { 1.0, 1.0, 1.0 }));
   const Rgba closed =
@@ -116,7 +116,7 @@ TEST(DepthPeeling, PutsManyPlanesAndAnOpaqueOneIntoTheVolume)
   const Rgba truth = Over(Glass(green, 0.2),
     Over(scene.Piece(3.0),
       Over(Glass(green, 0.3), Over(scene.Piece(4.0), Over(Glass(blue, 0.3), closed)))));
-  ExpectMiddle(scene.Draw(), scene.size, truth, 5.0 / 255.0);
+  ExpectMiddle(scene, truth, 5.0 / 255.0);
 }
 
 TEST(DepthPeeling, LeavesPixelsWithoutTranslucentGeometryAsTheyAre)
@@ -126,7 +126,7 @@ TEST(DepthPeeling, LeavesPixelsWithoutTranslucentGeometryAsTheyAre)
   const vtkSmartPointer<vtkActor> half = Plane(3.0, 3.0, { 0.1, 0.8, 0.4 });
   half->GetProperty()->SetOpacity(0.4);
   scene.renderer->AddActor(half);
-  ExpectMiddle(scene.Draw(), scene.size, scene.Piece(HomogeneousScene::SideMm), 2.0 / 255.0);
+  ExpectMiddle(scene, scene.Piece(HomogeneousScene::SideMm), 2.0 / 255.0);
 }
 
 // The passes of one picture have one view, which therefore does not rest.
@@ -148,10 +148,32 @@ TEST(DepthPeeling, SearchesForNoStepsWhileTheViewMoves)
   EXPECT_EQ(scene.mapper->GetToleranceSearches(), searches + 1);
 }
 
-TEST(Selection, FindsTheCellAndThePointWhereARayBecomesHalfOpaque)
+// By shaders, and by packets of rays where these can.
+class PassByMarcher : public testing::TestWithParam<bool>
+{
+protected:
+  void UseMarcher(MapperScene& scene) { scene.mapper->SetProcessorMarching(GetParam()); }
+};
+
+class Selection : public PassByMarcher
+{
+};
+
+class RenderToImage : public PassByMarcher
+{
+};
+
+const auto NameOfMarcher = [](const testing::TestParamInfo<bool>& info)
+{ return info.param ? "ByPackets" : "ByShaders"; };
+
+INSTANTIATE_TEST_SUITE_P(Marchers, Selection, testing::Bool(), NameOfMarcher);
+INSTANTIATE_TEST_SUITE_P(Marchers, RenderToImage, testing::Bool(), NameOfMarcher);
+
+TEST_P(Selection, FindsTheCellAndThePointWhereARayBecomesHalfOpaque)
 {
   // Half opaque 1.3 mm behind the front face, at z = 14.7 of the grid; x and y are 8.245.
   HomogeneousScene scene(HalfAfter(1.3));
+  UseMarcher(scene);
   const auto [cellProp, cell] = SelectedInMiddle(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
   EXPECT_EQ(cellProp, scene.volume);
   EXPECT_EQ(cell, (14 * 16 + 8) * 16 + 8);
@@ -160,30 +182,34 @@ TEST(Selection, FindsTheCellAndThePointWhereARayBecomesHalfOpaque)
   EXPECT_EQ(point, (15 * 17 + 8) * 17 + 8);
 }
 
-TEST(Selection, FindsWhatIsInFrontOfTheVolumeAndWhatIsSeenThroughIt)
+TEST_P(Selection, FindsWhatIsInFrontOfTheVolumeAndWhatIsSeenThroughIt)
 {
   HomogeneousScene scene(HalfAfter(1.3));
+  UseMarcher(scene);
   const vtkSmartPointer<vtkActor> before = Plane(12.0, -100.0, { 1.0, 0.0, 0.0 });
   scene.renderer->AddActor(before);
   EXPECT_EQ(SelectedInMiddle(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS).first, before.Get());
 
   HomogeneousScene clear(1e-5);
+  UseMarcher(clear);
   const vtkSmartPointer<vtkActor> inside = Plane(0.0, -100.0, { 1.0, 0.0, 0.0 });
   clear.renderer->AddActor(inside);
   EXPECT_EQ(SelectedInMiddle(clear, vtkDataObject::FIELD_ASSOCIATION_CELLS).first, inside.Get());
 }
 
-TEST(Selection, LeavesThePictureAsItWas)
+TEST_P(Selection, LeavesThePictureAsItWas)
 {
   HomogeneousScene scene;
+  UseMarcher(scene);
   const std::vector<float> before = scene.Draw();
   SelectedInMiddle(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
   EXPECT_EQ(scene.Draw(), before);
 }
 
-TEST(Selection, ByTheVolumePickerFindsItsFrontFace)
+TEST_P(Selection, ByTheVolumePickerFindsItsFrontFace)
 {
   HomogeneousScene scene(0.5);
+  UseMarcher(scene);
   scene.window->Render();
   vtkNew<vtkVolumePicker> picker;
   picker->Pick(16.0, 16.0, 0.0, scene.renderer);
@@ -191,9 +217,10 @@ TEST(Selection, ByTheVolumePickerFindsItsFrontFace)
   EXPECT_NEAR(picker->GetPickPosition()[2], 8.0, 0.1);
 }
 
-TEST(RenderToImage, FillsImagesAndNotTheWindow)
+TEST_P(RenderToImage, FillsImagesAndNotTheWindow)
 {
   HomogeneousScene scene;
+  UseMarcher(scene);
   scene.mapper->RenderToImageOn();
   scene.mapper->SetImageSampleDistance(2.0f);
   const std::vector<float> drawn = scene.Draw();
@@ -214,7 +241,8 @@ TEST(RenderToImage, FillsImagesAndNotTheWindow)
   EXPECT_NEAR(depth->GetScalarComponentAsDouble(8, 8, 0, 0), 0.42, 1e-3);
 }
 
-class RenderToImageOfBlend : public testing::TestWithParam<vtkVolumeMapper::BlendModes>
+class RenderToImageOfBlend
+  : public testing::TestWithParam<std::tuple<vtkVolumeMapper::BlendModes, bool>>
 {
 };
 
@@ -222,9 +250,10 @@ class RenderToImageOfBlend : public testing::TestWithParam<vtkVolumeMapper::Blen
 TEST_P(RenderToImageOfBlend, HasTheColoursOfTheWindow)
 {
   MapperScene scene(SmallTorso(), 32);
+  scene.mapper->SetProcessorMarching(std::get<bool>(GetParam()));
   scene.volume->GetProperty()->ShadeOn();
   scene.volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 100.0);
-  scene.mapper->SetBlendMode(GetParam());
+  scene.mapper->SetBlendMode(std::get<0>(GetParam()));
   const std::vector<float> drawn = scene.Draw();
   scene.mapper->RenderToImageOn();
   scene.Draw();
@@ -246,13 +275,16 @@ TEST_P(RenderToImageOfBlend, HasTheColoursOfTheWindow)
 
 // The minimum of the torso is black.
 INSTANTIATE_TEST_SUITE_P(Blends, RenderToImageOfBlend,
-  testing::Values(vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
-    vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, vtkVolumeMapper::ADDITIVE_BLEND,
-    vtkVolumeMapper::ISOSURFACE_BLEND));
+  testing::Combine(
+    testing::Values(vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
+      vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, vtkVolumeMapper::ADDITIVE_BLEND,
+      vtkVolumeMapper::ISOSURFACE_BLEND),
+    testing::Bool()));
 
-TEST(RenderToImage, HasNoDepthWhereOnlyWhatIsInvisibleIsSummedUp)
+TEST_P(RenderToImage, HasNoDepthWhereOnlyWhatIsInvisibleIsSummedUp)
 {
   HomogeneousScene scene(0.0);
+  UseMarcher(scene);
   scene.mapper->SetBlendModeToAdditive();
   scene.mapper->RenderToImageOn();
   scene.Draw();
@@ -261,9 +293,10 @@ TEST(RenderToImage, HasNoDepthWhereOnlyWhatIsInvisibleIsSummedUp)
   EXPECT_EQ(depth->GetScalarComponentAsDouble(16, 16, 0, 0), 1.0);
 }
 
-TEST(RenderToImage, HasTheDepthOfTheFarPlaneOrOfTheBackFaceWhereNothingIsVisible)
+TEST_P(RenderToImage, HasTheDepthOfTheFarPlaneOrOfTheBackFaceWhereNothingIsVisible)
 {
   HomogeneousScene scene(0.0);
+  UseMarcher(scene);
   scene.mapper->RenderToImageOn();
   scene.mapper->SetAccelerationModeToOff();
   scene.mapper->SetDepthImageScalarTypeToUnsignedShort();

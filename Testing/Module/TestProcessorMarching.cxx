@@ -5,6 +5,13 @@
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
+#include <vtkAbstractArray.h>
+#include <vtkHardwareSelector.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
+
+#include <cmath>
+
 namespace
 {
 
@@ -122,11 +129,63 @@ TEST_F(ProcessorMarching, ComesAndGoes)
   MapperScene scene(SmallTorso());
   scene.mapper->ProcessorMarchingOn();
   const std::vector<float> first = scene.Draw();
-  scene.mapper->SetBlendModeToMaximumIntensity();
+  const vtkIdType bytes = scene.mapper->GetGraphicsMemoryBytes();
+  vtkNew<vtkPlane> plane;
+  scene.volume->GetProperty()->SetSliceFunction(plane);
+  scene.mapper->SetBlendMode(vtkVolumeMapper::SLICE_BLEND); // which packets do not draw
   EXPECT_NE(scene.Draw(), first);
+  EXPECT_FALSE(scene.ShaderParts().empty());
   scene.mapper->SetBlendModeToComposite();
   EXPECT_EQ(scene.Draw(), first);
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes);
   EXPECT_EQ(scene.mapper->GetVolumeTextureBuilds(), 1);
+}
+
+// Of bone through skin, in a part of the volume: where rays become visible first.
+TEST_F(ProcessorMarching, FindsTheDepthsOfTheShader)
+{
+  for (const bool clamped : { false, true })
+  {
+    MapperScene scene(SmallTorso());
+    Clip(scene);
+    scene.mapper->RenderToImageOn();
+    scene.mapper->SetClampDepthToBackface(clamped);
+    ASSERT_TRUE(ByProcessor(scene));
+    vtkNew<vtkImageData> ofPackets;
+    scene.mapper->GetDepthImage(ofPackets);
+    scene.Draw();
+    ASSERT_FALSE(scene.ShaderParts().empty());
+    vtkNew<vtkImageData> ofShader;
+    scene.mapper->GetDepthImage(ofShader);
+    int others = 0;
+    int seen = 0;
+    for (int pixel = 0; pixel < scene.size * scene.size; ++pixel)
+    {
+      const auto depthOf = [&](vtkImageData* image)
+      { return static_cast<const float*>(image->GetScalarPointer())[pixel]; };
+      seen += depthOf(ofShader) < 1.0f ? 1 : 0;
+      others += std::abs(depthOf(ofPackets) - depthOf(ofShader)) > 2e-3f ? 1 : 0;
+    }
+    EXPECT_GT(seen, scene.size * scene.size / 10);
+    EXPECT_LT(others, seen / 200); // rays that pass by what is seen
+  }
+}
+
+TEST_F(ProcessorMarching, SelectsWithoutVoxelsOnTheDevice)
+{
+  MapperScene scene(SmallTorso());
+  ASSERT_TRUE(ByProcessor(scene));
+  scene.mapper->ProcessorMarchingOn();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.renderer);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->SetArea(0, 0, 95, 95);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  ASSERT_EQ(selection->GetNumberOfNodes(), 1u);
+  EXPECT_GT(selection->GetNode(0)->GetSelectionList()->GetNumberOfTuples(), 1000);
+  EXPECT_TRUE(scene.ShaderParts().empty());
+  const vtkIdType pixels = vtkIdType(scene.size) * scene.size * 4 * vtkIdType(sizeof(float));
+  EXPECT_LE(scene.mapper->GetGraphicsMemoryBytes(), pixels);
 }
 
 TEST_F(ProcessorMarching, TakesMoreSamplesThanShadersMay)

@@ -41,10 +41,12 @@ void Crop(MapperScene& scene)
   scene.mapper->CroppingOn();
 }
 
-void KeepAll(MapperScene& scene)
+// By a mask of so many times as many voxels along each axis.
+void KeepAll(MapperScene& scene, int finer)
 {
+  const int* const size = scene.image->GetDimensions();
   vtkNew<vtkImageData> mask;
-  mask->CopyStructure(scene.image);
+  mask->SetDimensions(finer * size[0], finer * size[1], finer * size[2]);
   mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   mask->GetPointData()->GetScalars()->Fill(255.0);
   scene.mapper->SetMaskInput(mask);
@@ -92,7 +94,19 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
     Change{ "Simpson", [](MapperScene& s) { s.mapper->SetIntegrationRule(Mapper::Simpson); } },
     Change{
       "TheScalarField", [](MapperScene& s) { s.mapper->SetAccelerationModeToScalarField(); } },
-    Change{ "CroppingRegions", Crop }, Change{ "AMask", KeepAll },
+    Change{ "AMaximumInCroppingRegions",
+      [](MapperScene& s)
+      {
+        Crop(s);
+        s.mapper->SetBlendModeToMaximumIntensity();
+      } },
+    Change{ "AMaximumOfAMask",
+      [](MapperScene& s)
+      {
+        KeepAll(s, 1);
+        s.mapper->SetBlendModeToMaximumIntensity();
+      } },
+    Change{ "AMaskOfOtherSize", [](MapperScene& s) { KeepAll(s, 2); } },
     Change{ "LightOnCuts",
       [](MapperScene& s)
       {
@@ -121,9 +135,10 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
       } }),
   NameOf);
 
-TEST_F(ProcessorMarching, IsNotForPicturesInImages)
+TEST_F(ProcessorMarching, IsNotForMaximaInImages)
 {
   MapperScene scene(SmallTorso());
+  scene.mapper->SetBlendModeToMaximumIntensity();
   scene.mapper->RenderToImageOn();
   EXPECT_FALSE(ByProcessor(scene));
   vtkNew<vtkImageData> color;

@@ -3,8 +3,6 @@
 
 #include "Module/ProcessorMarching.h"
 
-#include <vtkContourValues.h>
-
 namespace
 {
 
@@ -25,25 +23,6 @@ void ShowAMinimum(MapperScene& scene)
   scene.opacities->RemoveAllPoints();
   scene.opacities->AddPoint(-1300.0, 1.0);
   scene.opacities->AddPoint(500.0, 0.0);
-}
-
-void ShowBoxes(MapperScene& scene)
-{
-  scene.volume->GetProperty()->SetInterpolationTypeToNearest();
-}
-
-// Skin, through which bone is seen.
-void ShowIsosurfaces(MapperScene& scene)
-{
-  scene.mapper->SetBlendModeToIsoSurface();
-  scene.volume->GetProperty()->ShadeOn();
-  vtkContourValues* const values = scene.volume->GetProperty()->GetIsoSurfaceValues();
-  values->SetValue(0, -300.0);
-  values->SetValue(1, 100.0);
-  values->SetValue(2, 300.0);
-  scene.opacities->RemoveAllPoints();
-  scene.opacities->AddPoint(-300.0, 0.2);
-  scene.opacities->AddPoint(300.0, 0.8);
 }
 
 }

@@ -238,7 +238,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 196u);
+  EXPECT_EQ(distinct.size(), 205u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

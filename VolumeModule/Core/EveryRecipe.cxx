@@ -31,7 +31,7 @@ std::vector<RenderSettings> RecipesOfPictures()
   for (bool windowLevel : { false, true })
   {
     recipes.emplace_back();
-    recipes.back().pass = RayPass::Marched;
+    recipes.back().marching = Marching::Before;
     recipes.back().windowLevel = windowLevel;
   }
   for (RayPass pass : { RayPass::PeelOutside, RayPass::PeelBetween, RayPass::PeelLast,
@@ -39,6 +39,13 @@ std::vector<RenderSettings> RecipesOfPictures()
   {
     recipes.push_back({});
     recipes.back().pass = pass;
+    recipes.push_back(recipes.back());
+    recipes.back().marching = Marching::Before;
+    if (Peels(pass))
+    {
+      recipes.push_back(recipes.back());
+      recipes.back().marching = Marching::After;
+    }
   }
   return recipes;
 }

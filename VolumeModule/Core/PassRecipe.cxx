@@ -63,23 +63,53 @@ std::string ResumeFile(RayPass pass)
     case RayPass::Averaged:
       return "Resume/Averaged.glsl";
     case RayPass::PeelOutside:
-      return "Resume/PeelOutside.glsl";
     case RayPass::PeelBetween:
-      return "Resume/PeelBetween.glsl";
     case RayPass::PeelLast:
-      return "Resume/PeelLast.glsl";
+      return "Resume/Peel.glsl";
     case RayPass::PickProp:
       return "Resume/PickProp.glsl";
     case RayPass::PickVoxel:
       return "Resume/PickVoxel.glsl";
     case RayPass::PictureAndDepth:
       return "Resume/PictureAndDepth.glsl";
-    case RayPass::Accumulated: // have shaders of their own
-    case RayPass::Marched:
+    case RayPass::Accumulated: // has a shader of its own
     case RayPass::Whole:
       break;
   }
   return "Resume/Whole.glsl";
+}
+
+std::string MarchedFile(RayPass pass)
+{
+  switch (pass)
+  {
+    case RayPass::PickProp:
+      return "Marched/PickProp.frag.glsl";
+    case RayPass::PickVoxel:
+      return "Marched/PickVoxel.frag.glsl";
+    case RayPass::PictureAndDepth:
+      return "Marched/PictureAndDepth.frag.glsl";
+    default:
+      return Peels(pass) ? "Marched/Layers.frag.glsl" : "Marched/Whole.frag.glsl";
+  }
+}
+
+std::string PlaceFile(RayPass pass)
+{
+  return pass == RayPass::PickVoxel ? "Place/VoxelNumber.glsl" : "Place/Depth.glsl";
+}
+
+std::string PeelFile(RayPass pass)
+{
+  switch (pass)
+  {
+    case RayPass::PeelOutside:
+      return "Peel/Outside.glsl";
+    case RayPass::PeelBetween:
+      return "Peel/Between.glsl";
+    default:
+      return "Peel/Last.glsl";
+  }
 }
 
 std::string WindowFile(const RenderSettings& settings)
@@ -97,13 +127,34 @@ std::vector<std::string> PassParts(const RenderSettings& settings)
   }
   if (Peels(settings.pass))
   {
-    parts.push_back("Peel/Segment.glsl");
+    parts.push_back(PeelFile(settings.pass));
   }
   if (Locates(settings.pass))
   {
-    parts.push_back("Locate/Opacity.glsl");
+    parts.insert(parts.end(), { "Locate/Opacity.glsl", PlaceFile(settings.pass) });
   }
   parts.push_back(ResumeFile(settings.pass));
+  return parts;
+}
+
+// No march here: what the processor's march begins with, and what becomes of it.
+std::vector<std::string> PacketParts(const RenderSettings& settings)
+{
+  const RayPass pass = settings.pass;
+  if (settings.marching == Marching::After)
+  {
+    return { PeelFile(pass), "Marched/LayerDepths.frag.glsl" };
+  }
+  std::vector<std::string> parts = { "Slots.glsl", WindowFile(settings), "Pixels/Marched.glsl" };
+  if (Peels(pass))
+  {
+    parts.push_back(PeelFile(pass));
+  }
+  if (Locates(pass))
+  {
+    parts.push_back(PlaceFile(pass));
+  }
+  parts.push_back(MarchedFile(pass));
   return parts;
 }
 

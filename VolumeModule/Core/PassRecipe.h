@@ -13,10 +13,16 @@ namespace varimarch
 
 std::string BlendFile(const RenderSettings& settings);
 std::string ResumeFile(RayPass pass);
+std::string MarchedFile(RayPass pass);
+std::string PlaceFile(RayPass pass);
+std::string PeelFile(RayPass pass);
 std::string WindowFile(const RenderSettings& settings);
 
 /// Its files behind those that march a ray.
 std::vector<std::string> PassParts(const RenderSettings& settings);
+
+/// All files of a shader whose rays the processor marches.
+std::vector<std::string> PacketParts(const RenderSettings& settings);
 
 }
 

@@ -90,6 +90,14 @@ enum class Marcher
   Processor, ///< packets of rays: Core/Packets
 };
 
+/// When rays are marched, beside a drawing:
+enum class Marching
+{
+  Within, ///< it, by its shader
+  After,  ///< by the processor, which it tells where they begin and end,
+  Before  ///< or whose colours it shows
+};
+
 /// What one drawing does for the rays of a picture.
 enum class RayPass
 {
@@ -98,8 +106,7 @@ enum class RayPass
   Picture,     ///< makes pixels of what they have gathered in all blocks
   Upscaled,    ///< makes pixels of a picture drawn with fewer rays,
   Averaged,    ///< or with more,
-  Accumulated, ///< or of several that have been added up,
-  Marched,     ///< or of one that the processor has marched
+  Accumulated, ///< or of several that have been added up
   PeelOutside, ///< as Whole, but in front of all translucent geometry and behind it,
   PeelBetween, ///< between two pairs of its layers,
   PeelLast,    ///< or between its innermost layers
@@ -107,13 +114,6 @@ enum class RayPass
   PickVoxel,   ///< or of the point or cell that a ray meets
   PictureAndDepth, ///< as Whole, and how deep that is
 };
-
-/// Whether the volume is read in it.
-inline bool Marches(RayPass pass)
-{
-  return pass != RayPass::Picture && pass != RayPass::Upscaled && pass != RayPass::Averaged &&
-    pass != RayPass::Accumulated && pass != RayPass::Marched;
-}
 
 /// Whether translucent geometry divides the rays in it.
 inline bool Peels(RayPass pass)
@@ -159,6 +159,7 @@ struct RenderSettings
   bool countFetches = false;     ///< draw how often each ray has read the volume, not the picture
   bool skipsBricks = true;       ///< composites with the optical field: there is enough to skip
   RayPass pass = RayPass::Whole;
+  Marching marching = Marching::Within;
   bool damping = false; ///< shading without light where there hardly is a gradient; one component
   bool lights = false;  ///< shading by all lights of the scene, not by a head light alone
   Mask mask = Mask::None;
@@ -171,6 +172,14 @@ struct RenderSettings
   bool overlaps = false;        ///< is marched together with other volumes; composite only,
   std::vector<RenderSettings> others = {}; ///< which are these, where it is the first of them
 };
+
+/// Whether the volume is read in a drawing.
+inline bool Marches(const RenderSettings& settings)
+{
+  const RayPass pass = settings.pass;
+  return settings.marching == Marching::Within && pass != RayPass::Picture &&
+    pass != RayPass::Upscaled && pass != RayPass::Averaged && pass != RayPass::Accumulated;
+}
 
 /// Whether rays are sampled: steps then decide on a picture. Voxels as boxes, and extremes between
 /// them, are exact but for projections of several components and at uneven places, and so are

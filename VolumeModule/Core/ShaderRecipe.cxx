@@ -131,10 +131,6 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   {
     return { "Mean.frag.glsl" };
   }
-  if (settings.pass == RayPass::Marched)
-  {
-    return { WindowFile(settings), "Marched.frag.glsl" };
-  }
   std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl",
     DepthFile(settings), ClipFile(settings) };
   if (settings.pass == RayPass::Upscaled)
@@ -355,7 +351,11 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     return PictureParts(settings);
   }
-  if (!Marches(settings.pass))
+  if (settings.marching != Marching::Within)
+  {
+    return PacketParts(settings);
+  }
+  if (!Marches(settings))
   {
     return ResampledParts(settings);
   }

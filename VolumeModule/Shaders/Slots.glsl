@@ -116,13 +116,24 @@ uniform vec2 coarsePerPixel; // rays per pixel on each axis
 float Trust(Ray ray, Interval inside, ivec2 coarsePixel);
 
 // --- Peel: only between layers of translucent geometry -----------------------------------------
-// What is seen of the volume between two depths of the depth buffer.
-vec4 Segment(Ray ray, Interval inside, float frontDepth, float backDepth);
+// Which parts of a ray are drawn, as depths of the depth buffer: one in front of some layers, from
+// x to y, and one behind others, from z to w; there is none where these are not in order.
+vec4 PeeledDepths();
+// What is drawn by the colours of both; that of the front one beside it.
+vec4 Peeled(vec4 front, vec4 back);
 
 // --- Locate: only where a place along a ray is asked for ----------------------------------------
 // Defines: const float Nowhere; and
 //   Located Locate(Ray ray, Interval inside, float opacity);
 //                               t where the ray first has this opacity, or Nowhere [mm]
+
+// --- Place: what is drawn for it then -----------------------------------------------------------
+vec4 ColorOfPlace(vec3 positionGrid);
+
+// --- Pixels: only where the processor has marched the rays
+// ---------------------------------------- What it has made of this pixel: a colour, or a place and
+// whether there is one.
+vec4 MarchedColor(int picture);
 
 // --- Mask: the parts of a ray that a mask tells apart -------------------------------------------
 // Defines, after all the others: Accumulation MarchMasked(Ray ray, Interval inside, Accumulation

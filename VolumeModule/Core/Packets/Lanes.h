@@ -95,6 +95,11 @@ inline bool Any(LaneMask mask)
   return _mm256_movemask_ps(__m256(mask)) != 0;
 }
 
+inline Lanes Mix(Lanes a, Lanes b, Lanes part)
+{
+  return a + part * (b - a);
+}
+
 /// The lanes in memory, for what each does by itself.
 struct IntNumbers
 {

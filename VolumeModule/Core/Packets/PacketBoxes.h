@@ -96,12 +96,12 @@ private:
 ///              0 where a ray has ended)
 template <class Voxel, class Take>
 PacketSum MarchBoxes(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
-  const PacketBoxes<Voxel>& boxes, Take take)
+  const PacketSum& before, const PacketBoxes<Voxel>& boxes, Take take)
 {
   constexpr float VoxelsPerSegment = 4.0f;
   const Lanes segmentMm = VoxelsPerSegment / Length(rays.directionGrid);
   const PacketLattice lattice = boxes.LatticeOf(rays);
-  PacketSum sum;
+  PacketSum sum = before;
   LatticePlaces place = lattice.At(rays.enter);
   LaneMask going = GoOn(scene, rays, place.t, sum);
   for (int index = 0; index < scene.steps.mostSegments && Any(going); ++index)
@@ -129,9 +129,10 @@ PacketSum MarchBoxes(const PacketScene& scene, const PacketRays& rays, const Pac
 }
 
 template <class Voxel>
-PacketSum MarchBoxValues(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+PacketSum MarchBoxValues(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
-  return MarchBoxes(scene, rays, walk, PacketBoxes<Voxel>(scene.volume),
+  return MarchBoxes(scene, rays, walk, before, PacketBoxes<Voxel>(scene.volume),
     [&](PacketSum& sum, const Lanes3&, Lanes value, Lanes, Lanes lengthMm)
     { sum.Add(Classify(scene.look, value), lengthMm); });
 }
@@ -139,14 +140,16 @@ PacketSum MarchBoxValues(const PacketScene& scene, const PacketRays& rays, const
 /// A box has one gradient, that at its middle.
 template <class Voxel, class Material>
 PacketSum MarchBoxMaterials(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   const PacketBoxes<Voxel> boxes(scene.volume);
   const Material material(scene, rays);
-  return MarchBoxes(scene, rays, walk, boxes,
+  return MarchBoxes(scene, rays, walk, before, boxes,
     [&](PacketSum& sum, const Lanes3& voxel, Lanes value, Lanes enter, Lanes lengthMm)
     {
-      const Surface surface = material.SurfaceOf(boxes.GradientOf(voxel));
+      const Lanes3 gradient =
+        material.IsPlain() ? Lanes3{ Lanes{}, Lanes{}, Lanes{} } : boxes.GradientOf(voxel);
+      const Surface surface = material.SurfaceOf(gradient);
       sum.Add(material.At(value, surface, enter + 0.5f * lengthMm), lengthMm);
     });
 }

@@ -54,7 +54,8 @@ template <class Voxel>
 class IsosurfaceMarch
 {
 public:
-  IsosurfaceMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  IsosurfaceMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
+    const PacketSum& before)
     : scene(scene)
     , surfaces(scene.isosurfaces)
     , rays(rays)
@@ -64,6 +65,7 @@ public:
     // Cells before the first voxel and behind the last one are cells too.
     , cells(rays, 1.0f, -1.0f, scene.volume.voxelCount + 1)
     , place(cells.At(rays.enter))
+    , sum(before)
   {
   }
 

@@ -14,7 +14,8 @@ bool CanMarchPackets();
 /// (Eurographics 2001). What the shaders of VolumeModule/Shaders do, in the same steps, without
 /// what a software rasteriser makes of them (Documentation/Decisions/0018).
 /// @param pixels  part of the picture
-/// @param rgba    premultiplied, of those pixels, from below; 4 * width * height
+/// @param rgba    premultiplied, of those pixels, from below; 4 * width * height. Or places, where
+///                the scene asks for these
 void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba);
 
 }

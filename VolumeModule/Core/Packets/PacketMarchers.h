@@ -25,14 +25,15 @@ inline LaneMask GoOn(
 }
 
 /// Marches segments of equal parts, each of which a rule takes in.
+/// @param before  the sum of what is in front of the rays, where they begin
 /// @param take  (sum, where the segment begins, length of a part [mm], 0 where a ray has ended, and
 ///              which rays do not begin it where they have ended the last)
 template <int PartsPerSegment, class Take>
-PacketSum MarchSegments(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, Take take)
+PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
+  const PacketSum& before, Take take)
 {
   constexpr float Part = 1.0f / PartsPerSegment;
-  PacketSum sum;
+  PacketSum sum = before;
   Lanes t = rays.enter;
   LaneMask going = GoOn(scene, rays, t, sum);
   for (int index = 0; index < scene.steps.mostSegments && Any(going); ++index)
@@ -70,11 +71,12 @@ void ReadValues(
 }
 
 template <class Voxels>
-PacketSum MarchMidpoints(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+PacketSum MarchMidpoints(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   constexpr int Parts = 4;
   const Voxels voxels(scene.volume);
-  return MarchSegments<Parts>(scene, rays, walk,
+  return MarchSegments<Parts>(scene, rays, walk, before,
     [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
     {
       Lanes values[Parts];
@@ -91,13 +93,13 @@ PacketSum MarchMidpoints(const PacketScene& scene, const PacketRays& rays, const
 
 template <class Voxels>
 PacketSum MarchPreIntegrated(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   constexpr int Parts = 4;
   const Voxels voxels(scene.volume);
   Lanes start = {};
   Lanes values[Parts] = {};
-  return MarchSegments<Parts>(scene, rays, walk,
+  return MarchSegments<Parts>(scene, rays, walk, before,
     [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask jumps)
     {
       start = Any(jumps) ? voxels.ValueAt(rays.At(enter)) : values[Parts - 1];
@@ -113,17 +115,25 @@ PacketSum MarchPreIntegrated(
     });
 }
 
+/// A value, and its gradient where a material depends on that.
+template <class Material, class Voxels>
+Slope SlopeFor(const Material& material, const Voxels& voxels, const Lanes3& place, LaneMask mask)
+{
+  return material.IsPlain() ? Slope{ voxels.ValueAt(place), { Lanes{}, Lanes{}, Lanes{} } }
+                            : voxels.SlopeAt(place, mask);
+}
+
 /// By segments of four samples, where a shader's have one: to look for the next brick costs a
 /// packet more beside a sample.
 template <class Voxels, class Material>
 PacketSum MarchMaterialMidpoints(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   constexpr int Parts = 4;
   const Voxels voxels(scene.volume);
   const Material material(scene, rays);
   bool isSeen = false; // what was read last: what is next is then read at once, with its gradient
-  return MarchSegments<Parts>(scene, rays, walk,
+  return MarchSegments<Parts>(scene, rays, walk, before,
     [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
     {
       for (int part = 0; part < Parts; ++part)
@@ -137,7 +147,7 @@ PacketSum MarchMaterialMidpoints(
         {
           continue;
         }
-        const auto [value, gradient] = voxels.SlopeAt(place, going);
+        const auto [value, gradient] = SlopeFor(material, voxels, place, going);
         isSeen = mayAbsorb(value);
         if (isSeen)
         {
@@ -162,12 +172,14 @@ template <class Voxels, class Material>
 class MaterialMarch
 {
 public:
-  MaterialMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  MaterialMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
+    const PacketSum& before)
     : scene(scene)
     , rays(rays)
     , walk(walk)
     , voxels(scene.volume)
     , material(scene, rays)
+    , sum(before)
     , t(rays.enter)
   {
     this->segment.endValue = this->voxels.ValueAt(rays.At(this->t));
@@ -231,7 +243,10 @@ private:
 
   void ReadSurface()
   {
-    const Lanes3 gradient = this->voxels.SlopeAt(this->rays.At(this->t), this->going).gradient;
+    const Lanes3 place = this->rays.At(this->t);
+    const Lanes3 gradient = this->material.IsPlain()
+      ? Lanes3{ Lanes{}, Lanes{}, Lanes{} }
+      : this->voxels.SlopeAt(place, this->going).gradient;
     const Surface surface = this->material.SurfaceOf(gradient);
     // Before the first visible segment there is no gradient yet; there it absorbs least.
     this->segment.start = Select(this->known, this->segment.end, surface);

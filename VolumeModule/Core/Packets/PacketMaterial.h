@@ -1,10 +1,11 @@
 #ifndef Varimarch_Core_Packets_PacketMaterial_h
 #define Varimarch_Core_Packets_PacketMaterial_h
 
-// What a place of the volume looks like that its gradient tells of: Shaders/Material/
-// OneComponent.glsl and ValueAndGradient.glsl.
+// What a place of the volume looks like that its gradient tells of, or a mask: Shaders/Material/
+// OneComponent.glsl, ValueAndGradient.glsl and Labelled.glsl.
 
 #include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketLights.h"
 #include "Core/Packets/PacketOptics.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/PacketScene.h"
@@ -12,196 +13,6 @@
 
 namespace varimarch
 {
-
-/// What the gradient at a point tells, each linear between two of them.
-struct Surface
-{
-  Lanes3 gradient;    ///< per voxel
-  Lanes3 normalWorld; ///< any length
-  Lanes towardsEye;   ///< normal times the direction of the ray
-};
-
-inline Lanes3 Scaled(const Lanes3& a, const glm::vec3& factors)
-{
-  return { a.x * factors.x, a.y * factors.y, a.z * factors.z };
-}
-
-inline Lanes3 Mix(const Lanes3& a, const Lanes3& b, Lanes part)
-{
-  return { Mix(a.x, b.x, part), Mix(a.y, b.y, part), Mix(a.z, b.z, part) };
-}
-
-inline Surface Mix(const Surface& a, const Surface& b, Lanes part)
-{
-  return { Mix(a.gradient, b.gradient, part), Mix(a.normalWorld, b.normalWorld, part),
-    Mix(a.towardsEye, b.towardsEye, part) };
-}
-
-inline Surface Select(LaneMask mask, const Surface& yes, const Surface& no)
-{
-  const auto select = [&](const Lanes3& a, const Lanes3& b) {
-    return Lanes3{ Select(mask, a.x, b.x), Select(mask, a.y, b.y), Select(mask, a.z, b.z) };
-  };
-  return { select(yes.gradient, no.gradient), select(yes.normalWorld, no.normalWorld),
-    Select(mask, yes.towardsEye, no.towardsEye) };
-}
-
-/// 1 / length of a surface's normal; 0 where there is none to speak of: of less, the square would
-/// be lost.
-inline Lanes InverseLengthOfNormal(const Surface& surface)
-{
-  const Lanes squared = Dot(surface.normalWorld, surface.normalWorld);
-  return Select(LaneMask(squared > 1e-30f), InverseSqrt(squared), Lanes{});
-}
-
-/// Shaders/Damping: the part of the light that a surface has.
-inline Lanes LitPart(const PacketLight& light, const Surface& surface)
-{
-  return light.damps ? Min(Length(Scaled(surface.gradient, light.dampingFactors)), All(1.0f))
-                     : All(1.0f);
-}
-
-/// Shaders/Shade/HeadLight.glsl.
-inline Lanes3 LitByHeadLight(const PacketLight& light, const Lanes3& color, const Surface& surface)
-{
-  const Lanes facing = Min(Abs(surface.towardsEye) * InverseLengthOfNormal(surface), All(1.0f));
-  const Lanes part = LitPart(light, surface);
-  const Lanes diffuse = part * light.reflectance.y * facing;
-  const Lanes ambient = All(light.reflectance.x);
-  Lanes3 lit{ color.x * (ambient + diffuse * light.diffuse.x),
-    color.y * (ambient + diffuse * light.diffuse.y),
-    color.z * (ambient + diffuse * light.diffuse.z) };
-  if (light.reflectance.z > 0.0f)
-  {
-    const Lanes specular = part * light.reflectance.z * Power(facing, light.reflectance.w);
-    lit = lit +
-      Lanes3{ specular * light.specular.x, specular * light.specular.y,
-        specular * light.specular.z };
-  }
-  return lit;
-}
-
-/// What a surface sends to the eye of a light.
-struct ReflectedLight
-{
-  Lanes diffuse;
-  Lanes specular;
-};
-
-inline ReflectedLight operator*(Lanes factor, const ReflectedLight& a)
-{
-  return { factor * a.diffuse, factor * a.specular };
-}
-
-/// Shaders/Shade/Lights.glsl: any number of lights, seen from points of the rays of a packet.
-class PacketLights
-{
-public:
-  PacketLights(const PacketLight& light, const Lanes3& directionWorld)
-    : light(light)
-    , toEye{ -directionWorld.x, -directionWorld.y, -directionWorld.z }
-  {
-  }
-
-  Lanes3 Lit(const Lanes3& color, const Surface& surface, const Lanes3& positionWorld) const
-  {
-    const Lanes3 outward = -InverseLengthOfNormal(surface) * surface.normalWorld;
-    Sum sum = { { Lanes{}, Lanes{}, Lanes{} }, { Lanes{}, Lanes{}, Lanes{} } };
-    sum.Add(this->ReflectedFrom(outward, this->toEye), this->light.diffuse, this->light.specular);
-    const glm::vec4* texel = this->light.texels;
-    for (int i = 0; i < this->light.distantCount; ++i, texel += TexelsPerLight)
-    {
-      const Lanes3 toLight = { All(texel->x), All(texel->y), All(texel->z) };
-      sum.Add(this->ReflectedFrom(outward, toLight), texel[1], texel[2]);
-    }
-    for (int i = 0; i < this->light.nearCount; ++i, texel += TexelsPerLight)
-    {
-      sum.Add(this->ReflectedFromNear(outward, positionWorld, texel), texel[1], texel[2]);
-    }
-    const Lanes part = LitPart(this->light, surface);
-    const Lanes diffuse = part * this->light.reflectance.y;
-    const Lanes specular = part * this->light.reflectance.z;
-    const glm::vec3 ambient = this->light.reflectance.x * this->light.ambient;
-    return Lanes3{ color.x * (ambient.x + diffuse * sum.diffuse.x),
-      color.y * (ambient.y + diffuse * sum.diffuse.y),
-      color.z * (ambient.z + diffuse * sum.diffuse.z) } +
-      specular * sum.specular;
-  }
-
-private:
-  static constexpr int TexelsPerLight = 5;
-  static constexpr float LeastCosine = 1e-6f; // of which there are powers
-
-  struct Sum
-  {
-    Lanes3 diffuse;
-    Lanes3 specular;
-
-    void Add(const ReflectedLight& reflected, const glm::vec3& diffuseColor,
-      const glm::vec3& specularColor)
-    {
-      const Lanes a = reflected.diffuse;
-      const Lanes b = reflected.specular;
-      this->diffuse =
-        this->diffuse + Lanes3{ a * diffuseColor.x, a * diffuseColor.y, a * diffuseColor.z };
-      this->specular =
-        this->specular + Lanes3{ b * specularColor.x, b * specularColor.y, b * specularColor.z };
-    }
-  };
-
-  Lanes Facing(const Lanes3& normal, const Lanes3& direction) const
-  {
-    const Lanes cosine = Dot(normal, direction);
-    return Max(cosine, -this->light.backsLit * cosine);
-  }
-
-  ReflectedLight ReflectedFrom(const Lanes3& normal, const Lanes3& toLight) const
-  {
-    const Lanes facing = this->Facing(normal, toLight);
-    if (!(this->light.reflectance.z > 0.0f))
-    {
-      return { facing, Lanes{} };
-    }
-    const Lanes3 halfway = toLight + this->toEye;
-    const Lanes shining =
-      this->Facing(normal, halfway) * InverseSqrt(Max(Dot(halfway, halfway), All(1e-30f)));
-    return { facing,
-      Select(LaneMask(facing > 0.0f), PowerOf(shining, this->light.reflectance.w), Lanes{}) };
-  }
-
-  ReflectedLight ReflectedFromNear(
-    const Lanes3& normal, const Lanes3& positionWorld, const glm::vec4* texel) const
-  {
-    const Lanes3 place = { All(texel->x), All(texel->y), All(texel->z) };
-    const Lanes3 toPlace = place - positionWorld;
-    const Lanes distanceMm = Max(Length(toPlace), All(1e-15f));
-    const Lanes3 toLight = (1.0f / distanceMm) * toPlace;
-    return Reach(texel, distanceMm, toLight) * this->ReflectedFrom(normal, toLight);
-  }
-
-  // Of a near light, what reaches a point that is so far from it.
-  static Lanes Reach(const glm::vec4* texel, Lanes distanceMm, const Lanes3& toLight)
-  {
-    const glm::vec4& attenuation = texel[3];
-    const glm::vec4& shinesAlong = texel[4];
-    const float cosineOfCone = texel[1].w;
-    const float exponent = texel[2].w;
-    const Lanes inCone =
-      -(toLight.x * shinesAlong.x + toLight.y * shinesAlong.y + toLight.z * shinesAlong.z);
-    const Lanes reach =
-      1.0f / (attenuation.x + distanceMm * (attenuation.y + distanceMm * attenuation.z));
-    const Lanes shaped = exponent == 0.0f ? All(1.0f) : PowerOf(inCone, exponent);
-    return Select(LaneMask(inCone >= cosineOfCone), reach * shaped, Lanes{});
-  }
-
-  static Lanes PowerOf(Lanes cosine, float exponent)
-  {
-    return Power(Clamp(cosine, All(LeastCosine), All(1.0f)), exponent);
-  }
-
-  const PacketLight& light;
-  Lanes3 toEye;
-};
 
 /// Shaders/Math/WithOpacityFactor.glsl.
 inline Lanes WithOpacityFactor(Lanes extinction, float unitDistanceMm, Lanes factor)
@@ -223,15 +34,18 @@ inline Lanes WithOpacityFactor(Lanes extinction, float unitDistanceMm, Lanes fac
   return Select(LaneMask(factor < 1.0f), newDepth * (1.0f / unitDistanceMm), extinction);
 }
 
-/// Shaders/GradientOpacity/Table.glsl.
+/// Shaders/GradientOpacity/Table.glsl and LabelTables.glsl.
+/// @param row  of a mask; else 0
 inline Lanes AtGradient(
-  const PacketGradientOpacity& opacity, Lanes extinction, const Lanes3& gradient)
+  const PacketGradientOpacity& opacity, Lanes extinction, const Lanes3& gradient, IntLanes row)
 {
   const float last = float(opacity.lastIndex);
   const Lanes place = Min(Length(Scaled(gradient, opacity.indicesPerGradient)), All(last));
   const IntLanes below = Truncated(Min(place, All(last - 1.0f)));
-  const IntNumbers index(below);
-  const auto factor = [&](int lane, int next) { return opacity.factors[index.of[lane] + next].x; };
+  const IntNumbers index(below + (row >> 2) * (opacity.lastIndex + 1));
+  const IntNumbers number(row & 3);
+  const auto factor = [&](int lane, int next)
+  { return opacity.factors[index.of[lane] + next][number.of[lane]]; };
   const auto factors = [&](int next)
   {
     return Lanes{ factor(0, next), factor(1, next), factor(2, next), factor(3, next),
@@ -265,6 +79,13 @@ public:
   {
   }
 
+  /// Whether it is the same for all surfaces.
+  bool IsPlain() const
+  {
+    return this->scene.light.shading == PacketShading::None &&
+      !this->scene.gradientOpacity.factors && !this->scene.twoValues.entries;
+  }
+
   /// @param gradient  per voxel
   Surface SurfaceOf(const Lanes3& gradient) const
   {
@@ -282,7 +103,7 @@ public:
     if (this->scene.gradientOpacity.factors)
     {
       optical.extinction =
-        AtGradient(this->scene.gradientOpacity, optical.extinction, surface.gradient);
+        AtGradient(this->scene.gradientOpacity, optical.extinction, surface.gradient, IntLanes{});
     }
     return optical;
   }
@@ -316,12 +137,76 @@ protected:
   Lanes3 directionWorld;
 };
 
+/// Shaders/Material/Labelled.glsl: by the row of a mask that the rays are in.
+class LabelledMaterial : public PacketMaterial
+{
+public:
+  using PacketMaterial::PacketMaterial;
+
+  Optical At(Lanes value, const Surface& surface, Lanes t) const
+  {
+    const PacketMask& mask = this->scene.mask;
+    Optical optical = this->OfRows(this->rays.region, value, surface);
+    const LaneMask isMixed = this->rays.region > 0;
+    if (mask.rowPart < 1.0f && Any(isMixed))
+    {
+      const Optical plain = this->OfRows(IntLanes{}, value, surface);
+      const Optical mixed = this->Mixed(plain, optical);
+      optical.extinction = Select(isMixed, mixed.extinction, optical.extinction);
+      optical.color = Lanes3{ Select(isMixed, mixed.color.x, optical.color.x),
+        Select(isMixed, mixed.color.y, optical.color.y),
+        Select(isMixed, mixed.color.z, optical.color.z) };
+    }
+    optical.color = this->Shaded(optical.color, surface, t);
+    return optical;
+  }
+
+private:
+  Optical OfRows(IntLanes rows, Lanes value, const Surface& surface) const
+  {
+    const IntNumbers row(rows);
+    const Numbers values(value);
+    __m128 entries[LaneCount];
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      const PacketRow& look = this->scene.mask.rows[row.of[lane]];
+      const float last = float(look.lastIndex);
+      const float index = values.of[lane] * look.indexScale + look.indexOffset;
+      const float place = index > 0.0f ? (index < last ? index : last) : 0.0f;
+      const int below = int(place < last - 1.0f ? place : last - 1.0f);
+      entries[lane] = MixedEntries(look.table + below, place - float(below));
+    }
+    Optical optical = OpticalOf(entries);
+    if (this->scene.gradientOpacity.factors)
+    {
+      optical.extinction =
+        AtGradient(this->scene.gradientOpacity, optical.extinction, surface.gradient, rows);
+    }
+    return optical;
+  }
+
+  // Colours, and opacities over a unit distance.
+  Optical Mixed(const Optical& plain, const Optical& own) const
+  {
+    constexpr float Opaque = 1e30f;
+    const PacketMask& mask = this->scene.mask;
+    const auto opacity = [&](Lanes extinction)
+    { return Absorption(Min(extinction * mask.unitDistanceMm, All(80.0f))); };
+    const Lanes part = All(mask.rowPart);
+    const Lanes mixed = Mix(opacity(plain.extinction), opacity(own.extinction), part);
+    return { Mix(plain.color, own.color, part),
+      WithOpacityFactor(All(Opaque), mask.unitDistanceMm, Min(mixed, All(0.99999994f))) };
+  }
+};
+
 /// The usual one, of a head light and nothing else: a twentieth of a picture's time less than by
 /// the one for all.
 class HeadLitMaterial : public PacketMaterial
 {
 public:
   using PacketMaterial::PacketMaterial;
+
+  static constexpr bool IsPlain() { return false; }
 
   static bool IsThatOf(const PacketScene& scene)
   {

@@ -135,6 +135,14 @@ struct PacketSum
   }
 };
 
+inline PacketSum Select(LaneMask mask, const PacketSum& yes, const PacketSum& no)
+{
+  return { { Select(mask, yes.color.x, no.color.x), Select(mask, yes.color.y, no.color.y),
+             Select(mask, yes.color.z, no.color.z) },
+    Select(mask, yes.transmittance, no.transmittance),
+    Select(mask, yes.opticalDepth, no.opticalDepth) };
+}
+
 }
 
 #endif

@@ -20,6 +20,7 @@ struct PacketRays
   Lanes3 originGrid;
   Lanes3 directionGrid; ///< per mm
   Lanes3 inverse;       ///< of the direction, finite
+  IntLanes region;      ///< what a mask says of all that is marched
   Lanes enter;          ///< part that is inside [mm]; as long as no time where there is none
   Lanes exit;
 
@@ -98,16 +99,46 @@ inline Lanes DepthsAt(const PacketCuts& cuts, int x, int y)
   return Lanes(_mm256_load_ps(depths));
 }
 
-/// See Shaders/Depth/SceneGeometry.glsl.
-inline void CutByDepth(PacketRays& rays, const PacketCuts& cuts, Lanes depth)
+/// Where rays have a depth of the depth buffer; not finite where they have but one.
+inline Lanes AtDepth(const PacketRays& rays, const PacketCuts& cuts, Lanes depth)
 {
   const Lanes clipDepth = 2.0f * depth - 1.0f;
   const Lanes approach = PlaneAlong(cuts.clipDepthRow, rays.directionGrid) -
     clipDepth * PlaneAlong(cuts.clipWeightRow, rays.directionGrid);
   const Lanes beyond = PlaneAt(cuts.clipDepthRow, rays.originGrid) -
     clipDepth * PlaneAt(cuts.clipWeightRow, rays.originGrid);
-  const LaneMask ends = LaneMask(depth < 1.0f) & LaneMask(approach != 0.0f);
-  rays.exit = Select(ends, Min(-beyond / approach, rays.exit), rays.exit);
+  return -beyond / approach;
+}
+
+/// See Shaders/Depth/SceneGeometry.glsl.
+inline void CutByDepth(PacketRays& rays, const PacketCuts& cuts, int x, int y)
+{
+  const Lanes depth = DepthsAt(cuts, x, y);
+  const Lanes end = AtDepth(rays, cuts, depth);
+  const LaneMask ends = LaneMask(depth < 1.0f) & LaneMask(end > -Never) & LaneMask(end < rays.exit);
+  rays.exit = Select(ends, end, rays.exit);
+}
+
+/// See Shaders/Resume/Peel.glsl.
+inline void CutByLayers(PacketRays& rays, const PacketScene& scene, int x, int y)
+{
+  alignas(32) float front[LaneCount];
+  alignas(32) float back[LaneCount];
+  const PacketCamera& camera = scene.camera;
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    const int column = x + lane % PacketWidth;
+    const int row = y + lane / PacketWidth;
+    const bool isInPicture = column < camera.pictureWidth && row < camera.pictureHeight;
+    const std::ptrdiff_t pixel = std::ptrdiff_t(row) * camera.pictureWidth + column;
+    front[lane] = isInPicture ? scene.cuts.layers[4 * pixel] : 0.0f;
+    back[lane] = isInPicture ? scene.cuts.layers[4 * pixel + 1] : 0.0f;
+  }
+  const Lanes from(_mm256_load_ps(front));
+  const Lanes to(_mm256_load_ps(back));
+  rays.enter = Max(AtDepth(rays, scene.cuts, from), rays.enter);
+  rays.exit = Min(AtDepth(rays, scene.cuts, to), rays.exit);
+  rays.exit = Select(LaneMask(from < to), rays.exit, rays.enter);
 }
 
 inline int PacketAt(const PacketDepths& depths, int x, int y)
@@ -152,6 +183,7 @@ inline PacketRays LinesOf(const PacketCamera& camera, int x, int y)
   rays.directionGrid = (1.0f / Length(Transformed(camera.worldFromGrid, direction))) * direction;
   rays.inverse = { SafeInverse(rays.directionGrid.x), SafeInverse(rays.directionGrid.y),
     SafeInverse(rays.directionGrid.z) };
+  rays.region = IntLanes{};
   rays.enter = All(-Never);
   rays.exit = All(Never);
   return rays;
@@ -175,7 +207,11 @@ inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
   }
   if (scene.cuts.depth)
   {
-    CutByDepth(rays, scene.cuts, DepthsAt(scene.cuts, x, y));
+    CutByDepth(rays, scene.cuts, x, y);
+  }
+  if (scene.cuts.layers)
+  {
+    CutByLayers(rays, scene, x, y);
   }
   if (scene.depths.nearest)
   {

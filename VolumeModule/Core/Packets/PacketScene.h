@@ -88,6 +88,25 @@ struct PacketLook
   glm::vec2 visibleValues; ///< only between these does anything absorb
 };
 
+/// The look of a label, from OpticalTables; as PacketLook.
+struct PacketRow
+{
+  const glm::vec4* table;
+  int lastIndex;
+  float indexScale;
+  float indexOffset;
+};
+
+/// A mask of as many voxels as the volume; see Shaders/Mask and Material/Labelled.glsl.
+struct PacketMask
+{
+  const std::uint16_t* texels; ///< of each voxel what it is, and LabelReach; none: there is no mask
+  bool isBinary;               ///< only what is not 0 is drawn, else by the row that it is,
+  const PacketRow* rows;
+  float rowPart;        ///< which counts so much beside row 0, [0, 1]
+  float unitDistanceMm; ///< of opacities that are mixed so
+};
+
 /// Shaders/Classify/TwoValueTable.glsl, of a value and its gradient.
 struct PacketTwoValues
 {
@@ -120,7 +139,8 @@ struct PacketLight
 /// Shaders/GradientOpacity/Table.glsl.
 struct PacketGradientOpacity
 {
-  const glm::vec4* factors; ///< from no gradient on, in x; none: opacity does not depend on it
+  const glm::vec4* factors; ///< from no gradient on, in x, or of row 4 n + i of a mask's in number
+                            ///< i of the n-th table; none: opacity does not depend on it
   int lastIndex;
   glm::vec3 indicesPerGradient; ///< a gradient per voxel -> its length is an index
   float unitDistanceMm;
@@ -170,14 +190,25 @@ struct PacketIsosurfaces
   int count;
 };
 
+/// CroppingRegions.
+struct PacketRegions
+{
+  glm::vec4 planesGrid[6]; ///< of x, y and z, lower and upper: >= 0 beyond it
+  int drawn;               ///< bit x + 3 y + 9 z: 0 below, 1 between, 2 above the planes of an axis
+};
+
 /// What cuts rays off.
 struct PacketCuts
 {
+  bool crops; ///< then a composite or isosurfaces are drawn in some regions only
+  PacketRegions regions;
   const glm::vec4* planesGrid; ///< dot(plane, (position, 1)) >= 0 is left
   int planeCount;
   const float* depth;     ///< of opaque geometry, [0, 1], from below; none: there is none
   glm::ivec2 depthPixels; ///< its size
   glm::vec2 depthPixelsPerPixel;
+  const float* layers;    ///< of each pixel of the picture, from below, the first two of four: the
+                          ///< depths between which its ray is; none: there are no layers
   glm::vec4 clipDepthRow; ///< rows of clipFromGrid that give clip z and w
   glm::vec4 clipWeightRow;
 };
@@ -193,6 +224,14 @@ struct PacketDepths
   int bottom;
 };
 
+/// Pixels are not colours, but places [grid space], with 1 behind them; Shaders/Locate.
+struct PacketLocation
+{
+  float opacity;      ///< that a ray has there for the first time; 0: pixels are colours
+  float leastOpacity; ///< the same of those that never have that; 0: of these it is not asked
+  bool orExit;        ///< of all others where they end; else 0, as where there is no ray
+};
+
 /// A picture of one volume of one component, in plain numbers.
 struct PacketScene
 {
@@ -202,12 +241,14 @@ struct PacketScene
   PacketTwoValues twoValues; ///< of materials,
   PacketLight light;         ///< these, and
   PacketGradientOpacity gradientOpacity;
+  PacketMask mask;
   PacketExtreme extreme;         ///< where that is the rule,
   PacketIsosurfaces isosurfaces; ///< these,
   PacketProjection projection;   ///< and this
   PacketSteps steps;
   PacketCuts cuts;
   PacketDepths depths;
+  PacketLocation location; ///< of a composite or isosurfaces
   PacketRule rule;
 };
 

@@ -6,7 +6,9 @@
 #include "Core/Packets/PacketBoxes.h"
 #include "Core/Packets/PacketExtreme.h"
 #include "Core/Packets/PacketIsosurfaces.h"
+#include "Core/Packets/PacketLocation.h"
 #include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketPieces.h"
 #include "Core/Packets/PacketProjection.h"
 #include "Core/Packets/PacketSpline.h"
 
@@ -26,19 +28,19 @@ namespace
 
 template <class Voxels, class Material>
 FLATTENED PacketSum MarchMaterial(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   return scene.rule == PacketRule::MaterialMidpoint
-    ? MarchMaterialMidpoints<Voxels, Material>(scene, rays, walk)
-    : MaterialMarch<Voxels, Material>(scene, rays, walk).March();
+    ? MarchMaterialMidpoints<Voxels, Material>(scene, rays, walk, before)
+    : MaterialMarch<Voxels, Material>(scene, rays, walk, before).March();
 }
 
 template <class Voxels>
 FLATTENED PacketSum MarchValues(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
-  return scene.rule == PacketRule::Midpoint ? MarchMidpoints<Voxels>(scene, rays, walk)
-                                            : MarchPreIntegrated<Voxels>(scene, rays, walk);
+  return scene.rule == PacketRule::Midpoint ? MarchMidpoints<Voxels>(scene, rays, walk, before)
+                                            : MarchPreIntegrated<Voxels>(scene, rays, walk, before);
 }
 
 template <class Cells>
@@ -56,26 +58,31 @@ FLATTENED PacketSum MarchProjection(
 
 template <class Voxel>
 FLATTENED PacketSum MarchVoxels(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   if (scene.rule == PacketRule::Voxels)
   {
-    return MarchBoxValues<Voxel>(scene, rays, walk);
+    return MarchBoxValues<Voxel>(scene, rays, walk, before);
+  }
+  if (scene.mask.rows)
+  {
+    return MarchBoxMaterials<Voxel, LabelledMaterial>(scene, rays, walk, before);
   }
   return HeadLitMaterial::IsThatOf(scene)
-    ? MarchBoxMaterials<Voxel, HeadLitMaterial>(scene, rays, walk)
-    : MarchBoxMaterials<Voxel, PacketMaterial>(scene, rays, walk);
+    ? MarchBoxMaterials<Voxel, HeadLitMaterial>(scene, rays, walk, before)
+    : MarchBoxMaterials<Voxel, PacketMaterial>(scene, rays, walk, before);
 }
 
 template <class Voxel>
 FLATTENED PacketSum MarchIsosurfaces(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
-  return IsosurfaceMarch<Voxel>(scene, rays, walk).March();
+  return IsosurfaceMarch<Voxel>(scene, rays, walk, before).March();
 }
 
 template <class Voxels>
-PacketSum MarchSampled(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+PacketSum MarchSampled(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   if (scene.rule == PacketRule::Projection)
   {
@@ -83,15 +90,20 @@ PacketSum MarchSampled(const PacketScene& scene, const PacketRays& rays, const P
   }
   if (scene.rule == PacketRule::Midpoint || scene.rule == PacketRule::PreIntegrated)
   {
-    return MarchValues<Voxels>(scene, rays, walk);
+    return MarchValues<Voxels>(scene, rays, walk, before);
+  }
+  if (scene.mask.rows)
+  {
+    return MarchMaterial<Voxels, LabelledMaterial>(scene, rays, walk, before);
   }
   return HeadLitMaterial::IsThatOf(scene)
-    ? MarchMaterial<Voxels, HeadLitMaterial>(scene, rays, walk)
-    : MarchMaterial<Voxels, PacketMaterial>(scene, rays, walk);
+    ? MarchMaterial<Voxels, HeadLitMaterial>(scene, rays, walk, before)
+    : MarchMaterial<Voxels, PacketMaterial>(scene, rays, walk, before);
 }
 
 template <class Voxel>
-PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+PacketSum March(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   switch (scene.rule)
   {
@@ -100,55 +112,100 @@ PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWa
     case PacketRule::ExtremeVoxel:
       return MarchExtreme<PacketBoxes<Voxel>>(scene, rays);
     case PacketRule::Isosurfaces:
-      return MarchIsosurfaces<Voxel>(scene, rays, walk);
+      return MarchIsosurfaces<Voxel>(scene, rays, walk, before);
     case PacketRule::Voxels:
     case PacketRule::MaterialVoxels:
-      return MarchVoxels<Voxel>(scene, rays, walk);
+      return MarchVoxels<Voxel>(scene, rays, walk, before);
     default:
-      return MarchSampled<PacketVoxels<Voxel>>(scene, rays, walk);
+      return MarchSampled<PacketVoxels<Voxel>>(scene, rays, walk, before);
   }
 }
 
-PacketSum March(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+PacketSum March(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   if (scene.volume.areOfSpline)
   {
-    return MarchSampled<PacketSpline>(scene, rays, walk);
+    return MarchSampled<PacketSpline>(scene, rays, walk, before);
   }
   switch (scene.volume.type)
   {
     case VoxelType::Int8:
-      return March<std::int8_t>(scene, rays, walk);
+      return March<std::int8_t>(scene, rays, walk, before);
     case VoxelType::UInt8:
-      return March<std::uint8_t>(scene, rays, walk);
+      return March<std::uint8_t>(scene, rays, walk, before);
     case VoxelType::Int16:
-      return March<std::int16_t>(scene, rays, walk);
+      return March<std::int16_t>(scene, rays, walk, before);
     case VoxelType::UInt16:
-      return March<std::uint16_t>(scene, rays, walk);
+      return March<std::uint16_t>(scene, rays, walk, before);
     case VoxelType::Float32:
-      return March<float>(scene, rays, walk);
+      return March<float>(scene, rays, walk, before);
   }
   return {};
 }
 
-PacketSum MarchPacket(const PacketScene& scene, int x, int y)
+// What is left of rays that are cropped, or masked. The packet's pixels begin at x and y.
+PacketSum MarchLeft(
+  const PacketScene& scene, const PacketRays& rays, const PacketSum& before, int x, int y)
+{
+  const auto march = [&](const PacketRays& piece, const PacketSum& sum)
+  { return March(scene, piece, PacketWalk(scene, piece, x, y), sum); };
+  const auto marchMasked = [&](const PacketRays& piece, const PacketSum& sum)
+  {
+    return scene.mask.texels ? MarchPieces<MaskedPieces>(scene, piece, sum, march)
+                             : march(piece, sum);
+  };
+  return scene.cuts.crops ? MarchPieces<CroppedPieces>(scene, rays, before, marchMasked)
+                          : marchMasked(rays, before);
+}
+
+// Where rays first have an opacity, and whether they do.
+Lanes4 LocatePacket(const PacketScene& scene, const PacketRays& rays, int x, int y)
+{
+  const PacketWalk walk(scene, rays, x, y);
+  const auto march = [&](const PacketRays& piece, const PacketSum& before)
+  { return MarchLeft(scene, piece, before, x, y); };
+  const PacketLocation& location = scene.location;
+  Lanes t = OpacityLocation(scene, rays, walk, location.opacity, march).Find();
+  const LaneMask isRay = LaneMask(rays.enter < rays.exit);
+  if (location.leastOpacity > 0.0f && Any(isRay & LaneMask(t == Never)))
+  {
+    const Lanes later = OpacityLocation(scene, rays, walk, location.leastOpacity, march).Find();
+    t = Select(LaneMask(t == Never), later, t);
+  }
+  const LaneMask isShown = LaneMask(t < Never) | (isRay & AllInt(location.orExit ? -1 : 0));
+  const Lanes3 place = rays.At(Min(t, rays.exit));
+  const Lanes one = Select(isShown, All(1.0f), Lanes{});
+  return { one * place.x, one * place.y, one * place.z, one };
+}
+
+Lanes4 ColorsOf(const PacketSum& sum)
+{
+  return { sum.color.x, sum.color.y, sum.color.z, 1.0f - sum.transmittance };
+}
+
+Lanes4 DrawPacket(const PacketScene& scene, int x, int y)
 {
   if (!IsVisible(scene.depths, x, y))
   {
-    return {};
+    return ColorsOf(PacketSum());
   }
   const PacketRays rays = RaysOf(scene, x, y);
-  return Any(LaneMask(rays.enter < rays.exit)) ? March(scene, rays, PacketWalk(scene, rays, x, y))
-                                               : PacketSum();
+  if (!Any(LaneMask(rays.enter < rays.exit)))
+  {
+    return ColorsOf(PacketSum());
+  }
+  return scene.location.opacity > 0.0f ? LocatePacket(scene, rays, x, y)
+                                       : ColorsOf(MarchLeft(scene, rays, PacketSum(), x, y));
 }
 
 // Those of the packet's pixels that are asked for.
-void Store(const PacketSum& sum, int x, int y, const Viewport& pixels, float* rgba)
+void Store(const Lanes4& drawn, int x, int y, const Viewport& pixels, float* rgba)
 {
-  const Numbers red(sum.color.x);
-  const Numbers green(sum.color.y);
-  const Numbers blue(sum.color.z);
-  const Numbers opacity(1.0f - sum.transmittance);
+  const Numbers red(drawn.x);
+  const Numbers green(drawn.y);
+  const Numbers blue(drawn.z);
+  const Numbers opacity(drawn.w);
   for (int lane = 0; lane < LaneCount; ++lane)
   {
     const int column = x + lane % PacketWidth - pixels.left;
@@ -177,7 +234,7 @@ void MarchTileByAvx2(
     {
       if (x + PacketWidth > pixels.left && y + PacketHeight > pixels.bottom)
       {
-        Store(MarchPacket(scene, x, y), x, y, pixels, rgba);
+        Store(DrawPacket(scene, x, y), x, y, pixels, rgba);
       }
     }
   }

@@ -69,11 +69,6 @@ ValuePairs PairsAt(const Voxel* base, const IntNumbers& index)
   }
 }
 
-inline Lanes Mix(Lanes a, Lanes b, Lanes part)
-{
-  return a + part * (b - a);
-}
-
 /// The eight voxels of a cell, and which one that is.
 struct CellCorners
 {

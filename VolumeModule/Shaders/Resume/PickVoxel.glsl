@@ -1,9 +1,6 @@
 // Selection: the number of the point or cell at which a ray becomes half opaque, or, where it never
-// does, visible; as a colour of 24 bits.
+// does, visible.
 
-uniform vec3 pickedCount;      // points, or cells
-uniform float pickedOffset;    // in the grid: a point is at its number, a cell half behind it
-uniform int pickedHighestBits; // 1 for the bits above the lowest 24
 uniform float leastOpacity;
 
 vec4 DrawnRay(Ray ray, Interval inside)
@@ -17,10 +14,5 @@ vec4 DrawnRay(Ray ray, Interval inside)
   {
     discard;
   }
-  vec3 place = floor(ray.originGrid + t * ray.directionGrid + pickedOffset);
-  uvec3 picked = uvec3(clamp(place, vec3(0.0), pickedCount - 1.0));
-  uvec3 count = uvec3(pickedCount);
-  uint number = (picked.z * count.y + picked.y) * count.x + picked.x;
-  number = pickedHighestBits == 1 ? number >> 24 : number & 0xffffffu;
-  return vec4(uvec4(number, number >> 8, number >> 16, 255u) & 255u) / 255.0;
+  return ColorOfPlace(ray.originGrid + t * ray.directionGrid);
 }

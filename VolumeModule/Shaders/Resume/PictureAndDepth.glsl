@@ -10,10 +10,8 @@ vec4 DrawnRay(Ray ray, Interval inside)
 {
   Located first = Locate(ray, inside, leastOpacity);
   float t = first.t < Nowhere || !clampDepth ? first.t : inside.exit;
-  vec4 place = vec4(ray.originGrid + min(t, inside.exit) * ray.directionGrid, 1.0);
-  float depth = 0.5 * dot(clipDepthRow, place) / dot(clipWeightRow, place) + 0.5;
-  // Drawn over 0, which stands for what is not drawn: the far plane.
-  fragOutput1 = vec4(t < Nowhere ? 1.0 - depth : 0.0, 0.0, 0.0, 0.0);
+  vec3 place = ray.originGrid + min(t, inside.exit) * ray.directionGrid;
+  fragOutput1 = t < Nowhere ? ColorOfPlace(place) : vec4(0.0);
   Interval rest = Interval(first.marched, inside.exit);
   return Probed(Windowed(BlendResult(MarchCropped(ray, rest, first.sum))));
 }

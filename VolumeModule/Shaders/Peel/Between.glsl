@@ -10,22 +10,27 @@ uniform sampler2D opaqueDepthTex;
 
 out vec4 fragOutput1;
 
-vec4 DrawnRay(Ray ray, Interval inside)
+vec4 PeeledDepths()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy - viewportOriginPixels);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec2 inner = texelFetch(innerDepthTex, pixel, 0).xy;
   vec2 outer = texelFetch(outerDepthTex, pixel, 0).xy;
   if (outer.x == -1.0)
   {
-    discard;
+    return vec4(0.0);
   }
   float opaque = texelFetch(opaqueDepthTex, pixel, 0).x;
   bool last = inner.x == -1.0; // no layer is left between: the front segment is all
   bool same = -outer.x == inner.y && -inner.x == outer.y;
   float frontEnd = last ? outer.y : -inner.x;
-  vec4 before = texelFetch(lastFrontColorTex, pixel, 0);
-  vec4 front = Segment(ray, inside, -outer.x, same ? -outer.x : min(frontEnd, opaque));
-  fragOutput1 = before + (1.0 - before.a) * front;
   bool hasBack = !last && frontEnd < opaque;
-  return Segment(ray, inside, inner.y, hasBack ? outer.y : inner.y);
+  return vec4(
+    -outer.x, same ? -outer.x : min(frontEnd, opaque), inner.y, hasBack ? outer.y : inner.y);
+}
+
+vec4 Peeled(vec4 front, vec4 back)
+{
+  vec4 before = texelFetch(lastFrontColorTex, ivec2(gl_FragCoord.xy), 0);
+  fragOutput1 = before + (1.0 - before.a) * front;
+  return back;
 }

@@ -7,13 +7,17 @@ uniform sampler2D innerDepthTex; // (-nearest, farthest translucent geometry), o
 
 out vec4 fragOutput1;
 
-vec4 DrawnRay(Ray ray, Interval inside)
+vec4 PeeledDepths()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy - viewportOriginPixels);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec2 inner = texelFetch(innerDepthTex, pixel, 0).xy;
   vec2 outer = texelFetch(outerDepthTex, pixel, 0).xy;
-  bool translucent = inner.x != -1.0;
   float opaque = outer.y >= 0.0 ? outer.y : 1.0;
-  fragOutput1 = Segment(ray, inside, 0.0, translucent ? -inner.x : 0.0);
-  return Segment(ray, inside, translucent ? inner.y : 0.0, opaque);
+  return inner.x != -1.0 ? vec4(0.0, -inner.x, inner.y, opaque) : vec4(0.0, 0.0, 0.0, opaque);
+}
+
+vec4 Peeled(vec4 front, vec4 back)
+{
+  fragOutput1 = front;
+  return back;
 }

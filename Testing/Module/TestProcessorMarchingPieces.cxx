@@ -1,0 +1,172 @@
+// Rays of which packets march pieces: in masks, by labels, in cropping regions, between translucent
+// geometry. The pictures are those of the shaders, to a twentieth of a grey level (RMSE).
+
+#include "Module/ProcessorMarching.h"
+
+#include <vtkProperty.h>
+
+namespace
+{
+
+using Mapper = vtkVariationFieldVolumeMapper;
+
+// Three balls of glass, which have six layers, and one that is opaque, about the middle.
+void PutGlassIn(MapperScene& scene)
+{
+  UseDepthPeeling(scene.renderer);
+  for (const double part : { 0.05, 0.1, 0.15, 0.2 })
+  {
+    const double length = scene.image->GetLength();
+    const double center[3] = { (part - 0.15) * length, 0.02 * length, 0.0 };
+    const vtkSmartPointer<vtkActor> ball = Ball(center, part * length);
+    ball->GetProperty()->SetColor(0.2, 0.5 + part, 1.0 - 3.0 * part);
+    ball->GetProperty()->SetOpacity(part == 0.05 ? 1.0 : 0.3);
+    scene.renderer->AddActor(ball);
+  }
+}
+
+// Regions at the edges, through which those behind are seen.
+void Crop(MapperScene& scene)
+{
+  double planes[6];
+  scene.image->GetBounds(planes);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double thirdMm = (planes[2 * axis + 1] - planes[2 * axis]) / 3.0;
+    planes[2 * axis] += thirdMm;
+    planes[2 * axis + 1] -= 0.8 * thirdMm;
+  }
+  scene.mapper->CroppingOn();
+  scene.mapper->SetCroppingRegionPlanes(planes);
+  scene.mapper->SetCroppingRegionFlagsToFence();
+}
+
+// Of three kinds of voxels, in slabs that cross the view.
+void UseMask(MapperScene& scene, bool isBinary)
+{
+  vtkNew<vtkImageData> mask;
+  mask->SetDimensions(scene.image->GetDimensions());
+  mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (int z = 0; z < mask->GetDimensions()[2]; ++z)
+  {
+    for (int y = 0; y < mask->GetDimensions()[1]; ++y)
+    {
+      for (int x = 0; x < mask->GetDimensions()[0]; ++x)
+      {
+        mask->SetScalarComponentFromDouble(x, y, z, 0, (x / 13 + y / 5 + z / 9) % 3);
+      }
+    }
+  }
+  scene.mapper->SetMaskInput(mask);
+  scene.mapper->SetMaskType(isBinary ? 0 : 1);
+}
+
+// The second kind is green, the third has a veil of its own.
+void UseLabels(MapperScene& scene)
+{
+  vtkNew<vtkColorTransferFunction> green;
+  green->AddRGBPoint(0.0, 0.1, 0.9, 0.2);
+  vtkNew<vtkPiecewiseFunction> veil;
+  veil->AddPoint(-100.0, 0.0);
+  veil->AddPoint(300.0, 0.08);
+  scene.volume->GetProperty()->SetLabelColor(1, green);
+  scene.volume->GetProperty()->SetLabelScalarOpacity(2, veil);
+  UseMask(scene, false);
+}
+
+}
+
+class ProcessorMarchingOfPieces
+  : public ProcessorMarching
+  , public testing::WithParamInterface<Change>
+{
+};
+
+TEST_P(ProcessorMarchingOfPieces, IsThePictureOfTheShader)
+{
+  MapperScene scene(SmallTorso());
+  GetParam().make(scene);
+  ExpectSamePicture(scene);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfPieces,
+  testing::Values(Change{ "TranslucentGeometry", PutGlassIn },
+    Change{ "TranslucentGeometryInLightAndNoise",
+      [](MapperScene& s)
+      {
+        PutGlassIn(s);
+        s.volume->GetProperty()->ShadeOn();
+        s.mapper->UseJitteringOn();
+        s.mapper->SetFinalColorWindow(0.7f);
+      } },
+    Change{ "ABinaryMask", [](MapperScene& s) { UseMask(s, true); } },
+    Change{ "ABinaryMaskInLight",
+      [](MapperScene& s)
+      {
+        UseMask(s, true);
+        s.volume->GetProperty()->ShadeOn();
+      } },
+    Change{ "ABinaryMaskOfIsosurfaces",
+      [](MapperScene& s)
+      {
+        UseMask(s, true);
+        ShowIsosurfaces(s);
+      } },
+    Change{ "Labels", UseLabels },
+    Change{ "LabelsAtMidpointsInPart",
+      [](MapperScene& s)
+      {
+        UseLabels(s);
+        s.mapper->SetIntegrationRule(Mapper::Midpoint);
+        s.mapper->SetMaskBlendFactor(0.4f);
+      } },
+    Change{ "LabelsInLightWithOpacityOfGradients",
+      [](MapperScene& s)
+      {
+        UseLabels(s);
+        LeaveLowerGradientsOut(s);
+        s.volume->GetProperty()->ShadeOn();
+        vtkNew<vtkPiecewiseFunction> factors;
+        factors->AddPoint(0.0, 0.2);
+        factors->AddPoint(100.0, 1.0);
+        s.volume->GetProperty()->SetLabelGradientOpacity(2, factors);
+      } },
+    Change{ "LabelsOfBoxes",
+      [](MapperScene& s)
+      {
+        UseLabels(s);
+        ShowBoxes(s);
+      } },
+    Change{ "LabelsInACrop",
+      [](MapperScene& s)
+      {
+        UseLabels(s);
+        Crop(s);
+      } },
+    Change{ "Cropping", Crop },
+    Change{ "CroppingAtMidpointsWithNoise",
+      [](MapperScene& s)
+      {
+        Crop(s);
+        s.mapper->SetIntegrationRule(Mapper::Midpoint);
+        s.mapper->UseJitteringOn();
+      } },
+    Change{ "CroppingInLight",
+      [](MapperScene& s)
+      {
+        Crop(s);
+        s.volume->GetProperty()->ShadeOn();
+      } },
+    Change{ "CroppingOfBoxes",
+      [](MapperScene& s)
+      {
+        Crop(s);
+        ShowBoxes(s);
+      } },
+    Change{ "CroppingOfIsosurfaces",
+      [](MapperScene& s)
+      {
+        Crop(s);
+        ShowIsosurfaces(s);
+      } }),
+  NameOf);

@@ -1,0 +1,158 @@
+#ifndef Varimarch_Core_Packets_PacketPieces_h
+#define Varimarch_Core_Packets_PacketPieces_h
+
+// Rays of which some pieces are left out, or are drawn by rules of their own: Shaders/Crop and
+// Shaders/Mask.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketLattice.h"
+#include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/PacketScene.h"
+
+namespace varimarch
+{
+
+/// Shaders/Crop/Regions.glsl: six planes cut rays into pieces, each of which lies in one region.
+class CroppedPieces
+{
+public:
+  CroppedPieces(const PacketScene& scene, const PacketRays& rays)
+    : regions(scene.cuts.regions)
+    , rays(rays)
+    , t(rays.enter)
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      const glm::vec4& plane = this->regions.planesGrid[i];
+      this->crossings[i] = -PlaneAt(plane, rays.originGrid) / PlaneAlong(plane, rays.directionGrid);
+    }
+  }
+
+  /// What is drawn next of the rays of a mask: all pieces that follow each other. Where nothing is,
+  /// and of other rays, it has no length.
+  PacketRays Next(LaneMask mask)
+  {
+    PacketRays drawn = this->rays;
+    drawn.enter = this->t;
+    LaneMask isFound = {};
+    while (Any(mask))
+    {
+      const Lanes end = this->NextCrossing();
+      const LaneMask isDrawn = this->IsDrawn(0.5f * (this->t + end));
+      mask &= isDrawn | ~isFound;
+      this->t = Select(mask, end, this->t);
+      isFound |= mask & isDrawn;
+      drawn.enter = Select(isFound, drawn.enter, this->t);
+      mask &= LaneMask(this->t < this->rays.exit);
+    }
+    drawn.exit = this->t;
+    return drawn;
+  }
+
+private:
+  Lanes NextCrossing() const
+  {
+    Lanes next = this->rays.exit;
+    for (const Lanes& crossing : this->crossings)
+    {
+      next = Select(LaneMask(crossing > this->t), Min(crossing, next), next);
+    }
+    return next;
+  }
+
+  LaneMask IsDrawn(Lanes place) const
+  {
+    const Lanes3 position = this->rays.At(place);
+    IntLanes region = {};
+    for (int axis = 2; axis >= 0; --axis)
+    {
+      const glm::vec4* const planes = this->regions.planesGrid + 2 * axis;
+      const LaneMask isBeyondLower = LaneMask(PlaneAt(planes[0], position) >= 0.0f);
+      const LaneMask isBeyondUpper = LaneMask(PlaneAt(planes[1], position) >= 0.0f);
+      region = 3 * region - isBeyondLower - isBeyondUpper; // a mask is -1
+    }
+    return LaneMask((AllInt(this->regions.drawn) >> region & 1) != 0);
+  }
+
+  const PacketRegions& regions;
+  const PacketRays& rays;
+  Lanes t; ///< up to which they are taken
+  Lanes crossings[6];
+};
+
+/// Shaders/Mask/Voxels.glsl: the cubes around a mask's voxels, joined where their content is the
+/// same.
+class MaskedPieces
+{
+public:
+  MaskedPieces(const PacketScene& scene, const PacketRays& rays)
+    : mask(scene.mask)
+    , rays(rays)
+    , lattice(rays, 1.0f, -0.5f, scene.volume.voxelCount)
+    , place(lattice.At(rays.enter))
+  {
+  }
+
+  /// As CroppedPieces.
+  PacketRays Next(LaneMask searching)
+  {
+    PacketRays drawn = this->rays;
+    drawn.enter = this->place.t;
+    LaneMask isFound = {};
+    while (Any(searching))
+    {
+      const IntNumbers index = this->lattice.IndexOf(this->place.cell);
+      const IntLanes content = this->TexelsAt(index, 0);
+      const LaneMask isDrawn = this->mask.isBinary ? content != 0 : AllInt(-1);
+      searching &= ~isFound | (content == drawn.region);
+      drawn.region = Select(searching & ~isFound, content, drawn.region);
+      const Lanes radius = FloatOf(this->TexelsAt(index, 1) - 1);
+      this->place = Select(searching, this->lattice.BehindBlock(this->place, radius), this->place);
+      isFound |= searching & isDrawn;
+      drawn.enter = Select(isFound, drawn.enter, this->place.t);
+      searching &= LaneMask(this->place.t < this->rays.exit);
+    }
+    drawn.enter = Min(drawn.enter, this->rays.exit);
+    drawn.exit = Min(this->place.t, this->rays.exit);
+    return drawn;
+  }
+
+private:
+  IntLanes TexelsAt(const IntNumbers& index, int which) const
+  {
+    const auto texel = [&](int lane)
+    { return std::int32_t(this->mask.texels[2 * std::ptrdiff_t(index.of[lane]) + which]); };
+    return IntLanes{ texel(0), texel(1), texel(2), texel(3), texel(4), texel(5), texel(6),
+      texel(7) };
+  }
+
+  const PacketMask& mask;
+  const PacketRays& rays;
+  PacketLattice lattice;
+  LatticePlaces place; ///< up to which they are taken
+};
+
+/// @tparam Pieces  CroppedPieces or MaskedPieces
+/// @param before  the sum of what is in front of the rays
+/// @param march   (what is marched of rays, the sum of what is before it), the sum of both
+template <class Pieces, class March>
+PacketSum MarchPieces(
+  const PacketScene& scene, const PacketRays& rays, const PacketSum& before, March march)
+{
+  Pieces pieces(scene, rays);
+  PacketSum sum = before;
+  Lanes t = rays.enter;
+  for (LaneMask going = GoOn(scene, rays, t, sum); Any(going); going &= GoOn(scene, rays, t, sum))
+  {
+    const PacketRays piece = pieces.Next(going);
+    sum = march(piece, sum);
+    t = piece.exit;
+  }
+  return sum;
+}
+
+}
+
+#endif

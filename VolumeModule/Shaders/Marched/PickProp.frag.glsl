@@ -1,0 +1,15 @@
+// Selection: as Resume/PickProp.glsl, of rays that the processor has marched.
+
+uniform vec3 propColor;
+uniform float leastOpacity;
+
+out vec4 fragOutput0;
+
+void main()
+{
+  if (!(MarchedColor(0).a > leastOpacity))
+  {
+    discard;
+  }
+  fragOutput0 = vec4(propColor, 1.0);
+}

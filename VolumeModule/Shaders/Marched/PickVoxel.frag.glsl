@@ -1,0 +1,13 @@
+// Selection: as Resume/PickVoxel.glsl, at places that the processor has found.
+
+out vec4 fragOutput0;
+
+void main()
+{
+  vec4 place = MarchedColor(0);
+  if (place.w == 0.0)
+  {
+    discard;
+  }
+  fragOutput0 = ColorOfPlace(place.xyz);
+}

@@ -1,0 +1,8 @@
+// No rays: those that the processor has marched.
+
+out vec4 fragOutput0;
+
+void main()
+{
+  fragOutput0 = Windowed(MarchedColor(0));
+}
