@@ -1,5 +1,6 @@
 #include "AccelerationField.h"
 
+#include "Core/EvenBricks.h"
 #include "Core/VariationField.h"
 #include "VolumeTexture.h"
 
@@ -149,13 +150,14 @@ void AccelerationField::SetGaps(vtkOpenGLRenderWindow* window, const GapField& g
   this->Upload(window, gaps.count, gaps.texels);
 }
 
-void AccelerationField::BuildRanges(const VoxelValues& values)
+void AccelerationField::BuildRanges(const VoxelValues& values, const std::vector<UnevenAxis>& axes)
 {
   const Stopwatch stopwatch;
   this->ranges.clear();
   for (std::size_t i = 0; i < values.channels.size(); ++i)
   {
-    this->ranges.push_back(RangesOf(values, i));
+    BrickRanges ofVoxels = RangesOf(values, i);
+    this->ranges.push_back(axes.empty() ? std::move(ofVoxels) : EvenBricks(ofVoxels, axes));
   }
   this->rangeSeconds = stopwatch.Seconds();
 }

@@ -7,6 +7,7 @@
 #include "Core/OpticalField.h"
 #include "Core/Packets/VisibleDepths.h"
 #include "Core/RenderSettings.h"
+#include "Core/UnevenAxis.h"
 #include "Core/VisibleBricks.h"
 #include "VolumeTexture.h"
 
@@ -42,7 +43,8 @@ public:
   void SetGaps(vtkOpenGLRenderWindow* window, const GapField& gaps);
 
   /// The part of the optical field that reads the volume; kept for every later BuildOpticalField.
-  void BuildRanges(const VoxelValues& values);
+  /// @param axes  of a rectilinear grid; else none
+  void BuildRanges(const VoxelValues& values, const std::vector<UnevenAxis>& axes);
 
   /// There is nothing of it where rays could hardly skip anything.
   /// @throws std::runtime_error when the device cannot hold the texture

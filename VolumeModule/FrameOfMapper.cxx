@@ -257,8 +257,10 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
     throw std::runtime_error("Masks of rectilinear grids are not supported");
   }
   frame.settings.uneven = true;
-  // The fields are of an even grid.
-  frame.settings.acceleration = Acceleration::Off;
+  if (frame.settings.acceleration == Acceleration::ScalarField)
+  {
+    frame.settings.acceleration = Acceleration::Off; // it is of cells of an even grid
+  }
 }
 
 void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)

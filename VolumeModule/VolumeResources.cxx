@@ -87,11 +87,11 @@ void VolumeResources::Update(Frame& frame, const MemoryElsewhere& elsewhere)
   this->UpdateOpticalTable(frame);
   this->UpdateGradientOpacity(frame);
   this->UpdateMask(frame);
+  this->UpdateSpacing(frame);
   this->UpdateField(frame);
   frame.settings.skipsBricks = this->field.SkipsAny();
   this->UpdateLights(frame);
   this->UpdateIsosurfaces(frame);
-  this->UpdateSpacing(frame);
   this->UpdateBlocks(frame, elsewhere);
 }
 
@@ -206,23 +206,20 @@ void VolumeResources::UpdateCuts(const Frame& frame)
 
 void VolumeResources::UpdateSpacing(const Frame& frame)
 {
-  if (!frame.settings.uneven)
-  {
-    this->spacing.Release(frame.window);
-    this->spacingBins.clear();
-    return;
-  }
-  std::vector<glm::vec4> bins;
+  std::vector<glm::vec4> bins; // none where voxels are at even places
   for (const UnevenAxis& axis : frame.axes)
   {
     const std::vector<glm::vec4> ofAxis = axis.Bins();
     bins.insert(bins.end(), ofAxis.begin(), ofAxis.end());
   }
-  if (bins != this->spacingBins)
+  if (bins == this->spacingBins)
   {
-    this->spacing.Upload(frame.window, bins);
-    this->spacingBins = bins;
+    return;
   }
+  bins.empty() ? this->spacing.Release(frame.window) : this->spacing.Upload(frame.window, bins);
+  this->spacingBins = bins;
+  this->fieldSource.reset(); // bricks are of the even grid
+  this->rangesOfVolume = 0;
 }
 
 VoxelChannels VolumeResources::MarchedChannels() const

@@ -154,7 +154,7 @@ private:
   void UpdateExtremes(const Frame& frame);
   void UpdateIsosurfaceField(const Frame& frame);
   bool BeginsField(const Frame& frame, FieldSource& source);
-  void UpdateRanges();
+  void UpdateRanges(const Frame& frame);
 
   void UpdateBlocks(Frame& frame, const MemoryElsewhere& elsewhere);
   void UpdateVisibleBoxes(const Frame& frame);

@@ -82,7 +82,7 @@ bool VolumeResources::BeginsField(const Frame& frame, FieldSource& source)
   }
   this->builds.field += this->fieldSource && this->fieldSource->ShowsSame(source) ? 0 : 1;
   this->fieldSource.reset();
-  this->UpdateRanges();
+  this->UpdateRanges(frame);
   return true;
 }
 
@@ -121,7 +121,7 @@ void VolumeResources::UpdateExtremes(const Frame& frame)
     return;
   }
   this->fieldSource.reset();
-  this->UpdateRanges();
+  this->UpdateRanges(frame);
   const ExtremeLook look{ this->opticalTable.Table(),
     frame.property->GetScalarOpacityUnitDistance(), frame.fieldError };
   this->field.BuildExtremes(frame.window, look, largest, frame.marcher);
@@ -141,11 +141,11 @@ void VolumeResources::UpdateIsosurfaceField(const Frame& frame)
   }
 }
 
-void VolumeResources::UpdateRanges()
+void VolumeResources::UpdateRanges(const Frame& frame)
 {
   if (this->rangesOfVolume != this->builds.volumeTexture)
   {
-    this->field.BuildRanges(this->blocks.Values());
+    this->field.BuildRanges(this->blocks.Values(), frame.axes);
     this->rangesOfVolume = this->builds.volumeTexture;
     ++this->builds.brickRanges;
   }

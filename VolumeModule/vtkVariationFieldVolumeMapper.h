@@ -58,7 +58,7 @@
  * degree, such as a vtkPlane or vtkSphere; steps and error tolerance have no say in these.
  * CubicInterpolation draws a spline through the voxels where the property says linear.
  *
- * A rectilinear grid is interpolated between its own coordinates; it is marched without a field.
+ * A rectilinear grid is interpolated between its own coordinates; the scalar field is not for it.
  *
  * Several inputs are the volumes of a vtkMultiVolume, which may overlap: a composite of the sum of
  * their extinctions and emissions, each with its own matrix, property and kind of voxels. As

@@ -1,11 +1,14 @@
+#include "Core/EvenBricks.h"
 #include "Core/UnevenAxis.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 using namespace varimarch;
 
@@ -21,6 +24,18 @@ double VoxelAt(const UnevenAxis& axis, double placeGrid)
   const glm::vec4 piece = bins[bin];
   const double beyond = placeGrid - piece.x;
   return piece.y + beyond * (beyond < 0.0 ? piece.z : piece.w);
+}
+
+// With ever more voxels in the same length.
+UnevenAxis RandomAxis(int count, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> gap(0.5, 1.0);
+  std::vector<double> points = { 2.0 };
+  for (int i = 1; i < count; ++i)
+  {
+    points.push_back(points.back() + gap(random) * (count - i + 3) * (count - i + 3));
+  }
+  return UnevenAxis(points, false, false);
 }
 
 }
@@ -44,8 +59,47 @@ TEST(UnevenAxis, EachPlaceIsBetweenTheVoxelsThatItIsBetween)
       const double place = points[i] + part * (points[i + 1] - points[i]);
       const double placeGrid = (place - axis.FirstVoxel()) / axis.Step();
       EXPECT_NEAR(VoxelAt(axis, placeGrid), double(i) + part, 1e-3);
+      EXPECT_NEAR(axis.VoxelAt(placeGrid), double(i) + part, 1e-9);
     }
   }
+}
+
+// Noise in one half, nothing in the other.
+TEST(UnevenAxis, BricksOfTheEvenGridHoldWhatIsThere)
+{
+  const glm::ivec3 size(37, 41, 30);
+  std::mt19937 random(5);
+  std::vector<std::uint8_t> voxels(std::size_t(size.x) * size.y * size.z);
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+  {
+    voxels[i] = i < voxels.size() / 2 ? std::uint8_t(random() % 256) : 0;
+  }
+  const std::vector<UnevenAxis> axes = { RandomAxis(size.x, random), RandomAxis(size.y, random),
+    RandomAxis(size.z, random) };
+  const ScalarGrid<std::uint8_t> grid(voxels.data(), size);
+  const BrickRanges bricks = EvenBricks(BuildBrickRanges(grid, 0.0, 255.0), axes);
+  const glm::ivec3 count = bricks.BrickCount();
+  std::uniform_real_distribution<double> place(-0.5, 1.5);
+  int clear = 0;
+  for (int trial = 0; trial < 20000; ++trial)
+  {
+    glm::dvec3 voxel;
+    glm::ivec3 brick;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double placeGrid = place(random) * (size[axis] - 1);
+      voxel[axis] = axes[axis].VoxelAt(placeGrid);
+      brick[axis] =
+        std::clamp(int(std::floor(placeGrid / BrickRanges::CellsPerSide)), 0, count[axis] - 1);
+    }
+    const BrickRanges::Steps steps =
+      bricks[brick.x + std::size_t(count.x) * (brick.y + std::size_t(count.y) * brick.z)];
+    const double value = grid.Value(voxel);
+    ASSERT_GE(value, double(steps.smallest));
+    ASSERT_LE(value, double(steps.largest));
+    clear += steps.largest == 0 ? 1 : 0;
+  }
+  EXPECT_GT(clear, 4000) << "what is empty is not told from the rest";
 }
 
 TEST(UnevenAxis, CellsReachFromTheFirstPointToTheLast)

@@ -69,6 +69,22 @@ UnevenAxis::UnevenAxis(const std::vector<double>& points, bool ofCells, bool nea
   }
 }
 
+double UnevenAxis::VoxelAt(double placeGrid) const
+{
+  const auto above = std::upper_bound(this->breaks.begin(), this->breaks.end(), placeGrid);
+  double before = 0.0; // that break [voxels]
+  if (above == this->breaks.end())
+  {
+    before = 1.0;
+  }
+  else if (above != this->breaks.begin())
+  {
+    before = (*above - placeGrid) / (*above - above[-1]);
+  }
+  const double voxel = this->firstBreakVoxel + double(above - this->breaks.begin()) - before;
+  return std::clamp(voxel, 0.0, double(this->voxelCount - 1));
+}
+
 std::vector<glm::vec4> UnevenAxis::Bins() const
 {
   const double extent = this->upperGrid - this->lowerGrid;

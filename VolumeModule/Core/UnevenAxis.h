@@ -29,6 +29,9 @@ public:
   double UpperGrid() const { return this->upperGrid; }
   double SmallestGapGrid() const { return this->smallestGapGrid; }
 
+  /// The voxel, or what is between two, at a place of the grid; beyond the outermost ones these.
+  double VoxelAt(double placeGrid) const;
+
   /// Bins of equal length from LowerGrid to UpperGrid. In each, the voxel at a place g is
   /// y + (g - x) * (g < x ? z : w).
   std::vector<glm::vec4> Bins() const;
