@@ -34,18 +34,17 @@ inline Lanes WithOpacityFactor(Lanes extinction, float unitDistanceMm, Lanes fac
   return Select(LaneMask(factor < 1.0f), newDepth * (1.0f / unitDistanceMm), extinction);
 }
 
-/// Shaders/GradientOpacity/Table.glsl and LabelTables.glsl.
-/// @param row  of a mask; else 0
-inline Lanes AtGradient(
-  const PacketGradientOpacity& opacity, Lanes extinction, const Lanes3& gradient, IntLanes row)
+/// Shaders/GradientOpacity.
+/// @param factorOf  (lane, index), the number of an entry that counts
+template <class FactorOf>
+Lanes WithGradientOpacity(
+  const PacketGradientOpacity& opacity, Lanes extinction, const Lanes3& gradient, FactorOf factorOf)
 {
   const float last = float(opacity.lastIndex);
   const Lanes place = Min(Length(Scaled(gradient, opacity.indicesPerGradient)), All(last));
   const IntLanes below = Truncated(Min(place, All(last - 1.0f)));
-  const IntNumbers index(below + (row >> 2) * (opacity.lastIndex + 1));
-  const IntNumbers number(row & 3);
-  const auto factor = [&](int lane, int next)
-  { return opacity.factors[index.of[lane] + next][number.of[lane]]; };
+  const IntNumbers index(below);
+  const auto factor = [&](int lane, int next) { return factorOf(lane, index.of[lane] + next); };
   const auto factors = [&](int next)
   {
     return Lanes{ factor(0, next), factor(1, next), factor(2, next), factor(3, next),
@@ -53,6 +52,26 @@ inline Lanes AtGradient(
   };
   return WithOpacityFactor(
     extinction, opacity.unitDistanceMm, Mix(factors(0), factors(1), place - FloatOf(below)));
+}
+
+/// Shaders/GradientOpacity/Table.glsl.
+inline Lanes AtGradient(
+  const PacketGradientOpacity& opacity, Lanes extinction, const Lanes3& gradient)
+{
+  return WithGradientOpacity(
+    opacity, extinction, gradient, [&](int, int index) { return opacity.factors[index].x; });
+}
+
+/// Shaders/GradientOpacity/LabelTables.glsl.
+inline Lanes AtGradientOfRows(const PacketGradientOpacity& opacity, Lanes extinction,
+  const Lanes3& gradient, const IntNumbers& row)
+{
+  return WithGradientOpacity(opacity, extinction, gradient,
+    [&](int lane, int index)
+    {
+      const int table = row.of[lane] / 4;
+      return opacity.factors[table * (opacity.lastIndex + 1) + index][row.of[lane] % 4];
+    });
 }
 
 /// Shaders/Material/ValueAndGradient.glsl, without light.
@@ -103,7 +122,7 @@ public:
     if (this->scene.gradientOpacity.factors)
     {
       optical.extinction =
-        AtGradient(this->scene.gradientOpacity, optical.extinction, surface.gradient, IntLanes{});
+        AtGradient(this->scene.gradientOpacity, optical.extinction, surface.gradient);
     }
     return optical;
   }
@@ -180,7 +199,7 @@ private:
     if (this->scene.gradientOpacity.factors)
     {
       optical.extinction =
-        AtGradient(this->scene.gradientOpacity, optical.extinction, surface.gradient, rows);
+        AtGradientOfRows(this->scene.gradientOpacity, optical.extinction, surface.gradient, row);
     }
     return optical;
   }
