@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace varimarch
 {
@@ -230,30 +231,6 @@ PacketProjection ProjectionOf(const Frame& frame, const VolumeResources& volume)
 
 }
 
-std::optional<VoxelType> PacketVoxelTypeOf(const VoxelChannels& channels)
-{
-  vtkDataArray* const array = channels.front().array;
-  if (array->GetNumberOfComponents() != 1)
-  {
-    return std::nullopt;
-  }
-  switch (array->GetDataType())
-  {
-    case VTK_CHAR:
-    case VTK_SIGNED_CHAR:
-      return VoxelType::Int8;
-    case VTK_UNSIGNED_CHAR:
-      return VoxelType::UInt8;
-    case VTK_SHORT:
-      return VoxelType::Int16;
-    case VTK_UNSIGNED_SHORT:
-      return VoxelType::UInt16;
-    case VTK_FLOAT:
-      return VoxelType::Float32;
-  }
-  return std::nullopt;
-}
-
 std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables)
 {
   std::vector<PacketRow> rows;
@@ -274,9 +251,9 @@ PacketScene PacketSceneOf(
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
   PacketScene scene = {};
   scene.camera = CameraOf(frame, ComputePixelRays(clipFromGrid, around.drawnBox), around.drawnBox);
-  const VoxelChannels channels = volume.MarchedChannels();
-  scene.volume = { channels.front().array->GetVoidPointer(0), *PacketVoxelTypeOf(channels),
-    frame.settings.cubic, frame.geometry.dimensions };
+  vtkDataArray* const voxels = volume.PacketVoxels();
+  scene.volume = { voxels->GetVoidPointer(0), *PacketVoxelTypeOf(voxels), frame.settings.cubic,
+    frame.geometry.dimensions };
   scene.look = LookOf(frame, volume);
   scene.twoValues = TwoValuesOf(frame, volume);
   scene.light = LightOf(frame, around.lights, volume.Blocks().Texels().mapping.scale);
@@ -308,6 +285,20 @@ PacketScene PacketSceneOf(
   scene.steps.noiseMask = BlueNoiseTexture::Pixels - 1;
   scene.rule = RuleOf(frame.settings);
   return scene;
+}
+
+// Of projections what is invisible counts too.
+SceneOfVolume::SceneOfVolume(const Frame& frame, const VolumeResources& volume,
+  PacketSurroundings newAround, const Viewport& pixels)
+  : around(std::move(newAround))
+  , scene(PacketSceneOf(frame, volume, this->around))
+{
+  if (this->scene.steps.bricks && this->scene.rule != PacketRule::Projection)
+  {
+    const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+    this->visible.emplace(volume.Field().VisibleBlocks(), clipFromGrid, this->scene.camera, pixels);
+    this->scene.depths = this->visible->Depths();
+  }
 }
 
 }

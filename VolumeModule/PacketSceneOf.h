@@ -2,6 +2,7 @@
 #define Varimarch_PacketSceneOf_h
 
 #include "Core/Packets/PacketScene.h"
+#include "Core/Packets/VisibleDepths.h"
 #include "Lights.h"
 #include "VolumeResources.h"
 
@@ -29,15 +30,31 @@ struct PacketSurroundings
   const std::uint16_t* noise; ///< BlueNoiseTile; none: without jitter
 };
 
-/// How packets of rays read these voxels; nothing where they cannot.
-std::optional<VoxelType> PacketVoxelTypeOf(const VoxelChannels& channels);
-
 /// What the labels of a mask look like.
 std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables);
 
 /// A frame in plain numbers, which point into all three.
 PacketScene PacketSceneOf(
   const Frame& frame, const VolumeResources& volume, const PacketSurroundings& around);
+
+/// The same with what it points into, and with where it is visible.
+struct SceneOfVolume
+{
+  /// @param pixels  that are drawn of the frame's
+  SceneOfVolume(const Frame& frame, const VolumeResources& volume, PacketSurroundings newAround,
+    const Viewport& pixels);
+
+  PacketSurroundings around;
+  PacketScene scene;
+  std::optional<VisibleDepths> visible; ///< none: everything may be
+};
+
+/// The others of volumes that overlap, whose first points to them.
+struct OverlappingScenes
+{
+  std::vector<SceneOfVolume> volumes;
+  std::vector<PacketScene> scenes; ///< theirs
+};
 
 }
 

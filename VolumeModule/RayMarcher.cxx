@@ -14,6 +14,7 @@ void RayMarcher::Draw(Frame frame)
   this->EnterWindow(frame.window);
   this->BeginAccumulation(frame);
   this->volume.UpdateVoxels(frame);
+  this->UpdateVoxelsOfOthers(frame);
   frame.marcher = this->MarchesPackets(frame) ? Marcher::Processor : Marcher::Device;
   if (frame.marcher == Marcher::Device)
   {

@@ -86,18 +86,20 @@ private:
 
   // By the processor.
   bool MarchesPackets(const Frame& frame);
-  bool HasPlainValues(const Frame& frame);
   PacketSurroundings SurroundingsOf(const Frame& frame);
   std::vector<float> DrawLayerDepths(const Frame& frame);
   void DrawPackets(const Frame& frame);
   void SetPacketUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
 
   // Several volumes that overlap.
+  void UpdateVoxelsOfOthers(const Frame& frame);
   void UpdateOthers(Frame& frame);
   Box BoxOfAll(const Frame& frame) const;
   void ReleaseOthers(vtkWindow* window, std::size_t first);
   std::size_t BytesOfOthers() const;
   void SetUniformsOfOthers(const Frame& frame);
+  OverlappingScenes JoinScenes(
+    PacketScene& first, const Frame& frame, const Viewport& pixels) const;
 
   // In pictures that others are made of, or that are not seen.
   void BeginAccumulation(Frame& frame);

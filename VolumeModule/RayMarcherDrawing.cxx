@@ -107,7 +107,10 @@ std::vector<vtkTextureObject*> RayMarcher::TexturesOf(const DrawnBlock& drawn)
   for (const auto& other : this->others)
   {
     add(other->Textures());
-    add(other->Blocks().Take(this->window, 0).Textures());
+    if (drawn.block)
+    {
+      add(other->Blocks().Take(this->window, 0).Textures());
+    }
   }
   return textures;
 }

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace varimarch
@@ -52,8 +51,7 @@ bool HasPacketRecipe(const Frame& frame)
     MarchesMaterial(settings) || settings.integration == Integration::Midpoint ||
     settings.integration == Integration::PreIntegrated;
   return IsBlendedByPackets(settings) && isPlain && hasSum && hasMask &&
-    !settings.clippedGradients && hasSteps && hasRule && !settings.overlaps &&
-    !settings.countFetches;
+    !settings.clippedGradients && hasSteps && hasRule && !settings.countFetches;
 }
 
 // In 32 bits, to the end of the last that are read together.
@@ -63,6 +61,32 @@ bool CanBeIndexed(glm::ivec3 voxels, bool cubic)
   const double count = double(voxels.x) * voxels.y * voxels.z;
   return voxels.x >= fewest && voxels.y >= fewest && voxels.z >= fewest &&
     count < double(std::numeric_limits<int>::max());
+}
+
+// Shaders know where gaps are, and shift and scale floats that are large, small or far from zero.
+bool HasPlainValues(const Frame& frame, VolumeResources& volume)
+{
+  const ScalarTexels& texels = volume.Blocks().Texels();
+  if (frame.blanking.Any())
+  {
+    return false;
+  }
+  if (texels.normalized)
+  {
+    constexpr double MostWhole = 1 << 24; // that a float can be
+    const bool areFew = std::max(-texels.smallestScalar, texels.largestScalar) <= MostWhole;
+    return areFew || PacketVoxelTypeOf(volume.MarchedChannels().front().array);
+  }
+  constexpr double Large = 1e15;
+  return texels.mapping.offset == 0.0 && texels.mapping.scale <= Large &&
+    texels.mapping.scale >= 1.0 / Large && volume.AreVoxelsFinite();
+}
+
+// One of the volumes of a picture.
+bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
+{
+  return HasPacketRecipe(frame) && CanBeIndexed(frame.geometry.dimensions, frame.settings.cubic) &&
+    HasPlainValues(frame, volume);
 }
 
 // Of pixels of a viewport, those that are drawn.
@@ -113,25 +137,15 @@ std::vector<PacketScene> PartsOf(
 
 }
 
-// Shaders know where gaps are, and shift and scale floats that are large, small or far from zero.
-bool RayMarcher::HasPlainValues(const Frame& frame)
-{
-  const ScalarTexels& texels = this->volume.Blocks().Texels();
-  if (frame.blanking.Any() || texels.normalized)
-  {
-    return !frame.blanking.Any();
-  }
-  constexpr double Large = 1e15;
-  return texels.mapping.offset == 0.0 && texels.mapping.scale <= Large &&
-    texels.mapping.scale >= 1.0 / Large && this->volume.AreVoxelsFinite();
-}
-
 bool RayMarcher::MarchesPackets(const Frame& frame)
 {
+  bool areRead = IsReadByPackets(frame, this->volume);
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    areRead = areRead && IsReadByPackets(frame.others[i], *this->others[i]);
+  }
   return frame.mayMarchByProcessor && CanMarchPackets() && IsSoftwareRasterizer() &&
-    HasPacketRecipe(frame) && frame.mostMemoryBytes == 0 && frame.userCode.IsEmpty() &&
-    PacketVoxelTypeOf(this->volume.MarchedChannels()) &&
-    CanBeIndexed(frame.geometry.dimensions, frame.settings.cubic) && this->HasPlainValues(frame);
+    frame.mostMemoryBytes == 0 && frame.userCode.IsEmpty() && areRead;
 }
 
 PacketSurroundings RayMarcher::SurroundingsOf(const Frame& frame)
@@ -186,15 +200,9 @@ void RayMarcher::DrawPackets(const Frame& frame)
   {
     return;
   }
-  const PacketSurroundings around = this->SurroundingsOf(frame);
-  PacketScene scene = PacketSceneOf(frame, this->volume, around);
-  std::optional<VisibleDepths> visible;
-  if (scene.steps.bricks && scene.rule != PacketRule::Projection) // there what is invisible counts
-  {
-    visible.emplace(this->volume.Field().VisibleBlocks(), clipFromGrid, scene.camera, pixels);
-    scene.depths = visible->Depths();
-  }
-  this->packets.March(frame.window, PartsOf(scene, frame, around.layerDepths), pixels);
+  SceneOfVolume first(frame, this->volume, this->SurroundingsOf(frame), pixels);
+  const OverlappingScenes others = this->JoinScenes(first.scene, frame, pixels);
+  this->packets.March(frame.window, PartsOf(first.scene, frame, first.around.layerDepths), pixels);
   this->shaderParts.clear();
 
   Frame marched = frame;

@@ -3,6 +3,8 @@
 
 #include "RayMarcher.h"
 
+#include "Lights.h"
+
 #include "vtkOpenGLRenderWindow.h"
 
 #include <glm/common.hpp>
@@ -59,22 +61,51 @@ void CheckOneBlock(const VolumeResources& resources, const Frame& frame)
   }
 }
 
+// Where rays begin and end is what all of them have; what may be visible is their own.
+void SetOverlap(PacketScene& scene, const Box& drawnGrid, const glm::dmat4& gridFromRays)
+{
+  scene.overlap.gridFromRays = gridFromRays;
+  scene.overlap.lowerGrid = drawnGrid.lower;
+  scene.overlap.upperGrid = drawnGrid.upper;
+  scene.overlap.visible = scene.depths;
+  scene.depths = {};
 }
 
-void RayMarcher::UpdateOthers(Frame& frame)
+PacketSurroundings SurroundingsOfOther(const Frame& frame)
+{
+  PacketSurroundings around = {};
+  around.drawnBox = frame.geometry.boxGrid;
+  if (frame.settings.lights)
+  {
+    around.lights = LightTexelsOf(frame.renderer);
+  }
+  return around;
+}
+
+}
+
+void RayMarcher::UpdateVoxelsOfOthers(const Frame& frame)
 {
   const std::size_t count = frame.others.size();
   this->ReleaseOthers(frame.window, count);
-  frame.settings.others.clear();
   for (std::size_t i = 0; i < count; ++i)
   {
     if (i == this->others.size())
     {
       this->others.push_back(std::make_unique<VolumeResources>());
     }
+    this->others[i]->UpdateVoxels(frame.others[i]);
+  }
+}
+
+void RayMarcher::UpdateOthers(Frame& frame)
+{
+  frame.settings.others.clear();
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
     VolumeResources& resources = *this->others[i];
     Frame& other = frame.others[i];
-    resources.UpdateVoxels(other);
+    other.marcher = frame.marcher;
     resources.Update(other, {});
     CheckOneBlock(resources, other);
     frame.settings.others.push_back(other.settings);
@@ -134,6 +165,27 @@ void RayMarcher::SetUniformsOfOthers(const Frame& frame)
     uniforms.SetMarch(drawn);
     uniforms.SetOwnGrid(GridFromGrid(other, frame));
   }
+}
+
+OverlappingScenes RayMarcher::JoinScenes(
+  PacketScene& first, const Frame& frame, const Viewport& pixels) const
+{
+  OverlappingScenes joined;
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    const Frame& other = frame.others[i];
+    const VolumeResources& resources = *this->others[i];
+    joined.volumes.emplace_back(other, resources, SurroundingsOfOther(other), pixels);
+    joined.scenes.push_back(joined.volumes.back().scene);
+    SetOverlap(joined.scenes.back(), resources.VisibleBox(), GridFromGrid(other, frame));
+  }
+  if (!joined.scenes.empty())
+  {
+    SetOverlap(first, this->volume.VisibleBox(), glm::dmat4(1.0));
+    first.overlap.others = joined.scenes.data();
+    first.overlap.otherCount = int(joined.scenes.size());
+  }
+  return joined;
 }
 
 }

@@ -58,6 +58,29 @@ bool AreFinite(vtkDataArray* array)
 
 }
 
+std::optional<VoxelType> PacketVoxelTypeOf(vtkDataArray* array)
+{
+  if (array->GetNumberOfComponents() != 1)
+  {
+    return std::nullopt;
+  }
+  switch (array->GetDataType())
+  {
+    case VTK_CHAR:
+    case VTK_SIGNED_CHAR:
+      return VoxelType::Int8;
+    case VTK_UNSIGNED_CHAR:
+      return VoxelType::UInt8;
+    case VTK_SHORT:
+      return VoxelType::Int16;
+    case VTK_UNSIGNED_SHORT:
+      return VoxelType::UInt16;
+    case VTK_FLOAT:
+      return VoxelType::Float32;
+  }
+  return std::nullopt;
+}
+
 void VolumeResources::UpdateVoxels(const Frame& frame)
 {
   this->blocks.SetBlanking(frame.blanking);
@@ -79,6 +102,7 @@ void VolumeResources::UpdateVoxels(const Frame& frame)
   this->volumeIsCubic = isCubic;
   this->tableSource = nullptr; // a table covers the range of the scalars
   this->voxelsAreFinite.reset();
+  this->packetVoxels = {};
   ++this->builds.volumeTexture;
 }
 
@@ -86,6 +110,7 @@ void VolumeResources::Update(Frame& frame, const MemoryElsewhere& elsewhere)
 {
   this->UpdateOpticalTable(frame);
   this->UpdateGradientOpacity(frame);
+  this->UpdatePacketVoxels(frame);
   this->UpdateMask(frame);
   this->UpdateSpacing(frame);
   this->UpdateField(frame);
@@ -231,9 +256,31 @@ bool VolumeResources::AreVoxelsFinite()
 {
   if (!this->voxelsAreFinite)
   {
-    this->voxelsAreFinite = AreFinite(this->MarchedChannels().front().array);
+    const VoxelChannel channel = this->MarchedChannels().front();
+    const bool isRead = PacketVoxelTypeOf(channel.array).has_value();
+    this->packetVoxels = isRead ? ChannelCopy() : CopyAsFloats(channel); // which tells it too
+    this->voxelsAreFinite = isRead ? AreFinite(channel.array) : this->packetVoxels.allFinite;
   }
   return *this->voxelsAreFinite;
+}
+
+void VolumeResources::UpdatePacketVoxels(const Frame& frame)
+{
+  const VoxelChannel channel = this->MarchedChannels().front();
+  if (frame.marcher == Marcher::Device || PacketVoxelTypeOf(channel.array))
+  {
+    this->packetVoxels = {};
+  }
+  else if (!this->packetVoxels.array)
+  {
+    this->packetVoxels = CopyAsFloats(channel);
+  }
+}
+
+vtkDataArray* VolumeResources::PacketVoxels() const
+{
+  return this->packetVoxels.array ? this->packetVoxels.array.Get()
+                                  : this->MarchedChannels().front().array;
 }
 
 std::size_t VolumeResources::Bytes() const
@@ -270,6 +317,7 @@ void VolumeResources::Release(vtkWindow* window)
   this->isosurfaces.Release(window);
   this->spacing.Release(window);
   this->spline = SplineVolume();
+  this->packetVoxels = {};
   this->gradientOpacitySource.clear();
   this->spacingBins.clear();
   this->volumeSource.clear();

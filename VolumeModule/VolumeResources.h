@@ -2,7 +2,9 @@
 #define Varimarch_VolumeResources_h
 
 #include "AccelerationField.h"
+#include "ChannelCopy.h"
 #include "Core/FieldDirections.h"
+#include "Core/Packets/PacketScene.h"
 #include "FloatBufferTexture.h"
 #include "FloatTable.h"
 #include "Frame.h"
@@ -86,6 +88,9 @@ struct MemoryElsewhere
 /// Of each isosurface its colour and optical depth, and its isovalue.
 std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame);
 
+/// How packets of rays read the voxels of an array; nothing where they cannot.
+std::optional<VoxelType> PacketVoxelTypeOf(vtkDataArray* array);
+
 /// All that the march through one volume reads: its voxels, what is known of them, and what they
 /// look like. Remakes those, and only those, whose source has changed since the last frame; what a
 /// frame does not need is not there.
@@ -130,7 +135,9 @@ public:
 
   /// Voxels, or the coefficients of a spline through them.
   VoxelChannels MarchedChannels() const;
-  bool AreVoxelsFinite(); ///< of the first channel, of floats
+  bool AreVoxelsFinite(); ///< of the first channel, whose types are those of real numbers
+  /// The first channel as packets of rays read it: where its owner keeps it, or a copy.
+  vtkDataArray* PacketVoxels() const;
 
   ExtremeSteps ExtremeStepsOf(Blend blend) const;
 
@@ -143,6 +150,7 @@ private:
   void UpdateOpticalTable(const Frame& frame);
   std::vector<OpticalTable> BuildTables(const Frame& frame);
   void UpdateGradientOpacity(const Frame& frame);
+  void UpdatePacketVoxels(const Frame& frame);
   void UpdateMask(const Frame& frame);
   void UpdateLights(const Frame& frame);
   void UpdateIsosurfaces(const Frame& frame);
@@ -163,7 +171,8 @@ private:
   std::size_t FixedBytes(const Frame& frame, const MemoryElsewhere& elsewhere) const;
   std::size_t BytesBesideBlocks() const;
 
-  SplineVolume spline; ///< only where voxels are interpolated by one
+  SplineVolume spline;      ///< only where voxels are interpolated by one
+  ChannelCopy packetVoxels; ///< only of types that packets do not read, where they march
   VolumeBlocks blocks;
   AccelerationField field;
   OpticalTableTexture opticalTable;

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace varimarch;
@@ -55,6 +56,7 @@ OverlapScene::OverlapScene(int size)
   this->window->AddRenderer(this->renderer);
   this->several->SetMapper(this->mapper);
   this->mapper->GetVariationFieldMapper()->SetErrorTolerance(0.0);
+  this->mapper->GetVariationFieldMapper()->ProcessorMarchingOff();
   vtkCamera* camera = this->renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetParallelScale(HalfViewMm);
@@ -86,6 +88,14 @@ std::vector<float> OverlapScene::Draw()
   const auto captured = CaptureFloatImage(this->window, this->renderer);
   const auto* pixels = static_cast<const float*>(captured->GetScalarPointer());
   return std::vector<float>(pixels, pixels + 4 * this->size * this->size);
+}
+
+std::vector<float> OverlapScene::DrawByProcessor()
+{
+  this->mapper->GetVariationFieldMapper()->ProcessorMarchingOn();
+  const std::vector<float> drawn = this->Draw();
+  this->mapper->GetVariationFieldMapper()->ProcessorMarchingOff();
+  return drawn;
 }
 
 PixelRays OverlapScene::RaysWorld()
@@ -122,9 +132,14 @@ std::vector<float> OverlapScene::Truth()
 
 ImageError OverlapScene::Error()
 {
-  const std::vector<float> drawn = this->Draw();
   const std::vector<float> truth = this->Truth();
-  return CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+  const std::vector<float> marched = this->DrawByProcessor();
+  const ImageError byProcessor = CompareImages(marched.data(), truth.data(), truth.size() / 4);
+  const std::vector<float> drawn = this->Draw();
+  const ImageError byShader = CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+  return { std::max(byShader.rootMeanSquare, byProcessor.rootMeanSquare),
+    std::max(byShader.percentile999, byProcessor.percentile999),
+    std::max(byShader.largest, byProcessor.largest) };
 }
 
 std::vector<std::string> OverlapScene::ShaderParts()

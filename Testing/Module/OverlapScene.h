@@ -22,13 +22,15 @@ public:
   vtkVolume* Add(int port, vtkImageData* image, const Look& look);
   void Remove(int port);
 
-  /// The picture in float: premultiplied RGBA before the background.
+  /// The picture in float: premultiplied RGBA before the background. By a shader, or by the
+  /// processor where it can.
   std::vector<float> Draw();
+  std::vector<float> DrawByProcessor();
 
   /// What the sum of all volumes looks like by the reference, with head light where they are
   /// shaded.
   std::vector<float> Truth();
-  varimarch::ImageError Error();
+  varimarch::ImageError Error(); ///< the larger of both
 
   varimarch::PixelRays RaysWorld();
   std::vector<std::string> ShaderParts();

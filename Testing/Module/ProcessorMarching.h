@@ -61,16 +61,21 @@ inline vtkSmartPointer<vtkImageData> TorsoOfType(int type)
 }
 
 // From a tenth of the values on.
-inline void ShowUpperValues(MapperScene& scene)
+inline void ShowUpperValues(MapperScene& scene, vtkImageData* image)
 {
   double range[2];
-  scene.image->GetScalarRange(range);
+  image->GetScalarRange(range);
   scene.opacities->RemoveAllPoints();
   scene.opacities->AddPoint(range[0] + 0.55 * (range[1] - range[0]), 0.0);
   scene.opacities->AddPoint(range[1], 0.4);
   scene.colors->RemoveAllPoints();
   scene.colors->AddRGBPoint(range[0], 0.8, 0.3, 0.2);
   scene.colors->AddRGBPoint(range[1], 1.0, 0.95, 0.85);
+}
+
+inline void ShowUpperValues(MapperScene& scene)
+{
+  ShowUpperValues(scene, scene.image);
 }
 
 // Half of it is clipped away obliquely.

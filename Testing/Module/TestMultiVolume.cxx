@@ -73,9 +73,9 @@ glm::dvec4 ClosedForm(const std::vector<ClosedBox>& boxes, const Ray& rayWorld)
   return sum;
 }
 
-void ExpectClosedForm(OverlapScene& scene, const std::vector<ClosedBox>& boxes)
+void ExpectClosedForm(
+  OverlapScene& scene, const std::vector<float>& drawn, const std::vector<ClosedBox>& boxes)
 {
-  const std::vector<float> drawn = scene.Draw();
   ASSERT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");
   const PixelRays rays = scene.RaysWorld();
   double seen = 0.0;
@@ -94,6 +94,12 @@ void ExpectClosedForm(OverlapScene& scene, const std::vector<ClosedBox>& boxes)
     seen = std::max(seen, truth.a);
   }
   EXPECT_GT(seen, 0.3) << "the picture is empty";
+}
+
+void ExpectClosedForm(OverlapScene& scene, const std::vector<ClosedBox>& boxes)
+{
+  ExpectClosedForm(scene, scene.DrawByProcessor(), boxes);
+  ExpectClosedForm(scene, scene.Draw(), boxes);
 }
 
 struct TwoBoxes
@@ -132,9 +138,14 @@ TEST(MultiVolume, HomogeneousBoxesAtAnAngleHaveTheirClosedForm)
   ExpectClosedForm(scene, boxes.Closed());
 }
 
-TEST(MultiVolume, AreCutByClippingPlanesAndEndAtOpaqueGeometry)
+class CutVolumes : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(CutVolumes, AreCutByClippingPlanesAndEndAtOpaqueGeometry)
 {
   OverlapScene scene;
+  scene.mapper->GetVariationFieldMapper()->SetProcessorMarching(GetParam());
   const TwoBoxes boxes(scene);
   const std::vector<float> whole = scene.Draw();
   vtkNew<vtkPlane> plane;
@@ -159,6 +170,8 @@ TEST(MultiVolume, AreCutByClippingPlanesAndEndAtOpaqueGeometry)
   }
   EXPECT_GT(largest, 0.2) << "the plane cuts nothing";
 }
+
+INSTANTIATE_TEST_SUITE_P(ByProcessorOrNot, CutVolumes, testing::Bool());
 
 TEST(MultiVolume, OneThatIsFarFromTheOtherIsDrawnAsIfAlone)
 {
@@ -195,6 +208,7 @@ TEST(MultiVolume, OneAloneIsTheSameAsWithoutAMultiVolume)
   vtkNew<vtkVariationFieldVolumeMapper> mapper;
   mapper->SetInputData(boxes.images[0]);
   mapper->SetErrorTolerance(0.0);
+  mapper->ProcessorMarchingOff();
   alone->SetMapper(mapper);
   scene.renderer->RemoveVolume(scene.several);
   scene.renderer->AddVolume(alone);
@@ -281,12 +295,15 @@ TEST(MultiVolume, TheOrderOfPortsMakesNoDifference)
 {
   OverlapScene scene;
   AddBalls(scene, { true, false, false, false });
-  const std::vector<float> drawn = scene.Draw();
   OverlapScene swapped;
   AddBalls(swapped, { true, false, false, false }, { 5, 0 });
-  const std::vector<float> other = swapped.Draw();
-  // Rounding of floats, which are those of another grid.
-  EXPECT_LT(CompareImages(drawn.data(), other.data(), drawn.size() / 4).largest, 0.1);
+  for (const auto draw : { &OverlapScene::Draw, &OverlapScene::DrawByProcessor })
+  {
+    const std::vector<float> drawn = (scene.*draw)();
+    const std::vector<float> other = (swapped.*draw)();
+    // Rounding of floats, which are those of another grid.
+    EXPECT_LT(CompareImages(drawn.data(), other.data(), drawn.size() / 4).largest, 0.1);
+  }
 }
 
 namespace
@@ -303,9 +320,14 @@ vtkSmartPointer<vtkImageData> FarBalls(double y)
 
 }
 
-TEST(MultiVolume, FieldsLeaveOutWhatIsInvisibleInAllOfThem)
+class FieldsOfVolumes : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(FieldsOfVolumes, LeaveOutWhatIsInvisibleInAllOfThem)
 {
   OverlapScene scene;
+  scene.mapper->GetVariationFieldMapper()->SetProcessorMarching(GetParam());
   scene.Add(0, FarBalls(16.0), ballLooks[0]);
   scene.Add(1, FarBalls(26.0), ballLooks[1])->RotateWXYZ(20.0, 0.0, 0.0, 1.0);
   vtkVariationFieldVolumeMapper* const mapper = scene.mapper->GetVariationFieldMapper();
@@ -321,9 +343,16 @@ TEST(MultiVolume, FieldsLeaveOutWhatIsInvisibleInAllOfThem)
   EXPECT_LT(difference.largest, 4.0 * grayLevels);
 }
 
-TEST(MultiVolume, IsRebuiltWhereOneOfThemHasChanged)
+INSTANTIATE_TEST_SUITE_P(ByProcessorOrNot, FieldsOfVolumes, testing::Bool());
+
+class ChangingVolumes : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(ChangingVolumes, AreMadeAgainWhereOneOfThemHasChanged)
 {
   OverlapScene scene;
+  scene.mapper->GetVariationFieldMapper()->SetProcessorMarching(GetParam());
   const TwoBoxes boxes(scene);
   vtkVariationFieldVolumeMapper* const mapper = scene.mapper->GetVariationFieldMapper();
   mapper->SetErrorTolerance(1.0 / 64.0);
@@ -348,6 +377,8 @@ TEST(MultiVolume, IsRebuiltWhereOneOfThemHasChanged)
     last = next;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(ByProcessorOrNot, ChangingVolumes, testing::Bool());
 
 TEST(MultiVolume, WhatVtkDrawsOtherwiseIsLeftToItsMapper)
 {

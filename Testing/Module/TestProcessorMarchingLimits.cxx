@@ -5,7 +5,6 @@
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkImageAppendComponents.h>
-#include <vtkImageCast.h>
 #include <vtkPointData.h>
 #include <vtkShaderProperty.h>
 
@@ -124,14 +123,16 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
         s.volume->GetShaderProperty()->AddFragmentShaderReplacement("//Varimarch::Window", true,
           "vec4 Windowed(vec4 picture) { return picture.bgra; }", false);
       } },
-    Change{ "OtherTypes",
+    Change{ "IntegersThatNoFloatIs",
       [](MapperScene& s)
       {
-        vtkNew<vtkImageCast> cast;
-        cast->SetInputData(s.image);
-        cast->SetOutputScalarTypeToInt();
-        cast->Update();
-        s.mapper->SetInputData(cast->GetOutput());
+        vtkNew<vtkImageShiftScale> shifted;
+        shifted->SetInputData(s.image);
+        shifted->SetShift(1 << 25);
+        shifted->SetOutputScalarTypeToInt();
+        shifted->Update();
+        s.mapper->SetInputData(shifted->GetOutput());
+        ShowUpperValues(s, shifted->GetOutput());
       } }),
   NameOf);
 
@@ -181,13 +182,16 @@ TEST_F(ProcessorMarching, LeavesFloatsInOddUnitsToShaders)
 // What is not a number is no material, and shaders know where it is.
 TEST_F(ProcessorMarching, LeavesGapsToShaders)
 {
-  MapperScene scene(TorsoOfType(VTK_FLOAT));
-  ShowUpperValues(scene);
-  EXPECT_TRUE(ByProcessor(scene));
-  scene.image->SetScalarComponentFromDouble(
-    20, 18, 12, 0, std::numeric_limits<double>::quiet_NaN());
-  scene.image->Modified();
-  EXPECT_FALSE(ByProcessor(scene));
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    MapperScene scene(TorsoOfType(type));
+    ShowUpperValues(scene);
+    EXPECT_TRUE(ByProcessor(scene));
+    scene.image->SetScalarComponentFromDouble(
+      20, 18, 12, 0, std::numeric_limits<double>::quiet_NaN());
+    scene.image->Modified();
+    EXPECT_FALSE(ByProcessor(scene));
+  }
 }
 
 // A value lies between two voxels along each axis, that of a spline among four.

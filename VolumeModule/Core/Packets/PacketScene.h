@@ -4,6 +4,7 @@
 #include "Core/Viewport.h"
 
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -232,7 +233,20 @@ struct PacketLocation
   bool orExit;        ///< of all others where they end; else 0, as where there is no ray
 };
 
-/// A picture of one volume of one component, in plain numbers.
+struct PacketScene;
+
+/// One of several volumes that overlap; see Shaders/Volumes/Next.glsl.
+struct PacketOverlap
+{
+  const PacketScene* others; ///< of the first: all others, each in its own grid; none: it is alone
+  int otherCount;
+  glm::mat4 gridFromRays; ///< which are in the grid of the first
+  glm::vec3 lowerGrid;    ///< of what is drawn of this volume
+  glm::vec3 upperGrid;
+  PacketDepths visible; ///< between which something of it may be
+};
+
+/// A picture of one component of one volume, or of the first of several, in plain numbers.
 struct PacketScene
 {
   PacketCamera camera;
@@ -249,6 +263,7 @@ struct PacketScene
   PacketCuts cuts;
   PacketDepths depths;
   PacketLocation location; ///< of a composite or isosurfaces
+  PacketOverlap overlap;
   PacketRule rule;
 };
 

@@ -8,6 +8,7 @@
 #include "Core/Packets/PacketIsosurfaces.h"
 #include "Core/Packets/PacketLocation.h"
 #include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketOverlap.h"
 #include "Core/Packets/PacketPieces.h"
 #include "Core/Packets/PacketProjection.h"
 #include "Core/Packets/PacketSpline.h"
@@ -149,7 +150,11 @@ PacketSum MarchLeft(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, int x, int y)
 {
   const auto march = [&](const PacketRays& piece, const PacketSum& sum)
-  { return March(scene, piece, PacketWalk(scene, piece, x, y), sum); };
+  {
+    const PacketWalk walk(scene, piece, x, y);
+    return scene.overlap.others ? MarchOverlapping(scene, piece, walk, sum, x, y)
+                                : March(scene, piece, walk, sum);
+  };
   const auto marchMasked = [&](const PacketRays& piece, const PacketSum& sum)
   {
     return scene.mask.texels ? MarchPieces<MaskedPieces>(scene, piece, sum, march)

@@ -38,13 +38,16 @@ public:
       // Positions come from the index, so that nothing accumulates over thousands of steps.
       return { t, this->rays.enter + (FloatOf(index) + this->firstPart) * plainMm };
     }
-    Lanes longest = Select(index == 0, this->firstPart * plainMm, All(plainMm));
+    return this->NextOfBricks(t, this->StepMm(index, plainMm, opticalDepth), mask);
+  }
+
+  /// Of the sample distance: noise shortens the first, and behind what is nearly opaque it is
+  /// longer.
+  Lanes StepMm(IntLanes index, float plainMm, Lanes opticalDepth) const
+  {
+    const Lanes plain = Select(index == 0, this->firstPart * plainMm, All(plainMm));
     // A processor foresees this branch, and need not wait for the depth before it goes on.
-    if (Any(LaneMask(opticalDepth > DepthOfHalf)))
-    {
-      longest = Growth(opticalDepth) * longest;
-    }
-    return this->NextOfBricks(t, longest, mask);
+    return Any(LaneMask(opticalDepth > DepthOfHalf)) ? Growth(opticalDepth) * plain : plain;
   }
 
   /// Of parts as long as they are marched where bricks are structured.

@@ -1,0 +1,25 @@
+#ifndef Varimarch_ChannelCopy_h
+#define Varimarch_ChannelCopy_h
+
+#include "VolumeTexture.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkDataArray;
+
+namespace varimarch
+{
+
+/// The numbers of one channel of voxels, in memory of their own.
+struct ChannelCopy
+{
+  vtkSmartPointer<vtkDataArray> array; ///< of one component; none: there is no copy
+  bool allFinite = true;
+};
+
+ChannelCopy CopyAsFloats(const VoxelChannel& channel);
+ChannelCopy CopyAsDoubles(const VoxelChannel& channel);
+
+}
+
+#endif

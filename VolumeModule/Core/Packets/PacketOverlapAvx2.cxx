@@ -1,0 +1,339 @@
+// Compiled as PacketTileAvx2.cxx is, of which this is a part that takes long.
+
+#include "Core/Packets/PacketOverlap.h"
+
+#include "Core/Packets/PacketBoxes.h"
+#include "Core/Packets/PacketLattice.h"
+#include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketMaterial.h"
+#include "Core/Packets/PacketSpline.h"
+#include "Core/Packets/PacketVoxels.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// @param read  (a reader of the voxels), made of one by the type of these
+template <template <class> class Reader, class Read>
+auto ReadByType(const PacketVolume& volume, Read read)
+{
+  switch (volume.type)
+  {
+    case VoxelType::Int8:
+      return read(Reader<std::int8_t>(volume));
+    case VoxelType::UInt8:
+      return read(Reader<std::uint8_t>(volume));
+    case VoxelType::Int16:
+      return read(Reader<std::int16_t>(volume));
+    case VoxelType::UInt16:
+      return read(Reader<std::uint16_t>(volume));
+    case VoxelType::Float32:
+      break;
+  }
+  return read(Reader<float>(volume));
+}
+
+constexpr int PartsPerSegment = 4;
+
+/// Emission (as the color) [1/mm] and extinction of the parts of a segment.
+struct PacketMixture
+{
+  Optical parts[PartsPerSegment] = {};
+};
+
+/// A segment in equal parts, of which each is as its middle is.
+struct PartLanes
+{
+  Lanes firstMiddle;
+  Lanes partMm;
+
+  Lanes MiddleOf(int part) const { return this->firstMiddle + float(part) * this->partMm; }
+};
+
+/// One of several volumes, with those before it. All have the same rays, each in its own grid,
+/// along which t, a length in the world, means the same place.
+class OverlappingVolume
+{
+public:
+  /// @param x  and y: of the first pixel
+  OverlappingVolume(
+    const PacketScene& scene, const PacketRays& raysOfAll, int x, int y, OverlappingVolume* before)
+    : before(before)
+    , scene(scene)
+    , isOfBoxes(scene.rule == PacketRule::MaterialVoxels)
+    , rays(OwnRays(scene.overlap, raysOfAll, x, y))
+    , walk(scene, this->rays, x, y)
+    , material(scene, this->rays)
+    , lattice(this->rays, 1.0f, -0.5f, scene.volume.voxelCount)
+    , box(this->lattice.At(this->rays.enter))
+  {
+  }
+  OverlappingVolume(const OverlappingVolume&) = delete;
+  OverlappingVolume& operator=(const OverlappingVolume&) = delete;
+
+  /// From where on any may be seen, up to where all look the same; Never where none is.
+  SegmentLanes NextVisible(Lanes t, LaneMask mask) const
+  {
+    const SegmentLanes others =
+      this->before ? this->before->NextVisible(t, mask) : SegmentLanes{ All(Never), All(Never) };
+    SegmentLanes own{ All(Never), All(Never) };
+    const Lanes from = Max(t, this->rays.enter);
+    const LaneMask meets = mask & LaneMask(from < this->rays.exit);
+    if (Any(meets))
+    {
+      const SegmentLanes next = this->walk.NextOfBricks(from, Lanes{}, meets);
+      const LaneMask isAhead = meets & LaneMask(next.enter < this->rays.exit);
+      own.enter = Select(isAhead, next.enter, own.enter);
+      own.exit = Select(isAhead, next.exit, own.exit);
+    }
+    // What is seen later ends what looks the same until then.
+    const Lanes enter = Min(others.enter, own.enter);
+    return { enter,
+      Min(Select(LaneMask(others.enter > enter), others.enter, others.exit),
+        Select(LaneMask(own.enter > enter), own.enter, own.exit)) };
+  }
+
+  /// Where what any of them is changes at once, of the rays of a mask.
+  Lanes NextFace(Lanes t, LaneMask mask)
+  {
+    Lanes face = Select(LaneMask(this->rays.enter > t), this->rays.enter, this->rays.exit);
+    const LaneMask isIn = mask & LaneMask(t >= this->rays.enter) & LaneMask(t < this->rays.exit);
+    if (this->isOfBoxes && Any(isIn))
+    {
+      face = Select(isIn, Min(face, this->NextFaceOfBox(t, isIn)), face);
+    }
+    const Lanes ahead = Select(LaneMask(face > t), face, All(Never));
+    return this->before ? Min(this->before->NextFace(t, mask), ahead) : ahead;
+  }
+
+  /// @param parts  of a segment without a face in it, of the rays of a mask
+  void AddTo(PacketMixture& mixture, const PartLanes& parts, LaneMask mask)
+  {
+    if (this->before)
+    {
+      this->before->AddTo(mixture, parts, mask);
+    }
+    const LaneMask isIn = mask & LaneMask(parts.firstMiddle > this->rays.enter) &
+      LaneMask(parts.firstMiddle < this->rays.exit);
+    if (!Any(isIn))
+    {
+      return;
+    }
+    const PacketVolume& volume = this->scene.volume;
+    if (this->isOfBoxes)
+    {
+      ReadByType<PacketBoxes>(
+        volume, [&](const auto& boxes) { this->AddBox(boxes, mixture, parts, isIn); });
+    }
+    else if (volume.areOfSpline)
+    {
+      this->AddVoxels(PacketSpline(volume), mixture, parts, isIn);
+    }
+    else
+    {
+      ReadByType<PacketVoxels>(
+        volume, [&](const auto& voxels) { this->AddVoxels(voxels, mixture, parts, isIn); });
+    }
+  }
+
+private:
+  static PacketRays OwnRays(const PacketOverlap& overlap, const PacketRays& raysOfAll, int x, int y)
+  {
+    PacketRays rays = raysOfAll;
+    const glm::mat3 turn(overlap.gridFromRays);
+    const glm::vec4& move = overlap.gridFromRays[3];
+    rays.originGrid =
+      Transformed(turn, raysOfAll.originGrid) + Lanes3{ All(move.x), All(move.y), All(move.z) };
+    rays.directionGrid = Transformed(turn, raysOfAll.directionGrid);
+    rays.inverse = { SafeInverse(rays.directionGrid.x), SafeInverse(rays.directionGrid.y),
+      SafeInverse(rays.directionGrid.z) };
+    const glm::vec3& lower = overlap.lowerGrid;
+    const glm::vec3& upper = overlap.upperGrid;
+    CutBySlab(rays, rays.originGrid.x, rays.inverse.x, lower.x, upper.x);
+    CutBySlab(rays, rays.originGrid.y, rays.inverse.y, lower.y, upper.y);
+    CutBySlab(rays, rays.originGrid.z, rays.inverse.z, lower.z, upper.z);
+    if (overlap.visible.nearest)
+    {
+      CutByVisible(rays, overlap.visible, x, y);
+    }
+    const LaneMask meets = LaneMask(rays.enter < rays.exit);
+    rays.enter = Select(meets, rays.enter, All(Never));
+    rays.exit = Select(meets, rays.exit, All(-Never));
+    return rays;
+  }
+
+  // Goes on to the box that t is in.
+  Lanes NextFaceOfBox(Lanes t, LaneMask mask)
+  {
+    LatticePlaces behind = this->lattice.Behind(this->box);
+    this->box = Select(mask & LaneMask(behind.t < t), this->lattice.At(t), this->box);
+    behind = this->lattice.Behind(this->box);
+    // Through an edge or a corner a ray leaves several boxes at once.
+    for (LaneMask leaves = mask & LaneMask(behind.t <= t); Any(leaves);
+         leaves &= LaneMask(behind.t <= t))
+    {
+      this->box = Select(leaves, behind, this->box);
+      behind = this->lattice.Behind(this->box);
+    }
+    return behind.t;
+  }
+
+  LaneMask Absorbs(Lanes value, LaneMask mask) const
+  {
+    return mask & MayAbsorb(this->scene.look, value, value);
+  }
+
+  void Add(Optical& sum, const Optical& optical, LaneMask mask) const
+  {
+    const Lanes extinction = Select(mask, optical.extinction, Lanes{});
+    sum.color = sum.color + extinction * optical.color;
+    sum.extinction += extinction;
+  }
+
+  // A box is the same in all parts.
+  template <class Boxes>
+  void AddBox(
+    const Boxes& boxes, PacketMixture& mixture, const PartLanes& parts, LaneMask mask) const
+  {
+    const Lanes value = boxes.ValueOf(this->box.cell);
+    const LaneMask absorbs = this->Absorbs(value, mask);
+    if (!Any(absorbs))
+    {
+      return;
+    }
+    const Lanes3 gradient = this->material.IsPlain() ? Lanes3{ Lanes{}, Lanes{}, Lanes{} }
+                                                     : boxes.GradientOf(this->box.cell);
+    const Surface surface = this->material.SurfaceOf(gradient);
+    const Optical optical = this->material.At(value, surface, parts.MiddleOf(PartsPerSegment / 2));
+    for (Optical& part : mixture.parts)
+    {
+      this->Add(part, optical, absorbs);
+    }
+  }
+
+  template <class Voxels>
+  void AddVoxels(
+    const Voxels& voxels, PacketMixture& mixture, const PartLanes& parts, LaneMask mask)
+  {
+    this->material.IsPlain() ? this->AddValues(voxels, mixture, parts, mask)
+                             : this->AddSurfaces(voxels, mixture, parts, mask);
+  }
+
+  template <class Voxels>
+  void AddValues(
+    const Voxels& voxels, PacketMixture& mixture, const PartLanes& parts, LaneMask mask) const
+  {
+    Lanes values[PartsPerSegment];
+    ReadValues(voxels, this->rays, parts.firstMiddle, parts.partMm, values);
+    for (int part = 0; part < PartsPerSegment; ++part)
+    {
+      const LaneMask absorbs = this->Absorbs(values[part], mask);
+      if (Any(absorbs))
+      {
+        this->Add(mixture.parts[part], Classify(this->scene.look, values[part]), absorbs);
+      }
+    }
+  }
+
+  template <class Voxels>
+  void AddSurfaces(
+    const Voxels& voxels, PacketMixture& mixture, const PartLanes& parts, LaneMask mask)
+  {
+    for (int part = 0; part < PartsPerSegment; ++part)
+    {
+      const Lanes t = parts.MiddleOf(part);
+      const Lanes3 place = this->rays.At(t);
+      if (!this->isSeen && !Any(this->Absorbs(voxels.ValueAt(place), mask)))
+      {
+        continue;
+      }
+      const Slope slope = voxels.SlopeAt(place, mask);
+      const LaneMask absorbs = this->Absorbs(slope.value, mask);
+      this->isSeen = Any(absorbs);
+      if (this->isSeen)
+      {
+        const Surface surface = this->material.SurfaceOf(slope.gradient);
+        this->Add(mixture.parts[part], this->material.At(slope.value, surface, t), absorbs);
+      }
+    }
+  }
+
+  OverlappingVolume* before;
+  const PacketScene& scene;
+  bool isOfBoxes;
+  PacketRays rays; ///< in its own grid, as far as they are in it; Never where they are not
+  PacketWalk walk;
+  PacketMaterial material;
+  PacketLattice lattice; ///< of boxes
+  LatticePlaces box;     ///< that a segment is in
+  bool isSeen = false; ///< what was read last: what is next is then read at once, with its gradient
+};
+
+/// Steps through all volumes together, from face to face of their boxes, and leaves what none of
+/// them shows.
+/// @param first    whose rays they are
+/// @param volumes  the last of them, which knows the others
+PacketSum MarchTogether(const PacketScene& first, const PacketRays& rays, const PacketWalk& walk,
+  OverlappingVolume& volumes, const PacketSum& before)
+{
+  constexpr float Part = 1.0f / PartsPerSegment;
+  const float plainMm = PartsPerSegment * first.steps.stepMm;
+  PacketSum sum = before;
+  Lanes t = rays.enter;
+  LaneMask going = GoOn(first, rays, t, sum);
+  for (int index = 0; index < first.steps.mostSegments && Any(going); ++index)
+  {
+    const SegmentLanes visible = volumes.NextVisible(t, going);
+    const Lanes enter = Min(visible.enter, rays.exit);
+    going &= LaneMask(enter < rays.exit);
+    if (!Any(going))
+    {
+      break; // all that is left is invisible
+    }
+    const Lanes plain = enter + walk.StepMm(AllInt(index), plainMm, sum.opticalDepth);
+    t = Min(Min(Max(plain, visible.exit), volumes.NextFace(enter, going)), rays.exit);
+    const Lanes partMm = Select(going, (t - enter) * Part, Lanes{});
+    PacketMixture mixture;
+    volumes.AddTo(mixture, { enter + 0.5f * partMm, partMm }, going);
+    for (const Optical& part : mixture.parts)
+    {
+      sum.Add({ (1.0f / Max(part.extinction, All(1e-30f))) * part.color, part.extinction }, partMm);
+    }
+    going &= GoOn(first, rays, t, sum);
+  }
+  return sum;
+}
+
+// What a march of several volumes begins with.
+struct OverlapPlace
+{
+  const PacketScene& first;
+  const PacketRays& rays;
+  const PacketWalk& walk;
+  const PacketSum& before;
+  int x;
+  int y;
+};
+
+// One volume behind the other, the first at last: they know each other, and live on the stack.
+PacketSum MarchBehind(const OverlapPlace& place, int next, OverlappingVolume* known)
+{
+  const PacketOverlap& overlap = place.first.overlap;
+  const PacketScene& scene = next < overlap.otherCount ? overlap.others[next] : place.first;
+  OverlappingVolume volume(scene, place.rays, place.x, place.y, known);
+  return next < overlap.otherCount
+    ? MarchBehind(place, next + 1, &volume)
+    : MarchTogether(place.first, place.rays, place.walk, volume, place.before);
+}
+
+}
+
+PacketSum MarchOverlapping(const PacketScene& first, const PacketRays& rays, const PacketWalk& walk,
+  const PacketSum& before, int x, int y)
+{
+  return MarchBehind({ first, rays, walk, before, x, y }, 0, nullptr);
+}
+
+}
