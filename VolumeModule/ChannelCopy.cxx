@@ -1,8 +1,6 @@
 #include "ChannelCopy.h"
 
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkSetGet.h"
 #include "vtkType.h"
 
@@ -39,33 +37,48 @@ bool CopyNumbers(const Scalar* scalars, int stride, vtkIdType count, Number* num
   return allFinite;
 }
 
-template <class Array>
-ChannelCopy CopyAs(const VoxelChannel& channel)
+template <class Number>
+bool CopyNumbers(const VoxelChannel& channel, Number* numbers)
 {
-  const auto numbers = vtkSmartPointer<Array>::New();
   const vtkIdType count = channel.array->GetNumberOfTuples();
-  numbers->SetNumberOfTuples(count);
   const int stride = channel.array->GetNumberOfComponents();
   void* const scalars = channel.array->GetVoidPointer(channel.component);
-  bool allFinite = true;
   switch (channel.array->GetDataType())
   {
-    vtkTemplateMacro(allFinite = CopyNumbers(
-                       static_cast<const VTK_TT*>(scalars), stride, count, numbers->GetPointer(0)));
+    vtkTemplateMacro(
+      return CopyNumbers(static_cast<const VTK_TT*>(scalars), stride, count, numbers));
   }
-  return { numbers, allFinite };
+  return true;
 }
 
+ChannelCopy CopyAs(int type, const VoxelChannel& channel)
+{
+  ChannelCopy copy;
+  copy.array.TakeReference(vtkDataArray::CreateDataArray(type));
+  copy.array->SetNumberOfTuples(channel.array->GetNumberOfTuples());
+  void* const numbers = copy.array->GetVoidPointer(0);
+  switch (type)
+  {
+    vtkTemplateMacro(copy.allFinite = CopyNumbers(channel, static_cast<VTK_TT*>(numbers)));
+  }
+  return copy;
+}
+
+}
+
+ChannelCopy CopyAsItIs(const VoxelChannel& channel)
+{
+  return CopyAs(channel.array->GetDataType(), channel);
 }
 
 ChannelCopy CopyAsFloats(const VoxelChannel& channel)
 {
-  return CopyAs<vtkFloatArray>(channel);
+  return CopyAs(VTK_FLOAT, channel);
 }
 
 ChannelCopy CopyAsDoubles(const VoxelChannel& channel)
 {
-  return CopyAs<vtkDoubleArray>(channel);
+  return CopyAs(VTK_DOUBLE, channel);
 }
 
 }

@@ -17,6 +17,7 @@ struct ChannelCopy
   bool allFinite = true;
 };
 
+ChannelCopy CopyAsItIs(const VoxelChannel& channel);
 ChannelCopy CopyAsFloats(const VoxelChannel& channel);
 ChannelCopy CopyAsDoubles(const VoxelChannel& channel);
 

@@ -154,6 +154,26 @@ int OpacityComponentOf(const RenderSettings& settings, int part)
   }
 }
 
+double WeightOf(vtkVolumeProperty* property, const RenderSettings& settings, int part)
+{
+  return settings.components == Components::Independent ? property->GetComponentWeight(part) : 1.0;
+}
+
+double LargestColorOf(vtkDataArray* array)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+    case VTK_DOUBLE:
+      return 1.0;
+    case VTK_SHORT:
+    case VTK_UNSIGNED_SHORT:
+      return array->GetDataTypeMax();
+    default:
+      return 255.0;
+  }
+}
+
 glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component)
 {
   return { property->GetAmbient(component), property->GetDiffuse(component),

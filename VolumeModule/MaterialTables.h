@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+class vtkDataArray;
 class vtkVolumeProperty;
 
 namespace varimarch
@@ -54,6 +55,12 @@ std::vector<double> MaterialTableInputs(
 
 /// The component that a part's opacity is of.
 int OpacityComponentOf(const RenderSettings& settings, int part);
+
+/// What a part's extinction is multiplied by in the mixture of all.
+double WeightOf(vtkVolumeProperty* property, const RenderSettings& settings, int part);
+
+/// The number that is the brightest colour, as VTK takes numbers that are colours.
+double LargestColorOf(vtkDataArray* array);
 
 /// Coefficients of ambient, diffuse and specular light, and the specular power.
 glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component);

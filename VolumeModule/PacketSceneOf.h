@@ -49,11 +49,16 @@ struct SceneOfVolume
   std::optional<VisibleDepths> visible; ///< none: everything may be
 };
 
-/// The others of volumes that overlap, whose first points to them.
-struct OverlappingScenes
+/// What a volume adds to a mixture: one scene for each of the materials that it has.
+/// @param scene  of the frame
+std::vector<PacketScene> ConstituentsOf(
+  const Frame& frame, const VolumeResources& volume, const PacketScene& scene);
+
+/// All constituents of a mixture but the first, which points to them.
+struct MixedScenes
 {
-  std::vector<SceneOfVolume> volumes;
-  std::vector<PacketScene> scenes; ///< theirs
+  std::vector<SceneOfVolume> volumes; ///< beside the first
+  std::vector<PacketScene> scenes;    ///< of components and of these
 };
 
 }

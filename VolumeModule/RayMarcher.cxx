@@ -20,6 +20,11 @@ void RayMarcher::Draw(Frame frame)
   {
     this->packets.Release(frame.window);
   }
+  else if (frame.settings.components != Components::One)
+  {
+    frame.settings.integration = Integration::Midpoint;
+    frame.chooseIntegration = false;
+  }
   frame.sampleDistanceMm = std::max(frame.sampleDistanceMm, ShortestSampleDistanceMm(frame));
   this->UpdateDepth(frame);
   this->UpdateNoise(frame);

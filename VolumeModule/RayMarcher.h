@@ -98,8 +98,7 @@ private:
   void ReleaseOthers(vtkWindow* window, std::size_t first);
   std::size_t BytesOfOthers() const;
   void SetUniformsOfOthers(const Frame& frame);
-  OverlappingScenes JoinScenes(
-    PacketScene& first, const Frame& frame, const Viewport& pixels) const;
+  MixedScenes MixScenes(PacketScene& first, const Frame& frame, const Viewport& pixels) const;
 
   // In pictures that others are made of, or that are not seen.
   void BeginAccumulation(Frame& frame);

@@ -36,12 +36,21 @@ bool IsBlendedByPackets(const RenderSettings& settings)
   return isComposite || isSum || (!settings.cubic && settings.blend != Blend::Slice);
 }
 
+// Of components, as of volumes that overlap, packets have no other rule.
+bool MayMixByMidpoints(const Frame& frame)
+{
+  const RenderSettings& settings = frame.settings;
+  const bool mayChoose = frame.chooseIntegration || settings.overlaps || settings.nearest;
+  return settings.blend == Blend::Composite &&
+    (mayChoose || settings.integration == Integration::Midpoint);
+}
+
 // What packets have no code for is left to shaders, which have all.
 bool HasPacketRecipe(const Frame& frame)
 {
   const RenderSettings& settings = frame.settings;
-  const bool isPlain = settings.components == Components::One &&
-    settings.functionOf != FunctionOf::TwoValues && !settings.uneven;
+  const bool isPlain = settings.functionOf != FunctionOf::TwoValues && !settings.uneven;
+  const bool isMixed = settings.components == Components::One || MayMixByMidpoints(frame);
   const bool isMasked = settings.mask != Mask::None;
   const bool isInPieces = settings.cropping || isMasked || frame.toImages || Locates(settings.pass);
   const bool hasMask = !isMasked || frame.mask.dimensions == frame.geometry.dimensions;
@@ -50,7 +59,7 @@ bool HasPacketRecipe(const Frame& frame)
   const bool hasRule = settings.blend != Blend::Composite || !IsSampled(settings) ||
     MarchesMaterial(settings) || settings.integration == Integration::Midpoint ||
     settings.integration == Integration::PreIntegrated;
-  return IsBlendedByPackets(settings) && isPlain && hasSum && hasMask &&
+  return IsBlendedByPackets(settings) && isPlain && isMixed && hasSum && hasMask &&
     !settings.clippedGradients && hasSteps && hasRule && !settings.countFetches;
 }
 
@@ -63,23 +72,32 @@ bool CanBeIndexed(glm::ivec3 voxels, bool cubic)
     count < double(std::numeric_limits<int>::max());
 }
 
-// Shaders know where gaps are, and shift and scale floats that are large, small or far from zero.
-bool HasPlainValues(const Frame& frame, VolumeResources& volume)
+// Shaders shift and scale numbers that floats do not hold, or that are large, small or far from
+// zero.
+bool IsPlain(const ScalarTexels& texels, vtkDataArray* array)
 {
-  const ScalarTexels& texels = volume.Blocks().Texels();
-  if (frame.blanking.Any())
-  {
-    return false;
-  }
   if (texels.normalized)
   {
     constexpr double MostWhole = 1 << 24; // that a float can be
     const bool areFew = std::max(-texels.smallestScalar, texels.largestScalar) <= MostWhole;
-    return areFew || PacketVoxelTypeOf(volume.MarchedChannels().front().array);
+    return areFew || PacketVoxelTypeOf(array);
   }
   constexpr double Large = 1e15;
   return texels.mapping.offset == 0.0 && texels.mapping.scale <= Large &&
-    texels.mapping.scale >= 1.0 / Large && volume.AreVoxelsFinite();
+    texels.mapping.scale >= 1.0 / Large;
+}
+
+// Shaders know where gaps are.
+bool HasPlainValues(const Frame& frame, VolumeResources& volume)
+{
+  const VoxelChannels channels = volume.MarchedChannels();
+  const std::vector<ScalarTexels>& texels = volume.Blocks().TexelsOfChannels();
+  bool arePlain = !frame.blanking.Any();
+  for (std::size_t i = 0; i < channels.size() && arePlain; ++i)
+  {
+    arePlain = IsPlain(texels[i], channels[i].array);
+  }
+  return arePlain && (texels.front().normalized || volume.AreVoxelsFinite());
 }
 
 // One of the volumes of a picture.
@@ -201,7 +219,7 @@ void RayMarcher::DrawPackets(const Frame& frame)
     return;
   }
   SceneOfVolume first(frame, this->volume, this->SurroundingsOf(frame), pixels);
-  const OverlappingScenes others = this->JoinScenes(first.scene, frame, pixels);
+  const MixedScenes mixed = this->MixScenes(first.scene, frame, pixels);
   this->packets.March(frame.window, PartsOf(first.scene, frame, first.around.layerDepths), pixels);
   this->shaderParts.clear();
 

@@ -61,13 +61,13 @@ void CheckOneBlock(const VolumeResources& resources, const Frame& frame)
   }
 }
 
-// Where rays begin and end is what all of them have; what may be visible is their own.
+// Where rays begin and end is what all volumes have; what may be visible is their own.
 void SetOverlap(PacketScene& scene, const Box& drawnGrid, const glm::dmat4& gridFromRays)
 {
-  scene.overlap.gridFromRays = gridFromRays;
-  scene.overlap.lowerGrid = drawnGrid.lower;
-  scene.overlap.upperGrid = drawnGrid.upper;
-  scene.overlap.visible = scene.depths;
+  scene.constituent.gridFromRays = gridFromRays;
+  scene.constituent.lowerGrid = drawnGrid.lower;
+  scene.constituent.upperGrid = drawnGrid.upper;
+  scene.constituent.visible = scene.depths;
   scene.depths = {};
 }
 
@@ -167,25 +167,37 @@ void RayMarcher::SetUniformsOfOthers(const Frame& frame)
   }
 }
 
-OverlappingScenes RayMarcher::JoinScenes(
+MixedScenes RayMarcher::MixScenes(
   PacketScene& first, const Frame& frame, const Viewport& pixels) const
 {
-  OverlappingScenes joined;
+  MixedScenes mixed;
+  if (frame.others.empty() && frame.settings.components == Components::One)
+  {
+    return mixed;
+  }
+  std::vector<PacketScene> own = ConstituentsOf(frame, this->volume, first);
+  for (PacketScene& scene : own)
+  {
+    const PacketDepths depths = scene.depths;
+    SetOverlap(scene, this->volume.VisibleBox(), glm::dmat4(1.0));
+    scene.depths = frame.others.empty() ? depths : PacketDepths();
+  }
   for (std::size_t i = 0; i < frame.others.size(); ++i)
   {
     const Frame& other = frame.others[i];
     const VolumeResources& resources = *this->others[i];
-    joined.volumes.emplace_back(other, resources, SurroundingsOfOther(other), pixels);
-    joined.scenes.push_back(joined.volumes.back().scene);
-    SetOverlap(joined.scenes.back(), resources.VisibleBox(), GridFromGrid(other, frame));
+    mixed.volumes.emplace_back(other, resources, SurroundingsOfOther(other), pixels);
+    for (PacketScene& scene : ConstituentsOf(other, resources, mixed.volumes.back().scene))
+    {
+      SetOverlap(scene, resources.VisibleBox(), GridFromGrid(other, frame));
+      mixed.scenes.push_back(scene);
+    }
   }
-  if (!joined.scenes.empty())
-  {
-    SetOverlap(first, this->volume.VisibleBox(), glm::dmat4(1.0));
-    first.overlap.others = joined.scenes.data();
-    first.overlap.otherCount = int(joined.scenes.size());
-  }
-  return joined;
+  mixed.scenes.insert(mixed.scenes.end(), own.begin() + 1, own.end());
+  first = own.front();
+  first.constituent.others = mixed.scenes.data();
+  first.constituent.otherCount = int(mixed.scenes.size());
+  return mixed;
 }
 
 }

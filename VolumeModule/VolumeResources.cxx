@@ -60,10 +60,6 @@ bool AreFinite(vtkDataArray* array)
 
 std::optional<VoxelType> PacketVoxelTypeOf(vtkDataArray* array)
 {
-  if (array->GetNumberOfComponents() != 1)
-  {
-    return std::nullopt;
-  }
   switch (array->GetDataType())
   {
     case VTK_CHAR:
@@ -102,7 +98,7 @@ void VolumeResources::UpdateVoxels(const Frame& frame)
   this->volumeIsCubic = isCubic;
   this->tableSource = nullptr; // a table covers the range of the scalars
   this->voxelsAreFinite.reset();
-  this->packetVoxels = {};
+  this->packetVoxels.clear();
   ++this->builds.volumeTexture;
 }
 
@@ -256,31 +252,47 @@ bool VolumeResources::AreVoxelsFinite()
 {
   if (!this->voxelsAreFinite)
   {
-    const VoxelChannel channel = this->MarchedChannels().front();
-    const bool isRead = PacketVoxelTypeOf(channel.array).has_value();
-    this->packetVoxels = isRead ? ChannelCopy() : CopyAsFloats(channel); // which tells it too
-    this->voxelsAreFinite = isRead ? AreFinite(channel.array) : this->packetVoxels.allFinite;
+    this->MakePacketVoxels(); // which tells it of those that are copied
+    this->voxelsAreFinite = true;
+    for (std::size_t i = 0; i < this->packetVoxels.size(); ++i)
+    {
+      const ChannelCopy& copy = this->packetVoxels[i];
+      const bool isFinite = copy.array ? copy.allFinite : AreFinite(this->PacketVoxels(i));
+      this->voxelsAreFinite = *this->voxelsAreFinite && isFinite;
+    }
   }
   return *this->voxelsAreFinite;
 }
 
-void VolumeResources::UpdatePacketVoxels(const Frame& frame)
+void VolumeResources::MakePacketVoxels()
 {
-  const VoxelChannel channel = this->MarchedChannels().front();
-  if (frame.marcher == Marcher::Device || PacketVoxelTypeOf(channel.array))
+  this->packetVoxels.clear();
+  for (const VoxelChannel& channel : this->MarchedChannels())
   {
-    this->packetVoxels = {};
-  }
-  else if (!this->packetVoxels.array)
-  {
-    this->packetVoxels = CopyAsFloats(channel);
+    const bool isKnownType = PacketVoxelTypeOf(channel.array).has_value();
+    const bool isRead = isKnownType && channel.array->GetNumberOfComponents() == 1;
+    this->packetVoxels.push_back(isRead ? ChannelCopy()
+        : isKnownType                   ? CopyAsItIs(channel)
+                                        : CopyAsFloats(channel));
   }
 }
 
-vtkDataArray* VolumeResources::PacketVoxels() const
+void VolumeResources::UpdatePacketVoxels(const Frame& frame)
 {
-  return this->packetVoxels.array ? this->packetVoxels.array.Get()
-                                  : this->MarchedChannels().front().array;
+  if (frame.marcher == Marcher::Device)
+  {
+    this->packetVoxels.clear();
+  }
+  else if (this->packetVoxels.empty())
+  {
+    this->MakePacketVoxels();
+  }
+}
+
+vtkDataArray* VolumeResources::PacketVoxels(std::size_t channel) const
+{
+  const ChannelCopy& copy = this->packetVoxels[channel];
+  return copy.array ? copy.array.Get() : this->MarchedChannels()[channel].array;
 }
 
 std::size_t VolumeResources::Bytes() const
@@ -317,7 +329,7 @@ void VolumeResources::Release(vtkWindow* window)
   this->isosurfaces.Release(window);
   this->spacing.Release(window);
   this->spline = SplineVolume();
-  this->packetVoxels = {};
+  this->packetVoxels.clear();
   this->gradientOpacitySource.clear();
   this->spacingBins.clear();
   this->volumeSource.clear();

@@ -88,7 +88,7 @@ struct MemoryElsewhere
 /// Of each isosurface its colour and optical depth, and its isovalue.
 std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame);
 
-/// How packets of rays read the voxels of an array; nothing where they cannot.
+/// How packets of rays read numbers as an array has them; nothing where they cannot.
 std::optional<VoxelType> PacketVoxelTypeOf(vtkDataArray* array);
 
 /// All that the march through one volume reads: its voxels, what is known of them, and what they
@@ -135,9 +135,9 @@ public:
 
   /// Voxels, or the coefficients of a spline through them.
   VoxelChannels MarchedChannels() const;
-  bool AreVoxelsFinite(); ///< of the first channel, whose types are those of real numbers
-  /// The first channel as packets of rays read it: where its owner keeps it, or a copy.
-  vtkDataArray* PacketVoxels() const;
+  bool AreVoxelsFinite(); ///< of all channels, whose types are those of real numbers
+  /// A channel as packets of rays read it: where its owner keeps it, or a copy.
+  vtkDataArray* PacketVoxels(std::size_t channel = 0) const;
 
   ExtremeSteps ExtremeStepsOf(Blend blend) const;
 
@@ -150,6 +150,7 @@ private:
   void UpdateOpticalTable(const Frame& frame);
   std::vector<OpticalTable> BuildTables(const Frame& frame);
   void UpdateGradientOpacity(const Frame& frame);
+  void MakePacketVoxels();
   void UpdatePacketVoxels(const Frame& frame);
   void UpdateMask(const Frame& frame);
   void UpdateLights(const Frame& frame);
@@ -171,8 +172,8 @@ private:
   std::size_t FixedBytes(const Frame& frame, const MemoryElsewhere& elsewhere) const;
   std::size_t BytesBesideBlocks() const;
 
-  SplineVolume spline;      ///< only where voxels are interpolated by one
-  ChannelCopy packetVoxels; ///< only of types that packets do not read, where they march
+  SplineVolume spline;                   ///< only where voxels are interpolated by one
+  std::vector<ChannelCopy> packetVoxels; ///< of channels that packets do not read, where they march
   VolumeBlocks blocks;
   AccelerationField field;
   OpticalTableTexture opticalTable;

@@ -19,22 +19,6 @@ namespace varimarch
 namespace
 {
 
-// What a texel of a colour must be multiplied by, as VTK takes numbers that are colours.
-double LargestColor(vtkDataArray* array)
-{
-  switch (array->GetDataType())
-  {
-    case VTK_FLOAT:
-    case VTK_DOUBLE:
-      return 1.0;
-    case VTK_SHORT:
-    case VTK_UNSIGNED_SHORT:
-      return array->GetDataTypeMax();
-    default:
-      return 255.0;
-  }
-}
-
 // Of each part.
 glm::dvec4 UnitDistancesOf(const Frame& frame)
 {
@@ -51,9 +35,7 @@ std::array<double, 4> WeightsOf(const Frame& frame)
   std::array<double, 4> weights = { 1.0, 1.0, 1.0, 1.0 };
   for (int part = 0; part < PartCount(frame.settings); ++part)
   {
-    weights[part] = frame.settings.components == Components::Independent
-      ? frame.property->GetComponentWeight(part)
-      : 1.0;
+    weights[part] = WeightOf(frame.property, frame.settings, part);
   }
   return weights;
 }
@@ -110,7 +92,7 @@ void VolumeUniforms::SetComponentTables()
   const std::vector<ScalarTexels>& texels = this->resources.Blocks().TexelsOfChannels();
   if (this->resources.MaterialTables().front().channel == 3)
   {
-    const double largest = LargestColor(this->frame.channels.front().array);
+    const double largest = LargestColorOf(this->frame.channels.front().array);
     const TexelMapping mappings[] = { texels[0].mapping, texels[1].mapping, texels[2].mapping };
     this->program.Set(
       "colorScale", glm::dvec3(mappings[0].scale, mappings[1].scale, mappings[2].scale) / largest);

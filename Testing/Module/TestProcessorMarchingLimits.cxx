@@ -113,8 +113,12 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
         s.volume->GetProperty()->ShadeOn();
         s.volume->GetProperty()->UseClippedVoxelIntensityOn();
       } },
-    Change{ "SeveralComponents",
-      [](MapperScene& s) { s.mapper->SetInputData(WithSecondComponent(s.image)); } },
+    Change{ "AMaximumOfSeveralComponents",
+      [](MapperScene& s)
+      {
+        s.mapper->SetInputData(WithSecondComponent(s.image));
+        s.mapper->SetBlendModeToMaximumIntensity();
+      } },
     Change{ "CountsOfReadings", [](MapperScene& s) { s.mapper->SetDrawFetchCounts(true); } },
     Change{ "LittleMemory", [](MapperScene& s) { s.mapper->SetMaximumGraphicsMemory(1 << 26); } },
     Change{ "CodeOfUsers",

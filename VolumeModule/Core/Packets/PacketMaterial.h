@@ -58,8 +58,8 @@ Lanes WithGradientOpacity(
 inline Lanes AtGradient(
   const PacketGradientOpacity& opacity, Lanes extinction, const Lanes3& gradient)
 {
-  return WithGradientOpacity(
-    opacity, extinction, gradient, [&](int, int index) { return opacity.factors[index].x; });
+  return WithGradientOpacity(opacity, extinction, gradient,
+    [&](int, int index) { return opacity.factors[index][opacity.channel]; });
 }
 
 /// Shaders/GradientOpacity/LabelTables.glsl.

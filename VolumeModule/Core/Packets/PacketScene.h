@@ -140,8 +140,9 @@ struct PacketLight
 /// Shaders/GradientOpacity/Table.glsl.
 struct PacketGradientOpacity
 {
-  const glm::vec4* factors; ///< from no gradient on, in x, or of row 4 n + i of a mask's in number
-                            ///< i of the n-th table; none: opacity does not depend on it
+  const glm::vec4* factors; ///< from no gradient on; or of row 4 n + i of a mask's in number i of
+                            ///< the n-th table; none: opacity does not depend on it
+  int channel;              ///< the number of an entry that counts, without a mask
   int lastIndex;
   glm::vec3 indicesPerGradient; ///< a gradient per voxel -> its length is an index
   float unitDistanceMm;
@@ -233,20 +234,34 @@ struct PacketLocation
   bool orExit;        ///< of all others where they end; else 0, as where there is no ray
 };
 
+/// Components of a material beside that of its opacity: Shaders/Components/LuminanceOpacity.glsl
+/// and Rgba.glsl.
+struct PacketColors
+{
+  const void* voxels[3]; ///< of the volume's type
+  int count;             ///< 0: colours are the look's; 1: those of this look; 3: they are colours
+  PacketLook look;
+  float colorPerValue;
+};
+
 struct PacketScene;
 
-/// One of several volumes that overlap; see Shaders/Volumes/Next.glsl.
-struct PacketOverlap
+/// A constituent of a mixture: a component of a volume, see Shaders/Material/Components.glsl,
+/// or one of several volumes that overlap, see Shaders/Volumes/Next.glsl.
+struct PacketConstituent
 {
-  const PacketScene* others; ///< of the first: all others, each in its own grid; none: it is alone
+  bool isOfMixture;          ///< else the scene is no mixture
+  const PacketScene* others; ///< of the first: all others, each in its own grid
   int otherCount;
+  float weight;           ///< that its extinction has in the mixture
+  bool isOfSameBricks;    ///< as another constituent, which tells of them
   glm::mat4 gridFromRays; ///< which are in the grid of the first
   glm::vec3 lowerGrid;    ///< of what is drawn of this volume
   glm::vec3 upperGrid;
-  PacketDepths visible; ///< between which something of it may be
+  PacketDepths visible; ///< between which something of it may be seen
 };
 
-/// A picture of one component of one volume, or of the first of several, in plain numbers.
+/// A picture of a volume, or of the first constituent of a mixture, in plain numbers.
 struct PacketScene
 {
   PacketCamera camera;
@@ -263,7 +278,8 @@ struct PacketScene
   PacketCuts cuts;
   PacketDepths depths;
   PacketLocation location; ///< of a composite or isosurfaces
-  PacketOverlap overlap;
+  PacketColors colors;
+  PacketConstituent constituent;
   PacketRule rule;
 };
 

@@ -8,7 +8,7 @@
 #include "Core/Packets/PacketIsosurfaces.h"
 #include "Core/Packets/PacketLocation.h"
 #include "Core/Packets/PacketMarchers.h"
-#include "Core/Packets/PacketOverlap.h"
+#include "Core/Packets/PacketMixture.h"
 #include "Core/Packets/PacketPieces.h"
 #include "Core/Packets/PacketProjection.h"
 #include "Core/Packets/PacketSpline.h"
@@ -152,8 +152,8 @@ PacketSum MarchLeft(
   const auto march = [&](const PacketRays& piece, const PacketSum& sum)
   {
     const PacketWalk walk(scene, piece, x, y);
-    return scene.overlap.others ? MarchOverlapping(scene, piece, walk, sum, x, y)
-                                : March(scene, piece, walk, sum);
+    return scene.constituent.isOfMixture ? MarchMixture(scene, piece, walk, sum, x, y)
+                                         : March(scene, piece, walk, sum);
   };
   const auto marchMasked = [&](const PacketRays& piece, const PacketSum& sum)
   {

@@ -1,18 +1,21 @@
-// Compiled as PacketTileAvx2.cxx is, of which this is a part that takes long.
+#ifndef Varimarch_Core_Packets_PacketConstituent_h
+#define Varimarch_Core_Packets_PacketConstituent_h
 
-#include "Core/Packets/PacketOverlap.h"
+// What a mixture is made of: Shaders/Volumes/Next.glsl, Components and Material/Components.glsl.
 
+#include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketBoxes.h"
 #include "Core/Packets/PacketLattice.h"
 #include "Core/Packets/PacketMarchers.h"
 #include "Core/Packets/PacketMaterial.h"
+#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/PacketScene.h"
 #include "Core/Packets/PacketSpline.h"
 #include "Core/Packets/PacketVoxels.h"
+#include "Core/Packets/PacketWalk.h"
 
 namespace varimarch
-{
-
-namespace
 {
 
 /// @param read  (a reader of the voxels), made of one by the type of these
@@ -38,7 +41,7 @@ auto ReadByType(const PacketVolume& volume, Read read)
 constexpr int PartsPerSegment = 4;
 
 /// Emission (as the color) [1/mm] and extinction of the parts of a segment.
-struct PacketMixture
+struct MixedSegment
 {
   Optical parts[PartsPerSegment] = {};
 };
@@ -54,30 +57,34 @@ struct PartLanes
 
 /// One of several volumes, with those before it. All have the same rays, each in its own grid,
 /// along which t, a length in the world, means the same place.
-class OverlappingVolume
+class Constituent
 {
 public:
   /// @param x  and y: of the first pixel
-  OverlappingVolume(
-    const PacketScene& scene, const PacketRays& raysOfAll, int x, int y, OverlappingVolume* before)
+  Constituent(
+    const PacketScene& scene, const PacketRays& raysOfAll, int x, int y, Constituent* before)
     : before(before)
     , scene(scene)
     , isOfBoxes(scene.rule == PacketRule::MaterialVoxels)
-    , rays(OwnRays(scene.overlap, raysOfAll, x, y))
+    , rays(OwnRays(scene.constituent, raysOfAll, x, y))
     , walk(scene, this->rays, x, y)
     , material(scene, this->rays)
     , lattice(this->rays, 1.0f, -0.5f, scene.volume.voxelCount)
     , box(this->lattice.At(this->rays.enter))
   {
   }
-  OverlappingVolume(const OverlappingVolume&) = delete;
-  OverlappingVolume& operator=(const OverlappingVolume&) = delete;
+  Constituent(const Constituent&) = delete;
+  Constituent& operator=(const Constituent&) = delete;
 
   /// From where on any may be seen, up to where all look the same; Never where none is.
   SegmentLanes NextVisible(Lanes t, LaneMask mask) const
   {
     const SegmentLanes others =
       this->before ? this->before->NextVisible(t, mask) : SegmentLanes{ All(Never), All(Never) };
+    if (this->scene.constituent.isOfSameBricks)
+    {
+      return others;
+    }
     SegmentLanes own{ All(Never), All(Never) };
     const Lanes from = Max(t, this->rays.enter);
     const LaneMask meets = mask & LaneMask(from < this->rays.exit);
@@ -109,7 +116,7 @@ public:
   }
 
   /// @param parts  of a segment without a face in it, of the rays of a mask
-  void AddTo(PacketMixture& mixture, const PartLanes& parts, LaneMask mask)
+  void AddTo(MixedSegment& mixture, const PartLanes& parts, LaneMask mask)
   {
     if (this->before)
     {
@@ -139,24 +146,24 @@ public:
   }
 
 private:
-  static PacketRays OwnRays(const PacketOverlap& overlap, const PacketRays& raysOfAll, int x, int y)
+  static PacketRays OwnRays(const PacketConstituent& own, const PacketRays& raysOfAll, int x, int y)
   {
     PacketRays rays = raysOfAll;
-    const glm::mat3 turn(overlap.gridFromRays);
-    const glm::vec4& move = overlap.gridFromRays[3];
+    const glm::mat3 turn(own.gridFromRays);
+    const glm::vec4& move = own.gridFromRays[3];
     rays.originGrid =
       Transformed(turn, raysOfAll.originGrid) + Lanes3{ All(move.x), All(move.y), All(move.z) };
     rays.directionGrid = Transformed(turn, raysOfAll.directionGrid);
     rays.inverse = { SafeInverse(rays.directionGrid.x), SafeInverse(rays.directionGrid.y),
       SafeInverse(rays.directionGrid.z) };
-    const glm::vec3& lower = overlap.lowerGrid;
-    const glm::vec3& upper = overlap.upperGrid;
+    const glm::vec3& lower = own.lowerGrid;
+    const glm::vec3& upper = own.upperGrid;
     CutBySlab(rays, rays.originGrid.x, rays.inverse.x, lower.x, upper.x);
     CutBySlab(rays, rays.originGrid.y, rays.inverse.y, lower.y, upper.y);
     CutBySlab(rays, rays.originGrid.z, rays.inverse.z, lower.z, upper.z);
-    if (overlap.visible.nearest)
+    if (own.visible.nearest)
     {
-      CutByVisible(rays, overlap.visible, x, y);
+      CutByVisible(rays, own.visible, x, y);
     }
     const LaneMask meets = LaneMask(rays.enter < rays.exit);
     rays.enter = Select(meets, rays.enter, All(Never));
@@ -187,7 +194,8 @@ private:
 
   void Add(Optical& sum, const Optical& optical, LaneMask mask) const
   {
-    const Lanes extinction = Select(mask, optical.extinction, Lanes{});
+    const Lanes extinction =
+      Select(mask, this->scene.constituent.weight * optical.extinction, Lanes{});
     sum.color = sum.color + extinction * optical.color;
     sum.extinction += extinction;
   }
@@ -195,35 +203,47 @@ private:
   // A box is the same in all parts.
   template <class Boxes>
   void AddBox(
-    const Boxes& boxes, PacketMixture& mixture, const PartLanes& parts, LaneMask mask) const
+    const Boxes& boxes, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
   {
-    const Lanes value = boxes.ValueOf(this->box.cell);
-    const LaneMask absorbs = this->Absorbs(value, mask);
-    if (!Any(absorbs))
+    Optical inBox = {};
+    const Lanes t = parts.MiddleOf(PartsPerSegment / 2);
+    const auto valueOf = [&](const Boxes& component) { return component.ValueOf(this->box.cell); };
+    const auto gradientOf = [&](const Boxes& component)
+    { return component.GradientOf(this->box.cell); };
+    const Lanes value = valueOf(boxes);
+    if (this->scene.colors.count > 0)
     {
-      return;
+      this->AddColored(boxes, inBox, t, mask, valueOf, gradientOf);
     }
-    const Lanes3 gradient = this->material.IsPlain() ? Lanes3{ Lanes{}, Lanes{}, Lanes{} }
-                                                     : boxes.GradientOf(this->box.cell);
-    const Surface surface = this->material.SurfaceOf(gradient);
-    const Optical optical = this->material.At(value, surface, parts.MiddleOf(PartsPerSegment / 2));
+    else if (Any(this->Absorbs(value, mask)))
+    {
+      const Lanes3 gradient =
+        this->material.IsPlain() ? Lanes3{ Lanes{}, Lanes{}, Lanes{} } : gradientOf(boxes);
+      this->Add(inBox, this->material.At(value, this->material.SurfaceOf(gradient), t),
+        this->Absorbs(value, mask));
+    }
     for (Optical& part : mixture.parts)
     {
-      this->Add(part, optical, absorbs);
+      part.color = part.color + inBox.color;
+      part.extinction += inBox.extinction;
     }
   }
 
   template <class Voxels>
-  void AddVoxels(
-    const Voxels& voxels, PacketMixture& mixture, const PartLanes& parts, LaneMask mask)
+  void AddVoxels(const Voxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask)
   {
+    if (this->scene.colors.count > 0)
+    {
+      this->AddColors(voxels, mixture, parts, mask);
+      return;
+    }
     this->material.IsPlain() ? this->AddValues(voxels, mixture, parts, mask)
                              : this->AddSurfaces(voxels, mixture, parts, mask);
   }
 
   template <class Voxels>
   void AddValues(
-    const Voxels& voxels, PacketMixture& mixture, const PartLanes& parts, LaneMask mask) const
+    const Voxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
   {
     Lanes values[PartsPerSegment];
     ReadValues(voxels, this->rays, parts.firstMiddle, parts.partMm, values);
@@ -239,7 +259,7 @@ private:
 
   template <class Voxels>
   void AddSurfaces(
-    const Voxels& voxels, PacketMixture& mixture, const PartLanes& parts, LaneMask mask)
+    const Voxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask)
   {
     for (int part = 0; part < PartsPerSegment; ++part)
     {
@@ -260,7 +280,74 @@ private:
     }
   }
 
-  OverlappingVolume* before;
+  template <class Voxels>
+  void AddColors(
+    const Voxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
+  {
+    for (int part = 0; part < PartsPerSegment; ++part)
+    {
+      const Lanes t = parts.MiddleOf(part);
+      const Lanes3 place = this->rays.At(t);
+      this->AddColored(
+        voxels, mixture.parts[part], t, mask,
+        [&](const Voxels& component) { return component.ValueAt(place); },
+        [&](const Voxels& component) { return component.SlopeAt(place, mask).gradient; });
+    }
+  }
+
+  /// Of a material whose colours are of other components than its opacity, at one place.
+  /// @param voxels  of the opacity
+  /// @param valueOf  and gradientOf: (a component) at the place
+  template <class Voxels, class ValueOf, class GradientOf>
+  void AddColored(const Voxels& voxels, Optical& sum, Lanes t, LaneMask mask, ValueOf valueOf,
+    GradientOf gradientOf) const
+  {
+    const Lanes value = valueOf(voxels);
+    const LaneMask absorbs = this->Absorbs(value, mask);
+    if (!Any(absorbs))
+    {
+      return;
+    }
+    Optical optical = Classify(this->scene.look, value);
+    if (this->scene.gradientOpacity.factors)
+    {
+      optical.extinction =
+        AtGradient(this->scene.gradientOpacity, optical.extinction, gradientOf(voxels));
+    }
+    optical.color = this->ColorOf<Voxels>(valueOf);
+    if (this->scene.light.shading != PacketShading::None)
+    {
+      const Surface surface = this->material.SurfaceOf(gradientOf(this->ColorVoxels<Voxels>(0)));
+      optical.color = this->material.Shaded(optical.color, surface, t);
+    }
+    this->Add(sum, optical, absorbs);
+  }
+
+  template <class Voxels>
+  Voxels ColorVoxels(int component) const
+  {
+    PacketVolume volume = this->scene.volume;
+    volume.voxels = this->scene.colors.voxels[component];
+    return Voxels(volume);
+  }
+
+  template <class Voxels, class ValueOf>
+  Lanes3 ColorOf(ValueOf valueOf) const
+  {
+    const PacketColors& colors = this->scene.colors;
+    if (colors.count == 1)
+    {
+      return Classify(colors.look, valueOf(this->ColorVoxels<Voxels>(0))).color;
+    }
+    const auto color = [&](int component)
+    {
+      return Clamp(
+        valueOf(this->ColorVoxels<Voxels>(component)) * colors.colorPerValue, Lanes{}, All(1.0f));
+    };
+    return { color(0), color(1), color(2) };
+  }
+
+  Constituent* before;
   const PacketScene& scene;
   bool isOfBoxes;
   PacketRays rays; ///< in its own grid, as far as they are in it; Never where they are not
@@ -271,69 +358,6 @@ private:
   bool isSeen = false; ///< what was read last: what is next is then read at once, with its gradient
 };
 
-/// Steps through all volumes together, from face to face of their boxes, and leaves what none of
-/// them shows.
-/// @param first    whose rays they are
-/// @param volumes  the last of them, which knows the others
-PacketSum MarchTogether(const PacketScene& first, const PacketRays& rays, const PacketWalk& walk,
-  OverlappingVolume& volumes, const PacketSum& before)
-{
-  constexpr float Part = 1.0f / PartsPerSegment;
-  const float plainMm = PartsPerSegment * first.steps.stepMm;
-  PacketSum sum = before;
-  Lanes t = rays.enter;
-  LaneMask going = GoOn(first, rays, t, sum);
-  for (int index = 0; index < first.steps.mostSegments && Any(going); ++index)
-  {
-    const SegmentLanes visible = volumes.NextVisible(t, going);
-    const Lanes enter = Min(visible.enter, rays.exit);
-    going &= LaneMask(enter < rays.exit);
-    if (!Any(going))
-    {
-      break; // all that is left is invisible
-    }
-    const Lanes plain = enter + walk.StepMm(AllInt(index), plainMm, sum.opticalDepth);
-    t = Min(Min(Max(plain, visible.exit), volumes.NextFace(enter, going)), rays.exit);
-    const Lanes partMm = Select(going, (t - enter) * Part, Lanes{});
-    PacketMixture mixture;
-    volumes.AddTo(mixture, { enter + 0.5f * partMm, partMm }, going);
-    for (const Optical& part : mixture.parts)
-    {
-      sum.Add({ (1.0f / Max(part.extinction, All(1e-30f))) * part.color, part.extinction }, partMm);
-    }
-    going &= GoOn(first, rays, t, sum);
-  }
-  return sum;
 }
 
-// What a march of several volumes begins with.
-struct OverlapPlace
-{
-  const PacketScene& first;
-  const PacketRays& rays;
-  const PacketWalk& walk;
-  const PacketSum& before;
-  int x;
-  int y;
-};
-
-// One volume behind the other, the first at last: they know each other, and live on the stack.
-PacketSum MarchBehind(const OverlapPlace& place, int next, OverlappingVolume* known)
-{
-  const PacketOverlap& overlap = place.first.overlap;
-  const PacketScene& scene = next < overlap.otherCount ? overlap.others[next] : place.first;
-  OverlappingVolume volume(scene, place.rays, place.x, place.y, known);
-  return next < overlap.otherCount
-    ? MarchBehind(place, next + 1, &volume)
-    : MarchTogether(place.first, place.rays, place.walk, volume, place.before);
-}
-
-}
-
-PacketSum MarchOverlapping(const PacketScene& first, const PacketRays& rays, const PacketWalk& walk,
-  const PacketSum& before, int x, int y)
-{
-  return MarchBehind({ first, rays, walk, before, x, y }, 0, nullptr);
-}
-
-}
+#endif
