@@ -30,6 +30,7 @@ bool CopyNumbers(const Scalar* scalars, int stride, vtkIdType count, Number* num
         numbers[i] = Number(scalars[i * stride]);
         if (!std::isfinite(numbers[i]))
         {
+          numbers[i] = Number(0);
           allFinite = false;
         }
       }

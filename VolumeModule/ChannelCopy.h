@@ -10,11 +10,11 @@ class vtkDataArray;
 namespace varimarch
 {
 
-/// The numbers of one channel of voxels, in memory of their own.
+/// The numbers of one channel of voxels, in memory of their own; 0 for those that are not finite.
 struct ChannelCopy
 {
   vtkSmartPointer<vtkDataArray> array; ///< of one component; none: there is no copy
-  bool allFinite = true;
+  bool allFinite = true;               ///< there were none of these
 };
 
 ChannelCopy CopyAsItIs(const VoxelChannel& channel);

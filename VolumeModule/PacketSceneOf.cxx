@@ -159,6 +159,19 @@ PacketMask MaskOf(
   return mask;
 }
 
+PacketGaps GapsOf(const Frame& frame, const VolumeResources& volume)
+{
+  PacketGaps gaps = {};
+  if (frame.settings.gaps)
+  {
+    gaps.texels = volume.PacketGaps().texels.data();
+    gaps.count = volume.PacketGaps().count;
+    gaps.firstGrid = frame.blanking.IsOfVoxels() ? -0.5f : 0.0f;
+    gaps.gapOptical = FillsGaps(frame.settings) ? glm::vec4(frame.gapOptical) : glm::vec4(0.0f);
+  }
+  return gaps;
+}
+
 PacketSteps StepsOf(const Frame& frame, const VolumeResources& volume)
 {
   PacketSteps steps = {};
@@ -295,6 +308,7 @@ PacketScene PacketSceneOf(
   scene.light = LightOf(frame, around.lights, volume.Blocks().Texels().mapping.scale);
   scene.gradientOpacity = GradientOpacityOf(frame, volume);
   scene.mask = MaskOf(frame, volume, around.maskRows);
+  scene.gaps = GapsOf(frame, volume);
   scene.extreme = ExtremeOf(frame, volume);
   scene.isosurfaces = { around.isosurfaces.data(), int(around.isosurfaces.size() / 2) };
   scene.projection = ProjectionOf(frame, volume);
@@ -347,13 +361,15 @@ std::vector<PacketScene> ConstituentsOf(
   return constituents;
 }
 
-// Of projections what is invisible counts too.
+// Of projections what is invisible counts too, and what fills gaps is no brick's.
 SceneOfVolume::SceneOfVolume(const Frame& frame, const VolumeResources& volume,
   PacketSurroundings newAround, const Viewport& pixels)
   : around(std::move(newAround))
   , scene(PacketSceneOf(frame, volume, this->around))
 {
-  if (this->scene.steps.bricks && this->scene.rule != PacketRule::Projection)
+  const bool isOfBricks =
+    this->scene.rule != PacketRule::Projection && this->scene.gaps.gapOptical.a == 0.0f;
+  if (this->scene.steps.bricks && isOfBricks)
   {
     const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
     this->visible.emplace(volume.Field().VisibleBlocks(), clipFromGrid, this->scene.camera, pixels);

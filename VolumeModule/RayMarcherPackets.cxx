@@ -87,24 +87,34 @@ bool IsPlain(const ScalarTexels& texels, vtkDataArray* array)
     texels.mapping.scale >= 1.0 / Large;
 }
 
-// Shaders know where gaps are.
-bool HasPlainValues(const Frame& frame, VolumeResources& volume)
+bool HasPlainValues(const VolumeResources& volume)
 {
   const VoxelChannels channels = volume.MarchedChannels();
-  const std::vector<ScalarTexels>& texels = volume.Blocks().TexelsOfChannels();
-  bool arePlain = !frame.blanking.Any();
+  bool arePlain = true;
   for (std::size_t i = 0; i < channels.size() && arePlain; ++i)
   {
-    arePlain = IsPlain(texels[i], channels[i].array);
+    arePlain = IsPlain(volume.Blocks().TexelsOfChannels()[i], channels[i].array);
   }
-  return arePlain && (texels.front().normalized || volume.AreVoxelsFinite());
+  return arePlain;
+}
+
+// Shaders know gaps in projections, in volumes that overlap, and which gradients they take away.
+bool HasPlainGaps(const Frame& frame, VolumeResources& volume)
+{
+  const RenderSettings& settings = frame.settings;
+  const bool isFinite = volume.Blocks().Texels().normalized || volume.AreVoxelsFinite();
+  const bool takesNoGradients = settings.blend == Blend::Composite && !settings.shading &&
+    !settings.gradientOpacity && settings.functionOf == FunctionOf::Value;
+  const bool hasAny = frame.blanking.Any() || !isFinite;
+  return !hasAny ||
+    (!IsProjection(settings.blend) && !settings.overlaps && (isFinite || takesNoGradients));
 }
 
 // One of the volumes of a picture.
 bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 {
   return HasPacketRecipe(frame) && CanBeIndexed(frame.geometry.dimensions, frame.settings.cubic) &&
-    HasPlainValues(frame, volume);
+    HasPlainValues(volume) && HasPlainGaps(frame, volume);
 }
 
 // Of pixels of a viewport, those that are drawn.

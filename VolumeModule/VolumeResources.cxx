@@ -5,15 +5,10 @@
 #include "Lights.h"
 #include "PropertyTransferFunction.h"
 
-#include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -42,39 +37,6 @@ std::size_t PreIntegratedEntries(vtkVolumeProperty* property, const OpticalTable
   return side * side;
 }
 
-bool AreFinite(vtkDataArray* array)
-{
-  const float* const voxels = static_cast<const float*>(array->GetVoidPointer(0));
-  std::atomic<bool> finite = true;
-  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, array->GetNumberOfValues(), 1 << 16),
-    [&](const tbb::blocked_range<vtkIdType>& part)
-    {
-      const bool isFinite = std::all_of(voxels + part.begin(), voxels + part.end(),
-        [](float voxel) { return std::isfinite(voxel); });
-      finite = finite && isFinite;
-    });
-  return finite;
-}
-
-}
-
-std::optional<VoxelType> PacketVoxelTypeOf(vtkDataArray* array)
-{
-  switch (array->GetDataType())
-  {
-    case VTK_CHAR:
-    case VTK_SIGNED_CHAR:
-      return VoxelType::Int8;
-    case VTK_UNSIGNED_CHAR:
-      return VoxelType::UInt8;
-    case VTK_SHORT:
-      return VoxelType::Int16;
-    case VTK_UNSIGNED_SHORT:
-      return VoxelType::UInt16;
-    case VTK_FLOAT:
-      return VoxelType::Float32;
-  }
-  return std::nullopt;
 }
 
 void VolumeResources::UpdateVoxels(const Frame& frame)
@@ -114,6 +76,7 @@ void VolumeResources::Update(Frame& frame, const MemoryElsewhere& elsewhere)
   this->UpdateLights(frame);
   this->UpdateIsosurfaces(frame);
   this->UpdateBlocks(frame, elsewhere);
+  this->UpdatePacketGaps(frame);
 }
 
 void VolumeResources::UpdateOpticalTable(const Frame& frame)
@@ -248,53 +211,6 @@ VoxelChannels VolumeResources::MarchedChannels() const
   return this->volumeIsCubic ? this->spline.Channels() : this->volumeSource;
 }
 
-bool VolumeResources::AreVoxelsFinite()
-{
-  if (!this->voxelsAreFinite)
-  {
-    this->MakePacketVoxels(); // which tells it of those that are copied
-    this->voxelsAreFinite = true;
-    for (std::size_t i = 0; i < this->packetVoxels.size(); ++i)
-    {
-      const ChannelCopy& copy = this->packetVoxels[i];
-      const bool isFinite = copy.array ? copy.allFinite : AreFinite(this->PacketVoxels(i));
-      this->voxelsAreFinite = *this->voxelsAreFinite && isFinite;
-    }
-  }
-  return *this->voxelsAreFinite;
-}
-
-void VolumeResources::MakePacketVoxels()
-{
-  this->packetVoxels.clear();
-  for (const VoxelChannel& channel : this->MarchedChannels())
-  {
-    const bool isKnownType = PacketVoxelTypeOf(channel.array).has_value();
-    const bool isRead = isKnownType && channel.array->GetNumberOfComponents() == 1;
-    this->packetVoxels.push_back(isRead ? ChannelCopy()
-        : isKnownType                   ? CopyAsItIs(channel)
-                                        : CopyAsFloats(channel));
-  }
-}
-
-void VolumeResources::UpdatePacketVoxels(const Frame& frame)
-{
-  if (frame.marcher == Marcher::Device)
-  {
-    this->packetVoxels.clear();
-  }
-  else if (this->packetVoxels.empty())
-  {
-    this->MakePacketVoxels();
-  }
-}
-
-vtkDataArray* VolumeResources::PacketVoxels(std::size_t channel) const
-{
-  const ChannelCopy& copy = this->packetVoxels[channel];
-  return copy.array ? copy.array.Get() : this->MarchedChannels()[channel].array;
-}
-
 std::size_t VolumeResources::Bytes() const
 {
   return this->BytesBesideBlocks() + this->preIntegratedTable.Bytes() + this->blocks.Bytes();
@@ -330,6 +246,8 @@ void VolumeResources::Release(vtkWindow* window)
   this->spacing.Release(window);
   this->spline = SplineVolume();
   this->packetVoxels.clear();
+  this->packetGaps = GapField();
+  this->packetGapsOfVolume = 0;
   this->gradientOpacitySource.clear();
   this->spacingBins.clear();
   this->volumeSource.clear();

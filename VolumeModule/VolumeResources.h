@@ -136,8 +136,12 @@ public:
   /// Voxels, or the coefficients of a spline through them.
   VoxelChannels MarchedChannels() const;
   bool AreVoxelsFinite(); ///< of all channels, whose types are those of real numbers
-  /// A channel as packets of rays read it: where its owner keeps it, or a copy.
+  /// A channel as packets of rays read it: where its owner keeps it, or a copy, without what is not
+  /// finite.
   vtkDataArray* PacketVoxels(std::size_t channel = 0) const;
+
+  /// What packets leave out; nothing where that is nothing.
+  const GapField& PacketGaps() const { return this->packetGaps; }
 
   ExtremeSteps ExtremeStepsOf(Blend blend) const;
 
@@ -150,8 +154,8 @@ private:
   void UpdateOpticalTable(const Frame& frame);
   std::vector<OpticalTable> BuildTables(const Frame& frame);
   void UpdateGradientOpacity(const Frame& frame);
-  void MakePacketVoxels();
   void UpdatePacketVoxels(const Frame& frame);
+  void UpdatePacketGaps(Frame& frame);
   void UpdateMask(const Frame& frame);
   void UpdateLights(const Frame& frame);
   void UpdateIsosurfaces(const Frame& frame);
@@ -174,6 +178,7 @@ private:
 
   SplineVolume spline;                   ///< only where voxels are interpolated by one
   std::vector<ChannelCopy> packetVoxels; ///< of channels that packets do not read, where they march
+  GapField packetGaps;                   ///< where they march too
   VolumeBlocks blocks;
   AccelerationField field;
   OpticalTableTexture opticalTable;
@@ -203,6 +208,8 @@ private:
   std::optional<FieldSource> fieldSource;    ///< none: there is no field
   FieldDirections fieldDirections;
   std::optional<bool> voxelsAreFinite; ///< none: nobody has asked
+  Blanking packetGapsBlanking;         ///< that packetGaps are of,
+  int packetGapsOfVolume = 0;          ///< and the volume's build
   int rangesOfVolume = 0;              ///< the volume's build that the field's ranges belong to
   int visibleOfField = -1; ///< the field's build that the visible boxes belong to; 0: to none
   Box visibleOfBox = {};   ///< and the box that cuts left then

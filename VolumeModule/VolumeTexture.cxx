@@ -213,7 +213,8 @@ void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   if (!fits)
   {
     texture->ReleaseGraphicsResources(window);
-    fail("the device has not enough memory for one texture of that size");
+    fail("the device has not enough memory for one texture of that size; with a maximum graphics "
+         "memory it is drawn in blocks");
   }
 }
 

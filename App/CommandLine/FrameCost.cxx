@@ -6,6 +6,8 @@
 
 #include <vtkVariationFieldVolumeMapper.h>
 
+#include <stdexcept>
+
 namespace varimarch
 {
 
@@ -104,6 +106,14 @@ std::optional<double> FetchesPerPixel(OffscreenView& view)
   mapper->DrawFetchCountsOn();
   const auto counts = view.FloatImage();
   mapper->DrawFetchCountsOff();
+  try
+  {
+    ThrowIfVtkReportedError();
+  }
+  catch (const std::runtime_error&)
+  {
+    return std::nullopt; // a shader counts, and this volume is too large for its textures
+  }
   const auto* red = static_cast<const float*>(counts->GetScalarPointer());
   double sum = 0.0;
   for (vtkIdType pixel = 0; pixel < counts->GetNumberOfPoints(); ++pixel)

@@ -28,7 +28,7 @@ FrameCost CostOfFrames(OffscreenView& view, const Look& look);
 FrameCost MedianOf(const std::vector<FrameCost>& rounds);
 
 /// How often a ray reads the volume: the mean over all pixels, also those that see no volume.
-/// Empty for VTK's mappers, which do not tell.
+/// Empty for VTK's mappers, which do not tell, and for volumes that the device has no texture for.
 std::optional<double> FetchesPerPixel(OffscreenView& view);
 
 /// What the mapper holds of the graphics memory. Empty for VTK's mappers, which do not tell.

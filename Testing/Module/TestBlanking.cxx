@@ -1,5 +1,6 @@
 // Points and cells that are blanked, or ghosts, are left out.
 
+#include "Core/Packets/PacketMarch.h"
 #include "Module/MapperScene.h"
 
 #include <vtkCellData.h>
@@ -11,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+using namespace varimarch;
 
 namespace
 {
@@ -32,7 +35,13 @@ public:
   double LengthMm(double x, double y)
   {
     const std::size_t pixel = std::size_t(y / 0.5) * 16 + std::size_t(x / 0.5);
-    return -std::log2(1.0 - this->Draw()[4 * pixel + 3]);
+    const auto lengthIn = [&](const std::vector<float>& drawn)
+    { return -std::log2(1.0 - drawn[4 * pixel + 3]); };
+    const double marched = lengthIn(this->DrawByProcessor());
+    EXPECT_EQ(this->ShaderParts().empty(), CanMarchPackets());
+    const double drawn = lengthIn(this->Draw());
+    EXPECT_NEAR(marched, drawn, 1e-3) << "the processor's and the shader's";
+    return drawn;
   }
 };
 

@@ -183,17 +183,22 @@ TEST_F(ProcessorMarching, LeavesFloatsInOddUnitsToShaders)
   }
 }
 
-// What is not a number is no material, and shaders know where it is.
-TEST_F(ProcessorMarching, LeavesGapsToShaders)
+// They know which gradients depend on what is not a number, and what else than a composite does.
+TEST_F(ProcessorMarching, LeavesGradientsBesideGapsToShaders)
 {
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
   {
     MapperScene scene(TorsoOfType(type));
     ShowUpperValues(scene);
+    scene.volume->GetProperty()->ShadeOn();
     EXPECT_TRUE(ByProcessor(scene));
     scene.image->SetScalarComponentFromDouble(
       20, 18, 12, 0, std::numeric_limits<double>::quiet_NaN());
     scene.image->Modified();
+    EXPECT_FALSE(ByProcessor(scene));
+    scene.volume->GetProperty()->ShadeOff();
+    EXPECT_TRUE(ByProcessor(scene));
+    scene.mapper->SetBlendModeToAverageIntensity();
     EXPECT_FALSE(ByProcessor(scene));
   }
 }

@@ -1,9 +1,22 @@
 // Rays of which packets march pieces: in masks, by labels, in cropping regions, between translucent
 // geometry. The pictures are those of the shaders, to a twentieth of a grey level (RMSE).
 
+#include "ChannelCopy.h"
 #include "Module/ProcessorMarching.h"
 
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
 #include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <limits>
+
+using namespace varimarch;
 
 namespace
 {
@@ -72,6 +85,44 @@ void UseLabels(MapperScene& scene)
   scene.volume->GetProperty()->SetLabelColor(1, green);
   scene.volume->GetProperty()->SetLabelScalarOpacity(2, veil);
   UseMask(scene, false);
+}
+
+// Balls of what is no number, beside each other and at a face of the volume.
+void MakeGaps(MapperScene& scene, int type)
+{
+  const vtkSmartPointer<vtkImageData> image = TorsoOfType(type);
+  const glm::dvec3 size(
+    image->GetDimensions()[0], image->GetDimensions()[1], image->GetDimensions()[2]);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType row = i / vtkIdType(size.x);
+    const glm::dvec3 voxel(i % vtkIdType(size.x), row % vtkIdType(size.y), row / vtkIdType(size.y));
+    const glm::dvec3 place = voxel / size - 0.5;
+    const bool isIn = glm::length(place) < 0.1 ||
+      glm::length(place - glm::dvec3(0.2, 0.1, 0.0)) < 0.15 ||
+      glm::length(place - glm::dvec3(0.0, -0.5, 0.1)) < 0.2;
+    if (isIn)
+    {
+      image->GetPointData()->GetScalars()->SetComponent(
+        i, 0, std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  scene.mapper->SetInputData(image);
+}
+
+// Every other slab of cells.
+void BlankCells(MapperScene& scene)
+{
+  vtkNew<vtkImageData> image;
+  image->DeepCopy(scene.image);
+  vtkUnsignedCharArray* const flags = image->AllocateCellGhostArray();
+  const int* const size = image->GetDimensions();
+  for (vtkIdType i = 0; i < flags->GetNumberOfTuples(); ++i)
+  {
+    const bool isBlank = (i % (size[0] - 1) / 7 + i / (size[0] - 1) % (size[1] - 1) / 6) % 2 == 0;
+    flags->SetValue(i, isBlank ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  scene.mapper->SetInputData(image);
 }
 
 }
@@ -163,6 +214,37 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfPieces,
         Crop(s);
         ShowBoxes(s);
       } },
+    Change{ "Gaps", [](MapperScene& s) { MakeGaps(s, VTK_FLOAT); } },
+    Change{ "GapsOfDoublesInColor",
+      [](MapperScene& s)
+      {
+        MakeGaps(s, VTK_DOUBLE);
+        s.mapper->SetNanOpacity(0.02);
+        s.mapper->SetNanColor(0.1, 0.9, 0.4);
+        s.mapper->SetIntegrationRule(Mapper::Midpoint);
+      } },
+    Change{ "GapsBetweenBoxesInACrop",
+      [](MapperScene& s)
+      {
+        MakeGaps(s, VTK_FLOAT);
+        ShowBoxes(s);
+        Crop(s);
+      } },
+    Change{ "BlankedCells", BlankCells },
+    Change{ "BlankedCellsInLight",
+      [](MapperScene& s)
+      {
+        BlankCells(s);
+        s.volume->GetProperty()->ShadeOn();
+        LeaveLowerGradientsOut(s);
+      } },
+    Change{ "BlankedIsosurfacesOfAMask",
+      [](MapperScene& s)
+      {
+        BlankCells(s);
+        ShowIsosurfaces(s);
+        UseMask(s, true);
+      } },
     Change{ "CroppingOfIsosurfaces",
       [](MapperScene& s)
       {
@@ -170,3 +252,25 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfPieces,
         ShowIsosurfaces(s);
       } }),
   NameOf);
+
+// No weight makes a number of what is none.
+TEST(ChannelCopy, HasZerosForWhatIsNotANumber)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetNumberOfComponents(2);
+  values->InsertNextTuple2(1.0, 2.0);
+  values->InsertNextTuple2(3.0, std::numeric_limits<double>::quiet_NaN());
+  values->InsertNextTuple2(std::numeric_limits<double>::infinity(), 6.0);
+  const ChannelCopy first = CopyAsFloats({ values, 0 });
+  const ChannelCopy second = CopyAsItIs({ values, 1 });
+  const double expected[2][3] = { { 1.0, 3.0, 0.0 }, { 2.0, 0.0, 6.0 } };
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(first.array->GetComponent(i, 0), expected[0][i]);
+    EXPECT_EQ(second.array->GetComponent(i, 0), expected[1][i]);
+  }
+  EXPECT_FALSE(first.allFinite);
+  EXPECT_FALSE(second.allFinite);
+  EXPECT_EQ(first.array->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(second.array->GetDataType(), VTK_DOUBLE);
+}

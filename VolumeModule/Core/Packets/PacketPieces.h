@@ -1,9 +1,10 @@
 #ifndef Varimarch_Core_Packets_PacketPieces_h
 #define Varimarch_Core_Packets_PacketPieces_h
 
-// Rays of which some pieces are left out, or are drawn by rules of their own: Shaders/Crop and
-// Shaders/Mask.
+// Rays of which some pieces are left out, or are drawn by rules of their own: Shaders/Crop,
+// Shaders/Mask and Shaders/Gaps.
 
+#include "Core/GapField.h"
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketLattice.h"
 #include "Core/Packets/PacketMarchers.h"
@@ -149,6 +150,48 @@ PacketSum MarchPieces(
     const PacketRays piece = pieces.Next(going);
     sum = march(piece, sum);
     t = piece.exit;
+  }
+  return sum;
+}
+
+/// Shaders/Gaps/Cells.glsl: what is between gaps is marched, and what has no value is filled.
+/// @param march  (what is marched of rays, the sum of what is before it), the sum of both
+template <class March>
+PacketSum MarchAroundGaps(
+  const PacketScene& scene, const PacketRays& rays, const PacketSum& before, March march)
+{
+  const PacketGaps& gaps = scene.gaps;
+  const PacketLattice lattice(rays, 1.0f, gaps.firstGrid, gaps.count);
+  const glm::vec4& fill = gaps.gapOptical;
+  const Optical filled{ { All(fill.x), All(fill.y), All(fill.z) }, All(fill.w) };
+  const auto texelsAt = [&](const IntNumbers& index)
+  {
+    const auto texel = [&](int lane) { return std::int32_t(gaps.texels[index.of[lane]]); };
+    return IntLanes{ texel(0), texel(1), texel(2), texel(3), texel(4), texel(5), texel(6),
+      texel(7) };
+  };
+  PacketSum sum = before;
+  LatticePlaces place = lattice.At(rays.enter);
+  for (LaneMask going = GoOn(scene, rays, place.t, sum); Any(going);
+       going &= GoOn(scene, rays, place.t, sum))
+  {
+    // Blocks without a gap are joined to one march.
+    PacketRays part = rays;
+    part.enter = part.exit = place.t;
+    LaneMask hasNoValue = {};
+    for (LaneMask searching = going; Any(searching); searching &= LaneMask(place.t < rays.exit))
+    {
+      const IntLanes texel = texelsAt(lattice.IndexOf(place.cell));
+      const LaneMask isGap = (texel == GapField::NoValue) | (texel == GapField::LeftOut);
+      const Lanes radius = Select(isGap, Lanes{}, FloatOf(texel - 1));
+      place = Select(searching, lattice.BehindBlock(place, radius), place);
+      part.exit = Select(searching & ~isGap, Min(place.t, rays.exit), part.exit);
+      hasNoValue |= searching & (texel == GapField::NoValue);
+      searching &= ~isGap;
+    }
+    sum = march(part, sum);
+    const Lanes gapMm = Max(Min(place.t, rays.exit) - part.exit, Lanes{});
+    sum.Add(filled, Select(hasNoValue, gapMm, Lanes{}));
   }
   return sum;
 }

@@ -199,6 +199,15 @@ struct PacketRegions
   int drawn;               ///< bit x + 3 y + 9 z: 0 below, 1 between, 2 above the planes of an axis
 };
 
+/// GapField; see Shaders/Gaps/Cells.glsl and Fill.
+struct PacketGaps
+{
+  const std::uint8_t* texels; ///< none: there are no gaps
+  glm::ivec3 count;
+  float firstGrid;      ///< where cell 0 begins, on each axis
+  glm::vec4 gapOptical; ///< colour and extinction [1/mm] of what has no value
+};
+
 /// What cuts rays off.
 struct PacketCuts
 {
@@ -271,6 +280,7 @@ struct PacketScene
   PacketLight light;         ///< these, and
   PacketGradientOpacity gradientOpacity;
   PacketMask mask;
+  PacketGaps gaps;               ///< not of projections
   PacketExtreme extreme;         ///< where that is the rule,
   PacketIsosurfaces isosurfaces; ///< these,
   PacketProjection projection;   ///< and this

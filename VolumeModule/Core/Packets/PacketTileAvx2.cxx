@@ -149,11 +149,16 @@ PacketSum March(
 PacketSum MarchLeft(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, int x, int y)
 {
-  const auto march = [&](const PacketRays& piece, const PacketSum& sum)
+  const auto marchWhole = [&](const PacketRays& piece, const PacketSum& sum)
   {
     const PacketWalk walk(scene, piece, x, y);
     return scene.constituent.isOfMixture ? MarchMixture(scene, piece, walk, sum, x, y)
                                          : March(scene, piece, walk, sum);
+  };
+  const auto march = [&](const PacketRays& piece, const PacketSum& sum)
+  {
+    return scene.gaps.texels ? MarchAroundGaps(scene, piece, sum, marchWhole)
+                             : marchWhole(piece, sum);
   };
   const auto marchMasked = [&](const PacketRays& piece, const PacketSum& sum)
   {
