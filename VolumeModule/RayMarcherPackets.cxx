@@ -52,14 +52,14 @@ bool HasPacketRecipe(const Frame& frame)
   const bool isPlain = settings.functionOf != FunctionOf::TwoValues && !settings.uneven;
   const bool isMixed = settings.components == Components::One || MayMixByMidpoints(frame);
   const bool isMasked = settings.mask != Mask::None;
-  const bool isInPieces = settings.cropping || isMasked || frame.toImages || Locates(settings.pass);
+  const bool isLocated = frame.toImages || Locates(settings.pass);
   const bool hasMask = !isMasked || frame.mask.dimensions == frame.geometry.dimensions;
-  const bool hasSum = !isInPieces || !IsProjection(settings.blend); // of pieces
+  const bool hasPlaces = !isLocated || !IsProjection(settings.blend);
   const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
   const bool hasRule = settings.blend != Blend::Composite || !IsSampled(settings) ||
     MarchesMaterial(settings) || settings.integration == Integration::Midpoint ||
     settings.integration == Integration::PreIntegrated;
-  return IsBlendedByPackets(settings) && isPlain && isMixed && hasSum && hasMask &&
+  return IsBlendedByPackets(settings) && isPlain && isMixed && hasPlaces && hasMask &&
     !settings.clippedGradients && hasSteps && hasRule && !settings.countFetches;
 }
 
@@ -98,16 +98,16 @@ bool HasPlainValues(const VolumeResources& volume)
   return arePlain;
 }
 
-// Shaders know gaps in projections, in volumes that overlap, and which gradients they take away.
+// Shaders know which gradients gaps take away.
 bool HasPlainGaps(const Frame& frame, VolumeResources& volume)
 {
   const RenderSettings& settings = frame.settings;
   const bool isFinite = volume.Blocks().Texels().normalized || volume.AreVoxelsFinite();
-  const bool takesNoGradients = settings.blend == Blend::Composite && !settings.shading &&
-    !settings.gradientOpacity && settings.functionOf == FunctionOf::Value;
+  const bool takesNoGradients = IsProjection(settings.blend) ||
+    (settings.blend == Blend::Composite && !settings.shading && !settings.gradientOpacity &&
+      settings.functionOf == FunctionOf::Value);
   const bool hasAny = frame.blanking.Any() || !isFinite;
-  return !hasAny ||
-    (!IsProjection(settings.blend) && !settings.overlaps && (isFinite || takesNoGradients));
+  return !hasAny || (!settings.overlaps && (isFinite || takesNoGradients));
 }
 
 // One of the volumes of a picture.
@@ -165,15 +165,23 @@ std::vector<PacketScene> PartsOf(
 
 }
 
+// First what needs no look at the voxels.
 bool RayMarcher::MarchesPackets(const Frame& frame)
 {
-  bool areRead = IsReadByPackets(frame, this->volume);
+  const bool may = frame.mayMarchByProcessor && CanMarchPackets() && IsSoftwareRasterizer() &&
+    frame.mostMemoryBytes == 0 && frame.userCode.IsEmpty();
+  if (!may || !IsReadByPackets(frame, this->volume))
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < frame.others.size(); ++i)
   {
-    areRead = areRead && IsReadByPackets(frame.others[i], *this->others[i]);
+    if (!IsReadByPackets(frame.others[i], *this->others[i]))
+    {
+      return false;
+    }
   }
-  return frame.mayMarchByProcessor && CanMarchPackets() && IsSoftwareRasterizer() &&
-    frame.mostMemoryBytes == 0 && frame.userCode.IsEmpty() && areRead;
+  return true;
 }
 
 PacketSurroundings RayMarcher::SurroundingsOf(const Frame& frame)

@@ -123,9 +123,9 @@ public:
    * packets have no code for (slices, masks of other sizes than the volume's, functions of two
    * arrays, rectilinear grids, light on volumes with values that are not finite, user code, a
    * maximum graphics memory; isosurfaces, averages and sums of nearest interpolation; extremes,
-   * averages and sums of several components, or that are cropped, masked, blanked or drawn to
-   * images). Voxels of several components, of other types than 8 and 16 bit integers and float, and
-   * floats that are not all finite, are copied for it. Default: on.
+   * averages and sums of several components, or that are drawn to images). Voxels of several
+   * components, of other types than 8 and 16 bit integers and float, and floats that are not all
+   * finite, are copied for it. Default: on.
    */
   vtkSetMacro(ProcessorMarching, vtkTypeBool);
   vtkGetMacro(ProcessorMarching, vtkTypeBool);

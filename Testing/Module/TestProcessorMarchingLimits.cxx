@@ -25,27 +25,12 @@ vtkSmartPointer<vtkImageData> WithSecondComponent(vtkImageData* image)
   return pairs->GetOutput();
 }
 
-// To more than one box.
-void Crop(MapperScene& scene)
-{
-  double bounds[6];
-  scene.image->GetBounds(bounds);
-  double planes[6];
-  for (int i = 0; i < 6; ++i)
-  {
-    planes[i] = 0.75 * bounds[i] + 0.25 * bounds[i ^ 1];
-  }
-  scene.mapper->SetCroppingRegionPlanes(planes);
-  scene.mapper->SetCroppingRegionFlagsToCross();
-  scene.mapper->CroppingOn();
-}
-
-// By a mask of so many times as many voxels along each axis.
-void KeepAll(MapperScene& scene, int finer)
+// Of twice as many voxels along each axis.
+void UseFinerMask(MapperScene& scene)
 {
   const int* const size = scene.image->GetDimensions();
   vtkNew<vtkImageData> mask;
-  mask->SetDimensions(finer * size[0], finer * size[1], finer * size[2]);
+  mask->SetDimensions(2 * size[0], 2 * size[1], 2 * size[2]);
   mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   mask->GetPointData()->GetScalars()->Fill(255.0);
   scene.mapper->SetMaskInput(mask);
@@ -93,19 +78,7 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
     Change{ "Simpson", [](MapperScene& s) { s.mapper->SetIntegrationRule(Mapper::Simpson); } },
     Change{
       "TheScalarField", [](MapperScene& s) { s.mapper->SetAccelerationModeToScalarField(); } },
-    Change{ "AMaximumInCroppingRegions",
-      [](MapperScene& s)
-      {
-        Crop(s);
-        s.mapper->SetBlendModeToMaximumIntensity();
-      } },
-    Change{ "AMaximumOfAMask",
-      [](MapperScene& s)
-      {
-        KeepAll(s, 1);
-        s.mapper->SetBlendModeToMaximumIntensity();
-      } },
-    Change{ "AMaskOfOtherSize", [](MapperScene& s) { KeepAll(s, 2); } },
+    Change{ "AMaskOfOtherSize", UseFinerMask },
     Change{ "LightOnCuts",
       [](MapperScene& s)
       {
@@ -183,7 +156,7 @@ TEST_F(ProcessorMarching, LeavesFloatsInOddUnitsToShaders)
   }
 }
 
-// They know which gradients depend on what is not a number, and what else than a composite does.
+// They know which gradients depend on what is not a number.
 TEST_F(ProcessorMarching, LeavesGradientsBesideGapsToShaders)
 {
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
@@ -198,7 +171,7 @@ TEST_F(ProcessorMarching, LeavesGradientsBesideGapsToShaders)
     EXPECT_FALSE(ByProcessor(scene));
     scene.volume->GetProperty()->ShadeOff();
     EXPECT_TRUE(ByProcessor(scene));
-    scene.mapper->SetBlendModeToAverageIntensity();
+    LeaveLowerGradientsOut(scene);
     EXPECT_FALSE(ByProcessor(scene));
   }
 }

@@ -245,6 +245,43 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfPieces,
         ShowIsosurfaces(s);
         UseMask(s, true);
       } },
+    Change{ "AMaximumInACrop",
+      [](MapperScene& s)
+      {
+        Crop(s);
+        ShowUpperValues(s);
+        s.mapper->SetBlendModeToMaximumIntensity();
+      } },
+    Change{ "AMinimumOfAMask",
+      [](MapperScene& s)
+      {
+        UseMask(s, true);
+        s.mapper->SetBlendModeToMinimumIntensity();
+        s.opacities->RemoveAllPoints();
+        s.opacities->AddPoint(-1100.0, 0.0);
+        s.opacities->AddPoint(100.0, 1.0);
+      } },
+    Change{ "AMaximumOfBoxesBetweenGaps",
+      [](MapperScene& s)
+      {
+        MakeGaps(s, VTK_FLOAT);
+        ShowBoxes(s);
+        ShowUpperValues(s);
+        s.mapper->SetBlendModeToMaximumIntensity();
+      } },
+    Change{ "AMeanOfAMaskInACrop",
+      [](MapperScene& s)
+      {
+        UseMask(s, true);
+        Crop(s);
+        s.mapper->SetBlendModeToAverageIntensity();
+      } },
+    Change{ "ASumOfBlankedCells",
+      [](MapperScene& s)
+      {
+        BlankCells(s);
+        s.mapper->SetBlendModeToAdditive();
+      } },
     Change{ "CroppingOfIsosurfaces",
       [](MapperScene& s)
       {

@@ -55,7 +55,7 @@ struct PartLanes
   Lanes MiddleOf(int part) const { return this->firstMiddle + float(part) * this->partMm; }
 };
 
-/// One of several volumes, with those before it. All have the same rays, each in its own grid,
+/// A constituent of a mixture, with those before it. All have the same rays, each in its own grid,
 /// along which t, a length in the world, means the same place.
 class Constituent
 {

@@ -53,19 +53,41 @@ private:
   glm::ivec3 cellCount;
 };
 
+/// What a march has found stands in a PacketSum, as x of its colour; the optical depth ends rays
+/// that cannot find better.
+inline PacketSum NothingFound()
+{
+  PacketSum sum;
+  sum.color.x = All(-Never);
+  return sum;
+}
+
+/// Shaders/Blend/MaximumIntensity.glsl: what it looks like.
+inline PacketSum SeenOfExtreme(const PacketScene& scene, const PacketSum& march)
+{
+  const Lanes found = march.color.x;
+  const LaneMask hasFound = LaneMask(found > -Never);
+  const Lanes value = Select(hasFound, scene.extreme.sense * found, Lanes{});
+  PacketSum sum;
+  sum.Add(Classify(scene.look, value),
+    Select(hasFound, All(scene.extreme.opacityUnitDistanceMm), Lanes{}));
+  return sum;
+}
+
 /// A march from one brick that can better what is found to the next.
 /// @tparam Cells  CubicCells or PacketBoxes
 template <class Cells>
 class ExtremeMarch
 {
 public:
-  ExtremeMarch(const PacketScene& scene, const PacketRays& rays)
+  ExtremeMarch(const PacketScene& scene, const PacketRays& rays, const PacketSum& before)
     : scene(scene)
     , extreme(scene.extreme)
     , rays(rays)
     , cells(scene.volume)
     , lattice(this->cells.LatticeOf(rays))
     , bricks(rays, scene.steps.cellsPerBrick, 0.0f, scene.extreme.brickCount)
+    , found(before.color.x)
   {
   }
 
@@ -81,7 +103,10 @@ public:
       t = this->MarchCells(t, Min(t + segmentMm, this->rays.exit), going);
       going &= LaneMask(t < this->rays.exit) & LaneMask(this->found < this->extreme.best);
     }
-    return this->Seen();
+    PacketSum sum;
+    sum.color.x = this->found;
+    sum.opticalDepth = Select(LaneMask(this->found < this->extreme.best), Lanes{}, All(Never));
+    return sum;
   }
 
 private:
@@ -128,24 +153,13 @@ private:
     return place.t;
   }
 
-  // Shaders/Blend/MaximumIntensity.glsl.
-  PacketSum Seen() const
-  {
-    const LaneMask hasFound = LaneMask(this->found > -Never);
-    const Lanes value = Select(hasFound, this->extreme.sense * this->found, Lanes{});
-    PacketSum sum;
-    sum.Add(Classify(this->scene.look, value),
-      Select(hasFound, All(this->extreme.opacityUnitDistanceMm), Lanes{}));
-    return sum;
-  }
-
   const PacketScene& scene;
   const PacketExtreme& extreme;
   const PacketRays& rays;
   Cells cells;
   PacketLattice lattice; ///< of them
   PacketLattice bricks;
-  Lanes found = All(-Never);
+  Lanes found;
 };
 
 }

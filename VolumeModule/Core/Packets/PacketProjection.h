@@ -14,18 +14,38 @@
 namespace varimarch
 {
 
+/// What a march has added up stands in a PacketSum: the integral [mm] as x of its colour, the
+/// length of what counts [mm] as y; the optical depth ends rays that are white. White on black; a
+/// ray without any sample is transparent.
+inline PacketSum SeenOfProjection(const PacketScene& scene, const PacketSum& march)
+{
+  const PacketProjection& projection = scene.projection;
+  const Lanes lengthMm =
+    projection.isMean ? Max(march.color.y, All(1e-30f)) : All(projection.opacityUnitDistanceMm);
+  const LaneMask hasSample = LaneMask(march.color.y > 0.0f);
+  const Lanes white =
+    Select(hasSample, Clamp(march.color.x / lengthMm, Lanes{}, All(1.0f)), Lanes{});
+  PacketSum sum;
+  sum.color = { white, white, white };
+  sum.transmittance = Select(hasSample, Lanes{}, All(1.0f));
+  return sum;
+}
+
 /// A march of segments of equal parts. What a ray leaves out is invisible throughout, as its first
 /// point is, but its length counts.
 template <class Voxels>
 class ProjectionMarch
 {
 public:
-  ProjectionMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  ProjectionMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
+    const PacketSum& before)
     : scene(scene)
     , projection(scene.projection)
     , rays(rays)
     , walk(walk)
     , voxels(scene.volume)
+    , integral(before.color.x)
+    , lengthMm(before.color.y)
   {
   }
 
@@ -49,7 +69,12 @@ public:
       going &=
         LaneMask(t < this->rays.exit) & LaneMask(this->integral < this->projection.mostIntegral);
     }
-    return this->Seen();
+    PacketSum sum;
+    sum.color.x = this->integral;
+    sum.color.y = this->lengthMm;
+    const LaneMask isWhite = LaneMask(this->integral >= this->projection.mostIntegral);
+    sum.opticalDepth = Select(isWhite, All(Never), Lanes{});
+    return sum;
   }
 
 private:
@@ -81,27 +106,13 @@ private:
     }
   }
 
-  // White on black; a ray without any sample is transparent.
-  PacketSum Seen() const
-  {
-    const Lanes lengthMm = this->projection.isMean ? Max(this->lengthMm, All(1e-30f))
-                                                   : All(this->projection.opacityUnitDistanceMm);
-    const LaneMask hasSample = LaneMask(this->lengthMm > 0.0f);
-    const Lanes white =
-      Select(hasSample, Clamp(this->integral / lengthMm, Lanes{}, All(1.0f)), Lanes{});
-    PacketSum sum;
-    sum.color = { white, white, white };
-    sum.transmittance = Select(hasSample, Lanes{}, All(1.0f));
-    return sum;
-  }
-
   const PacketScene& scene;
   const PacketProjection& projection;
   const PacketRays& rays;
   const PacketWalk& walk;
   Voxels voxels;
-  Lanes integral = {}; ///< [mm]
-  Lanes lengthMm = {}; ///< of what counts
+  Lanes integral; ///< [mm]
+  Lanes lengthMm; ///< of what counts
 };
 
 }

@@ -211,7 +211,7 @@ struct PacketGaps
 /// What cuts rays off.
 struct PacketCuts
 {
-  bool crops; ///< then a composite or isosurfaces are drawn in some regions only
+  bool crops; ///< only some regions are drawn
   PacketRegions regions;
   const glm::vec4* planesGrid; ///< dot(plane, (position, 1)) >= 0 is left
   int planeCount;

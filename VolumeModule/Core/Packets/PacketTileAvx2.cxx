@@ -45,16 +45,17 @@ FLATTENED PacketSum MarchValues(
 }
 
 template <class Cells>
-FLATTENED PacketSum MarchExtreme(const PacketScene& scene, const PacketRays& rays)
+FLATTENED PacketSum MarchExtreme(
+  const PacketScene& scene, const PacketRays& rays, const PacketSum& before)
 {
-  return ExtremeMarch<Cells>(scene, rays).March();
+  return ExtremeMarch<Cells>(scene, rays, before).March();
 }
 
 template <class Voxels>
 FLATTENED PacketSum MarchProjection(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
-  return ProjectionMarch<Voxels>(scene, rays, walk).March();
+  return ProjectionMarch<Voxels>(scene, rays, walk, before).March();
 }
 
 template <class Voxel>
@@ -87,7 +88,7 @@ PacketSum MarchSampled(
 {
   if (scene.rule == PacketRule::Projection)
   {
-    return MarchProjection<Voxels>(scene, rays, walk);
+    return MarchProjection<Voxels>(scene, rays, walk, before);
   }
   if (scene.rule == PacketRule::Midpoint || scene.rule == PacketRule::PreIntegrated)
   {
@@ -109,9 +110,9 @@ PacketSum March(
   switch (scene.rule)
   {
     case PacketRule::Extreme:
-      return MarchExtreme<CubicCells<Voxel>>(scene, rays);
+      return MarchExtreme<CubicCells<Voxel>>(scene, rays, before);
     case PacketRule::ExtremeVoxel:
-      return MarchExtreme<PacketBoxes<Voxel>>(scene, rays);
+      return MarchExtreme<PacketBoxes<Voxel>>(scene, rays, before);
     case PacketRule::Isosurfaces:
       return MarchIsosurfaces<Voxel>(scene, rays, walk, before);
     case PacketRule::Voxels:
@@ -169,6 +170,27 @@ PacketSum MarchLeft(
                           : marchMasked(rays, before);
 }
 
+bool IsOfExtreme(const PacketScene& scene)
+{
+  return scene.rule == PacketRule::Extreme || scene.rule == PacketRule::ExtremeVoxel;
+}
+
+// What rays have gathered, as it is seen.
+PacketSum SeenOf(const PacketScene& scene, const PacketSum& march)
+{
+  if (IsOfExtreme(scene))
+  {
+    return SeenOfExtreme(scene, march);
+  }
+  return scene.rule == PacketRule::Projection ? SeenOfProjection(scene, march) : march;
+}
+
+PacketSum SumOf(const PacketScene& scene, const PacketRays& rays, int x, int y)
+{
+  const PacketSum nothing = IsOfExtreme(scene) ? NothingFound() : PacketSum();
+  return SeenOf(scene, MarchLeft(scene, rays, nothing, x, y));
+}
+
 // Where rays first have an opacity, and whether they do.
 Lanes4 LocatePacket(const PacketScene& scene, const PacketRays& rays, int x, int y)
 {
@@ -206,7 +228,7 @@ Lanes4 DrawPacket(const PacketScene& scene, int x, int y)
     return ColorsOf(PacketSum());
   }
   return scene.location.opacity > 0.0f ? LocatePacket(scene, rays, x, y)
-                                       : ColorsOf(MarchLeft(scene, rays, PacketSum(), x, y));
+                                       : ColorsOf(SumOf(scene, rays, x, y));
 }
 
 // Those of the packet's pixels that are asked for.
