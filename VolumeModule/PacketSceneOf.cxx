@@ -124,23 +124,6 @@ PacketTwoValues TwoValuesOf(const Frame& frame, const VolumeResources& volume)
   return look;
 }
 
-PacketLook LookOf(const Frame& frame, const VolumeResources& volume, std::size_t tableIndex = 0)
-{
-  const OpticalTableTexture& tables = volume.OpticalTables();
-  const OpticalTable& table = tables.Tables()[tableIndex];
-  const bool preIntegrated = UsesPreIntegration(frame.settings);
-  const std::vector<glm::vec4>& entries =
-    preIntegrated ? volume.PreIntegrated().Kept().entries : table.entries;
-  const int last = preIntegrated ? volume.PreIntegrated().Kept().size - 1 : int(entries.size()) - 1;
-  const double extent = table.lastValue - table.firstValue;
-  const double indexPerValue = extent > 0.0 ? last / extent : 0.0;
-  const std::array<double, 2> visible = frame.settings.mask == Mask::Labels
-    ? tables.VisibleValuesOfAny()
-    : tables.VisibleValues(tableIndex);
-  return { entries.data(), last, float(indexPerValue), float(-table.firstValue * indexPerValue),
-    table.entries.front(), table.entries.back(), glm::vec2(visible[0], visible[1]) };
-}
-
 PacketMask MaskOf(
   const Frame& frame, const VolumeResources& volume, const std::vector<PacketRow>& rows)
 {
@@ -189,53 +172,6 @@ PacketSteps StepsOf(const Frame& frame, const VolumeResources& volume)
   return steps;
 }
 
-PacketGradientOpacity GradientOpacityOf(
-  const Frame& frame, const VolumeResources& volume, int part = 0)
-{
-  PacketGradientOpacity opacity = {};
-  if (frame.settings.gradientOpacity)
-  {
-    const int channel = OpacityComponentOf(frame.settings, part);
-    opacity.factors = volume.GradientOpacity().Entries().data();
-    opacity.channel = part;
-    opacity.lastIndex = VolumeResources::EntriesPerGradientCurve - 1;
-    opacity.indicesPerGradient = frame.geometry.gradientFactors *
-      (opacity.lastIndex / LargestGradient(volume.Blocks().TexelsOfChannels()[channel]));
-    opacity.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance(part));
-  }
-  return opacity;
-}
-
-// Of dependent components, that of opacities is the last.
-PacketColors ColorsOf(const Frame& frame, const VolumeResources& volume)
-{
-  PacketColors colors = {};
-  if (frame.settings.components == Components::LuminanceOpacity)
-  {
-    colors.count = 1;
-    colors.look = LookOf(frame, volume, 0);
-  }
-  else if (frame.settings.components == Components::Rgba)
-  {
-    colors.count = 3;
-    colors.colorPerValue = float(1.0 / LargestColorOf(frame.channels.front().array));
-  }
-  for (int channel = 0; channel < colors.count; ++channel)
-  {
-    colors.voxels[channel] = volume.PacketVoxels(channel)->GetVoidPointer(0);
-  }
-  return colors;
-}
-
-// The table of a part's opacities.
-std::size_t OpacityTableOf(const VolumeResources& volume, int channel)
-{
-  const std::vector<MaterialTable>& tables = volume.MaterialTables();
-  const auto decides = [&](const MaterialTable& table)
-  { return table.decidesOnOpacity && table.channel == channel; };
-  return std::size_t(std::find_if(tables.begin(), tables.end(), decides) - tables.begin());
-}
-
 PacketExtreme ExtremeOf(const Frame& frame, const VolumeResources& volume)
 {
   PacketExtreme extreme = {};
@@ -280,6 +216,39 @@ PacketProjection ProjectionOf(const Frame& frame, const VolumeResources& volume)
 
 }
 
+PacketLook LookOf(const Frame& frame, const VolumeResources& volume, std::size_t tableIndex)
+{
+  const OpticalTableTexture& tables = volume.OpticalTables();
+  const OpticalTable& table = tables.Tables()[tableIndex];
+  const bool preIntegrated = UsesPreIntegration(frame.settings);
+  const std::vector<glm::vec4>& entries =
+    preIntegrated ? volume.PreIntegrated().Kept().entries : table.entries;
+  const int last = preIntegrated ? volume.PreIntegrated().Kept().size - 1 : int(entries.size()) - 1;
+  const double extent = table.lastValue - table.firstValue;
+  const double indexPerValue = extent > 0.0 ? last / extent : 0.0;
+  const std::array<double, 2> visible = frame.settings.mask == Mask::Labels
+    ? tables.VisibleValuesOfAny()
+    : tables.VisibleValues(tableIndex);
+  return { entries.data(), last, float(indexPerValue), float(-table.firstValue * indexPerValue),
+    table.entries.front(), table.entries.back(), glm::vec2(visible[0], visible[1]) };
+}
+
+PacketGradientOpacity GradientOpacityOf(const Frame& frame, const VolumeResources& volume, int part)
+{
+  PacketGradientOpacity opacity = {};
+  if (frame.settings.gradientOpacity)
+  {
+    const int channel = OpacityComponentOf(frame.settings, part);
+    opacity.factors = volume.GradientOpacity().Entries().data();
+    opacity.channel = part;
+    opacity.lastIndex = VolumeResources::EntriesPerGradientCurve - 1;
+    opacity.indicesPerGradient = frame.geometry.gradientFactors *
+      (opacity.lastIndex / LargestGradient(volume.Blocks().TexelsOfChannels()[channel]));
+    opacity.unitDistanceMm = float(frame.property->GetScalarOpacityUnitDistance(part));
+  }
+  return opacity;
+}
+
 std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables)
 {
   std::vector<PacketRow> rows;
@@ -303,10 +272,10 @@ PacketScene PacketSceneOf(
   vtkDataArray* const voxels = volume.PacketVoxels();
   scene.volume = { voxels->GetVoidPointer(0), *PacketVoxelTypeOf(voxels), frame.settings.cubic,
     frame.geometry.dimensions };
-  scene.look = LookOf(frame, volume);
+  scene.look = LookOf(frame, volume, 0);
   scene.twoValues = TwoValuesOf(frame, volume);
   scene.light = LightOf(frame, around.lights, volume.Blocks().Texels().mapping.scale);
-  scene.gradientOpacity = GradientOpacityOf(frame, volume);
+  scene.gradientOpacity = GradientOpacityOf(frame, volume, 0);
   scene.mask = MaskOf(frame, volume, around.maskRows);
   scene.gaps = GapsOf(frame, volume);
   scene.extreme = ExtremeOf(frame, volume);
@@ -335,30 +304,6 @@ PacketScene PacketSceneOf(
   scene.steps.noiseMask = BlueNoiseTexture::Pixels - 1;
   scene.rule = RuleOf(frame.settings);
   return scene;
-}
-
-std::vector<PacketScene> ConstituentsOf(
-  const Frame& frame, const VolumeResources& volume, const PacketScene& scene)
-{
-  std::vector<PacketScene> constituents;
-  for (int part = 0; part < PartCount(frame.settings); ++part)
-  {
-    const int channel = OpacityComponentOf(frame.settings, part);
-    PacketScene one = scene;
-    one.volume.voxels = volume.PacketVoxels(channel)->GetVoidPointer(0);
-    if (frame.settings.functionOf == FunctionOf::Value)
-    {
-      one.look = LookOf(frame, volume, OpacityTableOf(volume, channel));
-    }
-    one.colors = ColorsOf(frame, volume);
-    one.light.reflectance = ReflectanceOf(frame.property, part);
-    one.gradientOpacity = GradientOpacityOf(frame, volume, part);
-    one.constituent.isOfMixture = true;
-    one.constituent.weight = float(WeightOf(frame.property, frame.settings, part));
-    one.constituent.isOfSameBricks = part > 0;
-    constituents.push_back(one);
-  }
-  return constituents;
 }
 
 // Of projections what is invisible counts too, and what fills gaps is no brick's.

@@ -49,6 +49,16 @@ struct SceneOfVolume
   std::optional<VisibleDepths> visible; ///< none: everything may be
 };
 
+/// What a volume's values look like by one of its tables, and how a part of its materials depends
+/// on gradients.
+PacketLook LookOf(const Frame& frame, const VolumeResources& volume, std::size_t tableIndex);
+PacketGradientOpacity GradientOpacityOf(
+  const Frame& frame, const VolumeResources& volume, int part);
+
+/// Whether what packets march is a mixture: several components, several volumes, or voxels at
+/// uneven places, for which plain marches have no code.
+bool IsMixture(const Frame& frame);
+
 /// What a volume adds to a mixture: one scene for each of the materials that it has.
 /// @param scene  of the frame
 std::vector<PacketScene> ConstituentsOf(

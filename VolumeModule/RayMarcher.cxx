@@ -20,7 +20,7 @@ void RayMarcher::Draw(Frame frame)
   {
     this->packets.Release(frame.window);
   }
-  else if (frame.settings.components != Components::One)
+  else if (IsMixture(frame))
   {
     frame.settings.integration = Integration::Midpoint;
     frame.chooseIntegration = false;

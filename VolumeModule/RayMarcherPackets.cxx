@@ -36,7 +36,7 @@ bool IsBlendedByPackets(const RenderSettings& settings)
   return isComposite || isSum || (!settings.cubic && settings.blend != Blend::Slice);
 }
 
-// Of components, as of volumes that overlap, packets have no other rule.
+// Of mixtures packets have no other rule.
 bool MayMixByMidpoints(const Frame& frame)
 {
   const RenderSettings& settings = frame.settings;
@@ -49,18 +49,19 @@ bool MayMixByMidpoints(const Frame& frame)
 bool HasPacketRecipe(const Frame& frame)
 {
   const RenderSettings& settings = frame.settings;
-  const bool isPlain = settings.functionOf != FunctionOf::TwoValues && !settings.uneven;
-  const bool isMixed = settings.components == Components::One || MayMixByMidpoints(frame);
+  const bool isPlain = settings.functionOf != FunctionOf::TwoValues;
+  const bool isMixed = !IsMixture(frame) || MayMixByMidpoints(frame);
   const bool isMasked = settings.mask != Mask::None;
   const bool isLocated = frame.toImages || Locates(settings.pass);
   const bool hasMask = !isMasked || frame.mask.dimensions == frame.geometry.dimensions;
+  const bool isSampledEvenly = !settings.uneven || (!isLocated && !settings.nearest);
   const bool hasPlaces = !isLocated || !IsProjection(settings.blend);
   const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
   const bool hasRule = settings.blend != Blend::Composite || !IsSampled(settings) ||
     MarchesMaterial(settings) || settings.integration == Integration::Midpoint ||
     settings.integration == Integration::PreIntegrated;
-  return IsBlendedByPackets(settings) && isPlain && isMixed && hasPlaces && hasMask &&
-    !settings.clippedGradients && hasSteps && hasRule && !settings.countFetches;
+  return IsBlendedByPackets(settings) && isPlain && isMixed && isSampledEvenly && hasPlaces &&
+    hasMask && !settings.clippedGradients && hasSteps && hasRule && !settings.countFetches;
 }
 
 // In 32 bits, to the end of the last that are read together.
@@ -107,7 +108,8 @@ bool HasPlainGaps(const Frame& frame, VolumeResources& volume)
     (settings.blend == Blend::Composite && !settings.shading && !settings.gradientOpacity &&
       settings.functionOf == FunctionOf::Value);
   const bool hasAny = frame.blanking.Any() || !isFinite;
-  return !hasAny || (!settings.overlaps && (isFinite || takesNoGradients));
+  const bool mayHave = !settings.overlaps && !settings.uneven;
+  return !hasAny || (mayHave && (isFinite || takesNoGradients));
 }
 
 // One of the volumes of a picture.

@@ -171,7 +171,7 @@ MixedScenes RayMarcher::MixScenes(
   PacketScene& first, const Frame& frame, const Viewport& pixels) const
 {
   MixedScenes mixed;
-  if (frame.others.empty() && frame.settings.components == Components::One)
+  if (!IsMixture(frame))
   {
     return mixed;
   }

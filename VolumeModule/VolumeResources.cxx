@@ -196,14 +196,21 @@ void VolumeResources::UpdateSpacing(const Frame& frame)
     const std::vector<glm::vec4> ofAxis = axis.Bins();
     bins.insert(bins.end(), ofAxis.begin(), ofAxis.end());
   }
-  if (bins == this->spacingBins)
+  if (bins != this->spacingBins)
   {
-    return;
+    this->spacing.Release(frame.window);
+    this->spacingBins = bins;
+    this->fieldSource.reset(); // bricks are of the even grid
+    this->rangesOfVolume = 0;
   }
-  bins.empty() ? this->spacing.Release(frame.window) : this->spacing.Upload(frame.window, bins);
-  this->spacingBins = bins;
-  this->fieldSource.reset(); // bricks are of the even grid
-  this->rangesOfVolume = 0;
+  if (frame.marcher == Marcher::Processor)
+  {
+    this->spacing.Release(frame.window);
+  }
+  else if (!bins.empty() && this->spacing.Bytes() == 0)
+  {
+    this->spacing.Upload(frame.window, bins);
+  }
 }
 
 VoxelChannels VolumeResources::MarchedChannels() const

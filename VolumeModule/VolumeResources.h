@@ -132,6 +132,7 @@ public:
   const FloatBufferTexture& ClippingPlanes() const { return this->clippingPlanes; }
   const FloatBufferTexture& Isosurfaces() const { return this->isosurfaces; }
   const FloatBufferTexture& Spacing() const { return this->spacing; }
+  const std::vector<glm::vec4>& SpacingBins() const { return this->spacingBins; } ///< axis by axis
 
   /// Voxels, or the coefficients of a spline through them.
   VoxelChannels MarchedChannels() const;

@@ -119,11 +119,11 @@ public:
   /**
    * Where OpenGL itself is drawn by the processor, as Mesa's llvmpipe does, march rays without a
    * shader, in packets of eight: two to ten times as fast, by the same rules, but of several
-   * components and of volumes that overlap by midpoints. It needs AVX2 and FMA; shaders draw what
-   * packets have no code for (slices, masks of other sizes than the volume's, functions of two
-   * arrays, rectilinear grids, light on volumes with values that are not finite, user code, a
-   * maximum graphics memory; isosurfaces, averages and sums of nearest interpolation; extremes,
-   * averages and sums of several components, or that are drawn to images). Voxels of several
+   * components, volumes that overlap and rectilinear grids by midpoints. It needs AVX2 and FMA;
+   * shaders draw what packets have no code for (slices, masks of other sizes than the volume's,
+   * functions of two arrays, light on volumes with values that are not finite, user code, a maximum
+   * graphics memory; isosurfaces, averages and sums of nearest interpolation; extremes, averages
+   * and sums of several components or of rectilinear grids, or drawn to images). Voxels of several
    * components, of other types than 8 and 16 bit integers and float, and floats that are not all
    * finite, are copied for it. Default: on.
    */

@@ -1,7 +1,7 @@
 // Rectilinear grids: values are between the coordinates that they have, and lengths are those of
 // the world.
 
-#include "Module/MapperScene.h"
+#include "Module/ProcessorMarching.h"
 #include "PropertyTransferFunction.h"
 
 #include <vtkCellData.h>
@@ -208,13 +208,55 @@ TEST(Rectilinear, BricksAreWhereTheCoordinatesPutThem)
     const std::vector<double> moved = UnevenPlaces(40, 18.0, power);
     std::copy(moved.begin(), moved.end(), static_cast<double*>(xs->GetVoidPointer(0)));
     xs->Modified(); // which the grid does not tell of
+    const std::vector<float> marched = scene.DrawByProcessor();
     const std::vector<float> drawn = scene.Draw();
     EXPECT_TRUE(scene.UsesShaderPart("Step/OpticalField.glsl"));
     EXPECT_GT(CompareImages(drawn.data(), last.data(), 48 * 48).largest, 20.0);
-    EXPECT_LT(CompareImages(drawn.data(), withoutField.Draw().data(), 48 * 48).largest, 1.0);
+    const std::vector<float> truth = withoutField.Draw();
+    EXPECT_LT(CompareImages(drawn.data(), truth.data(), 48 * 48).largest, 1.0);
+    EXPECT_LT(CompareImages(marched.data(), truth.data(), 48 * 48).largest, 1.0);
     last = drawn;
   }
 }
+
+class ProcessorMarchingOfUnevenPlaces
+  : public ProcessorMarching
+  , public testing::WithParamInterface<Change>
+{
+};
+
+TEST_P(ProcessorMarchingOfUnevenPlaces, IsThePictureOfTheShader)
+{
+  MapperScene scene(EvenImage(Uneven), 48);
+  UseGentleMaterials(scene);
+  scene.mapper->SetInputData(WaveGrid(Uneven));
+  scene.mapper->SetIntegrationRule(vtkVariationFieldVolumeMapper::Midpoint);
+  GetParam().make(scene);
+  ExpectSamePicture(scene);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryKind, ProcessorMarchingOfUnevenPlaces,
+  testing::Values(Change{ "Plain", [](MapperScene&) {} },
+    Change{ "WithoutField", [](MapperScene& s) { s.mapper->SetAccelerationModeToOff(); } },
+    Change{ "InLight",
+      [](MapperScene& s)
+      {
+        s.volume->GetProperty()->ShadeOn();
+        s.mapper->SetSampleDistance(0.02f);
+      } },
+    Change{ "WithOpacityOfGradientsAndClipped",
+      [](MapperScene& s)
+      {
+        vtkNew<vtkPiecewiseFunction> factors;
+        factors->AddPoint(0.0, 0.1);
+        factors->AddPoint(0.2, 1.0);
+        s.volume->GetProperty()->SetGradientOpacity(factors);
+        vtkNew<vtkPlane> plane;
+        plane->SetOrigin(9.0, 7.0, 10.0);
+        plane->SetNormal(1.0, 0.3, 0.5);
+        s.mapper->AddClippingPlane(plane);
+      } }),
+  NameOf);
 
 // One axis of cells of 1, 2, 4 and 8 mm, seen along another, parallel, a pixel a mm.
 TEST(Rectilinear, CellsWithoutInterpolationGoFromFaceToFace)

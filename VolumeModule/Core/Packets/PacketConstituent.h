@@ -11,6 +11,7 @@
 #include "Core/Packets/PacketOptics.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/PacketScene.h"
+#include "Core/Packets/PacketSpacing.h"
 #include "Core/Packets/PacketSpline.h"
 #include "Core/Packets/PacketVoxels.h"
 #include "Core/Packets/PacketWalk.h"
@@ -187,6 +188,32 @@ private:
     return behind.t;
   }
 
+  // Where voxels are read.
+  Lanes3 PlaceAt(Lanes t) const { return this->VoxelPlace(this->rays.At(t)); }
+
+  Lanes3 VoxelPlace(const Lanes3& grid) const
+  {
+    return this->scene.spacing.bins ? UnevenPlace(this->scene.spacing, grid) : grid;
+  }
+
+  template <class Voxels>
+  Slope SlopeAt(const Voxels& voxels, Lanes t, LaneMask mask) const
+  {
+    const Lanes3 grid = this->rays.At(t);
+    if (!this->scene.spacing.bins)
+    {
+      return voxels.SlopeAt(grid, mask);
+    }
+    const auto along = [&](float x, float y, float z)
+    {
+      const Lanes3 step{ All(x), All(y), All(z) };
+      return voxels.ValueAt(this->VoxelPlace(grid + step)) -
+        voxels.ValueAt(this->VoxelPlace(grid - step));
+    };
+    return { voxels.ValueAt(this->VoxelPlace(grid)),
+      { along(1.0f, 0.0f, 0.0f), along(0.0f, 1.0f, 0.0f), along(0.0f, 0.0f, 1.0f) } };
+  }
+
   LaneMask Absorbs(Lanes value, LaneMask mask) const
   {
     return mask & MayAbsorb(this->scene.look, value, value);
@@ -246,7 +273,8 @@ private:
     const Voxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
   {
     Lanes values[PartsPerSegment];
-    ReadValues(voxels, this->rays, parts.firstMiddle, parts.partMm, values);
+    ReadValues(
+      voxels, [&](Lanes t) { return this->PlaceAt(t); }, parts.firstMiddle, parts.partMm, values);
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       const LaneMask absorbs = this->Absorbs(values[part], mask);
@@ -264,12 +292,11 @@ private:
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       const Lanes t = parts.MiddleOf(part);
-      const Lanes3 place = this->rays.At(t);
-      if (!this->isSeen && !Any(this->Absorbs(voxels.ValueAt(place), mask)))
+      if (!this->isSeen && !Any(this->Absorbs(voxels.ValueAt(this->PlaceAt(t)), mask)))
       {
         continue;
       }
-      const Slope slope = voxels.SlopeAt(place, mask);
+      const Slope slope = this->SlopeAt(voxels, t, mask);
       const LaneMask absorbs = this->Absorbs(slope.value, mask);
       this->isSeen = Any(absorbs);
       if (this->isSeen)
@@ -287,11 +314,11 @@ private:
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       const Lanes t = parts.MiddleOf(part);
-      const Lanes3 place = this->rays.At(t);
+      const Lanes3 place = this->PlaceAt(t);
       this->AddColored(
         voxels, mixture.parts[part], t, mask,
         [&](const Voxels& component) { return component.ValueAt(place); },
-        [&](const Voxels& component) { return component.SlopeAt(place, mask).gradient; });
+        [&](const Voxels& component) { return this->SlopeAt(component, t, mask).gradient; });
     }
   }
 

@@ -55,19 +55,28 @@ PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const 
 
 /// The values at equal distances along rays. All cells are found before any is read, and all are
 /// read before any is classified: readings then do not wait for each other.
-template <class Voxels, int Count>
+/// @param placeAt  (t), where that is in the voxels
+template <class Voxels, class PlaceAt, int Count>
 void ReadValues(
-  const Voxels& voxels, const PacketRays& rays, Lanes first, Lanes apart, Lanes (&values)[Count])
+  const Voxels& voxels, PlaceAt placeAt, Lanes first, Lanes apart, Lanes (&values)[Count])
 {
   typename Voxels::Cell cells[Count];
   for (int i = 0; i < Count; ++i)
   {
-    cells[i] = voxels.CellOf(rays.At(first + float(i) * apart));
+    cells[i] = voxels.CellOf(placeAt(first + float(i) * apart));
   }
   for (int i = 0; i < Count; ++i)
   {
     values[i] = voxels.ValueIn(cells[i]);
   }
+}
+
+template <class Voxels, int Count>
+void ReadValues(
+  const Voxels& voxels, const PacketRays& rays, Lanes first, Lanes apart, Lanes (&values)[Count])
+{
+  ReadValues(
+    voxels, [&](Lanes t) { return rays.At(t); }, first, apart, values);
 }
 
 template <class Voxels>

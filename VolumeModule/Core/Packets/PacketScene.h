@@ -253,6 +253,16 @@ struct PacketColors
   float colorPerValue;
 };
 
+/// Shaders/Spacing/Uneven.glsl: voxels of a mixture at uneven places.
+struct PacketSpacing
+{
+  const glm::vec4* bins; ///< UnevenAxis::Bins of each axis in turn; none: places are even
+  glm::ivec3 firstBins;  ///< of each axis
+  glm::ivec3 lastBins;
+  glm::vec3 lowerGrid;
+  glm::vec3 binsPerGrid;
+};
+
 struct PacketScene;
 
 /// A constituent of a mixture: a component of a volume, see Shaders/Material/Components.glsl,
@@ -288,7 +298,8 @@ struct PacketScene
   PacketCuts cuts;
   PacketDepths depths;
   PacketLocation location; ///< of a composite or isosurfaces
-  PacketColors colors;
+  PacketColors colors;     ///< of a mixture, as the next
+  PacketSpacing spacing;
   PacketConstituent constituent;
   PacketRule rule;
 };

@@ -1,0 +1,32 @@
+#ifndef Varimarch_Core_Packets_PacketSpacing_h
+#define Varimarch_Core_Packets_PacketSpacing_h
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketScene.h"
+
+namespace varimarch
+{
+
+/// Shaders/Spacing/Uneven.glsl: the voxels at places of the even grid that rays are straight in.
+inline Lanes3 UnevenPlace(const PacketSpacing& spacing, const Lanes3& grid)
+{
+  const auto along = [&](Lanes place, int axis)
+  {
+    const Lanes bin = (place - spacing.lowerGrid[axis]) * spacing.binsPerGrid[axis];
+    const Lanes last = All(float(spacing.lastBins[axis] - spacing.firstBins[axis]));
+    const IntNumbers index(Truncated(Clamp(bin, Lanes{}, last)));
+    __m128 pieces[LaneCount];
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      pieces[lane] = _mm_loadu_ps(&spacing.bins[spacing.firstBins[axis] + index.of[lane]].x);
+    }
+    const Lanes4 piece = Transposed(pieces);
+    const Lanes beyond = place - piece.x;
+    return piece.y + beyond * Select(LaneMask(beyond < 0.0f), piece.z, piece.w);
+  };
+  return { along(grid.x, 0), along(grid.y, 1), along(grid.z, 2) };
+}
+
+}
+
+#endif
