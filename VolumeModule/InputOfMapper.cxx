@@ -3,6 +3,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkType.h"
 #include "vtkVolumeMapper.h"
 
 #include <stdexcept>
@@ -27,6 +28,11 @@ vtkDataArray* CheckedScalars(vtkDataSet* data, vtkDataArray* scalars, int cellFl
   {
     throw std::runtime_error(
       "Array \"" + name + "\" holds field data: expected point or cell data");
+  }
+  if (scalars->GetDataType() == VTK_BIT)
+  {
+    throw std::runtime_error(
+      "Array \"" + name + "\" holds single bits: expected numbers of at least 8 bits");
   }
   const vtkIdType count = cellFlag == 0 ? data->GetNumberOfPoints() : data->GetNumberOfCells();
   if (scalars->GetNumberOfTuples() != count)

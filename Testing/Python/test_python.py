@@ -14,6 +14,7 @@ import warnings
 import numpy
 import varimarch
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_BIT
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -117,6 +118,9 @@ def every_blend_draws_its_own(_folder):
 def what_is_wrong_is_one_sentence(folder):
     empty = vtkImageData()
     empty.SetDimensions(4, 4, 4)
+    bits = vtkImageData()
+    bits.SetDimensions(4, 4, 4)
+    bits.AllocateScalars(VTK_BIT, 1)
     good = ball(8)
     cases = (
         (ValueError, "shape (3, 3)", lambda: varimarch.render(numpy.zeros((3, 3)))),
@@ -125,6 +129,7 @@ def what_is_wrong_is_one_sentence(folder):
         (ValueError, "finite", lambda: varimarch.render(good * numpy.nan)),
         (ValueError, "no scalars", lambda: varimarch.render(empty)),
         (RuntimeError, "scalars", lambda: varimarch.render(empty, preset="ct-bone")),
+        (RuntimeError, "single bits", lambda: varimarch.render(bits, preset="ct-bone")),
         (ValueError, "spacing", lambda: varimarch.render(good, spacing=(1, 0, 1))),
         (ValueError, "its own", lambda: varimarch.render(empty, spacing=(1, 1, 1))),
         (ValueError, 'did you mean "ct-bone"?', lambda: varimarch.render(good, preset="ct-bon")),
