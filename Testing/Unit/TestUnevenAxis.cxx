@@ -83,7 +83,7 @@ TEST(UnevenAxis, BricksOfTheEvenGridHoldWhatIsThere)
   int clear = 0;
   for (int trial = 0; trial < 20000; ++trial)
   {
-    glm::dvec3 voxel;
+    glm::dvec3 voxel(0.0);
     glm::ivec3 brick;
     for (int axis = 0; axis < 3; ++axis)
     {
