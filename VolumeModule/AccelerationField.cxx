@@ -235,6 +235,7 @@ void AccelerationField::BuildExtremes(
     return;
   }
   this->size = values.BrickCount();
+  this->extremeBlocks = JoinExtremeBricks(built, this->size, largest);
   this->extremes = std::move(built);
 }
 
@@ -243,6 +244,7 @@ void AccelerationField::ReleaseField(vtkWindow* window)
   this->bricks = {};
   this->visibleBlocks = {};
   this->extremes = {};
+  this->extremeBlocks = {};
   this->texture->ReleaseGraphicsResources(window);
   this->bytes = 0;
 }

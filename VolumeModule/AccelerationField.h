@@ -70,6 +70,7 @@ public:
   vtkTextureObject* Texture() const { return this->texture; }
   const std::vector<std::uint8_t>& Bricks() const { return this->bricks; }
   const std::vector<std::uint16_t>& Extremes() const { return this->extremes; }
+  const varimarch::ExtremeBlocks& ExtremeBlocks() const { return this->extremeBlocks; }
   const varimarch::VisibleBlocks& VisibleBlocks() const { return this->visibleBlocks; }
   bool SkipsAny() const { return this->bytes > 0 || !this->bricks.empty(); }
   /// Of the optical field, the smallest box that holds what is visible in a part of the volume.
@@ -96,6 +97,7 @@ private:
   std::vector<std::uint8_t> bricks;
   varimarch::VisibleBlocks visibleBlocks;
   std::vector<std::uint16_t> extremes;
+  varimarch::ExtremeBlocks extremeBlocks;
   glm::ivec3 size = glm::ivec3(1);
   double rangeSeconds = 0.0; ///< of ranges that no field has been built of yet
   double buildSeconds = 0.0;

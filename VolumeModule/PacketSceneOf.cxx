@@ -188,6 +188,10 @@ PacketExtreme ExtremeOf(const Frame& frame, const VolumeResources& volume)
   if (frame.settings.acceleration == Acceleration::OpticalField)
   {
     const ExtremeSteps steps = volume.ExtremeStepsOf(frame.settings.blend);
+    const ExtremeBlocks& blocks = volume.Field().ExtremeBlocks();
+    extreme.blocks = blocks.steps.data();
+    extreme.blockCount = blocks.count;
+    extreme.bricksPerBlock = float(ExtremeBlocks::BricksPerSide);
     extreme.bricks = volume.Field().Extremes().data();
     extreme.brickCount = volume.Field().Size();
     extreme.bestOfFirstStep = float(steps.sense * steps.firstValue);

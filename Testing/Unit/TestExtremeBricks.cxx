@@ -97,3 +97,26 @@ TEST(ExtremeBricks, WhatIsAsGoodAsABricksExtremeLooksAsEverythingBetweenDoes)
     }
   }
 }
+
+TEST(ExtremeBricks, ABlockIsAsTheBestOfItsBricks)
+{
+  const glm::ivec3 count(6, 5, 9); // no whole blocks
+  std::vector<std::uint16_t> bricks;
+  for (int i = 0; i < count.x * count.y * count.z; ++i)
+  {
+    bricks.push_back(std::uint16_t(i * 40503 % 65536));
+  }
+  for (const bool largest : { true, false })
+  {
+    const ExtremeBlocks blocks = JoinExtremeBricks(bricks, count, largest);
+    ASSERT_EQ(blocks.count, glm::ivec3(2, 2, 3));
+    std::vector<std::uint16_t> expected(12, largest ? 0 : 65535);
+    for (int i = 0; i < int(bricks.size()); ++i)
+    {
+      const int block = i % 6 / 4 + 2 * (i / 6 % 5 / 4) + 4 * (i / 30 / 4);
+      expected[block] =
+        largest ? std::max(expected[block], bricks[i]) : std::min(expected[block], bricks[i]);
+    }
+    EXPECT_EQ(blocks.steps, expected);
+  }
+}

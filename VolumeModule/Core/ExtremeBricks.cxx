@@ -116,4 +116,29 @@ std::vector<std::uint16_t> BuildExtremeBricks(
   return extremes;
 }
 
+ExtremeBlocks JoinExtremeBricks(
+  const std::vector<std::uint16_t>& bricks, glm::ivec3 brickCount, bool largest)
+{
+  constexpr int Side = ExtremeBlocks::BricksPerSide;
+  ExtremeBlocks blocks;
+  blocks.count = (brickCount + Side - 1) / Side;
+  const std::uint16_t least = largest ? 0 : StepCount - 1;
+  blocks.steps.assign(std::size_t(blocks.count.x) * blocks.count.y * blocks.count.z, least);
+  const std::uint16_t* brick = bricks.data();
+  for (int z = 0; z < brickCount.z; ++z)
+  {
+    for (int y = 0; y < brickCount.y; ++y)
+    {
+      std::uint16_t* const row =
+        &blocks.steps[(std::size_t(z / Side) * blocks.count.y + y / Side) * blocks.count.x];
+      for (int x = 0; x < brickCount.x; ++x, ++brick)
+      {
+        std::uint16_t& step = row[x / Side];
+        step = largest ? std::max(step, *brick) : std::min(step, *brick);
+      }
+    }
+  }
+  return blocks;
+}
+
 }

@@ -4,6 +4,8 @@
 #include "Core/BrickRanges.h"
 #include "Core/TransferFunction.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +29,19 @@ struct ExtremeLook
 /// @param largest  for a maximum
 std::vector<std::uint16_t> BuildExtremeBricks(
   const BrickRanges& ranges, const ExtremeLook& look, bool largest);
+
+/// The same of blocks of bricks: what a ray must have found to leave all of one out.
+struct ExtremeBlocks
+{
+  static constexpr int BricksPerSide = 4;
+
+  glm::ivec3 count = glm::ivec3(0);
+  std::vector<std::uint16_t> steps; ///< x fastest
+};
+
+/// @param bricks  of BuildExtremeBricks
+ExtremeBlocks JoinExtremeBricks(
+  const std::vector<std::uint16_t>& bricks, glm::ivec3 brickCount, bool largest);
 
 }
 

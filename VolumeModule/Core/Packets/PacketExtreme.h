@@ -87,6 +87,8 @@ public:
     , cells(scene.volume)
     , lattice(this->cells.LatticeOf(rays))
     , bricks(rays, scene.steps.cellsPerBrick, 0.0f, scene.extreme.brickCount)
+    , blocks(rays, scene.steps.cellsPerBrick * scene.extreme.bricksPerBlock, 0.0f,
+        scene.extreme.blockCount)
     , found(before.color.x)
   {
   }
@@ -115,26 +117,48 @@ private:
   // Where the rays of a mask come to a brick that can better what they have found.
   Lanes NextBrick(Lanes t, LaneMask mask) const
   {
-    LatticePlaces place = this->bricks.At(t);
-    for (int skip = 0; skip < this->scene.steps.mostSegments; ++skip)
+    mask &= this->IsLeft(this->extreme.bricks, this->bricks, this->bricks.At(t).cell);
+    if (!Any(mask))
     {
-      mask &=
-        LaneMask(this->BestOf(place.cell) <= this->found) & LaneMask(place.t < this->rays.exit);
-      if (!Any(mask))
-      {
-        break;
-      }
-      place = Select(mask, this->bricks.Behind(place), place);
+      return t;
     }
-    return place.t;
+    LatticePlaces block = this->blocks.At(t);
+    while (Any(mask))
+    {
+      block = this->Behind(this->extreme.blocks, this->blocks, block, mask, All(Never));
+      const LatticePlaces next = this->blocks.Behind(block);
+      const LatticePlaces brick =
+        this->Behind(this->extreme.bricks, this->bricks, this->bricks.At(block.t), mask, next.t);
+      t = Select(mask, brick.t, t);
+      block = next;
+      mask &= LaneMask(t >= next.t) & LaneMask(t < this->rays.exit);
+    }
+    return t;
   }
 
-  Lanes BestOf(const Lanes3& brick) const
+  // Behind all cells of a lattice that the rays of a mask leave out at once, no farther than an
+  // end.
+  LatticePlaces Behind(const std::uint16_t* steps, const PacketLattice& lattice,
+    LatticePlaces place, LaneMask mask, Lanes end) const
   {
-    const IntNumbers index = this->bricks.IndexOf(brick);
-    const auto step = [&](int lane) { return std::int32_t(this->extreme.bricks[index.of[lane]]); };
-    const IntLanes steps{ step(0), step(1), step(2), step(3), step(4), step(5), step(6), step(7) };
-    return this->extreme.bestPerStep * FloatOf(steps) + this->extreme.bestOfFirstStep;
+    const Lanes last = Min(end, this->rays.exit);
+    for (mask &= LaneMask(place.t < last); Any(mask); mask &= LaneMask(place.t < last))
+    {
+      mask &= this->IsLeft(steps, lattice, place.cell);
+      place = Select(mask, lattice.Behind(place), place);
+    }
+    return place;
+  }
+
+  // Whether nothing in a cell can better what is found.
+  LaneMask IsLeft(
+    const std::uint16_t* steps, const PacketLattice& lattice, const Lanes3& cell) const
+  {
+    const IntNumbers index = lattice.IndexOf(cell);
+    const auto step = [&](int lane) { return std::int32_t(steps[index.of[lane]]); };
+    const IntLanes all{ step(0), step(1), step(2), step(3), step(4), step(5), step(6), step(7) };
+    return LaneMask(
+      this->extreme.bestPerStep * FloatOf(all) + this->extreme.bestOfFirstStep <= this->found);
   }
 
   // Marches the rays of a mask to the end of the cell that `end` is in.
@@ -159,6 +183,7 @@ private:
   Cells cells;
   PacketLattice lattice; ///< of them
   PacketLattice bricks;
+  PacketLattice blocks; ///< of bricks
   Lanes found;
 };
 

@@ -169,6 +169,9 @@ struct PacketExtreme
   float best;  ///< that any voxel has
   float opacityUnitDistanceMm;
   const std::uint16_t* bricks; ///< of BuildExtremeBricks; none: there is nothing to skip
+  const std::uint16_t* blocks; ///< of JoinExtremeBricks
+  glm::ivec3 blockCount;
+  float bricksPerBlock; ///< along a side
   glm::ivec3 brickCount;
   float bestOfFirstStep;
   float bestPerStep;
