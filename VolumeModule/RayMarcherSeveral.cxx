@@ -61,12 +61,16 @@ void CheckOneBlock(const VolumeResources& resources, const Frame& frame)
   }
 }
 
-// Where rays begin and end is what all volumes have; what may be visible is their own.
-void SetOverlap(PacketScene& scene, const Box& drawnGrid, const glm::dmat4& gridFromRays)
+void SetPlace(PacketScene& scene, const Box& drawnGrid, const glm::dmat4& gridFromRays)
 {
   scene.constituent.gridFromRays = gridFromRays;
   scene.constituent.lowerGrid = drawnGrid.lower;
   scene.constituent.upperGrid = drawnGrid.upper;
+}
+
+// Where rays of several volumes begin and end is what all have; what may be visible is their own.
+void TakeDepths(PacketScene& scene)
+{
   scene.constituent.visible = scene.depths;
   scene.depths = {};
 }
@@ -178,9 +182,11 @@ MixedScenes RayMarcher::MixScenes(
   std::vector<PacketScene> own = ConstituentsOf(frame, this->volume, first);
   for (PacketScene& scene : own)
   {
-    const PacketDepths depths = scene.depths;
-    SetOverlap(scene, this->volume.VisibleBox(), glm::dmat4(1.0));
-    scene.depths = frame.others.empty() ? depths : PacketDepths();
+    SetPlace(scene, this->volume.VisibleBox(), glm::dmat4(1.0));
+    if (!frame.others.empty())
+    {
+      TakeDepths(scene);
+    }
   }
   for (std::size_t i = 0; i < frame.others.size(); ++i)
   {
@@ -189,7 +195,8 @@ MixedScenes RayMarcher::MixScenes(
     mixed.volumes.emplace_back(other, resources, SurroundingsOfOther(other), pixels);
     for (PacketScene& scene : ConstituentsOf(other, resources, mixed.volumes.back().scene))
     {
-      SetOverlap(scene, resources.VisibleBox(), GridFromGrid(other, frame));
+      SetPlace(scene, resources.VisibleBox(), GridFromGrid(other, frame));
+      TakeDepths(scene);
       mixed.scenes.push_back(scene);
     }
   }

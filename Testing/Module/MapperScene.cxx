@@ -49,6 +49,15 @@ void UseDepthPeeling(vtkRenderer* renderer)
   renderer->SetMaximumNumberOfPeels(20);
 }
 
+ImageError LargerError(
+  const std::vector<float>& one, const std::vector<float>& other, const std::vector<float>& truth)
+{
+  const ImageError a = CompareImages(one.data(), truth.data(), truth.size() / 4);
+  const ImageError b = CompareImages(other.data(), truth.data(), truth.size() / 4);
+  return { std::max(a.rootMeanSquare, b.rootMeanSquare), std::max(a.percentile999, b.percentile999),
+    std::max(a.largest, b.largest) };
+}
+
 MapperScene::MapperScene(vtkImageData* image, int size, vtkHeadlessRenderWindow* window)
   : image(image)
   , size(size)
@@ -276,12 +285,7 @@ ImageError MapperScene::Error()
 ImageError MapperScene::ErrorTo(const std::vector<float>& truth)
 {
   const std::vector<float> marched = this->DrawByProcessor();
-  const ImageError byProcessor = CompareImages(marched.data(), truth.data(), truth.size() / 4);
-  const std::vector<float> drawn = this->Draw();
-  const ImageError byShader = CompareImages(drawn.data(), truth.data(), truth.size() / 4);
-  return { std::max(byShader.rootMeanSquare, byProcessor.rootMeanSquare),
-    std::max(byShader.percentile999, byProcessor.percentile999),
-    std::max(byShader.largest, byProcessor.largest) };
+  return LargerError(marched, this->Draw(), truth);
 }
 
 std::vector<std::string> MapperScene::ShaderParts()

@@ -23,6 +23,10 @@
 #include <string>
 #include <vector>
 
+/// Of two pictures, the larger of each measure.
+varimarch::ImageError LargerError(
+  const std::vector<float>& one, const std::vector<float>& other, const std::vector<float>& truth);
+
 /// One volume in one window, as any VTK program would set it up, and its truth.
 class MapperScene
 {

@@ -8,7 +8,6 @@
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 using namespace varimarch;
@@ -134,12 +133,7 @@ ImageError OverlapScene::Error()
 {
   const std::vector<float> truth = this->Truth();
   const std::vector<float> marched = this->DrawByProcessor();
-  const ImageError byProcessor = CompareImages(marched.data(), truth.data(), truth.size() / 4);
-  const std::vector<float> drawn = this->Draw();
-  const ImageError byShader = CompareImages(drawn.data(), truth.data(), truth.size() / 4);
-  return { std::max(byShader.rootMeanSquare, byProcessor.rootMeanSquare),
-    std::max(byShader.percentile999, byProcessor.percentile999),
-    std::max(byShader.largest, byProcessor.largest) };
+  return LargerError(marched, this->Draw(), truth);
 }
 
 std::vector<std::string> OverlapScene::ShaderParts()

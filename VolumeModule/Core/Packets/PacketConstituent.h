@@ -23,20 +23,8 @@ namespace varimarch
 template <template <class> class Reader, class Read>
 auto ReadByType(const PacketVolume& volume, Read read)
 {
-  switch (volume.type)
-  {
-    case VoxelType::Int8:
-      return read(Reader<std::int8_t>(volume));
-    case VoxelType::UInt8:
-      return read(Reader<std::uint8_t>(volume));
-    case VoxelType::Int16:
-      return read(Reader<std::int16_t>(volume));
-    case VoxelType::UInt16:
-      return read(Reader<std::uint16_t>(volume));
-    case VoxelType::Float32:
-      break;
-  }
-  return read(Reader<float>(volume));
+  return ByVoxelType(
+    volume.type, [&](auto voxel) { return read(Reader<decltype(voxel)>(volume)); });
 }
 
 constexpr int PartsPerSegment = 4;
@@ -238,16 +226,20 @@ private:
     const auto gradientOf = [&](const Boxes& component)
     { return component.GradientOf(this->box.cell); };
     const Lanes value = valueOf(boxes);
+    const LaneMask absorbs = this->Absorbs(value, mask);
+    if (!Any(absorbs))
+    {
+      return;
+    }
     if (this->scene.colors.count > 0)
     {
       this->AddColored(boxes, inBox, t, mask, valueOf, gradientOf);
     }
-    else if (Any(this->Absorbs(value, mask)))
+    else
     {
       const Lanes3 gradient =
         this->material.IsPlain() ? Lanes3{ Lanes{}, Lanes{}, Lanes{} } : gradientOf(boxes);
-      this->Add(inBox, this->material.At(value, this->material.SurfaceOf(gradient), t),
-        this->Absorbs(value, mask));
+      this->Add(inBox, this->material.At(value, this->material.SurfaceOf(gradient), t), absorbs);
     }
     for (Optical& part : mixture.parts)
     {

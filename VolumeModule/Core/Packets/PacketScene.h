@@ -293,7 +293,7 @@ struct PacketScene
   PacketLight light;         ///< these, and
   PacketGradientOpacity gradientOpacity;
   PacketMask mask;
-  PacketGaps gaps;               ///< not of projections
+  PacketGaps gaps;
   PacketExtreme extreme;         ///< where that is the rule,
   PacketIsosurfaces isosurfaces; ///< these,
   PacketProjection projection;   ///< and this

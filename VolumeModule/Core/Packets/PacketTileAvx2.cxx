@@ -130,20 +130,8 @@ PacketSum March(
   {
     return MarchSampled<PacketSpline>(scene, rays, walk, before);
   }
-  switch (scene.volume.type)
-  {
-    case VoxelType::Int8:
-      return March<std::int8_t>(scene, rays, walk, before);
-    case VoxelType::UInt8:
-      return March<std::uint8_t>(scene, rays, walk, before);
-    case VoxelType::Int16:
-      return March<std::int16_t>(scene, rays, walk, before);
-    case VoxelType::UInt16:
-      return March<std::uint16_t>(scene, rays, walk, before);
-    case VoxelType::Float32:
-      return March<float>(scene, rays, walk, before);
-  }
-  return {};
+  return ByVoxelType(scene.volume.type,
+    [&](auto voxel) { return March<decltype(voxel)>(scene, rays, walk, before); });
 }
 
 // What is left of rays that are cropped, or masked. The packet's pixels begin at x and y.

@@ -7,9 +7,30 @@
 #include "Core/Packets/PacketScene.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace varimarch
 {
+
+/// @param call  (a voxel), of the type that voxels have
+template <class Call>
+auto ByVoxelType(VoxelType type, Call call)
+{
+  switch (type)
+  {
+    case VoxelType::Int8:
+      return call(std::int8_t());
+    case VoxelType::UInt8:
+      return call(std::uint8_t());
+    case VoxelType::Int16:
+      return call(std::int16_t());
+    case VoxelType::UInt16:
+      return call(std::uint16_t());
+    case VoxelType::Float32:
+      break;
+  }
+  return call(float());
+}
 
 /// Two values that follow each other along x, of each lane.
 struct ValuePairs
