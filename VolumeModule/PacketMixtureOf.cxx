@@ -36,22 +36,13 @@ PacketColors ColorsOf(const Frame& frame, const VolumeResources& volume)
   return colors;
 }
 
-PacketSpacing SpacingOf(const Frame& frame, const VolumeResources& volume)
+PacketSpacing SpacingOf(const UnevenBins& uneven)
 {
-  PacketSpacing spacing = {};
-  int firstBin = 0;
-  for (std::size_t axis = 0; axis < frame.axes.size(); ++axis)
+  if (uneven.bins.empty())
   {
-    const UnevenAxis& uneven = frame.axes[axis];
-    const int count = int(uneven.Bins().size());
-    spacing.bins = volume.SpacingBins().data();
-    spacing.firstBins[int(axis)] = firstBin;
-    spacing.lastBins[int(axis)] = firstBin + count - 1;
-    spacing.lowerGrid[int(axis)] = float(uneven.LowerGrid());
-    spacing.binsPerGrid[int(axis)] = float(count / (uneven.UpperGrid() - uneven.LowerGrid()));
-    firstBin += count;
+    return {};
   }
-  return spacing;
+  return { uneven.bins.data(), uneven.first, uneven.last, uneven.lowerGrid, uneven.binsPerGrid };
 }
 
 // The table of a part's opacities.
@@ -85,7 +76,7 @@ std::vector<PacketScene> ConstituentsOf(
       one.look = LookOf(frame, volume, OpacityTableOf(volume, channel));
     }
     one.colors = ColorsOf(frame, volume);
-    one.spacing = SpacingOf(frame, volume);
+    one.spacing = SpacingOf(volume.SpacingBins());
     one.light.reflectance = ReflectanceOf(frame.property, part);
     one.gradientOpacity = GradientOpacityOf(frame, volume, part);
     one.constituent.isOfMixture = true;

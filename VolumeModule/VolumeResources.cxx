@@ -190,26 +190,21 @@ void VolumeResources::UpdateCuts(const Frame& frame)
 
 void VolumeResources::UpdateSpacing(const Frame& frame)
 {
-  std::vector<glm::vec4> bins; // none where voxels are at even places
-  for (const UnevenAxis& axis : frame.axes)
-  {
-    const std::vector<glm::vec4> ofAxis = axis.Bins();
-    bins.insert(bins.end(), ofAxis.begin(), ofAxis.end());
-  }
-  if (bins != this->spacingBins)
+  UnevenBins uneven = BinsOf(frame.axes);
+  if (uneven.bins != this->spacingBins.bins)
   {
     this->spacing.Release(frame.window);
-    this->spacingBins = bins;
     this->fieldSource.reset(); // bricks are of the even grid
     this->rangesOfVolume = 0;
   }
+  this->spacingBins = std::move(uneven);
   if (frame.marcher == Marcher::Processor)
   {
     this->spacing.Release(frame.window);
   }
-  else if (!bins.empty() && this->spacing.Bytes() == 0)
+  else if (!this->spacingBins.bins.empty() && this->spacing.Bytes() == 0)
   {
-    this->spacing.Upload(frame.window, bins);
+    this->spacing.Upload(frame.window, this->spacingBins.bins);
   }
 }
 
@@ -256,7 +251,7 @@ void VolumeResources::Release(vtkWindow* window)
   this->packetGaps = GapField();
   this->packetGapsOfVolume = 0;
   this->gradientOpacitySource.clear();
-  this->spacingBins.clear();
+  this->spacingBins = UnevenBins();
   this->volumeSource.clear();
   this->visibleOfField = -1;
   this->fieldSource.reset();

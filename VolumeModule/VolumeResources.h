@@ -132,7 +132,7 @@ public:
   const FloatBufferTexture& ClippingPlanes() const { return this->clippingPlanes; }
   const FloatBufferTexture& Isosurfaces() const { return this->isosurfaces; }
   const FloatBufferTexture& Spacing() const { return this->spacing; }
-  const std::vector<glm::vec4>& SpacingBins() const { return this->spacingBins; } ///< axis by axis
+  const UnevenBins& SpacingBins() const { return this->spacingBins; }
 
   /// Voxels, or the coefficients of a spline through them.
   VoxelChannels MarchedChannels() const;
@@ -192,8 +192,8 @@ private:
   MaskTexture mask;
   FloatBufferTexture clippingPlanes;
   FloatBufferTexture isosurfaces;
-  FloatBufferTexture spacing;         ///< only where voxels are at uneven places,
-  std::vector<glm::vec4> spacingBins; ///< made of these
+  FloatBufferTexture spacing; ///< only where voxels are at uneven places,
+  UnevenBins spacingBins;     ///< made of these
   VolumeBuilds builds;
   Box visibleBox = {};
   std::vector<Box> visibleBoxes; ///< and of each block

@@ -157,27 +157,13 @@ void VolumeUniforms::SetExact(const DrawnBlock& drawn)
 
 void VolumeUniforms::SetSpacing()
 {
-  glm::dvec3 firstBins;
-  glm::dvec3 lastBins;
-  glm::dvec3 lowerGrid;
-  glm::dvec3 binsPerGrid;
-  double firstBin = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const UnevenAxis& uneven = this->frame.axes[axis];
-    const double count = double(uneven.Bins().size());
-    firstBins[axis] = firstBin;
-    lastBins[axis] = firstBin + count - 1.0;
-    lowerGrid[axis] = uneven.LowerGrid();
-    binsPerGrid[axis] = count / (uneven.UpperGrid() - uneven.LowerGrid());
-    firstBin += count;
-  }
+  const UnevenBins& bins = this->resources.SpacingBins();
   this->resources.Spacing().Texture()->Activate();
   this->program.Set("spacingTable", this->resources.Spacing().Texture());
-  this->program.Set("spacingFirstBins", firstBins);
-  this->program.Set("spacingLastBins", lastBins);
-  this->program.Set("spacingLowerGrid", lowerGrid);
-  this->program.Set("spacingBinsPerGrid", binsPerGrid);
+  this->program.Set("spacingFirstBins", glm::dvec3(bins.first));
+  this->program.Set("spacingLastBins", glm::dvec3(bins.last));
+  this->program.Set("spacingLowerGrid", bins.lowerGrid);
+  this->program.Set("spacingBinsPerGrid", bins.binsPerGrid);
   this->program.Set("spacingVoxelCount", glm::dvec3(this->frame.geometry.dimensions));
 }
 

@@ -258,6 +258,20 @@ INSTANTIATE_TEST_SUITE_P(EveryKind, ProcessorMarchingOfUnevenPlaces,
       } }),
   NameOf);
 
+TEST_F(ProcessorMarching, OfUnevenPlacesTakesNoTableToTheDevice)
+{
+  MapperScene scene(EvenImage(Uneven), 48);
+  UseGentleMaterials(scene);
+  scene.mapper->SetInputData(WaveGrid(Uneven));
+  scene.Draw();
+  const vtkIdType bytesOfShader = scene.mapper->GetGraphicsMemoryBytes();
+  ASSERT_TRUE(ByProcessor(scene));
+  const vtkIdType bytesOfPixels = 4 * sizeof(float) * 48 * 48;
+  EXPECT_LE(scene.mapper->GetGraphicsMemoryBytes(), bytesOfPixels);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytesOfShader);
+}
+
 // One axis of cells of 1, 2, 4 and 8 mm, seen along another, parallel, a pixel a mm.
 TEST(Rectilinear, CellsWithoutInterpolationGoFromFaceToFace)
 {

@@ -110,4 +110,20 @@ std::vector<glm::vec4> UnevenAxis::Bins() const
   return bins;
 }
 
+UnevenBins BinsOf(const std::vector<UnevenAxis>& axes)
+{
+  UnevenBins all;
+  for (int axis = 0; axis < int(axes.size()); ++axis)
+  {
+    const UnevenAxis& uneven = axes[std::size_t(axis)];
+    const std::vector<glm::vec4> bins = uneven.Bins();
+    all.first[axis] = int(all.bins.size());
+    all.bins.insert(all.bins.end(), bins.begin(), bins.end());
+    all.last[axis] = int(all.bins.size()) - 1;
+    all.lowerGrid[axis] = uneven.LowerGrid();
+    all.binsPerGrid[axis] = double(bins.size()) / (uneven.UpperGrid() - uneven.LowerGrid());
+  }
+  return all;
+}
+
 }

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Core_UnevenAxis_h
 #define Varimarch_Core_UnevenAxis_h
 
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <vector>
@@ -48,6 +49,19 @@ private:
   std::vector<double> breaks; ///< where the voxel is firstBreakVoxel + index [grid]
   double firstBreakVoxel;
 };
+
+/// The bins of all axes of a grid, one behind the other.
+struct UnevenBins
+{
+  std::vector<glm::vec4> bins;      ///< see UnevenAxis::Bins; none: places are even
+  glm::ivec3 first = glm::ivec3(0); ///< of each axis
+  glm::ivec3 last = glm::ivec3(0);
+  glm::dvec3 lowerGrid = glm::dvec3(0.0); ///< where the first begins
+  glm::dvec3 binsPerGrid = glm::dvec3(0.0);
+};
+
+/// @param axes  three, or none
+UnevenBins BinsOf(const std::vector<UnevenAxis>& axes);
 
 }
 
