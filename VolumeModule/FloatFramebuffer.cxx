@@ -109,8 +109,8 @@ void FloatFramebuffer::Bind(vtkOpenGLRenderWindow* window, const Viewport& pixel
   this->framebuffer->ActivateDrawBuffers(this->textures.size());
   if (!this->framebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER))
   {
-    throw std::runtime_error("OpenGL offers no framebuffer of 32 bit floats, which a volume drawn "
-                             "in blocks, or with other rays than pixels, needs");
+    throw std::runtime_error("OpenGL offers no framebuffer of 32 bit floats, which an error "
+                             "tolerance, blocks, and other rays than pixels need");
   }
 }
 

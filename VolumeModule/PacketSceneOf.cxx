@@ -297,9 +297,9 @@ PacketScene PacketSceneOf(
   }
   scene.cuts.clipDepthRow = glm::row(clipFromGrid, 2);
   scene.cuts.clipWeightRow = glm::row(clipFromGrid, 3);
-  if (!around.depth.empty())
+  if (around.depth)
   {
-    scene.cuts.depth = around.depth.data();
+    scene.cuts.depth = around.depth;
     scene.cuts.depthPixels = around.depthPixels;
     scene.cuts.depthPixelsPerPixel =
       glm::dvec2(scene.cuts.depthPixels) / glm::dvec2(frame.viewport.width, frame.viewport.height);

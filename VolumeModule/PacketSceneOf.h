@@ -21,7 +21,7 @@ struct PacketSurroundings
 {
   Box drawnBox;                      ///< where rays are marched [grid space]
   std::vector<glm::vec4> planesGrid; ///< that clip
-  std::vector<float> depth;          ///< none: there is no geometry
+  const float* depth;                ///< none: there is no geometry
   glm::ivec2 depthPixels;            ///< its size
   std::vector<float> layerDepths;    ///< Slots.glsl's PeeledDepths of each pixel; none: no layers
   LightTexels lights;

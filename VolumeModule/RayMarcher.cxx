@@ -117,7 +117,12 @@ ToleranceInputs RayMarcher::ToleranceInputsOf(const Frame& frame) const
 std::vector<float> RayMarcher::DrawProbe(const Frame& frame)
 {
   this->volume.UpdatePreIntegratedTable(frame);
-  return this->probe.Draw(frame.window, frame.viewport, [&] { this->DrawVolume(frame); });
+  if (frame.marcher == Marcher::Processor)
+  {
+    return this->MarchProbe(frame);
+  }
+  this->probe.Draw(frame.window, frame.viewport, [&] { this->DrawVolume(frame); });
+  return this->probe.Read(frame.window, frame.viewport);
 }
 
 MemoryElsewhere RayMarcher::BytesElsewhere() const

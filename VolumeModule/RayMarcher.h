@@ -2,11 +2,11 @@
 #define Varimarch_RayMarcher_h
 
 #include "Core/PixelRays.h"
+#include "FloatFramebuffer.h"
 #include "Frame.h"
 #include "PacketPicture.h"
 #include "PacketSceneOf.h"
 #include "PictureResources.h"
-#include "ProbeFramebuffer.h"
 #include "RayAccumulation.h"
 #include "RayMarchProgram.h"
 #include "SceneDepthTexture.h"
@@ -80,6 +80,7 @@ private:
   // In one piece or in blocks.
   DrawnBlock BoxOfVisible() const;
   DrawnBlock WholeVolume(const Frame& frame);
+  bool IsNothingDrawn() const;
   void DrawVolume(const Frame& frame);
   void DrawBlock(Frame frame, int block);
   void DrawBlocks(const Frame& frame);
@@ -89,6 +90,7 @@ private:
   PacketSurroundings SurroundingsOf(const Frame& frame);
   std::vector<float> DrawLayerDepths(const Frame& frame);
   void DrawPackets(const Frame& frame);
+  std::vector<float> MarchProbe(const Frame& frame);
   void SetPacketUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
 
   // Several volumes that overlap.
@@ -127,7 +129,7 @@ private:
   SceneDepthTexture depth;
   VolumeBoxGeometry boxGeometry;
   ToleranceSearch tolerance;
-  ProbeFramebuffer probe;
+  FloatFramebuffer probe;       ///< of rays that are tried out by shaders
   RayAccumulation accumulation; ///< only where there are several blocks
   PictureResources picture;
   PacketPicture packets;

@@ -27,9 +27,14 @@ Box WithItsEdges(const Box& box)
   return { box.lower - more, box.upper + more };
 }
 
+bool RayMarcher::IsNothingDrawn() const
+{
+  return glm::any(glm::greaterThanEqual(this->drawnBox.lower, this->drawnBox.upper));
+}
+
 void RayMarcher::DrawVolume(const Frame& frame)
 {
-  if (glm::any(glm::greaterThanEqual(this->drawnBox.lower, this->drawnBox.upper)))
+  if (this->IsNothingDrawn())
   {
     return;
   }

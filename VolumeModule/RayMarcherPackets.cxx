@@ -165,6 +165,17 @@ std::vector<PacketScene> PartsOf(
   return { other };
 }
 
+// Shaders/Window/WindowLevel.glsl.
+void Window(std::vector<float>& rgba, const glm::dvec2& scaleBias)
+{
+  for (std::size_t i = 0; i < rgba.size(); ++i)
+  {
+    const float opacity = rgba[i | 3];
+    const float color = rgba[i] * float(scaleBias.x) + opacity * float(scaleBias.y);
+    rgba[i] = i % 4 == 3 ? opacity : std::clamp(color, 0.0f, opacity);
+  }
+}
+
 }
 
 // First what needs no look at the voxels.
@@ -193,7 +204,7 @@ PacketSurroundings RayMarcher::SurroundingsOf(const Frame& frame)
   around.planesGrid = { frame.cuts.planesGrid.begin(), frame.cuts.planesGrid.end() };
   if (frame.settings.sceneGeometry)
   {
-    around.depth = this->depth.Read(frame.window);
+    around.depth = this->depth.Depths(frame.window).data();
     around.depthPixels = this->depth.SizePixels();
   }
   if (frame.settings.lights)
@@ -247,6 +258,24 @@ void RayMarcher::DrawPackets(const Frame& frame)
   marched.settings.marching = Marching::Before;
   this->UpdateProgram(marched);
   this->DrawBox(marched, drawn);
+}
+
+std::vector<float> RayMarcher::MarchProbe(const Frame& frame)
+{
+  const Viewport& pixels = frame.viewport;
+  std::vector<float> rgba(4 * std::size_t(pixels.width) * pixels.height);
+  if (this->IsNothingDrawn())
+  {
+    return rgba;
+  }
+  SceneOfVolume first(frame, this->volume, this->SurroundingsOf(frame), pixels);
+  const MixedScenes mixed = this->MixScenes(first.scene, frame, pixels);
+  MarchPackets(first.scene, pixels, rgba.data());
+  if (frame.settings.windowLevel)
+  {
+    Window(rgba, frame.windowScaleBias);
+  }
+  return rgba;
 }
 
 void RayMarcher::SetPacketUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)

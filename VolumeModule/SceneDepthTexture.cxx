@@ -48,6 +48,7 @@ void SceneDepthTexture::Capture(
     this->format = boundFormat;
     this->Allocate(window, width, height);
   }
+  this->depths.clear();
   this->depth->Resize(width, height);
   this->color->Resize(width, height);
   this->bytes = std::size_t(width) * height * 5; // 4 of depth, with its stencil, and 1 of colour
@@ -65,18 +66,22 @@ void SceneDepthTexture::Capture(
   state->PopFramebufferBindings();
 }
 
-std::vector<float> SceneDepthTexture::Read(vtkOpenGLRenderWindow* window)
+const std::vector<float>& SceneDepthTexture::Depths(vtkOpenGLRenderWindow* window)
 {
+  if (!this->depths.empty())
+  {
+    return this->depths;
+  }
   const auto width = GLsizei(this->depth->GetWidth());
   const auto height = GLsizei(this->depth->GetHeight());
-  std::vector<float> depths(std::size_t(width) * height);
+  this->depths.resize(std::size_t(width) * height);
   vtkOpenGLState* const state = window->GetState();
   state->PushFramebufferBindings();
   this->framebuffer->Bind(GL_READ_FRAMEBUFFER);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, this->depths.data());
   state->PopFramebufferBindings();
-  return depths;
+  return this->depths;
 }
 
 void SceneDepthTexture::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
@@ -99,6 +104,7 @@ void SceneDepthTexture::Release(vtkWindow* window)
   this->framebuffer->ReleaseGraphicsResources(window);
   this->depth->ReleaseGraphicsResources(window);
   this->color->ReleaseGraphicsResources(window);
+  this->depths.clear();
   this->bytes = 0;
 }
 

@@ -22,8 +22,8 @@ public:
   /// Copies a rectangle of the framebuffer that is bound for drawing [pixels].
   void Capture(vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height);
 
-  /// What was captured, row by row from below.
-  std::vector<float> Read(vtkOpenGLRenderWindow* window);
+  /// What was captured, row by row from below; read from the device once.
+  const std::vector<float>& Depths(vtkOpenGLRenderWindow* window);
 
   vtkTextureObject* Texture() const { return this->depth; }
   glm::ivec2 SizePixels() const
@@ -40,6 +40,7 @@ private:
   vtkNew<vtkTextureObject> depth;
   vtkNew<vtkTextureObject> color; ///< a framebuffer needs one to be complete
   vtkNew<vtkOpenGLFramebufferObject> framebuffer;
+  std::vector<float> depths; ///< empty until somebody asks
   std::size_t bytes = 0;
 };
 

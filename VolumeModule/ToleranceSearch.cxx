@@ -6,7 +6,6 @@
 #include "Core/ShaderRecipe.h"
 #include "JoinedFrame.h"
 #include "Lights.h"
-#include "ProbeFramebuffer.h"
 #include "PropertyTransferFunction.h"
 
 #include "vtkVolumeProperty.h"
@@ -155,6 +154,11 @@ StepRange RangeOf(const Frame& frame)
 
 }
 
+Viewport ProbePixelsFor(const Viewport& picture)
+{
+  return { 0, 0, std::min(picture.width, 96), std::min(picture.height, 48) };
+}
+
 bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
 {
   if (this->rule != other.rule || this->scene != other.scene ||
@@ -209,7 +213,7 @@ double ToleranceSearch::SampleDistanceInViewMm() const
 std::vector<float> ToleranceSearch::Trial::Draw(
   Frame tried, Integration integration, double sampleDistanceMm) const
 {
-  tried.viewport = ProbeFramebuffer::PixelsFor(tried.viewport);
+  tried.viewport = ProbePixelsFor(tried.viewport);
   tried.settings.pass = RayPass::Whole;
   tried.settings.integration = integration;
   tried.settings.countFetches = false; // errors are of colours, whatever the picture shows

@@ -39,6 +39,10 @@ struct ToleranceChoice
   double missedOfLimit = 0.0; ///< found once per rule: peaks between samples, as step.ofLimit
 };
 
+/// The rays that a picture of this size is tried out with: enough to show the 99.9th percentile of
+/// an error, in two tiles of a software rasteriser, so that two cores share the work.
+Viewport ProbePixelsFor(const Viewport& picture);
+
 /// Draws a frame that is to be tried out: premultiplied RGBA of its pixels.
 using ProbeDrawing = std::function<std::vector<float>(const Frame& tried)>;
 

@@ -5,8 +5,9 @@
 #include "BoxInView.h"
 #include "Core/PreIntegratedTable.h"
 #include "Core/ShaderRecipe.h"
-#include "ProbeFramebuffer.h"
+#include "FloatFramebuffer.h"
 #include "RayAccumulation.h"
+#include "ToleranceSearch.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -65,8 +66,7 @@ std::size_t VolumeResources::FixedBytes(const Frame& frame, const MemoryElsewher
   const bool isTriedOut = frame.errorTolerance > 0.0 && frame.settings.blend == Blend::Composite;
   const bool mayPreIntegrate =
     UsesPreIntegration(frame.settings) || (isTriedOut && frame.triesPreIntegration);
-  const Viewport probed = ProbeFramebuffer::PixelsFor(frame.viewport);
-  const std::size_t probeBytes = 4 * sizeof(float) * probed.width * probed.height;
+  const std::size_t probeBytes = FloatFramebuffer::BytesFor(ProbePixelsFor(frame.viewport));
   return this->BytesBesideBlocks() + elsewhere.fixedBytes +
     (mayPreIntegrate ? PreIntegratedTableBytes(this->opticalTable.Table()) : 0) +
     (frame.errorTolerance > 0.0 ? probeBytes : 0);
