@@ -57,11 +57,10 @@ double PreIntegrationCostOf(const Frame& frame)
 }
 
 // How much smaller the error must be at the same distance for steps that are longer by their cost.
-double GainThatPays(const Frame& frame, const ToleranceChoice& choice)
+double GainThatPays(const Frame& frame)
 {
   constexpr double Order = 1.6;
-  return choice.step.KeepsLimit() ? std::pow(PreIntegrationCostOf(frame), Order)
-                                  : 1.0; // whatever is nearer to the limit
+  return std::pow(PreIntegrationCostOf(frame), Order);
 }
 
 // A peak wider than this part of the values is met by more than one in a thousand samples, so that
@@ -142,6 +141,13 @@ std::vector<double> SceneInputsOf(const Frame& frame, const VolumeBuilds& builds
   return inputs;
 }
 
+ErrorLimit LimitOf(const Frame& frame)
+{
+  const double tolerance =
+    IsExtreme(frame.settings.blend) ? ExtremesPart * frame.errorTolerance : frame.errorTolerance;
+  return { PercentileOfTolerance * tolerance, LargestOfTolerance * tolerance };
+}
+
 StepRange RangeOf(const Frame& frame)
 {
   const double voxelMm = SmallestSpacingMm(frame);
@@ -198,7 +204,7 @@ void ToleranceSearch::Update(const Frame& frame, const VolumeResources& volume,
     (this->viewRests ? this->choice->inputs == inputs : this->choice->inputs.IsNear(inputs));
   if (!serves)
   {
-    this->choice = this->ChooseSteps({ frame, volume, draw }, inputs);
+    this->choice = this->ChooseSteps({ frame, volume, draw, LimitOf(frame) }, inputs);
     ++this->searches;
   }
 }
@@ -210,60 +216,68 @@ double ToleranceSearch::SampleDistanceInViewMm() const
                                                  : NearbyPart * step.sampleDistance;
 }
 
-std::vector<float> ToleranceSearch::Trial::Draw(
-  Frame tried, Integration integration, double sampleDistanceMm) const
+const std::vector<float>& ToleranceSearch::Trial::Draw(
+  Frame tried, Integration integration, double sampleDistanceMm)
 {
+  std::vector<float>& picture =
+    this->drawn[{ tried.settings.shading, integration, sampleDistanceMm }];
+  if (!picture.empty())
+  {
+    return picture;
+  }
   tried.viewport = ProbePixelsFor(tried.viewport);
   tried.settings.pass = RayPass::Whole;
   tried.settings.integration = integration;
   tried.settings.countFetches = false; // errors are of colours, whatever the picture shows
   tried.sampleDistanceMm = sampleDistanceMm;
-  return this->draw(tried);
+  picture = this->draw(tried);
+  return picture;
 }
 
-ToleranceChoice ToleranceSearch::ChooseSteps(
-  const Trial& trial, const ToleranceInputs& inputs) const
+FoundSteps ToleranceSearch::Trial::Find(
+  Integration integration, double firstMm, const std::vector<float>& exact)
 {
-  const double stepsTolerance = IsExtreme(trial.frame.settings.blend)
-    ? ExtremesPart * trial.frame.errorTolerance
-    : trial.frame.errorTolerance;
-  const ErrorLimit limit{ PercentileOfTolerance * stepsTolerance,
-    LargestOfTolerance * stepsTolerance };
-  const StepRange range = RangeOf(trial.frame);
-  const auto drawingBy = [&](Integration integration)
-  {
-    return [&trial, integration](double sampleDistanceMm)
-    { return trial.Draw(trial.frame, integration, sampleDistanceMm); };
-  };
+  const auto drawAt = [&](double sampleDistanceMm)
+  { return this->Draw(this->frame, integration, sampleDistanceMm); };
+  return FindSampleDistance(drawAt, this->limit, RangeOf(this->frame), firstMm, exact);
+}
+
+ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs& inputs) const
+{
   // Each search begins at the same place, so that what it finds does not depend on the one before.
   const double firstMm = SmallestSpacingMm(trial.frame);
-  const auto choiceBy = [&](Integration integration)
-  {
-    return ToleranceChoice{ inputs, integration,
-      FindSampleDistance(drawingBy(integration), limit, range, firstMm) };
-  };
-
   // The rule is chosen anew only for another transfer function or volume: not while a camera moves.
   if (this->choice && this->choice->inputs.rule == inputs.rule)
   {
-    return WithMissed(choiceBy(this->choice->integration), this->choice->missedOfLimit, limit);
+    const Integration integration = this->choice->integration;
+    return WithMissed({ inputs, integration, trial.Find(integration, firstMm).choice },
+      this->choice->missedOfLimit, trial.limit);
   }
-  const auto withMissed = [&](const ToleranceChoice& choice)
-  { return WithMissed(choice, MissedOfLimit(trial, choice, limit), limit); };
-  const ToleranceChoice choice = withMissed(choiceBy(trial.frame.settings.integration));
-  if (!trial.frame.chooseIntegration || !PreIntegrationMayPay(trial, choice, limit))
+  const auto choiceOf = [&](Integration integration, const FoundSteps& found)
+  {
+    const ToleranceChoice choice{ inputs, integration, found.choice };
+    return WithMissed(choice, MissedOfLimit(trial, choice), trial.limit);
+  };
+  const Integration usual = trial.frame.settings.integration;
+  const FoundSteps found = trial.Find(usual, firstMm);
+  const ToleranceChoice choice = choiceOf(usual, found);
+  if (!trial.frame.chooseIntegration || !PreIntegrationMayPay(trial, choice, found.finest))
   {
     return choice;
   }
-  const ToleranceChoice preIntegrated = withMissed(choiceBy(Integration::PreIntegrated));
+  constexpr Integration Other = Integration::PreIntegrated;
+  const ToleranceChoice preIntegrated = choiceOf(Other,
+    choice.step.KeepsLimit() ? trial.Find(Other, choice.step.sampleDistance, found.finest)
+                             : trial.Find(Other, firstMm));
   return IsBetter(preIntegrated.step, PreIntegrationCostOf(trial.frame), choice.step)
     ? preIntegrated
     : choice;
 }
 
-// Known before it is searched for, which takes longer.
+// Known before it is searched for, which takes longer: by what it errs at the distance that was
+// chosen, beside the finest picture, to which all rules tend.
 bool ToleranceSearch::PreIntegrationMayPay(
-  const Trial& trial, const ToleranceChoice& choice, const ErrorLimit& limit)
+  Trial& trial, const ToleranceChoice& choice, const std::vector<float>& finest)
 {
   if (choice.missedOfLimit > 0.0)
   {
@@ -271,23 +285,24 @@ bool ToleranceSearch::PreIntegrationMayPay(
   }
   const bool losesTooMuch = !MarchesMaterial(trial.frame.settings) &&
     trial.volume.OpticalTables().Table().entries.size() > MostPreIntegratedEntries;
+  if (losesTooMuch || !choice.step.KeepsLimit())
+  {
+    return !losesTooMuch;
+  }
   const double distanceMm = choice.step.sampleDistance;
-  const StepRange range = RangeOf(trial.frame);
-  const bool isCoarsest = choice.step.KeepsLimit() && distanceMm >= range.coarsest;
-  if (losesTooMuch || isCoarsest)
+  if (distanceMm >= RangeOf(trial.frame).coarsest)
   {
     return false;
   }
-  const auto draw = [&](double sampleDistanceMm)
-  { return trial.Draw(trial.frame, Integration::PreIntegrated, sampleDistanceMm); };
-  return GainThatPays(trial.frame, choice) * ErrorOfLimit(draw, limit, range, distanceMm) <
+  const std::vector<float> picture =
+    trial.Draw(trial.frame, Integration::PreIntegrated, distanceMm);
+  return GainThatPays(trial.frame) * ErrorOfLimit(picture, finest, trial.limit) <
     choice.step.ofLimit;
 }
 
 // A shorter distance tells nothing of a peak that lies between all samples. Pre-integration
 // misses none: what it differs by, beyond what its own steps make, is an error of the others.
-double ToleranceSearch::MissedOfLimit(
-  const Trial& trial, const ToleranceChoice& choice, const ErrorLimit& limit)
+double ToleranceSearch::MissedOfLimit(Trial& trial, const ToleranceChoice& choice)
 {
   const double range =
     trial.volume.Blocks().Texels().largestScalar - trial.volume.Blocks().Texels().smallestScalar;
@@ -308,7 +323,7 @@ double ToleranceSearch::MissedOfLimit(
   const std::vector<float> fine =
     OpacityOf(trial.Draw(unlit, Integration::PreIntegrated, 0.5 * distanceMm));
   const double missed =
-    DifferenceOfLimit(steps, fine, limit) - DifferenceOfLimit(coarse, fine, limit);
+    DifferenceOfLimit(steps, fine, trial.limit) - DifferenceOfLimit(coarse, fine, trial.limit);
   return missed > CertainlyMissed ? missed : 0.0;
 }
 

@@ -6,7 +6,9 @@
 #include "VolumeResources.h"
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace varimarch
@@ -63,21 +65,27 @@ public:
   int Searches() const { return this->searches; } ///< so far
 
 private:
+  /// What is drawn of a frame to find its steps.
   struct Trial
   {
     const Frame& frame;
     const VolumeResources& volume;
     const ProbeDrawing& draw;
+    ErrorLimit limit;
+    /// Pictures by what they differ in: whether they are lit, by which rule, at which distance.
+    std::map<std::tuple<bool, Integration, double>, std::vector<float>> drawn = {};
 
-    std::vector<float> Draw(Frame tried, Integration integration, double sampleDistanceMm) const;
+    const std::vector<float>& Draw(Frame tried, Integration integration, double sampleDistanceMm);
+    /// @param exact  as FindSampleDistance
+    FoundSteps Find(Integration integration, double firstMm, const std::vector<float>& exact = {});
   };
 
-  ToleranceChoice ChooseSteps(const Trial& trial, const ToleranceInputs& inputs) const;
+  ToleranceChoice ChooseSteps(Trial trial, const ToleranceInputs& inputs) const;
   /// Whether another rule may keep the limit in less time than midpoints.
+  /// @param finest  as FoundSteps
   static bool PreIntegrationMayPay(
-    const Trial& trial, const ToleranceChoice& choice, const ErrorLimit& limit);
-  static double MissedOfLimit(
-    const Trial& trial, const ToleranceChoice& choice, const ErrorLimit& limit);
+    Trial& trial, const ToleranceChoice& choice, const std::vector<float>& finest);
+  static double MissedOfLimit(Trial& trial, const ToleranceChoice& choice);
 
   std::optional<ToleranceChoice> choice;
   std::vector<CornersClip> view; ///< of the last picture that kept a tolerance

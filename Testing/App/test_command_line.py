@@ -291,7 +291,7 @@ def scaling(folder):
         assert [point["side"] for point in curve["points"]] == [16, 32] and not curve["stopped"]
         assert all(len(point["rounds"]) == 2 for point in curve["points"])
     ours = results["curves"][0]["points"]
-    assert all(point["graphicsBytes"] > 16 * 48 * 40 for point in ours)
+    assert all(point["graphicsBytes"] > 16 * 24 * 20 for point in ours)  # where the volume is
     assert png_size(folder / "scaling.png")[0] > 1000
 
 

@@ -188,7 +188,7 @@ TEST(ErrorTolerance, ChoosesPreIntegrationForThinPeaksOnly)
   MapperScene scene(SmallTorso());
   scene.mapper->SetErrorTolerance(1.0 / 64.0);
   EXPECT_EQ(DrawnMarch(scene), "March/Midpoint.glsl");
-  SetOpacities(scene, { { 300.0, 0.0 }, { 303.0, 0.5 }, { 306.0, 0.0 } });
+  SetOpacities(scene, { { 300.0, 0.0 }, { 308.0, 0.5 }, { 316.0, 0.0 } });
   EXPECT_EQ(DrawnMarch(scene), "March/PreIntegrated.glsl");
 }
 
@@ -268,6 +268,37 @@ TEST(ErrorTolerance, DrawsNothingIntoTheWindowWhenTriedOut)
   scene.mapper->SetErrorTolerance(1.0 / 64.0);
   const std::vector<float> tried = scene.Draw();
   EXPECT_EQ(tried, scene.Draw());
+}
+
+TEST(ErrorTolerance, IsThatOfColoursInTheWindow)
+{
+  for (std::vector<float> (MapperScene::*draw)() :
+    { &MapperScene::Draw, &MapperScene::DrawByProcessor })
+  {
+    MapperScene scene(SmallTorso());
+    scene.mapper->SetErrorTolerance(1.0 / 64.0);
+    (scene.*draw)();
+    const double distance = scene.mapper->GetUsedSampleDistance();
+    scene.mapper->SetFinalColorWindow(0.2f); // errors are five times as large
+    (scene.*draw)();
+    EXPECT_LT(scene.mapper->GetUsedSampleDistance(), 0.6 * distance);
+  }
+}
+
+TEST(ErrorTolerance, OfPacketsIsTriedOutWithoutAFramebuffer)
+{
+  MapperScene scene(SmallTorso());
+  const auto bytesOf = [&](std::vector<float> (MapperScene::*draw)(), double tolerance)
+  {
+    scene.mapper->SetErrorTolerance(tolerance);
+    (scene.*draw)();
+    return scene.mapper->GetGraphicsMemoryBytes();
+  };
+  constexpr int BytesOfProbe = 96 * 48 * 16;
+  EXPECT_EQ(
+    bytesOf(&MapperScene::Draw, 1.0 / 64.0), bytesOf(&MapperScene::Draw, 0.0) + BytesOfProbe);
+  EXPECT_EQ(bytesOf(&MapperScene::DrawByProcessor, 1.0 / 64.0),
+    bytesOf(&MapperScene::DrawByProcessor, 0.0));
 }
 
 TEST(ErrorTolerance, IsTriedOutByColoursWhileFetchCountsAreDrawn)

@@ -40,6 +40,11 @@ std::vector<float> IndependentErrors(double distance)
 constexpr ErrorLimit Limit{ 0.01, 0.02 };
 constexpr StepRange Range{ 4.0, 1.0 / 32.0 };
 
+StepChoice Find(const SampleDrawing& draw, double first, const StepRange& range = Range)
+{
+  return FindSampleDistance(draw, Limit, range, first).choice;
+}
+
 }
 
 TEST(StepSearch, TheErrorAtTheDistanceFoundIsNearTheLimit)
@@ -49,8 +54,7 @@ TEST(StepSearch, TheErrorAtTheDistanceFoundIsNearTheLimit)
   {
     for (double factor : { 0.001, 0.03, 0.5 })
     {
-      const StepChoice choice =
-        FindSampleDistance(PowerLaw{ factor, order, &drawings }, Limit, Range, 1.0);
+      const StepChoice choice = Find(PowerLaw{ factor, order, &drawings }, 1.0);
       const double error = factor * std::pow(choice.sampleDistance, order);
       EXPECT_TRUE(choice.KeepsLimit());
       EXPECT_LE(error, 1.2 * Limit.percentile999) << factor << " " << order;
@@ -60,19 +64,19 @@ TEST(StepSearch, TheErrorAtTheDistanceFoundIsNearTheLimit)
   }
 }
 
-TEST(StepSearch, ItNeedsFiveDrawingsWhereItBeginsNearTheResult)
+TEST(StepSearch, ItNeedsTwoDrawingsWhereItBeginsNearTheResult)
 {
   int drawings = 0;
   const PowerLaw law{ 0.01, 2.0, &drawings };
-  const double found = FindSampleDistance(law, Limit, Range, 1.0).sampleDistance;
+  const double found = Find(law, 1.0).sampleDistance;
   drawings = 0;
-  FindSampleDistance(law, Limit, Range, 0.99 * found);
-  EXPECT_LE(drawings, 5);
+  Find(law, 0.99 * found);
+  EXPECT_LE(drawings, 2);
 }
 
 TEST(StepSearch, ErrorsThatDoNotDependOnEachOtherAreNotCountedTwice)
 {
-  const double distance = FindSampleDistance(IndependentErrors, Limit, Range, 1.0).sampleDistance;
+  const double distance = Find(IndependentErrors, 1.0).sampleDistance;
   const std::vector<float> truth(4 * 10000, 0.5f);
   EXPECT_NEAR(DifferenceOfLimit(IndependentErrors(distance), truth, Limit), 0.9, 0.15);
 }
@@ -80,8 +84,7 @@ TEST(StepSearch, ErrorsThatDoNotDependOnEachOtherAreNotCountedTwice)
 TEST(StepSearch, WhatCannotBeKeptIsSaidAndEndsAtTheFinestStep)
 {
   int drawings = 0;
-  const StepChoice choice =
-    FindSampleDistance(PowerLaw{ 100.0, 1.0, &drawings }, Limit, Range, 0.5);
+  const StepChoice choice = Find(PowerLaw{ 100.0, 1.0, &drawings }, 0.5);
   EXPECT_FALSE(choice.KeepsLimit());
   EXPECT_DOUBLE_EQ(choice.sampleDistance, Range.finest);
   EXPECT_LE(drawings, 6);
@@ -93,7 +96,7 @@ TEST(StepSearch, TheFinestStepNeedNotBeAHalvingOfTheCoarsest)
   const StepRange range{ 4.0, 0.6 };
   const double atFinest = 0.8 * Limit.percentile999;
   const PowerLaw law{ atFinest / std::pow(range.finest, 2.0), 2.0, &drawings };
-  const StepChoice choice = FindSampleDistance(law, Limit, range, 1.0);
+  const StepChoice choice = Find(law, 1.0, range);
   EXPECT_TRUE(choice.KeepsLimit());
   EXPECT_GE(choice.sampleDistance, range.finest);
   EXPECT_LT(choice.sampleDistance, 0.8);
@@ -102,42 +105,51 @@ TEST(StepSearch, TheFinestStepNeedNotBeAHalvingOfTheCoarsest)
 TEST(StepSearch, WhatIsExactAtAnyStepTakesTheCoarsest)
 {
   int drawings = 0;
-  const StepChoice choice = FindSampleDistance(PowerLaw{ 0.0, 1.0, &drawings }, Limit, Range, 1.0);
+  const StepChoice choice = Find(PowerLaw{ 0.0, 1.0, &drawings }, 1.0);
   EXPECT_TRUE(choice.KeepsLimit());
   EXPECT_DOUBLE_EQ(choice.sampleDistance, Range.coarsest);
 }
 
-TEST(StepSearch, WhatErrsMuchBetweenTwoDistancesThatWereTriedIsNotTaken)
+TEST(StepSearch, OnlyWhatWasTriedAndKeepsTheLimitIsTaken)
 {
-  const auto draw = [](double distance)
+  constexpr double Longest = 1.4; // beyond it pictures err much, which no finer one tells
+  const auto draw = [&](double distance)
   {
-    const bool isHalved = std::log2(distance) == std::round(std::log2(distance));
-    const double error = isHalved ? 0.004 * distance * distance : 0.5;
+    const double error = distance < Longest ? 0.004 * distance * distance : 0.5;
     return std::vector<float>(4 * 100, float(0.25 + error));
   };
-  EXPECT_EQ(FindSampleDistance(draw, Limit, Range, 1.0).sampleDistance, 1.0);
+  const double found = Find(draw, 1.0).sampleDistance;
+  EXPECT_LT(found, Longest);
+  EXPECT_GT(found, 0.85 * Longest);
 }
 
-TEST(StepSearch, HalfOfTheWayIsTakenWhereAllOfItErrsMuch)
+TEST(StepSearch, WhereTheErrorDoesNotFallAsSupposedTheLimitIsKept)
 {
-  const auto draw = [](double distance)
-  {
-    const bool isHalved = std::log2(distance) == std::round(std::log2(distance));
-    const double error = isHalved || distance < 1.4 ? 0.004 * distance * distance : 0.5;
-    return std::vector<float>(4 * 100, float(0.25 + error));
-  };
-  const double allOfIt = std::sqrt(Limit.percentile999 / 0.004);
-  EXPECT_NEAR(FindSampleDistance(draw, Limit, Range, 1.0).sampleDistance, std::sqrt(allOfIt), 0.05);
+  const auto errorAt = [](double distance)
+  { return distance < 0.3 ? 0.001 : (distance < 0.6 ? 0.0085 : 0.012 + 0.003 * distance); };
+  const auto draw = [&](double distance)
+  { return std::vector<float>(4 * 100, float(0.25 + errorAt(distance))); };
+  const StepChoice choice = Find(draw, 1.0);
+  EXPECT_TRUE(choice.KeepsLimit());
+  EXPECT_GT(choice.sampleDistance, 0.3);
+  EXPECT_LE(errorAt(choice.sampleDistance), Limit.percentile999);
 }
 
-TEST(StepSearch, WhereTheErrorHardlyFallsTheDistanceThatKeepsTheLimitIsTaken)
+TEST(StepSearch, BesideAKnownPictureNoFinerOneIsDrawn)
 {
-  const auto draw = [](double distance)
+  int drawings = 0;
+  const PowerLaw law{ 0.03, 1.6, &drawings };
+  const std::vector<float> exact(4 * 100, 0.25f);
+  double finest = Range.coarsest;
+  const auto draw = [&](double distance)
   {
-    const double error = distance < 0.4 ? 0.0 : (distance < 0.8 ? 0.0085 : 0.0093);
-    return std::vector<float>(4 * 100, float(0.25 + error));
+    finest = std::min(finest, distance);
+    return law(distance);
   };
-  EXPECT_EQ(FindSampleDistance(draw, Limit, Range, 1.0).sampleDistance, 0.5);
+  const StepChoice choice = FindSampleDistance(draw, Limit, Range, 0.1, exact).choice;
+  EXPECT_EQ(finest, 0.1);
+  EXPECT_LE(drawings, 4);
+  EXPECT_NEAR(0.03 * std::pow(choice.sampleDistance, 1.6), 0.9 * Limit.percentile999, 0.001);
 }
 
 TEST(StepSearch, OneBadPixelCountsByTheLimitOfTheLargestError)
@@ -148,7 +160,7 @@ TEST(StepSearch, OneBadPixelCountsByTheLimitOfTheLargestError)
     picture[0] = float(0.5 + 0.1 * distance);
     return picture;
   };
-  const StepChoice choice = FindSampleDistance(draw, Limit, Range, 1.0);
+  const StepChoice choice = Find(draw, 1.0);
   EXPECT_LE(0.1 * choice.sampleDistance, 1.4 * Limit.largest);
   EXPECT_GE(0.1 * choice.sampleDistance, 0.7 * Limit.largest);
 }
@@ -160,7 +172,28 @@ TEST(StepSearch, ARuleWhoseStepsCostMoreIsBetterWhereTheyAreLongerByMore)
   EXPECT_TRUE(IsBetter({ 2.6, 0.01, 1.0 }, 2.5, other));
 }
 
-TEST(StepSearch, ARuleIsBetterThanOneThatDoesNotKeepTheLimit)
+TEST(StepSearch, ARuleIsBetterThanOneThatDoesNotKeepTheLimitIfItErrsLess)
 {
   EXPECT_TRUE(IsBetter({ 0.5, 0.01, 1.0 }, 2.5, { 1.0, 0.02, 2.0 }));
+  EXPECT_TRUE(IsBetter({ 0.5, 0.015, 1.5 }, 2.5, { 0.5, 0.02, 2.0 }));
+  EXPECT_FALSE(IsBetter({ 0.5, 0.03, 3.0 }, 2.5, { 0.5, 0.02, 2.0 }));
+}
+
+TEST(StepSearch, TheFinestPictureIsAQuarterOfTheDistanceOrLess)
+{
+  int drawings = 0;
+  const PowerLaw law{ 0.03, 1.6, &drawings };
+  const FoundSteps found = FindSampleDistance(law, Limit, Range, 1.0);
+  const std::vector<float> exact(found.finest.size(), 0.25f);
+  EXPECT_LT(ErrorOfLimit(found.finest, exact, Limit), 0.13);
+  EXPECT_NEAR(ErrorOfLimit(law(found.choice.sampleDistance), found.finest, Limit), 0.95, 0.15);
+}
+
+TEST(StepSearch, OneBadPixelIsAnErrorOfThePicture)
+{
+  std::vector<float> picture(4 * 10000, 0.5f);
+  const std::vector<float> exact = picture;
+  picture[0] = 0.6f;
+  EXPECT_NEAR(ErrorOfLimit(picture, exact, Limit), 0.1 / Limit.largest, 1e-3);
+  EXPECT_EQ(DifferenceOfLimit(picture, exact, Limit), 0.0);
 }

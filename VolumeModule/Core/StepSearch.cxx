@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -13,10 +15,17 @@ namespace varimarch
 namespace
 {
 
+// Of an error as a power of the distance: rules are of order 2, and voxels have kinks.
 constexpr double SupposedOrder = 1.6;
+// As it may be found.
+constexpr double LeastOrder = 0.7;
+constexpr double MostOrder = 3.0;
 
-// A distance that was not tried before may be off by so much of the limit.
-constexpr double MostOfLimit = 1.2;
+// A search looks for a distance whose error is this part of the limit, and ends with one that
+// keeps the limit and uses at least so much of it.
+constexpr double WantedOfLimit = 0.9;
+constexpr double LeastOfLimit = 0.75;
+constexpr int MostTrials = 8;
 
 // What halving the distance so often changes is 1 - 2^(-order halvings) of the error.
 double ErrorPerChange(double order, double halvings)
@@ -24,177 +33,178 @@ double ErrorPerChange(double order, double halvings)
   return 1.0 / (1.0 - std::exp2(-order * halvings));
 }
 
-struct Estimate
+double OfLimit(const ImageError& error, const ErrorLimit& limit)
 {
-  double halvings; ///< that it was made by
+  constexpr double Infinite = 1e12; // of what is not a number
+  return std::min(
+    std::max(error.percentile999 / limit.percentile999, error.largest / limit.largest) / 255.0,
+    Infinite);
+}
+
+/// A distance that was tried, and its error.
+struct Trial
+{
+  double distance;
   double percentile999;
   double ofLimit;
 };
 
-Estimate EstimateError(const std::vector<float>& picture, const std::vector<float>& finer,
-  double halvings, const ErrorLimit& limit)
+// The order of an error between two distances.
+double OrderBetween(const Trial& a, const Trial& b)
 {
-  const ImageError change = CompareImages(picture.data(), finer.data(), picture.size() / 4);
-  const double errorPerChange = ErrorPerChange(SupposedOrder, halvings);
-  const double percentile999 = errorPerChange * change.percentile999 / 255.0;
-  const double largest = errorPerChange * change.largest / 255.0;
-  return { halvings, percentile999,
-    std::max(percentile999 / limit.percentile999, largest / limit.largest) };
+  const auto safeLog = [](double number) { return std::log2(std::max(number, 1e-12)); };
+  return (safeLog(a.ofLimit) - safeLog(b.ofLimit)) / std::log2(a.distance / b.distance);
 }
 
-/// The pictures and estimates of one search, by level: the coarsest distance is halved as often as
-/// the level says. The last level that is searched is at the finest distance, and one more is half
-/// of it.
-class Levels
+double DistanceForWanted(const Trial& trial, double order)
+{
+  return trial.distance * std::pow(WantedOfLimit / std::max(trial.ofLimit, 1e-12), 1.0 / order);
+}
+
+class Search
 {
 public:
-  Levels(const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range)
+  Search(const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range,
+    const std::vector<float>& exact)
     : draw(draw)
     , limit(limit)
     , range(range)
+    , exact(exact)
   {
   }
 
-  int Finest() const
+  FoundSteps Find(double first)
   {
-    constexpr double Rounding = 1e-6;
-    return int(std::ceil(std::log2(this->range.coarsest / this->range.finest) - Rounding));
-  }
-
-  double Distance(int level) const
-  {
-    const int finest = this->Finest();
-    return level < finest ? std::ldexp(this->range.coarsest, -level)
-                          : std::ldexp(this->range.finest, finest - level);
-  }
-
-  int Nearest(double distance) const
-  {
-    const double level = std::round(std::log2(this->range.coarsest / distance));
-    return int(std::clamp(level, 0.0, double(this->Finest())));
-  }
-
-  Estimate At(int level)
-  {
-    const int finer = this->Finer(level);
-    return EstimateError(this->Picture(level), this->Picture(finer),
-      std::log2(this->Distance(level) / this->Distance(finer)), this->limit);
-  }
-
-  /// At a distance beside a level, by what that one was judged by.
-  Estimate Beside(int level, double distance)
-  {
-    const int finer = this->Finer(level);
-    return EstimateError(this->draw(distance), this->Picture(finer),
-      std::log2(distance / this->Distance(finer)), this->limit);
+    this->Try(this->InRange(first));
+    for (int trials = 1; !this->IsFound() && trials < MostTrials; ++trials)
+    {
+      this->Try(this->NextDistance());
+    }
+    if (!this->keeps && this->fails->distance > this->range.finest)
+    {
+      this->Try(this->range.finest);
+    }
+    const Trial& found = this->keeps ? *this->keeps : *this->fails;
+    return { { found.distance, found.percentile999, found.ofLimit },
+      this->exact.empty() ? this->finer.begin()->second : this->exact };
   }
 
 private:
-  // Quarters tell more of an error than halves, but none is drawn below half of the finest.
-  int Finer(int level) const { return std::min(level + 2, this->Finest() + 1); }
-
-  const std::vector<float>& Picture(int level)
+  double InRange(double distance) const
   {
-    std::vector<float>& picture = this->pictures[level];
-    if (picture.empty())
+    return std::clamp(distance, this->range.finest, this->range.coarsest);
+  }
+
+  bool IsFound() const
+  {
+    constexpr double Near = 1.15;
+    if (!this->keeps)
     {
-      picture = this->draw(this->Distance(level));
+      return this->fails->distance <= this->range.finest;
     }
-    return picture;
+    return this->keeps->ofLimit >= LeastOfLimit || this->keeps->distance >= this->range.coarsest ||
+      (this->fails && this->fails->distance <= Near * this->keeps->distance);
+  }
+
+  void Try(double distance)
+  {
+    const std::vector<float> picture = this->draw(distance);
+    double halvings = std::numeric_limits<double>::infinity();
+    const std::vector<float>& compared =
+      this->exact.empty() ? this->FinerThan(distance, halvings) : this->exact;
+    const ImageError change = CompareImages(picture.data(), compared.data(), picture.size() / 4);
+    const auto trialOf = [&](double order)
+    {
+      const double factor = ErrorPerChange(order, halvings);
+      return Trial{ distance, factor * change.percentile999 / 255.0,
+        factor * OfLimit(change, this->limit) };
+    };
+    // Where the error falls slower than was supposed a finer distance has changed less of it.
+    const Trial supposed = trialOf(SupposedOrder);
+    this->UpdateOrder(supposed);
+    constexpr double OrderAtOpaqueSurfaces = 1.0;
+    const Trial trial = trialOf(std::clamp(this->order, OrderAtOpaqueSurfaces, SupposedOrder));
+    (trial.ofLimit <= 1.0 ? this->keeps : this->fails) = trial;
+  }
+
+  // By the distance that was tried before, if it is not too near to tell.
+  void UpdateOrder(const Trial& trial)
+  {
+    constexpr double LeastOctaves = 0.5;
+    if (this->last && std::abs(std::log2(trial.distance / this->last->distance)) >= LeastOctaves)
+    {
+      this->order = std::clamp(OrderBetween(trial, *this->last), LeastOrder, MostOrder);
+    }
+    this->last = trial;
+  }
+
+  // A picture at a third of the distance or less, by how many halvings that is finer.
+  const std::vector<float>& FinerThan(double distance, double& halvings)
+  {
+    auto found = this->finer.upper_bound(distance / 3.0);
+    if (found != this->finer.begin())
+    {
+      --found;
+    }
+    else
+    {
+      const double finerDistance = std::max(0.25 * distance, 0.5 * this->range.finest);
+      found = this->finer.find(finerDistance);
+      if (found == this->finer.end())
+      {
+        found = this->finer.emplace(finerDistance, this->draw(finerDistance)).first;
+      }
+    }
+    halvings = std::log2(distance / found->first);
+    return found->second;
+  }
+
+  double NextDistance() const
+  {
+    if (this->keeps && this->fails)
+    {
+      const double octaves = std::log2(this->fails->distance / this->keeps->distance);
+      const double order =
+        std::clamp(OrderBetween(*this->fails, *this->keeps), LeastOrder, MostOrder);
+      const double between =
+        std::log2(DistanceForWanted(*this->keeps, order) / this->keeps->distance);
+      return this->keeps->distance * std::exp2(std::clamp(between, 0.15 * octaves, 0.85 * octaves));
+    }
+    // Errors far from the limit tell little of where it is.
+    constexpr double LeastFactor = 1.25;
+    constexpr double MostFactor = 16.0;
+    if (this->keeps)
+    {
+      const double factor = DistanceForWanted(*this->keeps, this->order) / this->keeps->distance;
+      return this->InRange(this->keeps->distance * std::clamp(factor, LeastFactor, MostFactor));
+    }
+    const double factor = this->fails->distance / DistanceForWanted(*this->fails, this->order);
+    return this->InRange(this->fails->distance / std::clamp(factor, LeastFactor, MostFactor));
   }
 
   const SampleDrawing& draw;
   ErrorLimit limit;
   StepRange range;
-  std::map<int, std::vector<float>> pictures;
+  const std::vector<float>& exact;
+  std::map<double, std::vector<float>> finer; ///< pictures by distance, for comparison
+  std::optional<Trial> keeps;                 ///< the longest distance that keeps the limit, so far
+  std::optional<Trial> fails;                 ///< the shortest that does not
+  std::optional<Trial> last;
+  double order = SupposedOrder;
 };
-
-/// Between two levels the error is taken as a power of the distance. Where it falls slower than was
-/// supposed, as at opaque surfaces, a finer distance has changed a smaller part of it.
-struct PowerLaw
-{
-  double distance; ///< of the finer level
-  double error;    ///< there, the 99.9th percentile
-  double octaves;  ///< by which a distance is longer whose error is the limit
-  double errorSlope;
-
-  StepChoice At(double partOfOctaves) const
-  {
-    const double longer = partOfOctaves * this->octaves;
-    return { this->distance * std::exp2(longer), this->error * std::exp2(longer * this->errorSlope),
-      1.0 };
-  }
-};
-
-/// @param octavesApart  how much longer the coarser distance is
-PowerLaw LawBetween(
-  double distance, const Estimate& estimate, const Estimate& coarser, double octavesApart)
-{
-  const auto safeLog = [](double number) { return std::log2(std::max(number, 1e-12)); };
-  const auto slopeOf = [&](double error, double coarserError)
-  { return (safeLog(coarserError) - safeLog(error)) / octavesApart; };
-  const double slope = slopeOf(estimate.ofLimit, coarser.ofLimit);
-  const double errorSlope = slopeOf(estimate.percentile999, coarser.percentile999);
-  const double order = std::clamp(slope, 1.0, SupposedOrder);
-  const double missed = std::log2(
-    ErrorPerChange(order, estimate.halvings) / ErrorPerChange(SupposedOrder, estimate.halvings));
-  const double octaves = slope > 0.0
-    ? std::clamp((-safeLog(estimate.ofLimit) - missed) / slope, 0.0, octavesApart)
-    : octavesApart;
-  return { distance, estimate.percentile999 * std::exp2(missed), octaves, errorSlope };
-}
-
-// Where few rays err, and these much, the error is no power of the distance: what is found is
-// tried, and then half of the way there.
-std::optional<StepChoice> FindBetween(
-  Levels& levels, int level, const Estimate& estimate, const Estimate& coarser)
-{
-  const double distance = levels.Distance(level);
-  const PowerLaw law =
-    LawBetween(distance, estimate, coarser, std::log2(levels.Distance(level - 1) / distance));
-  for (const double part : { 1.0, 0.5 })
-  {
-    const StepChoice choice = law.At(part);
-    if (levels.Beside(level, choice.sampleDistance).ofLimit <= MostOfLimit)
-    {
-      return choice;
-    }
-  }
-  return std::nullopt;
-}
 
 }
 
 bool IsBetter(const StepChoice& choice, double cost, const StepChoice& other)
 {
-  return !other.KeepsLimit() || choice.sampleDistance >= cost * other.sampleDistance;
+  return other.KeepsLimit() ? choice.sampleDistance >= cost * other.sampleDistance
+                            : choice.ofLimit < other.ofLimit;
 }
 
-StepChoice FindSampleDistance(
-  const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range, double first)
+FoundSteps FindSampleDistance(const SampleDrawing& draw, const ErrorLimit& limit,
+  const StepRange& range, double first, const std::vector<float>& exact)
 {
-  Levels levels(draw, limit, range);
-  int level = levels.Nearest(first);
-  Estimate estimate = levels.At(level);
-  while (estimate.ofLimit > 1.0 && level < levels.Finest())
-  {
-    estimate = levels.At(++level);
-  }
-  while (estimate.ofLimit <= 1.0 && level > 0)
-  {
-    const Estimate coarser = levels.At(level - 1);
-    if (coarser.ofLimit > 1.0 || level == 1)
-    {
-      if (const std::optional<StepChoice> choice = FindBetween(levels, level, estimate, coarser))
-      {
-        return *choice;
-      }
-      break;
-    }
-    estimate = coarser;
-    --level;
-  }
-  return { levels.Distance(level), estimate.percentile999, estimate.ofLimit };
+  return Search(draw, limit, range, exact).Find(first);
 }
 
 double DifferenceOfLimit(
@@ -205,11 +215,9 @@ double DifferenceOfLimit(
 }
 
 double ErrorOfLimit(
-  const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range, double sampleDistance)
+  const std::vector<float>& picture, const std::vector<float>& exact, const ErrorLimit& limit)
 {
-  const double finer = std::max(0.25 * sampleDistance, 0.5 * range.finest);
-  return EstimateError(draw(sampleDistance), draw(finer), std::log2(sampleDistance / finer), limit)
-    .ofLimit;
+  return OfLimit(CompareImages(picture.data(), exact.data(), picture.size() / 4), limit);
 }
 
 }
