@@ -199,9 +199,7 @@ void AccelerationField::SetVisible(const OpticalField& field, Marcher marcher)
 {
   const bool isForProcessor = marcher == Marcher::Processor;
   tbb::parallel_invoke([&] { this->visible = VisibleBricks(field); },
-    [&] {
-      this->visibleBlocks = isForProcessor ? VisibleBlocksOf(field) : varimarch::VisibleBlocks();
-    });
+    [&] { this->visibleBlocks = isForProcessor ? VisibleBlocksOf(field) : VisibleBlocks(); });
 }
 
 void AccelerationField::SetBricks(
@@ -243,6 +241,7 @@ void AccelerationField::ReleaseField(vtkWindow* window)
 {
   this->bricks = {};
   this->visibleBlocks = {};
+  this->visibleDepths = {};
   this->extremes = {};
   this->extremeBlocks = {};
   this->texture->ReleaseGraphicsResources(window);

@@ -71,7 +71,13 @@ public:
   const std::vector<std::uint8_t>& Bricks() const { return this->bricks; }
   const std::vector<std::uint16_t>& Extremes() const { return this->extremes; }
   const varimarch::ExtremeBlocks& ExtremeBlocks() const { return this->extremeBlocks; }
-  const varimarch::VisibleBlocks& VisibleBlocks() const { return this->visibleBlocks; }
+  /// Where the processor marches rays: where along the view of a picture something may be visible,
+  /// until the next is asked for.
+  PacketDepths VisibleDepthsIn(
+    const glm::dmat4& clipFromGrid, const PacketCamera& camera, const Viewport& pixels)
+  {
+    return this->visibleDepths.Draw(this->visibleBlocks, clipFromGrid, camera, pixels);
+  }
   bool SkipsAny() const { return this->bytes > 0 || !this->bricks.empty(); }
   /// Of the optical field, the smallest box that holds what is visible in a part of the volume.
   Box VisibleBoxGrid(const Box& partGrid) const { return this->visible.Bounds(partGrid); }
@@ -95,7 +101,8 @@ private:
   // Where the processor marches rays: of an optical field, and the hull of what is visible; or of
   // extremes.
   std::vector<std::uint8_t> bricks;
-  varimarch::VisibleBlocks visibleBlocks;
+  VisibleBlocks visibleBlocks;
+  VisibleDepths visibleDepths;
   std::vector<std::uint16_t> extremes;
   varimarch::ExtremeBlocks extremeBlocks;
   glm::ivec3 size = glm::ivec3(1);

@@ -311,8 +311,8 @@ PacketScene PacketSceneOf(
 }
 
 // Of projections what is invisible counts too, and what fills gaps is no brick's.
-SceneOfVolume::SceneOfVolume(const Frame& frame, const VolumeResources& volume,
-  PacketSurroundings newAround, const Viewport& pixels)
+SceneOfVolume::SceneOfVolume(
+  const Frame& frame, VolumeResources& volume, PacketSurroundings newAround, const Viewport& pixels)
   : around(std::move(newAround))
   , scene(PacketSceneOf(frame, volume, this->around))
 {
@@ -321,8 +321,7 @@ SceneOfVolume::SceneOfVolume(const Frame& frame, const VolumeResources& volume,
   if (this->scene.steps.bricks && isOfBricks)
   {
     const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
-    this->visible.emplace(volume.Field().VisibleBlocks(), clipFromGrid, this->scene.camera, pixels);
-    this->scene.depths = this->visible->Depths();
+    this->scene.depths = volume.Field().VisibleDepthsIn(clipFromGrid, this->scene.camera, pixels);
   }
 }
 

@@ -2,7 +2,6 @@
 #define Varimarch_PacketSceneOf_h
 
 #include "Core/Packets/PacketScene.h"
-#include "Core/Packets/VisibleDepths.h"
 #include "Lights.h"
 #include "VolumeResources.h"
 
@@ -10,7 +9,6 @@
 #include <glm/vec4.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace varimarch
@@ -37,16 +35,16 @@ std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables);
 PacketScene PacketSceneOf(
   const Frame& frame, const VolumeResources& volume, const PacketSurroundings& around);
 
-/// The same with what it points into, and with where it is visible.
+/// The same with what it points into, but for where it is visible: until the volume's next one is
+/// made.
 struct SceneOfVolume
 {
   /// @param pixels  that are drawn of the frame's
-  SceneOfVolume(const Frame& frame, const VolumeResources& volume, PacketSurroundings newAround,
+  SceneOfVolume(const Frame& frame, VolumeResources& volume, PacketSurroundings newAround,
     const Viewport& pixels);
 
   PacketSurroundings around;
   PacketScene scene;
-  std::optional<VisibleDepths> visible; ///< none: everything may be
 };
 
 /// What a volume's values look like by one of its tables, and how a part of its materials depends

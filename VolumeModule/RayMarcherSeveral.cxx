@@ -191,7 +191,7 @@ MixedScenes RayMarcher::MixScenes(
   for (std::size_t i = 0; i < frame.others.size(); ++i)
   {
     const Frame& other = frame.others[i];
-    const VolumeResources& resources = *this->others[i];
+    VolumeResources& resources = *this->others[i];
     mixed.volumes.emplace_back(other, resources, SurroundingsOfOther(other), pixels);
     for (PacketScene& scene : ConstituentsOf(other, resources, mixed.volumes.back().scene))
     {

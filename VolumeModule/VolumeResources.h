@@ -120,7 +120,8 @@ public:
 
   VolumeBlocks& Blocks() { return this->blocks; }
   const VolumeBlocks& Blocks() const { return this->blocks; }
-  const AccelerationField& Field() const { return this->field; } ///< of bricks
+  AccelerationField& Field() { return this->field; } ///< of bricks
+  const AccelerationField& Field() const { return this->field; }
   const OpticalTableTexture& OpticalTables() const { return this->opticalTable; }
   const PreIntegratedTableTexture& PreIntegrated() const { return this->preIntegratedTable; }
   const std::vector<MaterialTable>& MaterialTables() const { return this->materialTables; }

@@ -75,8 +75,8 @@ TEST_P(VisibleDepthsOf, HoldAllPointsOfTheBlocks)
   const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
   const Viewport pixels{ 3, 5, Width - 10, Height - 9 };
   const VisibleBlocks blocks = RandomBlocks(3);
-  const VisibleDepths visible(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
-  const PacketDepths depths = visible.Depths();
+  VisibleDepths visible;
+  const PacketDepths depths = visible.Draw(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
   ASSERT_TRUE(depths.nearest);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> within(-0.5 * Side, 0.5 * Side);
@@ -107,8 +107,8 @@ TEST_P(VisibleDepthsOf, AreNothingWhereNoBlockIs)
   const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
   const Viewport pixels{ 0, 0, Width, Height };
   const VisibleBlocks blocks{ Side, { glm::vec3(50.0f) } };
-  const VisibleDepths visible(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
-  const PacketDepths depths = visible.Depths();
+  VisibleDepths visible;
+  const PacketDepths depths = visible.Draw(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
   const int middle = Height / 2 / PacketHeight * depths.columns + Width / 2 / PacketWidth;
   EXPECT_LT(depths.nearest[middle], depths.farthest[middle]);
   EXPECT_LT(depths.farthest[middle] - depths.nearest[middle], 2.0f * Side);
@@ -128,14 +128,14 @@ TEST_P(VisibleDepthsOf, ManyBlocksAreThoseOfEach)
   const PacketCamera camera = CameraOf(clipFromGrid);
   const Viewport pixels{ 0, 0, Width, Height };
   const VisibleBlocks blocks = RandomBlocks(5, 200000);
-  const VisibleDepths visible(blocks, clipFromGrid, camera, pixels);
-  const PacketDepths all = visible.Depths();
+  VisibleDepths visible;
+  const PacketDepths all = visible.Draw(blocks, clipFromGrid, camera, pixels);
   const int packets = all.columns * ((Height + PacketHeight - 1) / PacketHeight);
+  VisibleDepths alone;
   for (std::size_t first = 0; first < blocks.centersGrid.size(); first += 500)
   {
-    const VisibleDepths alone(
-      { Side, { blocks.centersGrid[first] } }, clipFromGrid, camera, pixels);
-    const PacketDepths one = alone.Depths();
+    const PacketDepths one =
+      alone.Draw({ Side, { blocks.centersGrid[first] } }, clipFromGrid, camera, pixels);
     for (int packet = 0; packet < packets; ++packet)
     {
       ASSERT_LE(all.nearest[packet], one.nearest[packet]);
@@ -151,7 +151,30 @@ TEST(VisibleDepths, SayNothingBesideTheEye)
 {
   const glm::dmat4 clipFromGrid = Perspective();
   const VisibleBlocks blocks{ Side, { glm::vec3(50.0f), glm::vec3(-90.0f, 20.0f, 130.0f) } };
-  const VisibleDepths visible(
-    blocks, clipFromGrid, CameraOf(clipFromGrid), { 0, 0, Width, Height });
-  EXPECT_FALSE(visible.Depths().nearest);
+  VisibleDepths visible;
+  EXPECT_FALSE(
+    visible.Draw(blocks, clipFromGrid, CameraOf(clipFromGrid), { 0, 0, Width, Height }).nearest);
+}
+
+TEST(VisibleDepths, KeepNothingOfWhatWasDrawnBefore)
+{
+  const glm::dmat4 clipFromGrid = Perspective();
+  const PacketCamera camera = CameraOf(clipFromGrid);
+  const VisibleBlocks block{ Side, { glm::vec3(50.0f) } };
+  VisibleDepths visible;
+  visible.Draw(RandomBlocks(5, 20000), clipFromGrid, camera, { 0, 0, Width, Height });
+  visible.Draw({ Side, { glm::vec3(-90.0f, 20.0f, 130.0f) } }, clipFromGrid, camera,
+    { 0, 0, Width, Height }); // beside the eye
+  const Viewport pixels{ 0, 0, Width / 2, Height / 2 };
+  const PacketDepths again = visible.Draw(block, clipFromGrid, camera, pixels);
+  VisibleDepths other;
+  const PacketDepths first = other.Draw(block, clipFromGrid, camera, pixels);
+  ASSERT_TRUE(again.nearest);
+  ASSERT_EQ(again.columns, first.columns);
+  const int packets = first.columns * ((Height / 2 + PacketHeight - 1) / PacketHeight);
+  for (int packet = 0; packet < packets; ++packet)
+  {
+    ASSERT_EQ(again.nearest[packet], first.nearest[packet]);
+    ASSERT_EQ(again.farthest[packet], first.farthest[packet]);
+  }
 }

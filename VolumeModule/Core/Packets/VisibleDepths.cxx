@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <limits>
@@ -103,84 +103,90 @@ private:
   glm::vec2 count; ///< of packets
 };
 
-// What a thread has drawn.
-struct Layer
+void Begin(VisibleLayer& layer, int columns, int rows)
 {
-  int columns;
-  std::vector<float> nearest; ///< of each packet
-  std::vector<float> farthest;
-  bool isBounded = true;
+  const std::size_t count = std::size_t(columns) * rows;
+  layer.columns = columns;
+  layer.nearest.assign(count, Infinity);
+  layer.farthest.assign(count, -Infinity);
+  layer.isBegun = true;
+  layer.isBounded = true;
+}
 
-  void Draw(const Rectangle& block)
+void DrawBlock(VisibleLayer& layer, const Rectangle& block)
+{
+  for (int row = block.bottom; row <= block.top; ++row)
   {
-    for (int row = block.bottom; row <= block.top; ++row)
+    float* const nearestOf = &layer.nearest[std::size_t(row) * layer.columns];
+    float* const farthestOf = &layer.farthest[std::size_t(row) * layer.columns];
+    for (int column = block.left; column <= block.right; ++column)
     {
-      float* const nearestOf = &this->nearest[std::size_t(row) * this->columns];
-      float* const farthestOf = &this->farthest[std::size_t(row) * this->columns];
-      for (int column = block.left; column <= block.right; ++column)
-      {
-        nearestOf[column] = std::min(nearestOf[column], block.nearest);
-        farthestOf[column] = std::max(farthestOf[column], block.farthest);
-      }
+      nearestOf[column] = std::min(nearestOf[column], block.nearest);
+      farthestOf[column] = std::max(farthestOf[column], block.farthest);
     }
   }
-};
+}
 
-template <class Choose>
-void ChooseEach(std::vector<float>& values, const std::vector<float>& others, Choose choose)
+void Join(VisibleLayer& all, const VisibleLayer& layer)
 {
-  std::transform(values.begin(), values.end(), others.begin(), values.begin(), choose);
+  all.isBounded = all.isBounded && layer.isBounded;
+  std::transform(all.nearest.begin(), all.nearest.end(), layer.nearest.begin(), all.nearest.begin(),
+    [](float a, float b) { return std::min(a, b); });
+  std::transform(all.farthest.begin(), all.farthest.end(), layer.farthest.begin(),
+    all.farthest.begin(), [](float a, float b) { return std::max(a, b); });
 }
 
 }
 
-VisibleDepths::VisibleDepths(const VisibleBlocks& blocks, const glm::dmat4& clipFromGrid,
+PacketDepths VisibleDepths::Draw(const VisibleBlocks& blocks, const glm::dmat4& clipFromGrid,
   const PacketCamera& camera, const Viewport& pixels)
-  : axisGrid(glm::normalize(camera.directionGrid[0]))
-  , firstColumn(pixels.left / PacketWidth)
-  , firstRow(pixels.bottom / PacketHeight)
-  , columns((pixels.left + pixels.width - 1) / PacketWidth + 1 - firstColumn)
-  , rows((pixels.bottom + pixels.height - 1) / PacketHeight + 1 - firstRow)
-  , nearest(std::size_t(columns) * rows, Infinity)
-  , farthest(std::size_t(columns) * rows, -Infinity)
 {
-  const Projection projection(clipFromGrid, this->axisGrid, blocks.sideGrid,
-    { camera.pictureWidth, camera.pictureHeight }, { this->firstColumn, this->firstRow },
-    { this->columns, this->rows });
-  tbb::enumerable_thread_specific<Layer> layers(
-    Layer{ this->columns, this->nearest, this->farthest });
+  const glm::vec3 axisGrid = glm::normalize(camera.directionGrid[0]);
+  const glm::ivec2 first(pixels.left / PacketWidth, pixels.bottom / PacketHeight);
+  const glm::ivec2 count = glm::ivec2((pixels.left + pixels.width - 1) / PacketWidth,
+                             (pixels.bottom + pixels.height - 1) / PacketHeight) +
+    1 - first;
+  const Projection projection(clipFromGrid, axisGrid, blocks.sideGrid,
+    { camera.pictureWidth, camera.pictureHeight }, first, count);
+
+  this->layers.resize(std::size_t(tbb::this_task_arena::max_concurrency()));
+  for (VisibleLayer& layer : this->layers)
+  {
+    layer.isBegun = false;
+  }
+  VisibleLayer& all = this->layers.front();
+  Begin(all, count.x, count.y);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.centersGrid.size(), BlocksAtATime),
     [&](const tbb::blocked_range<std::size_t>& part)
     {
-      Layer& layer = layers.local();
+      VisibleLayer& layer = this->layers[std::size_t(tbb::this_task_arena::current_thread_index())];
+      if (!layer.isBegun)
+      {
+        Begin(layer, count.x, count.y);
+      }
       for (std::size_t i = part.begin(); i < part.end() && layer.isBounded; ++i)
       {
         const std::optional<Rectangle> block = projection.Of(blocks.centersGrid[i]);
         layer.isBounded = block.has_value();
         if (block)
         {
-          layer.Draw(*block);
+          DrawBlock(layer, *block);
         }
       }
     });
-  for (const Layer& layer : layers)
+  for (std::size_t i = 1; i < this->layers.size(); ++i)
   {
-    this->isBounded = this->isBounded && layer.isBounded;
-    const auto less = [](float a, float b) { return std::min(a, b); };
-    const auto more = [](float a, float b) { return std::max(a, b); };
-    ChooseEach(this->nearest, layer.nearest, less);
-    ChooseEach(this->farthest, layer.farthest, more);
+    if (this->layers[i].isBegun)
+    {
+      Join(all, this->layers[i]);
+    }
   }
-}
-
-PacketDepths VisibleDepths::Depths() const
-{
-  if (!this->isBounded)
+  if (!all.isBounded)
   {
     return {};
   }
-  return { this->axisGrid, this->nearest.data(), this->farthest.data(), this->columns,
-    this->firstColumn * PacketWidth, this->firstRow * PacketHeight };
+  return { axisGrid, all.nearest.data(), all.farthest.data(), count.x, first.x * PacketWidth,
+    first.y * PacketHeight };
 }
 
 }

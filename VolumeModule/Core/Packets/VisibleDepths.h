@@ -19,6 +19,16 @@ struct VisibleBlocks
   std::vector<glm::vec3> centersGrid;
 };
 
+/// What a thread has drawn of VisibleDepths.
+struct VisibleLayer
+{
+  int columns = 0;            ///< of packets
+  std::vector<float> nearest; ///< of each packet, along the axis
+  std::vector<float> farthest;
+  bool isBegun = false;
+  bool isBounded = true; ///< no block is beside the eye
+};
+
 /// Where along the view something may be visible, for each packet of a picture: rays then begin and
 /// end there, and those of packets that see nothing are not begun. The blocks are drawn as
 /// rectangles that hold them: what a rasteriser would do with a proxy geometry, for two lookups of
@@ -27,21 +37,15 @@ class VisibleDepths
 {
 public:
   /// @param pixels  part of the picture, whose packets begin at its lower left pixel
-  VisibleDepths(const VisibleBlocks& blocks, const glm::dmat4& clipFromGrid,
+  /// @return until the next are drawn; none where a block is beside the eye: then all may be
+  /// visible
+  PacketDepths Draw(const VisibleBlocks& blocks, const glm::dmat4& clipFromGrid,
     const PacketCamera& camera, const Viewport& pixels);
 
-  /// None where a block is beside the eye: then all may be visible.
-  PacketDepths Depths() const;
-
 private:
-  glm::vec3 axisGrid;
-  int firstColumn; ///< of packets
-  int firstRow;
-  int columns;
-  int rows;
-  bool isBounded = true;
-  std::vector<float> nearest; ///< along the axis, of each packet
-  std::vector<float> farthest;
+  /// Of each thread; the first becomes that of all. They are kept: memory that is taken anew for
+  /// each picture may cost more than what is drawn into it.
+  std::vector<VisibleLayer> layers;
 };
 
 }
