@@ -127,6 +127,22 @@ void DrawBlock(VisibleLayer& layer, const Rectangle& block)
   }
 }
 
+using Part = tbb::blocked_range<std::size_t>; // of blocks
+
+void DrawPart(
+  VisibleLayer& layer, const Projection& projection, const VisibleBlocks& blocks, const Part& part)
+{
+  for (std::size_t i = part.begin(); i < part.end() && layer.isBounded; ++i)
+  {
+    const std::optional<Rectangle> block = projection.Of(blocks.centersGrid[i]);
+    layer.isBounded = block.has_value();
+    if (block)
+    {
+      DrawBlock(layer, *block);
+    }
+  }
+}
+
 void Join(VisibleLayer& all, const VisibleLayer& layer)
 {
   all.isBounded = all.isBounded && layer.isBounded;
@@ -156,23 +172,15 @@ PacketDepths VisibleDepths::Draw(const VisibleBlocks& blocks, const glm::dmat4& 
   }
   VisibleLayer& all = this->layers.front();
   Begin(all, count.x, count.y);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.centersGrid.size(), BlocksAtATime),
-    [&](const tbb::blocked_range<std::size_t>& part)
+  tbb::parallel_for(Part(0, blocks.centersGrid.size(), BlocksAtATime),
+    [&](const Part& part)
     {
       VisibleLayer& layer = this->layers[std::size_t(tbb::this_task_arena::current_thread_index())];
       if (!layer.isBegun)
       {
         Begin(layer, count.x, count.y);
       }
-      for (std::size_t i = part.begin(); i < part.end() && layer.isBounded; ++i)
-      {
-        const std::optional<Rectangle> block = projection.Of(blocks.centersGrid[i]);
-        layer.isBounded = block.has_value();
-        if (block)
-        {
-          DrawBlock(layer, *block);
-        }
-      }
+      DrawPart(layer, projection, blocks, part);
     });
   for (std::size_t i = 1; i < this->layers.size(); ++i)
   {
