@@ -296,8 +296,7 @@ bool ToleranceSearch::PreIntegrationMayPay(
   }
   const std::vector<float> picture =
     trial.Draw(trial.frame, Integration::PreIntegrated, distanceMm);
-  return GainThatPays(trial.frame) * ErrorOfLimit(picture, finest, trial.limit) <
-    choice.step.ofLimit;
+  return GainThatPays(trial.frame) * ErrorOfLimit(picture, finest, trial.limit) < 1.0;
 }
 
 // A shorter distance tells nothing of a peak that lies between all samples. Pre-integration

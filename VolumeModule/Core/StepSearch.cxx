@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -21,11 +20,14 @@ constexpr double SupposedOrder = 1.6;
 constexpr double LeastOrder = 0.7;
 constexpr double MostOrder = 3.0;
 
-// A search looks for a distance whose error is this part of the limit, and ends with one that
-// keeps the limit and uses at least so much of it.
-constexpr double WantedOfLimit = 0.9;
-constexpr double LeastOfLimit = 0.75;
-constexpr int MostTrials = 8;
+// Where an error is such a part of the limit, its power tells the distance at which it is all of
+// it.
+constexpr double LeastNear = 0.6;
+constexpr double MostNear = 1.25;
+// That distance is taken if the error tried there is no more off than estimates are.
+constexpr double MostOfLimit = 1.15;
+
+constexpr int MostTrials = 10;
 
 // What halving the distance so often changes is 1 - 2^(-order halvings) of the error.
 double ErrorPerChange(double order, double halvings)
@@ -56,11 +58,14 @@ double OrderBetween(const Trial& a, const Trial& b)
   return (safeLog(a.ofLimit) - safeLog(b.ofLimit)) / std::log2(a.distance / b.distance);
 }
 
-double DistanceForWanted(const Trial& trial, double order)
+// Where the error is the limit, as a power of the distance.
+double DistanceOfLimit(const Trial& trial, double order)
 {
-  return trial.distance * std::pow(WantedOfLimit / std::max(trial.ofLimit, 1e-12), 1.0 / order);
+  return trial.distance * std::pow(1.0 / std::max(trial.ofLimit, 1e-12), 1.0 / order);
 }
 
+/// Distances that are tried are the first one and others that are half octaves apart, whatever the
+/// limit: so that what is found for one limit is much like what is found for the next.
 class Search
 {
 public:
@@ -73,20 +78,26 @@ public:
   {
   }
 
-  FoundSteps Find(double first)
+  FoundSteps Find(double newFirst)
   {
-    this->Try(this->InRange(first));
-    for (int trials = 1; !this->IsFound() && trials < MostTrials; ++trials)
+    this->first = newFirst;
+    this->Keep(this->Try(this->InRange(this->first)));
+    for (int trials = 1; !this->IsAtEnd() && trials < MostTrials; ++trials)
     {
-      this->Try(this->NextDistance());
+      if (!this->IsNear())
+      {
+        this->Keep(this->Try(this->NextDistance()));
+      }
+      else if (const std::optional<Trial> found = this->TryDistanceOfLimit())
+      {
+        return this->Found(*found);
+      }
     }
     if (!this->keeps && this->fails->distance > this->range.finest)
     {
-      this->Try(this->range.finest);
+      this->Keep(this->Try(this->range.finest));
     }
-    const Trial& found = this->keeps ? *this->keeps : *this->fails;
-    return { { found.distance, found.percentile999, found.ofLimit },
-      this->exact.empty() ? this->finer.begin()->second : this->exact };
+    return this->Found(this->keeps ? *this->keeps : *this->fails);
   }
 
 private:
@@ -95,21 +106,33 @@ private:
     return std::clamp(distance, this->range.finest, this->range.coarsest);
   }
 
-  bool IsFound() const
+  FoundSteps Found(const Trial& trial) const
   {
-    constexpr double Near = 1.15;
-    if (!this->keeps)
-    {
-      return this->fails->distance <= this->range.finest;
-    }
-    return this->keeps->ofLimit >= LeastOfLimit || this->keeps->distance >= this->range.coarsest ||
-      (this->fails && this->fails->distance <= Near * this->keeps->distance);
+    const double ofLimit =
+      trial.ofLimit <= MostOfLimit ? std::min(trial.ofLimit, 1.0) : trial.ofLimit;
+    return { { trial.distance, trial.percentile999, ofLimit },
+      this->exact.empty() ? this->finer.begin()->second : this->exact };
   }
 
-  void Try(double distance)
+  // Of what may be taken, or between two neighbours.
+  bool IsAtEnd() const
+  {
+    return (this->keeps && this->keeps->distance >= this->range.coarsest) ||
+      (!this->keeps && this->fails->distance <= this->range.finest);
+  }
+
+  bool IsNear() const
+  {
+    constexpr double Neighbours = 1.5;
+    return (this->keeps && this->keeps->ofLimit >= LeastNear) ||
+      (this->fails && this->fails->ofLimit <= MostNear) ||
+      (this->keeps && this->fails && this->fails->distance <= Neighbours * this->keeps->distance);
+  }
+
+  Trial Try(double distance)
   {
     const std::vector<float> picture = this->draw(distance);
-    double halvings = std::numeric_limits<double>::infinity();
+    double halvings = 2.0; // a known picture has an error like that of a quarter
     const std::vector<float>& compared =
       this->exact.empty() ? this->FinerThan(distance, halvings) : this->exact;
     const ImageError change = CompareImages(picture.data(), compared.data(), picture.size() / 4);
@@ -120,17 +143,17 @@ private:
         factor * OfLimit(change, this->limit) };
     };
     // Where the error falls slower than was supposed a finer distance has changed less of it.
-    const Trial supposed = trialOf(SupposedOrder);
-    this->UpdateOrder(supposed);
+    this->UpdateOrder(trialOf(SupposedOrder));
     constexpr double OrderAtOpaqueSurfaces = 1.0;
-    const Trial trial = trialOf(std::clamp(this->order, OrderAtOpaqueSurfaces, SupposedOrder));
-    (trial.ofLimit <= 1.0 ? this->keeps : this->fails) = trial;
+    return trialOf(std::clamp(this->order, OrderAtOpaqueSurfaces, SupposedOrder));
   }
+
+  void Keep(const Trial& trial) { (trial.ofLimit <= 1.0 ? this->keeps : this->fails) = trial; }
 
   // By the distance that was tried before, if it is not too near to tell.
   void UpdateOrder(const Trial& trial)
   {
-    constexpr double LeastOctaves = 0.5;
+    constexpr double LeastOctaves = 0.45;
     if (this->last && std::abs(std::log2(trial.distance / this->last->distance)) >= LeastOctaves)
     {
       this->order = std::clamp(OrderBetween(trial, *this->last), LeastOrder, MostOrder);
@@ -159,33 +182,60 @@ private:
     return found->second;
   }
 
+  // Rather a finer one than what the error says, but beyond what was tried.
   double NextDistance() const
   {
-    if (this->keeps && this->fails)
+    constexpr double LevelsPerOctave = 2.0;
+    constexpr double Rounding = 0.3; // of a level
+    const Trial& from = this->keeps ? *this->keeps : *this->fails;
+    const double wanted = this->InRange(DistanceOfLimit(from, this->OrderNear()));
+    const auto levelOf = [&](double distance)
+    { return LevelsPerOctave * std::log2(this->first / distance); };
+    constexpr double Same = 1e-6;
+    const auto coarserThan = [&](const Trial& trial)
+    { return std::ceil(levelOf(trial.distance) - Same) - 1.0; };
+    const auto finerThan = [&](const Trial& trial)
+    { return std::floor(levelOf(trial.distance) + Same) + 1.0; };
+    double level = std::ceil(levelOf(wanted) - Rounding);
+    level = this->keeps ? std::min(level, coarserThan(*this->keeps)) : level;
+    level = this->fails ? std::max(level, finerThan(*this->fails)) : level;
+    return this->InRange(this->first * std::exp2(-level / LevelsPerOctave));
+  }
+
+  // Around the limit where that is known from both sides, else as last found.
+  double OrderNear() const
+  {
+    return this->keeps && this->fails
+      ? std::clamp(OrderBetween(*this->fails, *this->keeps), LeastOrder, MostOrder)
+      : this->order;
+  }
+
+  // Where few rays err, and these much, the error is no power of the distance:
+  // then half of the way there, or what is known to keep the limit.
+  std::optional<Trial> TryDistanceOfLimit()
+  {
+    const Trial near = this->keeps ? *this->keeps : *this->fails;
+    const double distance = this->InRange(DistanceOfLimit(near, this->OrderNear()));
+    const double farthest = this->fails ? this->fails->distance : distance;
+    const Trial trial = this->Try(std::min(distance, farthest));
+    if (trial.ofLimit <= MostOfLimit)
     {
-      const double octaves = std::log2(this->fails->distance / this->keeps->distance);
-      const double order =
-        std::clamp(OrderBetween(*this->fails, *this->keeps), LeastOrder, MostOrder);
-      const double between =
-        std::log2(DistanceForWanted(*this->keeps, order) / this->keeps->distance);
-      return this->keeps->distance * std::exp2(std::clamp(between, 0.15 * octaves, 0.85 * octaves));
+      return trial;
     }
-    // Errors far from the limit tell little of where it is.
-    constexpr double LeastFactor = 1.25;
-    constexpr double MostFactor = 16.0;
-    if (this->keeps)
+    if (!this->keeps)
     {
-      const double factor = DistanceForWanted(*this->keeps, this->order) / this->keeps->distance;
-      return this->InRange(this->keeps->distance * std::clamp(factor, LeastFactor, MostFactor));
+      this->Keep(trial);
+      return std::nullopt;
     }
-    const double factor = this->fails->distance / DistanceForWanted(*this->fails, this->order);
-    return this->InRange(this->fails->distance / std::clamp(factor, LeastFactor, MostFactor));
+    const Trial half = this->Try(std::sqrt(near.distance * trial.distance));
+    return half.ofLimit <= MostOfLimit ? half : near;
   }
 
   const SampleDrawing& draw;
   ErrorLimit limit;
   StepRange range;
   const std::vector<float>& exact;
+  double first = 0.0;
   std::map<double, std::vector<float>> finer; ///< pictures by distance, for comparison
   std::optional<Trial> keeps;                 ///< the longest distance that keeps the limit, so far
   std::optional<Trial> fails;                 ///< the shortest that does not
