@@ -86,10 +86,13 @@ std::size_t VolumeResources::BytesForBlocks(
 
 BlockLimits VolumeResources::LimitsOf(const Frame& frame, const MemoryElsewhere& elsewhere) const
 {
-  BlockLimits limits{ vtkTextureObject::GetMaximumTextureSize3D(frame.window),
-    this->blocks.BytesPerVoxel(), NoLimit };
-  const std::size_t most = frame.mostMemoryBytes;
   const glm::ivec3 voxels = frame.geometry.dimensions;
+  BlockLimits limits{ vtkTextureObject::GetMaximumTextureSize3D(frame.window),
+    this->blocks.BytesPerVoxel(), 0 };
+  limits.largestBytes = limits.bytesPerVoxel *
+    VolumeTexture::MostTexels(
+      glm::min(voxels, limits.largestSide), this->blocks.TexelsOfChannels());
+  const std::size_t most = frame.mostMemoryBytes;
   const std::size_t fixedBytes = this->FixedBytes(frame, elsewhere);
   const std::size_t wholeBytes = limits.bytesPerVoxel * voxels.x * voxels.y * voxels.z;
   if (most == 0 || fixedBytes + wholeBytes <= most)
@@ -105,12 +108,12 @@ BlockLimits VolumeResources::LimitsOf(const Frame& frame, const MemoryElsewhere&
       " bytes: this picture of this volume needs at least " + std::to_string(others + smallest));
   }
   // In powers of two, so that another size of the window hardly ever divides the volume anew.
-  limits.largestBytes = most / BlocksInMemory;
-  while (limits.largestBytes > most - others)
+  std::size_t largest = most / BlocksInMemory;
+  while (largest > most - others)
   {
-    limits.largestBytes /= 2;
+    largest /= 2;
   }
-  limits.largestBytes = std::max(limits.largestBytes, smallest);
+  limits.largestBytes = std::min(limits.largestBytes, std::max(largest, smallest));
   return limits;
 }
 

@@ -172,6 +172,13 @@ bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& t
   return allFinite;
 }
 
+GLenum InternalFormatOf(const std::vector<ScalarTexels>& texels)
+{
+  const std::size_t channels = texels.size();
+  return texels.front().normalized ? Format16OfChannels[channels - 1]
+                                   : FormatFloatOfChannels[channels - 1];
+}
+
 }
 
 double TexelMapping::LimitedTexelOf(double scalar) const
@@ -214,7 +221,7 @@ void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   {
     texture->ReleaseGraphicsResources(window);
     fail("the device has not enough memory for one texture of that size; with a maximum graphics "
-         "memory it is drawn in blocks");
+         "memory a volume is drawn in smaller blocks");
   }
 }
 
@@ -249,6 +256,25 @@ std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels)
   return all;
 }
 
+std::size_t VolumeTexture::MostTexels(
+  glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels)
+{
+  const auto isTaken = [&]
+  {
+    glTexImage3D(GL_PROXY_TEXTURE_3D, 0, InternalFormatOf(texels), dimensions.x, dimensions.y,
+      dimensions.z, 0, FormatOfChannels[texels.size() - 1], GL_FLOAT, nullptr);
+    GLint width = 0;
+    glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
+    return width == dimensions.x;
+  };
+  while (!isTaken() && dimensions != glm::ivec3(1))
+  {
+    int* const longest = std::max_element(&dimensions.x, &dimensions.x + 3);
+    *longest = (*longest + 1) / 2;
+  }
+  return std::size_t(dimensions.x) * dimensions.y * dimensions.z;
+}
+
 void VolumeTexture::Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
   const std::vector<ScalarTexels>& texels)
 {
@@ -256,8 +282,7 @@ void VolumeTexture::Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& re
   const int channels = int(region.channels.size());
   const glm::ivec3 size = region.voxels.count;
   AllocateTexture3D(this->texture, window, size, normalized ? VTK_UNSIGNED_SHORT : VTK_FLOAT,
-    normalized ? Format16OfChannels[channels - 1] : FormatFloatOfChannels[channels - 1], channels,
-    "a volume");
+    InternalFormatOf(texels), channels, "a volume");
   this->bytes = std::size_t(size.x) * size.y * size.z * channels * texels.front().BytesPerTexel();
 
   this->texture->SetWrapS(vtkTextureObject::ClampToEdge);

@@ -98,6 +98,11 @@ public:
   void Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
     const std::vector<ScalarTexels>& texels);
 
+  /// How many texels the device takes in one texture: as many as `dimensions`, or as are left when
+  /// their longest side is halved until it does. A question only; nothing is allocated.
+  /// @param dimensions  no longer than a side may be
+  static std::size_t MostTexels(glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels);
+
   vtkTextureObject* Texture() const { return this->texture; }
   bool AllFinite() const { return this->allFinite; } ///< in the region
   std::size_t Bytes() const { return this->bytes; }

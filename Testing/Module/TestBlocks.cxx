@@ -3,6 +3,7 @@
 #include "Module/MapperScene.h"
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
+#include "VolumeTexture.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -16,6 +17,7 @@
 #include <limits>
 #include <ostream>
 #include <string>
+#include <vector>
 
 using namespace varimarch;
 
@@ -377,4 +379,17 @@ TEST(Blocks, HoldAVolumeLongerThanTheDevicesTextures)
   scene.renderer->ResetCamera();
   EXPECT_LT(scene.Error().largest, 1.0);
   EXPECT_TRUE(IsDrawnInBlocks(scene));
+}
+
+TEST(Blocks, AreOfSizesThatTheDeviceHasTexturesFor)
+{
+  MapperScene scene(SmallTorso(), Size);
+  scene.window->Render();
+  GLint longestSide = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &longestSide);
+  const std::vector<ScalarTexels> texels(1);
+  EXPECT_EQ(VolumeTexture::MostTexels({ 64, 56, 48 }, texels), 64u * 56u * 48u);
+  const std::size_t most = VolumeTexture::MostTexels(glm::ivec3(longestSide), texels);
+  EXPECT_GE(most, 64u * 56u * 48u);
+  EXPECT_LT(double(most), std::pow(longestSide, 3.0)) << "more than any device's memory";
 }

@@ -55,8 +55,7 @@ using SampleDrawing = std::function<std::vector<float>(double sampleDistance)>;
 /// the next distance the error is taken as a power of it.
 /// @param first  the distance to begin with; the nearer to the result, the fewer drawings. Where
 ///               the error does not grow with the distance, the result depends on it.
-/// @param exact  nearly the picture without an error, where one is known: the same pixels; else
-/// empty
+/// @param exact  nearly the picture without an error, where one is known: the same pixels
 FoundSteps FindSampleDistance(const SampleDrawing& draw, const ErrorLimit& limit,
   const StepRange& range, double first, const std::vector<float>& exact = {});
 
