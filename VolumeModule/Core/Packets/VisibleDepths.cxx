@@ -3,11 +3,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <optional>
 
@@ -21,6 +21,8 @@ constexpr float Infinity = std::numeric_limits<float>::infinity();
 
 // Fewer are drawn by one thread: another would take longer to begin.
 constexpr std::size_t BlocksAtATime = 512;
+// Of threads. Each is as large as the picture has packets, and all are joined.
+constexpr std::size_t MostLayers = 8;
 
 // The packets that a block may be seen in, and its depths.
 struct Rectangle
@@ -109,7 +111,6 @@ void Begin(VisibleLayer& layer, int columns, int rows)
   layer.columns = columns;
   layer.nearest.assign(count, Infinity);
   layer.farthest.assign(count, -Infinity);
-  layer.isBegun = true;
   layer.isBounded = true;
 }
 
@@ -127,18 +128,23 @@ void DrawBlock(VisibleLayer& layer, const Rectangle& block)
   }
 }
 
-using Part = tbb::blocked_range<std::size_t>; // of blocks
-
-void DrawPart(
-  VisibleLayer& layer, const Projection& projection, const VisibleBlocks& blocks, const Part& part)
+// Of the blocks that no other layer has taken, until none is left.
+void DrawNext(VisibleLayer& layer, const Projection& projection, const VisibleBlocks& blocks,
+  std::atomic<std::size_t>& next)
 {
-  for (std::size_t i = part.begin(); i < part.end() && layer.isBounded; ++i)
+  const std::size_t count = blocks.centersGrid.size();
+  for (std::size_t first = next.fetch_add(BlocksAtATime); first < count && layer.isBounded;
+       first = next.fetch_add(BlocksAtATime))
   {
-    const std::optional<Rectangle> block = projection.Of(blocks.centersGrid[i]);
-    layer.isBounded = block.has_value();
-    if (block)
+    const std::size_t end = std::min(first + BlocksAtATime, count);
+    for (std::size_t i = first; i < end && layer.isBounded; ++i)
     {
-      DrawBlock(layer, *block);
+      const std::optional<Rectangle> block = projection.Of(blocks.centersGrid[i]);
+      layer.isBounded = block.has_value();
+      if (block)
+      {
+        DrawBlock(layer, *block);
+      }
     }
   }
 }
@@ -165,29 +171,20 @@ PacketDepths VisibleDepths::Draw(const VisibleBlocks& blocks, const glm::dmat4& 
   const Projection projection(clipFromGrid, axisGrid, blocks.sideGrid,
     { camera.pictureWidth, camera.pictureHeight }, first, count);
 
-  this->layers.resize(std::size_t(tbb::this_task_arena::max_concurrency()));
-  for (VisibleLayer& layer : this->layers)
-  {
-    layer.isBegun = false;
-  }
-  VisibleLayer& all = this->layers.front();
-  Begin(all, count.x, count.y);
-  tbb::parallel_for(Part(0, blocks.centersGrid.size(), BlocksAtATime),
-    [&](const Part& part)
+  const std::size_t threads = std::size_t(tbb::this_task_arena::max_concurrency());
+  this->layers.resize(std::clamp<std::size_t>(
+    blocks.centersGrid.size() / BlocksAtATime, 1, std::min(threads, MostLayers)));
+  std::atomic<std::size_t> next = 0;
+  tbb::parallel_for(std::size_t(0), this->layers.size(),
+    [&](std::size_t i)
     {
-      VisibleLayer& layer = this->layers[std::size_t(tbb::this_task_arena::current_thread_index())];
-      if (!layer.isBegun)
-      {
-        Begin(layer, count.x, count.y);
-      }
-      DrawPart(layer, projection, blocks, part);
+      Begin(this->layers[i], count.x, count.y);
+      DrawNext(this->layers[i], projection, blocks, next);
     });
+  VisibleLayer& all = this->layers.front();
   for (std::size_t i = 1; i < this->layers.size(); ++i)
   {
-    if (this->layers[i].isBegun)
-    {
-      Join(all, this->layers[i]);
-    }
+    Join(all, this->layers[i]);
   }
   if (!all.isBounded)
   {

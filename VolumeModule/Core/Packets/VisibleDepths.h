@@ -25,7 +25,6 @@ struct VisibleLayer
   int columns = 0;            ///< of packets
   std::vector<float> nearest; ///< of each packet, along the axis
   std::vector<float> farthest;
-  bool isBegun = false;
   bool isBounded = true; ///< no block is beside the eye
 };
 
@@ -43,8 +42,8 @@ public:
     const PacketCamera& camera, const Viewport& pixels);
 
 private:
-  /// Of each thread; the first becomes that of all. They are kept: memory that is taken anew for
-  /// each picture may cost more than what is drawn into it.
+  /// The first becomes that of all blocks. They are kept: memory that is taken anew for each
+  /// picture may cost more than what is drawn into it.
   std::vector<VisibleLayer> layers;
 };
 
