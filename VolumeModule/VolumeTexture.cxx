@@ -256,6 +256,7 @@ std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels)
   return all;
 }
 
+// vtkTextureObject::AllocateProxyTexture3D asks the same, but calls a refusal an error.
 std::size_t VolumeTexture::MostTexels(
   glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels)
 {

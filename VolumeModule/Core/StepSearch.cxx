@@ -69,18 +69,18 @@ double DistanceOfLimit(const Trial& trial, double order)
 class Search
 {
 public:
-  Search(const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range,
+  Search(const SampleDrawing& draw, const ErrorLimit& limit, const StepRange& range, double first,
     const std::vector<float>& exact)
     : draw(draw)
     , limit(limit)
     , range(range)
+    , first(first)
     , exact(exact)
   {
   }
 
-  FoundSteps Find(double newFirst)
+  FoundSteps Find()
   {
-    this->first = newFirst;
     this->Keep(this->Try(this->InRange(this->first)));
     for (int trials = 1; !this->IsAtEnd() && trials < MostTrials; ++trials)
     {
@@ -106,6 +106,7 @@ private:
     return std::clamp(distance, this->range.finest, this->range.coarsest);
   }
 
+  // What is over the limit by no more than estimates are off counts as kept.
   FoundSteps Found(const Trial& trial) const
   {
     const double ofLimit =
@@ -114,7 +115,7 @@ private:
       this->exact.empty() ? this->finer.begin()->second : this->exact };
   }
 
-  // Of what may be taken, or between two neighbours.
+  // Of what may be taken.
   bool IsAtEnd() const
   {
     return (this->keeps && this->keeps->distance >= this->range.coarsest) ||
@@ -234,8 +235,8 @@ private:
   const SampleDrawing& draw;
   ErrorLimit limit;
   StepRange range;
+  double first;
   const std::vector<float>& exact;
-  double first = 0.0;
   std::map<double, std::vector<float>> finer; ///< pictures by distance, for comparison
   std::optional<Trial> keeps;                 ///< the longest distance that keeps the limit, so far
   std::optional<Trial> fails;                 ///< the shortest that does not
@@ -254,7 +255,7 @@ bool IsBetter(const StepChoice& choice, double cost, const StepChoice& other)
 FoundSteps FindSampleDistance(const SampleDrawing& draw, const ErrorLimit& limit,
   const StepRange& range, double first, const std::vector<float>& exact)
 {
-  return Search(draw, limit, range, exact).Find(first);
+  return Search(draw, limit, range, first, exact).Find();
 }
 
 double DifferenceOfLimit(
