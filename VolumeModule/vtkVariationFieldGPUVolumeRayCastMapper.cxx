@@ -1,6 +1,6 @@
 #include "vtkVariationFieldGPUVolumeRayCastMapper.h"
 
-#include "FrameOfMapper.h"
+#include "Frame/FrameBuilder.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkAlgorithmOutput.h"

@@ -1,8 +1,8 @@
 #ifndef Varimarch_CommandLine_PictureError_h
 #define Varimarch_CommandLine_PictureError_h
 
-#include "Core/ImageError.h"
-#include "Core/PerceptualError.h"
+#include "Core/Quality/ImageError.h"
+#include "Core/Quality/PerceptualError.h"
 
 #include <vtkImageData.h>
 

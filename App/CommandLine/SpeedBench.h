@@ -1,7 +1,7 @@
 #ifndef Varimarch_CommandLine_SpeedBench_h
 #define Varimarch_CommandLine_SpeedBench_h
 
-#include "Core/ImageError.h"
+#include "Core/Quality/ImageError.h"
 #include "FrameCost.h"
 #include "Scene/LogLogPlot.h"
 #include "SpeedScenes.h"

@@ -1,6 +1,6 @@
 #include "Scene/OrbitBenchmark.h"
 
-#include "Core/ImageError.h"
+#include "Core/Quality/ImageError.h"
 #include "Scene/Median.h"
 
 #include <vtkCamera.h>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Scene_ReferencePicture_h
 #define Varimarch_Scene_ReferencePicture_h
 
-#include "Core/ReferenceImage.h"
+#include "Core/Reference/ReferenceImage.h"
 #include "Scene/Scene.h"
 
 #include <vtkImageData.h>
@@ -20,8 +20,8 @@ struct ReferencePicture
   double largestError; ///< the largest of the pixels' error estimates, of a channel in [0, 1]
 };
 
-/// Integrates the ray of every pixel of a scene's picture by Core/ReferenceIntegrator, on all
-/// cores. Needs no OpenGL. What the scene says of how it is rendered does not matter.
+/// Integrates the ray of every pixel of a scene's picture by Core/Reference/ReferenceIntegrator, on
+/// all cores. Needs no OpenGL. What the scene says of how it is rendered does not matter.
 /// @param image      the volume that the scene's source names, one component of any type
 /// @param tolerance  largest accepted error of a channel; 1e-6 is beyond what a float picture of
 ///                   8 bit displays needs, and for shaded noise far cheaper than 1e-9

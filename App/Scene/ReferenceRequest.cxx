@@ -1,6 +1,6 @@
 #include "Scene/ReferenceRequest.h"
 
-#include "PropertyTransferFunction.h"
+#include "Frame/PropertyTransferFunction.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/ScenePipeline.h"
 #include "Scene/VolumeProperty.h"

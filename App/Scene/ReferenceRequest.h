@@ -1,10 +1,10 @@
 #ifndef Varimarch_Scene_ReferenceRequest_h
 #define Varimarch_Scene_ReferenceRequest_h
 
-#include "Core/HeadLightShading.h"
-#include "Core/ReferenceImage.h"
+#include "Core/Look/HeadLightShading.h"
+#include "Core/Reference/ReferenceImage.h"
+#include "Frame/VolumeGeometry.h"
 #include "Scene/ReferencePicture.h"
-#include "VolumeGeometry.h"
 
 #include <vtkDataArray.h>
 

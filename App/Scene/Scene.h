@@ -1,8 +1,8 @@
 #ifndef Varimarch_Scene_Scene_h
 #define Varimarch_Scene_Scene_h
 
-#include "Core/RenderSettings.h"
-#include "Core/TransferFunction.h"
+#include "Core/Look/TransferFunction.h"
+#include "Core/Recipe/RenderSettings.h"
 
 #include <array>
 #include <cstdint>

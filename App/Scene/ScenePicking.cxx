@@ -1,6 +1,6 @@
 #include "Scene/ScenePicking.h"
 
-#include "Core/TransferFunction.h"
+#include "Core/Look/TransferFunction.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/Scissors.h"
 #include "Scene/WorldVector.h"

@@ -1,6 +1,6 @@
 // Whole pictures of scenes that have a closed form.
 
-#include "Core/ImageError.h"
+#include "Core/Quality/ImageError.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/ReferencePicture.h"
 #include "Support/AnalyticPictures.h"

@@ -1,4 +1,4 @@
-#include "Core/ImageError.h"
+#include "Core/Quality/ImageError.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/Presets.h"
 #include "Scene/ProceduralVolume.h"

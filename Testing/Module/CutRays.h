@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_CutRays_h
 #define Varimarch_Testing_CutRays_h
 
-#include "Core/Box.h"
+#include "Core/Geometry/Box.h"
 
 #include <vtkVolumeMapper.h>
 

@@ -1,12 +1,12 @@
 #include "Module/MapperScene.h"
 
-#include "Core/HeadLightShading.h"
-#include "Core/ReferenceImage.h"
+#include "Core/Look/HeadLightShading.h"
+#include "Core/Reference/ReferenceImage.h"
+#include "Frame/PropertyTransferFunction.h"
+#include "Frame/VolumeGeometry.h"
 #include "Module/CutRays.h"
-#include "PropertyTransferFunction.h"
 #include "Scene/FloatCapture.h"
 #include "Scene/ProceduralVolume.h"
-#include "VolumeGeometry.h"
 
 #include <vtkCellData.h>
 #include <vtkContourValues.h>

@@ -1,9 +1,9 @@
 #ifndef Varimarch_Testing_MapperScene_h
 #define Varimarch_Testing_MapperScene_h
 
-#include "Core/ImageError.h"
+#include "Core/Quality/ImageError.h"
 #include "Core/Reference/ReferenceScene.h"
-#include "VolumeGeometry.h"
+#include "Frame/VolumeGeometry.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>

@@ -1,6 +1,6 @@
 #include "Module/OverlapScene.h"
 
-#include "Core/ReferenceImage.h"
+#include "Core/Reference/ReferenceImage.h"
 #include "Scene/FloatCapture.h"
 
 #include <vtkStringArray.h>

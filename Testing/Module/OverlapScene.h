@@ -1,8 +1,8 @@
 #ifndef Varimarch_Testing_OverlapScene_h
 #define Varimarch_Testing_OverlapScene_h
 
-#include "Core/ImageError.h"
-#include "Core/PixelRays.h"
+#include "Core/Geometry/PixelRays.h"
+#include "Core/Quality/ImageError.h"
 #include "Module/ComponentVolumes.h"
 
 #include <vtkMultiVolume.h>

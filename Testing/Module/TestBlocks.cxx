@@ -1,9 +1,9 @@
 // A volume in blocks: the same picture as the whole, within the memory that is allowed.
 
 #include "Module/MapperScene.h"
+#include "Resources/VolumeTexture.h"
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
-#include "VolumeTexture.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -1,7 +1,7 @@
 // Mixtures of two components with light and gradient opacity, held against the reference.
 
+#include "Frame/VolumeGeometry.h"
 #include "Module/ComponentVolumes.h"
-#include "VolumeGeometry.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

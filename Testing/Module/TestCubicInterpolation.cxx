@@ -1,9 +1,9 @@
 // Voxels with a spline through them, against the spline in double precision.
 
-#include "Core/PixelRays.h"
+#include "Core/Geometry/PixelRays.h"
 #include "Core/Reference/SplineGrid.h"
+#include "Frame/PropertyTransferFunction.h"
 #include "Module/MapperScene.h"
-#include "PropertyTransferFunction.h"
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 

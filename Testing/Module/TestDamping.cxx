@@ -1,7 +1,7 @@
 // Light that is damped where there hardly is a gradient.
 
+#include "Frame/PropertyTransferFunction.h"
 #include "Module/MapperScene.h"
-#include "PropertyTransferFunction.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Transfer functions of two values: the second is the gradient's magnitude, or another array.
 
+#include "Frame/VolumeGeometry.h"
 #include "Module/MapperScene.h"
 #include "Support/ExpectedVtkErrors.h"
-#include "VolumeGeometry.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>

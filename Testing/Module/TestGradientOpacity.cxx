@@ -1,8 +1,8 @@
 // Opacity that depends on the gradient: closed forms where the gradient is known, the reference
 // where it is not.
 
+#include "Frame/VolumeGeometry.h"
 #include "Module/MapperScene.h"
-#include "VolumeGeometry.h"
 
 #include <vtkDataArray.h>
 

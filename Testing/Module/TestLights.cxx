@@ -1,8 +1,8 @@
 // Lights other than a head light: closed forms where surfaces face the eye, and the reference with
 // lights of its own where they do not.
 
+#include "Frame/VolumeGeometry.h"
 #include "Module/MapperScene.h"
-#include "VolumeGeometry.h"
 
 #include <vtkDataArray.h>
 #include <vtkLight.h>

@@ -1,8 +1,8 @@
 // Masks: which voxels are drawn, and by which functions. Each voxel of a mask fills the cube around
 // it, so that what a ray crosses of a label is known exactly.
 
+#include "Frame/VolumeGeometry.h"
 #include "Module/MapperScene.h"
-#include "VolumeGeometry.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

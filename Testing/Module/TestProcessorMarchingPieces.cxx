@@ -1,8 +1,8 @@
 // Rays of which packets march pieces: in masks, by labels, in cropping regions, between translucent
 // geometry. The pictures are those of the shaders, to a twentieth of a grey level (RMSE).
 
-#include "ChannelCopy.h"
 #include "Module/ProcessorMarching.h"
+#include "Resources/ChannelCopy.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>

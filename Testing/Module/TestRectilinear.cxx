@@ -1,8 +1,8 @@
 // Rectilinear grids: values are between the coordinates that they have, and lengths are those of
 // the world.
 
+#include "Frame/PropertyTransferFunction.h"
 #include "Module/ProcessorMarching.h"
-#include "PropertyTransferFunction.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

@@ -1,6 +1,6 @@
 // Isosurfaces and slices: found exactly, whatever the steps.
 
-#include "Core/ScalarGrid.h"
+#include "Core/Geometry/ScalarGrid.h"
 #include "Module/MapperScene.h"
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"

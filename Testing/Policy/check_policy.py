@@ -183,21 +183,6 @@ def files_are_small():
     ]
 
 
-def shader_list_is_complete():
-    build_list = "VolumeModule/CMakeLists.txt"
-    listed = set(re.findall(r"[\w./]+\.glsl", text_of(build_list)))
-    listed = {name.removeprefix("Shaders/") for name in listed}
-    folder = "VolumeModule/Shaders"
-    present = {str(path.relative_to(folder)) for path in tracked(folder + "/", {".glsl"})}
-    return [
-        f"{folder}/{name}: not in the list of shaders in {build_list}; add it there"
-        for name in sorted(present - listed)
-    ] + [
-        f"{build_list}: lists {name}, which is not in {folder}; add the file or drop the line"
-        for name in sorted(listed - present)
-    ]
-
-
 def shaders_have_no_switches():
     return lines_matching(
         tracked("VolumeModule/Shaders/", {".glsl"}),

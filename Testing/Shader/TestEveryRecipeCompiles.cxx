@@ -1,6 +1,7 @@
-#include "Core/FlatUniforms.h"
-#include "Core/ShaderAssembly.h"
-#include "Core/ShaderRecipe.h"
+#include "Core/Recipe/FlatUniforms.h"
+#include "Core/Recipe/ShaderAssembly.h"
+#include "Core/Recipe/ShaderRecipe.h"
+#include "Support/EveryRecipe.h"
 
 #include <gtest/gtest.h>
 

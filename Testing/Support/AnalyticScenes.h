@@ -1,9 +1,9 @@
 #ifndef Varimarch_Testing_AnalyticScenes_h
 #define Varimarch_Testing_AnalyticScenes_h
 
+#include "Core/Look/TransferBands.h"
 #include "Core/Reference/RayIntegral.h"
-#include "Core/ReferenceImage.h"
-#include "Core/TransferBands.h"
+#include "Core/Reference/ReferenceImage.h"
 
 #include <array>
 #include <string>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_ReferenceVolumes_h
 #define Varimarch_Testing_ReferenceVolumes_h
 
-#include "Core/ReferenceIntegrator.h"
+#include "Core/Reference/ReferenceIntegrator.h"
 
 #include <gtest/gtest.h>
 

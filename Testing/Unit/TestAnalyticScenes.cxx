@@ -1,6 +1,6 @@
 // The reference against closed forms of whole rays.
 
-#include "Core/CellWalk.h"
+#include "Core/Geometry/CellWalk.h"
 #include "Support/AnalyticScenes.h"
 #include "Unit/ReferenceVolumes.h"
 

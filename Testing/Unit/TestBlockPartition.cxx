@@ -1,4 +1,4 @@
-#include "Core/BlockPartition.h"
+#include "Core/Blocks/BlockPartition.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>

@@ -1,4 +1,4 @@
-#include "Core/BlockResidency.h"
+#include "Core/Blocks/BlockResidency.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/BlueNoise.h"
+#include "Core/Quality/BlueNoise.h"
 
 #include <gtest/gtest.h>
 

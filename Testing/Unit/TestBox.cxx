@@ -1,4 +1,4 @@
-#include "Core/Box.h"
+#include "Core/Geometry/Box.h"
 
 #include <glm/common.hpp>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "Core/CellCubic.h"
+#include "Core/Geometry/CellCubic.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/ExtremeBricks.h"
+#include "Core/Fields/ExtremeBricks.h"
 
 #include <glm/common.hpp>
 

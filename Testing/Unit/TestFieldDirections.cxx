@@ -1,6 +1,6 @@
-#include "Core/FieldDirections.h"
+#include "Core/Fields/FieldDirections.h"
 
-#include "Core/OpticalField.h"
+#include "Core/Fields/OpticalField.h"
 
 #include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>

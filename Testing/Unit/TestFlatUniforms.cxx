@@ -1,4 +1,4 @@
-#include "Core/FlatUniforms.h"
+#include "Core/Recipe/FlatUniforms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/HeadLightShading.h"
+#include "Core/Look/HeadLightShading.h"
 #include "Core/Reference/CellPieces.h"
 #include "Unit/ReferenceVolumes.h"
 

@@ -1,4 +1,4 @@
-#include "Core/ImageError.h"
+#include "Core/Quality/ImageError.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/InteractiveQuality.h"
+#include "Core/Quality/InteractiveQuality.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/LabelReach.h"
+#include "Core/Fields/LabelReach.h"
 
 #include <glm/common.hpp>
 #include <gtest/gtest.h>

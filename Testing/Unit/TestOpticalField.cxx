@@ -1,7 +1,7 @@
-#include "Core/OpticalField.h"
+#include "Core/Fields/OpticalField.h"
 
-#include "Core/BrickRanges.h"
-#include "Core/VisibleBricks.h"
+#include "Core/Fields/BrickRanges.h"
+#include "Core/Fields/VisibleBricks.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "Core/PerceptualError.h"
+#include "Core/Quality/PerceptualError.h"
 
 #include <gtest/gtest.h>
 

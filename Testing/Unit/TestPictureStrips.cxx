@@ -1,4 +1,4 @@
-#include "Core/PictureStrips.h"
+#include "Core/Quality/PictureStrips.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/PixelRays.h"
+#include "Core/Geometry/PixelRays.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

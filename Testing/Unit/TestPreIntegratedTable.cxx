@@ -1,4 +1,4 @@
-#include "Core/PreIntegratedTable.h"
+#include "Core/Look/PreIntegratedTable.h"
 
 #include <glm/common.hpp>
 

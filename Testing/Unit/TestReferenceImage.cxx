@@ -1,4 +1,4 @@
-#include "Core/ReferenceImage.h"
+#include "Core/Reference/ReferenceImage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/ScalarGrid.h"
+#include "Core/Geometry/ScalarGrid.h"
 
 #include <gtest/gtest.h>
 

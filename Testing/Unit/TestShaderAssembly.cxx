@@ -1,4 +1,4 @@
-#include "Core/ShaderAssembly.h"
+#include "Core/Recipe/ShaderAssembly.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "Core/ShaderRecipe.h"
+#include "Core/Recipe/ShaderRecipe.h"
+#include "Support/EveryRecipe.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "Core/BrickRanges.h"
+#include "Core/Fields/BrickRanges.h"
+#include "Core/Geometry/SplineCoefficients.h"
 #include "Core/Reference/SplineGrid.h"
-#include "Core/SplineCoefficients.h"
 
 #include <gtest/gtest.h>
 

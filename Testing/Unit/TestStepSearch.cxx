@@ -1,4 +1,4 @@
-#include "Core/StepSearch.h"
+#include "Core/Quality/StepSearch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/TransferBands.h"
+#include "Core/Look/TransferBands.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/TransferFunction.h"
+#include "Core/Look/TransferFunction.h"
 
 #include <glm/common.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "Core/EvenBricks.h"
-#include "Core/UnevenAxis.h"
+#include "Core/Fields/EvenBricks.h"
+#include "Core/Geometry/UnevenAxis.h"
 
 #include <gtest/gtest.h>
 

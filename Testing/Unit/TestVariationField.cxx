@@ -1,4 +1,4 @@
-#include "Core/VariationField.h"
+#include "Core/Fields/VariationField.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "Core/Packets/VisibleDepths.h"
+#include "Core/Fields/VisibleDepths.h"
 
-#include "Core/PixelRays.h"
+#include "Core/Geometry/PixelRays.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_ComparisonView_h
 #define Varimarch_Viewer_ComparisonView_h
 
-#include "Core/ImageError.h"
+#include "Core/Quality/ImageError.h"
 #include "Scene/Scene.h"
 #include "Viewer/Tools/MouseTools.h"
 

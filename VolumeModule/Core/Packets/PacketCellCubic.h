@@ -1,8 +1,8 @@
 #ifndef Varimarch_Core_Packets_PacketCellCubic_h
 #define Varimarch_Core_Packets_PacketCellCubic_h
 
-// What is interpolated along a line through a cell, exactly: a cubic, as in Core/CellCubic.h and
-// Shaders/Math/CellCubic.glsl.
+// What is interpolated along a line through a cell, exactly: a cubic, as in
+// Core/Geometry/CellCubic.h and Shaders/Math/CellCubic.glsl.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketVoxels.h"

@@ -4,7 +4,7 @@
 // Rays of which some pieces are left out, or are drawn by rules of their own: Shaders/Crop,
 // Shaders/Mask and Shaders/Gaps.
 
-#include "Core/GapField.h"
+#include "Core/Fields/GapField.h"
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketLattice.h"
 #include "Core/Packets/PacketMarchers.h"

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketScene_h
 #define Varimarch_Core_Packets_PacketScene_h
 
-#include "Core/Viewport.h"
+#include "Core/Geometry/Viewport.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>

@@ -1,9 +1,9 @@
 #ifndef Varimarch_Core_Reference_CellPieces_h
 #define Varimarch_Core_Reference_CellPieces_h
 
-#include "Core/CellWalk.h"
+#include "Core/Geometry/CellWalk.h"
+#include "Core/Look/TransferBands.h"
 #include "Core/Reference/RayIntegral.h"
-#include "Core/TransferBands.h"
 
 namespace varimarch
 {

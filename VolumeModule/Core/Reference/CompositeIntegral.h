@@ -1,9 +1,9 @@
 #ifndef Varimarch_Core_Reference_CompositeIntegral_h
 #define Varimarch_Core_Reference_CompositeIntegral_h
 
+#include "Core/Geometry/SlabQuadrature.h"
+#include "Core/Look/TransferBands.h"
 #include "Core/Reference/RayIntegral.h"
-#include "Core/SlabQuadrature.h"
-#include "Core/TransferBands.h"
 
 namespace varimarch
 {

@@ -1,8 +1,8 @@
 #ifndef Varimarch_Core_Reference_CompositeSum_h
 #define Varimarch_Core_Reference_CompositeSum_h
 
+#include "Core/Geometry/SlabQuadrature.h"
 #include "Core/Reference/RayIntegral.h"
-#include "Core/SlabQuadrature.h"
 
 #include <algorithm>
 #include <cmath>

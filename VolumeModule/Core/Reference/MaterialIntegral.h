@@ -1,8 +1,8 @@
 #ifndef Varimarch_Core_Reference_MaterialIntegral_h
 #define Varimarch_Core_Reference_MaterialIntegral_h
 
+#include "Core/Geometry/SlabQuadrature.h"
 #include "Core/Reference/RayIntegral.h"
-#include "Core/SlabQuadrature.h"
 
 namespace varimarch
 {

@@ -1,12 +1,12 @@
 #ifndef Varimarch_Core_Reference_ReferenceScene_h
 #define Varimarch_Core_Reference_ReferenceScene_h
 
-#include "Core/Box.h"
-#include "Core/CellCubic.h"
-#include "Core/CellWalk.h"
-#include "Core/RenderSettings.h"
-#include "Core/TransferBands.h"
-#include "Core/TransferFunction.h"
+#include "Core/Geometry/Box.h"
+#include "Core/Geometry/CellCubic.h"
+#include "Core/Geometry/CellWalk.h"
+#include "Core/Look/TransferBands.h"
+#include "Core/Look/TransferFunction.h"
+#include "Core/Recipe/RenderSettings.h"
 
 #include <functional>
 #include <limits>

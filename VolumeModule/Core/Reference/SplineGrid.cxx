@@ -1,6 +1,6 @@
 #include "Core/Reference/SplineGrid.h"
 
-#include "Core/SplineCoefficients.h"
+#include "Core/Geometry/SplineCoefficients.h"
 
 #include <glm/common.hpp>
 

@@ -1,4 +1,4 @@
-// Transfer function as a table of its means between two scalars (Core/PreIntegratedTable): emission
+// Transfer function as a table of its means between two scalars (Core/Look/PreIntegratedTable): emission
 // and extinction. It covers the scalars between which the function changes. What of a piece lies
 // below or above them has the properties of the first or last, and weighs as much as its part of
 // the piece.

@@ -2,7 +2,7 @@
 // left out: the march ends at their faces and goes on behind them. Cells are those between voxels,
 // or voxels as boxes, half a voxel away. The texel of cell c holds 0 where it has no value, 255
 // where it is blanked, else k + 1 where none of the cells c - k ... c + k is either
-// (Core/GapField).
+// (Core/Fields/GapField).
 
 uniform sampler3D gapTexture; // nearest
 uniform vec3 gapCellCount;

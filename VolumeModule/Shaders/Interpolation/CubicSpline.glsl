@@ -1,5 +1,5 @@
 // The tricubic spline through the voxels, of which the texture holds the coefficients
-// (Core/SplineCoefficients). Beyond the outermost voxels the value is that of the face.
+// (Core/Geometry/SplineCoefficients). Beyond the outermost voxels the value is that of the face.
 
 uniform vec3 splineVoxelCount; // of the volume texture
 

@@ -1,0 +1,192 @@
+#include "Core/Fields/BrickRanges.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int Side = BrickRanges::CellsPerSide;
+constexpr double LargestStep = 65535.0;
+
+// Smallest and largest value of a bundle of voxel rows, column by column.
+template <class Scalar>
+struct ColumnRanges
+{
+  explicit ColumnRanges(int width)
+    : smallest(width)
+    , largest(width)
+    , finite(width)
+  {
+  }
+
+  void Start()
+  {
+    std::fill(this->smallest.begin(), this->smallest.end(), std::numeric_limits<Scalar>::max());
+    std::fill(this->largest.begin(), this->largest.end(), std::numeric_limits<Scalar>::lowest());
+    std::fill(this->finite.begin(), this->finite.end(), std::uint8_t(1));
+  }
+
+  void Add(const Scalar* row)
+  {
+    const std::size_t width = this->smallest.size();
+    for (std::size_t x = 0; x < width; ++x)
+    {
+      this->smallest[x] = std::min(this->smallest[x], row[x]);
+      this->largest[x] = std::max(this->largest[x], row[x]);
+    }
+    if constexpr (!std::numeric_limits<Scalar>::is_integer)
+    {
+      for (std::size_t x = 0; x < width; ++x)
+      {
+        this->finite[x] &= std::uint8_t(std::isfinite(row[x]));
+      }
+    }
+  }
+
+  std::vector<Scalar> smallest;
+  std::vector<Scalar> largest;
+  std::vector<std::uint8_t> finite;
+};
+
+// The range of columns first ... last in steps of the volume's range, rounded outwards.
+template <class Scalar>
+BrickRanges::Steps StepsOf(
+  const ColumnRanges<Scalar>& columns, int first, int last, const BrickRanges& ranges)
+{
+  Scalar smallest = columns.smallest[first];
+  Scalar largest = columns.largest[first];
+  bool finite = true;
+  for (int x = first; x <= last; ++x)
+  {
+    smallest = std::min(smallest, columns.smallest[x]);
+    largest = std::max(largest, columns.largest[x]);
+    finite = finite && columns.finite[x];
+  }
+  if (!finite)
+  {
+    return { 1, 0 };
+  }
+  const auto steps = [&](Scalar value)
+  { return (double(value) - ranges.FirstValue()) / ranges.ValuePerStep(); };
+  return { std::uint16_t(std::clamp(std::floor(steps(smallest)), 0.0, LargestStep)),
+    std::uint16_t(std::clamp(std::ceil(steps(largest)), 0.0, LargestStep)) };
+}
+
+// Integers that span less than 2^16 have a step of exactly one.
+double ValuePerStep(double range, bool integers)
+{
+  if (!(range > 0.0))
+  {
+    return 1.0;
+  }
+  return integers && range <= LargestStep ? 1.0 : range / LargestStep;
+}
+
+int LastStep(double range, bool integers)
+{
+  if (!(range > 0.0))
+  {
+    return 0;
+  }
+  return int(integers && range <= LargestStep ? range : LargestStep);
+}
+
+}
+
+BrickRanges::BrickRanges(glm::ivec3 cellCount, double firstValue, double lastValue, bool integers)
+  : brickCount((cellCount + Side - 1) / Side)
+  , firstValue(firstValue)
+  , valuePerStep(varimarch::ValuePerStep(lastValue - firstValue, integers))
+  , lastStep(varimarch::LastStep(lastValue - firstValue, integers))
+{
+  const std::size_t count =
+    std::size_t(this->brickCount.x) * this->brickCount.y * this->brickCount.z;
+  constexpr double LargestNarrowStep = 255.0;
+  if (integers && lastValue - firstValue <= LargestNarrowStep)
+  {
+    this->narrow.resize(count);
+  }
+  else
+  {
+    this->wide.resize(count);
+  }
+}
+
+void BrickRanges::Set(std::size_t brick, Steps steps)
+{
+  if (this->narrow.empty())
+  {
+    this->wide[brick] = { steps.smallest, steps.largest };
+  }
+  else
+  {
+    this->narrow[brick] = { std::uint8_t(steps.smallest), std::uint8_t(steps.largest) };
+  }
+}
+
+template <class Scalar>
+BrickRanges BuildBrickRanges(
+  const ScalarGrid<Scalar>& grid, double smallestValue, double largestValue, int reachVoxels)
+{
+  const glm::ivec3 voxels = grid.Dimensions();
+  BrickRanges ranges(
+    grid.CellCount(), smallestValue, largestValue, std::numeric_limits<Scalar>::is_integer);
+  const glm::ivec3 bricks = ranges.BrickCount();
+
+  // The voxels that a brick's values depend on, along an axis.
+  const auto firstOf = [=](int brick) { return std::max(Side * brick - reachVoxels, 0); };
+  const auto lastOf = [=](int brick, int count)
+  { return std::min(Side * (brick + 1) + reachVoxels, count - 1); };
+  const int rowsOfBricks = bricks.y * bricks.z;
+  tbb::parallel_for(tbb::blocked_range<int>(0, rowsOfBricks),
+    [&](const tbb::blocked_range<int>& rows)
+    {
+      ColumnRanges<Scalar> columns(voxels.x);
+      for (int row = rows.begin(); row != rows.end(); ++row)
+      {
+        const int brickY = row % bricks.y;
+        const int brickZ = row / bricks.y;
+        columns.Start();
+        for (int z = firstOf(brickZ); z <= lastOf(brickZ, voxels.z); ++z)
+        {
+          for (int y = firstOf(brickY); y <= lastOf(brickY, voxels.y); ++y)
+          {
+            columns.Add(grid.Row(y, z));
+          }
+        }
+        for (int brickX = 0; brickX < bricks.x; ++brickX)
+        {
+          ranges.Set(std::size_t(row) * bricks.x + brickX,
+            StepsOf(columns, firstOf(brickX), lastOf(brickX, voxels.x), ranges));
+        }
+      }
+    });
+  return ranges;
+}
+
+#define VARIMARCH_RANGES_OF(Scalar) \
+  template BrickRanges BuildBrickRanges(const ScalarGrid<Scalar>&, double, double, int)
+VARIMARCH_RANGES_OF(char);
+VARIMARCH_RANGES_OF(signed char);
+VARIMARCH_RANGES_OF(unsigned char);
+VARIMARCH_RANGES_OF(short);
+VARIMARCH_RANGES_OF(unsigned short);
+VARIMARCH_RANGES_OF(int);
+VARIMARCH_RANGES_OF(unsigned int);
+VARIMARCH_RANGES_OF(long);
+VARIMARCH_RANGES_OF(unsigned long);
+VARIMARCH_RANGES_OF(long long);
+VARIMARCH_RANGES_OF(unsigned long long);
+VARIMARCH_RANGES_OF(float);
+VARIMARCH_RANGES_OF(double);
+#undef VARIMARCH_RANGES_OF
+
+}

@@ -1,0 +1,144 @@
+#include "Core/Fields/ExtremeBricks.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int StepCount = 65536;
+
+glm::dvec4 Premultiplied(const glm::dvec4& optical, double unitDistanceMm)
+{
+  const double opacity = -std::expm1(-optical.a * unitDistanceMm);
+  return { opacity * optical.r, opacity * optical.g, opacity * optical.b, opacity };
+}
+
+// How much the look has changed from the first entry of the table to each: two values differ in no
+// channel by more than their entries differ in this.
+std::vector<double> ChangeUpTo(const ExtremeLook& look)
+{
+  std::vector<double> changes = { 0.0 };
+  glm::dvec4 before = Premultiplied(look.table.entries.front(), look.opacityUnitDistanceMm);
+  for (std::size_t i = 1; i < look.table.entries.size(); ++i)
+  {
+    const glm::dvec4 here = Premultiplied(look.table.entries[i], look.opacityUnitDistanceMm);
+    const glm::dvec4 change = glm::abs(here - before);
+    changes.push_back(changes.back() + std::max({ change.r, change.g, change.b, change.a }));
+    before = here;
+  }
+  return changes;
+}
+
+// Bounds of the change of the look up to a step.
+class ChangeOfSteps
+{
+public:
+  ChangeOfSteps(const BrickRanges& ranges, const ExtremeLook& look)
+    : changes(ChangeUpTo(look))
+  {
+    const double extent = look.table.lastValue - look.table.firstValue;
+    const double last = double(this->changes.size()) - 1.0;
+    const double entriesPerValue = extent > 0.0 ? last / extent : 0.0;
+    this->firstEntry = (ranges.FirstValue() - look.table.firstValue) * entriesPerValue;
+    this->entriesPerStep = ranges.ValuePerStep() * entriesPerValue;
+  }
+
+  double Least(int step) const { return this->At(std::floor(this->EntryOf(step))); }
+  double Most(int step) const { return this->At(std::ceil(this->EntryOf(step))); }
+
+private:
+  double EntryOf(int step) const { return this->firstEntry + step * this->entriesPerStep; }
+
+  double At(double entry) const
+  {
+    return this->changes[std::size_t(std::clamp(entry, 0.0, double(this->changes.size()) - 1.0))];
+  }
+
+  std::vector<double> changes;
+  double firstEntry;
+  double entriesPerStep;
+};
+
+// Of each step, the least that looks as it does.
+std::vector<std::uint16_t> LeastAlike(const ChangeOfSteps& change, double tolerance)
+{
+  std::vector<std::uint16_t> alike(StepCount);
+  int least = 0;
+  for (int step = 0; step < StepCount; ++step)
+  {
+    while (least < step && change.Most(step) - change.Least(least) > tolerance)
+    {
+      ++least;
+    }
+    alike[step] = std::uint16_t(least);
+  }
+  return alike;
+}
+
+std::vector<std::uint16_t> GreatestAlike(const ChangeOfSteps& change, double tolerance)
+{
+  std::vector<std::uint16_t> alike(StepCount);
+  int greatest = StepCount - 1;
+  for (int step = StepCount - 1; step >= 0; --step)
+  {
+    while (greatest > step && change.Most(greatest) - change.Least(step) > tolerance)
+    {
+      --greatest;
+    }
+    alike[step] = std::uint16_t(greatest);
+  }
+  return alike;
+}
+
+}
+
+std::vector<std::uint16_t> BuildExtremeBricks(
+  const BrickRanges& ranges, const ExtremeLook& look, bool largest)
+{
+  const ChangeOfSteps change(ranges, look);
+  const std::vector<std::uint16_t> alike =
+    largest ? LeastAlike(change, look.tolerance) : GreatestAlike(change, look.tolerance);
+  const glm::ivec3 count = ranges.BrickCount();
+  std::vector<std::uint16_t> extremes(std::size_t(count.x) * count.y * count.z);
+  for (std::size_t i = 0; i < extremes.size(); ++i)
+  {
+    const BrickRanges::Steps steps = ranges[i];
+    const int any = largest ? StepCount - 1 : 0;
+    extremes[i] =
+      steps.IsFinite() ? alike[largest ? steps.largest : steps.smallest] : std::uint16_t(any);
+  }
+  return extremes;
+}
+
+ExtremeBlocks JoinExtremeBricks(
+  const std::vector<std::uint16_t>& bricks, glm::ivec3 brickCount, bool largest)
+{
+  constexpr int Side = ExtremeBlocks::BricksPerSide;
+  ExtremeBlocks blocks;
+  blocks.count = (brickCount + Side - 1) / Side;
+  const std::uint16_t least = largest ? 0 : StepCount - 1;
+  blocks.steps.assign(std::size_t(blocks.count.x) * blocks.count.y * blocks.count.z, least);
+  const std::uint16_t* brick = bricks.data();
+  for (int z = 0; z < brickCount.z; ++z)
+  {
+    for (int y = 0; y < brickCount.y; ++y)
+    {
+      std::uint16_t* const row =
+        &blocks.steps[(std::size_t(z / Side) * blocks.count.y + y / Side) * blocks.count.x];
+      for (int x = 0; x < brickCount.x; ++x, ++brick)
+      {
+        std::uint16_t& step = row[x / Side];
+        step = largest ? std::max(step, *brick) : std::min(step, *brick);
+      }
+    }
+  }
+  return blocks;
+}
+
+}

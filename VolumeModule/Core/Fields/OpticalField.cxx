@@ -1,0 +1,308 @@
+#include "Core/Fields/OpticalField.h"
+
+#include "Core/Fields/ChebyshevDistance.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <iterator>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Which intervals of table entries look alike. Both properties hold for every part of an interval
+// that has them, so that one number per first entry says it all: the last entry that still has it.
+struct AlikeIntervals
+{
+  std::vector<int> invisibleUntil;   ///< first - 1 where the entry itself is visible
+  std::vector<int> homogeneousUntil; ///< at least the first itself
+};
+
+// Smallest or largest value of one component over a window of entries whose ends only move
+// forwards: the entries that could still become it, best first.
+template <class Better>
+class SlidingExtreme
+{
+public:
+  explicit SlidingExtreme(int component)
+    : component(component)
+  {
+  }
+
+  void Add(const std::vector<glm::vec4>& entries, int entry)
+  {
+    const float value = entries[entry][this->component];
+    while (!this->candidates.empty() && !Better()(this->candidates.back().second, value))
+    {
+      this->candidates.pop_back();
+    }
+    this->candidates.emplace_back(entry, value);
+  }
+
+  void DropBefore(int entry)
+  {
+    while (!this->candidates.empty() && this->candidates.front().first < entry)
+    {
+      this->candidates.pop_front();
+    }
+  }
+
+  float Value() const { return this->candidates.front().second; }
+
+private:
+  int component;
+  std::deque<std::pair<int, float>> candidates;
+};
+
+struct SlidingRange
+{
+  explicit SlidingRange(int component)
+    : smallest(component)
+    , largest(component)
+  {
+  }
+
+  void Add(const std::vector<glm::vec4>& entries, int entry)
+  {
+    this->smallest.Add(entries, entry);
+    this->largest.Add(entries, entry);
+  }
+
+  void DropBefore(int entry)
+  {
+    this->smallest.DropBefore(entry);
+    this->largest.DropBefore(entry);
+  }
+
+  double Extent() const { return double(this->largest.Value()) - this->smallest.Value(); }
+
+  SlidingExtreme<std::less<float>> smallest;
+  SlidingExtreme<std::greater<float>> largest;
+};
+
+bool IsHomogeneous(const std::vector<SlidingRange>& ranges, const OpticalTolerance& tolerance)
+{
+  const SlidingRange& extinction = ranges[3];
+  const double allowed = std::max(tolerance.relativeExtinction * extinction.smallest.Value(),
+    tolerance.opticalDepth / tolerance.longestRayMm);
+  return extinction.Extent() <= allowed &&
+    std::all_of(ranges.begin(), ranges.begin() + 3,
+      [&](const SlidingRange& color) { return color.Extent() <= tolerance.color; });
+}
+
+std::vector<int> HomogeneousUntil(
+  const std::vector<glm::vec4>& entries, const OpticalTolerance& tolerance)
+{
+  const int count = int(entries.size());
+  std::vector<int> until(count);
+  std::vector<SlidingRange> ranges = { SlidingRange(0), SlidingRange(1), SlidingRange(2),
+    SlidingRange(3) };
+  int next = 0;
+  for (int first = 0; first < count; ++first)
+  {
+    for (SlidingRange& range : ranges)
+    {
+      range.DropBefore(first);
+    }
+    // The window holds first ... next - 1; it grows past the first entry that breaks the rule.
+    while (next < count && (next <= first || IsHomogeneous(ranges, tolerance)))
+    {
+      for (SlidingRange& range : ranges)
+      {
+        range.Add(entries, next);
+      }
+      ++next;
+    }
+    until[first] = IsHomogeneous(ranges, tolerance) ? next - 1 : next - 2;
+  }
+  return until;
+}
+
+std::vector<int> InvisibleUntil(const std::vector<glm::vec4>& entries)
+{
+  std::vector<int> until(entries.size());
+  int last = int(entries.size()) - 1;
+  for (int first = last; first >= 0; --first)
+  {
+    last = entries[first].a > 0.0f ? first - 1 : last;
+    until[first] = last;
+  }
+  return until;
+}
+
+// What a step of ranges means to a brick that begins or ends with it. Found once for each step, for
+// there are a thousand bricks to one.
+struct StepLook
+{
+  int invisibleUntil; ///< last entries of a brick that begins here and looks alike
+  int homogeneousUntil;
+  int lastEntry; ///< that the values of a brick are made of that ends here
+};
+
+class BrickClassifier
+{
+public:
+  BrickClassifier(
+    const BrickRanges& ranges, const OpticalTable& table, const OpticalTolerance& tolerance)
+    : looks(std::size_t(ranges.LastStep()) + 1)
+  {
+    const AlikeIntervals alike{ InvisibleUntil(table.entries),
+      HomogeneousUntil(table.entries, tolerance) };
+    const double lastEntry = double(table.entries.size()) - 1.0;
+    const double extent = table.lastValue - table.firstValue;
+    const double entriesPerValue = extent > 0.0 ? lastEntry / extent : 0.0;
+    const double entryOfFirstStep = (ranges.FirstValue() - table.firstValue) * entriesPerValue;
+    const double entriesPerStep = ranges.ValuePerStep() * entriesPerValue;
+    for (std::size_t step = 0; step < this->looks.size(); ++step)
+    {
+      // A value that lies on an entry needs no other, whatever the last digits of the product say.
+      constexpr double rounding = 1e-6;
+      const double entry = entryOfFirstStep + double(step) * entriesPerStep;
+      const int first = int(std::clamp(std::floor(entry + rounding), 0.0, lastEntry));
+      const int last = int(std::clamp(std::ceil(entry - rounding), 0.0, lastEntry));
+      this->looks[step] = { alike.invisibleUntil[first], alike.homogeneousUntil[first], last };
+    }
+  }
+
+  std::uint8_t ClassOf(BrickRanges::Steps steps) const
+  {
+    if (!steps.IsFinite())
+    {
+      return OpticalField::Structured;
+    }
+    const StepLook& first = this->looks[steps.smallest];
+    const int lastEntry = this->looks[steps.largest].lastEntry;
+    if (lastEntry <= first.invisibleUntil)
+    {
+      return OpticalField::Invisible;
+    }
+    return lastEntry <= first.homogeneousUntil ? OpticalField::Homogeneous
+                                               : OpticalField::Structured;
+  }
+
+private:
+  std::vector<StepLook> looks; ///< of each step
+};
+
+// A brick of several components is what the least alike of them is.
+class ChannelsClassifier
+{
+public:
+  ChannelsClassifier(const std::vector<OpticalChannel>& channels, const OpticalTolerance& tolerance)
+    : channels(channels)
+  {
+    for (const OpticalChannel& channel : channels)
+    {
+      this->classifiers.emplace_back(channel.ranges, channel.table, tolerance);
+    }
+  }
+
+  std::uint8_t ClassOf(std::size_t brick) const
+  {
+    std::uint8_t least = OpticalField::Invisible;
+    for (std::size_t i = 0; i < this->channels.size(); ++i)
+    {
+      least = std::min(least, this->classifiers[i].ClassOf(this->channels[i].ranges[brick]));
+    }
+    return least;
+  }
+
+private:
+  const std::vector<OpticalChannel>& channels;
+  std::vector<BrickClassifier> classifiers;
+};
+
+// Builds a field from the class of each brick, classOf(index).
+template <class ClassOf>
+OpticalField BuildField(glm::ivec3 count, glm::ivec3 towards, ClassOf classOf)
+{
+  OpticalField field;
+  field.brickCount = count;
+  field.bricks.resize(std::size_t(count.x) * count.y * count.z);
+  ChebyshevDistance distance(count, towards);
+
+  // Calls work with the index and the distance of every brick.
+  const auto forEachBrick = [&](auto&& work)
+  {
+    tbb::parallel_for(tbb::blocked_range<int>(0, count.y * count.z, 16),
+      [&](const tbb::blocked_range<int>& rows)
+      {
+        for (int row = rows.begin(); row != rows.end(); ++row)
+        {
+          std::uint8_t* const distances = distance.Row(row % count.y, row / count.y);
+          for (int x = 0; x < count.x; ++x)
+          {
+            work(std::size_t(row) * count.x + x, distances[x]);
+          }
+        }
+      });
+  };
+  forEachBrick(
+    [&](std::size_t brick, std::uint8_t& brickDistance)
+    {
+      field.bricks[brick] = classOf(brick);
+      const bool invisible = field.bricks[brick] == OpticalField::Invisible;
+      brickDistance = invisible ? ChebyshevDistance::Farthest : 0;
+    });
+  distance.Measure();
+  forEachBrick([&](std::size_t brick, std::uint8_t brickDistance)
+    { field.bricks[brick] += std::max(int(brickDistance) - 1, 0); });
+  return field;
+}
+
+}
+
+OpticalField BuildOpticalField(const std::vector<OpticalChannel>& channels,
+  const OpticalTolerance& tolerance, glm::ivec3 towards)
+{
+  const ChannelsClassifier classifier(channels, tolerance);
+  return BuildField(channels.front().ranges.BrickCount(), towards,
+    [&](std::size_t brick) { return classifier.ClassOf(brick); });
+}
+
+OpticalField BuildIsosurfaceField(
+  const BrickRanges& ranges, const std::vector<double>& isovalues, glm::ivec3 towards)
+{
+  const auto valueOf = [&](double step)
+  { return ranges.FirstValue() + step * ranges.ValuePerStep(); };
+  return BuildField(ranges.BrickCount(), towards,
+    [&](std::size_t brick)
+    {
+      // Half a step more on either side, for what rounding leaves.
+      const BrickRanges::Steps steps = ranges[brick];
+      const double lower = valueOf(steps.smallest - 0.5);
+      const double upper = valueOf(steps.largest + 0.5);
+      const bool isPassed = std::any_of(isovalues.begin(), isovalues.end(),
+        [&](double isovalue) { return lower <= isovalue && isovalue <= upper; });
+      return isPassed || !steps.IsFinite() ? OpticalField::Structured : OpticalField::Invisible;
+    });
+}
+
+double OpticalField::SkippablePart(const Box& boxGrid) const
+{
+  constexpr double Side = BrickRanges::CellsPerSide;
+  const glm::ivec3 first = glm::max(glm::ivec3(glm::floor(boxGrid.lower / Side)), 0);
+  const glm::ivec3 behind = glm::min(glm::ivec3(glm::ceil(boxGrid.upper / Side)), this->brickCount);
+  std::ptrdiff_t structured = 0;
+  std::ptrdiff_t all = 0;
+  for (int z = first.z; z < behind.z; ++z)
+  {
+    for (int y = first.y; y < behind.y; ++y)
+    {
+      const auto row =
+        this->bricks.begin() + (std::ptrdiff_t(z) * this->brickCount.y + y) * this->brickCount.x;
+      structured += std::count(row + first.x, row + behind.x, Structured);
+      all += behind.x - first.x;
+    }
+  }
+  return all > 0 ? 1.0 - double(structured) / double(all) : 1.0;
+}
+
+}

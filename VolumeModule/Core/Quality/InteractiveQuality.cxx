@@ -1,0 +1,102 @@
+#include "Core/Quality/InteractiveQuality.h"
+
+#include <array>
+
+namespace varimarch
+{
+
+namespace
+{
+
+struct QualityLevel
+{
+  PictureQuality quality;
+  double cost; ///< of a picture; of the finest 1
+};
+
+// A larger tolerance costs less to the eye than fewer rays do, so it comes first. Costs are those
+// of rays; what the tolerance gains, measured on heads, is about a fourth for each doubling.
+const std::array<QualityLevel, 9> levels = { { { { 1.0, 1.0 }, 1.0 }, { { 1.0, 2.0 }, 0.75 },
+  { { 1.41, 2.0 }, 0.38 }, { { 2.0, 2.0 }, 0.19 }, { { 2.0, 4.0 }, 0.14 }, { { 2.83, 4.0 }, 0.07 },
+  { { 4.0, 4.0 }, 0.035 }, { { 5.66, 4.0 }, 0.0175 }, { { 8.0, 4.0 }, 0.009 } } };
+
+// Parts of the allocated time: what a picture is meant to take, and what a finer one may.
+constexpr double Aim = 0.9;
+constexpr double Spare = 0.7;
+constexpr int PicturesBeforeFiner = 3;
+
+// Cast in a tenth of a second on two cores without a graphics card.
+constexpr double RaysBeforeTimesAreKnown = 1 << 16;
+
+int LevelForPixels(double pixels)
+{
+  int level = 0;
+  const auto raysOf = [pixels](const QualityLevel& of)
+  { return pixels / (of.quality.imageSampleDistance * of.quality.imageSampleDistance); };
+  while (
+    level < InteractiveQuality::CoarsestLevel() && raysOf(levels[level]) > RaysBeforeTimesAreKnown)
+  {
+    ++level;
+  }
+  return level;
+}
+
+}
+
+int InteractiveQuality::CoarsestLevel()
+{
+  return int(levels.size()) - 1;
+}
+
+double InteractiveQuality::ExpectedSeconds(int other) const
+{
+  return this->seconds * levels[other].cost / levels[this->level].cost;
+}
+
+int InteractiveQuality::LevelInTime(int finest, double allocatedSeconds) const
+{
+  int inTime = finest;
+  while (inTime < CoarsestLevel() && this->ExpectedSeconds(inTime) > Aim * allocatedSeconds)
+  {
+    ++inTime;
+  }
+  return inTime;
+}
+
+PictureQuality InteractiveQuality::Next(double allocatedSeconds, double pixels)
+{
+  if (this->levelIsGuessed && this->seconds == 0.0)
+  {
+    this->level = LevelForPixels(pixels);
+  }
+  else if (this->levelIsGuessed || this->seconds > allocatedSeconds)
+  {
+    this->level = this->LevelInTime(this->levelIsGuessed ? 0 : this->level, allocatedSeconds);
+    this->levelIsGuessed = false;
+    this->picturesWithTimeToSpare = 0;
+    this->seconds = 0.0;
+  }
+  else if (this->level > 0 && this->seconds > 0.0 &&
+    this->ExpectedSeconds(this->level - 1) < Spare * allocatedSeconds)
+  {
+    ++this->picturesWithTimeToSpare;
+  }
+  else
+  {
+    this->picturesWithTimeToSpare = 0;
+  }
+  if (this->picturesWithTimeToSpare >= PicturesBeforeFiner)
+  {
+    --this->level;
+    this->picturesWithTimeToSpare = 0;
+    this->seconds = 0.0;
+  }
+  return levels[this->level].quality;
+}
+
+void InteractiveQuality::Took(double seconds)
+{
+  this->seconds = seconds;
+}
+
+}

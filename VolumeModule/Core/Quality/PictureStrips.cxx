@@ -1,0 +1,50 @@
+#include "Core/Quality/PictureStrips.h"
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// What a picture is divided into while nothing is known of its time.
+constexpr int FirstStrips = 16;
+
+// A strip may be all background, and the next one all bone.
+constexpr double MostChange = 4.0;
+
+constexpr int FewestRows = 4;
+
+}
+
+PictureStrips::Rows PictureStrips::Next(int pictureRows, double longestSeconds) const
+{
+  const int left = pictureRows - this->done;
+  if (longestSeconds <= 0.0)
+  {
+    return { this->done, left };
+  }
+  const int wanted = this->rows > 0 ? this->rows : pictureRows / FirstStrips;
+  return { this->done, std::clamp(wanted, std::min(FewestRows, left), left) };
+}
+
+void PictureStrips::Took(const Rows& strip, double seconds, double longestSeconds)
+{
+  this->done = strip.begin + strip.count;
+  if (longestSeconds > 0.0)
+  {
+    // The rest of a picture may be a few rows, which tell less than the strips before.
+    const double before = this->rows > 0 ? this->rows : strip.count;
+    const double inTime = strip.count * longestSeconds / std::max(seconds, 1e-6);
+    const double most = std::max(MostChange * strip.count, before);
+    this->rows = std::max(int(std::clamp(inTime, before / MostChange, most)), FewestRows);
+  }
+}
+
+bool PictureStrips::IsDivided(int pictureRows) const
+{
+  return this->rows < pictureRows;
+}
+
+}

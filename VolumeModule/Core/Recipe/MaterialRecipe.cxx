@@ -1,0 +1,101 @@
+#include "Core/Recipe/MaterialRecipe.h"
+
+#include "Core/Recipe/ShaderRecipe.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+std::string CountFile(int count)
+{
+  const char* const names[] = { "One", "Two", "Three", "Four" };
+  return std::string("Count/") + names[count - 1] + ".glsl";
+}
+
+std::string ComponentsFile(Components components)
+{
+  switch (components)
+  {
+    case Components::LuminanceOpacity:
+      return "Components/LuminanceOpacity.glsl";
+    case Components::Rgba:
+      return "Components/Rgba.glsl";
+    default:
+      return "Components/Independent.glsl";
+  }
+}
+
+}
+
+std::string ShadeFile(const RenderSettings& settings)
+{
+  if (!settings.shading)
+  {
+    return "Shade/None.glsl";
+  }
+  return settings.lights ? "Shade/Lights.glsl" : "Shade/HeadLight.glsl";
+}
+
+std::string GradientFile(const RenderSettings& settings)
+{
+  if (settings.clippedGradients)
+  {
+    return "Gradient/ClippedDifferences.glsl";
+  }
+  return settings.cubic ? "Gradient/OfSpline.glsl" : "Gradient/CentralDifferences.glsl";
+}
+
+std::vector<std::string> ClassifyParts(const RenderSettings& settings)
+{
+  if (settings.functionOf != FunctionOf::Value)
+  {
+    return { "Classify/TwoValueTable.glsl" };
+  }
+  if (settings.mask == Mask::Labels)
+  {
+    return { "Classify/LabelTables.glsl" };
+  }
+  if (settings.components == Components::One)
+  {
+    return { UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl"
+                                          : "Classify/OpticalTable.glsl" };
+  }
+  return { "Classify/ComponentTables.glsl", CountFile(PartCount(settings)),
+    ComponentsFile(settings.components) };
+}
+
+std::vector<std::string> MaterialParts(const RenderSettings& settings)
+{
+  if (settings.functionOf == FunctionOf::TwoValues)
+  {
+    return { settings.shading ? GradientFile(settings) : "Gradient/None.glsl", ShadeFile(settings),
+      "Values/Two.glsl", "Material/TwoValues.glsl" };
+  }
+  if (settings.functionOf == FunctionOf::ValueAndGradient)
+  {
+    return { GradientFile(settings), ShadeFile(settings), "Values/One.glsl",
+      "Material/ValueAndGradient.glsl" };
+  }
+  if (settings.mask == Mask::Labels)
+  {
+    return { UsesGradients(settings) ? GradientFile(settings) : "Gradient/None.glsl",
+      ShadeFile(settings),
+      settings.gradientOpacity ? "GradientOpacity/LabelTables.glsl" : "GradientOpacity/None.glsl",
+      "Values/One.glsl", "Material/Labelled.glsl" };
+  }
+  const std::string opacity =
+    settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl";
+  if (settings.components == Components::One)
+  {
+    return { UsesGradients(settings) ? GradientFile(settings) : "Gradient/None.glsl",
+      ShadeFile(settings), opacity, "Values/One.glsl", "Material/OneComponent.glsl" };
+  }
+  const std::string gradients =
+    settings.cubic ? "Gradient/OfSplines.glsl" : "Gradient/CentralDifferencesOfAll.glsl";
+  return { UsesGradients(settings) ? gradients : "Gradient/NoneOfAll.glsl", ShadeFile(settings),
+    opacity, "Values/All.glsl", "Material/Components.glsl" };
+}
+
+}

@@ -1,0 +1,161 @@
+#include "Core/Recipe/PassRecipe.h"
+
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+std::string ComponentBlendFile(Blend blend)
+{
+  switch (blend)
+  {
+    case Blend::MaximumIntensity:
+    case Blend::MinimumIntensity:
+      return "Blend/ComponentExtreme.glsl";
+    case Blend::AverageIntensity:
+      return "Blend/ComponentAverage.glsl";
+    default:
+      return "Blend/ComponentAdditive.glsl";
+  }
+}
+
+}
+
+std::string BlendFile(const RenderSettings& settings)
+{
+  const Blend blend = settings.blend;
+  if (settings.components != Components::One && IsProjection(blend))
+  {
+    return ComponentBlendFile(blend);
+  }
+  switch (blend)
+  {
+    case Blend::Composite:
+      return "Blend/Composite.glsl";
+    case Blend::MaximumIntensity:
+      return "Blend/MaximumIntensity.glsl";
+    case Blend::MinimumIntensity:
+      return "Blend/MinimumIntensity.glsl";
+    case Blend::AverageIntensity:
+      return "Blend/AverageIntensity.glsl";
+    case Blend::Additive:
+      return "Blend/Additive.glsl";
+    case Blend::Isosurface:
+    case Blend::Slice:
+      return "Blend/Composite.glsl"; // of surfaces, each of an optical depth
+  }
+  throw std::invalid_argument("Shader: unknown blend mode");
+}
+
+std::string ResumeFile(RayPass pass)
+{
+  switch (pass)
+  {
+    case RayPass::Block:
+      return "Resume/Block.glsl";
+    case RayPass::Picture:
+      return "Resume/Picture.glsl";
+    case RayPass::Upscaled:
+      return "Resume/Upscaled.glsl";
+    case RayPass::Averaged:
+      return "Resume/Averaged.glsl";
+    case RayPass::PeelOutside:
+    case RayPass::PeelBetween:
+    case RayPass::PeelLast:
+      return "Resume/Peel.glsl";
+    case RayPass::PickProp:
+      return "Resume/PickProp.glsl";
+    case RayPass::PickVoxel:
+      return "Resume/PickVoxel.glsl";
+    case RayPass::PictureAndDepth:
+      return "Resume/PictureAndDepth.glsl";
+    case RayPass::Accumulated: // has a shader of its own
+    case RayPass::Whole:
+      break;
+  }
+  return "Resume/Whole.glsl";
+}
+
+std::string MarchedFile(RayPass pass)
+{
+  switch (pass)
+  {
+    case RayPass::PickProp:
+      return "Marched/PickProp.frag.glsl";
+    case RayPass::PickVoxel:
+      return "Marched/PickVoxel.frag.glsl";
+    case RayPass::PictureAndDepth:
+      return "Marched/PictureAndDepth.frag.glsl";
+    default:
+      return Peels(pass) ? "Marched/Layers.frag.glsl" : "Marched/Whole.frag.glsl";
+  }
+}
+
+std::string PlaceFile(RayPass pass)
+{
+  return pass == RayPass::PickVoxel ? "Place/VoxelNumber.glsl" : "Place/Depth.glsl";
+}
+
+std::string PeelFile(RayPass pass)
+{
+  switch (pass)
+  {
+    case RayPass::PeelOutside:
+      return "Peel/Outside.glsl";
+    case RayPass::PeelBetween:
+      return "Peel/Between.glsl";
+    default:
+      return "Peel/Last.glsl";
+  }
+}
+
+std::string WindowFile(const RenderSettings& settings)
+{
+  return settings.windowLevel ? "Window/WindowLevel.glsl" : "Window/None.glsl";
+}
+
+std::vector<std::string> PassParts(const RenderSettings& settings)
+{
+  std::vector<std::string> parts;
+  if (settings.pass == RayPass::Whole || settings.pass == RayPass::PictureAndDepth ||
+    Peels(settings.pass))
+  {
+    parts.push_back(WindowFile(settings));
+  }
+  if (Peels(settings.pass))
+  {
+    parts.push_back(PeelFile(settings.pass));
+  }
+  if (Locates(settings.pass))
+  {
+    parts.insert(parts.end(), { "Locate/Opacity.glsl", PlaceFile(settings.pass) });
+  }
+  parts.push_back(ResumeFile(settings.pass));
+  return parts;
+}
+
+// No march here: what the processor's march begins with, and what becomes of it.
+std::vector<std::string> PacketParts(const RenderSettings& settings)
+{
+  const RayPass pass = settings.pass;
+  if (settings.marching == Marching::After)
+  {
+    return { PeelFile(pass), "Marched/LayerDepths.frag.glsl" };
+  }
+  std::vector<std::string> parts = { "Slots.glsl", WindowFile(settings), "Pixels/Marched.glsl" };
+  if (Peels(pass))
+  {
+    parts.push_back(PeelFile(pass));
+  }
+  if (Locates(pass))
+  {
+    parts.push_back(PlaceFile(pass));
+  }
+  parts.push_back(MarchedFile(pass));
+  return parts;
+}
+
+}

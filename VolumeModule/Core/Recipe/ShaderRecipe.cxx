@@ -1,0 +1,392 @@
+#include "Core/Recipe/ShaderRecipe.h"
+
+#include "Core/Recipe/MaterialRecipe.h"
+#include "Core/Recipe/PassRecipe.h"
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+std::string DepthFile(const RenderSettings& settings)
+{
+  return settings.sceneGeometry ? "Depth/SceneGeometry.glsl" : "Depth/None.glsl";
+}
+
+std::string ClipFile(const RenderSettings& settings)
+{
+  return settings.clipping ? "Clip/Planes.glsl" : "Clip/None.glsl";
+}
+
+std::string JitterFile(const RenderSettings& settings)
+{
+  return settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl";
+}
+
+std::string SpacingFile(const RenderSettings& settings)
+{
+  return settings.uneven ? "Spacing/Uneven.glsl" : "Spacing/Even.glsl";
+}
+
+std::string ProbeFile(const RenderSettings& settings)
+{
+  return settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl";
+}
+
+std::string StepFile(const RenderSettings& settings)
+{
+  switch (settings.acceleration)
+  {
+    case Acceleration::ScalarField:
+      return "Step/VariationField.glsl";
+    case Acceleration::OpticalField:
+      if (IsExtreme(settings.blend))
+      {
+        return "Step/BrickExtremes.glsl";
+      }
+      return settings.skipsBricks ? "Step/OpticalField.glsl" : "Step/Growing.glsl";
+    case Acceleration::Off:
+      break;
+  }
+  return "Step/Fixed.glsl";
+}
+
+std::string MarchFile(const RenderSettings& settings)
+{
+  if (settings.blend == Blend::Isosurface)
+  {
+    return settings.nearest ? "March/VoxelSurfaces.glsl" : "March/Isosurfaces.glsl";
+  }
+  if (settings.blend == Blend::Slice)
+  {
+    return "March/Slice.glsl";
+  }
+  if (IsProjection(settings.blend) && settings.components != Components::One)
+  {
+    return "March/Projection.glsl";
+  }
+  if (settings.nearest && !settings.uneven)
+  {
+    return MarchesMaterial(settings) ? "March/MaterialVoxels.glsl" : "March/Voxels.glsl";
+  }
+  if (settings.blend != Blend::Composite)
+  {
+    return IsSampled(settings) ? "March/Projection.glsl" : "March/Extreme.glsl";
+  }
+  if (MarchesMaterial(settings))
+  {
+    return settings.integration == Integration::Midpoint ? "March/MaterialMidpoint.glsl"
+                                                         : "March/MaterialSegments.glsl";
+  }
+  switch (settings.integration)
+  {
+    case Integration::PreIntegrated:
+      return "March/PreIntegrated.glsl";
+    case Integration::Simpson:
+      return "March/Simpson.glsl";
+    case Integration::PublishedSum:
+      return "March/PublishedSum.glsl";
+    case Integration::Midpoint:
+      break;
+  }
+  return "March/Midpoint.glsl";
+}
+
+std::vector<std::string> MaskParts(Mask mask)
+{
+  switch (mask)
+  {
+    case Mask::Binary:
+      return { "Region/Named.glsl", "Mask/Voxels.glsl" };
+    case Mask::Labels:
+      return { "Region/Labels.glsl", "Mask/Voxels.glsl" };
+    case Mask::None:
+      break;
+  }
+  return { "Mask/None.glsl" };
+}
+
+// No march: only where the rays are that have a pixel, and what it becomes.
+std::vector<std::string> PictureParts(const RenderSettings& settings)
+{
+  std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl",
+    "Math/Absorption.glsl", DepthFile(settings), ClipFile(settings) };
+  if (IsProjection(settings.blend))
+  {
+    const std::vector<std::string> classify = ClassifyParts(settings);
+    parts.insert(parts.end(), classify.begin(), classify.end());
+  }
+  parts.insert(parts.end(),
+    { BlendFile(settings), WindowFile(settings), ResumeFile(settings.pass), "RayMarch.frag.glsl" });
+  return parts;
+}
+
+// Nor here: pixels of a picture of other rays, whose colours it has.
+std::vector<std::string> ResampledParts(const RenderSettings& settings)
+{
+  if (settings.pass == RayPass::Accumulated)
+  {
+    return { "Mean.frag.glsl" };
+  }
+  std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl",
+    DepthFile(settings), ClipFile(settings) };
+  if (settings.pass == RayPass::Upscaled)
+  {
+    parts.push_back(settings.sceneGeometry ? "Edges/SceneGeometry.glsl" : "Edges/None.glsl");
+  }
+  parts.insert(parts.end(), { ResumeFile(settings.pass), "RayMarch.frag.glsl" });
+  return parts;
+}
+
+// How a scalar gets its look, and what its look depends on.
+std::vector<std::string> LookParts(const RenderSettings& settings)
+{
+  std::vector<std::string> parts;
+  if (settings.blend == Blend::Isosurface)
+  {
+    parts = { GradientFile(settings), ShadeFile(settings) };
+  }
+  else
+  {
+    parts = ClassifyParts(settings);
+  }
+  if (MarchesMaterial(settings))
+  {
+    const std::vector<std::string> material = MaterialParts(settings);
+    parts.insert(parts.end(), material.begin(), material.end());
+  }
+  if (settings.shading && (settings.blend == Blend::Isosurface || MarchesMaterial(settings)))
+  {
+    parts.push_back(settings.damping ? "Damping/Homogeneous.glsl" : "Damping/None.glsl");
+  }
+  return parts;
+}
+
+// The march and what it calls.
+std::vector<std::string> MarchParts(const RenderSettings& settings)
+{
+  const std::string march = MarchFile(settings);
+  std::vector<std::string> parts;
+  if (settings.blend == Blend::Isosurface)
+  {
+    parts.push_back("Surface/Isosurfaces.glsl");
+  }
+  if (march == "March/Voxels.glsl")
+  {
+    parts.push_back(
+      settings.blend == Blend::Composite ? "Voxel/Homogeneous.glsl" : "Voxel/Projected.glsl");
+  }
+  if (march == "March/Projection.glsl")
+  {
+    parts.push_back(
+      settings.components == Components::One ? "Sample/Scalar.glsl" : "Sample/Texel.glsl");
+  }
+  if (march == "March/Midpoint.glsl" || march == "March/PreIntegrated.glsl")
+  {
+    parts.push_back("Fetch/FourScalars.glsl");
+  }
+  parts.push_back(march);
+  return parts;
+}
+
+// Whether rays walk through bricks, voxels, or cells.
+bool Walks(const RenderSettings& settings)
+{
+  return StepFile(settings) == "Step/OpticalField.glsl" ||
+    StepFile(settings) == "Step/BrickExtremes.glsl" || settings.gaps ||
+    settings.mask != Mask::None || (!IsSampled(settings) && settings.blend != Blend::Slice);
+}
+
+// Whether what a transfer function says of the opacity is multiplied by something else.
+bool ComputesOpacity(const RenderSettings& settings)
+{
+  return MarchesMaterial(settings) &&
+    (settings.gradientOpacity || settings.functionOf != FunctionOf::Value ||
+      settings.mask == Mask::Labels);
+}
+
+// What every march begins with: where voxels are, and what lies between them.
+std::vector<std::string> VoxelParts(const RenderSettings& settings)
+{
+  return { SpacingFile(settings),
+    settings.cubic ? "Interpolation/CubicSpline.glsl" : "Interpolation/Linear.glsl" };
+}
+
+// How long the next step is.
+std::vector<std::string> StepParts(const RenderSettings& settings)
+{
+  if (settings.acceleration == Acceleration::OpticalField && !IsExtreme(settings.blend))
+  {
+    return { "Math/StepGrowth.glsl", JitterFile(settings), StepFile(settings) };
+  }
+  return { JitterFile(settings), StepFile(settings) };
+}
+
+}
+
+bool UsesPreIntegration(const RenderSettings& settings)
+{
+  return settings.integration == Integration::PreIntegrated && settings.blend == Blend::Composite &&
+    IsSampled(settings) && !MarchesMaterial(settings);
+}
+
+bool MarchesMaterial(const RenderSettings& settings)
+{
+  const bool isComposite = settings.blend == Blend::Composite;
+  return settings.blend == Blend::Slice || settings.overlaps ||
+    (isComposite &&
+      (settings.shading || settings.gradientOpacity || settings.components != Components::One ||
+        settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels));
+}
+
+int PartCount(const RenderSettings& settings)
+{
+  return settings.components == Components::Independent ? settings.componentCount : 1;
+}
+
+bool UsesGradients(const RenderSettings& settings)
+{
+  return (settings.blend == Blend::Composite || settings.blend == Blend::Slice) &&
+    (settings.shading || settings.gradientOpacity);
+}
+
+bool FillsGaps(const RenderSettings& settings)
+{
+  return settings.gaps && settings.fillGaps && settings.blend == Blend::Composite;
+}
+
+// Which parts of a ray are marched, and what becomes of its result.
+static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
+{
+  std::vector<std::string> parts;
+  if (settings.gaps)
+  {
+    parts.push_back(FillsGaps(settings) ? "Fill/Color.glsl" : "Fill/None.glsl");
+  }
+  parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
+  const std::vector<std::string> mask = MaskParts(settings.mask);
+  parts.insert(parts.end(), mask.begin(), mask.end());
+  parts.push_back(settings.cropping ? "Crop/Regions.glsl" : "Crop/None.glsl");
+  parts.push_back(ProbeFile(settings));
+  const std::vector<std::string> pass = PassParts(settings);
+  parts.insert(parts.end(), pass.begin(), pass.end());
+  parts.push_back("RayMarch.frag.glsl");
+  return parts;
+}
+
+// The files of one of several volumes that overlap; see Shaders/VolumeSlots.glsl.
+static std::vector<std::string> PartsOfOne(const RenderSettings& settings)
+{
+  std::vector<std::string> parts = { "VolumeSlots.glsl" };
+  const auto add = [&](const std::vector<std::string>& more)
+  { parts.insert(parts.end(), more.begin(), more.end()); };
+  add(VoxelParts(settings));
+  add({ ProbeFile(settings), "Gaps/None.glsl" });
+  add(LookParts(settings));
+  add({ StepFile(settings), settings.nearest ? "Reading/Voxels.glsl" : "Reading/Cells.glsl",
+    "Volumes/Next.glsl" });
+  return parts;
+}
+
+static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
+{
+  const auto any = [&](bool (*has)(const RenderSettings&))
+  { return has(settings) || std::any_of(settings.others.begin(), settings.others.end(), has); };
+  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl" };
+  const auto add = [&](const std::vector<std::string>& more)
+  { parts.insert(parts.end(), more.begin(), more.end()); };
+  if (any(Walks))
+  {
+    add({ "Math/LatticeWalk.glsl" });
+  }
+  if (any([](const RenderSettings& one) { return one.cubic; }))
+  {
+    add({ "Math/CubicSpline.glsl" });
+  }
+  add({ "Math/Absorption.glsl", "Math/StepGrowth.glsl" });
+  if (any(ComputesOpacity))
+  {
+    add({ "Math/WithOpacityFactor.glsl" });
+  }
+  add({ DepthFile(settings), ClipFile(settings), JitterFile(settings), BlendFile(settings),
+    "Volumes/None.glsl" });
+  for (const RenderSettings& other : settings.others)
+  {
+    add(PartsOfOne(other));
+  }
+  add(PartsOfOne(settings));
+  add({ "March/Several.glsl", "Mask/None.glsl", "Crop/None.glsl" });
+  add(PassParts(settings));
+  add({ "RayMarch.frag.glsl" });
+  return parts;
+}
+
+// The formulas that a march calls.
+static std::vector<std::string> MathParts(const RenderSettings& settings)
+{
+  std::vector<std::string> parts;
+  if (Walks(settings))
+  {
+    parts.push_back("Math/LatticeWalk.glsl");
+  }
+  parts.push_back("Math/Absorption.glsl");
+  if (ComputesOpacity(settings))
+  {
+    parts.push_back("Math/WithOpacityFactor.glsl");
+  }
+  const std::string march = MarchFile(settings);
+  if (march == "March/Isosurfaces.glsl" || march == "March/Extreme.glsl")
+  {
+    parts.push_back("Math/CellCubic.glsl");
+  }
+  return parts;
+}
+
+std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
+{
+  if (settings.pass == RayPass::Picture)
+  {
+    return PictureParts(settings);
+  }
+  if (settings.marching != Marching::Within)
+  {
+    return PacketParts(settings);
+  }
+  if (!Marches(settings))
+  {
+    return ResampledParts(settings);
+  }
+  if (!settings.others.empty())
+  {
+    return PartsOfSeveral(settings);
+  }
+  std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl" };
+  const auto add = [&](const std::vector<std::string>& more)
+  { parts.insert(parts.end(), more.begin(), more.end()); };
+  if (settings.cubic)
+  {
+    add({ "Math/CubicSpline.glsl" });
+  }
+  add(VoxelParts(settings));
+  add(MathParts(settings));
+  add({ DepthFile(settings), ClipFile(settings) });
+  if (settings.blend != Blend::Slice || Locates(settings.pass))
+  {
+    add(StepParts(settings));
+  }
+  add(LookParts(settings));
+  parts.push_back(BlendFile(settings));
+  add(MarchParts(settings));
+  add(PartsAroundMarch(settings));
+  return parts;
+}
+
+std::string VertexShaderPart()
+{
+  return "RayMarch.vert.glsl";
+}
+
+}

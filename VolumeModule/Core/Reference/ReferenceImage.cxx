@@ -1,0 +1,117 @@
+#include "Core/Reference/ReferenceImage.h"
+
+#include <glm/geometric.hpp>
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+
+namespace varimarch
+{
+
+namespace
+{
+
+ReferenceColor PixelColor(
+  const ReferenceIntegrator& integrator, const ReferenceView& view, int column, int row)
+{
+  const Ray ray =
+    view.rays.At(2.0 * (column + 0.5) / view.width - 1.0, 2.0 * (row + 0.5) / view.height - 1.0);
+  const double mmPerParameter = glm::length(view.worldFromGridDirection * ray.direction);
+  return integrator.Color(ray, mmPerParameter, view.rays.BetweenPlanes(ray));
+}
+
+using Tile = tbb::blocked_range2d<int>;
+
+/// What the threads share.
+class Drawing
+{
+public:
+  Drawing(const ReferenceIntegrator& integrator, const ReferenceView& view,
+    const ProgressFunction& progress)
+    : integrator(integrator)
+    , view(view)
+    , progress(progress)
+    , image{ view.width, view.height, std::vector<float>(4 * std::size_t(view.width) * view.height),
+      0.0 }
+  {
+  }
+
+  void Draw(const Tile& tile);
+  std::optional<ReferenceImage> Result();
+
+private:
+  void Report(std::size_t pixels, double largestError);
+
+  const ReferenceIntegrator& integrator;
+  const ReferenceView& view;
+  const ProgressFunction& progress;
+  ReferenceImage image;
+  std::atomic<bool> givenUp = false;
+  std::mutex reporting;
+  std::size_t pixelsDone = 0;
+};
+
+void Drawing::Draw(const Tile& tile)
+{
+  if (this->givenUp)
+  {
+    return;
+  }
+  double largestError = 0.0;
+  for (int row = tile.rows().begin(); row < tile.rows().end(); ++row)
+  {
+    for (int column = tile.cols().begin(); column < tile.cols().end(); ++column)
+    {
+      const ReferenceColor color = PixelColor(this->integrator, this->view, column, row);
+      float* rgba = this->image.rgba.data() + 4 * (std::size_t(row) * this->view.width + column);
+      for (int channel = 0; channel < 4; ++channel)
+      {
+        rgba[channel] = float(color.rgba[channel]);
+      }
+      largestError = std::max(largestError, color.error);
+    }
+  }
+  this->Report(tile.rows().size() * tile.cols().size(), largestError);
+}
+
+void Drawing::Report(std::size_t pixels, double largestError)
+{
+  const std::lock_guard<std::mutex> lock(this->reporting);
+  this->pixelsDone += pixels;
+  this->image.largestError = std::max(this->image.largestError, largestError);
+  const double part = double(this->pixelsDone) / (double(this->view.width) * this->view.height);
+  if (this->progress && !this->givenUp && !this->progress(part))
+  {
+    this->givenUp = true;
+  }
+}
+
+std::optional<ReferenceImage> Drawing::Result()
+{
+  return this->givenUp ? std::nullopt : std::optional(std::move(this->image));
+}
+
+}
+
+std::optional<ReferenceImage> DrawReference(const ReferenceIntegrator& integrator,
+  const ReferenceView& view, const ProgressFunction& progress)
+{
+  if (view.width < 1 || view.height < 1)
+  {
+    throw std::invalid_argument("Reference image: width and height must be at least 1, found " +
+      std::to_string(view.width) + " x " + std::to_string(view.height));
+  }
+  constexpr int tileSize = 16;
+  Drawing drawing(integrator, view, progress);
+  tbb::parallel_for(Tile(0, view.height, tileSize, 0, view.width, tileSize),
+    [&](const Tile& tile) { drawing.Draw(tile); });
+  return drawing.Result();
+}
+
+}

@@ -1,0 +1,147 @@
+#include "Frame/Cuts.h"
+
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkVolumeMapper.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int SubVolume = 0x2000; // the region in the middle
+constexpr int AllRegions = 0x7ffffff;
+
+// A plane of another space in the grid's, scaled so that floats can hold it.
+glm::dvec4 PlaneInGrid(glm::dvec4 plane, const glm::dmat4& spaceFromGrid)
+{
+  const glm::dvec4 planeGrid = plane * spaceFromGrid;
+  const double size = glm::length(glm::dvec3(planeGrid));
+  return size > 0.0 ? planeGrid / size : planeGrid;
+}
+
+// The axis that a plane is perpendicular to; none where it is oblique.
+std::optional<int> AxisOf(const glm::dvec4& plane)
+{
+  constexpr double rounding = 1e-12; // of the products that made the plane, whose length is 1
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (std::abs(std::abs(plane[axis]) - 1.0) < rounding &&
+      std::abs(plane[(axis + 1) % 3]) < rounding && std::abs(plane[(axis + 2) % 3]) < rounding)
+    {
+      return axis;
+    }
+  }
+  return std::nullopt;
+}
+
+void Cut(Cuts& cuts, const glm::dvec4& planeGrid)
+{
+  const std::optional<int> axis = AxisOf(planeGrid);
+  if (!axis)
+  {
+    cuts.planesGrid.push_back(planeGrid);
+    return;
+  }
+  const double place = -planeGrid.w / planeGrid[*axis];
+  double& lower = cuts.boxGrid.lower[*axis];
+  double& upper = cuts.boxGrid.upper[*axis];
+  lower = planeGrid[*axis] > 0.0 ? std::max(lower, place) : lower;
+  upper = planeGrid[*axis] < 0.0 ? std::min(upper, place) : upper;
+}
+
+std::vector<glm::dvec4> PlanesInGrid(vtkPlaneCollection* planes, const glm::dmat4& worldFromGrid)
+{
+  std::vector<glm::dvec4> planesGrid;
+  vtkCollectionSimpleIterator iterator;
+  planes->InitTraversal(iterator);
+  while (vtkPlane* plane = planes->GetNextPlane(iterator))
+  {
+    const double* normal = plane->GetNormal();
+    const double* origin = plane->GetOrigin();
+    const glm::dvec3 normalWorld(normal[0], normal[1], normal[2]);
+    const double offset = -glm::dot(normalWorld, { origin[0], origin[1], origin[2] });
+    planesGrid.push_back(PlaneInGrid({ normalWorld, offset }, worldFromGrid));
+  }
+  return planesGrid;
+}
+
+void Crop(Cuts& cuts, vtkVolumeMapper* mapper, const glm::dmat4& dataFromGrid)
+{
+  const double* places = mapper->GetCroppingRegionPlanes();
+  CroppingRegions regions{ {}, mapper->GetCroppingRegionFlags() & AllRegions };
+  bool isEmpty = regions.drawn == 0;
+  for (int plane = 0; plane < 6; ++plane)
+  {
+    glm::dvec4 planeData(0.0, 0.0, 0.0, -places[plane]);
+    planeData[plane / 2] = 1.0;
+    regions.planesGrid[plane] = PlaneInGrid(planeData, dataFromGrid);
+    isEmpty = isEmpty || !(places[plane / 2 * 2] < places[plane / 2 * 2 + 1]);
+  }
+  if (isEmpty)
+  {
+    cuts.boxGrid.upper = cuts.boxGrid.lower;
+  }
+  else if (regions.drawn == SubVolume)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Cut(cuts, regions.planesGrid[2 * axis]);
+      Cut(cuts, -regions.planesGrid[2 * axis + 1]);
+    }
+  }
+  else if (regions.drawn != AllRegions)
+  {
+    cuts.regions = regions;
+  }
+}
+
+}
+
+std::vector<double> Cuts::Numbers() const
+{
+  std::vector<double> numbers;
+  const auto add = [&](const auto& vector)
+  {
+    for (int i = 0; i < vector.length(); ++i)
+    {
+      numbers.push_back(vector[i]);
+    }
+  };
+  add(this->boxGrid.lower);
+  add(this->boxGrid.upper);
+  std::for_each(this->planesGrid.begin(), this->planesGrid.end(), add);
+  if (this->regions)
+  {
+    std::for_each(this->regions->planesGrid.begin(), this->regions->planesGrid.end(), add);
+    numbers.push_back(this->regions->drawn);
+  }
+  return numbers;
+}
+
+Cuts CutsOf(vtkVolumeMapper* mapper, const VolumeGeometry& geometry, bool keepPlanes)
+{
+  Cuts cuts{ geometry.boxGrid, {}, {} };
+  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  {
+    for (const glm::dvec4& plane : PlanesInGrid(planes, geometry.worldFromGrid))
+    {
+      keepPlanes ? cuts.planesGrid.push_back(plane) : Cut(cuts, plane);
+    }
+  }
+  if (mapper->GetCropping())
+  {
+    Crop(cuts, mapper, geometry.dataFromGrid);
+  }
+  return cuts;
+}
+
+}

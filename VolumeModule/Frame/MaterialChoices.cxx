@@ -1,0 +1,185 @@
+#include "Frame/MaterialChoices.h"
+
+#include "Core/Recipe/ShaderRecipe.h"
+#include "Resources/MaterialTables.h"
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// What the components of an array are. Throws a sentence when they are nothing that can be drawn.
+Components ComponentsOf(const std::string& name, int count, bool independent)
+{
+  if (count < 1 || count > 4)
+  {
+    throw std::runtime_error(
+      "Array \"" + name + "\" has " + std::to_string(count) + " components: expected 1 to 4");
+  }
+  if (count == 1)
+  {
+    return Components::One;
+  }
+  if (!independent && count == 3)
+  {
+    throw std::runtime_error("Array \"" + name +
+      "\" has 3 components that depend on each other: expected 2 (colour and opacity), 4 (red, "
+      "green, blue and opacity), or independent ones");
+  }
+  return independent ? Components::Independent
+    : count == 2     ? Components::LuminanceOpacity
+                     : Components::Rgba;
+}
+
+// Transfer functions of two values are for composites of one component.
+FunctionOf FunctionOfMapper(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property,
+  const RenderSettings& settings)
+{
+  if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_2D ||
+    settings.blend != Blend::Composite || settings.components != Components::One)
+  {
+    return FunctionOf::Value;
+  }
+  const char* const second = mapper->GetTransfer2DYAxisArray();
+  return second && *second ? FunctionOf::TwoValues : FunctionOf::ValueAndGradient;
+}
+
+Mask MaskOf(vtkVariationFieldVolumeMapper* mapper, const RenderSettings& settings)
+{
+  if (!mapper->GetMaskInput())
+  {
+    return Mask::None;
+  }
+  if (mapper->GetMaskType() == vtkVariationFieldVolumeMapper::BinaryMaskType)
+  {
+    return Mask::Binary;
+  }
+  const bool hasLabels = settings.blend == Blend::Composite &&
+    settings.components == Components::One && settings.functionOf == FunctionOf::Value;
+  return hasLabels ? Mask::Labels : Mask::None;
+}
+
+MaskVoxels MaskVoxelsOf(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property)
+{
+  vtkImageData* const image = mapper->GetMaskInput();
+  vtkDataArray* const labels = image->GetPointData()->GetScalars();
+  if (!labels || labels->GetNumberOfComponents() != 1 || labels->GetNumberOfTuples() == 0)
+  {
+    throw std::runtime_error("The mask has no scalars of one component");
+  }
+  MaskVoxels mask;
+  mask.labels = labels;
+  int* const dimensions = image->GetDimensions();
+  mask.dimensions = { dimensions[0], dimensions[1], dimensions[2] };
+  mask.time = std::max(image->GetMTime(), labels->GetMTime());
+  mask.binary = mapper->GetMaskType() == vtkVariationFieldVolumeMapper::BinaryMaskType;
+  mask.rows = mask.binary ? std::vector<int>() : LabelsOf(property);
+  return mask;
+}
+
+// The second value of a transfer function of two.
+VoxelChannel SecondChannel(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data)
+{
+  const std::string name = mapper->GetTransfer2DYAxisArray();
+  vtkDataArray* const second = data->GetPointData()->GetArray(name.c_str());
+  if (!second || second->GetNumberOfComponents() != 1)
+  {
+    throw std::runtime_error("The second value of the transfer function, array \"" + name +
+      "\", is not there with one component of point data");
+  }
+  return { second, 0 };
+}
+
+bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& settings)
+{
+  if (settings.functionOf != FunctionOf::Value)
+  {
+    return false; // as in VTK
+  }
+  if (settings.mask == Mask::Labels && property->HasLabelGradientOpacity())
+  {
+    return true;
+  }
+  for (int part = 0; part < PartCount(settings); ++part)
+  {
+    if (property->HasGradientOpacity(part) && !property->GetDisableGradientOpacity(part))
+    {
+      return settings.blend == Blend::Composite;
+    }
+  }
+  return false;
+}
+
+}
+
+void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property,
+  vtkDataArray* scalars, RenderSettings& settings)
+{
+  settings.componentCount = scalars->GetNumberOfComponents();
+  settings.components = ComponentsOf(scalars->GetName() ? scalars->GetName() : "scalars",
+    settings.componentCount, property->GetIndependentComponents() != 0);
+  settings.functionOf = FunctionOfMapper(mapper, property, settings);
+  settings.mask = MaskOf(mapper, settings);
+  settings.gradientOpacity = HasGradientOpacity(property, settings);
+}
+
+void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame& frame)
+{
+  for (int component = 0; component < frame.settings.componentCount; ++component)
+  {
+    frame.channels.push_back({ frame.scalars, component });
+  }
+  if (frame.settings.functionOf == FunctionOf::TwoValues)
+  {
+    frame.channels.push_back(SecondChannel(mapper, data));
+    if (frame.channels.back().array->GetNumberOfTuples() != frame.scalars->GetNumberOfTuples())
+    {
+      throw std::runtime_error("The second value of the transfer function has another number of "
+                               "values than the first");
+    }
+    frame.scalarsTime = std::max(frame.scalarsTime, frame.channels.back().array->GetMTime());
+  }
+  if (frame.settings.mask != Mask::None)
+  {
+    frame.mask = MaskVoxelsOf(mapper, frame.property);
+  }
+  frame.labelPart = mapper->GetMaskBlendFactor();
+}
+
+void ChooseSurfaceComponent(Frame& frame)
+{
+  if (frame.settings.components == Components::One)
+  {
+    return;
+  }
+  if (frame.settings.components != Components::Independent)
+  {
+    throw std::runtime_error(
+      "Isosurfaces of components that depend on each other are not supported");
+  }
+  for (int component = 1; component < frame.settings.componentCount; ++component)
+  {
+    if (frame.property->GetComponentWeight(component) >
+      frame.property->GetComponentWeight(frame.surfaceComponent))
+    {
+      frame.surfaceComponent = component;
+    }
+  }
+  frame.channels = { frame.channels[frame.surfaceComponent] };
+  frame.settings.components = Components::One;
+  frame.settings.componentCount = 1;
+}
+
+}

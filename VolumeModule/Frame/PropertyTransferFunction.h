@@ -1,0 +1,28 @@
+#ifndef Varimarch_Frame_PropertyTransferFunction_h
+#define Varimarch_Frame_PropertyTransferFunction_h
+
+#include "Core/Look/TransferFunction.h"
+
+class vtkPiecewiseFunction;
+class vtkVolumeProperty;
+
+namespace varimarch
+{
+
+/// The transfer function that a property's curves for a component describe, exactly:
+/// VTK's nodes with midpoint and sharpness, its gray or colour channel, and clamping off as a step
+/// to nothing. A colour function in another space than linear RGB is sampled finely between nodes.
+TransferFunction TransferFunctionOf(vtkVolumeProperty* property, int component = 0);
+
+/// That of a label of a mask: what it has no curve for is as without a label.
+TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label);
+
+/// A curve of opacities, as VTK has it; without colours.
+TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function);
+
+/// When one of those curves changed last.
+unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property, int component = 0);
+
+}
+
+#endif

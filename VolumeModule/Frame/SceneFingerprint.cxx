@@ -1,0 +1,134 @@
+#include "Frame/SceneFingerprint.h"
+
+#include "Frame/Frame.h"
+#include "Frame/Lights.h"
+#include "Frame/VolumeGeometry.h"
+#include "Resources/MaterialTables.h"
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkImplicitFunction.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLUniforms.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkShaderProperty.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cstdint>
+
+namespace varimarch
+{
+
+namespace
+{
+
+using Numbers = std::vector<double>;
+
+void Append(Numbers& numbers, const Numbers& more)
+{
+  numbers.insert(numbers.end(), more.begin(), more.end());
+}
+
+double TimeOf(vtkObject* object)
+{
+  return object ? double(object->GetMTime()) : 0.0;
+}
+
+Numbers ViewOf(const Frame& frame)
+{
+  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+  const Viewport& viewport = frame.viewport;
+  Numbers numbers = { double(viewport.left), double(viewport.bottom), double(viewport.width),
+    double(viewport.height) };
+  numbers.insert(numbers.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
+  const glm::dmat4& world = frame.geometry.worldFromGrid;
+  numbers.insert(numbers.end(), glm::value_ptr(world), glm::value_ptr(world) + 16);
+  Append(numbers, frame.cuts.Numbers());
+  return numbers;
+}
+
+Numbers LightsOf(vtkRenderer* renderer)
+{
+  const HeadLightColors head = HeadLightColorsOf(renderer);
+  const glm::dvec3 ambient = AmbientLightOf(renderer);
+  Numbers numbers = { double(renderer->GetTwoSidedLighting()) };
+  for (const glm::dvec3& color : { head.diffuse, head.specular, ambient })
+  {
+    numbers.insert(numbers.end(), glm::value_ptr(color), glm::value_ptr(color) + 3);
+  }
+  for (const glm::vec4& texel : LightTexelsOf(renderer).texels)
+  {
+    numbers.insert(numbers.end(), glm::value_ptr(texel), glm::value_ptr(texel) + 4);
+  }
+  return numbers;
+}
+
+// What a property's own time of modification does not tell.
+Numbers FunctionsOf(vtkVolumeProperty* property)
+{
+  Numbers numbers = { TimeOf(property), TimeOf(property->GetSliceFunction()) };
+  for (const int label : LabelsOf(property))
+  {
+    Append(numbers,
+      { double(label), TimeOf(property->GetLabelColor(label)),
+        TimeOf(property->GetLabelScalarOpacity(label)),
+        TimeOf(property->GetLabelGradientOpacity(label)) });
+  }
+  return numbers;
+}
+
+// The opaque geometry that may end rays, also in layers below.
+Numbers GeometryOf(vtkOpenGLRenderWindow* window)
+{
+  Numbers numbers;
+  vtkRendererCollection* const renderers = window->GetRenderers();
+  vtkCollectionSimpleIterator iterator;
+  renderers->InitTraversal(iterator);
+  while (vtkRenderer* renderer = renderers->GetNextRenderer(iterator))
+  {
+    vtkPropCollection* const props = renderer->GetViewProps();
+    vtkCollectionSimpleIterator propIterator;
+    props->InitTraversal(propIterator);
+    while (vtkProp* prop = props->GetNextProp(propIterator))
+    {
+      if (!vtkVolume::SafeDownCast(prop))
+      {
+        Append(numbers,
+          { double(reinterpret_cast<std::uintptr_t>(prop)), double(prop->GetVisibility()),
+            double(prop->GetRedrawMTime()) });
+      }
+    }
+  }
+  return numbers;
+}
+
+}
+
+std::vector<double> NumbersOfScene(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
+{
+  vtkShaderProperty* const shader = frame.volume->GetShaderProperty();
+  auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
+  Numbers numbers = { double(reinterpret_cast<std::uintptr_t>(frame.renderer)), TimeOf(mapper),
+    double(frame.scalarsTime), TimeOf(mapper->GetMaskInput()), double(frame.mask.time),
+    TimeOf(frame.blanking.points), TimeOf(frame.blanking.cells), double(shader->GetShaderMTime()),
+    uniforms ? double(uniforms->GetUniformListMTime()) : 0.0,
+    double(frame.settings.sceneGeometry) };
+  Append(numbers, ViewOf(frame));
+  Append(numbers, LightsOf(frame.renderer));
+  Append(numbers, FunctionsOf(frame.property));
+  if (frame.settings.sceneGeometry)
+  {
+    Append(numbers, GeometryOf(frame.window));
+  }
+  return numbers;
+}
+
+}

@@ -1,0 +1,153 @@
+#include "Frame/VolumeGeometry.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// VTK stores rows, GLM columns.
+glm::dmat4 FromVtk(vtkMatrix4x4* matrix)
+{
+  return glm::transpose(glm::make_mat4(matrix->GetData()));
+}
+
+// Of a gradient in VTK's sense: differences over distances, times the mean of these.
+glm::dvec3 GradientFactors(glm::dvec3 spacing)
+{
+  const glm::dvec3 absolute = glm::abs(spacing);
+  return (absolute.x + absolute.y + absolute.z) / 3.0 / (2.0 * absolute);
+}
+
+}
+
+glm::dmat3 VolumeGeometry::WorldFromGridNormal() const
+{
+  return glm::transpose(glm::inverse(this->WorldFromGridDirection()));
+}
+
+double VolumeGeometry::SmallestSpacingMm() const
+{
+  const glm::dmat3 axes = this->WorldFromGridDirection();
+  return this->smallestGap *
+    std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
+}
+
+double VolumeGeometry::ThinnestSideMm() const
+{
+  const glm::dmat3 axes = this->WorldFromGridDirection();
+  const glm::dvec3 extent = this->boxGrid.upper - this->boxGrid.lower;
+  return std::min({ extent.x * glm::length(axes[0]), extent.y * glm::length(axes[1]),
+    extent.z * glm::length(axes[2]) });
+}
+
+double VolumeGeometry::DiagonalMm() const
+{
+  const glm::dmat3 axes = this->WorldFromGridDirection();
+  const glm::dvec3 extent = this->boxGrid.upper - this->boxGrid.lower;
+  // The longest of the four diagonals: they differ when the volume is sheared.
+  double longest = 0.0;
+  for (double signY : { -1.0, 1.0 })
+  {
+    for (double signZ : { -1.0, 1.0 })
+    {
+      longest = std::max(longest, glm::length(axes * (extent * glm::dvec3(1.0, signY, signZ))));
+    }
+  }
+  return longest;
+}
+
+double VolumeGeometry::ShortestSampleDistanceMm() const
+{
+  return this->DiagonalMm() / 20000.0;
+}
+
+VolumeGeometry VolumeGeometryOf(vtkImageData* image, vtkVolume* volume, VoxelPlace place)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  vtkNew<vtkMatrix4x4> worldFromData;
+  volume->GetMatrix(worldFromData);
+
+  VolumeGeometry geometry;
+  glm::dvec3 firstIndex;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int points = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    const bool isOfCells = place == VoxelPlace::Cells && points > 1;
+    const bool isThin = !isOfCells && points == 1;
+    const int voxels = isOfCells ? points - 1 : points;
+    geometry.dimensions[axis] = voxels;
+    geometry.boxGrid.lower[axis] = isOfCells || isThin ? -0.5 : 0.0;
+    geometry.boxGrid.upper[axis] = isOfCells || isThin ? voxels - 0.5 : voxels - 1.0;
+    firstIndex[axis] = extent[2 * axis] + (isOfCells ? 0.5 : 0.0);
+  }
+  geometry.dataFromGrid =
+    FromVtk(image->GetIndexToPhysicalMatrix()) * glm::translate(glm::dmat4(1.0), firstIndex);
+  geometry.worldFromGrid = FromVtk(worldFromData) * geometry.dataFromGrid;
+  const double* const spacing = image->GetSpacing();
+  geometry.gradientFactors = GradientFactors({ spacing[0], spacing[1], spacing[2] });
+  return geometry;
+}
+
+VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* volume)
+{
+  vtkNew<vtkMatrix4x4> worldFromData;
+  volume->GetMatrix(worldFromData);
+  VolumeGeometry geometry;
+  glm::dvec3 first;
+  glm::dvec3 step;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.dimensions[axis] = axes[axis].VoxelCount();
+    geometry.boxGrid.lower[axis] = axes[axis].LowerGrid();
+    geometry.boxGrid.upper[axis] = axes[axis].UpperGrid();
+    geometry.smallestGap = std::min(geometry.smallestGap, axes[axis].SmallestGapGrid());
+    first[axis] = axes[axis].FirstVoxel();
+    step[axis] = axes[axis].Step();
+  }
+  geometry.dataFromGrid = glm::scale(glm::translate(glm::dmat4(1.0), first), step);
+  geometry.worldFromGrid = FromVtk(worldFromData) * geometry.dataFromGrid;
+  geometry.gradientFactors = GradientFactors(step);
+  return geometry;
+}
+
+Viewport ViewportOf(vtkRenderer* renderer)
+{
+  Viewport viewport;
+  renderer->GetTiledSizeAndOrigin(
+    &viewport.width, &viewport.height, &viewport.left, &viewport.bottom);
+  return viewport;
+}
+
+glm::dmat4 ClipFromWorld(vtkRenderer* renderer)
+{
+  vtkMatrix4x4* viewFromWorld = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkMatrix4x4* clipFromView = nullptr;
+  vtkMatrix4x4* clipFromWorld = nullptr;
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  camera->GetKeyMatrices(renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+  // VTK transposes these for OpenGL, which makes them GLM's columns.
+  return glm::make_mat4(clipFromWorld->GetData());
+}
+
+}

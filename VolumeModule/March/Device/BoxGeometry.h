@@ -1,0 +1,34 @@
+#ifndef Varimarch_March_Device_BoxGeometry_h
+#define Varimarch_March_Device_BoxGeometry_h
+
+#include "Core/Geometry/Box.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLVertexArrayObject.h"
+
+class vtkShaderProgram;
+
+namespace varimarch
+{
+
+/// The volume's box as triangles in grid space: drawn from the inside it covers each pixel whose
+/// ray meets the volume once, wherever the camera is.
+class VolumeBoxGeometry
+{
+public:
+  /// Draws the box with a program that takes positions as vertexGrid.
+  void Draw(vtkShaderProgram* program, const Box& boxGrid);
+  void Release();
+
+private:
+  const vtkShaderProgram* attributesOf = nullptr;
+  Box uploaded = { glm::dvec3(0.0), glm::dvec3(0.0) };
+  vtkNew<vtkOpenGLBufferObject> vertices;
+  vtkNew<vtkOpenGLBufferObject> triangles;
+  vtkNew<vtkOpenGLVertexArrayObject> attributes;
+};
+
+}
+
+#endif

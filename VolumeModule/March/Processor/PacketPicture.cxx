@@ -1,0 +1,86 @@
+#include "March/Processor/PacketPicture.h"
+
+#include "Core/Packets/PacketMarch.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkType.h"
+#include "vtk_glew.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr std::size_t BytesPerPixel = 4 * sizeof(float);
+
+[[noreturn]] void Fail(const Viewport& pixels, const std::string& limit)
+{
+  throw std::runtime_error("Cannot draw a picture of " + std::to_string(pixels.width) + " x " +
+    std::to_string(pixels.height) + " pixels: " + limit);
+}
+
+}
+
+void PacketPicture::March(
+  vtkOpenGLRenderWindow* window, const std::vector<PacketScene>& scenes, const Viewport& newPixels)
+{
+  this->pixels = newPixels;
+  const std::size_t countOfPicture = std::size_t(this->pixels.width) * this->pixels.height;
+  const std::size_t newCount = scenes.size() * countOfPicture;
+  if (newCount > this->count)
+  {
+    this->Allocate(window, newCount);
+  }
+  this->buffer->Bind();
+  void* const rgba = glMapBufferRange(GL_TEXTURE_BUFFER, 0, GLsizeiptr(newCount * BytesPerPixel),
+    GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+  if (!rgba)
+  {
+    this->buffer->Release();
+    Fail(this->pixels, "there is no memory for it");
+  }
+  float* picture = static_cast<float*>(rgba);
+  for (const PacketScene& scene : scenes)
+  {
+    MarchPackets(scene, this->pixels, picture);
+    picture += 4 * countOfPicture;
+  }
+  glUnmapBuffer(GL_TEXTURE_BUFFER);
+  this->buffer->Release();
+}
+
+void PacketPicture::Allocate(vtkOpenGLRenderWindow* window, std::size_t newCount)
+{
+  this->Release(window);
+  GLint mostPixels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &mostPixels);
+  if (newCount > std::size_t(mostPixels))
+  {
+    Fail(this->pixels,
+      "this device's buffer textures have at most " + std::to_string(mostPixels) + " of them");
+  }
+  this->buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);
+  this->buffer->Bind();
+  glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(newCount * BytesPerPixel), nullptr, GL_STREAM_DRAW);
+  this->texture->SetContext(window);
+  this->texture->CreateTextureBuffer(unsigned(newCount), 4, VTK_FLOAT, this->buffer);
+  this->count = newCount;
+}
+
+std::size_t PacketPicture::Bytes() const
+{
+  return this->count * BytesPerPixel;
+}
+
+void PacketPicture::Release(vtkWindow* window)
+{
+  this->texture->ReleaseGraphicsResources(window);
+  this->buffer->ReleaseGraphicsResources();
+  this->count = 0;
+}
+
+}

@@ -1,0 +1,16 @@
+#include "March/Processor/SoftwareRasterizer.h"
+
+#include "vtk_glew.h"
+
+#include <string>
+
+namespace varimarch
+{
+
+bool IsSoftwareRasterizer()
+{
+  const auto* const renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer && std::string(renderer).find("llvmpipe") != std::string::npos;
+}
+
+}

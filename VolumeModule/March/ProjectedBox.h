@@ -1,0 +1,32 @@
+#ifndef Varimarch_March_ProjectedBox_h
+#define Varimarch_March_ProjectedBox_h
+
+#include "Core/Geometry/Box.h"
+#include "Frame/VolumeGeometry.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+
+namespace varimarch
+{
+
+/// The corners of a box in the space of a view.
+using CornersClip = std::array<glm::dvec4, 8>;
+
+CornersClip CornersOf(const Box& box, const glm::dmat4& clipFromGrid);
+
+/// Not so when all corners are beyond the same side of the view.
+bool IsInView(const Box& box, const glm::dmat4& clipFromGrid);
+
+/// The pixels that a box may cover, within the picture.
+Viewport PixelsOf(const Box& box, const glm::dmat4& clipFromGrid, const Viewport& picture);
+
+/// How far a corner moves at most from one view to another, of the width or height of the picture;
+/// infinite where one is behind the eye.
+double LargestMove(const CornersClip& from, const CornersClip& to);
+
+}
+
+#endif

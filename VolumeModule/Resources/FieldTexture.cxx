@@ -1,0 +1,258 @@
+#include "Resources/FieldTexture.h"
+
+#include "Core/Fields/EvenBricks.h"
+#include "Core/Fields/VariationField.h"
+#include "Resources/VolumeTexture.h"
+
+#include "vtkDataArray.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkSetGet.h"
+#include "vtkType.h"
+#include "vtk_glew.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The blocks [c - k, c + k] whose values depend on no other voxels than those of a larger block.
+void Narrow(VariationField& field, int reachVoxels)
+{
+  for (std::uint8_t& cell : field.cells)
+  {
+    cell = std::uint8_t(std::max(cell - reachVoxels, 0));
+  }
+}
+
+// Of a volume of one component.
+VariationField ScalarFieldOf(const ScalarRegion& region, double tolerance)
+{
+  vtkDataArray* const array = region.channels.front().array;
+  void* const voxels = array->GetVoidPointer(0);
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(return BuildVariationField(
+      ScalarGrid<VTK_TT>(static_cast<VTK_TT*>(voxels), region.dimensions).Part(region.voxels),
+      tolerance));
+  }
+  return {};
+}
+
+template <class Scalar>
+BrickRanges RangesOf(
+  const Scalar* scalars, int stride, const VoxelValues& values, const ScalarTexels& texels)
+{
+  const glm::ivec3 dimensions = values.dimensions;
+  if (stride == 1)
+  {
+    return BuildBrickRanges(ScalarGrid<Scalar>(scalars, dimensions), texels.smallestValue,
+      texels.largestValue, values.reachVoxels);
+  }
+  // A component is copied, one at a time.
+  std::vector<Scalar> component(std::size_t(dimensions.x) * dimensions.y * dimensions.z);
+  for (std::size_t i = 0; i < component.size(); ++i)
+  {
+    component[i] = scalars[i * stride];
+  }
+  return BuildBrickRanges(ScalarGrid<Scalar>(component.data(), dimensions), texels.smallestValue,
+    texels.largestValue, values.reachVoxels);
+}
+
+BrickRanges RangesOf(const VoxelValues& values, std::size_t index)
+{
+  const VoxelChannel& channel = values.channels[index];
+  void* const voxels = channel.array->GetVoidPointer(channel.component);
+  const int stride = channel.array->GetNumberOfComponents();
+  switch (channel.array->GetDataType())
+  {
+    vtkTemplateMacro(
+      return RangesOf(static_cast<const VTK_TT*>(voxels), stride, values, values.texels[index]));
+  }
+  return {};
+}
+
+// With a smaller part of bricks to skip, to look for them costs more than is skipped.
+constexpr double LeastSkippablePart = 1.0 / 8.0;
+
+// So large that there are few of them, and so small that rays begin close to what they see.
+constexpr int BricksPerBlock = 2; // along a side
+
+VisibleBlocks VisibleBlocksOf(const OpticalField& field)
+{
+  constexpr float side = float(BricksPerBlock * BrickRanges::CellsPerSide);
+  // What is drawn may reach half a voxel beyond the outermost ones.
+  VisibleBlocks blocks{ side + 2.0f, {} };
+  for (const glm::ivec3& block : VisibleHull(field, BricksPerBlock))
+  {
+    blocks.centersGrid.push_back((glm::vec3(block) + 0.5f) * side);
+  }
+  return blocks;
+}
+
+class Stopwatch
+{
+public:
+  double Seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->start).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+};
+
+}
+
+template <class Texel>
+void AccelerationField::Upload(
+  vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels)
+{
+  constexpr bool narrow = sizeof(Texel) == 1;
+  AllocateTexture3D(this->texture, window, size, narrow ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_SHORT,
+    narrow ? GL_R8 : GL_R16, 1, "an acceleration field");
+  this->size = size;
+  this->bytes = texels.size() * sizeof(Texel);
+
+  // Nearest: a value between two texels would promise what neither proves.
+  this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->texture->Activate();
+  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, size.x, size.y, size.z, GL_RED,
+    narrow ? GL_UNSIGNED_BYTE : GL_UNSIGNED_SHORT, texels.data());
+  this->texture->Deactivate();
+}
+
+void AccelerationField::BuildScalarField(
+  vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance, int reachVoxels)
+{
+  const Stopwatch stopwatch;
+  VariationField field = ScalarFieldOf(region, tolerance);
+  Narrow(field, reachVoxels);
+  this->buildSeconds = stopwatch.Seconds();
+  this->Upload(window, field.cellCount, field.cells);
+}
+
+void AccelerationField::SetGaps(vtkOpenGLRenderWindow* window, const GapField& gaps)
+{
+  this->Upload(window, gaps.count, gaps.texels);
+}
+
+void AccelerationField::BuildRanges(const VoxelValues& values, const std::vector<UnevenAxis>& axes)
+{
+  const Stopwatch stopwatch;
+  this->ranges.clear();
+  for (std::size_t i = 0; i < values.channels.size(); ++i)
+  {
+    BrickRanges ofVoxels = RangesOf(values, i);
+    this->ranges.push_back(axes.empty() ? std::move(ofVoxels) : EvenBricks(ofVoxels, axes));
+  }
+  this->rangeSeconds = stopwatch.Seconds();
+}
+
+void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
+  const std::vector<ChannelTable>& tables, const OpticalTolerance& tolerance, glm::ivec3 towards,
+  Marcher marcher)
+{
+  const Stopwatch stopwatch;
+  std::vector<OpticalChannel> channels;
+  for (const ChannelTable& shown : tables)
+  {
+    channels.push_back({ this->ranges[shown.channel], *shown.table });
+  }
+  OpticalField field = varimarch::BuildOpticalField(channels, tolerance, towards);
+  this->ReleaseField(window);
+  this->SetVisible(field, marcher);
+  this->AddBuildSeconds(stopwatch.Seconds());
+  const Box all{ glm::dvec3(0.0),
+    double(BrickRanges::CellsPerSide) * glm::dvec3(field.brickCount) };
+  if (field.SkippablePart(this->visible.Bounds(all)) >= LeastSkippablePart)
+  {
+    this->SetBricks(window, std::move(field), marcher);
+  }
+}
+
+void AccelerationField::BuildIsosurfaceField(vtkOpenGLRenderWindow* window,
+  const std::vector<double>& isovalues, glm::ivec3 towards, Marcher marcher)
+{
+  const Stopwatch stopwatch;
+  OpticalField field = varimarch::BuildIsosurfaceField(this->ranges.front(), isovalues, towards);
+  this->ReleaseField(window);
+  this->SetVisible(field, marcher);
+  this->AddBuildSeconds(stopwatch.Seconds());
+  this->SetBricks(window, std::move(field), marcher);
+}
+
+void AccelerationField::SetVisible(const OpticalField& field, Marcher marcher)
+{
+  const bool isForProcessor = marcher == Marcher::Processor;
+  tbb::parallel_invoke([&] { this->visible = VisibleBricks(field); },
+    [&] { this->visibleBlocks = isForProcessor ? VisibleBlocksOf(field) : VisibleBlocks(); });
+}
+
+void AccelerationField::SetBricks(
+  vtkOpenGLRenderWindow* window, OpticalField field, Marcher marcher)
+{
+  if (marcher == Marcher::Device)
+  {
+    this->Upload(window, field.brickCount, field.bricks);
+    return;
+  }
+  this->size = field.brickCount;
+  this->bricks = std::move(field.bricks);
+}
+
+void AccelerationField::AddBuildSeconds(double seconds)
+{
+  this->buildSeconds = std::exchange(this->rangeSeconds, 0.0) + seconds;
+}
+
+void AccelerationField::BuildExtremes(
+  vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest, Marcher marcher)
+{
+  const Stopwatch stopwatch;
+  const BrickRanges& values = this->ranges.front();
+  std::vector<std::uint16_t> built = BuildExtremeBricks(values, look, largest);
+  this->AddBuildSeconds(stopwatch.Seconds());
+  this->ReleaseField(window);
+  if (marcher == Marcher::Device)
+  {
+    this->Upload(window, values.BrickCount(), built);
+    return;
+  }
+  this->size = values.BrickCount();
+  this->extremeBlocks = JoinExtremeBricks(built, this->size, largest);
+  this->extremes = std::move(built);
+}
+
+void AccelerationField::ReleaseField(vtkWindow* window)
+{
+  this->bricks = {};
+  this->visibleBlocks = {};
+  this->visibleDepths = {};
+  this->extremes = {};
+  this->extremeBlocks = {};
+  this->texture->ReleaseGraphicsResources(window);
+  this->bytes = 0;
+}
+
+void AccelerationField::Release(vtkWindow* window)
+{
+  this->ReleaseField(window);
+  this->ranges.clear();
+  this->visible = VisibleBricks();
+}
+
+}

@@ -1,0 +1,32 @@
+#ifndef Varimarch_Resources_FloatTable_h
+#define Varimarch_Resources_FloatTable_h
+
+#include "Core/Recipe/RenderSettings.h"
+#include "Resources/FloatBufferTexture.h"
+
+namespace varimarch
+{
+
+/// A table of four floats per entry in memory, and in a buffer texture where the device marches.
+class FloatTable
+{
+public:
+  /// @param entries  may be none
+  void Set(vtkWindow* window, std::vector<glm::vec4> entries);
+
+  /// Has the texture there or not.
+  void Update(vtkOpenGLRenderWindow* window, Marcher marcher);
+
+  const std::vector<glm::vec4>& Entries() const { return this->entries; }
+  vtkTextureObject* Texture() const { return this->texture.Texture(); }
+  std::size_t Bytes() const { return this->texture.Bytes(); } ///< of the texture
+  void Release(vtkWindow* window) { this->Set(window, {}); }
+
+private:
+  FloatBufferTexture texture;
+  std::vector<glm::vec4> entries;
+};
+
+}
+
+#endif

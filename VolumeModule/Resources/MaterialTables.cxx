@@ -1,0 +1,183 @@
+#include "Resources/MaterialTables.h"
+
+#include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/PropertyTransferFunction.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+glm::vec4 ColorAt(vtkDataArray* colors, vtkIdType index)
+{
+  glm::vec4 color;
+  for (int component = 0; component < 4; ++component)
+  {
+    color[component] = float(std::clamp(colors->GetComponent(index, component), 0.0, 1.0));
+  }
+  return color;
+}
+
+}
+
+std::vector<int> LabelsOf(vtkVolumeProperty* property)
+{
+  const std::set<int> labels = property->GetLabelMapLabels();
+  return std::vector<int>(labels.begin(), labels.end());
+}
+
+TwoValueTable TwoValueTableOf(vtkVolumeProperty* property)
+{
+  vtkImageData* const image = property->GetTransferFunction2D();
+  vtkDataArray* const colors = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!colors || colors->GetNumberOfComponents() != 4 || image->GetNumberOfPoints() == 0)
+  {
+    throw std::runtime_error("The transfer function of two values is missing: expected an image of "
+                             "four components");
+  }
+  const int* const dimensions = image->GetDimensions();
+  TwoValueTable table{ { std::max(dimensions[0], 2), std::max(dimensions[1], 2) }, {} };
+  for (int y = 0; y < table.size.y; ++y)
+  {
+    for (int x = 0; x < table.size.x; ++x)
+    {
+      const vtkIdType row = std::min(y, dimensions[1] - 1);
+      const vtkIdType entry = row * dimensions[0] + std::min(x, dimensions[0] - 1);
+      table.entries.push_back(ColorAt(colors, entry));
+    }
+  }
+  return table;
+}
+
+OpticalTable UpperBound(
+  const TwoValueTable& table, const std::array<double, 2>& range, double opacityUnitDistanceMm)
+{
+  OpticalTable bound{ range[0], range[1], {} };
+  for (int x = 0; x < table.size.x; ++x)
+  {
+    double opacity = 0.0;
+    for (int y = 0; y < table.size.y; ++y)
+    {
+      opacity = std::max(opacity, double(table.entries[std::size_t(y) * table.size.x + x].a));
+    }
+    const double extinction =
+      std::min(-std::log1p(-opacity) / opacityUnitDistanceMm, double(OpaqueExtinction));
+    bound.entries.emplace_back(1.0, 1.0, 1.0, extinction);
+  }
+  return bound;
+}
+
+std::vector<MaterialTable> MaterialTablesOf(
+  vtkVolumeProperty* property, const RenderSettings& settings)
+{
+  if (settings.mask == Mask::Labels)
+  {
+    std::vector<MaterialTable> rows = { { 0, TransferFunctionOf(property), true } };
+    for (const int label : LabelsOf(property))
+    {
+      rows.push_back({ 0, LabelTransferFunctionOf(property, label), true });
+    }
+    return rows;
+  }
+  switch (settings.components)
+  {
+    case Components::LuminanceOpacity:
+      return { { 0, TransferFunctionOf(property), false },
+        { 1, TransferFunctionOf(property), true } };
+    case Components::Rgba:
+      return { { 3, TransferFunctionOf(property), true } };
+    default:
+      break;
+  }
+  std::vector<MaterialTable> tables;
+  for (int component = 0; component < PartCount(settings); ++component)
+  {
+    tables.push_back({ component, TransferFunctionOf(property, component), true });
+  }
+  return tables;
+}
+
+std::vector<double> MaterialTableInputs(vtkVolumeProperty* property, const RenderSettings& settings)
+{
+  std::vector<double> inputs = { double(settings.components), double(settings.componentCount) };
+  for (int component = 0; component < PartCount(settings); ++component)
+  {
+    inputs.push_back(double(TransferFunctionTimeOf(property, component)));
+    inputs.push_back(property->GetScalarOpacityUnitDistance(component));
+  }
+  inputs.push_back(double(settings.functionOf));
+  if (settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels)
+  {
+    inputs.push_back(double(property->GetMTime()));
+  }
+  if (settings.mask == Mask::Labels)
+  {
+    for (const int label : LabelsOf(property))
+    {
+      vtkColorTransferFunction* const color = property->GetLabelColor(label);
+      vtkPiecewiseFunction* const opacity = property->GetLabelScalarOpacity(label);
+      inputs.insert(inputs.end(),
+        { double(label), color ? double(color->GetMTime()) : 0.0,
+          opacity ? double(opacity->GetMTime()) : 0.0 });
+    }
+  }
+  if (settings.functionOf != FunctionOf::Value && property->GetTransferFunction2D())
+  {
+    inputs.push_back(double(property->GetTransferFunction2D()->GetMTime()));
+  }
+  return inputs;
+}
+
+int OpacityComponentOf(const RenderSettings& settings, int part)
+{
+  switch (settings.components)
+  {
+    case Components::LuminanceOpacity:
+      return 1;
+    case Components::Rgba:
+      return 3;
+    default:
+      return part;
+  }
+}
+
+double WeightOf(vtkVolumeProperty* property, const RenderSettings& settings, int part)
+{
+  return settings.components == Components::Independent ? property->GetComponentWeight(part) : 1.0;
+}
+
+double LargestColorOf(vtkDataArray* array)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+    case VTK_DOUBLE:
+      return 1.0;
+    case VTK_SHORT:
+    case VTK_UNSIGNED_SHORT:
+      return array->GetDataTypeMax();
+    default:
+      return 255.0;
+  }
+}
+
+glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component)
+{
+  return { property->GetAmbient(component), property->GetDiffuse(component),
+    property->GetSpecular(component), property->GetSpecularPower(component) };
+}
+
+}

@@ -1,0 +1,50 @@
+#ifndef Varimarch_Resources_OpticalTableTexture_h
+#define Varimarch_Resources_OpticalTableTexture_h
+
+#include "Core/Look/TransferFunction.h"
+#include "Resources/FloatBufferTexture.h"
+#include "Resources/VolumeTexture.h"
+
+namespace varimarch
+{
+
+/// Transfer functions as OpticalTables; where shaders read them, on the device too, one after the
+/// other.
+class OpticalTableTexture
+{
+public:
+  /// @param tables  at least one
+  void SetTables(vtkWindow* window, std::vector<OpticalTable> tables);
+
+  /// Has the tables on the device.
+  void Upload(vtkOpenGLRenderWindow* window);
+  /// With a row for each table before all entries, as Shaders/Classify/LabelTables.glsl reads them.
+  /// @param mapping  of the texels that the tables are for
+  void UploadRows(vtkOpenGLRenderWindow* window, const TexelMapping& mapping);
+  /// Has them in memory only.
+  void ReleaseTexture(vtkWindow* window) { this->texture.Release(window); }
+
+  vtkTextureObject* Texture() const { return this->texture.Texture(); }
+
+  const OpticalTable& Table() const { return this->tables.front(); }
+  const std::vector<OpticalTable>& Tables() const { return this->tables; }
+  const std::array<double, 2>& VisibleValues(std::size_t table = 0) const
+  {
+    return this->visibleValues[table];
+  }
+  std::array<double, 2> VisibleValuesOfAny() const;  ///< of the tables
+  std::size_t FirstEntryOf(std::size_t table) const; ///< in the buffer
+  std::size_t Bytes() const { return this->texture.Bytes(); }
+  void Release(vtkWindow* window);
+
+private:
+  void UploadBehind(vtkOpenGLRenderWindow* window, std::vector<glm::vec4> rows);
+
+  FloatBufferTexture texture;
+  std::vector<OpticalTable> tables = { OpticalTable() };
+  std::vector<std::array<double, 2>> visibleValues; ///< of each table
+};
+
+}
+
+#endif

@@ -1,0 +1,49 @@
+#ifndef Varimarch_Resources_SceneDepthTexture_h
+#define Varimarch_Resources_SceneDepthTexture_h
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkTextureObject.h"
+
+#include <glm/vec2.hpp>
+
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+
+namespace varimarch
+{
+
+/// A copy of the depth buffer as it is when the volume is drawn. The buffer itself cannot be read:
+/// it is bound for drawing, may be multisampled, and a render pass may have put its own there.
+class SceneDepthTexture
+{
+public:
+  /// Copies a rectangle of the framebuffer that is bound for drawing [pixels].
+  void Capture(vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height);
+
+  /// What was captured, row by row from below; read from the device once.
+  const std::vector<float>& Depths(vtkOpenGLRenderWindow* window);
+
+  vtkTextureObject* Texture() const { return this->depth; }
+  glm::ivec2 SizePixels() const
+  {
+    return glm::ivec2(this->depth->GetWidth(), this->depth->GetHeight());
+  }
+  std::size_t Bytes() const { return this->bytes; }
+  void Release(vtkWindow* window);
+
+private:
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+
+  unsigned int format = 0; ///< of the framebuffer that was copied last
+  vtkNew<vtkTextureObject> depth;
+  vtkNew<vtkTextureObject> color; ///< a framebuffer needs one to be complete
+  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
+  std::vector<float> depths; ///< empty until somebody asks
+  std::size_t bytes = 0;
+};
+
+}
+
+#endif

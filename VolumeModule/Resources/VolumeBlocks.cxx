@@ -1,0 +1,187 @@
+#include "Resources/VolumeBlocks.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+namespace varimarch
+{
+
+void VolumeBlock::Release(vtkWindow* window)
+{
+  this->volume.Release(window);
+  this->gaps.Release(window);
+  this->scalarField.Release(window);
+}
+
+void VolumeBlocks::SetVoxels(const VoxelValues& newValues)
+{
+  this->values = newValues;
+  for (const auto& block : this->blocks)
+  {
+    if (block)
+    {
+      block->isCurrent = false;
+    }
+  }
+}
+
+void VolumeBlocks::SetBlanking(const Blanking& newBlanking)
+{
+  if (newBlanking == this->blanking)
+  {
+    return;
+  }
+  this->blanking = newBlanking;
+  for (const auto& block : this->blocks)
+  {
+    if (block)
+    {
+      block->gapsAreCurrent = false;
+    }
+  }
+}
+
+void VolumeBlocks::SetScalarField(vtkWindow* window, std::optional<double> tolerance)
+{
+  this->scalarTolerance = tolerance;
+  this->fieldBuildSeconds = 0.0;
+  for (const auto& block : this->blocks)
+  {
+    if (block && !tolerance)
+    {
+      block->scalarField.Release(window);
+      block->scalarTolerance.reset();
+    }
+  }
+}
+
+std::size_t VolumeBlocks::BytesPerVoxel() const
+{
+  const std::size_t gapBytes = this->MayHaveGaps() ? 1 : 0;
+  return this->values.texels.size() * this->Texels().BytesPerTexel() + gapBytes +
+    (this->scalarTolerance ? 1 : 0);
+}
+
+bool VolumeBlocks::Divide(vtkWindow* window, const BlockLimits& limits)
+{
+  const BlockPartition divided(this->values.dimensions, limits);
+  if (divided == this->partition)
+  {
+    return false;
+  }
+  this->Release(window);
+  this->partition = divided;
+  this->blocks.resize(divided.Count());
+  return true;
+}
+
+void VolumeBlocks::BeginPicture(
+  vtkWindow* window, const std::vector<int>& order, std::size_t capacity)
+{
+  this->capacity = capacity;
+  this->residency.BeginPicture(order);
+  this->LetGo(window, this->residency.Shrink(capacity));
+}
+
+void VolumeBlocks::LetGo(vtkWindow* window, const std::vector<int>& released)
+{
+  for (int block : released)
+  {
+    this->blocks[block]->Release(window);
+    this->blocks[block].reset();
+  }
+}
+
+const VolumeBlock& VolumeBlocks::Take(vtkOpenGLRenderWindow* window, int block)
+{
+  const ScalarRegion region{ this->values.channels, this->values.dimensions,
+    this->partition.VoxelsOf(block) };
+  const glm::ivec3 count = region.voxels.count;
+  const std::size_t bytes = this->BytesPerVoxel() * count.x * count.y * count.z;
+  std::vector<int> released = this->residency.Use(block, bytes, this->capacity);
+  std::unique_ptr<VolumeBlock>& taken = this->blocks[block];
+  if (!taken && !released.empty())
+  {
+    // Textures of the same size are used again.
+    taken = std::move(this->blocks[released.back()]);
+    taken->isCurrent = false;
+    released.pop_back();
+  }
+  this->LetGo(window, released);
+  if (!taken)
+  {
+    taken = std::make_unique<VolumeBlock>();
+  }
+  if (!taken->isCurrent)
+  {
+    this->Upload(window, *taken, region);
+  }
+  this->UpdateGaps(window, *taken, region);
+  this->UpdateScalarField(window, *taken, region);
+  return *taken;
+}
+
+void VolumeBlocks::Upload(
+  vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region)
+{
+  block.scalarTolerance.reset();
+  block.volume.Upload(window, region, this->values.texels);
+  block.isCurrent = true;
+  block.gapsAreCurrent = false;
+  ++this->uploads;
+}
+
+void VolumeBlocks::UpdateGaps(
+  vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region)
+{
+  if (block.gapsAreCurrent)
+  {
+    return;
+  }
+  if (block.volume.AllFinite() && !this->blanking.Any())
+  {
+    block.gaps.Release(window);
+  }
+  else
+  {
+    block.gaps.SetGaps(window, GapFieldOf(region, this->blanking));
+  }
+  block.gapsAreCurrent = true;
+}
+
+void VolumeBlocks::UpdateScalarField(
+  vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region)
+{
+  if (this->scalarTolerance && block.scalarTolerance != this->scalarTolerance)
+  {
+    block.scalarField.BuildScalarField(
+      window, region, *this->scalarTolerance, this->values.reachVoxels);
+    block.scalarTolerance = this->scalarTolerance;
+    this->fieldBuildSeconds += block.scalarField.BuildSeconds();
+  }
+}
+
+std::size_t VolumeBlocks::Bytes() const
+{
+  std::size_t bytes = 0;
+  for (const auto& block : this->blocks)
+  {
+    bytes += block ? block->Bytes() : 0;
+  }
+  return bytes;
+}
+
+void VolumeBlocks::Release(vtkWindow* window)
+{
+  for (const auto& block : this->blocks)
+  {
+    if (block)
+    {
+      block->Release(window);
+    }
+  }
+  this->blocks.clear();
+  this->residency.Clear();
+  this->partition = BlockPartition();
+}
+
+}

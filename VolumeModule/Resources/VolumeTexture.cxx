@@ -1,0 +1,307 @@
+#include "Resources/VolumeTexture.h"
+
+#include "vtkDataArray.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkSetGet.h"
+#include "vtkType.h"
+#include "vtk_glew.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr double LargestTexel16 = 65535.0;
+
+// Integers spread over the 16 bits by a whole factor, so that each voxel's texel is exact and the
+// filter has all bits to interpolate in.
+TexelMapping NormalizedMapping(double smallest, double largest)
+{
+  const double factor = std::floor(LargestTexel16 / std::max(largest - smallest, 1.0));
+  return { LargestTexel16 / factor, smallest };
+}
+
+// Floats scaled by a power of two, which is exact, to about [-1, 1], so that no product of them
+// overflows; and shifted only where the range is small against its distance from zero, as in
+// doubles around 1e7 that differ by 1.
+TexelMapping FloatMapping(double smallest, double largest)
+{
+  const double range = largest - smallest;
+  const double farthest = std::max(std::abs(smallest), std::abs(largest));
+  const bool farFromZero = range > 0.0 && farthest > 2.0 * range;
+  const double extent = farFromZero ? range : farthest;
+  const double scale = extent > 0.0 ? std::exp2(std::ceil(std::log2(extent))) : 1.0;
+  return { scale, farFromZero ? smallest : 0.0 };
+}
+
+template <class Scalar>
+bool IsFinite(Scalar scalar)
+{
+  if constexpr (std::is_integral<Scalar>::value)
+  {
+    return true;
+  }
+  else
+  {
+    return std::isfinite(scalar);
+  }
+}
+
+// Where a channel of some rows of voxels goes.
+struct ChannelRows
+{
+  glm::ivec3 dimensions; ///< of the volume
+  VoxelRegion voxels;    ///< the rows
+  int stride;            ///< numbers from a voxel to the next
+  int texelStride;
+  TexelMapping mapping;
+};
+
+// What is not finite becomes 0: a filter makes NaN of it even where its weight is 0.
+/// @return whether all scalars are finite
+template <class Texel, class Scalar>
+bool ConvertRow(const Scalar* source, int stride, Texel* target, int texelStride, int count,
+  const TexelMapping& mapping)
+{
+  constexpr bool normalized = std::is_integral<Texel>::value;
+  const double factor = (normalized ? LargestTexel16 : 1.0) / mapping.scale;
+  const double rounding = normalized ? 0.5 : 0.0;
+  bool allFinite = true;
+  for (int x = 0; x < count; ++x)
+  {
+    const Scalar scalar = source[x * stride];
+    const bool finite = IsFinite(scalar);
+    target[x * texelStride] =
+      finite ? Texel((double(scalar) - mapping.offset) * factor + rounding) : Texel(0);
+    allFinite = allFinite && finite;
+  }
+  return allFinite;
+}
+
+/// @param scalars  the channel's number of the first voxel
+template <class Texel, class Scalar>
+bool ConvertChannel(const Scalar* scalars, const ChannelRows& rows, Texel* texels)
+{
+  std::atomic<bool> allFinite = true;
+  const glm::ivec3 count = rows.voxels.count;
+  const glm::ivec3 first = rows.voxels.first;
+  tbb::parallel_for(tbb::blocked_range<int>(0, count.y * count.z),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      bool rowsAreFinite = true;
+      for (int row = range.begin(); row != range.end(); ++row)
+      {
+        const std::size_t y = first.y + row % count.y;
+        const std::size_t z = first.z + row / count.y;
+        const std::size_t voxel = first.x + rows.dimensions.x * (y + rows.dimensions.y * z);
+        const Scalar* const source = scalars + voxel * rows.stride;
+        Texel* const target = texels + std::size_t(row) * count.x * rows.texelStride;
+        // The usual strides as constants, which the compiler makes faster code of.
+        const bool finite = rows.stride == 1 && rows.texelStride == 1
+          ? ConvertRow(source, 1, target, 1, count.x, rows.mapping)
+          : ConvertRow(source, rows.stride, target, rows.texelStride, count.x, rows.mapping);
+        rowsAreFinite = rowsAreFinite && finite;
+      }
+      if (!rowsAreFinite)
+      {
+        allFinite = false;
+      }
+    });
+  return allFinite;
+}
+
+template <class Texel>
+bool ConvertChannel(const VoxelChannel& channel, const ChannelRows& rows, Texel* texels)
+{
+  void* const voxels = channel.array->GetVoidPointer(channel.component);
+  switch (channel.array->GetDataType())
+  {
+    vtkTemplateMacro(
+      return ConvertChannel<Texel>(static_cast<const VTK_TT*>(voxels), rows, texels));
+  }
+  return true;
+}
+
+constexpr GLenum FormatOfChannels[] = { GL_RED, GL_RG, GL_RGB, GL_RGBA };
+constexpr GLint Format16OfChannels[] = { GL_R16, GL_RG16, GL_RGB16, GL_RGBA16 };
+constexpr GLint FormatFloatOfChannels[] = { GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F };
+
+// Slices are converted and uploaded a few at a time: a second copy of the volume is never held.
+/// @return whether all scalars are finite
+template <class Texel>
+bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& texelsOfChannels)
+{
+  constexpr std::size_t texelsAtOnce = std::size_t(1) << 22;
+  const VoxelRegion& all = region.voxels;
+  const int channels = int(region.channels.size());
+  const std::size_t sliceTexels = std::size_t(all.count.x) * all.count.y * channels;
+  const int slicesAtOnce =
+    int(std::clamp(texelsAtOnce / sliceTexels, std::size_t(1), std::size_t(all.count.z)));
+  bool allFinite = true;
+  std::vector<Texel> texels(sliceTexels * slicesAtOnce);
+  for (int slice = 0; slice < all.count.z; slice += slicesAtOnce)
+  {
+    const int slices = std::min(slicesAtOnce, all.count.z - slice);
+    const VoxelRegion part{ all.first + glm::ivec3(0, 0, slice),
+      { all.count.x, all.count.y, slices } };
+    for (int i = 0; i < channels; ++i)
+    {
+      const VoxelChannel& channel = region.channels[i];
+      const ChannelRows rows{ region.dimensions, part, channel.array->GetNumberOfComponents(),
+        channels, texelsOfChannels[i].mapping };
+      allFinite = ConvertChannel(channel, rows, texels.data() + i) && allFinite;
+    }
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, part.count.x, part.count.y, slices,
+      FormatOfChannels[channels - 1], std::is_integral<Texel>::value ? GL_UNSIGNED_SHORT : GL_FLOAT,
+      texels.data());
+  }
+  return allFinite;
+}
+
+GLenum InternalFormatOf(const std::vector<ScalarTexels>& texels)
+{
+  const std::size_t channels = texels.size();
+  return texels.front().normalized ? Format16OfChannels[channels - 1]
+                                   : FormatFloatOfChannels[channels - 1];
+}
+
+}
+
+double TexelMapping::LimitedTexelOf(double scalar) const
+{
+  constexpr double most = 1e30;
+  return std::clamp(this->TexelOf(scalar), -most, most);
+}
+
+void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
+  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, int channels, const char* what)
+{
+  const glm::ivec3 allocated(texture->GetWidth(), texture->GetHeight(), texture->GetDepth());
+  if (texture->GetHandle() && allocated == dimensions &&
+    texture->GetInternalFormat(vtkType, channels, false) == internalFormat)
+  {
+    return;
+  }
+  const auto fail = [&](const std::string& limit)
+  {
+    std::ostringstream message;
+    message << "Cannot draw " << what << " of " << dimensions.x << " x " << dimensions.y << " x "
+            << dimensions.z << ": " << limit;
+    throw std::runtime_error(message.str());
+  };
+
+  const int longestSide = vtkTextureObject::GetMaximumTextureSize3D(window);
+  if (std::max({ dimensions.x, dimensions.y, dimensions.z }) > longestSide)
+  {
+    fail("this device's 3D textures have at most " + std::to_string(longestSide) + " on a side");
+  }
+  texture->ReleaseGraphicsResources(window);
+  texture->ResetFormatAndType();
+  texture->SetContext(window);
+  texture->SetInternalFormat(internalFormat);
+  texture->SetFormat(FormatOfChannels[channels - 1]);
+  const bool fits =
+    texture->AllocateProxyTexture3D(dimensions.x, dimensions.y, dimensions.z, channels, vtkType) &&
+    texture->Create3DFromRaw(dimensions.x, dimensions.y, dimensions.z, channels, vtkType, nullptr);
+  if (!fits)
+  {
+    texture->ReleaseGraphicsResources(window);
+    fail("the device has not enough memory for one texture of that size; with a maximum graphics "
+         "memory a volume is drawn in smaller blocks");
+  }
+}
+
+std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels)
+{
+  std::vector<ScalarTexels> all;
+  bool allNormalized = true;
+  bool allIntegers = true;
+  for (const VoxelChannel& channel : channels)
+  {
+    double range[2];
+    channel.array->GetFiniteRange(range, channel.component);
+    const bool anyFinite = range[0] <= range[1];
+    const int type = channel.array->GetDataType();
+    ScalarTexels texels;
+    texels.smallestScalar = anyFinite ? range[0] : 0.0;
+    texels.largestScalar = anyFinite ? range[1] : 0.0;
+    texels.smallestValue = texels.smallestScalar;
+    texels.largestValue = texels.largestScalar;
+    allIntegers = allIntegers && type != VTK_FLOAT && type != VTK_DOUBLE;
+    allNormalized = allNormalized && allIntegers &&
+      texels.largestScalar - texels.smallestScalar <= LargestTexel16;
+    all.push_back(texels);
+  }
+  for (ScalarTexels& texels : all)
+  {
+    texels.finite = allIntegers;
+    texels.normalized = allNormalized;
+    texels.mapping = allNormalized ? NormalizedMapping(texels.smallestScalar, texels.largestScalar)
+                                   : FloatMapping(texels.smallestScalar, texels.largestScalar);
+  }
+  return all;
+}
+
+// vtkTextureObject::AllocateProxyTexture3D asks the same, but calls a refusal an error.
+std::size_t VolumeTexture::MostTexels(
+  glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels)
+{
+  const auto isTaken = [&]
+  {
+    glTexImage3D(GL_PROXY_TEXTURE_3D, 0, InternalFormatOf(texels), dimensions.x, dimensions.y,
+      dimensions.z, 0, FormatOfChannels[texels.size() - 1], GL_FLOAT, nullptr);
+    GLint width = 0;
+    glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
+    return width == dimensions.x;
+  };
+  while (!isTaken() && dimensions != glm::ivec3(1))
+  {
+    int* const longest = std::max_element(&dimensions.x, &dimensions.x + 3);
+    *longest = (*longest + 1) / 2;
+  }
+  return std::size_t(dimensions.x) * dimensions.y * dimensions.z;
+}
+
+void VolumeTexture::Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
+  const std::vector<ScalarTexels>& texels)
+{
+  const bool normalized = texels.front().normalized;
+  const int channels = int(region.channels.size());
+  const glm::ivec3 size = region.voxels.count;
+  AllocateTexture3D(this->texture, window, size, normalized ? VTK_UNSIGNED_SHORT : VTK_FLOAT,
+    InternalFormatOf(texels), channels, "a volume");
+  this->bytes = std::size_t(size.x) * size.y * size.z * channels * texels.front().BytesPerTexel();
+
+  this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  this->texture->SetMinificationFilter(vtkTextureObject::Linear);
+  this->texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->texture->Activate();
+  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  this->allFinite =
+    normalized ? UploadSlices<std::uint16_t>(region, texels) : UploadSlices<float>(region, texels);
+  this->texture->Deactivate();
+}
+
+void VolumeTexture::Release(vtkWindow* window)
+{
+  this->texture->ReleaseGraphicsResources(window);
+  this->bytes = 0;
+}
+
+}

@@ -1,0 +1,126 @@
+#ifndef Varimarch_Resources_VolumeTexture_h
+#define Varimarch_Resources_VolumeTexture_h
+
+#include "Core/Geometry/ScalarGrid.h"
+
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+class vtkDataArray;
+class vtkOpenGLRenderWindow;
+
+namespace varimarch
+{
+
+/// How a texture holds scalars: scalar = texel * scale + offset. Exact for every voxel of 8 and 16
+/// bit data and of wider integers whose values span less than 2^16; others keep float's precision
+/// relative to their range, wherever it lies.
+struct TexelMapping
+{
+  double scale = 1.0;
+  double offset = 0.0;
+
+  double TexelOf(double scalar) const { return (scalar - this->offset) / this->scale; }
+
+  /// As a float can hold it, for scalars that may be infinite; VTK's endless range is about that of
+  /// floats.
+  double LimitedTexelOf(double scalar) const;
+};
+
+/// What all textures of a volume have in common, so that pictures of them meet without a seam.
+struct ScalarTexels
+{
+  double smallestScalar = 0.0; ///< of the finite voxels
+  double largestScalar = 0.0;
+  double smallestValue = 0.0; ///< bounds of what is interpolated, which may go beyond the voxels
+  double largestValue = 0.0;
+  TexelMapping mapping;
+  bool normalized = true; ///< 16 bit; else float
+  bool finite = true;     ///< all voxels are, for sure
+
+  std::size_t BytesPerTexel() const { return this->normalized ? 2 : 4; }
+};
+
+/// The largest gradient, per mean spacing, that VTK tells from larger ones: a quarter of the range.
+inline double LargestGradient(const ScalarTexels& texels)
+{
+  const double range = texels.largestScalar - texels.smallestScalar;
+  return 0.25 * (range > 0.0 ? range : 1.0);
+}
+
+/// One of the numbers that each voxel has: a component of an array.
+struct VoxelChannel
+{
+  vtkDataArray* array; ///< dimensions.x * dimensions.y * dimensions.z tuples
+  int component;
+
+  bool operator==(const VoxelChannel& other) const
+  {
+    return this->array == other.array && this->component == other.component;
+  }
+};
+
+using VoxelChannels = std::vector<VoxelChannel>; ///< one to four
+
+/// Of each channel, for linear interpolation; they share one format.
+std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels);
+
+/// The numbers that the values of a volume are interpolated from: its voxels, or what a filter has
+/// made of them.
+struct VoxelValues
+{
+  VoxelChannels channels;
+  glm::ivec3 dimensions = glm::ivec3(0);
+  std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< of each channel
+  int reachVoxels = 0; ///< how far beyond its cell a value depends on them
+};
+
+/// A part of the voxels of a volume.
+struct ScalarRegion
+{
+  VoxelChannels channels;
+  glm::ivec3 dimensions;
+  VoxelRegion voxels;
+};
+
+/// Voxels as a 3D texture of as many channels: normalised 16 bit where that is exact, else float.
+/// 8 bit data takes 16 bit texels too, because software rasterisers filter 8 bit texels in 8 bit
+/// arithmetic, which is off by more than a grey level.
+class VolumeTexture
+{
+public:
+  /// Uploads the scalars of a region. A texture of the same size and format is reused.
+  /// @throws std::runtime_error when the device cannot hold the texture
+  void Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
+    const std::vector<ScalarTexels>& texels);
+
+  /// How many texels the device takes in one texture: as many as `dimensions`, or as are left when
+  /// their longest side is halved until it does. A question only; nothing is allocated.
+  /// @param dimensions  no longer than a side may be
+  static std::size_t MostTexels(glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels);
+
+  vtkTextureObject* Texture() const { return this->texture; }
+  bool AllFinite() const { return this->allFinite; } ///< in the region
+  std::size_t Bytes() const { return this->bytes; }
+  void Release(vtkWindow* window);
+
+private:
+  vtkNew<vtkTextureObject> texture;
+  bool allFinite = true;
+  std::size_t bytes = 0;
+};
+
+/// Allocates a 3D texture, or says why the device cannot hold it.
+/// @param channels  numbers per texel, 1 to 4
+/// @param what  the thing it is for, as in "the volume"
+/// @throws std::runtime_error naming the limit
+void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
+  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, int channels, const char* what);
+
+}
+
+#endif
