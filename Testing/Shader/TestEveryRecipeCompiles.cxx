@@ -1,4 +1,5 @@
-#include "Core/Recipe/FlatUniforms.h"
+#include "Core/Recipe/FlatParameters.h"
+#include "Core/Recipe/PassRecipe.h"
 #include "Core/Recipe/ShaderAssembly.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Support/EveryRecipe.h"
@@ -83,14 +84,14 @@ TEST(Shaders, EveryRecipeCompiles)
 // As many as llvmpipe has.
 constexpr int MostFlatComponents = 124;
 
-TEST(Shaders, EveryRecipeCompilesWithFlatUniforms)
+TEST(Shaders, EveryRecipeCompilesWithFlatParameters)
 {
   for (const RenderSettings& settings : EveryRecipe())
   {
     const std::vector<std::string> parts = FragmentShaderParts(settings);
-    std::vector<ShaderFile> vertex = LoadParts({ VertexShaderPart() });
+    std::vector<ShaderFile> vertex = LoadParts(VertexShaderParts());
     std::vector<ShaderFile> fragment = LoadParts(parts);
-    HandUniformsOn(vertex, fragment, MostFlatComponents);
+    HandParametersOn(vertex, fragment, MostFlatComponents);
     const Validation ofVertex = Validate(vertex, "vert");
     const Validation ofFragment = Validate(fragment, "frag");
     EXPECT_TRUE(ofVertex.passed) << Describe(parts) << "\n" << ofVertex.messages;
@@ -100,16 +101,16 @@ TEST(Shaders, EveryRecipeCompilesWithFlatUniforms)
 
 TEST(Shaders, TheVertexShaderCompiles)
 {
-  const Validation validation = Validate(LoadParts({ VertexShaderPart() }), "vert");
+  const Validation validation = Validate(LoadParts(VertexShaderParts()), "vert");
   EXPECT_TRUE(validation.passed) << validation.messages;
 }
 
 TEST(Shaders, AnErrorIsTracedToItsFileAndLine)
 {
   std::vector<ShaderFile> files = LoadParts(FragmentShaderParts(EveryRecipe().front()));
-  files[3].text = "\nfloat DepthLimit(Ray ray) { return missing; }\n";
+  files[8].text = "\nfloat DepthLimit(Ray ray) { return missing; }\n";
   const Validation validation = Validate(files, "frag");
   EXPECT_FALSE(validation.passed);
-  EXPECT_NE(validation.messages.find(files[3].path + ":2"), std::string::npos)
+  EXPECT_NE(validation.messages.find(files[8].path + ":2"), std::string::npos)
     << validation.messages;
 }

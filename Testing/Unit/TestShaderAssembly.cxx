@@ -39,7 +39,7 @@ TEST(ShaderAssembly, LeavesNumbersOutsideItsFilesAlone)
 TEST(ShaderAssembly, GivesEachOfSeveralVolumesNamesOfItsOwn)
 {
   const std::vector<varimarch::ShaderFile> volume = {
-    { "VolumeSlots.glsl", "uniform float own;\n" },
+    { "VolumeParameters.glsl", "uniform float own;\n" },
     { "Volumes/Next.glsl", "float Sum()\n{\n  return SumBefore() + own;\n}\n" },
   };
   std::vector<varimarch::ShaderFile> several = { { "Volumes/None.glsl", "float SumBefore();\n" } };
@@ -60,5 +60,13 @@ TEST(ShaderAssembly, GivesEachOfSeveralVolumesNamesOfItsOwn)
   EXPECT_TRUE(stands("#undef SumBefore\n#define SumBefore Sum_2\n#undef Sum\n#undef own\n"
                      "#line 6000\n"));
   EXPECT_EQ(varimarch::NameOfVolume("own", 0), "own_1");
-  EXPECT_EQ(varimarch::NameOfVolume("own[2]", 1), "own_2[2]");
+}
+
+TEST(ShaderAssembly, GivesEachOfSeveralVolumesABlockOfItsOwn)
+{
+  const varimarch::ShaderFile block = { "VolumeParameters.glsl",
+    "layout(std140) uniform VolumeParameters\n{\n  vec3 size; // [mm]\n};\n" };
+  const std::string source = AssembleShader({ block, block });
+  EXPECT_NE(source.find("#define VolumeParameters VolumeParameters_1\n#define size size_1\n"),
+    std::string::npos);
 }

@@ -32,7 +32,8 @@ Parts Changed(const RenderSettings& settings)
 TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   EXPECT_EQ(FragmentShaderParts(plain),
-    (Parts{ "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
+      "VolumeTextures.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
       "Interpolation/Linear.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
       "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
       "Fetch/FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
@@ -157,7 +158,8 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
 {
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
-    (Parts{ "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
+      "VolumeTextures.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
       "Interpolation/Linear.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
       "Math/CellCubic.glsl", "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl",
       "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
@@ -173,7 +175,7 @@ TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
     settings.nearest = nearest;
     const Parts parts = FragmentShaderParts(settings);
     // Between what every shader begins with and what every one ends with.
-    return Parts(parts.begin() + 5, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
+    return Parts(parts.begin() + 9, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
   };
   EXPECT_EQ(partsOf(Blend::Composite, true),
     (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
@@ -204,18 +206,19 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
   settings.others = { lit };
   const Parts parts = FragmentShaderParts(settings);
   EXPECT_EQ(parts,
-    (Parts{ "Slots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl", "Math/StepGrowth.glsl",
-      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Blend/Composite.glsl",
-      "Volumes/None.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "Math/IntersectBox.glsl",
+      "Math/Absorption.glsl", "Math/StepGrowth.glsl", "Depth/None.glsl", "Clip/None.glsl",
+      "Jitter/None.glsl", "Blend/Composite.glsl", "Volumes/None.glsl",
       // The lit volume,
-      "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl", "Probe/None.glsl",
-      "Gaps/None.glsl", "Classify/OpticalTable.glsl", "Gradient/CentralDifferences.glsl",
-      "Shade/HeadLight.glsl", "GradientOpacity/None.glsl", "Values/One.glsl",
-      "Material/OneComponent.glsl", "Damping/None.glsl", "Step/Fixed.glsl", "Reading/Cells.glsl",
-      "Volumes/Next.glsl",
+      "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
+      "Interpolation/Linear.glsl", "Probe/None.glsl", "Gaps/None.glsl",
+      "Classify/OpticalTable.glsl", "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl",
+      "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
+      "Damping/None.glsl", "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl",
       // and the other.
-      "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl", "Probe/None.glsl",
-      "Gaps/None.glsl", "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
+      "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
+      "Interpolation/Linear.glsl", "Probe/None.glsl", "Gaps/None.glsl",
+      "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
       "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
       "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl", "March/Several.glsl",
       "Mask/None.glsl", "Crop/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
@@ -227,7 +230,8 @@ TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
   RenderSettings settings{ Blend::Composite, Acceleration::OpticalField, true, false };
   settings.pass = RayPass::Picture;
   EXPECT_EQ(FragmentShaderParts(settings),
-    (Parts{ "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
+      "VolumeTextures.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl",
       "Depth/None.glsl", "Clip/None.glsl", "Blend/Composite.glsl", "Window/None.glsl",
       "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
 }

@@ -18,18 +18,10 @@ constexpr int Width = 101;
 constexpr int Height = 67;
 constexpr float Side = 6.0f;
 
-PacketCamera CameraOf(const glm::dmat4& clipFromGrid)
+glm::vec3 DirectionOf(const glm::dmat4& clipFromGrid)
 {
-  const PixelRays rays = ComputePixelRays(clipFromGrid, { glm::dvec3(0.0), glm::dvec3(100.0) });
-  PacketCamera camera = {};
-  for (int i = 0; i < 3; ++i)
-  {
-    camera.startGrid[i] = rays.startGrid[i];
-    camera.directionGrid[i] = rays.directionGrid[i];
-  }
-  camera.pictureWidth = Width;
-  camera.pictureHeight = Height;
-  return camera;
+  const Box box{ glm::dvec3(0.0), glm::dvec3(100.0) };
+  return ComputePixelRays(clipFromGrid, box).directionGrid[0];
 }
 
 VisibleBlocks RandomBlocks(unsigned seed, int count = 12)
@@ -125,17 +117,18 @@ TEST_P(VisibleDepthsOf, AreNothingWhereNoBlockIs)
 TEST_P(VisibleDepthsOf, ManyBlocksAreThoseOfEach)
 {
   const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
-  const PacketCamera camera = CameraOf(clipFromGrid);
+  const glm::vec3 direction = DirectionOf(clipFromGrid);
+  const glm::ivec2 size(Width, Height);
   const Viewport pixels{ 0, 0, Width, Height };
   const VisibleBlocks blocks = RandomBlocks(5, 200000);
   VisibleDepths visible;
-  const PacketDepths all = visible.Draw(blocks, clipFromGrid, camera, pixels);
+  const PacketDepths all = visible.Draw(blocks, clipFromGrid, direction, size, pixels);
   const int packets = all.columns * ((Height + PacketHeight - 1) / PacketHeight);
   VisibleDepths alone;
   for (std::size_t first = 0; first < blocks.centersGrid.size(); first += 500)
   {
     const PacketDepths one =
-      alone.Draw({ Side, { blocks.centersGrid[first] } }, clipFromGrid, camera, pixels);
+      alone.Draw({ Side, { blocks.centersGrid[first] } }, clipFromGrid, direction, size, pixels);
     for (int packet = 0; packet < packets; ++packet)
     {
       ASSERT_LE(all.nearest[packet], one.nearest[packet]);
@@ -159,16 +152,17 @@ TEST(VisibleDepths, SayNothingBesideTheEye)
 TEST(VisibleDepths, KeepNothingOfWhatWasDrawnBefore)
 {
   const glm::dmat4 clipFromGrid = Perspective();
-  const PacketCamera camera = CameraOf(clipFromGrid);
+  const glm::vec3 direction = DirectionOf(clipFromGrid);
+  const glm::ivec2 size(Width, Height);
   const VisibleBlocks block{ Side, { glm::vec3(50.0f) } };
   VisibleDepths visible;
-  visible.Draw(RandomBlocks(5, 20000), clipFromGrid, camera, { 0, 0, Width, Height });
-  visible.Draw({ Side, { glm::vec3(-90.0f, 20.0f, 130.0f) } }, clipFromGrid, camera,
+  visible.Draw(RandomBlocks(5, 20000), clipFromGrid, direction, size, { 0, 0, Width, Height });
+  visible.Draw({ Side, { glm::vec3(-90.0f, 20.0f, 130.0f) } }, clipFromGrid, direction, size,
     { 0, 0, Width, Height }); // beside the eye
   const Viewport pixels{ 0, 0, Width / 2, Height / 2 };
-  const PacketDepths again = visible.Draw(block, clipFromGrid, camera, pixels);
+  const PacketDepths again = visible.Draw(block, clipFromGrid, direction, size, pixels);
   VisibleDepths other;
-  const PacketDepths first = other.Draw(block, clipFromGrid, camera, pixels);
+  const PacketDepths first = other.Draw(block, clipFromGrid, direction, size, pixels);
   ASSERT_TRUE(again.nearest);
   ASSERT_EQ(again.columns, first.columns);
   const int packets = first.columns * ((Height / 2 + PacketHeight - 1) / PacketHeight);

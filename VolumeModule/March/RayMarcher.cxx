@@ -147,7 +147,7 @@ void RayMarcher::Release(vtkWindow* window)
   this->depth.Release(window);
   this->packets.Release(window);
   this->boxGeometry.Release();
-  this->program.Forget();
+  this->program.Release();
   this->probe.Release(window);
   this->tolerance.Forget();
   this->window = nullptr;

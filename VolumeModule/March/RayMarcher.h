@@ -5,7 +5,6 @@
 #include "Frame/Frame.h"
 #include "March/Device/BoxGeometry.h"
 #include "March/Device/RayMarchProgram.h"
-#include "March/Device/VolumeUniforms.h"
 #include "March/Processor/PacketPicture.h"
 #include "March/Processor/PacketSceneBuilder.h"
 #include "March/RayAccumulation.h"
@@ -29,6 +28,19 @@ namespace varimarch
 /// A box so much larger that it covers all pixels of which the box covers a part, if it is at least
 /// a few pixels wide.
 Box WithItsEdges(const Box& box);
+
+/// The volume or a block of it, as it is drawn.
+struct DrawnBlock
+{
+  const VolumeBlock* block; ///< null where rays are not marched
+  VoxelRegion voxels;
+  Box boxGrid;                ///< box that its rays are marched through
+  Box coverGrid;              ///< covers the pixels of the rays
+  glm::dvec3 sharedUpperGrid; ///< upper faces at which another block begins; elsewhere far away
+};
+
+/// The transform from the grid of one volume to that of another.
+glm::dmat4 GridFromGrid(const Frame& to, const Frame& from);
 
 /// Draws frames: of a volume or of several that overlap, whole or in blocks, with a ray in each
 /// pixel or with fewer or more of them, by shaders or by the processor. Holds what pictures take on
@@ -91,7 +103,6 @@ private:
   std::vector<float> DrawLayerDepths(const Frame& frame);
   void DrawPackets(const Frame& frame);
   std::vector<float> MarchProbe(const Frame& frame);
-  void SetPacketUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
 
   // Several volumes that overlap.
   void UpdateVoxelsOfOthers(const Frame& frame);
@@ -99,7 +110,6 @@ private:
   Box BoxOfAll(const Frame& frame) const;
   void ReleaseOthers(vtkWindow* window, std::size_t first);
   std::size_t BytesOfOthers() const;
-  void SetUniformsOfOthers(const Frame& frame);
   MixedScenes MixScenes(PacketScene& first, const Frame& frame, const Viewport& pixels) const;
 
   // In pictures that others are made of, or that are not seen.
@@ -111,16 +121,10 @@ private:
   void DrawPass(const Frame& frame);
   void DrawImages(const Frame& frame, const Viewport& rays);
 
-  void SetRayUniforms(const Frame& frame, const DrawnBlock& drawn, const glm::dmat4& clipFromGrid);
-  void SetResumeUniforms(const Frame& frame, const DrawnBlock& drawn);
-  void SetResampledUniforms(const Frame& frame);
-  void SetMeanUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
-  void SetPassUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
-  void SetNoiseUniforms(const Frame& frame);
-  void SetDepthUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
-  void SetMarchUniforms(const Frame& frame, const glm::dmat4& clipFromGrid);
-  void SetUniforms(const Frame& frame, const DrawnBlock& drawn);
-  std::vector<vtkTextureObject*> TexturesOf(const DrawnBlock& drawn);
+  RayParameters ParametersOfRays(const Frame& frame, const DrawnBlock& drawn) const;
+  RayTextures TexturesOfRays(const Frame& frame) const;
+  void SetVolumes(const Frame& frame, const DrawnBlock& drawn);
+  void SetParameters(const Frame& frame, const DrawnBlock& drawn);
   void DrawBox(const Frame& frame, const DrawnBlock& drawn);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> window;

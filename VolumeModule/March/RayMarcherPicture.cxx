@@ -3,6 +3,8 @@
 
 #include "March/RayMarcher.h"
 
+#include "March/RayParametersBuilder.h"
+
 #include "vtkOpenGLRenderWindow.h"
 
 #include <glm/vec2.hpp>
@@ -22,20 +24,6 @@ constexpr double LaterDistance = 1.0 / 2.0;
 
 // Between the rays of what is seen until the first picture is there: a sixteenth of its time.
 constexpr double DistanceBeneath = 4.0; // [pixels]
-
-// Rays of a picture whose pixels are as far apart as that [pixels]; more than one in a pixel stand
-// in equal rows.
-Viewport RaysOf(const Viewport& picture, double imageSampleDistance)
-{
-  if (imageSampleDistance < 1.0)
-  {
-    const int perSide = int(std::lround(1.0 / imageSampleDistance));
-    return { 0, 0, picture.width * perSide, picture.height * perSide };
-  }
-  const auto side = [&](int pixels)
-  { return std::max(int(std::lround(pixels / imageSampleDistance)), 1); };
-  return { 0, 0, side(picture.width), side(picture.height) };
-}
 
 }
 
@@ -111,16 +99,6 @@ double RayMarcher::DrawnPart(int mostAccumulated) const
   return pictures.IsEmpty() ? 1.0 : std::min(pictures.CountWithParts() / mostAccumulated, 1.0);
 }
 
-void RayMarcher::SetMeanUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
-{
-  this->picture.accumulated.Sum()->Activate();
-  this->program.Set("sumTexture", this->picture.accumulated.Sum());
-  this->program.Set("pictureCount", double(this->picture.accumulated.Count()));
-  this->program.Set("rowsOfNext", this->picture.accumulated.RowsOfNext());
-  this->program.Set("viewportOriginPixels", glm::dvec2(frame.viewport.left, frame.viewport.bottom));
-  this->program.Set("clipFromGrid", clipFromGrid);
-}
-
 void RayMarcher::DrawPicture(const Frame& frame)
 {
   const Viewport rays = RaysOf(frame.viewport, frame.imageSampleDistance);
@@ -163,25 +141,6 @@ void RayMarcher::DrawResampled(const Frame& frame)
   picture.settings.pass = rays.width > frame.viewport.width ? RayPass::Averaged : RayPass::Upscaled;
   this->UpdateProgram(picture);
   this->DrawBox(picture, this->BoxOfVisible());
-}
-
-void RayMarcher::SetResampledUniforms(const Frame& frame)
-{
-  const Viewport rays = RaysOf(frame.viewport, frame.imageSampleDistance);
-  this->picture.rays.Texture()->Activate();
-  this->program.Set("coarseTexture", this->picture.rays.Texture());
-  if (frame.settings.pass == RayPass::Averaged)
-  {
-    this->program.Set("raysPerSide", rays.width / frame.viewport.width);
-    return;
-  }
-  this->program.Set("lastCoarsePixel", glm::ivec2(rays.width, rays.height) - 1);
-  this->program.Set("coarsePerPixel",
-    glm::dvec2(rays.width, rays.height) / glm::dvec2(frame.viewport.width, frame.viewport.height));
-  if (frame.settings.sceneGeometry)
-  {
-    this->program.Set("sameSurfaceMm", frame.geometry.SmallestSpacingMm());
-  }
 }
 
 }

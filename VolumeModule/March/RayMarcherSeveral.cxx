@@ -24,11 +24,6 @@ bool IsEmpty(const Box& box)
   return glm::any(glm::greaterThanEqual(box.lower, box.upper));
 }
 
-glm::dmat4 GridFromGrid(const Frame& to, const Frame& from)
-{
-  return glm::inverse(to.geometry.worldFromGrid) * from.geometry.worldFromGrid;
-}
-
 // The box around both, be one of them empty or not.
 Box Around(const Box& box, const Box& other, const glm::dmat4& boxFromOther)
 {
@@ -61,13 +56,6 @@ void CheckOneBlock(const VolumeResources& resources, const Frame& frame)
   }
 }
 
-void SetPlace(PacketScene& scene, const Box& drawnGrid, const glm::dmat4& gridFromRays)
-{
-  scene.constituent.gridFromRays = gridFromRays;
-  scene.constituent.lowerGrid = drawnGrid.lower;
-  scene.constituent.upperGrid = drawnGrid.upper;
-}
-
 // Where rays of several volumes begin and end is what all have; what may be visible is their own.
 void TakeDepths(PacketScene& scene)
 {
@@ -86,6 +74,11 @@ PacketSurroundings SurroundingsOfOther(const Frame& frame)
   return around;
 }
 
+}
+
+glm::dmat4 GridFromGrid(const Frame& to, const Frame& from)
+{
+  return glm::inverse(to.geometry.worldFromGrid) * from.geometry.worldFromGrid;
 }
 
 void RayMarcher::UpdateVoxelsOfOthers(const Frame& frame)
@@ -149,28 +142,6 @@ std::size_t RayMarcher::BytesOfOthers() const
   return bytes;
 }
 
-void RayMarcher::SetUniformsOfOthers(const Frame& frame)
-{
-  if (frame.others.empty())
-  {
-    return;
-  }
-  VolumeUniforms(this->program, this->volume, frame).SetOwnGrid(glm::dmat4(1.0));
-  for (std::size_t i = 0; i < frame.others.size(); ++i)
-  {
-    VolumeResources& resources = *this->others[i];
-    const Frame& other = frame.others[i];
-    const DrawnBlock drawn{ &resources.Blocks().Take(frame.window, 0),
-      { glm::ivec3(0), other.geometry.dimensions }, {}, {}, {} };
-    RayMarchProgram part;
-    part.Share(this->program, i);
-    VolumeUniforms uniforms(part, resources, other);
-    uniforms.SetPlace(drawn);
-    uniforms.SetMarch(drawn);
-    uniforms.SetOwnGrid(GridFromGrid(other, frame));
-  }
-}
-
 MixedScenes RayMarcher::MixScenes(
   PacketScene& first, const Frame& frame, const Viewport& pixels) const
 {
@@ -182,7 +153,6 @@ MixedScenes RayMarcher::MixScenes(
   std::vector<PacketScene> own = ConstituentsOf(frame, this->volume, first);
   for (PacketScene& scene : own)
   {
-    SetPlace(scene, this->volume.VisibleBox(), glm::dmat4(1.0));
     if (!frame.others.empty())
     {
       TakeDepths(scene);
@@ -195,7 +165,7 @@ MixedScenes RayMarcher::MixScenes(
     mixed.volumes.emplace_back(other, resources, SurroundingsOfOther(other), pixels);
     for (PacketScene& scene : ConstituentsOf(other, resources, mixed.volumes.back().scene))
     {
-      SetPlace(scene, resources.VisibleBox(), GridFromGrid(other, frame));
+      scene.parameters.ownGridFromRays = GridFromGrid(other, frame);
       TakeDepths(scene);
       mixed.scenes.push_back(scene);
     }

@@ -73,10 +73,11 @@ public:
   const varimarch::ExtremeBlocks& ExtremeBlocks() const { return this->extremeBlocks; }
   /// Where the processor marches rays: where along the view of a picture something may be visible,
   /// until the next is asked for.
-  PacketDepths VisibleDepthsIn(
-    const glm::dmat4& clipFromGrid, const PacketCamera& camera, const Viewport& pixels)
+  PacketDepths VisibleDepthsIn(const glm::dmat4& clipFromGrid, const glm::vec3& directionGrid,
+    glm::ivec2 picturePixels, const Viewport& pixels)
   {
-    return this->visibleDepths.Draw(this->visibleBlocks, clipFromGrid, camera, pixels);
+    return this->visibleDepths.Draw(
+      this->visibleBlocks, clipFromGrid, directionGrid, picturePixels, pixels);
   }
   bool SkipsAny() const { return this->bytes > 0 || !this->bricks.empty(); }
   /// Of the optical field, the smallest box that holds what is visible in a part of the volume.

@@ -36,10 +36,8 @@ void OpticalTableTexture::UploadRows(vtkOpenGLRenderWindow* window, const TexelM
   for (const OpticalTable& table : this->tables)
   {
     const double last = double(table.entries.size() - 1);
-    const double extent = table.lastValue - table.firstValue;
-    const double indexPerValue = extent > 0.0 ? last / extent : 0.0;
-    rows.emplace_back(mapping.scale * indexPerValue,
-      (mapping.offset - table.firstValue) * indexPerValue, double(first), last);
+    const IndexInTable index = IndexOf(table, last, mapping.scale, mapping.offset);
+    rows.emplace_back(index.scale, index.bias, double(first), last);
     first += table.entries.size();
   }
   this->UploadBehind(window, std::move(rows));

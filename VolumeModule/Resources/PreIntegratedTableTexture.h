@@ -21,7 +21,7 @@ public:
   bool IsKept() const { return !this->kept.entries.empty(); }
   const PreIntegratedTable& Kept() const { return this->kept; }
   vtkTextureObject* Texture() const { return this->texture; }
-  int Size() const { return this->size; }
+  int EntriesPerSide() const { return this->IsKept() ? this->kept.size : this->size; }
   std::size_t Bytes() const { return std::size_t(this->size) * this->size * sizeof(glm::vec4); }
   void Release(vtkWindow* window);
 

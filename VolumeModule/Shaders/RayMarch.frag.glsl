@@ -1,22 +1,14 @@
 // One ray per pixel: where it meets the volume, and what the march along it makes of it.
 
-uniform vec2 viewportPixelsInverse;
-
 // Homogeneous start and direction of a ray are affine in the pixel's position; see Core/PixelRays.
-uniform vec4 startGrid[3];
-uniform vec3 directionGrid[3];
-uniform vec4 nearPlaneGrid; // dot(plane, position) >= 0 beyond the near plane
-uniform vec4 farPlaneGrid;  // and before the far plane
-uniform vec3 boxLowerGrid;  // of what is drawn
-uniform vec3 boxUpperGrid;
 
 out vec4 fragOutput0;
 
 Ray PixelRay()
 {
   vec2 pixel = (gl_FragCoord.xy - viewportOriginPixels) * viewportPixelsInverse * 2.0 - 1.0;
-  vec4 start = startGrid[0] + pixel.x * startGrid[1] + pixel.y * startGrid[2];
-  vec3 direction = directionGrid[0] + pixel.x * directionGrid[1] + pixel.y * directionGrid[2];
+  vec4 start = rayStartGrid[0] + pixel.x * rayStartGrid[1] + pixel.y * rayStartGrid[2];
+  vec3 direction = rayDirectionGrid[0] + pixel.x * rayDirectionGrid[1] + pixel.y * rayDirectionGrid[2];
   Ray ray;
   ray.originGrid = start.xyz / start.w;
   ray.directionGrid = direction / length(worldFromGrid * direction);

@@ -2,12 +2,8 @@
 
 in vec3 vertexGrid;
 
-uniform mat4 clipFromGrid;
-
-// Uniforms of the fragment shader are declared here.
-
 void main()
 {
   gl_Position = clipFromGrid * vec4(vertexGrid, 1.0);
-  // And handed on here.
+  PassParameters();
 }

@@ -21,12 +21,6 @@ struct Interval
   float exit;
 };
 
-uniform vec2 viewportOriginPixels; // of the renderer in its framebuffer
-uniform float stepMm;              // the sample distance
-uniform int mostSegments;          // a ray has no more, so that every frame ends
-// Rows of clipFromGrid that give clip z and w: the surface of equal depth is a plane in the grid.
-uniform vec4 clipDepthRow;
-uniform vec4 clipWeightRow;
 
 // --- Depth: where opaque geometry ends a ray ------------------------------------------------
 // t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
@@ -111,7 +105,6 @@ float PlainMm(int index, float plainMm);
 vec4 Windowed(vec4 picture);
 
 // --- Edges: only where a picture is drawn with fewer rays than pixels --------------------------
-uniform vec2 coarsePerPixel; // rays per pixel on each axis
 // How far the ray through this pixel of those is to be trusted for this one, (0, 1].
 float Trust(Ray ray, Interval inside, ivec2 coarsePixel);
 

@@ -4,11 +4,6 @@
 // gives the names of all volumes but the last an ending of their own. A name that ends with Before
 // means that of the volume before.
 
-uniform mat3 worldFromGrid; // directions only
-uniform sampler3D volumeTexture;
-uniform vec3 voxelCountInverse; // of the volume texture
-uniform vec3 firstVoxelGrid;    // of the volume texture; 0 where it holds the whole volume
-
 vec3 PositionTexture(Ray ray, float t)
 {
   return ray.originTexture + t * ray.directionTexture;

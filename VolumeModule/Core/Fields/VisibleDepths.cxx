@@ -161,15 +161,14 @@ void Join(VisibleLayer& all, const VisibleLayer& layer)
 }
 
 PacketDepths VisibleDepths::Draw(const VisibleBlocks& blocks, const glm::dmat4& clipFromGrid,
-  const PacketCamera& camera, const Viewport& pixels)
+  const glm::vec3& directionGrid, glm::ivec2 picturePixels, const Viewport& pixels)
 {
-  const glm::vec3 axisGrid = glm::normalize(camera.directionGrid[0]);
+  const glm::vec3 axisGrid = glm::normalize(directionGrid);
   const glm::ivec2 first(pixels.left / PacketWidth, pixels.bottom / PacketHeight);
   const glm::ivec2 count = glm::ivec2((pixels.left + pixels.width - 1) / PacketWidth,
                              (pixels.bottom + pixels.height - 1) / PacketHeight) +
     1 - first;
-  const Projection projection(clipFromGrid, axisGrid, blocks.sideGrid,
-    { camera.pictureWidth, camera.pictureHeight }, first, count);
+  const Projection projection(clipFromGrid, axisGrid, blocks.sideGrid, picturePixels, first, count);
 
   const std::size_t threads = std::size_t(tbb::this_task_arena::max_concurrency());
   this->layers.resize(std::clamp<std::size_t>(

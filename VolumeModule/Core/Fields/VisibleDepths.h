@@ -35,11 +35,12 @@ struct VisibleLayer
 class VisibleDepths
 {
 public:
+  /// @param directionGrid  any length, of the ray in the middle of the picture
   /// @param pixels  part of the picture, whose packets begin at its lower left pixel
   /// @return until the next are drawn; none where a block is beside the eye: then all may be
   /// visible
   PacketDepths Draw(const VisibleBlocks& blocks, const glm::dmat4& clipFromGrid,
-    const PacketCamera& camera, const Viewport& pixels);
+    const glm::vec3& directionGrid, glm::ivec2 picturePixels, const Viewport& pixels);
 
 private:
   /// The first becomes that of all blocks. They are kept: memory that is taken anew for each

@@ -364,6 +364,14 @@ OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double 
   return table;
 }
 
+IndexInTable IndexOf(
+  const OpticalTable& table, double lastIndex, double valueScale, double valueOffset)
+{
+  const double extent = table.lastValue - table.firstValue;
+  const double indexPerValue = extent > 0.0 ? lastIndex / extent : 0.0;
+  return { valueScale * indexPerValue, (valueOffset - table.firstValue) * indexPerValue };
+}
+
 std::array<double, 2> VisibleValues(const OpticalTable& table)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -104,6 +104,19 @@ constexpr float OpaqueExtinction = 1e30f;
 OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
   double largestValue, std::size_t mostEntries = 65536);
 
+/// A scalar's index in a table is scalar * scale + bias.
+struct IndexInTable
+{
+  double scale;
+  double bias;
+};
+
+/// The index of scalars that stand for the values scalar * valueScale + valueOffset; 0 in a table
+/// whose first value is its last.
+/// @param lastIndex  index of the table's last value
+IndexInTable IndexOf(
+  const OpticalTable& table, double lastIndex, double valueScale = 1.0, double valueOffset = 0.0);
+
 /// The values between which a table has any extinction, neither of them included: infinite where
 /// the end entries have, (infinity, -infinity) where none has.
 std::array<double, 2> VisibleValues(const OpticalTable& table);

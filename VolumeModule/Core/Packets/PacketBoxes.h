@@ -104,7 +104,7 @@ PacketSum MarchBoxes(const PacketScene& scene, const PacketRays& rays, const Pac
   PacketSum sum = before;
   LatticePlaces place = lattice.At(rays.enter);
   LaneMask going = GoOn(scene, rays, place.t, sum);
-  for (int index = 0; index < scene.steps.mostSegments && Any(going); ++index)
+  for (int index = 0; index < scene.rays.mostSegments && Any(going); ++index)
   {
     const SegmentLanes segment = walk.NextOfBricks(place.t, segmentMm, going);
     const LaneMask jumps = going & LaneMask(segment.enter > place.t);

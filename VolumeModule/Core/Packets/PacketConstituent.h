@@ -55,7 +55,7 @@ public:
     : before(before)
     , scene(scene)
     , isOfBoxes(scene.rule == PacketRule::MaterialVoxels)
-    , rays(OwnRays(scene.constituent, raysOfAll, x, y))
+    , rays(OwnRays(scene, raysOfAll, x, y))
     , walk(scene, this->rays, x, y)
     , material(scene, this->rays)
     , lattice(this->rays, 1.0f, -0.5f, scene.volume.voxelCount)
@@ -135,24 +135,26 @@ public:
   }
 
 private:
-  static PacketRays OwnRays(const PacketConstituent& own, const PacketRays& raysOfAll, int x, int y)
+  static PacketRays OwnRays(const PacketScene& scene, const PacketRays& raysOfAll, int x, int y)
   {
+    const VolumeParameters& own = scene.parameters;
+    const PacketDepths& visible = scene.constituent.visible;
     PacketRays rays = raysOfAll;
-    const glm::mat3 turn(own.gridFromRays);
-    const glm::vec4& move = own.gridFromRays[3];
+    const glm::mat3 turn(own.ownGridFromRays);
+    const glm::vec4& move = own.ownGridFromRays[3];
     rays.originGrid =
       Transformed(turn, raysOfAll.originGrid) + Lanes3{ All(move.x), All(move.y), All(move.z) };
     rays.directionGrid = Transformed(turn, raysOfAll.directionGrid);
     rays.inverse = { SafeInverse(rays.directionGrid.x), SafeInverse(rays.directionGrid.y),
       SafeInverse(rays.directionGrid.z) };
-    const glm::vec3& lower = own.lowerGrid;
-    const glm::vec3& upper = own.upperGrid;
+    const glm::vec3& lower = own.ownLowerGrid;
+    const glm::vec3& upper = own.ownUpperGrid;
     CutBySlab(rays, rays.originGrid.x, rays.inverse.x, lower.x, upper.x);
     CutBySlab(rays, rays.originGrid.y, rays.inverse.y, lower.y, upper.y);
     CutBySlab(rays, rays.originGrid.z, rays.inverse.z, lower.z, upper.z);
-    if (own.visible.nearest)
+    if (visible.nearest)
     {
-      CutByVisible(rays, own.visible, x, y);
+      CutByVisible(rays, visible, x, y);
     }
     const LaneMask meets = LaneMask(rays.enter < rays.exit);
     rays.enter = Select(meets, rays.enter, All(Never));
@@ -181,7 +183,7 @@ private:
 
   Lanes3 VoxelPlace(const Lanes3& grid) const
   {
-    return this->scene.spacing.bins ? UnevenPlace(this->scene.spacing, grid) : grid;
+    return this->scene.spacing.bins ? UnevenPlace(this->scene, grid) : grid;
   }
 
   template <class Voxels>
@@ -209,8 +211,8 @@ private:
 
   void Add(Optical& sum, const Optical& optical, LaneMask mask) const
   {
-    const Lanes extinction =
-      Select(mask, this->scene.constituent.weight * optical.extinction, Lanes{});
+    const float weight = this->scene.parameters.partWeights[this->scene.constituent.component];
+    const Lanes extinction = Select(mask, weight * optical.extinction, Lanes{});
     sum.color = sum.color + extinction * optical.color;
     sum.extinction += extinction;
   }
@@ -330,8 +332,7 @@ private:
     Optical optical = Classify(this->scene.look, value);
     if (this->scene.gradientOpacity.factors)
     {
-      optical.extinction =
-        AtGradient(this->scene.gradientOpacity, optical.extinction, gradientOf(voxels));
+      optical.extinction = AtGradient(this->scene, optical.extinction, gradientOf(voxels));
     }
     optical.color = this->ColorOf<Voxels>(valueOf);
     if (this->scene.light.shading != PacketShading::None)
@@ -360,8 +361,9 @@ private:
     }
     const auto color = [&](int component)
     {
-      return Clamp(
-        valueOf(this->ColorVoxels<Voxels>(component)) * colors.colorPerValue, Lanes{}, All(1.0f));
+      return Clamp(valueOf(this->ColorVoxels<Voxels>(component)) *
+          this->scene.parameters.colorScale[component],
+        Lanes{}, All(1.0f));
     };
     return { color(0), color(1), color(2) };
   }

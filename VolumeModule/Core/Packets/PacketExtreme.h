@@ -67,10 +67,10 @@ inline PacketSum SeenOfExtreme(const PacketScene& scene, const PacketSum& march)
 {
   const Lanes found = march.color.x;
   const LaneMask hasFound = LaneMask(found > -Never);
-  const Lanes value = Select(hasFound, scene.extreme.sense * found, Lanes{});
+  const Lanes value = Select(hasFound, scene.parameters.sense * found, Lanes{});
   PacketSum sum;
   sum.Add(Classify(scene.look, value),
-    Select(hasFound, All(scene.extreme.opacityUnitDistanceMm), Lanes{}));
+    Select(hasFound, All(scene.parameters.opacityUnitDistancesMm.x), Lanes{}));
   return sum;
 }
 
@@ -86,9 +86,11 @@ public:
     , rays(rays)
     , cells(scene.volume)
     , lattice(this->cells.LatticeOf(rays))
-    , bricks(rays, scene.steps.cellsPerBrick, 0.0f, scene.extreme.brickCount)
-    , blocks(rays, scene.steps.cellsPerBrick * scene.extreme.bricksPerBlock, 0.0f,
+    , bricks(rays, scene.parameters.cellsPerBrick, 0.0f, scene.extreme.brickCount)
+    , blocks(rays, scene.parameters.cellsPerBrick * scene.extreme.bricksPerBlock, 0.0f,
         scene.extreme.blockCount)
+    , sense(scene.parameters.sense)
+    , best(sense > 0.0f ? scene.parameters.largestScalars.x : -scene.parameters.smallestScalars.x)
     , found(before.color.x)
   {
   }
@@ -98,16 +100,16 @@ public:
     const Lanes segmentMm = CellsPerSegment / Length(this->rays.directionGrid);
     Lanes t = this->rays.enter;
     LaneMask going = LaneMask(t < this->rays.exit);
-    for (int index = 0; index < this->scene.steps.mostSegments && Any(going); ++index)
+    for (int index = 0; index < this->scene.rays.mostSegments && Any(going); ++index)
     {
       t = this->extreme.bricks ? this->NextBrick(t, going) : t;
       going &= LaneMask(t < this->rays.exit);
       t = this->MarchCells(t, Min(t + segmentMm, this->rays.exit), going);
-      going &= LaneMask(t < this->rays.exit) & LaneMask(this->found < this->extreme.best);
+      going &= LaneMask(t < this->rays.exit) & LaneMask(this->found < this->best);
     }
     PacketSum sum;
     sum.color.x = this->found;
-    sum.opticalDepth = Select(LaneMask(this->found < this->extreme.best), Lanes{}, All(Never));
+    sum.opticalDepth = Select(LaneMask(this->found < this->best), Lanes{}, All(Never));
     return sum;
   }
 
@@ -157,8 +159,8 @@ private:
     const IntNumbers index = lattice.IndexOf(cell);
     const auto step = [&](int lane) { return std::int32_t(steps[index.of[lane]]); };
     const IntLanes all{ step(0), step(1), step(2), step(3), step(4), step(5), step(6), step(7) };
-    return LaneMask(
-      this->extreme.bestPerStep * FloatOf(all) + this->extreme.bestOfFirstStep <= this->found);
+    const glm::vec2& scalar = this->scene.parameters.scalarFromField;
+    return LaneMask(this->sense * (FloatOf(all) * scalar.x + scalar.y) <= this->found);
   }
 
   // Marches the rays of a mask to the end of the cell that `end` is in.
@@ -169,8 +171,7 @@ private:
     {
       const LatticePlaces behind = this->lattice.Behind(place);
       const Lanes exit = Min(behind.t, this->rays.exit);
-      this->found =
-        this->cells.BetterOf(this->rays, place, exit, this->extreme.sense, this->found, mask);
+      this->found = this->cells.BetterOf(this->rays, place, exit, this->sense, this->found, mask);
       place = Select(mask, behind, place);
       mask &= LaneMask(place.t < end);
     }
@@ -184,6 +185,8 @@ private:
   PacketLattice lattice; ///< of them
   PacketLattice bricks;
   PacketLattice blocks; ///< of bricks
+  float sense;          ///< 1: a maximum; -1: a minimum, of which all values are negated
+  float best;           ///< no value is better
   Lanes found;
 };
 

@@ -57,7 +57,7 @@ public:
   IsosurfaceMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
     const PacketSum& before)
     : scene(scene)
-    , surfaces(scene.isosurfaces)
+    , surfaceCount(scene.parameters.isosurfaceCount)
     , rays(rays)
     , walk(walk)
     , material(scene, rays)
@@ -73,7 +73,7 @@ public:
   {
     const Lanes segmentMm = CellsPerSegment / Length(this->rays.directionGrid);
     LaneMask going = this->GoingOf(this->rays.exit);
-    for (int index = 0; index < this->scene.steps.mostSegments && Any(going); ++index)
+    for (int index = 0; index < this->scene.rays.mostSegments && Any(going); ++index)
     {
       const SegmentLanes segment = this->walk.NextOfBricks(this->place.t, segmentMm, going);
       const LaneMask jumps = going & LaneMask(segment.enter > this->place.t);
@@ -131,9 +131,9 @@ private:
     const Lanes lower = Min(Min(cubic.b0, cubic.b1), Min(cubic.b2, cubic.b3));
     const Lanes upper = Max(Max(cubic.b0, cubic.b1), Max(cubic.b2, cubic.b3));
     LaneMask holds = {};
-    for (int surface = 0; surface < this->surfaces.count; ++surface)
+    for (int surface = 0; surface < this->surfaceCount; ++surface)
     {
-      const float isovalue = this->surfaces.entries[2 * surface + 1].x;
+      const float isovalue = this->scene.isosurfaces[2 * surface + 1].x;
       holds |= LaneMask(lower < isovalue) & LaneMask(upper >= isovalue);
     }
     return holds;
@@ -154,9 +154,9 @@ private:
     const Lanes begin = cubic.ValueAt(piece.begin);
     const Lanes end = cubic.ValueAt(piece.end);
     const LaneMask rises = LaneMask(end > begin);
-    for (int i = 0; i < this->surfaces.count; ++i)
+    for (int i = 0; i < this->surfaceCount; ++i)
     {
-      const IntNumbers surface(Select(rises, AllInt(i), AllInt(this->surfaces.count - 1 - i)));
+      const IntNumbers surface(Select(rises, AllInt(i), AllInt(this->surfaceCount - 1 - i)));
       const Lanes isovalue = this->EntriesOf(surface, 1).color.x;
       const LaneMask isPassed =
         mask & LaneMask(Min(begin, end) < isovalue) & LaneMask(Max(begin, end) >= isovalue);
@@ -181,13 +181,13 @@ private:
     __m128 entries[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      entries[lane] = _mm_loadu_ps(&this->surfaces.entries[2 * surface.of[lane] + which].x);
+      entries[lane] = _mm_loadu_ps(&this->scene.isosurfaces[2 * surface.of[lane] + which].x);
     }
     return OpticalOf(entries);
   }
 
   const PacketScene& scene;
-  const PacketIsosurfaces& surfaces;
+  int surfaceCount;
   const PacketRays& rays;
   const PacketWalk& walk;
   PacketMaterial material;

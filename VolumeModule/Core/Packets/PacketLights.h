@@ -52,28 +52,31 @@ inline Lanes InverseLengthOfNormal(const Surface& surface)
 }
 
 /// Shaders/Damping: the part of the light that a surface has.
-inline Lanes LitPart(const PacketLight& light, const Surface& surface)
+inline Lanes LitPart(const PacketScene& scene, const Surface& surface)
 {
-  return light.damps ? Min(Length(Scaled(surface.gradient, light.dampingFactors)), All(1.0f))
-                     : All(1.0f);
+  return scene.light.damps
+    ? Min(Length(Scaled(surface.gradient, scene.parameters.dampingFactors)), All(1.0f))
+    : All(1.0f);
 }
 
 /// Shaders/Shade/HeadLight.glsl.
-inline Lanes3 LitByHeadLight(const PacketLight& light, const Lanes3& color, const Surface& surface)
+inline Lanes3 LitByHeadLight(const PacketScene& scene, const Lanes3& color, const Surface& surface)
 {
+  const glm::vec4& reflectance = scene.parameters.reflectances[scene.constituent.component];
+  const glm::vec3& diffuseLight = scene.parameters.diffuseLight;
+  const glm::vec3& specularLight = scene.parameters.specularLight;
   const Lanes facing = Min(Abs(surface.towardsEye) * InverseLengthOfNormal(surface), All(1.0f));
-  const Lanes part = LitPart(light, surface);
-  const Lanes diffuse = part * light.reflectance.y * facing;
-  const Lanes ambient = All(light.reflectance.x);
-  Lanes3 lit{ color.x * (ambient + diffuse * light.diffuse.x),
-    color.y * (ambient + diffuse * light.diffuse.y),
-    color.z * (ambient + diffuse * light.diffuse.z) };
-  if (light.reflectance.z > 0.0f)
+  const Lanes part = LitPart(scene, surface);
+  const Lanes diffuse = part * reflectance.y * facing;
+  const Lanes ambient = All(reflectance.x);
+  Lanes3 lit{ color.x * (ambient + diffuse * diffuseLight.x),
+    color.y * (ambient + diffuse * diffuseLight.y),
+    color.z * (ambient + diffuse * diffuseLight.z) };
+  if (reflectance.z > 0.0f)
   {
-    const Lanes specular = part * light.reflectance.z * Power(facing, light.reflectance.w);
+    const Lanes specular = part * reflectance.z * Power(facing, reflectance.w);
     lit = lit +
-      Lanes3{ specular * light.specular.x, specular * light.specular.y,
-        specular * light.specular.z };
+      Lanes3{ specular * specularLight.x, specular * specularLight.y, specular * specularLight.z };
   }
   return lit;
 }
@@ -94,8 +97,10 @@ inline ReflectedLight operator*(Lanes factor, const ReflectedLight& a)
 class PacketLights
 {
 public:
-  PacketLights(const PacketLight& light, const Lanes3& directionWorld)
-    : light(light)
+  PacketLights(const PacketScene& scene, const Lanes3& directionWorld)
+    : scene(scene)
+    , parameters(scene.parameters)
+    , reflectance(scene.parameters.reflectances[scene.constituent.component])
     , toEye{ -directionWorld.x, -directionWorld.y, -directionWorld.z }
   {
   }
@@ -104,21 +109,22 @@ public:
   {
     const Lanes3 outward = -InverseLengthOfNormal(surface) * surface.normalWorld;
     Sum sum = { { Lanes{}, Lanes{}, Lanes{} }, { Lanes{}, Lanes{}, Lanes{} } };
-    sum.Add(this->ReflectedFrom(outward, this->toEye), this->light.diffuse, this->light.specular);
-    const glm::vec4* texel = this->light.texels;
-    for (int i = 0; i < this->light.distantCount; ++i, texel += TexelsPerLight)
+    sum.Add(this->ReflectedFrom(outward, this->toEye), this->parameters.diffuseLight,
+      this->parameters.specularLight);
+    const glm::vec4* texel = this->scene.light.texels;
+    for (int i = 0; i < this->parameters.distantCount; ++i, texel += TexelsPerLight)
     {
       const Lanes3 toLight = { All(texel->x), All(texel->y), All(texel->z) };
       sum.Add(this->ReflectedFrom(outward, toLight), texel[1], texel[2]);
     }
-    for (int i = 0; i < this->light.nearCount; ++i, texel += TexelsPerLight)
+    for (int i = 0; i < this->parameters.nearCount; ++i, texel += TexelsPerLight)
     {
       sum.Add(this->ReflectedFromNear(outward, positionWorld, texel), texel[1], texel[2]);
     }
-    const Lanes part = LitPart(this->light, surface);
-    const Lanes diffuse = part * this->light.reflectance.y;
-    const Lanes specular = part * this->light.reflectance.z;
-    const glm::vec3 ambient = this->light.reflectance.x * this->light.ambient;
+    const Lanes part = LitPart(this->scene, surface);
+    const Lanes diffuse = part * this->reflectance.y;
+    const Lanes specular = part * this->reflectance.z;
+    const glm::vec3 ambient = this->reflectance.x * glm::vec3(this->parameters.ambientLight);
     return Lanes3{ color.x * (ambient.x + diffuse * sum.diffuse.x),
       color.y * (ambient.y + diffuse * sum.diffuse.y),
       color.z * (ambient.z + diffuse * sum.diffuse.z) } +
@@ -149,13 +155,13 @@ private:
   Lanes Facing(const Lanes3& normal, const Lanes3& direction) const
   {
     const Lanes cosine = Dot(normal, direction);
-    return Max(cosine, -this->light.backsLit * cosine);
+    return Max(cosine, -this->parameters.backsLit * cosine);
   }
 
   ReflectedLight ReflectedFrom(const Lanes3& normal, const Lanes3& toLight) const
   {
     const Lanes facing = this->Facing(normal, toLight);
-    if (!(this->light.reflectance.z > 0.0f))
+    if (!(this->reflectance.z > 0.0f))
     {
       return { facing, Lanes{} };
     }
@@ -163,7 +169,7 @@ private:
     const Lanes shining =
       this->Facing(normal, halfway) * InverseSqrt(Max(Dot(halfway, halfway), All(1e-30f)));
     return { facing,
-      Select(LaneMask(facing > 0.0f), PowerOf(shining, this->light.reflectance.w), Lanes{}) };
+      Select(LaneMask(facing > 0.0f), PowerOf(shining, this->reflectance.w), Lanes{}) };
   }
 
   ReflectedLight ReflectedFromNear(
@@ -196,7 +202,9 @@ private:
     return Power(Clamp(cosine, All(LeastCosine), All(1.0f)), exponent);
   }
 
-  const PacketLight& light;
+  const PacketScene& scene;
+  const VolumeParameters& parameters;
+  const glm::vec4& reflectance;
   Lanes3 toEye;
 };
 

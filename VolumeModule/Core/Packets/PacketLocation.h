@@ -36,7 +36,7 @@ public:
   {
     const Lanes shortestMm = ShortestVoxels / Length(this->rays.directionGrid);
     LaneMask going = LaneMask(this->t < this->end);
-    for (int index = 0; index < this->scene.steps.mostSegments && Any(going); ++index)
+    for (int index = 0; index < this->scene.rays.mostSegments && Any(going); ++index)
     {
       this->MarchPiece(index, going);
       const Lanes shortest = Select(LaneMask(this->endOpacity > 0.0f), shortestMm, Lanes{});
@@ -56,7 +56,7 @@ private:
   {
     const LaneMask isHalf = LaneMask(this->endOpacity > 0.0f);
     const SegmentLanes segment = this->walk.NextSegment(this->t, AllInt(index),
-      StepsPerPiece * this->scene.steps.stepMm, this->sum.opticalDepth, mask & ~isHalf);
+      StepsPerPiece * this->scene.rays.stepMm, this->sum.opticalDepth, mask & ~isHalf);
     const Lanes begin = Select(isHalf, this->t, segment.enter);
     PacketRays piece = this->rays;
     piece.enter = this->t;

@@ -36,10 +36,10 @@ PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const 
   PacketSum sum = before;
   Lanes t = rays.enter;
   LaneMask going = GoOn(scene, rays, t, sum);
-  for (int index = 0; index < scene.steps.mostSegments && Any(going); ++index)
+  for (int index = 0; index < scene.rays.mostSegments && Any(going); ++index)
   {
     const SegmentLanes segment = walk.NextSegment(
-      t, AllInt(index), PartsPerSegment * scene.steps.stepMm, sum.opticalDepth, going);
+      t, AllInt(index), PartsPerSegment * scene.rays.stepMm, sum.opticalDepth, going);
     going &= LaneMask(segment.enter < rays.exit);
     if (!Any(going))
     {
@@ -206,7 +206,7 @@ public:
         this->AddPart((float(part) + 0.5f) / Parts, 1.0f / Parts);
       }
       this->going &= GoOn(this->scene, this->rays, this->t, this->sum) &
-        (this->index < this->scene.steps.mostSegments);
+        (this->index < this->scene.rays.mostSegments);
     }
     return this->sum;
   }
@@ -227,7 +227,7 @@ private:
       searching &= ~absorbs;
       this->known &= ~searching;
       searching &=
-        LaneMask(this->t < this->rays.exit) & (this->index < this->scene.steps.mostSegments);
+        LaneMask(this->t < this->rays.exit) & (this->index < this->scene.rays.mostSegments);
     }
     this->segment.lengthMm = Select(this->going, this->segment.lengthMm, Lanes{});
     return Any(this->going);
@@ -238,7 +238,7 @@ private:
   void NextSegment(LaneMask mask)
   {
     const SegmentLanes next = this->walk.NextSegment(
-      this->t, this->index, this->scene.steps.stepMm, this->sum.opticalDepth, mask);
+      this->t, this->index, this->scene.rays.stepMm, this->sum.opticalDepth, mask);
     const LaneMask jumps = LaneMask(next.enter > this->t);
     const Lanes end = Min(Select(jumps, next.enter, next.exit), this->rays.exit);
     const Lanes length = Select(jumps, Lanes{}, Max(end - next.enter, Lanes{}));

@@ -38,10 +38,13 @@ inline Lanes WithOpacityFactor(Lanes extinction, float unitDistanceMm, Lanes fac
 /// @param factorOf  (lane, index), the number of an entry that counts
 template <class FactorOf>
 Lanes WithGradientOpacity(
-  const PacketGradientOpacity& opacity, Lanes extinction, const Lanes3& gradient, FactorOf factorOf)
+  const PacketScene& scene, Lanes extinction, const Lanes3& gradient, FactorOf factorOf)
 {
-  const float last = float(opacity.lastIndex);
-  const Lanes place = Min(Length(Scaled(gradient, opacity.indicesPerGradient)), All(last));
+  const VolumeParameters& parameters = scene.parameters;
+  const int component = scene.constituent.component;
+  const float last = parameters.lastGradientEntry;
+  const Lanes magnitude = Length(Scaled(gradient, parameters.spacingFactors));
+  const Lanes place = Min(magnitude * parameters.entriesPerGradient[component], All(last));
   const IntLanes below = Truncated(Min(place, All(last - 1.0f)));
   const IntNumbers index(below);
   const auto factor = [&](int lane, int next) { return factorOf(lane, index.of[lane] + next); };
@@ -50,40 +53,45 @@ Lanes WithGradientOpacity(
     return Lanes{ factor(0, next), factor(1, next), factor(2, next), factor(3, next),
       factor(4, next), factor(5, next), factor(6, next), factor(7, next) };
   };
-  return WithOpacityFactor(
-    extinction, opacity.unitDistanceMm, Mix(factors(0), factors(1), place - FloatOf(below)));
+  return WithOpacityFactor(extinction, parameters.opacityUnitDistancesMm[component],
+    Mix(factors(0), factors(1), place - FloatOf(below)));
 }
 
 /// Shaders/GradientOpacity/Table.glsl.
-inline Lanes AtGradient(
-  const PacketGradientOpacity& opacity, Lanes extinction, const Lanes3& gradient)
+inline Lanes AtGradient(const PacketScene& scene, Lanes extinction, const Lanes3& gradient)
 {
-  return WithGradientOpacity(opacity, extinction, gradient,
-    [&](int, int index) { return opacity.factors[index][opacity.channel]; });
+  return WithGradientOpacity(scene, extinction, gradient,
+    [&](int, int index)
+    { return scene.gradientOpacity.factors[index][scene.constituent.component]; });
 }
 
 /// Shaders/GradientOpacity/LabelTables.glsl.
-inline Lanes AtGradientOfRows(const PacketGradientOpacity& opacity, Lanes extinction,
-  const Lanes3& gradient, const IntNumbers& row)
+inline Lanes AtGradientOfRows(
+  const PacketScene& scene, Lanes extinction, const Lanes3& gradient, const IntNumbers& row)
 {
-  return WithGradientOpacity(opacity, extinction, gradient,
+  const int entries = int(scene.parameters.lastGradientEntry) + 1;
+  return WithGradientOpacity(scene, extinction, gradient,
     [&](int lane, int index)
     {
       const int table = row.of[lane] / 4;
-      return opacity.factors[table * (opacity.lastIndex + 1) + index][row.of[lane] % 4];
+      return scene.gradientOpacity.factors[table * entries + index][row.of[lane] % 4];
     });
 }
 
 /// Shaders/Material/ValueAndGradient.glsl, without light.
-inline Optical ClassifyTwo(const PacketTwoValues& look, Lanes value, const Lanes3& gradient)
+inline Optical ClassifyTwo(const PacketScene& scene, Lanes value, const Lanes3& gradient)
 {
+  const PacketTwoValues& look = scene.twoValues;
+  const VolumeParameters& parameters = scene.parameters;
   const auto indexOf = [](Lanes place, int size)
   { return Clamp(place, Lanes{}, All(1.0f)) * float(size - 1); };
   Optical found = Interpolated(look.entries, look.size,
-    indexOf(value * look.placeScale + look.placeOffset, look.size.x),
-    indexOf(Length(Scaled(gradient, look.placesPerGradient)), look.size.y));
+    indexOf(value * parameters.placeFromScalar.x + parameters.placeFromScalar.y, look.size.x),
+    indexOf(Length(Scaled(gradient, parameters.spacingFactors)) * parameters.placePerGradient,
+      look.size.y));
   constexpr float Opaque = 1e30f;
-  found.extinction = WithOpacityFactor(All(Opaque), look.unitDistanceMm, found.extinction);
+  found.extinction =
+    WithOpacityFactor(All(Opaque), parameters.opacityUnitDistancesMm.x, found.extinction);
   return found;
 }
 
@@ -94,7 +102,7 @@ public:
   PacketMaterial(const PacketScene& scene, const PacketRays& rays)
     : scene(scene)
     , rays(rays)
-    , directionWorld(Transformed(scene.camera.worldFromGrid, rays.directionGrid))
+    , directionWorld(Transformed(scene.parameters.worldFromGrid, rays.directionGrid))
   {
   }
 
@@ -108,7 +116,7 @@ public:
   /// @param gradient  per voxel
   Surface SurfaceOf(const Lanes3& gradient) const
   {
-    const Lanes3 normal = Transformed(this->scene.light.worldFromGradient, gradient);
+    const Lanes3 normal = Transformed(this->scene.parameters.worldFromGradient, gradient);
     return { gradient, normal, Dot(normal, this->directionWorld) };
   }
 
@@ -116,26 +124,25 @@ public:
   Optical At(Lanes value, const Surface& surface, Lanes t) const
   {
     Optical optical = this->scene.twoValues.entries
-      ? ClassifyTwo(this->scene.twoValues, value, surface.gradient)
+      ? ClassifyTwo(this->scene, value, surface.gradient)
       : Classify(this->scene.look, value);
     optical.color = this->Shaded(optical.color, surface, t);
     if (this->scene.gradientOpacity.factors)
     {
-      optical.extinction =
-        AtGradient(this->scene.gradientOpacity, optical.extinction, surface.gradient);
+      optical.extinction = AtGradient(this->scene, optical.extinction, surface.gradient);
     }
     return optical;
   }
 
   Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t) const
   {
-    const PacketLight& light = this->scene.light;
-    switch (light.shading)
+    switch (this->scene.light.shading)
     {
       case PacketShading::HeadLight:
-        return LitByHeadLight(light, color, surface);
+        return LitByHeadLight(this->scene, color, surface);
       case PacketShading::Lights:
-        return PacketLights(light, this->directionWorld).Lit(color, surface, this->WorldAt(t));
+        return PacketLights(this->scene, this->directionWorld)
+          .Lit(color, surface, this->WorldAt(t));
       case PacketShading::None:
         break;
     }
@@ -145,8 +152,8 @@ public:
 private:
   Lanes3 WorldAt(Lanes t) const
   {
-    const glm::vec3& origin = this->scene.light.worldOfGridOrigin;
-    return Transformed(this->scene.camera.worldFromGrid, this->rays.At(t)) +
+    const glm::vec3& origin = this->scene.parameters.worldOfGridOrigin;
+    return Transformed(this->scene.parameters.worldFromGrid, this->rays.At(t)) +
       Lanes3{ All(origin.x), All(origin.y), All(origin.z) };
   }
 
@@ -164,10 +171,10 @@ public:
 
   Optical At(Lanes value, const Surface& surface, Lanes t) const
   {
-    const PacketMask& mask = this->scene.mask;
+    const float labelPart = this->scene.parameters.labelPart;
     Optical optical = this->OfRows(this->rays.region, value, surface);
     const LaneMask isMixed = this->rays.region > 0;
-    if (mask.rowPart < 1.0f && Any(isMixed))
+    if (labelPart < 1.0f && Any(isMixed))
     {
       const Optical plain = this->OfRows(IntLanes{}, value, surface);
       const Optical mixed = this->Mixed(plain, optical);
@@ -198,8 +205,7 @@ private:
     Optical optical = OpticalOf(entries);
     if (this->scene.gradientOpacity.factors)
     {
-      optical.extinction =
-        AtGradientOfRows(this->scene.gradientOpacity, optical.extinction, surface.gradient, row);
+      optical.extinction = AtGradientOfRows(this->scene, optical.extinction, surface.gradient, row);
     }
     return optical;
   }
@@ -208,13 +214,13 @@ private:
   Optical Mixed(const Optical& plain, const Optical& own) const
   {
     constexpr float Opaque = 1e30f;
-    const PacketMask& mask = this->scene.mask;
+    const float unitDistanceMm = this->scene.parameters.opacityUnitDistancesMm.x;
     const auto opacity = [&](Lanes extinction)
-    { return Absorption(Min(extinction * mask.unitDistanceMm, All(80.0f))); };
-    const Lanes part = All(mask.rowPart);
+    { return Absorption(Min(extinction * unitDistanceMm, All(80.0f))); };
+    const Lanes part = All(this->scene.parameters.labelPart);
     const Lanes mixed = Mix(opacity(plain.extinction), opacity(own.extinction), part);
     return { Mix(plain.color, own.color, part),
-      WithOpacityFactor(All(Opaque), mask.unitDistanceMm, Min(mixed, All(0.99999994f))) };
+      WithOpacityFactor(All(Opaque), unitDistanceMm, Min(mixed, All(0.99999994f))) };
   }
 };
 
@@ -236,7 +242,7 @@ public:
   Optical At(Lanes value, const Surface& surface, Lanes) const
   {
     Optical optical = Classify(this->scene.look, value);
-    optical.color = LitByHeadLight(this->scene.light, optical.color, surface);
+    optical.color = LitByHeadLight(this->scene, optical.color, surface);
     return optical;
   }
 };

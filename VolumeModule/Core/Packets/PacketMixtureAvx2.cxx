@@ -19,11 +19,11 @@ PacketSum MarchTogether(const PacketScene& first, const PacketRays& rays, const 
   Constituent& last, const PacketSum& before)
 {
   constexpr float Part = 1.0f / PartsPerSegment;
-  const float plainMm = PartsPerSegment * first.steps.stepMm;
+  const float plainMm = PartsPerSegment * first.rays.stepMm;
   PacketSum sum = before;
   Lanes t = rays.enter;
   LaneMask going = GoOn(first, rays, t, sum);
-  for (int index = 0; index < first.steps.mostSegments && Any(going); ++index)
+  for (int index = 0; index < first.rays.mostSegments && Any(going); ++index)
   {
     const SegmentLanes visible = last.NextVisible(t, going);
     const Lanes enter = Min(visible.enter, rays.exit);

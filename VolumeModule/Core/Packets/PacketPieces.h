@@ -20,13 +20,13 @@ class CroppedPieces
 {
 public:
   CroppedPieces(const PacketScene& scene, const PacketRays& rays)
-    : regions(scene.cuts.regions)
+    : parameters(scene.rays)
     , rays(rays)
     , t(rays.enter)
   {
     for (int i = 0; i < 6; ++i)
     {
-      const glm::vec4& plane = this->regions.planesGrid[i];
+      const glm::vec4& plane = this->parameters.croppingPlanes[i];
       this->crossings[i] = -PlaneAt(plane, rays.originGrid) / PlaneAlong(plane, rays.directionGrid);
     }
   }
@@ -69,15 +69,15 @@ private:
     IntLanes region = {};
     for (int axis = 2; axis >= 0; --axis)
     {
-      const glm::vec4* const planes = this->regions.planesGrid + 2 * axis;
+      const shader::vec4* const planes = this->parameters.croppingPlanes + 2 * axis;
       const LaneMask isBeyondLower = LaneMask(PlaneAt(planes[0], position) >= 0.0f);
       const LaneMask isBeyondUpper = LaneMask(PlaneAt(planes[1], position) >= 0.0f);
       region = 3 * region - isBeyondLower - isBeyondUpper; // a mask is -1
     }
-    return LaneMask((AllInt(this->regions.drawn) >> region & 1) != 0);
+    return LaneMask((AllInt(this->parameters.croppingRegions) >> region & 1) != 0);
   }
 
-  const PacketRegions& regions;
+  const RayParameters& parameters;
   const PacketRays& rays;
   Lanes t; ///< up to which they are taken
   Lanes crossings[6];
@@ -161,8 +161,8 @@ PacketSum MarchAroundGaps(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, March march)
 {
   const PacketGaps& gaps = scene.gaps;
-  const PacketLattice lattice(rays, 1.0f, gaps.firstGrid, gaps.count);
-  const glm::vec4& fill = gaps.gapOptical;
+  const PacketLattice lattice(rays, 1.0f, -scene.parameters.gapShift, gaps.count);
+  const glm::vec4& fill = scene.parameters.gapOptical;
   const Optical filled{ { All(fill.x), All(fill.y), All(fill.z) }, All(fill.w) };
   const auto texelsAt = [&](const IntNumbers& index)
   {

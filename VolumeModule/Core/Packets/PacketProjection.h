@@ -19,9 +19,9 @@ namespace varimarch
 /// ray without any sample is transparent.
 inline PacketSum SeenOfProjection(const PacketScene& scene, const PacketSum& march)
 {
-  const PacketProjection& projection = scene.projection;
+  const VolumeParameters& parameters = scene.parameters;
   const Lanes lengthMm =
-    projection.isMean ? Max(march.color.y, All(1e-30f)) : All(projection.opacityUnitDistanceMm);
+    scene.isMean ? Max(march.color.y, All(1e-30f)) : All(parameters.opacityUnitDistancesMm.x);
   const LaneMask hasSample = LaneMask(march.color.y > 0.0f);
   const Lanes white =
     Select(hasSample, Clamp(march.color.x / lengthMm, Lanes{}, All(1.0f)), Lanes{});
@@ -40,7 +40,7 @@ public:
   ProjectionMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
     const PacketSum& before)
     : scene(scene)
-    , projection(scene.projection)
+    , parameters(scene.parameters)
     , rays(rays)
     , walk(walk)
     , voxels(scene.volume)
@@ -53,10 +53,10 @@ public:
   {
     Lanes t = this->rays.enter;
     LaneMask going = LaneMask(t < this->rays.exit);
-    for (int index = 0; index < this->scene.steps.mostSegments && Any(going); ++index)
+    for (int index = 0; index < this->scene.rays.mostSegments && Any(going); ++index)
     {
       const SegmentLanes segment = this->walk.NextSegment(
-        t, AllInt(index), PartsPerSegment * this->scene.steps.stepMm, Lanes{}, going);
+        t, AllInt(index), PartsPerSegment * this->scene.rays.stepMm, Lanes{}, going);
       const LaneMask leavesOut = going & LaneMask(segment.enter > t);
       if (Any(leavesOut))
       {
@@ -66,19 +66,31 @@ public:
       going &= LaneMask(segment.enter < this->rays.exit);
       t = Min(segment.exit, this->rays.exit);
       this->AddParts(segment.enter, Select(going, t - segment.enter, Lanes{}));
-      going &=
-        LaneMask(t < this->rays.exit) & LaneMask(this->integral < this->projection.mostIntegral);
+      going &= LaneMask(t < this->rays.exit) & ~this->IsWhite();
     }
     PacketSum sum;
     sum.color.x = this->integral;
     sum.color.y = this->lengthMm;
-    const LaneMask isWhite = LaneMask(this->integral >= this->projection.mostIntegral);
-    sum.opticalDepth = Select(isWhite, All(Never), Lanes{});
+    sum.opticalDepth = Select(this->IsWhite(), All(Never), Lanes{});
     return sum;
   }
 
 private:
   static constexpr int PartsPerSegment = 4;
+
+  // A sum is at most white; a mean may always become darker.
+  LaneMask IsWhite() const
+  {
+    return LaneMask(this->integral >= this->parameters.opacityUnitDistancesMm.x) &
+      AllInt(this->scene.isMean ? 0 : -1);
+  }
+
+  LaneMask Counts(Lanes value) const
+  {
+    return (LaneMask(value >= this->parameters.averagedLower.x) &
+             LaneMask(value <= this->parameters.averagedUpper.x)) |
+      AllInt(this->scene.isMean ? 0 : -1);
+  }
 
   void AddParts(Lanes enter, Lanes lengthMm)
   {
@@ -93,21 +105,20 @@ private:
 
   void Add(Lanes value, Lanes lengthMm)
   {
-    const LaneMask counts = LaneMask(value >= this->projection.countedValues.x) &
-      LaneMask(value <= this->projection.countedValues.y);
-    const Lanes countedMm = Select(counts, lengthMm, Lanes{});
+    const Lanes countedMm = Select(this->Counts(value), lengthMm, Lanes{});
     this->lengthMm += countedMm;
     if (Any(MayAbsorb(this->scene.look, value, value)))
     {
       const Lanes extinction = Classify(this->scene.look, value).extinction;
-      const Lanes opacity = Absorption(extinction * this->projection.opacityUnitDistanceMm);
-      const Lanes gray = (value - this->projection.smallestValue) * this->projection.grayPerValue;
+      const Lanes opacity = Absorption(extinction * this->parameters.opacityUnitDistancesMm.x);
+      const Lanes gray =
+        (value - this->parameters.smallestScalars.x) * this->parameters.grayPerScalars.x;
       this->integral += opacity * gray * countedMm;
     }
   }
 
   const PacketScene& scene;
-  const PacketProjection& projection;
+  const VolumeParameters& parameters;
   const PacketRays& rays;
   const PacketWalk& walk;
   Voxels voxels;

@@ -32,7 +32,9 @@ inline Lanes Affine(float constant, float alongX, float alongY, Lanes x, Lanes y
   return constant + x * alongX + y * alongY;
 }
 
-inline Lanes3 Transformed(const glm::mat3& matrix, const Lanes3& a)
+/// @tparam Matrix  of three columns
+template <class Matrix>
+Lanes3 Transformed(const Matrix& matrix, const Lanes3& a)
 {
   const glm::vec3 &x = matrix[0], &y = matrix[1], &z = matrix[2];
   return { a.x * x.x + a.y * y.x + a.z * z.x, a.x * x.y + a.y * y.y + a.z * z.y,
@@ -83,38 +85,39 @@ inline void CutByPlane(PacketRays& rays, const glm::vec4& plane)
 }
 
 /// The depth at each pixel, of which some may be beyond the picture's edges.
-inline Lanes DepthsAt(const PacketCuts& cuts, int x, int y)
+inline Lanes DepthsAt(const PacketScene& scene, int x, int y)
 {
+  const PacketCuts& cuts = scene.cuts;
+  const glm::vec2& perPixel = scene.rays.depthPixelsPerPixel;
   alignas(32) float depths[LaneCount];
   const auto within = [](float place, int count)
   { return place < float(count) ? int(place) : count - 1; };
   for (int lane = 0; lane < LaneCount; ++lane)
   {
-    const int column = within(
-      (float(x + lane % PacketWidth) + 0.5f) * cuts.depthPixelsPerPixel.x, cuts.depthPixels.x);
-    const int row = within(
-      (float(y + lane / PacketWidth) + 0.5f) * cuts.depthPixelsPerPixel.y, cuts.depthPixels.y);
+    const int column =
+      within((float(x + lane % PacketWidth) + 0.5f) * perPixel.x, cuts.depthPixels.x);
+    const int row = within((float(y + lane / PacketWidth) + 0.5f) * perPixel.y, cuts.depthPixels.y);
     depths[lane] = cuts.depth[std::ptrdiff_t(row) * cuts.depthPixels.x + column];
   }
   return Lanes(_mm256_load_ps(depths));
 }
 
 /// Where rays have a depth of the depth buffer; not finite where they have but one.
-inline Lanes AtDepth(const PacketRays& rays, const PacketCuts& cuts, Lanes depth)
+inline Lanes AtDepth(const PacketRays& rays, const RayParameters& parameters, Lanes depth)
 {
   const Lanes clipDepth = 2.0f * depth - 1.0f;
-  const Lanes approach = PlaneAlong(cuts.clipDepthRow, rays.directionGrid) -
-    clipDepth * PlaneAlong(cuts.clipWeightRow, rays.directionGrid);
-  const Lanes beyond = PlaneAt(cuts.clipDepthRow, rays.originGrid) -
-    clipDepth * PlaneAt(cuts.clipWeightRow, rays.originGrid);
+  const Lanes approach = PlaneAlong(parameters.clipDepthRow, rays.directionGrid) -
+    clipDepth * PlaneAlong(parameters.clipWeightRow, rays.directionGrid);
+  const Lanes beyond = PlaneAt(parameters.clipDepthRow, rays.originGrid) -
+    clipDepth * PlaneAt(parameters.clipWeightRow, rays.originGrid);
   return -beyond / approach;
 }
 
 /// See Shaders/Depth/SceneGeometry.glsl.
-inline void CutByDepth(PacketRays& rays, const PacketCuts& cuts, int x, int y)
+inline void CutByDepth(PacketRays& rays, const PacketScene& scene, int x, int y)
 {
-  const Lanes depth = DepthsAt(cuts, x, y);
-  const Lanes end = AtDepth(rays, cuts, depth);
+  const Lanes depth = DepthsAt(scene, x, y);
+  const Lanes end = AtDepth(rays, scene.rays, depth);
   const LaneMask ends = LaneMask(depth < 1.0f) & LaneMask(end > -Never) & LaneMask(end < rays.exit);
   rays.exit = Select(ends, end, rays.exit);
 }
@@ -124,20 +127,20 @@ inline void CutByLayers(PacketRays& rays, const PacketScene& scene, int x, int y
 {
   alignas(32) float front[LaneCount];
   alignas(32) float back[LaneCount];
-  const PacketCamera& camera = scene.camera;
+  const glm::ivec2 size = scene.cuts.layerPixels;
   for (int lane = 0; lane < LaneCount; ++lane)
   {
     const int column = x + lane % PacketWidth;
     const int row = y + lane / PacketWidth;
-    const bool isInPicture = column < camera.pictureWidth && row < camera.pictureHeight;
-    const std::ptrdiff_t pixel = std::ptrdiff_t(row) * camera.pictureWidth + column;
+    const bool isInPicture = column < size.x && row < size.y;
+    const std::ptrdiff_t pixel = std::ptrdiff_t(row) * size.x + column;
     front[lane] = isInPicture ? scene.cuts.layers[4 * pixel] : 0.0f;
     back[lane] = isInPicture ? scene.cuts.layers[4 * pixel + 1] : 0.0f;
   }
   const Lanes from(_mm256_load_ps(front));
   const Lanes to(_mm256_load_ps(back));
-  rays.enter = Max(AtDepth(rays, scene.cuts, from), rays.enter);
-  rays.exit = Min(AtDepth(rays, scene.cuts, to), rays.exit);
+  rays.enter = Max(AtDepth(rays, scene.rays, from), rays.enter);
+  rays.exit = Min(AtDepth(rays, scene.rays, to), rays.exit);
   rays.exit = Select(LaneMask(from < to), rays.exit, rays.enter);
 }
 
@@ -163,16 +166,17 @@ inline bool IsVisible(const PacketDepths& depths, int x, int y)
 }
 
 /// Of whole lines.
-inline PacketRays LinesOf(const PacketCamera& camera, int x, int y)
+inline PacketRays LinesOf(const PacketScene& scene, int x, int y)
 {
+  const RayParameters& parameters = scene.rays;
+  const glm::vec2& origin = parameters.viewportOriginPixels;
+  const glm::vec2& perPixel = parameters.viewportPixelsInverse;
   const Lanes column = { 0, 1, 2, 3, 0, 1, 2, 3 };
   const Lanes row = { 0, 0, 0, 0, 1, 1, 1, 1 };
-  const Lanes viewX =
-    (column + (float(x) + 0.5f + camera.rayOffsetPixels.x)) * (2.0f / camera.pictureWidth) - 1.0f;
-  const Lanes viewY =
-    (row + (float(y) + 0.5f + camera.rayOffsetPixels.y)) * (2.0f / camera.pictureHeight) - 1.0f;
-  const glm::vec4* const s = camera.startGrid;
-  const glm::vec3* const d = camera.directionGrid;
+  const Lanes viewX = (column + (float(x) + 0.5f - origin.x)) * (2.0f * perPixel.x) - 1.0f;
+  const Lanes viewY = (row + (float(y) + 0.5f - origin.y)) * (2.0f * perPixel.y) - 1.0f;
+  const shader::vec4* const s = parameters.rayStartGrid;
+  const shader::vec3* const d = parameters.rayDirectionGrid;
 
   PacketRays rays;
   rays.originGrid = (1.0f / Affine(s[0].w, s[1].w, s[2].w, viewX, viewY)) *
@@ -180,7 +184,8 @@ inline PacketRays LinesOf(const PacketCamera& camera, int x, int y)
       Affine(s[0].y, s[1].y, s[2].y, viewX, viewY), Affine(s[0].z, s[1].z, s[2].z, viewX, viewY) };
   const Lanes3 direction{ Affine(d[0].x, d[1].x, d[2].x, viewX, viewY),
     Affine(d[0].y, d[1].y, d[2].y, viewX, viewY), Affine(d[0].z, d[1].z, d[2].z, viewX, viewY) };
-  rays.directionGrid = (1.0f / Length(Transformed(camera.worldFromGrid, direction))) * direction;
+  rays.directionGrid =
+    (1.0f / Length(Transformed(scene.parameters.worldFromGrid, direction))) * direction;
   rays.inverse = { SafeInverse(rays.directionGrid.x), SafeInverse(rays.directionGrid.y),
     SafeInverse(rays.directionGrid.z) };
   rays.region = IntLanes{};
@@ -192,22 +197,21 @@ inline PacketRays LinesOf(const PacketCamera& camera, int x, int y)
 /// @param x  and y: of the first pixel of the packet, in the picture
 inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
 {
-  const PacketCamera& camera = scene.camera;
-  PacketRays rays = LinesOf(camera, x, y);
-  const glm::vec3& lower = camera.boxLowerGrid;
-  const glm::vec3& upper = camera.boxUpperGrid;
+  PacketRays rays = LinesOf(scene, x, y);
+  const glm::vec3& lower = scene.rays.boxLowerGrid;
+  const glm::vec3& upper = scene.rays.boxUpperGrid;
   CutBySlab(rays, rays.originGrid.x, rays.inverse.x, lower.x, upper.x);
   CutBySlab(rays, rays.originGrid.y, rays.inverse.y, lower.y, upper.y);
   CutBySlab(rays, rays.originGrid.z, rays.inverse.z, lower.z, upper.z);
-  CutByPlane(rays, camera.nearPlaneGrid);
-  CutByPlane(rays, camera.farPlaneGrid);
-  for (int plane = 0; plane < scene.cuts.planeCount; ++plane)
+  CutByPlane(rays, scene.rays.nearPlaneGrid);
+  CutByPlane(rays, scene.rays.farPlaneGrid);
+  for (int plane = 0; plane < scene.rays.clippingPlaneCount; ++plane)
   {
     CutByPlane(rays, scene.cuts.planesGrid[plane]);
   }
   if (scene.cuts.depth)
   {
-    CutByDepth(rays, scene.cuts, x, y);
+    CutByDepth(rays, scene, x, y);
   }
   if (scene.cuts.layers)
   {

@@ -2,6 +2,7 @@
 #define Varimarch_Core_Packets_PacketScene_h
 
 #include "Core/Geometry/Viewport.h"
+#include "Core/Parameters/MarchParameters.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -51,21 +52,6 @@ enum class PacketShading
 constexpr int PacketWidth = 4;
 constexpr int PacketHeight = 2;
 
-/// The rays of a picture: PixelRays in single precision, and where they are marched [grid space].
-struct PacketCamera
-{
-  glm::vec4 startGrid[3];
-  glm::vec3 directionGrid[3];
-  glm::vec4 nearPlaneGrid;
-  glm::vec4 farPlaneGrid;
-  glm::mat3 worldFromGrid; ///< directions only
-  glm::vec3 boxLowerGrid;
-  glm::vec3 boxUpperGrid;
-  int pictureWidth; ///< [pixels]
-  int pictureHeight;
-  glm::vec2 rayOffsetPixels; ///< from the middle of its pixel
-};
-
 /// Voxels as their owner keeps them: at least two along each axis, x fastest, fewer than 2^31, all
 /// of them finite. Or coefficients of a spline through them, of type Float32, of which a composite
 /// or projection is drawn, with at least four along each axis.
@@ -89,6 +75,15 @@ struct PacketLook
   glm::vec2 visibleValues; ///< only between these does anything absorb
 };
 
+/// The look of a component by a table of the parameters.
+inline PacketLook LookBy(
+  const VolumeParameters& parameters, const glm::vec4* entries, int table, int component)
+{
+  return { entries, int(parameters.lastTableIndices[table]), parameters.tableScales[table],
+    parameters.tableBiases[table], parameters.opticalBelow, parameters.opticalAbove,
+    { parameters.visibleLower[component], parameters.visibleUpper[component] } };
+}
+
 /// The look of a label, from OpticalTables; as PacketLook.
 struct PacketRow
 {
@@ -101,130 +96,70 @@ struct PacketRow
 /// A mask of as many voxels as the volume; see Shaders/Mask and Material/Labelled.glsl.
 struct PacketMask
 {
-  const std::uint16_t* texels; ///< of each voxel what it is, and LabelReach; none: there is no mask
-  bool isBinary;               ///< only what is not 0 is drawn, else by the row that it is,
+  const std::uint16_t* texels; ///< content of each voxel, and its LabelReach; null: no mask
+  bool isBinary;               ///< true: what is not 0 is drawn; false: the content is a row
   const PacketRow* rows;
-  float rowPart;        ///< which counts so much beside row 0, [0, 1]
-  float unitDistanceMm; ///< of opacities that are mixed so
 };
 
 /// Shaders/Classify/TwoValueTable.glsl, of a value and its gradient.
 struct PacketTwoValues
 {
-  const glm::vec4* entries;    ///< x, of the values, fastest; none: the look is of one value
-  glm::ivec2 size;             ///< at least two along each axis
-  float placeScale;            ///< value -> place in its range, [0, 1],
-  float placeOffset;           ///< is value * scale + offset
-  glm::vec3 placesPerGradient; ///< a gradient per voxel -> its length is a place
-  float unitDistanceMm;
+  const glm::vec4* entries; ///< x, of the values, fastest; null: the look is of one value
+  glm::ivec2 size;          ///< at least two along each axis
 };
 
 /// Shaders/Shade and Shaders/Damping.
 struct PacketLight
 {
   PacketShading shading;
-  glm::mat3 worldFromGradient;
-  glm::vec4 reflectance; ///< coefficients of ambient, diffuse and specular light, specular power
-  glm::vec3 diffuse;     ///< colours of the lights at the eye
-  glm::vec3 specular;
-  glm::vec3 dampingFactors; ///< a gradient per voxel -> parts of that at which light is whole
   bool damps;
-  glm::vec3 ambient; ///< from here on of Lights only
-  float backsLit;    ///< 1: both sides of a surface are
-  glm::vec3 worldOfGridOrigin;
-  const glm::vec4* texels; ///< the other lights, as LightTexels has them
-  int distantCount;
-  int nearCount;
+  const glm::vec4* texels; ///< lights that are not at the eye, as LightTexels has them
 };
 
-/// Shaders/GradientOpacity/Table.glsl.
+/// Shaders/GradientOpacity.
 struct PacketGradientOpacity
 {
-  const glm::vec4* factors; ///< from no gradient on; or of row 4 n + i of a mask's in number i of
-                            ///< the n-th table; none: opacity does not depend on it
-  int channel;              ///< the number of an entry that counts, without a mask
-  int lastIndex;
-  glm::vec3 indicesPerGradient; ///< a gradient per voxel -> its length is an index
-  float unitDistanceMm;
+  const glm::vec4* factors; ///< from no gradient on, of four components or rows in each entry,
+                            ///< table behind table; null: opacity does not depend on the gradient
 };
 
-/// How long the steps are.
+/// Bricks that steps may leave out.
 struct PacketSteps
 {
-  float stepMm;
-  int mostSegments;
-  float mostOpticalDepth;     ///< behind more, a ray ends
-  const std::uint8_t* bricks; ///< of an OpticalField; none: there is nothing to skip
+  float mostOpticalDepth;     ///< a ray ends behind more
+  const std::uint8_t* bricks; ///< of an OpticalField; null: there is nothing to skip
   glm::ivec3 brickCount;
-  float cellsPerBrick;
-  bool grow;                  ///< where less than half of the light is left
-  const std::uint16_t* noise; ///< BlueNoiseTile, by which rays begin; none: with a whole step
-  int noiseMask;              ///< its size less 1
+  bool grow;                  ///< true: steps are longer where less than half of the light is left
+  const std::uint16_t* noise; ///< BlueNoiseTile, by which rays begin; null: with a whole step
 };
 
 /// A maximum or minimum; see Shaders/Step/BrickExtremes.glsl.
 struct PacketExtreme
 {
-  float sense; ///< 1: a maximum; -1: a minimum, of which all values are negated here
-  float best;  ///< that any voxel has
-  float opacityUnitDistanceMm;
-  const std::uint16_t* bricks; ///< of BuildExtremeBricks; none: there is nothing to skip
+  const std::uint16_t* bricks; ///< of BuildExtremeBricks; null: there is nothing to skip
   const std::uint16_t* blocks; ///< of JoinExtremeBricks
   glm::ivec3 blockCount;
-  float bricksPerBlock; ///< along a side
   glm::ivec3 brickCount;
-  float bestOfFirstStep;
-  float bestPerStep;
-};
-
-/// A mean or a sum; see Shaders/Blend/AverageIntensity.glsl and Additive.glsl.
-struct PacketProjection
-{
-  bool isMean; ///< else a sum
-  float smallestValue;
-  float grayPerValue;
-  float opacityUnitDistanceMm;
-  glm::vec2 countedValues; ///< both included
-  float mostIntegral;      ///< [mm] behind that, a ray ends
-};
-
-/// Shaders/Surface/Isosurfaces.glsl.
-struct PacketIsosurfaces
-{
-  const glm::vec4* entries; ///< two of each, by ascending isovalue: colour and optical depth; that
-  int count;
-};
-
-/// CroppingRegions.
-struct PacketRegions
-{
-  glm::vec4 planesGrid[6]; ///< of x, y and z, lower and upper: >= 0 beyond it
-  int drawn;               ///< bit x + 3 y + 9 z: 0 below, 1 between, 2 above the planes of an axis
+  float bricksPerBlock; ///< along a side
 };
 
 /// GapField; see Shaders/Gaps/Cells.glsl and Fill.
 struct PacketGaps
 {
-  const std::uint8_t* texels; ///< none: there are no gaps
+  const std::uint8_t* texels; ///< null: there are no gaps
   glm::ivec3 count;
-  float firstGrid;      ///< where cell 0 begins, on each axis
-  glm::vec4 gapOptical; ///< colour and extinction [1/mm] of what has no value
 };
 
-/// What cuts rays off.
+/// Arrays that cut rays off.
 struct PacketCuts
 {
-  bool crops; ///< only some regions are drawn
-  PacketRegions regions;
+  bool crops;                  ///< true: some regions are not drawn
   const glm::vec4* planesGrid; ///< dot(plane, (position, 1)) >= 0 is left
-  int planeCount;
-  const float* depth;     ///< of opaque geometry, [0, 1], from below; none: there is none
-  glm::ivec2 depthPixels; ///< its size
-  glm::vec2 depthPixelsPerPixel;
-  const float* layers;    ///< of each pixel of the picture, from below, the first two of four: the
-                          ///< depths between which its ray is; none: there are no layers
-  glm::vec4 clipDepthRow; ///< rows of clipFromGrid that give clip z and w
-  glm::vec4 clipWeightRow;
+  const float* depth;          ///< of opaque geometry, [0, 1], from below; null: there is none
+  glm::ivec2 depthPixels;      ///< size of the depth image
+  const float* layers;    ///< of each pixel, from below, the first two of four: the depths between
+                          ///< which its ray is marched; null: there are no layers
+  glm::ivec2 layerPixels; ///< size of the image of layers
 };
 
 /// Between which depths something may be visible; see VisibleDepths.
@@ -251,19 +186,16 @@ struct PacketLocation
 struct PacketColors
 {
   const void* voxels[3]; ///< of the volume's type
-  int count;             ///< 0: colours are the look's; 1: those of this look; 3: they are colours
+  int count; ///< 0: colors are the look's; 1: those of this look; 3: the components are colors
   PacketLook look;
-  float colorPerValue;
 };
 
 /// Shaders/Spacing/Uneven.glsl: voxels of a mixture at uneven places.
 struct PacketSpacing
 {
-  const glm::vec4* bins; ///< UnevenAxis::Bins of each axis in turn; none: places are even
+  const glm::vec4* bins; ///< UnevenAxis::Bins of each axis in turn; null: places are even
   glm::ivec3 firstBins;  ///< of each axis
   glm::ivec3 lastBins;
-  glm::vec3 lowerGrid;
-  glm::vec3 binsPerGrid;
 };
 
 struct PacketScene;
@@ -272,37 +204,37 @@ struct PacketScene;
 /// or one of several volumes that overlap, see Shaders/Volumes/Next.glsl.
 struct PacketConstituent
 {
-  bool isOfMixture;          ///< else the scene is no mixture
-  const PacketScene* others; ///< of the first: all others, each in its own grid
+  bool isOfMixture;          ///< false: the scene is no mixture
+  const PacketScene* others; ///< of the first constituent: all others, each in its own grid
   int otherCount;
-  float weight;           ///< that its extinction has in the mixture
-  bool isOfSameBricks;    ///< as another constituent, which tells of them
-  glm::mat4 gridFromRays; ///< which are in the grid of the first
-  glm::vec3 lowerGrid;    ///< of what is drawn of this volume
-  glm::vec3 upperGrid;
+  int component;        ///< whose opacity it is, for what the parameters have of each
+  bool isOfSameBricks;  ///< true: another constituent has the same bricks
   PacketDepths visible; ///< between which something of it may be seen
 };
 
-/// A picture of a volume, or of the first constituent of a mixture, in plain numbers.
+/// An image of a volume, or of the first constituent of a mixture: its numbers, and the arrays that
+/// they are about. Their owners keep these until the image is marched.
 struct PacketScene
 {
-  PacketCamera camera;
+  RayParameters rays;
+  VolumeParameters parameters; ///< of which scalars are values of the data
   PacketVolume volume;
   PacketLook look;
-  PacketTwoValues twoValues; ///< of materials,
-  PacketLight light;         ///< these, and
+  PacketTwoValues twoValues;
+  PacketLight light;
   PacketGradientOpacity gradientOpacity;
   PacketMask mask;
   PacketGaps gaps;
-  PacketExtreme extreme;         ///< where that is the rule,
-  PacketIsosurfaces isosurfaces; ///< these,
-  PacketProjection projection;   ///< and this
+  PacketExtreme extreme;
+  const glm::vec4* isosurfaces; ///< two entries each, by ascending isovalue: color and optical
+                                ///< depth; the isovalue
+  bool isMean;                  ///< of projections: true for a mean, false for a sum
   PacketSteps steps;
   PacketCuts cuts;
   PacketDepths depths;
-  PacketLocation location; ///< of a composite or isosurfaces
-  PacketColors colors;     ///< of a mixture, as the next
-  PacketSpacing spacing;
+  PacketLocation location;
+  PacketColors colors;   ///< of a mixture
+  PacketSpacing spacing; ///< of a mixture
   PacketConstituent constituent;
   PacketRule rule;
 };

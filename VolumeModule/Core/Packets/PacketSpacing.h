@@ -8,11 +8,14 @@ namespace varimarch
 {
 
 /// Shaders/Spacing/Uneven.glsl: the voxels at places of the even grid that rays are straight in.
-inline Lanes3 UnevenPlace(const PacketSpacing& spacing, const Lanes3& grid)
+inline Lanes3 UnevenPlace(const PacketScene& scene, const Lanes3& grid)
 {
+  const PacketSpacing& spacing = scene.spacing;
+  const glm::vec3& lowerGrid = scene.parameters.spacingLowerGrid;
+  const glm::vec3& binsPerGrid = scene.parameters.spacingBinsPerGrid;
   const auto along = [&](Lanes place, int axis)
   {
-    const Lanes bin = (place - spacing.lowerGrid[axis]) * spacing.binsPerGrid[axis];
+    const Lanes bin = (place - lowerGrid[axis]) * binsPerGrid[axis];
     const Lanes last = All(float(spacing.lastBins[axis] - spacing.firstBins[axis]));
     const IntNumbers index(Truncated(Clamp(bin, Lanes{}, last)));
     __m128 pieces[LaneCount];

@@ -22,10 +22,11 @@ class PacketWalk
 public:
   /// @param x  and y: of the first pixel
   PacketWalk(const PacketScene& scene, const PacketRays& rays, int x, int y)
-    : steps(scene.steps)
+    : parameters(scene.rays)
+    , steps(scene.steps)
     , rays(rays)
-    , lattice(rays, scene.steps.cellsPerBrick, 0.0f, scene.steps.brickCount)
-    , firstPart(scene.steps.noise ? NoiseAt(scene.steps, x, y) : All(1.0f))
+    , lattice(rays, scene.parameters.cellsPerBrick, 0.0f, scene.steps.brickCount)
+    , firstPart(scene.steps.noise ? NoiseAt(scene, x, y) : All(1.0f))
   {
   }
 
@@ -59,7 +60,7 @@ public:
     }
     LatticePlaces place = this->lattice.At(t);
     Lanes behindT = t; // of what is one segment
-    for (int skip = 0; skip < this->steps.mostSegments && Any(mask); ++skip)
+    for (int skip = 0; skip < this->parameters.mostSegments && Any(mask); ++skip)
     {
       const IntLanes content = this->ContentOf(place.cell);
       const LaneMask isOneSegment = mask & (content != 0);
@@ -89,14 +90,15 @@ private:
   }
 
   // Shaders/Jitter/BlueNoise.glsl.
-  static Lanes NoiseAt(const PacketSteps& steps, int x, int y)
+  static Lanes NoiseAt(const PacketScene& scene, int x, int y)
   {
+    const glm::ivec2& mask = scene.rays.noisePixelsMask;
     alignas(32) float parts[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      const int column = (x + lane % PacketWidth) & steps.noiseMask;
-      const int row = (y + lane / PacketWidth) & steps.noiseMask;
-      parts[lane] = float(steps.noise[row * (steps.noiseMask + 1) + column]) / 65535.0f;
+      const int column = (x + lane % PacketWidth) & mask.x;
+      const int row = (y + lane / PacketWidth) & mask.y;
+      parts[lane] = float(scene.steps.noise[row * (mask.x + 1) + column]) / 65535.0f;
     }
     return Lanes(_mm256_load_ps(parts));
   }
@@ -110,6 +112,7 @@ private:
       content(6), content(7) };
   }
 
+  const RayParameters& parameters;
   const PacketSteps& steps;
   const PacketRays& rays;
   PacketLattice lattice; ///< of bricks

@@ -50,6 +50,11 @@ std::string BlendFile(const RenderSettings& settings)
   throw std::invalid_argument("Shader: unknown blend mode");
 }
 
+std::vector<std::string> VertexShaderParts()
+{
+  return { "RayParameters.glsl", "VolumeParameters.glsl", "Flat/None.glsl", "RayMarch.vert.glsl" };
+}
+
 std::string ResumeFile(RayPass pass)
 {
   switch (pass)
@@ -143,9 +148,10 @@ std::vector<std::string> PacketParts(const RenderSettings& settings)
   const RayPass pass = settings.pass;
   if (settings.marching == Marching::After)
   {
-    return { PeelFile(pass), "Marched/LayerDepths.frag.glsl" };
+    return { "RayParameters.glsl", PeelFile(pass), "Marched/LayerDepths.frag.glsl" };
   }
-  std::vector<std::string> parts = { "Slots.glsl", WindowFile(settings), "Pixels/Marched.glsl" };
+  std::vector<std::string> parts = { "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl",
+    WindowFile(settings), "Pixels/Marched.glsl" };
   if (Peels(pass))
   {
     parts.push_back(PeelFile(pass));

@@ -12,6 +12,9 @@ namespace varimarch
 /// The part of a shader's recipe that says what becomes of a ray.
 
 std::string BlendFile(const RenderSettings& settings);
+/// The files of the vertex shader, which is the same for all recipes.
+std::vector<std::string> VertexShaderParts();
+
 std::string ResumeFile(RayPass pass);
 std::string MarchedFile(RayPass pass);
 std::string PlaceFile(RayPass pass);

@@ -1,5 +1,7 @@
 #include "Core/Recipe/ShaderAssembly.h"
 
+#include "Core/Recipe/ParameterBlock.h"
+
 #include <algorithm>
 #include <regex>
 #include <set>
@@ -14,7 +16,7 @@ namespace
 constexpr std::size_t LinesPerFile = 1000;
 
 // Where the files of a volume begin.
-constexpr char FirstOfVolume[] = "VolumeSlots.glsl";
+constexpr char FirstOfVolume[] = "VolumeParameters.glsl";
 
 // All that the files of one of several volumes declare, and their text.
 struct VolumeText
@@ -26,7 +28,7 @@ struct VolumeText
 // Declarations begin at the margin, and nothing else with two words does.
 void AddTo(VolumeText& volume, const std::string& text)
 {
-  static const std::regex declaration(R"(^(?:uniform |const )?\w+ (\w+))");
+  static const std::regex declaration(R"(^(?:uniform |layout\(std140\) |const )?\w+ (\w+))");
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
   {
@@ -35,6 +37,10 @@ void AddTo(VolumeText& volume, const std::string& text)
     {
       volume.names.insert(match[1]);
     }
+  }
+  for (const BlockMember& member : MembersOf(text))
+  {
+    volume.names.insert(member.name);
   }
   volume.text += text;
 }
@@ -94,8 +100,7 @@ std::size_t VolumeCount(const std::vector<ShaderFile>& files)
 
 std::string NameOfVolume(const std::string& name, std::size_t volume)
 {
-  return name.substr(0, name.find('[')) + "_" + std::to_string(volume + 1) +
-    (name.find('[') == std::string::npos ? "" : name.substr(name.find('[')));
+  return name + "_" + std::to_string(volume + 1);
 }
 
 std::string AssembleShader(const std::vector<ShaderFile>& files)

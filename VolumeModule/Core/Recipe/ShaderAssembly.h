@@ -15,16 +15,15 @@ struct ShaderFile
 };
 
 /// Joins files to one GLSL 1.50 source. Lines are numbered so that a compiler's message can be
-/// traced back: line n of the i-th file is line 1000 * (i + 1) + n. Where VolumeSlots.glsl stands
-/// several times, what it and the files behind it declare is renamed for all volumes but the last:
-/// the preprocessor does it.
+/// traced back: line n of the i-th file is line 1000 * (i + 1) + n. Where VolumeParameters.glsl
+/// stands several times, what it and the files behind it declare is renamed for all volumes but the
+/// last: the preprocessor does it.
 std::string AssembleShader(const std::vector<ShaderFile>& files);
 
-/// How many volumes a fragment shader is for: as often as VolumeSlots.glsl is among its files.
+/// How many volumes a fragment shader is for: as often as VolumeParameters.glsl is among its files.
 std::size_t VolumeCount(const std::vector<ShaderFile>& files);
 
-/// What a name, be it followed by an index or not, is called for one of several volumes, but the
-/// last, whose names stay as they are.
+/// The name that a declaration of one of several volumes gets. The last volume keeps its names.
 std::string NameOfVolume(const std::string& name, std::size_t volume);
 
 /// A compiler's messages with its line numbers turned into paths and lines, for the same files:

@@ -109,11 +109,23 @@ std::vector<std::string> MaskParts(Mask mask)
   return { "Mask/None.glsl" };
 }
 
+using Parts = std::vector<std::string>;
+const Parts PartsOfRays = { "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl" };
+const Parts PartsOfVolume = { "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl" };
+
+Parts PartsOfRaysAndVolume()
+{
+  Parts parts = PartsOfRays;
+  parts.insert(parts.end(), PartsOfVolume.begin(), PartsOfVolume.end());
+  parts.push_back("Math/IntersectBox.glsl");
+  return parts;
+}
+
 // No march: only where the rays are that have a pixel, and what it becomes.
 std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
-  std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl",
-    "Math/Absorption.glsl", DepthFile(settings), ClipFile(settings) };
+  Parts parts = PartsOfRaysAndVolume();
+  parts.insert(parts.end(), { "Math/Absorption.glsl", DepthFile(settings), ClipFile(settings) });
   if (IsProjection(settings.blend))
   {
     const std::vector<std::string> classify = ClassifyParts(settings);
@@ -129,10 +141,10 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
 {
   if (settings.pass == RayPass::Accumulated)
   {
-    return { "Mean.frag.glsl" };
+    return { "RayParameters.glsl", "RayTextures.glsl", "Mean.frag.glsl" };
   }
-  std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl",
-    DepthFile(settings), ClipFile(settings) };
+  Parts parts = PartsOfRaysAndVolume();
+  parts.insert(parts.end(), { DepthFile(settings), ClipFile(settings) });
   if (settings.pass == RayPass::Upscaled)
   {
     parts.push_back(settings.sceneGeometry ? "Edges/SceneGeometry.glsl" : "Edges/None.glsl");
@@ -280,7 +292,7 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
 // The files of one of several volumes that overlap; see Shaders/VolumeSlots.glsl.
 static std::vector<std::string> PartsOfOne(const RenderSettings& settings)
 {
-  std::vector<std::string> parts = { "VolumeSlots.glsl" };
+  Parts parts = PartsOfVolume;
   const auto add = [&](const std::vector<std::string>& more)
   { parts.insert(parts.end(), more.begin(), more.end()); };
   add(VoxelParts(settings));
@@ -295,7 +307,8 @@ static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
 {
   const auto any = [&](bool (*has)(const RenderSettings&))
   { return has(settings) || std::any_of(settings.others.begin(), settings.others.end(), has); };
-  std::vector<std::string> parts = { "Slots.glsl", "Math/IntersectBox.glsl" };
+  Parts parts = PartsOfRays;
+  parts.push_back("Math/IntersectBox.glsl");
   const auto add = [&](const std::vector<std::string>& more)
   { parts.insert(parts.end(), more.begin(), more.end()); };
   if (any(Walks))
@@ -363,7 +376,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     return PartsOfSeveral(settings);
   }
-  std::vector<std::string> parts = { "Slots.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl" };
+  Parts parts = PartsOfRaysAndVolume();
   const auto add = [&](const std::vector<std::string>& more)
   { parts.insert(parts.end(), more.begin(), more.end()); };
   if (settings.cubic)
@@ -382,11 +395,6 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   add(MarchParts(settings));
   add(PartsAroundMarch(settings));
   return parts;
-}
-
-std::string VertexShaderPart()
-{
-  return "RayMarch.vert.glsl";
 }
 
 }

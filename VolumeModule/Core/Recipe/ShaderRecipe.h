@@ -28,9 +28,6 @@ bool UsesGradients(const RenderSettings& settings);
 /// Whether the recipe draws cells that touch a voxel that is not finite.
 bool FillsGaps(const RenderSettings& settings);
 
-/// The file of the vertex shader, the same for every recipe.
-std::string VertexShaderPart();
-
 }
 
 #endif

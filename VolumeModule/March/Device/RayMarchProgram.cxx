@@ -1,6 +1,8 @@
 #include "March/Device/RayMarchProgram.h"
 
-#include "Core/Recipe/FlatUniforms.h"
+#include "Core/Recipe/FlatParameters.h"
+#include "Core/Recipe/ParameterBlock.h"
+#include "Core/Recipe/PassRecipe.h"
 #include "Core/Recipe/ShaderAssembly.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/Device/ShaderFiles.h"
@@ -18,9 +20,8 @@
 #include "vtkVolume.h"
 #include "vtk_glew.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace varimarch
@@ -71,6 +72,37 @@ std::vector<ShaderFile> WithUserCode(
   return files;
 }
 
+// Which of the buffers a block of the program reads.
+void Bind(vtkShaderProgram* program, const std::string& block, unsigned int bindingPoint)
+{
+  const auto handle = GLuint(program->GetHandle());
+  const GLuint index = glGetUniformBlockIndex(handle, block.c_str());
+  if (index != GL_INVALID_INDEX)
+  {
+    glUniformBlockBinding(handle, index, bindingPoint);
+  }
+}
+
+// A struct of textures has nothing but pointers.
+template <class Textures>
+vtkTextureObject* const* TexturesIn(const Textures& textures)
+{
+  static_assert(sizeof(Textures) % sizeof(vtkTextureObject*) == 0);
+  return reinterpret_cast<vtkTextureObject* const*>(&textures);
+}
+
+// The names of the members of such a struct.
+template <class Textures>
+std::vector<std::string> NamesOfTextures(const std::string& path, const Textures&)
+{
+  std::vector<std::string> names = SamplersOf(LoadShaderFiles({ path }).front().text);
+  if (names.size() != sizeof(Textures) / sizeof(vtkTextureObject*))
+  {
+    throw std::logic_error("A line of " + path + " declares more than one sampler, or none");
+  }
+  return names;
+}
+
 // The position takes four.
 int MostFlatComponents()
 {
@@ -99,12 +131,12 @@ void OrderOutputs(vtkShaderProgram* program)
 RayMarchProgram::Sources RayMarchProgram::Assemble(
   const std::vector<std::string>& parts, const UserShaderCode& userCode)
 {
-  std::vector<ShaderFile> vertex = LoadShaderFiles({ VertexShaderPart() });
+  std::vector<ShaderFile> vertex = LoadShaderFiles(VertexShaderParts());
   std::vector<ShaderFile> fragment = WithUserCode(LoadShaderFiles(parts), parts, userCode);
   // Graphics cards keep uniforms where every pixel has them for nothing.
   if (IsSoftwareRasterizer())
   {
-    HandUniformsOn(vertex, fragment, MostFlatComponents());
+    HandParametersOn(vertex, fragment, MostFlatComponents());
   }
   Sources sources{ AssembleShader(vertex), AssembleShader(fragment), "" };
   sources.failure = CompilerMessages(vtkShader::Vertex, sources.vertex, vertex) +
@@ -156,69 +188,61 @@ void RayMarchProgram::SetUniformsOf(vtkVolume* volume)
   volume->GetMapper()->InvokeEvent(vtkCommand::UpdateShaderEvent, this->program);
 }
 
-void RayMarchProgram::Share(const RayMarchProgram& whole, std::size_t newVolume)
+void RayMarchProgram::SetRays(const RayParameters& parameters, const RayTextures& textures)
 {
-  this->program = whole.program;
-  this->volume = newVolume;
+  static const std::vector<std::string> names = NamesOfTextures("RayTextures.glsl", textures);
+  Bind(this->program, "RayParameters", 0);
+  this->rays.Upload(0, parameters);
+  this->Activate(names, TexturesIn(textures));
 }
 
-std::string RayMarchProgram::NameOf(const char* name) const
+void RayMarchProgram::SetVolume(std::size_t volume, std::size_t count,
+  const VolumeParameters& parameters, const VolumeTextures& textures)
 {
-  return this->volume ? NameOfVolume(name, *this->volume) : name;
+  static const std::vector<std::string> names = NamesOfTextures("VolumeTextures.glsl", textures);
+  const auto nameOf = [&](const std::string& name)
+  { return volume + 1 < count ? NameOfVolume(name, volume) : name; };
+  std::vector<std::string> namesOfVolume;
+  std::transform(names.begin(), names.end(), std::back_inserter(namesOfVolume), nameOf);
+  this->volumes.resize(std::max(count, this->volumes.size()));
+  Bind(this->program, nameOf("VolumeParameters"), unsigned(volume + 1));
+  this->volumes[volume].Upload(unsigned(volume + 1), parameters);
+  this->Activate(namesOfVolume, TexturesIn(textures));
 }
 
-void RayMarchProgram::Forget()
+void RayMarchProgram::Activate(
+  const std::vector<std::string>& names, vtkTextureObject* const* textures)
+{
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    if (textures[i] && textures[i]->GetHandle() && this->program->IsUniformUsed(names[i].c_str()))
+    {
+      textures[i]->Activate();
+      this->program->SetUniformi(names[i].c_str(), textures[i]->GetTextureUnit());
+      this->activeTextures.push_back(textures[i]);
+    }
+  }
+}
+
+void RayMarchProgram::DeactivateTextures()
+{
+  for (vtkTextureObject* texture : this->activeTextures)
+  {
+    texture->Deactivate();
+  }
+  this->activeTextures.clear();
+}
+
+void RayMarchProgram::Release()
 {
   this->program = nullptr;
   this->parts.clear();
   this->sourcesOfParts.clear();
-}
-
-void RayMarchProgram::Set(const char* name, int value)
-{
-  this->program->SetUniformi(this->NameOf(name).c_str(), value);
-}
-
-void RayMarchProgram::Set(const char* name, double value)
-{
-  this->program->SetUniformf(this->NameOf(name).c_str(), float(value));
-}
-
-void RayMarchProgram::Set(const char* name, glm::ivec2 value)
-{
-  this->program->SetUniform2i(this->NameOf(name).c_str(), glm::value_ptr(value));
-}
-
-void RayMarchProgram::Set(const char* name, glm::dvec2 value)
-{
-  this->program->SetUniform2f(this->NameOf(name).c_str(), glm::value_ptr(glm::vec2(value)));
-}
-
-void RayMarchProgram::Set(const char* name, glm::dvec3 value)
-{
-  this->program->SetUniform3f(this->NameOf(name).c_str(), glm::value_ptr(glm::vec3(value)));
-}
-
-void RayMarchProgram::Set(const char* name, glm::dvec4 value)
-{
-  this->program->SetUniform4f(this->NameOf(name).c_str(), glm::value_ptr(glm::vec4(value)));
-}
-
-void RayMarchProgram::Set(const char* name, const glm::dmat3& value)
-{
-  glm::mat3 rounded(value);
-  this->program->SetUniformMatrix3x3(this->NameOf(name).c_str(), glm::value_ptr(rounded));
-}
-
-void RayMarchProgram::Set(const char* name, const glm::dmat4& value)
-{
-  glm::mat4 rounded(value);
-  this->program->SetUniformMatrix4x4(this->NameOf(name).c_str(), glm::value_ptr(rounded));
-}
-
-void RayMarchProgram::Set(const char* name, vtkTextureObject* activeTexture)
-{
-  this->program->SetUniformi(this->NameOf(name).c_str(), activeTexture->GetTextureUnit());
+  this->rays.Release();
+  for (UniformBuffer& volume : this->volumes)
+  {
+    volume.Release();
+  }
 }
 
 }

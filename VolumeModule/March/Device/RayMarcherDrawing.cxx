@@ -91,45 +91,15 @@ private:
 
 }
 
-// All that a drawing may have made active.
-std::vector<vtkTextureObject*> RayMarcher::TexturesOf(const DrawnBlock& drawn)
-{
-  std::vector<vtkTextureObject*> textures = { this->depth.Texture(), this->accumulation.Drawn(),
-    this->accumulation.Finished(), this->packets.Texture() };
-  const auto add = [&](const std::vector<vtkTextureObject*>& more)
-  { textures.insert(textures.end(), more.begin(), more.end()); };
-  add(this->picture.Textures());
-  add(this->volume.Textures());
-  if (drawn.block)
-  {
-    add(drawn.block->Textures());
-  }
-  for (const auto& other : this->others)
-  {
-    add(other->Textures());
-    if (drawn.block)
-    {
-      add(other->Blocks().Take(this->window, 0).Textures());
-    }
-  }
-  return textures;
-}
-
 void RayMarcher::DrawBox(const Frame& frame, const DrawnBlock& drawn)
 {
-  this->SetUniforms(frame, drawn);
+  this->SetParameters(frame, drawn);
   {
     const bool mirrored = glm::determinant(frame.geometry.WorldFromGridDirection()) < 0.0;
     const BoxDrawingState drawing(frame.window->GetState(), mirrored, BlendingOf(frame));
     this->boxGeometry.Draw(this->program.Program(), drawn.coverGrid);
   }
-  for (vtkTextureObject* texture : this->TexturesOf(drawn))
-  {
-    if (texture->GetHandle())
-    {
-      texture->Deactivate();
-    }
-  }
+  this->program.DeactivateTextures();
 }
 
 }

@@ -16,18 +16,18 @@ namespace
 {
 
 // Of dependent components, that of opacities is the last.
-PacketColors ColorsOf(const Frame& frame, const VolumeResources& volume)
+PacketColors ColorsOf(
+  const Frame& frame, const VolumeResources& volume, const VolumeParameters& parameters)
 {
   PacketColors colors = {};
   if (frame.settings.components == Components::LuminanceOpacity)
   {
     colors.count = 1;
-    colors.look = LookOf(frame, volume, 0);
+    colors.look = LookOf(frame, volume, parameters, 0, 0);
   }
   else if (frame.settings.components == Components::Rgba)
   {
     colors.count = 3;
-    colors.colorPerValue = float(1.0 / LargestColorOf(frame.channels.front().array));
   }
   for (int channel = 0; channel < colors.count; ++channel)
   {
@@ -42,7 +42,7 @@ PacketSpacing SpacingOf(const UnevenBins& uneven)
   {
     return {};
   }
-  return { uneven.bins.data(), uneven.first, uneven.last, uneven.lowerGrid, uneven.binsPerGrid };
+  return { uneven.bins.data(), uneven.first, uneven.last };
 }
 
 // The table of a part's opacities.
@@ -73,14 +73,12 @@ std::vector<PacketScene> ConstituentsOf(
     one.volume.voxels = volume.PacketVoxels(channel)->GetVoidPointer(0);
     if (frame.settings.functionOf == FunctionOf::Value)
     {
-      one.look = LookOf(frame, volume, OpacityTableOf(volume, channel));
+      one.look = LookOf(frame, volume, scene.parameters, OpacityTableOf(volume, channel), channel);
     }
-    one.colors = ColorsOf(frame, volume);
+    one.colors = ColorsOf(frame, volume, scene.parameters);
     one.spacing = SpacingOf(volume.SpacingBins());
-    one.light.reflectance = ReflectanceOf(frame.property, part);
-    one.gradientOpacity = GradientOpacityOf(frame, volume, part);
     one.constituent.isOfMixture = true;
-    one.constituent.weight = float(WeightOf(frame.property, frame.settings, part));
+    one.constituent.component = part;
     one.constituent.isOfSameBricks = part > 0;
     constituents.push_back(one);
   }

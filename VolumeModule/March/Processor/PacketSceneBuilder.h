@@ -47,11 +47,9 @@ struct SceneOfVolume
   PacketScene scene;
 };
 
-/// What a volume's values look like by one of its tables, and how a part of its materials depends
-/// on gradients.
-PacketLook LookOf(const Frame& frame, const VolumeResources& volume, std::size_t tableIndex);
-PacketGradientOpacity GradientOpacityOf(
-  const Frame& frame, const VolumeResources& volume, int part);
+/// The look of a component's values by one of the volume's tables.
+PacketLook LookOf(const Frame& frame, const VolumeResources& volume,
+  const VolumeParameters& parameters, std::size_t table, int component);
 
 /// Whether what packets march is a mixture: several components, several volumes, or voxels at
 /// uneven places, for which plain marches have no code.

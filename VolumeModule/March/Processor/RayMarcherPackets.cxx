@@ -278,25 +278,4 @@ std::vector<float> RayMarcher::MarchProbe(const Frame& frame)
   return rgba;
 }
 
-void RayMarcher::SetPacketUniforms(const Frame& frame, const glm::dmat4& clipFromGrid)
-{
-  this->program.Set("clipFromGrid", clipFromGrid);
-  this->SetPassUniforms(frame, clipFromGrid);
-  if (frame.settings.marching == Marching::After)
-  {
-    return;
-  }
-  const Viewport& pixels = this->packets.Pixels();
-  this->packets.Texture()->Activate();
-  this->program.Set("marchedTexture", this->packets.Texture());
-  this->program.Set("marchedColumns", pixels.width);
-  this->program.Set("marchedPixels", pixels.width * pixels.height);
-  this->program.Set("viewportOriginPixels",
-    glm::dvec2(frame.viewport.left + pixels.left, frame.viewport.bottom + pixels.bottom));
-  if (frame.settings.windowLevel)
-  {
-    this->program.Set("windowScaleBias", frame.windowScaleBias);
-  }
-}
-
 }

@@ -7,10 +7,6 @@ struct Accumulation
   float lengthMm; // of all samples
 };
 
-uniform float smallestScalar;
-uniform float grayPerScalar;
-uniform float opacityUnitDistanceMm;
-
 Accumulation BlendBegin()
 {
   return Accumulation(0.0, 0.0);
@@ -18,8 +14,8 @@ Accumulation BlendBegin()
 
 Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
 {
-  float opacity = Absorption(min(Classify(scalar).a * opacityUnitDistanceMm, 100.0));
-  float gray = (scalar - smallestScalar) * grayPerScalar;
+  float opacity = Absorption(min(Classify(scalar).a * opacityUnitDistancesMm.x, 100.0));
+  float gray = (scalar - smallestScalars.x) * grayPerScalars.x;
   return Accumulation(sum.integral + opacity * gray * lengthMm, sum.lengthMm + lengthMm);
 }
 
@@ -30,12 +26,12 @@ float BlendState(Accumulation sum)
 
 bool BlendFinished(Accumulation sum)
 {
-  return sum.integral >= opacityUnitDistanceMm;
+  return sum.integral >= opacityUnitDistancesMm.x;
 }
 
 vec4 BlendResult(Accumulation sum)
 {
-  float white = clamp(sum.integral / opacityUnitDistanceMm, 0.0, 1.0);
+  float white = clamp(sum.integral / opacityUnitDistancesMm.x, 0.0, 1.0);
   return sum.lengthMm > 0.0 ? vec4(vec3(white), 1.0) : vec4(0.0);
 }
 

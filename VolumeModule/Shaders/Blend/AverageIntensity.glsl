@@ -7,11 +7,6 @@ struct Accumulation
   float lengthMm; // of what counts
 };
 
-uniform float smallestScalar;
-uniform float grayPerScalar;
-uniform float opacityUnitDistanceMm;
-uniform vec2 averagedScalars; // the range, both ends included
-
 Accumulation BlendBegin()
 {
   return Accumulation(0.0, 0.0);
@@ -19,9 +14,9 @@ Accumulation BlendBegin()
 
 Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
 {
-  float opacity = Absorption(min(Classify(scalar).a * opacityUnitDistanceMm, 100.0));
-  float gray = (scalar - smallestScalar) * grayPerScalar;
-  bool counts = averagedScalars.x <= scalar && scalar <= averagedScalars.y;
+  float opacity = Absorption(min(Classify(scalar).a * opacityUnitDistancesMm.x, 100.0));
+  float gray = (scalar - smallestScalars.x) * grayPerScalars.x;
+  bool counts = averagedLower.x <= scalar && scalar <= averagedUpper.x;
   float countedMm = counts ? lengthMm : 0.0;
   return Accumulation(sum.integral + opacity * gray * countedMm, sum.lengthMm + countedMm);
 }

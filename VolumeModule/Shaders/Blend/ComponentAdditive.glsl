@@ -2,11 +2,6 @@
 // weighted sum, at most 1, in white on black. Gray goes from 0 to 1 over the values of the
 // component. A ray without any sample is transparent.
 
-uniform vec4 smallestScalars;
-uniform vec4 grayPerScalars;
-uniform vec4 opacityUnitDistancesMm;
-uniform float partWeights[4];
-
 struct Accumulation
 {
   float sum;

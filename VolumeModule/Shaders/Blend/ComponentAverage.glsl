@@ -2,13 +2,6 @@
 // their weighted sum, in white on black. Gray goes from 0 to 1 over the values of the component;
 // the opacity is that of one unit distance.
 
-uniform vec4 smallestScalars;
-uniform vec4 grayPerScalars;
-uniform vec4 opacityUnitDistancesMm;
-uniform vec4 averagedLower; // the range, both ends included
-uniform vec4 averagedUpper;
-uniform float partWeights[4];
-
 struct Accumulation
 {
   vec4 integrals; // [mm]

@@ -3,20 +3,21 @@
 // up to 1, as lights are, for the extremes of several components lie at several places. A ray
 // without any sample is transparent.
 
-uniform float sense; // 1: the largest
-uniform vec4 leastExtremes;
-uniform float partWeights[4];
-uniform vec4 opacityUnitDistancesMm;
-
 struct Accumulation
 {
   vec4 extremes;
   bool any; // whether there was a sample
 };
 
+// Every value is at least as extreme.
+vec4 LeastExtremes()
+{
+  return sense > 0.0 ? smallestScalars : largestScalars;
+}
+
 Accumulation BlendBegin()
 {
-  return Accumulation(leastExtremes, false);
+  return Accumulation(LeastExtremes(), false);
 }
 
 Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm)
@@ -49,10 +50,10 @@ vec4 BlendResult(Accumulation sum)
 // Nothing is kept as 0, and no value as less than 1.
 vec4 BlendKept(Accumulation sum)
 {
-  return sum.any ? sense * (sum.extremes - leastExtremes) + 1.0 : vec4(0.0);
+  return sum.any ? sense * (sum.extremes - LeastExtremes()) + 1.0 : vec4(0.0);
 }
 
 Accumulation BlendResumed(vec4 kept)
 {
-  return Accumulation(sense * (kept - 1.0) + leastExtremes, kept.x > 0.0);
+  return Accumulation(sense * (kept - 1.0) + LeastExtremes(), kept.x > 0.0);
 }

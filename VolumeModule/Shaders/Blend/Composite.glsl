@@ -8,8 +8,6 @@ struct Accumulation
   float transmittance; // part of the light from behind that is left
 };
 
-uniform float earlyTerminationTransmittance;
-
 Accumulation BlendBegin()
 {
   return Accumulation(vec3(0.0), 1.0);

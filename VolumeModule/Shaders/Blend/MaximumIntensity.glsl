@@ -6,18 +6,14 @@ struct Accumulation
   float largest;
 };
 
-uniform float smallestScalar;
-uniform float largestScalar;
-uniform float opacityUnitDistanceMm;
-
 Accumulation BlendBegin()
 {
-  return Accumulation(smallestScalar - 1.0); // beyond all scalars: none yet
+  return Accumulation(smallestScalars.x - 1.0); // beyond all scalars: none yet
 }
 
 bool HasSample(Accumulation sum)
 {
-  return sum.largest > smallestScalar - 0.5;
+  return sum.largest > smallestScalars.x - 0.5;
 }
 
 Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
@@ -32,22 +28,22 @@ float BlendState(Accumulation sum)
 
 bool BlendFinished(Accumulation sum)
 {
-  return sum.largest >= largestScalar;
+  return sum.largest >= largestScalars.x;
 }
 
 vec4 BlendResult(Accumulation sum)
 {
   vec4 optical = Classify(sum.largest);
-  float opacity = Absorption(min(optical.a * opacityUnitDistanceMm, 100.0));
+  float opacity = Absorption(min(optical.a * opacityUnitDistancesMm.x, 100.0));
   return HasSample(sum) ? vec4(optical.rgb * opacity, opacity) : vec4(0.0);
 }
 
 vec4 BlendKept(Accumulation sum)
 {
-  return HasSample(sum) ? vec4(sum.largest - smallestScalar, 1.0, 0.0, 0.0) : vec4(0.0);
+  return HasSample(sum) ? vec4(sum.largest - smallestScalars.x, 1.0, 0.0, 0.0) : vec4(0.0);
 }
 
 Accumulation BlendResumed(vec4 kept)
 {
-  return kept.g > 0.0 ? Accumulation(kept.r + smallestScalar) : BlendBegin();
+  return kept.g > 0.0 ? Accumulation(kept.r + smallestScalars.x) : BlendBegin();
 }

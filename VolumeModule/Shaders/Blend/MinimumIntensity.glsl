@@ -6,18 +6,14 @@ struct Accumulation
   float smallest;
 };
 
-uniform float smallestScalar;
-uniform float largestScalar;
-uniform float opacityUnitDistanceMm;
-
 Accumulation BlendBegin()
 {
-  return Accumulation(largestScalar + 1.0); // beyond all scalars: none yet
+  return Accumulation(largestScalars.x + 1.0); // beyond all scalars: none yet
 }
 
 bool HasSample(Accumulation sum)
 {
-  return sum.smallest < largestScalar + 0.5;
+  return sum.smallest < largestScalars.x + 0.5;
 }
 
 Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
@@ -32,22 +28,22 @@ float BlendState(Accumulation sum)
 
 bool BlendFinished(Accumulation sum)
 {
-  return sum.smallest <= smallestScalar;
+  return sum.smallest <= smallestScalars.x;
 }
 
 vec4 BlendResult(Accumulation sum)
 {
   vec4 optical = Classify(sum.smallest);
-  float opacity = Absorption(min(optical.a * opacityUnitDistanceMm, 100.0));
+  float opacity = Absorption(min(optical.a * opacityUnitDistancesMm.x, 100.0));
   return HasSample(sum) ? vec4(optical.rgb * opacity, opacity) : vec4(0.0);
 }
 
 vec4 BlendKept(Accumulation sum)
 {
-  return HasSample(sum) ? vec4(sum.smallest - largestScalar, 1.0, 0.0, 0.0) : vec4(0.0);
+  return HasSample(sum) ? vec4(sum.smallest - largestScalars.x, 1.0, 0.0, 0.0) : vec4(0.0);
 }
 
 Accumulation BlendResumed(vec4 kept)
 {
-  return kept.g > 0.0 ? Accumulation(kept.r + largestScalar) : BlendBegin();
+  return kept.g > 0.0 ? Accumulation(kept.r + largestScalars.x) : BlendBegin();
 }

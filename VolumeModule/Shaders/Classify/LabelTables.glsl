@@ -1,8 +1,6 @@
 // Transfer functions as tables of (r, g, b, extinction), one after the other in one buffer, which
 // begins with a row for each: (scale and bias: texture value -> index; first entry; last index).
 
-uniform samplerBuffer opticalTable;
-
 vec4 ClassifyBy(int table, float scalar)
 {
   vec4 row = texelFetch(opticalTable, table);

@@ -1,27 +1,20 @@
 // Transfer function as a table of its means between two scalars (Core/Look/PreIntegratedTable): emission
-// and extinction. It covers the scalars between which the function changes. What of a piece lies
-// below or above them has the properties of the first or last, and weighs as much as its part of
-// the piece.
-
-uniform sampler2D preIntegratedTable;
-uniform float tableSize;
-uniform vec2 placeFromScalar; // scale and bias: texture value -> [0,1] from the first to the last
-uniform vec4 opticalBelow;    // color and extinction of all scalars below the first
-uniform vec4 opticalAbove;
+// and extinction. It covers the scalars between which the function changes. The part of a piece that
+// lies below or above them has the properties of the first or last, and weighs as much as its length.
 
 vec4 ClassifyBetween(float startScalar, float endScalar)
 {
-  float start = startScalar * placeFromScalar.x + placeFromScalar.y;
-  float end = endScalar * placeFromScalar.x + placeFromScalar.y;
-  vec2 covered = clamp(vec2(start, end), 0.0, 1.0);
-  vec4 inside =
-    textureLod(preIntegratedTable, (covered * (tableSize - 1.0) + 0.5) / tableSize, 0.0);
+  float last = lastTableIndices.x;
+  float start = startScalar * tableScales.x + tableBiases.x;
+  float end = endScalar * tableScales.x + tableBiases.x;
+  vec2 covered = clamp(vec2(start, end), 0.0, last);
+  vec4 inside = textureLod(preIntegratedTable, (covered + 0.5) / (last + 1.0), 0.0);
 
   float lower = min(start, end);
   float upper = max(start, end);
   float extent = max(upper - lower, 1e-12);
   float below = upper <= 0.0 ? 1.0 : clamp(-lower / extent, 0.0, 1.0);
-  float above = lower >= 1.0 ? 1.0 : clamp((upper - 1.0) / extent, 0.0, 1.0);
+  float above = lower >= last ? 1.0 : clamp((upper - last) / extent, 0.0, 1.0);
   vec3 extinctions =
     vec3(max(1.0 - below - above, 0.0) * inside.a, below * opticalBelow.a, above * opticalAbove.a);
   float extinction = extinctions.x + extinctions.y + extinctions.z;

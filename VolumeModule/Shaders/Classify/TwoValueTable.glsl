@@ -1,10 +1,6 @@
 // Transfer function of two values as a table of (r, g, b, opacity over a unit distance), whose
 // first and last entries on each axis are those of the ends of the values' ranges.
 
-uniform samplerBuffer twoValueTable; // x fastest
-uniform vec2 twoValueTableSize;      // at least two along each axis
-uniform float tableUnitDistanceMm;
-
 // @param place  of both values in their ranges, [0,1]
 vec4 ClassifyTwo(vec2 place)
 {
@@ -17,5 +13,5 @@ vec4 ClassifyTwo(vec2 place)
   vec4 upper = mix(texelFetch(twoValueTable, above), texelFetch(twoValueTable, above + 1), part.x);
   vec4 found = mix(lower, upper, part.y);
   // Of an opaque material.
-  return vec4(found.rgb, WithOpacityFactor(1e30, tableUnitDistanceMm, found.a));
+  return vec4(found.rgb, WithOpacityFactor(1e30, opacityUnitDistancesMm.x, found.a));
 }

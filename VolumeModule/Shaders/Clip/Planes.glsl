@@ -1,8 +1,5 @@
 // Clipping planes end the part of a ray that is marched, at the very place where it meets them.
 
-uniform samplerBuffer clippingPlanes; // grid space; dot(plane, position) >= 0 is left
-uniform int clippingPlaneCount;
-
 bool IsClipped(vec3 positionGrid)
 {
   bool clipped = false;

@@ -1,8 +1,5 @@
 // Four components of one material: its colour, and opacity by the fourth.
 
-uniform vec3 colorScale; // texture values -> colour
-uniform vec3 colorBias;
-
 vec4 PartOptical(vec4 texel, int part)
 {
   return vec4(clamp(texel.rgb * colorScale + colorBias, 0.0, 1.0), ClassifyBy(0, texel.a).a);

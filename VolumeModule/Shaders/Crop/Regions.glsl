@@ -1,8 +1,5 @@
 // Cropping by regions: six planes cut a ray into pieces, each of which lies in one region.
 
-uniform vec4 croppingPlanes[6]; // grid space; x, y, z of the data, lower and upper
-uniform int croppingRegions;    // bit x + 3 y + 9 z: drawn; 0 below, 1 between, 2 above the planes
-
 float NextCrossing(Ray ray, float t, float exit)
 {
   float next = exit;

@@ -1,8 +1,5 @@
 // Rays end at the opaque geometry drawn before, whose depth buffer was copied.
 
-uniform sampler2D depthTexture;
-uniform vec2 depthPixelsPerPixel; // not 1 where a picture is drawn with fewer rays or more
-
 // Where the geometry at a pixel of this picture would end this ray, were it as deep here.
 float DepthLimitAt(Ray ray, vec2 pixel)
 {

@@ -1,8 +1,6 @@
 // A ray that another surface has ended, or none, tells nothing of this pixel: bilateral weights of
 // Kopf et al., "Joint bilateral upsampling" (SIGGRAPH 2007), by where the rays end.
 
-uniform float sameSurfaceMm; // ends as near as this belong to one surface
-
 float Trust(Ray ray, Interval inside, ivec2 coarsePixel)
 {
   float here = DepthLimit(ray);

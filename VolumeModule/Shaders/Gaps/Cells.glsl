@@ -4,12 +4,6 @@
 // where it is blanked, else k + 1 where none of the cells c - k ... c + k is either
 // (Core/Fields/GapField).
 
-uniform sampler3D gapTexture; // nearest
-uniform vec3 gapCellCount;
-uniform vec3 gapCellCountInverse;
-uniform vec3 gapVoxelCount;
-uniform float gapShift; // 0 where they are between voxels, 0.5 where they are voxels
-
 float GapTexel(vec3 cell)
 {
   vec3 inside = clamp(cell, vec3(0.0), gapCellCount - 1.0);
@@ -19,7 +13,7 @@ float GapTexel(vec3 cell)
 // Central differences read the cells beside.
 bool HasGradient(vec3 positionTexture)
 {
-  vec3 cell = floor(positionTexture * gapVoxelCount - 0.5 + gapShift);
+  vec3 cell = floor(positionTexture * voxelCount - 0.5 + gapShift);
   float least = GapTexel(cell);
   for (int axis = 0; axis < 3; ++axis)
   {

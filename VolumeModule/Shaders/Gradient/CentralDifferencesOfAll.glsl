@@ -1,13 +1,11 @@
 // The differences of all components one voxel to either side; they vanish where they are made of a
 // voxel that is not finite.
 
-uniform vec3 voxelSizeTexture;
-
 mat4x3 GradientsAllAt(vec3 positionTexture)
 {
-  vec3 x = vec3(voxelSizeTexture.x, 0.0, 0.0);
-  vec3 y = vec3(0.0, voxelSizeTexture.y, 0.0);
-  vec3 z = vec3(0.0, 0.0, voxelSizeTexture.z);
+  vec3 x = vec3(voxelCountInverse.x, 0.0, 0.0);
+  vec3 y = vec3(0.0, voxelCountInverse.y, 0.0);
+  vec3 z = vec3(0.0, 0.0, voxelCountInverse.z);
   mat3x4 differences = mat3x4(TexelAt(positionTexture + x) - TexelAt(positionTexture - x),
     TexelAt(positionTexture + y) - TexelAt(positionTexture - y),
     TexelAt(positionTexture + z) - TexelAt(positionTexture - z));

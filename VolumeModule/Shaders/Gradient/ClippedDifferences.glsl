@@ -1,20 +1,17 @@
 // As CentralDifferences.glsl, but what clipping planes have cut away counts as of one scalar: a cut
 // is then a surface with a normal of its own.
 
-uniform vec3 voxelSizeTexture;
-uniform float clippedScalar;
-
 float ScalarBeside(vec3 positionTexture)
 {
-  vec3 positionGrid = positionTexture / voxelSizeTexture - 0.5 + firstVoxelGrid;
+  vec3 positionGrid = positionTexture / voxelCountInverse - 0.5 + firstVoxelGrid;
   return IsClipped(positionGrid) ? clippedScalar : ScalarAt(positionTexture);
 }
 
 vec3 GradientAt(vec3 positionTexture)
 {
-  vec3 x = vec3(voxelSizeTexture.x, 0.0, 0.0);
-  vec3 y = vec3(0.0, voxelSizeTexture.y, 0.0);
-  vec3 z = vec3(0.0, 0.0, voxelSizeTexture.z);
+  vec3 x = vec3(voxelCountInverse.x, 0.0, 0.0);
+  vec3 y = vec3(0.0, voxelCountInverse.y, 0.0);
+  vec3 z = vec3(0.0, 0.0, voxelCountInverse.z);
   vec3 gradient = vec3(ScalarBeside(positionTexture + x) - ScalarBeside(positionTexture - x),
     ScalarBeside(positionTexture + y) - ScalarBeside(positionTexture - y),
     ScalarBeside(positionTexture + z) - ScalarBeside(positionTexture - z));

@@ -1,11 +1,5 @@
 // As with one table, for the label of a place: four labels share the numbers of an entry.
 
-uniform samplerBuffer gradientOpacityTable;
-uniform float lastGradientEntry; // of each table
-uniform vec3 spacingFactors;     // mean spacing over twice the spacing along each axis
-uniform vec4 entriesPerGradient; // gradient in texels -> table index
-uniform vec4 opacityUnitDistancesMm;
-
 float AtGradient(float extinction, vec3 gradient, int row)
 {
   float magnitude = length(spacingFactors * gradient);

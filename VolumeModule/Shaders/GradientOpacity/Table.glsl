@@ -3,12 +3,6 @@
 // holds the factors of up to four components, from magnitude 0 to a quarter of the component's
 // range; beyond that the last entry holds.
 
-uniform samplerBuffer gradientOpacityTable;
-uniform float lastGradientEntry;
-uniform vec3 spacingFactors;     // mean spacing over twice the spacing along each axis
-uniform vec4 entriesPerGradient; // of each component: gradient in texels -> table index
-uniform vec4 opacityUnitDistancesMm;
-
 float AtGradient(float extinction, vec3 gradient, int component)
 {
   float magnitude = length(spacingFactors * gradient);

@@ -1,13 +1,11 @@
 // The tricubic spline through the voxels, of which the texture holds the coefficients
 // (Core/Geometry/SplineCoefficients). Beyond the outermost voxels the value is that of the face.
 
-uniform vec3 splineVoxelCount; // of the volume texture
-
 // The sum of eight readings.
 vec4 SplineSum(vec3 cell, SplineReadings at)
 {
-  vec3 n = (cell + 0.5 + at.nearPlace) / splineVoxelCount;
-  vec3 f = (cell + 0.5 + at.farPlace) / splineVoxelCount;
+  vec3 n = (cell + 0.5 + at.nearPlace) / voxelCount;
+  vec3 f = (cell + 0.5 + at.farPlace) / voxelCount;
   vec4 nearNear = at.nearWeight.x * StoredAt(n) + at.farWeight.x * StoredAt(vec3(f.x, n.yz));
   vec4 farNear =
     at.nearWeight.x * StoredAt(vec3(n.x, f.y, n.z)) + at.farWeight.x * StoredAt(vec3(f.xy, n.z));
@@ -20,8 +18,8 @@ vec4 SplineSum(vec3 cell, SplineReadings at)
 
 vec3 SplinePlace(vec3 positionTexture)
 {
-  vec3 place = VoxelPlace(positionTexture) * splineVoxelCount - 0.5;
-  return clamp(place, vec3(0.0), splineVoxelCount - 1.0);
+  vec3 place = VoxelPlace(positionTexture) * voxelCount - 0.5;
+  return clamp(place, vec3(0.0), voxelCount - 1.0);
 }
 
 vec4 TexelAt(vec3 positionTexture)

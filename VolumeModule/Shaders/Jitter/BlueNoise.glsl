@@ -2,9 +2,6 @@
 // make of a surface, rings like those of wood, becomes a fine grain. It stays where it is from
 // picture to picture.
 
-uniform sampler2D noiseTexture;
-uniform ivec2 noisePixelsMask; // its size, powers of two, less 1
-
 float FirstSegment()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy - viewportOriginPixels);

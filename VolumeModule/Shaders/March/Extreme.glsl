@@ -3,8 +3,6 @@
 
 const float CellsPerSegment = 4.0;
 
-uniform vec3 voxelCount; // of the volume texture
-
 Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
   // Cells before the first voxel and behind the last one are cells too: 0 and voxelCount.

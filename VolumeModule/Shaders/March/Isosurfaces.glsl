@@ -4,8 +4,6 @@
 
 const float CellsPerSegment = 4.0;
 
-uniform vec3 voxelCount; // of the volume texture
-
 vec4 ScalarsOfCell(Ray ray, Interval part)
 {
   return vec4(ScalarAt(PositionTexture(ray, part.enter)),

@@ -3,15 +3,11 @@
 
 const float ReachVoxels = 1e-4; // a surface in a face of the volume is on one side of it, for sure
 
-uniform mat4 sliceMatrix;     // symmetric; the surface is where dot(p, sliceMatrix * p) = 0, with
-uniform vec3 sliceCenterGrid; // p = (position from here, 1)
-uniform float sliceUnitDistanceMm;
-
 Accumulation BlendSlice(Accumulation sum, Ray ray, float t)
 {
   vec3 position = PositionTexture(ray, t);
   vec4 optical = Material(ValuesAt(position), GradientsAt(position), ray, t);
-  return BlendPart(sum, optical.rgb, optical.a * sliceUnitDistanceMm);
+  return BlendPart(sum, optical.rgb, optical.a * opacityUnitDistancesMm.x);
 }
 
 Accumulation March(Ray ray, Interval inside, Accumulation sum)

@@ -3,8 +3,6 @@
 
 const float VoxelsPerSegment = 4.0;
 
-uniform vec3 voxelCount; // of the volume texture
-
 Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
   LatticeRay lattice = RayInLattice(ray.originGrid - firstVoxelGrid + 0.5, ray.directionGrid);

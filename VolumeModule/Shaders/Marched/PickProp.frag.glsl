@@ -1,8 +1,5 @@
 // Selection: as Resume/PickProp.glsl, of rays that the processor has marched.
 
-uniform vec3 propColor;
-uniform float leastOpacity;
-
 out vec4 fragOutput0;
 
 void main()

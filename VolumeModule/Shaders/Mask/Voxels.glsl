@@ -2,10 +2,6 @@
 // its content changes. The mask's texel holds (the content; k + 1 where all voxels v - k ... v + k
 // have the same).
 
-uniform sampler3D maskTexture; // nearest
-uniform vec3 maskVoxelCount;
-uniform vec3 maskVoxelsPerVoxel;
-
 vec2 MaskAt(vec3 voxel)
 {
   vec3 inside = clamp(voxel, vec3(0.0), maskVoxelCount - 1.0);

@@ -2,9 +2,6 @@
 // is mixed add up, as those of particles between each other do, whatever their order. The weight of
 // a component is the part that it has in the mixture.
 
-uniform vec4 reflectances[4];
-uniform float partWeights[4];
-
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {
   vec3 emission = vec3(0.0);

@@ -1,10 +1,6 @@
 // One scalar, seen through the transfer functions of the label of its place: a part of them, the
 // other through those without a label. Colours, and opacities over a unit distance, are mixed.
 
-uniform vec4 reflectance;
-uniform float labelPart; // [0,1]
-uniform float labelUnitDistanceMm;
-
 int labelRow; // of the place; 0 for none
 
 // Colour, and opacity over a unit distance.
@@ -12,7 +8,7 @@ vec4 OfRow(int row, Values values, Gradients gradients)
 {
   vec4 optical = ClassifyBy(row, values.scalar);
   float extinction = AtGradient(optical.a, gradients.scalar, row);
-  return vec4(optical.rgb, Absorption(min(extinction * labelUnitDistanceMm, 80.0)));
+  return vec4(optical.rgb, Absorption(min(extinction * opacityUnitDistancesMm.x, 80.0)));
 }
 
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
@@ -24,7 +20,7 @@ vec4 Material(Values values, Gradients gradients, Ray ray, float t)
     vec4 mixed = mix(OfRow(0, values, gradients), OfRow(labelRow, values, gradients), labelPart);
     optical.rgb = mixed.rgb;
     // Of an opaque material.
-    extinction = WithOpacityFactor(1e30, labelUnitDistanceMm, min(mixed.a, 0.99999994));
+    extinction = WithOpacityFactor(1e30, opacityUnitDistancesMm.x, min(mixed.a, 0.99999994));
   }
-  return vec4(Shade(optical.rgb, gradients.scalar, reflectance, ray, t), extinction);
+  return vec4(Shade(optical.rgb, gradients.scalar, reflectances[0], ray, t), extinction);
 }

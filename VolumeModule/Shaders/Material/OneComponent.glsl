@@ -1,10 +1,8 @@
 // One scalar, seen through the transfer function, and lit.
 
-uniform vec4 reflectance;
-
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {
   vec4 optical = Classify(values.scalar);
-  return vec4(Shade(optical.rgb, gradients.scalar, reflectance, ray, t),
+  return vec4(Shade(optical.rgb, gradients.scalar, reflectances[0], ray, t),
     AtGradient(optical.a, gradients.scalar, 0));
 }

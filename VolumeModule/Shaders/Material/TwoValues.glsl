@@ -1,12 +1,8 @@
 // Two scalars, seen through a transfer function of both. Light is that on the first.
 
-uniform vec4 reflectance;
-uniform vec2 placeFromScalar; // scale and bias: texture value -> [0,1] in its range
-uniform vec2 placeFromSecond;
-
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {
   vec4 optical = ClassifyTwo(vec2(values.scalars.x * placeFromScalar.x + placeFromScalar.y,
     values.scalars.y * placeFromSecond.x + placeFromSecond.y));
-  return vec4(Shade(optical.rgb, gradients.scalar, reflectance, ray, t), optical.a);
+  return vec4(Shade(optical.rgb, gradients.scalar, reflectances[0], ray, t), optical.a);
 }

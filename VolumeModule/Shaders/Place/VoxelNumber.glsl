@@ -1,9 +1,5 @@
 // The number of a point or cell, as a colour of 24 bits.
 
-uniform vec3 pickedCount;      // points, or cells
-uniform float pickedOffset;    // in the grid: a point is at its number, a cell half behind it
-uniform int pickedHighestBits; // 1 for the bits above the lowest 24
-
 vec4 ColorOfPlace(vec3 positionGrid)
 {
   vec3 place = floor(positionGrid + pickedOffset);

@@ -1,8 +1,6 @@
 // A volume without interpolation: its voxels are boxes of one value, at whose faces segments end.
 // What is read is that of a voxel's middle, and exact.
 
-uniform vec3 voxelCount; // of the volume texture
-
 Values startValues;
 Values endValues;
 Gradients startGradients;

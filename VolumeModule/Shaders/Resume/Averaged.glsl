@@ -1,8 +1,5 @@
 // The picture was drawn with several rays in each pixel, of which it shows the mean.
 
-uniform sampler2D coarseTexture;
-uniform int raysPerSide;
-
 vec4 DrawnRay(Ray ray, Interval inside)
 {
   ivec2 first = ivec2(gl_FragCoord.xy - viewportOriginPixels) * raysPerSide;

@@ -1,9 +1,6 @@
 // One block of several: each ray goes on from what it has gathered in the blocks in front. What is
 // drawn is what it has gathered then.
 
-uniform sampler2D gatheredTexture;
-uniform vec3 sharedUpperGrid; // upper faces at which another block begins; elsewhere far away
-
 vec4 DrawnRay(Ray ray, Interval inside)
 {
   // A ray that runs in the common face of two blocks is marched in one of them.

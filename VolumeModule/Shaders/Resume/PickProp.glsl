@@ -1,8 +1,5 @@
 // Selection: the colour that stands for this volume, wherever anything of it is seen.
 
-uniform vec3 propColor;
-uniform float leastOpacity;
-
 vec4 DrawnRay(Ray ray, Interval inside)
 {
   if (!(BlendResult(MarchCropped(ray, inside, BlendBegin())).a > leastOpacity))

@@ -1,8 +1,6 @@
 // Selection: the number of the point or cell at which a ray becomes half opaque, or, where it never
 // does, visible.
 
-uniform float leastOpacity;
-
 vec4 DrawnRay(Ray ray, Interval inside)
 {
   float t = Nowhere;

@@ -1,7 +1,5 @@
 // All blocks are drawn: what each ray has gathered becomes its pixel.
 
-uniform sampler2D gatheredTexture;
-
 vec4 DrawnRay(Ray ray, Interval inside)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy - viewportOriginPixels);

@@ -1,15 +1,12 @@
 // The picture, and the depth, as in a depth buffer, at which a ray first meets anything visible.
 // What is marched to find that is not marched again.
 
-uniform float leastOpacity;
-uniform bool clampDepth; // where nothing is visible: to where the ray leaves the volume
-
 out vec4 fragOutput1;
 
 vec4 DrawnRay(Ray ray, Interval inside)
 {
   Located first = Locate(ray, inside, leastOpacity);
-  float t = first.t < Nowhere || !clampDepth ? first.t : inside.exit;
+  float t = first.t < Nowhere || clampDepth == 0 ? first.t : inside.exit;
   vec3 place = ray.originGrid + min(t, inside.exit) * ray.directionGrid;
   fragOutput1 = t < Nowhere ? ColorOfPlace(place) : vec4(0.0);
   Interval rest = Interval(first.marched, inside.exit);

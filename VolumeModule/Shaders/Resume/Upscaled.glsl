@@ -2,9 +2,6 @@
 // Catmull and Rom, kept within the values that it lies between; near an edge of opaque geometry
 // linearly, between those rays that end where the pixel's own would.
 
-uniform sampler2D coarseTexture;
-uniform ivec2 lastCoarsePixel;
-
 vec4 CubicWeights(float x)
 {
   return 0.5 *

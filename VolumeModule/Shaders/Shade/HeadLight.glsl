@@ -3,10 +3,6 @@
 // to the eye. Both sides of a surface are lit. The normal is the gradient; where it vanishes only
 // ambient light is left, as in VTK.
 
-uniform mat3 worldFromGradient; // a gradient per voxel -> a normal in the world, any length
-uniform vec3 diffuseLight;      // its colours
-uniform vec3 specularLight;
-
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
 {
   reflectance.yz *= LitPart(gradient);

@@ -5,18 +5,9 @@
 
 const int TexelsPerLight = 5;
 
-uniform mat3 worldFromGradient; // a gradient per voxel -> a normal in the world, any length
-uniform vec3 worldOfGridOrigin;
-uniform vec3 ambientLight; // of all lights
-uniform vec3 diffuseLight; // of those at the eye
-uniform vec3 specularLight;
-uniform float backsLit;   // 1: both sides of a surface are
-uniform int distantCount; // come first
-uniform int nearCount;
 // Each light: (direction to it, or position), (diffuse colour; cosine of its cone), (specular
 // colour; exponent of the cone), (attenuation: constant, per mm, per mm^2), (where the cone
 // points).
-uniform samplerBuffer lightTexels;
 
 // Of a near light, what reaches a point that is so far from it.
 float LightReach(int texel, float distanceMm, vec3 toLight)

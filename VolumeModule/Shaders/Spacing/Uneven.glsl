@@ -2,13 +2,6 @@
 // even grid from the first to the last, and this is where in the texture a place of it is. An axis
 // is cut into bins so short that the spacing changes at most once in each: one look-up an axis.
 
-uniform samplerBuffer spacingTable; // of a bin: where it changes, the voxel there, slopes around it
-uniform vec3 spacingFirstBins;      // of each axis, in the table
-uniform vec3 spacingLastBins;
-uniform vec3 spacingLowerGrid; // where the first bin begins
-uniform vec3 spacingBinsPerGrid;
-uniform vec3 spacingVoxelCount;
-
 float VoxelAlong(float placeGrid, float lowerGrid, float binsPerGrid, float firstBin, float lastBin)
 {
   float bin = clamp(firstBin + floor((placeGrid - lowerGrid) * binsPerGrid), firstBin, lastBin);

@@ -1,22 +1,15 @@
 // Steps for a maximum or minimum: bricks that cannot better what the ray has found are left at
 // once. The field's texel holds the largest scalar of a brick, or for a minimum the smallest.
 
-uniform sampler3D fieldTexture; // nearest
-uniform vec2 scalarFromField;   // scale and bias: texel of the field -> scalar
-uniform float sense;            // 1 for a maximum, -1 for a minimum
-uniform float cellsPerBrick;
-uniform vec3 brickCount;
-uniform vec3 brickCountInverse;
-
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
   LatticeRay lattice =
     RayInLattice(ray.originGrid / cellsPerBrick, ray.directionGrid / cellsPerBrick);
-  LatticePlace place = PlaceAt(lattice, t, brickCount);
+  LatticePlace place = PlaceAt(lattice, t, fieldSize);
   for (int skip = 0; skip < mostSegments && place.t < inside.exit; ++skip)
   {
-    float texel = textureLod(fieldTexture, (place.cell + 0.5) * brickCountInverse, 0.0).r;
-    if (sense * (texel * scalarFromField.x + scalarFromField.y - blendState) > 0.0)
+    float texel = textureLod(fieldTexture, (place.cell + 0.5) * fieldSizeInverse, 0.0).r;
+    if (sense * (texel * 65535.0 * scalarFromField.x + scalarFromField.y - blendState) > 0.0)
     {
       break;
     }

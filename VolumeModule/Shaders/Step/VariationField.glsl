@@ -3,17 +3,13 @@
 // The field's texel of cell c holds 0 where the cell itself varies too much, else k + 1 where the
 // block of cells c - k ... c + k does not.
 
-uniform sampler3D fieldTexture; // nearest
-uniform vec3 cellCount;
-uniform vec3 cellCountInverse;
-
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
   float plain = t + PlainMm(index, plainMm);
   vec3 origin = ray.originGrid - firstVoxelGrid;
   vec3 position = origin + t * ray.directionGrid;
-  vec3 cell = clamp(floor(position), vec3(0.0), cellCount - 1.0);
-  float reach = textureLod(fieldTexture, (cell + 0.5) * cellCountInverse, 0.0).r * 255.0;
+  vec3 cell = clamp(floor(position), vec3(0.0), fieldSize - 1.0);
+  float reach = textureLod(fieldTexture, (cell + 0.5) * fieldSizeInverse, 0.0).r * 255.0;
 
   // Planes through which the ray leaves the block, on each axis.
   vec3 ahead = step(vec3(0.0), ray.directionGrid);

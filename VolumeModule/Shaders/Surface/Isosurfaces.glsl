@@ -1,9 +1,5 @@
 // Isosurfaces, by ascending isovalue. A surface bounds what is at least its isovalue.
 
-uniform samplerBuffer isosurfaces; // of each two texels: colour and optical depth; its isovalue
-uniform int isosurfaceCount;
-uniform vec4 surfaceReflectance; // ambient, diffuse, specular, specular power
-
 float IsovalueOf(int surface)
 {
   return texelFetch(isosurfaces, 2 * surface + 1).r;
@@ -19,5 +15,5 @@ bool IsPassed(int surface, float startScalar, float endScalar)
 Accumulation BlendSurface(Accumulation sum, int surface, vec3 gradient, Ray ray, float t)
 {
   vec4 optical = texelFetch(isosurfaces, 2 * surface);
-  return BlendPart(sum, Shade(optical.rgb, gradient, surfaceReflectance, ray, t), optical.a);
+  return BlendPart(sum, Shade(optical.rgb, gradient, reflectances[0], ray, t), optical.a);
 }

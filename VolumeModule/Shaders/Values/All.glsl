@@ -1,7 +1,5 @@
 // Up to four components, and the gradient of each.
 
-uniform vec2 visibleScalarsOf[4]; // only between these does a component absorb anything
-
 struct Values
 {
   vec4 scalars;
@@ -37,10 +35,9 @@ bool MayAbsorb(Values start, Values end)
   bool may = false;
   for (int component = 0; component < 4; ++component)
   {
-    vec2 visible = visibleScalarsOf[component];
     may = may ||
-      (max(start.scalars[component], end.scalars[component]) > visible.x &&
-        min(start.scalars[component], end.scalars[component]) < visible.y);
+      (max(start.scalars[component], end.scalars[component]) > visibleLower[component] &&
+        min(start.scalars[component], end.scalars[component]) < visibleUpper[component]);
   }
   return may;
 }

@@ -1,7 +1,5 @@
 // One scalar, and its gradient.
 
-uniform vec2 visibleScalars; // only between these does anything absorb, whatever else decides
-
 struct Values
 {
   float scalar;
@@ -34,6 +32,6 @@ Gradients Between(Gradients start, Gradients end, float along)
 
 bool MayAbsorb(Values start, Values end)
 {
-  return max(start.scalar, end.scalar) > visibleScalars.x &&
-    min(start.scalar, end.scalar) < visibleScalars.y;
+  return max(start.scalar, end.scalar) > visibleLower.x &&
+    min(start.scalar, end.scalar) < visibleUpper.x;
 }

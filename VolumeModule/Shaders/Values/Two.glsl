@@ -1,7 +1,5 @@
 // Two scalars, of which the first has a gradient.
 
-uniform vec2 visibleScalars; // only between these does anything absorb, whatever the second is
-
 struct Values
 {
   vec2 scalars;
@@ -34,6 +32,6 @@ Gradients Between(Gradients start, Gradients end, float along)
 
 bool MayAbsorb(Values start, Values end)
 {
-  return max(start.scalars.x, end.scalars.x) > visibleScalars.x &&
-    min(start.scalars.x, end.scalars.x) < visibleScalars.y;
+  return max(start.scalars.x, end.scalars.x) > visibleLower.x &&
+    min(start.scalars.x, end.scalars.x) < visibleUpper.x;
 }

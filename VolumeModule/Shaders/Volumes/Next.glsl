@@ -2,10 +2,6 @@
 // that in the grid of the last; each volume has the same ray in its own grid, along which t, a
 // length in the world, means the same place.
 
-uniform mat4 ownGridFromRays;
-uniform vec3 ownLowerGrid; // of what is drawn of this volume
-uniform vec3 ownUpperGrid;
-
 Ray ownRay;
 Interval ownPart; // of it is in this volume
 bool absorbs;     // in the segment that was read last

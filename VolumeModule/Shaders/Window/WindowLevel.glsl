@@ -1,7 +1,5 @@
 // Colours from level - window / 2 to level + window / 2 become those from black to white.
 
-uniform vec2 windowScaleBias;
-
 vec4 Windowed(vec4 picture)
 {
   vec3 color = picture.rgb * windowScaleBias.x + picture.a * windowScaleBias.y;

@@ -1,0 +1,181 @@
+#include "March/MaterialParameters.h"
+
+#include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/Lights.h"
+
+#include "vtkDataArray.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The place of a scalar in the range of its values.
+glm::dvec2 PlaceInRange(const ScalarTexels& texels, const TexelMapping& mapping)
+{
+  const double range = texels.largestScalar - texels.smallestScalar;
+  const double perValue = range > 0.0 ? 1.0 / range : 0.0;
+  return { mapping.scale * perValue, (mapping.offset - texels.smallestScalar) * perValue };
+}
+
+// Entries of the table that a scalar is looked up in, less 1.
+double LastIndexOf(const Frame& frame, const VolumeResources& volume, const OpticalTable& table)
+{
+  return UsesPreIntegration(frame.settings) ? volume.PreIntegrated().EntriesPerSide() - 1.0
+                                            : double(table.entries.size()) - 1.0;
+}
+
+void SetVisible(VolumeParameters& p, int component, const TexelMapping& mapping,
+  const std::array<double, 2>& visible)
+{
+  p.visibleLower[component] = float(mapping.LimitedTexelOf(visible[0]));
+  p.visibleUpper[component] = float(mapping.LimitedTexelOf(visible[1]));
+}
+
+void SetVisibleOfComponents(
+  VolumeParameters& p, const VolumeResources& volume, const Mappings& mappings)
+{
+  p.visibleLower = glm::vec4(1e30f); // nothing is visible
+  p.visibleUpper = glm::vec4(-1e30f);
+  for (std::size_t i = 0; i < volume.MaterialTables().size(); ++i)
+  {
+    const MaterialTable& table = volume.MaterialTables()[i];
+    if (table.decidesOnOpacity)
+    {
+      SetVisible(
+        p, table.channel, mappings[table.channel], volume.OpticalTables().VisibleValues(i));
+    }
+  }
+}
+
+void SetColors(VolumeParameters& p, const Frame& frame, const Mappings& mappings)
+{
+  const double largest = LargestColorOf(frame.channels.front().array);
+  for (int i = 0; i < 3; ++i)
+  {
+    p.colorScale[i] = float(mappings[i].scale / largest);
+    p.colorBias[i] = float(mappings[i].offset / largest);
+  }
+}
+
+void SetTwoValues(VolumeParameters& p, const VolumeResources& volume, const Mappings& mappings)
+{
+  const std::vector<ScalarTexels>& texels = volume.Blocks().TexelsOfChannels();
+  p.twoValueTableSize = glm::dvec2(volume.TwoValuesSize());
+  p.placeFromScalar = PlaceInRange(texels.front(), mappings.front());
+  p.placeFromSecond = PlaceInRange(texels.back(), mappings.back());
+  p.placePerGradient = float(mappings.front().scale / LargestGradient(texels.front()));
+}
+
+// Products of normals in units of the data could overflow: they are made of texels.
+void SetLights(
+  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
+{
+  const double texelsPerScalar = mappings.front().scale / volume.Blocks().Texels().mapping.scale;
+  p.worldFromGradient = frame.geometry.WorldFromGridNormal() * texelsPerScalar;
+  const HeadLightColors light = HeadLightColorsOf(frame.renderer);
+  p.diffuseLight = light.diffuse;
+  p.specularLight = light.specular;
+  if (frame.settings.damping)
+  {
+    p.dampingFactors =
+      frame.geometry.gradientFactors * (mappings.front().scale / frame.dampingGradient);
+  }
+  if (frame.settings.lights)
+  {
+    const LightTexels others = LightTexelsOf(frame.renderer);
+    p.distantCount = others.distantCount;
+    p.nearCount = others.nearCount;
+    p.ambientLight = AmbientLightOf(frame.renderer);
+    p.backsLit = frame.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
+    p.worldOfGridOrigin = glm::dvec3(frame.geometry.worldFromGrid[3]);
+  }
+}
+
+void SetGradientOpacity(
+  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
+{
+  p.lastGradientEntry = float(VolumeResources::EntriesPerGradientCurve - 1);
+  for (int part = 0; part < PartCount(frame.settings); ++part)
+  {
+    const int component = OpacityComponentOf(frame.settings, part);
+    const ScalarTexels& texels = volume.Blocks().TexelsOfChannels()[component];
+    p.entriesPerGradient[part] =
+      float(mappings[component].scale / LargestGradient(texels) * p.lastGradientEntry);
+  }
+}
+
+}
+
+void SetTables(
+  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
+{
+  const std::vector<OpticalTable>& tables = volume.OpticalTables().Tables();
+  if (frame.settings.functionOf != FunctionOf::Value)
+  {
+    SetTwoValues(p, volume, mappings);
+  }
+  // The tables of labels have rows of their own.
+  for (std::size_t i = 0; i < std::min<std::size_t>(tables.size(), 4); ++i)
+  {
+    const OpticalTable& table = tables[i];
+    const int channel = volume.MaterialTables()[i].channel;
+    const double last = LastIndexOf(frame, volume, table);
+    const IndexInTable index =
+      IndexOf(table, last, mappings[channel].scale, mappings[channel].offset);
+    p.tableScales[i] = float(index.scale);
+    p.tableBiases[i] = float(index.bias);
+    p.lastTableIndices[i] = float(last);
+    p.firstEntries[i] = float(volume.OpticalTables().FirstEntryOf(i));
+  }
+  p.opticalBelow = tables.front().entries.front();
+  p.opticalAbove = tables.front().entries.back();
+  if (frame.settings.components == Components::One)
+  {
+    SetVisible(p, 0, mappings.front(), volume.OpticalTables().VisibleValuesOfAny());
+  }
+  else
+  {
+    SetVisibleOfComponents(p, volume, mappings);
+  }
+  if (frame.settings.components == Components::Rgba)
+  {
+    SetColors(p, frame, mappings);
+  }
+}
+
+void SetMaterials(
+  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
+{
+  p.spacingFactors = frame.geometry.gradientFactors;
+  p.clippedScalar =
+    float(mappings.front().LimitedTexelOf(frame.property->GetClippedVoxelIntensity()));
+  p.isosurfaceCount = int(frame.isovalues.size());
+  p.opacityUnitDistancesMm = glm::vec4(1.0f);
+  p.partWeights = glm::vec4(1.0f);
+  for (int part = 0; part < PartCount(frame.settings); ++part)
+  {
+    p.opacityUnitDistancesMm[part] = float(frame.property->GetScalarOpacityUnitDistance(part));
+    p.partWeights[part] = float(WeightOf(frame.property, frame.settings, part));
+    p.reflectances[part] = ReflectanceOf(frame.property, part);
+  }
+  if (frame.settings.blend == Blend::Isosurface)
+  {
+    p.reflectances[0] = ReflectanceOf(frame.property, frame.surfaceComponent);
+  }
+  if (frame.settings.shading)
+  {
+    SetLights(p, frame, volume, mappings);
+  }
+  if (frame.settings.gradientOpacity)
+  {
+    SetGradientOpacity(p, frame, volume, mappings);
+  }
+}
+
+}

@@ -1,0 +1,107 @@
+#include "March/RayParametersBuilder.h"
+
+#include "Core/Geometry/PixelRays.h"
+#include "Frame/OverlappingVolumes.h"
+#include "Resources/BlueNoiseTexture.h"
+
+#include "vtkRenderer.h"
+
+#include <glm/common.hpp>
+#include <glm/gtc/matrix_access.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Blocks have the same rays, to the last bit: none then has a gap where two blocks meet.
+void SetRays(RayParameters& p, const Frame& frame, const Box& boxGrid)
+{
+  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+  const PixelRays rays = ComputePixelRays(clipFromGrid, boxGrid);
+  for (int i = 0; i < 3; ++i)
+  {
+    p.rayStartGrid[i] = rays.startGrid[i];
+    p.rayDirectionGrid[i] = rays.directionGrid[i];
+  }
+  p.nearPlaneGrid = rays.nearPlaneGrid;
+  p.farPlaneGrid = rays.farPlaneGrid;
+  p.boxLowerGrid = boxGrid.lower;
+  p.boxUpperGrid = boxGrid.upper;
+  p.clipFromGrid = clipFromGrid;
+  p.clipDepthRow = glm::row(clipFromGrid, 2);
+  p.clipWeightRow = glm::row(clipFromGrid, 3);
+}
+
+void SetCuts(RayParameters& p, const Cuts& cuts)
+{
+  p.clippingPlaneCount = int(cuts.planesGrid.size());
+  if (cuts.regions)
+  {
+    std::copy(cuts.regions->planesGrid.begin(), cuts.regions->planesGrid.end(), p.croppingPlanes);
+    p.croppingRegions = cuts.regions->drawn;
+  }
+}
+
+void SetResampling(RayParameters& p, const Frame& frame)
+{
+  const Viewport rays = RaysOf(frame.viewport, frame.imageSampleDistance);
+  p.raysPerSide = rays.width / frame.viewport.width;
+  p.lastCoarsePixel = glm::ivec2(rays.width, rays.height) - 1;
+  p.coarsePerPixel =
+    glm::dvec2(rays.width, rays.height) / glm::dvec2(frame.viewport.width, frame.viewport.height);
+  p.sameSurfaceMm = float(frame.geometry.SmallestSpacingMm());
+}
+
+void SetPass(RayParameters& p, const Frame& frame)
+{
+  p.leastOpacity = Picks(frame.settings.pass) ? LeastPickedOpacity : LeastDepthOpacity;
+  p.clampDepth = int(frame.clampDepth);
+  const float* color = frame.volumePass.propColor;
+  p.propColor = glm::dvec3(color[0], color[1], color[2]);
+  // A voxel is a point, or a cell that lies half a voxel behind its first point.
+  const int cells = frame.volumePass.picksCells ? 1 : 0;
+  const int voxelsAreCells = frame.blanking.place == VoxelPlace::Cells ? 1 : 0;
+  const glm::ivec3 count = frame.geometry.dimensions + voxelsAreCells - cells;
+  p.pickedCount = glm::dvec3(glm::max(count, 1));
+  p.pickedOffset = 0.5f * float(1 + voxelsAreCells - cells);
+  p.pickedHighestBits = int(frame.volumePass.highestBits);
+}
+
+}
+
+Viewport RaysOf(const Viewport& frame, double imageSampleDistance)
+{
+  if (imageSampleDistance < 1.0)
+  {
+    const int perSide = int(std::lround(1.0 / imageSampleDistance));
+    return { 0, 0, frame.width * perSide, frame.height * perSide };
+  }
+  const auto side = [&](int pixels)
+  { return std::max(int(std::lround(pixels / imageSampleDistance)), 1); };
+  return { 0, 0, side(frame.width), side(frame.height) };
+}
+
+RayParameters RayParametersOf(const Frame& frame, const Box& boxGrid)
+{
+  const Viewport& viewport = frame.viewport;
+  RayParameters p = {};
+  SetRays(p, frame, boxGrid);
+  p.viewportOriginPixels = glm::dvec2(viewport.left, viewport.bottom) - frame.rayOffsetPixels;
+  p.viewportPixelsInverse = 1.0 / glm::dvec2(viewport.width, viewport.height);
+  p.stepMm = float(frame.sampleDistanceMm);
+  p.mostSegments = MostSegmentsOf(frame);
+  p.earlyTerminationTransmittance = float(frame.earlyTerminationTransmittance);
+  p.noisePixelsMask = glm::ivec2(BlueNoiseTexture::Pixels - 1);
+  p.windowScaleBias = frame.windowScaleBias;
+  SetCuts(p, frame.cuts);
+  SetResampling(p, frame);
+  SetPass(p, frame);
+  return p;
+}
+
+}
