@@ -13,8 +13,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77
 
 TOP_LEVEL = set(
-    """.ci .clang-format .clang-tidy .gitattributes .gitignore App CMakeLists.txt
-    CMakePresets.json CONTRIBUTING.md Data Documentation LICENSE README.md Testing VolumeModule
+    """.ci .clang-format .clang-tidy .gitattributes .github .gitignore App CHANGELOG.md
+    CMakeLists.txt CMakePresets.json CONTRIBUTING.md Data Documentation LICENSE README.md Testing VolumeModule
     demo.sh test.sh""".split()
 )
 LARGEST_FILE_BYTES = 1_000_000
