@@ -1,4 +1,5 @@
-// A program outside the tree that uses the installed module; README shows its CMakeLists.txt.
+// A program outside the tree that uses the installed module. Documentation/Installing.md shows its
+// CMakeLists.txt.
 // It draws a wavelet without showing a window, and fails unless it stands in the picture's middle.
 
 #include <vtkColorTransferFunction.h>
