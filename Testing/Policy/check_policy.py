@@ -14,8 +14,8 @@ SKIPPED = 77
 
 TOP_LEVEL = set(
     """.ci .clang-format .clang-tidy .gitattributes .github .gitignore App CHANGELOG.md
-    CMakeLists.txt CMakePresets.json CONTRIBUTING.md Data Documentation LICENSE README.md Testing VolumeModule
-    demo.sh test.sh""".split()
+    CMakeLists.txt CMakePresets.json CONTRIBUTING.md Data Documentation LICENSE README.md Testing
+    VolumeModule demo.sh test.sh""".split()
 )
 LARGEST_FILE_BYTES = 1_000_000
 LONGEST_FILE_LINES = 400
@@ -28,6 +28,9 @@ LONG_FILES = {
     "VolumeModule/vtkVariationFieldVolumeMapper.h": "one class, whose every setting is documented here",
 }
 LONG_FUNCTIONS = {}
+
+# A comment that begins with one of these leaves its subject to the code or to another comment.
+NO_SUBJECT = {"of", "what", "whose", "nor", "none", "those"}
 
 
 def tracked(folder="", suffixes=None):
@@ -237,6 +240,33 @@ def public_headers_need_no_core():
         r'#\s*include\s*[<"](Core/|glm/|tbb/|oneapi/)',
         "an installed header must do without Core; hide the member behind a std::unique_ptr",
     )
+
+
+def comments_name_their_subject():
+    """A comment begins with its subject, and one behind code does not go on in the next line's."""
+    problems = []
+    for path in tracked(suffixes={".h", ".cxx", ".glsl"}):
+        for number, comment, is_behind_code in comments_of(path):
+            first_word = re.match(r"\W*(\w*)", comment).group(1).lower()
+            advice = ""
+            if first_word in NO_SUBJECT:
+                advice = f'begins with "{first_word}"; begin with the noun or sentence that it is about'
+            elif is_behind_code and comment.endswith(","):
+                advice = "goes on in the next line; write one that can be read alone"
+            if advice:
+                problems.append(f"{path}:{number}: {comment[:80]}\n    The comment {advice}.")
+    return problems
+
+
+def comments_of(path):
+    """The line number and the first line of each comment, and whether it stands behind code."""
+    text = re.sub(r'"(\\.|[^"\\\n])*"', '""', text_of(path))
+    block, whole_lines, behind_code = r"/\*[\s\S]*?\*/", r"(?m:^)(?:[ \t]*//.*\n)+", r"//.*"
+    for comment in re.finditer(f"{block}|{whole_lines}|{behind_code}", text):
+        number = text.count("\n", 0, comment.start()) + 1
+        first_line = comment.group().strip("/*!< \t\n").partition("\n")[0].rstrip()
+        code = text[: comment.start()].rpartition("\n")[2]
+        yield number, first_line, code.strip() != ""
 
 
 def main():
