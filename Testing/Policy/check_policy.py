@@ -29,7 +29,7 @@ LONG_FILES = {
 }
 LONG_FUNCTIONS = {}
 
-# A comment that begins with one of these leaves its subject to the code or to another comment.
+# A comment that begins with one of these leaves its subject to the code or another comment.
 NO_SUBJECT = {"of", "what", "whose", "nor", "none", "those"}
 
 
@@ -250,7 +250,7 @@ def comments_name_their_subject():
             first_word = re.match(r"\W*(\w*)", comment).group(1).lower()
             advice = ""
             if first_word in NO_SUBJECT:
-                advice = f'begins with "{first_word}"; begin with the noun or sentence that it is about'
+                advice = f'begins with "{first_word}"; begin with a noun or a sentence instead'
             elif is_behind_code and comment.endswith(","):
                 advice = "goes on in the next line; write one that can be read alone"
             if advice:
