@@ -276,13 +276,12 @@ TEST(Masks, TakeTheirShaderAndTextureOnlyWhereTheyAre)
   EXPECT_TRUE(block.scene.UsesShaderPart("Mask/None.glsl"));
   block.SetMask([](glm::ivec3 voxel) { return voxel.z % 2; }, true);
   block.scene.Draw();
-  EXPECT_TRUE(block.scene.UsesShaderPart("Region/Named.glsl"));
+  EXPECT_TRUE(block.scene.UsesShaderPart("Mask/Voxels.glsl"));
   EXPECT_TRUE(block.scene.UsesShaderPart("March/Midpoint.glsl"))
     << "a binary mask takes no other march";
   EXPECT_EQ(block.scene.mapper->GetGraphicsMemoryBytes(), bytes + 9 * 9 * 33 * 4);
   block.scene.mapper->SetMaskTypeToLabelMap();
   block.scene.Draw();
-  EXPECT_TRUE(block.scene.UsesShaderPart("Region/Labels.glsl"));
   EXPECT_TRUE(block.scene.UsesShaderPart("Material/Labelled.glsl"));
   block.scene.mapper->SetMaskInput(nullptr);
   block.scene.Draw();

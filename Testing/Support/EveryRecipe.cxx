@@ -136,8 +136,7 @@ std::vector<RenderSettings> RecipesOfMaterials()
   std::vector<RenderSettings> recipes = { lit, damped, gradient, litGradient };
   const std::vector<RenderSettings> others = RecipesOfFunctionsAndMasks();
   recipes.insert(recipes.end(), others.begin(), others.end());
-  for (const auto& [components, count] : { std::pair(Components::Independent, 2),
-         std::pair(Components::Independent, 3), std::pair(Components::Independent, 4),
+  for (const auto& [components, count] : { std::pair(Components::Independent, 3),
          std::pair(Components::LuminanceOpacity, 2), std::pair(Components::Rgba, 4) })
   {
     for (RenderSettings settings : { RenderSettings(), lit, litGradient })

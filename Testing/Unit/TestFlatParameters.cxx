@@ -27,7 +27,7 @@ protected:
     return this->fragment[1].text;
   }
 
-  std::vector<ShaderFile> vertex = { { "Flat/None.glsl", "void PassParameters() {}\n" } };
+  std::vector<ShaderFile> vertex = { { "PassParameters.glsl", "void PassParameters() {}\n" } };
   std::vector<ShaderFile> fragment = { {},
     { "Step/Fixed.glsl",
       "float Step() { return size.x * box.y + rows[1].x + sizes + second; }\n" } };

@@ -36,7 +36,7 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
       "VolumeTextures.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
       "Interpolation/Linear.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
       "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "Fetch/FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
+      "Loop/Segments.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
       "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
       "RayMarch.frag.glsl" }));
 }
@@ -147,11 +147,11 @@ TEST(ShaderRecipe, ARuleOfIntegrationIsItsMarchAndWhatThatLooksUp)
     return march;
   };
   EXPECT_EQ(marchOf(Integration::PreIntegrated),
-    (Parts{ "Classify/PreIntegrated.glsl", "Fetch/FourScalars.glsl", "March/PreIntegrated.glsl" }));
-  EXPECT_EQ(
-    marchOf(Integration::Simpson), (Parts{ "Classify/OpticalTable.glsl", "March/Simpson.glsl" }));
+    (Parts{ "Classify/PreIntegrated.glsl", "Loop/Segments.glsl", "March/PreIntegrated.glsl" }));
+  EXPECT_EQ(marchOf(Integration::Simpson),
+    (Parts{ "Classify/OpticalTable.glsl", "Loop/Segments.glsl", "March/Simpson.glsl" }));
   EXPECT_EQ(marchOf(Integration::PublishedSum),
-    (Parts{ "Classify/OpticalTable.glsl", "March/PublishedSum.glsl" }));
+    (Parts{ "Classify/OpticalTable.glsl", "Loop/Segments.glsl", "March/PublishedSum.glsl" }));
 }
 
 TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
@@ -163,8 +163,8 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
       "Interpolation/Linear.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
       "Math/CellCubic.glsl", "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl",
       "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
-      "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl",
-      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+      "Loop/Cells.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl",
+      "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
@@ -180,16 +180,16 @@ TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
   EXPECT_EQ(partsOf(Blend::Composite, true),
     (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
       "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "Voxel/Homogeneous.glsl", "March/Voxels.glsl" }));
+      "Loop/Cells.glsl", "March/Voxels.glsl" }));
   EXPECT_EQ(partsOf(Blend::MinimumIntensity, true),
     (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
       "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
-      "Blend/MinimumIntensity.glsl", "Voxel/Projected.glsl", "March/Voxels.glsl" }));
+      "Blend/MinimumIntensity.glsl", "Loop/Cells.glsl", "March/ProjectedVoxels.glsl" }));
   EXPECT_EQ(partsOf(Blend::Isosurface, false),
     (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Math/CellCubic.glsl",
       "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
       "Gradient/CentralDifferences.glsl", "Shade/None.glsl", "Blend/Composite.glsl",
-      "Surface/Isosurfaces.glsl", "March/Isosurfaces.glsl" }));
+      "Loop/Cells.glsl", "SurfaceTable.glsl", "March/Isosurfaces.glsl" }));
   EXPECT_EQ(partsOf(Blend::Slice, false),
     (Parts{ "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
       "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
@@ -243,7 +243,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 205u);
+  EXPECT_EQ(distinct.size(), 187u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

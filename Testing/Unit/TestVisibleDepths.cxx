@@ -17,6 +17,7 @@ namespace
 constexpr int Width = 101;
 constexpr int Height = 67;
 constexpr float Side = 6.0f;
+const glm::ivec2 SizePixels(Width, Height);
 
 glm::vec3 DirectionOf(const glm::dmat4& clipFromGrid)
 {
@@ -68,7 +69,8 @@ TEST_P(VisibleDepthsOf, HoldAllPointsOfTheBlocks)
   const Viewport pixels{ 3, 5, Width - 10, Height - 9 };
   const VisibleBlocks blocks = RandomBlocks(3);
   VisibleDepths visible;
-  const PacketDepths depths = visible.Draw(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
+  const PacketDepths depths =
+    visible.Draw(blocks, clipFromGrid, DirectionOf(clipFromGrid), SizePixels, pixels);
   ASSERT_TRUE(depths.nearest);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> within(-0.5 * Side, 0.5 * Side);
@@ -100,7 +102,8 @@ TEST_P(VisibleDepthsOf, AreNothingWhereNoBlockIs)
   const Viewport pixels{ 0, 0, Width, Height };
   const VisibleBlocks blocks{ Side, { glm::vec3(50.0f) } };
   VisibleDepths visible;
-  const PacketDepths depths = visible.Draw(blocks, clipFromGrid, CameraOf(clipFromGrid), pixels);
+  const PacketDepths depths =
+    visible.Draw(blocks, clipFromGrid, DirectionOf(clipFromGrid), SizePixels, pixels);
   const int middle = Height / 2 / PacketHeight * depths.columns + Width / 2 / PacketWidth;
   EXPECT_LT(depths.nearest[middle], depths.farthest[middle]);
   EXPECT_LT(depths.farthest[middle] - depths.nearest[middle], 2.0f * Side);
@@ -118,17 +121,16 @@ TEST_P(VisibleDepthsOf, ManyBlocksAreThoseOfEach)
 {
   const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
   const glm::vec3 direction = DirectionOf(clipFromGrid);
-  const glm::ivec2 size(Width, Height);
   const Viewport pixels{ 0, 0, Width, Height };
   const VisibleBlocks blocks = RandomBlocks(5, 200000);
   VisibleDepths visible;
-  const PacketDepths all = visible.Draw(blocks, clipFromGrid, direction, size, pixels);
+  const PacketDepths all = visible.Draw(blocks, clipFromGrid, direction, SizePixels, pixels);
   const int packets = all.columns * ((Height + PacketHeight - 1) / PacketHeight);
   VisibleDepths alone;
   for (std::size_t first = 0; first < blocks.centersGrid.size(); first += 500)
   {
-    const PacketDepths one =
-      alone.Draw({ Side, { blocks.centersGrid[first] } }, clipFromGrid, direction, size, pixels);
+    const PacketDepths one = alone.Draw(
+      { Side, { blocks.centersGrid[first] } }, clipFromGrid, direction, SizePixels, pixels);
     for (int packet = 0; packet < packets; ++packet)
     {
       ASSERT_LE(all.nearest[packet], one.nearest[packet]);
@@ -146,23 +148,25 @@ TEST(VisibleDepths, SayNothingBesideTheEye)
   const VisibleBlocks blocks{ Side, { glm::vec3(50.0f), glm::vec3(-90.0f, 20.0f, 130.0f) } };
   VisibleDepths visible;
   EXPECT_FALSE(
-    visible.Draw(blocks, clipFromGrid, CameraOf(clipFromGrid), { 0, 0, Width, Height }).nearest);
+    visible
+      .Draw(blocks, clipFromGrid, DirectionOf(clipFromGrid), SizePixels, { 0, 0, Width, Height })
+      .nearest);
 }
 
 TEST(VisibleDepths, KeepNothingOfWhatWasDrawnBefore)
 {
   const glm::dmat4 clipFromGrid = Perspective();
   const glm::vec3 direction = DirectionOf(clipFromGrid);
-  const glm::ivec2 size(Width, Height);
   const VisibleBlocks block{ Side, { glm::vec3(50.0f) } };
   VisibleDepths visible;
-  visible.Draw(RandomBlocks(5, 20000), clipFromGrid, direction, size, { 0, 0, Width, Height });
-  visible.Draw({ Side, { glm::vec3(-90.0f, 20.0f, 130.0f) } }, clipFromGrid, direction, size,
+  visible.Draw(
+    RandomBlocks(5, 20000), clipFromGrid, direction, SizePixels, { 0, 0, Width, Height });
+  visible.Draw({ Side, { glm::vec3(-90.0f, 20.0f, 130.0f) } }, clipFromGrid, direction, SizePixels,
     { 0, 0, Width, Height }); // beside the eye
   const Viewport pixels{ 0, 0, Width / 2, Height / 2 };
-  const PacketDepths again = visible.Draw(block, clipFromGrid, direction, size, pixels);
+  const PacketDepths again = visible.Draw(block, clipFromGrid, direction, SizePixels, pixels);
   VisibleDepths other;
-  const PacketDepths first = other.Draw(block, clipFromGrid, direction, size, pixels);
+  const PacketDepths first = other.Draw(block, clipFromGrid, direction, SizePixels, pixels);
   ASSERT_TRUE(again.nearest);
   ASSERT_EQ(again.columns, first.columns);
   const int packets = first.columns * ((Height / 2 + PacketHeight - 1) / PacketHeight);

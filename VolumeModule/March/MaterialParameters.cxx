@@ -155,6 +155,7 @@ void SetMaterials(
   p.spacingFactors = frame.geometry.gradientFactors;
   p.clippedScalar =
     float(mappings.front().LimitedTexelOf(frame.property->GetClippedVoxelIntensity()));
+  p.materialCount = PartCount(frame.settings);
   p.isosurfaceCount = int(frame.isovalues.size());
   p.opacityUnitDistancesMm = glm::vec4(1.0f);
   p.partWeights = glm::vec4(1.0f);

@@ -76,6 +76,7 @@ void SetMask(VolumeParameters& p, const Frame& frame, const VolumeResources& vol
   p.maskVoxelCount = size;
   p.maskVoxelsPerVoxel = size / glm::dvec3(frame.geometry.dimensions);
   p.labelPart = float(frame.labelPart);
+  p.leastContent = frame.settings.mask == Mask::Binary ? 0.5f : -1.0f;
 }
 
 void SetSpacing(VolumeParameters& p, const Frame& frame, const UnevenBins& bins)

@@ -25,6 +25,9 @@ struct Interval
 // --- Depth: where opaque geometry ends a ray ------------------------------------------------
 // t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
 float DepthLimit(Ray ray);
+// Where an image is drawn with fewer rays than pixels: how far the ray of one of these coarse pixels
+// is to be trusted for this pixel, (0, 1].
+float Trust(Ray ray, Interval inside, ivec2 coarsePixel);
 
 // --- Clip: which part of a ray clipping planes leave ------------------------------------------
 Interval Clipped(Ray ray, Interval inside);
@@ -45,26 +48,15 @@ float PlainMm(int index, float plainMm);
 //                               optical depth
 //   Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm);
 //                               projection: takes in the next part of the ray, of one scalar
-//   Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm);
-//                               the same, of several components
+//   Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm);
+//                               projection: takes in the next part of the ray, with what is read
+//                               at this position
 //   float BlendState(Accumulation sum);      what steps depend on. Composite: the part of what
 //                               follows that is still seen, [0,1]; extremes: the scalar so far
 //   bool BlendFinished(Accumulation sum);    nothing that follows could be seen
 //   vec4 BlendResult(Accumulation sum);      premultiplied RGBA
 //   vec4 BlendKept(Accumulation sum);        the sum in four floats, 0 at the beginning
 //   Accumulation BlendResumed(vec4 kept);    and the sum again
-
-// --- Sample: what a sample adds; only for March/Projection ------------------------------------
-// Defines: Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm);
-
-// --- Voxel: what a voxel without interpolation adds; only for March/Voxels --------------------
-// Defines: Accumulation BlendVoxel(Accumulation sum, vec3 middleTexture, Ray ray, float lengthMm);
-
-// --- Surface: what isosurfaces look like; only where they are drawn -----------------------------
-// Defines the number of them, isosurfaceCount, and, for each, by ascending isovalue:
-//   float IsovalueOf(int surface);
-//   bool IsPassed(int surface, float startScalar, float endScalar);
-//   Accumulation BlendSurface(Accumulation sum, int surface, vec3 gradient, Ray ray, float t);
 
 // --- Volumes: only where several volumes overlap ------------------------------------------------
 // Defines what all volumes so far in the shader are together; see VolumeSlots.glsl:
@@ -79,8 +71,10 @@ float PlainMm(int index, float plainMm);
 //                               may absorb light. One of no length makes its place known
 //   Mixture MixtureOf(Interval segment);     what is in it, after it was read
 
-// --- March: the loop along a ray, with its rule of integration --------------------------------
-// Defines: Accumulation March(Ray ray, Interval inside, Accumulation sum);
+// --- Loop, March: the loop along a ray, and its rule of integration ---------------------------
+// The files of Loop say what those of March define for them. A file of March that has a loop of its
+// own takes none. Together they define:
+//   Accumulation March(Ray ray, Interval inside, Accumulation sum);
 //                               takes in the part of the ray that is inside
 
 // --- Fill: what is drawn where the volume has no value; only where there are gaps ---------------
@@ -92,10 +86,6 @@ float PlainMm(int index, float plainMm);
 // sum);
 //                               marches through all parts that have a value
 
-// --- Region: what is drawn of a mask's voxels; only where there is a mask -----------------------
-// Whether voxels of this content are drawn; then what follows is drawn by it.
-//   bool EntersRegion(float content);
-
 // --- Crop: which parts of a ray cropping leaves -------------------------------------------------
 // Defines, after all the others: Accumulation MarchCropped(Ray ray, Interval inside, Accumulation
 // sum);
@@ -104,10 +94,6 @@ float PlainMm(int index, float plainMm);
 // --- Window: what is done to the colours of a picture ------------------------------------------
 vec4 Windowed(vec4 picture);
 
-// --- Edges: only where a picture is drawn with fewer rays than pixels --------------------------
-// How far the ray through this pixel of those is to be trusted for this one, (0, 1].
-float Trust(Ray ray, Interval inside, ivec2 coarsePixel);
-
 // --- Peel: only between layers of translucent geometry -----------------------------------------
 // Which parts of a ray are drawn, as depths of the depth buffer: one in front of some layers, from
 // x to y, and one behind others, from z to w; there is none where these are not in order.
@@ -115,18 +101,8 @@ vec4 PeeledDepths();
 // What is drawn by the colours of both; that of the front one beside it.
 vec4 Peeled(vec4 front, vec4 back);
 
-// --- Locate: only where a place along a ray is asked for ----------------------------------------
-// Defines: const float Nowhere; and
-//   Located Locate(Ray ray, Interval inside, float opacity);
-//                               t where the ray first has this opacity, or Nowhere [mm]
-
-// --- Place: what is drawn for it then -----------------------------------------------------------
+// --- Locate: what is drawn for the place where a ray first has an opacity (FirstOpacity.glsl) --------
 vec4 ColorOfPlace(vec3 positionGrid);
-
-// --- Pixels: only where the processor has marched the rays
-// ---------------------------------------- What it has made of this pixel: a colour, or a place and
-// whether there is one.
-vec4 MarchedColor(int picture);
 
 // --- Mask: the parts of a ray that a mask tells apart -------------------------------------------
 // Defines, after all the others: Accumulation MarchMasked(Ray ray, Interval inside, Accumulation

@@ -46,7 +46,8 @@ layout(std140) uniform VolumeParameters
   vec4 reflectances[4]; // coefficients of ambient, diffuse and specular light, specular power
 
   // Lights that are not at the eye.
-  int distantCount; // these come first
+  int materialCount; // materials that are mixed
+  int distantCount;  // of lights; these come first
   int nearCount;
   vec3 ambientLight; // of all lights
   vec3 worldOfGridOrigin;
@@ -62,6 +63,7 @@ layout(std140) uniform VolumeParameters
 
   // Gaps and masks.
   vec4 gapOptical; // color, not premultiplied, and extinction [1/mm] where there is no value
+  float leastContent; // voxels of more than this content of a mask are drawn
   float gapShift;  // 0 where cells lie between voxels, 0.5 where they are voxels
   vec3 gapCellCount;
   vec3 gapCellCountInverse;

@@ -4,6 +4,8 @@
 // gives the names of all volumes but the last an ending of their own. A name that ends with Before
 // means that of the volume before.
 
+int labelRow; // row of the label that a mask has where the ray is; 0 for none
+
 vec3 PositionTexture(Ray ray, float t)
 {
   return ray.originTexture + t * ray.directionTexture;
@@ -19,6 +21,17 @@ vec3 VoxelPlace(vec3 positionTexture);
 vec4 TexelAt(vec3 positionTexture);
 // The scalar of a volume of one component.
 float ScalarAt(vec3 positionTexture);
+// The scalars at four points of the ray, the first at this t, the others each apartMm farther.
+// Where a fetch of the volume is a call, as in software rasterisers, several fetches in a row, and
+// what is made of them afterwards, cost less than each with its own arithmetic in a loop.
+vec4 ScalarsOfFour(Ray ray, float firstT, float apartMm)
+{
+  return vec4(ScalarAt(PositionTexture(ray, firstT)),
+    ScalarAt(PositionTexture(ray, firstT + apartMm)),
+    ScalarAt(PositionTexture(ray, firstT + 2.0 * apartMm)),
+    ScalarAt(PositionTexture(ray, firstT + 3.0 * apartMm)));
+}
+
 // Of a spline, the derivative along an axis (1, 0, 0), (0, 1, 0) or (0, 0, 1), per voxel.
 vec4 SlopeAlong(vec3 axis, vec3 positionTexture);
 
@@ -46,8 +59,8 @@ vec4 ClassifyBy(int table, float scalar);
 // Of two values, each [0,1] in its range.
 vec4 ClassifyTwo(vec2 place);
 
-// --- Count, Components: only where a volume has several components ----------------------------
-// Count defines PartCount, the number of materials that are mixed. Components defines
+// --- Components: only where a volume has several components -----------------------------------
+// Of the materialCount materials that are mixed it defines
 //   vec4 PartOptical(vec4 texel, int part);    colour and extinction of one
 //   int OpacityComponent(int part);            the component that its opacity is of
 //   vec4 MoreExtreme(vec4 best, vec4 texel, float sense);

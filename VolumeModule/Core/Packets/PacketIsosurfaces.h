@@ -2,7 +2,7 @@
 #define Varimarch_Core_Packets_PacketIsosurfaces_h
 
 // Isosurfaces of interpolated voxels, none of which is missed or passed twice:
-// Shaders/March/Isosurfaces.glsl and Surface/Isosurfaces.glsl.
+// Shaders/March/Isosurfaces.glsl and SurfaceTable.glsl.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketCellCubic.h"

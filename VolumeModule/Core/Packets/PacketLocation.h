@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketLocation_h
 #define Varimarch_Core_Packets_PacketLocation_h
 
-// Where rays first have an opacity: Shaders/Locate/Opacity.glsl.
+// Where rays first have an opacity: Shaders/FirstOpacity.glsl.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketOptics.h"

@@ -12,7 +12,8 @@ namespace varimarch
 namespace
 {
 
-constexpr char Passing[] = "Flat/None.glsl"; ///< what the vertex shader has where nothing is passed
+constexpr char Passing[] =
+  "PassParameters.glsl"; ///< what the vertex shader has where nothing is passed
 
 bool IsBlock(const ShaderFile& file)
 {

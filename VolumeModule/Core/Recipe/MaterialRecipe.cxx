@@ -8,12 +8,6 @@ namespace varimarch
 namespace
 {
 
-std::string CountFile(int count)
-{
-  const char* const names[] = { "One", "Two", "Three", "Four" };
-  return std::string("Count/") + names[count - 1] + ".glsl";
-}
-
 std::string ComponentsFile(Components components)
 {
   switch (components)
@@ -62,8 +56,7 @@ std::vector<std::string> ClassifyParts(const RenderSettings& settings)
     return { UsesPreIntegration(settings) ? "Classify/PreIntegrated.glsl"
                                           : "Classify/OpticalTable.glsl" };
   }
-  return { "Classify/ComponentTables.glsl", CountFile(PartCount(settings)),
-    ComponentsFile(settings.components) };
+  return { "Classify/ComponentTables.glsl", ComponentsFile(settings.components) };
 }
 
 std::vector<std::string> MaterialParts(const RenderSettings& settings)

@@ -8,7 +8,7 @@ namespace varimarch
 std::vector<BlockMember> MembersOf(const std::string& text)
 {
   static const std::regex block(R"(layout\(std140\) uniform \w+\s*\{([^}]*)\};)");
-  static const std::regex declaration(R"((float|int|ivec2|vec[234]|mat[34]) (\w+)(?:\[(\d+)\])?;)");
+  static const std::regex declaration(R"(\n\s*(\w+) (\w+)(?:\[(\d+)\])?;)");
   std::vector<BlockMember> members;
   std::smatch found;
   if (!std::regex_search(text, found, block))

@@ -52,7 +52,8 @@ std::string BlendFile(const RenderSettings& settings)
 
 std::vector<std::string> VertexShaderParts()
 {
-  return { "RayParameters.glsl", "VolumeParameters.glsl", "Flat/None.glsl", "RayMarch.vert.glsl" };
+  return { "RayParameters.glsl", "VolumeParameters.glsl", "PassParameters.glsl",
+    "RayMarch.vert.glsl" };
 }
 
 std::string ResumeFile(RayPass pass)
@@ -99,9 +100,9 @@ std::string MarchedFile(RayPass pass)
   }
 }
 
-std::string PlaceFile(RayPass pass)
+std::string LocateFile(RayPass pass)
 {
-  return pass == RayPass::PickVoxel ? "Place/VoxelNumber.glsl" : "Place/Depth.glsl";
+  return pass == RayPass::PickVoxel ? "Locate/VoxelNumber.glsl" : "Locate/Depth.glsl";
 }
 
 std::string PeelFile(RayPass pass)
@@ -136,7 +137,7 @@ std::vector<std::string> PassParts(const RenderSettings& settings)
   }
   if (Locates(settings.pass))
   {
-    parts.insert(parts.end(), { "Locate/Opacity.glsl", PlaceFile(settings.pass) });
+    parts.insert(parts.end(), { LocateFile(settings.pass), "FirstOpacity.glsl" });
   }
   parts.push_back(ResumeFile(settings.pass));
   return parts;
@@ -151,14 +152,14 @@ std::vector<std::string> PacketParts(const RenderSettings& settings)
     return { "RayParameters.glsl", PeelFile(pass), "Marched/LayerDepths.frag.glsl" };
   }
   std::vector<std::string> parts = { "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl",
-    WindowFile(settings), "Pixels/Marched.glsl" };
+    WindowFile(settings), "MarchedPixels.glsl" };
   if (Peels(pass))
   {
     parts.push_back(PeelFile(pass));
   }
   if (Locates(pass))
   {
-    parts.push_back(PlaceFile(pass));
+    parts.push_back(LocateFile(pass));
   }
   parts.push_back(MarchedFile(pass));
   return parts;

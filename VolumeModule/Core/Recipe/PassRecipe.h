@@ -17,7 +17,7 @@ std::vector<std::string> VertexShaderParts();
 
 std::string ResumeFile(RayPass pass);
 std::string MarchedFile(RayPass pass);
-std::string PlaceFile(RayPass pass);
+std::string LocateFile(RayPass pass);
 std::string PeelFile(RayPass pass);
 std::string WindowFile(const RenderSettings& settings);
 

@@ -70,7 +70,9 @@ std::string MarchFile(const RenderSettings& settings)
   }
   if (settings.nearest && !settings.uneven)
   {
-    return MarchesMaterial(settings) ? "March/MaterialVoxels.glsl" : "March/Voxels.glsl";
+    return MarchesMaterial(settings)       ? "March/MaterialVoxels.glsl"
+      : settings.blend == Blend::Composite ? "March/Voxels.glsl"
+                                           : "March/ProjectedVoxels.glsl";
   }
   if (settings.blend != Blend::Composite)
   {
@@ -93,20 +95,6 @@ std::string MarchFile(const RenderSettings& settings)
       break;
   }
   return "March/Midpoint.glsl";
-}
-
-std::vector<std::string> MaskParts(Mask mask)
-{
-  switch (mask)
-  {
-    case Mask::Binary:
-      return { "Region/Named.glsl", "Mask/Voxels.glsl" };
-    case Mask::Labels:
-      return { "Region/Labels.glsl", "Mask/Voxels.glsl" };
-    case Mask::None:
-      break;
-  }
-  return { "Mask/None.glsl" };
 }
 
 using Parts = std::vector<std::string>;
@@ -145,10 +133,6 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   }
   Parts parts = PartsOfRaysAndVolume();
   parts.insert(parts.end(), { DepthFile(settings), ClipFile(settings) });
-  if (settings.pass == RayPass::Upscaled)
-  {
-    parts.push_back(settings.sceneGeometry ? "Edges/SceneGeometry.glsl" : "Edges/None.glsl");
-  }
   parts.insert(parts.end(), { ResumeFile(settings.pass), "RayMarch.frag.glsl" });
   return parts;
 }
@@ -177,28 +161,36 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
   return parts;
 }
 
+// The loop along a ray that a rule takes in; none where the rule has a loop of its own.
+std::vector<std::string> LoopParts(const std::string& march)
+{
+  for (const char* const rule :
+    { "Midpoint", "PreIntegrated", "Simpson", "PublishedSum", "Projection" })
+  {
+    if (march == std::string("March/") + rule + ".glsl")
+    {
+      return { "Loop/Segments.glsl" };
+    }
+  }
+  for (const char* const rule :
+    { "Voxels", "ProjectedVoxels", "MaterialVoxels", "VoxelSurfaces", "Isosurfaces", "Extreme" })
+  {
+    if (march == std::string("March/") + rule + ".glsl")
+    {
+      return { "Loop/Cells.glsl" };
+    }
+  }
+  return {};
+}
+
 // The march and what it calls.
 std::vector<std::string> MarchParts(const RenderSettings& settings)
 {
   const std::string march = MarchFile(settings);
-  std::vector<std::string> parts;
+  std::vector<std::string> parts = LoopParts(march);
   if (settings.blend == Blend::Isosurface)
   {
-    parts.push_back("Surface/Isosurfaces.glsl");
-  }
-  if (march == "March/Voxels.glsl")
-  {
-    parts.push_back(
-      settings.blend == Blend::Composite ? "Voxel/Homogeneous.glsl" : "Voxel/Projected.glsl");
-  }
-  if (march == "March/Projection.glsl")
-  {
-    parts.push_back(
-      settings.components == Components::One ? "Sample/Scalar.glsl" : "Sample/Texel.glsl");
-  }
-  if (march == "March/Midpoint.glsl" || march == "March/PreIntegrated.glsl")
-  {
-    parts.push_back("Fetch/FourScalars.glsl");
+    parts.push_back("SurfaceTable.glsl");
   }
   parts.push_back(march);
   return parts;
@@ -279,8 +271,7 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
     parts.push_back(FillsGaps(settings) ? "Fill/Color.glsl" : "Fill/None.glsl");
   }
   parts.push_back(settings.gaps ? "Gaps/Cells.glsl" : "Gaps/None.glsl");
-  const std::vector<std::string> mask = MaskParts(settings.mask);
-  parts.insert(parts.end(), mask.begin(), mask.end());
+  parts.push_back(settings.mask == Mask::None ? "Mask/None.glsl" : "Mask/Voxels.glsl");
   parts.push_back(settings.cropping ? "Crop/Regions.glsl" : "Crop/None.glsl");
   parts.push_back(ProbeFile(settings));
   const std::vector<std::string> pass = PassParts(settings);

@@ -13,9 +13,10 @@ Accumulation BlendBegin()
   return Accumulation(0.0, 0.0);
 }
 
-Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm)
+Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm)
 {
-  for (int part = 0; part < PartCount; ++part)
+  vec4 texel = TexelAt(positionTexture);
+  for (int part = 0; part < materialCount; ++part)
   {
     float unitMm = opacityUnitDistancesMm[part];
     float opacity = Absorption(min(PartOptical(texel, part).a * unitMm, 100.0));

@@ -13,9 +13,10 @@ Accumulation BlendBegin()
   return Accumulation(vec4(0.0), vec4(0.0));
 }
 
-Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm)
+Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm)
 {
-  for (int part = 0; part < PartCount; ++part)
+  vec4 texel = TexelAt(positionTexture);
+  for (int part = 0; part < materialCount; ++part)
   {
     float depth = PartOptical(texel, part).a * opacityUnitDistancesMm[part];
     float opacity = Absorption(min(depth, 100.0));
@@ -42,7 +43,7 @@ vec4 BlendResult(Accumulation sum)
 {
   float mean = 0.0;
   float counted = 0.0;
-  for (int part = 0; part < PartCount; ++part)
+  for (int part = 0; part < materialCount; ++part)
   {
     mean += partWeights[part] * sum.integrals[part] / max(sum.lengthsMm[part], 1e-30);
     counted += sum.lengthsMm[part];

@@ -20,8 +20,9 @@ Accumulation BlendBegin()
   return Accumulation(LeastExtremes(), false);
 }
 
-Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm)
+Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm)
 {
+  vec4 texel = TexelAt(positionTexture);
   return Accumulation(sum.any ? MoreExtreme(sum.extremes, texel, sense) : texel, true);
 }
 
@@ -38,7 +39,7 @@ bool BlendFinished(Accumulation sum)
 vec4 BlendResult(Accumulation sum)
 {
   vec4 picture = vec4(0.0);
-  for (int part = 0; part < PartCount; ++part)
+  for (int part = 0; part < materialCount; ++part)
   {
     vec4 optical = PartOptical(sum.extremes, part);
     float opacity = Absorption(min(optical.a * opacityUnitDistancesMm[part], 100.0));

@@ -4,3 +4,8 @@ float DepthLimit(Ray ray)
 {
   return 3.0e38;
 }
+
+float Trust(Ray ray, Interval inside, ivec2 coarsePixel)
+{
+  return 1.0;
+}

@@ -2,7 +2,16 @@
 // four readings. It is cut where it has extremes, so that no surface is missed, however thin what
 // it bounds; neighbouring cells share the reading at their face, so that none is passed twice.
 
-const float CellsPerSegment = 4.0;
+// Cells before the first voxel and behind the last one are cells too: 0 and voxelCount.
+float CellsBeforeFirstVoxel()
+{
+  return 1.0;
+}
+
+vec3 CellCount()
+{
+  return voxelCount + 1.0;
+}
 
 vec4 ScalarsOfCell(Ray ray, Interval part)
 {
@@ -41,37 +50,26 @@ Accumulation BlendMonotone(Accumulation sum, vec4 cubic, vec2 piece, Ray ray, In
   return sum;
 }
 
-Accumulation March(Ray ray, Interval inside, Accumulation sum)
-{
-  // Cells before the first voxel and behind the last one are cells too: 0 and voxelCount.
-  LatticeRay lattice = RayInLattice(ray.originGrid - firstVoxelGrid + 1.0, ray.directionGrid);
-  LatticePlace place = PlaceAt(lattice, inside.enter, voxelCount + 1.0);
-  float plainMm = CellsPerSegment / length(ray.directionGrid);
-  for (int index = 0; index < mostSegments && place.t < inside.exit && !BlendFinished(sum); ++index)
-  {
-    Interval segment = NextSegment(ray, inside, place.t, index, plainMm, BlendState(sum));
-    if (segment.enter > place.t)
-    {
-      place = PlaceAt(lattice, segment.enter, voxelCount + 1.0);
-    }
-    float end = min(segment.exit, inside.exit);
-    while (place.t < end && !BlendFinished(sum))
-    {
-      Interval part;
-      vec4 cubic;
-      do
-      {
-        part.enter = place.t;
-        place = BehindBlock(lattice, place, 0.0);
-        part.exit = min(place.t, inside.exit);
-        cubic = CubicThrough(ScalarsOfCell(ray, part));
-      } while (place.t < end && !MayHoldSurface(cubic));
+void BeginCells(Ray ray) {}
 
-      vec2 extremes = CubicExtremes(cubic);
-      sum = BlendMonotone(sum, cubic, vec2(0.0, extremes.x), ray, part);
-      sum = BlendMonotone(sum, cubic, extremes, ray, part);
-      sum = BlendMonotone(sum, cubic, vec2(extremes.y, 1.0), ray, part);
-    }
+Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
+{
+  while (cell.t < end && !BlendFinished(sum))
+  {
+    Interval part;
+    vec4 cubic;
+    do
+    {
+      part.enter = cell.t;
+      cell = BehindBlock(cellRay, cell, 0.0);
+      part.exit = min(cell.t, exit);
+      cubic = CubicThrough(ScalarsOfCell(ray, part));
+    } while (cell.t < end && !MayHoldSurface(cubic));
+
+    vec2 extremes = CubicExtremes(cubic);
+    sum = BlendMonotone(sum, cubic, vec2(0.0, extremes.x), ray, part);
+    sum = BlendMonotone(sum, cubic, extremes, ray, part);
+    sum = BlendMonotone(sum, cubic, vec2(extremes.y, 1.0), ray, part);
   }
   return sum;
 }

@@ -2,39 +2,37 @@
 // several values. A voxel has one gradient, that at its middle; it is fetched for voxels only that
 // absorb anything, which an inner loop looks for (see MaterialSegments.glsl).
 
-const float VoxelsPerSegment = 4.0;
-
-Accumulation March(Ray ray, Interval inside, Accumulation sum)
+float CellsBeforeFirstVoxel()
 {
-  LatticeRay lattice = RayInLattice(ray.originGrid - firstVoxelGrid + 0.5, ray.directionGrid);
-  LatticePlace place = PlaceAt(lattice, inside.enter, voxelCount);
-  float plainMm = VoxelsPerSegment / length(ray.directionGrid);
-  for (int index = 0; index < mostSegments && place.t < inside.exit && !BlendFinished(sum); ++index)
-  {
-    Interval segment = NextSegment(ray, inside, place.t, index, plainMm, BlendState(sum));
-    if (segment.enter > place.t)
-    {
-      place = PlaceAt(lattice, segment.enter, voxelCount);
-    }
-    float end = min(segment.exit, inside.exit);
-    while (place.t < end && !BlendFinished(sum))
-    {
-      Values values;
-      vec3 middleTexture;
-      Interval part;
-      do
-      {
-        LatticePlace behind = BehindBlock(lattice, place, 0.0);
-        middleTexture = (place.cell + 0.5) / voxelCount;
-        part = Interval(place.t, min(behind.t, inside.exit));
-        values = ValuesAt(middleTexture);
-        place = behind;
-      } while (place.t < end && !MayAbsorb(values, values));
+  return 0.5;
+}
 
-      float lengthMm = part.exit - part.enter;
-      vec4 optical = Material(values, GradientsAt(middleTexture), ray, part.enter + 0.5 * lengthMm);
-      sum = BlendPart(sum, optical.rgb, optical.a * lengthMm);
-    }
+vec3 CellCount()
+{
+  return voxelCount;
+}
+
+void BeginCells(Ray ray) {}
+
+Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
+{
+  while (cell.t < end && !BlendFinished(sum))
+  {
+    Values values;
+    vec3 middleTexture;
+    Interval part;
+    do
+    {
+      LatticePlace behind = BehindBlock(cellRay, cell, 0.0);
+      middleTexture = (cell.cell + 0.5) / voxelCount;
+      part = Interval(cell.t, min(behind.t, exit));
+      values = ValuesAt(middleTexture);
+      cell = behind;
+    } while (cell.t < end && !MayAbsorb(values, values));
+
+    float lengthMm = part.exit - part.enter;
+    vec4 optical = Material(values, GradientsAt(middleTexture), ray, part.enter + 0.5 * lengthMm);
+    sum = BlendPart(sum, optical.rgb, optical.a * lengthMm);
   }
   return sum;
 }

@@ -2,7 +2,10 @@
 // Four parts, so that the look-up of a segment's length is paid a fourth as often; with more, what
 // is marched beyond the end of a brick outweighs it.
 
-const float PartsPerSegment = 4.0;
+float StepsPerSegment()
+{
+  return 4.0;
+}
 
 Accumulation BlendOne(Accumulation sum, float scalar, float partMm)
 {
@@ -10,24 +13,17 @@ Accumulation BlendOne(Accumulation sum, float scalar, float partMm)
   return BlendPart(sum, optical.rgb, optical.a * partMm);
 }
 
-Accumulation March(Ray ray, Interval inside, Accumulation sum)
+Accumulation TakeLeftOut(Accumulation sum, Ray ray, float t, float lengthMm)
 {
-  float t = inside.enter;
-  for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
-  {
-    Interval segment =
-      NextSegment(ray, inside, t, index, PartsPerSegment * stepMm, BlendState(sum));
-    if (segment.enter >= inside.exit)
-    {
-      break; // all that is left is invisible
-    }
-    t = min(segment.exit, inside.exit);
-    float partMm = (t - segment.enter) / PartsPerSegment;
-    vec4 scalars = ScalarsOfFour(ray, segment.enter + 0.5 * partMm, partMm);
-    sum = BlendOne(sum, scalars.x, partMm);
-    sum = BlendOne(sum, scalars.y, partMm);
-    sum = BlendOne(sum, scalars.z, partMm);
-    sum = BlendOne(sum, scalars.w, partMm);
-  }
   return sum;
+}
+
+Accumulation TakeSegment(Accumulation sum, Ray ray, float enter, float lengthMm)
+{
+  float partMm = lengthMm / StepsPerSegment();
+  vec4 scalars = ScalarsOfFour(ray, enter + 0.5 * partMm, partMm);
+  sum = BlendOne(sum, scalars.x, partMm);
+  sum = BlendOne(sum, scalars.y, partMm);
+  sum = BlendOne(sum, scalars.z, partMm);
+  return BlendOne(sum, scalars.w, partMm);
 }

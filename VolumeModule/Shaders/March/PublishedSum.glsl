@@ -4,18 +4,22 @@
 // s. A sum that many samples would make one after the other is so replaced by its first term, and
 // may exceed 1. Order 1 at most.
 
-Accumulation March(Ray ray, Interval inside, Accumulation sum)
+float StepsPerSegment()
 {
-  float t = inside.enter;
-  for (int index = 0; index < mostSegments && t < inside.exit && !BlendFinished(sum); ++index)
-  {
-    Interval segment = NextSegment(ray, inside, t, index, stepMm, BlendState(sum));
-    t = min(segment.exit, inside.exit);
-    vec4 optical = Classify(ScalarAt(PositionTexture(ray, segment.enter)));
-    float samples = max(t - segment.enter, 0.0) / stepMm;
-    float opacity = Absorption(min(optical.a * stepMm, 100.0)) * samples;
-    sum.color += sum.transmittance * opacity * optical.rgb;
-    sum.transmittance = max(sum.transmittance * (1.0 - opacity), 0.0);
-  }
+  return 1.0;
+}
+
+Accumulation TakeLeftOut(Accumulation sum, Ray ray, float t, float lengthMm)
+{
+  return sum;
+}
+
+Accumulation TakeSegment(Accumulation sum, Ray ray, float enter, float lengthMm)
+{
+  vec4 optical = Classify(ScalarAt(PositionTexture(ray, enter)));
+  float samples = max(lengthMm, 0.0) / stepMm;
+  float opacity = Absorption(min(optical.a * stepMm, 100.0)) * samples;
+  sum.color += sum.transmittance * opacity * optical.rgb;
+  sum.transmittance = max(sum.transmittance * (1.0 - opacity), 0.0);
   return sum;
 }

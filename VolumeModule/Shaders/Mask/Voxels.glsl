@@ -28,7 +28,8 @@ Accumulation MarchMasked(Ray ray, Interval inside, Accumulation sum)
         part.exit = min(place.t, inside.exit);
       }
     }
-    if (EntersRegion(content) && part.enter < part.exit)
+    labelRow = int(content);
+    if (content > leastContent && part.enter < part.exit)
     {
       sum = MarchVolume(ray, part, sum);
     }

@@ -6,7 +6,7 @@ vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {
   vec3 emission = vec3(0.0);
   float extinction = 0.0;
-  for (int part = 0; part < PartCount; ++part)
+  for (int part = 0; part < materialCount; ++part)
   {
     vec4 optical = PartOptical(values.scalars, part);
     vec3 gradient = gradients.ofScalars[part];

@@ -1,8 +1,6 @@
 // One scalar, seen through the transfer functions of the label of its place: a part of them, the
 // other through those without a label. Colours, and opacities over a unit distance, are mixed.
 
-int labelRow; // of the place; 0 for none
-
 // Colour, and opacity over a unit distance.
 vec4 OfRow(int row, Values values, Gradients gradients)
 {

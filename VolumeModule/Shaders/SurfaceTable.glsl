@@ -1,4 +1,4 @@
-// Isosurfaces, by ascending isovalue. A surface bounds what is at least its isovalue.
+// The isosurfaces, by ascending isovalue. A surface bounds what is at least its isovalue.
 
 float IsovalueOf(int surface)
 {

@@ -1,5 +1,5 @@
-// What the processor has marched: colours, or places. viewportOriginPixels is of the pixels that
-// were marched.
+// The image that the processor has marched: colours, or places and whether there is one.
+// viewportOriginPixels is that of its pixels.
 
 vec4 MarchedColor(int picture)
 {

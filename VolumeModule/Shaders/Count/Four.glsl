@@ -1,3 +1,0 @@
-// How many materials are mixed.
-
-const int PartCount = 4;

@@ -1,0 +1,31 @@
+// Projections of voxels without interpolation (see Voxels.glsl). A voxel that the ray only touches is
+// not seen: rounding may find such a one where a ray begins or ends.
+
+const float ShortestVoxels = 2e-5;
+float CellsBeforeFirstVoxel()
+{
+  return 0.5;
+}
+
+vec3 CellCount()
+{
+  return voxelCount;
+}
+
+void BeginCells(Ray ray) {}
+
+Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
+{
+  while (cell.t < end)
+  {
+    LatticePlace behind = BehindBlock(cellRay, cell, 0.0);
+    float lengthMm = min(behind.t, exit) - cell.t;
+    Accumulation seen = BlendScalar(sum, ScalarAt((cell.cell + 0.5) / voxelCount), lengthMm);
+    if (lengthMm * length(ray.directionGrid) > ShortestVoxels)
+    {
+      sum = seen;
+    }
+    cell = behind;
+  }
+  return sum;
+}
