@@ -1,20 +1,60 @@
 #ifndef Varimarch_CommandLine_Commands_h
 #define Varimarch_CommandLine_Commands_h
 
-#include <CLI/CLI.hpp>
+#include "SceneArguments.h"
 
 #include <string>
+
+namespace CLI
+{
+class App;
+}
 
 namespace varimarch
 {
 
-/// Each adds a subcommand that does its work while CLI11 parses, and reports failure by an
-/// exception.
-/// @param commandText  the whole command as the user gave it, for the results
-void AddBenchCommand(CLI::App& program, const std::string& commandText);
-void AddCompareCommand(CLI::App& program, const std::string& commandText);
-void AddInfoCommand(CLI::App& program, const std::string& commandText);
-void AddRenderCommand(CLI::App& program, const std::string& commandText);
+/// In all of these, commandText is the whole command line, for the results, and jsonPath a file
+/// for the results; empty: none.
+
+struct RenderArguments
+{
+  std::string commandText;
+  SceneArguments scene;
+  MapperKind renderer = MapperKind::Varimarch;
+  std::string outputPath;         ///< PNG
+  double graphicsMegabytes = 0.0; ///< limit of our mapper's graphics memory [MB]; 0: none
+  int repeats = 0;                ///< further frames, whose median time is reported
+  std::string jsonPath;
+};
+
+struct CompareArguments
+{
+  std::string commandText;
+  SceneArguments scene;
+  std::string outputFolder;
+  int rounds = 5; ///< frames of each mapper, >= 1
+  std::string jsonPath;
+};
+
+struct InfoArguments
+{
+  std::string commandText;
+  VolumeArguments volume;
+  int bins = 32; ///< bars of the histogram, >= 1
+  std::string jsonPath;
+};
+
+/// Draws a scene into a PNG file.
+void RunRender(const RenderArguments& arguments);
+
+/// Draws a scene with our mapper and VTK's, and writes pictures and tables of their differences.
+void RunCompare(const CompareArguments& arguments);
+
+/// Prints a description of a volume.
+void RunInfo(const InfoArguments& arguments);
+
+/// Adds the subcommands that fill these arguments and run.
+void AddCommands(CLI::App& program, const std::string& commandText);
 
 }
 

@@ -2,7 +2,6 @@
 
 #include "Comparison.h"
 #include "ComparisonReport.h"
-#include "Options.h"
 #include "OutputFolder.h"
 #include "Progress.h"
 #include "Results.h"
@@ -11,6 +10,8 @@
 #include "Scene/ImageFiles.h"
 #include "Scene/OutputFile.h"
 #include "Scene/SceneNames.h"
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <iostream>
@@ -22,7 +23,7 @@ namespace varimarch
 namespace
 {
 
-// The pictures of all renderers, their differences from the truth, and all of it on one sheet.
+// Writes each renderer's picture, its difference from the truth, and a sheet of all of them.
 void WritePictures(
   const Comparison& comparison, const Scene& scene, const std::filesystem::path& folder)
 {
@@ -45,61 +46,36 @@ void WritePictures(
   WritePng(ComparisonSheet(columns), folder / "side-by-side.png");
 }
 
-struct CompareCommand
+// The pictures, the tables and the results.
+void WriteComparison(const Comparison& comparison, const Scene& scene, const LoadedVolume& volume,
+  const CompareArguments& arguments)
 {
-  std::string commandText;
-  SceneOptions sceneOptions;
-  std::string outputFolder;
-  int rounds = 5;
-  std::string jsonPath;
+  const std::filesystem::path folder = arguments.outputFolder;
+  WritePictures(comparison, scene, folder);
+  WriteFileWhole(folder / "compare.csv", TableCsv(comparison));
+  WriteFileWhole(folder / "compare.md", TableMarkdown(comparison, arguments.commandText));
 
-  void Run() const
-  {
-    const std::filesystem::path folder = OutputFolder(this->outputFolder);
-    const auto [scene, volume] = this->sceneOptions.Load();
-    auto progress = std::make_unique<Progress>("Integrating the reference");
-    const Comparison comparison = Compare(scene, volume.image, this->rounds,
-      [&](const std::string& step) { progress->SetActivity(step); });
-    progress->SetActivity("Writing " + this->outputFolder);
-    WritePictures(comparison, scene, folder);
-    WriteFileWhole(folder / "compare.csv", TableCsv(comparison));
-    WriteFileWhole(folder / "compare.md", TableMarkdown(comparison, this->commandText));
-
-    nlohmann::ordered_json results = ResultsOf(this->commandText, volume);
-    results["look"] = scene.look.name;
-    results["size"] = scene.size;
-    results.update(ToJson(comparison));
-    WriteResults(results, folder / "compare.json");
-    WriteResults(results, this->jsonPath);
-    progress.reset();
-    std::cout << TableText(comparison) << "Pictures and tables: " << this->outputFolder << "\n";
-  }
-};
+  nlohmann::ordered_json results = ResultsOf(arguments.commandText, volume);
+  results["look"] = scene.look.name;
+  results["size"] = scene.size;
+  results.update(ToJson(comparison));
+  WriteResults(results, folder / "compare.json");
+  WriteResults(results, arguments.jsonPath);
+}
 
 }
 
-void AddCompareCommand(CLI::App& program, const std::string& commandText)
+void RunCompare(const CompareArguments& arguments)
 {
-  const auto command = std::make_shared<CompareCommand>();
-  command->commandText = commandText;
-  CLI::App* app = program.add_subcommand(
-    "compare", "Draw with our mapper and VTK's, and tell the time and the error of each");
-  app->footer(
-    "Writes a PNG of each renderer and of its difference from the truth,\n"
-    "side-by-side.png, and compare.csv, compare.json and compare.md.\n"
-    "Examples:\n"
-    "  varimarch compare head.nii.gz -o comparison\n"
-    "  varimarch compare dicom-folder -o comparison --preset ct-bone --rounds 9\n"
-    "  varimarch compare procedural:torso -o comparison --size 256x256 --sample-distance 1");
-  command->sceneOptions.AddTo(*app);
-  app->add_option("-o,--output", command->outputFolder, "The folder for pictures and tables")
-    ->type_name("FOLDER")
-    ->required();
-  app->add_option("--rounds", command->rounds, "Times to draw with each (default 5)")
-    ->check(CLI::Range(1, 10000).description(""))
-    ->type_name("N");
-  AddJsonOption(*app, command->jsonPath);
-  app->callback([command] { command->Run(); });
+  OutputFolder(arguments.outputFolder);
+  const auto [scene, volume] = LoadScene(arguments.scene);
+  auto progress = std::make_unique<Progress>("Integrating the reference");
+  const Comparison comparison = Compare(scene, volume.image, arguments.rounds,
+    [&](const std::string& step) { progress->SetActivity(step); });
+  progress->SetActivity("Writing " + arguments.outputFolder);
+  WriteComparison(comparison, scene, volume, arguments);
+  progress.reset();
+  std::cout << TableText(comparison) << "Pictures and tables: " << arguments.outputFolder << "\n";
 }
 
 }

@@ -3,6 +3,8 @@
 #include "Results.h"
 #include "Scene/SceneNames.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <sstream>
 

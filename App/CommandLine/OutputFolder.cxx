@@ -1,5 +1,6 @@
 #include "OutputFolder.h"
 
+#include "Messages.h"
 #include "Scene/OutputFile.h"
 
 #include <stdexcept>
@@ -21,7 +22,7 @@ std::filesystem::path OutputFolder(const std::string& path)
 
 void SetInterruptNotice(const std::filesystem::path& folder, const std::string& contents)
 {
-  SetInterruptNotice("varimarch: stopped; " + folder.string() + " holds " + contents);
+  SetInterruptNotice(ProgramName() + ": stopped; " + folder.string() + " holds " + contents);
 }
 
 }

@@ -7,11 +7,11 @@
 namespace varimarch
 {
 
-/// A folder to write into, made when it is not there.
-/// @throws std::runtime_error that names it and the system's reason
+/// A folder to write into, created if it does not exist.
+/// @throws std::runtime_error that names the folder and the system's reason
 std::filesystem::path OutputFolder(const std::string& path);
 
-/// What Ctrl-C and a request to terminate say from now on: that the folder holds so much.
+/// Sets the message that Ctrl-C and SIGTERM print from now on: what the folder holds so far.
 void SetInterruptNotice(const std::filesystem::path& folder, const std::string& contents);
 
 }

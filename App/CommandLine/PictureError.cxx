@@ -1,5 +1,7 @@
 #include "PictureError.h"
 
+#include <nlohmann/json.hpp>
+
 namespace varimarch
 {
 

@@ -3,6 +3,8 @@
 #include "Scene/JsonCursor.h"
 #include "Scene/OutputFile.h"
 
+#include <nlohmann/json.hpp>
+
 #include <iomanip>
 #include <sstream>
 

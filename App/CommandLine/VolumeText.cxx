@@ -5,6 +5,8 @@
 
 #include <vtkMatrix3x3.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "VtkMessages.h"
 
+#include "Messages.h"
+
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -13,7 +15,7 @@ namespace
 
 std::string firstError;
 
-// The sentence itself, without VTK's "ERROR: In file, line 7" and "vtkClass (0x1234): ".
+// The message without VTK's "ERROR: In file, line 7" and "vtkClass (0x1234): ".
 std::string Sentence(const std::string& message)
 {
   static const std::regex decoration(R"(^(ERROR|Warning|Generic Warning): In [^\n]*\n)"
@@ -25,7 +27,7 @@ std::string Sentence(const std::string& message)
 
 }
 
-/// Hands VTK's messages to the functions of this file.
+/// Prints VTK's warnings, and keeps its first error for ThrowIfVtkReportedError.
 class vtkMessageCollector : public vtkOutputWindow
 {
 public:
@@ -36,7 +38,7 @@ public:
 
   void DisplayErrorText(const char* text) override
   {
-    // The first one names the cause; what follows are its consequences.
+    // The first error names the cause; later ones are its consequences.
     if (firstError.empty())
     {
       firstError = Sentence(text);
@@ -45,7 +47,7 @@ public:
 
   void DisplayWarningText(const char* text) override
   {
-    std::cerr << "varimarch: warning: " + Sentence(text) + "\n";
+    varimarch::PrintMessage("warning: " + Sentence(text));
   }
 
   void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }

@@ -1,4 +1,4 @@
-#include "Scene/LogLogPlot.h"
+#include "Benchmarks/LogLogPlot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,84 @@
+#ifndef Varimarch_Benchmarks_Commands_h
+#define Varimarch_Benchmarks_Commands_h
+
+#include "CommandLine/SceneArguments.h"
+#include "PublishedScenes.h"
+#include "SpeedBench.h"
+#include "WorkPrecision.h"
+
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace varimarch
+{
+
+/// The part that all benchmarks' arguments have in common.
+struct ReportArguments
+{
+  std::string commandText; ///< the whole command line, for the results
+  std::string outputFolder;
+  std::string jsonPath; ///< a further file for the results; empty: none
+};
+
+struct WorkPrecisionArguments
+{
+  ReportArguments report;
+  SceneArguments scene;
+  std::vector<std::string> inputs;
+  std::vector<std::string> methods; ///< empty: all
+  MeasuringOptions options;
+};
+
+struct PublishedArguments
+{
+  ReportArguments report;
+  PublishedOptions options;
+};
+
+struct SpeedArguments
+{
+  ReportArguments report;
+  std::vector<std::string> inputs;
+  std::string volumes;           ///< folder of well-known volumes; empty: none
+  std::vector<std::string> only; ///< prefixes of scene names; empty: all scenes
+  SpeedOptions options;
+};
+
+struct ScalingArguments
+{
+  ReportArguments report;
+  SceneArguments scene;
+  std::vector<int> sides = { 64, 128, 256, 512 }; ///< [voxels], ascending
+  int rounds = 3;
+};
+
+struct FeatureArguments
+{
+  ReportArguments report;
+  SceneArguments scene;
+  std::string input;
+  std::vector<std::string> only; ///< names of features; empty: all
+  int rounds = 3;
+};
+
+/// Each measures, writes its report after every step so that an interrupted run keeps what it has,
+/// and prints a summary.
+/// @throws UsageError when the arguments do not fit together
+/// @throws std::runtime_error when a file cannot be read or written, or a mapper reports an error
+void RunWorkPrecision(const WorkPrecisionArguments& arguments);
+void RunPublished(const PublishedArguments& arguments);
+void RunSpeed(const SpeedArguments& arguments);
+void RunScaling(const ScalingArguments& arguments);
+void RunFeatures(const FeatureArguments& arguments);
+
+/// Adds the subcommands that fill these arguments and run.
+void AddCommands(CLI::App& program, const std::string& commandText);
+
+}
+
+#endif

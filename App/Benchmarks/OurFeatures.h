@@ -1,0 +1,17 @@
+#ifndef Varimarch_Benchmarks_OurFeatures_h
+#define Varimarch_Benchmarks_OurFeatures_h
+
+#include "FeatureList.h"
+
+namespace varimarch
+{
+
+/// Switches of what our mapper alone has: with another mapper on the stage they do nothing.
+void CubicOn(const FeatureStage& stage);
+void CubicOff(const FeatureStage& stage);
+void DampingOn(const FeatureStage& stage);
+void DampingOff(const FeatureStage& stage);
+
+}
+
+#endif

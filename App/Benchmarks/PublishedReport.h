@@ -1,0 +1,28 @@
+#ifndef Varimarch_Benchmarks_PublishedReport_h
+#define Varimarch_Benchmarks_PublishedReport_h
+
+#include "Machine.h"
+#include "PublishedScenes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace varimarch
+{
+
+struct PublishedPage
+{
+  std::string commandText;
+  Machine machine;
+  PublishedMeasurements measured;
+};
+
+/// The papers' figures beside ours, with what differs.
+std::string PublishedMarkdown(const PublishedPage& page);
+
+nlohmann::ordered_json ToJson(const PublishedPage& page);
+
+}
+
+#endif

@@ -1,0 +1,36 @@
+#ifndef Varimarch_Benchmarks_ScalingReport_h
+#define Varimarch_Benchmarks_ScalingReport_h
+
+#include "LogLogPlot.h"
+#include "Machine.h"
+#include "ScalingBench.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// What `varimarch-bench scaling` has measured, and how.
+struct ScalingPage
+{
+  std::string commandText;
+  Machine machine; ///< before the start
+  int rounds;
+  std::array<int, 2> size; ///< of the pictures [pixels]
+  std::vector<ScalingCurve> curves;
+};
+
+std::string ScalingMarkdown(const ScalingPage& page);
+
+nlohmann::ordered_json ToJson(const ScalingPage& page);
+
+/// Times over the side of the volume.
+LogLogPlot ScalingPlot(const std::vector<ScalingCurve>& curves);
+
+}
+
+#endif

@@ -1,0 +1,339 @@
+#include "SpeedBench.h"
+
+#include "BenchMethods.h"
+#include "CommandLine/Results.h"
+#include "Scene/Median.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// One scene at one size in the making.
+struct Bench
+{
+  const Scene& scene;
+  vtkImageData* image;
+  const Truth& truth;
+  const SpeedOptions& options;
+  const OnStep& onStep;
+
+  OffscreenView NewView(MapperKind kind, const RenderOptions& render) const
+  {
+    Scene drawn = this->scene;
+    drawn.render = render;
+    return OffscreenView(drawn, this->image, kind);
+  }
+
+  ImageError ErrorOf(OffscreenView& view) const
+  {
+    const auto picture = view.FloatImage();
+    return CompareImages(static_cast<const float*>(picture->GetScalarPointer()),
+      static_cast<const float*>(this->truth.picture->GetScalarPointer()),
+      std::size_t(picture->GetNumberOfPoints()));
+  }
+
+  // Without a round.
+  SpeedPoint PointOf(const std::string& method, MapperKind kind, const RenderOptions& render) const
+  {
+    this->onStep("error of " + method);
+    OffscreenView view = this->NewView(kind, render);
+    SpeedPoint point = { method, kind, render, view.Render(), {}, {}, {}, {}, {} };
+    point.error = this->ErrorOf(view);
+    point.graphicsBytes = GraphicsBytes(view);
+    point.fetchesPerPixel = FetchesPerPixel(view);
+    return point;
+  }
+
+  bool IsDrawnIn(int round, const SpeedPoint& point) const
+  {
+    return round == 1 || point.firstSeconds <= this->options.longestSeconds;
+  }
+
+  void AddRound(int round, SpeedPoint& point) const
+  {
+    this->onStep("times of " + point.method + ", round " + std::to_string(round) + " of " +
+      std::to_string(this->options.rounds));
+    OffscreenView view = this->NewView(point.kind, point.options);
+    point.rounds.push_back(CostOfFrames(view, this->scene.look));
+  }
+
+  // One right after the other, so that while the machine is slow it is so for both. Short pictures
+  // several times, for what else the machine does takes longer than they do.
+  // @return how many times as fast ours was, each time
+  std::vector<double> Compare(int round, SpeedPoint& rival, SpeedPoint& ours) const
+  {
+    constexpr double ShortMs = 5.0;
+    constexpr std::size_t TimesIfShort = 3;
+    std::vector<double> timesAsFast;
+    do
+    {
+      const bool isRivalFirst = (round + timesAsFast.size()) % 2 == 1;
+      this->AddRound(round, isRivalFirst ? rival : ours);
+      this->AddRound(round, isRivalFirst ? ours : rival);
+      timesAsFast.push_back(rival.rounds.back().stillMs / ours.rounds.back().stillMs);
+    } while (ours.rounds.back().stillMs < ShortMs && timesAsFast.size() < TimesIfShort);
+    return timesAsFast;
+  }
+
+  void AddComparisons(int round, SpeedCase& measured) const
+  {
+    for (std::size_t target = 0; target < SpeedTargets().size(); ++target)
+    {
+      if (!measured.keeping[target])
+      {
+        continue;
+      }
+      const SpeedPoint* const found = Rival(measured, SpeedTargets()[target]);
+      SpeedPoint& rival = measured.points[std::size_t(found - measured.points.data())];
+      SpeedPoint& ours = measured.points[*measured.keeping[target]];
+      if (this->IsDrawnIn(round, rival) && this->IsDrawnIn(round, ours))
+      {
+        const std::vector<double> timesAsFast = this->Compare(round, rival, ours);
+        measured.timesAsFast[target].insert(
+          measured.timesAsFast[target].end(), timesAsFast.begin(), timesAsFast.end());
+      }
+    }
+  }
+
+  void AddRounds(SpeedCase& measured) const
+  {
+    measured.timesAsFast.resize(SpeedTargets().size());
+    for (int round = 1; round <= this->options.rounds; ++round)
+    {
+      this->AddComparisons(round, measured);
+      for (SpeedPoint& point : measured.points)
+      {
+        if (int(point.rounds.size()) < round && this->IsDrawnIn(round, point))
+        {
+          this->AddRound(round, point); // no target compares it
+        }
+      }
+    }
+    for (SpeedPoint& point : measured.points)
+    {
+      point.median = MedianOf(point.rounds);
+    }
+  }
+};
+
+RenderOptions Tolerating(double errorTolerance, Acceleration acceleration)
+{
+  RenderOptions options;
+  options.errorTolerance = errorTolerance;
+  options.acceleration = acceleration;
+  return options;
+}
+
+std::vector<SpeedPoint> DefaultPoints(const Bench& bench)
+{
+  const double tolerance = RenderOptions().errorTolerance;
+  RenderOptions everyVoxel;
+  everyVoxel.sampleDistanceMm = VoxelMm(bench.image);
+  RenderOptions published = everyVoxel;
+  published.acceleration = Acceleration::ScalarField;
+  published.integration = Integration::PublishedSum;
+  published.variationTolerance = Variation(bench.image, 4.0); // its authors' choice, in 1/255
+
+  constexpr MapperKind Ours = MapperKind::Varimarch;
+  std::vector<SpeedPoint> points;
+  points.push_back(bench.PointOf("ours", Ours, Tolerating(tolerance, Acceleration::OpticalField)));
+  points.push_back(bench.PointOf("off", Ours, Tolerating(tolerance, Acceleration::Off)));
+  constexpr MapperKind Shaders = MapperKind::VarimarchShaders;
+  points.push_back(
+    bench.PointOf("ours-shader", Shaders, Tolerating(tolerance, Acceleration::OpticalField)));
+  points.push_back(bench.PointOf("off-shader", Shaders, Tolerating(tolerance, Acceleration::Off)));
+  if (!bench.scene.look.shading.enabled && bench.scene.look.blend == Blend::Composite)
+  {
+    points.push_back(bench.PointOf("published", Shaders, published));
+  }
+  points.push_back(bench.PointOf("vtk-gpu", MapperKind::VtkGpu, everyVoxel));
+  if (CanBlend(MapperKind::VtkCpu, bench.scene.look.blend))
+  {
+    points.push_back(bench.PointOf("vtk-cpu", MapperKind::VtkCpu, everyVoxel));
+  }
+  return points;
+}
+
+/// A tolerance of ours and the error that comes of it.
+struct Rung
+{
+  double tolerance;
+  double rmse; ///< [1/255]
+};
+
+MapperKind KindOf(const std::string& method)
+{
+  return method == "ours" ? MapperKind::Varimarch : MapperKind::VarimarchShaders;
+}
+
+constexpr double Coarsest = 1.0;
+constexpr double RungsPerHalf = 4.0;
+
+// Of a method of ours from coarse to fine, until the RMSE is at most `lowest` or a picture takes
+// too long.
+std::vector<Rung> Ladder(const Bench& bench, const std::string& method, double lowest)
+{
+  constexpr int Finest = 40; // a tolerance of 1/1024
+  std::vector<Rung> rungs;
+  OffscreenView view =
+    bench.NewView(KindOf(method), Tolerating(Coarsest, Acceleration::OpticalField));
+  for (int i = 0; i <= Finest; ++i)
+  {
+    const double tolerance = Coarsest * std::pow(2.0, -i / RungsPerHalf);
+    bench.onStep("error of " + method + " at a tolerance of 1/" + Fixed(1.0 / tolerance, 0));
+    view.Pipeline().SetRenderOptions(Tolerating(tolerance, Acceleration::OpticalField));
+    const double seconds = view.Render();
+    rungs.push_back({ tolerance, bench.ErrorOf(view).rootMeanSquare });
+    if (rungs.back().rmse <= lowest || seconds > bench.options.longestSeconds)
+    {
+      break;
+    }
+  }
+  return rungs;
+}
+
+// About the largest tolerance whose RMSE is at most `wanted`: a rung at which it is, or above it up
+// to fifteen sixteenths of the way to the next coarser one.
+double LargestTolerance(const Bench& bench, const std::string& method, double rung, double wanted)
+{
+  if (rung == Coarsest)
+  {
+    return rung;
+  }
+  OffscreenView view = bench.NewView(KindOf(method), Tolerating(rung, Acceleration::OpticalField));
+  double largest = rung;
+  for (const double partOfRung : { 0.5, 0.25, 0.125, 0.0625 })
+  {
+    const double tolerance = largest * std::pow(2.0, partOfRung / RungsPerHalf);
+    view.Pipeline().SetRenderOptions(Tolerating(tolerance, Acceleration::OpticalField));
+    view.Render();
+    largest = bench.ErrorOf(view).rootMeanSquare <= wanted ? tolerance : largest;
+  }
+  return largest;
+}
+
+// The index of a method of ours at this tolerance; measured when it is not there yet.
+std::size_t PointAt(
+  const Bench& bench, const std::string& method, double tolerance, std::vector<SpeedPoint>& points)
+{
+  const auto found = std::find_if(points.begin(), points.end(),
+    [&](const SpeedPoint& point)
+    { return point.method == method && point.options.errorTolerance == tolerance; });
+  const std::size_t index = std::size_t(found - points.begin());
+  if (found == points.end())
+  {
+    points.push_back(
+      bench.PointOf(method, KindOf(method), Tolerating(tolerance, Acceleration::OpticalField)));
+  }
+  return index;
+}
+
+// The RMSE that ours may have [1/255]; empty without the rival.
+std::optional<double> WantedError(const SpeedCase& measured, const SpeedTarget& target)
+{
+  const SpeedPoint* rival = Rival(measured, target);
+  return rival ? std::optional<double>(target.partOfError * rival->error.rootMeanSquare)
+               : std::nullopt;
+}
+
+// Finds the points of ours that the targets are about.
+void KeepErrors(const Bench& bench, SpeedCase& measured)
+{
+  std::map<std::string, double> lowest; // of each method of ours
+  for (const SpeedTarget& target : SpeedTargets())
+  {
+    if (const std::optional<double> wanted = WantedError(measured, target))
+    {
+      const auto found = lowest.emplace(target.ours, *wanted).first;
+      found->second = std::min(found->second, *wanted);
+    }
+  }
+  std::map<std::string, std::vector<Rung>> ladders;
+  for (const auto& [method, error] : lowest)
+  {
+    ladders[method] = Ladder(bench, method, error);
+  }
+  for (const SpeedTarget& target : SpeedTargets())
+  {
+    const std::vector<Rung>& rungs = ladders[target.ours];
+    const std::optional<double> wanted = WantedError(measured, target);
+    const auto rung = std::find_if(rungs.begin(), rungs.end(),
+      [&](const Rung& candidate) { return wanted && candidate.rmse <= *wanted; });
+    if (rung == rungs.end())
+    {
+      measured.keeping.push_back(std::nullopt);
+      continue;
+    }
+    const double tolerance = LargestTolerance(bench, target.ours, rung->tolerance, *wanted);
+    measured.keeping.push_back(PointAt(bench, target.ours, tolerance, measured.points));
+  }
+}
+
+}
+
+// Colours of M. Okabe, K. Ito, "Color universal design", 2008.
+const std::vector<SpeedTarget>& SpeedTargets()
+{
+  static const std::vector<SpeedTarget> targets = {
+    { "VTK's GPU mapper, RMSE lower", "vtk-gpu", "ours", 1.0, 15.0, 4.0,
+      { { 213, 94, 0 }, Marker::Square, Stroke::Solid } },
+    { "VTK's fixed-point mapper, RMSE 5 times lower", "vtk-cpu", "ours", 0.2, 2.0, 0.0,
+      { { 0, 0, 0 }, Marker::Diamond, Stroke::Dashed } },
+    { "no field, same RMSE", "off", "ours", 1.0, 5.0, 1.0,
+      { { 86, 180, 233 }, Marker::Circle, Stroke::Solid } },
+    { "no field, same RMSE, both by shaders", "off-shader", "ours-shader", 1.0, 5.0, 1.0,
+      { { 86, 180, 233 }, Marker::Circle, Stroke::Dotted } },
+    { "published field and sum, same RMSE", "published", "ours", 1.0, 3.0, 0.0,
+      { { 230, 159, 0 }, Marker::Diamond, Stroke::Solid } },
+    { "published field and sum, same RMSE, both by shaders", "published", "ours-shader", 1.0, 3.0,
+      0.0, { { 230, 159, 0 }, Marker::Diamond, Stroke::Dotted } },
+  };
+  return targets;
+}
+
+const SpeedPoint* Rival(const SpeedCase& measured, const SpeedTarget& target)
+{
+  const auto rival = std::find_if(measured.points.begin(), measured.points.end(),
+    [&](const SpeedPoint& point) { return point.method == target.rival; });
+  return rival == measured.points.end() ? nullptr : &*rival;
+}
+
+std::optional<double> TimesAsFast(const SpeedCase& measured, std::size_t target)
+{
+  const std::vector<double>& rounds = measured.timesAsFast[target];
+  return rounds.empty() ? std::nullopt : std::optional<double>(Median(rounds));
+}
+
+std::vector<SpeedCase> MeasureSpeed(
+  const LoadedScene& loaded, const SpeedOptions& options, const OnStep& onStep)
+{
+  std::vector<SpeedCase> cases;
+  for (const bool shaded : options.shaded)
+  {
+    for (const int side : options.sides)
+    {
+      const std::string what = loaded.name + (shaded ? ", shaded, " : ", ") + std::to_string(side) +
+        " x " + std::to_string(side) + ": ";
+      const OnStep onStepHere = [&](const std::string& step) { onStep(what + step); };
+      Scene scene = loaded.scene;
+      scene.look.shading.enabled = shaded;
+      scene.size = { side, side };
+      const Truth truth = TruthOf(scene, loaded.volume.image, onStepHere);
+      const Bench bench = { scene, loaded.volume.image, truth, options, onStepHere };
+      SpeedCase measured = { loaded.name, shaded, side, DefaultPoints(bench), {}, {}, {} };
+      KeepErrors(bench, measured);
+      bench.AddRounds(measured);
+      measured.openglRenderer = bench.NewView(MapperKind::Varimarch, scene.render).DeviceName();
+      cases.push_back(measured);
+    }
+  }
+  return cases;
+}
+
+}

@@ -1,0 +1,36 @@
+#ifndef Varimarch_Benchmarks_SpeedReport_h
+#define Varimarch_Benchmarks_SpeedReport_h
+
+#include "Machine.h"
+#include "SpeedBench.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// What `varimarch-bench speed` has measured, and how.
+struct SpeedPage
+{
+  std::string commandText;
+  Machine machine; ///< before the start
+  SpeedOptions options;
+  std::vector<std::string> missing; ///< files of scenes that were left out
+  std::vector<SpeedCase> cases;     ///< at least one
+};
+
+std::string SpeedMarkdown(const SpeedPage& page);
+
+nlohmann::ordered_json ToJson(const SpeedPage& page);
+
+nlohmann::ordered_json ToJson(const FrameCost& cost);
+
+/// A number of bytes in MiB, or a dash.
+std::string Mebibytes(const std::optional<double>& bytes);
+
+}
+
+#endif

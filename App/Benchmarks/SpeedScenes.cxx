@@ -1,0 +1,159 @@
+#include "SpeedScenes.h"
+
+#include "BenchMethods.h"
+#include "CommandLine/VolumeArguments.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// What there is to see in a volume, in units of its data.
+struct SpeedVolume
+{
+  std::string name;
+  std::string file;     ///< in the folder of volumes
+  double lowest;        ///< of what is seen, above air and noise
+  double highest;       ///< of what is seen
+  double peak;          ///< a surface
+  double peakHalfWidth; ///< > 0
+};
+
+const std::vector<SpeedVolume>& SpeedVolumes()
+{
+  static const std::vector<SpeedVolume> volumes = {
+    { "vismale", "vismale/vismale_128x256x256_uint8.mhd", 40.0, 220.0, 70.0, 10.0 },
+    { "bonsai", "bonsai/bonsai_256x256x256_uint8.mhd", 35.0, 200.0, 50.0, 6.0 },
+    { "tooth", "tooth/tooth_103x94x161_uint8.mhd", 50.0, 240.0, 170.0, 10.0 },
+    { "engine", "engine/engine_256x256x128_uint8.mhd", 60.0, 240.0, 180.0, 10.0 },
+    { "aneurism", "aneurism/aneurism_256x256x256_uint8.mhd", 40.0, 240.0, 90.0, 15.0 },
+    { "abdomen", "ct_abdomen_pancreas/dicom", 80.0, 900.0, -300.0, 60.0 },
+    { "skull", "ct_skull_phantom/dicom", 300.0, 2500.0, 600.0, 80.0 },
+    { "mr-head", "mr_head_studyforrest/mr_head_studyforrest_274x384x384_int16.mha", 40.0, 220.0,
+      20.0, 8.0 },
+  };
+  return volumes;
+}
+
+Look LookOf(const SpeedVolume& seen, vtkImageData* image)
+{
+  Look look;
+  look.colors = { { seen.lowest, { 0.55, 0.25, 0.15 }, {} },
+    { 0.5 * (seen.lowest + seen.highest), { 0.90, 0.75, 0.55 }, {} },
+    { seen.highest, { 1.0, 1.0, 0.95 }, {} } };
+  look.opacityUnitDistanceMm = VoxelMm(image);
+  return look;
+}
+
+// Translucent: opacity is a long ramp. Opacities are those of one smallest distance of voxels.
+Look SoftLook(const SpeedVolume& seen, vtkImageData* image)
+{
+  Look look = LookOf(seen, image);
+  look.opacities = { { seen.lowest, 0.0, {} }, { seen.highest, 0.06, {} } };
+  return look;
+}
+
+// Opaque within a few voxels.
+Look DenseLook(const SpeedVolume& seen, vtkImageData* image)
+{
+  Look look = LookOf(seen, image);
+  const double opaque = seen.lowest + 0.25 * (seen.highest - seen.lowest);
+  look.opacities = { { seen.lowest, 0.0, {} }, { opaque, 0.7, {} } };
+  return look;
+}
+
+// One surface's values only, in false colours.
+Look ThinPeakLook(const SpeedVolume& seen, vtkImageData* image)
+{
+  Look look = LookOf(seen, image);
+  const double left = seen.peak - seen.peakHalfWidth;
+  const double right = seen.peak + seen.peakHalfWidth;
+  look.colors = { { left, { 0.2, 0.5, 0.9 }, {} }, { right, { 1.0, 0.8, 0.3 }, {} } };
+  look.opacities = { { left, 0.0, {} }, { seen.peak, 0.25, {} }, { right, 0.0, {} } };
+  return look;
+}
+
+struct SpeedLook
+{
+  std::string name;
+  Look (*make)(const SpeedVolume& seen, vtkImageData* image);
+};
+
+const std::vector<SpeedLook>& SpeedLooks()
+{
+  static const std::vector<SpeedLook> looks = { { "soft", SoftLook }, { "dense", DenseLook },
+    { "thin-peak", ThinPeakLook } };
+  return looks;
+}
+
+std::string SceneName(const SpeedVolume& seen, const SpeedLook& look)
+{
+  return seen.name + "-" + look.name;
+}
+
+std::vector<SpeedLook> ChosenLooks(
+  const SpeedVolume& seen, const std::vector<std::string>& prefixes)
+{
+  std::vector<SpeedLook> chosen;
+  for (const SpeedLook& look : SpeedLooks())
+  {
+    const std::string name = SceneName(seen, look);
+    const auto isPrefix = [&](const std::string& prefix)
+    { return name.compare(0, prefix.size(), prefix) == 0; };
+    if (prefixes.empty() || std::any_of(prefixes.begin(), prefixes.end(), isPrefix))
+    {
+      chosen.push_back(look);
+    }
+  }
+  return chosen;
+}
+
+LoadedScene SceneOf(const SpeedVolume& seen, const SpeedLook& look, const LoadedVolume& volume)
+{
+  LoadedScene loaded = { SceneName(seen, look), {}, volume };
+  loaded.scene.look = look.make(seen, volume.image);
+  loaded.scene.look.name = look.name;
+  // Off the axes, where no ray runs along a row of voxels.
+  loaded.scene.camera.azimuthDegrees = 30.0;
+  loaded.scene.camera.elevationDegrees = 20.0;
+  return loaded;
+}
+
+}
+
+SpeedScenes LoadSpeedScenes(const std::string& folder, const std::vector<std::string>& prefixes)
+{
+  SpeedScenes result;
+  for (const SpeedVolume& seen : SpeedVolumes())
+  {
+    const std::vector<SpeedLook> looks = ChosenLooks(seen, prefixes);
+    const std::string path = folder + "/" + seen.file;
+    if (looks.empty())
+    {
+      continue;
+    }
+    if (!std::filesystem::exists(path))
+    {
+      result.missing.push_back(seen.file);
+      continue;
+    }
+    const LoadedVolume volume = LoadVolumeReporting(FileSource{ path, std::nullopt });
+    for (const SpeedLook& look : looks)
+    {
+      result.scenes.push_back(SceneOf(seen, look, volume));
+    }
+  }
+  if (result.scenes.empty())
+  {
+    throw std::runtime_error(folder + ": expected volumes such as " + SpeedVolumes()[0].file +
+      ", and scenes such as vismale-soft, found none");
+  }
+  return result;
+}
+
+}

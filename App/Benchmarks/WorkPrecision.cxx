@@ -1,0 +1,186 @@
+#include "WorkPrecision.h"
+
+#include "CommandLine/Results.h"
+#include "CommandLine/VtkMessages.h"
+#include "FrameCost.h"
+#include "Scene/Median.h"
+
+#include <vtkVariationFieldVolumeMapper.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// A method at work on a scene.
+struct Runner
+{
+  WorkCurve curve;
+  std::unique_ptr<OffscreenView> view;
+
+  /// The time of a picture after one that built what the setting needs [s].
+  double SecondsOf(const BenchSetting& setting)
+  {
+    this->view->Pipeline().SetRenderOptions(setting.options);
+    this->view->Render();
+    return this->view->Render();
+  }
+};
+
+bool HoldsEightBitsOnly(vtkImageData* picture)
+{
+  // A float's own rounding of n / 255 is far below.
+  constexpr double Slack = 1e-4;
+  const auto* channels = static_cast<const float*>(picture->GetScalarPointer());
+  return std::all_of(channels, channels + 4 * picture->GetNumberOfPoints(),
+    [](float channel)
+    {
+      const double level = 255.0 * channel;
+      return std::abs(level - std::round(level)) < Slack;
+    });
+}
+
+// What rounding alone costs: no picture of 8 bits can err less, but by chance.
+double EightBitRmse(vtkImageData* truth)
+{
+  const auto* channels = static_cast<const float*>(truth->GetScalarPointer());
+  const vtkIdType count = 4 * truth->GetNumberOfPoints();
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double level = 255.0 * channels[i];
+    sum += (level - std::round(level)) * (level - std::round(level));
+  }
+  return std::sqrt(sum / double(count));
+}
+
+double EstimatedError(OffscreenView& view)
+{
+  auto* mapper = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
+  return mapper ? mapper->GetEstimatedError() : 0.0;
+}
+
+// Draws one setting, measures its error, and returns how long such a picture takes [s].
+double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision& result)
+{
+  constexpr double NearOneVoxel = 0.99; // VTK's mappers keep distances as float
+  const double seconds = runner.SecondsOf(setting);
+  const auto picture = runner.view->FloatImage();
+  ThrowIfVtkReportedError();
+  WorkCurve& curve = runner.curve;
+  curve.eightBits = HoldsEightBitsOnly(picture) && (curve.points.empty() || curve.eightBits);
+  curve.points.push_back({ setting, runner.view->Pipeline().UsedSampleDistanceMm(),
+    EstimatedError(*runner.view), ErrorOf(picture, result.truth.picture, result.scene.background),
+    FetchesPerPixel(*runner.view), {}, 0.0 });
+  if (!curve.picture || VoxelsOf(result, curve.points.back()) >= NearOneVoxel)
+  {
+    curve.picture = picture;
+    curve.shown = curve.points.size() - 1;
+  }
+  return seconds;
+}
+
+Runner StartedRunner(const BenchRun& run, const WorkPrecision& result,
+  const MeasuringOptions& options, const OnStep& onStep)
+{
+  Runner runner = { { run.method, {}, {}, false, 0, nullptr },
+    std::make_unique<OffscreenView>(result.scene, result.volume.image, run.method.kind) };
+  double seconds = 0.0;
+  for (const BenchSetting& setting : run.settings)
+  {
+    if (seconds > options.longestSeconds)
+    {
+      runner.curve.skipped = setting.label + " and finer: a picture at " +
+        runner.curve.points.back().setting.label + " took " + Fixed(seconds, 1) +
+        " s, more than the " + Fixed(options.longestSeconds, 1) + " s allowed";
+      break;
+    }
+    onStep(result.name + ": errors of " + run.method.name + " at " + setting.label);
+    seconds = AddPoint(runner, setting, result);
+  }
+  return runner;
+}
+
+}
+
+WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const LoadedVolume& volume,
+  const std::vector<BenchRun>& runs, const MeasuringOptions& options, const OnStep& onStep)
+{
+  WorkPrecision result = { name, scene, volume, {}, 0.0, {}, {} };
+  result.truth =
+    TruthOf(scene, volume.image, [&](const std::string& step) { onStep(name + ": " + step); });
+  result.eightBitRmse = EightBitRmse(result.truth.picture);
+
+  std::vector<Runner> runners;
+  for (const BenchRun& run : runs)
+  {
+    runners.push_back(StartedRunner(run, result, options, onStep));
+  }
+  for (int round = 1; round <= options.rounds; ++round)
+  {
+    for (Runner& runner : runners)
+    {
+      onStep(name + ": times of " + runner.curve.method.name + ", round " + std::to_string(round) +
+        " of " + std::to_string(options.rounds));
+      for (WorkPoint& point : runner.curve.points)
+      {
+        point.roundsMs.push_back(1000.0 * runner.SecondsOf(point.setting));
+      }
+    }
+  }
+  ThrowIfVtkReportedError();
+  for (Runner& runner : runners)
+  {
+    for (WorkPoint& point : runner.curve.points)
+    {
+      point.medianMs = Median(point.roundsMs);
+    }
+    result.openglRenderer = runner.view->DeviceName();
+    result.curves.push_back(runner.curve);
+  }
+  return result;
+}
+
+const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method)
+{
+  const auto found = std::find_if(scene.curves.begin(), scene.curves.end(),
+    [&](const WorkCurve& curve) { return curve.method.name == method; });
+  return found == scene.curves.end() ? nullptr : &*found;
+}
+
+double VoxelsOf(const WorkPrecision& scene, const WorkPoint& point)
+{
+  return point.sampleDistanceMm / VoxelMm(scene.volume.image);
+}
+
+std::optional<double> MillisecondsAtError(
+  const WorkCurve& curve, double ImageError::*measure, double error)
+{
+  std::optional<double> best;
+  const auto offer = [&](double milliseconds)
+  { best = best ? std::min(*best, milliseconds) : milliseconds; };
+  for (std::size_t i = 0; i < curve.points.size(); ++i)
+  {
+    const double right = curve.points[i].error.light.*measure;
+    if (right <= error)
+    {
+      offer(curve.points[i].medianMs);
+    }
+    const double left = i == 0 ? right : curve.points[i - 1].error.light.*measure;
+    if (left > error && right < error)
+    {
+      const double part = std::log(left / error) / std::log(left / right);
+      const double leftMs = curve.points[i - 1].medianMs;
+      offer(leftMs * std::pow(curve.points[i].medianMs / leftMs, part));
+    }
+  }
+  return best;
+}
+
+}

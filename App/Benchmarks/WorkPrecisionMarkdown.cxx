@@ -1,0 +1,205 @@
+#include "WorkPrecisionMarkdown.h"
+
+#include "CommandLine/Results.h"
+#include "ToleranceReport.h"
+#include "WorkPrecisionReport.h"
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+const char* const Absent = "–";
+
+std::string Row(const std::vector<std::string>& cells)
+{
+  std::string row = "|";
+  for (const std::string& cell : cells)
+  {
+    row += " " + cell + " |";
+  }
+  return row + "\n";
+}
+
+// The first columns are words, the others numbers.
+std::string Head(const std::vector<std::string>& headings, std::size_t words)
+{
+  std::string line = "|";
+  for (std::size_t i = 0; i < headings.size(); ++i)
+  {
+    line += i < words ? "---|" : "---:|";
+  }
+  return Row(headings) + line + "\n";
+}
+
+std::string Link(const WorkPrecision& scene)
+{
+  return "[" + scene.name + "](" + PlotStem(scene) + ".svg)";
+}
+
+// How many times as fast as VTK a method is at an error, where VTK needs so long.
+std::string TimesAsFast(
+  const WorkPrecision& scene, const std::string& method, double error, double vtkMs)
+{
+  const WorkCurve* curve = CurveOf(scene, method);
+  if (!curve)
+  {
+    return Absent;
+  }
+  const auto milliseconds = MillisecondsAtError(*curve, &ImageError::rootMeanSquare, error);
+  return milliseconds ? Fixed(vtkMs / *milliseconds, 1) : "never";
+}
+
+std::string SmallestError(const WorkPrecision& scene, const std::string& method)
+{
+  const WorkCurve* curve = CurveOf(scene, method);
+  return curve ? Fixed(ErrorsOf(*curve)[0], 2) : Absent;
+}
+
+std::vector<std::string> CellsAt(
+  const WorkPrecision& scene, const WorkPoint& vtk, const std::vector<std::string>& methods)
+{
+  const double error = vtk.error.light.rootMeanSquare;
+  std::vector<std::string> cells = { Fixed(error, 2), Fixed(vtk.medianMs, 0) };
+  for (const std::string& method : methods)
+  {
+    cells.push_back(TimesAsFast(scene, method, error, vtk.medianMs));
+  }
+  return cells;
+}
+
+// VTK's setting nearest to one sample per voxel.
+const WorkPoint& NearOneVoxel(const WorkPrecision& scene, const WorkCurve& vtk)
+{
+  const auto ratio = [&](const WorkPoint& point)
+  { return std::max(VoxelsOf(scene, point), 1.0 / VoxelsOf(scene, point)); };
+  return *std::min_element(vtk.points.begin(), vtk.points.end(),
+    [&](const WorkPoint& a, const WorkPoint& b) { return ratio(a) < ratio(b); });
+}
+
+std::string SpeedTable(const std::vector<WorkPrecision>& scenes)
+{
+  std::string text =
+    "\n## Speed at VTK's error\n\nTimes as fast as VTK's GPU mapper where the RMSE is the same, by "
+    "straight lines between settings in the plot; *never*: none of the settings errs so little. "
+    "Optical field: midpoints; pre-integrated: linear between samples; no field and fields at the "
+    "sample distances that give this error. VTK CPU: the smallest RMSE of the fixed-point "
+    "mapper.\n\n" +
+    Head({ "scene", "VTK's RMSE at 1 voxel", "its ms", "error tolerances", "optical field",
+           "pre-integrated", "no field", "scalar, E 4/255", "published sum",
+           "VTK's RMSE at its finest", "its ms", "error tolerances", "optical field",
+           "pre-integrated", "VTK CPU" },
+      1);
+  for (const WorkPrecision& scene : scenes)
+  {
+    const WorkCurve* vtk = CurveOf(scene, "vtk-gpu");
+    if (!vtk)
+    {
+      continue;
+    }
+    std::vector<std::string> cells = { Link(scene) };
+    for (const auto& more :
+      { CellsAt(scene, NearOneVoxel(scene, *vtk),
+          { "tolerance", "optical", "pre-integrated", "off", "scalar-4", "published" }),
+        CellsAt(scene, vtk->points.back(), { "tolerance", "optical", "pre-integrated" }),
+        { SmallestError(scene, "vtk-cpu") } })
+    {
+      cells.insert(cells.end(), more.begin(), more.end());
+    }
+    text += Row(cells);
+  }
+  return text;
+}
+
+std::string WorstCell(const WorkPrecision& scene, const std::vector<std::string>& methods)
+{
+  const auto worst = WorstAgainstVtk(scene, methods);
+  return !worst    ? Absent
+    : worst->times ? Fixed(*worst->times, 2) + " at " + Fixed(worst->rmse, 2)
+                   : "never " + Fixed(worst->rmse, 2);
+}
+
+std::string VerdictTable(const std::vector<WorkPrecision>& scenes)
+{
+  std::string text =
+    "\n## Left of and below VTK's curve?\n\nThe least that *times as fast* falls to at any RMSE "
+    "from VTK's largest to its smallest, and the RMSE where; *yes*: above 1 everywhere. Ours: the "
+    "best of error tolerances, optical field and pre-integrated at each error.\n\n" +
+    Head({ "scene", "ours is", "VTK's RMSE", "ours", "error tolerances", "optical field",
+           "pre-integrated", "published sum" },
+      2);
+  std::size_t judged = 0;
+  std::size_t good = 0;
+  for (const WorkPrecision& scene : scenes)
+  {
+    const auto worst = WorstAgainstVtk(scene, OurMethods());
+    if (!worst)
+    {
+      continue;
+    }
+    const bool yes = worst->times.value_or(0.0) > 1.0;
+    const auto [smallest, largest] = ErrorsOf(*CurveOf(scene, "vtk-gpu"));
+    ++judged;
+    good += yes;
+    text += Row({ Link(scene), yes ? "yes" : "**no**",
+      Fixed(largest, 2) + " to " + Fixed(smallest, 2), WorstCell(scene, OurMethods()),
+      WorstCell(scene, { "tolerance" }), WorstCell(scene, { "optical" }),
+      WorstCell(scene, { "pre-integrated" }), WorstCell(scene, { "published" }) });
+  }
+  return text + "\nYes on " + std::to_string(good) + " of " + std::to_string(judged) + " scenes.\n";
+}
+
+std::string ToleranceTable(const std::vector<WorkPrecision>& scenes)
+{
+  std::vector<std::string> headings = ToleranceHeadings();
+  headings.insert(headings.begin(), "scene");
+  std::string text =
+    "\n## Error tolerances\n\n" + ToleranceExplanation() + "\n\n" + Head(headings, 2);
+  std::size_t all = 0;
+  std::size_t kept = 0;
+  for (const WorkPrecision& scene : scenes)
+  {
+    for (const ToleranceRow& row : ToleranceRows(scene))
+    {
+      std::vector<std::string> cells = ToleranceCells(row);
+      ++all;
+      kept += cells.back().empty();
+      cells.back() = cells.back().empty() ? "" : "**" + cells.back() + "**";
+      cells.insert(cells.begin(), scene.name);
+      text += Row(cells);
+    }
+  }
+  return text + "\nNothing missed in " + std::to_string(kept) + " of " + std::to_string(all) +
+    " rows.\n";
+}
+
+}
+
+std::string WorkPrecisionMarkdown(
+  const std::vector<WorkPrecision>& scenes, const WorkPrecisionPage& page)
+{
+  const Machine& machine = page.machine;
+  std::string text = "# Work and precision\n\n" + machine.processor + ", " +
+    std::to_string(machine.cores) + " cores, OpenGL renderer \"" + scenes.front().openglRenderer +
+    "\", VTK " + machine.vtkVersion + ", " + machine.date + ", load before the start " +
+    Fixed(machine.load, 1) + ". Made by\n\n    " + page.commandText +
+    "\n\nErrors are RMSE in 1/255 of premultiplied RGBA before the background, as float pictures, "
+    "against an adaptive integral of each ray in double precision. Times are medians of "
+    "alternating rounds: read the ratios. Links lead to plots.\n" +
+    SpeedTable(scenes) + VerdictTable(scenes) + ToleranceTable(scenes);
+  for (const WorkPrecision& scene : scenes)
+  {
+    for (const WorkCurve& curve : scene.curves)
+    {
+      text += curve.skipped.empty() ? ""
+                                    : "\n" + scene.name + ": " + curve.method.title +
+          " was not run at " + curve.skipped + ".\n";
+    }
+  }
+  return text;
+}
+
+}

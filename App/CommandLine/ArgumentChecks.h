@@ -1,0 +1,53 @@
+#ifndef Varimarch_CommandLine_ArgumentChecks_h
+#define Varimarch_CommandLine_ArgumentChecks_h
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// Parses "640x480". Empty unless the text is `count` integers, each from smallest to largest.
+template <std::size_t count>
+std::optional<std::array<int, count>> Sides(const std::string& text, int smallest, int largest)
+{
+  std::array<int, count> sides;
+  const char* position = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto [next, error] = std::from_chars(position, end, sides[i]);
+    const bool last = i + 1 == count;
+    if (error != std::errc() || sides[i] < smallest || sides[i] > largest ||
+      (last ? next != end : next == end || *next != 'x'))
+    {
+      return std::nullopt;
+    }
+    position = next + 1;
+  }
+  return sides;
+}
+
+/// Why Sides rejects a text, as a sentence for the user; empty if it accepts it.
+/// @param example  an accepted text, such as "640x480"
+template <std::size_t count>
+std::string SidesProblem(
+  const std::string& text, const std::string& example, int smallest, int largest)
+{
+  return Sides<count>(text, smallest, largest)
+    ? std::string()
+    : "expected a size such as " + example + ", each side from " + std::to_string(smallest) +
+      " to " + std::to_string(largest) + ", found \"" + text + "\"";
+}
+
+/// Why a text is none of the names, as a sentence for the user that suggests the nearest one;
+/// empty if it is one of them.
+std::string NameProblem(const std::string& text, const std::vector<std::string>& names);
+
+}
+
+#endif

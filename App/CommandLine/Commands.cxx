@@ -1,0 +1,105 @@
+#include "Commands.h"
+
+#include "Parser.h"
+#include "Scene/SceneNames.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace varimarch
+{
+
+namespace
+{
+
+void AddRenderCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<RenderArguments>();
+  arguments->commandText = commandText;
+  CLI::App* app = program.add_subcommand("render", "Draw a volume or a scene into a PNG file");
+  app->footer(
+    "Examples:\n"
+    "  varimarch render head.nii.gz -o head.png\n"
+    "  varimarch render dicom-folder -o bone.png --preset ct-bone --view left --zoom 1.3\n"
+    "  varimarch render scan.raw --raw-dimensions 256x256x128 --raw-type uint16 -o scan.png\n"
+    "  varimarch render procedural:torso:256x192x192 -o torso.png --azimuth 30\n"
+    "  varimarch render scene.json -o scene.png --size 1024x1024 --renderer vtk-gpu");
+  AddSceneOptions(*app, arguments->scene);
+  app->add_option("-o,--output", arguments->outputPath, "The picture to write")
+    ->type_name("FILE.png")
+    ->required();
+  app
+    ->add_option_function<std::string>(
+      "--renderer",
+      [arguments](const std::string& name)
+      { arguments->renderer = ValueOf(MapperKindNames(), name); },
+      "Who draws (default ours)")
+    ->check(OneOf(NamesOf(MapperKindNames())))
+    ->group("Sampling");
+  app
+    ->add_option("--graphics-memory", arguments->graphicsMegabytes,
+      "Most that our mapper takes, in MB; what does not fit is drawn in blocks (default: all)")
+    ->check(CLI::NonNegativeNumber)
+    ->group("Sampling");
+  app->add_option("--repeat", arguments->repeats, "Draw so often again, and tell the median time")
+    ->check(CLI::NonNegativeNumber)
+    ->group("Sampling");
+  AddJsonOption(*app, arguments->jsonPath);
+  app->callback([arguments] { RunRender(*arguments); });
+}
+
+void AddCompareCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<CompareArguments>();
+  arguments->commandText = commandText;
+  CLI::App* app = program.add_subcommand(
+    "compare", "Draw with our mapper and VTK's, and tell the time and the error of each");
+  app->footer(
+    "Writes a PNG of each renderer and of its difference from the truth,\n"
+    "side-by-side.png, and compare.csv, compare.json and compare.md.\n"
+    "Examples:\n"
+    "  varimarch compare head.nii.gz -o comparison\n"
+    "  varimarch compare dicom-folder -o comparison --preset ct-bone --rounds 9\n"
+    "  varimarch compare procedural:torso -o comparison --size 256x256 --sample-distance 1");
+  AddSceneOptions(*app, arguments->scene);
+  app->add_option("-o,--output", arguments->outputFolder, "The folder for pictures and tables")
+    ->type_name("FOLDER")
+    ->required();
+  app->add_option("--rounds", arguments->rounds, "Times to draw with each (default 5)")
+    ->check(CLI::Range(1, 10000).description(""))
+    ->type_name("N");
+  AddJsonOption(*app, arguments->jsonPath);
+  app->callback([arguments] { RunCompare(*arguments); });
+}
+
+void AddInfoCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<InfoArguments>();
+  arguments->commandText = commandText;
+  CLI::App* app = program.add_subcommand("info", "Tell what a volume is and how its values lie");
+  app->footer("Examples:\n"
+              "  varimarch info head.nii.gz\n"
+              "  varimarch info dicom-folder --bins 64\n"
+              "  varimarch info dicom-folder --series 2\n"
+              "  varimarch info scan.raw --raw-dimensions 256x256x128 --json scan.json");
+  AddVolumeOptions(*app, arguments->volume,
+    "A volume file, a folder with a DICOM series, or\n"
+    "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+  app->add_option("--bins", arguments->bins, "Bars of the histogram (default 32)")
+    ->check(CLI::Range(1, 65536).description(""))
+    ->type_name("N");
+  AddJsonOption(*app, arguments->jsonPath);
+  app->callback([arguments] { RunInfo(*arguments); });
+}
+
+}
+
+void AddCommands(CLI::App& program, const std::string& commandText)
+{
+  AddRenderCommand(program, commandText);
+  AddCompareCommand(program, commandText);
+  AddInfoCommand(program, commandText);
+}
+
+}

@@ -1,0 +1,317 @@
+#include "Parser.h"
+
+#include "ArgumentChecks.h"
+#include "Messages.h"
+#include "Scene/OutputFile.h"
+#include "Scene/Presets.h"
+#include "Scene/SceneNames.h"
+#include "UsageError.h"
+#include "VtkMessages.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <new>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int LargestPictureSide = 16384;
+
+enum ExitCode
+{
+  Success = 0,
+  Failure = 1,
+  BadUsage = 2,
+};
+
+// The command line as a shell would accept it again.
+std::string CommandText(int argc, char** argv)
+{
+  const std::string safe =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  std::string text = ProgramName();
+  for (int i = 1; i < argc; ++i)
+  {
+    std::string word = argv[i];
+    if (word.empty() || word.find_first_not_of(safe) != std::string::npos)
+    {
+      for (std::size_t at = 0; (at = word.find('\'', at)) != std::string::npos; at += 4)
+      {
+        word.replace(at, 1, "'\\''");
+      }
+      word = "'" + word + "'";
+    }
+    text += ' ';
+    text += word;
+  }
+  return text;
+}
+
+int Parse(CLI::App& program, int argc, char** argv)
+{
+  try
+  {
+    program.parse(argc, argv);
+    return Success;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    // --help arrives here too, with exit code 0.
+    return program.exit(error) == 0 ? Success : BadUsage;
+  }
+  catch (const UsageError& error)
+  {
+    program.exit(CLI::ValidationError(error.what()));
+    return BadUsage;
+  }
+}
+
+// Accepts finite numbers above a limit.
+CLI::Validator Above(double limit)
+{
+  const auto check = [limit](std::string& text)
+  {
+    double number = 0.0;
+    const bool good = CLI::detail::lexical_cast(text, number) && number > limit &&
+      number < std::numeric_limits<double>::infinity();
+    return good
+      ? std::string()
+      : "expected a number > " + CLI::detail::to_string(limit) + ", found \"" + text + "\"";
+  };
+  return CLI::Validator(check, "");
+}
+
+// Accepts "640x480".
+template <std::size_t count>
+CLI::Validator IsSides(const std::string& example, int smallest, int largest)
+{
+  const auto check = [=](std::string& text)
+  { return SidesProblem<count>(text, example, smallest, largest); };
+  return CLI::Validator(check, "");
+}
+
+// Adds an option whose words stand for values.
+template <class Value, class Target>
+CLI::Option* AddChoice(CLI::App& command, const std::string& name, Target& target,
+  const NameTable<Value>& table, const std::string& description)
+{
+  return command
+    .add_option_function<std::string>(
+      name, [&](const std::string& word) { target = ValueOf(table, word); }, description)
+    ->check(OneOf(NamesOf(table)));
+}
+
+void AddRawOptions(CLI::App& command, RawLayout& raw)
+{
+  const std::string group = "Raw files (no header)";
+  CLI::Option* dimensions =
+    command
+      .add_option_function<std::string>(
+        "--raw-dimensions",
+        [&](const std::string& text) { raw.dimensions = *Sides<3>(text, 1, LargestVolumeSide); },
+        "Voxels along each axis")
+      ->check(IsSides<3>("256x256x128", 1, LargestVolumeSide))
+      ->type_name("XxYxZ")
+      ->group(group);
+  command.add_option("--raw-type", raw.type, "Type of a voxel (default uint8)")
+    ->check(OneOf(NamesOf(RawTypeNames())))
+    ->needs(dimensions)
+    ->group(group);
+  command
+    .add_option_function<std::vector<double>>(
+      "--raw-spacing",
+      [&](const std::vector<double>& spacing)
+      { std::copy(spacing.begin(), spacing.end(), raw.spacingMm.begin()); },
+      "Distances of voxels in mm (default 1,1,1)")
+    ->check(Above(0.0))
+    ->delimiter(',')
+    ->expected(3)
+    ->type_name("X,Y,Z")
+    ->needs(dimensions)
+    ->group(group);
+  AddChoice(
+    command, "--raw-byte-order", raw.bigEndian, ByteOrderNames(), "Order of bytes (default little)")
+    ->needs(dimensions)
+    ->group(group);
+  command
+    .add_option(
+      "--raw-header-bytes", raw.headerBytes, "Bytes to skip before the first voxel (default 0)")
+    ->check(CLI::Range(std::int64_t(0), std::numeric_limits<std::int64_t>::max()).description(""))
+    ->type_name("N")
+    ->needs(dimensions)
+    ->group(group);
+}
+
+void AddLookOptions(CLI::App& command, SceneArguments& arguments)
+{
+  const std::string group = "Look";
+  CLI::Option* presetOption = command
+                                .add_option("--preset", arguments.preset,
+                                  "Look to use (default: ct-bone for CT, else mr-head)")
+                                ->check(OneOf(PresetNames()))
+                                ->group(group);
+  command.add_option("--transfer-function", arguments.transferFunction, "Look from a file")
+    ->type_name("FILE")
+    ->excludes(presetOption)
+    ->group(group);
+  CLI::Option* shadeOption = command
+                               .add_flag_callback(
+                                 "--shade", [&] { arguments.shade = true; }, "Light the volume")
+                               ->group(group);
+  command
+    .add_flag_callback(
+      "--no-shade", [&] { arguments.shade = false; }, "Do not light it")
+    ->excludes(shadeOption)
+    ->group(group);
+  AddChoice(command, "--blend", arguments.blend, BlendNames(), "How samples become a pixel")
+    ->group(group);
+}
+
+void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
+{
+  const std::string group = "Picture";
+  command
+    .add_option_function<std::string>(
+      "--size",
+      [&](const std::string& text) { arguments.size = Sides<2>(text, 1, LargestPictureSide); },
+      "Pixels (default 512x512)")
+    ->check(IsSides<2>("800x600", 1, LargestPictureSide))
+    ->type_name("WxH")
+    ->group(group);
+  AddChoice(command, "--view", arguments.view, ViewNames(), "From where to look (default anterior)")
+    ->group(group);
+  command
+    .add_option(
+      "--azimuth", arguments.azimuthDegrees, "Turn the eye to the patient's left, degrees")
+    ->check(CLI::Range(-36000.0, 36000.0).description(""))
+    ->group(group);
+  command
+    .add_option("--elevation", arguments.elevationDegrees, "Then lift it, degrees from -89 to 89")
+    ->check(CLI::Range(-89.0, 89.0).description(""))
+    ->group(group);
+  command.add_option("--zoom", arguments.zoom, "At 1 the volume just fits the picture")
+    ->check(Above(0.0))
+    ->group(group);
+  command.add_flag("--parallel", arguments.parallel, "Parallel instead of perspective projection")
+    ->group(group);
+  const auto setBackground = [&](const std::vector<double>& rgb) {
+    arguments.background = { rgb[0], rgb[1], rgb[2] };
+  };
+  command
+    .add_option_function<std::vector<double>>(
+      "--background", setBackground, "Colour, each from 0 to 1 (default: the preset's)")
+    ->check(CLI::Range(0.0, 1.0).description(""))
+    ->delimiter(',')
+    ->expected(3)
+    ->type_name("R,G,B")
+    ->group(group);
+}
+
+void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
+{
+  const std::string group = "Sampling";
+  command
+    .add_option(
+      "--sample-distance", arguments.sampleDistanceMm, "Between samples of a ray (default: chosen)")
+    ->check(Above(0.0))
+    ->type_name("MM")
+    ->group(group);
+  command
+    .add_option("--error-tolerance", arguments.errorTolerance,
+      "Largest error accepted in a colour channel, 0 to 1 (default: the preset's)")
+    ->check(CLI::Range(0.0, 1.0).description(""))
+    ->type_name("E")
+    ->group(group);
+  AddChoice(command, "--acceleration", arguments.acceleration, AccelerationNames(),
+    "What lets our mapper skip samples")
+    ->group(group);
+  AddChoice(command, "--integration", arguments.integration, IntegrationNames(),
+    "Rule between samples of a composite")
+    ->group(group);
+  command
+    .add_option("--tolerance", arguments.variationTolerance,
+      "Largest difference of values it may jump across, in units of the data")
+    ->check(CLI::NonNegativeNumber.description(""))
+    ->type_name("E")
+    ->group(group);
+}
+
+}
+
+int RunProgram(const std::string& summary, const std::string& version,
+  SubcommandAdder addSubcommands, int argc, char** argv)
+{
+  RemoveUnfinishedFileOnInterrupt();
+  CollectVtkMessages();
+  const std::string name = ProgramName();
+  try
+  {
+    CLI::App program(summary);
+    program.name(name);
+    program.require_subcommand(1);
+    program.set_version_flag("--version", name + " " + version, "Print the version and exit");
+    program.footer(name +
+      " SUBCOMMAND --help tells more, with examples.\n"
+      "Exit codes: 0 success, 1 failure, 2 bad usage.");
+    addSubcommands(program, CommandText(argc, argv));
+    return Parse(program, argc, argv);
+  }
+  catch (const std::bad_alloc&)
+  {
+    PrintMessage("there is not enough memory");
+  }
+  catch (const std::exception& error)
+  {
+    PrintMessage(error.what());
+  }
+  return Failure;
+}
+
+void AddVolumeOptions(
+  CLI::App& command, VolumeArguments& arguments, const std::string& inputDescription)
+{
+  command.add_option("VOLUME", arguments.input, inputDescription)->required();
+  command
+    .add_option("--series", arguments.series,
+      "Of several DICOM series: a number in the list of them that is shown\n"
+      "without this, a SeriesInstanceUID, or the beginning of just one (default 1)")
+    ->type_name("SERIES");
+  command.add_flag("--rectify", arguments.rectify,
+    "Resample slices that were tilted or lie unevenly on an even grid");
+  AddRawOptions(command, arguments.raw);
+}
+
+void AddSceneOptions(CLI::App& command, SceneArguments& arguments)
+{
+  AddVolumeOptions(command, arguments.volume,
+    "A volume file, a folder with a DICOM series, a scene file (.json), or\n"
+    "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+  AddLookAndPictureOptions(command, arguments);
+  AddSamplingOptions(command, arguments);
+}
+
+void AddLookAndPictureOptions(CLI::App& command, SceneArguments& arguments)
+{
+  AddLookOptions(command, arguments);
+  AddPictureOptions(command, arguments);
+}
+
+void AddJsonOption(CLI::App& command, std::string& path)
+{
+  command.add_option("--json", path, "Write the results there too, for machines")
+    ->type_name("FILE");
+}
+
+CLI::Validator OneOf(const std::vector<std::string>& names)
+{
+  const auto check = [names](std::string& text) { return NameProblem(text, names); };
+  return CLI::Validator(check, CLI::detail::join(names, "|"));
+}
+
+}

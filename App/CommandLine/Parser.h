@@ -1,0 +1,49 @@
+#ifndef Varimarch_CommandLine_Parser_h
+#define Varimarch_CommandLine_Parser_h
+
+#include "SceneArguments.h"
+
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+class Validator;
+}
+
+namespace varimarch
+{
+
+/// What the programs' command lines have in common. CLI11 takes seconds to compile: only
+/// Parser.cxx and the Commands.cxx of each program include it.
+
+/// Adds subcommands to a program. Each one does its work while CLI11 parses.
+/// @param commandText  the whole command line, quoted for a shell
+using SubcommandAdder = void (*)(CLI::App& program, const std::string& commandText);
+
+/// Parses a command line, runs its subcommand, and reports an exception on stderr.
+/// @param summary  a sentence about the program, for --help
+/// @return the exit code: 0 for success, 1 for failure, 2 for bad usage
+int RunProgram(const std::string& summary, const std::string& version,
+  SubcommandAdder addSubcommands, int argc, char** argv);
+
+/// Adds VOLUME, and the options of raw files and DICOM series.
+void AddVolumeOptions(
+  CLI::App& command, VolumeArguments& arguments, const std::string& inputDescription);
+
+/// Adds VOLUME and all options of a scene.
+void AddSceneOptions(CLI::App& command, SceneArguments& arguments);
+
+/// Adds the options of a scene for a command that has inputs of its own and chooses the sampling.
+void AddLookAndPictureOptions(CLI::App& command, SceneArguments& arguments);
+
+/// Adds `--json FILE`.
+void AddJsonOption(CLI::App& command, std::string& path);
+
+/// Accepts one of the names, suggests the nearest for others, and lists them in the help.
+CLI::Validator OneOf(const std::vector<std::string>& names);
+
+}
+
+#endif

@@ -1,0 +1,145 @@
+#include "VolumeArguments.h"
+
+#include "ArgumentChecks.h"
+#include "Messages.h"
+#include "Progress.h"
+#include "Scene/RawGuess.h"
+#include "Scene/SceneNames.h"
+#include "UsageError.h"
+
+#include <filesystem>
+
+namespace varimarch
+{
+
+namespace
+{
+
+const std::string ProceduralPrefix = "procedural:";
+
+void ThrowIf(const std::string& problem)
+{
+  if (!problem.empty())
+  {
+    throw UsageError("VOLUME: " + problem);
+  }
+}
+
+// "procedural:torso" or "procedural:torso:128x128x64"
+ProceduralSource ProceduralFromInput(const std::string& input)
+{
+  const std::string rest = input.substr(ProceduralPrefix.size());
+  const std::size_t colon = rest.find(':');
+  const std::string name = rest.substr(0, colon);
+  ThrowIf(NameProblem(name, NamesOf(ProceduralNames())));
+  ProceduralSource source;
+  source.kind = ValueOf(ProceduralNames(), name);
+  if (colon != std::string::npos)
+  {
+    const std::string size = rest.substr(colon + 1);
+    ThrowIf(SidesProblem<3>(size, "128x128x64", 2, LargestProceduralSide));
+    source.dimensions = *Sides<3>(size, 2, LargestProceduralSide);
+  }
+  return source;
+}
+
+bool HasRawLayout(const VolumeArguments& arguments)
+{
+  return arguments.raw.dimensions[0] > 0;
+}
+
+// Asks for the dimensions of a raw file, and suggests those that fit its name and size.
+std::string MissingDimensions(const std::string& path)
+{
+  const std::string needed = "needed for the bare voxels of " + path;
+  const auto fileBytes = std::int64_t(std::filesystem::file_size(path));
+  const RawLayout guess = GuessedRawLayout(path, fileBytes);
+  if (BytesOf(guess) != fileBytes)
+  {
+    return needed;
+  }
+  const auto& sides = guess.dimensions;
+  return needed + "; its size fits --raw-dimensions " + std::to_string(sides[0]) + 'x' +
+    std::to_string(sides[1]) + 'x' + std::to_string(sides[2]) + " --raw-type " + guess.type;
+}
+
+void RejectSeries(const VolumeArguments& arguments, const std::string& kind)
+{
+  if (!arguments.series.empty())
+  {
+    throw UsageError(
+      "--series: expected a folder of DICOM files, found the " + kind + " " + arguments.input);
+  }
+}
+
+void RejectRectify(const VolumeArguments& arguments)
+{
+  if (arguments.rectify)
+  {
+    throw UsageError("--rectify: expected a scan, found a procedural volume");
+  }
+}
+
+}
+
+VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input)
+{
+  if (input.compare(0, ProceduralPrefix.size(), ProceduralPrefix) == 0)
+  {
+    RejectFileArguments(arguments, "procedural volume");
+    RejectRectify(arguments);
+    return ProceduralFromInput(input);
+  }
+  FileSource source = { input, std::nullopt };
+  if (!MayHoldSeveralSeries(source))
+  {
+    RejectSeries(arguments, "file");
+  }
+  source.series = arguments.series;
+  source.rectified = arguments.rectify;
+  if (HasRawLayout(arguments))
+  {
+    source.raw = arguments.raw;
+  }
+  else if (IsBareVoxels(input) && std::filesystem::is_regular_file(input))
+  {
+    throw UsageError("--raw-dimensions: " + MissingDimensions(input));
+  }
+  return source;
+}
+
+void RejectFileArguments(const VolumeArguments& arguments, const std::string& kind)
+{
+  RejectSeries(arguments, kind);
+  if (HasRawLayout(arguments))
+  {
+    throw UsageError(
+      "--raw-dimensions: expected a raw file, found the " + kind + " " + arguments.input);
+  }
+}
+
+VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volumeOfScene)
+{
+  VolumeSource source = volumeOfScene;
+  if (auto* const file = std::get_if<FileSource>(&source))
+  {
+    file->rectified = file->rectified || arguments.rectify;
+    return source;
+  }
+  RejectRectify(arguments);
+  return source;
+}
+
+LoadedVolume LoadVolumeReporting(const VolumeSource& source)
+{
+  const auto* file = std::get_if<FileSource>(&source);
+  const Progress progress(file ? "Reading " + file->path : "Computing the volume");
+  LoadedVolume volume = LoadVolume(source);
+  for (const std::string& warning : volume.warnings)
+  {
+    PrintMessage("warning: " + warning);
+  }
+  return volume;
+}
+
+}

@@ -1,0 +1,43 @@
+#ifndef Varimarch_CommandLine_VolumeArguments_h
+#define Varimarch_CommandLine_VolumeArguments_h
+
+#include "Scene/Scene.h"
+#include "Scene/VolumeLoading.h"
+
+#include <string>
+
+namespace varimarch
+{
+
+/// The largest number of voxels along an axis that the command line accepts.
+constexpr int LargestVolumeSide = 1 << 20;
+
+/// The volume to read, as the command line names it.
+struct VolumeArguments
+{
+  std::string input;
+  bool rectify = false; ///< resample tilted or unevenly spaced slices on an even grid
+  std::string series;   ///< one of several DICOM series; empty: the first
+  RawLayout raw;        ///< dimensions of 0: the file has a header
+};
+
+/// The file, folder or procedural volume that an input names.
+/// @throws UsageError when the other arguments do not fit the input
+VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input);
+
+/// Rejects a raw layout and a DICOM series for an input that describes its voxels itself.
+/// @param kind  of input, for the message
+/// @throws UsageError
+void RejectFileArguments(const VolumeArguments& arguments, const std::string& kind);
+
+/// The volume of a scene file, changed by the arguments that override it.
+/// @throws UsageError when an argument does not fit the volume
+VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volumeOfScene);
+
+/// Reads a volume. Prints its warnings and, if it takes long, a progress line on stderr.
+/// @throws std::runtime_error when the file cannot be read
+LoadedVolume LoadVolumeReporting(const VolumeSource& source);
+
+}
+
+#endif

@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+"""Runs varimarch-bench as a user does and checks what it returns, prints and writes.
+
+Usage: test_benchmarks.py VARIMARCH_BENCH CASE
+"""
+
+import csv
+import html
+import json
+import pathlib
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+from test_command_line import VOLUME, png_size, run
+
+
+def work_precision(folder):
+    scene = folder / "two shells.json"
+    scene.write_text('{"volume": {"procedural": "shells", "size": [16, 16, 16]},'
+                     ' "look": "mr-head", "size": [48, 40]}')
+    output = folder / "report"
+    table, _ = run("work-precision", scene, VOLUME, "-o", output, "--size", "48x40",
+                   "--rounds", "2", "--methods", "optical,off,vtk-gpu,vtk-cpu", "--no-shade",
+                   "--json", folder / "copy.json")
+    results = json.loads((output / "work-precision.json").read_text())
+    assert json.loads((folder / "copy.json").read_text()) == results
+    assert results["machine"]["cores"] >= 1 and results["machine"]["processor"]
+    names = ["two-shells", "procedural-torso-48x40x32"]
+    assert [scene["name"] for scene in results["scenes"]] == names
+    rows = list(csv.DictReader((output / "work-precision.csv").open()))
+    for name in names:
+        assert name in table
+        assert png_size(output / f"{name}-time.png")[0] > 1000
+        assert (output / f"{name}-time.svg").read_text().rstrip().endswith("</svg>")
+        curves = {method: [float(row["rmse_255"]) for row in rows
+                           if row["scene"] == name and row["method"] == method]
+                  for method in ("optical", "off", "vtk-gpu", "vtk-cpu")}
+        lengths = {method: len(curve) for method, curve in curves.items()}
+        assert lengths == {"optical": 8, "off": 6, "vtk-gpu": 6, "vtk-cpu": 6}, lengths
+        reads = [float(row["fetches_per_pixel"] or 0) for row in rows if row["scene"] == name
+                 and row["method"] == "off"]
+        # Half the distance, twice the readings, but for rays that end within a step or early.
+        assert 1.5 < reads[5] / reads[4] < 2.1, reads
+        assert png_size(output / f"{name}-readings.png")[0] > 1000
+        # Finer sampling pays: the instrument sees what it is there to see.
+        assert curves["off"][-1] < curves["off"][0] / 10, curves
+    assert all(float(row["median_ms"]) > 0 for row in rows)
+    page = (output / "work-precision.html").read_text()
+    assert "://" not in page and 'src="data:image/svg+xml;base64,' in page, "not self-contained"
+    assert page.count("<figure>") == 2 * (1 + 2 * 4)
+    assert results["command"] in html.unescape(page)
+
+
+def work_precision_leaves_out_what_takes_long(folder):
+    run("work-precision", VOLUME, "-o", folder, "--size", "48x40", "--rounds", "1",
+        "--methods", "vtk-gpu", "--longest", "1e-9")
+    (scene,) = json.loads((folder / "work-precision.json").read_text())["scenes"]
+    (method,) = scene["methods"]
+    assert [point["setting"] for point in method["points"]] == ["4 voxels"]
+    assert "2 voxels and finer" in method["skipped"]
+    assert html.escape(method["skipped"]) in (folder / "work-precision.html").read_text()
+
+
+def work_precision_judges_error_tolerances(folder):
+    text, _ = run("work-precision", VOLUME, "-o", folder, "--size", "48x40", "--rounds",
+                  "1", "--methods", "tolerance,optical,vtk-gpu,vtk-cpu", "--no-shade")
+    rows = list(csv.DictReader((folder / "work-precision.csv").open()))
+    swept = [row for row in rows if row["method"] == "tolerance"]
+    tolerances = [4, 8, 16, 32, 64, 128, 255]
+    assert [round(1 / float(row["error_tolerance"])) for row in swept] == tolerances
+    distances = [float(row["sample_distance_mm"]) for row in swept]
+    assert distances == sorted(distances, reverse=True) and distances[0] > distances[-1], distances
+    (scene,) = json.loads((folder / "work-precision.json").read_text())["scenes"]
+    spacing = min(scene["volume"]["spacingMm"])
+    for row in rows:
+        if row["method"] != "tolerance":
+            # Nobody else is given a tolerance, or another distance than the one that is swept.
+            assert row["error_tolerance"] == ""
+            distance = float(row["setting"].removesuffix(" voxels")) * spacing
+            assert abs(float(row["sample_distance_mm"]) / distance - 1) < 1e-6, row
+    judged = scene["tolerances"]
+    for row, measured in zip(judged, swept, strict=True):
+        allowed = 255 * row["errorTolerance"]
+        assert abs(row["percentile99.9OfTolerance"] * allowed
+                   / float(measured["percentile_99_9_255"]) - 1) < 1e-5, (row, measured)
+        assert row["percentile99.9OfTolerance"] <= 1 and row["largestOfTolerance"] <= 2, row
+        assert not {"99.9", "largest"} & set(row["missed"].split()), row
+        assert row["handTuned"] == "optical" and 0 < row["estimateOfTolerance"] < 1, row
+        assert ("time" in row["missed"]) == (row["timesHandTuned"] > 2), row
+    page = (folder / "work-precision.html").read_text()
+    for number in tolerances:
+        assert f"tolerance 1/{number}" in text and f"<td>tolerance 1/{number}</td>" in page
+    tables = (folder / "work-precision.md").read_text()
+    judgement = tables[tables.index("## Left of"):tables.index("## Error tolerances")]
+    errors = [float(row["rmse_255"]) for row in rows if row["method"] == "vtk-gpu"]
+    worst = scene["worstAgainstVtkGpu"]
+    assert min(errors) * 0.999 <= worst["rmse255"] <= max(errors) * 1.001, (worst, errors)
+    yes = worst.get("timesAsFast", 0) > 1
+    assert (f"| {'yes' if yes else '**no**'} |" in judgement) and f"Yes on {int(yes)} of 1" in judgement
+    assert tables.count("| tolerance 1/") == len(tolerances)
+
+
+def write_ball(volumes):
+    """A small ball as the Visible Male of a folder of volumes."""
+    (volumes / "vismale").mkdir(parents=True)
+    name = "vismale_128x256x256_uint8"
+    side = 16
+    voxels = bytes(200 if (x - 8) ** 2 + (y - 8) ** 2 + (z - 8) ** 2 < 36 else 20
+                   for z in range(side) for y in range(side) for x in range(side))
+    (volumes / "vismale" / f"{name}.raw").write_bytes(voxels)
+    (volumes / "vismale" / f"{name}.mhd").write_text(
+        "ObjectType = Image\nNDims = 3\nDimSize = 16 16 16\nElementSpacing = 1 1 1\n"
+        f"ElementType = MET_UCHAR\nElementDataFile = {name}.raw\n")
+
+
+def published(folder):
+    """A small ball in place of one of the papers' volumes; the others are missing and named."""
+    volumes = folder / "volumes"
+    write_ball(volumes)
+    text, _ = run("published", "--volumes", volumes, "-o", folder / "out", "--side", "32",
+                  "--rounds", "1")
+    assert (folder / "out" / "published.md").read_text() == text
+    assert "Not in the folder: tooth/" in text and "| VIS MALE | 120 | 32.1 |" in text
+    results = json.loads((folder / "out" / "published.json").read_text())
+    assert [row["volume"] for row in results["banquero"]] == ["VIS MALE"]
+    for method in results["banquero"][0]["measured"]["methods"]:
+        assert [round(15 / point["sampleDistanceMm"]) for point in method["points"]] == [
+            40, 60, 80, 120], method
+    assert [(row["alpha255"], row["shaded"]) for row in results["volt"]] == [
+        (alpha, shaded) for alpha in (15, 63, 255) for shaded in (False, True)]
+    _, errors = run("published", "--volumes", folder / "out", "-o", folder, expect=1)
+    assert "found none" in errors
+
+
+def speed(folder):
+    """A small ball in place of one of the volumes, with each look, and a procedural scene."""
+    volumes = folder / "volumes"
+    write_ball(volumes)
+    text, _ = run("speed", "procedural:shells:16x16x16", "--volumes", volumes, "--only",
+                  "vismale,tooth-soft", "-o", folder / "out", "--sides", "32,48", "--shading",
+                  "off", "--rounds", "2", "--json", folder / "copy.json")
+    assert (folder / "out" / "speed.md").read_text() == text
+    results = json.loads((folder / "out" / "speed.json").read_text())
+    assert json.loads((folder / "copy.json").read_text()) == results
+    assert results["missing"] == ["tooth/tooth_103x94x161_uint8.mhd"]
+    scenes = ["vismale-soft", "vismale-dense", "vismale-thin-peak", "procedural:shells:16x16x16"]
+    assert [(case["scene"], case["side"]) for case in results["cases"]] == [
+        (scene, side) for scene in scenes for side in (32, 48)]
+    rivals = {"vtk-gpu": 1, "vtk-cpu": 0.2, "off": 1, "off-shader": 1, "published": 1}
+    kept = {}
+    for case in results["cases"]:
+        points = case["points"]
+        assert [point["method"] for point in points[:7]] == [
+            "ours", "off", "ours-shader", "off-shader", "published", "vtk-gpu", "vtk-cpu"]
+        assert all(len(point["rounds"]) >= 2 for point in points)
+        assert all(("fetchesPerPixel" in p) == p["renderer"].startswith("ours") for p in points)
+        assert points[1]["median"]["firstFieldMs"] == 0 < points[0]["median"]["firstFieldMs"]
+        error = {point["method"]: point["error255"]["rmse"] for point in points[:7]}
+        for kept_error in case.get("keeping", []):
+            ours, rival = points[kept_error["point"]], kept_error["rival"]
+            kept[rival] = max(kept.get(rival, 0), len(kept_error["rounds"]))
+            assert kept_error["timesAsFast"] == statistics.median(kept_error["rounds"])
+            assert ours["error255"]["rmse"] <= rivals[rival] * error[rival] * 1.001, case
+    assert set(kept) == set(rivals) and 6 in kept.values(), "one not compared, or short ones once"
+    assert [target["against"] for target in results["targets"]][::2] == [
+        target["against"] for target in results["targets"]][1::2]
+    assert all(("**missed**" in row) != ("| met" in row) for row in text.splitlines()
+               if row.startswith("| VTK's GPU mapper"))
+    assert png_size(folder / "out" / "speed.png")[0] > 1000
+    _, errors = run("speed", "-o", folder, expect=2)
+    assert "SCENES or --volumes" in errors
+    _, errors = run("speed", "--volumes", folder, "-o", folder, expect=1)
+    assert "found none" in errors
+
+
+def speed_draws_what_takes_long_in_one_round(folder):
+    run("speed", "procedural:shells:16x16x16", "-o", folder, "--sides", "32", "--shading",
+        "on", "--rounds", "2", "--longest", "1e-9")
+    (case,) = json.loads((folder / "speed.json").read_text())["cases"]
+    assert case["shaded"] and all(len(point["rounds"]) == 1 for point in case["points"])
+    assert "published" not in [point["method"] for point in case["points"]]
+
+
+def scaling(folder):
+    text, _ = run("scaling", "-o", folder, "--sides", "16,32", "--size", "48x40",
+                  "--rounds", "2", "--no-shade")
+    assert (folder / "scaling.md").read_text() == text
+    results = json.loads((folder / "scaling.json").read_text())
+    assert results["size"] == [48, 40]
+    assert [(curve["volume"], curve["renderer"]) for curve in results["curves"]] == [
+        (volume, renderer) for volume in ("shells", "torso") for renderer in ("ours", "vtk-gpu")]
+    for curve in results["curves"]:
+        assert [point["side"] for point in curve["points"]] == [16, 32] and not curve["stopped"]
+        assert all(len(point["rounds"]) == 2 for point in curve["points"])
+    ours = results["curves"][0]["points"]
+    assert all(point["graphicsBytes"] > 16 * 24 * 20 for point in ours)  # where the volume is
+    assert png_size(folder / "scaling.png")[0] > 1000
+
+
+def features(folder):
+    text, _ = run("features", "procedural:shells:16x16x16", "-o", folder, "--size",
+                  "32x32", "--rounds", "1", "--only", "shading,dependent-4")
+    assert (folder / "features.md").read_text() == text
+    measured = json.loads((folder / "features.json").read_text())["features"]
+    assert [feature["name"] for feature in measured] == ["shading", "dependent-4"]
+    for feature in measured:
+        assert not feature["failure"]
+        assert all(feature[who][time] > 0 for who in ("ours", "vtk")
+                   for time in ("beforeMs", "onMs", "afterMs"))
+    assert not measured[0]["drawnByVtk"]
+
+
+def work_precision_keeps_what_it_has_when_stopped(folder):
+    """Each scene is written once it is measured; what a signal leaves is whole, and is told."""
+    process = subprocess.Popen(
+        [sys.argv[1], "work-precision", VOLUME, "procedural:torso:192x192x192", "-o",
+         str(folder), "--size", "48x40", "--methods", "off,vtk-cpu"],
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 60
+    while not (folder / "work-precision.html").exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    time.sleep(0.2)
+    process.send_signal(signal.SIGTERM)
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == -signal.SIGTERM, errors
+    assert errors.splitlines()[-1] == f"varimarch-bench: stopped; {folder} holds 1 of 2 scenes", errors
+    (scene,) = json.loads((folder / "work-precision.json").read_text())["scenes"]
+    rows = list(csv.DictReader((folder / "work-precision.csv").open()))
+    assert {row["scene"] for row in rows} == {scene["name"]}
+    assert (folder / "work-precision.html").read_text().rstrip().endswith("</html>")
+    assert not list(folder.glob("*.part*"))
+
+
+def usage(folder):
+    for arguments in ([], ["speed"], ["spead"], ["scaling", "-o", folder, "--rounds", "0"]):
+        _, errors = run(*arguments, expect=2)
+        assert errors.strip(), arguments
+    text, _ = run("--help")
+    for command in ("work-precision", "published", "speed", "scaling", "features"):
+        assert command in text.partition("Subcommands:")[2], text
+        text_of_command, _ = run(command, "--help")
+        assert f"  varimarch-bench {command} " in text_of_command, "help without examples"
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as name:
+        cases = (work_precision, work_precision_leaves_out_what_takes_long,
+                 work_precision_judges_error_tolerances,
+                 work_precision_keeps_what_it_has_when_stopped, published, speed,
+                 speed_draws_what_takes_long_in_one_round, scaling, features, usage)
+        {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))
