@@ -4,7 +4,7 @@
 #include "FeatureBench.h"
 #include "Machine.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <string>

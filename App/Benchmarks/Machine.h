@@ -1,7 +1,7 @@
 #ifndef Varimarch_Benchmarks_Machine_h
 #define Varimarch_Benchmarks_Machine_h
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

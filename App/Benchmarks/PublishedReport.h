@@ -4,7 +4,7 @@
 #include "Machine.h"
 #include "PublishedScenes.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

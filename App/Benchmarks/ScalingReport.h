@@ -5,7 +5,7 @@
 #include "Machine.h"
 #include "ScalingBench.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "WorkPrecision.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>

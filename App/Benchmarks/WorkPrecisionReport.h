@@ -5,7 +5,7 @@
 #include "Machine.h"
 #include "WorkPrecision.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "Comparison.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

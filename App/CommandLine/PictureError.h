@@ -6,7 +6,7 @@
 
 #include <vtkImageData.h>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 

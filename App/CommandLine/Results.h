@@ -4,7 +4,7 @@
 #include "Scene/Scene.h"
 #include "Scene/VolumeLoading.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

@@ -4,7 +4,7 @@
 #include "Scene/ImageStatistics.h"
 #include "Scene/VolumeLoading.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

@@ -1,5 +1,7 @@
 #include "Scene/CameraJson.h"
 
+#include <nlohmann/json.hpp>
+
 namespace varimarch
 {
 

@@ -2,6 +2,8 @@
 
 #include "Scene/CameraJson.h"
 
+#include <nlohmann/json.hpp>
+
 namespace varimarch
 {
 

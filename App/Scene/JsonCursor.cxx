@@ -1,5 +1,7 @@
 #include "Scene/JsonCursor.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -106,6 +108,11 @@ bool JsonCursor::Boolean() const
     this->FailExpecting("true or false");
   }
   return this->value.get<bool>();
+}
+
+bool JsonCursor::IsText() const
+{
+  return this->value.is_string();
 }
 
 std::string JsonCursor::Text() const

@@ -3,8 +3,9 @@
 
 #include "Scene/SceneNames.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -38,7 +39,7 @@ public:
   int Integer(int smallest, int largest) const;
   bool Boolean() const;
   std::string Text() const;
-  bool IsText() const { return this->value.is_string(); }
+  bool IsText() const;
 
   /// The value that a word stands for.
   template <class Value>

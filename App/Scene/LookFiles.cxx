@@ -10,6 +10,8 @@
 #include "Scene/OutputFile.h"
 #include "Scene/SceneFile.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>

@@ -3,6 +3,8 @@
 #include "Scene/LookFormats/LookContext.h"
 #include "Scene/Presets.h"
 
+#include <nlohmann/json.hpp>
+
 namespace varimarch
 {
 

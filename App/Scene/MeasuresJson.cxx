@@ -1,5 +1,7 @@
 #include "Scene/MeasuresJson.h"
 
+#include <nlohmann/json.hpp>
+
 namespace varimarch
 {
 

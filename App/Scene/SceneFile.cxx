@@ -7,6 +7,8 @@
 #include "Scene/Presets.h"
 #include "Scene/VolumeJson.h"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 
 namespace varimarch

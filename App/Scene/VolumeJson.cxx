@@ -1,5 +1,7 @@
 #include "Scene/VolumeJson.h"
 
+#include <nlohmann/json.hpp>
+
 #include <limits>
 
 namespace varimarch

@@ -4,6 +4,8 @@
 
 #include <plist/plist.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstdlib>
 #include <memory>
 #include <set>

@@ -5,6 +5,8 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkNew.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace varimarch

@@ -1,6 +1,8 @@
 #include "Scene/JsonCursor.h"
 #include "Scene/LookFormats/SlicerProperty.h"
 
+#include <nlohmann/json.hpp>
+
 namespace varimarch
 {
 
