@@ -12,7 +12,7 @@ namespace varimarch
 namespace
 {
 
-// Colours that people with any kind of colour vision tell apart: M. Okabe, K. Ito, "Color universal
+// Colours that are distinct for every kind of colour vision: M. Okabe, K. Ito, "Color universal
 // design", 2008.
 constexpr std::array<unsigned char, 3> Black = { 0, 0, 0 };
 constexpr std::array<unsigned char, 3> Blue = { 0, 114, 178 };
@@ -41,7 +41,7 @@ std::vector<BenchSetting> SampleDistances(vtkImageData* image, const RenderOptio
   return settings;
 }
 
-// As far as the error tolerances reach, which these are the measure of.
+// Reaches the errors of the finest error tolerances, which are judged against these settings.
 std::vector<BenchSetting> FineSampleDistances(vtkImageData* image, const RenderOptions& options)
 {
   std::vector<BenchSetting> settings = SampleDistances(image, options);
@@ -52,7 +52,7 @@ std::vector<BenchSetting> FineSampleDistances(vtkImageData* image, const RenderO
   return settings;
 }
 
-// The mapper chooses the sample distance.
+// Settings for which the mapper chooses the sample distance.
 std::vector<BenchSetting> ErrorTolerances(vtkImageData* /*image*/, const RenderOptions& options)
 {
   std::vector<BenchSetting> settings;
@@ -71,17 +71,17 @@ enum class Pictures
   UnshadedComposites,
 };
 
-/// A row of the table of methods, so that another way to draw is another row.
+/// A row of the table of methods.
 struct Row
 {
   BenchMethod method;
   RenderOptions options;
   std::vector<BenchSetting> (*sweep)(vtkImageData*, const RenderOptions&);
-  double variation255; ///< tolerance of the scalar field, in 1/255 of the range of the data
-  Pictures pictures;   ///< what it is about is used in no others
+  double variation255; ///< tolerance of the scalar field, in 1/255 of the value range
+  Pictures pictures;   ///< the scenes to which the method applies
 };
 
-// Rules and fields are compared where each has its code.
+// Integration rules and fields are compared in shaders, which have all of them.
 constexpr MapperKind Shaders = MapperKind::VarimarchShaders;
 
 const std::vector<Row>& Rows()

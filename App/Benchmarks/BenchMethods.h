@@ -12,11 +12,11 @@
 namespace varimarch
 {
 
-/// A way to draw that a benchmark sweeps over settings.
+/// A mapper with fixed choices, whose remaining setting a benchmark sweeps.
 struct BenchMethod
 {
   std::string name;  ///< on the command line and in tables
-  std::string title; ///< for people
+  std::string title; ///< in legends and reports
   MapperKind kind;
   CurveStyle style;
 };
@@ -26,30 +26,30 @@ std::vector<std::string> BenchMethodNames();
 /// One of the settings that a method is swept over.
 struct BenchSetting
 {
-  std::string label; ///< what tells it from the method's other ones, such as "0.5 voxels"
+  std::string label; ///< unique within the method, such as "0.5 voxels"
   RenderOptions options;
 };
 
-/// A method with what it is to be measured at, the coarsest setting first.
+/// A method and the settings at which it is measured, the coarsest first.
 struct BenchRun
 {
   BenchMethod method;
   std::vector<BenchSetting> settings;
 };
 
-/// The work-precision runs of a scene: the chosen methods that are about something in it, our
-/// defaults over error tolerances and all others over sample distances.
+/// The work-precision runs of a scene: those of the chosen methods that apply to it. Our defaults
+/// are swept over error tolerances, all others over sample distances.
 /// @param chosen  names; empty: all
 std::vector<BenchRun> WorkPrecisionRuns(
   const Scene& scene, vtkImageData* image, const std::vector<std::string>& chosen);
 
-/// Those options with a sample distance in smallest distances of voxels.
+/// The options with a sample distance, given in smallest voxel spacings.
 BenchSetting AtDistance(vtkImageData* image, double voxels, const RenderOptions& options);
 
-/// The smallest distance of voxels [mm].
+/// The smallest voxel spacing [mm].
 double VoxelMm(vtkImageData* image);
 
-/// A part of the range of a volume's values, in 1/255 of it, in units of the data.
+/// Converts 1/255 of the volume's value range to units of the data.
 double Variation(vtkImageData* image, double variation255);
 
 }

@@ -33,10 +33,10 @@ namespace
 constexpr int PicturesPerSweep = 3;
 constexpr double DegreesPerPicture = 2.0;
 
-// What takes a few milliseconds is measured often, for others disturb it most.
+// Short times are repeated often, because other processes disturb them most.
 constexpr double ShortestTimeMs = 250.0;
 
-// A window on a scene, for the calls that all of VTK's GPU mappers have in common.
+// A window that shows a scene through the interface that all of VTK's GPU mappers share.
 class FeatureView
 {
 public:
@@ -59,7 +59,7 @@ public:
 
   FeatureStage Stage() { return { this->mapper, this->volume, this->renderer, this->image }; }
 
-  // Of a picture, when what has been switched is there.
+  // The time of a frame after the switched feature has been built.
   double MedianMs()
   {
     this->window->Render();
@@ -72,7 +72,7 @@ public:
     return Median(times);
   }
 
-  // Pictures of a camera that moves, in the end back to where it was.
+  // Draws frames of a moving camera, which ends where it began.
   void Sweep(std::vector<double>& timesMs)
   {
     for (int picture = 0; picture < PicturesPerSweep; ++picture)
@@ -90,7 +90,7 @@ public:
     this->renderer->ResetCameraClippingRange();
   }
 
-  // Whether there is nothing but the black background in the last picture.
+  // True if the last frame is black everywhere.
   bool ShowsNothing()
   {
     vtkNew<vtkWindowToImageFilter> pixels;
@@ -150,7 +150,7 @@ void SwitchOn(const Feature& feature, FeatureView& view)
   view.MedianMs();
 }
 
-// What each mapper makes of the feature.
+// Checks how each mapper handles the feature.
 void FindWhoDraws(const Scene& scene, vtkImageData* image, FeatureMeasurement& measurement)
 {
   const auto ours = vtkSmartPointer<vtkVariationFieldGPUVolumeRayCastMapper>::New();

@@ -13,7 +13,7 @@
 namespace varimarch
 {
 
-/// What pictures take before a feature is switched on, with it, and when it is off again.
+/// The time of a frame before a feature is switched on, with it, and after it is off again.
 struct FeatureCost
 {
   double beforeMs;
@@ -23,20 +23,20 @@ struct FeatureCost
   double Ratio() const { return this->onMs / this->beforeMs; }
 };
 
-/// A feature with both mappers: medians over the rounds.
+/// The cost of a feature with both mappers: medians over the rounds.
 struct FeatureMeasurement
 {
   const Feature* feature;
   FeatureCost ours;
   FeatureCost vtk;
-  std::string drawnByVtk; ///< why our plugin leaves it to VTK's mapper; empty: it does not
-  bool vtkShowsNothing;   ///< where ours shows something: its times tell nothing
-  std::string failure;    ///< what a mapper said; empty when both have drawn it
+  std::string drawnByVtk; ///< why our plugin falls back to VTK's mapper; empty: it does not
+  bool vtkShowsNothing;   ///< true if VTK's image is empty and ours is not: ignore its times
+  std::string failure;    ///< error of a mapper; empty: both have drawn it
 };
 
-/// Draws a scene with and without a feature, by the plugin's mapper and by VTK's GPU mapper in
-/// turn, each time as a camera moves about it. VTK's takes a sample per voxel, ours what its error
-/// tolerance asks for.
+/// Draws a scene with and without a feature, alternating between the plugin's mapper and VTK's GPU
+/// mapper, with a moving camera. VTK's mapper takes a sample per voxel; ours chooses the sample
+/// distance by its error tolerance.
 FeatureMeasurement MeasureFeature(const Feature& feature, const Scene& scene, vtkImageData* image,
   int rounds, const OnStep& onStep);
 

@@ -31,7 +31,8 @@ vtkSmartPointer<vtkImageData> SameGrid(vtkImageData* image)
   return copy;
 }
 
-// Calls back with each point of a ball about the centre, whose radius is a quarter of the volume.
+// Calls a function for each point of a ball about the centre, whose radius is a quarter of the
+// volume's side.
 template <class OnPoint>
 void ForPointsInBall(vtkImageData* image, const OnPoint& onPoint)
 {

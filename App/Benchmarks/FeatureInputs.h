@@ -8,22 +8,22 @@
 namespace varimarch
 {
 
-/// The same volume in other forms, for measuring what each costs. All have the scalars of a volume
-/// with one component on its points; a plain copy where that is enough.
+/// The same volume in other forms, for measuring the cost of each. The input has one component per
+/// point.
 
-/// Its scalars, twice.
+/// Two components, both with the input's scalars.
 vtkSmartPointer<vtkImageData> WithTwoComponents(vtkImageData* image);
 
-/// Red, green, blue and opacity as bytes: the scalar in each.
+/// Red, green, blue and opacity as bytes, each the input's scalar.
 vtkSmartPointer<vtkImageData> WithFourColors(vtkImageData* image);
 
-/// One voxel fewer on each axis, each the value of a cell.
+/// Cell data, with one cell fewer than points on each axis.
 vtkSmartPointer<vtkDataSet> OnCells(vtkImageData* image);
 
-/// The coordinates as they are, but written out.
+/// The same grid with explicit coordinates.
 vtkSmartPointer<vtkDataSet> OnRectilinearGrid(vtkImageData* image);
 
-/// Without the points in a ball about the centre.
+/// The volume with the points of a ball about the centre blanked.
 vtkSmartPointer<vtkDataSet> WithBlankedBall(vtkImageData* image);
 
 /// 255 in a ball about the centre, else 0: a binary mask, and a label map with one label.

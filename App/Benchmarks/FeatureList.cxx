@@ -34,14 +34,14 @@ vtkVolumeProperty* PropertyOf(Stage stage)
   return stage.volume->GetProperty();
 }
 
-// A scalar at this part of the range.
+// The scalar at this fraction of the value range.
 double ScalarAt(Stage stage, double part)
 {
   const double* range = stage.image->GetScalarRange();
   return range[0] + part * (range[1] - range[0]);
 }
 
-// Half the steepest slope that two neighbouring voxels could have.
+// Half the steepest slope that two neighbouring voxels can have.
 double HalfSteepestGradient(Stage stage)
 {
   const double* range = stage.image->GetScalarRange();
@@ -96,7 +96,7 @@ void GradientOpacityOff(Stage stage)
   PropertyOf(stage)->SetGradientOpacity(nullptr);
 }
 
-// Three lights that stand in the scene, beside the head light.
+// Adds three lights that are fixed in the scene to the head light.
 void LightsOn(Stage stage)
 {
   const double* center = stage.volume->GetCenter();
@@ -290,7 +290,7 @@ void MaskOff(Stage stage)
   stage.mapper->SetMaskInput(nullptr);
 }
 
-// The same volume once more, turned.
+// Adds the same volume again, rotated.
 void SecondVolumeOn(Stage stage)
 {
   vtkNew<vtkVolume> second;

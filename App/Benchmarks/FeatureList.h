@@ -13,7 +13,7 @@
 namespace varimarch
 {
 
-/// A pipeline on which a feature is switched on and off, by the same calls whoever draws.
+/// A pipeline on which features are switched on and off by the same calls for every mapper.
 struct FeatureStage
 {
   vtkGPUVolumeRayCastMapper* mapper;
@@ -22,20 +22,20 @@ struct FeatureStage
   vtkImageData* image; ///< the input without any feature
 };
 
-/// Something that VTK's users switch on, and what it is to be compared with.
+/// A feature that users of VTK switch on, and the state it is compared with.
 struct Feature
 {
   using Switch = std::function<void(const FeatureStage&)>;
 
   std::string name; ///< on the command line and in tables
-  std::string over; ///< what it is added to, for people
-  Switch prepare;   ///< what it is added to
+  std::string over; ///< the state it is compared with, in words
+  Switch prepare;   ///< sets the state it is compared with
   Switch switchOn;
-  Switch switchOff;   ///< what is left is what was prepared
-  bool isVtks = true; ///< else VTK's mapper does not have it: its times tell nothing
+  Switch switchOff;   ///< restores the prepared state
+  bool isVtks = true; ///< false if VTK's mapper lacks it: ignore its times
 };
 
-/// All that `varimarch-bench features` measures.
+/// The features that `varimarch-bench features` measures.
 const std::vector<Feature>& Features();
 
 std::vector<std::string> FeatureNames();

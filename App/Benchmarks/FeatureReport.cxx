@@ -29,7 +29,7 @@ std::string Row(const FeatureMeasurement& measured)
     (measured.vtkShowsNothing ? "-" : Fixed(vtk.onMs / ours.onMs, 2)) + " |\n";
 }
 
-// What the table's rows do not say of features that are not drawn by us, or not at all.
+// Footnotes about features that our mapper or VTK's does not draw.
 std::string Notes(const std::vector<FeatureMeasurement>& features)
 {
   std::string notes;

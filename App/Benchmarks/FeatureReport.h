@@ -13,14 +13,14 @@
 namespace varimarch
 {
 
-/// What `varimarch-bench features` has measured, and how.
+/// The measurements of `varimarch-bench features`, and how they were made.
 struct FeaturePage
 {
   std::string commandText;
   Machine machine; ///< before the start
   int rounds;
-  std::array<int, 2> size; ///< of the pictures [pixels]
-  std::string volume;      ///< that they show
+  std::array<int, 2> size; ///< of the images [pixels]
+  std::string volume;      ///< name of the file
   std::vector<FeatureMeasurement> features;
 };
 

@@ -19,7 +19,7 @@ vtkVariationFieldVolumeMapper* OurMapper(OffscreenView& view)
   return vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
 }
 
-// The time of the last picture that went into its field.
+// The time that the last frame spent on its field.
 class FieldStopwatch
 {
 public:
@@ -40,7 +40,7 @@ private:
   int builds = 0;
 };
 
-// Of one picture alone a third may be what the machine did meanwhile.
+// Several frames, because other processes may take a third of a single one's time.
 double StillMs(OffscreenView& view)
 {
   constexpr std::size_t FewestPictures = 5;
@@ -53,7 +53,7 @@ double StillMs(OffscreenView& view)
   return Median(times);
 }
 
-// Changes every opacity, so that nothing made for the look before can be used again.
+// Changes every opacity, so that nothing built for the previous look can be reused.
 Look HalfAsOpaque(Look look)
 {
   for (OpacityNode& node : look.opacities)

@@ -9,29 +9,29 @@
 namespace varimarch
 {
 
-/// What pictures of one mapper cost, from its first on. Times are those of one
+/// The cost of one mapper's frames, from the first one on. A time is that of one
 /// vtkRenderWindow::Render, until the device has finished.
 struct FrameCost
 {
-  double firstMs;       ///< the first picture of a new window and mapper, the volume in memory
-  double stillMs;       ///< the median of the next, of which nothing has changed: five, or 50 ms
-  double rebuildMs;     ///< how much longer the one after a change of transfer function takes
-  double firstFieldMs;  ///< building the field for the first picture; 0 without a field
-  double changeFieldMs; ///< building it again for the changed transfer function
+  double firstMs;       ///< the first frame of a new window and mapper, the volume in memory
+  double stillMs;       ///< median of the next frames, without any change: five, or 50 ms of them
+  double rebuildMs;     ///< extra time of the frame after a change of the transfer function
+  double firstFieldMs;  ///< building the field for the first frame; 0 without a field
+  double changeFieldMs; ///< rebuilding the field for the changed transfer function
 };
 
-/// Draws pictures. The view must be new, and shows a changed look afterwards.
+/// Draws frames. The view must be new, and shows a changed look afterwards.
 /// @throws std::runtime_error when the mapper reports an error
 FrameCost CostOfFrames(OffscreenView& view, const Look& look);
 
-/// Of each time by itself; of at least one cost.
+/// The median of each time by itself, over at least one round.
 FrameCost MedianOf(const std::vector<FrameCost>& rounds);
 
-/// How often a ray reads the volume: the mean over all pixels, also those that see no volume.
-/// Empty for VTK's mappers, which do not tell, and for volumes that the device has no texture for.
+/// Samples of the volume per pixel: the mean over all pixels, also those without volume. Empty for
+/// VTK's mappers, which do not count them, and for volumes that are too large for a texture.
 std::optional<double> FetchesPerPixel(OffscreenView& view);
 
-/// What the mapper holds of the graphics memory. Empty for VTK's mappers, which do not tell.
+/// The mapper's graphics memory [bytes]. Empty for VTK's mappers, which do not report it.
 std::optional<double> GraphicsBytes(OffscreenView& view);
 
 }

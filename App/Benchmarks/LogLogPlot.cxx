@@ -143,8 +143,8 @@ public:
   vtkHeadlessRenderWindow* Window() { return this->window; }
 
 private:
-  // The chart's own logarithmic axes label decades alone; so the data are logarithms, and the
-  // labels what they are logarithms of.
+  // The chart's own logarithmic axes label only decades, so we plot logarithms on linear axes and
+  // label the original values.
   void AddAxis(int side, const std::string& title, const Range& range)
   {
     constexpr double Margin = 0.08;
@@ -228,7 +228,7 @@ private:
     line->SetMarkerStyle(vtkPlotPoints::NONE);
   }
 
-  // Beside the plot, where it hides nothing.
+  // The legend stands beside the plot, where it hides no curve.
   void ShowLegend()
   {
     this->chart->SetShowLegend(true);
@@ -261,12 +261,12 @@ vtkSmartPointer<vtkImageData> DrawPlot(const LogLogPlot& plot)
 void WritePlotSvg(const LogLogPlot& plot, const std::string& path)
 {
   ChartWindow chart(plot);
-  // vtkSVGExporter clips the curves away, so VTK's other way to SVG; it adds the extension itself.
+  // vtkSVGExporter clips the curves away. This exporter adds the file's extension itself.
   vtkNew<vtkOpenGLGL2PSExporter> exporter;
   exporter->SetRenderWindow(chart.Window());
   exporter->SetFileFormatToSVG();
   exporter->CompressOff();
-  exporter->SilentOn(); // it cannot embed the empty background, and says so
+  exporter->SilentOn(); // it warns that it cannot embed the empty background
   exporter->SetTitle(plot.title.c_str());
   WriteFileWhole(path,
     [&](const std::string& part)

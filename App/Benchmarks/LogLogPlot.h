@@ -28,8 +28,8 @@ enum class Stroke
   Dotted,
 };
 
-/// How a curve looks. Curves should differ in more than colour: some readers see none, some paper
-/// has none.
+/// The style of a curve. Curves should differ in more than colour, for readers who are colour-blind
+/// and for print in black and white.
 struct CurveStyle
 {
   std::array<unsigned char, 3> color;
@@ -41,10 +41,10 @@ struct PlotCurve
 {
   std::string title;
   CurveStyle style;
-  std::vector<std::array<double, 2>> points; ///< x, y, each > 0; not more than once each
+  std::vector<std::array<double, 2>> points; ///< x, y, each > 0; no point twice
 };
 
-/// A height with a name, drawn as a grey line across the plot.
+/// A labelled value of y, drawn as a grey line across the plot.
 struct PlotLevel
 {
   std::string title;
@@ -58,7 +58,7 @@ struct LogLogPlot
   std::string title;
   std::string xTitle;
   std::string yTitle;
-  std::vector<PlotCurve> curves; ///< with at least one point in all
+  std::vector<PlotCurve> curves; ///< at least one point in total
   std::vector<PlotLevel> levels;
 };
 

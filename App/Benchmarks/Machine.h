@@ -8,17 +8,17 @@
 namespace varimarch
 {
 
-/// What a measured time depends on, for reports.
+/// The machine on which a time was measured, for reports.
 struct Machine
 {
   std::string processor; ///< the CPU's own name
   unsigned cores;
-  double load; ///< processes that wanted a core in the minute before, see getloadavg
+  double load; ///< average of the last minute, see getloadavg
   std::string vtkVersion;
   std::string date; ///< day and time, ISO 8601, UTC
 };
 
-/// This one, now.
+/// Describes this machine, with its load at the time of the call.
 Machine ThisMachine();
 
 nlohmann::ordered_json ToJson(const Machine& machine);

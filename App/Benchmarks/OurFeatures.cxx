@@ -31,7 +31,7 @@ void CubicOff(const FeatureStage& stage)
   WithOurs(stage, [](vtkVariationFieldVolumeMapper* mapper) { mapper->CubicInterpolationOff(); });
 }
 
-// By a fortieth of the steepest slope that two neighbouring voxels could have.
+// Damps by a fortieth of the steepest slope that two neighbouring voxels can have.
 void DampingOn(const FeatureStage& stage)
 {
   const double* range = stage.image->GetScalarRange();

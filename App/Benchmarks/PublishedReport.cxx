@@ -49,7 +49,7 @@ std::string OrNone(double fps)
   return fps > 0.0 ? Fixed(fps, 1) : "";
 }
 
-// Table 2 does not tell its steps; the paper's conclusion names 60.
+// Table 2 does not say its number of steps; the paper's conclusion names 60.
 std::string Table2Cell(const PublishedVolume& volume, int steps)
 {
   return steps == 60 ? Fixed(volume.plainFps, 0) + " / " + Fixed(volume.fieldFps, 0) : "";

@@ -33,8 +33,9 @@ double LongestEdgeMm(vtkImageData* image)
   return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
-// The paper does not tell its transfer function: a grey ramp, clear below, and so thin that a ray
-// goes deep, as without early termination in their loop. A hundredth of the volume is its unit.
+// The paper does not give its transfer function. We take a grey ramp that is clear below a
+// threshold, and so transparent that rays go deep, as in the paper's loop, which does not end
+// early. The unit distance of opacity is a hundredth of the volume.
 Look BanqueroLook(vtkImageData* image)
 {
   Look look;
@@ -47,7 +48,7 @@ Look BanqueroLook(vtkImageData* image)
   return look;
 }
 
-// The volume's longest edge takes as many samples as the paper's loop has steps.
+// Chosen so that the volume's longest edge takes as many samples as the paper's loop has steps.
 std::vector<BenchRun> BanqueroRuns(vtkImageData* image)
 {
   constexpr double PublishedVariation255 = 4.0; // of figure 10, free of artifacts
@@ -70,7 +71,8 @@ std::vector<BenchRun> BanqueroRuns(vtkImageData* image)
       RenderOptions().earlyTerminationTransmittance) };
 }
 
-// Values to 40 are clear, those from 41 have one opacity. Its distance is not told: a voxel.
+// Values up to 40 are clear; those from 41 on share one opacity. The paper does not say for which
+// distance; we take one voxel.
 Look VoltLook(vtkImageData* image, int alpha255, bool shaded)
 {
   Look look;
@@ -96,7 +98,7 @@ std::vector<BenchRun> VoltRuns(vtkImageData* image)
     run("vtk-gpu", MapperKind::VtkGpu, Acceleration::Off) };
 }
 
-// One scene with all that is to be run on it, however long it takes.
+// Measures all runs of one scene, however long they take.
 WorkPrecision Measured(const std::string& name, const Look& look, const LoadedVolume& volume,
   const std::vector<BenchRun>& runs, const PublishedOptions& options, const OnStep& onStep)
 {

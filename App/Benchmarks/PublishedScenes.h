@@ -12,9 +12,9 @@ namespace varimarch
 
 /// The scenes on which two papers measured: M. Banquero, E. Ortiz, B. Rossi, "Realtime volumen
 /// render en videojuegos", 2016, tables 1 and 2, and "Volt: interactive volume rendering with
-/// CUDA", 2009. PublishedReport says what of them is known and what is ours.
+/// CUDA", 2009. PublishedReport says what is known of them and what we assume.
 
-/// Banquero's numbers of texture reads along a ray.
+/// Banquero's numbers of samples along a ray.
 constexpr int PublishedSteps[] = { 40, 60, 80, 120 };
 
 /// A volume of Banquero's tables with their frames per second; 0 where a table has none.
@@ -30,7 +30,8 @@ struct PublishedVolume
 
 const std::vector<PublishedVolume>& PublishedVolumes();
 
-/// One of them measured: the methods "plain", "field" and "ours" at each of PublishedSteps.
+/// Our measurements on one of them: the methods "plain", "field" and "ours" at each of
+/// PublishedSteps.
 struct MeasuredVolume
 {
   PublishedVolume published;
@@ -54,15 +55,15 @@ struct PublishedMeasurements
 
 struct PublishedOptions
 {
-  std::string folder; ///< of the volumes; those that it does not hold are left out
-  int side = 512;     ///< of the square pictures [pixels]
+  std::string folder; ///< of the volumes; missing ones are left out
+  int side = 512;     ///< of the square images [pixels]
   int rounds = 3;
 };
 
-/// Told after each scene what has been measured so far.
+/// Called after each scene with all measurements so far.
 using OnPublished = std::function<void(const PublishedMeasurements&)>;
 
-/// @throws std::runtime_error when it holds none, or a mapper reports an error
+/// @throws std::runtime_error when the folder holds none, or a mapper reports an error
 PublishedMeasurements MeasurePublished(
   const PublishedOptions& options, const OnStep& onStep, const OnPublished& onMeasured);
 

@@ -12,27 +12,27 @@
 namespace varimarch
 {
 
-/// A mapper on a volume of one size.
+/// The measurements of a mapper on a volume of one size.
 struct ScalingPoint
 {
   int side;                              ///< of the cube [voxels]
-  std::optional<double> fetchesPerPixel; ///< see FrameCost.h, as the next
-  std::optional<double> graphicsBytes;
+  std::optional<double> fetchesPerPixel; ///< see FrameCost.h
+  std::optional<double> graphicsBytes;   ///< see FrameCost.h
   std::vector<FrameCost> rounds;
-  FrameCost median; ///< of these
+  FrameCost median; ///< of the rounds
 };
 
-/// A mapper over the sizes of one volume.
+/// The measurements of a mapper over the sizes of one volume.
 struct ScalingCurve
 {
   std::string volume;
   MapperKind kind;
   std::vector<ScalingPoint> points; ///< the smallest first
-  std::string stopped;              ///< why larger volumes were left out; empty: none was
+  std::string stopped;              ///< why larger volumes were left out; empty: none were
 };
 
-/// Draws the volume with each of the curves that has not stopped yet, in alternating rounds, and
-/// adds a point to it. A curve stops where its mapper reports an error or memory runs out.
+/// Draws the volume with each curve's mapper, in alternating rounds, and adds a point to each
+/// curve. A curve stops where its mapper reports an error or memory runs out.
 void AddScalingPoints(const LoadedScene& loaded, int side, int rounds, const OnStep& onStep,
   std::vector<ScalingCurve>& curves);
 

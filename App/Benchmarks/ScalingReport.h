@@ -14,13 +14,13 @@
 namespace varimarch
 {
 
-/// What `varimarch-bench scaling` has measured, and how.
+/// The measurements of `varimarch-bench scaling`, and how they were made.
 struct ScalingPage
 {
   std::string commandText;
   Machine machine; ///< before the start
   int rounds;
-  std::array<int, 2> size; ///< of the pictures [pixels]
+  std::array<int, 2> size; ///< of the images [pixels]
   std::vector<ScalingCurve> curves;
 };
 
@@ -28,7 +28,7 @@ std::string ScalingMarkdown(const ScalingPage& page);
 
 nlohmann::ordered_json ToJson(const ScalingPage& page);
 
-/// Times over the side of the volume.
+/// Plots times over the side of the volume.
 LogLogPlot ScalingPlot(const std::vector<ScalingCurve>& curves);
 
 }

@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-/// One scene at one size in the making.
+/// Measures one scene at one size.
 struct Bench
 {
   const Scene& scene;
@@ -38,7 +38,7 @@ struct Bench
       std::size_t(picture->GetNumberOfPoints()));
   }
 
-  // Without a round.
+  // Measures a point without any rounds.
   SpeedPoint PointOf(const std::string& method, MapperKind kind, const RenderOptions& render) const
   {
     this->onStep("error of " + method);
@@ -63,9 +63,9 @@ struct Bench
     point.rounds.push_back(CostOfFrames(view, this->scene.look));
   }
 
-  // One right after the other, so that while the machine is slow it is so for both. Short pictures
-  // several times, for what else the machine does takes longer than they do.
-  // @return how many times as fast ours was, each time
+  // Draws both one right after the other, so that a slow moment of the machine affects both alike.
+  // Short frames are repeated, because a disturbance takes longer than one of them.
+  // @return our speed-up in each repetition
   std::vector<double> Compare(int round, SpeedPoint& rival, SpeedPoint& ours) const
   {
     constexpr double ShortMs = 5.0;
@@ -160,7 +160,7 @@ std::vector<SpeedPoint> DefaultPoints(const Bench& bench)
   return points;
 }
 
-/// A tolerance of ours and the error that comes of it.
+/// One of our tolerances and the resulting error.
 struct Rung
 {
   double tolerance;
@@ -175,8 +175,8 @@ MapperKind KindOf(const std::string& method)
 constexpr double Coarsest = 1.0;
 constexpr double RungsPerHalf = 4.0;
 
-// Of a method of ours from coarse to fine, until the RMSE is at most `lowest` or a picture takes
-// too long.
+// Measures the tolerances of one of our methods from coarse to fine, until the RMSE is at most
+// `lowest` or a frame takes too long.
 std::vector<Rung> Ladder(const Bench& bench, const std::string& method, double lowest)
 {
   constexpr int Finest = 40; // a tolerance of 1/1024
@@ -198,8 +198,8 @@ std::vector<Rung> Ladder(const Bench& bench, const std::string& method, double l
   return rungs;
 }
 
-// About the largest tolerance whose RMSE is at most `wanted`: a rung at which it is, or above it up
-// to fifteen sixteenths of the way to the next coarser one.
+// Finds about the largest tolerance whose RMSE is at most `wanted`: between a rung that reaches it
+// and fifteen sixteenths of the way to the next coarser rung.
 double LargestTolerance(const Bench& bench, const std::string& method, double rung, double wanted)
 {
   if (rung == Coarsest)
@@ -218,7 +218,7 @@ double LargestTolerance(const Bench& bench, const std::string& method, double ru
   return largest;
 }
 
-// The index of a method of ours at this tolerance; measured when it is not there yet.
+// The index of our method's point at a tolerance, which is measured if it does not exist yet.
 std::size_t PointAt(
   const Bench& bench, const std::string& method, double tolerance, std::vector<SpeedPoint>& points)
 {
@@ -234,7 +234,7 @@ std::size_t PointAt(
   return index;
 }
 
-// The RMSE that ours may have [1/255]; empty without the rival.
+// The largest RMSE that the target allows us [1/255]; empty without the rival.
 std::optional<double> WantedError(const SpeedCase& measured, const SpeedTarget& target)
 {
   const SpeedPoint* rival = Rival(measured, target);
@@ -242,7 +242,7 @@ std::optional<double> WantedError(const SpeedCase& measured, const SpeedTarget& 
                : std::nullopt;
 }
 
-// Finds the points of ours that the targets are about.
+// Finds the points that meet the error limits of the targets.
 void KeepErrors(const Bench& bench, SpeedCase& measured)
 {
   std::map<std::string, double> lowest; // of each method of ours

@@ -49,7 +49,7 @@ std::string CaseCells(const SpeedCase& measured)
     std::to_string(measured.side) + " | ";
 }
 
-// A tolerance as people say it; a dash where none is used.
+// A tolerance such as 1/64; a dash where none is used.
 std::string ToleranceText(const SpeedPoint& point)
 {
   const bool used = IsOurs(point.kind) && !point.options.sampleDistanceMm;

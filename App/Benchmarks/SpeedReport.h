@@ -12,7 +12,7 @@
 namespace varimarch
 {
 
-/// What `varimarch-bench speed` has measured, and how.
+/// The measurements of `varimarch-bench speed`, and how they were made.
 struct SpeedPage
 {
   std::string commandText;

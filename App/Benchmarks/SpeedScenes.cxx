@@ -13,14 +13,14 @@ namespace varimarch
 namespace
 {
 
-/// What there is to see in a volume, in units of its data.
+/// The interesting values of a volume, in units of the data.
 struct SpeedVolume
 {
   std::string name;
   std::string file;     ///< in the folder of volumes
-  double lowest;        ///< of what is seen, above air and noise
-  double highest;       ///< of what is seen
-  double peak;          ///< a surface
+  double lowest;        ///< visible value, above air and noise
+  double highest;       ///< visible value
+  double peak;          ///< value of a surface
   double peakHalfWidth; ///< > 0
 };
 
@@ -50,7 +50,7 @@ Look LookOf(const SpeedVolume& seen, vtkImageData* image)
   return look;
 }
 
-// Translucent: opacity is a long ramp. Opacities are those of one smallest distance of voxels.
+// Translucent: opacity is a long ramp. The unit distance of opacity is the smallest voxel spacing.
 Look SoftLook(const SpeedVolume& seen, vtkImageData* image)
 {
   Look look = LookOf(seen, image);
@@ -67,7 +67,7 @@ Look DenseLook(const SpeedVolume& seen, vtkImageData* image)
   return look;
 }
 
-// One surface's values only, in false colours.
+// Only the values of one surface, in false colours.
 Look ThinPeakLook(const SpeedVolume& seen, vtkImageData* image)
 {
   Look look = LookOf(seen, image);
@@ -118,7 +118,7 @@ LoadedScene SceneOf(const SpeedVolume& seen, const SpeedLook& look, const Loaded
   LoadedScene loaded = { SceneName(seen, look), {}, volume };
   loaded.scene.look = look.make(seen, volume.image);
   loaded.scene.look.name = look.name;
-  // Off the axes, where no ray runs along a row of voxels.
+  // Off the axes, so that no ray runs along a row of voxels.
   loaded.scene.camera.azimuthDegrees = 30.0;
   loaded.scene.camera.elevationDegrees = 20.0;
   return loaded;

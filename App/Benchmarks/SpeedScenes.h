@@ -18,9 +18,9 @@ struct LoadedScene
   LoadedVolume volume;
 };
 
-/// The scenes of a folder of well-known volumes: each seen softly (translucent, opacity a long
-/// ramp), densely (opaque within a few voxels) and as a thin peak (one surface's values only, in
-/// false colours).
+/// The scenes of a folder of well-known volumes. Each volume is shown soft (translucent, opacity a
+/// long ramp), dense (opaque within a few voxels) and as a thin peak (only the values of one
+/// surface, in false colours).
 struct SpeedScenes
 {
   std::vector<LoadedScene> scenes;

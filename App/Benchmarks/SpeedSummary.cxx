@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-// Shaded or not, and the side of the picture.
+// True if shaded, and the side of the image [pixels].
 using Setup = std::pair<bool, int>;
 
 std::set<Setup> SetupsOf(const std::vector<SpeedCase>& cases)

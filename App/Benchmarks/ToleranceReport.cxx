@@ -15,7 +15,7 @@ namespace
 
 constexpr double SlowestRatio = 2.0;
 
-// Finds the fastest of our settings by hand with the same 99.9th percentile.
+// Finds our fastest hand-chosen setting with the same 99.9th percentile.
 void AddHandTuned(const WorkPrecision& scene, double percentile255, ToleranceRow& row)
 {
   for (const char* method : { "optical", "pre-integrated", "simpson" })

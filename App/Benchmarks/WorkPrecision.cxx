@@ -18,13 +18,13 @@ namespace varimarch
 namespace
 {
 
-/// A method at work on a scene.
+/// Measures one method on a scene.
 struct Runner
 {
   WorkCurve curve;
   std::unique_ptr<OffscreenView> view;
 
-  /// The time of a picture after one that built what the setting needs [s].
+  /// The time of a frame after one that built what the setting needs [s].
   double SecondsOf(const BenchSetting& setting)
   {
     this->view->Pipeline().SetRenderOptions(setting.options);
@@ -35,7 +35,7 @@ struct Runner
 
 bool HoldsEightBitsOnly(vtkImageData* picture)
 {
-  // A float's own rounding of n / 255 is far below.
+  // Far above the rounding of n / 255 to a float.
   constexpr double Slack = 1e-4;
   const auto* channels = static_cast<const float*>(picture->GetScalarPointer());
   return std::all_of(channels, channels + 4 * picture->GetNumberOfPoints(),
@@ -46,7 +46,7 @@ bool HoldsEightBitsOnly(vtkImageData* picture)
     });
 }
 
-// What rounding alone costs: no picture of 8 bits can err less, but by chance.
+// The RMSE of rounding alone. An 8-bit image errs less only by chance.
 double EightBitRmse(vtkImageData* truth)
 {
   const auto* channels = static_cast<const float*>(truth->GetScalarPointer());
@@ -66,7 +66,7 @@ double EstimatedError(OffscreenView& view)
   return mapper ? mapper->GetEstimatedError() : 0.0;
 }
 
-// Draws one setting, measures its error, and returns how long such a picture takes [s].
+// Draws one setting, measures its error, and returns the time of a frame [s].
 double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision& result)
 {
   constexpr double NearOneVoxel = 0.99; // VTK's mappers keep distances as float

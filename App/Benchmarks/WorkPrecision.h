@@ -13,14 +13,14 @@
 namespace varimarch
 {
 
-/// What one setting of a method costs and yields.
+/// The time and error of one setting of a method.
 struct WorkPoint
 {
   BenchSetting setting;
-  double sampleDistanceMm; ///< between the samples of its picture
-  double estimatedError;   ///< the mapper's own, of 1; 0 for a sample distance that it was given
+  double sampleDistanceMm; ///< used by the mapper
+  double estimatedError;   ///< the mapper's estimate, of 1; 0 if the sample distance was given
   PictureError error;
-  std::optional<double> fetchesPerPixel; ///< readings of the volume; VTK's mappers do not tell
+  std::optional<double> fetchesPerPixel; ///< samples of the volume; empty for VTK's mappers
   std::vector<double> roundsMs;
   double medianMs;
 };
@@ -29,10 +29,10 @@ struct WorkCurve
 {
   BenchMethod method;
   std::vector<WorkPoint> points;         ///< the coarsest first, at least one
-  std::string skipped;                   ///< which settings took too long; empty: none
-  bool eightBits;                        ///< its pictures hold nothing finer
-  std::size_t shown;                     ///< the point of the picture
-  vtkSmartPointer<vtkImageData> picture; ///< float picture, near one sample per voxel
+  std::string skipped;                   ///< settings that took too long; empty: none
+  bool eightBits;                        ///< true if its images are rounded to 8 bits
+  std::size_t shown;                     ///< index of the point that `picture` shows
+  vtkSmartPointer<vtkImageData> picture; ///< float image, near one sample per voxel
 };
 
 /// Error against run time of several methods on one scene.
@@ -42,7 +42,7 @@ struct WorkPrecision
   Scene scene;
   LoadedVolume volume;
   Truth truth;
-  double eightBitRmse; ///< of the truth itself, rounded to 8 bits [1/255]
+  double eightBitRmse; ///< of the truth rounded to 8 bits [1/255]
   std::vector<WorkCurve> curves;
   std::string openglRenderer;
 };
@@ -50,26 +50,27 @@ struct WorkPrecision
 struct MeasuringOptions
 {
   int rounds = 3;
-  double longestSeconds = 3.0; ///< a method's finer settings are left out when one took longer
+  double longestSeconds = 3.0; ///< finer settings are left out after one that took longer
 };
 
 /// Draws a scene with every method and setting, compares each with the truth, and measures the
-/// times in rounds that go through all of them in turn, so that what else the machine does disturbs
-/// all alike. Each setting is drawn twice in a round, and the second picture counts: the first
-/// pays for what the change of setting rebuilds.
+/// times in rounds over all of them, so that other processes disturb all alike. Each setting is
+/// drawn twice in a round, and the second frame counts: the first one includes the rebuilding that
+/// the change of setting causes.
 /// @throws std::runtime_error when a mapper reports an error
 WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const LoadedVolume& volume,
   const std::vector<BenchRun>& runs, const MeasuringOptions& options, const OnStep& onStep);
 
-/// The curve of a method that was run on a scene; null when it was not.
+/// The curve of a method; null if it was not measured on the scene.
 const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method);
 
-/// The distance between a point's samples, in smallest distances of voxels.
+/// The sample distance of a point in smallest voxel spacings.
 double VoxelsOf(const WorkPrecision& scene, const WorkPoint& point);
 
-/// The time of a method at an error, between its settings by straight lines in the log-log plot.
-/// Where even its coarsest setting errs less, that one's time; empty where it never errs so little.
-/// @param measure  which of the errors, such as &ImageError::rootMeanSquare
+/// The time of a method at an error, interpolated between its settings along straight lines of the
+/// log-log plot. If even its coarsest setting errs less, the time of that one; empty if none of its
+/// settings errs so little.
+/// @param measure  the measure of error, such as &ImageError::rootMeanSquare
 /// @param error    > 0, in 1/255
 std::optional<double> MillisecondsAtError(
   const WorkCurve& curve, double ImageError::*measure, double error);

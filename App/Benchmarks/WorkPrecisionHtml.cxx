@@ -43,10 +43,10 @@ std::string Escaped(const std::string& text)
   return escaped;
 }
 
-// The bytes as an address that holds them.
+// A data URL with the bytes in base64.
 std::string DataUri(const std::string& type, const std::string& bytes)
 {
-  // Four letters for every three bytes begun.
+  // Four letters for every three bytes, rounded up.
   std::string encoded(4 * ((bytes.size() + 2) / 3), '\0');
   const auto length =
     vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),

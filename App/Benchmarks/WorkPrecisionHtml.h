@@ -14,11 +14,11 @@ struct WorkPrecisionPage
 {
   std::string commandText;
   Machine machine;
-  std::vector<std::vector<std::string>> plotSvgs; ///< the texts of each scene's plots
+  std::vector<std::vector<std::string>> plotSvgs; ///< for each scene, its plots as SVG texts
 };
 
-/// Work-precision measurements as one HTML file that needs no other: plots, tables, pictures and
-/// their differences from the truth.
+/// Work-precision measurements as a self-contained HTML file: plots, tables, images and their
+/// differences from the truth.
 std::string WorkPrecisionHtml(
   const std::vector<WorkPrecision>& scenes, const WorkPrecisionPage& page);
 

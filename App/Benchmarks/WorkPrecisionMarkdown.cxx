@@ -24,7 +24,7 @@ std::string Row(const std::vector<std::string>& cells)
   return row + "\n";
 }
 
-// The first columns are words, the others numbers.
+// The line below a heading: the first columns hold words, the others numbers.
 std::string Head(const std::vector<std::string>& headings, std::size_t words)
 {
   std::string line = "|";
@@ -40,7 +40,7 @@ std::string Link(const WorkPrecision& scene)
   return "[" + scene.name + "](" + PlotStem(scene) + ".svg)";
 }
 
-// How many times as fast as VTK a method is at an error, where VTK needs so long.
+// The speed-up of a method over VTK at an error, given VTK's time.
 std::string TimesAsFast(
   const WorkPrecision& scene, const std::string& method, double error, double vtkMs)
 {
@@ -71,7 +71,7 @@ std::vector<std::string> CellsAt(
   return cells;
 }
 
-// VTK's setting nearest to one sample per voxel.
+// VTK's setting that is nearest to one sample per voxel.
 const WorkPoint& NearOneVoxel(const WorkPrecision& scene, const WorkCurve& vtk)
 {
   const auto ratio = [&](const WorkPoint& point)

@@ -54,7 +54,7 @@ nlohmann::ordered_json ToJson(const WorkPrecision& scene, const WorkCurve& curve
   return json;
 }
 
-// Error over what `workOf` makes of a point; without the points of which it makes nothing.
+// Plots the error over `workOf` of each point, without points for which it is empty.
 template <class WorkOf>
 LogLogPlot ErrorPlot(const WorkPrecision& scene, const std::string& xTitle, const WorkOf& workOf)
 {
@@ -85,7 +85,7 @@ LogLogPlot ErrorPlot(const WorkPrecision& scene, const std::string& xTitle, cons
   return plot;
 }
 
-// The time of the fastest of some methods at an RMSE.
+// The time of the fastest of the methods at an RMSE.
 std::optional<double> FastestAtError(
   const WorkPrecision& scene, const std::vector<std::string>& methods, double rmse)
 {

@@ -14,55 +14,56 @@
 namespace varimarch
 {
 
-/// Work-precision measurements in the forms people and programs read. Errors are in 1/255 of
-/// premultiplied RGBA before the background.
+/// Work-precision measurements as text, CSV, JSON and plots. Errors are in 1/255 of premultiplied
+/// RGBA before the background.
 
-/// Error over median time.
+/// Plots the error over the median time.
 LogLogPlot TimePlot(const WorkPrecision& scene);
 
-/// Error over mean readings of the volume for a pixel: what does not depend on the machine.
+/// Plots the error over the mean number of samples per pixel, which does not depend on the machine.
 LogLogPlot FetchPlot(const WorkPrecision& scene);
 
-/// What our default takes where VTK's GPU mapper errs as much.
+/// Our time at the error of one of VTK's settings.
 struct EqualErrorRow
 {
-  double voxels; ///< VTK's sample distance, in smallest distances of voxels
+  double voxels; ///< VTK's sample distance, in smallest voxel spacings
   double rmse;
   double vtkMs;
-  std::optional<double> oursMs; ///< empty: none of our settings errs so little
+  std::optional<double> oursMs; ///< empty if none of our settings errs so little
 };
 
-/// A row for each setting of VTK's GPU mapper; none when one of both was not measured.
+/// A row for each setting of VTK's GPU mapper; none if it or our defaults were not measured.
 std::vector<EqualErrorRow> EqualErrorRows(const WorkPrecision& scene);
 
-/// The methods that are our mapper as it is meant to be used.
+/// The methods that use our mapper as intended.
 const std::vector<std::string>& OurMethods();
 
-/// Where methods are the least faster than VTK's GPU mapper.
+/// The smallest speed-up over VTK's GPU mapper, and the error at which it occurs.
 struct WorstRatio
 {
   double rmse;
-  std::optional<double> times; ///< as fast; empty: none of their settings errs so little
+  std::optional<double> times; ///< empty if none of the methods' settings errs so little
 };
 
-/// Of all RMSE that VTK's GPU mapper reaches, from its largest to its smallest; at each the fastest
-/// of the methods counts. Empty when it, or all of them, were not measured.
+/// Searches all RMSE that VTK's GPU mapper reaches, from its largest to its smallest; at each one
+/// the fastest of the methods counts. Empty if VTK's mapper or all of the methods were not
+/// measured.
 std::optional<WorstRatio> WorstAgainstVtk(
   const WorkPrecision& scene, const std::vector<std::string>& methods);
 
 /// The smallest and the largest RMSE of a curve.
 std::array<double, 2> ErrorsOf(const WorkCurve& curve);
 
-/// The file of a scene's plot over time, without folder and extension.
+/// The file name of a scene's time plot, without folder and extension.
 std::string PlotStem(const WorkPrecision& scene);
 
-/// Columns in line, for a terminal: those rows of all scenes.
+/// The EqualErrorRows of all scenes in aligned columns, for a terminal.
 std::string TableText(const std::vector<WorkPrecision>& scenes);
 
-/// A heading, and a line per scene, method and setting.
+/// A header line, and a line per scene, method and setting.
 std::string TableCsv(const std::vector<WorkPrecision>& scenes);
 
-/// All that was measured.
+/// All measurements of a scene.
 nlohmann::ordered_json ToJson(const WorkPrecision& scene);
 
 }

@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-// A view of each kind, warmed up, with all of its measurement but the times.
+// Opens a view of each kind, warms it up, and adds its measurement without the rounds' times.
 std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
   const Scene& scene, vtkImageData* image, const OnStep& onStep, Comparison& comparison)
 {
@@ -35,7 +35,7 @@ std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
     measurement.sampleDistanceMm = view.Pipeline().UsedSampleDistanceMm();
     measurement.error = ErrorOf(measurement.picture, comparison.truth.picture, scene.background);
     comparison.measurements.push_back(measurement);
-    // The first picture into the window's own framebuffer again pays for the change of target.
+    // The first frame that is drawn into the window's own framebuffer again costs more.
     view.Render();
     ThrowIfVtkReportedError();
   }

@@ -13,16 +13,16 @@
 namespace varimarch
 {
 
-/// One renderer's picture of a scene, and what it cost. Pictures are float pictures.
+/// One mapper's image of a scene, its error and its times.
 struct Measurement
 {
   MapperKind kind;
-  vtkSmartPointer<vtkImageData> picture;
+  vtkSmartPointer<vtkImageData> picture; ///< float image
   double sampleDistanceMm;
   PictureError error;           ///< against the truth
-  double firstMs;               ///< the first picture, with everything it builds
-  std::vector<double> roundsMs; ///< each later picture
-  double medianMs;              ///< of these
+  double firstMs;               ///< the first frame, with everything that it builds
+  std::vector<double> roundsMs; ///< each later frame
+  double medianMs;              ///< of the rounds
 };
 
 struct Comparison
@@ -32,11 +32,11 @@ struct Comparison
   std::string openglRenderer;
 };
 
-/// Draws a scene with our mapper and VTK's two, in turn, so that what else the machine does
-/// disturbs all alike, and compares each with the truth.
+/// Draws a scene with our mapper and VTK's two, in alternation, so that other processes disturb all
+/// alike, and compares each with the truth.
 /// A time is that of one vtkRenderWindow::Render, until the device has finished.
-/// @param rounds   >= 1, after a first picture of each that builds what it needs
-/// @param onStep   called with what is being done now
+/// @param rounds   >= 1, after a first frame of each mapper
+/// @param onStep   called with a description of each step
 /// @throws std::runtime_error when one of them reports an error
 Comparison Compare(const Scene& scene, vtkImageData* image, int rounds, const OnStep& onStep);
 

@@ -10,25 +10,25 @@
 namespace varimarch
 {
 
-/// A comparison's numbers in the forms people and programs read. Errors are in 1/255 of
-/// premultiplied RGBA before the background.
+/// A comparison's numbers as text, Markdown, CSV and JSON. Errors are in 1/255 of premultiplied
+/// RGBA before the background.
 
-/// Columns in line, for a terminal, with a sentence about what was measured.
+/// Aligned columns for a terminal, with a sentence about the measurement.
 std::string TableText(const Comparison& comparison);
 
 /// The same as Markdown, with the command that made it.
 std::string TableMarkdown(const Comparison& comparison, const std::string& commandText);
 
-/// A heading and a line per renderer.
+/// A header line, and a line per renderer.
 std::string TableCsv(const Comparison& comparison);
 
-/// All that was measured.
+/// All measurements.
 nlohmann::ordered_json ToJson(const Comparison& comparison);
 
-/// Times as fast as VTK's GPU mapper.
+/// The speed-up over VTK's GPU mapper.
 double RatioToVtkGpu(const Comparison& comparison, const Measurement& measurement);
 
-/// The class that draws.
+/// The class name of a mapper.
 std::string ClassName(MapperKind kind);
 
 }

@@ -13,14 +13,14 @@
 namespace varimarch
 {
 
-/// How wrong a float picture is, and how different it looks.
+/// The numerical and the perceived error of a float image.
 struct PictureError
 {
   ImageError light;          ///< of premultiplied RGBA before the background
   PerceptualError perceived; ///< on the background
 };
 
-/// @param truth  a float picture of the same size
+/// @param truth  a float image of the same size
 PictureError ErrorOf(
   vtkImageData* picture, vtkImageData* truth, const std::array<double, 3>& background);
 

@@ -12,7 +12,7 @@ namespace varimarch
 namespace
 {
 
-// Back to the start of the line and erase it.
+// Returns to the start of the line and erases it.
 const char* const EraseLine = "\r\x1b[K";
 
 }

@@ -10,9 +10,9 @@
 namespace varimarch
 {
 
-/// A line on stderr about work that goes on while this object lives, with the seconds so far. It
-/// appears only after a second. On a terminal it is erased at the end; elsewhere, as in a log, it
-/// is one line without control codes.
+/// A progress line on stderr while this object lives, with the elapsed seconds. It appears after a
+/// second. On a terminal it is erased at the end; elsewhere, as in a log, it is a single line
+/// without control codes.
 class Progress
 {
 public:
@@ -21,7 +21,7 @@ public:
   Progress(const Progress&) = delete;
   void operator=(const Progress&) = delete;
 
-  /// What is being done now.
+  /// Changes the text of the line.
   void SetActivity(const std::string& activity);
 
 private:
@@ -30,7 +30,7 @@ private:
 
   const std::chrono::steady_clock::time_point start;
   const bool onTerminal;
-  std::mutex mutex; ///< guards all below but the thread
+  std::mutex mutex; ///< guards the members below, except the thread
   std::condition_variable finishedChanged;
   std::string activity;
   bool finished = false;

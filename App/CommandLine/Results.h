@@ -11,16 +11,16 @@
 namespace varimarch
 {
 
-/// The part of every subcommand's results that tells how they came about.
+/// The part that all subcommands' results share: the command and the volume.
 nlohmann::ordered_json ResultsOf(const std::string& commandText, const LoadedVolume& volume);
 
-/// Writes results as JSON; does nothing when the user asked for no file.
+/// Writes results as JSON; does nothing for an empty path.
 void WriteResults(const nlohmann::ordered_json& results, const std::string& path);
 
-/// A number with so many digits behind the point, for tables.
+/// A number with this many digits after the decimal point, for tables.
 std::string Fixed(double number, int digits);
 
-/// Three numbers, separated by `separator`, as short as they can be.
+/// Three numbers in their shortest form, separated by `separator`.
 std::string Triple(const double numbers[3], const std::string& separator);
 
 }

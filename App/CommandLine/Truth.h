@@ -12,23 +12,22 @@
 namespace varimarch
 {
 
-/// Told what is being done now.
+/// Called with a description of each step.
 using OnStep = std::function<void(const std::string&)>;
 
-/// What a scene's picture should be.
+/// The reference image of a scene.
 struct Truth
 {
-  vtkSmartPointer<vtkImageData> picture; ///< float picture
-  double largestError;                   ///< estimate, of a channel in [0, 1]
-  double seconds;                        ///< that it took, little where it was kept
+  vtkSmartPointer<vtkImageData> picture; ///< float image
+  double largestError;                   ///< estimate, for colour channels in [0, 1]
+  double seconds;                        ///< time to integrate it, or to read it from the cache
 };
 
-/// Integrates the picture in double precision, see ReferencePicture, or takes it from the cache of
-/// those that were drawn before.
+/// Integrates the image in double precision, see ReferencePicture, or takes it from the cache.
 /// @throws std::invalid_argument for a volume without scalars, or with several components
 Truth TruthOf(const Scene& scene, vtkImageData* image, const OnStep& onStep);
 
-/// How it came about, as a clause for people.
+/// How the image was made, as a clause of a sentence.
 std::string Described(const Truth& truth);
 
 }

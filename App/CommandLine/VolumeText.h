@@ -11,13 +11,13 @@
 namespace varimarch
 {
 
-/// What `varimarch info` tells about a volume, for people.
+/// The description of a volume that `varimarch info` prints.
 /// @param name  the file, folder or procedural volume
 /// @param bins  of the histogram, >= 1
 std::string VolumeText(
   const std::string& name, const LoadedVolume& volume, const ImageStatistics& statistics, int bins);
 
-/// The same for machines, beside what ResultsOf tells.
+/// The same as JSON, without what ResultsOf holds.
 nlohmann::ordered_json VolumeJson(
   const LoadedVolume& volume, const ImageStatistics& statistics, int bins);
 

@@ -6,7 +6,7 @@
 namespace varimarch
 {
 
-/// From now on VTK's warnings go to stderr as one line each, and its errors are kept for
+/// From now on VTK's warnings go to stderr, one line each, and its first error is kept for
 /// ThrowIfVtkReportedError instead of being printed.
 void CollectVtkMessages();
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the manual pages of varimarch, a page per subcommand, from what its --help prints.
+"""Writes the manual pages of varimarch, one per subcommand, from the output of --help.
 
 Usage: make_manual.py VARIMARCH VERSION FOLDER
 """
@@ -40,7 +40,7 @@ def pages_below(program, command):
 
 
 def sections_of(lines):
-    """Pairs of a title and the lines below it. What stands alone after them are remarks."""
+    """Pairs of a title and the lines below it. A line without any below it is a remark."""
     sections = []
     for line in filter(None, lines):
         if line.startswith(" ") and sections:
@@ -62,7 +62,7 @@ def section_text(title, lines):
 
 
 def entry_text(line):
-    """An option or what is said about it; CLI11 begins that in column 30 or on the next line."""
+    """An option or its description, which CLI11 begins in column 30 or on the next line."""
     if not re.match(r" {2}\S", line):
         return f"{escaped(line.strip())}\n"
     # An option that just fits has a single space between it and its description.
