@@ -16,52 +16,84 @@ namespace varimarch
 namespace
 {
 
-/// @return whether all are finite
-template <class Scalar, class Number>
-bool CopyNumbers(const Scalar* scalars, int stride, vtkIdType count, Number* numbers)
+/// Copies numbers with a stride; 0 for those that are not finite.
+/// @return true if all are finite
+template <class Number, class Scalar>
+bool CopyNumbers(const void* source, int stride, vtkIdType count, void* target)
 {
-  constexpr vtkIdType AtOnce = 1 << 16;
-  std::atomic<bool> allFinite = true;
-  tbb::parallel_for(vtkIdType(0), count, AtOnce,
-    [&](vtkIdType first)
+  const auto* const scalars = static_cast<const Scalar*>(source);
+  auto* const numbers = static_cast<Number*>(target);
+  bool allFinite = true;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    numbers[i] = Number(scalars[i * stride]);
+    if (!std::isfinite(numbers[i]))
     {
-      for (vtkIdType i = first; i < std::min(first + AtOnce, count); ++i)
-      {
-        numbers[i] = Number(scalars[i * stride]);
-        if (!std::isfinite(numbers[i]))
-        {
-          numbers[i] = Number(0);
-          allFinite = false;
-        }
-      }
-    });
+      numbers[i] = Number(0);
+      allFinite = false;
+    }
+  }
   return allFinite;
 }
 
+// CopyNumbers for types that are chosen at run time: the parallel loop then need not be compiled
+// for each type.
+using NumberCopier = bool (*)(const void* source, int stride, vtkIdType count, void* target);
+
+/// @param vtkType  a type of numbers
 template <class Number>
-bool CopyNumbers(const VoxelChannel& channel, Number* numbers)
+NumberCopier NumberCopierFrom(int vtkType)
 {
-  const vtkIdType count = channel.array->GetNumberOfTuples();
-  const int stride = channel.array->GetNumberOfComponents();
-  void* const scalars = channel.array->GetVoidPointer(channel.component);
-  switch (channel.array->GetDataType())
+  switch (vtkType)
   {
-    vtkTemplateMacro(
-      return CopyNumbers(static_cast<const VTK_TT*>(scalars), stride, count, numbers));
+    vtkTemplateMacro(return (&CopyNumbers<Number, VTK_TT>));
   }
-  return true;
+  return nullptr;
 }
 
+NumberCopier NumberCopierOf(int fromType, int toType)
+{
+  switch (toType)
+  {
+    case VTK_FLOAT:
+      return NumberCopierFrom<float>(fromType);
+    case VTK_DOUBLE:
+      return NumberCopierFrom<double>(fromType);
+  }
+  switch (fromType)
+  {
+    vtkTemplateMacro(return (&CopyNumbers<VTK_TT, VTK_TT>));
+  }
+  return nullptr;
+}
+
+/// @param type  VTK_FLOAT, VTK_DOUBLE, or the channel's own
 ChannelCopy CopyAs(int type, const VoxelChannel& channel)
 {
+  const vtkIdType count = channel.array->GetNumberOfTuples();
   ChannelCopy copy;
   copy.array.TakeReference(vtkDataArray::CreateDataArray(type));
-  copy.array->SetNumberOfTuples(channel.array->GetNumberOfTuples());
-  void* const numbers = copy.array->GetVoidPointer(0);
-  switch (type)
-  {
-    vtkTemplateMacro(copy.allFinite = CopyNumbers(channel, static_cast<VTK_TT*>(numbers)));
-  }
+  copy.array->SetNumberOfTuples(count);
+
+  const NumberCopier copyNumbers = NumberCopierOf(channel.array->GetDataType(), type);
+  const int stride = channel.array->GetNumberOfComponents();
+  const auto* const scalars =
+    static_cast<const char*>(channel.array->GetVoidPointer(channel.component));
+  const std::size_t tupleBytes = std::size_t(stride) * channel.array->GetDataTypeSize();
+  auto* const numbers = static_cast<char*>(copy.array->GetVoidPointer(0));
+  const std::size_t numberBytes = copy.array->GetDataTypeSize();
+  std::atomic<bool> allFinite = true;
+  constexpr vtkIdType AtOnce = 1 << 16;
+  tbb::parallel_for(vtkIdType(0), count, AtOnce,
+    [&](vtkIdType first)
+    {
+      if (!copyNumbers(scalars + first * tupleBytes, stride, std::min(AtOnce, count - first),
+            numbers + first * numberBytes))
+      {
+        allFinite = false;
+      }
+    });
+  copy.allFinite = allFinite;
   return copy;
 }
 

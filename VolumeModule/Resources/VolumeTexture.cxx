@@ -61,20 +61,20 @@ bool IsFinite(Scalar scalar)
   }
 }
 
-// Where a channel of some rows of voxels goes.
+// Some rows of voxels, and how one of their channels becomes texels.
 struct ChannelRows
 {
   glm::ivec3 dimensions; ///< of the volume
   VoxelRegion voxels;    ///< the rows
-  int stride;            ///< numbers from a voxel to the next
-  int texelStride;
+  int texelStride;       ///< numbers from a texel to the next
   TexelMapping mapping;
 };
 
-// What is not finite becomes 0: a filter makes NaN of it even where its weight is 0.
-/// @return whether all scalars are finite
+// A number that is not finite becomes 0, because a filter makes NaN of it even where its weight is
+// 0.
+/// @return true if all scalars are finite
 template <class Texel, class Scalar>
-bool ConvertRow(const Scalar* source, int stride, Texel* target, int texelStride, int count,
+bool ConvertScalars(const Scalar* source, int stride, Texel* target, int texelStride, int count,
   const TexelMapping& mapping)
 {
   constexpr bool normalized = std::is_integral<Texel>::value;
@@ -92,10 +92,43 @@ bool ConvertRow(const Scalar* source, int stride, Texel* target, int texelStride
   return allFinite;
 }
 
-/// @param scalars  the channel's number of the first voxel
+// Converts a row of voxels whose type is chosen at run time: the loop over rows then need not be
+// compiled for each type.
+template <class Texel>
+using RowConverter = bool (*)(const void* source, int stride, Texel* target, int texelStride,
+  int count, const TexelMapping& mapping);
+
 template <class Texel, class Scalar>
-bool ConvertChannel(const Scalar* scalars, const ChannelRows& rows, Texel* texels)
+bool ConvertRow(const void* source, int stride, Texel* target, int texelStride, int count,
+  const TexelMapping& mapping)
 {
+  const auto* const scalars = static_cast<const Scalar*>(source);
+  // Constants for the usual strides make faster code.
+  return stride == 1 && texelStride == 1
+    ? ConvertScalars(scalars, 1, target, 1, count, mapping)
+    : ConvertScalars(scalars, stride, target, texelStride, count, mapping);
+}
+
+/// @param vtkType  a type of numbers
+template <class Texel>
+RowConverter<Texel> RowConverterOf(int vtkType)
+{
+  switch (vtkType)
+  {
+    vtkTemplateMacro(return (&ConvertRow<Texel, VTK_TT>));
+  }
+  return nullptr;
+}
+
+/// @return true if all scalars are finite
+template <class Texel>
+bool ConvertChannel(const VoxelChannel& channel, const ChannelRows& rows, Texel* texels)
+{
+  const RowConverter<Texel> convertRow = RowConverterOf<Texel>(channel.array->GetDataType());
+  const auto* const scalars =
+    static_cast<const char*>(channel.array->GetVoidPointer(channel.component));
+  const int stride = channel.array->GetNumberOfComponents();
+  const std::size_t voxelBytes = std::size_t(stride) * channel.array->GetDataTypeSize();
   std::atomic<bool> allFinite = true;
   const glm::ivec3 count = rows.voxels.count;
   const glm::ivec3 first = rows.voxels.first;
@@ -108,12 +141,9 @@ bool ConvertChannel(const Scalar* scalars, const ChannelRows& rows, Texel* texel
         const std::size_t y = first.y + row % count.y;
         const std::size_t z = first.z + row / count.y;
         const std::size_t voxel = first.x + rows.dimensions.x * (y + rows.dimensions.y * z);
-        const Scalar* const source = scalars + voxel * rows.stride;
         Texel* const target = texels + std::size_t(row) * count.x * rows.texelStride;
-        // The usual strides as constants, which the compiler makes faster code of.
-        const bool finite = rows.stride == 1 && rows.texelStride == 1
-          ? ConvertRow(source, 1, target, 1, count.x, rows.mapping)
-          : ConvertRow(source, rows.stride, target, rows.texelStride, count.x, rows.mapping);
+        const bool finite = convertRow(
+          scalars + voxel * voxelBytes, stride, target, rows.texelStride, count.x, rows.mapping);
         rowsAreFinite = rowsAreFinite && finite;
       }
       if (!rowsAreFinite)
@@ -124,24 +154,12 @@ bool ConvertChannel(const Scalar* scalars, const ChannelRows& rows, Texel* texel
   return allFinite;
 }
 
-template <class Texel>
-bool ConvertChannel(const VoxelChannel& channel, const ChannelRows& rows, Texel* texels)
-{
-  void* const voxels = channel.array->GetVoidPointer(channel.component);
-  switch (channel.array->GetDataType())
-  {
-    vtkTemplateMacro(
-      return ConvertChannel<Texel>(static_cast<const VTK_TT*>(voxels), rows, texels));
-  }
-  return true;
-}
-
 constexpr GLenum FormatOfChannels[] = { GL_RED, GL_RG, GL_RGB, GL_RGBA };
 constexpr GLint Format16OfChannels[] = { GL_R16, GL_RG16, GL_RGB16, GL_RGBA16 };
 constexpr GLint FormatFloatOfChannels[] = { GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F };
 
 // Slices are converted and uploaded a few at a time: a second copy of the volume is never held.
-/// @return whether all scalars are finite
+/// @return true if all scalars are finite
 template <class Texel>
 bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& texelsOfChannels)
 {
@@ -161,8 +179,7 @@ bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& t
     for (int i = 0; i < channels; ++i)
     {
       const VoxelChannel& channel = region.channels[i];
-      const ChannelRows rows{ region.dimensions, part, channel.array->GetNumberOfComponents(),
-        channels, texelsOfChannels[i].mapping };
+      const ChannelRows rows{ region.dimensions, part, channels, texelsOfChannels[i].mapping };
       allFinite = ConvertChannel(channel, rows, texels.data() + i) && allFinite;
     }
     glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, part.count.x, part.count.y, slices,
