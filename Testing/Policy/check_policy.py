@@ -20,6 +20,8 @@ TOP_LEVEL = set(
 LARGEST_FILE_BYTES = 1_000_000
 LONGEST_FILE_LINES = 400
 LONGEST_FUNCTION_LINES = 40
+LONGEST_SUBJECT = 72
+MOST_FILES_WITHOUT_BODY = 5
 CODE = {".h", ".cxx", ".in", ".glsl", ".py", ".sh", ".cmake"}
 
 # Files and functions that are better long, each with the reason: "path": "reason", and
@@ -33,14 +35,20 @@ LONG_FUNCTIONS = {}
 NO_SUBJECT = {"of", "what", "whose", "nor", "none", "those"}
 
 
-def tracked(folder="", suffixes=None):
-    """Paths below folder that git tracks and that are there, relative to the root."""
-    command = ["git", "-c", "safe.directory=*", "-C", str(ROOT), "ls-files", "-z"]
+def git(*arguments):
+    """The output of a git command on this tree. Without a git tree the rule is skipped."""
+    command = ["git", "-c", "safe.directory=*", "-C", str(ROOT), *arguments]
     answer = subprocess.run(command, capture_output=True, check=False)
     if answer.returncode:
-        print(f"Skipped: {ROOT} is not a git tree, so nothing says which files are its own.")
+        print(f"Skipped: {ROOT} is not a git tree: {answer.stderr.decode().strip()}")
         sys.exit(SKIPPED)
-    paths = [pathlib.PurePosixPath(name) for name in answer.stdout.decode().split("\0") if name]
+    return answer.stdout.decode(errors="replace")
+
+
+def tracked(folder="", suffixes=None):
+    """Paths below folder that git tracks and that are there, relative to the root."""
+    names = git("ls-files", "-z").split("\0")
+    paths = [pathlib.PurePosixPath(name) for name in names if name]
     return [
         path
         for path in paths
@@ -267,6 +275,34 @@ def comments_of(path):
         first_line = comment.group().strip("/*!< \t\n").partition("\n")[0].rstrip()
         code = text[: comment.start()].rpartition("\n")[2]
         yield number, first_line, code.strip() != ""
+
+
+def commits_say_why():
+    """Checks the commits that are newer than the one that introduced this rule."""
+    rule = ("-S", "def commits_say_why", "--", "Testing/Policy/check_policy.py")
+    oldest_first = git("log", "--reverse", "--format=%H", *rule).split()
+    if not oldest_first:
+        return []
+    commits = git(
+        "log", "--no-merges", "--name-only", "--format=%x01%h%x00%s%x00%b%x00", f"{oldest_first[0]}.."
+    )
+    return [problem for commit in commits.split("\x01")[1:] for problem in commit_problems(commit)]
+
+
+def commit_problems(commit):
+    name, subject, body, files = commit.split("\0")
+    problems = []
+    if len(subject) > LONGEST_SUBJECT:
+        problems.append(
+            f"{name}: {subject}\n    {len(subject)} characters in the subject, {LONGEST_SUBJECT} "
+            "are allowed; name one idea, and move the rest into the body"
+        )
+    changed = len([line for line in files.splitlines() if line])
+    if changed > MOST_FILES_WITHOUT_BODY and not body.strip():
+        problems.append(
+            f"{name}: {subject}\n    {changed} files change without a body; say why in one"
+        )
+    return problems
 
 
 def main():
