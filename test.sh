@@ -16,10 +16,10 @@ summary()
   echo "$(($(count tests) - failed - skipped)) passed, $failed failed, $skipped skipped"
 }
 
-setUp "${packages[@]}"
+setUp "${packages[@]}" "${testPackages[@]}"
 VARIMARCH_HEAD_CT=$(headCt)
 export VARIMARCH_HEAD_CT
-build dev
+build dev all 12
 
 step "Testing"
 report=$PWD/build/dev/tests.xml

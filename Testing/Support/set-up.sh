@@ -9,13 +9,12 @@ packages=(
   libegl-dev libgl-dev libglew-dev
   python3-dev python3-numpy python3-vtk9 vtk9
   qtbase5-dev qttools5-dev qttools5-dev-tools libvtk9-qt-dev libspdlog-dev
-  # To test
-  libgtest-dev glslang-tools xvfb xauth
   # To draw without a graphics card
   libegl1 libgl1-mesa-dri
   # Real volumes: a head CT and a T1 head
   invesalius-examples mricron-data
 )
+testPackages=(libgtest-dev glslang-tools xvfb xauth)
 packageLog=build/packages.log
 
 step()
@@ -170,14 +169,12 @@ setUp()
   installMissingPackages "$@"
 }
 
-# build PRESET
+# build PRESET TARGET MINUTES: MINUTES is the time of a first build on two free cores.
 build()
 {
   requireFreeMegabytes 1000 "$PWD" "Building"
-  local note=""
-  [ -e "build/$1/.ninja_log" ] || note=" (first time: about 5 minutes on 2 cores)"
-  step "Building in build/$1$note"
+  step "Building the target $2 in build/$1 (first time: about $3 minutes on 2 free cores)"
   cmake --preset "$1" >"build/$1.log" 2>&1 ||
     fail "CMake could not configure the build: $(grep -A 3 'CMake Error' "build/$1.log" | tr -s ' \n' ' ' | head -c 300) (see build/$1.log)"
-  cmake --build --preset "$1" || fail "The build failed; the compiler's messages are above."
+  cmake --build --preset "$1" --target "$2" || fail "The build failed; the compiler's messages are above."
 }
