@@ -9,7 +9,8 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 programs=build/release/bin
 output=$PWD/demo-output
 
-# compareMappers NAME VOLUME PRESET: not again while neither the program nor the module is newer.
+# compareMappers NAME VOLUME PRESET: compares the mappers, unless a comparison exists that is newer
+# than the program and the library.
 compareMappers()
 {
   if [ "$output/$1/compare.md" -nt "$programs/varimarch" ] &&

@@ -35,7 +35,7 @@ struct Place
   int pixels = 0;
 };
 
-// Mean place of a colour, in pixels from the lower left, but for the legend at the right.
+// The mean position of a colour in pixels from the lower left, without the legend at the right.
 Place PlaceOf(vtkImageData* picture, const std::array<unsigned char, 3>& color)
 {
   const int* size = picture->GetDimensions();

@@ -43,10 +43,10 @@ def work_precision(folder):
         assert lengths == {"optical": 8, "off": 6, "vtk-gpu": 6, "vtk-cpu": 6}, lengths
         reads = [float(row["fetches_per_pixel"] or 0) for row in rows if row["scene"] == name
                  and row["method"] == "off"]
-        # Half the distance, twice the readings, but for rays that end within a step or early.
+        # Half the distance gives twice the samples, except on rays that end within a step or early.
         assert 1.5 < reads[5] / reads[4] < 2.1, reads
         assert png_size(output / f"{name}-readings.png")[0] > 1000
-        # Finer sampling pays: the instrument sees what it is there to see.
+        # Finer sampling reduces the error, and the benchmark measures that.
         assert curves["off"][-1] < curves["off"][0] / 10, curves
     assert all(float(row["median_ms"]) > 0 for row in rows)
     page = (output / "work-precision.html").read_text()
@@ -78,7 +78,7 @@ def work_precision_judges_error_tolerances(folder):
     spacing = min(scene["volume"]["spacingMm"])
     for row in rows:
         if row["method"] != "tolerance":
-            # Nobody else is given a tolerance, or another distance than the one that is swept.
+            # Other methods get no tolerance, and exactly the sample distance of the sweep.
             assert row["error_tolerance"] == ""
             distance = float(row["setting"].removesuffix(" voxels")) * spacing
             assert abs(float(row["sample_distance_mm"]) / distance - 1) < 1e-6, row
@@ -105,7 +105,7 @@ def work_precision_judges_error_tolerances(folder):
 
 
 def write_ball(volumes):
-    """A small ball as the Visible Male of a folder of volumes."""
+    """Writes a small ball in place of the Visible Male in a folder of volumes."""
     (volumes / "vismale").mkdir(parents=True)
     name = "vismale_128x256x256_uint8"
     side = 16
@@ -118,7 +118,7 @@ def write_ball(volumes):
 
 
 def published(folder):
-    """A small ball in place of one of the papers' volumes; the others are missing and named."""
+    """A small ball replaces one of the papers' volumes; the missing others are named."""
     volumes = folder / "volumes"
     write_ball(volumes)
     text, _ = run("published", "--volumes", volumes, "-o", folder / "out", "--side", "32",
@@ -137,7 +137,7 @@ def published(folder):
 
 
 def speed(folder):
-    """A small ball in place of one of the volumes, with each look, and a procedural scene."""
+    """A small ball replaces one of the volumes, with each look, beside a procedural scene."""
     volumes = folder / "volumes"
     write_ball(volumes)
     text, _ = run("speed", "procedural:shells:16x16x16", "--volumes", volumes, "--only",
@@ -215,7 +215,7 @@ def features(folder):
 
 
 def work_precision_keeps_what_it_has_when_stopped(folder):
-    """Each scene is written once it is measured; what a signal leaves is whole, and is told."""
+    """A signal leaves complete reports of all measured scenes, and a message that counts them."""
     process = subprocess.Popen(
         [sys.argv[1], "work-precision", VOLUME, "procedural:torso:192x192x192", "-o",
          str(folder), "--size", "48x40", "--methods", "off,vtk-cpu"],

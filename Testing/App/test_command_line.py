@@ -161,7 +161,7 @@ def errors(folder):
 
 
 def interrupt(folder):
-    """Ctrl-C ends it by the signal, and leaves nothing unfinished behind."""
+    """Ctrl-C ends the program by the signal and leaves no unfinished file."""
     output = folder / "comparison"
     process = subprocess.Popen(
         [sys.argv[1], "compare", "procedural:torso:64x64x64", "-o", str(output), "--rounds", "9999"],

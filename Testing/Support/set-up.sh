@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# What test.sh and demo.sh share: install what is missing, build, find the head CT.
-# They source it in the top folder of the tree. A failure is one sentence that says what is missing.
+# Functions for demo.sh, test.sh and .ci/run: install missing packages, build, find the head CT. They
+# are sourced in the top folder of the tree. A failure prints one sentence that says what is missing.
 
 packages=(
   # To build
@@ -28,7 +28,7 @@ fail()
   exit 1
 }
 
-# Prints those of the given packages that are not installed.
+# missingPackages PACKAGE...: prints the packages that are not installed.
 missingPackages()
 {
   local installed
@@ -62,19 +62,19 @@ requireRoot()
   [ "$(id -u)" -eq 0 ] && return
   command -v sudo >/dev/null ||
     fail "sudo is missing, and only root can install packages; as root, run: apt-get install $*"
-  # sudo may ask for the password at a terminal; anywhere else nobody could answer.
+  # sudo may ask for a password at a terminal; without one nobody could answer.
   sudo -n true 2>/dev/null || [ -t 0 ] ||
     fail "sudo wants a password here; once, at a terminal, run: sudo apt-get install $*"
 }
 
-# Says in one sentence why apt failed, from its log.
+# Exits with one sentence that says why apt failed, taken from its log.
 failAsApt()
 {
   local error
   error=$(grep -E '^(E|dpkg): ' "$packageLog" | tail -n 1 || true)
   case "$error" in
     *"Unable to locate package"* | *"no installation candidate"*)
-      # The cause is the network when the lists could not be loaded, else the sources' settings.
+      # If the package lists could not be loaded, the network is the cause, else the sources' settings.
       grep -qE 'Failed to fetch|Could not resolve|Temporary failure' "$packageLog" ||
         fail "A package source is missing: apt says \"${error#E: }\"; Debian 12 (main) has it." ;&
     *[Ff]"etch "*)
@@ -86,7 +86,7 @@ failAsApt()
   esac
 }
 
-# Passes apt's output on, less its status lines, of which every tenth percent is shown.
+# Passes apt's output on, and turns its status lines into a message for every ten percent.
 showProgress()
 {
   local line shown="" now
@@ -127,16 +127,16 @@ installMissingPackages()
   requireRoot "${missing[@]}"
   requireFreeMegabytes 4000 /usr "Installing the packages"
   : >"$packageLog"
-  # An installation that was cut off is finished first.
+  # Finish an installation that was interrupted.
   asRoot dpkg --configure -a </dev/null >>"$packageLog" 2>&1 || true
-  # That some other package source cannot be reached is no reason to stop.
+  # Go on when some unrelated package source cannot be reached.
   aptGet update >>"$packageLog" || true
   aptGet -o APT::Status-Fd=1 install --no-install-recommends "${missing[@]}" |
     showProgress >>"$packageLog" || failAsApt
 }
 
-# Slimmed-down systems are told to install no documentation, and the head CT lies there. This
-# prints the path of the installed one, or else of one unpacked from the package.
+# Prints the path of the head CT. Slim systems install no documentation, where it lies; there it is
+# unpacked from its package.
 headCt()
 {
   local path=usr/share/doc/invesalius-examples/examples/Cranium.inv3
@@ -148,7 +148,7 @@ headCt()
   [ -e "/$path" ] && echo "/$path" || echo "$PWD/$unpacked/$path"
 }
 
-# unpackPackage NAME FOLDER: downloads a package and unpacks it, complete or not at all.
+# unpackPackage NAME FOLDER: downloads and unpacks a package, completely or not at all.
 unpackPackage()
 {
   local partial="$2.partial"
@@ -162,14 +162,14 @@ unpackPackage()
   mv "$partial" "$2"
 }
 
-# setUp PACKAGE...: makes sure of a folder to build in, and installs the packages that are missing.
+# setUp PACKAGE...: makes the build folder, and installs the packages that are missing.
 setUp()
 {
   mkdir -p build 2>/dev/null || fail "$PWD cannot be written to; copy the tree to a folder of your own."
   installMissingPackages "$@"
 }
 
-# build PRESET TARGET MINUTES: MINUTES is the time of a first build on two free cores.
+# build PRESET TARGET MINUTES: builds a target; MINUTES is the time of a first build on two free cores.
 build()
 {
   requireFreeMegabytes 1000 "$PWD" "Building"
