@@ -305,6 +305,38 @@ def commit_problems(commit):
     return problems
 
 
+def type_names_are_unique():
+    """Two types of one name in one program would be undefined behaviour that no linker reports."""
+    problems, places = [], {}
+    for path in tracked(suffixes={".h", ".cxx"}):
+        for name in types_defined_in(text_of(path)):
+            if name in places:
+                problems.append(f"{path}: {name} is also a type of {places[name]}; rename one")
+            places[name] = path
+    return problems
+
+
+def types_defined_in(text):
+    """The qualified names of the types that a file defines outside of unnamed namespaces."""
+    comment = r"/\*.*?\*/|//[^\n]*"
+    string = r'R"\w*\(.*?\)\w*"|"(?:[^"\\\n]|\\.)*"'
+    letter = r"'(?:[^'\\]|\\.)'"
+    code = re.sub(f"{comment}|{string}|{letter}", "", text, flags=re.S)
+    keyword = r"\b(?P<keyword>namespace|class|struct|union|enum(?: class)?)"
+    name = r"(?:[A-Z]+_EXPORT\s+)?(?P<name>[\w:]+)?"
+    bases = r"[^;{}()=<>]*(?:<[^;{}()]*)?"
+    scopes, types = [], []
+    for found in re.finditer(rf"(?:{keyword}\s+{name}{bases})?(?P<brace>[{{}}])", code):
+        if found["brace"] == "}":
+            scopes.pop()
+            continue
+        # No name: an unnamed namespace or type, or the brace of a function or a value.
+        scopes.append(found["name"])
+        if found["keyword"] != "namespace" and None not in scopes:
+            types.append("::".join(scopes))
+    return types
+
+
 def main():
     rules = {name: rule for name, rule in globals().items() if name in sys.argv[1:]}
     if len(rules) != 1 or len(sys.argv) != 2:

@@ -18,7 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 inline const glm::dvec3 red(1.0, 0.0, 0.0);
 inline const glm::dvec3 blue(0.0, 0.0, 1.0);
 
-struct Volume
+struct ReferenceVolume
 {
   glm::ivec3 dimensions;
   std::vector<double> voxels;
@@ -28,7 +28,7 @@ struct Volume
 };
 
 /// The voxels are those of `volume`, which must live on.
-inline ReferenceScene SceneOf(const Volume& volume, TransferFunction transferFunction)
+inline ReferenceScene SceneOf(const ReferenceVolume& volume, TransferFunction transferFunction)
 {
   return { [&volume](glm::ivec3 cell) { return CornersOfCell(volume.Grid(), cell); },
     volume.BoxGrid(), std::move(transferFunction) };
@@ -51,9 +51,9 @@ inline void ExpectNear(glm::dvec4 color, glm::dvec4 truth, double tolerance = 1e
 }
 
 /// Values from 0 at x = 0 to 1 at x = cells.
-inline Volume RampAlongX(int cells)
+inline ReferenceVolume RampAlongX(int cells)
 {
-  Volume volume{ { cells + 1, 2, 2 }, {} };
+  ReferenceVolume volume{ { cells + 1, 2, 2 }, {} };
   for (int i = 0; i < 4 * (cells + 1); ++i)
   {
     volume.voxels.push_back(double(i % (cells + 1)) / cells);
@@ -63,10 +63,11 @@ inline Volume RampAlongX(int cells)
 
 inline const Ray alongX{ { -1.0, 0.3, 0.6 }, { 1.0, 0.0, 0.0 } };
 
-inline Volume RandomVolume(glm::ivec3 dimensions, std::mt19937& random)
+inline ReferenceVolume RandomVolume(glm::ivec3 dimensions, std::mt19937& random)
 {
   std::uniform_real_distribution<double> value(0.0, 1.0);
-  Volume volume{ dimensions, std::vector<double>(dimensions.x * dimensions.y * dimensions.z) };
+  ReferenceVolume volume{ dimensions,
+    std::vector<double>(dimensions.x * dimensions.y * dimensions.z) };
   for (double& voxel : volume.voxels)
   {
     voxel = value(random);

@@ -160,7 +160,7 @@ TEST(Reference, ColorAffineInOpticalDepthHasAClosedFormInAnyField)
   std::mt19937 random(8);
   for (int i = 0; i < 20; ++i)
   {
-    const Volume volume = RandomVolume({ 5, 4, 6 }, random);
+    const ReferenceVolume volume = RandomVolume({ 5, 4, 6 }, random);
     const Ray ray = RandomRay(volume.dimensions, random);
     const Interval inside = Intersection(ray, volume.BoxGrid());
     const auto depthTo = [&](double t)

@@ -76,7 +76,7 @@ TEST(HeadLightShading, LeavesAmbientLightBesideAVoxelThatIsNotFinite)
 TEST(HeadLightShading, HasTheGradientOfTheGridAnywhere)
 {
   std::mt19937 random(12);
-  const Volume volume = RandomVolume({ 4, 3, 5 }, random);
+  const ReferenceVolume volume = RandomVolume({ 4, 3, 5 }, random);
   for (int i = 0; i < 100; ++i)
   {
     const Ray ray = RandomRay(volume.dimensions, random);

@@ -10,7 +10,8 @@ using namespace varimarch;
 namespace
 {
 
-ReferenceScene SceneOf(const Volume& volume, TransferFunction transferFunction, Blend blend)
+ReferenceScene SceneOf(
+  const ReferenceVolume& volume, TransferFunction transferFunction, Blend blend)
 {
   ReferenceScene scene = SceneOf(volume, std::move(transferFunction));
   scene.blend = blend;
@@ -24,7 +25,7 @@ TransferFunction Proportional(double unitDistanceMm = 1.0)
 }
 
 /// Values at the middles of many equal steps along a ray.
-std::vector<double> ValuesAlong(const Volume& volume, const Ray& ray, int steps)
+std::vector<double> ValuesAlong(const ReferenceVolume& volume, const Ray& ray, int steps)
 {
   const Interval inside = Intersection(ray, volume.BoxGrid());
   std::vector<double> values;
@@ -46,7 +47,7 @@ void ExpectWhite(glm::dvec4 color, double intensity, double tolerance = 1e-12)
 TEST(ReferenceMinimum, InsideACellIsFound)
 {
   // Along the diagonal of a cell 1 - x y (1 - z) is 1 - u^2 (1 - u), at least 23 / 27.
-  Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 1.0) };
+  ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 1.0) };
   volume.voxels[3] = 0.0;
   const ReferenceScene scene = SceneOf(
     volume, { { { 0.0, red } }, { { 0.0, 0.0 }, { 1.0, 1.0 } }, 1.0 }, Blend::MinimumIntensity);
@@ -59,8 +60,8 @@ TEST(ReferenceMinimum, IsTheMaximumOfTheMirroredValues)
   std::mt19937 random(1);
   for (int i = 0; i < 50; ++i)
   {
-    const Volume volume = RandomVolume({ 5, 4, 6 }, random);
-    Volume mirrored = volume;
+    const ReferenceVolume volume = RandomVolume({ 5, 4, 6 }, random);
+    ReferenceVolume mirrored = volume;
     for (double& voxel : mirrored.voxels)
     {
       voxel = 1.0 - voxel;
@@ -78,7 +79,7 @@ TEST(ReferenceMinimum, IsTheMaximumOfTheMirroredValues)
 TEST(ReferenceAverage, OfARampHasItsClosedForm)
 {
   // Opacity and gray are both x: the mean of x^2 over [p, q] is (q^3 - p^3) / (3 (q - p)).
-  const Volume volume = RampAlongX(7);
+  const ReferenceVolume volume = RampAlongX(7);
   ReferenceScene scene = SceneOf(volume, Proportional(), Blend::AverageIntensity);
   ExpectWhite(ColorAlong(scene, alongX), 1.0 / 3.0);
   const double p = 0.123, q = 0.789;
@@ -88,14 +89,14 @@ TEST(ReferenceAverage, OfARampHasItsClosedForm)
 
 TEST(ReferenceAverage, DoesNotDependOnLengthOrUnitDistance)
 {
-  const Volume volume = RampAlongX(3);
+  const ReferenceVolume volume = RampAlongX(3);
   const ReferenceScene scene = SceneOf(volume, Proportional(7.0), Blend::AverageIntensity);
   ExpectWhite(ColorAlong(scene, alongX, 1000.0), 1.0 / 3.0);
 }
 
 TEST(ReferenceAverage, GrayRangeSaysWhatIsBlackAndWhite)
 {
-  const Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 30.0) };
+  const ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 30.0) };
   ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.5 } }, 1.0 }, Blend::AverageIntensity);
   scene.grayRange = { 10.0, 50.0 };
   ExpectWhite(ColorAlong(scene, alongX), 0.25);
@@ -105,7 +106,7 @@ TEST(ReferenceAverage, GrayRangeSaysWhatIsBlackAndWhite)
 
 TEST(ReferenceAverage, RangeHoldsItsEndsAndNothingElse)
 {
-  const Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 0.5) };
+  const ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 0.5) };
   ReferenceScene scene = SceneOf(volume, Proportional(), Blend::AverageIntensity);
   for (const ValueRange range : { ValueRange{ 0.5, 0.5 }, { 0.5, 0.9 }, { 0.1, 0.5 } })
   {
@@ -121,7 +122,7 @@ TEST(ReferenceAverage, AgreesWithTheMeanOfManySamples)
   std::mt19937 random(2);
   for (int i = 0; i < 20; ++i)
   {
-    const Volume volume = RandomVolume({ 4, 3, 5 }, random);
+    const ReferenceVolume volume = RandomVolume({ 4, 3, 5 }, random);
     // A kink, a step and a curve.
     const TransferFunction transferFunction(
       {}, { { 0.1, 0.0 }, { 0.4, 0.7, { 0.3, 0.5 } }, { 0.6, 0.2 }, { 0.6, 1.0 } }, 2.0);
@@ -143,14 +144,14 @@ TEST(ReferenceAverage, AgreesWithTheMeanOfManySamples)
 TEST(ReferenceAdditive, RampHasItsClosedForm)
 {
   // The integral of x^2 over a length l is l / 3, in unit distances.
-  const Volume volume = RampAlongX(6);
+  const ReferenceVolume volume = RampAlongX(6);
   const ReferenceScene scene = SceneOf(volume, Proportional(5.0), Blend::Additive);
   ExpectWhite(ColorAlong(scene, alongX, 0.5), 3.0 / 3.0 / 5.0);
 }
 
 TEST(ReferenceAdditive, IsWhiteAtMost)
 {
-  const Volume volume = RampAlongX(6);
+  const ReferenceVolume volume = RampAlongX(6);
   ExpectWhite(ColorAlong(SceneOf(volume, Proportional(), Blend::Additive), alongX), 1.0);
 }
 
@@ -159,7 +160,7 @@ TEST(ReferenceAdditive, PartsOfARayAddUp)
   std::mt19937 random(3);
   for (int i = 0; i < 50; ++i)
   {
-    const Volume volume = RandomVolume({ 5, 4, 6 }, random);
+    const ReferenceVolume volume = RandomVolume({ 5, 4, 6 }, random);
     const ReferenceScene scene = SceneOf(volume, Proportional(100.0), Blend::Additive);
     const Ray ray = RandomRay(volume.dimensions, random);
     const double front = ColorAlong(scene, ray, 1.0, { 0.0, 0.9 }).r;
@@ -170,7 +171,7 @@ TEST(ReferenceAdditive, PartsOfARayAddUp)
 
 TEST(ReferenceIsosurface, SurfacesAreBlendedFrontToBack)
 {
-  const Volume volume = RampAlongX(3);
+  const ReferenceVolume volume = RampAlongX(3);
   ReferenceScene scene = SceneOf(volume,
     { { { 0.5, red }, { 0.5, blue } }, { { 0.5, 0.3 }, { 0.5, 0.6 } }, 1.0 }, Blend::Isosurface);
   scene.isovalues = { 0.9, 0.2 };
@@ -182,7 +183,7 @@ TEST(ReferenceIsosurface, SurfacesAreBlendedFrontToBack)
 TEST(ReferenceIsosurface, LiesAtTheRootAndIsLitThere)
 {
   // Along the diagonal of a cell x y z is u^3.
-  Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 0.0) };
+  ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 0.0) };
   volume.voxels[7] = 1.0;
   ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 1.0 } }, 1.0 }, Blend::Isosurface);
   scene.isovalues = { 0.3 };
@@ -197,7 +198,7 @@ TEST(ReferenceIsosurface, IsPassedAsOftenAsTheValueChangesSides)
   std::mt19937 random(4);
   for (int i = 0; i < 50; ++i)
   {
-    const Volume volume = RandomVolume({ 6, 5, 7 }, random);
+    const ReferenceVolume volume = RandomVolume({ 6, 5, 7 }, random);
     ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.1 } }, 1.0 }, Blend::Isosurface);
     scene.isovalues = { 0.5 };
     const Ray ray = RandomRay(volume.dimensions, random);
@@ -215,7 +216,7 @@ TEST(ReferenceIsosurface, InTheFacesOfCellsIsPassedOnce)
 {
   // Round-off must neither lose a surface between two cells nor pass it in both.
   const int cells = 7;
-  const Volume volume = RampAlongX(cells);
+  const ReferenceVolume volume = RampAlongX(cells);
   ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.1 } }, 1.0 }, Blend::Isosurface);
   for (int plane = 1; plane < cells; ++plane)
   {
@@ -235,7 +236,7 @@ TEST(ReferenceIsosurface, InTheFacesOfCellsIsPassedOnce)
 
 TEST(ReferenceIsosurface, BoundsAPlateauOfItsOwnValueAndNotTheVolume)
 {
-  Volume volume = RampAlongX(4);
+  ReferenceVolume volume = RampAlongX(4);
   for (std::size_t i = 0; i < volume.voxels.size(); ++i)
   {
     volume.voxels[i] = i % 5 == 1 || i % 5 == 2 || i % 5 == 4 ? 1.0 : 0.0;
@@ -250,7 +251,7 @@ TEST(ReferenceIsosurface, BoundsAPlateauOfItsOwnValueAndNotTheVolume)
 
 TEST(ReferenceIsosurface, NoSurfaceBoundsWhatIsNotFinite)
 {
-  Volume volume{ { 7, 2, 2 }, std::vector<double>(28, 1.0) };
+  ReferenceVolume volume{ { 7, 2, 2 }, std::vector<double>(28, 1.0) };
   volume.voxels[3] = std::numeric_limits<double>::quiet_NaN();
   for (int i = 0; i < 28; ++i)
   {
@@ -264,7 +265,7 @@ TEST(ReferenceIsosurface, NoSurfaceBoundsWhatIsNotFinite)
 
 TEST(ReferenceBlends, RayThatMissesOrMeetsNothingFiniteIsClear)
 {
-  const Volume nothing{ { 2, 2, 2 },
+  const ReferenceVolume nothing{ { 2, 2, 2 },
     std::vector<double>(8, std::numeric_limits<double>::quiet_NaN()) };
   for (const Blend blend : { Blend::Composite, Blend::MaximumIntensity, Blend::MinimumIntensity,
          Blend::AverageIntensity, Blend::Additive, Blend::Isosurface })

@@ -38,7 +38,7 @@ glm::dvec4 Homogeneous(double opticalDepth)
 
 TEST(ReferenceExtremes, ASlabOfAnyDepthHasItsClosedForm)
 {
-  const Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 5.0) };
+  const ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 5.0) };
   for (double depth = 1e-12; depth < 2e12; depth *= 10.0)
   {
     // The same depth as a thin material over a long way, and as a dense one over a short way.
@@ -55,7 +55,7 @@ TEST(ReferenceExtremes, ASlabOfAnyDepthHasItsClosedForm)
 
 TEST(ReferenceExtremes, OpacitiesOneUlpFromTheirEndsHaveTheirClosedForm)
 {
-  const Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 5.0) };
+  const ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 5.0) };
   const auto drawn = [&](double opacity, double lengthMm)
   {
     return ColorAlong(
@@ -79,7 +79,7 @@ TEST(ReferenceExtremes, AStepIsWhereItsValueIsWhateverTheScaleOfTheValues)
   {
     SCOPED_TRACE(first);
     SCOPED_TRACE(range);
-    Volume volume = RampAlongX(1);
+    ReferenceVolume volume = RampAlongX(1);
     for (double& voxel : volume.voxels)
     {
       voxel = first + range * voxel;
@@ -99,7 +99,7 @@ TEST(ReferenceExtremes, AStepIsWhereItsValueIsWhateverTheScaleOfTheValues)
 TEST(ReferenceExtremes, OpacitiesOfAMillionToOneHaveTheirClosedForm)
 {
   // Two cells of haze, one nearly opaque between them: each is seen through those in front.
-  const Volume volume = RampAlongX(1);
+  const ReferenceVolume volume = RampAlongX(1);
   const ReferenceScene scene = SceneOf(volume,
     { { { 0.25, red }, { 0.25, blue }, { 0.5, blue }, { 0.5, red } },
       { { 0.25, 1e-6 }, { 0.25, 0.999999 }, { 0.5, 0.999999 }, { 0.5, 1e-6 } }, 0.25 });

@@ -31,7 +31,7 @@ TransferFunction RandomTransferFunction(std::mt19937& random, bool steps = true)
 }
 
 /// Midpoint rule with so many steps that nothing else is needed.
-glm::dvec4 MarchedColor(const Volume& volume, const TransferFunction& transferFunction,
+glm::dvec4 MarchedColor(const ReferenceVolume& volume, const TransferFunction& transferFunction,
   const Ray& ray, double mmPerParameter)
 {
   const Interval inside = Intersection(ray, volume.BoxGrid());
@@ -52,7 +52,7 @@ glm::dvec4 MarchedColor(const Volume& volume, const TransferFunction& transferFu
 
 TEST(Reference, ConstantSlabHasItsClosedForm)
 {
-  const Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 5.0) };
+  const ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 5.0) };
   const glm::dvec3 orange(1.0, 0.5, 0.0);
   const ReferenceScene scene =
     SceneOf(volume, { { { 5.0, orange } }, { { 0.0, 0.3 }, { 10.0, 0.3 } }, 2.0 });
@@ -62,7 +62,7 @@ TEST(Reference, ConstantSlabHasItsClosedForm)
 
 TEST(Reference, LengthIsMeasuredInTheWorldAndNotInTheParameter)
 {
-  const Volume volume = RampAlongX(3);
+  const ReferenceVolume volume = RampAlongX(3);
   const ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.1 }, { 1.0, 0.8 } }, 1.0 });
   const Ray faster{ alongX.origin, 1000.0 * alongX.direction };
   ExpectNear(ColorAlong(scene, faster, 2000.0), ColorAlong(scene, alongX, 2.0), 1e-12);
@@ -74,7 +74,7 @@ TEST(Reference, OpacityRampHasItsClosedForm)
   // It is finite even where the opacity reaches 1 and the extinction has a pole.
   for (const double last : { 0.01, 0.5, 0.99, 1.0 })
   {
-    const Volume volume = RampAlongX(4);
+    const ReferenceVolume volume = RampAlongX(4);
     const ReferenceScene scene =
       SceneOf(volume, { { { 0.0, red } }, { { 0.0, 0.0 }, { 1.0, last } }, 1.0 });
     const double remaining = last < 1.0 ? (1.0 - last) * std::log1p(-last) : 0.0;
@@ -85,7 +85,7 @@ TEST(Reference, OpacityRampHasItsClosedForm)
 
 TEST(Reference, LinearColorInAConstantMediumHasItsClosedForm)
 {
-  const Volume volume = RampAlongX(5);
+  const ReferenceVolume volume = RampAlongX(5);
   const ReferenceScene scene =
     SceneOf(volume, { { { 0.0, glm::dvec3(0.0) }, { 1.0, red } }, { { 0.0, 0.6 } }, 1.0 });
   const double depth = -5.0 * std::log1p(-0.6);
@@ -96,7 +96,7 @@ TEST(Reference, LinearColorInAConstantMediumHasItsClosedForm)
 
 TEST(Reference, ExponentialColorByPlaceHasItsClosedForm)
 {
-  const Volume volume = RampAlongX(3);
+  const ReferenceVolume volume = RampAlongX(3);
   ReferenceScene scene = SceneOf(volume, { { { 0.0, red } }, { { 0.0, 0.4 } }, 1.0 });
   const double decay = 0.7;
   scene.shade = LightByPlace([=](glm::dvec3 rgb, glm::dvec3 positionGrid, glm::dvec3)
@@ -109,7 +109,7 @@ TEST(Reference, ExponentialColorByPlaceHasItsClosedForm)
 
 TEST(Reference, InterfaceIsExactAtAnyOffsetFromTheGrid)
 {
-  const Volume volume = RampAlongX(7);
+  const ReferenceVolume volume = RampAlongX(7);
   for (const double value : { 1e-12, 0.1234, 1.0 / 7.0, 0.5, 0.987654321, 1.0 - 1e-12 })
   {
     const ReferenceScene scene = SceneOf(
@@ -124,7 +124,7 @@ TEST(Reference, InterfaceIsExactAtAnyOffsetFromTheGrid)
 
 TEST(Reference, OpaqueWallShowsThroughAThinVeil)
 {
-  const Volume volume = RampAlongX(3);
+  const ReferenceVolume volume = RampAlongX(3);
   const double veil = 1e-3;
   const ReferenceScene scene = SceneOf(volume,
     { { { 0.5, red }, { 0.5, blue } }, { { 0.0, veil }, { 0.5, veil }, { 0.5, 1.0 } }, 1.0 });
@@ -134,7 +134,7 @@ TEST(Reference, OpaqueWallShowsThroughAThinVeil)
 
 TEST(Reference, OpaqueWallHasTheColorOfItsSurface)
 {
-  const Volume volume = RampAlongX(3);
+  const ReferenceVolume volume = RampAlongX(3);
   const ReferenceScene scene =
     SceneOf(volume, { { { 0.0, red }, { 1.0, blue } }, { { 0.25, 0.0 }, { 0.25, 1.0 } }, 1.0 });
   ExpectNear(ColorAlong(scene, alongX), { 0.75, 0.0, 0.25, 1.0 }, 1e-12);
@@ -143,7 +143,7 @@ TEST(Reference, OpaqueWallHasTheColorOfItsSurface)
 TEST(Reference, ConstantOpaqueVolumeIsASurface)
 {
   // The value is that of the node itself, where the opacity is 1, and nowhere else.
-  const Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 1.0) };
+  const ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 1.0) };
   const ReferenceScene scene =
     SceneOf(volume, { { { 1.0, red } }, { { 0.0, 0.0 }, { 1.0, 1.0 }, { 2.0, 0.0 } }, 1.0 });
   ExpectNear(ColorAlong(scene, alongX, 1e-9), { 1.0, 0.0, 0.0, 1.0 }, 0.0);
@@ -151,7 +151,7 @@ TEST(Reference, ConstantOpaqueVolumeIsASurface)
 
 TEST(Reference, PeakOfAMillionthIsNotMissed)
 {
-  const Volume volume = RampAlongX(3);
+  const ReferenceVolume volume = RampAlongX(3);
   const double half = 0.5e-6, opacity = 0.9, unitMm = 1e-6;
   const ReferenceScene scene =
     SceneOf(volume, { {}, { { 0.4 - half, 0.0 }, { 0.4, opacity }, { 0.4 + half, 0.0 } }, unitMm });
@@ -163,7 +163,7 @@ TEST(Reference, PeakOfAMillionthIsNotMissed)
 TEST(Reference, DenseRampIsASurface)
 {
   // Optical depths of 1e12: all that is seen is a layer of a millionth of the ray.
-  const Volume volume = RampAlongX(2);
+  const ReferenceVolume volume = RampAlongX(2);
   for (const double unitMm : { 1e-3, 1e-6, 1e-12 })
   {
     const ReferenceScene scene = SceneOf(volume,
@@ -176,14 +176,14 @@ TEST(Reference, DenseRampIsASurface)
 
 TEST(Reference, ThinHazeKeepsItsRelativeAccuracy)
 {
-  const Volume volume = RampAlongX(2);
+  const ReferenceVolume volume = RampAlongX(2);
   const ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 1e-12 }, { 1.0, 3e-12 } }, 1.0 });
   EXPECT_NEAR(ColorAlong(scene, alongX).r / 4e-12, 1.0, 1e-9);
 }
 
 TEST(Reference, InvisibleVolumeLeavesNothing)
 {
-  const Volume volume = RampAlongX(2);
+  const ReferenceVolume volume = RampAlongX(2);
   const ReferenceScene scene =
     SceneOf(volume, { {}, { { 0.0, 0.0 }, { 1.0, 0.0 }, { 2.0, 1.0 } }, 1.0 });
   EXPECT_EQ(ColorAlong(scene, alongX), glm::dvec4(0.0));
@@ -194,7 +194,7 @@ TEST(Reference, CuttingARayChangesNothing)
   std::mt19937 random(5);
   for (int i = 0; i < 50; ++i)
   {
-    const Volume volume = RandomVolume({ 5, 4, 6 }, random);
+    const ReferenceVolume volume = RandomVolume({ 5, 4, 6 }, random);
     const ReferenceScene scene = SceneOf(volume, RandomTransferFunction(random));
     const Ray ray = RandomRay(volume.dimensions, random);
     const double cut = std::uniform_real_distribution<double>(0.7, 1.1)(random);
@@ -212,7 +212,7 @@ TEST(Reference, AgreesWithAMarchOfTinySteps)
   {
     // A march misses an interface by up to a step, but is of second order without one.
     const bool interfaces = i % 2;
-    const Volume volume = RandomVolume({ 4, 3, 5 }, random);
+    const ReferenceVolume volume = RandomVolume({ 4, 3, 5 }, random);
     const TransferFunction transferFunction = RandomTransferFunction(random, interfaces);
     const Ray ray = RandomRay(volume.dimensions, random);
     ExpectNear(ColorAlong(SceneOf(volume, transferFunction), ray, 3.0),
@@ -225,7 +225,7 @@ TEST(Reference, KeepsTheToleranceAskedFor)
   std::mt19937 random(7);
   for (int i = 0; i < 100; ++i)
   {
-    const Volume volume = RandomVolume({ 6, 6, 6 }, random);
+    const ReferenceVolume volume = RandomVolume({ 6, 6, 6 }, random);
     const ReferenceScene scene = SceneOf(volume, RandomTransferFunction(random));
     const Ray ray = RandomRay(volume.dimensions, random);
     const glm::dvec4 truth = ReferenceIntegrator(scene, 1e-12).Color(ray, 4.0).rgba;
@@ -239,7 +239,7 @@ TEST(Reference, KeepsTheToleranceAskedFor)
 
 TEST(Reference, RayInAFaceOrAlongAnEdgeSeesTheVolume)
 {
-  const Volume volume{ { 3, 3, 3 }, std::vector<double>(27, 1.0) };
+  const ReferenceVolume volume{ { 3, 3, 3 }, std::vector<double>(27, 1.0) };
   const ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.5 } }, 1.0 });
   for (const glm::dvec3 origin :
     { glm::dvec3(-1.0, 0.0, 0.0), { -1.0, 2.0, 2.0 }, { -1.0, 1.0, 0.5 }, { -1.0, 2.0, 1.0 } })
@@ -254,7 +254,7 @@ TEST(Reference, RayInAFaceOrAlongAnEdgeSeesTheVolume)
 
 TEST(Reference, GridOneVoxelThickIsDrawnOneVoxelThick)
 {
-  const Volume volume{ { 2, 1, 2 }, { 0.0, 1.0, 0.0, 1.0 } };
+  const ReferenceVolume volume{ { 2, 1, 2 }, { 0.0, 1.0, 0.0, 1.0 } };
   ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.0 }, { 1.0, 0.8 } }, 1.0 });
   scene.boxGrid = { { 0.0, -0.5, 0.0 }, { 1.0, 0.5, 1.0 } };
   const Ray across{ { 0.25, 3.0, 0.5 }, { 0.0, -1.0, 0.0 } };
@@ -265,7 +265,7 @@ TEST(Reference, VoxelThatIsNotFiniteHidesOnlyItsCells)
 {
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(), infinity, -infinity })
   {
-    Volume volume{ { 7, 2, 2 }, std::vector<double>(28, 1.0) };
+    ReferenceVolume volume{ { 7, 2, 2 }, std::vector<double>(28, 1.0) };
     volume.voxels[3] = bad;
     ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.5 } }, 1.0 });
     EXPECT_NEAR(ColorAlong(scene, alongX).a, 1.0 - std::pow(0.5, 4.0), 1e-14);
@@ -276,7 +276,7 @@ TEST(Reference, VoxelThatIsNotFiniteHidesOnlyItsCells)
 
 TEST(Reference, CellsThatAreNotFiniteAreOfTheMaterialOfGaps)
 {
-  Volume volume{ { 7, 2, 2 }, std::vector<double>(28, 1.0) };
+  ReferenceVolume volume{ { 7, 2, 2 }, std::vector<double>(28, 1.0) };
   volume.voxels[3] = std::numeric_limits<double>::quiet_NaN();
   ReferenceScene scene = SceneOf(volume, { { { 0.0, blue } }, { { 0.0, 0.5 } }, 1.0 });
   scene.gap = { red, 0.3 };
@@ -289,7 +289,7 @@ TEST(Reference, CellsThatAreNotFiniteAreOfTheMaterialOfGaps)
 TEST(Reference, MaximumInsideACellIsFound)
 {
   // Along the diagonal of a cell x y (1 - z) is u^2 (1 - u), at most 4 / 27.
-  Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 0.0) };
+  ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 0.0) };
   volume.voxels[3] = 1.0;
   ReferenceScene scene = SceneOf(volume, { { { 0.0, red } }, { { 0.0, 0.0 }, { 1.0, 1.0 } }, 1.0 });
   scene.blend = Blend::MaximumIntensity;
@@ -299,7 +299,7 @@ TEST(Reference, MaximumInsideACellIsFound)
 
 TEST(Reference, RayThatMissesIsClear)
 {
-  const Volume volume = RampAlongX(2);
+  const ReferenceVolume volume = RampAlongX(2);
   for (const Blend blend : { Blend::Composite, Blend::MaximumIntensity })
   {
     ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.5 } }, 1.0 });
@@ -310,7 +310,7 @@ TEST(Reference, RayThatMissesIsClear)
 
 TEST(Reference, UnusableSettingsAreRefused)
 {
-  const Volume volume = RampAlongX(2);
+  const ReferenceVolume volume = RampAlongX(2);
   const TransferFunction nothing({}, {}, 1.0);
   EXPECT_THROW(ReferenceIntegrator(SceneOf(volume, nothing), 0.0), std::invalid_argument);
   EXPECT_THROW(
@@ -320,7 +320,7 @@ TEST(Reference, UnusableSettingsAreRefused)
 TEST(Reference, OpacityThatRoundsToOneIsASurface)
 {
   // All values lie within a few bits of the node where the curve reaches 1.
-  Volume volume{ { 2, 2, 2 }, std::vector<double>(8, 3.0) };
+  ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 3.0) };
   volume.voxels[0] = std::nextafter(3.0, 0.0);
   const ReferenceScene scene =
     SceneOf(volume, { { { 0.0, red } }, { { 0.0, 0.0 }, { 3.0, 1.0 }, { 4.0, 0.0 } }, 1e-3 });

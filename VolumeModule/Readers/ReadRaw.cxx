@@ -11,7 +11,7 @@ namespace varimarch
 
 Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
-  const RawLayout& raw = options.raw;
+  const RawOptions& raw = options.raw;
   if (raw.dimensions == std::array<int, 3>{ 0, 0, 0 })
   {
     FailToRead(path, "the dimensions of the bare voxels from the caller", "none");

@@ -52,7 +52,7 @@ inline std::string OnlyFirstVolume(std::int64_t count)
 }
 
 /// What a file of bare voxels does not say about itself.
-struct RawLayout
+struct RawOptions
 {
   std::array<int, 3> dimensions = { 0, 0, 0 }; ///< voxels along each axis, x fastest; 0 is unset
   int scalarType = VTK_UNSIGNED_CHAR;
@@ -65,7 +65,7 @@ struct RawLayout
 /// What a caller can choose about reading.
 struct ReadOptions
 {
-  RawLayout raw;
+  RawOptions raw;
   std::string series;   ///< DICOM series to read, see SeriesNamed
   bool rectify = false; ///< whether slices that lie irregularly are resampled on an even grid
 };
