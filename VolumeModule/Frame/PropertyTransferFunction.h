@@ -3,6 +3,8 @@
 
 #include "Core/Look/TransferFunction.h"
 
+#include "VarimarchVolumeModule.h"
+
 class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
@@ -12,7 +14,8 @@ namespace varimarch
 /// The transfer function that a property's curves for a component describe, exactly:
 /// VTK's nodes with midpoint and sharpness, its gray or colour channel, and clamping off as a step
 /// to nothing. A colour function in another space than linear RGB is sampled finely between nodes.
-TransferFunction TransferFunctionOf(vtkVolumeProperty* property, int component = 0);
+VARIMARCHVOLUME_EXPORT TransferFunction TransferFunctionOf(
+  vtkVolumeProperty* property, int component = 0);
 
 /// That of a label of a mask: what it has no curve for is as without a label.
 TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label);

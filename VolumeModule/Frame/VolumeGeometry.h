@@ -5,6 +5,8 @@
 #include "Core/Geometry/UnevenAxis.h"
 #include "Core/Geometry/Viewport.h"
 
+#include "VarimarchVolumeModule.h"
+
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -33,7 +35,7 @@ struct VolumeGeometry
   glm::dmat3 WorldFromGridDirection() const { return glm::dmat3(this->worldFromGrid); }
 
   /// Takes gradients, differences per voxel, to normals in the world.
-  glm::dmat3 WorldFromGridNormal() const;
+  VARIMARCHVOLUME_EXPORT glm::dmat3 WorldFromGridNormal() const;
 
   /// Smallest distance of two neighbouring voxels in the world [mm].
   double SmallestSpacingMm() const;
@@ -60,14 +62,14 @@ enum class VoxelPlace
 /// Of a rectilinear grid: the even grid from its first voxel to its last.
 VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* volume);
 
-VolumeGeometry VolumeGeometryOf(
+VARIMARCHVOLUME_EXPORT VolumeGeometry VolumeGeometryOf(
   vtkImageData* image, vtkVolume* volume, VoxelPlace place = VoxelPlace::Points);
 
 /// The part of the framebuffer that a renderer draws to.
 Viewport ViewportOf(vtkRenderer* renderer);
 
 /// The renderer's camera and projection, for its current tile and eye.
-glm::dmat4 ClipFromWorld(vtkRenderer* renderer);
+VARIMARCHVOLUME_EXPORT glm::dmat4 ClipFromWorld(vtkRenderer* renderer);
 
 }
 

@@ -66,7 +66,7 @@ vtkStandardNewMacro(vtkVarimarchObjectFactory);
 
 }
 
-extern "C" vtkObjectFactory* VarimarchNewObjectFactory()
+extern "C" [[gnu::visibility("default")]] vtkObjectFactory* VarimarchNewObjectFactory()
 {
   return vtkVarimarchObjectFactory::New();
 }

@@ -43,13 +43,13 @@ std::string AnswerForVersion()
 
 }
 
-extern "C" const char* vtkGetFactoryVersion()
+extern "C" [[gnu::visibility("default")]] const char* vtkGetFactoryVersion()
 {
   static const std::string answer = AnswerForVersion();
   return answer.c_str();
 }
 
-extern "C" vtkObjectFactory* vtkLoad()
+extern "C" [[gnu::visibility("default")]] vtkObjectFactory* vtkLoad()
 {
   return FindNewFactory()();
 }

@@ -1,6 +1,8 @@
 #ifndef Varimarch_Readers_VtkMessages_h
 #define Varimarch_Readers_VtkMessages_h
 
+#include "VarimarchVolumeModule.h"
+
 #include <vtkNew.h>
 
 #include <string>
@@ -13,7 +15,7 @@ namespace varimarch
 {
 
 /// Takes the errors and warnings of VTK objects, which would otherwise be printed.
-class VtkMessages
+class VARIMARCHVOLUME_EXPORT VtkMessages
 {
 public:
   VtkMessages();

@@ -3,6 +3,7 @@
 
 #include "Resources/VolumeTexture.h"
 
+#include "VarimarchVolumeModule.h"
 #include "vtkSmartPointer.h"
 
 class vtkDataArray;
@@ -17,8 +18,8 @@ struct ChannelCopy
   bool allFinite = true;               ///< there were none of these
 };
 
-ChannelCopy CopyAsItIs(const VoxelChannel& channel);
-ChannelCopy CopyAsFloats(const VoxelChannel& channel);
+VARIMARCHVOLUME_EXPORT ChannelCopy CopyAsItIs(const VoxelChannel& channel);
+VARIMARCHVOLUME_EXPORT ChannelCopy CopyAsFloats(const VoxelChannel& channel);
 ChannelCopy CopyAsDoubles(const VoxelChannel& channel);
 
 }

@@ -3,6 +3,7 @@
 
 #include "Core/Geometry/ScalarGrid.h"
 
+#include "VarimarchVolumeModule.h"
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 
@@ -101,7 +102,8 @@ public:
   /// How many texels the device takes in one texture: as many as `dimensions`, or as are left when
   /// their longest side is halved until it does. A question only; nothing is allocated.
   /// @param dimensions  no longer than a side may be
-  static std::size_t MostTexels(glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels);
+  VARIMARCHVOLUME_EXPORT static std::size_t MostTexels(
+    glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels);
 
   vtkTextureObject* Texture() const { return this->texture; }
   bool AllFinite() const { return this->allFinite; } ///< in the region
