@@ -6,9 +6,10 @@
 namespace varimarch
 {
 
-/// Where a direction in world space (LPS) points in the patient, by the letters of Left, Right,
-/// Posterior, Anterior, Superior and Inferior: "L" for +x, "AR" for one between them, the nearest
-/// first. A part of the direction below a twentieth of it is left out. Empty for no direction.
+/// Names a direction in world space (LPS) by the letters of Left, Right, Posterior, Anterior,
+/// Superior and Inferior: "L" for +x. An oblique direction has several letters, the largest
+/// component first, as in "AR"; components below a twentieth of the length are left out. The zero
+/// vector gives an empty string.
 std::string AnatomicalDirection(const double directionWorld[3]);
 
 }

@@ -64,7 +64,7 @@ void Canvas::Put(vtkImageData* bytePicture, int left, int bottom)
 
 void Canvas::Write(const std::string& text, int x, int bottom, int fontSize, Anchor anchor)
 {
-  constexpr int PointsPerInch = 72; // so that the font size is in pixels
+  constexpr int PointsPerInch = 72; // makes the font size a number of pixels
   vtkNew<vtkTextProperty> font;
   font->SetFontFamilyToArial();
   font->SetFontSize(fontSize);

@@ -10,8 +10,8 @@
 namespace varimarch
 {
 
-/// A byte picture to put pictures and words on. Positions are in pixels from the lower left
-/// corner; what lies outside is cut off.
+/// A byte image on which other images and text are drawn. Positions are in pixels from the lower
+/// left corner; whatever lies outside the canvas is clipped.
 class Canvas
 {
 public:
@@ -29,8 +29,8 @@ public:
     Right,
   };
 
-  /// One line whose baseline is about at `bottom`, and whose left end, middle or right end is at x.
-  /// Too long a line is not broken.
+  /// Draws one line of text with its baseline near `bottom`. The anchor says whether x is its left
+  /// end, its middle or its right end. Long lines are not broken.
   void Write(const std::string& text, int x, int bottom, int fontSize, Anchor anchor);
 
   vtkImageData* Picture() { return this->picture; }

@@ -9,7 +9,7 @@ namespace varimarch
 namespace
 {
 
-// Place, red, green, blue, each of 255.
+// Position, red, green and blue, each from 0 to 255.
 using Node = std::array<int, 4>;
 
 ColorMap MapOf(const char* name, const std::vector<Node>& nodes)

@@ -10,17 +10,17 @@
 namespace varimarch
 {
 
-/// One renderer's part of a comparison sheet. All pictures of a sheet have one size.
+/// One renderer's column of a comparison sheet. All images of a sheet have the same size.
 struct SheetColumn
 {
   std::string title;
   std::string subtitle;
-  vtkSmartPointer<vtkImageData> picture;    ///< byte picture
-  vtkSmartPointer<vtkImageData> difference; ///< see DifferencePicture.h; null for the truth itself
+  vtkSmartPointer<vtkImageData> picture;    ///< byte image
+  vtkSmartPointer<vtkImageData> difference; ///< see DifferencePicture.h; null for the reference
 };
 
-/// The columns side by side as a byte picture: titles, pictures, and below them the differences,
-/// with their scale below the truth.
+/// Draws the columns side by side: titles, rendered images, and below them the difference images.
+/// The colour scale of the differences stands below the reference.
 vtkSmartPointer<vtkImageData> ComparisonSheet(const std::vector<SheetColumn>& columns);
 
 }

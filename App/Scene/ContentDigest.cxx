@@ -20,7 +20,7 @@ ContentDigest::~ContentDigest()
 
 void ContentDigest::AddBytes(const void* bytes, std::size_t count)
 {
-  // The library counts in int.
+  // vtksysMD5_Append counts in int.
   constexpr std::size_t most = std::size_t(1) << 30;
   const auto* next = static_cast<const unsigned char*>(bytes);
   while (count > 0)

@@ -10,7 +10,8 @@ struct vtksysMD5_s;
 namespace varimarch
 {
 
-/// The MD5 of a sequence of values: tells contents apart and finds damage. Not for security.
+/// MD5 digest of a sequence of values, for cache keys and to detect damaged files. Not for
+/// security.
 class ContentDigest
 {
 public:
@@ -21,7 +22,7 @@ public:
 
   void AddBytes(const void* bytes, std::size_t count);
 
-  /// A number or enumeration, by its bits.
+  /// Adds the bits of a number or enumerator.
   template <class Number>
   void Add(Number number)
   {
@@ -29,7 +30,7 @@ public:
     this->AddBytes(&number, sizeof(number));
   }
 
-  /// 32 letters and digits; nothing can be added after it.
+  /// The digest as 32 hexadecimal digits. Nothing can be added afterwards.
   std::string Text();
 
 private:

@@ -10,7 +10,7 @@ namespace varimarch
 namespace
 {
 
-// More than anybody makes by hand.
+// Far more than anybody draws by hand.
 constexpr std::size_t MostCuts = 1000;
 constexpr std::size_t MostOutlinePoints = 100000;
 

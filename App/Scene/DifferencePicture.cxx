@@ -14,11 +14,11 @@ namespace
 constexpr double Darkest = 0.1; // in 1/255
 constexpr double Decades = 3.0;
 
-// Cividis at five equal steps; what lies between differs little from straight lines.
+// Cividis at five equal steps; linear interpolation between them is close enough.
 constexpr std::array<std::array<double, 3>, 5> Cividis = { { { 0, 34, 78 }, { 65, 77, 107 },
   { 124, 123, 120 }, { 188, 175, 111 }, { 254, 232, 56 } } };
 
-// Colour at a position on the scale from 0 to 1.
+// Colour at a position on the scale, from 0 to 1.
 Canvas::Rgb ScaleColor(double position)
 {
   const double scaled = std::clamp(position, 0.0, 1.0) * (Cividis.size() - 1);

@@ -9,20 +9,20 @@ namespace varimarch
 
 class Canvas;
 
-/// Where two float pictures differ, as a byte picture: a pixel's colour tells the largest
-/// difference of its channels on a logarithmic scale from 0.1 to 100 of 255, which is the same for
-/// all pictures, so that they can be compared. The colours are those of cividis, which people with
-/// any kind of colour vision see alike: J. Nunez, C. Anderton, R. Renslow, "Optimizing colormaps
-/// with consideration for color vision deficiency", PLOS ONE 13(7), 2018.
+/// Shows where two float images differ, as a byte image. The colour of a pixel is the largest
+/// difference of its channels on a fixed logarithmic scale from 0.1/255 to 100/255, so that
+/// difference images can be compared with each other. The colour map is cividis, which reads alike
+/// with any kind of colour vision: J. Nunez, C. Anderton, R. Renslow, "Optimizing colormaps with
+/// consideration for color vision deficiency", PLOS ONE 13(7), 2018.
 vtkSmartPointer<vtkImageData> DifferencePicture(vtkImageData* floatPicture, vtkImageData* truth);
 
-/// Height of what DrawDifferenceScale draws [pixels].
+/// Height of the scale that DrawDifferenceScale draws [pixels].
 constexpr int DifferenceScaleHeight = 56;
 
-/// The labelled scale of these colours.
+/// Draws the colour scale of difference images with its labels.
 void DrawDifferenceScale(Canvas& canvas, int left, int bottom, int width);
 
-/// A difference picture with its scale below it, ready for a file.
+/// Appends the colour scale below a difference image.
 vtkSmartPointer<vtkImageData> WithDifferenceScale(vtkImageData* differencePicture);
 
 }

@@ -19,7 +19,7 @@ namespace varimarch
 namespace
 {
 
-// Takes away a renderer's background while it lives.
+// Removes a renderer's background for the lifetime of this object.
 class WithoutBackground
 {
 public:
@@ -44,7 +44,8 @@ private:
   double alpha;
 };
 
-// A driver may stop a single draw that takes seconds, and nothing can be said while it lasts.
+// Some drivers stop a single draw call that takes seconds, and progress cannot be reported during
+// one.
 void RenderInBands(
   vtkRenderer* renderer, const int size[2], const std::function<void(double)>& onBand)
 {
@@ -52,7 +53,7 @@ void RenderInBands(
   for (int row = 0; row < size[1]; row += BandRows)
   {
     onBand(double(row) / size[1]);
-    // The camera forgets its scissors after each picture.
+    // The camera resets its scissor rectangle after each frame.
     renderer->GetActiveCamera()->SetScissorRect(
       vtkRecti(0, row, size[0], std::min(BandRows, size[1] - row)));
     renderer->GetActiveCamera()->SetUseScissor(true);
@@ -66,8 +67,8 @@ void RenderInBands(
 vtkSmartPointer<vtkImageData> CaptureFloatImage(
   vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const std::function<void(double)>& onBand)
 {
-  // Start makes the context if need be, sets the state that VTK's classes rely on, and binds the
-  // window's framebuffer, in whose place ours comes.
+  // Start() creates the context if necessary, sets the state that VTK's classes rely on, and binds
+  // the window's framebuffer, which ours then replaces.
   window->Start();
   const int* size = window->GetSize();
   vtkNew<vtkOpenGLFramebufferObject> framebuffer;
@@ -89,7 +90,7 @@ vtkSmartPointer<vtkImageData> CaptureFloatImage(
   window->End();
   if (!complete)
   {
-    throw std::runtime_error("OpenGL offers no framebuffer of 32 bit floats with " +
+    throw std::runtime_error("OpenGL has no framebuffer of 32-bit floats for " +
       std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels");
   }
   return image;

@@ -12,14 +12,14 @@ class vtkRenderer;
 namespace varimarch
 {
 
-/// Draws a renderer once into a framebuffer of 32 bit floats, on nothing: RGBA, premultiplied,
-/// without the background and without rounding to 8 bits. Row 0 is the picture's lowest. Errors
-/// are measured in such pictures. VTK's GPU mapper needs an ordinary picture before, or this one
-/// stays empty.
-/// @param window  the window of the renderer, of the size to draw
-/// @param onBand  when given, the picture is drawn in horizontal bands, and this is called before
-///                each with the part that is done, [0, 1): for pictures that take long
-/// @throws std::runtime_error when the driver does not allow such a framebuffer
+/// Renders once into a framebuffer of 32-bit floats that starts out transparent. The result is
+/// premultiplied RGBA without the background and without rounding to 8 bits, the bottom row first.
+/// Errors are measured on such images. VTK's GPU mapper must have rendered an ordinary frame
+/// before; otherwise its image stays empty.
+/// @param window  the renderer's window, of the size to render
+/// @param onBand  if given, the image is rendered in horizontal bands, and this is called before
+///                each one with the fraction done, [0, 1); for images that take long
+/// @throws std::runtime_error if the driver does not support such a framebuffer
 vtkSmartPointer<vtkImageData> CaptureFloatImage(vtkOpenGLRenderWindow* window,
   vtkRenderer* renderer, const std::function<void(double)>& onBand = nullptr);
 

@@ -19,7 +19,7 @@ namespace
 
 constexpr double MostMagnitudes = 4e6;
 
-// Which voxels are looked at: every so many along each axis.
+// Visits every `stride`-th voxel along each axis.
 struct Sampling
 {
   std::array<vtkIdType, 3> dimensions;
@@ -42,7 +42,7 @@ Sampling SamplingOf(vtkImageData* image)
     vtkIdType(std::ceil(std::cbrt(std::max(1.0, voxels / MostMagnitudes)))) };
 }
 
-// Beyond the faces the outermost voxels go on.
+// Voxels outside the volume repeat the outermost ones.
 template <class Tuples>
 double MagnitudeAt(
   const Tuples& tuples, const Sampling& sampling, const std::array<vtkIdType, 3>& voxel)

@@ -7,9 +7,9 @@
 namespace varimarch
 {
 
-/// How steep a volume is, for a histogram: the magnitudes of the gradients [units of the data per
-/// mm] at voxels all over it, at most some four million, of the first component, by central
-/// differences as the mapper has them. Where a neighbour is not finite, 0.
+/// Gradient magnitudes of a volume's first component [units of the data per mm], for a histogram.
+/// They are taken at up to about four million voxels spread over the volume, by the mapper's
+/// central differences. A voxel with a neighbour that is not finite gets 0.
 vtkSmartPointer<vtkImageData> GradientMagnitudes(vtkImageData* image);
 
 }

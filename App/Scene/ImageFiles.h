@@ -10,17 +10,17 @@
 namespace varimarch
 {
 
-/// Pictures here are vtkImageData with one slice, row 0 at the bottom: "float" ones are
-/// premultiplied RGBA, "byte" ones RGB from 0 to 255.
+/// Rendered images are vtkImageData with a single slice, the bottom row first. "Float" images hold
+/// premultiplied RGBA, "byte" images RGB from 0 to 255.
 
-/// A float picture in front of a background, rounded to bytes.
+/// Composites a float image over a background and rounds it to bytes.
 vtkSmartPointer<vtkImageData> BytesOver(
   vtkImageData* floatPicture, const std::array<double, 3>& background);
 
-/// A byte picture as the bytes of a PNG file.
+/// A byte image encoded as PNG.
 std::string PngBytes(vtkImageData* bytePicture);
 
-/// Writes a byte picture as PNG. @throws std::runtime_error that names the file
+/// Writes a byte image as PNG. @throws std::runtime_error that names the file
 void WritePng(vtkImageData* bytePicture, const std::string& path);
 
 }

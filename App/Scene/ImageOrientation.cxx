@@ -34,7 +34,7 @@ vtkSmartPointer<vtkImageData> RightHanded(vtkImageData* image)
   flip->Update();
   vtkSmartPointer<vtkImageData> flipped = flip->GetOutput();
 
-  // The first slice is now where the last one was, and the third axis points back.
+  // The first slice is now where the last one was, and the third axis points the other way.
   const int* extent = image->GetExtent();
   double origin[3];
   image->TransformIndexToPhysicalPoint(0, 0, extent[4] + extent[5], origin);

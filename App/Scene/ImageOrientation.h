@@ -9,15 +9,16 @@ class vtkTransform;
 namespace varimarch
 {
 
-/// What VTK's own mappers need, so that they draw the same picture as ours.
+/// Workarounds for VTK's own mappers, so that they render the same image as ours.
 
-/// The image with its slices in such an order that its axes are right-handed: itself, or a copy.
-/// VTK's GPU mapper culls the front of a mirrored image instead of its back.
+/// Returns the volume with its slice order reversed if its axes are left-handed, and the volume
+/// itself otherwise. VTK's GPU mapper culls the front faces of a mirrored volume instead of its
+/// back faces.
 vtkSmartPointer<vtkImageData> RightHanded(vtkImageData* image);
 
-/// The image with its axes along the world's, and the turn that brings it back to its place. VTK's
-/// CPU mapper ignores the direction of an image, and its GPU mapper forgets it when it lights the
-/// volume; both heed the matrix of the volume.
+/// Returns the volume without its direction matrix, and that matrix as a transform for the
+/// vtkVolume. VTK's CPU mapper ignores the direction of an image, and its GPU mapper forgets it in
+/// the lighting; both respect the matrix of the vtkVolume.
 vtkSmartPointer<vtkImageData> WithoutDirection(vtkImageData* image, vtkTransform* worldFromImage);
 
 }

@@ -21,7 +21,7 @@ namespace
 
 using Counts = std::vector<std::int64_t>;
 
-// Not vtkImageHistogram, which writes beyond its bins where a whole slab is infinite.
+// vtkImageHistogram is no alternative: it writes outside its bins if a whole slab is infinite.
 Counts Count(vtkImageData* image, double smallest, double binSpacing, std::size_t bins)
 {
   tbb::combinable<Counts> countsOfThreads([bins] { return Counts(bins, 0); });
@@ -35,7 +35,7 @@ Counts Count(vtkImageData* image, double smallest, double binSpacing, std::size_
         for (vtkIdType i = range.begin(); i != range.end(); ++i)
         {
           const double bin = (double(tuples[i][0]) - smallest) / binSpacing + 0.5;
-          // Written so that what is no number falls into the first bin.
+          // The comparison is false for NaN, which therefore falls into the first bin.
           ++counts[bin > 0.0 ? std::size_t(std::min(bin, double(bins - 1))) : 0];
         }
       });
@@ -61,7 +61,7 @@ ImageStatistics::ImageStatistics(vtkImageData* image)
   this->smallest = range[0];
   this->largest = range[1];
 
-  // Whole numbers get a bin each where they are few enough; a bin is centred on its value.
+  // Integers get one bin each if their range is small enough. A bin is centred on its value.
   const double width = this->largest - this->smallest;
   const int type = image->GetScalarType();
   const bool oneByOne = type != VTK_FLOAT && type != VTK_DOUBLE && width < MostBins;

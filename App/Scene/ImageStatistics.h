@@ -9,28 +9,28 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// How the values of a volume are distributed.
+/// Distribution of the values of a volume.
 class ImageStatistics
 {
 public:
-  /// Counts the values of the first component. Integers within a range of 65536 are counted one
-  /// by one, other numbers in 65536 equal bins over their finite range. Infinite values count as
-  /// the smallest or largest finite one, what is no number as the smallest.
+  /// Counts the values of the first component. Integers within a range of 65536 are counted one by
+  /// one, other numbers in 65536 equal bins over their finite range. Infinite values count as the
+  /// smallest or largest finite one, NaN as the smallest.
   explicit ImageStatistics(vtkImageData* image);
 
-  /// Of the finite values.
+  /// Range of the finite values.
   double Smallest() const { return this->smallest; }
   double Largest() const { return this->largest; }
 
-  /// The value below which this part of the voxels lies.
+  /// The value below which the given percentage of the voxels lies.
   /// @param percent  [0, 100]
   double Percentile(double percent) const;
 
-  /// Bin i holds the values nearest to Smallest() + i * BinSpacing(), the last one Largest().
+  /// Bin i holds the values nearest to Smallest() + i * BinSpacing(); the last bin holds Largest().
   const std::vector<std::int64_t>& Counts() const { return this->counts; }
   double BinSpacing() const { return this->binSpacing; }
 
-  /// The counts summed into a number of bins of equal width from Smallest to Largest.
+  /// The counts resampled into the given number of equal bins from Smallest() to Largest().
   std::vector<std::int64_t> Histogram(int bins) const;
 
 private:

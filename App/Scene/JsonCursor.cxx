@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-// What was found, short enough for a sentence.
+// The value found, short enough for an error message.
 std::string Excerpt(const nlohmann::json& value)
 {
   if (value.is_object())
@@ -91,7 +91,7 @@ double JsonCursor::Number(const NumberRange& range) const
 
 int JsonCursor::Integer(int smallest, int largest) const
 {
-  // Through double: an integer too large for int must not wrap around.
+  // Compare as double, so that an integer too large for int does not wrap around.
   const double number = this->value.is_number() ? this->value.get<double>() : std::nan("");
   if (!(number >= smallest && number <= largest) || number != std::floor(number))
   {
@@ -119,7 +119,7 @@ std::string JsonCursor::Text() const
 {
   if (!this->value.is_string())
   {
-    this->FailExpecting("a text");
+    this->FailExpecting("a string");
   }
   return this->value.get<std::string>();
 }
@@ -193,7 +193,7 @@ nlohmann::json ParseJson(const std::string& text, const std::string& file)
   }
   catch (const nlohmann::json::parse_error& error)
   {
-    // Without the library's own error number in brackets.
+    // Skip the library's own error number in brackets.
     const std::string what = error.what();
     const std::size_t start = what.find("parse error");
     throw std::runtime_error(
@@ -209,7 +209,7 @@ std::string TextFromJson(const nlohmann::ordered_json& json)
 nlohmann::json ReadJson(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
-  // A folder opens too, and only fails when read.
+  // Opening a folder succeeds; only reading it would fail.
   if (!stream || std::filesystem::is_directory(path))
   {
     throw std::runtime_error(path + ": cannot be read as a file");

@@ -14,7 +14,7 @@
 namespace varimarch
 {
 
-/// A number that a file may hold, and how to name it in a sentence.
+/// The numbers that a key of a file accepts.
 struct NumberRange
 {
   double smallest = -std::numeric_limits<double>::infinity();
@@ -26,10 +26,10 @@ struct NumberRange
   std::string Description() const; ///< "a number > 0"
 };
 
-/// One value in a JSON file together with the way to it, so that every complaint names both:
-/// `head.json: camera.zoom: expected a number > 0, found "big"`. All functions that read throw
-/// such a std::runtime_error when the value is not what they promise.
-/// Refers to the JSON value, which must outlive it.
+/// A JSON value and its path in the file, so that every error names both:
+/// `head.json: camera.zoom: expected a number > 0, found "big"`. Every reading function throws such
+/// a std::runtime_error if the value is not of the expected kind. Holds a reference to the JSON
+/// value, which must outlive the cursor.
 class JsonCursor
 {
 public:
@@ -41,21 +41,21 @@ public:
   std::string Text() const;
   bool IsText() const;
 
-  /// The value that a word stands for.
+  /// The enumerator that the word in the file stands for.
   template <class Value>
   Value Choice(const NameTable<Value>& table) const
   {
     return table[this->ChoiceIndex(NamesOf(table))].second;
   }
 
-  /// Checks that this is an object with no key but these.
+  /// Requires an object that has no keys other than these.
   void RequireObject(const std::vector<std::string>& knownKeys) const;
 
-  /// The value under a key; of an object only.
+  /// The value under a key. Requires an object.
   std::optional<JsonCursor> Find(const std::string& key) const;
   JsonCursor At(const std::string& key) const;
 
-  /// The elements of an array.
+  /// The elements of an array of fewest to most elements.
   std::vector<JsonCursor> Elements(std::size_t fewest, std::size_t most) const;
 
   template <std::size_t count>
@@ -95,14 +95,14 @@ private:
   std::string path;
 };
 
-/// Reads and parses a file. @throws std::runtime_error that names it
+/// Reads and parses a file. @throws std::runtime_error that names the file
 nlohmann::json ReadJson(const std::string& path);
 
-/// Parses a text; `file` names it in errors. @throws std::runtime_error
+/// Parses a text; `file` is its name in errors. @throws std::runtime_error
 nlohmann::json ParseJson(const std::string& text, const std::string& file);
 
-/// For people: indented, ending with a line break. Bytes that are no UTF-8, as a path may have,
-/// become the replacement character.
+/// Indented text that ends with a line break. Bytes that are not valid UTF-8, which a path may
+/// contain, become the replacement character.
 std::string TextFromJson(const nlohmann::ordered_json& json);
 
 }

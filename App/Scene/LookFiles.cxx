@@ -30,10 +30,10 @@ using Reader = Preset (*)(
   const std::string& bytes, const std::string& file, const LookContext& context);
 using Writer = std::string (*)(const Preset& preset, const LookContext& context);
 
-// Larger than any that a program writes.
+// Larger than the files that programs write.
 constexpr std::uintmax_t MostBytes = 16 << 20;
 
-// JSON with spaces for commas that close nothing.
+// Replaces trailing commas by spaces.
 std::string WithoutTrailingCommas(std::string text)
 {
   bool inString = false;
@@ -60,7 +60,7 @@ std::string WithoutTrailingCommas(std::string text)
   return text;
 }
 
-// Other programs' files hold a look, and nothing else of a preset.
+// Other programs' files hold only the look of a preset.
 template <LookReader Read>
 Preset ReadLook(const std::string& bytes, const std::string& file, const LookContext& context)
 {
@@ -98,10 +98,10 @@ struct Row
 {
   LookFileFormat format;
   Reader read;
-  Writer write; ///< none: not written
+  Writer write; ///< null if the format is read-only
 };
 
-// A name has the row of its longest ending.
+// The longest extension that a name ends with decides.
 const std::vector<Row>& Table()
 {
   static const std::vector<Row> table = {
@@ -124,7 +124,7 @@ std::string LowerCase(std::string text)
   return text;
 }
 
-// Ours where the name has no ending of these.
+// Our own format if the name has no known extension.
 const Row& RowOf(const std::string& path)
 {
   const std::string name = LowerCase(std::filesystem::path(path).filename().string());
@@ -148,14 +148,14 @@ std::string BytesOf(const std::string& path)
 {
   std::error_code unknown;
   std::ifstream stream(path, std::ios::binary);
-  // A folder opens too, and only fails when read.
+  // Opening a folder succeeds; only reading it would fail.
   if (!stream || std::filesystem::is_directory(path, unknown))
   {
     FailToReadLook(path, "it cannot be read as a file");
   }
   if (std::filesystem::file_size(path, unknown) > MostBytes)
   {
-    FailToReadLook(path, "expected at most 16 MB, and it is larger");
+    FailToReadLook(path, "the file is larger than 16 MB");
   }
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
@@ -187,7 +187,7 @@ void WriteLookFile(const Preset& preset, const std::string& path, const LookCont
   if (!row.write)
   {
     throw std::runtime_error("Cannot write " + path + ": " + row.format.description +
-      " are only read; expected a name that ends in .json, .vp.json, .vp or .paraview.json.");
+      " can only be read; choose a name that ends in .json, .vp.json, .vp or .paraview.json.");
   }
   Preset named = preset;
   named.look.name = NameOfLookFile(path);

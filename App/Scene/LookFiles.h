@@ -9,25 +9,25 @@
 namespace varimarch
 {
 
-/// A kind of file that holds a look.
+/// A file format that holds a look.
 struct LookFileFormat
 {
   std::string description; ///< "3D Slicer volume properties"
-  std::string extension;   ///< ".vp.json", in small letters
+  std::string extension;   ///< ".vp.json", in lower case
   bool canBeWritten;
 };
 
-/// Ours is the first.
+/// All formats; ours comes first.
 const std::vector<LookFileFormat>& LookFileFormats();
 
-/// Reads a preset of ours or a look of another program, by the ending of its name, and JSON by what
-/// is in it. Commas after the last element, as programs that write JSON by hand leave them, are no
-/// error.
+/// Reads one of our presets or another program's look. The extension decides on the format, for
+/// JSON also the content. Trailing commas, as hand-written JSON has them, are accepted.
 /// @throws std::runtime_error one sentence that names the file
 Preset ReadLookFile(const std::string& path, const LookContext& context);
 
-/// Writes a preset in units of the data as the ending of the name says, by default as ours, and
-/// names it after the file. Files of other programs hold the look alone.
+/// Writes a preset, whose values are in units of the data, in the format of the file name's
+/// extension, ours by default. The preset is named after the file. Other programs' formats hold
+/// only the look.
 /// @throws std::runtime_error one sentence that names the file
 void WriteLookFile(const Preset& preset, const std::string& path, const LookContext& context);
 

@@ -97,7 +97,7 @@ std::array<double, 2> RangeFromJson(const JsonCursor& json)
   const std::array<double, 2> range = json.Numbers<2>();
   if (range[0] > range[1])
   {
-    json.Fail("expected the first value and then the last, found the last first");
+    json.Fail("expected the smaller value first, found the larger first");
   }
   return range;
 }
@@ -114,7 +114,7 @@ void ReadTexts(const JsonCursor& json, Look& look)
   }
 }
 
-// The blending, and what only some kinds of it need.
+// Reads the blend mode and the keys that only some blend modes use.
 void ReadBlend(const JsonCursor& json, Look& look)
 {
   if (const auto surfaces = json.Find("isosurfaces"))
@@ -130,7 +130,7 @@ void ReadBlend(const JsonCursor& json, Look& look)
     look.blend = blend->Choice(BlendNames());
     if (look.blend == Blend::Isosurface && look.isosurfaces.empty())
     {
-      json.Fail("the blending \"isosurface\" expects the key \"isosurfaces\", found none");
+      json.Fail("the blend mode \"isosurface\" expects the key \"isosurfaces\", found none");
     }
   }
 }

@@ -7,7 +7,7 @@
 namespace varimarch
 {
 
-/// A preset from an object, or the one that a text names.
+/// Reads a preset from a JSON object, or the built-in preset that a JSON string names.
 Preset PresetFromJson(const JsonCursor& json);
 
 nlohmann::ordered_json JsonFromLook(const Look& look);

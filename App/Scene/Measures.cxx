@@ -23,7 +23,8 @@ namespace varimarch
 namespace
 {
 
-// Of differences from one of the values, lest the squares of large ones swallow them.
+// Running sums of differences from an offset, one of the values. Without it, squares of large
+// values would lose the variance to rounding.
 struct Sums
 {
   double offset = 0.0;
@@ -53,8 +54,8 @@ struct Sums
   }
 };
 
-// First and last voxel along each axis, as in vtkImageData's extents; without a voxel the last is
-// before the first.
+// First and last voxel along each axis, as in the extents of vtkImageData. An empty range has its
+// last voxel before the first.
 std::array<int, 6> VoxelsIn(const MeasuredBox& box, vtkImageData* image)
 {
   double corners[2][3];
@@ -64,7 +65,7 @@ std::array<int, 6> VoxelsIn(const MeasuredBox& box, vtkImageData* image)
   const int* const extent = image->GetExtent();
   for (int axis = 0; axis < 3; ++axis)
   {
-    // Beside the volume by any length, but within what an int holds.
+    // Clamp to just outside the volume, so that the index fits into an int.
     const auto part = [&](int corner) {
       return std::clamp(corners[corner][axis], extent[2 * axis] - 1.0, extent[2 * axis + 1] + 1.0);
     };
@@ -135,7 +136,7 @@ double AngleDegrees(const Angle& angle)
 {
   const glm::dvec3 first = VectorOf(angle.fromMm) - VectorOf(angle.vertexMm);
   const glm::dvec3 second = VectorOf(angle.toMm) - VectorOf(angle.vertexMm);
-  // Also of nearly parallel arms exact, as the arc cosine is not.
+  // The arctangent stays exact for nearly parallel arms, unlike the arc cosine.
   return glm::degrees(std::atan2(glm::length(glm::cross(first, second)), glm::dot(first, second)));
 }
 

@@ -12,16 +12,16 @@ namespace varimarch
 
 double LengthMm(const Distance& distance);
 
-/// From 0 to 180; 0 where an arm has no length.
+/// Angle [degrees], from 0 to 180; 0 if an arm has no length.
 double AngleDegrees(const Angle& angle);
 
-/// Of the voxels whose middles lie in a box; of a box thinner than a voxel, of those it goes
-/// through. What is not finite counts as no voxel.
+/// Statistics of the voxels whose centres lie in a box. A box thinner than a voxel counts the
+/// voxels that it passes through. Values that are not finite are left out.
 struct BoxStatistics
 {
   std::int64_t voxels = 0;
   double volumeMm3 = 0.0;
-  double mean = 0.0; ///< this and what follows in units of the data, 0 without voxels
+  double mean = 0.0; ///< in units of the data; 0 if the box holds no voxels
   double standardDeviation = 0.0;
   double smallest = 0.0;
   double largest = 0.0;

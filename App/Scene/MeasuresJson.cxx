@@ -8,7 +8,7 @@ namespace varimarch
 namespace
 {
 
-// More than anybody makes by hand.
+// Far more than anybody measures by hand.
 constexpr std::size_t MostMeasures = 1000;
 
 std::string NameFromJson(const JsonCursor& json)
@@ -17,7 +17,7 @@ std::string NameFromJson(const JsonCursor& json)
   return name ? name->Text() : std::string();
 }
 
-// What is measured between two points.
+// Measurements that are given by two points.
 template <class Measure>
 std::vector<Measure> PairsFromJson(const JsonCursor& scene, const char* key)
 {

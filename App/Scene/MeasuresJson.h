@@ -7,7 +7,7 @@
 namespace varimarch
 {
 
-// Each is under a key of its own in a scene; none where there is no such key.
+// Each kind has its own key in a scene; a missing key means no measurements.
 
 std::vector<Distance> DistancesFromJson(const JsonCursor& scene);
 std::vector<Angle> AnglesFromJson(const JsonCursor& scene);

@@ -6,7 +6,7 @@
 namespace varimarch
 {
 
-/// The middle one, or the mean of the two in the middle; of at least one.
+/// Median of at least one number; for an even count, the mean of the two in the middle.
 double Median(std::vector<double> numbers);
 
 }

@@ -14,25 +14,25 @@
 namespace varimarch
 {
 
-/// A scene with a window that needs no display, for pictures and measurements.
+/// A scene in a window that needs no display, for images and measurements.
 class OffscreenView
 {
 public:
-  /// @throws std::runtime_error when there is no OpenGL
+  /// @throws std::runtime_error if there is no OpenGL
   OffscreenView(const Scene& scene, vtkImageData* image, MapperKind kind);
 
   ScenePipeline& Pipeline() { return this->pipeline; }
 
-  /// Draws, waits until the device has finished, and returns how long that took [s].
+  /// Renders, waits for the device to finish, and returns the time that this took [s].
   double Render();
 
-  /// What the last Render drew, as bytes on the background.
+  /// The last rendered frame over its background, as a byte image.
   vtkSmartPointer<vtkImageData> Bytes();
 
-  /// Draws anew, see CaptureFloatImage.
+  /// Renders again into a float image; see CaptureFloatImage.
   vtkSmartPointer<vtkImageData> FloatImage(const std::function<void(double)>& onBand = nullptr);
 
-  /// The OpenGL renderer's own name.
+  /// The name that the OpenGL driver gives the device.
   std::string DeviceName() { return this->window->GetDeviceName(); }
 
 private:

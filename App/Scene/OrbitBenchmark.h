@@ -9,26 +9,26 @@
 namespace varimarch
 {
 
-/// One view of an orbit, drawn by ours and by a mapper of VTK. Errors are those of VTK's picture
-/// from ours, in 1/255 of the brightest.
+/// One view of an orbit, rendered by our mapper and by one of VTK's. Errors compare VTK's image
+/// with ours, in 1/255 of full brightness.
 struct OrbitPicture
 {
-  double degrees; ///< from where the scene has the eye
+  double degrees; ///< azimuth from the scene's camera
   double oursMs;
   double theirsMs;
   double rootMeanSquare;
-  double largest; ///< of a channel of a pixel
+  double largest; ///< over all pixels and channels
 };
 
-/// Draws a scene from all around by two mappers, a view at a time, so that a program can go on
-/// with other things between.
+/// Renders a scene from all around with two mappers. Each call renders one view, so that a program
+/// stays responsive.
 class OrbitBenchmark
 {
 public:
-  /// Both have drawn a first picture, which pays for what is made once.
-  /// @param theirs  can blend as the scene asks for, see CanBlend
-  /// @param image   the scene's volume; must outlive this
-  /// @throws std::runtime_error one sentence, where there is no OpenGL
+  /// Renders a first frame with both mappers, which pays for their one-time setup.
+  /// @param theirs  a mapper that supports the scene's blend mode, see CanBlend
+  /// @param image   the scene's volume; must outlive this object
+  /// @throws std::runtime_error with one sentence if there is no OpenGL
   OrbitBenchmark(const Scene& scene, vtkImageData* image, MapperKind theirs, int pictures);
 
   bool IsDone() const { return int(this->drawn.size()) == this->count; }
@@ -43,18 +43,18 @@ private:
   std::vector<OrbitPicture> drawn;
 };
 
-/// What most of the pictures are like, and the worst of the errors; of at least one.
+/// Median times and worst errors of at least one view.
 struct OrbitSummary
 {
   double medianOursMs;
   double medianTheirsMs;
-  double rootMeanSquare; ///< over all pictures
+  double rootMeanSquare; ///< over all views
   double largest;
 };
 
 OrbitSummary SummaryOf(const std::vector<OrbitPicture>& pictures);
 
-/// A line of names, then one for each picture: "degrees,ours_ms,vtk_ms,rmse_255,largest_255".
+/// A header line, then a line per view: "degrees,ours_ms,vtk_ms,rmse_255,largest_255".
 std::string CsvOf(const std::vector<OrbitPicture>& pictures);
 
 }

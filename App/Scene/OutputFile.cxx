@@ -18,14 +18,15 @@ namespace varimarch
 namespace
 {
 
-// The unfinished file, for a signal handler: plain bytes, no allocation. Empty when there is none.
+// Path of the unfinished file in plain memory, since a signal handler must not allocate. Empty if
+// there is none.
 char unfinishedPath[4096] = "";
 
-// What it says, likewise: the other one is written while this one may be read.
+// Double-buffered notice: one buffer is written while the signal handler may read the other.
 char notices[2][1024] = { "", "" };
 std::atomic<int> noticeInUse = 0;
 
-void RemoveAndDie(int signal)
+void DeleteAndTerminate(int signal)
 {
   if (unfinishedPath[0] != '\0')
   {
@@ -34,9 +35,9 @@ void RemoveAndDie(int signal)
   const char* const notice = notices[noticeInUse];
   if (notice[0] != '\0' && write(STDERR_FILENO, notice, std::strlen(notice)) < 0)
   {
-    // There is nobody left to be told.
+    // Nothing can be reported if stderr is closed.
   }
-  // The default action again, so that the caller sees which signal ended the program.
+  // Restore the default action, so that the parent process sees the signal that ended the program.
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -50,13 +51,13 @@ void SetUnfinishedPath(const std::string& path)
   }
 }
 
-// For the error that the system met last.
+// Reports the last error of the system.
 [[noreturn]] void FailToWrite(const std::string& path)
 {
   throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
 }
 
-// Two programs that write one file must not write one part.
+// The process id keeps two programs that write the same file from sharing a temporary file.
 std::string PartOf(const std::filesystem::path& path)
 {
   std::filesystem::path part = path;
@@ -114,8 +115,8 @@ void WriteFileWhole(
 
 void RemoveUnfinishedFileOnInterrupt()
 {
-  std::signal(SIGINT, RemoveAndDie);
-  std::signal(SIGTERM, RemoveAndDie);
+  std::signal(SIGINT, DeleteAndTerminate);
+  std::signal(SIGTERM, DeleteAndTerminate);
 }
 
 void SetInterruptNotice(const std::string& notice)

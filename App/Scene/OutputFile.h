@@ -7,8 +7,9 @@
 namespace varimarch
 {
 
-/// A file that nobody ever sees half of: while it is written its name has the process and "part"
-/// before the extension, and it goes unless it is completed.
+/// A file under construction. It is written under a temporary name, with the process id and "part"
+/// before the extension, so that nobody sees it incomplete. Unless it is completed, the destructor
+/// deletes it.
 class UnfinishedFile
 {
 public:
@@ -17,10 +18,10 @@ public:
   UnfinishedFile(const UnfinishedFile&) = delete;
   void operator=(const UnfinishedFile&) = delete;
 
-  /// To write to.
+  /// The temporary name to write to.
   const std::string& Part() const { return this->part; }
 
-  /// Gives it its name, in place of a file that had it.
+  /// Renames the file to its final name and replaces a file of that name.
   /// @throws std::runtime_error that names the file and the system's reason
   void Complete();
 
@@ -29,20 +30,20 @@ private:
   std::string part;
 };
 
-/// Writes a file at once that nobody ever sees half of.
+/// Writes a file under a temporary name and renames it when complete.
 /// @throws std::runtime_error that names the file and the system's reason
 void WriteFileWhole(const std::string& path, const std::string& bytes);
 
-/// The same by what can only write to a file of a name.
-/// @param write  writes the file of the name that it is given, and returns whether that is done
+/// The same for writers that take a file name.
+/// @param write  writes to the given name and returns true on success
 void WriteFileWhole(
   const std::string& path, const std::function<bool(const std::string& part)>& write);
 
-/// From now on Ctrl-C and a request to terminate take the last unfinished file away with them.
+/// From now on SIGINT and SIGTERM delete the unfinished file that was begun last.
 void RemoveUnfinishedFileOnInterrupt();
 
-/// What they say on stderr before they end the program: a line without its end, of less than 1024
-/// bytes, cut otherwise. Empty, as at the beginning: nothing.
+/// Sets the line that these signals print to stderr before they end the program. It is given
+/// without a line break and cut to 1023 bytes. Empty, the default, prints nothing.
 void SetInterruptNotice(const std::string& notice);
 
 }

@@ -12,7 +12,7 @@ struct PresetFile
   const char* json;
 };
 
-/// The files of Data/Presets; the build writes this table.
+/// Contents of the files in Data/Presets. The build generates this table.
 const std::vector<PresetFile>& PresetFiles();
 
 }

@@ -10,15 +10,15 @@ namespace varimarch
 namespace
 {
 
-// Hounsfield units.
+// Limits in Hounsfield units.
 constexpr double HighestAir = -900.0;
 constexpr double LowestMetal = 2800.0;
 
-// Fillings of teeth are less, and need no look of their own.
+// Dental fillings cover less than this, and need no look of their own.
 constexpr double LeastPercentOfMetal = 0.2;
 
-// Parts of the body whose soft tissue or air is looked at rather than their bones; with the words
-// that begin their names in DICOM (PS3.16, annex L) and those that scanners write.
+// Body parts that are usually viewed for soft tissue or air rather than bone. The words are
+// prefixes of their names in DICOM (PS3.16, annex L) and of the names that scanners write.
 struct PartLook
 {
   const char* preset;

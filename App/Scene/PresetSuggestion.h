@@ -9,26 +9,26 @@
 namespace varimarch
 {
 
-/// What a preset was chosen by.
+/// The fact that decided on a preset.
 enum class SuggestionReason
 {
-  Modality,      ///< that the file names
-  BodyPart,      ///< that the file names
-  ContrastAgent, ///< of which the file tells
-  Weighting,     ///< of MR, that the file's times tell
-  Metal,         ///< in the histogram: more than a little is denser than any bone
-  ValuesOfAir,   ///< in the histogram, in Hounsfield units: it must be CT
-  OtherValues    ///< the histogram goes down to no air, and nothing else is known
+  Modality,      ///< named in the file
+  BodyPart,      ///< named in the file
+  ContrastAgent, ///< named in the file
+  Weighting,     ///< T1 or T2, from the echo and repetition times in the file
+  Metal,         ///< in the histogram: more than a few voxels are denser than any bone
+  ValuesOfAir,   ///< in the histogram, at Hounsfield units of air: the volume must be CT
+  OtherValues    ///< nothing is known, and no value lies as low as air in CT
 };
 
 struct PresetSuggestion
 {
   std::string name;
   SuggestionReason reason;
-  std::string said; ///< by the file: the modality, body part or weighting; else empty
+  std::string said; ///< modality, body part or weighting as the file names it; otherwise empty
 };
 
-/// The preset that shows most of what a volume was probably made for.
+/// Chooses the preset that best fits the purpose of the scan.
 PresetSuggestion SuggestedPreset(const LoadedVolume& volume, const ImageStatistics& statistics);
 
 }

@@ -11,22 +11,23 @@ namespace varimarch
 
 class ImageStatistics;
 
-/// The presets that come with the program: the files of Data/Presets, built in, so that nothing has
-/// to be found at run time.
+/// Names of the built-in presets. The files of Data/Presets are compiled in, so that none has to be
+/// found at run time.
 std::vector<std::string> PresetNames();
 
 bool IsPresetName(const std::string& name);
 
-/// @throws std::invalid_argument for a name that is none of PresetNames()
+/// @throws std::invalid_argument for a name that is not in PresetNames()
 Preset BuiltInPreset(const std::string& name);
 
-/// Whether a look is still what the preset of its name is for a volume.
+/// True if a look still equals the preset that it is named after, for a volume with these
+/// statistics.
 bool IsBuiltInLook(const Look& look, const ImageStatistics& statistics);
 
-/// Gives a scene all that a preset holds.
+/// Applies a preset to a scene.
 void TakePreset(const Preset& preset, Scene& scene);
 
-/// The preset that makes other scenes look like this one.
+/// The preset that gives other scenes the look of this one.
 Preset PresetOf(const Scene& scene);
 
 }

@@ -75,7 +75,7 @@ vtkSmartPointer<vtkImageData> Shells(const ProceduralSource& source)
     {
       for (int i = 0; i < source.dimensions[0]; ++i)
       {
-        // Every 9 mm from the centre a shell of 5 mm, the outer ones fainter.
+        // Shells of 5 mm at every 9 mm from the centre; the outer ones are fainter.
         const double radiusMm = glm::length(PositionMm(image, i, j, k));
         const double shell = std::min(std::floor(radiusMm / 9.0), 5.0);
         const double fromMiddleMm = std::abs(radiusMm - 9.0 * shell - 4.5);
@@ -108,9 +108,9 @@ vtkSmartPointer<vtkImageData> MarschnerLobb(const ProceduralSource& source)
   return image;
 }
 
-// A number from a normal distribution with variance 1 that depends on its arguments alone, so
-// that threads need no order: the sum of twelve uniform ones (Irwin-Hall), from Steele's
-// SplitMix64.
+// A normally distributed number of variance 1. It depends only on its arguments, so that the order
+// of the threads does not matter. It is the sum of twelve uniform numbers (Irwin-Hall) from
+// Steele's SplitMix64.
 double Noise(std::uint64_t seed, std::uint64_t index)
 {
   std::uint64_t state = (seed << 40) + 3 * index;
@@ -131,8 +131,8 @@ double Noise(std::uint64_t seed, std::uint64_t index)
 
 vtkSmartPointer<vtkImageData> Torso(const ProceduralSource& source)
 {
-  constexpr double NoiseHounsfield = 12.0; // standard deviation, a usual abdominal protocol's
-  constexpr double Lowest = -1024.0;       // where scanners cut off
+  constexpr double NoiseHounsfield = 12.0; // standard deviation, typical of abdominal protocols
+  constexpr double Lowest = -1024.0;       // the lower end of the scanners' range
   auto image = EmptyVolume(source.dimensions, TorsoPhantom::ExtentMm(), VTK_SHORT);
   const double* spacing = image->GetSpacing();
   const double edgeMm = 1.5 * std::max({ spacing[0], spacing[1], spacing[2] });

@@ -17,7 +17,7 @@ namespace
 
 constexpr int UsualSides[] = { 512, 256, 1024, 128 };
 
-// Takes the sides from a name; false where it has none.
+// Sets the dimensions from a name; returns false if the name contains none.
 bool TakeSides(const std::string& name, RawLayout& layout)
 {
   std::smatch sides;
@@ -32,10 +32,10 @@ bool TakeSides(const std::string& name, RawLayout& layout)
   return true;
 }
 
-// Takes the type from a name; false where it has none.
+// Sets the type from a name; returns false if the name contains none.
 bool TakeType(const std::string& name, RawLayout& layout)
 {
-  // Longer names first: "uint16" holds "int16".
+  // "uint16" contains "int16", so the unsigned types come first.
   for (const char* type : { "uint8", "uint16", "uint32", "uint64", "int8", "int16", "int32",
          "int64", "float32", "float64" })
   {

@@ -9,14 +9,15 @@
 namespace varimarch
 {
 
-/// Whether a file says nothing about its voxels, by its name: "head.raw", "head.RAW.gz".
+/// True if the name is that of a raw file, which does not describe its voxels: "head.raw",
+/// "head.RAW.gz".
 bool IsBareVoxels(const std::string& path);
 
-/// What a raw file probably holds: by its name, as in "head_256x256x108_int16.raw", else by its
-/// size, as a cube or as square slices of a usual side. Somebody has to look at it.
+/// Guesses the layout of a raw file from its name, as in "head_256x256x108_int16.raw", or else from
+/// its size, as a cube or as square slices of a common side. A person has to confirm the guess.
 RawLayout GuessedRawLayout(const std::string& path, std::int64_t fileBytes);
 
-/// As many bytes as the file needs, header and all.
+/// Size of a file with this layout, header included [bytes].
 std::int64_t BytesOf(const RawLayout& layout);
 
 }

@@ -24,8 +24,8 @@ namespace varimarch
 namespace
 {
 
-/// To be counted up when the reference draws something else for the same request, or the file
-/// looks different.
+/// Version of the cache. Increase it when the reference gives another image for the same request,
+/// or when the file format changes.
 constexpr int version = 1;
 
 template <class Matrix>
@@ -86,7 +86,7 @@ void AddView(ContentDigest& digest, const ReferenceView& view)
   digest.Add(view.height);
 }
 
-/// What a request's picture is found by.
+/// The file name that identifies a request's image.
 std::string KeyOf(const ReferenceRequest& request)
 {
   ContentDigest digest;
@@ -120,7 +120,7 @@ std::string KeyOf(const ReferenceRequest& request)
   return digest.Text();
 }
 
-// A file is a digest of what follows, the error estimate, and the pixels.
+// A file consists of a digest of the rest, the error estimate, and the pixels.
 constexpr std::size_t digestBytes = 32;
 constexpr std::size_t headerBytes = digestBytes + sizeof(double);
 
@@ -141,7 +141,7 @@ std::string FileBytes(const ReferencePicture& picture)
   return DigestOf(content.data(), content.size()) + content;
 }
 
-/// The picture in a file; nothing when there is no file, or it is not whole.
+/// Reads the image of a file; empty if the file is missing or damaged.
 std::optional<ReferencePicture> PictureIn(const std::string& path, int width, int height)
 {
   std::ifstream stream(path, std::ios::binary);
@@ -171,7 +171,7 @@ ReferenceCache::ReferenceCache(std::string folder, std::uintmax_t largestBytes)
 
 std::string ReferenceCache::DefaultFolder()
 {
-  // A relative path is to be ignored, says the XDG Base Directory Specification.
+  // The XDG Base Directory Specification says to ignore relative paths.
   if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && fs::path(cache).is_absolute())
   {
     return fs::path(cache) / "varimarch" / "reference";
@@ -193,7 +193,7 @@ std::optional<ReferencePicture> ReferenceCache::Picture(
     PictureIn(path, request.view.width, request.view.height);
   if (picture)
   {
-    std::error_code ignored; // another process may just have deleted it
+    std::error_code ignored; // another process may have just deleted it
     fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
     return picture;
   }
@@ -215,7 +215,8 @@ void ReferenceCache::Keep(const std::string& path, const ReferencePicture& pictu
   }
   catch (const std::runtime_error&)
   {
-    // A full disk or a folder that is not ours: the picture is there, it is only not kept.
+    // The disk may be full or the folder not writable. The image is still valid; it is only not
+    // kept.
   }
 }
 

@@ -9,24 +9,24 @@
 namespace varimarch
 {
 
-/// Reference pictures in a folder, so that each is drawn once. A picture is found by a digest of
-/// all that it depends on: voxels, geometry, transfer function, light, blend mode, rays, size and
-/// tolerance; a change of any draws another. Several processes may share a folder.
+/// Reference images kept in a folder, so that each is computed once. The key is a digest of
+/// everything that an image depends on: voxels, geometry, transfer function, light, blend mode,
+/// rays, size and tolerance. Several processes may share a folder.
 class ReferenceCache
 {
 public:
   static constexpr std::uintmax_t DefaultLargestBytes = std::uintmax_t(1) << 30;
 
-  /// @param folder        made when needed; empty: nothing is kept
-  /// @param largestBytes  of all pictures; those not used for longest are deleted beyond it
+  /// @param folder        created when needed; if empty, nothing is kept
+  /// @param largestBytes  total size; beyond it the least recently used images are deleted
   explicit ReferenceCache(
     std::string folder = DefaultFolder(), std::uintmax_t largestBytes = DefaultLargestBytes);
 
-  /// "varimarch/reference" in $XDG_CACHE_HOME, or in ~/.cache; empty where neither is known.
+  /// "varimarch/reference" in $XDG_CACHE_HOME, or in ~/.cache; empty if neither is known.
   static std::string DefaultFolder();
 
-  /// As DrawReferencePicture, which draws what is not there or damaged. That a picture cannot be
-  /// kept, as on a full disk, is no error.
+  /// Returns the image of DrawReferencePicture, which is called if the image is missing or damaged.
+  /// Failing to keep it, as on a full disk, is not an error.
   std::optional<ReferencePicture> Picture(const Scene& scene, vtkImageData* image, double tolerance,
     const ProgressFunction& progress = {}) const;
 

@@ -29,7 +29,7 @@ vtkDataArray* CheckedScalars(vtkImageData* image)
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars || scalars->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument("Reference picture: the volume must have one component, found " +
+    throw std::invalid_argument("Reference image: the volume must have one component, found " +
       std::to_string(scalars ? scalars->GetNumberOfComponents() : 0));
   }
   return scalars;
@@ -61,7 +61,7 @@ std::optional<ValueRange> AveragedRangeOf(const Look& look)
   return range ? std::optional(ValueRange{ (*range)[0], (*range)[1] }) : std::nullopt;
 }
 
-/// The rays of the pipeline's camera: those of its mapper too.
+/// The rays of the pipeline's camera, which its mapper casts too.
 ReferenceView ViewOf(const Scene& scene, vtkRenderer* renderer, const VolumeGeometry& geometry)
 {
   const double aspect = double(scene.size[0]) / scene.size[1];
@@ -86,7 +86,7 @@ std::vector<glm::dvec4> PlanesInGrid(
   return planesGrid;
 }
 
-// The part of an interval where a ray is on the positive side of a plane.
+// Clips an interval of a ray to the positive side of a plane.
 Interval PositivePart(const glm::dvec4& plane, const Ray& ray, Interval part)
 {
   const double atOrigin = glm::dot(plane, glm::dvec4(ray.origin, 1.0));
@@ -139,7 +139,7 @@ ReferenceScene SceneOf(const ReferenceRequest& request)
     vtkTemplateMacro(
       return SceneOf(request, static_cast<const VTK_TT*>(request.scalars->GetVoidPointer(0))));
   }
-  throw std::invalid_argument(std::string("Reference picture: the volume must have numbers, "
+  throw std::invalid_argument(std::string("Reference image: the volume must have numbers, "
                                           "found ") +
     request.scalars->GetDataTypeAsString());
 }
@@ -150,13 +150,13 @@ ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, do
 {
   if (!scene.cuts.scissors.empty())
   {
-    throw std::invalid_argument("Reference picture: it knows cuts by planes and the box only, "
+    throw std::invalid_argument("Reference image: expected cuts by planes or the box only, "
                                 "found cuts by scissors");
   }
   vtkDataArray* scalars = CheckedScalars(image);
   if (!scene.look.gradientOpacities.empty())
   {
-    throw std::invalid_argument("Reference picture: expected a look without gradient opacity");
+    throw std::invalid_argument("Reference image: expected a look without gradient opacity");
   }
   ScenePipeline pipeline(scene, image, MapperKind::Varimarch);
   const VolumeGeometry geometry = VolumeGeometryOf(image, pipeline.Volume());

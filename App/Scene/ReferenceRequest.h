@@ -16,26 +16,26 @@
 namespace varimarch
 {
 
-/// All that a reference picture depends on, and nothing else.
+/// Everything that a reference image depends on, and nothing else.
 struct ReferenceRequest
 {
   vtkSmartPointer<vtkDataArray> scalars;
   VolumeGeometry geometry;
   TransferFunction transferFunction;
-  std::optional<HeadLight> light; ///< none: unshaded
+  std::optional<HeadLight> light; ///< empty: unshaded
   Blend blend;
   std::vector<double> isovalues;
-  std::optional<ValueRange> averagedRange; ///< none: all values
-  std::vector<glm::dvec4> cutPlanesGrid;   ///< what lies on their positive sides is left
+  std::optional<ValueRange> averagedRange; ///< empty: all values
+  std::vector<glm::dvec4> cutPlanesGrid;   ///< keep what lies on their positive sides
   ReferenceView view;
   double tolerance;
 };
 
-/// @throws std::invalid_argument for a volume without scalars, or with several components, and for
-///         gradient opacity, which the reference does not know
+/// @throws std::invalid_argument for a volume without scalars or with several components, and for
+///         gradient opacity, which the reference does not support
 ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, double tolerance);
 
-/// @return nothing when `progress` gave up
+/// @return nothing if `progress` cancelled
 std::optional<ReferencePicture> DrawReferencePicture(
   const ReferenceRequest& request, const ProgressFunction& progress);
 

@@ -14,22 +14,22 @@
 namespace varimarch
 {
 
-/// How the bytes of a raw file are to be read; a raw file does not say.
+/// Layout of a raw file, which the file itself does not record.
 struct RawLayout
 {
   std::array<int, 3> dimensions = {}; ///< voxels along each axis, x fastest
   std::string type = "uint8";         ///< one of RawTypeNames()
   std::array<double, 3> spacingMm = { 1.0, 1.0, 1.0 };
   bool bigEndian = false;
-  std::int64_t headerBytes = 0; ///< before the first voxel, >= 0
+  std::int64_t headerBytes = 0; ///< size of the header before the first voxel, >= 0
 };
 
 struct FileSource
 {
   std::string path;             ///< a file, or a folder with a DICOM series
-  std::optional<RawLayout> raw; ///< only for files without a header
-  std::string series = {};      ///< one of several DICOM series, as vtkVolumeFileReader names it
-  bool rectified = false; ///< whether slices that were tilted or lie unevenly are resampled evenly
+  std::optional<RawLayout> raw; ///< layout of a file without a header; otherwise empty
+  std::string series = {};      ///< which of several DICOM series, as named by vtkVolumeFileReader
+  bool rectified = false;       ///< true resamples tilted or unevenly spaced slices on an even grid
 };
 
 enum class ProceduralKind
@@ -44,14 +44,14 @@ struct ProceduralSource
 {
   ProceduralKind kind = ProceduralKind::Shells;
   std::array<int, 3> dimensions = { 128, 128, 128 }; ///< each from 2 to LargestProceduralSide
-  unsigned seed = 1;                                 ///< of the noise, where there is any
+  unsigned seed = 1; ///< seed of the noise, for kinds that have noise
 };
 
 constexpr int LargestProceduralSide = 1024;
 
 using VolumeSource = std::variant<FileSource, ProceduralSource>;
 
-/// What the values of a look's nodes mean.
+/// Meaning of the values of a look's nodes.
 enum class Domain
 {
   Data,     ///< units of the data, such as Hounsfield units
@@ -68,46 +68,46 @@ struct Shading
   double specularPower = 16.0; ///< >= 1
 };
 
-/// Of the blending that draws surfaces of equal value.
+/// A surface of equal value, for Blend::Isosurface.
 struct Isosurface
 {
   double value;
   glm::dvec3 rgb;       ///< [0, 1]
-  double opacity = 1.0; ///< of the surface, however thick what is behind it, [0, 1]
+  double opacity = 1.0; ///< opacity of the surface, however thick the material behind it, [0, 1]
 };
 
-/// How values are seen: the transfer function and the light.
+/// Transfer function and light: the appearance of the values.
 struct Look
 {
-  std::string name;        ///< of the preset it came from; may be empty
-  std::string description; ///< one line for people; may be empty
+  std::string name;        ///< name of the preset it came from; may be empty
+  std::string description; ///< one line of text; may be empty
   Domain domain = Domain::Data;
   std::vector<ColorNode> colors;      ///< sorted by value, at least one
   std::vector<OpacityNode> opacities; ///< sorted by value, at least one
   double opacityUnitDistanceMm = 1.0; ///< > 0
-  /// Factors of the opacity by the magnitude of the gradient [units of the value per mm], of a
-  /// composite; sorted by it, empty: the gradient has no say.
+  /// Opacity factors by gradient magnitude [units of the value per mm], sorted by it, for
+  /// composites. Empty: the gradient does not affect the opacity.
   std::vector<OpacityNode> gradientOpacities;
   Shading shading;
   Blend blend = Blend::Composite;
-  std::vector<Isosurface> isosurfaces; ///< sorted by value, for that blending at least one
-  /// The first and the last value that counts in an average; empty: all do.
+  std::vector<Isosurface> isosurfaces; ///< sorted by value; at least one for Blend::Isosurface
+  /// First and last value that count in an average. Empty: all values.
   std::optional<std::array<double, 2>> averagedRange;
 };
 
-/// A look, and what else a picture should be like; what is empty stays as it was.
+/// A look with further settings of a scene. Empty settings keep the scene's own.
 struct Preset
 {
   Look look;
-  std::optional<double> errorTolerance = {}; ///< as in RenderOptions
+  std::optional<double> errorTolerance = {}; ///< see RenderOptions
   std::optional<std::array<double, 3>> background = {};
 };
 
-/// Where the eye is, in the patient's terms. World space is LPS: +x left, +y posterior,
-/// +z superior.
+/// Viewing direction in the patient's terms. World space is LPS: +x left, +y posterior, +z
+/// superior.
 enum class View
 {
-  Anterior, ///< looks at the face: the eye is in front of the patient
+  Anterior, ///< the eye is in front of the patient and looks at the face
   Posterior,
   Left, ///< the eye is at the patient's left
   Right,
@@ -115,54 +115,54 @@ enum class View
   Inferior,
 };
 
-/// A camera that was moved by hand. World space, LPS.
+/// Pose of a camera that was moved by hand. World space, LPS.
 struct CameraPose
 {
   std::array<double, 3> positionMm;
   std::array<double, 3> focalPointMm;
   std::array<double, 3> viewUp;
-  double parallelScaleMm; ///< half the height of the picture, > 0; parallel only
+  double parallelScaleMm; ///< half the height of the image, > 0; parallel projection only
 };
 
 struct Camera
 {
   View view = View::Anterior;
-  double azimuthDegrees = 0.0;   ///< turns the eye about the vertical of the picture
-  double elevationDegrees = 0.0; ///< then lifts it, (-90, 90)
-  double zoom = 1.0;             ///< > 0; at 1 the volume's box just fits the picture
+  double azimuthDegrees = 0.0;   ///< turns the eye about the vertical of the image
+  double elevationDegrees = 0.0; ///< then raises the eye, (-90, 90)
+  double zoom = 1.0;             ///< > 0; at 1 the volume's box just fits the image
   bool parallel = false;
-  double viewAngleDegrees = 30.0; ///< vertical, (0, 180); perspective only
-  std::optional<CameraPose> pose; ///< in place of view, azimuth, elevation and zoom
+  double viewAngleDegrees = 30.0; ///< vertical, (0, 180); perspective projection only
+  std::optional<CameraPose> pose; ///< replaces view, azimuth, elevation and zoom
 };
 
-/// What lies on the side that the normal points to stays. World space, LPS.
+/// Keeps the side of the plane that the normal points to. World space, LPS.
 struct CutPlane
 {
   std::array<double, 3> pointMm;
-  std::array<double, 3> normal; ///< of any length > 0
+  std::array<double, 3> normal; ///< any length > 0
 };
 
-/// An outline that was drawn over a picture, and cuts through the depth of the volume.
+/// An outline drawn on the image that cuts through the whole depth of the volume.
 struct ScissorsCut
 {
-  Camera camera; ///< of the picture, with a pose
-  /// Around the outline, from the middle of the picture in halves of its height: to the right,
-  /// upwards. At least three points; where it crosses itself, the even-odd rule holds.
+  Camera camera; ///< camera of the image that the outline was drawn on; has a pose
+  /// Points of the outline, at least three, measured from the centre of the image in units of half
+  /// its height, to the right and upwards. Self-intersections follow the even-odd rule.
   std::vector<std::array<double, 2>> outline;
-  bool keepsInside = false; ///< what is outside goes; else what is inside
+  bool keepsInside = false; ///< true removes the outside, false the inside
 };
 
-/// What of a volume is left to see.
+/// The cuts that leave part of the volume visible.
 struct SceneCuts
 {
-  /// From where to where along each axis of the volume: x first, x last, y ..., 0 is the first
+  /// Kept fraction of the volume along each axis: first x, last x, first y, ... 0 is the first
   /// voxel, 1 the last.
   std::array<double, 6> box = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   std::vector<CutPlane> planes;
   std::vector<ScissorsCut> scissors;
 };
 
-/// How a slab of several slices becomes one picture.
+/// How the slices of a slab combine into one image.
 enum class SlabBlend
 {
   Maximum,
@@ -170,16 +170,18 @@ enum class SlabBlend
   Mean,
 };
 
-/// Slices through the volume along the patient's axes, as the viewer has them beside the picture.
+/// The viewer's slices through the volume, along the patient's axes.
 struct SliceSettings
 {
-  std::optional<std::array<double, 3>> crosshairMm; ///< world space, LPS; empty: the middle
-  std::optional<std::array<double, 2>> windowLevel; ///< units of the data; empty: from the data
-  double slabMm = 0.0;                              ///< >= 0; 0: a single slice
+  std::optional<std::array<double, 3>>
+    crosshairMm; ///< world space, LPS; empty: the middle of the volume
+  std::optional<std::array<double, 2>>
+    windowLevel;       ///< units of the data; empty: from the histogram
+  double slabMm = 0.0; ///< >= 0; 0: a single slice
   SlabBlend slabBlend = SlabBlend::Maximum;
 };
 
-// What the user has measured, written over the picture. World space, LPS; names may be empty.
+// Measurements that the user has made, drawn over the image. World space, LPS; names may be empty.
 
 struct Distance
 {
@@ -191,15 +193,15 @@ struct Distance
 struct Angle
 {
   std::array<double, 3> fromMm;
-  std::array<double, 3> vertexMm; ///< where the angle is
+  std::array<double, 3> vertexMm; ///< apex of the angle
   std::array<double, 3> toMm;
   std::string name = {};
 };
 
-/// A box along the volume's axes, of whose voxels there are statistics.
+/// A box along the volume's axes whose voxels are summarized by statistics.
 struct MeasuredBox
 {
-  std::array<double, 3> fromMm; ///< a corner, and the one opposite to it
+  std::array<double, 3> fromMm; ///< two opposite corners
   std::array<double, 3> toMm;
   std::string name = {};
 };
@@ -208,17 +210,17 @@ struct RenderOptions
 {
   std::optional<double> sampleDistanceMm; ///< > 0; empty: the mapper chooses
   Acceleration acceleration = Acceleration::OpticalField;
-  std::optional<Integration> integration;   ///< of a composite; empty: the mapper chooses
-  double errorTolerance = 1.0 / 64.0;       ///< [0, 1]; for a sample distance that it chooses
-  std::optional<double> variationTolerance; ///< units of the data; empty: mapper chooses
+  std::optional<Integration> integration;   ///< for composites; empty: the mapper chooses
+  double errorTolerance = 1.0 / 64.0;       ///< [0, 1]; used if the mapper chooses the distance
+  std::optional<double> variationTolerance; ///< units of the data; empty: the mapper chooses
   double earlyTerminationTransmittance = 1.0 / 1024; ///< [0, 1)
 };
 
-/// Who draws a scene: not part of it, since all should draw the same.
+/// The mapper that renders a scene. Not part of the scene, since all mappers should agree.
 enum class MapperKind
 {
   Varimarch,        ///< vtkVariationFieldVolumeMapper
-  VarimarchShaders, ///< the same, without ProcessorMarching
+  VarimarchShaders, ///< the same with ProcessorMarching off
   VtkGpu,           ///< vtkOpenGLGPUVolumeRayCastMapper
   VtkCpu,           ///< vtkFixedPointVolumeRayCastMapper
 };
@@ -228,8 +230,8 @@ inline bool IsOurs(MapperKind kind)
   return kind == MapperKind::Varimarch || kind == MapperKind::VarimarchShaders;
 }
 
-/// Everything a picture depends on, as plain data. SceneFile reads and writes it, ScenePipeline
-/// draws it.
+/// Everything that a rendered image depends on, as plain data. SceneFile reads and writes it, and
+/// ScenePipeline renders it.
 struct Scene
 {
   VolumeSource volume;
@@ -241,7 +243,7 @@ struct Scene
   std::vector<Angle> angles;
   std::vector<MeasuredBox> boxes;
   RenderOptions render;
-  std::array<int, 2> size = { 512, 512 }; ///< of the picture [pixels]
+  std::array<int, 2> size = { 512, 512 }; ///< image size [pixels]
   std::array<double, 3> background = { 0.0, 0.0, 0.0 };
 };
 

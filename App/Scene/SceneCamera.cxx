@@ -25,8 +25,8 @@ struct Orientation
   glm::dvec3 upWorld;
 };
 
-// World space is LPS. From above and from below the patient's front is at the top, so that from
-// below the left of the patient is at the right, as radiologists look at axial slices.
+// World space is LPS. From above and from below, the patient's front is at the top. From below, the
+// patient's left is therefore on the right, as in axial slices in radiology.
 Orientation OrientationOf(View view)
 {
   const glm::dvec3 left(1.0, 0.0, 0.0);
@@ -49,8 +49,8 @@ Orientation OrientationOf(View view)
   }
 }
 
-// Offset of a corner of the box from its middle, along the picture's right, its up, and towards
-// the eye.
+// Offset of a corner of the box from its centre in view coordinates: right, up, and towards the
+// eye.
 glm::dvec3 CornerInView(int corner, const double boundsWorld[6], vtkMatrix4x4* viewFromWorld)
 {
   double offset[4] = { 0.0, 0.0, 0.0, 0.0 };
@@ -83,7 +83,7 @@ void PlaceCamera(
     Pose(*placement.pose, camera);
     return;
   }
-  // Turn about the middle of the box.
+  // Turn about the centre of the box.
   const glm::dvec3 center(0.5 * (boundsWorld[0] + boundsWorld[1]),
     0.5 * (boundsWorld[2] + boundsWorld[3]), 0.5 * (boundsWorld[4] + boundsWorld[5]));
   const Orientation orientation = OrientationOf(placement.view);
@@ -95,7 +95,7 @@ void PlaceCamera(
   camera->Elevation(placement.elevationDegrees);
   camera->OrthogonalizeViewUp();
 
-  // Step back until every corner of the box is in the picture.
+  // Step back until every corner of the box is in the image.
   const double tangent = std::tan(0.5 * glm::radians(placement.viewAngleDegrees));
   double distance = 0.0;
   double halfHeight = 0.0;

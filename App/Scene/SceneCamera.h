@@ -8,10 +8,10 @@ class vtkCamera;
 namespace varimarch
 {
 
-/// Places a camera as a scene asks for it.
+/// Places a vtkCamera as the scene's camera describes. Call vtkRenderer::ResetCameraClippingRange
+/// afterwards for the clipping range.
 /// @param boundsWorld  of the volume [mm, LPS]: xmin, xmax, ymin, ymax, zmin, zmax
-/// @param aspect       width of the picture by its height, > 0
-/// The clipping range is left to vtkRenderer::ResetCameraClippingRange.
+/// @param aspect       width of the image divided by its height, > 0
 void PlaceCamera(
   const Camera& placement, const double boundsWorld[6], double aspect, vtkCamera* camera);
 
@@ -19,10 +19,10 @@ CameraPose PoseOf(vtkCamera* camera);
 
 bool operator==(const CameraPose& a, const CameraPose& b);
 
-/// The camera with a projection; what is at the focal point keeps its size in the picture.
+/// The camera with the other projection. Objects at the focal point keep their size in the image.
 Camera WithProjection(const Camera& camera, bool parallel);
 
-/// From the eye to what it looks at, in world space, of length 1.
+/// Unit vector in world space from the eye to the focal point.
 std::array<double, 3> ViewDirection(const Camera& camera);
 
 }

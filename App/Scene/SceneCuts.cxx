@@ -16,7 +16,8 @@ namespace varimarch
 namespace
 {
 
-// Upright on the two other axes, which in a sheared volume is not along this one.
+// Normal of a face: perpendicular to the two other axes. In a sheared volume it differs from the
+// axis.
 glm::dvec3 NormalOf(int axis, vtkImageData* image)
 {
   const auto direction = [&](int of)

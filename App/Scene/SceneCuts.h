@@ -13,35 +13,35 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// All planes that a mapper cuts by: those of the box that take anything away, then the others.
+/// All clipping planes for a mapper: those of the box that remove anything, then the free planes.
 std::vector<CutPlane> PlanesOf(const SceneCuts& cuts, vtkImageData* image);
 
-/// The place in the world at parts of the way from the first voxel to the last along each axis.
+/// World position at the given fractions of the way from the first voxel to the last of each axis.
 glm::dvec3 PointAtParts(const glm::dvec3& parts, vtkImageData* image);
 
-/// Of world space, the middle of a volume [mm].
+/// Centre of a volume in world space [mm].
 std::array<double, 3> MiddleOf(vtkImageData* image);
 
-/// Moves a face of a box; it stays within the volume and a thousandth of it before its opposite.
-/// @param face  as in SceneCuts::box
-/// @param part  where to, as in SceneCuts::box
+/// Moves a face of a box. The face stays within the volume and at least 0.001 short of the opposite
+/// face.
+/// @param face  index in SceneCuts::box
+/// @param part  new position, as in SceneCuts::box
 void MoveFace(std::array<double, 6>& box, int face, double part);
 
-/// Where the faces of a volume's box are when the volume takes another form, such as rectified.
-/// Those that took nothing away still do not.
+/// Converts a box to another form of the same volume, such as the rectified one. Faces that removed
+/// nothing still remove nothing.
 /// @param box  as in SceneCuts::box
 std::array<double, 6> BoxInOther(
   const std::array<double, 6>& box, vtkImageData* image, vtkImageData* other);
 
-/// How far along a plane's normal the volume lies: from where to where, measured from its middle
-/// [mm].
+/// The interval that a volume covers along a plane's normal, measured from its centre [mm].
 std::array<double, 2> ReachAlong(const std::array<double, 3>& normal, vtkImageData* image);
 
-/// How deep a plane lies in a volume along its normal: 0 where it keeps all of it, 1 where nothing
-/// is left.
+/// Depth of a plane in a volume along its normal: 0 keeps the whole volume, 1 removes it.
 double DepthOf(const CutPlane& plane, vtkImageData* image);
 
-/// A plane of the same direction at a depth, through a point above or below the volume's middle.
+/// A plane of the same direction at another depth. Its point lies on the normal through the
+/// volume's centre.
 /// @param depth  [0, 1], see DepthOf
 CutPlane AtDepth(double depth, const CutPlane& plane, vtkImageData* image);
 

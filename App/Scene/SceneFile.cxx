@@ -19,7 +19,7 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr NumberRange Positive = { 0.0, Infinity, true };
-// OpenGL's least guaranteed largest side of a 2D texture is 16384 in the versions that matter.
+// All relevant OpenGL versions guarantee 2D textures of at least this size.
 constexpr int LargestPictureSide = 16384;
 
 SliceSettings SlicesFromJson(const JsonCursor& json)
@@ -45,7 +45,7 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
   return slices;
 }
 
-// A number, or the word "auto" for what the mapper chooses.
+// A number, or the word "auto" to let the mapper choose.
 std::optional<double> NumberOrAuto(const JsonCursor& json, const NumberRange& range)
 {
   if (!json.IsText())
@@ -97,12 +97,12 @@ void ReadRender(const JsonCursor& json, RenderOptions& render)
 
 Scene SceneFromJson(const JsonCursor& json)
 {
-  // "$schema" lets an editor find the schema; it means nothing here.
+  // Editors find the schema through "$schema"; it is ignored here.
   json.RequireObject({ "$schema", "volume", "look", "camera", "cuts", "slices", "distances",
     "angles", "boxes", "render", "size", "background" });
   Scene scene;
   scene.volume = VolumeFromJson(json.At("volume"));
-  // What a preset says comes first: the scene's own keys take its place.
+  // The preset's settings come first, so that the scene's own keys override them.
   TakePreset(PresetFromJson(json.At("look")), scene);
   if (const auto camera = json.Find("camera"))
   {
@@ -205,7 +205,7 @@ Scene ReadScene(const std::string& path)
   Scene scene = SceneFromJson(JsonCursor(ReadJson(path), path));
   if (auto* file = std::get_if<FileSource>(&scene.volume))
   {
-    // An absolute path stays what it is.
+    // An absolute path is unchanged by operator/.
     file->path = (std::filesystem::path(path).parent_path() / file->path).string();
   }
   return scene;

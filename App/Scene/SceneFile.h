@@ -8,21 +8,21 @@
 namespace varimarch
 {
 
-/// Scenes, looks and presets as JSON: Documentation/SceneFormat.md describes the format,
+/// Scenes, looks and presets as JSON. Documentation/SceneFormat.md describes the format, and
 /// Data/Scenes/scene.schema.json defines it for editors.
 ///
-/// Every function that reads throws std::runtime_error with one sentence that names the file, the
-/// way to the key, what was expected and what was found.
+/// Every reading function throws std::runtime_error with one sentence that names the file, the path
+/// of the key, the expected value and the found one.
 
-/// Reads a scene; a relative path of its volume starts at the scene file's folder.
+/// Reads a scene. Relative paths of volumes start at the scene file's folder.
 Scene ReadScene(const std::string& path);
 
-/// Keys that may be left out are always written, so that the text holds the whole scene.
+/// Optional keys are always written, so that the text holds the whole scene.
 std::string SceneText(const Scene& scene);
 std::string LookText(const Look& look);
 std::string PresetText(const Preset& preset);
 
-/// Parse a text instead of a file; `file` names it in errors.
+/// Parse a text instead of a file; `file` is its name in errors.
 Scene SceneFromText(const std::string& text, const std::string& file);
 Preset PresetFromText(const std::string& text, const std::string& file);
 

@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-// Number of letters to insert, delete or replace (Levenshtein's distance).
+// Number of letters to insert, delete or replace (Levenshtein distance).
 std::size_t EditDistance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> row(b.size() + 1);
@@ -119,7 +119,7 @@ std::string Suggestion(const std::string& name, const std::vector<std::string>& 
   const auto nearest = std::min_element(known.begin(), known.end(),
     [&](const std::string& a, const std::string& b)
     { return EditDistance(name, a) < EditDistance(name, b); });
-  // A name of which more than a third is wrong is no slip of the pen.
+  // If more than a third of the letters differ, it is not a typing error.
   if (nearest != known.end() && 3 * EditDistance(name, *nearest) <= nearest->size() + 2)
   {
     return "did you mean \"" + *nearest + "\"?";

@@ -10,8 +10,8 @@
 namespace varimarch
 {
 
-/// The words that files and the command line use for the choices of a scene, in the order in
-/// which they are offered.
+/// Words that files and the command line use for the choices of a scene, in the order in which they
+/// are listed.
 template <class Value>
 using NameTable = std::vector<std::pair<std::string, Value>>;
 
@@ -23,12 +23,12 @@ const NameTable<Domain>& DomainNames();
 
 const NameTable<ProceduralKind>& ProceduralNames();
 const NameTable<SlabBlend>& SlabBlendNames();
-const NameTable<bool>& ProjectionNames(); ///< true is parallel
-const NameTable<bool>& ByteOrderNames();  ///< true is big-endian
+const NameTable<bool>& ProjectionNames(); ///< true: parallel
+const NameTable<bool>& ByteOrderNames();  ///< true: big-endian
 
 const NameTable<MapperKind>& MapperKindNames();
 
-/// Types of a raw file's voxels: "uint8", "int16", ..., with VTK's number for each.
+/// Voxel types of raw files, "uint8", "int16", ..., with VTK's number of each.
 const NameTable<int>& RawTypeNames();
 
 template <class Value>
@@ -42,7 +42,7 @@ std::vector<std::string> NamesOf(const NameTable<Value>& table)
   return names;
 }
 
-/// The value of a word; the word must be in the table.
+/// The value that a word stands for. Requires a word of the table.
 template <class Value>
 Value ValueOf(const NameTable<Value>& table, const std::string& name)
 {
@@ -54,7 +54,7 @@ Value ValueOf(const NameTable<Value>& table, const std::string& name)
   return table[i].second;
 }
 
-/// The word for a value; the value must be in the table.
+/// The word for a value. Requires a value of the table.
 template <class Value>
 const std::string& NameOf(const NameTable<Value>& table, Value value)
 {
@@ -66,8 +66,8 @@ const std::string& NameOf(const NameTable<Value>& table, Value value)
   return table[i].first;
 }
 
-/// `did you mean "anterior"?` for the nearest of the known names, or, where none is near,
-/// `known: anterior, posterior, ...`.
+/// `did you mean "anterior"?` with the nearest known name, or `known: anterior, posterior, ...` if
+/// none is near.
 std::string Suggestion(const std::string& name, const std::vector<std::string>& known);
 
 }

@@ -20,7 +20,7 @@ namespace varimarch
 namespace
 {
 
-// The values of an image along a ray.
+// Interpolated values of a volume.
 class RayValues
 {
 public:
@@ -44,16 +44,16 @@ public:
         return std::nullopt;
       }
     }
-    if (!Leaves(this->mask, this->image, index))
+    if (!Keeps(this->mask, this->image, index))
     {
       return std::nullopt;
     }
     return this->AtIndex(index);
   }
 
-  /// The magnitude of the gradient at a point in the volume [units of the data per mm], by central
-  /// differences of a voxel to each side.
-  double SteepnessAt(const glm::dvec3& pointWorld)
+  /// Gradient magnitude at a point in the volume [units of the data per mm], by central differences
+  /// over one voxel to each side.
+  double GradientMagnitudeAt(const glm::dvec3& pointWorld)
   {
     glm::dvec3 index;
     this->image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, &index.x);
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  // Beyond the faces the outermost voxels go on.
+  // Indices outside the volume are clamped to the outermost voxels.
   double AtIndex(glm::dvec3 index)
   {
     const int* const extent = this->image->GetExtent();
@@ -88,14 +88,14 @@ private:
   vtkNew<vtkImageInterpolator> interpolator;
 };
 
-bool IsLeft(const glm::dvec3& pointWorld, const std::vector<CutPlane>& planes)
+bool IsKept(const glm::dvec3& pointWorld, const std::vector<CutPlane>& planes)
 {
   return std::all_of(planes.begin(), planes.end(),
     [&](const CutPlane& plane)
     { return glm::dot(VectorOf(plane.normal), pointWorld - VectorOf(plane.pointMm)) >= 0.0; });
 }
 
-// Of blends where it goes from front to back, the light along a ray.
+// Absorption along a ray from front to back, for composites and isosurfaces.
 class RayLight
 {
 public:
@@ -109,14 +109,14 @@ public:
     }
   }
 
-  /// @param value  none: there is nothing here
-  bool HalfIsGoneAfter(
+  /// @param value  empty where a cut removed the volume
+  bool IsHalfAbsorbedAfter(
     std::optional<double> value, RayValues& values, const glm::dvec3& pointWorld, double stepMm)
   {
     if (value && this->look.blend == Blend::Composite)
     {
       const double factor = this->gradientOpacity
-        ? this->gradientOpacity->Opacity(values.SteepnessAt(pointWorld))
+        ? this->gradientOpacity->Opacity(values.GradientMagnitudeAt(pointWorld))
         : 1.0;
       this->opticalDepth += stepMm * this->Extinction(*value, factor);
     }
@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  // The factor is of the opacity of a unit distance.
+  // Scales the opacity per unit distance by a factor before converting it to an extinction.
   double Extinction(double value, double factor) const
   {
     return factor < 1.0
@@ -137,7 +137,7 @@ private:
       : this->function.Extinction(value);
   }
 
-  // What lies at the faces of the volume, or at cuts, is none.
+  // Surfaces at the faces of the volume or at cuts do not count.
   void PassSurfaces(double from, double to)
   {
     for (const Isosurface& surface : this->look.isosurfaces)
@@ -149,7 +149,8 @@ private:
 
   const Look& look;
   TransferFunction function;
-  std::optional<TransferFunction> gradientOpacity; ///< of its magnitude; none: a factor of 1
+  std::optional<TransferFunction>
+    gradientOpacity; ///< opacity factor by gradient magnitude; empty: 1
   double opticalDepth = 0.0;
   std::optional<double> before;
 };
@@ -176,8 +177,8 @@ std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData*
   {
     const glm::dvec3 point = start + t * direction;
     const std::optional<double> value =
-      IsLeft(point, planes) ? values.At(point) : std::optional<double>();
-    if (light.HalfIsGoneAfter(value, values, point, stepMm))
+      IsKept(point, planes) ? values.At(point) : std::optional<double>();
+    if (light.IsHalfAbsorbedAfter(value, values, point, stepMm))
     {
       return NumbersOf(point);
     }

@@ -11,15 +11,15 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// Where a ray meets what a scene shows, in world space [mm]: of a composite the point at which
-/// half of the light is gone, of other blends that of the largest opacity; none where there is
-/// no such point. By samples a quarter of the smallest spacing apart.
-/// @param from, to  world space [mm]
-/// @param mask      what scissors leave, see Scissors.h; may be null
+/// The point where a ray meets the visible part of a scene, in world space [mm]. For composites it
+/// is where half of the light is absorbed, for other blend modes where the opacity is largest.
+/// Empty if there is no such point. Samples are a quarter of the smallest spacing apart.
+/// @param from, to  ends of the ray in world space [mm]
+/// @param mask      the part that the scissors keep, see Scissors.h; may be null
 std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData* image,
   const std::array<double, 3>& from, const std::array<double, 3>& to, vtkImageData* mask = nullptr);
 
-/// The value at a point in world space, between voxels; none outside of the volume.
+/// The interpolated value at a point in world space; empty outside the volume.
 std::optional<double> ValueAt(vtkImageData* image, const std::array<double, 3>& pointMm);
 
 }

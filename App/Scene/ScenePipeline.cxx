@@ -109,8 +109,8 @@ void Apply(const RenderOptions& options, vtkGPUVolumeRayCastMapper* mapper)
 
 void Apply(const RenderOptions& options, vtkFixedPointVolumeRayCastMapper* mapper)
 {
-  // It adjusts the distance between rays to a frame rate; here a picture must not depend on how
-  // fast the machine is. Its default between samples is 1 mm whatever the voxels.
+  // By default this mapper adapts its ray spacing to a frame rate, but an image must not depend on
+  // the speed of the machine. Its default sample distance is 1 mm for any voxel size.
   mapper->AutoAdjustSampleDistancesOff();
   mapper->SetSampleDistance(float(options.sampleDistanceMm.value_or(1.0)));
 }
@@ -177,7 +177,7 @@ void ScenePipeline::SetCuts(const SceneCuts& cuts)
     planes->AddItem(plane);
   }
   this->mapper->SetClippingPlanes(planes);
-  // A mask is a look at all voxels; planes are dragged without one.
+  // Making a mask visits every voxel; dragging a plane must not repeat that.
   if (this->scissors != cuts.scissors)
   {
     this->SetScissors(cuts.scissors);
@@ -229,7 +229,7 @@ double ScenePipeline::UsedSampleDistanceMm() const
   }
   if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(this->mapper))
   {
-    // What VTK's mapper does when it chooses by itself, and does not tell.
+    // VTK's mapper does not report the distance that it chose; this is its rule.
     const double* spacing = this->image->GetSpacing();
     return gpu->GetAutoAdjustSampleDistances() ? std::min({ spacing[0], spacing[1], spacing[2] })
                                                : gpu->GetSampleDistance();

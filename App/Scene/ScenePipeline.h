@@ -15,14 +15,14 @@
 namespace varimarch
 {
 
-/// Whether a mapper can blend so: VTK's fixed-point mapper draws no average and no isosurface.
+/// True if a mapper supports a blend mode. VTK's fixed-point mapper lacks average and isosurface.
 bool CanBlend(MapperKind kind, Blend blend);
 
-/// Whether a mapper draws what scissors leave: VTK's fixed-point mapper has no masks.
+/// True if a mapper supports scissors. VTK's fixed-point mapper has no masks.
 bool CanCutByScissors(MapperKind kind);
 
-/// The one place where a scene becomes a VTK pipeline: volume, property, mapper, renderer and
-/// camera. It makes no window: add Renderer() to one of the scene's size.
+/// Turns a scene into a VTK pipeline of volume, property, mapper, renderer and camera; the only
+/// place that does. Owns no window: add Renderer() to a window of the scene's size.
 class ScenePipeline
 {
 public:
@@ -33,24 +33,24 @@ public:
   vtkVolume* Volume() { return this->volume; }
   vtkVolumeMapper* Mapper() { return this->mapper; }
 
-  /// What the scissors leave, see Scissors.h; null where none cut.
+  /// The part that the scissors keep, see Scissors.h; null without scissors.
   vtkImageData* Mask() const { return this->mask; }
 
-  /// Each changes one part of the scene; the volume stays.
+  /// Each setter changes one part of the scene and keeps the volume.
   void SetLook(const Look& look);
   void SetCamera(const Camera& camera, double aspect);
   void SetCuts(const SceneCuts& cuts);
   void SetRenderOptions(const RenderOptions& options);
   void SetBackground(const std::array<double, 3>& rgb);
 
-  /// The distance between the samples of the last picture [mm].
+  /// Sample distance of the last frame [mm].
   double UsedSampleDistanceMm() const;
 
 private:
   void SetScissors(const std::vector<ScissorsCut>& cuts);
 
   vtkSmartPointer<vtkImageData> image;
-  std::vector<ScissorsCut> scissors; ///< that the mask is of
+  std::vector<ScissorsCut> scissors; ///< the cuts that made the mask
   vtkSmartPointer<vtkImageData> mask;
   vtkSmartPointer<vtkVolumeMapper> mapper;
   vtkNew<vtkVolume> volume;

@@ -25,10 +25,10 @@ namespace varimarch
 namespace
 {
 
-constexpr int StencilPixels = 2048; // of the longer side: finer than a screen
+constexpr int StencilPixels = 2048; // of the longer side; finer than a screen
 constexpr std::int64_t MostMaskVoxels = std::int64_t(1) << 24;
 
-// From the world to places in the picture as an outline has them.
+// Projects world space to the image coordinates of ScissorsCut::outline.
 glm::dmat4x3 OutlineFromWorld(const Camera& camera)
 {
   vtkNew<vtkCamera> placed;
@@ -72,7 +72,7 @@ vtkSmartPointer<vtkImageData> FilledOutline(const std::vector<std::array<double,
   return filled->GetOutput();
 }
 
-// What one cut takes away: a cone or prism of its outline through the world.
+// The part of space that a cut removes: the outline extruded to a cone or a prism.
 class Stencil
 {
 public:
@@ -83,7 +83,7 @@ public:
   {
   }
 
-  /// Homogeneous: the third number divides the others.
+  /// Homogeneous image coordinates: divide the first two by the third.
   glm::dvec3 Projected(const glm::dvec3& pointWorld) const
   {
     return this->outlineFromWorld * glm::dvec4(pointWorld, 1.0);
@@ -97,7 +97,7 @@ public:
 private:
   bool HasInside(const glm::dvec3& projected) const
   {
-    // Nothing behind the eye is in the picture.
+    // Points behind the eye are not in the image.
     if (projected.z <= 0.0)
     {
       return false;
@@ -117,10 +117,10 @@ private:
 
   glm::dmat4x3 outlineFromWorld;
   bool keepsInside;
-  vtkSmartPointer<vtkImageData> inside; ///< fine pixels around the outline: 1 inside, 0 outside
+  vtkSmartPointer<vtkImageData> inside; ///< rasterized outline: 1 inside, 0 outside
 };
 
-// The numbers of mask voxels along each axis.
+// Number of mask voxels along each axis.
 std::array<int, 3> MaskSize(vtkImageData* image)
 {
   const int* const size = image->GetDimensions();
@@ -134,7 +134,7 @@ std::array<int, 3> MaskSize(vtkImageData* image)
   }
 }
 
-// The world at the middle of a voxel of the mask, which spans the volume's voxels whole.
+// Centre of a mask voxel in world space. A mask voxel covers whole voxels of the volume.
 glm::dvec3 MiddleOfMaskVoxel(
   const glm::dvec3& voxel, const std::array<int, 3>& maskSize, vtkImageData* image)
 {
@@ -150,7 +150,7 @@ glm::dvec3 MiddleOfMaskVoxel(
   return world;
 }
 
-void TakeAway(const Stencil& stencil, vtkImageData* mask, vtkImageData* image)
+void RemoveFromMask(const Stencil& stencil, vtkImageData* mask, vtkImageData* image)
 {
   const int* const dimensions = mask->GetDimensions();
   const std::array<int, 3> size = { dimensions[0], dimensions[1], dimensions[2] };
@@ -196,12 +196,12 @@ vtkSmartPointer<vtkImageData> MaskOf(const std::vector<ScissorsCut>& cuts, vtkIm
   std::fill_n(voxels, mask->GetNumberOfPoints(), 1);
   for (const ScissorsCut& cut : cuts)
   {
-    TakeAway(Stencil(cut), mask, image);
+    RemoveFromMask(Stencil(cut), mask, image);
   }
   return mask;
 }
 
-bool Leaves(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index)
+bool Keeps(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index)
 {
   if (!mask)
   {

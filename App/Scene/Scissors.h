@@ -14,14 +14,14 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// For a mapper's binary mask: 1 where all of the cuts leave the volume, 0 where one takes it away.
-/// Over the same box as the volume; of its resolution up to some 16 million voxels, else coarser by
-/// a whole number. None without cuts.
+/// Binary mask for a mapper: 1 where the volume stays, 0 where a cut removes it. It covers the
+/// volume's box at the volume's resolution, or coarser by a whole factor beyond about 16 million
+/// voxels. Null without cuts.
 vtkSmartPointer<vtkImageData> MaskOf(const std::vector<ScissorsCut>& cuts, vtkImageData* image);
 
-/// Whether a mask leaves a point of the volume. No mask leaves all.
-/// @param index  of the point in the image, which it is within
-bool Leaves(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index);
+/// True if a mask keeps a point of the volume. A null mask keeps everything.
+/// @param index  continuous index of the point, within the image
+bool Keeps(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index);
 
 bool operator==(const ScissorsCut& a, const ScissorsCut& b);
 

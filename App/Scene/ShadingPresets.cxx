@@ -6,7 +6,7 @@ namespace varimarch
 namespace
 {
 
-// Without light, coefficients mean nothing.
+// With shading off, the coefficients do not matter.
 bool AreAlike(const Shading& a, const Shading& b)
 {
   return a.enabled == b.enabled &&

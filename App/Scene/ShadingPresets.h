@@ -9,10 +9,10 @@
 namespace varimarch
 {
 
-/// Kinds of light by name, the softest first.
+/// Named shadings, from the softest to the hardest.
 const NameTable<Shading>& ShadingPresets();
 
-/// The name of the kind that a shading is; none: it is one of its own.
+/// Name of a shading; empty if it equals none of the named ones.
 std::optional<std::string> NameOfShading(const Shading& shading);
 
 }

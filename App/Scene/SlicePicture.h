@@ -12,16 +12,16 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// The planes of the patient's body.
+/// Anatomical planes.
 enum class SlicePlane
 {
-  Axial,    ///< seen from the feet: the patient's right is at the left, the front is above
-  Coronal,  ///< seen from the front: the patient's right is at the left, the head is above
-  Sagittal, ///< seen from the patient's left: the front is at the left, the head is above
+  Axial,    ///< seen from the feet: patient's right at the left, front at the top
+  Coronal,  ///< seen from the front: patient's right at the left, head at the top
+  Sagittal, ///< seen from the patient's left: front at the left, head at the top
 };
 
-/// World space (LPS) along a slice's picture: where its columns and its rows go, and where from one
-/// slice to the next, each of length 1.
+/// Directions of a slice's image in world space (LPS): along its rows, down its columns, and from
+/// one slice to the next. Unit vectors.
 struct SliceAxes
 {
   std::array<double, 3> right;
@@ -35,17 +35,18 @@ SliceAxes AxesOf(SlicePlane plane);
 struct SliceRequest
 {
   SlicePlane plane;
-  std::array<double, 3> middleMm; ///< what is at the middle of the picture, in world space
+  std::array<double, 3> middleMm; ///< centre of the image in world space
   double mmPerPixel;              ///< > 0
   int width;                      ///< pixels
   int height;
-  double window; ///< the range of values from black to white, > 0
-  double level;  ///< its middle
+  double window; ///< width of the value range from black to white, > 0
+  double level;  ///< middle of that range
   double slabMm; ///< >= 0; 0: a single slice
   SlabBlend slabBlend = SlabBlend::Maximum;
 };
 
-/// Gray pixels, row by row from the upper left. Between voxels linear; black beside the volume.
+/// Grey pixels, row by row from the upper left. Voxels are interpolated linearly; outside the
+/// volume the image is black.
 std::vector<std::uint8_t> SlicePicture(vtkImageData* image, const SliceRequest& request);
 
 }

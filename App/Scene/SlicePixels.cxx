@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-// A volume of one slice, of the first component.
+// The middle slice as a volume of its own.
 vtkSmartPointer<vtkImageData> MiddleOf(vtkImageData* image)
 {
   int extent[6];

@@ -9,7 +9,7 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// Gray pixels, row by row from the upper left.
+/// Grey pixels, row by row from the upper left.
 struct GrayPicture
 {
   int width = 0;
@@ -17,8 +17,8 @@ struct GrayPicture
   std::vector<std::uint8_t> pixels;
 };
 
-/// The slice in the middle of a volume as it is stored, rows downwards; from its 1st percentile,
-/// black, to its 99th, white.
+/// The middle slice of a volume in storage order, rows downwards. The 1st percentile is black, the
+/// 99th white.
 GrayPicture MiddleSlice(vtkImageData* image);
 
 }

@@ -20,7 +20,7 @@ vtkSmartPointer<vtkImageData> SmallCopy(vtkImageData* image, int largestSide)
   {
     const int count = extent[2 * axis + 1] - extent[2 * axis] + 1;
     factors[axis] = (count + largestSide - 1) / largestSide;
-    // The first mean is at the middle of its voxels.
+    // The first mean lies in the middle of the voxels that it replaces.
     firstIndex[axis] = extent[2 * axis] + 0.5 * (factors[axis] - 1);
     spacing[axis] = factors[axis] * image->GetSpacing()[axis];
   }

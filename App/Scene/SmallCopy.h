@@ -8,9 +8,9 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// A copy of a volume with at most that many voxels along each axis, each the mean of those that it
-/// stands for, at the same place in the world. Shares nothing with the volume, of which no more
-/// than the voxels are looked at.
+/// A reduced copy of a volume, at the same place in the world, with at most `largestSide` voxels
+/// along each axis. Each voxel is the mean of those that it replaces. The copy shares no data with
+/// the volume and reads only its voxels.
 vtkSmartPointer<vtkImageData> SmallCopy(vtkImageData* image, int largestSide);
 
 }

@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-// Hounsfield units, rounded from textbook values; vessels as in the arterial phase.
+// Rounded Hounsfield units from textbooks; vessels as in the arterial phase.
 constexpr double Air = -1000.0;
 constexpr double LungTissue = -850.0;
 constexpr double Fat = -100.0;
@@ -33,7 +33,8 @@ constexpr double DenseBone = 650.0;
 constexpr double Left = 1.0;
 constexpr double Right = -1.0;
 
-// Distances to a surface, negative inside; exact at the surface, which is all an edge needs.
+// Signed distances to a surface, negative inside. They are exact near the surface, which is all
+// that the soft edges need.
 
 double EllipsoidDistance(glm::dvec3 offset, glm::dvec3 radii)
 {
@@ -86,7 +87,7 @@ TorsoPhantom::Ellipsoid Lung(double side)
   return { { side * 74.0, 4.0, 15.0 }, { 58.0, 78.0, 128.0 } };
 }
 
-// Vessels of a lung: each branch ends in two thinner ones, until it is too thin or leaves.
+// Vessels of a lung. Each branch ends in two thinner ones, until it is too thin or leaves the lung.
 class VesselTree
 {
 public:
@@ -114,7 +115,7 @@ public:
   const std::vector<TorsoPhantom::Capsule>& Branches() const { return this->branches; }
 
 private:
-  // Not std::uniform_real_distribution: its numbers differ from library to library.
+  // Unlike std::uniform_real_distribution, this gives the same numbers with every standard library.
   double RandomNumber() { return this->random() / 4294967296.0; }
 
   glm::dvec3 RandomVector()
@@ -186,7 +187,7 @@ void TorsoPhantom::PaintTube(double hounsfield, const std::vector<glm::dvec3>& p
 
 void TorsoPhantom::PaintBody()
 {
-  const double tall = ExtentMm().z; // beyond the box above and below
+  const double tall = ExtentMm().z; // extends beyond the box at the top and the bottom
   this->Paint(Skin, EllipticCylinder{ {}, { 172.0, 112.0, tall } });
   this->Paint(Fat, EllipticCylinder{ {}, { 169.5, 109.5, tall } });
   this->Paint(Muscle, EllipticCylinder{ {}, { 158.0, 97.0, tall } });
@@ -231,7 +232,7 @@ void TorsoPhantom::PaintHeartAndVessels()
   this->Paint(VenousBlood, Ellipsoid{ { 4.0, -52.0, -32.0 }, { 18.0, 17.0, 34.0 } });
   this->Paint(ArterialBlood, Ellipsoid{ { 20.0, -8.0, 4.0 }, { 27.0, 15.0, 18.0 } });
 
-  const glm::dvec3 trunk(14.0, -24.0, 45.0); // of the pulmonary artery
+  const glm::dvec3 trunk(14.0, -24.0, 45.0); // pulmonary trunk
   this->PaintTube(VenousBlood, { { -24.0, -22.0, 200.0 }, { -24.0, -24.0, -5.0 } }, 9.0);
   this->PaintTube(ArterialBlood, { { 10.0, -54.0, -5.0 }, trunk }, 13.0);
   this->PaintTube(ArterialBlood, { trunk, { -46.0, 2.0, 37.0 } }, 8.0);
@@ -272,7 +273,7 @@ void TorsoPhantom::PaintRibs(double side)
   const EllipticCylinder breastbone = { { 0.0, -84.0, 40.0 }, { 18.0, 5.0, 70.0 } };
   for (int i = -4; i <= 7; ++i)
   {
-    // From the spine round the chest, sinking by 60 mm on the way.
+    // The path runs from the spine around the chest and descends by 60 mm.
     const double z = 28.0 * i;
     std::vector<glm::dvec3> path = { { side * 20.0, 56.0, z } };
     for (double degrees = 18.0; degrees <= 150.0; degrees += 11.0)

@@ -10,8 +10,8 @@ namespace varimarch
 {
 
 /// A torso as CT shows it, in Hounsfield units: skin, fat, muscle, lungs with vessels, a heart and
-/// an aorta full of contrast medium, liver, spine, ribs and breastbone. Made of simple solids, each
-/// painted over those before it, with edges as soft as a scanner's. Noise is not part of it.
+/// an aorta full of contrast medium, liver, spine, ribs and breastbone. It is made of simple
+/// solids, each painted over those before it, with edges as soft as a scanner's. It has no noise.
 ///
 /// Positions are in mm, LPS, the origin in the middle of the chest.
 class TorsoPhantom
@@ -23,14 +23,14 @@ public:
     glm::dvec3 radii;
   };
 
-  /// Upright; its radii are those along x and y and half its height.
+  /// An upright cylinder; the radii are those along x and y and half the height.
   struct EllipticCylinder
   {
     glm::dvec3 center;
     glm::dvec3 radii;
   };
 
-  /// A line segment with a radius that runs from one end's to the other's.
+  /// A line segment whose radius changes linearly from one end to the other.
   struct Capsule
   {
     glm::dvec3 start;
@@ -45,18 +45,19 @@ public:
   {
     Shape shape;
     double hounsfield;
-    glm::dvec3 lower; ///< corners of a box that holds the shape and its soft edge
+    glm::dvec3 lower; ///< box that holds the shape and its soft edge
     glm::dvec3 upper;
   };
 
-  /// The box to sample [mm]: left-right, front-back, down-up. The body is cut off above and below.
+  /// Size of the box to sample [mm]: left-right, front-back, down-up. The body is cut off at the
+  /// top and the bottom.
   static glm::dvec3 ExtentMm() { return { 380.0, 260.0, 320.0 }; }
 
-  /// @param edgeWidthMm  how far an edge between two tissues extends, > 0: about a voxel
-  /// @param seed         grows the vessels of the lungs
+  /// @param edgeWidthMm  width of the transition between two tissues, > 0: about a voxel
+  /// @param seed         of the random lung vessels
   TorsoPhantom(double edgeWidthMm, unsigned seed);
 
-  /// Hounsfield units at `count` positions that start at `firstMm` and go along +x.
+  /// Hounsfield units at `count` positions that start at `firstMm` and continue along +x.
   std::vector<double> Row(glm::dvec3 firstMm, double stepMm, int count) const;
 
 private:

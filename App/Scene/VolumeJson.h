@@ -7,7 +7,7 @@
 namespace varimarch
 {
 
-/// A volume from an object that names a file or what is to be computed.
+/// Reads a volume from a JSON object that names a file or a procedural volume.
 VolumeSource VolumeFromJson(const JsonCursor& json);
 
 nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume);

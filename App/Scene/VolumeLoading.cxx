@@ -29,7 +29,7 @@ void Apply(const RawLayout& raw, vtkVolumeFileReader* reader)
   reader->SetRawHeaderBytes(raw.headerBytes);
 }
 
-// Passes progress on, and the answer back.
+// Forwards progress to the observer, and its request to cancel to the reader.
 void Observe(vtkVolumeFileReader* reader, const LoadObserver& observer)
 {
   vtkNew<vtkCallbackCommand> progress;
@@ -45,14 +45,14 @@ void Observe(vtkVolumeFileReader* reader, const LoadObserver& observer)
   reader->AddObserver(vtkCommand::ProgressEvent, progress);
 }
 
-// A reader whose errors go on as exceptions.
+// A reader that throws its errors as exceptions.
 class QuietReader
 {
 public:
   QuietReader(const std::string& path, const LoadObserver& observer)
     : path(path)
   {
-    // An observer of errors keeps VTK from reporting them as well.
+    // While an observer listens to errors, VTK does not print them.
     vtkNew<vtkCallbackCommand> nothing;
     nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
     this->reader->AddObserver(vtkCommand::ErrorEvent, nothing);
@@ -65,7 +65,7 @@ public:
 
   vtkVolumeFileReader* operator->() { return this->reader; }
 
-  // After each piece of work.
+  // Throws the error of the last operation, if any.
   void Check()
   {
     if (this->reader->GetErrorCode() == vtkErrorCode::UserError)
@@ -118,7 +118,7 @@ GrayPicture MiddleOfFile(const std::string& path)
   }
   catch (const std::runtime_error&)
   {
-    // That is told when somebody chooses the series.
+    // The error is reported when the user opens the series.
     return {};
   }
 }

@@ -14,48 +14,47 @@
 namespace varimarch
 {
 
-/// How the slices of a scan lie: tilted, at uneven distances or with some missing they are
-/// irregular.
+/// Arrangement of a scan's slices. Tilted, unevenly spaced or missing slices are irregular.
 enum class SliceLayout
 {
   Even,
-  Irregular, ///< and would be resampled if the source asked for it
-  Rectified, ///< they were irregular, and are resampled on an even grid
+  Irregular, ///< as stored; the source can ask to resample them
+  Rectified, ///< were irregular and have been resampled on an even grid
 };
 
 struct LoadedVolume
 {
   vtkSmartPointer<vtkImageData> image; ///< world space is LPS [mm]
-  std::string modality;                ///< as DICOM has it: "CT", "MR"; empty when not known
+  std::string modality;                ///< as in DICOM: "CT", "MR"; empty if unknown
   std::vector<std::string> warnings;   ///< one sentence each
   SliceLayout slices = SliceLayout::Even;
-  std::string bodyPart = {};     ///< as DICOM has it: "HEAD"; empty when not known
-  bool hasContrastAgent = false; ///< the file says so
-  std::string weighting = {};    ///< of MR: "T1", "T2", "angiography"; empty when not known
+  std::string bodyPart = {};     ///< as in DICOM: "HEAD"; empty if unknown
+  bool hasContrastAgent = false; ///< true if the file says so
+  std::string weighting = {};    ///< for MR: "T1", "T2", "angiography"; empty if unknown
 };
 
-/// Told the part of the work that is done, [0, 1]; says whether to go on.
+/// Receives the fraction of the work done, [0, 1]; returns false to cancel.
 using LoadObserver = std::function<bool(double)>;
 
-/// Reads or computes the volume of a scene. Procedural volumes know no progress.
-/// @throws std::runtime_error with one sentence that names the file and what is wrong with it, or
-///   says that the observer did not want to go on
+/// Reads or computes the volume of a scene. Procedural volumes report no progress.
+/// @throws std::runtime_error with one sentence that names the file and the fault, or reports that
+///   the observer cancelled
 LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer = {});
 
-/// One of the DICOM series at a place.
+/// One DICOM series of a folder or disc.
 struct SeriesSummary
 {
   std::string uid;
-  std::string description; ///< as the scanner's operator named it, or empty
+  std::string description; ///< as entered at the scanner; may be empty
   std::string modality;    ///< "CT", "MR" ...
   std::int64_t imageCount;
-  GrayPicture middle; ///< the image in its middle; empty when it cannot be read
+  GrayPicture middle; ///< the middle image; empty if it cannot be read
 };
 
-/// Whether there may be several series: a folder, or the index file of a disc.
+/// True if a source may hold several series: a folder, or the index file of a disc.
 bool MayHoldSeveralSeries(const FileSource& source);
 
-/// The series in a folder and the folders in it, or those of an index file; the largest first.
+/// Lists the series in a folder and its subfolders, or those of an index file, the largest first.
 /// @throws std::runtime_error as LoadVolume does
 std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserver& observer = {});
 

@@ -17,8 +17,8 @@ namespace varimarch
 namespace
 {
 
-// In both, a second node at a value would replace the first without duplicates, and a step become
-// a ramp.
+// Both functions allow duplicates. Otherwise a second node at the same value would replace the
+// first, and a step would become a ramp.
 vtkSmartPointer<vtkColorTransferFunction> ColorsOf(const std::vector<ColorNode>& nodes)
 {
   auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPiecewiseFunction> CurveOf(
   return curve;
 }
 
-// VTK asks the transfer function what a surface looks like.
+// VTK takes the colour and opacity of isosurfaces from the transfer functions.
 std::vector<ColorNode> ColorsOfSurfaces(const Look& look)
 {
   std::vector<ColorNode> nodes;
@@ -109,7 +109,7 @@ Look InUnitsOfData(const Look& look, const ImageStatistics& statistics)
     resolve((*resolved.averagedRange)[0]);
     resolve((*resolved.averagedRange)[1]);
   }
-  // A gradient is a difference of values.
+  // A gradient scales with the range and is independent of the offset.
   for (OpacityNode& node : resolved.gradientOpacities)
   {
     node.value *= one - zero;

@@ -11,15 +11,16 @@ namespace varimarch
 
 class ImageStatistics;
 
-/// The look with its values in the units of the data: itself, or for a relative one what it means
-/// for this volume.
+/// Converts a look's values to units of the data. A look whose domain is Data is returned
+/// unchanged; a relative look is resolved for this volume.
 Look InUnitsOfData(const Look& look, vtkImageData* image);
 Look InUnitsOfData(const Look& look, const ImageStatistics& statistics);
 
-/// Mean distance of neighbouring voxels [mm]. VTK measures gradients in units of the data per this.
+/// Mean spacing of the voxels [mm]. VTK measures gradients in units of the data per mean spacing.
 double MeanSpacingMm(vtkImageData* image);
 
-/// Gives a property the curves, surfaces and coefficients of a look whose domain is Data.
+/// Copies the curves, surfaces and coefficients of a look, whose domain must be Data, to a
+/// property.
 void ApplyLook(const Look& look, double meanSpacingMm, vtkVolumeProperty* property);
 
 }

@@ -9,7 +9,8 @@
 namespace varimarch
 {
 
-// A scene keeps points and directions as plain numbers; these take them to vectors and back.
+// A scene stores points and directions as plain arrays; these functions convert them to vectors and
+// back.
 
 inline glm::dvec3 VectorOf(const std::array<double, 3>& numbers)
 {

@@ -277,7 +277,7 @@ TEST_F(LookFiles, ThatAreBrokenAreExplained)
   EXPECT_EQ(this->ProblemOf("a.clut", "numnodes=2000000000\n"),
     "Cannot read a.clut: expected 1 to 10000 nodes, found numnodes=2000000000.000000.");
   EXPECT_EQ(this->ProblemOf("a.plist", "bplist00 and then nothing"),
-    "Cannot read a.plist: it is no property list.");
+    "Cannot read a.plist: it is not a property list.");
   EXPECT_EQ(
     this->ProblemOf("a.plist", PlistHead + "<key>CLUT</key><string>VR</string></dict></plist>"),
     "Cannot read a.plist: its colours are the table \"VR\", which is not in it.");

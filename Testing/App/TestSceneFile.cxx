@@ -154,7 +154,7 @@ TEST(SceneFile, IsosurfacesAreNeededByTheirBlending)
   catch (const std::runtime_error& error)
   {
     EXPECT_STREQ(error.what(),
-      "a.json: the blending \"isosurface\" expects the key "
+      "a.json: the blend mode \"isosurface\" expects the key "
       "\"isosurfaces\", found none");
   }
 }

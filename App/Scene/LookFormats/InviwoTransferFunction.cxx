@@ -24,7 +24,7 @@ std::string LowerCaseName(vtkXMLDataElement* element)
   return name;
 }
 
-// Elements of a name, however deep: versions differ in what is around them.
+// Finds elements by name at any depth, since the versions nest them differently.
 void Collect(
   vtkXMLDataElement* element, const std::string& name, std::vector<vtkXMLDataElement*>& found)
 {
@@ -75,7 +75,7 @@ void TakePoint(vtkXMLDataElement* point, const std::string& file, Look& look)
   look.opacities.push_back({ position, color.w });
 }
 
-// What is outside is not seen.
+// Makes everything outside an interval transparent.
 void HideOutside(Look& look, double first, double last)
 {
   const TransferFunction function(look.colors, look.opacities, look.opacityUnitDistanceMm);
@@ -98,7 +98,8 @@ Look LookFromItf(const std::string& text, const std::string& file, const LookCon
 {
   std::istringstream stream(text);
   vtkNew<vtkXMLDataParser> parser;
-  // Observed errors are not printed; the sentence below says it.
+  // While an observer listens to errors, VTK does not print them; the error below reports the
+  // failure.
   parser->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkCallbackCommand>());
   parser->SetStream(&stream);
   vtkXMLDataElement* const top = parser->Parse() ? parser->GetRootElement() : nullptr;

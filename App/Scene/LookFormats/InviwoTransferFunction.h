@@ -8,9 +8,11 @@
 namespace varimarch
 {
 
-/// Inviwo's transfer functions, *.itf, in XML of all versions: points from 0 to 1 over the volume's
-/// values, or at values, visible between the two ends of a mask.
-/// @throws std::runtime_error one sentence; `file` names the text in it, and the look
+/// Reads Inviwo's transfer functions, *.itf: XML of any version. Nodes lie between 0 and 1 over the
+/// range of the volume's values, or at values; only those between the two ends of the mask are
+/// visible.
+/// @param file  name of the look, and of the text in errors
+/// @throws std::runtime_error with one sentence
 Look LookFromItf(const std::string& text, const std::string& file, const LookContext& context);
 
 }

@@ -28,12 +28,12 @@ void CleanNodes(std::vector<Node>& nodes, const std::string& file)
         ? "a curve has more than " + std::to_string(MostLookNodes) + " nodes"
         : "the value of a node is not a finite number");
   }
-  // Stable: two nodes at a value are a step, whose sides must not change places.
+  // Two nodes at one value form a step; a stable sort keeps its sides in order.
   std::stable_sort(
     nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.value < b.value; });
 }
 
-// What is no number becomes 0.
+// NaN becomes 0.
 double ToUnit(double number)
 {
   return number > 0.0 ? std::min(number, 1.0) : 0.0;

@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-// The values of the keys; no key is in two sections.
+// All keys and values. Sections are ignored, since no key occurs in two of them.
 class Settings
 {
 public:
@@ -31,7 +31,7 @@ public:
 
   bool Has(const std::string& key) const { return this->values.count(key) > 0; }
 
-  /// As many numbers, between bars.
+  /// The numbers of a key, separated by "|".
   template <std::size_t count>
   std::array<double, count> Numbers(const std::string& key) const
   {

@@ -41,7 +41,7 @@ nlohmann::json JsonOfDictionary(plist_t dictionary)
   return json;
 }
 
-// What a look needs of a property list; dates and data are none of it.
+// Converts a property list to JSON. Dates and binary data, which looks do not need, become null.
 nlohmann::json JsonOf(plist_t node)
 {
   switch (plist_get_node_type(node))
@@ -65,7 +65,7 @@ nlohmann::json JsonOf(plist_t node)
     }
     case PLIST_UINT:
     {
-      // Negative ones are kept as what they are in 64 bits.
+      // The library returns negative numbers as their 64-bit two's complement.
       uint64_t number = 0;
       plist_get_uint_val(node, &number);
       return double(int64_t(number));
@@ -90,7 +90,7 @@ nlohmann::json JsonFromPlist(const std::string& bytes, const std::string& file)
   const PlistOwner owner(top, &plist_free);
   if (!top)
   {
-    FailToReadLook(file, "it is no property list");
+    FailToReadLook(file, "it is not a property list");
   }
   return JsonOf(top);
 }
@@ -116,7 +116,7 @@ bool IsWithin(const Look& curve, double value)
   return value >= curve.opacities.front().value && value <= curve.opacities.back().value;
 }
 
-// Of curves that may overlap one: at each point of any of them what is seen most.
+// Joins curves that may overlap. At each node, the curve with the largest opacity wins.
 Look Joined(const std::vector<Look>& curves)
 {
   std::set<double> values;
@@ -150,8 +150,8 @@ Look Joined(const std::vector<Look>& curves)
   return joined;
 }
 
-// Transparent beside its ends, to which the way is a thousandth of its width.
-Look EndingInNothing(Look look)
+// Adds transparent ends, over ramps of a thousandth of the curve's width.
+Look WithTransparentEnds(Look look)
 {
   const double width = look.opacities.back().value - look.opacities.front().value;
   const double way = width > 0.0 ? 0.001 * width : 0.001;
@@ -174,12 +174,12 @@ Look LookOfCurves(const JsonCursor& top, const std::string& file, const LookCont
   std::vector<Look> looks;
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
-    looks.push_back(EndingInNothing(CleanLook(CurveOf(curves[i], colors[i]), file, context)));
+    looks.push_back(WithTransparentEnds(CleanLook(CurveOf(curves[i], colors[i]), file, context)));
   }
   return looks.size() > 1 ? Joined(looks) : looks.front();
 }
 
-// Every so many of 256 colours are enough to run straight between.
+// Every 15th of the 256 colours suffices; linear interpolation fills the gaps.
 constexpr std::size_t ColorsApart = 15;
 
 Look LookOfTable(const JsonCursor& top, const LookContext& context)

@@ -8,11 +8,12 @@
 namespace varimarch
 {
 
-/// 3D presets and 16-bit colour tables of OsiriX, Horos and InVesalius, *.plist, in XML or binary:
-/// curves of opacity with a colour at each point, transparent beside them. Where two overlap, that
-/// of the larger opacity is seen. Tables of 256 colours alone are spread over the opacities that
-/// stay.
-/// @throws std::runtime_error one sentence; `file` names the bytes in it, and the look
+/// Reads 3D presets and 16-bit colour tables of OsiriX, Horos and InVesalius, *.plist, XML or
+/// binary: opacity curves with a colour at each point, transparent outside them. Where two curves
+/// overlap, the one with the larger opacity is used. Tables of 256 colours without opacities are
+/// spread over the context's opacities.
+/// @param file  name of the look, and of the bytes in errors
+/// @throws std::runtime_error with one sentence
 Look LookFromPlist(const std::string& bytes, const std::string& file, const LookContext& context);
 
 }

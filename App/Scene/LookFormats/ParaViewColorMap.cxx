@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-// Between the colours of a file, where they do not run straight in red, green and blue.
+// Subdivisions between two colours of a file whose colour space is not RGB.
 constexpr int StepsBetween = 8;
 
 std::vector<double> NumbersOf(const JsonCursor& json, std::size_t perNode)
@@ -73,7 +73,7 @@ bool SetColorSpace(const std::string& name, vtkColorTransferFunction* function)
   return function->GetColorSpace() != VTK_CTF_RGB;
 }
 
-// The same colours, straight between their nodes.
+// Approximates another colour space by nodes with linear interpolation in RGB.
 std::vector<ColorNode> StraightInRgb(const std::vector<ColorNode>& nodes, const std::string& space)
 {
   vtkNew<vtkColorTransferFunction> function;
@@ -103,7 +103,7 @@ std::vector<ColorNode> StraightInRgb(const std::vector<ColorNode>& nodes, const 
   return straight;
 }
 
-// Maps come from 0 to 1, or from -1 to 1, and are rescaled when they are used.
+// Maps are stored on [0, 1] or [-1, 1], and rescaled when used.
 bool IsOnUnitScale(const Look& look, const LookContext& context)
 {
   double first = look.colors.front().value;
@@ -116,7 +116,7 @@ bool IsOnUnitScale(const Look& look, const LookContext& context)
   return first >= -1.0 && last <= 1.0 && context.largest - context.smallest > 2.0;
 }
 
-// From the first value of the file's to the last, as ParaView does.
+// Maps the first and last value of the file to the given range, as ParaView does.
 void Rescale(Look& look, double smallest, double largest)
 {
   const double first = look.colors.front().value;

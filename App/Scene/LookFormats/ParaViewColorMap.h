@@ -10,18 +10,20 @@
 namespace varimarch
 {
 
-/// ParaView's colour maps, *.json: colours, and opacities or none. Of several the first counts.
+/// ParaView's colour maps, *.json: colours with or without opacities. Only the first map of a file
+/// is read.
 
-/// Whether a JSON value may be one.
+/// True if a JSON value looks like a ParaView colour map.
 bool IsParaViewColorMap(const nlohmann::json& json);
 
-/// What is on the scale from 0 to 1, as the maps that come with ParaView are, is spread over the
-/// volume's values; where the file holds colours alone, over those of the opacities that stay.
-/// @throws std::runtime_error one sentence; `file` names the text in it, and the look
+/// Reads a colour map. A map on [0, 1], as ParaView ships them, is spread over the range of the
+/// volume's values or, if it has only colours, over that of the context's opacities.
+/// @param file  name of the look, and of the text in errors
+/// @throws std::runtime_error with one sentence
 Look LookFromParaViewJson(
   const nlohmann::json& json, const std::string& file, const LookContext& context);
 
-/// @param look  in units of the data; light, blending and gradient opacity are not written
+/// @param look  in units of the data; light, blend mode and gradient opacity are not written
 std::string ParaViewJson(const Look& look);
 
 }

@@ -13,10 +13,10 @@ namespace varimarch
 namespace
 {
 
-// A node of a colour has four.
+// A colour node has four numbers.
 constexpr std::size_t MostNumbers = 4 * MostLookNodes;
 
-/// The numbers of a line, which must be all that it holds.
+/// The numbers of a line that contains nothing else.
 std::vector<double> NumbersOfLine(std::istream& lines, const std::string& file, const char* what)
 {
   std::string line;
@@ -37,7 +37,7 @@ std::vector<double> NumbersOfLine(std::istream& lines, const std::string& file, 
   return numbers;
 }
 
-/// The numbers of a curve, after the one that counts them.
+/// The numbers of a curve, without the count in front of them.
 std::vector<double> NumbersOfCurve(
   std::istream& lines, const std::string& file, const char* what, std::size_t perNode)
 {

@@ -10,16 +10,16 @@
 namespace varimarch
 {
 
-/// 3D Slicer's volume property files. Those that read throw std::runtime_error that says in one
-/// sentence what is wrong; `file` names the text in it, and the look. Looks to write are in units
-/// of the data.
+/// 3D Slicer's volume property files. The reading functions throw std::runtime_error with one
+/// sentence; their `file` names the look, and the text in errors. The writing functions take looks
+/// in units of the data.
 
-/// *.vp: nine lines of numbers, without midpoints, sharpness, blending and unit distance.
+/// *.vp: nine lines of numbers, without midpoints, sharpness, blend mode and unit distance.
 Look LookFromSlicerText(
   const std::string& text, const std::string& file, const LookContext& context);
 std::string SlicerText(const Look& look, const LookContext& context);
 
-/// *.vp.json, of which the first property and its first component count. It does not know blending.
+/// *.vp.json. Only the first component of the first property is read. There is no blend mode.
 Look LookFromSlicerJson(
   const nlohmann::json& json, const std::string& file, const LookContext& context);
 std::string SlicerJson(const Look& look, const LookContext& context);

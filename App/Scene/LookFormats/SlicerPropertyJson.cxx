@@ -71,7 +71,7 @@ Shading ShadingOf(const JsonCursor& component)
   return shading;
 }
 
-// They have the colour and opacity of their values there.
+// Isosurfaces take their colour and opacity from the curves.
 std::vector<Isosurface> SurfacesAt(const std::vector<JsonCursor>& values, const Look& look)
 {
   const TransferFunction function(look.colors, look.opacities, look.opacityUnitDistanceMm);
