@@ -11,9 +11,9 @@ class QWidget;
 namespace varimarch
 {
 
-/// Opens a dialog for a colour that shows while it is chosen. It deletes itself when it is closed;
-/// to take the colour back when it is rejected is the caller's.
-/// @param changed  is called with every colour on the way
+/// Opens a colour dialog that reports the colour while the user chooses it. The dialog deletes
+/// itself when closed. If it is rejected, the caller must restore the old colour.
+/// @param changed  called with every intermediate colour
 QColorDialog* OpenLiveColorDialog(
   const QColor& color, const std::function<void(const QColor&)>& changed, QWidget* parent);
 

@@ -63,13 +63,13 @@ MainWindow::MainWindow(QWidget* parent)
   const QSettings settings;
   this->restoreGeometry(settings.value("window/geometry").toByteArray());
   this->restoreState(settings.value("window/panels").toByteArray());
-  connect(this->warnings, &WarningBar::RemedyWanted, this, &MainWindow::RectifyOrNot);
+  connect(this->warnings, &WarningBar::RemedyWanted, this, &MainWindow::ToggleRectified);
   connect(&this->model, &SceneModel::Changed, this,
     [this](ScenePart part)
     {
       if (part == ScenePart::Volume)
       {
-        this->ShowDoubts();
+        this->ShowWarnings();
       }
     });
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
@@ -113,14 +113,14 @@ void MainWindow::MakeMenus()
   file->addAction(tr("&Open…"), this, &MainWindow::ChooseFile, QKeySequence::Open);
   file->addAction(
     tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
-  file->addAction(tr("Open &bare voxels…"), this, &MainWindow::ChooseRawFile);
+  file->addAction(tr("Open a ra&w file…"), this, &MainWindow::ChooseRawFile);
   this->recentMenu = file->addMenu(tr("&Recent scans"));
   this->recentMenu->setObjectName("recent");
   connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
   file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
   file->addSeparator();
   file->addAction(
-    tr("Export a &picture…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"));
+    tr("Export an &image…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"));
   file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
   file->addAction(tr("Export a &report…"), this, &MainWindow::ExportReport);
   file->addSeparator();
@@ -134,13 +134,13 @@ void MainWindow::MakeMenus()
   edit->addActions({ undo, redo });
   edit->addSeparator();
   edit->addAction(
-    tr("&First look again"), this,
+    tr("&Suggested look"), this,
     [this]
     {
       if (const auto study = this->model.CurrentStudy())
       {
         const std::string name = SuggestedPreset(study->volume, study->statistics).name;
-        this->model.SetPreset(BuiltInPreset(name), tr("first look"));
+        this->model.SetPreset(BuiltInPreset(name), tr("suggested look"));
       }
     },
     QKeySequence("R"));
@@ -149,7 +149,7 @@ void MainWindow::MakeMenus()
 void MainWindow::MakeViewMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu(tr("&View"));
-  // The keys of the keypad, as other viewers have them.
+  // The keys of the numeric keypad, as in other viewers.
   const std::tuple<View, QString, QString> views[] = {
     { View::Anterior, tr("&Anterior"), "1" },
     { View::Posterior, tr("&Posterior"), "Shift+1" },
@@ -190,7 +190,7 @@ void MainWindow::MakeProjectionAction(QMenu* menu)
   parallel->setObjectName("parallelProjection");
   parallel->setCheckable(true);
   parallel->setShortcut(QKeySequence("5"));
-  parallel->setStatusTip(tr("Without perspective: what is farther away is as large"));
+  parallel->setStatusTip(tr("No perspective: distant objects look as large as near ones"));
   connect(parallel, &QAction::triggered, this,
     [this](bool on)
     {
@@ -227,7 +227,7 @@ void MainWindow::MakePanels()
 {
   const auto dockOf = [this](const QString& name, const QString& title, QWidget* panel)
   {
-    // A window may be lower than its panels.
+    // Panels scroll if the window is lower than they are.
     auto* const scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -244,10 +244,11 @@ void MainWindow::MakePanels()
   QDockWidget* const look = dockOf("look", tr("Look"), new LookPanel(&this->model));
   QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
   QDockWidget* const quality = dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
-  // Handles stand in the picture while cuts are what the user works at.
+  // Handles are visible only while the panel of the cuts is open.
   connect(cuts, &QDockWidget::visibilityChanged, this->view->Ours(), &VolumeView::ShowCutHandles);
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  QDockWidget* const measures = dockOf("measures", tr("Measures"), new MeasuresPanel(&this->model));
+  QDockWidget* const measures =
+    dockOf("measures", tr("Measurements"), new MeasuresPanel(&this->model));
   this->tabifyDockWidget(presets, look);
   this->tabifyDockWidget(look, cuts);
   this->tabifyDockWidget(cuts, measures);
@@ -275,8 +276,8 @@ void MainWindow::MakeStatusBar()
 void MainWindow::childEvent(QChildEvent* event)
 {
   QMainWindow::childEvent(event);
-  // Qt makes the tabs of panels when they are laid over each other, and would cut their titles off
-  // where there is little room.
+  // Qt creates the tab bar when docks are stacked, and would truncate its titles if there is little
+  // room.
   auto* const tabs = event->polished() ? qobject_cast<QTabBar*>(event->child()) : nullptr;
   if (tabs)
   {

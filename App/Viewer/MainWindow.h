@@ -23,8 +23,8 @@ class ComparisonView;
 class SliceView;
 class WarningBar;
 
-/// The window: menus, the views, the panels around them, and the loading of volumes. What it opens
-/// and keeps stands in MainWindowFiles.cxx, its tools in MainWindowTools.cxx.
+/// The main window: menus, views, panels, and the loading of volumes. MainWindowFiles.cxx opens and
+/// saves files, MainWindowTools.cxx sets up the tools.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -32,17 +32,17 @@ class MainWindow : public QMainWindow
 public:
   explicit MainWindow(QWidget* parent = nullptr);
 
-  /// Begins to load a file, a folder with a DICOM series, or a session that was saved.
-  /// @param series  the digest of the one to open of several series; empty: the user is asked
+  /// Starts to load a file, a folder with a DICOM series, or a saved session.
+  /// @param series  digest of the DICOM series to open; if empty, the user is asked
   void Open(const QString& path, const QString& series = {});
 
-  /// Offers what an earlier program, which did not come to its end, has left.
+  /// Offers to restore the session of a program that ended unexpectedly.
   void OfferAutosaved();
 
-  /// Says that this is not for diagnostic use, once and for all.
+  /// Shows, once per user, the notice that the program is not for diagnostic use.
   void ShowNoticeOnce();
 
-  /// Shows VTK's picture beside ours; none: ours alone.
+  /// Shows VTK's image beside ours; std::nullopt shows only ours.
   void Compare(std::optional<MapperKind> kind);
 
   SceneModel* Model() { return &this->model; }
@@ -82,8 +82,8 @@ private:
   void AskForLayout(const QString& path);
   void AskForSeries(const FileSource& source, const std::vector<SeriesSummary>& series);
   void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
-  void ShowDoubts();
-  void RectifyOrNot();
+  void ShowWarnings();
+  void ToggleRectified();
   void Exchange(const VolumeSource& source, const std::shared_ptr<const Study>& form);
   void ShowFailure(const QString& reason);
   void ShowLoading(bool loading);
@@ -92,8 +92,8 @@ private:
   VolumeLoader loader;
   Autosave autosave;
   RecentScans recentScans;
-  std::optional<Scene> restored; ///< the scene whose volume is being loaded
-  bool exchanges = false;        ///< whether another form of what is shown is being loaded
+  std::optional<Scene> restored; ///< scene whose volume is being loaded
+  bool exchanges = false;        ///< true while another form of the shown volume is being loaded
   ComparisonView* view;
   QWidget* sliceColumn;
   QSplitter* slices;

@@ -1,4 +1,4 @@
-// What the window opens and keeps: scans, sessions, pictures.
+// The part of MainWindow that opens and saves files: scans, sessions, images.
 
 #include "Viewer/MainWindow.h"
 
@@ -39,7 +39,7 @@ namespace varimarch
 namespace
 {
 
-// "Volumes (*.nrrd *.nhdr ...)", then a line for each format, for a file dialog.
+// Filter of a file dialog: "Volumes (*.nrrd *.nhdr ...)", then a line for each format.
 QString FileFilter()
 {
   QStringList all;
@@ -68,7 +68,7 @@ void LogVolume(const LoadedVolume& volume)
       { "warnings", double(volume.warnings.size()) } });
 }
 
-// Where to write a turn; a name without an ending gets that of the kind that is chosen.
+// Asks for the path of a turntable. A name without an extension gets that of the chosen filter.
 QString ChosenTurntable(QWidget* parent)
 {
   const QStringList filters = TurntableFilters();
@@ -172,8 +172,7 @@ void MainWindow::OfferAutosaved()
 {
   if (this->autosave.HasCopy() &&
     QMessageBox::question(this, tr("Varimarch"),
-      tr("The last time, the program did not come to its end. Go on where you were?")) ==
-      QMessageBox::Yes)
+      tr("The program ended unexpectedly last time. Restore your session?")) == QMessageBox::Yes)
   {
     this->Open(this->autosave.Path());
   }
@@ -200,7 +199,7 @@ void MainWindow::ChooseFolder()
 void MainWindow::ChooseRawFile()
 {
   const QString path =
-    QFileDialog::getOpenFileName(this, tr("Open bare voxels"), {}, tr("All files (*)"));
+    QFileDialog::getOpenFileName(this, tr("Open a raw file"), {}, tr("All files (*)"));
   if (!path.isEmpty())
   {
     this->restored.reset();
@@ -230,7 +229,7 @@ void MainWindow::ExportTurntable()
   {
     return;
   }
-  QProgressDialog waiting(tr("Drawing a turn"), tr("Cancel"), 0, Pictures, this);
+  QProgressDialog waiting(tr("Rendering the turntable"), tr("Cancel"), 0, Pictures, this);
   waiting.setWindowModality(Qt::WindowModal);
   waiting.setMinimumDuration(0);
   try
@@ -275,26 +274,26 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
     this->recentScans.Add(*file, *study);
   }
   this->statusBar()->showMessage(
-    tr("Look \"%1\": %2. R brings it back.")
+    tr("Look \"%1\": %2. Press R to restore it.")
       .arg(PresetTitle(this->model.CurrentScene().look.name),
         SuggestionText(SuggestedPreset(study->volume, study->statistics))));
 }
 
-void MainWindow::ShowDoubts()
+void MainWindow::ShowWarnings()
 {
   const LoadedVolume& volume = this->model.CurrentStudy()->volume;
-  QStringList doubts;
+  QStringList texts;
   for (const std::string& warning : volume.warnings)
   {
-    doubts.append(QString::fromStdString(warning));
+    texts.append(QString::fromStdString(warning));
   }
   const QString remedy = volume.slices == SliceLayout::Irregular ? tr("Rectify")
     : volume.slices == SliceLayout::Rectified                    ? tr("Show as scanned")
                                                                  : QString();
-  this->warnings->Show(doubts, remedy);
+  this->warnings->Show(texts, remedy);
 }
 
-void MainWindow::RectifyOrNot()
+void MainWindow::ToggleRectified()
 {
   VolumeSource source = this->model.CurrentScene().volume;
   auto& file = std::get<FileSource>(source);
@@ -315,7 +314,7 @@ void MainWindow::Exchange(const VolumeSource& source, const std::shared_ptr<cons
 {
   const bool isRectified = form->volume.slices == SliceLayout::Rectified;
   this->model.Exchange(
-    source, form, isRectified ? tr("rectifying slices") : tr("slices as scanned"));
+    source, form, isRectified ? tr("rectify slices") : tr("show slices as scanned"));
   this->statusBar()->clearMessage();
 }
 
@@ -359,7 +358,7 @@ void MainWindow::ListRecentScans()
       scan.label, this, [this, scan] { this->Open(scan.path, scan.series); });
   }
   this->recentMenu->addSeparator();
-  this->recentMenu->addAction(tr("Forget these"), this, [this] { this->recentScans.Clear(); });
+  this->recentMenu->addAction(tr("Clear the list"), this, [this] { this->recentScans.Clear(); });
 }
 
 }

@@ -1,4 +1,4 @@
-// What the window says of itself: the notice, and the menu of help.
+// The part of MainWindow that shows the notice and the help menu.
 
 #include "Viewer/MainWindow.h"
 
@@ -55,7 +55,7 @@ void MainWindow::MakeLanguageMenu(QMenu* menu)
 {
   auto* const choices = new QActionGroup(this);
   QVector<Language> offered = Languages();
-  offered.prepend({ {}, tr("The &desktop's") });
+  offered.prepend({ {}, tr("As on the &desktop") });
   for (const Language& language : offered)
   {
     QAction* const action = choices->addAction(menu->addAction(language.name));
@@ -66,8 +66,8 @@ void MainWindow::MakeLanguageMenu(QMenu* menu)
       {
         ChooseLanguage(language.code);
         this->statusBar()->showMessage(language.code.isEmpty()
-            ? tr("The program speaks the desktop's language from its next start on")
-            : tr("The program speaks %1 from its next start on").arg(language.name));
+            ? tr("The program will use the desktop's language after a restart")
+            : tr("The program will use %1 after a restart").arg(language.name));
       });
   }
 }
@@ -76,7 +76,7 @@ void MainWindow::MakeHelpMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu(tr("&Help"));
   this->MakeLanguageMenu(menu->addMenu(tr("&Language")));
-  menu->addAction(tr("Open the folder of the &log"), this,
+  menu->addAction(tr("Open the &log folder"), this,
     []
     {
       const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -88,7 +88,7 @@ void MainWindow::MakeHelpMenu()
 void MainWindow::ShowAbout()
 {
   QMessageBox::about(this, tr("About Varimarch"),
-    tr("<b>Varimarch %1</b><p>Looks into CT and MR volumes, with an error that is promised.</p>")
+    tr("<b>Varimarch %1</b><p>Shows CT and MR volumes with a promised error.</p>")
         .arg(QCoreApplication::applicationVersion()) +
       "<p>" + Notice() + "</p>");
 }

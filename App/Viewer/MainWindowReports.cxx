@@ -1,4 +1,4 @@
-// What the window writes for others about what it shows.
+// The part of MainWindow that writes reports and benchmarks.
 
 #include "Viewer/MainWindow.h"
 

@@ -1,4 +1,4 @@
-// What the window offers to do with a volume: the left button's tools, and comparison.
+// The part of MainWindow that sets up the tools: actions of the left button, and comparisons.
 
 #include "Viewer/MainWindow.h"
 
@@ -24,19 +24,19 @@ void MainWindow::MakeToolMenu()
   this->MakeComparisonActions(menu);
 }
 
-// In the menu for their keys, and in a bar for everybody else.
+// The menu holds the shortcuts; a tool bar makes the tools visible.
 void MainWindow::MakeLeftButtonActions(QMenu* menu)
 {
   const std::tuple<LeftButton, QString, QString, QString> tools[] = {
     { LeftButton::Turn, tr("&Turn"), "T", tr("Drag to turn the volume") },
     { LeftButton::Brightness, tr("&Brightness"), "W",
-      tr("Drag across for the window, up and down for the level; also Ctrl and drag") },
+      tr("Drag sideways for the window, up and down for the level; or drag with Ctrl") },
     { LeftButton::Distance, tr("&Distance"), "M", tr("Drag from one point to another") },
     { LeftButton::Angle, tr("&Angle"), "A",
       tr("Drag from the end of one arm to the vertex, then press at the end of the other") },
     { LeftButton::Box, tr("B&ox"), "B", tr("Drag from corner to corner: mean, deviation, volume") },
-    { LeftButton::CutOut, tr("&Cut out"), "X", tr("Draw around what is to go") },
-    { LeftButton::KeepOnly, tr("&Keep"), "Shift+X", tr("Draw around what is to stay") },
+    { LeftButton::CutOut, tr("&Cut out"), "X", tr("Draw around the part to remove") },
+    { LeftButton::KeepOnly, tr("&Keep"), "Shift+X", tr("Draw around the part to keep") },
   };
   auto* const bar = this->addToolBar(tr("Left button"));
   bar->setObjectName("leftButton");
@@ -80,7 +80,7 @@ void MainWindow::MakeComparisonActions(QMenu* menu)
   }
   QAction* const wipe = menu->addAction(tr("&Wipe between them"));
   wipe->setCheckable(true);
-  wipe->setStatusTip(tr("Both pictures in one place, with a divider that is dragged"));
+  wipe->setStatusTip(tr("Both images in one place, with a divider to drag"));
   connect(wipe, &QAction::toggled, this->view, &ComparisonView::SetWipe);
   menu->addAction(tr("&Benchmark…"), this, &MainWindow::ShowBenchmark)->setObjectName("benchmark");
 }
@@ -88,7 +88,7 @@ void MainWindow::MakeComparisonActions(QMenu* menu)
 void MainWindow::Compare(std::optional<MapperKind> kind)
 {
   this->view->CompareWith(kind);
-  // Three pictures side by side want the room.
+  // Hide the slices to make room for three images side by side.
   this->sliceColumn->setVisible(!kind);
 }
 

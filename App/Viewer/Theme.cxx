@@ -25,7 +25,7 @@ QPalette DarkPalette()
   const QColor text(228, 228, 228);
   const QColor faint(140, 140, 140);
   const QColor highlight(52, 120, 190);
-  QPalette palette(QColor(62, 64, 69), window); // buttons stand out
+  QPalette palette(QColor(62, 64, 69), window); // buttons are lighter than the window
   palette.setColor(QPalette::Base, base);
   palette.setColor(QPalette::AlternateBase, window);
   palette.setColor(QPalette::ToolTipBase, base);
@@ -53,7 +53,7 @@ Theme ChosenTheme()
 
 void ApplyTheme(Theme theme)
 {
-  // The desktop's own, kept for the way back.
+  // Remember the desktop's style to return to it.
   static const QString systemStyle = QApplication::style()->objectName();
   if (theme == Theme::System)
   {
@@ -70,7 +70,7 @@ QMenu* NewThemeMenu(QWidget* parent)
 {
   auto* const menu = new QMenu(QCoreApplication::translate("Theme", "&Theme"), parent);
   const std::tuple<Theme, QString, QString> themes[] = {
-    { Theme::System, QCoreApplication::translate("Theme", "As the &desktop"), "system" },
+    { Theme::System, QCoreApplication::translate("Theme", "As on the &desktop"), "system" },
     { Theme::Light, QCoreApplication::translate("Theme", "&Light"), "light" },
     { Theme::Dark, QCoreApplication::translate("Theme", "D&ark"), "dark" },
   };

@@ -9,19 +9,19 @@ namespace varimarch
 
 enum class Theme
 {
-  System, ///< as the desktop has it
+  System, ///< the desktop's theme
   Light,
   Dark,
 };
 
-/// That the user has chosen; remembered in the settings.
+/// The user's choice, kept in the settings.
 Theme ChosenTheme();
 
-/// Gives all windows the colours of a theme.
+/// Applies a theme's colours to all windows.
 void ApplyTheme(Theme theme);
 
-/// A menu of the themes, whose choice is applied and remembered.
-/// @param parent  owns it
+/// A menu of the themes that applies and saves the choice.
+/// @param parent  owner of the menu
 QMenu* NewThemeMenu(QWidget* parent);
 
 }

@@ -1,4 +1,4 @@
-// varimarch-viewer: opens a volume in a window.
+// varimarch-viewer shows a volume in a window.
 
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Language.h"
@@ -20,15 +20,15 @@ namespace
 void AddOptions(QCommandLineParser& parser)
 {
   parser.setApplicationDescription(
-    "Looks into CT and MR volumes, with an error that is promised. Not for diagnostic use.");
+    "Shows CT and MR volumes with a promised error. Not for diagnostic use.");
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("volume",
     "A volume file, a folder with a DICOM series, or a saved session, to open.", "[volume]");
 }
 
-// Prints help or version, if one is asked for, and ends the program. That needs no display, which
-// an application with windows would ask for at once. Options that are Qt's own are let pass.
+// Prints help or version, if requested, and ends the program. This needs no display, whereas
+// QApplication would require one. Qt's own options are ignored.
 void AnswerWithoutDisplay(int argumentCount, char** arguments)
 {
   QStringList words;

@@ -107,9 +107,9 @@ TEST_F(Cutting, OnTheOtherSideAndRemoved)
       }
     }
   };
-  click("Other side");
+  click("Flip");
   EXPECT_EQ(this->Planes()[0].normal[1], -1.0);
-  EXPECT_EQ(this->panel.findChild<QListWidget*>()->item(0)->text(), "without the side P");
+  EXPECT_EQ(this->panel.findChild<QListWidget*>()->item(0)->text(), "side P cut away");
   click("Remove");
   EXPECT_TRUE(this->Planes().empty());
   EXPECT_EQ(this->panel.findChild<QListWidget*>()->count(), 0);

@@ -195,18 +195,18 @@ TEST_F(PanelOfAModel, IsosurfacesBeginWithOneAndGoWithTheirBlending)
 TEST_F(PanelOfAModel, KindsOfLightAreChosenByNameAndKnownByTheirNumbers)
 {
   auto* const lights = this->Find<QComboBox>("lights");
-  EXPECT_EQ(lights->currentText(), "In numbers");
+  EXPECT_EQ(lights->currentText(), "Custom");
   this->Choose("lights", "Glossy");
   EXPECT_EQ(this->Shown().shading.specularPower, 48.0);
   EXPECT_EQ(this->Digits("Power")->value(), 48.0);
-  EXPECT_EQ(lights->findText("In numbers"), -1);
-  this->Choose("lights", "Flat: colours as they are");
+  EXPECT_EQ(lights->findText("Custom"), -1);
+  this->Choose("lights", "Flat: unshaded colours");
   EXPECT_FALSE(this->Shown().shading.enabled);
   EXPECT_TRUE(lights->isEnabled()) << "the way back";
   this->Choose("lights", "Soft");
   EXPECT_TRUE(this->Find<QGroupBox>("shading")->isChecked());
   this->Digits("Ambient")->setValue(0.5);
-  EXPECT_EQ(lights->currentText(), "In numbers");
+  EXPECT_EQ(lights->currentText(), "Custom");
 }
 
 TEST_F(PanelOfAModel, AColourMapIsPutOnTheCurveInOneStep)

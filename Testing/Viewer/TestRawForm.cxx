@@ -104,7 +104,7 @@ TEST_F(Form, BeginsWithAGuessThatFits)
 TEST_F(Form, SaysWhatIsTooMuchAndTakesItForAHeader)
 {
   RawForm& shown = this->Show("1234567");
-  EXPECT_EQ(this->Words(), "The file has 7 bytes more than this needs.");
+  EXPECT_EQ(this->Words(), "The file has 7 bytes more than this layout needs.");
   shown.findChild<QPushButton*>("takeHeader")->click();
   EXPECT_EQ(shown.Layout().headerBytes, 7);
   EXPECT_TRUE(this->Words().startsWith("It fits"));
@@ -115,7 +115,7 @@ TEST_F(Form, OpensNoFileThatIsTooShort)
 {
   this->Show("");
   this->Box("Slices")->setValue(4);
-  EXPECT_EQ(this->Words(), "It does not fit: the file has 16 bytes less than this needs.");
+  EXPECT_EQ(this->Words(), "The layout does not fit: the file has 16 bytes less than it needs.");
   EXPECT_FALSE(this->Open()->isEnabled());
 }
 

@@ -80,7 +80,7 @@ TEST_F(Benchmark, GoesAroundOnceAndIsExported)
   this->Run();
   ASSERT_EQ(this->dialog.findChild<QTableWidget*>()->rowCount(), 4);
   EXPECT_EQ(this->dialog.findChild<QTableWidget*>()->item(3, 0)->text(), "270");
-  EXPECT_TRUE(this->Find<QLabel>("summary")->text().startsWith("Median of 4 pictures"));
+  EXPECT_TRUE(this->Find<QLabel>("summary")->text().startsWith("Median of 4 views"));
   this->dialog.Write(this->folder.filePath("orbit.csv"));
   const QList<QByteArray> lines = BytesOf(this->folder.filePath("orbit.csv")).split('\n');
   ASSERT_EQ(lines.size(), 6);
@@ -120,7 +120,7 @@ TEST_F(Benchmark, SaysWhatVtkCannotDraw)
   this->Find<QComboBox>("kind")->setCurrentText("VTK's CPU mapper");
   QTest::mouseClick(this->Find<QPushButton>("start"), Qt::LeftButton);
   EXPECT_FALSE(this->dialog.IsRunning());
-  EXPECT_TRUE(this->Find<QLabel>("summary")->text().contains("does not know the blending"));
+  EXPECT_TRUE(this->Find<QLabel>("summary")->text().contains("does not support this blend mode"));
 }
 
 // The words are looked for in the page as it is laid out: those of a PDF itself are numbers of
@@ -156,7 +156,7 @@ TEST_F(Reports, NameALookOfOnesOwnNowhere)
   this->model.SetLook(look, "load");
   const QString text = ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy());
   EXPECT_FALSE(text.contains("John"));
-  EXPECT_TRUE(text.contains("own look"));
+  EXPECT_TRUE(text.contains("custom look"));
 }
 
 TEST_F(Reports, OfAScanHaveItsPictures)

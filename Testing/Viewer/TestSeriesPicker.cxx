@@ -31,7 +31,7 @@ protected:
 TEST_F(Picking, ShowsWhatIsKnown)
 {
   EXPECT_EQ(this->List()->item(0)->text(), "Thorax\nCT, images: 120");
-  EXPECT_EQ(this->List()->item(1)->text(), "Without a description\nMR, images: 1");
+  EXPECT_EQ(this->List()->item(1)->text(), "No description\nMR, images: 1");
   const QImage picture = this->List()->item(0)->icon().pixmap(100, 100).toImage();
   EXPECT_EQ(qGray(picture.pixel(picture.rect().center())), 255);
 }

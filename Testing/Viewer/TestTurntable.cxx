@@ -157,7 +157,7 @@ TEST_F(TurningWithAScript, TellsTheLastThingThatFfmpegSays)
 {
   this->Pretend("libx264", "echo >\"$last\"; echo first >&2; echo 'No space left' >&2; exit 1");
   const QString failure = this->Failure("turn.mp4");
-  EXPECT_TRUE(failure.contains("turn.mp4: ffmpeg says: No space left")) << failure.toStdString();
+  EXPECT_TRUE(failure.contains("turn.mp4: ffmpeg reports: No space left")) << failure.toStdString();
   EXPECT_TRUE(this->Files().isEmpty());
   this->Pretend("libx264", "cat >/dev/null; echo >\"$last\"; exit 3");
   EXPECT_TRUE(this->Failure("turn.mp4").contains("code 3"));

@@ -4,8 +4,8 @@
 namespace varimarch
 {
 
-/// A number that no gesture had before, > 0. All changes of one drag, or of one visit to a popover,
-/// carry the same, and so are one step of the history.
+/// Returns a new gesture number, > 0. All edits of one drag, or of one visit to a popover, share a
+/// number, which makes them a single undo step.
 int NewGesture();
 
 }

@@ -6,8 +6,8 @@
 #include <QSettings>
 #include <QTranslator>
 
-// The macro wants to stand outside of namespaces.
-static void TakeTranslationsIn()
+// Q_INIT_RESOURCE must be used outside of namespaces.
+static void InitTranslations()
 {
   Q_INIT_RESOURCE(translations);
 }
@@ -39,13 +39,13 @@ void ChooseLanguage(const QString& code)
 
 void Speak(const QString& code, QCoreApplication* application)
 {
-  TakeTranslationsIn();
+  InitTranslations();
   for (QTranslator* last : application->findChildren<QTranslator*>())
   {
     delete last;
   }
   const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
-  // Buttons such as "Cancel" are Qt's own words.
+  // Standard buttons such as "Cancel" are translated by Qt's own catalogue.
   const QString folderOfQt = QLibraryInfo::location(QLibraryInfo::TranslationsPath);
   const std::pair<QString, QString> places[] = { { "qtbase", folderOfQt },
     { "varimarch", ":/translations" } };

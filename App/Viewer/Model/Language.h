@@ -11,18 +11,19 @@ namespace varimarch
 
 struct Language
 {
-  QString code; ///< "de"; empty: the system's
-  QString name; ///< in itself: "Deutsch"
+  QString code; ///< "de"; empty: the language of the system
+  QString name; ///< in the language itself: "Deutsch"
 };
 
-/// Those that the program speaks, English first.
+/// Languages of the program, English first.
 QVector<Language> Languages();
 
-/// The user's choice, kept from one run of the program to the next.
+/// The user's choice, kept in the settings.
 QString ChosenLanguage();
 void ChooseLanguage(const QString& code);
 
-/// From now on widgets that are made speak a language; empty: the system's, if it is one of ours.
+/// Sets the language of all widgets created from now on. Empty: the system's language, if
+/// available.
 void Speak(const QString& code, QCoreApplication* application);
 
 }

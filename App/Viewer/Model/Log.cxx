@@ -41,7 +41,7 @@ void Note(const std::string& line)
 
 QtMessageHandler printing = nullptr;
 
-// A message may name a file; the place that it comes from does not.
+// A message may contain a file name, so only its category is logged.
 void NoteQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& message)
 {
   if (type != QtDebugMsg && type != QtInfoMsg)
@@ -51,7 +51,8 @@ void NoteQtMessage(QtMsgType type, const QMessageLogContext& context, const QStr
   printing(type, context, message);
 }
 
-// "ERROR: In /of/the/build/vtkThing.cxx, line 12 ..." is noted as "vtkThing.cxx, line 12".
+// Logs the place of a message: "ERROR: In /build/vtkThing.cxx, line 12 ..." gives "vtkThing.cxx,
+// line 12".
 class NotingOutputWindow : public vtkOutputWindow
 {
 public:
@@ -107,7 +108,7 @@ void StartLog(const QString& folder)
   }
   catch (const spdlog::spdlog_ex&)
   {
-    // Where nothing can be written, the program goes on without a log.
+    // If the folder is not writable, the program runs without a log.
     return;
   }
   Note("program started on " + QSysInfo::prettyProductName().toStdString() + ", Qt " + qVersion() +

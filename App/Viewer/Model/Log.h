@@ -9,7 +9,7 @@
 namespace varimarch
 {
 
-/// A text that stands in the source of the program.
+/// A string literal of the source code.
 class Literal
 {
 public:
@@ -31,18 +31,18 @@ struct LogNumber
   double value;
 };
 
-/// Begins a log of what the program does, in a folder that is made when it is missing: a file of at
-/// most half a megabyte, and the last three before it. Warnings of Qt and VTK are noted as well, by
-/// the place in the source that they come from.
+/// Starts the log in a folder, which is created if missing. The log is a file of at most half a
+/// megabyte; the three previous files are kept. Warnings of Qt and VTK are logged by their place in
+/// the source code.
 ///
-/// Nothing of a patient gets into it, neither names nor places of files: an entry is made of words
-/// that stand in the source, and of numbers.
+/// The log contains no patient data, neither names nor file paths: an entry consists of string
+/// literals of the source code and of numbers.
 void StartLog(const QString& folder);
 
-/// The file that StartLog begins in a folder.
+/// Path of the log file that StartLog creates in a folder.
 QString LogFileIn(const QString& folder);
 
-/// Notes an event; nothing without a log.
+/// Logs an event. Does nothing if no log was started.
 void LogEvent(Literal event, std::initializer_list<LogNumber> numbers = {});
 
 }

@@ -14,8 +14,8 @@ namespace varimarch
 
 struct BoxStatistics;
 
-/// What was measured, as people read it: one text for each in the order of the scene. Made once
-/// after an edit, since statistics take a look at voxels.
+/// Texts of the measurements, one for each in the order of the scene. They are made once per edit,
+/// since box statistics read many voxels.
 struct MeasureTexts
 {
   Q_DECLARE_TR_FUNCTIONS(MeasureTexts)
@@ -27,10 +27,10 @@ public:
   QStringList distances; ///< "12.3 mm"
   QStringList angles;    ///< "45.0°"
   QStringList boxes;     ///< two lines: "312 ± 45, from 10 to 420", "1.23 ml, 1482 voxels"
-  QStringList boxLabels; ///< the same in short, for pictures: "312 ± 45", "1.23 ml"
+  QStringList boxLabels; ///< short form for images: "312 ± 45", "1.23 ml"
 };
 
-/// "1.23 ml", below a millilitre "123 mm³".
+/// "1.23 ml", or "123 mm³" below one millilitre.
 QString VolumeText(double volumeMm3);
 
 }

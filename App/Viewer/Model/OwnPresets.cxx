@@ -73,15 +73,16 @@ void OwnPresets::Rename(const QString& name, const QString& newName)
   if (newName.isEmpty() || newName.startsWith('.') || newName.contains('/'))
   {
     Fail(QCoreApplication::translate(
-      "OwnPresets", "A preset's name has neither a dot at its beginning nor a slash in it."));
+      "OwnPresets", "A preset name must not begin with a dot or contain a slash."));
   }
   if (QFile::exists(this->PathOf(newName)))
   {
-    Fail(QCoreApplication::translate("OwnPresets", "There is a preset %1 already.").arg(newName));
+    Fail(
+      QCoreApplication::translate("OwnPresets", "A preset named %1 already exists.").arg(newName));
   }
   if (!QFile::rename(this->PathOf(name), this->PathOf(newName)))
   {
-    Fail(QCoreApplication::translate("OwnPresets", "The preset %1 cannot be renamed to %2.")
+    Fail(QCoreApplication::translate("OwnPresets", "Cannot rename the preset %1 to %2.")
            .arg(name, newName));
   }
 }
@@ -90,7 +91,7 @@ void OwnPresets::Remove(const QString& name)
 {
   if (!QFile::remove(this->PathOf(name)))
   {
-    Fail(QCoreApplication::translate("OwnPresets", "The preset %1 cannot be removed.").arg(name));
+    Fail(QCoreApplication::translate("OwnPresets", "Cannot remove the preset %1.").arg(name));
   }
 }
 

@@ -9,22 +9,22 @@
 namespace varimarch
 {
 
-/// Presets that the user has kept: each is a file in a folder, under its name. Whoever puts a file
-/// of a look there has it in the list as well.
+/// Presets that the user has saved, one file each in a folder. Look files that are copied to the
+/// folder appear in the list too.
 ///
-/// What changes the folder throws std::runtime_error with one sentence when it cannot be done.
+/// Functions that change the folder throw std::runtime_error with one sentence on failure.
 class OwnPresets
 {
 public:
   explicit OwnPresets(const QString& folder);
 
-  /// In the order of the alphabet.
+  /// Names in alphabetical order.
   QStringList Names() const;
 
-  /// @throws std::runtime_error that names the file and what is wrong with it
+  /// @throws std::runtime_error that names the file and the fault
   Preset Read(const QString& name) const;
 
-  /// Keeps a preset under a name that none has yet, and returns that name.
+  /// Saves a preset under an unused name and returns that name.
   QString Keep(const Preset& preset);
 
   void Rename(const QString& name, const QString& newName);

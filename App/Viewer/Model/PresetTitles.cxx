@@ -31,20 +31,18 @@ QString PresetTitle(const std::string& name)
 QString SuggestionText(const PresetSuggestion& suggestion)
 {
   static const std::map<SuggestionReason, const char*> texts = {
-    { SuggestionReason::Modality,
-      QT_TRANSLATE_NOOP("PresetTitles", "the file says that it is %1") },
-    { SuggestionReason::BodyPart,
-      QT_TRANSLATE_NOOP("PresetTitles", "the file says that it shows %1") },
+    { SuggestionReason::Modality, QT_TRANSLATE_NOOP("PresetTitles", "the modality is %1") },
+    { SuggestionReason::BodyPart, QT_TRANSLATE_NOOP("PresetTitles", "the body part is %1") },
     { SuggestionReason::ContrastAgent,
-      QT_TRANSLATE_NOOP("PresetTitles", "the file tells of a contrast agent") },
+      QT_TRANSLATE_NOOP("PresetTitles", "the file mentions a contrast agent") },
     { SuggestionReason::Weighting,
-      QT_TRANSLATE_NOOP("PresetTitles", "the file says that it was taken for %1") },
+      QT_TRANSLATE_NOOP("PresetTitles", "the sequence times in the file suggest %1") },
     { SuggestionReason::Metal,
-      QT_TRANSLATE_NOOP("PresetTitles", "there is metal in it, denser than any bone") },
+      QT_TRANSLATE_NOOP("PresetTitles", "it contains metal, denser than any bone") },
     { SuggestionReason::ValuesOfAir,
-      QT_TRANSLATE_NOOP("PresetTitles", "its values go down to those of air in CT") },
+      QT_TRANSLATE_NOOP("PresetTitles", "its values reach down to air in CT") },
     { SuggestionReason::OtherValues,
-      QT_TRANSLATE_NOOP("PresetTitles", "its values are not those of CT") },
+      QT_TRANSLATE_NOOP("PresetTitles", "its values do not look like CT") },
   };
   const QString text = QCoreApplication::translate("PresetTitles", texts.at(suggestion.reason));
   return suggestion.said.empty() ? text : text.arg(QString::fromStdString(suggestion.said));

@@ -10,11 +10,10 @@
 namespace varimarch
 {
 
-/// What a preset that comes with the program is called on the screen: "Bone", in the user's
-/// language; of another look its name.
+/// Title of a built-in preset in the user's language, such as "Bone". For other looks, their name.
 QString PresetTitle(const std::string& name);
 
-/// Why a preset was suggested, for the end of a sentence, in the user's language.
+/// Reason for a suggested preset, as the end of a sentence in the user's language.
 QString SuggestionText(const PresetSuggestion& suggestion);
 
 }

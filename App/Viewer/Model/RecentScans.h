@@ -9,19 +9,19 @@
 namespace varimarch
 {
 
-/// A scan that was opened, for a menu. Names of files and folders may name a patient; its label
-/// says what it is and when it was opened instead.
+/// A menu entry for a scan that was opened. Names of files and folders may contain a patient's
+/// name; therefore the label gives the modality, the size and the time of opening.
 struct RecentScan
 {
   QString path;
   QString label;  ///< "CT, 256 x 256 x 108, opened 21 Nov 2026 21:08"
-  QString series; ///< which of several DICOM series, as DigestOfSeries; else empty
+  QString series; ///< digest of the DICOM series, see DigestOfSeries; empty if there is only one
 };
 
-/// What tells a DICOM series again without naming it: its UID leads to a patient.
+/// Identifies a DICOM series without storing its UID, which can be traced to a patient.
 QString DigestOfSeries(const std::string& uid);
 
-/// The last scans that were opened, the latest first, kept from one run of the program to the next.
+/// Scans opened most recently, the latest first, kept in the settings.
 class RecentScans
 {
 public:

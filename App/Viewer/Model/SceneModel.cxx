@@ -13,7 +13,8 @@
 namespace varimarch
 {
 
-// Scenes are small, so that a step keeps both whole: what is to be undone needs no code of its own.
+// Scenes are small, so a step stores the whole scene before and after; no edit needs undo code of
+// its own.
 class SceneModel::EditStep : public QUndoCommand
 {
 public:
@@ -41,7 +42,7 @@ public:
       return false;
     }
     this->after = step->after;
-    // A drag that was taken back is nothing that anybody wants to undo.
+    // Drop the step of a drag that returned to its start.
     this->setObsolete(SceneText(this->before.scene) == SceneText(this->after.scene));
     return true;
   }

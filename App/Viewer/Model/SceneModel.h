@@ -17,17 +17,17 @@
 namespace varimarch
 {
 
-/// A volume in memory, and what of it takes a look at all voxels.
+/// A volume in memory with the statistics of its voxels.
 struct Study
 {
   LoadedVolume volume;
   ImageStatistics statistics;
 };
 
-/// What of a scene has changed.
+/// The part of a scene that has changed.
 enum class ScenePart
 {
-  Volume, ///< and with it everything else
+  Volume, ///< and every other part
   Look,
   Camera,
   Cuts,
@@ -37,46 +37,45 @@ enum class ScenePart
   Background,
 };
 
-/// The one object that holds what the window shows: a volume, and its scene as plain data. Panels
-/// edit it and know nothing of each other; views listen. Every edit is a step that can be undone.
-/// Values of its look are in units of the data.
+/// The data behind the window: a volume and its scene as plain data. Panels edit the model and do
+/// not know each other; views observe it. Every edit is an undo step. The look's values are in
+/// units of the data.
 class SceneModel : public QObject
 {
   Q_OBJECT
 
 public:
-  /// Edits with the same gesture, such as all positions of one drag, are one step.
+  /// Edits with the same gesture number, such as all positions of one drag, form one undo step.
   static constexpr int NoGesture = -1;
 
   explicit SceneModel(QObject* parent = nullptr);
 
-  /// None before the first volume.
+  /// Null before the first volume.
   std::shared_ptr<const Study> CurrentStudy() const { return this->state.study; }
   const Scene& CurrentScene() const { return this->state.scene; }
 
-  /// Takes another volume, with a preset that suits it, and forgets the steps that were of the
-  /// last.
+  /// Replaces the volume, chooses a preset that suits it, and clears the undo history.
   void Open(const VolumeSource& source, std::shared_ptr<const Study> opened);
 
-  /// Takes a scene as it was saved, with its volume.
+  /// Replaces the volume and the scene by a saved one.
   void Restore(const Scene& saved, std::shared_ptr<const Study> opened);
 
-  /// Takes another form of the volume that is shown, such as rectified; all else stays. A step, so
-  /// that the form before stays in memory.
+  /// Replaces the volume by another form of it, such as the rectified one, and keeps everything
+  /// else. This is an undo step, so the previous form stays in memory.
   void Exchange(const VolumeSource& source, std::shared_ptr<const Study> form, const QString& name);
 
-  /// The form of the volume that the last exchange took away; none without one.
+  /// The form that the last exchange replaced; null without one.
   std::shared_ptr<const Study> ExchangedStudy() const { return this->exchanged; }
 
   /// Changes a part of the scene.
-  /// @param name  of the step, for "Undo NAME"
+  /// @param name  of the undo step, for "Undo NAME"
   void Edit(ScenePart part, const QString& name, const std::function<void(Scene&)>& change,
     int gesture = NoGesture);
 
-  /// Replaces the look; one in relative values is brought into units of the data.
+  /// Replaces the look. A relative look is converted to units of the data.
   void SetLook(const Look& look, const QString& name, int gesture = NoGesture);
 
-  /// The same of a preset: its look, its quality and its background, in one step.
+  /// Applies a preset, its look, quality and background, in one step.
   void SetPreset(const Preset& preset, const QString& name);
 
   QUndoStack* History() { return &this->history; }

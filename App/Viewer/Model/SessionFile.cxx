@@ -62,7 +62,7 @@ void Autosave::Save()
   }
   catch (const std::exception&)
   {
-    // A copy for emergencies is not worth a message at every edit.
+    // A failed backup is not worth an error message at every edit.
   }
 }
 

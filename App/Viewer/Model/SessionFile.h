@@ -10,24 +10,25 @@
 namespace varimarch
 {
 
-/// Writes a scene, complete or not at all. @throws std::runtime_error that names the file
+/// Writes a scene to a file, which is never left incomplete. @throws std::runtime_error that names
+/// the file
 void WriteScene(const Scene& scene, const QString& path);
 
-/// Keeps a copy of the scene on disk while it is edited, so that nothing is lost when the program
-/// does not come to its end. The copy goes when it does.
+/// Saves a copy of the scene while it is edited, so that no work is lost if the program ends
+/// unexpectedly. A normal exit deletes the copy.
 class Autosave : public QObject
 {
   Q_OBJECT
 
 public:
-  /// @param path  of the copy; its folder is made
+  /// @param path  of the copy; its folder is created
   Autosave(SceneModel* model, const QString& path, QObject* parent = nullptr);
 
-  /// Whether a program that did not come to its end has left a copy.
+  /// True if an earlier run of the program ended unexpectedly and left a copy.
   bool HasCopy() const;
   QString Path() const { return this->path; }
 
-  /// Takes the copy away: the program ends as it should.
+  /// Deletes the copy, because the program ends normally.
   void Remove();
 
 private:

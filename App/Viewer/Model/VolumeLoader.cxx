@@ -11,15 +11,15 @@
 namespace varimarch
 {
 
-// What the thread and the one that waits for it share.
+// State shared by the thread and the loader.
 struct VolumeLoader::Task
 {
   VolumeSource source;
-  QString digest; ///< of the series to take
+  QString digest; ///< identifies the requested series; may be empty
   std::atomic<bool> stop{ false };
-  std::shared_ptr<const Study> study; ///< when it ended well
-  std::vector<SeriesSummary> series;  ///< or when one has to be chosen
-  QString failure;                    ///< when it did not
+  std::shared_ptr<const Study> study; ///< set on success
+  std::vector<SeriesSummary> series;  ///< the series to choose from, if there are several
+  QString failure;                    ///< set on failure
 };
 
 VolumeLoader::VolumeLoader(QObject* parent)
@@ -38,7 +38,7 @@ VolumeLoader::~VolumeLoader()
   }
 }
 
-// In the thread.
+// Runs in the thread.
 void VolumeLoader::Read(Task& task)
 {
   const auto observe = [&](double part)
@@ -96,7 +96,7 @@ void VolumeLoader::Load(const VolumeSource& source, const QString& series)
   this->task->source = source;
   this->task->digest = series;
   this->thread = QThread::create([this, task = this->task] { this->Run(*task); });
-  // What the last thread had to say may still be under way.
+  // A signal of the previous thread may still be queued.
   connect(this->thread, &QThread::finished, this,
     [this, ended = this->thread]
     {

@@ -15,9 +15,9 @@ class QThread;
 namespace varimarch
 {
 
-/// Reads volumes in a thread of its own, one at a time; a new one takes the place of the last.
-/// Exactly one of Loaded, SeriesFound, Failed and Cancelled ends what Load began, unless this is
-/// destroyed.
+/// Reads volumes in a thread, one at a time; a new request replaces the last one. Each Load ends
+/// with exactly one of the signals Loaded, SeriesFound, Failed and Cancelled, unless the loader is
+/// destroyed first.
 class VolumeLoader : public QObject
 {
   Q_OBJECT
@@ -26,21 +26,20 @@ public:
   explicit VolumeLoader(QObject* parent = nullptr);
   ~VolumeLoader() override;
 
-  /// @param series  the digest (DigestOfSeries) of the one to take of several DICOM series; empty:
-  /// it
-  ///   is asked for
+  /// @param series  digest of the DICOM series to load (DigestOfSeries); if empty and there are
+  ///                several, SeriesFound is emitted
   void Load(const VolumeSource& source, const QString& series = {});
 
-  /// Returns at once; the thread stops at the next step of its reading.
+  /// Returns immediately; the thread stops at its next progress report.
   void Cancel();
 
   bool IsLoading() const { return this->thread != nullptr; }
 
 signals:
-  /// @param part  of the work that is done, [0, 1]
+  /// @param part  fraction of the work that is done, [0, 1]
   void Progress(double part);
   void Loaded(const varimarch::VolumeSource& source, std::shared_ptr<const varimarch::Study> study);
-  /// There are several DICOM series, and nothing says which, or not that one which is asked for.
+  /// Emitted for several DICOM series if none was requested or the requested one is missing.
   void SeriesFound(
     const varimarch::FileSource& source, const std::vector<varimarch::SeriesSummary>& series);
   /// @param reason  one sentence

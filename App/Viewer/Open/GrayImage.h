@@ -8,7 +8,7 @@
 namespace varimarch
 {
 
-/// A gray picture as one of Qt's, with pixels of its own.
+/// Converts grey pixels to a QImage that owns its pixels.
 inline QImage ImageOf(const GrayPicture& picture)
 {
   return QImage(

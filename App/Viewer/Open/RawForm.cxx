@@ -45,16 +45,16 @@ RawForm::RawForm(const QString& file, QWidget* parent)
   : QDialog(parent)
   , path(file.toStdString())
   , fileBytes(QFileInfo(file).size())
-  , isPacked(file.endsWith(".gz", Qt::CaseInsensitive))
+  , isCompressed(file.endsWith(".gz", Qt::CaseInsensitive))
 {
-  this->setWindowTitle(tr("How is %1 to be read?").arg(QFileInfo(file).fileName()));
+  this->setWindowTitle(tr("Layout of %1").arg(QFileInfo(file).fileName()));
   auto* const row = new QHBoxLayout;
   row->addLayout(this->MakeForm());
   row->addLayout(this->MakePreview(), 1);
   auto* const column = new QVBoxLayout(this);
   column->addLayout(row, 1);
   column->addWidget(this->MakeButtons());
-  this->openButton->setDefault(true); // not before it is in the dialog
+  this->openButton->setDefault(true); // only works once it is in the dialog
   connect(&this->preview, &RawPreview::Ready, this,
     [this](const QImage& read)
     {
@@ -83,7 +83,7 @@ QFormLayout* RawForm::MakeForm()
     this->type->addItem(QString::fromStdString(name));
   }
   this->byteOrder = new QComboBox;
-  this->byteOrder->addItems({ tr("small end first"), tr("big end first") });
+  this->byteOrder->addItems({ tr("little-endian"), tr("big-endian") });
   this->headerBytes = new QSpinBox;
   this->headerBytes->setRange(0, std::numeric_limits<int>::max());
   this->headerBytes->setAccessibleName(tr("Bytes before the first voxel"));
@@ -117,7 +117,7 @@ QLayout* RawForm::MakePreview()
   this->fit = new QLabel;
   this->fit->setObjectName("fit");
   this->fit->setWordWrap(true);
-  this->takeHeader = new QPushButton(tr("They are a header"));
+  this->takeHeader = new QPushButton(tr("Skip them as a header"));
   this->takeHeader->setObjectName("takeHeader");
   this->takeHeader->setAutoDefault(false);
   connect(this->takeHeader, &QPushButton::clicked, this,
@@ -189,25 +189,26 @@ void RawForm::ShowFit()
 {
   const std::int64_t more = this->fileBytes - BytesOf(this->Layout());
   const QLocale locale;
-  this->openButton->setEnabled(this->isPacked || more >= 0);
-  this->takeHeader->setVisible(!this->isPacked && more > 0);
-  if (this->isPacked)
+  this->openButton->setEnabled(this->isCompressed || more >= 0);
+  this->takeHeader->setVisible(!this->isCompressed && more > 0);
+  if (this->isCompressed)
   {
-    this->fit->setText(tr("The file is packed, so whether its size fits is seen when it is read."));
+    this->fit->setText(
+      tr("The file is compressed, so its size can only be checked when it is read."));
   }
   else if (more == 0)
   {
-    this->fit->setText(tr("It fits: the file has the %1 bytes that this needs.")
+    this->fit->setText(tr("The layout fits: the file has the %1 bytes that it needs.")
                          .arg(locale.toString(qlonglong(this->fileBytes))));
   }
   else if (more > 0)
   {
-    this->fit->setText(
-      tr("The file has %1 bytes more than this needs.").arg(locale.toString(qlonglong(more))));
+    this->fit->setText(tr("The file has %1 bytes more than this layout needs.")
+                         .arg(locale.toString(qlonglong(more))));
   }
   else
   {
-    this->fit->setText(tr("It does not fit: the file has %1 bytes less than this needs.")
+    this->fit->setText(tr("The layout does not fit: the file has %1 bytes less than it needs.")
                          .arg(locale.toString(qlonglong(-more))));
   }
 }

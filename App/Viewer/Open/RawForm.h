@@ -18,14 +18,14 @@ class QSpinBox;
 namespace varimarch
 {
 
-/// Asks how the bytes of a file without a header are to be read. Shows a slice as it would be read
-/// then, and says in words whether the file has as many bytes.
+/// Asks for the layout of a file without a header. Previews a slice with that layout, and compares
+/// the size that it needs with the size of the file.
 class RawForm : public QDialog
 {
   Q_OBJECT
 
 public:
-  /// Begins with what the file's name and size suggest.
+  /// Starts with the layout that the file's name and size suggest.
   RawForm(const QString& path, QWidget* parent);
 
   RawLayout Layout() const;
@@ -47,7 +47,7 @@ private:
 
   std::string path;
   std::int64_t fileBytes;
-  bool isPacked; ///< its size says nothing
+  bool isCompressed; ///< compressed, so the file size says nothing
   RawPreview preview;
   QImage picture;
   std::array<QSpinBox*, 3> dimensions;

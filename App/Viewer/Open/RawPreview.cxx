@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-// In the other thread.
+// Runs in the other thread.
 QImage ReadSlice(const FileSource& slice, const std::atomic<bool>* stop)
 {
   try
@@ -46,7 +46,7 @@ RawPreview::~RawPreview()
 
 void RawPreview::Read(const std::string& path, const RawLayout& layout, int slice)
 {
-  // The slice is a volume of its own, behind a longer header.
+  // Read the slice as a volume of its own, with the slices before it as part of the header.
   RawLayout single = layout;
   single.dimensions[2] = 1;
   const std::int64_t sliceBytes = BytesOf(single) - single.headerBytes;

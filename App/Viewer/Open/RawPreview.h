@@ -13,8 +13,8 @@
 namespace varimarch
 {
 
-/// Reads single slices of a raw file in another thread: while settings change, of those that were
-/// asked for the latest.
+/// Reads single slices of a raw file in another thread. If several are requested meanwhile, only
+/// the latest is read.
 class RawPreview : public QObject
 {
   Q_OBJECT
@@ -23,11 +23,11 @@ public:
   explicit RawPreview(QObject* parent = nullptr);
   ~RawPreview() override;
 
-  /// @param slice  0 <= slice < the last of the layout's dimensions
+  /// @param slice  0 <= slice < number of slices in the layout
   void Read(const std::string& path, const RawLayout& layout, int slice);
 
 signals:
-  /// @param picture  null when the slice cannot be read
+  /// @param picture  null if the slice cannot be read
   void Ready(const QImage& picture);
 
 private:

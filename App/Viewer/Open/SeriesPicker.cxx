@@ -16,12 +16,12 @@ namespace
 
 constexpr QSize PictureSize(112, 112);
 
-// What the operator typed may be empty, or long.
+// Descriptions are typed by operators and may be empty or long.
 QString TextOf(const SeriesSummary& summary)
 {
   const QString description = QString::fromStdString(summary.description).trimmed();
   return SeriesPicker::tr("%1\n%2, images: %3")
-    .arg(description.isEmpty() ? SeriesPicker::tr("Without a description") : description.left(60),
+    .arg(description.isEmpty() ? SeriesPicker::tr("No description") : description.left(60),
       QString::fromStdString(summary.modality))
     .arg(summary.imageCount);
 }
@@ -46,13 +46,13 @@ SeriesPicker::SeriesPicker(std::vector<SeriesSummary> allSeries, QWidget* parent
   auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   QPushButton* const open = buttons->addButton(tr("Open"), QDialogButtonBox::AcceptRole);
   auto* const column = new QVBoxLayout(this);
-  column->addWidget(new QLabel(tr("There are %1 series here.").arg(this->series.size())));
+  column->addWidget(new QLabel(tr("Found %1 series.").arg(this->series.size())));
   column->addWidget(this->list, 1);
   column->addWidget(buttons);
-  open->setDefault(true); // not before it is in the dialog
+  open->setDefault(true); // only works once it is in the dialog
   connect(buttons, &QDialogButtonBox::accepted, this, &SeriesPicker::Choose);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  // Return and a double-click.
+  // Emitted for Return and for a double-click.
   connect(this->list, &QListWidget::itemActivated, this, &SeriesPicker::Choose);
 }
 
@@ -72,7 +72,7 @@ void SeriesPicker::Choose()
 {
   if (!this->isVisible())
   {
-    return; // Return goes to the list and to the button
+    return; // Return triggers both the list and the button
   }
   emit this->Chosen(QString::fromStdString(this->series[this->list->currentRow()].uid));
   this->accept();

@@ -12,8 +12,8 @@ class QListWidget;
 namespace varimarch
 {
 
-/// Asks which of several DICOM series to open: each with the picture of its middle slice and what
-/// is known of it. The first, which is the largest, is chosen by Return alone.
+/// Asks which of several DICOM series to open. Each is shown with its middle slice and its
+/// description. The first one, which is the largest, is preselected.
 class SeriesPicker : public QDialog
 {
   Q_OBJECT

@@ -15,7 +15,7 @@ WarningBar::WarningBar(QWidget* parent)
   , remedy(new QPushButton)
 {
   this->setObjectName("warnings");
-  // Legible in dark and in light themes alike.
+  // Fixed colours that are legible with dark and light themes.
   this->setStyleSheet("#warnings { background: #fff3cd; border-bottom: 1px solid #d9a400; }"
                       "#warnings QLabel { color: #3d2f00; }");
   auto* const sign = new QLabel;
@@ -28,7 +28,7 @@ WarningBar::WarningBar(QWidget* parent)
   auto* const close = new QToolButton;
   close->setIcon(this->style()->standardIcon(QStyle::SP_TitleBarCloseButton));
   close->setAutoRaise(true);
-  close->setToolTip(tr("I have read this"));
+  close->setToolTip(tr("Dismiss"));
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   auto* const row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 4);

@@ -10,8 +10,8 @@ class QPushButton;
 namespace varimarch
 {
 
-/// A strip above the views with what is doubtful about the volume that is shown, until somebody has
-/// read it and closes it, or another volume comes.
+/// A bar above the views with warnings about the current volume. It stays until the user closes it
+/// or another volume is opened.
 class WarningBar : public QFrame
 {
   Q_OBJECT
@@ -19,8 +19,8 @@ class WarningBar : public QFrame
 public:
   explicit WarningBar(QWidget* parent = nullptr);
 
-  /// None: nothing to be seen.
-  /// @param remedy  what a button beside them says; empty: there is none
+  /// Shows warnings; hides the bar if there are none.
+  /// @param remedy  label of a button beside them; empty: no button
   void Show(const QStringList& warnings, const QString& remedy);
 
 signals:

@@ -19,7 +19,7 @@ namespace varimarch
 namespace
 {
 
-// The word for it, and what it is for.
+// Name of a blend mode and its purpose.
 struct BlendText
 {
   Blend blend;
@@ -31,15 +31,15 @@ std::vector<BlendText> BlendTexts()
 {
   return {
     { Blend::Composite, BlendingForm::tr("Composite"),
-      BlendingForm::tr("Material that light passes through, as the curve says") },
+      BlendingForm::tr("Translucent material with the opacities of the curve") },
     { Blend::MaximumIntensity, BlendingForm::tr("Maximum"),
       BlendingForm::tr("The largest value along each ray: vessels, implants (MIP)") },
     { Blend::MinimumIntensity, BlendingForm::tr("Minimum"),
       BlendingForm::tr("The smallest value along each ray: airways (MinIP)") },
     { Blend::AverageIntensity, BlendingForm::tr("Average"),
-      BlendingForm::tr("The mean along each ray: as a thick slice") },
+      BlendingForm::tr("The mean along each ray, as in a thick slice") },
     { Blend::Additive, BlendingForm::tr("Additive"),
-      BlendingForm::tr("The sum along each ray: as an X-ray picture") },
+      BlendingForm::tr("The sum along each ray, as in an X-ray image") },
     { Blend::Isosurface, BlendingForm::tr("Isosurfaces"),
       BlendingForm::tr("Surfaces of equal value, each with its colour and opacity") },
   };
@@ -70,7 +70,7 @@ void BlendingForm::MakeBlend()
   }
   connect(this->blend, QOverload<int>::of(&QComboBox::activated), this,
     [this](int index) { this->ChooseBlend(Blend(this->blend->itemData(index).toInt())); });
-  this->form->addRow(tr("Blending"), this->blend);
+  this->form->addRow(tr("Blend mode"), this->blend);
 }
 
 void BlendingForm::MakeUnitDistance()
@@ -78,7 +78,7 @@ void BlendingForm::MakeUnitDistance()
   this->unitDistance = new NumberSlider(0.01, 100.0, NumberSlider::Scale::Logarithmic);
   this->unitDistance->setObjectName("unitDistance");
   this->unitDistance->SetSuffix(tr(" mm"));
-  this->unitDistance->setToolTip(tr("The thickness of material that has the curve's opacities"));
+  this->unitDistance->setToolTip(tr("Thickness of material that has the opacities of the curve"));
   connect(this->unitDistance, &NumberSlider::Edited, this,
     [this](double millimetres, int gesture)
     {
@@ -93,7 +93,7 @@ void BlendingForm::MakeAveragedRange()
 {
   this->averagedRange = new QWidget;
   this->averagedRange->setObjectName("averagedRange");
-  this->averagedRange->setToolTip(tr("Other values do not count in the mean"));
+  this->averagedRange->setToolTip(tr("Values outside this range do not count in the mean"));
   auto* const row = new QHBoxLayout(this->averagedRange);
   row->setContentsMargins(0, 0, 0, 0);
   const auto add = [&](const char* name)
@@ -117,7 +117,7 @@ void BlendingForm::ChooseBlend(Blend chosen)
   Look look = this->model->CurrentScene().look;
   look = chosen == Blend::Isosurface ? WithSurface(look) : look;
   look.blend = chosen;
-  this->model->SetLook(look, tr("blending"));
+  this->model->SetLook(look, tr("blend mode"));
 }
 
 void BlendingForm::ChooseAveragedRange()
@@ -128,7 +128,7 @@ void BlendingForm::ChooseAveragedRange()
   const bool all = first <= study->statistics.Smallest() && last >= study->statistics.Largest();
   Look look = this->model->CurrentScene().look;
   look.averagedRange = all ? std::nullopt : std::optional(std::array<double, 2>{ first, last });
-  this->model->SetLook(look, tr("values that count"));
+  this->model->SetLook(look, tr("range of averaged values"));
 }
 
 void BlendingForm::ShowRow(QWidget* field, bool shown)

@@ -14,7 +14,7 @@ namespace varimarch
 
 class NumberSlider;
 
-/// How the samples of a ray become a pixel, with the numbers that this kind of blending needs.
+/// Blend mode of the rays, with the parameters that it needs.
 class BlendingForm : public QWidget
 {
   Q_OBJECT

@@ -25,10 +25,10 @@ namespace
 {
 
 constexpr int SliderSteps = 1000;
-constexpr int MostPlanes = 6; // more than anybody keeps apart in a picture
+constexpr int MostPlanes = 6; // more would be hard to tell apart
 
-// The plane that differs from what was there before, be it new or moved by hand; else the one that
-// was selected, or the last.
+// Selects the plane that is new or was moved by hand. Without one, it keeps the selection, or takes
+// the last plane.
 int PlaneToSelect(
   const std::vector<CutPlane>& before, const std::vector<CutPlane>& now, int selected)
 {
@@ -44,7 +44,7 @@ int PlaneToSelect(
 QString NameOf(const CutPlane& plane)
 {
   const std::array<double, 3> away = { -plane.normal[0], -plane.normal[1], -plane.normal[2] };
-  return CutsPanel::tr("without the side %1")
+  return CutsPanel::tr("side %1 cut away")
     .arg(QString::fromStdString(AnatomicalDirection(away.data())));
 }
 
@@ -67,29 +67,30 @@ QToolButton* CutsPanel::MakeAddButton()
 {
   auto* const menu = new QMenu(this);
   const std::tuple<QString, std::array<double, 3>> halves[] = {
-    { tr("Left half away"), { -1.0, 0.0, 0.0 } },
-    { tr("Right half away"), { 1.0, 0.0, 0.0 } },
-    { tr("Front half away"), { 0.0, 1.0, 0.0 } },
-    { tr("Back half away"), { 0.0, -1.0, 0.0 } },
-    { tr("Upper half away"), { 0.0, 0.0, -1.0 } },
-    { tr("Lower half away"), { 0.0, 0.0, 1.0 } },
+    { tr("Cut away the left half"), { -1.0, 0.0, 0.0 } },
+    { tr("Cut away the right half"), { 1.0, 0.0, 0.0 } },
+    { tr("Cut away the front half"), { 0.0, 1.0, 0.0 } },
+    { tr("Cut away the back half"), { 0.0, -1.0, 0.0 } },
+    { tr("Cut away the upper half"), { 0.0, 0.0, -1.0 } },
+    { tr("Cut away the lower half"), { 0.0, 0.0, 1.0 } },
   };
   for (const auto& [name, normal] : halves)
   {
     menu->addAction(
       name, this, [this, name = name, normal = normal] { this->AddPlane(normal, name); });
   }
-  menu->addAction(tr("Half that faces me away"), this, &CutsPanel::AddFacingPlane);
+  menu->addAction(tr("Cut away the half facing me"), this, &CutsPanel::AddFacingPlane);
   this->add = new QToolButton;
   this->add->setText(tr("Cut away…"));
   this->add->setObjectName("addPlane");
-  this->add->setToolTip(tr("A plane cuts a side away, up to %n of them", nullptr, MostPlanes));
+  this->add->setToolTip(
+    tr("Adds a plane that cuts away one side, up to %n planes", nullptr, MostPlanes));
   this->add->setMenu(menu);
   this->add->setPopupMode(QToolButton::InstantPopup);
   return this->add;
 }
 
-// All that happens while it is held is one step.
+// A drag from press to release is one undo step.
 QSlider* CutsPanel::MakeSlider(const QString& name)
 {
   auto* const slider = new QSlider(Qt::Horizontal);
@@ -107,7 +108,7 @@ QWidget* CutsPanel::MakePlanes()
   this->planes = new QListWidget;
   this->planes->setMaximumHeight(90);
   this->depth = this->MakeSlider(tr("Depth of the plane"));
-  this->flip = new QPushButton(tr("Other side"));
+  this->flip = new QPushButton(tr("Flip"));
   this->remove = new QPushButton(tr("Remove"));
 
   auto* const layout = new QGridLayout(group);
@@ -139,12 +140,12 @@ QWidget* CutsPanel::MakeBox()
       [this, face](int position) { this->MoveFace(face, position); });
     this->faces[face] = slider;
   }
-  auto* const all = new QPushButton(tr("All of the volume"));
+  auto* const all = new QPushButton(tr("Whole volume"));
   layout->addWidget(all, 6, 1);
   connect(all, &QPushButton::clicked, this,
     [this]
     {
-      this->model->Edit(ScenePart::Cuts, tr("show all of the volume"),
+      this->model->Edit(ScenePart::Cuts, tr("show the whole volume"),
         [](Scene& scene) { scene.cuts.box = SceneCuts().box; });
     });
   return group;
@@ -156,13 +157,13 @@ QWidget* CutsPanel::MakeScissors()
   auto* const layout = new QGridLayout(group);
   this->scissors = new QLabel;
   this->scissors->setWordWrap(true);
-  this->bringBack = new QPushButton(tr("Bring all back"));
+  this->bringBack = new QPushButton(tr("Remove all cuts"));
   layout->addWidget(this->scissors, 0, 0);
   layout->addWidget(this->bringBack, 1, 0);
   connect(this->bringBack, &QPushButton::clicked, this,
     [this]
     {
-      this->model->Edit(ScenePart::Cuts, tr("bring back what scissors cut"),
+      this->model->Edit(ScenePart::Cuts, tr("remove all scissors cuts"),
         [](Scene& scene) { scene.cuts.scissors.clear(); });
     });
   return group;
@@ -172,8 +173,8 @@ void CutsPanel::ShowScissors()
 {
   const int count = int(this->model->CurrentScene().cuts.scissors.size());
   this->scissors->setText(count == 0
-      ? tr("Choose Cut out or Keep above, and draw around what is to go or to stay.")
-      : tr("Cuts by scissors: %1").arg(count));
+      ? tr("Choose Cut out or Keep above, then draw around the part to remove or to keep.")
+      : tr("Scissors cuts: %1").arg(count));
   this->bringBack->setEnabled(count > 0);
 }
 
@@ -235,7 +236,7 @@ void CutsPanel::AddPlane(const std::array<double, 3>& normal, const QString& ste
 void CutsPanel::AddFacingPlane()
 {
   const std::array<double, 3> direction = ViewDirection(this->model->CurrentScene().camera);
-  this->AddPlane(direction, tr("cut what faces me away"));
+  this->AddPlane(direction, tr("cut away the half facing me"));
 }
 
 void CutsPanel::MovePlane(int position)
@@ -255,7 +256,7 @@ void CutsPanel::EditPlane(const QString& stepName, const std::function<void(CutP
 
 void CutsPanel::FlipPlane()
 {
-  this->EditPlane(tr("turn a plane round"),
+  this->EditPlane(tr("flip a plane"),
     [](CutPlane& plane) {
       plane.normal = { -plane.normal[0], -plane.normal[1], -plane.normal[2] };
     });

@@ -17,7 +17,7 @@ class QToolButton;
 namespace varimarch
 {
 
-/// What of the volume is left to see: a box along its axes, and planes in any direction.
+/// Cuts through the volume: a box along its axes, planes in any direction, and scissors.
 class CutsPanel : public QWidget
 {
   Q_OBJECT
@@ -46,14 +46,14 @@ private:
   SceneModel* model;
   QToolButton* add;
   QListWidget* planes;
-  std::vector<CutPlane> shown; ///< the planes of the list
+  std::vector<CutPlane> shown; ///< the planes in the list
   QSlider* depth;
   QPushButton* flip;
   QPushButton* remove;
   std::array<QSlider*, 6> faces;
   QLabel* scissors;
   QPushButton* bringBack;
-  int gesture = SceneModel::NoGesture; ///< of the slider that is held
+  int gesture = SceneModel::NoGesture; ///< drag of a slider in progress
 };
 
 }

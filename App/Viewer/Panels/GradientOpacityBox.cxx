@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-// What is homogeneous fades, what is an edge stays.
+// A curve that makes homogeneous regions transparent and keeps edges.
 std::vector<OpacityNode> EdgesOf(const ImageStatistics& gradients)
 {
   const double dark = gradients.Percentile(60.0);
@@ -33,7 +33,7 @@ GradientOpacityBox::GradientOpacityBox(SceneModel* model, QWidget* parent)
   , editor(new TransferFunctionEditor)
 {
   this->isOn->setObjectName("gradientOpacity");
-  this->isOn->setToolTip(tr("Lets edges between materials stand out of what is homogeneous"));
+  this->isOn->setToolTip(tr("Makes edges between materials stand out from homogeneous regions"));
   this->isOn->setEnabled(false);
   this->editor->LeaveOutColors();
   this->editor->setObjectName("gradientEditor");
@@ -48,7 +48,7 @@ GradientOpacityBox::GradientOpacityBox(SceneModel* model, QWidget* parent)
   column->addWidget(this->isOn);
   column->addWidget(tools);
   column->addWidget(this->editor, 1);
-  // Folded up while it is off.
+  // Hide the editor while the gradient opacity is off.
   connect(this->isOn, &QCheckBox::toggled, tools, &QWidget::setVisible);
   connect(this->isOn, &QCheckBox::toggled, this->editor, &QWidget::setVisible);
   connect(this->isOn, &QCheckBox::clicked, this, &GradientOpacityBox::Switch);

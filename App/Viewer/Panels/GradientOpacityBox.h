@@ -16,9 +16,9 @@ namespace varimarch
 
 class TransferFunctionEditor;
 
-/// Opacity by the magnitude of the gradient, over a histogram of its own, which a thread counts
-/// while the volume is already seen. Switched off it is not in the scene; the curve is remembered
-/// here until it is switched on again. Of composites only.
+/// Opacity by gradient magnitude, edited over a histogram of the gradients. A thread computes the
+/// histogram while the volume is already shown. Switched off, the curve is removed from the scene
+/// and remembered here. For composites only.
 class GradientOpacityBox : public QWidget
 {
   Q_OBJECT
@@ -39,7 +39,8 @@ private:
   QCheckBox* isOn;
   TransferFunctionEditor* editor;
   QFutureWatcher<Statistics> counting;
-  std::vector<OpacityNode> remembered; ///< for the next time; none: what suits the volume
+  std::vector<OpacityNode>
+    remembered; ///< curve for the next time; empty: one that suits the volume
 };
 
 }

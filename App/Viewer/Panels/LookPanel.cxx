@@ -44,7 +44,7 @@ QIcon PictureOf(const ColorMap& map)
   return QPixmap::fromImage(image);
 }
 
-// "Looks (*.json);;3D Slicer volume properties (*.vp.json);; ...", for a file dialog.
+// Filter of a file dialog: "Looks (*.json);;3D Slicer volume properties (*.vp.json);; ...".
 QString FileFilter(bool toWrite)
 {
   QStringList all;
@@ -139,7 +139,8 @@ QToolButton* LookPanel::MakeColorMaps()
   auto* const button = new QToolButton;
   button->setObjectName("colorMaps");
   button->setText(tr("Colours"));
-  button->setToolTip(tr("Colours for all kinds of colour vision, over the curve as it is"));
+  button->setToolTip(
+    tr("Colour maps for any kind of colour vision; the opacity curve stays as it is"));
   button->setPopupMode(QToolButton::InstantPopup);
   auto* const menu = new QMenu(button);
   for (const ColorMap& map : ColorMaps())
@@ -151,7 +152,7 @@ QToolButton* LookPanel::MakeColorMaps()
         const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
         this->model->SetLook(WithColorMap(this->model->CurrentScene().look, map,
                                statistics.Smallest(), statistics.Largest()),
-          tr("colours of %1").arg(name));
+          tr("colour map %1").arg(name));
       });
   }
   button->setMenu(menu);
@@ -176,8 +177,8 @@ void LookPanel::Update(ScenePart part)
   this->ShowPreset();
 }
 
-// The list shows a preset only while the look is still what the preset says; else a row of its own,
-// the last, says what it was.
+// Shows the preset's name while the look equals the preset. Otherwise an additional last row names
+// the edited look.
 void LookPanel::ShowPreset()
 {
   const Look& look = this->model->CurrentScene().look;
@@ -192,7 +193,7 @@ void LookPanel::ShowPreset()
   else
   {
     this->presets->addItem(IsPresetName(look.name) ? tr("%1, edited").arg(name)
-        : name.isEmpty()                           ? tr("own look")
+        : name.isEmpty()                           ? tr("custom look")
                                                    : name);
     this->presets->setCurrentIndex(presetCount);
   }

@@ -18,8 +18,8 @@ namespace varimarch
 
 class TransferFunctionEditor;
 
-/// How the values of the volume are seen: transfer function, light, blending, presets and files of
-/// looks. All of it is the model's; every change here is an edit of it.
+/// The appearance of the values: transfer function, light, blend mode, presets and look files. The
+/// model holds all of it; every change is an edit of the model.
 class LookPanel : public QWidget
 {
   Q_OBJECT
@@ -27,10 +27,10 @@ class LookPanel : public QWidget
 public:
   explicit LookPanel(SceneModel* model, QWidget* parent = nullptr);
 
-  /// The look of a file becomes the model's, or the panel says what is wrong with it.
+  /// Loads the look of a file into the model, or shows what is wrong with the file.
   void Load(const QString& path);
 
-  /// Writes the model's look under the file's name, or the panel says why it could not.
+  /// Saves the model's look under the file's name, or shows why that failed.
   void Save(const QString& path);
 
 private:
@@ -46,7 +46,7 @@ private:
 
   SceneModel* model;
   QComboBox* presets;
-  QLabel* problem; ///< of the last file; hidden when there was none
+  QLabel* problem; ///< error of the last file; hidden if there was none
   TransferFunctionEditor* editor;
 };
 

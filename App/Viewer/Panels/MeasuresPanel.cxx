@@ -16,9 +16,9 @@ namespace varimarch
 namespace
 {
 
-// The row of the table is the place in distances, angles and boxes, one after the other.
+// The rows of the table list the distances, then the angles, then the boxes.
 template <class Change>
-void ChangeOfRow(Scene& scene, int row, const Change& change)
+void ChangeRow(Scene& scene, int row, const Change& change)
 {
   const int angle = row - int(scene.distances.size());
   const int box = angle - int(scene.angles.size());
@@ -46,8 +46,8 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
   , removeAll(new QPushButton(tr("Remove all")))
 {
   auto* const hint =
-    new QLabel(tr("Choose Distance, Angle or Box above, and drag in the volume or in a slice. "
-                  "Points can be dragged later; a double-click on a name changes it."));
+    new QLabel(tr("Choose Distance, Angle or Box above, then drag in the volume or in a slice. "
+                  "Points can be dragged later; double-click a name to change it."));
   hint->setWordWrap(true);
   this->table->setHorizontalHeaderLabels({ tr("Name"), tr("Value") });
   this->table->horizontalHeader()->setStretchLastSection(true);
@@ -116,21 +116,21 @@ void MeasuresPanel::Rename(QTableWidgetItem* item)
   const std::string name = item->text().trimmed().toStdString();
   this->model->Edit(ScenePart::Measures, tr("rename"),
     [&](Scene& scene)
-    { ChangeOfRow(scene, row, [&](auto& measures, int i) { measures[i].name = name; }); });
+    { ChangeRow(scene, row, [&](auto& measures, int i) { measures[i].name = name; }); });
 }
 
 void MeasuresPanel::RemoveSelected()
 {
   const int row = this->table->currentRow();
-  this->model->Edit(ScenePart::Measures, tr("remove a measure"),
+  this->model->Edit(ScenePart::Measures, tr("remove a measurement"),
     [&](Scene& scene) {
-      ChangeOfRow(scene, row, [&](auto& measures, int i) { measures.erase(measures.begin() + i); });
+      ChangeRow(scene, row, [&](auto& measures, int i) { measures.erase(measures.begin() + i); });
     });
 }
 
 void MeasuresPanel::RemoveAll()
 {
-  this->model->Edit(ScenePart::Measures, tr("remove the measures"),
+  this->model->Edit(ScenePart::Measures, tr("remove all measurements"),
     [](Scene& scene)
     {
       scene.distances.clear();

@@ -12,7 +12,7 @@ class QTableWidgetItem;
 namespace varimarch
 {
 
-/// What was measured, in a list: names that can be edited, and values.
+/// A list of the measurements with editable names and their values.
 class MeasuresPanel : public QWidget
 {
   Q_OBJECT

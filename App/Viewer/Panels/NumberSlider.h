@@ -9,7 +9,7 @@ class QSlider;
 namespace varimarch
 {
 
-/// A number by a slider and in digits. From the slider's press to its release is one gesture.
+/// A slider with a spin box for one number. A drag of the slider is one gesture.
 class NumberSlider : public QWidget
 {
   Q_OBJECT
@@ -18,15 +18,15 @@ public:
   enum class Scale
   {
     Linear,
-    Logarithmic, ///< for a range above 0
+    Logarithmic, ///< for a range of positive numbers
   };
 
   NumberSlider(double smallest, double largest, Scale scale, QWidget* parent = nullptr);
 
-  /// Shows a number, and tells nobody. One beyond the range shows as its end.
+  /// Shows a number without emitting Edited. Numbers outside the range are clamped.
   void SetNumber(double number);
 
-  /// Of the digits.
+  /// Sets the suffix of the spin box.
   void SetSuffix(const QString& suffix);
 
 signals:

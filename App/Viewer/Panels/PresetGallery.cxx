@@ -25,9 +25,9 @@ namespace
 
 constexpr QSize PictureSize(104, 86);
 constexpr int HasPictureRole = Qt::UserRole;
-constexpr int NameRole = Qt::UserRole + 1; // of an own preset; others have none
+constexpr int NameRole = Qt::UserRole + 1; // name of a user's preset; null for built-in ones
 
-// What a scene looks like, whatever that is called.
+// The appearance of a scene as text, without names.
 std::string NamelessText(const Scene& scene)
 {
   Preset preset = PresetOf(scene);
@@ -36,14 +36,14 @@ std::string NamelessText(const Scene& scene)
   return PresetText(preset);
 }
 
-// The same of a scene that has taken a preset.
+// The same for a scene with a preset applied.
 std::string NamelessText(Scene scene, const Preset& preset)
 {
   TakePreset(preset, scene);
   return NamelessText(scene);
 }
 
-// Those for volumes of this kind first.
+// Built-in presets, those for this modality first.
 std::vector<std::string> PresetsFor(const Study& study)
 {
   std::vector<std::string> names = PresetNames();
@@ -103,12 +103,12 @@ void PresetGallery::MakeList()
 QWidget* PresetGallery::MakeButtons()
 {
   auto* const buttons = new QWidget;
-  this->keep = new QPushButton(tr("Keep this look"));
+  this->keep = new QPushButton(tr("Add this look"));
   this->keep->setObjectName("keep");
-  this->keep->setToolTip(tr("Puts the look of the moment into this list"));
+  this->keep->setToolTip(tr("Adds the current look to this list"));
   this->remove = new QPushButton(tr("Remove"));
   this->remove->setObjectName("remove");
-  this->remove->setToolTip(tr("Takes a look of your own out of this list"));
+  this->remove->setToolTip(tr("Removes one of your own looks from this list"));
   this->remove->setShortcut(QKeySequence::Delete);
   this->remove->setEnabled(false);
   connect(this->keep, &QPushButton::clicked, this, &PresetGallery::Keep);
@@ -170,14 +170,14 @@ void PresetGallery::AddItem(const QString& title, const QString& tip, const Pres
   look = InUnitsOfData(look, this->model->CurrentStudy()->statistics);
 }
 
-// A file that somebody has put there may be no look.
+// The folder may contain files that are not looks.
 void PresetGallery::AddOwn(const QString& name)
 {
   this->Attempt(
     [&]
     {
       this->AddItem(
-        name, tr("Your own: F2 renames it, Delete removes it"), this->ownPresets.Read(name));
+        name, tr("Your own look: F2 renames it, Delete removes it"), this->ownPresets.Read(name));
       QListWidgetItem* const item = this->list->item(this->list->count() - 1);
       const QSignalBlocker quiet(this->list);
       item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -209,7 +209,7 @@ void PresetGallery::ShowPicture(int index, const QImage& picture)
   const QSignalBlocker quiet(this->list);
   QListWidgetItem* const item = this->list->item(this->drawnRows[index]);
   QIcon icon(QPixmap::fromImage(picture));
-  // The look of the moment is framed, not tinted.
+  // The same icon for the selected state keeps Qt from tinting it.
   icon.addPixmap(QPixmap::fromImage(picture), QIcon::Selected);
   item->setIcon(icon);
   item->setData(HasPictureRole, true);
@@ -228,7 +228,7 @@ void PresetGallery::MarkCurrent()
 
 void PresetGallery::Choose(int row)
 {
-  // A double-click is a click as well.
+  // A double-click is also reported as a click; apply the preset only once.
   const Scene& scene = this->model->CurrentScene();
   if (NamelessText(scene, this->presets[row]) != NamelessText(scene))
   {
@@ -244,7 +244,7 @@ void PresetGallery::Keep()
     {
       this->AddOwn(this->ownPresets.Keep(PresetOf(this->model->CurrentScene())));
       this->DrawPictures();
-      // The name that it has for now is there to be typed over.
+      // Let the user type over the provisional name.
       QListWidgetItem* const item = this->list->item(this->list->count() - 1);
       this->list->setCurrentItem(item);
       this->list->editItem(item);
@@ -270,7 +270,7 @@ void PresetGallery::Remove()
 {
   const QString name = this->list->currentItem()->data(NameRole).toString();
   if (QMessageBox::question(this, tr("Remove a preset"),
-        tr("Remove the preset %1? It cannot be brought back.").arg(name)) != QMessageBox::Yes)
+        tr("Remove the preset %1? This cannot be undone.").arg(name)) != QMessageBox::Yes)
   {
     return;
   }

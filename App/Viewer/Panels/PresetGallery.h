@@ -18,8 +18,8 @@ class QPushButton;
 namespace varimarch
 {
 
-/// The presets that come with the program and those that the user has kept, as small pictures of
-/// this volume. A click takes all of it; one button keeps what is shown at the moment.
+/// The built-in presets and the user's own, as thumbnails of the current volume. A click applies a
+/// preset; a button saves the current look as a new one.
 class PresetGallery : public QWidget
 {
   Q_OBJECT
@@ -51,12 +51,12 @@ private:
   SceneModel* model;
   OwnPresets ownPresets;
   PresetThumbnails thumbnails;
-  std::vector<Preset> presets; ///< of the rows, in units of the data; the user's come last
-  std::vector<int> drawnRows;  ///< whose pictures are being drawn
+  std::vector<Preset> presets; ///< one for each row, in units of the data; the user's come last
+  std::vector<int> drawnRows;  ///< rows whose thumbnails are being rendered
   QListWidget* list;
   QPushButton* keep;
   QPushButton* remove;
-  QLabel* problem; ///< with the last preset; hidden when there was none
+  QLabel* problem; ///< error of the last action; hidden if there was none
 };
 
 }

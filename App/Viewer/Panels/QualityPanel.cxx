@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-// The error is one part in so many of the brightest.
+// Error tolerances to choose from, as 1/n of full brightness.
 constexpr std::array<int, 6> Parts = { 8, 16, 32, 64, 128, 255 };
 
 }
@@ -52,7 +52,7 @@ void QualityPanel::Show()
   const auto nearest = std::min_element(Parts.begin(), Parts.end(),
     [parts](int a, int b) { return std::abs(a - parts) < std::abs(b - parts); });
   this->error->setValue(int(nearest - Parts.begin()));
-  this->text->setText(tr("1/%1 of the brightest").arg(int(std::lround(parts))));
+  this->text->setText(tr("1/%1 of full brightness").arg(int(std::lround(parts))));
 }
 
 }

@@ -11,7 +11,7 @@ class QSlider;
 namespace varimarch
 {
 
-/// The error that a picture may have.
+/// The error tolerance of the rendered image.
 class QualityPanel : public QWidget
 {
   Q_OBJECT

@@ -18,7 +18,7 @@ QString WordFor(const std::string& kind)
     { "soft", ShadingBox::tr("Soft") },
     { "clinical", ShadingBox::tr("Clinical") },
     { "glossy", ShadingBox::tr("Glossy") },
-    { "flat", ShadingBox::tr("Flat: colours as they are") },
+    { "flat", ShadingBox::tr("Flat: unshaded colours") },
   };
   for (const auto& [name, word] : words)
   {
@@ -106,16 +106,16 @@ void ShadingBox::Update(ScenePart part)
   const Look& look = this->model->CurrentScene().look;
   this->setVisible(look.blend == Blend::Composite || look.blend == Blend::Isosurface);
   this->setChecked(look.shading.enabled);
-  // A kind of one's own has a row while it is shown, the last.
+  // A custom shading has an additional last row while it is shown.
   const int presetCount = int(ShadingPresets().size());
   this->kinds->removeItem(presetCount);
   const auto name = NameOfShading(look.shading);
   if (!name)
   {
-    this->kinds->addItem(tr("In numbers"));
+    this->kinds->addItem(tr("Custom"));
   }
   this->kinds->setCurrentIndex(name ? this->kinds->findText(WordFor(*name)) : presetCount);
-  // Also without light: a kind can be chosen.
+  // A disabled group box disables its children, but the list stays usable without light.
   this->kinds->setEnabled(true);
   for (const auto& [slider, coefficient] : this->sliders)
   {

@@ -16,7 +16,7 @@ namespace varimarch
 
 class NumberSlider;
 
-/// The light, of a kind by name or in numbers; shown while the blending lets light be seen.
+/// The shading, chosen by name or by coefficients. Hidden for blend modes without shading.
 class ShadingBox : public QGroupBox
 {
   Q_OBJECT

@@ -22,16 +22,16 @@ SlabBar::SlabBar(SceneModel* model, QWidget* parent)
   , thickness(new QDoubleSpinBox)
   , blend(new QComboBox)
 {
-  // In the order of SlabBlend.
+  // Items in the order of SlabBlend.
   this->blend->addItems({ tr("Maximum"), tr("Minimum"), tr("Mean") });
-  this->blend->setAccessibleName(tr("What a slab shows"));
+  this->blend->setAccessibleName(tr("Blend mode of the slab"));
   this->thickness->setRange(0.0, ThickestMm);
   this->thickness->setDecimals(1);
   this->thickness->setSuffix(tr(" mm"));
   this->thickness->setAccessibleName(tr("Thickness of the slices"));
   this->thickness->setKeyboardTracking(false);
-  this->setToolTip(tr("Slices of some thickness show the largest, the smallest or the mean value "
-                      "in it"));
+  this->setToolTip(
+    tr("A slab shows the largest, the smallest or the mean value over its thickness"));
   auto* const row = new QHBoxLayout(this);
   row->setContentsMargins(6, 2, 6, 2);
   row->addWidget(new QLabel(tr("Slab")));

@@ -11,7 +11,7 @@ class QDoubleSpinBox;
 namespace varimarch
 {
 
-/// How thick the slices are, and what of their thickness they show.
+/// Slab thickness of the slices and its blend mode.
 class SlabBar : public QWidget
 {
   Q_OBJECT

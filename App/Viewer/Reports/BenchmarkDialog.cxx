@@ -29,8 +29,8 @@ namespace
 QString SummaryText(const std::vector<OrbitPicture>& pictures, const QString& theirs)
 {
   const OrbitSummary summary = SummaryOf(pictures);
-  return BenchmarkDialog::tr("Median of %1 pictures: ours %2 ms, %3 %4 ms, %5 times as long. "
-                             "Difference: RMSE %6, largest %7, of 255.")
+  return BenchmarkDialog::tr("Median of %1 views: ours %2 ms, %3 %4 ms, %5 times as long. "
+                             "Difference: RMSE %6, largest %7, in 1/255.")
     .arg(pictures.size())
     .arg(summary.medianOursMs, 0, 'f', 1)
     .arg(theirs)
@@ -77,8 +77,8 @@ BenchmarkDialog::BenchmarkDialog(SceneModel* model, QSize pictureSize, QWidget* 
   this->setWindowTitle(tr("Benchmark"));
   this->resize(520, 480);
   auto* const column = new QVBoxLayout(this);
-  auto* const purpose = new QLabel(tr("Draws what the window shows from all around, by our mapper "
-                                      "and by VTK's, and compares times and pictures."));
+  auto* const purpose = new QLabel(tr("Renders the scene from all around with our mapper and with "
+                                      "VTK's, and compares times and images."));
   purpose->setWordWrap(true);
   column->addWidget(purpose);
   column->addWidget(this->MakeChoices());
@@ -113,7 +113,7 @@ QWidget* BenchmarkDialog::MakeChoices()
   auto* const form = new QFormLayout(choices);
   form->setContentsMargins(0, 0, 0, 0);
   form->addRow(tr("Compare with"), this->kind);
-  form->addRow(tr("Pictures of the turn"), this->count);
+  form->addRow(tr("Number of views"), this->count);
   return choices;
 }
 
@@ -149,8 +149,8 @@ void BenchmarkDialog::Start()
   Scene scene = this->model->CurrentScene();
   if (!CanBlend(this->ChosenKind(), scene.look.blend))
   {
-    this->summary->setText(tr("VTK's CPU mapper does not know the blending of this look; choose "
-                              "VTK's GPU mapper."));
+    this->summary->setText(
+      tr("VTK's CPU mapper does not support this blend mode; choose VTK's GPU mapper."));
     return;
   }
   scene.size = { this->pictureSize.width(), this->pictureSize.height() };
@@ -278,8 +278,8 @@ void BenchmarkDialog::Write(const QString& path) const
     rows += HtmlRow(CellsOf(picture), "td");
   }
   const int* const voxels = this->study->volume.image->GetDimensions();
-  const QString scene = tr("A turn around a volume of %1 x %2 x %3 voxels, in pictures of %4 x %5 "
-                           "pixels, by ours and by %6.")
+  const QString scene = tr("A turn around a volume of %1 x %2 x %3 voxels, rendered at %4 x %5 "
+                           "pixels by our mapper and by %6.")
                           .arg(voxels[0])
                           .arg(voxels[1])
                           .arg(voxels[2])

@@ -21,30 +21,31 @@ class QTableWidget;
 namespace varimarch
 {
 
-/// Draws the present scene from all around, by ours and by a mapper of VTK, and tells the times and
-/// the difference of the pictures. Between two pictures the window lives; closing stops it.
+/// Renders the current scene from all around with our mapper and one of VTK's, and lists the times
+/// and the differences of the images. The window stays responsive between views; closing it stops
+/// the benchmark.
 class BenchmarkDialog : public QDialog
 {
   Q_OBJECT
 
 public:
-  /// @param pictureSize  of the pictures to draw
+  /// @param pictureSize  of the rendered images
   BenchmarkDialog(SceneModel* model, QSize pictureSize, QWidget* parent = nullptr);
   ~BenchmarkDialog() override;
 
   void Start();
 
-  /// Ends the orbit where it is; what has been measured stays.
+  /// Stops after the current view and keeps the results.
   void Stop();
 
   bool IsRunning() const { return this->orbit != nullptr; }
 
-  /// Writes what has been measured, as CSV or as PDF by the ending of the name.
-  /// @throws std::runtime_error one sentence that names the file
+  /// Writes the results as CSV or PDF, depending on the extension.
+  /// @throws std::runtime_error with one sentence that names the file
   void Write(const QString& path) const;
 
 signals:
-  /// The orbit is complete or stopped.
+  /// The orbit is complete or was stopped.
   void Ended();
 
 protected:
@@ -69,7 +70,7 @@ private:
   QLabel* summary;
   QPushButton* start;
   QPushButton* save;
-  std::shared_ptr<const Study> study; ///< of the orbit
+  std::shared_ptr<const Study> study; ///< volume of the orbit
   std::unique_ptr<OrbitBenchmark> orbit;
   std::vector<OrbitPicture> measured;
   QString measuredKind;

@@ -8,12 +8,12 @@ class QTextDocument;
 namespace varimarch
 {
 
-/// Writes a document as A4 pages, each with the notice that it is not for diagnostic use and its
-/// number at the foot; complete or not at all.
-/// @throws std::runtime_error one sentence that names the file
+/// Writes a document as A4 pages whose footer has the notice that it is not for diagnostic use, and
+/// the page number. The file is never left incomplete.
+/// @throws std::runtime_error with one sentence that names the file
 void WritePdf(QTextDocument& document, const QString& title, const QString& path);
 
-/// "Varimarch 0.1, 22 Nov 2026 21:08", as a line of HTML.
+/// A line of HTML with program version and time: "Varimarch 0.1, 22 Nov 2026 21:08".
 QString OriginHtml();
 
 }

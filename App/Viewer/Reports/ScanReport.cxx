@@ -22,7 +22,7 @@ namespace
 
 const QSize PictureSize(1200, 900);
 const QSize SliceSize(480, 420);
-// Of a picture that fills an A4 page between its margins [1/96 inch].
+// Width of an image that fills an A4 page between its margins [1/96 inch].
 constexpr int WidthOnPage = 640;
 
 QString Translated(const char* text)
@@ -41,11 +41,11 @@ QString Row(const QString& name, const QString& value)
     .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
 }
 
-// The name of a file of one's own may be that of a patient.
+// Names of the user's own looks are left out; they may contain a patient's name.
 QString NameOf(const Look& look, const ImageStatistics& statistics)
 {
   const QString name = QString::fromStdString(look.name);
-  return !IsPresetName(look.name)     ? Translated("own look")
+  return !IsPresetName(look.name)     ? Translated("custom look")
     : IsBuiltInLook(look, statistics) ? name
                                       : Translated("%1, edited").arg(name);
 }
@@ -55,13 +55,13 @@ QString LightText(const Shading& shading)
   return shading.enabled ? Translated("ambient %1, diffuse %2, specular %3, power %4")
                              .arg(Number(shading.ambient, 2), Number(shading.diffuse, 2),
                                Number(shading.specular, 2), Number(shading.specularPower, 0))
-                         : Translated("none: colours as they are");
+                         : Translated("none: unshaded colours");
 }
 
 QString ErrorText(const RenderOptions& render)
 {
   return render.errorTolerance > 0.0
-    ? Translated("at most 1/%1 of the brightest in any colour of 99.9 % of the pixels, estimated")
+    ? Translated("at most 1/%1 of full brightness in any colour of 99.9 % of the pixels, estimated")
         .arg(int(std::lround(1.0 / render.errorTolerance)))
     : Translated("not bounded");
 }
@@ -71,10 +71,10 @@ QString VolumeRows(const LoadedVolume& volume)
   const int* const count = volume.image->GetDimensions();
   const double* const spacing = volume.image->GetSpacing();
   const QString modality =
-    volume.modality.empty() ? Translated("not known") : QString::fromStdString(volume.modality);
+    volume.modality.empty() ? Translated("unknown") : QString::fromStdString(volume.modality);
   return Row(Translated("Modality"), modality) +
     Row(Translated("Voxels"), QString("%1 x %2 x %3").arg(count[0]).arg(count[1]).arg(count[2])) +
-    Row(Translated("Distances of voxels"),
+    Row(Translated("Voxel spacing"),
       QString("%1 x %2 x %3 mm")
         .arg(Number(spacing[0], 3), Number(spacing[1], 3), Number(spacing[2], 3)));
 }
@@ -82,17 +82,17 @@ QString VolumeRows(const LoadedVolume& volume)
 QString SettingRows(const Scene& scene, const ImageStatistics& statistics)
 {
   return Row(Translated("Look"), NameOf(scene.look, statistics)) +
-    Row(Translated("Blending"), QString::fromStdString(NameOf(BlendNames(), scene.look.blend))) +
+    Row(Translated("Blend mode"), QString::fromStdString(NameOf(BlendNames(), scene.look.blend))) +
     Row(Translated("Opacity per"), Number(scene.look.opacityUnitDistanceMm, 2) + " mm") +
     Row(Translated("Opacity by gradient"),
       scene.look.gradientOpacities.empty() ? Translated("off") : Translated("on")) +
     Row(Translated("Light"), LightText(scene.look.shading)) +
-    Row(Translated("Planes that cut"), QString::number(scene.cuts.planes.size())) +
-    Row(Translated("Cuts by scissors"), QString::number(scene.cuts.scissors.size())) +
+    Row(Translated("Cut planes"), QString::number(scene.cuts.planes.size())) +
+    Row(Translated("Scissors cuts"), QString::number(scene.cuts.scissors.size())) +
     Row(Translated("Promised error"), ErrorText(scene.render));
 }
 
-// Without the names that the user gave them, which may be that of a patient.
+// Names of measurements are left out; they may contain a patient's name.
 QString MeasureRows(const Scene& scene, const Study& study)
 {
   const MeasureTexts texts(scene, study.volume.image);
@@ -107,7 +107,7 @@ QString MeasureRows(const Scene& scene, const Study& study)
   add(Translated("Distance"), texts.distances);
   add(Translated("Angle"), texts.angles);
   add(Translated("Box"), texts.boxes);
-  return rows.isEmpty() ? Row(Translated("Measured"), Translated("nothing")) : rows;
+  return rows.isEmpty() ? Row(Translated("Measurements"), Translated("none")) : rows;
 }
 
 void AddPicture(QTextDocument& document, const QString& name, const QImage& image)
@@ -115,7 +115,7 @@ void AddPicture(QTextDocument& document, const QString& name, const QImage& imag
   document.addResource(QTextDocument::ImageResource, QUrl(name), image);
 }
 
-// As the window shows them.
+// Adds the slices as the window shows them.
 void AddSlices(QTextDocument& document, SceneModel* model)
 {
   const std::pair<QString, SlicePlane> planes[] = { { "axial", SlicePlane::Axial },
@@ -138,8 +138,8 @@ QString ScanReportHtml(const Scene& scene, const Study& study)
                         "<h3>%3</h3><table>%4</table><h3>%5</h3><table>%6</table>"
                         "<h3>%7</h3><table>%8</table>")
     .arg(Translated("Volume report"), OriginHtml(), Translated("Volume"), VolumeRows(study.volume),
-      Translated("How it is drawn"), SettingRows(scene, study.statistics), Translated("Measured"),
-      MeasureRows(scene, study))
+      Translated("Rendering settings"), SettingRows(scene, study.statistics),
+      Translated("Measurements"), MeasureRows(scene, study))
     .arg(WidthOnPage)
     .arg((WidthOnPage - 10) / 3);
 }

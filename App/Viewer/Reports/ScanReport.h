@@ -10,14 +10,14 @@ struct Scene;
 struct Study;
 class SceneModel;
 
-/// The report's words, with the pictures "picture", "axial", "coronal" and "sagittal". Names
-/// neither the patient nor the file.
+/// HTML of the report, which refers to the images "picture", "axial", "coronal" and "sagittal".
+/// Names neither the patient nor the file.
 QString ScanReportHtml(const Scene& scene, const Study& study);
 
-/// Writes what is shown as a PDF report: the picture, the slices, what they are drawn by, the error
-/// that is promised, and what was measured.
+/// Writes a PDF report with the rendered image, the slices, the settings, the promised error and
+/// the measurements.
 /// @param model  has a volume
-/// @throws std::runtime_error one sentence
+/// @throws std::runtime_error with one sentence
 void WriteScanReport(SceneModel* model, const QString& path);
 
 }

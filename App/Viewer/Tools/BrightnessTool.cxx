@@ -29,7 +29,7 @@ bool BrightnessTool::Press(const QPointF& place)
   return true;
 }
 
-// A drag across the picture moves by half of the data's range, or scales by the base of logarithms.
+// A drag across the whole view shifts by half of the data's range, or scales by the factor e.
 void BrightnessTool::Drag(const QPointF& place)
 {
   const QSizeF size = this->surface.Frame().size;

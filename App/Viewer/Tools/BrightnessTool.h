@@ -9,8 +9,8 @@
 namespace varimarch
 {
 
-/// Window and level of the volume: across, the transfer function becomes wider or narrower about
-/// its middle; up and down it moves along the values. As in slices, down is brighter.
+/// Window and level of the volume. A horizontal drag scales the transfer function about its centre;
+/// a vertical drag shifts it along the values. As in slices, down is brighter.
 class BrightnessTool : public MouseTool
 {
   Q_DECLARE_TR_FUNCTIONS(BrightnessTool)
@@ -31,7 +31,7 @@ private:
   int gesture = SceneModel::NoGesture;
 };
 
-/// The middle of the values between which the opacity of a look varies.
+/// Centre of the value range over which the opacity of a look varies.
 double MiddleOfOpacities(const Look& look);
 
 }

@@ -33,8 +33,8 @@ glm::dvec3 MiddlePartsOf(const std::array<double, 6>& box)
   return 0.5 * glm::dvec3(box[0] + box[1], box[2] + box[3], box[4] + box[5]);
 }
 
-// How far the mouse drags something along a line [mm]. Where the line points at the eye, dragging
-// upwards pushes away.
+// Distance that the mouse drags a point along a line [mm]. If the line points towards the eye,
+// dragging upwards pushes away from it.
 double MovedAlong(const glm::dvec3& point, const glm::dvec3& direction, const MouseDrag& drag)
 {
   const auto from = NearestAlong(point, direction, drag.frame.sightLineAt(drag.from));
@@ -67,7 +67,7 @@ CutPlane Turned(
   return { NumbersOf(foot), NumbersOf(-away) };
 }
 
-// By how much of the volume the mouse drags something along an axis of it.
+// Fraction of the volume that the mouse drags a point along one of its axes.
 double MovedPart(const glm::dvec3& point, int axis, const MouseDrag& drag, vtkImageData* image)
 {
   glm::dvec3 last(0.0);
@@ -116,7 +116,7 @@ std::vector<CutHandle> HandlesOf(
     handles.push_back({ CutHandleKind::PushPlane, i, NumbersOf(foot) });
     handles.push_back({ CutHandleKind::TurnPlane, i, NumbersOf(tip) });
   }
-  // Before the faces: seen from the front, the middle has those in front and behind below it.
+  // The box comes before its faces: seen from the front, the centre hides two of their handles.
   const glm::dvec3 middle = MiddlePartsOf(cuts.box);
   if (cuts.box != SceneCuts().box)
   {

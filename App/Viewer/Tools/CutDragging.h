@@ -15,28 +15,28 @@ namespace varimarch
 enum class CutHandleKind
 {
   PushPlane, ///< a disc on the plane
-  TurnPlane, ///< the tip of an arrow towards what is cut away
+  TurnPlane, ///< the tip of an arrow towards the side that is cut away
   MoveFace,  ///< a disc on a face of the box
-  MoveBox,   ///< a disc in its middle, while it is smaller than the volume
+  MoveBox,   ///< a disc at the centre of the box, if the box is smaller than the volume
 };
 
-/// What the mouse can grab of the cuts.
+/// A handle of a cut that the mouse can grab.
 struct CutHandle
 {
   CutHandleKind kind;
-  int index; ///< of the plane, or of the face as in SceneCuts::box
+  int index; ///< index of the plane, or of the face in SceneCuts::box
   std::array<double, 3> pointMm;
 };
 
-/// Where a plane is grabbed: at its own point, or, where that lies beside the volume, at one within
-/// reach. World space [mm].
+/// The point at which a plane is grabbed, in world space [mm]: the plane's own point, or one near
+/// the volume if that point lies outside.
 glm::dvec3 PlaneFoot(const CutPlane& plane, vtkImageData* image);
 
-/// In the order in which they are grabbed where they lie over each other.
+/// All handles. Where handles overlap, the first one is grabbed.
 std::vector<CutHandle> HandlesOf(
   const SceneCuts& cuts, vtkImageData* image, const PictureFrame& frame);
 
-/// A drag of the mouse over a picture.
+/// A mouse drag over a view.
 struct MouseDrag
 {
   QPointF from;
@@ -44,8 +44,8 @@ struct MouseDrag
   PictureFrame frame;
 };
 
-/// The cuts after a handle is dragged; planes and faces stay within the volume.
-/// @param cuts, handle  as they were when the drag began
+/// The cuts after a handle was dragged. Planes and faces stay within the volume.
+/// @param cuts, handle  at the start of the drag
 SceneCuts Dragged(
   const SceneCuts& cuts, const CutHandle& handle, const MouseDrag& drag, vtkImageData* image);
 

@@ -30,7 +30,7 @@ QString StepName(CutHandleKind kind)
     case CutHandleKind::PushPlane:
       return CutHandles::tr("push a plane");
     case CutHandleKind::TurnPlane:
-      return CutHandles::tr("turn a plane");
+      return CutHandles::tr("rotate a plane");
     case CutHandleKind::MoveFace:
       return CutHandles::tr("crop");
     default:
@@ -38,7 +38,7 @@ QString StepName(CutHandleKind kind)
   }
 }
 
-// Legible on whatever is below it.
+// Draws a line that is visible on any background.
 void DrawLine(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& color)
 {
   painter.setPen(QPen(QColor(0, 0, 0, 90), 3.0));
@@ -131,12 +131,12 @@ void CutHandles::Paint(QPainter& painter) const
   this->PaintPlanes(painter, frame);
   const std::vector<CutHandle> handles =
     HandlesOf(this->model->CurrentScene().cuts, this->Image(), frame);
-  // What is grabbed first is above.
+  // Paint in reverse, so that the handle that is grabbed first lies on top.
   std::for_each(handles.rbegin(), handles.rend(),
     [&](const CutHandle& handle) { this->PaintHandle(painter, handle, frame); });
 }
 
-// Where each plane goes through the volume.
+// Outlines the section of each plane with the volume.
 void CutHandles::PaintPlanes(QPainter& painter, const PictureFrame& frame) const
 {
   double bounds[6];

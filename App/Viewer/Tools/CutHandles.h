@@ -12,9 +12,9 @@
 namespace varimarch
 {
 
-/// The cuts by hand: planes are pushed by a disc and turned by an arrow, the box is cropped by its
-/// faces. Drawn over the picture, not into it, so that the volume need not be drawn anew for them
-/// and neither exports nor comparisons hold them.
+/// Handles of the cuts: discs push planes, arrows turn them, and the faces of the box crop it. They
+/// are painted over the image, not rendered with it, so that the volume need not be rendered again
+/// and exports and comparisons do not show them.
 class CutHandles : public MouseTool
 {
   Q_DECLARE_TR_FUNCTIONS(CutHandles)
@@ -22,10 +22,10 @@ class CutHandles : public MouseTool
 public:
   CutHandles(SceneModel* model, const ToolSurface& surface);
 
-  /// Hidden ones cannot be grabbed.
+  /// Hidden handles cannot be grabbed.
   void SetShown(bool newShown) { this->shown = newShown; }
 
-  /// What the pointer is over is drawn larger.
+  /// Sets the pointer position; the handle under it is drawn larger.
   void Hover(const QPointF& place) { this->pointer = place; }
 
   bool Press(const QPointF& place) override;

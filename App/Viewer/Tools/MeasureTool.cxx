@@ -21,7 +21,7 @@ constexpr double GrabPixels = 7.0;
 
 using Point = MeasureTool::Point;
 
-// The points of what was measured that can be dragged; of a constant scene they are constant.
+// The draggable points of a measurement; pointers to const for a const scene.
 template <class SceneType>
 auto PointsOf(SceneType& scene, MeasureKind kind, int measure)
   -> std::vector<decltype(&scene.distances[0].fromMm)>
@@ -156,7 +156,7 @@ void MeasureTool::Drag(const QPointF& place)
   }
 }
 
-// In a slice, a point keeps its place across the slice.
+// In a slice, a point keeps its position along the normal.
 void MeasureTool::MoveGrabbed(const Point& to)
 {
   this->Edit(
@@ -173,7 +173,7 @@ void MeasureTool::MoveGrabbed(const Point& to)
     });
 }
 
-// In a slice, a new box is as deep as it is narrow.
+// In a slice, a new box is as deep as its shorter side.
 void MeasureTool::MakeBox(const Point& to)
 {
   const PictureFrame frame = this->surface.Frame();

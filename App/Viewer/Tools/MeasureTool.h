@@ -19,7 +19,7 @@ enum class MeasureKind
   Box,      ///< drag from corner to corner
 };
 
-/// Measures in a view. What was measured before is dragged by its points.
+/// Makes measurements in a view. Points of earlier ones can be dragged.
 class MeasureTool : public MouseTool
 {
   Q_DECLARE_TR_FUNCTIONS(MeasureTool)
@@ -39,7 +39,7 @@ public:
   void Paint(QPainter& painter) const override;
 
 private:
-  /// One of the points of something measured.
+  /// Identifies a point of a measurement.
   struct PointId
   {
     MeasureKind kind;
@@ -58,9 +58,9 @@ private:
   MeasureKind kind = MeasureKind::Distance;
   int gesture = SceneModel::NoGesture;
   std::optional<PointId> grabbed;
-  bool isNew = false; ///< what is grabbed was made by this gesture
+  bool isNew = false; ///< true if this gesture made the grabbed measurement
   Point pressed = {};
-  /// The first arm of an angle whose second is still to come; the vertex is its second point.
+  /// First arm of an unfinished angle: its end, then the vertex.
   std::optional<std::array<Point, 2>> arm;
 };
 

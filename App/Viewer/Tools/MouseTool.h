@@ -13,7 +13,7 @@ class QPainter;
 namespace varimarch
 {
 
-/// A view as far as its tools know it.
+/// The view that a tool works in.
 class ToolSurface
 {
 public:
@@ -21,38 +21,38 @@ public:
 
   virtual PictureFrame Frame() const = 0;
 
-  /// What is seen at a place, in world space [mm]; none where nothing is.
+  /// The visible point at a position, in world space [mm]; empty if nothing is visible there.
   virtual std::optional<std::array<double, 3>> PointAt(const QPointF& place) const = 0;
 
-  /// Of a slice the direction across it, of length 1; of a view into the depth none.
+  /// Unit normal of a slice; empty for the 3D view.
   virtual std::optional<glm::dvec3> Through() const { return std::nullopt; }
 
-  /// Whether it shows what lies between two corners [mm].
+  /// True if the view shows objects between two corners [mm].
   virtual bool Shows(const std::array<double, 3>&, const std::array<double, 3>&) const
   {
     return true;
   }
 };
 
-/// What the left button does in a view, besides turning the camera or putting the crosshair. Edits
-/// the model; one gesture, from press to release, is one step of the history.
+/// An action of the left mouse button besides turning the camera or moving the crosshair. It edits
+/// the model; one gesture, from press to release, is one undo step.
 class MouseTool
 {
 public:
   virtual ~MouseTool() = default;
 
-  /// Whether it takes the gesture that begins here.
+  /// Returns true if the tool takes the gesture that begins here.
   virtual bool Press(const QPointF& place) = 0;
   virtual void Drag(const QPointF& place) = 0;
   virtual void Release(const QPointF& place) = 0;
 
-  /// Takes the gesture back.
+  /// Reverts the gesture.
   virtual void Cancel() = 0;
 
-  /// Whether the pointer is over something that can be grabbed.
+  /// True if the pointer is over something that can be grabbed.
   virtual bool IsOver(const QPointF&) const { return false; }
 
-  /// Over the picture of its view.
+  /// Paints over the image of the view.
   virtual void Paint(QPainter&) const {}
 };
 

@@ -100,7 +100,7 @@ bool MouseTools::Cancel()
   return true;
 }
 
-// Of other buttons nothing while a gesture goes on, lest the camera turns below it.
+// During a gesture, presses of other buttons are swallowed, so that the camera does not turn.
 bool MouseTools::Press(QMouseEvent* mouse)
 {
   if (this->active || mouse->button() != Qt::LeftButton)

@@ -15,10 +15,10 @@ class QMouseEvent;
 namespace varimarch
 {
 
-/// What the left button does.
+/// Action of the left button.
 enum class LeftButton
 {
-  Turn, ///< in slices: the crosshair
+  Turn, ///< turns the camera; in slices, moves the crosshair
   Brightness,
   Distance,
   Angle,
@@ -27,11 +27,11 @@ enum class LeftButton
   KeepOnly,
 };
 
-/// What it measures, if anything.
+/// The measurement that a button makes; empty for other actions.
 std::optional<MeasureKind> MeasureOf(LeftButton button);
 
-/// The tools of the volume's view: the one that was chosen; handles of cuts, which come first where
-/// they are shown; and window and level with Ctrl, whatever was chosen. Esc takes a gesture back.
+/// Tools of the 3D view: the chosen one, the handles of cuts, which take precedence while shown,
+/// and window and level with Ctrl at any time. Esc reverts a gesture.
 class MouseTools
 {
 public:
@@ -40,16 +40,16 @@ public:
   void Choose(LeftButton button);
   void ShowCutHandles(bool shown) { this->handles.SetShown(shown); }
 
-  /// Whether an event of the mouse or the keyboard was for one of them.
+  /// Returns true if a tool handled the mouse or keyboard event.
   bool Take(QEvent* event);
 
   Qt::CursorShape Cursor(const QPointF& place) const;
 
-  /// Over the picture.
+  /// Paints over the image.
   void Paint(QPainter& painter) const;
 
 private:
-  // Each says whether the event was for a tool.
+  // Each returns true if a tool handled the event.
   bool Press(QMouseEvent* mouse);
   bool Move(QMouseEvent* mouse);
   bool Release(QMouseEvent* mouse);
@@ -60,8 +60,8 @@ private:
   MeasureTool measure;
   ScissorsTool scissors;
   BrightnessTool brightness;
-  MouseTool* chosen = nullptr; ///< none: the camera turns
-  MouseTool* active = nullptr; ///< whose gesture goes on
+  MouseTool* chosen = nullptr; ///< null: the camera turns
+  MouseTool* active = nullptr; ///< the tool whose gesture is in progress
 };
 
 }

@@ -9,8 +9,8 @@ namespace varimarch
 namespace
 {
 
-constexpr double PointPixels = 3.0;        // between points of the outline
-constexpr double SmallestSidePixels = 6.0; // of an outline that is meant
+constexpr double PointPixels = 3.0;        // spacing of the points of an outline
+constexpr double SmallestSidePixels = 6.0; // smaller outlines are taken for clicks
 
 }
 

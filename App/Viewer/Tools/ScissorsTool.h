@@ -12,17 +12,17 @@
 namespace varimarch
 {
 
-/// An outline drawn by hand cuts through the depth of the volume.
+/// Cuts through the depth of the volume along an outline drawn by hand.
 class ScissorsTool : public MouseTool
 {
   Q_DECLARE_TR_FUNCTIONS(ScissorsTool)
 
 public:
-  /// @param camera  of the picture that is drawn on, with a pose
+  /// @param camera  returns the camera of the view, with a pose
   ScissorsTool(
     SceneModel* model, const ToolSurface& surface, const std::function<Camera()>& camera);
 
-  /// Whether what is inside stays, or what is outside.
+  /// True keeps the inside of the outline, false the outside.
   void SetKeepsInside(bool newKeepsInside) { this->keepsInside = newKeepsInside; }
 
   bool Press(const QPointF& place) override;
@@ -36,7 +36,7 @@ private:
   const ToolSurface& surface;
   std::function<Camera()> camera;
   bool keepsInside = false;
-  QPolygonF drawn; ///< places; empty without a gesture
+  QPolygonF drawn; ///< points of the outline in the view; empty without a gesture
 };
 
 }

@@ -1,4 +1,4 @@
-// What the editor does by keys and menus: all that the mouse does can be done without one.
+// Keyboard commands and menus of the editor. They cover everything that the mouse can do.
 
 #include "Viewer/LiveColorDialog.h"
 #include "Viewer/Model/Gesture.h"
@@ -44,7 +44,7 @@ QAction* TransferFunctionEditor::AddAction(const QString& text, const QKeySequen
 
 void TransferFunctionEditor::MakeEditActions()
 {
-  connect(this->AddAction(tr("Edit in numbers…"), Qt::Key_Return), &QAction::triggered, this,
+  connect(this->AddAction(tr("Edit numbers…"), Qt::Key_Return), &QAction::triggered, this,
     [this]
     {
       if (!this->picture.selected.empty())
@@ -75,7 +75,7 @@ void TransferFunctionEditor::MakeAxisActions()
       this->showMost->setChecked(false);
       this->FitToVoxels(100.0);
     });
-  this->showMost = this->AddAction(tr("Leave out the outermost 1 % of the voxels"), Qt::Key_H);
+  this->showMost = this->AddAction(tr("Hide the outermost 1 % of the voxels"), Qt::Key_H);
   this->showMost->setIconText(tr("99 %"));
   this->showMost->setCheckable(true);
   connect(this->showMost, &QAction::triggered, this,
@@ -129,7 +129,7 @@ QAction* TransferFunctionEditor::ActionOf(const QKeyEvent& event) const
 
 bool TransferFunctionEditor::event(QEvent* event)
 {
-  // While the editor has the focus its keys are its own, whatever the window uses them for.
+  // While the editor has the focus, its keys override the window's shortcuts.
   if (event->type() == QEvent::ShortcutOverride)
   {
     const auto& key = static_cast<const QKeyEvent&>(*event);
@@ -170,7 +170,7 @@ void TransferFunctionEditor::keyPressEvent(QKeyEvent* event)
 
 double TransferFunctionEditor::NudgeStep() const
 {
-  // One unit, as of Hounsfield; less where the data spans but a few.
+  // Steps of one unit, such as one Hounsfield unit; smaller for data with a small range.
   const auto& statistics = this->picture.statistics;
   const double width = statistics ? statistics->Largest() - statistics->Smallest() : 0.0;
   return width > 0.0 ? std::min(1.0, std::pow(10.0, std::floor(std::log10(width)) - 2.0)) : 1.0;
@@ -214,7 +214,7 @@ void TransferFunctionEditor::focusInEvent(QFocusEvent* event)
   }
 }
 
-// Tab goes from node to node, and after the last to the next widget.
+// Tab moves from node to node, then to the next widget.
 bool TransferFunctionEditor::focusNextPrevChild(bool next)
 {
   const NodeSet nodes = AllNodes(this->picture.look);
@@ -246,7 +246,7 @@ void TransferFunctionEditor::DeleteSelected()
 
 void TransferFunctionEditor::AddBesideSelected()
 {
-  // Half way to the next point, or where the axis is at its middle.
+  // Halfway to the next point, or at the centre of the axis.
   std::vector<double> values;
   for (const NodeId& node : AllNodes(this->picture.look))
   {
@@ -282,7 +282,7 @@ void TransferFunctionEditor::ChooseColor()
   const int gesture = NewGesture();
   const auto color = [=](const QColor& chosen)
   {
-    // From the last: colours that points get for themselves move the others' numbers.
+    // From the last node to the first: inserted colour nodes shift the indices of later ones.
     Look changed = before;
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
     {

@@ -64,7 +64,7 @@ std::optional<NodeId> EditorLayout::NodeAt(
   const auto consider = [&](const NodeId& node)
   {
     const QPointF at = this->PositionOf(look, node);
-    // A preferred one wins against another at the same place.
+    // A bonus for preferred nodes, so that they win at the same place.
     const double distance = QLineF(at, position).length() - (preferred.count(node) > 0 ? 1.0 : 0.0);
     if (at.x() >= this->plot.left() - 1.0 && at.x() <= this->plot.right() + 1.0 &&
       distance <= least)

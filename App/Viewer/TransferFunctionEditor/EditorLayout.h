@@ -12,29 +12,28 @@
 namespace varimarch
 {
 
-/// Where everything of the transfer-function editor lies, in pixels of the widget: the values
-/// under the pointer, the plot of the opacities, the axis of the values, and the bar of the colours
-/// with its stops.
+/// Geometry of the transfer-function editor in widget pixels: the readout of the pointer, the
+/// opacity plot, the value axis, and the colour bar with its stops.
 struct EditorLayout
 {
   void Resize(const QSizeF& size, const QFontMetricsF& font);
 
   double ToY(double opacity) const;
 
-  /// [0, 1], also beyond the plot.
+  /// [0, 1], also for positions outside the plot.
   double ToOpacity(double y) const;
 
-  /// The middle of a point of the curve or of a surface, or of a stop below the colour bar.
+  /// Centre of a node: a point of the curve, an isosurface, or a stop below the colour bar.
   QPointF PositionOf(const Look& look, const NodeId& node) const;
 
-  /// The node that a pointer here means: the nearest within reach, of equals the preferred one.
+  /// The node nearest to the pointer within reach. At equal distance, a preferred node wins.
   std::optional<NodeId> NodeAt(
     const Look& look, const QPointF& position, const NodeSet& preferred) const;
 
-  /// Whether a pointer here means the curve between its nodes; there is none of isosurfaces.
+  /// True if the pointer is on the curve between its nodes. Isosurfaces have no curve.
   bool IsOnCurve(const Look& look, const QPointF& position) const;
 
-  /// From a new point to a dark one that it comes with, at most [units of the data].
+  /// Longest ramp from a new point to the dark point added with it [units of the data].
   double LongestRamp() const { return 0.05 * (this->axis.Last() - this->axis.First()); }
 
   QRectF reading;
@@ -43,8 +42,8 @@ struct EditorLayout
   QRectF stops;
   QRectF ticks;
   ValueAxis axis;
-  bool hasColors = true;             ///< else there is no bar
-  bool lowOpacitiesEnlarged = false; ///< the height is the root of the opacity
+  bool hasColors = true;             ///< false: there is no colour bar
+  bool lowOpacitiesEnlarged = false; ///< true: the height is the square root of the opacity
 };
 
 }

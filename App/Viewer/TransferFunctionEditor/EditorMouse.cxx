@@ -13,9 +13,9 @@ namespace varimarch
 namespace
 {
 
-// Less motion than this is the trembling of a click [pixels].
+// Shorter motions count as clicks [pixels].
 constexpr double LeastDrag = 3.0;
-// How fast a fine drag is, as a part of the pointer's speed.
+// Speed of a fine drag relative to the pointer.
 constexpr double FineSpeed = 0.1;
 
 double RoundedOpacity(double opacity)
@@ -142,8 +142,8 @@ void EditorMouse::Move(const QMouseEvent& event)
   }
 }
 
-// A drag from an empty place pulls a new point or colour out of the curve or the bar; elsewhere it
-// is a rubber band.
+// A drag that starts on the curve or the colour bar creates a new point or colour; elsewhere in the
+// plot it draws a rubber band.
 void EditorMouse::BeginFromEmpty()
 {
   const EditorPicture& picture = this->editor->Picture();
@@ -162,7 +162,7 @@ void EditorMouse::BeginFromEmpty()
   }
 }
 
-/// Whether there is something to add to at the position.
+/// Adds a node at the position; returns false if nothing can be added there.
 bool EditorMouse::AddAt(const QPointF& position)
 {
   const EditorLayout& layout = this->editor->Picture().layout;
@@ -202,7 +202,7 @@ void EditorMouse::MoveNodes(const QPointF& way, bool fine)
   }
   if (this->drag == Drag::NewPoint)
   {
-    // Added anew at every place: what it comes with depends on where it is.
+    // Insert the point anew at every position, since its additional dark node depends on it.
     const double value =
       WithinNeighbors(this->atPress, this->anchorValue, this->anchorValue + valueShift);
     this->editor->Add(

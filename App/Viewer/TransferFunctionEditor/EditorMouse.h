@@ -13,8 +13,7 @@ namespace varimarch
 
 class TransferFunctionEditor;
 
-/// What the mouse's buttons and motions mean to the editor that it belongs to: from a press to the
-/// release is one gesture.
+/// Translates mouse events of an editor into edits. One gesture lasts from press to release.
 class EditorMouse
 {
 public:
@@ -26,17 +25,17 @@ public:
 
   bool IsDragging() const { return this->drag != Drag::None; }
 
-  /// Puts back what was there at the press, and ignores the pointer until the next one.
+  /// Reverts the gesture and ignores the pointer until the next press.
   void Cancel();
 
-  /// Ends the gesture where it is: the look has been changed by somebody else.
+  /// Ends the gesture without reverting it, because the look was changed elsewhere.
   void Forget() { this->drag = Drag::None; }
 
 private:
   enum class Drag
   {
     None,
-    Begun, ///< on an empty place: a click, or the beginning of a drag
+    Begun, ///< pressed on an empty place; a click or the start of a drag
     Nodes,
     NewPoint, ///< pulled out of the curve
     Axis,
@@ -54,20 +53,20 @@ private:
   TransferFunctionEditor* editor;
   Drag drag = Drag::None;
   int gesture = 0;
-  QString name;       ///< of the step
-  QPointF pressed;    ///< where
-  QPointF last;       ///< where the pointer was
-  QPointF travelled;  ///< since the press; less than the pointer while it is slowed down
-  bool moved = false; ///< by more than a click
+  QString name;       ///< name of the undo step
+  QPointF pressed;    ///< position of the press
+  QPointF last;       ///< last position of the pointer
+  QPointF travelled;  ///< distance since the press; less than the pointer's in fine mode
+  bool moved = false; ///< true if it moved farther than a click may
   Look atPress;
   NodeSet selectedAtPress;
-  NodeSet selectedByClick; ///< if the press on a node turns out to be a click
+  NodeSet selectedByClick; ///< selection if the press turns out to be a click
 
-  // Of a drag of nodes.
-  Look base; ///< what the motion is added to
+  // State of a drag of nodes.
+  Look base; ///< look that the motion is applied to
   NodeSet grabbed;
-  bool horizontal = false;  ///< values alone move
-  double anchorValue = 0.0; ///< of what was grabbed
+  bool horizontal = false;  ///< true: only the values change
+  double anchorValue = 0.0; ///< value of the grabbed node
   double anchorOpacity = 0.0;
 };
 

@@ -18,10 +18,11 @@ namespace
 
 constexpr double PointRadius = 5.5;
 constexpr double TickDistance = 64.0;
-// Logarithmic counts show three decades: with all of them every value would look frequent.
+// Logarithmic counts show three decades; with more, every value would look frequent.
 constexpr double Contrast = 1000.0;
 
-/// A count that few bars exceed: air, most of many scans, must not flatten all else.
+/// A count that only 3 % of the bars exceed. Air, the bulk of many scans, must not flatten the
+/// rest.
 double LargestShown(const std::vector<HistogramBars::Bar>& bars)
 {
   std::vector<double> counts;
@@ -92,11 +93,11 @@ void EditorPainter::Paint()
 
 void EditorPainter::PaintNodes()
 {
-  // Points at the ends of the axis are seen whole.
+  // The margin keeps points at the ends of the axis whole.
   this->painter->setClipRect(QRectF(this->layout.plot.topLeft(), this->layout.stops.bottomRight())
                                .adjusted(-8.0, -9.0, 8.0, 4.0));
   const NodeSet nodes = AllNodes(this->picture.look);
-  // What lies above is painted later.
+  // Nodes that are grabbed first are painted last, on top.
   for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
   {
     if (node->kind == NodeKind::Color)
@@ -139,7 +140,8 @@ void EditorPainter::PaintHistogram()
     const double part = double(bar.count) / largest;
     const double height =
       this->picture.logarithmicCounts ? std::log1p(part * Contrast) / std::log1p(Contrast) : part;
-    // A little below the top, so that the tallest are told from those that go on.
+    // Scale to slightly below the top, so that clipped bars differ from the tallest one shown
+    // whole.
     const double y = plot.bottom() - std::min(0.92 * height, 1.0) * plot.height();
     outline.lineTo(axis.ToPixel(bar.first), y);
     outline.lineTo(axis.ToPixel(bar.last), y);
@@ -194,7 +196,7 @@ void EditorPainter::PaintTicks()
   }
 }
 
-// The colours as a bar, and again, paler, below the curve.
+// Paints the colours as a bar, and paler below the curve.
 void EditorPainter::PaintColors()
 {
   const QRectF& bar = this->layout.colorBar;
@@ -223,7 +225,7 @@ void EditorPainter::PaintColors()
   this->painter->restore();
 }
 
-// As the renderer has it: midpoints, sharpness and steps, not straight lines between the nodes.
+// Paints the curve as rendered, with midpoints, sharpness and steps.
 void EditorPainter::PaintCurve()
 {
   const ValueAxis& axis = this->layout.axis;
@@ -250,7 +252,7 @@ void EditorPainter::PaintCurve()
   this->painter->drawPolyline(curve);
 }
 
-// From selected points to the stops that move with them.
+// Connects selected points with the colour stops tied to them.
 void EditorPainter::PaintTies()
 {
   const NodeSet tied = WithTied(this->picture.look, this->picture.selected);
@@ -279,7 +281,7 @@ void EditorPainter::PaintPoint(const NodeId& node)
   const QColor color = QColorOf(ColorOf(this->picture.look, node));
   if (node.kind == NodeKind::Surface)
   {
-    // A post, as high as the surface is opaque.
+    // Draw a post whose height is the opacity of the surface.
     const QPointF foot(at.x(), this->layout.plot.bottom());
     this->painter->setPen(QPen(this->Ink(0.9), 5.0));
     this->painter->drawLine(at, foot);

@@ -15,25 +15,25 @@ class QPainter;
 namespace varimarch
 {
 
-/// Least width of a bar of the histogram [pixels].
+/// Smallest width of a histogram bar [pixels].
 constexpr double BarPixels = 2.0;
 
-/// What the transfer-function editor shows.
+/// The state that the transfer-function editor paints.
 struct EditorPicture
 {
   EditorLayout layout;
   Look look;
-  std::shared_ptr<const ImageStatistics> statistics; ///< may be none
+  std::shared_ptr<const ImageStatistics> statistics; ///< may be null
   QString unit;
   bool logarithmicCounts = true;
   NodeSet selected;
-  std::optional<NodeId> focused;  ///< by the keyboard
-  std::optional<QPointF> pointer; ///< where the values under it are read
-  QString reading;                ///< of them
-  QRectF rubberBand;              ///< null: there is none
+  std::optional<NodeId> focused;  ///< node with the keyboard focus
+  std::optional<QPointF> pointer; ///< position of the readout
+  QString reading;                ///< text of the readout
+  QRectF rubberBand;              ///< null rectangle: none
 };
 
-/// Paints it in the colours of a palette, dark or light.
+/// Paints the editor in the colours of a palette, dark or light.
 class EditorPainter
 {
 public:

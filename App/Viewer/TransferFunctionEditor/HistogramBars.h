@@ -9,8 +9,8 @@
 namespace varimarch
 {
 
-/// The counts of a volume in bars of equal width. Bars hold whole bins, so that they do not flicker
-/// when the axis moves, and none is empty only because it is narrower than the values are apart.
+/// A histogram with bars of equal width. Each bar covers whole bins, so that bars neither flicker
+/// when the axis moves nor are empty because they are narrower than the spacing of the values.
 class HistogramBars
 {
 public:
@@ -21,13 +21,13 @@ public:
     std::int64_t count;
   };
 
-  /// @param leastWidth  of a bar, in units of the data; the statistics must outlive this
+  /// @param leastWidth  of a bar [units of the data]. The statistics must outlive this object.
   HistogramBars(const ImageStatistics& statistics, double leastWidth);
 
-  /// Those that reach into the range, in order.
+  /// Bars that overlap the range, in order.
   std::vector<Bar> Between(double first, double last) const;
 
-  /// Empty beyond the data.
+  /// The bar at a value; empty outside the data.
   Bar At(double value) const;
 
 private:

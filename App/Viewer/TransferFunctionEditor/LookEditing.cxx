@@ -34,7 +34,7 @@ int OwnerOfColor(const Look& look, int color)
   return std::min(firstOpacity + color - firstColor, endOfOpacities - 1);
 }
 
-// Of a look that may be changed or not.
+// Templates on the constness of the look.
 template <class LookType>
 auto& ValueIn(LookType& look, const NodeId& node)
 {
@@ -97,8 +97,8 @@ void NarrowLimits(const std::vector<Node>& nodes, NodeKind kind, const NodeSet& 
   }
 }
 
-/// How far the nodes that stay let the others go, for each value that some of them have. By value,
-/// so that tied nodes stay tied to the last bit.
+/// Limits between which the moving nodes stay between the fixed ones, for each value of a moving
+/// node. The key is the value, so that tied nodes get bitwise equal limits.
 std::map<double, Limits> LimitsOf(const Look& look, const NodeSet& moving)
 {
   std::map<double, Limits> limits;
@@ -126,7 +126,7 @@ void EraseNodes(std::vector<Node>& nodes, NodeKind kind, const NodeSet& removed)
   nodes = std::move(left);
 }
 
-/// Lets what is beyond the ends of a curve stay dark where it was dark in another, longer one.
+/// Keeps the region beyond the ends of a curve transparent where a longer curve was.
 void KeepDarkBeyondEnds(
   std::vector<OpacityNode>& nodes, const std::vector<OpacityNode>& longer, double longestRamp)
 {
@@ -172,7 +172,7 @@ glm::dvec3 ColorOf(const Look& look, const NodeId& node)
   {
     return look.isosurfaces[node.index].rgb;
   }
-  // A step has a colour on either side.
+  // At a step, the tied colour node gives the colour of its side.
   glm::dvec3 rgb = FunctionOf(look).Color(ValueOf(look, node));
   for (const NodeId& tied : WithTied(look, { node }))
   {
@@ -262,7 +262,7 @@ Look MoveNodes(const Look& look, const NodeSet& nodes, double valueShift, double
   {
     shift = std::clamp(shift, std::min(0.0, limit.low - value), std::max(0.0, limit.high - value));
   }
-  // Rounded sums might pass a limit by a bit, and the nodes would not be sorted.
+  // Rounding might carry the sum past a limit, and leave the nodes unsorted.
   ChangeValues(changed, moving,
     [&](double value) { return std::clamp(value + shift, limits[value].low, limits[value].high); });
   for (const NodeId& node : nodes)

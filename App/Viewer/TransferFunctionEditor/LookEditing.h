@@ -8,13 +8,14 @@
 namespace varimarch
 {
 
-/// How a transfer function is edited, without a widget: every function takes a look and returns the
-/// changed one. Whatever is asked for, nodes stay sorted, opacities in [0, 1], and both curves keep
-/// a node. A look without colours is a curve alone. Of a look that is blended as isosurfaces, these
-/// are the nodes, and curves and colours rest.
+/// Edits of a transfer function, independent of widgets: every function takes a look and returns
+/// the changed one. Nodes stay sorted, opacities stay in [0, 1], and each curve keeps at least one
+/// node. A look without colours is a plain curve. For looks with Blend::Isosurface, the nodes are
+/// the isosurfaces, and curves and colours are left alone.
 ///
-/// A colour node at the value of an opacity node is *tied* to it: they are one point to the user,
-/// and move together. Where a step has two nodes of each kind, the first are tied and the second.
+/// A colour node at the value of an opacity node is *tied* to it: the user sees one point, and both
+/// move together. At a step with two nodes of each kind, the first ones are tied, and so are the
+/// second ones.
 
 enum class NodeKind
 {
@@ -44,69 +45,70 @@ using NodeSet = std::set<NodeId>;
 
 double ValueOf(const Look& look, const NodeId& node);
 
-/// @param node  has one, and so is none of colour
+/// @param node  an opacity node or an isosurface
 double OpacityOf(const Look& look, const NodeId& node);
 
-/// What a node looks like.
+/// The displayed colour of a node.
 glm::dvec3 ColorOf(const Look& look, const NodeId& node);
 
-/// Straight, of a surface, which has none.
+/// Shape of the curve at a node; linear for an isosurface, which has no curve.
 NodeShape ShapeOf(const Look& look, const NodeId& node);
 
-/// Whether both have the same nodes.
+/// True if both looks have the same nodes.
 bool SameCurves(const Look& a, const Look& b);
 
 TransferFunction FunctionOf(const Look& look);
 
 NodeSet AllNodes(const Look& look);
 
-/// The nodes, and those that move with them.
+/// The nodes with those tied to them.
 NodeSet WithTied(const Look& look, const NodeSet& nodes);
 
 struct Insertion
 {
   Look look;
-  NodeId node; ///< the new one
+  NodeId node; ///< the new node
 };
 
-/// A new opacity node, with a colour node of the colour that was there, unless one is at the value;
-/// or a new isosurface. Beyond its ends a curve goes on as it ends: a node that is to be seen
-/// beyond an end that is dark comes with a dark one, so that what was dark does not come to light.
-/// @param longestRamp  from the one to the other [units of the data], > 0; it is shorter where the
-///                     end is nearer
+/// Adds an opacity node and, unless there is one at its value, a colour node of the current colour;
+/// or adds an isosurface. A curve is constant beyond its ends. A visible node added beyond a
+/// transparent end therefore comes with a transparent node, so that the values in between stay
+/// transparent.
+/// @param longestRamp  largest distance between the two [units of the data], > 0; it is shorter if
+///                     the end is nearer
 Insertion InsertPoint(const Look& look, double value, double opacity, double longestRamp);
 
-/// A value as near to another as the curve's nodes around that one let it.
+/// Moves a value as close to another as the curve's neighbouring nodes of that other value allow.
 double WithinNeighbors(const Look& look, double between, double value);
 
-/// The look with an isosurface, where it has none: where the curve is half as opaque as it gets.
+/// Adds an isosurface to a look that has none, at half of the curve's largest opacity.
 Look WithSurface(const Look& look);
 
-/// A new colour node of the colour that was there.
+/// Adds a colour node of the current colour.
 Insertion InsertColor(const Look& look, double value);
 
-/// Moves nodes and those tied to them along the values, all by the same amount, as far as the
-/// nodes that stay let them; and the opacity nodes among `nodes` along the opacities.
+/// Moves nodes and those tied to them along the values, all by the same amount, as far as the fixed
+/// nodes allow; and moves the opacity nodes among `nodes` along the opacities.
 Look MoveNodes(const Look& look, const NodeSet& nodes, double valueShift, double opacityShift);
 
-/// Removes nodes, and with an opacity node the colours tied to it; of each curve one node stays.
-/// Where a dark end goes, the new end comes with a dark node, as in InsertPoint.
-/// @param longestRamp  as of InsertPoint
+/// Removes nodes, and the colours tied to removed opacity nodes. Each curve keeps one node. If a
+/// transparent end is removed, the new end gets a transparent node, as in InsertPoint.
+/// @param longestRamp  see InsertPoint
 Look RemoveNodes(const Look& look, const NodeSet& nodes, double longestRamp);
 
-/// Moves a node and those tied to it to a value, or as near as the nodes that stay let them.
+/// Moves a node and those tied to it to a value, as far as the fixed nodes allow.
 Look SetValue(const Look& look, const NodeId& node, double value);
 
-/// @param node  has an opacity
+/// @param node  an opacity node or an isosurface
 Look SetOpacity(const Look& look, const NodeId& node, double opacity);
 
-/// An opacity node without a colour of its own gets one.
+/// Sets the colour of a node. An opacity node without a tied colour node gets one.
 Look SetColor(const Look& look, const NodeId& node, const glm::dvec3& rgb);
 
-/// How the node's curve, which is none of surfaces, runs from it to the next node.
+/// Sets the shape of a curve between a node and the next one. Isosurfaces have no curve.
 Look SetShape(const Look& look, const NodeId& node, const NodeShape& shape);
 
-/// Moves all values away from a fixed one, or towards it.
+/// Scales all values about a fixed one.
 /// @param factor  > 0
 Look ScaleLook(const Look& look, double factor, double fixedValue);
 

@@ -1,4 +1,4 @@
-// The part of LookEditing that adds nodes.
+// The functions of LookEditing that add nodes.
 
 #include "Viewer/TransferFunctionEditor/LookEditing.h"
 #include "Viewer/TransferFunctionEditor/NodeIndices.h"
@@ -14,8 +14,8 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Inserts a node into the curve. A segment that is not straight keeps its bend where it was, on
-/// one side of the new node.
+/// Inserts a node into a curve. If the segment is not linear, its midpoint stays in place, on one
+/// side of the new node.
 template <class Node>
 int InsertNode(std::vector<Node>& nodes, Node inserted)
 {

@@ -8,7 +8,7 @@
 namespace varimarch
 {
 
-/// The first of the sorted nodes that are at a value, and the one behind the last of them.
+/// Index range [first, last) of the nodes at a value. The nodes are sorted.
 template <class Node>
 std::pair<int, int> IndicesAt(const std::vector<Node>& nodes, double value)
 {

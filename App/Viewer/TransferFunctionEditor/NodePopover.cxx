@@ -56,9 +56,9 @@ NodePopover::NodePopover(
 void NodePopover::AddShape()
 {
   this->midpoint = this->AddNumber(tr("Midpoint"), "midpoint", 0.5);
-  this->midpoint->setToolTip(tr("Where the way to the next point is half done"));
+  this->midpoint->setToolTip(tr("Position where the curve is halfway to the next point"));
   this->sharpness = this->AddNumber(tr("Sharpness"), "sharpness", 0.0);
-  this->sharpness->setToolTip(tr("0 is a straight line to the next point, 1 a step"));
+  this->sharpness->setToolTip(tr("0 is a straight line to the next point, 1 is a step"));
   for (QDoubleSpinBox* const number : { this->midpoint, this->sharpness })
   {
     connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
@@ -74,7 +74,7 @@ QDoubleSpinBox* NodePopover::AddNumber(const QString& name, const char* objectNa
   box->setRange(0.0, 1.0);
   box->setSingleStep(0.01);
   box->setValue(number);
-  // A number that is only half typed is not yet meant.
+  // Do not apply numbers that are only half typed.
   box->setKeyboardTracking(false);
   connect(box, &QAbstractSpinBox::editingFinished, this, &NodePopover::ShowNumbers);
   this->form->addRow(name, box);
@@ -105,7 +105,7 @@ void NodePopover::Apply(const Look& edited)
   emit this->Edited(edited);
 }
 
-// What was entered may have been more than the neighbours allow.
+// Shows the applied numbers, which neighbouring nodes may have limited.
 void NodePopover::ShowNumbers()
 {
   const QSignalBlocker blockers[] = { QSignalBlocker(this->value), QSignalBlocker(this->opacity),
@@ -133,7 +133,7 @@ void NodePopover::keyPressEvent(QKeyEvent* event)
   if (event->key() == Qt::Key_Escape)
   {
     this->Apply(this->before);
-    // What is still being typed is not to be taken when the numbers are hidden.
+    // Hiding the popover would otherwise apply a half-typed number.
     this->ShowNumbers();
     this->close();
   }

@@ -12,7 +12,7 @@ class QPushButton;
 namespace varimarch
 {
 
-/// A node in numbers. Every change is told at once; Escape puts back what was there before.
+/// Edits the numbers of a node. Every change is emitted at once; Escape restores the old look.
 class NodePopover : public QFrame
 {
   Q_OBJECT
@@ -43,8 +43,8 @@ private:
   const NodeId node;
   QFormLayout* form;
   QDoubleSpinBox* value;
-  QDoubleSpinBox* opacity = nullptr;  ///< not of a colour
-  QDoubleSpinBox* midpoint = nullptr; ///< not of a surface
+  QDoubleSpinBox* opacity = nullptr;  ///< null for a colour node
+  QDoubleSpinBox* midpoint = nullptr; ///< null for an isosurface
   QDoubleSpinBox* sharpness = nullptr;
 };
 

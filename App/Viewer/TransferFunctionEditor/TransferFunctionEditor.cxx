@@ -1,4 +1,4 @@
-// The editor's state, and what the pointer does to it. Its actions and keys: EditorCommands.cxx.
+// State and mouse handling of the editor. Its actions and keys are in EditorCommands.cxx.
 
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
 
@@ -180,7 +180,7 @@ void TransferFunctionEditor::wheelEvent(QWheelEvent* event)
   const QPointF notches = QPointF(event->angleDelta()) / AnglePerNotch;
   if (event->modifiers().testFlag(Qt::AltModifier))
   {
-    // Qt turns the wheel on its side while Alt is held.
+    // While Alt is held, Qt reports the wheel as horizontal.
     this->ScaleCurve(event->position().x(), notches.x() + notches.y());
   }
   else

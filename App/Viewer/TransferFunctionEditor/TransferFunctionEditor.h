@@ -11,8 +11,8 @@ class QAction;
 namespace varimarch
 {
 
-/// Edits the transfer function of a look above the histogram of its volume. It keeps no history:
-/// whoever takes its edits does, and gives the look back that came of them.
+/// Edits the transfer function of a look over the histogram of its volume. It keeps no history; its
+/// owner applies the edits and passes the resulting look back.
 class TransferFunctionEditor : public QWidget
 {
   Q_OBJECT
@@ -20,34 +20,34 @@ class TransferFunctionEditor : public QWidget
 public:
   explicit TransferFunctionEditor(QWidget* parent = nullptr);
 
-  /// Shows nearly all voxels, and the whole curve.
+  /// Zooms to nearly all voxels and the whole curve.
   void SetStatistics(std::shared_ptr<const ImageStatistics> statistics);
 
-  /// Edits a curve alone, such as that of gradient opacity.
+  /// Edits only a curve, such as that of the gradient opacity.
   void LeaveOutColors();
 
-  /// Of the values: "HU", or another word.
+  /// Sets the unit of the values: "HU", or another word.
   void SetUnit(const QString& unit);
 
-  /// @param look  in units of the data; the selection stays where its nodes are still there
+  /// @param look  in units of the data; nodes that still exist stay selected
   void SetLook(const Look& look);
 
   const EditorPicture& Picture() const { return this->picture; }
 
-  /// What is shown of the values and counts, for buttons. All that can be done is in actions().
+  /// Actions that change the display, for buttons. All actions are in actions().
   const QList<QAction*>& ViewActions() const { return this->viewActions; }
 
   void Select(const NodeSet& nodes);
 
-  /// Shows an edited look and tells of it.
+  /// Shows an edited look and emits LookEdited.
   void Edit(const Look& edited, const QString& stepName, int gesture);
 
-  /// The same, and selects what is new.
+  /// The same, and selects the new node.
   void Add(const Insertion& insertion, const QString& stepName, int gesture);
 
   void PanAxis(double pixels);
 
-  /// @param band  null: none
+  /// @param band  null rectangle: none
   void ShowRubberBand(const QRectF& band);
 
   QSize sizeHint() const override { return { 420, this->picture.layout.hasColors ? 320 : 180 }; }
@@ -57,10 +57,10 @@ public:
   }
 
 signals:
-  /// At every change, at once. All changes of one gesture have its number.
+  /// Emitted at every change. All changes of one gesture share its number.
   void LookEdited(const varimarch::Look& look, const QString& stepName, int gesture);
 
-  /// The values under the pointer; empty when it leaves.
+  /// Readout under the pointer; empty when the pointer leaves.
   void Hovered(const QString& reading);
 
 protected:
@@ -103,8 +103,8 @@ private:
   QAction* chooseColor;
   QAction* showMost;
   QList<QAction*> viewActions;
-  int keyGesture = 0;   ///< of the key that is held
-  int wheelGesture = 0; ///< of the wheel, until the pointer moves; 0: none
+  int keyGesture = 0;   ///< lasts while a key is held down
+  int wheelGesture = 0; ///< lasts until the pointer moves; 0: none
 };
 
 }

@@ -13,7 +13,7 @@ constexpr double LeastPartOfData = 1e-4;
 constexpr double LargestPartOfData = 4.0;
 constexpr double RoomAtTheSides = 0.05;
 
-/// The smallest of 1, 2, 5, 10, 20, ... and of their tenths, that is at least this.
+/// The smallest number of the form 1, 2 or 5 times a power of ten that is at least `width`.
 double RoundAtLeast(double width)
 {
   const double power = std::pow(10.0, std::floor(std::log10(width)));
@@ -32,7 +32,7 @@ double RoundAtLeast(double width)
 void ValueAxis::SetData(double newSmallest, double newLargest)
 {
   this->smallest = newSmallest;
-  // A volume of one value has an axis too.
+  // A constant volume gets a range of width 1.
   this->largest = newLargest > newSmallest ? newLargest : newSmallest + 1.0;
 }
 
@@ -92,7 +92,7 @@ double ValueAxis::ValuePerPixel() const
 
 double ValueAxis::Rounded(double value, double pixels) const
 {
-  // Divided by a whole number where there are decimals, so that 0.3 becomes the 0.3 of a text.
+  // For decimals, divide by a whole number, so that the result equals the literal 0.3.
   const double exponent = std::floor(std::log10(pixels * this->ValuePerPixel()));
   const double power = std::pow(10.0, std::abs(exponent));
   return exponent < 0.0 ? std::round(value * power) / power : std::round(value / power) * power;

@@ -6,19 +6,19 @@
 namespace varimarch
 {
 
-/// Which values of the data lie where on a horizontal stretch of pixels. It can be zoomed and
-/// moved, but not so far that the data is lost.
+/// Maps values of the data to a horizontal range of pixels. It can be zoomed and panned, but never
+/// so far that the data leaves the range.
 class ValueAxis
 {
 public:
-  /// The range of the data bounds what can be seen: from a 10000th of it to four times it.
+  /// Sets the range of the data. The visible range is limited to between 1/10000 and four times it.
   void SetData(double smallest, double largest);
   void SetPixels(double left, double right);
 
-  /// Shows these values, with a little room on both sides.
+  /// Shows the given range with a small margin on both sides.
   void Fit(double first, double last);
 
-  /// @param factor  > 1 comes nearer; the value under the pixel stays where it is
+  /// @param factor  > 1 zooms in; the value under the pixel stays in place
   void Zoom(double pixel, double factor);
 
   /// Moves the values with the pointer.
@@ -31,14 +31,14 @@ public:
   double ToValue(double pixel) const;
   double ValuePerPixel() const;
 
-  /// The value, rounded to a power of ten that is at most so many pixels wide: what a pointer
-  /// means.
+  /// Rounds a value to a power of ten that is at most `pixels` wide, as suits a position of the
+  /// pointer.
   double Rounded(double value, double pixels) const;
 
-  /// Decimals that tell two pixels apart.
+  /// Number of decimals that distinguish neighbouring pixels.
   int Decimals() const;
 
-  /// Round numbers at least this far apart.
+  /// Round numbers that are at least `pixelsApart` apart.
   std::vector<double> Ticks(double pixelsApart) const;
 
 private:

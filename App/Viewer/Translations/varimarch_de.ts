@@ -15,7 +15,7 @@
         <translation>Ebene verschieben</translation>
     </message>
     <message>
-        <source>turn a plane</source>
+        <source>rotate a plane</source>
         <translation>Ebene drehen</translation>
     </message>
     <message>
@@ -76,19 +76,19 @@
         <translation>Meine Darstellung %1</translation>
     </message>
     <message>
-        <source>A preset&apos;s name has neither a dot at its beginning nor a slash in it.</source>
-        <translation>Der Name einer Vorlage beginnt nicht mit einem Punkt und enthält keinen Schrägstrich.</translation>
+        <source>A preset name must not begin with a dot or contain a slash.</source>
+        <translation>Der Name einer Vorlage darf nicht mit einem Punkt beginnen und keinen Schrägstrich enthalten.</translation>
     </message>
     <message>
-        <source>There is a preset %1 already.</source>
-        <translation>Eine Vorlage %1 gibt es schon.</translation>
+        <source>A preset named %1 already exists.</source>
+        <translation>Eine Vorlage namens %1 gibt es schon.</translation>
     </message>
     <message>
-        <source>The preset %1 cannot be renamed to %2.</source>
+        <source>Cannot rename the preset %1 to %2.</source>
         <translation>Die Vorlage %1 lässt sich nicht in %2 umbenennen.</translation>
     </message>
     <message>
-        <source>The preset %1 cannot be removed.</source>
+        <source>Cannot remove the preset %1.</source>
         <translation>Die Vorlage %1 lässt sich nicht entfernen.</translation>
     </message>
 </context>
@@ -132,7 +132,7 @@ Fehler unbekannt</translation>
         <source>%1
 %2
 error unknown
-knows no scissors</source>
+scissors not supported</source>
         <translation>%1
 %2
 Fehler unbekannt
@@ -156,19 +156,19 @@ Fehler höchstens 1/%2</translation>
     </message>
     <message>
         <source>
-but for single pixels</source>
+except at single pixels</source>
         <translation>
 außer bei einzelnen Pixeln</translation>
     </message>
     <message>
         <source>
-mean of %1 pictures</source>
+mean of %1 frames</source>
         <translation>
 Mittel von %1 Bildern</translation>
     </message>
     <message>
         <source>%1
-%2 % of the picture</source>
+%2 % of the image</source>
         <translation>%1
 %2 % des Bildes</translation>
     </message>
@@ -224,32 +224,32 @@ Mittel von %1 Bildern</translation>
         <translation>MR Kopf, T2</translation>
     </message>
     <message>
-        <source>the file says that it is %1</source>
-        <translation>laut Datei ist es %1</translation>
+        <source>the modality is %1</source>
+        <translation>die Modalität ist %1</translation>
     </message>
     <message>
-        <source>the file says that it shows %1</source>
-        <translation>laut Datei zeigt es %1</translation>
+        <source>the body part is %1</source>
+        <translation>die Körperregion ist %1</translation>
     </message>
     <message>
-        <source>the file tells of a contrast agent</source>
+        <source>the file mentions a contrast agent</source>
         <translation>die Datei nennt ein Kontrastmittel</translation>
     </message>
     <message>
-        <source>the file says that it was taken for %1</source>
-        <translation>laut Datei ist es für %1 aufgenommen</translation>
+        <source>the sequence times in the file suggest %1</source>
+        <translation>die Sequenzzeiten in der Datei sprechen für %1</translation>
     </message>
     <message>
-        <source>there is metal in it, denser than any bone</source>
+        <source>it contains metal, denser than any bone</source>
         <translation>es enthält Metall, dichter als jeder Knochen</translation>
     </message>
     <message>
-        <source>its values go down to those of air in CT</source>
+        <source>its values reach down to air in CT</source>
         <translation>seine Werte reichen bis zu denen von Luft im CT</translation>
     </message>
     <message>
-        <source>its values are not those of CT</source>
-        <translation>seine Werte sind nicht die eines CT</translation>
+        <source>its values do not look like CT</source>
+        <translation>seine Werte sehen nicht nach CT aus</translation>
     </message>
 </context>
 <context>
@@ -281,8 +281,8 @@ Mittel von %1 Bildern</translation>
         <translation>&amp;Farbschema</translation>
     </message>
     <message>
-        <source>As the &amp;desktop</source>
-        <translation>Wie der &amp;Schreibtisch</translation>
+        <source>As on the &amp;desktop</source>
+        <translation>Wie auf dem &amp;Schreibtisch</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -300,20 +300,20 @@ Mittel von %1 Bildern</translation>
         <translation>%1 lässt sich nicht schreiben</translation>
     </message>
     <message>
-        <source>ffmpeg does not start: %1</source>
-        <translation>ffmpeg startet nicht: %1</translation>
+        <source>ffmpeg could not be started: %1</source>
+        <translation>ffmpeg konnte nicht gestartet werden: %1</translation>
     </message>
     <message>
-        <source>the program ffmpeg makes MP4, and is not there</source>
-        <translation>MP4 macht das Programm ffmpeg, und es fehlt</translation>
+        <source>MP4 needs the program ffmpeg, which is not installed</source>
+        <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist</translation>
     </message>
     <message>
-        <source>ffmpeg ended with code %1</source>
+        <source>ffmpeg exited with code %1</source>
         <translation>ffmpeg endete mit dem Code %1</translation>
     </message>
     <message>
-        <source>ffmpeg says: %1</source>
-        <translation>ffmpeg sagt: %1</translation>
+        <source>ffmpeg reports: %1</source>
+        <translation>ffmpeg meldet: %1</translation>
     </message>
     <message>
         <source>Movie, MP4 (*.mp4)</source>
@@ -324,7 +324,7 @@ Mittel von %1 Bildern</translation>
         <translation>Film, Ogg Theora (*.ogv)</translation>
     </message>
     <message>
-        <source>Pictures (*.png)</source>
+        <source>Images (*.png)</source>
         <translation>Bilder (*.png)</translation>
     </message>
     <message>
@@ -335,8 +335,8 @@ Mittel von %1 Bildern</translation>
 <context>
     <name>varimarch::BenchmarkDialog</name>
     <message>
-        <source>Median of %1 pictures: ours %2 ms, %3 %4 ms, %5 times as long. Difference: RMSE %6, largest %7, of 255.</source>
-        <translation>Median von %1 Bildern: unserer %2 ms, %3 %4 ms, %5-mal so lange. Unterschied: RMSE %6, größter %7, von 255.</translation>
+        <source>Median of %1 views: ours %2 ms, %3 %4 ms, %5 times as long. Difference: RMSE %6, largest %7, in 1/255.</source>
+        <translation>Median von %1 Ansichten: unserer %2 ms, %3 %4 ms, %5-mal so lange. Unterschied: RMSE %6, größter %7, in 1/255.</translation>
     </message>
     <message>
         <source>Angle [°]</source>
@@ -363,8 +363,8 @@ Mittel von %1 Bildern</translation>
         <translation>Leistungsvergleich</translation>
     </message>
     <message>
-        <source>Draws what the window shows from all around, by our mapper and by VTK&apos;s, and compares times and pictures.</source>
-        <translation>Zeichnet ringsum, was das Fenster zeigt, mit unserem und mit VTKs Mapper und vergleicht Zeiten und Bilder.</translation>
+        <source>Renders the scene from all around with our mapper and with VTK&apos;s, and compares times and images.</source>
+        <translation>Zeichnet die Szene ringsum mit unserem und mit VTKs Mapper und vergleicht Zeiten und Bilder.</translation>
     </message>
     <message>
         <source>VTK&apos;s GPU mapper</source>
@@ -379,8 +379,8 @@ Mittel von %1 Bildern</translation>
         <translation>Vergleichen mit</translation>
     </message>
     <message>
-        <source>Pictures of the turn</source>
-        <translation>Bilder der Drehung</translation>
+        <source>Number of views</source>
+        <translation>Anzahl der Ansichten</translation>
     </message>
     <message>
         <source>Start</source>
@@ -391,8 +391,8 @@ Mittel von %1 Bildern</translation>
         <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>VTK&apos;s CPU mapper does not know the blending of this look; choose VTK&apos;s GPU mapper.</source>
-        <translation>VTKs CPU-Mapper kennt die Mischung dieser Darstellung nicht; VTKs GPU-Mapper wählen.</translation>
+        <source>VTK&apos;s CPU mapper does not support this blend mode; choose VTK&apos;s GPU mapper.</source>
+        <translation>VTKs CPU-Mapper beherrscht diese Mischung nicht; VTKs GPU-Mapper wählen.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -411,8 +411,8 @@ Mittel von %1 Bildern</translation>
         <translation>Export nicht möglich</translation>
     </message>
     <message>
-        <source>A turn around a volume of %1 x %2 x %3 voxels, in pictures of %4 x %5 pixels, by ours and by %6.</source>
-        <translation>Eine Drehung um ein Volumen von %1 x %2 x %3 Voxeln, in Bildern von %4 x %5 Pixeln, mit unserem und mit %6.</translation>
+        <source>A turn around a volume of %1 x %2 x %3 voxels, rendered at %4 x %5 pixels by our mapper and by %6.</source>
+        <translation>Eine Drehung um ein Volumen von %1 x %2 x %3 Voxeln, gezeichnet mit %4 x %5 Pixeln von unserem Mapper und von %6.</translation>
     </message>
 </context>
 <context>
@@ -422,8 +422,8 @@ Mittel von %1 Bildern</translation>
         <translation>Überlagerung</translation>
     </message>
     <message>
-        <source>Material that light passes through, as the curve says</source>
-        <translation>Material, durch das Licht dringt, wie die Kurve es sagt</translation>
+        <source>Translucent material with the opacities of the curve</source>
+        <translation>Durchscheinendes Material mit der Deckkraft der Kurve</translation>
     </message>
     <message>
         <source>Maximum</source>
@@ -446,7 +446,7 @@ Mittel von %1 Bildern</translation>
         <translation>Mittel</translation>
     </message>
     <message>
-        <source>The mean along each ray: as a thick slice</source>
+        <source>The mean along each ray, as in a thick slice</source>
         <translation>Das Mittel auf jedem Strahl: wie eine dicke Schicht</translation>
     </message>
     <message>
@@ -454,7 +454,7 @@ Mittel von %1 Bildern</translation>
         <translation>Summe</translation>
     </message>
     <message>
-        <source>The sum along each ray: as an X-ray picture</source>
+        <source>The sum along each ray, as in an X-ray image</source>
         <translation>Die Summe auf jedem Strahl: wie ein Röntgenbild</translation>
     </message>
     <message>
@@ -466,7 +466,7 @@ Mittel von %1 Bildern</translation>
         <translation>Flächen gleichen Werts, jede mit ihrer Farbe und Deckkraft</translation>
     </message>
     <message>
-        <source>Blending</source>
+        <source>Blend mode</source>
         <translation>Mischung</translation>
     </message>
     <message>
@@ -474,7 +474,7 @@ Mittel von %1 Bildern</translation>
         <translation> mm</translation>
     </message>
     <message>
-        <source>The thickness of material that has the curve&apos;s opacities</source>
+        <source>Thickness of material that has the opacities of the curve</source>
         <translation>Die Dicke des Materials, die die Deckkraft der Kurve hat</translation>
     </message>
     <message>
@@ -486,8 +486,8 @@ Mittel von %1 Bildern</translation>
         <translation>Deckkraft je</translation>
     </message>
     <message>
-        <source>Other values do not count in the mean</source>
-        <translation>Andere Werte zählen im Mittel nicht</translation>
+        <source>Values outside this range do not count in the mean</source>
+        <translation>Werte außerhalb dieses Bereichs zählen im Mittel nicht</translation>
     </message>
     <message>
         <source>to</source>
@@ -498,18 +498,18 @@ Mittel von %1 Bildern</translation>
         <translation>Werte von</translation>
     </message>
     <message>
-        <source>blending</source>
+        <source>blend mode</source>
         <translation>Mischung</translation>
     </message>
     <message>
-        <source>values that count</source>
-        <translation>Werte, die zählen</translation>
+        <source>range of averaged values</source>
+        <translation>Bereich der gemittelten Werte</translation>
     </message>
 </context>
 <context>
     <name>varimarch::ComparisonView</name>
     <message>
-        <source>Divider between ours and VTK&apos;s picture</source>
+        <source>Divider between our image and VTK&apos;s</source>
         <translation>Trennlinie zwischen unserem und VTKs Bild</translation>
     </message>
     <message>
@@ -517,50 +517,50 @@ Mittel von %1 Bildern</translation>
         <translation>Unterschied</translation>
     </message>
     <message>
-        <source>RMSE %1, largest %2 of 255. Ours %3 ms, VTK&apos;s %4 ms.</source>
-        <translation>RMSE %1, größter %2 von 255. Unseres %3 ms, VTKs %4 ms.</translation>
+        <source>RMSE %1, largest %2, in 1/255. Ours %3 ms, VTK&apos;s %4 ms.</source>
+        <translation>RMSE %1, größter %2, in 1/255. Unseres %3 ms, VTKs %4 ms.</translation>
     </message>
 </context>
 <context>
     <name>varimarch::CutsPanel</name>
     <message>
-        <source>without the side %1</source>
-        <translation>ohne die Seite %1</translation>
+        <source>side %1 cut away</source>
+        <translation>Seite %1 weggeschnitten</translation>
     </message>
     <message>
-        <source>Left half away</source>
-        <translation>Linke Hälfte weg</translation>
+        <source>Cut away the left half</source>
+        <translation>Linke Hälfte wegschneiden</translation>
     </message>
     <message>
-        <source>Right half away</source>
-        <translation>Rechte Hälfte weg</translation>
+        <source>Cut away the right half</source>
+        <translation>Rechte Hälfte wegschneiden</translation>
     </message>
     <message>
-        <source>Front half away</source>
-        <translation>Vordere Hälfte weg</translation>
+        <source>Cut away the front half</source>
+        <translation>Vordere Hälfte wegschneiden</translation>
     </message>
     <message>
-        <source>Back half away</source>
-        <translation>Hintere Hälfte weg</translation>
+        <source>Cut away the back half</source>
+        <translation>Hintere Hälfte wegschneiden</translation>
     </message>
     <message>
-        <source>Upper half away</source>
-        <translation>Obere Hälfte weg</translation>
+        <source>Cut away the upper half</source>
+        <translation>Obere Hälfte wegschneiden</translation>
     </message>
     <message>
-        <source>Lower half away</source>
-        <translation>Untere Hälfte weg</translation>
+        <source>Cut away the lower half</source>
+        <translation>Untere Hälfte wegschneiden</translation>
     </message>
     <message>
-        <source>Half that faces me away</source>
-        <translation>Mir zugewandte Hälfte weg</translation>
+        <source>Cut away the half facing me</source>
+        <translation>Mir zugewandte Hälfte wegschneiden</translation>
     </message>
     <message>
         <source>Cut away…</source>
         <translation>Wegschneiden…</translation>
     </message>
     <message numerus="yes">
-        <source>A plane cuts a side away, up to %n of them</source>
+        <source>Adds a plane that cuts away one side, up to %n planes</source>
         <translation>
             <numerusform>Eine Ebene schneidet eine Seite weg, bis zu %n davon</numerusform>
             <numerusform>Eine Ebene schneidet eine Seite weg, bis zu %n davon</numerusform>
@@ -575,8 +575,8 @@ Mittel von %1 Bildern</translation>
         <translation>Tiefe der Ebene</translation>
     </message>
     <message>
-        <source>Other side</source>
-        <translation>Andere Seite</translation>
+        <source>Flip</source>
+        <translation>Umkehren</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -611,11 +611,11 @@ Mittel von %1 Bildern</translation>
         <translation>z bis</translation>
     </message>
     <message>
-        <source>All of the volume</source>
+        <source>Whole volume</source>
         <translation>Das ganze Volumen</translation>
     </message>
     <message>
-        <source>show all of the volume</source>
+        <source>show the whole volume</source>
         <translation>ganzes Volumen zeigen</translation>
     </message>
     <message>
@@ -623,31 +623,31 @@ Mittel von %1 Bildern</translation>
         <translation>Schere</translation>
     </message>
     <message>
-        <source>Bring all back</source>
-        <translation>Alles zurückholen</translation>
+        <source>Remove all cuts</source>
+        <translation>Alle Schnitte entfernen</translation>
     </message>
     <message>
-        <source>bring back what scissors cut</source>
-        <translation>Ausgeschnittenes zurückholen</translation>
+        <source>remove all scissors cuts</source>
+        <translation>alle Scherenschnitte entfernen</translation>
     </message>
     <message>
-        <source>Choose Cut out or Keep above, and draw around what is to go or to stay.</source>
-        <translation>Oben Ausschneiden oder Behalten wählen und umfahren, was weg soll oder bleiben soll.</translation>
+        <source>Choose Cut out or Keep above, then draw around the part to remove or to keep.</source>
+        <translation>Oben Ausschneiden oder Behalten wählen, dann den Teil umfahren, der weg soll oder bleiben soll.</translation>
     </message>
     <message>
-        <source>Cuts by scissors: %1</source>
+        <source>Scissors cuts: %1</source>
         <translation>Schnitte mit der Schere: %1</translation>
     </message>
     <message>
-        <source>cut what faces me away</source>
-        <translation>mir Zugewandtes wegschneiden</translation>
+        <source>cut away the half facing me</source>
+        <translation>mir zugewandte Hälfte wegschneiden</translation>
     </message>
     <message>
         <source>move a plane</source>
         <translation>Ebene bewegen</translation>
     </message>
     <message>
-        <source>turn a plane round</source>
+        <source>flip a plane</source>
         <translation>Ebene umkehren</translation>
     </message>
     <message>
@@ -666,11 +666,11 @@ Mittel von %1 Bildern</translation>
         <translation>Durchsichtiger Hintergrund</translation>
     </message>
     <message>
-        <source>Directions and distances</source>
-        <translation>Richtungen und Strecken</translation>
+        <source>Directions and measurements</source>
+        <translation>Richtungen und Messungen</translation>
     </message>
     <message>
-        <source>Export a picture</source>
+        <source>Export an image</source>
         <translation>Bild exportieren</translation>
     </message>
     <message>
@@ -705,7 +705,7 @@ Mittel von %1 Bildern</translation>
         <translation>Deckkraft nach Gradient</translation>
     </message>
     <message>
-        <source>Lets edges between materials stand out of what is homogeneous</source>
+        <source>Makes edges between materials stand out from homogeneous regions</source>
         <translation>Hebt Grenzen zwischen Materialien aus Gleichförmigem hervor</translation>
     </message>
     <message>
@@ -756,7 +756,7 @@ Mittel von %1 Bildern</translation>
         <translation>%1, bearbeitet</translation>
     </message>
     <message>
-        <source>own look</source>
+        <source>custom look</source>
         <translation>eigene Darstellung</translation>
     </message>
     <message>
@@ -780,12 +780,12 @@ Mittel von %1 Bildern</translation>
         <translation>Farben</translation>
     </message>
     <message>
-        <source>Colours for all kinds of colour vision, over the curve as it is</source>
-        <translation>Farben für jedes Farbensehen, über der Kurve, wie sie ist</translation>
+        <source>Colour maps for any kind of colour vision; the opacity curve stays as it is</source>
+        <translation>Farbtabellen für jedes Farbensehen; die Deckkraft bleibt, wie sie ist</translation>
     </message>
     <message>
-        <source>colours of %1</source>
-        <translation>Farben von %1</translation>
+        <source>colour map %1</source>
+        <translation>Farbtabelle %1</translation>
     </message>
 </context>
 <context>
@@ -811,8 +811,8 @@ Mittel von %1 Bildern</translation>
         <translation>&amp;Ordner öffnen…</translation>
     </message>
     <message>
-        <source>Open &amp;bare voxels…</source>
-        <translation>&amp;Rohe Voxel öffnen…</translation>
+        <source>Open a ra&amp;w file…</source>
+        <translation>&amp;Rohdatei öffnen…</translation>
     </message>
     <message>
         <source>&amp;Recent scans</source>
@@ -823,7 +823,7 @@ Mittel von %1 Bildern</translation>
         <translation>Sitzung &amp;speichern…</translation>
     </message>
     <message>
-        <source>Export a &amp;picture…</source>
+        <source>Export an &amp;image…</source>
         <translation>&amp;Bild exportieren…</translation>
     </message>
     <message>
@@ -847,12 +847,12 @@ Mittel von %1 Bildern</translation>
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
-        <source>&amp;First look again</source>
-        <translation>&amp;Erste Darstellung wieder</translation>
+        <source>&amp;Suggested look</source>
+        <translation>&amp;Vorgeschlagene Darstellung</translation>
     </message>
     <message>
-        <source>first look</source>
-        <translation>erste Darstellung</translation>
+        <source>suggested look</source>
+        <translation>vorgeschlagene Darstellung</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -903,8 +903,8 @@ Mittel von %1 Bildern</translation>
         <translation>Güte</translation>
     </message>
     <message>
-        <source>Measures</source>
-        <translation>Maße</translation>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -947,8 +947,8 @@ Mittel von %1 Bildern</translation>
         <translation>Varimarch</translation>
     </message>
     <message>
-        <source>The last time, the program did not come to its end. Go on where you were?</source>
-        <translation>Das Programm wurde zuletzt nicht ordentlich beendet. Dort weitermachen?</translation>
+        <source>The program ended unexpectedly last time. Restore your session?</source>
+        <translation>Das Programm wurde zuletzt unerwartet beendet. Die Sitzung wiederherstellen?</translation>
     </message>
     <message>
         <source>Open a volume</source>
@@ -959,15 +959,15 @@ Mittel von %1 Bildern</translation>
         <translation>Ordner mit DICOM-Dateien öffnen</translation>
     </message>
     <message>
-        <source>Open bare voxels</source>
-        <translation>Rohe Voxel öffnen</translation>
+        <source>Open a raw file</source>
+        <translation>Rohdatei öffnen</translation>
     </message>
     <message>
         <source>Export a turntable</source>
         <translation>Drehung exportieren</translation>
     </message>
     <message>
-        <source>Drawing a turn</source>
+        <source>Rendering the turntable</source>
         <translation>Eine Drehung wird gezeichnet</translation>
     </message>
     <message>
@@ -975,16 +975,16 @@ Mittel von %1 Bildern</translation>
         <translation>Export nicht möglich</translation>
     </message>
     <message>
-        <source>Look &quot;%1&quot;: %2. R brings it back.</source>
-        <translation>Darstellung „%1“: %2. R holt sie zurück.</translation>
+        <source>Look &quot;%1&quot;: %2. Press R to restore it.</source>
+        <translation>Darstellung „%1“: %2. R stellt sie wieder her.</translation>
     </message>
     <message>
         <source>Cannot open</source>
         <translation>Öffnen nicht möglich</translation>
     </message>
     <message>
-        <source>Forget these</source>
-        <translation>Diese vergessen</translation>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
     </message>
     <message>
         <source>&lt;b&gt;Not for diagnostic use.&lt;/b&gt; This program is not a medical device. It must not be used to diagnose, to plan or to guide a treatment.</source>
@@ -995,16 +995,16 @@ Mittel von %1 Bildern</translation>
         <translation>Ich habe verstanden</translation>
     </message>
     <message>
-        <source>The &amp;desktop&apos;s</source>
-        <translation>Die des &amp;Schreibtischs</translation>
+        <source>As on the &amp;desktop</source>
+        <translation>Wie auf dem &amp;Schreibtisch</translation>
     </message>
     <message>
-        <source>The program speaks the desktop&apos;s language from its next start on</source>
-        <translation>Das Programm spricht ab dem nächsten Start die Sprache des Schreibtischs</translation>
+        <source>The program will use the desktop&apos;s language after a restart</source>
+        <translation>Das Programm verwendet nach einem Neustart die Sprache des Schreibtischs</translation>
     </message>
     <message>
-        <source>The program speaks %1 from its next start on</source>
-        <translation>Das Programm spricht ab dem nächsten Start %1</translation>
+        <source>The program will use %1 after a restart</source>
+        <translation>Das Programm verwendet nach einem Neustart %1</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1015,7 +1015,7 @@ Mittel von %1 Bildern</translation>
         <translation>&amp;Sprache</translation>
     </message>
     <message>
-        <source>Open the folder of the &amp;log</source>
+        <source>Open the &amp;log folder</source>
         <translation>Ordner des &amp;Protokolls öffnen</translation>
     </message>
     <message>
@@ -1027,8 +1027,8 @@ Mittel von %1 Bildern</translation>
         <translation>Über Varimarch</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Looks into CT and MR volumes, with an error that is promised.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Blickt in CT- und MR-Volumen, mit einem zugesagten Fehler.&lt;/p&gt;</translation>
+        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Shows CT and MR volumes with a promised error.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Zeigt CT- und MR-Volumen mit einem zugesagten Fehler.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&amp;Tools</source>
@@ -1047,7 +1047,7 @@ Mittel von %1 Bildern</translation>
         <translation>&amp;Helligkeit</translation>
     </message>
     <message>
-        <source>Drag across for the window, up and down for the level; also Ctrl and drag</source>
+        <source>Drag sideways for the window, up and down for the level; or drag with Ctrl</source>
         <translation>Quer ziehen für das Fenster, auf und ab für die Mitte; auch Strg und ziehen</translation>
     </message>
     <message>
@@ -1079,16 +1079,16 @@ Mittel von %1 Bildern</translation>
         <translation>&amp;Ausschneiden</translation>
     </message>
     <message>
-        <source>Draw around what is to go</source>
-        <translation>Umfahren, was weg soll</translation>
+        <source>Draw around the part to remove</source>
+        <translation>Den Teil umfahren, der weg soll</translation>
     </message>
     <message>
         <source>&amp;Keep</source>
         <translation>&amp;Behalten</translation>
     </message>
     <message>
-        <source>Draw around what is to stay</source>
-        <translation>Umfahren, was bleiben soll</translation>
+        <source>Draw around the part to keep</source>
+        <translation>Den Teil umfahren, der bleiben soll</translation>
     </message>
     <message>
         <source>Left button</source>
@@ -1115,7 +1115,7 @@ Mittel von %1 Bildern</translation>
         <translation>&amp;Dazwischen wischen</translation>
     </message>
     <message>
-        <source>Both pictures in one place, with a divider that is dragged</source>
+        <source>Both images in one place, with a divider to drag</source>
         <translation>Beide Bilder an einem Ort, mit einer Trennlinie zum Ziehen</translation>
     </message>
     <message>
@@ -1127,8 +1127,8 @@ Mittel von %1 Bildern</translation>
         <translation>Pa&amp;rallelprojektion</translation>
     </message>
     <message>
-        <source>Without perspective: what is farther away is as large</source>
-        <translation>Ohne Perspektive: Ferneres ist gleich groß</translation>
+        <source>No perspective: distant objects look as large as near ones</source>
+        <translation>Ohne Perspektive: Fernes erscheint so groß wie Nahes</translation>
     </message>
     <message>
         <source>projection</source>
@@ -1155,11 +1155,11 @@ Mittel von %1 Bildern</translation>
         <translation>Wie aufgenommen zeigen</translation>
     </message>
     <message>
-        <source>rectifying slices</source>
+        <source>rectify slices</source>
         <translation>Schichten entzerren</translation>
     </message>
     <message>
-        <source>slices as scanned</source>
+        <source>show slices as scanned</source>
         <translation>Schichten wie aufgenommen</translation>
     </message>
     <message>
@@ -1182,7 +1182,7 @@ Mittel von %1 Bildern</translation>
         <translation>Alle entfernen</translation>
     </message>
     <message>
-        <source>Choose Distance, Angle or Box above, and drag in the volume or in a slice. Points can be dragged later; a double-click on a name changes it.</source>
+        <source>Choose Distance, Angle or Box above, then drag in the volume or in a slice. Points can be dragged later; double-click a name to change it.</source>
         <translation>Oben Strecke, Winkel oder Quader wählen und im Volumen oder in einer Schicht ziehen. Punkte lassen sich später ziehen; ein Doppelklick auf einen Namen ändert ihn.</translation>
     </message>
     <message>
@@ -1210,12 +1210,12 @@ Mittel von %1 Bildern</translation>
         <translation>umbenennen</translation>
     </message>
     <message>
-        <source>remove a measure</source>
-        <translation>Maß entfernen</translation>
+        <source>remove a measurement</source>
+        <translation>Messung entfernen</translation>
     </message>
     <message>
-        <source>remove the measures</source>
-        <translation>Maße entfernen</translation>
+        <source>remove all measurements</source>
+        <translation>alle Messungen entfernen</translation>
     </message>
 </context>
 <context>
@@ -1229,15 +1229,15 @@ Mittel von %1 Bildern</translation>
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>Where the way to the next point is half done</source>
-        <translation>Wo der Weg zum nächsten Punkt halb getan ist</translation>
+        <source>Position where the curve is halfway to the next point</source>
+        <translation>Stelle, an der die Kurve auf halbem Weg zum nächsten Punkt ist</translation>
     </message>
     <message>
         <source>Sharpness</source>
         <translation>Schärfe</translation>
     </message>
     <message>
-        <source>0 is a straight line to the next point, 1 a step</source>
+        <source>0 is a straight line to the next point, 1 is a step</source>
         <translation>0 ist eine Gerade zum nächsten Punkt, 1 eine Stufe</translation>
     </message>
     <message>
@@ -1260,11 +1260,11 @@ Mittel von %1 Bildern</translation>
         <translation>Vorlagen</translation>
     </message>
     <message>
-        <source>Keep this look</source>
-        <translation>Diese Darstellung behalten</translation>
+        <source>Add this look</source>
+        <translation>Diese Darstellung aufnehmen</translation>
     </message>
     <message>
-        <source>Puts the look of the moment into this list</source>
+        <source>Adds the current look to this list</source>
         <translation>Nimmt die jetzige Darstellung in diese Liste auf</translation>
     </message>
     <message>
@@ -1272,11 +1272,11 @@ Mittel von %1 Bildern</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Takes a look of your own out of this list</source>
+        <source>Removes one of your own looks from this list</source>
         <translation>Nimmt eine eigene Darstellung aus dieser Liste</translation>
     </message>
     <message>
-        <source>Your own: F2 renames it, Delete removes it</source>
+        <source>Your own look: F2 renames it, Delete removes it</source>
         <translation>Eigene: F2 benennt sie um, Entf entfernt sie</translation>
     </message>
     <message>
@@ -1288,8 +1288,8 @@ Mittel von %1 Bildern</translation>
         <translation>Vorlage entfernen</translation>
     </message>
     <message>
-        <source>Remove the preset %1? It cannot be brought back.</source>
-        <translation>Die Vorlage %1 entfernen? Sie lässt sich nicht zurückholen.</translation>
+        <source>Remove the preset %1? This cannot be undone.</source>
+        <translation>Die Vorlage %1 entfernen? Das lässt sich nicht rückgängig machen.</translation>
     </message>
 </context>
 <context>
@@ -1311,15 +1311,15 @@ Mittel von %1 Bildern</translation>
         <translation>Güte</translation>
     </message>
     <message>
-        <source>1/%1 of the brightest</source>
-        <translation>1/%1 des Hellsten</translation>
+        <source>1/%1 of full brightness</source>
+        <translation>1/%1 der vollen Helligkeit</translation>
     </message>
 </context>
 <context>
     <name>varimarch::RawForm</name>
     <message>
-        <source>How is %1 to be read?</source>
-        <translation>Wie ist %1 zu lesen?</translation>
+        <source>Layout of %1</source>
+        <translation>Aufbau von %1</translation>
     </message>
     <message>
         <source>Columns</source>
@@ -1334,12 +1334,12 @@ Mittel von %1 Bildern</translation>
         <translation>Schichten</translation>
     </message>
     <message>
-        <source>small end first</source>
-        <translation>kleines Ende zuerst (little-endian)</translation>
+        <source>little-endian</source>
+        <translation>little-endian (kleines Ende zuerst)</translation>
     </message>
     <message>
-        <source>big end first</source>
-        <translation>großes Ende zuerst (big-endian)</translation>
+        <source>big-endian</source>
+        <translation>big-endian (großes Ende zuerst)</translation>
     </message>
     <message>
         <source>Bytes before the first voxel</source>
@@ -1366,27 +1366,27 @@ Mittel von %1 Bildern</translation>
         <translation>Schicht</translation>
     </message>
     <message>
-        <source>They are a header</source>
-        <translation>Sie sind ein Kopf</translation>
+        <source>Skip them as a header</source>
+        <translation>Als Kopf überspringen</translation>
     </message>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>The file is packed, so whether its size fits is seen when it is read.</source>
-        <translation>Die Datei ist gepackt; ob ihre Größe passt, zeigt sich beim Lesen.</translation>
+        <source>The file is compressed, so its size can only be checked when it is read.</source>
+        <translation>Die Datei ist gepackt; ihre Größe lässt sich erst beim Lesen prüfen.</translation>
     </message>
     <message>
-        <source>It fits: the file has the %1 bytes that this needs.</source>
+        <source>The layout fits: the file has the %1 bytes that it needs.</source>
         <translation>Es passt: Die Datei hat die %1 Bytes, die das braucht.</translation>
     </message>
     <message>
-        <source>The file has %1 bytes more than this needs.</source>
+        <source>The file has %1 bytes more than this layout needs.</source>
         <translation>Die Datei hat %1 Bytes mehr, als das braucht.</translation>
     </message>
     <message>
-        <source>It does not fit: the file has %1 bytes less than this needs.</source>
+        <source>The layout does not fit: the file has %1 bytes less than it needs.</source>
         <translation>Es passt nicht: Die Datei hat %1 Bytes weniger, als das braucht.</translation>
     </message>
     <message>
@@ -1403,7 +1403,7 @@ Mittel von %1 Bildern</translation>
 %2, Bilder: %3</translation>
     </message>
     <message>
-        <source>Without a description</source>
+        <source>No description</source>
         <translation>Ohne Beschreibung</translation>
     </message>
     <message>
@@ -1419,8 +1419,8 @@ Mittel von %1 Bildern</translation>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>There are %1 series here.</source>
-        <translation>Hier gibt es %1 Serien.</translation>
+        <source>Found %1 series.</source>
+        <translation>%1 Serien gefunden.</translation>
     </message>
 </context>
 <context>
@@ -1438,8 +1438,8 @@ Mittel von %1 Bildern</translation>
         <translation>Glänzend</translation>
     </message>
     <message>
-        <source>Flat: colours as they are</source>
-        <translation>Flach: Farben, wie sie sind</translation>
+        <source>Flat: unshaded colours</source>
+        <translation>Flach: Farben ohne Schattierung</translation>
     </message>
     <message>
         <source>Light and shading</source>
@@ -1474,8 +1474,8 @@ Mittel von %1 Bildern</translation>
         <translation>Art</translation>
     </message>
     <message>
-        <source>In numbers</source>
-        <translation>In Zahlen</translation>
+        <source>Custom</source>
+        <translation>Eigene Werte</translation>
     </message>
 </context>
 <context>
@@ -1493,8 +1493,8 @@ Mittel von %1 Bildern</translation>
         <translation>Mittel</translation>
     </message>
     <message>
-        <source>What a slab shows</source>
-        <translation>Was eine dicke Schicht zeigt</translation>
+        <source>Blend mode of the slab</source>
+        <translation>Mischung der dicken Schicht</translation>
     </message>
     <message>
         <source> mm</source>
@@ -1505,7 +1505,7 @@ Mittel von %1 Bildern</translation>
         <translation>Dicke der Schichten</translation>
     </message>
     <message>
-        <source>Slices of some thickness show the largest, the smallest or the mean value in it</source>
+        <source>A slab shows the largest, the smallest or the mean value over its thickness</source>
         <translation>Dicke Schichten zeigen den größten, kleinsten oder mittleren Wert darin</translation>
     </message>
     <message>
@@ -1535,8 +1535,8 @@ Mittel von %1 Bildern</translation>
 <context>
     <name>varimarch::TransferFunctionEditor</name>
     <message>
-        <source>Edit in numbers…</source>
-        <translation>In Zahlen bearbeiten…</translation>
+        <source>Edit numbers…</source>
+        <translation>Zahlen bearbeiten…</translation>
     </message>
     <message>
         <source>Colour…</source>
@@ -1563,8 +1563,8 @@ Mittel von %1 Bildern</translation>
         <translation>Alle</translation>
     </message>
     <message>
-        <source>Leave out the outermost 1 % of the voxels</source>
-        <translation>Das äußerste 1 % der Voxel weglassen</translation>
+        <source>Hide the outermost 1 % of the voxels</source>
+        <translation>Das äußerste 1 % der Voxel ausblenden</translation>
     </message>
     <message>
         <source>99 %</source>
@@ -1684,8 +1684,8 @@ Mittel von %1 Bildern</translation>
 <context>
     <name>varimarch::WarningBar</name>
     <message>
-        <source>I have read this</source>
-        <translation>Ich habe das gelesen</translation>
+        <source>Dismiss</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 </TS>

@@ -15,7 +15,7 @@
         <translation>desplazar un plano</translation>
     </message>
     <message>
-        <source>turn a plane</source>
+        <source>rotate a plane</source>
         <translation>girar un plano</translation>
     </message>
     <message>
@@ -76,19 +76,19 @@
         <translation>Mi aspecto %1</translation>
     </message>
     <message>
-        <source>A preset&apos;s name has neither a dot at its beginning nor a slash in it.</source>
-        <translation>El nombre de un preajuste no empieza por un punto ni contiene una barra.</translation>
+        <source>A preset name must not begin with a dot or contain a slash.</source>
+        <translation>El nombre de un preajuste no debe empezar por un punto ni contener una barra.</translation>
     </message>
     <message>
-        <source>There is a preset %1 already.</source>
-        <translation>Ya existe un preajuste %1.</translation>
+        <source>A preset named %1 already exists.</source>
+        <translation>Ya existe un preajuste llamado %1.</translation>
     </message>
     <message>
-        <source>The preset %1 cannot be renamed to %2.</source>
+        <source>Cannot rename the preset %1 to %2.</source>
         <translation>El preajuste %1 no se puede renombrar como %2.</translation>
     </message>
     <message>
-        <source>The preset %1 cannot be removed.</source>
+        <source>Cannot remove the preset %1.</source>
         <translation>El preajuste %1 no se puede eliminar.</translation>
     </message>
 </context>
@@ -132,7 +132,7 @@ error desconocido</translation>
         <source>%1
 %2
 error unknown
-knows no scissors</source>
+scissors not supported</source>
         <translation>%1
 %2
 error desconocido
@@ -156,19 +156,19 @@ error como máximo 1/%2</translation>
     </message>
     <message>
         <source>
-but for single pixels</source>
+except at single pixels</source>
         <translation>
 salvo en píxeles aislados</translation>
     </message>
     <message>
         <source>
-mean of %1 pictures</source>
+mean of %1 frames</source>
         <translation>
 media de %1 imágenes</translation>
     </message>
     <message>
         <source>%1
-%2 % of the picture</source>
+%2 % of the image</source>
         <translation>%1
 %2 % de la imagen</translation>
     </message>
@@ -224,32 +224,32 @@ media de %1 imágenes</translation>
         <translation>RM cabeza, T2</translation>
     </message>
     <message>
-        <source>the file says that it is %1</source>
-        <translation>el archivo dice que es %1</translation>
+        <source>the modality is %1</source>
+        <translation>la modalidad es %1</translation>
     </message>
     <message>
-        <source>the file says that it shows %1</source>
-        <translation>el archivo dice que muestra %1</translation>
+        <source>the body part is %1</source>
+        <translation>la región del cuerpo es %1</translation>
     </message>
     <message>
-        <source>the file tells of a contrast agent</source>
+        <source>the file mentions a contrast agent</source>
         <translation>el archivo menciona un medio de contraste</translation>
     </message>
     <message>
-        <source>the file says that it was taken for %1</source>
-        <translation>el archivo dice que se adquirió para %1</translation>
+        <source>the sequence times in the file suggest %1</source>
+        <translation>los tiempos de la secuencia en el archivo indican %1</translation>
     </message>
     <message>
-        <source>there is metal in it, denser than any bone</source>
+        <source>it contains metal, denser than any bone</source>
         <translation>contiene metal, más denso que cualquier hueso</translation>
     </message>
     <message>
-        <source>its values go down to those of air in CT</source>
+        <source>its values reach down to air in CT</source>
         <translation>sus valores llegan hasta los del aire en TC</translation>
     </message>
     <message>
-        <source>its values are not those of CT</source>
-        <translation>sus valores no son los de una TC</translation>
+        <source>its values do not look like CT</source>
+        <translation>sus valores no parecen de TC</translation>
     </message>
 </context>
 <context>
@@ -281,8 +281,8 @@ media de %1 imágenes</translation>
         <translation>&amp;Tema</translation>
     </message>
     <message>
-        <source>As the &amp;desktop</source>
-        <translation>Como el &amp;escritorio</translation>
+        <source>As on the &amp;desktop</source>
+        <translation>Como en el &amp;escritorio</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -300,20 +300,20 @@ media de %1 imágenes</translation>
         <translation>No se puede escribir %1</translation>
     </message>
     <message>
-        <source>ffmpeg does not start: %1</source>
-        <translation>ffmpeg no arranca: %1</translation>
+        <source>ffmpeg could not be started: %1</source>
+        <translation>no se pudo iniciar ffmpeg: %1</translation>
     </message>
     <message>
-        <source>the program ffmpeg makes MP4, and is not there</source>
-        <translation>el programa ffmpeg hace MP4 y no está</translation>
+        <source>MP4 needs the program ffmpeg, which is not installed</source>
+        <translation>MP4 necesita el programa ffmpeg, que no está instalado</translation>
     </message>
     <message>
-        <source>ffmpeg ended with code %1</source>
+        <source>ffmpeg exited with code %1</source>
         <translation>ffmpeg terminó con el código %1</translation>
     </message>
     <message>
-        <source>ffmpeg says: %1</source>
-        <translation>ffmpeg dice: %1</translation>
+        <source>ffmpeg reports: %1</source>
+        <translation>ffmpeg informa: %1</translation>
     </message>
     <message>
         <source>Movie, MP4 (*.mp4)</source>
@@ -324,7 +324,7 @@ media de %1 imágenes</translation>
         <translation>Película, Ogg Theora (*.ogv)</translation>
     </message>
     <message>
-        <source>Pictures (*.png)</source>
+        <source>Images (*.png)</source>
         <translation>Imágenes (*.png)</translation>
     </message>
     <message>
@@ -335,8 +335,8 @@ media de %1 imágenes</translation>
 <context>
     <name>varimarch::BenchmarkDialog</name>
     <message>
-        <source>Median of %1 pictures: ours %2 ms, %3 %4 ms, %5 times as long. Difference: RMSE %6, largest %7, of 255.</source>
-        <translation>Mediana de %1 imágenes: la nuestra %2 ms, %3 %4 ms, %5 veces más. Diferencia: RMSE %6, máxima %7, de 255.</translation>
+        <source>Median of %1 views: ours %2 ms, %3 %4 ms, %5 times as long. Difference: RMSE %6, largest %7, in 1/255.</source>
+        <translation>Mediana de %1 vistas: el nuestro %2 ms, %3 %4 ms, %5 veces más. Diferencia: RMSE %6, máxima %7, en 1/255.</translation>
     </message>
     <message>
         <source>Angle [°]</source>
@@ -363,8 +363,8 @@ media de %1 imágenes</translation>
         <translation>Prueba de rendimiento</translation>
     </message>
     <message>
-        <source>Draws what the window shows from all around, by our mapper and by VTK&apos;s, and compares times and pictures.</source>
-        <translation>Dibuja desde todos los lados lo que muestra la ventana, con nuestro mapper y el de VTK, y compara tiempos e imágenes.</translation>
+        <source>Renders the scene from all around with our mapper and with VTK&apos;s, and compares times and images.</source>
+        <translation>Dibuja la escena desde todos los lados con nuestro mapper y el de VTK, y compara tiempos e imágenes.</translation>
     </message>
     <message>
         <source>VTK&apos;s GPU mapper</source>
@@ -379,8 +379,8 @@ media de %1 imágenes</translation>
         <translation>Comparar con</translation>
     </message>
     <message>
-        <source>Pictures of the turn</source>
-        <translation>Imágenes del giro</translation>
+        <source>Number of views</source>
+        <translation>Número de vistas</translation>
     </message>
     <message>
         <source>Start</source>
@@ -391,8 +391,8 @@ media de %1 imágenes</translation>
         <translation>Exportar…</translation>
     </message>
     <message>
-        <source>VTK&apos;s CPU mapper does not know the blending of this look; choose VTK&apos;s GPU mapper.</source>
-        <translation>El mapper de CPU de VTK no conoce la mezcla de este aspecto; elija el mapper de GPU de VTK.</translation>
+        <source>VTK&apos;s CPU mapper does not support this blend mode; choose VTK&apos;s GPU mapper.</source>
+        <translation>El mapper de CPU de VTK no admite este modo de mezcla; elija el mapper de GPU de VTK.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -411,8 +411,8 @@ media de %1 imágenes</translation>
         <translation>No se puede exportar</translation>
     </message>
     <message>
-        <source>A turn around a volume of %1 x %2 x %3 voxels, in pictures of %4 x %5 pixels, by ours and by %6.</source>
-        <translation>Un giro alrededor de un volumen de %1 x %2 x %3 vóxeles, en imágenes de %4 x %5 píxeles, con el nuestro y con %6.</translation>
+        <source>A turn around a volume of %1 x %2 x %3 voxels, rendered at %4 x %5 pixels by our mapper and by %6.</source>
+        <translation>Un giro alrededor de un volumen de %1 x %2 x %3 vóxeles, dibujado con %4 x %5 píxeles por nuestro mapper y por %6.</translation>
     </message>
 </context>
 <context>
@@ -422,8 +422,8 @@ media de %1 imágenes</translation>
         <translation>Composición</translation>
     </message>
     <message>
-        <source>Material that light passes through, as the curve says</source>
-        <translation>Material que la luz atraviesa, según la curva</translation>
+        <source>Translucent material with the opacities of the curve</source>
+        <translation>Material translúcido con las opacidades de la curva</translation>
     </message>
     <message>
         <source>Maximum</source>
@@ -446,7 +446,7 @@ media de %1 imágenes</translation>
         <translation>Promedio</translation>
     </message>
     <message>
-        <source>The mean along each ray: as a thick slice</source>
+        <source>The mean along each ray, as in a thick slice</source>
         <translation>La media en cada rayo: como un corte grueso</translation>
     </message>
     <message>
@@ -454,7 +454,7 @@ media de %1 imágenes</translation>
         <translation>Aditiva</translation>
     </message>
     <message>
-        <source>The sum along each ray: as an X-ray picture</source>
+        <source>The sum along each ray, as in an X-ray image</source>
         <translation>La suma en cada rayo: como una radiografía</translation>
     </message>
     <message>
@@ -466,15 +466,15 @@ media de %1 imágenes</translation>
         <translation>Superficies de igual valor, cada una con su color y opacidad</translation>
     </message>
     <message>
-        <source>Blending</source>
-        <translation>Mezcla</translation>
+        <source>Blend mode</source>
+        <translation>Modo de mezcla</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
     <message>
-        <source>The thickness of material that has the curve&apos;s opacities</source>
+        <source>Thickness of material that has the opacities of the curve</source>
         <translation>El grosor de material que tiene las opacidades de la curva</translation>
     </message>
     <message>
@@ -486,8 +486,8 @@ media de %1 imágenes</translation>
         <translation>Opacidad por</translation>
     </message>
     <message>
-        <source>Other values do not count in the mean</source>
-        <translation>Otros valores no cuentan en la media</translation>
+        <source>Values outside this range do not count in the mean</source>
+        <translation>Los valores fuera de este intervalo no cuentan en la media</translation>
     </message>
     <message>
         <source>to</source>
@@ -498,18 +498,18 @@ media de %1 imágenes</translation>
         <translation>Valores desde</translation>
     </message>
     <message>
-        <source>blending</source>
-        <translation>mezcla</translation>
+        <source>blend mode</source>
+        <translation>modo de mezcla</translation>
     </message>
     <message>
-        <source>values that count</source>
-        <translation>valores que cuentan</translation>
+        <source>range of averaged values</source>
+        <translation>intervalo de valores promediados</translation>
     </message>
 </context>
 <context>
     <name>varimarch::ComparisonView</name>
     <message>
-        <source>Divider between ours and VTK&apos;s picture</source>
+        <source>Divider between our image and VTK&apos;s</source>
         <translation>Divisor entre nuestra imagen y la de VTK</translation>
     </message>
     <message>
@@ -517,42 +517,42 @@ media de %1 imágenes</translation>
         <translation>Diferencia</translation>
     </message>
     <message>
-        <source>RMSE %1, largest %2 of 255. Ours %3 ms, VTK&apos;s %4 ms.</source>
-        <translation>RMSE %1, máxima %2 de 255. La nuestra %3 ms, la de VTK %4 ms.</translation>
+        <source>RMSE %1, largest %2, in 1/255. Ours %3 ms, VTK&apos;s %4 ms.</source>
+        <translation>RMSE %1, máxima %2, en 1/255. La nuestra %3 ms, la de VTK %4 ms.</translation>
     </message>
 </context>
 <context>
     <name>varimarch::CutsPanel</name>
     <message>
-        <source>without the side %1</source>
-        <translation>sin el lado %1</translation>
+        <source>side %1 cut away</source>
+        <translation>lado %1 cortado</translation>
     </message>
     <message>
-        <source>Left half away</source>
+        <source>Cut away the left half</source>
         <translation>Quitar la mitad izquierda</translation>
     </message>
     <message>
-        <source>Right half away</source>
+        <source>Cut away the right half</source>
         <translation>Quitar la mitad derecha</translation>
     </message>
     <message>
-        <source>Front half away</source>
+        <source>Cut away the front half</source>
         <translation>Quitar la mitad anterior</translation>
     </message>
     <message>
-        <source>Back half away</source>
+        <source>Cut away the back half</source>
         <translation>Quitar la mitad posterior</translation>
     </message>
     <message>
-        <source>Upper half away</source>
+        <source>Cut away the upper half</source>
         <translation>Quitar la mitad superior</translation>
     </message>
     <message>
-        <source>Lower half away</source>
+        <source>Cut away the lower half</source>
         <translation>Quitar la mitad inferior</translation>
     </message>
     <message>
-        <source>Half that faces me away</source>
+        <source>Cut away the half facing me</source>
         <translation>Quitar la mitad que me mira</translation>
     </message>
     <message>
@@ -560,7 +560,7 @@ media de %1 imágenes</translation>
         <translation>Cortar…</translation>
     </message>
     <message numerus="yes">
-        <source>A plane cuts a side away, up to %n of them</source>
+        <source>Adds a plane that cuts away one side, up to %n planes</source>
         <translation>
             <numerusform>Un plano quita un lado, hasta %n de ellos</numerusform>
             <numerusform>Un plano quita un lado, hasta %n de ellos</numerusform>
@@ -575,8 +575,8 @@ media de %1 imágenes</translation>
         <translation>Profundidad del plano</translation>
     </message>
     <message>
-        <source>Other side</source>
-        <translation>Otro lado</translation>
+        <source>Flip</source>
+        <translation>Invertir</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -611,11 +611,11 @@ media de %1 imágenes</translation>
         <translation>z hasta</translation>
     </message>
     <message>
-        <source>All of the volume</source>
+        <source>Whole volume</source>
         <translation>Todo el volumen</translation>
     </message>
     <message>
-        <source>show all of the volume</source>
+        <source>show the whole volume</source>
         <translation>mostrar todo el volumen</translation>
     </message>
     <message>
@@ -623,31 +623,31 @@ media de %1 imágenes</translation>
         <translation>Tijeras</translation>
     </message>
     <message>
-        <source>Bring all back</source>
-        <translation>Recuperar todo</translation>
+        <source>Remove all cuts</source>
+        <translation>Quitar todos los cortes</translation>
     </message>
     <message>
-        <source>bring back what scissors cut</source>
-        <translation>recuperar lo cortado con tijeras</translation>
+        <source>remove all scissors cuts</source>
+        <translation>quitar todos los cortes con tijeras</translation>
     </message>
     <message>
-        <source>Choose Cut out or Keep above, and draw around what is to go or to stay.</source>
-        <translation>Elija arriba Cortar o Conservar y rodee lo que debe irse o quedarse.</translation>
+        <source>Choose Cut out or Keep above, then draw around the part to remove or to keep.</source>
+        <translation>Elija arriba Cortar o Conservar y rodee la parte que se quita o se conserva.</translation>
     </message>
     <message>
-        <source>Cuts by scissors: %1</source>
+        <source>Scissors cuts: %1</source>
         <translation>Cortes con tijeras: %1</translation>
     </message>
     <message>
-        <source>cut what faces me away</source>
-        <translation>cortar lo que me mira</translation>
+        <source>cut away the half facing me</source>
+        <translation>quitar la mitad que me mira</translation>
     </message>
     <message>
         <source>move a plane</source>
         <translation>mover un plano</translation>
     </message>
     <message>
-        <source>turn a plane round</source>
+        <source>flip a plane</source>
         <translation>invertir un plano</translation>
     </message>
     <message>
@@ -666,11 +666,11 @@ media de %1 imágenes</translation>
         <translation>Fondo transparente</translation>
     </message>
     <message>
-        <source>Directions and distances</source>
-        <translation>Direcciones y distancias</translation>
+        <source>Directions and measurements</source>
+        <translation>Direcciones y mediciones</translation>
     </message>
     <message>
-        <source>Export a picture</source>
+        <source>Export an image</source>
         <translation>Exportar una imagen</translation>
     </message>
     <message>
@@ -705,7 +705,7 @@ media de %1 imágenes</translation>
         <translation>Opacidad por gradiente</translation>
     </message>
     <message>
-        <source>Lets edges between materials stand out of what is homogeneous</source>
+        <source>Makes edges between materials stand out from homogeneous regions</source>
         <translation>Destaca los bordes entre materiales sobre lo homogéneo</translation>
     </message>
     <message>
@@ -756,7 +756,7 @@ media de %1 imágenes</translation>
         <translation>%1, editado</translation>
     </message>
     <message>
-        <source>own look</source>
+        <source>custom look</source>
         <translation>aspecto propio</translation>
     </message>
     <message>
@@ -780,12 +780,12 @@ media de %1 imágenes</translation>
         <translation>Colores</translation>
     </message>
     <message>
-        <source>Colours for all kinds of colour vision, over the curve as it is</source>
-        <translation>Colores para toda visión del color, sobre la curva tal cual</translation>
+        <source>Colour maps for any kind of colour vision; the opacity curve stays as it is</source>
+        <translation>Mapas de color para toda visión del color; la curva de opacidad no cambia</translation>
     </message>
     <message>
-        <source>colours of %1</source>
-        <translation>colores de %1</translation>
+        <source>colour map %1</source>
+        <translation>mapa de color %1</translation>
     </message>
 </context>
 <context>
@@ -811,8 +811,8 @@ media de %1 imágenes</translation>
         <translation>Abrir una &amp;carpeta…</translation>
     </message>
     <message>
-        <source>Open &amp;bare voxels…</source>
-        <translation>Abrir &amp;vóxeles sin cabecera…</translation>
+        <source>Open a ra&amp;w file…</source>
+        <translation>Abrir un archivo &amp;sin cabecera…</translation>
     </message>
     <message>
         <source>&amp;Recent scans</source>
@@ -823,7 +823,7 @@ media de %1 imágenes</translation>
         <translation>&amp;Guardar la sesión…</translation>
     </message>
     <message>
-        <source>Export a &amp;picture…</source>
+        <source>Export an &amp;image…</source>
         <translation>Exportar una &amp;imagen…</translation>
     </message>
     <message>
@@ -847,12 +847,12 @@ media de %1 imágenes</translation>
         <translation>&amp;Rehacer</translation>
     </message>
     <message>
-        <source>&amp;First look again</source>
-        <translation>&amp;Primer aspecto otra vez</translation>
+        <source>&amp;Suggested look</source>
+        <translation>Aspecto &amp;sugerido</translation>
     </message>
     <message>
-        <source>first look</source>
-        <translation>primer aspecto</translation>
+        <source>suggested look</source>
+        <translation>aspecto sugerido</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -903,8 +903,8 @@ media de %1 imágenes</translation>
         <translation>Calidad</translation>
     </message>
     <message>
-        <source>Measures</source>
-        <translation>Medidas</translation>
+        <source>Measurements</source>
+        <translation>Mediciones</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -947,8 +947,8 @@ media de %1 imágenes</translation>
         <translation>Varimarch</translation>
     </message>
     <message>
-        <source>The last time, the program did not come to its end. Go on where you were?</source>
-        <translation>La última vez el programa no llegó a su fin. ¿Continuar donde estaba?</translation>
+        <source>The program ended unexpectedly last time. Restore your session?</source>
+        <translation>El programa terminó de forma inesperada la última vez. ¿Restaurar la sesión?</translation>
     </message>
     <message>
         <source>Open a volume</source>
@@ -959,15 +959,15 @@ media de %1 imágenes</translation>
         <translation>Abrir una carpeta de archivos DICOM</translation>
     </message>
     <message>
-        <source>Open bare voxels</source>
-        <translation>Abrir vóxeles sin cabecera</translation>
+        <source>Open a raw file</source>
+        <translation>Abrir un archivo sin cabecera</translation>
     </message>
     <message>
         <source>Export a turntable</source>
         <translation>Exportar un giro</translation>
     </message>
     <message>
-        <source>Drawing a turn</source>
+        <source>Rendering the turntable</source>
         <translation>Dibujando un giro</translation>
     </message>
     <message>
@@ -975,16 +975,16 @@ media de %1 imágenes</translation>
         <translation>No se puede exportar</translation>
     </message>
     <message>
-        <source>Look &quot;%1&quot;: %2. R brings it back.</source>
-        <translation>Aspecto «%1»: %2. R lo recupera.</translation>
+        <source>Look &quot;%1&quot;: %2. Press R to restore it.</source>
+        <translation>Aspecto «%1»: %2. Pulse R para restaurarlo.</translation>
     </message>
     <message>
         <source>Cannot open</source>
         <translation>No se puede abrir</translation>
     </message>
     <message>
-        <source>Forget these</source>
-        <translation>Olvidar estos</translation>
+        <source>Clear the list</source>
+        <translation>Vaciar la lista</translation>
     </message>
     <message>
         <source>&lt;b&gt;Not for diagnostic use.&lt;/b&gt; This program is not a medical device. It must not be used to diagnose, to plan or to guide a treatment.</source>
@@ -995,16 +995,16 @@ media de %1 imágenes</translation>
         <translation>Entendido</translation>
     </message>
     <message>
-        <source>The &amp;desktop&apos;s</source>
-        <translation>El del &amp;escritorio</translation>
+        <source>As on the &amp;desktop</source>
+        <translation>Como en el &amp;escritorio</translation>
     </message>
     <message>
-        <source>The program speaks the desktop&apos;s language from its next start on</source>
-        <translation>El programa hablará el idioma del escritorio desde el próximo inicio</translation>
+        <source>The program will use the desktop&apos;s language after a restart</source>
+        <translation>El programa usará el idioma del escritorio tras reiniciarse</translation>
     </message>
     <message>
-        <source>The program speaks %1 from its next start on</source>
-        <translation>El programa hablará %1 desde el próximo inicio</translation>
+        <source>The program will use %1 after a restart</source>
+        <translation>El programa usará %1 tras reiniciarse</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1015,7 +1015,7 @@ media de %1 imágenes</translation>
         <translation>&amp;Idioma</translation>
     </message>
     <message>
-        <source>Open the folder of the &amp;log</source>
+        <source>Open the &amp;log folder</source>
         <translation>Abrir la carpeta del &amp;registro</translation>
     </message>
     <message>
@@ -1027,8 +1027,8 @@ media de %1 imágenes</translation>
         <translation>Acerca de Varimarch</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Looks into CT and MR volumes, with an error that is promised.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Mira dentro de volúmenes de TC y RM, con un error prometido.&lt;/p&gt;</translation>
+        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Shows CT and MR volumes with a promised error.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Muestra volúmenes de TC y RM con un error prometido.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&amp;Tools</source>
@@ -1047,7 +1047,7 @@ media de %1 imágenes</translation>
         <translation>&amp;Brillo</translation>
     </message>
     <message>
-        <source>Drag across for the window, up and down for the level; also Ctrl and drag</source>
+        <source>Drag sideways for the window, up and down for the level; or drag with Ctrl</source>
         <translation>Arrastre en horizontal para la ventana, en vertical para el nivel; también Ctrl y arrastrar</translation>
     </message>
     <message>
@@ -1079,16 +1079,16 @@ media de %1 imágenes</translation>
         <translation>&amp;Cortar</translation>
     </message>
     <message>
-        <source>Draw around what is to go</source>
-        <translation>Rodee lo que debe irse</translation>
+        <source>Draw around the part to remove</source>
+        <translation>Rodee la parte que se quita</translation>
     </message>
     <message>
         <source>&amp;Keep</source>
         <translation>C&amp;onservar</translation>
     </message>
     <message>
-        <source>Draw around what is to stay</source>
-        <translation>Rodee lo que debe quedarse</translation>
+        <source>Draw around the part to keep</source>
+        <translation>Rodee la parte que se conserva</translation>
     </message>
     <message>
         <source>Left button</source>
@@ -1115,7 +1115,7 @@ media de %1 imágenes</translation>
         <translation>&amp;Deslizar entre ambas</translation>
     </message>
     <message>
-        <source>Both pictures in one place, with a divider that is dragged</source>
+        <source>Both images in one place, with a divider to drag</source>
         <translation>Ambas imágenes en un lugar, con un divisor que se arrastra</translation>
     </message>
     <message>
@@ -1127,8 +1127,8 @@ media de %1 imágenes</translation>
         <translation>Proyección pa&amp;ralela</translation>
     </message>
     <message>
-        <source>Without perspective: what is farther away is as large</source>
-        <translation>Sin perspectiva: lo más lejano es igual de grande</translation>
+        <source>No perspective: distant objects look as large as near ones</source>
+        <translation>Sin perspectiva: lo lejano se ve tan grande como lo cercano</translation>
     </message>
     <message>
         <source>projection</source>
@@ -1155,11 +1155,11 @@ media de %1 imágenes</translation>
         <translation>Mostrar como se adquirió</translation>
     </message>
     <message>
-        <source>rectifying slices</source>
+        <source>rectify slices</source>
         <translation>rectificar los cortes</translation>
     </message>
     <message>
-        <source>slices as scanned</source>
+        <source>show slices as scanned</source>
         <translation>cortes como se adquirieron</translation>
     </message>
     <message>
@@ -1182,7 +1182,7 @@ media de %1 imágenes</translation>
         <translation>Eliminar todo</translation>
     </message>
     <message>
-        <source>Choose Distance, Angle or Box above, and drag in the volume or in a slice. Points can be dragged later; a double-click on a name changes it.</source>
+        <source>Choose Distance, Angle or Box above, then drag in the volume or in a slice. Points can be dragged later; double-click a name to change it.</source>
         <translation>Elija arriba Distancia, Ángulo o Caja y arrastre en el volumen o en un corte. Los puntos se pueden mover después; un doble clic en un nombre lo cambia.</translation>
     </message>
     <message>
@@ -1210,12 +1210,12 @@ media de %1 imágenes</translation>
         <translation>renombrar</translation>
     </message>
     <message>
-        <source>remove a measure</source>
-        <translation>eliminar una medida</translation>
+        <source>remove a measurement</source>
+        <translation>eliminar una medición</translation>
     </message>
     <message>
-        <source>remove the measures</source>
-        <translation>eliminar las medidas</translation>
+        <source>remove all measurements</source>
+        <translation>eliminar todas las mediciones</translation>
     </message>
 </context>
 <context>
@@ -1229,15 +1229,15 @@ media de %1 imágenes</translation>
         <translation>Punto medio</translation>
     </message>
     <message>
-        <source>Where the way to the next point is half done</source>
-        <translation>Donde se ha hecho la mitad del camino al punto siguiente</translation>
+        <source>Position where the curve is halfway to the next point</source>
+        <translation>Posición en la que la curva está a medio camino del punto siguiente</translation>
     </message>
     <message>
         <source>Sharpness</source>
         <translation>Nitidez</translation>
     </message>
     <message>
-        <source>0 is a straight line to the next point, 1 a step</source>
+        <source>0 is a straight line to the next point, 1 is a step</source>
         <translation>0 es una recta hasta el punto siguiente, 1 un escalón</translation>
     </message>
     <message>
@@ -1260,11 +1260,11 @@ media de %1 imágenes</translation>
         <translation>Preajustes</translation>
     </message>
     <message>
-        <source>Keep this look</source>
-        <translation>Conservar este aspecto</translation>
+        <source>Add this look</source>
+        <translation>Añadir este aspecto</translation>
     </message>
     <message>
-        <source>Puts the look of the moment into this list</source>
+        <source>Adds the current look to this list</source>
         <translation>Añade el aspecto actual a esta lista</translation>
     </message>
     <message>
@@ -1272,11 +1272,11 @@ media de %1 imágenes</translation>
         <translation>Eliminar</translation>
     </message>
     <message>
-        <source>Takes a look of your own out of this list</source>
+        <source>Removes one of your own looks from this list</source>
         <translation>Quita un aspecto propio de esta lista</translation>
     </message>
     <message>
-        <source>Your own: F2 renames it, Delete removes it</source>
+        <source>Your own look: F2 renames it, Delete removes it</source>
         <translation>Propio: F2 lo renombra, Supr lo elimina</translation>
     </message>
     <message>
@@ -1288,8 +1288,8 @@ media de %1 imágenes</translation>
         <translation>Eliminar un preajuste</translation>
     </message>
     <message>
-        <source>Remove the preset %1? It cannot be brought back.</source>
-        <translation>¿Eliminar el preajuste %1? No se podrá recuperar.</translation>
+        <source>Remove the preset %1? This cannot be undone.</source>
+        <translation>¿Eliminar el preajuste %1? Esto no se puede deshacer.</translation>
     </message>
 </context>
 <context>
@@ -1311,15 +1311,15 @@ media de %1 imágenes</translation>
         <translation>calidad</translation>
     </message>
     <message>
-        <source>1/%1 of the brightest</source>
-        <translation>1/%1 de lo más brillante</translation>
+        <source>1/%1 of full brightness</source>
+        <translation>1/%1 del brillo máximo</translation>
     </message>
 </context>
 <context>
     <name>varimarch::RawForm</name>
     <message>
-        <source>How is %1 to be read?</source>
-        <translation>¿Cómo se debe leer %1?</translation>
+        <source>Layout of %1</source>
+        <translation>Formato de %1</translation>
     </message>
     <message>
         <source>Columns</source>
@@ -1334,12 +1334,12 @@ media de %1 imágenes</translation>
         <translation>Cortes</translation>
     </message>
     <message>
-        <source>small end first</source>
-        <translation>byte menor primero (little-endian)</translation>
+        <source>little-endian</source>
+        <translation>little-endian (byte menor primero)</translation>
     </message>
     <message>
-        <source>big end first</source>
-        <translation>byte mayor primero (big-endian)</translation>
+        <source>big-endian</source>
+        <translation>big-endian (byte mayor primero)</translation>
     </message>
     <message>
         <source>Bytes before the first voxel</source>
@@ -1366,27 +1366,27 @@ media de %1 imágenes</translation>
         <translation>Corte</translation>
     </message>
     <message>
-        <source>They are a header</source>
-        <translation>Son una cabecera</translation>
+        <source>Skip them as a header</source>
+        <translation>Saltarlos como cabecera</translation>
     </message>
     <message>
         <source>Open</source>
         <translation>Abrir</translation>
     </message>
     <message>
-        <source>The file is packed, so whether its size fits is seen when it is read.</source>
-        <translation>El archivo está comprimido; al leerlo se verá si su tamaño encaja.</translation>
+        <source>The file is compressed, so its size can only be checked when it is read.</source>
+        <translation>El archivo está comprimido; su tamaño solo se puede comprobar al leerlo.</translation>
     </message>
     <message>
-        <source>It fits: the file has the %1 bytes that this needs.</source>
+        <source>The layout fits: the file has the %1 bytes that it needs.</source>
         <translation>Encaja: el archivo tiene los %1 bytes que esto necesita.</translation>
     </message>
     <message>
-        <source>The file has %1 bytes more than this needs.</source>
+        <source>The file has %1 bytes more than this layout needs.</source>
         <translation>El archivo tiene %1 bytes más de los que esto necesita.</translation>
     </message>
     <message>
-        <source>It does not fit: the file has %1 bytes less than this needs.</source>
+        <source>The layout does not fit: the file has %1 bytes less than it needs.</source>
         <translation>No encaja: el archivo tiene %1 bytes menos de los que esto necesita.</translation>
     </message>
     <message>
@@ -1403,7 +1403,7 @@ media de %1 imágenes</translation>
 %2, imágenes: %3</translation>
     </message>
     <message>
-        <source>Without a description</source>
+        <source>No description</source>
         <translation>Sin descripción</translation>
     </message>
     <message>
@@ -1419,8 +1419,8 @@ media de %1 imágenes</translation>
         <translation>Abrir</translation>
     </message>
     <message>
-        <source>There are %1 series here.</source>
-        <translation>Aquí hay %1 series.</translation>
+        <source>Found %1 series.</source>
+        <translation>Se encontraron %1 series.</translation>
     </message>
 </context>
 <context>
@@ -1438,8 +1438,8 @@ media de %1 imágenes</translation>
         <translation>Brillante</translation>
     </message>
     <message>
-        <source>Flat: colours as they are</source>
-        <translation>Plana: los colores tal cual</translation>
+        <source>Flat: unshaded colours</source>
+        <translation>Plana: colores sin sombreado</translation>
     </message>
     <message>
         <source>Light and shading</source>
@@ -1474,8 +1474,8 @@ media de %1 imágenes</translation>
         <translation>Tipo</translation>
     </message>
     <message>
-        <source>In numbers</source>
-        <translation>En números</translation>
+        <source>Custom</source>
+        <translation>Personalizada</translation>
     </message>
 </context>
 <context>
@@ -1493,8 +1493,8 @@ media de %1 imágenes</translation>
         <translation>Media</translation>
     </message>
     <message>
-        <source>What a slab shows</source>
-        <translation>Qué muestra un corte grueso</translation>
+        <source>Blend mode of the slab</source>
+        <translation>Modo de mezcla del corte grueso</translation>
     </message>
     <message>
         <source> mm</source>
@@ -1505,7 +1505,7 @@ media de %1 imágenes</translation>
         <translation>Grosor de los cortes</translation>
     </message>
     <message>
-        <source>Slices of some thickness show the largest, the smallest or the mean value in it</source>
+        <source>A slab shows the largest, the smallest or the mean value over its thickness</source>
         <translation>Los cortes gruesos muestran el valor mayor, el menor o la media</translation>
     </message>
     <message>
@@ -1535,8 +1535,8 @@ media de %1 imágenes</translation>
 <context>
     <name>varimarch::TransferFunctionEditor</name>
     <message>
-        <source>Edit in numbers…</source>
-        <translation>Editar en números…</translation>
+        <source>Edit numbers…</source>
+        <translation>Editar números…</translation>
     </message>
     <message>
         <source>Colour…</source>
@@ -1563,8 +1563,8 @@ media de %1 imágenes</translation>
         <translation>Todo</translation>
     </message>
     <message>
-        <source>Leave out the outermost 1 % of the voxels</source>
-        <translation>Omitir el 1 % más extremo de los vóxeles</translation>
+        <source>Hide the outermost 1 % of the voxels</source>
+        <translation>Ocultar el 1 % más extremo de los vóxeles</translation>
     </message>
     <message>
         <source>99 %</source>
@@ -1684,8 +1684,8 @@ media de %1 imágenes</translation>
 <context>
     <name>varimarch::WarningBar</name>
     <message>
-        <source>I have read this</source>
-        <translation>Ya lo he leído</translation>
+        <source>Dismiss</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 </TS>

@@ -24,12 +24,13 @@ namespace
 {
 
 constexpr int StillMilliseconds = 400;
-constexpr int DividerPixels = 9; // that can be grabbed; a line in its middle is seen
+constexpr int DividerPixels =
+  9; // width of the area that can be grabbed; a line in its middle is visible
 constexpr double DividerStep = 0.02;
 
 }
 
-// Between two pictures that lie over each other. Also the arrow keys move it.
+// The divider between two images that lie over each other. The arrow keys move it too.
 class ComparisonView::Divider : public QWidget
 {
 public:
@@ -39,7 +40,7 @@ public:
   {
     this->setCursor(Qt::SplitHCursor);
     this->setFocusPolicy(Qt::StrongFocus);
-    this->setAccessibleName(ComparisonView::tr("Divider between ours and VTK's picture"));
+    this->setAccessibleName(ComparisonView::tr("Divider between our image and VTK's"));
     this->hide();
   }
 
@@ -156,7 +157,7 @@ void ComparisonView::resizeEvent(QResizeEvent*)
   this->PlaceParts();
 }
 
-// Both pictures have the same number of pixels, so that they can be compared.
+// Both images always have the same size, so that they can be compared pixel by pixel.
 void ComparisonView::PlaceParts()
 {
   const bool compares = this->theirs != nullptr;
@@ -189,7 +190,7 @@ void ComparisonView::PlaceSideBySide()
   this->result->setGeometry(2 * width, 0, this->width() - 2 * width, this->height());
 }
 
-// Theirs lies over ours, and its part begins at the divider.
+// VTK's image lies over ours and is clipped at the divider.
 void ComparisonView::PlaceOverEachOther()
 {
   const int below = this->result->heightForWidth(this->width()) > 0
@@ -224,12 +225,12 @@ void ComparisonView::Compare()
 
 void ComparisonView::ShowDifference(vtkImageData* ourPicture, vtkImageData* theirPicture)
 {
-  this->numbers->setText(tr("RMSE %1, largest %2 of 255. Ours %3 ms, VTK's %4 ms.")
+  this->numbers->setText(tr("RMSE %1, largest %2, in 1/255. Ours %3 ms, VTK's %4 ms.")
                            .arg(this->lastDifference->rootMeanSquare, 0, 'f', 2)
                            .arg(this->lastDifference->largest, 0, 'f', 1)
                            .arg(1e3 * this->ours->PictureSeconds(), 0, 'f', 0)
                            .arg(1e3 * this->theirs->PictureSeconds(), 0, 'f', 0));
-  // More lines of numbers leave less room to the picture.
+  // Lay out first: more lines of text leave less room for the image.
   this->result->layout()->activate();
   const QImage image =
     ImageOfBytes(WithDifferenceScale(DifferencePicture(theirPicture, ourPicture)));

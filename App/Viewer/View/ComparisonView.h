@@ -19,9 +19,9 @@ namespace varimarch
 class SceneModel;
 class VolumeView;
 
-/// Our picture, and on demand VTK's of the same scene, with their difference and the time of each:
-/// side by side, with a picture of where they differ, or one over the other, with a divider between
-/// them that is dragged. Compares when both have been still for a moment.
+/// Our image and, on demand, VTK's image of the same scene, with the rendering times and the
+/// difference. They stand side by side with a difference image, or one over the other with a
+/// divider that can be dragged. The comparison runs when both have not changed for a moment.
 class ComparisonView : public QWidget
 {
   Q_OBJECT
@@ -31,19 +31,19 @@ public:
 
   VolumeView* Ours() { return this->ours; }
 
-  /// None: our picture alone.
+  /// std::nullopt shows only our image.
   void CompareWith(std::optional<MapperKind> kind);
 
-  /// Whether the pictures lie over each other; else they stand side by side.
+  /// True lays the images over each other; false puts them side by side.
   void SetWipe(bool newWipe);
 
-  /// Where the divider is, as a part of the width from the left, [0, 1].
+  /// Moves the divider to a fraction of the width from the left, [0, 1].
   void MoveDivider(double part);
 
-  /// What the left button does, in all pictures.
+  /// Sets the action of the left button in all views.
   void SetTool(LeftButton button);
 
-  /// Of the last comparison, of VTK's picture from ours.
+  /// Error of VTK's image against ours in the last comparison.
   std::optional<ImageError> LastDifference() const { return this->lastDifference; }
 
 signals:
@@ -64,7 +64,7 @@ private:
   SceneModel* model;
   VolumeView* ours;
   VolumeView* theirs = nullptr;
-  QWidget* theirPart; ///< shows as much of theirs as is to be seen
+  QWidget* theirPart; ///< clips the visible part of theirs
   Divider* divider;
   bool wipe = false;
   double dividerPart = 0.5;

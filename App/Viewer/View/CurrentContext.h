@@ -4,8 +4,9 @@
 namespace varimarch
 {
 
-/// While it lives, the thread may draw without a display. A thread has one current context: this
-/// lets go of Qt's, and in the end of EGL's, without which Qt's windows could not draw again.
+/// Lets the thread render without a display during its lifetime. A thread has only one current
+/// context: the constructor releases Qt's, and the destructor releases EGL's, because Qt's windows
+/// could not draw otherwise.
 class DrawingWithoutDisplay
 {
 public:

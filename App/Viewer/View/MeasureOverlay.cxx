@@ -35,7 +35,7 @@ QString Named(const std::string& name, const QString& text)
   return name.empty() ? text : QString::fromStdString(name) + ": " + text;
 }
 
-// Beside a place, within the picture.
+// Draws a label beside a position, moved into the image if necessary.
 void DrawLabel(
   QPainter& painter, const QPointF& place, const QString& text, const PictureFrame& frame)
 {
@@ -70,7 +70,7 @@ void DrawAngle(
   }
   DrawMark(painter, *vertex, *from);
   DrawMark(painter, *vertex, *to);
-  // The arc between the arms as they are in the picture.
+  // The arc connects the arms in the image plane.
   const QLineF first(*vertex, *from);
   const QLineF second(*vertex, *to);
   const double radius = std::min({ LargestArcPixels, 0.5 * first.length(), 0.5 * second.length() });

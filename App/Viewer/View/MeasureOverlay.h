@@ -14,7 +14,7 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// A scene, what was measured in it, and its volume.
+/// A scene with its measurements and its volume.
 struct MeasuredScene
 {
   const Scene& scene;
@@ -22,18 +22,18 @@ struct MeasuredScene
   vtkImageData* image;
 };
 
-/// Whether something between two corners of a box along the patient's axes is shown, [mm].
+/// Returns true if a view shows objects in the box between two corners [mm].
 using ShownBetween =
   std::function<bool(const std::array<double, 3>&, const std::array<double, 3>&)>;
 
-/// Distances, angles and boxes over a picture.
+/// Draws distances, angles and boxes over an image.
 void DrawMeasures(QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame,
   const ShownBetween& isShown);
 
-/// Text that is legible on whatever is below it.
+/// Draws text that is legible on any background.
 void DrawLegibly(QPainter& painter, const QRectF& box, int alignment, const QString& text);
 
-/// A line that is visible on whatever is below it, with dots at its ends.
+/// Draws a line that is visible on any background, with dots at its ends.
 void DrawMark(QPainter& painter, const QPointF& from, const QPointF& to);
 
 }

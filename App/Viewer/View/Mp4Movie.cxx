@@ -13,13 +13,13 @@ namespace
 constexpr int MomentMs = 50;
 constexpr int LongestAnswerMs = 10000;
 
-QString WhyItDidNotStart(const QProcess& ffmpeg)
+QString StartFailureText(const QProcess& ffmpeg)
 {
-  return QCoreApplication::translate("Turntable", "ffmpeg does not start: %1")
+  return QCoreApplication::translate("Turntable", "ffmpeg could not be started: %1")
     .arg(ffmpeg.errorString());
 }
 
-// H.264 where it is there, for that is what everybody can play.
+// H.264 if available, because every player supports it.
 QStringList EncoderOptions()
 {
   QProcess ffmpeg;
@@ -30,7 +30,7 @@ QStringList EncoderOptions()
     : QStringList{ "-c:v", "mpeg4", "-q:v", "3" };
 }
 
-// As ffmpeg reads it from a file; https://ffmpeg.org/ffmpeg-formats.html#Metadata
+// Metadata in ffmpeg's file format; https://ffmpeg.org/ffmpeg-formats.html#Metadata
 QByteArray MetadataOf(const QImage& picture)
 {
   QString comment = picture.text("varimarch-scene");
@@ -80,7 +80,8 @@ void Mp4Movie::Start(const QImage& first)
   if (FfmpegProgram().isEmpty())
   {
     FailToWrite(this->path,
-      QCoreApplication::translate("Turntable", "the program ffmpeg makes MP4, and is not there"));
+      QCoreApplication::translate(
+        "Turntable", "MP4 needs the program ffmpeg, which is not installed"));
   }
   const QByteArray description = MetadataOf(first);
   if (!this->metadata.open() || this->metadata.write(description) != description.size() ||
@@ -100,7 +101,7 @@ void Mp4Movie::Start(const QImage& first)
     FfmpegProgram(), options << "file:" + QString::fromStdString(this->file.Part()));
   if (!this->ffmpeg.waitForStarted(LongestAnswerMs))
   {
-    FailToWrite(this->path, WhyItDidNotStart(this->ffmpeg));
+    FailToWrite(this->path, StartFailureText(this->ffmpeg));
   }
 }
 
@@ -133,7 +134,7 @@ bool Mp4Movie::IsBusy()
   }
   if (this->refuses || this->ffmpeg.state() == QProcess::NotRunning)
   {
-    this->FailAsFfmpegSays();
+    this->FailWithFfmpegError();
   }
   return this->ffmpeg.bytesToWrite() > 0;
 }
@@ -143,21 +144,21 @@ void Mp4Movie::Complete()
   if (this->refuses || this->ffmpeg.exitStatus() != QProcess::NormalExit ||
     this->ffmpeg.exitCode() != 0)
   {
-    this->FailAsFfmpegSays();
+    this->FailWithFfmpegError();
   }
   this->file.Complete();
 }
 
-void Mp4Movie::FailAsFfmpegSays()
+void Mp4Movie::FailWithFfmpegError()
 {
   this->ffmpeg.waitForFinished(LongestAnswerMs);
   const QStringList lines =
     QString::fromLocal8Bit(this->ffmpeg.readAllStandardError()).split('\n', Qt::SkipEmptyParts);
   FailToWrite(this->path,
     lines.isEmpty()
-      ? QCoreApplication::translate("Turntable", "ffmpeg ended with code %1")
+      ? QCoreApplication::translate("Turntable", "ffmpeg exited with code %1")
           .arg(this->ffmpeg.exitCode())
-      : QCoreApplication::translate("Turntable", "ffmpeg says: %1").arg(lines.last().trimmed()));
+      : QCoreApplication::translate("Turntable", "ffmpeg reports: %1").arg(lines.last().trimmed()));
 }
 
 }

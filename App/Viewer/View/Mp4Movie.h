@@ -10,12 +10,12 @@
 namespace varimarch
 {
 
-/// The place of the program ffmpeg on the PATH; empty where there is none.
+/// Path of the ffmpeg program on the PATH; empty if it is not installed.
 QString FfmpegProgram();
 
-/// A movie of H.264, or of MPEG-4 where ffmpeg lacks x264, that ffmpeg makes of what it is sent.
-/// Its comment is the scene that the first picture tells. H.264 stores colours for two by two
-/// pixels: an odd last row or column is left out.
+/// An MP4 movie encoded by ffmpeg as H.264, or as MPEG-4 if ffmpeg lacks x264. Its comment is the
+/// scene stored in the first image. H.264 subsamples colours by two, so an odd last row or column
+/// is dropped.
 class Mp4Movie : public TurnWriter
 {
 public:
@@ -29,7 +29,7 @@ public:
 
 private:
   void Start(const QImage& first);
-  [[noreturn]] void FailAsFfmpegSays();
+  [[noreturn]] void FailWithFfmpegError();
 
   QString path;
   UnfinishedFile file;
@@ -37,7 +37,7 @@ private:
   QProcess ffmpeg;
   bool started = false;
   bool ended = false;
-  bool refuses = false; ///< ffmpeg takes no more
+  bool refuses = false; ///< ffmpeg accepts no more input
 };
 
 }

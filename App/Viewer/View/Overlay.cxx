@@ -38,7 +38,8 @@ void DrawLetters(QPainter& painter, const PictureFrame& frame)
     painter, inside, Qt::AlignBottom | Qt::AlignHCenter, letters(Opposite(frame.upWorld)));
 }
 
-// A cube turned as the patient is, seen in parallel: of its faces those towards the eye.
+// A cube with the patient's orientation in parallel projection; only faces towards the eye are
+// drawn.
 void DrawCube(QPainter& painter, const PictureFrame& frame)
 {
   const glm::dvec3 right = VectorOf(frame.rightWorld);

@@ -8,8 +8,8 @@ class QPainter;
 namespace varimarch
 {
 
-/// What is written over a picture of a scene, on the screen and in files alike: the letters of the
-/// patient's directions at its edges, a cube with the same letters, and what was measured.
+/// Draws the annotations of an image, on the screen and in files: letters of the patient's
+/// directions at its edges, a cube with the same letters, and the measurements.
 void DrawOverlay(QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame);
 
 }

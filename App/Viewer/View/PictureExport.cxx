@@ -31,7 +31,7 @@ namespace
 {
 
 constexpr int LargestSide = 16384;
-// Words are as large in a picture of any size as in one of this height.
+// Text has the same size relative to the image; it is laid out for an image of this height.
 constexpr double HeightOfWords = 800.0;
 
 QImage OnBackground(const QImage& image, const std::array<double, 3>& rgb)
@@ -64,7 +64,7 @@ void ForgetNames(std::vector<Measure>& measures)
   }
 }
 
-// The scene as others may see it: places, and names of the user's own, may be those of a patient.
+// The scene without paths and names given by the user, which may contain a patient's name.
 std::string AnonymousText(Scene scene)
 {
   if (auto* const file = std::get_if<FileSource>(&scene.volume))
@@ -136,10 +136,10 @@ ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
   , width(new QSpinBox)
   , height(new QSpinBox)
   , transparent(new QCheckBox(tr("Transparent background")))
-  , overlay(new QCheckBox(tr("Directions and distances")))
+  , overlay(new QCheckBox(tr("Directions and measurements")))
   , progress(new QProgressBar)
 {
-  this->setWindowTitle(tr("Export a picture"));
+  this->setWindowTitle(tr("Export an image"));
   for (QSpinBox* side : { this->width, this->height })
   {
     side->setRange(16, LargestSide);
@@ -165,7 +165,7 @@ ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
 void ExportDialog::Export()
 {
   const QString path =
-    QFileDialog::getSaveFileName(this, tr("Export a picture"), "picture.png", tr("PNG (*.png)"));
+    QFileDialog::getSaveFileName(this, tr("Export an image"), "picture.png", tr("PNG (*.png)"));
   if (path.isEmpty())
   {
     return;

@@ -24,28 +24,28 @@ class SceneModel;
 struct ExportOptions
 {
   QSize pixels;
-  bool transparent = false; ///< in place of the scene's background
-  bool overlay = true;      ///< letters and distances
+  bool transparent = false; ///< replaces the scene's background
+  bool overlay = true;      ///< directions and measurements
 };
 
-/// Draws a scene anew, of any size and without a window, with the notice that it is not for
-/// diagnostic use.
+/// Renders a scene at any size, without a window, with the notice that it is not for diagnostic
+/// use.
 class PictureMaker
 {
 public:
-  /// @param image  the scene's volume; must outlive this
-  /// @throws std::runtime_error one sentence, where there is no OpenGL
+  /// @param image  the scene's volume; must outlive this object
+  /// @throws std::runtime_error with one sentence if there is no OpenGL
   PictureMaker(const Scene& scene, vtkImageData* image, const ExportOptions& options);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
 
-  /// The settings are in the picture's text "varimarch-scene", without what may tell of a patient:
-  /// the volume's place and series, and names of the user's own.
-  /// @param onProgress  told the part that is done, [0, 1)
+  /// Renders an image. Its text entry "varimarch-scene" holds the settings without data that may
+  /// identify a patient: path and series of the volume, and names given by the user.
+  /// @param onProgress  receives the fraction done, [0, 1)
   QImage Draw(const std::function<void(double)>& onProgress = nullptr);
 
-  /// Turns the eye about the picture's vertical.
+  /// Turns the eye about the vertical of the image.
   void Turn(double degrees);
 
 private:
@@ -55,7 +55,7 @@ private:
   std::optional<OffscreenView> view;
 };
 
-/// Asks for the size and what else to know, and where to; draws and writes the picture.
+/// Asks for size, options and file, then renders and writes the image.
 class ExportDialog : public QDialog
 {
   Q_OBJECT

@@ -18,7 +18,8 @@ namespace varimarch
 namespace
 {
 
-// The sine of the angle at which a line is too steep in the picture to be followed in it.
+// Sine of the smallest angle between a line and the line of sight at which dragging along the line
+// is well defined.
 constexpr double SmallestSine = 0.2;
 
 glm::dvec3 PointAtDepth(

@@ -15,39 +15,39 @@ class vtkCamera;
 namespace varimarch
 {
 
-/// What lies below a place of a picture, in world space [mm].
+/// The line of sight through a position of an image, in world space [mm].
 struct SightLine
 {
-  glm::dvec3 nearest; ///< to the eye
+  glm::dvec3 nearest; ///< end next to the eye
   glm::dvec3 farthest;
 };
 
-/// How a view maps the world to its picture. Places are from the upper left corner [logical
-/// pixels].
+/// Maps between the world and the image of a view. Positions are measured from the upper left
+/// corner [logical pixels].
 struct PictureFrame
 {
   QSizeF size;
-  /// Of a point in world space [mm]; none behind the eye.
+  /// Projects a point in world space [mm]; empty for points behind the eye.
   std::function<std::optional<QPointF>(const std::array<double, 3>&)> pixelOf;
   std::function<SightLine(const QPointF&)> sightLineAt;
-  std::array<double, 3> rightWorld; ///< of the picture
+  std::array<double, 3> rightWorld; ///< unit vectors of the view: right, up and towards the eye
   std::array<double, 3> upWorld;
   std::array<double, 3> towardsEyeWorld;
 
-  /// At a point in world space [mm]; of a point behind the eye 0.
+  /// Scale at a point in world space [mm]; 0 for points behind the eye.
   double PixelsPerMm(const std::array<double, 3>& point) const;
 };
 
 PictureFrame FrameOf(vtkCamera* camera, const QSizeF& size);
 
-/// How far along a line the point lies that is nearest to a sight line, from its first point [mm];
-/// none where both are nearly parallel.
-/// @param direction  of length 1
+/// Position along a line of its point nearest to a line of sight, measured from `point` [mm]. Empty
+/// if the lines are nearly parallel.
+/// @param direction  unit vector
 std::optional<double> NearestAlong(
   const glm::dvec3& point, const glm::dvec3& direction, const SightLine& sight);
 
-/// The direction from the middle of a sphere to where a sight line meets it, on the side of another
-/// direction; beside the sphere to its edge.
+/// Direction from the centre of a sphere to its intersection with a line of sight, on the
+/// hemisphere of `side`. A line that misses the sphere gives the direction to the silhouette.
 glm::dvec3 DirectionOnSphere(
   const glm::dvec3& middle, double radiusMm, const glm::dvec3& side, const SightLine& sight);
 

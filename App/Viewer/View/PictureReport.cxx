@@ -22,7 +22,7 @@ QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
   const QString mapper = kind == MapperKind::VtkGpu ? Texts::tr("VTK, GPU") : Texts::tr("VTK, CPU");
   const bool cuts = CanCutByScissors(kind) || scene.cuts.scissors.empty();
   return cuts ? Texts::tr("%1\n%2\nerror unknown").arg(mapper, time)
-              : Texts::tr("%1\n%2\nerror unknown\nknows no scissors").arg(mapper, time);
+              : Texts::tr("%1\n%2\nerror unknown\nscissors not supported").arg(mapper, time);
 }
 
 }
@@ -38,7 +38,7 @@ QString PictureReport(ScenePipeline& pipeline, MapperKind kind, const Scene& sce
   if (ours->GetAccumulatedPictures() == 0)
   {
     const double part = ours->GetDrawnPart() * ours->GetMaximumAccumulatedPictures();
-    return Texts::tr("%1\n%2 % of the picture").arg(time).arg(int(100.0 * part));
+    return Texts::tr("%1\n%2 % of the image").arg(time).arg(int(100.0 * part));
   }
   const double tolerance = scene.render.errorTolerance;
   if (tolerance <= 0.0)
@@ -49,11 +49,11 @@ QString PictureReport(ScenePipeline& pipeline, MapperKind kind, const Scene& sce
     Texts::tr("%1\nerror at most 1/%2").arg(time).arg(int(std::lround(1.0 / tolerance)));
   if (!ours->GetErrorToleranceIsKept())
   {
-    report += Texts::tr("\nbut for single pixels");
+    report += Texts::tr("\nexcept at single pixels");
   }
   if (ours->GetAccumulatedPictures() > 1)
   {
-    report += Texts::tr("\nmean of %1 pictures").arg(ours->GetAccumulatedPictures());
+    report += Texts::tr("\nmean of %1 frames").arg(ours->GetAccumulatedPictures());
   }
   return report;
 }

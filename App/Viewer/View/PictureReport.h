@@ -8,8 +8,8 @@
 namespace varimarch
 {
 
-/// What stands in the corner of a picture: its time, and how wrong it may be.
-/// @param seconds  until its last pixel was there
+/// Text in the corner of an image: its rendering time and its error.
+/// @param seconds  until the whole image was rendered
 QString PictureReport(ScenePipeline& pipeline, MapperKind kind, const Scene& scene, double seconds);
 
 }

@@ -17,14 +17,14 @@ namespace varimarch
 namespace
 {
 
-constexpr int LargestSide = 128; ///< of the small copy [voxels]
+constexpr int LargestSide = 128; ///< side of the reduced copy [voxels]
 constexpr int RestMilliseconds = 500;
 constexpr double ErrorTolerance = 1.0 / 32.0;
 constexpr double Zoom = 1.3; // most volumes are empty in their corners
 
 }
 
-// What the thread works on. The volume is one of its own object, of which it looks at the voxels.
+// Data of the thread. The volume is a shallow copy, of which the thread only reads the voxels.
 struct PresetThumbnails::Task
 {
   vtkNew<vtkImageData> volume;
@@ -33,8 +33,8 @@ struct PresetThumbnails::Task
   std::atomic<bool> stop{ false };
   std::atomic<bool> rest{ false };
 
-  // Whether to go on, after as long a rest as is asked for.
-  bool GoesOn()
+  // Pauses if requested; returns false if the task was stopped.
+  bool ShouldContinue()
   {
     while (!this->stop && this->rest.exchange(false))
     {
@@ -106,10 +106,10 @@ void PresetThumbnails::Finish()
   }
 }
 
-// In the thread.
+// Runs in the thread.
 void PresetThumbnails::Run(const std::shared_ptr<Task>& task)
 {
-  if (!task->GoesOn())
+  if (!task->ShouldContinue())
   {
     return;
   }
@@ -121,7 +121,7 @@ void PresetThumbnails::Run(const std::shared_ptr<Task>& task)
     scene.render.errorTolerance = ErrorTolerance;
     scene.camera.zoom = Zoom;
     OffscreenView view(scene, SmallCopy(task->volume, LargestSide), MapperKind::Varimarch);
-    for (int index = 0; index < int(task->presets.size()) && task->GoesOn(); ++index)
+    for (int index = 0; index < int(task->presets.size()) && task->ShouldContinue(); ++index)
     {
       TakePreset(task->presets[index], scene);
       view.Pipeline().SetLook(scene.look);
@@ -141,7 +141,7 @@ void PresetThumbnails::Run(const std::shared_ptr<Task>& task)
   }
   catch (const std::exception&)
   {
-    // Without OpenGL there are no small pictures; the looks are still there to be chosen.
+    // Without OpenGL there are no thumbnails, but the presets can still be chosen.
   }
 }
 

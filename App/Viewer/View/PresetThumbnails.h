@@ -15,8 +15,8 @@ class QThread;
 namespace varimarch
 {
 
-/// Draws small pictures of a volume as presets show it, one after the other in a thread of its own,
-/// with a small copy of the volume, so that neither the window nor its memory feel it.
+/// Renders thumbnails of a volume with different presets. A thread renders them one after the other
+/// from a small copy of the volume, so that they cost the window little time and memory.
 class PresetThumbnails : public QObject
 {
   Q_OBJECT
@@ -25,11 +25,11 @@ public:
   explicit PresetThumbnails(QObject* parent = nullptr);
   ~PresetThumbnails() override;
 
-  /// Begins anew: of earlier ones none comes any more.
+  /// Starts over. No thumbnails of earlier calls are emitted afterwards.
   /// @param presets  in units of the data
   void Draw(const std::shared_ptr<const Study>& study, std::vector<Preset> presets, QSize pixels);
 
-  /// Waits for a moment before the next one, because somebody is at work.
+  /// Pauses briefly before the next thumbnail, because the user is working.
   void Rest();
 
 signals:
@@ -44,8 +44,8 @@ private:
   void Run(const std::shared_ptr<Task>& task);
 
   QThread* thread = nullptr;
-  std::shared_ptr<Task> task;   ///< the last that was wanted
-  std::shared_ptr<Task> atWork; ///< in the thread
+  std::shared_ptr<Task> task;   ///< the latest request
+  std::shared_ptr<Task> atWork; ///< running in the thread
 };
 
 }

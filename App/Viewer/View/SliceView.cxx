@@ -82,7 +82,7 @@ std::optional<glm::dvec3> SliceView::Through() const
   return VectorOf(this->axes.through);
 }
 
-// What reaches the slab, or comes nearer to a single slice than half a voxel.
+// True for objects that reach into the slab, or within half a voxel of a single slice.
 bool SliceView::Shows(const std::array<double, 3>& from, const std::array<double, 3>& to) const
 {
   const double* const spacing = this->model->CurrentStudy()->volume.image->GetSpacing();
@@ -97,7 +97,7 @@ bool SliceView::Shows(const std::array<double, 3>& from, const std::array<double
 std::optional<std::array<double, 3>> SliceView::PointAt(const QPointF& place) const
 {
   const QPointF fromMiddle = place - QRectF(this->rect()).center();
-  // The picture stays where it is while the crosshair goes about in it.
+  // The view does not scroll when the crosshair moves within it.
   glm::dvec3 point = VectorOf(this->Request().middleMm);
   point += this->MmPerPixel() * fromMiddle.x() * VectorOf(this->axes.right);
   point += this->MmPerPixel() * fromMiddle.y() * VectorOf(this->axes.down);
@@ -121,7 +121,7 @@ void SliceView::paintEvent(QPaintEvent*)
   {
     return;
   }
-  // As fine as the screen.
+  // Render at the resolution of the screen.
   SliceRequest request = this->Request();
   const double ratio = this->devicePixelRatioF();
   request.width = std::max(int(request.width * ratio), 1);
@@ -217,7 +217,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
   }
 }
 
-// To the right is wider, down is brighter, as in radiologists' programs.
+// Dragging to the right widens the window, dragging down brightens, as in radiology viewers.
 void SliceView::DragWindowLevel(const QPoint& moved)
 {
   const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
@@ -254,7 +254,7 @@ void SliceView::wheelEvent(QWheelEvent* event)
 SliceRequest SliceView::Request() const
 {
   vtkImageData* const image = this->model->CurrentStudy()->volume.image;
-  // In the slice's plane the volume's middle, across it the crosshair.
+  // The view is centred on the volume, in the plane of the crosshair.
   const glm::dvec3 middle = VectorOf(MiddleOf(image));
   const glm::dvec3 through = VectorOf(this->axes.through);
   const glm::dvec3 shown =
@@ -265,7 +265,7 @@ SliceRequest SliceView::Request() const
     this->model->CurrentScene().slices.slabBlend };
 }
 
-// The volume just fits at a zoom of 1.
+// At a zoom of 1 the volume just fits into the view.
 double SliceView::MmPerPixel() const
 {
   vtkImageData* const image = this->model->CurrentStudy()->volume.image;

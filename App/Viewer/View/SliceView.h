@@ -15,9 +15,9 @@
 namespace varimarch
 {
 
-/// A slice of the volume through the crosshair, which all slices share. The left button puts the
-/// crosshair or measures, the right one drags window and level, the wheel goes through the slices,
-/// with Ctrl it zooms.
+/// A slice of the volume through the crosshair, which all slices share. The left button moves the
+/// crosshair or measures, the right button drags window and level, the wheel scrolls through the
+/// slices, and Ctrl with the wheel zooms.
 class SliceView
   : public QWidget
   , public ToolSurface
@@ -27,12 +27,12 @@ class SliceView
 public:
   SliceView(SceneModel* model, SlicePlane plane, QWidget* parent = nullptr);
 
-  /// What the left button does; what is for the volume alone leaves it the crosshair.
+  /// Sets the action of the left button. For tools of the 3D view it moves the crosshair.
   void SetTool(LeftButton button);
 
   PictureFrame Frame() const override;
 
-  /// World space [mm]; always one.
+  /// Never empty; world space [mm].
   std::optional<std::array<double, 3>> PointAt(const QPointF& place) const override;
   QPointF PlaceOf(const std::array<double, 3>& pointMm) const;
 
@@ -64,7 +64,7 @@ private:
   int gesture = SceneModel::NoGesture;
   MeasureTool measure;
   bool measuring = false;    ///< the left button measures
-  bool toolIsActive = false; ///< its gesture goes on
+  bool toolIsActive = false; ///< a gesture of the measure tool is in progress
   MeasureTexts texts;
   QPoint pressed;
   std::array<double, 2> pressedWindowLevel = {};

@@ -11,28 +11,27 @@ namespace varimarch
 
 constexpr int MoviePicturesPerSecond = 24;
 
-/// Writes the pictures of a turn, one after the other. What was written goes with it unless it is
-/// completed. Every function throws std::runtime_error, one sentence.
+/// Writes the images of a turntable in order. The destructor deletes what was written unless
+/// Complete was called. Every function throws std::runtime_error with one sentence.
 class TurnWriter
 {
 public:
   virtual ~TurnWriter() = default;
 
-  /// @param picture  as large as those before
+  /// @param picture  of the same size as those before
   virtual void Add(const QImage& picture) = 0;
 
-  /// No more pictures come.
+  /// Marks the end of the images.
   virtual void End() {}
 
-  /// Whether what was added, or the end, is still being worked at; waits for it for a moment.
+  /// Waits a moment for pending work and returns true if some is left.
   virtual bool IsBusy() { return false; }
 
-  /// Leaves what was written in place. After the end, and not while it is busy.
+  /// Makes the file final. Call it after End, when IsBusy returns false.
   virtual void Complete() = 0;
 };
 
-/// "Cannot write turn.mp4", and why when that is known.
-/// @throws std::runtime_error it
+/// Throws std::runtime_error with "Cannot write turn.mp4" and the reason, if known.
 [[noreturn]] void FailToWrite(const QString& path, const QString& reason = {});
 
 }

@@ -144,7 +144,7 @@ QStringList TurntableFilters()
     filters << QCoreApplication::translate("Turntable", "Movie, MP4 (*.mp4)");
   }
   return filters << QCoreApplication::translate("Turntable", "Movie, Ogg Theora (*.ogv)")
-                 << QCoreApplication::translate("Turntable", "Pictures (*.png)");
+                 << QCoreApplication::translate("Turntable", "Images (*.png)");
 }
 
 bool WriteTurntable(PictureMaker& maker, int count, const QString& path,

@@ -10,16 +10,16 @@
 namespace varimarch
 {
 
-/// The kinds of file that a turn can be written to here, for a file dialog, the best first:
-/// "Movie, MP4 (*.mp4)" where there is ffmpeg to make it, "Movie, Ogg Theora (*.ogv)", "Pictures
-/// (*.png)".
+/// File filters of the available formats for a file dialog, the best first: "Movie, MP4 (*.mp4)" if
+/// ffmpeg is installed, "Movie, Ogg Theora (*.ogv)", "Images (*.png)".
 QStringList TurntableFilters();
 
-/// Pictures of a whole turn about the picture's vertical: a movie where the path ends in ".mp4" or
-/// ".ogv", else a series "NAME-000.png" and on. Nothing is left of it when it is stopped or fails.
-/// @param onProgress  told the part that is done, [0, 1); says whether to go on
-/// @return whether it is complete
-/// @throws std::runtime_error one sentence
+/// Renders a full turn about the vertical of the image. Writes a movie if the path ends in ".mp4"
+/// or ".ogv", and otherwise a series "NAME-000.png", "NAME-001.png" and so on. Deletes the files if
+/// cancelled or on failure.
+/// @param onProgress  receives the fraction done, [0, 1); returns false to cancel
+/// @return true if complete
+/// @throws std::runtime_error with one sentence
 bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
   const std::function<bool(double)>& onProgress);
 

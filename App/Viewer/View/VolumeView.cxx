@@ -30,7 +30,7 @@ namespace
 constexpr double PicturesPerSecondWhileMoving = 15.0;
 constexpr double PicturesPerSecondWhenStill = 0.01;
 constexpr int StillMilliseconds = 250;
-constexpr int RefinementMilliseconds = 20; // between its parts, for what else is to be done
+constexpr int RefinementMilliseconds = 20; // between the parts, for other events
 constexpr int RefiningPictures = 8;
 constexpr double LongestPartSeconds = 0.3;
 
@@ -42,7 +42,7 @@ bool IsAt(const Camera& placement, vtkCamera* camera)
 
 }
 
-// Lies over the picture, and lets the mouse through.
+// Paints over the image and lets mouse events through.
 class VolumeView::OverlayWidget : public QWidget
 {
 public:
@@ -89,7 +89,7 @@ VolumeView::VolumeView(SceneModel* model, MapperKind kind, QWidget* parent)
   vtkRenderWindowInteractor* const interactor = this->interactor();
   interactor->SetInteractorStyle(style);
   interactor->SetDesiredUpdateRate(PicturesPerSecondWhileMoving);
-  // A fine picture comes by the timer, so that a wheel can go on.
+  // The timer requests the fine frame, so that scrolling the wheel stays smooth.
   interactor->SetStillUpdateRate(PicturesPerSecondWhileMoving);
   this->events->Connect(style, vtkCommand::StartInteractionEvent, this, SLOT(BeginTurning()));
   this->events->Connect(style, vtkCommand::InteractionEvent, this, SLOT(KeepCamera()));
@@ -106,7 +106,7 @@ VolumeView::VolumeView(SceneModel* model, MapperKind kind, QWidget* parent)
 
 VolumeView::~VolumeView()
 {
-  // The window lives on while members are destroyed; what it calls does not.
+  // The window outlives some members, so disconnect its events first.
   this->events->Disconnect();
 }
 
@@ -155,7 +155,7 @@ void VolumeView::Update(ScenePart part)
     case ScenePart::Camera:
       if (IsAt(scene.camera, this->pipeline->Renderer()->GetActiveCamera()))
       {
-        return; // it is this view that has turned
+        return; // the change came from this view
       }
       this->TakeCamera();
       break;
@@ -186,7 +186,7 @@ void VolumeView::TakeVolume()
   }
   this->pipeline.emplace(
     this->model->CurrentScene(), this->model->CurrentStudy()->volume.image, this->kind);
-  this->TakeRefining();
+  this->ApplyRefining();
   this->window->AddRenderer(this->pipeline->Renderer());
   this->texts =
     MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image);
@@ -212,7 +212,7 @@ void VolumeView::EndTurning()
   this->KeepCamera();
 }
 
-// What the user has turned the camera to becomes a step of the history.
+// Records the camera that the user turned as an undo step.
 void VolumeView::KeepCamera()
 {
   if (!this->pipeline)
@@ -249,7 +249,7 @@ void VolumeView::PrepareTimers()
     connect(timer, &QTimer::timeout, this,
       [this, rate = rate]
       {
-        // While the camera is turned, VTK's style sets the rate.
+        // While the user turns the camera, VTK's interactor style sets the rate.
         if (!this->isTurning)
         {
           this->window->SetDesiredUpdateRate(rate);
@@ -272,11 +272,11 @@ vtkVariationFieldVolumeMapper* VolumeView::OurMapper()
 void VolumeView::SetRefining(bool newRefines)
 {
   this->refines = newRefines;
-  this->TakeRefining();
+  this->ApplyRefining();
   this->RequestPicture();
 }
 
-void VolumeView::TakeRefining()
+void VolumeView::ApplyRefining()
 {
   if (auto* const ours = this->OurMapper())
   {
@@ -324,7 +324,7 @@ void VolumeView::EndPicture()
   this->overlay->update();
   if (this->refining && this->isWhole)
   {
-    return; // it is one of several
+    return; // one of several frames to be averaged
   }
   this->pictureSeconds = seconds + (this->refining ? this->pictureSeconds : 0.0);
   this->isWhole = !this->OurMapper() || this->OurMapper()->GetAccumulatedPictures() > 0;

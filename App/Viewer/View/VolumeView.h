@@ -24,9 +24,9 @@ class vtkVariationFieldVolumeMapper;
 namespace varimarch
 {
 
-/// The volume in three dimensions, as one mapper draws it. Listens to the model, and tells it where
-/// the user has turned the camera. However many changes come at once, one quick picture follows,
-/// and a fine one when they have ended, which is then refined.
+/// The volume in 3D, rendered by one mapper. It observes the model and reports back when the user
+/// turns the camera. Several changes at once are followed by one quick frame; when the changes
+/// stop, it renders a fine frame and then refines it.
 class VolumeView
   : public QVTKOpenGLNativeWidget
   , public ToolSurface
@@ -37,39 +37,40 @@ public:
   VolumeView(SceneModel* model, MapperKind kind, QWidget* parent = nullptr);
   ~VolumeView() override;
 
-  /// None before the first volume.
+  /// Null before the first volume.
   ScenePipeline* Pipeline() { return this->pipeline ? &*this->pipeline : nullptr; }
 
-  /// Of the last picture, until its last pixel was there, without what came between its parts [s].
+  /// Rendering time of the last frame, without the pauses between its parts [s].
   double PictureSeconds() const { return this->pictureSeconds; }
 
-  /// How the last picture shows the world.
+  /// Projection of the last frame.
   PictureFrame Frame() const override;
 
-  /// The same picture in float, see CaptureFloatImage.
+  /// Renders the frame again as a float image, see CaptureFloatImage.
   vtkSmartPointer<vtkImageData> FloatPicture();
 
   std::optional<std::array<double, 3>> PointAt(const QPointF& place) const override;
 
-  /// What the left button does.
+  /// Sets the action of the left button.
   void SetTool(LeftButton button);
 
-  /// Whether a picture that stays is refined while nothing else is to be done: ours comes in parts,
-  /// lest somebody waits for it, and becomes the mean of several, of which each has its rays
-  /// elsewhere in the pixels. Default on. Not while pictures are compared, which is of one.
+  /// Sets whether a frame is refined while the program is idle. Our mapper then renders the frame
+  /// in parts, which keeps the window responsive, and averages several frames with different
+  /// subpixel offsets. Default on. Off during comparisons, which need a single frame.
   void SetRefining(bool refining);
 
-  /// In which upper corner the time and the error stand.
+  /// Sets the upper corner that shows time and error.
   void SetReportSide(Qt::AlignmentFlag side);
 
-  /// Whether cuts can be grabbed in the picture.
+  /// Sets whether cuts can be grabbed in the view.
   void ShowCutHandles(bool shown);
 
 signals:
-  void Drawn();                  ///< a picture, or its last part
-  void Refined(double pictures); ///< that the picture is now the mean of, with parts of the last
+  void Drawn(); ///< a frame, or its last part, is complete
+  void Refined(double
+      pictures); ///< number of frames averaged so far; a fraction counts the parts of the last one
 
-  /// The pointer is over something: where and what, for a status bar; empty over nothing.
+  /// Describes the object under the pointer, for the status bar; empty over nothing.
   void Pointed(const QString& text);
 
 protected:
@@ -77,7 +78,7 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private slots:
-  // Called by VTK's events.
+  // Connected to VTK's events.
   void BeginTurning();
   void EndTurning();
   void KeepCamera();
@@ -92,8 +93,8 @@ private:
   void TakeCamera();
   void PrepareTimers();
   void RequestPicture();
-  vtkVariationFieldVolumeMapper* OurMapper(); ///< none where it is VTK's
-  void TakeRefining();
+  vtkVariationFieldVolumeMapper* OurMapper(); ///< null if this view uses VTK's mapper
+  void ApplyRefining();
   void Refine();
   Camera CurrentCamera() const;
   void Point(const QPointF& place);
@@ -106,19 +107,19 @@ private:
   std::optional<ScenePipeline> pipeline;
   OverlayWidget* overlay;
   Qt::AlignmentFlag reportSide = Qt::AlignLeft;
-  QTimer quickPicture; ///< while changes come
-  QTimer finePicture;  ///< when none has come for a moment
-  QTimer refinement;   ///< when the fine one is there, and nothing else is to be done
+  QTimer quickPicture; ///< starts the quick frame while changes arrive
+  QTimer finePicture;  ///< starts the fine frame when changes have stopped
+  QTimer refinement;   ///< refines the fine frame while the program is idle
   bool refines = true;
-  bool refining = false; ///< what is drawn now adds to the picture that is there
-  bool isWhole = true;   ///< all parts of the last picture are there
+  bool refining = false; ///< the current frame adds to the accumulated image
+  bool isWhole = true;   ///< all parts of the last frame are complete
   QElapsedTimer pictureTimer;
   double pictureSeconds = 0.0;
   bool capturing = false;
-  int turning = SceneModel::NoGesture; ///< the camera's gesture
+  int turning = SceneModel::NoGesture; ///< gesture number of the camera
   bool isTurning = false;
   MouseTools tools;
-  MeasureTexts texts; ///< of what was measured
+  MeasureTexts texts; ///< labels of the measurements
 };
 
 }

@@ -8,12 +8,12 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// Pictures of VTK's, whose row 0 is the lowest, as those of Qt.
+/// Conversions of VTK images, whose first row is the lowest, to QImage.
 
-/// @param picture  bytes of red, green and blue
+/// @param picture  bytes of RGB
 QImage ImageOfBytes(vtkImageData* picture);
 
-/// @param picture  floats of red, green, blue and opacity, which the colours are multiplied by
+/// @param picture  floats of premultiplied RGBA
 QImage ImageOfFloats(vtkImageData* picture);
 
 }
