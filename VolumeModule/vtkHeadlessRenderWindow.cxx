@@ -4,7 +4,7 @@
 #include "vtkOpenGLState.h"
 #include "vtk_glew.h"
 
-// Without Xlib, whose macros (Status, None, ...) collide with names of VTK.
+// Xlib's macros (Status, None, ...) would collide with names of VTK.
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -15,11 +15,11 @@
 namespace
 {
 
-// glewInit looks for a GLX display after it has loaded the functions; under EGL there is none,
-// and this answer means that all else went well.
+// glewInit returns this if it has loaded all functions but found no GLX display. EGL never has one,
+// so it counts as success.
 constexpr GLenum GlewErrorNoGLXDisplay = 4;
 
-// Every display worth trying: the drivers' devices first, so that a GPU wins over software.
+// All displays worth trying: first the drivers' devices, so that a GPU is preferred to software.
 std::vector<EGLDisplay> CandidateDisplays()
 {
   std::vector<EGLDisplay> displays;
@@ -55,7 +55,7 @@ struct vtkHeadlessRenderWindow::Context
   EGLSurface Surface = EGL_NO_SURFACE;
   EGLContext Handle = EGL_NO_CONTEXT;
 
-  // True when the display gives a core OpenGL context and a surface to make it current with.
+  // Returns true if the display offers a core OpenGL context and a surface to make it current with.
   bool CreateOn(EGLDisplay display)
   {
     EGLint major = 0;
@@ -75,7 +75,8 @@ struct vtkHeadlessRenderWindow::Context
     }
     const EGLint contextAttributes[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
       EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE };
-    // VTK draws into framebuffer objects of its own; the surface only makes the context current.
+    // VTK draws into its own framebuffer objects; the surface is needed only to make the context
+    // current.
     const EGLint surfaceAttributes[] = { EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE };
     this->Display = display;
     this->Handle = eglCreateContext(display, config, EGL_NO_CONTEXT, contextAttributes);
@@ -125,7 +126,8 @@ vtkHeadlessRenderWindow::~vtkHeadlessRenderWindow()
 {
   if (this->Graphics)
   {
-    // Here, while MakeCurrent still works: the base class would release without a context.
+    // Finalized here, where MakeCurrent still works; the base class would release without a
+    // context.
     this->Finalize();
     this->Graphics->Destroy();
   }

@@ -1,13 +1,14 @@
 /**
  * @class   vtkHeadlessRenderWindow
- * @brief   A render window without a display: OpenGL through EGL's surfaceless platform
+ * @brief   A render window without a display, using OpenGL through EGL
  *
- * Debian's VTK has only an X window. This one makes its own EGL context on the first device that
- * gives one (a GPU's driver, else Mesa's software rasteriser), so that programs and tests run over
- * ssh, in a container and in CI. It always draws off screen; read pictures back as usual.
+ * Debian's VTK only has an X11 window. This window creates its own EGL context on the first device
+ * that offers one: a GPU's driver or else Mesa's software rasterizer. Programs and tests can
+ * therefore run over ssh, in a container and in CI. It always draws off screen; read images back as
+ * from any vtkRenderWindow.
  *
- * When no context can be had, Render does nothing but report the reason once as a VTK error;
- * Initialize() tells in advance.
+ * If no context is available, Render() draws nothing and reports the reason once as a VTK error.
+ * InitializeContext() tests for a context beforehand.
  */
 
 #ifndef vtkHeadlessRenderWindow_h
@@ -26,13 +27,15 @@ public:
   vtkTypeMacro(vtkHeadlessRenderWindow, vtkGenericOpenGLRenderWindow);
 
   /**
-   * Makes the context if there is none yet. False, with FailureReason set, when EGL gives none.
+   * Creates the context unless there is one. Returns false and sets FailureReason if EGL offers
+   * none.
    */
   bool InitializeContext();
   const std::string& GetFailureReason() const { return this->FailureReason; }
 
   /**
-   * The OpenGL renderer's own name, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
+   * Name of the OpenGL renderer, such as "llvmpipe (LLVM 15.0.6, 256 bits)"; "none" without a
+   * context.
    */
   std::string GetDeviceName();
 

@@ -21,7 +21,7 @@
 namespace
 {
 
-// Something that VTK's mapper draws otherwise, and the sentence that says so.
+// A setting that only VTK's mapper supports, and the sentence that reports it.
 struct Setting
 {
   bool isUsed;
@@ -69,7 +69,7 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
   mapper->SetMaskBlendFactor(this->MaskBlendFactor);
   mapper->SetTransfer2DYAxisArray(this->Transfer2DYAxisArray);
   mapper->SetSampleDistance(this->SampleDistance);
-  // VTK's mapper, too, ignores its sample distance when that is locked to the spacing.
+  // VTK's mapper also ignores its sample distance if that is locked to the spacing.
   mapper->SetAutoAdjustSampleDistances(
     this->AutoAdjustSampleDistances || this->LockSampleDistanceToInputSpacing);
   mapper->SetImageSampleDistance(this->ImageSampleDistance);
@@ -83,14 +83,14 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
   mapper->SetFinalColorLevel(this->FinalColorLevel);
 }
 
-// What vtkVariationFieldVolumeMapper has no setting for: here, until it has.
+// Settings that vtkVariationFieldVolumeMapper does not have.
 std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting()
 {
   const Setting settings[] = {
-    { this->UseDepthPass != 0, "A depth pass is not supported yet. " },
+    { this->UseDepthPass != 0, "The depth pass (UseDepthPass) is not supported yet. " },
     { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR ||
         this->GradientOpacityRangeType != SCALAR,
-      "Transfer functions of a range of their own are not supported yet. " },
+      "Transfer functions with a range type other than SCALAR are not supported yet. " },
   };
   std::string sentences;
   for (const Setting& setting : settings)
@@ -108,7 +108,8 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ChooseMapper(vtkRenderer* renderer
     varimarch::UnsupportedFeature(this->VariationFieldMapper, renderer, volume);
   const bool isVtk = !this->ReasonForVtkMapper.empty();
 
-  // One copy of the volume in graphics memory is enough. VTK's may have been loaded beforehand.
+  // One copy of the volume in graphics memory is enough. VTK's mapper may have loaded its copy
+  // earlier.
   vtkWindow* window = renderer->GetRenderWindow();
   if (isVtk && !wasVtk)
   {
@@ -119,15 +120,15 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ChooseMapper(vtkRenderer* renderer
     this->Superclass::ReleaseGraphicsResources(window);
   }
 
-  const std::string told = isVtk ? "VTK's mapper draws. " + this->ReasonForVtkMapper
-                                 : "The variation field mapper draws. ";
-  if (this->ToldUser != told)
+  const std::string choice = isVtk ? "VTK's mapper draws. " + this->ReasonForVtkMapper
+                                   : "The variation field mapper draws. ";
+  if (this->ReportedChoice != choice)
   {
-    this->ToldUser = told;
-    vtkDebugMacro(<< told);
+    this->ReportedChoice = choice;
+    vtkDebugMacro(<< choice);
     if (std::getenv("VARIMARCH_VERBOSE"))
     {
-      std::cerr << "Varimarch: " << told << '\n';
+      std::cerr << "Varimarch: " << choice << '\n';
     }
   }
 }

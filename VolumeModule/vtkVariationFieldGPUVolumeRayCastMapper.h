@@ -1,21 +1,21 @@
 /**
  * @class   vtkVariationFieldGPUVolumeRayCastMapper
- * @brief   The variation field mapper where a program expects VTK's GPU mapper
+ * @brief   A drop-in replacement for VTK's GPU mapper that draws with the variation field mapper
  *
  * Programs that leave the choice of a mapper to VTK, by vtkGPUVolumeRayCastMapper::New,
- * vtkSmartVolumeMapper or vtkMultiBlockVolumeMapper, get this class from the plugin, without a
- * change of code; Documentation/Plugin.md says how. It takes every setting of those classes, and
- * draws with a vtkVariationFieldVolumeMapper that it owns.
+ * vtkSmartVolumeMapper or vtkMultiBlockVolumeMapper, get this class from the plugin without a
+ * change of code; see Documentation/Plugin.md. It accepts all settings of those classes and draws
+ * with a vtkVariationFieldVolumeMapper that it owns.
  *
- * Nothing is lost by that: what the variation field mapper cannot draw yet is drawn by VTK's own
- * mapper, whole, which is why this class inherits it. GetReasonForVtkMapper names the feature. With
- * the environment variable VARIMARCH_VERBOSE set, the same is printed once per change.
+ * If that mapper does not support a feature, VTK's own mapper draws the whole volume instead; this
+ * is why this class inherits it. GetReasonForVtkMapper() then names the feature. If the environment
+ * variable VARIMARCH_VERBOSE is set, the reason is also printed to standard error each time it
+ * changes.
  *
- * Quality: while the choice of the sample distance is left to the mapper, by
- * AutoAdjustSampleDistances (VTK's default) or LockSampleDistanceToInputSpacing (always on in
- * vtkSmartVolumeMapper), pictures keep the ErrorTolerance of GetVariationFieldMapper, and need no
- * jitter. Otherwise SampleDistance is used as it is. MaxMemoryInBytes and partitions are left to
- * the mapper.
+ * Quality: if AutoAdjustSampleDistances (VTK's default) or LockSampleDistanceToInputSpacing (always
+ * on in vtkSmartVolumeMapper) is on, images keep the ErrorTolerance of GetVariationFieldMapper()
+ * and need no jitter. Otherwise SampleDistance is used unchanged. MaxMemoryInBytes and partitions
+ * have no effect: the mapper chooses its blocks itself.
  *
  * @sa vtkVariationFieldVolumeMapper vtkOpenGLGPUVolumeRayCastMapper
  */
@@ -24,10 +24,10 @@
 #define vtkVariationFieldGPUVolumeRayCastMapper_h
 
 #include "VarimarchVolumeModule.h" // For export macro
-#include "vtkNew.h"                // For the mapper that draws
+#include "vtkNew.h"                // For VariationFieldMapper
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 
-#include <string> // For the reason
+#include <string> // For ReasonForVtkMapper
 
 class vtkVariationFieldVolumeMapper;
 
@@ -40,14 +40,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The mapper that draws, for the settings that VTK's has not: error tolerance, acceleration and
-   * others. Those that both have are overwritten by this class with each picture.
+   * The mapper that draws. Use it for settings that VTK's mapper does not have, such as error
+   * tolerance and acceleration. Settings that both have are overwritten by this class for each
+   * frame.
    */
   vtkVariationFieldVolumeMapper* GetVariationFieldMapper();
 
   /**
-   * Why VTK's own mapper has drawn the last picture: sentences that name what the variation field
-   * mapper cannot draw yet. Empty when that one has drawn it.
+   * Why VTK's own mapper drew the last frame: sentences that name the unsupported features. Empty
+   * if the variation field mapper drew it.
    */
   const char* GetReasonForVtkMapper();
 
@@ -58,7 +59,7 @@ public:
 
   ///@{
   /**
-   * With RenderToImage: what was drawn last.
+   * The colours and depths of the last frame drawn with RenderToImage.
    */
   void GetColorImage(vtkImageData* image) override;
   void GetDepthImage(vtkImageData* image) override;
@@ -78,7 +79,7 @@ private:
 
   vtkNew<vtkVariationFieldVolumeMapper> VariationFieldMapper;
   std::string ReasonForVtkMapper;
-  std::string ToldUser;
+  std::string ReportedChoice;
 
   vtkVariationFieldGPUVolumeRayCastMapper(const vtkVariationFieldGPUVolumeRayCastMapper&) = delete;
   void operator=(const vtkVariationFieldGPUVolumeRayCastMapper&) = delete;

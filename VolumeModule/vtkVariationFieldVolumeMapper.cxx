@@ -29,11 +29,12 @@
 
 struct vtkVariationFieldVolumeMapper::Internals
 {
-  // The first of several volumes to be drawn draws them all; it tells the others so.
+  // Records that another mapper has already drawn this one's volume: the first of several volumes
+  // to be rendered draws them all, back to front.
   struct DrawnAhead
   {
     vtkRenderer* Renderer = nullptr;
-    vtkMTimeType Time = 0; // when what that depends on had changed last
+    vtkMTimeType Time = 0; // modification time of the renderer and its volumes at that moment
   };
   DrawnAhead Ahead;
 
@@ -42,7 +43,7 @@ struct vtkVariationFieldVolumeMapper::Internals
     vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
   varimarch::RayMarcher Marcher;
-  std::string ReportedError; ///< the one the user has already been told
+  std::string ReportedError; ///< the last error that was reported, so that it is not repeated
   std::string ReportedWarning;
   varimarch::InteractiveQuality Quality;
 
@@ -51,7 +52,7 @@ struct vtkVariationFieldVolumeMapper::Internals
   std::string Warnings(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const;
 };
 
-// What the last picture lacks of what was asked for; empty when it lacks nothing.
+// Sentences about what the last frame lacks; empty if it has all that was asked for.
 std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
   vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const
 {
@@ -77,7 +78,7 @@ std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
     }
     else
     {
-      text << ", single pixels are off by more than that, though 99.9 % keep it. ";
+      text << ", isolated pixels exceed it, though 99.9 % of the pixels keep it. ";
     }
     warnings += text.str();
   }
@@ -87,12 +88,12 @@ std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
 namespace
 {
 
-// Somebody interacts where a picture is wanted in less than this.
+// An allocated render time below this means that somebody interacts.
 constexpr double LongestInteractiveSeconds = 1.0;
 
 }
 
-// As coarsely as the allocated time asks for; in full where nobody waits.
+// Draws at the quality that the allocated time permits, or at full quality if nobody interacts.
 void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
   vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, varimarch::Frame frame)
 {
@@ -145,7 +146,7 @@ vtkImageData* vtkVariationFieldVolumeMapper::GetMaskInput()
   return this->MaskInput;
 }
 
-// One volume, with all that a mapper tells of its drawing.
+// Draws one volume, with the events, the timing and the error report of a mapper.
 void vtkVariationFieldVolumeMapper::Internals::Draw(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -166,7 +167,7 @@ void vtkVariationFieldVolumeMapper::Internals::Draw(
   mapper->TimeToDraw = timer->GetElapsedTime();
 }
 
-// All volumes of the renderer, back to front, where it is not asked for this one alone.
+// Draws all volumes of the renderer back to front, or only this one if it is not among them.
 void vtkVariationFieldVolumeMapper::Internals::DrawInOrder(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {

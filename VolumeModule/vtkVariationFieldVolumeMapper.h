@@ -1,12 +1,15 @@
 /**
  * @class   vtkVariationFieldVolumeMapper
- * @brief   Draws a volume by ray marching that jumps where the volume hardly varies
+ * @brief   A volume mapper that ray marches and skips what hardly varies, within an error tolerance
  *
- * A direct vtkVolumeMapper for vtkImageData with one to four components of point data, of any
- * scalar type. It marches a ray per pixel through the volume in a fragment shader. Where the
- * *variation field* proves that the volume stays within a tolerance, the ray takes the whole block
- * in one step and integrates emission and absorption over it in closed form, instead of sampling
- * it.
+ * A direct vtkVolumeMapper for vtkImageData and vtkRectilinearGrid with one to four components of
+ * point or cell data, of any scalar type. It marches rays through the volume. An acceleration field
+ * tells how far a ray may go before the volume changes by more than a tolerance; the mapper takes
+ * that stretch in one step and integrates emission and absorption over it in closed form, instead
+ * of sampling it.
+ *
+ * Rays are marched by a fragment shader or, on a software OpenGL such as Mesa's llvmpipe, by
+ * vectorized C++ code on all cores (see ProcessorMarching). Both follow the same rules.
  *
  * Use it like any other volume mapper:
  * @code
@@ -16,60 +19,64 @@
  * @endcode
  *
  * World lengths are taken to be mm, as in medical data; any other unit works as long as
- * vtkVolumeProperty::SetScalarOpacityUnitDistance uses it too. Lengths are measured in world
- * space, so a volume scaled by its matrix becomes thicker, as a scaled object should.
+ * vtkVolumeProperty::SetScalarOpacityUnitDistance uses it too. Lengths are measured in world space,
+ * so a volume that is scaled by its matrix becomes thicker.
  *
- * Blend modes: composite, maximum, minimum and average intensity, additive, as VTK has them, in the
- * limit that its samples tend to.
+ * All seven blend modes of vtkVolumeMapper are drawn: composite, maximum, minimum and average
+ * intensity, additive, isosurface and slice. Each has VTK's meaning, in the limit of a sample
+ * distance that tends to 0.
  *
- * Voxels that are not finite (NaN, infinity) have no value: the cells that touch one are left out,
- * transparent unless NanOpacity asks for a colour, and without a maximum; beside them there is only
- * ambient light. Other volumes pay nothing for that.
+ * Voxels that are not finite (NaN, infinity) have no value. Cells that touch one are transparent,
+ * unless NanOpacity is above 0, and do not count in projections. Next to them only ambient light
+ * applies. Volumes without such voxels pay nothing for this.
  *
- * Shading is by all lights that are on, from where they are, and on both sides of surfaces or on
- * one, as the renderer says; a surface faces to where the values fall. Ambient light is that of the
- * lights, as in VTK, but where there are head lights only it is white.
+ * Shading uses all lights that are on, at their positions, and one-sided or two-sided lighting as
+ * the renderer is set. A surface faces the side where the values fall. Ambient light is that of the
+ * lights, as in VTK, except that it is white if there are only head lights.
  *
  * A vtkHardwareSelector selects the volume, and the point or cell at which a ray becomes half
- * opaque or, where it never does, visible. Translucent geometry in the volume is right with
- * vtkRenderer::SetUseDepthPeeling and SetUseDepthPeelingForVolumes.
+ * opaque or, if it never does, the first one that is visible. Translucent geometry inside the
+ * volume is composited correctly if vtkRenderer::SetUseDepthPeeling and
+ * SetUseDepthPeelingForVolumes are on.
  *
- * Code of one's own takes the place of a slot of the shader, a folder of VolumeModule/Shaders whose
- * contract is in Slots.glsl there, by the volume's vtkShaderProperty:
+ * User code replaces a slot of the shader through the volume's vtkShaderProperty. A slot is a
+ * folder of VolumeModule/Shaders; its contract is in Slots.glsl there:
  * @code
  *   volume->GetShaderProperty()->AddFragmentShaderReplacement("//Varimarch::Window", true,
  *     "vec4 Windowed(vec4 picture) { return picture.bgra; }", false);
  * @endcode
- * Its fragment custom uniforms are declared for it, and vtkCommand::UpdateShaderEvent is sent by
- * the volume's mapper before each drawing. Fields do not know the code: AccelerationModeOff if it
- * shows what the transfer function does not.
+ * The vtkShaderProperty's custom fragment uniforms are declared for this code, and the mapper
+ * invokes vtkCommand::UpdateShaderEvent before each drawing. The acceleration fields do not know
+ * user code: set AccelerationModeToOff if it shows what the transfer function hides.
  *
- * The camera's clipping range cuts the volume at both ends.
+ * The camera's clipping range cuts the volume at its near and far planes.
  *
- * Independent components are materials of a mixture: their extinctions and emissions, each times
- * its weight, add up, in whatever order they are. A maximum or minimum adds, up to 1, colour and
- * opacity of what each is over its unit distance; averages and sums are weighted. Of two components
- * that depend on each other the first has the colour and the second the opacity; of four, the first
- * three are a colour, in parts of 255, of the largest number of 16 bit types, or of 1 for floats.
- * Their light is that on the first component.
+ * Independent components form a mixture: their extinctions and emissions, each multiplied by the
+ * component's weight, add up, in any order. A maximum or minimum adds colour and opacity that each
+ * component has over its unit distance, up to 1; averages and sums are weighted. Of two dependent
+ * components the first gives the colour and the second the opacity. Of four, the first three are
+ * red, green and blue, scaled by 255, by the largest value of a 16 bit type, or by 1 for
+ * floating-point types, and the fourth gives the opacity. Shading uses the gradient of the first
+ * component.
  *
- * Interpolation is what the property says, by default nearest as everywhere in VTK: voxels are then
- * boxes of one value, and drawn exactly. So are isosurfaces, and slices by a function of second
- * degree, such as a vtkPlane or vtkSphere; steps and error tolerance have no say in these.
- * CubicInterpolation draws a spline through the voxels where the property says linear.
+ * Interpolation follows the property, whose default in VTK is nearest: voxels are then boxes of
+ * constant value and are drawn exactly. Isosurfaces are exact too, and so are slices by a function
+ * of at most second degree, such as a vtkPlane or vtkSphere. Sample distance and error tolerance do
+ * not affect them. CubicInterpolation replaces linear interpolation by a spline.
  *
- * A rectilinear grid is interpolated between its own coordinates; the scalar field is not for it.
+ * A rectilinear grid is interpolated between its own coordinates. ScalarField is not available for
+ * it.
  *
- * Several inputs are the volumes of a vtkMultiVolume, which may overlap: a composite of the sum of
- * their extinctions and emissions, each with its own matrix, property and kind of voxels. As
- * vtkMultiVolume asks a vtkGPUVolumeRayCastMapper for its bounds, programs set them up with
- * vtkVariationFieldGPUVolumeRayCastMapper. Not with masks, cropping, blanked voxels or voxels that
- * are not finite, cuts as surfaces, user code, images of depth, or in blocks.
+ * Several inputs are the volumes of a vtkMultiVolume. They may overlap, and are drawn as one
+ * composite of the sum of their extinctions and emissions, each with its own matrix, property and
+ * voxels. Set them up with vtkVariationFieldGPUVolumeRayCastMapper, because vtkMultiVolume asks a
+ * vtkGPUVolumeRayCastMapper for its bounds. Overlapping volumes exclude masks, cropping, blanked or
+ * non-finite voxels, cuts drawn as surfaces, user code, depth images and drawing in blocks.
  *
- * Of independent components, isosurfaces are those of the one with the largest weight.
+ * An isosurface of several independent components is that of the component with the largest weight.
  *
- * Not for: isosurfaces of components that depend on each other, or of rectilinear grids. They are
- * reported as errors.
+ * Not supported, and reported as errors: isosurfaces of dependent components, of rectilinear grids
+ * or with CubicInterpolation.
  *
  * @sa vtkVolumeMapper vtkVolumeProperty
  */
@@ -96,17 +103,18 @@ public:
 
   enum AccelerationModes
   {
-    Off,         ///< no field: every step has the sample distance
-    ScalarField, ///< the published field, of the scalar, with VariationTolerance
-    OpticalField ///< the field of what the transfer function shows
+    Off,         ///< no field: all steps have the sample distance
+    ScalarField, ///< the published field, made from the scalars and VariationTolerance
+    OpticalField ///< the field of the colours and opacities that the transfer function gives
   };
 
   ///@{
   /**
-   * What lets a ray skip samples. Default: OpticalField, which knows the transfer function: it
-   * leaves what is invisible at once, and crosses what looks the same in one step, at a cost of at
-   * most 1/255 in a channel. For a maximum or minimum it leaves what would not change what is seen
-   * of the one found so far; so it is for sums and averages, if all scalars count in these.
+   * How rays skip samples. OpticalField knows the transfer function: rays leave invisible parts at
+   * once and cross parts of constant look in one step, with an error of at most 1/255 in a
+   * premultiplied colour channel. For a maximum or minimum, rays skip what cannot change the
+   * extreme found so far; sums and averages skip only if they include all scalar values. Default:
+   * OpticalField.
    */
   vtkSetClampMacro(AccelerationMode, int, Off, OpticalField);
   vtkGetMacro(AccelerationMode, int);
@@ -117,15 +125,19 @@ public:
 
   ///@{
   /**
-   * Where OpenGL itself is drawn by the processor, as Mesa's llvmpipe does, march rays without a
-   * shader, in packets of eight: two to ten times as fast, by the same rules, but of several
-   * components, volumes that overlap and rectilinear grids by midpoints. It needs AVX2 and FMA;
-   * shaders draw what packets have no code for (slices, masks of other sizes than the volume's,
-   * functions of two arrays, light on volumes with values that are not finite, user code, a maximum
-   * graphics memory; isosurfaces, averages and sums of nearest interpolation; extremes, averages
-   * and sums of several components or of rectilinear grids, or drawn to images). Voxels of several
-   * components, of other types than 8 and 16 bit integers and float, and floats that are not all
-   * finite, are copied for it. Default: on.
+   * If OpenGL runs on the CPU, as Mesa's llvmpipe does, march rays in C++, in packets of eight,
+   * instead of in a shader. This is two to ten times as fast and follows the same rules, except
+   * that several components, overlapping volumes and rectilinear grids are integrated by midpoints
+   * only. It needs a CPU with AVX2 and FMA. Default: on.
+   *
+   * Shaders still draw what packets do not support: slices; masks of other dimensions than the
+   * volume; transfer functions of two arrays; shaded volumes with non-finite values; user code; a
+   * limit set by MaximumGraphicsMemory; isosurfaces, averages and sums with nearest interpolation;
+   * and extremes, averages and sums of several components or of rectilinear grids, or with
+   * RenderToImage.
+   *
+   * Packets read 8 and 16 bit integers and finite floats in place. Voxels of several components, of
+   * other types, or with non-finite values are copied first.
    */
   vtkSetMacro(ProcessorMarching, vtkTypeBool);
   vtkGetMacro(ProcessorMarching, vtkTypeBool);
@@ -134,9 +146,9 @@ public:
 
   ///@{
   /**
-   * For ScalarField: largest difference of two values in a block that a ray may jump across, in
-   * units of the data.
-   * A negative value (the default) means 1/256 of the range of the scalars.
+   * Largest difference between two values in a block that a ray may cross in one step, in units of
+   * the scalars. Affects ScalarField only. A negative value means 1/256 of the scalars' range.
+   * Default: -1.
    */
   vtkSetMacro(VariationTolerance, double);
   vtkGetMacro(VariationTolerance, double);
@@ -144,19 +156,19 @@ public:
 
   enum IntegrationRules
   {
-    Automatic,     ///< Midpoint, or PreIntegrated where it keeps the error tolerance in less time;
-                   ///< PreIntegrated of materials (see below) without a tolerance
-    Midpoint,      ///< homogeneous, as in the middle of a step
-    PreIntegrated, ///< linear between samples, the transfer function exact
-    Simpson,       ///< parabolas of extinction through three samples
+    Automatic,     ///< Midpoint, or PreIntegrated if it keeps the error tolerance in less time
+    Midpoint,      ///< second order: the segment has the value in its middle
+    PreIntegrated, ///< values are linear between samples, the transfer function is exact
+    Simpson,       ///< extinction is a parabola through three samples
     PublishedSum   ///< the published sum of repeated samples, to show its error
   };
 
   ///@{
   /**
-   * How a composite is integrated between samples. Of what depends on gradients or on several
-   * values, such as light, there are midpoints only and what is linear between samples, in four
-   * parts, which all but Midpoint then mean. Default Automatic.
+   * How a composite is integrated between samples. If opacity or colour depend on gradients or on
+   * several values, as shaded colours do, there are two rules: Midpoint, and one that is linear
+   * between samples and takes four parts per segment, which all others then mean. For these
+   * materials Automatic without an error tolerance is the latter. Default: Automatic.
    */
   vtkSetClampMacro(IntegrationRule, int, Automatic, PublishedSum);
   vtkGetMacro(IntegrationRule, int);
@@ -164,33 +176,36 @@ public:
 
   ///@{
   /**
-   * Largest error accepted in a premultiplied RGBA channel of a pixel before the background, 0 to
-   * 1, default 1/64. While it is above 0 and AutoAdjustSampleDistances is on, the mapper chooses
-   * sample distance, integration rule, field tolerance and early termination so that 99.9 % of the
-   * pixels keep it and none exceeds twice as much. A new view is first tried out with a few
-   * thousand of its rays, which costs a tenth to a fifth of a picture's time and serves the views
-   * nearby while a camera moves; what they miss is not known, so this is an estimate, not a proof:
-   * of rays that just graze a hard surface, and of a peak of opacity too thin for any sample, it
-   * knows nothing. What cannot be kept with 128 samples per voxel is reported as a warning. 0:
-   * sample distance and early termination are what their own settings say.
+   * Largest accepted error of a pixel, in a premultiplied RGBA channel before the background is
+   * added, 0 to 1. Default: 1/64. While it is above 0 and AutoAdjustSampleDistances is on, the
+   * mapper chooses sample distance, integration rule, field tolerance and early termination such
+   * that 99.9 % of the pixels keep it and none exceeds twice this value. For 0, the sample distance
+   * and EarlyTerminationTransmittance have their own values.
+   *
+   * The error is estimated from a few thousand rays, for each new view; a nearby view of a moving
+   * camera uses the last estimate. This costs 10 to 20 % of a frame's time. It is an estimate, not
+   * a proof: it may miss rays that just graze a hard surface, or a peak of opacity that is too
+   * narrow for any sample. A tolerance that 128 samples per voxel cannot keep is reported as a
+   * warning.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
 
   /**
-   * What the error of the steps was estimated to be, in the last picture or in one of a view
-   * nearby: 99.9 % of the pixels are off by no more, in units of 1. 0 without an error tolerance.
+   * Estimated error of the integration steps, for the last frame or for a nearby view before it, in
+   * a premultiplied channel [0, 1]: 99.9 % of the pixels are off by at most this. 0 without an
+   * error tolerance.
    */
   double GetEstimatedError();
 
   ///@{
   /**
-   * How a composite shows the cells that touch a voxel that is not finite, be it NaN or an
-   * infinity: a material of this colour, not lit, and of this opacity over one
-   * vtkVolumeProperty::ScalarOpacityUnitDistance, each [0, 1]. Named as in vtkLookupTable; the
-   * NaN colours of the property's functions are not used, for those are opaque by default. Default:
-   * opacity 0, transparent; colour (0.5, 0, 0). The other blend modes leave these cells out.
+   * Colour and opacity, each in [0, 1], of cells that touch a non-finite voxel (NaN or infinity). A
+   * composite draws them as a homogeneous, unshaded material with this opacity over one
+   * vtkVolumeProperty::ScalarOpacityUnitDistance; all other blend modes leave them out. The names
+   * are those of vtkLookupTable. The NaN colours of the property's functions are not used, because
+   * they are opaque by default. Defaults: opacity 0, colour (0.5, 0, 0).
    */
   vtkSetVector3Macro(NanColor, double);
   vtkGetVector3Macro(NanColor, double);
@@ -200,8 +215,9 @@ public:
 
   ///@{
   /**
-   * Draw, in place of the picture, how often each ray has read the volume: as red, not scaled, so
-   * only into a framebuffer of floats. For measurements. Default off.
+   * For measurements: draw how often each ray has sampled the volume instead of its colour. The
+   * count is written to the red channel, unscaled, and therefore needs a floating-point
+   * framebuffer. Default: off.
    */
   vtkSetMacro(DrawFetchCounts, bool);
   vtkBooleanMacro(DrawFetchCounts, bool);
@@ -210,10 +226,10 @@ public:
 
   ///@{
   /**
-   * Distance between samples along a ray [world units, mm], > 0. Default 1. Used only while
-   * AutoAdjustSampleDistances is off. At most 20000 samples are taken along the diagonal of the
-   * volume by shaders, 10000 where it is lit, and 80000 by the processor; a shorter distance is
-   * lengthened to that, with a warning.
+   * Distance between samples along a ray [world units, mm], > 0. Default: 1. Used only while
+   * AutoAdjustSampleDistances is off. The volume's diagonal has at most 20000 samples in shaders,
+   * 10000 if they are shaded, and 80000 in packets; a shorter distance is lengthened to that, with
+   * a warning.
    */
   vtkSetClampMacro(SampleDistance, double, 1e-30, 1e30);
   vtkGetMacro(SampleDistance, double);
@@ -221,9 +237,9 @@ public:
 
   ///@{
   /**
-   * While on, SampleDistance is set with every picture to what VTK derives from the spacing of the
-   * input: half the mean spacing, less for few voxels (vtkVolumeMapper). Default off. Like
-   * SampleDistance it has an effect only while AutoAdjustSampleDistances is off.
+   * Set SampleDistance for each frame to VTK's choice for the input's spacing: half the mean
+   * spacing, less for volumes of few voxels (vtkVolumeMapper::SpacingAdjustedSampleDistance).
+   * Affects only frames drawn while AutoAdjustSampleDistances is off. Default: off.
    */
   vtkSetClampMacro(LockSampleDistanceToInputSpacing, vtkTypeBool, 0, 1);
   vtkGetMacro(LockSampleDistanceToInputSpacing, vtkTypeBool);
@@ -232,8 +248,8 @@ public:
 
   ///@{
   /**
-   * Whether the mapper chooses the sample distance: by the error tolerance, or, where that is 0, a
-   * part of the smallest spacing of the voxels in the world. Default on.
+   * Let the mapper choose the sample distance: from the error tolerance or, if that is 0, as a
+   * fraction of the smallest voxel spacing in the world. Default: on.
    */
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
@@ -242,9 +258,9 @@ public:
 
   ///@{
   /**
-   * A ray ends when less than this part of the light behind it would reach the eye. The largest
-   * error it makes in a pixel's premultiplied channel. Range [0, 1), default 1/1024. An error
-   * tolerance in use chooses it.
+   * A ray ends when less than this fraction of the light behind it would reach the eye, which is
+   * also the largest error of a premultiplied channel that this makes. Range [0, 1). Default:
+   * 1/1024. Not used while an error tolerance is in effect.
    */
   vtkSetClampMacro(EarlyTerminationTransmittance, double, 0.0, 0.999999);
   vtkGetMacro(EarlyTerminationTransmittance, double);
@@ -252,10 +268,10 @@ public:
 
   ///@{
   /**
-   * Where the gradient is smaller than this, in units of the data per mean spacing of the voxels as
-   * for gradient opacity, diffuse and specular light are damped in proportion: a homogeneous
-   * material, whose gradient is noise, keeps its ambient light only, and surfaces stand out of it.
-   * After Volt (2009). Of volumes of one component. 0, the default: light as it is.
+   * Where the gradient is smaller than this, diffuse and specular light are reduced in proportion.
+   * A homogeneous material, whose gradient is noise, then keeps only its ambient light, and
+   * surfaces stand out. Units: scalar value per mean voxel spacing, as for gradient opacity.
+   * Applies to volumes of one component. Default: 0, no reduction. Source: Volt (2009).
    */
   vtkSetClampMacro(DampingGradient, double, 0.0, 1e30);
   vtkGetMacro(DampingGradient, double);
@@ -263,12 +279,11 @@ public:
 
   ///@{
   /**
-   * Whether voxels that the property asks to interpolate linearly are interpolated by a tricubic
-   * spline through them: every voxel keeps its value, and edges have no staircase; but beside a
-   * sharp one the values go beyond those of the voxels, by up to a tenth of the step. Lights see
-   * the gradient of the spline. A sample costs eight readings, and voxels take four bytes of
-   * graphics memory and as much of the program's. Not of rectilinear grids, of isosurfaces, and of
-   * voxels that are not finite. Default off.
+   * Use a tricubic spline through the voxels where the property asks for linear interpolation. All
+   * voxels keep their values and edges show no staircase, but next to a sharp edge the spline
+   * overshoots, by up to a tenth of the step. Shading uses the spline's gradient. Each sample costs
+   * eight fetches, and each voxel takes four bytes of graphics memory and as much main memory. Not
+   * available for rectilinear grids, isosurfaces and non-finite voxels. Default: off.
    */
   vtkSetClampMacro(CubicInterpolation, vtkTypeBool, 0, 1);
   vtkGetMacro(CubicInterpolation, vtkTypeBool);
@@ -277,9 +292,8 @@ public:
 
   ///@{
   /**
-   * Whether the first sample of each ray is moved by a noise (blue: neighbours share none of it),
-   * the same in every picture. It turns the rings that a sample distance too long for the data
-   * makes into a fine grain. Default off.
+   * Offset the first sample of each ray by blue noise, which is the same in all frames. The rings
+   * that a long sample distance causes become fine grain. Default: off.
    */
   vtkSetClampMacro(UseJittering, vtkTypeBool, 0, 1);
   vtkGetMacro(UseJittering, vtkTypeBool);
@@ -288,9 +302,9 @@ public:
 
   ///@{
   /**
-   * Distance of rays in the picture [pixels], 0.1 to 100, default 1: a ray for each pixel. With a
-   * longer one the pixels between are interpolated, not across edges of opaque geometry; with a
-   * shorter one, rounded to 1/2, 1/3 and so on, each pixel is the mean of its rays.
+   * Distance between rays on the screen [pixels], 0.1 to 100. Default: 1, one ray per pixel. With a
+   * larger distance, pixels between rays are interpolated, but not across edges of opaque geometry.
+   * With a smaller one, rounded to 1/2, 1/3 and so on, a pixel is the mean of its rays.
    */
   vtkSetClampMacro(ImageSampleDistance, float, 0.1f, 100.0f);
   vtkGetMacro(ImageSampleDistance, float);
@@ -298,11 +312,11 @@ public:
 
   ///@{
   /**
-   * Between these the mapper chooses the image sample distance while somebody interacts: while
-   * AutoAdjustSampleDistances is on and the volume has been allocated less than a second, as it is
-   * where the window's desired update rate is above 1. Pictures are then drawn with fewer rays and
-   * up to four times the error tolerance, as the time that the last ones took asks for; and in full
-   * as soon as nobody does. Defaults 1 and 10.
+   * Range of the image sample distance [pixels] that the mapper chooses from during interaction.
+   * Interaction means: AutoAdjustSampleDistances is on and the volume's allocated render time is
+   * below 1 s, as with a desired update rate above 1 per second. The mapper then uses fewer rays
+   * and up to four times the error tolerance, depending on the time the last frames took. The first
+   * frame without interaction has full quality. Defaults: 1 and 10.
    */
   vtkSetClampMacro(MinimumImageSampleDistance, float, 0.1f, 100.0f);
   vtkGetMacro(MinimumImageSampleDistance, float);
@@ -312,44 +326,46 @@ public:
 
   ///@{
   /**
-   * While the scene stays as it is, each picture that is asked for is drawn with its rays elsewhere
-   * in their pixels, and from the second one with a quarter of the error tolerance, and the mean of
-   * all is shown: edges become smooth, at the cost of one picture each. Not more than so many are
-   * drawn; a program that has time renders until GetAccumulatedPictures says so. Anything that
-   * changes what is seen begins anew; while somebody interacts, and with an ImageSampleDistance
-   * other than 1, each picture stands alone, and where UpdateShaderEvent is observed too. Default
-   * 1: off.
+   * Largest number of frames that are averaged while the scene does not change. Each Render() then
+   * shifts the rays inside their pixels, from the second frame on with a quarter of the error
+   * tolerance, and shows the mean of all frames so far: edges become smooth. Call Render() until
+   * GetAccumulatedPictures() returns this number; further calls add none. A change of anything
+   * visible begins again. Frames are not averaged during interaction, with an ImageSampleDistance
+   * other than 1, or if UpdateShaderEvent has an observer. Default: 1, off.
    */
   vtkSetClampMacro(MaximumAccumulatedPictures, int, 1, 65536);
   vtkGetMacro(MaximumAccumulatedPictures, int);
-  /// How many the last picture is the mean of; 1 when off, 0 while the first is not all there.
+  /// The number of frames that the image on screen averages; 1 if off, 0 until the first is
+  /// complete.
   int GetAccumulatedPictures();
   ///@}
 
   ///@{
   /**
-   * How long a Render() is to draw a picture of a scene that stays as it is [s]. What is not drawn
-   * by then is shown coarsely, and the next Render() goes on, so that a program stays responsive
-   * while large pictures come; it renders until GetDrawnPart() is 1. As for accumulated pictures,
-   * anything that changes what is seen begins anew, and where those stand alone, and for a volume
-   * in blocks, pictures are drawn at once. Default 0: always.
+   * Time limit of one Render() while the scene does not change [s]. Pixels that are not finished by
+   * then are shown at low resolution, and the next Render() continues, so that a program stays
+   * responsive. Call Render() until GetDrawnPart() returns 1. A change of anything visible begins
+   * again. There is no limit for frames that cannot be accumulated (see MaximumAccumulatedPictures)
+   * and for volumes drawn in blocks. Default: 0, no limit.
    */
   vtkSetClampMacro(LongestPartSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LongestPartSeconds, double);
-  double GetDrawnPart(); ///< of all pictures that are to be accumulated, [0, 1]
+  double GetDrawnPart(); ///< the finished fraction of all frames to be accumulated, [0, 1]
   ///@}
 
   /**
-   * The image sample distance of the last picture [pixels].
+   * The image sample distance of the last frame [pixels].
    */
   double GetUsedImageSampleDistance();
 
   ///@{
   /**
-   * Draw into images and not into the window: the picture, RGBA of unsigned char, over white that
-   * is clear; and the depth, as in a depth buffer, at which anything first is visible, 1 where
-   * nothing is or, with ClampDepthToBackface, where the ray leaves the volume. Both are those of
-   * the last picture, as large as the renderer over the image sample distance. Default off; float.
+   * Draw into two images instead of the window; both are as large as the renderer divided by the
+   * image sample distance. The colour image is RGBA of unsigned char over transparent white. The
+   * depth image holds depth-buffer values of the first visible point on each ray; a ray that meets
+   * nothing has 1 or, with ClampDepthToBackface, the depth at which it leaves the volume. Integer
+   * types scale depths to their range. GetColorImage and GetDepthImage return the last ones drawn.
+   * Defaults: off, VTK_FLOAT.
    */
   vtkSetMacro(RenderToImage, vtkTypeBool);
   vtkGetMacro(RenderToImage, vtkTypeBool);
@@ -371,9 +387,9 @@ public:
 
   ///@{
   /**
-   * Colours of the picture from FinalColorLevel - FinalColorWindow / 2 to FinalColorLevel +
-   * FinalColorWindow / 2 are shown as black to white, before they are multiplied by opacity. A
-   * negative window reverses them. Defaults 1 and 0.5: colours as they are.
+   * Map colours of the image from [FinalColorLevel - FinalColorWindow / 2, FinalColorLevel +
+   * FinalColorWindow / 2] to [0, 1], before they are multiplied by opacity. A negative window
+   * inverts them. Defaults: 1 and 0.5, which change nothing.
    */
   vtkSetMacro(FinalColorWindow, float);
   vtkGetMacro(FinalColorWindow, float);
@@ -389,12 +405,12 @@ public:
 
   ///@{
   /**
-   * A mask over the same box as the volume, of any resolution: of one component, each voxel of it
-   * filling the cube around it. Default: none. As in vtkGPUVolumeRayCastMapper a binary mask
-   * confines all blend modes to where it is above 0; a label map, the default type, makes
-   * composites of one component show each voxel by the functions of its label
-   * (vtkVolumeProperty::SetLabelColor, SetLabelScalarOpacity, SetLabelGradientOpacity), of any
-   * value. What a label has no function for is as without a label.
+   * An image of one component that spans the same box as the volume, at any resolution; each mask
+   * voxel fills the cube around it. Default: none. As in vtkGPUVolumeRayCastMapper, a binary mask
+   * limits all blend modes to where it is above 0. A label map (the default type) gives voxels the
+   * transfer functions of their label (vtkVolumeProperty::SetLabelColor, SetLabelScalarOpacity,
+   * SetLabelGradientOpacity), for composites of volumes of one component. Labels may have any
+   * value; a voxel whose label has no function is drawn as if it had no label.
    */
   void SetMaskInput(vtkImageData* mask);
   vtkImageData* GetMaskInput();
@@ -406,8 +422,7 @@ public:
 
   ///@{
   /**
-   * How much of a label map's functions is used, the rest being those without a label. Range [0,
-   * 1], default 1.
+   * Weight of the label's functions, [0, 1]; the volume's own functions have the rest. Default: 1.
    */
   vtkSetClampMacro(MaskBlendFactor, float, 0.0f, 1.0f);
   vtkGetMacro(MaskBlendFactor, float);
@@ -415,71 +430,72 @@ public:
 
   ///@{
   /**
-   * Name of the array of point data that is the second value of a transfer function of two
-   * (vtkVolumeProperty::SetTransferFunction2D); none, the default: the magnitude of the gradient.
-   * Of the function's image, the first and the last point on each axis are the ends of the values'
-   * ranges; gradients are measured as for gradient opacity.
+   * Name of the point data array that is the second argument of a two-dimensional transfer function
+   * (vtkVolumeProperty::SetTransferFunction2D). Default: none, which means the gradient magnitude,
+   * measured as for gradient opacity. The first and last points on each axis of the function's
+   * image are the ends of that argument's range.
    */
   vtkSetStringMacro(Transfer2DYAxisArray);
   vtkGetStringMacro(Transfer2DYAxisArray);
   ///@}
 
   /**
-   * The sample distance of the last picture [world units].
+   * The sample distance of the last frame [world units].
    */
   double GetUsedSampleDistance();
 
   /**
-   * Time to build the field last time [s]; 0 before. What reads the volume is built, and counts,
-   * only with a new volume.
+   * Time that the last build of the field took [s]; 0 before the first. It includes reading the
+   * volume only if the volume was new.
    */
   double GetFieldBuildSeconds();
 
   ///@{
   /**
-   * Most graphics memory that this mapper may take [bytes]; 0, the default: what the device has.
-   * A volume that does not fit, or that is larger than the device's 3D textures may be, is drawn in
-   * blocks, of which those stay in graphics memory that find room; the others are uploaded when
-   * their turn comes. A volume that fits is drawn at once, and pays nothing for this.
+   * Limit of the graphics memory that this mapper takes [bytes]. Default: 0, what the device has. A
+   * volume that does not fit, or that exceeds the device's largest 3D texture, is drawn in blocks:
+   * those that fit stay in graphics memory, the others are uploaded each time they are drawn. A
+   * volume that fits pays nothing for this.
    */
   vtkSetClampMacro(MaximumGraphicsMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumGraphicsMemory, vtkIdType);
   ///@}
 
   /**
-   * Bytes of graphics memory this mapper holds now, textures and buffers.
+   * Graphics memory that this mapper holds now, textures and buffers [bytes].
    */
   vtkIdType GetGraphicsMemoryBytes();
 
   /**
-   * Whether the last picture keeps the ErrorTolerance everywhere. Not where single rays graze what
-   * is hard; a warning tells how many, and how fine the samples were.
+   * True if the last frame keeps the ErrorTolerance everywhere. False if steps cannot keep it, or
+   * if isolated rays graze an opaque surface; a warning then names the error and the sample
+   * distance.
    */
   bool GetErrorToleranceIsKept();
 
   /**
-   * The shader files of the last picture, one per slot, as paths below VolumeModule/Shaders; none
-   * where the processor has marched its rays.
+   * Shader files of the last frame, one per slot, as paths below VolumeModule/Shaders; empty if
+   * packets on the CPU have marched its rays.
    */
   void GetShaderParts(vtkStringArray* parts);
 
   ///@{
   /**
-   * How often each part was built since this mapper was made: what
-   * Documentation/Architecture.md promises to be rebuilt, and nothing else.
+   * How often each resource was built since this mapper was made. Documentation/Architecture.md
+   * lists which change rebuilds which of them.
    */
-  int GetVolumeTextureBuilds(); ///< by new scalars
-  int GetBlockUploads();        ///< of the volume, or of the blocks that it is drawn in
+  int GetVolumeTextureBuilds(); ///< uploads of new scalars
+  int GetBlockUploads();        ///< of the volume, or of the blocks it is drawn in
   int GetBrickRangesBuilds();
-  int GetFieldBuilds(); ///< but not of the same field for rays of other directions
+  int GetFieldBuilds(); ///< does not count the same field for other ray directions
   int GetOpticalTableBuilds();
   int GetShaderBuilds();
   int GetToleranceSearches();
   ///@}
 
   /**
-   * INTERNAL: called by the volume. Draws it into the renderer's current framebuffer,
-   * premultiplied, over what is there.
+   * INTERNAL: called by the volume. Draws it, premultiplied, over the renderer's current
+   * framebuffer.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 

@@ -1,4 +1,4 @@
-// What a mapper tells of its settings.
+// vtkVariationFieldVolumeMapper::PrintSelf, apart from the rest for its length.
 
 #include "vtkVariationFieldVolumeMapper.h"
 

@@ -26,7 +26,8 @@ bool IsFormat(int format)
 
 }
 
-/// The image is here only from RequestInformation to RequestData, which hands it out.
+/// What was read. The image stays here only from RequestInformation to RequestData, which returns
+/// it.
 struct vtkVolumeFileReader::Contents
 {
   varimarch::Volume Volume;
@@ -53,7 +54,7 @@ void vtkVolumeFileReader::Try(const std::function<void(varimarch::ReadProgress&)
   this->SetAbortExecute(0);
   if (!this->FileName)
   {
-    this->ErrorMessage = "Cannot read a volume: expected a file name, found none.";
+    this->ErrorMessage = "Cannot read a volume: no file name is set; call SetFileName().";
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
     vtkErrorMacro(<< this->ErrorMessage);
     return;
@@ -143,14 +144,14 @@ int vtkVolumeFileReader::RequestInformation(
     const int empty[6] = { 0, -1, 0, -1, 0, -1 };
     output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), empty, 6);
   }
-  // A failure is a 1 too: with 0 the executive would print an error of its own behind ours.
+  // Returns 1 after a failure too: with 0 the executive would add an error message of its own.
   return 1;
 }
 
 int vtkVolumeFileReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  // The output was released since it was handed out, and is wanted again.
+  // The output was released after an earlier request, and is requested again.
   if (!this->Read->Volume.image && this->GetErrorCode() == vtkErrorCode::NoError)
   {
     this->ReadFile();

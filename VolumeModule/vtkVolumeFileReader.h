@@ -1,9 +1,9 @@
 /**
  * @class   vtkVolumeFileReader
- * @brief   Opens a volume of any supported format, placed right in the patient
+ * @brief   Reads a volume of any supported format, in patient coordinates
  *
- * One entry point for VTI, NRRD, MetaImage, NIfTI, DICOM, InVesalius projects and bare voxels. Set
- * a file name (for DICOM: a folder, a DICOMDIR or a file) and update:
+ * One reader for VTI, NRRD, MetaImage, NIfTI, DICOM, InVesalius projects and raw voxels. Set a file
+ * name (for DICOM: a folder, a DICOMDIR or a file) and update:
  * @code
  *   vtkNew<vtkVolumeFileReader> reader;
  *   reader->SetFileName("head.nrrd");
@@ -11,19 +11,19 @@
  *   if (reader->GetErrorCode()) { std::cerr << reader->GetErrorMessage() << "\n"; }
  * @endcode
  *
- * The output lies in DICOM's LPS space (x to the patient's left, y to the back, z to the head) in
- * mm, by its origin, its spacing (> 0) and its direction matrix, which may be mirrored or sheared.
- * Voxels keep their order in the file: nothing is flipped, and nothing resampled unless
- * RectifySlices asks for it. Extents begin at 0. Stored values are rescaled to what they mean:
- * Hounsfield units for CT.
+ * The output is in DICOM's LPS space (x to the patient's left, y to the back, z to the head), in
+ * mm, described by its origin, its spacing (> 0) and its direction matrix, which may mirror or
+ * shear. Voxels keep the order of the file: nothing is flipped, and only RectifySlices resamples.
+ * Extents begin at 0. Stored values are rescaled to physical ones, such as Hounsfield units for CT.
  *
- * When a file cannot be read, the output is empty, GetErrorCode() is not 0, and one error event
- * carries one sentence, also in GetErrorMessage(): which file, what was expected, what was found.
- * Sizes are checked, against the file and the machine's memory, before memory is taken.
+ * If a file cannot be read, the output is empty, GetErrorCode() is not 0, and one error event is
+ * invoked whose message, one sentence, is also in GetErrorMessage(): the file, what was expected,
+ * what was found. Sizes are checked against the file and the machine's memory before memory is
+ * allocated.
  *
- * The file is read in UpdateInformation(), because the type of rescaled values is known only then.
- * Progress events come from there; SetAbortExecute(1) in an observer stops the reading, and leaves
- * the output empty with the error code vtkErrorCode::UserError but no error event.
+ * The file is read in UpdateInformation(), because the type of rescaled values is known only after
+ * that. Progress events are invoked there. SetAbortExecute(1) in an observer stops the reader: the
+ * output is empty, the error code is vtkErrorCode::UserError, and there is no error event.
  *
  * @sa vtkDICOMReader
  */
@@ -34,10 +34,10 @@
 #include "VarimarchVolumeModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
-#include <functional> // For actions on the file
-#include <memory>     // For what was read
-#include <string>     // For names and messages
-#include <vector>     // For lists of series
+#include <functional> // For Try
+#include <memory>     // For Read
+#include <string>     // For DICOMSeriesUID and ErrorMessage
+#include <vector>     // For ListDICOMSeries
 
 class vtkStringArray;
 
@@ -55,7 +55,7 @@ public:
 
   ///@{
   /**
-   * The file, or folder of DICOM files, to read.
+   * The file, or the folder of DICOM files, to read.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -63,9 +63,9 @@ public:
 
   ///@{
   /**
-   * What a file of bare voxels (.raw) does not say about itself. The dimensions must be set for
-   * one; with them set, a file of unknown kind counts as bare voxels too. Defaults: dimensions 0
-   * (unset), type VTK_UNSIGNED_CHAR, 1 component, spacing 1 mm, no header, little endian.
+   * The layout of a file of raw voxels (.raw). The dimensions are required; if they are set, a file
+   * of unknown format is also read as raw voxels. Defaults: dimensions 0 (unset), type
+   * VTK_UNSIGNED_CHAR, 1 component, spacing 1 mm, header of 0 bytes, little endian.
    */
   vtkSetVector3Macro(RawDimensions, int);
   vtkGetVector3Macro(RawDimensions, int);
@@ -84,9 +84,9 @@ public:
 
   ///@{
   /**
-   * Which of several DICOM series to read: by its SeriesInstanceUID, by the beginning of just one
-   * of them, or by its number in ListDICOMSeries(), from 1. Empty, the default, is the first; the
-   * warnings list all then.
+   * The DICOM series to read if there are several: its SeriesInstanceUID, an unambiguous prefix of
+   * that, or its number in ListDICOMSeries(), counted from 1. Default: empty, the first series; the
+   * warnings then list all.
    */
   vtkSetStdStringFromCharMacro(DICOMSeriesUID);
   vtkGetCharFromStdStringMacro(DICOMSeriesUID);
@@ -94,10 +94,10 @@ public:
 
   ///@{
   /**
-   * Whether a DICOM series whose gantry was tilted, or whose slices lie at uneven distances or are
-   * missing, is resampled on an even grid with right angles. A volume as scanned keeps the shear of
-   * a tilt in its direction matrix, but has its slices at even distances. A series that is even
-   * already stays as it is. Default: false.
+   * Resample a DICOM series to an even, orthogonal grid if its gantry was tilted, or if its slices
+   * are unevenly spaced or missing. Otherwise the output keeps the shear of a tilt in its direction
+   * matrix, and its slices are placed at even distances. A regular series is never resampled.
+   * Default: false.
    */
   vtkSetMacro(RectifySlices, bool);
   vtkGetMacro(RectifySlices, bool);
@@ -110,50 +110,51 @@ public:
   struct DICOMSeries
   {
     std::string UID;
-    std::string Description; ///< as the scanner's operator named it, or empty
+    std::string Description; ///< as the scanner's operator entered it, or empty
     std::string Modality;
     vtkTypeInt64 NumberOfImages;
-    std::string MiddleFile; ///< that with the image in the middle of the series
+    std::string MiddleFile; ///< the file with the middle image of the series
   };
 
   /**
-   * Looks which DICOM series there are at FileName: a folder with the folders in it, a DICOMDIR or
-   * a file; those with most images first. Reads headers only. Reports errors as Update() does, and
-   * returns none then.
+   * Lists the DICOM series at FileName (a folder including its subfolders, a DICOMDIR, or a file),
+   * those with most images first. Reads headers only. Reports errors as Update() does, and then
+   * returns an empty list.
    */
   std::vector<DICOMSeries> ListDICOMSeries();
 
   ///@{
   /**
-   * What the file says about the volume. Valid after Update(). Nothing identifies a patient.
+   * Metadata of the volume, valid after Update(). Nothing of it identifies a patient.
    */
   /// "CT", "MR", another DICOM modality, or empty.
   const char* GetModality();
-  /// What was imaged, as DICOM has it, such as "HEAD"; or empty.
+  /// The body part that was examined, in DICOM's terms such as "HEAD"; or empty.
   const char* GetBodyPart();
   bool HasContrastAgent();
-  /// Of MR, by the times of its sequence: "T1", "T2", "angiography", or empty.
+  /// Weighting of an MR image, derived from its timing: "T1", "T2", "angiography", or empty.
   const char* GetWeighting();
-  /// Whether the file says how to show the values: the width and the centre of the range to show.
+  /// True if the file recommends a range of values to show; GetWindow() is its width, GetLevel()
+  /// its centre.
   bool HasWindowLevel();
   double GetWindow();
   double GetLevel();
-  /// Whether slices of the scan were tilted, lie at uneven distances or are missing: whether
-  /// RectifySlices changes the volume.
+  /// True if the gantry was tilted, or slices are unevenly spaced or missing: RectifySlices then
+  /// changes the volume.
   bool HasIrregularSlices();
-  /// Sentences about what is doubtful, such as missing slices. Owned by the reader.
+  /// Sentences about doubtful input, such as missing slices. Owned by the reader.
   vtkStringArray* GetWarnings();
   ///@}
 
   /**
-   * The sentence of the last error, empty after success.
+   * The sentence that describes the last error; empty after success.
    */
   const char* GetErrorMessage();
 
   ///@{
   /**
-   * The formats, for file dialogs: a name, a description, and extensions as in ".nrrd .nhdr".
-   * 0 <= format < GetNumberOfFormats(); others have no name, no description, no extensions.
+   * The supported formats, for file dialogs: name, description, and extensions such as ".nrrd
+   * .nhdr". Requires 0 <= format < GetNumberOfFormats(); otherwise the results are null or empty.
    */
   static int GetNumberOfFormats();
   static const char* GetFormatName(int format);
@@ -162,8 +163,9 @@ public:
   ///@}
 
   /**
-   * Whether a file exists, is of a known format by its name or first bytes, and begins as that
-   * format does. True for any folder, which may hold DICOM files. Reads 512 bytes at most.
+   * True if a file exists, has a known format by its extension or first bytes, and begins as that
+   * format does; also true for every folder, since it may hold DICOM files. Reads at most 512
+   * bytes.
    */
   static bool CanReadFile(const char* path);
 
@@ -179,9 +181,9 @@ protected:
 private:
   struct Contents;
 
-  /// Does something with the file; what it throws becomes the error, which is reported.
+  /// Runs an action on the file; reports an exception that it throws as this reader's error.
   void Try(const std::function<void(varimarch::ReadProgress&)>& action);
-  /// Afterwards either Read holds an image or the error is set and reported.
+  /// Postcondition: either Read holds an image, or the error is set and reported.
   void ReadFile();
   void ReadFileOrThrow(varimarch::ReadProgress& progress);
 
