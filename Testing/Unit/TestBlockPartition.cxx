@@ -113,7 +113,8 @@ TEST(BlockPartition, LimitsTooSmallForTheSmallestBlockAreNamed)
   catch (const std::runtime_error& problem)
   {
     EXPECT_EQ(std::string(problem.what()),
-      "Cannot draw a volume in blocks of at most 685 bytes: the smallest has 686");
+      "Cannot divide the volume into blocks of at most 685 bytes: the smallest possible block "
+      "needs 686 bytes");
   }
 }
 

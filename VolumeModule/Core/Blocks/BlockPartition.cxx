@@ -16,9 +16,10 @@ namespace varimarch
 namespace
 {
 
-// Blocks are made of whole bricks, so that what the field knows of bricks holds for blocks.
+// Blocks consist of whole bricks, so that what a field knows about bricks also holds for blocks.
 constexpr int Brick = BrickRanges::CellsPerSide;
-// Cells have one voxel more than there are cells on a side, and gradients read one beside each.
+// A row of cells has one voxel more than it has cells, and gradients read one voxel beyond each
+// end.
 constexpr int SharedVoxels = 3;
 
 }
@@ -35,9 +36,9 @@ BlockPartition::BlockPartition(glm::ivec3 dimensions, const BlockLimits& limits)
     const int longest = cells.x >= cells.y && cells.x >= cells.z ? 0 : (cells.y >= cells.z ? 1 : 2);
     if (cells[longest] <= Brick)
     {
-      throw std::runtime_error("Cannot draw a volume in blocks of at most " +
-        std::to_string(limits.largestBytes) + " bytes: the smallest has " +
-        std::to_string(SmallestBytes(limits.bytesPerVoxel)));
+      throw std::runtime_error("Cannot divide the volume into blocks of at most " +
+        std::to_string(limits.largestBytes) + " bytes: the smallest possible block needs " +
+        std::to_string(SmallestBytes(limits.bytesPerVoxel)) + " bytes");
     }
     this->CutAlong(longest);
   }

@@ -12,7 +12,7 @@
 namespace varimarch
 {
 
-/// What a block may take of a device.
+/// Limits of a device for one block.
 struct BlockLimits
 {
   int largestSide; ///< of a texture [voxels]
@@ -20,21 +20,21 @@ struct BlockLimits
   std::size_t largestBytes;
 };
 
-/// A grid cut into blocks of cells, none of them too large for a device: each cell is in one block.
-/// A block holds all voxels that a position in its cells reads, also for central differences one
-/// voxel to either side: neighbours share three layers of voxels, so that values and gradients at
-/// their common face are the same from both sides.
+/// A division of a grid into blocks of cells, none of which exceeds a device's limits. Each cell is
+/// in exactly one block. A block holds all voxels that positions in its cells read, including those
+/// for central differences one voxel to either side. Neighbours therefore share three layers of
+/// voxels, and values and gradients on their common face are the same from both sides.
 class BlockPartition
 {
 public:
-  /// No blocks.
+  /// An empty partition.
   BlockPartition() = default;
 
-  /// As few blocks as the limits allow, of about equal sides.
-  /// @throws std::runtime_error when the limits do not allow the smallest block
+  /// The fewest blocks that the limits allow, with sides of about equal length.
+  /// @throws std::runtime_error if the limits are below the smallest block
   BlockPartition(glm::ivec3 dimensions, const BlockLimits& limits);
 
-  /// @return the bytes that the smallest block may have
+  /// @return the size of the smallest possible block [bytes]
   static std::size_t SmallestBytes(std::size_t bytesPerVoxel);
 
   int Count() const { return this->count.x * this->count.y * this->count.z; }
@@ -42,12 +42,13 @@ public:
 
   VoxelRegion VoxelsOf(int block) const;
 
-  /// The cells of a block; at a face of the volume it reaches to the face of `boxGrid`, the
-  /// volume's box.
+  /// The cells of a block as a box. At the volume's faces it extends to `boxGrid`, the volume's
+  /// box.
   Box BoxOf(int block, const Box& boxGrid) const;
 
-  /// Every block, none before another that lies in front of it for an eye. A ray from the eye moves
-  /// away from the eye's block on each axis, or stays: so order by the sum of these distances.
+  /// All blocks, each after those that lie in front of it as seen from an eye. A ray from the eye
+  /// never approaches the eye's block on any axis, so the blocks are ordered by the sum of their
+  /// distances to it along the axes.
   /// @param eyeGrid  see PixelRays
   std::vector<int> FrontToBack(const glm::dvec4& eyeGrid) const;
 

@@ -16,7 +16,7 @@ namespace
 constexpr int Side = BrickRanges::CellsPerSide;
 constexpr double LargestStep = 65535.0;
 
-// Smallest and largest value of a bundle of voxel rows, column by column.
+// Smallest and largest value of each column of voxels in a bundle of rows.
 template <class Scalar>
 struct ColumnRanges
 {
@@ -56,7 +56,7 @@ struct ColumnRanges
   std::vector<std::uint8_t> finite;
 };
 
-// The range of columns first ... last in steps of the volume's range, rounded outwards.
+// The range of columns first ... last in steps, rounded outwards.
 template <class Scalar>
 BrickRanges::Steps StepsOf(
   const ColumnRanges<Scalar>& columns, int first, int last, const BrickRanges& ranges)
@@ -80,7 +80,7 @@ BrickRanges::Steps StepsOf(
     std::uint16_t(std::clamp(std::ceil(steps(largest)), 0.0, LargestStep)) };
 }
 
-// Integers that span less than 2^16 have a step of exactly one.
+// One step is exactly 1 for integers that span less than 2^16.
 double ValuePerStep(double range, bool integers)
 {
   if (!(range > 0.0))
@@ -141,7 +141,7 @@ BrickRanges BuildBrickRanges(
     grid.CellCount(), smallestValue, largestValue, std::numeric_limits<Scalar>::is_integer);
   const glm::ivec3 bricks = ranges.BrickCount();
 
-  // The voxels that a brick's values depend on, along an axis.
+  // First and last voxel along an axis that a brick's values depend on.
   const auto firstOf = [=](int brick) { return std::max(Side * brick - reachVoxels, 0); };
   const auto lastOf = [=](int brick, int count)
   { return std::min(Side * (brick + 1) + reachVoxels, count - 1); };

@@ -14,17 +14,19 @@
 namespace varimarch
 {
 
-/// Chebyshev distance of every cell of a lattice to a set of them, by the two passes of Rosenfeld
-/// and Pfaltz (Pattern Recognition 1968) over the 26 neighbours, which are exact for this distance.
-/// It may be to what lies towards some directions only: of the neighbours those are then left out
-/// that lie behind. Distances are still exact, for they are lengths of paths over neighbours, whose
-/// steps may be taken in any order.
-/// Outside the lattice there is none of the set. A row waits for those before it in its plane and
-/// in the plane before, so that rows whose y + 2 z is the same are measured on all cores.
+/// Chebyshev distance of each cell of a lattice to a set of cells, by the two passes of Rosenfeld
+/// and Pfaltz (Pattern Recognition 1968) over the 26 neighbours, which are exact for this metric.
+///
+/// The distance can be limited to cells that lie in given directions; the passes then ignore
+/// neighbours that lie behind. It remains exact, because a distance is the length of a path over
+/// neighbours whose steps may be taken in any order.
+///
+/// No cell outside the lattice is in the set. A row depends only on the rows before it in its plane
+/// and in the plane before, so that all rows with the same y + 2 z are measured in parallel.
 class ChebyshevDistance
 {
 public:
-  /// @param towards  along each axis 1 or -1, or 0 for both ways
+  /// @param towards  direction along each axis: 1, -1, or 0 for both
   explicit ChebyshevDistance(glm::ivec3 cellCount, glm::ivec3 towards = glm::ivec3(0))
     : cellCount(cellCount)
     , towards(towards)
@@ -39,8 +41,8 @@ public:
     return &this->distances[(z + 1) * this->plane + (y + 1) * this->row + 1];
   }
 
-  /// Rows hold 0 in the set and Farthest elsewhere before; afterwards each cell its distance, 1
-  /// beside the set, Farthest at most.
+  /// Before the call, rows hold 0 for cells in the set and Farthest for others. Afterwards they
+  /// hold the distance of each cell: 1 next to the set, and at most Farthest.
   void Measure()
   {
     const int waves = this->cellCount.y + 2 * (this->cellCount.z - 1);
@@ -57,7 +59,7 @@ public:
   static constexpr std::uint8_t Farthest = 128;
 
 private:
-  // The rows of one y + 2 z.
+  // Updates all rows with the same y + 2 z.
   void UpdateWave(int wave, int direction)
   {
     const int first = std::max((wave - this->cellCount.y + 2) / 2, 0);
@@ -74,7 +76,7 @@ private:
       });
   }
 
-  // Looks at the 13 neighbours that come before a cell in the direction of the pass.
+  // Uses the 13 neighbours that precede a cell in the direction of the pass.
   void UpdateRow(std::uint8_t* cell, int direction, std::uint8_t* nearest) const
   {
     const std::uint8_t* const a = this->Neighbor(cell, direction, 0);
@@ -92,7 +94,7 @@ private:
     }
     const int first = direction < 0 ? 0 : width - 1;
     const int perStep = IsTowards(this->towards.x, direction) ? 1 : Farthest;
-    int before = Farthest; // what a neighbour outside has
+    int before = Farthest; // the distance of a neighbour outside the lattice
     for (int i = 0; i < width; ++i)
     {
       const int x = first - direction * i;
@@ -103,7 +105,7 @@ private:
 
   static bool IsTowards(int towards, int offset) { return towards * offset >= 0; }
 
-  // A row beside that of a cell, or one outside, where there is nothing.
+  // The row next to a cell's row, or an outside row that has no distances.
   const std::uint8_t* Neighbor(const std::uint8_t* cell, int y, int z) const
   {
     return IsTowards(this->towards.y, y) && IsTowards(this->towards.z, z)

@@ -13,17 +13,17 @@ namespace
 
 constexpr double Side = BrickRanges::CellsPerSide;
 
-// Of bricks along an axis; both included.
+// A range of bricks along an axis, both ends included.
 struct Span
 {
   int first;
   int last;
 };
 
-// Which bricks of voxels reach into each brick of the even grid.
+// The voxel bricks that overlap each brick of the even grid, along one axis.
 std::vector<Span> SpansOf(const UnevenAxis& axis, int brickCount)
 {
-  constexpr double Rounding = 1e-3; // of a place, by a shader [voxels]
+  constexpr double Rounding = 1e-3; // error of a shader's position [voxels]
   std::vector<Span> spans;
   for (int brick = 0; brick < brickCount; ++brick)
   {

@@ -9,10 +9,11 @@
 namespace varimarch
 {
 
-/// The bricks of a rectilinear volume's even grid, in which rays are straight: each has the range
-/// of all bricks of voxels that reach into it, and the outermost ones that of all beyond.
-/// @param ofVoxels  at least one
-/// @param axes      three
+/// Brick ranges on the even grid of a rectilinear volume, in which rays are straight. Each even
+/// brick has the range of all voxel bricks that overlap it; outermost ones include everything
+/// beyond.
+/// @param ofVoxels  ranges of the bricks of voxels; at least one brick
+/// @param axes  the three axes
 BrickRanges EvenBricks(const BrickRanges& ofVoxels, const std::vector<UnevenAxis>& axes);
 
 }

@@ -19,8 +19,9 @@ glm::dvec4 Premultiplied(const glm::dvec4& optical, double unitDistanceMm)
   return { opacity * optical.r, opacity * optical.g, opacity * optical.b, opacity };
 }
 
-// How much the look has changed from the first entry of the table to each: two values differ in no
-// channel by more than their entries differ in this.
+// Accumulated change of colour and opacity from the table's first entry to each entry. The
+// difference of this sum between two entries bounds the difference of their colours in every
+// channel.
 std::vector<double> ChangeUpTo(const ExtremeLook& look)
 {
   std::vector<double> changes = { 0.0 };
@@ -35,7 +36,7 @@ std::vector<double> ChangeUpTo(const ExtremeLook& look)
   return changes;
 }
 
-// Bounds of the change of the look up to a step.
+// Bounds of the accumulated change at a step of the brick ranges.
 class ChangeOfSteps
 {
 public:
@@ -65,7 +66,7 @@ private:
   double entriesPerStep;
 };
 
-// Of each step, the least that looks as it does.
+// For each step, the least step whose colour differs by at most the tolerance.
 std::vector<std::uint16_t> LeastAlike(const ChangeOfSteps& change, double tolerance)
 {
   std::vector<std::uint16_t> alike(StepCount);

@@ -12,25 +12,24 @@
 namespace varimarch
 {
 
-/// How extremes are seen: the value found along a ray, through a transfer function over one unit
-/// distance.
+/// How extreme values become colours: by a transfer function, over one unit distance.
 struct ExtremeLook
 {
   const OpticalTable& table;
   double opacityUnitDistanceMm;
-  double tolerance; ///< that a premultiplied channel of the picture may be off
+  double tolerance; ///< accepted error of a premultiplied channel of a pixel
 };
 
-/// For each brick, x fastest, in steps of its range, the least value that is as good as its
-/// largest: a ray that has found as much need not enter the brick for a maximum, since nothing
-/// there would change the picture by more than the tolerance. For a minimum, the greatest value
-/// that is as good as its smallest. In a brick with a value that is not finite there may be any
-/// other.
-/// @param largest  for a maximum
+/// For a maximum: for each brick (x fastest), the least value, in steps of its range, that looks
+/// like the brick's largest value. A ray that has already found this value need not enter the
+/// brick, since no value there would change the pixel by more than the tolerance. For a minimum:
+/// the greatest value that looks like the brick's smallest. A brick with a value that is not finite
+/// must always be entered.
+/// @param largest  true for a maximum
 std::vector<std::uint16_t> BuildExtremeBricks(
   const BrickRanges& ranges, const ExtremeLook& look, bool largest);
 
-/// The same of blocks of bricks: what a ray must have found to leave all of one out.
+/// The same bound for blocks of bricks: a ray that has found this value may skip the whole block.
 struct ExtremeBlocks
 {
   static constexpr int BricksPerSide = 4;
@@ -39,7 +38,7 @@ struct ExtremeBlocks
   std::vector<std::uint16_t> steps; ///< x fastest
 };
 
-/// @param bricks  of BuildExtremeBricks
+/// @param bricks  the result of BuildExtremeBricks
 ExtremeBlocks JoinExtremeBricks(
   const std::vector<std::uint16_t>& bricks, glm::ivec3 brickCount, bool largest);
 

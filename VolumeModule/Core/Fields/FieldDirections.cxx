@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-// Pictures of one view after which no other is expected soon.
+// Number of frames with unchanged directions after which no change is expected soon.
 constexpr int Settled = 8;
 
 }
@@ -21,12 +21,12 @@ glm::ivec3 DirectionsOf(const PixelRays& rays)
   glm::ivec3 directions(0);
   for (int axis = 0; axis < 3; ++axis)
   {
-    // Rays beside the middles of the outermost pixels too.
+    // Includes rays away from the centres of the outermost pixels.
     constexpr double Edge = 1.1;
     const double middle = rays.directionGrid[0][axis];
     const double reach =
       Edge * (std::abs(rays.directionGrid[1][axis]) + std::abs(rays.directionGrid[2][axis]));
-    // Far more than rounding may turn round.
+    // Large enough that rounding cannot reverse a direction.
     const double least = 1e-4 * glm::length(rays.directionGrid[0]);
     directions[axis] = std::abs(middle) - reach > least ? (middle > 0.0 ? 1 : -1) : 0;
   }

@@ -10,24 +10,25 @@
 namespace varimarch
 {
 
-/// Which way along each axis of the grid all rays of a picture go: 1, -1, or 0 where some go the
-/// one way and some the other, or hardly any.
+/// The direction of a frame's rays along each axis of the grid: 1 or -1 if all rays agree, or 0
+/// if they do not or hardly move along this axis.
 glm::ivec3 DirectionsOf(const PixelRays& rays);
 
-/// The directions that a field is measured towards, from picture to picture. One that is turned
-/// into other directions is measured again for both, and for fewer only when the view has kept them
-/// for a while: two views in turn, as of two eyes, then have one field.
+/// Chooses the directions for which a field is measured, from frame to frame. If rays leave
+/// these directions, the field is measured for both ways along that axis. It is measured for fewer
+/// directions only after they have not changed for a while, so that two alternating views, as of
+/// two eyes, share one field.
 class FieldDirections
 {
 public:
-  /// @param rays  DirectionsOf the next picture
-  /// @return what its field must be measured towards
+  /// @param rays  DirectionsOf the next frame
+  /// @return the directions for which its field must be measured
   glm::ivec3 Next(glm::ivec3 rays);
 
 private:
-  std::optional<glm::ivec3> measured; ///< none: nothing has been drawn
+  std::optional<glm::ivec3> measured; ///< empty until the first frame
   glm::ivec3 last = glm::ivec3(0);
-  int kept = 0; ///< how many pictures the last directions have been the same
+  int kept = 0; ///< number of frames for which `last` has not changed
 };
 
 }

@@ -13,7 +13,7 @@ namespace varimarch
 namespace
 {
 
-// Calls work(index, texel, distance) for all, on all cores.
+// Calls work(index, texel, distance) for each cell, on all cores.
 template <class Work>
 void ForEach(GapField& field, ChebyshevDistance& distance, Work work)
 {
@@ -34,7 +34,7 @@ void ForEach(GapField& field, ChebyshevDistance& distance, Work work)
     });
 }
 
-// @param presenceAt  of a cell of the lattice
+// @param presenceAt  presence of the cell at an index
 template <class PresenceAt>
 GapField BuildGapField(glm::ivec3 count, PresenceAt presenceAt)
 {
@@ -54,7 +54,7 @@ GapField BuildGapField(glm::ivec3 count, PresenceAt presenceAt)
   return field;
 }
 
-// The least in a box of voxels, both corners included, cut at the grid.
+// The least presence in a box of voxels, both corners included, clipped to the grid.
 Presence LeastPresence(const PresenceGrid& grid, glm::ivec3 lower, glm::ivec3 upper)
 {
   const glm::ivec3 first = glm::max(lower, glm::ivec3(0));

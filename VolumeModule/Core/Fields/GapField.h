@@ -9,27 +9,27 @@
 namespace varimarch
 {
 
-/// Whether a voxel or cell is drawn. Ordered: what touches several is what the least of them is.
+/// Whether a voxel or cell is drawn. Ordered: a region has the least presence of its parts.
 enum class Presence : std::uint8_t
 {
-  NoValue, ///< it is not finite
-  LeftOut, ///< it has a value, and is blanked
+  NoValue, ///< its value is not finite
+  LeftOut, ///< it has a value but is blanked
   Drawn,
 };
 
-/// What a part of a volume holds, voxel by voxel.
+/// Presence of the voxels, and optionally the cells, of a part of a volume.
 struct PresenceGrid
 {
   glm::ivec3 voxelCount;
   std::vector<Presence> voxels; ///< x fastest
-  std::vector<Presence> cells;  ///< between the voxels, for flags of their own; or empty
-  bool interpolated;            ///< a value is made of all voxels around it
+  std::vector<Presence> cells;  ///< presence of cells that have flags of their own, or empty
+  bool interpolated;            ///< true if a value depends on all voxels around it
 };
 
-/// The gaps of a volume: one byte for each cell between voxels, or for each voxel:
-///   0            a value is missing
-///   255          left out, whatever the value
-///   k + 1        drawn, and so are all of c - k ... c + k
+/// The cells (or voxels) of a volume that have no value or are left out, one byte each:
+///   0            at least one value is missing
+///   255          left out, whatever its values
+///   k + 1        drawn, as are all of c - k ... c + k
 struct GapField
 {
   static constexpr std::uint8_t NoValue = 0;
@@ -39,11 +39,11 @@ struct GapField
   std::vector<std::uint8_t> texels; ///< x fastest
 };
 
-/// Of cells: one is drawn when all its voxels are.
+/// A field of cells: a cell is drawn if all its voxels are.
 GapField BuildGapFieldOfCells(const PresenceGrid& grid);
 
-/// Of voxels as boxes. Where values are interpolated, the neighbours of a voxel without a value
-/// have none either.
+/// A field of voxels drawn as boxes. With interpolation, the neighbours of a voxel without a value
+/// have no value either.
 GapField BuildGapFieldOfVoxels(const PresenceGrid& grid);
 
 }

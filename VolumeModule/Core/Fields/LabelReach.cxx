@@ -12,7 +12,7 @@ namespace
 
 constexpr std::uint16_t Farthest = 255;
 
-/// A box of voxels that is walked in one of two directions.
+/// The voxels of a box, visited in index order or in reverse.
 class Neighbours
 {
 public:
@@ -21,8 +21,8 @@ public:
   {
   }
 
-  /// Calls visit(index) for the voxels beside one, those before it in the order of the index or, in
-  /// a pass backwards, behind it.
+  /// Calls visit(index) for the neighbours that precede a voxel in index order (direction 1) or in
+  /// reverse order (-1).
   template <class Visit>
   void Before(glm::ivec3 voxel, int direction, Visit visit) const
   {
@@ -53,9 +53,9 @@ private:
 
 }
 
-// A voxel of another label is reached through one beside which the label changes: so the distance
-// is one more than that of the nearest such voxel, by the two passes of Rosenfeld and Pfaltz
-// (Pattern Recognition 1968) over the 26 neighbours.
+// The path to a voxel with another label leads over a voxel at which the label changes. The
+// distance is therefore one more than that of the nearest such voxel, by the two passes of
+// Rosenfeld and Pfaltz (Pattern Recognition 1968) over the 26 neighbours.
 std::vector<std::uint16_t> LabelReach(const std::vector<std::uint16_t>& labels, glm::ivec3 size)
 {
   const Neighbours neighbours(size);

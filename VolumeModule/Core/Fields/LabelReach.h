@@ -9,8 +9,8 @@
 namespace varimarch
 {
 
-/// For each voxel v of a mask, how far its label goes: k + 1 where all voxels v - k ... v + k on
-/// each axis, cut at the mask's faces, have the same; exact up to 255.
+/// How far the label of each voxel v of a mask extends: k + 1 if all voxels v - k ... v + k on each
+/// axis, clipped to the mask, have the same label. Exact up to 255.
 /// @param labels  x fastest
 std::vector<std::uint16_t> LabelReach(const std::vector<std::uint16_t>& labels, glm::ivec3 size);
 

@@ -17,16 +17,16 @@ namespace varimarch
 namespace
 {
 
-// Which intervals of table entries look alike. Both properties hold for every part of an interval
-// that has them, so that one number per first entry says it all: the last entry that still has it.
+// Intervals of table entries of constant look. Every part of such an interval has a constant look
+// too, so one number per first entry suffices: the last entry of the longest interval.
 struct AlikeIntervals
 {
-  std::vector<int> invisibleUntil;   ///< first - 1 where the entry itself is visible
-  std::vector<int> homogeneousUntil; ///< at least the first itself
+  std::vector<int> invisibleUntil;   ///< first - 1 if the entry itself is visible
+  std::vector<int> homogeneousUntil; ///< at least the first entry
 };
 
-// Smallest or largest value of one component over a window of entries whose ends only move
-// forwards: the entries that could still become it, best first.
+// Smallest or largest value of one component of the entries in a window whose ends only move
+// forwards. Keeps the entries that may still become the extreme, best first.
 template <class Better>
 class SlidingExtreme
 {
@@ -111,7 +111,7 @@ std::vector<int> HomogeneousUntil(
     {
       range.DropBefore(first);
     }
-    // The window holds first ... next - 1; it grows past the first entry that breaks the rule.
+    // The window holds first ... next - 1; it grows until an entry breaks the rule.
     while (next < count && (next <= first || IsHomogeneous(ranges, tolerance)))
     {
       for (SlidingRange& range : ranges)
@@ -137,13 +137,13 @@ std::vector<int> InvisibleUntil(const std::vector<glm::vec4>& entries)
   return until;
 }
 
-// What a step of ranges means to a brick that begins or ends with it. Found once for each step, for
-// there are a thousand bricks to one.
+// What a step of the ranges implies for a brick whose range begins or ends with it. Computed once
+// per step, because there are a thousand bricks per step.
 struct StepLook
 {
-  int invisibleUntil; ///< last entries of a brick that begins here and looks alike
-  int homogeneousUntil;
-  int lastEntry; ///< that the values of a brick are made of that ends here
+  int invisibleUntil;   ///< last entry up to which a brick that begins here is invisible
+  int homogeneousUntil; ///< last entry up to which a brick that begins here is homogeneous
+  int lastEntry;        ///< last table entry that a brick whose range ends here uses
 };
 
 class BrickClassifier
@@ -162,7 +162,7 @@ public:
     const double entriesPerStep = ranges.ValuePerStep() * entriesPerValue;
     for (std::size_t step = 0; step < this->looks.size(); ++step)
     {
-      // A value that lies on an entry needs no other, whatever the last digits of the product say.
+      // The product's rounding must not add a neighbour to a value that lies exactly on an entry.
       constexpr double rounding = 1e-6;
       const double entry = entryOfFirstStep + double(step) * entriesPerStep;
       const int first = int(std::clamp(std::floor(entry + rounding), 0.0, lastEntry));
@@ -188,10 +188,10 @@ public:
   }
 
 private:
-  std::vector<StepLook> looks; ///< of each step
+  std::vector<StepLook> looks; ///< one per step
 };
 
-// A brick of several components is what the least alike of them is.
+// A brick of several components has the least uniform class of its components.
 class ChannelsClassifier
 {
 public:
@@ -228,7 +228,7 @@ OpticalField BuildField(glm::ivec3 count, glm::ivec3 towards, ClassOf classOf)
   field.bricks.resize(std::size_t(count.x) * count.y * count.z);
   ChebyshevDistance distance(count, towards);
 
-  // Calls work with the index and the distance of every brick.
+  // Calls work(index, distance) for each brick.
   const auto forEachBrick = [&](auto&& work)
   {
     tbb::parallel_for(tbb::blocked_range<int>(0, count.y * count.z, 16),
@@ -275,7 +275,7 @@ OpticalField BuildIsosurfaceField(
   return BuildField(ranges.BrickCount(), towards,
     [&](std::size_t brick)
     {
-      // Half a step more on either side, for what rounding leaves.
+      // Half a step of margin on either side covers rounding.
       const BrickRanges::Steps steps = ranges[brick];
       const double lower = valueOf(steps.smallest - 0.5);
       const double upper = valueOf(steps.largest + 0.5);

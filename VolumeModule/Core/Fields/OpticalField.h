@@ -11,16 +11,16 @@
 namespace varimarch
 {
 
-/// How far a ray may go before what is *seen* changes: the variation field with the transfer
-/// function taken into account. One byte per brick of BrickRanges:
-///   0            structured: march it
+/// How far a ray may go before what is *seen* changes: a variation field that takes the transfer
+/// function into account. One byte per brick of BrickRanges:
+///   0            structured: sample it
 ///   1            homogeneous: one sample stands for the whole brick
-///   128 + k      invisible, and so are all bricks [b - k, b + k] on each axis, cut at the
-///                volume's faces: a ray may leave the block without a sample. Where all rays go the
-///                same way along an axis, they are [b, b + k] or [b - k, b]: behind a surface,
-///                which a ray has left, the blocks are then large at once
-/// It is a matter of milliseconds: a change of the transfer function makes a new one, and leaves
-/// the ranges, which read the whole volume, as they are.
+///   128 + k      invisible, as are all bricks [b - k, b + k] on each axis, clipped to the volume:
+///                a ray may leave this block without a sample. If all rays move the same way along
+///                an axis, it is [b, b + k] or [b - k, b]; behind a surface, blocks are then large
+///                at once
+/// A new transfer function needs a new field, which takes milliseconds; the ranges, which need the
+/// whole volume, stay.
 struct OpticalField
 {
   static constexpr std::uint8_t Structured = 0;
@@ -31,17 +31,18 @@ struct OpticalField
   glm::ivec3 brickCount = glm::ivec3(0);
   std::vector<std::uint8_t> bricks; ///< x fastest
 
-  /// The part of the bricks in a box of whole bricks [grid space] that a ray takes in one step.
+  /// Fraction of the bricks in a box [grid space] that a ray crosses in one step.
   double SkippablePart(const Box& boxGrid) const;
 };
 
-/// What a brick must keep to count as homogeneous. With s the extinction [1/mm] and c a colour
-/// channel over the values of the brick:
+/// Limits that make a brick homogeneous. Let s be the extinction [1/mm] and c a colour channel,
+/// over all values of the brick:
 ///   max s - min s <= max(relativeExtinction * min s, opticalDepth / longestRayMm)
 ///   max c - min c <= color
-/// An image drawn with one sample per homogeneous brick is then off by at most
-/// color + 2 (relativeExtinction + opticalDepth) in a premultiplied channel, to first order,
-/// whatever the length of the ray and the number of bricks (Documentation/Mathematics.md).
+/// An image drawn with one sample per homogeneous brick then has an error of at most
+///   color + 2 (relativeExtinction + opticalDepth)
+/// in a premultiplied channel, to first order, for any ray length and any number of bricks
+/// (Documentation/Mathematics.md).
 struct OpticalTolerance
 {
   double relativeExtinction;
@@ -49,28 +50,29 @@ struct OpticalTolerance
   double color;
   double longestRayMm;
 
-  /// Splits a largest error of a premultiplied channel over the three.
+  /// Distributes the largest accepted error of a premultiplied channel over the three limits.
   static OpticalTolerance ForError(double error, double longestRayMm)
   {
     return { error / 8.0, error / 8.0, error / 2.0, longestRayMm };
   }
 
-  /// No brick is homogeneous: for pictures in which more than the values of a brick is seen, such
-  /// as the light on its gradients.
+  /// Makes no brick homogeneous: for images that show more than the values of a brick, such as
+  /// shading by its gradients.
   static OpticalTolerance Nothing(double longestRayMm) { return { 0.0, 0.0, -1.0, longestRayMm }; }
 };
 
-/// The values of one component of a volume, and what the shader will look up for them.
+/// One component of a volume: its values, and the table that the shader looks them up in.
 struct OpticalChannel
 {
   const BrickRanges& ranges;
   const OpticalTable& table;
 };
 
-/// Builds the field on all cores. A brick of several components is invisible where all of them are,
-/// and homogeneous where each is or is invisible; to a largest error, each may add as much.
-/// @param channels  at least one, of one volume
-/// @param towards   see DirectionsOf: the field is for rays of these directions only
+/// Builds the field on all cores. A brick of several components is invisible if all of them are,
+/// and homogeneous if each is homogeneous or invisible. Each component may contribute the whole
+/// error.
+/// @param channels  at least one; all of one volume
+/// @param towards  ray directions that the field holds for; see DirectionsOf
 OpticalField BuildOpticalField(const std::vector<OpticalChannel>& channels,
   const OpticalTolerance& tolerance, glm::ivec3 towards = glm::ivec3(0));
 
@@ -80,7 +82,7 @@ inline OpticalField BuildOpticalField(const BrickRanges& ranges, const OpticalTa
   return BuildOpticalField({ OpticalChannel{ ranges, table } }, tolerance, towards);
 }
 
-/// The field for isosurfaces: bricks that none of them passes are invisible, the others structured.
+/// A field for isosurfaces: bricks that no surface passes are invisible, all others structured.
 OpticalField BuildIsosurfaceField(const BrickRanges& ranges, const std::vector<double>& isovalues,
   glm::ivec3 towards = glm::ivec3(0));
 

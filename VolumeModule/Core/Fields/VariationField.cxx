@@ -20,8 +20,8 @@ namespace varimarch
 namespace
 {
 
-/// Whether the difference of two values stays within a tolerance, decided without overflow.
-/// Integers compare in the unsigned type of their own width, in which the difference is exact.
+/// Tests without overflow whether two values differ by at most a tolerance. Integers are compared
+/// in the unsigned type of their width, in which the difference is exact.
 template <class Scalar, bool = std::is_integral_v<Scalar>>
 class WithinTolerance
 {
@@ -47,7 +47,7 @@ template <class Scalar>
 class WithinTolerance<Scalar, false>
 {
 public:
-  // Finite at most, so that the infinite range of a cell with a NaN never passes.
+  // The tolerance stays finite, so that the infinite range of a cell with a NaN never passes.
   explicit WithinTolerance(double tolerance)
     : tolerance(std::min(tolerance, std::numeric_limits<double>::max()))
   {
@@ -84,11 +84,12 @@ struct Windows
   int step;
 };
 
-/// Fills a field size by size. The *size* of a cell is what the field stores: radius + 1, or 0.
+/// Fills a field, block size by block size. The *size* of a cell is the stored number: radius + 1,
+/// or 0.
 ///
-/// A block of size s reads 2 s voxels a side: with windows of size w, w / 2 <= s <= w, two windows
-/// an axis cover it. A block that fits contains all smaller ones of its cell, so that the size
-/// of a cell is the number of sizes that fit.
+/// A block of size s reads 2 s voxels along each axis; two windows of size w, w / 2 <= s <= w,
+/// cover it. A block that fits contains all smaller blocks of its cell, so a cell's size is the
+/// number of block sizes that fit.
 template <class Scalar>
 class FieldBuilder
 {
@@ -97,11 +98,11 @@ public:
   VariationField Build();
 
 private:
-  /// Cells of a row that are tested together, so that the compiler turns them into vectors.
+  /// Number of cells that are tested together, so that the compiler vectorizes the loop.
   static constexpr int ChunkLength = WindowRanges<Scalar>::Overrun;
   using Chunk = std::array<std::uint8_t, ChunkLength>;
 
-  /// First voxels of the two windows that cover a block along an axis.
+  /// First voxels of the two windows that cover a block along one axis.
   struct Starts
   {
     int first;
@@ -153,7 +154,8 @@ VariationField FieldBuilder<Scalar>::Build()
   return std::move(this->field);
 }
 
-/// Tests all sizes that the present windows serve. @return whether any cell fits the largest
+/// Tests all block sizes that the present windows serve.
+/// @return true if any cell fits the largest of them
 template <class Scalar>
 bool FieldBuilder<Scalar>::FillLevel()
 {
@@ -187,9 +189,9 @@ bool FieldBuilder<Scalar>::FillSlice(int z, bool sliceBelowIsDone)
   return anyFitsAll;
 }
 
-/// The smallest size among the cells just before a chunk along y or z, where those are done.
-/// A cell's block holds the block one smaller of each neighbour: sizes of neighbours differ by one
-/// at most, so that a chunk need not test what its neighbours prove.
+/// The smallest size among the preceding cells along y or z, if those are done. A cell's block
+/// contains the next smaller block of each neighbour, so sizes of neighbours differ by at most one,
+/// and what the neighbours prove need not be tested.
 template <class Scalar>
 int FieldBuilder<Scalar>::SmallestSizeBeside(glm::ivec3 cell, bool sliceBelowIsDone) const
 {
@@ -203,7 +205,7 @@ int FieldBuilder<Scalar>::SmallestSizeBeside(glm::ivec3 cell, bool sliceBelowIsD
   return std::max(alongY, alongZ);
 }
 
-/// @param knownSize  a size that all cells of the chunk fit
+/// @param knownSize  a size that fits all cells of the chunk
 template <class Scalar>
 bool FieldBuilder<Scalar>::FillChunk(glm::ivec3 cell, int knownSize)
 {
@@ -232,7 +234,8 @@ bool FieldBuilder<Scalar>::FillChunk(glm::ivec3 cell, int knownSize)
   return anyFitsAll;
 }
 
-/// Adds one to each cell of the chunk whose block of this size fits. @return whether any does
+/// Adds one to each cell of the chunk whose block of this size fits.
+/// @return true if any fits
 template <class Scalar>
 bool FieldBuilder<Scalar>::AddFitting(glm::ivec3 cell, int size, Chunk& sizes) const
 {
@@ -259,7 +262,7 @@ bool FieldBuilder<Scalar>::AddFitting(glm::ivec3 cell, int size, Chunk& sizes) c
   return any != 0;
 }
 
-/// A block as long as the volume covers it from every cell: larger ones are no different.
+/// A block as long as the volume covers it from every cell, so larger ones are the same.
 template <class Scalar>
 typename FieldBuilder<Scalar>::Starts FieldBuilder<Scalar>::WindowStarts(
   int axis, int cell, int size) const
@@ -278,7 +281,8 @@ VariationField BuildVariationField(const ScalarGrid<Scalar>& grid, double tolera
   if (!(tolerance >= 0.0))
   {
     throw std::invalid_argument(
-      "Variation field: the tolerance must be 0 or more, found " + std::to_string(tolerance));
+      "Cannot build a variation field: expected a tolerance of at least 0, found " +
+      std::to_string(tolerance));
   }
   return FieldBuilder<Scalar>(grid, tolerance).Build();
 }

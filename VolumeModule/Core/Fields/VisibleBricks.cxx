@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-// Which blocks of bricks hold something visible, with a border of blocks that are not there.
+// Which blocks of bricks contain something visible, with a border of empty blocks.
 class VisibleBlocksOfBricks
 {
 public:
@@ -102,7 +102,7 @@ Box VisibleBricks::Bounds(const Box& partGrid) const
   const glm::ivec3 count = this->brickCount;
   const glm::ivec3 lowest =
     glm::clamp(glm::ivec3(glm::floor(partGrid.lower / double(Side))), glm::ivec3(0), count - 1);
-  // A part beyond the outermost voxels shows these.
+  // A part beyond the outermost voxels shows the outermost bricks.
   const glm::ivec3 behind =
     glm::clamp(glm::ivec3(glm::ceil(partGrid.upper / double(Side))), lowest + 1, count);
   glm::ivec3 first = count;

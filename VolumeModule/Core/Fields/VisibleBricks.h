@@ -11,16 +11,16 @@
 namespace varimarch
 {
 
-/// Which bricks of a field are not invisible: all that is kept of it when a device has the rest.
+/// Which bricks of a field are visible: all that stays in main memory once a device has the field.
 class VisibleBricks
 {
 public:
   VisibleBricks() = default;
   explicit VisibleBricks(const OpticalField& field);
 
-  /// The smallest box of whole bricks that holds all that is visible in a part of the volume, cut
-  /// at the part [grid space]; an empty box, whose lower is not below its upper, where nothing is.
-  /// A brick at a face of the part reaches to the face.
+  /// The smallest box of whole bricks that contains everything visible in a part of the volume,
+  /// clipped to the part [grid space]. A brick at a face of the part extends to that face. If
+  /// nothing is visible, the box is empty: its lower corner is not below its upper corner.
   Box Bounds(const Box& partGrid) const;
 
 private:
@@ -28,8 +28,8 @@ private:
   std::vector<bool> visible; ///< x fastest
 };
 
-/// The blocks of side^3 bricks that hold something visible and touch, with a face, one that does
-/// not, or the outside: their numbers along each axis.
+/// Indices of the surface blocks: blocks of side^3 bricks that contain something visible and have a
+/// face next to a block that does not, or to the outside.
 std::vector<glm::ivec3> VisibleHull(const OpticalField& field, int side);
 
 }

@@ -19,23 +19,24 @@ namespace
 
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 
-// Fewer are drawn by one thread: another would take longer to begin.
+// Number of blocks below which starting another thread would take longer than drawing them.
 constexpr std::size_t BlocksAtATime = 512;
-// Of threads. Each is as large as the picture has packets, and all are joined.
+// Largest number of threads. Each needs a layer with an entry per packet, and all layers are
+// joined.
 constexpr std::size_t MostLayers = 8;
 
-// The packets that a block may be seen in, and its depths.
+// The packets in which a block may be visible, and its range of depths.
 struct Rectangle
 {
   int left;
-  int right; ///< included, as top
+  int right; ///< included, as is top
   int bottom;
   int top;
   float nearest;
   float farthest;
 };
 
-// Half of what a block covers along a function that is linear in the grid.
+// Half of the range that a function linear in grid space has over a block.
 float ReachOf(const glm::vec3& perVoxel, float sideGrid)
 {
   const glm::vec3 steps = glm::abs(perVoxel);
@@ -47,7 +48,7 @@ glm::vec3 Row(const glm::mat4& matrix, int row)
   return { matrix[0][row], matrix[1][row], matrix[2][row] };
 }
 
-// What blocks of one size look like.
+// The projection of blocks of one size onto packets.
 class Projection
 {
 public:
@@ -64,7 +65,7 @@ public:
   {
   }
 
-  // None for a block beside the eye.
+  // Returns nothing if the block may touch the plane of the eye.
   std::optional<Rectangle> Of(const glm::vec3& centerGrid) const
   {
     const glm::vec4 clip = this->matrix * glm::vec4(centerGrid, 1.0f);
@@ -76,14 +77,14 @@ public:
     const float farScale = 1.0f / (clip.w + this->weightReach);
     const glm::vec2 lower = glm::vec2(clip) - this->reach;
     const glm::vec2 upper = glm::vec2(clip) + this->reach;
-    // In pixels, with one more to every side for rays beside the middles of theirs.
+    // One pixel is added on each side for rays away from the pixels' centres.
     const glm::vec2 from =
       (glm::min(lower * nearScale, lower * farScale) + 1.0f) * this->halfPicture -
       this->firstPixel - 1.0f;
     const glm::vec2 to =
       (glm::max(upper * nearScale, upper * farScale) + 1.0f) * this->halfPicture -
       this->firstPixel + 1.0f;
-    // Clamped before they are integers, which cannot hold what is close to the eye.
+    // Clamped before the conversion, because integers cannot hold positions close to the eye.
     const glm::ivec2 begin(glm::clamp(glm::floor(from / Packet), glm::vec2(0.0f), this->count));
     const glm::ivec2 last(
       glm::clamp(glm::floor(to / Packet), glm::vec2(-1.0f), this->count - 1.0f));
@@ -97,12 +98,12 @@ private:
 
   glm::mat4 matrix;
   glm::vec3 axisGrid;
-  glm::vec2 reach; ///< of a block in clip space
+  glm::vec2 reach; ///< half extent of a block in clip space
   float weightReach;
   float depthReach;
   glm::vec2 halfPicture; ///< [pixels]
   glm::vec2 firstPixel;
-  glm::vec2 count; ///< of packets
+  glm::vec2 count; ///< number of packets
 };
 
 void Begin(VisibleLayer& layer, int columns, int rows)
@@ -128,7 +129,7 @@ void DrawBlock(VisibleLayer& layer, const Rectangle& block)
   }
 }
 
-// Of the blocks that no other layer has taken, until none is left.
+// Draws blocks that no other layer has taken, until none is left.
 void DrawNext(VisibleLayer& layer, const Projection& projection, const VisibleBlocks& blocks,
   std::atomic<std::size_t>& next)
 {

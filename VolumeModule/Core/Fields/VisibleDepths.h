@@ -11,40 +11,40 @@
 namespace varimarch
 {
 
-/// Cubes of the grid outside of which nothing is visible between the eye and the first of them, nor
-/// behind the last.
+/// Cubes of the grid that bound what is visible: along any ray, nothing is visible before the first
+/// cube or behind the last.
 struct VisibleBlocks
 {
   float sideGrid = 1.0f;
   std::vector<glm::vec3> centersGrid;
 };
 
-/// What a thread has drawn of VisibleDepths.
+/// The depths that one thread has drawn.
 struct VisibleLayer
 {
-  int columns = 0;            ///< of packets
-  std::vector<float> nearest; ///< of each packet, along the axis
+  int columns = 0;            ///< number of packets per row
+  std::vector<float> nearest; ///< least depth of each packet, along the view axis
   std::vector<float> farthest;
-  bool isBounded = true; ///< no block is beside the eye
+  bool isBounded = true; ///< false if a block touches the plane of the eye
 };
 
-/// Where along the view something may be visible, for each packet of a picture: rays then begin and
-/// end there, and those of packets that see nothing are not begun. The blocks are drawn as
-/// rectangles that hold them: what a rasteriser would do with a proxy geometry, for two lookups of
-/// each packet in place of a dozen of each ray.
+/// Range of depths, for each packet of rays, in which something may be visible. Rays begin and end
+/// there, and packets that see nothing are skipped. Blocks are drawn as their bounding rectangles.
+/// This replaces a rasterizer's proxy geometry with two lookups per packet, instead of a dozen per
+/// ray.
 class VisibleDepths
 {
 public:
-  /// @param directionGrid  any length, of the ray in the middle of the picture
-  /// @param pixels  part of the picture, whose packets begin at its lower left pixel
-  /// @return until the next are drawn; none where a block is beside the eye: then all may be
-  /// visible
+  /// @param directionGrid  any length, of the ray in the middle of the image
+  /// @param pixels  part of the image; its packets begin at its lower left pixel
+  /// @return the depths, valid until the next call; empty if a block touches the plane of the eye,
+  /// since then everything may be visible
   PacketDepths Draw(const VisibleBlocks& blocks, const glm::dmat4& clipFromGrid,
     const glm::vec3& directionGrid, glm::ivec2 picturePixels, const Viewport& pixels);
 
 private:
-  /// The first becomes that of all blocks. They are kept: memory that is taken anew for each
-  /// picture may cost more than what is drawn into it.
+  /// The first layer becomes that of all blocks. Layers are kept, because allocating their memory
+  /// for each frame may cost more than drawing into it.
   std::vector<VisibleLayer> layers;
 };
 

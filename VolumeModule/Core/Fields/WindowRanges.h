@@ -15,7 +15,7 @@
 namespace varimarch
 {
 
-/// std::min and std::max by value: references to array elements keep loops from vectorising.
+/// std::min and std::max by value; references to array elements would prevent vectorization.
 struct Lower
 {
   template <class Scalar>
@@ -34,12 +34,13 @@ struct Higher
   }
 };
 
-/// Lowest and highest value of every cube of voxels of one size, the windows, named by the first
-/// voxel. What BuildVariationField works on; it copies the voxels and can only double the size.
+/// Lowest and highest value of all windows: cubes of voxels of one size, addressed by their first
+/// voxel. BuildVariationField uses it. It copies the voxels, and can only double the window size.
 ///
-/// A window is cut at the volume's faces. It may start before the volume, by `Margin` voxels, so
-/// that blocks cut at a lower face are as tight as all others, and one voxel behind it; where a
-/// window misses the volume it holds a range that changes no other. `Overrun` more windows can be
+/// Windows are clipped to the volume. They may start up to `Margin` voxels before the volume, so
+/// that blocks clipped at a lower face are as tight as all others, and one voxel behind it. A
+/// window outside the volume holds a range that changes no other when combined. `Overrun` more
+/// windows can be read behind each row.
 /// read behind any row.
 template <class Scalar>
 class WindowRanges
@@ -47,7 +48,7 @@ class WindowRanges
 public:
   static constexpr int Overrun = 64;
 
-  /// @param largestWindow  the size up to which windows will be doubled
+  /// @param largestWindow  size up to which windows will be doubled
   WindowRanges(const ScalarGrid<Scalar>& grid, int largestWindow);
 
   void DoubleWindows();
@@ -82,14 +83,15 @@ private:
 
 template <class Scalar>
 WindowRanges<Scalar>::WindowRanges(const ScalarGrid<Scalar>& grid, int largestWindow)
-  // Along y and z the earlier half of a window before the volume can be left out: it is covered.
+  // Along y and z, the earlier half of a window before the volume is not needed: the later one
+  // covers it.
   : margin(glm::min(grid.Dimensions() - 1,
       glm::ivec3(largestWindow - 1, largestWindow / 2 - 1, largestWindow / 2 - 1)))
   , extent(grid.Dimensions() + this->margin + 1)
 {
   const std::size_t count =
     std::size_t(this->extent.x) * std::size_t(this->extent.y) * std::size_t(this->extent.z);
-  // Left uninitialised: the threads that fill the pages also touch them first.
+  // Left uninitialized, so that the threads that fill the pages also touch them first.
   this->lowest.reset(new Scalar[count + Overrun]);
   this->highest.reset(new Scalar[count + Overrun]);
   std::fill_n(this->lowest.get() + count, Overrun, Above);
@@ -134,7 +136,7 @@ void WindowRanges<Scalar>::CopyRow(const ScalarGrid<Scalar>& grid, int y, int z)
   }
 }
 
-/// `other` lies behind `row`, so that in place a value is read before it is overwritten.
+/// `other` is behind `row`, so that each value is read before it is overwritten in place.
 template <class Scalar>
 void WindowRanges<Scalar>::Merge(std::ptrdiff_t row, std::ptrdiff_t other, std::ptrdiff_t length)
 {
@@ -152,7 +154,7 @@ void WindowRanges<Scalar>::Merge(std::ptrdiff_t row, std::ptrdiff_t other, std::
   }
 }
 
-/// A window twice the size is the union of two along each axis in turn, in place.
+/// Merges two windows along each axis in turn, in place, into one of twice the size.
 template <class Scalar>
 void WindowRanges<Scalar>::DoubleWindows()
 {
