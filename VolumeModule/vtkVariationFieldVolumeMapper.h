@@ -125,10 +125,10 @@ public:
 
   ///@{
   /**
-   * If OpenGL runs on the CPU, as Mesa's llvmpipe does, march rays in C++, in packets of eight,
+   * If OpenGL runs on the CPU, as Mesa's llvmpipe does, march rays in C++, in packets of rays,
    * instead of in a shader. This is two to ten times as fast and follows the same rules, except
    * that several components, overlapping volumes and rectilinear grids are integrated by midpoints
-   * only. It needs a CPU with AVX2 and FMA. Default: on.
+   * only. It is fastest with AVX2. Default: on.
    *
    * Shaders still draw what packets do not support: slices; masks of other dimensions than the
    * volume; transfer functions of two arrays; shaded volumes with non-finite values; user code; a

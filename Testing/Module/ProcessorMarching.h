@@ -3,7 +3,6 @@
 
 // What tests of rays that the processor marches share.
 
-#include "Core/Packets/PacketMarch.h"
 #include "Module/MapperScene.h"
 
 #include <vtkContourValues.h>
@@ -18,14 +17,6 @@
 
 class ProcessorMarching : public testing::Test
 {
-protected:
-  void SetUp() override
-  {
-    if (!varimarch::CanMarchPackets())
-    {
-      GTEST_SKIP() << "this processor has no AVX2 and FMA";
-    }
-  }
 };
 
 inline bool ByProcessor(MapperScene& scene)

@@ -1,6 +1,5 @@
 // Points and cells that are blanked, or ghosts, are left out.
 
-#include "Core/Packets/PacketMarch.h"
 #include "Module/MapperScene.h"
 
 #include <vtkCellData.h>
@@ -38,7 +37,7 @@ public:
     const auto lengthIn = [&](const std::vector<float>& drawn)
     { return -std::log2(1.0 - drawn[4 * pixel + 3]); };
     const double marched = lengthIn(this->DrawByProcessor());
-    EXPECT_EQ(this->ShaderParts().empty(), CanMarchPackets());
+    EXPECT_TRUE(this->ShaderParts().empty());
     const double drawn = lengthIn(this->Draw());
     EXPECT_NEAR(marched, drawn, 1e-3) << "the processor's and the shader's";
     return drawn;

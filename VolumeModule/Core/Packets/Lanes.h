@@ -1,41 +1,56 @@
 #ifndef Varimarch_Core_Packets_Lanes_h
 #define Varimarch_Core_Packets_Lanes_h
 
-// Eight numbers in a register, one for each ray of a packet. Only for what is compiled for
-// processors with AVX2 and FMA: PacketTileAvx2.cxx. The compiler has the operators.
+// The numbers of a packet, one for each of its rays, in one register: as many as a register of the
+// instructions has that this is compiled for. Everything that is made of them has internal linkage,
+// because it is compiled once for each set of instructions: a linker that took one copy of a
+// function for all would take instructions that a processor may not have.
 
-#include <immintrin.h>
+#ifdef __AVX2__
+#include "Core/Packets/LanesAvx2.h"
+#else
+#include "Core/Packets/LanesPortable.h"
+#endif
 
 #include <cstdint>
+#include <utility>
 
 namespace varimarch
 {
 
-constexpr int LaneCount = 8;
+namespace
+{
 
-typedef float Lanes __attribute__((vector_size(32)));
-typedef std::int32_t IntLanes __attribute__((vector_size(32)));
-using LaneMask = IntLanes; ///< of each lane all bits or none
+using LaneMask = IntLanes; ///< all bits or none in each lane
+
+template <class Vector, class Number, int... Lane>
+Vector VectorOf(Number number, std::integer_sequence<int, Lane...>)
+{
+  return Vector{ number(Lane)... };
+}
+
+/// The lanes that number(lane), a float, returns.
+template <class Number>
+Lanes LanesOf(Number number)
+{
+  return VectorOf<Lanes>(number, std::make_integer_sequence<int, LaneCount>());
+}
+
+/// The lanes that number(lane), a std::int32_t, returns.
+template <class Number>
+IntLanes IntLanesOf(Number number)
+{
+  return VectorOf<IntLanes>(number, std::make_integer_sequence<int, LaneCount>());
+}
 
 inline Lanes All(float number)
 {
-  return Lanes(_mm256_set1_ps(number));
+  return LanesOf([=](int) { return number; });
 }
 
 inline IntLanes AllInt(int number)
 {
-  return IntLanes(_mm256_set1_epi32(number));
-}
-
-/// The second is taken where the first is not a number.
-inline Lanes Min(Lanes a, Lanes b)
-{
-  return Lanes(_mm256_min_ps(a, b));
-}
-
-inline Lanes Max(Lanes a, Lanes b)
-{
-  return Lanes(_mm256_max_ps(a, b));
+  return IntLanesOf([=](int) { return number; });
 }
 
 inline Lanes Clamp(Lanes number, Lanes least, Lanes most)
@@ -43,56 +58,26 @@ inline Lanes Clamp(Lanes number, Lanes least, Lanes most)
   return Min(Max(number, least), most);
 }
 
-inline Lanes Floor(Lanes number)
-{
-  return Lanes(_mm256_floor_ps(number));
-}
-
+/// Towards zero, for numbers that an int can hold.
 inline IntLanes Truncated(Lanes number)
 {
-  return IntLanes(_mm256_cvttps_epi32(number));
+  return __builtin_convertvector(number, IntLanes);
 }
 
 inline Lanes FloatOf(IntLanes number)
 {
-  return Lanes(_mm256_cvtepi32_ps(__m256i(number)));
-}
-
-inline Lanes Sqrt(Lanes number)
-{
-  return Lanes(_mm256_sqrt_ps(number));
-}
-
-/// 1 / sqrt(number), by one of Newton's steps from an estimate: within 3e-7, relative.
-inline Lanes InverseSqrt(Lanes number)
-{
-  const Lanes estimate = Lanes(_mm256_rsqrt_ps(number));
-  return estimate * (1.5f - 0.5f * number * estimate * estimate);
+  return __builtin_convertvector(number, Lanes);
 }
 
 inline Lanes Abs(Lanes number)
 {
-  return Lanes(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), number));
+  return Lanes(IntLanes(number) & 0x7fffffff);
 }
 
+/// @param size  >= 0
 inline Lanes WithSignOf(Lanes size, Lanes sign)
 {
-  return Lanes(_mm256_or_ps(size, _mm256_and_ps(_mm256_set1_ps(-0.0f), sign)));
-}
-
-inline Lanes Select(LaneMask mask, Lanes yes, Lanes no)
-{
-  return Lanes(_mm256_blendv_ps(no, yes, __m256(mask)));
-}
-
-inline IntLanes Select(LaneMask mask, IntLanes yes, IntLanes no)
-{
-  return IntLanes(_mm256_blendv_epi8(__m256i(no), __m256i(yes), __m256i(mask)));
-}
-
-inline bool Any(LaneMask mask)
-{
-  return _mm256_movemask_ps(__m256(mask)) != 0;
+  return Lanes(IntLanes(size) | (IntLanes(sign) & IntLanes(All(-0.0f))));
 }
 
 inline Lanes Mix(Lanes a, Lanes b, Lanes part)
@@ -100,23 +85,35 @@ inline Lanes Mix(Lanes a, Lanes b, Lanes part)
   return a + part * (b - a);
 }
 
-/// The lanes in memory, for what each does by itself.
+inline Lanes LanesAt(const float* numbers)
+{
+  Lanes lanes;
+  __builtin_memcpy(&lanes, numbers, sizeof lanes);
+  return lanes;
+}
+
+/// Four numbers that lie together in memory.
+inline Four FourAt(const float* numbers)
+{
+  Four four;
+  __builtin_memcpy(&four, numbers, sizeof four);
+  return four;
+}
+
+/// The lanes in memory, for work that each does by itself.
 struct IntNumbers
 {
-  alignas(32) std::int32_t of[LaneCount];
+  alignas(IntLanes) std::int32_t of[LaneCount];
 
   IntNumbers() = default;
-  explicit IntNumbers(IntLanes lanes)
-  {
-    _mm256_store_si256(reinterpret_cast<__m256i*>(this->of), __m256i(lanes));
-  }
+  explicit IntNumbers(IntLanes lanes) { __builtin_memcpy(this->of, &lanes, sizeof lanes); }
 };
 
 struct Numbers
 {
-  alignas(32) float of[LaneCount];
+  alignas(Lanes) float of[LaneCount];
 
-  explicit Numbers(Lanes lanes) { _mm256_store_ps(this->of, lanes); }
+  explicit Numbers(Lanes lanes) { __builtin_memcpy(this->of, &lanes, sizeof lanes); }
 };
 
 struct Lanes3
@@ -134,19 +131,17 @@ struct Lanes4
   Lanes w;
 };
 
-/// Four numbers of each lane, which are together in memory.
-inline Lanes4 Transposed(const __m128 (&numbers)[LaneCount])
+/// The four numbers that each lane has together in memory.
+inline Lanes4 Transposed(const Four (&numbers)[LaneCount])
 {
-  const auto pair = [&](int lane)
-  { return _mm256_insertf128_ps(_mm256_castps128_ps256(numbers[lane]), numbers[lane + 4], 1); };
-  const __m256 lower = _mm256_unpacklo_ps(pair(0), pair(1));
-  const __m256 upper = _mm256_unpackhi_ps(pair(0), pair(1));
-  const __m256 lowerNext = _mm256_unpacklo_ps(pair(2), pair(3));
-  const __m256 upperNext = _mm256_unpackhi_ps(pair(2), pair(3));
-  return { Lanes(_mm256_shuffle_ps(lower, lowerNext, 0x44)),
-    Lanes(_mm256_shuffle_ps(lower, lowerNext, 0xee)),
-    Lanes(_mm256_shuffle_ps(upper, upperNext, 0x44)),
-    Lanes(_mm256_shuffle_ps(upper, upperNext, 0xee)) };
+  const auto numbersOf = [&](int lane)
+  { return InBothHalves([&](int index) { return numbers[index]; }, lane); };
+  const Lanes lower = InterleavedLower(numbersOf(0), numbersOf(1));
+  const Lanes upper = InterleavedUpper(numbersOf(0), numbersOf(1));
+  const Lanes lowerNext = InterleavedLower(numbersOf(2), numbersOf(3));
+  const Lanes upperNext = InterleavedUpper(numbersOf(2), numbersOf(3));
+  return { JoinedLower(lower, lowerNext), JoinedUpper(lower, lowerNext),
+    JoinedLower(upper, upperNext), JoinedUpper(upper, upperNext) };
 }
 
 inline Lanes3 operator+(const Lanes3& a, const Lanes3& b)
@@ -174,7 +169,7 @@ inline Lanes Length(const Lanes3& a)
   return Sqrt(Dot(a, a));
 }
 
-/// 2^number, for numbers from -126 to 127; below, 2^-126. Within 2e-7, relative.
+/// 2^number, for numbers up to 127; below -126 it is 2^-126. Relative error at most 2e-7.
 /// Polynomial: minimax on [-1/2, 1/2] of (2^f - 1) / f, as in Cephes' exp2f.
 struct PowerOfTwo
 {
@@ -184,8 +179,7 @@ struct PowerOfTwo
   explicit PowerOfTwo(Lanes number)
   {
     number = Max(number, All(-126.0f));
-    const Lanes rounded =
-      Lanes(_mm256_round_ps(number, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+    const Lanes rounded = Rounded(number);
     const Lanes f = number - rounded;
     this->whole = Lanes((Truncated(rounded) + 127) << 23);
     Lanes sum = All(1.535336188319500e-4f);
@@ -198,8 +192,8 @@ struct PowerOfTwo
   }
 };
 
-/// 2^number, for numbers from 0 to 2; within 6e-6, relative, and 1 of 0. By Estrin's scheme: for
-/// what waits for it.
+/// 2^number, for numbers from 0 to 2; relative error at most 6e-6, and exactly 1 at 0. Estrin's
+/// scheme: its result is waited for.
 /// Polynomial: minimax of the relative error on [0, 2].
 inline Lanes SmallPowerOfTwo(Lanes number)
 {
@@ -210,9 +204,9 @@ inline Lanes SmallPowerOfTwo(Lanes number)
   return lower + squared * (middle + squared * upper);
 }
 
-/// The binary logarithm of numbers above 0, of which denormalised ones count as the least other.
-/// ln m = 2 artanh((m - 1) / (m + 1)), with m in [sqrt(1/2), sqrt(2)): five terms of its series are
-/// within 2e-7 of the logarithm.
+/// The binary logarithm of numbers above 0; a denormal number counts as the least normal one.
+/// ln m = 2 artanh((m - 1) / (m + 1)), with m in [sqrt(1/2), sqrt(2)): five terms of its series
+/// have an error of at most 2e-7.
 inline Lanes Log2(Lanes number)
 {
   number = Max(number, All(1.17549435e-38f));
@@ -230,7 +224,7 @@ inline Lanes Log2(Lanes number)
   return FloatOf(exponent) + 1.442695041f * s * series;
 }
 
-/// base^exponent, for bases from 0 to 1; 0 of 0.
+/// base^exponent, for bases from 0 to 1; 0 where the base is 0.
 inline Lanes Power(Lanes base, float exponent)
 {
   constexpr float MostSquared = 255.0f;
@@ -246,6 +240,8 @@ inline Lanes Power(Lanes base, float exponent)
   }
   const PowerOfTwo power(exponent * Log2(base));
   return Select(LaneMask(base > 0.0f), power.whole + power.whole * power.partLessOne, Lanes{});
+}
+
 }
 
 }

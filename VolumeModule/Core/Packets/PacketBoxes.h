@@ -1,8 +1,8 @@
 #ifndef Varimarch_Core_Packets_PacketBoxes_h
 #define Varimarch_Core_Packets_PacketBoxes_h
 
-// Voxels without interpolation: boxes of one value, which reach half a voxel to every side.
-// Shaders/March/Voxels.glsl and, of one component, MaterialVoxels.glsl.
+// Voxels without interpolation: boxes of one value, which extend half a voxel to every side.
+// Shaders/March/Voxels.glsl and, for one component, MaterialVoxels.glsl.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketLattice.h"
@@ -18,24 +18,24 @@
 namespace varimarch
 {
 
-/// @param index  of the voxel of each lane, from `first` on
+namespace
+{
+
+/// @param index  of each lane's voxel, counted from `first`
 template <class Voxel>
 Lanes ValuesAt(const Voxel* first, const IntNumbers& index)
 {
-  using Number = std::conditional_t<std::is_same_v<Voxel, float>, float, std::int32_t>;
-  const auto value = [&](int lane) { return Number(first[index.of[lane]]); };
   if constexpr (std::is_same_v<Voxel, float>)
   {
-    return Lanes{ value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7) };
+    return LanesOf([&](int lane) { return first[index.of[lane]]; });
   }
   else
   {
-    return FloatOf(
-      IntLanes{ value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7) });
+    return FloatOf(IntLanesOf([&](int lane) { return std::int32_t(first[index.of[lane]]); }));
   }
 }
 
-/// The boxes as a lattice whose cells they are. Beyond the outermost ones these go on.
+/// The boxes, as the cells of a lattice. The outermost ones extend beyond the volume.
 template <class Voxel>
 class PacketBoxes
 {
@@ -70,8 +70,8 @@ public:
     return { along(1.0f, 0.0f, 0.0f), along(0.0f, 1.0f, 0.0f), along(0.0f, 0.0f, 1.0f) };
   }
 
-  /// For ExtremeMarch: the value of a box. One that a ray but touches is not seen: rounding may
-  /// find such a one where the ray begins or ends.
+  /// For ExtremeMarch: the value of a box. A box that a ray merely touches is ignored: rounding may
+  /// find one where the ray begins or ends.
   Lanes BetterOf(const PacketRays& rays, const LatticePlaces& place, Lanes exit, float sense,
     Lanes found, LaneMask mask) const
   {
@@ -91,9 +91,9 @@ private:
   glm::ivec3 count;
 };
 
-/// Marches from face to face; each box is read once, and what is taken in of it is exact.
-/// @param take  (sum, voxel, its value, where the rays enter it, and how long they are in it [mm],
-///              0 where a ray has ended)
+/// Marches from face to face: each box is read once, and its integral is exact.
+/// @param take  (sum, voxel, its value, t where the rays enter it, length of the rays in it [mm], 0
+///              for a ray that has ended)
 template <class Voxel, class Take>
 PacketSum MarchBoxes(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
   const PacketSum& before, const PacketBoxes<Voxel>& boxes, Take take)
@@ -137,7 +137,7 @@ PacketSum MarchBoxValues(
     { sum.Add(Classify(scene.look, value), lengthMm); });
 }
 
-/// A box has one gradient, that at its middle.
+/// A box has a single gradient, the one at its middle.
 template <class Voxel, class Material>
 PacketSum MarchBoxMaterials(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
@@ -152,6 +152,8 @@ PacketSum MarchBoxMaterials(
       const Surface surface = material.SurfaceOf(gradient);
       sum.Add(material.At(value, surface, enter + 0.5f * lengthMm), lengthMm);
     });
+}
+
 }
 
 }

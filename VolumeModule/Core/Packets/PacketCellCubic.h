@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketCellCubic_h
 #define Varimarch_Core_Packets_PacketCellCubic_h
 
-// What is interpolated along a line through a cell, exactly: a cubic, as in
+// The interpolated values along a line through a cell, which are exactly a cubic: see
 // Core/Geometry/CellCubic.h and Shaders/Math/CellCubic.glsl.
 
 #include "Core/Packets/Lanes.h"
@@ -10,7 +10,10 @@
 namespace varimarch
 {
 
-/// By its Bernstein coefficients, beyond which it is nowhere.
+namespace
+{
+
+/// A cubic by its Bernstein coefficients, whose range it never leaves.
 struct CellCubicLanes
 {
   Lanes b0;
@@ -40,9 +43,9 @@ inline CellCubicLanes operator*(float factor, const CellCubicLanes& a)
   return { factor * a.b0, factor * a.b1, factor * a.b2, factor * a.b3 };
 }
 
-/// Along lines that each lie in one cell. The coefficients are made of the values at the corners of
-/// the box between the ends of a line.
-/// @param enterGrid  and leaveGrid: the ends
+/// The cubics along lines, each of which lies in one cell. The coefficients follow from the values
+/// at the corners of the box between the ends of a line.
+/// @param enterGrid, leaveGrid  the ends
 inline CellCubicLanes CubicBetween(
   const CellCorners& corners, const Lanes3& enterGrid, const Lanes3& leaveGrid)
 {
@@ -71,7 +74,7 @@ inline CellCubicLanes CubicBetween(
     Third * (atEnter(1, 1) + atLeave(0, 1) + atLeave(1, 0)), atLeave(1, 1) };
 }
 
-/// Where a cubic has extremes in [0, 1]; 0 or 1 in place of one that is elsewhere.
+/// The places in [0, 1] where a cubic has extremes; 0 or 1 instead of one outside.
 struct ExtremePlaces
 {
   Lanes first;
@@ -92,6 +95,8 @@ inline ExtremePlaces ExtremesOf(const CellCubicLanes& cubic)
     return Select(has, place, Lanes{});
   };
   return { within(q, a), within(slopes.x, q) };
+}
+
 }
 
 }

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketConstituent_h
 #define Varimarch_Core_Packets_PacketConstituent_h
 
-// What a mixture is made of: Shaders/Volumes/Next.glsl, Components and Material/Components.glsl.
+// The parts of a mixture: Shaders/Volumes/Next.glsl, Components and Material/Components.glsl.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketBoxes.h"
@@ -19,7 +19,11 @@
 namespace varimarch
 {
 
-/// @param read  (a reader of the voxels), made of one by the type of these
+namespace
+{
+
+/// Calls a function with a reader for the type of the voxels.
+/// @param read  (reader)
 template <template <class> class Reader, class Read>
 auto ReadByType(const PacketVolume& volume, Read read)
 {
@@ -35,7 +39,7 @@ struct MixedSegment
   Optical parts[PartsPerSegment] = {};
 };
 
-/// A segment in equal parts, of which each is as its middle is.
+/// A segment in equal parts, each of which has the properties of its middle.
 struct PartLanes
 {
   Lanes firstMiddle;
@@ -44,12 +48,12 @@ struct PartLanes
   Lanes MiddleOf(int part) const { return this->firstMiddle + float(part) * this->partMm; }
 };
 
-/// A constituent of a mixture, with those before it. All have the same rays, each in its own grid,
-/// along which t, a length in the world, means the same place.
+/// A constituent of a mixture, and the ones before it. All have the same rays, each in its own
+/// grid; t is a length in the world, and so means the same place for all.
 class Constituent
 {
 public:
-  /// @param x  and y: of the first pixel
+  /// @param x, y  the first pixel
   Constituent(
     const PacketScene& scene, const PacketRays& raysOfAll, int x, int y, Constituent* before)
     : before(before)
@@ -65,8 +69,9 @@ public:
   Constituent(const Constituent&) = delete;
   Constituent& operator=(const Constituent&) = delete;
 
-  /// From where on any may be seen, up to where all look the same; Never where none is.
-  SegmentLanes NextVisible(Lanes t, LaneMask mask) const
+  /// The next segment in which any constituent may be visible, up to where all look the same; Never
+  /// for a ray without one.
+  [[gnu::flatten]] SegmentLanes NextVisible(Lanes t, LaneMask mask) const
   {
     const SegmentLanes others =
       this->before ? this->before->NextVisible(t, mask) : SegmentLanes{ All(Never), All(Never) };
@@ -84,14 +89,14 @@ public:
       own.enter = Select(isAhead, next.enter, own.enter);
       own.exit = Select(isAhead, next.exit, own.exit);
     }
-    // What is seen later ends what looks the same until then.
+    // The segment ends at the latest where another constituent becomes visible.
     const Lanes enter = Min(others.enter, own.enter);
     return { enter,
       Min(Select(LaneMask(others.enter > enter), others.enter, others.exit),
         Select(LaneMask(own.enter > enter), own.enter, own.exit)) };
   }
 
-  /// Where what any of them is changes at once, of the rays of a mask.
+  /// The next place where the properties of any constituent jump, for the rays of a mask.
   Lanes NextFace(Lanes t, LaneMask mask)
   {
     Lanes face = Select(LaneMask(this->rays.enter > t), this->rays.enter, this->rays.exit);
@@ -104,7 +109,8 @@ public:
     return this->before ? Min(this->before->NextFace(t, mask), ahead) : ahead;
   }
 
-  /// @param parts  of a segment without a face in it, of the rays of a mask
+  /// @param parts  those of a segment without a face in it
+  /// @param mask   the rays that count
   void AddTo(MixedSegment& mixture, const PartLanes& parts, LaneMask mask)
   {
     if (this->before)
@@ -162,13 +168,13 @@ private:
     return rays;
   }
 
-  // Goes on to the box that t is in.
+  // Advances to the box that contains t.
   Lanes NextFaceOfBox(Lanes t, LaneMask mask)
   {
     LatticePlaces behind = this->lattice.Behind(this->box);
     this->box = Select(mask & LaneMask(behind.t < t), this->lattice.At(t), this->box);
     behind = this->lattice.Behind(this->box);
-    // Through an edge or a corner a ray leaves several boxes at once.
+    // At an edge or a corner a ray leaves several boxes at once.
     for (LaneMask leaves = mask & LaneMask(behind.t <= t); Any(leaves);
          leaves &= LaneMask(behind.t <= t))
     {
@@ -178,7 +184,7 @@ private:
     return behind.t;
   }
 
-  // Where voxels are read.
+  // The place where voxels are read.
   Lanes3 PlaceAt(Lanes t) const { return this->VoxelPlace(this->rays.At(t)); }
 
   Lanes3 VoxelPlace(const Lanes3& grid) const
@@ -217,7 +223,7 @@ private:
     sum.extinction += extinction;
   }
 
-  // A box is the same in all parts.
+  // A box has the same properties in all parts.
   template <class Boxes>
   void AddBox(
     const Boxes& boxes, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
@@ -316,9 +322,9 @@ private:
     }
   }
 
-  /// Of a material whose colours are of other components than its opacity, at one place.
-  /// @param voxels  of the opacity
-  /// @param valueOf  and gradientOf: (a component) at the place
+  /// Adds, at one place, a material whose colours come from other components than its opacity.
+  /// @param voxels  the component of the opacity
+  /// @param valueOf, gradientOf  (component), at the place
   template <class Voxels, class ValueOf, class GradientOf>
   void AddColored(const Voxels& voxels, Optical& sum, Lanes t, LaneMask mask, ValueOf valueOf,
     GradientOf gradientOf) const
@@ -371,13 +377,15 @@ private:
   Constituent* before;
   const PacketScene& scene;
   bool isOfBoxes;
-  PacketRays rays; ///< in its own grid, as far as they are in it; Never where they are not
+  PacketRays rays; ///< in its own grid, cut to its box; Never for rays outside
   PacketWalk walk;
   PacketMaterial material;
   PacketLattice lattice; ///< of boxes
-  LatticePlaces box;     ///< that a segment is in
-  bool isSeen = false; ///< what was read last: what is next is then read at once, with its gradient
+  LatticePlaces box;     ///< the one that contains the segment
+  bool isSeen = false;   ///< the last sample: the next is then read with its gradient at once
 };
+
+}
 
 }
 

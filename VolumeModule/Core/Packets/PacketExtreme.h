@@ -1,8 +1,8 @@
 #ifndef Varimarch_Core_Packets_PacketExtreme_h
 #define Varimarch_Core_Packets_PacketExtreme_h
 
-// A maximum or minimum, exactly: Shaders/March/Extreme.glsl, March/Voxels.glsl and
-// Step/BrickExtremes.glsl. What is greater is better: of a minimum all values are negated.
+// The exact maximum or minimum: Shaders/March/Extreme.glsl, March/Voxels.glsl and
+// Step/BrickExtremes.glsl. Greater is better here: for a minimum all values are negated.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketCellCubic.h"
@@ -15,8 +15,11 @@
 namespace varimarch
 {
 
-/// Cells of eight voxels each, between which values are cubics along rays. Cells before the first
-/// voxel and behind the last one are cells too.
+namespace
+{
+
+/// Cells between eight voxels each, in which the values along rays are cubics. The space before the
+/// first voxel and behind the last one is divided into cells too.
 template <class Voxel>
 class CubicCells
 {
@@ -32,7 +35,7 @@ public:
     return PacketLattice(rays, 1.0f, -1.0f, this->cellCount);
   }
 
-  /// What rays of a mask have found when they leave a cell.
+  /// The best value that the rays of a mask have found when they leave a cell.
   Lanes BetterOf(const PacketRays& rays, const LatticePlaces& place, Lanes exit, float sense,
     Lanes found, LaneMask mask) const
   {
@@ -53,8 +56,8 @@ private:
   glm::ivec3 cellCount;
 };
 
-/// What a march has found stands in a PacketSum, as x of its colour; the optical depth ends rays
-/// that cannot find better.
+/// A march keeps the best value in the x of a PacketSum's colour; the optical depth ends rays that
+/// cannot find a better one.
 inline PacketSum NothingFound()
 {
   PacketSum sum;
@@ -62,7 +65,7 @@ inline PacketSum NothingFound()
   return sum;
 }
 
-/// Shaders/Blend/MaximumIntensity.glsl: what it looks like.
+/// Shaders/Blend/MaximumIntensity.glsl: the colour of the best value.
 inline PacketSum SeenOfExtreme(const PacketScene& scene, const PacketSum& march)
 {
   const Lanes found = march.color.x;
@@ -74,7 +77,7 @@ inline PacketSum SeenOfExtreme(const PacketScene& scene, const PacketSum& march)
   return sum;
 }
 
-/// A march from one brick that can better what is found to the next.
+/// A march from each brick that may hold a better value to the next one.
 /// @tparam Cells  CubicCells or PacketBoxes
 template <class Cells>
 class ExtremeMarch
@@ -116,7 +119,7 @@ public:
 private:
   static constexpr float CellsPerSegment = 4.0f;
 
-  // Where the rays of a mask come to a brick that can better what they have found.
+  // The place where the rays of a mask reach a brick that may hold a better value.
   Lanes NextBrick(Lanes t, LaneMask mask) const
   {
     mask &= this->IsLeft(this->extreme.bricks, this->bricks, this->bricks.At(t).cell);
@@ -138,8 +141,8 @@ private:
     return t;
   }
 
-  // Behind all cells of a lattice that the rays of a mask leave out at once, no farther than an
-  // end.
+  // The place behind the cells of a lattice that the rays of a mask can skip from here, not beyond
+  // an end.
   LatticePlaces Behind(const std::uint16_t* steps, const PacketLattice& lattice,
     LatticePlaces place, LaneMask mask, Lanes end) const
   {
@@ -152,18 +155,17 @@ private:
     return place;
   }
 
-  // Whether nothing in a cell can better what is found.
+  // The rays for which a cell holds no better value.
   LaneMask IsLeft(
     const std::uint16_t* steps, const PacketLattice& lattice, const Lanes3& cell) const
   {
     const IntNumbers index = lattice.IndexOf(cell);
-    const auto step = [&](int lane) { return std::int32_t(steps[index.of[lane]]); };
-    const IntLanes all{ step(0), step(1), step(2), step(3), step(4), step(5), step(6), step(7) };
+    const IntLanes all = IntLanesOf([&](int lane) { return std::int32_t(steps[index.of[lane]]); });
     const glm::vec2& scalar = this->scene.parameters.scalarFromField;
     return LaneMask(this->sense * (FloatOf(all) * scalar.x + scalar.y) <= this->found);
   }
 
-  // Marches the rays of a mask to the end of the cell that `end` is in.
+  // Marches the rays of a mask to the end of the cell that contains `end`.
   Lanes MarchCells(Lanes t, Lanes end, LaneMask mask)
   {
     LatticePlaces place = this->lattice.At(t);
@@ -182,13 +184,15 @@ private:
   const PacketExtreme& extreme;
   const PacketRays& rays;
   Cells cells;
-  PacketLattice lattice; ///< of them
+  PacketLattice lattice; ///< of the cells
   PacketLattice bricks;
   PacketLattice blocks; ///< of bricks
   float sense;          ///< 1: a maximum; -1: a minimum, of which all values are negated
   float best;           ///< no value is better
   Lanes found;
 };
+
+}
 
 }
 

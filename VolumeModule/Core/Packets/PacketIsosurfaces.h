@@ -17,6 +17,9 @@
 namespace varimarch
 {
 
+namespace
+{
+
 /// A part of a cubic on which it is monotone.
 struct MonotonePiece
 {
@@ -24,9 +27,9 @@ struct MonotonePiece
   Lanes end;
 };
 
-/// Where a cubic takes a value that lies between those at the ends of a piece: Newton's steps,
-/// halves where these lead outside.
-/// @param mask  for whom it matters
+/// The place where a cubic takes a value that lies between its values at the ends of a piece: by
+/// Newton's method, and by bisection where that leads outside.
+/// @param mask  the rays for which it matters
 inline Lanes CrossingOf(
   const CellCubicLanes& cubic, Lanes value, MonotonePiece piece, LaneMask mask)
 {
@@ -44,7 +47,7 @@ inline Lanes CrossingOf(
       LaneMask(slope > 0.0f) & LaneMask(newton > piece.begin) & LaneMask(newton < piece.end);
     const Lanes next = Select(isInside, newton, 0.5f * (piece.begin + piece.end));
     const LaneMask moves = LaneMask(Abs(next - u) > 1e-6f);
-    u = Select(mask, next, u); // what was found stays
+    u = Select(mask, next, u); // a ray that has found its place keeps it
     mask &= moves;
   }
   return u;
@@ -62,7 +65,7 @@ public:
     , walk(walk)
     , material(scene, rays)
     , voxels(scene.volume)
-    // Cells before the first voxel and behind the last one are cells too.
+    // The space before the first voxel and behind the last one is divided into cells too.
     , cells(rays, 1.0f, -1.0f, scene.volume.voxelCount + 1)
     , place(cells.At(rays.enter))
     , sum(before)
@@ -95,7 +98,7 @@ private:
       LaneMask(this->sum.opticalDepth <= this->scene.steps.mostOpticalDepth);
   }
 
-  // Marches the rays of a mask to the end of the cell that `end` is in.
+  // Marches the rays of a mask to the end of the cell that contains `end`.
   void MarchCells(Lanes end, LaneMask mask)
   {
     while (Any(mask))
@@ -113,8 +116,8 @@ private:
     }
   }
 
-  // Begins with the value that the last cell has ended with: rounding would have made it another,
-  // between which a surface may lie.
+  // Begins with the value at the end of the last cell: computed anew it would be rounded
+  // differently, and a surface between both values would be missed.
   CellCubicLanes NextCubic(Lanes exit, LaneMask mask)
   {
     const Lanes3 one{ All(1.0f), All(1.0f), All(1.0f) };
@@ -178,10 +181,10 @@ private:
 
   Optical EntriesOf(const IntNumbers& surface, int which) const
   {
-    __m128 entries[LaneCount];
+    Four entries[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      entries[lane] = _mm_loadu_ps(&this->scene.isosurfaces[2 * surface.of[lane] + which].x);
+      entries[lane] = FourAt(&this->scene.isosurfaces[2 * surface.of[lane] + which].x);
     }
     return OpticalOf(entries);
   }
@@ -194,10 +197,12 @@ private:
   PacketVoxels<Voxel> voxels;
   PacketLattice cells;
   LatticePlaces place;
-  LaneMask known = {}; ///< the value at the place
+  LaneMask known = {}; ///< the rays whose value at the place is known
   Lanes endValue = {};
   PacketSum sum;
 };
+
+}
 
 }
 

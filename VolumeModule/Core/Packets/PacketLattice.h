@@ -9,7 +9,10 @@
 namespace varimarch
 {
 
-/// Where rays are: a cell, and t [mm].
+namespace
+{
+
+/// The places of rays: a cell, and t [mm].
 struct LatticePlaces
 {
   Lanes3 cell; ///< whole numbers; may be beyond the lattice, where a ray has left it
@@ -52,7 +55,7 @@ public:
       t };
   }
 
-  /// Of cells, or what is next to them in the lattice, in the order of memory.
+  /// The indices of cells in memory; outside the lattice, that of the nearest cell.
   IntNumbers IndexOf(const Lanes3& cell) const
   {
     const Lanes3 inside = this->Inside(cell);
@@ -60,7 +63,7 @@ public:
       this->cellsPerSlice * Truncated(inside.z));
   }
 
-  /// Where rays leave their cells, and which they enter.
+  /// The places where rays leave their cells, with the cells that they enter.
   LatticePlaces Behind(const LatticePlaces& place) const
   {
     const Lanes3 exits = this->ExitsOf(place.cell);
@@ -73,7 +76,7 @@ public:
       Max(place.t, exit) };
   }
 
-  /// The same of the blocks of this radius around their cells.
+  /// The same for blocks of this radius around the cells.
   LatticePlaces BehindBlock(const LatticePlaces& place, Lanes radius) const
   {
     const Lanes3 farthest = place.cell + radius * this->outward;
@@ -99,7 +102,7 @@ private:
       Clamp(cell.z, Lanes{}, this->last.z) };
   }
 
-  // Where rays meet the faces that they leave cells through.
+  // The t at which rays meet the faces through which they leave cells.
   Lanes3 ExitsOf(const Lanes3& cell) const
   {
     return { (cell.x + this->fromFace.x) * this->inverse.x,
@@ -110,12 +113,14 @@ private:
   Lanes3 origin; ///< in cells
   Lanes3 direction;
   Lanes3 inverse;
-  Lanes3 outward;  ///< 1 on axes on which rays ascend, else -1
-  Lanes3 fromFace; ///< from the origin to the face of cell 0 that rays leave it through
+  Lanes3 outward;  ///< 1 on axes along which rays ascend, else -1
+  Lanes3 fromFace; ///< from the origin to the face through which rays leave cell 0
   Lanes3 last;
   int cellsPerRow;
   int cellsPerSlice;
 };
+
+}
 
 }
 

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketLights_h
 #define Varimarch_Core_Packets_PacketLights_h
 
-// Surfaces, and what they send to the eye of the lights of a scene: Shaders/Shade and
+// Surfaces, and the light of a scene that they reflect to the eye: Shaders/Shade and
 // Shaders/Damping.
 
 #include "Core/Packets/Lanes.h"
@@ -10,7 +10,10 @@
 namespace varimarch
 {
 
-/// What the gradient at a point tells, each linear between two of them.
+namespace
+{
+
+/// The gradient at a point and what follows from it; all are linear between two points.
 struct Surface
 {
   Lanes3 gradient;    ///< per voxel
@@ -43,15 +46,14 @@ inline Surface Select(LaneMask mask, const Surface& yes, const Surface& no)
     Select(mask, yes.towardsEye, no.towardsEye) };
 }
 
-/// 1 / length of a surface's normal; 0 where there is none to speak of: of less, the square would
-/// be lost.
+/// 1 / length of a surface's normal; 0 for normals whose squared length is next to nothing.
 inline Lanes InverseLengthOfNormal(const Surface& surface)
 {
   const Lanes squared = Dot(surface.normalWorld, surface.normalWorld);
   return Select(LaneMask(squared > 1e-30f), InverseSqrt(squared), Lanes{});
 }
 
-/// Shaders/Damping: the part of the light that a surface has.
+/// Shaders/Damping: the part of the light that a surface receives.
 inline Lanes LitPart(const PacketScene& scene, const Surface& surface)
 {
   return scene.light.damps
@@ -81,7 +83,7 @@ inline Lanes3 LitByHeadLight(const PacketScene& scene, const Lanes3& color, cons
   return lit;
 }
 
-/// What a surface sends to the eye of a light.
+/// The parts of a light that a surface reflects to the eye.
 struct ReflectedLight
 {
   Lanes diffuse;
@@ -133,7 +135,7 @@ public:
 
 private:
   static constexpr int TexelsPerLight = 5;
-  static constexpr float LeastCosine = 1e-6f; // of which there are powers
+  static constexpr float LeastCosine = 1e-6f; // whose powers are still numbers
 
   struct Sum
   {
@@ -182,7 +184,7 @@ private:
     return Reach(texel, distanceMm, toLight) * this->ReflectedFrom(normal, toLight);
   }
 
-  // Of a near light, what reaches a point that is so far from it.
+  // The part of a near light that reaches a point at this distance.
   static Lanes Reach(const glm::vec4* texel, Lanes distanceMm, const Lanes3& toLight)
   {
     const glm::vec4& attenuation = texel[3];
@@ -207,6 +209,8 @@ private:
   const glm::vec4& reflectance;
   Lanes3 toEye;
 };
+
+}
 
 }
 

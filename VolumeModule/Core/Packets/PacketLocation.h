@@ -12,13 +12,16 @@
 namespace varimarch
 {
 
-/// A march in pieces, of which that in which a ray gets its opacity is halved until the opacity is
-/// taken as linear.
+namespace
+{
+
+/// A march in pieces. The piece in which a ray reaches the opacity is halved until the opacity can
+/// be taken as linear.
 template <class March>
 class OpacityLocation
 {
 public:
-  /// @param march  (what is marched of rays, the sum of what is before it), the sum of both
+  /// @param march  (piece of the rays, sum before it) -> the sum behind it
   OpacityLocation(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
     float opacity, March march)
     : scene(scene)
@@ -31,7 +34,7 @@ public:
   {
   }
 
-  /// [mm]; Never for rays that do not have it.
+  /// @return t [mm]; Never for rays that do not reach the opacity
   Lanes Find()
   {
     const Lanes shortestMm = ShortestVoxels / Length(this->rays.directionGrid);
@@ -80,8 +83,10 @@ private:
   PacketSum sum;
   Lanes t;
   Lanes end;
-  Lanes endOpacity = {}; ///< where it is enough; 0 while that is not known
+  Lanes endOpacity = {}; ///< the opacity at `end`; 0 until a piece with enough is found
 };
+
+}
 
 }
 

@@ -3,19 +3,33 @@
 
 #include "Core/Packets/PacketScene.h"
 
+#include <vector>
+
 namespace varimarch
 {
 
-/// Whether this processor can march packets: it has AVX2 and FMA.
-bool CanMarchPackets();
+/// The sets of instructions that packets are compiled for.
+enum class InstructionSet
+{
+  Baseline, ///< those of every processor of the architecture: packets of four rays
+  Avx2,     ///< AVX2 and FMA: packets of eight
+};
 
-/// Marches rays on all cores of the processor, in packets of eight whose rays go in step: I. Wald,
+/// The sets that this processor has, the fastest first.
+std::vector<InstructionSet> InstructionSetsOfProcessor();
+
+/// Marches rays on all cores of the processor, in packets whose rays advance together: I. Wald,
 /// P. Slusallek, C. Benthin, M. Wagner, "Interactive rendering with coherent ray tracing"
-/// (Eurographics 2001). What the shaders of VolumeModule/Shaders do, in the same steps, without
-/// what a software rasteriser makes of them (Documentation/Decisions/0018).
-/// @param pixels  part of the picture
-/// @param rgba    premultiplied, of those pixels, from below; 4 * width * height. Or places, where
-///                the scene asks for these
+/// (Eurographics 2001). They take the same steps as the shaders of VolumeModule/Shaders, without
+/// the cost of a software rasteriser (Documentation/Decisions/0018).
+/// @param pixels  part of the image
+/// @param rgba    premultiplied, of these pixels, the lowest row first; 4 * width * height. Places
+///                instead of colours, if the scene asks for these
+/// @param set     one that this processor has
+void MarchPackets(
+  const PacketScene& scene, const Viewport& pixels, float* rgba, InstructionSet set);
+
+/// With the fastest set of instructions that this processor has.
 void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba);
 
 }

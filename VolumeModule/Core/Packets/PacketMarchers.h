@@ -1,10 +1,9 @@
 #ifndef Varimarch_Core_Packets_PacketMarchers_h
 #define Varimarch_Core_Packets_PacketMarchers_h
 
-// The loops along the rays of a packet: Shaders/March/Midpoint.glsl, PreIntegrated.glsl and, of one
-// component, MaterialMidpoint.glsl and MaterialSegments.glsl. Voxels are PacketVoxels or
-// PacketSpline. Rays that have ended take part, with
-// pieces of no length, until all have.
+// The loops along the rays of a packet: Shaders/March/Midpoint.glsl, PreIntegrated.glsl and, for
+// one component, MaterialMidpoint.glsl and MaterialSegments.glsl. Voxels are PacketVoxels or
+// PacketSpline. A ray that has ended takes part in pieces of no length until all rays have ended.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketMaterial.h"
@@ -17,17 +16,20 @@
 namespace varimarch
 {
 
-/// Which rays go on from t.
+namespace
+{
+
+/// The rays that go on from t.
 inline LaneMask GoOn(
   const PacketScene& scene, const PacketRays& rays, Lanes t, const PacketSum& sum)
 {
   return LaneMask(t < rays.exit) & LaneMask(sum.opticalDepth <= scene.steps.mostOpticalDepth);
 }
 
-/// Marches segments of equal parts, each of which a rule takes in.
-/// @param before  the sum of what is in front of the rays, where they begin
-/// @param take  (sum, where the segment begins, length of a part [mm], 0 where a ray has ended, and
-///              which rays do not begin it where they have ended the last)
+/// Marches segments of equal parts, each of which a rule adds to the sum.
+/// @param before  the sum in front of the rays
+/// @param take    (sum, t where the segment begins, length of a part [mm], 0 for a ray that has
+///                ended, mask of the rays that have jumped here from the end of the last segment)
 template <int PartsPerSegment, class Take>
 PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
   const PacketSum& before, Take take)
@@ -43,7 +45,7 @@ PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const 
     going &= LaneMask(segment.enter < rays.exit);
     if (!Any(going))
     {
-      break; // all that is left is invisible
+      break; // the rest is invisible
     }
     const LaneMask jumps = going & (LaneMask(segment.enter > t) | (AllInt(index) == 0));
     t = Min(segment.exit, rays.exit);
@@ -53,11 +55,11 @@ PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const 
   return sum;
 }
 
-/// The values at equal distances along rays. All cells are found before any is read, and all are
-/// read before any is classified: readings then do not wait for each other.
-/// @param placeAt  (t), where that is in the voxels
+/// Reads the values at equal distances along rays. All cells are found before any is read, and all
+/// are read before any is classified, so that no read waits for another.
+/// @param placeAt  (t) -> place in the grid of the voxels
 template <class Voxels, class PlaceAt, int Count>
-void ReadValues(
+[[gnu::flatten]] void ReadValues(
   const Voxels& voxels, PlaceAt placeAt, Lanes first, Lanes apart, Lanes (&values)[Count])
 {
   typename Voxels::Cell cells[Count];
@@ -124,7 +126,7 @@ PacketSum MarchPreIntegrated(
     });
 }
 
-/// A value, and its gradient where a material depends on that.
+/// A value, with its gradient if a material depends on that.
 template <class Material, class Voxels>
 Slope SlopeFor(const Material& material, const Voxels& voxels, const Lanes3& place, LaneMask mask)
 {
@@ -132,8 +134,8 @@ Slope SlopeFor(const Material& material, const Voxels& voxels, const Lanes3& pla
                             : voxels.SlopeAt(place, mask);
 }
 
-/// By segments of four samples, where a shader's have one: to look for the next brick costs a
-/// packet more beside a sample.
+/// Its segments have four samples, and a shader's have one: compared with a sample, finding the
+/// next brick costs a packet more.
 template <class Voxels, class Material>
 PacketSum MarchMaterialMidpoints(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
@@ -141,7 +143,7 @@ PacketSum MarchMaterialMidpoints(
   constexpr int Parts = 4;
   const Voxels voxels(scene.volume);
   const Material material(scene, rays);
-  bool isSeen = false; // what was read last: what is next is then read at once, with its gradient
+  bool isSeen = false; // the last sample: the next is then read with its gradient at once
   return MarchSegments<Parts>(scene, rays, walk, before,
     [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
     {
@@ -166,7 +168,7 @@ PacketSum MarchMaterialMidpoints(
     });
 }
 
-/// Values and surfaces go linearly from the start of a segment to its end.
+/// A segment along which values and surfaces are linear.
 struct MaterialSegment
 {
   Lanes startValue;
@@ -176,7 +178,7 @@ struct MaterialSegment
   Lanes lengthMm;
 };
 
-/// A march of a material, from one segment that absorbs anything to the next.
+/// A march through a material, from each segment that absorbs anything to the next one.
 template <class Voxels, class Material>
 class MaterialMarch
 {
@@ -212,7 +214,7 @@ public:
   }
 
 private:
-  /// Goes on to the next segment that absorbs; false when no ray has any.
+  /// Advances to the next segment that absorbs; false if no ray has one.
   bool FindSegment()
   {
     LaneMask searching = this->going;
@@ -233,8 +235,8 @@ private:
     return Any(this->going);
   }
 
-  // Of the rays of a mask. Where a ray jumps, a segment without length makes the value behind
-  // known.
+  // Advances the rays of a mask. A ray that jumps gets a segment without length, which reads the
+  // value behind the jump.
   void NextSegment(LaneMask mask)
   {
     const SegmentLanes next = this->walk.NextSegment(
@@ -257,7 +259,7 @@ private:
       ? Lanes3{ Lanes{}, Lanes{}, Lanes{} }
       : this->voxels.SlopeAt(place, this->going).gradient;
     const Surface surface = this->material.SurfaceOf(gradient);
-    // Before the first visible segment there is no gradient yet; there it absorbs least.
+    // Before its first visible segment a ray has no gradient yet; it absorbs least there.
     this->segment.start = Select(this->known, this->segment.end, surface);
     this->segment.end = surface;
     this->known = this->going;
@@ -282,9 +284,11 @@ private:
   Lanes t;
   IntLanes index = {};
   LaneMask going;
-  LaneMask known = {}; ///< the surface at t
+  LaneMask known = {}; ///< the rays whose surface at t is known
   MaterialSegment segment = {};
 };
+
+}
 
 }
 

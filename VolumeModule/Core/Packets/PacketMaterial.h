@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketMaterial_h
 #define Varimarch_Core_Packets_PacketMaterial_h
 
-// What a place of the volume looks like that its gradient tells of, or a mask: Shaders/Material/
+// The optical properties of a place that depend on its gradient, or on a mask: Shaders/Material/
 // OneComponent.glsl, ValueAndGradient.glsl and Labelled.glsl.
 
 #include "Core/Packets/Lanes.h"
@@ -12,6 +12,9 @@
 #include "Core/Packets/PacketVoxels.h"
 
 namespace varimarch
+{
+
+namespace
 {
 
 /// Shaders/Math/WithOpacityFactor.glsl.
@@ -35,7 +38,7 @@ inline Lanes WithOpacityFactor(Lanes extinction, float unitDistanceMm, Lanes fac
 }
 
 /// Shaders/GradientOpacity.
-/// @param factorOf  (lane, index), the number of an entry that counts
+/// @param factorOf  (lane, index) -> the factor of an entry of the table
 template <class FactorOf>
 Lanes WithGradientOpacity(
   const PacketScene& scene, Lanes extinction, const Lanes3& gradient, FactorOf factorOf)
@@ -47,12 +50,8 @@ Lanes WithGradientOpacity(
   const Lanes place = Min(magnitude * parameters.entriesPerGradient[component], All(last));
   const IntLanes below = Truncated(Min(place, All(last - 1.0f)));
   const IntNumbers index(below);
-  const auto factor = [&](int lane, int next) { return factorOf(lane, index.of[lane] + next); };
   const auto factors = [&](int next)
-  {
-    return Lanes{ factor(0, next), factor(1, next), factor(2, next), factor(3, next),
-      factor(4, next), factor(5, next), factor(6, next), factor(7, next) };
-  };
+  { return LanesOf([&](int lane) { return factorOf(lane, index.of[lane] + next); }); };
   return WithOpacityFactor(extinction, parameters.opacityUnitDistancesMm[component],
     Mix(factors(0), factors(1), place - FloatOf(below)));
 }
@@ -95,7 +94,7 @@ inline Optical ClassifyTwo(const PacketScene& scene, Lanes value, const Lanes3& 
   return found;
 }
 
-/// The look of what rays of a packet pass through.
+/// The optical properties along the rays of a packet.
 class PacketMaterial
 {
 public:
@@ -106,7 +105,7 @@ public:
   {
   }
 
-  /// Whether it is the same for all surfaces.
+  /// True if they do not depend on the surface.
   bool IsPlain() const
   {
     return this->scene.light.shading == PacketShading::None &&
@@ -120,7 +119,7 @@ public:
     return { gradient, normal, Dot(normal, this->directionWorld) };
   }
 
-  /// @param t  where it is along the rays [mm]
+  /// @param t  the place along the rays [mm]
   Optical At(Lanes value, const Surface& surface, Lanes t) const
   {
     Optical optical = this->scene.twoValues.entries
@@ -163,7 +162,7 @@ protected:
   Lanes3 directionWorld;
 };
 
-/// Shaders/Material/Labelled.glsl: by the row of a mask that the rays are in.
+/// Shaders/Material/Labelled.glsl: depends on the row of a mask that the rays are in.
 class LabelledMaterial : public PacketMaterial
 {
 public:
@@ -192,7 +191,7 @@ private:
   {
     const IntNumbers row(rows);
     const Numbers values(value);
-    __m128 entries[LaneCount];
+    Four entries[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
       const PacketRow& look = this->scene.mask.rows[row.of[lane]];
@@ -210,7 +209,7 @@ private:
     return optical;
   }
 
-  // Colours, and opacities over a unit distance.
+  // Mixes colours, and opacities over a unit distance.
   Optical Mixed(const Optical& plain, const Optical& own) const
   {
     constexpr float Opaque = 1e30f;
@@ -224,8 +223,8 @@ private:
   }
 };
 
-/// The usual one, of a head light and nothing else: a twentieth of a picture's time less than by
-/// the one for all.
+/// The most frequent material, with a head light and nothing else: an image takes a twentieth less
+/// time than with PacketMaterial.
 class HeadLitMaterial : public PacketMaterial
 {
 public:
@@ -246,6 +245,8 @@ public:
     return optical;
   }
 };
+
+}
 
 }
 

@@ -1,12 +1,15 @@
 #ifndef Varimarch_Core_Packets_PacketOptics_h
 #define Varimarch_Core_Packets_PacketOptics_h
 
-// What values look like, and how the parts of a ray become its pixel.
+// The optical properties of values, and the sum of the parts of a ray.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketScene.h"
 
 namespace varimarch
+{
+
+namespace
 {
 
 /// Colour and extinction [1/mm], or emission and extinction.
@@ -16,25 +19,24 @@ struct Optical
   Lanes extinction;
 };
 
-inline Optical OpticalOf(const __m128 (&entries)[LaneCount])
+inline Optical OpticalOf(const Four (&entries)[LaneCount])
 {
   const Lanes4 numbers = Transposed(entries);
   return { { numbers.x, numbers.y, numbers.z }, numbers.w };
 }
 
-/// Whether anything does between two values, both included.
+/// The lanes in which any value from one to another, both included, may absorb.
 inline LaneMask MayAbsorb(const PacketLook& look, Lanes start, Lanes end)
 {
   return LaneMask(Max(start, end) > look.visibleValues.x) &
     LaneMask(Min(start, end) < look.visibleValues.y);
 }
 
-/// Between an entry and the next.
-inline __m128 MixedEntries(const glm::vec4* entry, float part)
+/// Interpolates between an entry and the next.
+inline Four MixedEntries(const glm::vec4* entry, float part)
 {
-  const __m128 a = _mm_loadu_ps(&entry->x);
-  const __m128 b = _mm_loadu_ps(&entry[1].x);
-  return _mm_fmadd_ps(_mm_set1_ps(part), _mm_sub_ps(b, a), a);
+  const Four first = FourAt(&entry->x);
+  return first + part * (FourAt(&entry[1].x) - first);
 }
 
 /// Shaders/Classify/OpticalTable.glsl.
@@ -45,7 +47,7 @@ inline Optical Classify(const PacketLook& look, Lanes value)
   const IntLanes below = Truncated(Min(place, last - 1.0f));
   const IntNumbers index(below);
   const Numbers part(place - FloatOf(below));
-  __m128 entries[LaneCount];
+  Four entries[LaneCount];
   for (int lane = 0; lane < LaneCount; ++lane)
   {
     entries[lane] = MixedEntries(look.table + index.of[lane], part.of[lane]);
@@ -53,9 +55,9 @@ inline Optical Classify(const PacketLook& look, Lanes value)
   return OpticalOf(entries);
 }
 
-/// Between four entries of a table of rows.
+/// Interpolates between four entries of a table of rows.
 /// @param size  of the table, at least two along each axis
-/// @param x  and y: indices inside, which need not be whole
+/// @param x, y  indices within the table, which need not be whole
 inline Optical Interpolated(const glm::vec4* table, glm::ivec2 size, Lanes x, Lanes y)
 {
   const IntLanes column = Truncated(Min(x, All(float(size.x - 2))));
@@ -63,19 +65,18 @@ inline Optical Interpolated(const glm::vec4* table, glm::ivec2 size, Lanes x, La
   const IntNumbers index(column + size.x * row);
   const Numbers along(x - FloatOf(column));
   const Numbers across(y - FloatOf(row));
-  __m128 entries[LaneCount];
+  Four entries[LaneCount];
   for (int lane = 0; lane < LaneCount; ++lane)
   {
     const glm::vec4* const entry = table + index.of[lane];
-    const __m128 lower = MixedEntries(entry, along.of[lane]);
-    const __m128 upper = MixedEntries(entry + size.x, along.of[lane]);
-    entries[lane] = _mm_fmadd_ps(_mm_set1_ps(across.of[lane]), _mm_sub_ps(upper, lower), lower);
+    const Four lower = MixedEntries(entry, along.of[lane]);
+    const Four upper = MixedEntries(entry + size.x, along.of[lane]);
+    entries[lane] = lower + across.of[lane] * (upper - lower);
   }
   return OpticalOf(entries);
 }
 
-/// Of pieces of which some are beyond the table's ends: what is there has the properties of its
-/// first or last entry.
+/// Corrects pieces of which some are beyond the table's ends, where its first or last entry holds.
 inline Optical WithEnds(const PacketLook& look, const Optical& inside, Lanes start, Lanes end)
 {
   const Lanes one = All(1.0f);
@@ -111,7 +112,7 @@ inline Optical ClassifyBetween(const PacketLook& look, Lanes startValue, Lanes e
 }
 
 /// Shaders/Math/Absorption.glsl: 1 - exp(-depth), without cancellation. Beyond a depth of 100
-/// nothing of a float is left.
+/// a float has no transmittance left.
 inline Lanes Absorption(Lanes depth)
 {
   const PowerOfTwo power(-1.442695041f * Min(depth, All(100.0f))); // 1 - 2^i - 2^i (2^f - 1)
@@ -123,7 +124,7 @@ struct PacketSum
 {
   Lanes3 color = { Lanes{}, Lanes{}, Lanes{} }; ///< premultiplied
   Lanes transmittance = All(1.0f);
-  Lanes opticalDepth = {}; ///< of all parts: known before the transmittance is
+  Lanes opticalDepth = {}; ///< of all parts; it is known before the transmittance
 
   void Add(const Optical& optical, Lanes lengthMm)
   {
@@ -141,6 +142,8 @@ inline PacketSum Select(LaneMask mask, const PacketSum& yes, const PacketSum& no
              Select(mask, yes.color.z, no.color.z) },
     Select(mask, yes.transmittance, no.transmittance),
     Select(mask, yes.opticalDepth, no.opticalDepth) };
+}
+
 }
 
 }

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketPieces_h
 #define Varimarch_Core_Packets_PacketPieces_h
 
-// Rays of which some pieces are left out, or are drawn by rules of their own: Shaders/Crop,
+// Rays with pieces that are left out, or that are drawn by rules of their own: Shaders/Crop,
 // Shaders/Mask and Shaders/Gaps.
 
 #include "Core/Fields/GapField.h"
@@ -13,6 +13,9 @@
 #include "Core/Packets/PacketScene.h"
 
 namespace varimarch
+{
+
+namespace
 {
 
 /// Shaders/Crop/Regions.glsl: six planes cut rays into pieces, each of which lies in one region.
@@ -31,8 +34,8 @@ public:
     }
   }
 
-  /// What is drawn next of the rays of a mask: all pieces that follow each other. Where nothing is,
-  /// and of other rays, it has no length.
+  /// The next part of the rays of a mask that is drawn: all pieces that follow each other. It has
+  /// no length for a ray without one, and for other rays.
   PacketRays Next(LaneMask mask)
   {
     PacketRays drawn = this->rays;
@@ -79,7 +82,7 @@ private:
 
   const RayParameters& parameters;
   const PacketRays& rays;
-  Lanes t; ///< up to which they are taken
+  Lanes t; ///< the end of the last piece
   Lanes crossings[6];
 };
 
@@ -96,7 +99,7 @@ public:
   {
   }
 
-  /// As CroppedPieces.
+  /// See CroppedPieces.
   PacketRays Next(LaneMask searching)
   {
     PacketRays drawn = this->rays;
@@ -123,21 +126,19 @@ public:
 private:
   IntLanes TexelsAt(const IntNumbers& index, int which) const
   {
-    const auto texel = [&](int lane)
-    { return std::int32_t(this->mask.texels[2 * std::ptrdiff_t(index.of[lane]) + which]); };
-    return IntLanes{ texel(0), texel(1), texel(2), texel(3), texel(4), texel(5), texel(6),
-      texel(7) };
+    return IntLanesOf([&](int lane)
+      { return std::int32_t(this->mask.texels[2 * std::ptrdiff_t(index.of[lane]) + which]); });
   }
 
   const PacketMask& mask;
   const PacketRays& rays;
   PacketLattice lattice;
-  LatticePlaces place; ///< up to which they are taken
+  LatticePlaces place; ///< the end of the last piece
 };
 
 /// @tparam Pieces  CroppedPieces or MaskedPieces
-/// @param before  the sum of what is in front of the rays
-/// @param march   (what is marched of rays, the sum of what is before it), the sum of both
+/// @param before  the sum in front of the rays
+/// @param march   (piece of the rays, sum before it) -> the sum behind it
 template <class Pieces, class March>
 PacketSum MarchPieces(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, March march)
@@ -154,8 +155,8 @@ PacketSum MarchPieces(
   return sum;
 }
 
-/// Shaders/Gaps/Cells.glsl: what is between gaps is marched, and what has no value is filled.
-/// @param march  (what is marched of rays, the sum of what is before it), the sum of both
+/// Shaders/Gaps/Cells.glsl: marches between gaps, and fills places without a value.
+/// @param march  (piece of the rays, sum before it) -> the sum behind it
 template <class March>
 PacketSum MarchAroundGaps(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, March march)
@@ -165,17 +166,13 @@ PacketSum MarchAroundGaps(
   const glm::vec4& fill = scene.parameters.gapOptical;
   const Optical filled{ { All(fill.x), All(fill.y), All(fill.z) }, All(fill.w) };
   const auto texelsAt = [&](const IntNumbers& index)
-  {
-    const auto texel = [&](int lane) { return std::int32_t(gaps.texels[index.of[lane]]); };
-    return IntLanes{ texel(0), texel(1), texel(2), texel(3), texel(4), texel(5), texel(6),
-      texel(7) };
-  };
+  { return IntLanesOf([&](int lane) { return std::int32_t(gaps.texels[index.of[lane]]); }); };
   PacketSum sum = before;
   LatticePlaces place = lattice.At(rays.enter);
   for (LaneMask going = GoOn(scene, rays, place.t, sum); Any(going);
        going &= GoOn(scene, rays, place.t, sum))
   {
-    // Blocks without a gap are joined to one march.
+    // Blocks without a gap are joined into one piece.
     PacketRays part = rays;
     part.enter = part.exit = place.t;
     LaneMask hasNoValue = {};
@@ -194,6 +191,8 @@ PacketSum MarchAroundGaps(
     sum.Add(filled, Select(hasNoValue, gapMm, Lanes{}));
   }
   return sum;
+}
+
 }
 
 }

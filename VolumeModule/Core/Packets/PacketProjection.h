@@ -1,8 +1,8 @@
 #ifndef Varimarch_Core_Packets_PacketProjection_h
 #define Varimarch_Core_Packets_PacketProjection_h
 
-// A mean or a sum of values along rays: Shaders/March/Projection.glsl, Blend/AverageIntensity.glsl
-// and Blend/Additive.glsl.
+// The mean or the sum of the values along rays: Shaders/March/Projection.glsl,
+// Blend/AverageIntensity.glsl and Blend/Additive.glsl.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketMarchers.h"
@@ -14,9 +14,12 @@
 namespace varimarch
 {
 
-/// What a march has added up stands in a PacketSum: the integral [mm] as x of its colour, the
-/// length of what counts [mm] as y; the optical depth ends rays that are white. White on black; a
-/// ray without any sample is transparent.
+namespace
+{
+
+/// A march keeps the integral [mm] in the x of a PacketSum's colour, and the length that counts
+/// [mm] in its y; the optical depth ends rays that are white. The image is white on black; a ray
+/// without any sample is transparent.
 inline PacketSum SeenOfProjection(const PacketScene& scene, const PacketSum& march)
 {
   const VolumeParameters& parameters = scene.parameters;
@@ -31,8 +34,8 @@ inline PacketSum SeenOfProjection(const PacketScene& scene, const PacketSum& mar
   return sum;
 }
 
-/// A march of segments of equal parts. What a ray leaves out is invisible throughout, as its first
-/// point is, but its length counts.
+/// A march of segments of equal parts. A part that a ray skips is as invisible throughout as its
+/// first point, but its length counts.
 template <class Voxels>
 class ProjectionMarch
 {
@@ -123,8 +126,10 @@ private:
   const PacketWalk& walk;
   Voxels voxels;
   Lanes integral; ///< [mm]
-  Lanes lengthMm; ///< of what counts
+  Lanes lengthMm; ///< of the samples that count
 };
+
+}
 
 }
 

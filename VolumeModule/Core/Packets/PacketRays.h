@@ -1,8 +1,8 @@
 #ifndef Varimarch_Core_Packets_PacketRays_h
 #define Varimarch_Core_Packets_PacketRays_h
 
-// The rays of a packet, two rows of four pixels, and which part of them is marched; see
-// Shaders/RayMarch.frag.glsl, whose names these are.
+// The rays of a packet, and the part of them that is marched; the names are those of
+// Shaders/RayMarch.frag.glsl.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketScene.h"
@@ -12,16 +12,22 @@
 namespace varimarch
 {
 
+namespace
+{
+
 constexpr float Never = 3.0e38f;
-constexpr float InverseOfNone = 1e30f; // of the component of a direction
+constexpr float InverseOfNone = 1e30f; // stands for the inverse of a direction's component of 0
+
+/// The rows of pixels in a packet of PacketWidth columns.
+constexpr int PacketRows = LaneCount / PacketWidth;
 
 struct PacketRays
 {
   Lanes3 originGrid;
   Lanes3 directionGrid; ///< per mm
   Lanes3 inverse;       ///< of the direction, finite
-  IntLanes region;      ///< what a mask says of all that is marched
-  Lanes enter;          ///< part that is inside [mm]; as long as no time where there is none
+  IntLanes region;      ///< the label of the part that is marched, in a mask
+  Lanes enter;          ///< [mm]; equal to the exit for a ray without a part inside
   Lanes exit;
 
   Lanes3 At(Lanes t) const { return this->originGrid + t * this->directionGrid; }
@@ -41,14 +47,14 @@ Lanes3 Transformed(const Matrix& matrix, const Lanes3& a)
     a.x * x.z + a.y * y.z + a.z * z.z };
 }
 
-/// A component that is zero, or so small that its inverse would overflow, becomes a tiny one.
+/// Replaces a component that is zero, or whose inverse would overflow, by a tiny one.
 inline Lanes SafeInverse(Lanes direction)
 {
   return 1.0f / WithSignOf(Max(Abs(direction), All(1.0f / InverseOfNone)), direction);
 }
 
-/// Slab test of Kay and Kajiya (SIGGRAPH 1986). Rays along the slab are decided by comparison, as
-/// in Shaders/Math/IntersectBox.glsl.
+/// Slab test of Kay and Kajiya (SIGGRAPH 1986). For rays along the slab, positions are
+/// compared, as in Shaders/Math/IntersectBox.glsl.
 inline void CutBySlab(PacketRays& rays, Lanes origin, Lanes inverse, float lower, float upper)
 {
   const Lanes toLower = (lower - origin) * inverse;
@@ -72,7 +78,7 @@ inline Lanes PlaneAlong(const glm::vec4& plane, const Lanes3& direction)
   return direction.x * plane.x + direction.y * plane.y + direction.z * plane.z;
 }
 
-/// Shaders/Clip/Planes.glsl: leaves what is beyond a plane, where dot(plane, (position, 1)) >= 0.
+/// Shaders/Clip/Planes.glsl: keeps the part beyond a plane, where dot(plane, (position, 1)) >= 0.
 inline void CutByPlane(PacketRays& rays, const glm::vec4& plane)
 {
   const Lanes beyond = PlaneAt(plane, rays.originGrid);
@@ -84,12 +90,12 @@ inline void CutByPlane(PacketRays& rays, const glm::vec4& plane)
   rays.exit = Select(cutOff, rays.enter, rays.exit);
 }
 
-/// The depth at each pixel, of which some may be beyond the picture's edges.
+/// The depth at each pixel, some of which may be beyond the image's edges.
 inline Lanes DepthsAt(const PacketScene& scene, int x, int y)
 {
   const PacketCuts& cuts = scene.cuts;
   const glm::vec2& perPixel = scene.rays.depthPixelsPerPixel;
-  alignas(32) float depths[LaneCount];
+  float depths[LaneCount];
   const auto within = [](float place, int count)
   { return place < float(count) ? int(place) : count - 1; };
   for (int lane = 0; lane < LaneCount; ++lane)
@@ -99,10 +105,10 @@ inline Lanes DepthsAt(const PacketScene& scene, int x, int y)
     const int row = within((float(y + lane / PacketWidth) + 0.5f) * perPixel.y, cuts.depthPixels.y);
     depths[lane] = cuts.depth[std::ptrdiff_t(row) * cuts.depthPixels.x + column];
   }
-  return Lanes(_mm256_load_ps(depths));
+  return LanesAt(depths);
 }
 
-/// Where rays have a depth of the depth buffer; not finite where they have but one.
+/// The t at which rays have a depth of the depth buffer; not finite for rays with a single depth.
 inline Lanes AtDepth(const PacketRays& rays, const RayParameters& parameters, Lanes depth)
 {
   const Lanes clipDepth = 2.0f * depth - 1.0f;
@@ -125,8 +131,8 @@ inline void CutByDepth(PacketRays& rays, const PacketScene& scene, int x, int y)
 /// See Shaders/Resume/Peel.glsl.
 inline void CutByLayers(PacketRays& rays, const PacketScene& scene, int x, int y)
 {
-  alignas(32) float front[LaneCount];
-  alignas(32) float back[LaneCount];
+  float front[LaneCount];
+  float back[LaneCount];
   const glm::ivec2 size = scene.cuts.layerPixels;
   for (int lane = 0; lane < LaneCount; ++lane)
   {
@@ -137,8 +143,8 @@ inline void CutByLayers(PacketRays& rays, const PacketScene& scene, int x, int y
     front[lane] = isInPicture ? scene.cuts.layers[4 * pixel] : 0.0f;
     back[lane] = isInPicture ? scene.cuts.layers[4 * pixel + 1] : 0.0f;
   }
-  const Lanes from(_mm256_load_ps(front));
-  const Lanes to(_mm256_load_ps(back));
+  const Lanes from = LanesAt(front);
+  const Lanes to = LanesAt(back);
   rays.enter = Max(AtDepth(rays, scene.rays, from), rays.enter);
   rays.exit = Min(AtDepth(rays, scene.rays, to), rays.exit);
   rays.exit = Select(LaneMask(from < to), rays.exit, rays.enter);
@@ -149,7 +155,7 @@ inline int PacketAt(const PacketDepths& depths, int x, int y)
   return (y - depths.bottom) / PacketHeight * depths.columns + (x - depths.left) / PacketWidth;
 }
 
-/// Leaves where something may be visible.
+/// Keeps the part where something may be visible.
 inline void CutByVisible(PacketRays& rays, const PacketDepths& depths, int x, int y)
 {
   const int packet = PacketAt(depths, x, y);
@@ -158,21 +164,21 @@ inline void CutByVisible(PacketRays& rays, const PacketDepths& depths, int x, in
   CutByPlane(rays, { -axis.x, -axis.y, -axis.z, depths.farthest[packet] });
 }
 
-/// Whether anything may be visible in a packet.
+/// True if anything may be visible in a packet.
 inline bool IsVisible(const PacketDepths& depths, int x, int y)
 {
   const int packet = PacketAt(depths, x, y);
   return !depths.nearest || depths.nearest[packet] <= depths.farthest[packet];
 }
 
-/// Of whole lines.
+/// The rays as whole lines.
 inline PacketRays LinesOf(const PacketScene& scene, int x, int y)
 {
   const RayParameters& parameters = scene.rays;
   const glm::vec2& origin = parameters.viewportOriginPixels;
   const glm::vec2& perPixel = parameters.viewportPixelsInverse;
-  const Lanes column = { 0, 1, 2, 3, 0, 1, 2, 3 };
-  const Lanes row = { 0, 0, 0, 0, 1, 1, 1, 1 };
+  const Lanes column = LanesOf([](int lane) { return float(lane % PacketWidth); });
+  const Lanes row = LanesOf([](int lane) { return float(lane / PacketWidth); });
   const Lanes viewX = (column + (float(x) + 0.5f - origin.x)) * (2.0f * perPixel.x) - 1.0f;
   const Lanes viewY = (row + (float(y) + 0.5f - origin.y)) * (2.0f * perPixel.y) - 1.0f;
   const shader::vec4* const s = parameters.rayStartGrid;
@@ -194,7 +200,7 @@ inline PacketRays LinesOf(const PacketScene& scene, int x, int y)
   return rays;
 }
 
-/// @param x  and y: of the first pixel of the packet, in the picture
+/// @param x, y  the first pixel of the packet, in the image
 inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
 {
   PacketRays rays = LinesOf(scene, x, y);
@@ -225,6 +231,8 @@ inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
   rays.enter = Select(inside, rays.enter, Lanes{});
   rays.exit = Select(inside, rays.exit, Lanes{});
   return rays;
+}
+
 }
 
 }

@@ -7,7 +7,11 @@
 namespace varimarch
 {
 
-/// Shaders/Spacing/Uneven.glsl: the voxels at places of the even grid that rays are straight in.
+namespace
+{
+
+/// Shaders/Spacing/Uneven.glsl: from places in the even grid, in which rays are straight, to places
+/// in the grid of the voxels.
 inline Lanes3 UnevenPlace(const PacketScene& scene, const Lanes3& grid)
 {
   const PacketSpacing& spacing = scene.spacing;
@@ -18,16 +22,18 @@ inline Lanes3 UnevenPlace(const PacketScene& scene, const Lanes3& grid)
     const Lanes bin = (place - lowerGrid[axis]) * binsPerGrid[axis];
     const Lanes last = All(float(spacing.lastBins[axis] - spacing.firstBins[axis]));
     const IntNumbers index(Truncated(Clamp(bin, Lanes{}, last)));
-    __m128 pieces[LaneCount];
+    Four pieces[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      pieces[lane] = _mm_loadu_ps(&spacing.bins[spacing.firstBins[axis] + index.of[lane]].x);
+      pieces[lane] = FourAt(&spacing.bins[spacing.firstBins[axis] + index.of[lane]].x);
     }
     const Lanes4 piece = Transposed(pieces);
     const Lanes beyond = place - piece.x;
     return piece.y + beyond * Select(LaneMask(beyond < 0.0f), piece.z, piece.w);
   };
   return { along(grid.x, 0), along(grid.y, 1), along(grid.z, 2) };
+}
+
 }
 
 }

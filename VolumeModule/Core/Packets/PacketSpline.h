@@ -13,7 +13,10 @@
 namespace varimarch
 {
 
-/// Of the four coefficients along an axis that a value depends on, or its derivative.
+namespace
+{
+
+/// The weights of the four coefficients along an axis that a value, or its derivative, depends on.
 struct SplineWeights
 {
   Lanes of[4];
@@ -36,8 +39,8 @@ inline SplineWeights WeightsOfSlope(Lanes part)
     0.5f * part * part } };
 }
 
-/// Where one of the four lies beyond the outermost coefficients, that of the face counts for it.
-/// @param beyond  -1 before the first of all, 1 behind the last, else 0
+/// Gives the weight of a coefficient beyond the outermost ones to that of the face.
+/// @param beyond  -1 if one is before the first, 1 if one is behind the last, else 0
 inline SplineWeights MovedInside(const SplineWeights& weights, Lanes beyond)
 {
   const Lanes(&w)[4] = weights.of;
@@ -58,21 +61,21 @@ struct SplineNumbers
   {
   }
 
-  __m128 At(int which, int lane) const { return _mm_set1_ps(this->of[which].of[lane]); }
+  float At(int which, int lane) const { return this->of[which].of[lane]; }
 
   Numbers of[4];
 };
 
-/// Reads as PacketVoxels does.
+/// The spline, read in the same way as PacketVoxels.
 class PacketSpline
 {
 public:
-  /// 4 x 4 x 4 coefficients, and where in the middle one of their cells a position is.
+  /// 4 x 4 x 4 coefficients, and the place of a position in the middle one of their cells.
   struct Cell
   {
     IntNumbers index; ///< of the first
     Lanes3 part;      ///< [0, 1]
-    Lanes3 beyond;    ///< as MovedInside takes it
+    Lanes3 beyond;    ///< see MovedInside
   };
 
   explicit PacketSpline(const PacketVolume& volume)
@@ -98,13 +101,13 @@ public:
   {
     const SplineNumbers alongY(MovedInside(WeightsOfValue(cell.part.y), cell.beyond.y));
     const SplineNumbers alongZ(MovedInside(WeightsOfValue(cell.part.z), cell.beyond.z));
-    __m128 sums[LaneCount];
+    Four sums[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      sums[lane] = _mm_setzero_ps();
+      sums[lane] = Four{};
       for (int slice = 0; slice < 4; ++slice)
       {
-        sums[lane] = _mm_fmadd_ps(
+        sums[lane] = MultiplyAdd(
           alongZ.At(slice, lane), this->SumOfRows(cell, slice, alongY, lane), sums[lane]);
       }
     }
@@ -116,8 +119,8 @@ public:
     return this->ValueIn(this->CellOf(positionGrid));
   }
 
-  /// Twice the derivatives: differences over two voxels, which all that is made of gradients
-  /// expects.
+  /// Its gradient is twice the derivatives: everything that uses gradients expects differences over
+  /// two voxels.
   Slope SlopeAt(const Lanes3& positionGrid, LaneMask) const
   {
     const Cell cell = this->CellOf(positionGrid);
@@ -129,19 +132,19 @@ public:
     const SplineNumbers slopeY(slopeOf(cell.part.y, cell.beyond.y));
     const SplineNumbers valueZ(valueOf(cell.part.z, cell.beyond.z));
     const SplineNumbers slopeZ(slopeOf(cell.part.z, cell.beyond.z));
-    __m128 values[LaneCount];
-    __m128 slopesY[LaneCount];
-    __m128 slopesZ[LaneCount];
+    Four values[LaneCount];
+    Four slopesY[LaneCount];
+    Four slopesZ[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      values[lane] = slopesY[lane] = slopesZ[lane] = _mm_setzero_ps();
+      values[lane] = slopesY[lane] = slopesZ[lane] = Four{};
       for (int slice = 0; slice < 4; ++slice)
       {
-        const __m128 value = this->SumOfRows(cell, slice, valueY, lane);
-        const __m128 slope = this->SumOfRows(cell, slice, slopeY, lane);
-        values[lane] = _mm_fmadd_ps(valueZ.At(slice, lane), value, values[lane]);
-        slopesY[lane] = _mm_fmadd_ps(valueZ.At(slice, lane), slope, slopesY[lane]);
-        slopesZ[lane] = _mm_fmadd_ps(slopeZ.At(slice, lane), value, slopesZ[lane]);
+        const Four value = this->SumOfRows(cell, slice, valueY, lane);
+        const Four slope = this->SumOfRows(cell, slice, slopeY, lane);
+        values[lane] = MultiplyAdd(valueZ.At(slice, lane), value, values[lane]);
+        slopesY[lane] = MultiplyAdd(valueZ.At(slice, lane), slope, slopesY[lane]);
+        slopesZ[lane] = MultiplyAdd(slopeZ.At(slice, lane), value, slopesZ[lane]);
       }
     }
     const SplineWeights valueX = valueOf(cell.part.x, cell.beyond.x);
@@ -151,7 +154,7 @@ public:
   }
 
 private:
-  // Which four coefficients a value depends on along an axis.
+  // The four coefficients that a value depends on along an axis.
   struct AxisPlace
   {
     Lanes first; ///< a whole number
@@ -168,17 +171,19 @@ private:
     return { first, inside - second, wanted - first };
   }
 
-  // Of the four rows of a slice of a cell, in one lane.
-  __m128 SumOfRows(const Cell& cell, int slice, const SplineNumbers& weights, int lane) const
+  // The sum of the four rows in a slice of a cell, for one lane.
+  Four SumOfRows(const Cell& cell, int slice, const SplineNumbers& weights, int lane) const
   {
     const float* const row = this->first + cell.index.of[lane] + slice * this->perSlice;
-    __m128 sum = _mm_mul_ps(weights.At(0, lane), _mm_loadu_ps(row));
-    sum = _mm_fmadd_ps(weights.At(1, lane), _mm_loadu_ps(row + this->perRow), sum);
-    sum = _mm_fmadd_ps(weights.At(2, lane), _mm_loadu_ps(row + 2 * this->perRow), sum);
-    return _mm_fmadd_ps(weights.At(3, lane), _mm_loadu_ps(row + 3 * this->perRow), sum);
+    Four sum = weights.At(0, lane) * FourAt(row);
+    for (int i = 1; i < 4; ++i)
+    {
+      sum = MultiplyAdd(weights.At(i, lane), FourAt(row + i * this->perRow), sum);
+    }
+    return sum;
   }
 
-  static Lanes SumAlongX(const __m128 (&sums)[LaneCount], const SplineWeights& weights)
+  static Lanes SumAlongX(const Four (&sums)[LaneCount], const SplineWeights& weights)
   {
     const Lanes4 along = Transposed(sums);
     return weights.of[0] * along.x + weights.of[1] * along.y + weights.of[2] * along.z +
@@ -190,6 +195,8 @@ private:
   std::ptrdiff_t perSlice;
   Lanes3 lastVoxel;
 };
+
+}
 
 }
 

@@ -1,16 +1,23 @@
 #ifndef Varimarch_Core_Packets_PacketTile_h
 #define Varimarch_Core_Packets_PacketTile_h
 
+#include "Core/Packets/PacketMarch.h"
 #include "Core/Packets/PacketScene.h"
 
 namespace varimarch
 {
 
-/// Marches those of the pixels that are in a tile of whole packets, on one core, which has AVX2 and
-/// FMA.
+/// The content of a tile: std::int8_t, std::uint8_t, std::int16_t, std::uint16_t or float, which
+/// are voxels of this type, or one of these.
+struct SplineCoefficients;
+struct Mixture;
+
+/// Marches the pixels in a tile of whole packets on one core. Each set of instructions and each
+/// content has a copy of its own in a translation unit of its own, made of PacketTile.cxx.in. Only
+/// on a processor that has these instructions may it be called.
 /// @param rgba  of the pixels, as in MarchPackets
-void MarchTileByAvx2(
-  const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba);
+template <InstructionSet Set, class Content>
+void MarchTile(const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba);
 
 }
 

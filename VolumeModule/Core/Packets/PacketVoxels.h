@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketVoxels_h
 #define Varimarch_Core_Packets_PacketVoxels_h
 
-// The volume as packets of rays read it.
+// Access to the voxels of a volume for packets of rays.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketScene.h"
@@ -12,7 +12,11 @@
 namespace varimarch
 {
 
-/// @param call  (a voxel), of the type that voxels have
+namespace
+{
+
+/// Calls a function with a voxel of this type.
+/// @param call  (voxel)
 template <class Call>
 auto ByVoxelType(VoxelType type, Call call)
 {
@@ -32,14 +36,14 @@ auto ByVoxelType(VoxelType type, Call call)
   return call(float());
 }
 
-/// Two values that follow each other along x, of each lane.
+/// Two values for each lane that follow each other along x.
 struct ValuePairs
 {
   Lanes first;
   Lanes second;
 };
 
-/// A pair of voxels in memory, as one number of so many bits.
+/// A pair of voxels in memory, as one number of the same size.
 template <class Bits, class Voxel>
 Bits PairAt(const Voxel* first)
 {
@@ -49,7 +53,7 @@ Bits PairAt(const Voxel* first)
   return bits;
 }
 
-/// Of 8 or 16 bit voxels, each lane's pair in its lower bits.
+/// The values of pairs of 8 or 16 bit voxels, which are in the lower bits of each lane.
 template <class Voxel>
 ValuePairs UnpackedPairs(IntLanes bits)
 {
@@ -64,39 +68,36 @@ ValuePairs UnpackedPairs(IntLanes bits)
   return { FloatOf(bits & all), FloatOf(bits >> width & all) };
 }
 
-/// @param index  of the first voxel of each pair, from that at `base` on
+/// @param index  of the first voxel of each pair, counted from `base`
 template <class Voxel>
 ValuePairs PairsAt(const Voxel* base, const IntNumbers& index)
 {
   if constexpr (sizeof(Voxel) == 1)
   {
-    const auto pair = [&](int lane) { return PairAt<std::int16_t>(base + index.of[lane]); };
-    return UnpackedPairs<Voxel>(IntLanes(_mm256_cvtepu16_epi32(
-      _mm_setr_epi16(pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7)))));
+    return UnpackedPairs<Voxel>(
+      WidenedLanes([&](int lane) { return PairAt<std::uint16_t>(base + index.of[lane]); }));
   }
   else if constexpr (sizeof(Voxel) == 2)
   {
-    const auto pair = [&](int lane) { return PairAt<std::int32_t>(base + index.of[lane]); };
     return UnpackedPairs<Voxel>(
-      IntLanes{ pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7) });
+      IntLanesOf([&](int lane) { return PairAt<std::int32_t>(base + index.of[lane]); }));
   }
   else
   {
-    // Lanes 0 and 1 beside 4 and 5, and 2 and 3 beside 6 and 7: two shuffles put each in place.
     const auto pair = [&](int lane) { return PairAt<double>(base + index.of[lane]); };
-    const __m256 even = _mm256_castpd_ps(_mm256_setr_pd(pair(0), pair(1), pair(4), pair(5)));
-    const __m256 odd = _mm256_castpd_ps(_mm256_setr_pd(pair(2), pair(3), pair(6), pair(7)));
-    return { Lanes(_mm256_shuffle_ps(even, odd, 0x88)), Lanes(_mm256_shuffle_ps(even, odd, 0xdd)) };
+    const Lanes pairs = PairsInBothHalves(pair, 0);
+    const Lanes nextPairs = PairsInBothHalves(pair, 2);
+    return { EvenNumbers(pairs, nextPairs), OddNumbers(pairs, nextPairs) };
   }
 }
 
-/// The eight voxels of a cell, and which one that is.
+/// A cell, and its eight voxels.
 struct CellCorners
 {
   ValuePairs rows[2][2]; ///< [slice][row]
-  Lanes3 cellGrid;       ///< the first of them
+  Lanes3 cellGrid;       ///< the first voxel
 
-  /// Where in the cell a position is, [0, 1] on each axis: positions outside are moved in.
+  /// The place of a position in the cell, [0, 1] on each axis: positions outside are moved in.
   Lanes3 Inside(const Lanes3& positionGrid) const
   {
     const Lanes3 part = positionGrid - this->cellGrid;
@@ -105,14 +106,14 @@ struct CellCorners
   }
 };
 
-/// A value, and its differences one voxel to either side.
+/// A value, and the differences between the values one voxel to either side.
 struct Slope
 {
   Lanes value;
   Lanes3 gradient;
 };
 
-/// Trilinear interpolation between voxels, which go on beyond the outermost ones.
+/// Trilinear interpolation between voxels. The outermost ones extend beyond the volume.
 template <class Voxel>
 class PacketVoxels
 {
@@ -150,7 +151,7 @@ public:
     return this->ValueIn(this->CellOf(positionGrid));
   }
 
-  /// @param mask  of rays whose gradient matters
+  /// @param mask  the rays whose gradient matters
   Slope SlopeAt(const Lanes3& positionGrid, LaneMask mask) const
   {
     const Lanes one = All(1.0f);
@@ -170,7 +171,7 @@ public:
         this->ValueAt(positionGrid + z) - this->ValueAt(positionGrid - z) } };
   }
 
-  /// @param cellGrid  the first voxel; where that is outside, the nearest cell is read
+  /// @param cellGrid  the first voxel; if it is outside, the nearest cell is read
   CellCorners CornersOf(const Lanes3& cellGrid) const
   {
     const Lanes one = All(1.0f);
@@ -185,7 +186,7 @@ public:
   }
 
 private:
-  // At least `border` voxels from the outermost ones.
+  // The nearest position at least `border` voxels from the outermost ones.
   Lanes3 Inside(const Lanes3& positionGrid, Lanes border) const
   {
     return { Clamp(positionGrid.x, border, this->lastVoxel.x - border),
@@ -204,7 +205,7 @@ private:
       { inside.x - FloatOf(x), inside.y - FloatOf(y), inside.z - FloatOf(z) } };
   }
 
-  // Two voxels of each row through a cell, so many voxels, rows and slices from its first.
+  // Pairs of voxels at this offset from the first voxel of each cell, in voxels, rows and slices.
   ValuePairs PairsIn(const IntNumbers& index, int x, int rows, int slices) const
   {
     return PairsAt(this->first + (x + rows * this->perRow + slices * this->perSlice), index);
@@ -221,8 +222,8 @@ private:
     return Mix(pair.first, pair.second, cell.part.x);
   }
 
-  // What lies around a row of the cell: its values between the two voxels, and how these differ
-  // from those one voxel before and behind.
+  // A row of the cell: the value between its two voxels, and the difference between the values one
+  // voxel behind and one before.
   struct RowSlope
   {
     Lanes value;
@@ -238,7 +239,7 @@ private:
         Mix(before.first, before.second, cell.part.x) };
   }
 
-  // All that seven values are interpolated from, each read once.
+  // Reads each of the voxels once between which seven values are interpolated.
   Slope SlopeIn(const Cell& cell) const
   {
     const Lanes3& part = cell.part;
@@ -271,6 +272,8 @@ private:
   Lanes3 lastVoxel;
   bool hasInnerCells;
 };
+
+}
 
 }
 

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketWalk_h
 #define Varimarch_Core_Packets_PacketWalk_h
 
-// Which part of each ray comes next: Shaders/Step/OpticalField.glsl, Growing.glsl and Fixed.glsl.
+// The next part of each ray: Shaders/Step/OpticalField.glsl, Growing.glsl and Fixed.glsl.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketLattice.h"
@@ -9,6 +9,9 @@
 #include "Core/Packets/PacketScene.h"
 
 namespace varimarch
+{
+
+namespace
 {
 
 struct SegmentLanes
@@ -20,7 +23,7 @@ struct SegmentLanes
 class PacketWalk
 {
 public:
-  /// @param x  and y: of the first pixel
+  /// @param x, y  the first pixel
   PacketWalk(const PacketScene& scene, const PacketRays& rays, int x, int y)
     : parameters(scene.rays)
     , steps(scene.steps)
@@ -30,7 +33,7 @@ public:
   {
   }
 
-  /// Shaders/Slots.glsl, of the rays of a mask.
+  /// See Shaders/Slots.glsl; only the rays of a mask matter.
   SegmentLanes NextSegment(
     Lanes t, IntLanes index, float plainMm, Lanes opticalDepth, LaneMask mask) const
   {
@@ -42,16 +45,17 @@ public:
     return this->NextOfBricks(t, this->StepMm(index, plainMm, opticalDepth), mask);
   }
 
-  /// Of the sample distance: noise shortens the first, and behind what is nearly opaque it is
+  /// The length of a step: noise shortens the first one, and where little light is left, steps are
   /// longer.
   Lanes StepMm(IntLanes index, float plainMm, Lanes opticalDepth) const
   {
     const Lanes plain = Select(index == 0, this->firstPart * plainMm, All(plainMm));
-    // A processor foresees this branch, and need not wait for the depth before it goes on.
+    // A processor predicts this branch, and goes on before the depth is known.
     return Any(LaneMask(opticalDepth > DepthOfHalf)) ? Growth(opticalDepth) * plain : plain;
   }
 
-  /// Of parts as long as they are marched where bricks are structured.
+  /// See Shaders/Step/OpticalField.glsl.
+  /// @param plainMm  the length of a segment in structured bricks
   SegmentLanes NextOfBricks(Lanes t, Lanes plainMm, LaneMask mask) const
   {
     if (!this->steps.bricks)
@@ -59,14 +63,14 @@ public:
       return { t, t + plainMm };
     }
     LatticePlaces place = this->lattice.At(t);
-    Lanes behindT = t; // of what is one segment
+    Lanes behindT = t; // the end of bricks that are one segment
     for (int skip = 0; skip < this->parameters.mostSegments && Any(mask); ++skip)
     {
       const IntLanes content = this->ContentOf(place.cell);
       const LaneMask isOneSegment = mask & (content != 0);
       if (!Any(isOneSegment))
       {
-        break; // what is here is marched
+        break; // these bricks are marched
       }
       const LatticePlaces behind =
         this->lattice.BehindBlock(place, Max(FloatOf(content) - 128.0f, Lanes{}));
@@ -79,7 +83,7 @@ public:
   }
 
 private:
-  static constexpr float DepthOfHalf = 0.693147181f; ///< that half of the light goes through
+  static constexpr float DepthOfHalf = 0.693147181f; ///< through which half of the light passes
 
   // Shaders/Math/StepGrowth.glsl: sqrt(exp(depth) / 2), from 1 to 4.
   static Lanes Growth(Lanes opticalDepth)
@@ -93,31 +97,30 @@ private:
   static Lanes NoiseAt(const PacketScene& scene, int x, int y)
   {
     const glm::ivec2& mask = scene.rays.noisePixelsMask;
-    alignas(32) float parts[LaneCount];
-    for (int lane = 0; lane < LaneCount; ++lane)
+    const auto part = [&](int lane)
     {
       const int column = (x + lane % PacketWidth) & mask.x;
       const int row = (y + lane / PacketWidth) & mask.y;
-      parts[lane] = float(scene.steps.noise[row * (mask.x + 1) + column]) / 65535.0f;
-    }
-    return Lanes(_mm256_load_ps(parts));
+      return float(scene.steps.noise[row * (mask.x + 1) + column]) / 65535.0f;
+    };
+    return LanesOf(part);
   }
 
-  // What OpticalField says of the bricks.
+  // The bytes of the bricks, see OpticalField.
   IntLanes ContentOf(const Lanes3& brick) const
   {
     const IntNumbers index = this->lattice.IndexOf(brick);
-    const auto content = [&](int lane) { return std::int32_t(this->steps.bricks[index.of[lane]]); };
-    return IntLanes{ content(0), content(1), content(2), content(3), content(4), content(5),
-      content(6), content(7) };
+    return IntLanesOf([&](int lane) { return std::int32_t(this->steps.bricks[index.of[lane]]); });
   }
 
   const RayParameters& parameters;
   const PacketSteps& steps;
   const PacketRays& rays;
   PacketLattice lattice; ///< of bricks
-  Lanes firstPart;       ///< of a segment, with which a ray begins
+  Lanes firstPart;       ///< the part of a segment that a ray begins with
 };
+
+}
 
 }
 

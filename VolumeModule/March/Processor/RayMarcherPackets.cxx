@@ -181,7 +181,7 @@ void Window(std::vector<float>& rgba, const glm::dvec2& scaleBias)
 // First what needs no look at the voxels.
 bool RayMarcher::MarchesPackets(const Frame& frame)
 {
-  const bool may = frame.mayMarchByProcessor && CanMarchPackets() && IsSoftwareRasterizer() &&
+  const bool may = frame.mayMarchByProcessor && IsSoftwareRasterizer() &&
     frame.mostMemoryBytes == 0 && frame.userCode.IsEmpty();
   if (!may || !IsReadByPackets(frame, this->volume))
   {

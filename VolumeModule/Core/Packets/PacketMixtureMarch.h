@@ -1,0 +1,75 @@
+#ifndef Varimarch_Core_Packets_PacketMixtureMarch_h
+#define Varimarch_Core_Packets_PacketMixtureMarch_h
+
+// Several components of a volume, and volumes that overlap, in one march: Shaders/Components and
+// Material/Components.glsl; March/Several.glsl and Volumes/Next.glsl, but by midpoints.
+
+#include "Core/Packets/PacketConstituent.h"
+#include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketTile.h"
+#include "Core/Packets/PacketTileMarch.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// Marches all constituents together, from face to face of their boxes, and skips what none of
+/// them shows.
+/// @param piece  in the grid of the first constituent
+/// @param last   the constituent that knows all others
+inline PacketSum MarchTogether(const PacketPiece& piece, Constituent& last)
+{
+  const PacketScene& first = piece.scene;
+  const PacketRays& rays = piece.rays;
+  constexpr float Part = 1.0f / PartsPerSegment;
+  const float plainMm = PartsPerSegment * first.rays.stepMm;
+  PacketSum sum = piece.before;
+  Lanes t = rays.enter;
+  LaneMask going = GoOn(first, rays, t, sum);
+  for (int index = 0; index < first.rays.mostSegments && Any(going); ++index)
+  {
+    const SegmentLanes visible = last.NextVisible(t, going);
+    const Lanes enter = Min(visible.enter, rays.exit);
+    going &= LaneMask(enter < rays.exit);
+    if (!Any(going))
+    {
+      break; // the rest is invisible
+    }
+    const Lanes plain = enter + piece.walk.StepMm(AllInt(index), plainMm, sum.opticalDepth);
+    t = Min(Min(Max(plain, visible.exit), last.NextFace(enter, going)), rays.exit);
+    const Lanes partMm = Select(going, (t - enter) * Part, Lanes{});
+    MixedSegment mixture;
+    last.AddTo(mixture, { enter + 0.5f * partMm, partMm }, going);
+    for (const Optical& part : mixture.parts)
+    {
+      sum.Add({ (1.0f / Max(part.extinction, All(1e-30f))) * part.color, part.extinction }, partMm);
+    }
+    going &= GoOn(first, rays, t, sum);
+  }
+  return sum;
+}
+
+/// Makes the constituents from the first to the last on the stack, each of which knows the one
+/// before it.
+inline PacketSum MarchBehind(const PacketPiece& piece, int next, Constituent* known)
+{
+  const PacketConstituent& all = piece.scene.constituent;
+  const PacketScene& scene = next < all.otherCount ? all.others[next] : piece.scene;
+  Constituent constituent(scene, piece.rays, piece.x, piece.y, known);
+  return next < all.otherCount ? MarchBehind(piece, next + 1, &constituent)
+                               : MarchTogether(piece, constituent);
+}
+
+template <>
+struct MarchOf<Mixture>
+{
+  static PacketSum Along(const PacketPiece& piece) { return MarchBehind(piece, 0, nullptr); }
+};
+
+}
+
+}
+
+#endif

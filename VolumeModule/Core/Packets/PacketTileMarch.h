@@ -1,0 +1,174 @@
+#ifndef Varimarch_Core_Packets_PacketTileMarch_h
+#define Varimarch_Core_Packets_PacketTileMarch_h
+
+// The packets of a tile, one by one, from their rays to their pixels, whatever they march through.
+
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/PacketExtreme.h"
+#include "Core/Packets/PacketLocation.h"
+#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/PacketPieces.h"
+#include "Core/Packets/PacketProjection.h"
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/PacketScene.h"
+#include "Core/Packets/PacketTile.h"
+#include "Core/Packets/PacketWalk.h"
+
+#include <cstddef>
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// A part of the rays of a packet, which is marched as a whole.
+struct PacketPiece
+{
+  const PacketScene& scene;
+  const PacketRays& rays;
+  const PacketWalk& walk;
+  const PacketSum& before; ///< the sum of what is in front of the rays
+  int x;                   ///< the first pixel of the packet
+  int y;
+};
+
+/// The march through one content of a tile, see PacketTile.h: a function Along(piece) that returns
+/// the sum at the end of the rays.
+template <class Content>
+struct MarchOf;
+
+/// Marches what cropping, a mask and gaps leave of rays.
+/// @param x  and y: the first pixel of the packet
+template <class Content>
+PacketSum MarchLeft(
+  const PacketScene& scene, const PacketRays& rays, const PacketSum& before, int x, int y)
+{
+  const auto marchWhole = [&](const PacketRays& piece, const PacketSum& sum)
+  {
+    const PacketWalk walk(scene, piece, x, y);
+    return MarchOf<Content>::Along({ scene, piece, walk, sum, x, y });
+  };
+  const auto march = [&](const PacketRays& piece, const PacketSum& sum)
+  {
+    return scene.gaps.texels ? MarchAroundGaps(scene, piece, sum, marchWhole)
+                             : marchWhole(piece, sum);
+  };
+  const auto marchMasked = [&](const PacketRays& piece, const PacketSum& sum)
+  {
+    return scene.mask.texels ? MarchPieces<MaskedPieces>(scene, piece, sum, march)
+                             : march(piece, sum);
+  };
+  return scene.cuts.crops ? MarchPieces<CroppedPieces>(scene, rays, before, marchMasked)
+                          : marchMasked(rays, before);
+}
+
+inline bool IsOfExtreme(const PacketScene& scene)
+{
+  return scene.rule == PacketRule::Extreme || scene.rule == PacketRule::ExtremeVoxel;
+}
+
+/// The colours of what rays have gathered.
+inline PacketSum SeenOf(const PacketScene& scene, const PacketSum& march)
+{
+  if (IsOfExtreme(scene))
+  {
+    return SeenOfExtreme(scene, march);
+  }
+  return scene.rule == PacketRule::Projection ? SeenOfProjection(scene, march) : march;
+}
+
+template <class Content>
+PacketSum SumOf(const PacketScene& scene, const PacketRays& rays, int x, int y)
+{
+  const PacketSum nothing = IsOfExtreme(scene) ? NothingFound() : PacketSum();
+  return SeenOf(scene, MarchLeft<Content>(scene, rays, nothing, x, y));
+}
+
+/// The places [grid space] where rays first have an opacity, with 1 behind them; 0 for rays
+/// without.
+template <class Content>
+Lanes4 LocatePacket(const PacketScene& scene, const PacketRays& rays, int x, int y)
+{
+  const PacketWalk walk(scene, rays, x, y);
+  const auto march = [&](const PacketRays& piece, const PacketSum& before)
+  { return MarchLeft<Content>(scene, piece, before, x, y); };
+  const PacketLocation& location = scene.location;
+  Lanes t = OpacityLocation(scene, rays, walk, location.opacity, march).Find();
+  const LaneMask isRay = LaneMask(rays.enter < rays.exit);
+  if (location.leastOpacity > 0.0f && Any(isRay & LaneMask(t == Never)))
+  {
+    const Lanes later = OpacityLocation(scene, rays, walk, location.leastOpacity, march).Find();
+    t = Select(LaneMask(t == Never), later, t);
+  }
+  const LaneMask isShown = LaneMask(t < Never) | (isRay & AllInt(location.orExit ? -1 : 0));
+  const Lanes3 place = rays.At(Min(t, rays.exit));
+  const Lanes one = Select(isShown, All(1.0f), Lanes{});
+  return { one * place.x, one * place.y, one * place.z, one };
+}
+
+inline Lanes4 ColorsOf(const PacketSum& sum)
+{
+  return { sum.color.x, sum.color.y, sum.color.z, 1.0f - sum.transmittance };
+}
+
+template <class Content>
+Lanes4 DrawPacket(const PacketScene& scene, int x, int y)
+{
+  if (!IsVisible(scene.depths, x, y))
+  {
+    return ColorsOf(PacketSum());
+  }
+  const PacketRays rays = RaysOf(scene, x, y);
+  if (!Any(LaneMask(rays.enter < rays.exit)))
+  {
+    return ColorsOf(PacketSum());
+  }
+  return scene.location.opacity > 0.0f ? LocatePacket<Content>(scene, rays, x, y)
+                                       : ColorsOf(SumOf<Content>(scene, rays, x, y));
+}
+
+/// Stores the pixels of a packet that are asked for.
+inline void Store(const Lanes4& drawn, int x, int y, const Viewport& pixels, float* rgba)
+{
+  const Numbers red(drawn.x);
+  const Numbers green(drawn.y);
+  const Numbers blue(drawn.z);
+  const Numbers opacity(drawn.w);
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    const int column = x + lane % PacketWidth - pixels.left;
+    const int row = y + lane / PacketWidth - pixels.bottom;
+    if (column >= 0 && column < pixels.width && row >= 0 && row < pixels.height)
+    {
+      float* const pixel = rgba + 4 * (std::ptrdiff_t(row) * pixels.width + column);
+      pixel[0] = red.of[lane];
+      pixel[1] = green.of[lane];
+      pixel[2] = blue.of[lane];
+      pixel[3] = opacity.of[lane];
+    }
+  }
+}
+
+}
+
+template <InstructionSet Set, class Content>
+void MarchTile(const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba)
+{
+  const int top = pixels.bottom + pixels.height;
+  const int right = pixels.left + pixels.width;
+  for (int y = tile.bottom; y < tile.bottom + tile.height && y < top; y += PacketRows)
+  {
+    for (int x = tile.left; x < tile.left + tile.width && x < right; x += PacketWidth)
+    {
+      if (x + PacketWidth > pixels.left && y + PacketRows > pixels.bottom)
+      {
+        Store(DrawPacket<Content>(scene, x, y), x, y, pixels, rgba);
+      }
+    }
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,151 @@
+#ifndef Varimarch_Core_Packets_PacketVolumeMarch_h
+#define Varimarch_Core_Packets_PacketVolumeMarch_h
+
+// One volume of one component along the rays of a packet: the march of each rule.
+
+#include "Core/Packets/PacketBoxes.h"
+#include "Core/Packets/PacketExtreme.h"
+#include "Core/Packets/PacketIsosurfaces.h"
+#include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/PacketProjection.h"
+#include "Core/Packets/PacketSpline.h"
+#include "Core/Packets/PacketTile.h"
+#include "Core/Packets/PacketTileMarch.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Inlines everything that a function calls, so that lanes stay in registers. With the checks of a
+// sanitizer such a function would take a compiler ten minutes.
+#ifdef __SANITIZE_ADDRESS__
+#define FLATTENED
+#else
+#define FLATTENED [[gnu::flatten]]
+#endif
+
+template <class Voxels, class Material>
+FLATTENED PacketSum MarchMaterial(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  return scene.rule == PacketRule::MaterialMidpoint
+    ? MarchMaterialMidpoints<Voxels, Material>(scene, rays, walk, before)
+    : MaterialMarch<Voxels, Material>(scene, rays, walk, before).March();
+}
+
+template <class Voxels>
+FLATTENED PacketSum MarchValues(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  return scene.rule == PacketRule::Midpoint ? MarchMidpoints<Voxels>(scene, rays, walk, before)
+                                            : MarchPreIntegrated<Voxels>(scene, rays, walk, before);
+}
+
+template <class Cells>
+FLATTENED PacketSum MarchExtreme(
+  const PacketScene& scene, const PacketRays& rays, const PacketSum& before)
+{
+  return ExtremeMarch<Cells>(scene, rays, before).March();
+}
+
+template <class Voxels>
+FLATTENED PacketSum MarchProjection(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  return ProjectionMarch<Voxels>(scene, rays, walk, before).March();
+}
+
+template <class Voxel>
+FLATTENED PacketSum MarchVoxels(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  if (scene.rule == PacketRule::Voxels)
+  {
+    return MarchBoxValues<Voxel>(scene, rays, walk, before);
+  }
+  if (scene.mask.rows)
+  {
+    return MarchBoxMaterials<Voxel, LabelledMaterial>(scene, rays, walk, before);
+  }
+  return HeadLitMaterial::IsThatOf(scene)
+    ? MarchBoxMaterials<Voxel, HeadLitMaterial>(scene, rays, walk, before)
+    : MarchBoxMaterials<Voxel, PacketMaterial>(scene, rays, walk, before);
+}
+
+template <class Voxel>
+FLATTENED PacketSum MarchIsosurfaces(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  return IsosurfaceMarch<Voxel>(scene, rays, walk, before).March();
+}
+
+/// @tparam Voxels  PacketVoxels or PacketSpline
+template <class Voxels>
+PacketSum MarchSampled(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  if (scene.rule == PacketRule::Projection)
+  {
+    return MarchProjection<Voxels>(scene, rays, walk, before);
+  }
+  if (scene.rule == PacketRule::Midpoint || scene.rule == PacketRule::PreIntegrated)
+  {
+    return MarchValues<Voxels>(scene, rays, walk, before);
+  }
+  if (scene.mask.rows)
+  {
+    return MarchMaterial<Voxels, LabelledMaterial>(scene, rays, walk, before);
+  }
+  return HeadLitMaterial::IsThatOf(scene)
+    ? MarchMaterial<Voxels, HeadLitMaterial>(scene, rays, walk, before)
+    : MarchMaterial<Voxels, PacketMaterial>(scene, rays, walk, before);
+}
+
+/// @tparam Voxel  the type of the voxels
+template <class Voxel>
+PacketSum MarchByRule(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  switch (scene.rule)
+  {
+    case PacketRule::Extreme:
+      return MarchExtreme<CubicCells<Voxel>>(scene, rays, before);
+    case PacketRule::ExtremeVoxel:
+      return MarchExtreme<PacketBoxes<Voxel>>(scene, rays, before);
+    case PacketRule::Isosurfaces:
+      return MarchIsosurfaces<Voxel>(scene, rays, walk, before);
+    case PacketRule::Voxels:
+    case PacketRule::MaterialVoxels:
+      return MarchVoxels<Voxel>(scene, rays, walk, before);
+    default:
+      return MarchSampled<PacketVoxels<Voxel>>(scene, rays, walk, before);
+  }
+}
+
+template <class Voxel>
+struct MarchOf
+{
+  static PacketSum Along(const PacketPiece& piece)
+  {
+    return MarchByRule<Voxel>(piece.scene, piece.rays, piece.walk, piece.before);
+  }
+};
+
+template <>
+struct MarchOf<SplineCoefficients>
+{
+  static PacketSum Along(const PacketPiece& piece)
+  {
+    return MarchSampled<PacketSpline>(piece.scene, piece.rays, piece.walk, piece.before);
+  }
+};
+
+}
+
+}
+
+#undef FLATTENED
+
+#endif
