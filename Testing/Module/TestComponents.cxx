@@ -291,10 +291,9 @@ TEST(Components, TakeTheirShadersAndAsManyChannelsOnlyWhereTheyAre)
   const auto classify = std::find(parts.begin(), parts.end(), "Classify/ComponentTables.glsl");
   const auto march = std::find(classify, parts.end(), "March/MaterialSegments.glsl");
   EXPECT_EQ(std::vector<std::string>(classify, march),
-    (std::vector<std::string>{ "Classify/ComponentTables.glsl",
-      "Components/Independent.glsl", "Gradient/NoneOfAll.glsl", "Shade/None.glsl",
-      "GradientOpacity/None.glsl", "Values/All.glsl", "Material/Components.glsl",
-      "Blend/Composite.glsl" }));
+    (std::vector<std::string>{ "Classify/ComponentTables.glsl", "Components/Independent.glsl",
+      "Gradient/NoneOfAll.glsl", "Shade/None.glsl", "GradientOpacity/None.glsl", "Values/All.glsl",
+      "Material/Components.glsl", "Blend/Composite.glsl" }));
   const vtkIdType tables = scene.mapper->GetGraphicsMemoryBytes() - 16 * 16 * 16 * 3 * 2;
   EXPECT_EQ(tables % 16, 0);
   EXPECT_LE(tables, 3 * 1024 * 16);

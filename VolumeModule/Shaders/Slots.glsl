@@ -21,12 +21,11 @@ struct Interval
   float exit;
 };
 
-
 // --- Depth: where opaque geometry ends a ray ------------------------------------------------
 // t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
 float DepthLimit(Ray ray);
-// Where an image is drawn with fewer rays than pixels: how far the ray of one of these coarse pixels
-// is to be trusted for this pixel, (0, 1].
+// Where an image is drawn with fewer rays than pixels: how far the ray of one of these coarse
+// pixels is to be trusted for this pixel, (0, 1].
 float Trust(Ray ray, Interval inside, ivec2 coarsePixel);
 
 // --- Clip: which part of a ray clipping planes leave ------------------------------------------
@@ -101,7 +100,8 @@ vec4 PeeledDepths();
 // What is drawn by the colours of both; that of the front one beside it.
 vec4 Peeled(vec4 front, vec4 back);
 
-// --- Locate: what is drawn for the place where a ray first has an opacity (FirstOpacity.glsl) --------
+// --- Locate: what is drawn for the place where a ray first has an opacity (FirstOpacity.glsl)
+// --------
 vec4 ColorOfPlace(vec3 positionGrid);
 
 // --- Mask: the parts of a ray that a mask tells apart -------------------------------------------

@@ -62,9 +62,9 @@ layout(std140) uniform VolumeParameters
   vec3 colorBias;
 
   // Gaps and masks.
-  vec4 gapOptical; // color, not premultiplied, and extinction [1/mm] where there is no value
+  vec4 gapOptical;    // color, not premultiplied, and extinction [1/mm] where there is no value
   float leastContent; // voxels of more than this content of a mask are drawn
-  float gapShift;  // 0 where cells lie between voxels, 0.5 where they are voxels
+  float gapShift;     // 0 where cells lie between voxels, 0.5 where they are voxels
   vec3 gapCellCount;
   vec3 gapCellCountInverse;
   vec3 maskVoxelCount;

@@ -201,8 +201,9 @@ SceneOfVolume::SceneOfVolume(
   if (this->scene.steps.bricks && isOfBricks)
   {
     const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
-    this->scene.depths = volume.Field().VisibleDepthsIn(clipFromGrid,
-      this->scene.rays.rayDirectionGrid[0], { frame.viewport.width, frame.viewport.height }, pixels);
+    this->scene.depths =
+      volume.Field().VisibleDepthsIn(clipFromGrid, this->scene.rays.rayDirectionGrid[0],
+        { frame.viewport.width, frame.viewport.height }, pixels);
   }
 }
 

@@ -1,6 +1,7 @@
-// Transfer function as a table of its means between two scalars (Core/Look/PreIntegratedTable): emission
-// and extinction. It covers the scalars between which the function changes. The part of a piece that
-// lies below or above them has the properties of the first or last, and weighs as much as its length.
+// Transfer function as a table of its means between two scalars (Core/Look/PreIntegratedTable):
+// emission and extinction. It covers the scalars between which the function changes. The part of a
+// piece that lies below or above them has the properties of the first or last, and weighs as much
+// as its length.
 
 vec4 ClassifyBetween(float startScalar, float endScalar)
 {

@@ -4,7 +4,8 @@
 vec3 CellCount();
 float CellsBeforeFirstVoxel(); // up to the middle of the first voxel
 void BeginCells(Ray ray);      // when the ray is in its first cell
-// Goes on with the ray to the end of the cell that it is in at `end`; it leaves the volume at `exit`.
+// Goes on with the ray to the end of the cell that it is in at `end`; it leaves the volume at
+// `exit`.
 Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit);
 
 LatticeRay cellRay;

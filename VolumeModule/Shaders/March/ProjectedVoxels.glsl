@@ -1,5 +1,5 @@
-// Projections of voxels without interpolation (see Voxels.glsl). A voxel that the ray only touches is
-// not seen: rounding may find such a one where a ray begins or ends.
+// Projections of voxels without interpolation (see Voxels.glsl). A voxel that the ray only touches
+// is not seen: rounding may find such a one where a ray begins or ends.
 
 const float ShortestVoxels = 2e-5;
 float CellsBeforeFirstVoxel()
