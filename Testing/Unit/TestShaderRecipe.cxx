@@ -36,9 +36,9 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
       "VolumeTextures.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
       "Interpolation/Linear.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
       "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "Loop/Segments.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
-      "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
-      "RayMarch.frag.glsl" }));
+      "Loop/Segments.glsl", "FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl",
+      "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
+      "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -147,7 +147,8 @@ TEST(ShaderRecipe, ARuleOfIntegrationIsItsMarchAndWhatThatLooksUp)
     return march;
   };
   EXPECT_EQ(marchOf(Integration::PreIntegrated),
-    (Parts{ "Classify/PreIntegrated.glsl", "Loop/Segments.glsl", "March/PreIntegrated.glsl" }));
+    (Parts{ "Classify/PreIntegrated.glsl", "Loop/Segments.glsl", "FourScalars.glsl",
+      "March/PreIntegrated.glsl" }));
   EXPECT_EQ(marchOf(Integration::Simpson),
     (Parts{ "Classify/OpticalTable.glsl", "Loop/Segments.glsl", "March/Simpson.glsl" }));
   EXPECT_EQ(marchOf(Integration::PublishedSum),

@@ -47,15 +47,17 @@ float PlainMm(int index, float plainMm);
 //                               optical depth
 //   Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm);
 //                               projection: takes in the next part of the ray, of one scalar
-//   Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm);
-//                               projection: takes in the next part of the ray, with what is read
-//                               at this position
+//   Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm);
+//                               the same, of several components
 //   float BlendState(Accumulation sum);      what steps depend on. Composite: the part of what
 //                               follows that is still seen, [0,1]; extremes: the scalar so far
 //   bool BlendFinished(Accumulation sum);    nothing that follows could be seen
 //   vec4 BlendResult(Accumulation sum);      premultiplied RGBA
 //   vec4 BlendKept(Accumulation sum);        the sum in four floats, 0 at the beginning
 //   Accumulation BlendResumed(vec4 kept);    and the sum again
+
+// --- Sample: what a sample adds; only for March/Projection ------------------------------------
+// Defines: Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm);
 
 // --- Volumes: only where several volumes overlap ------------------------------------------------
 // Defines what all volumes so far in the shader are together; see VolumeSlots.glsl:

@@ -21,17 +21,6 @@ vec3 VoxelPlace(vec3 positionTexture);
 vec4 TexelAt(vec3 positionTexture);
 // The scalar of a volume of one component.
 float ScalarAt(vec3 positionTexture);
-// The scalars at four points of the ray, the first at this t, the others each apartMm farther.
-// Where a fetch of the volume is a call, as in software rasterisers, several fetches in a row, and
-// what is made of them afterwards, cost less than each with its own arithmetic in a loop.
-vec4 ScalarsOfFour(Ray ray, float firstT, float apartMm)
-{
-  return vec4(ScalarAt(PositionTexture(ray, firstT)),
-    ScalarAt(PositionTexture(ray, firstT + apartMm)),
-    ScalarAt(PositionTexture(ray, firstT + 2.0 * apartMm)),
-    ScalarAt(PositionTexture(ray, firstT + 3.0 * apartMm)));
-}
-
 // Of a spline, the derivative along an axis (1, 0, 0), (0, 1, 0) or (0, 0, 1), per voxel.
 vec4 SlopeAlong(vec3 axis, vec3 positionTexture);
 

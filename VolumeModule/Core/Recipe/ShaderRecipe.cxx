@@ -192,6 +192,15 @@ std::vector<std::string> MarchParts(const RenderSettings& settings)
   {
     parts.push_back("SurfaceTable.glsl");
   }
+  if (march == "March/Projection.glsl")
+  {
+    parts.push_back(
+      settings.components == Components::One ? "Sample/Scalar.glsl" : "Sample/Texel.glsl");
+  }
+  if (march == "March/Midpoint.glsl" || march == "March/PreIntegrated.glsl")
+  {
+    parts.push_back("FourScalars.glsl");
+  }
   parts.push_back(march);
   return parts;
 }

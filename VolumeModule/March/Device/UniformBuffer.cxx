@@ -17,8 +17,11 @@ void UniformBuffer::Upload(unsigned int bindingPoint, const void* bytes, std::si
 
 void UniformBuffer::Release()
 {
-  glDeleteBuffers(1, &this->handle);
-  this->handle = 0;
+  if (this->handle != 0)
+  {
+    glDeleteBuffers(1, &this->handle);
+    this->handle = 0;
+  }
 }
 
 }

@@ -19,11 +19,6 @@ Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
   return Accumulation(sum.integral + opacity * gray * lengthMm, sum.lengthMm + lengthMm);
 }
 
-Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm)
-{
-  return BlendScalar(sum, ScalarAt(positionTexture), lengthMm);
-}
-
 float BlendState(Accumulation sum)
 {
   return 1.0;

@@ -21,11 +21,6 @@ Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
   return Accumulation(sum.integral + opacity * gray * countedMm, sum.lengthMm + countedMm);
 }
 
-Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm)
-{
-  return BlendScalar(sum, ScalarAt(positionTexture), lengthMm);
-}
-
 float BlendState(Accumulation sum)
 {
   return 1.0;

@@ -13,9 +13,8 @@ Accumulation BlendBegin()
   return Accumulation(0.0, 0.0);
 }
 
-Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm)
+Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm)
 {
-  vec4 texel = TexelAt(positionTexture);
   for (int part = 0; part < materialCount; ++part)
   {
     float unitMm = opacityUnitDistancesMm[part];

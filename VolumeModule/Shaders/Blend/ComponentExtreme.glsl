@@ -20,9 +20,8 @@ Accumulation BlendBegin()
   return Accumulation(LeastExtremes(), false);
 }
 
-Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm)
+Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm)
 {
-  vec4 texel = TexelAt(positionTexture);
   return Accumulation(sum.any ? MoreExtreme(sum.extremes, texel, sense) : texel, true);
 }
 

@@ -21,11 +21,6 @@ Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm)
   return Accumulation(min(sum.smallest, scalar));
 }
 
-Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm)
-{
-  return BlendScalar(sum, ScalarAt(positionTexture), lengthMm);
-}
-
 float BlendState(Accumulation sum)
 {
   return sum.smallest;
