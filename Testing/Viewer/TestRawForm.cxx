@@ -91,7 +91,7 @@ TEST_F(Form, BeginsWithAGuessThatFits)
 {
   RawForm& shown = this->Show("");
   EXPECT_EQ(shown.Layout().dimensions, (std::array<int, 3>{ 4, 4, 3 }));
-  EXPECT_TRUE(this->Words().startsWith("It fits"));
+  EXPECT_TRUE(this->Words().startsWith("The layout fits"));
   FileSource source;
   QObject::connect(
     &shown, &RawForm::Chosen, &shown, [&](const FileSource& chosen) { source = chosen; });
@@ -107,7 +107,7 @@ TEST_F(Form, SaysWhatIsTooMuchAndTakesItForAHeader)
   EXPECT_EQ(this->Words(), "The file has 7 bytes more than this layout needs.");
   shown.findChild<QPushButton*>("takeHeader")->click();
   EXPECT_EQ(shown.Layout().headerBytes, 7);
-  EXPECT_TRUE(this->Words().startsWith("It fits"));
+  EXPECT_TRUE(this->Words().startsWith("The layout fits"));
   EXPECT_TRUE(this->IsBrightAt(true));
 }
 
