@@ -1,4 +1,4 @@
-// Times the reference: MeasureReference FILE PRESET SIZE TOLERANCE [unshaded]
+// Measures the time of a reference image: MeasureReference FILE PRESET SIZE TOLERANCE [unshaded]
 
 #include "Scene/Presets.h"
 #include "Scene/ReferencePicture.h"

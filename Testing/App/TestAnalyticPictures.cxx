@@ -1,4 +1,4 @@
-// Whole pictures of scenes that have a closed form.
+// Whole images of scenes that have a closed form.
 
 #include "Core/Quality/ImageError.h"
 #include "Scene/OffscreenView.h"
@@ -30,7 +30,7 @@ TEST_P(AnalyticPicture, OfTheReferenceIsTheClosedForm)
 {
   EXPECT_GT(*std::max_element(this->truth.begin(), this->truth.end()), 0.2f);
   const auto picture = DrawReferencePicture(this->scene, this->image, 1e-9);
-  // Both pictures are rounded to floats, whose last bit is 1.5e-5 of a 255th.
+  // Both images are rounded to floats, whose last bit is 1.5e-5 of 1/255.
   EXPECT_LT(this->ErrorOf(picture.value().image).largest, 2e-5);
 }
 
@@ -43,7 +43,7 @@ TEST_P(AnalyticPicture, OfTheMapperTendsToTheClosedForm)
   this->scene.render.sampleDistanceMm = 0.01;
   view.Pipeline().SetRenderOptions(this->scene.render);
   const ImageError fine = this->ErrorOf(view.FloatImage());
-  // The order is 1 or better; pixels at a silhouette, and the last bits of floats, scatter.
+  // The order is 1 or better; silhouette pixels and float rounding add noise.
   EXPECT_LT(fine.rootMeanSquare, 1.5);
   EXPECT_LT(fine.rootMeanSquare, 0.2 * coarse.rootMeanSquare + 0.001);
 }

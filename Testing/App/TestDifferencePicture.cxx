@@ -34,7 +34,7 @@ TEST(DifferencePicture, ScaleRunsFromATenthToAHundred)
   const auto truth = FloatPicture(0.5f);
   const auto same = FloatPicture(0.5f);
   const auto far = FloatPicture(0.5f);
-  // One channel alone must show.
+  // A difference in one channel alone must be visible.
   far->SetScalarComponentFromDouble(3, 1, 0, 3, 0.5 + 100.5 / 255.0);
   EXPECT_EQ(PixelOf(DifferencePicture(same, truth), 3, 1), (std::array<double, 3>{ 0, 34, 78 }));
   EXPECT_EQ(PixelOf(DifferencePicture(far, truth), 3, 1), (std::array<double, 3>{ 254, 232, 56 }));
@@ -46,7 +46,7 @@ TEST(DifferencePicture, GetsALabelledScale)
   const auto truth = FloatPicture(0.0f);
   const auto labelled = WithDifferenceScale(DifferencePicture(truth, truth));
   EXPECT_EQ(labelled->GetDimensions()[1], 2 + DifferenceScaleHeight);
-  // Words make dark pixels at the foot, where otherwise all is white.
+  // Text makes dark pixels at the bottom, which is otherwise white.
   int dark = 0;
   for (int x = 0; x < Width; ++x)
   {

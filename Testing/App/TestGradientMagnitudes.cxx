@@ -1,4 +1,4 @@
-// The steepness of volumes, per mm.
+// Gradient magnitudes of volumes, per mm.
 
 #include "Scene/GradientMagnitudes.h"
 
@@ -11,7 +11,7 @@ using namespace varimarch;
 namespace
 {
 
-// Rises by 6 per voxel along x, which are 2 mm apart, and 12 along z, 3 mm apart.
+// Rises by 6 per voxel of 2 mm along x, and by 12 per voxel of 3 mm along z.
 vtkSmartPointer<vtkImageData> Slope(int side)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -32,7 +32,7 @@ TEST(GradientMagnitudes, ArePerMillimetre)
 {
   const auto magnitudes = GradientMagnitudes(Slope(8));
   EXPECT_EQ(magnitudes->GetNumberOfPoints(), 8 * 8 * 8);
-  EXPECT_FLOAT_EQ(magnitudes->GetScalarComponentAsFloat(4, 4, 4, 0), 5.0F); // 3 and 4
+  EXPECT_FLOAT_EQ(magnitudes->GetScalarComponentAsFloat(4, 4, 4, 0), 5.0F); // slopes of 3 and 4
 }
 
 TEST(GradientMagnitudes, AreFewOfALargeVolume)

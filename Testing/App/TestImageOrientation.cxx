@@ -13,7 +13,7 @@ using namespace varimarch;
 namespace
 {
 
-// Every voxel's value tells its index.
+// Each voxel's value encodes its index.
 vtkSmartPointer<vtkImageData> MirroredImage()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

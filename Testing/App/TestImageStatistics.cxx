@@ -13,7 +13,7 @@ using varimarch::ImageStatistics;
 namespace
 {
 
-// 0, 1, ... 999, times a factor.
+// The values 0, 1, ... 999, times a factor.
 template <class Scalar>
 vtkSmartPointer<vtkImageData> Ramp(int type, double factor)
 {

@@ -1,5 +1,5 @@
-// Looks of other programs, with the dirt that such files have in use, and what the reader makes of
-// it; what cannot be read is explained in one sentence.
+// Other programs' looks, with the irregularities of real files. Files that cannot be read are
+// explained in one sentence.
 
 #include "Scene/LookFiles.h"
 #include "Scene/Presets.h"
@@ -41,7 +41,7 @@ protected:
     return ReadLookFile(this->Write(name, bytes), Ct).look;
   }
 
-  // Without the folder.
+  // The error message without the folder.
   std::string ProblemOf(const std::string& name, const std::string& bytes) const
   {
     try
@@ -62,7 +62,7 @@ protected:
     std::filesystem::temp_directory_path() / ("look-files-" + std::to_string(::getpid()));
 };
 
-// "value:opacity value:opacity ..."
+// The nodes as text: "value:opacity value:opacity ...".
 std::string TextOf(const std::vector<OpacityNode>& nodes)
 {
   std::string text;
@@ -91,7 +91,7 @@ std::string PlistPoint(double x, double y)
     std::to_string(y) + "</real></dict>";
 }
 
-// Two curves with nothing between them; the second begins abruptly.
+// Two curves with a gap between them; the second starts abruptly.
 const std::string TwoCurves = PlistHead + "<key>16bitClutColors</key><array><array>" +
   PlistColor(0.25) + PlistColor(0.5) + "</array><array>" + PlistColor(0.75) + PlistColor(1.0) +
   "</array></array>" + "<key>16bitClutCurves</key><array><array>" + PlistPoint(-50, 0) +
@@ -155,7 +155,7 @@ TEST_F(LookFiles, OfColoursAloneLeaveTheOpacities)
   EXPECT_EQ(look.colors.back().value, 500.0);
 }
 
-// Half way between red and blue lies purple in Lab, darker in RGB.
+// Halfway between red and blue, Lab gives purple, and RGB a darker colour.
 TEST_F(LookFiles, OfParaViewKeepTheColoursOfAnotherColourSpace)
 {
   const Look look = this->Read(

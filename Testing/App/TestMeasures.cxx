@@ -1,4 +1,4 @@
-// What is measured in a volume, against what its formula says.
+// Measurements of a volume against their formulas.
 
 #include "Scene/Measures.h"
 
@@ -15,7 +15,7 @@ using namespace varimarch;
 namespace
 {
 
-// The value is offset + x in voxels, from 0 to 9; voxels of 1 x 2 x 3 mm.
+// Values are offset + x in voxels, from 0 to 9; voxels of 1 x 2 x 3 mm.
 vtkSmartPointer<vtkImageData> Ramp(int type, double offset)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -39,7 +39,8 @@ TEST(Angle, IsThatBetweenItsArms)
 
 TEST(BoxStatistics, AreThoseOfTheVoxelsInIt)
 {
-  // Voxels 2 to 5 along x, 1 to 3 along y, 1 to 2 along z, whichever corner comes first.
+  // The box holds voxels 2 to 5 along x, 1 to 3 along y, and 1 to 2 along z, in any order of its
+  // corners.
   const BoxStatistics found =
     StatisticsOf({ { 5.4, 1.5, 7.0 }, { 1.6, 6.2, 2.9 } }, Ramp(VTK_SHORT, 0.0));
   EXPECT_EQ(found.voxels, 4 * 3 * 2);

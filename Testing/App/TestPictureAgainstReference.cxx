@@ -17,7 +17,7 @@ using namespace varimarch;
 namespace
 {
 
-/// A picture small enough for a test, of a volume with as many voxels across as it has pixels.
+/// A small scene whose volume has as many voxels across as the image has pixels.
 Scene SceneOf(Blend blend, bool shading)
 {
   Scene scene;
@@ -34,7 +34,7 @@ Scene SceneOf(Blend blend, bool shading)
   return scene;
 }
 
-/// The error of the mapper's picture.
+/// Error of the mapper's image.
 ImageError ErrorOf(const Scene& scene, vtkImageData* image)
 {
   OffscreenView view(scene, image, MapperKind::Varimarch);
@@ -54,8 +54,8 @@ ImageError ErrorAtDistance(Scene scene, double sampleDistanceMm)
 
 }
 
-// The two share no formula: agreement to thousandths of a step of 8 bits leaves no room for a wrong
-// ray, voxel position, opacity correction or light.
+// Mapper and reference share no formula. Agreement to thousandths of 1/255 leaves no room for a
+// wrong ray, voxel position, opacity correction or light.
 
 TEST(PictureAgainstReference, ShadedIsosurfacesHaveTheirOwnColoursAndOpacities)
 {
@@ -64,7 +64,7 @@ TEST(PictureAgainstReference, ShadedIsosurfacesHaveTheirOwnColoursAndOpacities)
   EXPECT_LT(ErrorAtDistance(scene, 1.0).rootMeanSquare, 0.1);
 }
 
-// Every ray has values in the range: of one that only grazes it samples see nothing.
+// Every ray crosses values in the range; samples would miss a range that a ray only grazes.
 TEST(PictureAgainstReference, AnAverageIsThatOfTheValuesInItsRange)
 {
   Scene scene = SceneOf(Blend::AverageIntensity, false);
@@ -126,7 +126,7 @@ TEST(PictureAgainstReference, ATurnedVolumeOfAnotherTypeIsInTheSamePlace)
   EXPECT_LT(ErrorOf(scene, image).rootMeanSquare, 0.15) << "with cuts";
 }
 
-/// A head of the package invesalius-examples, as a user draws it who sets nothing.
+/// A head CT of the package invesalius-examples, with default settings.
 TEST(PictureAgainstReference, RealHeadIsWithinHalfAStepOfTheIntegralByDefault)
 {
   const char* path = std::getenv("VARIMARCH_HEAD_CT");

@@ -65,7 +65,7 @@ TEST(Presets, RelativeOnesFollowTheData)
   }
 }
 
-// What is suggested for the torso, if its file says that.
+// The preset suggested for the torso if its file has these attributes.
 PresetSuggestion SuggestionFor(const LoadedVolume& said)
 {
   LoadedVolume volume = said;

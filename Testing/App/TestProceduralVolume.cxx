@@ -30,7 +30,7 @@ double ValueAt(vtkImageData* image, double x, double y, double z)
     int(std::lround(index[0])), int(std::lround(index[1])), int(std::lround(index[2])), 0);
 }
 
-// The mean over a small box, in which the noise averages out.
+// Mean over a small box, which averages the noise out.
 double MeanAround(vtkImageData* image, double x, double y, double z)
 {
   double sum = 0.0;

@@ -1,4 +1,4 @@
-// Guesses at files without headers: by their names, by their sizes.
+// Guesses at the layout of raw files from their names and sizes.
 
 #include "Scene/RawGuess.h"
 

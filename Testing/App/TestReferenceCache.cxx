@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Pictures of 8 x 8 pixels in a folder of their own.
+/// Images of 8 x 8 pixels in a cache folder of their own.
 class ReferenceCacheTest : public testing::Test
 {
 protected:
@@ -32,7 +32,7 @@ protected:
   }
   ~ReferenceCacheTest() override { fs::remove_all(this->folder); }
 
-  /// Whether the picture had to be drawn.
+  /// True if the image had to be computed.
   bool Draws(const Scene& asked, double tolerance = 1e-4)
   {
     bool drawn = false;
@@ -114,7 +114,7 @@ TEST_F(ReferenceCacheTest, WhatDoesNotChangeThePictureDrawsNone)
   EXPECT_TRUE(this->Draws(this->scene));
   this->scene.render.sampleDistanceMm = 7.0;
   this->scene.render.acceleration = Acceleration::Off;
-  this->scene.look.shading.ambient = 0.9; // of shading that is off
+  this->scene.look.shading.ambient = 0.9; // shading is off
   this->scene.background = { 1.0, 1.0, 1.0 };
   EXPECT_FALSE(this->Draws(this->scene));
 }
@@ -151,7 +151,7 @@ TEST_F(ReferenceCacheTest, TheOldestPicturesGoWhenTheFolderIsFull)
     this->scene.camera.azimuthDegrees = i;
     small.Picture(this->scene, this->image, 1e-4);
   }
-  // Long ago all but the first were used.
+  // Mark all images but the first as used long ago.
   this->scene.camera.azimuthDegrees = 0.0;
   for (const fs::path& file : this->Files())
   {
@@ -178,7 +178,7 @@ TEST_F(ReferenceCacheTest, AFolderThatCannotBeMadeDrawsAllTheSame)
 namespace
 {
 
-/// An environment variable of this process, put back at the end.
+/// Restores an environment variable at the end of its scope.
 class Environment
 {
 public:

@@ -27,7 +27,7 @@ constexpr Vector A = { 0, -1, 0 };
 constexpr Vector S = { 0, 0, 1 };
 constexpr Vector I = { 0, 0, -1 };
 
-// A direction of the patient as the picture shows it: right, up, towards the eye.
+// A direction of the patient in view coordinates: right, up, towards the eye.
 Vector InPicture(vtkCamera* camera, const Vector& directionWorld)
 {
   double direction[4] = { directionWorld[0], directionWorld[1], directionWorld[2], 0.0 };
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Views, PatientView,
     ViewCase{ View::Left, P, S, L }, ViewCase{ View::Right, A, S, R },
     ViewCase{ View::Superior, R, A, S }, ViewCase{ View::Inferior, L, A, I }));
 
-// The largest of |x| and |y| of the box's corners in the picture, where 1 is the edge.
+// The largest |x| or |y| of the box's corners in the image, where 1 is the edge.
 double LargestCornerOffset(vtkCamera* camera, double aspect)
 {
   vtkMatrix4x4* clipFromWorld = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
@@ -135,7 +135,7 @@ TEST(PlaceCamera, ZoomEnlarges)
   EXPECT_NEAR(LargestCornerOffset(camera, 1.0), 2.0, 1e-6);
 }
 
-// How large what is at the focal point is: the height of the picture there, of both kinds.
+// Height of the image at the focal point, for both projections.
 double HeightAtFocus(const Camera& placement)
 {
   vtkNew<vtkCamera> camera;

@@ -11,7 +11,7 @@ using namespace varimarch;
 
 TEST(SceneCuts, TheBoxStaysInPlaceWhenTheVolumeIsRectified)
 {
-  // Slices that lean along y, and the upright box around them.
+  // Slices that are sheared along y, and the upright box around them.
   vtkNew<vtkImageData> tilted;
   tilted->SetDimensions(11, 21, 31);
   const double lean[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.6, 0.0, 0.0, 0.8 };

@@ -17,7 +17,7 @@ using namespace varimarch;
 namespace
 {
 
-// A scene in which no value is the default.
+// A scene in which no value has its default.
 Scene UnusualScene()
 {
   Scene scene;
@@ -61,8 +61,8 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   const Scene scene = UnusualScene();
   const std::string text = SceneText(scene);
   const Scene back = SceneFromText(text, "test");
-  // The text holds everything, so that equal texts are equal scenes; a few values besides, lest
-  // writing and reading leave out the same one.
+  // Equal texts mean equal scenes, since the text holds everything. Check some values as well, in
+  // case writing and reading omit the same key.
   EXPECT_EQ(SceneText(back), text);
   EXPECT_EQ(std::get<FileSource>(back.volume).raw->headerBytes, 352);
   EXPECT_EQ(std::get<FileSource>(back.volume).series, "1.2.840.1");
@@ -287,7 +287,7 @@ TEST(SceneFile, EveryExampleIsReadable)
   EXPECT_GE(scenes, 3);
 }
 
-// Every key that is written must be in the schema, at its place.
+// Requires that the schema has every written key, at its place.
 void ExpectKeysInSchema(
   const nlohmann::json& value, const nlohmann::json& schema, const nlohmann::json& root)
 {
@@ -298,7 +298,7 @@ void ExpectKeysInSchema(
   }
   else if (schema.contains("oneOf") && value.is_object())
   {
-    // The branch that knows the value's first key.
+    // Choose the branch that has the value's first key.
     for (nlohmann::json branch : schema["oneOf"])
     {
       if (branch.contains("$ref"))

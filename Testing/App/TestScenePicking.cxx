@@ -1,4 +1,4 @@
-// What a ray meets, and what a scene's cuts leave of a volume.
+// Picking along a ray, and the part of a volume that a scene's cuts keep.
 
 #include "Scene/OffscreenView.h"
 #include "Scene/SceneCuts.h"
@@ -15,14 +15,14 @@ using namespace varimarch;
 namespace
 {
 
-// A ramp along x: the value is x in mm, from -10 to 10, turned by a direction matrix if asked.
+// A ramp along x: the value is x in mm, from -10 to 10. A direction matrix can turn it.
 vtkSmartPointer<vtkImageData> Ramp(bool turned)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(21, 21, 21);
   if (turned)
   {
-    // The image's x runs along the world's y, its y against the world's x.
+    // The image's x axis runs along the world's y, its y axis against the world's x.
     image->SetDirectionMatrix(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
     image->SetOrigin(10.0, -10.0, -10.0);
   }
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> Ramp(bool turned)
   return image;
 }
 
-// Clear below 3; opaque within a hundredth of a mm above.
+// Transparent below 3, and opaque within 0.01 mm above.
 Scene WallAtThree()
 {
   Scene scene;
@@ -64,7 +64,7 @@ TEST(PointSeen, IsWhereTheVolumeBecomesOpaque)
   EXPECT_EQ((*seen)[2], 2.0);
 }
 
-// The ramp rises by 1 per mm.
+// The gradient of the ramp is 1 per mm.
 TEST(PointSeen, IsNotWhatItsGradientHides)
 {
   Scene scene = WallAtThree();
@@ -77,7 +77,7 @@ TEST(PointSeen, IsNotWhatItsGradientHides)
   scene.look.gradientOpacities = { { 0.5, 0.0 }, { 0.9, 1.0 } };
   ASSERT_TRUE(seen());
   EXPECT_NEAR((*seen())[1], 3.0, StepMm);
-  // A tenth of 0.9999 in each hundredth of a mm: half is gone after 0.066 mm.
+  // An opacity of 0.09999 per 0.01 mm absorbs half of the light in 0.066 mm.
   scene.look.gradientOpacities = { { 0.0, 0.1 } };
   ASSERT_TRUE(seen());
   EXPECT_NEAR((*seen())[1], 3.0, StepMm);
@@ -85,7 +85,7 @@ TEST(PointSeen, IsNotWhatItsGradientHides)
   EXPECT_NEAR((*seen())[1], 3.0 + std::log(0.5) / std::log1p(-0.1 * 0.9999), StepMm);
 }
 
-// Half of the light is gone at the second of the two.
+// Half of the light is absorbed at the second of the two surfaces.
 TEST(PointSeen, IsOnASurfaceOfEqualValue)
 {
   Scene scene = WallAtThree();
@@ -140,7 +140,8 @@ TEST(ValueAt, IsBetweenVoxelsAndNoneOutside)
 
 TEST(SceneCuts, KeepTheSameOfATurnedVolumeWithEveryMapper)
 {
-  // A quarter of the volume's x is left: of the picture's width, seen along z, or of its height.
+  // A quarter of the volume's x range is kept: a quarter of the image's width or height, seen along
+  // z.
   Scene scene = WallAtThree();
   scene.look.opacities = { { -10.0, 0.9999 } };
   scene.camera.view = View::Superior;
@@ -159,7 +160,7 @@ TEST(SceneCuts, KeepTheSameOfATurnedVolumeWithEveryMapper)
         const auto* rgb = static_cast<unsigned char*>(bytes->GetScalarPointer()) + 3 * pixel;
         opaque += rgb[0] > 127 ? 1 : 0;
       }
-      // A column of pixels at each cut may fall to either side.
+      // A column of pixels at each cut may fall on either side.
       EXPECT_NEAR(opaque, 32 * 8, 32) << turned << " " << int(kind);
     }
   }

@@ -15,7 +15,7 @@ namespace
 double RmseFromOurs(const Scene& scene, vtkImageData* image, MapperKind kind)
 {
   OffscreenView view(scene, image, kind);
-  view.Render(); // VTK's GPU mapper draws its first picture only into the window itself
+  view.Render(); // VTK's GPU mapper renders its first frame only into the window itself
   const auto picture = view.FloatImage();
   const auto ours = OffscreenView(scene, image, MapperKind::Varimarch).FloatImage();
   return CompareImages(static_cast<const float*>(picture->GetScalarPointer()),
@@ -23,7 +23,7 @@ double RmseFromOurs(const Scene& scene, vtkImageData* image, MapperKind kind)
     .rootMeanSquare;
 }
 
-// Light from the wrong side, a missing half or another place would each cost more than twice this.
+// A wrong light direction, a missing half or a wrong position would at least double the error.
 TEST(ScenePipeline, EveryMapperDrawsATurnedAndMirroredVolumeAlike)
 {
   Scene scene;
@@ -36,7 +36,7 @@ TEST(ScenePipeline, EveryMapperDrawsATurnedAndMirroredVolumeAlike)
   const double expectedGpu = RmseFromOurs(scene, upright, MapperKind::VtkGpu);
   const double expectedCpu = RmseFromOurs(scene, upright, MapperKind::VtkCpu);
   EXPECT_LT(expectedGpu, 5.0);
-  EXPECT_LT(expectedCpu, 25.0); // it is off by half a pixel
+  EXPECT_LT(expectedCpu, 25.0); // its rays are off by half a pixel
 
   const auto turned = vtkSmartPointer<vtkImageData>::New();
   turned->ShallowCopy(upright);
@@ -47,7 +47,7 @@ TEST(ScenePipeline, EveryMapperDrawsATurnedAndMirroredVolumeAlike)
   EXPECT_LT(RmseFromOurs(scene, turned, MapperKind::VtkCpu), 1.5 * expectedCpu);
 }
 
-// The ramp rises by 10 per voxel and 5 per mm, the voxels are 3 mm apart on the average.
+// The ramp rises by 10 per voxel and 5 per mm; the mean spacing is 3 mm.
 TEST(ScenePipeline, GradientOpacityIsPerMillimetreWhateverTheSpacing)
 {
   vtkNew<vtkImageData> ramp;

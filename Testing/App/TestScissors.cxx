@@ -1,4 +1,4 @@
-// Scissors: what an outline over a picture takes away, in masks, in pictures, and for picking.
+// Scissors: the part that an outline removes, in masks, in images and in picking.
 
 #include "Scene/OffscreenView.h"
 #include "Scene/ReferenceRequest.h"
@@ -29,7 +29,7 @@ vtkSmartPointer<vtkImageData> Cube(int side)
   return image;
 }
 
-// From in front of the patient, 100 mm away: x is to the right, z upwards.
+// A camera in front of the patient, 100 mm away: x to the right, z upwards.
 ScissorsCut FromTheFront(bool parallel)
 {
   ScissorsCut cut;
@@ -49,7 +49,7 @@ bool IsLeft(vtkImageData* mask, int x, int y, int z)
 TEST(Scissors, CutAPrismInAParallelPicture)
 {
   ScissorsCut cut = FromTheFront(true);
-  // Halves of the height are 10 mm: x from 2 to 5 mm, z from -3 to 4 mm.
+  // Half the height of the image is 10 mm: x from 2 to 5 mm, z from -3 to 4 mm.
   cut.outline = { { 0.2, -0.3 }, { 0.5, -0.3 }, { 0.5, 0.4 }, { 0.2, 0.4 } };
   const auto image = Cube(21);
   const auto mask = MaskOf({ cut }, image);
@@ -71,8 +71,8 @@ TEST(Scissors, CutAPrismInAParallelPicture)
 TEST(Scissors, CutAConeInAPerspectivePicture)
 {
   ScissorsCut cut = FromTheFront(false);
-  // At the middle of the volume half of the height is 100 mm: x from 4 to 6 mm there, and by a
-  // tenth nearer to the axis 10 mm before it.
+  // At the centre of the volume, half the height of the image is 100 mm: x from 4.25 to 6 mm. 10 mm
+  // nearer to the eye, x is smaller by a tenth.
   cut.outline = { { 0.0425, -1.0 }, { 0.06, -1.0 }, { 0.06, 1.0 }, { 0.0425, 1.0 } };
   const auto mask = MaskOf({ cut }, Cube(21));
   EXPECT_TRUE(IsLeft(mask, 14, 10, 10));
@@ -98,7 +98,7 @@ TEST(Scissors, KeepTheInsideAndAddUp)
 TEST(Scissors, OfALargeVolumeHaveACoarserMask)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(601, 300, 300); // without voxels: a mask needs none
+  image->SetDimensions(601, 300, 300); // no voxels are allocated, since a mask does not need them
   ScissorsCut cut = FromTheFront(true);
   cut.outline = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 } };
   const auto mask = MaskOf({ cut }, image);
@@ -118,7 +118,7 @@ TEST(Scissors, CutInThePicturesOfBothGpuMappers)
   ScissorsCut cut = FromTheFront(true);
   cut.outline = { { 0.02, -2.0 }, { 2.0, -2.0 }, { 2.0, 2.0 }, { 0.02, 2.0 } };
   scene.cuts.scissors = { cut };
-  // Also where VTK's mapper gets a volume that is turned round: the third axis runs down.
+  // Include a volume with a reversed third axis, which VTK's mapper gets flipped.
   for (const double third : { 1.0, -1.0 })
   {
     const auto image = Cube(21);

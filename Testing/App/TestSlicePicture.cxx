@@ -1,5 +1,5 @@
-// Slices: the patient's sides are where radiologists expect them, and values are those between
-// voxels.
+// Slices: the patient's sides are where radiologists expect them, and values are interpolated
+// between voxels.
 
 #include "Scene/SlicePicture.h"
 
@@ -15,7 +15,7 @@ using namespace varimarch;
 namespace
 {
 
-// Values are 0 but at one voxel, of 255; voxels of 1 mm, the middle one at the world's origin.
+// One voxel is 255, all others are 0. Voxels of 1 mm, the centre one at the world's origin.
 vtkSmartPointer<vtkImageData> OneVoxel(int x, int y, int z)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -28,7 +28,7 @@ vtkSmartPointer<vtkImageData> OneVoxel(int x, int y, int z)
   return image;
 }
 
-// 21 pixels of 1 mm a side: the pixel at the middle is the world's origin.
+// 21 pixels of 1 mm per side, with the world's origin at the centre pixel.
 SliceRequest Request(SlicePlane plane)
 {
   return { plane, { 0.0, 0.0, 0.0 }, 1.0, 21, 21, 255.0, 127.5, 0.0 };
@@ -43,7 +43,7 @@ int Pixel(const std::vector<std::uint8_t>& picture, int right, int down)
 
 TEST(SlicePicture, PutsThePatientWhereRadiologistsExpect)
 {
-  // Left, posterior and superior are the world's axes.
+  // Left, posterior and superior are the world's positive axes.
   const auto left = SlicePicture(OneVoxel(5, 0, 0), Request(SlicePlane::Axial));
   EXPECT_EQ(Pixel(left, 5, 0), 255) << "the left is at the right";
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 5, 0), Request(SlicePlane::Axial)), 0, 5), 255);
@@ -66,7 +66,7 @@ TEST(SlicePicture, IsLinearBetweenVoxelsAndBlackOutside)
   request.middleMm = { 0.5, 0.0, 0.0 };
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 0), request), 0, 0), 128);
   request = Request(SlicePlane::Axial);
-  request.level = -1000.0; // all of the volume is white
+  request.level = -1000.0; // the whole volume is white
   request.mmPerPixel = 2.0;
   const auto picture = SlicePicture(OneVoxel(0, 0, 0), request);
   EXPECT_EQ(Pixel(picture, 5, 0), 255);
@@ -85,7 +85,7 @@ TEST(SlicePicture, OfASlabIsItsLargestValue)
 TEST(SlicePicture, OfASlabIsItsLargestSmallestOrMean)
 {
   SliceRequest request = Request(SlicePlane::Axial);
-  request.slabMm = 4.0; // from -2 to 2 mm, the voxel is at 2 mm
+  request.slabMm = 4.0; // the slab covers -2 to 2 mm, and the voxel lies at 2 mm
   const auto image = OneVoxel(0, 0, 2);
   const auto middle = [&](SlabBlend blend)
   {
@@ -94,6 +94,6 @@ TEST(SlicePicture, OfASlabIsItsLargestSmallestOrMean)
   };
   EXPECT_EQ(middle(SlabBlend::Maximum), 255);
   EXPECT_EQ(middle(SlabBlend::Minimum), 0);
-  // Of nine samples half a mm apart the last is the voxel, the one before it half of it.
+  // Nine samples, 0.5 mm apart: the last one is the voxel, the one before it half of its value.
   EXPECT_EQ(middle(SlabBlend::Mean), 43);
 }

@@ -1,5 +1,5 @@
-// Slicer's volume properties: what is written is read, what is dirty is cleaned, what is broken is
-// explained.
+// Slicer's volume properties: files are written and read back, cleaned if irregular, and explained
+// if broken.
 
 #include "Scene/LookFormats/SlicerProperty.h"
 #include "Scene/Presets.h"
@@ -64,7 +64,7 @@ TEST(SlicerProperty, OfEveryCtPresetComesBackAsItWas)
   }
 }
 
-// Theirs is per mean spacing, which is 2 mm here.
+// Slicer's gradients are per mean spacing, which is 2 mm here.
 TEST(SlicerProperty, HasGradientOpacityPerSpacing)
 {
   const std::string text = Head + "2 150 0\n" + "4 20 0.1 80 1\n8 0 0 0 0 1 1 1 1\n";

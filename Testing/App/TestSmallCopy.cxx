@@ -1,4 +1,4 @@
-// Small copies of volumes: the same values at the same places, only fewer.
+// Reduced copies of volumes: fewer voxels with the same values at the same places.
 
 #include "Scene/SmallCopy.h"
 
@@ -11,7 +11,8 @@ using namespace varimarch;
 namespace
 {
 
-// The value is the place's y [mm]; turned and moved, so that a slip shows.
+// The value is y in world space [mm]. The volume is rotated and shifted, so that any displacement
+// shows.
 vtkSmartPointer<vtkImageData> Ramp(int width, int height, int depth)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

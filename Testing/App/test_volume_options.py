@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Which volume varimarch reads when the file or folder alone does not say it.
+"""Options that choose a volume if the file or folder alone is ambiguous.
 
 Usage: test_volume_options.py VARIMARCH CASE
 """
@@ -14,7 +14,7 @@ from test_command_line import VOLUME, run
 
 
 def dicom_slice(series, number, columns=4, rows=3, down="0\\1\\0", pixels=range(12)):
-    """A DICOM image, explicit little endian, as PS3.5 and PS3.10 have it. Its columns run down."""
+    """A DICOM image in explicit little endian (PS3.5, PS3.10). Its columns run down."""
     def element(group, tag, kind, value):
         value = value if isinstance(value, bytes) else str(value).encode()
         value += (b"\0" if kind == "UI" else b" ") * (len(value) % 2)
@@ -42,7 +42,7 @@ def dicom_slice(series, number, columns=4, rows=3, down="0\\1\\0", pixels=range(
 
 
 def series(folder):
-    """One of several DICOM series is chosen by number, by UID, or by the beginning of one."""
+    """Chooses one of several DICOM series by number, by UID, or by the beginning of a UID."""
     scan = folder / "scan"
     scan.mkdir()
     for uid, count in (("1.2.33", 2), ("1.2.44", 3)):
@@ -70,7 +70,7 @@ def series(folder):
 
 
 def raw(folder):
-    """Bare voxels are read as the options say, header and all."""
+    """Reads a raw file as the options describe it, header included."""
     voxels = folder / "voxels.raw"
     voxels.write_bytes(b"header!" + struct.pack(">24H", *range(100, 124)))
     layout = ["--raw-dimensions", "4x3x2", "--raw-type", "uint16", "--raw-byte-order", "big",
@@ -91,7 +91,7 @@ def raw(folder):
 
 
 def rectify(folder):
-    """Slices of a tilted gantry are resampled upright when an option or a scene says so."""
+    """Resamples slices of a tilted gantry upright if an option or a scene asks for it."""
     (folder / "scan").mkdir()
     pixels = [1500 if abs(i - 7.5) < 5 and abs(j - 7.5) < 5 else 0
               for j in range(16) for i in range(16)]
@@ -107,7 +107,7 @@ def rectify(folder):
                           for name in ("scanned", "rectified"))
     assert scanned["irregularSlices"] and rectified["irregularSlices"]
     assert rectified["rectified"] and not scanned["rectified"]
-    # From one slice to the next they lean by 0.28 of a row.
+    # Neighbouring slices are shifted by 0.28 rows.
     assert scanned["dimensions"] == [16, 16, 12] and rectified["dimensions"] == [16, 16 + 4, 12]
     options = ["--preset", "ct-bone", "--size", "64x64", "--sample-distance", "0.5"]
     pictures = []

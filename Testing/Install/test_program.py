@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The installed program and its manual.
+"""Tests the installed program and its manual.
 
 Usage: test_program.py PREFIX VERSION
 """
@@ -14,7 +14,7 @@ PREFIX, VERSION = pathlib.Path(sys.argv[1]), sys.argv[2]
 
 
 def varimarch(*arguments):
-    """What the installed program prints. It finds its library by itself."""
+    """Output of the installed program, which finds its library by itself."""
     done = subprocess.run([PREFIX / "bin/varimarch", *arguments], capture_output=True, text=True,
                           check=False, env={})
     assert done.returncode == 0, done.stdout + done.stderr
@@ -22,13 +22,13 @@ def varimarch(*arguments):
 
 
 def check_manual(command):
-    """Every word of the help that users type is in the page, and so are the subcommands' pages."""
+    """The manual must name every option and subcommand of the help, and every subcommand's page must exist."""
     help_text = varimarch(*command[1:], "--help")
     page = PREFIX / "share/man/man1" / ("-".join(command) + ".1.gz")
     text = gzip.decompress(page.read_bytes()).decode()
     assert f"varimarch {VERSION}" in text.splitlines()[0], text[:80]
     plain = re.sub(r"\\[&:]", "", text).replace("\\-", "-")
-    # Options are set in bold, and what remains of a backslash here is a letter after it: \fB.
+    # Options are bold, and a backslash in the page shows as a letter after it: \fB.
     options = re.findall(r"^ {2}(-\S+|[A-Z]\S*) ", help_text, flags=re.M)
     examples = re.findall(r"^ {2}(varimarch .*)", help_text, flags=re.M)
     assert "-h,--help" in options, help_text

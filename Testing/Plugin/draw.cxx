@@ -1,5 +1,5 @@
-// A program of somebody who knows VTK and nothing of this tree: draws a wavelet by one of the
-// mappers that leave the choice to VTK's factory, and says which class that came to be.
+// A program that uses only VTK. It renders a wavelet with one of the mappers that leave the choice
+// of class to VTK's factory, and prints the class that the factory made.
 //
 // Usage: draw gpu|several|smart|component|magnitude|blocks PICTURE.ppm
 
@@ -119,7 +119,7 @@ void SetLook(vtkVolumeProperty* property)
   property->SetInterpolationTypeToLinear();
 }
 
-// Two volumes that overlap, the second with a wavelet of its own.
+// Two overlapping volumes, each with its own wavelet.
 vtkSmartPointer<vtkVolume> Several(vtkVolume* volume, vtkRTAnalyticSource* second)
 {
   vtkNew<vtkVolume> other;

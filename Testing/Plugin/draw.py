@@ -1,7 +1,6 @@
-"""A script of somebody who knows VTK and nothing of this tree: draws a wavelet, and prints the class
-of the mapper that VTK's factory made.
+"""A script that uses only VTK: renders a wavelet and prints the mapper class that VTK's factory made.
 
-Usage: draw.py PICTURE.ppm [CLASS...]   CLASS: an override that it disables first
+Usage: draw.py PICTURE.ppm [CLASS...]   CLASS: an override to disable first
 """
 
 import sys

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs programs that know VTK only with the plugin, and checks which mapper draws, and what.
+"""Runs programs that use only VTK with the plugin, and checks which mapper renders, and the image.
 
 Usage: test_plugin.py CASE PROGRAM PLUGIN_FOLDER REJECTED_PLUGINS_FOLDER
 Needs an X display and, for scripts, a Python with VTK.
@@ -17,15 +17,15 @@ OURS = "vtkVariationFieldGPUVolumeRayCastMapper"
 VTKS = "vtkOpenGLGPUVolumeRayCastMapper"
 WE_DRAW = "Varimarch: The variation field mapper draws."
 
-# Both mappers at a twentieth of a voxel differ by rounding, and by what VTK's tables and first
-# samples are off, of two volumes by both. At half a voxel, its own choice, VTK's is off by more.
+# Tolerances in 1/255. At a twentieth of a voxel, the mappers differ by rounding and by VTK's tables
+# and first samples, twice for two volumes. At half a voxel, its default, VTK's error is larger.
 FINE = {"rmse": 0.3, "largest": 2}
 FINE_OF_TWO = {"rmse": 0.6, "largest": 2}
 COARSE = {"rmse": 0.5, "largest": 4}
 
 
 def draw(*command, plugin=None, **environment):
-    """What a program prints, what it says, and its picture's bytes."""
+    """Standard output, standard error and the bytes of the image of a program."""
     environment = {**os.environ, "VARIMARCH_VERBOSE": "1", **environment}
     if plugin:
         environment["VTK_AUTOLOAD_PATH"] = str(plugin)
@@ -68,7 +68,7 @@ def programs_draw_with_it():
 
 
 def vectors_are_drawn_by_component_and_by_magnitude():
-    """Of both, the program makes the scalars of the plain picture."""
+    """The program derives the scalars of the plain image from both kinds of vectors."""
     plain = draw(PROGRAM, "smart", "PICTURE", plugin=PLUGIN)[2]
     for kind in ("component", "magnitude"):
         _, said, picture = draw(PROGRAM, kind, "PICTURE", plugin=PLUGIN)

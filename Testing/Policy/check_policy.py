@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The rules of the tree that no compiler checks, each a function that returns what breaks it.
+"""Rules of the tree that no compiler checks. Each rule is a function that returns the violations.
 
-Usage: check_policy.py RULE. Looks at the files that git tracks. Exit code 77: not a git tree.
+Usage: check_policy.py RULE. Checks the files that git tracks. Exit code 77: not a git tree.
 """
 
 import pathlib
@@ -24,7 +24,7 @@ LONGEST_SUBJECT = 72
 MOST_FILES_WITHOUT_BODY = 5
 CODE = {".h", ".cxx", ".in", ".glsl", ".py", ".sh", ".cmake"}
 
-# Files and functions that are better long, each with the reason: "path": "reason", and
+# Files and functions that may be long, each with the reason: "path": "reason", and
 # "path: first line of the function": "reason".
 LONG_FILES = {
     "VolumeModule/vtkVariationFieldVolumeMapper.h": "one class, whose every setting is documented here",
@@ -46,7 +46,7 @@ def git(*arguments):
 
 
 def tracked(folder="", suffixes=None):
-    """Paths below folder that git tracks and that are there, relative to the root."""
+    """Tracked paths below folder that exist, relative to the root."""
     names = git("ls-files", "-z").split("\0")
     paths = [pathlib.PurePosixPath(name) for name in names if name]
     return [
@@ -59,13 +59,13 @@ def tracked(folder="", suffixes=None):
 
 
 def text_of(path):
-    """The file's text; empty for a binary file and for none."""
+    """Text of a file; empty for binary and missing files."""
     content = (ROOT / path).read_bytes() if (ROOT / path).is_file() else b""
     return "" if b"\0" in content else content.decode("utf-8", errors="replace")
 
 
 def lines_matching(paths, pattern, advice):
-    """One message per line of the paths that the pattern is found in."""
+    """One message for each line of the paths that matches the pattern."""
     found = re.compile(pattern)
     return [
         f"{path}:{number}: {line.strip()[:80]}\n    {advice}"
@@ -85,7 +85,7 @@ def top_level_is_agreed():
 
 
 def quoted_paths_exist():
-    """A path in a document starts with a top-level folder, or is a link, or names a source file.
+    """A path in a document starts with a top-level folder, is a link, or names a source file.
 
     NAME stands for any name, as in VolumeModule/Shaders/Blend/NAME.glsl.
     """
@@ -147,7 +147,7 @@ def files_are_short():
 
 
 def functions_are_short():
-    """Counts the lines from a brace in column 0 to the next: clang-format puts them there."""
+    """Counts the lines between braces in column 0, where clang-format puts those of functions."""
     problems = []
     for path in tracked(suffixes={".h", ".cxx"}):
         lines = text_of(path).splitlines()
@@ -166,7 +166,7 @@ def functions_are_short():
 
 
 def first_line_before(lines, brace):
-    """The first line of the declaration that the brace opens: after an empty line or an end."""
+    """First line of the declaration that the brace opens; it follows an empty line or a closing brace."""
     first = brace - 1
     while first > 0 and lines[first - 1] and not re.match(r"[{}#/]|.*;$", lines[first - 1]):
         first -= 1

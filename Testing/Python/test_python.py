@@ -32,7 +32,7 @@ WHITE = {
 
 
 def ball(side=24):
-    """Values that fall from 500 in the middle to below 0 in the corners."""
+    """Values that fall from 500 at the centre to below 0 in the corners."""
     z, y, x = numpy.mgrid[-1 : 1 : side * 1j, -1 : 1 : side * 1j, -1 : 1 : side * 1j]
     return 500 - 400 * numpy.sqrt(x * x + 2 * y * y + z * z)
 
@@ -47,7 +47,7 @@ def pixels_of_png(path):
 
 
 def draws_what_the_program_draws(folder):
-    """Presets, cameras and sizes mean the same here and on the command line."""
+    """Presets, cameras and sizes have the same meaning here and on the command line."""
     volume = folder / "ball.vti"
     writer = vtkXMLImageDataWriter()
     writer.SetFileName(str(volume))
@@ -68,7 +68,7 @@ def draws_what_the_program_draws(folder):
 
 
 def axes_lie_where_the_patient_is(_folder):
-    """Seen from the front, z is up and x, the patient's left, is at the right."""
+    """Seen from the front, z points up and x, the patient's left, to the right."""
     array = numpy.zeros((16, 16, 16))
     array[10:14, 6:10, 2:6] = 100
     rows, columns = numpy.nonzero(varimarch.render(array, **WHITE)[:, :, 0])
@@ -157,7 +157,7 @@ def what_is_wrong_is_one_sentence(folder):
 
 
 def without_opengl_is_one_sentence(folder):
-    """EGL looks for its drivers with the first call, in a folder that is empty here."""
+    """EGL looks for drivers at its first call, here in an empty folder."""
     os.environ["__EGL_VENDOR_LIBRARY_DIRS"] = str(folder)
     try:
         varimarch.render(ball(8))
@@ -168,7 +168,7 @@ def without_opengl_is_one_sentence(folder):
 
 
 def warnings_are_python_warnings(_folder):
-    """Five hundred thin shells cannot be drawn within one millionth by as many samples as allowed."""
+    """Five hundred thin shells cannot be rendered to one millionth with the allowed number of samples."""
     spikes = [(i, i % 2) for i in range(500)]
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -178,7 +178,7 @@ def warnings_are_python_warnings(_folder):
 
 
 def classes_work_in_a_pipeline(_folder):
-    """As in any program that uses VTK from Python, with our mapper and window."""
+    """Uses our mapper and window in an ordinary VTK pipeline in Python."""
     source = vtkRTAnalyticSource()
     mapper = varimarch.vtkVariationFieldVolumeMapper()
     mapper.SetInputConnection(source.GetOutputPort())

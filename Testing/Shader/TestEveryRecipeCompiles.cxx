@@ -42,7 +42,7 @@ struct Validation
 // @param stage  "vert" or "frag"
 Validation Validate(const std::vector<ShaderFile>& files, const std::string& stage)
 {
-  // Tests of this program run side by side, each in its own process and with its own file.
+  // Tests of this program run concurrently in separate processes, so each needs its own file.
   const std::string path =
     std::string(SCRATCH_FOLDER) + "/recipe-" + std::to_string(getpid()) + "." + stage;
   std::ofstream(path) << AssembleShader(files);
@@ -81,7 +81,7 @@ TEST(Shaders, EveryRecipeCompiles)
   }
 }
 
-// As many as llvmpipe has.
+// The limit of llvmpipe.
 constexpr int MostFlatComponents = 124;
 
 TEST(Shaders, EveryRecipeCompilesWithFlatParameters)

@@ -9,18 +9,19 @@
 
 #include <vector>
 
-// Analytic scenes as anything that draws a scene takes them.
+// Conversion of analytic scenes to volumes and scenes.
 
 namespace varimarch
 {
 
-/// Its voxels as floats, which hold all of them exactly.
+/// The volume of an analytic scene, as floats, which represent its values exactly.
 vtkSmartPointer<vtkImageData> ImageOf(const AnalyticScene& analytic);
 
-/// Its transfer function, unshaded, seen obliquely; without early termination.
+/// A scene with the analytic scene's transfer function, unshaded, seen obliquely, without early
+/// termination.
 Scene SceneOf(const AnalyticScene& analytic, int size);
 
-/// The closed form of the picture of such a scene, of any camera.
+/// Closed-form image of such a scene, for any camera.
 std::vector<float> ClosedFormPicture(const AnalyticScene& analytic, const Scene& scene);
 
 }

@@ -11,14 +11,14 @@ namespace varimarch
 namespace
 {
 
-/// The part b of a ray behind a part a.
+/// Composites a part a of a ray over the part b behind it.
 glm::dvec4 Over(glm::dvec4 a, glm::dvec4 b)
 {
   return a + (1.0 - a.a) * b;
 }
 
-/// The mean of exp(-(front u + (back - front) u^2 / 2)) over u in [0, 1], by its Taylor series,
-/// which needs depths of about 1 at most. y' = -(front + (back - front) u) y gives the terms.
+/// Mean of exp(-(front u + (back - front) u^2 / 2)) over u in [0, 1], by a Taylor series whose
+/// terms follow from y' = -(front + (back - front) u) y. Accurate for depths up to about 1.
 double MeanTransmittance(double frontDepth, double backDepth)
 {
   double before = 0.0;
@@ -40,7 +40,7 @@ OpticalProperties Middle(const OpticalProperties& a, const OpticalProperties& b)
   return { 0.5 * (a.rgb + b.rgb), 0.5 * (a.extinction + b.extinction) };
 }
 
-/// Sorted, with its ends, each once.
+/// Sorts numbers and removes duplicates.
 std::vector<double> Sorted(std::vector<double> numbers)
 {
   std::sort(numbers.begin(), numbers.end());
@@ -48,7 +48,7 @@ std::vector<double> Sorted(std::vector<double> numbers)
   return numbers;
 }
 
-/// The values between voxels along one axis: straight, and constant beyond the ends.
+/// Interpolates linearly between voxels along one axis; constant beyond the ends.
 double ValueAt(const std::vector<double>& values, double position)
 {
   const double inside = std::clamp(position, 0.0, double(values.size() - 1));
@@ -63,10 +63,10 @@ double ValueAt(const AnalyticScene& scene, glm::dvec3 position)
     ValueAt(scene.values[2], position.z);
 }
 
-/// Where a ray meets the faces of cells, and where it begins and ends.
+/// Ray parameters of cell faces, entry and exit.
 std::vector<double> FacesAlong(const AnalyticScene& scene, const MeasuredRay& ray)
 {
-  const Interval inside = ray.parts.front(); // no scene of a closed form has cuts
+  const Interval inside = ray.parts.front(); // scenes with a closed form have no cuts
   std::vector<double> faces = { inside.enter, inside.exit };
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -82,11 +82,11 @@ std::vector<double> FacesAlong(const AnalyticScene& scene, const MeasuredRay& ra
   return Sorted(faces);
 }
 
-/// A stretch without a node inside, whose values go linearly from first to last.
+/// Colour of a part of a ray without nodes inside, along which the value is linear.
 glm::dvec4 StretchColor(
   const TransferFunction& transferFunction, double first, double last, double lengthMm)
 {
-  // At its ends the function may step: their properties are what those inside lead to.
+  // The function may step at the ends, so extrapolate its properties from the inside.
   const auto inside = [&](double part) -> OpticalProperties
   {
     const double value = first + part * (last - first);
@@ -103,7 +103,7 @@ glm::dvec4 StretchColor(
     { 1.5 * far.rgb - 0.5 * near.rgb, 1.5 * far.extinction - 0.5 * near.extinction }, lengthMm);
 }
 
-/// A part of a ray in one cell, cut at the nodes.
+/// Colour of the part of a ray in one cell, split at the nodes.
 glm::dvec4 CellColor(
   const TransferFunction& transferFunction, double first, double last, double lengthMm)
 {
@@ -142,8 +142,8 @@ glm::dvec4 CellColor(
 
 }
 
-// By parts: the integral of c sigma T is c_front - c_back T + (c_back - c_front) times the mean of
-// T.
+// Integration by parts: the integral of c sigma T is c_front - c_back T + (c_back - c_front) times
+// the mean of T.
 glm::dvec4 LinearPieceColor(
   const OpticalProperties& front, const OpticalProperties& back, double lengthMm)
 {
@@ -223,7 +223,7 @@ std::vector<float> AnalyticScene::Picture(const ReferenceView& view) const
 namespace
 {
 
-// Opacities of so small a distance are extinctions but for a part of about 1e-12 of them.
+// For so small a distance, opacity equals extinction times distance up to a relative 1e-12.
 constexpr double UnitDistanceMm = 1e-12;
 
 OpacityNode ExtinctionNode(double value, double extinction)
@@ -234,7 +234,7 @@ OpacityNode ExtinctionNode(double value, double extinction)
 const glm::dvec3 orange(1.0, 0.5, 0.1);
 const glm::dvec3 teal(0.1, 0.6, 0.7);
 
-/// i * step for i in [0, count).
+/// The numbers i * step for i in [0, count).
 std::vector<double> Ramp(int count, double step)
 {
   std::vector<double> values;
@@ -245,7 +245,7 @@ std::vector<double> Ramp(int count, double step)
   return values;
 }
 
-/// The squares of the distances from the middle of `count` voxels, an odd number.
+/// Squared distances from the middle one of `count` voxels, an odd number.
 std::vector<double> Squares(int count)
 {
   std::vector<double> values;
@@ -256,21 +256,21 @@ std::vector<double> Squares(int count)
   return values;
 }
 
-/// A field that grows in an oblique direction from 0 to 64.
+/// A field that rises from 0 to 64 in an oblique direction.
 AnalyticScene Oblique(std::string name, TransferFunction transferFunction)
 {
   return { std::move(name), { Ramp(9, 4.0), Ramp(13, 1.0), Ramp(11, 2.0) }, { 1.25, 0.75, 1.0 },
     std::move(transferFunction) };
 }
 
-/// A field of squared distances in voxels from the middle of the volume.
+/// A field of squared distances, in voxels, from the centre of the volume.
 AnalyticScene Round(std::string name, TransferFunction transferFunction)
 {
   return { std::move(name), { Squares(17), Squares(17), Squares(17) }, glm::dvec3(1.0),
     std::move(transferFunction) };
 }
 
-/// Straight pieces of extinction(value) and colour from 0 to `last`.
+/// Linear pieces of extinction(value) and colour from 0 to `last`.
 TransferFunction Sampled(double last, int pieces, double (*extinction)(double))
 {
   std::vector<OpacityNode> nodes;
@@ -286,7 +286,7 @@ TransferFunction Sampled(double last, int pieces, double (*extinction)(double))
 
 std::vector<AnalyticScene> AnalyticScenes()
 {
-  const double interface = 64.0 / std::exp(1.0); // off every voxel
+  const double interface = 64.0 / std::exp(1.0); // not at any voxel
   const double radius2 = 7.1 * 7.1, thickness2 = 0.5;
   const std::vector<ColorNode> twoColors = { { 0.0, orange }, { 64.0, teal } };
   const auto constant = [](std::vector<ColorNode> colors, double before, double at, double behind)

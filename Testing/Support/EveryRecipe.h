@@ -8,7 +8,7 @@
 namespace varimarch
 {
 
-/// Every combination of settings that makes a different shader.
+/// All combinations of settings that result in different shaders.
 std::vector<RenderSettings> EveryRecipe();
 
 }

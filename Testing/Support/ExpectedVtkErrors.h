@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-/// While one of these lives, errors and warnings that VTK reports are collected here instead of
-/// failing the test. Tests of bad input look at them.
+/// During its lifetime, errors and warnings that VTK reports are collected here instead of failing
+/// the test, so that tests of bad input can check them.
 class ExpectedVtkErrors
 {
 public:
@@ -14,7 +14,7 @@ public:
   ExpectedVtkErrors(const ExpectedVtkErrors&) = delete;
   void operator=(const ExpectedVtkErrors&) = delete;
 
-  /// Every message since construction, as VTK words it.
+  /// Every message since construction, in VTK's wording.
   const std::vector<std::string>& Messages() const { return this->messages; }
 
   /// The messages as one text.

@@ -14,7 +14,7 @@ namespace
 ExpectedVtkErrors* currentExpectation = nullptr;
 }
 
-/// Turns what VTK would print into a test failure, unless the test expects it.
+/// Turns messages that VTK would print into test failures, unless the test expects them.
 class CollectingOutputWindow : public vtkOutputWindow
 {
 public:
@@ -45,7 +45,7 @@ vtkStandardNewMacro(CollectingOutputWindow);
 ExpectedVtkErrors::ExpectedVtkErrors()
 {
   currentExpectation = this;
-  // VTK logs each error besides, in the form that ctest takes for a failure.
+  // VTK also logs each error, in a form that ctest takes for a failure.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 

@@ -13,8 +13,8 @@
 namespace varimarch
 {
 
-/// An editor whose edits a model keeps, and that shows what the model has.
-/// The look of a new CT is that of bone: points at 150, 300, 600 and 1500, each with its colour.
+/// An editor connected to a model in both directions. A new CT has the look for bone, with points
+/// at 150, 300, 600 and 1500, each with its own colour.
 class EditorOfAModel : public testing::Test
 {
 protected:
@@ -43,7 +43,7 @@ protected:
     return this->Layout().PositionOf(this->Edited(), { NodeKind::Opacity, point }).toPoint();
   }
 
-  // A place of the plot away from the curve.
+  // A position in the plot away from the curve.
   QPoint Empty() const
   {
     return QPoint(int(this->Layout().axis.ToPixel(1000.0)), int(this->Layout().ToY(0.25)));
@@ -69,7 +69,7 @@ protected:
     this->button = Qt::NoButton;
   }
 
-  // By way of places between, as a hand does.
+  // Drags through intermediate positions, as a hand does.
   void Drag(const QPoint& from, const QPoint& way, Qt::KeyboardModifiers modifiers = {},
     Qt::MouseButton with = Qt::LeftButton)
   {

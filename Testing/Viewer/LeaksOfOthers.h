@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_LeaksOfOthers_h
 #define Varimarch_Testing_LeaksOfOthers_h
 
-// Of the sanitizers' build: what Qt itself leaks with an application that does nothing at all.
+// Suppressions for the sanitizer build: leaks of an empty Qt application.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions()
 {

@@ -1,4 +1,4 @@
-// Works the viewer as Documentation/UserGuide.md tells it, and takes the guide's pictures.
+// Works through Documentation/UserGuide.md in the viewer, and makes the guide's images.
 //
 // Usage: ViewerGuide HEAD_CT FOLDER, on a display; writes viewer-*.png into the folder.
 
@@ -77,7 +77,7 @@ public:
     this->Take("viewer-cut");
   }
 
-  // The rest that the head lies on, at both of its sides.
+  // Cuts away the head rest, on both sides of the head.
   void CutOut()
   {
     this->Model()->History()->undo();
@@ -135,7 +135,7 @@ public:
 private:
   SceneModel* Model() { return this->window.Model(); }
 
-  // When nothing has been drawn for a moment, the picture is as fine as it gets.
+  // Waits until the view has stopped refining, then saves it.
   void Take(const QString& name)
   {
     VolumeView* const view = this->window.CentralView()->Ours();

@@ -5,8 +5,8 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-/// While it lives, nothing of the user's is read or written, and nothing of another test's that
-/// runs at the same time. To be made before the application.
+/// Isolates a test from the user's settings and from tests that run at the same time. Create it
+/// before the application.
 class PrivateSettings
 {
 public:

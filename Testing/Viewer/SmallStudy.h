@@ -3,7 +3,7 @@
 
 #include "Viewer/Model/SceneModel.h"
 
-/// A torso of 32 x 28 x 20 voxels, as a loader brings it.
+/// A loaded torso of 32 x 28 x 20 voxels.
 inline std::shared_ptr<const varimarch::Study> SmallStudy()
 {
   using namespace varimarch;
@@ -12,7 +12,7 @@ inline std::shared_ptr<const varimarch::Study> SmallStudy()
   return std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
 }
 
-/// Whose volume's path names somebody; before a blue background.
+/// A scene with a patient's name in its path, and a blue background.
 inline varimarch::Scene SceneOfPatient()
 {
   varimarch::Scene scene;

@@ -1,4 +1,4 @@
-// The panel of cuts: what its buttons and sliders do to the scene, and what they show of it.
+// The panel of cuts: its buttons and sliders edit the scene, and show it.
 
 #include "Scene/SceneCuts.h"
 #include "SmallStudy.h"

@@ -1,4 +1,4 @@
-// Every language that the program offers is spoken by its window.
+// The window is translated into every language that the program offers.
 
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Language.h"
@@ -38,7 +38,7 @@ TEST_F(Speaking, TranslatesTheMenus)
   EXPECT_EQ(this->FirstMenuIn("en"), "&File");
 }
 
-// However narrow the panels are: what does not fit is scrolled to.
+// Narrow panels scroll their titles.
 TEST_F(Speaking, CutsNoTitleOfAPanelOff)
 {
   for (const Language& language : Languages())

@@ -1,4 +1,4 @@
-// The log: what happened is in it, and nothing of what others say, who may name a patient.
+// The log contains events, but no texts of others, which may name a patient.
 
 #include "Viewer/Model/Log.h"
 

@@ -1,4 +1,4 @@
-// Editing a look: whatever is asked for, the curves stay curves, and what was not meant stays.
+// Edits of a look keep the curves valid, and change only what they were asked to.
 
 #include "Viewer/TransferFunctionEditor/LookEditing.h"
 
@@ -26,7 +26,7 @@ constexpr NodeId Stop(int index)
   return { NodeKind::Color, index };
 }
 
-// Points at 0, 100 with a step, and 200; a colour at 0, two at the step, and one at 150 alone.
+// Points at 0, 200 and, as a step, 100; a colour at 0, two at the step, and an untied one at 150.
 Look SteppedLook()
 {
   Look look;
@@ -66,7 +66,7 @@ TEST(LookEditing, AnInsertedPointHasTheColorThatWasThere)
   }
 }
 
-// Without it, all below the new point would be as opaque as that.
+// Without it, everything below the new point would be as opaque as the point.
 TEST(LookEditing, APointBeyondADarkEndComesWithADarkOne)
 {
   Look look = SteppedLook();
@@ -87,7 +87,7 @@ TEST(LookEditing, APointBeyondADarkEndComesWithADarkOne)
 
 TEST(LookEditing, APointThatLightsNothingDarkComesAlone)
 {
-  const Look look = SteppedLook(); // lit above its last point
+  const Look look = SteppedLook(); // opaque above its last point
   EXPECT_EQ(InsertPoint(look, 250.0, 0.5, Ramp).look.opacities.size(), 5u);
   EXPECT_EQ(InsertPoint(look, -50.0, 0.0, Ramp).look.opacities.size(), 5u);
   EXPECT_EQ(InsertPoint(look, 50.0, 0.9, Ramp).look.opacities.size(), 5u);
@@ -146,7 +146,7 @@ TEST(LookEditing, PointsStopAtTheirNeighboursAndColorsAtTheirs)
   const Look look = SteppedLook();
   EXPECT_EQ(MoveNodes(look, { Point(0) }, 500.0, 0.0).opacities[0].value, 100.0);
   EXPECT_EQ(MoveNodes(look, { Point(3) }, -500.0, 0.0).opacities[3].value, 100.0);
-  // Its colour is held by the one at 150.
+  // Its colour is stopped by the one at 150.
   EXPECT_EQ(MoveNodes(look, { Point(2) }, 500.0, 0.0).opacities[2].value, 150.0);
   EXPECT_EQ(MoveNodes(look, { Point(3) }, 0.0, 3.0).opacities[3].opacity, 1.0);
   EXPECT_EQ(MoveNodes(look, { Point(3) }, 0.0, -3.0).opacities[3].opacity, 0.0);
@@ -162,7 +162,7 @@ TEST(LookEditing, TiedColorsMoveWithTheirPointsAndPointsWithTheirColors)
     EXPECT_EQ(changed.colors[0].value, 30.0);
     EXPECT_EQ(changed.opacities[1].value, 100.0);
   }
-  // Each side of a step has its own.
+  // Each side of a step has its own tied colour.
   EXPECT_EQ(WithTied(look, { Point(1) }), (NodeSet{ Point(1), Stop(1) }));
   EXPECT_EQ(WithTied(look, { Point(2) }), (NodeSet{ Point(2), Stop(2) }));
   EXPECT_EQ(WithTied(look, { Stop(3) }), (NodeSet{ Stop(3) }));
@@ -198,7 +198,7 @@ TEST(LookEditing, ADeletedPointTakesItsColorAlongAndAColorNoPoint)
   EXPECT_EQ(withoutColor.colors.size(), 3u);
 }
 
-// Without its last dark point a curve would go on as its lit one, over air and all.
+// Without its last transparent point, a curve would stay opaque beyond its end.
 TEST(LookEditing, WithoutADarkEndItIsDarkBeyondNevertheless)
 {
   Look look = SteppedLook();
@@ -270,7 +270,7 @@ TEST(LookEditing, AnyMovesOfAnyNodesKeepCurvesStepsAndTies)
     const NodeSet together = WithTied(look, moved);
     const Look changed = MoveNodes(look, moved, shift(random), shift(random) / 150.0);
     ExpectCurves(changed);
-    // Nodes that were at one value and moved, or stayed, together, still are at one.
+    // Nodes that shared a value and moved, or stayed, together still share one.
     for (const NodeId& a : AllNodes(look))
     {
       for (const NodeId& b : AllNodes(look))

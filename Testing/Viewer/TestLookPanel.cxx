@@ -1,4 +1,4 @@
-// The panel of the look: it shows the model, every change of it is a step, and files lose nothing.
+// The look panel shows the model, every change is an undo step, and files preserve looks.
 
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"

@@ -1,4 +1,4 @@
-// The whole window, as a user has it, on a display without a screen.
+// The whole window with real events, on a virtual display.
 
 #include "Viewer/MainWindow.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
@@ -37,7 +37,7 @@ namespace
 
 constexpr int MostMilliseconds = 60000;
 
-// To find a widget in a window.
+// Text that identifies a widget in a failure message.
 std::string Words(const QWidget* widget)
 {
   const QVariant text = widget->property("text");
@@ -63,7 +63,7 @@ protected:
   VolumeView* View() { return this->window.CentralView()->Ours(); }
   SceneModel* Model() { return this->window.Model(); }
 
-  /// Opens the torso, and waits until it is seen.
+  /// Opens the torso and waits for its first frame.
   void OpenTorso()
   {
     this->window.Open(this->Path("torso.vti"));
@@ -105,7 +105,7 @@ TEST_F(Window, CutsMeasuresAndUndoes)
   const QPoint middle = this->View()->rect().center();
   ASSERT_TRUE(this->View()->PointAt(middle)) << "the spine";
 
-  // The bone at the middle of the picture, then 30 pixels up and back down to a place beside it.
+  // Drag from the bone at the centre of the view 30 pixels up and back down beside it.
   this->View()->SetTool(LeftButton::Distance);
   QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
   QTest::mouseMove(this->View(), middle + QPoint(0, -20));
@@ -115,7 +115,7 @@ TEST_F(Window, CutsMeasuresAndUndoes)
   EXPECT_EQ(this->Model()->History()->count(), 1) << "a drag is a step";
   this->View()->SetTool(LeftButton::Turn);
 
-  // What faces the eye goes: a ray to the middle hits nothing before the middle of the volume.
+  // Crop the front: a ray through the centre hits nothing before the centre of the volume.
   const double before = (*this->View()->PointAt(middle))[1];
   this->Model()->Edit(ScenePart::Cuts, "cut", [](Scene& scene) { scene.cuts.box[2] = 0.75; });
   const auto behind = this->View()->PointAt(middle);
@@ -124,7 +124,7 @@ TEST_F(Window, CutsMeasuresAndUndoes)
   this->Model()->History()->undo();
   EXPECT_TRUE(this->Model()->CurrentScene().distances.empty());
 
-  // Turning by the mouse is a step as well.
+  // Turning with the mouse is an undo step as well.
   QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
   for (int step = 1; step <= 3; ++step)
   {
@@ -155,7 +155,7 @@ TEST_F(Window, DrawsAnEditQuicklyThenFinely)
 TEST_F(Window, CutsByHand)
 {
   this->OpenTorso();
-  // Scissors take the middle of the picture away, and bring nothing else along.
+  // Scissors remove the centre of the image and nothing else.
   const QPoint middle = this->View()->rect().center();
   ASSERT_TRUE(this->View()->PointAt(middle)) << "the spine";
   this->View()->SetTool(LeftButton::CutOut);
@@ -171,7 +171,7 @@ TEST_F(Window, CutsByHand)
   this->Model()->History()->undo();
   EXPECT_TRUE(this->View()->PointAt(middle));
 
-  // Handles stand in the picture while the panel of cuts is up.
+  // Handles are visible while the panel of the cuts is raised.
   this->View()->SetTool(LeftButton::Turn);
   this->window.findChild<QDockWidget*>("cuts")->raise();
   QTest::qWait(100);
@@ -215,7 +215,7 @@ TEST_F(Window, RefinesAPictureThatStays)
     QTest::qWaitFor([&] { return !refined.isEmpty() && refined.last().first().toDouble() == 8.0; },
       MostMilliseconds));
   drawn.clear();
-  // An edit begins anew, and a comparison is of single pictures.
+  // An edit starts over, and a comparison uses single frames.
   this->Model()->Edit(ScenePart::Cuts, "cut", [](Scene& scene) { scene.cuts.box[2] = 0.3; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return drawn.count() == 2; }, MostMilliseconds));
   refined.clear();
@@ -227,7 +227,7 @@ TEST_F(Window, RefinesAPictureThatStays)
   EXPECT_TRUE(refined.isEmpty());
 }
 
-// Where a window is no larger than the smallest that is promised, all can be read and reached.
+// At the smallest supported window size, everything is legible and reachable.
 TEST_F(Window, FitsASmallScreen)
 {
   this->OpenTorso();
@@ -258,7 +258,7 @@ TEST_F(Window, FitsASmallScreen)
   }
 }
 
-// Of two pixels for each of a usual one, to each side.
+// A screen with two pixels per logical pixel in each direction.
 class LargeScreen : public Window
 {
 };
@@ -266,7 +266,7 @@ class LargeScreen : public Window
 TEST_F(LargeScreen, ShowsAVolumeCoarselyAtOnceAndThenInFull)
 {
   this->window.resize(1920, 1080);
-  std::vector<double> distances; // between the rays of each picture of a volume
+  std::vector<double> distances; // ray spacing of each frame with a volume
   QObject::connect(this->View(), &VolumeView::Drawn, this->View(),
     [&]
     {
@@ -307,7 +307,7 @@ TEST_F(Window, WipesBetweenOursAndVtks)
     return theirs->parentWidget()->x();
   };
   EXPECT_NEAR(leftEdgeOfTheirs(), view->width() / 2, 1);
-  // The divider is dragged by the mouse, and goes by keys.
+  // The divider can be dragged and moved by keys.
   QWidget* const divider = view->childAt(view->width() / 2, 20);
   ASSERT_NE(divider, this->View());
   QTest::mousePress(divider, Qt::LeftButton, {}, divider->rect().center());
@@ -367,7 +367,7 @@ TEST_F(Window, ShowsABackgroundWhileItIsChosen)
   EXPECT_FALSE(this->Model()->History()->canUndo());
 }
 
-// A window and what is drawn without one share a thread, which has one current context.
+// The window and offscreen rendering share a thread, which has only one current context.
 TEST_F(Window, DrawsOnWhileABenchmarkRuns)
 {
   this->OpenTorso();

@@ -1,4 +1,4 @@
-// The list of what was measured, and the thickness of slices.
+// The list of measurements, and the thickness of slices.
 
 #include "SmallStudy.h"
 #include "Viewer/Model/MeasureTexts.h"

@@ -1,4 +1,4 @@
-// What the left button does in a view: handles of cuts, measuring, scissors, window and level.
+// Tools of the left button: handles of cuts, measuring, scissors, window and level.
 
 #include "Scene/Measures.h"
 #include "Scene/SceneCamera.h"
@@ -28,7 +28,7 @@ using namespace varimarch;
 namespace
 {
 
-// A picture of 400 x 300 places by a camera; what is seen is a sheet through the volume's middle.
+// A view of 400 x 300 pixels whose visible points lie on a plane through the volume's centre.
 class Sheet : public ToolSurface
 {
 public:
@@ -140,11 +140,11 @@ TEST_F(Tools, PushAPlaneByItsDiscInOneStep)
   EXPECT_NEAR(this->Cuts().planes[0].pointMm[0], target.x, 1e-6);
   EXPECT_EQ(this->Cuts().planes[0].normal, (std::array<double, 3>{ -1.0, 0.0, 0.0 }));
   EXPECT_EQ(this->Steps(), steps + 1);
-  // The panel follows.
+  // The panel shows the new depth.
   const double depth = DepthOf(this->Cuts().planes[0], this->Image());
   EXPECT_NEAR(panel.findChild<QSlider*>()->value(), 1000.0 * depth, 0.51);
   EXPECT_EQ(panel.findChild<QListWidget*>()->currentRow(), 0);
-  // Nothing lies beyond the volume.
+  // A plane cannot leave the volume.
   this->DragAlong({ this->PlaceOf(CutHandleKind::PushPlane, 0), { 399.0, 150.0 } });
   EXPECT_NEAR(DepthOf(this->Cuts().planes[0], this->Image()), 0.0, 1e-9);
 }
@@ -155,7 +155,7 @@ TEST_F(Tools, TurnAPlaneByItsArrow)
   const QPointF foot = this->PlaceOf(CutHandleKind::PushPlane, 0);
   const QPointF tip = this->PlaceOf(CutHandleKind::TurnPlane, 0);
   EXPECT_GT(tip.x(), foot.x() + 50.0) << "towards what is cut away";
-  // Up the picture, which is towards the head, and far beyond the arrow's reach.
+  // Drag up, towards the head, and far beyond the arrow's reach.
   this->DragAlong({ tip, foot + QPointF(0.0, -140.0) });
   const CutPlane& plane = this->Cuts().planes[0];
   EXPECT_LT(plane.normal[2], -0.95);
@@ -165,7 +165,7 @@ TEST_F(Tools, TurnAPlaneByItsArrow)
 
 TEST_F(Tools, PushAPlaneThatFacesTheEyeByGoingUp)
 {
-  this->AddPlane({ 0.0, 1.0, 0.0 }); // what is before it goes
+  this->AddPlane({ 0.0, 1.0, 0.0 }); // removes the part in front of it
   const QPointF disc = this->PlaceOf(CutHandleKind::PushPlane, 0);
   this->DragAlong({ disc, disc - QPointF(0.0, 20.0) });
   EXPECT_GT(this->Cuts().planes[0].pointMm[1], MiddleOf(this->Image())[1] + 1.0);
@@ -178,7 +178,7 @@ TEST_F(Tools, CropByAFaceAndMoveTheBox)
   this->DragAlong({ face, 0.5 * (face + middle) });
   EXPECT_NEAR(this->Cuts().box[1], 0.75, 1e-6);
   EXPECT_EQ(this->Steps(), 1);
-  // Only now is there room to move it.
+  // A cropped box has room to move.
   const QPointF box = this->PlaceOf(CutHandleKind::MoveBox, 0);
   this->DragAlong({ box, box + QPointF(300.0, 0.0) });
   EXPECT_NEAR(this->Cuts().box[0], 0.25, 1e-9);
@@ -216,7 +216,7 @@ TEST_F(Tools, CutOutWhatIsDrawnAround)
   const ScissorsCut& cut = this->Cuts().scissors[0];
   EXPECT_FALSE(cut.keepsInside);
   ASSERT_EQ(cut.outline.size(), 4);
-  // From the middle of the picture, in halves of its height.
+  // Outlines are measured from the centre of the image in units of half its height.
   EXPECT_DOUBLE_EQ(cut.outline[0][0], -100.0 / 150.0);
   EXPECT_DOUBLE_EQ(cut.outline[0][1], 50.0 / 150.0);
   EXPECT_DOUBLE_EQ(cut.outline[2][1], -100.0 / 150.0);
@@ -239,7 +239,7 @@ TEST_F(Tools, MeasureAnAngleInTwoDrags)
   ASSERT_EQ(this->model.CurrentScene().angles.size(), 1);
   EXPECT_NEAR(AngleDegrees(this->model.CurrentScene().angles[0]), 90.0, 1e-6);
   EXPECT_EQ(this->Steps(), 1);
-  // Its end is dragged later.
+  // The end of the angle can be dragged later.
   this->DragAlong({ { 200, 90 }, { 260, 90 } });
   EXPECT_NEAR(AngleDegrees(this->model.CurrentScene().angles[0]), 45.0, 1e-6);
   EXPECT_EQ(this->model.CurrentScene().angles.size(), 1);

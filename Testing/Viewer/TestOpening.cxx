@@ -1,4 +1,4 @@
-// What the window asks before it opens, what it warns of, and what it keeps to itself.
+// Questions before opening a file, warnings, and protection of the patient's data.
 
 #include "Module/PhantomFiles.h"
 #include "Viewer/MainWindow.h"
@@ -45,7 +45,7 @@ protected:
     }
   }
 
-  /// Slices of 4 rows, each of which leans by more than a row against the one before.
+  /// Writes slices of 4 rows, each shifted by more than a row against the one before.
   void WriteTiltedSeries()
   {
     StoredVolume volume = phantom::Stored(0);
@@ -63,7 +63,7 @@ protected:
     return QTest::qWaitFor([=] { return this->RowCount() == count; }, MostMilliseconds);
   }
 
-  /// The button in the strip of doubts.
+  /// The button in the warning bar.
   QPushButton* Remedy() { return this->window.findChild<QPushButton*>("remedy"); }
 
   void Open(const std::string& name)

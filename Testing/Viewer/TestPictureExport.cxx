@@ -1,4 +1,4 @@
-// Exported pictures: their size, what is transparent, and the scene in their text.
+// Exported images: size, transparency, and the scene in their metadata.
 
 #include "Scene/SceneFile.h"
 #include "SmallStudy.h"

@@ -1,4 +1,4 @@
-// The gallery of presets: pictures of this volume, a click for the whole look, and own ones.
+// The preset gallery: thumbnails of this volume, presets applied by a click, and the user's own.
 
 #include "Scene/Presets.h"
 #include "SmallStudy.h"
@@ -193,7 +193,7 @@ TEST_F(Gallery, TakesNoNameTwice)
 
 TEST_F(Gallery, StopsDrawingForAnotherVolumeAndAtTheEnd)
 {
-  QTest::qWait(700); // in the midst of it
+  QTest::qWait(700); // while thumbnails are being rendered
   this->model.Open(ProceduralSource(), SmallStudy());
   const QImage empty = this->Picture(0);
   ASSERT_TRUE(QTest::qWaitFor([&] { return this->Picture(0) != empty; }, MostMilliseconds));

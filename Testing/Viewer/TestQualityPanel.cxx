@@ -1,4 +1,4 @@
-// The panel of quality: its slider is the error that the renderer keeps.
+// The quality panel: its slider is the renderer's error tolerance.
 
 #include "SmallStudy.h"
 #include "Viewer/Panels/QualityPanel.h"

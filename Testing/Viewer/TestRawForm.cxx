@@ -1,4 +1,4 @@
-// The form for files without a header: its guess, its words about the size, its picture.
+// The form for raw files: its guess, its message about the size, its preview.
 
 #include "Viewer/Open/RawForm.h"
 
@@ -20,7 +20,7 @@ namespace
 
 constexpr int MostMilliseconds = 30000;
 
-// Slices of 4 x 4: of the first the left half is bright, of the last the upper.
+// Slices of 4 x 4 voxels: the first is bright in its left half, the last in its upper half.
 std::string Voxels()
 {
   std::string bytes;
@@ -35,7 +35,7 @@ std::string Voxels()
 class Form : public testing::Test
 {
 protected:
-  /// Of the file with these bytes before its voxels.
+  /// Shows the form for a file with these bytes before its voxels.
   RawForm& Show(const std::string& header, const QString& name = "scan_4x4x3_uint8.raw")
   {
     const QString path = this->folder.filePath(name);
@@ -66,7 +66,7 @@ protected:
     return this->form->findChild<QLabel*>("slicePicture")->pixmap(Qt::ReturnByValue).toImage();
   }
 
-  /// Whether the picture comes to be bright at its left (or upper) side alone.
+  /// True once the preview is bright only in its left (or upper) half.
   bool IsBrightAt(bool left)
   {
     const auto isSo = [&]
@@ -131,7 +131,7 @@ TEST_F(Form, ShowsAtOnceWhatASettingChanges)
 {
   this->Show("");
   EXPECT_TRUE(this->IsBrightAt(true));
-  // From there on, the lower half of a slice is the bright one of the last.
+  // With this offset, the previewed slice ends with the bright half of the last slice.
   this->Box("Bytes before the first voxel")->setValue(24);
   this->form->findChild<QSlider*>()->setValue(0);
   EXPECT_TRUE(QTest::qWaitFor(

@@ -1,4 +1,4 @@
-// The list of recent scans: the latest first, each once, and no name of a file in what is shown.
+// Recent scans: the latest first, each once, without file names in their labels.
 
 #include "SmallStudy.h"
 #include "Viewer/Model/RecentScans.h"

@@ -1,4 +1,4 @@
-// What is written for others: a benchmark's orbit and a scan's report.
+// Reports: the benchmark of an orbit, and the report of a scan.
 
 #include "SmallStudy.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
@@ -123,8 +123,7 @@ TEST_F(Benchmark, SaysWhatVtkCannotDraw)
   EXPECT_TRUE(this->Find<QLabel>("summary")->text().contains("does not support this blend mode"));
 }
 
-// The words are looked for in the page as it is laid out: those of a PDF itself are numbers of
-// glyphs.
+// The test looks for the words in the laid-out page, since a PDF stores the numbers of glyphs.
 TEST_F(Reports, OfAScanTellHowItIsDrawnAndNotOfWhom)
 {
   this->model.Edit(ScenePart::Measures, "measure",

@@ -1,4 +1,4 @@
-// The model: every edit is a step, one gesture is one step, and a new volume forgets the steps.
+// The model: every edit is an undo step, a gesture is a single step, and a new volume clears them.
 
 #include "SmallStudy.h"
 

@@ -1,4 +1,4 @@
-// Choosing one of several DICOM series, by keys and by mouse.
+// Choosing one of several DICOM series with keys and mouse.
 
 #include "Viewer/Open/SeriesPicker.h"
 

@@ -1,4 +1,4 @@
-// Sessions on disk: what is written reads back, and an autosaved copy is there until the end.
+// Sessions on disk: they read back as written, and an autosaved copy exists until the end.
 
 #include "Scene/SceneFile.h"
 #include "SmallStudy.h"

@@ -1,4 +1,4 @@
-// Slices: the mouse puts the crosshair where it points, in all of them; every gesture is a step.
+// Slices: the mouse moves their common crosshair, and every gesture is an undo step.
 
 #include "SmallStudy.h"
 #include "Viewer/View/SliceView.h"
@@ -55,7 +55,7 @@ TEST_F(Slices, ShareTheCrosshairThatTheMousePuts)
   const QPointF place = this->axial.PlaceOf(expected);
   EXPECT_NEAR(place.x(), 120.0, 1e-6);
   EXPECT_NEAR(place.y(), 70.0, 1e-6);
-  // The other view goes to the slice, so that its middle has the crosshair's depth.
+  // The other view shows the slice whose centre has the crosshair's depth.
   EXPECT_NEAR((*this->coronal.PointAt({ 3, 5 }))[1], expected[1], 1e-9);
 }
 
@@ -109,7 +109,7 @@ TEST_F(Slices, MeasureABoxAsDeepAsItIsNarrow)
   EXPECT_NEAR(box.toMm[2] - box.fromMm[2], to[1] - from[1], 1e-9);
   EXPECT_FALSE(this->model.CurrentScene().slices.crosshairMm) << "the crosshair stays";
 
-  // Its corner is dragged within the slice, and keeps its depth.
+  // A corner dragged within the slice keeps its depth.
   const double depth = box.toMm[2];
   this->DragInAxial({ 120, 80 }, { 150, 80 });
   EXPECT_NEAR(

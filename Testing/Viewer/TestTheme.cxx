@@ -1,4 +1,4 @@
-// Light and dark windows: a choice that is seen at once, and remembered.
+// Light and dark themes: applied at once, and remembered.
 
 #include "Viewer/Theme.h"
 

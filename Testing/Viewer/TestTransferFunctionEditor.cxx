@@ -1,4 +1,4 @@
-// The editor by the mouse: real events to the widget, its edits kept in the history of a model.
+// The editor with the mouse: real events on the widget, with a model that keeps the history.
 
 #include "EditorOfAModel.h"
 
@@ -91,7 +91,8 @@ TEST_F(EditorOfAModel, ADragFromTheCurvePullsANewPointOutOfIt)
   EXPECT_EQ(this->Steps(), 1);
 }
 
-// The flat line below the first point; what is left of the pointer stays dark, in one step.
+// The drag starts on the flat line before the first point. Values left of the pointer stay
+// transparent, in one step.
 TEST_F(EditorOfAModel, ADragFromTheDarkEndLightsOnlyWhereThePointIs)
 {
   const QPoint onLine(int(this->Layout().axis.ToPixel(-300.0)), int(this->Layout().ToY(0.0)) - 1);
@@ -147,7 +148,7 @@ TEST_F(EditorOfAModel, ARubberBandSelectsWhatIsInIt)
     (NodeSet{ { NodeKind::Opacity, 1 }, { NodeKind::Opacity, 2 } }));
   EXPECT_EQ(this->Edited().opacities.size(), 4u);
   EXPECT_TRUE(this->editor.Picture().rubberBand.isNull());
-  // Dragging one then moves both.
+  // Dragging one of them moves both.
   this->Drag(this->At(1), { 0, 20 });
   EXPECT_LT(this->Edited().opacities[1].opacity, 0.35);
   EXPECT_LT(this->Edited().opacities[2].opacity, 0.80);
@@ -212,7 +213,7 @@ TEST_F(EditorOfAModel, HoverTellsValueOpacityAndVoxels)
   ASSERT_FALSE(hovers.isEmpty());
   const QString reading = hovers.last().first().toString();
   EXPECT_TRUE(reading.startsWith("HU 300, opacity 0.35, ")) << reading.toStdString();
-  // All voxels are above what is left of the axis's first value.
+  // All voxels lie above the start of the axis.
   this->MoveTo({ int(this->Layout().plot.left()) + 1, 50 });
   const ImageStatistics& statistics = this->model.CurrentStudy()->statistics;
   ASSERT_LT(this->Layout().axis.First(), statistics.Smallest());

@@ -1,4 +1,4 @@
-// The editor by keys, menu and numbers: what the mouse does can be done without one.
+// The editor with keys, menu and numbers, which can do everything that the mouse can.
 
 #include "EditorOfAModel.h"
 

@@ -1,5 +1,5 @@
-// Turns: pictures and movies, complete or not there. A script stands for ffmpeg, so that the tests
-// need none; where there is one, it makes a movie too.
+// Turntables: images and movies, complete or absent. A script stands in for ffmpeg; an installed
+// ffmpeg is tested too.
 
 #include "SmallStudy.h"
 #include "Viewer/View/Turntable.h"
@@ -31,7 +31,7 @@ protected:
       maker, 4, this->folder.filePath(name), [&](double) { return told++ < stopAfter; });
   }
 
-  // The sentence of what must fail.
+  // The error message of a write that must fail.
   QString Failure(const QString& name)
   {
     try
@@ -57,13 +57,13 @@ protected:
   QTemporaryDir folder;
 };
 
-// With a PATH on which a script, or nothing, is called ffmpeg.
+// Uses a PATH on which ffmpeg is a script or missing.
 class TurningWithAScript : public Turning
 {
 protected:
   ~TurningWithAScript() override { qputenv("PATH", this->path); }
 
-  // @param work  does, with $last the file to write, what ffmpeg does with pictures
+  // @param work  commands that replace ffmpeg's encoding; $last is the file to write
   void Pretend(const QByteArray& encoder, const QByteArray& work)
   {
     QFile script(this->programs.filePath("ffmpeg"));

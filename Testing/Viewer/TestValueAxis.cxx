@@ -1,4 +1,4 @@
-// The axis of the editor, and the bars of its histogram.
+// The value axis of the editor, and the bars of its histogram.
 
 #include "SmallStudy.h"
 #include "Viewer/TransferFunctionEditor/HistogramBars.h"

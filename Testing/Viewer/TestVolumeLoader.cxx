@@ -1,4 +1,4 @@
-// Loading in a thread: it ends in exactly one of four ways, also when it is stopped or left.
+// Loading in a thread ends in exactly one of four ways, also when it is cancelled or destroyed.
 
 #include "Module/PhantomFiles.h"
 #include "Viewer/Model/RecentScans.h"
@@ -24,7 +24,7 @@ protected:
       this->cancelled.count();
   }
 
-  /// Writes slices of the phantom into a folder, as a series of its own.
+  /// Writes slices of the phantom to a folder, as a separate series.
   void WriteSeries(const std::string& uid, int sliceCount)
   {
     DicomOptions options;

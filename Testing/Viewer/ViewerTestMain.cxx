@@ -1,4 +1,4 @@
-// A main() for tests of the viewer: widgets are drawn into memory unless a platform is asked for.
+// main() for tests of the viewer: widgets are rendered offscreen unless a platform is requested.
 
 #include "LeaksOfOthers.h"
 #include "PrivateSettings.h"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Says which texts of the viewer lack a translation.
+"""Lists the viewer's texts that lack a translation.
 
 Usage: check_translations.py LUPDATE SOURCES FILE.ts...
-Exit code 77 when any does: whoever changes a text need not speak all languages at once.
+Exit code 77 if any do, since a change of a text need not come with all translations.
 """
 
 import pathlib
@@ -16,7 +16,7 @@ SOME_MISSING = 77
 
 
 def untranslated(lupdate, sources, translation, folder):
-    """The texts of the sources that the file has no finished translation for."""
+    """Source texts for which the file has no finished translation."""
     copy = pathlib.Path(folder) / translation.name
     shutil.copy(translation, copy)
     subprocess.run(

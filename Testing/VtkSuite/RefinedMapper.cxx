@@ -1,5 +1,5 @@
-// VTK's mapper with a tenth of its steps: nearer to what both mappers tend to, and so a judge of
-// which of them is off. The driver registers it when the environment variable REFINED_VTK is set.
+// VTK's mapper with a tenth of its step size. It is closer to the limit of both mappers, and shows
+// which of them is off. The driver registers it if the environment variable REFINED_VTK is set.
 
 #include "RefinedMapper.h"
 
@@ -74,7 +74,7 @@ void RegisterRefinedMapper()
 {
   if (std::getenv("REFINED_VTK"))
   {
-    // The first factory of a class is asked first, and VTK's is registered already.
+    // VTK's factory was registered first and would be asked first, so disable its override.
     vtkObjectFactory::SetAllEnableFlags(
       0, "vtkGPUVolumeRayCastMapper", "vtkOpenGLGPUVolumeRayCastMapper");
     vtkObjectFactory::RegisterFactory(vtkNew<vtkRefinedMapperFactory>());

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_RefinedMapper_h
 #define Varimarch_Testing_RefinedMapper_h
 
-// The driver of VTK's tests includes this file and calls what it declares.
+// The driver of VTK's tests includes this file and calls the function declared here.
 #include <vtkTestingObjectFactory.h>
 
 void RegisterRefinedMapper();

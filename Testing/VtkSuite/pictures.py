@@ -1,4 +1,4 @@
-"""How far two pictures are apart: by VTK's measure of its own tests, and by stricter ones."""
+"""Differences of two images: the measure of VTK's own tests, and stricter ones."""
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -20,7 +20,7 @@ def array_of(image):
 
 
 def vtks_error(first, second):
-    """vtkTesting::RegressionTest of VTK 9.1 passes at no more than 0.15."""
+    """vtkTesting::RegressionTest of VTK 9.1 passes up to 0.15."""
     difference = vtkImageDifference()
     difference.SetInputData(first)
     difference.SetImageData(second)
@@ -29,7 +29,7 @@ def vtks_error(first, second):
 
 
 def compare(first, second):
-    """RMSE, 99.9th percentile and largest difference of a channel, in units of 1/255."""
+    """RMSE, 99.9th percentile and maximum of the channels' differences, in 1/255."""
     first, second = array_of(first), array_of(second)
     if first.shape != second.shape:
         return None

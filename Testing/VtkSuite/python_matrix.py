@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws one of VTK's Python tests of its CPU mapper with the class that the factory makes instead.
+"""Runs one of VTK's Python tests of its CPU mapper with the class that the factory makes instead.
 
 Usage: python_matrix.py FOLDER_OF_SCRIPTS TEST OUTPUT_FOLDER
 """
@@ -16,7 +16,7 @@ SCRIPTS, NAME, OUTPUT = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys
 
 
 def load(name):
-    """The script as a module, with the class swapped, and without what only the CPU mapper has."""
+    """Loads the script as a module, with the class replaced and calls that only the CPU mapper has removed."""
     text = (SCRIPTS / f"{name}.py").read_text()
     text = text.replace("vtkFixedPointVolumeRayCastMapper", "vtkGPUVolumeRayCastMapper")
     lines = [line for line in text.splitlines() if "SetNumberOfThreads" not in line]
@@ -27,7 +27,7 @@ def load(name):
 
 
 def refine(window):
-    """VTK's mappers with a tenth of their steps."""
+    """Gives VTK's mappers a tenth of their step size."""
     for renderer in window.GetRenderers():
         for volume in renderer.GetVolumes():
             mapper = volume.GetMapper()

@@ -1,4 +1,4 @@
-"""The table of VTK's tests as Markdown."""
+"""Results of VTK's tests as a Markdown table."""
 
 import json
 import pathlib
@@ -63,7 +63,7 @@ def paragraphs(title, results, text):
 
 
 def page(tests, scripts, missing, commit):
-    """The whole report of what has run; missing: the names of what has not."""
+    """The whole report; missing: names of the tests that did not run."""
     left_out = ", ".join(f"`{name}`" for name in missing)
     table = "\n".join(row(result) for result in tests)
     matrix = "\n".join(row(result) for result in scripts)

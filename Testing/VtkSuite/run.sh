@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Runs VTK's own volume tests with VTK's mapper and then through our plugin, and compares the pictures.
+# Runs VTK's own volume tests with VTK's mapper and then through our plugin, and compares the
+# images.
 #
 # Usage: Testing/VtkSuite/run.sh BUILD_FOLDER [TEST...]
-#   BUILD_FOLDER  a build of this tree, such as build/release; the suite's files go to vtk-suite in it
-#   TEST          names of tests; without any all run
-# Documentation/Reports/VtkTests.md tells what has run.
+#   BUILD_FOLDER  a build of this tree, such as build/release; the suite writes to vtk-suite in it
+#   TEST          names of tests; default: all
+# Documentation/Reports/VtkTests.md holds the results.
 #
-# The tests come from the source package of the VTK that is installed (apt-get source, with a
-# package list of its own: the system's settings stay as they are). Needs dpkg-dev, xvfb, python3-vtk9.
+# The tests come from the source package of the installed VTK (apt-get source, with a separate
+# package list, which leaves the system's settings alone). Needs dpkg-dev, xvfb, python3-vtk9.
 set -euo pipefail
 
 suite=$(cd "$(dirname "$0")" && pwd)
@@ -21,12 +22,12 @@ do
   command -v "$program" >/dev/null || { echo "$0: $program is missing" >&2; exit 1; }
 done
 
-# fetchSource FOLDER: unpacks the source package into it.
+# fetchSource FOLDER: unpacks the source package into the folder.
 fetchSource()
 {
   local apt=$work/apt
   mkdir -p "$apt/sources" "$apt/lists/partial" "$apt/cache/archives/partial"
-  # The machine's own package sources, asked for the source packages.
+  # The machine's package sources, switched to source packages.
   sed 's/^Types:.*/Types: deb-src/' /etc/apt/sources.list.d/debian.sources >"$apt/sources/vtk.sources" 2>/dev/null ||
     rm -f "$apt/sources/vtk.sources"
   sed -n 's/^deb\s/deb-src /p' /etc/apt/sources.list >"$apt/sources/vtk.list" 2>/dev/null || true
@@ -49,6 +50,6 @@ cmake -S "$suite" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVTK_SOU
   >"$work/configure.log"
 cmake --build "$work/build" --parallel 2 >"$work/build.log" || { tail "$work/build.log"; exit 1; }
 
-# -noreset: without it, the server forgets its windows' settings when a test closes its only window.
+# Without -noreset, the server forgets window settings when a test closes its only window.
 exec xvfb-run --auto-servernum --server-args "-screen 0 1600x1200x24 -noreset" \
   /usr/bin/python3 "$suite/run_suite.py" "$build" "$@"

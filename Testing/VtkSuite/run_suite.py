@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs VTK's tests twice, with VTK's mapper and through the plugin, and reports. See run.sh.
+"""Runs VTK's tests with VTK's mapper and through the plugin, and writes the report. See run.sh.
 
 Usage: run_suite.py BUILD_FOLDER [TEST...]
 """
@@ -23,7 +23,7 @@ SCRIPTS = WORK / "source/Rendering/Volume/Testing/Python"
 LONGEST_SECONDS = 900
 
 
-# Who draws, and what makes it so: VTK's mapper, ours, and VTK's with a tenth of its steps.
+# Environment for each renderer: VTK's mapper, ours, and VTK's with a tenth of its step size.
 SETTINGS = {
     "vtk": {},
     "ours": {"VTK_AUTOLOAD_PATH": str(PLUGIN), "VARIMARCH_VERBOSE": "1"},
@@ -32,7 +32,7 @@ SETTINGS = {
 
 
 def run(command, who):
-    """Runs one test: what it says, whether it ended by itself, how long it took."""
+    """Runs one test and returns its output, its exit status and its duration."""
     start = time.monotonic()
     try:
         done = subprocess.run(
@@ -56,7 +56,7 @@ def run(command, who):
 
 
 def drawers(output):
-    """Who drew, in the order of the pictures, and why it was VTK's mapper."""
+    """Renderer of each image in order, and the reason if it was VTK's mapper."""
     told = re.findall(r"Varimarch: (.*?) draws\. ?(.*)", output)
     names = {"The variation field mapper": "ours", "VTK's mapper": "VTK's"}
     return (
@@ -76,7 +76,7 @@ def draw(name, who, command):
 
 
 def judge(name, command):
-    """command(folder) draws NAME.png into the folder."""
+    """Compares the renderers; command(folder) makes the test write NAME.png into the folder."""
     vtk, vtk_result = draw(name, "vtk", command)
     ours, our_result = draw(name, "ours", command)
     drawn_by, reasons = drawers(our_result["output"])
@@ -94,7 +94,7 @@ def judge(name, command):
 
 def cxx_test(name):
     program = WORK / "build/VtkVolumeTests"
-    # The valid picture is missing, so the test writes its own.
+    # The baseline image is missing, so the test writes its own.
     return judge(
         name,
         lambda folder: [program, name, "-D", WORK / "data", "-T", folder, "-V", f"/missing/{name}.png"],
