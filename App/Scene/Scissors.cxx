@@ -25,7 +25,7 @@ namespace varimarch
 namespace
 {
 
-constexpr int StencilPixels = 2048; // of the longer side; finer than a screen
+constexpr int StencilPixels = 2048; // side of the stencil; finer than a screen
 constexpr std::int64_t MostMaskVoxels = std::int64_t(1) << 24;
 
 // Projects world space to the image coordinates of ScissorsCut::outline.

@@ -26,7 +26,7 @@ protected:
   const std::vector<float> truth = ClosedFormPicture(analytic, scene);
 };
 
-TEST_P(AnalyticPicture, OfTheReferenceIsTheClosedForm)
+TEST_P(AnalyticPicture, ReferenceMatchesTheClosedForm)
 {
   EXPECT_GT(*std::max_element(this->truth.begin(), this->truth.end()), 0.2f);
   const auto picture = DrawReferencePicture(this->scene, this->image, 1e-9);

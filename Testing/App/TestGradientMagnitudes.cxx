@@ -43,7 +43,7 @@ TEST(GradientMagnitudes, AreFewOfALargeVolume)
   EXPECT_FLOAT_EQ(magnitudes->GetScalarComponentAsFloat(50, 50, 50, 0), 5.0F);
 }
 
-TEST(GradientMagnitudes, AreNothingBesideWhatIsNoNumber)
+TEST(GradientMagnitudes, AreZeroBesideNan)
 {
   const auto slope = Slope(8);
   slope->SetScalarComponentFromFloat(3, 4, 4, 0, std::numeric_limits<float>::quiet_NaN());

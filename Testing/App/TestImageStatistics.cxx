@@ -52,7 +52,7 @@ TEST(ImageStatistics, HistogramCountsEveryVoxelOnce)
   EXPECT_NEAR(double(four[1]), 250.0, 1.0);
 }
 
-TEST(ImageStatistics, WhatIsNotFiniteCountsAtTheEnds)
+TEST(ImageStatistics, ValuesThatAreNotFiniteCountAtTheEnds)
 {
   const auto image = Ramp<float>(VTK_FLOAT, 1.0);
   auto* voxels = static_cast<float*>(image->GetScalarPointer());

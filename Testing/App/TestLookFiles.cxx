@@ -113,7 +113,7 @@ std::string InBinary(const std::string& xml)
 
 }
 
-TEST_F(LookFiles, OfSlicerMayHaveStepsAndAnUndefinedRangeAndAnyOrder)
+TEST_F(LookFiles, SlicerFilesMayHaveStepsAnUndefinedRangeAndAnyOrder)
 {
   const Look look = this->Read("uCT.vp.json", R"({ "@schema": "x", "volumeProperties": [ {
     "effectiveRange": [0, -1], "components": [ {
@@ -128,7 +128,7 @@ TEST_F(LookFiles, OfSlicerMayHaveStepsAndAnUndefinedRangeAndAnyOrder)
   EXPECT_FALSE(look.shading.enabled) << "as Slicer, where nothing is said";
 }
 
-TEST_F(LookFiles, OfParaViewMayEndListsInCommasAndBeOnTheUnitScale)
+TEST_F(LookFiles, ParaViewFilesMayHaveTrailingCommasAndTheUnitScale)
 {
   const Look look = this->Read("map.json", R"([ { "Name": "a, ]", "ColorSpace": "RGB",
     "NanColor": [1, 1, 0,], "Points": [0, 0, 0.5, 0, 1, 0.5, 0.25, 0,],
@@ -139,14 +139,14 @@ TEST_F(LookFiles, OfParaViewMayEndListsInCommasAndBeOnTheUnitScale)
   EXPECT_EQ(look.colors[1].rgb, glm::dvec3(0.0, 0.0, 1.0));
 }
 
-TEST_F(LookFiles, OfParaViewInUnitsOfTheDataStayThere)
+TEST_F(LookFiles, ParaViewFilesInUnitsOfTheDataKeepTheirValues)
 {
   const Look look = this->Read("map.json",
     R"({ "Points": [10, 0, 0.5, 0, 90, 0.5, 0.5, 0], "RGBPoints": [10, 1, 0, 0, 90, 0, 0, 1] })");
   EXPECT_EQ(TextOf(look.opacities), "10:0 90:0.5");
 }
 
-TEST_F(LookFiles, OfColoursAloneLeaveTheOpacities)
+TEST_F(LookFiles, FilesWithOnlyColoursKeepTheOpacities)
 {
   const Look look = this->Read(
     "map.json", R"([ { "RGBPoints": [-1, 1, 0, 0, 1, 0, 0, 1], "ColorSpace": "RGB" } ])");
@@ -156,7 +156,7 @@ TEST_F(LookFiles, OfColoursAloneLeaveTheOpacities)
 }
 
 // Halfway between red and blue, Lab gives purple, and RGB a darker colour.
-TEST_F(LookFiles, OfParaViewKeepTheColoursOfAnotherColourSpace)
+TEST_F(LookFiles, ParaViewFilesKeepTheColoursOfAnotherColourSpace)
 {
   const Look look = this->Read(
     "map.json", R"([ { "ColorSpace": "Lab", "RGBPoints": [0, 1, 0, 0, 100, 0, 0, 1] } ])");
@@ -165,7 +165,7 @@ TEST_F(LookFiles, OfParaViewKeepTheColoursOfAnotherColourSpace)
   EXPECT_NEAR(middle.b, 0.53, 0.02);
 }
 
-TEST_F(LookFiles, WrittenForOtherProgramsAreReadAsTheyWere)
+TEST_F(LookFiles, FilesForOtherProgramsReadBackAsWritten)
 {
   const Preset preset = BuiltInPreset("ct-bone");
   const Look& look = preset.look;
@@ -182,7 +182,7 @@ TEST_F(LookFiles, WrittenForOtherProgramsAreReadAsTheyWere)
   EXPECT_THROW(WriteLookFile(preset, (this->folder / "a.clut").string(), Ct), std::runtime_error);
 }
 
-TEST_F(LookFiles, OfOursAloneHoldQualityAndBackground)
+TEST_F(LookFiles, OnlyOurFilesHoldQualityAndBackground)
 {
   Preset preset = BuiltInPreset("ct-bone");
   preset.errorTolerance = 0.125;
@@ -200,7 +200,7 @@ TEST_F(LookFiles, OfOursAloneHoldQualityAndBackground)
   EXPECT_FALSE(written("a.paraview.json").background);
 }
 
-TEST_F(LookFiles, OfMricroGlMayHaveImpossibleOpacities)
+TEST_F(LookFiles, MricroGlFilesMayHaveOpacitiesOutOfRange)
 {
   const Look look = this->Read("CT_Bones.clut",
     "[FLT]\r\nmin=180\r\nmax=690\r\n[INT]\r\nnumnodes=3\r\n[BYT]\r\nnodeintensity0=0\r\n"
@@ -210,7 +210,7 @@ TEST_F(LookFiles, OfMricroGlMayHaveImpossibleOpacities)
   EXPECT_EQ(look.colors[1].rgb.g, 0.4);
 }
 
-TEST_F(LookFiles, OfMricroGlWithoutValuesAreSpreadOverTheVolume)
+TEST_F(LookFiles, MricroGlFilesWithoutValuesAreSpreadOverTheVolume)
 {
   const Look look = this->Read("hot.clut",
     "[FLT]\nmin=0\nmax=0\n[INT]\nnumnodes=2\n[BYT]\nnodeintensity0=0\nnodeintensity1=255\n"
@@ -219,7 +219,7 @@ TEST_F(LookFiles, OfMricroGlWithoutValuesAreSpreadOverTheVolume)
   EXPECT_EQ(look.opacities.back().value, 3000.0);
 }
 
-TEST_F(LookFiles, OfOsirixAreTransparentBesideTheirCurves)
+TEST_F(LookFiles, OsirixFilesAreTransparentOutsideTheirCurves)
 {
   for (const std::string& bytes : { TwoCurves, InBinary(TwoCurves) })
   {
@@ -230,7 +230,7 @@ TEST_F(LookFiles, OfOsirixAreTransparentBesideTheirCurves)
   }
 }
 
-TEST_F(LookFiles, OfOsirixThatOverlapShowWhatIsMoreOpaque)
+TEST_F(LookFiles, OverlappingOsirixCurvesUseTheLargerOpacity)
 {
   const std::string xml = PlistHead + "<key>16bitClutColors</key><array><array>" +
     PlistColor(0.25) + PlistColor(0.25) + "</array><array>" + PlistColor(0.75) + PlistColor(0.75) +
@@ -242,7 +242,7 @@ TEST_F(LookFiles, OfOsirixThatOverlapShowWhatIsMoreOpaque)
   EXPECT_EQ(look.colors[1].rgb.r, 0.25);
 }
 
-TEST_F(LookFiles, OfInviwoAreSpreadOverTheVolumeWithinTheirMask)
+TEST_F(LookFiles, InviwoFilesAreSpreadOverTheVolumeWithinTheirMask)
 {
   const Look look = this->Read("tf.itf", R"(<?xml version="1.0" ?>
     <InviwoWorkspace version="3"><maskMin content="0.25" /><maskMax content="1" />
@@ -254,7 +254,7 @@ TEST_F(LookFiles, OfInviwoAreSpreadOverTheVolumeWithinTheirMask)
   EXPECT_EQ(look.colors.back().rgb, glm::dvec3(0.0, 1.0, 0.0));
 }
 
-TEST_F(LookFiles, OfInviwosFirstVersionAreReadToo)
+TEST_F(LookFiles, InviwoFilesOfTheFirstVersionAreReadable)
 {
   const Look look = this->Read("tf.itf", R"(<?xml version="1.0" ?><InviwoTreeData version="1.0">
     <dataPoints><point><pos x="0.5" y="0.75" /><rgba x="1" y="0" z="0" w="0.75" /></point>
@@ -262,7 +262,7 @@ TEST_F(LookFiles, OfInviwosFirstVersionAreReadToo)
   EXPECT_EQ(TextOf(look.opacities), "1000:0.75");
 }
 
-TEST_F(LookFiles, ThatAreBrokenAreExplained)
+TEST_F(LookFiles, BrokenFilesAreExplained)
 {
   EXPECT_EQ(this->ProblemOf("a.json", "[ {"),
     "a.json: not valid JSON: parse error at line 1, column "

@@ -29,7 +29,7 @@ vtkSmartPointer<vtkImageData> Ramp(int type, double offset)
   return image;
 }
 
-TEST(Angle, IsThatBetweenItsArms)
+TEST(Angle, IsMeasuredBetweenItsArms)
 {
   EXPECT_DOUBLE_EQ(AngleDegrees({ { 2, 0, 0 }, { 0, 0, 0 }, { 0, 3, 0 } }), 90.0);
   EXPECT_DOUBLE_EQ(AngleDegrees({ { 3, 1, 1 }, { 1, 1, 1 }, { 2, 1, 2 } }), 45.0);
@@ -37,7 +37,7 @@ TEST(Angle, IsThatBetweenItsArms)
   EXPECT_EQ(AngleDegrees({ { 1, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }), 0.0) << "without an arm";
 }
 
-TEST(BoxStatistics, AreThoseOfTheVoxelsInIt)
+TEST(BoxStatistics, CountTheVoxelsInTheBox)
 {
   // The box holds voxels 2 to 5 along x, 1 to 3 along y, and 1 to 2 along z, in any order of its
   // corners.
@@ -60,7 +60,7 @@ TEST(BoxStatistics, KeepTheirDigitsWithLargeValues)
   EXPECT_NEAR(found.standardDeviation, std::sqrt(8.25), 1e-6);
 }
 
-TEST(BoxStatistics, LeaveOutWhatIsNotFinite)
+TEST(BoxStatistics, LeaveOutValuesThatAreNotFinite)
 {
   const auto image = Ramp(VTK_FLOAT, 0.0);
   image->SetScalarComponentFromDouble(0, 0, 0, 0, std::numeric_limits<double>::quiet_NaN());
@@ -69,7 +69,7 @@ TEST(BoxStatistics, LeaveOutWhatIsNotFinite)
   EXPECT_DOUBLE_EQ(found.mean, 1.5);
 }
 
-TEST(BoxStatistics, OfABoxThinnerThanAVoxelAreOfThoseThatItGoesThrough)
+TEST(BoxStatistics, CountTheVoxelsThatAThinBoxPassesThrough)
 {
   const BoxStatistics found = StatisticsOf({ { 0, 0, 7.2 }, { 9, 18, 7.4 } }, Ramp(VTK_SHORT, 0.0));
   EXPECT_EQ(found.voxels, 100);

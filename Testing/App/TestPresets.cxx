@@ -73,7 +73,7 @@ PresetSuggestion SuggestionFor(const LoadedVolume& said)
   return SuggestedPreset(volume, ImageStatistics(volume.image));
 }
 
-TEST(Presets, SuitWhatTheFileSays)
+TEST(Presets, AreSuggestedByTheFilesAttributes)
 {
   LoadedVolume said;
   said.modality = "CT";
@@ -102,7 +102,7 @@ TEST(Presets, SuitWhatTheFileSays)
   EXPECT_EQ(SuggestionFor(said).name, "mr-maximum");
 }
 
-TEST(Presets, SuitTheHistogramWhereTheFileSaysNothing)
+TEST(Presets, AreSuggestedByTheHistogramWithoutAttributes)
 {
   LoadedVolume volume;
   volume.image = ProceduralVolume({ ProceduralKind::Torso, { 16, 16, 16 }, 1 });

@@ -97,7 +97,7 @@ TEST(ProceduralVolume, ShellsHaveTheirValues)
   EXPECT_EQ(ValueAt(shells, 49, 49, 49), 0);
 }
 
-TEST(ProceduralVolume, MarschnerLobbIsTheirFormula)
+TEST(ProceduralVolume, MarschnerLobbFollowsItsFormula)
 {
   const auto signal = ProceduralVolume({ ProceduralKind::MarschnerLobb, { 41, 41, 41 }, 1 });
   // At the origin rho(0) = cos(12 pi) = 1, so (1 - 0 + 0.25 * 2) / 2.5.

@@ -13,7 +13,7 @@ using Sides = std::array<int, 3>;
 
 }
 
-TEST(RawGuess, KnowsBareVoxelsByTheEndingAlone)
+TEST(RawGuess, RecognizesRawFilesByTheExtension)
 {
   for (const char* const path : { "head.raw", "a.b/HEAD.RAW", "head.raw.gz" })
   {
@@ -25,7 +25,7 @@ TEST(RawGuess, KnowsBareVoxelsByTheEndingAlone)
   }
 }
 
-TEST(RawGuess, TakesTheNameAtItsWord)
+TEST(RawGuess, TakesTheLayoutFromTheName)
 {
   const RawLayout layout = GuessedRawLayout("/data/bonsai_256x128x64_uint16.raw", 1);
   EXPECT_EQ(layout.dimensions, (Sides{ 256, 128, 64 }));
@@ -34,7 +34,7 @@ TEST(RawGuess, TakesTheNameAtItsWord)
   EXPECT_EQ(GuessedRawLayout("a_2x3x4.raw", 48).type, "int16") << "by its size";
 }
 
-TEST(RawGuess, TakesASizeForACubeElseForSquareSlices)
+TEST(RawGuess, InterpretsTheSizeAsACubeOrAsSquareSlices)
 {
   EXPECT_EQ(GuessedRawLayout("a.raw", 64 * 64 * 64).dimensions, (Sides{ 64, 64, 64 }));
   EXPECT_EQ(GuessedRawLayout("a.raw", 2 * 125).type, "int16");

@@ -70,7 +70,7 @@ protected:
 
 }
 
-TEST_F(ReferenceCacheTest, ASecondPictureIsTheFirstAndIsNotDrawn)
+TEST_F(ReferenceCacheTest, ASecondRequestReturnsTheFirstImage)
 {
   EXPECT_TRUE(this->Draws(this->scene));
   const std::vector<float> first = this->pixels;
@@ -81,7 +81,7 @@ TEST_F(ReferenceCacheTest, ASecondPictureIsTheFirstAndIsNotDrawn)
   EXPECT_EQ(this->largestError, error);
 }
 
-TEST_F(ReferenceCacheTest, EverythingThatChangesThePictureDrawsAnother)
+TEST_F(ReferenceCacheTest, EveryChangeOfTheImageComputesAnother)
 {
   EXPECT_TRUE(this->Draws(this->scene));
   EXPECT_TRUE(this->Draws(this->scene, 1e-5)) << "tolerance";
@@ -109,7 +109,7 @@ TEST_F(ReferenceCacheTest, EverythingThatChangesThePictureDrawsAnother)
   EXPECT_TRUE(this->Draws(this->scene)) << "a voxel";
 }
 
-TEST_F(ReferenceCacheTest, WhatDoesNotChangeThePictureDrawsNone)
+TEST_F(ReferenceCacheTest, ChangesThatDoNotAffectTheImageComputeNone)
 {
   EXPECT_TRUE(this->Draws(this->scene));
   this->scene.render.sampleDistanceMm = 7.0;
@@ -119,7 +119,7 @@ TEST_F(ReferenceCacheTest, WhatDoesNotChangeThePictureDrawsNone)
   EXPECT_FALSE(this->Draws(this->scene));
 }
 
-TEST_F(ReferenceCacheTest, ADamagedFileIsDrawnAnew)
+TEST_F(ReferenceCacheTest, ADamagedFileIsComputedAgain)
 {
   EXPECT_TRUE(this->Draws(this->scene));
   const std::vector<float> first = this->pixels;
@@ -132,7 +132,7 @@ TEST_F(ReferenceCacheTest, ADamagedFileIsDrawnAnew)
   EXPECT_FALSE(this->Draws(this->scene));
 }
 
-TEST_F(ReferenceCacheTest, OnlyWholeFilesAreLeftAndNoneAfterGivingUp)
+TEST_F(ReferenceCacheTest, LeavesOnlyWholeFilesAndNoneAfterCancelling)
 {
   fs::create_directories(this->folder);
   this->cache.Picture(this->scene, this->image, 1e-4, [](double) { return false; });
@@ -142,7 +142,7 @@ TEST_F(ReferenceCacheTest, OnlyWholeFilesAreLeftAndNoneAfterGivingUp)
   EXPECT_EQ(this->Files()[0].extension(), "");
 }
 
-TEST_F(ReferenceCacheTest, TheOldestPicturesGoWhenTheFolderIsFull)
+TEST_F(ReferenceCacheTest, TheOldestImagesAreDeletedWhenTheFolderIsFull)
 {
   const std::uintmax_t threePictures = 3 * (32 + 8 + 8 * 8 * 16);
   const ReferenceCache small(this->folder, threePictures);
@@ -166,7 +166,7 @@ TEST_F(ReferenceCacheTest, TheOldestPicturesGoWhenTheFolderIsFull)
   EXPECT_FALSE(this->Draws(this->scene)) << "what was used lately is kept";
 }
 
-TEST_F(ReferenceCacheTest, AFolderThatCannotBeMadeDrawsAllTheSame)
+TEST_F(ReferenceCacheTest, AFolderThatCannotBeCreatedDoesNotMatter)
 {
   std::ofstream(this->folder) << "a file";
   EXPECT_TRUE(this->Draws(this->scene));

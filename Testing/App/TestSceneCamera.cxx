@@ -145,7 +145,7 @@ double HeightAtFocus(const Camera& placement)
     : 2.0 * camera->GetDistance() * std::tan(0.5 * glm::radians(camera->GetViewAngle()));
 }
 
-TEST(WithProjection, KeepsTheSizeOfWhatIsLookedAt)
+TEST(WithProjection, KeepsTheSizeAtTheFocalPoint)
 {
   Camera placement;
   placement.pose =

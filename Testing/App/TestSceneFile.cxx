@@ -56,7 +56,7 @@ std::string With(const std::string& more)
   return std::string("{") + ShellsVolume + ", " + BoneLook + ", " + more + "}";
 }
 
-TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
+TEST(SceneFile, ReadsBackAsWritten)
 {
   const Scene scene = UnusualScene();
   const std::string text = SceneText(scene);
@@ -98,7 +98,7 @@ TEST(SceneFile, WhatIsWrittenReadsBackTheSame)
   EXPECT_EQ(raw.spacingMm[1], 0.25);
 }
 
-TEST(SceneFile, KeepsWhatWasMeasuredAndCutByHand)
+TEST(SceneFile, KeepsMeasurementsAndScissorsCuts)
 {
   const Scene scene = UnusualScene();
   const Scene back = SceneFromText(SceneText(scene), "test");
@@ -112,7 +112,7 @@ TEST(SceneFile, KeepsWhatWasMeasuredAndCutByHand)
   EXPECT_TRUE(back.cuts.scissors == scene.cuts.scissors);
 }
 
-TEST(SceneFile, WhatSomeLooksHaveReadsBackTheSame)
+TEST(SceneFile, OptionalPartsOfLooksReadBackAsWritten)
 {
   const Scene scene = UnusualScene();
   const Scene back = SceneFromText(SceneText(scene), "test");
@@ -126,7 +126,7 @@ TEST(SceneFile, WhatSomeLooksHaveReadsBackTheSame)
   EXPECT_EQ(back.look.averagedRange, scene.look.averagedRange);
 }
 
-TEST(SceneFile, TakesAllThatItsPresetHoldsButWhatItSaysItself)
+TEST(SceneFile, OverridesSettingsOfItsPreset)
 {
   const Preset preset = { BuiltInPreset("ct-lung").look, 0.25, { { 0.5, 0.25, 0.75 } } };
   const std::string volume =
@@ -142,7 +142,7 @@ TEST(SceneFile, TakesAllThatItsPresetHoldsButWhatItSaysItself)
     preset.errorTolerance);
 }
 
-TEST(SceneFile, IsosurfacesAreNeededByTheirBlending)
+TEST(SceneFile, IsosurfaceBlendingRequiresIsosurfaces)
 {
   const std::string look = R"({ "colors": [ { "value": 0, "rgb": [1, 1, 1] } ],
     "opacities": [ { "value": 0, "opacity": 1 } ], "blend": "isosurface" })";
@@ -159,7 +159,7 @@ TEST(SceneFile, IsosurfacesAreNeededByTheirBlending)
   }
 }
 
-TEST(SceneFile, WhatIsLeftOutIsTheDefault)
+TEST(SceneFile, MissingKeysHaveTheirDefaults)
 {
   const Scene scene =
     SceneFromText(std::string("{") + ShellsVolume + ", " + BoneLook + "}", "test");

@@ -65,7 +65,7 @@ TEST(PointSeen, IsWhereTheVolumeBecomesOpaque)
 }
 
 // The gradient of the ramp is 1 per mm.
-TEST(PointSeen, IsNotWhatItsGradientHides)
+TEST(PointSeen, IsNotWhereTheGradientMakesItTransparent)
 {
   Scene scene = WallAtThree();
   const auto seen = [&] {
@@ -105,7 +105,7 @@ TEST(PointSeen, FollowsTheDirectionOfTheImage)
   EXPECT_NEAR((*seen)[1], 3.0, StepMm);
 }
 
-TEST(PointSeen, IsBehindWhatIsCutAway)
+TEST(PointSeen, IsBehindTheCutAwayPart)
 {
   Scene scene = WallAtThree();
   scene.cuts.planes = { { { 6.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 } } };
@@ -116,12 +116,12 @@ TEST(PointSeen, IsBehindWhatIsCutAway)
   EXPECT_FALSE(PointSeen(scene, Ramp(false), { -50.0, 1.0, 2.0 }, { 50.0, 1.0, 2.0 }));
 }
 
-TEST(PointSeen, IsNoneBesideTheVolume)
+TEST(PointSeen, IsEmptyOutsideTheVolume)
 {
   EXPECT_FALSE(PointSeen(WallAtThree(), Ramp(false), { -50.0, 11.0, 2.0 }, { 50.0, 11.0, 2.0 }));
 }
 
-TEST(PointSeen, OfAMaximumIsTheLargestOpacity)
+TEST(PointSeen, HasTheLargestOpacityOfAMaximum)
 {
   Scene scene = WallAtThree();
   scene.look.blend = Blend::MaximumIntensity;
@@ -131,14 +131,14 @@ TEST(PointSeen, OfAMaximumIsTheLargestOpacity)
   EXPECT_NEAR((*seen)[0], 5.0, StepMm);
 }
 
-TEST(ValueAt, IsBetweenVoxelsAndNoneOutside)
+TEST(ValueAt, IsInterpolatedInsideAndEmptyOutside)
 {
   EXPECT_NEAR(ValueAt(Ramp(false), { 2.25, 0.0, 0.0 }).value(), 2.25, 1e-5);
   EXPECT_NEAR(ValueAt(Ramp(true), { 0.0, 2.25, 0.0 }).value(), 2.25, 1e-5);
   EXPECT_FALSE(ValueAt(Ramp(false), { 10.5, 0.0, 0.0 }));
 }
 
-TEST(SceneCuts, KeepTheSameOfATurnedVolumeWithEveryMapper)
+TEST(SceneCuts, KeepTheSamePartOfATurnedVolumeWithEveryMapper)
 {
   // A quarter of the volume's x range is kept: a quarter of the image's width or height, seen along
   // z.
@@ -166,7 +166,7 @@ TEST(SceneCuts, KeepTheSameOfATurnedVolumeWithEveryMapper)
   }
 }
 
-TEST(SceneCuts, ReachesAreThoseOfTheCorners)
+TEST(SceneCuts, ReachIsThatOfTheCorners)
 {
   const auto [first, last] = ReachAlong({ 0.0, 0.0, 3.0 }, Ramp(false));
   EXPECT_NEAR(first, -10.0, 1e-9);
@@ -174,7 +174,7 @@ TEST(SceneCuts, ReachesAreThoseOfTheCorners)
   EXPECT_NEAR(ReachAlong({ 1.0, 1.0, 1.0 }, Ramp(true))[1], std::sqrt(300.0), 1e-9);
 }
 
-TEST(CutPlane, AtADepthIsThatDeep)
+TEST(CutPlane, AtDepthHasThatDepth)
 {
   const CutPlane plane = { { 3.0, 7.0, 0.0 }, { 0.0, -2.0, 0.0 } };
   EXPECT_NEAR(DepthOf(plane, Ramp(false)), 0.15, 1e-9) << "3 of the 20 mm from the side it keeps";

@@ -95,7 +95,7 @@ TEST(Scissors, KeepTheInsideAndAddUp)
   EXPECT_FALSE(MaskOf({}, Cube(3))) << "without cuts none";
 }
 
-TEST(Scissors, OfALargeVolumeHaveACoarserMask)
+TEST(Scissors, HaveACoarserMaskForALargeVolume)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(601, 300, 300); // no voxels are allocated, since a mask does not need them
@@ -135,7 +135,7 @@ TEST(Scissors, CutInThePicturesOfBothGpuMappers)
   }
 }
 
-TEST(Scissors, LeaveNothingToPick)
+TEST(Scissors, RemoveThePartFromPicking)
 {
   Scene scene;
   scene.look.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };

@@ -73,7 +73,7 @@ TEST(SlicePicture, IsLinearBetweenVoxelsAndBlackOutside)
   EXPECT_EQ(Pixel(picture, 6, 0), 0);
 }
 
-TEST(SlicePicture, OfASlabIsItsLargestValue)
+TEST(SlicePicture, SlabShowsItsLargestValue)
 {
   SliceRequest request = Request(SlicePlane::Axial);
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 3), request), 0, 0), 0);
@@ -82,7 +82,7 @@ TEST(SlicePicture, OfASlabIsItsLargestValue)
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, -3), request), 0, 0), 255);
 }
 
-TEST(SlicePicture, OfASlabIsItsLargestSmallestOrMean)
+TEST(SlicePicture, SlabShowsItsLargestSmallestOrMeanValue)
 {
   SliceRequest request = Request(SlicePlane::Axial);
   request.slabMm = 4.0; // the slab covers -2 to 2 mm, and the voxel lies at 2 mm

@@ -53,7 +53,7 @@ TEST(SlicerProperty, IsReadWithDiffuseBeforeAmbient)
   EXPECT_EQ(look.colors[1].rgb, glm::dvec3(1.0, 0.5, 0.25));
 }
 
-TEST(SlicerProperty, OfEveryCtPresetComesBackAsItWas)
+TEST(SlicerProperty, KeepsEveryCtPreset)
 {
   for (const std::string name : { "ct-bone", "ct-lung", "ct-soft-tissue", "ct-vessels" })
   {
@@ -75,7 +75,7 @@ TEST(SlicerProperty, HasGradientOpacityPerSpacing)
   EXPECT_NE(SlicerText(look, Context).find("\n4 20 0.1"), std::string::npos);
 }
 
-TEST(SlicerProperty, InJsonComesBackAsItWas)
+TEST(SlicerProperty, KeepsLooksInJson)
 {
   Look look = BuiltInPreset("ct-bone").look;
   look.description.clear();
@@ -89,7 +89,7 @@ TEST(SlicerProperty, InJsonComesBackAsItWas)
   EXPECT_EQ(LookText(back), LookText(look));
 }
 
-TEST(SlicerProperty, IsPutInOrderAndIntoItsRanges)
+TEST(SlicerProperty, IsSortedAndClampedToItsRanges)
 {
   const Look look =
     LookFromSlicerText(Head + "8 300 1.5 100 -1 200 0.25 200 0.75\n" + Tail, "x", Context);
@@ -101,7 +101,7 @@ TEST(SlicerProperty, IsPutInOrderAndIntoItsRanges)
   EXPECT_EQ(look.opacities[3].opacity, 1.0);
 }
 
-TEST(SlicerProperty, ThatIsBrokenIsExplained)
+TEST(SlicerProperty, BrokenTextIsExplained)
 {
   EXPECT_EQ(ProblemOf("1\n1\nmuch\n"),
     "Cannot read bone.vp: expected numbers for the diffuse coefficient, found \"much\".");

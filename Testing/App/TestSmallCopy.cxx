@@ -30,7 +30,7 @@ vtkSmartPointer<vtkImageData> Ramp(int width, int height, int depth)
 
 }
 
-TEST(SmallCopy, HasTheMeansAtTheirPlaces)
+TEST(SmallCopy, HasTheMeanValuesAtTheirPlaces)
 {
   const auto image = Ramp(64, 20, 9);
   const auto small = SmallCopy(image, 16);
@@ -44,7 +44,7 @@ TEST(SmallCopy, HasTheMeansAtTheirPlaces)
   }
 }
 
-TEST(SmallCopy, OfASmallVolumeSharesNoVoxels)
+TEST(SmallCopy, SharesNoVoxelsWithASmallVolume)
 {
   const auto image = Ramp(8, 8, 8);
   const auto copy = SmallCopy(image, 16);

@@ -48,13 +48,13 @@ inline void LookAlongZ(MapperScene& scene)
   camera->SetClippingRange(1.0, 2000.0);
 }
 
-// What a component looks like: a constant colour, an opacity that its values lead up to.
+// Appearance of a component: a constant colour, and an opacity that rises from 0 with the value.
 struct Look
 {
   glm::dvec3 color;
   double lowest;
   double highest;
-  double opacity; ///< of the highest value
+  double opacity; ///< opacity at the highest value
 };
 
 inline void SetLook(vtkVolumeProperty* property, int component, const Look& look)
@@ -78,7 +78,7 @@ inline const Look looks[] = { { { 1.0, 0.2, 0.1 }, 0.0, 100.0, 0.1 },
   { { 0.1, 0.9, 0.3 }, 20.0, 120.0, 0.2 }, { { 0.2, 0.3, 1.0 }, 10.0, 90.0, 0.15 },
   { { 0.9, 0.8, 0.1 }, 50.0, 150.0, 0.3 } };
 
-// Two balls with soft rims that overlap, each a component.
+// Two overlapping balls with soft rims, one for each component.
 inline double BallValue(glm::ivec3 voxel, int component)
 {
   const glm::dvec3 center(component == 0 ? 6.0 : 10.0, 8.0, component == 0 ? 7.0 : 9.0);

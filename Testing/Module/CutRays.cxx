@@ -18,7 +18,7 @@ glm::dvec3 Moved(const glm::dmat4& matrix, glm::dvec3 position)
   return glm::dvec3(matrix * glm::dvec4(position, 1.0));
 }
 
-// Where a function that is linear along the ray vanishes.
+// Root of a function that is linear along the ray.
 template <class Function>
 double RootOf(Function function)
 {

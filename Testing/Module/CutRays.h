@@ -9,8 +9,8 @@
 
 #include <vector>
 
-/// What a mapper's clipping planes and cropping leave of a ray, as VTK defines them: point by point
-/// in the world and in the data, with none of the mapper's formulas.
+/// The parts of a ray that a mapper's clipping planes and cropping keep, by VTK's definition:
+/// tested point by point in world and data space, without any formula of the mapper.
 class CutRays
 {
 public:

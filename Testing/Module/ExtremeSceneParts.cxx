@@ -12,13 +12,13 @@ namespace extreme
 namespace
 {
 
-// Smooth lumps from 0 to 1, the same whatever the number of voxels, and never symmetric.
+// Smooth, asymmetric lumps from 0 to 1, independent of the number of voxels.
 double Lumps(double x, double y, double z)
 {
   return 0.5 + 0.25 * std::sin(5.0 * x + 2.0 * y) + 0.25 * std::cos(4.0 * y - 3.0 * z + 1.0);
 }
 
-// Values from `first` to `first + range`, centred at the origin.
+// A volume centred at the origin, with values from `first` to `first + range`.
 vtkSmartPointer<vtkImageData> LumpyImage(
   Dimensions dimensions, int type, double first, double range, Spacing spacing)
 {

@@ -5,7 +5,7 @@
 
 #include <array>
 
-/// What extreme scenes are made of: small volumes of smooth lumps, transfer functions, cameras.
+/// Building blocks of extreme scenes: small volumes of smooth lumps, transfer functions, cameras.
 namespace extreme
 {
 
@@ -16,17 +16,17 @@ using Preparation = std::function<void(MapperScene&)>;
 
 constexpr Dimensions SmallBox = { 11, 9, 10 };
 
-/// Values from `first` to `first + range`, never symmetric, centred at the origin.
+/// Values from `first` to `first + range`, asymmetric, centred at the origin.
 Image Lumpy(Dimensions dimensions = SmallBox, int type = VTK_FLOAT, double first = 0.0,
   double range = 1.0, Spacing spacing = { 1.0, 1.0, 1.0 });
 
-/// The same with one value in some of the voxels.
+/// The same with a given value in some of the voxels.
 Image LumpyWith(
   double value, const std::vector<Dimensions>& voxels, Dimensions dimensions = SmallBox);
 
 Image Constant(double value, int type = VTK_FLOAT);
 
-/// Clear below two fifths of the values, then a ramp of opacity.
+/// Transparent over the lowest two fifths of the values, then a ramp of opacity.
 Preparation LookAt(double first, double range, double opacity = 0.3);
 
 void UsualLook(MapperScene& scene);
@@ -38,10 +38,10 @@ struct Node
   double opacity;
 };
 
-/// Opacities as given, colours that go from first to last.
+/// Given opacities, with colours from first to last.
 Preparation Opacities(const std::vector<Node>& nodes, double first = 0.0, double last = 1.0);
 
-/// The usual look of a material for which the opacities hold over this distance.
+/// The usual look for opacities that hold over this distance.
 Preparation UnitDistance(double distanceMm);
 
 struct View
@@ -54,7 +54,7 @@ struct View
 
 Preparation SeenFrom(const View& view);
 
-/// Pixels half a voxel apart, so that rays run through voxels, along edges and in faces of cells.
+/// Pixels half a voxel apart, so that rays pass through voxels, along edges and in cell faces.
 Preparation SeenAlong(std::array<double, 3> direction, double sideVoxels = 0.5);
 
 }

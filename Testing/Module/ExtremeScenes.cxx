@@ -123,9 +123,8 @@ std::vector<ExtremeScene> ExtremeScalars()
 std::vector<ExtremeScene> ExtremesWithoutTolerance()
 {
   return {
-    // Behind a veil that rays are sampled all through, all that is seen rises in the last cell:
-    // what
-    // is lost of a place, or of a ray, is lost of the picture.
+    // Behind a veil that the samples cross, the visible material rises in the last cell. Any error
+    // in the position along the ray shows in the image.
     { "EighteenThousandSteps",
       LumpyWith(10.0,
         { { 2000, 0, 0 }, { 2000, 1, 0 }, { 2000, 2, 0 }, { 2000, 0, 1 }, { 2000, 1, 1 },

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-/// A scene at the end of what a number, a geometry or a transfer function may be.
+/// A scene at the limits of numbers, geometries or transfer functions.
 struct ExtremeScene
 {
   std::string name;
   std::function<vtkSmartPointer<vtkImageData>()> image;
-  std::function<void(MapperScene&)> prepare; ///< transfer function, camera, settings
+  std::function<void(MapperScene&)> prepare; ///< sets transfer function, camera and settings
 };
 
 std::vector<ExtremeScene> ExtremeMaterials(); ///< opacities and transfer functions
@@ -25,7 +25,7 @@ std::vector<ExtremeScene> ExtremeViews();     ///< cameras and clipping ranges
 /// Sample distances, without an error tolerance.
 std::vector<ExtremeScene> ExtremesWithoutTolerance();
 
-/// The scene, set up in a window, with the mapper's default error tolerance.
+/// Sets a scene up in a window, with the mapper's default error tolerance.
 std::unique_ptr<MapperScene> MapperSceneOf(
   const ExtremeScene& scene, int size, vtkHeadlessRenderWindow* window);
 

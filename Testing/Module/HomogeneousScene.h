@@ -7,8 +7,8 @@
 
 #include <array>
 
-/// A cube of one material, 16 mm on a side around the origin of the world, that fills the picture,
-/// seen along -z in parallel projection: what is seen of it through a length has a closed form.
+/// A cube of one material, 16 mm on a side, centred at the world's origin, seen along -z in
+/// parallel projection. It fills the image, and its colour through any length has a closed form.
 class HomogeneousScene : public MapperScene
 {
 public:
@@ -23,16 +23,16 @@ public:
   double opacityPerMm;
 };
 
-/// All voxels have one value.
+/// A cube whose voxels have a single value.
 vtkSmartPointer<vtkImageData> HomogeneousCube(double sideMm);
 
-/// A colour of 1 opacity per mm for all values.
+/// Sets one colour and one opacity per mm for all values.
 void UseOneMaterial(vtkVolumeProperty* property, const std::array<double, 3>& rgb, double opacity);
 
-/// A rectangle without light across the view, from xMm to the right, far up and down.
+/// An unlit rectangle across the view, from xMm to the right, tall enough to fill the image.
 vtkSmartPointer<vtkActor> Plane(double zMm, double fromXMm, const std::array<double, 3>& rgb);
 
-/// What is in front of what: premultiplied RGBA.
+/// Composites premultiplied RGBA, front over back.
 std::array<double, 4> Over(const std::array<double, 4>& front, const std::array<double, 4>& back);
 
 #endif

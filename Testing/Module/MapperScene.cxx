@@ -67,9 +67,9 @@ MapperScene::MapperScene(vtkImageData* image, int size, vtkHeadlessRenderWindow*
   this->window->AddRenderer(this->renderer);
   this->mapper->SetInputData(image);
   this->mapper->SetErrorTolerance(0.0); // tests of the tolerance set their own
-  this->mapper->ProcessorMarchingOff(); // most tests are of shaders
+  this->mapper->ProcessorMarchingOff(); // most tests are about shaders
 
-  // Soft tissue as a veil, bone nearly opaque: visible, invisible and homogeneous parts.
+  // Soft tissue is a veil, bone nearly opaque: visible, invisible and homogeneous regions.
   this->colors->AddRGBPoint(-200.0, 0.8, 0.5, 0.4);
   this->colors->AddRGBPoint(150.0, 0.9, 0.3, 0.2);
   this->colors->AddRGBPoint(400.0, 1.0, 0.95, 0.85);
@@ -137,14 +137,14 @@ Blend BlendOf(int vtkBlendMode)
   }
 }
 
-// Of the points, or where these have none, of the cells.
+// The points' scalars or, if there are none, the cells'.
 vtkDataArray* ScalarsOf(vtkImageData* image)
 {
   vtkDataArray* const ofPoints = image->GetPointData()->GetScalars();
   return ofPoints ? ofPoints : image->GetCellData()->GetScalars();
 }
 
-// Doubles hold the values of every type that is drawn here.
+// A double holds the values of every type in these tests.
 std::vector<double> VoxelsOf(vtkImageData* image)
 {
   vtkDataArray* const scalars = ScalarsOf(image);
@@ -163,8 +163,8 @@ CellCorners OneValue(double value)
   return corners;
 }
 
-// Without interpolation a voxel is a box of one value. The reference has it as a cell: half a voxel
-// away in its grid.
+// Without interpolation a voxel is a box of one value. The reference represents it as a cell, half
+// a voxel away in its grid.
 struct VoxelBoxes
 {
   const ScalarGrid<double>& grid;

@@ -23,47 +23,47 @@
 #include <string>
 #include <vector>
 
-/// Of two pictures, the larger of each measure.
+/// The larger error of two images in each measure.
 varimarch::ImageError LargerError(
   const std::vector<float>& one, const std::vector<float>& other, const std::vector<float>& truth);
 
-/// One volume in one window, as any VTK program would set it up, and its truth.
+/// One volume in one window, set up as by any VTK program, with its true image.
 class MapperScene
 {
 public:
-  /// @param window  one that has been drawn to keeps its shaders for the next scene
+  /// @param window  a window that was rendered to before keeps its shaders for the next scene
   explicit MapperScene(vtkImageData* image, int size = 96,
     vtkHeadlessRenderWindow* window = vtkSmartPointer<vtkHeadlessRenderWindow>::New());
   ~MapperScene();
   MapperScene(const MapperScene&) = delete;
   void operator=(const MapperScene&) = delete;
 
-  /// Along -z from 30 mm above 0, in parallel: the picture is `2 * halfMm` high and wide.
+  /// Looks along -z from z = 30 mm in parallel projection; the image is `2 * halfMm` high and wide.
   void LookDown(glm::dvec3 focusWorld, double halfMm);
 
-  /// The picture in float: premultiplied RGBA before the background. By a shader, unless the test
-  /// sets the mapper otherwise.
+  /// The image in float: premultiplied RGBA without the background. Rendered by a shader unless the
+  /// test sets the mapper otherwise.
   std::vector<float> Draw();
 
-  /// By packets of rays where these can draw it.
+  /// The image rendered by packets of rays, if they support the scene.
   std::vector<float> DrawByProcessor();
 
-  /// The same picture by the reference integrator, shaded when the property is.
+  /// The image of the reference integrator, shaded if the property is.
   std::vector<float> Truth(double tolerance = 1e-5);
 
-  /// How far Draw and DrawByProcessor are from Truth, whichever is farther.
+  /// Error of Draw and DrawByProcessor against Truth, whichever is larger.
   varimarch::ImageError Error();
 
-  /// What a point looks like on its way to the eye; positions and rays in the grid.
+  /// Optical properties that the eye sees at a position; positions and rays are in grid space.
   using Material = std::function<varimarch::OpticalProperties(glm::dvec3, const varimarch::Ray&)>;
 
-  /// How far they are from the composite of a material, whichever is farther.
+  /// Error of both against the composite of a material, whichever is larger.
   varimarch::ImageError ErrorOf(const Material& material, double tolerance = 1e-4);
 
-  /// The middle pixel of Draw, premultiplied RGBA; that of DrawByProcessor is expected to be it.
+  /// The centre pixel of Draw, premultiplied RGBA; expects the same of DrawByProcessor.
   std::array<float, 4> MiddlePixel();
 
-  /// Of the last Draw; none where no shader drew it.
+  /// Parts of the last Draw's shader; empty if no shader rendered it.
   std::vector<std::string> ShaderParts();
   bool UsesShaderPart(const std::string& part);
 
@@ -86,10 +86,10 @@ private:
 /// A torso phantom with noise: int16, anisotropic, 40 x 36 x 24 voxels.
 vtkSmartPointer<vtkImageData> SmallTorso();
 
-/// Of geometry, with light.
+/// A lit ball of geometry.
 vtkSmartPointer<vtkActor> Ball(const double centerWorld[3], double radiusMm);
 
-/// Of all layers of translucent geometry, and of the volume between them.
+/// Peels all layers of translucent geometry, with the volume in between.
 void UseDepthPeeling(vtkRenderer* renderer);
 
 #endif

@@ -18,7 +18,7 @@ namespace
 constexpr double HalfViewMm = 12.0;
 const Box viewWorld{ glm::dvec3(-2.0 * HalfViewMm), glm::dvec3(2.0 * HalfViewMm) };
 
-// What one of the volumes looks like at places of the world.
+// Optical properties of one of the volumes at positions in world space.
 struct WorldMaterial
 {
   VolumeGeometry geometry;

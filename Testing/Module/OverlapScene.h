@@ -11,26 +11,25 @@
 #include <map>
 #include <vector>
 
-/// Volumes that overlap, as a program that knows vtkMultiVolume sets them up, and their truth. Seen
-/// along -z in parallel projection, 24 mm of the world around its origin.
+/// Overlapping volumes, set up as by a program that uses vtkMultiVolume, with their true image.
+/// Seen along -z in parallel projection, 24 mm of the world around its origin.
 class OverlapScene
 {
 public:
   explicit OverlapScene(int size = 32);
 
-  /// The volume of a port. Its property has this look, and interpolates linearly.
+  /// Adds the volume of a port. Its property has the given look and linear interpolation.
   vtkVolume* Add(int port, vtkImageData* image, const Look& look);
   void Remove(int port);
 
-  /// The picture in float: premultiplied RGBA before the background. By a shader, or by the
-  /// processor where it can.
+  /// The image in float: premultiplied RGBA without the background, rendered by a shader or, where
+  /// possible, by the processor.
   std::vector<float> Draw();
   std::vector<float> DrawByProcessor();
 
-  /// What the sum of all volumes looks like by the reference, with head light where they are
-  /// shaded.
+  /// The reference's image of the sum of all volumes, with a head light for shaded volumes.
   std::vector<float> Truth();
-  varimarch::ImageError Error(); ///< the larger of both
+  varimarch::ImageError Error(); ///< the larger error of both
 
   varimarch::PixelRays RaysWorld();
   std::vector<std::string> ShaderParts();
@@ -48,14 +47,14 @@ private:
     vtkSmartPointer<vtkVolume> volume;
     Look look;
   };
-  std::map<int, Part> parts; ///< by their ports
+  std::map<int, Part> parts; ///< by port
 };
 
-/// An image of doubles over a box of the world around the origin [mm].
+/// An image of doubles over a box centred at the world's origin [mm].
 vtkSmartPointer<vtkImageData> CenteredImage(
   glm::ivec3 dimensions, glm::dvec3 sizeMm, const std::function<double(glm::dvec3 voxel)>& value);
 
-/// One value everywhere.
+/// A box with one value everywhere.
 vtkSmartPointer<vtkImageData> HomogeneousBox(glm::dvec3 sizeMm);
 
 #endif

@@ -1,4 +1,4 @@
-// The formats of PhantomFiles.h whose headers are binary.
+// The formats of PhantomFiles.h with binary headers.
 #include "PhantomFiles.h"
 
 #include <vtkByteSwap.h>
@@ -15,7 +15,7 @@
 namespace
 {
 
-/// A header of fixed size into which fields are put at their offsets.
+/// A header of fixed size whose fields are set at their offsets.
 class BinaryHeader
 {
 public:
@@ -80,7 +80,7 @@ void PutNiftiSizes(const StoredVolume& volume, BinaryHeader& header)
   header.PutText(344, "n+1");
 }
 
-/// An element with a tag and a value, explicit VR.
+/// A DICOM element with a tag and a value, in explicit VR.
 std::string Element(
   std::uint16_t group, std::uint16_t element, const std::string& type, std::string value)
 {
@@ -110,7 +110,7 @@ std::string Bytes(Value value)
   return std::string(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/// Numbers as DICOM writes them: at most 16 characters each.
+/// Numbers in DICOM's notation of at most 16 characters each.
 std::string Decimals(const std::vector<double>& numbers)
 {
   std::ostringstream text;
@@ -134,7 +134,7 @@ std::string DicomFileMeta(const std::string& classUid, const std::string& instan
 
 const std::string ctImageStorage = "1.2.840.10008.5.1.4.1.1.2";
 
-/// An entry of an index, with the offsets in the file of the next one and of the first below it.
+/// An entry of an index, with the file offsets of the next entry and of the first one below it.
 std::string IndexRecord(std::uint32_t next, std::uint32_t below, const std::string& type,
   const std::string& imageName, const std::string& keys)
 {
@@ -175,7 +175,7 @@ std::string NiftiBytes(const StoredVolume& volume, NiftiForm form, bool bigEndia
     return header.Bytes() + VoxelBytes(volume, bigEndian);
   }
 
-  // A quaternion cannot mirror, so the third axis is turned around, and qfac says so.
+  // A quaternion cannot mirror, so the third axis is reversed, which qfac records.
   const double handedness = glm::determinant(turn) < 0 ? -1.0 : 1.0;
   turn[2] *= handedness;
   glm::dquat quaternion = glm::normalize(glm::quat_cast(turn));
@@ -217,7 +217,7 @@ std::string Nifti2Bytes(const StoredVolume& volume, bool bigEndian)
   return header.Bytes() + VoxelBytes(volume, bigEndian);
 }
 
-// How the image was taken, as far as the options say.
+// Acquisition parameters that the options contain.
 static std::string AcquisitionElements(const DicomOptions& options)
 {
   const auto text = [](int element, const std::string& kind, const std::string& value)
@@ -246,7 +246,7 @@ std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions
     (options.description.empty() ? "" : Element(8, 0x103e, "LO", options.description)) +
     Element(0x10, 0x10, "PN", "Doe^Jane") + AcquisitionElements(options) +
     Element(0x20, 0xd, "UI", "1.2") + Element(0x20, 0xe, "UI", options.seriesUid) +
-    // Numbered against the order of positions: readers must not rely on it.
+    // The numbers contradict the order of the positions: readers must not rely on them.
     Element(0x20, 0x13, "IS", std::to_string((slice * 7) % 5)) +
     Element(0x20, 0x32, "DS",
       options.position.empty() ? Decimals({ position.x, position.y, position.z })
@@ -269,8 +269,8 @@ std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions
 std::string DicomIndexBytes(const std::vector<std::string>& imageNames)
 {
   const std::string meta = DicomFileMeta("1.2.840.10008.1.3.10", "1.2.3.9");
-  // The offsets of the first and last record, an element without meaning, and the header of the
-  // sequence lie between the file's meta information and its first record.
+  // The offsets of the first and last record, a meaningless element, and the header of the sequence
+  // lie between the file's meta information and its first record.
   const auto first = std::uint32_t(meta.size() + 12 + 12 + 10 + 12);
   const auto end = [&](const std::string& records)
   { return std::uint32_t(first + records.size()); };

@@ -33,7 +33,7 @@ glm::dmat3 PhantomAxesMm()
   return turn * glm::dmat3(0.7, 0, 0, 0, 1.1, 0, 0, 0, 2.5);
 }
 
-/// Text of numbers that no locale and no rounding changes.
+/// Text of numbers, independent of the locale and without rounding.
 template <class... Values>
 std::string Text(const Values&... values)
 {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// A volume as a file stores it, and where that lies in LPS [mm].
+/// A volume as stored in a file, with its position in LPS [mm].
 struct StoredVolume
 {
   std::array<int, 3> dimensions;
@@ -21,17 +21,17 @@ struct StoredVolume
   glm::dmat3 axesMm = glm::dmat3(1.0); ///< column a is the step along axis a
 };
 
-/// A box of 5 x 4 x 3 voxels of different values and sizes, turned obliquely: what is flipped,
-/// swapped, or scaled wrongly cannot look like it.
+/// A box of 5 x 4 x 3 voxels of different values and sizes at an oblique angle. Any flip, swap or
+/// wrong scale of its axes is detectable.
 namespace phantom
 {
 constexpr std::array<int, 3> dimensions = { 5, 4, 3 };
 constexpr int orientationCount = 48;
 
-/// Value of the voxel with that index in the phantom itself.
+/// Value of the voxel with this index in the phantom itself.
 double ValueAt(const glm::ivec3& index);
 
-/// Fractional index in the phantom itself of a place.
+/// Fractional index of a position in the phantom itself.
 glm::dvec3 IndexAt(const glm::dvec3& worldMm);
 
 /// The phantom stored with its axes in one of the 6 orders, each forwards or backwards.
@@ -39,7 +39,7 @@ glm::dvec3 IndexAt(const glm::dvec3& worldMm);
 StoredVolume Stored(int orientation);
 }
 
-/// A folder that is gone at the end of the test.
+/// A folder that is deleted at the end of the test.
 class TemporaryFolder
 {
 public:
@@ -64,12 +64,12 @@ std::string VoxelText(const StoredVolume& volume);
 std::string Gzipped(const std::string& bytes);
 std::string Zlibbed(const std::string& bytes);
 
-/// Files of each format, written by the letter of its specification, not by any library.
+/// Files of each format, written according to its specification, without any library.
 std::string NrrdHeaderText(const StoredVolume& volume, const std::string& space = "LPS");
 std::string MetaImageHeaderText(const StoredVolume& volume);
 std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstIndex = { 0, 0, 0 });
 
-/// How VTK's own writer is to store the voxels of a VTI file: values of vtkXMLWriter.
+/// Encoding of a VTI file by VTK's own writer: values of vtkXMLWriter.
 struct VtiEncoding
 {
   int dataMode; ///< vtkXMLWriter::Ascii, Binary, Appended
@@ -78,7 +78,7 @@ struct VtiEncoding
   bool bigEndian = false;
   int headerBits = 32;
 };
-/// A VTI file with these bytes as voxels, by VTK's own writer.
+/// A VTI file of VTK's own writer with these bytes as voxels.
 std::string EncodedVti(
   const StoredVolume& volume, const std::string& voxelBytes, const VtiEncoding& encoding);
 
@@ -89,31 +89,31 @@ enum class NiftiForm
 };
 std::string NiftiBytes(
   const StoredVolume& volume, NiftiForm form = NiftiForm::Affine, bool bigEndian = false);
-/// NIfTI-2, with the affine form.
+/// NIfTI-2 with the affine form.
 std::string Nifti2Bytes(const StoredVolume& volume, bool bigEndian = false);
 
-/// How a DICOM slice differs from the usual.
+/// Variations of a DICOM slice.
 struct DicomOptions
 {
   std::string seriesUid = "1.2.3";
   double slope = 1.0;
   double intercept = 0.0;
-  int rows = 0;                 ///< what the header says, if not the truth
-  int instance = 0;             ///< tells images of the same slice apart
-  std::string position = {};    ///< what the header says, if not the truth
-  bool lossy = false;           ///< whether the header says that compression has changed the values
-  std::string description = {}; ///< of the series
+  int rows = 0;                 ///< rows in the header; 0: the true number
+  int instance = 0;             ///< distinguishes images of the same slice
+  std::string position = {};    ///< position in the header; empty: the true one
+  bool lossy = false;           ///< true: the header reports lossy compression
+  std::string description = {}; ///< series description
   std::string modality = "CT";
   std::string contrastAgent = {};
   std::string bodyPart = {};
   bool isAngiography = false;
-  double repetitionMs = 0.0; ///< 0: the header does not say
+  double repetitionMs = 0.0; ///< 0: absent
   double echoMs = 0.0;
 };
-/// A slice of a volume of shorts, uncompressed and little-endian.
+/// A slice of a volume of shorts, uncompressed, little-endian.
 std::string DicomBytes(const StoredVolume& volume, int slice, const DicomOptions& options = {});
 /// A DICOMDIR: an index of the images of one series.
-/// @param imageNames  in the folder of the index, their parts separated by backslashes
+/// @param imageNames  relative to the folder of the index, with backslashes between their parts
 std::string DicomIndexBytes(const std::vector<std::string>& imageNames);
 
 #endif

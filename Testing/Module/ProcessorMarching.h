@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_ProcessorMarching_h
 #define Varimarch_Testing_ProcessorMarching_h
 
-// What tests of rays that the processor marches share.
+// Helpers for tests of rays that the processor marches.
 
 #include "Module/MapperScene.h"
 
@@ -51,7 +51,7 @@ inline vtkSmartPointer<vtkImageData> TorsoOfType(int type)
   return bytes->GetOutput();
 }
 
-// From a tenth of the values on.
+// Shows the values above the lowest tenth of the range.
 inline void ShowUpperValues(MapperScene& scene, vtkImageData* image)
 {
   double range[2];
@@ -69,7 +69,7 @@ inline void ShowUpperValues(MapperScene& scene)
   ShowUpperValues(scene, scene.image);
 }
 
-// Half of it is clipped away obliquely.
+// Clips half of the volume away at an oblique angle.
 inline void Clip(MapperScene& scene)
 {
   vtkNew<vtkPlane> plane;
@@ -90,7 +90,7 @@ inline void ShowBoxes(MapperScene& scene)
   scene.volume->GetProperty()->SetInterpolationTypeToNearest();
 }
 
-// Skin, through which bone is seen.
+// Shows skin, with bone visible through it.
 inline void ShowIsosurfaces(MapperScene& scene)
 {
   scene.mapper->SetBlendModeToIsoSurface();
@@ -104,7 +104,7 @@ inline void ShowIsosurfaces(MapperScene& scene)
   scene.opacities->AddPoint(300.0, 0.8);
 }
 
-// Of a table that is not square, whose opacity rises with both.
+// Uses a table that is not square, whose opacity rises with both values.
 inline void ShowValueAndGradient(MapperScene& scene)
 {
   vtkNew<vtkImageData> function;
@@ -125,13 +125,13 @@ inline void ShowValueAndGradient(MapperScene& scene)
   scene.volume->GetProperty()->SetTransferFunction2D(function);
 }
 
-// Beside the head light; with ambient light and highlights.
+// Adds a light beside the head light, with ambient light and highlights.
 inline vtkLight* ShineFromTheSide(MapperScene& scene)
 {
   vtkVolumeProperty* const property = scene.volume->GetProperty();
   property->ShadeOn();
   property->SetSpecular(0.4);
-  scene.Draw(); // which makes the head light
+  scene.Draw(); // creates the head light
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
   light->SetPosition(300.0, 200.0, 100.0);

@@ -1,4 +1,4 @@
-// Pictures of a scene that stays as it is, added up.
+// Accumulated frames of a scene that does not change.
 
 #include "Module/MapperScene.h"
 
@@ -22,7 +22,7 @@ namespace
 
 constexpr int Size = 24;
 
-// A bone that is opaque at once, so that its outline has an edge.
+// Makes bone opaque at once, so that its outline is sharp.
 void ShowAnEdge(MapperScene& scene)
 {
   scene.opacities->RemoveAllPoints();
@@ -32,7 +32,7 @@ void ShowAnEdge(MapperScene& scene)
   scene.mapper->SetErrorTolerance(1.0 / 16.0);
 }
 
-// What the pixels would be if each were the mean of 8 x 8 rays to the integral.
+// The image with each pixel the mean of 8 x 8 rays of the reference.
 std::vector<float> SupersampledTruth(const std::function<void(MapperScene&)>& prepare)
 {
   constexpr int PerSide = 8;
@@ -190,7 +190,7 @@ TEST(AccumulatedPictures, TakeNothingWhenOff)
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes);
 }
 
-// However slow: the parts of a picture are as short as they can be.
+// Even on a slow machine, each part of a frame is as short as possible.
 TEST(AccumulatedPictures, InPartsAreThePictureInTheEnd)
 {
   MapperScene scene(SmallTorso(), 2 * Size);

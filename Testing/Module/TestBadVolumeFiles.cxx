@@ -1,4 +1,4 @@
-// Bad files get one sentence, an empty output, and no memory to speak of.
+// Bad files give one sentence and an empty output, and take little memory.
 #include "PhantomFiles.h"
 #include "Support/ExpectedVtkErrors.h"
 
@@ -17,7 +17,7 @@
 namespace
 {
 
-/// The most address space that this process has had [kB], as Linux counts it.
+/// Peak address space of this process [kB], as reported by Linux.
 double PeakMemoryKB()
 {
   std::ifstream status("/proc/self/status");
@@ -33,7 +33,7 @@ double PeakMemoryKB()
   return 0.0;
 }
 
-/// One sentence that names the file, or the folder of the file that is at fault.
+/// Requires one sentence that names the file, or the folder of the faulty file.
 void ExpectOneSentence(const std::string& message, const std::string& path)
 {
   const std::string folder = std::filesystem::path(path).parent_path();
@@ -45,7 +45,7 @@ void ExpectOneSentence(const std::string& message, const std::string& path)
   EXPECT_EQ(message.back(), '.') << message;
 }
 
-/// Reads a file that may or may not be readable. Whether it was.
+/// Reads a file that may be unreadable; returns true if it was read.
 bool ReadsOrFailsWell(vtkVolumeFileReader* reader, const std::string& path)
 {
   reader->SetFileName(path.c_str());
@@ -106,7 +106,7 @@ std::string MetaImage()
 std::string Vti()
 {
   const std::string text = VtiText(phantom::Stored(0));
-  return text.substr(0, text.size() - 1); // the line's end at the end may be missing
+  return text.substr(0, text.size() - 1); // the final line break may be missing
 }
 
 std::string Vti(const VtiEncoding& encoding)
@@ -116,7 +116,7 @@ std::string Vti(const VtiEncoding& encoding)
   return text.substr(0, text.size() - 1);
 }
 
-/// A valid file of each format: its name, its bytes, and how many at the end say nothing.
+/// A valid file of each format: name, bytes, and the number of redundant bytes at its end.
 struct GoodFile
 {
   const char* name;
@@ -127,7 +127,7 @@ struct GoodFile
 std::vector<GoodFile> GoodFiles()
 {
   const StoredVolume volume = phantom::Stored(0);
-  // Behind the last voxel, gzip has an end mark and 8 bytes of checks.
+  // After the last voxel, gzip has an end mark and 8 bytes of checksums.
   return { { "a.nrrd", Nrrd() }, { "gzip.nrrd", GzippedNrrd(), 12 }, { "a.mha", MetaImage() },
     { "a.vti", Vti() }, { "binary.vti", Vti({ vtkXMLWriter::Binary }) },
     { "raw.vti", Vti({ vtkXMLWriter::Appended, false }) },
@@ -180,7 +180,7 @@ TEST(BadVolumeFiles, WithBytesChangedTheyAreReadOrRefused)
 
 TEST(BadVolumeFiles, RawVtiThatPromisesMoreThanItHoldsIsRefused)
 {
-  // The count of bytes is false as well, so that VTK would read on to the end of the file.
+  // The byte count is wrong as well, so that VTK would read up to the end of the file.
   StoredVolume promised = phantom::Stored(0);
   promised.dimensions = { 5, 4, 6 };
   promised.values.resize(120);
@@ -226,7 +226,7 @@ struct BadFile
 {
   const char* name;
   std::string bytes;
-  const char* fault; ///< words of the sentence
+  const char* fault; ///< words that the error must contain
 };
 
 void ExpectFaultsNamed(const std::vector<BadFile>& files)

@@ -1,4 +1,4 @@
-// Points and cells that are blanked, or ghosts, are left out.
+// Blanked points and cells, and ghosts, are left out.
 
 #include "Module/MapperScene.h"
 
@@ -17,7 +17,8 @@ using namespace varimarch;
 namespace
 {
 
-// Light fades by half in 1 mm; seen along z, parallel, half a mm a pixel. 9 points of 1 mm a side.
+// 9 points of 1 mm per side. Each mm absorbs half of the light. Seen along z in parallel
+// projection, 0.5 mm per pixel.
 class BlankedScene : public MapperScene
 {
 public:
@@ -30,7 +31,7 @@ public:
     this->LookDown({ 4.0, 4.0, 4.0 }, 4.0);
   }
 
-  /// Of the material along the ray at x, y, in mm; pixel centres at a quarter and three quarters.
+  /// Length of the material along the ray at x, y [mm]; pixel centres are at 0.25 and 0.75.
   double LengthMm(double x, double y)
   {
     const std::size_t pixel = std::size_t(y / 0.5) * 16 + std::size_t(x / 0.5);
@@ -64,7 +65,7 @@ vtkSmartPointer<vtkUniformGrid> Grid(bool ofCells)
   return grid;
 }
 
-constexpr double LengthError = 1e-3; // [mm]: of a float, through 8 mm
+constexpr double LengthError = 1e-3; // [mm]: rounding of floats over 8 mm
 
 vtkIdType PointAt(int x, int y, int z)
 {
@@ -78,7 +79,7 @@ vtkIdType CellAt(int x, int y, int z)
 
 }
 
-TEST(Blanking, APointTakesTheCellsAroundItAway)
+TEST(Blanking, APointRemovesTheCellsAroundIt)
 {
   const auto grid = Grid(false);
   grid->BlankPoint(PointAt(3, 4, 5));
@@ -86,13 +87,13 @@ TEST(Blanking, APointTakesTheCellsAroundItAway)
   EXPECT_NEAR(scene.LengthMm(3.25, 4.25), 6.0, LengthError);
   EXPECT_NEAR(scene.LengthMm(2.25, 3.25), 6.0, LengthError);
   EXPECT_NEAR(scene.LengthMm(4.25, 4.25), 8.0, LengthError);
-  // Without interpolation it is a box of its own.
+  // Without interpolation, the point is a box of its own.
   scene.volume->GetProperty()->SetInterpolationTypeToNearest();
   EXPECT_NEAR(scene.LengthMm(3.25, 4.25), 7.0, LengthError);
   EXPECT_NEAR(scene.LengthMm(2.25, 3.25), 8.0, LengthError);
 }
 
-TEST(Blanking, APointTakesTheCellsAroundItAwayWhereCellsHaveTheValues)
+TEST(Blanking, APointRemovesTheCellsAroundItForCellData)
 {
   const auto grid = Grid(true);
   grid->BlankPoint(PointAt(3, 4, 5));
@@ -145,7 +146,7 @@ TEST(Blanking, ChangedFlagsChangeThePicture)
   EXPECT_EQ(scene.ShaderParts(), before) << "a volume without gaps pays for them";
 }
 
-TEST(Blanking, TheColorOfWhatHasNoValueIsNotThatOfWhatIsLeftOut)
+TEST(Blanking, TheNanColorDoesNotApplyToBlankedPoints)
 {
   const auto grid = Grid(false);
   grid->BlankCell(CellAt(3, 4, 5));
@@ -156,13 +157,13 @@ TEST(Blanking, TheColorOfWhatHasNoValueIsNotThatOfWhatIsLeftOut)
 
 TEST(Blanking, NormalsBesideABlankedCellAreThoseOfTheData)
 {
-  // A ramp along z: one normal everywhere, towards the eye.
+  // A ramp along z has the same normal everywhere, towards the eye.
   const auto grid = Grid(false);
   for (int i = 0; i < 9 * 81; ++i)
   {
     grid->GetPointData()->GetScalars()->SetComponent(i, 0, 20.0 * (i / 81));
   }
-  grid->BlankCell(CellAt(4, 4, 7)); // at the face that is seen
+  grid->BlankCell(CellAt(4, 4, 7)); // on the visible face
   BlankedScene scene(grid);
   scene.opacities->RemoveAllPoints();
   scene.opacities->AddPoint(0.0, 1.0);

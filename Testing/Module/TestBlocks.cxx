@@ -1,4 +1,4 @@
-// A volume in blocks: the same picture as the whole, within the memory that is allowed.
+// A volume rendered in blocks: the image of the whole, within the allowed memory.
 
 #include "Module/MapperScene.h"
 #include "Resources/VolumeTexture.h"
@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr int Size = 64;
-// The picture and its tables take half of the smaller one, the volume 344064 bytes.
+// The image and its tables take half of the smaller limit; the volume has 344064 bytes.
 constexpr vtkIdType FewBlocks = 340000;
 constexpr vtkIdType ManyBlocks = 200000;
 
@@ -44,7 +44,7 @@ ImageError Difference(const std::vector<float>& drawn, const std::vector<float>&
   return CompareImages(drawn.data(), expected.data(), expected.size() / 4);
 }
 
-// How far the picture in blocks is from that of the whole.
+// Difference between the images in blocks and of the whole.
 ImageError DifferenceInBlocks(MapperScene& scene, vtkIdType memory)
 {
   scene.mapper->SetMaximumGraphicsMemory(0);
@@ -58,8 +58,7 @@ ImageError DifferenceInBlocks(MapperScene& scene, vtkIdType memory)
   return Difference(inBlocks, whole);
 }
 
-// Steps so short, and materials that change so gently, that what is left of the integral is too
-// little to see.
+// Uses short steps and gentle materials, so that the error of the integral is too small to matter.
 void UseFineSteps(MapperScene& scene, double mostOpacity)
 {
   scene.colors->RemoveAllPoints();
@@ -107,8 +106,8 @@ struct VolumeLook
   const char* name;
   int blendMode;
   bool shade;
-  double mostOpacity; ///< of a voxel
-  double limit;       ///< of the difference [1/255]
+  double mostOpacity; ///< opacity of a voxel
+  double limit;       ///< largest difference [1/255]
 };
 
 std::ostream& operator<<(std::ostream& stream, const CameraView& view)
@@ -127,8 +126,8 @@ class BlocksOf : public testing::TestWithParam<std::tuple<CameraView, VolumeLook
 
 }
 
-// Sample positions start again at the faces of blocks, so that pictures differ by what their steps
-// leave of the integral; a plane of cells lost or drawn twice would be off by more than 1 / 255.
+// Sample positions start anew at the faces of blocks, so images differ by the error of the
+// integral. A plane of cells lost or rendered twice would cost more than 1/255.
 TEST_P(BlocksOf, MakeThePictureOfTheWhole)
 {
   const auto& [view, look] = GetParam();
@@ -147,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(EveryViewAndLook, BlocksOf,
   testing::Combine(testing::Values(CameraView{ "oblique", LookObliquely },
                      CameraView{ "axis", LookAlongAnAxis }, CameraView{ "within", LookFromWithin }),
     testing::Values(VolumeLook{ "unshaded", vtkVolumeMapper::COMPOSITE_BLEND, false, 0.02, 0.02 },
-      // Normals turn fast where the gradient is small.
+      // Normals change quickly where the gradient is small.
       VolumeLook{ "shaded", vtkVolumeMapper::COMPOSITE_BLEND, true, 0.02, 0.2 },
       VolumeLook{ "maximum", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, false, 0.9, 0.1 },
       VolumeLook{ "minimum", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, false, 0.9, 0.1 },
@@ -169,15 +168,15 @@ TEST_P(BlocksWithFields, MakeThePictureOfTheWhole)
 
 INSTANTIATE_TEST_SUITE_P(EveryField, BlocksWithFields, testing::Range(0, 3));
 
-// A homogeneous volume is integrated exactly by any steps, so that nothing hides a seam: here rays
-// run along the faces of blocks, and in them, one pixel to a voxel.
+// A homogeneous volume is integrated exactly with any steps, so nothing hides a seam. Rays run
+// along the faces of blocks and in them, one pixel per voxel.
 TEST(BlockFaces, AreMarchedOnceByRaysThatRunInThem)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(65, 65, 49);
   image->AllocateScalars(VTK_SHORT, 1);
   image->GetPointData()->GetScalars()->Fill(100.0);
-  static_cast<short*>(image->GetScalarPointer())[0] = 0; // a range, for the mean
+  static_cast<short*>(image->GetScalarPointer())[0] = 0; // gives the mean a range of values
   MapperScene scene(image, Size);
   LookAlongAnAxis(scene);
   vtkCamera* const camera = scene.renderer->GetActiveCamera();
@@ -188,7 +187,7 @@ TEST(BlockFaces, AreMarchedOnceByRaysThatRunInThem)
   for (int blendMode : { vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::ADDITIVE_BLEND })
   {
     scene.mapper->SetBlendMode(blendMode);
-    // In the faces, and beside them by less than a rasteriser can tell.
+    // Rays in the faces, and closer to them than a rasterizer can resolve.
     for (double x : { 32.5, 32.499, 32.501 })
     {
       camera->SetPosition(x, -100.0, 24.5);
@@ -207,7 +206,7 @@ TEST(BlockFaces, BesideVoxelsThatAreNotFiniteLookAsInTheWhole)
   auto* const voxels = static_cast<float*>(image->GetScalarPointer());
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    // On every twelfth plane along x: on faces of blocks, and next to them.
+    // Gaps on every twelfth plane along x: on faces of blocks and next to them.
     const bool isFinite = i % 12 > 1 || i / 64 % 7 > 3;
     voxels[i] = isFinite ? float(torso->GetPointData()->GetScalars()->GetComponent(i, 0))
                          : std::numeric_limits<float>::quiet_NaN();
@@ -217,7 +216,7 @@ TEST(BlockFaces, BesideVoxelsThatAreNotFiniteLookAsInTheWhole)
   scene.mapper->SetSampleDistance(3.0 * scene.mapper->GetSampleDistance());
   scene.mapper->SetNanOpacity(0.02);
   EXPECT_LT(DifferenceInBlocks(scene, 600000).largest, 0.02);
-  // Light ends abruptly beside a gap, which any step blurs by its length.
+  // Light ends abruptly beside a gap, which every step blurs by its length.
   scene.volume->GetProperty()->ShadeOn();
   EXPECT_LT(DifferenceInBlocks(scene, 600000).largest, 2.5);
 }
@@ -304,7 +303,7 @@ TEST(BlockMemory, BlocksOutOfViewAreNotUploaded)
   EXPECT_LT(UploadsBy(scene), all);
 }
 
-TEST(BlockMemory, WhatDoesNotFitIsUploadedWhenItsTurnComes)
+TEST(BlockMemory, BlocksThatDoNotFitAreUploadedWhenNeeded)
 {
   MapperScene scene(Torso(), Size);
   UseFineSteps(scene, 0.02); // everything is visible
@@ -316,7 +315,7 @@ TEST(BlockMemory, WhatDoesNotFitIsUploadedWhenItsTurnComes)
   EXPECT_GT(scene.mapper->GetGraphicsMemoryBytes(), 3 * FewBlocks / 4);
 }
 
-TEST(BlockMemory, OfAVolumeThatFitsNothingOfBlocksIsLeft)
+TEST(BlockMemory, AVolumeThatFitsKeepsNoBlocks)
 {
   MapperScene scene(Torso(), Size);
   scene.window->Render();

@@ -1,4 +1,4 @@
-// Cell data: a cell is a voxel at its middle, and what is drawn reaches as far as the cells do.
+// Cell data: a cell is a voxel at its centre, and the volume extends as far as the cells do.
 
 #include "Module/MapperScene.h"
 
@@ -18,7 +18,7 @@ namespace
 
 constexpr int Size = 64;
 
-// The torso as values of cells.
+// The torso as cell data.
 vtkSmartPointer<vtkImageData> TorsoOfCells()
 {
   const vtkSmartPointer<vtkImageData> torso = SmallTorso();
@@ -30,7 +30,7 @@ vtkSmartPointer<vtkImageData> TorsoOfCells()
   return image;
 }
 
-// 4 x 5 x 6 cells of 1 mm, all of one value, under a name.
+// 4 x 5 x 6 cells of 1 mm with a single value, in a named array.
 vtkSmartPointer<vtkDataArray> ConstantArray(const char* name, int count, double value)
 {
   vtkSmartPointer<vtkDataArray> array;
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkDataArray> ConstantArray(const char* name, int count, double 
   return array;
 }
 
-// Light fades by half in 1 mm of the value 1, by three quarters of the value 2. Seen along z.
+// Each mm of value 1 absorbs half of the light, each mm of value 2 three quarters. Seen along z.
 class TwoArrays : public MapperScene
 {
 public:
@@ -51,10 +51,10 @@ public:
     this->opacities->RemoveAllPoints();
     this->opacities->AddPoint(1.0, 0.5);
     this->opacities->AddPoint(2.0, 0.75);
-    this->LookDown({ 2.0, 2.5, 3.0 }, 4.0); // a pixel is half a mm
+    this->LookDown({ 2.0, 2.5, 3.0 }, 4.0); // a pixel is 0.5 mm
   }
 
-  /// Halvings of light through a pixel.
+  /// Number of times that the light is halved along the ray of a pixel.
   double Halvings(int column, int row)
   {
     return -std::log2(1.0 - this->Draw()[4 * (row * 16 + column) + 3]);
@@ -131,7 +131,7 @@ TEST(SampleDistance, IsLockedToTheSpacingAsVtkHasIt)
   scene.Draw();
   const double* const spacing = scene.image->GetSpacing();
   const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
-  // Half of the mean spacing, and for less than a million voxels shorter by their cubic root.
+  // Half of the mean spacing, shorter by the cube root of the voxel count below a million.
   const double expected = 0.5 * mean * std::cbrt(40.0 * 36.0 * 24.0 / 1e6);
   EXPECT_NEAR(scene.mapper->GetUsedSampleDistance(), expected, 0.1 * expected);
   EXPECT_EQ(scene.mapper->GetUsedSampleDistance(), scene.mapper->GetSampleDistance());

@@ -1,4 +1,4 @@
-// Mixtures of two components with light and gradient opacity, held against the reference.
+// Mixtures of two components with light and gradient opacity, compared with the reference.
 
 #include "Frame/VolumeGeometry.h"
 #include "Module/ComponentVolumes.h"
@@ -27,7 +27,8 @@ const glm::dvec3 spacing(1.0, 1.5, 0.8);
 const double weights[] = { 1.0, 0.7 };
 const double speculars[] = { 0.2, 0.5 };
 
-// The second component's opacity is multiplied by 0.2 where it is flat, by 1 from this gradient on.
+// The second component's opacity is multiplied by 0.2 where it is flat, and by 1 from this gradient
+// on.
 constexpr double SteepGradient = 15.0;
 
 class BallScene
@@ -127,7 +128,7 @@ TEST_P(MixtureOfBalls, IsThatOfTheReference)
   const std::vector<float> drawn = balls.scene.Draw();
   EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the picture is empty";
 
-  // The field leaves out what is invisible in both, and nothing else.
+  // The field leaves out what is invisible in both components, and nothing else.
   balls.scene.mapper->SetAccelerationModeToOff();
   const std::vector<float> withoutField = balls.scene.Draw();
   EXPECT_LT(CompareImages(drawn.data(), withoutField.data(), 48 * 48).largest, 3.0);

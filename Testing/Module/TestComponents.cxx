@@ -1,5 +1,5 @@
-// Volumes of two to four components: closed forms of homogeneous mixtures, the reference for the
-// rest, and that nothing is lost of any scalar type.
+// Volumes of two to four components: closed forms of homogeneous mixtures, comparison with the
+// reference, and the precision of every scalar type.
 
 #include "Module/ComponentVolumes.h"
 #include "Support/ExpectedVtkErrors.h"
@@ -19,7 +19,7 @@ namespace
 
 constexpr double Tolerance = 0.5 / 255.0;
 
-// One value in each component, but at a face, so that they have a range.
+// One value in each component, except on a face, so that they have a range.
 vtkSmartPointer<vtkImageData> ConstantBut(int components)
 {
   return ImageOf(VTK_UNSIGNED_CHAR, components,
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(TwoToFour, IndependentComponents, testing::Values(2, 3,
 
 TEST(Components, AverageAndAdditiveAreWeightedSums)
 {
-  // Values rise linearly along the ray, of the second component twice as steeply.
+  // Values rise linearly along the ray, those of the second component twice as steeply.
   MapperScene scene(
     ImageOf(VTK_FLOAT, 2,
       [](glm::ivec3 voxel, int component) { return voxel.z * (component + 1) * 10.0; }),
@@ -105,12 +105,12 @@ TEST(Components, AverageAndAdditiveAreWeightedSums)
   property->SetScalarOpacityUnitDistance(1, 2.0);
   scene.mapper->AutoAdjustSampleDistancesOff();
   scene.mapper->SetSampleDistance(0.05);
-  // Gray goes from 0 to 1 along the ray: its mean is a half.
+  // Grey rises from 0 to 1 along the ray, so its mean is a half.
   scene.mapper->SetBlendModeToAverageIntensity();
   EXPECT_NEAR(scene.MiddlePixel()[0], 0.1 * 0.5 + 0.5 * 0.2 * 0.5, Tolerance);
   scene.mapper->SetBlendModeToAdditive();
   EXPECT_NEAR(scene.MiddlePixel()[0], 6.0 * 0.1 * 0.5 + 0.5 * 0.2 * 0.5 * 6.0 / 2.0, Tolerance);
-  // The range of the first component's values only holds half of the second's.
+  // The range covers all of the first component's values and half of the second's.
   scene.mapper->SetBlendModeToAverageIntensity();
   scene.mapper->SetAverageIPScalarRange(-1.0, 60.0);
   EXPECT_NEAR(scene.MiddlePixel()[0], 0.1 * 0.5 + 0.5 * 0.2 * 0.25, 2.0 * Tolerance);
@@ -153,7 +153,7 @@ TEST(Components, MaximaOfSeveralAddTheirLight)
 
 TEST(Components, OfEveryTypeKeepTheirPrecision)
 {
-  // Steps of 1 in a range of 20000: lost if texels had 8 bits.
+  // Steps of 1 in a range of 20000 would be lost in texels of 8 bits.
   for (const int type : { VTK_UNSIGNED_SHORT, VTK_SHORT, VTK_INT, VTK_LONG, VTK_FLOAT, VTK_DOUBLE })
   {
     MapperScene scene(ImageOf(type, 2,
@@ -169,7 +169,7 @@ TEST(Components, OfEveryTypeKeepTheirPrecision)
   }
 }
 
-TEST(Components, TwoDependentAreColourAndOpacity)
+TEST(Components, TwoDependentComponentsAreColourAndOpacity)
 {
   MapperScene scene(ImageOf(VTK_DOUBLE, 2,
                       [](glm::ivec3 voxel, int component) {
@@ -191,7 +191,7 @@ TEST(Components, TwoDependentAreColourAndOpacity)
   EXPECT_NEAR(scene.MiddlePixel()[0], 0.6 * 0.1, Tolerance);
 }
 
-TEST(Components, GradientOpacityOfDependentOnesIsOfTheirOpacity)
+TEST(Components, GradientOpacityOfDependentComponentsUsesTheOpacityComponent)
 {
   // Only the second component has a gradient.
   MapperScene scene(
@@ -212,7 +212,7 @@ TEST(Components, GradientOpacityOfDependentOnesIsOfTheirOpacity)
   EXPECT_NEAR(scene.MiddlePixel()[3], 1.0 - std::pow(1.0 - 0.1, 6.0), Tolerance);
 }
 
-TEST(Components, FourDependentAreAColourAndOpacity)
+TEST(Components, FourDependentComponentsAreAColourAndOpacity)
 {
   for (const int type : { VTK_UNSIGNED_CHAR, VTK_FLOAT })
   {
@@ -235,7 +235,7 @@ TEST(Components, FourDependentAreAColourAndOpacity)
   }
 }
 
-TEST(Components, ThreeThatDependOnEachOtherAreNamedAsAnError)
+TEST(Components, ThreeDependentComponentsAreAnError)
 {
   MapperScene scene(ImageOf(VTK_FLOAT, 3, [](glm::ivec3, int) { return 1.0; }), 9);
   scene.volume->GetProperty()->IndependentComponentsOff();
@@ -282,7 +282,7 @@ TEST(Components, AVoxelThatIsNotFiniteInOneIsAGapInAll)
   EXPECT_TRUE(scene.UsesShaderPart("Gaps/Cells.glsl"));
 }
 
-TEST(Components, TakeTheirShadersAndAsManyChannelsOnlyWhereTheyAre)
+TEST(Components, TakeTheirShadersAndChannelsOnlyWhereTheyAre)
 {
   MapperScene scene(ImageOf(VTK_SHORT, 3, BallValue, { 16, 16, 16 }), 16);
   scene.mapper->SetAccelerationModeToOff();

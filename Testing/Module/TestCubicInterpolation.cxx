@@ -1,4 +1,4 @@
-// Voxels with a spline through them, against the spline in double precision.
+// Spline interpolation of voxels, compared with a spline in double precision.
 
 #include "Core/Geometry/PixelRays.h"
 #include "Core/Reference/SplineGrid.h"
@@ -23,7 +23,7 @@ using namespace varimarch;
 namespace
 {
 
-// An edge with a little noise, seen with a wide veil: where values overshoot, they are visible.
+// An edge with a little noise behind a wide veil, so that overshoots are visible.
 vtkSmartPointer<vtkImageData> NoisyEdge(int type)
 {
   const auto image = vtkSmartPointer<vtkImageData>::New();
@@ -66,13 +66,13 @@ public:
     this->colors->AddRGBPoint(0.0, 0.1, 0.2, 1.0);
     this->colors->AddRGBPoint(300.0, 1.0, 0.8, 0.1);
     this->opacities->RemoveAllPoints();
-    this->opacities->AddPoint(-40.0, 0.3); // what only undershoots
+    this->opacities->AddPoint(-40.0, 0.3); // shows values that only undershoots reach
     this->opacities->AddPoint(0.0, 0.0);
     this->opacities->AddPoint(150.0, 0.0);
     this->opacities->AddPoint(320.0, 0.5);
   }
 
-  // The truth as a material: of the spline, and lit by its own gradient.
+  // The true image's material: the spline, lit by its own gradient.
   Material Truth()
   {
     const VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
@@ -131,8 +131,8 @@ class CubicFields : public testing::TestWithParam<int>
 
 TEST_P(CubicFields, NeverJumpOverWhatTheSplineShows)
 {
-  // One plane of coefficients that are not 0, behind the face of a brick and of a cell: in front of
-  // it no coefficient tells of what is seen.
+  // One plane of nonzero coefficients lies behind the face of a brick and of a cell. In front of it
+  // the spline is visible although all coefficients there are 0.
   const auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(33, 30, 28);
   image->AllocateScalars(VTK_SHORT, 1);
@@ -228,7 +228,7 @@ TEST(Cubic, TakesItsShaderAndMemoryOnlyWhereItIsOn)
 
 TEST(Cubic, GoesOnWithTheValueOfTheFaceBeyondTheMiddlesOfCells)
 {
-  // Cell data reach half a voxel beyond the outermost ones: there the value is that of the face.
+  // Cell data extend half a voxel beyond the outermost centres, with the value of the face.
   const auto points = NoisyEdge(VTK_SHORT);
   const auto cells = vtkSmartPointer<vtkImageData>::New();
   cells->SetDimensions(15, 12, 10);

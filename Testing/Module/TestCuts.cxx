@@ -1,4 +1,4 @@
-// Clipping planes and cropping: what is left is cut exactly where VTK says, in every blend mode.
+// Clipping planes and cropping cut exactly at VTK's positions, in every blend mode.
 
 #include "Module/MapperScene.h"
 #include "Scene/ProceduralVolume.h"
@@ -25,7 +25,7 @@ constexpr int Size = 64;
 constexpr int SubVolume = VTK_CROP_SUBVOLUME;
 constexpr int EveryOther = 0x2aaaaaa; // the 13 regions with an odd number
 
-// A plane through a place of the volume, as parts of its bounds.
+// Adds a plane through a position given as fractions of the volume's bounds.
 void AddPlane(MapperScene& scene, glm::dvec3 normal, glm::dvec3 place)
 {
   const double* const bounds = scene.volume->GetBounds();
@@ -42,7 +42,7 @@ void AddObliquePlanes(MapperScene& scene)
   AddPlane(scene, { -1.0, 0.4, 0.8 }, { 0.75, 0.5, 0.5 });
 }
 
-// Between a quarter and three quarters of each axis of the image's bounds, off all voxels.
+// Crops each axis to the middle half of the image's bounds, off all voxels.
 void Crop(MapperScene& scene, int flags)
 {
   double bounds[6];
@@ -58,7 +58,7 @@ void Crop(MapperScene& scene, int flags)
   scene.mapper->SetCroppingRegionFlags(flags);
 }
 
-// Gentle materials and short steps, so that what is wrong of a picture is where it is cut.
+// Uses gentle materials and short steps, so that the cuts dominate the error.
 void UseGentleMaterials(MapperScene& scene)
 {
   scene.colors->RemoveAllPoints();
@@ -80,8 +80,8 @@ void ExpectTruth(MapperScene& scene, double rootMeanSquare, double largest)
   EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1f) << "nothing is seen";
 }
 
-// A homogeneous volume of 11 voxels a side, 10 mm, in which light fades by half in 1 mm; seen along
-// z, parallel, so that a pixel tells how long its ray is.
+// A homogeneous volume of 11 voxels and 10 mm per side in which each mm absorbs half of the light.
+// It is seen along z in parallel projection, so that a pixel gives the length of its ray.
 class HalvingScene : public MapperScene
 {
 public:
@@ -96,7 +96,7 @@ public:
     this->LookDown({ 5.0, 5.0, 5.0 }, 5.0); // a pixel is half a voxel
   }
 
-  /// Of the ray at x, y [mm], pixel centres at a quarter and three quarters.
+  /// Length of the ray at x, y [mm]; pixel centres are at 0.25 and 0.75.
   double LengthMm(double x, double y)
   {
     const std::vector<float> drawn = this->Draw();
@@ -115,7 +115,7 @@ private:
   }
 };
 
-constexpr double LengthError = 1e-5; // [mm]: of a float
+constexpr double LengthError = 1e-5; // [mm]: rounding of floats
 
 }
 
@@ -131,7 +131,7 @@ TEST(Cuts, AClippingPlaneEndsRaysExactlyWhereItIs)
   EXPECT_NEAR(scene.LengthMm(4.75, 3.25), 4.75, LengthError);
   EXPECT_TRUE(scene.UsesShaderPart("Clip/Planes.glsl"));
 
-  plane->SetNormal(0.0, 0.0, -2.0); // along the grid: a smaller box, and no plane for a shader
+  plane->SetNormal(0.0, 0.0, -2.0); // along the grid: a smaller box, and no plane for the shader
   plane->SetOrigin(7.0, 7.0, 3.3);
   scene.mapper->Modified();
   EXPECT_NEAR(scene.LengthMm(2.25, 3.25), 3.3, LengthError);
@@ -140,8 +140,8 @@ TEST(Cuts, AClippingPlaneEndsRaysExactlyWhereItIs)
 
 TEST(Cuts, AHundredClippingPlanesAreAsExactAsOne)
 {
-  // A cone around the direction of view: planes that touch a circle of 4 mm at z = 0 and rise
-  // with half the distance to its middle.
+  // A cone around the viewing direction: planes that touch a circle of 4 mm at z = 0 and rise with
+  // half the distance to its centre.
   HalvingScene scene;
   constexpr int Count = 100;
   for (int i = 0; i < Count; ++i)
@@ -173,7 +173,7 @@ TEST(Cuts, APlaneThatLeavesNothingDrawsNothing)
   EXPECT_EQ(*std::max_element(drawn.begin(), drawn.end()), 0.0f);
 }
 
-// VTK's mapper draws the planes 10, 12, 16, 20, 22 of 0 ... 32 at 9.75, 11.75, 16, 20, 22.25.
+// VTK's mapper places the planes 10, 12, 16, 20, 22 of 0 ... 32 at 9.75, 11.75, 16, 20, 22.25.
 TEST(Cuts, CroppingPlanesAreWhereTheyAreInTheData)
 {
   HalvingScene scene;
@@ -185,7 +185,7 @@ TEST(Cuts, CroppingPlanesAreWhereTheyAreInTheData)
     EXPECT_NEAR(scene.LengthMm(2.25, 3.25), upper - 1.0, LengthError);
     EXPECT_TRUE(scene.UsesShaderPart("Crop/None.glsl")) << "a box costs nothing";
   }
-  // All but the middle, along z: what is in front of the middle and what is behind.
+  // All regions but the middle one: along z, the parts in front of it and behind it.
   scene.mapper->SetCroppingRegionFlags(0x7ffffff & ~SubVolume);
   scene.mapper->SetCroppingRegionPlanes(1.0, 9.0, 1.0, 9.0, 1.2, 8.9);
   EXPECT_NEAR(scene.LengthMm(2.25, 3.25), 1.2 + 1.1, LengthError);
@@ -272,7 +272,7 @@ TEST(Cuts, NormalsAtACutAreThoseOfTheData)
 
 TEST(Cuts, ACutIsASurfaceWhereItsIntensityIsGiven)
 {
-  // Opaque, without a gradient of its own: ambient light only, but for the cut.
+  // Opaque and without a gradient, so there is only ambient light, except at the cut.
   HalvingScene scene;
   scene.opacities->AddPoint(0.0, 1.0);
   vtkVolumeProperty* const property = scene.volume->GetProperty();

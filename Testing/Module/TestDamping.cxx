@@ -1,4 +1,4 @@
-// Light that is damped where there hardly is a gradient.
+// Shading damped where the gradient is small.
 
 #include "Frame/PropertyTransferFunction.h"
 #include "Module/MapperScene.h"

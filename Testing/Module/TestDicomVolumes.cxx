@@ -1,4 +1,4 @@
-// What only DICOM has: many files, several series, values to rescale, slices out of place.
+// Features of DICOM: many files, several series, rescaled values, slices out of place.
 #include "PhantomFiles.h"
 #include "Support/ExpectedVtkErrors.h"
 
@@ -19,7 +19,7 @@
 namespace
 {
 
-/// Writes slices of the phantom into a folder of that name.
+/// Writes slices of the phantom to a folder of the given name.
 void WriteSlices(const TemporaryFolder& folder, const std::string& name, const StoredVolume& volume,
   const std::vector<int>& slices, const DicomOptions& options = {})
 {
@@ -40,7 +40,7 @@ std::string Warnings(vtkVolumeFileReader* reader)
   return all;
 }
 
-/// The phantom with more slices, all alike.
+/// The phantom with more slices, all identical.
 StoredVolume TallPhantom(int sliceCount)
 {
   StoredVolume volume = phantom::Stored(0);
@@ -81,7 +81,7 @@ TEST(DicomVolumes, ValuesAreRescaledSliceBySlice)
   EXPECT_EQ(Warnings(reader), "");
 }
 
-TEST(DicomVolumes, WhatWasImagedAndHowIsTold)
+TEST(DicomVolumes, BodyPartAndAcquisitionAreReported)
 {
   const auto read = [](const DicomOptions& options)
   {
@@ -95,7 +95,7 @@ TEST(DicomVolumes, WhatWasImagedAndHowIsTold)
   DicomOptions chest;
   chest.bodyPart = "CHEST";
   chest.contrastAgent = "Iodine";
-  chest.echoMs = 90.0; // only means anything for MR
+  chest.echoMs = 90.0; // only meaningful for MR
   EXPECT_STREQ(read(chest)->GetBodyPart(), "CHEST");
   EXPECT_TRUE(read(chest)->HasContrastAgent());
   EXPECT_STREQ(read(chest)->GetWeighting(), "");
@@ -312,7 +312,7 @@ TEST(DicomVolumes, AScoutOfAnotherSizeIsLeftOutWithAWarning)
   EXPECT_NE(Warnings(reader).find("size"), std::string::npos) << Warnings(reader);
 }
 
-TEST(DicomVolumes, APositionThatIsNoneIsSurvived)
+TEST(DicomVolumes, AnInvalidPositionIsIgnored)
 {
   const TemporaryFolder folder;
   DicomOptions options;

@@ -1,4 +1,4 @@
-// The mapper keeps the error that it is asked to keep, judged by the reference integrator.
+// The mapper keeps its error tolerance, judged by the reference integrator.
 
 #include "Module/MapperScene.h"
 #include "Scene/ProceduralVolume.h"
@@ -59,8 +59,8 @@ const std::vector<ToleranceCase> Cases = {
     } },
 };
 
-// Between the samples of a ray along z, both where they are four and where they are two voxels
-// apart.
+// Sheets that lie between the samples of a ray along z, for sample distances of two and of four
+// voxels.
 vtkSmartPointer<vtkImageData> SheetsEveryFourVoxels()
 {
   constexpr int Side = 41;
@@ -192,7 +192,8 @@ TEST(ErrorTolerance, ChoosesPreIntegrationForThinPeaksOnly)
   EXPECT_EQ(DrawnMarch(scene), "March/PreIntegrated.glsl");
 }
 
-// Midpoints in noise that is seen everywhere, and what is linear between samples in thin shells.
+// Midpoints for noise that is visible everywhere; linear interpolation between samples for thin
+// shells.
 TEST(ErrorTolerance, ChoosesTheRuleOfLitPicturesToo)
 {
   const auto marchOf =
@@ -213,7 +214,7 @@ TEST(ErrorTolerance, ChoosesTheRuleOfLitPicturesToo)
 namespace
 {
 
-// A shell, lit, by packets of rays.
+// A lit shell, rendered by packets of rays.
 class LitShell
 {
 public:
@@ -245,15 +246,15 @@ private:
 
 }
 
-TEST(ErrorTolerance, OfLitPacketsIsKeptByMidpointsWhereTheyCan)
+TEST(ErrorTolerance, LitPacketsUseMidpointsIfTheyKeepIt)
 {
   LitShell shell(1.0, 1.0 / 64.0);
   EXPECT_EQ(shell.DrawBy(Mapper::Automatic), shell.DrawBy(Mapper::Midpoint));
 }
 
-TEST(ErrorTolerance, OfLitPacketsIsElseMissedByTheRuleThatIsNearer)
+TEST(ErrorTolerance, LitPacketsOtherwiseUseTheRuleThatIsCloser)
 {
-  const ExpectedVtkErrors warnings; // it cannot be kept
+  const ExpectedVtkErrors warnings; // the tolerance cannot be kept
   LitShell shell(0.5, 1e-4);
   const double linear = shell.EstimateBy(Mapper::PreIntegrated);
   EXPECT_GT(shell.EstimateBy(Mapper::Midpoint), 1.5 * linear);
@@ -262,7 +263,7 @@ TEST(ErrorTolerance, OfLitPacketsIsElseMissedByTheRuleThatIsNearer)
 
 TEST(ErrorTolerance, DrawsNothingIntoTheWindowWhenTriedOut)
 {
-  // A probe that left its viewport, framebuffer or clear colour behind would change the picture.
+  // A probe that left its viewport, framebuffer or clear colour behind would change the image.
   MapperScene scene(SmallTorso());
   scene.renderer->SetBackground(0.2, 0.4, 0.6);
   scene.mapper->SetErrorTolerance(1.0 / 64.0);
@@ -279,13 +280,13 @@ TEST(ErrorTolerance, IsThatOfColoursInTheWindow)
     scene.mapper->SetErrorTolerance(1.0 / 64.0);
     (scene.*draw)();
     const double distance = scene.mapper->GetUsedSampleDistance();
-    scene.mapper->SetFinalColorWindow(0.2f); // errors are five times as large
+    scene.mapper->SetFinalColorWindow(0.2f); // multiplies errors by five
     (scene.*draw)();
     EXPECT_LT(scene.mapper->GetUsedSampleDistance(), 0.8 * distance);
   }
 }
 
-TEST(ErrorTolerance, OfPacketsIsTriedOutWithoutAFramebuffer)
+TEST(ErrorTolerance, PacketsSearchWithoutAFramebuffer)
 {
   MapperScene scene(SmallTorso());
   const auto bytesOf = [&](std::vector<float> (MapperScene::*draw)(), double tolerance)
@@ -333,6 +334,6 @@ TEST(ErrorTolerance, DoesNotDependOnTheOnesBefore)
   const double alone = distanceFor(1.0 / 64.0);
   const double coarse = distanceFor(1.0);
   EXPECT_GT(coarse, alone);
-  // Begun at four voxels, a search would see nothing there, nothing at two voxels, and believe it.
+  // A search that starts at four voxels would see nothing there and at two voxels, and trust it.
   EXPECT_EQ(distanceFor(1.0 / 64.0), alone);
 }

@@ -1,4 +1,4 @@
-// What happens at the ends of what numbers, geometries and transfer functions may be.
+// Behaviour at the limits of numbers, geometries and transfer functions.
 
 #include "Module/ExtremeScenes.h"
 #include "Support/ExpectedVtkErrors.h"
@@ -26,7 +26,7 @@ std::string Describe(Mapper* mapper)
     std::to_string(mapper->GetErrorTolerance());
 }
 
-// No NaN, no infinity, and an opacity that is one.
+// Requires finite colours and opacities within [0, 1].
 void ExpectPicture(MapperScene& scene)
 {
   const std::vector<float> drawn = scene.Draw();
@@ -39,7 +39,7 @@ void ExpectPicture(MapperScene& scene)
   }
 }
 
-// Calls test() with every way that a mapper may draw the scene.
+// Calls test() with every way in which a mapper may render the scene.
 template <class Test>
 void ForEveryRecipe(MapperScene& scene, Test test)
 {
@@ -73,7 +73,7 @@ namespace
 
 void ExpectNothingButNumbers(const std::vector<ExtremeScene>& scenes)
 {
-  // One window for all, whose shaders are compiled once.
+  // One window for all scenes compiles each shader once.
   vtkNew<vtkHeadlessRenderWindow> window;
   ExpectedVtkErrors warnings;
   for (const ExtremeScene& extreme : scenes)
@@ -91,29 +91,29 @@ void ExpectNothingButNumbers(const std::vector<ExtremeScene>& scenes)
 
 }
 
-TEST(Extremes, OfMaterialsDrawNothingButNumbers)
+TEST(Extremes, MaterialsGiveFiniteImages)
 {
   ExpectNothingButNumbers(ExtremeMaterials());
   ExpectNothingButNumbers(HardSurfaces());
 }
 
-TEST(Extremes, OfScalarsDrawNothingButNumbers)
+TEST(Extremes, ScalarsGiveFiniteImages)
 {
   ExpectNothingButNumbers(ExtremeScalars());
 }
 
-TEST(Extremes, OfShapesDrawNothingButNumbers)
+TEST(Extremes, ShapesGiveFiniteImages)
 {
   ExpectNothingButNumbers(ThinShapes());
   ExpectNothingButNumbers(ExtremeShapes());
 }
 
-TEST(Extremes, OfViewsDrawNothingButNumbers)
+TEST(Extremes, ViewsGiveFiniteImages)
 {
   ExpectNothingButNumbers(ExtremeViews());
 }
 
-TEST(Extremes, OfSampleDistancesDrawNothingButNumbers)
+TEST(Extremes, SampleDistancesGiveFiniteImages)
 {
   ExpectNothingButNumbers(ExtremesWithoutTolerance());
 }
@@ -124,10 +124,10 @@ namespace
 struct Judged
 {
   varimarch::ImageError error; ///< in 1/255
-  double offPart;              ///< of the pixels, those that are off by more than the tolerance
-  double offEverywherePart;    ///< those that also are for every ray a tenth of a pixel beside
+  double offPart;              ///< fraction of pixels that are off by more than the tolerance
+  double offEverywherePart;    ///< fraction of those that no ray within a tenth of a pixel explains
   bool warned;
-  bool extreme; ///< whether one value of each ray decides
+  bool extreme; ///< true if one value of each ray decides
 };
 
 double OffPart(const std::vector<float>& drawn, const std::vector<float>& truth, double tolerance)
@@ -141,8 +141,8 @@ double OffPart(const std::vector<float>& drawn, const std::vector<float>& truth,
   return 4.0 * off / double(drawn.size());
 }
 
-// The lower and upper bounds of what rays a tenth of a pixel around each pixel's see, as far as the
-// tolerance lets a picture be off.
+// Lower and upper bounds of the reference for rays within a tenth of a pixel, widened by the
+// tolerance.
 struct Surroundings
 {
   std::vector<float> lower;
@@ -171,7 +171,7 @@ Surroundings SurroundingsOf(MapperScene& scene, const std::vector<float>& truth)
   return surroundings;
 }
 
-// A pixel at a discontinuity is right if it is what a ray beside it sees.
+// A pixel at a discontinuity is right if a neighbouring ray gives the same colour.
 double OffEverywherePart(
   MapperScene& scene, const std::vector<float>& drawn, std::vector<float> truth, double tolerance)
 {
@@ -183,7 +183,7 @@ double OffEverywherePart(
   return OffPart(drawn, truth, tolerance);
 }
 
-// Calls expect() with what came of each of the scene's pictures by the mapper's defaults.
+// Calls expect() with the errors of each of the scene's images with the mapper's defaults.
 template <class Expect>
 void JudgeEveryBlend(const ExtremeScene& extreme, vtkHeadlessRenderWindow* window, Expect expect)
 {
@@ -225,7 +225,7 @@ void ExpectToleranceOrWarning(const std::vector<ExtremeScene>& scenes)
       {
         EXPECT_TRUE(judged.warned || judged.error.percentile999 <= tolerance)
           << judged.error.percentile999;
-        // A maximum may be that of the second highest peak, in a ray of some thousand.
+        // In one ray of a thousand, a maximum may be the second highest peak.
         const double accepted = judged.extreme ? 0.001 : 0.0;
         EXPECT_TRUE(judged.warned || judged.offEverywherePart <= accepted ||
           judged.error.largest <= 2.0 * tolerance)
@@ -252,15 +252,15 @@ TEST(Extremes, OfShapesKeepTheErrorToleranceOrWarn)
   ExpectToleranceOrWarning(ExtremeShapes());
 }
 
-TEST(Extremes, OfViewsKeepTheErrorToleranceOrWarn)
+TEST(Extremes, ViewsKeepTheErrorToleranceOrWarn)
 {
   ExpectToleranceOrWarning(ExtremeViews());
 }
 
 TEST(Extremes, HardSurfacesAreWrongOnlyWhereRaysGrazeThem)
 {
-  // At such a silhouette a pixel is wholly right or wholly wrong, and then is what a ray beside
-  // sees.
+  // At such a silhouette, a pixel is either entirely right or entirely wrong, and then equals that
+  // of a neighbouring ray.
   vtkNew<vtkHeadlessRenderWindow> window;
   for (const ExtremeScene& extreme : HardSurfaces())
   {
@@ -275,8 +275,8 @@ TEST(Extremes, HardSurfacesAreWrongOnlyWhereRaysGrazeThem)
 
 TEST(Extremes, ThousandsOfStepsKeepTheirPlaces)
 {
-  // A place summed up from so many float steps would be off by a part of a voxel, and the picture
-  // by 4 of 255 for each hundredth.
+  // A position summed up from so many float steps would be off by a fraction of a voxel, and the
+  // image by 4/255 for each hundredth.
   vtkNew<vtkHeadlessRenderWindow> window;
   for (const ExtremeScene& extreme : ExtremesWithoutTolerance())
   {
@@ -320,7 +320,7 @@ TEST(Extremes, ASampleDistanceTooShortToEndIsLengthenedWithAWarning)
 namespace
 {
 
-// One voxel of 10 x 9 x 8 has the value, the others go from 0 to 1.
+// One of 10 x 9 x 8 voxels has the value; the others range from 0 to 1.
 vtkSmartPointer<vtkImageData> FloatsWith(double value)
 {
   auto floats = vtkSmartPointer<vtkImageData>::New();

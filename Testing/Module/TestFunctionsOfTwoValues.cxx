@@ -1,4 +1,4 @@
-// Transfer functions of two values: the second is the gradient's magnitude, or another array.
+// Transfer functions of two values; the second is the gradient magnitude or another array.
 
 #include "Frame/VolumeGeometry.h"
 #include "Module/MapperScene.h"
@@ -22,8 +22,8 @@ namespace
 
 constexpr double Tolerance = 0.5 / 255.0;
 
-// A function of 5 x 3 points: red is the place of the first value, green that of the second; the
-// opacity is a tenth of their product.
+// A function of 5 x 3 points. Red is the position of the first value, green that of the second, and
+// the opacity is a tenth of their product.
 vtkSmartPointer<vtkImageData> Function()
 {
   const auto function = vtkSmartPointer<vtkImageData>::New();
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkImageData> Function()
 }
 
 // A block of 9 x 9 x 33 voxels, seen along z. The first value rises along x from 0 to 80, so that
-// its gradient is 10, half of a quarter of the range; the second one is 30 in a range of 0 to 120.
+// its gradient is 10, half of a quarter of the range. The second one is 30 in a range of 0 to 120.
 class TwoValues
 {
 public:
@@ -62,7 +62,7 @@ public:
     camera->SetClippingRange(1.0, 1000.0);
   }
 
-  // The picture where the values are at these places of their ranges.
+  // Expects the image for values at these fractions of their ranges.
   void ExpectPlaces(double first, double second)
   {
     const double alpha = 1.0 - std::pow(1.0 - 0.1 * first * second, 32.0);
@@ -104,7 +104,7 @@ TEST(FunctionsOfTwoValues, TakeTheGradientAndMeetTheEndsOfTheRange)
     values.scene.mapper->SetSampleDistance(sampleDistance);
     values.ExpectPlaces(0.5, 0.5);
   }
-  // Not at a point of the function.
+  // A value between the points of the function.
   vtkCamera* camera = values.scene.renderer->GetActiveCamera();
   camera->SetFocalPoint(5.3, 4.0, 0.0);
   camera->SetPosition(5.3, 4.0, 300.0);

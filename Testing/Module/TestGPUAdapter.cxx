@@ -1,4 +1,5 @@
-// vtkVariationFieldGPUVolumeRayCastMapper: what it passes on, and what it leaves to VTK's mapper.
+// vtkVariationFieldGPUVolumeRayCastMapper: settings that it forwards, and scenes that it leaves to
+// VTK's mapper.
 
 #include "Module/MapperScene.h"
 
@@ -52,7 +53,7 @@ class UnsupportedSetting : public testing::TestWithParam<Change>
 {
 };
 
-// The image with a second array, whose values are another picture.
+// Selects a second array whose values give another image.
 void SelectOtherArray(vtkGPUVolumeRayCastMapper* mapper, MapperScene& scene)
 {
   vtkNew<vtkShortArray> other;

@@ -1,5 +1,5 @@
-// Opacity that depends on the gradient: closed forms where the gradient is known, the reference
-// where it is not.
+// Opacity that depends on the gradient, compared with closed forms if the gradient is known, and
+// with the reference otherwise.
 
 #include "Frame/VolumeGeometry.h"
 #include "Module/MapperScene.h"
@@ -19,8 +19,8 @@ namespace
 
 constexpr double Tolerance = 0.5 / 255.0;
 
-// A block of 9 x 9 x 33 voxels whose values rise along x only, by `slope` each: one gradient but
-// for the outermost voxels, seen along z. White.
+// A white block of 9 x 9 x 33 voxels whose values rise by `slope` per voxel along x, seen along z.
+// Apart from the outermost voxels, it has one gradient.
 class Ramp
 {
 public:
@@ -58,7 +58,7 @@ private:
     {
       voxels[i] = float(slope * (i % 9));
     }
-    voxels[0] = 100.0f; // a range that leaves the slopes below a quarter of it
+    voxels[0] = 100.0f; // keeps the slopes below a quarter of the range
     return image;
   }
 };
@@ -82,7 +82,7 @@ TEST(GradientOpacity, MultipliesTheOpacityOfAUnitDistanceWhateverTheStep)
 
 TEST(GradientOpacity, MeasuresGradientsPerMeanSpacingAsVtkDoes)
 {
-  // A mean spacing of 2: twice the difference of neighbours along x.
+  // The mean spacing is 2, so the gradient is twice the difference of neighbours along x.
   Ramp ramp(2.0, 4.0);
   ramp.factors->AddPoint(3.9, 0.0);
   ramp.factors->AddPoint(4.0, 0.02);

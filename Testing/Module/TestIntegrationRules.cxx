@@ -1,4 +1,4 @@
-// How fast each rule of integration converges to the reference as the sample distance shrinks.
+// Convergence of each integration rule to the reference with shrinking sample distance.
 
 #include "Module/MapperScene.h"
 
@@ -14,7 +14,7 @@ using Mapper = vtkVariationFieldVolumeMapper;
 
 constexpr double LengthMm = 32.0;
 
-// Values that rise evenly from 0 to 1000 along x, and so are linear along every ray.
+// Values that rise evenly from 0 to 1000 along x, and are therefore linear along every ray.
 vtkSmartPointer<vtkImageData> Ramp(int voxels)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -29,7 +29,7 @@ vtkSmartPointer<vtkImageData> Ramp(int voxels)
   return image;
 }
 
-// Rays along x through the ramp, whose extinction and colour are smooth and not zero at the ends.
+// Rays along x through the ramp. Extinction and colour are smooth, and not 0 at the ends.
 class RampScene : public MapperScene
 {
 public:
@@ -55,7 +55,7 @@ public:
     this->truth = this->Truth(1e-10);
   }
 
-  // Largest error of a channel with so many samples along the ramp.
+  // Largest error of a channel with the given number of samples along the ramp.
   double ErrorOf(int samples)
   {
     this->mapper->SetSampleDistance(LengthMm / samples);
@@ -71,7 +71,7 @@ private:
 struct RuleOrder
 {
   int rule;
-  int samples; ///< few enough that halving their distance does not reach a float's last digits
+  int samples; ///< few enough that halving their distance stays above the rounding of floats
   double order;
   bool shaded = false;
 };
@@ -102,7 +102,7 @@ TEST_P(IntegrationRule, ConvergesAlikeWithTheOpticalField)
   scene.mapper->SetAccelerationModeToOff();
   const double without = scene.ErrorOf(samples);
   scene.mapper->SetAccelerationModeToOpticalField();
-  // Behind what absorbs, steps grow by up to 4, and the sum of errors by less than that.
+  // Behind absorbing material, steps grow by up to 4, and the sum of errors by less than that.
   EXPECT_LT(scene.ErrorOf(samples), 4.0 * without + 1.0 / 255.0);
 }
 

@@ -1,5 +1,5 @@
-// Lights other than a head light: closed forms where surfaces face the eye, and the reference with
-// lights of its own where they do not.
+// Lights other than a head light, compared with closed forms for surfaces that face the eye, and
+// otherwise with a reference that has the same lights.
 
 #include "Frame/VolumeGeometry.h"
 #include "Module/MapperScene.h"
@@ -25,8 +25,8 @@ namespace
 constexpr double Tolerance = 0.5 / 255.0;
 constexpr double Red = 0.8;
 
-// A block whose values fall towards the eye, nearly opaque: its front at z = 8 fills the picture.
-// Ambient, diffuse and specular light 0.1, 0.6 and 0.3, power 8.
+// A nearly opaque block whose values fall towards the eye. Its front at z = 8 fills the image.
+// Ambient, diffuse and specular light are 0.1, 0.6 and 0.3, the power is 8.
 class FacingBlock
 {
 public:
@@ -129,7 +129,7 @@ TEST(Lights, PositionalLightIsAttenuatedWithItsDistance)
 TEST(Lights, SpotLightFallsTowardsItsConeAndIsDarkBeyond)
 {
   FacingBlock block;
-  // It stands above the middle of the picture, and points 20 degrees beside it.
+  // The light stands above the centre of the image and points 20 degrees to its side.
   const double beside = 5.0 * std::tan(glm::radians(20.0));
   vtkLight* light =
     block.AddLight(front + glm::dvec3(0.0, 0.0, 5.0), front + glm::dvec3(beside, 0.0, 0.0));
@@ -149,7 +149,7 @@ TEST(Lights, TheBackOfASurfaceIsLitOnlyWhereBothSidesAre)
   EXPECT_NEAR(block.DrawnRed(), 0.6 * Red, 0.005) << "no light is reflected to the eye";
   block.scene.renderer->TwoSidedLightingOff();
   EXPECT_NEAR(block.DrawnRed(), 0.0, Tolerance);
-  // A head light still lights the front, and leaves ambient light on a back.
+  // A head light still lights the front, and leaves ambient light on the back.
   FacingBlock facing;
   facing.scene.renderer->TwoSidedLightingOff();
   facing.AddLight(front, front)->SetLightTypeToHeadlight();
@@ -177,7 +177,7 @@ glm::dvec3 Vector(const double* values)
   return { values[0], values[1], values[2] };
 }
 
-// The lights of a renderer in double precision, as the shader should have them.
+// The renderer's lighting in double precision.
 glm::dvec3 Lit(MapperScene& scene, glm::dvec3 color, glm::dvec3 normal, glm::dvec3 positionWorld,
   glm::dvec3 toEye)
 {

@@ -1,4 +1,5 @@
-// The mapper's pictures against the reference integrator: double precision, none of its formulas.
+// Images of the mapper against the reference integrator, which is in double precision and shares no
+// formula.
 
 #include "Module/MapperScene.h"
 #include "Support/ExpectedVtkErrors.h"
@@ -19,7 +20,7 @@ namespace
 
 using Mapper = vtkVariationFieldVolumeMapper;
 
-// Half a step of an 8 bit display, which nobody sees, and what no pixel may exceed.
+// Half of 1/255, which is invisible; no pixel may exceed it.
 void ExpectInvisibleError(MapperScene& scene)
 {
   const varimarch::ImageError error = scene.Error();
@@ -30,7 +31,7 @@ void ExpectInvisibleError(MapperScene& scene)
   EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the picture is empty";
 }
 
-// Nothing is seen of air, which fills most bricks around and in the torso.
+// Makes air invisible, which fills most bricks around and in the torso.
 void SetAirAndTissue(MapperScene& scene)
 {
   scene.opacities->RemoveAllPoints();
@@ -70,7 +71,7 @@ TEST_P(ExtremeAccuracy, IsTheTruthWhateverBricksAreLeftAndWhateverTheSampleDista
 {
   MapperScene scene(SmallTorso());
   scene.mapper->SetBlendMode(GetParam());
-  // The smallest value is that of air; to be seen it must be opaque.
+  // The smallest value is that of air, which must be opaque to be visible.
   scene.opacities->AddPoint(-1100.0, 0.9);
   const std::vector<float> truth = scene.Truth();
   EXPECT_GT(*std::max_element(truth.begin(), truth.end()), 0.5) << "the picture is empty";
@@ -105,7 +106,8 @@ TEST(Mapper, AverageIntensityIsCloseToTheTruth)
   EXPECT_LT(scene.Error().rootMeanSquare, 0.5);
   const double all = scene.Draw()[4 * (48 * 96 + 48)];
   scene.mapper->SetAverageIPScalarRange(-50.0, 150.0);
-  // A ray that is in the range for less than a step is clear, or wholly what its sample says.
+  // A ray that is in the range for less than a step is either transparent or the value of its
+  // sample.
   scene.mapper->AutoAdjustSampleDistancesOff();
   scene.mapper->SetSampleDistance(2.0);
   const double coarse = scene.Error().rootMeanSquare;
@@ -123,8 +125,8 @@ TEST(Mapper, AdditiveIsCloseToTheTruth)
   EXPECT_LT(scene.Error().rootMeanSquare, 1.0) << "where it is white";
 }
 
-// The middle of the picture is between two bright voxels at opposite corners.
-TEST(Mapper, ARayThatSeesNothingReadsNothing)
+// The centre of the image lies between two bright voxels at opposite corners.
+TEST(Mapper, ARayWithoutVisibleVoxelsFetchesNothing)
 {
   constexpr int Side = 33;
   vtkNew<vtkImageData> image;
@@ -157,7 +159,7 @@ TEST(Mapper, SumsAndAveragesLeaveInvisibleBricksOutAndCountTheirLength)
     EXPECT_LT(scene.Error().largest, 0.5) << blend;
     EXPECT_TRUE(leavesOut());
   }
-  // The length of what is out of the range must not count.
+  // Lengths outside the range must not count.
   scene.mapper->SetBlendModeToAverageIntensity();
   scene.mapper->SetAverageIPScalarRange(-500.0, 3000.0);
   EXPECT_LT(scene.Error().percentile999, 5.0);
@@ -166,7 +168,7 @@ TEST(Mapper, SumsAndAveragesLeaveInvisibleBricksOutAndCountTheirLength)
 
 TEST(Mapper, LightOnABrickOfOneLookIsNotTakenAsTheSameEverywhere)
 {
-  // Bone of one opacity and colour, whatever its value: homogeneous but for its light.
+  // Bone with one opacity and colour for all values: homogeneous except for its light.
   MapperScene scene(SmallTorso());
   scene.volume->GetProperty()->ShadeOn();
   scene.colors->RemoveAllPoints();
@@ -209,7 +211,7 @@ TEST(Mapper, NearPlaneCutsTheVolumeWhereItShould)
 TEST(Mapper, MatricesOfVolumeAndImageAreHonoured)
 {
   const vtkSmartPointer<vtkImageData> torso = SmallTorso();
-  // A mirror and a turn: the x axis points back along y, y along x, z as before.
+  // A mirror and a rotation: x points against y, y along x, z backwards.
   const double direction[9] = { 0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0 };
   torso->SetDirectionMatrix(direction);
   MapperScene scene(torso);
@@ -248,14 +250,14 @@ TEST(Mapper, OpaqueGeometryHidesWhatIsBehindIt)
   surface->SetInputConnection(source->GetOutputPort());
   vtkNew<vtkActor> wall;
   wall->SetMapper(surface);
-  wall->SetPosition(0.0, 400.0, 0.0); // its near side passes through the middle of the volume
+  wall->SetPosition(0.0, 400.0, 0.0); // its near side passes through the centre of the volume
   wall->GetProperty()->LightingOff();
   wall->GetProperty()->SetColor(0.0, 0.0, 0.0);
 
   const std::vector<float> without = scene.Draw();
   scene.renderer->AddActor(wall);
   const std::vector<float> withWall = scene.Draw();
-  // Light of the front half only: less than before somewhere, and nowhere more.
+  // Only the front half is visible: darker in some pixels, and brighter in none.
   double lost = 0.0;
   double gained = 0.0;
   double sum = 0.0;
@@ -282,7 +284,7 @@ TEST(Mapper, OpaqueGeometryHidesWhatIsBehindIt)
 namespace
 {
 
-// Each ray meets what is visible at other places than its neighbours, again and again.
+// Visible and invisible regions alternate at other positions in each ray.
 vtkSmartPointer<vtkImageData> Noise()
 {
   auto noise = vtkSmartPointer<vtkImageData>::New();

@@ -1,4 +1,4 @@
-// What is built, what is resident, and what is said when something is wrong.
+// Resources that are built and kept, and error messages.
 
 #include "Module/MapperScene.h"
 #include "Support/ExpectedVtkErrors.h"
@@ -43,7 +43,7 @@ Counts CountsOf(vtkVariationFieldVolumeMapper* mapper)
     mapper->GetFieldBuilds(), mapper->GetOpticalTableBuilds(), mapper->GetShaderBuilds() };
 }
 
-// What drawing again builds after a change.
+// Numbers of resources that a change makes the next rendering build.
 Counts BuiltBy(MapperScene& scene, const std::function<void()>& change)
 {
   scene.window->Render();
@@ -92,18 +92,18 @@ TEST(Rebuilds, AChangedTransferFunctionRebuildsTheTableAndTheClassesOfBricks)
     expected);
 }
 
-TEST(Rebuilds, AFunctionInPlaceOfAnotherCountsAsAChangeHoweverOldItIs)
+TEST(Rebuilds, AReplacedFunctionCountsAsAChangeHoweverOldItIs)
 {
   vtkNew<vtkPiecewiseFunction> older;
   older->AddPoint(150.0, 0.0);
   older->AddPoint(400.0, 0.5);
   MapperScene scene(SmallTorso());
-  scene.colors->Modified(); // the newest of all, before and after
+  scene.colors->Modified(); // newest of all, before and after the exchange
   EXPECT_EQ(BuiltBy(scene, [&] { scene.volume->GetProperty()->SetScalarOpacity(older); }),
     (Counts{ 0, 0, 1, 1, 0 }));
 }
 
-TEST(Rebuilds, TheScalarFieldKnowsNothingOfTheTransferFunction)
+TEST(Rebuilds, TheScalarFieldIsIndependentOfTheTransferFunction)
 {
   MapperScene scene(SmallTorso());
   scene.mapper->SetAccelerationModeToScalarField();
@@ -116,7 +116,7 @@ TEST(Rebuilds, TheScalarFieldKnowsNothingOfTheTransferFunction)
 TEST(Rebuilds, AnotherChoiceTakesAnotherShader)
 {
   MapperScene scene(SmallTorso());
-  // Light varies where colours do not: the field then has no homogeneous bricks.
+  // Light varies where colours do not, so the field has no homogeneous bricks.
   EXPECT_EQ(
     BuiltBy(scene, [&] { scene.volume->GetProperty()->ShadeOn(); }), (Counts{ 0, 0, 1, 0, 1 }));
   EXPECT_EQ(
@@ -180,13 +180,13 @@ TEST(Resources, AFieldWithHardlyABrickToSkipIsNotResident)
   const auto [skipping, withField] = stepAndBytes();
   EXPECT_EQ(skipping, "Step/OpticalField.glsl");
 
-  scene.opacities->AddPoint(-2000.0, 0.01); // air too
+  scene.opacities->AddPoint(-2000.0, 0.01); // air, too
   const auto [growing, withoutField] = stepAndBytes();
   EXPECT_EQ(growing, "Step/Growing.glsl");
   EXPECT_EQ(withoutField, withField - 10 * 9 * 6);
 }
 
-// Means over pairs of values: so many entries that a narrow peak spans some.
+// A table of mean values over pairs needs enough entries for a narrow peak.
 TEST(Resources, ATableOfMeansIsAsLargeAsTheFunctionNeeds)
 {
   MapperScene scene(SmallTorso());
@@ -230,7 +230,7 @@ TEST(Resources, TheDepthBufferIsCopiedOnlyForOpaqueGeometry)
 
 TEST(Resources, EveryScalarTypeDrawsTheSamePicture)
 {
-  // Values that every type can hold.
+  // Values that every type can represent.
   const vtkSmartPointer<vtkImageData> torso = SmallTorso();
   auto* voxels = static_cast<short*>(torso->GetScalarPointer());
   for (vtkIdType i = 0; i < torso->GetNumberOfPoints(); ++i)
@@ -290,7 +290,7 @@ TEST(Errors, AnUnsupportedBlendModeIsNamed)
   EXPECT_NE(errors.Text().find("is not supported: expected composite"), std::string::npos);
 }
 
-TEST(State, OfOpenGLIsAsBeforeAfterAPicture)
+TEST(State, OpenGLIsUnchangedAfterAFrame)
 {
   MapperScene scene(SmallTorso());
   scene.volume->VisibilityOff();

@@ -1,5 +1,5 @@
-// Masks: which voxels are drawn, and by which functions. Each voxel of a mask fills the cube around
-// it, so that what a ray crosses of a label is known exactly.
+// Masks decide which voxels are visible, and with which functions. A voxel of a mask fills the cube
+// around it, so the length of a ray within a label is known exactly.
 
 #include "Frame/VolumeGeometry.h"
 #include "Module/MapperScene.h"
@@ -42,8 +42,8 @@ vtkSmartPointer<vtkImageData> MaskOf(glm::ivec3 size, const Labels& labels, int 
   return mask;
 }
 
-// A block of 9 x 9 x 33 voxels of value 50 in a range of 0 to 100, seen along its z axis: white,
-// its opacity 0.05 per unit distance.
+// A white block of 9 x 9 x 33 voxels of value 50 in a range of 0 to 100, seen along its z axis,
+// with an opacity of 0.05 per unit distance.
 class Block
 {
 public:
@@ -76,7 +76,7 @@ private:
   {
     const auto image = MaskOf(
       { 9, 9, 33 }, [](glm::ivec3 voxel) { return voxel.x == 0 ? 100 * (voxel.y % 2) : 50; },
-      VTK_SHORT); // which packets of rays read
+      VTK_SHORT); // a type that packets of rays support
     return image;
   }
 };
@@ -93,7 +93,7 @@ vtkSmartPointer<vtkPiecewiseFunction> Constant(double value)
 TEST(BinaryMask, EndsHalfWayBetweenVoxels)
 {
   Block block;
-  // Voxels 10 to 19 and 25: ten and one unit distances.
+  // Voxels 10 to 19 and voxel 25: ten unit distances and one.
   block.SetMask([](glm::ivec3 voxel)
     { return (voxel.z >= 10 && voxel.z < 20) || voxel.z == 25 ? 255 : 0; },
     true);
@@ -103,7 +103,7 @@ TEST(BinaryMask, EndsHalfWayBetweenVoxels)
     block.scene.mapper->SetSampleDistance(4.0);
     EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 11.0), Tolerance);
   }
-  // The half of the first voxel that is inside the volume.
+  // Only the half of the first voxel that lies inside the volume.
   block.SetMask([](glm::ivec3 voxel) { return voxel.z == 0 ? 1 : 0; }, true);
   EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 0.5), Tolerance);
   block.SetMask([](glm::ivec3) { return 0; }, true);
@@ -131,7 +131,7 @@ TEST(BinaryMask, ConfinesEveryBlendMode)
   }
 }
 
-TEST(BinaryMask, OfAnotherResolutionSpansTheSameBox)
+TEST(BinaryMask, MayHaveAnotherResolutionInTheSameBox)
 {
   Block block;
   block.scene.mapper->SetMaskTypeToBinary();
@@ -145,7 +145,7 @@ TEST(LabelMap, OpacityIsThatOfAUnitDistanceWhateverTheStep)
 {
   Block block;
   vtkVolumeProperty* property = block.scene.volume->GetProperty();
-  // Any label value.
+  // Labels may have any value.
   property->SetLabelScalarOpacity(70000, Constant(0.2));
   property->SetLabelScalarOpacity(-3, Constant(0.0));
   block.SetMask(
@@ -161,7 +161,7 @@ TEST(LabelMap, OpacityIsThatOfAUnitDistanceWhateverTheStep)
   }
 }
 
-TEST(LabelMap, ColoursAreOfTheLabelsAndTheRestIsAsWithout)
+TEST(LabelMap, ColoursApplyOnlyToLabelledVoxels)
 {
   Block block;
   vtkVolumeProperty* property = block.scene.volume->GetProperty();
@@ -173,7 +173,7 @@ TEST(LabelMap, ColoursAreOfTheLabelsAndTheRestIsAsWithout)
   const double all = 1.0 - std::pow(0.95, 32.0);
   EXPECT_NEAR(block.scene.MiddlePixel()[0], all, Tolerance);
   EXPECT_NEAR(block.scene.MiddlePixel()[1], all - inFront, Tolerance);
-  // Half of the label's colour, half of that without a label.
+  // Half of the label's colour and half of the colour without labels.
   block.scene.mapper->SetMaskBlendFactor(0.5);
   EXPECT_NEAR(block.scene.MiddlePixel()[1], all - 0.5 * inFront, Tolerance);
   block.scene.mapper->SetMaskBlendFactor(0.0);
@@ -193,7 +193,7 @@ TEST(LabelMap, OpacitiesOfAUnitDistanceAreMixed)
 namespace
 {
 
-// A torso of three labels: 1 has a colour and an opacity of its own, 2 a gradient opacity.
+// A torso with three labels: 1 has its own colour and opacity, 2 a gradient opacity.
 class LabelledTorso
 {
 public:
@@ -238,7 +238,7 @@ public:
 private:
   static int LabelOf(glm::ivec3 voxel) { return (voxel.x / 13 + voxel.z / 9) % 3; }
 
-  // Per mean spacing.
+  // Gradient magnitude per mean spacing.
   double Magnitude(glm::dvec3 gradient) const
   {
     double spacing[3];

@@ -1,4 +1,4 @@
-// Volumes that overlap, by a vtkMultiVolume: their extinctions and emissions add up.
+// Overlapping volumes of a vtkMultiVolume: their extinctions and emissions add up.
 
 #include "Module/HomogeneousScene.h"
 #include "Module/OverlapScene.h"
@@ -15,7 +15,7 @@ using namespace varimarch;
 namespace
 {
 
-// Values 0 and 2 have this opacity, and so has every value between.
+// The same opacity for all values from 0 to 2.
 Look OneMaterial(glm::dvec3 color, double opacity)
 {
   return { color, -2.0, -1.0, opacity };
@@ -24,7 +24,7 @@ Look OneMaterial(glm::dvec3 color, double opacity)
 const Look red = OneMaterial({ 0.9, 0.2, 0.1 }, 0.1);
 const Look blue = OneMaterial({ 0.1, 0.3, 0.8 }, 0.05);
 
-// A box of one material in the world, for closed forms.
+// A box of one material in world space, for closed forms.
 struct ClosedBox
 {
   VolumeGeometry geometry;
@@ -39,8 +39,8 @@ struct ClosedBox
   }
 };
 
-// Emission and absorption along a ray of a direction of unit length, piece by piece between the
-// faces of all boxes.
+// Emission and absorption along a ray with a unit direction, piece by piece between the faces of
+// all boxes.
 glm::dvec4 ClosedForm(const std::vector<ClosedBox>& boxes, const Ray& rayWorld)
 {
   std::vector<double> faces;
@@ -88,7 +88,7 @@ void ExpectClosedForm(
     const glm::dvec4 truth = ClosedForm(boxes, ray);
     for (int channel = 0; channel < 4; ++channel)
     {
-      // Rounding of floats, of places of some ten millimetres.
+      // Rounding of float positions of about ten millimetres.
       ASSERT_NEAR(drawn[4 * pixel + channel], truth[channel], 5e-5) << x << " " << y;
     }
     seen = std::max(seen, truth.a);
@@ -132,7 +132,7 @@ TEST(MultiVolume, HomogeneousBoxesAtAnAngleHaveTheirClosedForm)
   OverlapScene scene;
   const TwoBoxes boxes(scene);
   ExpectClosedForm(scene, boxes.Closed());
-  // The renderer chooses the clipping range by the bounds that VTK has of them.
+  // The renderer derives the clipping range from the bounds that VTK reports.
   scene.renderer->GetActiveCamera()->ParallelProjectionOff();
   scene.renderer->ResetCamera();
   ExpectClosedForm(scene, boxes.Closed());
@@ -161,7 +161,7 @@ TEST_P(CutVolumes, AreCutByClippingPlanesAndEndAtOpaqueGeometry)
   double largest = 0.0;
   for (std::size_t i = 0; i < whole.size(); ++i)
   {
-    // What is in front lets a part of what is behind through, and geometry shows what is in front.
+    // The front part transmits some of the back part, and geometry shows only the front part.
     const double joined = front[i] + (1.0 - front[i / 4 * 4 + 3]) * behind[i];
     ASSERT_NEAR(joined, whole[i], 5e-5);
     const bool isAlpha = i % 4 == 3;
@@ -173,7 +173,7 @@ TEST_P(CutVolumes, AreCutByClippingPlanesAndEndAtOpaqueGeometry)
 
 INSTANTIATE_TEST_SUITE_P(ByProcessorOrNot, CutVolumes, testing::Bool());
 
-TEST(MultiVolume, OneThatIsFarFromTheOtherIsDrawnAsIfAlone)
+TEST(MultiVolume, AVolumeFarFromTheOtherIsRenderedAsIfAlone)
 {
   OverlapScene scene;
   const TwoBoxes boxes(scene);
@@ -187,7 +187,7 @@ TEST(MultiVolume, OneThatIsFarFromTheOtherIsDrawnAsIfAlone)
   EXPECT_EQ(scene.Draw(), together);
 }
 
-TEST(MultiVolume, OneAloneIsTheSameAsWithoutAMultiVolume)
+TEST(MultiVolume, ASingleVolumeIsRenderedAsWithoutAMultiVolume)
 {
   OverlapScene scene;
   const TwoBoxes boxes(scene);
@@ -220,7 +220,7 @@ TEST(MultiVolume, OneAloneIsTheSameAsWithoutAMultiVolume)
 namespace
 {
 
-// How two balls with soft rims are drawn, at angles, with voxels of different sizes.
+// Appearance of two balls with soft rims, at an angle and with different voxel sizes.
 struct BallLooks
 {
   bool firstShaded;
@@ -301,7 +301,7 @@ TEST(MultiVolume, TheOrderOfPortsMakesNoDifference)
   {
     const std::vector<float> drawn = (scene.*draw)();
     const std::vector<float> other = (swapped.*draw)();
-    // Rounding of floats, which are those of another grid.
+    // Rounding of floats differs because another grid is used.
     EXPECT_LT(CompareImages(drawn.data(), other.data(), drawn.size() / 4).largest, 0.1);
   }
 }
@@ -380,7 +380,7 @@ TEST_P(ChangingVolumes, AreMadeAgainWhereOneOfThemHasChanged)
 
 INSTANTIATE_TEST_SUITE_P(ByProcessorOrNot, ChangingVolumes, testing::Bool());
 
-TEST(MultiVolume, WhatVtkDrawsOtherwiseIsLeftToItsMapper)
+TEST(MultiVolume, UnsupportedSettingsAreLeftToVtksMapper)
 {
   OverlapScene scene;
   const TwoBoxes boxes(scene);

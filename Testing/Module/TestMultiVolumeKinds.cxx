@@ -1,4 +1,4 @@
-// Volumes of every kind among volumes that overlap.
+// Every kind of volume among overlapping volumes.
 
 #include "Module/OverlapScene.h"
 
@@ -16,7 +16,7 @@ using namespace varimarch;
 namespace
 {
 
-// A volume that is more than one scalar at each point of an image.
+// A volume that has more than one scalar at each point of an image.
 struct Kind
 {
   const char* name;
@@ -97,7 +97,7 @@ class KindOfVolume : public testing::TestWithParam<Kind>
 {
 };
 
-TEST_P(KindOfVolume, IsInACloudThatIsNotVisibleAsWithout)
+TEST_P(KindOfVolume, IsUnchangedInsideAnInvisibleVolume)
 {
   vtkNew<vtkVolume> volume;
   SetLook(volume->GetProperty(), 0, looks[0]);

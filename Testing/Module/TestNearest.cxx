@@ -1,4 +1,4 @@
-// Nearest interpolation, VTK's default: voxels are boxes of one value, and drawn exactly.
+// Nearest-neighbour interpolation, VTK's default: voxels are boxes of one value, rendered exactly.
 
 #include "Module/MapperScene.h"
 #include "Scene/ProceduralVolume.h"
@@ -15,8 +15,8 @@ namespace
 
 constexpr int Size = 64;
 
-// What floats lose on the way; nothing is sampled. A ray through the edge of a voxel that is the
-// largest of its ray may see it or not: of these there are few.
+// Allows for the rounding of floats; nothing is sampled. A few rays graze the edge of their largest
+// voxel, and may or may not see it.
 void ExpectExact(MapperScene& scene)
 {
   const ImageError error = scene.Error();
@@ -29,7 +29,7 @@ void ExpectExact(MapperScene& scene)
 
 }
 
-TEST(Nearest, IsWhatAPropertySaysByDefault)
+TEST(Nearest, IsTheDefaultOfAProperty)
 {
   MapperScene scene(SmallTorso(), Size);
   vtkNew<vtkVolumeProperty> property;
@@ -112,7 +112,7 @@ TEST(Nearest, IsTheSameInBlocks)
   EXPECT_LT(CompareImages(inBlocks.data(), whole.data(), whole.size() / 4).percentile999, 0.3);
 }
 
-TEST(Nearest, NeedsNoStepsAndSoTriesNoneOut)
+TEST(Nearest, NeedsNoStepsAndSearchesForNone)
 {
   MapperScene scene(SmallTorso(), Size);
   scene.mapper->SetErrorTolerance(1.0 / 64.0);

@@ -1,4 +1,4 @@
-// C++ and OpenGL agree on where the numbers of a march lie.
+// C++ and OpenGL agree on the layout of the parameters of a march.
 
 #include "Core/Parameters/MarchParameters.h"
 #include "Core/Recipe/ParameterBlock.h"
@@ -52,7 +52,7 @@ const std::map<std::string, TypeLayout> layouts = {
   { "mat4", LayoutOf<shader::mat4>() },
 };
 
-// The offset of each member in C++, and the size of all.
+// Offset of each member in C++, and the total size.
 struct StructLayout
 {
   std::map<std::string, std::size_t> offsets;
@@ -73,7 +73,7 @@ StructLayout StructOf(const std::vector<BlockMember>& members)
   return found;
 }
 
-// The offset of a member in the block of a program; -1 where there is none.
+// Offset of a member in the block of a program; -1 if it is missing.
 GLint OffsetInBlock(GLuint program, const BlockMember& member)
 {
   const std::string name = member.name + (member.count > 1 ? "[0]" : "");
@@ -88,7 +88,7 @@ GLint OffsetInBlock(GLuint program, const BlockMember& member)
   return offset;
 }
 
-// A program that reads a number of the block.
+// A program that reads one number of the block.
 GLuint ProgramOf(const std::string& block, const std::string& number)
 {
   const auto compiled = [](GLenum type, const std::string& text)

@@ -1,5 +1,5 @@
-// What is drawn in the picture's place: layers between translucent geometry, selections, images,
-// and pictures in time; and what users put into the shader.
+// Passes other than the plain image: layers between translucent geometry, selections, render to
+// image, frames during interaction; and custom shader code.
 
 #include "Module/HomogeneousScene.h"
 #include "Support/ExpectedVtkErrors.h"
@@ -35,7 +35,7 @@ void ExpectMiddle(const std::vector<float>& picture, int size, const Rgba& truth
   }
 }
 
-// By shaders and by packets.
+// Checks both the shader and packets.
 void ExpectMiddle(MapperScene& scene, const Rgba& truth, double tolerance)
 {
   ExpectMiddle(scene.Draw(), scene.size, truth, tolerance);
@@ -54,13 +54,13 @@ Rgba Glass(const std::array<double, 3>& rgb, double opacity)
   return { opacity * rgb[0], opacity * rgb[1], opacity * rgb[2], opacity };
 }
 
-// An opacity of the material that is half opaque after a length.
+// Opacity of a material that is half opaque after the given length.
 double HalfAfter(double lengthMm)
 {
   return 1.0 - std::pow(0.5, 1.0 / lengthMm);
 }
 
-// What a selector finds at the middle pixel: the prop and the number, or none.
+// The prop and the id that a selector finds at the centre pixel, or null.
 std::pair<vtkProp*, vtkIdType> SelectedInMiddle(HomogeneousScene& scene, int association)
 {
   scene.window->Render();
@@ -129,7 +129,7 @@ TEST(DepthPeeling, LeavesPixelsWithoutTranslucentGeometryAsTheyAre)
   ExpectMiddle(scene, scene.Piece(HomogeneousScene::SideMm), 2.0 / 255.0);
 }
 
-// The passes of one picture have one view, which therefore does not rest.
+// All passes of a frame have the same view, which must not count as a view at rest.
 TEST(DepthPeeling, SearchesForNoStepsWhileTheViewMoves)
 {
   MapperScene scene(SmallTorso());
@@ -144,11 +144,11 @@ TEST(DepthPeeling, SearchesForNoStepsWhileTheViewMoves)
     scene.Draw();
   }
   EXPECT_EQ(scene.mapper->GetToleranceSearches(), searches);
-  scene.Draw(); // it rests
+  scene.Draw(); // the view is at rest
   EXPECT_EQ(scene.mapper->GetToleranceSearches(), searches + 1);
 }
 
-// By shaders, and by packets of rays where these can.
+// Rendered by shaders and, where possible, by packets of rays.
 class PassByMarcher : public testing::TestWithParam<bool>
 {
 protected:
@@ -237,7 +237,7 @@ TEST_P(RenderToImage, FillsImagesAndNotTheWindow)
     EXPECT_NEAR(
       color->GetScalarComponentAsDouble(8, 8, 0, channel), 255.0 * overWhite[channel], 0.51);
   }
-  // The front face is 92 mm from the camera, whose planes are at 50 and 150.
+  // The front face is 92 mm from the camera, whose clipping planes are at 50 and 150 mm.
   EXPECT_NEAR(depth->GetScalarComponentAsDouble(8, 8, 0, 0), 0.42, 1e-3);
 }
 
@@ -246,7 +246,7 @@ class RenderToImageOfBlend
 {
 };
 
-// What was marched to find the depth is not marched again: the colour goes on from there.
+// The part that was marched to find the depth is not marched again: the colour continues there.
 TEST_P(RenderToImageOfBlend, HasTheColoursOfTheWindow)
 {
   MapperScene scene(SmallTorso(), 32);
@@ -281,7 +281,7 @@ INSTANTIATE_TEST_SUITE_P(Blends, RenderToImageOfBlend,
       vtkVolumeMapper::ISOSURFACE_BLEND),
     testing::Bool()));
 
-TEST_P(RenderToImage, HasNoDepthWhereOnlyWhatIsInvisibleIsSummedUp)
+TEST_P(RenderToImage, HasNoDepthWhereOnlyInvisibleValuesAreSummedUp)
 {
   HomogeneousScene scene(0.0);
   UseMarcher(scene);
@@ -328,7 +328,7 @@ TEST(UserCode, TakesThePlaceOfASlotAndHasUniforms)
   ExpectMiddle(scene.Draw(), scene.size, plain, 1e-5);
 }
 
-TEST(UserCode, ForWhatIsNotThereIsNamed)
+TEST(UserCode, ForAMissingSlotIsReported)
 {
   HomogeneousScene scene;
   vtkShaderProperty* const shader = scene.volume->GetShaderProperty();

@@ -1,4 +1,4 @@
-// What is done to the picture: its window and level, its rays and their noise.
+// Settings of the whole image: window and level, number of rays and jitter.
 
 #include "Module/HomogeneousScene.h"
 
@@ -22,7 +22,7 @@ void ExpectPixel(
   }
 }
 
-// An oblique sheet, thinner than the distance of samples, of which they make stripes.
+// An oblique sheet thinner than the sample distance, which causes stripes.
 void MakeStripes(MapperScene& scene)
 {
   for (int z = 0; z < 17; ++z)
@@ -46,8 +46,8 @@ void MakeStripes(MapperScene& scene)
   scene.mapper->SetSampleDistance(0.45);
 }
 
-// Root mean square of the differences of two pictures, each averaged over squares of pixels:
-// stripes are left in them, a grain is not.
+// Root mean square difference of two images, each averaged over squares of pixels: this preserves
+// stripes and removes grain.
 double CoarseDifference(const std::vector<float>& one, const std::vector<float>& other, int size)
 {
   constexpr int Square = 8;
@@ -89,7 +89,7 @@ TEST(Window, ScalesColoursBetweenNothingAndOpacity)
   }
 }
 
-TEST(Window, IsAlsoThatOfAVolumeInBlocks)
+TEST(Window, AppliesToAVolumeInBlocks)
 {
   MapperScene scene(SmallTorso(), 32);
   scene.Draw();
@@ -180,7 +180,7 @@ TEST(ImageSampleDistance, IsCloserToTheTruthThanLinearInterpolation)
   const std::vector<float> full = scene.Draw();
   scene.mapper->SetImageSampleDistance(2.0f);
   const std::vector<float> half = scene.Draw();
-  // The picture of a quarter of the rays, interpolated linearly by hand.
+  // The image of a quarter of the rays, linearly interpolated by the test.
   MapperScene quarter(SmallTorso(), 48);
   const std::vector<float> small = quarter.Draw();
   std::vector<float> linear(full.size());
@@ -203,7 +203,7 @@ TEST(ImageSampleDistance, IsCloserToTheTruthThanLinearInterpolation)
   EXPECT_LT(error(half), 0.9 * error(linear)) << error(linear);
 }
 
-TEST(Resources, OfPicturesAreThereOnlyWhileTheyAreUsed)
+TEST(Resources, ImagesAreKeptOnlyWhileTheyAreUsed)
 {
   HomogeneousScene scene;
   scene.window->Render();

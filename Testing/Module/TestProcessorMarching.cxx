@@ -1,5 +1,5 @@
-// Rays that the processor marches, in packets, where OpenGL is drawn by it too: what it takes, and
-// when.
+// Rays marched by the processor in packets, used when the processor also runs OpenGL: when they are
+// used, and what they support.
 
 #include "Module/ProcessorMarching.h"
 #include "Scene/ProceduralVolume.h"
@@ -27,7 +27,7 @@ class ProcessorMarchingOfScenes
 
 TEST_P(ProcessorMarchingOfScenes, HasNothingButPixelsOnTheDevice)
 {
-  vtkNew<vtkPlane> plane; // oblique: others are a box
+  vtkNew<vtkPlane> plane; // oblique, since other planes only change the box
   plane->SetNormal(1.0, 1.0, 1.0);
   const auto prepare = [&](MapperScene& scene)
   {
@@ -36,7 +36,7 @@ TEST_P(ProcessorMarchingOfScenes, HasNothingButPixelsOnTheDevice)
     scene.mapper->AddClippingPlane(plane);
     LeaveLowerGradientsOut(scene);
     ShineFromTheSide(scene);
-    scene.renderer->GetActiveCamera()->Zoom(8.0); // until all pixels see something
+    scene.renderer->GetActiveCamera()->Zoom(8.0); // until every pixel sees something
   };
   MapperScene scene(SmallTorso());
   prepare(scene);
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(EveryTable, ProcessorMarchingOfScenes,
     Change{ "AFunctionOfValueAndGradient", ShowValueAndGradient }),
   NameOf);
 
-// At these tolerances no single ray decides, in which a difference of rounding could be seen.
+// At these tolerances no single ray is decisive, so rounding does not matter.
 TEST_F(ProcessorMarching, FindsTheStepsOfTheShaderForATolerance)
 {
   for (const double tolerance : { 1.0 / 32.0, 1.0 / 128.0 })
@@ -89,7 +89,7 @@ TEST_F(ProcessorMarching, SeesWhatChanges)
   ExpectSamePicture(scene);
 }
 
-// The smallest volume that is for packets, which read pairs up to its very end.
+// The smallest volume that packets support; they read pairs up to its very end.
 TEST_F(ProcessorMarching, ReadsNothingBeyondTheLastVoxel)
 {
   vtkNew<vtkImageData> cell;
@@ -105,7 +105,7 @@ TEST_F(ProcessorMarching, ReadsNothingBeyondTheLastVoxel)
   ExpectSamePicture(scene);
 }
 
-// A strip is a part of the pixels, whose packets begin elsewhere.
+// A strip is a part of the pixels, so its packets start at other pixels.
 TEST_F(ProcessorMarching, InPartsIsThePictureInTheEnd)
 {
   MapperScene scene(SmallTorso(), 150);
@@ -123,7 +123,7 @@ TEST_F(ProcessorMarching, InPartsIsThePictureInTheEnd)
   EXPECT_LT(difference.largest, 0.01);
 }
 
-// What shaders have on the device goes when they are not needed, and comes again.
+// Resources of shaders are freed when unneeded, and return when needed.
 TEST_F(ProcessorMarching, ComesAndGoes)
 {
   MapperScene scene(SmallTorso());
@@ -132,7 +132,7 @@ TEST_F(ProcessorMarching, ComesAndGoes)
   const vtkIdType bytes = scene.mapper->GetGraphicsMemoryBytes();
   vtkNew<vtkPlane> plane;
   scene.volume->GetProperty()->SetSliceFunction(plane);
-  scene.mapper->SetBlendMode(vtkVolumeMapper::SLICE_BLEND); // which packets do not draw
+  scene.mapper->SetBlendMode(vtkVolumeMapper::SLICE_BLEND); // packets do not support slices
   EXPECT_NE(scene.Draw(), first);
   EXPECT_FALSE(scene.ShaderParts().empty());
   scene.mapper->SetBlendModeToComposite();
@@ -141,7 +141,7 @@ TEST_F(ProcessorMarching, ComesAndGoes)
   EXPECT_EQ(scene.mapper->GetVolumeTextureBuilds(), 1);
 }
 
-// Of bone through skin, in a part of the volume: where rays become visible first.
+// Bone through skin, in a part of the volume, where rays first become visible.
 TEST_F(ProcessorMarching, FindsTheDepthsOfTheShader)
 {
   for (const bool clamped : { false, true })

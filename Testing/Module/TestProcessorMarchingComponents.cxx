@@ -1,5 +1,5 @@
-// Volumes of several components, whose materials packets of rays march as a mixture. The pictures
-// are those of the shaders, to a twentieth of a grey level (RMSE).
+// Volumes of several components, which packets of rays march as a mixture. Images match those of
+// the shaders to a twentieth of a grey level (RMSE).
 
 #include "Module/ComponentVolumes.h"
 #include "Module/ProcessorMarching.h"
@@ -11,7 +11,7 @@ namespace
 
 using Mapper = vtkVariationFieldVolumeMapper;
 
-// Balls with soft rims beside each other, one of each component; colours are those of their places.
+// Balls with soft rims beside each other, one for each component, coloured by position.
 vtkSmartPointer<vtkImageData> Balls(int components)
 {
   constexpr int Size = 33;
@@ -61,7 +61,7 @@ void UseGradients(MapperScene& scene)
   }
 }
 
-// Its middle is left out.
+// Crops the middle out.
 void CropMiddle(MapperScene& scene)
 {
   scene.mapper->CroppingOn();
@@ -101,7 +101,7 @@ TEST_P(ProcessorMarchingOfComponents, IsThePictureOfTheShader)
     SetLook(property, component, looks[component]);
     property->SetComponentWeight(component, 1.0 - 0.2 * component);
   }
-  scene.mapper->SetIntegrationRule(Mapper::Midpoint); // which packets have alone
+  scene.mapper->SetIntegrationRule(Mapper::Midpoint); // the only rule of packets
   scene.mapper->AutoAdjustSampleDistancesOff();
   scene.mapper->SetSampleDistance(0.1f);
   GetParam().make(scene);
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(EveryKind, ProcessorMarchingOfComponents,
     ComponentsChange{ "ColorsInACrop", 4, false, CropMiddle }),
   [](const testing::TestParamInfo<ComponentsChange>& info) { return info.param.name; });
 
-TEST_F(ProcessorMarching, OfComponentsTakesNoVoxelsToTheDevice)
+TEST_F(ProcessorMarching, KeepsComponentsOffTheDevice)
 {
   const auto image = Balls(4);
   MapperScene scene(image);
@@ -170,7 +170,7 @@ TEST_F(ProcessorMarching, OfComponentsTakesNoVoxelsToTheDevice)
   EXPECT_LE(scene.mapper->GetGraphicsMemoryBytes(), bytesOfPixels);
 }
 
-// What is between two samples has no code in packets.
+// Packets do not support integration between two samples.
 TEST_F(ProcessorMarching, LeavesComponentsByAnotherRuleToShaders)
 {
   const auto image = Balls(2);

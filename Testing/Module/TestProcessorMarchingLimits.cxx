@@ -1,4 +1,4 @@
-// Pictures that packets of rays have no code for: shaders draw them.
+// Scenes that packets of rays do not support are rendered by shaders.
 
 #include "Module/ProcessorMarching.h"
 
@@ -15,7 +15,7 @@ namespace
 
 using Mapper = vtkVariationFieldVolumeMapper;
 
-// Each voxel once more, with a second value.
+// Adds a second component to each voxel.
 vtkSmartPointer<vtkImageData> WithSecondComponent(vtkImageData* image)
 {
   vtkNew<vtkImageAppendComponents> pairs;
@@ -25,7 +25,7 @@ vtkSmartPointer<vtkImageData> WithSecondComponent(vtkImageData* image)
   return pairs->GetOutput();
 }
 
-// Of twice as many voxels along each axis.
+// Uses a mask with twice as many voxels along each axis.
 void UseFinerMask(MapperScene& scene)
 {
   const int* const size = scene.image->GetDimensions();
@@ -45,7 +45,7 @@ class ProcessorMarchingIsNotFor
 {
 };
 
-TEST_P(ProcessorMarchingIsNotFor, SoAShaderDraws)
+TEST_P(ProcessorMarchingIsNotFor, AShaderRendersInstead)
 {
   MapperScene scene(SmallTorso());
   ASSERT_TRUE(ByProcessor(scene));
@@ -126,7 +126,7 @@ TEST_F(ProcessorMarching, IsNotForMaximaInImages)
     0.0);
 }
 
-// Shaders shift and scale them first, so that neither products nor differences of them are lost.
+// Shaders shift and scale the values first, so that products and differences keep their precision.
 TEST_F(ProcessorMarching, LeavesFloatsInOddUnitsToShaders)
 {
   struct Unit
@@ -156,7 +156,7 @@ TEST_F(ProcessorMarching, LeavesFloatsInOddUnitsToShaders)
   }
 }
 
-// They know which gradients depend on what is not a number.
+// Shaders know which gradients depend on NaN values.
 TEST_F(ProcessorMarching, LeavesGradientsBesideGapsToShaders)
 {
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
@@ -176,7 +176,7 @@ TEST_F(ProcessorMarching, LeavesGradientsBesideGapsToShaders)
   }
 }
 
-// A value lies between two voxels along each axis, that of a spline among four.
+// A value is interpolated between two voxels along each axis, that of a spline between four.
 TEST_F(ProcessorMarching, LeavesThinSlabsToShaders)
 {
   struct Slab

@@ -1,5 +1,5 @@
-// Every part of what packets of rays draw: the pictures are those of the shaders, to a twentieth of
-// a grey level (RMSE).
+// Everything that packets of rays support: images match those of the shaders to a twentieth of a
+// grey level (RMSE).
 
 #include "Module/ProcessorMarching.h"
 
@@ -8,7 +8,7 @@ namespace
 
 using Mapper = vtkVariationFieldVolumeMapper;
 
-// Of values that hardly any ray has the largest of.
+// Shows values that are the largest of hardly any ray.
 void ShowAMaximum(MapperScene& scene)
 {
   scene.mapper->SetBlendModeToMaximumIntensity();
@@ -43,7 +43,7 @@ TEST_P(ProcessorMarchingOf, IsThePictureOfTheShader)
 INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
   testing::Values(Change{ "Midpoints", [](MapperScene&) {} },
     Change{ "Light", [](MapperScene& s) { s.volume->GetProperty()->ShadeOn(); } },
-    // With a field shaders look for bricks at every sample, packets at every fourth.
+    // With a field, shaders look for bricks at every sample, packets at every fourth one.
     Change{ "LightAtMidpoints",
       [](MapperScene& s)
       {
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOf,
     Change{ "PreIntegration",
       [](MapperScene& s)
       {
-        // Its segments are half as long as a shader's: at steps as short as these that is the same.
+        // Its segments are half as long as a shader's, which does not matter for short steps.
         s.mapper->SetIntegrationRule(Mapper::PreIntegrated);
         s.mapper->AutoAdjustSampleDistancesOff();
         s.mapper->SetSampleDistance(0.5);

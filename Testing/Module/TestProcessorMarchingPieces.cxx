@@ -1,5 +1,5 @@
-// Rays of which packets march pieces: in masks, by labels, in cropping regions, between translucent
-// geometry. The pictures are those of the shaders, to a twentieth of a grey level (RMSE).
+// Rays that packets march in pieces: in masks, by labels, in cropping regions, between translucent
+// geometry. Images match those of the shaders to a twentieth of a grey level (RMSE).
 
 #include "Module/ProcessorMarching.h"
 #include "Resources/ChannelCopy.h"
@@ -23,7 +23,7 @@ namespace
 
 using Mapper = vtkVariationFieldVolumeMapper;
 
-// Three balls of glass, which have six layers, and one that is opaque, about the middle.
+// Three glass balls, which have six layers, and an opaque one, around the centre.
 void PutGlassIn(MapperScene& scene)
 {
   UseDepthPeeling(scene.renderer);
@@ -38,7 +38,7 @@ void PutGlassIn(MapperScene& scene)
   }
 }
 
-// Regions at the edges, through which those behind are seen.
+// Crops to regions at the edges, so that those behind are visible.
 void Crop(MapperScene& scene)
 {
   double planes[6];
@@ -54,7 +54,7 @@ void Crop(MapperScene& scene)
   scene.mapper->SetCroppingRegionFlagsToFence();
 }
 
-// Of three kinds of voxels, in slabs that cross the view.
+// Three kinds of voxels in slabs that cross the view.
 void UseMask(MapperScene& scene, bool isBinary)
 {
   vtkNew<vtkImageData> mask;
@@ -74,7 +74,7 @@ void UseMask(MapperScene& scene, bool isBinary)
   scene.mapper->SetMaskType(isBinary ? 0 : 1);
 }
 
-// The second kind is green, the third has a veil of its own.
+// The second kind is green, the third has its own veil.
 void UseLabels(MapperScene& scene)
 {
   vtkNew<vtkColorTransferFunction> green;
@@ -87,7 +87,7 @@ void UseLabels(MapperScene& scene)
   UseMask(scene, false);
 }
 
-// Balls of what is no number, beside each other and at a face of the volume.
+// Balls of NaN values, beside each other and at a face of the volume.
 void MakeGaps(MapperScene& scene, int type)
 {
   const vtkSmartPointer<vtkImageData> image = TorsoOfType(type);
@@ -110,7 +110,7 @@ void MakeGaps(MapperScene& scene, int type)
   scene.mapper->SetInputData(image);
 }
 
-// Every other slab of cells.
+// Blanks every other slab of cells.
 void BlankCells(MapperScene& scene)
 {
   vtkNew<vtkImageData> image;
@@ -290,7 +290,7 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfPieces,
       } }),
   NameOf);
 
-// No weight makes a number of what is none.
+// NaN must not survive a weight of 0.
 TEST(ChannelCopy, HasZerosForWhatIsNotANumber)
 {
   vtkNew<vtkDoubleArray> values;

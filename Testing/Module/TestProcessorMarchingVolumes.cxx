@@ -1,5 +1,5 @@
-// Volumes that overlap, which packets of rays march together: the pictures are those of the
-// shaders, to a twentieth of a grey level (RMSE).
+// Overlapping volumes, which packets of rays march together: images match those of the shaders to a
+// twentieth of a grey level (RMSE).
 
 #include "Module/OverlapScene.h"
 #include "Module/ProcessorMarching.h"
@@ -13,7 +13,7 @@ namespace
 
 constexpr int PictureSize = 64;
 
-// A ball with a soft rim, and ridges on it.
+// A ball with a soft rim and ridges on it.
 vtkSmartPointer<vtkImageData> RidgedBall(int type, glm::ivec3 size)
 {
   const auto value = [&](glm::ivec3 voxel, int)
@@ -98,7 +98,7 @@ TEST_P(ProcessorMarchingOfVolumes, IsThePictureOfTheShader)
   OverlapScene scene(PictureSize);
   const ThreeBalls balls(scene);
   GetParam().make(scene, balls);
-  // Packets take in midpoints, shaders what is linear between two samples.
+  // Packets integrate at midpoints, shaders linearly between two samples; short steps agree.
   scene.mapper->AutoAdjustSampleDistancesOff();
   scene.mapper->SetSampleDistance(0.025f);
   const std::vector<float> marched = scene.DrawByProcessor();
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfVolumes,
       {
         balls.pet->GetProperty()->ShadeOn();
         balls.pet->GetProperty()->SetSpecular(0.5);
-        s.Draw(); // which makes the head light
+        s.Draw(); // creates the head light
         vtkNew<vtkLight> light;
         light->SetLightTypeToSceneLight();
         light->SetPosition(30.0, 20.0, 10.0);
@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfVolumes,
       "TranslucentGeometry", [](OverlapScene& s, const ThreeBalls&) { PutGlassIn(s); } }),
   [](const testing::TestParamInfo<VolumesChange>& info) { return info.param.name; });
 
-TEST_F(ProcessorMarching, OfVolumesTakesNoVoxelsToTheDevice)
+TEST_F(ProcessorMarching, KeepsOverlappingVolumesOffTheDevice)
 {
   OverlapScene scene(PictureSize);
   const ThreeBalls balls(scene);

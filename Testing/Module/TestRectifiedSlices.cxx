@@ -1,5 +1,5 @@
-// Slices that were tilted, lie unevenly or are missing, resampled on an even grid: each voxel is
-// compared with the function of space that was scanned.
+// Tilted, uneven or missing slices resampled on an even grid: each voxel is compared with the
+// function of space that was scanned.
 #include "PhantomFiles.h"
 #include "Support/ExpectedVtkErrors.h"
 
@@ -28,8 +28,8 @@
 namespace
 {
 
-// What is scanned rises evenly, by at most 2 per voxel; stored values are hundredths. Their
-// rounding, and a thousandth of a voxel by which the reader may take a place for another.
+// The scanned function rises evenly, by at most 2 per voxel; stored values are multiples of 0.01.
+// The error allows for their rounding and for a thousandth of a voxel in the position.
 constexpr double StoredUnit = 0.01;
 constexpr double LargestError = 0.5 * StoredUnit + 2e-3;
 
@@ -41,8 +41,8 @@ double ScannedAt(const glm::dvec3& worldMm)
 /// A scan of slices with 13 x 10 voxels.
 struct Scan
 {
-  /// @param axesMm   column 2 is the way along which the slices lie
-  /// @param heights  of the slices, in that way's lengths
+  /// @param axesMm   column 2 is the direction along which the slices lie
+  /// @param heights  positions of the slices, in lengths of that direction
   Scan(const glm::dmat3& axesMm, const std::vector<double>& heights)
     : axesMm(axesMm)
     , normal(glm::normalize(glm::cross(axesMm[0], axesMm[1])))
@@ -78,7 +78,7 @@ struct Scan
     }
   }
 
-  /// How far a place is inside of the slices that it lies between, in voxels; < 0 outside.
+  /// Depth of a position inside the slices around it, in voxels; < 0 outside.
   double DepthInSlices(const glm::dvec3& worldMm) const
   {
     constexpr double SameMm = 1e-6;
@@ -120,7 +120,7 @@ std::vector<double> Evenly(int count)
   return heights;
 }
 
-/// The slices leave the way of the table by 20 degrees.
+/// The slices are tilted by 20 degrees against the motion of the table.
 glm::dmat3 Tilted()
 {
   const double tilt = glm::radians(20.0);
@@ -152,8 +152,8 @@ void ExpectOrthonormal(vtkImageData* image)
   }
 }
 
-/// Each voxel is what was scanned there, or the lowest value where nothing was; all that was
-/// scanned is there.
+/// Requires that each voxel has the scanned value, or the lowest value outside the scan, and that
+/// the whole scan is covered.
 void ExpectTrue(const Scan& scan, vtkImageData* image)
 {
   double lowest = std::numeric_limits<double>::infinity();
@@ -220,13 +220,14 @@ protected:
   vtkNew<vtkVolumeFileReader> reader;
 };
 
-TEST_F(RectifiedSlices, OfATiltedGantryStandUpright)
+TEST_F(RectifiedSlices, StandUprightForATiltedGantry)
 {
   const Scan scan(Tilted(), Evenly(9));
   vtkImageData* const image = this->Read(scan);
   ExpectOrthonormal(image);
   EXPECT_EQ(image->GetDimensions()[0], 13);
-  // A slice is 2.5 mm * sin(20 degrees) / 1.1 mm = 0.777 voxels off the one before it.
+  // A slice is shifted by 2.5 mm * sin(20 degrees) / 1.1 mm = 0.777 voxels against the one before
+  // it.
   EXPECT_EQ(image->GetDimensions()[1], 10 + int(std::ceil(8 * 0.777)));
   EXPECT_EQ(image->GetDimensions()[2], 9);
   EXPECT_NEAR(image->GetSpacing()[2], 2.5 * std::cos(glm::radians(20.0)), 1e-6);
@@ -236,7 +237,7 @@ TEST_F(RectifiedSlices, OfATiltedGantryStandUpright)
   EXPECT_TRUE(this->IsTold("resampled on an even grid"));
 }
 
-TEST_F(RectifiedSlices, OfAGantryTiltedBothWaysStandUpright)
+TEST_F(RectifiedSlices, StandUprightForAGantryTiltedBothWays)
 {
   glm::dmat3 axesMm = Tilted();
   axesMm[2].x = -0.9;
@@ -287,7 +288,7 @@ TEST_F(RectifiedSlices, AreAsDenseAsTheScanIsAnywhere)
   EXPECT_NEAR(this->reader->GetOutput()->GetSpacing()[2], 2.5, 1e-9);
 }
 
-TEST_F(RectifiedSlices, ThatAreEvenAlreadyStayAsTheyAre)
+TEST_F(RectifiedSlices, StayUnchangedIfAlreadyEven)
 {
   const Scan scan(Upright(), Evenly(9));
   vtkNew<vtkImageData> asScanned;
@@ -310,7 +311,7 @@ TEST_F(RectifiedSlices, StayAsScannedUnlessAskedFor)
   EXPECT_TRUE(this->IsTold("each slice is drawn where it lay"));
 }
 
-TEST_F(RectifiedSlices, ThatDoNotFitTheMemoryAreRefused)
+TEST_F(RectifiedSlices, AreRefusedIfTheyDoNotFitTheMemory)
 {
   Scan(Upright(), { 0.0, 1.0, 2.0, 1e11 }).Write(this->folder);
   const ExpectedVtkErrors errors;

@@ -1,4 +1,4 @@
-// Rectilinear grids: values are between the coordinates that they have, and lengths are those of
+// Rectilinear grids: values are interpolated between their coordinates, and lengths are measured in
 // the world.
 
 #include "Frame/PropertyTransferFunction.h"
@@ -34,7 +34,7 @@ vtkSmartPointer<vtkDoubleArray> ArrayOf(const std::vector<double>& numbers)
   return array;
 }
 
-// Places as uneven as a boundary layer's, the last at `extent`.
+// Positions as uneven as in a boundary layer, the last one at `extent`.
 std::vector<double> UnevenPlaces(int count, double extent, double power)
 {
   std::vector<double> places;
@@ -68,7 +68,7 @@ vtkSmartPointer<vtkRectilinearGrid> WaveGrid(const Places& places)
   return grid;
 }
 
-// An image with the even grid of a rectilinear one: as many voxels between the same ends.
+// The image of a rectilinear grid's even counterpart: as many voxels between the same ends.
 vtkSmartPointer<vtkImageData> EvenImage(const Places& places)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkImageData> EvenImage(const Places& places)
   return image;
 }
 
-// Interpolated between the coordinates, by a search.
+// Interpolates between the coordinates, which it searches.
 double ValueAt(const Places& places, glm::dvec3 position)
 {
   int lower[3];
@@ -177,7 +177,7 @@ TEST(Rectilinear, AnEvenGridIsDrawnAsTheImageItIs)
   }
 }
 
-// A ball of voxels is elsewhere by other coordinates, and so are the bricks that are not left out.
+// Other coordinates move a ball of voxels, and with it the bricks that must not be skipped.
 TEST(Rectilinear, BricksAreWhereTheCoordinatesPutThem)
 {
   const Places places = { UnevenPlaces(40, 18.0, 2.0), UnevenPlaces(36, 15.0, 0.6),
@@ -198,7 +198,7 @@ TEST(Rectilinear, BricksAreWhereTheCoordinatesPutThem)
     one->mapper->SetInputData(grid);
     one->mapper->SetSampleDistance(0.01);
     one->opacities->RemoveAllPoints();
-    one->opacities->AddPoint(0.75, 0.0); // of the ball only
+    one->opacities->AddPoint(0.75, 0.0); // shows only the ball
     one->opacities->AddPoint(1.0, 0.9);
   }
   std::vector<float> last(4 * 48 * 48);
@@ -207,7 +207,7 @@ TEST(Rectilinear, BricksAreWhereTheCoordinatesPutThem)
     vtkDataArray* const xs = grid->GetXCoordinates();
     const std::vector<double> moved = UnevenPlaces(40, 18.0, power);
     std::copy(moved.begin(), moved.end(), static_cast<double*>(xs->GetVoidPointer(0)));
-    xs->Modified(); // which the grid does not tell of
+    xs->Modified(); // the grid does not report changes of its coordinates
     const std::vector<float> marched = scene.DrawByProcessor();
     const std::vector<float> drawn = scene.Draw();
     EXPECT_TRUE(scene.UsesShaderPart("Step/OpticalField.glsl"));
@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(EveryKind, ProcessorMarchingOfUnevenPlaces,
       } }),
   NameOf);
 
-TEST_F(ProcessorMarching, OfUnevenPlacesTakesNoTableToTheDevice)
+TEST_F(ProcessorMarching, KeepsTablesOfUnevenGridsOffTheDevice)
 {
   MapperScene scene(EvenImage(Uneven), 48);
   UseGentleMaterials(scene);
@@ -272,7 +272,8 @@ TEST_F(ProcessorMarching, OfUnevenPlacesTakesNoTableToTheDevice)
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytesOfShader);
 }
 
-// One axis of cells of 1, 2, 4 and 8 mm, seen along another, parallel, a pixel a mm.
+// One axis has cells of 1, 2, 4 and 8 mm; it is seen along another axis in parallel projection, 1
+// mm per pixel.
 TEST(Rectilinear, CellsWithoutInterpolationGoFromFaceToFace)
 {
   const Places places = { std::vector<double>{ 0.0, 1.0, 3.0, 7.0, 15.0 },

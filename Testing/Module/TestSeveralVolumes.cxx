@@ -9,7 +9,7 @@
 namespace
 {
 
-// A second cube of another material, beside the scene's along the view.
+// A second cube of another material, which the test moves along the view.
 struct SecondCube
 {
   explicit SecondCube(HomogeneousScene& scene)
@@ -42,7 +42,7 @@ TEST(SeveralVolumes, AreBlendedBackToFrontInWhateverOrderTheyWereAdded)
   HomogeneousScene scene(0.05);
   const SecondCube other(scene);
   const std::array<double, 4> first = scene.Piece(HomogeneousScene::SideMm);
-  // Each place twice: a volume that another has drawn is drawn anew in the next picture.
+  // Render each position twice: a volume that is now drawn behind another must be rendered again.
   for (double zMm : { -20.0, 20.0, 20.0, -20.0, -20.0 })
   {
     other.volume->SetPosition(0.0, 0.0, zMm);

@@ -1,4 +1,4 @@
-// Isosurfaces and slices: found exactly, whatever the steps.
+// Isosurfaces and slices are found exactly, whatever the steps.
 
 #include "Core/Geometry/ScalarGrid.h"
 #include "Module/MapperScene.h"
@@ -28,7 +28,7 @@ namespace
 
 constexpr int Size = 64;
 
-// Skin as a veil, bone behind it, and a value that the volume does not take.
+// Skin as a veil, bone behind it, and a value that does not occur in the volume.
 void UseIsosurfaces(MapperScene& scene)
 {
   scene.mapper->SetBlendModeToIsoSurface();
@@ -44,7 +44,7 @@ void UseIsosurfaces(MapperScene& scene)
   values->SetValue(3, 10.0);
 }
 
-// Rays that graze a surface may meet it or not, by rounding; of these there are few.
+// A few rays graze a surface, and rounding decides whether they hit it.
 void ExpectTruth(MapperScene& scene)
 {
   const ImageError error = scene.Error();
@@ -60,7 +60,7 @@ void ExpectTruth(MapperScene& scene)
   EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3f) << "nothing is seen";
 }
 
-// Values that are linear in x, y and z, so that interpolation is exact everywhere: x + 2 y + 3 z.
+// Values x + 2 y + 3 z, which interpolation reproduces exactly.
 vtkSmartPointer<vtkImageData> LinearImage()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkImageData> LinearImage()
   return image;
 }
 
-// Seen along z from above, parallel, so that a pixel's ray is at ((column + 0.5) / 2, ...).
+// Seen along z from above in parallel projection; a pixel's ray is at ((column + 0.5) / 2, ...).
 class SliceScene : public MapperScene
 {
 public:
@@ -95,7 +95,7 @@ public:
     this->LookDown({ 4.0, 4.0, 4.0 }, 4.0);
   }
 
-  /// The scalar that is drawn at a pixel; negative where nothing is.
+  /// The scalar rendered at a pixel; negative if there is none.
   double ScalarAt(int column, int row)
   {
     const std::vector<float> drawn = this->Draw();
@@ -153,7 +153,7 @@ TEST(Isosurfaces, BricksWithoutThemAreLeftOut)
     0.7 * fetches(vtkVariationFieldVolumeMapper::Off));
 }
 
-// VTK's mapper meets a thin shell only when a sample falls into it.
+// VTK's mapper finds a thin shell only if a sample falls into it.
 TEST(Isosurfaces, AShellThinnerThanAnyStepIsNotMissed)
 {
   MapperScene scene(LinearImage(), 16);
@@ -165,11 +165,11 @@ TEST(Isosurfaces, AShellThinnerThanAnyStepIsNotMissed)
   values->SetValue(1, 20.0001);
   scene.LookDown({ 4.0, 4.0, 4.0 }, 4.0);
   const std::vector<float> drawn = scene.Draw();
-  // Behind the middle of the picture, at x = y = 4.25, the values go from 12.75 to 36.75.
+  // Along the centre ray, at x = y = 4.25, the values range from 12.75 to 36.75.
   EXPECT_NEAR(drawn[4 * (8 * 16 + 8) + 3], 0.75, 1e-5) << "two surfaces of half opacity";
 }
 
-TEST(Isosurfaces, OfVoxelsWithoutInterpolationAreTheirFaces)
+TEST(Isosurfaces, AreTheFacesOfVoxelsWithoutInterpolation)
 {
   MapperScene scene(SmallTorso(), Size);
   UseIsosurfaces(scene);
@@ -276,7 +276,7 @@ TEST(Slices, AreCutByClippingPlanesAndShaded)
   scene.mapper->AddClippingPlane(cut);
   EXPECT_EQ(scene.AlphaAt(2, 8), 0.0);
   EXPECT_NEAR(scene.AlphaAt(12, 8), 0.5, 1e-5);
-  // Of a gradient (1, 2, 3), towards the eye: 3 / sqrt(14).
+  // Cosine between the gradient (1, 2, 3) and the direction to the eye: 3 / sqrt(14).
   scene.volume->GetProperty()->ShadeOn();
   scene.volume->GetProperty()->SetAmbient(0.0);
   scene.volume->GetProperty()->SetDiffuse(1.0);
@@ -297,7 +297,7 @@ TEST(Slices, ByAFunctionOfHigherDegreeAreRefusedWithASentence)
     << errors.Text();
 }
 
-TEST(Isosurfaces, OfIndependentComponentsAreThoseOfTheLargestWeight)
+TEST(Isosurfaces, AreThoseOfTheComponentWithTheLargestWeight)
 {
   const vtkSmartPointer<vtkImageData> torso = SmallTorso();
   const auto prepare = [](MapperScene& scene, int component)

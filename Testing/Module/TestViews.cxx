@@ -1,4 +1,4 @@
-// The eyes of a stereo picture, parts of a window, and layers of renderers.
+// Stereo images, viewports and layers of renderers.
 
 #include "Module/MapperScene.h"
 
@@ -20,7 +20,7 @@ namespace
 
 constexpr int Size = 48;
 
-// 5 voxels a side, opaque.
+// An opaque cube of 5 voxels per side.
 vtkSmartPointer<vtkImageData> OpaqueCube()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -30,7 +30,7 @@ vtkSmartPointer<vtkImageData> OpaqueCube()
   return image;
 }
 
-// The middle of what covers a picture, in pixels from the left.
+// Horizontal centre of the covered pixels, in pixels from the left.
 double MiddleOf(const std::vector<float>& picture)
 {
   double sum = 0.0;
@@ -44,7 +44,7 @@ double MiddleOf(const std::vector<float>& picture)
   return weighted / sum;
 }
 
-// The window as it is shown: RGB, from 0 to 255.
+// The window as displayed: RGB, from 0 to 255.
 std::vector<double> Shown(vtkRenderWindow* window)
 {
   window->Render();
@@ -56,7 +56,7 @@ std::vector<double> Shown(vtkRenderWindow* window)
 
 }
 
-// VTK's mapper shows both eyes the rays of one in the middle.
+// VTK's mapper shows both eyes the rays of a single eye in the middle.
 TEST(Stereo, EachEyeSeesTheVolumeWhereItSeesGeometry)
 {
   MapperScene scene(OpaqueCube(), Size);
@@ -171,10 +171,10 @@ namespace
 
 constexpr int SideCount = 26;
 
-// Of a cube: its faces, edges and corners.
+// Views along the faces, edges and corners of a cube.
 void LookFromSide(MapperScene& scene, int side)
 {
-  const int place = side < SideCount / 2 ? side : side + 1; // all of 3^3 but the middle
+  const int place = side < SideCount / 2 ? side : side + 1; // all 3^3 directions but the centre
   const double toEye[3] = { place % 3 - 1.0, place / 3 % 3 - 1.0, place / 9 - 1.0 };
   vtkCamera* const camera = scene.renderer->GetActiveCamera();
   camera->SetFocalPoint(0.0, 0.0, 0.0);
@@ -192,7 +192,7 @@ void ExpectSame(const std::vector<float>& picture, const std::vector<float>& oth
 
 }
 
-// A field is measured towards where rays go.
+// A field is built for the directions of the rays.
 TEST(Views, FromAllSidesShowAllThatThereIs)
 {
   MapperScene withoutField(SmallTorso());

@@ -1,4 +1,4 @@
-// Every type, byte order and encoding of a format must give the same values.
+// All types, byte orders and encodings of a format give the same values.
 #include "PhantomFiles.h"
 
 #include <vtkDataArray.h>
@@ -249,7 +249,7 @@ TEST(VolumeFileEncodings, VtiInEveryWayThatVtkWritesIt)
   }
 }
 
-/// Integers of which a double could not tell neighbours apart.
+/// Integers whose neighbours a double cannot distinguish.
 template <class Integer>
 std::vector<Integer> LongIntegers(std::size_t count)
 {
@@ -277,7 +277,7 @@ void ExpectLongIntegers(
   EXPECT_EQ(std::vector<Integer>(read, read + integers.size()), integers);
 }
 
-/// Checks every format that can carry integers of 64 bits.
+/// Checks every format that supports 64-bit integers.
 template <class Integer>
 void ExpectLongIntegersInEveryFormat(int scalarType)
 {

@@ -1,4 +1,4 @@
-// The phantom, stored in every order and direction of its axes, must come out in the same place.
+// The phantom must lie in the same place for every stored order and direction of its axes.
 #include "PhantomFiles.h"
 
 #include <vtkImageData.h>
@@ -15,7 +15,7 @@
 namespace
 {
 
-/// Checks that every voxel has the value that the phantom has at its place.
+/// Requires that every voxel has the phantom's value at its position.
 void ExpectPhantomInPlace(const std::string& path)
 {
   vtkNew<vtkVolumeFileReader> reader;
@@ -46,7 +46,7 @@ void ExpectPhantomInPlace(const std::string& path)
   EXPECT_EQ(wrong, 0);
 }
 
-/// Writes the phantom in each orientation with a function that returns the path to read.
+/// Writes the phantom in each orientation; `write` returns the path to read.
 void ExpectAllOrientationsInPlace(
   const std::function<std::string(const TemporaryFolder&, const StoredVolume&)>& write)
 {

@@ -56,7 +56,7 @@ TEST(VolumeFileReader, OpensTheHeadMrOfMricron)
   ASSERT_STREQ(reader->GetErrorMessage(), "");
   EXPECT_EQ(image->GetNumberOfPoints(), 181 * 217 * 181);
   EXPECT_EQ(image->GetScalarType(), VTK_UNSIGNED_CHAR);
-  // The template of Colin Holmes' head: voxel (0,0,0) is at (-90, -125, -71) mm in RAS.
+  // The template of Colin Holmes' head has voxel (0, 0, 0) at (-90, -125, -71) mm in RAS.
   EXPECT_EQ(image->GetOrigin()[0], 90.0);
   EXPECT_EQ(image->GetOrigin()[1], 125.0);
   EXPECT_EQ(image->GetOrigin()[2], -71.0);

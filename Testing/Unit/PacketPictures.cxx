@@ -21,7 +21,7 @@ constexpr Box BoxOfVoxels()
   return { glm::dvec3(0.0), glm::dvec3(PacketPictures::Dimensions - 1) };
 }
 
-// Three waves across each other, and nothing behind them.
+// Three crossing waves in front, and 0 behind x = 13.
 std::vector<std::int16_t> SmoothVoxels()
 {
   std::vector<std::int16_t> voxels;

@@ -10,29 +10,29 @@
 namespace varimarch
 {
 
-/// A small volume of smooth values from 0 to 100, seen in perspective from the side, whose image
-/// both packets of rays and the reference integrator draw. No mapper: the scene of the packets is
-/// made by hand.
+/// A small volume of smooth values from 0 to 100, seen in perspective from the side. Both packets
+/// of rays and the reference integrator render it. The scene of the packets is set up by hand,
+/// without a mapper.
 class PacketPictures
 {
 public:
-  static constexpr int Width = 37; // neither is a multiple of a packet's
+  static constexpr int Width = 37; // neither side is a multiple of a packet's
   static constexpr int Height = 30;
   static constexpr glm::ivec3 Dimensions = glm::ivec3(21, 11, 12);
 
   PacketPictures();
 
-  /// A scene of packets that march 16 bit voxels by midpoints, without light; to be changed.
+  /// A scene of packets that march 16-bit voxels by midpoints, without light; tests modify it.
   PacketScene scene;
 
-  /// The same for the reference; to be changed.
+  /// The same scene for the reference; tests modify it.
   ReferenceScene truth;
 
   ScalarGrid<std::int16_t> Grid() const { return { this->voxels.data(), Dimensions }; }
   const OpticalTable& Table() const { return this->table; }
   const glm::dmat3& WorldFromGrid() const { return this->worldFromGrid; }
 
-  /// The voxels in another type.
+  /// The voxels converted to another type.
   template <class Voxel>
   std::vector<Voxel> Converted() const
   {
@@ -42,7 +42,7 @@ public:
   void UseTable(const std::vector<glm::vec4>& entries, int lastIndex);
   void LightFromTheEye();
 
-  /// The images, premultiplied, row 0 the lowest.
+  /// The images: premultiplied, the bottom row first.
   std::vector<float> March(InstructionSet set) const;
   std::vector<float> Truth() const;
 

@@ -27,7 +27,7 @@ struct ReferenceVolume
   Box BoxGrid() const { return { glm::dvec3(0.0), glm::dvec3(this->dimensions - 1) }; }
 };
 
-/// The voxels are those of `volume`, which must live on.
+/// A scene of `volume`, which must outlive it.
 inline ReferenceScene SceneOf(const ReferenceVolume& volume, TransferFunction transferFunction)
 {
   return { [&volume](glm::ivec3 cell) { return CornersOfCell(volume.Grid(), cell); },
@@ -50,7 +50,7 @@ inline void ExpectNear(glm::dvec4 color, glm::dvec4 truth, double tolerance = 1e
   }
 }
 
-/// Values from 0 at x = 0 to 1 at x = cells.
+/// A ramp of values from 0 at x = 0 to 1 at x = cells.
 inline ReferenceVolume RampAlongX(int cells)
 {
   ReferenceVolume volume{ { cells + 1, 2, 2 }, {} };
@@ -84,7 +84,7 @@ inline Ray RandomRay(glm::ivec3 dimensions, std::mt19937& random)
   return { origin, glm::dvec3(dimensions - 1) * 0.5 + place(1.5) - origin };
 }
 
-/// For ReferenceScene::shade: light that is a function (rgb, position, direction) of the place.
+/// For ReferenceScene::shade: emission as a function of (rgb, position, direction).
 template <class Emitted>
 auto LightByPlace(Emitted emitted)
 {

@@ -1,4 +1,4 @@
-// The reference against closed forms of whole rays.
+// The reference integrator against closed forms of whole rays.
 
 #include "Core/Geometry/CellWalk.h"
 #include "Support/AnalyticScenes.h"
@@ -22,7 +22,7 @@ ReferenceScene ReferenceOf(const AnalyticScene& scene, const std::vector<double>
 }
 
 /// Compares one ray, given in grid space.
-/// @return whether anything is to be seen along it
+/// @return true if anything is visible along the ray
 bool ExpectClosedForm(const AnalyticScene& scene, const ReferenceScene& reference, const Ray& ray)
 {
   const Interval inside = Intersection(ray, scene.BoxGrid());
@@ -83,7 +83,7 @@ TEST_P(ReferenceOfAnAnalyticScene, HasTheClosedFormAlongItsFacesAndEdges)
 
 TEST_P(ReferenceOfAnAnalyticScene, HasTheClosedFormAtGrazingAngles)
 {
-  // Past the ball, shell or corner at distances down to a millionth of a voxel.
+  // Rays pass the ball, shell or corner at distances down to a millionth of a voxel.
   const glm::dvec3 middle = 0.5 * glm::dvec3(this->scene.Dimensions() - 1);
   for (double miss = 1.0; miss > 1e-6; miss *= 0.3)
   {
@@ -104,9 +104,9 @@ INSTANTIATE_TEST_SUITE_P(Every, ReferenceOfAnAnalyticScene, testing::ValuesIn(An
     return name;
   });
 
-TEST(AnalyticPiece, OfRisingExtinctionIsTheErrorFunction)
+TEST(AnalyticPiece, WithRisingExtinctionHasAnErrorFunction)
 {
-  // With b the rise of extinction per mm, the mean of T is
+  // With b the increase of extinction per mm, the mean of T is
   // sqrt(pi / (2 b)) / l exp(a^2 / (2 b)) (erf((a + b l) / sqrt(2 b)) - erf(a / sqrt(2 b))).
   for (const double a : { 0.0, 0.3, 1.0 })
   {
@@ -134,7 +134,7 @@ TEST(AnalyticPiece, CutAnywhereIsTheSame)
 
 TEST(AnalyticScene, BallsHaveTheFormsOfTheSmoothBallButForTheirVoxels)
 {
-  // Squares between voxels are too large by at most 1/4 each: the level sets are inscribed.
+  // Interpolated squares are too large by at most 1/4 per axis, so the level sets are inscribed.
   for (const AnalyticScene& scene : AnalyticScenes())
   {
     const Ray ray{ { -5.0, 8.0, 8.0 }, { 1.0, 0.0, 0.0 } };
@@ -154,8 +154,8 @@ TEST(AnalyticScene, BallsHaveTheFormsOfTheSmoothBallButForTheirVoxels)
 
 TEST(Reference, ColorAffineInOpticalDepthHasAClosedFormInAnyField)
 {
-  // Manufactured: extinction is the value itself, so that optical depth is the integral of a cubic
-  // in each cell; and the colour is p + q tau.
+  // A manufactured solution: extinction equals the value, so that the optical depth is the integral
+  // of a cubic in each cell, and the colour is p + q tau.
   const double unitMm = 1e-12, p = 0.2, q = 0.5;
   std::mt19937 random(8);
   for (int i = 0; i < 20; ++i)

@@ -118,7 +118,7 @@ TEST(BlockPartition, LimitsTooSmallForTheSmallestBlockAreNamed)
   }
 }
 
-// Along rays from random eyes, in front, behind and within, and from infinity.
+// The rays start at random eyes in front of, behind and within the volume, and at infinity.
 TEST(BlockPartition, OrdersBlocksFrontToBackForEveryEye)
 {
   const glm::ivec3 dimensions(40, 36, 30);

@@ -9,7 +9,7 @@ using namespace varimarch;
 namespace
 {
 
-// Draws a picture of blocks of one byte; returns how many were not there.
+// Draws an image from blocks of one byte; returns the number of uploads.
 int Uploads(BlockResidency& residency, const std::vector<int>& order, std::size_t capacity)
 {
   int uploads = 0;
@@ -28,7 +28,7 @@ const std::vector<int> Eight = { 0, 1, 2, 3, 4, 5, 6, 7 };
 
 }
 
-TEST(BlockResidency, WhatFitsIsUploadedOnce)
+TEST(BlockResidency, BlocksThatFitAreUploadedOnce)
 {
   BlockResidency residency;
   EXPECT_EQ(Uploads(residency, Eight, 8), 8);
@@ -36,7 +36,7 @@ TEST(BlockResidency, WhatFitsIsUploadedOnce)
   EXPECT_EQ(Uploads(residency, { 7, 6, 0 }, 8), 0);
 }
 
-TEST(BlockResidency, OfTheSamePictureAllButOneOfTheHeldBlocksAreFoundAgain)
+TEST(BlockResidency, TheSameFrameReusesAllButOneOfTheHeldBlocks)
 {
   BlockResidency residency;
   Uploads(residency, Eight, 5);
@@ -46,7 +46,7 @@ TEST(BlockResidency, OfTheSamePictureAllButOneOfTheHeldBlocksAreFoundAgain)
   }
 }
 
-TEST(BlockResidency, WhatIsNotInThePictureGoesFirstLeastRecentlyUsedFirst)
+TEST(BlockResidency, BlocksOutsideTheFrameAreEvictedFirstTheLeastRecentlyUsedBeforeOthers)
 {
   BlockResidency residency;
   Uploads(residency, { 1, 2, 3 }, 4);

@@ -11,7 +11,7 @@ using namespace varimarch;
 namespace
 {
 
-// Mean power of the frequencies below a fourth of the highest, without the mean itself.
+// Mean power of the frequencies below a quarter of the highest, without the mean.
 double LowFrequencyPower(const std::vector<std::uint16_t>& tile, int size)
 {
   const double pi = std::acos(-1.0);

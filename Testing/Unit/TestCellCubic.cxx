@@ -96,7 +96,7 @@ TEST(CellCubic, CrossesAValueWhereItIsFound)
 
 TEST(CellCubic, FindsATripleRoot)
 {
-  // (2u - 1)^3 is flat where it crosses 0.
+  // (2u - 1)^3 has a zero slope at its root.
   const CellCubic cubic({ -1.0, 1.0, -1.0, 1.0 });
   EXPECT_NEAR(cubic.Crossing(1e-30, 0.0, 1.0), 0.5, 1e-5);
 }

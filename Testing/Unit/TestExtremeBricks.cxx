@@ -14,7 +14,7 @@ using namespace varimarch;
 namespace
 {
 
-// Random bricks of 16 bit values, one of them with a value that is not finite.
+// Random bricks of 16-bit values; one contains a value that is not finite.
 BrickRanges RandomRanges()
 {
   BrickRanges ranges(glm::ivec3(40, 40, 4), -1000.0, 3000.0, false);
@@ -30,7 +30,7 @@ BrickRanges RandomRanges()
   return ranges;
 }
 
-// With plateaus, a step, and a peak.
+// A transfer function with plateaus, a step and a peak.
 OpticalTable Table()
 {
   return BuildOpticalTable(
@@ -61,7 +61,7 @@ double LargestDifference(const glm::dvec4& a, const glm::dvec4& b)
 
 }
 
-TEST(ExtremeBricks, WhatIsAsGoodAsABricksExtremeLooksAsEverythingBetweenDoes)
+TEST(ExtremeBricks, ValuesBetweenABricksExtremesLookNoBetter)
 {
   const BrickRanges ranges = RandomRanges();
   const OpticalTable table = Table();
@@ -100,7 +100,7 @@ TEST(ExtremeBricks, WhatIsAsGoodAsABricksExtremeLooksAsEverythingBetweenDoes)
 
 TEST(ExtremeBricks, ABlockIsAsTheBestOfItsBricks)
 {
-  const glm::ivec3 count(6, 5, 9); // no whole blocks
+  const glm::ivec3 count(6, 5, 9); // not a multiple of the block size
   std::vector<std::uint16_t> bricks;
   for (int i = 0; i < count.x * count.y * count.z; ++i)
   {

@@ -67,7 +67,7 @@ TEST(FieldDirections, AreThoseOfTheFirstView)
   EXPECT_EQ(field.Next({ 1, -1, 0 }), glm::ivec3(1, -1, 0));
 }
 
-TEST(FieldDirections, OfTwoViewsInTurnServeBoth)
+TEST(FieldDirections, ServeTwoAlternatingViews)
 {
   FieldDirections field;
   field.Next({ 1, -1, 1 });
@@ -96,7 +96,7 @@ namespace
 constexpr int Side = BrickRanges::CellsPerSide;
 const glm::ivec3 bricks(9, 7, 11);
 
-// Single voxels, so that blocks of all sizes are free of them.
+// Single visible voxels leave free blocks of all sizes.
 OpticalField FieldTowards(const glm::ivec3& towards)
 {
   const glm::ivec3 dimensions = Side * bricks + 1;
@@ -139,7 +139,7 @@ class FieldTowardsEach : public testing::TestWithParam<std::tuple<int, int, int>
 
 }
 
-// Of all blocks, and of no less than these.
+// The largest of all blocks, and no smaller ones.
 TEST_P(FieldTowardsEach, HasTheLargestFreeBlocks)
 {
   const auto [x, y, z] = GetParam();

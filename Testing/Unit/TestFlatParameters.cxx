@@ -19,7 +19,7 @@ ShaderFile Block(const std::string& members)
 class FlatParameters : public testing::Test
 {
 protected:
-  // The text that is inserted behind the blocks of the fragment shader.
+  // The text inserted after the blocks of the fragment shader.
   std::string Passed(const std::string& members, int mostComponents = Enough)
   {
     this->fragment[0] = Block(members);

@@ -26,7 +26,7 @@ void ExpectNear(glm::dvec3 color, glm::dvec3 truth, double tolerance = 1e-14)
   varimarch::ExpectNear(glm::dvec4(color, 1.0), glm::dvec4(truth, 1.0), tolerance);
 }
 
-/// What is emitted half way through the unit cell, in a field of one gradient.
+/// Emission halfway through the unit cell, in a field with a constant gradient.
 glm::dvec3 EmittedWith(
   glm::dvec3 gradient, glm::dvec3 directionGrid, const glm::dmat3& worldFromGrid = glm::dmat3(1.0))
 {
@@ -136,7 +136,7 @@ TEST(HeadLightShading, IsIntegratedAsAMarchOfTinyStepsDoes)
 
 TEST(HeadLightShading, OneValueOnANodeIsShadedByPlace)
 {
-  // All voxels lie on a node, so that the whole cell has one extinction, but not one colour.
+  // All voxels lie on a node, so that the cell has one extinction but several colours.
   const std::vector<double> voxels(8, 1.0);
   const ScalarGrid<double> grid(voxels.data(), glm::ivec3(2));
   const auto brighter = [](glm::dvec3 color, glm::dvec3 position, glm::dvec3)

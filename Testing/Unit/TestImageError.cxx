@@ -62,7 +62,7 @@ TEST(ImageError, PercentileLeavesOutOnePixelInThousand)
   EXPECT_EQ(ErrorOf(image, truth).largest, 255.0);
 }
 
-TEST(ImageError, WhatIsNotFiniteIsInfinitelyWrong)
+TEST(ImageError, ValuesThatAreNotFiniteAreInfinitelyWrong)
 {
   const float infinity = std::numeric_limits<float>::infinity();
   for (const float bad : { std::numeric_limits<float>::quiet_NaN(), infinity, -infinity })

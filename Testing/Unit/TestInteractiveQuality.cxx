@@ -14,13 +14,13 @@ namespace
 constexpr double SmallPicture = 256.0 * 256.0;
 constexpr double LargePicture = 3840.0 * 2160.0;
 
-// A machine that takes as long as there are rays, and a little more.
+// Simulates a machine whose time is proportional to the number of rays, plus a constant.
 double SecondsOf(const PictureQuality& quality, double fullSeconds)
 {
   return 0.002 + fullSeconds / (quality.imageSampleDistance * quality.imageSampleDistance);
 }
 
-// The time that a picture takes after some.
+// Rendering time of a frame after some others.
 double SecondsAfter(InteractiveQuality& quality, int pictures, double allocated, double fullSeconds)
 {
   double seconds = 0.0;

@@ -1,4 +1,4 @@
-// The functions of lanes beside those of double precision, by the baseline's instructions.
+// Functions of lanes against double precision, with the baseline's instructions.
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketVoxels.h"
@@ -15,7 +15,7 @@ using namespace varimarch;
 namespace
 {
 
-/// Compares a function of random lanes with that of each number.
+/// Compares a function of random lanes with the same function of each number.
 void ExpectRelative(const std::function<Lanes(Lanes)>& function,
   const std::function<double(double)>& truth, float least, float most, double largestError)
 {
@@ -57,7 +57,7 @@ TEST(Lanes, RoundAsNumbersDo)
 {
   const auto floor = [](double number) { return std::floor(number); };
   ExpectRelative(Floor, floor, -1000.0f, 1000.0f, 0.0);
-  ExpectRelative(Floor, floor, -1e12f, 1e12f, 0.0); // of which an int holds but few
+  ExpectRelative(Floor, floor, -1e12f, 1e12f, 0.0); // beyond the range of int
   const auto nearest = [](double number) { return std::nearbyint(number); };
   ExpectRelative(Rounded, nearest, -1000.0f, 1000.0f, 0.0);
   const auto truncated = [](Lanes number) { return FloatOf(Truncated(number)); };

@@ -28,7 +28,8 @@ struct RandomScene
   ScalarGrid<std::uint8_t> Grid() const { return { this->voxels.data(), this->dimensions }; }
 };
 
-/// Smooth blobs in emptiness, with a plateau, under a function with visible and invisible parts.
+/// Smooth blobs in an empty volume, with a plateau; the transfer function has visible and invisible
+/// parts.
 RandomScene SceneOf(unsigned seed)
 {
   std::mt19937 random(seed);
@@ -142,7 +143,7 @@ TEST_P(OpticalFieldOf, NothingIsVisibleOutsideTheVisibleBox)
   EXPECT_GT(outside, 0) << "the box is that of the whole volume";
 }
 
-TEST(OpticalField, WhereNothingIsVisibleTheBoxIsEmpty)
+TEST(OpticalField, TheVisibleBoxOfAnInvisibleVolumeIsEmpty)
 {
   RandomScene scene = SceneOf(1);
   scene.table = BuildOpticalTable(TransferFunction({}, { { 0.0, 0.0 } }, 1.0), 0.0, 255.0);
@@ -151,7 +152,7 @@ TEST(OpticalField, WhereNothingIsVisibleTheBoxIsEmpty)
   EXPECT_GE(box.lower.x, box.upper.x);
 }
 
-TEST(OpticalField, WhatIsSkippableIsAllButTheStructuredBricksOfABox)
+TEST(OpticalField, SkippableBricksAreAllButTheStructuredOnesOfABox)
 {
   constexpr std::uint8_t Structured = OpticalField::Structured;
   const OpticalField field{ { 2, 2, 1 },
@@ -210,7 +211,7 @@ TEST_P(OpticalFieldOf, WithoutToleranceNoBrickIsHomogeneous)
 
 TEST(BrickRanges, AreThoseOfAllVoxelsThatABrickReads)
 {
-  // The same values as 8 and 16 bits, the second spread so that 8 bits do not suffice.
+  // The same values as 8 and 16 bits; the latter are scaled beyond the range of 8 bits.
   const RandomScene scene = SceneOf(3);
   std::vector<std::uint16_t> spread(scene.voxels.begin(), scene.voxels.end());
   for (std::uint16_t& voxel : spread)
@@ -255,7 +256,7 @@ TEST(BrickRanges, AndTheFieldTakeAtMostATwentiethOfAnEightBitVolume)
 
 INSTANTIATE_TEST_SUITE_P(RandomScenes, OpticalFieldOf, testing::Range(1u, 9u));
 
-// What is visible lies in the hull, or has hull on all sides.
+// Every visible brick lies in the hull, or has bricks of the hull on all sides.
 TEST_P(OpticalFieldOf, TheHullIsWhereTheVisibleBlocksEnd)
 {
   const OpticalField field = FieldOf(SceneOf(GetParam()), OpticalTolerance::Nothing(60.0));

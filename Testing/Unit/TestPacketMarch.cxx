@@ -1,4 +1,4 @@
-// Packets of rays, by every set of instructions that this processor has.
+// Packets of rays with every instruction set of this processor.
 
 #include "Unit/PacketPictures.h"
 
@@ -19,7 +19,7 @@ using namespace varimarch;
 namespace
 {
 
-// A 50th of a step of an 8 bit display: what single precision leaves of thousands of samples.
+// One 50th of 1/255: the rounding of single precision over thousands of samples.
 constexpr double RoundOff = 0.02;
 
 class PacketMarch : public testing::TestWithParam<InstructionSet>
@@ -48,7 +48,7 @@ protected:
   ReferenceScene& truth = pictures.truth;
 };
 
-/// What a voxel in a box of its own, from half a voxel before it to half a voxel behind it, is.
+/// Properties of the voxel whose box, half a voxel to each side, contains a position.
 OpticalProperties OfNearestVoxel(const PacketPictures& pictures, const glm::dvec3& positionGrid)
 {
   const glm::ivec3 voxel =
@@ -202,8 +202,8 @@ TEST_P(PacketMarch, InPiecesAddsUpToTheWhole)
 
 TEST_P(PacketMarch, IsThatOfTheBaseline)
 {
-  // Light, noise and a plane that cuts: bits differ by multiplications that are joined with sums,
-  // and by estimates of roots.
+  // With light, noise and a clipping plane, bits differ because of fused multiplications and
+  // estimated roots.
   const std::vector<std::uint16_t> noise = BlueNoiseTile(16);
   const glm::vec4 plane(0.3f, 0.5f, -0.4f, 1.0f);
   this->pictures.LightFromTheEye();

@@ -56,9 +56,9 @@ const std::vector<PublishedPair> PublishedPairs = { { { 50.0000, 2.6772, -79.775
   { { 6.7747, -0.2908, -2.4247 }, { 5.8714, -0.0985, -2.2286 }, 0.6377 },
   { { 2.0776, 0.0795, -1.1350 }, { 0.9033, -0.0636, -0.5514 }, 0.9082 } };
 
-constexpr int Side = 11; // of one window
+constexpr int Side = 11; // side of one window
 
-// Opaque grey pictures of one window.
+// Opaque grey images of the size of one window.
 std::vector<float> Grey(double level)
 {
   std::vector<float> picture;
@@ -93,7 +93,7 @@ TEST(LabFromDisplay, KnowsTheCornersOfSrgb)
   EXPECT_NEAR(white.a, 0.0, 1e-9);
   EXPECT_NEAR(white.b, 0.0, 1e-9);
   EXPECT_NEAR(LabFromDisplay({ 0.0, 0.0, 0.0 }).lightness, 0.0, 1e-9);
-  // Bruce Lindbloom's calculator, to the digits that the rounded matrix leaves.
+  // Values of Bruce Lindbloom's calculator, to the digits that the rounded matrix preserves.
   const LabColor red = LabFromDisplay({ 1.0, 0.0, 0.0 });
   EXPECT_NEAR(red.lightness, 53.24, 0.03);
   EXPECT_NEAR(red.a, 80.09, 0.03);
@@ -118,7 +118,7 @@ TEST(PerceptualError, FlatPicturesDifferInLuminanceAlone)
 
 TEST(PerceptualError, StructureCountsByItsWeightInTheWindow)
 {
-  // One white pixel in the middle of black: mean w, mean square w, covariance with black 0.
+  // One white pixel at the centre of a black image: mean w, mean square w, covariance with black 0.
   std::vector<float> dot = Grey(0.0);
   const int middle = 4 * (Side * (Side / 2) + Side / 2);
   dot[middle] = dot[middle + 1] = dot[middle + 2] = 1.0f;
@@ -135,15 +135,15 @@ TEST(PerceptualError, StructureCountsByItsWeightInTheWindow)
 TEST(PerceptualError, PercentileLeavesOutOnePixelInHundred)
 {
   std::vector<float> image = Grey(0.0);
-  image[0] = image[1] = image[2] = 1.0f; // one of 121
+  image[0] = image[1] = image[2] = 1.0f; // one pixel of 121
   const PerceptualError error = Compared(image, Grey(0.0));
   EXPECT_EQ(error.colorDifference99, 0.0);
-  EXPECT_NEAR(error.meanColorDifference, 100.0 / 121.0, 1e-9); // white from black: 100
+  EXPECT_NEAR(error.meanColorDifference, 100.0 / 121.0, 1e-9); // distance of white from black: 100
 }
 
 TEST(PerceptualError, IsOfThePictureOnItsBackground)
 {
-  // Nothing on white looks as white on black does.
+  // A transparent image on white equals white on black.
   const std::vector<float> nothing(4 * Side * Side, 0.0f);
   const std::vector<float> white = Grey(1.0);
   const DisplayedPair pair = { nothing.data(), white.data(), Side, Side, { 1.0, 1.0, 1.0 } };

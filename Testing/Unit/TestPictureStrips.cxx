@@ -11,7 +11,8 @@ namespace
 
 constexpr int Rows = 1000;
 
-// A picture strip by strip, on a machine that draws so many rows a second; the longest strip [s].
+// Draws an image strip by strip on a machine of the given speed; returns the longest time of a
+// strip [s].
 double LongestStrip(PictureStrips& strips, double rowsPerSecond, double asked)
 {
   double longest = 0.0;
@@ -51,7 +52,7 @@ TEST(PictureStrips, AreOneWhereThereIsTime)
   EXPECT_EQ(strips.Next(Rows, 0.2).count, Rows);
 }
 
-// The last strip of the picture is 26 rows here.
+// The last strip of the image has 26 rows.
 TEST(PictureStrips, StayAsHighAfterAShortRest)
 {
   PictureStrips strips;

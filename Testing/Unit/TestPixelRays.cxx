@@ -12,7 +12,7 @@ namespace
 
 const Box box{ glm::dvec3(0.0), glm::dvec3(63.0, 31.0, 15.0) };
 
-// Distance of a point from the line of a ray, in grid units.
+// Distance of a point from the line of a ray in grid units.
 double Distance(const Ray& ray, glm::dvec3 point)
 {
   const glm::dvec3 direction = glm::normalize(ray.direction);
@@ -20,8 +20,8 @@ double Distance(const Ray& ray, glm::dvec3 point)
   return glm::length(offset - glm::dot(offset, direction) * direction);
 }
 
-// Every point must lie on the ray of the pixel it projects to, and the ray must go away from the
-// eye; the near plane must be in front of it.
+// Requires that every point lies on the ray of the pixel that it projects to, that the rays point
+// away from the eye, and that the near plane lies in front of them.
 void ExpectRaysThroughTheirPixels(const glm::dmat4& clipFromGrid)
 {
   const PixelRays rays = ComputePixelRays(clipFromGrid, box);
@@ -110,9 +110,9 @@ TEST(PixelRays, ComeFromTheEye)
   EXPECT_GT(eye.w, 0.0);
   EXPECT_LT(glm::length(glm::dvec3(eye) / eye.w - glm::dvec3(200.0, -150.0, 90.0)), 1e-8);
 
-  // Infinitely far away, on the side that the camera looks from.
+  // The eye is infinitely far away, on the side of the camera.
   const glm::dmat4 parallel = glm::ortho(-60.0, 60.0, -40.0, 40.0, 50.0, 500.0);
-  for (double flip : { 1.0, -1.0 }) // a matrix of homogeneous points may have either sign
+  for (double flip : { 1.0, -1.0 }) // a homogeneous matrix may have either sign
   {
     const glm::dvec4 farEye = ComputePixelRays(flip * (parallel * view), box).eyeGrid;
     for (double face : { 0.0, 63.0 })

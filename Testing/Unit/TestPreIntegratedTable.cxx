@@ -11,7 +11,7 @@ using namespace varimarch;
 namespace
 {
 
-// A peak of height 1/mm on [40, 60] over a faint ramp, in an opaque material above 90.
+// A peak of height 1/mm on [40, 60] over a faint ramp, and an opaque material above 90.
 OpticalTable PeakTable()
 {
   const auto opacity = [](double extinction) { return -std::expm1(-extinction); };
@@ -39,7 +39,7 @@ TEST(PreIntegratedTable, TheMeanExtinctionIsTheIntegralOverTheValues)
 {
   const OpticalTable optical = PeakTable();
   const PreIntegratedTable table = BuildPreIntegratedTable(optical);
-  // By the midpoint rule over the optical table, between the values of the entries.
+  // Midpoint rule over the optical table, between the values of the entries.
   const auto mean = [&](double from, double to)
   {
     const double step = double(optical.entries.size() - 1) / (table.size - 1);
@@ -74,7 +74,7 @@ TEST(PreIntegratedTable, OneValueHasItsOwnProperties)
   EXPECT_EQ(At(table, 20.0, 20.0).a, 0.0f);
 }
 
-TEST(PreIntegratedTable, WhatIsOpaqueIsOpaqueAndSpoilsNothingElse)
+TEST(PreIntegratedTable, OpaqueEntriesAreOpaqueAndAffectNoOthers)
 {
   const PreIntegratedTable table = BuildPreIntegratedTable(PeakTable());
   EXPECT_GT(At(table, 20.0, 95.0).a, 1e20f);
@@ -90,7 +90,7 @@ TEST(PreIntegratedTable, WhiteIsWhiteBetweenAnyEntriesToo)
   for (const glm::vec4& entry :
     BuildPreIntegratedTable(BuildOpticalTable(white, 0.0, 100.0)).entries)
   {
-    // What is linear in the entries holds for all that a filter makes of them.
+    // A linear relation of the entries also holds for filtered values.
     ASSERT_LE(std::abs(entry.r - entry.a), 1e-6f * entry.a);
   }
 }

@@ -18,13 +18,13 @@ ReferenceScene SceneOf(
   return scene;
 }
 
-/// Opacity equal to the value.
+/// A transfer function whose opacity equals the value.
 TransferFunction Proportional(double unitDistanceMm = 1.0)
 {
   return { {}, { { 0.0, 0.0 }, { 1.0, 1.0 } }, unitDistanceMm };
 }
 
-/// Values at the middles of many equal steps along a ray.
+/// Values at the midpoints of many equal steps along a ray.
 std::vector<double> ValuesAlong(const ReferenceVolume& volume, const Ray& ray, int steps)
 {
   const Interval inside = Intersection(ray, volume.BoxGrid());
@@ -46,7 +46,7 @@ void ExpectWhite(glm::dvec4 color, double intensity, double tolerance = 1e-12)
 
 TEST(ReferenceMinimum, InsideACellIsFound)
 {
-  // Along the diagonal of a cell 1 - x y (1 - z) is 1 - u^2 (1 - u), at least 23 / 27.
+  // Along the diagonal of a cell, 1 - x y (1 - z) is 1 - u^2 (1 - u), at least 23 / 27.
   ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 1.0) };
   volume.voxels[3] = 0.0;
   const ReferenceScene scene = SceneOf(
@@ -76,9 +76,9 @@ TEST(ReferenceMinimum, IsTheMaximumOfTheMirroredValues)
   }
 }
 
-TEST(ReferenceAverage, OfARampHasItsClosedForm)
+TEST(ReferenceAverage, RampHasItsClosedForm)
 {
-  // Opacity and gray are both x: the mean of x^2 over [p, q] is (q^3 - p^3) / (3 (q - p)).
+  // Opacity and grey are both x: the mean of x^2 over [p, q] is (q^3 - p^3) / (3 (q - p)).
   const ReferenceVolume volume = RampAlongX(7);
   ReferenceScene scene = SceneOf(volume, Proportional(), Blend::AverageIntensity);
   ExpectWhite(ColorAlong(scene, alongX), 1.0 / 3.0);
@@ -123,7 +123,7 @@ TEST(ReferenceAverage, AgreesWithTheMeanOfManySamples)
   for (int i = 0; i < 20; ++i)
   {
     const ReferenceVolume volume = RandomVolume({ 4, 3, 5 }, random);
-    // A kink, a step and a curve.
+    // The function has a kink, a step and a curved segment.
     const TransferFunction transferFunction(
       {}, { { 0.1, 0.0 }, { 0.4, 0.7, { 0.3, 0.5 } }, { 0.6, 0.2 }, { 0.6, 1.0 } }, 2.0);
     ReferenceScene scene = SceneOf(volume, transferFunction, Blend::AverageIntensity);
@@ -182,7 +182,7 @@ TEST(ReferenceIsosurface, SurfacesAreBlendedFrontToBack)
 
 TEST(ReferenceIsosurface, LiesAtTheRootAndIsLitThere)
 {
-  // Along the diagonal of a cell x y z is u^3.
+  // Along the diagonal of a cell, x y z is u^3.
   ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 0.0) };
   volume.voxels[7] = 1.0;
   ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 1.0 } }, 1.0 }, Blend::Isosurface);
@@ -214,7 +214,7 @@ TEST(ReferenceIsosurface, IsPassedAsOftenAsTheValueChangesSides)
 
 TEST(ReferenceIsosurface, InTheFacesOfCellsIsPassedOnce)
 {
-  // Round-off must neither lose a surface between two cells nor pass it in both.
+  // Rounding must neither lose a surface between two cells nor count it in both.
   const int cells = 7;
   const ReferenceVolume volume = RampAlongX(cells);
   ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.1 } }, 1.0 }, Blend::Isosurface);
@@ -241,7 +241,7 @@ TEST(ReferenceIsosurface, BoundsAPlateauOfItsOwnValueAndNotTheVolume)
   {
     volume.voxels[i] = i % 5 == 1 || i % 5 == 2 || i % 5 == 4 ? 1.0 : 0.0;
   }
-  // 0 1 1 0 1: into the plateau, out of it, and up to the volume's face.
+  // Values 0 1 1 0 1: into the plateau, out of it, and up to the volume's face.
   ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.5 } }, 1.0 }, Blend::Isosurface);
   scene.isovalues = { 1.0 };
   EXPECT_NEAR(ColorAlong(scene, alongX).a, 1.0 - std::pow(0.5, 3.0), 1e-15);
@@ -257,7 +257,7 @@ TEST(ReferenceIsosurface, NoSurfaceBoundsWhatIsNotFinite)
   {
     volume.voxels[i] = i % 7 < 3 ? 0.0 : volume.voxels[i];
   }
-  // 0 on one side of the hole, 1 on the other.
+  // The values are 0 on one side of the gap and 1 on the other.
   ReferenceScene scene = SceneOf(volume, { {}, { { 0.0, 0.5 } }, 1.0 }, Blend::Isosurface);
   scene.isovalues = { 0.5, infinity, std::numeric_limits<double>::quiet_NaN() };
   EXPECT_EQ(ColorAlong(scene, alongX).a, 0.0);

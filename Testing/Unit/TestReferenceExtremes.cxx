@@ -1,4 +1,4 @@
-// The reference at the ends of what numbers may be, against closed forms.
+// The reference integrator at the limits of floating-point numbers, against closed forms.
 
 #include "Unit/ReferenceVolumes.h"
 
@@ -16,12 +16,12 @@ const double OneUlpBelowOne = std::nextafter(1.0, 0.0);
 constexpr double SmallestNumber = std::numeric_limits<double>::denorm_min();
 const glm::dvec3 orange(1.0, 0.5, 0.25);
 
-/// A number of 1e-12 must be right in its digits, not only to the tolerance.
+/// Requires relative accuracy, so that a number of 1e-12 is right in its digits.
 void ExpectSame(const glm::dvec4& color, const glm::dvec4& truth)
 {
   for (int channel = 0; channel < 4; ++channel)
   {
-    // Where alpha is 1 - T, only the digits of T are left.
+    // Alpha is 1 - T, so only digits of T above the machine epsilon remain.
     const double lost = channel == 3 ? std::numeric_limits<double>::epsilon() : 0.0;
     EXPECT_NEAR(color[channel], truth[channel], 1e-12 * std::abs(truth[channel]) + lost)
       << "channel " << channel;
@@ -41,7 +41,8 @@ TEST(ReferenceExtremes, ASlabOfAnyDepthHasItsClosedForm)
   const ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 5.0) };
   for (double depth = 1e-12; depth < 2e12; depth *= 10.0)
   {
-    // The same depth as a thin material over a long way, and as a dense one over a short way.
+    // The same depth as a thin material over a long distance, and as a dense one over a short
+    // distance.
     for (const double lengthMm : { 1e-6, 1.0, 1e6 })
     {
       SCOPED_TRACE(depth);
@@ -70,8 +71,8 @@ TEST(ReferenceExtremes, OpacitiesOneUlpFromTheirEndsHaveTheirClosedForm)
 
 TEST(ReferenceExtremes, AStepIsWhereItsValueIsWhateverTheScaleOfTheValues)
 {
-  // Values from `first` to `first + range` along a cell; opaque red beyond a third of it, behind
-  // a haze a million times thinner.
+  // Values from `first` to `first + range` along a cell. Beyond `place` the volume is opaque red,
+  // behind a haze with an opacity of a millionth.
   const double place = 0.375;
   const double hazeDepth = -std::log1p(-1e-6) * place;
   for (const auto& [first, range] : { std::pair(0.0, 1.0), { 0.0, 1e-30 }, { -5e29, 1e30 },
@@ -89,7 +90,7 @@ TEST(ReferenceExtremes, AStepIsWhereItsValueIsWhateverTheScaleOfTheValues)
       { { { step, blue }, { step, red } }, { { first, 1e-6 }, { step, 1e-6 }, { step, 1.0 } },
         1.0 });
     const double haze = -std::expm1(-hazeDepth);
-    // A value of 1e7 + 1e-6 x has eight digits of x, which move the step.
+    // A value of 1e7 + 1e-6 x has only eight digits of x, which shifts the step.
     const double digits =
       4.0 * std::numeric_limits<double>::epsilon() * (1.0 + std::abs(first) / range);
     ExpectNear(ColorAlong(scene, alongX), { 1.0 - haze, 0.0, haze, 1.0 }, 1e-12 + 1e-6 * digits);
@@ -98,7 +99,7 @@ TEST(ReferenceExtremes, AStepIsWhereItsValueIsWhateverTheScaleOfTheValues)
 
 TEST(ReferenceExtremes, OpacitiesOfAMillionToOneHaveTheirClosedForm)
 {
-  // Two cells of haze, one nearly opaque between them: each is seen through those in front.
+  // Two cells of haze with a nearly opaque one between them, each seen through those in front.
   const ReferenceVolume volume = RampAlongX(1);
   const ReferenceScene scene = SceneOf(volume,
     { { { 0.25, red }, { 0.25, blue }, { 0.5, blue }, { 0.5, red } },

@@ -12,11 +12,11 @@ using namespace varimarch;
 namespace
 {
 
-/// A block of 11 x 11 x 11 voxels that lets half of the light through per 10 mm.
+/// A block of 11 x 11 x 11 voxels that transmits half of the light per 10 mm.
 class ReferenceImageOfABlock : public testing::Test
 {
 protected:
-  /// @param nearPlane  distance from an eye 20 voxels before the block, in voxels
+  /// @param nearPlane  distance from an eye 20 voxels in front of the block, in voxels
   ReferenceView View(double nearPlane) const
   {
     const glm::dmat4 clipFromEye = glm::ortho(-10.0, 10.0, -10.0, 10.0, nearPlane, 100.0);

@@ -30,7 +30,7 @@ TransferFunction RandomTransferFunction(std::mt19937& random, bool steps = true)
   return { colors, opacities, 1.0 };
 }
 
-/// Midpoint rule with so many steps that nothing else is needed.
+/// Midpoint rule with so many steps that it converges without further measures.
 glm::dvec4 MarchedColor(const ReferenceVolume& volume, const TransferFunction& transferFunction,
   const Ray& ray, double mmPerParameter)
 {
@@ -70,8 +70,8 @@ TEST(Reference, LengthIsMeasuredInTheWorldAndNotInTheParameter)
 
 TEST(Reference, OpacityRampHasItsClosedForm)
 {
-  // Opacity s / l over length l: the depth is l ((1 - x) ln(1 - x) + x) with x the last opacity.
-  // It is finite even where the opacity reaches 1 and the extinction has a pole.
+  // Opacity s / l over length l: the depth is l ((1 - x) ln(1 - x) + x), with x the last opacity.
+  // It is finite even if the opacity reaches 1, where the extinction has a pole.
   for (const double last : { 0.01, 0.5, 0.99, 1.0 })
   {
     const ReferenceVolume volume = RampAlongX(4);
@@ -142,7 +142,7 @@ TEST(Reference, OpaqueWallHasTheColorOfItsSurface)
 
 TEST(Reference, ConstantOpaqueVolumeIsASurface)
 {
-  // The value is that of the node itself, where the opacity is 1, and nowhere else.
+  // The opacity is 1 only at the node itself, which is the value of all voxels.
   const ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 1.0) };
   const ReferenceScene scene =
     SceneOf(volume, { { { 1.0, red } }, { { 0.0, 0.0 }, { 1.0, 1.0 }, { 2.0, 0.0 } }, 1.0 });
@@ -162,7 +162,7 @@ TEST(Reference, PeakOfAMillionthIsNotMissed)
 
 TEST(Reference, DenseRampIsASurface)
 {
-  // Optical depths of 1e12: all that is seen is a layer of a millionth of the ray.
+  // At optical depths of 1e12, only a millionth of the ray is visible.
   const ReferenceVolume volume = RampAlongX(2);
   for (const double unitMm : { 1e-3, 1e-6, 1e-12 })
   {
@@ -210,7 +210,7 @@ TEST(Reference, AgreesWithAMarchOfTinySteps)
   std::mt19937 random(6);
   for (int i = 0; i < 20; ++i)
   {
-    // A march misses an interface by up to a step, but is of second order without one.
+    // The march misses an interface by up to a step, and is of second order without one.
     const bool interfaces = i % 2;
     const ReferenceVolume volume = RandomVolume({ 4, 3, 5 }, random);
     const TransferFunction transferFunction = RandomTransferFunction(random, interfaces);
@@ -288,7 +288,7 @@ TEST(Reference, CellsThatAreNotFiniteAreOfTheMaterialOfGaps)
 
 TEST(Reference, MaximumInsideACellIsFound)
 {
-  // Along the diagonal of a cell x y (1 - z) is u^2 (1 - u), at most 4 / 27.
+  // Along the diagonal of a cell, x y (1 - z) is u^2 (1 - u), at most 4 / 27.
   ReferenceVolume volume{ { 2, 2, 2 }, std::vector<double>(8, 0.0) };
   volume.voxels[3] = 1.0;
   ReferenceScene scene = SceneOf(volume, { { { 0.0, red } }, { { 0.0, 0.0 }, { 1.0, 1.0 } }, 1.0 });

@@ -13,7 +13,7 @@ using namespace varimarch;
 namespace
 {
 
-/// Any function that is linear along each axis by itself: trilinear interpolation keeps it.
+/// A function that is linear along each axis, which trilinear interpolation reproduces.
 double Multilinear(glm::dvec3 p)
 {
   return 3.0 + 2.0 * p.x - p.y + 0.5 * p.z + 0.25 * p.x * p.y - p.y * p.z + 0.125 * p.x * p.y * p.z;

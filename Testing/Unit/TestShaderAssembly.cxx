@@ -51,7 +51,7 @@ TEST(ShaderAssembly, GivesEachOfSeveralVolumesNamesOfItsOwn)
   const std::string source = AssembleShader(several);
   const auto stands = [&](const std::string& part)
   { return source.find(part) != std::string::npos; };
-  // The first asks for what there is before all of them, the last has the names that are there.
+  // The first volume declares SumBefore; each further one defines it as the Sum of the one before.
   EXPECT_TRUE(stands("#line 1000\nfloat SumBefore();\n\n"
                      "#define Sum Sum_1\n#define own own_1\n#line 2000\n" +
     text));

@@ -1,4 +1,4 @@
-// The pure formulas of the shaders, compiled as C++ and held against double precision.
+// Formulas of the shaders, compiled as C++ and compared with double precision.
 
 #include <glm/glm.hpp>
 
@@ -98,7 +98,7 @@ TEST(CellCubic, IsMonotoneBetweenItsExtremesAndCrossesEachValueOnce)
 
 TEST(CubicSpline, ReadsTheFourCoefficientsOfAnAxisTwoByTwo)
 {
-  // What linear readings at these places are made of, by their weights.
+  // Weights of the four coefficients that the linear samples combine.
   const auto weightsOf = [](const glsl::SplineReadings& at)
   {
     return std::array<double, 4>{ -at.nearWeight.x * at.nearPlace.x,
@@ -155,7 +155,8 @@ TEST(IntersectBox, IsNeverNotANumberForRaysInTheFaces)
 namespace
 {
 
-// Every block is one cell, and the ray goes on to one of the cells ahead, never back or past one.
+// Requires that every block is one cell, and that the ray always advances to an adjacent cell
+// ahead.
 void ExpectAdvance(const glm::vec3& start, const glm::vec3& direction)
 {
   const glsl::LatticeRay ray = glsl::RayInLattice(start - 3000.0f * direction, direction);
@@ -176,7 +177,7 @@ void ExpectAdvance(const glm::vec3& start, const glm::vec3& direction)
 
 TEST(LatticeWalk, AdvancesWithEveryBlockWhateverTheDirection)
 {
-  // In a face, along an edge, nearly so, and where a step of the ray is lost to rounding.
+  // Directions in a face, along an edge, nearly so, and with steps that are lost to rounding.
   const glm::vec3 corner(4.0f, 4.0f, 4.0f);
   for (const glm::vec3& direction : { glm::vec3(1.0f, 0.0f, 0.0f), { 1.0f, -0.0f, -1e-35f },
          { 1.0f, -1e-20f, 0.0f }, { 0.7f, 0.7f, -1e-6f }, { -1e-3f, -1.0f, 1e-7f } })

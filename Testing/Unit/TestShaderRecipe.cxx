@@ -15,7 +15,7 @@ namespace
 
 const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
 
-// The parts of these settings that the plain ones do not have.
+// The parts of these settings that differ from those of the plain settings.
 Parts Changed(const RenderSettings& settings)
 {
   const Parts before = FragmentShaderParts(plain);
@@ -168,14 +168,14 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
       "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
-TEST(ShaderRecipe, WhatIsExactTakesNoStepsOfSamples)
+TEST(ShaderRecipe, ExactMarchesTakeNoSampleSteps)
 {
   const auto partsOf = [](Blend blend, bool nearest)
   {
     RenderSettings settings{ blend, Acceleration::Off };
     settings.nearest = nearest;
     const Parts parts = FragmentShaderParts(settings);
-    // Between what every shader begins with and what every one ends with.
+    // Compare only the parts between the common beginning and the common end.
     return Parts(parts.begin() + 9, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
   };
   EXPECT_EQ(partsOf(Blend::Composite, true),
@@ -210,13 +210,13 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
     (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "Math/IntersectBox.glsl",
       "Math/Absorption.glsl", "Math/StepGrowth.glsl", "Depth/None.glsl", "Clip/None.glsl",
       "Jitter/None.glsl", "Blend/Composite.glsl", "Volumes/None.glsl",
-      // The lit volume,
+      // The lit volume.
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
       "Interpolation/Linear.glsl", "Probe/None.glsl", "Gaps/None.glsl",
       "Classify/OpticalTable.glsl", "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl",
       "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
       "Damping/None.glsl", "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl",
-      // and the other.
+      // The other volume.
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
       "Interpolation/Linear.glsl", "Probe/None.glsl", "Gaps/None.glsl",
       "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
@@ -256,7 +256,7 @@ TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)
     {
       if (part == "VolumeSlots.glsl")
       {
-        filesOfSlot.clear(); // each of several volumes has files of its own
+        filesOfSlot.clear(); // each volume has its own files
       }
       const std::size_t slash = part.find('/');
       if (slash != std::string::npos && part.substr(0, slash) != "Math")

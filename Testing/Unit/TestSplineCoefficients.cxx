@@ -21,7 +21,7 @@ std::vector<double> RandomVoxels(glm::ivec3 dimensions, unsigned seed = 1)
   return voxels;
 }
 
-// Of a spline with these coefficients.
+// Voxel values of a spline with these coefficients.
 std::vector<double> VoxelsOf(std::vector<double> coefficients, glm::ivec3 dimensions)
 {
   int stride = 1;
@@ -128,7 +128,7 @@ TEST(SplineGrid, HasTheGradientThatItsValuesHave)
 
 TEST(SplineGrid, StaysWithinTheBrickRangesOfItsCoefficients)
 {
-  // Coefficients that are 0 but for a few: seen from bricks beside, too.
+  // Only a few coefficients are not 0, and adjacent bricks must include them too.
   const glm::ivec3 dimensions(14, 11, 9);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> part(0.0, 1.0);

@@ -11,8 +11,8 @@ using namespace varimarch;
 namespace
 {
 
-/// A picture whose error is `factor` times the distance to the power of `order`, and how often it
-/// was drawn.
+/// An image whose error is `factor` times the distance to the power of `order`, with a count of the
+/// drawings.
 struct PowerLaw
 {
   double factor;
@@ -27,7 +27,7 @@ struct PowerLaw
   }
 };
 
-/// A picture of noise: what its pixels are off by at one distance tells nothing of another.
+/// A noisy image, whose errors at one distance are independent of those at another.
 std::vector<float> IndependentErrors(double distance)
 {
   std::mt19937 generator(unsigned(std::lround(1e6 * distance)));
@@ -81,7 +81,7 @@ TEST(StepSearch, ErrorsThatDoNotDependOnEachOtherAreNotCountedTwice)
   EXPECT_NEAR(DifferenceOfLimit(IndependentErrors(distance), truth, Limit), 0.9, 0.15);
 }
 
-TEST(StepSearch, WhatCannotBeKeptIsSaidAndEndsAtTheFinestStep)
+TEST(StepSearch, AnUnreachableLimitIsReportedAndEndsAtTheFinestStep)
 {
   int drawings = 0;
   const StepChoice choice = Find(PowerLaw{ 100.0, 1.0, &drawings }, 0.5);
@@ -102,7 +102,7 @@ TEST(StepSearch, TheFinestStepNeedNotBeAHalvingOfTheCoarsest)
   EXPECT_LT(choice.sampleDistance, 0.8);
 }
 
-TEST(StepSearch, WhatIsExactAtAnyStepTakesTheCoarsest)
+TEST(StepSearch, AnImageThatIsExactAtAnyStepTakesTheCoarsest)
 {
   int drawings = 0;
   const StepChoice choice = Find(PowerLaw{ 0.0, 1.0, &drawings }, 1.0);
@@ -112,7 +112,8 @@ TEST(StepSearch, WhatIsExactAtAnyStepTakesTheCoarsest)
 
 TEST(StepSearch, OnlyWhatWasTriedAndKeepsTheLimitIsTaken)
 {
-  constexpr double Longest = 1.4; // beyond it pictures err much, which no finer one tells
+  constexpr double Longest =
+    1.4; // beyond it, images have large errors that finer ones do not predict
   const auto draw = [&](double distance)
   {
     const double error = distance < Longest ? 0.004 * distance * distance : 0.5;
@@ -123,7 +124,7 @@ TEST(StepSearch, OnlyWhatWasTriedAndKeepsTheLimitIsTaken)
   EXPECT_GT(found, 0.85 * Longest);
 }
 
-TEST(StepSearch, WhereTheErrorDoesNotFallAsSupposedTheLimitIsKept)
+TEST(StepSearch, AnUnexpectedOrderStillKeepsTheLimit)
 {
   const auto errorAt = [](double distance)
   { return distance < 0.3 ? 0.001 : (distance < 0.6 ? 0.0085 : 0.012 + 0.003 * distance); };
@@ -135,7 +136,7 @@ TEST(StepSearch, WhereTheErrorDoesNotFallAsSupposedTheLimitIsKept)
   EXPECT_LE(errorAt(choice.sampleDistance), Limit.percentile999);
 }
 
-TEST(StepSearch, BesideAKnownPictureNoFinerOneIsDrawn)
+TEST(StepSearch, AKnownImageSavesAFinerOne)
 {
   int drawings = 0;
   const PowerLaw law{ 0.03, 1.6, &drawings };

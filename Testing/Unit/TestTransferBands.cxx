@@ -8,7 +8,7 @@ using namespace varimarch;
 
 TEST(TransferBands, PropertiesAtTheEndsOfABandAreThoseInside)
 {
-  // Steps at midpoints that no double holds exactly: the ends must round to the side of the band.
+  // Steps lie at midpoints that no double represents exactly, so the ends must round to their band.
   std::mt19937 random(1);
   std::uniform_real_distribution<double> number(0.0, 1.0);
   for (int i = 0; i < 1000; ++i)

@@ -18,7 +18,7 @@ TransferFunction OpacityCurve(std::vector<OpacityNode> nodes, double unitDistanc
   return TransferFunction({}, std::move(nodes), unitDistanceMm);
 }
 
-/// What a renderer reads: linear between entries, constant beyond the ends.
+/// Lookup of a renderer: linear between entries, constant beyond the ends.
 glm::vec4 LookUp(const OpticalTable& table, double value)
 {
   const double last = double(table.entries.size() - 1);
@@ -146,7 +146,7 @@ TEST(TransferFunction, ExtinctionIsAccurateJustBesideAnOpaqueNode)
   EXPECT_NEAR(ramp.Extinction(std::nextafter(4.0, 6.0)), 52.0 * std::log(2.0), 1e-12);
   EXPECT_EQ(ramp.Extinction(4.0), infinity);
 
-  // A curve pressed against its node by sharpness: 1 - opacity is about 3e-19.
+  // A curve that sharpness presses against its node: 1 - opacity is about 3e-19.
   const TransferFunction sharp = OpacityCurve({ { 0.0, 0.0, { 0.5, 0.98 } }, { 4.0, 1.0 } });
   const double s = 0.5 * std::pow(0.03, 10.8);
   const double transparency = 0.02 * s + s * s * (3.0 - 2.0 * s) - 0.02 * s * s * (3.0 - 2.0 * s);
@@ -165,7 +165,7 @@ TEST(TransferFunction, BadNodesAreRefused)
 
 TEST(OpticalTable, AgreesWithALinearExtinctionEverywhere)
 {
-  // Opacity 1 - exp(-v) has the extinction v; so fine a polyline of it is linear to 1e-6.
+  // Opacity 1 - exp(-v) has the extinction v; this fine polyline is linear to 1e-6.
   std::vector<OpacityNode> nodes;
   for (int i = 0; i <= 1000; ++i)
   {
@@ -250,7 +250,7 @@ TEST(OpticalTable, AReversedOrInfiniteRangeIsRefused)
 
 TEST(OpticalTable, APeakBetweenTwoEntriesKeepsItsIntegral)
 {
-  // Extinction about 1e-3 (1 - |v - 500.5| / 0.01): an integral of 1e-5, between entries 1 apart.
+  // Extinction of about 1e-3 (1 - |v - 500.5| / 0.01): an integral of 1e-5 between entries 1 apart.
   const TransferFunction peak(
     {}, { { 0.0, 0.0 }, { 500.49, 0.0 }, { 500.5, 1e-3 }, { 500.51, 0.0 }, { 1023.0, 0.0 } }, 1.0);
   const OpticalTable table = BuildOpticalTable(peak, 0.0, 1023.0, 1024);

@@ -15,7 +15,7 @@ using namespace varimarch;
 namespace
 {
 
-// The voxel at a place of the grid, as a shader finds it.
+// The voxel coordinate at a grid position, as computed by a shader.
 double VoxelAt(const UnevenAxis& axis, double placeGrid)
 {
   const std::vector<glm::vec4> bins = axis.Bins();
@@ -26,7 +26,7 @@ double VoxelAt(const UnevenAxis& axis, double placeGrid)
   return piece.y + beyond * (beyond < 0.0 ? piece.z : piece.w);
 }
 
-// With ever more voxels in the same length.
+// Coordinates whose random spacing shrinks along the axis.
 UnevenAxis RandomAxis(int count, std::mt19937& random)
 {
   std::uniform_real_distribution<double> gap(0.5, 1.0);
@@ -64,7 +64,7 @@ TEST(UnevenAxis, EachPlaceIsBetweenTheVoxelsThatItIsBetween)
   }
 }
 
-// Noise in one half, nothing in the other.
+// One half of the volume is noise, the other half empty.
 TEST(UnevenAxis, BricksOfTheEvenGridHoldWhatIsThere)
 {
   const glm::ivec3 size(37, 41, 30);
@@ -114,7 +114,7 @@ TEST(UnevenAxis, CellsReachFromTheFirstPointToTheLast)
     const auto voxelAt = [&](double place)
     { return VoxelAt(axis, (place - axis.FirstVoxel()) / axis.Step()); };
     EXPECT_NEAR(voxelAt(2.0), 1.0, 1e-4) << "the middle of the second cell";
-    // The face between the second and the third, and the middle between their middles.
+    // The face between the second and third cells, and the midpoint between their centres.
     EXPECT_NEAR(voxelAt(nearest ? 3.0 : 3.5), 1.5, 1e-4);
   }
 }

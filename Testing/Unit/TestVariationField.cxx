@@ -29,7 +29,7 @@ std::size_t Count(const Volume<Scalar>& volume)
   return volume.Grid().VoxelCount();
 }
 
-/// Flat regions of all sizes with a few bumps between: every radius occurs.
+/// Flat regions of all sizes with a few bumps between them, so that every radius occurs.
 template <class Scalar>
 Volume<Scalar> BumpyVolume(glm::ivec3 dimensions, int bumps, unsigned seed)
 {
@@ -47,7 +47,7 @@ Volume<Scalar> BumpyVolume(glm::ivec3 dimensions, int bumps, unsigned seed)
   return volume;
 }
 
-/// Difference of the extreme voxels of a block, in long double: exact for all types here.
+/// Difference of the extreme voxels of a block in long double, which is exact for all types here.
 template <class Scalar>
 long double BlockVariation(const Volume<Scalar>& volume, glm::ivec3 cell, int radius)
 {
@@ -136,7 +136,7 @@ TYPED_TEST(VariationFieldOf, NeverOverflows)
   ExpectFieldEqualsBruteForce(volume, double(Limits::max()));
 }
 
-/// Any two positions in the block of a cell have values within the tolerance.
+/// Values at any two positions in the block of a cell differ by at most the tolerance.
 TYPED_TEST(VariationFieldOf, KeepsThePromiseForInterpolatedValues)
 {
   const Volume<TypeParam> volume = BumpyVolume<TypeParam>({ 19, 14, 16 }, 5, 4);

@@ -116,7 +116,7 @@ TEST_P(VisibleDepthsOf, AreNothingWhereNoBlockIs)
   EXPECT_GT(empty, packets * 9 / 10);
 }
 
-// So many are drawn by several threads, single ones are not.
+// This many blocks are drawn by several threads, single ones are not.
 TEST_P(VisibleDepthsOf, ManyBlocksAreThoseOfEach)
 {
   const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
@@ -141,7 +141,7 @@ TEST_P(VisibleDepthsOf, ManyBlocksAreThoseOfEach)
 
 INSTANTIATE_TEST_SUITE_P(Projections, VisibleDepthsOf, testing::Bool());
 
-// There a block may cover any pixel.
+// A block beside the eye may cover any pixel.
 TEST(VisibleDepths, SayNothingBesideTheEye)
 {
   const glm::dmat4 clipFromGrid = Perspective();

@@ -57,7 +57,7 @@ TEST_F(Cutting, IsPossibleOnlyWithAVolume)
   EXPECT_TRUE(before.isEnabled());
 }
 
-TEST_F(Cutting, AwayOfAHalfKeepsTheOther)
+TEST_F(Cutting, AHalfKeepsTheOtherHalf)
 {
   this->AddPlane(0); // the patient's left is +x
   ASSERT_EQ(this->Planes().size(), 1);
@@ -67,7 +67,7 @@ TEST_F(Cutting, AwayOfAHalfKeepsTheOther)
   EXPECT_TRUE(this->Planes().empty());
 }
 
-TEST_F(Cutting, BySliderGoesFromFaceToFace)
+TEST_F(Cutting, WithTheSliderReachesFromFaceToFace)
 {
   this->AddPlane(0);
   QSlider* const depth = this->Slider("Depth of the plane");
@@ -78,7 +78,7 @@ TEST_F(Cutting, BySliderGoesFromFaceToFace)
   EXPECT_NEAR(this->Planes()[0].pointMm[0], bounds[1], 1e-9);
 }
 
-TEST_F(Cutting, ByADragIsOneStep)
+TEST_F(Cutting, WithADragIsOneStep)
 {
   this->AddPlane(0);
   QSlider* const depth = this->Slider("Depth of the plane");
@@ -94,7 +94,7 @@ TEST_F(Cutting, ByADragIsOneStep)
   EXPECT_EQ(depth->value(), 500);
 }
 
-TEST_F(Cutting, OnTheOtherSideAndRemoved)
+TEST_F(Cutting, FlipsAndRemovesAPlane)
 {
   this->AddPlane(2);
   const auto click = [&](const QString& text)
@@ -115,7 +115,7 @@ TEST_F(Cutting, OnTheOtherSideAndRemoved)
   EXPECT_EQ(this->panel.findChild<QListWidget*>()->count(), 0);
 }
 
-TEST_F(Cutting, ByTheBoxKeepsItsFacesInOrder)
+TEST_F(Cutting, WithTheBoxKeepsItsFacesInOrder)
 {
   this->Slider("x from")->setValue(700);
   this->Slider("x to")->setValue(300);

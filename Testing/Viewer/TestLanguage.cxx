@@ -39,7 +39,7 @@ TEST_F(Speaking, TranslatesTheMenus)
 }
 
 // Narrow panels scroll their titles.
-TEST_F(Speaking, CutsNoTitleOfAPanelOff)
+TEST_F(Speaking, ShowsTheTitlesOfPanelsInFull)
 {
   for (const Language& language : Languages())
   {

@@ -38,7 +38,7 @@ TEST_F(Logging, NotesEventsWithNumbers)
   EXPECT_TRUE(this->Text().contains("volume opened, columns 512, slices 3\n"));
 }
 
-TEST_F(Logging, NotesWhereMessagesComeFromAndNotWhatTheySay)
+TEST_F(Logging, LogsThePlaceOfMessagesAndNotTheirText)
 {
   qWarning("Cannot read /scans/DOE^JANE/1.dcm");
   vtkGenericWarningMacro(<< "Cannot read /scans/DOE^JANE/2.dcm, line 7");

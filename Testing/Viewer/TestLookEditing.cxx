@@ -52,7 +52,7 @@ void ExpectCurves(const Look& look)
 
 }
 
-TEST(LookEditing, AnInsertedPointHasTheColorThatWasThere)
+TEST(LookEditing, AnInsertedPointKeepsTheColorOfItsValue)
 {
   const Look look = SteppedLook();
   const Insertion added = InsertPoint(look, 50.0, 0.9, Ramp);
@@ -85,7 +85,7 @@ TEST(LookEditing, APointBeyondADarkEndComesWithADarkOne)
   EXPECT_EQ(FunctionOf(above.look).Opacity(5000.0), 0.0);
 }
 
-TEST(LookEditing, APointThatLightsNothingDarkComesAlone)
+TEST(LookEditing, APointThatIsNotBeyondADarkEndComesAlone)
 {
   const Look look = SteppedLook(); // opaque above its last point
   EXPECT_EQ(InsertPoint(look, 250.0, 0.5, Ramp).look.opacities.size(), 5u);
@@ -93,7 +93,7 @@ TEST(LookEditing, APointThatLightsNothingDarkComesAlone)
   EXPECT_EQ(InsertPoint(look, 50.0, 0.9, Ramp).look.opacities.size(), 5u);
 }
 
-TEST(LookEditing, OfIsosurfacesTheyAreTheNodes)
+TEST(LookEditing, IsosurfacesAreTheNodes)
 {
   Look look = WithSurface(SteppedLook());
   look.blend = Blend::Isosurface;
@@ -120,14 +120,14 @@ TEST(LookEditing, ACurveWithoutColoursGetsNone)
   EXPECT_TRUE(added.look.colors.empty());
 }
 
-TEST(LookEditing, APointAtAColorStopTakesItForItsOwn)
+TEST(LookEditing, APointAtAColorStopIsTiedToIt)
 {
   const Insertion added = InsertPoint(SteppedLook(), 150.0, 0.5, Ramp);
   EXPECT_EQ(added.look.colors.size(), SteppedLook().colors.size());
   EXPECT_EQ(WithTied(added.look, { added.node }), (NodeSet{ added.node, Stop(3) }));
 }
 
-TEST(LookEditing, AnInsertedColorLeavesStepsBetweenNodesWhereTheyAre)
+TEST(LookEditing, AnInsertedColorKeepsStepsBetweenNodes)
 {
   Look look = SteppedLook();
   look.colors = { { 0.0, { 0.0, 0.0, 0.0 }, { 0.3, 1.0 } }, { 100.0, { 1.0, 1.0, 1.0 } } };
@@ -187,7 +187,7 @@ TEST(LookEditing, AValueThatWasTypedIsTakenExactly)
   EXPECT_EQ(SetValue(SteppedLook(), Point(0), 900.0).opacities[0].value, 100.0);
 }
 
-TEST(LookEditing, ADeletedPointTakesItsColorAlongAndAColorNoPoint)
+TEST(LookEditing, ADeletedPointRemovesItsColorAndADeletedColorNoPoint)
 {
   const Look withoutPoint = RemoveNodes(SteppedLook(), { Point(1) }, Ramp);
   EXPECT_EQ(withoutPoint.opacities.size(), 3u);
@@ -199,7 +199,7 @@ TEST(LookEditing, ADeletedPointTakesItsColorAlongAndAColorNoPoint)
 }
 
 // Without its last transparent point, a curve would stay opaque beyond its end.
-TEST(LookEditing, WithoutADarkEndItIsDarkBeyondNevertheless)
+TEST(LookEditing, RemovingADarkEndKeepsTheOutsideDark)
 {
   Look look = SteppedLook();
   look.opacities.push_back({ 300.0, 0.0 });

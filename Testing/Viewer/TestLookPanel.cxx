@@ -104,7 +104,7 @@ TEST_F(PanelOfAModel, ASliderThatIsDraggedIsOneStep)
   EXPECT_EQ(this->model.History()->count(), 1);
 }
 
-TEST_F(PanelOfAModel, APresetThatWasEditedIsNoLongerCalledSo)
+TEST_F(PanelOfAModel, AnEditedPresetIsLabelledAsEdited)
 {
   this->Digits("Ambient")->setValue(0.5);
   EXPECT_EQ(this->Find<QComboBox>("presets")->currentText(), "ct-bone, edited");
@@ -122,7 +122,7 @@ TEST_F(PanelOfAModel, AnEditOfTheCurveReachesTheModel)
   EXPECT_EQ(editor->Picture().look.opacities[1].value, 300.0);
 }
 
-TEST_F(PanelOfAModel, WhatIsSavedIsWhatIsLoaded)
+TEST_F(PanelOfAModel, SavedLooksLoadAsSaved)
 {
   this->Digits("Ambient")->setValue(0.5);
   Look saved = this->Shown();
@@ -137,7 +137,7 @@ TEST_F(PanelOfAModel, WhatIsSavedIsWhatIsLoaded)
   EXPECT_EQ(this->Shown().name, "ct-lung");
 }
 
-TEST_F(PanelOfAModel, ASlicerPropertyIsWrittenAndReadByItsName)
+TEST_F(PanelOfAModel, SlicerPropertiesAreSavedAndLoadedByTheirExtension)
 {
   const Look saved = this->Shown();
   const QString path = this->folder.filePath("bone.vp");
@@ -165,7 +165,7 @@ TEST_F(PanelOfAModel, ABadFileIsExplainedAndChangesNothing)
   EXPECT_EQ(this->model.History()->count(), 0);
 }
 
-TEST_F(PanelOfAModel, ABlendingShowsOnlyTheNumbersThatItNeeds)
+TEST_F(PanelOfAModel, ABlendModeShowsOnlyItsParameters)
 {
   EXPECT_TRUE(this->Find<QWidget>("unitDistance")->isVisible());
   EXPECT_FALSE(this->Find<QWidget>("averagedRange")->isVisible());
@@ -182,7 +182,7 @@ TEST_F(PanelOfAModel, ABlendingShowsOnlyTheNumbersThatItNeeds)
   EXPECT_FALSE(this->Shown().averagedRange);
 }
 
-TEST_F(PanelOfAModel, IsosurfacesBeginWithOneAndGoWithTheirBlending)
+TEST_F(PanelOfAModel, ChoosingIsosurfacesAddsOneAndUndoRemovesIt)
 {
   this->Choose("blend", "Isosurfaces");
   EXPECT_EQ(this->Shown().blend, Blend::Isosurface);
@@ -192,7 +192,7 @@ TEST_F(PanelOfAModel, IsosurfacesBeginWithOneAndGoWithTheirBlending)
   EXPECT_TRUE(this->Shown().isosurfaces.empty());
 }
 
-TEST_F(PanelOfAModel, KindsOfLightAreChosenByNameAndKnownByTheirNumbers)
+TEST_F(PanelOfAModel, ShadingsAreChosenByNameAndRecognizedByTheirCoefficients)
 {
   auto* const lights = this->Find<QComboBox>("lights");
   EXPECT_EQ(lights->currentText(), "Custom");
@@ -209,7 +209,7 @@ TEST_F(PanelOfAModel, KindsOfLightAreChosenByNameAndKnownByTheirNumbers)
   EXPECT_EQ(lights->currentText(), "Custom");
 }
 
-TEST_F(PanelOfAModel, AColourMapIsPutOnTheCurveInOneStep)
+TEST_F(PanelOfAModel, AColourMapIsAppliedInOneStep)
 {
   const std::vector<OpacityNode> before = this->Shown().opacities;
   this->Find<QToolButton>("colorMaps")->menu()->actions().at(1)->trigger();

@@ -327,7 +327,7 @@ TEST_F(Window, ClosesWhileItLoads)
   this->window.close();
 }
 
-TEST_F(Window, ShowsPerspectiveOrNone)
+TEST_F(Window, SwitchesBetweenPerspectiveAndParallelProjection)
 {
   this->OpenTorso();
   auto* const action = this->window.findChild<QAction*>("parallelProjection");

@@ -55,7 +55,7 @@ TEST_F(Measures, AreListedWithTheirValues)
   EXPECT_TRUE(this->Text(3, 1).contains(" voxels")) << this->Text(3, 1).toStdString();
 }
 
-TEST_F(Measures, OfABoxAreShorterInPictures)
+TEST_F(Measures, HaveShorterTextsForBoxesInImages)
 {
   const Study& study = *this->model.CurrentStudy();
   const MeasureTexts texts(this->model.CurrentScene(), study.volume.image);
@@ -67,7 +67,7 @@ TEST_F(Measures, OfABoxAreShorterInPictures)
   EXPECT_EQ(VolumeText(1234.0), "1.23 ml");
 }
 
-TEST_F(Measures, AreRenamedAndRemovedAndBroughtBack)
+TEST_F(Measures, AreRenamedRemovedAndRestored)
 {
   this->model.History()->undo();
   this->model.History()->redo();
@@ -88,7 +88,7 @@ TEST_F(Measures, AreRenamedAndRemovedAndBroughtBack)
   EXPECT_EQ(this->Text(1, 0), "knee");
 }
 
-TEST_F(Measures, LeaveSlicesAsThickAsTheBarSays)
+TEST_F(Measures, SetTheThicknessOfSlices)
 {
   SlabBar bar(&this->model);
   this->model.History()->undo();

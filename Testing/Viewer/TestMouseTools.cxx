@@ -188,7 +188,7 @@ TEST_F(Tools, CropByAFaceAndMoveTheBox)
   EXPECT_EQ(this->Cuts().box, SceneCuts().box);
 }
 
-TEST_F(Tools, LeaveTheCameraWhatIsNotTheirs)
+TEST_F(Tools, IgnoreEventsForTheCamera)
 {
   EXPECT_FALSE(this->Send(QEvent::MouseButtonPress, { 3.0, 3.0 }));
   const QPointF face = this->PlaceOf(CutHandleKind::MoveFace, 1);
@@ -196,7 +196,7 @@ TEST_F(Tools, LeaveTheCameraWhatIsNotTheirs)
   EXPECT_FALSE(this->Send(QEvent::MouseButtonPress, face)) << "hidden";
 }
 
-TEST_F(Tools, TakeAGestureBackWithEscape)
+TEST_F(Tools, CancelAGestureWithEscape)
 {
   this->AddPlane({ -1.0, 0.0, 0.0 });
   const QPointF disc = this->PlaceOf(CutHandleKind::PushPlane, 0);
@@ -208,7 +208,7 @@ TEST_F(Tools, TakeAGestureBackWithEscape)
   EXPECT_FALSE(this->tools.Take(&escape)) << "there is nothing more to take back";
 }
 
-TEST_F(Tools, CutOutWhatIsDrawnAround)
+TEST_F(Tools, CutOutTheInsideOfAnOutline)
 {
   this->tools.Choose(LeftButton::CutOut);
   this->DragAlong({ { 100, 100 }, { 300, 100 }, { 300, 250 }, { 100, 250 } });
@@ -245,7 +245,7 @@ TEST_F(Tools, MeasureAnAngleInTwoDrags)
   EXPECT_EQ(this->model.CurrentScene().angles.size(), 1);
 }
 
-TEST_F(Tools, MoveTheLookWithControlWhateverWasChosen)
+TEST_F(Tools, MoveTheLookWithControlWhateverIsChosen)
 {
   this->tools.Choose(LeftButton::Distance);
   const Look before = this->model.CurrentScene().look;

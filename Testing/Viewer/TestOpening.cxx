@@ -196,7 +196,7 @@ TEST_F(Opening, OffersNothingForAScanThatIsEven)
   EXPECT_FALSE(this->Remedy()->isVisible());
 }
 
-TEST_F(Opening, AsksHowBareVoxelsAreToBeRead)
+TEST_F(Opening, AsksForTheLayoutOfARawFile)
 {
   this->folder.Write("scan_4x4x3_uint8.raw", std::string(48, 'a'));
   this->Open("scan_4x4x3_uint8.raw");
@@ -208,7 +208,7 @@ TEST_F(Opening, AsksHowBareVoxelsAreToBeRead)
   EXPECT_FALSE(this->window.findChild<WarningBar*>()->isVisible());
 }
 
-TEST_F(Opening, LeavesNothingOfAPatientInTheLog)
+TEST_F(Opening, KeepsPatientDataOutOfTheLog)
 {
   const QTemporaryDir log;
   StartLog(log.path());
@@ -256,7 +256,7 @@ TEST_F(Opening, SaysOnceThatItIsNotForDiagnosticUse)
   EXPECT_FALSE(later.findChild<QMessageBox*>("notice"));
 }
 
-TEST_F(Opening, CanBeLeftWhileItAsks)
+TEST_F(Opening, CanBeClosedWhileItAsks)
 {
   this->WriteSeries("1.2.33", 2);
   this->WriteSeries("1.2.44", 3);

@@ -10,7 +10,7 @@
 
 using namespace varimarch;
 
-TEST(ExportedPicture, HasTheSizeAndTheBackgroundThatAreAskedFor)
+TEST(ExportedPicture, HasTheRequestedSizeAndBackground)
 {
   const auto study = SmallStudy();
   const QImage onBackground =
@@ -46,7 +46,7 @@ TEST(ExportedPicture, HasANoticeThatIsLegibleOnAnyBackground)
   }
 }
 
-TEST(ExportedPicture, TellsHowItWasMadeAndNotOfWhom)
+TEST(ExportedPicture, StoresTheSettingsWithoutPatientData)
 {
   const auto study = SmallStudy();
   Scene scene = SceneOfPatient();

@@ -72,7 +72,7 @@ TEST_F(Gallery, ShowsThisVolumeAsEachPresetDoes)
   EXPECT_GT(qGray(skin.pixel(skin.rect().center())), 20) << "the torso is in the middle";
 }
 
-TEST_F(Gallery, MarksTheLookOfTheMoment)
+TEST_F(Gallery, MarksTheCurrentLook)
 {
   EXPECT_EQ(this->List()->currentItem(), this->Item("CT bone"));
   Look edited = this->TheLook();
@@ -86,7 +86,7 @@ TEST_F(Gallery, MarksTheLookOfTheMoment)
   EXPECT_FALSE(this->List()->currentItem());
 }
 
-TEST_F(Gallery, TakesTheWholeLookByAClickInOneStep)
+TEST_F(Gallery, AppliesTheWholeLookByAClickInOneStep)
 {
   this->Click("CT lungs");
   EXPECT_EQ(this->TheLook().name, "ct-lung");
@@ -99,7 +99,7 @@ TEST_F(Gallery, TakesTheWholeLookByAClickInOneStep)
   EXPECT_EQ(this->List()->currentItem(), this->Item("CT lungs"));
 }
 
-TEST_F(Gallery, TakesQualityAndBackgroundInTheSameStep)
+TEST_F(Gallery, AppliesQualityAndBackgroundInTheSameStep)
 {
   const auto change = [](Scene& scene)
   {
@@ -120,14 +120,14 @@ TEST_F(Gallery, TakesQualityAndBackgroundInTheSameStep)
   EXPECT_EQ(this->model.CurrentScene().background, (std::array{ 1.0, 1.0, 1.0 }));
 }
 
-TEST_F(Gallery, IsWorkedByKeys)
+TEST_F(Gallery, IsOperatedByKeys)
 {
   this->List()->setCurrentItem(this->Item("CT skin"));
   QTest::keyClick(this->List(), Qt::Key_Return);
   EXPECT_EQ(this->TheLook().name, "ct-skin");
 }
 
-TEST_F(Gallery, KeepsRenamesAndRemovesOwnOnes)
+TEST_F(Gallery, AddsRenamesAndRemovesOwnPresets)
 {
   Look own = this->TheLook();
   own.shading.specularPower = 77.0;
@@ -158,7 +158,7 @@ TEST_F(Gallery, KeepsRenamesAndRemovesOwnOnes)
   EXPECT_FALSE(QFile::exists(this->folder.filePath("presets/Temporal bone.json")));
 }
 
-TEST_F(Gallery, RemovesNoPresetOfTheProgram)
+TEST_F(Gallery, DoesNotRemoveBuiltInPresets)
 {
   this->Click("CT lungs");
   EXPECT_FALSE(this->panel.findChild<QPushButton*>("remove")->isEnabled());
@@ -166,7 +166,7 @@ TEST_F(Gallery, RemovesNoPresetOfTheProgram)
   EXPECT_TRUE(this->panel.findChild<QPushButton*>("remove")->isEnabled());
 }
 
-TEST_F(Gallery, SaysWhatIsWrongWithAFileAndShowsTheOthers)
+TEST_F(Gallery, ExplainsABrokenFileAndShowsTheOthers)
 {
   this->Press("keep");
   std::ofstream(this->folder.filePath("presets/broken.json").toStdString()) << "{";
@@ -181,7 +181,7 @@ TEST_F(Gallery, SaysWhatIsWrongWithAFileAndShowsTheOthers)
   EXPECT_TRUE(isTold);
 }
 
-TEST_F(Gallery, TakesNoNameTwice)
+TEST_F(Gallery, RefusesAUsedName)
 {
   this->Press("keep");
   this->Press("keep");

@@ -101,7 +101,7 @@ TEST_F(Form, BeginsWithAGuessThatFits)
   EXPECT_EQ(source.path, this->folder.filePath("scan_4x4x3_uint8.raw").toStdString());
 }
 
-TEST_F(Form, SaysWhatIsTooMuchAndTakesItForAHeader)
+TEST_F(Form, ReportsExcessBytesAndSkipsThemAsAHeader)
 {
   RawForm& shown = this->Show("1234567");
   EXPECT_EQ(this->Words(), "The file has 7 bytes more than this layout needs.");

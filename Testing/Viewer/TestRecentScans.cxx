@@ -48,7 +48,7 @@ TEST_F(Recent, AreListedTheLatestFirstAndOnce)
   EXPECT_EQ(RecentScans().List()[0].path, this->File("a"));
 }
 
-TEST_F(Recent, SayWhatTheyAreAndNotOfWhom)
+TEST_F(Recent, HaveLabelsWithoutPatientData)
 {
   this->scans.Add(this->Source("DOE^JOHN"), *SmallStudy());
   const QString label = this->scans.List().first().label;
@@ -56,7 +56,7 @@ TEST_F(Recent, SayWhatTheyAreAndNotOfWhom)
   EXPECT_TRUE(label.startsWith("CT, 32 x 28 x 20"));
 }
 
-TEST_F(Recent, TellTheSeriesOfAFolderApartWithoutNamingThem)
+TEST_F(Recent, DistinguishTheSeriesOfAFolderWithoutTheirUid)
 {
   const auto study = SmallStudy();
   for (const char* const uid : { "1.2.33", "1.2.44", "1.2.33" })
@@ -76,7 +76,7 @@ TEST_F(Recent, TellTheSeriesOfAFolderApartWithoutNamingThem)
   EXPECT_FALSE(text.contains("1.2.33"));
 }
 
-TEST_F(Recent, ForgetWhatIsGoneAndWhatIsOldest)
+TEST_F(Recent, DropMissingFilesAndTheOldestScans)
 {
   const auto study = SmallStudy();
   this->scans.Add(

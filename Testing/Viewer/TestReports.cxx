@@ -64,7 +64,7 @@ protected:
 
 }
 
-TEST(OrbitSummary, IsOfTheMiddlePictureAndOfAllErrors)
+TEST(OrbitSummary, HasMedianTimesAndTheErrorsOfAllViews)
 {
   const OrbitSummary summary =
     SummaryOf({ { 0, 10, 30, 3, 20 }, { 120, 12, 50, 4, 70 }, { 240, 90, 40, 0, 5 } });
@@ -96,7 +96,7 @@ TEST_F(Benchmark, GoesAroundOnceAndIsExported)
   EXPECT_THROW(this->dialog.Write(this->folder.filePath("no/orbit.pdf")), std::runtime_error);
 }
 
-TEST_F(Benchmark, StopsWhenItIsAskedToAndKeepsWhatItHas)
+TEST_F(Benchmark, StopsOnRequestAndKeepsItsResults)
 {
   this->Find<QSpinBox>("count")->setValue(300);
   QSignalSpy ended(&this->dialog, &BenchmarkDialog::Ended);
@@ -112,7 +112,7 @@ TEST_F(Benchmark, StopsWhenItIsAskedToAndKeepsWhatItHas)
   EXPECT_EQ(table->rowCount(), rows);
 }
 
-TEST_F(Benchmark, SaysWhatVtkCannotDraw)
+TEST_F(Benchmark, NamesBlendModesThatVtkDoesNotSupport)
 {
   Look look = this->model.CurrentScene().look;
   look.blend = Blend::AverageIntensity;
@@ -124,7 +124,7 @@ TEST_F(Benchmark, SaysWhatVtkCannotDraw)
 }
 
 // The test looks for the words in the laid-out page, since a PDF stores the numbers of glyphs.
-TEST_F(Reports, OfAScanTellHowItIsDrawnAndNotOfWhom)
+TEST_F(Reports, StateTheSettingsWithoutPatientData)
 {
   this->model.Edit(ScenePart::Measures, "measure",
     [](Scene& scene) {
@@ -139,7 +139,7 @@ TEST_F(Reports, OfAScanTellHowItIsDrawnAndNotOfWhom)
   EXPECT_FALSE(text.contains("head"));
 }
 
-TEST_F(Reports, SayThatALookWasEdited)
+TEST_F(Reports, MarkAnEditedLook)
 {
   Look look = this->model.CurrentScene().look;
   look.shading.ambient = 0.5;
@@ -148,7 +148,7 @@ TEST_F(Reports, SayThatALookWasEdited)
                 .contains("ct-bone, edited"));
 }
 
-TEST_F(Reports, NameALookOfOnesOwnNowhere)
+TEST_F(Reports, OmitTheNameOfAnOwnLook)
 {
   Look look = this->model.CurrentScene().look;
   look.name = "John Doe";
@@ -158,7 +158,7 @@ TEST_F(Reports, NameALookOfOnesOwnNowhere)
   EXPECT_TRUE(text.contains("custom look"));
 }
 
-TEST_F(Reports, OfAScanHaveItsPictures)
+TEST_F(Reports, ContainTheImagesOfAScan)
 {
   const QString path = this->folder.filePath("report.pdf");
   WriteScanReport(&this->model, path);

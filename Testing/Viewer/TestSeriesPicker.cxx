@@ -36,7 +36,7 @@ TEST_F(Picking, ShowsWhatIsKnown)
   EXPECT_EQ(qGray(picture.pixel(picture.rect().center())), 255);
 }
 
-TEST_F(Picking, ByReturnTakesTheFirst)
+TEST_F(Picking, WithReturnChoosesTheFirst)
 {
   QTest::keyClick(this->List(), Qt::Key_Return);
   ASSERT_EQ(this->chosen.count(), 1);
@@ -44,7 +44,7 @@ TEST_F(Picking, ByReturnTakesTheFirst)
   EXPECT_FALSE(this->picker.isVisible());
 }
 
-TEST_F(Picking, ByArrowsTakesAnother)
+TEST_F(Picking, WithArrowsChoosesAnother)
 {
   QTest::keyClick(this->List(), Qt::Key_Down);
   QTest::keyClick(this->List(), Qt::Key_Return);
@@ -52,7 +52,7 @@ TEST_F(Picking, ByArrowsTakesAnother)
   EXPECT_EQ(this->chosen.first().first().toString(), "1.2");
 }
 
-TEST_F(Picking, CanBeLeft)
+TEST_F(Picking, CanBeCancelled)
 {
   QTest::keyClick(this->List(), Qt::Key_Escape);
   EXPECT_TRUE(this->chosen.isEmpty());

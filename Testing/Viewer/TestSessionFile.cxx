@@ -42,7 +42,7 @@ TEST_F(Sessions, AreRestoredAsTheyWere)
   EXPECT_FALSE(restored.History()->canUndo());
 }
 
-TEST_F(Sessions, AreKeptWhileTheyAreEditedAndGoneAfterAnOrderlyEnd)
+TEST_F(Sessions, AreSavedDuringEditsAndDeletedAfterANormalExit)
 {
   Autosave autosave(&this->model, this->path);
   EXPECT_FALSE(autosave.HasCopy());

@@ -59,7 +59,7 @@ TEST_F(Slices, ShareTheCrosshairThatTheMousePuts)
   EXPECT_NEAR((*this->coronal.PointAt({ 3, 5 }))[1], expected[1], 1e-9);
 }
 
-TEST_F(Slices, AreADragOneStep)
+TEST_F(Slices, MakeADragOneStep)
 {
   QTest::mousePress(&this->axial, Qt::LeftButton, {}, { 100, 80 });
   QTest::mouseMove(&this->axial, { 110, 80 });

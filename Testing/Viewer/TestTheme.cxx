@@ -25,7 +25,7 @@ double Contrast(QPalette::ColorRole text, QPalette::ColorRole ground)
 
 }
 
-TEST(Theme, IsAppliedRememberedAndTakenBack)
+TEST(Theme, IsAppliedRememberedAndReverted)
 {
   QWidget window;
   const std::unique_ptr<QMenu> menu(NewThemeMenu(&window));

@@ -231,7 +231,7 @@ TEST_F(EditorOfAModel, LowOpacitiesCanBeEnlarged)
     this->Layout().plot.bottom() - 20.0, 1.0);
 }
 
-TEST_F(EditorOfAModel, ADragEndsWhereSomebodyElseChangesTheLook)
+TEST_F(EditorOfAModel, ADragEndsWhenTheLookIsChangedElsewhere)
 {
   this->Press(this->At(1));
   this->MoveTo(this->At(1) + QPoint(10, 0));

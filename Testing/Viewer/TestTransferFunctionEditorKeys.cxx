@@ -107,7 +107,7 @@ TEST_F(EditorOfAModel, ADoubleClickEditsAPointInNumbers)
   EXPECT_EQ(this->Edited().opacities[1].value, 300.0);
 }
 
-TEST_F(EditorOfAModel, AValueBeyondANeighbourIsShownAsWhatWasTaken)
+TEST_F(EditorOfAModel, AValueBeyondANeighbourIsShownAsApplied)
 {
   QTest::mouseDClick(&this->editor, Qt::LeftButton, {}, this->At(1));
   auto* const value = this->InPopover<QDoubleSpinBox>("value");

@@ -99,7 +99,7 @@ TEST_F(Turning, WritesAMovie)
   EXPECT_TRUE(this->BytesOf("turn.ogv").startsWith("OggS"));
 }
 
-TEST_F(Turning, LeavesNothingWhenItIsStopped)
+TEST_F(Turning, LeavesNoFilesWhenCancelled)
 {
   EXPECT_FALSE(this->Write("turn.png", 2));
   EXPECT_FALSE(this->Write("turn.ogv", 2));
@@ -111,7 +111,7 @@ TEST_F(Turning, NamesAFileThatCannotBeWritten)
   EXPECT_TRUE(this->Failure("missing/turn.png").contains("missing/turn-000.png"));
 }
 
-TEST_F(Turning, WritesWhatTheRealFfmpegCanRead)
+TEST_F(Turning, WritesAMovieThatTheRealFfmpegReads)
 {
   const QString probe = QStandardPaths::findExecutable("ffprobe");
   if (probe.isEmpty() || QStandardPaths::findExecutable("ffmpeg").isEmpty())
@@ -146,14 +146,14 @@ TEST_F(TurningWithAScript, SendsEveryPictureInEvenSizesToFfmpeg)
   EXPECT_EQ(told.trimmed().split('\n').last().toInt(), 4 * 3 * 48 * 46);
 }
 
-TEST_F(TurningWithAScript, TakesAnotherEncoderWhereX264IsMissing)
+TEST_F(TurningWithAScript, UsesAnotherEncoderIfX264IsMissing)
 {
   this->Pretend("mpeg4", "cat >/dev/null; echo \"$*\" >\"$last\"");
   EXPECT_TRUE(this->Write("turn.mp4"));
   EXPECT_TRUE(this->BytesOf("turn.mp4").contains("-c:v mpeg4"));
 }
 
-TEST_F(TurningWithAScript, TellsTheLastThingThatFfmpegSays)
+TEST_F(TurningWithAScript, ReportsTheLastMessageOfFfmpeg)
 {
   this->Pretend("libx264", "echo >\"$last\"; echo first >&2; echo 'No space left' >&2; exit 1");
   const QString failure = this->Failure("turn.mp4");
@@ -164,7 +164,7 @@ TEST_F(TurningWithAScript, TellsTheLastThingThatFfmpegSays)
   EXPECT_TRUE(this->Files().isEmpty());
 }
 
-TEST_F(TurningWithAScript, CanBeStoppedWhileFfmpegHangs)
+TEST_F(TurningWithAScript, CanBeCancelledWhileFfmpegHangs)
 {
   this->Pretend("libx264", "echo >\"$last\"; exec sleep 1000");
   QElapsedTimer clock;
@@ -174,7 +174,7 @@ TEST_F(TurningWithAScript, CanBeStoppedWhileFfmpegHangs)
   EXPECT_TRUE(this->Files().isEmpty());
 }
 
-TEST_F(TurningWithAScript, IsOfferedAsMp4OnlyWhereThereIsFfmpeg)
+TEST_F(TurningWithAScript, OffersMp4OnlyIfFfmpegIsInstalled)
 {
   this->Pretend("libx264", "");
   EXPECT_TRUE(TurntableFilters().first().contains("*.mp4"));

@@ -94,7 +94,7 @@ TEST(ValueAxis, HasRoundTicksFarEnoughApart)
   EXPECT_NEAR(narrow[1] - narrow[0], 0.2, 1e-12);
 }
 
-TEST(ValueAxis, OfAVolumeOfOneValueIsAnAxis)
+TEST(ValueAxis, HasARangeForAConstantVolume)
 {
   ValueAxis axis;
   axis.SetData(7.0, 7.0);
@@ -124,7 +124,7 @@ TEST(HistogramBars, CountEveryVoxelOnceAtAnyWidth)
   }
 }
 
-TEST(HistogramBars, ABarHoldsTheValueThatItIsAskedFor)
+TEST(HistogramBars, ABarContainsTheRequestedValue)
 {
   const auto study = SmallStudy();
   const HistogramBars bars(study->statistics, 30.0);

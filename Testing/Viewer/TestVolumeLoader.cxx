@@ -61,7 +61,7 @@ TEST_F(Loading, BringsTheVolumeAndItsStatistics)
   EXPECT_EQ(this->Ends(), 1);
 }
 
-TEST_F(Loading, OfAMissingFileFailsWithItsName)
+TEST_F(Loading, AMissingFileFailsWithItsName)
 {
   this->loader.Load(FileSource{ "/missing/head.nrrd", std::nullopt });
   ASSERT_TRUE(this->failed.wait(MostMilliseconds));
@@ -69,7 +69,7 @@ TEST_F(Loading, OfAMissingFileFailsWithItsName)
   EXPECT_EQ(this->Ends(), 1);
 }
 
-TEST_F(Loading, OfSeveralSeriesAsksWhichTheLargestFirst)
+TEST_F(Loading, SeveralSeriesAreListedTheLargestFirst)
 {
   this->WriteSeries("1.2.33", 2);
   this->WriteSeries("1.2.44", 3);
@@ -90,7 +90,7 @@ TEST_F(Loading, OfSeveralSeriesAsksWhichTheLargestFirst)
   EXPECT_EQ(study->volume.image->GetDimensions()[2], 2);
 }
 
-TEST_F(Loading, TakesTheSeriesOfADigestAndAsksWhereItIsGone)
+TEST_F(Loading, FindsTheSeriesOfADigestOrListsAll)
 {
   this->WriteSeries("1.2.33", 2);
   this->WriteSeries("1.2.44", 3);
@@ -105,7 +105,7 @@ TEST_F(Loading, TakesTheSeriesOfADigestAndAsksWhereItIsGone)
   EXPECT_EQ(this->Ends(), 2);
 }
 
-TEST_F(Loading, DoesNotTakeTheOnlySeriesForAnother)
+TEST_F(Loading, DoesNotReplaceAMissingSeriesByTheOnlyOne)
 {
   this->WriteSeries("1.2.33", 2);
   this->loader.Load(
@@ -114,7 +114,7 @@ TEST_F(Loading, DoesNotTakeTheOnlySeriesForAnother)
   EXPECT_EQ(this->Ends(), 1);
 }
 
-TEST_F(Loading, OfAFolderWithOneSeriesAsksNothing)
+TEST_F(Loading, AFolderWithOneSeriesNeedsNoChoice)
 {
   this->WriteSeries("1.2.33", 3);
   this->loader.Load(FileSource{ this->folder.Path("disc"), std::nullopt });
@@ -122,7 +122,7 @@ TEST_F(Loading, OfAFolderWithOneSeriesAsksNothing)
   EXPECT_EQ(this->Ends(), 1);
 }
 
-TEST_F(Loading, ThatIsCancelledBringsNothing)
+TEST_F(Loading, CancellingEmitsNoVolume)
 {
   this->loader.Load(SmallVolume);
   this->loader.Cancel();
@@ -130,7 +130,7 @@ TEST_F(Loading, ThatIsCancelledBringsNothing)
   EXPECT_EQ(this->Ends(), 1);
 }
 
-TEST_F(Loading, OfAnotherVolumeEndsTheLast)
+TEST_F(Loading, ANewRequestCancelsTheLast)
 {
   this->loader.Load(SmallVolume);
   this->loader.Load(SmallVolume);
