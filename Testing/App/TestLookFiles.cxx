@@ -124,8 +124,8 @@ TEST_F(LookFiles, SlicerFilesMayHaveStepsAnUndefinedRangeAndAnyOrder)
   EXPECT_EQ(look.name, "uCT");
   EXPECT_EQ(TextOf(look.opacities), "200:0 200:1 300:1");
   EXPECT_EQ(look.colors[0].rgb, glm::dvec3(0.5, 1.0, 0.0));
-  EXPECT_TRUE(look.gradientOpacities.empty()) << "1 everywhere is none";
-  EXPECT_FALSE(look.shading.enabled) << "as Slicer, where nothing is said";
+  EXPECT_TRUE(look.gradientOpacities.empty()) << "an opacity of 1 everywhere counts as none";
+  EXPECT_FALSE(look.shading.enabled) << "Slicer's default";
 }
 
 TEST_F(LookFiles, ParaViewFilesMayHaveTrailingCommasAndTheUnitScale)

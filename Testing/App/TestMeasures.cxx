@@ -34,7 +34,7 @@ TEST(Angle, IsMeasuredBetweenItsArms)
   EXPECT_DOUBLE_EQ(AngleDegrees({ { 2, 0, 0 }, { 0, 0, 0 }, { 0, 3, 0 } }), 90.0);
   EXPECT_DOUBLE_EQ(AngleDegrees({ { 3, 1, 1 }, { 1, 1, 1 }, { 2, 1, 2 } }), 45.0);
   EXPECT_DOUBLE_EQ(AngleDegrees({ { 1, 0, 0 }, { 0, 0, 0 }, { -4, 0, 0 } }), 180.0);
-  EXPECT_EQ(AngleDegrees({ { 1, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }), 0.0) << "without an arm";
+  EXPECT_EQ(AngleDegrees({ { 1, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }), 0.0) << "an arm has no length";
 }
 
 TEST(BoxStatistics, CountTheVoxelsInTheBox)

@@ -42,7 +42,7 @@ ImageError ErrorOf(const Scene& scene, vtkImageData* image)
   const auto truth = DrawReferencePicture(scene, image, 1e-6);
   const auto* pixels = static_cast<const float*>(truth.value().image->GetScalarPointer());
   const std::size_t count = std::size_t(scene.size[0]) * scene.size[1];
-  EXPECT_GT(*std::max_element(pixels, pixels + 4 * count), 0.1) << "the picture is empty";
+  EXPECT_GT(*std::max_element(pixels, pixels + 4 * count), 0.1) << "the image is empty";
   return CompareImages(static_cast<const float*>(picture->GetScalarPointer()), pixels, count);
 }
 

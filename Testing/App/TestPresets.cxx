@@ -29,7 +29,7 @@ TEST(Presets, EveryOneIsReadable)
     EXPECT_TRUE(preset.errorTolerance) << name;
     EXPECT_TRUE(preset.background) << name;
     EXPECT_FALSE(look.description.empty()) << name;
-    EXPECT_EQ(look.opacities.front().opacity, 0.0) << name << " must not show the air";
+    EXPECT_EQ(look.opacities.front().opacity, 0.0) << name << " must not show air";
   }
 }
 

@@ -64,7 +64,7 @@ TEST(ProceduralVolume, TorsoHasTheHounsfieldUnitsOfItsTissues)
   const auto torso = ProceduralVolume({ ProceduralKind::Torso, { 127, 87, 107 }, 1 });
   EXPECT_EQ(torso->GetScalarType(), VTK_SHORT);
   EXPECT_NEAR(MeanAround(torso, -180, -120, 0), -1000, 15) << "air";
-  EXPECT_NEAR(MeanAround(torso, 42, -36, -34), 330, 60) << "contrast in the heart's left side";
+  EXPECT_NEAR(MeanAround(torso, 42, -36, -34), 330, 60) << "contrast medium in the left ventricle";
   EXPECT_NEAR(MeanAround(torso, -58, 0, -140), 100, 60) << "liver";
   EXPECT_LT(MeanAround(torso, -100, -10, 20), -600) << "right lung";
   EXPECT_GT(MeanAround(torso, 0, 48, 0), 150) << "vertebra";

@@ -163,7 +163,7 @@ TEST_F(ReferenceCacheTest, TheOldestImagesAreDeletedWhenTheFolderIsFull)
   EXPECT_EQ(this->Files().size(), 3u);
   EXPECT_FALSE(this->Draws(this->scene)) << "the newest is kept";
   this->scene.camera.azimuthDegrees = 0.0;
-  EXPECT_FALSE(this->Draws(this->scene)) << "what was used lately is kept";
+  EXPECT_FALSE(this->Draws(this->scene)) << "the recently used image is kept";
 }
 
 TEST_F(ReferenceCacheTest, AFolderThatCannotBeCreatedDoesNotMatter)

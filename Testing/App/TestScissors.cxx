@@ -90,9 +90,9 @@ TEST(Scissors, KeepTheInsideAndAddUp)
   cut.outline = { { -2.0, 0.05 }, { 2.0, 0.05 }, { 2.0, 2.0 }, { -2.0, 2.0 } };
   const auto mask = MaskOf({ keep, cut }, Cube(21));
   EXPECT_TRUE(IsLeft(mask, 10, 3, 10));
-  EXPECT_FALSE(IsLeft(mask, 17, 3, 10)) << "outside of what is kept";
+  EXPECT_FALSE(IsLeft(mask, 17, 3, 10)) << "outside the kept part";
   EXPECT_FALSE(IsLeft(mask, 10, 3, 11)) << "cut out";
-  EXPECT_FALSE(MaskOf({}, Cube(3))) << "without cuts none";
+  EXPECT_FALSE(MaskOf({}, Cube(3))) << "no mask without cuts";
 }
 
 TEST(Scissors, HaveACoarserMaskForALargeVolume)

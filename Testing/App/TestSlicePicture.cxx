@@ -45,7 +45,7 @@ TEST(SlicePicture, PutsThePatientWhereRadiologistsExpect)
 {
   // Left, posterior and superior are the world's positive axes.
   const auto left = SlicePicture(OneVoxel(5, 0, 0), Request(SlicePlane::Axial));
-  EXPECT_EQ(Pixel(left, 5, 0), 255) << "the left is at the right";
+  EXPECT_EQ(Pixel(left, 5, 0), 255) << "the patient's left is on the right";
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 5, 0), Request(SlicePlane::Axial)), 0, 5), 255);
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(5, 0, 0), Request(SlicePlane::Coronal)), 5, 0), 255);
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 5), Request(SlicePlane::Coronal)), 0, -5), 255);

@@ -88,12 +88,12 @@ TEST(AccumulatedPictures, TendToThePictureOfManyRaysPerPixel)
   ShowAnEdge(scene);
   const std::vector<float> alone = scene.Draw();
   scene.mapper->SetMaximumAccumulatedPictures(32);
-  EXPECT_EQ(scene.Draw(), alone) << "the first is what it would be alone";
+  EXPECT_EQ(scene.Draw(), alone) << "the first frame equals a single one";
   const std::vector<float> mean = MeanOfAll(scene);
   const double errorAlone = ErrorOf(alone, truth);
   EXPECT_GT(errorAlone, 5.0);
   EXPECT_LT(ErrorOf(mean, truth), errorAlone / 5.0);
-  EXPECT_EQ(scene.Draw(), mean) << "no more are drawn than are asked for";
+  EXPECT_EQ(scene.Draw(), mean) << "no more frames than requested";
 }
 
 TEST(AccumulatedPictures, SmoothTheFacesOfTheVolumeItself)
@@ -184,7 +184,7 @@ TEST(AccumulatedPictures, TakeNothingWhenOff)
   scene.mapper->SetMaximumAccumulatedPictures(2);
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes + 16 * Size * Size);
-  EXPECT_EQ(scene.mapper->GetShaderBuilds(), shaders + 1) << "that of the mean";
+  EXPECT_EQ(scene.mapper->GetShaderBuilds(), shaders + 1) << "the shader that averages frames";
   scene.mapper->SetMaximumAccumulatedPictures(1);
   EXPECT_EQ(scene.Draw(), picture);
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes);
@@ -201,7 +201,7 @@ TEST(AccumulatedPictures, InPartsAreThePictureInTheEnd)
   EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 0);
   EXPECT_NE(coarse, whole);
   EXPECT_LT(ErrorOf(coarse, whole), 0.5 * ErrorOf(std::vector<float>(whole.size()), whole))
-    << "what is not there yet is seen coarsely";
+    << "missing parts are shown coarsely";
   double part = scene.mapper->GetDrawnPart();
   std::vector<float> last;
   while (scene.mapper->GetDrawnPart() < 1.0)

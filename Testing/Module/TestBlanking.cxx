@@ -143,7 +143,7 @@ TEST(Blanking, ChangedFlagsChangeThePicture)
   EXPECT_NEAR(scene.LengthMm(3.25, 4.75), 7.0, LengthError);
   setBlank(1, false);
   EXPECT_NEAR(scene.LengthMm(3.25, 4.75), 8.0, LengthError);
-  EXPECT_EQ(scene.ShaderParts(), before) << "a volume without gaps pays for them";
+  EXPECT_EQ(scene.ShaderParts(), before) << "a volume without gaps has a cost";
 }
 
 TEST(Blanking, TheNanColorDoesNotApplyToBlankedPoints)
@@ -175,6 +175,6 @@ TEST(Blanking, NormalsBesideABlankedCellAreThoseOfTheData)
   property->SetDiffuse(0.8);
   property->SetSpecular(0.0);
   const std::vector<float> drawn = scene.Draw();
-  EXPECT_NEAR(drawn[4 * (8 * 16 + 8)], 0.8, 1e-3) << "behind the cell";
+  EXPECT_NEAR(drawn[4 * (8 * 16 + 8)], 0.8, 1e-3) << "the voxel behind the cell";
   EXPECT_NEAR(drawn[4 * (8 * 16 + 7)], 0.8, 1e-3) << "beside it";
 }

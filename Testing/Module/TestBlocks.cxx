@@ -54,7 +54,7 @@ ImageError DifferenceInBlocks(MapperScene& scene, vtkIdType memory)
   const std::vector<float> inBlocks = scene.Draw();
   EXPECT_TRUE(IsDrawnInBlocks(scene));
   EXPECT_LE(scene.mapper->GetGraphicsMemoryBytes(), memory);
-  EXPECT_GT(*std::max_element(whole.begin(), whole.end()), 0.02f) << "nothing is seen";
+  EXPECT_GT(*std::max_element(whole.begin(), whole.end()), 0.02f) << "nothing is visible";
   return Difference(inBlocks, whole);
 }
 

@@ -92,7 +92,7 @@ TEST_P(CellDataOfBlend, IsTheTruth)
     scene.volume->GetProperty()->SetInterpolationTypeToNearest();
     EXPECT_LT(scene.Error().rootMeanSquare, 0.4);
     const std::vector<float> drawn = scene.Draw();
-    EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1f) << "nothing is seen";
+    EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1f) << "nothing is visible";
   }
 }
 

@@ -126,7 +126,7 @@ TEST_P(MixtureOfBalls, IsThatOfTheReference)
   EXPECT_LT(error.rootMeanSquare, 0.5);
   EXPECT_LT(error.largest, 8.0);
   const std::vector<float> drawn = balls.scene.Draw();
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the picture is empty";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the image is empty";
 
   // The field leaves out what is invisible in both components, and nothing else.
   balls.scene.mapper->SetAccelerationModeToOff();

@@ -203,7 +203,7 @@ TEST(Cubic, MaximumIsTheLargestValueOfTheSpline)
     EXPECT_NEAR(drawn[4 * pixel + 3], std::min(largest / 400.0, 1.0), 1.5 / 256.0) << pixel;
     goesBeyondTheVoxels = goesBeyondTheVoxels || largest > scene.image->GetScalarRange()[1];
   }
-  EXPECT_TRUE(goesBeyondTheVoxels) << "else the range of the voxels would do";
+  EXPECT_TRUE(goesBeyondTheVoxels) << "otherwise the range of the voxels would suffice";
 }
 
 TEST(Cubic, TakesItsShaderAndMemoryOnlyWhereItIsOn)
@@ -216,7 +216,7 @@ TEST(Cubic, TakesItsShaderAndMemoryOnlyWhereItIsOn)
   EXPECT_NE(scene.Draw(), linear);
   EXPECT_TRUE(scene.UsesShaderPart("Interpolation/CubicSpline.glsl"));
   scene.Draw();
-  EXPECT_EQ(scene.mapper->GetVolumeTextureBuilds(), 2) << "it is kept from picture to picture";
+  EXPECT_EQ(scene.mapper->GetVolumeTextureBuilds(), 2) << "it is kept from frame to frame";
   scene.volume->GetProperty()->SetInterpolationTypeToNearest();
   const std::vector<float> nearest = scene.Draw();
   scene.mapper->CubicInterpolationOff();

@@ -77,7 +77,7 @@ void ExpectTruth(MapperScene& scene, double rootMeanSquare, double largest)
   EXPECT_LT(error.rootMeanSquare, rootMeanSquare);
   EXPECT_LT(error.largest, largest);
   const std::vector<float> drawn = scene.Draw();
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1f) << "nothing is seen";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1f) << "nothing is visible";
 }
 
 // A homogeneous volume of 11 voxels and 10 mm per side in which each mm absorbs half of the light.

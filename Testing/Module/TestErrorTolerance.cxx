@@ -160,7 +160,8 @@ TEST(ErrorTolerance, OneSearchServesViewsNearbyUntilTheViewRests)
     return scene.mapper->GetToleranceSearches();
   };
   EXPECT_EQ(searchesAfter([&] { camera->Azimuth(1.0); }), 1);
-  EXPECT_LT(scene.mapper->GetUsedSampleDistance(), searchedDistance) << "it is not quite the same";
+  EXPECT_LT(scene.mapper->GetUsedSampleDistance(), searchedDistance)
+    << "the images are not identical";
   EXPECT_EQ(searchesAfter([&] { camera->Azimuth(-1.0); }), 1);
   EXPECT_EQ(scene.mapper->GetUsedSampleDistance(), searchedDistance);
   EXPECT_EQ(searchesAfter([&] { camera->Zoom(1.02); }), 1);

@@ -191,7 +191,7 @@ TEST_P(FunctionOfTorso, IsThatOfTheReference)
   EXPECT_LT(error.rootMeanSquare, 0.5);
   EXPECT_LT(error.largest, 10.0);
   const std::vector<float> drawn = scene.Draw();
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the picture is empty";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the image is empty";
 }
 
 INSTANTIATE_TEST_SUITE_P(ShadedOrNot, FunctionOfTorso, testing::Values(false, true));

@@ -128,5 +128,5 @@ TEST(IntegrationRules, PreIntegrationMissesNoPeakBetweenTwoSamples)
   const float truth = scene.Truth()[4 * (8 * 4 + 4) + 3];
   EXPECT_GT(truth, 0.1f);
   EXPECT_NEAR(opacityWith(Mapper::PreIntegrated), truth, 0.01f);
-  EXPECT_EQ(opacityWith(Mapper::Midpoint), 0.0f) << "the samples were to miss the peak";
+  EXPECT_EQ(opacityWith(Mapper::Midpoint), 0.0f) << "the samples should miss the peak";
 }

@@ -28,7 +28,7 @@ void ExpectInvisibleError(MapperScene& scene)
   EXPECT_LT(error.percentile999, 6.0);
   EXPECT_LT(error.largest, 10.0);
   const std::vector<float> drawn = scene.Draw();
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the picture is empty";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the image is empty";
 }
 
 // Makes air invisible, which fills most bricks around and in the torso.
@@ -74,7 +74,7 @@ TEST_P(ExtremeAccuracy, IsTheTruthWhateverBricksAreLeftAndWhateverTheSampleDista
   // The smallest value is that of air, which must be opaque to be visible.
   scene.opacities->AddPoint(-1100.0, 0.9);
   const std::vector<float> truth = scene.Truth();
-  EXPECT_GT(*std::max_element(truth.begin(), truth.end()), 0.5) << "the picture is empty";
+  EXPECT_GT(*std::max_element(truth.begin(), truth.end()), 0.5) << "the image is empty";
   const auto largestError = [&]
   {
     const std::vector<float> drawn = scene.Draw();

@@ -265,7 +265,7 @@ TEST(LabelMap, WithFunctionsOfEachLabelIsThatOfTheReference)
   EXPECT_LT(error.rootMeanSquare, 0.5);
   EXPECT_LT(error.largest, 10.0);
   const std::vector<float> drawn = torso.scene.Draw();
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the picture is empty";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the image is empty";
 }
 
 TEST(Masks, TakeTheirShaderAndTextureOnlyWhereTheyAre)
@@ -278,7 +278,7 @@ TEST(Masks, TakeTheirShaderAndTextureOnlyWhereTheyAre)
   block.scene.Draw();
   EXPECT_TRUE(block.scene.UsesShaderPart("Mask/Voxels.glsl"));
   EXPECT_TRUE(block.scene.UsesShaderPart("March/Midpoint.glsl"))
-    << "a binary mask takes no other march";
+    << "a binary mask uses the same march";
   EXPECT_EQ(block.scene.mapper->GetGraphicsMemoryBytes(), bytes + 9 * 9 * 33 * 4);
   block.scene.mapper->SetMaskTypeToLabelMap();
   block.scene.Draw();

@@ -93,7 +93,7 @@ void ExpectClosedForm(
     }
     seen = std::max(seen, truth.a);
   }
-  EXPECT_GT(seen, 0.3) << "the picture is empty";
+  EXPECT_GT(seen, 0.3) << "the image is empty";
 }
 
 void ExpectClosedForm(OverlapScene& scene, const std::vector<ClosedBox>& boxes)
@@ -283,7 +283,7 @@ TEST_P(OverlappingBalls, KeepTheErrorTolerance)
     EXPECT_LT(error.largest, 2.0 * ofGrayLevels);
   }
   const std::vector<float> drawn = scene.Draw();
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the picture is empty";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the image is empty";
 }
 
 INSTANTIATE_TEST_SUITE_P(ShadedOrNot, OverlappingBalls,
@@ -335,7 +335,7 @@ TEST_P(FieldsOfVolumes, LeaveOutWhatIsInvisibleInAllOfThem)
   mapper->SetErrorTolerance(grayLevels / 255.0);
   const std::vector<float> drawn = scene.Draw();
   ASSERT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the picture is empty";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.5) << "the image is empty";
   mapper->SetAccelerationModeToOff();
   const std::vector<float> withoutField = scene.Draw();
   const ImageError difference = CompareImages(drawn.data(), withoutField.data(), drawn.size() / 4);

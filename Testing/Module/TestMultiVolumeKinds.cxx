@@ -122,7 +122,7 @@ TEST_P(KindOfVolume, IsUnchangedInsideAnInvisibleVolume)
   const std::vector<float> inCloud = scene.Draw();
   ASSERT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");
   EXPECT_LT(CompareImages(inCloud.data(), alone.data(), alone.size() / 4).largest, 2.0);
-  EXPECT_GT(*std::max_element(alone.begin(), alone.end()), 0.3) << "the picture is empty";
+  EXPECT_GT(*std::max_element(alone.begin(), alone.end()), 0.3) << "the image is empty";
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, KindOfVolume,

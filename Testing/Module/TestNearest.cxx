@@ -24,7 +24,7 @@ void ExpectExact(MapperScene& scene)
     scene.mapper->GetBlendMode() == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND ? 0.3 : 0.02);
   EXPECT_LT(error.percentile999, 0.3);
   const std::vector<float> drawn = scene.Draw();
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1f) << "nothing is seen";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1f) << "nothing is visible";
 }
 
 }

@@ -270,7 +270,7 @@ TEST_P(RenderToImageOfBlend, HasTheColoursOfTheWindow)
         << pixel;
     }
   }
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.05f) << "the picture is empty";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.05f) << "the image is empty";
 }
 
 // The minimum of the torso is black.

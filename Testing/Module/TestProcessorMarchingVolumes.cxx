@@ -106,7 +106,7 @@ TEST_P(ProcessorMarchingOfVolumes, IsThePictureOfTheShader)
   ASSERT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
   const std::vector<float> drawn = scene.Draw();
   ASSERT_FALSE(scene.ShaderParts().empty());
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the picture is empty";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the image is empty";
   const ImageError difference = CompareImages(marched.data(), drawn.data(), drawn.size() / 4);
   EXPECT_LT(difference.rootMeanSquare, 0.05);
   EXPECT_LT(difference.percentile999, 0.5);

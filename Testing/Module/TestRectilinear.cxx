@@ -153,7 +153,7 @@ TEST(Rectilinear, ValuesAreBetweenTheirCoordinatesWhateverTheVolumesMatrix)
   EXPECT_LT(error.rootMeanSquare, 0.1);
   EXPECT_LT(error.largest, 1.0);
   const std::vector<float> drawn = scene.Draw();
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3f) << "nothing is seen";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3f) << "nothing is visible";
 }
 
 TEST(Rectilinear, AnEvenGridIsDrawnAsTheImageItIs)

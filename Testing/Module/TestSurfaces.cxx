@@ -57,7 +57,7 @@ void ExpectTruth(MapperScene& scene)
     different += std::abs(drawn[i] - truth[i]) > 1.0 / 255.0;
   }
   EXPECT_LT(different, drawn.size() / 200);
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3f) << "nothing is seen";
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3f) << "nothing is visible";
 }
 
 // Values x + 2 y + 3 z, which interpolation reproduces exactly.

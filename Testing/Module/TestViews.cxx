@@ -40,7 +40,7 @@ double MiddleOf(const std::vector<float>& picture)
     sum += picture[4 * pixel + 3];
     weighted += picture[4 * pixel + 3] * (pixel % Size);
   }
-  EXPECT_GT(sum, 20.0) << "nothing is seen";
+  EXPECT_GT(sum, 20.0) << "nothing is visible";
   return weighted / sum;
 }
 

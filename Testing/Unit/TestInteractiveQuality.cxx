@@ -89,7 +89,8 @@ TEST(InteractiveQuality, BeginsWithFewRaysWhileNoTimeIsKnown)
 {
   InteractiveQuality quality;
   EXPECT_EQ(quality.Next(0.1, SmallPicture).imageSampleDistance, 1.0);
-  EXPECT_EQ(quality.Next(0.1, LargePicture).imageSampleDistance, 8.0) << "though nothing was told";
+  EXPECT_EQ(quality.Next(0.1, LargePicture).imageSampleDistance, 8.0)
+    << "although no change was reported";
 }
 
 TEST(InteractiveQuality, IsFullWithTheSecondPictureOfAFastMachine)

@@ -118,7 +118,7 @@ TEST_P(OpticalFieldOf, ABlockThatMayBeLeftIsInvisibleEverywhere)
     const glm::dvec3 upper = glm::min(glm::dvec3(Side * (brick + radius + 1)), last);
     EXPECT_EQ(Look(scene.table, grid.Value(point(lower, upper))).a, 0.0f);
   }
-  EXPECT_GT(left, 100) << "hardly any block could be left";
+  EXPECT_GT(left, 100) << "hardly any block is skippable";
 }
 
 TEST_P(OpticalFieldOf, NothingIsVisibleOutsideTheVisibleBox)
@@ -140,7 +140,7 @@ TEST_P(OpticalFieldOf, NothingIsVisibleOutsideTheVisibleBox)
       EXPECT_EQ(Look(scene.table, grid.Value(position)).a, 0.0f);
     }
   }
-  EXPECT_GT(outside, 0) << "the box is that of the whole volume";
+  EXPECT_GT(outside, 0) << "the box covers the whole volume";
 }
 
 TEST(OpticalField, TheVisibleBoxOfAnInvisibleVolumeIsEmpty)

@@ -80,7 +80,7 @@ TEST(PreIntegratedTable, OpaqueEntriesAreOpaqueAndAffectNoOthers)
   EXPECT_GT(At(table, 20.0, 95.0).a, 1e20f);
   EXPECT_EQ(At(table, 62.0, 88.0).a, 0.0f);
   EXPECT_NEAR(At(table, 20.0, 95.0).b / At(table, 20.0, 95.0).a, 0.92, 0.03)
-    << "the colour is that of the opaque part";
+    << "expected the colour of the opaque part";
 }
 
 TEST(PreIntegratedTable, WhiteIsWhiteBetweenAnyEntriesToo)

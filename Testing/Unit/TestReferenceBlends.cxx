@@ -246,7 +246,7 @@ TEST(ReferenceIsosurface, BoundsAPlateauOfItsOwnValueAndNotTheVolume)
   scene.isovalues = { 1.0 };
   EXPECT_NEAR(ColorAlong(scene, alongX).a, 1.0 - std::pow(0.5, 3.0), 1e-15);
   scene.isovalues = { 0.0 };
-  EXPECT_EQ(ColorAlong(scene, alongX).a, 0.0) << "all is at least 0";
+  EXPECT_EQ(ColorAlong(scene, alongX).a, 0.0) << "all values are at least 0";
 }
 
 TEST(ReferenceIsosurface, NoSurfaceBoundsWhatIsNotFinite)

@@ -81,7 +81,7 @@ TEST(SplineCoefficients, InSinglePrecisionKeepVoxelsToItsLastBits)
   TurnIntoSplineCoefficients(exact.data(), dimensions);
   for (std::size_t i = 0; i < exact.size(); ++i)
   {
-    EXPECT_NEAR(single[i], exact[i], 2e-3) << "of values up to 2000, of coefficients up to 10000";
+    EXPECT_NEAR(single[i], exact[i], 2e-3) << "values up to 2000, coefficients up to 10000";
   }
 }
 

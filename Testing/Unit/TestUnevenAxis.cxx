@@ -99,7 +99,7 @@ TEST(UnevenAxis, BricksOfTheEvenGridHoldWhatIsThere)
     ASSERT_LE(value, double(steps.largest));
     clear += steps.largest == 0 ? 1 : 0;
   }
-  EXPECT_GT(clear, 4000) << "what is empty is not told from the rest";
+  EXPECT_GT(clear, 4000) << "empty bricks are not distinguished from others";
 }
 
 TEST(UnevenAxis, CellsReachFromTheFirstPointToTheLast)

@@ -81,7 +81,7 @@ TEST(LookEditing, APointBeyondADarkEndComesWithADarkOne)
   EXPECT_EQ(FunctionOf(below.look).Opacity(-50.0), 0.5);
   const Insertion above = InsertPoint(look, 304.0, 0.5, Ramp);
   EXPECT_EQ(above.node, Point(5));
-  EXPECT_EQ(above.look.opacities.back().value, 308.0) << "no farther than the end is away";
+  EXPECT_EQ(above.look.opacities.back().value, 308.0) << "no farther than the distance of the end";
   EXPECT_EQ(FunctionOf(above.look).Opacity(5000.0), 0.0);
 }
 
@@ -98,13 +98,13 @@ TEST(LookEditing, IsosurfacesAreTheNodes)
   Look look = WithSurface(SteppedLook());
   look.blend = Blend::Isosurface;
   ASSERT_EQ(AllNodes(look), (NodeSet{ { NodeKind::Surface, 0 } }));
-  EXPECT_EQ(look.isosurfaces[0].value, 100.0) << "where the curve is half as opaque as it gets";
+  EXPECT_EQ(look.isosurfaces[0].value, 100.0) << "at half of the largest opacity";
   const Insertion added = InsertPoint(look, 50.0, 0.25, Ramp);
   EXPECT_EQ(added.node, (NodeId{ NodeKind::Surface, 0 }));
   ASSERT_EQ(added.look.isosurfaces.size(), 2u);
   EXPECT_EQ(added.look.isosurfaces[0].rgb, glm::dvec3(0.5, 0.0, 0.0));
   const Look moved = MoveNodes(added.look, { added.node }, 70.0, 0.5);
-  EXPECT_EQ(moved.isosurfaces[0].value, 100.0) << "not past its neighbour";
+  EXPECT_EQ(moved.isosurfaces[0].value, 100.0) << "stops at its neighbour";
   EXPECT_EQ(moved.isosurfaces[0].opacity, 0.75);
   EXPECT_EQ(SetColor(moved, added.node, { 0.0, 0.0, 1.0 }).isosurfaces[0].rgb.b, 1.0);
   EXPECT_EQ(RemoveNodes(moved, AllNodes(moved), Ramp).isosurfaces.size(), 1u) << "one stays";

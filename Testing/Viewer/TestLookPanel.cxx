@@ -240,7 +240,8 @@ TEST_F(PanelOfAModel, GradientOpacityIsInTheSceneOnlyWhileItIsOn)
   EXPECT_TRUE(this->Shown().gradientOpacities.empty());
   QTest::keyClick(box, Qt::Key_Space);
   ASSERT_EQ(this->Shown().gradientOpacities.size(), 2u);
-  EXPECT_EQ(this->Shown().gradientOpacities[1].opacity, edited[1].opacity) << "as it was left";
+  EXPECT_EQ(this->Shown().gradientOpacities[1].opacity, edited[1].opacity)
+    << "the curve is remembered";
   EXPECT_EQ(this->model.History()->count(), 4);
 }
 

@@ -283,7 +283,7 @@ TEST_F(LargeScreen, ShowsAVolumeCoarselyAtOnceAndThenInFull)
   ASSERT_TRUE(QTest::qWaitFor([&] { return distances.size() >= 2; }, MostMilliseconds));
   EXPECT_EQ(distances.back(), 1.0);
   ASSERT_FALSE(refined.isEmpty());
-  EXPECT_LE(refined.first().first().toDouble(), 1.0) << "the picture came in parts";
+  EXPECT_LE(refined.first().first().toDouble(), 1.0) << "the image is rendered in parts";
   EXPECT_EQ(this->View()->renderWindow()->GetSize()[0], 2 * this->View()->width());
 }
 

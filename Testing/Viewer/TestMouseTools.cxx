@@ -154,13 +154,13 @@ TEST_F(Tools, TurnAPlaneByItsArrow)
   this->AddPlane({ -1.0, 0.0, 0.0 });
   const QPointF foot = this->PlaceOf(CutHandleKind::PushPlane, 0);
   const QPointF tip = this->PlaceOf(CutHandleKind::TurnPlane, 0);
-  EXPECT_GT(tip.x(), foot.x() + 50.0) << "towards what is cut away";
+  EXPECT_GT(tip.x(), foot.x() + 50.0) << "towards the side that is cut away";
   // Drag up, towards the head, and far beyond the arrow's reach.
   this->DragAlong({ tip, foot + QPointF(0.0, -140.0) });
   const CutPlane& plane = this->Cuts().planes[0];
   EXPECT_LT(plane.normal[2], -0.95);
   EXPECT_NEAR(plane.normal[0], 0.0, 1e-3);
-  EXPECT_EQ(plane.pointMm, MiddleOf(this->Image())) << "about its foot";
+  EXPECT_EQ(plane.pointMm, MiddleOf(this->Image())) << "the foot of the arrow stays in place";
 }
 
 TEST_F(Tools, PushAPlaneThatFacesTheEyeByGoingUp)
@@ -205,7 +205,7 @@ TEST_F(Tools, CancelAGestureWithEscape)
   QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, {});
   EXPECT_TRUE(this->tools.Take(&escape));
   EXPECT_NEAR(this->Cuts().planes[0].pointMm[0], MiddleOf(this->Image())[0], 1e-9);
-  EXPECT_FALSE(this->tools.Take(&escape)) << "there is nothing more to take back";
+  EXPECT_FALSE(this->tools.Take(&escape)) << "nothing is left to cancel";
 }
 
 TEST_F(Tools, CutOutTheInsideOfAnOutline)

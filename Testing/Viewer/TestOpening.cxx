@@ -166,7 +166,7 @@ TEST_F(Opening, OffersToRectifyATiltedScan)
   history->redo();
   EXPECT_EQ(this->RowCount(), 7);
   this->Remedy()->click();
-  EXPECT_EQ(this->RowCount(), 4) << "what was read is not read again";
+  EXPECT_EQ(this->RowCount(), 4) << "the scan must not be read again";
   EXPECT_FALSE(std::get<FileSource>(this->window.Model()->CurrentScene().volume).rectified);
 
   this->Open("session.json");
@@ -249,7 +249,7 @@ TEST_F(Opening, SaysOnceThatItIsNotForDiagnosticUse)
   EXPECT_TRUE(notice->text().contains("Not for diagnostic use"));
   MainWindow again;
   again.ShowNoticeOnce();
-  EXPECT_TRUE(again.findChild<QMessageBox*>("notice")) << "it has not been read yet";
+  EXPECT_TRUE(again.findChild<QMessageBox*>("notice")) << "the notice has not been confirmed yet";
   notice->buttons().first()->click();
   MainWindow later;
   later.ShowNoticeOnce();

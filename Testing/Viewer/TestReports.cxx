@@ -89,7 +89,7 @@ TEST_F(Benchmark, GoesAroundOnceAndIsExported)
   EXPECT_EQ(numbers[0], "90");
   EXPECT_GT(numbers[1].toDouble(), 0.0);
   EXPECT_GT(numbers[2].toDouble(), 0.0);
-  EXPECT_GT(numbers[3].toDouble(), 0.0) << "the two are never quite alike";
+  EXPECT_GT(numbers[3].toDouble(), 0.0) << "the two images are never identical";
   EXPECT_LT(numbers[3].toDouble(), 30.0);
   this->dialog.Write(this->folder.filePath("orbit.pdf"));
   EXPECT_TRUE(BytesOf(this->folder.filePath("orbit.pdf")).startsWith("%PDF"));

@@ -30,7 +30,7 @@ TEST(Theme, IsAppliedRememberedAndReverted)
   QWidget window;
   const std::unique_ptr<QMenu> menu(NewThemeMenu(&window));
   ASSERT_EQ(menu->actions().size(), 3);
-  EXPECT_TRUE(menu->actions()[0]->isChecked()) << "at first as the desktop has it";
+  EXPECT_TRUE(menu->actions()[0]->isChecked()) << "the default is the desktop's theme";
   const QColor before = QApplication::palette().color(QPalette::Window);
 
   menu->actions()[2]->trigger();

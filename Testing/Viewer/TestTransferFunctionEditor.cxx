@@ -123,7 +123,7 @@ TEST_F(EditorOfAModel, IsosurfacesAreAddedMovedAndRemoved)
   EXPECT_GT(this->Edited().isosurfaces[1].opacity, 0.3);
   QTest::keyClick(&this->editor, Qt::Key_Delete);
   EXPECT_EQ(this->Edited().isosurfaces.size(), 1u);
-  EXPECT_EQ(this->Edited().opacities.size(), 4u) << "the curve rests";
+  EXPECT_EQ(this->Edited().opacities.size(), 4u) << "the curve is unchanged";
   EXPECT_EQ(this->Steps(), 4);
 }
 

@@ -82,7 +82,7 @@ TEST_F(Loading, SeveralSeriesAreListedTheLargestFirst)
   EXPECT_EQ(series[0].imageCount, 3);
   EXPECT_EQ(series[1].description, "Series 1.2.33");
   EXPECT_EQ(series[1].modality, "CT");
-  EXPECT_EQ(series[1].middle.pixels.size(), 20u) << "the picture of a slice";
+  EXPECT_EQ(series[1].middle.pixels.size(), 20u) << "the pixels of a slice";
 
   this->loader.Load(FileSource{ this->folder.Path("disc"), std::nullopt, "1.2.33" });
   ASSERT_TRUE(this->loaded.wait(MostMilliseconds));
