@@ -103,8 +103,8 @@ struct Preset
   std::optional<std::array<double, 3>> background = {};
 };
 
-/// Viewing direction in the patient's terms. World space is LPS: +x left, +y posterior, +z
-/// superior.
+/// Viewing direction in the patient's terms. World space is LPS:
+/// +x left, +y posterior, +z superior.
 enum class View
 {
   Anterior, ///< the eye is in front of the patient and looks at the face

@@ -112,8 +112,7 @@ TEST(StepSearch, AnImageThatIsExactAtAnyStepTakesTheCoarsest)
 
 TEST(StepSearch, OnlyWhatWasTriedAndKeepsTheLimitIsTaken)
 {
-  constexpr double Longest =
-    1.4; // beyond it, images have large errors that finer ones do not predict
+  constexpr double Longest = 1.4; // beyond it, errors exceed what finer images predict
   const auto draw = [&](double distance)
   {
     const double error = distance < Longest ? 0.004 * distance * distance : 0.5;

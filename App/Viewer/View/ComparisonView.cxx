@@ -24,8 +24,7 @@ namespace
 {
 
 constexpr int StillMilliseconds = 400;
-constexpr int DividerPixels =
-  9; // width of the area that can be grabbed; a line in its middle is visible
+constexpr int DividerPixels = 9; // area that can be grabbed, around a visible line
 constexpr double DividerStep = 0.02;
 
 }

@@ -66,9 +66,11 @@ public:
   void ShowCutHandles(bool shown);
 
 signals:
-  void Drawn(); ///< a frame, or its last part, is complete
-  void Refined(double
-      pictures); ///< number of frames averaged so far; a fraction counts the parts of the last one
+  /// A frame, or its last part, is complete.
+  void Drawn();
+
+  /// @param pictures  number of frames averaged so far; a fraction counts parts of the last one
+  void Refined(double pictures);
 
   /// Describes the object under the pointer, for the status bar; empty over nothing.
   void Pointed(const QString& text);
