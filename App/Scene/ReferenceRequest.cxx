@@ -114,7 +114,7 @@ ReferenceScene SceneOf(const ReferenceRequest& request, const Scalar* voxels)
   scene.isovalues = request.isovalues;
   if (!request.cutPlanesGrid.empty())
   {
-    scene.leftOf = [planes = request.cutPlanesGrid](const Ray& rayGrid, Interval inside)
+    scene.uncutParts = [planes = request.cutPlanesGrid](const Ray& rayGrid, Interval inside)
     {
       for (const glm::dvec4& plane : planes)
       {

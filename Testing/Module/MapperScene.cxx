@@ -227,7 +227,7 @@ std::vector<float> MapperScene::Truth(double tolerance)
     -std::log1p(-this->mapper->GetNanOpacity()) / property->GetScalarOpacityUnitDistance() };
   scene.averagedRange = { this->mapper->GetAverageIPScalarRange()[0],
     this->mapper->GetAverageIPScalarRange()[1] };
-  scene.leftOf = CutRays(this->mapper, geometry.worldFromGrid, geometry.dataFromGrid);
+  scene.uncutParts = CutRays(this->mapper, geometry.worldFromGrid, geometry.dataFromGrid);
   if (property->GetShade())
   {
     const HeadLight light{ glm::dvec3(property->GetAmbient()), glm::dvec3(property->GetDiffuse()),

@@ -10,14 +10,14 @@
 namespace varimarch
 {
 
-/// A half-line origin + t * direction, t >= 0. All of it in one space, which the owner names.
+/// A half-line origin + t * direction, t >= 0, in the space that its owner names.
 struct Ray
 {
   glm::dvec3 origin;
-  glm::dvec3 direction; ///< any length but zero; t counts in units of this length
+  glm::dvec3 direction; ///< not zero; t counts in units of its length
 };
 
-/// The part of a ray between two of its parameters; empty when exit <= enter.
+/// A range of ray parameters; empty if exit <= enter.
 struct Interval
 {
   double enter;
@@ -26,16 +26,16 @@ struct Interval
   bool IsEmpty() const { return !(enter < exit); }
 };
 
-/// An axis-aligned box, closed; lower <= upper on every axis.
+/// An axis-aligned box including its faces; lower <= upper on each axis.
 struct Box
 {
   glm::dvec3 lower;
   glm::dvec3 upper;
 };
 
-/// The part of `ray` inside `box`, no larger than `limits`.
-/// Slab test of Kay and Kajiya (SIGGRAPH 1986). A direction component of zero is decided by
-/// comparison, not by division, so that a ray in the plane of a face never makes a NaN.
+/// The part of `ray` inside `box` and within `limits`, by the slab test of Kay and Kajiya (SIGGRAPH
+/// 1986). A zero direction component is handled by comparison instead of division, so that a ray in
+/// the plane of a face never makes a NaN.
 inline Interval Intersection(const Ray& ray, const Box& box,
   Interval limits = { 0.0, std::numeric_limits<double>::infinity() })
 {

@@ -10,7 +10,7 @@ namespace varimarch
 namespace
 {
 
-/// Exact at both ends and where a equals b, and never outside of [a, b].
+/// Linear interpolation that is exact at both ends and for a == b, and never leaves [a, b].
 double Mixed(double a, double b, double weight)
 {
   return weight < 0.5 ? a + (b - a) * weight : b - (b - a) * (1.0 - weight);
@@ -25,9 +25,9 @@ double Trilinear(const CellCorners& corners, double x, double y, double z)
 
 }
 
-// The coefficients are the values of the blossom: a trilinear function is affine in each
-// coordinate, so its blossom along a line is the mean over the ways to give the coordinates their
-// parameters (Ramshaw, "Blossoms are polar forms", CAGD 1989).
+// The Bernstein coefficients are values of the blossom. A trilinear function is affine in each
+// coordinate, so its blossom along a line is the mean over all assignments of parameters to
+// coordinates (Ramshaw, "Blossoms are polar forms", CAGD 1989).
 CellCubic::CellCubic(const CellCorners& corners, glm::dvec3 enter, glm::dvec3 leave)
 {
   const auto value = [&](double x, double y, double z) { return Trilinear(corners, x, y, z); };
@@ -73,9 +73,9 @@ CellCubic::Cuts CellCubic::MonotoneCuts() const
   const double half = this->bernstein[2] - this->bernstein[1] - constant;
   const double square = this->bernstein[3] - this->bernstein[2] - constant - 2.0 * half;
 
-  // Without cancellation: one root from the sum of two numbers of one sign, the other from the
-  // product of the roots. A root that does not exist comes out as NaN or infinity, and is not in
-  // (0, 1).
+  // Avoids cancellation: one root comes from a sum of two numbers of equal sign, the other from the
+  // product of the roots. A root that does not exist is NaN or infinite and therefore not in (0,
+  // 1).
   const double sum = -(half + std::copysign(std::sqrt(half * half - square * constant), half));
   std::array<double, 2> roots = { sum / square, constant / sum };
   if (roots[0] > roots[1])
@@ -102,7 +102,7 @@ double CellCubic::Slope(double u) const
   return 3.0 * Mixed(left, right, u);
 }
 
-// Newton's method, kept inside a bracket that bisection shrinks where a step would leave it.
+// Newton's method inside a bracket, with bisection if a step would leave the bracket.
 double CellCubic::Crossing(double value, double from, double to) const
 {
   const bool ascending = this->Value(from) < this->Value(to);

@@ -8,11 +8,12 @@
 namespace varimarch
 {
 
-/// The values at a cell's corners; bits 0, 1, 2 of the index say whether x, y, z is the far one.
+/// The values at a cell's corners. Bit 0, 1 or 2 of the index is set for the far corner in x, y or
+/// z.
 using CellCorners = std::array<double, 8>;
 
-/// The corners of the cell that spans [cell, cell + 1] in grid space. Cells beyond the grid repeat
-/// its faces: a grid one voxel thick is constant across its thickness.
+/// The corners of the cell that spans [cell, cell + 1] in grid space. Cells outside the grid repeat
+/// its outermost voxels, so that a grid one voxel thick is constant across its thickness.
 template <class Scalar>
 CellCorners CornersOfCell(const ScalarGrid<Scalar>& grid, glm::ivec3 cell)
 {
@@ -28,9 +29,9 @@ CellCorners CornersOfCell(const ScalarGrid<Scalar>& grid, glm::ivec3 cell)
   return corners;
 }
 
-/// Central differences per voxel along x, y and z at a cell's corners. Trilinear interpolation of
-/// these is the difference of the interpolated values one voxel to either side, as
-/// ScalarGrid::Gradient has it.
+/// Central differences per voxel along x, y and z at a cell's corners. Their trilinear
+/// interpolation equals the difference of the interpolated values one voxel to either side, as in
+/// ScalarGrid::Gradient.
 template <class Scalar>
 std::array<CellCorners, 3> GradientsOfCell(const ScalarGrid<Scalar>& grid, glm::ivec3 cell)
 {
@@ -49,12 +50,12 @@ std::array<CellCorners, 3> GradientsOfCell(const ScalarGrid<Scalar>& grid, glm::
   return gradients;
 }
 
-/// Trilinear interpolation along a straight line through a cell: exactly a cubic, kept by its four
-/// Bernstein coefficients. They enclose the values, and evaluation never leaves their range.
+/// Trilinear interpolation along a straight line through a cell: a cubic, stored as its four
+/// Bernstein coefficients. They bound the values, and evaluation never leaves that range.
 class CellCubic
 {
 public:
-  /// @param enter, leave  positions in the cell, [0, 1] on each axis, where u is 0 and 1
+  /// @param enter, leave  positions in the cell, [0, 1] on each axis, at u = 0 and u = 1
   CellCubic(const CellCorners& corners, glm::dvec3 enter, glm::dvec3 leave);
 
   explicit CellCubic(const std::array<double, 4>& bernstein)
@@ -62,7 +63,8 @@ public:
   {
   }
 
-  /// The same but for its value at 0: that of the piece before it, where round-off made two.
+  /// The same cubic, except that it starts with the end value of the piece before it, from which
+  /// rounding may have separated it.
   CellCubic StartingAt(double value) const;
 
   /// @param u  position along the line, [0, 1]
@@ -70,11 +72,11 @@ public:
 
   const std::array<double, 4>& Bernstein() const { return this->bernstein; }
 
-  /// Bounds of the values on [0, 1], not always attained.
+  /// Bounds of the values on [0, 1], which may not be attained.
   double LowerBound() const;
   double UpperBound() const;
 
-  /// Where monotone pieces of [0, 1] begin and end: 0, up to two extremes, 1.
+  /// Ends of the monotone pieces of [0, 1]: 0, up to two extrema, and 1.
   struct Cuts
   {
     std::array<double, 4> u;
@@ -82,8 +84,8 @@ public:
   };
   Cuts MonotoneCuts() const;
 
-  /// Where a piece [from, to] on which the cubic is monotone takes a value that lies between those
-  /// at its ends, to the last bit that round-off leaves.
+  /// The parameter, accurate to rounding, at which the cubic takes a value.
+  /// @param from, to  ends of a monotone piece; the value lies between the values there
   double Crossing(double value, double from, double to) const;
 
 private:

@@ -15,14 +15,15 @@ namespace varimarch
 /// The part of a ray inside one cell of the integer lattice.
 struct CellPart
 {
-  glm::ivec3 cell; ///< spans [cell, cell + 1]
+  glm::ivec3 cell; ///< the cell that spans [cell, cell + 1]
   Interval t;      ///< never empty
 };
 
-/// Calls visit(part) for the cells along a ray, front to back, until it returns false.
-/// After Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing" (Eurographics
-/// 1987), but each face's parameter is computed anew, so that no round-off adds up.
-/// @param inside  finite, coordinates within the range of int
+/// Calls visit(part) for the cells along a ray, front to back, until it returns false. The method
+/// is that of Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing" (Eurographics
+/// 1987), except that each face's parameter is computed directly, so that rounding errors do not
+/// accumulate.
+/// @param inside  the part to walk; finite, with coordinates in the range of int
 template <class Visit>
 void WalkCells(const Ray& ray, Interval inside, Visit visit)
 {
@@ -48,7 +49,7 @@ void WalkCells(const Ray& ray, Interval inside, Visit visit)
     const int axis =
       exits.x <= exits.y ? (exits.x <= exits.z ? 0 : 2) : (exits.y <= exits.z ? 1 : 2);
     const double end = std::min(exits[axis], inside.exit);
-    // Empty in a cell that the ray only touches.
+    // Skips a cell that the ray only touches.
     if (t < end)
     {
       if (!visit(CellPart{ cell, { t, end } }))

@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-// Clip depth of the box's nearest corner, no nearer than the near plane.
+// Clip depth of the box's nearest corner, but not in front of the near plane.
 double NearestClipDepth(const glm::dmat4& clipFromGrid, const Box& box)
 {
   constexpr double nearPlane = -1.0;
@@ -25,7 +25,7 @@ double NearestClipDepth(const glm::dmat4& clipFromGrid, const Box& box)
     const glm::dvec4 positionGrid(corner & 1 ? box.upper.x : box.lower.x,
       corner & 2 ? box.upper.y : box.lower.y, corner & 4 ? box.upper.z : box.lower.z, 1.0);
     const glm::dvec4 clip = clipFromGrid * positionGrid;
-    // A corner beside or behind the eye: the camera is inside, or close.
+    // A corner beside or behind the eye means that the camera is inside the volume or close to it.
     nearest = clip.w > 0.0 ? std::min(nearest, clip.z / clip.w) : nearPlane;
     if (!(nearest > nearPlane))
     {
@@ -45,8 +45,8 @@ PixelRays ComputePixelRays(const glm::dmat4& clipFromGrid, const Box& boxGrid)
   const glm::dvec4 alongDepth = gridFromClip[2];
   const glm::dvec4 centre = gridFromClip[3];
 
-  // The points of a pixel are h(z) = centre + x alongX + y alongY + z alongDepth, homogeneous.
-  // Differentiating h.xyz / h.w by z leaves a direction that no longer depends on z.
+  // A pixel sees the homogeneous points h(z) = centre + x alongX + y alongY + z alongDepth. The
+  // derivative of h.xyz / h.w with respect to z has a direction independent of z.
   const auto direction = [&](const glm::dvec4& part)
   { return glm::dvec3(alongDepth) * part.w - glm::dvec3(part) * alongDepth.w; };
 
@@ -54,20 +54,21 @@ PixelRays ComputePixelRays(const glm::dmat4& clipFromGrid, const Box& boxGrid)
   rays.startGrid = { centre + NearestClipDepth(clipFromGrid, boxGrid) * alongDepth, alongX,
     alongY };
   rays.directionGrid = { direction(centre), direction(alongX), direction(alongY) };
-  // All rays meet where x, y and w of clip space vanish: alongDepth. By the derivative above
-  // alongDepth.xyz - start * alongDepth.w points away from the eye where the start's w is positive.
+  // All rays meet in the point whose clip coordinates x, y and w are 0: alongDepth. By the
+  // derivative above, alongDepth.xyz - start * alongDepth.w points away from the eye if the start's
+  // w is positive.
   rays.eyeGrid = rays.startGrid[0].w > 0.0 ? -alongDepth : alongDepth;
   rays.nearPlaneGrid = glm::row(clipFromGrid, 3) + glm::row(clipFromGrid, 2);
   rays.farPlaneGrid = glm::row(clipFromGrid, 3) - glm::row(clipFromGrid, 2);
 
-  // Scales cancel out of every use; without them float uniforms cannot overflow.
+  // These scales cancel in every use, but prevent overflow in uniforms of type float.
   const double startScale = 1.0 / rays.startGrid[0].w;
   const double directionScale = 1.0 / glm::length(rays.directionGrid[0]);
   const double planeScale = 1.0 / glm::length(glm::dvec3(rays.nearPlaneGrid));
   if (!std::isfinite(startScale * directionScale * planeScale))
   {
     throw std::invalid_argument(
-      "the camera's and the volume's matrices have no inverse: there are no rays to draw along");
+      "The matrix of the camera or of the volume has no inverse, so no rays can be cast");
   }
   for (int i = 0; i < 3; ++i)
   {

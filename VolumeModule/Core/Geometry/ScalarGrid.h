@@ -13,21 +13,21 @@ namespace varimarch
 struct VoxelRegion
 {
   glm::ivec3 first;
-  glm::ivec3 count; ///< along each axis
+  glm::ivec3 count; ///< number of voxels along each axis
 };
 
-/// A view of scalar values on the points of a regular grid: what a renderer samples.
-/// It owns nothing; the voxels must outlive it.
+/// A view of the scalar values on the points of a regular grid. It owns nothing; the voxels must
+/// outlive it.
 ///
-/// Positions are in *grid space*: voxel (i,j,k) lies at (i,j,k), a cell spans one unit, the
+/// Positions are in *grid space*: voxel (i, j, k) is at (i, j, k), a cell is one unit wide, and the
 /// volume fills [0, dimensions - 1]. Positions outside are clamped to the nearest face.
 template <class Scalar>
 class ScalarGrid
 {
 public:
-  /// @param voxels      dimensions.x * dimensions.y * dimensions.z values, x fastest
+  /// @param voxels  dimensions.x * dimensions.y * dimensions.z values, x fastest
   /// @param dimensions  number of voxels along each axis, each >= 1
-  /// @param spacingMm   distance of neighbouring voxels along each axis [mm], > 0
+  /// @param spacingMm  distance between neighbouring voxels along each axis [mm], > 0
   ScalarGrid(const Scalar* voxels, glm::ivec3 dimensions, glm::dvec3 spacingMm = glm::dvec3(1.0))
     : voxels(voxels)
     , dimensions(dimensions)
@@ -37,7 +37,7 @@ public:
   {
   }
 
-  /// The voxels of a region, as a grid of their own.
+  /// A view of the voxels of a region.
   ScalarGrid Part(const VoxelRegion& region) const
   {
     ScalarGrid part = *this;
@@ -46,7 +46,7 @@ public:
     return part;
   }
 
-  /// The voxels (0, y, z), (1, y, z), ...
+  /// Pointer to voxel (0, y, z), followed by (1, y, z), ...
   const Scalar* Row(int y, int z) const
   {
     return this->voxels + z * this->valuesPerSlice + y * this->valuesPerRow;
@@ -55,8 +55,8 @@ public:
   glm::ivec3 Dimensions() const { return this->dimensions; }
   glm::dvec3 SpacingMm() const { return this->spacingMm; }
 
-  /// Cells along each axis: one less than voxels, but never none, so that a slab one voxel thick
-  /// still has cells to hold a field.
+  /// Number of cells along each axis: one less than voxels but at least 1, so that a slab one voxel
+  /// thick still has cells.
   glm::ivec3 CellCount() const { return glm::max(this->dimensions - 1, glm::ivec3(1)); }
 
   std::size_t VoxelCount() const
@@ -66,7 +66,7 @@ public:
 
   Scalar Voxel(glm::ivec3 index) const { return this->Row(index.y, index.z)[index.x]; }
 
-  /// Trilinear interpolation at a position in grid space.
+  /// Value at a position in grid space, by trilinear interpolation.
   double Value(glm::dvec3 positionGrid) const
   {
     const glm::dvec3 last = glm::dvec3(this->dimensions - 1);
@@ -75,7 +75,7 @@ public:
     const glm::ivec3 upper = glm::min(lower + 1, this->dimensions - 1);
     const glm::dvec3 weight = position - glm::dvec3(lower);
 
-    // Four edges along x, then two along y, then one along z.
+    // Interpolates on four edges along x, then two along y, then one along z.
     const auto alongX = [&](int y, int z)
     {
       const double a = double(this->Voxel({ lower.x, y, z }));
@@ -91,8 +91,8 @@ public:
     return a + (alongY(upper.z) - a) * weight.z;
   }
 
-  /// Central difference of the interpolated values one voxel to either side, per mm along the
-  /// grid's axes. At a face the outer value is the face's own, as clamping makes it.
+  /// Central difference of the values one voxel to either side, per mm along the grid's axes. At a
+  /// face, clamping makes the outer value that of the face.
   glm::dvec3 Gradient(glm::dvec3 positionGrid) const
   {
     glm::dvec3 gradient;

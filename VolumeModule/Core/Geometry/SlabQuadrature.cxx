@@ -13,8 +13,8 @@ namespace
 constexpr int pointCount = SlabQuadrature::PointCount;
 constexpr int half = pointCount / 2;
 
-// Points on [0, 1) of the interval [-1, 1] and weights, from Piessens et al., "QUADPACK" (1983),
-// routine QK15. Gauss uses every other point, the middle included.
+// Nodes in [0, 1) of the interval [-1, 1] and weights, from Piessens et al., "QUADPACK" (1983),
+// routine QK15. The Gauss rule uses every second node, including the middle one.
 constexpr double kronrodPoints[half + 1] = { 0.0, 0.207784955007898467600689403773245,
   0.405845151377397166906606412076961, 0.586087235467691130294144691693013,
   0.741531185599394439863864773280788, 0.864864423359769072789712788640926,
@@ -28,7 +28,7 @@ constexpr double gaussWeights[half / 2 + 1] = { 0.417959183673469387755102040816
   0.381830050505118944950369775488975, 0.279705391489276667901467771423780,
   0.129484966168869693270611432679082 };
 
-/// The polynomial that is 1 at one of the points and 0 at the others.
+/// The polynomial that is 1 at one of the points and 0 at all others.
 double Lagrange(const std::array<double, pointCount>& points, int one, double x)
 {
   double product = 1.0;
@@ -51,7 +51,7 @@ SlabQuadrature::SlabQuadrature()
     this->weights[i] = 0.5 * kronrodWeights[fromMiddle];
     this->coarseWeights[i] = fromMiddle % 2 == 0 ? 0.5 * gaussWeights[fromMiddle / 2] : 0.0;
   }
-  // The polynomials have degree 14; the rule itself integrates up to 22 exactly.
+  // The polynomials have degree 14; the rule is exact up to degree 22.
   for (int i = 0; i < pointCount; ++i)
   {
     for (int j = 0; j < pointCount; ++j)

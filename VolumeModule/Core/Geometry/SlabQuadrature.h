@@ -8,13 +8,13 @@
 namespace varimarch
 {
 
-/// The volume rendering integral over a piece of a ray, by the 15 point rule of Kronrod.
+/// Quadrature of the volume rendering integral over a piece of a ray, by Kronrod's 15 point rule.
 ///
-/// Optical depth and colour are a coupled pair: the colour emitted at s is dimmed by the optical
-/// depth from the beginning of the piece to s. That depth is the integral of the polynomial through
-/// the extinctions at all 15 points, so the pair costs no more samples than one integral. The
-/// difference to the 7 point rule of Gauss, whose points are among the 15, is the error estimate:
-/// of the coarser rule, so for smooth functions far too large.
+/// Optical depth and colour are coupled: the colour emitted at s is attenuated by the optical depth
+/// from the beginning of the piece to s. This depth is the integral of the polynomial through the
+/// extinctions at all 15 points, so both integrals need the samples of one. The error estimate is
+/// the difference to Gauss's 7 point rule, whose points are among the 15. It is the error of the
+/// coarser rule, and therefore far too large for smooth functions.
 class SlabQuadrature
 {
 public:
@@ -23,31 +23,31 @@ public:
   struct Slab
   {
     double opticalDepth;
-    glm::dvec3 rgb; ///< emitted at the front, associated
-    double error;   ///< estimate, of rgb and transmittance together
+    glm::dvec3 rgb; ///< emission that reaches the front, premultiplied
+    double error;   ///< estimated error of rgb and transmittance together
   };
 
   struct Estimate
   {
     double value;
-    double error; ///< estimate
+    double error; ///< estimated error
   };
 
   SlabQuadrature();
 
-  /// Where to sample: positions in (0, 1), ascending.
+  /// Positions to sample, in (0, 1), ascending.
   const std::array<double, PointCount>& Points() const { return this->points; }
 
   Slab Integral(const std::array<OpticalProperties, PointCount>& samples, double lengthMm) const;
 
-  /// The plain integral of a function over a length.
+  /// Integral of one function over a length.
   Estimate Integral(const std::array<double, PointCount>& samples, double length) const;
 
 private:
   std::array<double, PointCount> points;
   std::array<double, PointCount> weights;
-  std::array<double, PointCount> coarseWeights; ///< 0 at the points that Gauss does not use
-  /// Row i integrates the polynomial through values at the points from 0 to point i.
+  std::array<double, PointCount> coarseWeights; ///< 0 at points that the Gauss rule does not use
+  /// Row i integrates the polynomial through the values at the points, from 0 to point i.
   std::array<std::array<double, PointCount>, PointCount> prefixWeights;
 };
 

@@ -13,11 +13,11 @@ namespace varimarch
 namespace
 {
 
-// The pole of the filter that undoes (c[i - 1] + 4 c[i] + c[i + 1]) / 6.
+// Pole of the recursive filter that inverts (c[i - 1] + 4 c[i] + c[i + 1]) / 6.
 const double Pole = std::sqrt(3.0) - 2.0;
 
-// Several lines of numbers side by side, filtered together in double precision: number i of line l
-// is at [i * lines + l].
+// Lines of numbers that are filtered together in double precision. Number i of line l is at [i *
+// count + l].
 class Lines
 {
 public:
@@ -38,7 +38,7 @@ public:
     {
       this->AddTo((*this)[i], Pole, (*this)[i - 1]);
     }
-    // The sum of what the backward filter, too, gathers in the mirror image.
+    // The last number includes what the backward filter collects in the mirror image.
     this->Scale((*this)[this->length - 1], Pole / (Pole - 1.0));
     for (int i = this->length - 2; i >= 0; --i)
     {
@@ -72,8 +72,8 @@ private:
     }
   }
 
-  // The first number, with all that the forward filter has gathered before it: the mirror image,
-  // and that of the other end behind it, again and again.
+  // Adds to the first number what the forward filter collects before it: the mirror image of the
+  // line, then that of its other end, and so on.
   void Begin()
   {
     const double whole = std::pow(Pole, this->length);
@@ -95,7 +95,7 @@ private:
   std::vector<double> first;
 };
 
-// How far apart neighbours along the lines are, and neighbouring lines.
+// Distances between neighbours on a line and between neighbouring lines.
 struct Strides
 {
   std::size_t along;

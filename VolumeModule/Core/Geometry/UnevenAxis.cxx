@@ -50,7 +50,7 @@ UnevenAxis::UnevenAxis(const std::vector<double>& points, bool ofCells, bool nea
   this->lowerGrid = isThin ? -0.5 : this->PlaceGrid(points.front());
   this->upperGrid = isThin ? 0.5 : this->PlaceGrid(points.back());
 
-  // A cell's value goes as far as the cell, not to the middle between two middles.
+  // A cell's value reaches to the faces of the cell, not to the middle between two cell centres.
   const bool breaksAtPoints = hasMiddles && nearest;
   this->firstBreakVoxel = breaksAtPoints ? -0.5 : 0.0;
   for (double place : breaksAtPoints ? points : voxels)
@@ -72,7 +72,7 @@ UnevenAxis::UnevenAxis(const std::vector<double>& points, bool ofCells, bool nea
 double UnevenAxis::VoxelAt(double placeGrid) const
 {
   const auto above = std::upper_bound(this->breaks.begin(), this->breaks.end(), placeGrid);
-  double before = 0.0; // that break [voxels]
+  double before = 0.0; // distance to the break above [voxels]
   if (above == this->breaks.end())
   {
     before = 1.0;
@@ -92,7 +92,7 @@ std::vector<glm::vec4> UnevenAxis::Bins() const
   const auto slopeBefore = [&](std::size_t index)
   { return 1.0 / (this->breaks[index] - this->breaks[index - 1]); };
   std::vector<glm::vec4> bins;
-  std::size_t next = 0; // the first break that is not before the bin
+  std::size_t next = 0; // the first break at or behind the bin's lower end
   for (int bin = 0; bin < count; ++bin)
   {
     const double lower = this->lowerGrid + extent * bin / count;
@@ -100,7 +100,7 @@ std::vector<glm::vec4> UnevenAxis::Bins() const
     {
       ++next;
     }
-    // Beyond the outermost voxels their values go on, whatever the slope.
+    // Beyond the outermost voxels their values continue, whatever the slope.
     const std::size_t at = std::min(next, this->breaks.size() - 1);
     const double before = at > 0 ? slopeBefore(at) : 1.0;
     const double behind = at + 1 < this->breaks.size() ? slopeBefore(at + 1) : before;

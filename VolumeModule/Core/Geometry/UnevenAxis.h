@@ -9,31 +9,33 @@
 namespace varimarch
 {
 
-/// One axis of a rectilinear grid. The volume's grid stays even, from its first voxel to its last,
-/// so that rays are straight in it; this says which voxel, or what between two, is where.
+/// One axis of a rectilinear grid. The volume's grid space stays even, from its first voxel to its
+/// last, so that rays are straight in it. This class maps a position on the axis to a (fractional)
+/// voxel.
 class UnevenAxis
 {
 public:
   static constexpr int MostBins = 16384;
 
-  /// @param points   coordinates, at least one
-  /// @param ofCells  whether voxels are in the middle between points; what is drawn then reaches
-  ///                 from the first point to the last
-  /// @param nearest  whether a voxel's value holds as far as it is the nearest, or its cell goes
-  /// @throws std::invalid_argument where they do not ascend, or lie closer than MostBins allows
+  /// @param points  coordinates, at least one
+  /// @param ofCells  true if voxels are centred between points; the volume then extends from the
+  /// first point to the last
+  /// @param nearest  true if voxels have constant value, up to halfway to the next or to the cell's
+  /// faces
+  /// @throws std::invalid_argument if the points do not ascend, or are closer than MostBins allows
   UnevenAxis(const std::vector<double>& points, bool ofCells, bool nearest);
 
   int VoxelCount() const { return this->voxelCount; }
-  double FirstVoxel() const { return this->firstVoxel; } ///< coordinate of 0 in the grid
-  double Step() const { return this->step; }             ///< and from there to 1
-  double LowerGrid() const { return this->lowerGrid; }   ///< what is drawn
+  double FirstVoxel() const { return this->firstVoxel; } ///< coordinate of position 0 in the grid
+  double Step() const { return this->step; } ///< coordinate difference of one unit in the grid
+  double LowerGrid() const { return this->lowerGrid; } ///< lower end of the volume
   double UpperGrid() const { return this->upperGrid; }
   double SmallestGapGrid() const { return this->smallestGapGrid; }
 
-  /// The voxel, or what is between two, at a place of the grid; beyond the outermost ones these.
+  /// The fractional voxel index at a position in the grid, clamped to the outermost voxels.
   double VoxelAt(double placeGrid) const;
 
-  /// Bins of equal length from LowerGrid to UpperGrid. In each, the voxel at a place g is
+  /// Bins of equal length from LowerGrid to UpperGrid. In each, the voxel index at a position g is
   /// y + (g - x) * (g < x ? z : w).
   std::vector<glm::vec4> Bins() const;
 
@@ -46,21 +48,21 @@ private:
   double lowerGrid;
   double upperGrid;
   double smallestGapGrid;
-  std::vector<double> breaks; ///< where the voxel is firstBreakVoxel + index [grid]
+  std::vector<double> breaks; ///< positions of voxel index firstBreakVoxel + i [grid]
   double firstBreakVoxel;
 };
 
-/// The bins of all axes of a grid, one behind the other.
+/// The bins of all axes of a grid, concatenated.
 struct UnevenBins
 {
-  std::vector<glm::vec4> bins;      ///< see UnevenAxis::Bins; none: places are even
-  glm::ivec3 first = glm::ivec3(0); ///< of each axis
+  std::vector<glm::vec4> bins;      ///< see UnevenAxis::Bins; empty for even spacing
+  glm::ivec3 first = glm::ivec3(0); ///< first bin of each axis
   glm::ivec3 last = glm::ivec3(0);
-  glm::dvec3 lowerGrid = glm::dvec3(0.0); ///< where the first begins
+  glm::dvec3 lowerGrid = glm::dvec3(0.0); ///< where each axis's first bin begins
   glm::dvec3 binsPerGrid = glm::dvec3(0.0);
 };
 
-/// @param axes  three, or none
+/// @param axes  three axes, or none
 UnevenBins BinsOf(const std::vector<UnevenAxis>& axes);
 
 }

@@ -4,7 +4,7 @@
 namespace varimarch
 {
 
-/// A rectangle of pixels: what a renderer draws to of its framebuffer, or a part of that.
+/// A rectangle of pixels: the part of a framebuffer that a renderer draws to, or a part of that.
 struct Viewport
 {
   int left;

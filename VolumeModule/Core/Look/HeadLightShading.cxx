@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-/// Bernstein coefficients of a cubic whose values are vectors.
+/// Bernstein coefficients of a vector-valued cubic.
 using VectorCubic = std::array<glm::dvec3, 4>;
 
 glm::dvec3 ValueOf(const VectorCubic& b, double u)
@@ -29,7 +29,7 @@ glm::dvec3 Lit(const HeadLight& light, glm::dvec3 rgb, double cosine)
     std::pow(cosine, light.specularPower) * light.specular;
 }
 
-/// Where a cubic changes its sign inside (0, 1).
+/// Parameters in (0, 1) at which a cubic changes sign.
 std::vector<double> SignChanges(const CellCubic& cubic)
 {
   std::vector<double> roots;

@@ -11,7 +11,7 @@
 namespace varimarch
 {
 
-/// Coefficients times the colour of the light.
+/// A head light: coefficients multiplied by the light's colour.
 struct HeadLight
 {
   glm::dvec3 ambient;
@@ -20,18 +20,19 @@ struct HeadLight
   double specularPower; ///< > 0
 };
 
-/// Blinn-Phong shading for ReferenceScene::shade. Light and eye are in one place, both sides of a
-/// surface are lit, and where the gradient vanishes, or a voxel beside the cell is not finite, only
-/// ambient light is left.
+/// Blinn-Phong shading for ReferenceScene::shade. Light and eye are at the same place, and both
+/// sides of a surface are lit. Only ambient light remains where the gradient vanishes or a voxel
+/// next to the cell is not finite.
 ///
-/// In a cell each component of the gradient is a cubic along the ray, as the value is. Where the
-/// ray grazes a surface, a root of their product with its direction, the light has a kink.
+/// In a cell, each component of the gradient is a cubic along the ray, as the value is. Shading has
+/// a kink where the ray grazes a surface, that is, at a root of the dot product of gradient and
+/// ray.
 class HeadLightShading
 {
 public:
   using GradientsFunction = std::function<std::array<CellCorners, 3>(glm::ivec3 cell)>;
 
-  /// @param gradientsOfCell  per voxel, any factor: GradientsOfCell of a grid
+  /// @param gradientsOfCell  gradients per voxel, times any factor; see GradientsOfCell
   HeadLightShading(
     HeadLight light, GradientsFunction gradientsOfCell, const glm::dmat3& worldFromGridDirection);
 

@@ -14,8 +14,8 @@ namespace varimarch
 namespace
 {
 
-/// Sums over the intervals between the first entries of a table. Opaque intervals are summed apart:
-/// beside their extinction that of all others would be lost to rounding.
+/// Sums over the intervals up to an entry of a table. Opaque intervals are summed separately,
+/// because next to their extinction that of all others would be lost to rounding.
 struct Prefix
 {
   double extinction = 0.0;
@@ -46,7 +46,7 @@ Prefix OfInterval(const glm::vec4& first, const glm::vec4& last)
   return { 0.5 * (a.a + b.a), emission, 0.0, glm::dvec3(0.0) };
 }
 
-/// The sums before each of `size` positions at equal distances in a table, and the entries there.
+/// The sums up to, and the entries at, `size` equidistant positions in a table.
 struct Nodes
 {
   std::vector<Prefix> sums;
@@ -76,7 +76,8 @@ Nodes NodesOf(const OpticalTable& table, int size)
   return nodes;
 }
 
-/// The means over what lies between two nodes, whose distance is in entries of the optical table.
+/// The means between two nodes.
+/// @param length  distance of the nodes, in entries of the optical table
 glm::vec4 Mean(const Prefix& before, const Prefix& after, double length)
 {
   const Prefix sum = after.Plus(before, -1.0);

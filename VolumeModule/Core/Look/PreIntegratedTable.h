@@ -8,28 +8,30 @@
 namespace varimarch
 {
 
-/// What a transfer function makes of a piece of a ray along which the scalar goes linearly from one
-/// value to another: entry (i, j) holds the mean extinction and the mean emission, which is
-/// extinction times colour, over the values from i to j, at equal distances of firstValue ...
-/// lastValue. Emission, because between two entries a colour would be mixed with that of what is
-/// invisible. The
-/// mean extinction times the length is the exact optical depth, so no peak of the transfer function
-/// falls between two samples. Engel, Kraus, Ertl, "High-quality pre-integrated volume rendering
-/// using hardware-accelerated pixel shading" (Graphics Hardware 2001), without the order of colours
-/// within a piece: the table then does not depend on its length, and is symmetric.
+/// A transfer function integrated over pieces of a ray along which the scalar changes linearly from
+/// one value to another. Entry (i, j) holds the mean extinction and the mean emission (extinction
+/// times colour) over the values from i to j, which are equidistant in [firstValue, lastValue]. It
+/// holds emission, because interpolation between entries would mix a colour with that of invisible
+/// values.
+///
+/// Mean extinction times length is the exact optical depth, so no peak of the transfer function
+/// falls between two samples. Source: Engel, Kraus, Ertl, "High-quality pre-integrated volume
+/// rendering using hardware-accelerated pixel shading" (Graphics Hardware 2001). This table ignores
+/// the order of colours within a piece; it therefore does not depend on the length and is
+/// symmetric.
 struct PreIntegratedTable
 {
   double firstValue;
   double lastValue;
-  int size;                       ///< along each side, >= 2
-  std::vector<glm::vec4> entries; ///< (emission, extinction) [1/mm]; size * size
+  int size;                       ///< entries along each side, >= 2
+  std::vector<glm::vec4> entries; ///< (emission, extinction) [1/mm], size * size of them
 };
 
-/// @param mostEntries  bounds the memory: size * size is at most this, >= 4
+/// @param mostEntries  upper bound of size * size, >= 4
 PreIntegratedTable BuildPreIntegratedTable(
   const OpticalTable& table, std::size_t mostEntries = 1024 * 1024);
 
-/// What its entries take.
+/// Memory of the table's entries.
 std::size_t PreIntegratedTableBytes(
   const OpticalTable& table, std::size_t mostEntries = 1024 * 1024);
 

@@ -51,7 +51,7 @@ TransferBands::TransferBands(
 
 TransferBands::Kind TransferBands::KindOf(double lower, double upper) const
 {
-  // Curves are monotone in a band: what is equal near both ends is equal between.
+  // Curves are monotone in a band, so equal values near both ends mean equal values in between.
   const bool endless = lower == -infinity || upper == infinity;
   const double nearLower =
     endless ? (upper == infinity ? upper : lower) : lower + (upper - lower) / 1024.0;
@@ -101,7 +101,7 @@ TransferBands::Band TransferBands::OnlyAt(double value) const
 
 double TransferBands::Band::Kept(double value) const
 {
-  // Not std::clamp: in a band one bit wide the limits are the wrong way round.
+  // std::clamp does not apply: in a band one bit wide the lower limit exceeds the upper one.
   return std::min(
     std::max(value, std::nextafter(this->lower, infinity)), std::nextafter(this->upper, -infinity));
 }

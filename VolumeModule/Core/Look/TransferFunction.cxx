@@ -17,20 +17,20 @@ namespace varimarch
 namespace
 {
 
-/// The midpoint stays off the nodes, so that neither side of it has zero width.
+/// Keeps the midpoint off the nodes, so that both halves of the curve have a width.
 double SafeMidpoint(const NodeShape& shape)
 {
   return std::clamp(shape.midpoint, 0.00001, 0.99999);
 }
 
-/// A sharper curve is a step.
+/// Curves with a larger sharpness are steps.
 constexpr double LargestSmoothSharpness = 0.99;
 
-/// How far a curve has left the nearer of two nodes, as a part of its way to the other, [0, 1/2],
-/// at the part `s` of the way, where 1/2 is the midpoint.
-/// The curve of vtkPiecewiseFunction and vtkColorTransferFunction: a Hermite cubic whose tangents
-/// flatten, and whose parameter is pressed to the midpoint, as sharpness grows. It is the same seen
-/// from both nodes.
+/// Distance of a curve from the nearer of its two nodes, as a fraction of their difference, [0,
+/// 1/2], at the fraction `s` of the way, where 1/2 is the midpoint. The curve is that of
+/// vtkPiecewiseFunction and vtkColorTransferFunction: a Hermite cubic whose tangents flatten and
+/// whose parameter is compressed towards the midpoint as the sharpness grows. It is symmetric in
+/// the two nodes.
 double Departure(double s, double sharpness)
 {
   if (sharpness > LargestSmoothSharpness)
@@ -48,11 +48,11 @@ double Departure(double s, double sharpness)
 }
 
 /// The curve through `nodes`, of which there is at least one, at `value`.
-/// @param ordinate  what of a node the curve goes through
+/// @param ordinate  returns the quantity of a node that the curve interpolates
 template <class Node, class Ordinate>
 auto CurveValue(const std::vector<Node>& nodes, double value, Ordinate ordinate)
 {
-  // The first node at or right of the value: at a step this picks the left side.
+  // The first node at or right of the value; at a step this selects the left side.
   const auto right = std::lower_bound(nodes.begin(), nodes.end(), value,
     [](const Node& node, double limit) { return node.value < limit; });
   if (right == nodes.begin())
@@ -68,7 +68,7 @@ auto CurveValue(const std::vector<Node>& nodes, double value, Ordinate ordinate)
   const double fromLeft = (value - left.value) / gap;
   const double fromRight = (right->value - value) / gap;
 
-  // Measured from the nearer node: exact at both, and at whatever is between equal ones.
+  // Measured from the nearer node, so that it is exact at both nodes and between equal ones.
   const double midpoint = SafeMidpoint(left.shape);
   const bool leftIsNearer = value < HalfWayValue(left.value, right->value, left.shape);
   const double s = leftIsNearer ? 0.5 * fromLeft / midpoint : 0.5 * fromRight / (1.0 - midpoint);
@@ -102,7 +102,7 @@ void CheckNodes(const std::vector<Node>& nodes)
   }
 }
 
-/// Whether two nodes at `value`, the last of all, make a step there.
+/// True if the last two nodes are both at `value`, where they make a step.
 template <class Node>
 bool EndsWithStep(const std::vector<Node>& nodes, double value)
 {
@@ -178,8 +178,9 @@ double TransferFunction::Extinction(double value) const
   {
     return -std::log1p(-opacity) / this->opacityUnitDistanceMm;
   }
-  // Near an opaque node 1 - opacity would round to 0, and a thin veil become a wall. The logarithm
-  // of 0 is minus infinity: where it is opaque indeed, no branch is needed.
+  // Interpolates the transparency. Near an opaque node 1 - opacity would round to 0, and a thin
+  // veil would become a wall. The logarithm of 0 is minus infinity, so opaque values need no
+  // branch.
   const auto transparency = [](const OpacityNode& node) { return 1.0 - node.opacity; };
   return -std::log(CurveValue(this->opacities, value, transparency)) / this->opacityUnitDistanceMm;
 }
@@ -230,11 +231,11 @@ double TransferFunction::SmallestNodeGap() const
 namespace
 {
 
-// Between two nodes the opacity is linear, and the extinction is not; and where a node falls
-// between two entries a corner is cut off.
+// Interpolation between entries is linear in extinction, not in opacity, and rounds off a node that
+// lies between two entries.
 constexpr double EntriesPerNodeGap = 32.0;
 
-/// Whether the curve jumps anywhere.
+/// True if the curve jumps anywhere.
 template <class Node>
 bool HasStep(const std::vector<Node>& nodes)
 {
@@ -243,11 +244,11 @@ bool HasStep(const std::vector<Node>& nodes)
   return std::adjacent_find(nodes.begin(), nodes.end(), isStep) != nodes.end();
 }
 
-/// A power of two with enough entries from a node to the next, within the limits.
+/// A power of two with enough entries between neighbouring nodes, within the limits.
 std::size_t EntryCount(
   double length, const TransferFunction& transferFunction, std::size_t mostEntries)
 {
-  // A step becomes a ramp one entry wide, which moves an opaque surface: as little as can be.
+  // A step becomes a ramp one entry wide, which moves an opaque surface; more entries move it less.
   const bool step = HasStep(transferFunction.Colors()) || HasStep(transferFunction.Opacities());
   const double wanted =
     step ? mostEntries : EntriesPerNodeGap * length / transferFunction.SmallestNodeGap();
@@ -281,8 +282,9 @@ std::vector<double> OpacityNodesIn(
   return values;
 }
 
-/// Whether the curve is opaque at a value and on neither side of it, as at the tip of a tent. Light
-/// passes there: the extinction beside it grows like a logarithm, whose integral is finite.
+/// True if the curve is opaque at a value but on neither side of it, as at the tip of a tent. Such
+/// a value transmits light: the extinction next to it grows like a logarithm, whose integral is
+/// finite.
 bool IsOpaqueInPassing(const TransferFunction& transferFunction, double value, double gap)
 {
   return std::isinf(transferFunction.Extinction(value)) &&
@@ -290,10 +292,10 @@ bool IsOpaqueInPassing(const TransferFunction& transferFunction, double value, d
     !std::isinf(transferFunction.Extinction(value + gap));
 }
 
-/// What stands at a value of a table whose entries are `gap` apart. Where several nodes lie within
-/// one entry to either side, a sample would miss what is between them, and at an opaque tip it
-/// would be a wall: there it is the mean under the hat function of the entry, so that the integral
-/// stays.
+/// The entry at a value of a table whose entries are `gap` apart. If several nodes lie within one
+/// entry on either side, a sample would miss what is between them, and a sample at an opaque tip
+/// would be a wall. The entry is then the mean under its hat function, which preserves the
+/// integral.
 glm::vec4 EntryAt(const TransferFunction& transferFunction, double value, double gap)
 {
   std::vector<double> ends = OpacityNodesIn(transferFunction, value - gap, value + gap);
@@ -303,7 +305,7 @@ glm::vec4 EntryAt(const TransferFunction& transferFunction, double value, double
   }
   ends.insert(ends.begin(), value - gap);
   ends.push_back(value + gap);
-  constexpr int Points = 32; // from each node to the next
+  constexpr int Points = 32; // samples between neighbouring nodes
   double extinction = 0.0;
   glm::dvec3 emission(0.0);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
@@ -335,7 +337,7 @@ OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double 
       std::to_string(smallestValue) + " to " + std::to_string(largestValue));
   }
 
-  // The part where the function changes; a step at its end needs an entry beyond.
+  // The range where the function changes; a step at its end needs one more entry.
   const double end = transferFunction.LastValue();
   const bool stepAtEnd =
     EndsWithStep(transferFunction.Colors(), end) || EndsWithStep(transferFunction.Opacities(), end);

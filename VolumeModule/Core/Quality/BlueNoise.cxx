@@ -12,7 +12,7 @@ namespace varimarch
 namespace
 {
 
-// Points on a tile that is repeated without end, and how crowded it is around each place.
+// Dots on a tile that repeats endlessly, and how crowded they are around each place.
 class DotPattern
 {
 public:
@@ -22,7 +22,7 @@ public:
     , crowding(dots.size(), 0.0)
     , influence(dots.size())
   {
-    constexpr double Radius = 1.5; // of a dot's influence, by Ulichney's trials
+    constexpr double Radius = 1.5; // radius of a dot's influence, from Ulichney's experiments
     for (int y = 0; y < size; ++y)
     {
       for (int x = 0; x < size; ++x)
@@ -74,10 +74,11 @@ private:
   int size;
   std::vector<bool> dots;
   std::vector<double> crowding;
-  std::vector<double> influence; ///< of a dot at the origin
+  std::vector<double> influence; ///< influence of a dot at the origin
 };
 
-// A tenth of the places, spread evenly: dots are moved from clusters to voids until none gains.
+// A pattern of dots on a tenth of the places, spread evenly by moving dots from clusters to voids
+// until none improves.
 DotPattern EvenPattern(int size)
 {
   DotPattern pattern(size);
@@ -112,7 +113,7 @@ std::vector<std::uint16_t> BlueNoiseTile(int size)
   const auto threshold = [places](std::size_t rank)
   { return std::uint16_t((2 * rank + 1) * 65535 / (2 * places)); };
 
-  // The dots that are there have the lowest ranks, the most crowded ones the highest of them.
+  // The initial dots get the lowest ranks; the most crowded of them the highest of these.
   DotPattern fewer = even;
   const std::size_t dots = places / 10;
   for (std::size_t rank = dots; rank-- > 0;)

@@ -7,11 +7,12 @@
 namespace varimarch
 {
 
-/// Thresholds of a square tile whose neighbours differ as much as they can: each of size * size
-/// values, evenly spaced in 16 bits, is there once, and those below any of them are spread evenly,
-/// across the borders of the tile too. By void and cluster: R. Ulichney, "The void-and-cluster
-/// method for dither array generation", Proc. SPIE 1913, 1993. The same for every call.
-/// @param size  of a side, a power of two from 4 to 64
+/// Thresholds of a square tile of blue noise: neighbours differ as much as possible. The size *
+/// size values are evenly spaced in 16 bits and occur once each; those below any threshold are
+/// spread evenly, also across the borders of the repeated tile. Each call returns the same tile.
+/// Source: R. Ulichney, "The void-and-cluster method for dither array generation", Proc. SPIE 1913,
+/// 1993.
+/// @param size  side of the tile, a power of two from 4 to 64
 std::vector<std::uint16_t> BlueNoiseTile(int size);
 
 }

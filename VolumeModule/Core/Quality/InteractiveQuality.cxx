@@ -11,21 +11,22 @@ namespace
 struct QualityLevel
 {
   PictureQuality quality;
-  double cost; ///< of a picture; of the finest 1
+  double cost; ///< cost of a frame, relative to the finest level
 };
 
-// A larger tolerance costs less to the eye than fewer rays do, so it comes first. Costs are those
-// of rays; what the tolerance gains, measured on heads, is about a fourth for each doubling.
+// A larger tolerance is less visible than fewer rays, so it comes first. Costs are proportional to
+// the number of rays; each doubling of the tolerance saves about a quarter, measured on heads.
 const std::array<QualityLevel, 9> levels = { { { { 1.0, 1.0 }, 1.0 }, { { 1.0, 2.0 }, 0.75 },
   { { 1.41, 2.0 }, 0.38 }, { { 2.0, 2.0 }, 0.19 }, { { 2.0, 4.0 }, 0.14 }, { { 2.83, 4.0 }, 0.07 },
   { { 4.0, 4.0 }, 0.035 }, { { 5.66, 4.0 }, 0.0175 }, { { 8.0, 4.0 }, 0.009 } } };
 
-// Parts of the allocated time: what a picture is meant to take, and what a finer one may.
+// Fractions of the allocated time: the target for a frame, and the limit for switching to a finer
+// level.
 constexpr double Aim = 0.9;
 constexpr double Spare = 0.7;
 constexpr int PicturesBeforeFiner = 3;
 
-// Cast in a tenth of a second on two cores without a graphics card.
+// Number of rays that two cores without a graphics card cast in a tenth of a second.
 constexpr double RaysBeforeTimesAreKnown = 1 << 16;
 
 int LevelForPixels(double pixels)

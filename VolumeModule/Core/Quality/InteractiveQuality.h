@@ -4,39 +4,40 @@
 namespace varimarch
 {
 
-/// How coarsely a picture is drawn.
+/// Resolution and accuracy of a frame.
 struct PictureQuality
 {
   double imageSampleDistance = 1.0; ///< [pixels]
-  double toleranceFactor = 1.0;     ///< of the error that its steps may make
+  double toleranceFactor = 1.0;     ///< factor of the error tolerance for its steps
 };
 
-/// Chooses how coarsely pictures are drawn while somebody interacts, from how long the last ones
-/// took: coarser at once when they are late, finer only when the finer ones have had time to spare
-/// for several pictures, so that the quality does not flicker. While no time is known, no more rays
-/// are cast than any machine casts in a moment.
+/// Chooses the quality of frames during interaction from the time that the last frames took. It
+/// becomes coarser at once if frames are late, but finer only after several frames had time to
+/// spare, so that the quality does not flicker. Before the first time is known, it limits the
+/// number of rays to what any machine casts in a moment.
 class InteractiveQuality
 {
 public:
-  /// Of the next picture, of so many pixels, while somebody interacts.
+  /// The quality of the next frame during interaction.
+  /// @param pixels  number of pixels of the frame
   PictureQuality Next(double allocatedSeconds, double pixels);
 
-  /// How long the picture took that was drawn with the quality of Next. Not to be told of pictures
-  /// for which anything had to be built.
+  /// Records the time of a frame drawn with the quality from Next. Must not be called for frames
+  /// that had to build resources.
   void Took(double seconds);
 
-  /// The range of levels, 0 the finest.
+  /// Index of the current level; 0 is the finest.
   int Level() const { return this->level; }
   static int CoarsestLevel();
 
 private:
-  /// The finest of the levels from this one on that is expected to be in time.
+  /// The finest level, not finer than `finest`, that is expected to be in time.
   int LevelInTime(int finest, double allocatedSeconds) const;
   double ExpectedSeconds(int other) const;
 
   int level = 0;
-  bool levelIsGuessed = true; ///< from the number of pixels
-  double seconds = 0.0;       ///< that the last picture took at this level; 0: not known
+  bool levelIsGuessed = true; ///< true if the level follows only from the number of pixels
+  double seconds = 0.0;       ///< time of the last frame at this level; 0 if unknown
   int picturesWithTimeToSpare = 0;
 };
 

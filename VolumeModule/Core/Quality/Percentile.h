@@ -9,7 +9,9 @@
 namespace varimarch
 {
 
-/// The smallest of `numbers`, at least one, that a part of them, (0, 1], do not exceed.
+/// The smallest of the numbers that at least a given fraction of them does not exceed.
+/// @param numbers  at least one
+/// @param part  the fraction, (0, 1]
 inline double Percentile(std::vector<double> numbers, double part)
 {
   const auto rank = std::size_t(std::ceil(part * double(numbers.size())));

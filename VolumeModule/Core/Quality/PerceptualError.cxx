@@ -16,13 +16,13 @@ namespace varimarch
 namespace
 {
 
-// Light of a channel of sRGB.
+// Linear light from an sRGB channel.
 double LinearFromDisplay(double channel)
 {
   return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
 }
 
-// CIE's cube root, with its straight foot.
+// The CIE's cube root with its linear segment near 0.
 double CompressedLight(double relative)
 {
   constexpr double Foot = 6.0 / 29.0;
@@ -36,10 +36,11 @@ double HueDegrees(double a, double b)
   return hue < 0.0 ? hue + 360.0 : hue;
 }
 
-// Opposite hues differ by 180 degrees up to rounding, which must not choose the side of the mean.
+// Opposite hues differ by 180 degrees up to rounding, which must not decide on which side their
+// mean is.
 constexpr double HalfTurnDegrees = 180.0 + 1e-9;
 
-// sqrt(C^7 / (C^7 + 25^7)): how saturated, from 0 to 1.
+// sqrt(C^7 / (C^7 + 25^7)), a measure of saturation in [0, 1].
 double Saturation(double chroma)
 {
   const double seventh = std::pow(chroma / 25.0, 7.0);
@@ -52,14 +53,14 @@ struct Chromatic
   double hueDegrees;
 };
 
-// C' and h' of the formula, whose a' is stretched near grey.
+// C' and h' of the formula, in which a' is stretched near grey.
 Chromatic ChromaticOf(const LabColor& color, double stretch)
 {
   const double a = stretch * color.a;
   return { std::hypot(a, color.b), HueDegrees(a, color.b) };
 }
 
-// The signed difference and the mean of two hues, the shorter way round; no grey has a hue.
+// Signed difference and mean of two hues, the shorter way round; both 0 if a colour is grey.
 struct HuePair
 {
   double difference = 0.0;
@@ -91,7 +92,7 @@ double HueWeight(double hueDegrees)
 
 double ShownChannel(double value)
 {
-  // Written so that what is not a number becomes 0.
+  // The comparison is written such that NaN becomes 0.
   return value > 0.0 ? std::min(value, 1.0) : 0.0;
 }
 
@@ -105,7 +106,7 @@ std::array<double, 3> ShownColor(const float* rgba, const std::array<double, 3>&
   return color;
 }
 
-// Brightness as television and Wang's program weigh it (Rec. ITU-R BT.601).
+// Luma with the weights of Rec. ITU-R BT.601, as in Wang's program.
 double Luma(const std::array<double, 3>& rgb)
 {
   return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2];
@@ -140,8 +141,8 @@ std::vector<double> WindowWeights(int size)
   return weights;
 }
 
-// Along each row the mean over every window that fits, and the result turned over, so that applied
-// twice it has filtered both ways.
+// Applies the window to each row wherever it fits, and transposes the result, so that two calls
+// filter both ways.
 Plane FilteredAndTransposed(const Plane& plane)
 {
   constexpr int WindowSide = 11;
@@ -198,7 +199,7 @@ double StructuralSimilarity(const Plane& image, const Plane& truth)
 
 LabColor LabFromDisplay(const std::array<double, 3>& rgb)
 {
-  // Rows X, Y and Z; a row's sum is that coordinate of white.
+  // Rows for X, Y and Z; the sum of a row is that coordinate of white.
   constexpr double XyzFromRgb[3][3] = { { 0.4124, 0.3576, 0.1805 }, { 0.2126, 0.7152, 0.0722 },
     { 0.0193, 0.1192, 0.9505 } };
   std::array<double, 3> compressed;
@@ -235,7 +236,7 @@ double ColorDifference(const LabColor& first, const LabColor& second)
     std::sin(glm::radians(0.5 * hues.difference)) /
     (1.0 + 0.015 * meanChroma * HueWeight(hues.mean));
 
-  // Among blues chroma and hue are not independent.
+  // Chroma and hue are not independent among blues.
   const double fromBlue = (hues.mean - 275.0) / 25.0;
   const double turnDegrees = 30.0 * std::exp(-fromBlue * fromBlue);
   const double rotation = -2.0 * Saturation(meanChroma) * std::sin(glm::radians(2.0 * turnDegrees));

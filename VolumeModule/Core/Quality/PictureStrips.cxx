@@ -8,10 +8,11 @@ namespace varimarch
 namespace
 {
 
-// What a picture is divided into while nothing is known of its time.
+// Number of strips of an image while no time is known.
 constexpr int FirstStrips = 16;
 
-// A strip may be all background, and the next one all bone.
+// Limits the change from one strip to the next, since one may be all background and the next all
+// bone.
 constexpr double MostChange = 4.0;
 
 constexpr int FewestRows = 4;
@@ -34,7 +35,7 @@ void PictureStrips::Took(const Rows& strip, double seconds, double longestSecond
   this->done = strip.begin + strip.count;
   if (longestSeconds > 0.0)
   {
-    // The rest of a picture may be a few rows, which tell less than the strips before.
+    // The last strip of an image may be a few rows, which say less than the strips before.
     const double before = this->rows > 0 ? this->rows : strip.count;
     const double inTime = strip.count * longestSeconds / std::max(seconds, 1e-6);
     const double most = std::max(MostChange * strip.count, before);

@@ -4,8 +4,8 @@
 namespace varimarch
 {
 
-/// Divides pictures into strips of whole rows, from below, each of which takes about as long as is
-/// asked for, by how long the last ones took.
+/// Divides images into strips of whole rows, from bottom to top. Each strip should take the
+/// requested time, judged by the time of the strips before.
 class PictureStrips
 {
 public:
@@ -15,26 +15,27 @@ public:
     int count;
   };
 
-  /// Of a picture of so many rows, or of the rest of it.
-  /// @param longestSeconds  0: as long as it takes
+  /// The next strip of an image, or all that is left of it.
+  /// @param pictureRows  number of rows of the image
+  /// @param longestSeconds  time limit of the strip; 0 means no limit
   Rows Next(int pictureRows, double longestSeconds) const;
 
-  /// How long the strip took that Next gave.
-  /// @param longestSeconds  > 0: it was to take
+  /// Records the time of a strip from Next.
+  /// @param longestSeconds  time limit that it had, > 0
   void Took(const Rows& strip, double seconds, double longestSeconds);
 
-  /// Whether a picture is expected to take longer than a strip may.
+  /// True if an image is expected to take longer than one strip may.
   bool IsDivided(int pictureRows) const;
 
-  /// How many rows of the picture are done, from below.
+  /// Number of finished rows, from the bottom.
   int Done() const { return this->done; }
 
-  /// The next picture, or the same from the beginning.
+  /// Begins the next image, or the same one again.
   void Restart() { this->done = 0; }
 
 private:
   int done = 0;
-  int rows = 0; ///< of the next strip; 0: nothing is known
+  int rows = 0; ///< rows of the next strip; 0 if no time is known
 };
 
 }

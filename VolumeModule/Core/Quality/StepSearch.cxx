@@ -14,22 +14,25 @@ namespace varimarch
 namespace
 {
 
-// Of an error as a power of the distance: rules are of order 2, and voxels have kinks.
+// Assumed convergence order. The rules are second order, but trilinear data has kinks at cell
+// faces.
 constexpr double SupposedOrder = 1.6;
-// As it may be found.
+// Bounds of the estimated order.
 constexpr double LeastOrder = 0.7;
 constexpr double MostOrder = 3.0;
 
-// Where an error is such a part of the limit, its power tells the distance at which it is all of
-// it.
+// If an error is within these fractions of the limit, the power law predicts the distance at which
+// it equals the limit.
 constexpr double LeastNear = 0.6;
 constexpr double MostNear = 1.25;
-// That distance is taken if the error tried there is no more off than estimates are.
+// The predicted distance is accepted if the error drawn there exceeds the limit by no more than the
+// inaccuracy of the estimate.
 constexpr double MostOfLimit = 1.15;
 
 constexpr int MostTrials = 10;
 
-// What halving the distance so often changes is 1 - 2^(-order halvings) of the error.
+// Ratio of the error to its change when the distance is halved; the change is 1 - 2^(-order
+// halvings) of the error.
 double ErrorPerChange(double order, double halvings)
 {
   return 1.0 / (1.0 - std::exp2(-order * halvings));
@@ -37,13 +40,13 @@ double ErrorPerChange(double order, double halvings)
 
 double OfLimit(const ImageError& error, const ErrorLimit& limit)
 {
-  constexpr double Infinite = 1e12; // of what is not a number
+  constexpr double Infinite = 1e12; // stands for NaN
   return std::min(
     std::max(error.percentile999 / limit.percentile999, error.largest / limit.largest) / 255.0,
     Infinite);
 }
 
-/// A distance that was tried, and its error.
+/// A distance that was drawn, and its error.
 struct Trial
 {
   double distance;
@@ -51,21 +54,21 @@ struct Trial
   double ofLimit;
 };
 
-// The order of an error between two distances.
+// Convergence order of the error between two distances.
 double OrderBetween(const Trial& a, const Trial& b)
 {
   const auto safeLog = [](double number) { return std::log2(std::max(number, 1e-12)); };
   return (safeLog(a.ofLimit) - safeLog(b.ofLimit)) / std::log2(a.distance / b.distance);
 }
 
-// Where the error is the limit, as a power of the distance.
+// Distance at which the error equals the limit, by a power law.
 double DistanceOfLimit(const Trial& trial, double order)
 {
   return trial.distance * std::pow(1.0 / std::max(trial.ofLimit, 1e-12), 1.0 / order);
 }
 
-/// Distances that are tried are the first one and others that are half octaves apart, whatever the
-/// limit: so that what is found for one limit is much like what is found for the next.
+/// The search itself. It draws the first distance and distances that are multiples of half an
+/// octave from it, for any limit, so that similar limits give similar results.
 class Search
 {
 public:
@@ -106,7 +109,7 @@ private:
     return std::clamp(distance, this->range.finest, this->range.coarsest);
   }
 
-  // What is over the limit by no more than estimates are off counts as kept.
+  // Returns a result. An excess below the inaccuracy of the estimate counts as kept.
   FoundSteps Found(const Trial& trial) const
   {
     const double ofLimit =
@@ -115,7 +118,7 @@ private:
       this->exact.empty() ? this->finer.begin()->second : this->exact };
   }
 
-  // Of what may be taken.
+  // True if the coarsest or finest allowed distance has been reached.
   bool IsAtEnd() const
   {
     return (this->keeps && this->keeps->distance >= this->range.coarsest) ||
@@ -133,7 +136,7 @@ private:
   Trial Try(double distance)
   {
     const std::vector<float> picture = this->draw(distance);
-    double halvings = 2.0; // a known picture has an error like that of a quarter
+    double halvings = 2.0; // a known exact image changes as much as a quarter of the distance would
     const std::vector<float>& compared =
       this->exact.empty() ? this->FinerThan(distance, halvings) : this->exact;
     const ImageError change = CompareImages(picture.data(), compared.data(), picture.size() / 4);
@@ -143,7 +146,7 @@ private:
       return Trial{ distance, factor * change.percentile999 / 255.0,
         factor * OfLimit(change, this->limit) };
     };
-    // Where the error falls slower than was supposed a finer distance has changed less of it.
+    // If the error falls more slowly than assumed, the finer distance has removed less of it.
     this->UpdateOrder(trialOf(SupposedOrder));
     constexpr double OrderAtOpaqueSurfaces = 1.0;
     return trialOf(std::clamp(this->order, OrderAtOpaqueSurfaces, SupposedOrder));
@@ -151,7 +154,7 @@ private:
 
   void Keep(const Trial& trial) { (trial.ofLimit <= 1.0 ? this->keeps : this->fails) = trial; }
 
-  // By the distance that was tried before, if it is not too near to tell.
+  // Estimates the order from the previous distance, unless that is too close.
   void UpdateOrder(const Trial& trial)
   {
     constexpr double LeastOctaves = 0.45;
@@ -162,7 +165,8 @@ private:
     this->last = trial;
   }
 
-  // A picture at a third of the distance or less, by how many halvings that is finer.
+  // An image drawn at a third of the distance or less.
+  // @param halvings  receives log2 of the ratio of the distances
   const std::vector<float>& FinerThan(double distance, double& halvings)
   {
     auto found = this->finer.upper_bound(distance / 3.0);
@@ -183,11 +187,11 @@ private:
     return found->second;
   }
 
-  // Rather a finer one than what the error says, but beyond what was tried.
+  // Next distance to draw: rather finer than the power law predicts, but outside what is known.
   double NextDistance() const
   {
     constexpr double LevelsPerOctave = 2.0;
-    constexpr double Rounding = 0.3; // of a level
+    constexpr double Rounding = 0.3; // in levels
     const Trial& from = this->keeps ? *this->keeps : *this->fails;
     const double wanted = this->InRange(DistanceOfLimit(from, this->OrderNear()));
     const auto levelOf = [&](double distance)
@@ -203,7 +207,7 @@ private:
     return this->InRange(this->first * std::exp2(-level / LevelsPerOctave));
   }
 
-  // Around the limit where that is known from both sides, else as last found.
+  // The order around the limit if that is enclosed from both sides, otherwise the last estimate.
   double OrderNear() const
   {
     return this->keeps && this->fails
@@ -211,8 +215,9 @@ private:
       : this->order;
   }
 
-  // Where few rays err, and these much, the error is no power of the distance:
-  // then half of the way there, or what is known to keep the limit.
+  // Draws the distance at which the error should equal the limit. If a few rays have large errors,
+  // the power law does not hold: then takes a distance half way there, or the one known to keep the
+  // limit.
   std::optional<Trial> TryDistanceOfLimit()
   {
     const Trial near = this->keeps ? *this->keeps : *this->fails;
@@ -237,9 +242,9 @@ private:
   StepRange range;
   double first;
   const std::vector<float>& exact;
-  std::map<double, std::vector<float>> finer; ///< pictures by distance, for comparison
-  std::optional<Trial> keeps;                 ///< the longest distance that keeps the limit, so far
-  std::optional<Trial> fails;                 ///< the shortest that does not
+  std::map<double, std::vector<float>> finer; ///< images by distance, for comparison
+  std::optional<Trial> keeps;                 ///< the longest distance so far that keeps the limit
+  std::optional<Trial> fails;                 ///< the shortest distance so far that does not
   std::optional<Trial> last;
   double order = SupposedOrder;
 };

@@ -7,8 +7,8 @@
 namespace varimarch
 {
 
-/// What a picture may be off by in a premultiplied channel, of 1: 99.9 of 100 pixels by
-/// `percentile999`, and none by more than `largest`.
+/// Accepted errors of a premultiplied channel, which is in [0, 1]: 99.9 % of the pixels are within
+/// `percentile999`, and all are within `largest`.
 struct ErrorLimit
 {
   double percentile999;
@@ -18,52 +18,54 @@ struct ErrorLimit
 struct StepChoice
 {
   double sampleDistance;
-  double error;   ///< estimate of the 99.9th percentile, of 1
-  double ofLimit; ///< at most 1; above only where the finest distance does not keep the limit
+  double error;   ///< estimated 99.9th percentile of the channel errors, in [0, 1]
+  double ofLimit; ///< error / limit; above 1 only if the finest distance does not keep the limit
 
   bool KeepsLimit() const { return this->ofLimit <= 1.0; }
 };
 
-/// What a search ends with.
+/// Result of a search.
 struct FoundSteps
 {
   StepChoice choice;
-  std::vector<float> finest; ///< picture that others were compared with, its error a small part of
-                             ///< the limit if the choice keeps that
+  /// The image that others were compared with; its error is a small part of a kept limit.
+  std::vector<float> finest;
 };
 
-/// Whether the steps of one rule are better than another's: so much longer that what one costs is
-/// made up for, or, where the other's do not keep the limit, nearer to it.
-/// @param cost  of a step, in those of the other rule
+/// True if the steps of one rule are better than those of another: if they are longer by more than
+/// their cost or, if the other steps do not keep the limit, if they come closer to it.
+/// @param cost  cost of one step, relative to a step of the other rule
 bool IsBetter(const StepChoice& choice, double cost, const StepChoice& other);
 
-/// Where to search. Half of the finest is drawn too.
+/// Distances to search. Half of the finest is drawn too.
 struct StepRange
 {
   double coarsest;
   double finest; ///< at most the coarsest
 };
 
-/// Draws a sample of a picture's pixels at a sample distance: premultiplied RGBA, always the same
-/// pixels.
+/// Draws some pixels of an image, always the same ones, at a sample distance; returns premultiplied
+/// RGBA.
 using SampleDrawing = std::function<std::vector<float>(double sampleDistance)>;
 
-/// Finds about the largest sample distance at which a picture keeps its limit. The error at a
-/// distance is estimated by what about a quarter of it changes: for a rule of order p that is
-/// 1 - 4^-p of the error (Richardson 1911), and nearly all of it where noise makes errors that do
-/// not depend on each other, of which halving would change more than there is. From an error to
-/// the next distance the error is taken as a power of it.
-/// @param first  the distance to begin with; the nearer to the result, the fewer drawings. Where
-///               the error does not grow with the distance, the result depends on it.
-/// @param exact  nearly the picture without an error, where one is known: the same pixels
+/// Finds approximately the largest sample distance at which an image keeps its limit.
+///
+/// The error at a distance is estimated from the change when the distance is divided by about four.
+/// For a rule of order p this change is 1 - 4^-p of the error (Richardson 1911). It is nearly the
+/// whole error if errors are independent noise, of which halving the distance would change more
+/// than there is. The next distance follows from a power law for the error.
+/// @param first  distance to begin with; the closer to the result, the fewer drawings. If the error
+/// does not grow with the distance, the result depends on it.
+/// @param exact  the same pixels almost without error, if known
 FoundSteps FindSampleDistance(const SampleDrawing& draw, const ErrorLimit& limit,
   const StepRange& range, double first, const std::vector<float>& exact = {});
 
-/// How far one picture is from another as a part of what the limit allows.
+/// Difference between two images, as a fraction of the limit for the 99.9th percentile.
 double DifferenceOfLimit(
   const std::vector<float>& a, const std::vector<float>& b, const ErrorLimit& limit);
 
-/// The same, where the largest difference counts too: of a picture beside one without an error.
+/// Error of an image compared with an exact one, as a fraction of the limit; the largest difference
+/// counts too.
 double ErrorOfLimit(
   const std::vector<float>& picture, const std::vector<float>& exact, const ErrorLimit& limit);
 

@@ -9,12 +9,12 @@
 namespace varimarch
 {
 
-/// The part of a shader's recipe that says what a point of the volume looks like.
+/// Files of a shader that determine what a point of the volume looks like.
 
-/// What makes colours and extinctions of scalars.
+/// Files that turn scalars into colour and extinction.
 std::vector<std::string> ClassifyParts(const RenderSettings& settings);
 
-/// What depends on more than one scalar: gradients, light, and the material of them.
+/// Files that depend on more than one scalar: gradients, light, and the material made from them.
 std::vector<std::string> MaterialParts(const RenderSettings& settings);
 
 std::string ShadeFile(const RenderSettings& settings);

@@ -45,7 +45,7 @@ std::string BlendFile(const RenderSettings& settings)
       return "Blend/Additive.glsl";
     case Blend::Isosurface:
     case Blend::Slice:
-      return "Blend/Composite.glsl"; // of surfaces, each of an optical depth
+      return "Blend/Composite.glsl"; // surfaces are composited, each with an optical depth
   }
   throw std::invalid_argument("Shader: unknown blend mode");
 }
@@ -78,7 +78,7 @@ std::string ResumeFile(RayPass pass)
       return "Resume/PickVoxel.glsl";
     case RayPass::PictureAndDepth:
       return "Resume/PictureAndDepth.glsl";
-    case RayPass::Accumulated: // has a shader of its own
+    case RayPass::Accumulated: // uses Mean.frag.glsl instead
     case RayPass::Whole:
       break;
   }
@@ -143,7 +143,7 @@ std::vector<std::string> PassParts(const RenderSettings& settings)
   return parts;
 }
 
-// No march here: what the processor's march begins with, and what becomes of it.
+// A shader without a march: it writes what the CPU's march begins with, or shows its result.
 std::vector<std::string> PacketParts(const RenderSettings& settings)
 {
   const RayPass pass = settings.pass;

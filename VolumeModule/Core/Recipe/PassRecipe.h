@@ -9,7 +9,7 @@
 namespace varimarch
 {
 
-/// The part of a shader's recipe that says what becomes of a ray.
+/// Files of a shader that determine what happens to a ray before and after its march.
 
 std::string BlendFile(const RenderSettings& settings);
 /// The files of the vertex shader, which is the same for all recipes.
@@ -21,10 +21,10 @@ std::string LocateFile(RayPass pass);
 std::string PeelFile(RayPass pass);
 std::string WindowFile(const RenderSettings& settings);
 
-/// Its files behind those that march a ray.
+/// The files that follow the march.
 std::vector<std::string> PassParts(const RenderSettings& settings);
 
-/// All files of a shader whose rays the processor marches.
+/// All files of a shader for rays that are marched on the CPU.
 std::vector<std::string> PacketParts(const RenderSettings& settings);
 
 }

@@ -7,67 +7,67 @@
 namespace varimarch
 {
 
-/// What lets a ray skip samples.
+/// How rays skip samples.
 enum class Acceleration
 {
-  Off,          ///< every step has the sample distance
-  ScalarField,  ///< jumps across blocks where the scalar stays within a tolerance
-  OpticalField, ///< jumps across bricks by what the transfer function makes of them
+  Off,          ///< all steps have the sample distance
+  ScalarField,  ///< skips blocks in which the scalar varies by at most a tolerance
+  OpticalField, ///< skips bricks by what the transfer function makes of their values
 };
 
-/// How a composite is integrated along a segment of the ray. Samples per segment are what the
-/// sample distance makes them, so that the rules compare at equal cost in texture fetches. Of
-/// materials that depend on more than one value there are midpoints and what is linear between two
-/// samples, which all other rules then are.
+/// How a composite is integrated along a segment of the ray. The number of samples per segment
+/// follows from the sample distance, so that the rules compare at equal cost in texture fetches.
+/// Materials that depend on more than one value have two rules: Midpoint, and PreIntegrated for all
+/// others.
 enum class Integration
 {
-  Midpoint,      ///< homogeneous, as in the middle; order 2
-  PreIntegrated, ///< linear between samples: the transfer function exact, or a material in four
-                 ///< parts; order 2
-  Simpson,       ///< parabolas of extinction through three samples; order 4 where all is smooth
-  PublishedSum,  ///< the sample at the beginning, repeated; order 1: for comparison
+  Midpoint,      ///< constant, with the value in the middle; order 2
+  PreIntegrated, ///< linear between samples: exact transfer function, or four parts of a material;
+                 ///< order 2
+  Simpson,       ///< a parabola of extinction through three samples; order 4 for smooth data
+  PublishedSum,  ///< the first sample, repeated, for comparison; order 1
 };
 
 /// How the samples along a ray become a pixel.
 enum class Blend
 {
   Composite,        ///< emission and absorption, front to back
-  MaximumIntensity, ///< the largest value along the ray, through the transfer function
-  MinimumIntensity, ///< the smallest
+  MaximumIntensity, ///< the largest value on the ray, through the transfer function
+  MinimumIntensity, ///< the smallest value on the ray, through the transfer function
   AverageIntensity, ///< the mean of opacity times value
   Additive,         ///< the integral of opacity times value
   Isosurface,       ///< surfaces of equal value
-  Slice,            ///< what lies on one surface
+  Slice,            ///< a surface through the volume
 };
 
-/// Whether one value of a ray decides on its pixel.
+/// True if one value on a ray determines its pixel.
 inline bool IsExtreme(Blend blend)
 {
   return blend == Blend::MaximumIntensity || blend == Blend::MinimumIntensity;
 }
 
-/// What the components of a volume are.
+/// Meaning of a volume's components.
 enum class Components
 {
   One,
-  Independent,      ///< two to four materials, mixed
-  LuminanceOpacity, ///< two: colour and opacity of one material
-  Rgba,             ///< four: a colour, and opacity
+  Independent,      ///< two to four materials of a mixture
+  LuminanceOpacity, ///< colour and opacity of one material
+  Rgba,             ///< red, green, blue and opacity of one material
 };
 
-/// Whether what is drawn of a ray lies on surfaces, which are found exactly.
+/// True if a ray meets only surfaces, whose positions are computed exactly.
 inline bool IsOfSurfaces(Blend blend)
 {
   return blend == Blend::Isosurface || blend == Blend::Slice;
 }
 
-/// Whether a pixel is made of values along its ray, not of colours.
+/// True if a pixel is computed from values along its ray, not from colours.
 inline bool IsProjection(Blend blend)
 {
   return blend != Blend::Composite && !IsOfSurfaces(blend);
 }
 
-/// What a transfer function is a function of.
+/// Arguments of a transfer function.
 enum class FunctionOf
 {
   Value,
@@ -75,105 +75,105 @@ enum class FunctionOf
   TwoValues,
 };
 
-/// What a second volume says of each voxel.
+/// Meaning of a mask volume.
 enum class Mask
 {
   None,
-  Binary, ///< whether it is drawn
-  Labels, ///< which transfer functions show it; composite of one component only
+  Binary, ///< limits what is drawn
+  Labels, ///< selects a voxel's transfer functions; composites of one component only
 };
 
-/// Who marches the rays of a picture.
+/// Which processor marches the rays of an image.
 enum class Marcher
 {
-  Device,    ///< the graphics device, by a shader
-  Processor, ///< packets of rays: Core/Packets
+  Device,    ///< the graphics device, in a shader
+  Processor, ///< the CPU, in packets of rays: Core/Packets
 };
 
-/// When rays are marched, beside a drawing:
+/// Role of a shader when rays are marched.
 enum class Marching
 {
-  Within, ///< it, by its shader
-  After,  ///< by the processor, which it tells where they begin and end,
-  Before  ///< or whose colours it shows
+  Within, ///< the shader marches the rays
+  After,  ///< the shader writes where rays begin and end, before the CPU marches them
+  Before  ///< the shader shows the colours that the CPU has computed
 };
 
-/// What one drawing does for the rays of a picture.
+/// What one drawing does with the rays of an image.
 enum class RayPass
 {
-  Whole,       ///< all: the volume is one block
-  Block,       ///< marches them through one of several blocks, from where those in front have ended
-  Picture,     ///< makes pixels of what they have gathered in all blocks
-  Upscaled,    ///< makes pixels of a picture drawn with fewer rays,
-  Averaged,    ///< or with more,
-  Accumulated, ///< or of several that have been added up
-  PeelOutside, ///< as Whole, but in front of all translucent geometry and behind it,
-  PeelBetween, ///< between two pairs of its layers,
-  PeelLast,    ///< or between its innermost layers
-  PickProp,    ///< as Whole, but the number of the volume,
-  PickVoxel,   ///< or of the point or cell that a ray meets
-  PictureAndDepth, ///< as Whole, and how deep that is
+  Whole,    ///< marches rays through the whole volume
+  Block,    ///< continues rays through one of several blocks, where the blocks in front ended them
+  Picture,  ///< computes pixels from rays that have passed all blocks
+  Upscaled, ///< computes pixels from fewer rays than pixels
+  Averaged, ///< computes pixels from more rays than pixels
+  Accumulated,     ///< computes pixels from several images that have been added up
+  PeelOutside,     ///< marches rays in front of all translucent geometry and behind it
+  PeelBetween,     ///< marches rays between two pairs of layers of translucent geometry
+  PeelLast,        ///< marches rays between the innermost layers of translucent geometry
+  PickProp,        ///< writes the selector's ID of the volume
+  PickVoxel,       ///< writes the ID of the point or cell at which a ray becomes visible
+  PictureAndDepth, ///< marches rays and also writes a depth
 };
 
-/// Whether translucent geometry divides the rays in it.
+/// True if translucent geometry divides the rays.
 inline bool Peels(RayPass pass)
 {
   return pass == RayPass::PeelOutside || pass == RayPass::PeelBetween || pass == RayPass::PeelLast;
 }
 
-/// Whether no other has drawn a part of the same picture before it.
+/// True if no drawing of the same image precedes.
 inline bool BeginsPicture(RayPass pass)
 {
   return pass != RayPass::PeelBetween && pass != RayPass::PeelLast;
 }
 
-/// Whether what is drawn is the number of something.
+/// True if the drawing writes an ID for a selector.
 inline bool Picks(RayPass pass)
 {
   return pass == RayPass::PickProp || pass == RayPass::PickVoxel;
 }
 
-/// Whether what is drawn tells a place along the ray.
+/// True if the drawing needs a position on the ray.
 inline bool Locates(RayPass pass)
 {
   return pass == RayPass::PickVoxel || pass == RayPass::PictureAndDepth;
 }
 
-/// Every choice that changes the shader. Values (a tolerance, a step length) are not here: they
-/// are uniforms, and changing them rebuilds nothing.
+/// All choices that change the shader. Numbers, such as a tolerance or a step length, are uniforms
+/// instead, and changing them rebuilds nothing.
 struct RenderSettings
 {
   Blend blend = Blend::Composite;
   Acceleration acceleration = Acceleration::OpticalField;
-  bool shading = false;                            ///< Blinn-Phong; composite and surfaces only
-  bool sceneGeometry = false;                      ///< stop rays at opaque geometry already drawn
-  Integration integration = Integration::Midpoint; ///< of a composite
-  bool nearest = false;                            ///< voxels are boxes of one value
-  bool cubic = false;                              ///< a spline through the voxels, not nearest
-  bool uneven = false;                             ///< voxels are at uneven places
-  bool clipping = false;                           ///< end rays at clipping planes
-  bool cropping = false;                           ///< leave out regions of the volume
-  bool clippedGradients = false; ///< gradients see a cut as a surface; one component only
-  bool gaps = false;             ///< leave out cells that touch a voxel that is not finite,
-  bool fillGaps = false;         ///< or draw them in a colour of their own; composite only
-  bool countFetches = false;     ///< draw how often each ray has read the volume, not the picture
-  bool skipsBricks = true;       ///< composites with the optical field: there is enough to skip
+  bool shading = false;       ///< Blinn-Phong; composite and surfaces only
+  bool sceneGeometry = false; ///< rays end at opaque geometry that is already drawn
+  Integration integration = Integration::Midpoint; ///< for composites
+  bool nearest = false;                            ///< voxels are boxes of constant value
+  bool cubic = false;    ///< values are those of a spline through the voxels; requires !nearest
+  bool uneven = false;   ///< voxels are unevenly spaced
+  bool clipping = false; ///< rays end at clipping planes
+  bool cropping = false; ///< regions of the volume are left out
+  bool clippedGradients = false; ///< gradients treat cuts as surfaces; one component only
+  bool gaps = false;             ///< cells that touch a non-finite voxel are left out
+  bool fillGaps = false;         ///< with gaps: these cells have a colour instead; composite only
+  bool countFetches = false;     ///< draw the number of fetches of each ray instead of its colour
+  bool skipsBricks = true;       ///< composites with an optical field: enough bricks can be skipped
   RayPass pass = RayPass::Whole;
   Marching marching = Marching::Within;
-  bool damping = false; ///< shading without light where there hardly is a gradient; one component
-  bool lights = false;  ///< shading by all lights of the scene, not by a head light alone
+  bool damping = false; ///< shading fades where the gradient is small; one component only
+  bool lights = false;  ///< all lights of the scene, not only a head light
   Mask mask = Mask::None;
-  FunctionOf functionOf = FunctionOf::Value; ///< else of one component, and composite
+  FunctionOf functionOf = FunctionOf::Value; ///< other than Value: composites of one component only
   Components components = Components::One;
-  int componentCount = 1;       ///< of the volume
-  bool gradientOpacity = false; ///< opacity depends on the gradient; composite only
-  bool jitter = false;          ///< begin rays with a part of a step
-  bool windowLevel = false;     ///< scale the picture's colours
-  bool overlaps = false;        ///< is marched together with other volumes; composite only,
-  std::vector<RenderSettings> others = {}; ///< which are these, where it is the first of them
+  int componentCount = 1;                  ///< number of the volume's components
+  bool gradientOpacity = false;            ///< opacity depends on the gradient; composite only
+  bool jitter = false;                     ///< rays begin with a fraction of a step
+  bool windowLevel = false;                ///< colours of the image are scaled
+  bool overlaps = false;                   ///< drawn together with other volumes; composite only
+  std::vector<RenderSettings> others = {}; ///< settings of the other volumes, if this is the first
 };
 
-/// Whether the volume is read in a drawing.
+/// True if the shader samples the volume.
 inline bool Marches(const RenderSettings& settings)
 {
   const RayPass pass = settings.pass;
@@ -181,9 +181,10 @@ inline bool Marches(const RenderSettings& settings)
     pass != RayPass::Upscaled && pass != RayPass::Averaged && pass != RayPass::Accumulated;
 }
 
-/// Whether rays are sampled: steps then decide on a picture. Voxels as boxes, and extremes between
-/// them, are exact but for projections of several components and at uneven places, and so are
-/// surfaces. Along a spline an extreme is not. Of volumes that overlap any may be.
+/// True if the image depends on the sample distance. Not the case, because exact: voxels as boxes,
+/// extremes of linear interpolation, and surfaces. Projections of several components, uneven
+/// spacing and extremes of a spline are sampled. For overlapping volumes, true if any of them is
+/// sampled.
 inline bool IsSampled(const RenderSettings& settings)
 {
   if (std::any_of(settings.others.begin(), settings.others.end(), IsSampled))

@@ -15,17 +15,17 @@ namespace
 
 constexpr std::size_t LinesPerFile = 1000;
 
-// Where the files of a volume begin.
+// The file with which each volume's part of a shader begins.
 constexpr char FirstOfVolume[] = "VolumeParameters.glsl";
 
-// All that the files of one of several volumes declare, and their text.
+// All names that the files of one volume declare, and their text.
 struct VolumeText
 {
   std::set<std::string> names;
   std::string text;
 };
 
-// Declarations begin at the margin, and nothing else with two words does.
+// A line that begins with two words is a declaration.
 void AddTo(VolumeText& volume, const std::string& text)
 {
   static const std::regex declaration(R"(^(?:uniform |layout\(std140\) |const )?\w+ (\w+))");
@@ -62,8 +62,8 @@ std::vector<VolumeText> VolumesOf(const std::vector<ShaderFile>& files)
   return volumes;
 }
 
-// The names of a volume, and of the one before where this one asks for them, as the preprocessor
-// shall see them. The last volume has the names that are there.
+// Preprocessor lines that rename what a volume declares, and what it uses of the volume before it.
+// The last volume keeps its names.
 std::string Renaming(const std::vector<VolumeText>& volumes, std::size_t volume)
 {
   std::string text;
@@ -115,7 +115,7 @@ std::string AssembleShader(const std::vector<ShaderFile>& files)
     {
       source += Renaming(volumes, volume++);
     }
-    // In version 1.50 #line numbers the line it stands on; the file's first line comes next.
+    // In version 1.50, #line sets the number of its own line; the file begins on the next.
     ++index;
     source += "#line " + std::to_string(LinesPerFile * index) + "\n";
     source += file.text;
@@ -126,7 +126,7 @@ std::string AssembleShader(const std::vector<ShaderFile>& files)
 
 std::string TraceShaderErrors(const std::string& messages, const std::vector<ShaderFile>& files)
 {
-  // Mesa and glslang write 0:line or 0:line(column), NVIDIA 0(line).
+  // Mesa and glslang write 0:line or 0:line(column), NVIDIA writes 0(line).
   static const std::regex position(R"(\b0(?::(\d+)(?:\(\d+\))?|\((\d+)\)))");
   std::string traced;
   auto end = messages.begin();

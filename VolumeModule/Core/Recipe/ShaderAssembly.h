@@ -14,20 +14,22 @@ struct ShaderFile
   std::string text;
 };
 
-/// Joins files to one GLSL 1.50 source. Lines are numbered so that a compiler's message can be
-/// traced back: line n of the i-th file is line 1000 * (i + 1) + n. Where VolumeParameters.glsl
-/// stands several times, what it and the files behind it declare is renamed for all volumes but the
-/// last: the preprocessor does it.
+/// Joins files into one GLSL 1.50 source. Line n of the i-th file gets the number 1000 * (i + 1) +
+/// n, so that compiler messages can be traced to files. If VolumeParameters.glsl occurs several
+/// times, the preprocessor renames everything that it and the files after it declare, for all
+/// volumes but the last.
 std::string AssembleShader(const std::vector<ShaderFile>& files);
 
-/// How many volumes a fragment shader is for: as often as VolumeParameters.glsl is among its files.
+/// Number of volumes of a fragment shader: the number of times VolumeParameters.glsl is among its
+/// files.
 std::size_t VolumeCount(const std::vector<ShaderFile>& files);
 
-/// The name that a declaration of one of several volumes gets. The last volume keeps its names.
+/// The name that a declaration gets for one of several volumes other than
+/// the last, which keeps its names.
 std::string NameOfVolume(const std::string& name, std::size_t volume);
 
-/// A compiler's messages with its line numbers turned into paths and lines, for the same files:
-/// "0:3009(5): error" becomes "Blend/Composite.glsl:9: error".
+/// Replaces line numbers in compiler messages about the joined source by paths and lines of its
+/// files: "0:3009(5): error" becomes "Blend/Composite.glsl:9: error".
 std::string TraceShaderErrors(const std::string& messages, const std::vector<ShaderFile>& files);
 
 }

@@ -109,7 +109,7 @@ Parts PartsOfRaysAndVolume()
   return parts;
 }
 
-// No march: only where the rays are that have a pixel, and what it becomes.
+// A shader without a march: it finds the ray of each pixel and computes the pixel.
 std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
   Parts parts = PartsOfRaysAndVolume();
@@ -124,7 +124,7 @@ std::vector<std::string> PictureParts(const RenderSettings& settings)
   return parts;
 }
 
-// Nor here: pixels of a picture of other rays, whose colours it has.
+// A shader without a march: it computes pixels from an image of other rays.
 std::vector<std::string> ResampledParts(const RenderSettings& settings)
 {
   if (settings.pass == RayPass::Accumulated)
@@ -137,7 +137,7 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   return parts;
 }
 
-// How a scalar gets its look, and what its look depends on.
+// Files that determine the look of a scalar, and what it depends on.
 std::vector<std::string> LookParts(const RenderSettings& settings)
 {
   std::vector<std::string> parts;
@@ -205,7 +205,7 @@ std::vector<std::string> MarchParts(const RenderSettings& settings)
   return parts;
 }
 
-// Whether rays walk through bricks, voxels, or cells.
+// True if rays walk through bricks, voxels or cells.
 bool Walks(const RenderSettings& settings)
 {
   return StepFile(settings) == "Step/OpticalField.glsl" ||
@@ -213,7 +213,7 @@ bool Walks(const RenderSettings& settings)
     settings.mask != Mask::None || (!IsSampled(settings) && settings.blend != Blend::Slice);
 }
 
-// Whether what a transfer function says of the opacity is multiplied by something else.
+// True if the transfer function's opacity is multiplied by another factor.
 bool ComputesOpacity(const RenderSettings& settings)
 {
   return MarchesMaterial(settings) &&
@@ -221,14 +221,14 @@ bool ComputesOpacity(const RenderSettings& settings)
       settings.mask == Mask::Labels);
 }
 
-// What every march begins with: where voxels are, and what lies between them.
+// Files for the places of voxels and the values between them.
 std::vector<std::string> VoxelParts(const RenderSettings& settings)
 {
   return { SpacingFile(settings),
     settings.cubic ? "Interpolation/CubicSpline.glsl" : "Interpolation/Linear.glsl" };
 }
 
-// How long the next step is.
+// Files that determine the length of the next step.
 std::vector<std::string> StepParts(const RenderSettings& settings)
 {
   if (settings.acceleration == Acceleration::OpticalField && !IsExtreme(settings.blend))
@@ -271,7 +271,7 @@ bool FillsGaps(const RenderSettings& settings)
   return settings.gaps && settings.fillGaps && settings.blend == Blend::Composite;
 }
 
-// Which parts of a ray are marched, and what becomes of its result.
+// Files that select the parts of a ray to march and process the result.
 static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
 {
   std::vector<std::string> parts;
@@ -289,7 +289,7 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
   return parts;
 }
 
-// The files of one of several volumes that overlap; see Shaders/VolumeSlots.glsl.
+// The files of one of several overlapping volumes; see Shaders/VolumeSlots.glsl.
 static std::vector<std::string> PartsOfOne(const RenderSettings& settings)
 {
   Parts parts = PartsOfVolume;
@@ -337,7 +337,7 @@ static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
   return parts;
 }
 
-// The formulas that a march calls.
+// The formulas that a march uses.
 static std::vector<std::string> MathParts(const RenderSettings& settings)
 {
   std::vector<std::string> parts;

@@ -9,23 +9,23 @@
 namespace varimarch
 {
 
-/// The files of a fragment shader, in the order in which they are joined: paths below
-/// VolumeModule/Shaders. One file per slot, and nothing that the settings do not ask for.
+/// The files of a fragment shader, as paths below VolumeModule/Shaders in the order in which they
+/// are joined: one per slot, and only those that the settings need.
 std::vector<std::string> FragmentShaderParts(const RenderSettings& settings);
 
-/// Whether the recipe looks materials up in a PreIntegratedTable.
+/// True if the shader uses a PreIntegratedTable.
 bool UsesPreIntegration(const RenderSettings& settings);
 
-/// Whether the recipe marches a material: what depends on more than one scalar.
+/// True if the shader marches a material, which depends on more than one scalar.
 bool MarchesMaterial(const RenderSettings& settings);
 
-/// How many materials the recipe mixes.
+/// Number of materials that the shader mixes.
 int PartCount(const RenderSettings& settings);
 
-/// Whether the recipe looks at gradients.
+/// True if the shader uses gradients.
 bool UsesGradients(const RenderSettings& settings);
 
-/// Whether the recipe draws cells that touch a voxel that is not finite.
+/// True if the shader draws cells that touch a non-finite voxel.
 bool FillsGaps(const RenderSettings& settings);
 
 }

@@ -8,7 +8,7 @@ namespace varimarch
 
 CellPiece PieceOf(const CellPart& part, const CellCorners& corners, const Ray& ray)
 {
-  // Round-off may put an end just outside the cell.
+  // Rounding may place an end just outside the cell.
   const auto place = [&](double t)
   {
     const glm::dvec3 position = ray.origin + t * ray.direction - glm::dvec3(part.cell);

@@ -8,7 +8,7 @@
 namespace varimarch
 {
 
-/// The part of a ray in one cell, and the cubic that the values are there over u in [0, 1].
+/// The part of a ray in one cell, and its values as a cubic over u in [0, 1].
 struct CellPiece
 {
   CellCubic cubic;
@@ -37,8 +37,8 @@ void WalkCells(const MeasuredRay& ray, Visit visit)
   }
 }
 
-/// Calls visit(part, corners) for the cells along a ray that have a value everywhere, front to
-/// back, until it returns false.
+/// Calls visit(part, corners) for the cells along a ray whose voxels are all finite, front to back,
+/// until it returns false.
 template <class Visit>
 void WalkFiniteCells(const ReferenceScene& scene, const MeasuredRay& ray, Visit visit)
 {
@@ -50,7 +50,7 @@ void WalkFiniteCells(const ReferenceScene& scene, const MeasuredRay& ray, Visit 
     });
 }
 
-/// Cuts a monotone part of a cubic where it goes from band to band; see CutIntoBands.
+/// Divides a monotone part of a cubic at the bounds of bands; see CutIntoBands.
 template <class Visit>
 bool CutMonotoneIntoBands(
   const CellCubic& cubic, const TransferBands& bands, double from, double to, Visit& visit)
@@ -78,8 +78,8 @@ bool CutMonotoneIntoBands(
   return true;
 }
 
-/// Calls visit(band, from, to) for the parts [from, to] of [0, 1] on which the cubic is within one
-/// band of values, in order, until it returns false. None is empty.
+/// Calls visit(band, from, to) for the parts [from, to] of [0, 1] on which the cubic stays within
+/// one band of values, in order, until it returns false. No part is empty.
 template <class Visit>
 void CutIntoBands(const CellCubic& cubic, const TransferBands& bands, Visit visit)
 {

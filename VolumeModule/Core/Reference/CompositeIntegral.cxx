@@ -8,7 +8,7 @@
 namespace varimarch
 {
 
-/// What a ray gathers, cell by cell.
+/// Accumulates the cells along one ray.
 class CompositeIntegral::Cells
 {
 public:
@@ -30,7 +30,7 @@ private:
 
   const CompositeIntegral& integral;
   const MeasuredRay& ray;
-  PieceLight light; ///< of the cell that is being added, where the scene is shaded
+  PieceLight light; ///< light in the current cell of a shaded scene
   CompositeSum sum;
 };
 

@@ -10,10 +10,9 @@ namespace varimarch
 
 /// The volume rendering integral of emission and absorption.
 ///
-/// The ray is cut at every cell face, and inside a cell, where the interpolated values are a cubic,
-/// wherever that cubic crosses a node of the transfer function. The pieces are smooth, and are
-/// integrated adaptively (SlabQuadrature); what is invisible, constant or opaque is exact. See
-/// Documentation/Mathematics.md.
+/// The ray is divided at all cell faces and, inside a cell, wherever its cubic crosses a node of
+/// the transfer function. The pieces are smooth and are integrated adaptively (SlabQuadrature);
+/// invisible, constant and opaque pieces are exact. See Documentation/Mathematics.md.
 class CompositeIntegral : public RayIntegral
 {
 public:

@@ -9,7 +9,7 @@ ReferenceColor CompositeSum::Color() const
   return { glm::dvec4(this->rgb, 1.0 - this->transmittance), this->error + leftOut };
 }
 
-/// Max, "Optical models for direct volume rendering" (IEEE TVCG 1995), equation 7.
+/// Source: Max, "Optical models for direct volume rendering" (IEEE TVCG 1995), equation 7.
 void CompositeSum::AddHomogeneous(const OpticalProperties& properties, double lengthMm)
 {
   if (properties.extinction == 0.0 || !(lengthMm > 0.0))

@@ -10,11 +10,11 @@
 namespace varimarch
 {
 
-/// Emission and absorption along one ray, built up front to back.
+/// Emission and absorption along one ray, accumulated front to back.
 class CompositeSum
 {
 public:
-  /// @param tolerance  largest error accepted of a channel
+  /// @param tolerance  largest accepted error of a channel
   CompositeSum(const SlabQuadrature& quadrature, double tolerance, double rayLengthMm)
     : quadrature(quadrature)
     , tolerance(tolerance)
@@ -22,15 +22,15 @@ public:
   {
   }
 
-  /// Whether what follows cannot be seen.
+  /// True if nothing behind can be seen.
   bool Finished() const { return this->transmittance < 0.1 * this->tolerance; }
 
   ReferenceColor Color() const;
 
   void AddHomogeneous(const OpticalProperties& properties, double lengthMm);
 
-  /// A part in which the properties are smooth, or nearly so.
-  /// @param propertiesAt  OpticalProperties at a parameter in (from, to)
+  /// Adds a part in which the optical properties are smooth, or nearly so.
+  /// @param propertiesAt  returns the OpticalProperties at a parameter in (from, to)
   template <class PropertiesAt>
   void AddVarying(const PropertiesAt& propertiesAt, double from, double to, double mmPerParameter);
 
@@ -63,8 +63,9 @@ void CompositeSum::AddBisected(
   {
     return;
   }
-  // A piece's share of the tolerance is its share of the ray, but not so small that a cut through
-  // the end of a curve, where extinction may have a pole, never gets there.
+  // A piece may use the fraction of the tolerance that it has of the ray's length. A lower limit
+  // lets the bisection end where it cuts through the end of a curve, at which extinction may have a
+  // pole.
   const double lengthMm = (to - from) * mmPerParameter;
   const double share = std::max(lengthMm / this->rayLengthMm, 0.01);
   std::array<OpticalProperties, SlabQuadrature::PointCount> samples;
@@ -72,7 +73,7 @@ void CompositeSum::AddBisected(
   {
     samples[i] = propertiesAt(from + (to - from) * this->quadrature.Points()[i]);
   }
-  // Beyond this depth the colour may come from a layer so thin that all points miss it.
+  // In deeper pieces the colour may come from a layer so thin that all points miss it.
   constexpr double deepest = 2.0;
   const SlabQuadrature::Slab slab = this->quadrature.Integral(samples, lengthMm);
   if (slab.opticalDepth <= deepest && !(this->transmittance * slab.error > share * this->tolerance))
@@ -85,7 +86,7 @@ void CompositeSum::AddBisected(
   const double middle = 0.5 * (from + to);
   if (bisections == 0)
   {
-    // As thin as round-off: what is this dense here is a surface.
+    // The piece is as thin as rounding errors; matter so dense is treated as a surface.
     this->error += this->transmittance * std::min(1.0, slab.opticalDepth);
     this->AddHomogeneous(propertiesAt(middle), lengthMm);
     return;

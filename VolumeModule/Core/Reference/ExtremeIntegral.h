@@ -12,8 +12,8 @@ enum class Extreme
   Smallest,
 };
 
-/// Maximum and minimum intensity: the extreme value along the ray, seen through the transfer
-/// function over one unit distance. Exact but for round-off.
+/// Maximum and minimum intensity: the extreme value along the ray, through the transfer function,
+/// over one unit distance. Exact up to rounding.
 class ExtremeIntegral : public RayIntegral
 {
 public:
@@ -22,7 +22,7 @@ public:
 
 private:
   ReferenceScene scene;
-  double sign; ///< the extreme is the largest of sign * value
+  double sign; ///< 1 or -1: the extreme is the largest sign * value
 };
 
 }

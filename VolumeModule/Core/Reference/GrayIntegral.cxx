@@ -15,7 +15,7 @@ constexpr ValueRange everything = { -std::numeric_limits<double>::infinity(),
 
 }
 
-/// A part of a ray that lies in one cell and one band.
+/// A part of a ray in one cell and one band.
 struct GrayIntegral::Part
 {
   const CellPiece& piece;

@@ -8,8 +8,8 @@
 namespace varimarch
 {
 
-/// What average and additive intensity share: the integral of opacity(v) * gray(v) along a ray,
-/// where gray(v) goes from 0 to 1 over the scene's gray range. See Documentation/Mathematics.md.
+/// Base of average and additive intensity: the integral of opacity(v) * gray(v) along a ray, where
+/// gray(v) rises from 0 to 1 over the scene's gray range. See Documentation/Mathematics.md.
 class GrayIntegral : public RayIntegral
 {
 protected:
@@ -18,14 +18,15 @@ protected:
   struct Sum
   {
     double integral = 0.0; ///< [mm]
-    double lengthMm = 0.0; ///< of the parts that count
-    double error = 0.0;    ///< estimate, of the integral
+    double lengthMm = 0.0; ///< length of the parts that count [mm]
+    double error = 0.0;    ///< estimated error of the integral
   };
 
-  /// @param errorPerMm  largest error accepted of the integral over a length
+  /// @param counted  range of the values that count
+  /// @param errorPerMm  largest accepted error of the integral, per length
   Sum SumAlong(const MeasuredRay& ray, ValueRange counted, double errorPerMm) const;
 
-  /// A sum times a factor, at most 1, in white on black; clear where nothing counts.
+  /// The sum times a factor, at most 1, as white on black; transparent if nothing counts.
   static ReferenceColor White(const Sum& sum, double perMm);
 
   ReferenceScene scene;
@@ -35,7 +36,7 @@ private:
   struct Part;
   void AddPart(Sum& sum, const Part& part, double from, double to, int bisections) const;
 
-  TransferBands bands; ///< of the opacity, cut at the ends of the averaged range too
+  TransferBands bands; ///< bands of the opacity, also divided at the ends of the averaged range
   SlabQuadrature quadrature;
 };
 
@@ -47,7 +48,7 @@ public:
   ReferenceColor Along(const MeasuredRay& ray) const override;
 };
 
-/// The integral of opacity * gray over lengths in unit distances.
+/// The integral of opacity * gray, with lengths in unit distances.
 class AdditiveIntegral : public GrayIntegral
 {
 public:

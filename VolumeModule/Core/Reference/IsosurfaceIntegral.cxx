@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-/// The surfaces that a ray has passed.
+/// Accumulates the surfaces that a ray passes.
 class SurfaceSum
 {
 public:
@@ -21,7 +21,7 @@ public:
   {
   }
 
-  /// @return whether what is behind the cell can be seen
+  /// @return true if what is behind the cell can be seen
   bool AddCell(const CellPart& part, const CellCorners& corners);
 
   glm::dvec4 Color() const { return { this->rgb, 1.0 - this->transmittance }; }
@@ -35,14 +35,15 @@ private:
   glm::dvec3 rgb = glm::dvec3(0.0);
   double transmittance = 1.0;
 
-  double lastExit = std::numeric_limits<double>::quiet_NaN(); ///< of the cell before [parameter]
-  double lastValue = 0.0;                                     ///< there
+  /// Exit of the previous cell [ray parameter].
+  double lastExit = std::numeric_limits<double>::quiet_NaN();
+  double lastValue = 0.0; ///< value at that exit
 };
 
 bool SurfaceSum::AddCell(const CellPart& part, const CellCorners& corners)
 {
-  // Both cells at a face know the value there, but for round-off. Were both used, a surface at the
-  // face might be passed never, or twice.
+  // Rounding makes the two cells at a face disagree about the value there. If each used its own, a
+  // ray might miss a surface at the face, or pass it twice.
   CellPiece piece = PieceOf(part, corners, this->ray.grid);
   if (part.t.enter == this->lastExit)
   {
@@ -63,7 +64,7 @@ void SurfaceSum::AddMonotone(const CellPart& part, const CellCubic& cubic, doubl
 {
   const double first = cubic.Value(from);
   const double last = cubic.Value(to);
-  // What is passed lies above the smaller end, and not above the larger.
+  // The ray passes the isovalues above the smaller end, up to and including the larger.
   const std::vector<double>& values = this->scene.isovalues;
   const auto begin = std::upper_bound(values.begin(), values.end(), std::min(first, last));
   const auto end = std::upper_bound(begin, values.end(), std::max(first, last));

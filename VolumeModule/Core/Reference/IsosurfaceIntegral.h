@@ -6,19 +6,19 @@
 namespace varimarch
 {
 
-/// Surfaces of equal value, front to back: each has the colour, shaded where the scene says how,
-/// and the opacity that the transfer function gives its value. A surface is where the ray goes from
-/// below its value to at least it, or back; what lies at the volume's own faces is none. Exact but
-/// for round-off.
+/// Surfaces of equal value, front to back. Each has the colour (shaded if the scene is) and the
+/// opacity that the transfer function assigns to its value. A ray passes a surface where it goes
+/// from below the isovalue to at least the isovalue, or back. The faces of the volume are not
+/// surfaces. Exact up to rounding.
 class IsosurfaceIntegral : public RayIntegral
 {
 public:
-  /// Values that are not finite are no surfaces.
+  /// Ignores isovalues that are not finite.
   explicit IsosurfaceIntegral(ReferenceScene scene);
   ReferenceColor Along(const MeasuredRay& ray) const override;
 
 private:
-  ReferenceScene scene; ///< its isovalues sorted, each once
+  ReferenceScene scene; ///< with sorted, unique isovalues
 };
 
 }

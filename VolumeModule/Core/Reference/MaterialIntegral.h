@@ -7,11 +7,11 @@
 namespace varimarch
 {
 
-/// The volume rendering integral of any material: of the scene only its box and its material count.
+/// The volume rendering integral of any material. Uses only the scene's box and its material.
 ///
-/// The ray is cut at the faces of cells and half way between, where labels of voxels change; the
-/// pieces are bisected until the quadrature finds each smooth enough. So it needs no knowledge of
-/// where a material has kinks, and takes its time.
+/// The ray is divided at the faces of cells and halfway between, where labels of voxels change.
+/// Pieces are bisected until the quadrature finds them smooth enough. This needs no knowledge of a
+/// material's kinks, but is slow.
 class MaterialIntegral : public RayIntegral
 {
 public:

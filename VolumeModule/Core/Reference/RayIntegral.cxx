@@ -34,7 +34,8 @@ std::unique_ptr<const RayIntegral> NewRayIntegral(ReferenceScene scene, double t
     case Blend::Slice:
       break;
   }
-  throw std::invalid_argument("Reference: there is none for slices");
+  throw std::invalid_argument(
+    "Reference image: slices are not supported; choose another blend mode");
 }
 
 }

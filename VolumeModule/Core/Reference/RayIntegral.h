@@ -14,17 +14,17 @@ namespace varimarch
 struct ReferenceColor
 {
   glm::dvec4 rgba; ///< premultiplied
-  double error;    ///< estimate of the largest error of a channel
+  double error;    ///< estimated largest error of a channel
 };
 
-/// The parts of a ray that count, and how long its parameter is.
+/// A ray in grid space with the parts of it that count, and the length of its parameter.
 struct MeasuredRay
 {
   Ray grid;
   double mmPerParameter;       ///< > 0
   std::vector<Interval> parts; ///< front to back; each finite, not empty
 
-  /// From the beginning of the first part to the end of the last.
+  /// Length from the beginning of the first part to the end of the last.
   double LengthMm() const
   {
     return (this->parts.back().exit - this->parts.front().enter) * this->mmPerParameter;
@@ -32,7 +32,8 @@ struct MeasuredRay
   glm::dvec3 PositionGrid(double t) const { return this->grid.origin + t * this->grid.direction; }
 };
 
-/// What one blend mode makes of a ray, to a tolerance; one class, and one file, for each mode.
+/// The integral along a ray for one blend mode, to a tolerance. Each blend mode has its class and
+/// file.
 class RayIntegral
 {
 public:
@@ -40,7 +41,8 @@ public:
   virtual ReferenceColor Along(const MeasuredRay& ray) const = 0;
 };
 
-/// The one for the scene's blend mode.
+/// Creates the integral for the scene's blend mode.
+/// @throws std::invalid_argument for slices, which have none
 std::unique_ptr<const RayIntegral> NewRayIntegral(ReferenceScene scene, double tolerance);
 
 }

@@ -28,7 +28,7 @@ ReferenceColor PixelColor(
 
 using Tile = tbb::blocked_range2d<int>;
 
-/// What the threads share.
+/// State that the threads share.
 class Drawing
 {
 public:

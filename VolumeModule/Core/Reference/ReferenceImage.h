@@ -13,12 +13,12 @@
 namespace varimarch
 {
 
-/// Where a reference image is taken from: pixels and rays as the mapper has them.
+/// The view of a reference image, with pixels and rays as the mapper has them.
 struct ReferenceView
 {
   PixelRays rays;
-  glm::dmat3 worldFromGridDirection; ///< the world in mm
-  int width;                         ///< pixels
+  glm::dmat3 worldFromGridDirection; ///< transform of directions to world space [mm]
+  int width;                         ///< [pixels]
   int height;
 };
 
@@ -26,16 +26,16 @@ struct ReferenceImage
 {
   int width;
   int height;
-  std::vector<float> rgba; ///< premultiplied, row 0 is the lowest
-  double largestError;     ///< the largest of the pixels' error estimates
+  std::vector<float> rgba; ///< premultiplied; the first row is the lowest
+  double largestError;     ///< largest of the pixels' error estimates
 };
 
-/// Told the part of the work that is done, (0, 1]; returns false to give up. Never called by two
-/// threads at a time.
+/// Receives the finished fraction of the work, (0, 1]; returns false to cancel. Never called by two
+/// threads at once.
 using ProgressFunction = std::function<bool(double)>;
 
-/// Integrates the ray of every pixel's centre, on all cores.
-/// @return nothing when `progress` gave up
+/// Integrates the ray through each pixel's centre, on all cores.
+/// @return nothing if `progress` cancelled
 /// @throws std::invalid_argument for an image without pixels
 std::optional<ReferenceImage> DrawReference(const ReferenceIntegrator& integrator,
   const ReferenceView& view, const ProgressFunction& progress = {});

@@ -8,7 +8,7 @@ namespace varimarch
 
 ReferenceIntegrator::ReferenceIntegrator(const ReferenceScene& scene, double tolerance)
   : boxGrid(scene.boxGrid)
-  , leftOf(scene.leftOf)
+  , uncutParts(scene.uncutParts)
   , integral(NewRayIntegral(scene, tolerance))
 {
   if (!(tolerance >= SmallestTolerance))
@@ -31,11 +31,11 @@ ReferenceColor ReferenceIntegrator::Color(
   {
     return { transparent, 0.0 };
   }
-  if (!this->leftOf)
+  if (!this->uncutParts)
   {
     return this->integral->Along({ rayGrid, mmPerParameter, { inside } });
   }
-  const std::vector<Interval> left = this->leftOf(rayGrid, inside);
+  const std::vector<Interval> left = this->uncutParts(rayGrid, inside);
   return left.empty() ? ReferenceColor{ transparent, 0.0 }
                       : this->integral->Along({ rayGrid, mmPerParameter, left });
 }

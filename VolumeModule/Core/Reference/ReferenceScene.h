@@ -21,48 +21,50 @@ struct ValueRange
   double upper;
 };
 
-/// The light along the part of a ray in one cell, over u in [0, 1].
+/// Light along the part of a ray in one cell, over u in [0, 1].
 struct PieceLight
 {
-  /// What is emitted at u, where the transfer function's colour is rgb.
+  /// Emitted colour at u for a colour rgb of the transfer function.
   std::function<glm::dvec3(glm::dvec3 rgb, double u)> emitted;
-  std::vector<double> kinks = {}; ///< where it is not smooth, sorted, in (0, 1)
+  std::vector<double> kinks = {}; ///< sorted parameters in (0, 1) at which the light is not smooth
 };
 
-/// What the reference draws. A cell with a voxel that is not finite is left out: it is transparent
-/// but for `gap`, no maximum or minimum, no part of an average, and no surface bounds it.
+/// A scene for the reference integrator. A cell with a non-finite voxel is left out: it is
+/// transparent unless `gap` is visible, it does not count in projections, and it has no
+/// isosurfaces.
 struct ReferenceScene
 {
-  /// The voxels, as [&grid](glm::ivec3 cell) { return CornersOfCell(grid, cell); } gives them.
+  /// The values at a cell's corners, such as [&grid](glm::ivec3 cell) { return CornersOfCell(grid,
+  /// cell); }
   std::function<CellCorners(glm::ivec3)> cornersOfCell;
-  Box boxGrid; ///< what is drawn; beyond the voxels their outermost values go on
+  Box boxGrid; ///< the volume; outside the outermost voxels their values continue
   TransferFunction transferFunction;
   Blend blend = Blend::Composite;
 
-  /// The light along a part of a ray, such as HeadLightShading; none: colours are emitted as they
-  /// are. Composite and isosurface only.
+  /// The light along a part of a ray, such as HeadLightShading; without it, colours are emitted
+  /// unchanged. For composites and isosurfaces.
   std::function<PieceLight(const CellPart& part, const Ray& rayGrid)> shade = {};
 
-  /// Average and additive: the values that are black and white, those of the darkest and the
-  /// brightest voxel for VTK's picture.
+  /// For average and additive intensity: the values shown as black and white. VTK uses the smallest
+  /// and the largest voxel value.
   ValueRange grayRange = { 0.0, 1.0 };
 
-  /// Average: only these values count, both ends included.
+  /// For average intensity: the values that count, both ends included.
   ValueRange averagedRange = { -std::numeric_limits<double>::infinity(),
     std::numeric_limits<double>::infinity() };
 
-  /// Isosurface: a surface bounds what is at least this value; any order.
+  /// For isosurfaces: isovalues in any order. A surface encloses what is at least its isovalue.
   std::vector<double> isovalues = {};
 
-  /// Composite: what a point looks like along a ray, in place of voxels, transfer function and
-  /// light; smooth within halves of cells. None: they tell.
+  /// For composites: the optical properties at a position on a ray, smooth within halves of cells.
+  /// If set, they replace voxels, transfer function and light.
   std::function<OpticalProperties(glm::dvec3 positionGrid, const Ray& rayGrid)> material = {};
 
-  /// Composite: the homogeneous material, not lit, of cells that touch a voxel that is not finite.
+  /// For composites: the homogeneous, unshaded material of cells that touch a non-finite voxel.
   OpticalProperties gap = { glm::dvec3(0.0), 0.0 };
 
-  /// What cuts leave of the part of a ray inside the box, front to back; none: all of it.
-  std::function<std::vector<Interval>(const Ray& rayGrid, Interval inside)> leftOf = {};
+  /// The parts of a ray inside the box that cuts leave, front to back; without it, all of the ray.
+  std::function<std::vector<Interval>(const Ray& rayGrid, Interval inside)> uncutParts = {};
 };
 
 }

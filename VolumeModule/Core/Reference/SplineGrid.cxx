@@ -13,7 +13,7 @@ namespace varimarch
 namespace
 {
 
-// The cubic B-splines around 0, 1, 2 and 3 at 1 + u, or their derivatives.
+// Weights at 1 + u of the cubic B-splines centred at 0, 1, 2 and 3, or of their derivatives.
 std::array<double, 4> WeightsAt(double u, bool derivative)
 {
   const double v = 1.0 - u;

@@ -8,19 +8,18 @@
 namespace varimarch
 {
 
-/// Voxels with a tricubic spline through them, in double precision: what ReferenceScene::material
-/// is made of where pictures are interpolated so.
-///
-/// Positions are in grid space, as in ScalarGrid; those outside are clamped to the nearest face.
+/// Voxels and the tricubic spline through them, in double precision. It provides
+/// ReferenceScene::material for images with cubic interpolation. Positions are in grid space, as in
+/// ScalarGrid, and are clamped to the nearest face.
 class SplineGrid
 {
 public:
-  /// @param voxels  finite, x fastest
+  /// @param voxels  finite values, x fastest
   SplineGrid(std::vector<double> voxels, glm::ivec3 dimensions);
 
   double Value(glm::dvec3 positionGrid) const;
 
-  /// The derivatives along the axes, per voxel.
+  /// Derivatives along the axes, per voxel.
   glm::dvec3 Gradient(glm::dvec3 positionGrid) const;
 
 private:
