@@ -47,8 +47,8 @@ public:
   vtkVariationFieldVolumeMapper* GetVariationFieldMapper();
 
   /**
-   * Why VTK's own mapper drew the last frame: sentences that name the unsupported features. Empty
-   * if the variation field mapper drew it.
+   * The reason why VTK's own mapper drew the last frame: sentences that name the unsupported
+   * features. Empty if the variation field mapper drew it.
    */
   const char* GetReasonForVtkMapper();
 

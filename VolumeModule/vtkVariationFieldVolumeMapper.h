@@ -110,11 +110,11 @@ public:
 
   ///@{
   /**
-   * How rays skip samples. OpticalField knows the transfer function: rays leave invisible parts at
-   * once and cross parts of constant look in one step, with an error of at most 1/255 in a
-   * premultiplied colour channel. For a maximum or minimum, rays skip what cannot change the
-   * extreme found so far; sums and averages skip only if they include all scalar values. Default:
-   * OpticalField.
+   * The field by which rays skip samples. OpticalField knows the transfer function: rays leave
+   * invisible parts at once and cross parts of constant look in one step, with an error of at most
+   * 1/255 in a premultiplied colour channel. For a maximum or minimum, rays skip what cannot change
+   * the extreme found so far; sums and averages skip only if they include all scalar values.
+   * Default: OpticalField.
    */
   vtkSetClampMacro(AccelerationMode, int, Off, OpticalField);
   vtkGetMacro(AccelerationMode, int);
@@ -165,9 +165,9 @@ public:
 
   ///@{
   /**
-   * How a composite is integrated between samples. If opacity or colour depend on gradients or on
-   * several values, as shaded colours do, there are two rules: Midpoint, and one that is linear
-   * between samples and takes four parts per segment, which all others then mean. For these
+   * The rule that integrates a composite between samples. If opacity or colour depend on gradients
+   * or on several values, as shaded colours do, there are two rules: Midpoint, and one that is
+   * linear between samples and takes four parts per segment, which all others then mean. For these
    * materials Automatic without an error tolerance is the latter. Default: Automatic.
    */
   vtkSetClampMacro(IntegrationRule, int, Automatic, PublishedSum);
@@ -268,7 +268,7 @@ public:
 
   ///@{
   /**
-   * Where the gradient is smaller than this, diffuse and specular light are reduced in proportion.
+   * A gradient magnitude below which diffuse and specular light are reduced in proportion.
    * A homogeneous material, whose gradient is noise, then keeps only its ambient light, and
    * surfaces stand out. Units: scalar value per mean voxel spacing, as for gradient opacity.
    * Applies to volumes of one component. Default: 0, no reduction. Source: Volt (2009).
@@ -481,8 +481,8 @@ public:
 
   ///@{
   /**
-   * How often each resource was built since this mapper was made. Documentation/Architecture.md
-   * lists which change rebuilds which of them.
+   * Number of times that each resource was built since this mapper was made.
+   * Documentation/Architecture.md lists which change rebuilds which of them.
    */
   int GetVolumeTextureBuilds(); ///< uploads of new scalars
   int GetBlockUploads();        ///< of the volume, or of the blocks it is drawn in

@@ -26,8 +26,8 @@ bool IsFormat(int format)
 
 }
 
-/// What was read. The image stays here only from RequestInformation to RequestData, which returns
-/// it.
+/// The volume that was read. The image stays here only from RequestInformation to RequestData,
+/// which returns it.
 struct vtkVolumeFileReader::Contents
 {
   varimarch::Volume Volume;

@@ -12,7 +12,7 @@
 namespace varimarch
 {
 
-/// How extreme values become colours: by a transfer function, over one unit distance.
+/// The look of extreme values: a transfer function, applied over one unit distance.
 struct ExtremeLook
 {
   const OpticalTable& table;

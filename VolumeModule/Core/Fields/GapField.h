@@ -9,7 +9,8 @@
 namespace varimarch
 {
 
-/// Whether a voxel or cell is drawn. Ordered: a region has the least presence of its parts.
+/// Visibility of a voxel or cell. The values are ordered: a region has the least presence of its
+/// parts.
 enum class Presence : std::uint8_t
 {
   NoValue, ///< its value is not finite

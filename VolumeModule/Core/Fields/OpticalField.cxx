@@ -137,7 +137,7 @@ std::vector<int> InvisibleUntil(const std::vector<glm::vec4>& entries)
   return until;
 }
 
-// What a step of the ranges implies for a brick whose range begins or ends with it. Computed once
+// Consequences of a range step for the bricks whose range begins or ends with it. Computed once
 // per step, because there are a thousand bricks per step.
 struct StepLook
 {

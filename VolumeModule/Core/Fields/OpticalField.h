@@ -11,8 +11,8 @@
 namespace varimarch
 {
 
-/// How far a ray may go before what is *seen* changes: a variation field that takes the transfer
-/// function into account. One byte per brick of BrickRanges:
+/// A field that says how far a ray may go before what is *seen* changes: a variation field that
+/// takes the transfer function into account. One byte per brick of BrickRanges:
 ///   0            structured: sample it
 ///   1            homogeneous: one sample stands for the whole brick
 ///   128 + k      invisible, as are all bricks [b - k, b + k] on each axis, clipped to the volume:

@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-// Which blocks of bricks contain something visible, with a border of empty blocks.
+// A flag for each block of bricks that contains something visible, with a border of empty blocks.
 class VisibleBlocksOfBricks
 {
 public:

@@ -11,7 +11,8 @@
 namespace varimarch
 {
 
-/// Which bricks of a field are visible: all that stays in main memory once a device has the field.
+/// A flag for each brick of a field that is visible: all that stays in main memory once a device
+/// has the field.
 class VisibleBricks
 {
 public:

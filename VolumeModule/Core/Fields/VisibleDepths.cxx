@@ -66,7 +66,7 @@ public:
   }
 
   // Returns nothing if the block may touch the plane of the eye.
-  std::optional<Rectangle> Of(const glm::vec3& centerGrid) const
+  std::optional<Rectangle> RectangleOf(const glm::vec3& centerGrid) const
   {
     const glm::vec4 clip = this->matrix * glm::vec4(centerGrid, 1.0f);
     if (!(clip.w > 1.01f * this->weightReach))
@@ -140,7 +140,7 @@ void DrawNext(VisibleLayer& layer, const Projection& projection, const VisibleBl
     const std::size_t end = std::min(first + BlocksAtATime, count);
     for (std::size_t i = first; i < end && layer.isBounded; ++i)
     {
-      const std::optional<Rectangle> block = projection.Of(blocks.centersGrid[i]);
+      const std::optional<Rectangle> block = projection.RectangleOf(blocks.centersGrid[i]);
       layer.isBounded = block.has_value();
       if (block)
       {

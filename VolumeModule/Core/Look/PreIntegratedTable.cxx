@@ -32,7 +32,7 @@ struct Prefix
 };
 
 /// The sums over one interval, in which colour and extinction are linear.
-Prefix OfInterval(const glm::vec4& first, const glm::vec4& last)
+Prefix SumsOfInterval(const glm::vec4& first, const glm::vec4& last)
 {
   const glm::dvec4 a(first);
   const glm::dvec4 b(last);
@@ -65,12 +65,12 @@ Nodes NodesOf(const OpticalTable& table, int size)
     const double position = node * entriesPerNode;
     for (; interval < std::min(std::size_t(position), lastInterval); ++interval)
     {
-      sum = sum.Plus(OfInterval(table.entries[interval], table.entries[interval + 1]), 1.0);
+      sum = sum.Plus(SumsOfInterval(table.entries[interval], table.entries[interval + 1]), 1.0);
     }
     const double part = position - double(interval);
     const glm::vec4 entry =
       glm::mix(table.entries[interval], table.entries[interval + 1], float(part));
-    nodes.sums.push_back(sum.Plus(OfInterval(table.entries[interval], entry), part));
+    nodes.sums.push_back(sum.Plus(SumsOfInterval(table.entries[interval], entry), part));
     nodes.entries.push_back(entry);
   }
   return nodes;

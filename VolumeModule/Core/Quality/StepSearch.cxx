@@ -38,7 +38,7 @@ double ErrorPerChange(double order, double halvings)
   return 1.0 / (1.0 - std::exp2(-order * halvings));
 }
 
-double OfLimit(const ImageError& error, const ErrorLimit& limit)
+double FractionOfLimit(const ImageError& error, const ErrorLimit& limit)
 {
   constexpr double Infinite = 1e12; // stands for NaN
   return std::min(
@@ -144,7 +144,7 @@ private:
     {
       const double factor = ErrorPerChange(order, halvings);
       return Trial{ distance, factor * change.percentile999 / 255.0,
-        factor * OfLimit(change, this->limit) };
+        factor * FractionOfLimit(change, this->limit) };
     };
     // If the error falls more slowly than assumed, the finer distance has removed less of it.
     this->UpdateOrder(trialOf(SupposedOrder));
@@ -273,7 +273,7 @@ double DifferenceOfLimit(
 double ErrorOfLimit(
   const std::vector<float>& picture, const std::vector<float>& exact, const ErrorLimit& limit)
 {
-  return OfLimit(CompareImages(picture.data(), exact.data(), picture.size() / 4), limit);
+  return FractionOfLimit(CompareImages(picture.data(), exact.data(), picture.size() / 4), limit);
 }
 
 }

@@ -7,7 +7,7 @@
 namespace varimarch
 {
 
-/// How rays skip samples.
+/// The rule by which rays skip samples.
 enum class Acceleration
 {
   Off,          ///< all steps have the sample distance
@@ -15,10 +15,10 @@ enum class Acceleration
   OpticalField, ///< skips bricks by what the transfer function makes of their values
 };
 
-/// How a composite is integrated along a segment of the ray. The number of samples per segment
-/// follows from the sample distance, so that the rules compare at equal cost in texture fetches.
-/// Materials that depend on more than one value have two rules: Midpoint, and PreIntegrated for all
-/// others.
+/// The rule that integrates a composite along a segment of the ray. The number of samples per
+/// segment follows from the sample distance, so that the rules compare at equal cost in texture
+/// fetches. Materials that depend on more than one value have two rules: Midpoint, and
+/// PreIntegrated for all others.
 enum class Integration
 {
   Midpoint,      ///< constant, with the value in the middle; order 2
@@ -28,7 +28,7 @@ enum class Integration
   PublishedSum,  ///< the first sample, repeated, for comparison; order 1
 };
 
-/// How the samples along a ray become a pixel.
+/// The blend mode: the way in which samples along a ray become a pixel.
 enum class Blend
 {
   Composite,        ///< emission and absorption, front to back
@@ -83,7 +83,7 @@ enum class Mask
   Labels, ///< selects a voxel's transfer functions; composites of one component only
 };
 
-/// Which processor marches the rays of an image.
+/// The processor that marches the rays of an image.
 enum class Marcher
 {
   Device,    ///< the graphics device, in a shader
@@ -98,7 +98,7 @@ enum class Marching
   Before  ///< the shader shows the colours that the CPU has computed
 };
 
-/// What one drawing does with the rays of an image.
+/// The work of one drawing on the rays of an image.
 enum class RayPass
 {
   Whole,    ///< marches rays through the whole volume
