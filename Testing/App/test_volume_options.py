@@ -100,7 +100,7 @@ def rectify(folder):
             dicom_slice("1.2.33", number, 16, 16, "0\\0.96\\-0.28", pixels))
     text, warnings = run("info", folder / "scan", "--json", folder / "scanned.json")
     assert "--rectify resamples them" in text, text
-    assert "tilted by 16.26 degrees; each slice is drawn where it lay" in warnings, warnings
+    assert "tilted by 16.26 degrees; each slice is drawn at its true position" in warnings, warnings
     text, warnings = run("info", folder / "scan", "--rectify", "--json", folder / "rectified.json")
     assert "resampled on an even grid\n" in text and "resampled on an even grid" in warnings
     scanned, rectified = (json.loads((folder / f"{name}.json").read_text())["volume"]

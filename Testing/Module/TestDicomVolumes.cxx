@@ -184,7 +184,7 @@ TEST(DicomVolumes, AnIndexOfMissingImagesIsRefused)
   const std::string message = reader->GetErrorMessage();
   EXPECT_EQ(message,
     "Cannot read \"" + folder.Path("CT/slice0.dcm") +
-      "\": expected a file, found nothing of that name.");
+      "\": expected an existing file, found no file of this name.");
   EXPECT_EQ(errors.Messages().size(), 1u) << errors.Text();
 }
 
@@ -234,8 +234,9 @@ TEST(DicomVolumes, UnevenSlicesAreAWarningThatNamesTheWidestGap)
   reader->SetFileName(folder.Path("images").c_str());
   reader->Update();
   ASSERT_STREQ(reader->GetErrorMessage(), "");
-  EXPECT_NE(Warnings(reader).find("Slices lie 1 to 1.2 mm apart, most between \"slice1.dcm\" and "
-                                  "\"slice2.dcm\""),
+  EXPECT_NE(
+    Warnings(reader).find("Slices are 1 to 1.2 mm apart, farthest between \"slice1.dcm\" and "
+                          "\"slice2.dcm\""),
     std::string::npos)
     << Warnings(reader);
 }

@@ -254,7 +254,7 @@ TEST_F(RectifiedSlices, AtUnevenDistancesLieWhereTheyWereScanned)
   ExpectOrthonormal(image);
   EXPECT_EQ(image->GetDimensions()[1], 10);
   ExpectTrue(scan, image);
-  EXPECT_TRUE(this->IsTold("Slices lie 2 to 3.75 mm apart"));
+  EXPECT_TRUE(this->IsTold("Slices are 2 to 3.75 mm apart"));
   EXPECT_FALSE(this->IsTold("drawn"));
 }
 
@@ -277,7 +277,7 @@ TEST_F(RectifiedSlices, MayBeTiltedAndUnevenAtOnce)
   ExpectOrthonormal(image);
   ExpectTrue(scan, image);
   this->Read(scan, false);
-  EXPECT_FALSE(this->IsTold("shapes are true"));
+  EXPECT_FALSE(this->IsTold("shapes are correct"));
   EXPECT_TRUE(this->IsTold("are drawn"));
 }
 
@@ -308,7 +308,7 @@ TEST_F(RectifiedSlices, StayAsScannedUnlessAskedFor)
   const Scan scan(Tilted(), Evenly(9));
   EXPECT_EQ(this->Read(scan, false)->GetDimensions()[1], 10);
   EXPECT_TRUE(this->reader->HasIrregularSlices());
-  EXPECT_TRUE(this->IsTold("each slice is drawn where it lay"));
+  EXPECT_TRUE(this->IsTold("each slice is drawn at its true position"));
 }
 
 TEST_F(RectifiedSlices, AreRefusedIfTheyDoNotFitTheMemory)

@@ -77,7 +77,7 @@ TEST(VolumeFileReader, AMissingFileIsOneErrorAndAnEmptyOutput)
   EXPECT_EQ(reader->GetErrorCode(), (unsigned long)vtkErrorCode::FileNotFoundError);
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_STREQ(reader->GetErrorMessage(),
-    "Cannot read \"/nowhere/head.nii\": expected a file, found nothing of that name.");
+    "Cannot read \"/nowhere/head.nii\": expected an existing file, found no file of this name.");
 }
 
 }

@@ -1,8 +1,9 @@
-// The object factory that makes our mapper where a program asks for vtkGPUVolumeRayCastMapper.
+// The object factory that creates the module's mapper when a program asks for
+// vtkGPUVolumeRayCastMapper.
 //
-// It links to VTK's core alone, and loads our module with the first mapper. That keeps programs
-// without volumes as they are, and it has to be so: VTK takes the factory that was registered
-// first, and the libraries that the module needs register VTK's own as soon as they are loaded.
+// It links only to VTK's core, and loads the module with the first mapper. Programs without volumes
+// are therefore not affected. It also has to be so: VTK uses the factory that was registered first,
+// and the module's libraries register VTK's own factory as soon as they are loaded.
 
 #include "PluginNames.h"
 
@@ -37,7 +38,7 @@ NewMapper LoadNewMapper()
   return reinterpret_cast<NewMapper>(newMapper);
 }
 
-// Nothing, where our module cannot be loaded: then VTK asks the next factory, its own.
+// Returns null if the module cannot be loaded; VTK then asks the next factory, its own.
 vtkObject* CreateMapper()
 {
   static const NewMapper newMapper = LoadNewMapper();
@@ -56,7 +57,8 @@ public:
 protected:
   vtkVarimarchObjectFactory()
   {
-    // Disabled, it is still there, so that a program may enable it with SetAllEnableFlags.
+    // A disabled override is registered too, so that a program can enable it with
+    // SetAllEnableFlags.
     this->RegisterOverride("vtkGPUVolumeRayCastMapper", "vtkVariationFieldGPUVolumeRayCastMapper",
       "Varimarch", !IsDisabled(), CreateMapper);
   }

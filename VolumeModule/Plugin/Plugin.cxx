@@ -1,8 +1,8 @@
-// What VTK loads from VTK_AUTOLOAD_PATH. It links to no VTK, so that it loads into a program of any
-// VTK, and can say there why it does not fit, instead of pulling a second VTK into the process.
-// VTK asks vtkGetFactoryVersion, and takes the factory if the answer is its own version; any other
-// answer stands in the warning with which it rejects the factory, and its own mapper goes on
-// drawing.
+// The library that VTK loads from VTK_AUTOLOAD_PATH. It does not link to VTK, so that it can be
+// loaded into a program with any VTK, and can report a mismatch there instead of loading a second
+// VTK into the process. VTK calls vtkGetFactoryVersion and accepts the factory if the answer equals
+// its own version. Any other answer appears in VTK's warning that it rejects the factory, and VTK's
+// own mapper draws.
 
 #include "PluginNames.h"
 
@@ -17,7 +17,7 @@ namespace
 
 using NewFactory = vtkObjectFactory* (*)();
 
-// Never closed: what the factory has made may outlive it.
+// Never closed, because objects that the factory has created may outlive it.
 NewFactory FindNewFactory()
 {
   static void* const library = dlopen(varimarch::FactoryLibraryName, RTLD_NOW);
@@ -27,7 +27,7 @@ NewFactory FindNewFactory()
 
 std::string AnswerForVersion()
 {
-  // VTK of the same version from another package would be another copy beside the program's own.
+  // The same version of VTK from another package would be a second copy in the program.
   if (!dlopen(varimarch::VtkLibraryName, RTLD_LAZY | RTLD_NOLOAD))
   {
     return std::string(varimarch::VtkVersion) + " as in " + varimarch::VtkLibraryName +

@@ -29,7 +29,7 @@ public:
     this->file.read(static_cast<char*>(buffer), std::streamsize(count));
     if (this->file.bad())
     {
-      FailToRead(this->path, "a file that can be read to its end", "an input error");
+      FailToRead(this->path, "a file that can be read to its end", "a read error");
     }
     return std::size_t(this->file.gcount());
   }
@@ -47,7 +47,7 @@ public:
     , file(path, offset)
     , input(1 << 16)
   {
-    // 15: the largest window; 32: tell gzip from zlib by the header.
+    // 15 is the largest window; adding 32 makes zlib detect gzip or zlib from the header.
     if (inflateInit2(&this->state, 15 + 32) != Z_OK)
     {
       throw std::bad_alloc();
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  /// One call of zlib's inflate, with input at hand.
+  /// Calls zlib's inflate once, with input available.
   void Inflate()
   {
     if (this->state.avail_in == 0 && !this->FillInput())
@@ -98,7 +98,7 @@ private:
     return this->state.avail_in > 0;
   }
 
-  /// A gzip file may be several, one after another; anything else behind the end is ignored.
+  /// Continues with the next member of a gzip file; ignores anything else after the end.
   void StartNextMember()
   {
     const bool more = this->state.avail_in > 0 || this->FillInput();

@@ -9,37 +9,37 @@
 namespace varimarch
 {
 
-/// Bytes of a file, one after another, decompressed on the way when need be.
+/// A stream of a file's bytes, decompressed if necessary.
 class ByteStream
 {
 public:
   virtual ~ByteStream() = default;
 
-  /// Fills the buffer; less than `count` bytes only at the end.
+  /// Fills the buffer; returns less than `count` bytes only at the end.
   /// @returns the number of bytes
-  /// @throws std::runtime_error for a corrupt compressed stream or a failing disk
+  /// @throws std::runtime_error if a compressed stream is corrupt or reading fails
   virtual std::size_t Read(void* buffer, std::size_t count) = 0;
 
-  /// Passes over bytes. @returns how many there were, at most `count`
+  /// Skips bytes. @returns the number of skipped bytes, at most `count`
   std::uint64_t Skip(std::uint64_t count);
 };
 
 enum class Compression
 {
   None,
-  Deflate ///< gzip or zlib, whichever the stream begins with
+  Deflate ///< gzip or zlib, detected from the first bytes
 };
 
-/// Deflate for a file that begins as gzip does.
+/// Deflate if the file begins like a gzip file, otherwise None.
 Compression CompressionOf(const std::string& path);
 
-/// Opens a file that exists (see ReadableFileSize).
-/// @param offset  of the first byte to take from the file, before any decompression
+/// Opens an existing file (see ReadableFileSize).
+/// @param offset  first byte to read, before any decompression
 std::unique_ptr<ByteStream> OpenStream(
   const std::string& path, Compression compression, std::uint64_t offset = 0);
 
-/// No deflate stream holds more than this many times its own size, so a promise of more is false.
-/// (1032 is the limit of the method, see zlib's technical notes; the rest is for headers.)
+/// Upper bound of the compression ratio of deflate; a header that promises more is false. The
+/// method's limit is 1032, see zlib's technical notes; the rest allows for headers.
 constexpr double LargestDeflateRatio = 1040.0;
 
 }

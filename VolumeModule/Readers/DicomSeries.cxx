@@ -20,7 +20,7 @@ namespace varimarch
 namespace
 {
 
-/// Sets a scan up, not yet done: of a folder, or of one file.
+/// Prepares a scan of a folder or of one file, without running it.
 void Prepare(vtkDICOMDirectory* directory, const std::string& path)
 {
   const std::filesystem::path place = path;
@@ -36,9 +36,10 @@ void Prepare(vtkDICOMDirectory* directory, const std::string& path)
     files->InsertNextValue(path);
     directory->SetInputFileNames(files);
   }
-  // Patient, study and series may each have a folder.
+  // Allows one folder each for patient, study and series.
   directory->SetScanDepth(4);
-  // What to collect of each file, beside what vtk-dicom always does. Empty values match anything.
+  // Attributes to collect for each file in addition to those that vtk-dicom always collects. Empty
+  // values match anything.
   vtkDICOMItem query;
   for (const vtkDICOMTag tag : { vtkDICOMTag(DC::TransferSyntaxUID), vtkDICOMTag(DC::Rows),
          vtkDICOMTag(DC::Columns), vtkDICOMTag(DC::NumberOfFrames), vtkDICOMTag(DC::BitsAllocated),
@@ -54,7 +55,7 @@ std::int64_t FrameCount(vtkDICOMMetaData* meta, int file)
   return std::max<std::int64_t>(1, meta->Get(file, DC::NumberOfFrames).AsInt());
 }
 
-/// Fails for a file that promises more pixels than it can hold, because vtk-dicom would make room
+/// Fails if a file promises more pixels than it can hold, because vtk-dicom would allocate memory
 /// for each of its frames.
 void CheckFileHolds(const std::string& path, vtkDICOMMetaData* meta, int file)
 {
@@ -67,7 +68,7 @@ void CheckFileHolds(const std::string& path, vtkDICOMMetaData* meta, int file)
   const double promisedBytes = imageBytes * double(FrameCount(meta, file)) *
     (meta->Get(file, DC::PhotometricInterpretation).AsString() == "YBR_FULL_422" ? 2.0 : samples);
   const double fileBytes = double(ReadableFileSize(path));
-  // Blank images have been seen to shrink a thousandfold, hardly more.
+  // Blank images may shrink about a thousandfold, hardly more.
   if (promisedBytes > fileBytes * (isPlain ? 1.0 : 20000.0))
   {
     FailToRead(path, std::to_string(std::int64_t(promisedBytes)) + " bytes of pixels",
@@ -75,7 +76,7 @@ void CheckFileHolds(const std::string& path, vtkDICOMMetaData* meta, int file)
   }
 }
 
-/// The files whose images are of the size that most images have; others, such as a scout, are no
+/// Keeps the files whose images have the most frequent size. Others, such as a scout view, are not
 /// slices of the same volume.
 void TakeImagesOfOneSize(vtkStringArray* files, vtkDICOMMetaData* meta, DicomSeries& series,
   std::vector<std::string>& leftOut)
@@ -118,13 +119,13 @@ DicomSeries SeriesOf(vtkDICOMDirectory* directory, int index, std::vector<std::s
     directory->GetMetaDataForSeries(index), series, leftOut);
   if (!leftOut.empty())
   {
-    warnings.push_back("Images were left out because their size is not that of the others: " +
+    warnings.push_back("Images were left out because their size differs from that of the others: " +
       FileList(leftOut) + ".");
   }
   return series;
 }
 
-/// What there is when there are no images.
+/// Describes a path that holds no images, for an error message.
 std::string WithoutImages(const std::string& path)
 {
   VtkMessages messages;
@@ -207,7 +208,7 @@ std::string SeriesList(const std::vector<DicomSeries>& all)
       std::to_string(series.imageCount) + " images, " +
       (series.description.empty() ? "" : series.description + ", ") + series.uid + ")";
   }
-  // Somebody typed the descriptions, and it goes to a terminal.
+  // Descriptions were typed by people, and the list may be printed to a terminal.
   std::replace_if(
     list.begin(), list.end(), [](unsigned char letter) { return letter < ' '; }, '?');
   return list;

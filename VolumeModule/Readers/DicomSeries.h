@@ -12,32 +12,32 @@
 namespace varimarch
 {
 
-/// One scan of a patient: the files of a DICOM series.
+/// The files of a DICOM series: one scan of a patient.
 struct DicomSeries
 {
   std::string uid;
-  std::string description; ///< as the scanner's operator named it, or empty
-  std::string modality;    ///< "CT", "MR" ...
-  std::int64_t imageCount; ///< files, or frames of files with several
+  std::string description; ///< as the scanner's operator entered it, or empty
+  std::string modality;    ///< such as "CT" or "MR"
+  std::int64_t imageCount; ///< number of files, or of frames in multi-frame files
   vtkSmartPointer<vtkStringArray> files;
 };
 
-/// The series with images in a folder and the folders in it, in a DICOMDIR, or in a single file;
+/// Finds the series with images in a folder and its subfolders, in a DICOMDIR, or in a single file,
 /// those with most images first.
-/// @param warnings  gets sentences about files that could not be read
-/// @throws std::runtime_error when there are none, or a file promises more than it holds
+/// @param warnings  receives sentences about files that could not be read
+/// @throws std::runtime_error if there are none, or a file promises more than it holds
 /// @throws ReadCancelled
 std::vector<DicomSeries> FindDicomSeries(
   const std::string& path, std::vector<std::string>& warnings, ReadProgress& progress);
 
-/// The series that a text names: by its number, from 1, by its UID, or by the beginning of just one
-/// UID; the first where the text is empty.
-/// @param path  for the message
-/// @throws std::runtime_error that lists them when it names none, or several
+/// The series with the given name: its number, counted from 1, its UID, or an unambiguous prefix of
+/// its UID. An empty name selects the first series.
+/// @param path  path for the error message
+/// @throws std::runtime_error, with a list of all series, if the name selects none or several
 const DicomSeries& SeriesNamed(
   const std::string& path, const std::vector<DicomSeries>& all, const std::string& name);
 
-/// "1 (CT, 96 images, Thorax, 1.2.840.1), 2 (MR, ...)"
+/// A text such as "1 (CT, 96 images, Thorax, 1.2.840.1), 2 (MR, ...)".
 std::string SeriesList(const std::vector<DicomSeries>& all);
 
 }

@@ -20,14 +20,15 @@ namespace varimarch
 namespace
 {
 
-/// Files whose slices lie alike.
+/// Files whose slices have the same direction.
 struct Direction
 {
   glm::dmat2x3 axes;
   std::vector<std::string> paths;
 };
 
-/// Where the rows and columns of a file's images run; 0 where it does not say that at one place.
+/// Directions of the rows and columns of a file's images; 0 if the file does not state them in one
+/// place.
 glm::dmat2x3 AxesOf(vtkDICOMMetaData* meta, int file)
 {
   glm::dmat2x3 axes(0.0);
@@ -111,7 +112,8 @@ void KeepOneDirection(vtkDICOMReader* reader, std::vector<std::string>& warnings
   if (!leftOut.empty())
   {
     reader->SetFileNames(kept);
-    warnings.push_back("Images were left out because their direction is not that of the others: " +
+    warnings.push_back(
+      "Images were left out because their direction differs from that of the others: " +
       FileList(leftOut) + ".");
   }
 }

@@ -12,25 +12,25 @@ class vtkDICOMValue;
 namespace varimarch
 {
 
-// What a reader that has put its slices in order says about each, and what is doubtful about them.
+// Queries about the slices of a reader that has already sorted them.
 
 int SliceCount(vtkDICOMReader* reader);
 
-/// Attribute of the file and frame that a slice came from.
+/// An attribute of the file and frame that a slice comes from.
 const vtkDICOMValue& SliceValue(vtkDICOMReader* reader, int slice, vtkDICOMTag tag);
 
-/// The name of a file, without the folder.
+/// The name of a file without its folder.
 std::string FileName(const std::string& path);
 std::string SliceFileName(vtkDICOMReader* reader, int slice);
 
-/// Names as words of a sentence: "a.dcm", "b.dcm" and 7 others.
+/// The names as part of a sentence: "a.dcm", "b.dcm" and 7 others.
 std::string FileList(const std::vector<std::string>& names);
 
-/// Leaves the reader with the files whose slices lie as most do; others, such as a scout of the
-/// same size, are no slices of the same volume.
+/// Restricts the reader to the files with the most frequent slice direction. Others, such as a
+/// scout view of the same size, are not slices of the same volume.
 void KeepOneDirection(vtkDICOMReader* reader, std::vector<std::string>& warnings);
 
-/// Compression that has changed the values.
+/// Warns of images that lossy compression has changed.
 void WarnOfLoss(vtkDICOMReader* reader, std::vector<std::string>& warnings);
 
 }

@@ -22,7 +22,7 @@ namespace
 
 constexpr int MostGapsNamed = 3;
 
-/// Where the first pixel of a slice lies, as far as the file says it.
+/// Position of the first pixel of a slice; 0 if the file does not state it.
 glm::dvec3 PositionMm(vtkDICOMReader* reader, int slice)
 {
   const vtkDICOMValue& value = SliceValue(reader, slice, DC::ImagePositionPatient);
@@ -80,7 +80,7 @@ bool DicomStack::IsUneven() const
 
 std::vector<glm::dvec3> DicomStack::IrregularSlicesMm() const
 {
-  // Slices in the same place, or of which one has none, have no order to interpolate in.
+  // Slices at the same place or without a position have no order for interpolation.
   const bool areInOrder = this->narrowestMm > 0.0 && !this->gaps.empty();
   const bool isIrregular = areInOrder && (this->IsTilted() || this->IsUneven());
   return isIrregular ? this->positionsMm : std::vector<glm::dvec3>();
@@ -97,7 +97,7 @@ void DicomStack::Warn(bool isRectified, std::vector<std::string>& warnings) cons
   {
     const bool isDrawnTrue = !isRectified && !this->IsUneven();
     warnings.push_back("The gantry was tilted by " + Rounded(this->tiltDegrees) + " degrees" +
-      (isDrawnTrue ? "; each slice is drawn where it lay, so that shapes are true." : "."));
+      (isDrawnTrue ? "; each slice is drawn at its true position, so shapes are correct." : "."));
   }
   this->WarnOfMissingSlices(warnings);
   if (this->IsUneven())
@@ -107,7 +107,7 @@ void DicomStack::Warn(bool isRectified, std::vector<std::string>& warnings) cons
   }
 }
 
-/// Holes of one slice or more, one sentence for each of the first.
+/// Adds one sentence for each of the first gaps of one or more missing slices.
 void DicomStack::WarnOfMissingSlices(std::vector<std::string>& warnings) const
 {
   int count = 0;
@@ -132,8 +132,8 @@ std::string DicomStack::UnevenDistances() const
   const auto isNarrower = [](const Gap& a, const Gap& b) { return a.widthMm < b.widthMm; };
   const auto [narrowest, widest] =
     std::minmax_element(this->gaps.begin(), this->gaps.end(), isNarrower);
-  return "Slices lie " + Rounded(narrowest->widthMm) + " to " + Rounded(widest->widthMm) +
-    " mm apart, most between " + widest->between;
+  return "Slices are " + Rounded(narrowest->widthMm) + " to " + Rounded(widest->widthMm) +
+    " mm apart, farthest between " + widest->between;
 }
 
 }

@@ -13,29 +13,29 @@ class vtkDICOMReader;
 namespace varimarch
 {
 
-/// How the slices of a series lie: whether right above each other, and at which distances. A volume
-/// has its slices at even distances, whatever the series has.
+/// Arrangement of the slices of a series: their tilt and their distances. The volume itself always
+/// has even distances.
 class DicomStack
 {
 public:
-  /// @param reader    that has put its slices in order
-  /// @param geometry  of the volume
+  /// @param reader  a reader that has sorted its slices
+  /// @param geometry  geometry of the volume
   DicomStack(vtkDICOMReader* reader, const ImageGeometry& geometry);
 
-  /// Where the first voxels of the slices lie, if those were tilted or lie at uneven distances
-  /// [mm]; otherwise none.
+  /// Positions of the first voxels of the slices [mm] if the slices were tilted or are unevenly
+  /// spaced; otherwise empty.
   std::vector<glm::dvec3> IrregularSlicesMm() const;
 
-  /// Gantry tilt, missing slices and uneven distances.
-  /// @param isRectified  whether the volume is resampled, so that it is as true as can be
+  /// Warns of gantry tilt, missing slices and uneven distances.
+  /// @param isRectified  true if the volume is resampled, which corrects tilt and distances
   void Warn(bool isRectified, std::vector<std::string>& warnings) const;
 
 private:
-  /// The way from a slice to the next along their normal.
+  /// Distance from a slice to the next along their normal.
   struct Gap
   {
     double widthMm;
-    std::string between; ///< "a.dcm" and "b.dcm"
+    std::string between; ///< such as "a.dcm" and "b.dcm"
   };
 
   bool IsTilted() const;
@@ -43,11 +43,11 @@ private:
   void WarnOfMissingSlices(std::vector<std::string>& warnings) const;
   std::string UnevenDistances() const;
 
-  bool isPlaced; ///< whether the files say where the slices lie
+  bool isPlaced; ///< true if the files state the positions of the slices
   double tiltDegrees = 0.0;
-  double drawnMm = 0.0; ///< distance of the volume's slices
+  double drawnMm = 0.0; ///< distance between the volume's slices
   std::vector<glm::dvec3> positionsMm;
-  std::vector<Gap> gaps; ///< between a slice and the next
+  std::vector<Gap> gaps; ///< gaps between consecutive slices
   double narrowestMm = 0.0;
   double widestMm = 0.0;
 };

@@ -34,11 +34,11 @@ std::uint64_t ReadableFileSize(const std::string& path)
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
   {
-    FailToRead(path, "a file", "nothing of that name");
+    FailToRead(path, "an existing file", "no file of this name");
   }
   if (!std::filesystem::is_regular_file(status))
   {
-    FailToRead(path, "a file", "something else of that name");
+    FailToRead(path, "a regular file", "something else");
   }
   if (!std::ifstream(path, std::ios::binary))
   {

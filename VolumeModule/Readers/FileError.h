@@ -8,18 +8,18 @@
 namespace varimarch
 {
 
-/// Throws the one sentence that every reader speaks:
-/// Cannot read "path": expected <expected>, found <found>.
+/// Throws the error that all readers use: Cannot read "path": expected <expected>, found <found>.
 /// @throws std::runtime_error always
 [[noreturn]] void FailToRead(
   const std::string& path, const std::string& expected, const std::string& found);
 
-/// A piece of a file for use in a sentence, quoted: cut, unprintable characters and quotes as '?'.
-/// @param longest  number of characters after which it is cut
+/// A part of a file, quoted for use in a sentence. Long text is cut; unprintable characters and
+/// quotes become '?'.
+/// @param longest  largest number of characters that remain
 std::string Quoted(const std::string& text, std::size_t longest = 40);
 
-/// Size of a file that exists and can be read [bytes].
-/// @throws std::runtime_error when it is missing, not a file, or not readable
+/// Size of a file [bytes].
+/// @throws std::runtime_error if the file does not exist, is not a regular file or cannot be read
 std::uint64_t ReadableFileSize(const std::string& path);
 
 }

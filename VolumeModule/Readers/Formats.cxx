@@ -41,7 +41,8 @@ bool IsMetaImage(const std::string& head)
   return head.find("NDims") != std::string::npos || head.find("ObjectType") != std::string::npos;
 }
 
-// What a name or the first bytes fit first is taken; bare voxels fit nothing and come last.
+// The first row whose extension or first bytes match is used; raw voxels match nothing and come
+// last.
 const std::vector<VolumeFormat> formats = {
   { "NRRD", "NRRD images", { ".nrrd", ".nhdr" },
     [](const std::string& head) { return head.compare(0, 4, "NRRD") == 0; }, ReadNrrd },
@@ -52,7 +53,7 @@ const std::vector<VolumeFormat> formats = {
     [](const std::string& head) { return head.find("<VTKFile") != std::string::npos; }, ReadVti },
   { "DICOM", "DICOM images", { ".dcm", ".dicom", ".ima" }, IsDicom, ReadDicom },
   { "InVesalius", "InVesalius projects", { ".inv3" }, IsTar, ReadInv3 },
-  { "raw", "Bare voxels", { ".raw", ".raw.gz" }, nullptr, ReadRaw },
+  { "raw", "Raw voxels", { ".raw", ".raw.gz" }, nullptr, ReadRaw },
 };
 
 bool EndsWith(const std::string& text, const std::string& end)
@@ -131,7 +132,7 @@ bool LooksReadable(const std::string& path)
   {
     return false;
   }
-  // Gzip does not say what is inside.
+  // A gzip header does not show what is compressed.
   return !format->recognises || format->recognises(head) || IsGzip(head);
 }
 

@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-/// A file that a header names: absolute, or relative to the header's folder.
+/// Path of a file named in a header: absolute, or relative to the header's folder.
 std::string PathBeside(const std::string& headerPath, const std::string& name)
 {
   return (std::filesystem::path(headerPath).parent_path() / name).string();
@@ -124,7 +124,7 @@ std::vector<std::string> DataFiles(
   }
   if (listed.empty())
   {
-    FailToRead(headerPath, "names of data files behind LIST", "none");
+    FailToRead(headerPath, "names of data files after LIST", "none");
   }
   std::vector<std::string> files;
   files.reserve(listed.size());
@@ -141,8 +141,8 @@ double MmPerUnit(const std::string& unit)
     { "nm", 1e-6 },
     { "nanometer", 1e-6 },
     { "um", 1e-3 },
-    { "\xc2\xb5m", 1e-3 }, // the micro sign
-    { "\xce\xbcm", 1e-3 }, // the Greek letter mu
+    { "\xc2\xb5m", 1e-3 }, // with the micro sign
+    { "\xce\xbcm", 1e-3 }, // with the Greek letter mu
     { "micron", 1e-3 },
     { "micrometer", 1e-3 },
     { "cm", 10.0 },

@@ -10,17 +10,17 @@
 namespace varimarch
 {
 
-/// The lines at the beginning of a file, as text headers have them. A header of more than 4 MB is
-/// none, so no more than that is read.
+/// The lines of a text header at the beginning of a file. At most 4 MB are read, since no header is
+/// longer.
 class HeaderLines
 {
 public:
   explicit HeaderLines(const std::string& path);
 
-  /// The next line without its end (LF or CR LF); nothing behind the last one.
+  /// The next line without its line end (LF or CR LF); nothing after the last one.
   std::optional<std::string> Next();
 
-  /// Offset in the file of the line that is next.
+  /// File offset of the next line.
   std::uint64_t Position() const { return this->position; }
 
 private:
@@ -28,14 +28,14 @@ private:
   std::size_t position = 0;
 };
 
-/// The fields of a text header by their keys.
+/// The fields of a text header, by key.
 class HeaderFields
 {
 public:
   void Set(const std::string& key, const std::string& value) { this->fields[key] = value; }
   bool Has(const std::string& key) const { return this->fields.count(key) > 0; }
 
-  /// The value of the first of the keys that there is; empty if there is none.
+  /// The value of the first key that exists; empty if none does.
   std::string Value(const std::vector<std::string>& keys) const;
 
 private:
@@ -44,19 +44,19 @@ private:
 
 std::string LowerCase(std::string text);
 
-/// Without blanks at both ends.
+/// The text without leading and trailing whitespace.
 std::string Trimmed(const std::string& text);
 
-/// Whether the value of a field for data files says "LIST": the next lines name them.
+/// True if the value of a data file field is "LIST": the next lines then name the files.
 bool IsFileList(const std::string& value);
 
-/// The data files that a header names: the listed ones; or those of a printf pattern and its
-/// numbers, as in "slice%03d.raw 1 100 1"; or just one. Relative to the header's folder.
-/// @throws std::runtime_error for an empty list, or a pattern or numbers that make none
+/// The data files that a header names, relative to its folder: the listed ones, those of a printf
+/// pattern with numbers such as "slice%03d.raw 1 100 1", or a single one.
+/// @throws std::runtime_error for an empty list, or an invalid pattern
 std::vector<std::string> DataFiles(
   const std::string& headerPath, const std::string& value, const std::vector<std::string>& listed);
 
-/// Length of a unit such as "um" or "mm" [mm]; 1 for one that is not known.
+/// Length of a unit such as "um" or "mm" [mm]; 1 for an unknown unit.
 double MmPerUnit(const std::string& unit);
 
 }

@@ -52,7 +52,7 @@ void PlaceImage(const std::string& path, const ImageGeometry& geometry, vtkImage
   {
     const glm::dvec3 stepMm = geometry.axesMm[axis];
     spacingMm[axis] = glm::length(stepMm);
-    // A length below the smallest normal number cannot be divided by.
+    // Division needs at least the smallest normal number.
     if (!std::isnormal(spacingMm[axis]))
     {
       FailToRead(path, "a finite voxel spacing above 0",
@@ -60,7 +60,7 @@ void PlaceImage(const std::string& path, const ImageGeometry& geometry, vtkImage
     }
     direction[axis] = stepMm / spacingMm[axis];
   }
-  // The volume of the unit parallelepiped: 1 for orthogonal axes, 0 for axes in one plane.
+  // The determinant is the volume spanned by the axes: 1 if orthogonal, 0 if coplanar.
   if (std::abs(glm::determinant(direction)) < 1e-6)
   {
     FailToRead(path, "three axes that span space",

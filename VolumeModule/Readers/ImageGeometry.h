@@ -11,25 +11,26 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// Where the voxels of a file lie in LPS space (DICOM's: x to the patient's left, y to the back,
-/// z to the head) [mm]: voxel (i,j,k) has its centre at originMm + axesMm * (i,j,k).
+/// Positions of a file's voxels in DICOM's LPS space (x to the patient's left, y to the back, z to
+/// the head) [mm]. The centre of voxel (i, j, k) is at originMm + axesMm * (i, j, k).
 struct ImageGeometry
 {
   glm::dvec3 originMm = glm::dvec3(0.0);
-  /// Column a is the way from a voxel to its neighbour along axis a. The columns need be neither
+  /// Column a is the vector from a voxel to its neighbour along axis a. The columns need not be
   /// orthogonal (a tilted gantry shears them) nor right-handed.
   glm::dmat3 axesMm = glm::dmat3(1.0);
 };
 
-/// The geometry of a file in LPS space.
-/// @param signs  -1 for each axis of the file's space that points the other way: (-1,-1,1) for RAS
-/// @param mmPerUnit  of the file's space
+/// Converts a geometry to LPS space.
+/// @param signs  -1 for each axis of the file's space that points the other way, such as (-1,-1,1)
+/// for RAS
+/// @param mmPerUnit  length of the file's unit [mm]
 ImageGeometry InLps(const ImageGeometry& geometry, const glm::dvec3& signs, double mmPerUnit);
 
-/// Gives the image the origin, spacing (> 0) and direction matrix of a geometry. Voxels stay where
-/// they are in memory: a mirrored axis is a negative direction.
-/// @param path  for the error message
-/// @throws std::runtime_error when a number is not finite, or the axes do not span space
+/// Sets the origin, spacing (> 0) and direction matrix of an image. Voxels stay where they are in
+/// memory; a mirrored axis becomes a negative direction.
+/// @param path  path for the error message
+/// @throws std::runtime_error if a number is not finite, or the axes are linearly dependent
 void PlaceImage(const std::string& path, const ImageGeometry& geometry, vtkImageData* image);
 
 }

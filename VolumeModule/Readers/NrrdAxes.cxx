@@ -12,7 +12,7 @@ namespace varimarch
 namespace
 {
 
-/// "(x,y,z)"
+/// Parses a vector "(x,y,z)".
 glm::dvec3 VectorFromText(const std::string& path, const std::string& what, std::string text)
 {
   std::string inside = text;
@@ -26,7 +26,7 @@ glm::dvec3 VectorFromText(const std::string& path, const std::string& what, std:
   return { numbers[0], numbers[1], numbers[2] };
 }
 
-/// The parts of a field that has one per axis; empty if there is no such field.
+/// The parts of a field with one part per axis; empty if the field is missing.
 std::vector<std::string> PartsPerAxis(
   const NrrdHeader& header, const std::vector<std::string>& keys, std::size_t axisCount)
 {
@@ -54,12 +54,12 @@ std::vector<std::int64_t> SizesOf(const NrrdHeader& header)
   }
   if (sizes.empty())
   {
-    FailToRead(header.path, "a field sizes", "none");
+    FailToRead(header.path, "the field \"sizes\"", "none");
   }
   return sizes;
 }
 
-/// Whether an axis counts positions in space, by whatever the header says of it.
+/// For each axis, true if the header makes it a spatial one.
 std::vector<bool> SpatialAxes(const NrrdHeader& header, const std::vector<std::int64_t>& sizes)
 {
   const std::size_t rank = sizes.size();
@@ -78,7 +78,8 @@ std::vector<bool> SpatialAxes(const NrrdHeader& header, const std::vector<std::i
       isSpatial[axis] = kind == "domain" || kind == "space" || kind == "???" || kind == "none";
     }
   }
-  // Nothing said of four axes: a short first one counts components, else the last counts volumes.
+  // Without information about four axes, a short first axis holds components; otherwise the last
+  // axis holds several volumes.
   if (rank == 4 && std::count(isSpatial.begin(), isSpatial.end(), true) == 4)
   {
     isSpatial[sizes[0] <= 4 ? 0 : 3] = false;
@@ -86,7 +87,8 @@ std::vector<bool> SpatialAxes(const NrrdHeader& header, const std::vector<std::i
   return isSpatial;
 }
 
-/// One spelling for the many that NRRD allows: "unsigned short int" and "ushort" become "ushort".
+/// A unique spelling of a type name; NRRD has several: "unsigned short int" and "ushort" become
+/// "ushort".
 std::string PlainTypeName(const std::string& stated)
 {
   std::string name = WithoutBlanks(LowerCase(stated));
@@ -151,7 +153,7 @@ bool IsVectorKind(const NrrdHeader& header, std::size_t axis)
   return kind.find("vector") != std::string::npos || kind.find("color") != std::string::npos;
 }
 
-/// An axis beside those of space: components of a voxel, or several volumes.
+/// Interprets an axis that is not spatial: components of a voxel, or several volumes.
 void TakeOtherAxis(
   const NrrdHeader& header, std::size_t other, NrrdAxes& axes, std::vector<std::string>& warnings)
 {
@@ -162,7 +164,7 @@ void TakeOtherAxis(
   }
   if (other > axes.spatial.front() && other < axes.spatial.back())
   {
-    FailToRead(header.path, "axes of space side by side", "another axis between them");
+    FailToRead(header.path, "adjacent spatial axes", "another axis between them");
   }
   axes.planar = other > axes.spatial.back() && IsVectorKind(header, other);
   if (other < axes.spatial.front() || axes.planar)
@@ -176,7 +178,7 @@ void TakeOtherAxis(
   }
 }
 
-/// How the axes of a named space turn into LPS.
+/// Sign changes that convert the axes of a named space to LPS.
 enum class SpaceTurn
 {
   None,
@@ -207,12 +209,12 @@ SpaceTurn TurnOfSpace(const NrrdHeader& header)
   if (turn == turns.end())
   {
     FailToRead(
-      header.path, "a space of three dimensions such as left-posterior-superior", Quoted(space));
+      header.path, "a three-dimensional space such as left-posterior-superior", Quoted(space));
   }
   return turn->second;
 }
 
-/// Length of the unit of space [mm].
+/// Length of the space's unit [mm].
 double MmPerSpaceUnit(const NrrdHeader& header)
 {
   for (std::string unit : NrrdParts(header.fields.Value({ "spaceunits", "units" })))
@@ -247,7 +249,7 @@ NrrdAxes AxesOf(const NrrdHeader& header, std::vector<std::string>& warnings)
   }
   if (axes.spatial.size() < 2 || axes.spatial.size() > 3 || others.size() > 1)
   {
-    FailToRead(header.path, "three axes of space and at most one other",
+    FailToRead(header.path, "three spatial axes and at most one other",
       std::to_string(axes.spatial.size()) + " and " + std::to_string(others.size()));
   }
   if (!others.empty())

@@ -12,25 +12,25 @@
 namespace varimarch
 {
 
-/// Which of the axes of an NRRD file are those of the volume, and what the others are.
+/// The role of each axis of an NRRD file.
 struct NrrdAxes
 {
   std::vector<std::int64_t> sizes;
-  std::vector<std::size_t> spatial; ///< at most three, fastest first
-  std::int64_t volumeCount = 1;     ///< time points or a list
+  std::vector<std::size_t> spatial; ///< at most three axes of the volume, fastest first
+  std::int64_t volumeCount = 1;     ///< number of time points or list elements
   std::int64_t componentCount = 1;  ///< values per voxel
-  bool planar = false;              ///< the components lie one volume after another
+  bool planar = false; ///< components are stored one after another, each for the whole volume
 };
 
-/// Adds to the warnings when only the first of several volumes is taken.
-/// @throws std::runtime_error for axes that are no volume
+/// Determines the axes. Adds a warning if only the first of several volumes is read.
+/// @throws std::runtime_error for axes that do not form a volume
 NrrdAxes AxesOf(const NrrdHeader& header, std::vector<std::string>& warnings);
 
-/// @throws std::runtime_error for a type that is not known
+/// @throws std::runtime_error for an unknown scalar type
 VoxelLayout LayoutOf(const NrrdHeader& header, const NrrdAxes& axes);
 
-/// Adds to the warnings when the file does not say how the patient lies.
-/// @throws std::runtime_error for a space or for numbers that make none
+/// Determines the geometry. Adds a warning if the file does not state the patient's orientation.
+/// @throws std::runtime_error for an unknown space or invalid numbers
 ImageGeometry GeometryOf(
   const NrrdHeader& header, const NrrdAxes& axes, std::vector<std::string>& warnings);
 

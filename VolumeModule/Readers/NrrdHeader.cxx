@@ -9,13 +9,13 @@ namespace varimarch
 namespace
 {
 
-/// One line of the header: a field, or something that says nothing to us.
+/// Parses one header line: a field, a comment, or a key/value pair.
 void TakeLine(NrrdHeader& header, const std::string& line)
 {
   const std::size_t colon = line.find(':');
   if (line[0] == '#' || line.compare(std::min(colon, line.size()), 2, ":=") == 0)
   {
-    return; // a comment, or a pair of the user's own
+    return; // a comment or a key/value pair
   }
   if (colon == std::string::npos)
   {
@@ -61,7 +61,7 @@ NrrdHeader ReadNrrdHeader(const std::string& path)
   {
     FailToRead(path, "a first line that begins with NRRD", Quoted(magic));
   }
-  // The header ends with an empty line, or with the file when the voxels are elsewhere.
+  // The header ends with an empty line, or with the file if the voxels are in another file.
   std::optional<std::string> line = lines.Next();
   for (; line && !line->empty(); line = lines.Next())
   {
@@ -76,7 +76,7 @@ NrrdHeader ReadNrrdHeader(const std::string& path)
   }
   if (!line && !header.fields.Has("datafile"))
   {
-    FailToRead(path, "an empty line behind the NRRD header", "its end before that");
+    FailToRead(path, "an empty line after the NRRD header", "the end of the file");
   }
   header.end = lines.Position();
   return header;

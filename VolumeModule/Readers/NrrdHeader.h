@@ -10,22 +10,22 @@
 namespace varimarch
 {
 
-/// The fields of an NRRD header. Keys are in lower case without blanks ("spacedirections").
+/// The fields of an NRRD header. Keys are lower case without spaces ("spacedirections").
 struct NrrdHeader
 {
   std::string path;
   HeaderFields fields;
-  std::vector<std::string> listedFiles; ///< the lines behind "data file: LIST"
-  std::uint64_t end = 0;                ///< offset of what follows the header
+  std::vector<std::string> listedFiles; ///< the lines after "data file: LIST"
+  std::uint64_t end = 0;                ///< file offset of the first byte after the header
 };
 
-/// @throws std::runtime_error when the file is no NRRD file or the header is not complete
+/// @throws std::runtime_error if the file is not an NRRD file, or its header is incomplete
 NrrdHeader ReadNrrdHeader(const std::string& path);
 
-/// Parts of a field's value: words, vectors "(x, y, z)", strings in quotes.
+/// The parts of a field's value: words, vectors "(x, y, z)" and quoted strings.
 std::vector<std::string> NrrdParts(const std::string& value);
 
-/// NRRD has "unsigned short" and "unsignedshort", "data file" and "datafile".
+/// The text without spaces, since NRRD allows both "data file" and "datafile".
 std::string WithoutBlanks(std::string text);
 
 }

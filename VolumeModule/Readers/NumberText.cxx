@@ -13,7 +13,7 @@ namespace varimarch
 namespace
 {
 
-/// The words of a stream of bytes, one after another.
+/// The words of a byte stream, one after another.
 class WordStream
 {
 public:
@@ -38,7 +38,8 @@ public:
       {
         break;
       }
-      // No number is this long: it is not text at all, so do not collect a whole file of it.
+      // No number is this long, so the file is not text; reading it all as one word would waste
+      // memory.
       if (this->word.size() > 1000)
       {
         break;
@@ -70,7 +71,7 @@ private:
   std::string word;
 };
 
-/// Takes the whole word as a number of this type, or not at all.
+/// Parses the whole word as a number of this type; returns false if that fails.
 template <class Number>
 bool Parse(const std::string& word, Number& number)
 {

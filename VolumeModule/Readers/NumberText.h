@@ -11,31 +11,32 @@
 namespace varimarch
 {
 
-/// How many numbers of which type to expect in which file.
+/// A list of numbers to read from a file.
 struct NumberList
 {
   std::string path;
-  int scalarType; ///< VTK_SHORT and the like
+  int scalarType; ///< VTK_SHORT or another VTK type
   std::uint64_t count;
 };
 
-/// Reads decimal numbers between blanks or commas into memory for values of that type.
-/// @throws std::runtime_error for too few numbers, or one that the type cannot hold
+/// Reads decimal numbers, separated by whitespace or commas, into memory of the list's type.
+/// @throws std::runtime_error if there are too few numbers, or the type cannot hold one
 /// @throws ReadCancelled
 void ReadNumbers(
   const NumberList& list, ByteStream& stream, void* destination, ReadProgress& progress);
 
-/// The words of a line: parts without blanks.
+/// The words of a line, separated by whitespace.
 std::vector<std::string> Words(const std::string& line);
 
-/// A word as a number, independent of the locale.
-/// @throws std::runtime_error, naming the file and `what` was expected, unless it is just that
+/// Converts a word to a number, independent of the locale.
+/// @param what  description of the number for the error message
+/// @throws std::runtime_error if the word is not exactly one number
 double NumberFromText(const std::string& path, const std::string& what, const std::string& word);
 std::int64_t IntegerFromText(
   const std::string& path, const std::string& what, const std::string& word);
 
-/// The words of a line as exactly so many numbers.
-/// @throws std::runtime_error otherwise
+/// Converts the words of a line to exactly `count` numbers.
+/// @throws std::runtime_error if it has other words, or another number of them
 std::vector<double> NumbersFromText(
   const std::string& path, const std::string& what, const std::string& line, std::size_t count);
 

@@ -11,22 +11,22 @@ class vtkXMLDataElement;
 namespace varimarch
 {
 
-/// A dictionary of an Apple property list in XML: keys and their values.
+/// A dictionary, with keys and values, of an Apple property list in XML.
 class Plist
 {
 public:
-  /// Parses a property list whose top is a dictionary.
-  /// @param path  for error messages
-  /// @throws std::runtime_error when it is none
+  /// Parses a property list whose root is a dictionary.
+  /// @param path  path for error messages
+  /// @throws std::runtime_error if it is not one
   Plist(const std::string& path, const std::string& text);
 
-  /// The text of a value that is a string or a number; empty if there is no such key.
+  /// Text of a value that is a string or a number; empty if the key does not exist.
   std::string Text(const std::string& key) const;
 
-  /// The texts of the values of an array; empty if there is no such key.
+  /// Texts of the values of an array; empty if the key does not exist.
   std::vector<std::string> Texts(const std::string& key) const;
 
-  /// The dictionary under a key.
+  /// The dictionary with the given key.
   /// @throws std::runtime_error if there is none
   Plist Dictionary(const std::string& key) const;
 

@@ -1,4 +1,4 @@
-// DICOM through vtk-dicom: sorts slices by position, reads compressed and multi-frame files.
+// DICOM by means of vtk-dicom, which sorts slices and reads compressed and multi-frame files.
 #include "Readers/DicomSeries.h"
 #include "Readers/DicomSlices.h"
 #include "Readers/DicomStack.h"
@@ -30,8 +30,8 @@ namespace varimarch
 namespace
 {
 
-/// While it lives, std::cerr prints nothing. GDCM, which decodes compressed slices for vtk-dicom,
-/// writes there what vtk-dicom reports as an error anyway.
+/// Scope guard that silences std::cerr. GDCM, which decodes compressed slices for vtk-dicom, prints
+/// there what vtk-dicom reports as an error anyway.
 class SilentErrorStream
 {
 public:
@@ -48,7 +48,7 @@ private:
   std::streambuf* printed;
 };
 
-/// Reads the slices in the order of the information.
+/// Reads the slices in the order that UpdateInformation has determined.
 void ReadSlices(const std::string& path, vtkDICOMReader* reader, const VtkMessages& messages,
   ReadProgress& progress)
 {
@@ -58,21 +58,22 @@ void ReadSlices(const std::string& path, vtkDICOMReader* reader, const VtkMessag
   }
   if (!messages.Errors().empty())
   {
-    FailToRead(path, "complete DICOM images", messages.FirstErrorOr("others"));
+    FailToRead(path, "complete DICOM images", messages.FirstErrorOr("incomplete ones"));
   }
 }
 
-/// Reads the headers of the files and puts them in order.
+/// Reads the headers of the files and sorts them.
 void UpdateInformation(const std::string& path, vtkDICOMReader* reader, const VtkMessages& messages)
 {
   reader->UpdateInformation();
   if (!messages.Errors().empty())
   {
-    FailToRead(path, "a series of DICOM images of one kind", messages.FirstErrorOr("others"));
+    FailToRead(
+      path, "a series of DICOM images of one kind", messages.FirstErrorOr("different kinds"));
   }
 }
 
-/// The slices of a stack, as far as their order is known.
+/// A stack of slices, as far as their order is known.
 struct Stack
 {
   std::string id;
@@ -99,7 +100,7 @@ std::vector<Stack> StacksOf(
   return stacks;
 }
 
-/// A series may hold several stacks of slices, and several times: takes the largest, and the first.
+/// Chooses the largest stack and the first time point of a series that has several.
 void ChooseStackAndTime(const std::string& path, vtkDICOMReader* reader,
   const VtkMessages& messages, std::vector<std::string>& warnings)
 {
@@ -137,7 +138,7 @@ VoxelLayout LayoutOf(vtkDICOMReader* reader)
     reader->GetNumberOfScalarComponents() };
 }
 
-/// The patient matrix takes mm along the axes of the image to LPS; it shears for a tilted gantry.
+/// The patient matrix maps mm along the image's axes to LPS; a tilted gantry shears it.
 ImageGeometry GeometryOf(vtkDICOMReader* reader)
 {
   vtkMatrix4x4* matrix = reader->GetPatientMatrix();
@@ -170,7 +171,7 @@ std::vector<Rescale> RescaleOf(vtkDICOMReader* reader)
   return slices;
 }
 
-/// By the times of the sequence; in between they weigh neither.
+/// Determines the weighting from the sequence's times; empty for times in between.
 std::string WeightingOf(vtkDICOMReader* reader)
 {
   constexpr double ShortestEchoMsOfT2 = 60.0;
@@ -190,7 +191,7 @@ std::string WeightingOf(vtkDICOMReader* reader)
   return echoMs > 0.0 && repetitionMs > 0.0 && isShort ? "T1" : "";
 }
 
-/// What else the first slice says: nothing that identifies the patient.
+/// Takes further metadata, none of which identifies the patient, from the first slice.
 void TakeMetadata(vtkDICOMReader* reader, Volume& volume)
 {
   volume.modality = SliceValue(reader, 0, DC::Modality).AsString();
@@ -209,7 +210,7 @@ void TakeMetadata(vtkDICOMReader* reader, Volume& volume)
   if (colours == "MONOCHROME1" || colours == "PALETTE COLOR")
   {
     volume.warnings.push_back(
-      "The values are of the kind " + colours + ", which is not turned into brightness here.");
+      "The photometric interpretation is " + colours + ", which is not converted to brightness.");
   }
 }
 

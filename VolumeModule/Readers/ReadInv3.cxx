@@ -1,5 +1,5 @@
-// InVesalius projects: a tar archive, gzipped or not, with a property list main.plist and the
-// voxels in the file that it names. https://github.com/invesalius/invesalius3
+// InVesalius projects: a tar archive, optionally gzipped, with a property list main.plist and the
+// voxels in a file that it names. See https://github.com/invesalius/invesalius3
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
@@ -18,7 +18,7 @@ namespace
 
 Plist ReadProject(const std::string& path)
 {
-  // Real ones have a few kB.
+  // Real property lists have a few kB.
   constexpr std::uint64_t mostBytes = 1 << 24;
   const TarMember member = FindInTar(path, "main.plist");
   if (member.byteCount > mostBytes)
@@ -28,12 +28,12 @@ Plist ReadProject(const std::string& path)
   std::string text(std::size_t(member.byteCount), '\0');
   if (member.stream->Read(text.data(), text.size()) < text.size())
   {
-    FailToRead(path, "a complete main.plist", "its beginning");
+    FailToRead(path, "a complete main.plist", "an incomplete one");
   }
   return Plist(path, text);
 }
 
-/// The numpy names of types.
+/// Converts a numpy type name to a VTK type.
 int TypeOfName(const std::string& path, const std::string& name)
 {
   static const std::map<std::string, int> types = {
@@ -82,8 +82,8 @@ ImageGeometry GeometryOf(const std::string& path, const Plist& project)
   {
     geometry.axesMm[axis][axis] = NumberFromText(path, "a spacing of numbers", words[axis]);
   }
-  // InVesalius stores rows from the back of the patient to the front, columns from right to left,
-  // slices from feet to head, however the patient was scanned. It keeps no origin.
+  // InVesalius stores rows from the patient's back to the front, columns from right to left and
+  // slices from feet to head, for any orientation of the scan. It stores no origin.
   geometry.axesMm[1] *= -1.0;
   return geometry;
 }
@@ -114,7 +114,7 @@ vtkSmartPointer<vtkImageData> ReadMatrix(
 
 Volume ReadInv3(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
-  // Its "name" is the patient's.
+  // The project's "name" is not read, because it is the patient's.
   const Plist project = ReadProject(path);
   const ImageGeometry geometry = GeometryOf(path, project);
   Volume volume;

@@ -1,4 +1,4 @@
-// MetaImage: text header and voxels in one file (.mha) or several (.mhd).
+// MetaImage: a text header with the voxels in the same file (.mha) or in others (.mhd). See
 // https://itk.org/Wiki/MetaIO/Documentation
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
@@ -20,8 +20,8 @@ struct MetaHeader
 {
   std::string path;
   HeaderFields fields;
-  std::vector<std::string> listedFiles; ///< the lines behind ElementDataFile = LIST
-  std::uint64_t end = 0;                ///< offset of the voxels in a file that has both
+  std::vector<std::string> listedFiles; ///< the lines after ElementDataFile = LIST
+  std::uint64_t end = 0;                ///< offset of the voxels in a file that also has the header
   std::int64_t rank = 0;
 };
 
@@ -33,7 +33,7 @@ MetaHeader ReadHeader(const std::string& path)
   MetaHeader header;
   header.path = path;
   HeaderLines lines(path);
-  // The data file is named last; what follows are voxels, or the lines of a list.
+  // The field for the data file is the last; voxels or the lines of a list follow it.
   while (!header.fields.Has(dataFileKey))
   {
     const std::optional<std::string> line = lines.Next();
@@ -41,7 +41,7 @@ MetaHeader ReadHeader(const std::string& path)
     if (!line || (separator == std::string::npos && !Trimmed(*line).empty()))
     {
       FailToRead(path, "a MetaImage header of lines \"Key = Value\" up to ElementDataFile",
-        line ? Quoted(*line) : "its end before that");
+        line ? Quoted(*line) : "the end of the file");
     }
     if (separator != std::string::npos)
     {
@@ -72,7 +72,7 @@ bool IsTrue(const MetaHeader& header, const std::vector<std::string>& keys)
   return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
 }
 
-/// MetaIO's sizes: its long has 4 bytes.
+/// Type sizes are those of MetaIO, whose long has 4 bytes.
 int TypeOf(const MetaHeader& header)
 {
   static const std::map<std::string, int> types = {
@@ -98,7 +98,7 @@ int TypeOf(const MetaHeader& header)
   return type->second;
 }
 
-/// Voxels along each axis; 1 along axes that there are not.
+/// Number of voxels along each axis; 1 for missing axes.
 std::array<std::int64_t, 4> SizesOf(const MetaHeader& header)
 {
   const std::vector<std::string> words = Words(header.fields.Value({ "dimsize" }));
@@ -113,7 +113,7 @@ std::array<std::int64_t, 4> SizesOf(const MetaHeader& header)
     { return IntegerFromText(header.path, "whole numbers as DimSize", word); });
   if (sizes[3] < 1)
   {
-    FailToRead(header.path, "one volume or more", std::to_string(sizes[3]));
+    FailToRead(header.path, "at least one volume", std::to_string(sizes[3]));
   }
   return sizes;
 }
@@ -128,7 +128,7 @@ VoxelLayout LayoutOf(const MetaHeader& header)
       : IntegerFromText(header.path, "a number as ElementNumberOfChannels", channels) };
 }
 
-/// The numbers of a field that has one per axis; `otherwise` for each if there is no such field.
+/// The numbers of a field with one per axis, or `otherwise` for each axis if the field is missing.
 std::vector<double> NumbersPerAxis(
   const MetaHeader& header, const std::vector<std::string>& keys, double otherwise)
 {
@@ -191,7 +191,7 @@ VoxelFile VoxelFileOf(const MetaHeader& header)
       skip.empty() ? 0 : IntegerFromText(header.path, "a number as HeaderSize", skip);
     if (file.fileOffset < VoxelFile::FromEnd)
     {
-      FailToRead(header.path, "-1 or more as HeaderSize", skip);
+      FailToRead(header.path, "at least -1 as HeaderSize", skip);
     }
   }
   const bool isBinary = !header.fields.Has("binarydata") || IsTrue(header, { "binarydata" });

@@ -1,5 +1,5 @@
-// NIfTI-1 and NIfTI-2: one file (.nii), or a header (.hdr) with voxels beside it (.img); gzipped or
-// not. https://nifti.nimh.nih.gov/nifti-1 and /nifti-2.
+// NIfTI-1 and NIfTI-2: one file (.nii), or a header (.hdr) with the voxels in a second file (.img),
+// optionally gzipped. See https://nifti.nimh.nih.gov/nifti-1 and /nifti-2.
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
@@ -21,14 +21,14 @@ namespace varimarch
 namespace
 {
 
-/// What both versions of the header say, in the machine's byte order.
+/// The content of both header versions, in host byte order.
 struct NiftiHeader
 {
   bool bigEndian;
   bool isOneFile;
-  std::int64_t dim[8]; ///< [0] is how many of the others count
+  std::int64_t dim[8]; ///< [0] is the number of dimensions that follow
   int datatype;
-  double pixdim[8]; ///< [0] is the sign of the third axis of the quaternion form
+  double pixdim[8]; ///< [0] is the sign of the third axis in the quaternion form
   double voxelOffset;
   Rescale rescale;
   double calibration[2]; ///< smallest and largest value to show
@@ -37,10 +37,10 @@ struct NiftiHeader
   int affineCode;
   double quaternion[3];
   double quaternionOffset[3];
-  double affine[3][4]; ///< rows
+  double affine[3][4]; ///< rows of the affine matrix
 };
 
-/// Takes fields out of a header in either byte order.
+/// Reads header fields of either byte order.
 struct FieldReader
 {
   bool swaps;
@@ -107,15 +107,15 @@ NiftiHeader ReadHeader(const std::string& path)
   if (!is1 && !is2)
   {
     FailToRead(path, "a NIfTI header with the mark n+1, ni1, n+2 or ni2",
-      got < sizeof(nifti_1_header) ? std::to_string(got) + " bytes" : "no such mark");
+      got < sizeof(nifti_1_header) ? std::to_string(got) + " bytes" : "another mark");
   }
-  // Not sizeof: compilers pad the end of nifti_2_header.
+  // sizeof does not apply, because compilers pad the end of nifti_2_header.
   const std::size_t needed = is1 ? 348 : 540;
   if (got < needed)
   {
     FailToRead(path, "a NIfTI header of " + std::to_string(needed) + " bytes", std::to_string(got));
   }
-  // The header begins with its own size, which tells the byte order.
+  // The header begins with its own size, which shows the byte order.
   std::int32_t size;
   std::memcpy(&size, bytes, sizeof(size));
   const FieldReader fields{ size != std::int32_t(needed) };
@@ -180,7 +180,7 @@ VoxelLayout LayoutOf(const std::string& path, const NiftiHeader& header, Volume&
     FailToRead(path, "at most 5 dimensions", std::to_string(rank));
   }
   const NiftiType type = TypeOfCode(path, header.datatype);
-  // Values along the fifth axis lie behind the fourth, so several time points would be in between.
+  // Values along the fifth axis come after all of the fourth, so time points would separate them.
   if (dim[5] > 1 && (type.componentCount > 1 || dim[4] > 1))
   {
     FailToRead(path, "one vector per voxel", "vectors of colours or over time");
@@ -196,7 +196,7 @@ double MmPerUnit(int units)
   return lengthUnit == metre ? 1000.0 : lengthUnit == micrometre ? 0.001 : 1.0;
 }
 
-/// The affine form in RAS; the header's "method 3".
+/// Geometry in RAS from the affine form, the header's "method 3".
 ImageGeometry AffineGeometry(const NiftiHeader& header)
 {
   ImageGeometry geometry;
@@ -211,7 +211,7 @@ ImageGeometry AffineGeometry(const NiftiHeader& header)
   return geometry;
 }
 
-/// The quaternion form in RAS; the header's "method 2".
+/// Geometry in RAS from the quaternion form, the header's "method 2".
 ImageGeometry QuaternionGeometry(const NiftiHeader& header)
 {
   const double b = header.quaternion[0];
@@ -248,7 +248,7 @@ ImageGeometry GeometryOf(const NiftiHeader& header, Volume& volume)
   return InLps(geometry, glm::dvec3(1.0), MmPerUnit(header.units));
 }
 
-/// image.hdr for image.img, image.img for image.hdr, with or without .gz, whichever exists.
+/// The partner of image.hdr is image.img and vice versa, with or without .gz, whichever exists.
 std::string Partner(const std::string& path, const std::string& extension)
 {
   std::filesystem::path partner = path;
@@ -276,10 +276,10 @@ VoxelFile VoxelFileOf(const std::string& headerPath, const NiftiHeader& header)
   file.compression = CompressionOf(file.paths.front());
   file.bigEndian = header.bigEndian;
   file.planar = header.dim[0] >= 5 && header.dim[5] > 1;
-  // The upper bound keeps the number an integer that a double holds exactly.
+  // The upper bound keeps the number an integer that a double represents exactly.
   if (!(header.voxelOffset >= 0 && header.voxelOffset < 9e15))
   {
-    FailToRead(headerPath, "voxels at an offset of 0 or more",
+    FailToRead(headerPath, "voxels at an offset of at least 0",
       "the offset " + std::to_string(header.voxelOffset));
   }
   file.dataOffset = std::int64_t(header.voxelOffset);
@@ -297,7 +297,7 @@ Volume ReadNifti(const std::string& path, const ReadOptions&, ReadProgress& prog
   const ImageGeometry geometry = GeometryOf(header, volume);
   volume.image = ReadVoxels(VoxelFileOf(headerPath, header), layout, progress);
 
-  // A slope of 0 means that there is none; colours have none either.
+  // A slope of 0 means no rescaling; colours have none either.
   const bool hasRescale = std::isfinite(header.rescale.slope) && header.rescale.slope != 0 &&
     std::isfinite(header.rescale.intercept) &&
     TypeOfCode(path, header.datatype).componentCount == 1;

@@ -1,4 +1,4 @@
-// NRRD: text header and voxels in one file (.nrrd) or several (.nhdr).
+// NRRD: a text header with the voxels in the same file (.nrrd) or in others (.nhdr). See
 // http://teem.sourceforge.net/nrrd/format.html
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-/// Whether to skip bytes or lines is a field that may be missing.
+/// Number of bytes or lines to skip; 0 if the field is missing.
 std::int64_t Skip(const NrrdHeader& header, const std::string& key)
 {
   const std::string value = header.fields.Value({ key });
@@ -23,12 +23,12 @@ std::int64_t Skip(const NrrdHeader& header, const std::string& key)
     value.empty() ? 0 : IntegerFromText(header.path, "a number as " + key, value);
   if (skip < VoxelFile::FromEnd)
   {
-    FailToRead(header.path, "-1 or more as " + key, value);
+    FailToRead(header.path, "at least -1 as " + key, value);
   }
   return skip;
 }
 
-/// Where so many lines of a file end.
+/// Offset after a number of lines.
 std::uint64_t OffsetBehindLines(const std::string& path, std::uint64_t offset, std::int64_t count)
 {
   const auto stream = OpenStream(path, Compression::None, offset);
@@ -71,7 +71,7 @@ VoxelFile VoxelFileOf(const NrrdHeader& header)
     file.fileOffset = std::int64_t(header.end);
   }
 
-  // Lines are skipped in the file, bytes behind them, in what is decompressed.
+  // Lines are skipped in the file; bytes are skipped after them, in the decompressed data.
   const std::int64_t lineSkip = Skip(header, "lineskip");
   if (lineSkip > 0)
   {

@@ -1,4 +1,4 @@
-// Bare voxels, gzipped or not: the caller says what they are.
+// Raw voxels, optionally gzipped; the caller describes their layout.
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
@@ -14,17 +14,17 @@ Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress
   const RawOptions& raw = options.raw;
   if (raw.dimensions == std::array<int, 3>{ 0, 0, 0 })
   {
-    FailToRead(path, "the dimensions of the bare voxels from the caller", "none");
+    FailToRead(path, "dimensions of the raw voxels, which the caller must set", "none");
   }
   const bool isNumeric = vtkDataArray::GetDataTypeSize(raw.scalarType) > 0 &&
     raw.scalarType != VTK_BIT && raw.scalarType != VTK_STRING;
   if (!isNumeric)
   {
-    FailToRead(path, "a type of numbers from the caller", "type " + std::to_string(raw.scalarType));
+    FailToRead(path, "a numeric scalar type", "type " + std::to_string(raw.scalarType));
   }
   if (raw.headerBytes < 0)
   {
-    FailToRead(path, "a header of 0 bytes or more", std::to_string(raw.headerBytes));
+    FailToRead(path, "a header of at least 0 bytes", std::to_string(raw.headerBytes));
   }
   const VoxelLayout layout = { { raw.dimensions[0], raw.dimensions[1], raw.dimensions[2] },
     raw.scalarType, raw.componentCount };

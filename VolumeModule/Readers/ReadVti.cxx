@@ -1,5 +1,5 @@
-// VTK's XML image data. VTK's own reader keeps the geometry, so it reads; what it reports is
-// caught.
+// VTK's XML image data. VTK's own reader preserves the geometry, so it is used; its messages are
+// collected.
 #include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
@@ -35,7 +35,7 @@ namespace varimarch
 namespace
 {
 
-/// What the header says of the array that is shown.
+/// Header information about the array that is read.
 struct ArrayInfo
 {
   std::string name;
@@ -45,10 +45,10 @@ struct ArrayInfo
 
 [[noreturn]] void FailWith(const std::string& path, const VtkMessages& messages)
 {
-  FailToRead(path, "a complete VTK image file", messages.FirstErrorOr("less"));
+  FailToRead(path, "a complete VTK image file", messages.FirstErrorOr("an incomplete one"));
 }
 
-/// The active scalars, else the first array with up to four numbers per point.
+/// The active scalars, or else the first array with at most four numbers per point.
 ArrayInfo ArrayToRead(const std::string& path, vtkInformation* output)
 {
   vtkInformationVector* arrays = output->Get(vtkDataObject::POINT_DATA_VECTOR());
@@ -71,13 +71,12 @@ ArrayInfo ArrayToRead(const std::string& path, vtkInformation* output)
   }
   if (candidates.empty())
   {
-    FailToRead(path, "an array of numbers at the points", "none");
+    FailToRead(path, "a numeric array of point data", "none");
   }
   return candidates.front();
 }
 
-/// Fails for a file without its end, which VTK would read with whatever is in memory for the voxels
-/// that are missing.
+/// Fails for a truncated file, whose missing voxels VTK would leave uninitialized.
 void CheckIsWhole(const std::string& path)
 {
   constexpr std::uint64_t tailBytes = 1024;
@@ -92,7 +91,7 @@ void CheckIsWhole(const std::string& path)
   }
 }
 
-/// Where bytes stand in the file as they are, if they do: behind "<AppendedData encoding="raw">_".
+/// File offset of the bytes after "<AppendedData encoding="raw">_", if there are any.
 std::optional<std::uint64_t> RawBytesBegin(const std::string& path)
 {
   constexpr auto anywhere = std::numeric_limits<std::streamsize>::max();
@@ -119,28 +118,28 @@ std::optional<std::uint64_t> RawBytesBegin(const std::string& path)
   return std::nullopt;
 }
 
-/// Fails for a header that promises more than any encoding of the file can hold.
+/// Fails if the header promises more than any encoding of the file can hold.
 void CheckFileHolds(const std::string& path, const VoxelLayout& layout, bool isCompressed)
 {
   const double bytes = double(CheckedByteCount(path, layout));
   const double fileBytes = double(ReadableFileSize(path));
-  // The densest: LZMA packs up to about 7000 to 1; text needs two bytes for a value.
+  // The densest encodings: LZMA compresses at most about 7000 to 1; text needs two bytes per value.
   const double valueBytes = vtkDataArray::GetDataTypeSize(layout.scalarType);
   double mostBytes = fileBytes * (isCompressed ? 7000.0 : std::max(1.0, valueBytes / 2.0));
   if (const auto begin = isCompressed ? std::nullopt : RawBytesBegin(path))
   {
-    // Before them stands their count, behind them the end of the document.
+    // The byte count precedes the data, and the end of the document follows it.
     const auto otherBytes = double(*begin + 4 + sizeof("</AppendedData></VTKFile>") - 1);
     mostBytes = std::max(0.0, fileBytes - otherBytes);
   }
   if (bytes > mostBytes)
   {
-    FailToRead(
-      path, Text(layout) + " (" + ByteText(bytes) + ")", "room for at most " + ByteText(mostBytes));
+    FailToRead(path, Text(layout) + " (" + ByteText(bytes) + ")",
+      "a file that holds at most " + ByteText(mostBytes));
   }
 }
 
-/// Lets the array through, and nothing else.
+/// Selects this array only.
 void SelectArray(vtkXMLImageDataReader* reader, const std::string& name)
 {
   reader->GetPointDataArraySelection()->DisableAllArrays();
@@ -159,12 +158,12 @@ ImageGeometry GeometryOf(vtkImageData* image)
   {
     geometry.axesMm[axis] = direction[axis] * image->GetSpacing()[axis];
   }
-  // Extents may begin anywhere; ours begin at 0.
+  // The file's extent may begin anywhere; the output's begins at 0.
   geometry.originMm = glm::make_vec3(image->GetOrigin()) + geometry.axesMm * firstIndex;
   return geometry;
 }
 
-/// Reads the header, and fails for one that cannot be true.
+/// Reads the header, and fails if it cannot be true.
 /// @returns the array to read
 ArrayInfo ReadHeader(
   const std::string& path, vtkXMLImageDataReader* reader, const VtkMessages& messages)
@@ -200,7 +199,7 @@ Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progre
   messages.Take(reader->GetExecutive());
   const ArrayInfo array = ReadHeader(path, reader, messages);
   SelectArray(reader, array.name);
-  // The selection makes the reader parse its file anew, with another parser and decompressor.
+  // The selection makes the reader parse the file again, with another parser and decompressor.
   reader->UpdateInformation();
   messages.Take(reader->GetXMLParser());
   if (vtkDataCompressor* compressor = reader->GetXMLParser()->GetCompressor())

@@ -23,19 +23,20 @@ namespace varimarch
 namespace
 {
 
-/// What positions that are written as decimals may be wrong by, in voxels.
+/// Error of positions that are stored as decimals, in voxels.
 constexpr double Tolerance = 1e-3;
 
-/// The grid to resample on, and where the scan's slices lie in it.
+/// The grid to resample to, and the positions of the scan's slices in it.
 struct EvenGrid
 {
   ImageGeometry geometry;
   std::array<std::int64_t, 3> dimensions;
-  /// Of the first voxel of each slice: along rows and columns in voxels, then in mm.
+  /// Position of the first voxel of each slice: in voxels along rows and columns, in mm along the
+  /// normal.
   std::vector<glm::dvec3> slices;
 };
 
-/// An addend of a resampled value: a voxel of the scan, as seen from that of the grid.
+/// One term of a resampled value: a voxel of the scan, relative to a voxel of the grid.
 struct Tap
 {
   glm::i64vec2 shift;
@@ -43,8 +44,8 @@ struct Tap
   double weight;
 };
 
-/// The distance of the grid's slices: that of the scan's nearer ones, so that no detail is lost
-/// where they lie dense. A few that are nearer by far, such as one scanned twice, do not count.
+/// Distance between the grid's slices: that of the scan's denser ones, so that no detail is lost. A
+/// few slices that are much closer, such as one scanned twice, do not count.
 double DistanceMm(const std::vector<glm::dvec3>& slices)
 {
   std::vector<double> gaps;
@@ -58,7 +59,7 @@ double DistanceMm(const std::vector<glm::dvec3>& slices)
 
 EvenGrid GridOf(vtkImageData* image, const std::vector<glm::dvec3>& positionsMm)
 {
-  // Along rows, columns and the normal.
+  // The axes run along rows, columns and the normal.
   const double* const rows = image->GetDirectionMatrix()->GetData();
   const double* const spacingMm = image->GetSpacing();
   glm::dmat3 axes;
@@ -76,7 +77,7 @@ EvenGrid GridOf(vtkImageData* image, const std::vector<glm::dvec3>& positionsMm)
     first = glm::min(first, grid.slices.back());
     last = glm::max(last, grid.slices.back());
   }
-  // Whole voxels, so that slices which lie right above each other keep their values.
+  // Rounded to whole voxels, so that slices directly above each other keep their values.
   first = { std::floor(first.x + Tolerance), std::floor(first.y + Tolerance), first.z };
   last = { std::ceil(last.x - Tolerance), std::ceil(last.y - Tolerance), last.z };
   const double gapCount = std::round((last.z - first.z) / DistanceMm(grid.slices));
@@ -94,7 +95,7 @@ EvenGrid GridOf(vtkImageData* image, const std::vector<glm::dvec3>& positionsMm)
   return grid;
 }
 
-/// The voxels of one row or column to take: one, or two with a fraction of the second.
+/// The voxels of a row or column to use: one, or two with the second's fraction.
 struct Pair
 {
   explicit Pair(double position)
@@ -108,7 +109,7 @@ struct Pair
   double fraction;
 };
 
-/// What of a slice of the scan belongs to a slice of the grid.
+/// Adds the terms that one slice of the scan contributes to a slice of the grid.
 void AddTaps(const glm::dvec3& place, int slice, double weight, std::vector<Tap>& taps)
 {
   const Pair x(-place.x);
@@ -124,7 +125,7 @@ void AddTaps(const glm::dvec3& place, int slice, double weight, std::vector<Tap>
   }
 }
 
-/// All addends of a slice of the grid; they are the same for each of its voxels.
+/// All terms for a slice of the grid; they are the same for each of its voxels.
 std::vector<Tap> TapsAt(const EvenGrid& grid, double heightMm)
 {
   const auto isBelow = [](const glm::dvec3& slice, double limitMm) { return slice.z < limitMm; };
@@ -141,7 +142,7 @@ std::vector<Tap> TapsAt(const EvenGrid& grid, double heightMm)
   return taps;
 }
 
-/// Where along an axis of `count` voxels all taps find voxels: from the first to before the second.
+/// Range of voxels along an axis, end excluded, for which all terms are inside the scan.
 std::array<std::int64_t, 2> Inside(const std::vector<Tap>& taps, int axis, int count)
 {
   std::array<std::int64_t, 2> range = { 0, std::numeric_limits<std::int64_t>::max() };
@@ -160,7 +161,7 @@ Type Rounded(double value)
   return Type(std::is_integral<Type>::value ? std::floor(value + 0.5) : value);
 }
 
-/// Fills a slice of the grid, which begins at `slice`; values that do not exist it leaves alone.
+/// Fills a slice of the grid, which begins at `slice`. Leaves values outside the scan unchanged.
 template <class Type>
 void Resample(
   vtkImageData* scan, const std::vector<Tap>& taps, std::int64_t columnCount, Type* slice)
@@ -191,7 +192,7 @@ void Resample(
   tbb::parallel_for(rows[0], rows[1], fillRow);
 }
 
-/// Gives all voxels the lowest value of the scan.
+/// Fills the image with the lowest value of each component of the scan.
 void FillWithLowest(vtkImageData* scan, vtkImageData* image)
 {
   vtkDataArray* const values = image->GetPointData()->GetScalars();
@@ -230,7 +231,7 @@ Volume Rectified(const std::string& path, const Volume& volume, ReadProgress& pr
     progress.Report(double(slice + 1) / double(grid.dimensions[2]));
   }
   rectified.warnings.push_back(
-    "The slices were resampled on an even grid; what lies between scanned ones is interpolated.");
+    "The slices were resampled on an even grid; values between scanned slices are interpolated.");
   return rectified;
 }
 

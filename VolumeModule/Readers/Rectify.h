@@ -6,19 +6,18 @@
 namespace varimarch
 {
 
-/// Resamples a volume whose slices lie irregularly on a grid with even distances and right angles.
-/// The grid lies along the rows, the columns and the normal of the slices, from the first to the
-/// last, and holds all of them. Along a slice its voxels are as the scan's; from slice to slice
-/// they are as near as the nearer ones of the scan. Values are interpolated linearly between the
-/// slices before and behind, and in those between the voxels around; outside they are the lowest
-/// of the volume.
+/// Resamples a volume of irregular slices to an even, orthogonal grid. The grid runs along the
+/// rows, the columns and the normal of the slices, from the first to the last, and encloses all of
+/// them. It keeps the scan's voxel spacing within a slice, and the spacing of the denser slices
+/// between slices. Values are interpolated linearly between the slices before and behind, and
+/// bilinearly in these. Outside the scan they are the lowest value of the volume.
 ///
-/// vtkDICOMCTRectifier, which does this for a tilted gantry, cuts off what the tilt moves out of
-/// the first slice's frame, fills with 0, knows only even distances, and cannot be stopped.
+/// vtkDICOMCTRectifier does this for a tilted gantry. However, it cuts off what the tilt moves out
+/// of the first slice's frame, fills with 0, supports only even distances, and cannot be cancelled.
 ///
-/// @param path    for the error message
-/// @param volume  with irregularSlicesMm; without it comes back as it is
-/// @throws std::runtime_error when the resampled volume does not fit the memory
+/// @param path  path for the error message
+/// @param volume  a volume with irregularSlicesMm; one without is returned unchanged
+/// @throws std::runtime_error if the resampled volume does not fit in memory
 /// @throws ReadCancelled
 Volume Rectified(const std::string& path, const Volume& volume, ReadProgress& progress);
 

@@ -33,7 +33,7 @@ bool IsIdentity(const Rescale& rescale)
   return rescale.slope == 1.0 && rescale.intercept == 0.0;
 }
 
-/// The smallest and largest value that can come out, from those that go in.
+/// Smallest and largest possible result, given the stored values.
 std::array<double, 2> ResultRange(vtkImageData* image, const std::vector<Rescale>& slices)
 {
   double stored[2];
@@ -69,11 +69,11 @@ int ResultType(vtkImageData* image, const std::vector<Rescale>& slices)
       return VTK_INT;
     }
   }
-  // A float holds 24 bits.
+  // A float has a precision of 24 bits.
   return isFloat || image->GetScalarSize() <= 2 ? VTK_FLOAT : VTK_DOUBLE;
 }
 
-/// Slice by slice; stored and results may be the same memory if they are of the same type.
+/// Converts slice by slice; stored values and results of the same type may share their memory.
 template <class Stored, class Result>
 void Convert(const Stored* stored, std::size_t sliceValues, const std::vector<Rescale>& slices,
   Result* results)
@@ -127,7 +127,7 @@ vtkSmartPointer<vtkImageData> Rescaled(
     vtkTemplateMacro(
       ConvertTo(result.Get(), static_cast<const VTK_TT*>(stored), sliceValues, slices));
   }
-  result->GetPointData()->GetScalars()->Modified(); // forget a cached range
+  result->GetPointData()->GetScalars()->Modified(); // discards the cached range
   return result;
 }
 

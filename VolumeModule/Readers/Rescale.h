@@ -11,18 +11,18 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// The line that takes stored values to what they stand for.
+/// The linear map from stored values to physical ones.
 struct Rescale
 {
   double slope = 1.0;
   double intercept = 0.0;
 };
 
-/// The image with values slope * stored + intercept. The type is the smallest of short, int, float
-/// and double that holds the results exactly, or for a broken slope as precisely as the stored
-/// type was. The image itself comes back when there is nothing to do.
-/// @param slices  one line for all slices, or one for each
-/// @throws std::runtime_error when a wider type does not fit the memory
+/// Replaces all values by slope * stored + intercept. The result has the smallest type of short,
+/// int, float and double that holds the values exactly or, for a fractional slope, with the
+/// precision of the stored type. Returns the image itself if there is nothing to do.
+/// @param slices  one map for all slices, or one per slice
+/// @throws std::runtime_error if a wider type does not fit in memory
 vtkSmartPointer<vtkImageData> Rescaled(
   const std::string& path, vtkSmartPointer<vtkImageData> image, const std::vector<Rescale>& slices);
 

@@ -12,7 +12,7 @@ namespace
 
 constexpr std::size_t blockBytes = 512;
 
-/// The block before each member (POSIX.1-1988, which every later form of tar extends).
+/// The block before each member (POSIX.1-1988, which all later tar formats extend).
 struct Header
 {
   char name[100];
@@ -25,7 +25,7 @@ struct Header
 };
 static_assert(sizeof(Header) == blockBytes, "a tar header is one block");
 
-/// A number in octal digits, or with the first bit set in base 256 (for more than 8 GB).
+/// A number in octal digits, or in base 256 (for more than 8 GB) if the first bit is set.
 template <std::size_t Count>
 std::uint64_t NumberFromField(const char (&field)[Count])
 {
@@ -45,7 +45,7 @@ std::uint64_t NumberFromField(const char (&field)[Count])
   return number;
 }
 
-/// The sum of all bytes, with blanks for the checksum itself.
+/// The checksum is the sum of all bytes, with spaces in place of the checksum.
 bool HasRightChecksum(const Header& header)
 {
   Header blanked = header;
@@ -70,14 +70,14 @@ TarMember FindInTar(const std::string& path, const std::string& name)
   {
     if (!HasRightChecksum(header))
     {
-      FailToRead(path, "a tar archive", "a block that is no tar header");
+      FailToRead(path, "a tar archive", "a block that is not a tar header");
     }
     const std::uint64_t byteCount = NumberFromField(header.size);
     if (FileName(header) == name)
     {
       return { std::move(stream), byteCount };
     }
-    // Members fill whole blocks.
+    // Members are padded to whole blocks.
     const std::uint64_t paddedBytes =
       (byteCount / blockBytes + (byteCount % blockBytes != 0)) * blockBytes;
     if (stream->Skip(paddedBytes) < paddedBytes)

@@ -13,12 +13,12 @@ namespace varimarch
 /// A file in a tar archive, ready to be read.
 struct TarMember
 {
-  std::unique_ptr<ByteStream> stream; ///< at the first byte of the member
+  std::unique_ptr<ByteStream> stream; ///< positioned at the first byte of the member
   std::uint64_t byteCount;
 };
 
-/// Walks through an archive, plain or gzipped, to the first file of that name in any folder.
-/// @throws std::runtime_error when it is no tar archive, or has no such file
+/// Finds the first file with the given name, in any folder of an archive that may be gzipped.
+/// @throws std::runtime_error if it is not a tar archive, or has no such file
 TarMember FindInTar(const std::string& path, const std::string& name);
 
 }

@@ -17,69 +17,69 @@
 namespace varimarch
 {
 
-/// How the values of a volume are meant to be shown, in units of the data.
+/// Recommended range of values to show, in units of the data.
 struct WindowLevel
 {
-  double window; ///< width, > 0
-  double level;  ///< centre
+  double window; ///< width of the range, > 0
+  double level;  ///< centre of the range
 };
 
-/// What a file holds: an image placed in LPS space [mm], and what the file says about it.
-/// Nothing here identifies a patient.
+/// The content of a file: an image in LPS space [mm] and its metadata, none of which identifies a
+/// patient.
 struct Volume
 {
   vtkSmartPointer<vtkImageData> image;
   std::string modality; ///< "CT", "MR", another DICOM modality, or empty
-  std::string bodyPart; ///< as DICOM has it, "HEAD", "CHEST"; or empty
+  std::string bodyPart; ///< in DICOM's terms such as "HEAD" or "CHEST"; or empty
   bool hasContrastAgent = false;
-  std::string weighting; ///< of MR: "T1", "T2", "angiography", or empty
+  std::string weighting; ///< for MR: "T1", "T2", "angiography", or empty
   std::optional<WindowLevel> windowLevel;
-  std::vector<std::string> warnings; ///< sentences: what is doubtful about the volume
-  /// Where the first voxels of the scanned slices lie, in their order along the normal, if these
-  /// were tilted or lie at uneven distances [LPS, mm]; otherwise none.
+  std::vector<std::string> warnings; ///< sentences about doubtful input
+  /// Positions of the first voxels of the scanned slices [LPS, mm], in order along the normal, if
+  /// the slices were tilted or are unevenly spaced; otherwise empty.
   std::vector<glm::dvec3> irregularSlicesMm;
 };
 
-/// A warning for files that have no orientation.
+/// The warning for files without orientation.
 constexpr const char* UnknownSides =
-  "The file does not say which side is the patient's left, so pictures may be mirrored.";
+  "The file does not say which side is the patient's left, so images may be mirrored.";
 
-/// A warning for files with several volumes.
+/// The warning for files with several volumes.
 inline std::string OnlyFirstVolume(std::int64_t count)
 {
   return "The file holds " + std::to_string(count) +
     " volumes (time points or a list); only the first was read.";
 }
 
-/// What a file of bare voxels does not say about itself.
+/// The layout of a file of raw voxels.
 struct RawOptions
 {
-  std::array<int, 3> dimensions = { 0, 0, 0 }; ///< voxels along each axis, x fastest; 0 is unset
+  std::array<int, 3> dimensions = { 0, 0, 0 }; ///< voxels along each axis, x fastest; 0 if not set
   int scalarType = VTK_UNSIGNED_CHAR;
   int componentCount = 1;
   std::array<double, 3> spacingMm = { 1.0, 1.0, 1.0 };
-  std::int64_t headerBytes = 0; ///< to skip before the first voxel
+  std::int64_t headerBytes = 0; ///< bytes before the first voxel
   bool bigEndian = false;
 };
 
-/// What a caller can choose about reading.
+/// Options of a reader.
 struct ReadOptions
 {
   RawOptions raw;
-  std::string series;   ///< DICOM series to read, see SeriesNamed
-  bool rectify = false; ///< whether slices that lie irregularly are resampled on an even grid
+  std::string series;   ///< the DICOM series to read, see SeriesNamed
+  bool rectify = false; ///< true to resample irregular slices to an even grid
 };
 
-/// Thrown when the user has stopped the reading.
+/// Thrown if the user has cancelled the reader.
 struct ReadCancelled
 {
 };
 
-/// Tells a user how far reading is, and asks whether to go on.
+/// Reports progress to the user, and asks whether to continue.
 class ReadProgress
 {
 public:
-  /// @param goesOn  gets the part done, in [0, 1]; returns false to stop
+  /// @param goesOn  receives the finished part, [0, 1]; returns false to cancel
   explicit ReadProgress(std::function<bool(double)> goesOn)
     : goesOn(std::move(goesOn))
   {
@@ -94,7 +94,7 @@ public:
     }
   }
 
-  /// Progress of a part of the work, which counts from 0 to 1 itself. Must not outlive this.
+  /// Progress of a part of the work, which counts from 0 to 1 itself. Must not outlive this object.
   ReadProgress Part(double from, double to)
   {
     return ReadProgress(

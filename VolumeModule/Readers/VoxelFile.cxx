@@ -15,7 +15,7 @@ namespace
 {
 
 /// The files of the first of several volumes.
-/// @param valueCount  of that volume
+/// @param valueCount  number of values of that volume
 VoxelFile FirstVolume(const VoxelFile& file, std::uint64_t valueCount)
 {
   VoxelFile first = file;
@@ -27,7 +27,7 @@ VoxelFile FirstVolume(const VoxelFile& file, std::uint64_t valueCount)
   const auto volumeCount = std::uint64_t(file.volumeCount);
   if (fileCount % volumeCount != 0 || valueCount % (fileCount / volumeCount) != 0)
   {
-    FailToRead(file.paths.front(), "data files of equal parts of the volume",
+    FailToRead(file.paths.front(), "data files that hold equal parts of the volume",
       std::to_string(fileCount) + " files");
   }
   first.paths.resize(std::size_t(fileCount / volumeCount));
@@ -35,7 +35,7 @@ VoxelFile FirstVolume(const VoxelFile& file, std::uint64_t valueCount)
   return first;
 }
 
-/// Skips what precedes the voxels in one file, and opens it there.
+/// Opens a file at its first voxel.
 std::unique_ptr<ByteStream> StreamAtVoxels(
   const VoxelFile& file, const std::string& path, std::uint64_t partBytes)
 {
@@ -50,14 +50,14 @@ std::unique_ptr<ByteStream> StreamAtVoxels(
   return stream;
 }
 
-/// Fails for a file that cannot hold its part of the voxels, whatever its bytes are.
+/// Fails if a file is too short for its part of the voxels, whatever its bytes are.
 void CheckFileHolds(
   const VoxelFile& file, const std::string& path, std::uint64_t partBytes, std::uint64_t partValues)
 {
   const double fileBytes = double(ReadableFileSize(path));
   const double headerBytes = std::max(0.0, double(file.fileOffset));
   const bool isText = file.encoding == VoxelEncoding::Text;
-  // A number and the blank behind it take two bytes; the last one needs no blank.
+  // A number and the separator after it take two bytes; the last one needs no separator.
   double neededBytes = isText ? 2.0 * partValues - 1.0 : double(partBytes) + file.dataOffset;
   double mostBytes = std::max(0.0, fileBytes - headerBytes);
   if (file.compression != Compression::None)
@@ -71,7 +71,7 @@ void CheckFileHolds(
   }
 }
 
-/// Reads the values of one of the files.
+/// Reads the values of one file.
 void ReadPart(
   const VoxelFile& file, const NumberList& values, void* destination, ReadProgress progress)
 {
@@ -88,7 +88,7 @@ void ReadPart(
   }
 }
 
-/// From component after component to voxel after voxel.
+/// Reorders from component by component to voxel by voxel.
 void Interleave(vtkImageData* image)
 {
   const int componentCount = image->GetNumberOfScalarComponents();
@@ -145,7 +145,7 @@ void SwapToHostOrder(bool fileIsBigEndian, vtkImageData* image)
 vtkSmartPointer<vtkImageData> ReadVoxels(
   const VoxelFile& allFiles, const VoxelLayout& layout, ReadProgress& progress)
 {
-  // Everything that can be known to be wrong is found before memory is taken.
+  // Detects all detectable errors before memory is allocated.
   const std::uint64_t byteCount = CheckedByteCount(allFiles.paths.front(), layout);
   const auto valueBytes = std::uint64_t(vtkDataArray::GetDataTypeSize(layout.scalarType));
   const VoxelFile file = FirstVolume(allFiles, byteCount / valueBytes);

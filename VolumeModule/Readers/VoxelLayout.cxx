@@ -19,14 +19,14 @@ namespace
 double PhysicalMemoryBytes()
 {
   vtksys::SystemInformation machine;
-  return 1024.0 * double(machine.GetHostMemoryTotal()); // it counts in KiB
+  return 1024.0 * double(machine.GetHostMemoryTotal()); // in KiB
 }
 
 }
 
 std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layout)
 {
-  // The product in double cannot overflow; it is exact for every volume that fits into memory.
+  // A product of doubles cannot overflow, and is exact for all volumes that fit in memory.
   double bytes = double(vtkDataArray::GetDataTypeSize(layout.scalarType)) * layout.componentCount;
   for (std::int64_t dimension : layout.dimensions)
   {
@@ -43,7 +43,7 @@ std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layou
   const double memoryBytes = PhysicalMemoryBytes();
   if (bytes > memoryBytes)
   {
-    FailToRead(path, "a volume that fits the memory of " + ByteText(memoryBytes),
+    FailToRead(path, "a volume that fits in the memory of " + ByteText(memoryBytes),
       Text(layout) + " (" + ByteText(bytes) + ")");
   }
   return std::uint64_t(bytes);

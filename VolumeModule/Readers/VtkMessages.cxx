@@ -12,7 +12,7 @@ namespace varimarch
 namespace
 {
 
-/// "ERROR: In file, line 7\nvtkClass (0x1234): text\n\n" becomes "text".
+/// Reduces "ERROR: In file, line 7\nvtkClass (0x1234): text\n\n" to "text".
 std::string WithoutPlace(const std::string& message)
 {
   const std::size_t address = message.find("): ");
@@ -49,7 +49,7 @@ std::string VtkMessages::FirstErrorOr(const std::string& otherwise) const
   {
     return otherwise;
   }
-  // Only its first sentence, without the full stop.
+  // Only the first sentence, without its full stop.
   constexpr std::size_t longest = 200;
   std::string sentence = this->errors.front() + ' ';
   return "the fault " +

@@ -14,7 +14,7 @@ class vtkObject;
 namespace varimarch
 {
 
-/// Takes the errors and warnings of VTK objects, which would otherwise be printed.
+/// Collects errors and warnings of VTK objects, which would otherwise be printed.
 class VARIMARCHVOLUME_EXPORT VtkMessages
 {
 public:
@@ -23,17 +23,17 @@ public:
   VtkMessages(const VtkMessages&) = delete;
   void operator=(const VtkMessages&) = delete;
 
-  /// Listens to an object. It must not outlive these messages.
+  /// Observes an object, which must not outlive this one.
   void Take(vtkObject* object);
 
-  /// The listener itself, for objects that pass it on to objects of their own.
+  /// The observer, for objects that pass it on to other objects.
   vtkCallbackCommand* Listener() { return this->listener; }
 
-  /// What has been said, without file, line and address.
+  /// The messages so far, without file, line and address.
   const std::vector<std::string>& Errors() const { return this->errors; }
   const std::vector<std::string>& Warnings() const { return this->warnings; }
 
-  /// The first error as words for a sentence, or `otherwise` if there is none.
+  /// The first error as part of a sentence, or `otherwise` if there is none.
   std::string FirstErrorOr(const std::string& otherwise) const;
 
 private:

@@ -16,7 +16,7 @@ void UpdateWithProgress(vtkAlgorithm* algorithm, ReadProgress& progress)
   } link{ progress, false };
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&link);
-  // VTK's own code does not expect an exception, so the algorithm is asked to stop first.
+  // VTK's code is not exception-safe, so the algorithm is asked to abort first.
   observer->SetCallback(
     [](vtkObject* caller, unsigned long, void* clientData, void* partDone)
     {

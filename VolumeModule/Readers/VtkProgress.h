@@ -8,7 +8,7 @@ class vtkAlgorithm;
 namespace varimarch
 {
 
-/// Updates the first output of a VTK algorithm, and passes its progress on.
+/// Updates the first output of a VTK algorithm and forwards its progress.
 /// @throws ReadCancelled after the algorithm has returned
 void UpdateWithProgress(vtkAlgorithm* algorithm, ReadProgress& progress);
 
