@@ -75,8 +75,9 @@
  *
  * An isosurface of several independent components is that of the component with the largest weight.
  *
- * Not supported, and reported as errors: isosurfaces of dependent components, of rectilinear grids
- * or with CubicInterpolation.
+ * These features are not supported and reported as errors: isosurfaces of dependent components or
+ * with CubicInterpolation; rectilinear grids with isosurfaces, blanking, masks or
+ * CubicInterpolation.
  *
  * @sa vtkVolumeMapper vtkVolumeProperty
  */
