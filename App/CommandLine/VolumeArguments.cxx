@@ -51,7 +51,7 @@ bool HasRawLayout(const VolumeArguments& arguments)
 // Asks for the dimensions of a raw file, and suggests those that fit its name and size.
 std::string MissingDimensions(const std::string& path)
 {
-  const std::string needed = "needed for the bare voxels of " + path;
+  const std::string needed = "needed for the raw voxels of " + path;
   const auto fileBytes = std::int64_t(std::filesystem::file_size(path));
   const RawLayout guess = GuessedRawLayout(path, fileBytes);
   if (BytesOf(guess) != fileBytes)

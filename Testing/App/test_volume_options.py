@@ -81,7 +81,7 @@ def raw(folder):
     _, errors = run("info", voxels, *layout)
     assert "7 bytes longer" in errors, errors
     _, errors = run("info", voxels, expect=2)
-    assert f"--raw-dimensions: needed for the bare voxels of {voxels}\n" in errors, errors
+    assert f"--raw-dimensions: needed for the raw voxels of {voxels}\n" in errors, errors
     guessed = folder / "voxels_4x3x2.raw"
     guessed.write_bytes(voxels.read_bytes()[7:])
     _, errors = run("info", guessed, expect=2)

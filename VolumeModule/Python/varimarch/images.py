@@ -15,7 +15,7 @@ def read(path):
     """The volume in a file, as vtkImageData placed in the patient (DICOM's LPS space, in mm).
 
     VTI, NRRD, MetaImage, NIfTI, InVesalius projects, and DICOM: a file, a DICOMDIR or a folder, of
-    which the series with most images is read. For bare voxels, other series, and what else a file
+    which the series with most images is read. For raw voxels, other series, and what else a file
     says, use vtkVolumeFileReader.
 
     Raises OSError with one sentence when the file cannot be read.
