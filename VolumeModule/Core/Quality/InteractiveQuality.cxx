@@ -1,5 +1,7 @@
 #include "Core/Quality/InteractiveQuality.h"
 
+#include "Core/Quality/ErrorBudget.h"
+
 #include <array>
 
 namespace varimarch
@@ -14,11 +16,15 @@ struct QualityLevel
   double cost; ///< cost of a frame, relative to the finest level
 };
 
+constexpr double Most = ErrorBudget::MostWhileMoving;
+constexpr double Half = Most / 2.0;
+
 // A larger tolerance is less visible than fewer rays, so it comes first. Costs are proportional to
 // the number of rays; each doubling of the tolerance saves about a quarter, measured on heads.
-const std::array<QualityLevel, 9> levels = { { { { 1.0, 1.0 }, 1.0 }, { { 1.0, 2.0 }, 0.75 },
-  { { 1.41, 2.0 }, 0.38 }, { { 2.0, 2.0 }, 0.19 }, { { 2.0, 4.0 }, 0.14 }, { { 2.83, 4.0 }, 0.07 },
-  { { 4.0, 4.0 }, 0.035 }, { { 5.66, 4.0 }, 0.0175 }, { { 8.0, 4.0 }, 0.009 } } };
+const std::array<QualityLevel, 9> levels = { { { { 1.0, 1.0 }, 1.0 }, { { 1.0, Half }, 0.75 },
+  { { 1.41, Half }, 0.38 }, { { 2.0, Half }, 0.19 }, { { 2.0, Most }, 0.14 },
+  { { 2.83, Most }, 0.07 }, { { 4.0, Most }, 0.035 }, { { 5.66, Most }, 0.0175 },
+  { { 8.0, Most }, 0.009 } } };
 
 // Fractions of the allocated time: the target for a frame, and the limit for switching to a finer
 // level.

@@ -1,5 +1,6 @@
 #include "Core/Quality/StepSearch.h"
 
+#include "Core/Quality/ErrorBudget.h"
 #include "Core/Quality/ImageError.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ constexpr double LeastNear = 0.6;
 constexpr double MostNear = 1.25;
 // The predicted distance is accepted if the error drawn there exceeds the limit by no more than the
 // inaccuracy of the estimate.
-constexpr double MostOfLimit = 1.15;
+constexpr double MostOfLimit = ErrorBudget::EstimateSlack;
 
 constexpr int MostTrials = 10;
 
@@ -40,7 +41,7 @@ double ErrorPerChange(double order, double halvings)
 
 double FractionOfLimit(const ImageError& error, const ErrorLimit& limit)
 {
-  constexpr double Infinite = 1e12; // stands for NaN
+  constexpr double Infinite = 1e12; // stands for an error that is not a number
   return std::min(
     std::max(error.percentile999 / limit.percentile999, error.largest / limit.largest) / 255.0,
     Infinite);

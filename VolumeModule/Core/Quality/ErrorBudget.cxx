@@ -1,0 +1,56 @@
+#include "Core/Quality/ErrorBudget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The part of the tolerance that is left before window and level. A window narrower than all
+// colours magnifies their errors.
+double BeforeWindow(double share, double windowScale)
+{
+  return share / std::max(1.0, std::abs(windowScale));
+}
+
+}
+
+double ErrorBudget::FieldError() const
+{
+  const double withoutTolerance = this->isExtreme ? 0.0 : FieldErrorWithoutTolerance;
+  const double error = this->HasTolerance()
+    ? BeforeWindow(FieldShare, this->windowScale) * this->tolerance
+    : withoutTolerance;
+  return error / double(this->volumeCount);
+}
+
+double ErrorBudget::EarlyTermination(double withoutTolerance) const
+{
+  return this->HasTolerance()
+    ? BeforeWindow(EarlyTerminationShare, this->windowScale) * this->tolerance
+    : withoutTolerance;
+}
+
+double ErrorBudget::StepTolerance() const
+{
+  return this->isSampled ? this->stepFactor * this->tolerance : 0.0;
+}
+
+ErrorLimit ErrorBudget::StepLimit() const
+{
+  const double tolerance =
+    this->isExtreme ? ExtremesShare * this->StepTolerance() : this->StepTolerance();
+  return { StepShare * tolerance, LargestStepShare * tolerance };
+}
+
+ErrorBudget ErrorBudget::WithStepFactor(double factor) const
+{
+  ErrorBudget budget = *this;
+  budget.stepFactor *= factor;
+  return budget;
+}
+
+}
