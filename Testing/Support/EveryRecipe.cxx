@@ -33,7 +33,7 @@ std::vector<RenderSettings> RecipesOfPictures()
   for (bool windowLevel : { false, true })
   {
     recipes.emplace_back();
-    recipes.back().marching = Marching::Before;
+    recipes.back().role = ShaderRole::ShowMarchedImage;
     recipes.back().windowLevel = windowLevel;
   }
   for (RayPass pass : { RayPass::PeelOutside, RayPass::PeelBetween, RayPass::PeelLast,
@@ -42,11 +42,11 @@ std::vector<RenderSettings> RecipesOfPictures()
     recipes.push_back({});
     recipes.back().pass = pass;
     recipes.push_back(recipes.back());
-    recipes.back().marching = Marching::Before;
+    recipes.back().role = ShaderRole::ShowMarchedImage;
     if (Peels(pass))
     {
       recipes.push_back(recipes.back());
-      recipes.back().marching = Marching::After;
+      recipes.back().role = ShaderRole::WriteLayerDepths;
     }
   }
   return recipes;

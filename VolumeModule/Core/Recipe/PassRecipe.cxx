@@ -147,7 +147,7 @@ std::vector<std::string> PassParts(const RenderSettings& settings)
 std::vector<std::string> PacketParts(const RenderSettings& settings)
 {
   const RayPass pass = settings.pass;
-  if (settings.marching == Marching::After)
+  if (settings.role == ShaderRole::WriteLayerDepths)
   {
     return { "RayParameters.glsl", PeelFile(pass), "Marched/LayerDepths.frag.glsl" };
   }

@@ -90,12 +90,12 @@ enum class Marcher
   Processor, ///< the CPU, in packets of rays: Core/Packets
 };
 
-/// Role of a shader when rays are marched.
-enum class Marching
+/// The part of a shader in the march of an image.
+enum class ShaderRole
 {
-  Within, ///< the shader marches the rays
-  After,  ///< the shader writes where rays begin and end, before the CPU marches them
-  Before  ///< the shader shows the colours that the CPU has computed
+  MarchRays,        ///< The shader marches the rays itself.
+  WriteLayerDepths, ///< It writes where rays enter and leave layers, before the CPU marches them.
+  ShowMarchedImage, ///< It draws the image that the CPU has marched.
 };
 
 /// The work of one drawing on the rays of an image.
@@ -159,7 +159,7 @@ struct RenderSettings
   bool countFetches = false;     ///< draw the number of fetches of each ray instead of its colour
   bool skipsBricks = true;       ///< composites with an optical field: enough bricks can be skipped
   RayPass pass = RayPass::Whole;
-  Marching marching = Marching::Within;
+  ShaderRole role = ShaderRole::MarchRays;
   bool damping = false; ///< shading fades where the gradient is small; one component only
   bool lights = false;  ///< all lights of the scene, not only a head light
   Mask mask = Mask::None;
@@ -177,7 +177,7 @@ struct RenderSettings
 inline bool Marches(const RenderSettings& settings)
 {
   const RayPass pass = settings.pass;
-  return settings.marching == Marching::Within && pass != RayPass::Picture &&
+  return settings.role == ShaderRole::MarchRays && pass != RayPass::Picture &&
     pass != RayPass::Upscaled && pass != RayPass::Averaged && pass != RayPass::Accumulated;
 }
 

@@ -364,7 +364,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     return PictureParts(settings);
   }
-  if (settings.marching != Marching::Within)
+  if (settings.role != ShaderRole::MarchRays)
   {
     return PacketParts(settings);
   }

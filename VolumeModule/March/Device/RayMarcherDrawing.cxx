@@ -25,7 +25,7 @@ enum class Blending
 Blending BlendingOf(const Frame& frame)
 {
   const RayPass pass = frame.settings.pass;
-  if (frame.settings.marching == Marching::After)
+  if (frame.settings.role == ShaderRole::WriteLayerDepths)
   {
     return Blending::Replace;
   }

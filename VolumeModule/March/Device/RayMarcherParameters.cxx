@@ -71,7 +71,7 @@ RayParameters RayMarcher::ParametersOfRays(const Frame& frame, const DrawnBlock&
     glm::dvec2(this->depth.SizePixels()) / glm::dvec2(viewport.width, viewport.height);
   rays.imageCount = float(this->picture.accumulated.Count());
   rays.rowsOfNext = this->picture.accumulated.RowsOfNext();
-  if (frame.settings.marching == Marching::Before)
+  if (frame.settings.role == ShaderRole::ShowMarchedImage)
   {
     const Viewport& pixels = this->packets.Pixels();
     rays.marchedColumns = pixels.width;
@@ -105,7 +105,7 @@ void RayMarcher::SetVolumes(const Frame& frame, const DrawnBlock& drawn)
 void RayMarcher::SetParameters(const Frame& frame, const DrawnBlock& drawn)
 {
   this->program.SetRays(this->ParametersOfRays(frame, drawn), this->TexturesOfRays(frame));
-  if (frame.settings.marching == Marching::Within && frame.settings.pass != RayPass::Accumulated)
+  if (frame.settings.role == ShaderRole::MarchRays && frame.settings.pass != RayPass::Accumulated)
   {
     this->SetVolumes(frame, drawn);
   }
@@ -114,7 +114,7 @@ void RayMarcher::SetParameters(const Frame& frame, const DrawnBlock& drawn)
     frame.volumePass.renderPass->SetShaderParameters(
       this->program.Program(), nullptr, frame.volume, nullptr);
   }
-  if (frame.settings.marching == Marching::Within && Marches(frame.settings))
+  if (frame.settings.role == ShaderRole::MarchRays && Marches(frame.settings))
   {
     this->program.SetUniformsOf(frame.volume);
   }

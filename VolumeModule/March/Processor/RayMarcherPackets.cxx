@@ -230,7 +230,7 @@ PacketSurroundings RayMarcher::SurroundingsOf(const Frame& frame)
 std::vector<float> RayMarcher::DrawLayerDepths(const Frame& frame)
 {
   Frame depths = frame;
-  depths.settings.marching = Marching::After;
+  depths.settings.role = ShaderRole::WriteLayerDepths;
   this->UpdateProgram(depths);
   FloatFramebuffer& framebuffer = this->picture.layerDepths;
   framebuffer.Draw(
@@ -255,7 +255,7 @@ void RayMarcher::DrawPackets(const Frame& frame)
   this->shaderParts.clear();
 
   Frame marched = frame;
-  marched.settings.marching = Marching::Before;
+  marched.settings.role = ShaderRole::ShowMarchedImage;
   this->UpdateProgram(marched);
   this->DrawBox(marched, drawn);
 }
