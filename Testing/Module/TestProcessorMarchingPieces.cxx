@@ -2,7 +2,7 @@
 // geometry. Images match those of the shaders to a twentieth of a grey level (RMSE).
 
 #include "Module/ProcessorMarching.h"
-#include "Resources/ChannelCopy.h"
+#include "Resources/ComponentCopy.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -291,15 +291,15 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfPieces,
   NameOf);
 
 // NaN must not survive a weight of 0.
-TEST(ChannelCopy, HasZerosForWhatIsNotANumber)
+TEST(ComponentCopy, HasZerosForWhatIsNotANumber)
 {
   vtkNew<vtkDoubleArray> values;
   values->SetNumberOfComponents(2);
   values->InsertNextTuple2(1.0, 2.0);
   values->InsertNextTuple2(3.0, std::numeric_limits<double>::quiet_NaN());
   values->InsertNextTuple2(std::numeric_limits<double>::infinity(), 6.0);
-  const ChannelCopy first = CopyAsFloats({ values, 0 });
-  const ChannelCopy second = CopyAsItIs({ values, 1 });
+  const ComponentCopy first = CopyAsFloats({ values, 0 });
+  const ComponentCopy second = CopyAsItIs({ values, 1 });
   const double expected[2][3] = { { 1.0, 3.0, 0.0 }, { 2.0, 0.0, 6.0 } };
   for (int i = 0; i < 3; ++i)
   {

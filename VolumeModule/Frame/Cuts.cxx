@@ -31,7 +31,7 @@ glm::dvec4 PlaneInGrid(glm::dvec4 plane, const glm::dmat4& spaceFromGrid)
 // The axis that a plane is perpendicular to; none where it is oblique.
 std::optional<int> AxisOf(const glm::dvec4& plane)
 {
-  constexpr double rounding = 1e-12; // of the products that made the plane, whose length is 1
+  constexpr double rounding = 1e-12; // the error of the products that made the unit normal
   for (int axis = 0; axis < 3; ++axis)
   {
     if (std::abs(std::abs(plane[axis]) - 1.0) < rounding &&

@@ -7,9 +7,7 @@
 #include "Frame/SliceSurface.h"
 #include "Frame/UserShaderCode.h"
 #include "Frame/VolumeGeometry.h"
-#include "Resources/GapTextures.h"
-#include "Resources/MaskTexture.h"
-#include "Resources/VolumeTexture.h"
+#include "Frame/VoxelInput.h"
 
 #include "vtkType.h"
 
@@ -37,7 +35,7 @@ struct Frame
   vtkRenderer* renderer;
   vtkVolumeProperty* property;
   vtkDataArray* scalars;
-  VoxelChannels channels; ///< what of the scalars is drawn
+  VoxelComponents components; ///< what of the scalars is drawn
   vtkMTimeType scalarsTime;
   VolumeGeometry geometry;
   std::vector<UnevenAxis> axes; ///< of a rectilinear grid; none of an image

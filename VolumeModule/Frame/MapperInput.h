@@ -14,23 +14,23 @@ class vtkVolumeMapper;
 namespace varimarch
 {
 
-/// What a mapper has as input.
+/// The input of a mapper.
 struct MapperInput
 {
-  vtkDataSet* data; ///< an image or a rectilinear grid
+  vtkDataSet* data; ///< An image or a rectilinear grid.
   vtkDataArray* scalars;
-  VoxelPlace place; ///< of the scalars
+  VoxelPlace place; ///< The points or the cells, whichever have the scalars.
 
   glm::ivec3 PointCount() const;
 
   VolumeGeometry Geometry(vtkVolume* volume, const std::vector<UnevenAxis>& axes) const;
 
-  /// Of a rectilinear grid; none of an image.
+  /// The axes of a rectilinear grid; none for an image.
   std::vector<UnevenAxis> Axes(bool nearest) const;
 };
 
-/// Nothing where the input is empty.
-/// @throws std::runtime_error a sentence, when it is nothing that can be drawn
+/// The input of a port; nothing if it is empty.
+/// @throws std::runtime_error a sentence, if the input cannot be drawn
 std::optional<MapperInput> InputOf(vtkVolumeMapper* mapper, int port = 0);
 
 }

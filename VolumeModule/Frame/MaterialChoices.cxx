@@ -1,7 +1,7 @@
 #include "Frame/MaterialChoices.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Resources/MaterialTables.h"
+#include "Frame/PropertyTransferFunction.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkDataArray.h"
@@ -90,7 +90,7 @@ MaskVoxels MaskVoxelsOf(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty
 }
 
 // The second value of a transfer function of two.
-VoxelChannel SecondChannel(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data)
+VoxelComponent SecondComponent(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data)
 {
   const std::string name = mapper->GetTransfer2DYAxisArray();
   vtkDataArray* const second = data->GetPointData()->GetArray(name.c_str());
@@ -139,17 +139,17 @@ void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame
 {
   for (int component = 0; component < frame.settings.componentCount; ++component)
   {
-    frame.channels.push_back({ frame.scalars, component });
+    frame.components.push_back({ frame.scalars, component });
   }
   if (frame.settings.functionOf == FunctionOf::TwoValues)
   {
-    frame.channels.push_back(SecondChannel(mapper, data));
-    if (frame.channels.back().array->GetNumberOfTuples() != frame.scalars->GetNumberOfTuples())
+    frame.components.push_back(SecondComponent(mapper, data));
+    if (frame.components.back().array->GetNumberOfTuples() != frame.scalars->GetNumberOfTuples())
     {
       throw std::runtime_error("The second value of the transfer function has another number of "
                                "values than the first");
     }
-    frame.scalarsTime = std::max(frame.scalarsTime, frame.channels.back().array->GetMTime());
+    frame.scalarsTime = std::max(frame.scalarsTime, frame.components.back().array->GetMTime());
   }
   if (frame.settings.mask != Mask::None)
   {
@@ -177,7 +177,7 @@ void ChooseSurfaceComponent(Frame& frame)
       frame.surfaceComponent = component;
     }
   }
-  frame.channels = { frame.channels[frame.surfaceComponent] };
+  frame.components = { frame.components[frame.surfaceComponent] };
   frame.settings.components = Components::One;
   frame.settings.componentCount = 1;
 }

@@ -5,6 +5,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <set>
 
 namespace varimarch
 {
@@ -12,11 +13,11 @@ namespace varimarch
 namespace
 {
 
-// Between two nodes of a colour space that is not linear RGB: the steps that linear RGB needs to
-// follow the curve to well below what a display can show.
+// Samples between two nodes of a colour space that is not linear RGB: with so many, linear RGB
+// follows the curve to well below what a display can show.
 constexpr int SamplesBetweenNodes = 64;
 
-// A curve that is not clamped is nothing beyond its ends.
+// A curve that is not clamped is 0 beyond its ends.
 template <class Node>
 void StepToNothingAtEnds(std::vector<Node>& nodes, bool clamped)
 {
@@ -91,6 +92,12 @@ TransferFunction TransferFunctionOf(vtkVolumeProperty* property, int component)
     : NodesOf(property->GetRGBTransferFunction(component));
   return TransferFunction(std::move(colors), NodesOf(property->GetScalarOpacity(component)),
     property->GetScalarOpacityUnitDistance(component));
+}
+
+std::vector<int> LabelsOf(vtkVolumeProperty* property)
+{
+  const std::set<int> labels = property->GetLabelMapLabels();
+  return std::vector<int>(labels.begin(), labels.end());
 }
 
 TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label)

@@ -5,6 +5,8 @@
 
 #include "VarimarchVolumeModule.h"
 
+#include <vector>
+
 class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
@@ -17,7 +19,11 @@ namespace varimarch
 VARIMARCHVOLUME_EXPORT TransferFunction TransferFunctionOf(
   vtkVolumeProperty* property, int component = 0);
 
-/// That of a label of a mask: what it has no curve for is as without a label.
+/// The labels of a mask that have curves of their own, ascending. Row i + 1 of the tables is that
+/// of the i-th label; row 0 is that of all other labels.
+std::vector<int> LabelsOf(vtkVolumeProperty* property);
+
+/// The transfer function of a label. Where it has no curve of its own, it is that without a label.
 TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label);
 
 /// A curve of opacities, as VTK has it; without colours.

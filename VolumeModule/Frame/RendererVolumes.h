@@ -11,11 +11,12 @@ class vtkVolume;
 namespace varimarch
 {
 
-/// The visible volumes of a renderer that vtkVariationFieldVolumeMapper draws, the one first whose
-/// middle is farthest from the camera; those as far as each other as they were added.
+/// The visible volumes of a renderer that vtkVariationFieldVolumeMapper draws, beginning with the
+/// one whose middle is farthest from the camera. Volumes at the same distance keep the order in
+/// which they were added.
 std::vector<vtkVolume*> VolumesBackToFront(vtkRenderer* renderer);
 
-/// When anything last changed that their order, or which of them are in view, depends on.
+/// The time of the last change that may affect their order, or which of them are in view.
 vtkMTimeType TimeOf(const std::vector<vtkVolume*>& volumes, vtkRenderer* renderer);
 
 }

@@ -2,8 +2,8 @@
 
 #include "Frame/Frame.h"
 #include "Frame/Lights.h"
+#include "Frame/PropertyTransferFunction.h"
 #include "Frame/VolumeGeometry.h"
-#include "Resources/MaterialTables.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkColorTransferFunction.h"

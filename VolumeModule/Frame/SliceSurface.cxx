@@ -45,7 +45,7 @@ glm::dvec3 Axis(int axis)
   return unit;
 }
 
-// That a function of second degree has, from ten of its values.
+// The matrix of a function of second degree, from ten of its values.
 glm::dmat4 MatrixOf(const BoxFunction& function)
 {
   const double center = function(glm::dvec3(0.0));
@@ -76,7 +76,7 @@ double LargestEntry(const glm::dmat4& matrix)
   return largest;
 }
 
-// At points that the matrix was not made from.
+// Compares both at points that the matrix was not made from.
 bool IsAsTheFunction(const glm::dmat4& matrix, const BoxFunction& function, double allowed)
 {
   for (int corner = 0; corner < 8; ++corner)
@@ -99,7 +99,7 @@ bool IsAsTheFunction(const glm::dmat4& matrix, const BoxFunction& function, doub
 
 SliceSurface SliceSurfaceOf(vtkImplicitFunction* function, const VolumeGeometry& geometry)
 {
-  constexpr double rounding = 1e-9; // of the values that a matrix is made of
+  constexpr double rounding = 1e-9; // the error of the values that a matrix is made of
   const Box& box = geometry.boxGrid;
   const glm::dvec3 center = 0.5 * (box.lower + box.upper);
   const glm::dvec3 halfSize = 0.5 * (box.upper - box.lower);
@@ -116,7 +116,8 @@ SliceSurface SliceSurfaceOf(vtkImplicitFunction* function, const VolumeGeometry&
   for (int i = 0; i < 16; ++i)
   {
     double& entry = matrix[i / 4][i % 4];
-    entry = std::abs(entry) <= rounding * largest ? 0.0 : entry; // a plane has none but of rounding
+    entry =
+      std::abs(entry) <= rounding * largest ? 0.0 : entry; // in a plane such an entry is rounding
   }
   const glm::dmat4 boxFromCentered = glm::scale(glm::dmat4(1.0), 1.0 / halfSize);
   matrix = glm::transpose(boxFromCentered) * matrix * boxFromCentered;

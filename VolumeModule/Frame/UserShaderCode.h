@@ -9,23 +9,23 @@ class vtkVolume;
 namespace varimarch
 {
 
-/// What a user has put into the shader: the text of slots, in place of the files that would be
-/// chosen for them, and uniforms. A slot is a folder of VolumeModule/Shaders; what its text must
-/// define stands in Slots.glsl.
+/// The code of a user in the shader: the text of slots, in place of the files that would be chosen
+/// for them, and uniforms. A slot is a folder of VolumeModule/Shaders; Slots.glsl declares what its
+/// text must define.
 struct UserShaderCode
 {
   std::map<std::string, std::string> textOfSlot;
-  std::string uniforms; ///< their declarations
+  std::string uniforms; ///< The declarations of the uniforms.
 
   bool IsEmpty() const { return this->textOfSlot.empty() && this->uniforms.empty(); }
 };
 
-/// Taken from the replacements "//Varimarch::SLOT" of the volume's shader property, for fragment
-/// shaders, and from its custom uniforms.
+/// Takes the code from the replacements "//Varimarch::SLOT" of the volume's shader property, for
+/// fragment shaders, and from its custom uniforms.
 UserShaderCode UserShaderCodeOf(vtkVolume* volume);
 
-/// What of the volume's shader property is not for our shaders: a sentence followed by a space, or
-/// nothing.
+/// A sentence about code of the volume's shader property that is not for our shaders, followed by a
+/// space; empty if there is none.
 std::string MissingShaderCode(vtkVolume* volume);
 
 }

@@ -30,7 +30,7 @@ glm::dmat4 FromVtk(vtkMatrix4x4* matrix)
   return glm::transpose(glm::make_mat4(matrix->GetData()));
 }
 
-// Of a gradient in VTK's sense: differences over distances, times the mean of these.
+// Factors of a gradient in VTK's sense: differences over distances, times the mean of these.
 glm::dvec3 GradientFactors(glm::dvec3 spacing)
 {
   const glm::dvec3 absolute = glm::abs(spacing);
@@ -128,6 +128,11 @@ VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* 
   geometry.worldFromGrid = FromVtk(worldFromData) * geometry.dataFromGrid;
   geometry.gradientFactors = GradientFactors(step);
   return geometry;
+}
+
+glm::dmat4 GridFromGrid(const VolumeGeometry& to, const VolumeGeometry& from)
+{
+  return glm::inverse(to.worldFromGrid) * from.worldFromGrid;
 }
 
 Viewport ViewportOf(vtkRenderer* renderer)

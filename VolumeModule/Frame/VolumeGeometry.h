@@ -18,19 +18,19 @@ class vtkVolume;
 namespace varimarch
 {
 
-/// Where a volume lies. Grid space has the image's first voxel at (0,0,0), whatever its extent.
+/// The place of a volume. Grid space has the image's first voxel at (0,0,0), whatever its extent.
 struct VolumeGeometry
 {
-  glm::ivec3 dimensions;    ///< voxels
-  Box boxGrid;              ///< what is drawn: all cells; an axis with one voxel is one voxel thick
-  glm::dmat4 dataFromGrid;  ///< extent, origin, spacing and direction of the image
-  glm::dmat4 worldFromGrid; ///< the same, then the volume's matrix
+  glm::ivec3 dimensions;    ///< The number of voxels along each axis.
+  Box boxGrid;              ///< All cells; an axis with one voxel is one voxel thick.
+  glm::dmat4 dataFromGrid;  ///< Extent, origin, spacing and direction of the image.
+  glm::dmat4 worldFromGrid; ///< The same, then the volume's matrix.
 
-  /// Mean spacing of the image over twice the spacing along each axis: what makes differences of
-  /// voxels two apart the gradients that VTK's gradient opacity is a function of.
+  /// Mean spacing of the image over twice the spacing along each axis. These factors make
+  /// differences of voxels two apart the gradients that VTK's gradient opacity is a function of.
   glm::dvec3 gradientFactors;
 
-  double smallestGap = 1.0; ///< of neighbouring voxels, along any axis of the grid
+  double smallestGap = 1.0; ///< The smallest distance of neighbouring voxels in the grid.
 
   glm::dmat3 WorldFromGridDirection() const { return glm::dmat3(this->worldFromGrid); }
 
@@ -40,7 +40,7 @@ struct VolumeGeometry
   /// Smallest distance of two neighbouring voxels in the world [mm].
   double SmallestSpacingMm() const;
 
-  double ThinnestSideMm() const; ///< of the volume [mm]
+  double ThinnestSideMm() const; ///< The shortest side of the volume [mm].
 
   /// Length of the longest ray through the volume [mm].
   double DiagonalMm() const;
@@ -51,19 +51,22 @@ struct VolumeGeometry
   double ShortestSampleDistanceMm() const;
 };
 
-/// What of an image has the values. A cell's is that of its middle: its voxel lies there, and what
-/// is drawn reaches half a voxel beyond the outermost ones, where their values go on.
+/// The parts of an image that have the values. The voxel of a cell lies in its middle, and the
+/// volume is drawn half a voxel beyond the outermost voxels, whose values continue there.
 enum class VoxelPlace
 {
   Points,
   Cells,
 };
 
-/// Of a rectilinear grid: the even grid from its first voxel to its last.
+/// The geometry of a rectilinear grid: the even grid from its first voxel to its last.
 VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* volume);
 
 VARIMARCHVOLUME_EXPORT VolumeGeometry VolumeGeometryOf(
   vtkImageData* image, vtkVolume* volume, VoxelPlace place = VoxelPlace::Points);
+
+/// The transform from the grid of one volume to that of another.
+glm::dmat4 GridFromGrid(const VolumeGeometry& to, const VolumeGeometry& from);
 
 /// The part of the framebuffer that a renderer draws to.
 Viewport ViewportOf(vtkRenderer* renderer);

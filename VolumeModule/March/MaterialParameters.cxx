@@ -48,14 +48,14 @@ void SetVisibleOfComponents(
     if (table.decidesOnOpacity)
     {
       SetVisible(
-        p, table.channel, mappings[table.channel], volume.OpticalTables().VisibleValues(i));
+        p, table.component, mappings[table.component], volume.OpticalTables().VisibleValues(i));
     }
   }
 }
 
 void SetColors(VolumeParameters& p, const Frame& frame, const Mappings& mappings)
 {
-  const double largest = LargestColorOf(frame.channels.front().array);
+  const double largest = LargestColorOf(frame.components.front().array);
   for (int i = 0; i < 3; ++i)
   {
     p.colorScale[i] = float(mappings[i].scale / largest);
@@ -65,7 +65,7 @@ void SetColors(VolumeParameters& p, const Frame& frame, const Mappings& mappings
 
 void SetTwoValues(VolumeParameters& p, const VolumeResources& volume, const Mappings& mappings)
 {
-  const std::vector<ScalarTexels>& texels = volume.Blocks().TexelsOfChannels();
+  const std::vector<ScalarTexels>& texels = volume.Blocks().TexelsOfComponents();
   p.twoValueTableSize = glm::dvec2(volume.TwoValuesSize());
   p.placeFromScalar = PlaceInRange(texels.front(), mappings.front());
   p.placeFromSecond = PlaceInRange(texels.back(), mappings.back());
@@ -104,7 +104,7 @@ void SetGradientOpacity(
   for (int part = 0; part < PartCount(frame.settings); ++part)
   {
     const int component = OpacityComponentOf(frame.settings, part);
-    const ScalarTexels& texels = volume.Blocks().TexelsOfChannels()[component];
+    const ScalarTexels& texels = volume.Blocks().TexelsOfComponents()[component];
     p.entriesPerGradient[part] =
       float(mappings[component].scale / LargestGradient(texels) * p.lastGradientEntry);
   }
@@ -124,10 +124,10 @@ void SetTables(
   for (std::size_t i = 0; i < std::min<std::size_t>(tables.size(), 4); ++i)
   {
     const OpticalTable& table = tables[i];
-    const int channel = volume.MaterialTables()[i].channel;
+    const int component = volume.MaterialTables()[i].component;
     const double last = LastIndexOf(frame, volume, table);
     const IndexInTable index =
-      IndexOf(table, last, mappings[channel].scale, mappings[channel].offset);
+      IndexOf(table, last, mappings[component].scale, mappings[component].offset);
     p.tableScales[i] = float(index.scale);
     p.tableBiases[i] = float(index.bias);
     p.lastTableIndices[i] = float(last);

@@ -7,10 +7,10 @@
 #include "March/Device/RayMarchProgram.h"
 #include "March/Processor/PacketPicture.h"
 #include "March/Processor/PacketSceneBuilder.h"
-#include "March/RayAccumulation.h"
 #include "March/ToleranceSearch.h"
 #include "Resources/FloatFramebuffer.h"
 #include "Resources/PictureResources.h"
+#include "Resources/RayAccumulation.h"
 #include "Resources/SceneDepthTexture.h"
 #include "Resources/VolumeResources.h"
 

@@ -3,7 +3,7 @@
 
 #include "March/RayMarcher.h"
 
-#include "March/ProjectedBox.h"
+#include "Core/Geometry/ProjectedBox.h"
 
 #include "vtkOpenGLRenderWindow.h"
 

@@ -1,8 +1,8 @@
 #ifndef Varimarch_March_ToleranceSearch_h
 #define Varimarch_March_ToleranceSearch_h
 
+#include "Core/Geometry/ProjectedBox.h"
 #include "Core/Quality/StepSearch.h"
-#include "March/ProjectedBox.h"
 #include "Resources/VolumeResources.h"
 
 #include <functional>

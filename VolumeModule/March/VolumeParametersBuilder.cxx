@@ -46,7 +46,7 @@ void SetProjection(
   VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
 {
   const bool isExtreme = IsExtreme(frame.settings.blend);
-  const std::vector<ScalarTexels>& texels = volume.Blocks().TexelsOfChannels();
+  const std::vector<ScalarTexels>& texels = volume.Blocks().TexelsOfComponents();
   for (int i = 0; i < int(texels.size()); ++i)
   {
     const TexelMapping& mapping = mappings[i];
@@ -100,7 +100,7 @@ MarchedVolume VolumeOfShaders(const Frame& frame, const VolumeResources& volume,
   const VolumeBlock* block, const VoxelRegion& voxels)
 {
   MarchedVolume marched{ {}, voxels, volume.Field().Size(), glm::ivec3(1) };
-  for (const ScalarTexels& texels : volume.Blocks().TexelsOfChannels())
+  for (const ScalarTexels& texels : volume.Blocks().TexelsOfComponents())
   {
     marched.mappings.push_back(texels.mapping);
   }
@@ -115,7 +115,7 @@ MarchedVolume VolumeOfShaders(const Frame& frame, const VolumeResources& volume,
 
 MarchedVolume VolumeOfProcessor(const Frame& frame, const VolumeResources& volume)
 {
-  return { Mappings(volume.Blocks().TexelsOfChannels().size()),
+  return { Mappings(volume.Blocks().TexelsOfComponents().size()),
     { glm::ivec3(0), frame.geometry.dimensions }, volume.Field().Size(),
     volume.PacketGaps().count };
 }

@@ -33,10 +33,10 @@ void Narrow(VariationField& field, int reachVoxels)
   }
 }
 
-// Of a volume of one component.
+// The scalar field of a volume of one component.
 VariationField ScalarFieldOf(const ScalarRegion& region, double tolerance)
 {
-  vtkDataArray* const array = region.channels.front().array;
+  vtkDataArray* const array = region.components.front().array;
   void* const voxels = array->GetVoidPointer(0);
   switch (array->GetDataType())
   {
@@ -69,10 +69,10 @@ BrickRanges RangesOf(
 
 BrickRanges RangesOf(const VoxelValues& values, std::size_t index)
 {
-  const VoxelChannel& channel = values.channels[index];
-  void* const voxels = channel.array->GetVoidPointer(channel.component);
-  const int stride = channel.array->GetNumberOfComponents();
-  switch (channel.array->GetDataType())
+  const VoxelComponent& component = values.components[index];
+  void* const voxels = component.array->GetVoidPointer(component.index);
+  const int stride = component.array->GetNumberOfComponents();
+  switch (component.array->GetDataType())
   {
     vtkTemplateMacro(
       return RangesOf(static_cast<const VTK_TT*>(voxels), stride, values, values.texels[index]));
@@ -89,7 +89,7 @@ constexpr int BricksPerBlock = 2; // along a side
 VisibleBlocks VisibleBlocksOf(const OpticalField& field)
 {
   constexpr float side = float(BricksPerBlock * BrickRanges::CellsPerSide);
-  // What is drawn may reach half a voxel beyond the outermost ones.
+  // The volume may reach half a voxel beyond the outermost voxels.
   VisibleBlocks blocks{ side + 2.0f, {} };
   for (const glm::ivec3& block : VisibleHull(field, BricksPerBlock))
   {
@@ -154,7 +154,7 @@ void AccelerationField::BuildRanges(const VoxelValues& values, const std::vector
 {
   const Stopwatch stopwatch;
   this->ranges.clear();
-  for (std::size_t i = 0; i < values.channels.size(); ++i)
+  for (std::size_t i = 0; i < values.components.size(); ++i)
   {
     BrickRanges ofVoxels = RangesOf(values, i);
     this->ranges.push_back(axes.empty() ? std::move(ofVoxels) : EvenBricks(ofVoxels, axes));
@@ -163,16 +163,16 @@ void AccelerationField::BuildRanges(const VoxelValues& values, const std::vector
 }
 
 void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
-  const std::vector<ChannelTable>& tables, const OpticalTolerance& tolerance, glm::ivec3 towards,
+  const std::vector<ComponentTable>& tables, const OpticalTolerance& tolerance, glm::ivec3 towards,
   Marcher marcher)
 {
   const Stopwatch stopwatch;
-  std::vector<OpticalChannel> channels;
-  for (const ChannelTable& shown : tables)
+  std::vector<OpticalChannel> components;
+  for (const ComponentTable& shown : tables)
   {
-    channels.push_back({ this->ranges[shown.channel], *shown.table });
+    components.push_back({ this->ranges[shown.component], *shown.table });
   }
-  OpticalField field = varimarch::BuildOpticalField(channels, tolerance, towards);
+  OpticalField field = varimarch::BuildOpticalField(components, tolerance, towards);
   this->ReleaseField(window);
   this->SetVisible(field, marcher);
   this->AddBuildSeconds(stopwatch.Seconds());

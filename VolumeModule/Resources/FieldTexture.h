@@ -19,10 +19,10 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A channel, and the transfer function that shows it.
-struct ChannelTable
+/// A component, and the table of the transfer function that shows it.
+struct ComponentTable
 {
-  int channel;
+  int component;
   const OpticalTable* table;
 };
 
@@ -31,48 +31,49 @@ struct ChannelTable
 class AccelerationField
 {
 public:
-  /// Of the cells of a region.
+  /// Builds the scalar field of the cells of a region.
   /// @param tolerance    see BuildVariationField
   /// @param reachVoxels  see VoxelValues
-  /// @throws std::runtime_error when the device cannot hold the texture
+  /// @throws std::runtime_error if the device cannot hold the texture
   void BuildScalarField(
     vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance, int reachVoxels);
 
-  /// What is left out, which only looks like an acceleration.
-  /// @throws std::runtime_error when the device cannot hold the texture
+  /// Takes the gaps of a volume, which are stored like a field.
+  /// @throws std::runtime_error if the device cannot hold the texture
   void SetGaps(vtkOpenGLRenderWindow* window, const GapField& gaps);
 
-  /// The part of the optical field that reads the volume; kept for every later BuildOpticalField.
-  /// @param axes  of a rectilinear grid; else none
+  /// Builds the part of the optical field that reads the volume. It is kept for every later
+  /// BuildOpticalField.
+  /// @param axes  the axes of a rectilinear grid; none for an image
   void BuildRanges(const VoxelValues& values, const std::vector<UnevenAxis>& axes);
 
-  /// There is nothing of it where rays could hardly skip anything.
-  /// @throws std::runtime_error when the device cannot hold the texture
-  /// @param tables   what shows a channel's values
-  /// @param towards  what rays it is for, see DirectionsOf
-  /// @param marcher  who reads it: for the processor there is no texture, but Bricks()
-  void BuildOpticalField(vtkOpenGLRenderWindow* window, const std::vector<ChannelTable>& tables,
+  /// Builds the optical field, which stays empty if rays could hardly skip anything.
+  /// @throws std::runtime_error if the device cannot hold the texture
+  /// @param tables   the tables that show the values of components
+  /// @param towards  the directions of its rays, see DirectionsOf
+  /// @param marcher  the reader: for the processor there is no texture, but Bricks()
+  void BuildOpticalField(vtkOpenGLRenderWindow* window, const std::vector<ComponentTable>& tables,
     const OpticalTolerance& tolerance, glm::ivec3 towards, Marcher marcher);
 
-  /// @throws std::runtime_error when the device cannot hold the texture
-  /// @param marcher  likewise
+  /// @throws std::runtime_error if the device cannot hold the texture
+  /// @param marcher  see BuildOpticalField
   void BuildIsosurfaceField(vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues,
     glm::ivec3 towards, Marcher marcher);
 
-  /// What a ray must have found to leave each brick out, as texels of 16 bits; see
-  /// BuildExtremeBricks.
-  /// @throws std::runtime_error when the device cannot hold the texture
-  /// @param marcher  who reads them: for the processor there is no texture, but Extremes()
+  /// Builds a field of extremes: the value that lets a ray leave out each brick, as texels of 16
+  /// bits, see BuildExtremeBricks.
+  /// @throws std::runtime_error if the device cannot hold the texture
+  /// @param marcher  the reader: for the processor there is no texture, but Extremes()
   void BuildExtremes(
     vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest, Marcher marcher);
 
-  const BrickRanges& Ranges() const { return this->ranges.front(); } ///< of the first channel
+  const BrickRanges& Ranges() const { return this->ranges.front(); } ///< For the first component.
   vtkTextureObject* Texture() const { return this->texture; }
   const std::vector<std::uint8_t>& Bricks() const { return this->bricks; }
   const std::vector<std::uint16_t>& Extremes() const { return this->extremes; }
   const varimarch::ExtremeBlocks& ExtremeBlocks() const { return this->extremeBlocks; }
-  /// Where the processor marches rays: where along the view of a picture something may be visible,
-  /// until the next is asked for.
+  /// The depths between which something may be visible along the view, for the processor. They are
+  /// valid until the next call.
   PacketDepths VisibleDepthsIn(const glm::dmat4& clipFromGrid, const glm::vec3& directionGrid,
     glm::ivec2 picturePixels, const Viewport& pixels)
   {
@@ -80,10 +81,10 @@ public:
       this->visibleBlocks, clipFromGrid, directionGrid, picturePixels, pixels);
   }
   bool SkipsAny() const { return this->bytes > 0 || !this->bricks.empty(); }
-  /// Of the optical field, the smallest box that holds what is visible in a part of the volume.
+  /// The smallest box around what the optical field has visible in a part of the volume.
   Box VisibleBoxGrid(const Box& partGrid) const { return this->visible.Bounds(partGrid); }
-  glm::ivec3 Size() const { return this->size; } ///< texels
-  /// Of the last field, with the ranges that were built for it.
+  glm::ivec3 Size() const { return this->size; } ///< The number of texels along each axis.
+  /// The time to build the last field and the ranges that it needed [s].
   double BuildSeconds() const { return this->buildSeconds; }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
@@ -97,17 +98,16 @@ private:
   void Upload(vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels);
 
   vtkNew<vtkTextureObject> texture;
-  std::vector<BrickRanges> ranges; ///< of each channel
+  std::vector<BrickRanges> ranges; ///< One for each component.
   VisibleBricks visible;
-  // Where the processor marches rays: of an optical field, and the hull of what is visible; or of
-  // extremes.
+  // For the processor: an optical field and the hull of what is visible, or a field of extremes.
   std::vector<std::uint8_t> bricks;
   VisibleBlocks visibleBlocks;
   VisibleDepths visibleDepths;
   std::vector<std::uint16_t> extremes;
   varimarch::ExtremeBlocks extremeBlocks;
   glm::ivec3 size = glm::ivec3(1);
-  double rangeSeconds = 0.0; ///< of ranges that no field has been built of yet
+  double rangeSeconds = 0.0; ///< The time for ranges that no field has used yet.
   double buildSeconds = 0.0;
   std::size_t bytes = 0;
 };

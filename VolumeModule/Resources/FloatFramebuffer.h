@@ -25,20 +25,20 @@ public:
   /// @param outputs  textures, one for each of a shader's outputs
   explicit FloatFramebuffer(int outputs = 1);
 
-  /// What a picture of this size takes, for each output.
+  /// The memory of an image of this size, for each output.
   static std::size_t BytesFor(const Viewport& pixels);
 
-  /// Calls `draw` with this bound as framebuffer and cleared to nothing. It covers `pixels`, whose
+  /// Calls `draw` with this bound as framebuffer and cleared. It covers `pixels`, whose
   /// origin is (0, 0); the texture only ever grows.
-  /// @throws std::runtime_error when OpenGL has no framebuffer of floats
+  /// @throws std::runtime_error if OpenGL has no framebuffer of floats
   void Draw(
     vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw);
 
-  /// The same, on what is there.
+  /// Does the same without clearing.
   void DrawMore(
     vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw);
 
-  /// What is there after Draw: four floats for each of its pixels.
+  /// Reads four floats for each pixel of the last Draw.
   std::vector<float> Read(vtkOpenGLRenderWindow* window, const Viewport& pixels, int output = 0);
 
   vtkTextureObject* Texture() const { return this->textures.front(); }

@@ -11,15 +11,15 @@ namespace varimarch
 class FloatTable
 {
 public:
-  /// @param entries  may be none
+  /// @param entries  the entries, of which there may be none
   void Set(vtkWindow* window, std::vector<glm::vec4> entries);
 
-  /// Has the texture there or not.
+  /// Uploads the texture for the device, or releases it for the processor.
   void Update(vtkOpenGLRenderWindow* window, Marcher marcher);
 
   const std::vector<glm::vec4>& Entries() const { return this->entries; }
   vtkTextureObject* Texture() const { return this->texture.Texture(); }
-  std::size_t Bytes() const { return this->texture.Bytes(); } ///< of the texture
+  std::size_t Bytes() const { return this->texture.Bytes(); } ///< Graphics memory.
   void Release(vtkWindow* window) { this->Set(window, {}); }
 
 private:

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 namespace varimarch
@@ -31,12 +30,6 @@ glm::vec4 ColorAt(vtkDataArray* colors, vtkIdType index)
   return color;
 }
 
-}
-
-std::vector<int> LabelsOf(vtkVolumeProperty* property)
-{
-  const std::set<int> labels = property->GetLabelMapLabels();
-  return std::vector<int>(labels.begin(), labels.end());
 }
 
 TwoValueTable TwoValueTableOf(vtkVolumeProperty* property)

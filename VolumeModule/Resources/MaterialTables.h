@@ -16,50 +16,46 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// A transfer function, and the channel of the voxels whose values it shows.
+/// A transfer function, and the component of the voxels whose values it shows.
 struct MaterialTable
 {
-  int channel;
+  int component;
   TransferFunction transferFunction;
-  bool decidesOnOpacity; ///< of its colours alone nothing is seen
+  bool decidesOnOpacity; ///< False if it has colours only, of which alone nothing is seen.
 };
 
-/// All that a property's materials are looked up in: of independent components one for each, of
-/// two that depend on each other first that of colours, of RGBA only that of opacities, of labels
-/// one for each row. Not where transfer functions are of two values.
+/// The transfer functions that a property's materials are looked up in: one for each independent
+/// component; of two dependent components first that of colours; of RGBA only that of opacities; of
+/// labels one for each row. Transfer functions of two values have none of these.
 std::vector<MaterialTable> MaterialTablesOf(
   vtkVolumeProperty* property, const RenderSettings& settings);
-
-/// The labels that have curves of their own. Row i + 1 of the tables is that of the i-th of them,
-/// row 0 that of all other labels.
-std::vector<int> LabelsOf(vtkVolumeProperty* property);
 
 /// A transfer function of two values: colours, and opacities over a unit distance.
 struct TwoValueTable
 {
-  glm::ivec2 size;                ///< at least two along each axis
-  std::vector<glm::vec4> entries; ///< x fastest
+  glm::ivec2 size;                ///< At least two along each axis.
+  std::vector<glm::vec4> entries; ///< Row by row, x fastest.
 };
 
-/// @throws std::runtime_error when the property has none
+/// @throws std::runtime_error if the property has none
 TwoValueTable TwoValueTableOf(vtkVolumeProperty* property);
 
-/// What shows wherever a table shows anything, whatever its second value is: of each first value
-/// the largest extinction.
+/// A table of the largest extinction of each first value. It shows something wherever the table of
+/// two values does, whatever the second value is.
 OpticalTable UpperBound(
   const TwoValueTable& table, const std::array<double, 2>& range, double opacityUnitDistanceMm);
 
-/// All that these tables depend on, but the range of the values.
+/// Everything that these tables depend on, except the range of the values.
 std::vector<double> MaterialTableInputs(
   vtkVolumeProperty* property, const RenderSettings& settings);
 
-/// The component that a part's opacity is of.
+/// The component whose values decide on the opacity of a part.
 int OpacityComponentOf(const RenderSettings& settings, int part);
 
-/// What a part's extinction is multiplied by in the mixture of all.
+/// The factor of a part's extinction in the mixture of all.
 double WeightOf(vtkVolumeProperty* property, const RenderSettings& settings, int part);
 
-/// The number that is the brightest colour, as VTK takes numbers that are colours.
+/// The number of the brightest colour, by VTK's convention for numbers that are colours.
 double LargestColorOf(vtkDataArray* array);
 
 /// Coefficients of ambient, diffuse and specular light, and the specular power.

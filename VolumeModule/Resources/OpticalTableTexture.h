@@ -8,7 +8,7 @@
 namespace varimarch
 {
 
-/// Transfer functions as OpticalTables; where shaders read them, on the device too, one after the
+/// Transfer functions as OpticalTables, in memory, and for shaders on the device too, one after the
 /// other.
 class OpticalTableTexture
 {
@@ -16,12 +16,13 @@ public:
   /// @param tables  at least one
   void SetTables(vtkWindow* window, std::vector<OpticalTable> tables);
 
-  /// Has the tables on the device.
+  /// Uploads the tables to the device.
   void Upload(vtkOpenGLRenderWindow* window);
-  /// With a row for each table before all entries, as Shaders/Classify/LabelTables.glsl reads them.
-  /// @param mapping  of the texels that the tables are for
+  /// Uploads the tables with a row for each of them before all entries, as
+  /// Shaders/Classify/LabelTables.glsl reads them.
+  /// @param mapping  the mapping of the texels that are looked up
   void UploadRows(vtkOpenGLRenderWindow* window, const TexelMapping& mapping);
-  /// Has them in memory only.
+  /// Keeps the tables in memory only.
   void ReleaseTexture(vtkWindow* window) { this->texture.Release(window); }
 
   vtkTextureObject* Texture() const { return this->texture.Texture(); }
@@ -32,8 +33,8 @@ public:
   {
     return this->visibleValues[table];
   }
-  std::array<double, 2> VisibleValuesOfAny() const;  ///< of the tables
-  std::size_t FirstEntryOf(std::size_t table) const; ///< in the buffer
+  std::array<double, 2> VisibleValuesOfAny() const;  ///< The range visible by any table.
+  std::size_t FirstEntryOf(std::size_t table) const; ///< Its index in the buffer.
   std::size_t Bytes() const { return this->texture.Bytes(); }
   void Release(vtkWindow* window);
 
@@ -42,7 +43,7 @@ private:
 
   FloatBufferTexture texture;
   std::vector<OpticalTable> tables = { OpticalTable() };
-  std::vector<std::array<double, 2>> visibleValues; ///< of each table
+  std::vector<std::array<double, 2>> visibleValues; ///< One range for each table.
 };
 
 }

@@ -27,7 +27,7 @@ public:
 
 private:
   vtkNew<vtkTextureObject> texture;
-  int size = 0; ///< of the texture
+  int size = 0; ///< The side of the texture.
   PreIntegratedTable kept = {};
 };
 

@@ -22,7 +22,7 @@ public:
   /// Copies a rectangle of the framebuffer that is bound for drawing [pixels].
   void Capture(vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height);
 
-  /// What was captured, row by row from below; read from the device once.
+  /// The captured depths, row by row from below. They are read from the device once.
   const std::vector<float>& Depths(vtkOpenGLRenderWindow* window);
 
   vtkTextureObject* Texture() const { return this->depth; }
@@ -36,11 +36,11 @@ public:
 private:
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
 
-  unsigned int format = 0; ///< of the framebuffer that was copied last
+  unsigned int format = 0; ///< The format of the framebuffer that was copied last.
   vtkNew<vtkTextureObject> depth;
   vtkNew<vtkTextureObject> color; ///< a framebuffer needs one to be complete
   vtkNew<vtkOpenGLFramebufferObject> framebuffer;
-  std::vector<float> depths; ///< empty until somebody asks
+  std::vector<float> depths; ///< Empty until somebody asks for them.
   std::size_t bytes = 0;
 };
 

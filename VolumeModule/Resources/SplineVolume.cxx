@@ -1,7 +1,7 @@
 #include "Resources/SplineVolume.h"
 
 #include "Core/Geometry/SplineCoefficients.h"
-#include "Resources/ChannelCopy.h"
+#include "Resources/ComponentCopy.h"
 
 #include "vtkDataArray.h"
 #include "vtkType.h"
@@ -15,7 +15,7 @@ namespace
 {
 
 template <class Coefficient>
-vtkSmartPointer<vtkDataArray> CoefficientsOf(const ChannelCopy& voxels, glm::ivec3 dimensions)
+vtkSmartPointer<vtkDataArray> CoefficientsOf(const ComponentCopy& voxels, glm::ivec3 dimensions)
 {
   if (!voxels.allFinite)
   {
@@ -28,32 +28,32 @@ vtkSmartPointer<vtkDataArray> CoefficientsOf(const ChannelCopy& voxels, glm::ive
 
 }
 
-SplineVolume::SplineVolume(const VoxelChannels& channels, glm::ivec3 dimensions)
+SplineVolume::SplineVolume(const VoxelComponents& components, glm::ivec3 dimensions)
 {
-  for (const VoxelChannel& channel : channels)
+  for (const VoxelComponent& component : components)
   {
     // Floats have all digits of floats and of 16 bit integers.
     const bool single =
-      channel.array->GetDataType() == VTK_FLOAT || channel.array->GetDataTypeSize() <= 2;
+      component.array->GetDataType() == VTK_FLOAT || component.array->GetDataTypeSize() <= 2;
     this->coefficients.push_back(single
-        ? CoefficientsOf<float>(CopyAsFloats(channel), dimensions)
-        : CoefficientsOf<double>(CopyAsDoubles(channel), dimensions));
+        ? CoefficientsOf<float>(CopyAsFloats(component), dimensions)
+        : CoefficientsOf<double>(CopyAsDoubles(component), dimensions));
   }
 }
 
-VoxelChannels SplineVolume::Channels() const
+VoxelComponents SplineVolume::Components() const
 {
-  VoxelChannels channels;
+  VoxelComponents components;
   for (const auto& array : this->coefficients)
   {
-    channels.push_back({ array, 0 });
+    components.push_back({ array, 0 });
   }
-  return channels;
+  return components;
 }
 
-std::vector<ScalarTexels> SplineVolume::Texels(const VoxelChannels& voxels) const
+std::vector<ScalarTexels> SplineVolume::Texels(const VoxelComponents& voxels) const
 {
-  std::vector<ScalarTexels> texels = ScalarTexelsOf(this->Channels());
+  std::vector<ScalarTexels> texels = ScalarTexelsOf(this->Components());
   const std::vector<ScalarTexels> texelsOfVoxels = ScalarTexelsOf(voxels);
   for (std::size_t i = 0; i < texels.size(); ++i)
   {

@@ -19,20 +19,21 @@ namespace varimarch
 class SplineVolume
 {
 public:
-  /// None: there is no spline.
+  /// A volume without a spline.
   SplineVolume() = default;
 
-  /// @throws std::runtime_error where a voxel is not finite, for then no coefficient would be
-  SplineVolume(const VoxelChannels& channels, glm::ivec3 dimensions);
+  /// @throws std::runtime_error if a voxel is not finite, because no coefficient would be finite
+  /// then
+  SplineVolume(const VoxelComponents& components, glm::ivec3 dimensions);
 
-  /// Arrays that this owns.
-  VoxelChannels Channels() const;
+  /// The coefficients, in arrays that this object owns.
+  VoxelComponents Components() const;
 
-  /// How a texture holds them, with the range of the voxels as that of the scalars.
-  std::vector<ScalarTexels> Texels(const VoxelChannels& voxels) const;
+  /// The format of the coefficients in a texture. The range of the scalars is that of the voxels.
+  std::vector<ScalarTexels> Texels(const VoxelComponents& voxels) const;
 
 private:
-  std::vector<vtkSmartPointer<vtkDataArray>> coefficients; ///< of each channel
+  std::vector<vtkSmartPointer<vtkDataArray>> coefficients; ///< One for each component.
 };
 
 }

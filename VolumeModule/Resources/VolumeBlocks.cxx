@@ -93,7 +93,7 @@ void VolumeBlocks::LetGo(vtkWindow* window, const std::vector<int>& released)
 
 const VolumeBlock& VolumeBlocks::Take(vtkOpenGLRenderWindow* window, int block)
 {
-  const ScalarRegion region{ this->values.channels, this->values.dimensions,
+  const ScalarRegion region{ this->values.components, this->values.dimensions,
     this->partition.VoxelsOf(block) };
   const glm::ivec3 count = region.voxels.count;
   const std::size_t bytes = this->BytesPerVoxel() * count.x * count.y * count.z;

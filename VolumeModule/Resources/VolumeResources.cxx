@@ -43,19 +43,19 @@ void VolumeResources::UpdateVoxels(const Frame& frame)
 {
   this->blocks.SetBlanking(frame.blanking);
   const bool isCubic = frame.settings.cubic;
-  if (this->volumeSource == frame.channels && this->volumeTime == frame.scalarsTime &&
+  if (this->volumeSource == frame.components && this->volumeTime == frame.scalarsTime &&
     this->volumeIsCubic == isCubic)
   {
     return;
   }
   this->volumeSource.clear();
   const glm::ivec3 dimensions = frame.geometry.dimensions;
-  this->spline = isCubic ? SplineVolume(frame.channels, dimensions) : SplineVolume();
+  this->spline = isCubic ? SplineVolume(frame.components, dimensions) : SplineVolume();
   this->blocks.SetVoxels(isCubic
-      ? VoxelValues{ this->spline.Channels(), dimensions, this->spline.Texels(frame.channels),
+      ? VoxelValues{ this->spline.Components(), dimensions, this->spline.Texels(frame.components),
           SplineReachVoxels }
-      : VoxelValues{ frame.channels, dimensions, ScalarTexelsOf(frame.channels) });
-  this->volumeSource = frame.channels;
+      : VoxelValues{ frame.components, dimensions, ScalarTexelsOf(frame.components) });
+  this->volumeSource = frame.components;
   this->volumeTime = frame.scalarsTime;
   this->volumeIsCubic = isCubic;
   this->tableSource = nullptr; // a table covers the range of the scalars
@@ -146,7 +146,7 @@ std::vector<OpticalTable> VolumeResources::BuildTables(const Frame& frame)
   std::vector<OpticalTable> tables;
   for (const MaterialTable& table : this->materialTables)
   {
-    const ScalarTexels& texels = this->blocks.TexelsOfChannels()[table.channel];
+    const ScalarTexels& texels = this->blocks.TexelsOfComponents()[table.component];
     tables.push_back(BuildOpticalTable(
       table.transferFunction, texels.smallestValue, texels.largestValue, entries));
   }
@@ -208,9 +208,9 @@ void VolumeResources::UpdateSpacing(const Frame& frame)
   }
 }
 
-VoxelChannels VolumeResources::MarchedChannels() const
+VoxelComponents VolumeResources::MarchedComponents() const
 {
-  return this->volumeIsCubic ? this->spline.Channels() : this->volumeSource;
+  return this->volumeIsCubic ? this->spline.Components() : this->volumeSource;
 }
 
 std::size_t VolumeResources::Bytes() const

@@ -4,7 +4,7 @@
 #include "Core/Fields/FieldDirections.h"
 #include "Core/Packets/PacketScene.h"
 #include "Frame/Frame.h"
-#include "Resources/ChannelCopy.h"
+#include "Resources/ComponentCopy.h"
 #include "Resources/FieldTexture.h"
 #include "Resources/FloatBufferTexture.h"
 #include "Resources/FloatTable.h"
@@ -136,11 +136,11 @@ public:
   const UnevenBins& SpacingBins() const { return this->spacingBins; }
 
   /// Voxels, or the coefficients of a spline through them.
-  VoxelChannels MarchedChannels() const;
-  bool AreVoxelsFinite(); ///< of all channels, whose types are those of real numbers
-  /// A channel as packets of rays read it: where its owner keeps it, or a copy, without what is not
-  /// finite.
-  vtkDataArray* PacketVoxels(std::size_t channel = 0) const;
+  VoxelComponents MarchedComponents() const;
+  bool AreVoxelsFinite(); ///< of all components, whose types are those of real numbers
+  /// A component as packets of rays read it: where its owner keeps it, or a copy, without what is
+  /// not finite.
+  vtkDataArray* PacketVoxels(std::size_t component = 0) const;
 
   /// What packets leave out; nothing where that is nothing.
   const GapField& PacketGaps() const { return this->packetGaps; }
@@ -178,9 +178,10 @@ private:
   std::size_t FixedBytes(const Frame& frame, const MemoryElsewhere& elsewhere) const;
   std::size_t BytesBesideBlocks() const;
 
-  SplineVolume spline;                   ///< only where voxels are interpolated by one
-  std::vector<ChannelCopy> packetVoxels; ///< of channels that packets do not read, where they march
-  GapField packetGaps;                   ///< where they march too
+  SplineVolume spline; ///< only where voxels are interpolated by one
+  std::vector<ComponentCopy>
+    packetVoxels;      ///< of components that packets do not read, where they march
+  GapField packetGaps; ///< where they march too
   VolumeBlocks blocks;
   AccelerationField field;
   OpticalTableTexture opticalTable;
@@ -200,7 +201,7 @@ private:
   std::vector<Box> visibleBoxes; ///< and of each block
 
   // What each resource was made from.
-  VoxelChannels volumeSource; ///< none: there is no volume
+  VoxelComponents volumeSource; ///< none: there is no volume
   vtkMTimeType volumeTime = 0;
   bool volumeIsCubic = false;
   vtkVolumeProperty* tableSource = nullptr;

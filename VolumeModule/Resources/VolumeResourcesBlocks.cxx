@@ -2,12 +2,12 @@
 
 #include "Resources/VolumeResources.h"
 
+#include "Core/Geometry/ProjectedBox.h"
 #include "Core/Look/PreIntegratedTable.h"
 #include "Core/Recipe/ShaderRecipe.h"
-#include "March/ProjectedBox.h"
-#include "March/RayAccumulation.h"
 #include "March/ToleranceSearch.h"
 #include "Resources/FloatFramebuffer.h"
+#include "Resources/RayAccumulation.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -91,7 +91,7 @@ BlockLimits VolumeResources::LimitsOf(const Frame& frame, const MemoryElsewhere&
     this->blocks.BytesPerVoxel(), 0 };
   limits.largestBytes = limits.bytesPerVoxel *
     VolumeTexture::MostTexels(
-      glm::min(voxels, limits.largestSide), this->blocks.TexelsOfChannels());
+      glm::min(voxels, limits.largestSide), this->blocks.TexelsOfComponents());
   const std::size_t most = frame.mostMemoryBytes;
   const std::size_t fixedBytes = this->FixedBytes(frame, elsewhere);
   const std::size_t wholeBytes = limits.bytesPerVoxel * voxels.x * voxels.y * voxels.z;

@@ -99,12 +99,12 @@ void VolumeResources::UpdateOpticalField(const Frame& frame)
   {
     return;
   }
-  std::vector<ChannelTable> tables;
+  std::vector<ComponentTable> tables;
   for (std::size_t i = 0; i < this->materialTables.size(); ++i)
   {
     if (this->materialTables[i].decidesOnOpacity)
     {
-      tables.push_back({ this->materialTables[i].channel, &this->opticalTable.Tables()[i] });
+      tables.push_back({ this->materialTables[i].component, &this->opticalTable.Tables()[i] });
     }
   }
   this->field.BuildOpticalField(frame.window, tables, tolerance, source.towards, frame.marcher);

@@ -86,7 +86,7 @@ void VolumeResources::UpdateGradientOpacity(const Frame& frame)
   for (int part = 0; part < PartCount(frame.settings); ++part)
   {
     const int component = OpacityComponentOf(frame.settings, part);
-    largest.push_back(LargestGradient(this->blocks.TexelsOfChannels()[component]));
+    largest.push_back(LargestGradient(this->blocks.TexelsOfComponents()[component]));
   }
   source.insert(source.end(), largest.begin(), largest.end());
   if (this->gradientOpacitySource != source)

@@ -32,14 +32,14 @@ bool AreFinite(vtkDataArray* array)
 }
 
 // Where its owner keeps it.
-bool IsRead(const VoxelChannel& channel)
+bool IsRead(const VoxelComponent& component)
 {
-  return PacketVoxelTypeOf(channel.array) && channel.array->GetNumberOfComponents() == 1;
+  return PacketVoxelTypeOf(component.array) && component.array->GetNumberOfComponents() == 1;
 }
 
-ChannelCopy CopyForPackets(const VoxelChannel& channel)
+ComponentCopy CopyForPackets(const VoxelComponent& component)
 {
-  return PacketVoxelTypeOf(channel.array) ? CopyAsItIs(channel) : CopyAsFloats(channel);
+  return PacketVoxelTypeOf(component.array) ? CopyAsItIs(component) : CopyAsFloats(component);
 }
 
 }
@@ -70,11 +70,11 @@ bool VolumeResources::AreVoxelsFinite()
   {
     bool areFinite = true;
     this->packetVoxels.clear();
-    for (const VoxelChannel& channel : this->MarchedChannels())
+    for (const VoxelComponent& component : this->MarchedComponents())
     {
-      this->packetVoxels.push_back(IsRead(channel) ? ChannelCopy() : CopyForPackets(channel));
-      const ChannelCopy& copy = this->packetVoxels.back();
-      areFinite = areFinite && (copy.array ? copy.allFinite : AreFinite(channel.array));
+      this->packetVoxels.push_back(IsRead(component) ? ComponentCopy() : CopyForPackets(component));
+      const ComponentCopy& copy = this->packetVoxels.back();
+      areFinite = areFinite && (copy.array ? copy.allFinite : AreFinite(component.array));
     }
     this->voxelsAreFinite = areFinite;
   }
@@ -88,15 +88,15 @@ void VolumeResources::UpdatePacketVoxels(const Frame& frame)
     this->packetVoxels.clear();
     return;
   }
-  const VoxelChannels channels = this->MarchedChannels();
+  const VoxelComponents components = this->MarchedComponents();
   const bool isFinite = this->voxelsAreFinite.value_or(true);
-  this->packetVoxels.resize(channels.size());
-  for (std::size_t i = 0; i < channels.size(); ++i)
+  this->packetVoxels.resize(components.size());
+  for (std::size_t i = 0; i < components.size(); ++i)
   {
-    ChannelCopy& copy = this->packetVoxels[i];
-    if (!copy.array && !(isFinite && IsRead(channels[i])))
+    ComponentCopy& copy = this->packetVoxels[i];
+    if (!copy.array && !(isFinite && IsRead(components[i])))
     {
-      copy = CopyForPackets(channels[i]);
+      copy = CopyForPackets(components[i]);
     }
   }
 }
@@ -114,18 +114,19 @@ void VolumeResources::UpdatePacketGaps(Frame& frame)
     !(this->packetGapsBlanking == frame.blanking))
   {
     const VoxelValues& values = this->blocks.Values();
-    this->packetGaps = GapFieldOf(
-      { values.channels, values.dimensions, { glm::ivec3(0), values.dimensions } }, frame.blanking);
+    this->packetGaps =
+      GapFieldOf({ values.components, values.dimensions, { glm::ivec3(0), values.dimensions } },
+        frame.blanking);
     this->packetGapsBlanking = frame.blanking;
     this->packetGapsOfVolume = this->builds.volumeTexture;
   }
   frame.settings.gaps = true;
 }
 
-vtkDataArray* VolumeResources::PacketVoxels(std::size_t channel) const
+vtkDataArray* VolumeResources::PacketVoxels(std::size_t component) const
 {
-  const ChannelCopy& copy = this->packetVoxels[channel];
-  return copy.array ? copy.array.Get() : this->MarchedChannels()[channel].array;
+  const ComponentCopy& copy = this->packetVoxels[component];
+  return copy.array ? copy.array.Get() : this->MarchedComponents()[component].array;
 }
 
 }

@@ -61,10 +61,10 @@ bool IsFinite(Scalar scalar)
   }
 }
 
-// Some rows of voxels, and how one of their channels becomes texels.
-struct ChannelRows
+// Some rows of voxels, and how one of their components becomes texels.
+struct ComponentRows
 {
-  glm::ivec3 dimensions; ///< of the volume
+  glm::ivec3 dimensions; ///< The size of the volume.
   VoxelRegion voxels;    ///< the rows
   int texelStride;       ///< numbers from a texel to the next
   TexelMapping mapping;
@@ -122,13 +122,13 @@ RowConverter<Texel> RowConverterOf(int vtkType)
 
 /// @return true if all scalars are finite
 template <class Texel>
-bool ConvertChannel(const VoxelChannel& channel, const ChannelRows& rows, Texel* texels)
+bool ConvertComponent(const VoxelComponent& component, const ComponentRows& rows, Texel* texels)
 {
-  const RowConverter<Texel> convertRow = RowConverterOf<Texel>(channel.array->GetDataType());
+  const RowConverter<Texel> convertRow = RowConverterOf<Texel>(component.array->GetDataType());
   const auto* const scalars =
-    static_cast<const char*>(channel.array->GetVoidPointer(channel.component));
-  const int stride = channel.array->GetNumberOfComponents();
-  const std::size_t voxelBytes = std::size_t(stride) * channel.array->GetDataTypeSize();
+    static_cast<const char*>(component.array->GetVoidPointer(component.index));
+  const int stride = component.array->GetNumberOfComponents();
+  const std::size_t voxelBytes = std::size_t(stride) * component.array->GetDataTypeSize();
   std::atomic<bool> allFinite = true;
   const glm::ivec3 count = rows.voxels.count;
   const glm::ivec3 first = rows.voxels.first;
@@ -154,19 +154,19 @@ bool ConvertChannel(const VoxelChannel& channel, const ChannelRows& rows, Texel*
   return allFinite;
 }
 
-constexpr GLenum FormatOfChannels[] = { GL_RED, GL_RG, GL_RGB, GL_RGBA };
-constexpr GLint Format16OfChannels[] = { GL_R16, GL_RG16, GL_RGB16, GL_RGBA16 };
-constexpr GLint FormatFloatOfChannels[] = { GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F };
+constexpr GLenum FormatOfComponents[] = { GL_RED, GL_RG, GL_RGB, GL_RGBA };
+constexpr GLint Format16OfComponents[] = { GL_R16, GL_RG16, GL_RGB16, GL_RGBA16 };
+constexpr GLint FormatFloatOfComponents[] = { GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F };
 
 // Slices are converted and uploaded a few at a time: a second copy of the volume is never held.
 /// @return true if all scalars are finite
 template <class Texel>
-bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& texelsOfChannels)
+bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& texelsOfComponents)
 {
   constexpr std::size_t texelsAtOnce = std::size_t(1) << 22;
   const VoxelRegion& all = region.voxels;
-  const int channels = int(region.channels.size());
-  const std::size_t sliceTexels = std::size_t(all.count.x) * all.count.y * channels;
+  const int components = int(region.components.size());
+  const std::size_t sliceTexels = std::size_t(all.count.x) * all.count.y * components;
   const int slicesAtOnce =
     int(std::clamp(texelsAtOnce / sliceTexels, std::size_t(1), std::size_t(all.count.z)));
   bool allFinite = true;
@@ -176,24 +176,25 @@ bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& t
     const int slices = std::min(slicesAtOnce, all.count.z - slice);
     const VoxelRegion part{ all.first + glm::ivec3(0, 0, slice),
       { all.count.x, all.count.y, slices } };
-    for (int i = 0; i < channels; ++i)
+    for (int i = 0; i < components; ++i)
     {
-      const VoxelChannel& channel = region.channels[i];
-      const ChannelRows rows{ region.dimensions, part, channels, texelsOfChannels[i].mapping };
-      allFinite = ConvertChannel(channel, rows, texels.data() + i) && allFinite;
+      const VoxelComponent& component = region.components[i];
+      const ComponentRows rows{ region.dimensions, part, components,
+        texelsOfComponents[i].mapping };
+      allFinite = ConvertComponent(component, rows, texels.data() + i) && allFinite;
     }
     glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, part.count.x, part.count.y, slices,
-      FormatOfChannels[channels - 1], std::is_integral<Texel>::value ? GL_UNSIGNED_SHORT : GL_FLOAT,
-      texels.data());
+      FormatOfComponents[components - 1],
+      std::is_integral<Texel>::value ? GL_UNSIGNED_SHORT : GL_FLOAT, texels.data());
   }
   return allFinite;
 }
 
 GLenum InternalFormatOf(const std::vector<ScalarTexels>& texels)
 {
-  const std::size_t channels = texels.size();
-  return texels.front().normalized ? Format16OfChannels[channels - 1]
-                                   : FormatFloatOfChannels[channels - 1];
+  const std::size_t components = texels.size();
+  return texels.front().normalized ? Format16OfComponents[components - 1]
+                                   : FormatFloatOfComponents[components - 1];
 }
 
 }
@@ -205,11 +206,11 @@ double TexelMapping::LimitedTexelOf(double scalar) const
 }
 
 void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
-  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, int channels, const char* what)
+  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, int components, const char* what)
 {
   const glm::ivec3 allocated(texture->GetWidth(), texture->GetHeight(), texture->GetDepth());
   if (texture->GetHandle() && allocated == dimensions &&
-    texture->GetInternalFormat(vtkType, channels, false) == internalFormat)
+    texture->GetInternalFormat(vtkType, components, false) == internalFormat)
   {
     return;
   }
@@ -230,10 +231,11 @@ void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   texture->ResetFormatAndType();
   texture->SetContext(window);
   texture->SetInternalFormat(internalFormat);
-  texture->SetFormat(FormatOfChannels[channels - 1]);
-  const bool fits =
-    texture->AllocateProxyTexture3D(dimensions.x, dimensions.y, dimensions.z, channels, vtkType) &&
-    texture->Create3DFromRaw(dimensions.x, dimensions.y, dimensions.z, channels, vtkType, nullptr);
+  texture->SetFormat(FormatOfComponents[components - 1]);
+  const bool fits = texture->AllocateProxyTexture3D(
+                      dimensions.x, dimensions.y, dimensions.z, components, vtkType) &&
+    texture->Create3DFromRaw(
+      dimensions.x, dimensions.y, dimensions.z, components, vtkType, nullptr);
   if (!fits)
   {
     texture->ReleaseGraphicsResources(window);
@@ -242,17 +244,17 @@ void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   }
 }
 
-std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels)
+std::vector<ScalarTexels> ScalarTexelsOf(const VoxelComponents& components)
 {
   std::vector<ScalarTexels> all;
   bool allNormalized = true;
   bool allIntegers = true;
-  for (const VoxelChannel& channel : channels)
+  for (const VoxelComponent& component : components)
   {
     double range[2];
-    channel.array->GetFiniteRange(range, channel.component);
+    component.array->GetFiniteRange(range, component.index);
     const bool anyFinite = range[0] <= range[1];
-    const int type = channel.array->GetDataType();
+    const int type = component.array->GetDataType();
     ScalarTexels texels;
     texels.smallestScalar = anyFinite ? range[0] : 0.0;
     texels.largestScalar = anyFinite ? range[1] : 0.0;
@@ -280,7 +282,7 @@ std::size_t VolumeTexture::MostTexels(
   const auto isTaken = [&]
   {
     glTexImage3D(GL_PROXY_TEXTURE_3D, 0, InternalFormatOf(texels), dimensions.x, dimensions.y,
-      dimensions.z, 0, FormatOfChannels[texels.size() - 1], GL_FLOAT, nullptr);
+      dimensions.z, 0, FormatOfComponents[texels.size() - 1], GL_FLOAT, nullptr);
     GLint width = 0;
     glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
     return width == dimensions.x;
@@ -297,11 +299,11 @@ void VolumeTexture::Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& re
   const std::vector<ScalarTexels>& texels)
 {
   const bool normalized = texels.front().normalized;
-  const int channels = int(region.channels.size());
+  const int components = int(region.components.size());
   const glm::ivec3 size = region.voxels.count;
   AllocateTexture3D(this->texture, window, size, normalized ? VTK_UNSIGNED_SHORT : VTK_FLOAT,
-    InternalFormatOf(texels), channels, "a volume");
-  this->bytes = std::size_t(size.x) * size.y * size.z * channels * texels.front().BytesPerTexel();
+    InternalFormatOf(texels), components, "a volume");
+  this->bytes = std::size_t(size.x) * size.y * size.z * components * texels.front().BytesPerTexel();
 
   this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->texture->SetWrapT(vtkTextureObject::ClampToEdge);

@@ -2,6 +2,7 @@
 #define Varimarch_Resources_VolumeTexture_h
 
 #include "Core/Geometry/ScalarGrid.h"
+#include "Frame/VoxelInput.h"
 
 #include "VarimarchVolumeModule.h"
 #include "vtkNew.h"
@@ -11,15 +12,14 @@
 
 #include <vector>
 
-class vtkDataArray;
 class vtkOpenGLRenderWindow;
 
 namespace varimarch
 {
 
-/// How a texture holds scalars: scalar = texel * scale + offset. Exact for every voxel of 8 and 16
-/// bit data and of wider integers whose values span less than 2^16; others keep float's precision
-/// relative to their range, wherever it lies.
+/// The scalars of texels: scalar = texel * scale + offset. It is exact for every voxel of 8 and 16
+/// bit data and of wider integers whose values span less than 2^16; other numbers keep the
+/// precision of floats relative to their range, wherever it lies.
 struct TexelMapping
 {
   double scale = 1.0;
@@ -27,21 +27,21 @@ struct TexelMapping
 
   double TexelOf(double scalar) const { return (scalar - this->offset) / this->scale; }
 
-  /// As a float can hold it, for scalars that may be infinite; VTK's endless range is about that of
-  /// floats.
+  /// A texel within the range of floats, for scalars that may be infinite. VTK's endless range is
+  /// about that of floats.
   double LimitedTexelOf(double scalar) const;
 };
 
-/// What all textures of a volume have in common, so that pictures of them meet without a seam.
+/// The format that all textures of a volume share, so that their images meet without a seam.
 struct ScalarTexels
 {
-  double smallestScalar = 0.0; ///< of the finite voxels
+  double smallestScalar = 0.0; ///< The range of the finite voxels.
   double largestScalar = 0.0;
-  double smallestValue = 0.0; ///< bounds of what is interpolated, which may go beyond the voxels
+  double smallestValue = 0.0; ///< The bounds of interpolated values, which may exceed the voxels.
   double largestValue = 0.0;
   TexelMapping mapping;
-  bool normalized = true; ///< 16 bit; else float
-  bool finite = true;     ///< all voxels are, for sure
+  bool normalized = true; ///< 16 bit integers; otherwise floats.
+  bool finite = true;     ///< True if all voxels are known to be finite.
 
   std::size_t BytesPerTexel() const { return this->normalized ? 2 : 4; }
 };
@@ -53,49 +53,35 @@ inline double LargestGradient(const ScalarTexels& texels)
   return 0.25 * (range > 0.0 ? range : 1.0);
 }
 
-/// One of the numbers that each voxel has: a component of an array.
-struct VoxelChannel
-{
-  vtkDataArray* array; ///< dimensions.x * dimensions.y * dimensions.z tuples
-  int component;
+/// The format of each component, for linear interpolation. All of them are normalized, or none is.
+std::vector<ScalarTexels> ScalarTexelsOf(const VoxelComponents& components);
 
-  bool operator==(const VoxelChannel& other) const
-  {
-    return this->array == other.array && this->component == other.component;
-  }
-};
-
-using VoxelChannels = std::vector<VoxelChannel>; ///< one to four
-
-/// Of each channel, for linear interpolation; they share one format.
-std::vector<ScalarTexels> ScalarTexelsOf(const VoxelChannels& channels);
-
-/// The numbers that the values of a volume are interpolated from: its voxels, or what a filter has
-/// made of them.
+/// The numbers that the values of a volume are interpolated from: its voxels, or the coefficients
+/// of a spline.
 struct VoxelValues
 {
-  VoxelChannels channels;
+  VoxelComponents components;
   glm::ivec3 dimensions = glm::ivec3(0);
-  std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< of each channel
-  int reachVoxels = 0; ///< how far beyond its cell a value depends on them
+  std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< One for each component.
+  int reachVoxels = 0; ///< The distance beyond its cell from which a value depends on them.
 };
 
 /// A part of the voxels of a volume.
 struct ScalarRegion
 {
-  VoxelChannels channels;
+  VoxelComponents components;
   glm::ivec3 dimensions;
   VoxelRegion voxels;
 };
 
-/// Voxels as a 3D texture of as many channels: normalised 16 bit where that is exact, else float.
-/// 8 bit data takes 16 bit texels too, because software rasterisers filter 8 bit texels in 8 bit
+/// Voxels as a 3D texture: normalised 16 bit integers if they are exact, otherwise floats. 8 bit
+/// data takes 16 bit texels too, because software rasterisers filter 8 bit texels in 8 bit
 /// arithmetic, which is off by more than a grey level.
 class VolumeTexture
 {
 public:
   /// Uploads the scalars of a region. A texture of the same size and format is reused.
-  /// @throws std::runtime_error when the device cannot hold the texture
+  /// @throws std::runtime_error if the device cannot hold the texture
   void Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
     const std::vector<ScalarTexels>& texels);
 
@@ -117,11 +103,12 @@ private:
 };
 
 /// Allocates a 3D texture, or says why the device cannot hold it.
-/// @param channels  numbers per texel, 1 to 4
-/// @param what  the thing it is for, as in "the volume"
+/// @param components  numbers per texel, 1 to 4
+/// @param what  the purpose of the texture, as in "the volume"
 /// @throws std::runtime_error naming the limit
 void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
-  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, int channels, const char* what);
+  glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, int components,
+  const char* what);
 
 }
 

@@ -29,9 +29,9 @@ PacketColors ColorsOf(
   {
     colors.count = 3;
   }
-  for (int channel = 0; channel < colors.count; ++channel)
+  for (int component = 0; component < colors.count; ++component)
   {
-    colors.voxels[channel] = volume.PacketVoxels(channel)->GetVoidPointer(0);
+    colors.voxels[component] = volume.PacketVoxels(component)->GetVoidPointer(0);
   }
   return colors;
 }
@@ -46,11 +46,11 @@ PacketSpacing SpacingOf(const UnevenBins& uneven)
 }
 
 // The table of a part's opacities.
-std::size_t OpacityTableOf(const VolumeResources& volume, int channel)
+std::size_t OpacityTableOf(const VolumeResources& volume, int component)
 {
   const std::vector<MaterialTable>& tables = volume.MaterialTables();
   const auto decides = [&](const MaterialTable& table)
-  { return table.decidesOnOpacity && table.channel == channel; };
+  { return table.decidesOnOpacity && table.component == component; };
   return std::size_t(std::find_if(tables.begin(), tables.end(), decides) - tables.begin());
 }
 
@@ -68,12 +68,13 @@ std::vector<PacketScene> ConstituentsOf(
   std::vector<PacketScene> constituents;
   for (int part = 0; part < PartCount(frame.settings); ++part)
   {
-    const int channel = OpacityComponentOf(frame.settings, part);
+    const int component = OpacityComponentOf(frame.settings, part);
     PacketScene one = scene;
-    one.volume.voxels = volume.PacketVoxels(channel)->GetVoidPointer(0);
+    one.volume.voxels = volume.PacketVoxels(component)->GetVoidPointer(0);
     if (frame.settings.functionOf == FunctionOf::Value)
     {
-      one.look = LookOf(frame, volume, scene.parameters, OpacityTableOf(volume, channel), channel);
+      one.look =
+        LookOf(frame, volume, scene.parameters, OpacityTableOf(volume, component), component);
     }
     one.colors = ColorsOf(frame, volume, scene.parameters);
     one.spacing = SpacingOf(volume.SpacingBins());

@@ -2,11 +2,11 @@
 
 #include "March/RayMarcher.h"
 
+#include "Core/Geometry/ProjectedBox.h"
 #include "Core/Packets/PacketMarch.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/Processor/PacketSceneBuilder.h"
 #include "March/Processor/SoftwareRasterizer.h"
-#include "March/ProjectedBox.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -90,11 +90,11 @@ bool IsPlain(const ScalarTexels& texels, vtkDataArray* array)
 
 bool HasPlainValues(const VolumeResources& volume)
 {
-  const VoxelChannels channels = volume.MarchedChannels();
+  const VoxelComponents components = volume.MarchedComponents();
   bool arePlain = true;
-  for (std::size_t i = 0; i < channels.size() && arePlain; ++i)
+  for (std::size_t i = 0; i < components.size() && arePlain; ++i)
   {
-    arePlain = IsPlain(volume.Blocks().TexelsOfChannels()[i], channels[i].array);
+    arePlain = IsPlain(volume.Blocks().TexelsOfComponents()[i], components[i].array);
   }
   return arePlain;
 }

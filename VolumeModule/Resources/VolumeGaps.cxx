@@ -1,4 +1,4 @@
-#include "Resources/GapTextures.h"
+#include "Resources/VolumeGaps.h"
 
 #include "vtkDataArray.h"
 #include "vtkSetGet.h"
@@ -98,12 +98,6 @@ void TakeCellsAround(vtkUnsignedCharArray* pointFlags, glm::ivec3 pointCount,
 
 }
 
-bool Blanking::IsOfVoxels() const
-{
-  const bool ofPoints = this->place == VoxelPlace::Points;
-  return ofPoints ? this->nearest && !this->cells : this->nearest || this->Any();
-}
-
 GapField GapFieldOf(const ScalarRegion& region, const Blanking& blanking)
 {
   const bool ofPoints = blanking.place == VoxelPlace::Points;
@@ -120,11 +114,11 @@ GapField GapFieldOf(const ScalarRegion& region, const Blanking& blanking)
     const VoxelRegion cells{ region.voxels.first, glm::max(region.voxels.count - 1, one) };
     grid.cells = PresenceOf(blanking.cells, cells, glm::max(region.dimensions - 1, one));
   }
-  for (const VoxelChannel& channel : region.channels)
+  for (const VoxelComponent& component : region.components)
   {
-    const void* const scalars = channel.array->GetVoidPointer(channel.component);
-    const int components = channel.array->GetNumberOfComponents();
-    switch (channel.array->GetDataType())
+    const void* const scalars = component.array->GetVoidPointer(component.index);
+    const int components = component.array->GetNumberOfComponents();
+    switch (component.array->GetDataType())
     {
       vtkTemplateMacro(
         MarkNotFinite(grid, static_cast<const VTK_TT*>(scalars), components, region));

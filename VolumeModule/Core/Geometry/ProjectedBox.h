@@ -1,8 +1,8 @@
-#ifndef Varimarch_March_ProjectedBox_h
-#define Varimarch_March_ProjectedBox_h
+#ifndef Varimarch_Core_Geometry_ProjectedBox_h
+#define Varimarch_Core_Geometry_ProjectedBox_h
 
 #include "Core/Geometry/Box.h"
-#include "Frame/VolumeGeometry.h"
+#include "Core/Geometry/Viewport.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -17,7 +17,7 @@ using CornersClip = std::array<glm::dvec4, 8>;
 
 CornersClip CornersOf(const Box& box, const glm::dmat4& clipFromGrid);
 
-/// Not so when all corners are beyond the same side of the view.
+/// False if all corners are beyond the same side of the view.
 bool IsInView(const Box& box, const glm::dmat4& clipFromGrid);
 
 /// The pixels that a box may cover, within the picture.

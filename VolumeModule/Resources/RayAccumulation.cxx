@@ -1,4 +1,4 @@
-#include "March/RayAccumulation.h"
+#include "Resources/RayAccumulation.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkType.h"

@@ -1,4 +1,4 @@
-#include "Resources/ChannelCopy.h"
+#include "Resources/ComponentCopy.h"
 
 #include "vtkDataArray.h"
 #include "vtkSetGet.h"
@@ -67,19 +67,19 @@ NumberCopier NumberCopierOf(int fromType, int toType)
   return nullptr;
 }
 
-/// @param type  VTK_FLOAT, VTK_DOUBLE, or the channel's own
-ChannelCopy CopyAs(int type, const VoxelChannel& channel)
+/// @param type  VTK_FLOAT, VTK_DOUBLE, or the component's own
+ComponentCopy CopyAs(int type, const VoxelComponent& component)
 {
-  const vtkIdType count = channel.array->GetNumberOfTuples();
-  ChannelCopy copy;
+  const vtkIdType count = component.array->GetNumberOfTuples();
+  ComponentCopy copy;
   copy.array.TakeReference(vtkDataArray::CreateDataArray(type));
   copy.array->SetNumberOfTuples(count);
 
-  const NumberCopier copyNumbers = NumberCopierOf(channel.array->GetDataType(), type);
-  const int stride = channel.array->GetNumberOfComponents();
+  const NumberCopier copyNumbers = NumberCopierOf(component.array->GetDataType(), type);
+  const int stride = component.array->GetNumberOfComponents();
   const auto* const scalars =
-    static_cast<const char*>(channel.array->GetVoidPointer(channel.component));
-  const std::size_t tupleBytes = std::size_t(stride) * channel.array->GetDataTypeSize();
+    static_cast<const char*>(component.array->GetVoidPointer(component.index));
+  const std::size_t tupleBytes = std::size_t(stride) * component.array->GetDataTypeSize();
   auto* const numbers = static_cast<char*>(copy.array->GetVoidPointer(0));
   const std::size_t numberBytes = copy.array->GetDataTypeSize();
   std::atomic<bool> allFinite = true;
@@ -99,19 +99,19 @@ ChannelCopy CopyAs(int type, const VoxelChannel& channel)
 
 }
 
-ChannelCopy CopyAsItIs(const VoxelChannel& channel)
+ComponentCopy CopyAsItIs(const VoxelComponent& component)
 {
-  return CopyAs(channel.array->GetDataType(), channel);
+  return CopyAs(component.array->GetDataType(), component);
 }
 
-ChannelCopy CopyAsFloats(const VoxelChannel& channel)
+ComponentCopy CopyAsFloats(const VoxelComponent& component)
 {
-  return CopyAs(VTK_FLOAT, channel);
+  return CopyAs(VTK_FLOAT, component);
 }
 
-ChannelCopy CopyAsDoubles(const VoxelChannel& channel)
+ComponentCopy CopyAsDoubles(const VoxelComponent& component)
 {
-  return CopyAs(VTK_DOUBLE, channel);
+  return CopyAs(VTK_DOUBLE, component);
 }
 
 }

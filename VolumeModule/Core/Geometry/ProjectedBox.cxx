@@ -1,4 +1,4 @@
-#include "March/ProjectedBox.h"
+#include "Core/Geometry/ProjectedBox.h"
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
