@@ -2,7 +2,6 @@
 
 #include "Core/Quality/InteractiveQuality.h"
 #include "Frame/FrameBuilder.h"
-#include "Frame/PictureChoices.h"
 #include "Frame/RendererVolumes.h"
 #include "Frame/SelectorScope.h"
 #include "March/ImageOutput.h"
@@ -47,7 +46,8 @@ struct vtkVariationFieldVolumeMapper::Internals
   std::string ReportedWarning;
   varimarch::InteractiveQuality Quality;
 
-  void DrawInTime(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, varimarch::Frame frame);
+  void DrawInTime(
+    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame);
 
   std::string Warnings(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const;
 };
@@ -95,23 +95,23 @@ constexpr double LongestInteractiveSeconds = 1.0;
 
 // Draws at the quality that the allocated time permits, or at full quality if nobody interacts.
 void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
-  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, varimarch::Frame frame)
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame)
 {
   const double allocatedSeconds = volume->GetAllocatedRenderTime();
   if (!mapper->GetAutoAdjustSampleDistances() || allocatedSeconds >= LongestInteractiveSeconds ||
-    varimarch::Picks(frame.settings.pass))
+    varimarch::Picks(frame.pass.kind))
   {
     this->Marcher.Draw(frame);
     return;
   }
-  const double pixels = double(frame.viewport.width) * frame.viewport.height;
-  varimarch::UseQuality(this->Quality.Next(allocatedSeconds, pixels), mapper, frame);
+  const double pixels = double(frame.view.viewport.width) * frame.view.viewport.height;
+  const varimarch::PictureQuality quality = this->Quality.Next(allocatedSeconds, pixels);
   const int builds = this->Marcher.ResourceBuilds();
-  frame.window->WaitForCompletion();
+  frame.view.window->WaitForCompletion();
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
-  this->Marcher.Draw(frame);
-  frame.window->WaitForCompletion();
+  this->Marcher.Draw(frame, quality);
+  frame.view.window->WaitForCompletion();
   timer->StopTimer();
   if (this->Marcher.ResourceBuilds() == builds)
   {
@@ -199,7 +199,7 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInOrder(
 void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   const bool isAlone = volume->GetMapper() != this || this->RenderToImage ||
-    varimarch::PassOfVolume(this, renderer, volume).pass != varimarch::RayPass::Whole;
+    varimarch::PassOfVolume(this, renderer, volume).kind != varimarch::RayPass::Whole;
   isAlone ? Internals::Draw(this, renderer, volume)
           : Internals::DrawInOrder(this, renderer, volume);
 }
@@ -217,13 +217,13 @@ void vtkVariationFieldVolumeMapper::LockSampleDistance()
 void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->LockSampleDistance();
-  varimarch::PropOfSelector prop(renderer->GetSelector());
-  const std::optional<varimarch::Frame> frame = varimarch::FrameOf(this, renderer, volume);
+  varimarch::SelectorScope selected(renderer->GetSelector());
+  const std::optional<varimarch::Frame> frame = varimarch::BuildFrame(this, renderer, volume);
   if (frame)
   {
-    frame->window->MakeCurrent();
+    frame->view.window->MakeCurrent();
     this->Private->DrawInTime(this, volume, *frame);
-    prop.TellCounts(this->GetDataSetInput());
+    selected.ReportCounts(this->GetDataSetInput());
     vtkOpenGLCheckErrorMacro("OpenGL error after drawing");
     this->WarnOnce(this->Private->Warnings(this, volume));
   }
@@ -262,7 +262,7 @@ double vtkVariationFieldVolumeMapper::GetDrawnPart()
 
 int vtkVariationFieldVolumeMapper::GetAccumulatedPictures()
 {
-  return this->Private->Marcher.AccumulatedPictures();
+  return this->Private->Marcher.AccumulatedImages();
 }
 
 double vtkVariationFieldVolumeMapper::GetUsedImageSampleDistance()

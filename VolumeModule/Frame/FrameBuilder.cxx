@@ -2,11 +2,11 @@
 
 #include "Core/Look/TransferFunction.h"
 #include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/ImageSettings.h"
 #include "Frame/Lights.h"
 #include "Frame/MapperInput.h"
 #include "Frame/MaterialChoices.h"
 #include "Frame/OverlappingVolumes.h"
-#include "Frame/PictureChoices.h"
 #include "Frame/UserShaderCode.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
@@ -111,8 +111,8 @@ Integration IntegrationOf(int integrationRule)
 }
 
 // Samples per voxel that keep a composite within half a grey level of a fine march, measured on a
-// head CT with a bone transfer function. Normals turn faster than values change; a maximum needs
-// no more than to pass close by.
+// head CT with a bone transfer function. Normals turn faster than values change. A maximum only has
+// to be passed closely.
 double AutomaticSamplesPerVoxel(const RenderSettings& settings)
 {
   if (settings.blend != Blend::Composite)
@@ -122,7 +122,7 @@ double AutomaticSamplesPerVoxel(const RenderSettings& settings)
   return MarchesMaterial(settings) ? 8.0 : 4.0;
 }
 
-// A homogeneous material as a transfer function of one node would have it.
+// The homogeneous material of a transfer function with one node.
 glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistanceMm)
 {
   const TransferFunction material(
@@ -131,33 +131,37 @@ glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistance
   return glm::dvec4(material.Color(0.0), extinction);
 }
 
-void ChooseSampling(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+// The budget counts for the image that has one: with distances that the user sets there is none.
+ErrorBudget BudgetOf(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
 {
-  // Of the tolerance, the field and the early end of rays may use an eighth each.
-  constexpr double Share = 1.0 / 8.0;
-  const double fieldErrorWithoutTolerance = IsExtreme(frame.settings.blend) ? 0.0 : 1.0 / 255.0;
-  frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
-  frame.chooseIntegration =
+  ErrorBudget budget;
+  budget.tolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
+  budget.windowScale = frame.image.windowScaleBias.x;
+  budget.isExtreme = IsExtreme(frame.settings.blend);
+  budget.isSampled = IsSampled(frame.settings);
+  return budget;
+}
+
+void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  QualityRequest& quality = frame.quality;
+  quality.budget = BudgetOf(mapper, frame);
+  quality.choosesIntegration =
     mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
     frame.settings.blend == Blend::Composite && IsSampled(frame.settings);
-  frame.variationTolerance = mapper->GetVariationTolerance();
-  frame.errorTolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
-  const bool tolerance = frame.errorTolerance > 0.0;
-  // A window narrower than all colours magnifies their errors.
-  const double share = Share / std::max(1.0, std::abs(frame.windowScaleBias.x));
-  frame.fieldError = tolerance ? share * frame.errorTolerance : fieldErrorWithoutTolerance;
-  frame.earlyTerminationTransmittance =
-    tolerance ? share * frame.errorTolerance : mapper->GetEarlyTerminationTransmittance();
-  // What is exact has no steps to try out.
-  frame.errorTolerance = IsSampled(frame.settings) ? frame.errorTolerance : 0.0;
-  if (frame.chooseIntegration && MarchesMaterial(frame.settings) && frame.errorTolerance == 0.0)
-  {
-    // The rule that errs less at the short steps which nobody has tried out.
-    frame.settings.integration = Integration::PreIntegrated;
-  }
-  frame.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
+  quality.variationTolerance = mapper->GetVariationTolerance();
+  quality.earlyTerminationTransmittance =
+    quality.budget.EarlyTermination(mapper->GetEarlyTerminationTransmittance());
+  quality.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
     : mapper->GetSampleDistance();
+  frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
+  if (quality.choosesIntegration && MarchesMaterial(frame.settings) &&
+    quality.budget.StepTolerance() == 0.0)
+  {
+    // At the short steps that nobody has tried out, this rule has the smaller error.
+    frame.settings.integration = Integration::PreIntegrated;
+  }
 }
 
 bool HasComponents(vtkVariationFieldVolumeMapper* mapper, int port)
@@ -185,13 +189,13 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   return settings;
 }
 
-// None where no flag says anything.
+// The flags, or null if none is set.
 vtkUnsignedCharArray* FlagsIn(vtkUnsignedCharArray* flags)
 {
   return flags && flags->GetNumberOfTuples() > 0 && flags->GetRange()[1] > 0.0 ? flags : nullptr;
 }
 
-// Ascending, each once.
+// The finite isovalues, ascending and without repetition.
 std::vector<double> IsovaluesOf(vtkVolumeProperty* property)
 {
   vtkContourValues* const contours = property->GetIsoSurfaceValues();
@@ -202,7 +206,7 @@ std::vector<double> IsovaluesOf(vtkVolumeProperty* property)
   return { isovalues.begin(), isovalues.end() };
 }
 
-// The surfaces that a frame draws. False when there are none.
+// Chooses the surfaces of a frame. Returns false if there are none.
 bool ChooseSurfaces(Frame& frame)
 {
   if (frame.settings.blend == Blend::Isosurface)
@@ -212,14 +216,14 @@ bool ChooseSurfaces(Frame& frame)
     {
       throw std::runtime_error("Isosurfaces of cubic interpolation are not supported");
     }
-    frame.isovalues = IsovaluesOf(frame.property);
-    return !frame.isovalues.empty();
+    frame.material.isovalues = IsovaluesOf(frame.material.property);
+    return !frame.material.isovalues.empty();
   }
   if (frame.settings.blend == Blend::Slice)
   {
-    vtkImplicitFunction* const function = frame.property->GetSliceFunction();
-    frame.slice = function ? SliceSurfaceOf(function, frame.geometry) : SliceSurface();
-    // A slice in a face of the volume is in the volume, whatever rounding says.
+    vtkImplicitFunction* const function = frame.material.property->GetSliceFunction();
+    frame.material.slice = function ? SliceSurfaceOf(function, frame.geometry) : SliceSurface();
+    // A slice in a face of the volume counts as inside despite rounding.
     constexpr double ReachVoxels = 3e-4;
     frame.geometry.boxGrid.lower -= ReachVoxels;
     frame.geometry.boxGrid.upper += ReachVoxels;
@@ -228,15 +232,15 @@ bool ChooseSurfaces(Frame& frame)
   return true;
 }
 
-// Where voxels are, and which of them are left out.
+// Chooses the places of voxels, and those that are left out.
 void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
 {
-  frame.axes = input.Axes(frame.settings.nearest);
-  frame.geometry = input.Geometry(volume, frame.axes);
-  frame.blanking = { FlagsIn(input.data->GetPointGhostArray()),
+  frame.voxels.axes = input.Axes(frame.settings.nearest);
+  frame.geometry = input.Geometry(volume, frame.voxels.axes);
+  frame.voxels.blanking = { FlagsIn(input.data->GetPointGhostArray()),
     FlagsIn(input.data->GetCellGhostArray()), input.PointCount(), input.place,
     frame.settings.nearest };
-  if (frame.axes.empty())
+  if (frame.voxels.axes.empty())
   {
     return;
   }
@@ -244,7 +248,7 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
   {
     throw std::runtime_error("Isosurfaces of rectilinear grids are not supported");
   }
-  if (frame.blanking.Any())
+  if (frame.voxels.blanking.Any())
   {
     throw std::runtime_error("Blanked parts of rectilinear grids are not supported");
   }
@@ -265,7 +269,7 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
 
 void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
-  const bool seesCuts = frame.property->GetUseClippedVoxelIntensity() != 0 &&
+  const bool seesCuts = frame.material.property->GetUseClippedVoxelIntensity() != 0 &&
     frame.settings.components == Components::One;
   frame.cuts = CutsOf(mapper, frame.geometry, seesCuts);
   frame.settings.clipping = !frame.cuts.planesGrid.empty();
@@ -273,13 +277,13 @@ void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.settings.cropping = frame.cuts.regions.has_value();
 }
 
-// Where some scalars do not count in an average, neither does the length of what has them: a ray
-// must look at it even where it is invisible.
+// If some scalars do not count in an average, the length of a ray through them does not count
+// either: the ray must then be sampled even where it is invisible.
 void ChooseAveraged(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   const double* averaged = mapper->GetAverageIPScalarRange();
-  frame.averagedRange = { averaged[0], averaged[1] };
-  const double* scalars = frame.scalars->GetFiniteRange();
+  frame.material.averagedRange = { averaged[0], averaged[1] };
+  const double* scalars = frame.voxels.scalars->GetFiniteRange();
   // A spline goes beyond its voxels, by less than these differ.
   const double beyond = frame.settings.cubic ? scalars[1] - scalars[0] : 0.0;
   const bool allCount = averaged[0] <= scalars[0] - beyond && scalars[1] + beyond <= averaged[1];
@@ -290,9 +294,9 @@ void ChooseAveraged(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   }
 }
 
-// One of the volumes of a prop, which itself is that volume where it has no more.
-std::optional<Frame> FrameOfVolume(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer,
-  vtkVolume* prop, const VolumeOfPort& one)
+// Builds the frame of one volume of a prop. A prop with one volume is that volume itself.
+std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
+  vtkRenderer* renderer, vtkVolume* prop, const VolumeOfPort& one)
 {
   vtkVolume* const volume = one.volume;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -306,45 +310,45 @@ std::optional<Frame> FrameOfVolume(vtkVariationFieldVolumeMapper* mapper, vtkRen
     return std::nullopt;
   }
   Frame frame = {};
-  frame.window = window;
-  frame.renderer = renderer;
-  frame.property = volume->GetProperty();
-  frame.scalars = input->scalars;
-  frame.scalarsTime = std::max(input->data->GetMTime(), input->scalars->GetMTime());
-  frame.viewport = ViewportOf(renderer);
-  frame.settings = SettingsOf(mapper, renderer, frame.property, input->scalars);
+  frame.view.window = window;
+  frame.view.renderer = renderer;
+  frame.material.property = volume->GetProperty();
+  frame.voxels.scalars = input->scalars;
+  frame.voxels.time = std::max(input->data->GetMTime(), input->scalars->GetMTime());
+  frame.view.viewport = ViewportOf(renderer);
+  frame.settings = SettingsOf(mapper, renderer, frame.material.property, input->scalars);
   ChoosePlaces(*input, volume, frame);
   ChooseVoxels(mapper, input->data, frame);
   if (!ChooseSurfaces(frame))
   {
     return std::nullopt;
   }
-  frame.dampingGradient = mapper->GetDampingGradient();
+  frame.material.dampingGradient = mapper->GetDampingGradient();
   ChooseCuts(mapper, frame);
   ChooseAveraged(mapper, frame);
-  frame.gapOptical = GapOptical(
-    mapper->GetNanColor(), mapper->GetNanOpacity(), frame.property->GetScalarOpacityUnitDistance());
-  frame.mayMarchByProcessor = mapper->GetProcessorMarching() != 0;
-  frame.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
-  ChoosePicture(mapper, renderer, prop, frame);
-  ChooseSampling(mapper, frame);
+  frame.material.gapOptical = GapOptical(mapper->GetNanColor(), mapper->GetNanOpacity(),
+    frame.material.property->GetScalarOpacityUnitDistance());
+  frame.device.mayMarchOnProcessor = mapper->GetProcessorMarching() != 0;
+  frame.device.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
+  ApplyImageSettings(mapper, renderer, prop, frame);
+  ChooseQuality(mapper, frame);
   return frame;
 }
 
 }
 
-std::optional<Frame> FrameOf(
+std::optional<Frame> BuildFrame(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   std::vector<Frame> frames;
   for (const VolumeOfPort& one : VolumesOfPorts(mapper, volume))
   {
-    if (std::optional<Frame> frame = FrameOfVolume(mapper, renderer, volume, one))
+    if (std::optional<Frame> frame = BuildFrameOfVolume(mapper, renderer, volume, one))
     {
       frames.push_back(std::move(*frame));
     }
   }
-  return frames.size() > 1 ? JoinedFrame(std::move(frames), mapper)
+  return frames.size() > 1 ? JoinFrames(std::move(frames), mapper)
     : frames.empty()       ? std::nullopt
                            : std::optional<Frame>(std::move(frames.front()));
 }
@@ -381,7 +385,7 @@ std::string UnsupportedFeature(
 {
   try
   {
-    FrameOf(mapper, renderer, volume);
+    BuildFrame(mapper, renderer, volume);
   }
   catch (const std::exception& problem)
   {

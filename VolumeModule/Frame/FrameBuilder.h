@@ -13,17 +13,17 @@ class vtkVolume;
 namespace varimarch
 {
 
-/// What a mapper is to draw with its settings as they are; nothing where its input is empty.
-/// @throws std::runtime_error a sentence, when nothing can be drawn of it
-std::optional<Frame> FrameOf(
+/// Collects what a mapper is asked to draw, with its present settings. Returns nothing if the input
+/// is empty.
+/// @throws std::runtime_error a sentence, if the input cannot be drawn
+std::optional<Frame> BuildFrame(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/// What a picture lacks of what is asked for: sentences, each followed by a space; empty when it
-/// lacks nothing.
+/// Sentences about the requested features that an image would lack, each followed by a space. Empty
+/// if the image would have all of them.
 std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume);
 
-/// Why a picture would not be all that is asked for, be it that nothing can be drawn or that it
-/// lacks a feature; empty when it would be.
+/// Sentences about why a request cannot be drawn, or not with all of its features. Empty if it can.
 std::string UnsupportedFeature(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 

@@ -20,7 +20,7 @@ namespace varimarch
 namespace
 {
 
-// What the components of an array are. Throws a sentence when they are nothing that can be drawn.
+// The kind of an array's components. Throws a sentence if they cannot be drawn.
 Components ComponentsOf(const std::string& name, int count, bool independent)
 {
   if (count < 1 || count > 4)
@@ -139,23 +139,25 @@ void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame
 {
   for (int component = 0; component < frame.settings.componentCount; ++component)
   {
-    frame.components.push_back({ frame.scalars, component });
+    frame.voxels.components.push_back({ frame.voxels.scalars, component });
   }
   if (frame.settings.functionOf == FunctionOf::TwoValues)
   {
-    frame.components.push_back(SecondComponent(mapper, data));
-    if (frame.components.back().array->GetNumberOfTuples() != frame.scalars->GetNumberOfTuples())
+    frame.voxels.components.push_back(SecondComponent(mapper, data));
+    if (frame.voxels.components.back().array->GetNumberOfTuples() !=
+      frame.voxels.scalars->GetNumberOfTuples())
     {
       throw std::runtime_error("The second value of the transfer function has another number of "
                                "values than the first");
     }
-    frame.scalarsTime = std::max(frame.scalarsTime, frame.components.back().array->GetMTime());
+    frame.voxels.time =
+      std::max(frame.voxels.time, frame.voxels.components.back().array->GetMTime());
   }
   if (frame.settings.mask != Mask::None)
   {
-    frame.mask = MaskVoxelsOf(mapper, frame.property);
+    frame.voxels.mask = MaskVoxelsOf(mapper, frame.material.property);
   }
-  frame.labelPart = mapper->GetMaskBlendFactor();
+  frame.material.labelBlend = mapper->GetMaskBlendFactor();
 }
 
 void ChooseSurfaceComponent(Frame& frame)
@@ -171,13 +173,13 @@ void ChooseSurfaceComponent(Frame& frame)
   }
   for (int component = 1; component < frame.settings.componentCount; ++component)
   {
-    if (frame.property->GetComponentWeight(component) >
-      frame.property->GetComponentWeight(frame.surfaceComponent))
+    if (frame.material.property->GetComponentWeight(component) >
+      frame.material.property->GetComponentWeight(frame.material.surfaceComponent))
     {
-      frame.surfaceComponent = component;
+      frame.material.surfaceComponent = component;
     }
   }
-  frame.components = { frame.components[frame.surfaceComponent] };
+  frame.voxels.components = { frame.voxels.components[frame.material.surfaceComponent] };
   frame.settings.components = Components::One;
   frame.settings.componentCount = 1;
 }

@@ -11,17 +11,18 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// What components, transfer functions and mask make of the settings, whose blend mode is chosen.
-/// @throws std::runtime_error a sentence, when the components are nothing that can be drawn
+/// Chooses the settings that depend on components, transfer functions and mask. The blend mode is
+/// already chosen.
+/// @throws std::runtime_error a sentence, if the components cannot be drawn
 void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property,
   vtkDataArray* scalars, RenderSettings& settings);
 
-/// The channels and the mask of a frame whose settings are chosen.
-/// @throws std::runtime_error a sentence, when something of them is missing
+/// Chooses the components and the mask of a frame whose settings are chosen.
+/// @throws std::runtime_error a sentence, if one of them is missing
 void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame& frame);
 
-/// For isosurfaces: of several components leaves, as in VTK, the first of the largest weight.
-/// @throws std::runtime_error a sentence, when the components depend on each other
+/// Leaves one component for isosurfaces: as in VTK the first with the largest weight.
+/// @throws std::runtime_error a sentence, if the components depend on each other
 void ChooseSurfaceComponent(Frame& frame);
 
 }

@@ -16,9 +16,9 @@ namespace varimarch
 namespace
 {
 
-// What a render pass wants of a volume. It tells by the text that it would put into a shader at a
-// mark: the uniforms that it will set. Our shaders declare them in files of their own, so nothing
-// of its text is used.
+// The layers that a render pass wants of a volume. It shows by the text that it would insert into a
+// shader, which declares the uniforms that the pass will set. Our shaders declare those uniforms in
+// files of their own, so the text itself is not used.
 RayPass PassWantedBy(
   vtkOpenGLRenderPass* renderPass, vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
 {
@@ -38,15 +38,15 @@ RayPass PassWantedBy(
   return declares("depthRangeTex") ? RayPass::PeelLast : RayPass::Whole;
 }
 
-VolumePass PickOf(vtkHardwareSelector* selector)
+RequestedPass PickOf(vtkHardwareSelector* selector)
 {
-  VolumePass pick;
+  RequestedPass pick;
   const int association = selector->GetFieldAssociation();
-  pick.pass = RayPass::PickProp;
+  pick.kind = RayPass::PickProp;
   pick.picksCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   const auto voxel = [&](int wanted, bool highestBits)
   {
-    pick.pass = association == wanted ? RayPass::PickVoxel : RayPass::PickProp;
+    pick.kind = association == wanted ? RayPass::PickVoxel : RayPass::PickProp;
     pick.highestBits = highestBits;
   };
   switch (selector->GetCurrentPass())
@@ -71,24 +71,25 @@ VolumePass PickOf(vtkHardwareSelector* selector)
 
 }
 
-VolumePass PassOfVolume(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+RequestedPass PassOfVolume(
+  vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     return PickOf(selector);
   }
-  VolumePass found;
+  RequestedPass found;
   vtkInformation* keys = volume->GetPropertyKeys();
   const int count = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses())
     ? keys->Length(vtkOpenGLRenderPass::RenderPasses())
     : 0;
-  for (int i = 0; i < count && found.pass == RayPass::Whole; ++i)
+  for (int i = 0; i < count && found.kind == RayPass::Whole; ++i)
   {
     auto* renderPass =
       vtkOpenGLRenderPass::SafeDownCast(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i));
     if (renderPass)
     {
-      found.pass = PassWantedBy(renderPass, mapper, volume);
+      found.kind = PassWantedBy(renderPass, mapper, volume);
       found.renderPass = renderPass;
     }
   }

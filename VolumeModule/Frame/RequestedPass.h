@@ -11,23 +11,25 @@ class vtkVolume;
 namespace varimarch
 {
 
-/// Less is not selected, by vtkOpenGLGPUVolumeRayCastMapper's measure.
+/// The least opacity that is selected, as in vtkOpenGLGPUVolumeRayCastMapper.
 constexpr float LeastPickedOpacity = 3.0f / 255.0f;
 
-/// And the least at which an image of depths begins.
+/// The opacity at which an image of depths has its depth.
 constexpr float LeastDepthOpacity = 1e-3f;
 
-/// What a volume is drawn for: its picture, translucent geometry in it, or a selection.
-struct VolumePass
+/// The purpose of a drawing: the image, the layers of translucent geometry in it, or a selection.
+struct RequestedPass
 {
-  RayPass pass = RayPass::Whole;
-  vtkOpenGLRenderPass* renderPass = nullptr; ///< that peels; else none
-  float propColor[3] = { 0.0f, 0.0f, 0.0f }; ///< while picking: of the volume
-  bool picksCells = false;                   ///< and not points
-  bool highestBits = false;                  ///< of what is picked; else the lowest 24
+  RayPass kind = RayPass::Whole;
+  vtkOpenGLRenderPass* renderPass = nullptr; ///< The pass that peels; null otherwise.
+  float propColor[3] = { 0.0f, 0.0f,
+    0.0f };                 ///< The colour that stands for the volume in a selection.
+  bool picksCells = false;  ///< True if cells are selected, not points.
+  bool highestBits = false; ///< True for the bits of a number above the lowest 24.
 };
 
-VolumePass PassOfVolume(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+RequestedPass PassOfVolume(
+  vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
 }
 

@@ -44,8 +44,8 @@ double TimeOf(vtkObject* object)
 
 Numbers ViewOf(const Frame& frame)
 {
-  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
-  const Viewport& viewport = frame.viewport;
+  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid;
+  const Viewport& viewport = frame.view.viewport;
   Numbers numbers = { double(viewport.left), double(viewport.bottom), double(viewport.width),
     double(viewport.height) };
   numbers.insert(numbers.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
@@ -71,7 +71,7 @@ Numbers LightsOf(vtkRenderer* renderer)
   return numbers;
 }
 
-// What a property's own time of modification does not tell.
+// The functions of a property whose changes its own time of modification does not show.
 Numbers FunctionsOf(vtkVolumeProperty* property)
 {
   Numbers numbers = { TimeOf(property), TimeOf(property->GetSliceFunction()) };
@@ -85,7 +85,7 @@ Numbers FunctionsOf(vtkVolumeProperty* property)
   return numbers;
 }
 
-// The opaque geometry that may end rays, also in layers below.
+// The opaque geometry that may end rays, also that of layers below.
 Numbers GeometryOf(vtkOpenGLRenderWindow* window)
 {
   Numbers numbers;
@@ -112,21 +112,21 @@ Numbers GeometryOf(vtkOpenGLRenderWindow* window)
 
 }
 
-std::vector<double> NumbersOfScene(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
+std::vector<double> Fingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
 {
-  vtkShaderProperty* const shader = frame.volume->GetShaderProperty();
+  vtkShaderProperty* const shader = frame.view.prop->GetShaderProperty();
   auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
-  Numbers numbers = { double(reinterpret_cast<std::uintptr_t>(frame.renderer)), TimeOf(mapper),
-    double(frame.scalarsTime), TimeOf(mapper->GetMaskInput()), double(frame.mask.time),
-    TimeOf(frame.blanking.points), TimeOf(frame.blanking.cells), double(shader->GetShaderMTime()),
-    uniforms ? double(uniforms->GetUniformListMTime()) : 0.0,
+  Numbers numbers = { double(reinterpret_cast<std::uintptr_t>(frame.view.renderer)), TimeOf(mapper),
+    double(frame.voxels.time), TimeOf(mapper->GetMaskInput()), double(frame.voxels.mask.time),
+    TimeOf(frame.voxels.blanking.points), TimeOf(frame.voxels.blanking.cells),
+    double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0,
     double(frame.settings.sceneGeometry) };
   Append(numbers, ViewOf(frame));
-  Append(numbers, LightsOf(frame.renderer));
-  Append(numbers, FunctionsOf(frame.property));
+  Append(numbers, LightsOf(frame.view.renderer));
+  Append(numbers, FunctionsOf(frame.material.property));
   if (frame.settings.sceneGeometry)
   {
-    Append(numbers, GeometryOf(frame.window));
+    Append(numbers, GeometryOf(frame.view.window));
   }
   return numbers;
 }

@@ -10,9 +10,9 @@ namespace varimarch
 
 struct Frame;
 
-/// All that a picture depends on, as numbers and times of modification: two pictures of equal ones
-/// are the same. Code that observes vtkCommand::UpdateShaderEvent is not known here.
-std::vector<double> NumbersOfScene(vtkVariationFieldVolumeMapper* mapper, const Frame& frame);
+/// Everything that an image depends on, as numbers and times of modification: images with the same
+/// fingerprint are the same. Code that observes vtkCommand::UpdateShaderEvent is not known here.
+std::vector<double> Fingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame);
 
 }
 

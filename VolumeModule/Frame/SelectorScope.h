@@ -7,11 +7,12 @@
 namespace varimarch
 {
 
-/// A selector counts a prop while one of these lives.
-class PropOfSelector
+/// A scope guard for vtkHardwareSelector::BeginRenderProp and EndRenderProp. Without a selector it
+/// does nothing.
+class SelectorScope
 {
 public:
-  explicit PropOfSelector(vtkHardwareSelector* selector)
+  explicit SelectorScope(vtkHardwareSelector* selector)
     : selector(selector)
   {
     if (selector)
@@ -20,10 +21,10 @@ public:
     }
   }
 
-  PropOfSelector(const PropOfSelector&) = delete;
-  void operator=(const PropOfSelector&) = delete;
+  SelectorScope(const SelectorScope&) = delete;
+  void operator=(const SelectorScope&) = delete;
 
-  ~PropOfSelector()
+  ~SelectorScope()
   {
     if (this->selector)
     {
@@ -31,8 +32,8 @@ public:
     }
   }
 
-  /// Numbers of more than 24 bits take further passes.
-  void TellCounts(vtkDataSet* input)
+  /// Reports how many points and cells there are: numbers of more than 24 bits take further passes.
+  void ReportCounts(vtkDataSet* input)
   {
     if (this->selector && this->selector->GetCurrentPass() >= vtkHardwareSelector::POINT_ID_LOW24)
     {

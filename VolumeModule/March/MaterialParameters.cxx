@@ -24,10 +24,12 @@ glm::dvec2 PlaceInRange(const ScalarTexels& texels, const TexelMapping& mapping)
 }
 
 // Entries of the table that a scalar is looked up in, less 1.
-double LastIndexOf(const Frame& frame, const VolumeResources& volume, const OpticalTable& table)
+double LastIndexOf(
+  const VolumeMarch& march, const VolumeResources& volume, const OpticalTable& table)
 {
-  return UsesPreIntegration(frame.settings) ? volume.PreIntegrated().EntriesPerSide() - 1.0
-                                            : double(table.entries.size()) - 1.0;
+  return UsesPreIntegration(march.settings)
+    ? volume.Materials().PreIntegrated().EntriesPerSide() - 1.0
+    : double(table.entries.size()) - 1.0;
 }
 
 void SetVisible(VolumeParameters& p, int component, const TexelMapping& mapping,
@@ -42,20 +44,20 @@ void SetVisibleOfComponents(
 {
   p.visibleLower = glm::vec4(1e30f); // nothing is visible
   p.visibleUpper = glm::vec4(-1e30f);
-  for (std::size_t i = 0; i < volume.MaterialTables().size(); ++i)
+  for (std::size_t i = 0; i < volume.Materials().MaterialTables().size(); ++i)
   {
-    const MaterialTable& table = volume.MaterialTables()[i];
+    const MaterialTable& table = volume.Materials().MaterialTables()[i];
     if (table.decidesOnOpacity)
     {
-      SetVisible(
-        p, table.component, mappings[table.component], volume.OpticalTables().VisibleValues(i));
+      SetVisible(p, table.component, mappings[table.component],
+        volume.Materials().OpticalTables().VisibleValues(i));
     }
   }
 }
 
-void SetColors(VolumeParameters& p, const Frame& frame, const Mappings& mappings)
+void SetColors(VolumeParameters& p, const VolumeMarch& march, const Mappings& mappings)
 {
-  const double largest = LargestColorOf(frame.components.front().array);
+  const double largest = LargestColorOf(march.frame.voxels.components.front().array);
   for (int i = 0; i < 3; ++i)
   {
     p.colorScale[i] = float(mappings[i].scale / largest);
@@ -66,44 +68,44 @@ void SetColors(VolumeParameters& p, const Frame& frame, const Mappings& mappings
 void SetTwoValues(VolumeParameters& p, const VolumeResources& volume, const Mappings& mappings)
 {
   const std::vector<ScalarTexels>& texels = volume.Blocks().TexelsOfComponents();
-  p.twoValueTableSize = glm::dvec2(volume.TwoValuesSize());
+  p.twoValueTableSize = glm::dvec2(volume.Materials().TwoValuesSize());
   p.placeFromScalar = PlaceInRange(texels.front(), mappings.front());
   p.placeFromSecond = PlaceInRange(texels.back(), mappings.back());
   p.placePerGradient = float(mappings.front().scale / LargestGradient(texels.front()));
 }
 
 // Products of normals in units of the data could overflow: they are made of texels.
-void SetLights(
-  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
+void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume,
+  const Mappings& mappings)
 {
   const double texelsPerScalar = mappings.front().scale / volume.Blocks().Texels().mapping.scale;
-  p.worldFromGradient = frame.geometry.WorldFromGridNormal() * texelsPerScalar;
-  const HeadLightColors light = HeadLightColorsOf(frame.renderer);
+  p.worldFromGradient = march.frame.geometry.WorldFromGridNormal() * texelsPerScalar;
+  const HeadLightColors light = HeadLightColorsOf(march.frame.view.renderer);
   p.diffuseLight = light.diffuse;
   p.specularLight = light.specular;
-  if (frame.settings.damping)
+  if (march.settings.damping)
   {
-    p.dampingFactors =
-      frame.geometry.gradientFactors * (mappings.front().scale / frame.dampingGradient);
+    p.dampingFactors = march.frame.geometry.gradientFactors *
+      (mappings.front().scale / march.frame.material.dampingGradient);
   }
-  if (frame.settings.lights)
+  if (march.settings.lights)
   {
-    const LightTexels others = LightTexelsOf(frame.renderer);
+    const LightTexels others = LightTexelsOf(march.frame.view.renderer);
     p.distantCount = others.distantCount;
     p.nearCount = others.nearCount;
-    p.ambientLight = AmbientLightOf(frame.renderer);
-    p.backsLit = frame.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
-    p.worldOfGridOrigin = glm::dvec3(frame.geometry.worldFromGrid[3]);
+    p.ambientLight = AmbientLightOf(march.frame.view.renderer);
+    p.backsLit = march.frame.view.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
+    p.worldOfGridOrigin = glm::dvec3(march.frame.geometry.worldFromGrid[3]);
   }
 }
 
-void SetGradientOpacity(
-  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
+void SetGradientOpacity(VolumeParameters& p, const VolumeMarch& march,
+  const VolumeResources& volume, const Mappings& mappings)
 {
-  p.lastGradientEntry = float(VolumeResources::EntriesPerGradientCurve - 1);
-  for (int part = 0; part < PartCount(frame.settings); ++part)
+  p.lastGradientEntry = float(GradientOpacityTable::EntriesPerCurve - 1);
+  for (int part = 0; part < PartCount(march.settings); ++part)
   {
-    const int component = OpacityComponentOf(frame.settings, part);
+    const int component = OpacityComponentOf(march.settings, part);
     const ScalarTexels& texels = volume.Blocks().TexelsOfComponents()[component];
     p.entriesPerGradient[part] =
       float(mappings[component].scale / LargestGradient(texels) * p.lastGradientEntry);
@@ -112,11 +114,11 @@ void SetGradientOpacity(
 
 }
 
-void SetTables(
-  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
+void SetTables(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume,
+  const Mappings& mappings)
 {
-  const std::vector<OpticalTable>& tables = volume.OpticalTables().Tables();
-  if (frame.settings.functionOf != FunctionOf::Value)
+  const std::vector<OpticalTable>& tables = volume.Materials().OpticalTables().Tables();
+  if (march.settings.functionOf != FunctionOf::Value)
   {
     SetTwoValues(p, volume, mappings);
   }
@@ -124,58 +126,60 @@ void SetTables(
   for (std::size_t i = 0; i < std::min<std::size_t>(tables.size(), 4); ++i)
   {
     const OpticalTable& table = tables[i];
-    const int component = volume.MaterialTables()[i].component;
-    const double last = LastIndexOf(frame, volume, table);
+    const int component = volume.Materials().MaterialTables()[i].component;
+    const double last = LastIndexOf(march, volume, table);
     const IndexInTable index =
       IndexOf(table, last, mappings[component].scale, mappings[component].offset);
     p.tableScales[i] = float(index.scale);
     p.tableBiases[i] = float(index.bias);
     p.lastTableIndices[i] = float(last);
-    p.firstEntries[i] = float(volume.OpticalTables().FirstEntryOf(i));
+    p.firstEntries[i] = float(volume.Materials().OpticalTables().FirstEntryOf(i));
   }
   p.opticalBelow = tables.front().entries.front();
   p.opticalAbove = tables.front().entries.back();
-  if (frame.settings.components == Components::One)
+  if (march.settings.components == Components::One)
   {
-    SetVisible(p, 0, mappings.front(), volume.OpticalTables().VisibleValuesOfAny());
+    SetVisible(p, 0, mappings.front(), volume.Materials().OpticalTables().VisibleValuesOfAny());
   }
   else
   {
     SetVisibleOfComponents(p, volume, mappings);
   }
-  if (frame.settings.components == Components::Rgba)
+  if (march.settings.components == Components::Rgba)
   {
-    SetColors(p, frame, mappings);
+    SetColors(p, march, mappings);
   }
 }
 
-void SetMaterials(
-  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
+void SetMaterials(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume,
+  const Mappings& mappings)
 {
-  p.spacingFactors = frame.geometry.gradientFactors;
-  p.clippedScalar =
-    float(mappings.front().LimitedTexelOf(frame.property->GetClippedVoxelIntensity()));
-  p.materialCount = PartCount(frame.settings);
-  p.isosurfaceCount = int(frame.isovalues.size());
+  p.spacingFactors = march.frame.geometry.gradientFactors;
+  p.clippedScalar = float(
+    mappings.front().LimitedTexelOf(march.frame.material.property->GetClippedVoxelIntensity()));
+  p.materialCount = PartCount(march.settings);
+  p.isosurfaceCount = int(march.frame.material.isovalues.size());
   p.opacityUnitDistancesMm = glm::vec4(1.0f);
   p.partWeights = glm::vec4(1.0f);
-  for (int part = 0; part < PartCount(frame.settings); ++part)
+  for (int part = 0; part < PartCount(march.settings); ++part)
   {
-    p.opacityUnitDistancesMm[part] = float(frame.property->GetScalarOpacityUnitDistance(part));
-    p.partWeights[part] = float(WeightOf(frame.property, frame.settings, part));
-    p.reflectances[part] = ReflectanceOf(frame.property, part);
+    p.opacityUnitDistancesMm[part] =
+      float(march.frame.material.property->GetScalarOpacityUnitDistance(part));
+    p.partWeights[part] = float(WeightOf(march.frame.material.property, march.settings, part));
+    p.reflectances[part] = ReflectanceOf(march.frame.material.property, part);
   }
-  if (frame.settings.blend == Blend::Isosurface)
+  if (march.settings.blend == Blend::Isosurface)
   {
-    p.reflectances[0] = ReflectanceOf(frame.property, frame.surfaceComponent);
+    p.reflectances[0] =
+      ReflectanceOf(march.frame.material.property, march.frame.material.surfaceComponent);
   }
-  if (frame.settings.shading)
+  if (march.settings.shading)
   {
-    SetLights(p, frame, volume, mappings);
+    SetLights(p, march, volume, mappings);
   }
-  if (frame.settings.gradientOpacity)
+  if (march.settings.gradientOpacity)
   {
-    SetGradientOpacity(p, frame, volume, mappings);
+    SetGradientOpacity(p, march, volume, mappings);
   }
 }
 

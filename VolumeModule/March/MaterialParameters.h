@@ -7,12 +7,12 @@ namespace varimarch
 {
 
 /// Sets the numbers of the tables that scalars are looked up in.
-void SetTables(VolumeParameters& parameters, const Frame& frame, const VolumeResources& volume,
-  const Mappings& mappings);
+void SetTables(VolumeParameters& parameters, const VolumeMarch& march,
+  const VolumeResources& volume, const Mappings& mappings);
 
 /// Sets the numbers of light, gradient opacity and mixtures.
-void SetMaterials(VolumeParameters& parameters, const Frame& frame, const VolumeResources& volume,
-  const Mappings& mappings);
+void SetMaterials(VolumeParameters& parameters, const VolumeMarch& march,
+  const VolumeResources& volume, const Mappings& mappings);
 
 }
 

@@ -1,6 +1,9 @@
 #include "March/RayMarcher.h"
 
-#include "Frame/OverlappingVolumes.h"
+#include "Frame/FrameMeasures.h"
+#include "March/Processor/PacketCapability.h"
+#include "March/Processor/PacketSceneBuilder.h"
+#include "March/RayParametersBuilder.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -9,146 +12,150 @@
 namespace varimarch
 {
 
-void RayMarcher::Draw(Frame frame)
+void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& quality)
 {
-  this->EnterWindow(frame.window);
-  this->BeginAccumulation(frame);
-  this->volume.UpdateVoxels(frame);
-  this->UpdateVoxelsOfOthers(frame);
-  frame.marcher = this->MarchesPackets(frame) ? Marcher::Processor : Marcher::Device;
-  if (frame.marcher == Marcher::Device)
+  this->EnterWindow(frame.view.window);
+  MarchPlan plan = PlanOf(frame, quality);
+  this->accumulator.Begin(frame, plan);
+  this->resources.UpdateVoxels(frame);
+  this->ChooseMarcher(frame, plan);
+  this->resources.Update(frame, plan, this->MemoryOfImages());
+  if (!this->resources.IsInBlocks())
   {
-    this->packets.Release(frame.window);
+    this->shaders.ReleaseBlocks(frame.view.window);
   }
-  else if (IsMixture(frame))
-  {
-    frame.settings.integration = Integration::Midpoint;
-    frame.chooseIntegration = false;
-  }
-  frame.sampleDistanceMm = std::max(frame.sampleDistanceMm, ShortestSampleDistanceMm(frame));
-  this->UpdateDepth(frame);
-  this->UpdateNoise(frame);
-  this->volume.UpdateCuts(frame);
-  this->UpdateOthers(frame);
-  this->volume.Update(frame, this->BytesElsewhere());
-  if (this->volume.Blocks().Partition().Count() == 1)
-  {
-    this->accumulation.Release(frame.window);
-  }
-  this->drawnBox = this->BoxOfAll(frame);
-  this->KeepTolerance(frame);
-  this->usedSampleDistanceMm = frame.sampleDistanceMm;
-  this->volume.UpdatePreIntegratedTable(frame);
-  this->DrawPicture(frame);
+  this->ChooseSteps(frame, plan);
+  this->usedSampleDistanceMm = plan.sampleDistanceMm;
+  this->resources.UpdatePreIntegrated(frame, plan);
+  this->DrawImage(frame, plan);
 }
 
-void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* window)
+void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)
 {
-  if (this->window && this->window != window)
+  if (this->window && this->window != newWindow)
   {
     this->Release(this->window);
   }
-  this->window = window;
+  this->window = newWindow;
 }
 
-void RayMarcher::UpdateDepth(const Frame& frame)
+void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)
 {
-  if (!frame.settings.sceneGeometry)
+  if (CanMarchByPackets(frame, this->resources))
   {
-    this->depth.Release(frame.window);
-    return;
+    plan.marcher = Marcher::Processor;
+    if (IsMixture(frame))
+    {
+      plan.integration = Integration::Midpoint; // packets have no other rule for mixtures
+      plan.choosesIntegration = false;
+    }
   }
-  this->depth.Capture(frame.window, frame.viewport.left, frame.viewport.bottom,
-    frame.viewport.width, frame.viewport.height);
+  else
+  {
+    plan.marcher = Marcher::Device;
+    this->packets.Release(frame.view.window);
+  }
+  plan.sampleDistanceMm =
+    std::max(plan.sampleDistanceMm, ShortestSampleDistanceMm(frame, plan.marcher));
 }
 
-void RayMarcher::UpdateNoise(const Frame& frame)
+// Steps that keep a tolerance replace those that were asked for.
+void RayMarcher::ChooseSteps(const Frame& frame, MarchPlan& plan)
 {
-  if (!frame.settings.jitter)
-  {
-    this->picture.noise.Release(frame.window);
-    return;
-  }
-  this->picture.noise.MakeTile();
-  frame.marcher == Marcher::Processor ? this->picture.noise.ReleaseTexture(frame.window)
-                                      : this->picture.noise.Upload(frame.window);
-}
-
-void RayMarcher::UpdateProgram(const Frame& frame)
-{
-  if (this->program.Use(frame.window, frame.settings, frame.userCode))
-  {
-    ++this->shaderBuilds;
-  }
-  if (Marches(frame.settings))
-  {
-    this->shaderParts = this->program.Parts();
-  }
-}
-
-// Steps that keep a tolerance take the place of those that were asked for.
-void RayMarcher::KeepTolerance(Frame& frame)
-{
-  if (!(frame.errorTolerance > 0.0))
+  if (!(plan.budget.StepTolerance() > 0.0))
   {
     this->tolerance.Forget();
-    this->probe.Release(frame.window);
+    this->shaders.ReleaseTrial(frame.view.window);
     return;
   }
-  this->tolerance.Update(frame, this->volume, this->ToleranceInputsOf(frame),
-    [this](const Frame& tried) { return this->DrawProbe(tried); });
-  frame.settings.integration = this->tolerance.Choice()->integration;
-  // Others than those who found the steps may draw by them: shaders, that count readings.
-  frame.sampleDistanceMm =
-    std::max(this->tolerance.SampleDistanceInViewMm(), ShortestSampleDistanceMm(frame));
+  const auto drawTrial = [&](const MarchPlan& tried)
+  {
+    this->resources.UpdatePreIntegrated(frame, tried);
+    return this->MarcherOf(tried).DrawTrial(frame, tried);
+  };
+  this->tolerance.Update(
+    MarchOf(frame, plan), this->resources.First(), this->ToleranceInputsOf(frame, plan), drawTrial);
+  plan.integration = this->tolerance.Choice()->integration;
+  // Shaders that count fetches may draw with steps that packets have found.
+  plan.sampleDistanceMm = std::max(
+    this->tolerance.SampleDistanceInViewMm(), ShortestSampleDistanceMm(frame, plan.marcher));
 }
 
-ToleranceInputs RayMarcher::ToleranceInputsOf(const Frame& frame) const
+ToleranceInputs RayMarcher::ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const
 {
   ToleranceInputs inputs;
-  inputs.Add(frame, this->volume.Builds());
+  inputs.Add(MarchOf(frame, plan), this->resources.First().Builds());
   for (std::size_t i = 0; i < frame.others.size(); ++i)
   {
-    inputs.Add(frame.others[i], this->others[i]->Builds());
+    inputs.Add(MarchOfOther(frame, plan, i), this->resources.Other(i).Builds());
   }
   return inputs;
 }
 
-std::vector<float> RayMarcher::DrawProbe(const Frame& frame)
+void RayMarcher::DrawImage(const Frame& frame, const MarchPlan& plan)
 {
-  this->volume.UpdatePreIntegratedTable(frame);
-  if (frame.marcher == Marcher::Processor)
+  vtkOpenGLRenderWindow* const drawnWindow = frame.view.window;
+  FrameMarcher& marcher = this->MarcherOf(plan);
+  const Viewport rays = RaysOf(plan.viewport, plan.imageSampleDistance);
+  this->usedImageSampleDistance = double(plan.viewport.width) / rays.width;
+  if (plan.pass != RayPass::Whole)
   {
-    return this->MarchProbe(frame);
+    this->passes.Draw(frame, plan, marcher);
+    return;
   }
-  this->probe.Draw(frame.window, frame.viewport, [&] { this->DrawVolume(frame); });
-  return this->probe.Read(frame.window, frame.viewport);
+  this->packets.ReleaseLayerDepths(drawnWindow);
+  if (frame.image.toImages)
+  {
+    this->passes.DrawImages(frame, plan, marcher);
+    return;
+  }
+  this->passes.Release(drawnWindow);
+  if (plan.mostAccumulated > 0)
+  {
+    this->resampled.Release(drawnWindow);
+    this->accumulator.Draw(frame, plan, marcher);
+  }
+  else if (rays.width == plan.viewport.width && rays.height == plan.viewport.height)
+  {
+    this->resampled.Release(drawnWindow);
+    marcher.Draw(frame, plan);
+  }
+  else
+  {
+    this->resampled.Draw(frame, plan, marcher);
+  }
 }
 
-MemoryElsewhere RayMarcher::BytesElsewhere() const
+FrameMarcher& RayMarcher::MarcherOf(const MarchPlan& plan)
 {
-  return { this->depth.Bytes() + this->picture.Bytes() + this->BytesOfOthers(),
-    this->accumulation.Bytes() };
+  if (plan.marcher == Marcher::Processor)
+  {
+    return this->packets;
+  }
+  return this->shaders;
+}
+
+MemoryElsewhere RayMarcher::MemoryOfImages() const
+{
+  return { this->accumulator.Bytes() + this->resampled.Bytes() + this->passes.Bytes(),
+    this->shaders.BytesOfBlocks() };
 }
 
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
-  return this->volume.Bytes() + this->depth.Bytes() + this->probe.Bytes() +
-    this->accumulation.Bytes() + this->picture.Bytes() + this->packets.Bytes() +
-    this->BytesOfOthers();
+  return this->resources.Bytes() + this->shaders.Bytes() + this->packets.Bytes() +
+    this->MemoryOfImages().fixedBytes;
 }
 
-void RayMarcher::Release(vtkWindow* window)
+void RayMarcher::Release(vtkWindow* releasedWindow)
 {
-  this->ReleaseOthers(window, 0);
-  this->volume.Release(window);
-  this->accumulation.Release(window);
-  this->picture.Release(window);
-  this->depth.Release(window);
-  this->packets.Release(window);
-  this->boxGeometry.Release();
-  this->program.Release();
-  this->probe.Release(window);
+  this->resources.Release(releasedWindow);
+  this->boxes.Release();
+  this->shaders.Release(releasedWindow);
+  this->packets.Release(releasedWindow);
+  this->resampled.Release(releasedWindow);
+  this->accumulator.Release(releasedWindow);
+  this->passes.Release(releasedWindow);
   this->tolerance.Forget();
   this->window = nullptr;
 }

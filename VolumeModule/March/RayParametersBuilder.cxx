@@ -1,7 +1,7 @@
 #include "March/RayParametersBuilder.h"
 
 #include "Core/Geometry/PixelRays.h"
-#include "Frame/OverlappingVolumes.h"
+#include "Frame/FrameMeasures.h"
 #include "Resources/BlueNoiseTexture.h"
 
 #include "vtkRenderer.h"
@@ -19,9 +19,10 @@ namespace
 {
 
 // Blocks have the same rays, to the last bit: none then has a gap where two blocks meet.
-void SetRays(RayParameters& p, const Frame& frame, const Box& boxGrid)
+void SetRays(RayParameters& p, const VolumeMarch& march, const Box& boxGrid)
 {
-  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+  const glm::dmat4 clipFromGrid =
+    ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
   const PixelRays rays = ComputePixelRays(clipFromGrid, boxGrid);
   for (int i = 0; i < 3; ++i)
   {
@@ -47,29 +48,29 @@ void SetCuts(RayParameters& p, const Cuts& cuts)
   }
 }
 
-void SetResampling(RayParameters& p, const Frame& frame)
+void SetResampling(RayParameters& p, const VolumeMarch& march)
 {
-  const Viewport rays = RaysOf(frame.viewport, frame.imageSampleDistance);
-  p.raysPerSide = rays.width / frame.viewport.width;
+  const Viewport rays = RaysOf(march.plan.viewport, march.plan.imageSampleDistance);
+  p.raysPerSide = rays.width / march.plan.viewport.width;
   p.lastCoarsePixel = glm::ivec2(rays.width, rays.height) - 1;
-  p.coarsePerPixel =
-    glm::dvec2(rays.width, rays.height) / glm::dvec2(frame.viewport.width, frame.viewport.height);
-  p.sameSurfaceMm = float(frame.geometry.SmallestSpacingMm());
+  p.coarsePerPixel = glm::dvec2(rays.width, rays.height) /
+    glm::dvec2(march.plan.viewport.width, march.plan.viewport.height);
+  p.sameSurfaceMm = float(march.frame.geometry.SmallestSpacingMm());
 }
 
-void SetPass(RayParameters& p, const Frame& frame)
+void SetPass(RayParameters& p, const VolumeMarch& march)
 {
-  p.leastOpacity = Picks(frame.settings.pass) ? LeastPickedOpacity : LeastDepthOpacity;
-  p.clampDepth = int(frame.clampDepth);
-  const float* color = frame.volumePass.propColor;
+  p.leastOpacity = Picks(march.settings.pass) ? LeastPickedOpacity : LeastDepthOpacity;
+  p.clampDepth = int(march.frame.image.clampDepth);
+  const float* color = march.frame.pass.propColor;
   p.propColor = glm::dvec3(color[0], color[1], color[2]);
   // A voxel is a point, or a cell that lies half a voxel behind its first point.
-  const int cells = frame.volumePass.picksCells ? 1 : 0;
-  const int voxelsAreCells = frame.blanking.place == VoxelPlace::Cells ? 1 : 0;
-  const glm::ivec3 count = frame.geometry.dimensions + voxelsAreCells - cells;
+  const int cells = march.frame.pass.picksCells ? 1 : 0;
+  const int voxelsAreCells = march.frame.voxels.blanking.place == VoxelPlace::Cells ? 1 : 0;
+  const glm::ivec3 count = march.frame.geometry.dimensions + voxelsAreCells - cells;
   p.pickedCount = glm::dvec3(glm::max(count, 1));
   p.pickedOffset = 0.5f * float(1 + voxelsAreCells - cells);
-  p.pickedHighestBits = int(frame.volumePass.highestBits);
+  p.pickedHighestBits = int(march.frame.pass.highestBits);
 }
 
 }
@@ -86,21 +87,21 @@ Viewport RaysOf(const Viewport& frame, double imageSampleDistance)
   return { 0, 0, side(frame.width), side(frame.height) };
 }
 
-RayParameters RayParametersOf(const Frame& frame, const Box& boxGrid)
+RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid)
 {
-  const Viewport& viewport = frame.viewport;
+  const Viewport& viewport = march.plan.viewport;
   RayParameters p = {};
-  SetRays(p, frame, boxGrid);
-  p.viewportOriginPixels = glm::dvec2(viewport.left, viewport.bottom) - frame.rayOffsetPixels;
+  SetRays(p, march, boxGrid);
+  p.viewportOriginPixels = glm::dvec2(viewport.left, viewport.bottom) - march.plan.rayOffsetPixels;
   p.viewportPixelsInverse = 1.0 / glm::dvec2(viewport.width, viewport.height);
-  p.stepMm = float(frame.sampleDistanceMm);
-  p.mostSegments = MostSegmentsOf(frame);
-  p.earlyTerminationTransmittance = float(frame.earlyTerminationTransmittance);
+  p.stepMm = float(march.plan.sampleDistanceMm);
+  p.mostSegments = MostSegments(march.frame, march.plan.sampleDistanceMm);
+  p.earlyTerminationTransmittance = float(march.frame.quality.earlyTerminationTransmittance);
   p.noisePixelsMask = glm::ivec2(BlueNoiseTexture::Pixels - 1);
-  p.windowScaleBias = frame.windowScaleBias;
-  SetCuts(p, frame.cuts);
-  SetResampling(p, frame);
-  SetPass(p, frame);
+  p.windowScaleBias = march.frame.image.windowScaleBias;
+  SetCuts(p, march.frame.cuts);
+  SetResampling(p, march);
+  SetPass(p, march);
   return p;
 }
 

@@ -3,7 +3,7 @@
 
 #include "Core/Geometry/Box.h"
 #include "Core/Parameters/MarchParameters.h"
-#include "Frame/Frame.h"
+#include "Frame/MarchPlan.h"
 
 namespace varimarch
 {
@@ -15,7 +15,7 @@ Viewport RaysOf(const Viewport& frame, double imageSampleDistance);
 /// The numbers of a march that follow from the frame alone. Numbers of what was drawn before, such
 /// as an image of depths, are left at zero for those who have it.
 /// @param boxGrid  box that all rays of the frame are marched in
-RayParameters RayParametersOf(const Frame& frame, const Box& boxGrid);
+RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid);
 
 }
 

@@ -1,11 +1,11 @@
-// How a picture keeps an error tolerance: a part of its rays is drawn at several sample distances,
-// which tells the error of each.
+// An image keeps an error tolerance because a part of its rays is drawn at several sample
+// distances, which shows the error of each.
 
 #include "March/ToleranceSearch.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/FrameMeasures.h"
 #include "Frame/Lights.h"
-#include "Frame/OverlappingVolumes.h"
 #include "Frame/PropertyTransferFunction.h"
 
 #include "vtkVolumeProperty.h"
@@ -21,66 +21,57 @@ namespace varimarch
 namespace
 {
 
-// The part of the tolerance that is left for the steps; the field and the early end of rays have
-// the rest. The largest error of a picture is one of many more rays than are tried out.
-constexpr double PercentileOfTolerance = 0.66;
-constexpr double LargestOfTolerance = 1.0;
-
-// Where a ray finds the second highest peak its error is large, and few of the rays do: the tried
-// ones show less of it.
-constexpr double ExtremesPart = 0.4;
-
-// Where sample distances are searched, in voxels.
+// The range of sample distances, in voxels.
 constexpr double CoarsestVoxels = 4.0;
 constexpr double FinestVoxels = 1.0 / 128.0;
-// Nor does the longest get fewer: halving a distance longer than the volume would change nothing,
-// and tell nothing.
+// At least this many samples on the longest ray: with fewer, halving the distance would not change
+// the image.
 constexpr double FewestSamples = 16.0;
-// For the same reason, across the thinnest side of a volume: a segment has four samples, and half
-// as long a one must still end in it.
+// At least this many samples across the thinnest side of a volume, for the same reason: a segment
+// has four samples, and one of half the length must still end in the volume.
 constexpr double FewestAcross = 8.0;
 
-// What a pre-integrated step takes of the time of a midpoint; that of materials, where what lies
-// between two samples is linear, as packets of rays or shaders have it (2.1 to 2.9 times by
-// packets, seven pictures).
+// The cost of a pre-integrated step in midpoints. For materials, which are then linear between two
+// samples, packets and shaders differ (2.1 to 2.9 by packets in seven images).
 constexpr double PreIntegrationCost = 1.33;
 constexpr double LinearCostOfPackets = 2.5;
 constexpr double LinearCostOfShaders = 1.15;
 
-double PreIntegrationCostOf(const Frame& frame)
+double PreIntegrationCostOf(const VolumeMarch& march)
 {
-  if (!MarchesMaterial(frame.settings))
+  if (!MarchesMaterial(march.settings))
   {
     return PreIntegrationCost;
   }
-  return frame.marcher == Marcher::Processor ? LinearCostOfPackets : LinearCostOfShaders;
+  return march.plan.marcher == Marcher::Processor ? LinearCostOfPackets : LinearCostOfShaders;
 }
 
-// How much smaller the error must be at the same distance for steps that are longer by their cost.
-double GainThatPays(const Frame& frame)
+// The factor by which the error must be smaller at the same distance, so that steps can be longer
+// by their cost.
+double GainThatPays(const VolumeMarch& march)
 {
   constexpr double Order = 1.6;
-  return std::pow(PreIntegrationCostOf(frame), Order);
+  return std::pow(PreIntegrationCostOf(march), Order);
 }
 
 // A peak wider than this part of the values is met by more than one in a thousand samples, so that
 // trying out sees it.
 constexpr double NarrowPeak = 1.0 / 256.0;
 
-// Of a larger optical table a pre-integrated one loses so much that it moves steps, by the same at
-// every sample distance: its error would not be seen.
+// The pre-integrated table of a larger optical table loses so much that it moves steps, by the same
+// at every sample distance: a trial would not show that error.
 constexpr std::size_t MostPreIntegratedEntries = 8192;
 
-// A pre-integrated table has 1024 values on a side and moves steps by as much: less than this many
-// times the limit may be its own error.
+// A pre-integrated table has 1024 values on a side, which also moves steps: a difference below this
+// many times the limit may be an error of the table.
 constexpr double CertainlyMissed = 4.0;
 
-// A view is near another if no corner of a volume has moved by more than this part of the picture;
-// there the error is taken to be that of steps which are longer by the rest of this part.
+// A view is near another if no corner of a volume has moved by more than NearMove of the image. The
+// steps of the other then serve, shortened to NearbyPart.
 constexpr double NearMove = 0.05;
 constexpr double NearbyPart = 0.9;
 
-// The picture's opacity, which does not depend on light.
+// The opacity of an image, which does not depend on light.
 std::vector<float> OpacityOf(std::vector<float> picture)
 {
   for (std::size_t i = 0; i < picture.size(); ++i)
@@ -90,7 +81,7 @@ std::vector<float> OpacityOf(std::vector<float> picture)
   return picture;
 }
 
-// A rule that is known to miss something has no smaller error than that.
+// A rule that is known to miss peaks has at least the error of those peaks.
 ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const ErrorLimit& limit)
 {
   choice.missedOfLimit = missedOfLimit;
@@ -99,7 +90,7 @@ ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const E
   return choice;
 }
 
-// Whether the opacity is that of one transfer function, whatever the light.
+// True if the opacity is that of one transfer function, whatever the light.
 bool IsShadedTransferFunction(const RenderSettings& settings)
 {
   return !settings.overlaps && !settings.gradientOpacity &&
@@ -107,33 +98,35 @@ bool IsShadedTransferFunction(const RenderSettings& settings)
     settings.mask != Mask::Labels;
 }
 
-// What decides on the rule of integration.
-std::vector<double> RuleInputsOf(const Frame& frame, const VolumeBuilds& builds)
+// The inputs of a volume that decide on the integration rule.
+std::vector<double> RuleInputsOf(const VolumeMarch& march, const VolumeBuilds& builds)
 {
   return { double(builds.volumeTexture), double(builds.opticalTable),
-    double(frame.chooseIntegration), double(frame.settings.integration),
-    double(frame.settings.blend), double(frame.settings.shading),
-    double(frame.settings.gradientOpacity), frame.errorTolerance,
-    frame.geometry.SmallestSpacingMm() };
+    double(march.plan.choosesIntegration), double(march.settings.integration),
+    double(march.settings.blend), double(march.settings.shading),
+    double(march.settings.gradientOpacity), march.plan.budget.StepTolerance(),
+    march.frame.geometry.SmallestSpacingMm() };
 }
 
-// All that decides on the picture in any view, but what is drawn in front of the volume.
-std::vector<double> SceneInputsOf(const Frame& frame, const VolumeBuilds& builds)
+// The inputs of a volume that decide on the image in any view, except geometry before the volume.
+std::vector<double> SceneInputsOf(const VolumeMarch& march, const VolumeBuilds& builds)
 {
-  std::vector<double> inputs{ double(builds.field), double(frame.property->GetMTime()),
-    double(frame.settings.acceleration), double(frame.settings.sceneGeometry),
-    frame.dampingGradient, FillsGaps(frame.settings) ? frame.gapOptical.a : 0.0,
-    frame.averagedRange[0], frame.averagedRange[1], double(frame.settings.mask),
-    double(frame.mask.time), frame.labelPart, double(frame.viewport.width),
-    double(frame.viewport.height) };
-  const std::vector<double> cuts = frame.cuts.Numbers();
+  std::vector<double> inputs{ double(builds.field),
+    double(march.frame.material.property->GetMTime()), double(march.settings.acceleration),
+    double(march.settings.sceneGeometry), march.frame.material.dampingGradient,
+    FillsGaps(march.settings) ? march.frame.material.gapOptical.a : 0.0,
+    march.frame.material.averagedRange[0], march.frame.material.averagedRange[1],
+    double(march.settings.mask), double(march.frame.voxels.mask.time),
+    march.frame.material.labelBlend, double(march.plan.viewport.width),
+    double(march.plan.viewport.height) };
+  const std::vector<double> cuts = march.frame.cuts.Numbers();
   inputs.insert(inputs.end(), cuts.begin(), cuts.end());
-  if (frame.settings.lights)
+  if (march.settings.lights)
   {
-    const HeadLightColors head = HeadLightColorsOf(frame.renderer);
+    const HeadLightColors head = HeadLightColorsOf(march.frame.view.renderer);
     inputs.insert(inputs.end(), glm::value_ptr(head.diffuse), glm::value_ptr(head.diffuse) + 3);
     inputs.insert(inputs.end(), glm::value_ptr(head.specular), glm::value_ptr(head.specular) + 3);
-    for (const glm::vec4& texel : LightTexelsOf(frame.renderer).texels)
+    for (const glm::vec4& texel : LightTexelsOf(march.frame.view.renderer).texels)
     {
       inputs.insert(inputs.end(), glm::value_ptr(texel), glm::value_ptr(texel) + 4);
     }
@@ -141,28 +134,17 @@ std::vector<double> SceneInputsOf(const Frame& frame, const VolumeBuilds& builds
   return inputs;
 }
 
-ErrorLimit LimitOf(const Frame& frame)
+StepRange RangeOf(const VolumeMarch& march)
 {
-  const double tolerance =
-    IsExtreme(frame.settings.blend) ? ExtremesPart * frame.errorTolerance : frame.errorTolerance;
-  return { PercentileOfTolerance * tolerance, LargestOfTolerance * tolerance };
-}
-
-StepRange RangeOf(const Frame& frame)
-{
-  const double voxelMm = SmallestSpacingMm(frame);
+  const double voxelMm = SmallestSpacingMm(march.frame);
   const double coarsestMm = std::min({ CoarsestVoxels * voxelMm,
-    LongestRayMm(frame) / FewestSamples, ThinnestSideMm(frame) / FewestAcross });
-  // Halves of the finest are drawn too.
-  const double finestMm = std::max(FinestVoxels * voxelMm, 2.0 * ShortestSampleDistanceMm(frame));
+    LongestRayMm(march.frame) / FewestSamples, ThinnestSideMm(march.frame) / FewestAcross });
+  // The search also draws at half of the finest distance.
+  const double finestMm = std::max(
+    FinestVoxels * voxelMm, 2.0 * ShortestSampleDistanceMm(march.frame, march.plan.marcher));
   return { coarsestMm, std::min(finestMm, coarsestMm) };
 }
 
-}
-
-Viewport ProbePixelsFor(const Viewport& picture)
-{
-  return { 0, 0, std::min(picture.width, 96), std::min(picture.height, 48) };
 }
 
 bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
@@ -180,22 +162,22 @@ bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
   return moved <= NearMove;
 }
 
-void ToleranceInputs::Add(const Frame& frame, const VolumeBuilds& builds)
+void ToleranceInputs::Add(const VolumeMarch& march, const VolumeBuilds& builds)
 {
-  const std::vector<double> ofRule = RuleInputsOf(frame, builds);
+  const std::vector<double> ofRule = RuleInputsOf(march, builds);
   this->rule.insert(this->rule.end(), ofRule.begin(), ofRule.end());
-  const std::vector<double> ofScene = SceneInputsOf(frame, builds);
+  const std::vector<double> ofScene = SceneInputsOf(march, builds);
   this->scene.insert(this->scene.end(), ofScene.begin(), ofScene.end());
-  this->view.push_back(CornersOf(
-    frame.geometry.boxGrid, ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid));
+  this->view.push_back(CornersOf(march.frame.geometry.boxGrid,
+    ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid));
 }
 
-// While the view moves, a search serves until the volume is seen from elsewhere; when it rests, it
-// gets its own.
-void ToleranceSearch::Update(const Frame& frame, const VolumeResources& volume,
-  const ToleranceInputs& inputs, const ProbeDrawing& draw)
+// While the view moves, a choice serves until the volume is seen from elsewhere. A view that rests
+// gets a choice of its own.
+void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& volume,
+  const ToleranceInputs& inputs, const TrialDrawing& draw)
 {
-  if (BeginsPicture(frame.settings.pass))
+  if (BeginsPicture(march.plan.pass))
   {
     this->viewRests = inputs.view == this->view;
   }
@@ -204,7 +186,8 @@ void ToleranceSearch::Update(const Frame& frame, const VolumeResources& volume,
     (this->viewRests ? this->choice->inputs == inputs : this->choice->inputs.IsNear(inputs));
   if (!serves)
   {
-    this->choice = this->ChooseSteps({ frame, volume, draw, LimitOf(frame) }, inputs);
+    this->choice =
+      this->ChooseSteps({ march, volume, draw, march.plan.budget.StepLimit() }, inputs);
     ++this->searches;
   }
 }
@@ -217,36 +200,48 @@ double ToleranceSearch::SampleDistanceInViewMm() const
 }
 
 const std::vector<float>& ToleranceSearch::Trial::Draw(
-  Frame tried, Integration integration, double sampleDistanceMm)
+  Integration integration, double sampleDistanceMm)
 {
-  std::vector<float>& picture =
-    this->drawn[{ tried.settings.shading, integration, sampleDistanceMm }];
-  if (!picture.empty())
+  return this->DrawOnce(true, integration, sampleDistanceMm);
+}
+
+const std::vector<float>& ToleranceSearch::Trial::DrawUnlit(
+  Integration integration, double sampleDistanceMm)
+{
+  return this->DrawOnce(!this->march.settings.shading, integration, sampleDistanceMm);
+}
+
+const std::vector<float>& ToleranceSearch::Trial::DrawOnce(
+  bool isLit, Integration integration, double distanceMm)
+{
+  std::vector<float>& image = this->drawn[{ isLit, integration, distanceMm }];
+  if (image.empty())
   {
-    return picture;
+    MarchPlan tried = this->march.plan.WithViewport(TrialPixels(this->march.plan.viewport));
+    tried.pass = RayPass::Whole;
+    tried.integration = integration;
+    tried.sampleDistanceMm = distanceMm;
+    tried.isTrial = true;
+    tried.isLit = isLit;
+    image = this->draw(tried);
   }
-  tried.viewport = ProbePixelsFor(tried.viewport);
-  tried.settings.pass = RayPass::Whole;
-  tried.settings.integration = integration;
-  tried.settings.countFetches = false; // errors are of colours, whatever the picture shows
-  tried.sampleDistanceMm = sampleDistanceMm;
-  picture = this->draw(tried);
-  return picture;
+  return image;
 }
 
 FoundSteps ToleranceSearch::Trial::Find(
   Integration integration, double firstMm, const std::vector<float>& exact)
 {
   const auto drawAt = [&](double sampleDistanceMm)
-  { return this->Draw(this->frame, integration, sampleDistanceMm); };
-  return FindSampleDistance(drawAt, this->limit, RangeOf(this->frame), firstMm, exact);
+  { return this->Draw(integration, sampleDistanceMm); };
+  return FindSampleDistance(drawAt, this->limit, RangeOf(this->march), firstMm, exact);
 }
 
 ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs& inputs) const
 {
-  // Each search begins at the same place, so that what it finds does not depend on the one before.
-  const double firstMm = SmallestSpacingMm(trial.frame);
-  // The rule is chosen anew only for another transfer function or volume: not while a camera moves.
+  // Each search begins at the same distance, so that its result does not depend on the one before.
+  const double firstMm = SmallestSpacingMm(trial.march.frame);
+  // The rule is chosen again only for another transfer function or volume, not while a camera
+  // moves.
   if (this->choice && this->choice->inputs.rule == inputs.rule)
   {
     const Integration integration = this->choice->integration;
@@ -258,10 +253,10 @@ ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs&
     const ToleranceChoice choice{ inputs, integration, found.choice };
     return WithMissed(choice, MissedOfLimit(trial, choice), trial.limit);
   };
-  const Integration usual = trial.frame.settings.integration;
+  const Integration usual = trial.march.settings.integration;
   const FoundSteps found = trial.Find(usual, firstMm);
   const ToleranceChoice choice = choiceOf(usual, found);
-  if (!trial.frame.chooseIntegration || !PreIntegrationMayPay(trial, choice, found.finest))
+  if (!trial.march.plan.choosesIntegration || !PreIntegrationMayPay(trial, choice, found.finest))
   {
     return choice;
   }
@@ -269,13 +264,13 @@ ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs&
   const ToleranceChoice preIntegrated = choiceOf(Other,
     choice.step.KeepsLimit() ? trial.Find(Other, choice.step.sampleDistance, found.finest)
                              : trial.Find(Other, firstMm));
-  return IsBetter(preIntegrated.step, PreIntegrationCostOf(trial.frame), choice.step)
+  return IsBetter(preIntegrated.step, PreIntegrationCostOf(trial.march), choice.step)
     ? preIntegrated
     : choice;
 }
 
-// Known before it is searched for, which takes longer: by what it errs at the distance that was
-// chosen, beside the finest picture, to which all rules tend.
+// The error of pre-integration at the chosen distance shows that before a search, which takes
+// longer. It is measured against the finest image, to which all rules converge.
 bool ToleranceSearch::PreIntegrationMayPay(
   Trial& trial, const ToleranceChoice& choice, const std::vector<float>& finest)
 {
@@ -283,44 +278,40 @@ bool ToleranceSearch::PreIntegrationMayPay(
   {
     return true;
   }
-  const bool losesTooMuch = !MarchesMaterial(trial.frame.settings) &&
-    trial.volume.OpticalTables().Table().entries.size() > MostPreIntegratedEntries;
+  const bool losesTooMuch = !MarchesMaterial(trial.march.settings) &&
+    trial.volume.Materials().OpticalTables().Table().entries.size() > MostPreIntegratedEntries;
   if (losesTooMuch || !choice.step.KeepsLimit())
   {
     return !losesTooMuch;
   }
   const double distanceMm = choice.step.sampleDistance;
-  if (distanceMm >= RangeOf(trial.frame).coarsest)
+  if (distanceMm >= RangeOf(trial.march).coarsest)
   {
     return false;
   }
-  const std::vector<float> picture =
-    trial.Draw(trial.frame, Integration::PreIntegrated, distanceMm);
-  return GainThatPays(trial.frame) * ErrorOfLimit(picture, finest, trial.limit) < 1.0;
+  const std::vector<float> image = trial.Draw(Integration::PreIntegrated, distanceMm);
+  return GainThatPays(trial.march) * ErrorOfLimit(image, finest, trial.limit) < 1.0;
 }
 
-// A shorter distance tells nothing of a peak that lies between all samples. Pre-integration
-// misses none: what it differs by, beyond what its own steps make, is an error of the others.
+// A shorter distance does not show a peak that lies between all samples. Pre-integration misses
+// none: its difference from the steps, beyond the error of its own steps, is an error of the steps.
 double ToleranceSearch::MissedOfLimit(Trial& trial, const ToleranceChoice& choice)
 {
   const double range =
     trial.volume.Blocks().Texels().largestScalar - trial.volume.Blocks().Texels().smallestScalar;
-  if (trial.frame.settings.blend != Blend::Composite || !trial.frame.triesPreIntegration ||
-    (MarchesMaterial(trial.frame.settings) && !IsShadedTransferFunction(trial.frame.settings)) ||
-    (choice.integration == Integration::PreIntegrated && !trial.frame.settings.shading) ||
-    TransferFunctionOf(trial.frame.property).SmallestNodeGap() >= NarrowPeak * range)
+  if (trial.march.settings.blend != Blend::Composite || !trial.march.plan.triesPreIntegration ||
+    (MarchesMaterial(trial.march.settings) && !IsShadedTransferFunction(trial.march.settings)) ||
+    (choice.integration == Integration::PreIntegrated && !trial.march.settings.shading) ||
+    TransferFunctionOf(trial.march.frame.material.property).SmallestNodeGap() >= NarrowPeak * range)
   {
     return 0.0;
   }
-  Frame unlit = trial.frame;
-  unlit.settings.shading = false;
   const double distanceMm = choice.step.sampleDistance;
-  const std::vector<float> steps =
-    OpacityOf(trial.Draw(trial.frame, choice.integration, distanceMm));
+  const std::vector<float> steps = OpacityOf(trial.Draw(choice.integration, distanceMm));
   const std::vector<float> coarse =
-    OpacityOf(trial.Draw(unlit, Integration::PreIntegrated, distanceMm));
+    OpacityOf(trial.DrawUnlit(Integration::PreIntegrated, distanceMm));
   const std::vector<float> fine =
-    OpacityOf(trial.Draw(unlit, Integration::PreIntegrated, 0.5 * distanceMm));
+    OpacityOf(trial.DrawUnlit(Integration::PreIntegrated, 0.5 * distanceMm));
   const double missed =
     DifferenceOfLimit(steps, fine, trial.limit) - DifferenceOfLimit(coarse, fine, trial.limit);
   return missed > CertainlyMissed ? missed : 0.0;

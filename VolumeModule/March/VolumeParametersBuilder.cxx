@@ -13,9 +13,9 @@ namespace varimarch
 namespace
 {
 
-void SetPlace(VolumeParameters& p, const Frame& frame, const VoxelRegion& voxels)
+void SetPlace(VolumeParameters& p, const VolumeMarch& march, const VoxelRegion& voxels)
 {
-  p.worldFromGrid = frame.geometry.WorldFromGridDirection();
+  p.worldFromGrid = march.frame.geometry.WorldFromGridDirection();
   p.firstVoxelGrid = glm::dvec3(voxels.first);
   p.voxelCount = glm::dvec3(voxels.count);
   p.voxelCountInverse = 1.0 / glm::dvec3(voxels.count);
@@ -28,13 +28,13 @@ void SetField(VolumeParameters& p, glm::ivec3 size)
   p.cellsPerBrick = float(BrickRanges::CellsPerSide);
 }
 
-void SetExtreme(
-  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const TexelMapping& first)
+void SetExtreme(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume,
+  const TexelMapping& first)
 {
-  p.sense = frame.settings.blend == Blend::MaximumIntensity ? 1.0f : -1.0f;
-  if (frame.settings.acceleration == Acceleration::OpticalField)
+  p.sense = march.settings.blend == Blend::MaximumIntensity ? 1.0f : -1.0f;
+  if (march.settings.acceleration == Acceleration::OpticalField)
   {
-    const ExtremeSteps steps = volume.ExtremeStepsOf(frame.settings.blend);
+    const ExtremeSteps steps = volume.Fields().ExtremeStepsOf(march.settings.blend);
     p.scalarFromField =
       glm::dvec2(steps.valuePerStep / first.scale, (steps.firstValue - first.offset) / first.scale);
   }
@@ -42,10 +42,10 @@ void SetExtreme(
 
 // The range of an extreme is that of all interpolated values, that of a sum the range of the
 // voxels.
-void SetProjection(
-  VolumeParameters& p, const Frame& frame, const VolumeResources& volume, const Mappings& mappings)
+void SetProjection(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume,
+  const Mappings& mappings)
 {
-  const bool isExtreme = IsExtreme(frame.settings.blend);
+  const bool isExtreme = IsExtreme(march.settings.blend);
   const std::vector<ScalarTexels>& texels = volume.Blocks().TexelsOfComponents();
   for (int i = 0; i < int(texels.size()); ++i)
   {
@@ -57,35 +57,35 @@ void SetProjection(
     p.smallestScalars[i] = float(smallest);
     p.largestScalars[i] = float(largest);
     p.grayPerScalars[i] = float(largest > smallest ? 1.0 / (largest - smallest) : 0.0);
-    p.averagedLower[i] = float(mapping.LimitedTexelOf(frame.averagedRange[0]));
-    p.averagedUpper[i] = float(mapping.LimitedTexelOf(frame.averagedRange[1]));
+    p.averagedLower[i] = float(mapping.LimitedTexelOf(march.frame.material.averagedRange[0]));
+    p.averagedUpper[i] = float(mapping.LimitedTexelOf(march.frame.material.averagedRange[1]));
   }
 }
 
-void SetGaps(VolumeParameters& p, const Frame& frame, glm::ivec3 cells)
+void SetGaps(VolumeParameters& p, const VolumeMarch& march, glm::ivec3 cells)
 {
   p.gapCellCount = glm::dvec3(cells);
   p.gapCellCountInverse = 1.0 / glm::dvec3(cells);
-  p.gapShift = frame.blanking.IsOfVoxels() ? 0.5f : 0.0f;
-  p.gapOptical = FillsGaps(frame.settings) ? frame.gapOptical : glm::dvec4(0.0);
+  p.gapShift = march.frame.voxels.blanking.IsOfVoxels() ? 0.5f : 0.0f;
+  p.gapOptical = FillsGaps(march.settings) ? march.frame.material.gapOptical : glm::dvec4(0.0);
 }
 
-void SetMask(VolumeParameters& p, const Frame& frame, const VolumeResources& volume)
+void SetMask(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume)
 {
   const glm::dvec3 size(volume.Mask().Size());
   p.maskVoxelCount = size;
-  p.maskVoxelsPerVoxel = size / glm::dvec3(frame.geometry.dimensions);
-  p.labelPart = float(frame.labelPart);
-  p.leastContent = frame.settings.mask == Mask::Binary ? 0.5f : -1.0f;
+  p.maskVoxelsPerVoxel = size / glm::dvec3(march.frame.geometry.dimensions);
+  p.labelPart = float(march.frame.material.labelBlend);
+  p.leastContent = march.settings.mask == Mask::Binary ? 0.5f : -1.0f;
 }
 
-void SetSpacing(VolumeParameters& p, const Frame& frame, const UnevenBins& bins)
+void SetSpacing(VolumeParameters& p, const VolumeMarch& march, const UnevenBins& bins)
 {
   p.spacingFirstBins = glm::dvec3(bins.first);
   p.spacingLastBins = glm::dvec3(bins.last);
   p.spacingLowerGrid = bins.lowerGrid;
   p.spacingBinsPerGrid = bins.binsPerGrid;
-  p.spacingVoxelCount = glm::dvec3(frame.geometry.dimensions);
+  p.spacingVoxelCount = glm::dvec3(march.frame.geometry.dimensions);
 }
 
 void SetSlice(VolumeParameters& p, const SliceSurface& slice)
@@ -96,50 +96,51 @@ void SetSlice(VolumeParameters& p, const SliceSurface& slice)
 
 }
 
-MarchedVolume VolumeOfShaders(const Frame& frame, const VolumeResources& volume,
+MarchedVolume VolumeOfShaders(const VolumeMarch& march, const VolumeResources& volume,
   const VolumeBlock* block, const VoxelRegion& voxels)
 {
-  MarchedVolume marched{ {}, voxels, volume.Field().Size(), glm::ivec3(1) };
+  MarchedVolume marched{ {}, voxels, volume.Fields().OfBricks().Size(), glm::ivec3(1) };
   for (const ScalarTexels& texels : volume.Blocks().TexelsOfComponents())
   {
     marched.mappings.push_back(texels.mapping);
   }
   if (block)
   {
-    const bool isOfCells = frame.settings.acceleration == Acceleration::ScalarField;
+    const bool isOfCells = march.settings.acceleration == Acceleration::ScalarField;
     marched.fieldSize = isOfCells ? block->scalarField.Size() : marched.fieldSize;
     marched.gapCells = block->gaps.Size();
   }
   return marched;
 }
 
-MarchedVolume VolumeOfProcessor(const Frame& frame, const VolumeResources& volume)
+MarchedVolume VolumeOfProcessor(const VolumeMarch& march, const VolumeResources& volume)
 {
   return { Mappings(volume.Blocks().TexelsOfComponents().size()),
-    { glm::ivec3(0), frame.geometry.dimensions }, volume.Field().Size(),
-    volume.PacketGaps().count };
+    { glm::ivec3(0), march.frame.geometry.dimensions }, volume.Fields().OfBricks().Size(),
+    volume.Packets().Gaps().count };
 }
 
 VolumeParameters VolumeParametersOf(
-  const Frame& frame, const VolumeResources& volume, const MarchedVolume& marched)
+  const VolumeMarch& march, const VolumeResources& volume, const MarchedVolume& marched)
 {
   const Mappings& mappings = marched.mappings;
   VolumeParameters p = {};
-  SetPlace(p, frame, marched.voxels);
+  SetPlace(p, march, marched.voxels);
   SetField(p, marched.fieldSize);
-  SetTables(p, frame, volume, mappings);
-  SetMaterials(p, frame, volume, mappings);
-  if (IsExtreme(frame.settings.blend))
+  SetTables(p, march, volume, mappings);
+  SetMaterials(p, march, volume, mappings);
+  if (IsExtreme(march.settings.blend))
   {
-    SetExtreme(p, frame, volume, mappings.front());
+    SetExtreme(p, march, volume, mappings.front());
   }
-  SetProjection(p, frame, volume, mappings);
-  SetGaps(p, frame, marched.gapCells);
-  SetMask(p, frame, volume);
-  SetSpacing(p, frame, volume.SpacingBins());
-  SetSlice(p, frame.slice);
-  p.ownLowerGrid = volume.VisibleBox().lower;
-  p.ownUpperGrid = glm::max(volume.VisibleBox().lower, volume.VisibleBox().upper);
+  SetProjection(p, march, volume, mappings);
+  SetGaps(p, march, marched.gapCells);
+  SetMask(p, march, volume);
+  SetSpacing(p, march, volume.SpacingBins());
+  SetSlice(p, march.frame.material.slice);
+  p.ownLowerGrid = volume.Division().VisibleBox().lower;
+  p.ownUpperGrid =
+    glm::max(volume.Division().VisibleBox().lower, volume.Division().VisibleBox().upper);
   p.ownGridFromRays = glm::dmat4(1.0);
   return p;
 }

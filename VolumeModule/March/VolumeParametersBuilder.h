@@ -23,15 +23,15 @@ struct MarchedVolume
 
 /// A volume as shaders read it, whose scalars are texels.
 /// @param block  null where rays are not marched
-MarchedVolume VolumeOfShaders(const Frame& frame, const VolumeResources& volume,
+MarchedVolume VolumeOfShaders(const VolumeMarch& march, const VolumeResources& volume,
   const VolumeBlock* block, const VoxelRegion& voxels);
 
 /// A volume as the processor reads it, whose scalars are values of the data.
-MarchedVolume VolumeOfProcessor(const Frame& frame, const VolumeResources& volume);
+MarchedVolume VolumeOfProcessor(const VolumeMarch& march, const VolumeResources& volume);
 
 /// The numbers of a volume that is marched, when all its resources for the frame are there.
 VolumeParameters VolumeParametersOf(
-  const Frame& frame, const VolumeResources& volume, const MarchedVolume& marched);
+  const VolumeMarch& march, const VolumeResources& volume, const MarchedVolume& marched);
 
 }
 

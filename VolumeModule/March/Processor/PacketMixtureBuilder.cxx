@@ -1,4 +1,4 @@
-// What a mixture is made of, in plain numbers, as packets of rays are marched by it.
+// The parts of a mixture in plain numbers, by which packets of rays are marched.
 
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/Lights.h"
@@ -15,23 +15,23 @@ namespace varimarch
 namespace
 {
 
-// Of dependent components, that of opacities is the last.
+// The colours of dependent components. The component of opacities is the last.
 PacketColors ColorsOf(
-  const Frame& frame, const VolumeResources& volume, const VolumeParameters& parameters)
+  const VolumeMarch& march, const VolumeResources& volume, const VolumeParameters& parameters)
 {
   PacketColors colors = {};
-  if (frame.settings.components == Components::LuminanceOpacity)
+  if (march.settings.components == Components::LuminanceOpacity)
   {
     colors.count = 1;
-    colors.look = LookOf(frame, volume, parameters, 0, 0);
+    colors.look = LookOf(march, volume, parameters, 0, 0);
   }
-  else if (frame.settings.components == Components::Rgba)
+  else if (march.settings.components == Components::Rgba)
   {
     colors.count = 3;
   }
   for (int component = 0; component < colors.count; ++component)
   {
-    colors.voxels[component] = volume.PacketVoxels(component)->GetVoidPointer(0);
+    colors.voxels[component] = volume.Packets().Voxels(component)->GetVoidPointer(0);
   }
   return colors;
 }
@@ -48,7 +48,7 @@ PacketSpacing SpacingOf(const UnevenBins& uneven)
 // The table of a part's opacities.
 std::size_t OpacityTableOf(const VolumeResources& volume, int component)
 {
-  const std::vector<MaterialTable>& tables = volume.MaterialTables();
+  const std::vector<MaterialTable>& tables = volume.Materials().MaterialTables();
   const auto decides = [&](const MaterialTable& table)
   { return table.decidesOnOpacity && table.component == component; };
   return std::size_t(std::find_if(tables.begin(), tables.end(), decides) - tables.begin());
@@ -63,20 +63,20 @@ bool IsMixture(const Frame& frame)
 }
 
 std::vector<PacketScene> ConstituentsOf(
-  const Frame& frame, const VolumeResources& volume, const PacketScene& scene)
+  const VolumeMarch& march, const VolumeResources& volume, const PacketScene& scene)
 {
   std::vector<PacketScene> constituents;
-  for (int part = 0; part < PartCount(frame.settings); ++part)
+  for (int part = 0; part < PartCount(march.settings); ++part)
   {
-    const int component = OpacityComponentOf(frame.settings, part);
+    const int component = OpacityComponentOf(march.settings, part);
     PacketScene one = scene;
-    one.volume.voxels = volume.PacketVoxels(component)->GetVoidPointer(0);
-    if (frame.settings.functionOf == FunctionOf::Value)
+    one.volume.voxels = volume.Packets().Voxels(component)->GetVoidPointer(0);
+    if (march.settings.functionOf == FunctionOf::Value)
     {
       one.look =
-        LookOf(frame, volume, scene.parameters, OpacityTableOf(volume, component), component);
+        LookOf(march, volume, scene.parameters, OpacityTableOf(volume, component), component);
     }
-    one.colors = ColorsOf(frame, volume, scene.parameters);
+    one.colors = ColorsOf(march, volume, scene.parameters);
     one.spacing = SpacingOf(volume.SpacingBins());
     one.constituent.isOfMixture = true;
     one.constituent.component = part;

@@ -15,21 +15,21 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// Pictures that the processor marches, in a buffer texture: where OpenGL is software, that is
-/// memory which packets write into, so that no pixel is copied.
+/// Images that the processor marches, in a buffer texture: if OpenGL is software, that is memory
+/// which packets write into, so that no pixel is copied.
 class PacketPicture
 {
 public:
-  /// @param scenes     a picture of each is made
-  /// @param newPixels  part of the pictures
-  /// @throws std::runtime_error when there is no memory for them
+  /// @param scenes     one for each image
+  /// @param newPixels  the part of the images that is marched
+  /// @throws std::runtime_error if there is no memory for them
   void March(vtkOpenGLRenderWindow* window, const std::vector<PacketScene>& scenes,
     const Viewport& newPixels);
 
-  /// Premultiplied RGBA of the pixels that were marched last, row by row, one picture behind the
+  /// Premultiplied RGBA of the pixels that were marched last, row by row, one image behind the
   /// other.
   vtkTextureObject* Texture() const { return this->texture; }
-  const Viewport& Pixels() const { return this->pixels; } ///< that were marched last
+  const Viewport& Pixels() const { return this->pixels; } ///< The pixels that were marched last.
   std::size_t Bytes() const;
   void Release(vtkWindow* window);
 
@@ -38,7 +38,7 @@ private:
 
   vtkNew<vtkOpenGLBufferObject> buffer;
   vtkNew<vtkTextureObject> texture;
-  std::size_t count = 0; ///< of pixels that there is memory for; only ever grows
+  std::size_t count = 0; ///< The pixels that there is memory for; it only ever grows.
   Viewport pixels = {};
 };
 

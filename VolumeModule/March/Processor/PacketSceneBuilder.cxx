@@ -1,4 +1,4 @@
-// A frame in plain numbers, as packets of rays are marched by it.
+// The march of a frame in plain numbers, by which packets of rays are marched.
 
 #include "March/Processor/PacketSceneBuilder.h"
 
@@ -52,97 +52,100 @@ PacketRule RuleOf(const RenderSettings& settings)
     : (isMidpoint ? PacketRule::Midpoint : PacketRule::PreIntegrated);
 }
 
-PacketTwoValues TwoValuesOf(const Frame& frame, const VolumeResources& volume)
+PacketTwoValues TwoValuesOf(const VolumeMarch& march, const VolumeResources& volume)
 {
-  const bool isOfGradients = frame.settings.functionOf == FunctionOf::ValueAndGradient;
-  return { isOfGradients ? volume.TwoValues().Entries().data() : nullptr, volume.TwoValuesSize() };
+  const bool isOfGradients = march.settings.functionOf == FunctionOf::ValueAndGradient;
+  return { isOfGradients ? volume.Materials().TwoValues().Entries().data() : nullptr,
+    volume.Materials().TwoValuesSize() };
 }
 
 PacketMask MaskOf(
-  const Frame& frame, const VolumeResources& volume, const std::vector<PacketRow>& rows)
+  const VolumeMarch& march, const VolumeResources& volume, const std::vector<PacketRow>& rows)
 {
   PacketMask mask = {};
-  if (frame.settings.mask != Mask::None)
+  if (march.settings.mask != Mask::None)
   {
     mask.texels = volume.Mask().Texels().data();
-    mask.isBinary = frame.settings.mask == Mask::Binary;
+    mask.isBinary = march.settings.mask == Mask::Binary;
   }
-  if (frame.settings.mask == Mask::Labels)
+  if (march.settings.mask == Mask::Labels)
   {
     mask.rows = rows.data();
   }
   return mask;
 }
 
-PacketGaps GapsOf(const Frame& frame, const VolumeResources& volume)
+PacketGaps GapsOf(const VolumeMarch& march, const VolumeResources& volume)
 {
   PacketGaps gaps = {};
-  if (frame.settings.gaps)
+  if (march.settings.gaps)
   {
-    gaps.texels = volume.PacketGaps().texels.data();
-    gaps.count = volume.PacketGaps().count;
+    gaps.texels = volume.Packets().Gaps().texels.data();
+    gaps.count = volume.Packets().Gaps().count;
   }
   return gaps;
 }
 
-PacketSteps StepsOf(const Frame& frame, const VolumeResources& volume)
+PacketSteps StepsOf(const VolumeMarch& march, const VolumeResources& volume)
 {
   PacketSteps steps = {};
-  steps.mostOpticalDepth = float(-std::log(frame.earlyTerminationTransmittance));
-  steps.grow = frame.settings.acceleration == Acceleration::OpticalField;
+  steps.mostOpticalDepth = float(-std::log(march.frame.quality.earlyTerminationTransmittance));
+  steps.grow = march.settings.acceleration == Acceleration::OpticalField;
   steps.brickCount = glm::ivec3(1);
-  if (steps.grow && frame.settings.skipsBricks)
+  if (steps.grow && march.settings.skipsBricks)
   {
-    steps.bricks = volume.Field().Bricks().data();
-    steps.brickCount = volume.Field().Size();
+    steps.bricks = volume.Fields().OfBricks().Bricks().data();
+    steps.brickCount = volume.Fields().OfBricks().Size();
   }
   return steps;
 }
 
-PacketExtreme ExtremeOf(const Frame& frame, const VolumeResources& volume)
+PacketExtreme ExtremeOf(const VolumeMarch& march, const VolumeResources& volume)
 {
   PacketExtreme extreme = {};
-  if (!IsExtreme(frame.settings.blend))
+  if (!IsExtreme(march.settings.blend))
   {
     return extreme;
   }
   extreme.brickCount = glm::ivec3(1);
-  if (frame.settings.acceleration == Acceleration::OpticalField)
+  if (march.settings.acceleration == Acceleration::OpticalField)
   {
-    const ExtremeBlocks& blocks = volume.Field().ExtremeBlocks();
+    const ExtremeBlocks& blocks = volume.Fields().OfBricks().ExtremeBlocks();
     extreme.blocks = blocks.steps.data();
     extreme.blockCount = blocks.count;
     extreme.bricksPerBlock = float(ExtremeBlocks::BricksPerSide);
-    extreme.bricks = volume.Field().Extremes().data();
-    extreme.brickCount = volume.Field().Size();
+    extreme.bricks = volume.Fields().OfBricks().Extremes().data();
+    extreme.brickCount = volume.Fields().OfBricks().Size();
   }
   return extreme;
 }
 
-PacketCuts CutsOf(const Frame& frame, const PacketSurroundings& around)
+PacketCuts CutsOf(const VolumeMarch& march, const PacketSurroundings& around)
 {
   PacketCuts cuts = {};
-  cuts.crops = frame.settings.cropping;
+  cuts.crops = march.settings.cropping;
   cuts.planesGrid = around.planesGrid.data();
   cuts.depth = around.depth;
   cuts.depthPixels = around.depthPixels;
-  cuts.layerPixels = { frame.viewport.width, frame.viewport.height };
+  cuts.layerPixels = { march.plan.viewport.width, march.plan.viewport.height };
   return cuts;
 }
 
 // The entries of the table that values are looked up in.
-const glm::vec4* EntriesOf(const Frame& frame, const VolumeResources& volume, std::size_t table)
+const glm::vec4* EntriesOf(
+  const VolumeMarch& march, const VolumeResources& volume, std::size_t table)
 {
-  return UsesPreIntegration(frame.settings) ? volume.PreIntegrated().Kept().entries.data()
-                                            : volume.OpticalTables().Tables()[table].entries.data();
+  return UsesPreIntegration(march.settings)
+    ? volume.Materials().PreIntegrated().Kept().entries.data()
+    : volume.Materials().OpticalTables().Tables()[table].entries.data();
 }
 
 }
 
-PacketLook LookOf(const Frame& frame, const VolumeResources& volume,
+PacketLook LookOf(const VolumeMarch& march, const VolumeResources& volume,
   const VolumeParameters& parameters, std::size_t table, int component)
 {
-  return LookBy(parameters, EntriesOf(frame, volume, table), int(table), component);
+  return LookBy(parameters, EntriesOf(march, volume, table), int(table), component);
 }
 
 std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables)
@@ -158,52 +161,55 @@ std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables)
 }
 
 PacketScene PacketSceneOf(
-  const Frame& frame, const VolumeResources& volume, const PacketSurroundings& around)
+  const VolumeMarch& march, const VolumeResources& volume, const PacketSurroundings& around)
 {
   PacketScene scene = {};
   // Pixels are counted from the first of the frame.
-  scene.rays = RayParametersOf(frame, around.drawnBox);
-  scene.rays.viewportOriginPixels = -frame.rayOffsetPixels;
-  scene.parameters = VolumeParametersOf(frame, volume, VolumeOfProcessor(frame, volume));
-  vtkDataArray* const voxels = volume.PacketVoxels();
-  scene.volume = { voxels->GetVoidPointer(0), *PacketVoxelTypeOf(voxels), frame.settings.cubic,
-    frame.geometry.dimensions };
-  scene.look = LookOf(frame, volume, scene.parameters, 0, 0);
-  scene.twoValues = TwoValuesOf(frame, volume);
-  scene.light = { ShadingOf(frame.settings), frame.settings.damping, around.lights.texels.data() };
-  scene.gradientOpacity.factors =
-    frame.settings.gradientOpacity ? volume.GradientOpacity().Entries().data() : nullptr;
-  scene.mask = MaskOf(frame, volume, around.maskRows);
-  scene.gaps = GapsOf(frame, volume);
-  scene.extreme = ExtremeOf(frame, volume);
+  scene.rays = RayParametersOf(march, around.drawnBox);
+  scene.rays.viewportOriginPixels = -march.plan.rayOffsetPixels;
+  scene.parameters = VolumeParametersOf(march, volume, VolumeOfProcessor(march, volume));
+  vtkDataArray* const voxels = volume.Packets().Voxels();
+  scene.volume = { voxels->GetVoidPointer(0), *PacketVoxelTypeOf(voxels), march.settings.cubic,
+    march.frame.geometry.dimensions };
+  scene.look = LookOf(march, volume, scene.parameters, 0, 0);
+  scene.twoValues = TwoValuesOf(march, volume);
+  scene.light = { ShadingOf(march.settings), march.settings.damping, around.lights.texels.data() };
+  scene.gradientOpacity.factors = march.settings.gradientOpacity
+    ? volume.Materials().GradientOpacity().Entries().data()
+    : nullptr;
+  scene.mask = MaskOf(march, volume, around.maskRows);
+  scene.gaps = GapsOf(march, volume);
+  scene.extreme = ExtremeOf(march, volume);
   scene.isosurfaces = around.isosurfaces.data();
-  scene.isMean = frame.settings.blend == Blend::AverageIntensity;
-  scene.steps = StepsOf(frame, volume);
+  scene.isMean = march.settings.blend == Blend::AverageIntensity;
+  scene.steps = StepsOf(march, volume);
   scene.steps.noise = around.noise;
-  scene.cuts = CutsOf(frame, around);
+  scene.cuts = CutsOf(march, around);
   if (around.depth)
   {
-    scene.rays.depthPixelsPerPixel =
-      glm::dvec2(around.depthPixels) / glm::dvec2(frame.viewport.width, frame.viewport.height);
+    scene.rays.depthPixelsPerPixel = glm::dvec2(around.depthPixels) /
+      glm::dvec2(march.plan.viewport.width, march.plan.viewport.height);
   }
-  scene.rule = RuleOf(frame.settings);
+  scene.rule = RuleOf(march.settings);
   return scene;
 }
 
-// Of projections what is invisible counts too, and what fills gaps is no brick's.
-SceneOfVolume::SceneOfVolume(
-  const Frame& frame, VolumeResources& volume, PacketSurroundings newAround, const Viewport& pixels)
+// Depths of visible bricks bound the rays, except those of a projection, where invisible parts
+// count too, and those of a march that fills gaps, which no brick shows.
+SceneOfVolume::SceneOfVolume(const VolumeMarch& march, VolumeResources& volume,
+  PacketSurroundings newAround, const Viewport& pixels)
   : around(std::move(newAround))
-  , scene(PacketSceneOf(frame, volume, this->around))
+  , scene(PacketSceneOf(march, volume, this->around))
 {
   const bool isOfBricks =
     this->scene.rule != PacketRule::Projection && this->scene.parameters.gapOptical.a == 0.0f;
   if (this->scene.steps.bricks && isOfBricks)
   {
-    const glm::dmat4 clipFromGrid = ClipFromWorld(frame.renderer) * frame.geometry.worldFromGrid;
+    const glm::dmat4 clipFromGrid =
+      ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
     this->scene.depths =
-      volume.Field().VisibleDepthsIn(clipFromGrid, this->scene.rays.rayDirectionGrid[0],
-        { frame.viewport.width, frame.viewport.height }, pixels);
+      volume.Fields().OfBricks().VisibleDepthsIn(clipFromGrid, this->scene.rays.rayDirectionGrid[0],
+        { march.plan.viewport.width, march.plan.viewport.height }, pixels);
   }
 }
 

@@ -14,33 +14,33 @@
 namespace varimarch
 {
 
-/// What packets of rays see of a frame beside its volume.
+/// The part of a frame that packets of rays read beside its volume.
 struct PacketSurroundings
 {
-  Box drawnBox;                      ///< where rays are marched [grid space]
-  std::vector<glm::vec4> planesGrid; ///< that clip
-  const float* depth;                ///< none: there is no geometry
-  glm::ivec2 depthPixels;            ///< its size
-  std::vector<float> layerDepths;    ///< Slots.glsl's PeeledDepths of each pixel; none: no layers
+  Box drawnBox;                      ///< The box that rays are marched through [grid space].
+  std::vector<glm::vec4> planesGrid; ///< The planes that clip.
+  const float* depth;                ///< The depths of geometry; null if there is none.
+  glm::ivec2 depthPixels;            ///< The size of the image of depths.
+  std::vector<float> layerDepths; ///< Slots.glsl's PeeledDepths of each pixel, if there are layers.
   LightTexels lights;
-  std::vector<PacketRow> maskRows; ///< of labels
+  std::vector<PacketRow> maskRows; ///< The tables of labels.
   std::vector<glm::vec4> isosurfaces;
-  const std::uint16_t* noise; ///< BlueNoiseTile; none: without jitter
+  const std::uint16_t* noise; ///< The tile of blue noise; null without jitter.
 };
 
-/// What the labels of a mask look like.
+/// The tables of the labels of a mask.
 std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables);
 
-/// A frame in plain numbers, which point into all three.
+/// A march in plain numbers, which point into the frame, its resources and its surroundings.
 PacketScene PacketSceneOf(
-  const Frame& frame, const VolumeResources& volume, const PacketSurroundings& around);
+  const VolumeMarch& march, const VolumeResources& volume, const PacketSurroundings& around);
 
-/// The same with what it points into, but for where it is visible: until the volume's next one is
-/// made.
+/// The scene of a volume with its surroundings. Its depths of visible parts are overwritten by the
+/// next scene of the same volume.
 struct SceneOfVolume
 {
-  /// @param pixels  that are drawn of the frame's
-  SceneOfVolume(const Frame& frame, VolumeResources& volume, PacketSurroundings newAround,
+  /// @param pixels  the pixels of the frame that are drawn
+  SceneOfVolume(const VolumeMarch& march, VolumeResources& volume, PacketSurroundings newAround,
     const Viewport& pixels);
 
   PacketSurroundings around;
@@ -48,24 +48,17 @@ struct SceneOfVolume
 };
 
 /// The look of a component's values by one of the volume's tables.
-PacketLook LookOf(const Frame& frame, const VolumeResources& volume,
+PacketLook LookOf(const VolumeMarch& march, const VolumeResources& volume,
   const VolumeParameters& parameters, std::size_t table, int component);
 
-/// Whether what packets march is a mixture: several components, several volumes, or voxels at
+/// True if packets march a frame as a mixture: several components, several volumes, or voxels at
 /// uneven places, for which plain marches have no code.
 bool IsMixture(const Frame& frame);
 
-/// What a volume adds to a mixture: one scene for each of the materials that it has.
-/// @param scene  of the frame
+/// The scenes of a volume in a mixture, one for each of its materials.
+/// @param scene  the scene of the volume as a whole
 std::vector<PacketScene> ConstituentsOf(
-  const Frame& frame, const VolumeResources& volume, const PacketScene& scene);
-
-/// All constituents of a mixture but the first, which points to them.
-struct MixedScenes
-{
-  std::vector<SceneOfVolume> volumes; ///< beside the first
-  std::vector<PacketScene> scenes;    ///< of components and of these
-};
+  const VolumeMarch& march, const VolumeResources& volume, const PacketScene& scene);
 
 }
 

@@ -1,4 +1,4 @@
-#include "March/AccumulatedPictures.h"
+#include "March/ImageSum.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -11,7 +11,7 @@
 namespace varimarch
 {
 
-void AccumulatedPictures::Begin(const std::vector<double>& newScene)
+void ImageSum::Begin(const std::vector<double>& newScene)
 {
   if (this->scene != newScene)
   {
@@ -21,24 +21,24 @@ void AccumulatedPictures::Begin(const std::vector<double>& newScene)
   }
 }
 
-// Any number of these in a row is spread evenly: M. Roberts, "The unreasonable effectiveness of
+// Any number of successive offsets is spread evenly: M. Roberts, "The unreasonable effectiveness of
 // quasirandom sequences" (2018), with the plastic number.
-glm::dvec2 AccumulatedPictures::NextOffsetPixels() const
+glm::dvec2 ImageSum::NextOffsetPixels() const
 {
   const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
   return glm::fract(0.5 + double(this->count) * step) - 0.5;
 }
 
-void AccumulatedPictures::Begin(
+void ImageSum::Begin(
   vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw)
 {
   this->sum.Draw(window, pixels, draw);
 }
 
-void AccumulatedPictures::Add(vtkOpenGLRenderWindow* window, const Viewport& pixels,
-  double longestSeconds, const std::function<void()>& draw)
+void ImageSum::Add(vtkOpenGLRenderWindow* window, const Viewport& pixels, double longestSeconds,
+  const std::function<void()>& draw)
 {
-  this->pictureRows = pixels.height;
+  this->imageRows = pixels.height;
   const PictureStrips::Rows strip = this->strips.Next(pixels.height, longestSeconds);
   if (longestSeconds > 0.0)
   {
@@ -73,7 +73,7 @@ void AccumulatedPictures::Add(vtkOpenGLRenderWindow* window, const Viewport& pix
   }
 }
 
-void AccumulatedPictures::Release(vtkWindow* window)
+void ImageSum::Release(vtkWindow* window)
 {
   this->sum.Release(window);
   this->count = 0;

@@ -1,0 +1,67 @@
+#include "Frame/ImageSettings.h"
+
+#include "Frame/SceneFingerprint.h"
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include "vtkCommand.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Colours from level - window / 2 to level + window / 2 become 0 to 1; a negative window reverses.
+glm::dvec2 WindowScaleBias(double window, double level)
+{
+  constexpr double Narrowest = 1e-6; // a narrower window would have no two floats in it
+  const double width = std::copysign(std::max(std::abs(window), Narrowest), window);
+  return { 1.0 / width, 0.5 - level / width };
+}
+
+// Whoever observes shaders may set uniforms that no fingerprint knows: then nothing is accumulated.
+void ChooseAccumulation(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  const bool shaderIsObserved = mapper->HasObserver(vtkCommand::UpdateShaderEvent) != 0;
+  const int most = mapper->GetMaximumAccumulatedPictures();
+  if (!shaderIsObserved && (most > 1 || mapper->GetLongestPartSeconds() > 0.0))
+  {
+    frame.accumulation = { most, mapper->GetLongestPartSeconds(), Fingerprint(mapper, frame) };
+  }
+}
+
+}
+
+void ApplyImageSettings(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, Frame& frame)
+{
+  const double window = mapper->GetFinalColorWindow();
+  const double level = mapper->GetFinalColorLevel();
+  frame.settings.windowLevel = window != 1.0 || level != 0.5;
+  frame.settings.jitter = mapper->GetUseJittering() != 0 && IsSampled(frame.settings);
+  frame.view.prop = volume;
+  frame.userCode = UserShaderCodeOf(volume);
+  frame.pass = PassOfVolume(mapper, renderer, volume);
+  frame.settings.pass = frame.pass.kind;
+
+  const double shortest = mapper->GetMinimumImageSampleDistance();
+  frame.image.windowScaleBias = WindowScaleBias(window, level);
+  frame.image.sampleDistance = mapper->GetImageSampleDistance();
+  frame.image.interactiveSampleDistances = { shortest,
+    std::max<double>(shortest, mapper->GetMaximumImageSampleDistance()) };
+  frame.image.toImages = mapper->GetRenderToImage() != 0 && frame.pass.kind == RayPass::Whole;
+  frame.image.clampDepth = mapper->GetClampDepthToBackface() != 0;
+
+  ChooseAccumulation(mapper, frame);
+  if (Peels(frame.pass.kind))
+  {
+    // The pass has a framebuffer of its own, and knows the depth of opaque geometry.
+    frame.view.viewport = { 0, 0, frame.view.viewport.width, frame.view.viewport.height };
+    frame.settings.sceneGeometry = false;
+  }
+}
+
+}

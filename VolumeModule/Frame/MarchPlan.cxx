@@ -1,0 +1,94 @@
+#include "Frame/MarchPlan.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace varimarch
+{
+
+namespace
+{
+
+void TakeFindings(const VolumeFindings& findings, RenderSettings& settings)
+{
+  settings.skipsBricks = findings.skipsBricks;
+  settings.gaps = findings.hasGaps;
+}
+
+}
+
+MarchPlan MarchPlan::WithPass(RayPass otherPass) const
+{
+  MarchPlan plan = *this;
+  plan.pass = otherPass;
+  return plan;
+}
+
+MarchPlan MarchPlan::WithRole(ShaderRole otherRole) const
+{
+  MarchPlan plan = *this;
+  plan.role = otherRole;
+  return plan;
+}
+
+MarchPlan MarchPlan::WithViewport(const Viewport& otherViewport) const
+{
+  MarchPlan plan = *this;
+  plan.viewport = otherViewport;
+  return plan;
+}
+
+Viewport TrialPixels(const Viewport& frame)
+{
+  return { 0, 0, std::min(frame.width, 96), std::min(frame.height, 48) };
+}
+
+MarchPlan PlanOf(const Frame& frame, const std::optional<PictureQuality>& quality)
+{
+  MarchPlan plan;
+  plan.integration = frame.settings.integration;
+  plan.choosesIntegration = frame.quality.choosesIntegration;
+  plan.budget = frame.quality.budget;
+  plan.sampleDistanceMm = frame.quality.sampleDistanceMm;
+  plan.imageSampleDistance = frame.image.sampleDistance;
+  plan.mostAccumulated = frame.accumulation.mostImages;
+  plan.volumes.resize(1 + frame.others.size());
+  plan.pass = frame.pass.kind;
+  plan.viewport = frame.view.viewport;
+  if (quality)
+  {
+    const auto& [shortest, longest] = frame.image.interactiveSampleDistances;
+    plan.imageSampleDistance = std::max(
+      plan.imageSampleDistance, std::clamp(quality->imageSampleDistance, shortest, longest));
+    plan.mostAccumulated = 0;
+    plan.budget = plan.budget.WithStepFactor(quality->toleranceFactor);
+    plan.sampleDistanceMm *= quality->toleranceFactor;
+  }
+  return plan;
+}
+
+VolumeMarch MarchOf(const Frame& frame, const MarchPlan& plan)
+{
+  RenderSettings settings = frame.settings;
+  settings.integration = plan.integration;
+  settings.pass = plan.pass;
+  settings.role = plan.role;
+  settings.shading = settings.shading && plan.isLit;
+  settings.countFetches = settings.countFetches && !plan.isTrial; // errors are errors of colours
+  TakeFindings(plan.volumes.front(), settings);
+  settings.others.clear();
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    settings.others.push_back(MarchOfOther(frame, plan, i).settings);
+  }
+  return { frame, plan, std::move(settings) };
+}
+
+VolumeMarch MarchOfOther(const Frame& frame, const MarchPlan& plan, std::size_t other)
+{
+  RenderSettings settings = frame.others[other].settings;
+  TakeFindings(plan.volumes[other + 1], settings);
+  return { frame.others[other], plan, std::move(settings) };
+}
+
+}

@@ -1,0 +1,255 @@
+#include "March/Device/BoxDrawing.h"
+
+#include "March/RayParametersBuilder.h"
+#include "March/VolumeParametersBuilder.h"
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkVolume.h"
+#include "vtk_glew.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// How the colours of a drawing meet those of the framebuffer.
+enum class Blending
+{
+  OverFramebuffer,  ///< Premultiplied colours are drawn over the framebuffer.
+  Overwrite,        ///< They replace it.
+  AddToFramebuffer, ///< They are added to it.
+  CallersState      ///< The caller has set the state of blending.
+};
+
+Blending BlendingOf(const VolumeMarch& march)
+{
+  const RayPass pass = march.settings.pass;
+  if (march.settings.role == ShaderRole::WriteLayerDepths)
+  {
+    return Blending::Overwrite;
+  }
+  if (Peels(pass))
+  {
+    return Blending::CallersState;
+  }
+  if (pass == RayPass::Block || Picks(pass))
+  {
+    return Blending::Overwrite;
+  }
+  return march.plan.addsUp ? Blending::AddToFramebuffer : Blending::OverFramebuffer;
+}
+
+// Sets the state of OpenGL for the drawing of a box, and restores it.
+class BoxDrawingState
+{
+public:
+  BoxDrawingState(vtkOpenGLState* state, bool mirrored, Blending blending)
+    : depthTest(state, GL_DEPTH_TEST)
+    , blend(state, GL_BLEND)
+    , cullFace(state, GL_CULL_FACE)
+    , depthMask(state)
+    , blendFunction(state)
+    , state(state)
+    , depthClamp(glIsEnabled(GL_DEPTH_CLAMP))
+  {
+    state->vtkglGetIntegerv(GL_CULL_FACE_MODE, &this->cullFaceMode);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_FALSE);
+    if (blending != Blending::CallersState)
+    {
+      const GLenum factor =
+        blending == Blending::AddToFramebuffer ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA;
+      state->SetEnumState(GL_BLEND, blending != Blending::Overwrite);
+      state->vtkglBlendFuncSeparate(GL_ONE, factor, GL_ONE, factor);
+    }
+    // The inner sides of the box: one lies behind every pixel, even if the camera is in the box.
+    state->vtkglEnable(GL_CULL_FACE);
+    state->vtkglCullFace(mirrored ? GL_BACK : GL_FRONT);
+    // The box only stands for its pixels, so the far plane must not cut it.
+    glEnable(GL_DEPTH_CLAMP);
+  }
+
+  ~BoxDrawingState()
+  {
+    if (!this->depthClamp)
+    {
+      glDisable(GL_DEPTH_CLAMP);
+    }
+    this->state->vtkglCullFace(GLenum(this->cullFaceMode));
+  }
+
+private:
+  vtkOpenGLState::ScopedglEnableDisable depthTest;
+  vtkOpenGLState::ScopedglEnableDisable blend;
+  vtkOpenGLState::ScopedglEnableDisable cullFace;
+  vtkOpenGLState::ScopedglDepthMask depthMask;
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction;
+  vtkOpenGLState* state;
+  GLboolean depthClamp;
+  GLint cullFaceMode = GL_BACK;
+};
+
+VolumeTextures TexturesOf(
+  const VolumeMarch& march, const VolumeResources& volume, const VolumeBlock* block)
+{
+  VolumeTextures textures = {};
+  textures.fieldTexture = volume.Fields().OfBricks().Texture();
+  if (block)
+  {
+    const int filter =
+      march.settings.nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
+    textures.volumeTexture = block->volume.Texture();
+    textures.volumeTexture->SetMinificationFilter(filter);
+    textures.volumeTexture->SetMagnificationFilter(filter);
+    textures.gapTexture = block->gaps.Texture();
+    const bool isOfCells = march.settings.acceleration == Acceleration::ScalarField;
+    textures.fieldTexture = isOfCells ? block->scalarField.Texture() : textures.fieldTexture;
+  }
+  textures.maskTexture = volume.Mask().Texture();
+  textures.opticalTable = volume.Materials().OpticalTables().Texture();
+  textures.preIntegratedTable = volume.Materials().PreIntegrated().Texture();
+  textures.twoValueTable = volume.Materials().TwoValues().Texture();
+  textures.gradientOpacityTable = volume.Materials().GradientOpacity().Texture();
+  textures.lightTexels = volume.Materials().LightTexels().Texture();
+  textures.isosurfaces = volume.Materials().Isosurfaces().Texture();
+  textures.spacingTable = volume.Spacing().Texture();
+  return textures;
+}
+
+}
+
+DrawnBlock AllThatIsVisible(const Box& drawnBox)
+{
+  constexpr double Nowhere = 1e30; // a plane that no ray reaches
+  return { nullptr, {}, drawnBox, drawnBox, glm::dvec3(Nowhere) };
+}
+
+Box WithItsEdges(const Box& box)
+{
+  const glm::dvec3 more = glm::max(0.125 * (box.upper - box.lower), glm::dvec3(1.0));
+  return { box.lower - more, box.upper + more };
+}
+
+void BoxDrawing::Draw(const Frame& frame, const MarchPlan& plan, const DrawnBlock& drawn,
+  const EarlierDrawings& earlier)
+{
+  const VolumeMarch march = MarchOf(frame, plan);
+  this->UpdateProgram(march);
+  this->SetParameters(march, drawn, earlier);
+  {
+    const bool mirrored = glm::determinant(frame.geometry.WorldFromGridDirection()) < 0.0;
+    const BoxDrawingState drawing(frame.view.window->GetState(), mirrored, BlendingOf(march));
+    this->boxGeometry.Draw(this->program.Program(), drawn.coverGrid);
+  }
+  this->program.DeactivateTextures();
+}
+
+void BoxDrawing::UpdateProgram(const VolumeMarch& march)
+{
+  if (this->program.Use(march.frame.view.window, march.settings, march.frame.userCode))
+  {
+    ++this->shaderBuilds;
+  }
+  if (Marches(march.settings))
+  {
+    this->shaderParts = this->program.Parts();
+  }
+  else if (march.settings.role == ShaderRole::ShowMarchedImage)
+  {
+    this->shaderParts.clear();
+  }
+}
+
+RayTextures BoxDrawing::TexturesOfRays(const EarlierDrawings& earlier)
+{
+  RayTextures textures = {};
+  textures.depthTexture = this->resources.Depth().Texture();
+  textures.noiseTexture = this->resources.Noise().Texture();
+  textures.clippingPlanes = this->resources.First().ClippingPlanes().Texture();
+  textures.gatheredTexture = earlier.gathered;
+  textures.coarseTexture = earlier.coarse;
+  textures.sumTexture = earlier.sum;
+  textures.marchedTexture = earlier.marched;
+  return textures;
+}
+
+RayParameters BoxDrawing::ParametersOfRays(
+  const VolumeMarch& march, const DrawnBlock& drawn, const EarlierDrawings& earlier)
+{
+  const Viewport& viewport = march.plan.viewport;
+  RayParameters rays = RayParametersOf(march, this->resources.DrawnBox());
+  rays.boxLowerGrid = drawn.boxGrid.lower;
+  rays.boxUpperGrid = drawn.boxGrid.upper;
+  rays.sharedUpperGrid = drawn.sharedUpperGrid;
+  rays.depthPixelsPerPixel =
+    glm::dvec2(this->resources.Depth().SizePixels()) / glm::dvec2(viewport.width, viewport.height);
+  rays.imageCount = float(earlier.imageCount);
+  rays.rowsOfNext = earlier.rowsOfNext;
+  if (march.settings.role == ShaderRole::ShowMarchedImage)
+  {
+    const Viewport& pixels = earlier.marchedPixels;
+    rays.marchedColumns = pixels.width;
+    rays.marchedPixels = pixels.width * pixels.height;
+    rays.viewportOriginPixels =
+      glm::dvec2(viewport.left + pixels.left, viewport.bottom + pixels.bottom);
+  }
+  return rays;
+}
+
+// In the shader, volumes that overlap stand before the volume whose rays they have.
+void BoxDrawing::SetVolumes(const VolumeMarch& march, const DrawnBlock& drawn)
+{
+  const Frame& frame = march.frame;
+  const std::size_t count = frame.others.size() + 1;
+  for (std::size_t i = 0; drawn.block && i < frame.others.size(); ++i)
+  {
+    const VolumeMarch other = MarchOfOther(frame, march.plan, i);
+    VolumeResources& volume = this->resources.Other(i);
+    const VolumeBlock& block = volume.Blocks().Take(frame.view.window, 0);
+    const VoxelRegion voxels{ glm::ivec3(0), other.frame.geometry.dimensions };
+    VolumeParameters parameters =
+      VolumeParametersOf(other, volume, VolumeOfShaders(other, volume, &block, voxels));
+    parameters.ownGridFromRays = GridFromGrid(other.frame.geometry, frame.geometry);
+    this->program.SetVolume(i, count, parameters, TexturesOf(other, volume, &block));
+  }
+  const VolumeResources& volume = this->resources.First();
+  this->program.SetVolume(count - 1, count,
+    VolumeParametersOf(march, volume, VolumeOfShaders(march, volume, drawn.block, drawn.voxels)),
+    TexturesOf(march, volume, drawn.block));
+}
+
+void BoxDrawing::SetParameters(
+  const VolumeMarch& march, const DrawnBlock& drawn, const EarlierDrawings& earlier)
+{
+  const bool marchesRays = march.settings.role == ShaderRole::MarchRays;
+  vtkVolume* const prop = march.frame.view.prop;
+  this->program.SetRays(
+    this->ParametersOfRays(march, drawn, earlier), this->TexturesOfRays(earlier));
+  if (marchesRays && march.settings.pass != RayPass::Accumulated)
+  {
+    this->SetVolumes(march, drawn);
+  }
+  if (Peels(march.settings.pass))
+  {
+    march.frame.pass.renderPass->SetShaderParameters(
+      this->program.Program(), nullptr, prop, nullptr);
+  }
+  if (marchesRays && Marches(march.settings))
+  {
+    this->program.SetUniformsOf(prop);
+  }
+}
+
+void BoxDrawing::Release()
+{
+  this->boxGeometry.Release();
+  this->program.Release();
+}
+
+}

@@ -1,0 +1,87 @@
+#ifndef Varimarch_March_Device_BoxDrawing_h
+#define Varimarch_March_Device_BoxDrawing_h
+
+#include "Core/Geometry/Box.h"
+#include "Core/Geometry/Viewport.h"
+#include "Frame/MarchPlan.h"
+#include "March/Device/BoxGeometry.h"
+#include "March/Device/RayMarchProgram.h"
+#include "Resources/SceneResources.h"
+
+#include <glm/vec3.hpp>
+
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// The part of a volume that a drawing covers.
+struct DrawnBlock
+{
+  const VolumeBlock* block; ///< The textures of the part; null if the shader marches no rays.
+  VoxelRegion voxels;
+  Box boxGrid;                ///< The box that rays are marched through.
+  Box coverGrid;              ///< A box that covers the pixels of the rays.
+  glm::dvec3 sharedUpperGrid; ///< Upper faces at which another block begins; elsewhere far away.
+};
+
+/// The part that a drawing covers if its shader marches no rays: everything that is visible.
+/// @param drawnBox  the box that rays are marched through
+DrawnBlock AllThatIsVisible(const Box& drawnBox);
+
+/// A larger box that covers every pixel of which the box covers a part, if the box is at least a
+/// few pixels wide.
+Box WithItsEdges(const Box& box);
+
+/// The results of earlier drawings that a drawing reads; null and zero if its pass needs none.
+struct EarlierDrawings
+{
+  vtkTextureObject* gathered = nullptr; ///< The sums that rays have gathered in the blocks before.
+  vtkTextureObject* coarse = nullptr;   ///< An image of fewer or more rays than pixels.
+  vtkTextureObject* sum = nullptr;      ///< The sum of images that are accumulated.
+  int imageCount = 0;                   ///< The images in the sum.
+  int rowsOfNext = 0;                   ///< The rows of the next image that are in the sum too.
+  vtkTextureObject* marched = nullptr;  ///< The image that the processor has marched.
+  Viewport marchedPixels = {};          ///< The pixels of that image.
+};
+
+/// Draws boxes with the shader program of a march: the inner faces of a box, so that one ray starts
+/// in each of its pixels, wherever the camera is. Owns the programs and what they are fed with.
+class BoxDrawing
+{
+public:
+  explicit BoxDrawing(SceneResources& resources)
+    : resources(resources)
+  {
+  }
+
+  /// Draws into the current framebuffer.
+  /// @throws std::runtime_error if the shader cannot be compiled
+  void Draw(const Frame& frame, const MarchPlan& plan, const DrawnBlock& drawn,
+    const EarlierDrawings& earlier = {});
+
+  int ShaderBuilds() const { return this->shaderBuilds; }
+  /// The files of the shader that marched rays last; none if the processor did.
+  const std::vector<std::string>& ShaderParts() const { return this->shaderParts; }
+  void Release();
+
+private:
+  void UpdateProgram(const VolumeMarch& march);
+  RayParameters ParametersOfRays(
+    const VolumeMarch& march, const DrawnBlock& drawn, const EarlierDrawings& earlier);
+  RayTextures TexturesOfRays(const EarlierDrawings& earlier);
+  void SetVolumes(const VolumeMarch& march, const DrawnBlock& drawn);
+  void SetParameters(
+    const VolumeMarch& march, const DrawnBlock& drawn, const EarlierDrawings& earlier);
+
+  SceneResources& resources;
+  VolumeBoxGeometry boxGeometry;
+  RayMarchProgram program;
+  int shaderBuilds = 0;
+  std::vector<std::string> shaderParts;
+};
+
+}
+
+#endif

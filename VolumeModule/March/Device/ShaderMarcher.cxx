@@ -1,0 +1,38 @@
+#include "March/Device/ShaderMarcher.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+namespace varimarch
+{
+
+void ShaderMarcher::Draw(const Frame& frame, const MarchPlan& plan)
+{
+  if (this->resources.IsNothingDrawn())
+  {
+    return;
+  }
+  if (this->resources.IsInBlocks())
+  {
+    this->blocks.Draw(frame, plan);
+    return;
+  }
+  DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
+  drawn.block = &this->resources.First().Blocks().Take(frame.view.window, 0);
+  drawn.voxels = { glm::ivec3(0), frame.geometry.dimensions };
+  drawn.coverGrid = plan.addsUp ? WithItsEdges(drawn.coverGrid) : drawn.coverGrid;
+  this->boxes.Draw(frame, plan, drawn);
+}
+
+std::vector<float> ShaderMarcher::DrawTrial(const Frame& frame, const MarchPlan& plan)
+{
+  this->trial.Draw(frame.view.window, plan.viewport, [&] { this->Draw(frame, plan); });
+  return this->trial.Read(frame.view.window, plan.viewport);
+}
+
+void ShaderMarcher::Release(vtkWindow* window)
+{
+  this->blocks.Release(window);
+  this->trial.Release(window);
+}
+
+}

@@ -1,0 +1,48 @@
+#ifndef Varimarch_March_Device_ShaderMarcher_h
+#define Varimarch_March_Device_ShaderMarcher_h
+
+#include "March/Device/BlockMarch.h"
+#include "March/Device/BoxDrawing.h"
+#include "March/FrameMarcher.h"
+#include "Resources/FloatFramebuffer.h"
+#include "Resources/SceneResources.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace varimarch
+{
+
+/// Marches rays by shaders, through a volume in one piece or in blocks, or through several volumes.
+class ShaderMarcher : public FrameMarcher
+{
+public:
+  /// @param ofImages  returns the memory that framebuffers take now
+  ShaderMarcher(
+    SceneResources& resources, BoxDrawing& boxes, const std::function<MemoryElsewhere()>& ofImages)
+    : resources(resources)
+    , boxes(boxes)
+    , blocks(resources, boxes, ofImages)
+  {
+  }
+
+  void Draw(const Frame& frame, const MarchPlan& plan) override;
+  std::vector<float> DrawTrial(const Frame& frame, const MarchPlan& plan) override;
+
+  std::size_t BytesOfBlocks() const { return this->blocks.Bytes(); }
+  void ReleaseBlocks(vtkWindow* window) { this->blocks.Release(window); }
+  void ReleaseTrial(vtkWindow* window) { this->trial.Release(window); }
+  std::size_t Bytes() const override { return this->trial.Bytes() + this->blocks.Bytes(); }
+  void Release(vtkWindow* window) override;
+
+private:
+  SceneResources& resources;
+  BoxDrawing& boxes;
+  BlockMarch blocks;
+  FloatFramebuffer trial;
+};
+
+}
+
+#endif

@@ -1,0 +1,36 @@
+#ifndef Varimarch_March_FrameMarcher_h
+#define Varimarch_March_FrameMarcher_h
+
+#include "Frame/MarchPlan.h"
+
+#include <cstddef>
+#include <vector>
+
+class vtkWindow;
+
+namespace varimarch
+{
+
+/// A way to march the rays of a frame, whose resources have been updated for it. The two ways are
+/// shaders on the graphics device, and packets of rays on the processor.
+class FrameMarcher
+{
+public:
+  virtual ~FrameMarcher() = default;
+
+  /// Marches the rays of the plan's viewport and draws their colours, or what else its pass asks
+  /// for, into the current framebuffer.
+  /// @throws std::runtime_error if there is no memory, or a shader cannot be compiled
+  virtual void Draw(const Frame& frame, const MarchPlan& plan) = 0;
+
+  /// Marches a trial image, and leaves the current framebuffer as it is.
+  /// @return premultiplied RGBA of the pixels of the plan's viewport
+  virtual std::vector<float> DrawTrial(const Frame& frame, const MarchPlan& plan) = 0;
+
+  virtual std::size_t Bytes() const = 0; ///< The graphics memory of this alone.
+  virtual void Release(vtkWindow* window) = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,72 @@
+#include "March/Processor/OverlapMarch.h"
+
+#include "Frame/Lights.h"
+
+#include <utility>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Rays of several volumes begin and end where those of any do; the visible parts are their own.
+void TakeDepths(PacketScene& scene)
+{
+  scene.constituent.visible = scene.depths;
+  scene.depths = {};
+}
+
+PacketSurroundings SurroundingsOfOther(const Frame& frame)
+{
+  PacketSurroundings around = {};
+  around.drawnBox = frame.geometry.boxGrid;
+  if (frame.settings.lights)
+  {
+    around.lights = LightTexelsOf(frame.view.renderer);
+  }
+  return around;
+}
+
+}
+
+OverlapMarch::OverlapMarch(const VolumeMarch& march, SceneResources& resources,
+  PacketSurroundings around, const Viewport& pixels)
+  : first(march, resources.First(), std::move(around), pixels)
+{
+  if (IsMixture(march.frame))
+  {
+    this->Mix(march, resources, pixels);
+  }
+}
+
+void OverlapMarch::Mix(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)
+{
+  const Frame& frame = march.frame;
+  std::vector<PacketScene> own = ConstituentsOf(march, resources.First(), this->first.scene);
+  for (PacketScene& scene : own)
+  {
+    if (!frame.others.empty())
+    {
+      TakeDepths(scene);
+    }
+  }
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    const VolumeMarch other = MarchOfOther(frame, march.plan, i);
+    VolumeResources& volume = resources.Other(i);
+    this->others.emplace_back(other, volume, SurroundingsOfOther(other.frame), pixels);
+    for (PacketScene& scene : ConstituentsOf(other, volume, this->others.back().scene))
+    {
+      scene.parameters.ownGridFromRays = GridFromGrid(other.frame.geometry, frame.geometry);
+      TakeDepths(scene);
+      this->mixed.push_back(scene);
+    }
+  }
+  this->mixed.insert(this->mixed.end(), own.begin() + 1, own.end());
+  this->first.scene = own.front();
+  this->first.scene.constituent.others = this->mixed.data();
+  this->first.scene.constituent.otherCount = int(this->mixed.size());
+}
+
+}

@@ -1,0 +1,38 @@
+#ifndef Varimarch_March_Processor_OverlapMarch_h
+#define Varimarch_March_Processor_OverlapMarch_h
+
+#include "March/Processor/PacketSceneBuilder.h"
+#include "Resources/SceneResources.h"
+
+#include <vector>
+
+namespace varimarch
+{
+
+/// The scene that packets march for a frame: that of the first volume, or a mixture of several
+/// components and volumes, along rays in the grid of the first. Its parts point to each other.
+class OverlapMarch
+{
+public:
+  /// @param around  the surroundings of the first volume
+  /// @param pixels  the pixels of the viewport that are drawn
+  OverlapMarch(const VolumeMarch& march, SceneResources& resources, PacketSurroundings around,
+    const Viewport& pixels);
+
+  OverlapMarch(const OverlapMarch&) = delete;
+  void operator=(const OverlapMarch&) = delete;
+
+  const PacketScene& Scene() const { return this->first.scene; }
+  const std::vector<float>& LayerDepths() const { return this->first.around.layerDepths; }
+
+private:
+  void Mix(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels);
+
+  SceneOfVolume first;
+  std::vector<SceneOfVolume> others; ///< The other volumes.
+  std::vector<PacketScene> mixed;    ///< All parts of the mixture but the first, which points here.
+};
+
+}
+
+#endif

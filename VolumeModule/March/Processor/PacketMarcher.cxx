@@ -1,0 +1,170 @@
+#include "March/Processor/PacketMarcher.h"
+
+#include "Core/Geometry/ProjectedBox.h"
+#include "Core/Packets/PacketMarch.h"
+#include "March/Processor/OverlapMarch.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The pixels of a viewport that lie within the scissors.
+Viewport WithinScissors(const Viewport& pixels, const Viewport& viewport, vtkOpenGLState* state)
+{
+  Viewport drawn = pixels;
+  if (!state->GetEnumState(GL_SCISSOR_TEST))
+  {
+    return drawn;
+  }
+  GLint box[4];
+  state->vtkglGetIntegerv(GL_SCISSOR_BOX, box);
+  const auto cut = [](int& begin, int& count, int from, int fromCount)
+  {
+    const int end = std::min(begin + count, from + fromCount);
+    begin = std::max(begin, from);
+    count = std::max(end - begin, 0);
+  };
+  cut(drawn.left, drawn.width, box[0] - viewport.left, box[2]);
+  cut(drawn.bottom, drawn.height, box[1] - viewport.bottom, box[3]);
+  return drawn;
+}
+
+// The images or places that Shaders/Marched makes pixels of.
+std::vector<PacketScene> PartsOf(
+  const PacketScene& scene, const VolumeMarch& march, const std::vector<float>& layerDepths)
+{
+  PacketScene other = scene;
+  if (Peels(march.settings.pass))
+  {
+    PacketScene front = scene;
+    front.cuts.layers = layerDepths.data();
+    other.cuts.layers = layerDepths.data() + 2;
+    return { front, other };
+  }
+  if (march.settings.pass == RayPass::PictureAndDepth)
+  {
+    const bool clampDepth = march.frame.image.clampDepth;
+    other.location = { LeastDepthOpacity, 0.0f, clampDepth };
+    other.depths = clampDepth ? PacketDepths() : scene.depths; // rays end behind these
+    return { scene, other };
+  }
+  if (march.settings.pass == RayPass::PickVoxel)
+  {
+    other.location = { 0.5f, LeastPickedOpacity, false };
+  }
+  return { other };
+}
+
+// Shaders/Window/WindowLevel.glsl.
+void Window(std::vector<float>& rgba, const glm::dvec2& scaleBias)
+{
+  for (std::size_t i = 0; i < rgba.size(); ++i)
+  {
+    const float opacity = rgba[i | 3];
+    const float color = rgba[i] * float(scaleBias.x) + opacity * float(scaleBias.y);
+    rgba[i] = i % 4 == 3 ? opacity : std::clamp(color, 0.0f, opacity);
+  }
+}
+
+}
+
+void PacketMarcher::Draw(const Frame& frame, const MarchPlan& plan)
+{
+  if (this->resources.IsNothingDrawn())
+  {
+    return;
+  }
+  DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
+  drawn.coverGrid = plan.addsUp ? WithItsEdges(drawn.coverGrid) : drawn.coverGrid;
+  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid;
+  const Viewport pixels = WithinScissors(PixelsOf(drawn.coverGrid, clipFromGrid, plan.viewport),
+    plan.viewport, frame.view.window->GetState());
+  if (pixels.width == 0 || pixels.height == 0)
+  {
+    return;
+  }
+  const VolumeMarch march = MarchOf(frame, plan);
+  const OverlapMarch scenes(march, this->resources, this->SurroundingsOf(frame, plan), pixels);
+  this->image.March(
+    frame.view.window, PartsOf(scenes.Scene(), march, scenes.LayerDepths()), pixels);
+
+  EarlierDrawings earlier;
+  earlier.marched = this->image.Texture();
+  earlier.marchedPixels = this->image.Pixels();
+  this->boxes.Draw(frame, plan.WithRole(ShaderRole::ShowMarchedImage), drawn, earlier);
+}
+
+std::vector<float> PacketMarcher::DrawTrial(const Frame& frame, const MarchPlan& plan)
+{
+  const Viewport& pixels = plan.viewport;
+  std::vector<float> rgba(4 * std::size_t(pixels.width) * pixels.height);
+  if (this->resources.IsNothingDrawn())
+  {
+    return rgba;
+  }
+  const OverlapMarch scenes(
+    MarchOf(frame, plan), this->resources, this->SurroundingsOf(frame, plan), pixels);
+  MarchPackets(scenes.Scene(), pixels, rgba.data());
+  if (frame.settings.windowLevel)
+  {
+    Window(rgba, frame.image.windowScaleBias);
+  }
+  return rgba;
+}
+
+PacketSurroundings PacketMarcher::SurroundingsOf(const Frame& frame, const MarchPlan& plan)
+{
+  PacketSurroundings around = {};
+  around.drawnBox = this->resources.DrawnBox();
+  around.planesGrid = { frame.cuts.planesGrid.begin(), frame.cuts.planesGrid.end() };
+  if (frame.settings.sceneGeometry)
+  {
+    around.depth = this->resources.Depth().Depths(frame.view.window).data();
+    around.depthPixels = this->resources.Depth().SizePixels();
+  }
+  if (frame.settings.lights)
+  {
+    around.lights = LightTexelsOf(frame.view.renderer);
+  }
+  if (frame.settings.mask == Mask::Labels)
+  {
+    around.maskRows = PacketRowsOf(this->resources.First().Materials().OpticalTables());
+  }
+  if (frame.settings.blend == Blend::Isosurface)
+  {
+    around.isosurfaces = IsosurfaceEntriesOf(frame);
+  }
+  if (Peels(plan.pass))
+  {
+    around.layerDepths = this->DrawLayerDepths(frame, plan);
+  }
+  around.noise = frame.settings.jitter ? this->resources.Noise().Tile().data() : nullptr;
+  return around;
+}
+
+std::vector<float> PacketMarcher::DrawLayerDepths(const Frame& frame, const MarchPlan& plan)
+{
+  this->layerDepths.Draw(frame.view.window, plan.viewport,
+    [&]
+    {
+      this->boxes.Draw(frame, plan.WithRole(ShaderRole::WriteLayerDepths),
+        AllThatIsVisible(this->resources.DrawnBox()));
+    });
+  return this->layerDepths.Read(frame.view.window, plan.viewport);
+}
+
+void PacketMarcher::Release(vtkWindow* window)
+{
+  this->image.Release(window);
+  this->layerDepths.Release(window);
+}
+
+}

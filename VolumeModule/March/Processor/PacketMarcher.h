@@ -1,0 +1,47 @@
+#ifndef Varimarch_March_Processor_PacketMarcher_h
+#define Varimarch_March_Processor_PacketMarcher_h
+
+#include "March/Device/BoxDrawing.h"
+#include "March/FrameMarcher.h"
+#include "March/Processor/PacketPicture.h"
+#include "March/Processor/PacketSceneBuilder.h"
+#include "Resources/FloatFramebuffer.h"
+#include "Resources/SceneResources.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace varimarch
+{
+
+/// Marches packets of rays on the processor, where OpenGL is software too. A shader then draws the
+/// image, so that it meets the framebuffer as the rays of shaders do.
+class PacketMarcher : public FrameMarcher
+{
+public:
+  PacketMarcher(SceneResources& resources, BoxDrawing& boxes)
+    : resources(resources)
+    , boxes(boxes)
+  {
+  }
+
+  void Draw(const Frame& frame, const MarchPlan& plan) override;
+  std::vector<float> DrawTrial(const Frame& frame, const MarchPlan& plan) override;
+
+  void ReleaseLayerDepths(vtkWindow* window) { this->layerDepths.Release(window); }
+  std::size_t Bytes() const override { return this->image.Bytes() + this->layerDepths.Bytes(); }
+  void Release(vtkWindow* window) override;
+
+private:
+  PacketSurroundings SurroundingsOf(const Frame& frame, const MarchPlan& plan);
+  std::vector<float> DrawLayerDepths(const Frame& frame, const MarchPlan& plan);
+
+  SceneResources& resources;
+  BoxDrawing& boxes;
+  PacketPicture image;
+  FloatFramebuffer layerDepths; ///< The depths of translucent geometry between which rays march.
+};
+
+}
+
+#endif

@@ -1,0 +1,37 @@
+#ifndef Varimarch_March_ResampledMarch_h
+#define Varimarch_March_ResampledMarch_h
+
+#include "March/Device/BoxDrawing.h"
+#include "March/FrameMarcher.h"
+#include "Resources/FloatFramebuffer.h"
+
+#include <cstddef>
+
+namespace varimarch
+{
+
+/// Draws an image of fewer or more rays than pixels: the rays into a framebuffer of their own, and
+/// then the pixels, which are interpolated between rays or are their mean.
+class ResampledMarch
+{
+public:
+  ResampledMarch(const SceneResources& resources, BoxDrawing& boxes)
+    : resources(resources)
+    , boxes(boxes)
+  {
+  }
+
+  void Draw(const Frame& frame, const MarchPlan& plan, FrameMarcher& marcher);
+
+  std::size_t Bytes() const { return this->rays.Bytes(); }
+  void Release(vtkWindow* window) { this->rays.Release(window); }
+
+private:
+  const SceneResources& resources;
+  BoxDrawing& boxes;
+  FloatFramebuffer rays;
+};
+
+}
+
+#endif

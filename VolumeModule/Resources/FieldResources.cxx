@@ -1,0 +1,203 @@
+#include "Resources/FieldResources.h"
+
+#include "Core/Geometry/PixelRays.h"
+#include "Core/Recipe/ShaderRecipe.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkVolumeProperty.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The tolerance of the scalar field if none is given, as a part of the range of the scalars.
+constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
+
+// The tables that decide where a volume is visible.
+std::vector<ComponentTable> TablesOfOpacity(const MaterialResources& materials)
+{
+  std::vector<ComponentTable> tables;
+  for (std::size_t i = 0; i < materials.MaterialTables().size(); ++i)
+  {
+    const MaterialTable& table = materials.MaterialTables()[i];
+    if (table.decidesOnOpacity)
+    {
+      tables.push_back({ table.component, &materials.OpticalTables().Tables()[i] });
+    }
+  }
+  return tables;
+}
+
+}
+
+void FieldResources::Update(const FieldInputs& inputs)
+{
+  const VolumeMarch& march = inputs.march;
+  if (march.settings.acceleration != Acceleration::ScalarField)
+  {
+    inputs.blocks.SetScalarField(march.frame.view.window, {});
+  }
+  switch (march.settings.acceleration)
+  {
+    case Acceleration::Off:
+      this->Release(march.frame.view.window);
+      break;
+    case Acceleration::ScalarField:
+      this->UpdateScalarField(inputs);
+      break;
+    case Acceleration::OpticalField:
+      if (IsExtreme(march.settings.blend))
+      {
+        this->UpdateExtremes(inputs);
+      }
+      else if (march.settings.blend == Blend::Isosurface)
+      {
+        this->UpdateIsosurfaceField(inputs);
+      }
+      else
+      {
+        this->UpdateOpticalField(inputs);
+      }
+      break;
+  }
+}
+
+void FieldResources::UpdateScalarField(const FieldInputs& inputs)
+{
+  const VolumeMarch& march = inputs.march;
+  const ScalarTexels& texels = inputs.blocks.Texels();
+  const double range = texels.largestScalar - texels.smallestScalar;
+  const double tolerance = march.frame.quality.variationTolerance >= 0.0
+    ? march.frame.quality.variationTolerance
+    : DefaultToleranceOfRange * range;
+  const FieldSource source{ Acceleration::ScalarField, inputs.volumeBuild, 0, tolerance };
+  if (this->madeFrom == source)
+  {
+    return;
+  }
+  this->field.Release(march.frame.view.window);
+  this->rangesOfVolume = 0;
+  inputs.blocks.SetScalarField(march.frame.view.window, tolerance);
+  this->madeFrom = source;
+  ++this->builds;
+}
+
+// Returns true if the field has to be built for the rays of the frame; the ranges of bricks are
+// then ready. A field for rays of other directions does not count as another build, because it
+// shows the same.
+bool FieldResources::BeginsField(const FieldInputs& inputs, FieldSource& source)
+{
+  const VolumeMarch& march = inputs.march;
+  const glm::dmat4 clipFromGrid =
+    ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
+  const PixelRays rays = ComputePixelRays(clipFromGrid, march.frame.geometry.boxGrid);
+  source.towards = this->directions.Next(DirectionsOf(rays));
+  if (this->madeFrom == source)
+  {
+    return false;
+  }
+  this->builds += this->madeFrom && this->madeFrom->ShowsSame(source) ? 0 : 1;
+  this->madeFrom.reset();
+  this->UpdateRanges(inputs);
+  return true;
+}
+
+void FieldResources::UpdateOpticalField(const FieldInputs& inputs)
+{
+  const VolumeMarch& march = inputs.march;
+  const double longestRayMm = march.frame.geometry.DiagonalMm();
+  const OpticalTolerance tolerance =
+    MarchesMaterial(march.settings) || IsProjection(march.settings.blend)
+    ? OpticalTolerance::Nothing(longestRayMm)
+    : OpticalTolerance::ForError(march.frame.quality.budget.FieldError(), longestRayMm);
+  FieldSource source{ Acceleration::OpticalField, inputs.volumeBuild,
+    inputs.materials.TableBuilds(), tolerance.color / tolerance.longestRayMm, 0.0,
+    march.plan.marcher };
+  if (!this->BeginsField(inputs, source))
+  {
+    return;
+  }
+  const std::vector<ComponentTable> tables = TablesOfOpacity(inputs.materials);
+  this->field.BuildOpticalField(
+    march.frame.view.window, tables, tolerance, source.towards, march.plan.marcher);
+  this->madeFrom = source;
+}
+
+void FieldResources::UpdateExtremes(const FieldInputs& inputs)
+{
+  const VolumeMarch& march = inputs.march;
+  const bool largest = march.settings.blend == Blend::MaximumIntensity;
+  const FieldSource source{ Acceleration::OpticalField, inputs.volumeBuild,
+    inputs.materials.TableBuilds(), march.frame.quality.budget.FieldError(), largest ? 1.0 : -1.0,
+    march.plan.marcher };
+  if (this->madeFrom == source)
+  {
+    return;
+  }
+  this->madeFrom.reset();
+  this->UpdateRanges(inputs);
+  const ExtremeLook look{ inputs.materials.OpticalTables().Table(),
+    march.frame.material.property->GetScalarOpacityUnitDistance(),
+    march.frame.quality.budget.FieldError() };
+  this->field.BuildExtremes(march.frame.view.window, look, largest, march.plan.marcher);
+  this->madeFrom = source;
+  ++this->builds;
+}
+
+void FieldResources::UpdateIsosurfaceField(const FieldInputs& inputs)
+{
+  const VolumeMarch& march = inputs.march;
+  FieldSource source{ Acceleration::OpticalField, inputs.volumeBuild, 0, 0.0, 0.0,
+    march.plan.marcher };
+  source.isovalues = march.frame.material.isovalues;
+  if (this->BeginsField(inputs, source))
+  {
+    this->field.BuildIsosurfaceField(
+      march.frame.view.window, march.frame.material.isovalues, source.towards, march.plan.marcher);
+    this->madeFrom = source;
+  }
+}
+
+void FieldResources::UpdateRanges(const FieldInputs& inputs)
+{
+  const VolumeMarch& march = inputs.march;
+  if (this->rangesOfVolume != inputs.volumeBuild)
+  {
+    this->field.BuildRanges(inputs.blocks.Values(), march.frame.voxels.axes);
+    this->rangesOfVolume = inputs.volumeBuild;
+    ++this->rangesBuilds;
+  }
+}
+
+// The extreme that a ray has found is that of a brick even if rounding has made it less.
+ExtremeSteps FieldResources::ExtremeStepsOf(Blend blend) const
+{
+  constexpr double rounding = 1.0 / 64.0; // a part of a step
+  const double sense = blend == Blend::MaximumIntensity ? 1.0 : -1.0;
+  const BrickRanges& ranges = this->field.Ranges();
+  return { sense, ranges.FirstValue() - sense * rounding * ranges.ValuePerStep(),
+    ranges.ValuePerStep() };
+}
+
+double FieldResources::BuildSeconds(const VolumeBlocks& blocks) const
+{
+  const bool isOfCells =
+    this->madeFrom && this->madeFrom->acceleration == Acceleration::ScalarField;
+  return isOfCells ? blocks.FieldBuildSeconds() : this->field.BuildSeconds();
+}
+
+void FieldResources::ForgetBricks()
+{
+  this->madeFrom.reset();
+  this->rangesOfVolume = 0;
+}
+
+void FieldResources::Release(vtkWindow* window)
+{
+  this->field.Release(window);
+  this->ForgetBricks();
+}
+
+}

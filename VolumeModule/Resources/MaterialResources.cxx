@@ -1,0 +1,187 @@
+#include "Resources/MaterialResources.h"
+
+#include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/Lights.h"
+#include "Frame/PropertyTransferFunction.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The side of a pre-integrated table has this many entries between two nodes of the transfer
+// function, within these bounds. The smaller it is, the more of it stays in the processor's caches.
+constexpr double PreIntegratedPerGap = 64.0;
+constexpr std::size_t FewestPreIntegrated = 256;
+constexpr std::size_t MostPreIntegrated = 1024;
+
+std::size_t PreIntegratedEntries(vtkVolumeProperty* property, const OpticalTable& table)
+{
+  const TransferFunction function = TransferFunctionOf(property);
+  const double range = table.lastValue - table.firstValue;
+  std::size_t side = function.IsPiecewiseLinear() ? FewestPreIntegrated : MostPreIntegrated;
+  while (
+    side < MostPreIntegrated && side * function.SmallestNodeGap() < PreIntegratedPerGap * range)
+  {
+    side *= 2;
+  }
+  return side * side;
+}
+
+}
+
+void MaterialResources::Update(
+  const VolumeMarch& march, const std::vector<ScalarTexels>& texels, int volumeBuild)
+{
+  this->UpdateOpticalTable(march, texels, volumeBuild);
+  this->gradientOpacity.Update(march, texels);
+  this->UpdateLights(march);
+  this->UpdateIsosurfaces(march, texels.front().mapping);
+}
+
+void MaterialResources::UpdateOpticalTable(
+  const VolumeMarch& march, const std::vector<ScalarTexels>& texels, int volumeBuild)
+{
+  const std::vector<double> inputs =
+    MaterialTableInputs(march.frame.material.property, march.settings);
+  if (this->tableOfProperty != march.frame.material.property ||
+    this->tableOfVolume != volumeBuild || this->tableInputs != inputs)
+  {
+    this->opticalTable.SetTables(march.frame.view.window, this->BuildTables(march, texels));
+    this->tableOfVolume = volumeBuild; // the table spans the range of the scalars
+    this->tableOfProperty = march.frame.material.property;
+    this->tableInputs = inputs;
+    ++this->tableBuilds;
+  }
+  this->twoValues.Update(march.frame.view.window, march.plan.marcher);
+  if (march.plan.marcher == Marcher::Processor)
+  {
+    this->opticalTable.ReleaseTexture(march.frame.view.window);
+  }
+  else if (march.settings.mask == Mask::Labels)
+  {
+    this->opticalTable.UploadRows(march.frame.view.window, texels.front().mapping);
+  }
+  else
+  {
+    this->opticalTable.Upload(march.frame.view.window);
+  }
+}
+
+std::vector<OpticalTable> MaterialResources::BuildTables(
+  const VolumeMarch& march, const std::vector<ScalarTexels>& texels)
+{
+  const ScalarTexels& first = texels.front();
+  this->twoValues.Release(march.frame.view.window);
+  if (march.settings.functionOf != FunctionOf::Value)
+  {
+    TwoValueTable table = TwoValueTableOf(march.frame.material.property);
+    const double unitDistanceMm = march.frame.material.property->GetScalarOpacityUnitDistance();
+    this->materialTables = { { 0, TransferFunction({}, {}, unitDistanceMm), true } };
+    OpticalTable bound =
+      UpperBound(table, { first.smallestScalar, first.largestScalar }, unitDistanceMm);
+    this->twoValuesSize = table.size;
+    this->twoValues.Set(march.frame.view.window, std::move(table.entries));
+    return { std::move(bound) };
+  }
+  constexpr std::size_t MostEntries = 65536; // in all tables together, except that
+  constexpr std::size_t FewestEntries = 256; // each has at least these
+  this->materialTables = MaterialTablesOf(march.frame.material.property, march.settings);
+  const std::size_t entries = std::max(MostEntries / this->materialTables.size(), FewestEntries);
+  std::vector<OpticalTable> tables;
+  for (const MaterialTable& table : this->materialTables)
+  {
+    const ScalarTexels& range = texels[table.component];
+    tables.push_back(
+      BuildOpticalTable(table.transferFunction, range.smallestValue, range.largestValue, entries));
+  }
+  return tables;
+}
+
+void MaterialResources::UpdatePreIntegrated(const VolumeMarch& march)
+{
+  if (!UsesPreIntegration(march.settings))
+  {
+    this->preIntegratedTable.Release(march.frame.view.window);
+    this->preIntegratedOfTable = 0;
+  }
+  else if (this->preIntegratedOfTable != this->tableBuilds ||
+    this->preIntegratedTable.IsKept() != (march.plan.marcher == Marcher::Processor))
+  {
+    const OpticalTable& optical = this->opticalTable.Table();
+    PreIntegratedTable table = BuildPreIntegratedTable(
+      optical, PreIntegratedEntries(march.frame.material.property, optical));
+    march.plan.marcher == Marcher::Processor
+      ? this->preIntegratedTable.Keep(march.frame.view.window, std::move(table))
+      : this->preIntegratedTable.Upload(march.frame.view.window, std::move(table));
+    this->preIntegratedOfTable = this->tableBuilds;
+  }
+}
+
+void MaterialResources::UpdateLights(const VolumeMarch& march)
+{
+  if (march.settings.lights && march.plan.marcher == Marcher::Device)
+  {
+    this->lights.Upload(march.frame.view.window, LightTexelsOf(march.frame.view.renderer).texels);
+  }
+  else
+  {
+    this->lights.Release(march.frame.view.window);
+  }
+}
+
+std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame)
+{
+  const TransferFunction transferFunction =
+    TransferFunctionOf(frame.material.property, frame.material.surfaceComponent);
+  std::vector<glm::vec4> entries;
+  for (double isovalue : frame.material.isovalues)
+  {
+    const double depth = -std::log1p(-transferFunction.Opacity(isovalue));
+    entries.emplace_back(transferFunction.Color(isovalue), std::min(depth, 100.0));
+    entries.emplace_back(isovalue);
+  }
+  return entries;
+}
+
+void MaterialResources::UpdateIsosurfaces(const VolumeMarch& march, const TexelMapping& mapping)
+{
+  if (march.settings.blend != Blend::Isosurface || march.plan.marcher == Marcher::Processor)
+  {
+    this->isosurfaces.Release(march.frame.view.window);
+    return;
+  }
+  std::vector<glm::vec4> entries = IsosurfaceEntriesOf(march.frame);
+  for (std::size_t i = 0; i < march.frame.material.isovalues.size(); ++i)
+  {
+    entries[2 * i + 1].x = float(mapping.LimitedTexelOf(march.frame.material.isovalues[i]));
+  }
+  this->isosurfaces.Upload(march.frame.view.window, entries);
+}
+
+std::size_t MaterialResources::Bytes() const
+{
+  return this->opticalTable.Bytes() + this->twoValues.Bytes() + this->gradientOpacity.Bytes() +
+    this->lights.Bytes() + this->isosurfaces.Bytes();
+}
+
+void MaterialResources::Release(vtkWindow* window)
+{
+  this->opticalTable.Release(window);
+  this->preIntegratedTable.Release(window);
+  this->preIntegratedOfTable = 0;
+  this->twoValues.Release(window);
+  this->gradientOpacity.Release(window);
+  this->lights.Release(window);
+  this->isosurfaces.Release(window);
+}
+
+}

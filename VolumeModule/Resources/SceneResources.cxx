@@ -1,0 +1,180 @@
+#include "Resources/SceneResources.h"
+
+#include "Core/Recipe/ShaderRecipe.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+bool IsEmpty(const Box& box)
+{
+  return glm::any(glm::greaterThanEqual(box.lower, box.upper));
+}
+
+// The box around both, either of which may be empty.
+Box Around(const Box& box, const Box& other, const glm::dmat4& boxFromOther)
+{
+  Box around = box;
+  bool isEmpty = IsEmpty(box);
+  for (int corner = 0; corner < 8 && !IsEmpty(other); ++corner)
+  {
+    const glm::dvec3 place(boxFromOther *
+      glm::dvec4(corner & 1 ? other.upper.x : other.lower.x,
+        corner & 2 ? other.upper.y : other.lower.y, corner & 4 ? other.upper.z : other.lower.z,
+        1.0));
+    around = { isEmpty ? place : glm::min(around.lower, place),
+      isEmpty ? place : glm::max(around.upper, place) };
+    isEmpty = false;
+  }
+  return around;
+}
+
+// Throws a sentence if a volume cannot be drawn together with others.
+void CheckOverlap(const VolumeResources& volume, const VolumeFindings& findings)
+{
+  if (volume.Blocks().Partition().Count() > 1)
+  {
+    throw std::runtime_error("Volumes that overlap are not drawn in blocks: the maximum graphics "
+                             "memory, or the device's 3D textures, are too small for them");
+  }
+  if (findings.hasGaps)
+  {
+    throw std::runtime_error("Volumes that overlap are not drawn where values are not finite");
+  }
+}
+
+}
+
+void SceneResources::UpdateVoxels(const Frame& frame)
+{
+  this->first.UpdateVoxels(frame);
+  this->ReleaseOthers(frame.view.window, frame.others.size());
+  this->others.resize(frame.others.size());
+  for (std::size_t i = 0; i < this->others.size(); ++i)
+  {
+    if (!this->others[i])
+    {
+      this->others[i] = std::make_unique<VolumeResources>();
+    }
+    this->others[i]->UpdateVoxels(frame.others[i]);
+  }
+}
+
+void SceneResources::Update(const Frame& frame, MarchPlan& plan, const MemoryElsewhere& ofImages)
+{
+  this->UpdateDepth(frame, plan);
+  this->UpdateNoise(frame, plan);
+  this->UpdateOthers(frame, plan);
+  plan.volumes.front() = this->first.Update(MarchOf(frame, plan), this->BesideFirst(ofImages));
+  if (!frame.others.empty())
+  {
+    CheckOverlap(this->first, plan.volumes.front());
+  }
+  plan.triesPreIntegration = this->first.MayTryPreIntegration(frame);
+  plan.choosesIntegration =
+    plan.choosesIntegration && (plan.triesPreIntegration || MarchesMaterial(frame.settings));
+  this->drawnBox = this->BoxOfAll(frame);
+}
+
+void SceneResources::UpdatePreIntegrated(const Frame& frame, const MarchPlan& plan)
+{
+  this->first.UpdatePreIntegrated(MarchOf(frame, plan));
+}
+
+void SceneResources::BeginPicture(
+  const VolumeMarch& march, const std::vector<int>& inView, const MemoryElsewhere& ofImages)
+{
+  this->first.BeginPicture(march, inView, this->BesideFirst(ofImages));
+}
+
+void SceneResources::UpdateDepth(const Frame& frame, const MarchPlan& plan)
+{
+  if (!frame.settings.sceneGeometry)
+  {
+    this->depth.Release(frame.view.window);
+    return;
+  }
+  this->depth.Capture(frame.view.window, plan.viewport.left, plan.viewport.bottom,
+    plan.viewport.width, plan.viewport.height);
+}
+
+void SceneResources::UpdateNoise(const Frame& frame, const MarchPlan& plan)
+{
+  if (!frame.settings.jitter)
+  {
+    this->noise.Release(frame.view.window);
+    return;
+  }
+  this->noise.MakeTile();
+  plan.marcher == Marcher::Processor ? this->noise.ReleaseTexture(frame.view.window)
+                                     : this->noise.Upload(frame.view.window);
+}
+
+void SceneResources::UpdateOthers(const Frame& frame, MarchPlan& plan)
+{
+  for (std::size_t i = 0; i < this->others.size(); ++i)
+  {
+    plan.volumes[i + 1] = this->others[i]->Update(MarchOfOther(frame, plan, i), {});
+    CheckOverlap(*this->others[i], plan.volumes[i + 1]);
+  }
+}
+
+Box SceneResources::BoxOfAll(const Frame& frame) const
+{
+  Box box = this->first.Division().VisibleBox();
+  for (std::size_t i = 0; i < this->others.size(); ++i)
+  {
+    box = Around(box, this->others[i]->Division().VisibleBox(),
+      GridFromGrid(frame.geometry, frame.others[i].geometry));
+  }
+  return box;
+}
+
+bool SceneResources::IsNothingDrawn() const
+{
+  return IsEmpty(this->drawnBox);
+}
+
+void SceneResources::ReleaseOthers(vtkWindow* window, std::size_t kept)
+{
+  for (std::size_t i = kept; i < this->others.size(); ++i)
+  {
+    this->others[i]->Release(window);
+  }
+  this->others.resize(std::min(kept, this->others.size()));
+}
+
+std::size_t SceneResources::BytesBesideFirst() const
+{
+  std::size_t bytes = this->depth.Bytes() + this->noise.Bytes();
+  for (const auto& other : this->others)
+  {
+    bytes += other->Bytes();
+  }
+  return bytes;
+}
+
+MemoryElsewhere SceneResources::BesideFirst(const MemoryElsewhere& ofImages) const
+{
+  return { ofImages.fixedBytes + this->BytesBesideFirst(), ofImages.accumulationBytes };
+}
+
+void SceneResources::Release(vtkWindow* window)
+{
+  this->ReleaseOthers(window, 0);
+  this->first.Release(window);
+  this->depth.Release(window);
+  this->noise.Release(window);
+}
+
+}

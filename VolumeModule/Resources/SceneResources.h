@@ -1,0 +1,71 @@
+#ifndef Varimarch_Resources_SceneResources_h
+#define Varimarch_Resources_SceneResources_h
+
+#include "Core/Geometry/Box.h"
+#include "Frame/MarchPlan.h"
+#include "Resources/BlueNoiseTexture.h"
+#include "Resources/SceneDepthTexture.h"
+#include "Resources/VolumeResources.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace varimarch
+{
+
+/// Everything that the march of a frame reads: the resources of its volumes, the depth of opaque
+/// geometry, and the noise of jitter.
+class SceneResources
+{
+public:
+  /// Takes the voxels of all volumes.
+  void UpdateVoxels(const Frame& frame);
+
+  /// Updates everything else, except the pre-integrated table, and records in the plan what is
+  /// found in the volumes.
+  /// @param ofImages  the memory of framebuffers
+  /// @throws std::runtime_error if the device cannot hold a resource
+  void Update(const Frame& frame, MarchPlan& plan, const MemoryElsewhere& ofImages);
+
+  /// Makes the table of the plan's integration rule.
+  void UpdatePreIntegrated(const Frame& frame, const MarchPlan& plan);
+
+  /// Begins an image of a volume in several blocks, which are then taken in this order.
+  void BeginPicture(
+    const VolumeMarch& march, const std::vector<int>& inView, const MemoryElsewhere& ofImages);
+
+  VolumeResources& First() { return this->first; }
+  const VolumeResources& First() const { return this->first; }
+  VolumeResources& Other(std::size_t index) { return *this->others[index]; }
+  const VolumeResources& Other(std::size_t index) const { return *this->others[index]; }
+  SceneDepthTexture& Depth() { return this->depth; }
+  const BlueNoiseTexture& Noise() const { return this->noise; }
+
+  bool IsInBlocks() const { return this->first.Blocks().Partition().Count() > 1; }
+  /// The box through all volumes that rays are marched in, in the grid of the first.
+  const Box& DrawnBox() const { return this->drawnBox; }
+  bool IsNothingDrawn() const;
+  std::size_t Bytes() const { return this->first.Bytes() + this->BytesBesideFirst(); }
+  void Release(vtkWindow* window);
+
+private:
+  void UpdateDepth(const Frame& frame, const MarchPlan& plan);
+  void UpdateNoise(const Frame& frame, const MarchPlan& plan);
+  void UpdateOthers(const Frame& frame, MarchPlan& plan);
+  Box BoxOfAll(const Frame& frame) const;
+  void ReleaseOthers(vtkWindow* window, std::size_t kept);
+  std::size_t BytesBesideFirst() const;
+  MemoryElsewhere BesideFirst(const MemoryElsewhere& ofImages) const;
+
+  VolumeResources first;
+  std::vector<std::unique_ptr<VolumeResources>>
+    others; ///< The volumes that overlap with the first.
+  SceneDepthTexture depth;
+  BlueNoiseTexture noise;
+  Box drawnBox = {};
+};
+
+}
+
+#endif
