@@ -85,6 +85,22 @@ void PutGlassIn(OverlapScene& scene)
   }
 }
 
+void ExpectTheImageOfTheShader(OverlapScene& scene)
+{
+  // Packets integrate at midpoints, shaders linearly between two samples; short steps agree.
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistance(0.025f);
+  const std::vector<float> marched = scene.DrawByProcessor();
+  ASSERT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");
+  ASSERT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
+  const std::vector<float> drawn = scene.Draw();
+  ASSERT_FALSE(scene.ShaderParts().empty());
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the image is empty";
+  const ImageError difference = CompareImages(marched.data(), drawn.data(), drawn.size() / 4);
+  EXPECT_LT(difference.rootMeanSquare, 0.05);
+  EXPECT_LT(difference.percentile999, 0.5);
+}
+
 }
 
 class ProcessorMarchingOfVolumes
@@ -98,18 +114,19 @@ TEST_P(ProcessorMarchingOfVolumes, IsThePictureOfTheShader)
   OverlapScene scene(PictureSize);
   const ThreeBalls balls(scene);
   GetParam().make(scene, balls);
-  // Packets integrate at midpoints, shaders linearly between two samples; short steps agree.
-  scene.mapper->AutoAdjustSampleDistancesOff();
-  scene.mapper->SetSampleDistance(0.025f);
-  const std::vector<float> marched = scene.DrawByProcessor();
-  ASSERT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");
-  ASSERT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
-  const std::vector<float> drawn = scene.Draw();
-  ASSERT_FALSE(scene.ShaderParts().empty());
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the image is empty";
-  const ImageError difference = CompareImages(marched.data(), drawn.data(), drawn.size() / 4);
-  EXPECT_LT(difference.rootMeanSquare, 0.05);
-  EXPECT_LT(difference.percentile999, 0.5);
+  ExpectTheImageOfTheShader(scene);
+}
+
+// The second volume has bricks that rays skip, and its visible parts lie elsewhere among the rays
+// than among the pixels.
+TEST_F(ProcessorMarching, FindsTheVisiblePartsOfVolumesWhereRaysAreFewerThanPixels)
+{
+  OverlapScene scene(PictureSize);
+  scene.Add(0, RidgedBall(VTK_SHORT, { 40, 44, 36 }), { { 0.9, 0.8, 0.7 }, 120, 170, 0.1 });
+  scene.Add(1, RidgedBall(VTK_FLOAT, { 44, 40, 48 }), { { 1.0, 0.3, 0.0 }, 120, 170, 0.4 })
+    ->SetPosition(3.0, 2.0, -1.0);
+  scene.mapper->SetImageSampleDistance(2.0f);
+  ExpectTheImageOfTheShader(scene);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfVolumes,
