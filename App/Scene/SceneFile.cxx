@@ -95,13 +95,15 @@ void ReadRender(const JsonCursor& json, RenderOptions& render)
   }
 }
 
-Scene SceneFromJson(const JsonCursor& json)
+// Editors find the schema through "$schema"; it is ignored here.
+std::vector<std::string> KeysBesideVolume()
 {
-  // Editors find the schema through "$schema"; it is ignored here.
-  json.RequireObject({ "$schema", "volume", "look", "camera", "cuts", "slices", "distances",
-    "angles", "boxes", "render", "size", "background" });
-  Scene scene;
-  scene.volume = VolumeFromJson(json.At("volume"));
+  return { "$schema", "look", "camera", "cuts", "slices", "distances", "angles", "boxes", "render",
+    "size", "background" };
+}
+
+void ReadAllButVolume(const JsonCursor& json, Scene& scene)
+{
   // The preset's settings come first, so that the scene's own keys override them.
   TakePreset(PresetFromJson(json.At("look")), scene);
   if (const auto camera = json.Find("camera"))
@@ -131,6 +133,16 @@ Scene SceneFromJson(const JsonCursor& json)
   {
     scene.background = background->Numbers<3>({ 0.0, 1.0 });
   }
+}
+
+Scene SceneFromJson(const JsonCursor& json)
+{
+  std::vector<std::string> keys = KeysBesideVolume();
+  keys.insert(keys.begin() + 1, "volume");
+  json.RequireObject(keys);
+  Scene scene;
+  scene.volume = VolumeFromJson(json.At("volume"));
+  ReadAllButVolume(json, scene);
   return scene;
 }
 
@@ -193,6 +205,16 @@ std::string PresetText(const Preset& preset)
 Scene SceneFromText(const std::string& text, const std::string& file)
 {
   return SceneFromJson(JsonCursor(ParseJson(text, file), file));
+}
+
+Scene SceneWithoutVolumeFromText(const std::string& text, const std::string& file)
+{
+  const nlohmann::json parsed = ParseJson(text, file);
+  const JsonCursor json(parsed, file);
+  json.RequireObject(KeysBesideVolume());
+  Scene scene;
+  ReadAllButVolume(json, scene);
+  return scene;
 }
 
 Preset PresetFromText(const std::string& text, const std::string& file)

@@ -24,6 +24,8 @@ std::string PresetText(const Preset& preset);
 
 /// Parse a text instead of a file; `file` is its name in errors.
 Scene SceneFromText(const std::string& text, const std::string& file);
+/// The same without the key "volume", for a caller that has the volume already.
+Scene SceneWithoutVolumeFromText(const std::string& text, const std::string& file);
 Preset PresetFromText(const std::string& text, const std::string& file);
 
 }

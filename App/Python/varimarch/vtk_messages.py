@@ -14,7 +14,7 @@ def vtk_messages_as_exceptions(*objects):
         errors.append(sentence_of(text))
 
     def on_warning(_sender, _event, text):
-        # The caller of render() is above this, its context manager and VTK's call.
+        # This function, then read() or write_png(), then its caller.
         warnings.warn(sentence_of(text), RuntimeWarning, stacklevel=3)
 
     on_error.CallDataType = on_warning.CallDataType = "string0"

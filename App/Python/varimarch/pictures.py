@@ -1,6 +1,6 @@
 """Pictures: one call from a volume to pixels."""
 
-import math
+import json
 import os
 
 import numpy
@@ -8,33 +8,17 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
 
+from . import _scene
 from .arguments import choice, number
 from .images import to_array, to_image
-from .looks import look_of, property_of, rgb_of
-from .VarimarchVolume import vtkHeadlessRenderWindow, vtkVariationFieldVolumeMapper
+from .looks import color_nodes, look_of, opacity_nodes, rgb_of
 from .vtk_messages import vtk_messages_as_exceptions
 
-# In LPS space, x to the patient's left, y to the back, z to the head: the direction to the eye, and
-# the one that is up in the picture.
-VIEWS = {
-    "anterior": ((0, -1, 0), (0, 0, 1)),
-    "posterior": ((0, 1, 0), (0, 0, 1)),
-    "left": ((1, 0, 0), (0, 0, 1)),
-    "right": ((-1, 0, 0), (0, 0, 1)),
-    "superior": ((0, 0, 1), (0, -1, 0)),
-    "inferior": ((0, 0, -1), (0, -1, 0)),
-}
+VIEWS = ("anterior", "posterior", "left", "right", "superior", "inferior")
+BLENDS = ("composite", "maximum", "minimum", "average", "additive")
 # OpenGL's least guaranteed largest side of a 2D texture, in the versions that matter.
 LARGEST_SIDE = 16384
-BLENDS = {
-    "composite": "Composite",
-    "maximum": "MaximumIntensity",
-    "minimum": "MinimumIntensity",
-    "average": "AverageIntensity",
-    "additive": "Additive",
-}
 
 
 def render(
@@ -83,35 +67,30 @@ def render(
     sentence.
     """
     image = image_of(volume, spacing)
-    width, height = picture_size(size)
-    look = look_of(preset)
-
-    mapper = vtkVariationFieldVolumeMapper()
-    mapper.SetInputData(image)
-    tolerance = look["errorTolerance"] if error_tolerance is None else error_tolerance
-    mapper.SetErrorTolerance(number("error_tolerance", tolerance, 0, 1))
-    getattr(mapper, f"SetBlendModeTo{BLENDS[choice('blend', blend or look['blend'], BLENDS)]}")()
-    actor = vtkVolume()
-    actor.SetMapper(mapper)
-    actor.SetProperty(property_of(image, look, color, opacity, opacity_unit_distance, shade))
-
-    renderer = vtkRenderer()
-    renderer.SetBackground(rgb_of(look["background"] if background is None else background))
-    renderer.AddVolume(actor)
-    camera = renderer.GetActiveCamera()
-    turn_camera(camera, image.GetCenter(), choice("view", view, VIEWS), azimuth, elevation)
-    fit_camera(camera, image.GetBounds(), width / height, parallel)
-    camera.Zoom(number("zoom", zoom, 1e-3, 1e3))
-    renderer.ResetCameraClippingRange()
-
-    window = vtkHeadlessRenderWindow()
-    if not window.InitializeContext():
-        raise RuntimeError(window.GetFailureReason())
-    window.SetSize(width, height)
-    window.AddRenderer(renderer)
-    with vtk_messages_as_exceptions(mapper, window, renderer):
-        window.Render()
-    return capture(window)
+    look = look_of(preset, image)
+    if color is not None:
+        look["colors"] = color_nodes(color)
+    if opacity is not None:
+        look["opacities"] = opacity_nodes(opacity)
+    look["opacityUnitDistance"] = number("opacity_unit_distance", opacity_unit_distance, 1e-30, 1e30)
+    if shade is not None:
+        look["shading"]["enabled"] = bool(shade)
+    look["blend"] = choice("blend", blend or look["blend"], BLENDS)
+    if error_tolerance is not None:
+        look["errorTolerance"] = number("error_tolerance", error_tolerance, 0, 1)
+    if background is not None:
+        look["background"] = rgb_of(background)
+    camera = {
+        "view": choice("view", view, VIEWS),
+        "azimuth": number("azimuth", azimuth, -36000, 36000),
+        "elevation": number("elevation", elevation, -89, 89),
+        "zoom": number("zoom", zoom, 1e-3, 1e3),
+        "projection": "parallel" if parallel else "perspective",
+    }
+    scene = {"look": look, "camera": camera, "size": picture_size(size)}
+    picture = _scene.render(image, json.dumps(scene))
+    # VTK counts rows from below.
+    return to_array(picture)[0, ::-1].copy()
 
 
 def capture(window):
@@ -163,31 +142,3 @@ def picture_size(size):
             f"size: expected width and height from 1 to {LARGEST_SIDE} pixels, found {size!r}"
         )
     return width, height
-
-
-def turn_camera(camera, center, view, azimuth, elevation):
-    """Puts the eye at a side of the volume, 1 mm from its middle."""
-    towards_eye, up = VIEWS[view]
-    camera.SetFocalPoint(center)
-    camera.SetPosition(numpy.add(center, towards_eye))
-    camera.SetViewUp(up)
-    camera.Azimuth(number("azimuth", azimuth, -36000, 36000))
-    camera.Elevation(number("elevation", elevation, -89, 89))
-    camera.OrthogonalizeViewUp()
-
-
-def fit_camera(camera, bounds, aspect, parallel):
-    """Steps back until every corner of the box is in the picture, whose width is aspect heights."""
-    low, high = numpy.reshape(bounds, (3, 2)).T
-    corners = numpy.stack(numpy.meshgrid(*zip(low, high)), axis=-1).reshape(8, 3)
-    matrix = camera.GetViewTransformMatrix()
-    view_from_world = [[matrix.GetElement(row, column) for column in range(3)] for row in range(3)]
-    right, above, nearer = view_from_world @ (corners - (low + high) / 2).T
-    half_height = numpy.maximum(abs(above), abs(right) / aspect)
-    tangent = math.tan(math.radians(camera.GetViewAngle()) / 2)
-    distance = max(nearer + half_height / tangent)
-    camera.SetPosition(
-        numpy.subtract(camera.GetFocalPoint(), distance * numpy.array(camera.GetDirectionOfProjection()))
-    )
-    camera.SetParallelProjection(parallel)
-    camera.SetParallelScale(max(half_height))
