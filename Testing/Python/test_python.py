@@ -4,11 +4,13 @@
 Usage: test_python.py CASE [VARIMARCH]
 """
 
+import json
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
+import threading
 import warnings
 
 import numpy
@@ -136,6 +138,7 @@ def what_is_wrong_is_one_sentence(folder):
         (ValueError, "rising", lambda: varimarch.render(good, opacity=[(1, 0), (0, 1)])),
         (ValueError, "found 2", lambda: varimarch.render(good, opacity=[(1, 2)])),
         (ValueError, "list of", lambda: varimarch.render(good, opacity=0.5)),
+        (ValueError, "10000", lambda: varimarch.render(good, opacity=[(1, 1)] * 10001)),
         (ValueError, "browm", lambda: varimarch.render(good, color="browm")),
         (ValueError, "zoom", lambda: varimarch.render(good, zoom=0)),
         (ValueError, "elevation", lambda: varimarch.render(good, elevation=90)),
@@ -175,6 +178,24 @@ def warnings_are_python_warnings(_folder):
         varimarch.render(ball(), color="white", opacity=spikes, shade=False, error_tolerance=1e-6,
                          **SMALL)
     assert caught and all(str(warning.message)[0].isupper() for warning in caught), caught
+
+
+def other_threads_run_while_it_renders(_folder):
+    """Python never switches threads by itself here, so the other one runs if render() lets it."""
+    image = varimarch.to_image(ball())
+    scene = json.dumps({"look": varimarch.looks.look_of("ct-bone", image), "size": [64, 64]})
+    start, runs = threading.Semaphore(0), []
+
+    def run():
+        while True:
+            start.acquire()
+            runs.append(True)
+
+    threading.Thread(target=run, daemon=True).start()
+    sys.setswitchinterval(1000)
+    start.release()
+    varimarch.pictures._scene.render(image, scene)
+    assert runs, "the other thread waited"
 
 
 def classes_work_in_a_pipeline(_folder):
