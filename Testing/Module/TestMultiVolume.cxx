@@ -388,7 +388,7 @@ TEST(MultiVolume, UnsupportedSettingsAreLeftToVtksMapper)
   scene.mapper->CroppingOn();
   scene.Draw();
   EXPECT_STREQ(
-    scene.mapper->GetReasonForVtkMapper(), "Volumes that overlap are not drawn with cropping");
+    scene.mapper->GetReasonForVtkMapper(), "Overlapping volumes cannot be drawn with cropping");
   scene.mapper->CroppingOff();
   scene.Draw();
   EXPECT_STREQ(scene.mapper->GetReasonForVtkMapper(), "");

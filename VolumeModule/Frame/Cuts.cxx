@@ -20,7 +20,7 @@ namespace
 constexpr int SubVolume = 0x2000; // the region in the middle
 constexpr int AllRegions = 0x7ffffff;
 
-// A plane of another space in the grid's, scaled so that floats can hold it.
+// Transforms a plane to grid space and scales it so that floats can hold it.
 glm::dvec4 PlaneInGrid(glm::dvec4 plane, const glm::dmat4& spaceFromGrid)
 {
   const glm::dvec4 planeGrid = plane * spaceFromGrid;
@@ -28,7 +28,7 @@ glm::dvec4 PlaneInGrid(glm::dvec4 plane, const glm::dmat4& spaceFromGrid)
   return size > 0.0 ? planeGrid / size : planeGrid;
 }
 
-// The axis that a plane is perpendicular to; none where it is oblique.
+// The axis that a plane is perpendicular to; none if the plane is oblique.
 std::optional<int> AxisOf(const glm::dvec4& plane)
 {
   constexpr double rounding = 1e-12; // the error of the products that made the unit normal

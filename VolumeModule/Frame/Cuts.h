@@ -14,29 +14,30 @@ class vtkVolumeMapper;
 namespace varimarch
 {
 
-/// Cropping by flags: six planes make 27 regions, of which some are drawn.
+/// Cropping by flags: six planes divide the volume into 27 regions, some of which are drawn.
 struct CroppingRegions
 {
-  /// The lower and upper planes of x, y and z of the data; dot(plane, (position, 1)) >= 0 beyond
-  /// one.
+  /// The lower and upper planes along x, y and z of the data. Positions above a plane have
+  /// dot(plane, (position, 1)) >= 0.
   std::array<glm::dvec4, 6> planesGrid;
-  int drawn; ///< Bit x + 3 y + 9 z; 0 below, 1 between, 2 above the planes of an axis.
+  /// Bit x + 3 y + 9 z is set for a drawn region: 0 is below, 1 between and 2 above the planes.
+  int drawn;
 };
 
-/// The part of a volume's box that clipping planes and cropping leave [grid space]. It is exact:
-/// rays are cut, and no sample is ever tested.
+/// The part of a volume's box that clipping planes and cropping leave [grid space]. It is exact,
+/// because rays are cut at the planes; samples are not tested one by one.
 struct Cuts
 {
-  Box boxGrid;                            ///< Cuts along the axes of the grid make it smaller.
-  std::vector<glm::dvec4> planesGrid;     ///< Other cuts; dot(plane, (position, 1)) >= 0 is left.
-  std::optional<CroppingRegions> regions; ///< Nothing if the regions are one box.
+  Box boxGrid;                            ///< The box, reduced by cuts along the grid's axes.
+  std::vector<glm::dvec4> planesGrid;     ///< Other cuts, which keep dot(plane, (p, 1)) >= 0.
+  std::optional<CroppingRegions> regions; ///< Empty if the regions form one box.
 
-  /// Everything that an image depends on.
+  /// All numbers that an image depends on.
   std::vector<double> Numbers() const;
 };
 
-/// Clipping planes are in the world, cropping planes in coordinates of the data: with the image's
-/// origin, spacing and direction, without the volume's matrix.
+/// The cuts of a mapper. Clipping planes are in world space, cropping planes in data coordinates:
+/// these have the image's origin, spacing and direction, but not the volume's matrix.
 /// @param keepPlanes  true if clipping planes along the axes of the grid stay planes
 Cuts CutsOf(vtkVolumeMapper* mapper, const VolumeGeometry& geometry, bool keepPlanes);
 

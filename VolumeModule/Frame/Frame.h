@@ -25,7 +25,7 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// Where a frame is drawn. The objects belong to the caller.
+/// The window, renderer and pixels that a frame is drawn to. The objects belong to the caller.
 struct FrameView
 {
   vtkOpenGLRenderWindow* window = nullptr;
@@ -34,67 +34,68 @@ struct FrameView
   Viewport viewport = {};    ///< The pixels of the framebuffer.
 };
 
-/// The look of a volume's values, beside the choices in RenderSettings.
+/// The look of a volume's values, apart from the choices in RenderSettings.
 struct MaterialRequest
 {
   vtkVolumeProperty* property = nullptr;
   double labelBlend = 0.0;       ///< The weight of the functions of labels, [0, 1].
   std::vector<double> isovalues; ///< The values of isosurfaces, ascending.
-  int surfaceComponent = 0;      ///< The component of the array that isosurfaces are drawn of.
-  double dampingGradient = 0.0;  ///< Shading fades below it [units of data per mean spacing].
+  int surfaceComponent = 0;      ///< The component of the array that has the isosurfaces.
+  /// The gradient below which shading fades [units of data per mean spacing].
+  double dampingGradient = 0.0;
   SliceSurface slice = {};
-  std::array<double, 2> averagedRange = {}; ///< The scalars that count in an average.
+  std::array<double, 2> averagedRange = {}; ///< The range of scalars that count in an average.
   /// Colour and extinction [1/mm] of cells without a value.
   glm::dvec4 gapOptical = glm::dvec4(0.0);
 };
 
-/// How exact a frame is to be.
+/// The required accuracy of a frame.
 struct QualityRequest
 {
   ErrorBudget budget;
   bool choosesIntegration = false; ///< True if a trial may choose the integration rule.
-  double sampleDistanceMm = 0.0;   ///< The distance of samples where no tolerance chooses it.
+  double sampleDistanceMm = 0.0;   ///< The sample distance, unless a tolerance chooses it.
   double variationTolerance = 0.0; ///< The scalar field's tolerance; negative: from the range.
-  double earlyTerminationTransmittance = 0.0; ///< A ray ends at this transmittance.
+  double earlyTerminationTransmittance = 0.0; ///< The transmittance at which a ray ends.
 };
 
-/// The image that is made of the rays.
+/// The image that is made from the rays.
 struct ImageRequest
 {
   glm::dvec2 windowScaleBias = glm::dvec2(1.0, 0.0); ///< Window and level of colours.
-  double sampleDistance = 1.0;                       ///< The distance of rays [pixels].
-  /// The shortest and the longest distance of rays [pixels] while a user interacts.
+  double sampleDistance = 1.0;                       ///< The distance between rays [pixels].
+  /// The shortest and the longest distance between rays [pixels] while a user interacts.
   std::array<double, 2> interactiveSampleDistances = { 1.0, 1.0 };
   bool toImages = false;   ///< True if colours and depths go to images, not into the window.
-  bool clampDepth = false; ///< True if the image of depths has the back face where rays are clear.
+  bool clampDepth = false; ///< True if clear rays get the depth of the volume's back face.
 };
 
-/// How images of a scene that stays as it is are accumulated.
+/// The accumulation of images of a scene that does not change.
 struct AccumulationRequest
 {
-  int mostImages = 0;              ///< The mean is of at most this many; 0: none is kept.
+  int mostImages = 0;              ///< The number of images in the mean; 0: no accumulation.
   double longestPartSeconds = 0.0; ///< The time for a part of an image; 0: it is drawn at once.
-  std::vector<double> fingerprint; ///< Everything that the image depends on, if any is kept.
+  std::vector<double> fingerprint; ///< See Fingerprint; empty if nothing is accumulated.
 };
 
-/// The means that may be used to draw a frame.
+/// The memory and the processors that may be used to draw a frame.
 struct DeviceRequest
 {
-  std::size_t mostMemoryBytes = 0;  ///< The graphics memory that may be used; 0: all there is.
-  bool mayMarchOnProcessor = false; ///< True if packets may march where OpenGL is software.
+  std::size_t mostMemoryBytes = 0;  ///< The graphics memory that may be used; 0: no limit.
+  bool mayMarchOnProcessor = false; ///< True if packets may march when OpenGL is software.
 };
 
-/// A request: one volume in one renderer, or the first of several that overlap. BuildFrame checks
-/// the input of a mapper and collects here everything that an image depends on, as plain data.
-/// Nothing is decided here about how the rays are marched, and nothing changes afterwards: those
-/// decisions are in MarchPlan.
+/// A request to draw one volume in one renderer, or the first of several that overlap. BuildFrame
+/// checks the input of a mapper and collects here everything that an image depends on, as plain
+/// data. A frame does not change once it is built; MarchPlan holds the decisions on how its rays
+/// are marched.
 struct Frame
 {
   FrameView view;
   VoxelInput voxels;
   VolumeGeometry geometry;
   Cuts cuts;
-  RenderSettings settings; ///< The choices of the recipe that the request makes.
+  RenderSettings settings; ///< The part of the recipe that the request determines.
   MaterialRequest material;
   QualityRequest quality;
   ImageRequest image;
@@ -103,8 +104,8 @@ struct Frame
   UserShaderCode userCode;
   DeviceRequest device;
 
-  /// The volumes that overlap with this one in the same image. View, image, pass and plan are those
-  /// of the first volume; input, material, geometry and settings are their own.
+  /// The volumes that overlap with this one in the same image. They share view, image, pass and
+  /// plan with the first volume, and have input, material, geometry and settings of their own.
   std::vector<Frame> others;
 };
 

@@ -41,13 +41,13 @@ bool HasOpaqueGeometry(vtkRenderer* renderer)
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    // vtkVolume does not override HasOpaqueGeometry, whose default is yes.
+    // vtkVolume does not override HasOpaqueGeometry, which returns true by default.
     if (prop->GetVisibility() && !vtkVolume::SafeDownCast(prop) && prop->HasOpaqueGeometry())
     {
       return true;
     }
   }
-  // Another renderer's geometry, in a layer below this one.
+  // A preserved depth buffer has the geometry of a renderer in a lower layer.
   return renderer->GetPreserveDepthBuffer() != 0;
 }
 
@@ -78,16 +78,16 @@ Blend BlendOf(int blendMode)
 Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings)
 {
   const bool one = settings.components == Components::One;
-  // A walk from voxel to voxel does not count the length that it leaves out.
+  // A walk from voxel to voxel cannot add up the lengths that it skips.
   const bool sums = IsProjection(settings.blend) && !settings.nearest;
   switch (accelerationMode)
   {
     case vtkVariationFieldVolumeMapper::ScalarField:
-      // Where values are not sampled, their variation says nothing; nor does it of several scalars.
+      // The scalar field describes interpolated values of one component only.
       return one && IsSampled(settings) ? Acceleration::ScalarField : Acceleration::Off;
     case vtkVariationFieldVolumeMapper::OpticalField:
-      // A projection of several components is one of each, so that a brick could be left only where
-      // that changes none of them. A slice is read but once.
+      // A projection of several components has a result for each of them, and a brick could be
+      // skipped only if it changed none. A slice is sampled only once per ray.
       return settings.blend == Blend::Composite || settings.blend == Blend::Isosurface ||
           (one && (IsExtreme(settings.blend) || sums))
         ? Acceleration::OpticalField
@@ -131,7 +131,7 @@ glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistance
   return glm::dvec4(material.Color(0.0), extinction);
 }
 
-// The budget counts for the image that has one: with distances that the user sets there is none.
+// Only an image with a tolerance has a budget; if the user sets the sample distance, it has none.
 ErrorBudget BudgetOf(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
 {
   ErrorBudget budget;
@@ -159,7 +159,7 @@ void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   if (quality.choosesIntegration && MarchesMaterial(frame.settings) &&
     quality.budget.StepTolerance() == 0.0)
   {
-    // At the short steps that nobody has tried out, this rule has the smaller error.
+    // No trial chooses these short steps, at which this rule has the smaller error.
     frame.settings.integration = Integration::PreIntegrated;
   }
 }
@@ -195,7 +195,7 @@ vtkUnsignedCharArray* FlagsIn(vtkUnsignedCharArray* flags)
   return flags && flags->GetNumberOfTuples() > 0 && flags->GetRange()[1] > 0.0 ? flags : nullptr;
 }
 
-// The finite isovalues, ascending and without repetition.
+// The finite isovalues, ascending and without duplicates.
 std::vector<double> IsovaluesOf(vtkVolumeProperty* property)
 {
   vtkContourValues* const contours = property->GetIsoSurfaceValues();
@@ -232,7 +232,7 @@ bool ChooseSurfaces(Frame& frame)
   return true;
 }
 
-// Chooses the places of voxels, and those that are left out.
+// Chooses the positions of the voxels, and the blanked ones.
 void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
 {
   frame.voxels.axes = input.Axes(frame.settings.nearest);
@@ -263,7 +263,7 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
   frame.settings.uneven = true;
   if (frame.settings.acceleration == Acceleration::ScalarField)
   {
-    frame.settings.acceleration = Acceleration::Off; // it is of cells of an even grid
+    frame.settings.acceleration = Acceleration::Off; // fields need cells of equal size
   }
 }
 
@@ -277,14 +277,14 @@ void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.settings.cropping = frame.cuts.regions.has_value();
 }
 
-// If some scalars do not count in an average, the length of a ray through them does not count
-// either: the ray must then be sampled even where it is invisible.
+// The length of a ray through scalars that do not count in an average does not count either, so
+// such a ray must be sampled even where it is invisible.
 void ChooseAveraged(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   const double* averaged = mapper->GetAverageIPScalarRange();
   frame.material.averagedRange = { averaged[0], averaged[1] };
   const double* scalars = frame.voxels.scalars->GetFiniteRange();
-  // A spline goes beyond its voxels, by less than these differ.
+  // A spline exceeds the range of its voxels by less than the width of that range.
   const double beyond = frame.settings.cubic ? scalars[1] - scalars[0] : 0.0;
   const bool allCount = averaged[0] <= scalars[0] - beyond && scalars[1] + beyond <= averaged[1];
   if (frame.settings.blend == Blend::AverageIntensity && !allCount &&
@@ -371,11 +371,12 @@ std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* vo
   std::string missing;
   if (twoValues)
   {
-    missing += "Transfer functions of two values are supported for composites of one component. ";
+    missing +=
+      "Transfer functions of two values are supported only for composites of one component. ";
   }
   if (labels)
   {
-    missing += "Label maps are supported for volumes of one component. ";
+    missing += "Label maps are supported only for volumes of one component. ";
   }
   return missing + MissingShaderCode(volume);
 }

@@ -13,17 +13,17 @@ class vtkVolume;
 namespace varimarch
 {
 
-/// Collects what a mapper is asked to draw, with its present settings. Returns nothing if the input
-/// is empty.
-/// @throws std::runtime_error a sentence, if the input cannot be drawn
+/// Collects the input and the present settings of a mapper. Returns nothing if the input is empty.
+/// @throws std::runtime_error with a sentence for the user, if the input cannot be drawn
 std::optional<Frame> BuildFrame(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/// Sentences about the requested features that an image would lack, each followed by a space. Empty
-/// if the image would have all of them.
+/// Sentences that name the requested features which an image would lack, each followed by a space.
+/// Empty if the image would have all of them.
 std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume);
 
-/// Sentences about why a request cannot be drawn, or not with all of its features. Empty if it can.
+/// Sentences that say why a request cannot be drawn, or not with all of its features. Empty if it
+/// can.
 std::string UnsupportedFeature(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 

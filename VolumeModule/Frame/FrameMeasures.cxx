@@ -58,19 +58,20 @@ double ShortestSampleDistanceMm(const Frame& frame, Marcher marcher)
     frame, [](const VolumeGeometry& geometry) { return geometry.ShortestSampleDistanceMm(); });
   if (marcher == Marcher::Processor)
   {
-    // Nothing limits its loops, but with more samples rounding would decide where they lie.
+    // Its loops have no limit, but with more samples rounding would decide where samples lie.
     constexpr double TimesAsMany = 4.0;
     return sumMm / TimesAsMany;
   }
-  // Rounds of a shader's loops per segment: three for one volume; for several volumes two, and two
-  // more for each of them. A lit volume is searched for visible samples by a loop in which pixels
-  // wait for each other: that took five rounds in some images, and may take more in others.
-  constexpr double RoundsOfOne = 3.0;
-  constexpr double RoundsOfLit = 6.0;
+  // Iterations of a shader's loops per segment: three for one volume; for several volumes two, plus
+  // two for each of them. In a lit volume, the loop that searches for visible samples makes pixels
+  // wait for each other: it took five iterations in some images, and may take more in others.
+  constexpr double IterationsOfOne = 3.0;
+  constexpr double IterationsOfLit = 6.0;
   const bool isLit = MarchesMaterial(frame.settings);
   const double volumes = 1.0 + double(frame.others.size());
-  const double rounds = volumes > 1.0 ? 2.0 + 2.0 * volumes : (isLit ? RoundsOfLit : RoundsOfOne);
-  return sumMm * rounds / RoundsOfOne;
+  const double iterations =
+    volumes > 1.0 ? 2.0 + 2.0 * volumes : (isLit ? IterationsOfLit : IterationsOfOne);
+  return sumMm * iterations / IterationsOfOne;
 }
 
 int MostSegments(const Frame& frame, double sampleDistanceMm)

@@ -14,15 +14,16 @@ namespace varimarch
 namespace
 {
 
-// Colours from level - window / 2 to level + window / 2 become 0 to 1; a negative window reverses.
+// Maps colours from level - window / 2 to level + window / 2 to [0, 1]; a negative window inverts.
 glm::dvec2 WindowScaleBias(double window, double level)
 {
-  constexpr double Narrowest = 1e-6; // a narrower window would have no two floats in it
+  constexpr double Narrowest = 1e-6; // a narrower window would not contain two floats
   const double width = std::copysign(std::max(std::abs(window), Narrowest), window);
   return { 1.0 / width, 0.5 - level / width };
 }
 
-// Whoever observes shaders may set uniforms that no fingerprint knows: then nothing is accumulated.
+// An observer of the shader may set uniforms that are not part of the fingerprint, so nothing is
+// accumulated then.
 void ChooseAccumulation(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   const bool shaderIsObserved = mapper->HasObserver(vtkCommand::UpdateShaderEvent) != 0;
@@ -58,7 +59,7 @@ void ApplyImageSettings(
   ChooseAccumulation(mapper, frame);
   if (Peels(frame.pass.kind))
   {
-    // The pass has a framebuffer of its own, and knows the depth of opaque geometry.
+    // The pass has its own framebuffer, and has the depth of opaque geometry.
     frame.view.viewport = { 0, 0, frame.view.viewport.width, frame.view.viewport.height };
     frame.settings.sceneGeometry = false;
   }

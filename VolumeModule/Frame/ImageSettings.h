@@ -8,8 +8,8 @@ class vtkVariationFieldVolumeMapper;
 namespace varimarch
 {
 
-/// Takes the settings of the image from a mapper: window and level, the distance of rays and their
-/// noise, the requested pass, accumulation, and the user's shader code.
+/// Takes the settings of the image from a mapper: window and level, the distance between rays and
+/// their jitter, the requested pass, accumulation, and the user's shader code.
 void ApplyImageSettings(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, Frame& frame);
 

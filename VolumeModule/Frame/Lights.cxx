@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-// A cone as wide as this is none, as in OpenGL.
+// A cone this wide does not limit the light, as in OpenGL.
 constexpr double WidestConeDegrees = 90.0;
 constexpr double NoCone = -2.0; // less than any cosine
 

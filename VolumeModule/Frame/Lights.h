@@ -18,23 +18,23 @@ struct HeadLightColors
   glm::dvec3 specular = glm::dvec3(0.0);
 };
 
-/// The plain head lights of the renderer that are switched on, as one light.
+/// The sum of the renderer's plain head lights that are switched on.
 HeadLightColors HeadLightColorsOf(vtkRenderer* renderer);
 
-/// True if the only light is a head light that shines on both sides of surfaces. This usual case
-/// has a shader that does less.
+/// True if the only light is a head light that lights both sides of surfaces. This usual case has
+/// a shorter shader.
 bool HasHeadLightOnly(vtkRenderer* renderer);
 
-/// The light that multiplies the ambient coefficient: as in VTK the sum of the lights' ambient
-/// colours, which are black by default, but white if there are head lights only.
+/// The light that multiplies the ambient coefficient. As in VTK, it is the sum of the lights'
+/// ambient colours, which are black by default, but white if all lights are head lights.
 glm::dvec3 AmbientLightOf(vtkRenderer* renderer);
 
-/// The other lights that are switched on, in the world, as Shaders/Shade/Lights.glsl reads them.
-/// The texels are never empty.
+/// The other lights that are switched on, in world space, in the layout of
+/// Shaders/Shade/Lights.glsl. The texels are never empty.
 struct LightTexels
 {
-  int distantCount = 0; ///< Lights that shine from one direction; they come first.
-  int nearCount = 0;
+  int distantCount = 0; ///< The number of lights at infinity, which come first.
+  int nearCount = 0;    ///< The number of lights with a position.
   std::vector<glm::vec4> texels;
 };
 

@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-// The scalars to draw. Throws a sentence about what is wrong with the input.
+// The scalars to draw. Throws std::runtime_error with what is wrong with the input.
 vtkDataArray* CheckedScalars(vtkDataSet* data, vtkDataArray* scalars, int cellFlag)
 {
   if (!scalars)

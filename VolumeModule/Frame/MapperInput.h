@@ -19,18 +19,18 @@ struct MapperInput
 {
   vtkDataSet* data; ///< An image or a rectilinear grid.
   vtkDataArray* scalars;
-  VoxelPlace place; ///< The points or the cells, whichever have the scalars.
+  VoxelPlace place; ///< Points or cells, whichever have the scalars.
 
   glm::ivec3 PointCount() const;
 
   VolumeGeometry Geometry(vtkVolume* volume, const std::vector<UnevenAxis>& axes) const;
 
-  /// The axes of a rectilinear grid; none for an image.
+  /// The axes of a rectilinear grid; empty for an image.
   std::vector<UnevenAxis> Axes(bool nearest) const;
 };
 
 /// The input of a port; nothing if it is empty.
-/// @throws std::runtime_error a sentence, if the input cannot be drawn
+/// @throws std::runtime_error with a sentence for the user, if the input cannot be drawn
 std::optional<MapperInput> InputOf(vtkVolumeMapper* mapper, int port = 0);
 
 }

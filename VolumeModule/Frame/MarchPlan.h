@@ -13,35 +13,34 @@
 namespace varimarch
 {
 
-/// Properties of a volume that its resources have found.
+/// Properties of a volume that are known once its resources are updated.
 struct VolumeFindings
 {
-  bool skipsBricks = true; ///< True if the field has enough bricks that rays can cross in one step.
-  bool hasGaps = false;    ///< True if cells are left out.
+  bool skipsBricks = true; ///< True if rays can skip enough bricks for the field to pay.
+  bool hasGaps = false;    ///< True if some cells have no value.
 };
 
-/// Decisions about a frame that are made after it is built. The frame itself stays as it was asked
-/// for.
+/// Decisions about a frame that are made after it is built. The frame itself does not change.
 struct MarchPlan
 {
   Marcher marcher = Marcher::Device;
   Integration integration = Integration::Midpoint;
   bool choosesIntegration = false;  ///< True if a trial may still change the integration rule.
-  bool triesPreIntegration = false; ///< True if there is memory for a pre-integrated table.
+  bool triesPreIntegration = false; ///< True if memory suffices for a pre-integrated table.
   ErrorBudget budget;
   double sampleDistanceMm = 0.0;
-  double imageSampleDistance = 1.0;    ///< The distance of rays [pixels].
-  int mostAccumulated = 0;             ///< The images that are accumulated at most; 0: none is.
-  std::vector<VolumeFindings> volumes; ///< One for the first volume and for each of the others.
+  double imageSampleDistance = 1.0;    ///< The distance between rays [pixels].
+  int mostAccumulated = 0;             ///< The number of images in the mean; 0: no accumulation.
+  std::vector<VolumeFindings> volumes; ///< One entry for the first volume and each of the others.
 
   // One drawing of the image, or of a part of it.
   RayPass pass = RayPass::Whole;
   ShaderRole role = ShaderRole::MarchRays;
   Viewport viewport = {};
-  glm::dvec2 rayOffsetPixels = glm::dvec2(0.0); ///< The place of a ray from its pixel's middle.
-  bool addsUp = false;  ///< True if the colours are added to what the framebuffer holds.
-  bool isTrial = false; ///< True while steps are tried out, for which fetches are not counted.
-  bool isLit = true;    ///< False while opacities are tried out, which do not depend on light.
+  glm::dvec2 rayOffsetPixels = glm::dvec2(0.0); ///< The offset of rays from their pixels' centres.
+  bool addsUp = false;  ///< True if the colours are added to those in the framebuffer.
+  bool isTrial = false; ///< True for a trial image, in which fetches are not counted.
+  bool isLit = true;    ///< False for a trial of opacities, which do not depend on light.
 
   /// The plan of another drawing of the same image.
   MarchPlan WithPass(RayPass otherPass) const;
@@ -49,23 +48,23 @@ struct MarchPlan
   MarchPlan WithViewport(const Viewport& otherViewport) const;
 };
 
-/// The rays of a trial image for a frame of this size: enough to show the 99.9th percentile of an
-/// error, in two tiles of a software rasteriser, so that two cores share the work.
+/// The rays of a trial image for a frame of this size: enough to estimate the 99.9th percentile of
+/// an error, in two tiles of a software rasteriser, so that two cores share the work.
 Viewport TrialPixels(const Viewport& frame);
 
-/// The plan that a frame begins with, before anything is known of its volumes.
-/// @param quality  how coarse the image may be while a user interacts; none where nobody waits
+/// The initial plan of a frame, before the resources of its volumes are known.
+/// @param quality  the quality of the image while a user interacts; none for a still image
 MarchPlan PlanOf(const Frame& frame, const std::optional<PictureQuality>& quality);
 
-/// One volume of a frame, as its plan has it marched.
+/// The march of one volume of a frame.
 struct VolumeMarch
 {
-  const Frame& frame; ///< The frame of the volume, which may be one of another's `others`.
+  const Frame& frame; ///< The frame of the volume, possibly one of another frame's `others`.
   MarchPlan plan;
-  RenderSettings settings; ///< The recipe: what the frame asks for and the plan decides.
+  RenderSettings settings; ///< The complete recipe, from the frame and the plan.
 };
 
-/// The march of the first volume, whose settings have those of the others in them.
+/// The march of the first volume. Its settings contain those of the others.
 VolumeMarch MarchOf(const Frame& frame, const MarchPlan& plan);
 
 /// The march of a volume that overlaps with the first.

@@ -20,7 +20,7 @@ namespace varimarch
 namespace
 {
 
-// The kind of an array's components. Throws a sentence if they cannot be drawn.
+// The kind of an array's components. Throws std::runtime_error if they cannot be drawn.
 Components ComponentsOf(const std::string& name, int count, bool independent)
 {
   if (count < 1 || count > 4)
@@ -43,7 +43,7 @@ Components ComponentsOf(const std::string& name, int count, bool independent)
                      : Components::Rgba;
 }
 
-// Transfer functions of two values are for composites of one component.
+// Only composites of one component have transfer functions of two values.
 FunctionOf FunctionOfMapper(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property,
   const RenderSettings& settings)
 {
@@ -89,7 +89,7 @@ MaskVoxels MaskVoxelsOf(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty
   return mask;
 }
 
-// The second value of a transfer function of two.
+// The component that has the second value of a transfer function of two values.
 VoxelComponent SecondComponent(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data)
 {
   const std::string name = mapper->GetTransfer2DYAxisArray();
@@ -97,7 +97,7 @@ VoxelComponent SecondComponent(vtkVariationFieldVolumeMapper* mapper, vtkDataSet
   if (!second || second->GetNumberOfComponents() != 1)
   {
     throw std::runtime_error("The second value of the transfer function, array \"" + name +
-      "\", is not there with one component of point data");
+      "\", is missing: expected point data with one component");
   }
   return { second, 0 };
 }
@@ -147,8 +147,7 @@ void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame
     if (frame.voxels.components.back().array->GetNumberOfTuples() !=
       frame.voxels.scalars->GetNumberOfTuples())
     {
-      throw std::runtime_error("The second value of the transfer function has another number of "
-                               "values than the first");
+      throw std::runtime_error("The arrays of the transfer function's two values differ in length");
     }
     frame.voxels.time =
       std::max(frame.voxels.time, frame.voxels.components.back().array->GetMTime());

@@ -11,18 +11,18 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// Chooses the settings that depend on components, transfer functions and mask. The blend mode is
-/// already chosen.
-/// @throws std::runtime_error a sentence, if the components cannot be drawn
+/// Chooses the settings that depend on components, transfer functions and mask. Requires the blend
+/// mode.
+/// @throws std::runtime_error with a sentence for the user, if the components cannot be drawn
 void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property,
   vtkDataArray* scalars, RenderSettings& settings);
 
-/// Chooses the components and the mask of a frame whose settings are chosen.
-/// @throws std::runtime_error a sentence, if one of them is missing
+/// Chooses the components and the mask of a frame. Requires its settings.
+/// @throws std::runtime_error with a sentence for the user, if one of them is missing
 void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame& frame);
 
-/// Leaves one component for isosurfaces: as in VTK the first with the largest weight.
-/// @throws std::runtime_error a sentence, if the components depend on each other
+/// Chooses the component of isosurfaces: as in VTK, the first one with the largest weight.
+/// @throws std::runtime_error with a sentence for the user, if the components depend on each other
 void ChooseSurfaceComponent(Frame& frame);
 
 }

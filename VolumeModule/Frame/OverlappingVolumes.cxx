@@ -22,32 +22,32 @@ struct Exclusion
   const char* name;
 };
 
-// Throws a sentence if a feature is asked for that overlapping volumes do not have.
+// Throws std::runtime_error if a feature is requested that overlapping volumes do not have.
 void CheckTogether(const Frame& frame, vtkVariationFieldVolumeMapper* mapper)
 {
   const RenderSettings& settings = frame.settings;
   const Exclusion exclusions[] = {
-    { settings.blend != Blend::Composite, "another blend mode than composite" },
+    { settings.blend != Blend::Composite, "a blend mode other than composite" },
     { settings.mask != Mask::None, "a mask" },
     { mapper->GetCropping() != 0, "cropping" },
-    { settings.clippedGradients, "cuts that are seen as surfaces" },
+    { settings.clippedGradients, "cuts drawn as surfaces" },
     { frame.voxels.blanking.Any(), "blanked voxels" },
-    { !frame.userCode.IsEmpty(), "code of one's own in the shader" },
-    { settings.countFetches, "counts of fetches" },
-    { settings.pass == RayPass::PickVoxel, "a selection of their voxels" },
-    { frame.image.toImages, "an image of their depth" },
+    { !frame.userCode.IsEmpty(), "user shader code" },
+    { settings.countFetches, "fetch counts" },
+    { settings.pass == RayPass::PickVoxel, "a selection of points or cells" },
+    { frame.image.toImages, "a depth image" },
   };
   for (const Exclusion& exclusion : exclusions)
   {
     if (exclusion.isUsed)
     {
       throw std::runtime_error(
-        std::string("Volumes that overlap are not drawn with ") + exclusion.name);
+        std::string("Overlapping volumes cannot be drawn with ") + exclusion.name);
     }
   }
 }
 
-// The first volume has what belongs to the image.
+// The settings of the image are those of the first volume.
 void JoinTo(Frame& first, Frame other)
 {
   first.quality.budget.isSampled |= other.quality.budget.isSampled;
@@ -91,7 +91,7 @@ Frame JoinFrames(std::vector<Frame> frames, vtkVariationFieldVolumeMapper* mappe
     frame.quality.choosesIntegration = false;
   }
   Frame first = std::move(frames.front());
-  // Shaders cut all volumes by the planes of the first, so none of them becomes a smaller box.
+  // Shaders cut all volumes by the planes of the first, so these planes must not reduce its box.
   first.cuts = CutsOf(mapper, first.geometry, true);
   first.settings.clipping = !first.cuts.planesGrid.empty();
   double sampleDistanceMm = first.quality.sampleDistanceMm;
@@ -100,7 +100,7 @@ Frame JoinFrames(std::vector<Frame> frames, vtkVariationFieldVolumeMapper* mappe
     sampleDistanceMm = std::min(sampleDistanceMm, frames[i].quality.sampleDistanceMm);
     JoinTo(first, std::move(frames[i]));
   }
-  // If nothing is sampled, the steps are the faces of voxels.
+  // Without interpolation a ray steps from voxel face to voxel face.
   first.quality.sampleDistanceMm =
     IsSampled(first.settings) ? sampleDistanceMm : LongestRayMm(first);
   return first;

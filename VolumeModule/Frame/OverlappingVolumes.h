@@ -18,13 +18,13 @@ struct VolumeOfPort
   vtkVolume* volume;
 };
 
-/// The volumes of a vtkMultiVolume whose ports have an input. Any other prop is its own only
-/// volume, with the first input.
+/// The volumes of a vtkMultiVolume whose ports have an input. Any other prop counts as one volume,
+/// at the first port.
 std::vector<VolumeOfPort> VolumesOfPorts(vtkVariationFieldVolumeMapper* mapper, vtkVolume* prop);
 
-/// One frame for several volumes that overlap: that of the first, with the others in it.
-/// @param frames  one for each volume, more than one
-/// @throws std::runtime_error a sentence, if they cannot be drawn together
+/// Joins the frames of several volumes that overlap: the first, with the others as its members.
+/// @param frames  one for each volume, at least two
+/// @throws std::runtime_error with a sentence for the user, if they cannot be drawn together
 Frame JoinFrames(std::vector<Frame> frames, vtkVariationFieldVolumeMapper* mapper);
 
 }

@@ -13,8 +13,8 @@ namespace varimarch
 namespace
 {
 
-// Samples between two nodes of a colour space that is not linear RGB: with so many, linear RGB
-// follows the curve to well below what a display can show.
+// Samples between two nodes of a colour space other than linear RGB. With this many, linear RGB
+// follows the curve to well below the resolution of a display.
 constexpr int SamplesBetweenNodes = 64;
 
 // A curve that is not clamped is 0 beyond its ends.
@@ -116,7 +116,7 @@ TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function)
 
 unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property, int component)
 {
-  // A function that takes another's place may be older than the other.
+  // A function may be older than the one it replaces, so the time of the replacement counts too.
   const bool isGray = property->GetColorChannels(component) == 1;
   const unsigned long colorTime = isGray
     ? std::max(property->GetGrayTransferFunction(component)->GetMTime(),

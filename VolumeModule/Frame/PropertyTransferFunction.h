@@ -13,23 +13,23 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// The transfer function that a property's curves for a component describe, exactly:
-/// VTK's nodes with midpoint and sharpness, its gray or colour channel, and clamping off as a step
-/// to nothing. A colour function in another space than linear RGB is sampled finely between nodes.
+/// The transfer function that a property's curves describe for a component. It is exact: it has
+/// VTK's midpoints and sharpness, gray or colour nodes, and a step to zero at the ends of a curve
+/// without clamping. Only colour spaces other than linear RGB are sampled finely between nodes.
 VARIMARCHVOLUME_EXPORT TransferFunction TransferFunctionOf(
   vtkVolumeProperty* property, int component = 0);
 
-/// The labels of a mask that have curves of their own, ascending. Row i + 1 of the tables is that
-/// of the i-th label; row 0 is that of all other labels.
+/// The labels of a mask that have curves of their own, ascending. Row i + 1 of the tables belongs
+/// to the i-th label, row 0 to all other labels.
 std::vector<int> LabelsOf(vtkVolumeProperty* property);
 
-/// The transfer function of a label. Where it has no curve of its own, it is that without a label.
+/// The transfer function of a label. A missing curve is replaced by that of unlabelled voxels.
 TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label);
 
-/// A curve of opacities, as VTK has it; without colours.
+/// VTK's opacity curve as a transfer function without colours.
 TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function);
 
-/// When one of those curves changed last.
+/// The time of the last change of a component's curves.
 unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property, int component = 0);
 
 }

@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-// The distance of a volume's middle from the camera; in a parallel projection, along the view.
+// The distance of a volume's centre from the camera; in a parallel projection, along the view.
 double DistanceOf(vtkVolume* volume, vtkCamera* camera)
 {
   double position[3];

@@ -11,12 +11,12 @@ class vtkVolume;
 namespace varimarch
 {
 
-/// The visible volumes of a renderer that vtkVariationFieldVolumeMapper draws, beginning with the
-/// one whose middle is farthest from the camera. Volumes at the same distance keep the order in
-/// which they were added.
+/// The visible volumes of a renderer that vtkVariationFieldVolumeMapper draws, sorted by the
+/// distance of their centres from the camera, farthest first. Volumes at the same distance keep
+/// the order in which they were added.
 std::vector<vtkVolume*> VolumesBackToFront(vtkRenderer* renderer);
 
-/// The time of the last change that may affect their order, or which of them are in view.
+/// The time of the last change that may affect their order or their visibility.
 vtkMTimeType TimeOf(const std::vector<vtkVolume*>& volumes, vtkRenderer* renderer);
 
 }

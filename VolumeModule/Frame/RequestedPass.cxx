@@ -16,9 +16,9 @@ namespace varimarch
 namespace
 {
 
-// The layers that a render pass wants of a volume. It shows by the text that it would insert into a
-// shader, which declares the uniforms that the pass will set. Our shaders declare those uniforms in
-// files of their own, so the text itself is not used.
+// The layers that a render pass needs from a volume. VTK offers no getter, but the text that the
+// pass would insert into a shader declares the uniforms that it will set, and so reveals the layer.
+// Our shaders declare those uniforms in files of their own, so the text itself is not used.
 RayPass PassWantedBy(
   vtkOpenGLRenderPass* renderPass, vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
 {

@@ -14,18 +14,17 @@ namespace varimarch
 /// The least opacity that is selected, as in vtkOpenGLGPUVolumeRayCastMapper.
 constexpr float LeastPickedOpacity = 3.0f / 255.0f;
 
-/// The opacity at which an image of depths has its depth.
+/// The opacity at which an image of depths records the depth of a ray.
 constexpr float LeastDepthOpacity = 1e-3f;
 
-/// The purpose of a drawing: the image, the layers of translucent geometry in it, or a selection.
+/// The purpose of a drawing: the image, a layer between translucent geometry, or a selection.
 struct RequestedPass
 {
   RayPass kind = RayPass::Whole;
-  vtkOpenGLRenderPass* renderPass = nullptr; ///< The pass that peels; null otherwise.
-  float propColor[3] = { 0.0f, 0.0f,
-    0.0f };                 ///< The colour that stands for the volume in a selection.
-  bool picksCells = false;  ///< True if cells are selected, not points.
-  bool highestBits = false; ///< True for the bits of a number above the lowest 24.
+  vtkOpenGLRenderPass* renderPass = nullptr; ///< The pass that peels depths, or null.
+  float propColor[3] = { 0.0f, 0.0f, 0.0f }; ///< The colour of the volume in a selection.
+  bool picksCells = false;                   ///< True if cells are selected, not points.
+  bool highestBits = false;                  ///< True for the bits of an id above the lowest 24.
 };
 
 RequestedPass PassOfVolume(

@@ -71,7 +71,7 @@ Numbers LightsOf(vtkRenderer* renderer)
   return numbers;
 }
 
-// The functions of a property whose changes its own time of modification does not show.
+// The modification times of a property, and of its functions whose changes it does not report.
 Numbers FunctionsOf(vtkVolumeProperty* property)
 {
   Numbers numbers = { TimeOf(property), TimeOf(property->GetSliceFunction()) };
@@ -85,7 +85,7 @@ Numbers FunctionsOf(vtkVolumeProperty* property)
   return numbers;
 }
 
-// The opaque geometry that may end rays, also that of layers below.
+// The opaque geometry that may end rays, including that of lower layers.
 Numbers GeometryOf(vtkOpenGLRenderWindow* window)
 {
   Numbers numbers;

@@ -10,8 +10,8 @@ namespace varimarch
 
 struct Frame;
 
-/// Everything that an image depends on, as numbers and times of modification: images with the same
-/// fingerprint are the same. Code that observes vtkCommand::UpdateShaderEvent is not known here.
+/// Everything that an image depends on, as numbers and modification times: images with the same
+/// fingerprint are equal. Changes by observers of vtkCommand::UpdateShaderEvent are not included.
 std::vector<double> Fingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame);
 
 }

@@ -32,7 +32,7 @@ public:
     }
   }
 
-  /// Reports how many points and cells there are: numbers of more than 24 bits take further passes.
+  /// Reports the numbers of points and cells: ids of more than 24 bits need further passes.
   void ReportCounts(vtkDataSet* input)
   {
     if (this->selector && this->selector->GetCurrentPass() >= vtkHardwareSelector::POINT_ID_LOW24)

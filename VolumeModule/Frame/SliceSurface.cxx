@@ -17,7 +17,7 @@ namespace varimarch
 namespace
 {
 
-// The function over the volume's box, which is [-1, 1] on each axis.
+// The function in coordinates that are [-1, 1] along each axis of the volume's box.
 class BoxFunction
 {
 public:
@@ -76,7 +76,7 @@ double LargestEntry(const glm::dmat4& matrix)
   return largest;
 }
 
-// Compares both at points that the matrix was not made from.
+// Compares both at points that were not used to make the matrix.
 bool IsAsTheFunction(const glm::dmat4& matrix, const BoxFunction& function, double allowed)
 {
   for (int corner = 0; corner < 8; ++corner)
@@ -99,7 +99,7 @@ bool IsAsTheFunction(const glm::dmat4& matrix, const BoxFunction& function, doub
 
 SliceSurface SliceSurfaceOf(vtkImplicitFunction* function, const VolumeGeometry& geometry)
 {
-  constexpr double rounding = 1e-9; // the error of the values that a matrix is made of
+  constexpr double rounding = 1e-9; // the relative error of the values that a matrix is made from
   const Box& box = geometry.boxGrid;
   const glm::dvec3 center = 0.5 * (box.lower + box.upper);
   const glm::dvec3 halfSize = 0.5 * (box.upper - box.lower);
@@ -116,8 +116,8 @@ SliceSurface SliceSurfaceOf(vtkImplicitFunction* function, const VolumeGeometry&
   for (int i = 0; i < 16; ++i)
   {
     double& entry = matrix[i / 4][i % 4];
-    entry =
-      std::abs(entry) <= rounding * largest ? 0.0 : entry; // in a plane such an entry is rounding
+    // For a plane, for example, a tiny entry is a rounding error.
+    entry = std::abs(entry) <= rounding * largest ? 0.0 : entry;
   }
   const glm::dmat4 boxFromCentered = glm::scale(glm::dmat4(1.0), 1.0 / halfSize);
   matrix = glm::transpose(boxFromCentered) * matrix * boxFromCentered;

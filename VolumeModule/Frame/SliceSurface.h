@@ -11,17 +11,16 @@ class vtkImplicitFunction;
 namespace varimarch
 {
 
-/// A surface of second degree: dot(p, matrix * p) = 0 on it, with p = (position - centre, 1), in
-/// grid space.
+/// A quadric in grid space: the points with dot(p, matrix * p) = 0, where
+/// p = (position - centre, 1).
 struct SliceSurface
 {
   glm::dmat4 matrix = glm::dmat4(0.0); ///< Symmetric; its largest entry is 1 or -1.
   glm::dvec3 centerGrid = glm::dvec3(0.0);
 };
 
-/// The surface of an implicit function of the world, which is sampled at a few points of the
-/// volume.
-/// @throws std::runtime_error if the function is not of second degree there
+/// The surface of an implicit function in world space, fitted to a few of its values in the volume.
+/// @throws std::runtime_error if the function is not of second degree in the volume
 SliceSurface SliceSurfaceOf(vtkImplicitFunction* function, const VolumeGeometry& geometry);
 
 }

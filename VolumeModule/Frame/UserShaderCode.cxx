@@ -63,14 +63,14 @@ std::string MissingShaderCode(vtkVolume* volume)
   if (property->HasVertexShaderCode() || property->HasFragmentShaderCode() ||
     property->HasGeometryShaderCode())
   {
-    return "A shader of one's own is not used: replace its slots, //Varimarch::SLOT. ";
+    return "Whole shaders cannot be replaced: replace slots, as //Varimarch::SLOT. ";
   }
   for (const Replacement& replacement : ReplacementsOf(property))
   {
     if (!replacement.isOurs)
     {
       return "The shader has no " + replacement.mark +
-        " to be replaced: its slots are, as //Varimarch::SLOT. ";
+        " to replace: replace slots, as //Varimarch::SLOT. ";
     }
   }
   return "";

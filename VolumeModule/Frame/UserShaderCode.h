@@ -9,9 +9,9 @@ class vtkVolume;
 namespace varimarch
 {
 
-/// The code of a user in the shader: the text of slots, in place of the files that would be chosen
-/// for them, and uniforms. A slot is a folder of VolumeModule/Shaders; Slots.glsl declares what its
-/// text must define.
+/// The user's own shader code: the text of slots, which replaces the files that would be chosen for
+/// them, and uniforms. A slot is a folder of VolumeModule/Shaders; Slots.glsl declares the
+/// functions that its text must define.
 struct UserShaderCode
 {
   std::map<std::string, std::string> textOfSlot;
@@ -24,7 +24,7 @@ struct UserShaderCode
 /// fragment shaders, and from its custom uniforms.
 UserShaderCode UserShaderCodeOf(vtkVolume* volume);
 
-/// A sentence about code of the volume's shader property that is not for our shaders, followed by a
+/// A sentence about code of the volume's shader property that our shaders cannot use, followed by a
 /// space; empty if there is none.
 std::string MissingShaderCode(vtkVolume* volume);
 

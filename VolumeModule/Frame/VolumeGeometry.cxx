@@ -30,7 +30,7 @@ glm::dmat4 FromVtk(vtkMatrix4x4* matrix)
   return glm::transpose(glm::make_mat4(matrix->GetData()));
 }
 
-// Factors of a gradient in VTK's sense: differences over distances, times the mean of these.
+// Factors of a gradient in VTK's sense: differences over distances, times the mean spacing.
 glm::dvec3 GradientFactors(glm::dvec3 spacing)
 {
   const glm::dvec3 absolute = glm::abs(spacing);
@@ -151,7 +151,7 @@ glm::dmat4 ClipFromWorld(vtkRenderer* renderer)
   vtkMatrix4x4* clipFromWorld = nullptr;
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
   camera->GetKeyMatrices(renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
-  // VTK transposes these for OpenGL, which makes them GLM's columns.
+  // VTK transposes this matrix for OpenGL, so it has GLM's column order.
   return glm::make_mat4(clipFromWorld->GetData());
 }
 

@@ -18,48 +18,49 @@ class vtkVolume;
 namespace varimarch
 {
 
-/// The place of a volume. Grid space has the image's first voxel at (0,0,0), whatever its extent.
+/// The position and shape of a volume. The origin of grid space is the image's first voxel,
+/// whatever the extent; its unit is the distance between voxels.
 struct VolumeGeometry
 {
   glm::ivec3 dimensions;    ///< The number of voxels along each axis.
-  Box boxGrid;              ///< All cells; an axis with one voxel is one voxel thick.
+  Box boxGrid;              ///< The box of all cells; an axis with one voxel is one voxel thick.
   glm::dmat4 dataFromGrid;  ///< Extent, origin, spacing and direction of the image.
-  glm::dmat4 worldFromGrid; ///< The same, then the volume's matrix.
+  glm::dmat4 worldFromGrid; ///< The product of the volume's matrix and `dataFromGrid`.
 
-  /// Mean spacing of the image over twice the spacing along each axis. These factors make
-  /// differences of voxels two apart the gradients that VTK's gradient opacity is a function of.
+  /// Mean spacing of the image over twice the spacing along each axis. These factors turn
+  /// differences of voxels two apart into the gradients that VTK's gradient opacity depends on.
   glm::dvec3 gradientFactors;
 
-  double smallestGap = 1.0; ///< The smallest distance of neighbouring voxels in the grid.
+  double smallestGap = 1.0; ///< The smallest distance between neighbouring voxels [grid space].
 
   glm::dmat3 WorldFromGridDirection() const { return glm::dmat3(this->worldFromGrid); }
 
-  /// Takes gradients, differences per voxel, to normals in the world.
+  /// Transforms gradients, in differences per voxel, to normals in world space.
   VARIMARCHVOLUME_EXPORT glm::dmat3 WorldFromGridNormal() const;
 
-  /// Smallest distance of two neighbouring voxels in the world [mm].
+  /// The smallest distance between neighbouring voxels in world space [mm].
   double SmallestSpacingMm() const;
 
   double ThinnestSideMm() const; ///< The shortest side of the volume [mm].
 
-  /// Length of the longest ray through the volume [mm].
+  /// The length of the longest ray through the volume [mm].
   double DiagonalMm() const;
 
-  /// The shortest distance of samples by shaders [mm]: 20000 along the longest ray. Software
-  /// rasterisers end a shader, and with it the ray, after 2^16 rounds of all its loops together, of
-  /// which a sample takes up to three: where every segment is lit.
+  /// The shortest sample distance of shaders [mm], which puts 20000 samples on the longest ray.
+  /// Software rasterisers end a shader, and with it the ray, after 2^16 iterations of all its loops
+  /// together, and a sample takes up to three iterations if every segment is lit.
   double ShortestSampleDistanceMm() const;
 };
 
-/// The parts of an image that have the values. The voxel of a cell lies in its middle, and the
-/// volume is drawn half a voxel beyond the outermost voxels, whose values continue there.
+/// The elements of an image that have the values. The voxel of a cell lies at its centre, and the
+/// volume extends half a voxel beyond the outermost voxels, whose values continue there.
 enum class VoxelPlace
 {
   Points,
   Cells,
 };
 
-/// The geometry of a rectilinear grid: the even grid from its first voxel to its last.
+/// The geometry of a rectilinear grid, as the even grid between its first and last voxels.
 VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* volume);
 
 VARIMARCHVOLUME_EXPORT VolumeGeometry VolumeGeometryOf(

@@ -16,7 +16,7 @@ class vtkUnsignedCharArray;
 namespace varimarch
 {
 
-/// One of the numbers that each voxel has: a component of an array.
+/// A component of the voxels, stored as a component of an array.
 struct VoxelComponent
 {
   vtkDataArray* array; ///< One tuple for each voxel, x fastest.
@@ -37,8 +37,8 @@ struct MaskVoxels
   vtkDataArray* labels = nullptr; ///< An array of one component.
   glm::ivec3 dimensions = glm::ivec3(0);
   vtkMTimeType time = 0; ///< The time of the last change of the labels.
-  bool binary = false;   ///< True if a label only says whether a voxel is drawn.
-  std::vector<int> rows; ///< The labels with functions of their own, sorted; none if binary.
+  bool binary = false;   ///< True if labels only switch voxels on and off.
+  std::vector<int> rows; ///< The labels with functions of their own, ascending; empty if binary.
 
   bool operator==(const MaskVoxels& other) const
   {
@@ -47,20 +47,20 @@ struct MaskVoxels
   }
 };
 
-/// The points and cells that ghost flags leave out of a volume, as vtkUniformGrid::BlankPoint sets
-/// them and duplicates between processes have them. A blanked point takes the cells around it away,
-/// as in vtkUniformGrid::IsCellVisible.
+/// The points and cells that ghost flags remove from a volume: those set by
+/// vtkUniformGrid::BlankPoint, and duplicates between processes. A blanked point also removes the
+/// cells around it, as in vtkUniformGrid::IsCellVisible.
 struct Blanking
 {
-  vtkUnsignedCharArray* points = nullptr; ///< Null where no point is flagged.
-  vtkUnsignedCharArray* cells = nullptr;  ///< Null where no cell is flagged.
+  vtkUnsignedCharArray* points = nullptr; ///< The flags of points; null if no flag is set.
+  vtkUnsignedCharArray* cells = nullptr;  ///< The flags of cells; null if no flag is set.
   glm::ivec3 pointCount = glm::ivec3(0);
-  VoxelPlace place = VoxelPlace::Points; ///< The kind of the volume's voxels.
-  bool nearest = false;                  ///< True if voxels are boxes of one value.
+  VoxelPlace place = VoxelPlace::Points; ///< The elements that have the volume's values.
+  bool nearest = false;                  ///< True if voxels are not interpolated.
 
   bool Any() const { return this->points || this->cells; }
 
-  /// True if gaps are voxels as boxes, not the cells between voxels.
+  /// True if gaps are whole voxels, false if they are the cells between voxels.
   bool IsOfVoxels() const
   {
     const bool ofPoints = this->place == VoxelPlace::Points;
@@ -79,9 +79,9 @@ struct Blanking
 struct VoxelInput
 {
   vtkDataArray* scalars = nullptr;
-  VoxelComponents components; ///< The numbers that are drawn; also a second array's, if asked for.
-  vtkMTimeType time = 0;      ///< The time of the last change of the input.
-  std::vector<UnevenAxis> axes; ///< The axes of a rectilinear grid; none for an image.
+  VoxelComponents components;   ///< The components that are drawn, possibly of two arrays.
+  vtkMTimeType time = 0;        ///< The time of the last change of the input.
+  std::vector<UnevenAxis> axes; ///< The axes of a rectilinear grid; empty for an image.
   Blanking blanking;
   MaskVoxels mask; ///< Empty unless the settings have a mask.
 };
