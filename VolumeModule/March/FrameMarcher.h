@@ -11,23 +11,23 @@ class vtkWindow;
 namespace varimarch
 {
 
-/// A way to march the rays of a frame, whose resources have been updated for it. The two ways are
-/// shaders on the graphics device, and packets of rays on the processor.
+/// Interface for marching the rays of a frame, once its resources are updated. The implementations
+/// are shaders on the graphics device, and packets of rays on the processor.
 class FrameMarcher
 {
 public:
   virtual ~FrameMarcher() = default;
 
-  /// Marches the rays of the plan's viewport and draws their colours, or what else its pass asks
-  /// for, into the current framebuffer.
+  /// Marches the rays of the plan's viewport and draws their colours, or the other output of the
+  /// plan's pass, into the current framebuffer.
   /// @throws std::runtime_error if there is no memory, or a shader cannot be compiled
   virtual void Draw(const Frame& frame, const MarchPlan& plan) = 0;
 
-  /// Marches a trial image, and leaves the current framebuffer as it is.
+  /// Marches a trial image without changing the current framebuffer.
   /// @return premultiplied RGBA of the pixels of the plan's viewport
   virtual std::vector<float> DrawTrial(const Frame& frame, const MarchPlan& plan) = 0;
 
-  virtual std::size_t Bytes() const = 0; ///< The graphics memory of this alone.
+  virtual std::size_t Bytes() const = 0; ///< The graphics memory of this marcher.
   virtual void Release(vtkWindow* window) = 0;
 };
 

@@ -41,7 +41,7 @@ void ImageAccumulator::Draw(const Frame& frame, const MarchPlan& plan, FrameMarc
 void ImageAccumulator::AddNext(const Frame& frame, const MarchPlan& plan, FrameMarcher& marcher)
 {
   MarchPlan next = plan.WithViewport({ 0, 0, plan.viewport.width, plan.viewport.height });
-  // Blocks are drawn into a framebuffer of all rays, so they are not drawn strip by strip.
+  // Blocks need a framebuffer for the rays of the whole image, so they are not drawn in strips.
   const double longestSeconds =
     this->resources.IsInBlocks() ? 0.0 : frame.accumulation.longestPartSeconds;
   if (longestSeconds > 0.0 && this->sum.IsEmpty() && this->sum.IsDivided(next.viewport))
@@ -54,7 +54,7 @@ void ImageAccumulator::AddNext(const Frame& frame, const MarchPlan& plan, FrameM
     frame.view.window, next.viewport, longestSeconds, [&] { marcher.Draw(frame, next); });
 }
 
-// Shows a coarse image where the first one has not come yet.
+// Draws a coarse image, visible until the strips of the first image cover it.
 void ImageAccumulator::DrawBeneath(const Frame& frame, MarchPlan plan, FrameMarcher& marcher)
 {
   plan.imageSampleDistance = 4.0; // a sixteenth of the rays

@@ -11,8 +11,8 @@
 namespace varimarch
 {
 
-/// Draws the mean of several images of a scene that stays as it is, one image more at each time.
-/// The first is the image that it would be alone; later ones have shorter steps.
+/// Draws the mean of several images of a scene that does not change, adding one image per frame.
+/// The first image is the same as without accumulation; later ones have shorter steps.
 class ImageAccumulator
 {
 public:
@@ -23,15 +23,15 @@ public:
   {
   }
 
-  /// Decides whether a frame is accumulated, and the errors that its next image may make.
+  /// Decides whether a frame is accumulated, and the error budget of its next image.
   void Begin(const Frame& frame, MarchPlan& plan);
 
-  /// Adds the next image, or a part of it, and draws the mean. Only after Begin.
+  /// Adds the next image, or a part of it, and draws the mean. Requires Begin().
   void Draw(const Frame& frame, const MarchPlan& plan, FrameMarcher& marcher);
 
-  /// The images that the last one drawn is the mean of; 0 while the first is not complete.
+  /// The number of images in the mean that was drawn last; 0 until the first is complete.
   int Images() const { return this->sum.IsEmpty() ? 1 : this->sum.Count(); }
-  /// The part that is drawn of this many images, [0, 1].
+  /// The fraction of this many images that is drawn, [0, 1].
   double DrawnPart(int mostImages) const;
   std::size_t Bytes() const { return this->sum.Bytes(); }
   void Release(vtkWindow* window) { this->sum.Release(window); }

@@ -8,13 +8,13 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// Makes premultiplied RGBA an image of VTK_UNSIGNED_CHAR, over white that is clear, as VTK's
-/// mapper has it.
+/// Fills an image of VTK_UNSIGNED_CHAR from premultiplied RGBA, over transparent white, as VTK's
+/// mapper does.
 void FillColorImage(const std::vector<float>& rgba, int width, int height, vtkImageData* image);
 
-/// Makes an image of depths, 0 at the near plane and 1 at the far one, or where nothing is;
-/// integers have the range of their type.
-/// @param rgba  1 - depth, as red
+/// Fills an image of depths: 0 at the near plane, 1 at the far plane and on rays without a depth.
+/// Integers span the range of their type.
+/// @param rgba  1 - depth in the red channel
 void FillDepthImage(
   const std::vector<float>& rgba, int width, int height, int scalarType, vtkImageData* image);
 

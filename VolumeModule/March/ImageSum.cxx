@@ -21,8 +21,8 @@ void ImageSum::Begin(const std::vector<double>& newScene)
   }
 }
 
-// Any number of successive offsets is spread evenly: M. Roberts, "The unreasonable effectiveness of
-// quasirandom sequences" (2018), with the plastic number.
+// The R2 sequence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018),
+// based on the plastic number: any number of successive offsets is spread evenly.
 glm::dvec2 ImageSum::NextOffsetPixels() const
 {
   const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);

@@ -12,19 +12,18 @@
 namespace varimarch
 {
 
-/// The sum of several images of a scene that stays as it is, each by other rays through the same
-/// pixels: their mean is smooth where one ray per pixel is jagged. An image that takes long may be
-/// added strip by strip.
+/// The sum of several images of a scene that does not change, each with other rays through the same
+/// pixels, so that their mean has smooth edges. An image that takes long may be added in strips.
 class ImageSum
 {
 public:
-  /// Must be called before each image; forgets the images of another scene.
+  /// Must be called before each image; clears the sum if the scene has changed.
   /// @param scene  everything that an image depends on
   void Begin(const std::vector<double>& scene);
 
-  /// The images that are complete.
+  /// The number of complete images.
   int Count() const { return this->count; }
-  /// The rows of the next image that have been added, from below.
+  /// The number of rows of the next image that have been added, from the bottom.
   int RowsOfNext() const { return this->strips.Done(); }
   double CountWithParts() const
   {
@@ -32,20 +31,20 @@ public:
   }
   bool IsEmpty() const { return this->count == 0 && this->RowsOfNext() == 0; }
 
-  /// The place of each ray of the next image, from the middle of its pixel [pixels]. The rays of
-  /// the first are in the middle.
+  /// The offset of each ray of the next image from the centre of its pixel [pixels]; 0 in the first
+  /// image.
   glm::dvec2 NextOffsetPixels() const;
 
   /// True if an image would be added in several strips.
   bool IsDivided(const Viewport& pixels) const { return this->strips.IsDivided(pixels.height); }
 
-  /// Calls `draw` for an image that shows where nothing has been added yet.
+  /// Calls `draw` for an image that is visible where nothing has been added yet.
   void Begin(
     vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw);
 
-  /// Calls `draw` with a framebuffer bound to which it must add its image, as large as `pixels`,
-  /// whose origin is (0, 0). Only the pixels of the strip are drawn.
-  /// @param longestSeconds  the time for a strip; 0 adds all that is left of the image
+  /// Calls `draw`, which must add its image to the bound framebuffer. The framebuffer has the size
+  /// of `pixels` and its origin at (0, 0); only the pixels of the strip are drawn.
+  /// @param longestSeconds  the time for a strip; 0 adds the rest of the image
   /// @throws std::runtime_error if OpenGL has no framebuffer of floats
   void Add(vtkOpenGLRenderWindow* window, const Viewport& pixels, double longestSeconds,
     const std::function<void()>& draw);

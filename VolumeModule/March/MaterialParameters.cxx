@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-// The place of a scalar in the range of its values.
+// Scale and bias that map a texel to the position of its scalar in the range, [0, 1].
 glm::dvec2 PlaceInRange(const ScalarTexels& texels, const TexelMapping& mapping)
 {
   const double range = texels.largestScalar - texels.smallestScalar;
@@ -23,7 +23,7 @@ glm::dvec2 PlaceInRange(const ScalarTexels& texels, const TexelMapping& mapping)
   return { mapping.scale * perValue, (mapping.offset - texels.smallestScalar) * perValue };
 }
 
-// Entries of the table that a scalar is looked up in, less 1.
+// The last index of the table that a scalar is looked up in.
 double LastIndexOf(
   const VolumeMarch& march, const VolumeResources& volume, const OpticalTable& table)
 {
@@ -74,7 +74,7 @@ void SetTwoValues(VolumeParameters& p, const VolumeResources& volume, const Mapp
   p.placePerGradient = float(mappings.front().scale / LargestGradient(texels.front()));
 }
 
-// Products of normals in units of the data could overflow: they are made of texels.
+// Normals are computed from texels, because products of gradients in data units could overflow.
 void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume,
   const Mappings& mappings)
 {

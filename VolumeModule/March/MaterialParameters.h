@@ -6,11 +6,11 @@
 namespace varimarch
 {
 
-/// Sets the numbers of the tables that scalars are looked up in.
+/// Sets the parameters of the tables that scalars are looked up in.
 void SetTables(VolumeParameters& parameters, const VolumeMarch& march,
   const VolumeResources& volume, const Mappings& mappings);
 
-/// Sets the numbers of light, gradient opacity and mixtures.
+/// Sets the parameters of lights, gradient opacity and mixtures.
 void SetMaterials(VolumeParameters& parameters, const VolumeMarch& march,
   const VolumeResources& volume, const Mappings& mappings);
 

@@ -12,8 +12,8 @@
 namespace varimarch
 {
 
-/// Draws what takes the place of the image: the layers between translucent geometry, a selection,
-/// or images of colours and depths, which it keeps.
+/// Draws the passes other than the plain image: layers between translucent geometry, selections,
+/// and images of colours and depths, which it keeps.
 class PassMarch
 {
 public:
@@ -29,11 +29,11 @@ public:
   /// @throws std::runtime_error if the volume is in blocks
   void DrawImages(const Frame& frame, const MarchPlan& plan, FrameMarcher& marcher);
 
-  /// The pixels of the images; none if there are no images.
+  /// The pixels of the images; empty if there are no images.
   const Viewport& ImagePixels() const { return this->imagePixels; }
-  /// Premultiplied RGBA of the image of colours.
+  /// The image of colours as premultiplied RGBA.
   std::vector<float> ColorImage(vtkOpenGLRenderWindow* window);
-  /// RGBA of the image of depths, whose red is 1 - depth.
+  /// The image of depths as RGBA, with 1 - depth in the red channel.
   std::vector<float> DepthImage(vtkOpenGLRenderWindow* window);
 
   std::size_t Bytes() const { return this->images.Bytes(); }

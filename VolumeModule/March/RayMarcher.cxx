@@ -46,7 +46,7 @@ void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)
     plan.marcher = Marcher::Processor;
     if (IsMixture(frame))
     {
-      plan.integration = Integration::Midpoint; // packets have no other rule for mixtures
+      plan.integration = Integration::Midpoint; // packets march mixtures only by midpoints
       plan.choosesIntegration = false;
     }
   }
@@ -59,7 +59,7 @@ void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)
     std::max(plan.sampleDistanceMm, ShortestSampleDistanceMm(frame, plan.marcher));
 }
 
-// Steps that keep a tolerance replace those that were asked for.
+// If there is a tolerance, the steps that keep it replace the requested ones.
 void RayMarcher::ChooseSteps(const Frame& frame, MarchPlan& plan)
 {
   if (!(plan.budget.StepTolerance() > 0.0))
@@ -76,7 +76,7 @@ void RayMarcher::ChooseSteps(const Frame& frame, MarchPlan& plan)
   this->tolerance.Update(
     MarchOf(frame, plan), this->resources.First(), this->ToleranceInputsOf(frame, plan), drawTrial);
   plan.integration = this->tolerance.Choice()->integration;
-  // Shaders that count fetches may draw with steps that packets have found.
+  // Shaders that count fetches may draw with steps that were found with packets.
   plan.sampleDistanceMm = std::max(
     this->tolerance.SampleDistanceInViewMm(), ShortestSampleDistanceMm(frame, plan.marcher));
 }

@@ -24,16 +24,16 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// Draws frames. It updates the resources of a frame, plans its march, and hands both to those who
-/// march and make the image. Owns everything that takes graphics memory.
+/// Draws frames: updates the resources of a frame, plans its march, and passes both to the marcher
+/// and to the pass that makes the image. Owns everything that takes graphics memory.
 class RayMarcher
 {
 public:
-  /// @param quality  how coarse the image may be while a user interacts; none where nobody waits
+  /// @param quality  the quality of the image while a user interacts; none for a still image
   /// @throws std::runtime_error if the device cannot hold a resource or compile the shader
   void Draw(const Frame& frame, const std::optional<PictureQuality>& quality = {});
 
-  /// The pixels of the images of colours and depths that were drawn last; none if there are none.
+  /// The pixels of the images of colours and depths that were drawn last; empty if there are none.
   const Viewport& ImagePixels() const { return this->passes.ImagePixels(); }
   std::vector<float> ColorImage() { return this->passes.ColorImage(this->window); }
   std::vector<float> DepthImage() { return this->passes.DepthImage(this->window); }
@@ -42,15 +42,16 @@ public:
 
   VolumeBuilds Builds() const { return this->resources.First().Builds(); }
   int ShaderBuilds() const { return this->boxes.ShaderBuilds(); }
-  /// The resource builds so far. Searches for a tolerance do not count: every new view needs one.
+  /// The number of resource builds so far. Tolerance searches are excluded, because every new view
+  /// needs one.
   int ResourceBuilds() const { return this->Builds().Sum() + this->ShaderBuilds(); }
   int ToleranceSearches() const { return this->tolerance.Searches(); }
   int BlockUploads() const { return this->resources.First().Blocks().Uploads(); }
-  /// The files of the shader that marched last; none if the processor did.
+  /// The files of the shader that marched last; empty if the processor marched.
   const std::vector<std::string>& ShaderParts() const { return this->boxes.ShaderParts(); }
-  /// The images that the last one is the mean of; 0 while the first is not complete.
+  /// The number of images in the mean that was drawn last; 0 until the first is complete.
   int AccumulatedImages() const { return this->accumulator.Images(); }
-  /// The part that is drawn of all images of a scene that stays as it is, [0, 1].
+  /// The fraction of all images of an accumulation that is drawn, [0, 1].
   double DrawnPart(int mostImages) const { return this->accumulator.DrawnPart(mostImages); }
   double UsedImageSampleDistance() const { return this->usedImageSampleDistance; }
   double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }

@@ -18,7 +18,7 @@ namespace varimarch
 namespace
 {
 
-// Blocks have the same rays, to the last bit: none then has a gap where two blocks meet.
+// All blocks have the same rays, bit for bit, so no ray has a gap where two blocks meet.
 void SetRays(RayParameters& p, const VolumeMarch& march, const Box& boxGrid)
 {
   const glm::dmat4 clipFromGrid =
@@ -64,7 +64,7 @@ void SetPass(RayParameters& p, const VolumeMarch& march)
   p.clampDepth = int(march.frame.image.clampDepth);
   const float* color = march.frame.pass.propColor;
   p.propColor = glm::dvec3(color[0], color[1], color[2]);
-  // A voxel is a point, or a cell that lies half a voxel behind its first point.
+  // A voxel is a point, or a cell whose centre lies half a voxel beyond its first point.
   const int cells = march.frame.pass.picksCells ? 1 : 0;
   const int voxelsAreCells = march.frame.voxels.blanking.place == VoxelPlace::Cells ? 1 : 0;
   const glm::ivec3 count = march.frame.geometry.dimensions + voxelsAreCells - cells;

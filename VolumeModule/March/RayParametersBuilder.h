@@ -8,13 +8,13 @@
 namespace varimarch
 {
 
-/// The rays of a frame that is drawn with rays this far apart [pixels]; several rays in a pixel
-/// stand in equal rows.
+/// The grid of rays of a frame that is drawn with rays this far apart [pixels]. Several rays in a
+/// pixel form a regular grid.
 Viewport RaysOf(const Viewport& frame, double imageSampleDistance);
 
-/// The numbers of a march that follow from the frame alone. Numbers of what was drawn before, such
-/// as an image of depths, are left at zero for those who have it.
-/// @param boxGrid  box that all rays of the frame are marched in
+/// The parameters of a march that follow from the frame alone. Parameters of earlier drawings, such
+/// as an image of depths, are left at zero; the caller sets them.
+/// @param boxGrid  the box through which all rays of the frame are marched
 RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid);
 
 }

@@ -10,8 +10,8 @@
 namespace varimarch
 {
 
-/// Draws an image of fewer or more rays than pixels: the rays into a framebuffer of their own, and
-/// then the pixels, which are interpolated between rays or are their mean.
+/// Draws an image with fewer or more rays than pixels. The rays are drawn into a framebuffer of
+/// their own; the pixels are then interpolated between rays, or averaged.
 class ResampledMarch
 {
 public:

@@ -1,5 +1,5 @@
-// An image keeps an error tolerance because a part of its rays is drawn at several sample
-// distances, which shows the error of each.
+// The search draws some of the rays of an image at several sample distances, which shows the error
+// of each distance.
 
 #include "March/ToleranceSearch.h"
 
@@ -31,8 +31,8 @@ constexpr double FewestSamples = 16.0;
 // has four samples, and one of half the length must still end in the volume.
 constexpr double FewestAcross = 8.0;
 
-// The cost of a pre-integrated step in midpoints. For materials, which are then linear between two
-// samples, packets and shaders differ (2.1 to 2.9 by packets in seven images).
+// The cost of a pre-integrated step, in midpoint steps. For materials, which are then linear
+// between two samples, packets and shaders differ (2.1 to 2.9 with packets in seven images).
 constexpr double PreIntegrationCost = 1.33;
 constexpr double LinearCostOfPackets = 2.5;
 constexpr double LinearCostOfShaders = 1.15;
@@ -46,32 +46,32 @@ double PreIntegrationCostOf(const VolumeMarch& march)
   return march.plan.marcher == Marcher::Processor ? LinearCostOfPackets : LinearCostOfShaders;
 }
 
-// The factor by which the error must be smaller at the same distance, so that steps can be longer
-// by their cost.
+// The factor by which pre-integration must reduce the error at the same sample distance, so that
+// its steps may be longer by the ratio of the costs.
 double GainThatPays(const VolumeMarch& march)
 {
   constexpr double Order = 1.6;
   return std::pow(PreIntegrationCostOf(march), Order);
 }
 
-// A peak wider than this part of the values is met by more than one in a thousand samples, so that
-// trying out sees it.
+// A peak of the transfer function wider than this part of the value range is hit by more than one
+// in a thousand samples, so that a trial shows it.
 constexpr double NarrowPeak = 1.0 / 256.0;
 
-// The pre-integrated table of a larger optical table loses so much that it moves steps, by the same
-// at every sample distance: a trial would not show that error.
+// A larger optical table loses so much in its pre-integrated table that edges of the transfer
+// function move, equally at every sample distance: a trial would not show that error.
 constexpr std::size_t MostPreIntegratedEntries = 8192;
 
-// A pre-integrated table has 1024 values on a side, which also moves steps: a difference below this
+// A pre-integrated table has 1024 values on a side, which also moves edges: a difference below this
 // many times the limit may be an error of the table.
 constexpr double CertainlyMissed = 4.0;
 
-// A view is near another if no corner of a volume has moved by more than NearMove of the image. The
-// steps of the other then serve, shortened to NearbyPart.
+// A view is near another if no corner of a volume has moved by more than NearMove of the image. Its
+// steps are then those of the other view, multiplied by NearbyPart.
 constexpr double NearMove = 0.05;
 constexpr double NearbyPart = 0.9;
 
-// The opacity of an image, which does not depend on light.
+// The image with its colours set to 0: opacity does not depend on light.
 std::vector<float> OpacityOf(std::vector<float> picture)
 {
   for (std::size_t i = 0; i < picture.size(); ++i)
@@ -81,7 +81,7 @@ std::vector<float> OpacityOf(std::vector<float> picture)
   return picture;
 }
 
-// A rule that is known to miss peaks has at least the error of those peaks.
+// Raises the estimated error to at least that of the peaks that the rule is known to miss.
 ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const ErrorLimit& limit)
 {
   choice.missedOfLimit = missedOfLimit;
@@ -90,7 +90,7 @@ ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const E
   return choice;
 }
 
-// True if the opacity is that of one transfer function, whatever the light.
+// True if opacity depends on one transfer function only.
 bool IsShadedTransferFunction(const RenderSettings& settings)
 {
   return !settings.overlaps && !settings.gradientOpacity &&
@@ -98,7 +98,7 @@ bool IsShadedTransferFunction(const RenderSettings& settings)
     settings.mask != Mask::Labels;
 }
 
-// The inputs of a volume that decide on the integration rule.
+// The inputs of a volume that the integration rule depends on.
 std::vector<double> RuleInputsOf(const VolumeMarch& march, const VolumeBuilds& builds)
 {
   return { double(builds.volumeTexture), double(builds.opticalTable),
@@ -108,7 +108,7 @@ std::vector<double> RuleInputsOf(const VolumeMarch& march, const VolumeBuilds& b
     march.frame.geometry.SmallestSpacingMm() };
 }
 
-// The inputs of a volume that decide on the image in any view, except geometry before the volume.
+// The inputs of a volume that the image depends on in any view, except geometry in front of it.
 std::vector<double> SceneInputsOf(const VolumeMarch& march, const VolumeBuilds& builds)
 {
   std::vector<double> inputs{ double(builds.field),
@@ -172,8 +172,8 @@ void ToleranceInputs::Add(const VolumeMarch& march, const VolumeBuilds& builds)
     ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid));
 }
 
-// While the view moves, a choice serves until the volume is seen from elsewhere. A view that rests
-// gets a choice of its own.
+// While the view moves, a choice is reused for nearby views. A view at rest gets a choice of its
+// own.
 void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& volume,
   const ToleranceInputs& inputs, const TrialDrawing& draw)
 {
@@ -238,7 +238,8 @@ FoundSteps ToleranceSearch::Trial::Find(
 
 ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs& inputs) const
 {
-  // Each search begins at the same distance, so that its result does not depend on the one before.
+  // Each search begins at the same distance, so that its result does not depend on the previous
+  // one.
   const double firstMm = SmallestSpacingMm(trial.march.frame);
   // The rule is chosen again only for another transfer function or volume, not while a camera
   // moves.
@@ -269,8 +270,8 @@ ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs&
     : choice;
 }
 
-// The error of pre-integration at the chosen distance shows that before a search, which takes
-// longer. It is measured against the finest image, to which all rules converge.
+// The error of pre-integration at the chosen distance decides, since it takes one image where a
+// search takes several. It is measured against the finest image, to which all rules converge.
 bool ToleranceSearch::PreIntegrationMayPay(
   Trial& trial, const ToleranceChoice& choice, const std::vector<float>& finest)
 {
@@ -293,8 +294,9 @@ bool ToleranceSearch::PreIntegrationMayPay(
   return GainThatPays(trial.march) * ErrorOfLimit(image, finest, trial.limit) < 1.0;
 }
 
-// A shorter distance does not show a peak that lies between all samples. Pre-integration misses
-// none: its difference from the steps, beyond the error of its own steps, is an error of the steps.
+// A shorter distance does not reveal a peak that lies between all samples. Pre-integration misses
+// no peak: its difference from the sampled image, less the error of its own steps, is therefore an
+// error of sampling.
 double ToleranceSearch::MissedOfLimit(Trial& trial, const ToleranceChoice& choice)
 {
   const double range =

@@ -14,12 +14,12 @@
 namespace varimarch
 {
 
-/// Everything that the steps which keep a tolerance depend on.
+/// Everything that the result of a tolerance search depends on.
 struct ToleranceInputs
 {
   std::vector<double> rule;      ///< Inputs of the choice of the integration rule.
   std::vector<double> scene;     ///< Inputs of the image in any view.
-  std::vector<CornersClip> view; ///< The places of the volumes in the view.
+  std::vector<CornersClip> view; ///< The corners of the volumes in the view.
 
   /// Adds the inputs of one volume.
   void Add(const VolumeMarch& march, const VolumeBuilds& builds);
@@ -32,20 +32,20 @@ struct ToleranceInputs
   bool IsNear(const ToleranceInputs& other) const;
 };
 
-/// The rule and the steps that keep an error tolerance.
+/// The integration rule and the steps that keep an error tolerance.
 struct ToleranceChoice
 {
-  ToleranceInputs inputs; ///< The inputs that it was found for.
+  ToleranceInputs inputs; ///< The inputs of the search that found it.
   Integration integration;
   StepChoice step;
-  double missedOfLimit = 0.0; ///< The error of peaks between samples, as step.ofLimit.
+  double missedOfLimit = 0.0; ///< The error of missed peaks as a fraction of the limit.
 };
 
-/// Draws a trial image: premultiplied RGBA of the pixels of the plan's viewport.
+/// Draws a trial image and returns premultiplied RGBA of the pixels of the plan's viewport.
 using TrialDrawing = std::function<std::vector<float>(const MarchPlan& tried)>;
 
-/// Finds the steps that keep a frame's error tolerance, by trying them out with a part of its rays,
-/// and keeps them as long as they serve: Documentation/Decisions/0008.
+/// Finds the steps that keep a frame's error tolerance by drawing trial images with some of its
+/// rays, and reuses them as long as they are valid: Documentation/Decisions/0008.
 class ToleranceSearch
 {
 public:
@@ -55,22 +55,22 @@ public:
     const ToleranceInputs& inputs, const TrialDrawing& draw);
   void Forget() { this->choice.reset(); }
 
-  /// The choice for the last image, or for an earlier one from nearly the same place. Nothing if
-  /// the last image had no tolerance.
+  /// The choice for the last image, or for an earlier one from nearly the same view. Empty if the
+  /// last image had no tolerance.
   const std::optional<ToleranceChoice>& Choice() const { return this->choice; }
-  /// The chosen distance for the present view. Requires a Choice().
+  /// The chosen sample distance, scaled to the present view [mm]. Requires a Choice().
   double SampleDistanceInViewMm() const;
-  int Searches() const { return this->searches; } ///< The searches so far.
+  int Searches() const { return this->searches; } ///< The number of searches so far.
 
 private:
-  /// The images that are drawn to find the steps of a frame.
+  /// The trial images of one search.
   struct Trial
   {
     const VolumeMarch& march;
     const VolumeResources& volume;
     const TrialDrawing& draw;
     ErrorLimit limit;
-    /// The images that have been drawn, by light, rule and sample distance.
+    /// The images drawn so far, by lighting, rule and sample distance.
     std::map<std::tuple<bool, Integration, double>, std::vector<float>> drawn = {};
 
     const std::vector<float>& Draw(Integration integration, double sampleDistanceMm);
@@ -83,7 +83,7 @@ private:
   };
 
   ToleranceChoice ChooseSteps(Trial trial, const ToleranceInputs& inputs) const;
-  /// True if pre-integration may keep the limit in less time than midpoints.
+  /// True if pre-integration might keep the limit in less time than midpoints.
   /// @param finest  see FoundSteps
   static bool PreIntegrationMayPay(
     Trial& trial, const ToleranceChoice& choice, const std::vector<float>& finest);
@@ -91,7 +91,7 @@ private:
 
   std::optional<ToleranceChoice> choice;
   std::vector<CornersClip> view; ///< The view of the last image with a tolerance.
-  bool viewRests = false;        ///< True if the image before had the same view.
+  bool viewRests = false;        ///< True if the previous image had the same view.
   int searches = 0;
 };
 

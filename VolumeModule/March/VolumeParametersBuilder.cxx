@@ -40,7 +40,7 @@ void SetExtreme(VolumeParameters& p, const VolumeMarch& march, const VolumeResou
   }
 }
 
-// The range of an extreme is that of all interpolated values, that of a sum the range of the
+// Maximum and minimum use the range of all interpolated values, average and sum the range of the
 // voxels.
 void SetProjection(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume,
   const Mappings& mappings)

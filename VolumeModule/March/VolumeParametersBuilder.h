@@ -9,27 +9,27 @@
 namespace varimarch
 {
 
-/// How a marcher's scalars stand for the values of each component.
+/// The mapping from a marcher's scalars to values of the data, for each component.
 using Mappings = std::vector<TexelMapping>;
 
-/// A volume as one of the marchers reads it.
+/// The form in which one of the marchers reads a volume.
 struct MarchedVolume
 {
   Mappings mappings;
-  VoxelRegion voxels; ///< all voxels, or those of a block
+  VoxelRegion voxels; ///< All voxels, or those of a block.
   glm::ivec3 fieldSize;
   glm::ivec3 gapCells;
 };
 
-/// A volume as shaders read it, whose scalars are texels.
-/// @param block  null where rays are not marched
+/// The form that shaders read: scalars are texels.
+/// @param block  null if the shader marches no rays
 MarchedVolume VolumeOfShaders(const VolumeMarch& march, const VolumeResources& volume,
   const VolumeBlock* block, const VoxelRegion& voxels);
 
-/// A volume as the processor reads it, whose scalars are values of the data.
+/// The form that the processor reads: scalars are values of the data.
 MarchedVolume VolumeOfProcessor(const VolumeMarch& march, const VolumeResources& volume);
 
-/// The numbers of a volume that is marched, when all its resources for the frame are there.
+/// The parameters of a volume. Requires all its resources for the frame.
 VolumeParameters VolumeParametersOf(
   const VolumeMarch& march, const VolumeResources& volume, const MarchedVolume& marched);
 

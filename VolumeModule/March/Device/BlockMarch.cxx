@@ -43,11 +43,11 @@ void BlockMarch::DrawBlock(const Frame& frame, MarchPlan plan, int block)
   DrawnBlock drawn = AllThatIsVisible(visible);
   drawn.block = &volume.Blocks().Take(frame.view.window, block);
   drawn.voxels = partition.VoxelsOf(block);
-  // The ray decides which of two neighbours it has on their common face, not the rasteriser: so the
-  // cover is larger than the block.
+  // The shader, not the rasteriser, decides which of two blocks a ray enters at their common face,
+  // so the cover is larger than the block.
   drawn.coverGrid =
     plan.addsUp ? WithItsEdges(visible) : Box{ visible.lower - 0.5, visible.upper + 0.5 };
-  // Cuts may end the volume at a face of the block: then no other block begins there.
+  // A cut may end the volume at a face of the block; no other block begins there then.
   const glm::dvec3 upper = partition.BoxOf(block, frame.geometry.boxGrid).upper;
   const glm::bvec3 isShared = glm::lessThan(upper, frame.cuts.boxGrid.upper);
   drawn.sharedUpperGrid = glm::mix(drawn.sharedUpperGrid, upper, isShared);

@@ -12,12 +12,12 @@
 namespace varimarch
 {
 
-/// Marches a volume that is in several blocks: from front to back, each into what the rays have
-/// gathered so far. A last drawing makes pixels of that.
+/// Marches a volume that is divided into blocks, from front to back: each block continues the sums
+/// that the rays have gathered. A last drawing turns these sums into pixels.
 class BlockMarch
 {
 public:
-  /// @param ofImages  returns the memory that framebuffers take now
+  /// @param ofImages  returns the memory that framebuffers take at present
   BlockMarch(
     SceneResources& resources, BoxDrawing& boxes, std::function<MemoryElsewhere()> ofImages)
     : resources(resources)

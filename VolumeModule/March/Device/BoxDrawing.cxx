@@ -18,13 +18,13 @@ namespace varimarch
 namespace
 {
 
-// How the colours of a drawing meet those of the framebuffer.
+// The blending of a drawing with the framebuffer.
 enum class Blending
 {
   OverFramebuffer,  ///< Premultiplied colours are drawn over the framebuffer.
-  Overwrite,        ///< They replace it.
-  AddToFramebuffer, ///< They are added to it.
-  CallersState      ///< The caller has set the state of blending.
+  Overwrite,        ///< Colours replace those in the framebuffer.
+  AddToFramebuffer, ///< Colours are added to those in the framebuffer.
+  CallersState      ///< The caller's blend state is kept.
 };
 
 Blending BlendingOf(const VolumeMarch& march)
@@ -45,7 +45,7 @@ Blending BlendingOf(const VolumeMarch& march)
   return march.plan.addsUp ? Blending::AddToFramebuffer : Blending::OverFramebuffer;
 }
 
-// Sets the state of OpenGL for the drawing of a box, and restores it.
+// Scope guard for the OpenGL state in which a box is drawn.
 class BoxDrawingState
 {
 public:
@@ -68,10 +68,10 @@ public:
       state->SetEnumState(GL_BLEND, blending != Blending::Overwrite);
       state->vtkglBlendFuncSeparate(GL_ONE, factor, GL_ONE, factor);
     }
-    // The inner sides of the box: one lies behind every pixel, even if the camera is in the box.
+    // Inner faces are drawn, because every pixel has one even if the camera is inside the box.
     state->vtkglEnable(GL_CULL_FACE);
     state->vtkglCullFace(mirrored ? GL_BACK : GL_FRONT);
-    // The box only stands for its pixels, so the far plane must not cut it.
+    // The box only selects pixels, so the far plane must not cut it.
     glEnable(GL_DEPTH_CLAMP);
   }
 
@@ -202,7 +202,7 @@ RayParameters BoxDrawing::ParametersOfRays(
   return rays;
 }
 
-// In the shader, volumes that overlap stand before the volume whose rays they have.
+// In the shader, the other volumes come before the first, in whose grid the rays are marched.
 void BoxDrawing::SetVolumes(const VolumeMarch& march, const DrawnBlock& drawn)
 {
   const Frame& frame = march.frame;

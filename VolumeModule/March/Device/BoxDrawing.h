@@ -22,32 +22,33 @@ struct DrawnBlock
   const VolumeBlock* block; ///< The textures of the part; null if the shader marches no rays.
   VoxelRegion voxels;
   Box boxGrid;                ///< The box that rays are marched through.
-  Box coverGrid;              ///< A box that covers the pixels of the rays.
-  glm::dvec3 sharedUpperGrid; ///< Upper faces at which another block begins; elsewhere far away.
+  Box coverGrid;              ///< The box that is rasterised; it covers the pixels of the rays.
+  glm::dvec3 sharedUpperGrid; ///< Upper faces shared with another block; far away otherwise.
 };
 
-/// The part that a drawing covers if its shader marches no rays: everything that is visible.
+/// The part that a drawing covers if its shader marches no rays: all pixels of the volume.
 /// @param drawnBox  the box that rays are marched through
 DrawnBlock AllThatIsVisible(const Box& drawnBox);
 
-/// A larger box that covers every pixel of which the box covers a part, if the box is at least a
+/// A larger box that covers every pixel that the given box touches, if the given box is at least a
 /// few pixels wide.
 Box WithItsEdges(const Box& box);
 
 /// The results of earlier drawings that a drawing reads; null and zero if its pass needs none.
 struct EarlierDrawings
 {
-  vtkTextureObject* gathered = nullptr; ///< The sums that rays have gathered in the blocks before.
+  vtkTextureObject* gathered = nullptr; ///< The sums of the rays over earlier blocks.
   vtkTextureObject* coarse = nullptr;   ///< An image of fewer or more rays than pixels.
   vtkTextureObject* sum = nullptr;      ///< The sum of images that are accumulated.
-  int imageCount = 0;                   ///< The images in the sum.
-  int rowsOfNext = 0;                   ///< The rows of the next image that are in the sum too.
+  int imageCount = 0;                   ///< The number of images in the sum.
+  int rowsOfNext = 0;                   ///< The number of rows of the next image in the sum.
   vtkTextureObject* marched = nullptr;  ///< The image that the processor has marched.
   Viewport marchedPixels = {};          ///< The pixels of that image.
 };
 
-/// Draws boxes with the shader program of a march: the inner faces of a box, so that one ray starts
-/// in each of its pixels, wherever the camera is. Owns the programs and what they are fed with.
+/// Draws boxes with the shader program of a march. It draws the inner faces of a box, so that one
+/// ray starts in each of its pixels, wherever the camera is. Owns the programs, their parameters
+/// and their geometry.
 class BoxDrawing
 {
 public:
@@ -62,7 +63,7 @@ public:
     const EarlierDrawings& earlier = {});
 
   int ShaderBuilds() const { return this->shaderBuilds; }
-  /// The files of the shader that marched rays last; none if the processor did.
+  /// The files of the shader that marched rays last; empty if the processor marched.
   const std::vector<std::string>& ShaderParts() const { return this->shaderParts; }
   void Release();
 

@@ -12,7 +12,8 @@ namespace varimarch
 namespace
 {
 
-// Corner i has the upper x, y, z where bits 0, 1, 2 of i are set. Counterclockwise from outside.
+// Corner i has the upper x, y or z if bit 0, 1 or 2 of i is set. Triangles are counterclockwise
+// seen from outside.
 const std::array<GLubyte, 36> corners = { 0, 2, 3, 0, 3, 1, /* z low */ 4, 5, 7, 4, 7,
   6,                                              /* z high */
   0, 1, 5, 0, 5, 4, /* y low */ 2, 6, 7, 2, 7, 3, /* y high */

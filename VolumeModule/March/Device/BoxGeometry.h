@@ -12,8 +12,8 @@ class vtkShaderProgram;
 namespace varimarch
 {
 
-/// The volume's box as triangles in grid space: drawn from the inside it covers each pixel whose
-/// ray meets the volume once, wherever the camera is.
+/// The volume's box as triangles in grid space. Its inner faces cover each pixel whose ray meets
+/// the volume exactly once, wherever the camera is.
 class VolumeBoxGeometry
 {
 public:

@@ -3,8 +3,8 @@
 
 class vtkTextureObject;
 
-// Two GLSL files are the structs RayTextures and VolumeTextures: a pointer for each of their
-// samplers, null where a scene has no such texture.
+// The structs RayTextures and VolumeTextures are made from two GLSL files: they have a pointer for
+// each sampler, which is null if a scene has no such texture.
 #define uniform
 
 namespace varimarch::shader

@@ -30,8 +30,8 @@ namespace varimarch
 namespace
 {
 
-// Empty when the source compiles. Asked before VTK's shader cache is, which would print the whole
-// source with its own line numbers.
+// The compiler's messages; empty if the source compiles. This is called before VTK's shader cache
+// compiles, because that would print the whole source with its own line numbers.
 std::string CompilerMessages(
   vtkShader::Type type, const std::string& source, const std::vector<ShaderFile>& files)
 {
@@ -44,7 +44,7 @@ std::string CompilerMessages(
   return compiles ? "" : TraceShaderErrors(messages, files);
 }
 
-// The files, with a user's text in place of those slots that it is for.
+// The files, in which the user's texts replace the files of their slots.
 std::vector<ShaderFile> WithUserCode(
   std::vector<ShaderFile> files, const std::vector<std::string>& parts, const UserShaderCode& code)
 {
@@ -61,7 +61,7 @@ std::vector<ShaderFile> WithUserCode(
         known += " " + part;
       }
       throw std::runtime_error(
-        "The shader of this picture has no slot " + slot + " to be replaced: it has" + known);
+        "The shader of this image has no slot " + slot + " to replace: it has" + known);
     }
     *file = { "//Varimarch::" + slot, text };
   }
@@ -72,7 +72,7 @@ std::vector<ShaderFile> WithUserCode(
   return files;
 }
 
-// Which of the buffers a block of the program reads.
+// Connects a block of the program to a binding point.
 void Bind(vtkShaderProgram* program, const std::string& block, unsigned int bindingPoint)
 {
   const auto handle = GLuint(program->GetHandle());
@@ -83,7 +83,7 @@ void Bind(vtkShaderProgram* program, const std::string& block, unsigned int bind
   }
 }
 
-// A struct of textures has nothing but pointers.
+// The textures of a struct whose members are all pointers to textures.
 template <class Textures>
 vtkTextureObject* const* TexturesIn(const Textures& textures)
 {
@@ -91,7 +91,7 @@ vtkTextureObject* const* TexturesIn(const Textures& textures)
   return reinterpret_cast<vtkTextureObject* const*>(&textures);
 }
 
-// The names of the members of such a struct.
+// The names of the members of such a struct, from its GLSL file.
 template <class Textures>
 std::vector<std::string> NamesOfTextures(const std::string& path, const Textures&)
 {
@@ -103,7 +103,7 @@ std::vector<std::string> NamesOfTextures(const std::string& path, const Textures
   return names;
 }
 
-// The position takes four.
+// The number of components that a vertex shader can pass on, less four for the position.
 int MostFlatComponents()
 {
   GLint most = 0;
@@ -111,7 +111,7 @@ int MostFlatComponents()
   return std::max(most - 4, 0);
 }
 
-// Which of two outputs is the first is for the linker to say, unless it is told.
+// Binds the two outputs to their numbers; otherwise the linker is free to swap them.
 void OrderOutputs(vtkShaderProgram* program)
 {
   const auto handle = GLuint(program->GetHandle());
@@ -133,7 +133,7 @@ RayMarchProgram::Sources RayMarchProgram::Assemble(
 {
   std::vector<ShaderFile> vertex = LoadShaderFiles(VertexShaderParts());
   std::vector<ShaderFile> fragment = WithUserCode(LoadShaderFiles(parts), parts, userCode);
-  // Graphics cards keep uniforms where every pixel has them for nothing.
+  // On graphics cards, uniforms are read at no cost.
   if (IsSoftwareRasterizer())
   {
     HandParametersOn(vertex, fragment, MostFlatComponents());
@@ -148,7 +148,7 @@ bool RayMarchProgram::Use(
   vtkOpenGLRenderWindow* window, const RenderSettings& settings, const UserShaderCode& userCode)
 {
   this->parts = FragmentShaderParts(settings);
-  // A shader without a march has none of the slots that a user replaces.
+  // A shader without a march has no slots that a user may replace.
   const UserShaderCode& used = Marches(settings) ? userCode : UserShaderCode();
   std::vector<std::string> key = this->parts;
   key.push_back(used.uniforms);
@@ -161,7 +161,7 @@ bool RayMarchProgram::Use(
   {
     this->sourcesOfParts[key] = Assemble(this->parts, used);
   }
-  // A shader that has failed is not tried again with every frame.
+  // A failure is remembered, so that the shader is not compiled again for every frame.
   Sources& sources = this->sourcesOfParts[key];
   if (sources.failure.empty())
   {

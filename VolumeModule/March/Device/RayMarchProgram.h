@@ -19,12 +19,12 @@ class vtkTextureObject;
 namespace varimarch
 {
 
-/// The shader program of a recipe, and the parameters and textures that it reads. Programs are
-/// compiled once per recipe and window: VTK's shader cache keeps them by their text.
+/// The shader program of a recipe, and the parameters and textures that it reads. VTK's shader
+/// cache keeps programs by their text, so each is compiled once per recipe and window.
 class RayMarchProgram
 {
 public:
-  /// Makes the program of the settings current. True when it had to be made.
+  /// Makes the program of the settings current. Returns true if it had to be compiled.
   /// @throws std::runtime_error with the compiler's messages, traced to the shader files
   bool Use(vtkOpenGLRenderWindow* window, const RenderSettings& settings,
     const UserShaderCode& userCode = {});
@@ -32,22 +32,22 @@ public:
   vtkShaderProgram* Program() const { return this->program; }
   const std::vector<std::string>& Parts() const { return this->parts; }
 
-  /// Uploads what the program reads beside its volumes, and activates the textures that it has.
+  /// Uploads the parameters of the rays, and activates the textures that the program reads.
   void SetRays(const RayParameters& parameters, const RayTextures& textures);
 
-  /// The same for one of the volumes of the program.
-  /// @param volume  in the order in which the shader has them
-  /// @param count   of all of them
+  /// Does the same for one of the volumes of the program.
+  /// @param volume  the index of the volume in the shader
+  /// @param count   the number of volumes
   void SetVolume(std::size_t volume, std::size_t count, const VolumeParameters& parameters,
     const VolumeTextures& textures);
 
-  /// Deactivates the textures that were activated, after the drawing.
+  /// Deactivates the textures after the drawing.
   void DeactivateTextures();
 
-  /// The volume's own uniforms; then its mapper tells its observers of the shader.
+  /// Sets the custom uniforms of a volume, and lets its mapper invoke UpdateShaderEvent.
   void SetUniformsOf(vtkVolume* volume);
 
-  /// In the context that has its buffers.
+  /// Releases the buffers. Their OpenGL context must be current.
   void Release();
 
 private:
@@ -55,16 +55,16 @@ private:
   {
     std::string vertex;
     std::string fragment;
-    std::string failure; ///< why these sources are no program; empty while they are
+    std::string failure; ///< The compiler's or linker's error; empty if there is none.
   };
   static Sources Assemble(const std::vector<std::string>& parts, const UserShaderCode& userCode);
 
-  /// @param textures  in the order of the names
+  /// @param textures  one for each name
   void Activate(const std::vector<std::string>& names, vtkTextureObject* const* textures);
 
-  vtkShaderProgram* program = nullptr; ///< the cache's
+  vtkShaderProgram* program = nullptr; ///< The current program; the cache owns it.
   std::vector<std::string> parts;
-  /// All that were asked for so far, by their parts and what a user has put in their place.
+  /// The sources of all programs so far, by their files and the user's code.
   std::map<std::vector<std::string>, Sources> sourcesOfParts;
   UniformBuffer rays;
   std::vector<UniformBuffer> volumes;

@@ -16,7 +16,7 @@ std::vector<ShaderFile> LoadShaderFiles(const std::vector<std::string>& paths)
       table.begin(), table.end(), [&](const ShaderTableRow& row) { return path == row.path; });
     if (found == table.end())
     {
-      throw std::runtime_error("shader file " + path + " is not part of this build");
+      throw std::runtime_error("Shader file " + path + " is not part of this build");
     }
     files.push_back({ path, found->text });
   }

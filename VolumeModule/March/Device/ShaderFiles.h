@@ -12,16 +12,16 @@ namespace varimarch
 /// A shader file that is compiled into the library.
 struct ShaderTableRow
 {
-  const char* path; ///< below VolumeModule/Shaders
+  const char* path; ///< The path below VolumeModule/Shaders.
   const char* text;
 };
 
-/// All of them. Shaders/MakeTable.cmake writes its source file while building.
+/// All shader files. Shaders/MakeTable.cmake writes the source of this function during the build.
 const std::vector<ShaderTableRow>& ShaderTable();
 
-/// The text of shader files that are compiled into the library.
-/// @param paths  below VolumeModule/Shaders
-/// @throws std::runtime_error naming a path that is not a file of the build
+/// The texts of shader files that are compiled into the library.
+/// @param paths  paths below VolumeModule/Shaders
+/// @throws std::runtime_error if a path is not part of the build
 std::vector<ShaderFile> LoadShaderFiles(const std::vector<std::string>& paths);
 
 }

@@ -14,11 +14,11 @@
 namespace varimarch
 {
 
-/// Marches rays by shaders, through a volume in one piece or in blocks, or through several volumes.
+/// Marches rays with shaders, through a whole volume, a volume in blocks, or several volumes.
 class ShaderMarcher : public FrameMarcher
 {
 public:
-  /// @param ofImages  returns the memory that framebuffers take now
+  /// @param ofImages  returns the memory that framebuffers take at present
   ShaderMarcher(
     SceneResources& resources, BoxDrawing& boxes, const std::function<MemoryElsewhere()>& ofImages)
     : resources(resources)

@@ -6,24 +6,24 @@
 namespace varimarch
 {
 
-/// The numbers of a uniform block on the graphics device.
+/// The buffer of a uniform block on the graphics device.
 class UniformBuffer
 {
 public:
-  /// Uploads a struct whose members lie as those of the block, and binds it.
+  /// Uploads a struct with the memory layout of the block, and binds it.
   template <class Parameters>
   void Upload(unsigned int bindingPoint, const Parameters& parameters)
   {
     this->Upload(bindingPoint, &parameters, sizeof parameters);
   }
 
-  /// In the context that has it.
+  /// Releases the buffer. Its OpenGL context must be current.
   void Release();
 
 private:
   void Upload(unsigned int bindingPoint, const void* bytes, std::size_t count);
 
-  unsigned int handle = 0; ///< 0: there is none
+  unsigned int handle = 0; ///< OpenGL's name of the buffer; 0 if there is none.
 };
 
 }

@@ -10,7 +10,8 @@ namespace varimarch
 namespace
 {
 
-// Rays of several volumes begin and end where those of any do; the visible parts are their own.
+// Moves the depths of visible parts from the rays to the volume: rays through several volumes are
+// not bounded by the visible parts of one.
 void TakeDepths(PacketScene& scene)
 {
   scene.constituent.visible = scene.depths;

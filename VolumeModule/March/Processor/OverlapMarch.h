@@ -9,13 +9,13 @@
 namespace varimarch
 {
 
-/// The scene that packets march for a frame: that of the first volume, or a mixture of several
-/// components and volumes, along rays in the grid of the first. Its parts point to each other.
+/// The scene that packets march for a frame: a single volume, or a mixture of several components
+/// and volumes along rays in the grid of the first volume. Its parts point to each other.
 class OverlapMarch
 {
 public:
   /// @param around  the surroundings of the first volume
-  /// @param pixels  the pixels of the viewport that are drawn
+  /// @param pixels  the drawn pixels of the viewport
   OverlapMarch(const VolumeMarch& march, SceneResources& resources, PacketSurroundings around,
     const Viewport& pixels);
 
@@ -30,7 +30,7 @@ private:
 
   SceneOfVolume first;
   std::vector<SceneOfVolume> others; ///< The other volumes.
-  std::vector<PacketScene> mixed;    ///< All parts of the mixture but the first, which points here.
+  std::vector<PacketScene> mixed;    ///< The parts of the mixture after the first.
 };
 
 }

@@ -13,7 +13,8 @@ namespace varimarch
 namespace
 {
 
-// Packets draw no slices, no surfaces of boxes or sums of them, and no extremes of splines.
+// True if packets have code for the blend mode. They have none for slices, for isosurfaces and sums
+// without interpolation, and for extremes of splines.
 bool IsBlendedByPackets(const RenderSettings& settings)
 {
   const bool isComposite = settings.blend == Blend::Composite;
@@ -26,7 +27,7 @@ bool IsBlendedByPackets(const RenderSettings& settings)
   return isComposite || isSum || (!settings.cubic && settings.blend != Blend::Slice);
 }
 
-// Packets march a mixture by midpoints only.
+// True if a mixture may be marched by midpoints, the only rule that packets have for it.
 bool MayMixByMidpoints(const Frame& frame)
 {
   const RenderSettings& settings = frame.settings;
@@ -35,7 +36,7 @@ bool MayMixByMidpoints(const Frame& frame)
     (mayChoose || settings.integration == Integration::Midpoint);
 }
 
-// True if packets have code for everything that a frame asks for.
+// True if packets have code for everything that a frame requests.
 bool HasPacketRecipe(const Frame& frame)
 {
   const RenderSettings& settings = frame.settings;
@@ -63,13 +64,13 @@ bool CanBeIndexed(glm::ivec3 voxels, bool cubic)
     count < double(std::numeric_limits<int>::max());
 }
 
-// True if floats hold the numbers as they are. Shaders shift and scale numbers that are too large,
-// too small or too far from zero for that.
+// True if floats can represent the numbers directly. Shaders shift and scale numbers that are too
+// large, too small or too far from zero.
 bool IsPlain(const ScalarTexels& texels, vtkDataArray* array)
 {
   if (texels.normalized)
   {
-    constexpr double MostWhole = 1 << 24; // floats hold all integers up to this one
+    constexpr double MostWhole = 1 << 24; // floats represent all integers up to this one
     const bool areFew = std::max(-texels.smallestScalar, texels.largestScalar) <= MostWhole;
     return areFew || PacketVoxelTypeOf(array);
   }
@@ -89,7 +90,7 @@ bool HasPlainValues(const VolumeResources& volume)
   return arePlain;
 }
 
-// True if packets draw the gaps of a volume. Only shaders know which gradients they take away.
+// True if packets can draw the gaps of a volume. Gradients next to gaps are left to shaders.
 bool HasPlainGaps(const Frame& frame, VolumeResources& volume)
 {
   const RenderSettings& settings = frame.settings;
@@ -102,7 +103,7 @@ bool HasPlainGaps(const Frame& frame, VolumeResources& volume)
   return !hasAny || (mayHave && (isFinite || takesNoGradients));
 }
 
-// True if packets can march one of the volumes of a frame.
+// True if packets can read one of the volumes of a frame.
 bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 {
   return HasPacketRecipe(frame) && CanBeIndexed(frame.geometry.dimensions, frame.settings.cubic) &&
@@ -111,7 +112,7 @@ bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 
 }
 
-// The voxels are looked at last, because that takes time.
+// The voxels are examined last, because that takes time.
 bool CanMarchByPackets(const Frame& frame, SceneResources& resources)
 {
   const bool may = frame.device.mayMarchOnProcessor && IsSoftwareRasterizer() &&

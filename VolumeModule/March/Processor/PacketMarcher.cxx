@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-// The pixels of a viewport that lie within the scissors.
+// The pixels of a viewport inside the scissor box.
 Viewport WithinScissors(const Viewport& pixels, const Viewport& viewport, vtkOpenGLState* state)
 {
   Viewport drawn = pixels;
@@ -37,7 +37,7 @@ Viewport WithinScissors(const Viewport& pixels, const Viewport& viewport, vtkOpe
   return drawn;
 }
 
-// The images or places that Shaders/Marched makes pixels of.
+// The scenes whose images or depths Shaders/Marched combines into pixels.
 std::vector<PacketScene> PartsOf(
   const PacketScene& scene, const VolumeMarch& march, const std::vector<float>& layerDepths)
 {
@@ -53,7 +53,8 @@ std::vector<PacketScene> PartsOf(
   {
     const bool clampDepth = march.frame.image.clampDepth;
     other.location = { LeastDepthOpacity, 0.0f, clampDepth };
-    other.depths = clampDepth ? PacketDepths() : scene.depths; // rays end behind these
+    other.depths =
+      clampDepth ? PacketDepths() : scene.depths; // the back face may lie behind the visible part
     return { scene, other };
   }
   if (march.settings.pass == RayPass::PickVoxel)
@@ -63,7 +64,7 @@ std::vector<PacketScene> PartsOf(
   return { other };
 }
 
-// Shaders/Window/WindowLevel.glsl.
+// Applies window and level as Shaders/Window/WindowLevel.glsl does.
 void Window(std::vector<float>& rgba, const glm::dvec2& scaleBias)
 {
   for (std::size_t i = 0; i < rgba.size(); ++i)

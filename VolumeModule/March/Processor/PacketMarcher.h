@@ -14,8 +14,8 @@
 namespace varimarch
 {
 
-/// Marches packets of rays on the processor, where OpenGL is software too. A shader then draws the
-/// image, so that it meets the framebuffer as the rays of shaders do.
+/// Marches packets of rays on the processor when OpenGL is software too. A shader then draws the
+/// image, so that it is blended with the framebuffer in the same way as images of ShaderMarcher.
 class PacketMarcher : public FrameMarcher
 {
 public:
@@ -39,7 +39,7 @@ private:
   SceneResources& resources;
   BoxDrawing& boxes;
   PacketPicture image;
-  FloatFramebuffer layerDepths; ///< The depths of translucent geometry between which rays march.
+  FloatFramebuffer layerDepths; ///< The depths of the translucent layers around the rays.
 };
 
 }

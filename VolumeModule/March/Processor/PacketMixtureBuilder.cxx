@@ -1,4 +1,4 @@
-// The parts of a mixture in plain numbers, by which packets of rays are marched.
+// Builds the scenes of the parts of a mixture.
 
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/Lights.h"
@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-// The colours of dependent components. The component of opacities is the last.
+// The colours of dependent components. The last component has the opacity.
 PacketColors ColorsOf(
   const VolumeMarch& march, const VolumeResources& volume, const VolumeParameters& parameters)
 {
@@ -45,7 +45,7 @@ PacketSpacing SpacingOf(const UnevenBins& uneven)
   return { uneven.bins.data(), uneven.first, uneven.last };
 }
 
-// The table of a part's opacities.
+// The index of the table that has a part's opacities.
 std::size_t OpacityTableOf(const VolumeResources& volume, int component)
 {
   const std::vector<MaterialTable>& tables = volume.Materials().MaterialTables();

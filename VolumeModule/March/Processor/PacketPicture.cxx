@@ -19,7 +19,7 @@ constexpr std::size_t BytesPerPixel = 4 * sizeof(float);
 
 [[noreturn]] void Fail(const Viewport& pixels, const std::string& limit)
 {
-  throw std::runtime_error("Cannot draw a picture of " + std::to_string(pixels.width) + " x " +
+  throw std::runtime_error("Cannot draw an image of " + std::to_string(pixels.width) + " x " +
     std::to_string(pixels.height) + " pixels: " + limit);
 }
 
@@ -41,7 +41,7 @@ void PacketPicture::March(
   if (!rgba)
   {
     this->buffer->Release();
-    Fail(this->pixels, "there is no memory for it");
+    Fail(this->pixels, "memory does not suffice");
   }
   float* picture = static_cast<float*>(rgba);
   for (const PacketScene& scene : scenes)
@@ -61,7 +61,7 @@ void PacketPicture::Allocate(vtkOpenGLRenderWindow* window, std::size_t newCount
   if (newCount > std::size_t(mostPixels))
   {
     Fail(this->pixels,
-      "this device's buffer textures have at most " + std::to_string(mostPixels) + " of them");
+      "this device's buffer textures have at most " + std::to_string(mostPixels) + " pixels");
   }
   this->buffer->GenerateBuffer(vtkOpenGLBufferObject::TextureBuffer);
   this->buffer->Bind();

@@ -15,19 +15,18 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// Images that the processor marches, in a buffer texture: if OpenGL is software, that is memory
-/// which packets write into, so that no pixel is copied.
+/// Images that the processor marches, in a buffer texture. If OpenGL is software, packets write
+/// directly into the texture's memory, so that no pixel is copied.
 class PacketPicture
 {
 public:
   /// @param scenes     one for each image
   /// @param newPixels  the part of the images that is marched
-  /// @throws std::runtime_error if there is no memory for them
+  /// @throws std::runtime_error if memory does not suffice
   void March(vtkOpenGLRenderWindow* window, const std::vector<PacketScene>& scenes,
     const Viewport& newPixels);
 
-  /// Premultiplied RGBA of the pixels that were marched last, row by row, one image behind the
-  /// other.
+  /// Premultiplied RGBA of the pixels that were marched last, row by row and image by image.
   vtkTextureObject* Texture() const { return this->texture; }
   const Viewport& Pixels() const { return this->pixels; } ///< The pixels that were marched last.
   std::size_t Bytes() const;
@@ -38,7 +37,7 @@ private:
 
   vtkNew<vtkOpenGLBufferObject> buffer;
   vtkNew<vtkTextureObject> texture;
-  std::size_t count = 0; ///< The pixels that there is memory for; it only ever grows.
+  std::size_t count = 0; ///< The capacity [pixels], which only grows.
   Viewport pixels = {};
 };
 

@@ -1,4 +1,4 @@
-// The march of a frame in plain numbers, by which packets of rays are marched.
+// Builds the scene of a frame as plain numbers, which packets of rays read.
 
 #include "March/Processor/PacketSceneBuilder.h"
 
@@ -164,7 +164,7 @@ PacketScene PacketSceneOf(
   const VolumeMarch& march, const VolumeResources& volume, const PacketSurroundings& around)
 {
   PacketScene scene = {};
-  // Pixels are counted from the first of the frame.
+  // Pixel coordinates begin at the first pixel of the frame.
   scene.rays = RayParametersOf(march, around.drawnBox);
   scene.rays.viewportOriginPixels = -march.plan.rayOffsetPixels;
   scene.parameters = VolumeParametersOf(march, volume, VolumeOfProcessor(march, volume));
@@ -194,8 +194,8 @@ PacketScene PacketSceneOf(
   return scene;
 }
 
-// Depths of visible bricks bound the rays, except those of a projection, where invisible parts
-// count too, and those of a march that fills gaps, which no brick shows.
+// The depths of visible bricks bound the rays, with two exceptions: in projections invisible parts
+// count too, and filled gaps are visible but not recorded in bricks.
 SceneOfVolume::SceneOfVolume(const VolumeMarch& march, VolumeResources& volume,
   PacketSurroundings newAround, const Viewport& pixels)
   : around(std::move(newAround))

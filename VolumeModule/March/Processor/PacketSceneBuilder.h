@@ -14,14 +14,14 @@
 namespace varimarch
 {
 
-/// The part of a frame that packets of rays read beside its volume.
+/// The data of a frame that packets of rays read besides its volume.
 struct PacketSurroundings
 {
   Box drawnBox;                      ///< The box that rays are marched through [grid space].
   std::vector<glm::vec4> planesGrid; ///< The planes that clip.
   const float* depth;                ///< The depths of geometry; null if there is none.
   glm::ivec2 depthPixels;            ///< The size of the image of depths.
-  std::vector<float> layerDepths; ///< Slots.glsl's PeeledDepths of each pixel, if there are layers.
+  std::vector<float> layerDepths;    ///< PeeledDepths of Slots.glsl for each pixel; may be empty.
   LightTexels lights;
   std::vector<PacketRow> maskRows; ///< The tables of labels.
   std::vector<glm::vec4> isosurfaces;
@@ -31,15 +31,15 @@ struct PacketSurroundings
 /// The tables of the labels of a mask.
 std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables);
 
-/// A march in plain numbers, which point into the frame, its resources and its surroundings.
+/// The scene of a march. It points into the frame, its resources and its surroundings.
 PacketScene PacketSceneOf(
   const VolumeMarch& march, const VolumeResources& volume, const PacketSurroundings& around);
 
-/// The scene of a volume with its surroundings. Its depths of visible parts are overwritten by the
-/// next scene of the same volume.
+/// The scene of a volume together with its surroundings. The next scene of the same volume
+/// overwrites its depths of visible parts.
 struct SceneOfVolume
 {
-  /// @param pixels  the pixels of the frame that are drawn
+  /// @param pixels  the drawn pixels of the frame
   SceneOfVolume(const VolumeMarch& march, VolumeResources& volume, PacketSurroundings newAround,
     const Viewport& pixels);
 
@@ -47,16 +47,16 @@ struct SceneOfVolume
   PacketScene scene;
 };
 
-/// The look of a component's values by one of the volume's tables.
+/// The look of a component's values, from one of the volume's tables.
 PacketLook LookOf(const VolumeMarch& march, const VolumeResources& volume,
   const VolumeParameters& parameters, std::size_t table, int component);
 
-/// True if packets march a frame as a mixture: several components, several volumes, or voxels at
-/// uneven places, for which plain marches have no code.
+/// True if packets march a frame as a mixture. This holds for several components, several volumes,
+/// and unevenly spaced voxels, which plain marches do not support.
 bool IsMixture(const Frame& frame);
 
 /// The scenes of a volume in a mixture, one for each of its materials.
-/// @param scene  the scene of the volume as a whole
+/// @param scene  the scene of the whole volume
 std::vector<PacketScene> ConstituentsOf(
   const VolumeMarch& march, const VolumeResources& volume, const PacketScene& scene);
 

@@ -4,7 +4,7 @@
 namespace varimarch
 {
 
-/// Whether the current OpenGL context is drawn by the processor: llvmpipe.
+/// True if the current OpenGL context is drawn by the processor, with llvmpipe.
 bool IsSoftwareRasterizer();
 
 }
