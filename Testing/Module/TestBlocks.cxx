@@ -353,7 +353,7 @@ TEST(BlockMemory, TooLittleForAnyBlockIsNamed)
   ExpectedVtkErrors errors;
   scene.window->Render();
   EXPECT_NE(errors.Text().find("Cannot draw in a maximum graphics memory of 100000 bytes: this "
-                               "picture of this volume needs at least 15"),
+                               "image of the volume needs at least 15"),
     std::string::npos)
     << errors.Text();
 }

@@ -13,7 +13,7 @@ void PassMarch::Draw(const Frame& frame, const MarchPlan& plan, FrameMarcher& ma
 {
   if (this->resources.IsInBlocks())
   {
-    throw std::runtime_error("A volume in blocks is not drawn between translucent geometry, nor "
+    throw std::runtime_error("A volume in blocks cannot be drawn between translucent geometry or "
                              "selected: the maximum graphics memory, or the device's 3D textures, "
                              "are too small for it");
   }

@@ -13,18 +13,18 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A tile of blue noise of 16 bits: where rays have their first sample. On the device it is where
+/// A tile of 16 bit blue noise, which offsets the first sample of each ray. It is uploaded only if
 /// shaders read it.
 class BlueNoiseTexture
 {
 public:
-  static constexpr int Pixels = 64; ///< on a side
+  static constexpr int Pixels = 64; ///< The number of pixels on a side.
 
-  /// Makes the tile unless it is there.
+  /// Makes the tile unless it exists.
   void MakeTile();
-  const std::vector<std::uint16_t>& Tile() const { return this->tile; } ///< after MakeTile
+  const std::vector<std::uint16_t>& Tile() const { return this->tile; } ///< Requires MakeTile().
 
-  /// Has the tile, which has been made, on the device.
+  /// Uploads the tile to the device. Requires MakeTile().
   void Upload(vtkOpenGLRenderWindow* window);
   void ReleaseTexture(vtkWindow* window);
 

@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-/// Copies numbers with a stride; 0 for those that are not finite.
+/// Copies numbers with a stride, replacing non-finite ones by 0.
 /// @return true if all are finite
 template <class Number, class Scalar>
 bool CopyNumbers(const void* source, int stride, vtkIdType count, void* target)
@@ -36,11 +36,11 @@ bool CopyNumbers(const void* source, int stride, vtkIdType count, void* target)
   return allFinite;
 }
 
-// CopyNumbers for types that are chosen at run time: the parallel loop then need not be compiled
-// for each type.
+// CopyNumbers for types that are chosen at run time, so that the parallel loop is compiled only
+// once.
 using NumberCopier = bool (*)(const void* source, int stride, vtkIdType count, void* target);
 
-/// @param vtkType  a type of numbers
+/// @param vtkType  a numeric type
 template <class Number>
 NumberCopier NumberCopierFrom(int vtkType)
 {
@@ -67,7 +67,7 @@ NumberCopier NumberCopierOf(int fromType, int toType)
   return nullptr;
 }
 
-/// @param type  VTK_FLOAT, VTK_DOUBLE, or the component's own
+/// @param type  VTK_FLOAT, VTK_DOUBLE, or the component's own type
 ComponentCopy CopyAs(int type, const VoxelComponent& component)
 {
   const vtkIdType count = component.array->GetNumberOfTuples();

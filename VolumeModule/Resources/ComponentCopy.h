@@ -11,11 +11,11 @@ class vtkDataArray;
 namespace varimarch
 {
 
-/// The numbers of one component of voxels, in memory of their own; 0 for those that are not finite.
+/// A copy of one component of the voxels, in which non-finite values are 0.
 struct ComponentCopy
 {
   vtkSmartPointer<vtkDataArray> array; ///< An array of one component; null if there is no copy.
-  bool allFinite = true;               ///< there were none of these
+  bool allFinite = true;               ///< True if all values were finite.
 };
 
 VARIMARCHVOLUME_EXPORT ComponentCopy CopyAsItIs(const VoxelComponent& component);

@@ -12,10 +12,10 @@ namespace varimarch
 namespace
 {
 
-// The tolerance of the scalar field if none is given, as a part of the range of the scalars.
+// The default tolerance of the scalar field, as a fraction of the range of the scalars.
 constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 
-// The tables that decide where a volume is visible.
+// The tables that determine where a volume is visible.
 std::vector<ComponentTable> TablesOfOpacity(const MaterialResources& materials)
 {
   std::vector<ComponentTable> tables;
@@ -84,9 +84,9 @@ void FieldResources::UpdateScalarField(const FieldInputs& inputs)
   ++this->builds;
 }
 
-// Returns true if the field has to be built for the rays of the frame; the ranges of bricks are
-// then ready. A field for rays of other directions does not count as another build, because it
-// shows the same.
+// Returns true if the field must be built for the rays of the frame, after making the ranges of
+// bricks. A field that differs only in its ray directions does not count as another build, because
+// the image is the same.
 bool FieldResources::BeginsField(const FieldInputs& inputs, FieldSource& source)
 {
   const VolumeMarch& march = inputs.march;
@@ -171,10 +171,11 @@ void FieldResources::UpdateRanges(const FieldInputs& inputs)
   }
 }
 
-// The extreme that a ray has found is that of a brick even if rounding has made it less.
+// Values are shifted by a fraction of a step, so that the extreme that a ray has found reaches that
+// of its brick in spite of rounding.
 ExtremeSteps FieldResources::ExtremeStepsOf(Blend blend) const
 {
-  constexpr double rounding = 1.0 / 64.0; // a part of a step
+  constexpr double rounding = 1.0 / 64.0; // [steps]
   const double sense = blend == Blend::MaximumIntensity ? 1.0 : -1.0;
   const BrickRanges& ranges = this->field.Ranges();
   return { sense, ranges.FirstValue() - sense * rounding * ranges.ValuePerStep(),

@@ -15,24 +15,24 @@
 namespace varimarch
 {
 
-/// The source of a field, which must be built again when any of it differs.
+/// The inputs that a field was built from. It must be rebuilt if any of them differs.
 struct FieldSource
 {
   Acceleration acceleration;
-  int volumeBuild; ///< The number of the volume's voxels.
-  int tableBuild;  ///< The number of the optical table; 0 for a field that does not use it.
+  int volumeBuild; ///< The build number of the voxels.
+  int tableBuild;  ///< The build number of the optical table; 0 for a field that does not use it.
   double tolerance;
-  double sense = 0.0; ///< For extremes: 1 for the largest, -1 for the smallest.
+  double sense = 0.0; ///< 1 for maxima, -1 for minima; 0 for other fields.
   Marcher marcher = Marcher::Device;
   std::vector<double> isovalues = {};
-  glm::ivec3 towards = glm::ivec3(0); ///< The directions of its rays, see FieldDirections.
+  glm::ivec3 towards = glm::ivec3(0); ///< The ray directions it is for, see FieldDirections.
 
   bool operator==(const FieldSource& other) const
   {
     return this->ShowsSame(other) && this->towards == other.towards;
   }
 
-  /// True if the same bricks are invisible, whatever the directions of rays.
+  /// True if the same bricks are invisible, regardless of ray directions.
   bool ShowsSame(const FieldSource& other) const
   {
     return this->isovalues == other.isovalues && this->acceleration == other.acceleration &&
@@ -42,32 +42,32 @@ struct FieldSource
   }
 };
 
-/// The values that the numbers of a field of extremes stand for.
+/// The mapping from the steps of a field of extremes to values.
 struct ExtremeSteps
 {
-  double sense; ///< 1 for the largest, -1 for the smallest.
+  double sense; ///< 1 for maxima, -1 for minima.
   double firstValue;
   double valuePerStep;
 };
 
-/// The inputs of a field.
+/// The data that a field is built from.
 struct FieldInputs
 {
   const VolumeMarch& march;
-  VolumeBlocks& blocks; ///< Each block has the scalar field of its cells.
+  VolumeBlocks& blocks; ///< The blocks, each of which has the scalar field of its cells.
   const MaterialResources& materials;
   int volumeBuild;
 };
 
-/// The field of the acceleration mode: the parts of a volume that rays may leave out. It is built
-/// again when its source has changed; a mode that needs none releases it.
+/// The field of the acceleration mode, which records the parts of a volume that rays may skip. It
+/// is rebuilt when its source has changed, and released by a mode without a field.
 class FieldResources
 {
 public:
   /// @throws std::runtime_error if the device cannot hold the field
   void Update(const FieldInputs& inputs);
 
-  /// The next field is built with new ranges of bricks: the volume has another grid.
+  /// Discards the ranges of bricks, because the volume has another grid.
   void ForgetBricks();
 
   const AccelerationField& OfBricks() const { return this->field; }
@@ -89,10 +89,10 @@ private:
   void UpdateRanges(const FieldInputs& inputs);
 
   AccelerationField field;
-  std::optional<FieldSource> madeFrom; ///< Nothing if there is no field.
+  std::optional<FieldSource> madeFrom; ///< The source of the field; empty if there is no field.
   FieldDirections directions;
-  int rangesOfVolume = 0; ///< The number of the volume that the ranges of bricks belong to.
-  int builds = 0;         ///< A field for rays of other directions does not count.
+  int rangesOfVolume = 0; ///< The build number of the voxels that the ranges of bricks belong to.
+  int builds = 0;         ///< Builds so far, except those for other ray directions only.
   int rangesBuilds = 0;
 };
 

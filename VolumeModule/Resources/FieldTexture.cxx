@@ -24,7 +24,7 @@ namespace varimarch
 namespace
 {
 
-// The blocks [c - k, c + k] whose values depend on no other voxels than those of a larger block.
+// Shrinks each block [c - k, c + k], because values at its border depend on voxels outside it.
 void Narrow(VariationField& field, int reachVoxels)
 {
   for (std::uint8_t& cell : field.cells)
@@ -57,7 +57,7 @@ BrickRanges RangesOf(
     return BuildBrickRanges(ScalarGrid<Scalar>(scalars, dimensions), texels.smallestValue,
       texels.largestValue, values.reachVoxels);
   }
-  // A component is copied, one at a time.
+  // Only one component is copied at a time, to save memory.
   std::vector<Scalar> component(std::size_t(dimensions.x) * dimensions.y * dimensions.z);
   for (std::size_t i = 0; i < component.size(); ++i)
   {
@@ -80,16 +80,17 @@ BrickRanges RangesOf(const VoxelValues& values, std::size_t index)
   return {};
 }
 
-// With a smaller part of bricks to skip, to look for them costs more than is skipped.
+// If a smaller part of the bricks can be skipped, testing bricks costs more than it saves.
 constexpr double LeastSkippablePart = 1.0 / 8.0;
 
-// So large that there are few of them, and so small that rays begin close to what they see.
-constexpr int BricksPerBlock = 2; // along a side
+// The side of a block [bricks]: large enough that blocks are few, and small enough that rays begin
+// close to the visible parts.
+constexpr int BricksPerBlock = 2;
 
 VisibleBlocks VisibleBlocksOf(const OpticalField& field)
 {
   constexpr float side = float(BricksPerBlock * BrickRanges::CellsPerSide);
-  // The volume may reach half a voxel beyond the outermost voxels.
+  // The volume may extend half a voxel beyond the outermost voxels.
   VisibleBlocks blocks{ side + 2.0f, {} };
   for (const glm::ivec3& block : VisibleHull(field, BricksPerBlock))
   {
@@ -122,7 +123,7 @@ void AccelerationField::Upload(
   this->size = size;
   this->bytes = texels.size() * sizeof(Texel);
 
-  // Nearest: a value between two texels would promise what neither proves.
+  // Texels are not interpolated, because a value between two of them would have no meaning.
   this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->texture->SetWrapT(vtkTextureObject::ClampToEdge);
   this->texture->SetWrapR(vtkTextureObject::ClampToEdge);

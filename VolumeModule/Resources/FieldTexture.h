@@ -19,15 +19,15 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A component, and the table of the transfer function that shows it.
+/// A component, and the optical table of its transfer function.
 struct ComponentTable
 {
   int component;
   const OpticalTable* table;
 };
 
-/// The field that lets rays jump, as a 3D texture of bytes: one for each cell (the scalar field)
-/// or for each brick of cells (the optical field).
+/// The field by which rays skip samples, as a 3D texture with one texel for each cell (scalar
+/// field) or each brick of cells (optical field, extremes).
 class AccelerationField
 {
 public:
@@ -38,20 +38,21 @@ public:
   void BuildScalarField(
     vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance, int reachVoxels);
 
-  /// Takes the gaps of a volume, which are stored like a field.
+  /// Uploads the gaps of a volume, which are stored like a field.
   /// @throws std::runtime_error if the device cannot hold the texture
   void SetGaps(vtkOpenGLRenderWindow* window, const GapField& gaps);
 
-  /// Builds the part of the optical field that reads the volume. It is kept for every later
-  /// BuildOpticalField.
-  /// @param axes  the axes of a rectilinear grid; none for an image
+  /// Builds the part of the optical field that depends only on the voxels: the ranges of bricks. It
+  /// is reused by every later BuildOpticalField.
+  /// @param axes  the axes of a rectilinear grid; empty for an image
   void BuildRanges(const VoxelValues& values, const std::vector<UnevenAxis>& axes);
 
-  /// Builds the optical field, which stays empty if rays could hardly skip anything.
+  /// Builds the optical field, which stays empty if rays could skip hardly anything.
   /// @throws std::runtime_error if the device cannot hold the texture
-  /// @param tables   the tables that show the values of components
-  /// @param towards  the directions of its rays, see DirectionsOf
-  /// @param marcher  the reader: for the processor there is no texture, but Bricks()
+  /// @param tables   the optical tables of the components
+  /// @param towards  the ray directions it is for, see DirectionsOf
+  /// @param marcher  the marcher that reads it: a texture for the device, Bricks() for the
+  /// processor
   void BuildOpticalField(vtkOpenGLRenderWindow* window, const std::vector<ComponentTable>& tables,
     const OpticalTolerance& tolerance, glm::ivec3 towards, Marcher marcher);
 
@@ -60,20 +61,21 @@ public:
   void BuildIsosurfaceField(vtkOpenGLRenderWindow* window, const std::vector<double>& isovalues,
     glm::ivec3 towards, Marcher marcher);
 
-  /// Builds a field of extremes: the value that lets a ray leave out each brick, as texels of 16
-  /// bits, see BuildExtremeBricks.
+  /// Builds a field of extremes: 16 bit texels with the value at which a ray may skip each brick,
+  /// see BuildExtremeBricks.
   /// @throws std::runtime_error if the device cannot hold the texture
-  /// @param marcher  the reader: for the processor there is no texture, but Extremes()
+  /// @param marcher  the marcher that reads it: a texture for the device, Extremes() for the
+  /// processor
   void BuildExtremes(
     vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest, Marcher marcher);
 
-  const BrickRanges& Ranges() const { return this->ranges.front(); } ///< For the first component.
+  const BrickRanges& Ranges() const { return this->ranges.front(); } ///< The first component's.
   vtkTextureObject* Texture() const { return this->texture; }
   const std::vector<std::uint8_t>& Bricks() const { return this->bricks; }
   const std::vector<std::uint16_t>& Extremes() const { return this->extremes; }
   const varimarch::ExtremeBlocks& ExtremeBlocks() const { return this->extremeBlocks; }
-  /// The depths between which something may be visible along the view, for the processor. They are
-  /// valid until the next call.
+  /// The depths between which something may be visible in a view, for the processor. They are valid
+  /// until the next call.
   PacketDepths VisibleDepthsIn(const glm::dmat4& clipFromGrid, const glm::vec3& directionGrid,
     glm::ivec2 picturePixels, const Viewport& pixels)
   {
@@ -81,10 +83,10 @@ public:
       this->visibleBlocks, clipFromGrid, directionGrid, picturePixels, pixels);
   }
   bool SkipsAny() const { return this->bytes > 0 || !this->bricks.empty(); }
-  /// The smallest box around what the optical field has visible in a part of the volume.
+  /// The smallest box around the visible bricks of the optical field in a part of the volume.
   Box VisibleBoxGrid(const Box& partGrid) const { return this->visible.Bounds(partGrid); }
   glm::ivec3 Size() const { return this->size; } ///< The number of texels along each axis.
-  /// The time to build the last field and the ranges that it needed [s].
+  /// The time that the last field took to build, including the ranges built for it [s].
   double BuildSeconds() const { return this->buildSeconds; }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
@@ -98,16 +100,17 @@ private:
   void Upload(vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels);
 
   vtkNew<vtkTextureObject> texture;
-  std::vector<BrickRanges> ranges; ///< One for each component.
+  std::vector<BrickRanges> ranges; ///< The ranges of bricks of each component.
   VisibleBricks visible;
-  // For the processor: an optical field and the hull of what is visible, or a field of extremes.
+  // Data for the processor: an optical field with the hull of its visible bricks, or a field of
+  // extremes.
   std::vector<std::uint8_t> bricks;
   VisibleBlocks visibleBlocks;
   VisibleDepths visibleDepths;
   std::vector<std::uint16_t> extremes;
   varimarch::ExtremeBlocks extremeBlocks;
   glm::ivec3 size = glm::ivec3(1);
-  double rangeSeconds = 0.0; ///< The time for ranges that no field has used yet.
+  double rangeSeconds = 0.0; ///< The build time of ranges that no field has used yet [s].
   double buildSeconds = 0.0;
   std::size_t bytes = 0;
 };

@@ -15,8 +15,8 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A table of four floats per entry in a buffer texture: it has no filter, whose weights have but
-/// 8 bits on most hardware, so that the shader interpolates in full precision.
+/// A table of four floats per entry in a buffer texture. The shader interpolates in full precision,
+/// because the weights of texture filters have only 8 bits on most hardware.
 class FloatBufferTexture
 {
 public:

@@ -109,8 +109,9 @@ void FloatFramebuffer::Bind(vtkOpenGLRenderWindow* window, const Viewport& pixel
   this->framebuffer->ActivateDrawBuffers(this->textures.size());
   if (!this->framebuffer->CheckFrameBufferStatus(GL_FRAMEBUFFER))
   {
-    throw std::runtime_error("OpenGL offers no framebuffer of 32 bit floats, which an error "
-                             "tolerance, blocks, and other rays than pixels need");
+    throw std::runtime_error(
+      "OpenGL has no framebuffer of 32 bit floats, which an error tolerance, "
+      "blocks, and an image sample distance other than 1 need");
   }
 }
 

@@ -17,19 +17,19 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A texture of four floats per pixel that is drawn to in the window's place and read afterwards,
-/// or several that are drawn to at once.
+/// A framebuffer of one or more textures with four floats per pixel, which replaces the window's
+/// framebuffer during a drawing and can be read afterwards.
 class FloatFramebuffer
 {
 public:
-  /// @param outputs  textures, one for each of a shader's outputs
+  /// @param outputs  number of textures, one for each output of the shader
   explicit FloatFramebuffer(int outputs = 1);
 
-  /// The memory of an image of this size, for each output.
+  /// The memory of an image of this size, per output.
   static std::size_t BytesFor(const Viewport& pixels);
 
-  /// Calls `draw` with this bound as framebuffer and cleared. It covers `pixels`, whose
-  /// origin is (0, 0); the texture only ever grows.
+  /// Clears and binds this framebuffer, and calls `draw`. The framebuffer has the size of `pixels`
+  /// and its origin at (0, 0); its textures only grow.
   /// @throws std::runtime_error if OpenGL has no framebuffer of floats
   void Draw(
     vtkOpenGLRenderWindow* window, const Viewport& pixels, const std::function<void()>& draw);

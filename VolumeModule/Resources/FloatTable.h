@@ -7,11 +7,11 @@
 namespace varimarch
 {
 
-/// A table of four floats per entry in memory, and in a buffer texture where the device marches.
+/// A table of four floats per entry in memory, and in a buffer texture if the device marches.
 class FloatTable
 {
 public:
-  /// @param entries  the entries, of which there may be none
+  /// @param entries  the entries; may be empty
   void Set(vtkWindow* window, std::vector<glm::vec4> entries);
 
   /// Uploads the texture for the device, or releases it for the processor.
@@ -19,7 +19,7 @@ public:
 
   const std::vector<glm::vec4>& Entries() const { return this->entries; }
   vtkTextureObject* Texture() const { return this->texture.Texture(); }
-  std::size_t Bytes() const { return this->texture.Bytes(); } ///< Graphics memory.
+  std::size_t Bytes() const { return this->texture.Bytes(); } ///< The graphics memory of the table.
   void Release(vtkWindow* window) { this->Set(window, {}); }
 
 private:

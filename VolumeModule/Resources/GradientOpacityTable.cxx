@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-// Curves of opacities; null for one that is 1 everywhere.
+// Opacity curves; a null pointer stands for a curve that is 1 everywhere.
 using Curves = std::vector<vtkPiecewiseFunction*>;
 
 // The curve of each material of a mixture, or of each row of labels.
@@ -40,7 +40,7 @@ Curves GradientOpacitiesOf(vtkVolumeProperty* property, const RenderSettings& se
   return curves;
 }
 
-// Four curves share the numbers of an entry.
+/// The entries of a table. Each entry has the values of four curves.
 /// @param largest  the gradient of the last entry of each curve; one for all curves of labels
 std::vector<glm::vec4> GradientOpacityEntries(
   const Curves& curves, const std::vector<double>& largest)

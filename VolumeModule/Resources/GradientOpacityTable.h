@@ -10,17 +10,18 @@
 namespace varimarch
 {
 
-/// The curves of opacities by gradients, four in each entry of a table: one for each material of a
-/// mixture, or for each row of labels. Only there if the settings have gradient opacity.
+/// The gradient opacity curves, one for each material of a mixture or each row of labels. Each
+/// entry of the table has the values of four curves. Empty unless the settings have gradient
+/// opacity.
 class GradientOpacityTable
 {
 public:
-  /// Entries per curve. With so many, a piecewise linear function loses less than a display can
-  /// show.
+  /// Entries per curve. With this many, the error for a piecewise linear function is too small for
+  /// a display.
   static constexpr int EntriesPerCurve = 4096;
 
   /// Makes the table if a curve, or the range of the gradients, has changed.
-  /// @param texels  those of each component of the volume
+  /// @param texels  the texel format of each component of the volume
   void Update(const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
 
   const FloatTable& Table() const { return this->table; }

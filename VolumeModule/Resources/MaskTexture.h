@@ -17,18 +17,21 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A mask: for each voxel its row, or 1 if it is drawn, and the distance up to which that is the
-/// same (LabelReach), as Shaders/Mask reads them. It is on the device, or in memory if the
-/// processor marches, and in one piece even if the volume is in blocks.
+/// A mask. Each voxel has its row, or 1 if it is drawn, and the distance within which this value is
+/// the same (LabelReach), as Shaders/Mask reads them. The mask is on the device, or in memory if
+/// the processor marches, and is not divided even if the volume is in blocks.
 class MaskTexture
 {
 public:
-  /// Takes a mask if it differs from the last, or if the other marcher reads it.
-  /// @throws std::runtime_error if the device cannot hold it
+  /// Updates the texels if the mask or the marcher that reads them has changed.
+  /// @throws std::runtime_error if the device cannot hold the texture
   void Update(vtkOpenGLRenderWindow* window, const MaskVoxels& mask, Marcher marcher);
 
   vtkTextureObject* Texture() const { return this->texture; }
-  const std::vector<std::uint16_t>& Texels() const { return this->texels; } ///< For the processor.
+  const std::vector<std::uint16_t>& Texels() const
+  {
+    return this->texels;
+  } ///< The texels for the processor.
   glm::ivec3 Size() const { return this->mask.dimensions; }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
@@ -39,7 +42,7 @@ private:
   void ReleaseTexture(vtkWindow* window);
 
   MaskVoxels mask;
-  std::vector<std::uint16_t> texels; ///< Two for each voxel.
+  std::vector<std::uint16_t> texels; ///< Two numbers for each voxel.
   std::size_t bytes = 0;
 };
 

@@ -17,8 +17,8 @@ namespace varimarch
 namespace
 {
 
-// The side of a pre-integrated table has this many entries between two nodes of the transfer
-// function, within these bounds. The smaller it is, the more of it stays in the processor's caches.
+// A side of a pre-integrated table has this many entries between two nodes of the transfer
+// function, within these bounds. A smaller table fits better into the processor's caches.
 constexpr double PreIntegratedPerGap = 64.0;
 constexpr std::size_t FewestPreIntegrated = 256;
 constexpr std::size_t MostPreIntegrated = 1024;
@@ -92,8 +92,9 @@ std::vector<OpticalTable> MaterialResources::BuildTables(
     this->twoValues.Set(march.frame.view.window, std::move(table.entries));
     return { std::move(bound) };
   }
-  constexpr std::size_t MostEntries = 65536; // in all tables together, except that
-  constexpr std::size_t FewestEntries = 256; // each has at least these
+  // All tables share MostEntries, but each has at least FewestEntries.
+  constexpr std::size_t MostEntries = 65536;
+  constexpr std::size_t FewestEntries = 256;
   this->materialTables = MaterialTablesOf(march.frame.material.property, march.settings);
   const std::size_t entries = std::max(MostEntries / this->materialTables.size(), FewestEntries);
   std::vector<OpticalTable> tables;

@@ -20,24 +20,25 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// Two entries for each isosurface: its colour and optical depth, and its isovalue.
+/// The table of isosurfaces. Each has two entries: its colour and optical depth, and its isovalue.
 std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame);
 
-/// The look of a volume's values: its transfer functions as tables, and the lights. A table
-/// is made again when its source has changed, and released when a frame does not need it.
+/// The look of a volume's values: its transfer functions as tables, and the lights. A table is
+/// rebuilt when its source has changed, and released when a frame does not need it.
 class MaterialResources
 {
 public:
-  /// Everything but the pre-integrated table.
-  /// @param texels       those of each component
-  /// @param volumeBuild  the number of the volume, whose range the tables span
+  /// Updates everything except the pre-integrated table.
+  /// @param texels       the texel format of each component
+  /// @param volumeBuild  the build number of the voxels, whose range the tables span
   void Update(const VolumeMarch& march, const std::vector<ScalarTexels>& texels, int volumeBuild);
 
-  /// Makes or releases the pre-integrated table, as the integration rule of the march asks for it.
+  /// Makes or releases the pre-integrated table, depending on the integration rule of the march.
   void UpdatePreIntegrated(const VolumeMarch& march);
 
-  int TableBuilds() const { return this->tableBuilds; } ///< How often the optical table was made.
-  /// The graphics memory of everything but the pre-integrated table, whose size is known before.
+  int TableBuilds() const { return this->tableBuilds; } ///< The number of builds so far.
+  /// The graphics memory of everything except the pre-integrated table, whose size is known in
+  /// advance.
   std::size_t Bytes() const;
   void Release(vtkWindow* window);
 
@@ -66,12 +67,12 @@ private:
   std::vector<double> tableInputs;
 
   PreIntegratedTableTexture preIntegratedTable;
-  int preIntegratedOfTable = 0; ///< The build of the optical table that it was made from.
+  int preIntegratedOfTable = 0; ///< The build number of the optical table it was made from.
 
-  FloatTable twoValues; ///< A transfer function of two values.
+  FloatTable twoValues; ///< The transfer function of two values.
   glm::ivec2 twoValuesSize = glm::ivec2(1);
   GradientOpacityTable gradientOpacity;
-  FloatBufferTexture lights; ///< On the device only, if there are other lights than head lights.
+  FloatBufferTexture lights; ///< Lights for the device, if not all are head lights.
   FloatBufferTexture isosurfaces;
 };
 

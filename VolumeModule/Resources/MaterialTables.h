@@ -16,32 +16,32 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// A transfer function, and the component of the voxels whose values it shows.
+/// A transfer function, and the component that it is applied to.
 struct MaterialTable
 {
   int component;
   TransferFunction transferFunction;
-  bool decidesOnOpacity; ///< False if it has colours only, of which alone nothing is seen.
+  bool decidesOnOpacity; ///< False if it has colours only.
 };
 
-/// The transfer functions that a property's materials are looked up in: one for each independent
-/// component; of two dependent components first that of colours; of RGBA only that of opacities; of
-/// labels one for each row. Transfer functions of two values have none of these.
+/// The transfer functions of a property's materials: one for each independent component; for two
+/// dependent components one of colours, then one of opacities; for RGBA one of opacities; for
+/// labels one for each row. Empty for a transfer function of two values.
 std::vector<MaterialTable> MaterialTablesOf(
   vtkVolumeProperty* property, const RenderSettings& settings);
 
 /// A transfer function of two values: colours, and opacities over a unit distance.
 struct TwoValueTable
 {
-  glm::ivec2 size;                ///< At least two along each axis.
-  std::vector<glm::vec4> entries; ///< Row by row, x fastest.
+  glm::ivec2 size;                ///< The number of entries along each axis, at least two.
+  std::vector<glm::vec4> entries; ///< Colours and opacities, x fastest.
 };
 
 /// @throws std::runtime_error if the property has none
 TwoValueTable TwoValueTableOf(vtkVolumeProperty* property);
 
-/// A table of the largest extinction of each first value. It shows something wherever the table of
-/// two values does, whatever the second value is.
+/// A table with the largest extinction of each first value over all second values. It is visible
+/// wherever the table of two values is.
 OpticalTable UpperBound(
   const TwoValueTable& table, const std::array<double, 2>& range, double opacityUnitDistanceMm);
 
@@ -49,13 +49,13 @@ OpticalTable UpperBound(
 std::vector<double> MaterialTableInputs(
   vtkVolumeProperty* property, const RenderSettings& settings);
 
-/// The component whose values decide on the opacity of a part.
+/// The component that determines the opacity of a part.
 int OpacityComponentOf(const RenderSettings& settings, int part);
 
-/// The factor of a part's extinction in the mixture of all.
+/// The weight of a part's extinction in the mixture.
 double WeightOf(vtkVolumeProperty* property, const RenderSettings& settings, int part);
 
-/// The number of the brightest colour, by VTK's convention for numbers that are colours.
+/// The value of full brightness, by VTK's convention for arrays of colours.
 double LargestColorOf(vtkDataArray* array);
 
 /// Coefficients of ambient, diffuse and specular light, and the specular power.

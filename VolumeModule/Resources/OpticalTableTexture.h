@@ -8,8 +8,8 @@
 namespace varimarch
 {
 
-/// Transfer functions as OpticalTables, in memory, and for shaders on the device too, one after the
-/// other.
+/// Transfer functions as OpticalTables in memory and, for shaders, one after the other in a
+/// texture.
 class OpticalTableTexture
 {
 public:
@@ -18,7 +18,7 @@ public:
 
   /// Uploads the tables to the device.
   void Upload(vtkOpenGLRenderWindow* window);
-  /// Uploads the tables with a row for each of them before all entries, as
+  /// Uploads the tables preceded by an index with a row for each of them, as
   /// Shaders/Classify/LabelTables.glsl reads them.
   /// @param mapping  the mapping of the texels that are looked up
   void UploadRows(vtkOpenGLRenderWindow* window, const TexelMapping& mapping);
@@ -33,8 +33,9 @@ public:
   {
     return this->visibleValues[table];
   }
-  std::array<double, 2> VisibleValuesOfAny() const;  ///< The range visible by any table.
-  std::size_t FirstEntryOf(std::size_t table) const; ///< Its index in the buffer.
+  std::array<double, 2> VisibleValuesOfAny() const; ///< The range of values visible in any table.
+  std::size_t FirstEntryOf(
+    std::size_t table) const; ///< The index of its first entry in the buffer.
   std::size_t Bytes() const { return this->texture.Bytes(); }
   void Release(vtkWindow* window);
 
@@ -43,7 +44,7 @@ private:
 
   FloatBufferTexture texture;
   std::vector<OpticalTable> tables = { OpticalTable() };
-  std::vector<std::array<double, 2>> visibleValues; ///< One range for each table.
+  std::vector<std::array<double, 2>> visibleValues; ///< The range of visible values of each table.
 };
 
 }

@@ -11,7 +11,7 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A PreIntegratedTable on the device, or in memory where the processor marches rays.
+/// A PreIntegratedTable on the device, or in memory if the processor marches.
 class PreIntegratedTableTexture
 {
 public:
@@ -27,7 +27,7 @@ public:
 
 private:
   vtkNew<vtkTextureObject> texture;
-  int size = 0; ///< The side of the texture.
+  int size = 0; ///< The number of texels on a side.
   PreIntegratedTable kept = {};
 };
 

@@ -31,7 +31,7 @@ bool AreFinite(vtkDataArray* array)
   return finite;
 }
 
-// True if packets read a component where its owner keeps it.
+// True if packets can read a component in place.
 bool IsReadInPlace(const VoxelComponent& component)
 {
   return PacketVoxelTypeOf(component.array) && component.array->GetNumberOfComponents() == 1;

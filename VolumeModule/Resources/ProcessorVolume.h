@@ -16,25 +16,25 @@ class vtkDataArray;
 namespace varimarch
 {
 
-/// The type by which packets read the numbers of an array; nothing if they cannot read them.
+/// The type in which packets read the values of an array; none if they cannot read them.
 std::optional<VoxelType> PacketVoxelTypeOf(vtkDataArray* array);
 
-/// The voxels of a volume as packets of rays read them: where their owner keeps them, or copies of
-/// those that packets cannot read; and the gaps between them. All of it is in memory, and only
-/// while the processor marches.
+/// The voxels of a volume in the form that packets of rays read, and the gaps between them. Voxels
+/// are read in place if possible, otherwise copied. Copies and gaps are kept only while the
+/// processor marches.
 class ProcessorVolume
 {
 public:
-  /// Takes other voxels. Nothing is read before it is needed.
+  /// Replaces the voxels. They are not read before they are needed.
   void SetVoxels(const VoxelComponents& newComponents);
 
-  /// True if all voxels are finite. Reads them once; their types are those of real numbers.
+  /// True if all voxels are finite. Reads them once. Requires floating-point types.
   bool AreFinite();
 
-  /// Makes what the march needs, or lets go of it.
+  /// Makes the copies and gaps that the march needs, and releases others.
   void Update(const VolumeMarch& march, const VoxelValues& values);
 
-  /// A component without numbers that are not finite. Only after Update for the processor.
+  /// A component in which non-finite values are 0. Requires an Update() for the processor.
   vtkDataArray* Voxels(std::size_t component = 0) const;
 
   /// The gaps; empty if there are none.
@@ -48,11 +48,11 @@ private:
   void UpdateGaps(const VolumeMarch& march, const VoxelValues& values);
 
   VoxelComponents components;
-  std::vector<ComponentCopy> copies;   ///< One for each component, or none at all.
-  std::optional<bool> voxelsAreFinite; ///< Nothing until somebody has asked.
+  std::vector<ComponentCopy> copies;   ///< The copies of all components, or none.
+  std::optional<bool> voxelsAreFinite; ///< The result of AreFinite(), once known.
   GapField gaps;
   std::optional<Blanking>
-    gapsOf; ///< The flags that the gaps were made with; nothing: none are made.
+    gapsOf; ///< The flags that the gaps were made from; empty if there are no gaps.
 };
 
 }

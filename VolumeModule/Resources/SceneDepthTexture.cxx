@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-// The depth format of the framebuffer that is bound for drawing: a blit needs the very same.
+// The depth format of the framebuffer that is bound for drawing. A blit needs the same format.
 GLenum BoundDepthFormat()
 {
   const auto parameter = [](GLenum name)

@@ -14,15 +14,15 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// A copy of the depth buffer as it is when the volume is drawn. The buffer itself cannot be read:
-/// it is bound for drawing, may be multisampled, and a render pass may have put its own there.
+/// A copy of the depth buffer, made when the volume is drawn. The buffer itself cannot be read: it
+/// is bound for drawing, may be multisampled, and may belong to a render pass.
 class SceneDepthTexture
 {
 public:
   /// Copies a rectangle of the framebuffer that is bound for drawing [pixels].
   void Capture(vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height);
 
-  /// The captured depths, row by row from below. They are read from the device once.
+  /// The captured depths, row by row from the bottom. They are read from the device once.
   const std::vector<float>& Depths(vtkOpenGLRenderWindow* window);
 
   vtkTextureObject* Texture() const { return this->depth; }
@@ -38,9 +38,9 @@ private:
 
   unsigned int format = 0; ///< The format of the framebuffer that was copied last.
   vtkNew<vtkTextureObject> depth;
-  vtkNew<vtkTextureObject> color; ///< a framebuffer needs one to be complete
+  vtkNew<vtkTextureObject> color; ///< Unused, but a complete framebuffer needs it.
   vtkNew<vtkOpenGLFramebufferObject> framebuffer;
-  std::vector<float> depths; ///< Empty until somebody asks for them.
+  std::vector<float> depths; ///< The result of Depths(); empty until it is called.
   std::size_t bytes = 0;
 };
 

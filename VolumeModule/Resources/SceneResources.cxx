@@ -21,7 +21,7 @@ bool IsEmpty(const Box& box)
   return glm::any(glm::greaterThanEqual(box.lower, box.upper));
 }
 
-// The box around both, either of which may be empty.
+// The smallest box around two boxes, either of which may be empty.
 Box Around(const Box& box, const Box& other, const glm::dmat4& boxFromOther)
 {
   Box around = box;
@@ -39,17 +39,17 @@ Box Around(const Box& box, const Box& other, const glm::dmat4& boxFromOther)
   return around;
 }
 
-// Throws a sentence if a volume cannot be drawn together with others.
+// Throws std::runtime_error if a volume cannot be drawn together with others.
 void CheckOverlap(const VolumeResources& volume, const VolumeFindings& findings)
 {
   if (volume.Blocks().Partition().Count() > 1)
   {
-    throw std::runtime_error("Volumes that overlap are not drawn in blocks: the maximum graphics "
+    throw std::runtime_error("Overlapping volumes cannot be drawn in blocks: the maximum graphics "
                              "memory, or the device's 3D textures, are too small for them");
   }
   if (findings.hasGaps)
   {
-    throw std::runtime_error("Volumes that overlap are not drawn where values are not finite");
+    throw std::runtime_error("Overlapping volumes cannot be drawn with values that are not finite");
   }
 }
 

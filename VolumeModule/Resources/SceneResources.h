@@ -19,19 +19,19 @@ namespace varimarch
 class SceneResources
 {
 public:
-  /// Takes the voxels of all volumes.
+  /// Updates the voxels of all volumes.
   void UpdateVoxels(const Frame& frame);
 
-  /// Updates everything else, except the pre-integrated table, and records in the plan what is
-  /// found in the volumes.
+  /// Updates everything else, except the pre-integrated table, and adds the volumes' findings to
+  /// the plan.
   /// @param ofImages  the memory of framebuffers
   /// @throws std::runtime_error if the device cannot hold a resource
   void Update(const Frame& frame, MarchPlan& plan, const MemoryElsewhere& ofImages);
 
-  /// Makes the table of the plan's integration rule.
+  /// Makes the pre-integrated table if the plan's integration rule needs it.
   void UpdatePreIntegrated(const Frame& frame, const MarchPlan& plan);
 
-  /// Begins an image of a volume in several blocks, which are then taken in this order.
+  /// Begins an image of a volume in blocks, which must then be taken in the given order.
   void BeginPicture(
     const VolumeMarch& march, const std::vector<int>& inView, const MemoryElsewhere& ofImages);
 
@@ -43,7 +43,7 @@ public:
   const BlueNoiseTexture& Noise() const { return this->noise; }
 
   bool IsInBlocks() const { return this->first.Blocks().Partition().Count() > 1; }
-  /// The box through all volumes that rays are marched in, in the grid of the first.
+  /// The box around all volumes through which rays are marched, in the grid of the first volume.
   const Box& DrawnBox() const { return this->drawnBox; }
   bool IsNothingDrawn() const;
   std::size_t Bytes() const { return this->first.Bytes() + this->BytesBesideFirst(); }

@@ -32,7 +32,7 @@ SplineVolume::SplineVolume(const VoxelComponents& components, glm::ivec3 dimensi
 {
   for (const VoxelComponent& component : components)
   {
-    // Floats have all digits of floats and of 16 bit integers.
+    // Floats are precise enough for floats and for integers of up to 16 bits.
     const bool single =
       component.array->GetDataType() == VTK_FLOAT || component.array->GetDataTypeSize() <= 2;
     this->coefficients.push_back(single

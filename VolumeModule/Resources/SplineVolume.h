@@ -14,26 +14,25 @@ class vtkDataArray;
 namespace varimarch
 {
 
-/// The coefficients of the tricubic splines through the voxels of a volume (SplineCoefficients.h),
-/// which then stand for the voxels on the graphics device and in all that is known of values.
+/// The coefficients of the tricubic splines through the voxels of a volume (SplineCoefficients.h).
+/// They replace the voxels on the graphics device and in everything computed from values.
 class SplineVolume
 {
 public:
-  /// A volume without a spline.
+  /// Makes an empty spline.
   SplineVolume() = default;
 
-  /// @throws std::runtime_error if a voxel is not finite, because no coefficient would be finite
-  /// then
+  /// @throws std::runtime_error if a voxel is not finite, because then no coefficient would be
   SplineVolume(const VoxelComponents& components, glm::ivec3 dimensions);
 
   /// The coefficients, in arrays that this object owns.
   VoxelComponents Components() const;
 
-  /// The format of the coefficients in a texture. The range of the scalars is that of the voxels.
+  /// The texel format of the coefficients. Its range of scalars is that of the voxels.
   std::vector<ScalarTexels> Texels(const VoxelComponents& voxels) const;
 
 private:
-  std::vector<vtkSmartPointer<vtkDataArray>> coefficients; ///< One for each component.
+  std::vector<vtkSmartPointer<vtkDataArray>> coefficients; ///< The coefficients of each component.
 };
 
 }

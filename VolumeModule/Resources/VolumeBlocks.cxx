@@ -101,7 +101,7 @@ const VolumeBlock& VolumeBlocks::Take(vtkOpenGLRenderWindow* window, int block)
   std::unique_ptr<VolumeBlock>& taken = this->blocks[block];
   if (!taken && !released.empty())
   {
-    // Textures of the same size are used again.
+    // A released block's textures are reused, because they often have the same size.
     taken = std::move(this->blocks[released.back()]);
     taken->isCurrent = false;
     released.pop_back();

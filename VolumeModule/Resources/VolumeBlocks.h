@@ -16,13 +16,13 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// The textures of one block: its voxels, and the fields of its cells.
+/// The textures of one block: its voxels and the fields of its cells.
 struct VolumeBlock
 {
   VolumeTexture volume;
-  AccelerationField gaps; ///< The cells that are left out; empty if there are none.
+  AccelerationField gaps; ///< The cells without values; empty if there are none.
   AccelerationField scalarField;
-  bool isCurrent = false; ///< True if the texture has the present scalars.
+  bool isCurrent = false; ///< True if the texture is up to date.
   bool gapsAreCurrent = false;
   std::optional<double> scalarTolerance; ///< The tolerance that the field was built for.
 
@@ -34,46 +34,46 @@ struct VolumeBlock
   void Release(vtkWindow* window);
 };
 
-/// A volume on the graphics device, in one block or in several: each is uploaded when it is asked
-/// for, and stays as long as the memory allows. The voxels belong to the caller.
+/// A volume on the graphics device, in one or several blocks. Each block is uploaded when it is
+/// taken, and stays resident as long as memory allows. The voxels belong to the caller.
 class VolumeBlocks
 {
 public:
-  /// Takes other voxels. All blocks will be uploaded again, into the same textures.
+  /// Replaces the voxels. All blocks will be uploaded again, into the same textures.
   void SetVoxels(const VoxelValues& newValues);
 
-  /// Takes the flags that leave out voxels beside those that are not finite.
+  /// Sets the flags that remove voxels, in addition to those that are not finite.
   void SetBlanking(const Blanking& newBlanking);
   bool MayHaveGaps() const { return !this->Texels().finite || this->blanking.Any(); }
 
-  /// Sets the tolerance of the scalar field, which each block has for its cells; nothing if no
-  /// block is to have one.
+  /// Sets the tolerance of the scalar field that each block has for its cells; none for no field.
   void SetScalarField(vtkWindow* window, std::optional<double> tolerance);
 
-  /// The memory of a voxel at most, with the fields of its cells.
+  /// The largest memory per voxel, including the fields of cells.
   std::size_t BytesPerVoxel() const;
 
-  /// @return true if the volume is now divided differently: then no block is resident
+  /// @return true if the division has changed; no block is resident then
   /// @throws std::runtime_error if the limits are too narrow for any block
   bool Divide(vtkWindow* window, const BlockLimits& limits);
 
   const BlockPartition& Partition() const { return this->partition; }
   const VoxelValues& Values() const { return this->values; }
-  /// The format of the first component.
+  /// The texel format of the first component.
   const ScalarTexels& Texels() const { return this->values.texels.front(); }
   const std::vector<ScalarTexels>& TexelsOfComponents() const { return this->values.texels; }
 
-  /// @param order     the blocks that the next image takes, in this order
-  /// @param capacity  the bytes that are held at most from now on
+  /// Begins an image.
+  /// @param order     the blocks that the image takes, in this order
+  /// @param capacity  the most memory of resident blocks from now on [bytes]
   void BeginPicture(vtkWindow* window, const std::vector<int>& order, std::size_t capacity);
 
-  /// The next block of the order, uploaded if it is not resident.
+  /// Returns the next block of the order, and uploads it if it is not resident.
   /// @throws std::runtime_error if the device cannot hold it
   const VolumeBlock& Take(vtkOpenGLRenderWindow* window, int block);
 
   std::size_t Bytes() const;
   int Uploads() const { return this->uploads; }
-  /// The time that the fields of blocks have taken so far.
+  /// The time that the fields of blocks have taken so far [s].
   double FieldBuildSeconds() const { return this->fieldBuildSeconds; }
   void Release(vtkWindow* window);
 
@@ -90,7 +90,7 @@ private:
   BlockPartition partition;
   BlockResidency residency;
   std::size_t capacity = 0;
-  std::vector<std::unique_ptr<VolumeBlock>> blocks; ///< By their number; null if not resident.
+  std::vector<std::unique_ptr<VolumeBlock>> blocks; ///< The blocks by index; null if not resident.
   int uploads = 0;
   double fieldBuildSeconds = 0.0;
 };

@@ -22,8 +22,8 @@ namespace
 
 constexpr std::size_t NoLimit = std::numeric_limits<std::size_t>::max();
 
-// The number of blocks that fill the memory: enough that unseen blocks can stay away, few enough
-// that shared voxels and draw calls hardly count.
+// The number of blocks that fill the memory: enough that invisible blocks need not be resident, few
+// enough that shared voxels and draw calls cost little.
 constexpr std::size_t BlocksInMemory = 16;
 
 // The limits of a volume that is not on the device.
@@ -36,18 +36,18 @@ void CheckIsDrawnInBlocks(const RenderSettings& settings)
 {
   if (settings.uneven)
   {
-    throw std::runtime_error("Rectilinear grids are not drawn in blocks: the maximum graphics "
+    throw std::runtime_error("Rectilinear grids cannot be drawn in blocks: the maximum graphics "
                              "memory, or the device's 3D textures, are too small for this one");
   }
   if (settings.countFetches)
   {
-    throw std::runtime_error("Fetch counts are not drawn for a volume in blocks: the maximum "
+    throw std::runtime_error("Fetch counts cannot be drawn for a volume in blocks: the maximum "
                              "graphics memory, or the device's 3D textures, are too small for it");
   }
   if (settings.components != Components::One && settings.blend == Blend::AverageIntensity)
   {
     throw std::runtime_error(
-      "The average intensity of several components is not drawn for a volume "
+      "The average intensity of several components cannot be drawn for a volume "
       "in blocks: the maximum graphics memory, or the device's 3D textures, "
       "are too small for it");
   }
@@ -89,9 +89,9 @@ BlockLimits VolumeDivision::LimitsOf(
   if (others + smallest > most)
   {
     throw std::runtime_error("Cannot draw in a maximum graphics memory of " + std::to_string(most) +
-      " bytes: this picture of this volume needs at least " + std::to_string(others + smallest));
+      " bytes: this image of the volume needs at least " + std::to_string(others + smallest));
   }
-  // Powers of two, so that another size of the window hardly ever divides the volume anew.
+  // Sizes are powers of two, so that a resized window rarely changes the division.
   std::size_t largest = most / BlocksInMemory;
   while (largest > most - others)
   {
@@ -122,7 +122,7 @@ bool VolumeDivision::Update(
     const bool hasGaps = this->blocks.Take(window, 0).HasGaps();
     if (march.settings.uneven && hasGaps)
     {
-      throw std::runtime_error("Rectilinear grids with values that are not finite are not drawn");
+      throw std::runtime_error("Rectilinear grids cannot be drawn with values that are not finite");
     }
     return hasGaps;
   }
@@ -130,7 +130,7 @@ bool VolumeDivision::Update(
   return this->blocks.MayHaveGaps();
 }
 
-// Rays begin at the box of what is visible, and rays beside it are not begun.
+// Rays begin at the box around the visible part, and rays that miss it are not marched.
 void VolumeDivision::UpdateVisibleBoxes(const VolumeMarch& march, const FieldResources& fields)
 {
   const bool knowsWhatIsVisible = march.settings.acceleration == Acceleration::OpticalField &&

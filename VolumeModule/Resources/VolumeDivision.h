@@ -12,34 +12,34 @@
 namespace varimarch
 {
 
-/// The graphics memory that an image takes beside the blocks of its volume.
+/// The graphics memory that an image takes besides the blocks of its volume [bytes].
 struct MemoryElsewhere
 {
-  std::size_t fixedBytes = 0;
-  std::size_t accumulationBytes = 0; ///< For the rays, if the volume was in blocks before.
+  std::size_t fixedBytes = 0;        ///< The memory of everything else.
+  std::size_t accumulationBytes = 0; ///< The memory of RayAccumulation at present.
 };
 
-/// A volume in as many blocks as the graphics memory asks for, and the boxes of what is visible in
-/// it. A volume that the processor marches is one block without textures.
+/// A volume in as many blocks as the graphics memory requires, and the boxes around its visible
+/// parts. A volume that the processor marches is one block without textures.
 class VolumeDivision
 {
 public:
-  /// Divides the volume and has its only block, if it is one, on the device.
-  /// @return true if it has gaps; true for several blocks if any of them may have some
-  /// @throws std::runtime_error if the memory is too small, or a feature is not drawn in blocks
+  /// Divides the volume. A single block is uploaded to the device at once.
+  /// @return true if the volume has gaps or, if it is in several blocks, may have gaps
+  /// @throws std::runtime_error if the memory is too small, or a feature is not available in blocks
   bool Update(
     const VolumeMarch& march, const FieldResources& fields, const MemoryElsewhere& elsewhere);
 
-  /// Begins an image of several blocks, which are then taken in this order.
+  /// Begins an image of several blocks, which must then be taken in the given order.
   void BeginPicture(
     const VolumeMarch& march, const std::vector<int>& inView, const MemoryElsewhere& elsewhere);
 
-  /// The blocks in which something visible may be in view, front to back.
+  /// The blocks that may have visible parts in view, front to back.
   std::vector<int> InView(const VolumeMarch& march) const;
 
   VolumeBlocks& Blocks() { return this->blocks; }
   const VolumeBlocks& Blocks() const { return this->blocks; }
-  /// The box of what cuts and field leave visible [grid space].
+  /// The box around the part that is visible after cuts and by the field [grid space].
   const Box& VisibleBox() const { return this->visibleBox; }
   const Box& VisibleBoxOf(int block) const { return this->visibleBoxes[block]; }
   void Release(vtkWindow* window);
@@ -51,9 +51,9 @@ private:
 
   VolumeBlocks blocks;
   Box visibleBox = {};
-  std::vector<Box> visibleBoxes; ///< One for each block.
-  int visibleOfField = -1; ///< The build of the field that the boxes belong to; 0: they need none.
-  Box visibleOfBox = {};   ///< The box that cuts left then.
+  std::vector<Box> visibleBoxes; ///< The box around the visible part of each block.
+  int visibleOfField = -1;       ///< The build number of the field behind the boxes; 0: no field.
+  Box visibleOfBox = {};         ///< The box of the cuts behind the boxes.
 };
 
 }

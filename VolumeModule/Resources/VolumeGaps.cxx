@@ -17,7 +17,7 @@ namespace varimarch
 namespace
 {
 
-// Calls work(index in the region, index in the whole) for all voxels or cells of a region.
+// Calls work(index in the region, index in the volume) for all voxels or cells of a region.
 template <class Work>
 void ForEach(const VoxelRegion& region, glm::ivec3 wholeCount, Work work)
 {
@@ -71,7 +71,7 @@ std::vector<Presence> PresenceOf(
   return presence;
 }
 
-// Leaves the cells out that have a flagged point.
+// Removes the cells that have a flagged point.
 void TakeCellsAround(vtkUnsignedCharArray* pointFlags, glm::ivec3 pointCount,
   const ScalarRegion& region, std::vector<Presence>& cells)
 {

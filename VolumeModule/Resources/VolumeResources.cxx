@@ -55,7 +55,7 @@ void VolumeResources::BeginPicture(
   this->division.BeginPicture(march, inView, this->BesideBlocks(march, elsewhere));
 }
 
-// A table that is only tried must leave most of the memory to the volume.
+// A table that is only tried out must leave most of the memory to the volume.
 bool VolumeResources::MayTryPreIntegration(const Frame& frame) const
 {
   const std::size_t most = frame.device.mostMemoryBytes;
@@ -107,7 +107,7 @@ void VolumeResources::UpdateSpacing(const VolumeMarch& march)
   if (uneven.bins != this->spacingBins.bins)
   {
     this->spacing.Release(march.frame.view.window);
-    this->fields.ForgetBricks(); // they are bricks of the even grid
+    this->fields.ForgetBricks(); // they belong to the even grid
   }
   this->spacingBins = std::move(uneven);
   if (march.plan.marcher == Marcher::Processor)

@@ -19,12 +19,12 @@
 namespace varimarch
 {
 
-/// How often each resource of a volume was made.
+/// The number of times that each resource of a volume was built.
 struct VolumeBuilds
 {
-  int volumeTexture = 0; ///< Builds for new scalars.
+  int volumeTexture = 0; ///< Uploads of new scalars.
   int brickRanges = 0;
-  int field = 0; ///< The same field for rays of other directions does not count.
+  int field = 0; ///< Builds of the field, except those for other ray directions only.
   int opticalTable = 0;
 
   int Sum() const
@@ -33,27 +33,27 @@ struct VolumeBuilds
   }
 };
 
-/// Owns everything that the march through one volume reads: its voxels, in blocks or as packets
-/// read them, the look of its values, its field, its mask and its cuts. Each resource is made again
-/// when its source has changed, and only there if the frame needs it.
+/// Owns everything that the march through one volume reads: its voxels, in blocks or in the form
+/// for packets, the look of its values, its field, its mask and its cuts. Each resource is rebuilt
+/// when its source has changed, and exists only if the frame needs it.
 class VolumeResources
 {
 public:
-  /// Takes the voxels of a frame. Must come first, because they decide who marches.
+  /// Updates the voxels. Must be called first, because the choice of the marcher depends on them.
   void UpdateVoxels(const Frame& frame);
 
-  /// Updates everything but the voxels and the pre-integrated table.
+  /// Updates everything except the voxels and the pre-integrated table.
   /// @throws std::runtime_error if the device cannot hold a resource
   VolumeFindings Update(const VolumeMarch& march, const MemoryElsewhere& elsewhere);
 
-  /// Makes the table of the march's integration rule.
+  /// Makes the pre-integrated table if the march's integration rule needs it.
   void UpdatePreIntegrated(const VolumeMarch& march) { this->materials.UpdatePreIntegrated(march); }
 
-  /// Begins an image of several blocks, which are then taken in this order.
+  /// Begins an image of several blocks, which must then be taken in the given order.
   void BeginPicture(
     const VolumeMarch& march, const std::vector<int>& inView, const MemoryElsewhere& elsewhere);
 
-  /// True if there is memory for a pre-integrated table that may turn out not to be used.
+  /// True if memory suffices for a pre-integrated table that is only tried out.
   bool MayTryPreIntegration(const Frame& frame) const;
 
   VolumeBuilds Builds() const;
@@ -81,11 +81,11 @@ private:
   MemoryElsewhere BesideBlocks(const VolumeMarch& march, const MemoryElsewhere& elsewhere) const;
   std::size_t BytesBesideBlocks() const;
 
-  VoxelComponents voxelsOf; ///< The components that were taken last; none: there is no volume.
+  VoxelComponents voxelsOf; ///< The components of the last update; empty before the first.
   vtkMTimeType voxelsTime = 0;
   bool voxelsAreCubic = false;
   int voxelsBuild = 0;
-  SplineVolume spline; ///< Only if voxels are interpolated by one.
+  SplineVolume spline; ///< Empty without cubic interpolation.
 
   VolumeDivision division;
   MaterialResources materials;
@@ -93,8 +93,8 @@ private:
   ProcessorVolume packets;
   MaskTexture mask;
   FloatBufferTexture clippingPlanes;
-  FloatBufferTexture spacing; ///< Only for rectilinear grids.
-  UnevenBins spacingBins;     ///< The source of the spacing.
+  FloatBufferTexture spacing; ///< The bins for the device; empty unless the grid is rectilinear.
+  UnevenBins spacingBins;     ///< The bins that find a voxel in a rectilinear grid.
 };
 
 }

@@ -27,17 +27,17 @@ namespace
 
 constexpr double LargestTexel16 = 65535.0;
 
-// Integers spread over the 16 bits by a whole factor, so that each voxel's texel is exact and the
-// filter has all bits to interpolate in.
+// Spreads integers over 16 bits by an integer factor, so that each voxel's texel is exact and the
+// filter interpolates with all bits.
 TexelMapping NormalizedMapping(double smallest, double largest)
 {
   const double factor = std::floor(LargestTexel16 / std::max(largest - smallest, 1.0));
   return { LargestTexel16 / factor, smallest };
 }
 
-// Floats scaled by a power of two, which is exact, to about [-1, 1], so that no product of them
-// overflows; and shifted only where the range is small against its distance from zero, as in
-// doubles around 1e7 that differ by 1.
+// Scales floats to about [-1, 1], so that their products do not overflow, by a power of two, which
+// is exact. They are shifted only if their range is small compared with its distance from zero, as
+// for doubles around 1e7 that differ by 1.
 TexelMapping FloatMapping(double smallest, double largest)
 {
   const double range = largest - smallest;
@@ -61,17 +61,17 @@ bool IsFinite(Scalar scalar)
   }
 }
 
-// Some rows of voxels, and how one of their components becomes texels.
+// Rows of voxels, and the mapping of one of their components to texels.
 struct ComponentRows
 {
   glm::ivec3 dimensions; ///< The size of the volume.
-  VoxelRegion voxels;    ///< the rows
-  int texelStride;       ///< numbers from a texel to the next
+  VoxelRegion voxels;    ///< The rows.
+  int texelStride;       ///< The distance between consecutive texels [numbers].
   TexelMapping mapping;
 };
 
-// A number that is not finite becomes 0, because a filter makes NaN of it even where its weight is
-// 0.
+/// Converts a row of voxels. A non-finite number becomes 0, because a filter would turn it into NaN
+/// even where its weight is 0.
 /// @return true if all scalars are finite
 template <class Texel, class Scalar>
 bool ConvertScalars(const Scalar* source, int stride, Texel* target, int texelStride, int count,
@@ -92,8 +92,8 @@ bool ConvertScalars(const Scalar* source, int stride, Texel* target, int texelSt
   return allFinite;
 }
 
-// Converts a row of voxels whose type is chosen at run time: the loop over rows then need not be
-// compiled for each type.
+// Converts a row of voxels whose type is chosen at run time, so that the loop over rows is compiled
+// only once per texel type.
 template <class Texel>
 using RowConverter = bool (*)(const void* source, int stride, Texel* target, int texelStride,
   int count, const TexelMapping& mapping);
@@ -103,13 +103,13 @@ bool ConvertRow(const void* source, int stride, Texel* target, int texelStride, 
   const TexelMapping& mapping)
 {
   const auto* const scalars = static_cast<const Scalar*>(source);
-  // Constants for the usual strides make faster code.
+  // Constant strides make the usual cases faster.
   return stride == 1 && texelStride == 1
     ? ConvertScalars(scalars, 1, target, 1, count, mapping)
     : ConvertScalars(scalars, stride, target, texelStride, count, mapping);
 }
 
-/// @param vtkType  a type of numbers
+/// @param vtkType  a numeric type
 template <class Texel>
 RowConverter<Texel> RowConverterOf(int vtkType)
 {
@@ -158,7 +158,8 @@ constexpr GLenum FormatOfComponents[] = { GL_RED, GL_RG, GL_RGB, GL_RGBA };
 constexpr GLint Format16OfComponents[] = { GL_R16, GL_RG16, GL_RGB16, GL_RGBA16 };
 constexpr GLint FormatFloatOfComponents[] = { GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F };
 
-// Slices are converted and uploaded a few at a time: a second copy of the volume is never held.
+/// Converts and uploads a few slices at a time, so that memory never holds a second copy of the
+/// volume.
 /// @return true if all scalars are finite
 template <class Texel>
 bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& texelsOfComponents)
@@ -239,8 +240,8 @@ void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   if (!fits)
   {
     texture->ReleaseGraphicsResources(window);
-    fail("the device has not enough memory for one texture of that size; with a maximum graphics "
-         "memory a volume is drawn in smaller blocks");
+    fail("the device has not enough memory for one texture of that size; set a maximum graphics "
+         "memory to draw the volume in smaller blocks");
   }
 }
 
@@ -275,7 +276,7 @@ std::vector<ScalarTexels> ScalarTexelsOf(const VoxelComponents& components)
   return all;
 }
 
-// vtkTextureObject::AllocateProxyTexture3D asks the same, but calls a refusal an error.
+// vtkTextureObject::AllocateProxyTexture3D does the same, but reports a refusal as an error.
 std::size_t VolumeTexture::MostTexels(
   glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels)
 {

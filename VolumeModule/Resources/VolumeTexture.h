@@ -17,9 +17,9 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// The scalars of texels: scalar = texel * scale + offset. It is exact for every voxel of 8 and 16
-/// bit data and of wider integers whose values span less than 2^16; other numbers keep the
-/// precision of floats relative to their range, wherever it lies.
+/// The mapping from texels to scalars: scalar = texel * scale + offset. It is exact for every voxel
+/// of 8 and 16 bit data, and of wider integers whose values span less than 2^16. Other numbers keep
+/// the precision of floats relative to their range, even if that is far from zero.
 struct TexelMapping
 {
   double scale = 1.0;
@@ -27,43 +27,43 @@ struct TexelMapping
 
   double TexelOf(double scalar) const { return (scalar - this->offset) / this->scale; }
 
-  /// A texel within the range of floats, for scalars that may be infinite. VTK's endless range is
-  /// about that of floats.
+  /// The texel of a scalar that may be infinite, clamped to the range of floats. VTK's default
+  /// range of scalars is about that of floats.
   double LimitedTexelOf(double scalar) const;
 };
 
-/// The format that all textures of a volume share, so that their images meet without a seam.
+/// The texel format of a volume. All its blocks share it, so that they join without a seam.
 struct ScalarTexels
 {
-  double smallestScalar = 0.0; ///< The range of the finite voxels.
-  double largestScalar = 0.0;
-  double smallestValue = 0.0; ///< The bounds of interpolated values, which may exceed the voxels.
-  double largestValue = 0.0;
+  double smallestScalar = 0.0; ///< The smallest finite voxel.
+  double largestScalar = 0.0;  ///< The largest finite voxel.
+  double smallestValue = 0.0;  ///< The lower bound of interpolated values; may be below the voxels.
+  double largestValue = 0.0;   ///< The upper bound of interpolated values; may be above the voxels.
   TexelMapping mapping;
-  bool normalized = true; ///< 16 bit integers; otherwise floats.
+  bool normalized = true; ///< True for 16 bit integers, false for floats.
   bool finite = true;     ///< True if all voxels are known to be finite.
 
   std::size_t BytesPerTexel() const { return this->normalized ? 2 : 4; }
 };
 
-/// The largest gradient, per mean spacing, that VTK tells from larger ones: a quarter of the range.
+/// The gradient at which VTK's gradient opacity saturates: a quarter of the range per mean spacing.
 inline double LargestGradient(const ScalarTexels& texels)
 {
   const double range = texels.largestScalar - texels.smallestScalar;
   return 0.25 * (range > 0.0 ? range : 1.0);
 }
 
-/// The format of each component, for linear interpolation. All of them are normalized, or none is.
+/// The texel format of each component, for linear interpolation. Either all are normalized or none.
 std::vector<ScalarTexels> ScalarTexelsOf(const VoxelComponents& components);
 
-/// The numbers that the values of a volume are interpolated from: its voxels, or the coefficients
-/// of a spline.
+/// The data from which the values of a volume are interpolated: its voxels, or the coefficients of
+/// a spline.
 struct VoxelValues
 {
   VoxelComponents components;
   glm::ivec3 dimensions = glm::ivec3(0);
-  std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< One for each component.
-  int reachVoxels = 0; ///< The distance beyond its cell from which a value depends on them.
+  std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< The texel format of each component.
+  int reachVoxels = 0; ///< The distance beyond its cell up to which a value depends on voxels.
 };
 
 /// A part of the voxels of a volume.
@@ -74,9 +74,9 @@ struct ScalarRegion
   VoxelRegion voxels;
 };
 
-/// Voxels as a 3D texture: normalised 16 bit integers if they are exact, otherwise floats. 8 bit
-/// data takes 16 bit texels too, because software rasterisers filter 8 bit texels in 8 bit
-/// arithmetic, which is off by more than a grey level.
+/// Voxels as a 3D texture: normalised 16 bit integers if these are exact, otherwise floats. 8 bit
+/// data gets 16 bit texels too, because software rasterisers filter 8 bit texels in 8 bit
+/// arithmetic, whose error exceeds a grey level.
 class VolumeTexture
 {
 public:
@@ -85,14 +85,14 @@ public:
   void Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
     const std::vector<ScalarTexels>& texels);
 
-  /// How many texels the device takes in one texture: as many as `dimensions`, or as are left when
-  /// their longest side is halved until it does. A question only; nothing is allocated.
-  /// @param dimensions  no longer than a side may be
+  /// The number of texels that the device supports in one texture: those of `dimensions`, whose
+  /// longest side is halved until the device accepts them. Allocates nothing.
+  /// @param dimensions  no side longer than the device allows
   VARIMARCHVOLUME_EXPORT static std::size_t MostTexels(
     glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels);
 
   vtkTextureObject* Texture() const { return this->texture; }
-  bool AllFinite() const { return this->allFinite; } ///< in the region
+  bool AllFinite() const { return this->allFinite; } ///< True for the uploaded region.
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
 
@@ -102,10 +102,10 @@ private:
   std::size_t bytes = 0;
 };
 
-/// Allocates a 3D texture, or says why the device cannot hold it.
+/// Allocates a 3D texture.
 /// @param components  numbers per texel, 1 to 4
-/// @param what  the purpose of the texture, as in "the volume"
-/// @throws std::runtime_error naming the limit
+/// @param what  the content of the texture for the error message, such as "a volume"
+/// @throws std::runtime_error naming the limit, if the device cannot hold the texture
 void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   glm::ivec3 dimensions, int vtkType, unsigned int internalFormat, int components,
   const char* what);
