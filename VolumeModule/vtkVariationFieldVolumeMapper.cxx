@@ -52,7 +52,8 @@ struct vtkVariationFieldVolumeMapper::Internals
   std::string Warnings(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const;
 };
 
-// Sentences about what the last frame lacks; empty if it has all that was asked for.
+// Sentences about the requested features and accuracy that the last frame lacks; empty if there are
+// none.
 std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
   vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const
 {

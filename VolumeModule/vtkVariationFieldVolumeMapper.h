@@ -486,7 +486,7 @@ public:
    * Documentation/Architecture.md lists which change rebuilds which of them.
    */
   int GetVolumeTextureBuilds(); ///< uploads of new scalars
-  int GetBlockUploads();        ///< of the volume, or of the blocks it is drawn in
+  int GetBlockUploads();        ///< uploads of the volume, or of the blocks it is drawn in
   int GetBrickRangesBuilds();
   int GetFieldBuilds(); ///< does not count the same field for other ray directions
   int GetOpticalTableBuilds();

@@ -3,9 +3,9 @@
 
 #include "Core/Parameters/ShaderTypes.h"
 
-// Two GLSL files are the structs RayParameters and VolumeParameters: the numbers that a march
-// reads, computed once, read by the processor as they are and uploaded for shaders. The
-// preprocessor turns "layout(std140) uniform" into "struct".
+// The structs RayParameters and VolumeParameters are made from two GLSL files. They hold the
+// numbers that a march reads; the processor reads them directly, and shaders from an uploaded copy.
+// The preprocessor turns "layout(std140) uniform" into "struct".
 #define layout(packing)
 #define uniform struct
 

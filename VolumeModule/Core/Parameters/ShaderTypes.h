@@ -9,9 +9,9 @@
 
 #include <cstddef>
 
-/// The types of GLSL with the size and alignment that the layout std140 gives them (OpenGL 4.6,
-/// section 7.6.2.2), so that a struct can be uploaded as a uniform block. They are assigned from
-/// GLM's vectors and matrices of doubles, and rounded then.
+/// The types of GLSL with their size and alignment in the layout std140 (OpenGL 4.6, section
+/// 7.6.2.2), so that a struct can be uploaded as a uniform block. Assigning GLM's vectors and
+/// matrices of doubles rounds them.
 namespace varimarch::shader
 {
 

@@ -9,8 +9,8 @@ namespace varimarch
 namespace
 {
 
-// The part of the tolerance that is left before window and level. A window narrower than all
-// colours magnifies their errors.
+// The part of the tolerance that applies before window and level. A window narrower than the range
+// of colours magnifies their errors.
 double BeforeWindow(double share, double windowScale)
 {
   return share / std::max(1.0, std::abs(windowScale));

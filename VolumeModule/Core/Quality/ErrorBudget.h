@@ -7,11 +7,11 @@ namespace varimarch
 {
 
 /// Divides the error tolerance of an image among all approximations of the march. The tolerance is
-/// a promise about premultiplied colours and opacity, of 1, after window and level: 99.9 % of the
-/// pixels are off by no more than that. It is divided into
-///   - the field's part: homogeneous bricks that a ray crosses in one step;
-///   - the part of early termination: what lies behind the point where a ray ends;
-///   - the steps' part: sample distance and integration rule, which a search tries out.
+/// a promise about premultiplied colours and opacity in [0, 1], after window and level: the error
+/// of 99.9 % of the pixels is at most the tolerance. It is divided among
+///   - the field: homogeneous bricks that a ray crosses in one step;
+///   - early termination: the part of a ray behind the point where it ends;
+///   - the steps: sample distance and integration rule, which a search tries out.
 struct ErrorBudget
 {
   /// The part of the field.
@@ -21,32 +21,32 @@ struct ErrorBudget
   /// The part of the steps, as the 99.9th percentile of their errors. The rest is a reserve for the
   /// slack of the estimate.
   static constexpr double StepShare = 0.66;
-  /// The largest error of the pixels that are tried out. They are few, so a stricter limit would
+  /// The limit for the largest error of a trial's pixels. They are few, so a stricter limit would
   /// only react to chance.
   static constexpr double LargestStepShare = 1.0;
   /// The part of the steps' part that maximum and minimum intensity may use. Their error is large
-  /// on the few rays that find the second highest peak, and a trial meets fewer of those rays
-  /// still.
+  /// on the few rays that find only the second highest peak, and a trial has even fewer of those
+  /// rays.
   static constexpr double ExtremesShare = 0.4;
-  /// The estimate of an error is itself off by this factor: a distance within it counts as kept.
+  /// The inaccuracy of an estimated error: an excess by at most this factor counts as kept.
   static constexpr double EstimateSlack = 1.15;
   /// The largest factor of the steps' part while a user interacts.
   static constexpr double MostWhileMoving = 4.0;
   /// The factor of the steps' part in the second and later images of an accumulation, whose mean
-  /// shall be better than one image.
+  /// should be more exact than one image.
   static constexpr double LaterImages = 1.0 / 4.0;
-  /// The factor of a sample distance that has no tolerance there: the rules are of second order, so
-  /// half the distance makes a quarter of the error.
+  /// The factor of the sample distance in later images without a tolerance: the rules are of second
+  /// order, so half the distance makes a quarter of the error.
   static constexpr double LaterDistance = 1.0 / 2.0;
-  /// The error that homogeneous bricks may add if no tolerance is asked for: one level of 8 bits.
-  /// Extremes are then exact.
+  /// The error that homogeneous bricks may add without a tolerance: one level of 8 bits. Extremes
+  /// are then exact.
   static constexpr double FieldErrorWithoutTolerance = 1.0 / 255.0;
 
-  double tolerance = 0.0;   ///< The promise; 0 where none is asked for.
-  double windowScale = 1.0; ///< Window and level multiply colours, and their errors, by this.
+  double tolerance = 0.0;   ///< The error tolerance; 0 if there is none.
+  double windowScale = 1.0; ///< The factor of colours, and their errors, by window and level.
   bool isExtreme = false;   ///< True for maximum and minimum intensity.
-  bool isSampled = true;    ///< False where rays are not sampled, and steps make no error.
-  int volumeCount = 1;      ///< Overlapping volumes share the field's part.
+  bool isSampled = true;    ///< False if steps make no error, because rays are not sampled.
+  int volumeCount = 1;      ///< The number of overlapping volumes, which share the field's part.
   double stepFactor = 1.0;  ///< The factor of the steps' part in this image.
 
   bool HasTolerance() const { return this->tolerance > 0.0; }
@@ -55,17 +55,17 @@ struct ErrorBudget
   double FieldError() const;
 
   /// The transmittance at which a ray may end.
-  /// @param withoutTolerance  the transmittance where no tolerance is asked for
+  /// @param withoutTolerance  the result if there is no tolerance
   double EarlyTermination(double withoutTolerance) const;
 
-  /// The tolerance of the steps alone; 0 where there is none to keep.
+  /// The tolerance of the steps alone; 0 if there is none.
   double StepTolerance() const;
 
   /// The errors that a trial of the steps may show.
   ErrorLimit StepLimit() const;
 
-  /// The budget of an image that allows its steps a larger or smaller error. The field's part stays
-  /// as it is, because the field would have to be built again.
+  /// The budget of an image that allows its steps a larger or smaller error. The field's part does
+  /// not change, because the field would have to be rebuilt.
   ErrorBudget WithStepFactor(double factor) const;
 };
 

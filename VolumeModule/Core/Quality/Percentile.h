@@ -9,7 +9,7 @@
 namespace varimarch
 {
 
-/// The smallest of the numbers that at least a given fraction of them does not exceed.
+/// The smallest number that at least a given fraction of the numbers does not exceed.
 /// @param numbers  at least one
 /// @param part  the fraction, (0, 1]
 inline double Percentile(std::vector<double> numbers, double part)

@@ -92,7 +92,7 @@ double HueWeight(double hueDegrees)
 
 double ShownChannel(double value)
 {
-  // The comparison is written such that NaN becomes 0.
+  // This form of the comparison turns NaN into 0.
   return value > 0.0 ? std::min(value, 1.0) : 0.0;
 }
 
@@ -248,7 +248,7 @@ PerceptualError ComparePerceived(const DisplayedPair& pair)
   if (pair.width < 1 || pair.height < 1)
   {
     throw std::invalid_argument(
-      "Perceptual error: the pictures must have at least one pixel, found " +
+      "Perceptual error: the images must have at least one pixel, found " +
       std::to_string(pair.width) + " x " + std::to_string(pair.height));
   }
   const std::size_t pixels = std::size_t(pair.width) * pair.height;

@@ -8,7 +8,7 @@ namespace varimarch
 namespace
 {
 
-// Number of strips of an image while no time is known.
+// Number of strips of an image until a time is known.
 constexpr int FirstStrips = 16;
 
 // Limits the change from one strip to the next, since one may be all background and the next all
@@ -35,7 +35,8 @@ void PictureStrips::Took(const Rows& strip, double seconds, double longestSecond
   this->done = strip.begin + strip.count;
   if (longestSeconds > 0.0)
   {
-    // The last strip of an image may be a few rows, which say less than the strips before.
+    // The last strip of an image may be only a few rows, whose time predicts less than earlier
+    // ones.
     const double before = this->rows > 0 ? this->rows : strip.count;
     const double inTime = strip.count * longestSeconds / std::max(seconds, 1e-6);
     const double most = std::max(MostChange * strip.count, before);

@@ -5,7 +5,7 @@ namespace varimarch
 {
 
 /// Divides images into strips of whole rows, from bottom to top. Each strip should take the
-/// requested time, judged by the time of the strips before.
+/// requested time; its height follows from the times of earlier strips.
 class PictureStrips
 {
 public:
@@ -15,7 +15,7 @@ public:
     int count;
   };
 
-  /// The next strip of an image, or all that is left of it.
+  /// The next strip of an image, or the rest of it.
   /// @param pictureRows  number of rows of the image
   /// @param longestSeconds  time limit of the strip; 0 means no limit
   Rows Next(int pictureRows, double longestSeconds) const;

@@ -137,7 +137,7 @@ private:
   Trial Try(double distance)
   {
     const std::vector<float> picture = this->draw(distance);
-    double halvings = 2.0; // a known exact image changes as much as a quarter of the distance would
+    double halvings = 2.0; // the exact image, if known, counts as one at a quarter of the distance
     const std::vector<float>& compared =
       this->exact.empty() ? this->FinerThan(distance, halvings) : this->exact;
     const ImageError change = CompareImages(picture.data(), compared.data(), picture.size() / 4);
@@ -188,7 +188,8 @@ private:
     return found->second;
   }
 
-  // Next distance to draw: rather finer than the power law predicts, but outside what is known.
+  // Next distance to draw: slightly finer than the power law predicts, but not between distances
+  // whose results are known.
   double NextDistance() const
   {
     constexpr double LevelsPerOctave = 2.0;
@@ -216,9 +217,9 @@ private:
       : this->order;
   }
 
-  // Draws the distance at which the error should equal the limit. If a few rays have large errors,
-  // the power law does not hold: then takes a distance half way there, or the one known to keep the
-  // limit.
+  // Draws the distance at which the error should equal the limit. If the power law does not hold,
+  // because a few rays have large errors, takes a distance half way there, or the one known to keep
+  // the limit.
   std::optional<Trial> TryDistanceOfLimit()
   {
     const Trial near = this->keeps ? *this->keeps : *this->fails;

@@ -24,7 +24,7 @@ struct StepChoice
   bool KeepsLimit() const { return this->ofLimit <= 1.0; }
 };
 
-/// Result of a search.
+/// The result of a search.
 struct FoundSteps
 {
   StepChoice choice;
@@ -51,9 +51,10 @@ using SampleDrawing = std::function<std::vector<float>(double sampleDistance)>;
 /// Finds approximately the largest sample distance at which an image keeps its limit.
 ///
 /// The error at a distance is estimated from the change when the distance is divided by about four.
-/// For a rule of order p this change is 1 - 4^-p of the error (Richardson 1911). It is nearly the
-/// whole error if errors are independent noise, of which halving the distance would change more
-/// than there is. The next distance follows from a power law for the error.
+/// For a rule of order p this change is 1 - 4^-p of the error (Richardson 1911). If errors are
+/// independent noise, the change is still close to the error, whereas halving the distance would
+/// change the image by more than its error. The next distance follows from a power law for the
+/// error.
 /// @param first  distance to begin with; the closer to the result, the fewer drawings. If the error
 /// does not grow with the distance, the result depends on it.
 /// @param exact  the same pixels almost without error, if known

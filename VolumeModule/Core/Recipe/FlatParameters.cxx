@@ -12,8 +12,8 @@ namespace varimarch
 namespace
 {
 
-constexpr char Passing[] =
-  "PassParameters.glsl"; ///< what the vertex shader has where nothing is passed
+// The file of the vertex shader that passes nothing on; it is replaced if parameters are passed.
+constexpr char Passing[] = "PassParameters.glsl";
 
 bool IsBlock(const ShaderFile& file)
 {
@@ -38,7 +38,7 @@ std::set<std::string> NamesIn(const std::vector<ShaderFile>& files)
   return names;
 }
 
-// The members that a shader names, in the order of its blocks, as long as they fit.
+// The block members that a shader uses, in the order of its blocks, as long as they fit.
 std::vector<BlockMember> PassedMembers(const std::vector<ShaderFile>& files, int mostComponents)
 {
   const std::set<std::string> names = NamesIn(files);
@@ -80,7 +80,7 @@ std::string VertexText(const std::vector<BlockMember>& members)
   return declarations + "\nvoid PassParameters()\n{\n" + assignments + "}\n";
 }
 
-// What follows in the shader reads the variables by the names of the members.
+// Declares the variables, and macros by which the rest of the shader reads them as members.
 std::string FragmentText(const std::vector<BlockMember>& members)
 {
   std::string text;

@@ -12,17 +12,17 @@ struct BlockMember
 {
   std::string type;
   std::string name;
-  int count; ///< of an array; 1 for one value
+  int count; ///< The length of an array; 1 for a single value.
 };
 
-/// The members of the uniform block that a shader file such as RayParameters.glsl declares, one in
-/// a line; none where the file declares no block.
+/// The members of the uniform block in the text of a shader file such as RayParameters.glsl, which
+/// has one per line; empty if the file declares no block.
 std::vector<BlockMember> MembersOf(const std::string& text);
 
-/// The numbers that a member consists of.
+/// The number of components of a member.
 int ComponentsOf(const BlockMember& member);
 
-/// The names of the samplers that a shader file such as RayTextures.glsl declares, in its order.
+/// The names of the samplers in the text of a shader file such as RayTextures.glsl, in its order.
 std::vector<std::string> SamplersOf(const std::string& text);
 
 }

@@ -143,7 +143,8 @@ std::vector<std::string> PassParts(const RenderSettings& settings)
   return parts;
 }
 
-// A shader without a march: it writes what the CPU's march begins with, or shows its result.
+// A shader without a march: it writes the layer depths that the CPU's march needs, or shows its
+// image.
 std::vector<std::string> PacketParts(const RenderSettings& settings)
 {
   const RayPass pass = settings.pass;

@@ -12,7 +12,7 @@ enum class Acceleration
 {
   Off,          ///< all steps have the sample distance
   ScalarField,  ///< skips blocks in which the scalar varies by at most a tolerance
-  OpticalField, ///< skips bricks by what the transfer function makes of their values
+  OpticalField, ///< skips bricks by the colours and opacities of their values
 };
 
 /// The rule that integrates a composite along a segment of the ray. The number of samples per
@@ -22,8 +22,7 @@ enum class Acceleration
 enum class Integration
 {
   Midpoint,      ///< constant, with the value in the middle; order 2
-  PreIntegrated, ///< linear between samples: exact transfer function, or four parts of a material;
-                 ///< order 2
+  PreIntegrated, ///< values are linear between samples; materials take four parts; order 2
   Simpson,       ///< a parabola of extinction through three samples; order 4 for smooth data
   PublishedSum,  ///< the first sample, repeated, for comparison; order 1
 };
@@ -94,8 +93,8 @@ enum class Marcher
 enum class ShaderRole
 {
   MarchRays,        ///< The shader marches the rays itself.
-  WriteLayerDepths, ///< It writes where rays enter and leave layers, before the CPU marches them.
-  ShowMarchedImage, ///< It draws the image that the CPU has marched.
+  WriteLayerDepths, ///< The shader writes where rays enter and leave layers, for the CPU's march.
+  ShowMarchedImage, ///< The shader draws the image that the CPU has marched.
 };
 
 /// The work of one drawing on the rays of an image.
@@ -181,10 +180,9 @@ inline bool Marches(const RenderSettings& settings)
     pass != RayPass::Upscaled && pass != RayPass::Averaged && pass != RayPass::Accumulated;
 }
 
-/// True if the image depends on the sample distance. Not the case, because exact: voxels as boxes,
-/// extremes of linear interpolation, and surfaces. Projections of several components, uneven
-/// spacing and extremes of a spline are sampled. For overlapping volumes, true if any of them is
-/// sampled.
+/// True if the image depends on the sample distance. Voxels as boxes, extremes of linear
+/// interpolation, and surfaces are exact instead. Projections of several components, uneven spacing
+/// and extremes of a spline are sampled. For overlapping volumes, true if any of them is sampled.
 inline bool IsSampled(const RenderSettings& settings)
 {
   if (std::any_of(settings.others.begin(), settings.others.end(), IsSampled))

@@ -137,7 +137,7 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   return parts;
 }
 
-// Files that determine the look of a scalar, and what it depends on.
+// Files that determine the look of a scalar, and the files that they depend on.
 std::vector<std::string> LookParts(const RenderSettings& settings)
 {
   std::vector<std::string> parts;
@@ -161,7 +161,7 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
   return parts;
 }
 
-// The loop along a ray that a rule takes in; none where the rule has a loop of its own.
+// The loop along a ray that calls a rule; empty if the rule has a loop of its own.
 std::vector<std::string> LoopParts(const std::string& march)
 {
   for (const char* const rule :
@@ -183,7 +183,7 @@ std::vector<std::string> LoopParts(const std::string& march)
   return {};
 }
 
-// The march and what it calls.
+// The march and the files that it calls.
 std::vector<std::string> MarchParts(const RenderSettings& settings)
 {
   const std::string march = MarchFile(settings);
@@ -221,7 +221,7 @@ bool ComputesOpacity(const RenderSettings& settings)
       settings.mask == Mask::Labels);
 }
 
-// Files for the places of voxels and the values between them.
+// Files for the positions of voxels and the values between them.
 std::vector<std::string> VoxelParts(const RenderSettings& settings)
 {
   return { SpacingFile(settings),
