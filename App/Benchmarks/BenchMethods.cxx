@@ -41,7 +41,7 @@ std::vector<BenchSetting> SampleDistances(vtkImageData* image, const RenderOptio
   return settings;
 }
 
-// Reaches the errors of the finest error tolerances, which are judged against these settings.
+// Sample distances that reach the errors of the finest error tolerances, for comparison with them.
 std::vector<BenchSetting> FineSampleDistances(vtkImageData* image, const RenderOptions& options)
 {
   std::vector<BenchSetting> settings = SampleDistances(image, options);
@@ -81,7 +81,7 @@ struct Row
   Pictures pictures;   ///< the scenes to which the method applies
 };
 
-// Integration rules and fields are compared in shaders, which have all of them.
+// Integration rules and fields are compared in shaders, because packets do not have all of them.
 constexpr MapperKind Shaders = MapperKind::VarimarchShaders;
 
 const std::vector<Row>& Rows()

@@ -12,11 +12,11 @@
 namespace varimarch
 {
 
-/// A mapper with fixed choices, whose remaining setting a benchmark sweeps.
+/// A mapper with fixed choices and one remaining setting, which a benchmark sweeps.
 struct BenchMethod
 {
-  std::string name;  ///< on the command line and in tables
-  std::string title; ///< in legends and reports
+  std::string name;  ///< name on the command line and in tables
+  std::string title; ///< name in legends and reports
   MapperKind kind;
   CurveStyle style;
 };
@@ -26,11 +26,11 @@ std::vector<std::string> BenchMethodNames();
 /// One of the settings that a method is swept over.
 struct BenchSetting
 {
-  std::string label; ///< unique within the method, such as "0.5 voxels"
+  std::string label; ///< label, unique within the method, such as "0.5 voxels"
   RenderOptions options;
 };
 
-/// A method and the settings at which it is measured, the coarsest first.
+/// A method and the settings at which it is measured, coarsest first.
 struct BenchRun
 {
   BenchMethod method;
@@ -39,7 +39,7 @@ struct BenchRun
 
 /// The work-precision runs of a scene: those of the chosen methods that apply to it. Our defaults
 /// are swept over error tolerances, all others over sample distances.
-/// @param chosen  names; empty: all
+/// @param chosen  names of the methods; empty: all
 std::vector<BenchRun> WorkPrecisionRuns(
   const Scene& scene, vtkImageData* image, const std::vector<std::string>& chosen);
 

@@ -24,7 +24,7 @@ void AddReportOptions(CLI::App& command, ReportArguments& report)
 
 void AddRoundsOption(CLI::App& command, int& rounds)
 {
-  command.add_option("--rounds", rounds, "Times to measure each (default 3)")
+  command.add_option("--rounds", rounds, "Number of measurements of each (default 3)")
     ->check(CLI::Range(1, 10000).description(""))
     ->type_name("N");
 }
@@ -41,26 +41,27 @@ void AddWorkPrecisionCommand(CLI::App& program, const std::string& commandText)
   const auto arguments = std::make_shared<WorkPrecisionArguments>();
   arguments->report.commandText = commandText;
   CLI::App* app = program.add_subcommand(
-    "work-precision", "Error against run time of our mapper's choices and of VTK's mappers");
-  app->footer("Writes work-precision.html, which needs no other file, .md, .csv and .json, and "
-              "each scene's plots\n"
-              "as PNG and SVG, after each scene: stopped, it leaves what it has.\n"
-              "Examples:\n"
-              "  varimarch-bench work-precision head.nii.gz -o report --size 256x256\n"
-              "  varimarch-bench work-precision Data/Scenes/*.json -o report --rounds 5\n"
-              "  varimarch-bench work-precision scene.json -o report --methods optical,vtk-gpu");
+    "work-precision", "Plot error against run time for our mapper's settings and VTK's mappers");
+  app->footer(
+    "Writes a self-contained work-precision.html, and .md, .csv and .json, with each scene's\n"
+    "plots as PNG and SVG. All are written after each scene, so an interrupted run keeps "
+    "its results.\n"
+    "Examples:\n"
+    "  varimarch-bench work-precision head.nii.gz -o report --size 256x256\n"
+    "  varimarch-bench work-precision Data/Scenes/*.json -o report --rounds 5\n"
+    "  varimarch-bench work-precision scene.json -o report --methods optical,vtk-gpu");
   app
     ->add_option("SCENES", arguments->inputs,
       "Scene files (.json), volume files, DICOM folders, or procedural:NAME[:XxYxZ]")
     ->required();
   AddLookAndPictureOptions(*app, arguments->scene);
   AddReportOptions(*app, arguments->report);
-  app->add_option("--methods", arguments->methods, "Only these (default all)")
+  app->add_option("--methods", arguments->methods, "Methods to measure (default all)")
     ->delimiter(',')
     ->check(OneOf(BenchMethodNames()));
   AddRoundsOption(*app, arguments->options.rounds);
   AddLongestOption(*app, arguments->options.longestSeconds,
-    "Leave out finer settings when a picture took longer (default 3)");
+    "Skip finer settings once an image takes longer (default 3)");
   app->callback([arguments] { RunWorkPrecision(*arguments); });
 }
 
@@ -68,22 +69,22 @@ void AddPublishedCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<PublishedArguments>();
   arguments->report.commandText = commandText;
-  CLI::App* app =
-    program.add_subcommand("published", "The scenes of two papers, with their figures beside ours");
-  app->footer(
-    "Scenes: Banquero, Ortiz, Rossi 2016, tables 1 and 2, and Volt 2009. Volumes that the folder\n"
-    "does not hold are left out, and named.\n"
-    "Example:\n"
-    "  varimarch-bench published --volumes volumes -o published");
+  CLI::App* app = program.add_subcommand(
+    "published", "Measure the scenes of two papers beside their published figures");
+  app->footer("Scenes: Banquero, Ortiz, Rossi 2016, tables 1 and 2, and Volt 2009. Volumes that "
+              "are missing in\n"
+              "the folder are skipped and listed.\n"
+              "Example:\n"
+              "  varimarch-bench published --volumes volumes -o published");
   app
     ->add_option("--volumes", arguments->options.folder,
-      "The folder of the papers' volumes (default: the environment's VARIMARCH_VOLUMES)")
+      "The folder of the papers' volumes (default: $VARIMARCH_VOLUMES)")
     ->envname("VARIMARCH_VOLUMES")
     ->check(CLI::ExistingDirectory.description(""))
     ->type_name("FOLDER")
     ->required();
   AddReportOptions(*app, arguments->report);
-  app->add_option("--side", arguments->options.side, "Of the square pictures (default 512)")
+  app->add_option("--side", arguments->options.side, "Side of the square images (default 512)")
     ->check(CLI::Range(1, 4096).description(""))
     ->type_name("PIXELS");
   AddRoundsOption(*app, arguments->options.rounds);
@@ -96,16 +97,18 @@ void AddSpeedOptions(CLI::App& command, const std::shared_ptr<SpeedArguments>& a
     "Scene files (.json), volume files, DICOM folders, or procedural:NAME[:XxYxZ]");
   command
     .add_option("--volumes", arguments->volumes,
-      "A folder of well-known volumes, each seen soft, dense and as a thin peak")
+      "A folder of well-known volumes, each drawn soft, dense and as a thin peak")
     ->check(CLI::ExistingDirectory.description(""))
     ->type_name("FOLDER");
-  command.add_option("--only", arguments->only, "Of these, the scenes whose names start so")
+  command
+    .add_option("--only", arguments->only,
+      "Draw only scenes of --volumes whose names start with one of these")
     ->delimiter(',')
     ->type_name("NAMES");
   AddReportOptions(command, arguments->report);
   command
     .add_option(
-      "--sides", arguments->options.sides, "Of the square pictures (default 256,512,1024)")
+      "--sides", arguments->options.sides, "Sides of the square images (default 256,512,1024)")
     ->delimiter(',')
     ->check(CLI::Range(1, 4096).description(""))
     ->type_name("PIXELS");
@@ -116,11 +119,11 @@ void AddSpeedOptions(CLI::App& command, const std::shared_ptr<SpeedArguments>& a
   };
   command
     .add_option_function<std::string>(
-      "--shading", setShaded, "With light, without or both (default both)")
+      "--shading", setShaded, "Draw with shading, without, or both (default both)")
     ->check(OneOf({ "both", "off", "on" }));
   AddRoundsOption(command, arguments->options.rounds);
   AddLongestOption(command, arguments->options.longestSeconds,
-    "Draw what takes longer in one round only (default 20)");
+    "Draw frames that take longer in only one round (default 20)");
 }
 
 void AddSpeedCommand(CLI::App& program, const std::string& commandText)
@@ -128,7 +131,7 @@ void AddSpeedCommand(CLI::App& program, const std::string& commandText)
   const auto arguments = std::make_shared<SpeedArguments>();
   arguments->report.commandText = commandText;
   CLI::App* app = program.add_subcommand(
-    "speed", "Times against VTK's mappers, our march without field and the published one");
+    "speed", "Compare times with VTK's mappers, our march without a field and the published one");
   app->footer("Writes speed.md, .json, .png and .svg.\n"
               "Examples:\n"
               "  varimarch-bench speed --volumes volumes -o report\n"
@@ -143,7 +146,7 @@ void AddScalingCommand(CLI::App& program, const std::string& commandText)
   const auto arguments = std::make_shared<ScalingArguments>();
   arguments->report.commandText = commandText;
   CLI::App* app =
-    program.add_subcommand("scaling", "Times over the size of two procedural volumes");
+    program.add_subcommand("scaling", "Measure times over the size of two procedural volumes");
   app->footer("Writes scaling.md, .json, .png and .svg.\n"
               "Examples:\n"
               "  varimarch-bench scaling -o report\n"
@@ -165,18 +168,19 @@ void AddFeatureCommand(CLI::App& program, const std::string& commandText)
   const auto arguments = std::make_shared<FeatureArguments>();
   arguments->report.commandText = commandText;
   CLI::App* app = program.add_subcommand(
-    "features", "Time with each feature over the time without it, ours and VTK's side by side");
-  app->footer("Writes features.md and .json, after each feature: stopped, it leaves what it has.\n"
-              "Examples:\n"
-              "  varimarch-bench features head.nii.gz -o report --size 256x256\n"
-              "  varimarch-bench features head.nii.gz -o report --only clipping,isosurface");
+    "features", "Measure the cost of each feature, in our mapper and in VTK's");
+  app->footer(
+    "Writes features.md and .json after each feature, so an interrupted run keeps its results.\n"
+    "Examples:\n"
+    "  varimarch-bench features head.nii.gz -o report --size 256x256\n"
+    "  varimarch-bench features head.nii.gz -o report --only clipping,isosurface");
   app
     ->add_option("SCENE", arguments->input,
       "A scene file (.json), volume file, DICOM folder, or procedural:NAME[:XxYxZ]")
     ->required();
   AddLookAndPictureOptions(*app, arguments->scene);
   AddReportOptions(*app, arguments->report);
-  app->add_option("--only", arguments->only, "Only these features")
+  app->add_option("--only", arguments->only, "Features to measure (default all)")
     ->delimiter(',')
     ->check(OneOf(FeatureNames()));
   AddRoundsOption(*app, arguments->rounds);

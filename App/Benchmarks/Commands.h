@@ -17,12 +17,12 @@ class App;
 namespace varimarch
 {
 
-/// The part that all benchmarks' arguments have in common.
+/// Arguments that all benchmarks have in common.
 struct ReportArguments
 {
   std::string commandText; ///< the whole command line, for the results
   std::string outputFolder;
-  std::string jsonPath; ///< a further file for the results; empty: none
+  std::string jsonPath; ///< another file for the results; empty: none
 };
 
 struct WorkPrecisionArguments
@@ -66,8 +66,8 @@ struct FeatureArguments
   int rounds = 3;
 };
 
-/// Each measures, writes its report after every step so that an interrupted run keeps what it has,
-/// and prints a summary.
+/// Run the benchmarks. Each measures, writes its report after every step, so that an interrupted
+/// run keeps its results, and prints a summary.
 /// @throws UsageError when the arguments do not fit together
 /// @throws std::runtime_error when a file cannot be read or written, or a mapper reports an error
 void RunWorkPrecision(const WorkPrecisionArguments& arguments);

@@ -29,14 +29,14 @@ struct FeatureMeasurement
   const Feature* feature;
   FeatureCost ours;
   FeatureCost vtk;
-  std::string drawnByVtk; ///< why our plugin falls back to VTK's mapper; empty: it does not
-  bool vtkShowsNothing;   ///< true if VTK's image is empty and ours is not: ignore its times
-  std::string failure;    ///< error of a mapper; empty: both have drawn it
+  std::string drawnByVtk; ///< reason why our plugin falls back to VTK's mapper; empty: it does not
+  bool vtkShowsNothing;   ///< true if only VTK's image is empty; its times are then meaningless
+  std::string failure;    ///< error of a mapper; empty if both have drawn the feature
 };
 
 /// Draws a scene with and without a feature, alternating between the plugin's mapper and VTK's GPU
-/// mapper, with a moving camera. VTK's mapper takes a sample per voxel; ours chooses the sample
-/// distance by its error tolerance.
+/// mapper, with a moving camera. VTK's mapper takes one sample per voxel; ours chooses the sample
+/// distance from its error tolerance.
 FeatureMeasurement MeasureFeature(const Feature& feature, const Scene& scene, vtkImageData* image,
   int rounds, const OnStep& onStep);
 

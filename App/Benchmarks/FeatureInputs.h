@@ -8,25 +8,27 @@
 namespace varimarch
 {
 
-/// The same volume in other forms, for measuring the cost of each. The input has one component per
-/// point.
+// Conversions of a volume to other forms, whose costs are measured. The input has one component per
+// point.
 
-/// Two components, both with the input's scalars.
+/// The volume with two components, both with the input's scalars.
 vtkSmartPointer<vtkImageData> WithTwoComponents(vtkImageData* image);
 
-/// Red, green, blue and opacity as bytes, each the input's scalar.
+/// The volume with four byte components for red, green, blue and opacity, all with the input's
+/// scalars.
 vtkSmartPointer<vtkImageData> WithFourColors(vtkImageData* image);
 
-/// Cell data, with one cell fewer than points on each axis.
+/// The volume as cell data, with one cell fewer than points on each axis.
 vtkSmartPointer<vtkDataSet> OnCells(vtkImageData* image);
 
-/// The same grid with explicit coordinates.
+/// The volume on a rectilinear grid with the same coordinates.
 vtkSmartPointer<vtkDataSet> OnRectilinearGrid(vtkImageData* image);
 
 /// The volume with the points of a ball about the centre blanked.
 vtkSmartPointer<vtkDataSet> WithBlankedBall(vtkImageData* image);
 
-/// 255 in a ball about the centre, else 0: a binary mask, and a label map with one label.
+/// A mask that is 255 in a ball about the centre and 0 elsewhere, for use as a binary mask and as a
+/// label map with one label.
 vtkSmartPointer<vtkImageData> BallMask(vtkImageData* image);
 
 /// A transfer function of scalar and gradient magnitude: opacity grows with both.

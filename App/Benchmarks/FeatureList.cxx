@@ -34,7 +34,7 @@ vtkVolumeProperty* PropertyOf(Stage stage)
   return stage.volume->GetProperty();
 }
 
-// The scalar at this fraction of the value range.
+// The scalar at a fraction of the value range.
 double ScalarAt(Stage stage, double part)
 {
   const double* range = stage.image->GetScalarRange();

@@ -19,7 +19,7 @@ struct FeatureStage
   vtkGPUVolumeRayCastMapper* mapper;
   vtkVolume* volume;
   vtkRenderer* renderer;
-  vtkImageData* image; ///< the input without any feature
+  vtkImageData* image; ///< input without any feature
 };
 
 /// A feature that users of VTK switch on, and the state it is compared with.
@@ -27,12 +27,12 @@ struct Feature
 {
   using Switch = std::function<void(const FeatureStage&)>;
 
-  std::string name; ///< on the command line and in tables
-  std::string over; ///< the state it is compared with, in words
-  Switch prepare;   ///< sets the state it is compared with
+  std::string name; ///< name on the command line and in tables
+  std::string over; ///< description of the state that it is compared with
+  Switch prepare;   ///< sets the state that it is compared with
   Switch switchOn;
   Switch switchOff;   ///< restores the prepared state
-  bool isVtks = true; ///< false if VTK's mapper lacks it: ignore its times
+  bool isVtks = true; ///< false if VTK's mapper lacks it; its times are then meaningless
 };
 
 /// The features that `varimarch-bench features` measures.

@@ -46,7 +46,7 @@ std::string Notes(const std::vector<FeatureMeasurement>& features)
     }
     if (!measured.feature->isVtks)
     {
-      notes += "- " + measured.feature->name + ": VTK's mapper does not have it\n";
+      notes += "- " + measured.feature->name + ": VTK's mapper does not have this feature\n";
     }
     else if (measured.vtkShowsNothing)
     {
@@ -67,13 +67,14 @@ std::string FeatureMarkdown(const FeaturePage& page)
 {
   std::string text = "# What features cost\n\n" + page.volume + ", " + page.machine.processor +
     ", " + std::to_string(page.machine.cores) + " cores, VTK " + page.machine.vtkVersion + ", " +
-    page.machine.date + ", load before the start " + Fixed(page.machine.load, 1) +
-    ", pictures of " + std::to_string(page.size[0]) + " x " + std::to_string(page.size[1]) +
+    page.machine.date + ", load before the start " + Fixed(page.machine.load, 1) + ", images of " +
+    std::to_string(page.size[0]) + " x " + std::to_string(page.size[1]) +
     " of a moving camera, medians of " + std::to_string(page.rounds) +
     " alternating rounds. Made by `" + page.commandText +
-    "`.\n\nOurs is the plugin's mapper at its error tolerance, VTK's takes one sample per voxel. "
-    "With: time with the feature. Cost: that over the time without. Off again: time when it is "
-    "switched off, over the time before.\n\n"
+    "`.\n\nOurs is the plugin's mapper at its error tolerance; VTK's takes one sample per voxel. "
+    "With: time with the feature. Cost: ratio of the times with and without it. Off again: ratio "
+    "of "
+    "the times after the feature is switched off and before it was switched on.\n\n"
     "| feature | over | ours without [ms] | ours with [ms] | our cost | off again | VTK with [ms] "
     "| VTK's cost | VTK / ours |\n|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
   for (const FeatureMeasurement& measured : page.features)

@@ -17,9 +17,9 @@ namespace varimarch
 struct FeaturePage
 {
   std::string commandText;
-  Machine machine; ///< before the start
+  Machine machine; ///< state of the machine before the start
   int rounds;
-  std::array<int, 2> size; ///< of the images [pixels]
+  std::array<int, 2> size; ///< size of the images [pixels]
   std::string volume;      ///< name of the file
   std::vector<FeatureMeasurement> features;
 };

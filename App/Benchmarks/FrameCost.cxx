@@ -36,7 +36,7 @@ public:
   }
 
 private:
-  vtkVariationFieldVolumeMapper* mapper; ///< null for VTK's
+  vtkVariationFieldVolumeMapper* mapper; ///< our mapper; null for VTK's
   int builds = 0;
 };
 
@@ -112,7 +112,7 @@ std::optional<double> FetchesPerPixel(OffscreenView& view)
   }
   catch (const std::runtime_error&)
   {
-    return std::nullopt; // a shader counts, and this volume is too large for its textures
+    return std::nullopt; // shaders count, but this volume is too large for their textures
   }
   const auto* red = static_cast<const float*>(counts->GetScalarPointer());
   double sum = 0.0;

@@ -9,26 +9,27 @@
 namespace varimarch
 {
 
-/// The cost of one mapper's frames, from the first one on. A time is that of one
+/// The cost of one mapper's frames, beginning with the first. A time is that of one
 /// vtkRenderWindow::Render, until the device has finished.
 struct FrameCost
 {
-  double firstMs;       ///< the first frame of a new window and mapper, the volume in memory
-  double stillMs;       ///< median of the next frames, without any change: five, or 50 ms of them
+  double firstMs;       ///< time of the first frame of a new window and mapper, volume in memory
+  double stillMs;       ///< median time of the next frames, without changes: five, or 50 ms of them
   double rebuildMs;     ///< extra time of the frame after a change of the transfer function
-  double firstFieldMs;  ///< building the field for the first frame; 0 without a field
-  double changeFieldMs; ///< rebuilding the field for the changed transfer function
+  double firstFieldMs;  ///< time to build the field for the first frame; 0 without a field
+  double changeFieldMs; ///< time to rebuild the field for the changed transfer function
 };
 
-/// Draws frames. The view must be new, and shows a changed look afterwards.
+/// Draws frames. The view must be new, and has another look afterwards.
 /// @throws std::runtime_error when the mapper reports an error
 FrameCost CostOfFrames(OffscreenView& view, const Look& look);
 
-/// The median of each time by itself, over at least one round.
+/// The median of each time separately, over at least one round.
 FrameCost MedianOf(const std::vector<FrameCost>& rounds);
 
-/// Samples of the volume per pixel: the mean over all pixels, also those without volume. Empty for
-/// VTK's mappers, which do not count them, and for volumes that are too large for a texture.
+/// Fetches from the volume per pixel, as the mean over all pixels, including those without volume.
+/// Empty for VTK's mappers, which do not count them, and for volumes that are too large for a
+/// texture.
 std::optional<double> FetchesPerPixel(OffscreenView& view);
 
 /// The mapper's graphics memory [bytes]. Empty for VTK's mappers, which do not report it.

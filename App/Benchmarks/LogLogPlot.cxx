@@ -228,7 +228,7 @@ private:
     line->SetMarkerStyle(vtkPlotPoints::NONE);
   }
 
-  // The legend stands beside the plot, where it hides no curve.
+  // The legend is beside the plot, where it hides no curve.
   void ShowLegend()
   {
     this->chart->SetShowLegend(true);

@@ -28,8 +28,8 @@ enum class Stroke
   Dotted,
 };
 
-/// The style of a curve. Curves should differ in more than colour, for readers who are colour-blind
-/// and for print in black and white.
+/// The style of a curve. Curves should differ in more than colour, for colour-blind readers and for
+/// print in black and white.
 struct CurveStyle
 {
   std::array<unsigned char, 3> color;
@@ -41,14 +41,14 @@ struct PlotCurve
 {
   std::string title;
   CurveStyle style;
-  std::vector<std::array<double, 2>> points; ///< x, y, each > 0; no point twice
+  std::vector<std::array<double, 2>> points; ///< distinct points x, y, each > 0
 };
 
 /// A labelled value of y, drawn as a grey line across the plot.
 struct PlotLevel
 {
   std::string title;
-  double y; ///< > 0
+  double y; ///< value, > 0
 };
 
 /// Curves over two logarithmic axes, as for work-precision diagrams: E. Hairer, G. Wanner, "Solving
@@ -58,7 +58,7 @@ struct LogLogPlot
   std::string title;
   std::string xTitle;
   std::string yTitle;
-  std::vector<PlotCurve> curves; ///< at least one point in total
+  std::vector<PlotCurve> curves; ///< curves, with at least one point in total
   std::vector<PlotLevel> levels;
 };
 

@@ -8,14 +8,14 @@
 namespace varimarch
 {
 
-/// The machine on which a time was measured, for reports.
+/// The machine on which times were measured, for reports.
 struct Machine
 {
-  std::string processor; ///< the CPU's own name
+  std::string processor; ///< name of the CPU
   unsigned cores;
-  double load; ///< average of the last minute, see getloadavg
+  double load; ///< average load of the last minute, see getloadavg
   std::string vtkVersion;
-  std::string date; ///< day and time, ISO 8601, UTC
+  std::string date; ///< date and time, ISO 8601, UTC
 };
 
 /// Describes this machine, with its load at the time of the call.

@@ -6,7 +6,7 @@
 namespace varimarch
 {
 
-/// Switches of features that only our mapper has. With another mapper they do nothing.
+/// Switches for features that only our mapper has. With another mapper they do nothing.
 void CubicOn(const FeatureStage& stage);
 void CubicOff(const FeatureStage& stage);
 void DampingOn(const FeatureStage& stage);

@@ -25,8 +25,7 @@ void Write(const PublishedPage& page, const ReportArguments& report)
   WriteResults(results, folder / "published.json");
   WriteResults(results, report.jsonPath);
   SetInterruptNotice(folder,
-    std::to_string(page.measured.volumes.size() + page.measured.volt.size()) +
-      " scenes of those it was to measure");
+    std::to_string(page.measured.volumes.size() + page.measured.volt.size()) + " of the scenes");
 }
 
 }

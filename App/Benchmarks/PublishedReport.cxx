@@ -16,12 +16,13 @@ namespace
 
 const char* const BanqueroHead =
   "## Banquero, Ortiz, Rossi 2016, tables 1 and 2\n"
-  "They: NVIDIA GeForce GTX 660 Ti, Intel Core Duo 2.40 GHz; the size of the picture and the\n"
-  "transfer function are not told, and 60 frames per second are probably the display's limit.\n"
-  "Steps are the texture reads along a ray; how far one goes is a setting that the tables do not\n"
-  "tell, so here the volume's longest edge has as many samples. Table 2 does not tell its steps;\n"
-  "its figures stand at 60, which the conclusion recommends. *Plain*: no field, the published "
-  "sum;\n"
+  "Their setup: NVIDIA GeForce GTX 660 Ti, Intel Core Duo 2.40 GHz. The paper does not state the\n"
+  "image size and the transfer function; 60 frames per second are probably the display's limit.\n"
+  "Steps are the texture fetches along a ray. The tables do not state the length of a ray, so "
+  "here\n"
+  "the volume's longest edge has as many samples. Table 2 does not state its steps; its figures "
+  "are\n"
+  "listed at 60, which the conclusion recommends. *Plain*: no field, the published sum;\n"
   "*field*: the published sum with the scalar field, E = 4/255 of the range; *ours*: the optical\n"
   "field with the midpoint rule. RMSE in 1/255 of premultiplied RGBA.\n\n"
   "| volume | steps | their FPS, table 1 | plain / field, table 2 | plain [FPS] | RMSE "
@@ -30,10 +31,13 @@ const char* const BanqueroHead =
 
 const char* const VoltHead =
   "\n## Volt 2009\n"
-  "They: an NVIDIA GPU of 2009 with CUDA; the text that we have tells registers (32 shaded, 14\n"
-  "not), but no frame rates. VIS MALE, values to 40 clear, from 41 at one opacity per voxel edge,\n"
-  "a sample every 0.49 of the shortest edge, early termination at 95 % (VTK's own limit cannot be\n"
-  "set). Errors are of the picture without early termination: what is cut off counts.\n\n"
+  "Their setup: an NVIDIA GPU of 2009 with CUDA. The text that we have gives registers (32 "
+  "shaded,\n"
+  "14 unshaded), but no frame rates. VIS MALE, values up to 40 clear, from 41 at one opacity per\n"
+  "voxel edge, a sample every 0.49 of the shortest edge, early termination at 95 % (VTK's own "
+  "limit\n"
+  "cannot be set). Errors are relative to the image without early termination, so they include "
+  "it.\n\n"
   "| alpha [1/255] | shaded | ours [FPS] | RMSE | no field [FPS] | RMSE | VTK GPU [FPS] | RMSE |\n"
   "|---:|---|---:|---:|---:|---:|---:|---:|\n";
 
@@ -49,7 +53,7 @@ std::string OrNone(double fps)
   return fps > 0.0 ? Fixed(fps, 1) : "";
 }
 
-// Table 2 does not say its number of steps; the paper's conclusion names 60.
+// Table 2 does not state its number of steps; the paper's conclusion recommends 60.
 std::string Table2Cell(const PublishedVolume& volume, int steps)
 {
   return steps == 60 ? Fixed(volume.plainFps, 0) + " / " + Fixed(volume.fieldFps, 0) : "";
@@ -105,10 +109,10 @@ std::string PublishedMarkdown(const PublishedPage& page)
   const auto& size = page.measured.volumes.front().measured.scene.size;
   std::string text = "# Published scenes\n\nOurs: " + page.machine.processor + ", " +
     std::to_string(page.machine.cores) + " cores, OpenGL renderer \"" +
-    page.measured.volumes.front().measured.openglRenderer + "\", pictures of " +
+    page.measured.volumes.front().measured.openglRenderer + "\", images of " +
     std::to_string(size[0]) + " x " + std::to_string(size[1]) + ", " + page.machine.date +
     ", load before the start " + Fixed(page.machine.load, 1) + ". Made by `" + page.commandText +
-    "`.\nWhere ours is a CPU, frame rates say nothing about the methods: read the ratios.\n\n" +
+    "`.\nIf ours is a CPU, frame rates are not comparable with theirs: compare the ratios.\n\n" +
     BanqueroHead;
   for (const MeasuredVolume& volume : page.measured.volumes)
   {

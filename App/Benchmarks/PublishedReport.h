@@ -18,7 +18,7 @@ struct PublishedPage
   PublishedMeasurements measured;
 };
 
-/// The papers' figures beside ours, with the differences between the setups.
+/// A page with the papers' figures beside ours, and the differences between the setups.
 std::string PublishedMarkdown(const PublishedPage& page);
 
 nlohmann::ordered_json ToJson(const PublishedPage& page);

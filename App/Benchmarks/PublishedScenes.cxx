@@ -33,9 +33,9 @@ double LongestEdgeMm(vtkImageData* image)
   return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
-// The paper does not give its transfer function. We take a grey ramp that is clear below a
-// threshold, and so transparent that rays go deep, as in the paper's loop, which does not end
-// early. The unit distance of opacity is a hundredth of the volume.
+// The paper does not give its transfer function. We use a grey ramp that is clear below a threshold
+// and otherwise transparent enough that rays reach deep into the volume, as in the paper's loop,
+// which has no early termination. The unit distance of opacity is a hundredth of the volume.
 Look BanqueroLook(vtkImageData* image)
 {
   Look look;
@@ -48,10 +48,11 @@ Look BanqueroLook(vtkImageData* image)
   return look;
 }
 
-// Chosen so that the volume's longest edge takes as many samples as the paper's loop has steps.
+// Sample distances at which the volume's longest edge has as many samples as the paper's loop has
+// steps.
 std::vector<BenchRun> BanqueroRuns(vtkImageData* image)
 {
-  constexpr double PublishedVariation255 = 4.0; // of figure 10, free of artifacts
+  constexpr double PublishedVariation255 = 4.0; // figure 10, free of artifacts
   const auto run =
     [&](const std::string& name, Acceleration acceleration, Integration rule, double termination)
   {
@@ -71,8 +72,8 @@ std::vector<BenchRun> BanqueroRuns(vtkImageData* image)
       RenderOptions().earlyTerminationTransmittance) };
 }
 
-// Values up to 40 are clear; those from 41 on share one opacity. The paper does not say for which
-// distance; we take one voxel.
+// Values up to 40 are clear; values from 41 share one opacity. The paper does not give its unit
+// distance; we use one voxel.
 Look VoltLook(vtkImageData* image, int alpha255, bool shaded)
 {
   Look look;

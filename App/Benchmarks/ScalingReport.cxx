@@ -69,14 +69,13 @@ std::string ScalingMarkdown(const ScalingPage& page)
 {
   std::string text = "# Time over the size of the volume\n\n" + page.machine.processor + ", " +
     std::to_string(page.machine.cores) + " cores, VTK " + page.machine.vtkVersion + ", " +
-    page.machine.date + ", load before the start " + Fixed(page.machine.load, 1) +
-    ", pictures of " + std::to_string(page.size[0]) + " x " + std::to_string(page.size[1]) +
-    ", medians of " + std::to_string(page.rounds) + " alternating rounds. Made by `" +
-    page.commandText +
-    "`.\n\nOurs at its error tolerance, VTK's GPU mapper at its own choice of samples; errors are "
+    page.machine.date + ", load before the start " + Fixed(page.machine.load, 1) + ", images of " +
+    std::to_string(page.size[0]) + " x " + std::to_string(page.size[1]) + ", medians of " +
+    std::to_string(page.rounds) + " alternating rounds. Made by `" + page.commandText +
+    "`.\n\nOurs uses its error tolerance, VTK's GPU mapper its own choice of samples; errors are "
     "not measured.\n\n"
     "| volume | renderer | side [voxels] | still [ms] | first [ms] | rebuild [ms] | field [ms] "
-    "| field again [ms] | memory [MiB] | readings |\n"
+    "| field again [ms] | memory [MiB] | fetches |\n"
     "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
   for (const ScalingCurve& curve : page.curves)
   {
@@ -90,7 +89,7 @@ std::string ScalingMarkdown(const ScalingPage& page)
     if (!curve.stopped.empty())
     {
       text += "\n" + curve.volume + ", " + NameOf(MapperKindNames(), curve.kind) +
-        ": no larger volume, for " + curve.stopped + "\n";
+        ": no larger volume (" + curve.stopped + ")\n";
     }
   }
   return text;

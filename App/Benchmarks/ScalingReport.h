@@ -18,9 +18,9 @@ namespace varimarch
 struct ScalingPage
 {
   std::string commandText;
-  Machine machine; ///< before the start
+  Machine machine; ///< state of the machine before the start
   int rounds;
-  std::array<int, 2> size; ///< of the images [pixels]
+  std::array<int, 2> size; ///< size of the images [pixels]
   std::vector<ScalingCurve> curves;
 };
 

@@ -111,7 +111,7 @@ struct Bench
       {
         if (int(point.rounds.size()) < round && this->IsDrawnIn(round, point))
         {
-          this->AddRound(round, point); // no target compares it
+          this->AddRound(round, point); // it belongs to no target
         }
       }
     }
@@ -198,8 +198,8 @@ std::vector<Rung> Ladder(const Bench& bench, const std::string& method, double l
   return rungs;
 }
 
-// Finds about the largest tolerance whose RMSE is at most `wanted`: between a rung that reaches it
-// and fifteen sixteenths of the way to the next coarser rung.
+// Finds approximately the largest tolerance whose RMSE is at most `wanted`. It lies between a rung
+// that reaches it and fifteen sixteenths of the way to the next coarser rung.
 double LargestTolerance(const Bench& bench, const std::string& method, double rung, double wanted)
 {
   if (rung == Coarsest)
@@ -218,7 +218,7 @@ double LargestTolerance(const Bench& bench, const std::string& method, double ru
   return largest;
 }
 
-// The index of our method's point at a tolerance, which is measured if it does not exist yet.
+// The index of our method's point at a tolerance. The point is measured if it does not exist yet.
 std::size_t PointAt(
   const Bench& bench, const std::string& method, double tolerance, std::vector<SpeedPoint>& points)
 {
@@ -234,7 +234,7 @@ std::size_t PointAt(
   return index;
 }
 
-// The largest RMSE that the target allows us [1/255]; empty without the rival.
+// The largest RMSE that a target allows us [1/255]; empty if the rival was not measured.
 std::optional<double> WantedError(const SpeedCase& measured, const SpeedTarget& target)
 {
   const SpeedPoint* rival = Rival(measured, target);
@@ -245,7 +245,7 @@ std::optional<double> WantedError(const SpeedCase& measured, const SpeedTarget& 
 // Finds the points that meet the error limits of the targets.
 void KeepErrors(const Bench& bench, SpeedCase& measured)
 {
-  std::map<std::string, double> lowest; // of each method of ours
+  std::map<std::string, double> lowest; // lowest RMSE that each of our methods must reach
   for (const SpeedTarget& target : SpeedTargets())
   {
     if (const std::optional<double> wanted = WantedError(measured, target))

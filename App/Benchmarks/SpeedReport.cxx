@@ -14,33 +14,34 @@ namespace
 
 const char* const TargetsHead =
   "\n## Targets\n"
-  "How many times as fast as another method we are, at the largest error tolerance at which our\n"
-  "RMSE is as low as the target says. VTK's mappers and the published sum, with the scalar field\n"
-  "and E = 4/255, take a sample per voxel; our march without field keeps 1/64. Means are\n"
-  "geometric.\n\n"
+  "Our speed-up over another method, at the largest error tolerance at which our RMSE meets the\n"
+  "target. VTK's mappers and the published sum, with the scalar field and E = 4/255, take one "
+  "sample\n"
+  "per voxel; our march without a field keeps a tolerance of 1/64. Means are geometric.\n\n"
   "| against | shaded | size | scenes | mean | target | least | target | least on | verdict |\n"
   "|---|---|---:|---:|---:|---:|---:|---:|---|---|\n";
 
 const char* const KeepingHead =
   "\n## Scene by scene\n"
-  "Times are medians of still pictures: of five, or as many as take 50 ms. *Times as fast* is the\n"
+  "Times are medians of still images: of five, or as many as take 50 ms. *Times as fast* is the\n"
   "median of the rounds, in each of which both were drawn one right after the other. RMSE in\n"
-  "1/255 of premultiplied RGBA, against an adaptive integral in double precision. *Tolerance*:\n"
-  "ours, of 1.\n\n"
+  "1/255 of premultiplied RGBA, against an adaptive integral in double precision. *Our tolerance*\n"
+  "is an error in [0, 1].\n\n"
   "| scene | shaded | size | rival | rival [ms] | rival RMSE | ours | our tolerance | ours [ms] "
   "| our RMSE | times as fast |\n"
   "|---|---|---:|---|---:|---:|---|---:|---:|---:|---:|\n";
 
 const char* const DefaultsHead =
   "\n## Every setting\n"
-  "*First*: first picture of a new window and mapper, the volume in memory. *Rebuild*: how much\n"
-  "longer the picture after a change of transfer function takes than the next, trying out of rays\n"
-  "included. *Field*: building\n"
-  "it for the first picture, and again for the change. *Readings*: of the volume by a shader,\n"
-  "mean of all pixels. *Memory*: graphics memory of the mapper. VTK's mappers do not tell the last "
-  "three.\n\n"
+  "*First*: first image of a new window and mapper, with the volume in memory. *Rebuild*: extra "
+  "time\n"
+  "of the image after a change of transfer function, compared with the next one; it includes the\n"
+  "tolerance search. *Field*: time to build the field for the first image; *field again*: time to\n"
+  "rebuild it after the change. *Memory*: graphics memory of the mapper. *Fetches*: from the "
+  "volume\n"
+  "by a shader, mean of all pixels. VTK's mappers do not report the last four.\n\n"
   "| scene | shaded | size | method | tolerance | RMSE | 99.9 % | still [ms] | first [ms] "
-  "| rebuild [ms] | field [ms] | field again [ms] | memory [MiB] | readings | rounds |\n"
+  "| rebuild [ms] | field [ms] | field again [ms] | memory [MiB] | fetches | rounds |\n"
   "|---|---|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
 
 std::string CaseCells(const SpeedCase& measured)
@@ -49,7 +50,7 @@ std::string CaseCells(const SpeedCase& measured)
     std::to_string(measured.side) + " | ";
 }
 
-// A tolerance such as 1/64; a dash where none is used.
+// A tolerance such as 1/64; a dash if none is used.
 std::string ToleranceText(const SpeedPoint& point)
 {
   const bool used = IsOurs(point.kind) && !point.options.sampleDistanceMm;
@@ -120,8 +121,8 @@ std::string Heading(const SpeedPage& page)
     page.cases.front().openglRenderer + "\", VTK " + page.machine.vtkVersion + ", " +
     page.machine.date + ", load before the start " + Fixed(page.machine.load, 1) +
     ". Medians of up to " + std::to_string(page.options.rounds) +
-    " rounds;\na picture of more than " + Fixed(page.options.longestSeconds, 1) +
-    " s is drawn in one. Made by `" + page.commandText + "`.\n";
+    " rounds;\nan image that takes more than " + Fixed(page.options.longestSeconds, 1) +
+    " s is drawn in only one. Made by `" + page.commandText + "`.\n";
   for (std::size_t i = 0; i < page.missing.size(); ++i)
   {
     text += (i == 0 ? "Not in the folder: " : ", ") + page.missing[i];

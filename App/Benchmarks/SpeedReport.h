@@ -16,10 +16,10 @@ namespace varimarch
 struct SpeedPage
 {
   std::string commandText;
-  Machine machine; ///< before the start
+  Machine machine; ///< state of the machine before the start
   SpeedOptions options;
-  std::vector<std::string> missing; ///< files of scenes that were left out
-  std::vector<SpeedCase> cases;     ///< at least one
+  std::vector<std::string> missing; ///< files of scenes that were skipped
+  std::vector<SpeedCase> cases;     ///< measurements, at least one
 };
 
 std::string SpeedMarkdown(const SpeedPage& page);

@@ -17,11 +17,11 @@ namespace
 struct SpeedVolume
 {
   std::string name;
-  std::string file;     ///< in the folder of volumes
-  double lowest;        ///< visible value, above air and noise
-  double highest;       ///< visible value
+  std::string file;     ///< path in the folder of volumes
+  double lowest;        ///< lowest visible value, above air and noise
+  double highest;       ///< highest visible value
   double peak;          ///< value of a surface
-  double peakHalfWidth; ///< > 0
+  double peakHalfWidth; ///< half the width of the peak, > 0
 };
 
 const std::vector<SpeedVolume>& SpeedVolumes()
@@ -50,7 +50,8 @@ Look LookOf(const SpeedVolume& seen, vtkImageData* image)
   return look;
 }
 
-// Translucent: opacity is a long ramp. The unit distance of opacity is the smallest voxel spacing.
+// A translucent look with a long ramp of opacity. The unit distance of opacity is the smallest
+// voxel spacing.
 Look SoftLook(const SpeedVolume& seen, vtkImageData* image)
 {
   Look look = LookOf(seen, image);
@@ -58,7 +59,7 @@ Look SoftLook(const SpeedVolume& seen, vtkImageData* image)
   return look;
 }
 
-// Opaque within a few voxels.
+// A look that is opaque within a few voxels.
 Look DenseLook(const SpeedVolume& seen, vtkImageData* image)
 {
   Look look = LookOf(seen, image);
@@ -67,7 +68,7 @@ Look DenseLook(const SpeedVolume& seen, vtkImageData* image)
   return look;
 }
 
-// Only the values of one surface, in false colours.
+// A look with only the values of one surface, in false colours.
 Look ThinPeakLook(const SpeedVolume& seen, vtkImageData* image)
 {
   Look look = LookOf(seen, image);
@@ -118,7 +119,7 @@ LoadedScene SceneOf(const SpeedVolume& seen, const SpeedLook& look, const Loaded
   LoadedScene loaded = { SceneName(seen, look), {}, volume };
   loaded.scene.look = look.make(seen, volume.image);
   loaded.scene.look.name = look.name;
-  // Off the axes, so that no ray runs along a row of voxels.
+  // The view is oblique, so that no ray runs along a row of voxels.
   loaded.scene.camera.azimuthDegrees = 30.0;
   loaded.scene.camera.elevationDegrees = 20.0;
   return loaded;

@@ -18,16 +18,16 @@ struct LoadedScene
   LoadedVolume volume;
 };
 
-/// The scenes of a folder of well-known volumes. Each volume is shown soft (translucent, opacity a
-/// long ramp), dense (opaque within a few voxels) and as a thin peak (only the values of one
-/// surface, in false colours).
+/// The scenes made from a folder of well-known volumes. Each volume is drawn soft (translucent,
+/// with a long ramp of opacity), dense (opaque within a few voxels) and as a thin peak (only the
+/// values of one surface, in false colours).
 struct SpeedScenes
 {
   std::vector<LoadedScene> scenes;
-  std::vector<std::string> missing; ///< files that the folder does not hold
+  std::vector<std::string> missing; ///< files that are not in the folder
 };
 
-/// @param prefixes  only scenes whose name, such as "bonsai-soft", starts with one; empty: all
+/// @param prefixes  beginnings of the names of scenes to load, such as "bonsai"; empty: all
 /// @throws std::runtime_error when no scene is left, or a file cannot be read
 SpeedScenes LoadSpeedScenes(const std::string& folder, const std::vector<std::string>& prefixes);
 

@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-// True if shaded, and the side of the image [pixels].
+// Whether the scene is shaded, and the side of the image [pixels].
 using Setup = std::pair<bool, int>;
 
 std::set<Setup> SetupsOf(const std::vector<SpeedCase>& cases)

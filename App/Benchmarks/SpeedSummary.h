@@ -13,21 +13,21 @@ namespace varimarch
 /// The result of a target over all scenes of one size, shaded or not.
 struct SpeedSummary
 {
-  std::size_t target; ///< index
+  std::size_t target; ///< index of the target
   bool shaded;
-  int side;                         ///< [pixels]
+  int side;                         ///< side of the image [pixels]
   std::vector<double> timesAsFast;  ///< speed-up on each scene where we keep the error, ascending
-  std::string worstScene;           ///< scene of the least speed-up; empty without one
+  std::string worstScene;           ///< scene of the smallest speed-up; empty without one
   std::vector<std::string> failing; ///< scenes where none of our tolerances keeps the error
-  double geometricMean;             ///< of `timesAsFast`; 0 without one
+  double geometricMean;             ///< geometric mean of `timesAsFast`; 0 without any
 
   bool IsMet() const;
 };
 
-/// One per target, without targets whose rival was measured on no scene.
+/// The summaries of all targets whose rival was measured on some scene.
 std::vector<SpeedSummary> SpeedSummaries(const std::vector<SpeedCase>& cases);
 
-/// Plots the speed-up over each target's rival, scene by scene, the least first.
+/// Plots the speed-up over each target's rival, scene by scene, smallest first.
 LogLogPlot SpeedPlot(const std::vector<SpeedCase>& cases);
 
 }

@@ -85,10 +85,12 @@ std::vector<std::string> ToleranceCells(const ToleranceRow& row)
 
 std::string ToleranceExplanation()
 {
-  return "Errors as parts of the tolerance, promised: 99.9 % of the pixels within 1, the largest "
-         "within 2. By hand: the fastest of optical, pre-integrated and simpson at the same "
-         "measured 99.9th percentile; promised: at most twice its time. Missed: what of that is "
-         "not so. Times are of a still view: trying out a new one is not in them.";
+  return "Errors are fractions of the tolerance; the promise is at most 1 for 99.9 % of the "
+         "pixels, "
+         "and at most 2 for the largest. By hand: the fastest of optical, pre-integrated and "
+         "simpson at the same measured 99.9th percentile; the promise is at most twice its time. "
+         "Missed: the promises that are not kept. Times are those of a still view, without the "
+         "tolerance search of a new view.";
 }
 
 std::string ToleranceText(const std::vector<WorkPrecision>& scenes)

@@ -12,23 +12,23 @@
 namespace varimarch
 {
 
-/// How well our defaults keep an error tolerance, and at what price: a row per tolerance, beside
-/// our fastest hand-chosen setting with the same error. The promises: 99.9 % of the pixels within
+/// The error and the time of our defaults at one error tolerance, compared with our fastest
+/// hand-chosen setting of the same error. Our defaults promise that 99.9 % of the pixels are within
 /// the tolerance, all within twice as much, in at most twice the time.
 
 struct ToleranceRow
 {
   std::string label;
-  double tolerance;     ///< of 1
-  double percentile999; ///< measured, as a fraction of the tolerance; kept: <= 1
-  double largest;       ///< measured, as a fraction of the tolerance; kept: <= 2
-  double estimate;      ///< the mapper's, of the 99.9th percentile, as a fraction of the tolerance
-  double milliseconds;  ///< of a still view, after the search for a sample distance has ended
-  std::string handMethod;       ///< the fastest method at the measured 99.9th percentile
-  std::optional<double> handMs; ///< its time; empty: none of our settings was as precise
+  double tolerance;             ///< error tolerance, [0, 1]
+  double percentile999;         ///< measured 99.9th percentile / tolerance; kept if <= 1
+  double largest;               ///< measured largest error / tolerance; kept if <= 2
+  double estimate;              ///< the mapper's estimate of the 99.9th percentile / tolerance
+  double milliseconds;          ///< time of a still view, without the tolerance search
+  std::string handMethod;       ///< fastest method at the measured 99.9th percentile
+  std::optional<double> handMs; ///< its time; empty if none of our settings was as precise
 };
 
-/// The tolerance of a point; empty where a sample distance was given.
+/// The tolerance of a point; empty if it has a sample distance instead.
 std::optional<double> ToleranceOf(const WorkPoint& point);
 
 /// One row per tolerance; none if the method "tolerance" was not measured.

@@ -24,7 +24,7 @@ struct Runner
   WorkCurve curve;
   std::unique_ptr<OffscreenView> view;
 
-  /// The time of a frame after one that built what the setting needs [s].
+  /// The time of a frame, drawn after another one that built what the setting needs [s].
   double SecondsOf(const BenchSetting& setting)
   {
     this->view->Pipeline().SetRenderOptions(setting.options);
@@ -35,7 +35,7 @@ struct Runner
 
 bool HoldsEightBitsOnly(vtkImageData* picture)
 {
-  // Far above the rounding of n / 255 to a float.
+  // This is far above the error of rounding n / 255 to a float.
   constexpr double Slack = 1e-4;
   const auto* channels = static_cast<const float*>(picture->GetScalarPointer());
   return std::all_of(channels, channels + 4 * picture->GetNumberOfPoints(),
@@ -46,7 +46,7 @@ bool HoldsEightBitsOnly(vtkImageData* picture)
     });
 }
 
-// The RMSE of rounding alone. An 8-bit image errs less only by chance.
+// The RMSE of rounding alone. An 8-bit image has a smaller error only by chance.
 double EightBitRmse(vtkImageData* truth)
 {
   const auto* channels = static_cast<const float*>(truth->GetScalarPointer());
@@ -69,7 +69,7 @@ double EstimatedError(OffscreenView& view)
 // Draws one setting, measures its error, and returns the time of a frame [s].
 double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision& result)
 {
-  constexpr double NearOneVoxel = 0.99; // VTK's mappers keep distances as float
+  constexpr double NearOneVoxel = 0.99; // VTK's mappers round distances to float
   const double seconds = runner.SecondsOf(setting);
   const auto picture = runner.view->FloatImage();
   ThrowIfVtkReportedError();
@@ -96,7 +96,7 @@ Runner StartedRunner(const BenchRun& run, const WorkPrecision& result,
   {
     if (seconds > options.longestSeconds)
     {
-      runner.curve.skipped = setting.label + " and finer: a picture at " +
+      runner.curve.skipped = setting.label + " and finer: an image at " +
         runner.curve.points.back().setting.label + " took " + Fixed(seconds, 1) +
         " s, more than the " + Fixed(options.longestSeconds, 1) + " s allowed";
       break;

@@ -17,10 +17,10 @@ namespace varimarch
 struct WorkPoint
 {
   BenchSetting setting;
-  double sampleDistanceMm; ///< used by the mapper
-  double estimatedError;   ///< the mapper's estimate, of 1; 0 if the sample distance was given
+  double sampleDistanceMm; ///< sample distance that the mapper used
+  double estimatedError;   ///< the mapper's estimate, [0, 1]; 0 if the sample distance was given
   PictureError error;
-  std::optional<double> fetchesPerPixel; ///< samples of the volume; empty for VTK's mappers
+  std::optional<double> fetchesPerPixel; ///< see FrameCost.h
   std::vector<double> roundsMs;
   double medianMs;
 };
@@ -28,8 +28,8 @@ struct WorkPoint
 struct WorkCurve
 {
   BenchMethod method;
-  std::vector<WorkPoint> points;         ///< the coarsest first, at least one
-  std::string skipped;                   ///< settings that took too long; empty: none
+  std::vector<WorkPoint> points;         ///< points, coarsest first, at least one
+  std::string skipped;                   ///< settings that would take too long; empty: none
   bool eightBits;                        ///< true if its images are rounded to 8 bits
   std::size_t shown;                     ///< index of the point that `picture` shows
   vtkSmartPointer<vtkImageData> picture; ///< float image, near one sample per voxel
@@ -38,11 +38,11 @@ struct WorkCurve
 /// Error against run time of several methods on one scene.
 struct WorkPrecision
 {
-  std::string name; ///< of the scene, fit for a file name
+  std::string name; ///< name of the scene, usable as a file name
   Scene scene;
   LoadedVolume volume;
   Truth truth;
-  double eightBitRmse; ///< of the truth rounded to 8 bits [1/255]
+  double eightBitRmse; ///< RMSE of the truth rounded to 8 bits [1/255]
   std::vector<WorkCurve> curves;
   std::string openglRenderer;
 };
@@ -50,13 +50,13 @@ struct WorkPrecision
 struct MeasuringOptions
 {
   int rounds = 3;
-  double longestSeconds = 3.0; ///< finer settings are left out after one that took longer
+  double longestSeconds = 3.0; ///< time of a frame after which finer settings are skipped
 };
 
 /// Draws a scene with every method and setting, compares each with the truth, and measures the
-/// times in rounds over all of them, so that other processes disturb all alike. Each setting is
-/// drawn twice in a round, and the second frame counts: the first one includes the rebuilding that
-/// the change of setting causes.
+/// times in rounds over all of them, so that other processes disturb all equally. Each setting is
+/// drawn twice in a round, and the second frame counts, because the first one includes the
+/// rebuilding that the change of setting causes.
 /// @throws std::runtime_error when a mapper reports an error
 WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const LoadedVolume& volume,
   const std::vector<BenchRun>& runs, const MeasuringOptions& options, const OnStep& onStep);
@@ -68,10 +68,10 @@ const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method);
 double VoxelsOf(const WorkPrecision& scene, const WorkPoint& point);
 
 /// The time of a method at an error, interpolated between its settings along straight lines of the
-/// log-log plot. If even its coarsest setting errs less, the time of that one; empty if none of its
-/// settings errs so little.
+/// log-log plot. If even its coarsest setting has a smaller error, that setting's time; empty if no
+/// setting has so small an error.
 /// @param measure  the measure of error, such as &ImageError::rootMeanSquare
-/// @param error    > 0, in 1/255
+/// @param error    error, > 0 [1/255]
 std::optional<double> MillisecondsAtError(
   const WorkCurve& curve, double ImageError::*measure, double error);
 

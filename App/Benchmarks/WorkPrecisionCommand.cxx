@@ -24,7 +24,7 @@ namespace varimarch
 namespace
 {
 
-// A name for a scene that fits a file name, made from its input and unlike all others' names.
+// A unique name for a scene, made from its input and usable as a file name.
 std::string SceneName(const std::string& input, const std::vector<WorkPrecision>& others)
 {
   std::string name = std::filesystem::path(input).stem().string();

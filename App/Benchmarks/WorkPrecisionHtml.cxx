@@ -82,7 +82,7 @@ std::string PicturesOf(const WorkPrecision& scene)
   Canvas scale(512, DifferenceScaleHeight, { 255, 255, 255 });
   DrawDifferenceScale(scale, 0, 0, 512);
   std::string html =
-    "<h3>Pictures, where possible about one sample per voxel</h3>\n<div class=\"pictures\">\n" +
+    "<h3>Images, with about one sample per voxel if possible</h3>\n<div class=\"pictures\">\n" +
     Figure(BytesOver(scene.truth.picture, background), "the truth");
   for (const WorkCurve& curve : scene.curves)
   {
@@ -105,8 +105,7 @@ std::string EqualErrorTable(const WorkPrecision& scene)
   {
     return "";
   }
-  std::string html =
-    "<h3>Our optical field where it errs as much as VTK's GPU mapper</h3>\n<table>" +
+  std::string html = "<h3>Our optical field at the error of VTK's GPU mapper</h3>\n<table>" +
     Row("th",
       { "VTK's sample distance [voxels]", "RMSE [1/255]", "VTK [ms]", "ours [ms]",
         "times as fast" });
@@ -114,7 +113,7 @@ std::string EqualErrorTable(const WorkPrecision& scene)
   {
     html += Row("td",
       { Fixed(row.voxels, 3), Fixed(row.rmse, 3), Fixed(row.vtkMs, 1),
-        row.oursMs ? Fixed(*row.oursMs, 1) : "never so precise",
+        row.oursMs ? Fixed(*row.oursMs, 1) : "never as precise",
         row.oursMs ? Fixed(row.vtkMs / *row.oursMs, 2) : "" });
   }
   return html + "</table>\n";
@@ -141,7 +140,7 @@ std::string FullTable(const WorkPrecision& scene)
   std::string html = "<h3>All settings</h3>\n<table>" +
     Row("th",
       { "method", "setting", "sample distance [mm]", "RMSE [1/255]", "99.9 %", "largest", "SSIM",
-        "CIEDE2000 mean", "99 %", "readings per pixel", "median [ms]" });
+        "CIEDE2000 mean", "99 %", "fetches per pixel", "median [ms]" });
   std::string notes;
   for (const WorkCurve& curve : scene.curves)
   {
@@ -169,7 +168,7 @@ std::string Section(const WorkPrecision& scene, const std::vector<std::string>& 
   const int* dimensions = scene.volume.image->GetDimensions();
   std::ostringstream facts;
   facts << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2] << " voxels of type "
-        << scene.volume.image->GetScalarTypeAsString() << "; picture of " << scene.scene.size[0]
+        << scene.volume.image->GetScalarTypeAsString() << "; image of " << scene.scene.size[0]
         << " x " << scene.scene.size[1] << " pixels; look \"" << scene.scene.look.name << "\", "
         << (scene.scene.look.shading.enabled ? "shaded" : "not shaded")
         << ". Truth: " << Described(scene.truth) << ".";
@@ -195,10 +194,10 @@ std::string WorkPrecisionHtml(
                      "<title>Work and precision</title><style>" +
     std::string(Style) + "</style></head><body>\n<h1>Work and precision</h1>\n<p>" +
     Escaped(head.str()) + "</p>\n<p>Made by <code>" + Escaped(page.commandText) +
-    "</code></p>\n<p>Errors are of premultiplied RGBA before the background, as float pictures; "
-    "SSIM and CIEDE2000 of the picture on its background. A time is the median of rounds that go "
-    "through all methods and settings in turn; read ratios, not milliseconds. Lower and further "
-    "left is better.</p>\n";
+    "</code></p>\n<p>Errors are those of float images in premultiplied RGBA without background; "
+    "SSIM and CIEDE2000 are those of the image on its background. A time is the median of rounds "
+    "that go through all methods and settings in turn; compare ratios, not milliseconds. Lower and "
+    "further left is better.</p>\n";
   for (std::size_t i = 0; i < scenes.size(); ++i)
   {
     html += Section(scenes[i], page.plotSvgs[i]);

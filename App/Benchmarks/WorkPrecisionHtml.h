@@ -14,7 +14,7 @@ struct WorkPrecisionPage
 {
   std::string commandText;
   Machine machine;
-  std::vector<std::vector<std::string>> plotSvgs; ///< for each scene, its plots as SVG texts
+  std::vector<std::vector<std::string>> plotSvgs; ///< plots of each scene as SVG texts
 };
 
 /// Work-precision measurements as a self-contained HTML file: plots, tables, images and their

@@ -24,7 +24,7 @@ std::string Row(const std::vector<std::string>& cells)
   return row + "\n";
 }
 
-// The line below a heading: the first columns hold words, the others numbers.
+// The two heading lines of a table whose first columns hold words, and the others numbers.
 std::string Head(const std::vector<std::string>& headings, std::size_t words)
 {
   std::string line = "|";
@@ -83,8 +83,8 @@ const WorkPoint& NearOneVoxel(const WorkPrecision& scene, const WorkCurve& vtk)
 std::string SpeedTable(const std::vector<WorkPrecision>& scenes)
 {
   std::string text =
-    "\n## Speed at VTK's error\n\nTimes as fast as VTK's GPU mapper where the RMSE is the same, by "
-    "straight lines between settings in the plot; *never*: none of the settings errs so little. "
+    "\n## Speed at VTK's error\n\nSpeed-up over VTK's GPU mapper at equal RMSE, interpolated along "
+    "straight lines between settings in the plot; *never*: no setting has so small an error. "
     "Optical field: midpoints; pre-integrated: linear between samples; no field and fields at the "
     "sample distances that give this error. VTK CPU: the smallest RMSE of the fixed-point "
     "mapper.\n\n" +
@@ -125,9 +125,10 @@ std::string WorstCell(const WorkPrecision& scene, const std::vector<std::string>
 std::string VerdictTable(const std::vector<WorkPrecision>& scenes)
 {
   std::string text =
-    "\n## Left of and below VTK's curve?\n\nThe least that *times as fast* falls to at any RMSE "
-    "from VTK's largest to its smallest, and the RMSE where; *yes*: above 1 everywhere. Ours: the "
-    "best of error tolerances, optical field and pre-integrated at each error.\n\n" +
+    "\n## Left of and below VTK's curve?\n\nThe smallest speed-up at any RMSE from VTK's largest "
+    "to "
+    "its smallest, and the RMSE at which it occurs; *yes*: above 1 everywhere. Ours: the best of "
+    "error tolerances, optical field and pre-integrated at each error.\n\n" +
     Head({ "scene", "ours is", "VTK's RMSE", "ours", "error tolerances", "optical field",
            "pre-integrated", "published sum" },
       2);
@@ -186,9 +187,9 @@ std::string WorkPrecisionMarkdown(
     std::to_string(machine.cores) + " cores, OpenGL renderer \"" + scenes.front().openglRenderer +
     "\", VTK " + machine.vtkVersion + ", " + machine.date + ", load before the start " +
     Fixed(machine.load, 1) + ". Made by\n\n    " + page.commandText +
-    "\n\nErrors are RMSE in 1/255 of premultiplied RGBA before the background, as float pictures, "
+    "\n\nErrors are the RMSE of float images in 1/255 of premultiplied RGBA without background, "
     "against an adaptive integral of each ray in double precision. Times are medians of "
-    "alternating rounds: read the ratios. Links lead to plots.\n" +
+    "alternating rounds: compare the ratios. Links lead to plots.\n" +
     SpeedTable(scenes) + VerdictTable(scenes) + ToleranceTable(scenes);
   for (const WorkPrecision& scene : scenes)
   {

@@ -54,7 +54,7 @@ nlohmann::ordered_json ToJson(const WorkPrecision& scene, const WorkCurve& curve
   return json;
 }
 
-// Plots the error over `workOf` of each point, without points for which it is empty.
+// Plots the error over `workOf` of each point. Points for which it is empty are left out.
 template <class WorkOf>
 LogLogPlot ErrorPlot(const WorkPrecision& scene, const std::string& xTitle, const WorkOf& workOf)
 {
@@ -80,7 +80,7 @@ LogLogPlot ErrorPlot(const WorkPrecision& scene, const std::string& xTitle, cons
   }
   if (eightBits && scene.eightBitRmse > 0.0)
   {
-    plot.levels.push_back({ "floor of 8 bit pictures", scene.eightBitRmse });
+    plot.levels.push_back({ "floor of 8 bit images", scene.eightBitRmse });
   }
   return plot;
 }
@@ -107,14 +107,14 @@ std::optional<double> FastestAtError(
 
 LogLogPlot TimePlot(const WorkPrecision& scene)
 {
-  return ErrorPlot(scene, "median time of a picture [ms]",
+  return ErrorPlot(scene, "median time of an image [ms]",
     [](const WorkPoint& point) { return std::optional<double>(point.medianMs); });
 }
 
 LogLogPlot FetchPlot(const WorkPrecision& scene)
 {
-  return ErrorPlot(scene, "mean readings of the volume for a pixel",
-    [](const WorkPoint& point) { return point.fetchesPerPixel; });
+  return ErrorPlot(
+    scene, "mean fetches per pixel", [](const WorkPoint& point) { return point.fetchesPerPixel; });
 }
 
 std::vector<EqualErrorRow> EqualErrorRows(const WorkPrecision& scene)
@@ -151,7 +151,7 @@ std::array<double, 2> ErrorsOf(const WorkCurve& curve)
 std::optional<WorstRatio> WorstAgainstVtk(
   const WorkPrecision& scene, const std::vector<std::string>& methods)
 {
-  constexpr int Errors = 200; // that are looked at, evenly spaced in the plot
+  constexpr int Errors = 200; // number of errors, evenly spaced in the plot
   const WorkCurve* vtk = CurveOf(scene, "vtk-gpu");
   if (!vtk ||
     std::none_of(methods.begin(), methods.end(),
@@ -196,7 +196,7 @@ std::string TableText(const std::vector<WorkPrecision>& scenes)
            << std::setw(15) << (row.oursMs ? Fixed(row.vtkMs / *row.oursMs, 2) : "-") << "\n";
     }
   }
-  return text.str() + "Our optical field where it errs as much as VTK's GPU mapper does.\n";
+  return text.str() + "Times of our optical field are those at the error of VTK's GPU mapper.\n";
 }
 
 std::string TableCsv(const std::vector<WorkPrecision>& scenes)

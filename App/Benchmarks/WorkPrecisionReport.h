@@ -14,13 +14,13 @@
 namespace varimarch
 {
 
-/// Work-precision measurements as text, CSV, JSON and plots. Errors are in 1/255 of premultiplied
-/// RGBA before the background.
+// Reports of work-precision measurements as text, CSV, JSON and plots. Errors are in 1/255 of
+// premultiplied RGBA before the background.
 
 /// Plots the error over the median time.
 LogLogPlot TimePlot(const WorkPrecision& scene);
 
-/// Plots the error over the mean number of samples per pixel, which does not depend on the machine.
+/// Plots the error over the mean number of fetches per pixel, which does not depend on the machine.
 LogLogPlot FetchPlot(const WorkPrecision& scene);
 
 /// Our time at the error of one of VTK's settings.
@@ -29,7 +29,7 @@ struct EqualErrorRow
   double voxels; ///< VTK's sample distance, in smallest voxel spacings
   double rmse;
   double vtkMs;
-  std::optional<double> oursMs; ///< empty if none of our settings errs so little
+  std::optional<double> oursMs; ///< our time; empty if no setting has so small an error
 };
 
 /// A row for each setting of VTK's GPU mapper; none if it or our defaults were not measured.
@@ -42,12 +42,11 @@ const std::vector<std::string>& OurMethods();
 struct WorstRatio
 {
   double rmse;
-  std::optional<double> times; ///< empty if none of the methods' settings errs so little
+  std::optional<double> times; ///< speed-up; empty if no setting has so small an error
 };
 
-/// Searches all RMSE that VTK's GPU mapper reaches, from its largest to its smallest; at each one
-/// the fastest of the methods counts. Empty if VTK's mapper or all of the methods were not
-/// measured.
+/// Searches all RMSE from VTK's GPU mapper's largest to its smallest for the smallest speed-up of
+/// the fastest method. Empty if VTK's mapper or all of the methods were not measured.
 std::optional<WorstRatio> WorstAgainstVtk(
   const WorkPrecision& scene, const std::vector<std::string>& methods);
 
@@ -60,10 +59,10 @@ std::string PlotStem(const WorkPrecision& scene);
 /// The EqualErrorRows of all scenes in aligned columns, for a terminal.
 std::string TableText(const std::vector<WorkPrecision>& scenes);
 
-/// A header line, and a line per scene, method and setting.
+/// A CSV table with a header line, and a line per scene, method and setting.
 std::string TableCsv(const std::vector<WorkPrecision>& scenes);
 
-/// All measurements of a scene.
+/// All measurements of a scene as JSON.
 nlohmann::ordered_json ToJson(const WorkPrecision& scene);
 
 }
