@@ -44,8 +44,7 @@ void AddWorkPrecisionCommand(CLI::App& program, const std::string& commandText)
     "work-precision", "Plot error against run time for our mapper's settings and VTK's mappers");
   app->footer(
     "Writes a self-contained work-precision.html, and .md, .csv and .json, with each scene's\n"
-    "plots as PNG and SVG. All are written after each scene, so an interrupted run keeps "
-    "its results.\n"
+    "plots as PNG and SVG, after each scene, so an interrupted run keeps its results.\n"
     "Examples:\n"
     "  varimarch-bench work-precision head.nii.gz -o report --size 256x256\n"
     "  varimarch-bench work-precision Data/Scenes/*.json -o report --rounds 5\n"
@@ -71,9 +70,8 @@ void AddPublishedCommand(CLI::App& program, const std::string& commandText)
   arguments->report.commandText = commandText;
   CLI::App* app = program.add_subcommand(
     "published", "Measure the scenes of two papers beside their published figures");
-  app->footer("Scenes: Banquero, Ortiz, Rossi 2016, tables 1 and 2, and Volt 2009. Volumes that "
-              "are missing in\n"
-              "the folder are skipped and listed.\n"
+  app->footer("Scenes: Banquero, Ortiz, Rossi 2016, tables 1 and 2, and Volt 2009. Volumes that\n"
+              "are missing in the folder are skipped and listed.\n"
               "Example:\n"
               "  varimarch-bench published --volumes volumes -o published");
   app

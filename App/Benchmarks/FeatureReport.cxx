@@ -73,8 +73,7 @@ std::string FeatureMarkdown(const FeaturePage& page)
     " alternating rounds. Made by `" + page.commandText +
     "`.\n\nOurs is the plugin's mapper at its error tolerance; VTK's takes one sample per voxel. "
     "With: time with the feature. Cost: ratio of the times with and without it. Off again: ratio "
-    "of "
-    "the times after the feature is switched off and before it was switched on.\n\n"
+    "of the times after the feature is switched off and before it was switched on.\n\n"
     "| feature | over | ours without [ms] | ours with [ms] | our cost | off again | VTK with [ms] "
     "| VTK's cost | VTK / ours |\n|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
   for (const FeatureMeasurement& measured : page.features)

@@ -18,11 +18,9 @@ const char* const BanqueroHead =
   "## Banquero, Ortiz, Rossi 2016, tables 1 and 2\n"
   "Their setup: NVIDIA GeForce GTX 660 Ti, Intel Core Duo 2.40 GHz. The paper does not state the\n"
   "image size and the transfer function; 60 frames per second are probably the display's limit.\n"
-  "Steps are the texture fetches along a ray. The tables do not state the length of a ray, so "
-  "here\n"
-  "the volume's longest edge has as many samples. Table 2 does not state its steps; its figures "
-  "are\n"
-  "listed at 60, which the conclusion recommends. *Plain*: no field, the published sum;\n"
+  "Steps are the texture fetches along a ray. The tables do not state the length of a ray, so\n"
+  "here the volume's longest edge has as many samples. Table 2 does not state its steps; its\n"
+  "figures are listed at 60, which the conclusion recommends. *Plain*: no field, published sum;\n"
   "*field*: the published sum with the scalar field, E = 4/255 of the range; *ours*: the optical\n"
   "field with the midpoint rule. RMSE in 1/255 of premultiplied RGBA.\n\n"
   "| volume | steps | their FPS, table 1 | plain / field, table 2 | plain [FPS] | RMSE "
@@ -31,13 +29,11 @@ const char* const BanqueroHead =
 
 const char* const VoltHead =
   "\n## Volt 2009\n"
-  "Their setup: an NVIDIA GPU of 2009 with CUDA. The text that we have gives registers (32 "
-  "shaded,\n"
-  "14 unshaded), but no frame rates. VIS MALE, values up to 40 clear, from 41 at one opacity per\n"
-  "voxel edge, a sample every 0.49 of the shortest edge, early termination at 95 % (VTK's own "
-  "limit\n"
-  "cannot be set). Errors are relative to the image without early termination, so they include "
-  "it.\n\n"
+  "Their setup: an NVIDIA GPU of 2009 with CUDA. The text that we have gives registers (32\n"
+  "shaded, 14 unshaded), but no frame rates. VIS MALE, values up to 40 clear, from 41 at one\n"
+  "opacity per voxel edge, a sample every 0.49 of the shortest edge, early termination at 95 %\n"
+  "(VTK's own limit cannot be set). Errors are measured against the image without early\n"
+  "termination.\n\n"
   "| alpha [1/255] | shaded | ours [FPS] | RMSE | no field [FPS] | RMSE | VTK GPU [FPS] | RMSE |\n"
   "|---:|---|---:|---:|---:|---:|---:|---:|\n";
 

@@ -3,6 +3,6 @@
 
 int main(int argc, char** argv)
 {
-  return varimarch::RunProgram("Measures the error and the run time of volume mappers.", VARIMARCH_VERSION,
-    varimarch::AddCommands, argc, argv);
+  return varimarch::RunProgram("Measures the error and the run time of volume mappers.",
+    VARIMARCH_VERSION, varimarch::AddCommands, argc, argv);
 }

@@ -11,7 +11,8 @@
 namespace varimarch
 {
 
-/// Parses "640x480". Empty unless the text is `count` integers, each from smallest to largest.
+/// Parses a text such as "640x480". Empty unless it has `count` integers, each from smallest to
+/// largest.
 template <std::size_t count>
 std::optional<std::array<int, count>> Sides(const std::string& text, int smallest, int largest)
 {
@@ -32,7 +33,7 @@ std::optional<std::array<int, count>> Sides(const std::string& text, int smalles
   return sides;
 }
 
-/// Why Sides rejects a text, as a sentence for the user; empty if it accepts it.
+/// A sentence for the user that says why Sides rejects a text; empty if it accepts it.
 /// @param example  an accepted text, such as "640x480"
 template <std::size_t count>
 std::string SidesProblem(
@@ -44,8 +45,8 @@ std::string SidesProblem(
       " to " + std::to_string(largest) + ", found \"" + text + "\"";
 }
 
-/// Why a text is none of the names, as a sentence for the user that suggests the nearest one;
-/// empty if it is one of them.
+/// A sentence for the user that suggests the nearest name for an unknown one; empty if the text is
+/// one of the names.
 std::string NameProblem(const std::string& text, const std::vector<std::string>& names);
 
 }

@@ -26,7 +26,7 @@ void AddRenderCommand(CLI::App& program, const std::string& commandText)
     "  varimarch render procedural:torso:256x192x192 -o torso.png --azimuth 30\n"
     "  varimarch render scene.json -o scene.png --size 1024x1024 --renderer vtk-gpu");
   AddSceneOptions(*app, arguments->scene);
-  app->add_option("-o,--output", arguments->outputPath, "The picture to write")
+  app->add_option("-o,--output", arguments->outputPath, "The image to write")
     ->type_name("FILE.png")
     ->required();
   app
@@ -34,15 +34,15 @@ void AddRenderCommand(CLI::App& program, const std::string& commandText)
       "--renderer",
       [arguments](const std::string& name)
       { arguments->renderer = ValueOf(MapperKindNames(), name); },
-      "Who draws (default ours)")
+      "The mapper that draws (default ours)")
     ->check(OneOf(NamesOf(MapperKindNames())))
     ->group("Sampling");
   app
     ->add_option("--graphics-memory", arguments->graphicsMegabytes,
-      "Most that our mapper takes, in MB; what does not fit is drawn in blocks (default: all)")
+      "Limit for our mapper in MB; larger volumes are drawn in blocks (default: none)")
     ->check(CLI::NonNegativeNumber)
     ->group("Sampling");
-  app->add_option("--repeat", arguments->repeats, "Draw so often again, and tell the median time")
+  app->add_option("--repeat", arguments->repeats, "Number of further frames for the median time")
     ->check(CLI::NonNegativeNumber)
     ->group("Sampling");
   AddJsonOption(*app, arguments->jsonPath);
@@ -54,7 +54,7 @@ void AddCompareCommand(CLI::App& program, const std::string& commandText)
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->commandText = commandText;
   CLI::App* app = program.add_subcommand(
-    "compare", "Draw with our mapper and VTK's, and tell the time and the error of each");
+    "compare", "Draw with our mapper and VTK's, and report the time and the error of each");
   app->footer(
     "Writes a PNG of each renderer and of its difference from the truth,\n"
     "side-by-side.png, and compare.csv, compare.json and compare.md.\n"
@@ -63,10 +63,10 @@ void AddCompareCommand(CLI::App& program, const std::string& commandText)
     "  varimarch compare dicom-folder -o comparison --preset ct-bone --rounds 9\n"
     "  varimarch compare procedural:torso -o comparison --size 256x256 --sample-distance 1");
   AddSceneOptions(*app, arguments->scene);
-  app->add_option("-o,--output", arguments->outputFolder, "The folder for pictures and tables")
+  app->add_option("-o,--output", arguments->outputFolder, "The folder for images and tables")
     ->type_name("FOLDER")
     ->required();
-  app->add_option("--rounds", arguments->rounds, "Times to draw with each (default 5)")
+  app->add_option("--rounds", arguments->rounds, "Number of frames of each (default 5)")
     ->check(CLI::Range(1, 10000).description(""))
     ->type_name("N");
   AddJsonOption(*app, arguments->jsonPath);
@@ -77,7 +77,8 @@ void AddInfoCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<InfoArguments>();
   arguments->commandText = commandText;
-  CLI::App* app = program.add_subcommand("info", "Tell what a volume is and how its values lie");
+  CLI::App* app =
+    program.add_subcommand("info", "Describe a volume and the distribution of its values");
   app->footer("Examples:\n"
               "  varimarch info head.nii.gz\n"
               "  varimarch info dicom-folder --bins 64\n"
@@ -86,7 +87,7 @@ void AddInfoCommand(CLI::App& program, const std::string& commandText)
   AddVolumeOptions(*app, arguments->volume,
     "A volume file, a folder with a DICOM series, or\n"
     "procedural:shells|marschner-lobb|torso[:XxYxZ]");
-  app->add_option("--bins", arguments->bins, "Bars of the histogram (default 32)")
+  app->add_option("--bins", arguments->bins, "Number of histogram bars (default 32)")
     ->check(CLI::Range(1, 65536).description(""))
     ->type_name("N");
   AddJsonOption(*app, arguments->jsonPath);

@@ -13,17 +13,17 @@ class App;
 namespace varimarch
 {
 
-/// In all of these, commandText is the whole command line, for the results, and jsonPath a file
-/// for the results; empty: none.
+// In the arguments of all commands, commandText is the whole command line, for the results, and
+// jsonPath a file for the results, or empty.
 
 struct RenderArguments
 {
   std::string commandText;
   SceneArguments scene;
   MapperKind renderer = MapperKind::Varimarch;
-  std::string outputPath;         ///< PNG
-  double graphicsMegabytes = 0.0; ///< limit of our mapper's graphics memory [MB]; 0: none
-  int repeats = 0;                ///< further frames, whose median time is reported
+  std::string outputPath;         ///< path of the PNG file
+  double graphicsMegabytes = 0.0; ///< limit of our mapper's graphics memory [MB]; 0: no limit
+  int repeats = 0;                ///< number of further frames, whose median time is reported
   std::string jsonPath;
 };
 
@@ -32,7 +32,7 @@ struct CompareArguments
   std::string commandText;
   SceneArguments scene;
   std::string outputFolder;
-  int rounds = 5; ///< frames of each mapper, >= 1
+  int rounds = 5; ///< number of frames of each mapper, >= 1
   std::string jsonPath;
 };
 
@@ -40,14 +40,14 @@ struct InfoArguments
 {
   std::string commandText;
   VolumeArguments volume;
-  int bins = 32; ///< bars of the histogram, >= 1
+  int bins = 32; ///< number of bars of the histogram, >= 1
   std::string jsonPath;
 };
 
 /// Draws a scene into a PNG file.
 void RunRender(const RenderArguments& arguments);
 
-/// Draws a scene with our mapper and VTK's, and writes pictures and tables of their differences.
+/// Draws a scene with our mapper and VTK's, and writes images and tables of their differences.
 void RunCompare(const CompareArguments& arguments);
 
 /// Prints a description of a volume.

@@ -23,7 +23,7 @@ namespace varimarch
 namespace
 {
 
-// Writes each renderer's picture, its difference from the truth, and a sheet of all of them.
+// Writes each renderer's image, its difference from the truth, and a sheet with all of them.
 void WritePictures(
   const Comparison& comparison, const Scene& scene, const std::filesystem::path& folder)
 {
@@ -46,7 +46,7 @@ void WritePictures(
   WritePng(ComparisonSheet(columns), folder / "side-by-side.png");
 }
 
-// The pictures, the tables and the results.
+// Writes the images, the tables and the results.
 void WriteComparison(const Comparison& comparison, const Scene& scene, const LoadedVolume& volume,
   const CompareArguments& arguments)
 {
@@ -75,7 +75,7 @@ void RunCompare(const CompareArguments& arguments)
   progress->SetActivity("Writing " + arguments.outputFolder);
   WriteComparison(comparison, scene, volume, arguments);
   progress.reset();
-  std::cout << TableText(comparison) << "Pictures and tables: " << arguments.outputFolder << "\n";
+  std::cout << TableText(comparison) << "Images and tables: " << arguments.outputFolder << "\n";
 }
 
 }

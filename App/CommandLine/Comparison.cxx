@@ -35,7 +35,7 @@ std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
     measurement.sampleDistanceMm = view.Pipeline().UsedSampleDistanceMm();
     measurement.error = ErrorOf(measurement.picture, comparison.truth.picture, scene.background);
     comparison.measurements.push_back(measurement);
-    // The first frame that is drawn into the window's own framebuffer again costs more.
+    // FloatImage uses another framebuffer, and the first frame in the window's own one costs more.
     view.Render();
     ThrowIfVtkReportedError();
   }

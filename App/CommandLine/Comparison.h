@@ -19,25 +19,25 @@ struct Measurement
   MapperKind kind;
   vtkSmartPointer<vtkImageData> picture; ///< float image
   double sampleDistanceMm;
-  PictureError error;           ///< against the truth
-  double firstMs;               ///< the first frame, with everything that it builds
-  std::vector<double> roundsMs; ///< each later frame
-  double medianMs;              ///< of the rounds
+  PictureError error;           ///< error against the truth
+  double firstMs;               ///< time of the first frame, including everything that it builds
+  std::vector<double> roundsMs; ///< times of the later frames
+  double medianMs;              ///< median of the rounds
 };
 
 struct Comparison
 {
   Truth truth;
-  std::vector<Measurement> measurements; ///< ours, VTK's GPU and VTK's CPU mapper
+  std::vector<Measurement> measurements; ///< our mapper, VTK's GPU mapper and VTK's CPU mapper
   std::string openglRenderer;
 };
 
 /// Draws a scene with our mapper and VTK's two, in alternation, so that other processes disturb all
-/// alike, and compares each with the truth.
-/// A time is that of one vtkRenderWindow::Render, until the device has finished.
-/// @param rounds   >= 1, after a first frame of each mapper
+/// equally, and compares each image with the truth. A time is that of one vtkRenderWindow::Render,
+/// until the device has finished.
+/// @param rounds   number of frames after each mapper's first, >= 1
 /// @param onStep   called with a description of each step
-/// @throws std::runtime_error when one of them reports an error
+/// @throws std::runtime_error when a mapper reports an error
 Comparison Compare(const Scene& scene, vtkImageData* image, int rounds, const OnStep& onStep);
 
 }

@@ -16,7 +16,7 @@ namespace
 
 using Row = std::vector<std::string>;
 
-// The numbers as people read them, the heading first.
+// The rows of the table, rounded for reading, with the heading first.
 std::vector<Row> Rows(const Comparison& comparison)
 {
   std::vector<Row> rows = { { "renderer", "class", "sample distance [mm]", "RMSE", "99.9 %",
@@ -31,7 +31,7 @@ std::vector<Row> Rows(const Comparison& comparison)
   return rows;
 }
 
-// How different the pictures look: columns for which a terminal has no room.
+// Adds the columns of perceived differences, which are too wide for a terminal.
 void AddPerceived(const Comparison& comparison, std::vector<Row>& rows)
 {
   rows[0].insert(rows[0].end(), { "SSIM", "CIEDE2000 mean", "CIEDE2000 99 %" });

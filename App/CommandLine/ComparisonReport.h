@@ -10,19 +10,19 @@
 namespace varimarch
 {
 
-/// A comparison's numbers as text, Markdown, CSV and JSON. Errors are in 1/255 of premultiplied
-/// RGBA before the background.
+// Reports of a comparison as text, Markdown, CSV and JSON. Errors are in 1/255 of premultiplied
+// RGBA before the background.
 
-/// Aligned columns for a terminal, with a sentence about the measurement.
+/// A table in aligned columns for a terminal, with a sentence about the measurement.
 std::string TableText(const Comparison& comparison);
 
-/// The same as Markdown, with the command that made it.
+/// The table as Markdown, with the command that made it.
 std::string TableMarkdown(const Comparison& comparison, const std::string& commandText);
 
-/// A header line, and a line per renderer.
+/// A CSV table with a header line and a line per renderer.
 std::string TableCsv(const Comparison& comparison);
 
-/// All measurements.
+/// All measurements as JSON.
 nlohmann::ordered_json ToJson(const Comparison& comparison);
 
 /// The speed-up over VTK's GPU mapper.

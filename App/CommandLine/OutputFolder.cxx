@@ -14,7 +14,7 @@ std::filesystem::path OutputFolder(const std::string& path)
   std::filesystem::create_directories(path, error);
   if (!std::filesystem::is_directory(path))
   {
-    throw std::runtime_error(path + ": expected a folder to write into, or a name for a new one" +
+    throw std::runtime_error(path + ": expected a folder to write to, or a name for a new one" +
       (error ? ": " + error.message() : ""));
   }
   return path;

@@ -11,7 +11,8 @@ namespace varimarch
 /// @throws std::runtime_error that names the folder and the system's reason
 std::filesystem::path OutputFolder(const std::string& path);
 
-/// Sets the message that Ctrl-C and SIGTERM print from now on: what the folder holds so far.
+/// Sets the message that Ctrl-C and SIGTERM print from now on.
+/// @param contents  the contents of the folder so far
 void SetInterruptNotice(const std::filesystem::path& folder, const std::string& contents);
 
 }

@@ -30,7 +30,7 @@ enum ExitCode
   BadUsage = 2,
 };
 
-// The command line as a shell would accept it again.
+// The command line, quoted so that a shell accepts it.
 std::string CommandText(int argc, char** argv)
 {
   const std::string safe =
@@ -72,7 +72,7 @@ int Parse(CLI::App& program, int argc, char** argv)
   }
 }
 
-// Accepts finite numbers above a limit.
+// A validator that accepts finite numbers above a limit.
 CLI::Validator Above(double limit)
 {
   const auto check = [limit](std::string& text)
@@ -87,7 +87,7 @@ CLI::Validator Above(double limit)
   return CLI::Validator(check, "");
 }
 
-// Accepts "640x480".
+// A validator that accepts sizes such as "640x480".
 template <std::size_t count>
 CLI::Validator IsSides(const std::string& example, int smallest, int largest)
 {
@@ -96,7 +96,7 @@ CLI::Validator IsSides(const std::string& example, int smallest, int largest)
   return CLI::Validator(check, "");
 }
 
-// Adds an option whose words stand for values.
+// Adds an option that takes one of the names in a table.
 template <class Value, class Target>
 CLI::Option* AddChoice(CLI::App& command, const std::string& name, Target& target,
   const NameTable<Value>& table, const std::string& description)
@@ -115,11 +115,11 @@ void AddRawOptions(CLI::App& command, RawLayout& raw)
       .add_option_function<std::string>(
         "--raw-dimensions",
         [&](const std::string& text) { raw.dimensions = *Sides<3>(text, 1, LargestVolumeSide); },
-        "Voxels along each axis")
+        "Number of voxels along each axis")
       ->check(IsSides<3>("256x256x128", 1, LargestVolumeSide))
       ->type_name("XxYxZ")
       ->group(group);
-  command.add_option("--raw-type", raw.type, "Type of a voxel (default uint8)")
+  command.add_option("--raw-type", raw.type, "Type of voxels (default uint8)")
     ->check(OneOf(NamesOf(RawTypeNames())))
     ->needs(dimensions)
     ->group(group);
@@ -128,7 +128,7 @@ void AddRawOptions(CLI::App& command, RawLayout& raw)
       "--raw-spacing",
       [&](const std::vector<double>& spacing)
       { std::copy(spacing.begin(), spacing.end(), raw.spacingMm.begin()); },
-      "Distances of voxels in mm (default 1,1,1)")
+      "Voxel spacing in mm (default 1,1,1)")
     ->check(Above(0.0))
     ->delimiter(',')
     ->expected(3)
@@ -136,7 +136,7 @@ void AddRawOptions(CLI::App& command, RawLayout& raw)
     ->needs(dimensions)
     ->group(group);
   AddChoice(
-    command, "--raw-byte-order", raw.bigEndian, ByteOrderNames(), "Order of bytes (default little)")
+    command, "--raw-byte-order", raw.bigEndian, ByteOrderNames(), "Byte order (default little)")
     ->needs(dimensions)
     ->group(group);
   command
@@ -153,49 +153,52 @@ void AddLookOptions(CLI::App& command, SceneArguments& arguments)
   const std::string group = "Look";
   CLI::Option* presetOption = command
                                 .add_option("--preset", arguments.preset,
-                                  "Look to use (default: ct-bone for CT, else mr-head)")
+                                  "Built-in look (default: ct-bone for CT, else mr-head)")
                                 ->check(OneOf(PresetNames()))
                                 ->group(group);
-  command.add_option("--transfer-function", arguments.transferFunction, "Look from a file")
+  command.add_option("--transfer-function", arguments.transferFunction, "File with a look")
     ->type_name("FILE")
     ->excludes(presetOption)
     ->group(group);
   CLI::Option* shadeOption = command
                                .add_flag_callback(
-                                 "--shade", [&] { arguments.shade = true; }, "Light the volume")
+                                 "--shade", [&] { arguments.shade = true; }, "Shade the volume")
                                ->group(group);
   command
     .add_flag_callback(
-      "--no-shade", [&] { arguments.shade = false; }, "Do not light it")
+      "--no-shade", [&] { arguments.shade = false; }, "Do not shade the volume")
     ->excludes(shadeOption)
     ->group(group);
-  AddChoice(command, "--blend", arguments.blend, BlendNames(), "How samples become a pixel")
+  AddChoice(command, "--blend", arguments.blend, BlendNames(), "Blend mode (default: the preset's)")
     ->group(group);
 }
 
 void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
 {
-  const std::string group = "Picture";
+  const std::string group = "Image";
   command
     .add_option_function<std::string>(
       "--size",
       [&](const std::string& text) { arguments.size = Sides<2>(text, 1, LargestPictureSide); },
-      "Pixels (default 512x512)")
+      "Size in pixels (default 512x512)")
     ->check(IsSides<2>("800x600", 1, LargestPictureSide))
     ->type_name("WxH")
     ->group(group);
-  AddChoice(command, "--view", arguments.view, ViewNames(), "From where to look (default anterior)")
+  AddChoice(
+    command, "--view", arguments.view, ViewNames(), "Side of the patient seen (default anterior)")
     ->group(group);
   command
-    .add_option(
-      "--azimuth", arguments.azimuthDegrees, "Turn the eye to the patient's left, degrees")
+    .add_option("--azimuth", arguments.azimuthDegrees,
+      "Rotation of the camera to the patient's left, degrees")
     ->check(CLI::Range(-36000.0, 36000.0).description(""))
     ->group(group);
   command
-    .add_option("--elevation", arguments.elevationDegrees, "Then lift it, degrees from -89 to 89")
+    .add_option(
+      "--elevation", arguments.elevationDegrees, "Elevation of the camera, degrees from -89 to 89")
     ->check(CLI::Range(-89.0, 89.0).description(""))
     ->group(group);
-  command.add_option("--zoom", arguments.zoom, "At 1 the volume just fits the picture")
+  command
+    .add_option("--zoom", arguments.zoom, "Magnification; at 1 the volume just fits the image")
     ->check(Above(0.0))
     ->group(group);
   command.add_flag("--parallel", arguments.parallel, "Parallel instead of perspective projection")
@@ -205,7 +208,7 @@ void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
   };
   command
     .add_option_function<std::vector<double>>(
-      "--background", setBackground, "Colour, each from 0 to 1 (default: the preset's)")
+      "--background", setBackground, "Background colour, each from 0 to 1 (default: the preset's)")
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->delimiter(',')
     ->expected(3)
@@ -218,25 +221,25 @@ void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
   const std::string group = "Sampling";
   command
     .add_option(
-      "--sample-distance", arguments.sampleDistanceMm, "Between samples of a ray (default: chosen)")
+      "--sample-distance", arguments.sampleDistanceMm, "Distance between samples (default: chosen)")
     ->check(Above(0.0))
     ->type_name("MM")
     ->group(group);
   command
     .add_option("--error-tolerance", arguments.errorTolerance,
-      "Largest error accepted in a colour channel, 0 to 1 (default: the preset's)")
+      "Largest accepted error of a colour channel, 0 to 1 (default: the preset's)")
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->type_name("E")
     ->group(group);
   AddChoice(command, "--acceleration", arguments.acceleration, AccelerationNames(),
-    "What lets our mapper skip samples")
+    "Field by which our mapper skips samples")
     ->group(group);
   AddChoice(command, "--integration", arguments.integration, IntegrationNames(),
-    "Rule between samples of a composite")
+    "Integration rule of composites")
     ->group(group);
   command
     .add_option("--tolerance", arguments.variationTolerance,
-      "Largest difference of values it may jump across, in units of the data")
+      "Largest difference of values that the scalar field may skip, in units of the data")
     ->check(CLI::NonNegativeNumber.description(""))
     ->type_name("E")
     ->group(group);
@@ -257,14 +260,14 @@ int RunProgram(const std::string& summary, const std::string& version,
     program.require_subcommand(1);
     program.set_version_flag("--version", name + " " + version, "Print the version and exit");
     program.footer(name +
-      " SUBCOMMAND --help tells more, with examples.\n"
+      " SUBCOMMAND --help describes a subcommand, with examples.\n"
       "Exit codes: 0 success, 1 failure, 2 bad usage.");
     addSubcommands(program, CommandText(argc, argv));
     return Parse(program, argc, argv);
   }
   catch (const std::bad_alloc&)
   {
-    PrintMessage("there is not enough memory");
+    PrintMessage("not enough memory");
   }
   catch (const std::exception& error)
   {
@@ -279,11 +282,11 @@ void AddVolumeOptions(
   command.add_option("VOLUME", arguments.input, inputDescription)->required();
   command
     .add_option("--series", arguments.series,
-      "Of several DICOM series: a number in the list of them that is shown\n"
-      "without this, a SeriesInstanceUID, or the beginning of just one (default 1)")
+      "The DICOM series to read: its number in the list that is printed without\n"
+      "this option, its SeriesInstanceUID, or an unambiguous prefix of that (default 1)")
     ->type_name("SERIES");
-  command.add_flag("--rectify", arguments.rectify,
-    "Resample slices that were tilted or lie unevenly on an even grid");
+  command.add_flag(
+    "--rectify", arguments.rectify, "Resample tilted or unevenly spaced slices on an even grid");
   AddRawOptions(command, arguments.raw);
 }
 
@@ -304,8 +307,7 @@ void AddLookAndPictureOptions(CLI::App& command, SceneArguments& arguments)
 
 void AddJsonOption(CLI::App& command, std::string& path)
 {
-  command.add_option("--json", path, "Write the results there too, for machines")
-    ->type_name("FILE");
+  command.add_option("--json", path, "Also write the results as JSON")->type_name("FILE");
 }
 
 CLI::Validator OneOf(const std::vector<std::string>& names)

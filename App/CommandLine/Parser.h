@@ -15,10 +15,10 @@ class Validator;
 namespace varimarch
 {
 
-/// What the programs' command lines have in common. CLI11 takes seconds to compile: only
-/// Parser.cxx and the Commands.cxx of each program include it.
+// The common part of the programs' command lines. CLI11 takes seconds to compile, so only
+// Parser.cxx and the Commands.cxx of each program include it.
 
-/// Adds subcommands to a program. Each one does its work while CLI11 parses.
+/// Adds subcommands to a program. A subcommand runs while CLI11 parses the command line.
 /// @param commandText  the whole command line, quoted for a shell
 using SubcommandAdder = void (*)(CLI::App& program, const std::string& commandText);
 
@@ -28,20 +28,22 @@ using SubcommandAdder = void (*)(CLI::App& program, const std::string& commandTe
 int RunProgram(const std::string& summary, const std::string& version,
   SubcommandAdder addSubcommands, int argc, char** argv);
 
-/// Adds VOLUME, and the options of raw files and DICOM series.
+/// Adds VOLUME and the options of raw files and DICOM series.
 void AddVolumeOptions(
   CLI::App& command, VolumeArguments& arguments, const std::string& inputDescription);
 
 /// Adds VOLUME and all options of a scene.
 void AddSceneOptions(CLI::App& command, SceneArguments& arguments);
 
-/// Adds the options of a scene for a command that has inputs of its own and chooses the sampling.
+/// Adds the options of look and image, for a command that has inputs of its own and chooses the
+/// sampling.
 void AddLookAndPictureOptions(CLI::App& command, SceneArguments& arguments);
 
 /// Adds `--json FILE`.
 void AddJsonOption(CLI::App& command, std::string& path);
 
-/// Accepts one of the names, suggests the nearest for others, and lists them in the help.
+/// A validator that accepts one of the names, suggests the nearest one otherwise, and lists them in
+/// the help.
 CLI::Validator OneOf(const std::vector<std::string>& names);
 
 }

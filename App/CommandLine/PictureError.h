@@ -16,8 +16,8 @@ namespace varimarch
 /// The numerical and the perceived error of a float image.
 struct PictureError
 {
-  ImageError light;          ///< of premultiplied RGBA before the background
-  PerceptualError perceived; ///< on the background
+  ImageError light;          ///< error of premultiplied RGBA before the background
+  PerceptualError perceived; ///< error on the background
 };
 
 /// @param truth  a float image of the same size

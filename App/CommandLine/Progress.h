@@ -10,9 +10,9 @@
 namespace varimarch
 {
 
-/// A progress line on stderr while this object lives, with the elapsed seconds. It appears after a
-/// second. On a terminal it is erased at the end; elsewhere, as in a log, it is a single line
-/// without control codes.
+/// A progress line on stderr with the elapsed seconds, for the lifetime of this object. It appears
+/// after a second. On a terminal it is erased at the end; elsewhere, as in a log, it is a single
+/// line without control codes.
 class Progress
 {
 public:

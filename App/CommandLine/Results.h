@@ -11,16 +11,16 @@
 namespace varimarch
 {
 
-/// The part that all subcommands' results share: the command and the volume.
+/// The part of the results that all subcommands share: the command and the volume.
 nlohmann::ordered_json ResultsOf(const std::string& commandText, const LoadedVolume& volume);
 
 /// Writes results as JSON; does nothing for an empty path.
 void WriteResults(const nlohmann::ordered_json& results, const std::string& path);
 
-/// A number with this many digits after the decimal point, for tables.
+/// Formats a number with this many digits after the decimal point, for tables.
 std::string Fixed(double number, int digits);
 
-/// Three numbers in their shortest form, separated by `separator`.
+/// Formats three numbers in their shortest form.
 std::string Triple(const double numbers[3], const std::string& separator);
 
 }

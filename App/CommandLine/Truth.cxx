@@ -11,7 +11,7 @@ namespace varimarch
 
 Truth TruthOf(const Scene& scene, vtkImageData* image, const OnStep& onStep)
 {
-  // A thousandth of what an 8-bit display rounds to, far below the errors that are compared.
+  // A thousandth of the rounding of an 8-bit display, far below the errors that are compared.
   constexpr double Tolerance = 1e-6;
   const auto start = std::chrono::steady_clock::now();
   const auto onProgress = [&](double done)

@@ -19,7 +19,7 @@ using OnStep = std::function<void(const std::string&)>;
 struct Truth
 {
   vtkSmartPointer<vtkImageData> picture; ///< float image
-  double largestError;                   ///< estimate, for colour channels in [0, 1]
+  double largestError;                   ///< estimated largest error of a channel in [0, 1]
   double seconds;                        ///< time to integrate it, or to read it from the cache
 };
 
@@ -27,7 +27,7 @@ struct Truth
 /// @throws std::invalid_argument for a volume without scalars, or with several components
 Truth TruthOf(const Scene& scene, vtkImageData* image, const OnStep& onStep);
 
-/// How the image was made, as a clause of a sentence.
+/// A noun phrase that describes how the image was made.
 std::string Described(const Truth& truth);
 
 }

@@ -25,7 +25,7 @@ void ThrowIf(const std::string& problem)
   }
 }
 
-// "procedural:torso" or "procedural:torso:128x128x64"
+// Parses an input such as "procedural:torso" or "procedural:torso:128x128x64".
 ProceduralSource ProceduralFromInput(const std::string& input)
 {
   const std::string rest = input.substr(ProceduralPrefix.size());
@@ -48,7 +48,8 @@ bool HasRawLayout(const VolumeArguments& arguments)
   return arguments.raw.dimensions[0] > 0;
 }
 
-// Asks for the dimensions of a raw file, and suggests those that fit its name and size.
+// The message that asks for the dimensions of a raw file, with a suggestion that fits its name and
+// size.
 std::string MissingDimensions(const std::string& path)
 {
   const std::string needed = "needed for the raw voxels of " + path;

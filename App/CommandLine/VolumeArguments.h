@@ -12,13 +12,13 @@ namespace varimarch
 /// The largest number of voxels along an axis that the command line accepts.
 constexpr int LargestVolumeSide = 1 << 20;
 
-/// The volume to read, as the command line names it.
+/// The description of the volume on the command line.
 struct VolumeArguments
 {
   std::string input;
-  bool rectify = false; ///< resample tilted or unevenly spaced slices on an even grid
-  std::string series;   ///< one of several DICOM series; empty: the first
-  RawLayout raw;        ///< dimensions of 0: the file has a header
+  bool rectify = false; ///< true to resample tilted or unevenly spaced slices on an even grid
+  std::string series;   ///< DICOM series to read; empty: the first
+  RawLayout raw;        ///< layout of a raw file; dimensions of 0 if the file has a header
 };
 
 /// The file, folder or procedural volume that an input names.
@@ -26,8 +26,8 @@ struct VolumeArguments
 VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input);
 
 /// Rejects a raw layout and a DICOM series for an input that describes its voxels itself.
-/// @param kind  of input, for the message
-/// @throws UsageError
+/// @param kind  kind of the input, for the message
+/// @throws UsageError when the arguments have one of them
 void RejectFileArguments(const VolumeArguments& arguments, const std::string& kind);
 
 /// The volume of a scene file, changed by the arguments that override it.

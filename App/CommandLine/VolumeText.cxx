@@ -30,7 +30,7 @@ std::string Short(double number)
   return stream.str();
 }
 
-// Where the three axes of the voxels point in the patient, such as "L P S".
+// The directions of the three voxel axes in the patient, such as "L", "P", "S".
 std::array<std::string, 3> AxisLetters(vtkImageData* image)
 {
   std::array<std::string, 3> letters;
@@ -65,7 +65,7 @@ double Bytes(vtkImageData* image)
     image->GetNumberOfScalarComponents();
 }
 
-// A bar per bin, as long as the logarithm of its count: air alone would leave nothing else to see.
+// A bar per bin. Bars are logarithmic, because air would otherwise dwarf all other bins.
 std::string HistogramText(const ImageStatistics& statistics, int bins)
 {
   constexpr double LongestBar = 50.0;
@@ -97,7 +97,7 @@ std::string VolumeText(
   const std::array<std::string, 3> letters = AxisLetters(image);
   std::ostringstream text;
   text << name << "\n"
-       << "modality     " << (volume.modality.empty() ? "not known" : volume.modality) << "\n"
+       << "modality     " << (volume.modality.empty() ? "unknown" : volume.modality) << "\n"
        << "dimensions   " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
        << "\n"
        << "type         " << image->GetScalarTypeAsString() << "\n"
@@ -105,7 +105,7 @@ std::string VolumeText(
        << "size         " << Triple(size, " x ") << " mm\n"
        << "origin       " << Triple(image->GetOrigin(), ", ") << " mm (LPS)\n"
        << "orientation  " << letters[0] << " " << letters[1] << " " << letters[2]
-       << " (where the axes point in the patient)\n"
+       << " (directions of the axes in the patient)\n"
        << "slices       " << SlicesText(volume.slices) << "\n"
        << "memory       " << Fixed(Bytes(image) / BytesPerMiB, 1) << " MiB\n"
        << "range        " << Short(statistics.Smallest()) << " to " << Short(statistics.Largest())

@@ -13,11 +13,11 @@ namespace varimarch
 
 /// The description of a volume that `varimarch info` prints.
 /// @param name  the file, folder or procedural volume
-/// @param bins  of the histogram, >= 1
+/// @param bins  number of bars of the histogram, >= 1
 std::string VolumeText(
   const std::string& name, const LoadedVolume& volume, const ImageStatistics& statistics, int bins);
 
-/// The same as JSON, without what ResultsOf holds.
+/// The description as JSON, without the results of ResultsOf.
 nlohmann::ordered_json VolumeJson(
   const LoadedVolume& volume, const ImageStatistics& statistics, int bins);
 

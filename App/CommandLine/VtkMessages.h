@@ -6,10 +6,11 @@
 namespace varimarch
 {
 
-/// From now on VTK's warnings go to stderr, one line each, and its first error is kept for
+/// Redirects VTK's messages: warnings go to stderr, one line each, and the first error is kept for
 /// ThrowIfVtkReportedError instead of being printed.
 void CollectVtkMessages();
 
+/// Turns VTK's errors into an exception.
 /// @throws std::runtime_error with the first error that VTK has reported since the last call
 void ThrowIfVtkReportedError();
 

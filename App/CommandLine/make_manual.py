@@ -19,13 +19,13 @@ def main(program, version, folder):
         others = ", ".join(f"\\fB{escaped(other)}\\fR(1)" for other in pages if other != name)
         text = f'.TH {name.upper()} 1 "" "varimarch {version}" "User Commands"\n'
         text += f"{page}.SH SEE ALSO\n{others}\n"
-        # Without the time, so that the same program gives the same file.
+        # The files have no time stamp, so that the same program gives the same file.
         compressed = gzip.compress(text.encode(), mtime=0)
         (pathlib.Path(folder) / f"{name}.1.gz").write_bytes(compressed)
 
 
 def pages_below(program, command):
-    """Name and text of the command's page, then of its subcommands'."""
+    """Yields the name and the text of the command's page, and of its subcommands' pages."""
     answer = subprocess.run(
         [program, *command[1:], "--help"], capture_output=True, text=True, check=True
     )
@@ -40,7 +40,7 @@ def pages_below(program, command):
 
 
 def sections_of(lines):
-    """Pairs of a title and the lines below it. A line without any below it is a remark."""
+    """Returns pairs of a title and the lines below it. A title without lines is a remark."""
     sections = []
     for line in filter(None, lines):
         if line.startswith(" ") and sections:
@@ -62,20 +62,20 @@ def section_text(title, lines):
 
 
 def entry_text(line):
-    """An option or its description, which CLI11 begins in column 30 or on the next line."""
+    """Formats an option or its description, which begins in column 30 or on the next line."""
     if not re.match(r" {2}\S", line):
         return f"{escaped(line.strip())}\n"
     # An option that just fits has a single space between it and its description.
     option, *description = re.split(
         r" {2,}|(?<=^.{27}) (?=[A-Z][a-z])(?!Needs:|Excludes:)", line[2:], maxsplit=1
     )
-    # "TEXT:a|b" are the words to choose from.
+    # "TEXT:a|b" lists the words to choose from.
     words = escaped(re.sub(r"\b[A-Z]+:(?=[\w-]+\|)", "", option)).replace("|", "|\\:")
     return f".TP\n\\fB{words}\\fR\n" + "".join(f"{escaped(text)}\n" for text in description)
 
 
 def escaped(text):
-    """As troff shows it unchanged; an apostrophe or a dot at the start would be a request."""
+    """Escapes text for troff, in which an apostrophe or a dot at the start begins a request."""
     text = text.replace("\\", "\\e").replace("-", "\\-")
     return re.sub(r"^([.'])", r"\\&\1", text)
 
