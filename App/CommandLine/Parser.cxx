@@ -189,7 +189,7 @@ void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
     ->group(group);
   command
     .add_option("--azimuth", arguments.azimuthDegrees,
-      "Rotation of the camera to the patient's left, degrees")
+      "Rotation of the camera; from anterior, to the patient's left, degrees")
     ->check(CLI::Range(-36000.0, 36000.0).description(""))
     ->group(group);
   command

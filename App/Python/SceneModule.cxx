@@ -23,8 +23,8 @@ namespace
 
 std::mutex rendering;
 
-// Lets other threads run Python while it lives. Only one thread renders at a time, because VTK is
-// not thread-safe.
+// Scope guard that releases Python's interpreter, so that other threads can run. Only one thread
+// renders at a time, because VTK is not thread-safe.
 class ReleasedInterpreter
 {
 public:
@@ -38,8 +38,8 @@ private:
   std::lock_guard<std::mutex> lock{ rendering };
 };
 
-// Returns what a function returns. Its exceptions become Python's: a ValueError for wrong
-// arguments, else a RuntimeError.
+// Returns the result of a function. Its exceptions become Python's: a ValueError for wrong
+// arguments, otherwise a RuntimeError.
 template <class Function>
 PyObject* ResultOf(const Function& function)
 {
@@ -146,7 +146,7 @@ PyObject* Render(PyObject*, PyObject* arguments)
       const auto image = RenderScene(SceneFromArgument(given.text), given.volume, messages);
       for (const std::string& warning : messages.Warnings())
       {
-        // At level 1 is render(), at level 2 its caller.
+        // Level 1 is render(), level 2 its caller.
         if (PyErr_WarnEx(PyExc_RuntimeWarning, warning.c_str(), 2) != 0)
         {
           return nullptr;
@@ -167,11 +167,11 @@ PyObject* Render(PyObject*, PyObject* arguments)
 PyMODINIT_FUNC PyInit__scene()
 {
   static PyMethodDef functions[] = { { "presets", varimarch::Presets, METH_NOARGS,
-                                       "All presets by their names, as one JSON text." },
+                                       "() -> JSON text with all presets by their names." },
     { "in_units_of_data", varimarch::PresetInUnitsOfData, METH_VARARGS,
-      "(volume, preset): the preset with values in the units of the volume's data." },
+      "(volume, preset) -> the preset with values in the units of the volume's data." },
     { "render", varimarch::Render, METH_VARARGS,
-      "(volume, scene): the rendered vtkImageData, whose first row is the lowest." },
+      "(volume, scene) -> the rendered vtkImageData, whose first row is the lowest." },
     { nullptr, nullptr, 0, nullptr } };
   static PyModuleDef module = { PyModuleDef_HEAD_INIT, "_scene",
     "Renders scenes as the program varimarch does.", -1, functions, nullptr, nullptr, nullptr,

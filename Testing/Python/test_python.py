@@ -135,7 +135,7 @@ def what_is_wrong_is_one_sentence(folder):
         (ValueError, "spacing", lambda: varimarch.render(good, spacing=(1, 0, 1))),
         (ValueError, "its own", lambda: varimarch.render(empty, spacing=(1, 1, 1))),
         (ValueError, 'did you mean "ct-bone"?', lambda: varimarch.render(good, preset="ct-bon")),
-        (ValueError, "rising", lambda: varimarch.render(good, opacity=[(1, 0), (0, 1)])),
+        (ValueError, "ascending", lambda: varimarch.render(good, opacity=[(1, 0), (0, 1)])),
         (ValueError, "found 2", lambda: varimarch.render(good, opacity=[(1, 2)])),
         (ValueError, "list of", lambda: varimarch.render(good, opacity=0.5)),
         (ValueError, "10000", lambda: varimarch.render(good, opacity=[(1, 1)] * 10001)),

@@ -1,4 +1,4 @@
-"""Arguments, checked: each function returns the value, or raises a ValueError of one sentence."""
+"""Checks of arguments. Each function returns the value, or raises a ValueError of one sentence."""
 
 import difflib
 
@@ -6,7 +6,7 @@ import numpy
 
 
 def choice(name, value, known):
-    """The value, which must be one of those known."""
+    """Returns a value that must be one of those known."""
     if value in known:
         return value
     near = difflib.get_close_matches(str(value), known, 1)
@@ -15,7 +15,7 @@ def choice(name, value, known):
 
 
 def number(name, value, low, high):
-    """As a float from low to high."""
+    """Returns a float from low to high."""
     found = numbers_of(value, ())
     if found is None or not low <= found <= high:
         raise ValueError(f"{name}: expected a number from {low:g} to {high:g}, found {value!r}")
@@ -23,7 +23,7 @@ def number(name, value, low, high):
 
 
 def three_numbers(name, values):
-    """As an array of finite numbers."""
+    """Returns three finite numbers as an array."""
     found = numbers_of(values, (3,))
     if found is None:
         raise ValueError(f"{name}: expected three finite numbers, found {values!r}")
@@ -31,7 +31,7 @@ def three_numbers(name, values):
 
 
 def matrix_of_directions(name, values):
-    """As an array of 3 x 3."""
+    """Returns an invertible matrix as an array of 3 x 3."""
     found = numbers_of(values, (3, 3))
     if found is None or abs(numpy.linalg.det(found)) < 1e-12:
         raise ValueError(f"{name}: expected 3 x 3 numbers that can be inverted, found {values!r}")
@@ -39,7 +39,7 @@ def matrix_of_directions(name, values):
 
 
 def numbers_of(values, shape):
-    """As an array of this shape; None when they are not so, or not finite numbers."""
+    """Returns an array of this shape; None if the values have another shape or are not finite."""
     try:
         found = numpy.asarray(values, dtype=float)
     except (TypeError, ValueError):

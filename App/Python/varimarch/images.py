@@ -1,4 +1,4 @@
-"""Volumes: from files and arrays to vtkImageData, and back."""
+"""Conversion of volumes from files and arrays to vtkImageData, and back."""
 
 import os
 
@@ -12,13 +12,13 @@ from .vtk_messages import vtk_messages_as_exceptions
 
 
 def read(path):
-    """The volume in a file, as vtkImageData placed in the patient (DICOM's LPS space, in mm).
+    """Reads a volume file as vtkImageData in patient coordinates (DICOM's LPS space, in mm).
 
-    VTI, NRRD, MetaImage, NIfTI, InVesalius projects, and DICOM: a file, a DICOMDIR or a folder, of
-    which the series with most images is read. For raw voxels, other series, and what else a file
-    says, use vtkVolumeFileReader.
+    Formats: VTI, NRRD, MetaImage, NIfTI, InVesalius projects, and DICOM. For DICOM, the path is that
+    of a file, a DICOMDIR or a folder, and the series with the most images is read. For raw voxels,
+    other series, and metadata, use vtkVolumeFileReader.
 
-    Raises OSError with one sentence when the file cannot be read.
+    Raises OSError with one sentence if the file cannot be read.
     """
     reader = vtkVolumeFileReader()
     reader.SetFileName(os.fspath(path))
@@ -31,16 +31,18 @@ def read(path):
 
 
 def to_image(array, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0), direction=None):
-    """A vtkImageData with the values of an array [z, y, x] of integers or real numbers.
+    """Returns a vtkImageData with the values of an array [z, y, x] of integers or real numbers.
 
-    The array's memory is shared where it is contiguous: do not change it while it is drawn, and call
-    Modified() on the image's scalars after changing it. An array that is indexed [x, y, z], as
-    nibabel's, is given as array.T.
+    A contiguous array shares its memory with the image: do not change it while it is drawn, and call
+    Modified() on the image's scalars after changing it. If an array is indexed [x, y, z], as those
+    of nibabel are, pass array.T.
 
-    spacing, origin: along and of x, y, z, in this order as everywhere in VTK [mm].
-    direction: 3 x 3, its columns the directions of x, y and z in the world; default: the axes.
+    spacing: distances between voxels along x, y, z, in this order as everywhere in VTK [mm].
+    origin: position of the first voxel, x, y, z [mm].
+    direction: 3 x 3, whose columns are the directions of x, y and z in world space; default: the
+        axes.
 
-    Raises ValueError or TypeError with one sentence for what is no volume.
+    Raises ValueError or TypeError with one sentence if the array is not a volume.
     """
     values = volume_of(array)
     image = vtkImageData()
@@ -57,9 +59,9 @@ def to_image(array, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0), direction=N
 
 
 def to_array(image):
-    """The values of a vtkImageData as an array [z, y, x], or [z, y, x, component] with several.
+    """Returns the values of a vtkImageData as an array [z, y, x].
 
-    Shares the image's memory.
+    With several components it is indexed [z, y, x, component]. It shares the image's memory.
     """
     scalars = image.GetPointData().GetScalars()
     if scalars is None:
@@ -71,7 +73,7 @@ def to_array(image):
 
 
 def volume_of(array):
-    """The array in a type and an order that VTK has, with a dimension of its own for x, y and z."""
+    """Returns an array of three dimensions in a type and a memory order that VTK supports."""
     values = numpy.asarray(array)
     if values.ndim != 3 or min(values.shape) < 2:
         raise ValueError(

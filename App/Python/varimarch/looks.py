@@ -1,4 +1,4 @@
-"""Looks: presets and transfer functions, in the words of Documentation/SceneFormat.md."""
+"""Looks: presets and transfer functions, in the format of Documentation/SceneFormat.md."""
 
 import json
 
@@ -13,20 +13,20 @@ PRESETS = json.loads(_scene.presets())
 
 
 def presets():
-    """What there is for render(..., preset=NAME): a dictionary from name to description."""
+    """Returns the presets for render(..., preset=NAME): a dictionary from name to description."""
     return {name: PRESETS[name]["description"] for name in sorted(PRESETS)}
 
 
 def look_of(preset, image):
-    """A preset's look, its values in the units of the image's data."""
+    """Returns a preset's look, with values in the units of the image's data."""
     look = PRESETS[choice("preset", preset, presets())]
     if look["domain"] == "relative" and not numpy.isfinite(to_array(image)).any():
-        raise ValueError("volume: none of its values is finite")
+        raise ValueError("volume: expected finite values, found none")
     return json.loads(_scene.in_units_of_data(image, json.dumps(look)))
 
 
 def color_nodes(color):
-    """From a colour for all values, or nodes (value, colour) in the order of their values."""
+    """Makes nodes from one colour for all values, or from pairs (value, colour) in ascending order."""
     if isinstance(color, str):
         color = [(0.0, color)]
     return [
@@ -36,7 +36,7 @@ def color_nodes(color):
 
 
 def opacity_nodes(opacity):
-    """From nodes (value, opacity) in the order of their values."""
+    """Makes nodes from pairs (value, opacity) in ascending order."""
     return [
         {"value": value, "opacity": number("opacity", node_opacity, 0, 1)}
         for value, node_opacity in nodes_of("opacity", "(value, opacity)", opacity)
@@ -52,12 +52,12 @@ def nodes_of(name, form, nodes):
         raise ValueError(f"{name}: expected a list of {form}, found {nodes!r}")
     values = [value for value, _ in pairs]
     if not numpy.isfinite(values).all() or values != sorted(values):
-        raise ValueError(f"{name}: expected finite values in rising order, found {values}")
+        raise ValueError(f"{name}: expected finite values in ascending order, found {values}")
     return pairs
 
 
 def rgb_of(color):
-    """Three numbers from 0 to 1, from them or from a name of HTML's or vtkNamedColors'."""
+    """Returns three numbers from 0 to 1, given them or a colour name of HTML or vtkNamedColors."""
     if isinstance(color, str):
         names = vtkNamedColors()
         if not names.ColorExists(color):

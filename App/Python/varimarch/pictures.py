@@ -1,4 +1,4 @@
-"""Pictures: one call from a volume to pixels."""
+"""Rendering of volumes, and images as arrays."""
 
 import json
 import os
@@ -17,7 +17,7 @@ from .vtk_messages import vtk_messages_as_exceptions
 
 VIEWS = ("anterior", "posterior", "left", "right", "superior", "inferior")
 BLENDS = ("composite", "maximum", "minimum", "average", "additive")
-# OpenGL's least guaranteed largest side of a 2D texture, in the versions that matter.
+# The largest side of a 2D texture that all relevant versions of OpenGL guarantee.
 LARGEST_SIDE = 16384
 
 
@@ -40,31 +40,34 @@ def render(
     parallel=False,
     error_tolerance=None,
 ):
-    """Draws a volume, and returns the picture: an array [row, column, (red, green, blue)] of uint8.
+    """Renders a volume, and returns an image as an array [row, column, (red, green, blue)] of uint8.
 
-    volume: an array [z, y, x] of integers or real numbers, or a vtkImageData, as read() returns.
-    spacing: of an array, between voxels along x, y, z [mm]; default 1, 1, 1.
+    volume: an array [z, y, x] of integers or real numbers, or a vtkImageData such as read() returns.
+    spacing: distances between the voxels of an array along x, y, z [mm]; default: 1, 1, 1.
 
-    preset: the look, one of presets(). The default shows any data, "ct-bone" Hounsfield units.
-    color: instead of the preset's: one colour, or a list of (value, colour); linear between them.
-        A colour is a name such as "ivory", or (red, green, blue) from 0 to 1.
-    opacity: instead of the preset's: a list of (value, opacity), with opacities from 0 to 1.
+    preset: name of the look, one of presets(). The default is for any data, "ct-bone" for Hounsfield
+        units.
+    color: replaces the preset's colours: one colour, or a list of (value, colour), which is
+        interpolated linearly. A colour is a name such as "ivory", or (red, green, blue) from 0 to 1.
+    opacity: replaces the preset's opacities: a list of (value, opacity), with opacities from 0 to 1.
     opacity_unit_distance: the length over which material has these opacities [mm].
-    shade: whether there is light and shadow; default: as the preset says.
-    blend: "composite", "maximum", "minimum", "average" or "additive"; default: as the preset says.
+    shade: True to shade the volume; default: the preset's.
+    blend: "composite", "maximum", "minimum", "average" or "additive"; default: the preset's.
 
-    size: width and height of the picture [pixels].
-    background: a colour; default: the preset's.
-    view: the side of the patient that the eye is at: "anterior", "posterior", "left", "right",
+    size: width and height of the image [pixels].
+    background: colour of the background; default: the preset's.
+    view: side of the patient at which the camera is: "anterior", "posterior", "left", "right",
         "superior" or "inferior". x points to the patient's left, y to the back, z to the head.
-    azimuth, elevation: turn and lift the eye from there [degrees].
-    zoom: 1 just fits the volume's box into the picture.
-    parallel: a parallel projection instead of a perspective one of 30 degrees.
+    azimuth: rotation of the camera from there about the vertical of the image [degrees].
+    elevation: elevation of the camera after that, -89 to 89 [degrees].
+    zoom: magnification; at 1 the volume's box just fits the image.
+    parallel: True for a parallel projection instead of a perspective one of 30 degrees.
 
-    error_tolerance: largest error accepted in a channel, 0 to 1; smaller takes longer; default: the preset's.
+    error_tolerance: largest accepted error of a colour channel, 0 to 1; a smaller one takes longer;
+        default: the preset's.
 
-    Raises ValueError or TypeError for bad arguments, RuntimeError when it cannot draw; each with one
-    sentence.
+    Raises ValueError or TypeError for bad arguments, and RuntimeError if the volume cannot be
+    rendered, each with one sentence.
     """
     image = image_of(volume, spacing)
     look = look_of(preset, image)
@@ -89,21 +92,21 @@ def render(
     }
     scene = {"look": look, "camera": camera, "size": picture_size(size)}
     picture = _scene.render(image, json.dumps(scene))
-    # VTK counts rows from below.
+    # VTK counts rows from the bottom.
     return to_array(picture)[0, ::-1].copy()
 
 
 def capture(window):
-    """The picture that a vtkRenderWindow holds: an array [row, column, (red, green, blue)] of uint8."""
+    """Returns the image in a vtkRenderWindow: an array [row, column, (red, green, blue)] of uint8."""
     width, height = window.GetSize()
     pixels = vtkUnsignedCharArray()
     window.GetPixelData(0, 0, width - 1, height - 1, False, pixels, 0)
-    # VTK counts rows from below.
+    # VTK counts rows from the bottom.
     return vtk_to_numpy(pixels).reshape(height, width, 3)[::-1].copy()
 
 
 def write_png(picture, path):
-    """Writes a picture, an array [row, column, (red, green, blue)] of uint8, into a PNG file."""
+    """Writes an image, an array [row, column, (red, green, blue)] of uint8, to a PNG file."""
     pixels = numpy.asarray(picture)
     if pixels.ndim != 3 or pixels.shape[2] != 3 or pixels.dtype != numpy.uint8:
         raise ValueError(
@@ -128,7 +131,7 @@ def image_of(volume, spacing):
     if not isinstance(volume, vtkImageData):
         return to_image(volume, (1.0, 1.0, 1.0) if spacing is None else spacing)
     if spacing is not None:
-        raise ValueError("spacing: is for arrays; the vtkImageData has its own")
+        raise ValueError("spacing: expected only with an array; the vtkImageData has its own")
     return volume
 
 

@@ -1,4 +1,4 @@
-"""VTK's errors as exceptions, and its warnings as Python's."""
+"""Conversion of VTK's errors to exceptions, and of its warnings to Python's."""
 
 import contextlib
 import re
@@ -7,14 +7,14 @@ import warnings
 
 @contextlib.contextmanager
 def vtk_messages_as_exceptions(*objects):
-    """Collects what the objects report meanwhile; raises the first error as a RuntimeError."""
+    """Raises the first error that the objects report as a RuntimeError; warnings become Python's."""
     errors = []
 
     def on_error(_sender, _event, text):
         errors.append(sentence_of(text))
 
     def on_warning(_sender, _event, text):
-        # This function, then read() or write_png(), then its caller.
+        # Level 1 is this function, level 2 read() or write_png(), level 3 its caller.
         warnings.warn(sentence_of(text), RuntimeWarning, stacklevel=3)
 
     on_error.CallDataType = on_warning.CallDataType = "string0"
@@ -33,5 +33,5 @@ def vtk_messages_as_exceptions(*objects):
 
 
 def sentence_of(vtk_text):
-    """VTK's text without its first line and address: 'ERROR: In f.cxx, line 1\\nvtkA (0x1): Text'."""
+    """Returns the Text in VTK's message 'ERROR: In f.cxx, line 1\\nvtkA (0x1): Text'."""
     return re.sub(r"^\w+: In .*, line \d+\n\w+ \(\w+\): ", "", vtk_text).strip()
