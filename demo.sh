@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing (Debian 12), builds, and draws two real heads with our mapper and with
-# VTK's mappers: pictures, their differences, times and errors, in demo-output/. With a display it
-# then builds and opens the viewer.
+# Installs missing packages (Debian 12), builds, and draws two real heads with our mapper and with
+# VTK's mappers. Writes images, their differences, times and errors to demo-output/. With a display,
+# it then builds and opens the viewer.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 . Testing/Support/set-up.sh
@@ -9,7 +9,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 programs=build/release/bin
 output=$PWD/demo-output
 
-# compareMappers NAME VOLUME PRESET: compares the mappers, unless a comparison exists that is newer
+# compareMappers NAME VOLUME PRESET compares the mappers, unless a comparison exists that is newer
 # than the program and the library.
 compareMappers()
 {
@@ -33,7 +33,7 @@ build release varimarch 4
 compareMappers head-ct "$headCt" ct-bone
 compareMappers head-t1 /usr/share/mricron/templates/ch2better.nii.gz mr-head
 
-step "Done: the pictures and tables are in $output"
+step "Done: the images and tables are in $output"
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]
 then
   build release varimarch-viewer 3

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing (Debian 12), builds with warnings as errors, and runs all tests.
+# Installs missing packages (Debian 12), builds with warnings as errors, and runs all tests.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 . Testing/Support/set-up.sh

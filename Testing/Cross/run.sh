@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds Core and its unit tests for 64 bit ARM, and for x86 without AVX2, and runs the tests on
-# emulated processors. It needs the packages below, of Debian 12, and the network for TBB's arm64
-# packages, which are unpacked in the build folder: nothing of another architecture is installed.
+# Builds Core and its unit tests for 64 bit ARM and for x86 without AVX2, and runs the tests on
+# emulated processors. It needs the packages below, from Debian 12, and the network for TBB's arm64
+# packages. Those are unpacked in the build folder, so nothing of another architecture is installed.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . Testing/Support/set-up.sh
@@ -9,7 +9,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 build=$PWD/build/cross
 foreign=$build/arm64
 
-# An apt of its own, which knows arm64 and changes nothing of the system's.
+# Runs apt-get for arm64 with settings and data of its own, which leaves the system unchanged.
 foreignApt()
 {
   apt-get -q -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State="$foreign/state" \
@@ -29,9 +29,8 @@ unpackTbb()
   done
 }
 
-# @param $1  name of the build
-# @param $2  processor, as qemu-user calls it
-# The other parameters are CMake's.
+# runOn NAME EMULATOR OPTION... builds with CMake's options, and runs the tests with the emulator's
+# command line.
 runOn()
 {
   local name=$1 emulator=$2
@@ -50,5 +49,6 @@ unpackTbb
 runOn aarch64 "qemu-aarch64 -L /usr/aarch64-linux-gnu" \
   -DCMAKE_TOOLCHAIN_FILE="$PWD/Testing/Cross/aarch64.cmake" \
   -DTBB_DIR="$foreign/usr/lib/aarch64-linux-gnu/cmake/TBB"
-# A processor of 2008. The program holds the copy for AVX2 too, of which nothing may be called.
+# Nehalem is a processor of 2008. The program also contains the code for AVX2, which must not be
+# called.
 runOn x86-64 "qemu-x86_64 -cpu Nehalem"

@@ -1,6 +1,7 @@
 # shellcheck shell=bash
-# Functions for demo.sh, test.sh and .ci/run: install missing packages, build, find the head CT. They
-# are sourced in the top folder of the tree. A failure prints one sentence that says what is missing.
+# Functions for demo.sh, test.sh and .ci/run that install missing packages, build, and find the head
+# CT. The file is sourced in the top folder of the tree. A failure prints one sentence that says what
+# is missing.
 
 packages=(
   # To build
@@ -28,7 +29,7 @@ fail()
   exit 1
 }
 
-# missingPackages PACKAGE...: prints the packages that are not installed.
+# missingPackages PACKAGE... prints the packages that are not installed.
 missingPackages()
 {
   local installed
@@ -44,7 +45,7 @@ requireFreeMegabytes()
 {
   local free
   free=$(df --output=avail -BM "$2" | tail -n 1 | tr -dc 0-9)
-  [ "$free" -ge "$1" ] || fail "$3 needs $1 MB of free disk space in $2, and there are $free MB."
+  [ "$free" -ge "$1" ] || fail "$3 needs $1 MB of free disk space in $2, but only $free MB are free."
 }
 
 asRoot()
@@ -62,19 +63,19 @@ requireRoot()
   [ "$(id -u)" -eq 0 ] && return
   command -v sudo >/dev/null ||
     fail "sudo is missing, and only root can install packages; as root, run: apt-get install $*"
-  # sudo may ask for a password at a terminal; without one nobody could answer.
+  # sudo may ask for a password only at a terminal, where a user can answer.
   sudo -n true 2>/dev/null || [ -t 0 ] ||
-    fail "sudo wants a password here; once, at a terminal, run: sudo apt-get install $*"
+    fail "sudo needs a password; once, at a terminal, run: sudo apt-get install $*"
 }
 
-# Exits with one sentence that says why apt failed, taken from its log.
+# Exits with one sentence that gives the reason for apt's failure, from its log.
 failAsApt()
 {
   local error
   error=$(grep -E '^(E|dpkg): ' "$packageLog" | tail -n 1 || true)
   case "$error" in
     *"Unable to locate package"* | *"no installation candidate"*)
-      # If the package lists could not be loaded, the network is the cause, else the sources' settings.
+      # If the package lists could not be loaded, the cause is the network, otherwise the sources.
       grep -qE 'Failed to fetch|Could not resolve|Temporary failure' "$packageLog" ||
         fail "A package source is missing: apt says \"${error#E: }\"; Debian 12 (main) has it." ;&
     *[Ff]"etch "*)
@@ -86,7 +87,7 @@ failAsApt()
   esac
 }
 
-# Passes apt's output on, and turns its status lines into a message for every ten percent.
+# Passes apt's output on, and replaces its status lines by a message for every ten percent.
 showProgress()
 {
   local line shown="" now
@@ -118,25 +119,25 @@ systemName()
 installMissingPackages()
 {
   command -v apt-get >/dev/null ||
-    fail "apt is missing: this installs packages as on Debian 12, and here is $(systemName)."
+    fail "apt is missing: packages can be installed only on Debian 12, but this system is $(systemName)."
   local missing
   mapfile -t missing < <(missingPackages "$@")
   [ ${#missing[@]} -gt 0 ] || return 0
 
-  step "Installing ${#missing[@]} packages and what they need (about 3 minutes for all): ${missing[*]}"
+  step "Installing ${#missing[@]} packages and their dependencies (about 3 minutes for all): ${missing[*]}"
   requireRoot "${missing[@]}"
   requireFreeMegabytes 4000 /usr "Installing the packages"
   : >"$packageLog"
-  # Finish an installation that was interrupted.
+  # An installation that was interrupted is finished first.
   asRoot dpkg --configure -a </dev/null >>"$packageLog" 2>&1 || true
-  # Go on when some unrelated package source cannot be reached.
+  # A failure is ignored, because the package source that cannot be reached may be unrelated.
   aptGet update >>"$packageLog" || true
   aptGet -o APT::Status-Fd=1 install --no-install-recommends "${missing[@]}" |
     showProgress >>"$packageLog" || failAsApt
 }
 
-# Prints the path of the head CT. Slim systems install no documentation, where it lies; there it is
-# unpacked from its package.
+# Prints the path of the head CT. It is installed as documentation, which slim systems leave out; it
+# is then unpacked from its package.
 headCt()
 {
   local path=usr/share/doc/invesalius-examples/examples/Cranium.inv3
@@ -148,7 +149,7 @@ headCt()
   [ -e "/$path" ] && echo "/$path" || echo "$PWD/$unpacked/$path"
 }
 
-# unpackPackage NAME FOLDER: downloads and unpacks a package, completely or not at all.
+# unpackPackage NAME FOLDER downloads and unpacks a package, completely or not at all.
 unpackPackage()
 {
   local partial="$2.partial"
@@ -162,14 +163,14 @@ unpackPackage()
   mv "$partial" "$2"
 }
 
-# setUp PACKAGE...: makes the build folder, and installs the packages that are missing.
+# setUp PACKAGE... makes the build folder and installs missing packages.
 setUp()
 {
   mkdir -p build 2>/dev/null || fail "$PWD cannot be written to; copy the tree to a folder of your own."
   installMissingPackages "$@"
 }
 
-# build PRESET TARGET MINUTES: builds a target; MINUTES is the time of a first build on two free cores.
+# build PRESET TARGET MINUTES builds a target. MINUTES is the time of a first build on two free cores.
 build()
 {
   requireFreeMegabytes 1000 "$PWD" "Building"

@@ -1,5 +1,6 @@
-# Writes TABLE, the C++ source of ShaderTable() in March/Device/ShaderFiles.h: each .glsl file below
-# FOLDER, as a raw string. Files change rarely and together, so that one source file serves all.
+# Writes TABLE, the C++ source of ShaderTable() in March/Device/ShaderFiles.h. It has each .glsl file
+# below FOLDER as a raw string. One source file for all is enough, because they change rarely and
+# together.
 file(GLOB_RECURSE paths RELATIVE "${FOLDER}" "${FOLDER}/*.glsl")
 set(rows "")
 foreach(path IN LISTS paths)
