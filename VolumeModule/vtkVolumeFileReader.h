@@ -110,7 +110,7 @@ public:
   struct DICOMSeries
   {
     std::string UID;
-    std::string Description; ///< as the scanner's operator entered it, or empty
+    std::string Description; ///< text that the operator of the scanner entered, or empty
     std::string Modality;
     vtkTypeInt64 NumberOfImages;
     std::string MiddleFile; ///< the file with the middle image of the series

@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-// Whether the scene is shaded, and the side of the image [pixels].
+// The setup of a measurement: true if shaded, and the side of the image [pixels].
 using Setup = std::pair<bool, int>;
 
 std::set<Setup> SetupsOf(const std::vector<SpeedCase>& cases)

@@ -106,7 +106,7 @@ bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& setti
 {
   if (settings.functionOf != FunctionOf::Value)
   {
-    return false; // as in VTK
+    return false; // VTK ignores gradient opacity here too
   }
   if (settings.mask == Mask::Labels && property->HasLabelGradientOpacity())
   {
