@@ -1,11 +1,15 @@
-// The contract: what every slot file may use, and what it must define. What belongs to the volume
-// stands in VolumeSlots.glsl.
+// The contract of the shaders: the types that every file may use, and what the file of each slot
+// must define. VolumeSlots.glsl goes on with the slots that belong to one volume.
 //
-// Spaces: *grid* has voxel (i,j,k) at (i,j,k); *texture* has the volume texture, which holds the
-// volume or a block of it, in [0,1];
-// *world* is the scene, its lengths in mm.
+// main() in RayMarch.frag.glsl makes the ray of a pixel and calls DrawnRay (slot Resume). A march
+// then goes inwards, each slot with the parts of the ray that the one before leaves:
+// MarchCropped (Crop) -> MarchMasked (Mask) -> MarchVolume (Gaps) -> March (March).
+//
+// Spaces: *grid* has voxel (i,j,k) at (i,j,k). *Texture* has the volume texture, which holds the
+// volume or one block of it, in [0,1] on each axis. *World* is the scene, with lengths in mm.
+// Extinction is in 1/mm; optical depth is extinction times length, without a unit.
 
-// A ray through the volume. position(t) = origin + t * direction; t is a world length [mm].
+// A ray through the volume: position(t) = origin + t * direction. t is a length in the world [mm].
 struct Ray
 {
   vec3 originGrid;
@@ -14,103 +18,114 @@ struct Ray
   vec3 directionTexture; // per mm
 };
 
-// Part of a ray that is inside the volume, t from enter to exit [mm].
+// The part of a ray with t from enter to exit [mm]; empty unless enter < exit.
 struct Interval
 {
   float enter;
   float exit;
 };
 
-// --- Depth: where opaque geometry ends a ray ------------------------------------------------
-// t of the geometry already drawn at this pixel, or a value beyond every exit [mm].
+// --- Depth: opaque geometry ends rays ---
+// The t at which geometry that is already drawn ends the ray of this pixel [mm]; without any, a
+// value beyond every exit.
 float DepthLimit(Ray ray);
-// Where an image is drawn with fewer rays than pixels: how far the ray of one of these coarse
-// pixels is to be trusted for this pixel, (0, 1].
+// The weight of a ray of a coarse image, one with fewer rays than pixels, in this pixel, (0, 1]. It
+// is small if that ray ends at another surface.
 float Trust(Ray ray, Interval inside, ivec2 coarsePixel);
 
-// --- Clip: which part of a ray clipping planes leave ------------------------------------------
+// --- Clip: clipping planes shorten rays ---
+// The part of the ray that all planes leave.
 Interval Clipped(Ray ray, Interval inside);
-// Whether they cut a place away; only where there are planes.
+// True if a plane cuts the position away. Only Clip/Planes.glsl defines it.
 bool IsClipped(vec3 positionGrid);
 
-// --- Jitter: where a ray has its first sample ------------------------------------------------
-// Length of the first segment of a ray, as a part of the others' (0, 1].
+// --- Jitter: noise shortens the first segment of a ray ---
+// The length of the first segment, as a fraction of the length of the others, (0, 1].
 float FirstSegment();
-// Length of a segment where nothing tells a better one [mm].
+// The length of segment number `index` [mm], if the others have the length plainMm.
 float PlainMm(int index, float plainMm);
 
-// --- Blend: what the samples of a ray become -----------------------------------------------
-// Defines struct Accumulation, and:
+// --- Blend: a ray's samples become a colour ---
+// Defines struct Accumulation, the state of a ray, and these functions:
 //   Accumulation BlendBegin();
+//     The state before the first sample.
 //   Accumulation BlendPart(Accumulation sum, vec3 color, float depth);
-//                               composite: takes in the next part of the ray, of that color and
-//                               optical depth
+//     Composites: adds the next part of the ray, of this colour and optical depth.
 //   Accumulation BlendScalar(Accumulation sum, float scalar, float lengthMm);
-//                               projection: takes in the next part of the ray, of one scalar
+//     Projections: adds the next part of the ray, along which the volume has this scalar.
 //   Accumulation BlendTexel(Accumulation sum, vec4 texel, float lengthMm);
-//                               the same, of several components
-//   float BlendState(Accumulation sum);      what steps depend on. Composite: the part of what
-//                               follows that is still seen, [0,1]; extremes: the scalar so far
-//   bool BlendFinished(Accumulation sum);    nothing that follows could be seen
-//   vec4 BlendResult(Accumulation sum);      premultiplied RGBA
-//   vec4 BlendKept(Accumulation sum);        the sum in four floats, 0 at the beginning
-//   Accumulation BlendResumed(vec4 kept);    and the sum again
+//     Projections of several components: the same.
+//   float BlendState(Accumulation sum);
+//     The number that slot Step needs. Composites: the transmittance, [0, 1]. Extremes: the largest
+//     or smallest scalar so far.
+//   bool BlendFinished(Accumulation sum);
+//     True if nothing that follows could be seen.
+//   vec4 BlendResult(Accumulation sum);
+//     The colour of the ray, premultiplied RGBA.
+//   vec4 BlendKept(Accumulation sum);
+//     The state in four floats, to be stored in a texture; 0 before the first sample.
+//   Accumulation BlendResumed(vec4 kept);
+//     The inverse of BlendKept.
 
-// --- Sample: what a sample adds; only for March/Projection ------------------------------------
-// Defines: Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm);
+// --- Sample: reads a sample and adds it. Only for March/Projection.glsl ---
+// Defines:
+//   Accumulation BlendSample(Accumulation sum, vec3 positionTexture, float lengthMm);
 
-// --- Volumes: only where several volumes overlap ------------------------------------------------
-// Defines what all volumes so far in the shader are together; see VolumeSlots.glsl:
+// --- Volumes: the sum of overlapping volumes. Only if several volumes overlap ---
+// Defines functions of this volume and of all volumes before it in the shader (VolumeSlots.glsl):
 //   Interval BeginVolumes(Ray ray, Interval inside);
-//                               once for each ray: the part of it that they have
-//   float NextFace(float t);    where, behind t, something begins or ends [mm]
+//     Begins a ray. Returns the part of it from the first volume to the last.
+//   float NextFace(float t);
+//     The next t at which a volume, or a voxel drawn as a box, begins or ends [mm].
 //   Interval NextVisible(float t, int index, float blendState);
-//                               where, not before t, anything may be seen, and how far from there
-//                               it looks the same [mm]
+//     The next part of the ray, from t on, in which anything may be visible and all looks the same.
 //   bool ReadSegment(Interval segment);
-//                               reads the next segment, between two faces; whether anything in it
-//                               may absorb light. One of no length makes its place known
-//   Mixture MixtureOf(Interval segment);     what is in it, after it was read
+//     Reads the next segment, which crosses no face. Returns true if anything in it may absorb
+//     light. A segment without length only reads the values at its position.
+//   Mixture MixtureOf(Interval segment);
+//     Emission and extinction of the segment that was read last; see Volumes/None.glsl.
 
-// --- Loop, March: the loop along a ray, and its rule of integration ---------------------------
-// The files of Loop say what those of March define for them. A file of March that has a loop of its
-// own takes none. Together they define:
+// --- Loop, March: the loop along a ray, and the rule of integration in it ---
+// Each file of Loop declares what the file of March defines for it. Some files of March have a loop
+// of their own and use none of Loop. Together they define:
 //   Accumulation March(Ray ray, Interval inside, Accumulation sum);
-//                               takes in the part of the ray that is inside
+//     Adds a part of the ray in which the volume has values.
 
-// --- Fill: what is drawn where the volume has no value; only where there are gaps ---------------
-// Takes in a part of the ray, of this length.
+// --- Fill: the look of gaps, where the volume has no value. Only if there are gaps ---
+// Defines:
 //   Accumulation FillGap(Accumulation sum, float lengthMm);
+//     Adds a part of the ray that lies in a gap.
 
-// --- Gaps: the parts of a ray where the volume has a value -------------------------------------
-// Defines, after all the others: Accumulation MarchVolume(Ray ray, Interval inside, Accumulation
-// sum);
-//                               marches through all parts that have a value
+// --- Gaps: divides rays where the volume has no value ---
+// Defines:
+//   Accumulation MarchVolume(Ray ray, Interval inside, Accumulation sum);
+//     Marches the parts of the ray that have a value, and fills the gaps between them.
 
-// --- Crop: which parts of a ray cropping leaves -------------------------------------------------
-// Defines, after all the others: Accumulation MarchCropped(Ray ray, Interval inside, Accumulation
-// sum);
-//                               marches through all parts that are left
+// --- Crop: divides rays at cropping planes ---
+// Defines:
+//   Accumulation MarchCropped(Ray ray, Interval inside, Accumulation sum);
+//     Marches the parts of the ray that lie in visible regions.
 
-// --- Window: what is done to the colours of a picture ------------------------------------------
+// --- Window: window and level of the image ---
+// The colour to draw, for a colour that a ray has gathered; both are premultiplied RGBA.
 vec4 Windowed(vec4 picture);
 
-// --- Peel: only between layers of translucent geometry -----------------------------------------
-// Which parts of a ray are drawn, as depths of the depth buffer: one in front of some layers, from
-// x to y, and one behind others, from z to w; there is none where these are not in order.
+// --- Peel: layers of translucent geometry divide rays. Only for depth peeling ---
+// The two parts of the ray to draw, as depths of the depth buffer: the part in front of layers from
+// x to y, and the part behind layers from z to w. A part is empty unless x < y, or z < w.
 vec4 PeeledDepths();
-// What is drawn by the colours of both; that of the front one beside it.
+// The colour to draw for the colours of both parts. Another output may take that of the front.
 vec4 Peeled(vec4 front, vec4 back);
 
-// --- Locate: what is drawn for the place where a ray first has an opacity (FirstOpacity.glsl)
-// --------
+// --- Locate: the colour of the position that FirstOpacity.glsl finds ---
 vec4 ColorOfPlace(vec3 positionGrid);
 
-// --- Mask: the parts of a ray that a mask tells apart -------------------------------------------
-// Defines, after all the others: Accumulation MarchMasked(Ray ray, Interval inside, Accumulation
-// sum);
-//                               marches through all parts that are drawn
+// --- Mask: divides rays where the content of a mask changes ---
+// Defines:
+//   Accumulation MarchMasked(Ray ray, Interval inside, Accumulation sum);
+//     Marches the parts of the ray that the mask shows, and sets labelRow for each.
 
-// --- Resume: where rays begin and end, with a volume in one block or in several ------------------
-// What is drawn for a ray.
+// --- Resume: the beginning and the end of the march in one drawing ---
+// The colour to draw for a ray. It comes from a march of the whole ray or of one block, or from an
+// image that was drawn before.
 vec4 DrawnRay(Ray ray, Interval inside);

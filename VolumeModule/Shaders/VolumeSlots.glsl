@@ -1,103 +1,113 @@
-// The contract, of a volume: what the files of slots that belong to it may use, and what they must
-// define. In a shader of several volumes that overlap this file stands once for each of them, and
-// the files of the volume follow it. All that these declare is then the volume's own: the assembler
-// gives the names of all volumes but the last an ending of their own. A name that ends with Before
-// means that of the volume before.
+// The contract of the slots that belong to one volume: the variables and functions that their files
+// may use, and what they must define.
+//
+// A shader of several overlapping volumes contains this file and the files of these slots once for
+// each volume. The assembler then renames all that the files of a volume declare, for all volumes
+// but the last. A name that ends in Before means that of the volume before.
+//
+// Texels and scalars are texture values, to which tables and thresholds are scaled.
 
-int labelRow; // row of the label that a mask has where the ray is; 0 for none
+int labelRow; // row of the mask's label on this part of the ray, in tables; 0 without a label
 
 vec3 PositionTexture(Ray ray, float t)
 {
   return ray.originTexture + t * ray.directionTexture;
 }
 
-// --- Spacing: where voxels are -----------------------------------------------------------------
-// The place in the texture of one in the even grid that rays are straight in.
+// --- Spacing: the positions of voxels ---
+// The position in the volume texture, for one in the even grid, in which rays are straight.
 vec3 VoxelPlace(vec3 positionTexture);
 
-// --- Interpolation: what lies between voxels ---------------------------------------------------
-// The scalars there, of up to four components: texture values, which tables and thresholds are
-// scaled to.
+// --- Interpolation: values between voxels ---
+// The values of up to four components.
 vec4 TexelAt(vec3 positionTexture);
-// The scalar of a volume of one component.
+// The value of the first component.
 float ScalarAt(vec3 positionTexture);
-// Of a spline, the derivative along an axis (1, 0, 0), (0, 1, 0) or (0, 0, 1), per voxel.
+// The derivatives per voxel along an axis, which is (1, 0, 0), (0, 1, 0) or (0, 0, 1). Only
+// Interpolation/CubicSpline.glsl defines it.
 vec4 SlopeAlong(vec3 axis, vec3 positionTexture);
 
-// --- Probe: observes the work of a ray -------------------------------------------------------
-// What is stored at a place in the texture. Every reading of the volume goes through here.
+// --- Probe: fetches voxels, and may count the fetches ---
+// The texel at a position in the volume texture. Every fetch of the volume is done here.
 vec4 StoredAt(vec3 placeTexture);
-// What is drawn for a ray that has made this picture.
+// The colour to draw for a ray that has gathered this colour.
 vec4 Probed(vec4 picture);
 
-// --- Step: which part of the ray comes next --------------------------------------------------
-// The segment that follows t, the index-th of its ray [mm]. It may begin later, where nothing
-// between can be seen, and ends after t: at plainMm, or farther where the volume allows it.
-// blendState: what BlendState tells of the ray so far.
+// --- Step: the next segment of a ray ---
+// Segment number `index` of a ray that is marched up to t [mm]. It begins beyond t if nothing
+// before can be seen. It has the length plainMm, or more where the volume allows it; Jitter
+// shortens the first segment. blendState is the result of BlendState for the ray up to t.
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState);
 
-// --- Classify: what a scalar looks like ----------------------------------------------------
-// Colour (r,g,b), not premultiplied, and extinction [1/mm]. A file defines one of these two, as its
-// march needs it.
+// --- Classify: transfer functions ---
+// Each function returns a colour (r,g,b), not premultiplied, and an extinction [1/mm]. A file
+// defines the one that its march or its material calls.
+// The look of a scalar.
 vec4 Classify(float scalar);
-// Means over a piece of ray along which the scalar goes linearly from one value to another.
+// The mean look of a part of a ray along which the scalar changes linearly.
 vec4 ClassifyBetween(float startScalar, float endScalar);
-
-// Of several tables, one.
+// The look of a scalar by one of several tables.
 vec4 ClassifyBy(int table, float scalar);
-// Of two values, each [0,1] in its range.
+// The look of two values, each [0,1] in its range.
 vec4 ClassifyTwo(vec2 place);
 
-// --- Components: only where a volume has several components -----------------------------------
-// Of the materialCount materials that are mixed it defines
-//   vec4 PartOptical(vec4 texel, int part);    colour and extinction of one
-//   int OpacityComponent(int part);            the component that its opacity is of
+// --- Components: the materials of several components. Only if a volume has several ---
+// Defines, for materials 0 to materialCount - 1:
+//   vec4 PartOptical(vec4 texel, int part);
+//     The colour and extinction [1/mm] of a material.
+//   int OpacityComponent(int part);
+//     The component that determines the opacity of a material.
 //   vec4 MoreExtreme(vec4 best, vec4 texel, float sense);
-//                                              the larger values (sense 1), or the smaller (-1)
+//     The larger values for sense 1, the smaller ones for -1.
 
-// --- Gradient: only where light or opacity depend on it -----------------------------------------
-// In texels of the volume per voxel, along the axes of the grid.
+// --- Gradient: only if light or opacity depends on it ---
+// Twice the gradient per voxel, along the axes of the grid: the differences between values one
+// voxel to either side.
 vec3 GradientAt(vec3 positionTexture);
-// A column for each component.
+// The same for all components, a column for each.
 mat4x3 GradientsAllAt(vec3 positionTexture);
 
-// --- Shade: light at a sample; only where there is a material -----------------------------------
-// What is emitted at t by a material of this color. reflectance: coefficients of ambient, diffuse
-// and specular light, and the specular power.
+// --- Shade: light on a sample. Only if a surface or a material may be lit ---
+// The colour that a material of this colour sends towards the eye from t. reflectance has the
+// coefficients of ambient, diffuse and specular light, and the specular power.
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t);
 
-// --- Damping: only with light ------------------------------------------------------------------
-// The part of diffuse and specular light that is left at a gradient, [0,1].
+// --- Damping: less light where a volume is homogeneous. Only with light ---
+// The fraction of diffuse and specular light that remains at a gradient, [0,1].
 float LitPart(vec3 gradient);
 
-// --- GradientOpacity: where opacity depends on the gradient -----------------------------------
-// The extinction [1/mm] of a component, from that without a gradient.
+// --- GradientOpacity: opacity depends on the gradient ---
+// The extinction [1/mm] of a material, for its extinction by value alone. `component` is the number
+// of the material, or the row of a label.
 float AtGradient(float extinction, vec3 gradient, int component);
 
-// --- Values: what of a point its material depends on ---------------------------------------------
-// Defines what is read of the volume at a point, struct Values, and, only where it absorbs
-// anything, struct Gradients; both can be taken as linear over a short piece of ray:
+// --- Values: what the material at a point depends on ---
+// Defines struct Values, which is read at every sample, and struct Gradients, which is read only
+// where a sample absorbs light. Both can be taken as linear along a short segment.
 //   Values ValuesAt(vec3 positionTexture);
 //   Gradients GradientsAt(vec3 positionTexture);
-//   Values Between(Values start, Values end, float along);            along in [0,1]
+//   Values Between(Values start, Values end, float along);
 //   Gradients Between(Gradients start, Gradients end, float along);
-//   bool MayAbsorb(Values start, Values end);                         anything between the two
+//     Linear interpolation, with `along` in [0,1].
+//   bool MayAbsorb(Values start, Values end);
+//     True if any value between the two may absorb light.
 
-// --- Material: what a point looks like, where more than one scalar tells -------------------------
+// --- Material: the look of a point. Only if it depends on more than one scalar ---
 // Defines:
 //   vec4 Material(Values values, Gradients gradients, Ray ray, float t);
-//                               colour as it is lit, not premultiplied, and extinction [1/mm]
+//     The colour after lighting, not premultiplied, and the extinction [1/mm].
 
-// --- Gaps: where the volume has a value
-// ----------------------------------------------------------- Whether all voxels are finite that a
-// gradient there is made of.
+// --- Gaps: see also Slots.glsl ---
+// True if all voxels that the gradient at this position depends on are finite.
 bool HasGradient(vec3 positionTexture);
 
-// --- Reading: only where several volumes overlap ------------------------------------------------
-// Defines startValues, endValues, startGradients and endGradients of a segment of the volume's own
-// ray, and what reads them:
-//   void BeginReading(Ray ray, float t);     the ray, which begins at t
-//   float NextReadingFace(float t);          where, behind t, a segment must end [mm]
+// --- Reading: reads the segments of one volume. Only if several volumes overlap ---
+// Defines the variables startValues, endValues, startGradients and endGradients of a segment along
+// the volume's own ray, and the functions that set them:
+//   void BeginReading(Ray ray, float t);
+//     Begins a ray at t.
+//   float NextReadingFace(float t);
+//     The next t at which a segment must end [mm].
 //   void ReadValues(Ray ray, Interval segment);
 //   void ReadGradients(Ray ray, Interval segment, bool isNext);
-//                               isNext: those where the segment begins were read at its end before
+//     isNext is true if the gradients at the beginning of the segment were the last to be read.
