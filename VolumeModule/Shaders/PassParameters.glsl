@@ -1,3 +1,4 @@
-// The fragment shader reads its parameters itself; see Core/Recipe/FlatParameters.h.
+// Nothing is passed: the fragment shader reads its parameters itself
+// (Core/Recipe/FlatParameters.h).
 
 void PassParameters() {}

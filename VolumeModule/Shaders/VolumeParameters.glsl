@@ -1,88 +1,90 @@
-// The numbers of a march that belong to one volume; as RayParameters.glsl. A scalar is what the
-// marcher reads: shaders a texture value, the processor a value of the data.
+// The parameters of a march that belong to one volume, read by both marchers like those of
+// RayParameters.glsl. Scalars are texture values for shaders, and values of the data for the
+// processor. "Scale and bias" map x to x * scale + bias.
 
 layout(std140) uniform VolumeParameters
 {
-  mat3 worldFromGrid;     // directions only
-  vec3 voxelCountInverse; // of the volume texture
-  vec3 firstVoxelGrid;    // of the volume texture; 0 where it holds the whole volume
-  vec3 voxelCount;        // of the volume texture
+  mat3 worldFromGrid;     // for directions only [mm]
+  vec3 voxelCountInverse; // 1 / voxelCount
+  vec3 firstVoxelGrid;    // first voxel in the volume texture; 0 if it holds the whole volume
+  vec3 voxelCount;        // number of voxels in the volume texture along each axis
 
   // Steps by a field of bricks or cells.
-  vec3 fieldSize; // bricks or cells along each axis
-  vec3 fieldSizeInverse;
-  vec2 scalarFromField; // scale and bias: number of an extreme brick -> scalar
-  float cellsPerBrick;
-  float sense; // of an extreme: 1 for a maximum, -1 for a minimum
+  vec3 fieldSize;        // number of bricks or cells along each axis
+  vec3 fieldSizeInverse; // 1 / fieldSize
+  vec2 scalarFromField;  // scale and bias, from the number of a brick of extremes to a scalar
+  float cellsPerBrick;   // number of cells along each side of a brick
+  float sense;           // 1 for a maximum, -1 for a minimum
 
-  // Up to four tables of transfer functions, and up to four components.
-  vec4 tableScales; // scalar -> index in its table
-  vec4 tableBiases;
-  vec4 lastTableIndices;
-  vec4 firstEntries; // of each table in the buffer of all
-  vec4 visibleLower; // a component absorbs nothing up to this scalar
-  vec4 visibleUpper; // and from this one on
-  vec4 opticalBelow; // color and extinction of the scalars below those of a pre-integrated table
-  vec4 opticalAbove;
-  vec2 placeFromScalar; // scale and bias: scalar -> [0, 1] in the range of a function of two values
-  vec2 placeFromSecond;
-  vec2 twoValueTableSize; // at least two along each axis
-  float placePerGradient;
-  float labelPart; // weight of the transfer functions of labels, [0, 1]
+  // Transfer functions: up to four tables, and up to four components.
+  vec4 tableScales;       // scale from a scalar to the index in its table
+  vec4 tableBiases;       // bias from a scalar to the index in its table
+  vec4 lastTableIndices;  // last index of each table
+  vec4 firstEntries;      // first entry of each table in opticalTable
+  vec4 visibleLower;      // a component absorbs nothing up to this scalar
+  vec4 visibleUpper;      // a component absorbs nothing from this scalar on
+  vec4 opticalBelow;      // colour and extinction [1/mm] below the scalars of preIntegratedTable
+  vec4 opticalAbove;      // colour and extinction [1/mm] above them
+  vec2 placeFromScalar;   // scale and bias, from the first value to [0, 1] in its range
+  vec2 placeFromSecond;   // scale and bias, from the second value to [0, 1] in its range
+  vec2 twoValueTableSize; // number of entries of twoValueTable along each axis, >= 2
+  float placePerGradient; // scale from a gradient's magnitude to [0, 1] in its range
+  float labelPart;        // weight of the labels' transfer functions, [0, 1]
 
-  // Materials; those of one component have entry 0.
-  mat3 worldFromGradient; // a gradient per voxel -> a normal in the world, any length
-  vec3 diffuseLight;      // colors of the lights at the eye
-  vec3 specularLight;
-  vec3 dampingFactors; // a gradient -> its part of that at which light is whole
-  vec3 spacingFactors; // mean spacing over twice the spacing along each axis
-  vec4 opacityUnitDistancesMm;
-  vec4 entriesPerGradient; // gradient -> index in the table of gradient opacity
-  vec4 partWeights;        // weight of each component in their mixture
-  float lastGradientEntry; // of a table of gradient opacity
-  float clippedScalar;     // stands for what clipping planes have cut away
+  // Materials; if a volume has one component, its entry is 0.
+  mat3 worldFromGradient; // from a gradient in the grid to a normal in the world, of any length
+  vec3 diffuseLight;      // sum of the diffuse colours of the lights at the eye
+  vec3 specularLight;     // sum of their specular colours
+  vec3 dampingFactors;    // factors of a gradient; light is damped if the result is shorter than 1
+  vec3 spacingFactors;    // mean spacing over twice the spacing along each axis
+  vec4 opacityUnitDistancesMm; // distance in which a material reaches its opacity [mm]
+  vec4 entriesPerGradient;     // scale from a gradient's magnitude to the index in its table
+  vec4 partWeights;            // weight of each material in their mixture
+  float lastGradientEntry;     // last index of a table of gradient opacity
+  float clippedScalar;         // scalar that gradients see beyond clipping planes
   int isosurfaceCount;
-  float backsLit;       // 1: both sides of a surface are lit
+  float backsLit;       // 1 if both sides of surfaces are lit, else 0
   vec4 reflectances[4]; // coefficients of ambient, diffuse and specular light, specular power
 
-  // Lights that are not at the eye.
-  int materialCount; // materials that are mixed
-  int distantCount;  // of lights; these come first
-  int nearCount;
-  vec3 ambientLight; // of all lights
-  vec3 worldOfGridOrigin;
+  // The mixture, and lights that are not at the eye.
+  int materialCount;      // number of materials, 1 to 4
+  int distantCount;       // number of distant lights, which come first in lightTexels
+  int nearCount;          // number of near lights
+  vec3 ambientLight;      // light that the ambient coefficient multiplies, of all lights
+  vec3 worldOfGridOrigin; // world position of the grid's origin [mm]
 
   // Projections.
-  vec4 smallestScalars; // range of each component
-  vec4 largestScalars;
-  vec4 grayPerScalars;
-  vec4 averagedLower; // range of the scalars that count in an average, both ends included
-  vec4 averagedUpper;
-  vec3 colorScale; // components that are colors -> these
-  vec3 colorBias;
+  vec4 smallestScalars; // smallest value of each component
+  vec4 largestScalars;  // largest value of each component
+  vec4 grayPerScalars;  // 1 / (largest - smallest value), or 0 if these are equal
+  vec4 averagedLower;   // smallest scalar that counts in an average
+  vec4 averagedUpper;   // largest scalar that counts in an average
+  vec3 colorScale;      // scale from components that are colours to [0, 1]
+  vec3 colorBias;       // bias from components that are colours to [0, 1]
 
   // Gaps and masks.
-  vec4 gapOptical;    // color, not premultiplied, and extinction [1/mm] where there is no value
-  float leastContent; // voxels of more than this content of a mask are drawn
-  float gapShift;     // 0 where cells lie between voxels, 0.5 where they are voxels
-  vec3 gapCellCount;
-  vec3 gapCellCountInverse;
-  vec3 maskVoxelCount;
-  vec3 maskVoxelsPerVoxel;
+  vec4 gapOptical;          // colour, not premultiplied, and extinction [1/mm] of gaps
+  float leastContent;       // a voxel is drawn if its content in the mask is greater than this
+  float gapShift;           // 0 if the cells of gapTexture lie between voxels, 0.5 if around them
+  vec3 gapCellCount;        // number of these cells along each axis
+  vec3 gapCellCountInverse; // 1 / gapCellCount
+  vec3 maskVoxelCount;      // number of voxels of the mask along each axis
+  vec3 maskVoxelsPerVoxel;  // voxels of the mask per voxel of the volume
 
-  // Voxels at uneven places.
-  vec3 spacingFirstBins; // of each axis, in the table
-  vec3 spacingLastBins;
-  vec3 spacingLowerGrid; // where the first bin begins
-  vec3 spacingBinsPerGrid;
-  vec3 spacingVoxelCount;
+  // Voxels that are unevenly spaced; see Spacing/Uneven.glsl.
+  vec3 spacingFirstBins;   // first bin of each axis in spacingTable
+  vec3 spacingLastBins;    // last bin of each axis
+  vec3 spacingLowerGrid;   // beginning of the first bin of each axis
+  vec3 spacingBinsPerGrid; // number of bins per unit of the grid
+  vec3 spacingVoxelCount;  // number of voxels of the whole volume along each axis
 
-  // Slices.
-  mat4 sliceMatrix;     // symmetric; the slice is where dot(p, sliceMatrix * p) = 0, with
-  vec3 sliceCenterGrid; // p = (position from here, 1)
+  // Slices: the surface of all positions with dot(p, sliceMatrix * p) = 0, where p is
+  // (position - sliceCenterGrid, 1).
+  mat4 sliceMatrix; // symmetric
+  vec3 sliceCenterGrid;
 
-  // One of several volumes that overlap.
-  vec3 ownLowerGrid; // of what is drawn of this volume
-  vec3 ownUpperGrid;
-  mat4 ownGridFromRays;
+  // One of several overlapping volumes.
+  vec3 ownLowerGrid;    // lower corner of the visible box of this volume
+  vec3 ownUpperGrid;    // upper corner of that box
+  mat4 ownGridFromRays; // from the grid of the rays to that of this volume
 };
