@@ -1,15 +1,16 @@
-// Where a ray first has an opacity: it is marched in pieces, and that in which it gets there is
-// halved until the opacity is taken as linear. Pieces begin behind what is invisible.
+// Finds the position at which a ray reaches an opacity. The ray is marched in pieces, which begin
+// behind invisible parts. The piece in which the ray reaches the opacity is halved until the
+// opacity can be taken as linear.
 
 const float Nowhere = 3.0e38;
 const float StepsPerPiece = 8.0;
-const float ShortestVoxels = 0.25; // piece
+const float ShortestVoxels = 0.25; // length of the shortest piece
 
 struct Located
 {
-  float t;          // Nowhere if it never has it
-  float marched;    // up to here, at most t, in whole pieces,
-  Accumulation sum; // to this
+  float t;          // Nowhere if the ray never reaches the opacity
+  float marched;    // end of the last whole piece in front of t
+  Accumulation sum; // state of the ray at `marched`
 };
 
 Located Locate(Ray ray, Interval inside, float opacity)
@@ -17,7 +18,7 @@ Located Locate(Ray ray, Interval inside, float opacity)
   Accumulation sum = BlendBegin();
   float t = inside.enter;
   float end = inside.exit;
-  float endOpacity = 0.0; // where it is enough; 0 while that is not known
+  float endOpacity = 0.0; // opacity at `end`; 0 as long as it is not known
   float shortestMm = ShortestVoxels / length(ray.directionGrid);
   float shortest = 0.0;
   Located before = Located(Nowhere, t, sum);
@@ -30,7 +31,7 @@ Located Locate(Ray ray, Interval inside, float opacity)
       piece = NextSegment(ray, inside, t, index, StepsPerPiece * stepMm, BlendState(sum));
       piece.exit = min(piece.exit, inside.exit);
     }
-    // With what is left out in front: its length counts in some sums, but nothing is seen there.
+    // The invisible part in front is marched too, because some blend modes count its length.
     Accumulation next = MarchCropped(ray, Interval(t, piece.exit), sum);
     float reached = BlendResult(next).a;
     if (reached < opacity || !(piece.enter < piece.exit))

@@ -1,6 +1,6 @@
-// The scalars at four points of the ray, the first at this t, the others each apartMm farther.
-// Where a fetch of the volume is a call, as in software rasterisers, several fetches in a row, and
-// what is made of them afterwards, cost less than each with its own arithmetic in a loop.
+// The scalars at four positions along the ray: the first at firstT, the others apartMm farther
+// each. If a fetch of the volume is a call, as in software rasterisers, several fetches in a row,
+// with the arithmetic on all of them afterwards, cost less than a loop.
 vec4 ScalarsOfFour(Ray ray, float firstT, float apartMm)
 {
   return vec4(ScalarAt(PositionTexture(ray, firstT)),

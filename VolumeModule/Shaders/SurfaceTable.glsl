@@ -1,11 +1,12 @@
-// The isosurfaces, by ascending isovalue. A surface bounds what is at least its isovalue.
+// The isosurfaces, in ascending order of their isovalues. A surface encloses the values that are at
+// least its isovalue.
 
 float IsovalueOf(int surface)
 {
   return texelFetch(isosurfaces, 2 * surface + 1).r;
 }
 
-// Whether it is passed by a ray along which the scalar goes from one value to another.
+// True if a ray along which the scalar changes from one value to another crosses the surface.
 bool IsPassed(int surface, float startScalar, float endScalar)
 {
   float isovalue = IsovalueOf(surface);

@@ -1,15 +1,15 @@
-// The loop along a ray from cell to cell of a lattice. Steps of a few cells at a time let the ray
-// leave out what cannot be seen. The file in March takes in the cells, exactly:
+// The loop along a ray from cell to cell of a lattice. Segments of a few cells let slot Step skip
+// invisible parts. The file of March adds the cells, exactly, and defines:
 
 vec3 CellCount();
-float CellsBeforeFirstVoxel(); // up to the middle of the first voxel
-void BeginCells(Ray ray);      // when the ray is in its first cell
-// Goes on with the ray to the end of the cell that it is in at `end`; it leaves the volume at
-// `exit`.
+float CellsBeforeFirstVoxel(); // number of cells up to the middle of the first voxel
+void BeginCells(Ray ray);      // called when the ray is in its first cell
+// Adds the cells from `cell` on, up to the one that the ray is in at `end` [mm]. The ray leaves the
+// volume at `exit` [mm].
 Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit);
 
 LatticeRay cellRay;
-LatticePlace cell; // that the ray is in
+LatticePlace cell; // the cell that the ray is in
 
 const float CellsPerSegment = 4.0;
 

@@ -1,8 +1,9 @@
-// The loop along a ray in segments, which the rule of integration in March takes in:
+// The loop along a ray from segment to segment. The rule of integration, a file of March, defines:
 
-float StepsPerSegment();
-// What the ray leaves out from t on is invisible.
+float StepsPerSegment(); // length of a segment in sample distances
+// Adds a part from t on that Step skips, because it is invisible.
 Accumulation TakeLeftOut(Accumulation sum, Ray ray, float t, float lengthMm);
+// Adds a segment.
 Accumulation TakeSegment(Accumulation sum, Ray ray, float enter, float lengthMm);
 
 Accumulation March(Ray ray, Interval inside, Accumulation sum)
@@ -15,7 +16,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
     sum = TakeLeftOut(sum, ray, t, min(segment.enter, inside.exit) - t);
     if (segment.enter >= inside.exit)
     {
-      break; // all that is left is invisible
+      break; // the rest of the ray is invisible
     }
     t = min(segment.exit, inside.exit);
     sum = TakeSegment(sum, ray, segment.enter, t - segment.enter);

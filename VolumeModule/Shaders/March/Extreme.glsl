@@ -1,7 +1,7 @@
-// A maximum or minimum of interpolated voxels, exactly: in a cell the scalar is a cubic along the
-// ray, known from four readings, which has its largest and smallest values at its ends or extremes.
+// The exact maximum or minimum of interpolated voxels. In a cell the scalar is a cubic along the
+// ray, known from four samples; its largest and smallest values are at its ends or its extremes.
 
-// Cells before the first voxel and behind the last one are cells too: 0 and voxelCount.
+// The cells before the first voxel and behind the last one, 0 and voxelCount, are marched too.
 float CellsBeforeFirstVoxel()
 {
   return 1.0;

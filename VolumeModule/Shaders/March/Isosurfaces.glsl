@@ -1,8 +1,9 @@
 // Isosurfaces of interpolated voxels. In a cell the scalar is a cubic along the ray, known from
-// four readings. It is cut where it has extremes, so that no surface is missed, however thin what
-// it bounds; neighbouring cells share the reading at their face, so that none is passed twice.
+// four samples. It is divided at its extremes, so that no surface is missed, however thin the
+// region that it encloses. Neighbouring cells share the sample at their common face, so that no
+// surface is crossed twice.
 
-// Cells before the first voxel and behind the last one are cells too: 0 and voxelCount.
+// The cells before the first voxel and behind the last one, 0 and voxelCount, are marched too.
 float CellsBeforeFirstVoxel()
 {
   return 1.0;
@@ -33,7 +34,8 @@ bool MayHoldSurface(vec4 cubic)
   return holds;
 }
 
-// Takes in the surfaces of a piece, within a part of the ray, on which the cubic is monotone.
+// Adds the surfaces that the ray crosses in one piece of a part. The cubic is monotone in the
+// piece.
 Accumulation BlendMonotone(Accumulation sum, vec4 cubic, vec2 piece, Ray ray, Interval part)
 {
   float first = CubicValue(cubic, piece.x);

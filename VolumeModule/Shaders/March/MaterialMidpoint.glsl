@@ -1,7 +1,7 @@
-// The loop for materials that depend on gradients or on several values, by midpoints: a segment is
-// as its middle is, with the normal and the light there. Noise that falls between two samples is
-// read elsewhere as often, so that it averages out; what is linear between two samples
-// (MaterialSegments.glsl, which tells of the inner loop) leaves it out everywhere.
+// Midpoint rule for materials that depend on gradients or on several values: a segment is
+// homogeneous, with the values, the normal and the light in its middle. Noise between samples
+// averages out, because samples hit it as often as they miss it. The linear rule of
+// MaterialSegments.glsl, which explains the inner loop, misses it everywhere.
 
 Accumulation March(Ray ray, Interval inside, Accumulation sum)
 {
@@ -29,7 +29,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
     } while (t < inside.exit && index < mostSegments);
     if (!absorbs)
     {
-      break; // all that was left is invisible
+      break; // the rest of the ray is invisible
     }
     vec4 optical = Material(values, GradientsAt(PositionTexture(ray, middle)), ray, middle);
     sum = BlendPart(sum, optical.rgb, optical.a * lengthMm);

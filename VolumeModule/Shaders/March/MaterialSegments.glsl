@@ -1,15 +1,17 @@
-// The loop for materials that depend on gradients or on several values. A gradient costs six
-// fetches and a normal can turn round within a fraction of a voxel, at the ridge of a thin bone. So
-// values and gradients are fetched once for each segment, at its end, and taken as linear between;
-// the parts of a segment, with their own normal and light, then cost arithmetic only. Where the ray
-// jumps, a segment without length makes the values behind known.
-// An inner loop looks for the next segment that absorbs anything before the gradient is fetched.
-// A branch would not do: where pixels are drawn in lockstep both of its sides are paid for, while
-// a loop ends for all of them when it has ended for each.
+// Linear rule for materials that depend on gradients or on several values. A gradient costs six
+// fetches, and a normal can turn round within a fraction of a voxel, as at the ridge of a thin
+// bone. So values and gradients are fetched once for each segment, at its end, and are linear in
+// between. A segment is divided into parts, each with its own normal and light, which cost
+// arithmetic only. Where the ray jumps, a segment without length fetches the values behind the
+// jump.
+//
+// An inner loop finds the next segment that absorbs light, before its gradient is fetched. A branch
+// would save nothing: pixels are drawn in lockstep and pay for both sides of it. A loop ends for
+// all pixels when it has ended for each.
 
 const float PartsPerSegment = 4.0;
 
-// A segment: values and gradients go linearly from its start to its end.
+// A segment along which values and gradients change linearly.
 struct Linear
 {
   Values startValues;
@@ -20,7 +22,7 @@ struct Linear
   float lengthMm;
 };
 
-// Takes in a part whose middle is at this place, [0,1], along the segment.
+// Adds the part of a segment whose middle is at this fraction of its length, [0,1].
 Accumulation BlendMaterial(Accumulation sum, Linear segment, float along, Ray ray)
 {
   vec4 optical = Material(Between(segment.startValues, segment.endValues, along),
@@ -34,7 +36,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
   float t = inside.enter;
   Values endValues = ValuesAt(PositionTexture(ray, t));
   Gradients endGradients;
-  bool known = false; // the gradients at t
+  bool known = false; // true if endGradients are the gradients at t
   int index = 0;
   while (index < mostSegments && t < inside.exit && !BlendFinished(sum))
   {
@@ -49,7 +51,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
       lengthMm = jumps ? 0.0 : max(t - segment.enter, 0.0);
       startValues = endValues;
       endValues = ValuesAt(PositionTexture(ray, t));
-      index += jumps ? 0 : 1; // the first segment is the first that is marched
+      index += jumps ? 0 : 1; // the first segment that is marched is number 0
       absorbs = lengthMm > 0.0 && MayAbsorb(startValues, endValues);
       if (absorbs)
       {
@@ -59,11 +61,12 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
     } while (t < inside.exit && index < mostSegments);
     if (!absorbs)
     {
-      break; // all that was left is invisible
+      break; // the rest of the ray is invisible
     }
 
     Gradients gradients = GradientsAt(PositionTexture(ray, t));
-    // Before the first visible segment there is no gradient yet; there it absorbs least.
+    // The gradient at the beginning of a visible segment behind an invisible one was not fetched.
+    // That at its end stands for it, because such a segment absorbs least at its beginning.
     if (!known)
     {
       endGradients = gradients;
@@ -72,7 +75,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
       Linear(startValues, endValues, endGradients, gradients, t - lengthMm, lengthMm);
     endGradients = gradients;
     known = true;
-    // Not a loop: the arithmetic of the four is then one block.
+    // Without a loop the arithmetic of the four parts is one block.
     sum = BlendMaterial(sum, segment, 0.125, ray);
     sum = BlendMaterial(sum, segment, 0.375, ray);
     sum = BlendMaterial(sum, segment, 0.625, ray);

@@ -1,6 +1,6 @@
-// Voxels without interpolation (see Voxels.glsl), of materials that depend on gradients or on
-// several values. A voxel has one gradient, that at its middle; it is fetched for voxels only that
-// absorb anything, which an inner loop looks for (see MaterialSegments.glsl).
+// Voxels without interpolation (see Voxels.glsl), for materials that depend on gradients or on
+// several values. A voxel has one gradient, that in its middle. An inner loop finds the next voxel
+// that absorbs light, before its gradient is fetched (see MaterialSegments.glsl).
 
 float CellsBeforeFirstVoxel()
 {

@@ -1,6 +1,6 @@
-// Midpoint rule: a segment is cut into equal parts, each homogeneous as its middle is. Order 2.
-// Four parts, so that the look-up of a segment's length is paid a fourth as often; with more, what
-// is marched beyond the end of a brick outweighs it.
+// Midpoint rule: a segment is divided into equal parts, each homogeneous with the look of its
+// middle. Order 2. With four parts the length of a segment is looked up a fourth as often as with
+// one; with more, the samples beyond the end of a brick would cost more than that saves.
 
 float StepsPerSegment()
 {

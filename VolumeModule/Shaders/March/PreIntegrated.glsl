@@ -1,5 +1,6 @@
-// Pre-integrated rule: between two samples the scalar is taken as linear, and the transfer function
-// is integrated exactly over what it takes: no peak is missed between two samples. Order 2.
+// Pre-integrated rule: between two samples the scalar is linear, and the transfer function is
+// integrated exactly over the values that it takes, so that no peak between samples is missed.
+// Order 2.
 
 float StepsPerSegment()
 {

@@ -1,6 +1,7 @@
 // Projections of voxels without interpolation (see Voxels.glsl). A voxel that the ray only touches
-// is not seen: rounding may find such a one where a ray begins or ends.
+// is left out, because rounding may put such a voxel at the beginning or the end of a ray.
 
+// The length of the shortest part of a ray in a voxel that counts [voxels].
 const float ShortestVoxels = 2e-5;
 float CellsBeforeFirstVoxel()
 {

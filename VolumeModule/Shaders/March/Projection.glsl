@@ -1,5 +1,5 @@
-// Projections look at nothing but values. The part that a ray leaves out is invisible throughout,
-// as its first point is, but its length counts.
+// Projections, which depend on values only. A part of the ray that Step leaves out is sampled once,
+// at its beginning: it is invisible, but its length counts.
 
 float StepsPerSegment()
 {

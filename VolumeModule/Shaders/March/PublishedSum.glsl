@@ -1,8 +1,8 @@
-// The published rule, to show its error beside the others': Banquero, Ortiz, Rossi, "Realtime
-// volume render en videojuegos" (2016), section 3.3. Where the field says that the scalar varies
-// little over a distance d, the sample at its beginning counts s = d / step times: C = C + VR(I) *
-// s. A sum that many samples would make one after the other is so replaced by its first term, and
-// may exceed 1. Order 1 at most.
+// The rule published by Banquero, Ortiz and Rossi, "Realtime volume render en videojuegos" (2016),
+// section 3.3, to compare its error with that of the other rules. Where the field says that the
+// scalar varies little over a distance d, the sample at its beginning counts s = d / step times:
+// C = C + VR(I) * s. This replaces the sum of many samples by its first term, and may exceed 1.
+// Order 1 at most.
 
 float StepsPerSegment()
 {

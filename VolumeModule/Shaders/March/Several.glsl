@@ -1,9 +1,9 @@
-// The loop for several volumes that overlap: it steps through all of them together, from face to
-// face of their boxes, and leaves what none of them shows. In a segment each of them is what its
-// Reading makes of it; the parts of a segment then cost arithmetic only. An inner loop looks for
-// the next segment in which any of them absorbs light (see MaterialSegments.glsl). It is tested at
-// its top: else llvmpipe (Mesa 22.3) leaves to a ray that has ended it what it computes later for
-// the rays beside, which are drawn in lockstep.
+// The loop for several overlapping volumes. It marches all of them together, from face to face of
+// their boxes, and skips parts in which no volume is visible. In a segment the values of each
+// volume are linear or constant (slot Reading), so that the parts of a segment cost arithmetic
+// only. An inner loop finds the next segment in which any volume absorbs light (see
+// MaterialSegments.glsl). The loop is tested at its top; otherwise llvmpipe (Mesa 22.3) gives a ray
+// that has left it the values that it computes later for the rays drawn in lockstep.
 
 const float PartsPerSegment = 4.0;
 
@@ -29,7 +29,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
       float enter = min(visible.enter, volumes.exit);
       float plain = enter + StepGrowth(state) * PlainMm(index, stepMm);
       float exit = min(max(plain, visible.exit), min(NextFace(enter), volumes.exit));
-      // Where the ray jumps, a segment without length makes what is there known.
+      // Where the ray jumps, a segment without length reads the values behind the jump.
       bool jumps = enter > readT;
       segment = Interval(enter, jumps ? enter : exit);
       anything = ReadSegment(segment);

@@ -1,8 +1,8 @@
-// Simpson's rule for the coupled pair of optical depth and colour, order 4 where all is smooth. A
-// panel has samples at its beginning, middle and end. Optical depth is the integral of the parabola
-// through the three extinctions, to the middle and to the end; the colour is the mean of the three,
-// each weighted by what is emitted there and reaches the front. A weighted mean, times the exact
-// absorption, keeps the result between the colours that are there, however dense the panel is.
+// Simpson's rule for optical depth and colour together; order 4 where both are smooth. A panel has
+// samples at its beginning, middle and end. Its optical depths, to the middle and to the end, are
+// integrals of the parabola through the three extinctions. Its colour is the mean of the three
+// colours, each weighted by the light that is emitted there and reaches the front. This mean, times
+// the exact absorption, keeps the result between the three colours, however dense the panel is.
 
 const int PanelsPerSegment = 2;
 float StepsPerSegment()

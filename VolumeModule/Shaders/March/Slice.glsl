@@ -1,7 +1,9 @@
-// A slice: what of the volume lies on a surface of second degree, such as a plane or a sphere.
-// It has the opacity of one unit distance.
+// A slice shows the volume on a surface of second degree, such as a plane or a sphere, with the
+// opacity over one unit distance.
 
-const float ReachVoxels = 1e-4; // a surface in a face of the volume is on one side of it, for sure
+// A ray meets the slice if it is inside the volume this far behind it [voxels]. So a slice in a
+// face of the volume is clearly on one side of the face.
+const float ReachVoxels = 1e-4;
 
 Accumulation BlendSlice(Accumulation sum, Ray ray, float t)
 {
@@ -20,13 +22,13 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
   float c = dot(origin, sliceMatrix * origin);
   float discriminant = halfB * halfB - a * c;
   float q = -(halfB + (halfB < 0.0 ? -1.0 : 1.0) * sqrt(max(discriminant, 0.0)));
-  vec2 roots = vec2(q / a, c / q); // of a plane, for which a is 0, the first is beyond everything
+  vec2 roots = vec2(q / a, c / q); // for a plane a is 0, and the first root is infinite
   roots = roots.x < roots.y ? roots : roots.yx;
   float reach = ReachVoxels / length(ray.directionGrid);
   vec2 ahead = roots + reach;
   bool meetsFirst = discriminant >= 0.0 && inside.enter <= ahead.x && ahead.x < inside.exit;
   bool meetsSecond = discriminant >= 0.0 && inside.enter <= ahead.y && ahead.y < inside.exit;
-  // A plane is met once, and its rays, drawn in lockstep, pay for one round.
+  // Rays meet a plane once. They are drawn in lockstep and pay for one round of the loop.
   int meetings = int(meetsFirst) + int(meetsSecond);
   for (int i = 0; i < meetings; ++i)
   {

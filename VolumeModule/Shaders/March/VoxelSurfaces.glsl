@@ -1,5 +1,5 @@
-// Isosurfaces of voxels without interpolation (see Voxels.glsl): the faces between a voxel of at
-// least the isovalue and one of less.
+// Isosurfaces of voxels without interpolation (see Voxels.glsl): the faces between voxels of at
+// least the isovalue and voxels of less.
 
 float CellsBeforeFirstVoxel()
 {
@@ -11,7 +11,7 @@ vec3 CellCount()
   return voxelCount;
 }
 
-float scalarBefore; // of the voxel that the ray has left
+float scalarBefore; // value of the voxel that the ray has left
 
 void BeginCells(Ray ray)
 {

@@ -1,5 +1,5 @@
-// Voxels without interpolation: boxes of one value, which reach half a voxel to every side. A ray
-// goes from face to face and reads each voxel once, at its middle: the sum is exact.
+// Voxels without interpolation: boxes of constant value, which extend half a voxel to every side. A
+// ray goes from face to face and samples each voxel once, in its middle, so that the sum is exact.
 
 float CellsBeforeFirstVoxel()
 {
