@@ -1,5 +1,5 @@
-// The image that the processor has marched: colours, or places and whether there is one.
-// viewportOriginPixels is that of its pixels.
+// The images that the processor has marched. Their pixels hold colours, or positions and whether
+// there is one. viewportOriginPixels is the origin of their pixels.
 
 vec4 MarchedColor(int picture)
 {

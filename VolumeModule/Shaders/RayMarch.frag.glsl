@@ -1,6 +1,7 @@
-// One ray per pixel: where it meets the volume, and what the march along it makes of it.
+// The ray of each pixel: the part of it that is inside the volume, and the colour to draw for it.
 
-// Homogeneous start and direction of a ray are affine in the pixel's position; see Core/PixelRays.
+// The homogeneous start and the direction of a ray are affine in the pixel's position; see
+// Core/Geometry/PixelRays.h.
 
 out vec4 fragOutput0;
 

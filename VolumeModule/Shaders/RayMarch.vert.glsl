@@ -1,4 +1,5 @@
-// The faces of the volume's box; the fragments they cover are the pixels whose rays can meet it.
+// The faces of the volume's box. The fragments that they cover are the pixels whose rays can meet
+// it.
 
 in vec3 vertexGrid;
 

@@ -1,4 +1,5 @@
-// How deep a place is, as in a depth buffer: 1 - that, for 0 stands for what is not drawn.
+// The depth of the position, subtracted from 1: 0 stands for pixels in which nothing is drawn. The
+// depth is that of a depth buffer, [0, 1].
 
 vec4 ColorOfPlace(vec3 positionGrid)
 {

@@ -1,4 +1,4 @@
-// The number of a point or cell, as a colour of 24 bits.
+// The number of the point or cell at the position, as a colour of 24 bits.
 
 vec4 ColorOfPlace(vec3 positionGrid)
 {

@@ -1,4 +1,4 @@
-// No rays: where the processor is to march them.
+// Writes the depths between which the processor is to march rays.
 
 out vec4 fragOutput0;
 

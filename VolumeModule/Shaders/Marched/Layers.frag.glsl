@@ -1,5 +1,5 @@
-// No rays: those that the processor has marched in front of layers of translucent geometry, and
-// behind others.
+// Draws rays that the processor has marched in front of layers of translucent geometry, and behind
+// others.
 
 out vec4 fragOutput0;
 

@@ -1,4 +1,4 @@
-// Selection: as Resume/PickProp.glsl, of rays that the processor has marched.
+// Selection, as in Resume/PickProp.glsl, by rays that the processor has marched.
 
 out vec4 fragOutput0;
 

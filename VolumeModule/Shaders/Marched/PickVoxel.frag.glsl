@@ -1,4 +1,4 @@
-// Selection: as Resume/PickVoxel.glsl, at places that the processor has found.
+// Selection, as in Resume/PickVoxel.glsl, at positions that the processor has found.
 
 out vec4 fragOutput0;
 

@@ -1,4 +1,4 @@
-// As Resume/PictureAndDepth.glsl, of rays that the processor has marched.
+// Image and depth, as in Resume/PictureAndDepth.glsl, of rays that the processor has marched.
 
 out vec4 fragOutput0;
 out vec4 fragOutput1;

@@ -1,4 +1,4 @@
-// No rays: those that the processor has marched.
+// Draws rays that the processor has marched.
 
 out vec4 fragOutput0;
 

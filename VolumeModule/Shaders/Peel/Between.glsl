@@ -1,10 +1,10 @@
-// Depth peeling, a pass between two pairs of layers: the volume between the two front ones, which
-// goes behind what is in front already, and between the two back ones. The names of the textures
-// are those that vtkDualDepthPeelingPass gives them; -1 stands for none, and front depths are
+// Depth peeling, a pass between two pairs of layers. It draws the volume between the two front
+// layers, behind what is already in front, and the volume between the two back layers. The textures
+// have the names that vtkDualDepthPeelingPass gives them; -1 means no layer, and front depths are
 // negated.
 
-uniform sampler2D outerDepthTex; // (-front, back) layers peeled before
-uniform sampler2D innerDepthTex; // and now
+uniform sampler2D outerDepthTex; // (-front, back) depths of the layers peeled before
+uniform sampler2D innerDepthTex; // (-front, back) depths of the layers peeled now
 uniform sampler2D lastFrontColorTex;
 uniform sampler2D opaqueDepthTex;
 
@@ -20,7 +20,7 @@ vec4 PeeledDepths()
     return vec4(0.0);
   }
   float opaque = texelFetch(opaqueDepthTex, pixel, 0).x;
-  bool last = inner.x == -1.0; // no layer is left between: the front segment is all
+  bool last = inner.x == -1.0; // no layer is left in between, and the front part is the whole
   bool same = -outer.x == inner.y && -inner.x == outer.y;
   float frontEnd = last ? outer.y : -inner.x;
   bool hasBack = !last && frontEnd < opaque;

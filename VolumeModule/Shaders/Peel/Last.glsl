@@ -1,7 +1,7 @@
-// Depth peeling, the last pass: the volume between the innermost layers. The name of the texture is
-// that which vtkDualDepthPeelingPass gives it.
+// Depth peeling, the last pass: the volume between the innermost layers. The texture has the name
+// that vtkDualDepthPeelingPass gives it.
 
-uniform sampler2D depthRangeTex; // (-front, back) layers
+uniform sampler2D depthRangeTex; // (-front, back) depths of the layers
 
 vec4 PeeledDepths()
 {

@@ -1,9 +1,10 @@
-// Depth peeling, first pass: the volume in front of all translucent geometry, and behind all of it.
-// The names of the textures are those that vtkDualDepthPeelingPass gives them; -1 stands for none,
-// and the nearest depth is negated.
+// Depth peeling, the first pass: the volume in front of all translucent geometry, and behind it.
+// The textures have the names that vtkDualDepthPeelingPass gives them; -1 means no layer, and the
+// nearest depth is negated.
 
-uniform sampler2D outerDepthTex; // (-1, opaque geometry)
-uniform sampler2D innerDepthTex; // (-nearest, farthest translucent geometry), or as the other
+uniform sampler2D outerDepthTex; // (-1, depth of the opaque geometry)
+// (-nearest, farthest) depths of the translucent geometry; without any, those of outerDepthTex.
+uniform sampler2D innerDepthTex;
 
 out vec4 fragOutput1;
 

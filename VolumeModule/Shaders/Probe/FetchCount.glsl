@@ -1,4 +1,4 @@
-// Draws, in place of the picture, how often its ray has read the volume: red, not scaled.
+// Draws the number of a ray's fetches of the volume instead of its colour: in red, not scaled.
 
 float fetches = 0.0;
 

@@ -1,4 +1,4 @@
-// Nothing is observed.
+// Fetches are not counted.
 
 vec4 StoredAt(vec3 placeTexture)
 {

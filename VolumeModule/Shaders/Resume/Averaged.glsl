@@ -1,4 +1,4 @@
-// The picture was drawn with several rays in each pixel, of which it shows the mean.
+// Shows the mean of several rays in each pixel, from an image with more rays than pixels.
 
 vec4 DrawnRay(Ray ray, Interval inside)
 {

@@ -1,9 +1,9 @@
-// One block of several: each ray goes on from what it has gathered in the blocks in front. What is
-// drawn is what it has gathered then.
+// Marches one of several blocks: each ray continues from its state behind the blocks in front, and
+// its new state is drawn.
 
 vec4 DrawnRay(Ray ray, Interval inside)
 {
-  // A ray that runs in the common face of two blocks is marched in one of them.
+  // A ray in the common face of two blocks is marched in one of them only.
   bvec3 inFace = equal(ray.originGrid, sharedUpperGrid);
   bvec3 along = lessThan(abs(ray.directionGrid), vec3(1e-30));
   bool another = (inFace.x && along.x) || (inFace.y && along.y) || (inFace.z && along.z);

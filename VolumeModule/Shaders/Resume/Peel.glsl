@@ -1,4 +1,4 @@
-// What is seen of the volume between surfaces of translucent geometry, given by their depths.
+// Marches the parts of a ray between layers of translucent geometry, given by their depths.
 
 float AtDepth(Ray ray, float depth)
 {

@@ -1,4 +1,4 @@
-// Selection: the colour that stands for this volume, wherever anything of it is seen.
+// Selection: draws the colour that stands for this volume wherever it is visible.
 
 vec4 DrawnRay(Ray ray, Interval inside)
 {

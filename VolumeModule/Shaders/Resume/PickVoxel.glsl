@@ -1,5 +1,5 @@
-// Selection: the number of the point or cell at which a ray becomes half opaque, or, where it never
-// does, visible.
+// Selection: draws the number of the point or cell at which a ray becomes half opaque. If it never
+// does, that at which it becomes visible.
 
 vec4 DrawnRay(Ray ray, Interval inside)
 {

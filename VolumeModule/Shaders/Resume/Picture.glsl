@@ -1,4 +1,4 @@
-// All blocks are drawn: what each ray has gathered becomes its pixel.
+// Turns the state of each ray, after all blocks, into its pixel.
 
 vec4 DrawnRay(Ray ray, Interval inside)
 {

@@ -1,5 +1,5 @@
-// The picture, and the depth, as in a depth buffer, at which a ray first meets anything visible.
-// What is marched to find that is not marched again.
+// Draws the image, and the depth at which a ray first meets anything visible. The part that is
+// marched to find this depth is not marched again.
 
 out vec4 fragOutput1;
 

@@ -1,6 +1,6 @@
-// The picture was drawn with fewer rays than pixels, which are interpolated: with the cubic of
-// Catmull and Rom, kept within the values that it lies between; near an edge of opaque geometry
-// linearly, between those rays that end where the pixel's own would.
+// Interpolates an image with fewer rays than pixels, by the cubic of Catmull and Rom, limited to
+// the range of the nearest rays. Near an edge of opaque geometry the interpolation is linear,
+// between the rays that end where the ray of the pixel would end.
 
 vec4 CubicWeights(float x)
 {
@@ -9,7 +9,7 @@ vec4 CubicWeights(float x)
       x * x * (x - 1.0));
 }
 
-// The last two are for pixels beside which no ray ends where theirs does.
+// The first and the last weight are for pixels whose nearest rays all end at other surfaces.
 vec4 LinearWeights(float x)
 {
   const float Beyond = 0.01;

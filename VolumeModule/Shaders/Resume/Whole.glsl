@@ -1,4 +1,4 @@
-// The volume is one block: each ray is marched at once.
+// Marches each ray through the whole volume.
 
 vec4 DrawnRay(Ray ray, Interval inside)
 {

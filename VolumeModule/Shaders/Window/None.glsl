@@ -1,4 +1,4 @@
-// The picture as the transfer function makes it.
+// Colours stay as the transfer function makes them.
 
 vec4 Windowed(vec4 picture)
 {

@@ -1,4 +1,4 @@
-// Colours from level - window / 2 to level + window / 2 become those from black to white.
+// Maps colours from level - window / 2 to level + window / 2 to those from black to white.
 
 vec4 Windowed(vec4 picture)
 {
