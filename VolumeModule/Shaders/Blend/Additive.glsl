@@ -1,10 +1,11 @@
-// The integral of opacity times gray over lengths in unit distances, at most 1, in white on black;
-// a ray without any sample is transparent. Gray goes from 0 to 1 over the scalars of the volume.
+// The integral of opacity times gray along the ray, with lengths in unit distances, and at most 1,
+// in white on black. Gray goes from 0 to 1 over the scalars of the volume. A ray without a
+// sample is transparent.
 
 struct Accumulation
 {
   float integral; // [mm]
-  float lengthMm; // of all samples
+  float lengthMm; // total length of the samples
 };
 
 Accumulation BlendBegin()

@@ -1,10 +1,10 @@
 // The mean of opacity times gray over the lengths whose scalars are in a range, in white on black.
-// Gray goes from 0 to 1 over the scalars of the volume; the opacity is that of one unit distance.
+// Gray goes from 0 to 1 over the scalars of the volume; the opacity is that over one unit distance.
 
 struct Accumulation
 {
   float integral; // [mm]
-  float lengthMm; // of what counts
+  float lengthMm; // total length that counts
 };
 
 Accumulation BlendBegin()

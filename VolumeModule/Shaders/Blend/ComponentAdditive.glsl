@@ -1,11 +1,11 @@
-// Of each component, the integral of opacity times gray over lengths in unit distances; their
-// weighted sum, at most 1, in white on black. Gray goes from 0 to 1 over the values of the
-// component. A ray without any sample is transparent.
+// The integral of opacity times gray of each component, with lengths in unit distances. The pixel
+// is their weighted sum, at most 1, in white on black. Gray goes from 0 to 1 over the values of the
+// component. A ray without a sample is transparent.
 
 struct Accumulation
 {
   float sum;
-  float lengthMm; // of all samples
+  float lengthMm; // total length of the samples
 };
 
 Accumulation BlendBegin()

@@ -1,11 +1,11 @@
-// Of each component, the mean of opacity times gray over the lengths whose values are in a range;
-// their weighted sum, in white on black. Gray goes from 0 to 1 over the values of the component;
-// the opacity is that of one unit distance.
+// The mean of opacity times gray of each component, over the lengths whose values are in a range.
+// The pixel is their weighted sum, in white on black. Gray goes from 0 to 1 over the values of the
+// component; the opacity is that over one unit distance.
 
 struct Accumulation
 {
   vec4 integrals; // [mm]
-  vec4 lengthsMm; // of what counts
+  vec4 lengthsMm; // total length that counts
 };
 
 Accumulation BlendBegin()

@@ -1,15 +1,15 @@
-// The largest values along the ray, or the smallest, seen through the transfer functions: colour
-// and opacity of each component over its unit distance, whatever the length of the ray, are added
-// up to 1, as lights are, for the extremes of several components lie at several places. A ray
-// without any sample is transparent.
+// The largest or smallest values along the ray, seen through the transfer functions: colour and
+// opacity of each component over its unit distance, whatever the length of the ray. They add up to
+// at most 1, as light does, because the extremes of several components lie at different positions.
+// A ray without a sample is transparent.
 
 struct Accumulation
 {
   vec4 extremes;
-  bool any; // whether there was a sample
+  bool any; // true if there was a sample
 };
 
-// Every value is at least as extreme.
+// Values that are no more extreme than any other.
 vec4 LeastExtremes()
 {
   return sense > 0.0 ? smallestScalars : largestScalars;
@@ -47,7 +47,7 @@ vec4 BlendResult(Accumulation sum)
   return sum.any ? min(picture, 1.0) : vec4(0.0);
 }
 
-// Nothing is kept as 0, and no value as less than 1.
+// Without a sample the kept numbers are 0; those of a value are at least 1.
 vec4 BlendKept(Accumulation sum)
 {
   return sum.any ? sense * (sum.extremes - LeastExtremes()) + 1.0 : vec4(0.0);

@@ -1,11 +1,11 @@
-// Emission and absorption, front to back. A part of the ray is taken as homogeneous, for which the
-// volume rendering integral has a closed form (Max, "Optical models for direct volume rendering",
-// IEEE TVCG 1995, eq. 7): it emits color * absorption and lets exp(-depth) through.
+// Emission and absorption, front to back. Each part of the ray is homogeneous, so that the volume
+// rendering integral has a closed form (Max, "Optical models for direct volume rendering", IEEE
+// TVCG 1995, eq. 7): the part emits color * absorption and transmits exp(-depth).
 
 struct Accumulation
 {
   vec3 color;          // premultiplied
-  float transmittance; // part of the light from behind that is left
+  float transmittance; // fraction of the light from behind that reaches the eye
 };
 
 Accumulation BlendBegin()
@@ -15,7 +15,7 @@ Accumulation BlendBegin()
 
 Accumulation BlendPart(Accumulation sum, vec3 color, float depth)
 {
-  // An opaque material has a huge extinction; beyond 100 nothing of a float is left anyway.
+  // An opaque material has a huge extinction. Beyond a depth of 100 no light is left in a float.
   float absorbed = Absorption(min(depth, 100.0));
   sum.color += sum.transmittance * absorbed * color;
   sum.transmittance *= 1.0 - absorbed;

@@ -1,5 +1,5 @@
-// The largest scalar along the ray, seen through the transfer function: its opacity over one unit
-// distance, whatever the length of the ray. A ray without any sample is transparent.
+// The largest scalar along the ray, seen through the transfer function, with the opacity over one
+// unit distance, whatever the length of the ray. A ray without a sample is transparent.
 
 struct Accumulation
 {
@@ -8,7 +8,7 @@ struct Accumulation
 
 Accumulation BlendBegin()
 {
-  return Accumulation(smallestScalars.x - 1.0); // beyond all scalars: none yet
+  return Accumulation(smallestScalars.x - 1.0); // beyond all scalars: no sample yet
 }
 
 bool HasSample(Accumulation sum)

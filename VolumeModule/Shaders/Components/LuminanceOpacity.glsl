@@ -1,4 +1,4 @@
-// Two components of one material: colour by the first, opacity by the second.
+// Two components of one material: the first determines its colour, the second its opacity.
 
 vec4 PartOptical(vec4 texel, int part)
 {

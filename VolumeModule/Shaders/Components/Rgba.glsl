@@ -1,4 +1,5 @@
-// Four components of one material: its colour, and opacity by the fourth.
+// Four components of one material: the first three are its colour, the fourth determines its
+// opacity.
 
 vec4 PartOptical(vec4 texel, int part)
 {

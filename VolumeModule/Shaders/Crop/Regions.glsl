@@ -1,4 +1,4 @@
-// Cropping by regions: six planes cut a ray into pieces, each of which lies in one region.
+// Cropping by regions: six planes divide a ray into pieces, each of which lies in one region.
 
 float NextCrossing(Ray ray, float t, float exit)
 {
@@ -30,7 +30,7 @@ Accumulation MarchCropped(Ray ray, Interval inside, Accumulation sum)
   float t = inside.enter;
   while (t < inside.exit && !BlendFinished(sum))
   {
-    // Pieces that are drawn are joined to one march.
+    // Consecutive pieces that are drawn are joined into one march.
     Interval part = Interval(t, t);
     bool drawn = true;
     while (t < inside.exit && drawn)

@@ -1,4 +1,4 @@
-// No opaque geometry: rays end where the volume does.
+// There is no opaque geometry: rays end where the volume ends.
 
 float DepthLimit(Ray ray)
 {

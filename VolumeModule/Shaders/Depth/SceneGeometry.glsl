@@ -1,6 +1,6 @@
-// Rays end at the opaque geometry drawn before, whose depth buffer was copied.
+// Rays end at opaque geometry that was drawn before; its depth buffer was copied.
 
-// Where the geometry at a pixel of this picture would end this ray, were it as deep here.
+// The t at which the geometry at a pixel would end this ray, if it were as deep here [mm].
 float DepthLimitAt(Ray ray, vec2 pixel)
 {
   float depth = texelFetch(depthTexture, ivec2(pixel * depthPixelsPerPixel), 0).r;
@@ -15,13 +15,13 @@ float DepthLimit(Ray ray)
   return DepthLimitAt(ray, gl_FragCoord.xy - viewportOriginPixels);
 }
 
-// A ray that another surface has ended, or none, says nothing of this pixel: bilateral weights of
-// Kopf et al., "Joint bilateral upsampling" (SIGGRAPH 2007), by where the rays end.
+// A bilateral weight by the ends of the two rays: Kopf et al., "Joint bilateral upsampling"
+// (SIGGRAPH 2007). A ray that ends at another surface, or at none, does not represent this pixel.
 float Trust(Ray ray, Interval inside, ivec2 coarsePixel)
 {
   float here = DepthLimit(ray);
   float beside = DepthLimitAt(ray, (vec2(coarsePixel) + 0.5) / coarsePerPixel);
-  // What ends both behind the volume ends neither in it.
+  // Geometry behind the volume shortens neither ray.
   float apart = here > inside.exit ? max(inside.exit - beside, 0.0) : abs(beside - here);
   float ofSurface = min(apart / sameSurfaceMm, 1e4);
   float trust = 1.0 / (1.0 + ofSurface * ofSurface);

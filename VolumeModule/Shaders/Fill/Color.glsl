@@ -1,4 +1,4 @@
-// What has no value is a homogeneous material of its own, not lit: it has no surface.
+// A gap is a homogeneous material of its own. It is not lit, because it has no surface.
 
 Accumulation FillGap(Accumulation sum, float lengthMm)
 {

@@ -1,4 +1,4 @@
-// What has no value is transparent.
+// A gap is transparent.
 
 Accumulation FillGap(Accumulation sum, float lengthMm)
 {

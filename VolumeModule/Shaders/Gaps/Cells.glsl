@@ -1,8 +1,8 @@
-// Cells with a voxel that is not finite are filled with what is drawn there, and blanked ones are
-// left out: the march ends at their faces and goes on behind them. Cells are those between voxels,
-// or voxels as boxes, half a voxel away. The texel of cell c holds 0 where it has no value, 255
-// where it is blanked, else k + 1 where none of the cells c - k ... c + k is either
-// (Core/Fields/GapField).
+// Cells that touch a voxel that is not finite are gaps: the march ends at their faces, fills them
+// (slot Fill) and continues behind them. Blanked cells are left out in the same way, but not
+// filled. The cells lie between voxels, or are the voxels themselves, drawn as boxes, half a voxel
+// away. The texel of cell c is 0 for a gap, 255 for a blanked cell, and k + 1 if the cells c - k to
+// c + k are neither (Core/Fields/GapField.h).
 
 float GapTexel(vec3 cell)
 {
@@ -10,7 +10,7 @@ float GapTexel(vec3 cell)
   return floor(textureLod(gapTexture, (inside + 0.5) * gapCellCountInverse, 0.0).r * 255.0 + 0.5);
 }
 
-// Central differences read the cells beside.
+// Central differences read the neighbouring cells too.
 bool HasGradient(vec3 positionTexture)
 {
   vec3 cell = floor(positionTexture * voxelCount - 0.5 + gapShift);
@@ -29,7 +29,7 @@ Accumulation MarchVolume(Ray ray, Interval inside, Accumulation sum)
   LatticePlace place = PlaceAt(lattice, inside.enter, gapCellCount);
   while (place.t < inside.exit && !BlendFinished(sum))
   {
-    // Blocks without a gap are joined to one march.
+    // Consecutive blocks without gaps are joined into one march.
     Interval part = Interval(place.t, place.t);
     float texel = 1.0;
     bool gap = false;

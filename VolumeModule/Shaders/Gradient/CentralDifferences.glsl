@@ -1,5 +1,5 @@
-// Half the difference of the scalars one voxel to either side would be the gradient; this is the
-// difference. It vanishes where it is made of a voxel that is not finite.
+// The difference between the scalars one voxel to either side, which is twice the gradient. It is 0
+// if a voxel that it depends on is not finite.
 
 vec3 GradientAt(vec3 positionTexture)
 {

@@ -1,5 +1,5 @@
-// The differences of all components one voxel to either side; they vanish where they are made of a
-// voxel that is not finite.
+// The differences between the values of all components one voxel to either side. They are 0 if a
+// voxel that they depend on is not finite.
 
 mat4x3 GradientsAllAt(vec3 positionTexture)
 {

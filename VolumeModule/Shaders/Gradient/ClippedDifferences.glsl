@@ -1,5 +1,5 @@
-// As CentralDifferences.glsl, but what clipping planes have cut away counts as of one scalar: a cut
-// is then a surface with a normal of its own.
+// Like CentralDifferences.glsl, but positions that clipping planes cut away all have the same
+// scalar, so that a cut is a surface with a normal of its own.
 
 float ScalarBeside(vec3 positionTexture)
 {

@@ -1,5 +1,5 @@
-// The derivatives of the spline itself. Twice them: as differences over two voxels, which all that
-// is made of gradients expects.
+// The derivatives of the spline itself, times 2: like differences over two voxels, which everything
+// that uses gradients expects.
 
 vec3 GradientAt(vec3 positionTexture)
 {

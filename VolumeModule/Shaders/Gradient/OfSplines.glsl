@@ -1,4 +1,4 @@
-// As OfSpline.glsl, of all components.
+// Like OfSpline.glsl, for all components.
 
 mat4x3 GradientsAllAt(vec3 positionTexture)
 {

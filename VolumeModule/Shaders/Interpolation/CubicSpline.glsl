@@ -1,7 +1,7 @@
-// The tricubic spline through the voxels, of which the texture holds the coefficients
-// (Core/Geometry/SplineCoefficients). Beyond the outermost voxels the value is that of the face.
+// The tricubic spline through the voxels. The texture holds its coefficients
+// (Core/Geometry/SplineCoefficients.h). Beyond the outermost voxels the value is that at the face.
 
-// The sum of eight readings.
+// The weighted sum of eight trilinear samples.
 vec4 SplineSum(vec3 cell, SplineReadings at)
 {
   vec3 n = (cell + 0.5 + at.nearPlace) / voxelCount;

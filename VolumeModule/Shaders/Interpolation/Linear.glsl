@@ -1,4 +1,4 @@
-// Trilinear, or nearest, as the texture itself is filtered.
+// Trilinear or nearest, as the texture itself is filtered.
 
 vec4 TexelAt(vec3 positionTexture)
 {

@@ -1,6 +1,6 @@
-// Rays begin with a part of a segment, by a noise that neighbours hardly share: what equal steps
-// make of a surface, rings like those of wood, becomes a fine grain. It stays where it is from
-// picture to picture.
+// The first segment of each ray is shortened by blue noise, which differs between neighbouring
+// pixels. Equal steps would make rings on a surface, like those of wood; the noise turns these into
+// fine grain. It is the same in every image.
 
 float FirstSegment()
 {

@@ -1,6 +1,6 @@
-// Each voxel of a mask fills the cube around it, and the march goes exactly to the faces at which
-// its content changes. The mask's texel holds (the content; k + 1 where all voxels v - k ... v + k
-// have the same).
+// Each voxel of a mask fills the box around it. The march is divided exactly at the faces at which
+// the content of the mask changes. The mask's texel holds the content, and k + 1 if the voxels
+// v - k to v + k have the same content.
 
 vec2 MaskAt(vec3 voxel)
 {
@@ -15,7 +15,7 @@ Accumulation MarchMasked(Ray ray, Interval inside, Accumulation sum)
   LatticePlace place = PlaceAt(lattice, inside.enter, maskVoxelCount);
   while (place.t < inside.exit && !BlendFinished(sum))
   {
-    // Blocks of one content are joined to one march.
+    // Consecutive blocks of one content are joined into one march.
     Interval part = Interval(place.t, place.t);
     float content = MaskAt(place.cell).x;
     vec2 mask = vec2(content, 0.0);

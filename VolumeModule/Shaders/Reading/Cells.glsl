@@ -1,5 +1,5 @@
-// A volume that is interpolated between its voxels: values and gradients are read where a segment
-// ends, and taken as linear in it, as in March/MaterialSegments.glsl.
+// A volume that is interpolated between its voxels: values and gradients are read at the end of
+// each segment and are linear in between, as in March/MaterialSegments.glsl.
 
 Values startValues;
 Values endValues;
@@ -23,7 +23,8 @@ void ReadGradients(Ray ray, Interval segment, bool isNext)
 {
   Gradients gradients = GradientsAt(PositionTexture(ray, segment.exit));
   startGradients = endGradients;
-  // Before the first visible segment there is no gradient yet; there it absorbs least.
+  // The gradient at the beginning of a visible segment behind an invisible one was not read. That
+  // at its end stands for it, because such a segment absorbs least at its beginning.
   if (!isNext)
   {
     startGradients = gradients;

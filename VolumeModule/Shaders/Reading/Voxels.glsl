@@ -1,12 +1,12 @@
-// A volume without interpolation: its voxels are boxes of one value, at whose faces segments end.
-// What is read is that of a voxel's middle, and exact.
+// A volume without interpolation: its voxels are boxes of constant value, and segments end at their
+// faces. The values and gradients of a segment are those in the middle of its voxel, and exact.
 
 Values startValues;
 Values endValues;
 Gradients startGradients;
 Gradients endGradients;
 LatticeRay voxelRay;
-LatticePlace voxel; // that a segment is in
+LatticePlace voxel; // the voxel that the segment is in
 
 void BeginReading(Ray ray, float t)
 {
@@ -22,7 +22,7 @@ float NextReadingFace(float t)
     voxel = PlaceAt(voxelRay, t, voxelCount);
     behind = BehindBlock(voxelRay, voxel, 0.0);
   }
-  // Through an edge or a corner a ray leaves several voxels at once.
+  // A ray through an edge or a corner leaves several voxels at once.
   for (int i = 0; i < mostSegments && behind.t <= t; ++i)
   {
     voxel = behind;

@@ -1,5 +1,6 @@
-// Steps for a maximum or minimum: bricks that cannot better what the ray has found are left at
-// once. The field's texel holds the largest scalar of a brick, or for a minimum the smallest.
+// Steps for a maximum or minimum: bricks that cannot improve the value that the ray has found are
+// skipped. The field's texel holds the largest scalar of a brick, or for a minimum the smallest,
+// or one that looks the same (Core/Fields/ExtremeBricks.h).
 
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {

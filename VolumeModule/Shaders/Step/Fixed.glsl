@@ -1,4 +1,5 @@
-// Equal steps. Positions come from the index, so that nothing accumulates over thousands of steps.
+// Equal steps. Positions follow from the index, so that errors do not accumulate over thousands of
+// steps.
 
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {

@@ -1,5 +1,5 @@
-// Steps of the sample distance, longer behind what is nearly opaque: for volumes of which the
-// optical field has found that hardly a brick could be skipped.
+// Steps of the sample distance, and longer ones behind nearly opaque parts. It is for volumes of
+// which hardly a brick can be skipped, according to the optical field.
 
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {

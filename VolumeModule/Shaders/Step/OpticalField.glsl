@@ -1,7 +1,7 @@
-// Steps by the optical field: invisible blocks are left at once, a homogeneous brick is one
-// segment, structured ones are marched at the sample distance.
-// The field's texel holds 0 where the brick is structured, 1 where it is homogeneous, 128 + k
-// where all bricks b - k ... b + k are invisible, or those of them that lie towards the rays.
+// Steps by the optical field: invisible blocks are skipped, a homogeneous brick is one segment, and
+// structured bricks are marched at the sample distance. The field's texel is 0 for a structured
+// brick, 1 for a homogeneous one, and 128 + k if the bricks b - k to b + k, or those of them that
+// lie in the direction of the rays, are invisible.
 
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {

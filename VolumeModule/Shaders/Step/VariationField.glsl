@@ -1,7 +1,6 @@
-// Steps as long as the variation field allows: to the exit of the block in which the scalar is
-// known to stay within the tolerance, and no shorter than plain steps would be.
-// The field's texel of cell c holds 0 where the cell itself varies too much, else k + 1 where the
-// block of cells c - k ... c + k does not.
+// Steps as long as the variation field allows: to the exit of the block in which the scalar stays
+// within the tolerance, but no shorter than plain steps. The field's texel of cell c is 0 if the
+// cell itself varies too much, else k + 1 if the block of cells c - k to c + k does not.
 
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
 {
@@ -11,7 +10,7 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm
   vec3 cell = clamp(floor(position), vec3(0.0), fieldSize - 1.0);
   float reach = textureLod(fieldTexture, (cell + 0.5) * fieldSizeInverse, 0.0).r * 255.0;
 
-  // Planes through which the ray leaves the block, on each axis.
+  // The planes through which the ray leaves the block, one on each axis.
   vec3 ahead = step(vec3(0.0), ray.directionGrid);
   vec3 leaving = cell + ahead + (2.0 * ahead - 1.0) * (floor(reach + 0.5) - 1.0);
   vec3 exits = (leaving - origin) * SafeInverse(ray.directionGrid);

@@ -1,4 +1,4 @@
-// One scalar, and its gradient.
+// One scalar and its gradient.
 
 struct Values
 {

@@ -1,4 +1,4 @@
-// Two scalars, of which the first has a gradient.
+// Two scalars, and the gradient of the first.
 
 struct Values
 {

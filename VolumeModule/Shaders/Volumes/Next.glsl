@@ -1,11 +1,11 @@
-// One of several volumes that overlap, with those before it in the shader. The ray of a pixel is
-// that in the grid of the last; each volume has the same ray in its own grid, along which t, a
-// length in the world, means the same place.
+// One of several overlapping volumes, added to the volumes before it in the shader. The ray of a
+// pixel is in the grid of the last volume. Each volume has the same ray in its own grid; t, a
+// length in the world, is the same position along both.
 
 Ray ownRay;
-Interval ownPart; // of it is in this volume
-bool absorbs;     // in the segment that was read last
-float gradientsT; // where endGradients were read
+Interval ownPart; // part of ownRay inside this volume
+bool absorbs;     // true if this volume may absorb light in the segment that was read last
+float gradientsT; // t at which endGradients were read [mm]
 
 Interval BeginVolumes(Ray ray, Interval inside)
 {
@@ -43,7 +43,7 @@ Interval NextVisible(float t, int index, float blendState)
     own = NextSegment(ownRay, ownPart, from, index, 0.0, blendState);
     own.enter = own.enter < ownPart.exit ? own.enter : Never;
   }
-  // What is seen later ends what looks the same until then.
+  // A volume that becomes visible later ends the part that looks the same.
   float enter = min(before.enter, own.enter);
   return Interval(enter,
     min(
@@ -59,7 +59,7 @@ bool ReadSegment(Interval segment)
   return anyBefore || absorbs;
 }
 
-// At this place, [0,1], along the segment.
+// Emission and extinction [1/mm] at a fraction of the segment, [0,1].
 vec4 EmissionAt(float along, Interval segment)
 {
   vec4 optical = Material(Between(startValues, endValues, along),

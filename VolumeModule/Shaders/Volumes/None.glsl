@@ -1,10 +1,9 @@
-// What there is before the first of several volumes that overlap: nothing.
-// Where volumes overlap, their extinctions and their emissions add up, as those of particles
-// between each other do, in whatever order they are.
+// The empty sum, before the first of several overlapping volumes. Where volumes overlap, their
+// extinctions and emissions add up in any order, like those of mixed particles.
 
 const float Never = 3.0e38; // beyond the end of every ray [mm]
 
-// In the middles of four equal parts of a segment: emission (r,g,b) [1/mm] and extinction [1/mm].
+// Emission (r,g,b) [1/mm] and extinction [1/mm] in the middles of four equal parts of a segment.
 struct Mixture
 {
   vec4 first;
