@@ -98,7 +98,7 @@ TEST(Rebuilds, AReplacedFunctionCountsAsAChangeHoweverOldItIs)
   older->AddPoint(150.0, 0.0);
   older->AddPoint(400.0, 0.5);
   MapperScene scene(SmallTorso());
-  scene.colors->Modified(); // newest of all, before and after the exchange
+  scene.colors->Modified(); // newer than both opacity functions
   EXPECT_EQ(BuiltBy(scene, [&] { scene.volume->GetProperty()->SetScalarOpacity(older); }),
     (Counts{ 0, 0, 1, 1, 0 }));
 }

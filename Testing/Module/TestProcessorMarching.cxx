@@ -167,7 +167,7 @@ TEST_F(ProcessorMarching, FindsTheDepthsOfTheShader)
       others += std::abs(depthOf(ofPackets) - depthOf(ofShader)) > 2e-3f ? 1 : 0;
     }
     EXPECT_GT(seen, scene.size * scene.size / 10);
-    EXPECT_LT(others, seen / 200); // rays that pass by what is seen
+    EXPECT_LT(others, seen / 200); // rays that graze the visible part
   }
 }
 

@@ -8,7 +8,7 @@ namespace
 
 using Mapper = vtkVariationFieldVolumeMapper;
 
-// Shows values that are the largest of hardly any ray.
+// Shows values that are hardly ever the largest of a ray.
 void ShowAMaximum(MapperScene& scene)
 {
   scene.mapper->SetBlendModeToMaximumIntensity();

@@ -3,8 +3,8 @@
 
 Usage: check_packet_symbols.py NM OBJECT...
 
-An inline function that a compiler emits in such an object, of GLM for example, is one that the
-linker may choose for the whole program, which then stops on a processor without the instructions.
+If the compiler emits an inline function in such an object, of GLM for example, the linker may
+choose this copy for the whole program, which then crashes on a processor without the instructions.
 """
 
 import subprocess

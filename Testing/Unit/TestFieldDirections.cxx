@@ -139,7 +139,6 @@ class FieldTowardsEach : public testing::TestWithParam<std::tuple<int, int, int>
 
 }
 
-// The largest of all blocks, and no smaller ones.
 TEST_P(FieldTowardsEach, HasTheLargestFreeBlocks)
 {
   const auto [x, y, z] = GetParam();

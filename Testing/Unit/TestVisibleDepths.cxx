@@ -116,7 +116,7 @@ TEST_P(VisibleDepthsOf, AreNothingWhereNoBlockIs)
   EXPECT_GT(empty, packets * 9 / 10);
 }
 
-// This many blocks are drawn by several threads, single ones are not.
+// Many blocks are drawn by several threads, a single block by one.
 TEST_P(VisibleDepthsOf, ManyBlocksAreThoseOfEach)
 {
   const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
