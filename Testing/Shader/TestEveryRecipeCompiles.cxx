@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -19,18 +20,23 @@ using namespace varimarch;
 namespace
 {
 
+std::string TextOf(const std::string& path)
+{
+  std::ifstream stream(std::string(SHADER_FOLDER) + "/" + path);
+  EXPECT_TRUE(stream) << path;
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
 std::vector<ShaderFile> LoadParts(const std::vector<std::string>& paths)
 {
   std::vector<ShaderFile> files;
   for (const std::string& path : paths)
   {
-    std::ifstream stream(std::string(SHADER_FOLDER) + "/" + path);
-    EXPECT_TRUE(stream) << path;
-    std::ostringstream text;
-    text << stream.rdbuf();
-    files.push_back({ path, text.str() });
+    files.push_back({ path, TextOf(path) });
   }
-  return files;
+  return WithIncludes(files, TextOf);
 }
 
 struct Validation
@@ -108,9 +114,12 @@ TEST(Shaders, TheVertexShaderCompiles)
 TEST(Shaders, AnErrorIsTracedToItsFileAndLine)
 {
   std::vector<ShaderFile> files = LoadParts(FragmentShaderParts(EveryRecipe().front()));
-  files[8].text = "\nfloat DepthLimit(Ray ray) { return missing; }\n";
+  const auto file = std::find_if(files.begin(), files.end(),
+    [](const ShaderFile& one) { return one.path == "Depth/None.glsl"; });
+  ASSERT_NE(file, files.end());
+  file->text = "\nfloat DepthLimit(Ray ray) { return missing; }\n";
   const Validation validation = Validate(files, "frag");
   EXPECT_FALSE(validation.passed);
-  EXPECT_NE(validation.messages.find(files[8].path + ":2"), std::string::npos)
+  EXPECT_NE(validation.messages.find("Depth/None.glsl:2"), std::string::npos)
     << validation.messages;
 }

@@ -2,6 +2,7 @@
 
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketVoxels.h"
+#include "Core/Packets/ShaderMath.h"
 
 #include <gtest/gtest.h>
 
@@ -56,8 +57,9 @@ void ExpectPairs()
 TEST(Lanes, RoundAsNumbersDo)
 {
   const auto floor = [](double number) { return std::floor(number); };
-  ExpectRelative(Floor, floor, -1000.0f, 1000.0f, 0.0);
-  ExpectRelative(Floor, floor, -1e12f, 1e12f, 0.0); // beyond the range of int
+  const auto floorOfLanes = [](Lanes number) { return Floor(number); };
+  ExpectRelative(floorOfLanes, floor, -1000.0f, 1000.0f, 0.0);
+  ExpectRelative(floorOfLanes, floor, -1e12f, 1e12f, 0.0); // beyond the range of int
   const auto nearest = [](double number) { return std::nearbyint(number); };
   ExpectRelative(Rounded, nearest, -1000.0f, 1000.0f, 0.0);
   const auto truncated = [](Lanes number) { return FloatOf(Truncated(number)); };
@@ -92,6 +94,29 @@ TEST(Lanes, PowerIsThatOfNumbersForWholeAndOtherExponents)
       [=](double base) { return std::pow(base, double(exponent)); }, 0.1f, 1.0f, 5e-6);
     EXPECT_EQ(Numbers(Power(Lanes{}, exponent)).of[0], 0.0f);
   }
+}
+
+TEST(Lanes, APowerOfZeroIsOne)
+{
+  EXPECT_EQ(Numbers(Power(All(0.3f), 0.0f)).of[0], 1.0f);
+  EXPECT_EQ(Numbers(Power(All(0.3f), All(0.0f))).of[0], 1.0f);
+}
+
+TEST(ShaderMath, HasTheFormulasOfShadersInLanes)
+{
+  const auto absorption = [](double depth) { return -std::expm1(-depth); };
+  ExpectRelative(Absorption, absorption, 1e-6f, 80.0f, 1e-6);
+  for (const double factor : { 0.02, 0.5, 0.98 })
+  {
+    ExpectRelative([=](Lanes extinction)
+      { return WithOpacityFactor(extinction, All(3.0f), All(float(factor))); },
+      [=](double extinction) { return -std::log1p(-factor * absorption(3.0 * extinction)) / 3.0; },
+      1e-4f, 10.0f, 1e-5);
+  }
+  const auto extinctionOf = [](Lanes opacity) { return ExtinctionOf(opacity, All(2.0f)); };
+  ExpectRelative(
+    extinctionOf, [](double opacity) { return -0.5 * std::log1p(-opacity); }, 1e-4f, 0.99f, 2e-6);
+  EXPECT_EQ(Numbers(extinctionOf(All(1.0f))).of[0], 1e30f);
 }
 
 TEST(Lanes, TheSecondIsTakenWhereANumberIsNaN)

@@ -69,8 +69,8 @@ TEST_P(PacketMarch, OfPreIntegratedSegmentsConvergesToTheIntegral)
 {
   const PreIntegratedTable table = BuildPreIntegratedTable(this->pictures.Table());
   this->pictures.UseTable(table.entries, table.size - 1);
-  this->scene.look.below = table.entries.front();
-  this->scene.look.above = table.entries.back();
+  this->scene.look.emissionBelow = table.entries.front();
+  this->scene.look.emissionAbove = table.entries.back();
   this->scene.rule = PacketRule::PreIntegrated;
   this->ExpectTruth(0.05, 0.3);
 }

@@ -21,6 +21,22 @@ TEST(ShaderAssembly, PutsTheVersionFirstAndTheFilesInOrder)
     "#line 2000\nfloat step;\nfloat Value() { return step; }\n\n");
 }
 
+TEST(ShaderAssembly, PutsEachIncludedFileInFrontOnce)
+{
+  const std::vector<varimarch::ShaderFile> including = {
+    { "Step/Fixed.glsl", "#include \"Math/A.glsl\"\n#include \"Math/B.glsl\"\nfloat step;\n" },
+    { "March/Midpoint.glsl", "#include \"Math/B.glsl\" // for sums\nfloat sum;\n" },
+  };
+  const std::vector<varimarch::ShaderFile> found =
+    varimarch::WithIncludes(including, [](const std::string& path) { return "text of " + path; });
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_EQ(found[0].path, "Math/A.glsl");
+  EXPECT_EQ(found[1].path, "Math/B.glsl");
+  EXPECT_EQ(found[1].text, "text of Math/B.glsl");
+  EXPECT_EQ(found[2].text, "\n\nfloat step;\n") << "lines keep their numbers";
+  EXPECT_EQ(found[3].text, "\nfloat sum;\n");
+}
+
 TEST(ShaderAssembly, TracesMessagesOfEveryCompilerToFileAndLine)
 {
   EXPECT_EQ(TraceShaderErrors("0:2002(7): error: `step' undeclared", files),

@@ -13,13 +13,23 @@
 namespace glsl
 {
 using namespace glm;
+// clang-format off
 #include "Shaders/Math/Absorption.glsl"
+#include "Shaders/Math/BlinnPhong.glsl"
 #include "Shaders/Math/CellCubic.glsl"
+#include "Shaders/Math/CubicCrossing.glsl"
 #include "Shaders/Math/CubicSpline.glsl"
+#include "Shaders/Math/Gradients.glsl"
 #include "Shaders/Math/IntersectBox.glsl"
 #include "Shaders/Math/LatticeWalk.glsl"
+#include "Shaders/Math/Planes.glsl"
+#include "Shaders/Math/PreIntegration.glsl"
 #include "Shaders/Math/StepGrowth.glsl"
-#include "Shaders/Math/WithOpacityFactor.glsl"
+#include "Shaders/Math/Tables.glsl"
+#include "Shaders/Math/UnevenPlace.glsl"
+#include "Shaders/Math/Extinction.glsl"
+#include "Shaders/Math/LabelMixture.glsl"
+// clang-format on
 }
 
 TEST(Absorption, KeepsItsDigitsFromTinyToHugeDepths)
@@ -125,16 +135,16 @@ TEST(CubicSpline, ReadsTheFourCoefficientsOfAnAxisTwoByTwo)
 
 TEST(IntersectBox, GivesWhereARayEntersAndLeaves)
 {
-  const glm::vec2 inside =
-    glsl::IntersectBox({ -5.0f, 10.0f, 15.0f }, { 1.0f, 0.0f, 0.0f }, lower, upper);
+  const glm::vec2 inside = glsl::IntersectBox(
+    { -5.0f, 10.0f, 15.0f }, glsl::SafeInverse({ 1.0f, 0.0f, 0.0f }), lower, upper);
   EXPECT_FLOAT_EQ(inside.x, 5.0f);
   EXPECT_FLOAT_EQ(inside.y, 15.0f);
 }
 
 TEST(IntersectBox, IsEmptyForARayBesideTheBox)
 {
-  const glm::vec2 inside =
-    glsl::IntersectBox({ -5.0f, 21.0f, 15.0f }, { 1.0f, 0.0f, 0.0f }, lower, upper);
+  const glm::vec2 inside = glsl::IntersectBox(
+    { -5.0f, 21.0f, 15.0f }, glsl::SafeInverse({ 1.0f, 0.0f, 0.0f }), lower, upper);
   EXPECT_FALSE(inside.x < inside.y);
 }
 
@@ -144,8 +154,8 @@ TEST(IntersectBox, IsNeverNotANumberForRaysInTheFaces)
   {
     for (float y : { 0.0f, 20.0f })
     {
-      const glm::vec2 inside =
-        glsl::IntersectBox({ 5.0f, y, 15.0f }, { sign, 0.0f, -0.0f }, lower, upper);
+      const glm::vec2 inside = glsl::IntersectBox(
+        { 5.0f, y, 15.0f }, glsl::SafeInverse({ sign, 0.0f, -0.0f }), lower, upper);
       EXPECT_FLOAT_EQ(inside.x, -5.0f);
       EXPECT_FLOAT_EQ(inside.y, 5.0f);
     }
@@ -163,9 +173,12 @@ void ExpectAdvance(const glm::vec3& start, const glm::vec3& direction)
   glsl::LatticePlace place = glsl::PlaceAt(ray, 2996.0f, glm::vec3(8.0f));
   for (int block = 0; block < 40; ++block)
   {
-    const glsl::LatticePlace behind = glsl::BehindBlock(ray, place, 0.0f);
+    const glsl::LatticePlace behind = glsl::BehindCell(ray, place);
+    const glsl::LatticePlace behindBlock = glsl::BehindBlock(ray, place, 0.0f);
+    EXPECT_EQ(behindBlock.cell, behind.cell);
+    EXPECT_EQ(behindBlock.t, behind.t);
     EXPECT_GE(behind.t, place.t);
-    const glm::vec3 ahead = (behind.cell - place.cell) * (2.0f * ray.ahead - 1.0f);
+    const glm::vec3 ahead = (behind.cell - place.cell) * ray.outward;
     EXPECT_GE(ahead.x + ahead.y + ahead.z, 1.0f);
     EXPECT_GE(std::min({ ahead.x, ahead.y, ahead.z }), 0.0f);
     EXPECT_LE(std::max({ ahead.x, ahead.y, ahead.z }), 1.0f);
@@ -207,4 +220,110 @@ TEST(StepGrowth, BeginsBehindHalfOfTheLightAndIsLimited)
   EXPECT_FLOAT_EQ(glsl::StepGrowth(0.5f), 1.0f);
   EXPECT_FLOAT_EQ(glsl::StepGrowth(0.125f), 2.0f);
   EXPECT_FLOAT_EQ(glsl::StepGrowth(0.0f), 4.0f);
+}
+
+TEST(Tables, InterpolateUpToTheirLastEntry)
+{
+  EXPECT_EQ(glsl::TableIndex(0.5f, 100.0f, 1.0f, 255.0f), 51.0f);
+  EXPECT_EQ(glsl::TableIndex(-9.0f, 100.0f, 1.0f, 255.0f), 0.0f);
+  EXPECT_EQ(glsl::TableIndex(9.0f, 100.0f, 1.0f, 255.0f), 255.0f);
+  EXPECT_EQ(glsl::EntryBelow(51.75f, 255.0f), 51.0f);
+  EXPECT_EQ(glsl::EntryBelow(255.0f, 255.0f), 254.0f) << "there is an entry above it";
+}
+
+TEST(PreIntegration, CountsWhatIsBeyondTheTableByItsLength)
+{
+  const glm::vec4 inside(1.0f, 2.0f, 3.0f, 4.0f);
+  const glm::vec4 below(0.5f);
+  const glm::vec4 above(8.0f);
+  const auto mean = [&](float start, float end)
+  { return glsl::WithEnds(inside, start, end, 10.0f, below, above); };
+  EXPECT_EQ(mean(2.0f, 5.0f), inside);
+  EXPECT_EQ(mean(-2.0f, -1.0f), below);
+  EXPECT_EQ(mean(12.0f, 11.0f), above);
+  const glm::vec4 mixed = mean(20.0f, -5.0f); // a fifth below, two fifths inside and above
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(mixed[i], 0.2f * below[i] + 0.4f * inside[i] + 0.4f * above[i], 1e-6f);
+  }
+}
+
+TEST(Planes, KeepTheSideThatTheyFace)
+{
+  const glm::vec4 plane(1.0f, 0.0f, 0.0f, -3.0f); // x >= 3
+  const auto kept = [&](const glm::vec3& origin, const glm::vec3& direction)
+  {
+    return glsl::CutByPlane(
+      { 0.0f, 10.0f }, glsl::BeyondPlane(plane, origin), glsl::ApproachToPlane(plane, direction));
+  };
+  EXPECT_EQ(kept({ 1.0f, 0.0f, 0.0f }, { 0.5f, 1.0f, 0.0f }), glm::vec2(4.0f, 10.0f));
+  EXPECT_EQ(kept({ 5.0f, 0.0f, 0.0f }, { -0.5f, 1.0f, 0.0f }), glm::vec2(0.0f, 4.0f));
+  EXPECT_EQ(kept({ 5.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }), glm::vec2(0.0f, 10.0f));
+  const glm::vec2 none = kept({ 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f });
+  EXPECT_GE(none.x, none.y) << "a ray along the plane, on the side that is cut off";
+}
+
+TEST(UnevenPlace, IsLinearOnBothSidesOfAPlaceWhereTheSpacingChanges)
+{
+  const glm::vec4 piece(4.0f, 2.0f, 0.5f, 3.0f);
+  EXPECT_EQ(glsl::UnevenPlace(3.0f, piece), 1.5f);
+  EXPECT_EQ(glsl::UnevenPlace(4.5f, piece), 3.5f);
+  EXPECT_EQ(glsl::SpacingBin(3.9f, 0.0f, 2.0f, 10.0f, 20.0f), 17.0f);
+  EXPECT_EQ(glsl::SpacingBin(-1.0f, 0.0f, 2.0f, 10.0f, 20.0f), 10.0f);
+  EXPECT_EQ(glsl::SpacingBin(99.0f, 0.0f, 2.0f, 10.0f, 20.0f), 20.0f);
+}
+
+TEST(BlinnPhong, IsTheModelInDoublePrecision)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> number(-1.0f, 1.0f);
+  const auto vector = [&] { return glm::vec3(number(random), number(random), number(random)); };
+  for (int i = 0; i < 1000; ++i)
+  {
+    const glm::vec3 normal = 100.0f * vector();
+    const glm::vec3 toLight = glm::normalize(vector());
+    const glm::vec3 toEye = glm::normalize(vector());
+    const glm::dvec3 unit = glm::normalize(glm::dvec3(normal));
+    EXPECT_NEAR(glsl::FacingEye(normal, -glm::dot(normal, toEye)),
+      std::abs(glm::dot(unit, glm::dvec3(toEye))), 1e-5);
+    const double diffuse = glm::dot(unit, glm::dvec3(toLight));
+    EXPECT_NEAR(glsl::Facing(glm::vec3(unit), toLight, 0.0f), std::max(diffuse, 0.0), 1e-5);
+    EXPECT_NEAR(glsl::Facing(glm::vec3(unit), toLight, 1.0f), std::abs(diffuse), 1e-5);
+    const glm::dvec3 halfway = glm::normalize(glm::dvec3(toLight) + glm::dvec3(toEye));
+    EXPECT_NEAR(glsl::Shining(glm::vec3(unit), toLight, toEye, 0.0f),
+      std::max(glm::dot(unit, halfway), 1e-6), 1e-4);
+  }
+  EXPECT_EQ(glsl::FacingEye(glm::vec3(0.0f), 0.0f), 0.0f) << "there is no normal";
+  const glm::vec3 lit = glsl::LitFromEye({ 1.0f, 0.5f, 0.0f }, 0.5f, 0.5f,
+    { 0.1f, 0.8f, 0.4f, 2.0f }, glm::vec3(1.0f), glm::vec3(1.0f, 0.0f, 0.0f));
+  EXPECT_NEAR(lit.x, 0.1f + 0.2f + 0.05f, 1e-6f);
+  EXPECT_NEAR(lit.y, 0.5f * 0.3f, 1e-6f);
+  EXPECT_EQ(lit.z, 0.0f);
+}
+
+TEST(BlinnPhong, ANearLightReachesItsConeOnly)
+{
+  const glm::vec3 along(0.0f, 0.0f, -1.0f);
+  const auto reach = [&](const glm::vec3& toLight, float exponent) {
+    return glsl::LightReach({ 1.0f, 0.5f, 0.25f }, 2.0f, toLight, along, 0.8f, exponent);
+  };
+  EXPECT_NEAR(reach({ 0.0f, 0.0f, 1.0f }, 0.0f), 1.0f / 3.0f, 1e-6f);
+  EXPECT_NEAR(reach({ 0.436f, 0.0f, 0.9f }, 2.0f), 0.81f / 3.0f, 1e-6f);
+  EXPECT_EQ(reach({ 0.8f, 0.0f, 0.6f }, 0.0f), 0.0f) << "outside the cone";
+}
+
+TEST(Gradients, AreMeasuredPerMeanSpacingAndEndWithTheTable)
+{
+  const glm::vec3 factors(1.0f, 2.0f, 0.5f);
+  EXPECT_EQ(glsl::GradientIndex({ 3.0f, 2.0f, 0.0f }, factors, 10.0f, 255.0f), 50.0f);
+  EXPECT_EQ(glsl::GradientIndex({ 300.0f, 0.0f, 0.0f }, factors, 10.0f, 255.0f), 255.0f);
+  EXPECT_EQ(glsl::DampedPart({ 0.3f, 0.2f, 0.0f }, factors), 0.5f);
+  EXPECT_EQ(glsl::DampedPart({ 3.0f, 2.0f, 0.0f }, factors), 1.0f);
+}
+
+TEST(LabelMixture, MixesTheOpacitiesOfAUnitDistance)
+{
+  const double opacity = 0.75 * -std::expm1(-0.2 * 5.0) + 0.25 * -std::expm1(-2.0 * 5.0);
+  EXPECT_NEAR(glsl::MixedExtinction(0.2f, 2.0f, 0.25f, 5.0f), -std::log1p(-opacity) / 5.0, 1e-6);
+  EXPECT_LT(glsl::MixedExtinction(1e30f, 1e30f, 0.5f, 1.0f), 100.0f);
 }

@@ -33,12 +33,12 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   EXPECT_EQ(FragmentShaderParts(plain),
     (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
-      "VolumeTextures.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
-      "Interpolation/Linear.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
-      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "Loop/Segments.glsl", "FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl",
-      "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
-      "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+      "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+      "Classify/OpticalTable.glsl", "Blend/Composite.glsl", "Loop/Segments.glsl",
+      "FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
+      "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -46,10 +46,10 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::ScalarField, false, false }),
     Parts{ "Step/VariationField.glsl" });
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
-    (Parts{ "Math/LatticeWalk.glsl", "Math/StepGrowth.glsl", "Step/OpticalField.glsl" }));
+    Parts{ "Step/OpticalField.glsl" });
   RenderSettings growing{ Blend::Composite, Acceleration::OpticalField, false, false };
   growing.skipsBricks = false;
-  EXPECT_EQ(Changed(growing), (Parts{ "Math/StepGrowth.glsl", "Step/Growing.glsl" }));
+  EXPECT_EQ(Changed(growing), Parts{ "Step/Growing.glsl" });
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, true, false }),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
       "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl",
@@ -67,9 +67,8 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   RenderSettings gradient = plain;
   gradient.gradientOpacity = true;
   EXPECT_EQ(Changed(gradient),
-    (Parts{ "Math/WithOpacityFactor.glsl", "Gradient/CentralDifferences.glsl", "Shade/None.glsl",
-      "GradientOpacity/Table.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
-      "March/MaterialMidpoint.glsl" }));
+    (Parts{ "Gradient/CentralDifferences.glsl", "Shade/None.glsl", "GradientOpacity/Table.glsl",
+      "Values/One.glsl", "Material/OneComponent.glsl", "March/MaterialMidpoint.glsl" }));
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
   RenderSettings counting = plain;
@@ -101,12 +100,11 @@ TEST(ShaderRecipe, ASplineChangesHowTheVolumeIsReadAndItsGradients)
 {
   RenderSettings cubic = plain;
   cubic.cubic = true;
-  const Parts value = { "Math/CubicSpline.glsl", "Interpolation/CubicSpline.glsl" };
-  EXPECT_EQ(Changed(cubic), value);
+  EXPECT_EQ(Changed(cubic), Parts{ "Interpolation/CubicSpline.glsl" });
   cubic.shading = true;
   const Parts lit = Changed(cubic);
-  EXPECT_EQ(
-    Parts(lit.begin(), lit.begin() + 3), (Parts{ value[0], value[1], "Gradient/OfSpline.glsl" }));
+  EXPECT_EQ(Parts(lit.begin(), lit.begin() + 2),
+    (Parts{ "Interpolation/CubicSpline.glsl", "Gradient/OfSpline.glsl" }));
 }
 
 TEST(ShaderRecipe, CutsChangeTheirOwnSlotsOnly)
@@ -122,10 +120,9 @@ TEST(ShaderRecipe, GapsTakeTheirWalkAndWhatFillsThem)
 {
   RenderSettings gaps = plain;
   gaps.gaps = true;
-  EXPECT_EQ(Changed(gaps), (Parts{ "Math/LatticeWalk.glsl", "Fill/None.glsl", "Gaps/Cells.glsl" }));
+  EXPECT_EQ(Changed(gaps), (Parts{ "Fill/None.glsl", "Gaps/Cells.glsl" }));
   gaps.fillGaps = true;
-  EXPECT_EQ(
-    Changed(gaps), (Parts{ "Math/LatticeWalk.glsl", "Fill/Color.glsl", "Gaps/Cells.glsl" }));
+  EXPECT_EQ(Changed(gaps), (Parts{ "Fill/Color.glsl", "Gaps/Cells.glsl" }));
 }
 
 TEST(ShaderRecipe, VolumesWithoutGapsHaveNothingToFill)
@@ -160,12 +157,11 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
     (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
-      "VolumeTextures.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Spacing/Even.glsl",
-      "Interpolation/Linear.glsl", "Math/LatticeWalk.glsl", "Math/Absorption.glsl",
-      "Math/CellCubic.glsl", "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl",
-      "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl",
-      "Loop/Cells.glsl", "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl",
-      "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+      "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+      "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl", "Loop/Cells.glsl",
+      "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl",
+      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, ExactMarchesTakeNoSampleSteps)
@@ -176,26 +172,24 @@ TEST(ShaderRecipe, ExactMarchesTakeNoSampleSteps)
     settings.nearest = nearest;
     const Parts parts = FragmentShaderParts(settings);
     // Compare only the parts between the common beginning and the common end.
-    return Parts(parts.begin() + 9, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
+    return Parts(parts.begin() + 8, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
   };
   EXPECT_EQ(partsOf(Blend::Composite, true),
-    (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
-      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl", "Blend/Composite.glsl",
-      "Loop/Cells.glsl", "March/Voxels.glsl" }));
+    (Parts{ "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+      "Classify/OpticalTable.glsl", "Blend/Composite.glsl", "Loop/Cells.glsl",
+      "March/Voxels.glsl" }));
   EXPECT_EQ(partsOf(Blend::MinimumIntensity, true),
-    (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
-      "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
-      "Blend/MinimumIntensity.glsl", "Loop/Cells.glsl", "March/ProjectedVoxels.glsl" }));
+    (Parts{ "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+      "Classify/OpticalTable.glsl", "Blend/MinimumIntensity.glsl", "Loop/Cells.glsl",
+      "March/ProjectedVoxels.glsl" }));
   EXPECT_EQ(partsOf(Blend::Isosurface, false),
-    (Parts{ "Math/LatticeWalk.glsl", "Math/Absorption.glsl", "Math/CellCubic.glsl",
-      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+    (Parts{ "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
       "Gradient/CentralDifferences.glsl", "Shade/None.glsl", "Blend/Composite.glsl",
       "Loop/Cells.glsl", "SurfaceTable.glsl", "March/Isosurfaces.glsl" }));
   EXPECT_EQ(partsOf(Blend::Slice, false),
-    (Parts{ "Math/Absorption.glsl", "Depth/None.glsl", "Clip/None.glsl",
-      "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
-      "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
-      "Blend/Composite.glsl", "March/Slice.glsl" }));
+    (Parts{ "Depth/None.glsl", "Clip/None.glsl", "Classify/OpticalTable.glsl", "Gradient/None.glsl",
+      "Shade/None.glsl", "GradientOpacity/None.glsl", "Values/One.glsl",
+      "Material/OneComponent.glsl", "Blend/Composite.glsl", "March/Slice.glsl" }));
 }
 
 TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
@@ -207,9 +201,8 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
   settings.others = { lit };
   const Parts parts = FragmentShaderParts(settings);
   EXPECT_EQ(parts,
-    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "Math/IntersectBox.glsl",
-      "Math/Absorption.glsl", "Math/StepGrowth.glsl", "Depth/None.glsl", "Clip/None.glsl",
-      "Jitter/None.glsl", "Blend/Composite.glsl", "Volumes/None.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "Depth/None.glsl",
+      "Clip/None.glsl", "Jitter/None.glsl", "Blend/Composite.glsl", "Volumes/None.glsl",
       // The lit volume.
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
       "Interpolation/Linear.glsl", "Probe/None.glsl", "Gaps/None.glsl",
@@ -232,9 +225,8 @@ TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
   settings.pass = RayPass::Picture;
   EXPECT_EQ(FragmentShaderParts(settings),
     (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
-      "VolumeTextures.glsl", "VolumeSlots.glsl", "Math/IntersectBox.glsl", "Math/Absorption.glsl",
-      "Depth/None.glsl", "Clip/None.glsl", "Blend/Composite.glsl", "Window/None.glsl",
-      "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
+      "VolumeTextures.glsl", "VolumeSlots.glsl", "Depth/None.glsl", "Clip/None.glsl",
+      "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)

@@ -99,6 +99,12 @@ void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
   }
 }
 
+// The emission and extinction of an entry that holds a color and an extinction.
+glm::vec4 EmissionOf(const glm::vec4& entry)
+{
+  return { entry.w * glm::vec3(entry), entry.w };
+}
+
 void SetGradientOpacity(VolumeParameters& p, const VolumeMarch& march,
   const VolumeResources& volume, const Mappings& mappings)
 {
@@ -135,8 +141,8 @@ void SetTables(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
     p.lastTableIndices[i] = float(last);
     p.firstEntries[i] = float(volume.Materials().OpticalTables().FirstEntryOf(i));
   }
-  p.opticalBelow = tables.front().entries.front();
-  p.opticalAbove = tables.front().entries.back();
+  p.emissionBelow = EmissionOf(tables.front().entries.front());
+  p.emissionAbove = EmissionOf(tables.front().entries.back());
   if (march.settings.components == Components::One)
   {
     SetVisible(p, 0, mappings.front(), volume.Materials().OpticalTables().VisibleValuesOfAny());

@@ -1,3 +1,5 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/Planes.glsl"
 // The ray of each pixel: the part of it that is inside the volume, and the colour to draw for it.
 
 // The homogeneous start and the direction of a ray are affine in the pixel's position; see
@@ -21,18 +23,13 @@ Ray PixelRay()
 
 Interval InsideOf(Ray ray)
 {
-  vec2 inside = IntersectBox(ray.originGrid, ray.directionGrid, boxLowerGrid, boxUpperGrid);
+  vec2 inside =
+    IntersectBox(ray.originGrid, SafeInverse(ray.directionGrid), boxLowerGrid, boxUpperGrid);
   // The near plane cuts the box when the camera is close to it or inside.
-  float approach = dot(nearPlaneGrid.xyz, ray.directionGrid);
-  if (approach > 0.0)
-  {
-    inside.x = max(inside.x, -dot(nearPlaneGrid, vec4(ray.originGrid, 1.0)) / approach);
-  }
-  float departure = -dot(farPlaneGrid.xyz, ray.directionGrid);
-  if (departure > 0.0)
-  {
-    inside.y = min(inside.y, dot(farPlaneGrid, vec4(ray.originGrid, 1.0)) / departure);
-  }
+  inside = CutByPlane(inside, BeyondPlane(nearPlaneGrid, ray.originGrid),
+    ApproachToPlane(nearPlaneGrid, ray.directionGrid));
+  inside = CutByPlane(inside, BeyondPlane(farPlaneGrid, ray.originGrid),
+    ApproachToPlane(farPlaneGrid, ray.directionGrid));
   return Clipped(ray, Interval(inside.x, min(inside.y, DepthLimit(ray))));
 }
 

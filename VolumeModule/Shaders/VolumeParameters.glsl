@@ -23,8 +23,8 @@ layout(std140) uniform VolumeParameters
   vec4 firstEntries;      // first entry of each table in opticalTable
   vec4 visibleLower;      // a component absorbs nothing up to this scalar
   vec4 visibleUpper;      // a component absorbs nothing from this scalar on
-  vec4 opticalBelow;      // colour and extinction [1/mm] below the scalars of preIntegratedTable
-  vec4 opticalAbove;      // colour and extinction [1/mm] above them
+  vec4 emissionBelow;     // emission and extinction [1/mm] below the scalars of preIntegratedTable
+  vec4 emissionAbove;     // emission and extinction [1/mm] above them
   vec2 placeFromScalar;   // scale and bias, from the first value to [0, 1] in its range
   vec2 placeFromSecond;   // scale and bias, from the second value to [0, 1] in its range
   vec2 twoValueTableSize; // number of entries of twoValueTable along each axis, >= 2

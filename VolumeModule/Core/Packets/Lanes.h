@@ -53,9 +53,29 @@ inline IntLanes AllInt(int number)
   return IntLanesOf([=](int) { return number; });
 }
 
+inline Lanes Min(Lanes a, float b)
+{
+  return Min(a, All(b));
+}
+
+inline Lanes Max(Lanes a, float b)
+{
+  return Max(a, All(b));
+}
+
 inline Lanes Clamp(Lanes number, Lanes least, Lanes most)
 {
   return Min(Max(number, least), most);
+}
+
+inline Lanes Clamp(Lanes number, float least, float most)
+{
+  return Clamp(number, All(least), All(most));
+}
+
+inline Lanes Clamp(Lanes number, float least, Lanes most)
+{
+  return Clamp(number, All(least), most);
 }
 
 /// Towards zero, for numbers that an int can hold.
@@ -72,12 +92,6 @@ inline Lanes FloatOf(IntLanes number)
 inline Lanes Abs(Lanes number)
 {
   return Lanes(IntLanes(number) & 0x7fffffff);
-}
-
-/// @param size  >= 0
-inline Lanes WithSignOf(Lanes size, Lanes sign)
-{
-  return Lanes(IntLanes(size) | (IntLanes(sign) & IntLanes(All(-0.0f))));
 }
 
 inline Lanes Mix(Lanes a, Lanes b, Lanes part)
@@ -115,59 +129,6 @@ struct Numbers
 
   explicit Numbers(Lanes lanes) { __builtin_memcpy(this->of, &lanes, sizeof lanes); }
 };
-
-struct Lanes3
-{
-  Lanes x;
-  Lanes y;
-  Lanes z;
-};
-
-struct Lanes4
-{
-  Lanes x;
-  Lanes y;
-  Lanes z;
-  Lanes w;
-};
-
-/// The four numbers that each lane has together in memory.
-inline Lanes4 Transposed(const Four (&numbers)[LaneCount])
-{
-  const auto numbersOf = [&](int lane)
-  { return InBothHalves([&](int index) { return numbers[index]; }, lane); };
-  const Lanes lower = InterleavedLower(numbersOf(0), numbersOf(1));
-  const Lanes upper = InterleavedUpper(numbersOf(0), numbersOf(1));
-  const Lanes lowerNext = InterleavedLower(numbersOf(2), numbersOf(3));
-  const Lanes upperNext = InterleavedUpper(numbersOf(2), numbersOf(3));
-  return { JoinedLower(lower, lowerNext), JoinedUpper(lower, lowerNext),
-    JoinedLower(upper, upperNext), JoinedUpper(upper, upperNext) };
-}
-
-inline Lanes3 operator+(const Lanes3& a, const Lanes3& b)
-{
-  return { a.x + b.x, a.y + b.y, a.z + b.z };
-}
-
-inline Lanes3 operator-(const Lanes3& a, const Lanes3& b)
-{
-  return { a.x - b.x, a.y - b.y, a.z - b.z };
-}
-
-inline Lanes3 operator*(Lanes factor, const Lanes3& a)
-{
-  return { factor * a.x, factor * a.y, factor * a.z };
-}
-
-inline Lanes Dot(const Lanes3& a, const Lanes3& b)
-{
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-inline Lanes Length(const Lanes3& a)
-{
-  return Sqrt(Dot(a, a));
-}
 
 /// 2^number, for numbers up to 127; below -126 it is 2^-126. Relative error at most 2e-7.
 /// Polynomial: minimax on [-1/2, 1/2] of (2^f - 1) / f, as in Cephes' exp2f.
@@ -224,11 +185,25 @@ inline Lanes Log2(Lanes number)
   return FloatOf(exponent) + 1.442695041f * s * series;
 }
 
-/// base^exponent, for bases from 0 to 1; 0 where the base is 0.
+/// e^number, for numbers up to 88; below -87 it is e^-87.
+inline Lanes Exp(Lanes number)
+{
+  const PowerOfTwo power(1.442695041f * number);
+  return power.whole + power.whole * power.partLessOne;
+}
+
+/// The natural logarithm of numbers above 0.
+inline Lanes Log(Lanes number)
+{
+  return 0.693147181f * Log2(number);
+}
+
+/// base^exponent, for bases from 0 to 1 and exponents from 0 on; 0 where the base is 0 and the
+/// exponent is not.
 inline Lanes Power(Lanes base, float exponent)
 {
   constexpr float MostSquared = 255.0f;
-  if (exponent >= 1.0f && exponent <= MostSquared && exponent == float(int(exponent)))
+  if (exponent >= 0.0f && exponent <= MostSquared && exponent == float(int(exponent)))
   {
     Lanes power = All(1.0f);
     for (int bits = int(exponent); bits > 0; bits >>= 1)
@@ -240,6 +215,12 @@ inline Lanes Power(Lanes base, float exponent)
   }
   const PowerOfTwo power(exponent * Log2(base));
   return Select(LaneMask(base > 0.0f), power.whole + power.whole * power.partLessOne, Lanes{});
+}
+
+/// The same for an exponent that all lanes have.
+inline Lanes Power(Lanes base, Lanes exponent)
+{
+  return Power(base, exponent[0]);
 }
 
 }

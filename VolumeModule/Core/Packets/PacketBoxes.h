@@ -72,7 +72,7 @@ public:
 
   /// For ExtremeMarch: the value of a box. A box that a ray merely touches is ignored: rounding may
   /// find one where the ray begins or ends.
-  Lanes BetterOf(const PacketRays& rays, const LatticePlaces& place, Lanes exit, float sense,
+  Lanes BetterOf(const PacketRays& rays, const LatticePlace& place, Lanes exit, float sense,
     Lanes found, LaneMask mask) const
   {
     constexpr float ShortestVoxels = 2e-5f;
@@ -102,7 +102,7 @@ PacketSum MarchBoxes(const PacketScene& scene, const PacketRays& rays, const Pac
   const Lanes segmentMm = VoxelsPerSegment / Length(rays.directionGrid);
   const PacketLattice lattice = boxes.LatticeOf(rays);
   PacketSum sum = before;
-  LatticePlaces place = lattice.At(rays.enter);
+  LatticePlace place = lattice.At(rays.enter);
   LaneMask going = GoOn(scene, rays, place.t, sum);
   for (int index = 0; index < scene.rays.mostSegments && Any(going); ++index)
   {
@@ -113,7 +113,7 @@ PacketSum MarchBoxes(const PacketScene& scene, const PacketRays& rays, const Pac
     for (LaneMask inside = going; Any(inside);
          inside &= LaneMask(place.t < segment.exit) & GoOn(scene, rays, place.t, sum))
     {
-      const LatticePlaces behind = lattice.Behind(place);
+      const LatticePlace behind = lattice.Behind(place);
       const Lanes value = boxes.ValueOf(place.cell);
       const LaneMask absorbs = inside & MayAbsorb(scene.look, value, value);
       if (Any(absorbs))

@@ -4,8 +4,8 @@
 // The interpolated values along a line through a cell, which are exactly a cubic: see
 // Core/Geometry/CellCubic.h and Shaders/Math/CellCubic.glsl.
 
-#include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketVoxels.h"
+#include "Core/Packets/ShaderMath.h"
 
 namespace varimarch
 {
@@ -13,40 +13,10 @@ namespace varimarch
 namespace
 {
 
-/// A cubic by its Bernstein coefficients, whose range it never leaves.
-struct CellCubicLanes
-{
-  Lanes b0;
-  Lanes b1;
-  Lanes b2;
-  Lanes b3;
-
-  /// De Casteljau's algorithm.
-  /// @param u  [0, 1]
-  Lanes ValueAt(Lanes u) const
-  {
-    const Lanes middle = Mix(this->b1, this->b2, u);
-    const Lanes left = Mix(Mix(this->b0, this->b1, u), middle, u);
-    const Lanes right = Mix(middle, Mix(this->b2, this->b3, u), u);
-    return Mix(left, right, u);
-  }
-
-  Lanes SlopeAt(Lanes u) const
-  {
-    const Lanes middle = this->b2 - this->b1;
-    return 3.0f * Mix(Mix(this->b1 - this->b0, middle, u), Mix(middle, this->b3 - this->b2, u), u);
-  }
-};
-
-inline CellCubicLanes operator*(float factor, const CellCubicLanes& a)
-{
-  return { factor * a.b0, factor * a.b1, factor * a.b2, factor * a.b3 };
-}
-
 /// The cubics along lines, each of which lies in one cell. The coefficients follow from the values
 /// at the corners of the box between the ends of a line.
 /// @param enterGrid, leaveGrid  the ends
-inline CellCubicLanes CubicBetween(
+inline Lanes4 CubicBetween(
   const CellCorners& corners, const Lanes3& enterGrid, const Lanes3& leaveGrid)
 {
   const Lanes3 enter = corners.Inside(enterGrid);
@@ -72,29 +42,6 @@ inline CellCubicLanes CubicBetween(
   constexpr float Third = 1.0f / 3.0f;
   return { atEnter(0, 0), Third * (atEnter(0, 1) + atEnter(1, 0) + atLeave(0, 0)),
     Third * (atEnter(1, 1) + atLeave(0, 1) + atLeave(1, 0)), atLeave(1, 1) };
-}
-
-/// The places in [0, 1] where a cubic has extremes; 0 or 1 instead of one outside.
-struct ExtremePlaces
-{
-  Lanes first;
-  Lanes second;
-};
-
-inline ExtremePlaces ExtremesOf(const CellCubicLanes& cubic)
-{
-  const Lanes3 slopes{ cubic.b1 - cubic.b0, cubic.b2 - cubic.b1, cubic.b3 - cubic.b2 };
-  const Lanes a = slopes.x - 2.0f * slopes.y + slopes.z;
-  const Lanes halfB = slopes.y - slopes.x;
-  const Lanes discriminant = halfB * halfB - a * slopes.x;
-  const Lanes q = -(halfB + WithSignOf(Sqrt(Max(discriminant, Lanes{})), halfB));
-  const auto within = [&](Lanes dividend, Lanes divisor)
-  {
-    const Lanes place = Clamp(dividend / divisor, Lanes{}, All(1.0f));
-    const LaneMask has = LaneMask(discriminant > 0.0f) & LaneMask(divisor != 0.0f);
-    return Select(has, place, Lanes{});
-  };
-  return { within(q, a), within(slopes.x, q) };
 }
 
 }

@@ -151,13 +151,8 @@ private:
     rays.originGrid =
       Transformed(turn, raysOfAll.originGrid) + Lanes3{ All(move.x), All(move.y), All(move.z) };
     rays.directionGrid = Transformed(turn, raysOfAll.directionGrid);
-    rays.inverse = { SafeInverse(rays.directionGrid.x), SafeInverse(rays.directionGrid.y),
-      SafeInverse(rays.directionGrid.z) };
-    const glm::vec3& lower = own.ownLowerGrid;
-    const glm::vec3& upper = own.ownUpperGrid;
-    CutBySlab(rays, rays.originGrid.x, rays.inverse.x, lower.x, upper.x);
-    CutBySlab(rays, rays.originGrid.y, rays.inverse.y, lower.y, upper.y);
-    CutBySlab(rays, rays.originGrid.z, rays.inverse.z, lower.z, upper.z);
+    rays.inverse = SafeInverse(rays.directionGrid);
+    KeepInside(rays, own.ownLowerGrid, own.ownUpperGrid);
     if (visible.nearest)
     {
       CutByVisible(rays, visible, x, y);
@@ -171,7 +166,7 @@ private:
   // Advances to the box that contains t.
   Lanes NextFaceOfBox(Lanes t, LaneMask mask)
   {
-    LatticePlaces behind = this->lattice.Behind(this->box);
+    LatticePlace behind = this->lattice.Behind(this->box);
     this->box = Select(mask & LaneMask(behind.t < t), this->lattice.At(t), this->box);
     behind = this->lattice.Behind(this->box);
     // At an edge or a corner a ray leaves several boxes at once.
@@ -381,7 +376,7 @@ private:
   PacketWalk walk;
   PacketMaterial material;
   PacketLattice lattice; ///< of boxes
-  LatticePlaces box;     ///< the one that contains the segment
+  LatticePlace box;      ///< the one that contains the segment
   bool isSeen = false;   ///< the last sample: the next is then read with its gradient at once
 };
 

@@ -36,17 +36,16 @@ public:
   }
 
   /// The best value that the rays of a mask have found when they leave a cell.
-  Lanes BetterOf(const PacketRays& rays, const LatticePlaces& place, Lanes exit, float sense,
+  Lanes BetterOf(const PacketRays& rays, const LatticePlace& place, Lanes exit, float sense,
     Lanes found, LaneMask mask) const
   {
-    const Lanes3 one{ All(1.0f), All(1.0f), All(1.0f) };
-    const CellCubicLanes cubic = sense *
-      CubicBetween(this->voxels.CornersOf(place.cell - one), rays.At(place.t), rays.At(exit));
-    Lanes best = Max(found, Max(cubic.b0, cubic.b3));
-    if (Any(mask & LaneMask(Max(cubic.b1, cubic.b2) > best)))
+    const Lanes4 cubic = All(sense) *
+      CubicBetween(this->voxels.CornersOf(place.cell - 1.0f), rays.At(place.t), rays.At(exit));
+    Lanes best = Max(found, Max(cubic.x, cubic.w));
+    if (Any(mask & LaneMask(Max(cubic.y, cubic.z) > best)))
     {
-      const ExtremePlaces places = ExtremesOf(cubic);
-      best = Max(best, Max(cubic.ValueAt(places.first), cubic.ValueAt(places.second)));
+      const Lanes2 places = CubicExtremes(cubic);
+      best = Max(best, Max(CubicValue(cubic, places.x), CubicValue(cubic, places.y)));
     }
     return Select(mask, best, found);
   }
@@ -127,12 +126,12 @@ private:
     {
       return t;
     }
-    LatticePlaces block = this->blocks.At(t);
+    LatticePlace block = this->blocks.At(t);
     while (Any(mask))
     {
       block = this->Behind(this->extreme.blocks, this->blocks, block, mask, All(Never));
-      const LatticePlaces next = this->blocks.Behind(block);
-      const LatticePlaces brick =
+      const LatticePlace next = this->blocks.Behind(block);
+      const LatticePlace brick =
         this->Behind(this->extreme.bricks, this->bricks, this->bricks.At(block.t), mask, next.t);
       t = Select(mask, brick.t, t);
       block = next;
@@ -143,8 +142,8 @@ private:
 
   // The place behind the cells of a lattice that the rays of a mask can skip from here, not beyond
   // an end.
-  LatticePlaces Behind(const std::uint16_t* steps, const PacketLattice& lattice,
-    LatticePlaces place, LaneMask mask, Lanes end) const
+  LatticePlace Behind(const std::uint16_t* steps, const PacketLattice& lattice, LatticePlace place,
+    LaneMask mask, Lanes end) const
   {
     const Lanes last = Min(end, this->rays.exit);
     for (mask &= LaneMask(place.t < last); Any(mask); mask &= LaneMask(place.t < last))
@@ -168,10 +167,10 @@ private:
   // Marches the rays of a mask to the end of the cell that contains `end`.
   Lanes MarchCells(Lanes t, Lanes end, LaneMask mask)
   {
-    LatticePlaces place = this->lattice.At(t);
+    LatticePlace place = this->lattice.At(t);
     while (Any(mask))
     {
-      const LatticePlaces behind = this->lattice.Behind(place);
+      const LatticePlace behind = this->lattice.Behind(place);
       const Lanes exit = Min(behind.t, this->rays.exit);
       this->found = this->cells.BetterOf(this->rays, place, exit, this->sense, this->found, mask);
       place = Select(mask, behind, place);

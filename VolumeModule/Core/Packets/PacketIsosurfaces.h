@@ -30,18 +30,17 @@ struct MonotonePiece
 /// The place where a cubic takes a value that lies between its values at the ends of a piece: by
 /// Newton's method, and by bisection where that leads outside.
 /// @param mask  the rays for which it matters
-inline Lanes CrossingOf(
-  const CellCubicLanes& cubic, Lanes value, MonotonePiece piece, LaneMask mask)
+inline Lanes CrossingOf(const Lanes4& cubic, Lanes value, MonotonePiece piece, LaneMask mask)
 {
-  const LaneMask falls = LaneMask(cubic.ValueAt(piece.end) < cubic.ValueAt(piece.begin));
+  const LaneMask falls = LaneMask(CubicValue(cubic, piece.end) < CubicValue(cubic, piece.begin));
   const Lanes rises = Select(falls, All(-1.0f), All(1.0f));
   Lanes u = 0.5f * (piece.begin + piece.end);
   for (int i = 0; i < 30 && Any(mask); ++i)
   {
-    const Lanes above = rises * (cubic.ValueAt(u) - value);
+    const Lanes above = rises * (CubicValue(cubic, u) - value);
     const LaneMask isBelow = LaneMask(above < 0.0f);
     piece = { Select(isBelow, u, piece.begin), Select(isBelow, piece.end, u) };
-    const Lanes slope = rises * cubic.SlopeAt(u);
+    const Lanes slope = rises * CubicSlope(cubic, u);
     const Lanes newton = u - above / slope;
     const LaneMask isInside =
       LaneMask(slope > 0.0f) & LaneMask(newton > piece.begin) & LaneMask(newton < piece.end);
@@ -103,9 +102,9 @@ private:
   {
     while (Any(mask))
     {
-      const LatticePlaces behind = this->cells.Behind(this->place);
+      const LatticePlace behind = this->cells.Behind(this->place);
       const Lanes exit = Min(behind.t, this->rays.exit);
-      const CellCubicLanes cubic = this->NextCubic(exit, mask);
+      const Lanes4 cubic = this->NextCubic(exit, mask);
       const LaneMask holds = mask & this->MayHoldSurface(cubic);
       if (Any(holds))
       {
@@ -118,21 +117,20 @@ private:
 
   // Begins with the value at the end of the last cell: computed anew it would be rounded
   // differently, and a surface between both values would be missed.
-  CellCubicLanes NextCubic(Lanes exit, LaneMask mask)
+  Lanes4 NextCubic(Lanes exit, LaneMask mask)
   {
-    const Lanes3 one{ All(1.0f), All(1.0f), All(1.0f) };
-    CellCubicLanes cubic = CubicBetween(this->voxels.CornersOf(this->place.cell - one),
+    Lanes4 cubic = CubicBetween(this->voxels.CornersOf(this->place.cell - 1.0f),
       this->rays.At(this->place.t), this->rays.At(exit));
-    cubic.b0 = Select(this->known, this->endValue, cubic.b0);
-    this->endValue = Select(mask, cubic.b3, this->endValue);
+    cubic.x = Select(this->known, this->endValue, cubic.x);
+    this->endValue = Select(mask, cubic.w, this->endValue);
     this->known |= mask;
     return cubic;
   }
 
-  LaneMask MayHoldSurface(const CellCubicLanes& cubic) const
+  LaneMask MayHoldSurface(const Lanes4& cubic) const
   {
-    const Lanes lower = Min(Min(cubic.b0, cubic.b1), Min(cubic.b2, cubic.b3));
-    const Lanes upper = Max(Max(cubic.b0, cubic.b1), Max(cubic.b2, cubic.b3));
+    const Lanes lower = Min(Min(cubic.x, cubic.y), Min(cubic.z, cubic.w));
+    const Lanes upper = Max(Max(cubic.x, cubic.y), Max(cubic.z, cubic.w));
     LaneMask holds = {};
     for (int surface = 0; surface < this->surfaceCount; ++surface)
     {
@@ -142,20 +140,18 @@ private:
     return holds;
   }
 
-  void AddSurfaces(const CellCubicLanes& cubic, Lanes exit, LaneMask mask)
+  void AddSurfaces(const Lanes4& cubic, Lanes exit, LaneMask mask)
   {
-    const ExtremePlaces extremes = ExtremesOf(cubic);
-    const Lanes first = Min(extremes.first, extremes.second);
-    const Lanes second = Max(extremes.first, extremes.second);
-    this->AddMonotone(cubic, { Lanes{}, first }, exit, mask);
-    this->AddMonotone(cubic, { first, second }, exit, mask);
-    this->AddMonotone(cubic, { second, All(1.0f) }, exit, mask);
+    const Lanes2 extremes = CubicExtremes(cubic);
+    this->AddMonotone(cubic, { Lanes{}, extremes.x }, exit, mask);
+    this->AddMonotone(cubic, { extremes.x, extremes.y }, exit, mask);
+    this->AddMonotone(cubic, { extremes.y, All(1.0f) }, exit, mask);
   }
 
-  void AddMonotone(const CellCubicLanes& cubic, MonotonePiece piece, Lanes exit, LaneMask mask)
+  void AddMonotone(const Lanes4& cubic, MonotonePiece piece, Lanes exit, LaneMask mask)
   {
-    const Lanes begin = cubic.ValueAt(piece.begin);
-    const Lanes end = cubic.ValueAt(piece.end);
+    const Lanes begin = CubicValue(cubic, piece.begin);
+    const Lanes end = CubicValue(cubic, piece.end);
     const LaneMask rises = LaneMask(end > begin);
     for (int i = 0; i < this->surfaceCount; ++i)
     {
@@ -196,7 +192,7 @@ private:
   PacketMaterial material;
   PacketVoxels<Voxel> voxels;
   PacketLattice cells;
-  LatticePlaces place;
+  LatticePlace place;
   LaneMask known = {}; ///< the rays whose value at the place is known
   Lanes endValue = {};
   PacketSum sum;

@@ -17,26 +17,6 @@ namespace varimarch
 namespace
 {
 
-/// Shaders/Math/WithOpacityFactor.glsl.
-inline Lanes WithOpacityFactor(Lanes extinction, float unitDistanceMm, Lanes factor)
-{
-  const Lanes depth = Min(extinction * unitDistanceMm, All(80.0f));
-  const PowerOfTwo power(-1.442695041f * depth);
-  const Lanes transparencyOfAll = power.whole + power.whole * power.partLessOne;
-  const Lanes opacity = factor * ((1.0f - power.whole) - power.whole * power.partLessOne);
-  Lanes series = All(0.14285714f);
-  series = series * opacity + 0.16666667f;
-  series = series * opacity + 0.2f;
-  series = series * opacity + 0.25f;
-  series = series * opacity + 0.33333333f;
-  series = series * opacity + 0.5f;
-  series = series * opacity + 1.0f;
-  const Lanes transparency = (1.0f - factor) + factor * transparencyOfAll;
-  const Lanes newDepth = Select(LaneMask(opacity < 0.125f), series * opacity,
-    -0.693147181f * Log2(Max(transparency, All(1e-35f))));
-  return Select(LaneMask(factor < 1.0f), newDepth * (1.0f / unitDistanceMm), extinction);
-}
-
 /// Shaders/GradientOpacity.
 /// @param factorOf  (lane, index) -> the factor of an entry of the table
 template <class FactorOf>
@@ -45,15 +25,15 @@ Lanes WithGradientOpacity(
 {
   const VolumeParameters& parameters = scene.parameters;
   const int component = scene.constituent.component;
-  const float last = parameters.lastGradientEntry;
-  const Lanes magnitude = Length(Scaled(gradient, parameters.spacingFactors));
-  const Lanes place = Min(magnitude * parameters.entriesPerGradient[component], All(last));
-  const IntLanes below = Truncated(Min(place, All(last - 1.0f)));
-  const IntNumbers index(below);
+  const Lanes last = All(parameters.lastGradientEntry);
+  const Lanes place = GradientIndex(gradient, AllOf3(parameters.spacingFactors),
+    All(parameters.entriesPerGradient[component]), last);
+  const Lanes below = EntryBelow(place, last);
+  const IntNumbers index(Truncated(below));
   const auto factors = [&](int next)
   { return LanesOf([&](int lane) { return factorOf(lane, index.of[lane] + next); }); };
-  return WithOpacityFactor(extinction, parameters.opacityUnitDistancesMm[component],
-    Mix(factors(0), factors(1), place - FloatOf(below)));
+  return WithOpacityFactor(extinction, All(parameters.opacityUnitDistancesMm[component]),
+    Mix(factors(0), factors(1), place - below));
 }
 
 /// Shaders/GradientOpacity/Table.glsl.
@@ -83,14 +63,16 @@ inline Optical ClassifyTwo(const PacketScene& scene, Lanes value, const Lanes3& 
   const PacketTwoValues& look = scene.twoValues;
   const VolumeParameters& parameters = scene.parameters;
   const auto indexOf = [](Lanes place, int size)
-  { return Clamp(place, Lanes{}, All(1.0f)) * float(size - 1); };
-  Optical found = Interpolated(look.entries, look.size,
-    indexOf(value * parameters.placeFromScalar.x + parameters.placeFromScalar.y, look.size.x),
-    indexOf(Length(Scaled(gradient, parameters.spacingFactors)) * parameters.placePerGradient,
-      look.size.y));
-  constexpr float Opaque = 1e30f;
-  found.extinction =
-    WithOpacityFactor(All(Opaque), parameters.opacityUnitDistancesMm.x, found.extinction);
+  {
+    const Lanes last = All(float(size - 1));
+    return TableIndex(place, last, Lanes{}, last);
+  };
+  const Lanes valuePlace = value * parameters.placeFromScalar.x + parameters.placeFromScalar.y;
+  const Lanes gradientPlace = GradientIndex(
+    gradient, AllOf3(parameters.spacingFactors), All(parameters.placePerGradient), All(1.0f));
+  Optical found = Interpolated(
+    look.entries, look.size, indexOf(valuePlace, look.size.x), indexOf(gradientPlace, look.size.y));
+  found.extinction = ExtinctionOf(found.extinction, All(parameters.opacityUnitDistancesMm.x));
   return found;
 }
 
@@ -152,8 +134,7 @@ private:
   Lanes3 WorldAt(Lanes t) const
   {
     const glm::vec3& origin = this->scene.parameters.worldOfGridOrigin;
-    return Transformed(this->scene.parameters.worldFromGrid, this->rays.At(t)) +
-      Lanes3{ All(origin.x), All(origin.y), All(origin.z) };
+    return Transformed(this->scene.parameters.worldFromGrid, this->rays.At(t)) + AllOf3(origin);
   }
 
 protected:
@@ -178,9 +159,7 @@ public:
       const Optical plain = this->OfRows(IntLanes{}, value, surface);
       const Optical mixed = this->Mixed(plain, optical);
       optical.extinction = Select(isMixed, mixed.extinction, optical.extinction);
-      optical.color = Lanes3{ Select(isMixed, mixed.color.x, optical.color.x),
-        Select(isMixed, mixed.color.y, optical.color.y),
-        Select(isMixed, mixed.color.z, optical.color.z) };
+      optical.color = Select(isMixed, mixed.color, optical.color);
     }
     optical.color = this->Shaded(optical.color, surface, t);
     return optical;
@@ -212,14 +191,10 @@ private:
   // Mixes colours, and opacities over a unit distance.
   Optical Mixed(const Optical& plain, const Optical& own) const
   {
-    constexpr float Opaque = 1e30f;
-    const float unitDistanceMm = this->scene.parameters.opacityUnitDistancesMm.x;
-    const auto opacity = [&](Lanes extinction)
-    { return Absorption(Min(extinction * unitDistanceMm, All(80.0f))); };
     const Lanes part = All(this->scene.parameters.labelPart);
-    const Lanes mixed = Mix(opacity(plain.extinction), opacity(own.extinction), part);
     return { Mix(plain.color, own.color, part),
-      WithOpacityFactor(All(Opaque), unitDistanceMm, Min(mixed, All(0.99999994f))) };
+      MixedExtinction(plain.extinction, own.extinction, part,
+        All(this->scene.parameters.opacityUnitDistancesMm.x)) };
   }
 };
 

@@ -3,8 +3,8 @@
 
 // The optical properties of values, and the sum of the parts of a ray.
 
-#include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketScene.h"
+#include "Core/Packets/ShaderMath.h"
 
 namespace varimarch
 {
@@ -43,10 +43,10 @@ inline Four MixedEntries(const glm::vec4* entry, float part)
 inline Optical Classify(const PacketLook& look, Lanes value)
 {
   const Lanes last = All(float(look.lastIndex));
-  const Lanes place = Clamp(value * look.indexScale + look.indexOffset, Lanes{}, last);
-  const IntLanes below = Truncated(Min(place, last - 1.0f));
-  const IntNumbers index(below);
-  const Numbers part(place - FloatOf(below));
+  const Lanes place = TableIndex(value, All(look.indexScale), All(look.indexOffset), last);
+  const Lanes below = EntryBelow(place, last);
+  const IntNumbers index(Truncated(below));
+  const Numbers part(place - below);
   Four entries[LaneCount];
   for (int lane = 0; lane < LaneCount; ++lane)
   {
@@ -60,11 +60,11 @@ inline Optical Classify(const PacketLook& look, Lanes value)
 /// @param x, y  indices within the table, which need not be whole
 inline Optical Interpolated(const glm::vec4* table, glm::ivec2 size, Lanes x, Lanes y)
 {
-  const IntLanes column = Truncated(Min(x, All(float(size.x - 2))));
-  const IntLanes row = Truncated(Min(y, All(float(size.y - 2))));
-  const IntNumbers index(column + size.x * row);
-  const Numbers along(x - FloatOf(column));
-  const Numbers across(y - FloatOf(row));
+  const Lanes column = EntryBelow(x, All(float(size.x - 1)));
+  const Lanes row = EntryBelow(y, All(float(size.y - 1)));
+  const IntNumbers index(Truncated(column) + size.x * Truncated(row));
+  const Numbers along(x - column);
+  const Numbers across(y - row);
   Four entries[LaneCount];
   for (int lane = 0; lane < LaneCount; ++lane)
   {
@@ -74,26 +74,6 @@ inline Optical Interpolated(const glm::vec4* table, glm::ivec2 size, Lanes x, La
     entries[lane] = lower + across.of[lane] * (upper - lower);
   }
   return OpticalOf(entries);
-}
-
-/// Corrects pieces of which some are beyond the table's ends, where its first or last entry holds.
-inline Optical WithEnds(const PacketLook& look, const Optical& inside, Lanes start, Lanes end)
-{
-  const Lanes one = All(1.0f);
-  const Lanes last = All(float(look.lastIndex));
-  const Lanes lower = Min(start, end);
-  const Lanes upper = Max(start, end);
-  const Lanes extent = Max(upper - lower, All(1e-12f));
-  const Lanes below = Select(LaneMask(upper <= 0.0f), one, Clamp(-lower / extent, Lanes{}, one));
-  const Lanes above =
-    Select(LaneMask(lower >= last), one, Clamp((upper - last) / extent, Lanes{}, one));
-  const Lanes within = Max(one - below - above, Lanes{});
-  const Lanes ofBelow = below * look.below.w;
-  const Lanes ofAbove = above * look.above.w;
-  return { { within * inside.color.x + ofBelow * look.below.x + ofAbove * look.above.x,
-             within * inside.color.y + ofBelow * look.below.y + ofAbove * look.above.y,
-             within * inside.color.z + ofBelow * look.below.z + ofAbove * look.above.z },
-    within * inside.extinction + ofBelow + ofAbove };
 }
 
 /// Shaders/Classify/PreIntegrated.glsl.
@@ -106,17 +86,12 @@ inline Optical ClassifyBetween(const PacketLook& look, Lanes startValue, Lanes e
     Clamp(start, Lanes{}, last), Clamp(end, Lanes{}, last));
   if (Any(LaneMask(Min(start, end) < 0.0f) | LaneMask(Max(start, end) > last)))
   {
-    emission = WithEnds(look, emission, start, end);
+    const Lanes4 mean =
+      WithEnds({ emission.color.x, emission.color.y, emission.color.z, emission.extinction }, start,
+        end, last, AllOf4(look.emissionBelow), AllOf4(look.emissionAbove));
+    emission = { { mean.x, mean.y, mean.z }, mean.w };
   }
   return { (1.0f / Max(emission.extinction, All(1e-30f))) * emission.color, emission.extinction };
-}
-
-/// Shaders/Math/Absorption.glsl: 1 - exp(-depth), without cancellation. Beyond a depth of 100
-/// a float has no transmittance left.
-inline Lanes Absorption(Lanes depth)
-{
-  const PowerOfTwo power(-1.442695041f * Min(depth, All(100.0f))); // 1 - 2^i - 2^i (2^f - 1)
-  return (1.0f - power.whole) - power.whole * power.partLessOne;
 }
 
 /// Emission and absorption, front to back; see Shaders/Blend/Composite.glsl.

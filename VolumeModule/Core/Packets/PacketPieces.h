@@ -30,7 +30,8 @@ public:
     for (int i = 0; i < 6; ++i)
     {
       const glm::vec4& plane = this->parameters.croppingPlanes[i];
-      this->crossings[i] = -PlaneAt(plane, rays.originGrid) / PlaneAlong(plane, rays.directionGrid);
+      this->crossings[i] =
+        -BeyondPlane(plane, rays.originGrid) / ApproachToPlane(plane, rays.directionGrid);
     }
   }
 
@@ -73,8 +74,8 @@ private:
     for (int axis = 2; axis >= 0; --axis)
     {
       const shader::vec4* const planes = this->parameters.croppingPlanes + 2 * axis;
-      const LaneMask isBeyondLower = LaneMask(PlaneAt(planes[0], position) >= 0.0f);
-      const LaneMask isBeyondUpper = LaneMask(PlaneAt(planes[1], position) >= 0.0f);
+      const LaneMask isBeyondLower = LaneMask(BeyondPlane(planes[0], position) >= 0.0f);
+      const LaneMask isBeyondUpper = LaneMask(BeyondPlane(planes[1], position) >= 0.0f);
       region = 3 * region - isBeyondLower - isBeyondUpper; // a mask is -1
     }
     return LaneMask((AllInt(this->parameters.croppingRegions) >> region & 1) != 0);
@@ -133,7 +134,7 @@ private:
   const PacketMask& mask;
   const PacketRays& rays;
   PacketLattice lattice;
-  LatticePlaces place; ///< the end of the last piece
+  LatticePlace place; ///< the end of the last piece
 };
 
 /// @tparam Pieces  CroppedPieces or MaskedPieces
@@ -168,7 +169,7 @@ PacketSum MarchAroundGaps(
   const auto texelsAt = [&](const IntNumbers& index)
   { return IntLanesOf([&](int lane) { return std::int32_t(gaps.texels[index.of[lane]]); }); };
   PacketSum sum = before;
-  LatticePlaces place = lattice.At(rays.enter);
+  LatticePlace place = lattice.At(rays.enter);
   for (LaneMask going = GoOn(scene, rays, place.t, sum); Any(going);
        going &= GoOn(scene, rays, place.t, sum))
   {

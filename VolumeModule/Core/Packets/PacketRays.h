@@ -4,8 +4,8 @@
 // The rays of a packet, and the part of them that is marched; the names are those of
 // Shaders/RayMarch.frag.glsl.
 
-#include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketScene.h"
+#include "Core/Packets/ShaderMath.h"
 
 #include <cstddef>
 
@@ -16,7 +16,6 @@ namespace
 {
 
 constexpr float Never = 3.0e38f;
-constexpr float InverseOfNone = 1e30f; // stands for the inverse of a direction's component of 0
 
 /// The rows of pixels in a packet of PacketWidth columns.
 constexpr int PacketRows = LaneCount / PacketWidth;
@@ -47,47 +46,31 @@ Lanes3 Transformed(const Matrix& matrix, const Lanes3& a)
     a.x * x.z + a.y * y.z + a.z * z.z };
 }
 
-/// Replaces a component that is zero, or whose inverse would overflow, by a tiny one.
-inline Lanes SafeInverse(Lanes direction)
+/// Keeps the part of rays that is inside a box.
+inline void KeepInside(PacketRays& rays, const glm::vec3& lower, const glm::vec3& upper)
 {
-  return 1.0f / WithSignOf(Max(Abs(direction), All(1.0f / InverseOfNone)), direction);
+  const Lanes2 inside = IntersectBox(rays.originGrid, rays.inverse, AllOf3(lower), AllOf3(upper));
+  rays.enter = Max(rays.enter, inside.x);
+  rays.exit = Min(rays.exit, inside.y);
 }
 
-/// Slab test of Kay and Kajiya (SIGGRAPH 1986). For rays along the slab, positions are
-/// compared, as in Shaders/Math/IntersectBox.glsl.
-inline void CutBySlab(PacketRays& rays, Lanes origin, Lanes inverse, float lower, float upper)
+inline Lanes BeyondPlane(const glm::vec4& plane, const Lanes3& position)
 {
-  const Lanes toLower = (lower - origin) * inverse;
-  const Lanes toUpper = (upper - origin) * inverse;
-  const LaneMask isAlong = LaneMask(Abs(inverse) >= InverseOfNone);
-  const LaneMask isInside = LaneMask(origin >= lower) & LaneMask(origin <= upper);
-  const Lanes never = All(Never);
-  rays.enter =
-    Max(rays.enter, Select(isAlong, Select(isInside, -never, never), Min(toLower, toUpper)));
-  rays.exit =
-    Min(rays.exit, Select(isAlong, Select(isInside, never, -never), Max(toLower, toUpper)));
+  return BeyondPlane(AllOf4(plane), position);
 }
 
-inline Lanes PlaneAt(const glm::vec4& plane, const Lanes3& position)
+inline Lanes ApproachToPlane(const glm::vec4& plane, const Lanes3& direction)
 {
-  return position.x * plane.x + position.y * plane.y + position.z * plane.z + plane.w;
+  return ApproachToPlane(AllOf4(plane), direction);
 }
 
-inline Lanes PlaneAlong(const glm::vec4& plane, const Lanes3& direction)
+/// Keeps the part beyond a plane, as Shaders/Clip/Planes.glsl does.
+inline void KeepBeyond(PacketRays& rays, const glm::vec4& plane)
 {
-  return direction.x * plane.x + direction.y * plane.y + direction.z * plane.z;
-}
-
-/// Shaders/Clip/Planes.glsl: keeps the part beyond a plane, where dot(plane, (position, 1)) >= 0.
-inline void CutByPlane(PacketRays& rays, const glm::vec4& plane)
-{
-  const Lanes beyond = PlaneAt(plane, rays.originGrid);
-  const Lanes approach = PlaneAlong(plane, rays.directionGrid);
-  const Lanes crossing = -beyond / approach;
-  rays.enter = Select(LaneMask(approach > 0.0f), Max(crossing, rays.enter), rays.enter);
-  rays.exit = Select(LaneMask(approach < 0.0f), Min(crossing, rays.exit), rays.exit);
-  const LaneMask cutOff = LaneMask(approach == 0.0f) & LaneMask(beyond < 0.0f);
-  rays.exit = Select(cutOff, rays.enter, rays.exit);
+  const Lanes2 kept = CutByPlane({ rays.enter, rays.exit }, BeyondPlane(plane, rays.originGrid),
+    ApproachToPlane(plane, rays.directionGrid));
+  rays.enter = kept.x;
+  rays.exit = kept.y;
 }
 
 /// The depth at each pixel, some of which may be beyond the image's edges.
@@ -112,10 +95,10 @@ inline Lanes DepthsAt(const PacketScene& scene, int x, int y)
 inline Lanes AtDepth(const PacketRays& rays, const RayParameters& parameters, Lanes depth)
 {
   const Lanes clipDepth = 2.0f * depth - 1.0f;
-  const Lanes approach = PlaneAlong(parameters.clipDepthRow, rays.directionGrid) -
-    clipDepth * PlaneAlong(parameters.clipWeightRow, rays.directionGrid);
-  const Lanes beyond = PlaneAt(parameters.clipDepthRow, rays.originGrid) -
-    clipDepth * PlaneAt(parameters.clipWeightRow, rays.originGrid);
+  const Lanes approach = ApproachToPlane(parameters.clipDepthRow, rays.directionGrid) -
+    clipDepth * ApproachToPlane(parameters.clipWeightRow, rays.directionGrid);
+  const Lanes beyond = BeyondPlane(parameters.clipDepthRow, rays.originGrid) -
+    clipDepth * BeyondPlane(parameters.clipWeightRow, rays.originGrid);
   return -beyond / approach;
 }
 
@@ -160,8 +143,8 @@ inline void CutByVisible(PacketRays& rays, const PacketDepths& depths, int x, in
 {
   const int packet = PacketAt(depths, x, y);
   const glm::vec3& axis = depths.axisGrid;
-  CutByPlane(rays, { axis.x, axis.y, axis.z, -depths.nearest[packet] });
-  CutByPlane(rays, { -axis.x, -axis.y, -axis.z, depths.farthest[packet] });
+  KeepBeyond(rays, { axis.x, axis.y, axis.z, -depths.nearest[packet] });
+  KeepBeyond(rays, { -axis.x, -axis.y, -axis.z, depths.farthest[packet] });
 }
 
 /// True if anything may be visible in a packet.
@@ -192,8 +175,7 @@ inline PacketRays LinesOf(const PacketScene& scene, int x, int y)
     Affine(d[0].y, d[1].y, d[2].y, viewX, viewY), Affine(d[0].z, d[1].z, d[2].z, viewX, viewY) };
   rays.directionGrid =
     (1.0f / Length(Transformed(scene.parameters.worldFromGrid, direction))) * direction;
-  rays.inverse = { SafeInverse(rays.directionGrid.x), SafeInverse(rays.directionGrid.y),
-    SafeInverse(rays.directionGrid.z) };
+  rays.inverse = SafeInverse(rays.directionGrid);
   rays.region = IntLanes{};
   rays.enter = All(-Never);
   rays.exit = All(Never);
@@ -204,16 +186,12 @@ inline PacketRays LinesOf(const PacketScene& scene, int x, int y)
 inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
 {
   PacketRays rays = LinesOf(scene, x, y);
-  const glm::vec3& lower = scene.rays.boxLowerGrid;
-  const glm::vec3& upper = scene.rays.boxUpperGrid;
-  CutBySlab(rays, rays.originGrid.x, rays.inverse.x, lower.x, upper.x);
-  CutBySlab(rays, rays.originGrid.y, rays.inverse.y, lower.y, upper.y);
-  CutBySlab(rays, rays.originGrid.z, rays.inverse.z, lower.z, upper.z);
-  CutByPlane(rays, scene.rays.nearPlaneGrid);
-  CutByPlane(rays, scene.rays.farPlaneGrid);
+  KeepInside(rays, scene.rays.boxLowerGrid, scene.rays.boxUpperGrid);
+  KeepBeyond(rays, scene.rays.nearPlaneGrid);
+  KeepBeyond(rays, scene.rays.farPlaneGrid);
   for (int plane = 0; plane < scene.rays.clippingPlaneCount; ++plane)
   {
-    CutByPlane(rays, scene.cuts.planesGrid[plane]);
+    KeepBeyond(rays, scene.cuts.planesGrid[plane]);
   }
   if (scene.cuts.depth)
   {

@@ -67,11 +67,11 @@ struct PacketVolume
 struct PacketLook
 {
   const glm::vec4* table;
-  int lastIndex;     ///< of an entry, along a side
-  float indexScale;  ///< value -> index
-  float indexOffset; ///< is value * scale + offset
-  glm::vec4 below;   ///< of PreIntegratedTable: what is beyond its ends
-  glm::vec4 above;
+  int lastIndex;           ///< of an entry, along a side
+  float indexScale;        ///< value -> index
+  float indexOffset;       ///< is value * scale + offset
+  glm::vec4 emissionBelow; ///< emission and extinction below the values of a PreIntegratedTable
+  glm::vec4 emissionAbove; ///< the same above them
   glm::vec2 visibleValues; ///< only between these does anything absorb
 };
 
@@ -80,7 +80,7 @@ inline PacketLook LookBy(
   const VolumeParameters& parameters, const glm::vec4* entries, int table, int component)
 {
   return { entries, int(parameters.lastTableIndices[table]), parameters.tableScales[table],
-    parameters.tableBiases[table], parameters.opticalBelow, parameters.opticalAbove,
+    parameters.tableBiases[table], parameters.emissionBelow, parameters.emissionAbove,
     { parameters.visibleLower[component], parameters.visibleUpper[component] } };
 }
 

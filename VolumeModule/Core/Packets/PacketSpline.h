@@ -17,31 +17,29 @@ namespace
 {
 
 /// The weights of the four coefficients along an axis that a value, or its derivative, depends on.
-struct SplineWeights
+struct AxisWeights
 {
   Lanes of[4];
 };
 
-/// @param part  [0, 1] of the way from the second coefficient to the third
-inline SplineWeights WeightsOfValue(Lanes part)
+inline AxisWeights AlongX(const SplineWeights& w)
 {
-  const Lanes left = 1.0f - part;
-  constexpr float Sixth = 1.0f / 6.0f;
-  constexpr float TwoThirds = 2.0f / 3.0f;
-  return { { Sixth * left * left * left, TwoThirds - 0.5f * part * part * (2.0f - part),
-    TwoThirds - 0.5f * left * left * (2.0f - left), Sixth * part * part * part } };
+  return { { w.first.x, w.second.x, w.third.x, w.last.x } };
 }
 
-inline SplineWeights WeightsOfSlope(Lanes part)
+inline AxisWeights AlongY(const SplineWeights& w)
 {
-  const Lanes left = 1.0f - part;
-  return { { -0.5f * left * left, part * (1.5f * part - 2.0f), left * (2.0f - 1.5f * left),
-    0.5f * part * part } };
+  return { { w.first.y, w.second.y, w.third.y, w.last.y } };
+}
+
+inline AxisWeights AlongZ(const SplineWeights& w)
+{
+  return { { w.first.z, w.second.z, w.third.z, w.last.z } };
 }
 
 /// Gives the weight of a coefficient beyond the outermost ones to that of the face.
 /// @param beyond  -1 if one is before the first, 1 if one is behind the last, else 0
-inline SplineWeights MovedInside(const SplineWeights& weights, Lanes beyond)
+inline AxisWeights MovedInside(const AxisWeights& weights, Lanes beyond)
 {
   const Lanes(&w)[4] = weights.of;
   const LaneMask before = LaneMask(beyond < 0.0f);
@@ -55,7 +53,7 @@ inline SplineWeights MovedInside(const SplineWeights& weights, Lanes beyond)
 /// The lanes in memory.
 struct SplineNumbers
 {
-  explicit SplineNumbers(const SplineWeights& weights)
+  explicit SplineNumbers(const AxisWeights& weights)
     : of{ Numbers(weights.of[0]), Numbers(weights.of[1]), Numbers(weights.of[2]),
       Numbers(weights.of[3]) }
   {
@@ -99,8 +97,9 @@ public:
 
   Lanes ValueIn(const Cell& cell) const
   {
-    const SplineNumbers alongY(MovedInside(WeightsOfValue(cell.part.y), cell.beyond.y));
-    const SplineNumbers alongZ(MovedInside(WeightsOfValue(cell.part.z), cell.beyond.z));
+    const SplineWeights weights = WeightsOfValue(cell.part);
+    const SplineNumbers alongY(MovedInside(AlongY(weights), cell.beyond.y));
+    const SplineNumbers alongZ(MovedInside(AlongZ(weights), cell.beyond.z));
     Four sums[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
@@ -111,7 +110,7 @@ public:
           alongZ.At(slice, lane), this->SumOfRows(cell, slice, alongY, lane), sums[lane]);
       }
     }
-    return SumAlongX(sums, MovedInside(WeightsOfValue(cell.part.x), cell.beyond.x));
+    return SumAlongX(sums, MovedInside(AlongX(weights), cell.beyond.x));
   }
 
   Lanes ValueAt(const Lanes3& positionGrid) const
@@ -124,14 +123,12 @@ public:
   Slope SlopeAt(const Lanes3& positionGrid, LaneMask) const
   {
     const Cell cell = this->CellOf(positionGrid);
-    const auto valueOf = [](Lanes part, Lanes beyond)
-    { return MovedInside(WeightsOfValue(part), beyond); };
-    const auto slopeOf = [](Lanes part, Lanes beyond)
-    { return MovedInside(WeightsOfSlope(part), beyond); };
-    const SplineNumbers valueY(valueOf(cell.part.y, cell.beyond.y));
-    const SplineNumbers slopeY(slopeOf(cell.part.y, cell.beyond.y));
-    const SplineNumbers valueZ(valueOf(cell.part.z, cell.beyond.z));
-    const SplineNumbers slopeZ(slopeOf(cell.part.z, cell.beyond.z));
+    const SplineWeights ofValue = WeightsOfValue(cell.part);
+    const SplineWeights ofSlope = WeightsOfSlope(cell.part);
+    const SplineNumbers valueY(MovedInside(AlongY(ofValue), cell.beyond.y));
+    const SplineNumbers slopeY(MovedInside(AlongY(ofSlope), cell.beyond.y));
+    const SplineNumbers valueZ(MovedInside(AlongZ(ofValue), cell.beyond.z));
+    const SplineNumbers slopeZ(MovedInside(AlongZ(ofSlope), cell.beyond.z));
     Four values[LaneCount];
     Four slopesY[LaneCount];
     Four slopesZ[LaneCount];
@@ -147,9 +144,9 @@ public:
         slopesZ[lane] = MultiplyAdd(slopeZ.At(slice, lane), value, slopesZ[lane]);
       }
     }
-    const SplineWeights valueX = valueOf(cell.part.x, cell.beyond.x);
+    const AxisWeights valueX = MovedInside(AlongX(ofValue), cell.beyond.x);
     return { SumAlongX(values, valueX),
-      { 2.0f * SumAlongX(values, slopeOf(cell.part.x, cell.beyond.x)),
+      { 2.0f * SumAlongX(values, MovedInside(AlongX(ofSlope), cell.beyond.x)),
         2.0f * SumAlongX(slopesY, valueX), 2.0f * SumAlongX(slopesZ, valueX) } };
   }
 
@@ -183,7 +180,7 @@ private:
     return sum;
   }
 
-  static Lanes SumAlongX(const Four (&sums)[LaneCount], const SplineWeights& weights)
+  static Lanes SumAlongX(const Four (&sums)[LaneCount], const AxisWeights& weights)
   {
     const Lanes4 along = Transposed(sums);
     return weights.of[0] * along.x + weights.of[1] * along.y + weights.of[2] * along.z +

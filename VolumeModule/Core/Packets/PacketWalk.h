@@ -62,7 +62,7 @@ public:
     {
       return { t, t + plainMm };
     }
-    LatticePlaces place = this->lattice.At(t);
+    LatticePlace place = this->lattice.At(t);
     Lanes behindT = t; // the end of bricks that are one segment
     for (int skip = 0; skip < this->parameters.mostSegments && Any(mask); ++skip)
     {
@@ -72,7 +72,7 @@ public:
       {
         break; // these bricks are marched
       }
-      const LatticePlaces behind =
+      const LatticePlace behind =
         this->lattice.BehindBlock(place, Max(FloatOf(content) - 128.0f, Lanes{}));
       behindT = Select(isOneSegment, behind.t, behindT);
       const LaneMask isInvisible = isOneSegment & (content >= 128);

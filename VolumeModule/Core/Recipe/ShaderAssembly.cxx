@@ -103,6 +103,30 @@ std::string NameOfVolume(const std::string& name, std::size_t volume)
   return name + "_" + std::to_string(volume + 1);
 }
 
+std::vector<ShaderFile> WithIncludes(const std::vector<ShaderFile>& files,
+  const std::function<std::string(const std::string& path)>& read)
+{
+  static const std::regex include("(^|\n)#include \"([^\"]+)\"[^\n]*");
+  std::vector<ShaderFile> included;
+  std::vector<ShaderFile> including = files;
+  for (ShaderFile& file : including)
+  {
+    for (std::smatch match; std::regex_search(file.text, match, include);)
+    {
+      const std::string path = match[2];
+      const auto isOfPath = [&](const ShaderFile& other) { return other.path == path; };
+      if (std::none_of(included.begin(), included.end(), isOfPath))
+      {
+        included.push_back({ path, read(path) });
+      }
+      file.text.erase(std::size_t(match.position()) + std::size_t(match[1].length()),
+        std::size_t(match.length() - match[1].length()));
+    }
+  }
+  included.insert(included.end(), including.begin(), including.end());
+  return included;
+}
+
 std::string AssembleShader(const std::vector<ShaderFile>& files)
 {
   const std::vector<VolumeText> volumes = VolumesOf(files);

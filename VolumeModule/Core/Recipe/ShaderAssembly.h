@@ -2,6 +2,7 @@
 #define Varimarch_Core_Recipe_ShaderAssembly_h
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,13 @@ struct ShaderFile
   std::string path; ///< below VolumeModule/Shaders
   std::string text;
 };
+
+/// Puts the files that are included by others in front of all, each of them once, in the order in
+/// which they are included. A line `#include "PATH"` becomes an empty line. Included files include
+/// no others.
+/// @param read  (path) -> text of a file
+std::vector<ShaderFile> WithIncludes(const std::vector<ShaderFile>& files,
+  const std::function<std::string(const std::string& path)>& read);
 
 /// Joins files into one GLSL 1.50 source. Line n of the i-th file gets the number 1000 * (i + 1) +
 /// n, so that compiler messages can be traced to files. If VolumeParameters.glsl occurs several

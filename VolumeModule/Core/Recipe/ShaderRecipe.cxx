@@ -105,7 +105,6 @@ Parts PartsOfRaysAndVolume()
 {
   Parts parts = PartsOfRays;
   parts.insert(parts.end(), PartsOfVolume.begin(), PartsOfVolume.end());
-  parts.push_back("Math/IntersectBox.glsl");
   return parts;
 }
 
@@ -113,7 +112,7 @@ Parts PartsOfRaysAndVolume()
 std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
   Parts parts = PartsOfRaysAndVolume();
-  parts.insert(parts.end(), { "Math/Absorption.glsl", DepthFile(settings), ClipFile(settings) });
+  parts.insert(parts.end(), { DepthFile(settings), ClipFile(settings) });
   if (IsProjection(settings.blend))
   {
     const std::vector<std::string> classify = ClassifyParts(settings);
@@ -205,37 +204,11 @@ std::vector<std::string> MarchParts(const RenderSettings& settings)
   return parts;
 }
 
-// True if rays walk through bricks, voxels or cells.
-bool Walks(const RenderSettings& settings)
-{
-  return StepFile(settings) == "Step/OpticalField.glsl" ||
-    StepFile(settings) == "Step/BrickExtremes.glsl" || settings.gaps ||
-    settings.mask != Mask::None || (!IsSampled(settings) && settings.blend != Blend::Slice);
-}
-
-// True if the transfer function's opacity is multiplied by another factor.
-bool ComputesOpacity(const RenderSettings& settings)
-{
-  return MarchesMaterial(settings) &&
-    (settings.gradientOpacity || settings.functionOf != FunctionOf::Value ||
-      settings.mask == Mask::Labels);
-}
-
 // Files for the positions of voxels and the values between them.
 std::vector<std::string> VoxelParts(const RenderSettings& settings)
 {
   return { SpacingFile(settings),
     settings.cubic ? "Interpolation/CubicSpline.glsl" : "Interpolation/Linear.glsl" };
-}
-
-// Files that determine the length of the next step.
-std::vector<std::string> StepParts(const RenderSettings& settings)
-{
-  if (settings.acceleration == Acceleration::OpticalField && !IsExtreme(settings.blend))
-  {
-    return { "Math/StepGrowth.glsl", JitterFile(settings), StepFile(settings) };
-  }
-  return { JitterFile(settings), StepFile(settings) };
 }
 
 }
@@ -305,25 +278,9 @@ static std::vector<std::string> PartsOfOne(const RenderSettings& settings)
 
 static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
 {
-  const auto any = [&](bool (*has)(const RenderSettings&))
-  { return has(settings) || std::any_of(settings.others.begin(), settings.others.end(), has); };
   Parts parts = PartsOfRays;
-  parts.push_back("Math/IntersectBox.glsl");
   const auto add = [&](const std::vector<std::string>& more)
   { parts.insert(parts.end(), more.begin(), more.end()); };
-  if (any(Walks))
-  {
-    add({ "Math/LatticeWalk.glsl" });
-  }
-  if (any([](const RenderSettings& one) { return one.cubic; }))
-  {
-    add({ "Math/CubicSpline.glsl" });
-  }
-  add({ "Math/Absorption.glsl", "Math/StepGrowth.glsl" });
-  if (any(ComputesOpacity))
-  {
-    add({ "Math/WithOpacityFactor.glsl" });
-  }
   add({ DepthFile(settings), ClipFile(settings), JitterFile(settings), BlendFile(settings),
     "Volumes/None.glsl" });
   for (const RenderSettings& other : settings.others)
@@ -334,27 +291,6 @@ static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
   add({ "March/Several.glsl", "Mask/None.glsl", "Crop/None.glsl" });
   add(PassParts(settings));
   add({ "RayMarch.frag.glsl" });
-  return parts;
-}
-
-// The formulas that a march uses.
-static std::vector<std::string> MathParts(const RenderSettings& settings)
-{
-  std::vector<std::string> parts;
-  if (Walks(settings))
-  {
-    parts.push_back("Math/LatticeWalk.glsl");
-  }
-  parts.push_back("Math/Absorption.glsl");
-  if (ComputesOpacity(settings))
-  {
-    parts.push_back("Math/WithOpacityFactor.glsl");
-  }
-  const std::string march = MarchFile(settings);
-  if (march == "March/Isosurfaces.glsl" || march == "March/Extreme.glsl")
-  {
-    parts.push_back("Math/CellCubic.glsl");
-  }
   return parts;
 }
 
@@ -379,16 +315,11 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   Parts parts = PartsOfRaysAndVolume();
   const auto add = [&](const std::vector<std::string>& more)
   { parts.insert(parts.end(), more.begin(), more.end()); };
-  if (settings.cubic)
-  {
-    add({ "Math/CubicSpline.glsl" });
-  }
   add(VoxelParts(settings));
-  add(MathParts(settings));
   add({ DepthFile(settings), ClipFile(settings) });
   if (settings.blend != Blend::Slice || Locates(settings.pass))
   {
-    add(StepParts(settings));
+    add({ JitterFile(settings), StepFile(settings) });
   }
   add(LookParts(settings));
   parts.push_back(BlendFile(settings));

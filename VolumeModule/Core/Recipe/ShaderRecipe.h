@@ -10,7 +10,8 @@ namespace varimarch
 {
 
 /// The files of a fragment shader, as paths below VolumeModule/Shaders in the order in which they
-/// are joined: one per slot, and only those that the settings need.
+/// are joined: one per slot, and only those that the settings need. Files that these include, the
+/// formulas of Shaders/Math, are not among them.
 std::vector<std::string> FragmentShaderParts(const RenderSettings& settings);
 
 /// True if the shader uses a PreIntegratedTable.

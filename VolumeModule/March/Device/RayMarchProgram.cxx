@@ -132,7 +132,9 @@ RayMarchProgram::Sources RayMarchProgram::Assemble(
   const std::vector<std::string>& parts, const UserShaderCode& userCode)
 {
   std::vector<ShaderFile> vertex = LoadShaderFiles(VertexShaderParts());
-  std::vector<ShaderFile> fragment = WithUserCode(LoadShaderFiles(parts), parts, userCode);
+  std::vector<ShaderFile> fragment =
+    WithIncludes(WithUserCode(LoadShaderFiles(parts), parts, userCode),
+      [](const std::string& path) { return LoadShaderFiles({ path }).front().text; });
   // On graphics cards, uniforms are read at no cost.
   if (IsSoftwareRasterizer())
   {

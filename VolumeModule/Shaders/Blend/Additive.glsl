@@ -1,3 +1,4 @@
+#include "Math/Absorption.glsl"
 // The integral of opacity times gray along the ray, with lengths in unit distances, and at most 1,
 // in white on black. Gray goes from 0 to 1 over the scalars of the volume. A ray without a
 // sample is transparent.

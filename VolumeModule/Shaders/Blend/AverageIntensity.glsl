@@ -1,3 +1,4 @@
+#include "Math/Absorption.glsl"
 // The mean of opacity times gray over the lengths whose scalars are in a range, in white on black.
 // Gray goes from 0 to 1 over the scalars of the volume; the opacity is that over one unit distance.
 

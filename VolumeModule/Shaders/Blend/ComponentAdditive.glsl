@@ -1,3 +1,4 @@
+#include "Math/Absorption.glsl"
 // The integral of opacity times gray of each component, with lengths in unit distances. The pixel
 // is their weighted sum, at most 1, in white on black. Gray goes from 0 to 1 over the values of the
 // component. A ray without a sample is transparent.

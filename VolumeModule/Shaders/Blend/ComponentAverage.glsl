@@ -1,3 +1,4 @@
+#include "Math/Absorption.glsl"
 // The mean of opacity times gray of each component, over the lengths whose values are in a range.
 // The pixel is their weighted sum, in white on black. Gray goes from 0 to 1 over the values of the
 // component; the opacity is that over one unit distance.

@@ -1,3 +1,4 @@
+#include "Math/Absorption.glsl"
 // The largest or smallest values along the ray, seen through the transfer functions: colour and
 // opacity of each component over its unit distance, whatever the length of the ray. They add up to
 // at most 1, as light does, because the extremes of several components lie at different positions.

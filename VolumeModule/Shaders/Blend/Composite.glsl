@@ -1,3 +1,4 @@
+#include "Math/Absorption.glsl"
 // Emission and absorption, front to back. Each part of the ray is homogeneous, so that the volume
 // rendering integral has a closed form (Max, "Optical models for direct volume rendering", IEEE
 // TVCG 1995, eq. 7): the part emits color * absorption and transmits exp(-depth).

@@ -1,3 +1,4 @@
+#include "Math/Absorption.glsl"
 // The largest scalar along the ray, seen through the transfer function, with the opacity over one
 // unit distance, whatever the length of the ray. A ray without a sample is transparent.
 

@@ -1,11 +1,13 @@
-// Transfer functions as tables of (r, g, b, extinction), one after the other in one buffer, which
-// begins with a row for each: (scale and bias: texture value -> index; first entry; last index).
+#include "Math/Tables.glsl"
+// Transfer functions as tables of (r, g, b, extinction), one after the other in one buffer. The
+// buffer begins with one entry for each table: scale and bias from a scalar to an index, the first
+// entry, and the last index.
 
 vec4 ClassifyBy(int table, float scalar)
 {
   vec4 row = texelFetch(opticalTable, table);
-  float index = clamp(scalar * row.x + row.y, 0.0, row.w);
-  float below = min(floor(index), row.w - 1.0);
+  float index = TableIndex(scalar, row.x, row.y, row.w);
+  float below = EntryBelow(index, row.w);
   int entry = int(row.z) + int(below);
   return mix(texelFetch(opticalTable, entry), texelFetch(opticalTable, entry + 1), index - below);
 }

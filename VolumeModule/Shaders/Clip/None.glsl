@@ -1,4 +1,4 @@
-// No planes but those of the volume's box.
+// There are no planes but those of the volume's box.
 
 Interval Clipped(Ray ray, Interval inside)
 {

@@ -1,7 +1,7 @@
-// Where a material is homogeneous its gradient is noise, and so is the light on it: the less of it
-// the smaller the gradient is.
+#include "Math/Gradients.glsl"
+// Light fades where the gradient is small.
 
 float LitPart(vec3 gradient)
 {
-  return min(length(dampingFactors * gradient), 1.0);
+  return DampedPart(gradient, dampingFactors);
 }

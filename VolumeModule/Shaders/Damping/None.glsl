@@ -1,4 +1,4 @@
-// Light as it is.
+// Surfaces receive all light.
 
 float LitPart(vec3 gradient)
 {

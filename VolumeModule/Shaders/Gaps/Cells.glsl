@@ -1,3 +1,5 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // Cells that touch a voxel that is not finite are gaps: the march ends at their faces, fills them
 // (slot Fill) and continues behind them. Blanked cells are left out in the same way, but not
 // filled. The cells lie between voxels, or are the voxels themselves, drawn as boxes, half a voxel

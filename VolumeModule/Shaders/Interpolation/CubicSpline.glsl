@@ -1,3 +1,4 @@
+#include "Math/CubicSpline.glsl"
 // The tricubic spline through the voxels. The texture holds its coefficients
 // (Core/Geometry/SplineCoefficients.h). Beyond the outermost voxels the value is that at the face.
 

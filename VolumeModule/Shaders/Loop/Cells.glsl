@@ -1,3 +1,5 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // The loop along a ray from cell to cell of a lattice. Segments of a few cells let slot Step skip
 // invisible parts. The file of March adds the cells, exactly, and defines:
 

@@ -1,3 +1,6 @@
+#include "Math/CellCubic.glsl"
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // The exact maximum or minimum of interpolated voxels. In a cell the scalar is a cubic along the
 // ray, known from four samples; its largest and smallest values are at its ends or its extremes.
 
@@ -20,7 +23,7 @@ Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
   while (cell.t < end)
   {
     float enter = cell.t;
-    cell = BehindBlock(cellRay, cell, 0.0);
+    cell = BehindCell(cellRay, cell);
     float leave = min(cell.t, exit);
     scalars = vec4(scalars.w, ScalarAt(PositionTexture(ray, mix(enter, leave, 1.0 / 3.0))),
       ScalarAt(PositionTexture(ray, mix(enter, leave, 2.0 / 3.0))),

@@ -1,3 +1,7 @@
+#include "Math/CellCubic.glsl"
+#include "Math/CubicCrossing.glsl"
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // Isosurfaces of interpolated voxels. In a cell the scalar is a cubic along the ray, known from
 // four samples. It is divided at its extremes, so that no surface is missed, however thin the
 // region that it encloses. Neighbouring cells share the sample at their common face, so that no
@@ -63,7 +67,7 @@ Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
     do
     {
       part.enter = cell.t;
-      cell = BehindBlock(cellRay, cell, 0.0);
+      cell = BehindCell(cellRay, cell);
       part.exit = min(cell.t, exit);
       cubic = CubicThrough(ScalarsOfCell(ray, part));
     } while (cell.t < end && !MayHoldSurface(cubic));

@@ -1,3 +1,5 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // Voxels without interpolation (see Voxels.glsl), for materials that depend on gradients or on
 // several values. A voxel has one gradient, that in its middle. An inner loop finds the next voxel
 // that absorbs light, before its gradient is fetched (see MaterialSegments.glsl).
@@ -23,7 +25,7 @@ Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
     Interval part;
     do
     {
-      LatticePlace behind = BehindBlock(cellRay, cell, 0.0);
+      LatticePlace behind = BehindCell(cellRay, cell);
       middleTexture = (cell.cell + 0.5) / voxelCount;
       part = Interval(cell.t, min(behind.t, exit));
       values = ValuesAt(middleTexture);

@@ -1,3 +1,5 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // Projections of voxels without interpolation (see Voxels.glsl). A voxel that the ray only touches
 // is left out, because rounding may put such a voxel at the beginning or the end of a ray.
 
@@ -19,7 +21,7 @@ Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
 {
   while (cell.t < end)
   {
-    LatticePlace behind = BehindBlock(cellRay, cell, 0.0);
+    LatticePlace behind = BehindCell(cellRay, cell);
     float lengthMm = min(behind.t, exit) - cell.t;
     Accumulation seen = BlendScalar(sum, ScalarAt((cell.cell + 0.5) / voxelCount), lengthMm);
     if (lengthMm * length(ray.directionGrid) > ShortestVoxels)

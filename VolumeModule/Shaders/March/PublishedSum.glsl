@@ -1,3 +1,4 @@
+#include "Math/Absorption.glsl"
 // The rule published by Banquero, Ortiz and Rossi, "Realtime volume render en videojuegos" (2016),
 // section 3.3, to compare its error with that of the other rules. Where the field says that the
 // scalar varies little over a distance d, the sample at its beginning counts s = d / step times:

@@ -1,3 +1,4 @@
+#include "Math/StepGrowth.glsl"
 // The loop for several overlapping volumes. It marches all of them together, from face to face of
 // their boxes, and skips parts in which no volume is visible. In a segment the values of each
 // volume are linear or constant (slot Reading), so that the parts of a segment cost arithmetic

@@ -1,3 +1,5 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // Isosurfaces of voxels without interpolation (see Voxels.glsl): the faces between voxels of at
 // least the isovalue and voxels of less.
 
@@ -34,7 +36,7 @@ Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
       }
     }
     scalarBefore = scalar;
-    cell = BehindBlock(cellRay, cell, 0.0);
+    cell = BehindCell(cellRay, cell);
   }
   return sum;
 }

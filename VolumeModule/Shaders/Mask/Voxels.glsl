@@ -1,3 +1,5 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // Each voxel of a mask fills the box around it. The march is divided exactly at the faces at which
 // the content of the mask changes. The mask's texel holds the content, and k + 1 if the voxels
 // v - k to v + k have the same content.

@@ -1,6 +1,6 @@
-// Up to four components, as one material or a mixture of several: extinctions and emissions of what
-// is mixed add up, as those of particles between each other do, whatever their order. The weight of
-// a component is the part that it has in the mixture.
+// Up to four components, as one material or a mixture of several. The extinctions and emissions of
+// the mixed materials add up, as those of particles between each other do, in any order. A
+// component's weight is its part of the mixture.
 
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {

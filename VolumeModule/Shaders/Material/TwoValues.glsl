@@ -1,4 +1,4 @@
-// Two scalars, seen through a transfer function of both. Light is that on the first.
+// Two scalars, seen through a transfer function of both. The gradient of the first one is lit.
 
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {

@@ -12,43 +12,32 @@ vec4 CubicThrough(vec4 values)
 // De Casteljau's algorithm; at 0 and 1 the first and last coefficient to the last bit.
 float CubicValue(vec4 cubic, float u)
 {
-  vec3 second = mix(vec3(cubic.x, cubic.y, cubic.z), vec3(cubic.y, cubic.z, cubic.w), u);
-  vec2 third = mix(vec2(second.x, second.y), vec2(second.y, second.z), u);
-  return mix(third.x, third.y, u);
+  float middle = mix(cubic.y, cubic.z, u);
+  float left = mix(mix(cubic.x, cubic.y, u), middle, u);
+  float right = mix(middle, mix(cubic.z, cubic.w, u), u);
+  return mix(left, right, u);
+}
+
+// The derivative by u.
+float CubicSlope(vec4 cubic, float u)
+{
+  float middle = cubic.z - cubic.y;
+  return 3.0f * mix(mix(cubic.y - cubic.x, middle, u), mix(middle, cubic.w - cubic.z, u), u);
 }
 
 // Where it has extremes in [0, 1], ascending; 0 or 1 in place of one that is elsewhere. So it is
 // monotone between 0, the two, and 1.
 vec2 CubicExtremes(vec4 cubic)
 {
-  vec3 slopes = vec3(cubic.y - cubic.x, cubic.z - cubic.y, cubic.w - cubic.z);
-  float a = slopes.x - 2.0f * slopes.y + slopes.z;
-  float halfB = slopes.y - slopes.x;
-  float discriminant = halfB * halfB - a * slopes.x;
-  float q = -(halfB + (halfB < 0.0f ? -1.0f : 1.0f) * sqrt(max(discriminant, 0.0f)));
-  vec2 roots = vec2(a != 0.0f ? q / a : 0.0f, q != 0.0f ? slopes.x / q : 0.0f);
-  roots = discriminant > 0.0f ? clamp(roots, 0.0f, 1.0f) : vec2(0.0f);
-  return vec2(min(roots.x, roots.y), max(roots.x, roots.y));
-}
-
-// Where it takes a value that lies between those at the ends of a part on which it is monotone:
-// Newton's steps, halves where these lead outside.
-float CubicCrossing(vec4 cubic, float value, vec2 part)
-{
-  float rises = CubicValue(cubic, part.y) < CubicValue(cubic, part.x) ? -1.0f : 1.0f;
-  vec3 slopes = vec3(cubic.y - cubic.x, cubic.z - cubic.y, cubic.w - cubic.z);
-  float u = 0.5f * (part.x + part.y);
-  float change = 1.0f;
-  for (int i = 0; i < 30 && abs(change) > 1e-6f; ++i)
-  {
-    float above = rises * (CubicValue(cubic, u) - value);
-    part = above < 0.0f ? vec2(u, part.y) : vec2(part.x, u);
-    vec2 second = mix(vec2(slopes.x, slopes.y), vec2(slopes.y, slopes.z), u);
-    float slope = 3.0f * rises * mix(second.x, second.y, u);
-    float next = u - above / slope;
-    next = slope > 0.0f && next > part.x && next < part.y ? next : 0.5f * (part.x + part.y);
-    change = next - u;
-    u = next;
-  }
-  return u;
+  float first = cubic.y - cubic.x;
+  float second = cubic.z - cubic.y;
+  float third = cubic.w - cubic.z;
+  float a = first - 2.0f * second + third;
+  float halfB = second - first;
+  float discriminant = halfB * halfB - a * first;
+  float root = sqrt(max(discriminant, 0.0f));
+  float q = -(halfB + (halfB < 0.0f ? -root : root));
+  float one = a != 0.0f && discriminant > 0.0f ? clamp(q / a, 0.0f, 1.0f) : 0.0f;
+  float other = q != 0.0f && discriminant > 0.0f ? clamp(first / q, 0.0f, 1.0f) : 0.0f;
+  return vec2(min(one, other), max(one, other));
 }

@@ -11,23 +11,51 @@ struct SplineReadings
   vec3 farWeight;
 };
 
-// For the value at x, [0,1] of the way from the second to the third.
-SplineReadings SplineValue(vec3 x)
+// The weights of the four coefficients that a value depends on.
+struct SplineWeights
+{
+  vec3 first;
+  vec3 second;
+  vec3 third;
+  vec3 last;
+};
+
+// For the value at x, [0, 1] of the way from the second to the third.
+SplineWeights WeightsOfValue(vec3 x)
 {
   vec3 y = 1.0f - x;
-  vec3 first = y * y * y / 6.0f;
-  vec3 last = x * x * x / 6.0f;
-  vec3 second = 2.0f / 3.0f - 0.5f * x * x * (2.0f - x);
-  vec3 third = 2.0f / 3.0f - 0.5f * y * y * (2.0f - y);
+  SplineWeights weights;
+  weights.first = 0.16666667f * y * y * y;
+  weights.second = 0.66666667f - 0.5f * x * x * (2.0f - x);
+  weights.third = 0.66666667f - 0.5f * y * y * (2.0f - y);
+  weights.last = 0.16666667f * x * x * x;
+  return weights;
+}
+
+// For the derivative there, per voxel.
+SplineWeights WeightsOfSlope(vec3 x)
+{
+  vec3 y = 1.0f - x;
+  SplineWeights weights;
+  weights.first = -0.5f * y * y;
+  weights.second = x * (1.5f * x - 2.0f);
+  weights.third = y * (2.0f - 1.5f * y);
+  weights.last = 0.5f * x * x;
+  return weights;
+}
+
+SplineReadings SplineValue(vec3 x)
+{
+  SplineWeights weights = WeightsOfValue(x);
   SplineReadings at;
-  at.nearWeight = first + second;
-  at.farWeight = third + last;
-  at.nearPlace = -first / at.nearWeight;
-  at.farPlace = 1.0f + last / at.farWeight;
+  at.nearWeight = weights.first + weights.second;
+  at.farWeight = weights.third + weights.last;
+  at.nearPlace = -weights.first / at.nearWeight;
+  at.farPlace = 1.0f + weights.last / at.farWeight;
   return at;
 }
 
-// For the derivative there, per voxel. The weights of both readings are never 0.
+// The weights of both readings of a derivative are never 0.
 SplineReadings SplineSlope(vec3 x)
 {
   vec3 y = 1.0f - x;

@@ -9,21 +9,22 @@ vec3 SafeInverse(vec3 direction)
   return signs / max(abs(direction), vec3(1e-30f));
 }
 
-// The slab between two planes of one axis. A ray along the slab is decided by comparison: 0 / 0
+// The slab between two planes of one axis. The position of a ray along the slab is compared: 0 / 0
 // must not reach the result when it runs in one of the planes.
-vec2 IntersectSlab(float origin, float direction, float lower, float upper)
+// @param inverse  of the direction, by SafeInverse
+vec2 IntersectSlab(float origin, float inverse, float lower, float upper)
 {
-  float toLower = (lower - origin) / direction;
-  float toUpper = (upper - origin) / direction;
-  vec2 crossing = vec2(min(toLower, toUpper), max(toLower, toUpper));
-  vec2 along = origin >= lower && origin <= upper ? vec2(-3e38f, 3e38f) : vec2(3e38f, -3e38f);
-  return abs(direction) < 1e-30f ? along : crossing;
+  float toLower = (lower - origin) * inverse;
+  float toUpper = (upper - origin) * inverse;
+  float never = origin >= lower && origin <= upper ? 3e38f : -3e38f;
+  return vec2(abs(inverse) >= 1e30f ? -never : min(toLower, toUpper),
+    abs(inverse) >= 1e30f ? never : max(toLower, toUpper));
 }
 
-vec2 IntersectBox(vec3 origin, vec3 direction, vec3 lower, vec3 upper)
+vec2 IntersectBox(vec3 origin, vec3 inverse, vec3 lower, vec3 upper)
 {
-  vec2 x = IntersectSlab(origin.x, direction.x, lower.x, upper.x);
-  vec2 y = IntersectSlab(origin.y, direction.y, lower.y, upper.y);
-  vec2 z = IntersectSlab(origin.z, direction.z, lower.z, upper.z);
+  vec2 x = IntersectSlab(origin.x, inverse.x, lower.x, upper.x);
+  vec2 y = IntersectSlab(origin.y, inverse.y, lower.y, upper.y);
+  vec2 z = IntersectSlab(origin.z, inverse.z, lower.z, upper.z);
   return vec2(max(max(x.x, y.x), z.x), min(min(x.y, y.y), z.y));
 }

@@ -1,3 +1,5 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // A volume without interpolation: its voxels are boxes of constant value, and segments end at their
 // faces. The values and gradients of a segment are those in the middle of its voxel, and exact.
 
@@ -16,17 +18,17 @@ void BeginReading(Ray ray, float t)
 
 float NextReadingFace(float t)
 {
-  LatticePlace behind = BehindBlock(voxelRay, voxel, 0.0);
+  LatticePlace behind = BehindCell(voxelRay, voxel);
   if (behind.t < t)
   {
     voxel = PlaceAt(voxelRay, t, voxelCount);
-    behind = BehindBlock(voxelRay, voxel, 0.0);
+    behind = BehindCell(voxelRay, voxel);
   }
   // A ray through an edge or a corner leaves several voxels at once.
   for (int i = 0; i < mostSegments && behind.t <= t; ++i)
   {
     voxel = behind;
-    behind = BehindBlock(voxelRay, voxel, 0.0);
+    behind = BehindCell(voxelRay, voxel);
   }
   return behind.t;
 }

@@ -1,47 +1,33 @@
-// Blinn-Phong (Blinn, SIGGRAPH 1977) with any number of lights: at the eye, distant, or near with
-// attenuation and a cone. Light and eye are seen from the sample, in the world. A surface faces to
-// where the value falls; with one side lit, its back has ambient light only. Each kind costs what
-// it needs: of lights at the eye one is made, and only what is near is looked at from each sample.
+#include "Math/BlinnPhong.glsl"
+// Any number of lights: at the eye, distant, or near with attenuation and a cone. A surface faces
+// the side where the value falls; with one side lit, its back has ambient light only. All lights at
+// the eye are one light, and only the direction to a near light is computed for each sample.
 
 const int TexelsPerLight = 5;
 
-// Each light: (direction to it, or position), (diffuse colour; cosine of its cone), (specular
-// colour; exponent of the cone), (attenuation: constant, per mm, per mm^2), (where the cone
-// points).
+// Each light has five texels: its direction or position; its diffuse color and the cosine of its
+// cone; its specular color and the exponent of the cone; its attenuation; the axis of the cone.
 
-// Of a near light, what reaches a point that is so far from it.
-float LightReach(int texel, float distanceMm, vec3 toLight)
+float ReachOf(int texel, float distanceMm, vec3 toLight)
 {
-  vec3 attenuation = texelFetch(lightTexels, texel + 3).xyz;
-  float inCone = dot(-toLight, texelFetch(lightTexels, texel + 4).xyz);
-  float cosineOfCone = texelFetch(lightTexels, texel + 1).w;
-  float exponent = texelFetch(lightTexels, texel + 2).w;
-  float reach = 1.0 / dot(attenuation, vec3(1.0, distanceMm, distanceMm * distanceMm));
-  float shaped = exponent == 0.0 ? 1.0 : pow(max(inCone, 1e-6), exponent);
-  return inCone >= cosineOfCone ? reach * shaped : 0.0;
+  return LightReach(texelFetch(lightTexels, texel + 3).xyz, distanceMm, toLight,
+    texelFetch(lightTexels, texel + 4).xyz, texelFetch(lightTexels, texel + 1).w,
+    texelFetch(lightTexels, texel + 2).w);
 }
 
-// The cosine between a normal and a direction, as it lights a surface.
-float Facing(vec3 normal, vec3 direction)
-{
-  float cosine = dot(normal, direction);
-  return max(cosine, -backsLit * cosine);
-}
-
-// What a surface sends to the eye of the light from a direction: diffuse, and specular.
+// The diffuse and specular part of a light that a surface reflects to the eye.
 vec2 Reflected(vec3 normal, vec3 toLight, vec3 toEye, float power)
 {
-  vec3 halfway = toLight + toEye;
-  float facing = Facing(normal, toLight);
-  float shining = Facing(normal, halfway * inversesqrt(max(dot(halfway, halfway), 1e-30)));
-  return vec2(facing, facing > 0.0 ? pow(max(shining, 1e-6), power) : 0.0);
+  float facing = Facing(normal, toLight, backsLit);
+  return vec2(facing, facing > 0.0 ? pow(Shining(normal, toLight, toEye, backsLit), power) : 0.0);
 }
 
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
 {
   reflectance.yz *= LitPart(gradient);
   vec3 outward = -(worldFromGradient * gradient);
-  vec3 normal = outward / max(length(outward), 1e-30);
+  float squared = dot(outward, outward);
+  vec3 normal = squared > 1e-36 ? outward * inversesqrt(squared) : vec3(0.0);
   vec3 positionWorld = worldFromGrid * (ray.originGrid + t * ray.directionGrid) + worldOfGridOrigin;
   vec3 toEye = -(worldFromGrid * ray.directionGrid);
   vec2 atEye = Reflected(normal, toEye, toEye, reflectance.w);
@@ -59,10 +45,10 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
        texel += TexelsPerLight)
   {
     vec3 toPlace = texelFetch(lightTexels, texel).xyz - positionWorld;
-    float distanceMm = max(length(toPlace), 1e-30);
+    float distanceMm = max(length(toPlace), 1e-15);
     vec3 toLight = toPlace / distanceMm;
-    float reach = LightReach(texel, distanceMm, toLight);
-    vec2 reflected = reach * Reflected(normal, toLight, toEye, reflectance.w);
+    vec2 reflected =
+      ReachOf(texel, distanceMm, toLight) * Reflected(normal, toLight, toEye, reflectance.w);
     diffuse += reflected.x * texelFetch(lightTexels, texel + 1).rgb;
     specular += reflected.y * texelFetch(lightTexels, texel + 2).rgb;
   }

@@ -1,4 +1,4 @@
-// Voxels are at even places.
+// Voxels are evenly spaced.
 
 vec3 VoxelPlace(vec3 positionTexture)
 {

@@ -1,3 +1,5 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
 // Steps for a maximum or minimum: bricks that cannot improve the value that the ray has found are
 // skipped. The field's texel holds the largest scalar of a brick, or for a minimum the smallest,
 // or one that looks the same (Core/Fields/ExtremeBricks.h).
@@ -14,7 +16,7 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm
     {
       break;
     }
-    place = BehindBlock(lattice, place, 0.0);
+    place = BehindCell(lattice, place);
   }
   return Interval(place.t, place.t + PlainMm(index, plainMm));
 }

@@ -1,3 +1,4 @@
+#include "Math/StepGrowth.glsl"
 // Steps of the sample distance, and longer ones behind nearly opaque parts. It is for volumes of
 // which hardly a brick can be skipped, according to the optical field.
 

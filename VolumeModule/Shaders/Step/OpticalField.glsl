@@ -1,3 +1,6 @@
+#include "Math/IntersectBox.glsl"
+#include "Math/LatticeWalk.glsl"
+#include "Math/StepGrowth.glsl"
 // Steps by the optical field: invisible blocks are skipped, a homogeneous brick is one segment, and
 // structured bricks are marched at the sample distance. The field's texel is 0 for a structured
 // brick, 1 for a homogeneous one, and 128 + k if the bricks b - k to b + k, or those of them that

@@ -1,3 +1,4 @@
+#include "Math/IntersectBox.glsl"
 // Steps as long as the variation field allows: to the exit of the block in which the scalar stays
 // within the tolerance, but no shorter than plain steps. The field's texel of cell c is 0 if the
 // cell itself varies too much, else k + 1 if the block of cells c - k to c + k does not.

@@ -1,3 +1,4 @@
+#include "Math/IntersectBox.glsl"
 // One of several overlapping volumes, added to the volumes before it in the shader. The ray of a
 // pixel is in the grid of the last volume. Each volume has the same ray in its own grid; t, a
 // length in the world, is the same position along both.
@@ -14,7 +15,8 @@ Interval BeginVolumes(Ray ray, Interval inside)
   ownRay.directionGrid = mat3(ownGridFromRays) * ray.directionGrid;
   ownRay.originTexture = (ownRay.originGrid - firstVoxelGrid + 0.5) * voxelCountInverse;
   ownRay.directionTexture = ownRay.directionGrid * voxelCountInverse;
-  vec2 box = IntersectBox(ownRay.originGrid, ownRay.directionGrid, ownLowerGrid, ownUpperGrid);
+  vec2 box =
+    IntersectBox(ownRay.originGrid, SafeInverse(ownRay.directionGrid), ownLowerGrid, ownUpperGrid);
   ownPart = Interval(max(inside.enter, box.x), min(inside.exit, box.y));
   bool meets = ownPart.enter < ownPart.exit;
   ownPart = Interval(meets ? ownPart.enter : Never, meets ? ownPart.exit : -Never);
