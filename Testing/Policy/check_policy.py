@@ -203,6 +203,47 @@ def shaders_have_no_switches():
     )
 
 
+# Slots whose files the device runs also for rays that packets march, and files that only shaders
+# have, because packets leave their scenes to them.
+SLOTS_OF_DEVICE = {"Locate", "Marched", "Math", "Peel", "Resume", "Window"}
+LEFT_TO_SHADERS = set(
+    """Blend/ComponentAdditive Blend/ComponentAverage Blend/ComponentExtreme
+    Gradient/ClippedDifferences March/PublishedSum March/Simpson March/Slice March/VoxelSurfaces
+    Material/TwoValues Probe/FetchCount Sample/Texel Step/VariationField Values/Two""".split()
+)
+CHOICES_WITHOUT_WORK = {"None", "NoneOfAll", "Even"}
+
+
+def shader_files_have_twins():
+    """Packets repeat each file of a slot, or its scenes are left to shaders."""
+    folder = pathlib.PurePath("VolumeModule/Shaders")
+    files = {
+        path.relative_to(folder).with_suffix("").as_posix()
+        for path in tracked(str(folder), {".glsl"})
+        if len(path.relative_to(folder).parts) == 2
+    }
+    twins = {
+        twin
+        for path in tracked("VolumeModule/Core/Packets", {".h"})
+        for comment in re.findall(r"// Twin of ([^#]*)", text_of(path))
+        for twin in re.findall(r"(\w+/\w+)\.glsl", comment)
+    }
+    needing = {
+        file
+        for file in files - LEFT_TO_SHADERS
+        if file.split("/")[0] not in SLOTS_OF_DEVICE
+        and file.split("/")[1] not in CHOICES_WITHOUT_WORK
+    }
+    return [
+        f"VolumeModule/Shaders/{file}.glsl: no header of Core/Packets is its twin; write one, or "
+        "list it in LEFT_TO_SHADERS"
+        for file in sorted(needing - twins)
+    ] + [
+        f"{file}: named as a twin or as left to shaders, but not a file of a slot"
+        for file in sorted((twins | LEFT_TO_SHADERS) - files)
+    ]
+
+
 def no_glsl_in_strings():
     words = r"\b(vec[234]|[iu]vec[234]|mat[34]|sampler[123]D|gl_[A-Z]\w+|void main)\b|\btexture\("
     words += r"|\buniform\s+(float|int|uint|bool)\b"

@@ -1,7 +1,7 @@
 // Functions of lanes against double precision, with the baseline's instructions.
 
+#include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/Lanes.h"
-#include "Core/Packets/PacketVoxels.h"
 #include "Core/Packets/ShaderMath.h"
 
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ namespace varimarch
 /// Limits of a device for one block.
 struct BlockLimits
 {
-  int largestSide; ///< of a texture [voxels]
+  int largestSide; ///< largest side of a texture [voxels]
   std::size_t bytesPerVoxel;
   std::size_t largestBytes;
 };

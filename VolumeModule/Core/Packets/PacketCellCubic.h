@@ -4,7 +4,7 @@
 // The interpolated values along a line through a cell, which are exactly a cubic: see
 // Core/Geometry/CellCubic.h and Shaders/Math/CellCubic.glsl.
 
-#include "Core/Packets/PacketVoxels.h"
+#include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/ShaderMath.h"
 
 namespace varimarch

@@ -11,7 +11,7 @@ namespace varimarch
 /// The sets of instructions that packets are compiled for.
 enum class InstructionSet
 {
-  Baseline, ///< those of every processor of the architecture: packets of four rays
+  Baseline, ///< instructions of every processor of the architecture: packets of four rays
   Avx2,     ///< AVX2 and FMA: packets of eight
 };
 

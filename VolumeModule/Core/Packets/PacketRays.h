@@ -1,8 +1,8 @@
 #ifndef Varimarch_Core_Packets_PacketRays_h
 #define Varimarch_Core_Packets_PacketRays_h
 
-// The rays of a packet, and the part of them that is marched; the names are those of
-// Shaders/RayMarch.frag.glsl.
+// The rays of a packet, and the part of them that is marched, with the names of RayMarch.frag.glsl.
+// Twin of Clip/Planes.glsl and Depth/SceneGeometry.glsl.
 
 #include "Core/Packets/PacketScene.h"
 #include "Core/Packets/ShaderMath.h"
@@ -24,7 +24,7 @@ struct PacketRays
 {
   Lanes3 originGrid;
   Lanes3 directionGrid; ///< per mm
-  Lanes3 inverse;       ///< of the direction, finite
+  Lanes3 inverse;       ///< inverse of the direction, finite
   IntLanes region;      ///< the label of the part that is marched, in a mask
   Lanes enter;          ///< [mm]; equal to the exit for a ray without a part inside
   Lanes exit;

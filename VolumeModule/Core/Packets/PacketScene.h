@@ -30,17 +30,17 @@ enum class PacketRule
 {
   Midpoint,
   PreIntegrated,
-  MaterialMidpoint, ///< of what depends on gradients too
-  MaterialLinear,
+  MaterialMidpoint, ///< midpoints of materials, which depend on gradients too
+  MaterialLinear,   ///< linear segments of materials
   Extreme,
   Isosurfaces,
   Projection,
-  Voxels, ///< without interpolation,
-  MaterialVoxels,
+  Voxels,         ///< boxes without interpolation
+  MaterialVoxels, ///< boxes whose material depends on gradients too
   ExtremeVoxel,
 };
 
-/// What surfaces are lit by.
+/// The lights of surfaces.
 enum class PacketShading
 {
   None,
@@ -53,8 +53,8 @@ constexpr int PacketWidth = 4;
 constexpr int PacketHeight = 2;
 
 /// Voxels as their owner keeps them: at least two along each axis, x fastest, fewer than 2^31, all
-/// of them finite. Or coefficients of a spline through them, of type Float32, of which a composite
-/// or projection is drawn, with at least four along each axis.
+/// of them finite. A spline is given by its coefficients, of type Float32, at least four along each
+/// axis; it is drawn as a composite or projection.
 struct PacketVolume
 {
   const void* voxels;
@@ -63,16 +63,17 @@ struct PacketVolume
   glm::ivec3 voxelCount;
 };
 
-/// OpticalTable, which is of extinctions per mm, or PreIntegratedTable where that is the rule.
+/// The entries of an OpticalTable, with extinctions per mm, or of a PreIntegratedTable for that
+/// rule.
 struct PacketLook
 {
   const glm::vec4* table;
-  int lastIndex;           ///< of an entry, along a side
+  int lastIndex;           ///< index of the last entry along a side
   float indexScale;        ///< value -> index
   float indexOffset;       ///< is value * scale + offset
   glm::vec4 emissionBelow; ///< emission and extinction below the values of a PreIntegratedTable
   glm::vec4 emissionAbove; ///< the same above them
-  glm::vec2 visibleValues; ///< only between these does anything absorb
+  glm::vec2 visibleValues; ///< values between these may absorb, no others
 };
 
 /// The look of a component by a table of the parameters.
@@ -84,7 +85,7 @@ inline PacketLook LookBy(
     { parameters.visibleLower[component], parameters.visibleUpper[component] } };
 }
 
-/// The look of a label, from OpticalTables; as PacketLook.
+/// The look of a label, from OpticalTables, with members as in PacketLook.
 struct PacketRow
 {
   const glm::vec4* table;
@@ -97,7 +98,7 @@ struct PacketRow
 struct PacketMask
 {
   const std::uint16_t* texels; ///< content of each voxel, and its LabelReach; null: no mask
-  bool isBinary;               ///< true: what is not 0 is drawn; false: the content is a row
+  bool isBinary;               ///< true: contents other than 0 are drawn; false: a content is a row
   const PacketRow* rows;
 };
 
@@ -119,15 +120,16 @@ struct PacketLight
 /// Shaders/GradientOpacity.
 struct PacketGradientOpacity
 {
-  const glm::vec4* factors; ///< from no gradient on, of four components or rows in each entry,
-                            ///< table behind table; null: opacity does not depend on the gradient
+  /// Factors from no gradient on, for four components or rows in each entry, table behind table;
+  /// null: opacity does not depend on the gradient.
+  const glm::vec4* factors;
 };
 
 /// Bricks that steps may leave out.
 struct PacketSteps
 {
-  float mostOpticalDepth;     ///< a ray ends behind more
-  const std::uint8_t* bricks; ///< of an OpticalField; null: there is nothing to skip
+  float mostOpticalDepth;     ///< a ray ends beyond this optical depth
+  const std::uint8_t* bricks; ///< bricks of an OpticalField; null: there is nothing to skip
   glm::ivec3 brickCount;
   bool grow;                  ///< true: steps are longer where less than half of the light is left
   const std::uint16_t* noise; ///< BlueNoiseTile, by which rays begin; null: with a whole step
@@ -136,11 +138,11 @@ struct PacketSteps
 /// A maximum or minimum; see Shaders/Step/BrickExtremes.glsl.
 struct PacketExtreme
 {
-  const std::uint16_t* bricks; ///< of BuildExtremeBricks; null: there is nothing to skip
-  const std::uint16_t* blocks; ///< of JoinExtremeBricks
+  const std::uint16_t* bricks; ///< result of BuildExtremeBricks; null: there is nothing to skip
+  const std::uint16_t* blocks; ///< result of JoinExtremeBricks
   glm::ivec3 blockCount;
   glm::ivec3 brickCount;
-  float bricksPerBlock; ///< along a side
+  float bricksPerBlock; ///< bricks along a side of a block
 };
 
 /// GapField; see Shaders/Gaps/Cells.glsl and Fill.
@@ -154,39 +156,41 @@ struct PacketGaps
 struct PacketCuts
 {
   bool crops;                  ///< true: some regions are not drawn
-  const glm::vec4* planesGrid; ///< dot(plane, (position, 1)) >= 0 is left
-  const float* depth;          ///< of opaque geometry, [0, 1], from below; null: there is none
+  const glm::vec4* planesGrid; ///< clipping planes, which keep dot(plane, (position, 1)) >= 0
+  const float* depth;          ///< depths of opaque geometry, [0, 1], from below; null: none
   glm::ivec2 depthPixels;      ///< size of the depth image
-  const float* layers;    ///< of each pixel, from below, the first two of four: the depths between
-                          ///< which its ray is marched; null: there are no layers
+  /// Four numbers for each pixel, from below; the first two are the depths between which its ray is
+  /// marched. Null: there are no layers.
+  const float* layers;
   glm::ivec2 layerPixels; ///< size of the image of layers
 };
 
-/// Between which depths something may be visible; see VisibleDepths.
+/// The depths between which something may be visible; see VisibleDepths.
 struct PacketDepths
 {
-  glm::vec3 axisGrid;   ///< that depths are along
-  const float* nearest; ///< of each packet, row by row; none: everything may be. Where it is beyond
-  const float* farthest; ///< this, nothing is.
-  int columns;           ///< of packets
-  int left;              ///< the first pixel
+  glm::vec3 axisGrid;   ///< axis along which depths are measured
+  const float* nearest; ///< nearest depth of each packet, row by row; null: all may be visible
+  const float*
+    farthest;  ///< farthest depth of each packet; less than the nearest: nothing is visible
+  int columns; ///< number of packets in a row
+  int left;    ///< the first pixel
   int bottom;
 };
 
-/// Pixels are not colours, but places [grid space], with 1 behind them; Shaders/Locate.
+/// A request for places [grid space], with 1 as fourth number, instead of colours.
 struct PacketLocation
 {
-  float opacity;      ///< that a ray has there for the first time; 0: pixels are colours
-  float leastOpacity; ///< the same of those that never have that; 0: of these it is not asked
-  bool orExit;        ///< of all others where they end; else 0, as where there is no ray
+  float opacity;      ///< opacity that a ray reaches at its place; 0: pixels are colours
+  float leastOpacity; ///< opacity for rays that never reach the other one; 0: they have no place
+  bool orExit;        ///< true: all other rays have the place where they end; false: 0
 };
 
-/// Components of a material beside that of its opacity: Shaders/Components/LuminanceOpacity.glsl
-/// and Rgba.glsl.
+/// The components that give a material its colours: Shaders/Components/LuminanceOpacity.glsl and
+/// Rgba.glsl.
 struct PacketColors
 {
-  const void* voxels[3]; ///< of the volume's type
-  int count; ///< 0: colors are the look's; 1: those of this look; 3: the components are colors
+  const void* voxels[3]; ///< voxels of the components, of the volume's type
+  int count; ///< 0: colours are the look's; 1: those of this look; 3: the components are colours
   PacketLook look;
 };
 
@@ -194,8 +198,8 @@ struct PacketColors
 struct PacketSpacing
 {
   const glm::vec4* bins; ///< UnevenAxis::Bins of each axis in turn; null: places are even
-  glm::ivec3 firstBins;  ///< of each axis
-  glm::ivec3 lastBins;
+  glm::ivec3 firstBins;  ///< first bin of each axis
+  glm::ivec3 lastBins;   ///< last bin of each axis
 };
 
 struct PacketScene;
@@ -205,19 +209,19 @@ struct PacketScene;
 struct PacketConstituent
 {
   bool isOfMixture;          ///< false: the scene is no mixture
-  const PacketScene* others; ///< of the first constituent: all others, each in its own grid
+  const PacketScene* others; ///< all others, each in its own grid; only for the first constituent
   int otherCount;
-  int component;        ///< whose opacity it is, for what the parameters have of each
+  int component;        ///< component of its opacity, which selects its parameters
   bool isOfSameBricks;  ///< true: another constituent has the same bricks
-  PacketDepths visible; ///< between which something of it may be seen
+  PacketDepths visible; ///< depths between which it may be visible
 };
 
-/// An image of a volume, or of the first constituent of a mixture: its numbers, and the arrays that
-/// they are about. Their owners keep these until the image is marched.
+/// An image of a volume, or of the first constituent of a mixture: its numbers, and pointers to
+/// arrays, whose owners keep them until the image is marched.
 struct PacketScene
 {
   RayParameters rays;
-  VolumeParameters parameters; ///< of which scalars are values of the data
+  VolumeParameters parameters; ///< scalars are values of the data
   PacketVolume volume;
   PacketLook look;
   PacketTwoValues twoValues;
@@ -226,15 +230,15 @@ struct PacketScene
   PacketMask mask;
   PacketGaps gaps;
   PacketExtreme extreme;
-  const glm::vec4* isosurfaces; ///< two entries each, by ascending isovalue: color and optical
-                                ///< depth; the isovalue
-  bool isMean;                  ///< of projections: true for a mean, false for a sum
+  /// Two entries for each surface, by ascending isovalue: colour and optical depth; the isovalue.
+  const glm::vec4* isosurfaces;
+  bool isMean; ///< projections: true for a mean, false for a sum
   PacketSteps steps;
   PacketCuts cuts;
   PacketDepths depths;
   PacketLocation location;
-  PacketColors colors;   ///< of a mixture
-  PacketSpacing spacing; ///< of a mixture
+  PacketColors colors;   ///< only in a mixture
+  PacketSpacing spacing; ///< only in a mixture
   PacketConstituent constituent;
   PacketRule rule;
 };

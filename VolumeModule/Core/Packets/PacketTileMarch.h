@@ -3,16 +3,13 @@
 
 // The packets of a tile, one by one, from their rays to their pixels, whatever they march through.
 
-#include "Core/Packets/Lanes.h"
-#include "Core/Packets/PacketExtreme.h"
-#include "Core/Packets/PacketLocation.h"
-#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/FirstOpacity.h"
+#include "Core/Packets/Gaps/Cells.h"
+#include "Core/Packets/March/Extreme.h"
+#include "Core/Packets/March/Projection.h"
 #include "Core/Packets/PacketPieces.h"
-#include "Core/Packets/PacketProjection.h"
 #include "Core/Packets/PacketRays.h"
-#include "Core/Packets/PacketScene.h"
 #include "Core/Packets/PacketTile.h"
-#include "Core/Packets/PacketWalk.h"
 
 #include <cstddef>
 

@@ -3,12 +3,18 @@
 
 // One volume of one component along the rays of a packet: the march of each rule.
 
-#include "Core/Packets/PacketBoxes.h"
-#include "Core/Packets/PacketExtreme.h"
-#include "Core/Packets/PacketIsosurfaces.h"
-#include "Core/Packets/PacketMarchers.h"
-#include "Core/Packets/PacketProjection.h"
-#include "Core/Packets/PacketSpline.h"
+#include "Core/Packets/Interpolation/CubicSpline.h"
+#include "Core/Packets/Interpolation/Linear.h"
+#include "Core/Packets/March/Extreme.h"
+#include "Core/Packets/March/Isosurfaces.h"
+#include "Core/Packets/March/MaterialMidpoint.h"
+#include "Core/Packets/March/MaterialSegments.h"
+#include "Core/Packets/March/MaterialVoxels.h"
+#include "Core/Packets/March/Midpoint.h"
+#include "Core/Packets/March/PreIntegrated.h"
+#include "Core/Packets/March/Projection.h"
+#include "Core/Packets/March/Voxels.h"
+#include "Core/Packets/Material/Labelled.h"
 #include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
 

@@ -1,11 +1,16 @@
 #include "March/Processor/PacketCapability.h"
 
+#include "Core/Packets/PacketTwins.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/Processor/PacketSceneBuilder.h"
 #include "March/Processor/SoftwareRasterizer.h"
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace varimarch
 {
@@ -13,21 +18,43 @@ namespace varimarch
 namespace
 {
 
-// True if packets have code for the blend mode. They have none for slices, for isosurfaces and sums
-// without interpolation, and for extremes of splines.
-bool IsBlendedByPackets(const RenderSettings& settings)
+// True if a shader file does nothing, or something that a shader does for rays of packets too.
+bool NeedsNoTwin(const std::string& file)
 {
-  const bool isComposite = settings.blend == Blend::Composite;
-  const bool isExtreme = IsExtreme(settings.blend);
-  const bool isSum = IsProjection(settings.blend) && !isExtreme;
-  if (settings.nearest)
-  {
-    return isComposite || isExtreme;
-  }
-  return isComposite || isSum || (!settings.cubic && settings.blend != Blend::Slice);
+  static const std::set<std::string> nothing = { "None", "NoneOfAll", "Even" };
+  static const std::set<std::string> slotsOfDevice = { "Locate", "Peel", "Resume", "Window" };
+  const std::size_t slash = file.find('/');
+  return slash == std::string::npos || slotsOfDevice.count(file.substr(0, slash)) > 0 ||
+    nothing.count(file.substr(slash + 1, file.rfind('.') - slash - 1)) > 0;
 }
 
-// True if a mixture may be marched by midpoints, the only rule that packets have for it.
+// Twins that packets cannot combine: sums without interpolation, and what knows no splines.
+bool AreApart(const std::set<std::string>& files)
+{
+  static const std::vector<std::pair<std::string, std::string>> pairs = {
+    { "March/ProjectedVoxels.glsl", "Blend/AverageIntensity.glsl" },
+    { "March/ProjectedVoxels.glsl", "Blend/Additive.glsl" },
+    { "March/Projection.glsl", "Blend/MaximumIntensity.glsl" },
+    { "March/Projection.glsl", "Blend/MinimumIntensity.glsl" },
+    { "March/Isosurfaces.glsl", "Interpolation/CubicSpline.glsl" },
+  };
+  return std::any_of(pairs.begin(), pairs.end(),
+    [&](const auto& pair) { return files.count(pair.first) > 0 && files.count(pair.second) > 0; });
+}
+
+// True if packets repeat all files of the shader that would march.
+bool HasTwins(RenderSettings settings)
+{
+  settings.role = ShaderRole::MarchRays;
+  settings.pass = Marches(settings) ? settings.pass : RayPass::Whole;
+  const std::vector<std::string> parts = FragmentShaderParts(settings);
+  const std::set<std::string>& twins = ShaderFilesOfPackets();
+  return !AreApart({ parts.begin(), parts.end() }) &&
+    std::all_of(parts.begin(), parts.end(),
+      [&](const std::string& file) { return NeedsNoTwin(file) || twins.count(file) > 0; });
+}
+
+// True if packets march a mixture; they do so by midpoints only.
 bool MayMixByMidpoints(const Frame& frame)
 {
   const RenderSettings& settings = frame.settings;
@@ -40,19 +67,13 @@ bool MayMixByMidpoints(const Frame& frame)
 bool HasPacketRecipe(const Frame& frame)
 {
   const RenderSettings& settings = frame.settings;
-  const bool isPlain = settings.functionOf != FunctionOf::TwoValues;
   const bool isMixed = !IsMixture(frame) || MayMixByMidpoints(frame);
-  const bool isMasked = settings.mask != Mask::None;
   const bool isLocated = frame.image.toImages || Locates(settings.pass);
-  const bool hasMask = !isMasked || frame.voxels.mask.dimensions == frame.geometry.dimensions;
+  const bool hasMask =
+    settings.mask == Mask::None || frame.voxels.mask.dimensions == frame.geometry.dimensions;
   const bool isSampledEvenly = !settings.uneven || (!isLocated && !settings.nearest);
   const bool hasPlaces = !isLocated || !IsProjection(settings.blend);
-  const bool hasSteps = settings.acceleration != Acceleration::ScalarField;
-  const bool hasRule = settings.blend != Blend::Composite || !IsSampled(settings) ||
-    MarchesMaterial(settings) || settings.integration == Integration::Midpoint ||
-    settings.integration == Integration::PreIntegrated;
-  return IsBlendedByPackets(settings) && isPlain && isMixed && isSampledEvenly && hasPlaces &&
-    hasMask && !settings.clippedGradients && hasSteps && hasRule && !settings.countFetches;
+  return HasTwins(settings) && isMixed && isSampledEvenly && hasPlaces && hasMask;
 }
 
 // True if 32 bits hold the index of every voxel.

@@ -1,13 +1,13 @@
-#ifndef Varimarch_Core_Packets_PacketMixtureMarch_h
-#define Varimarch_Core_Packets_PacketMixtureMarch_h
+#ifndef Varimarch_Core_Packets_March_Several_h
+#define Varimarch_Core_Packets_March_Several_h
 
-// Several components of a volume, and volumes that overlap, in one march: Shaders/Components and
-// Material/Components.glsl; March/Several.glsl and Volumes/Next.glsl, but by midpoints.
+// Several components of a volume, and volumes that overlap, in one march by midpoints.
+// Twin of March/Several.glsl.
 
-#include "Core/Packets/PacketConstituent.h"
-#include "Core/Packets/PacketMarchers.h"
+#include "Core/Packets/Loop/Segments.h"
 #include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
+#include "Core/Packets/Volumes/Next.h"
 
 namespace varimarch
 {

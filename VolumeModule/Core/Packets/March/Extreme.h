@@ -1,16 +1,18 @@
-#ifndef Varimarch_Core_Packets_PacketExtreme_h
-#define Varimarch_Core_Packets_PacketExtreme_h
+#ifndef Varimarch_Core_Packets_March_Extreme_h
+#define Varimarch_Core_Packets_March_Extreme_h
 
-// The exact maximum or minimum: Shaders/March/Extreme.glsl, March/Voxels.glsl and
-// Step/BrickExtremes.glsl. Greater is better here: for a minimum all values are negated.
+// The largest or smallest value along rays.
+// Twin of March/Extreme.glsl, March/ProjectedVoxels.glsl, Blend/MaximumIntensity.glsl,
+// Blend/MinimumIntensity.glsl and Step/BrickExtremes.glsl.
 
-#include "Core/Packets/Lanes.h"
+#include "Core/Packets/Blend/Composite.h"
+#include "Core/Packets/Classify/OpticalTable.h"
+#include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/PacketCellCubic.h"
 #include "Core/Packets/PacketLattice.h"
-#include "Core/Packets/PacketOptics.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/PacketScene.h"
-#include "Core/Packets/PacketVoxels.h"
+#include "Core/Packets/ShaderMath.h"
 
 namespace varimarch
 {
@@ -183,9 +185,9 @@ private:
   const PacketExtreme& extreme;
   const PacketRays& rays;
   Cells cells;
-  PacketLattice lattice; ///< of the cells
+  PacketLattice lattice; ///< lattice of cells
   PacketLattice bricks;
-  PacketLattice blocks; ///< of bricks
+  PacketLattice blocks; ///< lattice of blocks of bricks
   float sense;          ///< 1: a maximum; -1: a minimum, of which all values are negated
   float best;           ///< no value is better
   Lanes found;

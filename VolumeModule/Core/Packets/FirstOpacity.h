@@ -1,13 +1,15 @@
-#ifndef Varimarch_Core_Packets_PacketLocation_h
-#define Varimarch_Core_Packets_PacketLocation_h
+#ifndef Varimarch_Core_Packets_FirstOpacity_h
+#define Varimarch_Core_Packets_FirstOpacity_h
 
-// Where rays first have an opacity: Shaders/FirstOpacity.glsl.
+// The places where rays first have an opacity.
+// Twin of FirstOpacity.glsl.
 
-#include "Core/Packets/Lanes.h"
-#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/Blend/Composite.h"
+#include "Core/Packets/Classify/OpticalTable.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/PacketScene.h"
-#include "Core/Packets/PacketWalk.h"
+#include "Core/Packets/ShaderMath.h"
+#include "Core/Packets/Step/OpticalField.h"
 
 namespace varimarch
 {

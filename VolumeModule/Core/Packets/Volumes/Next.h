@@ -1,20 +1,19 @@
-#ifndef Varimarch_Core_Packets_PacketConstituent_h
-#define Varimarch_Core_Packets_PacketConstituent_h
+#ifndef Varimarch_Core_Packets_Volumes_Next_h
+#define Varimarch_Core_Packets_Volumes_Next_h
 
-// The parts of a mixture: Shaders/Volumes/Next.glsl, Components and Material/Components.glsl.
+// The parts of a mixture: components of a volume, and volumes that overlap.
+// Twin of Volumes/Next.glsl, Reading/Cells.glsl, Reading/Voxels.glsl, Values/All.glsl,
+// Material/Components.glsl, Classify/ComponentTables.glsl, Components/Independent.glsl,
+// Components/LuminanceOpacity.glsl and Components/Rgba.glsl.
 
-#include "Core/Packets/Lanes.h"
-#include "Core/Packets/PacketBoxes.h"
+#include "Core/Packets/Interpolation/CubicSpline.h"
+#include "Core/Packets/Interpolation/Linear.h"
+#include "Core/Packets/Loop/Segments.h"
+#include "Core/Packets/March/Voxels.h"
+#include "Core/Packets/Material/OneComponent.h"
 #include "Core/Packets/PacketLattice.h"
-#include "Core/Packets/PacketMarchers.h"
-#include "Core/Packets/PacketMaterial.h"
-#include "Core/Packets/PacketOptics.h"
-#include "Core/Packets/PacketRays.h"
-#include "Core/Packets/PacketScene.h"
-#include "Core/Packets/PacketSpacing.h"
-#include "Core/Packets/PacketSpline.h"
-#include "Core/Packets/PacketVoxels.h"
-#include "Core/Packets/PacketWalk.h"
+#include "Core/Packets/Spacing/Uneven.h"
+#include "Core/Packets/Step/OpticalField.h"
 
 namespace varimarch
 {
@@ -375,7 +374,7 @@ private:
   PacketRays rays; ///< in its own grid, cut to its box; Never for rays outside
   PacketWalk walk;
   PacketMaterial material;
-  PacketLattice lattice; ///< of boxes
+  PacketLattice lattice; ///< lattice of boxes
   LatticePlace box;      ///< the one that contains the segment
   bool isSeen = false;   ///< the last sample: the next is then read with its gradient at once
 };

@@ -1,10 +1,12 @@
-#ifndef Varimarch_Core_Packets_PacketVoxels_h
-#define Varimarch_Core_Packets_PacketVoxels_h
+#ifndef Varimarch_Core_Packets_Interpolation_Linear_h
+#define Varimarch_Core_Packets_Interpolation_Linear_h
 
-// Access to the voxels of a volume for packets of rays.
+// Trilinear interpolation between voxels, and central differences.
+// Twin of Interpolation/Linear.glsl, Gradient/CentralDifferences.glsl and
+// Gradient/CentralDifferencesOfAll.glsl.
 
-#include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketScene.h"
+#include "Core/Packets/ShaderMath.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -120,7 +122,7 @@ class PacketVoxels
 public:
   struct Cell
   {
-    IntNumbers index; ///< of its first voxel
+    IntNumbers index; ///< index of its first voxel
     Lanes3 part;      ///< how far into it, [0, 1]
   };
 

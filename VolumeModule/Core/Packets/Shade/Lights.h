@@ -1,60 +1,15 @@
-#ifndef Varimarch_Core_Packets_PacketLights_h
-#define Varimarch_Core_Packets_PacketLights_h
+#ifndef Varimarch_Core_Packets_Shade_Lights_h
+#define Varimarch_Core_Packets_Shade_Lights_h
 
-// Surfaces, and the light of a scene that they reflect to the eye: Shaders/Shade and
-// Shaders/Damping.
+// Twin of Shade/Lights.glsl.
 
-#include "Core/Packets/PacketScene.h"
-#include "Core/Packets/ShaderMath.h"
+#include "Core/Packets/Damping/Homogeneous.h"
 
 namespace varimarch
 {
 
 namespace
 {
-
-/// The gradient at a point and what follows from it; all are linear between two points.
-struct Surface
-{
-  Lanes3 gradient;    ///< per voxel
-  Lanes3 normalWorld; ///< any length
-  Lanes towardsEye;   ///< normal times the direction of the ray
-};
-
-inline Surface Mix(const Surface& a, const Surface& b, Lanes part)
-{
-  return { Mix(a.gradient, b.gradient, part), Mix(a.normalWorld, b.normalWorld, part),
-    Mix(a.towardsEye, b.towardsEye, part) };
-}
-
-inline Surface Select(LaneMask mask, const Surface& yes, const Surface& no)
-{
-  return { Select(mask, yes.gradient, no.gradient), Select(mask, yes.normalWorld, no.normalWorld),
-    Select(mask, yes.towardsEye, no.towardsEye) };
-}
-
-/// Shaders/Damping: the part of the light that a surface receives.
-inline Lanes LitPart(const PacketScene& scene, const Surface& surface)
-{
-  return scene.light.damps ? DampedPart(surface.gradient, AllOf3(scene.parameters.dampingFactors))
-                           : All(1.0f);
-}
-
-/// The reflectance of a constituent. Without specular light its specular power is 0, which costs
-/// nothing.
-inline Lanes4 ReflectanceOf(const PacketScene& scene)
-{
-  const glm::vec4& r = scene.parameters.reflectances[scene.constituent.component];
-  return { All(r.x), All(r.y), All(r.z), All(r.z > 0.0f ? r.w : 0.0f) };
-}
-
-/// Shaders/Shade/HeadLight.glsl.
-inline Lanes3 LitByHeadLight(const PacketScene& scene, const Lanes3& color, const Surface& surface)
-{
-  return LitFromEye(color, FacingEye(surface.normalWorld, surface.towardsEye),
-    LitPart(scene, surface), ReflectanceOf(scene), AllOf3(scene.parameters.diffuseLight),
-    AllOf3(scene.parameters.specularLight));
-}
 
 /// The parts of a light that a surface reflects to the eye.
 struct ReflectedLight
@@ -68,7 +23,7 @@ inline ReflectedLight operator*(Lanes factor, const ReflectedLight& a)
   return { factor * a.diffuse, factor * a.specular };
 }
 
-/// Shaders/Shade/Lights.glsl: any number of lights, seen from points of the rays of a packet.
+/// Any number of lights, seen from points of the rays of a packet.
 class PacketLights
 {
 public:

@@ -1,12 +1,13 @@
-#ifndef Varimarch_Core_Packets_PacketWalk_h
-#define Varimarch_Core_Packets_PacketWalk_h
+#ifndef Varimarch_Core_Packets_Step_OpticalField_h
+#define Varimarch_Core_Packets_Step_OpticalField_h
 
-// The next part of each ray: Shaders/Step/OpticalField.glsl, Growing.glsl and Fixed.glsl.
+// The next part of each ray.
+// Twin of Step/OpticalField.glsl, Step/Growing.glsl, Step/Fixed.glsl and Jitter/BlueNoise.glsl.
 
-#include "Core/Packets/Lanes.h"
 #include "Core/Packets/PacketLattice.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/PacketScene.h"
+#include "Core/Packets/ShaderMath.h"
 
 namespace varimarch
 {
@@ -116,7 +117,7 @@ private:
   const RayParameters& parameters;
   const PacketSteps& steps;
   const PacketRays& rays;
-  PacketLattice lattice; ///< of bricks
+  PacketLattice lattice; ///< lattice of bricks
   Lanes firstPart;       ///< the part of a segment that a ray begins with
 };
 

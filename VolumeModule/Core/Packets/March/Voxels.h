@@ -1,17 +1,12 @@
-#ifndef Varimarch_Core_Packets_PacketBoxes_h
-#define Varimarch_Core_Packets_PacketBoxes_h
+#ifndef Varimarch_Core_Packets_March_Voxels_h
+#define Varimarch_Core_Packets_March_Voxels_h
 
 // Voxels without interpolation: boxes of one value, which extend half a voxel to every side.
-// Shaders/March/Voxels.glsl and, for one component, MaterialVoxels.glsl.
+// Twin of March/Voxels.glsl and Loop/Cells.glsl.
 
-#include "Core/Packets/Lanes.h"
+#include "Core/Packets/Classify/OpticalTable.h"
+#include "Core/Packets/Loop/Segments.h"
 #include "Core/Packets/PacketLattice.h"
-#include "Core/Packets/PacketMarchers.h"
-#include "Core/Packets/PacketOptics.h"
-#include "Core/Packets/PacketRays.h"
-#include "Core/Packets/PacketScene.h"
-#include "Core/Packets/PacketVoxels.h"
-#include "Core/Packets/PacketWalk.h"
 
 #include <type_traits>
 
@@ -135,23 +130,6 @@ PacketSum MarchBoxValues(
   return MarchBoxes(scene, rays, walk, before, PacketBoxes<Voxel>(scene.volume),
     [&](PacketSum& sum, const Lanes3&, Lanes value, Lanes, Lanes lengthMm)
     { sum.Add(Classify(scene.look, value), lengthMm); });
-}
-
-/// A box has a single gradient, the one at its middle.
-template <class Voxel, class Material>
-PacketSum MarchBoxMaterials(
-  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
-{
-  const PacketBoxes<Voxel> boxes(scene.volume);
-  const Material material(scene, rays);
-  return MarchBoxes(scene, rays, walk, before, boxes,
-    [&](PacketSum& sum, const Lanes3& voxel, Lanes value, Lanes enter, Lanes lengthMm)
-    {
-      const Lanes3 gradient =
-        material.IsPlain() ? Lanes3{ Lanes{}, Lanes{}, Lanes{} } : boxes.GradientOf(voxel);
-      const Surface surface = material.SurfaceOf(gradient);
-      sum.Add(material.At(value, surface, enter + 0.5f * lengthMm), lengthMm);
-    });
 }
 
 }

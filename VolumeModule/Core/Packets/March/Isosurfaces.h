@@ -1,18 +1,19 @@
-#ifndef Varimarch_Core_Packets_PacketIsosurfaces_h
-#define Varimarch_Core_Packets_PacketIsosurfaces_h
+#ifndef Varimarch_Core_Packets_March_Isosurfaces_h
+#define Varimarch_Core_Packets_March_Isosurfaces_h
 
-// Isosurfaces of interpolated voxels, none of which is missed or passed twice:
-// Shaders/March/Isosurfaces.glsl and SurfaceTable.glsl.
+// Isosurfaces of interpolated voxels, none of which is missed or crossed twice.
+// Twin of March/Isosurfaces.glsl and SurfaceTable.glsl.
 
-#include "Core/Packets/Lanes.h"
+#include "Core/Packets/Blend/Composite.h"
+#include "Core/Packets/Classify/OpticalTable.h"
+#include "Core/Packets/Interpolation/Linear.h"
+#include "Core/Packets/Material/OneComponent.h"
 #include "Core/Packets/PacketCellCubic.h"
 #include "Core/Packets/PacketLattice.h"
-#include "Core/Packets/PacketMaterial.h"
-#include "Core/Packets/PacketOptics.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/PacketScene.h"
-#include "Core/Packets/PacketVoxels.h"
-#include "Core/Packets/PacketWalk.h"
+#include "Core/Packets/ShaderMath.h"
+#include "Core/Packets/Step/OpticalField.h"
 
 namespace varimarch
 {

@@ -1,5 +1,7 @@
-#ifndef Varimarch_Core_Packets_PacketSpacing_h
-#define Varimarch_Core_Packets_PacketSpacing_h
+#ifndef Varimarch_Core_Packets_Spacing_Uneven_h
+#define Varimarch_Core_Packets_Spacing_Uneven_h
+
+// Twin of Spacing/Uneven.glsl.
 
 #include "Core/Packets/PacketScene.h"
 #include "Core/Packets/ShaderMath.h"
@@ -10,7 +12,7 @@ namespace varimarch
 namespace
 {
 
-/// Shaders/Spacing/Uneven.glsl: from places in the even grid, in which rays are straight, to places
+/// From places in the even grid, in which rays are straight, to places
 /// in the grid of the voxels.
 inline Lanes3 UnevenPlace(const PacketScene& scene, const Lanes3& grid)
 {

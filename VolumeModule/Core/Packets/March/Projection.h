@@ -1,15 +1,17 @@
-#ifndef Varimarch_Core_Packets_PacketProjection_h
-#define Varimarch_Core_Packets_PacketProjection_h
+#ifndef Varimarch_Core_Packets_March_Projection_h
+#define Varimarch_Core_Packets_March_Projection_h
 
-// The mean or the sum of the values along rays: Shaders/March/Projection.glsl,
-// Blend/AverageIntensity.glsl and Blend/Additive.glsl.
+// The mean or the sum of the values along rays.
+// Twin of March/Projection.glsl, Sample/Scalar.glsl, Blend/AverageIntensity.glsl and
+// Blend/Additive.glsl.
 
-#include "Core/Packets/Lanes.h"
-#include "Core/Packets/PacketMarchers.h"
-#include "Core/Packets/PacketOptics.h"
+#include "Core/Packets/Blend/Composite.h"
+#include "Core/Packets/Classify/OpticalTable.h"
+#include "Core/Packets/Loop/Segments.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/PacketScene.h"
-#include "Core/Packets/PacketWalk.h"
+#include "Core/Packets/ShaderMath.h"
+#include "Core/Packets/Step/OpticalField.h"
 
 namespace varimarch
 {
@@ -126,7 +128,7 @@ private:
   const PacketWalk& walk;
   Voxels voxels;
   Lanes integral; ///< [mm]
-  Lanes lengthMm; ///< of the samples that count
+  Lanes lengthMm; ///< length of the samples that count
 };
 
 }

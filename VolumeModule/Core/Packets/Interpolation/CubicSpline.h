@@ -1,12 +1,12 @@
-#ifndef Varimarch_Core_Packets_PacketSpline_h
-#define Varimarch_Core_Packets_PacketSpline_h
+#ifndef Varimarch_Core_Packets_Interpolation_CubicSpline_h
+#define Varimarch_Core_Packets_Interpolation_CubicSpline_h
 
-// The tricubic spline through the voxels, as packets of rays read it:
-// Shaders/Interpolation/CubicSpline.glsl and Gradient/OfSpline.glsl.
+// The tricubic spline through the voxels.
+// Twin of Interpolation/CubicSpline.glsl, Gradient/OfSpline.glsl and Gradient/OfSplines.glsl.
 
-#include "Core/Packets/Lanes.h"
+#include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/PacketScene.h"
-#include "Core/Packets/PacketVoxels.h"
+#include "Core/Packets/ShaderMath.h"
 
 #include <cstddef>
 
@@ -71,7 +71,7 @@ public:
   /// 4 x 4 x 4 coefficients, and the place of a position in the middle one of their cells.
   struct Cell
   {
-    IntNumbers index; ///< of the first
+    IntNumbers index; ///< index of the first coefficient
     Lanes3 part;      ///< [0, 1]
     Lanes3 beyond;    ///< see MovedInside
   };

@@ -1,0 +1,33 @@
+#ifndef Varimarch_Core_Packets_Classify_OpticalTable_h
+#define Varimarch_Core_Packets_Classify_OpticalTable_h
+
+// Twin of Classify/OpticalTable.glsl.
+
+#include "Core/Packets/PacketTables.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+inline Optical Classify(const PacketLook& look, Lanes value)
+{
+  const Lanes last = All(float(look.lastIndex));
+  const Lanes place = TableIndex(value, All(look.indexScale), All(look.indexOffset), last);
+  const Lanes below = EntryBelow(place, last);
+  const IntNumbers index(Truncated(below));
+  const Numbers part(place - below);
+  Four entries[LaneCount];
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    entries[lane] = MixedEntries(look.table + index.of[lane], part.of[lane]);
+  }
+  return OpticalOf(entries);
+}
+
+}
+
+}
+
+#endif

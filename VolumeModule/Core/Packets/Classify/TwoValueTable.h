@@ -1,0 +1,36 @@
+#ifndef Varimarch_Core_Packets_Classify_TwoValueTable_h
+#define Varimarch_Core_Packets_Classify_TwoValueTable_h
+
+// Twin of Classify/TwoValueTable.glsl, for a value and the magnitude of its gradient.
+
+#include "Core/Packets/PacketTables.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+inline Optical ClassifyTwo(const PacketScene& scene, Lanes value, const Lanes3& gradient)
+{
+  const PacketTwoValues& look = scene.twoValues;
+  const VolumeParameters& parameters = scene.parameters;
+  const auto indexOf = [](Lanes place, int size)
+  {
+    const Lanes last = All(float(size - 1));
+    return TableIndex(place, last, Lanes{}, last);
+  };
+  const Lanes valuePlace = value * parameters.placeFromScalar.x + parameters.placeFromScalar.y;
+  const Lanes gradientPlace = GradientIndex(
+    gradient, AllOf3(parameters.spacingFactors), All(parameters.placePerGradient), All(1.0f));
+  Optical found = Interpolated(
+    look.entries, look.size, indexOf(valuePlace, look.size.x), indexOf(gradientPlace, look.size.y));
+  found.extinction = ExtinctionOf(found.extinction, All(parameters.opacityUnitDistancesMm.x));
+  return found;
+}
+
+}
+
+}
+
+#endif

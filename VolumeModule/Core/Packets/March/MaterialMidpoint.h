@@ -1,0 +1,61 @@
+#ifndef Varimarch_Core_Packets_March_MaterialMidpoint_h
+#define Varimarch_Core_Packets_March_MaterialMidpoint_h
+
+// Twin of March/MaterialMidpoint.glsl.
+
+#include "Core/Packets/Interpolation/Linear.h"
+#include "Core/Packets/Loop/Segments.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// A value, with its gradient if a material depends on that.
+template <class Material, class Voxels>
+Slope SlopeFor(const Material& material, const Voxels& voxels, const Lanes3& place, LaneMask mask)
+{
+  return material.IsPlain() ? Slope{ voxels.ValueAt(place), { Lanes{}, Lanes{}, Lanes{} } }
+                            : voxels.SlopeAt(place, mask);
+}
+
+/// Its segments have four samples, and a shader's have one: compared with a sample, finding the
+/// next brick costs a packet more.
+template <class Voxels, class Material>
+PacketSum MarchMaterialMidpoints(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  constexpr int Parts = 4;
+  const Voxels voxels(scene.volume);
+  const Material material(scene, rays);
+  bool isSeen = false; // the last sample: the next is then read with its gradient at once
+  return MarchSegments<Parts>(scene, rays, walk, before,
+    [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
+    {
+      for (int part = 0; part < Parts; ++part)
+      {
+        const Lanes t = enter + (float(part) + 0.5f) * partMm;
+        const Lanes3 place = rays.At(t);
+        const LaneMask going = LaneMask(partMm > 0.0f);
+        const auto mayAbsorb = [&](Lanes value)
+        { return Any(going & MayAbsorb(scene.look, value, value)); };
+        if (!isSeen && !mayAbsorb(voxels.ValueAt(place)))
+        {
+          continue;
+        }
+        const auto [value, gradient] = SlopeFor(material, voxels, place, going);
+        isSeen = mayAbsorb(value);
+        if (isSeen)
+        {
+          sum.Add(material.At(value, material.SurfaceOf(gradient), t), partMm);
+        }
+      }
+    });
+}
+
+}
+
+}
+
+#endif

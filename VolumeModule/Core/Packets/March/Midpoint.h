@@ -1,0 +1,40 @@
+#ifndef Varimarch_Core_Packets_March_Midpoint_h
+#define Varimarch_Core_Packets_March_Midpoint_h
+
+// Twin of March/Midpoint.glsl.
+
+#include "Core/Packets/Classify/OpticalTable.h"
+#include "Core/Packets/Loop/Segments.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+template <class Voxels>
+PacketSum MarchMidpoints(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  constexpr int Parts = 4;
+  const Voxels voxels(scene.volume);
+  return MarchSegments<Parts>(scene, rays, walk, before,
+    [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
+    {
+      Lanes values[Parts];
+      ReadValues(voxels, rays, enter + 0.5f * partMm, partMm, values);
+      for (int part = 0; part < Parts; ++part)
+      {
+        if (Any(MayAbsorb(scene.look, values[part], values[part])))
+        {
+          sum.Add(Classify(scene.look, values[part]), partMm);
+        }
+      }
+    });
+}
+
+}
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef Varimarch_Core_Packets_Mask_Voxels_h
+#define Varimarch_Core_Packets_Mask_Voxels_h
+
+// Twin of Mask/Voxels.glsl.
+
+#include "Core/Packets/PacketLattice.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// The cubes around a mask's voxels, joined where their content is the
+/// same.
+class MaskedPieces
+{
+public:
+  MaskedPieces(const PacketScene& scene, const PacketRays& rays)
+    : mask(scene.mask)
+    , rays(rays)
+    , lattice(rays, 1.0f, -0.5f, scene.volume.voxelCount)
+    , place(lattice.At(rays.enter))
+  {
+  }
+
+  /// See CroppedPieces.
+  PacketRays Next(LaneMask searching)
+  {
+    PacketRays drawn = this->rays;
+    drawn.enter = this->place.t;
+    LaneMask isFound = {};
+    while (Any(searching))
+    {
+      const IntNumbers index = this->lattice.IndexOf(this->place.cell);
+      const IntLanes content = this->TexelsAt(index, 0);
+      const LaneMask isDrawn = this->mask.isBinary ? content != 0 : AllInt(-1);
+      searching &= ~isFound | (content == drawn.region);
+      drawn.region = Select(searching & ~isFound, content, drawn.region);
+      const Lanes radius = FloatOf(this->TexelsAt(index, 1) - 1);
+      this->place = Select(searching, this->lattice.BehindBlock(this->place, radius), this->place);
+      isFound |= searching & isDrawn;
+      drawn.enter = Select(isFound, drawn.enter, this->place.t);
+      searching &= LaneMask(this->place.t < this->rays.exit);
+    }
+    drawn.enter = Min(drawn.enter, this->rays.exit);
+    drawn.exit = Min(this->place.t, this->rays.exit);
+    return drawn;
+  }
+
+private:
+  IntLanes TexelsAt(const IntNumbers& index, int which) const
+  {
+    return IntLanesOf([&](int lane)
+      { return std::int32_t(this->mask.texels[2 * std::ptrdiff_t(index.of[lane]) + which]); });
+  }
+
+  const PacketMask& mask;
+  const PacketRays& rays;
+  PacketLattice lattice;
+  LatticePlace place; ///< the end of the last piece
+};
+
+}
+
+}
+
+#endif

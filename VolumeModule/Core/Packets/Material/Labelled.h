@@ -1,0 +1,74 @@
+#ifndef Varimarch_Core_Packets_Material_Labelled_h
+#define Varimarch_Core_Packets_Material_Labelled_h
+
+// Twin of Material/Labelled.glsl and Classify/LabelTables.glsl.
+
+#include "Core/Packets/GradientOpacity/LabelTables.h"
+#include "Core/Packets/Material/OneComponent.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// A material that depends on the row of a mask that the rays are in.
+class LabelledMaterial : public PacketMaterial
+{
+public:
+  using PacketMaterial::PacketMaterial;
+
+  Optical At(Lanes value, const Surface& surface, Lanes t) const
+  {
+    const float labelPart = this->scene.parameters.labelPart;
+    Optical optical = this->OfRows(this->rays.region, value, surface);
+    const LaneMask isMixed = this->rays.region > 0;
+    if (labelPart < 1.0f && Any(isMixed))
+    {
+      const Optical plain = this->OfRows(IntLanes{}, value, surface);
+      const Optical mixed = this->Mixed(plain, optical);
+      optical.extinction = Select(isMixed, mixed.extinction, optical.extinction);
+      optical.color = Select(isMixed, mixed.color, optical.color);
+    }
+    optical.color = this->Shaded(optical.color, surface, t);
+    return optical;
+  }
+
+private:
+  Optical OfRows(IntLanes rows, Lanes value, const Surface& surface) const
+  {
+    const IntNumbers row(rows);
+    const Numbers values(value);
+    Four entries[LaneCount];
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      const PacketRow& look = this->scene.mask.rows[row.of[lane]];
+      const float last = float(look.lastIndex);
+      const float index = values.of[lane] * look.indexScale + look.indexOffset;
+      const float place = index > 0.0f ? (index < last ? index : last) : 0.0f;
+      const int below = int(place < last - 1.0f ? place : last - 1.0f);
+      entries[lane] = MixedEntries(look.table + below, place - float(below));
+    }
+    Optical optical = OpticalOf(entries);
+    if (this->scene.gradientOpacity.factors)
+    {
+      optical.extinction = AtGradientOfRows(this->scene, optical.extinction, surface.gradient, row);
+    }
+    return optical;
+  }
+
+  // Mixes colours, and opacities over a unit distance.
+  Optical Mixed(const Optical& plain, const Optical& own) const
+  {
+    const Lanes part = All(this->scene.parameters.labelPart);
+    return { Mix(plain.color, own.color, part),
+      MixedExtinction(plain.extinction, own.extinction, part,
+        All(this->scene.parameters.opacityUnitDistancesMm.x)) };
+  }
+};
+
+}
+
+}
+
+#endif

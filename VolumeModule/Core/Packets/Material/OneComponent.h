@@ -1,0 +1,114 @@
+#ifndef Varimarch_Core_Packets_Material_OneComponent_h
+#define Varimarch_Core_Packets_Material_OneComponent_h
+
+// The optical properties of places, which may depend on gradients.
+// Twin of Material/OneComponent.glsl, Material/ValueAndGradient.glsl and Values/One.glsl.
+
+#include "Core/Packets/Classify/OpticalTable.h"
+#include "Core/Packets/Classify/TwoValueTable.h"
+#include "Core/Packets/GradientOpacity/Table.h"
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/Shade/HeadLight.h"
+#include "Core/Packets/Shade/Lights.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// The optical properties along the rays of a packet.
+class PacketMaterial
+{
+public:
+  PacketMaterial(const PacketScene& scene, const PacketRays& rays)
+    : scene(scene)
+    , rays(rays)
+    , directionWorld(Transformed(scene.parameters.worldFromGrid, rays.directionGrid))
+  {
+  }
+
+  /// True if they do not depend on the surface.
+  bool IsPlain() const
+  {
+    return this->scene.light.shading == PacketShading::None &&
+      !this->scene.gradientOpacity.factors && !this->scene.twoValues.entries;
+  }
+
+  /// @param gradient  per voxel
+  Surface SurfaceOf(const Lanes3& gradient) const
+  {
+    const Lanes3 normal = Transformed(this->scene.parameters.worldFromGradient, gradient);
+    return { gradient, normal, Dot(normal, this->directionWorld) };
+  }
+
+  /// @param t  the place along the rays [mm]
+  Optical At(Lanes value, const Surface& surface, Lanes t) const
+  {
+    Optical optical = this->scene.twoValues.entries
+      ? ClassifyTwo(this->scene, value, surface.gradient)
+      : Classify(this->scene.look, value);
+    optical.color = this->Shaded(optical.color, surface, t);
+    if (this->scene.gradientOpacity.factors)
+    {
+      optical.extinction = AtGradient(this->scene, optical.extinction, surface.gradient);
+    }
+    return optical;
+  }
+
+  Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t) const
+  {
+    switch (this->scene.light.shading)
+    {
+      case PacketShading::HeadLight:
+        return LitByHeadLight(this->scene, color, surface);
+      case PacketShading::Lights:
+        return PacketLights(this->scene, this->directionWorld)
+          .Lit(color, surface, this->WorldAt(t));
+      case PacketShading::None:
+        break;
+    }
+    return color;
+  }
+
+private:
+  Lanes3 WorldAt(Lanes t) const
+  {
+    const glm::vec3& origin = this->scene.parameters.worldOfGridOrigin;
+    return Transformed(this->scene.parameters.worldFromGrid, this->rays.At(t)) + AllOf3(origin);
+  }
+
+protected:
+  const PacketScene& scene;
+  const PacketRays& rays;
+  Lanes3 directionWorld;
+};
+
+/// The most frequent material, with a head light and nothing else: an image takes a twentieth less
+/// time than with PacketMaterial.
+class HeadLitMaterial : public PacketMaterial
+{
+public:
+  using PacketMaterial::PacketMaterial;
+
+  static constexpr bool IsPlain() { return false; }
+
+  static bool IsThatOf(const PacketScene& scene)
+  {
+    return scene.light.shading == PacketShading::HeadLight && !scene.gradientOpacity.factors &&
+      !scene.twoValues.entries;
+  }
+
+  Optical At(Lanes value, const Surface& surface, Lanes) const
+  {
+    Optical optical = Classify(this->scene.look, value);
+    optical.color = LitByHeadLight(this->scene, optical.color, surface);
+    return optical;
+  }
+};
+
+}
+
+}
+
+#endif
