@@ -102,7 +102,7 @@ inline Lanes AtDepth(const PacketRays& rays, const RayParameters& parameters, La
   return -beyond / approach;
 }
 
-/// See Shaders/Depth/SceneGeometry.glsl.
+/// Ends rays at opaque geometry.
 inline void CutByDepth(PacketRays& rays, const PacketScene& scene, int x, int y)
 {
   const Lanes depth = DepthsAt(scene, x, y);
@@ -111,7 +111,7 @@ inline void CutByDepth(PacketRays& rays, const PacketScene& scene, int x, int y)
   rays.exit = Select(ends, end, rays.exit);
 }
 
-/// See Shaders/Resume/Peel.glsl.
+/// Keeps the part between two layers of translucent geometry, as Shaders/Resume/Peel.glsl does.
 inline void CutByLayers(PacketRays& rays, const PacketScene& scene, int x, int y)
 {
   float front[LaneCount];
@@ -121,10 +121,10 @@ inline void CutByLayers(PacketRays& rays, const PacketScene& scene, int x, int y
   {
     const int column = x + lane % PacketWidth;
     const int row = y + lane / PacketWidth;
-    const bool isInPicture = column < size.x && row < size.y;
+    const bool isInImage = column < size.x && row < size.y;
     const std::ptrdiff_t pixel = std::ptrdiff_t(row) * size.x + column;
-    front[lane] = isInPicture ? scene.cuts.layers[4 * pixel] : 0.0f;
-    back[lane] = isInPicture ? scene.cuts.layers[4 * pixel + 1] : 0.0f;
+    front[lane] = isInImage ? scene.cuts.layers[4 * pixel] : 0.0f;
+    back[lane] = isInImage ? scene.cuts.layers[4 * pixel + 1] : 0.0f;
   }
   const Lanes from = LanesAt(front);
   const Lanes to = LanesAt(back);

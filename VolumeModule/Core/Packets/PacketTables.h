@@ -40,7 +40,7 @@ inline Four MixedEntries(const glm::vec4* entry, float part)
 }
 
 /// Interpolates between four entries of a table of rows.
-/// @param size  of the table, at least two along each axis
+/// @param size  number of entries along each axis, at least two
 /// @param x, y  indices within the table, which need not be whole
 inline Optical Interpolated(const glm::vec4* table, glm::ivec2 size, Lanes x, Lanes y)
 {

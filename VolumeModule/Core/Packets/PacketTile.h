@@ -15,7 +15,7 @@ struct Mixture;
 /// Marches the pixels in a tile of whole packets on one core. Each set of instructions and each
 /// content has a copy of its own in a translation unit of its own, made of PacketTile.cxx.in. Only
 /// on a processor that has these instructions may it be called.
-/// @param rgba  of the pixels, as in MarchPackets
+/// @param rgba  colours of the pixels, as in MarchPackets
 template <InstructionSet Set, class Content>
 void MarchTile(const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba);
 

@@ -16,9 +16,9 @@ namespace
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 
-/// As Shaders/Math/Absorption.glsl: 1 - exp(-depth), without cancellation. GLSL has no 2^f - 1,
-/// from which this follows at less cost than from its series: it is computed for every sample.
-/// Beyond a depth of 100 a float has no transmittance left.
+/// The part of light absorbed over an optical depth: 1 - exp(-depth), without cancellation. GLSL
+/// has no 2^f - 1, so Shaders/Math/Absorption.glsl takes a series; for lanes this costs less, and
+/// each sample needs it. Beyond a depth of 100 a float has no transmittance left.
 inline Lanes Absorption(Lanes depth)
 {
   const PowerOfTwo power(-1.442695041f * Min(depth, 100.0f)); // 1 - 2^i - 2^i (2^f - 1)

@@ -2,11 +2,15 @@
 
 #include "Core/Geometry/ProjectedBox.h"
 #include "Core/Packets/PacketMarch.h"
-#include "March/Processor/OverlapMarch.h"
+#include "March/Processor/PacketScenes.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtk_glew.h"
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 
@@ -64,14 +68,18 @@ std::vector<PacketScene> PartsOf(
   return { other };
 }
 
-// Applies window and level as Shaders/Window/WindowLevel.glsl does.
-void Window(std::vector<float>& rgba, const glm::dvec2& scaleBias)
+using glm::clamp;
+using glm::vec2;
+using glm::vec4;
+#include "Shaders/Math/WindowLevel.glsl"
+
+void Window(std::vector<float>& rgba, const vec2& scaleBias)
 {
-  for (std::size_t i = 0; i < rgba.size(); ++i)
+  for (std::size_t i = 0; i < rgba.size(); i += 4)
   {
-    const float opacity = rgba[i | 3];
-    const float color = rgba[i] * float(scaleBias.x) + opacity * float(scaleBias.y);
-    rgba[i] = i % 4 == 3 ? opacity : std::clamp(color, 0.0f, opacity);
+    const vec4 windowed =
+      WindowedColor({ rgba[i], rgba[i + 1], rgba[i + 2], rgba[i + 3] }, scaleBias);
+    std::copy_n(&windowed.x, 4, &rgba[i]);
   }
 }
 
@@ -93,7 +101,7 @@ void PacketMarcher::Draw(const Frame& frame, const MarchPlan& plan)
     return;
   }
   const VolumeMarch march = MarchOf(frame, plan);
-  const OverlapMarch scenes(march, this->resources, this->SurroundingsOf(frame, plan), pixels);
+  const PacketScenes scenes(march, this->resources, this->SurroundingsOf(frame, plan), pixels);
   this->image.March(
     frame.view.window, PartsOf(scenes.Scene(), march, scenes.LayerDepths()), pixels);
 
@@ -111,7 +119,7 @@ std::vector<float> PacketMarcher::DrawTrial(const Frame& frame, const MarchPlan&
   {
     return rgba;
   }
-  const OverlapMarch scenes(
+  const PacketScenes scenes(
     MarchOf(frame, plan), this->resources, this->SurroundingsOf(frame, plan), pixels);
   MarchPackets(scenes.Scene(), pixels, rgba.data());
   if (frame.settings.windowLevel)

@@ -1,3 +1,4 @@
+#include "Math/Planes.glsl"
 // Cropping by regions: six planes divide a ray into pieces, each of which lies in one region.
 
 float NextCrossing(Ray ray, float t, float exit)
@@ -5,8 +6,8 @@ float NextCrossing(Ray ray, float t, float exit)
   float next = exit;
   for (int i = 0; i < 6; ++i)
   {
-    float approach = dot(croppingPlanes[i].xyz, ray.directionGrid);
-    float crossing = -dot(croppingPlanes[i], vec4(ray.originGrid, 1.0)) / approach;
+    float approach = ApproachToPlane(croppingPlanes[i], ray.directionGrid);
+    float crossing = -BeyondPlane(croppingPlanes[i], ray.originGrid) / approach;
     next = approach != 0.0 && crossing > t ? min(next, crossing) : next;
   }
   return next;
@@ -14,12 +15,12 @@ float NextCrossing(Ray ray, float t, float exit)
 
 bool IsDrawn(Ray ray, float t)
 {
-  vec4 position = vec4(ray.originGrid + t * ray.directionGrid, 1.0);
+  vec3 position = ray.originGrid + t * ray.directionGrid;
   int region = 0;
   for (int axis = 2; axis >= 0; --axis)
   {
-    int planesBelow = int(dot(croppingPlanes[2 * axis], position) >= 0.0) +
-      int(dot(croppingPlanes[2 * axis + 1], position) >= 0.0);
+    int planesBelow = int(BeyondPlane(croppingPlanes[2 * axis], position) >= 0.0) +
+      int(BeyondPlane(croppingPlanes[2 * axis + 1], position) >= 0.0);
     region = 3 * region + planesBelow;
   }
   return (croppingRegions >> region & 1) != 0;

@@ -1,3 +1,4 @@
+#include "Math/Planes.glsl"
 // Rays end at opaque geometry that was drawn before; its depth buffer was copied.
 
 // The t at which the geometry at a pixel would end this ray, if it were as deep here [mm].
@@ -5,8 +6,8 @@ float DepthLimitAt(Ray ray, vec2 pixel)
 {
   float depth = texelFetch(depthTexture, ivec2(pixel * depthPixelsPerPixel), 0).r;
   vec4 plane = clipDepthRow - (2.0 * depth - 1.0) * clipWeightRow;
-  float approach = dot(plane.xyz, ray.directionGrid);
-  float offset = -dot(plane, vec4(ray.originGrid, 1.0));
+  float approach = ApproachToPlane(plane, ray.directionGrid);
+  float offset = -BeyondPlane(plane, ray.originGrid);
   return depth < 1.0 && approach != 0.0 ? offset / approach : 3.0e38;
 }
 

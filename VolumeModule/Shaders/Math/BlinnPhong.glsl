@@ -2,13 +2,19 @@
 // 1977). A reflectance holds the coefficients of ambient, diffuse and specular light and the
 // specular power.
 
+// The factor that makes a normal a unit vector; 0 where there is no normal.
+float InverseLength(vec3 normal)
+{
+  float squared = dot(normal, normal);
+  return squared > 1e-36f ? inversesqrt(squared) : 0.0f;
+}
+
 // The cosine between a normal of any length and the direction to the eye, which sees both sides of
 // a surface; 0 where there is no normal.
 // @param towardsEye  the product of the normal and the direction of the ray
 float FacingEye(vec3 normal, float towardsEye)
 {
-  float squared = dot(normal, normal);
-  return squared > 1e-36f ? min(abs(towardsEye) * inversesqrt(squared), 1.0f) : 0.0f;
+  return min(abs(towardsEye) * InverseLength(normal), 1.0f);
 }
 
 // The color of a surface under a light at the eye. The half vector is the direction to the eye.
@@ -37,6 +43,23 @@ float Shining(vec3 normal, vec3 toLight, vec3 toEye, float backsLit)
   float cosine =
     Facing(normal, halfway, backsLit) * inversesqrt(max(dot(halfway, halfway), 1e-30f));
   return clamp(cosine, 1e-6f, 1.0f);
+}
+
+// The diffuse and the specular part of a light that a surface reflects to the eye.
+vec2 Reflected(vec3 normal, vec3 toLight, vec3 toEye, float power, float backsLit)
+{
+  float facing = Facing(normal, toLight, backsLit);
+  float shining = pow(Shining(normal, toLight, toEye, backsLit), power);
+  return vec2(facing, facing > 0.0f ? shining : 0.0f);
+}
+
+// The color of a surface under several lights.
+// @param diffuse, specular  the sums of what the surface reflects of all lights
+vec3 LitByAll(
+  vec3 color, float litPart, vec4 reflectance, vec3 ambientLight, vec3 diffuse, vec3 specular)
+{
+  return color * (reflectance.x * ambientLight + litPart * reflectance.y * diffuse) +
+    litPart * reflectance.z * specular;
 }
 
 // The part of a near light that reaches a point.

@@ -11,7 +11,7 @@ vec3 SafeInverse(vec3 direction)
 
 // The slab between two planes of one axis. The position of a ray along the slab is compared: 0 / 0
 // must not reach the result when it runs in one of the planes.
-// @param inverse  of the direction, by SafeInverse
+// @param inverse  the inverse of the direction, by SafeInverse
 vec2 IntersectSlab(float origin, float inverse, float lower, float upper)
 {
   float toLower = (lower - origin) * inverse;

@@ -1,5 +1,5 @@
 // Mixes the opacities that two materials have over a unit distance.
-// @param part  of the second material, [0, 1]
+// @param part  the part of the second material, [0, 1]
 // @return the extinction of the mixture; the mixture is never opaque. Needs Absorption.glsl and
 //         Extinction.glsl.
 float MixedExtinction(float first, float second, float part, float unitDistanceMm)

@@ -15,28 +15,19 @@ float ReachOf(int texel, float distanceMm, vec3 toLight)
     texelFetch(lightTexels, texel + 2).w);
 }
 
-// The diffuse and specular part of a light that a surface reflects to the eye.
-vec2 Reflected(vec3 normal, vec3 toLight, vec3 toEye, float power)
-{
-  float facing = Facing(normal, toLight, backsLit);
-  return vec2(facing, facing > 0.0 ? pow(Shining(normal, toLight, toEye, backsLit), power) : 0.0);
-}
-
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
 {
-  reflectance.yz *= LitPart(gradient);
-  vec3 outward = -(worldFromGradient * gradient);
-  float squared = dot(outward, outward);
-  vec3 normal = squared > 1e-36 ? outward * inversesqrt(squared) : vec3(0.0);
+  vec3 inward = worldFromGradient * gradient;
+  vec3 normal = -InverseLength(inward) * inward;
   vec3 positionWorld = worldFromGrid * (ray.originGrid + t * ray.directionGrid) + worldOfGridOrigin;
   vec3 toEye = -(worldFromGrid * ray.directionGrid);
-  vec2 atEye = Reflected(normal, toEye, toEye, reflectance.w);
+  vec2 atEye = Reflected(normal, toEye, toEye, reflectance.w, backsLit);
   vec3 diffuse = atEye.x * diffuseLight;
   vec3 specular = atEye.y * specularLight;
   for (int texel = 0; texel < TexelsPerLight * distantCount; texel += TexelsPerLight)
   {
     vec3 toLight = texelFetch(lightTexels, texel).xyz;
-    vec2 reflected = Reflected(normal, toLight, toEye, reflectance.w);
+    vec2 reflected = Reflected(normal, toLight, toEye, reflectance.w, backsLit);
     diffuse += reflected.x * texelFetch(lightTexels, texel + 1).rgb;
     specular += reflected.y * texelFetch(lightTexels, texel + 2).rgb;
   }
@@ -47,11 +38,10 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
     vec3 toPlace = texelFetch(lightTexels, texel).xyz - positionWorld;
     float distanceMm = max(length(toPlace), 1e-15);
     vec3 toLight = toPlace / distanceMm;
-    vec2 reflected =
-      ReachOf(texel, distanceMm, toLight) * Reflected(normal, toLight, toEye, reflectance.w);
+    vec2 reflected = ReachOf(texel, distanceMm, toLight) *
+      Reflected(normal, toLight, toEye, reflectance.w, backsLit);
     diffuse += reflected.x * texelFetch(lightTexels, texel + 1).rgb;
     specular += reflected.y * texelFetch(lightTexels, texel + 2).rgb;
   }
-  return color * (reflectance.x * ambientLight + reflectance.y * diffuse) +
-    reflectance.z * specular;
+  return LitByAll(color, LitPart(gradient), reflectance, ambientLight, diffuse, specular);
 }

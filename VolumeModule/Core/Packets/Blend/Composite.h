@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-/// Emission and absorption, front to back; see Shaders/Blend/Composite.glsl.
+/// The emission and absorption along rays, front to back.
 struct PacketSum
 {
   Lanes3 color = { Lanes{}, Lanes{}, Lanes{} }; ///< premultiplied
@@ -30,9 +30,7 @@ struct PacketSum
 
 inline PacketSum Select(LaneMask mask, const PacketSum& yes, const PacketSum& no)
 {
-  return { { Select(mask, yes.color.x, no.color.x), Select(mask, yes.color.y, no.color.y),
-             Select(mask, yes.color.z, no.color.z) },
-    Select(mask, yes.transmittance, no.transmittance),
+  return { Select(mask, yes.color, no.color), Select(mask, yes.transmittance, no.transmittance),
     Select(mask, yes.opticalDepth, no.opticalDepth) };
 }
 

@@ -70,7 +70,7 @@ ValuePairs UnpackedPairs(IntLanes bits)
   return { FloatOf(bits & all), FloatOf(bits >> width & all) };
 }
 
-/// @param index  of the first voxel of each pair, counted from `base`
+/// @param index  index of the first voxel of each pair, counted from `base`
 template <class Voxel>
 ValuePairs PairsAt(const Voxel* base, const IntNumbers& index)
 {

@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-/// @param index  of each lane's voxel, counted from `first`
+/// @param index  index of each lane's voxel, counted from `first`
 template <class Voxel>
 Lanes ValuesAt(const Voxel* first, const IntNumbers& index)
 {

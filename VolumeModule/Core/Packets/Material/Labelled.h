@@ -38,16 +38,19 @@ private:
   Optical OfRows(IntLanes rows, Lanes value, const Surface& surface) const
   {
     const IntNumbers row(rows);
-    const Numbers values(value);
+    const auto lookOf = [&](int lane) -> const PacketRow&
+    { return this->scene.mask.rows[row.of[lane]]; };
+    const Lanes last = LanesOf([&](int lane) { return float(lookOf(lane).lastIndex); });
+    const Lanes place =
+      TableIndex(value, LanesOf([&](int lane) { return lookOf(lane).indexScale; }),
+        LanesOf([&](int lane) { return lookOf(lane).indexOffset; }), last);
+    const Lanes below = EntryBelow(place, last);
+    const IntNumbers index(Truncated(below));
+    const Numbers part(place - below);
     Four entries[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      const PacketRow& look = this->scene.mask.rows[row.of[lane]];
-      const float last = float(look.lastIndex);
-      const float index = values.of[lane] * look.indexScale + look.indexOffset;
-      const float place = index > 0.0f ? (index < last ? index : last) : 0.0f;
-      const int below = int(place < last - 1.0f ? place : last - 1.0f);
-      entries[lane] = MixedEntries(look.table + below, place - float(below));
+      entries[lane] = MixedEntries(lookOf(lane).table + index.of[lane], part.of[lane]);
     }
     Optical optical = OpticalOf(entries);
     if (this->scene.gradientOpacity.factors)

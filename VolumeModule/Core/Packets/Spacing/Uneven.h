@@ -12,8 +12,7 @@ namespace varimarch
 namespace
 {
 
-/// From places in the even grid, in which rays are straight, to places
-/// in the grid of the voxels.
+/// The places in the grid of the voxels for places in the even grid, in which rays are straight.
 inline Lanes3 UnevenPlace(const PacketScene& scene, const Lanes3& grid)
 {
   const PacketSpacing& spacing = scene.spacing;

@@ -1,5 +1,5 @@
-#ifndef Varimarch_March_Processor_OverlapMarch_h
-#define Varimarch_March_Processor_OverlapMarch_h
+#ifndef Varimarch_March_Processor_PacketScenes_h
+#define Varimarch_March_Processor_PacketScenes_h
 
 #include "March/Processor/PacketSceneBuilder.h"
 #include "Resources/SceneResources.h"
@@ -11,16 +11,16 @@ namespace varimarch
 
 /// The scene that packets march for a frame: a single volume, or a mixture of several components
 /// and volumes along rays in the grid of the first volume. Its parts point to each other.
-class OverlapMarch
+class PacketScenes
 {
 public:
   /// @param around  the surroundings of the first volume
   /// @param pixels  the drawn pixels of the viewport
-  OverlapMarch(const VolumeMarch& march, SceneResources& resources, PacketSurroundings around,
+  PacketScenes(const VolumeMarch& march, SceneResources& resources, PacketSurroundings around,
     const Viewport& pixels);
 
-  OverlapMarch(const OverlapMarch&) = delete;
-  void operator=(const OverlapMarch&) = delete;
+  PacketScenes(const PacketScenes&) = delete;
+  void operator=(const PacketScenes&) = delete;
 
   const PacketScene& Scene() const { return this->first.scene; }
   const std::vector<float>& LayerDepths() const { return this->first.around.layerDepths; }

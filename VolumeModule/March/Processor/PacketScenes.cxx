@@ -1,4 +1,4 @@
-#include "March/Processor/OverlapMarch.h"
+#include "March/Processor/PacketScenes.h"
 
 #include "Frame/Lights.h"
 
@@ -31,7 +31,7 @@ PacketSurroundings SurroundingsOfOther(const Frame& frame)
 
 }
 
-OverlapMarch::OverlapMarch(const VolumeMarch& march, SceneResources& resources,
+PacketScenes::PacketScenes(const VolumeMarch& march, SceneResources& resources,
   PacketSurroundings around, const Viewport& pixels)
   : first(march, resources.First(), std::move(around), pixels)
 {
@@ -41,7 +41,7 @@ OverlapMarch::OverlapMarch(const VolumeMarch& march, SceneResources& resources,
   }
 }
 
-void OverlapMarch::Mix(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)
+void PacketScenes::Mix(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)
 {
   const Frame& frame = march.frame;
   std::vector<PacketScene> own = ConstituentsOf(march, resources.First(), this->first.scene);
