@@ -203,19 +203,23 @@ def shaders_have_no_switches():
     )
 
 
-# Slots whose files the device runs also for rays that packets march, and files that only shaders
-# have, because packets leave their scenes to them.
-SLOTS_OF_DEVICE = {"Locate", "Marched", "Math", "Peel", "Resume", "Window"}
+# Files that only shaders have, because packets leave their scenes to them.
 LEFT_TO_SHADERS = set(
     """Blend/ComponentAdditive Blend/ComponentAverage Blend/ComponentExtreme
     Gradient/ClippedDifferences March/PublishedSum March/Simpson March/Slice March/VoxelSurfaces
     Material/TwoValues Probe/FetchCount Sample/Texel Step/VariationField Values/Two""".split()
 )
-CHOICES_WITHOUT_WORK = {"None", "NoneOfAll", "Even"}
 
 
 def shader_files_have_twins():
     """Packets repeat each file of a slot, or its scenes are left to shaders."""
+    capability = text_of("VolumeModule/March/Processor/PacketCapability.cxx")
+
+    def names_in(variable):
+        return set(re.findall(r'"(\w+)"', re.search(variable + r" = \{([^}]*)\}", capability)[1]))
+
+    without_work = names_in("nothing")
+    slots_of_device = names_in("slotsOfDevice") | {"Marched", "Math"}
     folder = pathlib.PurePath("VolumeModule/Shaders")
     files = {
         path.relative_to(folder).with_suffix("").as_posix()
@@ -231,8 +235,8 @@ def shader_files_have_twins():
     needing = {
         file
         for file in files - LEFT_TO_SHADERS
-        if file.split("/")[0] not in SLOTS_OF_DEVICE
-        and file.split("/")[1] not in CHOICES_WITHOUT_WORK
+        if file.split("/")[0] not in slots_of_device
+        and file.split("/")[1] not in without_work
     }
     return [
         f"VolumeModule/Shaders/{file}.glsl: no header of Core/Packets is its twin; write one, or "

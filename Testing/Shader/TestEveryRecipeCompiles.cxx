@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include <sys/wait.h>
@@ -103,6 +104,48 @@ TEST(Shaders, EveryRecipeCompilesWithFlatParameters)
     EXPECT_TRUE(ofVertex.passed) << Describe(parts) << "\n" << ofVertex.messages;
     EXPECT_TRUE(ofFragment.passed) << Describe(parts) << "\n" << ofFragment.messages;
   }
+}
+
+TEST(Shaders, IncludeOnlyFormulasThatTheyUse)
+{
+  static const std::regex function(R"((?:^|\n)\w+ (\w+)\()");
+  for (const RenderSettings& settings : EveryRecipe())
+  {
+    const std::vector<ShaderFile> files = LoadParts(FragmentShaderParts(settings));
+    for (const ShaderFile& formulas : files)
+    {
+      if (formulas.path.rfind("Math/", 0) != 0)
+      {
+        continue;
+      }
+      bool isUsed = false;
+      for (std::sregex_iterator match(formulas.text.begin(), formulas.text.end(), function), none;
+           match != none && !isUsed; ++match)
+      {
+        const std::string call = (*match)[1].str() + "(";
+        isUsed = std::any_of(files.begin(), files.end(),
+          [&](const ShaderFile& file)
+          { return &file != &formulas && file.text.find(call) != std::string::npos; });
+      }
+      EXPECT_TRUE(isUsed) << formulas.path << " in " << Describe(FragmentShaderParts(settings));
+    }
+  }
+}
+
+TEST(Shaders, PlainCompositesHaveFourFormulas)
+{
+  const RenderSettings plain{ Blend::Composite, Acceleration::Off };
+  std::vector<std::string> formulas;
+  for (const ShaderFile& file : LoadParts(FragmentShaderParts(plain)))
+  {
+    if (file.path.rfind("Math/", 0) == 0)
+    {
+      formulas.push_back(file.path);
+    }
+  }
+  EXPECT_EQ(formulas,
+    (std::vector<std::string>{
+      "Math/Tables.glsl", "Math/Absorption.glsl", "Math/IntersectBox.glsl", "Math/Planes.glsl" }));
 }
 
 TEST(Shaders, TheVertexShaderCompiles)
