@@ -14,7 +14,7 @@ def drawer(result):
 
 def numbers(difference):
     if not difference:
-        return "no picture | | | "
+        return "no image | | | "
     return "{vtk:.3f} | {rmse:.2f} | {most:.0f} | {largest:.0f}".format(**difference)
 
 
@@ -33,24 +33,25 @@ def explanation(result):
     return json.loads(EXPLANATIONS.read_text()).get(result["name"], "")
 
 
-HEAD = """# VTK's own tests as judge
+HEAD = """# VTK's own tests through the plugin
 
-The procedural volume tests of VTK 9.1, as they come in the distribution's source package, run
-unmodified: once with VTK's mapper, which makes the baselines, and once through the plugin
-(`VTK_AUTOLOAD_PATH`, see `Documentation/Plugin.md`). Made by
+This page shows what a user of VTK sees who loads the plugin. The procedural volume tests of VTK
+9.1, from the distribution's source package, run unmodified: once with VTK's mapper, which makes the
+baselines, and once through the plugin (`VTK_AUTOLOAD_PATH`, see `Documentation/Plugin.md`). The
+report is made by
 ```
 Testing/VtkSuite/run.sh build/release
 ```
-on Mesa's llvmpipe, in windows of Xvfb, at commit COMMIT. Where a strict one is
-not 0, the last section says why.
+on Mesa's llvmpipe, in windows of Xvfb, at commit COMMIT. The last section explains each difference
+that a strict measure finds.
 
-*Drawn by*: "ours", "VTK's" where the plugin left the picture to VTK's mapper (reasons below), "names its
-class" where the test asks for VTK's mapper by its own name and the factory has no part in it.
-*VTK's measure* is that of vtkTesting in VTK 9.1, which passes up to 0.15: it forgives 35 levels in each
-channel and a shift by one pixel. The strict ones are differences of a channel in units of 1/255: RMSE, the
-99.9th percentile and the largest. *To the limit*: RMSE to VTK's own mapper with a tenth of its steps, which is
-nearer to what both tend to: the smaller of the two numbers tells which mapper is off, unless VTK's is off at
-any number of steps. Times include the start of the program and are no measurement.
+| column | meaning |
+|---|---|
+| drawn by | "ours"; "VTK's" if the plugin left the image to VTK's mapper, for a reason below; "names its class" if the test makes VTK's mapper by its own class name, so that no factory is asked |
+| VTK's measure | the measure of vtkTesting in VTK 9.1. A test passes up to 0.15; the measure forgives 35 levels in each channel and a shift by one pixel |
+| RMSE, 99.9 %, largest | strict differences of a channel, in units of 1/255: root mean square, 99.9th percentile and maximum |
+| ours to the limit, VTK's to the limit | RMSE to VTK's own mapper at a tenth of its sample distance, which is nearer to the exact image. The smaller number tells which mapper is more accurate, unless VTK's mapper is wrong at every sample distance |
+| VTK's [s], ours [s] | time of the test with the start of its program; it is not a measurement of speed |
 
 | test | drawn by | VTK's measure | RMSE | 99.9 % | largest | ours to the limit | VTK's to the limit | VTK's [s] | ours [s] |
 |---|---|---:|---:|---:|---:|---:|---:|---:|---:|
