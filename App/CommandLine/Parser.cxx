@@ -156,9 +156,14 @@ void AddLookOptions(CLI::App& command, SceneArguments& arguments)
                                   "Built-in look (default: ct-bone for CT, else mr-head)")
                                 ->check(OneOf(PresetNames()))
                                 ->group(group);
-  command.add_option("--transfer-function", arguments.transferFunction, "File with a look")
-    ->type_name("FILE")
-    ->excludes(presetOption)
+  CLI::Option* fileOption =
+    command.add_option("--transfer-function", arguments.transferFunction, "File with looks")
+      ->type_name("FILE")
+      ->excludes(presetOption)
+      ->group(group);
+  command.add_option("--look", arguments.lookName, "Name of the look in a file that holds several")
+    ->type_name("NAME")
+    ->needs(fileOption)
     ->group(group);
   CLI::Option* shadeOption = command
                                .add_flag_callback(

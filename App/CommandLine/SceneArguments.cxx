@@ -5,6 +5,7 @@
 #include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
+#include "Scene/VolumeProperty.h"
 #include "UsageError.h"
 
 namespace varimarch
@@ -20,17 +21,40 @@ bool IsSceneFile(const std::string& input)
     input.compare(input.size() - extension.size(), extension.size(), extension) == 0;
 }
 
-std::optional<Preset> ChosenPreset(const SceneArguments& arguments, vtkImageData* image)
+Preset Suggested(const LoadedVolume& volume, const ImageStatistics& statistics)
+{
+  return BuiltInPreset(SuggestedPreset(volume, statistics).name);
+}
+
+/// The look of a file. Colours without opacities get those of the scene, or those of the preset
+/// that is suggested for a volume without a scene.
+Preset PresetOfFile(
+  const SceneArguments& arguments, const LoadedVolume& volume, const Look& ofScene)
+{
+  const ImageStatistics statistics(volume.image);
+  const bool hasScene = !ofScene.opacities.empty();
+  LookContext context = ContextOf(volume.image);
+  context.opacities =
+    InUnitsOfData(hasScene ? ofScene : Suggested(volume, statistics).look, statistics).opacities;
+  return ReadLook(arguments.transferFunction, arguments.lookName, context);
+}
+
+/// Applies the preset that the arguments name, or for a volume without a scene the suggested one.
+void OverridePreset(
+  const SceneArguments& arguments, const LoadedVolume& volume, bool isScene, Scene& scene)
 {
   if (!arguments.transferFunction.empty())
   {
-    return ReadLookFile(arguments.transferFunction, ContextOf(image));
+    TakePreset(PresetOfFile(arguments, volume, scene.look), scene);
   }
-  if (!arguments.preset.empty())
+  else if (!arguments.preset.empty())
   {
-    return BuiltInPreset(arguments.preset);
+    TakePreset(BuiltInPreset(arguments.preset), scene);
   }
-  return std::nullopt;
+  else if (!isScene)
+  {
+    TakePreset(Suggested(volume, ImageStatistics(volume.image)), scene);
+  }
 }
 
 void OverrideLook(const SceneArguments& arguments, Look& look)
@@ -86,14 +110,7 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   scene.volume =
     isScene ? Override(arguments.volume, scene.volume) : SourceOf(arguments.volume, input);
   LoadedVolume loaded = LoadVolumeReporting(scene.volume);
-  if (const std::optional<Preset> chosen = ChosenPreset(arguments, loaded.image))
-  {
-    TakePreset(*chosen, scene);
-  }
-  else if (!isScene)
-  {
-    TakePreset(BuiltInPreset(SuggestedPreset(loaded, ImageStatistics(loaded.image)).name), scene);
-  }
+  OverridePreset(arguments, loaded, isScene, scene);
   OverrideLook(arguments, scene.look);
   OverrideCamera(arguments, scene.camera);
   OverrideSampling(arguments, scene.render);

@@ -19,7 +19,8 @@ struct SceneArguments
 {
   VolumeArguments volume;
   std::string preset;           ///< name of a built-in preset; empty: chosen for the volume
-  std::string transferFunction; ///< file with a look; empty: the preset's look
+  std::string transferFunction; ///< file with looks; empty: the preset's look
+  std::string lookName;         ///< name of a look in that file; empty: its only look
   std::optional<bool> shade;
   std::optional<Blend> blend;
   std::optional<std::array<int, 2>> size; ///< size of the image [pixels]

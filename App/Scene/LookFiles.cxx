@@ -1,11 +1,13 @@
 #include "Scene/LookFiles.h"
 
 #include "Scene/JsonCursor.h"
+#include "Scene/LookFormats/ColorTables.h"
 #include "Scene/LookFormats/InviwoTransferFunction.h"
 #include "Scene/LookFormats/MricroGlClut.h"
 #include "Scene/LookFormats/OsirixPreset.h"
 #include "Scene/LookFormats/ParaViewColorMap.h"
 #include "Scene/LookFormats/SlicerProperty.h"
+#include "Scene/LookFormats/SlicerScene.h"
 #include "Scene/LookJson.h"
 #include "Scene/OutputFile.h"
 #include "Scene/SceneFile.h"
@@ -26,7 +28,7 @@ namespace
 using LookReader = Look (*)(
   const std::string& bytes, const std::string& file, const LookContext& context);
 using LookWriter = std::string (*)(const Look& look, const LookContext& context);
-using Reader = Preset (*)(
+using Reader = std::vector<Preset> (*)(
   const std::string& bytes, const std::string& file, const LookContext& context);
 using Writer = std::string (*)(const Preset& preset, const LookContext& context);
 
@@ -62,9 +64,21 @@ std::string WithoutTrailingCommas(std::string text)
 
 // Other programs' files hold only the look of a preset.
 template <LookReader Read>
-Preset ReadLook(const std::string& bytes, const std::string& file, const LookContext& context)
+std::vector<Preset> OneLook(
+  const std::string& bytes, const std::string& file, const LookContext& context)
 {
-  return { Read(bytes, file, context) };
+  return { { Read(bytes, file, context) } };
+}
+
+std::vector<Preset> ReadSlicerScene(
+  const std::string& bytes, const std::string& file, const LookContext& context)
+{
+  std::vector<Preset> presets;
+  for (const Look& look : LooksFromSlicerScene(bytes, file, context))
+  {
+    presets.push_back({ look });
+  }
+  return presets;
 }
 
 template <LookWriter Write>
@@ -73,15 +87,16 @@ std::string WriteLook(const Preset& preset, const LookContext& context)
   return Write(preset.look, context);
 }
 
-Preset ReadAnyJson(const std::string& text, const std::string& file, const LookContext& context)
+std::vector<Preset> ReadAnyJson(
+  const std::string& text, const std::string& file, const LookContext& context)
 {
   const nlohmann::json json = ParseJson(WithoutTrailingCommas(text), file);
   if (IsParaViewColorMap(json))
   {
-    return { LookFromParaViewJson(json, file, context) };
+    return { { LookFromParaViewJson(json, file, context) } };
   }
-  return json.contains("volumeProperties") ? Preset{ LookFromSlicerJson(json, file, context) }
-                                           : PresetFromJson(JsonCursor(json, file));
+  return { json.contains("volumeProperties") ? Preset{ LookFromSlicerJson(json, file, context) }
+                                             : PresetFromJson(JsonCursor(json, file)) };
 }
 
 std::string OwnText(const Preset& preset, const LookContext&)
@@ -107,12 +122,18 @@ const std::vector<Row>& Table()
   static const std::vector<Row> table = {
     { { "Looks", ".json", true }, ReadAnyJson, OwnText },
     { { "3D Slicer volume properties", ".vp.json", true }, ReadAnyJson, WriteLook<SlicerJson> },
-    { { "3D Slicer volume properties, old", ".vp", true }, ReadLook<LookFromSlicerText>,
+    { { "3D Slicer volume properties, old", ".vp", true }, OneLook<LookFromSlicerText>,
       WriteLook<SlicerText> },
+    { { "3D Slicer presets", ".xml", false }, ReadSlicerScene, nullptr },
+    { { "3D Slicer scenes", ".mrml", false }, ReadSlicerScene, nullptr },
+    { { "3D Slicer colour tables", ".ctbl", false }, OneLook<LookFromCtbl>, nullptr },
     { { "ParaView colour maps", ".paraview.json", true }, ReadAnyJson, WriteLook<ParaViewText> },
-    { { "MRIcroGL colour tables", ".clut", false }, ReadLook<LookFromClut>, nullptr },
-    { { "OsiriX and Horos presets", ".plist", false }, ReadLook<LookFromPlist>, nullptr },
-    { { "Inviwo transfer functions", ".itf", false }, ReadLook<LookFromItf>, nullptr },
+    { { "MRIcroGL colour tables", ".clut", false }, OneLook<LookFromClut>, nullptr },
+    { { "OsiriX and Horos presets", ".plist", false }, OneLook<LookFromPlist>, nullptr },
+    { { "Inviwo transfer functions", ".itf", false }, OneLook<LookFromItf>, nullptr },
+    { { "Fiji and ImageJ colour tables", ".lut", false }, OneLook<LookFromLut>, nullptr },
+    { { "ITK-SNAP label descriptions", ".label", false }, OneLook<LookFromLabelDescriptions>,
+      nullptr },
   };
   return table;
 }
@@ -176,9 +197,31 @@ const std::vector<LookFileFormat>& LookFileFormats()
   return formats;
 }
 
-Preset ReadLookFile(const std::string& path, const LookContext& context)
+std::vector<Preset> ReadLookFile(const std::string& path, const LookContext& context)
 {
   return RowOf(path).read(BytesOf(path), path, context);
+}
+
+Preset ReadLook(const std::string& path, const std::string& name, const LookContext& context)
+{
+  const std::vector<Preset> presets = ReadLookFile(path, context);
+  if (name.empty() && presets.size() == 1)
+  {
+    return presets.front();
+  }
+  std::string names;
+  for (const Preset& preset : presets)
+  {
+    if (preset.look.name == name)
+    {
+      return preset;
+    }
+    names += (names.empty() ? "" : ", ") + preset.look.name;
+  }
+  FailToReadLook(path,
+    (name.empty() ? "expected the name of one of its looks"
+                  : "expected the look \"" + name + "\"") +
+      ", found the looks " + names);
 }
 
 void WriteLookFile(const Preset& preset, const std::string& path, const LookContext& context)

@@ -20,10 +20,16 @@ struct LookFileFormat
 /// All formats; ours comes first.
 const std::vector<LookFileFormat>& LookFileFormats();
 
-/// Reads one of our presets or another program's look. The extension decides on the format, for
-/// JSON also the content. Trailing commas, as hand-written JSON has them, are accepted.
+/// Reads our presets or another program's looks. The extension decides on the format, for JSON also
+/// the content. Trailing commas, as hand-written JSON has them, are accepted.
+/// @return at least one preset; most formats hold only one
 /// @throws std::runtime_error one sentence that names the file
-Preset ReadLookFile(const std::string& path, const LookContext& context);
+std::vector<Preset> ReadLookFile(const std::string& path, const LookContext& context);
+
+/// Reads the look of a name. An empty name stands for the only look of a file.
+/// @throws std::runtime_error one sentence that names the file and lists its looks if the name does
+///         not select one
+Preset ReadLook(const std::string& path, const std::string& name, const LookContext& context);
 
 /// Writes a preset, whose values are in units of the data, in the format of the file name's
 /// extension, ours by default. The preset is named after the file. Other programs' formats hold

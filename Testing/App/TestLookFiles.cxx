@@ -38,7 +38,7 @@ protected:
 
   Look Read(const std::string& name, const std::string& bytes) const
   {
-    return ReadLookFile(this->Write(name, bytes), Ct).look;
+    return ReadLook(this->Write(name, bytes), "", Ct).look;
   }
 
   // The error message without the folder.
@@ -173,7 +173,7 @@ TEST_F(LookFiles, FilesForOtherProgramsReadBackAsWritten)
   {
     const std::string path = (this->folder / name).string();
     WriteLookFile(preset, path, Ct);
-    const Look back = ReadLookFile(path, Ct).look;
+    const Look back = ReadLook(path, "", Ct).look;
     EXPECT_EQ(back.name, name.substr(0, 1)) << name;
     EXPECT_EQ(TextOf(back.opacities), TextOf(look.opacities)) << name;
     ASSERT_EQ(back.colors.size(), look.colors.size()) << name;
@@ -191,7 +191,7 @@ TEST_F(LookFiles, OnlyOurFilesHoldQualityAndBackground)
   {
     const std::string path = (this->folder / name).string();
     WriteLookFile(preset, path, Ct);
-    return ReadLookFile(path, Ct);
+    return ReadLook(path, "", Ct);
   };
   EXPECT_EQ(written("a.json").errorTolerance, preset.errorTolerance);
   EXPECT_EQ(written("a.json").background, preset.background);
@@ -217,6 +217,81 @@ TEST_F(LookFiles, MricroGlFilesWithoutValuesAreSpreadOverTheVolume)
     "[RGBA255]\nnodergba0=0|0|0|0\nnodergba1=255|255|255|128\n");
   EXPECT_EQ(look.opacities.front().value, -1000.0);
   EXPECT_EQ(look.opacities.back().value, 3000.0);
+}
+
+TEST_F(LookFiles, SlicerScenesHoldSeveralNamedLooks)
+{
+  const std::string path = this->Write("presets.xml", R"(<MRML version="Slicer4" userTags="">
+    <VolumeProperty name="CT-AAA" gradientOpacity="4 0 1 255 1" specularPower="10"
+      scalarOpacity="6 -3024 0 143.5 0.5 3071 0.75" specular="0.25" shade="1" ambient="0.125"
+      colorTransfer="8 -3024 0 0 0 3071 1 0.5 0.25" diffuse="0.875" interpolation="1"></VolumeProperty>
+    <VolumeProperty name="MR-MIP" gradientOpacity="4 0 1 255 1" specularPower="1"
+      scalarOpacity="4 0 0 500 1" specular="0" shade="0" ambient="0.25"
+      colorTransfer="4 0 1 1 1" diffuse="1"></VolumeProperty></MRML>)");
+  const std::vector<Preset> presets = ReadLookFile(path, Ct);
+  ASSERT_EQ(presets.size(), 2u);
+  EXPECT_EQ(presets[0].look.name, "CT-AAA");
+  EXPECT_EQ(TextOf(presets[0].look.opacities), "-3024:0 143.5:0.5 3071:0.75");
+  EXPECT_EQ(presets[0].look.colors[1].rgb, glm::dvec3(1.0, 0.5, 0.25));
+  EXPECT_EQ(presets[0].look.shading.ambient, 0.125);
+  EXPECT_FALSE(ReadLook(path, "MR-MIP", Ct).look.shading.enabled);
+}
+
+TEST_F(LookFiles, FileWithSeveralLooksNeedsANameAndListsThem)
+{
+  const std::string property = "gradientOpacity='2 0 1' specularPower='1' scalarOpacity='2 0 1' "
+                               "specular='0' shade='0' ambient='0' colorTransfer='4 0 1 1 1' "
+                               "diffuse='1'/>";
+  EXPECT_EQ(this->ProblemOf("presets.xml",
+              "<MRML><VolumeProperty name='A' " + property + "<VolumeProperty name='B' " +
+                property + "</MRML>"),
+    "Cannot read presets.xml: expected the name of one of its looks, found the looks A, B.");
+}
+
+TEST_F(LookFiles, FijiTablesAreSpreadOverTheVolumeAndKeepItsOpacities)
+{
+  std::string bytes;
+  std::string lines = "Index Red Green Blue\n";
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    for (int i = 0; i < 256; ++i)
+    {
+      bytes += char(channel == 0 ? i : channel == 1 ? 255 - i : 51);
+    }
+  }
+  for (int i = 0; i < 256; ++i)
+  {
+    lines += std::to_string(i) + " " + std::to_string(i) + " " + std::to_string(255 - i) + " 51\n";
+  }
+  for (const std::string& file : { bytes, "ICOL" + std::string(28, '\0') + bytes, lines })
+  {
+    const Look look = this->Read("fire.lut", file);
+    ASSERT_EQ(look.colors.size(), 256u);
+    EXPECT_EQ(look.colors.front().value, -1000.0);
+    EXPECT_EQ(look.colors.back().value, 3000.0);
+    EXPECT_EQ(look.colors.back().rgb, glm::dvec3(1.0, 0.0, 0.2));
+    EXPECT_EQ(TextOf(look.opacities), TextOf(Ct.opacities));
+  }
+}
+
+TEST_F(LookFiles, LabelTablesColourSingleValues)
+{
+  const std::string table = "# Color table file\n0 Background 0 0 0 0\n2 Liver 221 130 101 255\n";
+  const std::string descriptions = "# IDX -R- -G- -B- -A-- VIS MSH LABEL\n"
+                                   "0 0 0 0 0 0 0 \"Clear Label\"\n"
+                                   "2 221 130 101 1 1 1 \"Liver, left\"\n";
+  for (const Look& look : { this->Read("a.ctbl", table), this->Read("a.label", descriptions) })
+  {
+    const TransferFunction function(look.colors, look.opacities, look.opacityUnitDistanceMm);
+    EXPECT_EQ(function.Opacity(0.0), 0.0);
+    EXPECT_EQ(function.Opacity(1.0), 0.0);
+    EXPECT_EQ(function.Opacity(2.0), 1.0);
+    EXPECT_EQ(function.Color(2.25), glm::dvec3(221.0, 130.0, 101.0) / 255.0);
+    EXPECT_EQ(function.Opacity(3.0), 0.0);
+  }
+  EXPECT_EQ(this->ProblemOf("a.ctbl", "1 Liver 221 130\n"),
+    "Cannot read a.ctbl: expected lines of index, name, red, green, blue and opacity, found \"1 "
+    "Liver 221 130\".");
 }
 
 TEST_F(LookFiles, OsirixFilesAreTransparentOutsideTheirCurves)

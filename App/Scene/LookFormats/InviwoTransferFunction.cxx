@@ -1,14 +1,10 @@
 #include "Scene/LookFormats/InviwoTransferFunction.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
-#include <vtkNew.h>
-#include <vtkXMLDataElement.h>
-#include <vtkXMLDataParser.h>
+#include "Scene/LookFormats/LookXml.h"
 
-#include <algorithm>
-#include <cctype>
-#include <sstream>
+#include <vtkXMLDataElement.h>
+
+#include <glm/vec4.hpp>
 
 namespace varimarch
 {
@@ -16,40 +12,11 @@ namespace varimarch
 namespace
 {
 
-std::string LowerCaseName(vtkXMLDataElement* element)
-{
-  std::string name = element->GetName() ? element->GetName() : "";
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char letter) { return char(std::tolower(letter)); });
-  return name;
-}
-
-// Finds elements by name at any depth, since the versions nest them differently.
-void Collect(
-  vtkXMLDataElement* element, const std::string& name, std::vector<vtkXMLDataElement*>& found)
-{
-  if (LowerCaseName(element) == name)
-  {
-    found.push_back(element);
-  }
-  for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
-  {
-    Collect(element->GetNestedElement(i), name, found);
-  }
-}
-
-std::vector<vtkXMLDataElement*> ElementsOf(vtkXMLDataElement* top, const std::string& name)
-{
-  std::vector<vtkXMLDataElement*> found;
-  Collect(top, name, found);
-  return found;
-}
-
 double NumberOf(
   vtkXMLDataElement* top, const std::string& name, const char* attribute, double otherwise)
 {
   double number = otherwise;
-  for (vtkXMLDataElement* const element : ElementsOf(top, name))
+  for (vtkXMLDataElement* const element : ElementsNamed(top, name))
   {
     element->GetScalarAttribute(attribute, number);
   }
@@ -58,7 +25,7 @@ double NumberOf(
 
 void TakePoint(vtkXMLDataElement* point, const std::string& file, Look& look)
 {
-  const std::vector<vtkXMLDataElement*> rgba = ElementsOf(point, "rgba");
+  const std::vector<vtkXMLDataElement*> rgba = ElementsNamed(point, "rgba");
   double position = NumberOf(point, "pos", "x", -1e300);
   position = NumberOf(point, "pos", "content", position);
   glm::dvec4 color(0.0);
@@ -96,19 +63,11 @@ void HideOutside(Look& look, double first, double last)
 
 Look LookFromItf(const std::string& text, const std::string& file, const LookContext& context)
 {
-  std::istringstream stream(text);
-  vtkNew<vtkXMLDataParser> parser;
-  // While an observer listens to errors, VTK does not print them; the error below reports the
-  // failure.
-  parser->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkCallbackCommand>());
-  parser->SetStream(&stream);
-  vtkXMLDataElement* const top = parser->Parse() ? parser->GetRootElement() : nullptr;
-  if (!top)
-  {
-    FailToReadLook(file, "it is not valid XML");
-  }
+  // The versions nest the elements differently, so they are found at any depth.
+  const LookXml xml(text, file);
+  vtkXMLDataElement* const top = xml.Root();
   Look look;
-  for (vtkXMLDataElement* const point : ElementsOf(top, "point"))
+  for (vtkXMLDataElement* const point : ElementsNamed(top, "point"))
   {
     TakePoint(point, file, look);
   }

@@ -16,12 +16,11 @@ namespace
 // A colour node has four numbers.
 constexpr std::size_t MostNumbers = 4 * MostLookNodes;
 
-/// The numbers of a line that contains nothing else.
-std::vector<double> NumbersOfLine(std::istream& lines, const std::string& file, const char* what)
+/// The numbers of a text that contains nothing else.
+std::vector<double> NumbersOfText(
+  const std::string& text, const std::string& file, const char* what)
 {
-  std::string line;
-  std::getline(lines, line);
-  std::istringstream stream(line);
+  std::istringstream stream(text);
   stream.imbue(std::locale::classic());
   std::vector<double> numbers;
   double number = 0.0;
@@ -29,19 +28,20 @@ std::vector<double> NumbersOfLine(std::istream& lines, const std::string& file, 
   {
     numbers.push_back(number);
   }
+  stream >> std::ws;
   if (numbers.empty() || !stream.eof())
   {
     FailToReadLook(file,
-      std::string("expected numbers for the ") + what + ", found \"" + line.substr(0, 40) + "\"");
+      std::string("expected numbers for the ") + what + ", found \"" + text.substr(0, 40) + "\"");
   }
   return numbers;
 }
 
 /// The numbers of a curve, without the count in front of them.
 std::vector<double> NumbersOfCurve(
-  std::istream& lines, const std::string& file, const char* what, std::size_t perNode)
+  const std::string& text, const std::string& file, const char* what, std::size_t perNode)
 {
-  std::vector<double> numbers = NumbersOfLine(lines, file, what);
+  std::vector<double> numbers = NumbersOfText(text, file, what);
   const double promised = numbers.front();
   numbers.erase(numbers.begin());
   if (promised != double(numbers.size()) || numbers.empty() || numbers.size() % perNode != 0)
@@ -77,27 +77,42 @@ void WriteOpacities(std::ostream& text, const std::vector<OpacityNode>& nodes)
 
 }
 
-Look LookFromSlicerText(
-  const std::string& text, const std::string& file, const LookContext& context)
+Look LookFromSlicerNumbers(
+  const SlicerNumbers& texts, const std::string& file, const LookContext& context)
 {
-  std::istringstream lines(text);
-  const auto number = [&](const char* what) { return NumbersOfLine(lines, file, what).front(); };
+  const auto number = [&](const std::string& text, const char* what)
+  { return NumbersOfText(text, file, what).front(); };
   Look look;
-  number("interpolation");
-  look.shading.enabled = number("shading") != 0.0;
-  look.shading.diffuse = number("diffuse coefficient");
-  look.shading.ambient = number("ambient coefficient");
-  look.shading.specular = number("specular coefficient");
-  look.shading.specularPower = number("specular power");
-  look.opacities = OpacitiesOf(NumbersOfCurve(lines, file, "scalar opacity", 2));
+  look.shading.enabled = number(texts.shade, "shading") != 0.0;
+  look.shading.diffuse = number(texts.diffuse, "diffuse coefficient");
+  look.shading.ambient = number(texts.ambient, "ambient coefficient");
+  look.shading.specular = number(texts.specular, "specular coefficient");
+  look.shading.specularPower = number(texts.specularPower, "specular power");
+  look.opacities = OpacitiesOf(NumbersOfCurve(texts.scalarOpacity, file, "scalar opacity", 2));
   TakeGradientOpacities(
-    OpacitiesOf(NumbersOfCurve(lines, file, "gradient opacity", 2)), context, look);
-  const auto colors = NumbersOfCurve(lines, file, "colours", 4);
+    OpacitiesOf(NumbersOfCurve(texts.gradientOpacity, file, "gradient opacity", 2)), context, look);
+  const auto colors = NumbersOfCurve(texts.colors, file, "colours", 4);
   for (std::size_t i = 0; i < colors.size(); i += 4)
   {
     look.colors.push_back({ colors[i], { colors[i + 1], colors[i + 2], colors[i + 3] } });
   }
   return CleanLook(look, file, context);
+}
+
+Look LookFromSlicerText(
+  const std::string& text, const std::string& file, const LookContext& context)
+{
+  std::istringstream lines(text);
+  std::string interpolation;
+  std::getline(lines, interpolation);
+  NumbersOfText(interpolation, file, "interpolation");
+  SlicerNumbers texts;
+  for (std::string* const line : { &texts.shade, &texts.diffuse, &texts.ambient, &texts.specular,
+         &texts.specularPower, &texts.scalarOpacity, &texts.gradientOpacity, &texts.colors })
+  {
+    std::getline(lines, *line);
+  }
+  return LookFromSlicerNumbers(texts, file, context);
 }
 
 std::string SlicerText(const Look& look, const LookContext& context)

@@ -14,6 +14,22 @@ namespace varimarch
 /// sentence; their `file` names the look, and the text in errors. The writing functions take looks
 /// in units of the data.
 
+/// The settings of a volume property as texts of numbers. Curves begin with the count of their
+/// numbers.
+struct SlicerNumbers
+{
+  std::string shade;
+  std::string diffuse;
+  std::string ambient;
+  std::string specular;
+  std::string specularPower;
+  std::string scalarOpacity;   ///< value and opacity for each node
+  std::string gradientOpacity; ///< gradient and opacity for each node
+  std::string colors;          ///< value, red, green and blue for each node
+};
+Look LookFromSlicerNumbers(
+  const SlicerNumbers& texts, const std::string& file, const LookContext& context);
+
 /// *.vp: nine lines of numbers, without midpoints, sharpness, blend mode and unit distance.
 Look LookFromSlicerText(
   const std::string& text, const std::string& file, const LookContext& context);

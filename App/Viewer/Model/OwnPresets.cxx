@@ -48,7 +48,7 @@ QStringList OwnPresets::Names() const
 
 Preset OwnPresets::Read(const QString& name) const
 {
-  Preset preset = ReadLookFile(this->PathOf(name).toStdString(), LookContext());
+  Preset preset = ReadLook(this->PathOf(name).toStdString(), "", LookContext());
   preset.look.name = name.toStdString();
   return preset;
 }

@@ -13,6 +13,7 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QImage>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -225,9 +226,29 @@ void LookPanel::Load(const QString& path)
   this->Attempt(
     [&]
     {
-      const Preset preset = ReadLookFile(path.toStdString(), this->FileContext());
-      this->model->SetPreset(preset, tr("load %1").arg(QFileInfo(path).fileName()));
+      const std::vector<Preset> presets = ReadLookFile(path.toStdString(), this->FileContext());
+      if (const std::optional<std::size_t> chosen = this->ChosenLook(presets))
+      {
+        this->model->SetPreset(presets[*chosen], tr("load %1").arg(QFileInfo(path).fileName()));
+      }
     });
+}
+
+std::optional<std::size_t> LookPanel::ChosenLook(const std::vector<Preset>& presets)
+{
+  if (presets.size() == 1)
+  {
+    return 0;
+  }
+  QStringList names;
+  for (const Preset& preset : presets)
+  {
+    names.append(QString::fromStdString(preset.look.name));
+  }
+  bool isChosen = false;
+  const QString name = QInputDialog::getItem(this, tr("Load a look"),
+    tr("The file holds %n looks:", nullptr, names.size()), names, 0, false, &isChosen);
+  return isChosen ? std::optional<std::size_t>(names.indexOf(name)) : std::nullopt;
 }
 
 void LookPanel::Save(const QString& path)

@@ -7,6 +7,8 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -42,6 +44,8 @@ private:
   void Update(ScenePart part);
   void ShowPreset();
   LookContext FileContext() const;
+  /// Lets the user choose one of several looks. Empty if the user cancels.
+  std::optional<std::size_t> ChosenLook(const std::vector<Preset>& presets);
   void Attempt(const std::function<void()>& action);
 
   SceneModel* model;

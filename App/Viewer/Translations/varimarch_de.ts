@@ -763,6 +763,13 @@ Mittel von %1 Bildern</translation>
         <source>Load a look</source>
         <translation>Darstellung laden</translation>
     </message>
+    <message numerus="yes">
+        <source>The file holds %n looks:</source>
+        <translation>
+            <numerusform>Die Datei enthält %n Darstellung:</numerusform>
+            <numerusform>Die Datei enthält %n Darstellungen:</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Save the look</source>
         <translation>Darstellung speichern</translation>

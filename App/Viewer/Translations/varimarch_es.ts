@@ -763,6 +763,13 @@ media de %1 imágenes</translation>
         <source>Load a look</source>
         <translation>Cargar un aspecto</translation>
     </message>
+    <message numerus="yes">
+        <source>The file holds %n looks:</source>
+        <translation>
+            <numerusform>El archivo contiene %n aspecto:</numerusform>
+            <numerusform>El archivo contiene %n aspectos:</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Save the look</source>
         <translation>Guardar el aspecto</translation>

@@ -1,0 +1,181 @@
+#include "Scene/LookFormats/ColorTables.h"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <locale>
+#include <sstream>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int ScaleColors = 256;
+
+struct TableEntry
+{
+  double index;
+  glm::dvec3 rgb; ///< 0 to 255
+  double opacity; ///< [0, 1]
+};
+
+using Table = std::vector<TableEntry>;
+
+bool IsBinaryLut(const std::string& bytes)
+{
+  return bytes.size() == 3 * ScaleColors || bytes.compare(0, 4, "ICOL") == 0;
+}
+
+Table EntriesOfBinary(const std::string& bytes, const std::string& file)
+{
+  const std::size_t header = bytes.size() == 3 * ScaleColors ? 0 : 32;
+  if (bytes.size() < header + 3 * ScaleColors)
+  {
+    FailToReadLook(file,
+      "expected " + std::to_string(header + 3 * ScaleColors) + " bytes of colours, found " +
+        std::to_string(bytes.size()));
+  }
+  const auto component = [&](int channel, int i)
+  { return double(static_cast<unsigned char>(bytes[header + channel * ScaleColors + i])); };
+  Table entries;
+  for (int i = 0; i < ScaleColors; ++i)
+  {
+    entries.push_back({ double(i), { component(0, i), component(1, i), component(2, i) }, 1.0 });
+  }
+  return entries;
+}
+
+/// Reads the entries of all lines. Comments, empty lines and a line of headings are skipped.
+Table EntriesOfLines(const std::string& text, const std::string& file, const char* expected,
+  const std::function<bool(std::istream&, TableEntry&)>& readEntry)
+{
+  Table entries;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#' || std::isalpha(line[first] & 0x7f))
+    {
+      continue;
+    }
+    std::istringstream fields(line);
+    fields.imbue(std::locale::classic());
+    TableEntry entry = { double(entries.size()), glm::dvec3(0.0), 1.0 };
+    if (entries.size() > MostLookNodes || !readEntry(fields, entry))
+    {
+      FailToReadLook(file,
+        std::string("expected lines of ") + expected + ", found \"" + line.substr(0, 40) + "\"");
+    }
+    entries.push_back(entry);
+  }
+  if (entries.empty())
+  {
+    FailToReadLook(file, std::string("expected lines of ") + expected + ", found none");
+  }
+  std::stable_sort(entries.begin(), entries.end(),
+    [](const TableEntry& a, const TableEntry& b) { return a.index < b.index; });
+  return entries;
+}
+
+bool ReadRgb(std::istream& fields, glm::dvec3& rgb)
+{
+  return bool(fields >> rgb.r >> rgb.g >> rgb.b);
+}
+
+/// Three numbers are a colour, four an index and a colour.
+bool ReadLutEntry(std::istream& fields, TableEntry& entry)
+{
+  double first = 0.0;
+  double fourth = 0.0;
+  if (!(fields >> first >> entry.rgb.r >> entry.rgb.g))
+  {
+    return false;
+  }
+  if (fields >> fourth)
+  {
+    entry.index = first;
+    entry.rgb.b = fourth;
+    return true;
+  }
+  entry.rgb = { first, entry.rgb.r, entry.rgb.g };
+  return true;
+}
+
+bool ReadCtblEntry(std::istream& fields, TableEntry& entry)
+{
+  std::string name;
+  const bool isRead =
+    fields >> entry.index >> name && ReadRgb(fields, entry.rgb) && bool(fields >> entry.opacity);
+  entry.opacity /= 255.0;
+  return isRead;
+}
+
+bool ReadLabelEntry(std::istream& fields, TableEntry& entry)
+{
+  double visible = 1.0;
+  const bool isRead =
+    fields >> entry.index && ReadRgb(fields, entry.rgb) && bool(fields >> entry.opacity >> visible);
+  entry.opacity = visible != 0.0 ? entry.opacity : 0.0;
+  return isRead;
+}
+
+Look ScaleOf(const Table& entries, const std::string& file, const LookContext& context)
+{
+  Look look;
+  const double first = entries.front().index;
+  const double length = std::max(1.0, entries.back().index - first);
+  for (const TableEntry& entry : entries)
+  {
+    look.colors.push_back({ (entry.index - first) / length, entry.rgb / 255.0 });
+  }
+  Spread(look, context.smallest, context.largest);
+  return CleanLook(look, file, context);
+}
+
+/// A label's colour and opacity hold from half a step below its value to half a step above.
+Look LabelsOf(const Table& entries, const std::string& file, const LookContext& context)
+{
+  Look look;
+  for (const TableEntry& entry : entries)
+  {
+    const double ends[] = { entry.index - 0.5, entry.index + 0.5 };
+    look.opacities.push_back({ ends[0], 0.0 });
+    for (const double end : ends)
+    {
+      look.colors.push_back({ end, entry.rgb / 255.0 });
+      look.opacities.push_back({ end, entry.opacity });
+    }
+    look.opacities.push_back({ ends[1], 0.0 });
+  }
+  look.shading.enabled = false;
+  return CleanLook(look, file, context);
+}
+
+}
+
+Look LookFromLut(const std::string& bytes, const std::string& file, const LookContext& context)
+{
+  const Table entries = IsBinaryLut(bytes)
+    ? EntriesOfBinary(bytes, file)
+    : EntriesOfLines(bytes, file, "red, green and blue", ReadLutEntry);
+  return ScaleOf(entries, file, context);
+}
+
+Look LookFromCtbl(const std::string& text, const std::string& file, const LookContext& context)
+{
+  return LabelsOf(
+    EntriesOfLines(text, file, "index, name, red, green, blue and opacity", ReadCtblEntry), file,
+    context);
+}
+
+Look LookFromLabelDescriptions(
+  const std::string& text, const std::string& file, const LookContext& context)
+{
+  return LabelsOf(
+    EntriesOfLines(text, file, "index, red, green, blue, opacity and visibility", ReadLabelEntry),
+    file, context);
+}
+
+}
