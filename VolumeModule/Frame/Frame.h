@@ -47,6 +47,14 @@ struct MaterialRequest
   std::array<double, 2> averagedRange = {}; ///< The range of scalars that count in an average.
   /// Colour and extinction [1/mm] of cells without a value.
   glm::dvec4 gapOptical = glm::dvec4(0.0);
+
+  /// The numbers that an image depends on in any view and that the property does not have.
+  std::vector<double> Numbers() const
+  {
+    return { this->labelBlend, this->dampingGradient, this->averagedRange[0],
+      this->averagedRange[1], this->gapOptical.r, this->gapOptical.g, this->gapOptical.b,
+      this->gapOptical.a };
+  }
 };
 
 /// The required accuracy of a frame.
@@ -75,7 +83,7 @@ struct AccumulationRequest
 {
   int mostImages = 0;              ///< The number of images in the mean; 0: no accumulation.
   double longestPartSeconds = 0.0; ///< The time for a part of an image; 0: it is drawn at once.
-  std::vector<double> fingerprint; ///< See Fingerprint; empty if nothing is accumulated.
+  std::vector<double> fingerprint; ///< See ImageFingerprint; empty if nothing is accumulated.
 };
 
 /// The memory and the processors that may be used to draw a frame.
@@ -103,6 +111,7 @@ struct Frame
   RequestedPass pass;
   UserShaderCode userCode;
   DeviceRequest device;
+  std::vector<double> fingerprint; ///< See VolumeFingerprint.
 
   /// The volumes that overlap with this one in the same image. They share view, image, pass and
   /// plan with the first volume, and have input, material, geometry and settings of their own.

@@ -30,7 +30,7 @@ void ChooseAccumulation(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   const int most = mapper->GetMaximumAccumulatedPictures();
   if (!shaderIsObserved && (most > 1 || mapper->GetLongestPartSeconds() > 0.0))
   {
-    frame.accumulation = { most, mapper->GetLongestPartSeconds(), Fingerprint(mapper, frame) };
+    frame.accumulation = { most, mapper->GetLongestPartSeconds(), ImageFingerprint(mapper, frame) };
   }
 }
 
@@ -56,6 +56,7 @@ void ApplyImageSettings(
   frame.image.toImages = mapper->GetRenderToImage() != 0 && frame.pass.kind == RayPass::Whole;
   frame.image.clampDepth = mapper->GetClampDepthToBackface() != 0;
 
+  frame.fingerprint = VolumeFingerprint(frame);
   ChooseAccumulation(mapper, frame);
   if (Peels(frame.pass.kind))
   {

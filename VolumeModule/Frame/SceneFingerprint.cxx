@@ -42,21 +42,14 @@ double TimeOf(vtkObject* object)
   return object ? double(object->GetMTime()) : 0.0;
 }
 
-Numbers ViewOf(const Frame& frame)
+// The lights, if anything is lit.
+Numbers LightsOf(const Frame& frame)
 {
-  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid;
-  const Viewport& viewport = frame.view.viewport;
-  Numbers numbers = { double(viewport.left), double(viewport.bottom), double(viewport.width),
-    double(viewport.height) };
-  numbers.insert(numbers.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
-  const glm::dmat4& world = frame.geometry.worldFromGrid;
-  numbers.insert(numbers.end(), glm::value_ptr(world), glm::value_ptr(world) + 16);
-  Append(numbers, frame.cuts.Numbers());
-  return numbers;
-}
-
-Numbers LightsOf(vtkRenderer* renderer)
-{
+  if (!frame.settings.shading)
+  {
+    return {};
+  }
+  vtkRenderer* const renderer = frame.view.renderer;
   const HeadLightColors head = HeadLightColorsOf(renderer);
   const glm::dvec3 ambient = AmbientLightOf(renderer);
   Numbers numbers = { double(renderer->GetTwoSidedLighting()) };
@@ -68,6 +61,18 @@ Numbers LightsOf(vtkRenderer* renderer)
   {
     numbers.insert(numbers.end(), glm::value_ptr(texel), glm::value_ptr(texel) + 4);
   }
+  return numbers;
+}
+
+Numbers ViewOf(const Frame& frame)
+{
+  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid;
+  const Viewport& viewport = frame.view.viewport;
+  Numbers numbers = { double(viewport.left), double(viewport.bottom), double(viewport.width),
+    double(viewport.height) };
+  numbers.insert(numbers.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
+  const glm::dmat4& world = frame.geometry.worldFromGrid;
+  numbers.insert(numbers.end(), glm::value_ptr(world), glm::value_ptr(world) + 16);
   return numbers;
 }
 
@@ -112,18 +117,27 @@ Numbers GeometryOf(vtkOpenGLRenderWindow* window)
 
 }
 
-std::vector<double> Fingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
+std::vector<double> VolumeFingerprint(const Frame& frame)
 {
   vtkShaderProperty* const shader = frame.view.prop->GetShaderProperty();
   auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
-  Numbers numbers = { double(reinterpret_cast<std::uintptr_t>(frame.view.renderer)), TimeOf(mapper),
-    double(frame.voxels.time), TimeOf(mapper->GetMaskInput()), double(frame.voxels.mask.time),
+  Numbers numbers = { double(frame.voxels.time), double(frame.voxels.mask.time),
     TimeOf(frame.voxels.blanking.points), TimeOf(frame.voxels.blanking.cells),
-    double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0,
-    double(frame.settings.sceneGeometry) };
-  Append(numbers, ViewOf(frame));
-  Append(numbers, LightsOf(frame.view.renderer));
+    double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0 };
+  Append(numbers, frame.material.Numbers());
+  Append(numbers, frame.cuts.Numbers());
+  Append(numbers, LightsOf(frame));
   Append(numbers, FunctionsOf(frame.material.property));
+  return numbers;
+}
+
+std::vector<double> ImageFingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
+{
+  Numbers numbers = frame.fingerprint;
+  Append(numbers,
+    { double(reinterpret_cast<std::uintptr_t>(frame.view.renderer)), TimeOf(mapper),
+      double(frame.settings.sceneGeometry) });
+  Append(numbers, ViewOf(frame));
   if (frame.settings.sceneGeometry)
   {
     Append(numbers, GeometryOf(frame.view.window));

@@ -10,9 +10,14 @@ namespace varimarch
 
 struct Frame;
 
-/// Everything that an image depends on, as numbers and modification times: images with the same
-/// fingerprint are equal. Changes by observers of vtkCommand::UpdateShaderEvent are not included.
-std::vector<double> Fingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame);
+/// Everything in a volume and its look that an image depends on in any view, as numbers and
+/// modification times. Changes by observers of vtkCommand::UpdateShaderEvent are not included.
+std::vector<double> VolumeFingerprint(const Frame& frame);
+
+/// The same with the view, the opaque geometry and all settings of the mapper: images with the same
+/// fingerprint are equal.
+/// @param frame  a frame that has the fingerprint of its volume
+std::vector<double> ImageFingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame);
 
 }
 

@@ -3,14 +3,10 @@
 
 #include "March/ToleranceSearch.h"
 
+#include "Core/Recipe/MaterialRecipe.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/FrameMeasures.h"
-#include "Frame/Lights.h"
 #include "Frame/PropertyTransferFunction.h"
-
-#include "vtkVolumeProperty.h"
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -90,47 +86,35 @@ ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const E
   return choice;
 }
 
-// True if opacity depends on one transfer function only.
-bool IsShadedTransferFunction(const RenderSettings& settings)
+// True if the opacity of a composite depends on the transfer function of its values alone.
+bool IsOpacityOfValues(RenderSettings settings)
 {
-  return !settings.overlaps && !settings.gradientOpacity &&
-    settings.components == Components::One && settings.functionOf == FunctionOf::Value &&
-    settings.mask != Mask::Labels;
+  settings.shading = false;
+  return !MarchesMaterial(settings);
 }
 
-// The inputs of a volume that the integration rule depends on.
+// The shader files that the request of a volume takes, whatever the march finds out about it.
+std::vector<std::string> RecipeOf(const Frame& frame)
+{
+  RenderSettings settings = frame.settings;
+  settings.pass = RayPass::Whole;
+  return FragmentShaderParts(settings);
+}
+
+// The inputs of a volume that the integration rule depends on, besides its recipe.
 std::vector<double> RuleInputsOf(const VolumeMarch& march, const VolumeBuilds& builds)
 {
-  return { double(builds.volumeTexture), double(builds.opticalTable),
+  return { double(builds.volumeTexture), double(builds.opticalTable), double(march.plan.marcher),
     double(march.plan.choosesIntegration), double(march.settings.integration),
-    double(march.settings.blend), double(march.settings.shading),
-    double(march.settings.gradientOpacity), march.plan.budget.StepTolerance(),
-    march.frame.geometry.SmallestSpacingMm() };
+    march.plan.budget.StepTolerance(), march.frame.geometry.SmallestSpacingMm() };
 }
 
-// The inputs of a volume that the image depends on in any view, except geometry in front of it.
-std::vector<double> SceneInputsOf(const VolumeMarch& march, const VolumeBuilds& builds)
+// The inputs of a volume that the image depends on in any view, besides those of the rule.
+std::vector<double> SceneInputsOf(const VolumeMarch& march)
 {
-  std::vector<double> inputs{ double(builds.field),
-    double(march.frame.material.property->GetMTime()), double(march.settings.acceleration),
-    double(march.settings.sceneGeometry), march.frame.material.dampingGradient,
-    FillsGaps(march.settings) ? march.frame.material.gapOptical.a : 0.0,
-    march.frame.material.averagedRange[0], march.frame.material.averagedRange[1],
-    double(march.settings.mask), double(march.frame.voxels.mask.time),
-    march.frame.material.labelBlend, double(march.plan.viewport.width),
-    double(march.plan.viewport.height) };
-  const std::vector<double> cuts = march.frame.cuts.Numbers();
-  inputs.insert(inputs.end(), cuts.begin(), cuts.end());
-  if (march.settings.lights)
-  {
-    const HeadLightColors head = HeadLightColorsOf(march.frame.view.renderer);
-    inputs.insert(inputs.end(), glm::value_ptr(head.diffuse), glm::value_ptr(head.diffuse) + 3);
-    inputs.insert(inputs.end(), glm::value_ptr(head.specular), glm::value_ptr(head.specular) + 3);
-    for (const glm::vec4& texel : LightTexelsOf(march.frame.view.renderer).texels)
-    {
-      inputs.insert(inputs.end(), glm::value_ptr(texel), glm::value_ptr(texel) + 4);
-    }
-  }
+  std::vector<double> inputs = march.frame.fingerprint;
+  inputs.insert(
+    inputs.end(), { double(march.plan.viewport.width), double(march.plan.viewport.height) });
   return inputs;
 }
 
@@ -149,8 +133,7 @@ StepRange RangeOf(const VolumeMarch& march)
 
 bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
 {
-  if (this->rule != other.rule || this->scene != other.scene ||
-    this->view.size() != other.view.size())
+  if (!this->HasSceneOf(other) || this->view.size() != other.view.size())
   {
     return false;
   }
@@ -164,10 +147,11 @@ bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
 
 void ToleranceInputs::Add(const VolumeMarch& march, const VolumeBuilds& builds)
 {
-  const std::vector<double> ofRule = RuleInputsOf(march, builds);
-  this->rule.insert(this->rule.end(), ofRule.begin(), ofRule.end());
-  const std::vector<double> ofScene = SceneInputsOf(march, builds);
-  this->scene.insert(this->scene.end(), ofScene.begin(), ofScene.end());
+  const auto append = [](auto& inputs, const auto& more)
+  { inputs.insert(inputs.end(), more.begin(), more.end()); };
+  append(this->recipe, RecipeOf(march.frame));
+  append(this->rule, RuleInputsOf(march, builds));
+  append(this->scene, SceneInputsOf(march));
   this->view.push_back(CornersOf(march.frame.geometry.boxGrid,
     ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid));
 }
@@ -243,7 +227,7 @@ ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs&
   const double firstMm = SmallestSpacingMm(trial.march.frame);
   // The rule is chosen again only for another transfer function or volume, not while a camera
   // moves.
-  if (this->choice && this->choice->inputs.rule == inputs.rule)
+  if (this->choice && this->choice->inputs.HasRuleOf(inputs))
   {
     const Integration integration = this->choice->integration;
     return WithMissed({ inputs, integration, trial.Find(integration, firstMm).choice },
@@ -302,7 +286,7 @@ double ToleranceSearch::MissedOfLimit(Trial& trial, const ToleranceChoice& choic
   const double range =
     trial.volume.Blocks().Texels().largestScalar - trial.volume.Blocks().Texels().smallestScalar;
   if (trial.march.settings.blend != Blend::Composite || !trial.march.plan.triesPreIntegration ||
-    (MarchesMaterial(trial.march.settings) && !IsShadedTransferFunction(trial.march.settings)) ||
+    !IsOpacityOfValues(trial.march.settings) ||
     (choice.integration == Integration::PreIntegrated && !trial.march.settings.shading) ||
     TransferFunctionOf(trial.march.frame.material.property).SmallestNodeGap() >= NarrowPeak * range)
   {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -17,16 +18,25 @@ namespace varimarch
 /// Everything that the result of a tolerance search depends on.
 struct ToleranceInputs
 {
-  std::vector<double> rule;      ///< Inputs of the choice of the integration rule.
-  std::vector<double> scene;     ///< Inputs of the image in any view.
-  std::vector<CornersClip> view; ///< The corners of the volumes in the view.
+  std::vector<std::string> recipe; ///< The shader files of the request.
+  std::vector<double> rule;        ///< Other inputs of the choice of the integration rule.
+  std::vector<double> scene;       ///< Other inputs of the image in any view.
+  std::vector<CornersClip> view;   ///< The corners of the volumes in the view.
 
   /// Adds the inputs of one volume.
   void Add(const VolumeMarch& march, const VolumeBuilds& builds);
 
+  bool HasRuleOf(const ToleranceInputs& other) const
+  {
+    return this->recipe == other.recipe && this->rule == other.rule;
+  }
+  bool HasSceneOf(const ToleranceInputs& other) const
+  {
+    return this->HasRuleOf(other) && this->scene == other.scene;
+  }
   bool operator==(const ToleranceInputs& other) const
   {
-    return this->rule == other.rule && this->scene == other.scene && this->view == other.view;
+    return this->HasSceneOf(other) && this->view == other.view;
   }
   /// True if the scene is the same, and the view nearly the same.
   bool IsNear(const ToleranceInputs& other) const;
