@@ -1,6 +1,6 @@
 #include "Support/EveryRecipe.h"
 
-#include "Core/Recipe/ShaderRecipe.h"
+#include "Core/Recipe/MaterialRecipe.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #include "Frame/FrameBuilder.h"
 
 #include "Core/Look/TransferFunction.h"
-#include "Core/Recipe/ShaderRecipe.h"
+#include "Core/Recipe/MaterialRecipe.h"
 #include "Frame/ImageSettings.h"
 #include "Frame/Lights.h"
 #include "Frame/MapperInput.h"

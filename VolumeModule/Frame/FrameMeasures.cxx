@@ -1,6 +1,6 @@
 #include "Frame/FrameMeasures.h"
 
-#include "Core/Recipe/ShaderRecipe.h"
+#include "Core/Recipe/MaterialRecipe.h"
 
 #include <algorithm>
 #include <cmath>

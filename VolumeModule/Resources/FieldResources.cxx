@@ -1,7 +1,7 @@
 #include "Resources/FieldResources.h"
 
 #include "Core/Geometry/PixelRays.h"
-#include "Core/Recipe/ShaderRecipe.h"
+#include "Core/Recipe/MaterialRecipe.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"

@@ -1,6 +1,6 @@
 #include "Resources/SceneResources.h"
 
-#include "Core/Recipe/ShaderRecipe.h"
+#include "Core/Recipe/MaterialRecipe.h"
 
 #include "vtkOpenGLRenderWindow.h"
 

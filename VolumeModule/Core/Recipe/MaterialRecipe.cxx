@@ -21,6 +21,22 @@ std::string ComponentsFile(Components components)
   }
 }
 
+// True if opacity or light depends on gradients, apart from transfer functions of two values.
+bool UsesGradients(const RenderSettings& settings)
+{
+  return (settings.blend == Blend::Composite || settings.blend == Blend::Slice) &&
+    (settings.shading || settings.gradientOpacity);
+}
+
+}
+
+bool MarchesMaterial(const RenderSettings& settings)
+{
+  const bool isComposite = settings.blend == Blend::Composite;
+  return settings.blend == Blend::Slice || settings.overlaps ||
+    (isComposite &&
+      (settings.shading || settings.gradientOpacity || settings.components != Components::One ||
+        settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels));
 }
 
 std::string ShadeFile(const RenderSettings& settings)

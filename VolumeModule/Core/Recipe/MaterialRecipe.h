@@ -11,6 +11,9 @@ namespace varimarch
 
 /// Files of a shader that determine what a point of the volume looks like.
 
+/// True if the shader marches a material, which depends on more than one scalar.
+bool MarchesMaterial(const RenderSettings& settings);
+
 /// Files that turn scalars into colour and extinction.
 std::vector<std::string> ClassifyParts(const RenderSettings& settings);
 

@@ -219,24 +219,9 @@ bool UsesPreIntegration(const RenderSettings& settings)
     IsSampled(settings) && !MarchesMaterial(settings);
 }
 
-bool MarchesMaterial(const RenderSettings& settings)
-{
-  const bool isComposite = settings.blend == Blend::Composite;
-  return settings.blend == Blend::Slice || settings.overlaps ||
-    (isComposite &&
-      (settings.shading || settings.gradientOpacity || settings.components != Components::One ||
-        settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels));
-}
-
 int PartCount(const RenderSettings& settings)
 {
   return settings.components == Components::Independent ? settings.componentCount : 1;
-}
-
-bool UsesGradients(const RenderSettings& settings)
-{
-  return (settings.blend == Blend::Composite || settings.blend == Blend::Slice) &&
-    (settings.shading || settings.gradientOpacity);
 }
 
 bool FillsGaps(const RenderSettings& settings)

@@ -17,14 +17,8 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings);
 /// True if the shader uses a PreIntegratedTable.
 bool UsesPreIntegration(const RenderSettings& settings);
 
-/// True if the shader marches a material, which depends on more than one scalar.
-bool MarchesMaterial(const RenderSettings& settings);
-
 /// Number of materials that the shader mixes.
 int PartCount(const RenderSettings& settings);
-
-/// True if the shader uses gradients.
-bool UsesGradients(const RenderSettings& settings);
 
 /// True if the shader draws cells that touch a non-finite voxel.
 bool FillsGaps(const RenderSettings& settings);

@@ -42,12 +42,18 @@ bool AreApart(const std::set<std::string>& files)
     [&](const auto& pair) { return files.count(pair.first) > 0 && files.count(pair.second) > 0; });
 }
 
-// True if packets repeat all files of the shader that would march.
-bool HasTwins(RenderSettings settings)
+// The files of the shader that would march.
+std::vector<std::string> PartsOfMarch(RenderSettings settings)
 {
   settings.role = ShaderRole::MarchRays;
   settings.pass = Marches(settings) ? settings.pass : RayPass::Whole;
-  const std::vector<std::string> parts = FragmentShaderParts(settings);
+  return FragmentShaderParts(settings);
+}
+
+// True if packets repeat all files of the shader that would march.
+bool HasTwins(const RenderSettings& settings)
+{
+  const std::vector<std::string> parts = PartsOfMarch(settings);
   const std::set<std::string>& twins = ShaderFilesOfPackets();
   return !AreApart({ parts.begin(), parts.end() }) &&
     std::all_of(parts.begin(), parts.end(),
@@ -111,17 +117,21 @@ bool HasPlainValues(const VolumeResources& volume)
   return arePlain;
 }
 
+bool TakesGradients(const RenderSettings& settings)
+{
+  const std::vector<std::string> parts = PartsOfMarch(settings);
+  return std::any_of(parts.begin(), parts.end(),
+    [](const std::string& file) { return file.rfind("Gradient/", 0) == 0 && !NeedsNoTwin(file); });
+}
+
 // True if packets can draw the gaps of a volume. Gradients next to gaps are left to shaders.
 bool HasPlainGaps(const Frame& frame, VolumeResources& volume)
 {
   const RenderSettings& settings = frame.settings;
   const bool isFinite = volume.Blocks().Texels().normalized || volume.Packets().AreFinite();
-  const bool takesNoGradients = IsProjection(settings.blend) ||
-    (settings.blend == Blend::Composite && !settings.shading && !settings.gradientOpacity &&
-      settings.functionOf == FunctionOf::Value);
   const bool hasAny = frame.voxels.blanking.Any() || !isFinite;
   const bool mayHave = !settings.overlaps && !settings.uneven;
-  return !hasAny || (mayHave && (isFinite || takesNoGradients));
+  return !hasAny || (mayHave && (isFinite || !TakesGradients(settings)));
 }
 
 // True if packets can read one of the volumes of a frame.

@@ -2,6 +2,7 @@
 
 #include "March/Processor/PacketSceneBuilder.h"
 
+#include "Core/Recipe/MaterialRecipe.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/RayParametersBuilder.h"
 #include "March/VolumeParametersBuilder.h"
