@@ -104,7 +104,7 @@ TEST_P(PacketMarch, MeetsTheIsosurfacesOfTheReference)
   }
   this->pictures.LightFromTheEye();
   this->scene.rule = PacketRule::Isosurfaces;
-  this->scene.isosurfaces = entries.data();
+  this->scene.textures.isosurfaces.inMemory = entries.data();
   this->scene.parameters.isosurfaceCount = int(isovalues.size());
   this->truth.blend = Blend::Isosurface;
   this->truth.isovalues = isovalues;
@@ -209,9 +209,9 @@ TEST_P(PacketMarch, IsThatOfTheBaseline)
   this->pictures.LightFromTheEye();
   this->scene.rule = PacketRule::MaterialLinear;
   this->scene.rays.stepMm = 0.5f;
-  this->scene.steps.noise = noise.data();
+  this->scene.rayTextures.noiseTexture.inMemory = noise.data();
   this->scene.rays.noisePixelsMask = glm::ivec2(15);
-  this->scene.cuts.planesGrid = &plane;
+  this->scene.rayTextures.clippingPlanes.inMemory = &plane;
   this->scene.rays.clippingPlaneCount = 1;
   ExpectEqual(this->March(), this->pictures.March(InstructionSet::Baseline));
 }

@@ -117,7 +117,7 @@ MarchedVolume VolumeOfProcessor(const VolumeMarch& march, const VolumeResources&
 {
   return { Mappings(volume.Blocks().TexelsOfComponents().size()),
     { glm::ivec3(0), march.frame.geometry.dimensions }, volume.Fields().OfBricks().Size(),
-    volume.Packets().Gaps().count };
+    volume.Packets().GapCells() };
 }
 
 VolumeParameters VolumeParametersOf(

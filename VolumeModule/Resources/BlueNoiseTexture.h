@@ -1,6 +1,8 @@
 #ifndef Varimarch_Resources_BlueNoiseTexture_h
 #define Varimarch_Resources_BlueNoiseTexture_h
 
+#include "Core/Parameters/MarchTextures.h"
+
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 
@@ -22,13 +24,15 @@ public:
 
   /// Makes the tile unless it exists.
   void MakeTile();
-  const std::vector<std::uint16_t>& Tile() const { return this->tile; } ///< Requires MakeTile().
 
   /// Uploads the tile to the device. Requires MakeTile().
   void Upload(vtkOpenGLRenderWindow* window);
   void ReleaseTexture(vtkWindow* window);
 
-  vtkTextureObject* Texture() const { return this->texture; }
+  MarchTexture Texture() const
+  {
+    return { this->texture, this->tile.empty() ? nullptr : this->tile.data() };
+  }
   std::size_t Bytes() const { return this->texture->GetHandle() ? 2 * Pixels * Pixels : 0; }
   void Release(vtkWindow* window);
 

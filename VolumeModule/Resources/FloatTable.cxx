@@ -9,8 +9,16 @@ namespace varimarch
 
 void FloatTable::Set(vtkWindow* window, std::vector<glm::vec4> newEntries)
 {
-  this->texture.Release(window);
-  this->entries = std::move(newEntries);
+  if (newEntries != this->entries)
+  {
+    this->texture.Release(window);
+    this->entries = std::move(newEntries);
+  }
+}
+
+MarchTexture FloatTable::Texture() const
+{
+  return { this->texture.Texture(), this->entries.empty() ? nullptr : this->entries.data() };
 }
 
 void FloatTable::Update(vtkOpenGLRenderWindow* window, Marcher marcher)

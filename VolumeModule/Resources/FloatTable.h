@@ -1,6 +1,7 @@
 #ifndef Varimarch_Resources_FloatTable_h
 #define Varimarch_Resources_FloatTable_h
 
+#include "Core/Parameters/MarchTextures.h"
 #include "Core/Recipe/RenderSettings.h"
 #include "Resources/FloatBufferTexture.h"
 
@@ -11,14 +12,14 @@ namespace varimarch
 class FloatTable
 {
 public:
+  /// Replaces the entries, unless they are the same.
   /// @param entries  the entries; may be empty
   void Set(vtkWindow* window, std::vector<glm::vec4> entries);
 
   /// Uploads the texture for the device, or releases it for the processor.
   void Update(vtkOpenGLRenderWindow* window, Marcher marcher);
 
-  const std::vector<glm::vec4>& Entries() const { return this->entries; }
-  vtkTextureObject* Texture() const { return this->texture.Texture(); }
+  MarchTexture Texture() const;
   std::size_t Bytes() const { return this->texture.Bytes(); } ///< The graphics memory of the table.
   void Release(vtkWindow* window) { this->Set(window, {}); }
 

@@ -24,7 +24,7 @@ public:
   /// @param texels  the texel format of each component of the volume
   void Update(const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
 
-  const FloatTable& Table() const { return this->table; }
+  MarchTexture Texture() const { return this->table.Texture(); }
   std::size_t Bytes() const { return this->table.Bytes(); }
   void Release(vtkWindow* window);
 

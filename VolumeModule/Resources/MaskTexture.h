@@ -1,6 +1,7 @@
 #ifndef Varimarch_Resources_MaskTexture_h
 #define Varimarch_Resources_MaskTexture_h
 
+#include "Core/Parameters/MarchTextures.h"
 #include "Core/Recipe/RenderSettings.h"
 #include "Frame/VoxelInput.h"
 
@@ -27,11 +28,10 @@ public:
   /// @throws std::runtime_error if the device cannot hold the texture
   void Update(vtkOpenGLRenderWindow* window, const MaskVoxels& mask, Marcher marcher);
 
-  vtkTextureObject* Texture() const { return this->texture; }
-  const std::vector<std::uint16_t>& Texels() const
+  MarchTexture Texture() const
   {
-    return this->texels;
-  } ///< The texels for the processor.
+    return { this->texture, this->texels.empty() ? nullptr : this->texels.data() };
+  }
   glm::ivec3 Size() const { return this->mask.dimensions; }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);

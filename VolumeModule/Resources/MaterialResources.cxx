@@ -36,6 +36,21 @@ std::size_t PreIntegratedEntries(vtkVolumeProperty* property, const OpticalTable
   return side * side;
 }
 
+// The table of isosurfaces. Each has two entries: its colour and optical depth, and its isovalue.
+std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame, const TexelMapping& mapping)
+{
+  const TransferFunction transferFunction =
+    TransferFunctionOf(frame.material.property, frame.material.surfaceComponent);
+  std::vector<glm::vec4> entries;
+  for (double isovalue : frame.material.isovalues)
+  {
+    const double depth = -std::log1p(-transferFunction.Opacity(isovalue));
+    entries.emplace_back(transferFunction.Color(isovalue), std::min(depth, 100.0));
+    entries.emplace_back(mapping.LimitedTexelOf(isovalue));
+  }
+  return entries;
+}
+
 }
 
 void MaterialResources::Update(
@@ -129,43 +144,32 @@ void MaterialResources::UpdatePreIntegrated(const VolumeMarch& march)
 
 void MaterialResources::UpdateLights(const VolumeMarch& march)
 {
-  if (march.settings.lights && march.plan.marcher == Marcher::Device)
-  {
-    this->lights.Upload(march.frame.view.window, LightTexelsOf(march.frame.view.renderer).texels);
-  }
-  else
-  {
-    this->lights.Release(march.frame.view.window);
-  }
-}
-
-std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame)
-{
-  const TransferFunction transferFunction =
-    TransferFunctionOf(frame.material.property, frame.material.surfaceComponent);
-  std::vector<glm::vec4> entries;
-  for (double isovalue : frame.material.isovalues)
-  {
-    const double depth = -std::log1p(-transferFunction.Opacity(isovalue));
-    entries.emplace_back(transferFunction.Color(isovalue), std::min(depth, 100.0));
-    entries.emplace_back(isovalue);
-  }
-  return entries;
+  this->lights.Set(march.frame.view.window,
+    march.settings.lights ? LightTexelsOf(march.frame.view.renderer).texels
+                          : std::vector<glm::vec4>());
+  this->lights.Update(march.frame.view.window, march.plan.marcher);
 }
 
 void MaterialResources::UpdateIsosurfaces(const VolumeMarch& march, const TexelMapping& mapping)
 {
-  if (march.settings.blend != Blend::Isosurface || march.plan.marcher == Marcher::Processor)
-  {
-    this->isosurfaces.Release(march.frame.view.window);
-    return;
-  }
-  std::vector<glm::vec4> entries = IsosurfaceEntriesOf(march.frame);
-  for (std::size_t i = 0; i < march.frame.material.isovalues.size(); ++i)
-  {
-    entries[2 * i + 1].x = float(mapping.LimitedTexelOf(march.frame.material.isovalues[i]));
-  }
-  this->isosurfaces.Upload(march.frame.view.window, entries);
+  const bool isOfDevice = march.plan.marcher == Marcher::Device;
+  this->isosurfaces.Set(march.frame.view.window,
+    march.settings.blend == Blend::Isosurface
+      ? IsosurfaceEntriesOf(march.frame, isOfDevice ? mapping : TexelMapping())
+      : std::vector<glm::vec4>());
+  this->isosurfaces.Update(march.frame.view.window, march.plan.marcher);
+}
+
+VolumeTextures MaterialResources::Textures() const
+{
+  VolumeTextures textures = {};
+  textures.opticalTable.onDevice = this->opticalTable.Texture();
+  textures.preIntegratedTable.onDevice = this->preIntegratedTable.Texture();
+  textures.twoValueTable = this->twoValues.Texture();
+  textures.gradientOpacityTable = this->gradientOpacity.Texture();
+  textures.lightTexels = this->lights.Texture();
+  textures.isosurfaces = this->isosurfaces.Texture();
+  return textures;
 }
 
 std::size_t MaterialResources::Bytes() const

@@ -2,7 +2,6 @@
 #define Varimarch_Resources_MaterialResources_h
 
 #include "Frame/MarchPlan.h"
-#include "Resources/FloatBufferTexture.h"
 #include "Resources/FloatTable.h"
 #include "Resources/GradientOpacityTable.h"
 #include "Resources/MaterialTables.h"
@@ -19,9 +18,6 @@ class vtkVolumeProperty;
 
 namespace varimarch
 {
-
-/// The table of isosurfaces. Each has two entries: its colour and optical depth, and its isovalue.
-std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame);
 
 /// The look of a volume's values: its transfer functions as tables, and the lights. A table is
 /// rebuilt when its source has changed, and released when a frame does not need it.
@@ -45,11 +41,9 @@ public:
   const OpticalTableTexture& OpticalTables() const { return this->opticalTable; }
   const PreIntegratedTableTexture& PreIntegrated() const { return this->preIntegratedTable; }
   const std::vector<MaterialTable>& MaterialTables() const { return this->materialTables; }
-  const FloatTable& TwoValues() const { return this->twoValues; }
   glm::ivec2 TwoValuesSize() const { return this->twoValuesSize; }
-  const FloatTable& GradientOpacity() const { return this->gradientOpacity.Table(); }
-  const FloatBufferTexture& LightTexels() const { return this->lights; }
-  const FloatBufferTexture& Isosurfaces() const { return this->isosurfaces; }
+  /// The textures of the look, and no others.
+  VolumeTextures Textures() const;
 
 private:
   void UpdateOpticalTable(
@@ -72,8 +66,8 @@ private:
   FloatTable twoValues; ///< The transfer function of two values.
   glm::ivec2 twoValuesSize = glm::ivec2(1);
   GradientOpacityTable gradientOpacity;
-  FloatBufferTexture lights; ///< Lights for the device, if not all are head lights.
-  FloatBufferTexture isosurfaces;
+  FloatTable lights; ///< The lights that are no head lights.
+  FloatTable isosurfaces;
 };
 
 }

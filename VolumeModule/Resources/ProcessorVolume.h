@@ -37,8 +37,9 @@ public:
   /// A component in which non-finite values are 0. Requires an Update() for the processor.
   vtkDataArray* Voxels(std::size_t component = 0) const;
 
-  /// The gaps; empty if there are none.
-  const GapField& Gaps() const { return this->gaps; }
+  /// The texels of GapField, which are null if there are no gaps, and their number.
+  const void* GapTexels() const { return this->HasGaps() ? this->gaps.texels.data() : nullptr; }
+  glm::ivec3 GapCells() const { return this->gaps.count; }
   bool HasGaps() const { return !this->gaps.texels.empty(); }
 
   void Release();

@@ -66,11 +66,11 @@ void SceneDepthTexture::Capture(
   state->PopFramebufferBindings();
 }
 
-const std::vector<float>& SceneDepthTexture::Depths(vtkOpenGLRenderWindow* window)
+void SceneDepthTexture::Read(vtkOpenGLRenderWindow* window)
 {
   if (!this->depths.empty())
   {
-    return this->depths;
+    return;
   }
   const auto width = GLsizei(this->depth->GetWidth());
   const auto height = GLsizei(this->depth->GetHeight());
@@ -81,7 +81,6 @@ const std::vector<float>& SceneDepthTexture::Depths(vtkOpenGLRenderWindow* windo
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, this->depths.data());
   state->PopFramebufferBindings();
-  return this->depths;
 }
 
 void SceneDepthTexture::Allocate(vtkOpenGLRenderWindow* window, int width, int height)

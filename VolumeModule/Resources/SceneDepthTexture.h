@@ -1,6 +1,8 @@
 #ifndef Varimarch_Resources_SceneDepthTexture_h
 #define Varimarch_Resources_SceneDepthTexture_h
 
+#include "Core/Parameters/MarchTextures.h"
+
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
@@ -22,10 +24,14 @@ public:
   /// Copies a rectangle of the framebuffer that is bound for drawing [pixels].
   void Capture(vtkOpenGLRenderWindow* window, int left, int bottom, int width, int height);
 
-  /// The captured depths, row by row from the bottom. They are read from the device once.
-  const std::vector<float>& Depths(vtkOpenGLRenderWindow* window);
+  /// Reads the captured depths from the device into memory, unless they are there.
+  void Read(vtkOpenGLRenderWindow* window);
 
-  vtkTextureObject* Texture() const { return this->depth; }
+  /// The depths; in memory row by row from the bottom, as floats.
+  MarchTexture Texture() const
+  {
+    return { this->depth, this->depths.empty() ? nullptr : this->depths.data() };
+  }
   glm::ivec2 SizePixels() const
   {
     return glm::ivec2(this->depth->GetWidth(), this->depth->GetHeight());
@@ -40,7 +46,7 @@ private:
   vtkNew<vtkTextureObject> depth;
   vtkNew<vtkTextureObject> color; ///< Unused, but a complete framebuffer needs it.
   vtkNew<vtkOpenGLFramebufferObject> framebuffer;
-  std::vector<float> depths; ///< The result of Depths(); empty until it is called.
+  std::vector<float> depths; ///< The result of Read(); empty until it is called.
   std::size_t bytes = 0;
 };
 

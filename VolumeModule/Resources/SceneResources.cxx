@@ -129,6 +129,15 @@ void SceneResources::UpdateOthers(const Frame& frame, MarchPlan& plan)
   }
 }
 
+RayTextures SceneResources::Textures() const
+{
+  RayTextures textures = {};
+  textures.depthTexture = this->depth.Texture();
+  textures.noiseTexture = this->noise.Texture();
+  textures.clippingPlanes = this->first.ClippingPlanes();
+  return textures;
+}
+
 Box SceneResources::BoxOfAll(const Frame& frame) const
 {
   Box box = this->first.Division().VisibleBox();

@@ -40,7 +40,8 @@ public:
   VolumeResources& Other(std::size_t index) { return *this->others[index]; }
   const VolumeResources& Other(std::size_t index) const { return *this->others[index]; }
   SceneDepthTexture& Depth() { return this->depth; }
-  const BlueNoiseTexture& Noise() const { return this->noise; }
+  /// The textures of the rays, apart from results of other drawings.
+  RayTextures Textures() const;
 
   bool IsInBlocks() const { return this->first.Blocks().Partition().Count() > 1; }
   /// The box around all volumes through which rays are marched, in the grid of the first volume.

@@ -91,14 +91,11 @@ void VolumeResources::UpdateMask(const VolumeMarch& march)
 
 void VolumeResources::UpdateCuts(const VolumeMarch& march)
 {
-  if (!march.settings.clipping || march.plan.marcher == Marcher::Processor)
-  {
-    this->clippingPlanes.Release(march.frame.view.window);
-    return;
-  }
   const std::vector<glm::dvec4>& planes = march.frame.cuts.planesGrid;
-  this->clippingPlanes.Upload(
-    march.frame.view.window, std::vector<glm::vec4>(planes.begin(), planes.end()));
+  this->clippingPlanes.Set(march.frame.view.window,
+    march.settings.clipping ? std::vector<glm::vec4>(planes.begin(), planes.end())
+                            : std::vector<glm::vec4>());
+  this->clippingPlanes.Update(march.frame.view.window, march.plan.marcher);
 }
 
 void VolumeResources::UpdateSpacing(const VolumeMarch& march)
@@ -106,18 +103,30 @@ void VolumeResources::UpdateSpacing(const VolumeMarch& march)
   UnevenBins uneven = BinsOf(march.frame.voxels.axes);
   if (uneven.bins != this->spacingBins.bins)
   {
-    this->spacing.Release(march.frame.view.window);
     this->fields.ForgetBricks(); // they belong to the even grid
   }
+  this->spacing.Set(march.frame.view.window, uneven.bins);
+  this->spacing.Update(march.frame.view.window, march.plan.marcher);
   this->spacingBins = std::move(uneven);
-  if (march.plan.marcher == Marcher::Processor)
+}
+
+VolumeTextures VolumeResources::Textures(
+  const RenderSettings& settings, const VolumeBlock* block) const
+{
+  VolumeTextures textures = this->materials.Textures();
+  textures.fieldTexture.onDevice = this->fields.OfBricks().Texture();
+  textures.gapTexture.inMemory = this->packets.GapTexels();
+  textures.maskTexture = this->mask.Texture();
+  textures.spacingTable = this->spacing.Texture();
+  if (block)
   {
-    this->spacing.Release(march.frame.view.window);
+    const bool isOfCells = settings.acceleration == Acceleration::ScalarField;
+    textures.volumeTexture.onDevice = block->volume.Texture();
+    textures.gapTexture.onDevice = block->gaps.Texture();
+    textures.fieldTexture.onDevice =
+      isOfCells ? block->scalarField.Texture() : textures.fieldTexture.onDevice;
   }
-  else if (!this->spacingBins.bins.empty() && this->spacing.Bytes() == 0)
-  {
-    this->spacing.Upload(march.frame.view.window, this->spacingBins.bins);
-  }
+  return textures;
 }
 
 VolumeBuilds VolumeResources::Builds() const

@@ -4,7 +4,7 @@
 #include "Core/Geometry/UnevenAxis.h"
 #include "Frame/MarchPlan.h"
 #include "Resources/FieldResources.h"
-#include "Resources/FloatBufferTexture.h"
+#include "Resources/FloatTable.h"
 #include "Resources/MaskTexture.h"
 #include "Resources/MaterialResources.h"
 #include "Resources/ProcessorVolume.h"
@@ -70,8 +70,10 @@ public:
   VolumeBlocks& Blocks() { return this->division.Blocks(); }
   const VolumeBlocks& Blocks() const { return this->division.Blocks(); }
   const MaskTexture& Mask() const { return this->mask; }
-  const FloatBufferTexture& ClippingPlanes() const { return this->clippingPlanes; }
-  const FloatBufferTexture& Spacing() const { return this->spacing; }
+  /// The textures of the volume.
+  /// @param block  null for the volume of the processor, or if the shader marches no rays
+  VolumeTextures Textures(const RenderSettings& settings, const VolumeBlock* block) const;
+  MarchTexture ClippingPlanes() const { return this->clippingPlanes.Texture(); }
   const UnevenBins& SpacingBins() const { return this->spacingBins; }
 
 private:
@@ -92,9 +94,9 @@ private:
   FieldResources fields;
   ProcessorVolume packets;
   MaskTexture mask;
-  FloatBufferTexture clippingPlanes;
-  FloatBufferTexture spacing; ///< The bins for the device; empty unless the grid is rectilinear.
-  UnevenBins spacingBins;     ///< The bins that find a voxel in a rectilinear grid.
+  FloatTable clippingPlanes;
+  FloatTable spacing;     ///< The bins as a table; empty unless the grid is rectilinear.
+  UnevenBins spacingBins; ///< The bins that find a voxel in a rectilinear grid.
 };
 
 }

@@ -1,5 +1,5 @@
 // The textures of a march that do not belong to one of its volumes. C++ makes a struct of this file
-// too, and takes the names from here: March/Device/MarchTextures.h.
+// too, and takes the names from here: Core/Parameters/MarchTextures.h.
 
 uniform sampler2D depthTexture; // depth buffer of the opaque geometry, [0, 1]
 uniform sampler2D noiseTexture; // blue noise, lengths of first segments, (0, 1]

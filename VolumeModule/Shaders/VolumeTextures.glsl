@@ -1,5 +1,6 @@
 // The textures of a march that belong to one volume. C++ makes a struct of this file too, and takes
-// the names from here: March/Device/MarchTextures.h.
+// the names from here: Core/Parameters/MarchTextures.h. Packets of rays read most of them in
+// memory.
 
 uniform sampler3D volumeTexture;            // values of up to four components
 uniform sampler3D fieldTexture;             // nearest; of bricks or cells, see the files of Step

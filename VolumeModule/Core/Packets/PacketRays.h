@@ -76,17 +76,17 @@ inline void KeepBeyond(PacketRays& rays, const glm::vec4& plane)
 /// The depth at each pixel, some of which may be beyond the image's edges.
 inline Lanes DepthsAt(const PacketScene& scene, int x, int y)
 {
-  const PacketCuts& cuts = scene.cuts;
+  const float* const texels = scene.rayTextures.depthTexture.Texels<float>();
+  const glm::ivec2& size = scene.cuts.depthPixels;
   const glm::vec2& perPixel = scene.rays.depthPixelsPerPixel;
   float depths[LaneCount];
   const auto within = [](float place, int count)
   { return place < float(count) ? int(place) : count - 1; };
   for (int lane = 0; lane < LaneCount; ++lane)
   {
-    const int column =
-      within((float(x + lane % PacketWidth) + 0.5f) * perPixel.x, cuts.depthPixels.x);
-    const int row = within((float(y + lane / PacketWidth) + 0.5f) * perPixel.y, cuts.depthPixels.y);
-    depths[lane] = cuts.depth[std::ptrdiff_t(row) * cuts.depthPixels.x + column];
+    const int column = within((float(x + lane % PacketWidth) + 0.5f) * perPixel.x, size.x);
+    const int row = within((float(y + lane / PacketWidth) + 0.5f) * perPixel.y, size.y);
+    depths[lane] = texels[std::ptrdiff_t(row) * size.x + column];
   }
   return LanesAt(depths);
 }
@@ -191,9 +191,9 @@ inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
   KeepBeyond(rays, scene.rays.farPlaneGrid);
   for (int plane = 0; plane < scene.rays.clippingPlaneCount; ++plane)
   {
-    KeepBeyond(rays, scene.cuts.planesGrid[plane]);
+    KeepBeyond(rays, scene.rayTextures.clippingPlanes[plane]);
   }
-  if (scene.cuts.depth)
+  if (scene.rayTextures.depthTexture)
   {
     CutByDepth(rays, scene, x, y);
   }

@@ -3,6 +3,7 @@
 
 #include "Core/Geometry/Viewport.h"
 #include "Core/Parameters/MarchParameters.h"
+#include "Core/Parameters/MarchTextures.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -94,35 +95,11 @@ struct PacketRow
   float indexOffset;
 };
 
-/// A mask of as many voxels as the volume; see Shaders/Mask and Material/Labelled.glsl.
-struct PacketMask
-{
-  const std::uint16_t* texels; ///< content of each voxel, and its LabelReach; null: no mask
-  bool isBinary;               ///< true: contents other than 0 are drawn; false: a content is a row
-  const PacketRow* rows;
-};
-
-/// Shaders/Classify/TwoValueTable.glsl, of a value and its gradient.
-struct PacketTwoValues
-{
-  const glm::vec4* entries; ///< x, of the values, fastest; null: the look is of one value
-  glm::ivec2 size;          ///< at least two along each axis
-};
-
 /// Shaders/Shade and Shaders/Damping.
 struct PacketLight
 {
   PacketShading shading;
   bool damps;
-  const glm::vec4* texels; ///< lights that are not at the eye, as LightTexels has them
-};
-
-/// Shaders/GradientOpacity.
-struct PacketGradientOpacity
-{
-  /// Factors from no gradient on, for four components or rows in each entry, table behind table;
-  /// null: opacity does not depend on the gradient.
-  const glm::vec4* factors;
 };
 
 /// Bricks that steps may leave out.
@@ -131,8 +108,7 @@ struct PacketSteps
   float mostOpticalDepth;     ///< a ray ends beyond this optical depth
   const std::uint8_t* bricks; ///< bricks of an OpticalField; null: there is nothing to skip
   glm::ivec3 brickCount;
-  bool grow;                  ///< true: steps are longer where less than half of the light is left
-  const std::uint16_t* noise; ///< BlueNoiseTile, by which rays begin; null: with a whole step
+  bool grow; ///< true: steps are longer where less than half of the light is left
 };
 
 /// A maximum or minimum; see Shaders/Step/BrickExtremes.glsl.
@@ -145,20 +121,11 @@ struct PacketExtreme
   float bricksPerBlock; ///< bricks along a side of a block
 };
 
-/// GapField; see Shaders/Gaps/Cells.glsl and Fill.
-struct PacketGaps
-{
-  const std::uint8_t* texels; ///< null: there are no gaps
-  glm::ivec3 count;
-};
-
 /// Arrays that cut rays off.
 struct PacketCuts
 {
-  bool crops;                  ///< true: some regions are not drawn
-  const glm::vec4* planesGrid; ///< clipping planes, which keep dot(plane, (position, 1)) >= 0
-  const float* depth;          ///< depths of opaque geometry, [0, 1], from below; null: none
-  glm::ivec2 depthPixels;      ///< size of the depth image
+  bool crops;             ///< true: some regions are not drawn
+  glm::ivec2 depthPixels; ///< size of the depth image
   /// Four numbers for each pixel, from below; the first two are the depths between which its ray is
   /// marched. Null: there are no layers.
   const float* layers;
@@ -194,14 +161,6 @@ struct PacketColors
   PacketLook look;
 };
 
-/// Shaders/Spacing/Uneven.glsl: voxels of a mixture at uneven places.
-struct PacketSpacing
-{
-  const glm::vec4* bins; ///< UnevenAxis::Bins of each axis in turn; null: places are even
-  glm::ivec3 firstBins;  ///< first bin of each axis
-  glm::ivec3 lastBins;   ///< last bin of each axis
-};
-
 struct PacketScene;
 
 /// A constituent of a mixture: a component of a volume, see Shaders/Material/Components.glsl,
@@ -217,28 +176,25 @@ struct PacketConstituent
 };
 
 /// An image of a volume, or of the first constituent of a mixture: its numbers, and pointers to
-/// arrays, whose owners keep them until the image is marched.
+/// arrays, whose owners keep them until the image is marched. A texture that is not in memory is of
+/// a feature that the image does not have.
 struct PacketScene
 {
   RayParameters rays;
+  RayTextures rayTextures;
   VolumeParameters parameters; ///< scalars are values of the data
+  VolumeTextures textures;     ///< without the voxels, bricks and looks of the members below
   PacketVolume volume;
   PacketLook look;
-  PacketTwoValues twoValues;
+  const PacketRow* labelRows; ///< null: voxels have no labels
   PacketLight light;
-  PacketGradientOpacity gradientOpacity;
-  PacketMask mask;
-  PacketGaps gaps;
   PacketExtreme extreme;
-  /// Two entries for each surface, by ascending isovalue: colour and optical depth; the isovalue.
-  const glm::vec4* isosurfaces;
   bool isMean; ///< projections: true for a mean, false for a sum
   PacketSteps steps;
   PacketCuts cuts;
   PacketDepths depths;
   PacketLocation location;
-  PacketColors colors;   ///< only in a mixture
-  PacketSpacing spacing; ///< only in a mixture
+  PacketColors colors; ///< only in a mixture
   PacketConstituent constituent;
   PacketRule rule;
 };

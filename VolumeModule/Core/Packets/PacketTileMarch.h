@@ -48,13 +48,13 @@ PacketSum MarchLeft(
   };
   const auto march = [&](const PacketRays& piece, const PacketSum& sum)
   {
-    return scene.gaps.texels ? MarchAroundGaps(scene, piece, sum, marchWhole)
-                             : marchWhole(piece, sum);
+    return scene.textures.gapTexture ? MarchAroundGaps(scene, piece, sum, marchWhole)
+                                     : marchWhole(piece, sum);
   };
   const auto marchMasked = [&](const PacketRays& piece, const PacketSum& sum)
   {
-    return scene.mask.texels ? MarchPieces<MaskedPieces>(scene, piece, sum, march)
-                             : march(piece, sum);
+    return scene.textures.maskTexture ? MarchPieces<MaskedPieces>(scene, piece, sum, march)
+                                      : march(piece, sum);
   };
   return scene.cuts.crops ? MarchPieces<CroppedPieces>(scene, rays, before, marchMasked)
                           : marchMasked(rays, before);

@@ -71,7 +71,7 @@ FLATTENED PacketSum MarchVoxels(
   {
     return MarchBoxValues<Voxel>(scene, rays, walk, before);
   }
-  if (scene.mask.rows)
+  if (scene.labelRows)
   {
     return MarchBoxMaterials<Voxel, LabelledMaterial>(scene, rays, walk, before);
   }
@@ -100,7 +100,7 @@ PacketSum MarchSampled(
   {
     return MarchValues<Voxels>(scene, rays, walk, before);
   }
-  if (scene.mask.rows)
+  if (scene.labelRows)
   {
     return MarchMaterial<Voxels, LabelledMaterial>(scene, rays, walk, before);
   }

@@ -98,27 +98,14 @@ private:
 VolumeTextures TexturesOf(
   const VolumeMarch& march, const VolumeResources& volume, const VolumeBlock* block)
 {
-  VolumeTextures textures = {};
-  textures.fieldTexture = volume.Fields().OfBricks().Texture();
-  if (block)
+  const VolumeTextures textures = volume.Textures(march.settings, block);
+  if (vtkTextureObject* const voxels = textures.volumeTexture.onDevice)
   {
     const int filter =
       march.settings.nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
-    textures.volumeTexture = block->volume.Texture();
-    textures.volumeTexture->SetMinificationFilter(filter);
-    textures.volumeTexture->SetMagnificationFilter(filter);
-    textures.gapTexture = block->gaps.Texture();
-    const bool isOfCells = march.settings.acceleration == Acceleration::ScalarField;
-    textures.fieldTexture = isOfCells ? block->scalarField.Texture() : textures.fieldTexture;
+    voxels->SetMinificationFilter(filter);
+    voxels->SetMagnificationFilter(filter);
   }
-  textures.maskTexture = volume.Mask().Texture();
-  textures.opticalTable = volume.Materials().OpticalTables().Texture();
-  textures.preIntegratedTable = volume.Materials().PreIntegrated().Texture();
-  textures.twoValueTable = volume.Materials().TwoValues().Texture();
-  textures.gradientOpacityTable = volume.Materials().GradientOpacity().Texture();
-  textures.lightTexels = volume.Materials().LightTexels().Texture();
-  textures.isosurfaces = volume.Materials().Isosurfaces().Texture();
-  textures.spacingTable = volume.Spacing().Texture();
   return textures;
 }
 
@@ -168,14 +155,11 @@ void BoxDrawing::UpdateProgram(const VolumeMarch& march)
 
 RayTextures BoxDrawing::TexturesOfRays(const EarlierDrawings& earlier)
 {
-  RayTextures textures = {};
-  textures.depthTexture = this->resources.Depth().Texture();
-  textures.noiseTexture = this->resources.Noise().Texture();
-  textures.clippingPlanes = this->resources.First().ClippingPlanes().Texture();
-  textures.gatheredTexture = earlier.gathered;
-  textures.coarseTexture = earlier.coarse;
-  textures.sumTexture = earlier.sum;
-  textures.marchedTexture = earlier.marched;
+  RayTextures textures = this->resources.Textures();
+  textures.gatheredTexture.onDevice = earlier.gathered;
+  textures.coarseTexture.onDevice = earlier.coarse;
+  textures.sumTexture.onDevice = earlier.sum;
+  textures.marchedTexture.onDevice = earlier.marched;
   return textures;
 }
 

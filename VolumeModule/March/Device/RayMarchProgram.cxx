@@ -83,12 +83,12 @@ void Bind(vtkShaderProgram* program, const std::string& block, unsigned int bind
   }
 }
 
-// The textures of a struct whose members are all pointers to textures.
+// The textures of a struct whose members are all textures.
 template <class Textures>
-vtkTextureObject* const* TexturesIn(const Textures& textures)
+const MarchTexture* TexturesIn(const Textures& textures)
 {
-  static_assert(sizeof(Textures) % sizeof(vtkTextureObject*) == 0);
-  return reinterpret_cast<vtkTextureObject* const*>(&textures);
+  static_assert(sizeof(Textures) % sizeof(MarchTexture) == 0);
+  return reinterpret_cast<const MarchTexture*>(&textures);
 }
 
 // The names of the members of such a struct, from its GLSL file.
@@ -96,7 +96,7 @@ template <class Textures>
 std::vector<std::string> NamesOfTextures(const std::string& path, const Textures&)
 {
   std::vector<std::string> names = SamplersOf(LoadShaderFiles({ path }).front().text);
-  if (names.size() != sizeof(Textures) / sizeof(vtkTextureObject*))
+  if (names.size() != sizeof(Textures) / sizeof(MarchTexture))
   {
     throw std::logic_error("A line of " + path + " declares more than one sampler, or none");
   }
@@ -212,16 +212,16 @@ void RayMarchProgram::SetVolume(std::size_t volume, std::size_t count,
   this->Activate(namesOfVolume, TexturesIn(textures));
 }
 
-void RayMarchProgram::Activate(
-  const std::vector<std::string>& names, vtkTextureObject* const* textures)
+void RayMarchProgram::Activate(const std::vector<std::string>& names, const MarchTexture* textures)
 {
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    if (textures[i] && textures[i]->GetHandle() && this->program->IsUniformUsed(names[i].c_str()))
+    vtkTextureObject* const texture = textures[i].onDevice;
+    if (texture && texture->GetHandle() && this->program->IsUniformUsed(names[i].c_str()))
     {
-      textures[i]->Activate();
-      this->program->SetUniformi(names[i].c_str(), textures[i]->GetTextureUnit());
-      this->activeTextures.push_back(textures[i]);
+      texture->Activate();
+      this->program->SetUniformi(names[i].c_str(), texture->GetTextureUnit());
+      this->activeTextures.push_back(texture);
     }
   }
 }

@@ -2,9 +2,9 @@
 #define Varimarch_March_Device_RayMarchProgram_h
 
 #include "Core/Parameters/MarchParameters.h"
+#include "Core/Parameters/MarchTextures.h"
 #include "Core/Recipe/RenderSettings.h"
 #include "Frame/UserShaderCode.h"
-#include "March/Device/MarchTextures.h"
 #include "March/Device/UniformBuffer.h"
 
 #include <cstddef>
@@ -60,7 +60,7 @@ private:
   static Sources Assemble(const std::vector<std::string>& parts, const UserShaderCode& userCode);
 
   /// @param textures  one for each name
-  void Activate(const std::vector<std::string>& names, vtkTextureObject* const* textures);
+  void Activate(const std::vector<std::string>& names, const MarchTexture* textures);
 
   vtkShaderProgram* program = nullptr; ///< The current program; the cache owns it.
   std::vector<std::string> parts;

@@ -133,29 +133,20 @@ PacketSurroundings PacketMarcher::SurroundingsOf(const Frame& frame, const March
 {
   PacketSurroundings around = {};
   around.drawnBox = this->resources.DrawnBox();
-  around.planesGrid = { frame.cuts.planesGrid.begin(), frame.cuts.planesGrid.end() };
   if (frame.settings.sceneGeometry)
   {
-    around.depth = this->resources.Depth().Depths(frame.view.window).data();
+    this->resources.Depth().Read(frame.view.window);
     around.depthPixels = this->resources.Depth().SizePixels();
   }
-  if (frame.settings.lights)
-  {
-    around.lights = LightTexelsOf(frame.view.renderer);
-  }
+  around.textures = this->resources.Textures();
   if (frame.settings.mask == Mask::Labels)
   {
-    around.maskRows = PacketRowsOf(this->resources.First().Materials().OpticalTables());
-  }
-  if (frame.settings.blend == Blend::Isosurface)
-  {
-    around.isosurfaces = IsosurfaceEntriesOf(frame);
+    around.labelRows = PacketRowsOf(this->resources.First().Materials().OpticalTables());
   }
   if (Peels(plan.pass))
   {
     around.layerDepths = this->DrawLayerDepths(frame, plan);
   }
-  around.noise = frame.settings.jitter ? this->resources.Noise().Tile().data() : nullptr;
   return around;
 }
 

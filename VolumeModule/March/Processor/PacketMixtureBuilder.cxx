@@ -1,7 +1,6 @@
 // Builds the scenes of the parts of a mixture.
 
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/Lights.h"
 #include "March/Processor/PacketSceneBuilder.h"
 
 #include "vtkDataArray.h"
@@ -36,15 +35,6 @@ PacketColors ColorsOf(
   return colors;
 }
 
-PacketSpacing SpacingOf(const UnevenBins& uneven)
-{
-  if (uneven.bins.empty())
-  {
-    return {};
-  }
-  return { uneven.bins.data(), uneven.first, uneven.last };
-}
-
 // The index of the table that has a part's opacities.
 std::size_t OpacityTableOf(const VolumeResources& volume, int component)
 {
@@ -77,7 +67,6 @@ std::vector<PacketScene> ConstituentsOf(
         LookOf(march, volume, scene.parameters, OpacityTableOf(volume, component), component);
     }
     one.colors = ColorsOf(march, volume, scene.parameters);
-    one.spacing = SpacingOf(volume.SpacingBins());
     one.constituent.isOfMixture = true;
     one.constituent.component = part;
     one.constituent.isOfSameBricks = part > 0;

@@ -53,40 +53,6 @@ PacketRule RuleOf(const RenderSettings& settings)
     : (isMidpoint ? PacketRule::Midpoint : PacketRule::PreIntegrated);
 }
 
-PacketTwoValues TwoValuesOf(const VolumeMarch& march, const VolumeResources& volume)
-{
-  const bool isOfGradients = march.settings.functionOf == FunctionOf::ValueAndGradient;
-  return { isOfGradients ? volume.Materials().TwoValues().Entries().data() : nullptr,
-    volume.Materials().TwoValuesSize() };
-}
-
-PacketMask MaskOf(
-  const VolumeMarch& march, const VolumeResources& volume, const std::vector<PacketRow>& rows)
-{
-  PacketMask mask = {};
-  if (march.settings.mask != Mask::None)
-  {
-    mask.texels = volume.Mask().Texels().data();
-    mask.isBinary = march.settings.mask == Mask::Binary;
-  }
-  if (march.settings.mask == Mask::Labels)
-  {
-    mask.rows = rows.data();
-  }
-  return mask;
-}
-
-PacketGaps GapsOf(const VolumeMarch& march, const VolumeResources& volume)
-{
-  PacketGaps gaps = {};
-  if (march.settings.gaps)
-  {
-    gaps.texels = volume.Packets().Gaps().texels.data();
-    gaps.count = volume.Packets().Gaps().count;
-  }
-  return gaps;
-}
-
 PacketSteps StepsOf(const VolumeMarch& march, const VolumeResources& volume)
 {
   PacketSteps steps = {};
@@ -125,8 +91,6 @@ PacketCuts CutsOf(const VolumeMarch& march, const PacketSurroundings& around)
 {
   PacketCuts cuts = {};
   cuts.crops = march.settings.cropping;
-  cuts.planesGrid = around.planesGrid.data();
-  cuts.depth = around.depth;
   cuts.depthPixels = around.depthPixels;
   cuts.layerPixels = { march.plan.viewport.width, march.plan.viewport.height };
   return cuts;
@@ -168,25 +132,20 @@ PacketScene PacketSceneOf(
   // Pixel coordinates begin at the first pixel of the frame.
   scene.rays = RayParametersOf(march, around.drawnBox);
   scene.rays.viewportOriginPixels = -march.plan.rayOffsetPixels;
+  scene.rayTextures = around.textures;
   scene.parameters = VolumeParametersOf(march, volume, VolumeOfProcessor(march, volume));
+  scene.textures = volume.Textures(march.settings, nullptr);
   vtkDataArray* const voxels = volume.Packets().Voxels();
   scene.volume = { voxels->GetVoidPointer(0), *PacketVoxelTypeOf(voxels), march.settings.cubic,
     march.frame.geometry.dimensions };
   scene.look = LookOf(march, volume, scene.parameters, 0, 0);
-  scene.twoValues = TwoValuesOf(march, volume);
-  scene.light = { ShadingOf(march.settings), march.settings.damping, around.lights.texels.data() };
-  scene.gradientOpacity.factors = march.settings.gradientOpacity
-    ? volume.Materials().GradientOpacity().Entries().data()
-    : nullptr;
-  scene.mask = MaskOf(march, volume, around.maskRows);
-  scene.gaps = GapsOf(march, volume);
+  scene.labelRows = around.labelRows.empty() ? nullptr : around.labelRows.data();
+  scene.light = { ShadingOf(march.settings), march.settings.damping };
   scene.extreme = ExtremeOf(march, volume);
-  scene.isosurfaces = around.isosurfaces.data();
   scene.isMean = march.settings.blend == Blend::AverageIntensity;
   scene.steps = StepsOf(march, volume);
-  scene.steps.noise = around.noise;
   scene.cuts = CutsOf(march, around);
-  if (around.depth)
+  if (around.textures.depthTexture)
   {
     scene.rays.depthPixelsPerPixel = glm::dvec2(around.depthPixels) /
       glm::dvec2(march.plan.viewport.width, march.plan.viewport.height);

@@ -2,13 +2,11 @@
 #define Varimarch_March_Processor_PacketSceneBuilder_h
 
 #include "Core/Packets/PacketScene.h"
-#include "Frame/Lights.h"
 #include "Resources/VolumeResources.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <cstdint>
 #include <vector>
 
 namespace varimarch
@@ -17,15 +15,11 @@ namespace varimarch
 /// The data of a frame that packets of rays read besides its volume.
 struct PacketSurroundings
 {
-  Box drawnBox;                      ///< The box that rays are marched through [grid space].
-  std::vector<glm::vec4> planesGrid; ///< The planes that clip.
-  const float* depth;                ///< The depths of geometry; null if there is none.
-  glm::ivec2 depthPixels;            ///< The size of the image of depths.
-  std::vector<float> layerDepths;    ///< PeeledDepths of Slots.glsl for each pixel; may be empty.
-  LightTexels lights;
-  std::vector<PacketRow> maskRows; ///< The tables of labels.
-  std::vector<glm::vec4> isosurfaces;
-  const std::uint16_t* noise; ///< The tile of blue noise; null without jitter.
+  Box drawnBox; ///< The box that rays are marched through [grid space].
+  RayTextures textures;
+  glm::ivec2 depthPixels;           ///< The size of the image of depths.
+  std::vector<float> layerDepths;   ///< PeeledDepths of Slots.glsl for each pixel; may be empty.
+  std::vector<PacketRow> labelRows; ///< The tables of labels.
 };
 
 /// The tables of the labels of a mask.

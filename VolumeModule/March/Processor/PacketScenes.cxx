@@ -1,7 +1,5 @@
 #include "March/Processor/PacketScenes.h"
 
-#include "Frame/Lights.h"
-
 #include <utility>
 
 namespace varimarch
@@ -22,10 +20,6 @@ PacketSurroundings SurroundingsOfOther(const Frame& frame)
 {
   PacketSurroundings around = {};
   around.drawnBox = frame.geometry.boxGrid;
-  if (frame.settings.lights)
-  {
-    around.lights = LightTexelsOf(frame.view.renderer);
-  }
   return around;
 }
 

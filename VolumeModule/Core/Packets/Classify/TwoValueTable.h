@@ -13,8 +13,8 @@ namespace
 
 inline Optical ClassifyTwo(const PacketScene& scene, Lanes value, const Lanes3& gradient)
 {
-  const PacketTwoValues& look = scene.twoValues;
   const VolumeParameters& parameters = scene.parameters;
+  const glm::ivec2 size(parameters.twoValueTableSize);
   const auto indexOf = [](Lanes place, int size)
   {
     const Lanes last = All(float(size - 1));
@@ -23,8 +23,8 @@ inline Optical ClassifyTwo(const PacketScene& scene, Lanes value, const Lanes3& 
   const Lanes valuePlace = value * parameters.placeFromScalar.x + parameters.placeFromScalar.y;
   const Lanes gradientPlace = GradientIndex(
     gradient, AllOf3(parameters.spacingFactors), All(parameters.placePerGradient), All(1.0f));
-  Optical found = Interpolated(
-    look.entries, look.size, indexOf(valuePlace, look.size.x), indexOf(gradientPlace, look.size.y));
+  Optical found = Interpolated(scene.textures.twoValueTable.Texels<glm::vec4>(), size,
+    indexOf(valuePlace, size.x), indexOf(gradientPlace, size.y));
   found.extinction = ExtinctionOf(found.extinction, All(parameters.opacityUnitDistancesMm.x));
   return found;
 }

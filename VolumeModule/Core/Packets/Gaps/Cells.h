@@ -19,12 +19,13 @@ template <class March>
 PacketSum MarchAroundGaps(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, March march)
 {
-  const PacketGaps& gaps = scene.gaps;
-  const PacketLattice lattice(rays, 1.0f, -scene.parameters.gapShift, gaps.count);
+  const std::uint8_t* const texels = scene.textures.gapTexture.Texels<std::uint8_t>();
+  const PacketLattice lattice(
+    rays, 1.0f, -scene.parameters.gapShift, glm::ivec3(scene.parameters.gapCellCount));
   const glm::vec4& fill = scene.parameters.gapOptical;
   const Optical filled{ { All(fill.x), All(fill.y), All(fill.z) }, All(fill.w) };
   const auto texelsAt = [&](const IntNumbers& index)
-  { return IntLanesOf([&](int lane) { return std::int32_t(gaps.texels[index.of[lane]]); }); };
+  { return IntLanesOf([&](int lane) { return std::int32_t(texels[index.of[lane]]); }); };
   PacketSum sum = before;
   LatticePlace place = lattice.At(rays.enter);
   for (LaneMask going = GoOn(scene, rays, place.t, sum); Any(going);

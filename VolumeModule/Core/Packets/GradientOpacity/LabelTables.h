@@ -19,7 +19,7 @@ inline Lanes AtGradientOfRows(
     [&](int lane, int index)
     {
       const int table = row.of[lane] / 4;
-      return scene.gradientOpacity.factors[table * entries + index][row.of[lane] % 4];
+      return scene.textures.gradientOpacityTable[table * entries + index][row.of[lane] % 4];
     });
 }
 

@@ -35,7 +35,7 @@ inline Lanes AtGradient(const PacketScene& scene, Lanes extinction, const Lanes3
 {
   return WithGradientOpacity(scene, extinction, gradient,
     [&](int, int index)
-    { return scene.gradientOpacity.factors[index][scene.constituent.component]; });
+    { return scene.textures.gradientOpacityTable[index][scene.constituent.component]; });
 }
 
 }

@@ -135,7 +135,7 @@ private:
     LaneMask holds = {};
     for (int surface = 0; surface < this->surfaceCount; ++surface)
     {
-      const float isovalue = this->scene.isosurfaces[2 * surface + 1].x;
+      const float isovalue = this->scene.textures.isosurfaces[2 * surface + 1].x;
       holds |= LaneMask(lower < isovalue) & LaneMask(upper >= isovalue);
     }
     return holds;
@@ -181,7 +181,7 @@ private:
     Four entries[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      entries[lane] = FourAt(&this->scene.isosurfaces[2 * surface.of[lane] + which].x);
+      entries[lane] = FourAt(&this->scene.textures.isosurfaces[2 * surface.of[lane] + which].x);
     }
     return OpticalOf(entries);
   }

@@ -17,7 +17,8 @@ class MaskedPieces
 {
 public:
   MaskedPieces(const PacketScene& scene, const PacketRays& rays)
-    : mask(scene.mask)
+    : texels(scene.textures.maskTexture.Texels<std::uint16_t>())
+    , leastContent(scene.parameters.leastContent)
     , rays(rays)
     , lattice(rays, 1.0f, -0.5f, scene.volume.voxelCount)
     , place(lattice.At(rays.enter))
@@ -34,7 +35,7 @@ public:
     {
       const IntNumbers index = this->lattice.IndexOf(this->place.cell);
       const IntLanes content = this->TexelsAt(index, 0);
-      const LaneMask isDrawn = this->mask.isBinary ? content != 0 : AllInt(-1);
+      const LaneMask isDrawn = LaneMask(FloatOf(content) > this->leastContent);
       searching &= ~isFound | (content == drawn.region);
       drawn.region = Select(searching & ~isFound, content, drawn.region);
       const Lanes radius = FloatOf(this->TexelsAt(index, 1) - 1);
@@ -52,10 +53,11 @@ private:
   IntLanes TexelsAt(const IntNumbers& index, int which) const
   {
     return IntLanesOf([&](int lane)
-      { return std::int32_t(this->mask.texels[2 * std::ptrdiff_t(index.of[lane]) + which]); });
+      { return std::int32_t(this->texels[2 * std::ptrdiff_t(index.of[lane]) + which]); });
   }
 
-  const PacketMask& mask;
+  const std::uint16_t* texels;
+  float leastContent;
   const PacketRays& rays;
   PacketLattice lattice;
   LatticePlace place; ///< the end of the last piece

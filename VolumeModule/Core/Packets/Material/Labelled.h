@@ -39,7 +39,7 @@ private:
   {
     const IntNumbers row(rows);
     const auto lookOf = [&](int lane) -> const PacketRow&
-    { return this->scene.mask.rows[row.of[lane]]; };
+    { return this->scene.labelRows[row.of[lane]]; };
     const Lanes last = LanesOf([&](int lane) { return float(lookOf(lane).lastIndex); });
     const Lanes place =
       TableIndex(value, LanesOf([&](int lane) { return lookOf(lane).indexScale; }),
@@ -53,7 +53,7 @@ private:
       entries[lane] = MixedEntries(lookOf(lane).table + index.of[lane], part.of[lane]);
     }
     Optical optical = OpticalOf(entries);
-    if (this->scene.gradientOpacity.factors)
+    if (this->scene.textures.gradientOpacityTable)
     {
       optical.extinction = AtGradientOfRows(this->scene, optical.extinction, surface.gradient, row);
     }

@@ -32,7 +32,7 @@ public:
   bool IsPlain() const
   {
     return this->scene.light.shading == PacketShading::None &&
-      !this->scene.gradientOpacity.factors && !this->scene.twoValues.entries;
+      !this->scene.textures.gradientOpacityTable && !this->scene.textures.twoValueTable;
   }
 
   /// @param gradient  per voxel
@@ -45,11 +45,11 @@ public:
   /// @param t  the place along the rays [mm]
   Optical At(Lanes value, const Surface& surface, Lanes t) const
   {
-    Optical optical = this->scene.twoValues.entries
+    Optical optical = this->scene.textures.twoValueTable
       ? ClassifyTwo(this->scene, value, surface.gradient)
       : Classify(this->scene.look, value);
     optical.color = this->Shaded(optical.color, surface, t);
-    if (this->scene.gradientOpacity.factors)
+    if (this->scene.textures.gradientOpacityTable)
     {
       optical.extinction = AtGradient(this->scene, optical.extinction, surface.gradient);
     }
@@ -95,8 +95,8 @@ public:
 
   static bool IsThatOf(const PacketScene& scene)
   {
-    return scene.light.shading == PacketShading::HeadLight && !scene.gradientOpacity.factors &&
-      !scene.twoValues.entries;
+    return scene.light.shading == PacketShading::HeadLight &&
+      !scene.textures.gradientOpacityTable && !scene.textures.twoValueTable;
   }
 
   Optical At(Lanes value, const Surface& surface, Lanes) const

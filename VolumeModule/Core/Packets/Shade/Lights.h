@@ -31,7 +31,7 @@ public:
     Sum sum = { Lanes3(0.0f), Lanes3(0.0f) };
     sum.Add(this->ReflectedFrom(outward, this->toEye), this->parameters.diffuseLight,
       this->parameters.specularLight);
-    const glm::vec4* texel = this->scene.light.texels;
+    const glm::vec4* texel = this->scene.textures.lightTexels.Texels<glm::vec4>();
     for (int i = 0; i < this->parameters.distantCount; ++i, texel += TexelsPerLight)
     {
       sum.Add(this->ReflectedFrom(outward, AllOf3(*texel)), texel[1], texel[2]);

@@ -15,18 +15,16 @@ namespace
 /// The places in the grid of the voxels for places in the even grid, in which rays are straight.
 inline Lanes3 UnevenPlace(const PacketScene& scene, const Lanes3& grid)
 {
-  const PacketSpacing& spacing = scene.spacing;
-  const glm::vec3& lowerGrid = scene.parameters.spacingLowerGrid;
-  const glm::vec3& binsPerGrid = scene.parameters.spacingBinsPerGrid;
+  const VolumeParameters& p = scene.parameters;
   const auto along = [&](Lanes place, int axis)
   {
-    const Lanes bin = SpacingBin(place, All(lowerGrid[axis]), All(binsPerGrid[axis]),
-      All(float(spacing.firstBins[axis])), All(float(spacing.lastBins[axis])));
+    const Lanes bin = SpacingBin(place, All(p.spacingLowerGrid[axis]),
+      All(p.spacingBinsPerGrid[axis]), All(p.spacingFirstBins[axis]), All(p.spacingLastBins[axis]));
     const IntNumbers index(Truncated(bin));
     Four pieces[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      pieces[lane] = FourAt(&spacing.bins[index.of[lane]].x);
+      pieces[lane] = FourAt(&scene.textures.spacingTable[index.of[lane]].x);
     }
     return UnevenPlace(place, Transposed(pieces));
   };

@@ -30,7 +30,7 @@ public:
     , steps(scene.steps)
     , rays(rays)
     , lattice(rays, scene.parameters.cellsPerBrick, 0.0f, scene.steps.brickCount)
-    , firstPart(scene.steps.noise ? NoiseAt(scene, x, y) : All(1.0f))
+    , firstPart(scene.rayTextures.noiseTexture ? NoiseAt(scene, x, y) : All(1.0f))
   {
   }
 
@@ -97,12 +97,13 @@ private:
   // Shaders/Jitter/BlueNoise.glsl.
   static Lanes NoiseAt(const PacketScene& scene, int x, int y)
   {
+    const std::uint16_t* const texels = scene.rayTextures.noiseTexture.Texels<std::uint16_t>();
     const glm::ivec2& mask = scene.rays.noisePixelsMask;
     const auto part = [&](int lane)
     {
       const int column = (x + lane % PacketWidth) & mask.x;
       const int row = (y + lane / PacketWidth) & mask.y;
-      return float(scene.steps.noise[row * (mask.x + 1) + column]) / 65535.0f;
+      return float(texels[row * (mask.x + 1) + column]) / 65535.0f;
     };
     return LanesOf(part);
   }

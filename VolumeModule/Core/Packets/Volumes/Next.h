@@ -183,14 +183,14 @@ private:
 
   Lanes3 VoxelPlace(const Lanes3& grid) const
   {
-    return this->scene.spacing.bins ? UnevenPlace(this->scene, grid) : grid;
+    return this->scene.textures.spacingTable ? UnevenPlace(this->scene, grid) : grid;
   }
 
   template <class Voxels>
   Slope SlopeAt(const Voxels& voxels, Lanes t, LaneMask mask) const
   {
     const Lanes3 grid = this->rays.At(t);
-    if (!this->scene.spacing.bins)
+    if (!this->scene.textures.spacingTable)
     {
       return voxels.SlopeAt(grid, mask);
     }
@@ -330,7 +330,7 @@ private:
       return;
     }
     Optical optical = Classify(this->scene.look, value);
-    if (this->scene.gradientOpacity.factors)
+    if (this->scene.textures.gradientOpacityTable)
     {
       optical.extinction = AtGradient(this->scene, optical.extinction, gradientOf(voxels));
     }
