@@ -195,7 +195,6 @@ TEST_P(PacketMarch, InPiecesAddsUpToTheWhole)
     planes[2 * axis].w = -3.2f;
     planes[2 * axis + 1].w = -7.1f;
   }
-  this->scene.cuts.crops = true;
   this->scene.rays.croppingRegions = (1 << 27) - 1;
   ExpectEqual(this->March(), whole);
 }

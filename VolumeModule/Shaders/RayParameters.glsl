@@ -18,7 +18,7 @@ layout(std140) uniform RayParameters
   // above a plane.
   vec4 croppingPlanes[6];
   // Bit x + 3 y + 9 z is set if the region is drawn. Each of x, y, z is 0 below the planes of its
-  // axis, 1 between them, and 2 above them.
+  // axis, 1 between them, and 2 above them. 0 without cropping.
   int croppingRegions;
 
   int clampDepth;      // 1: a ray that meets nothing visible has the depth of its exit

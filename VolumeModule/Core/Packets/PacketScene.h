@@ -124,7 +124,6 @@ struct PacketExtreme
 /// Arrays that cut rays off.
 struct PacketCuts
 {
-  bool crops;             ///< true: some regions are not drawn
   glm::ivec2 depthPixels; ///< size of the depth image
   /// Four numbers for each pixel, from below; the first two are the depths between which its ray is
   /// marched. Null: there are no layers.

@@ -56,7 +56,7 @@ PacketSum MarchLeft(
     return scene.textures.maskTexture ? MarchPieces<MaskedPieces>(scene, piece, sum, march)
                                       : march(piece, sum);
   };
-  return scene.cuts.crops ? MarchPieces<CroppedPieces>(scene, rays, before, marchMasked)
+  return scene.rays.croppingRegions != 0 ? MarchPieces<CroppedPieces>(scene, rays, before, marchMasked)
                           : marchMasked(rays, before);
 }
 

@@ -90,7 +90,6 @@ PacketExtreme ExtremeOf(const VolumeMarch& march, const VolumeResources& volume)
 PacketCuts CutsOf(const VolumeMarch& march, const PacketSurroundings& around)
 {
   PacketCuts cuts = {};
-  cuts.crops = march.settings.cropping;
   cuts.depthPixels = around.depthPixels;
   cuts.layerPixels = { march.plan.viewport.width, march.plan.viewport.height };
   return cuts;
