@@ -146,9 +146,10 @@ void AccelerationField::BuildScalarField(
   this->Upload(window, field.cellCount, field.cells);
 }
 
-void AccelerationField::SetGaps(vtkOpenGLRenderWindow* window, const GapField& gaps)
+void AccelerationField::SetTexels(
+  vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<std::uint8_t>& texels)
 {
-  this->Upload(window, gaps.count, gaps.texels);
+  this->Upload(window, size, texels);
 }
 
 void AccelerationField::BuildRanges(const VoxelValues& values, const std::vector<UnevenAxis>& axes)

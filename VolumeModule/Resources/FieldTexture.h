@@ -3,7 +3,6 @@
 
 #include "Core/Fields/BrickRanges.h"
 #include "Core/Fields/ExtremeBricks.h"
-#include "Core/Fields/GapField.h"
 #include "Core/Fields/OpticalField.h"
 #include "Core/Fields/VisibleBricks.h"
 #include "Core/Fields/VisibleDepths.h"
@@ -38,9 +37,10 @@ public:
   void BuildScalarField(
     vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance, int reachVoxels);
 
-  /// Uploads the gaps of a volume, which are stored like a field.
+  /// Uploads the texels of a field that is built elsewhere, x fastest.
   /// @throws std::runtime_error if the device cannot hold the texture
-  void SetGaps(vtkOpenGLRenderWindow* window, const GapField& gaps);
+  void SetTexels(
+    vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<std::uint8_t>& texels);
 
   /// Builds the part of the optical field that depends only on the voxels: the ranges of bricks. It
   /// is reused by every later BuildOpticalField.

@@ -143,7 +143,8 @@ void VolumeBlocks::UpdateGaps(
   }
   else
   {
-    block.gaps.SetGaps(window, GapFieldOf(region, this->blanking));
+    const GapField gaps = GapFieldOf(region, this->blanking);
+    block.gaps.SetTexels(window, gaps.count, gaps.texels);
   }
   block.gapsAreCurrent = true;
 }
