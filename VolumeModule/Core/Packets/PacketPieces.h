@@ -3,9 +3,8 @@
 
 // Rays whose pieces are marched one by one.
 
-#include "Core/Packets/Crop/Regions.h"
 #include "Core/Packets/Loop/Segments.h"
-#include "Core/Packets/Mask/Voxels.h"
+#include "Core/Packets/PacketRays.h"
 
 namespace varimarch
 {
@@ -13,9 +12,13 @@ namespace varimarch
 namespace
 {
 
-/// @tparam Pieces  CroppedPieces or MaskedPieces
-/// @param before  the sum in front of the rays
-/// @param march   (piece of the rays, sum before it) -> the sum behind it
+/// Marches pieces of rays one after another.
+/// @tparam Pieces  made from a scene and rays. Its Next(mask) returns the next part of the rays of
+/// a
+///                 mask that is drawn as a whole. It has no length for a ray without one, and for
+///                 other rays.
+/// @param before   the sum in front of the rays
+/// @param march    (piece of the rays, sum before it) -> the sum behind it
 template <class Pieces, class March>
 PacketSum MarchPieces(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, March march)

@@ -3,10 +3,12 @@
 
 // The packets of a tile, one by one, from their rays to their pixels, whatever they march through.
 
+#include "Core/Packets/Crop/Regions.h"
 #include "Core/Packets/FirstOpacity.h"
 #include "Core/Packets/Gaps/Cells.h"
 #include "Core/Packets/March/Extreme.h"
 #include "Core/Packets/March/Projection.h"
+#include "Core/Packets/Mask/Voxels.h"
 #include "Core/Packets/PacketPieces.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/PacketTile.h"
@@ -56,8 +58,9 @@ PacketSum MarchLeft(
     return scene.textures.maskTexture ? MarchPieces<MaskedPieces>(scene, piece, sum, march)
                                       : march(piece, sum);
   };
-  return scene.rays.croppingRegions != 0 ? MarchPieces<CroppedPieces>(scene, rays, before, marchMasked)
-                          : marchMasked(rays, before);
+  return scene.rays.croppingRegions != 0
+    ? MarchPieces<CroppedPieces>(scene, rays, before, marchMasked)
+    : marchMasked(rays, before);
 }
 
 inline bool IsOfExtreme(const PacketScene& scene)

@@ -28,8 +28,7 @@ public:
     }
   }
 
-  /// The next part of the rays of a mask that is drawn: all pieces that follow each other. It has
-  /// no length for a ray without one, and for other rays.
+  /// See MarchPieces: all pieces that are drawn and follow each other.
   PacketRays Next(LaneMask mask)
   {
     PacketRays drawn = this->rays;

@@ -25,7 +25,7 @@ public:
   {
   }
 
-  /// See CroppedPieces.
+  /// See MarchPieces.
   PacketRays Next(LaneMask searching)
   {
     PacketRays drawn = this->rays;
