@@ -4,6 +4,9 @@
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -143,6 +146,16 @@ TEST(ErrorTolerance, IsTriedOutAgainOnlyWhenThePictureChanges)
   scene.mapper->SetErrorTolerance(1.0 / 32.0);
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetToleranceSearches(), 4);
+  auto* const light = vtkLight::SafeDownCast(scene.renderer->GetLights()->GetItemAsObject(0));
+  light->SetIntensity(0.7);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 4) << "nothing is lit";
+  scene.volume->GetProperty()->ShadeOn();
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 5);
+  light->SetIntensity(0.5);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 6);
 }
 
 TEST(ErrorTolerance, OneSearchServesViewsNearbyUntilTheViewRests)
