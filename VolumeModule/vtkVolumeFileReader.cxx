@@ -1,6 +1,6 @@
 #include "vtkVolumeFileReader.h"
 
-#include "Readers/DicomSeries.h"
+#include "Readers/Dicom/DicomSeries.h"
 #include "Readers/Formats.h"
 
 #include <vtkErrorCode.h>
@@ -115,11 +115,11 @@ std::vector<vtkVolumeFileReader::DICOMSeries> vtkVolumeFileReader::ListDICOMSeri
   this->Try(
     [this, &list](varimarch::ReadProgress& progress)
     {
-      std::vector<std::string> warnings;
-      for (const auto& series : varimarch::FindDicomSeries(this->FileName, warnings, progress))
+      for (const auto& series : varimarch::FindDicomSeries(this->FileName, progress).series)
       {
-        list.push_back({ series.uid, series.description, series.modality, series.imageCount,
-          series.files->GetValue(series.files->GetNumberOfValues() / 2) });
+        const auto imageCount = std::int64_t(series.frames.size());
+        list.push_back({ series.uid, series.description, series.modality, imageCount,
+          series.frames[series.frames.size() / 2].file->path });
       }
     });
   return list;

@@ -36,8 +36,12 @@ bool IsIdentity(const Rescale& rescale)
 /// Smallest and largest possible result, given the stored values.
 std::array<double, 2> ResultRange(vtkImageData* image, const std::vector<Rescale>& slices)
 {
-  double stored[2];
-  image->GetScalarRange(stored);
+  std::array<double, 2> stored = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (int component = 0; component < image->GetNumberOfScalarComponents(); ++component)
+  {
+    const double* const range = image->GetPointData()->GetScalars()->GetRange(component);
+    stored = { std::min(stored[0], range[0]), std::max(stored[1], range[1]) };
+  }
   std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (const Rescale& slice : slices)
   {

@@ -1,34 +1,34 @@
-#ifndef Varimarch_Readers_DicomSeries_h
-#define Varimarch_Readers_DicomSeries_h
+#ifndef Varimarch_Readers_Dicom_DicomSeries_h
+#define Varimarch_Readers_Dicom_DicomSeries_h
 
+#include "Readers/Dicom/DicomFrame.h"
 #include "Readers/VolumeFile.h"
-
-#include <vtkStringArray.h>
-
-#include <cstdint>
-#include <string>
-#include <vector>
 
 namespace varimarch
 {
 
-/// The files of a DICOM series: one scan of a patient.
+/// The images of a DICOM series: one scan of a patient.
 struct DicomSeries
 {
   std::string uid;
   std::string description; ///< as the scanner's operator entered it, or empty
   std::string modality;    ///< such as "CT" or "MR"
-  std::int64_t imageCount; ///< number of files, or of frames in multi-frame files
-  vtkSmartPointer<vtkStringArray> files;
+  double number = 0.0;
+  std::vector<DicomFrame> frames; ///< in the order of their numbers, then of their files
 };
 
-/// Finds the series with images in a folder and its subfolders, in a DICOMDIR, or in a single file,
-/// those with most images first.
-/// @param warnings  receives sentences about files that could not be read
-/// @throws std::runtime_error if there are none, or a file promises more than it holds
+/// The series below a path.
+struct DicomScan
+{
+  std::vector<DicomSeries> series; ///< at least one; the series with most images first
+  std::vector<DicomFault> faults;  ///< files that cannot be read, wholly or in part
+  std::vector<std::string> warnings;
+};
+
+/// Finds the series with images in a folder and its subfolders, in a DICOMDIR, or in a single file.
+/// @throws std::runtime_error if there are none
 /// @throws ReadCancelled
-std::vector<DicomSeries> FindDicomSeries(
-  const std::string& path, std::vector<std::string>& warnings, ReadProgress& progress);
+DicomScan FindDicomSeries(const std::string& path, ReadProgress& progress);
 
 /// The series with the given name: its number, counted from 1, its UID, or an unambiguous prefix of
 /// its UID. An empty name selects the first series.

@@ -1,0 +1,283 @@
+// The slices of a series that make up one volume, and those that are left out.
+#include "DicomReading.h"
+#include "Support/ExpectedVtkErrors.h"
+
+#include <vtkObject.h>
+
+namespace
+{
+
+using phantom_dicom::Decimals;
+using phantom_dicom::Elements;
+using phantom_dicom::Text;
+
+constexpr std::uint32_t AcquisitionNumber = 0x00200012;
+constexpr std::uint32_t InstanceNumber = 0x00200013;
+constexpr std::uint32_t Position = 0x00200032;
+constexpr std::uint32_t Orientation = 0x00200037;
+constexpr std::uint32_t TimePoint = 0x00200100;
+constexpr std::uint32_t SliceLocation = 0x00201041;
+constexpr std::uint32_t SliceThickness = 0x00180050;
+constexpr std::uint32_t PixelSpacing = 0x00280030;
+constexpr std::uint32_t Intercept = 0x00281052;
+constexpr std::uint32_t Rows = 0x00280010;
+
+class DicomGroups : public DicomReading
+{
+protected:
+  /// Writes a slice of one of several volumes, whose values are 1000 apart.
+  void WriteSliceOf(int volume, int slice, std::uint32_t difference)
+  {
+    Elements elements = Slice(slice, 10 * volume);
+    elements[difference] = Text("IS", std::to_string(volume + 1));
+    elements[Intercept] = Decimals({ 1000.0 * volume });
+    // Names in no order, so that only attributes can tell the volumes apart.
+    this->Write(std::to_string((slice * 5 + volume * 7) % 11), elements);
+  }
+
+  /// Writes slices at these heights [mm].
+  void WriteHeights(const std::vector<double>& heightsMm)
+  {
+    for (std::size_t i = 0; i < heightsMm.size(); ++i)
+    {
+      Elements elements = Slice(0, int(i));
+      elements[Orientation] = Decimals({ 1, 0, 0, 0, 1, 0 });
+      elements[Position] = Decimals({ 0, 0, heightsMm[i] });
+      this->Write("slice" + std::to_string(i), elements);
+    }
+  }
+};
+
+TEST_F(DicomGroups, AnAbortedTimeIsLeftOut)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->WriteSliceOf(0, slice, TimePoint);
+  }
+  this->WriteSliceOf(1, 0, TimePoint);
+  this->WriteSliceOf(1, 1, TimePoint);
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("The series holds 2 volumes that differ in their time point; only the first "
+                      "complete one was read; volume 2 has 2 of 3 slices.");
+}
+
+TEST_F(DicomGroups, TheFirstCompleteTimeIsRead)
+{
+  this->WriteSliceOf(0, 2, TimePoint);
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->WriteSliceOf(1, slice, TimePoint);
+  }
+  this->Read();
+  this->ExpectPhantom(1000.0);
+  this->ExpectWarning("volume 1 has 1 of 3 slices");
+}
+
+TEST_F(DicomGroups, PhasesWithTheSameNumbersAreNotMixed)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->WriteSliceOf(0, slice, AcquisitionNumber);
+    this->WriteSliceOf(1, slice, AcquisitionNumber);
+  }
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("differ in their acquisition number; only the first was read.");
+}
+
+TEST_F(DicomGroups, PartsAcquiredOneAfterTheOtherStayTogether)
+{
+  for (int part = 0; part < 2; ++part)
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      // The last slice of the first part is scanned again as the first of the second.
+      Elements elements = Slice(0, 20 * part + i);
+      elements[Orientation] = Decimals({ 1, 0, 0, 0, 1, 0 });
+      elements[Position] = Decimals({ 0, 0, 5.0 * part + i });
+      elements[AcquisitionNumber] = Text("IS", std::to_string(part + 1));
+      this->Write(std::to_string(10 * part + i), elements);
+    }
+  }
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 11) << this->Warnings();
+  this->ExpectWarning("lie at the same place");
+}
+
+TEST_F(DicomGroups, ASliceScannedTwiceIsReadOnce)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->Write(std::to_string(slice), Slice(slice));
+  }
+  Elements again = Slice(1, 50);
+  again[InstanceNumber] = Text("IS", "50");
+  again[Intercept] = Decimals({ 500.0 });
+  this->Write("again", again);
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("others lie at the same place, and only the first of each place was read: "
+                      "\"again\".");
+  EXPECT_FALSE(this->reader->HasIrregularSlices());
+}
+
+TEST_F(DicomGroups, ACopiedFolderIsReadOnce)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->Write("a/" + std::to_string(slice), Slice(slice));
+    this->Write("b/copy" + std::to_string(slice), Slice(slice));
+  }
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("copies of others: \"copy0\", \"copy1\" and 1 other.");
+}
+
+TEST_F(DicomGroups, SlicesWithOtherPixelsAreLeftOut)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->Write(std::to_string(slice), Slice(slice));
+  }
+  Elements wide = Slice(2, 50);
+  wide[PixelSpacing] = Decimals({ 2.2, 1.4 });
+  this->Write("wide", wide);
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("the size of their pixels differs from that of the others: \"wide\".");
+}
+
+TEST_F(DicomGroups, AScoutFarAwayIsLeftOut)
+{
+  this->WriteHeights({ 30.0, 32.5, 35.0, 37.5, 200.0 });
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 4);
+  EXPECT_NEAR(this->reader->GetOutput()->GetSpacing()[2], 2.5, 1e-9);
+  this->ExpectWarning("lie far from the others: \"slice4\".");
+}
+
+TEST_F(DicomGroups, UnevenSlicesAreDrawnAtTheirUsualDistance)
+{
+  this->WriteHeights({ 0.0, 2.5, 5.0, 7.5, 10.0, 15.0, 20.0 });
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 7);
+  EXPECT_NEAR(this->reader->GetOutput()->GetSpacing()[2], 2.5, 1e-9);
+  EXPECT_TRUE(this->reader->HasIrregularSlices());
+  this->ExpectWarning("Slices are 2.5 to 5 mm apart");
+}
+
+TEST_F(DicomGroups, SlicesBesideTheLineOfTheOthersAreToldAndRectified)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    Elements elements = Slice(0, i);
+    elements[Orientation] = Decimals({ 1, 0, 0, 0, 1, 0 });
+    elements[Position] = Decimals({ i == 1 ? 9.0 : 0.0, 0, 2.0 * i });
+    this->Write(std::to_string(i), elements);
+  }
+  this->Read();
+  this->ExpectWarning("Slices lie up to 9 mm beside the straight line");
+  EXPECT_TRUE(this->reader->HasIrregularSlices());
+}
+
+TEST_F(DicomGroups, WithoutPositionsSlicesAreOrderedByTheirLocations)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    Elements elements = Slice(slice);
+    elements.erase(Position);
+    elements.erase(Orientation);
+    elements[SliceLocation] = Decimals({ 4.0 * slice - 100.0 });
+    this->Write(std::to_string(slice), elements);
+  }
+  vtkImageData* const image = this->Read();
+  EXPECT_NEAR(image->GetSpacing()[2], 4.0, 1e-9);
+  EXPECT_EQ(image->GetScalarComponentAsDouble(1, 2, 2, 0), phantom::ValueAt({ 1, 2, 2 }));
+  this->ExpectWarning("which side is the patient's left");
+}
+
+TEST_F(DicomGroups, OnePositionForAllSlicesIsNotBelieved)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    Elements elements = Slice(slice);
+    elements[Position] = Decimals({ 1, 2, 3 });
+    elements[SliceLocation] = Decimals({ 4.0 * slice });
+    this->Write(std::to_string(slice), elements);
+  }
+  EXPECT_NEAR(this->Read()->GetSpacing()[2], 4.0, 1e-9);
+  EXPECT_EQ(this->reader->GetOutput()->GetDimensions()[2], 3);
+  this->ExpectWarning("All images state the same position");
+}
+
+TEST_F(DicomGroups, TheThicknessStandsInForAnUnknownDistance)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    Elements elements = Slice(slice);
+    elements.erase(Position);
+    elements[InstanceNumber] = Text("IS", std::to_string(slice));
+    elements[SliceThickness] = Decimals({ 3.5 });
+    this->Write(std::to_string(slice), elements);
+  }
+  EXPECT_NEAR(this->Read()->GetSpacing()[2], 3.5, 1e-9);
+  this->ExpectWarning("their thickness was taken");
+}
+
+TEST_F(DicomGroups, FoldersMayBeDeep)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->Write("1/2/3/4/5/6/7/8/" + std::to_string(slice), Slice(slice));
+  }
+  std::string deeper;
+  for (int level = 0; level < 40; ++level)
+  {
+    deeper += "d/";
+  }
+  this->Write(deeper + "slice", Slice(0, 70));
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("was not searched; it is more than 32 levels deep.");
+}
+
+TEST_F(DicomGroups, AnIndexInASubfolderIsNotTakenForADamagedImage)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->Write("disc/" + std::to_string(slice), Slice(slice));
+  }
+  this->folder.Write("scan/disc/DICOMDIR", DicomIndexBytes({ "0" }));
+  this->Read();
+  this->ExpectPhantom();
+  EXPECT_EQ(this->Warnings(), "");
+}
+
+TEST_F(DicomGroups, ATruncatedSliceIsNamedAndTheOthersAreRead)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->Write(std::to_string(slice), Slice(slice));
+  }
+  const std::string whole = phantom_dicom::FileBytes(Slice(0, 50));
+  this->folder.Write("scan/cut", whole.substr(0, whole.size() - 6));
+  this->folder.Write("scan/cutEarly", whole.substr(0, 400));
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("scan/cut\" were left out: expected 40 bytes of pixels, found 34 before the "
+                      "end of the file.");
+  this->ExpectWarning("scan/cutEarly\" were left out");
+}
+
+TEST_F(DicomGroups, FaultsAreFoundWithoutVtksWarnings)
+{
+  Elements elements = Slice(0);
+  elements.erase(Rows);
+  this->Write("norows", elements);
+  vtkObject::GlobalWarningDisplayOff();
+  this->Read("norows");
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_EQ(std::string(this->reader->GetErrorMessage()),
+    "Cannot read \"" + this->folder.Path("scan/norows") +
+      "\": expected the attribute Rows (0028,0010), found none.");
+}
+
+}

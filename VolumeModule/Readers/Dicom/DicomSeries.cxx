@@ -1,0 +1,178 @@
+#include "Readers/Dicom/DicomSeries.h"
+
+#include "Readers/Dicom/FileFrames.h"
+#include "Readers/Dicom/FileSearch.h"
+#include "Readers/FileError.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <tuple>
+
+namespace varimarch
+{
+namespace
+{
+
+/// The series of the scan that a file belongs to; a new one if it is the first file.
+DicomSeries& SeriesOf(const DicomFile& file, std::vector<DicomSeries>& all)
+{
+  const auto isSame = [&](const DicomSeries& series)
+  { return series.uid == file.seriesUid && series.modality == file.modality; };
+  const auto known = std::find_if(all.begin(), all.end(), isSame);
+  if (known != all.end())
+  {
+    return *known;
+  }
+  all.push_back({ file.seriesUid, file.seriesDescription, file.modality, file.seriesNumber, {} });
+  return all.back();
+}
+
+/// A collection of series from files, one after the other.
+class Collection
+{
+public:
+  explicit Collection(DicomScan& scan)
+    : scan(scan)
+  {
+  }
+
+  void Add(const std::string& path)
+  {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+    {
+      this->scan.faults.push_back({ path, "an existing file", "no file of this name" });
+      return;
+    }
+    const DicomHeader header = ReadDicomHeader(path);
+    this->hasOther |= header.meta && !header.file && !header.fault;
+    if (header.fault)
+    {
+      this->scan.faults.push_back(*header.fault);
+    }
+    if (!header.file || header.completeFrames == 0)
+    {
+      return;
+    }
+    const bool isNew = header.file->instanceUid.empty() ||
+      this->known.insert({ header.file->seriesUid, header.file->instanceUid }).second;
+    if (!isNew)
+    {
+      this->repeated.push_back(Quoted(std::filesystem::path(path).filename().string()));
+      return;
+    }
+    const std::vector<DicomFrame> frames = FramesOf(header);
+    if (frames.empty())
+    {
+      this->scan.faults.push_back(
+        { path, "the number and direction of the slices of a Siemens mosaic", "none",
+          header.file->seriesUid });
+      return;
+    }
+    DicomSeries& series = SeriesOf(*header.file, this->scan.series);
+    series.frames.insert(series.frames.end(), frames.begin(), frames.end());
+  }
+
+  /// @throws std::runtime_error if there is no series
+  void Finish(const std::string& path)
+  {
+    if (this->scan.series.empty())
+    {
+      if (!this->scan.faults.empty())
+      {
+        const DicomFault& fault = this->scan.faults.front();
+        FailToRead(fault.path, fault.expected, fault.found);
+      }
+      FailToRead(
+        path, "DICOM images", this->hasOther ? "DICOM files without pixels" : "no DICOM file");
+    }
+    if (!this->repeated.empty())
+    {
+      this->scan.warnings.push_back("Images were left out because they are copies of others: " +
+        NameList(this->repeated) + ".");
+    }
+    for (DicomSeries& series : this->scan.series)
+    {
+      std::stable_sort(series.frames.begin(), series.frames.end(),
+        [](const DicomFrame& a, const DicomFrame& b)
+        { return a.instanceNumber < b.instanceNumber; });
+    }
+    std::stable_sort(this->scan.series.begin(), this->scan.series.end(),
+      [](const DicomSeries& a, const DicomSeries& b)
+      {
+        return std::make_tuple(-double(a.frames.size()), a.number) <
+          std::make_tuple(-double(b.frames.size()), b.number);
+      });
+  }
+
+private:
+  DicomScan& scan;
+  std::set<std::pair<std::string, std::string>> known; ///< UIDs of series and images so far
+  std::vector<std::string> repeated;
+  bool hasOther = false; ///< true if there are DICOM files without pixels
+};
+
+}
+
+DicomScan FindDicomSeries(const std::string& path, ReadProgress& progress)
+{
+  DicomScan scan;
+  ReadProgress searching = progress.Part(0.0, 0.1);
+  ReadProgress reading = progress.Part(0.1, 1.0);
+  const std::vector<std::string> files = FindDicomFiles(path, scan.warnings, searching);
+  Collection collection(scan);
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    collection.Add(files[i]);
+    reading.Report(double(i + 1) / double(files.size()));
+  }
+  collection.Finish(path);
+  return scan;
+}
+
+const DicomSeries& SeriesNamed(
+  const std::string& path, const std::vector<DicomSeries>& all, const std::string& name)
+{
+  if (name.empty())
+  {
+    return all.front();
+  }
+  std::vector<const DicomSeries*> named;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (all[i].uid == name || name == std::to_string(i + 1))
+    {
+      return all[i];
+    }
+    if (all[i].uid.compare(0, name.size(), name) == 0)
+    {
+      named.push_back(&all[i]);
+    }
+  }
+  if (named.size() != 1)
+  {
+    FailToRead(path,
+      (named.empty() ? "the series " : "just one series whose UID begins with ") + Quoted(name),
+      SeriesList(all));
+  }
+  return *named.front();
+}
+
+std::string SeriesList(const std::vector<DicomSeries>& all)
+{
+  std::string list;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const DicomSeries& series = all[i];
+    list += (i > 0 ? ", " : "") + std::to_string(i + 1) + " (" + series.modality + ", " +
+      std::to_string(series.frames.size()) + " images, " +
+      (series.description.empty() ? "" : series.description + ", ") + series.uid + ")";
+  }
+  // Descriptions were typed by people, and the list may be printed to a terminal.
+  std::replace_if(
+    list.begin(), list.end(), [](unsigned char letter) { return letter < ' '; }, '?');
+  return list;
+}
+
+}

@@ -1,0 +1,208 @@
+#include "Readers/Dicom/FileHeader.h"
+
+#include "Readers/Dicom/Attributes.h"
+#include "Readers/Dicom/GdcmCopy.h"
+#include "Readers/VoxelLayout.h"
+#include "Readers/VtkMessages.h"
+
+#include <vtkDICOMDictHash.h>
+#include <vtkDICOMLookupTable.h>
+#include <vtkDICOMParser.h>
+#include <vtkDICOMUtilities.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+namespace
+{
+
+/// UID of the class of DICOMDIR files, which have no other class.
+constexpr const char* IndexClass = "1.2.840.10008.1.3.10";
+
+constexpr const char* DeflatedSyntax = "1.2.840.10008.1.2.1.99";
+
+/// A parsed file, and the place of its pixels.
+struct Parsed
+{
+  vtkSmartPointer<vtkDICOMMetaData> meta;
+  bool hasPixels;
+  bool isDamaged;    ///< true if the attributes end early or are malformed
+  double pixelBytes; ///< bytes from the first pixel to the end of the file
+};
+
+Parsed Parse(const std::string& path)
+{
+  VtkMessages silenced;
+  vtkNew<vtkDICOMParser> parser;
+  silenced.Take(parser);
+  const auto meta = vtkSmartPointer<vtkDICOMMetaData>::New();
+  parser->SetMetaData(meta);
+  parser->SetFileName(path.c_str());
+  parser->Update();
+  return { meta, parser->GetPixelDataFound(), parser->GetErrorCode() != 0,
+    double(parser->GetFileSize() - parser->GetFileOffset()) };
+}
+
+/// The first attribute without which pixels cannot be understood and that the file lacks.
+std::string MissingAttribute(const DicomAttributes& attributes)
+{
+  const struct
+  {
+    vtkDICOMTag tag;
+    const char* name;
+  } needed[] = { { DC::Rows, "Rows (0028,0010)" }, { DC::Columns, "Columns (0028,0011)" },
+    { DC::BitsAllocated, "Bits Allocated (0028,0100)" } };
+  for (const auto& attribute : needed)
+  {
+    if (attributes.NumberOr(attribute.tag, 0.0) < 1.0)
+    {
+      return attribute.name;
+    }
+  }
+  return "";
+}
+
+DicomTable<std::array<std::uint8_t, 3>> PaletteOf(
+  const DicomAttributes& attributes, vtkDICOMMetaData* meta)
+{
+  DicomTable<std::array<std::uint8_t, 3>> palette;
+  VtkMessages silenced;
+  vtkNew<vtkDICOMLookupTable> table;
+  silenced.Take(table);
+  table->BuildImagePalette(meta);
+  palette.first = int(table->GetRange()[0]);
+  for (vtkIdType i = 0; i < table->GetNumberOfTableValues(); ++i)
+  {
+    const unsigned char* const colour = table->GetPointer(i);
+    palette.entries.push_back({ colour[0], colour[1], colour[2] });
+  }
+  const bool isGiven = attributes.Value(DC::RedPaletteColorLookupTableDescriptor).IsValid();
+  return isGiven ? palette : DicomTable<std::array<std::uint8_t, 3>>();
+}
+
+std::shared_ptr<DicomFile> FileOf(const std::string& path, vtkDICOMMetaData* meta)
+{
+  const DicomAttributes attributes(meta);
+  auto file = std::make_shared<DicomFile>();
+  file->path = path;
+  file->decodedPath = path;
+  file->transferSyntax = attributes.Text(DC::TransferSyntaxUID);
+  file->seriesUid = attributes.Text(DC::SeriesInstanceUID);
+  file->instanceUid = attributes.Text(DC::SOPInstanceUID);
+  file->seriesDescription = attributes.Value(DC::SeriesDescription).AsUTF8String();
+  file->modality = attributes.Text(DC::Modality);
+  file->seriesNumber = attributes.NumberOr(DC::SeriesNumber, 0.0);
+  file->rows = int(attributes.NumberOr(DC::Rows, 0.0));
+  file->columns = int(attributes.NumberOr(DC::Columns, 0.0));
+  file->frameCount = int(std::clamp(attributes.NumberOr(DC::NumberOfFrames, 1.0), 1.0, 1e9));
+  file->samples = int(std::max(1.0, attributes.NumberOr(DC::SamplesPerPixel, 1.0)));
+  file->bitsAllocated = int(attributes.NumberOr(DC::BitsAllocated, 0.0));
+  const double stored = attributes.NumberOr(DC::BitsStored, file->bitsAllocated);
+  file->bitsStored =
+    stored < 1.0 ? file->bitsAllocated : std::min(int(stored), file->bitsAllocated);
+  const double highBit = attributes.NumberOr(DC::HighBit, file->bitsStored - 1);
+  file->highBit = int(std::clamp(highBit, file->bitsStored - 1.0, file->bitsAllocated - 1.0));
+  file->isSigned = attributes.NumberOr(DC::PixelRepresentation, 0.0) == 1.0;
+  file->isFloat = meta->Has(DC::FloatPixelData) || meta->Has(DC::DoubleFloatPixelData);
+  file->colours = attributes.Text(DC::PhotometricInterpretation);
+  if (file->colours == "PALETTE COLOR")
+  {
+    file->palette = PaletteOf(attributes, meta);
+  }
+  return file;
+}
+
+/// Checks that the file is as large as its pixels need, before memory is taken for them.
+void CheckSize(double pixelBytes, DicomHeader& header)
+{
+  const DicomFile& file = *header.file;
+  const double promised = StoredBytes(file, file.frameCount);
+  // Blank images may shrink about a thousandfold, hardly more.
+  const double largest = pixelBytes * (IsUncompressed(file) ? 1.0 : 20000.0);
+  header.completeFrames = file.frameCount;
+  if (promised > largest)
+  {
+    header.fault = { file.path, std::to_string(std::int64_t(promised)) + " bytes of pixels",
+      std::to_string(std::int64_t(pixelBytes)) + " before the end of the file", file.seriesUid };
+    header.completeFrames = IsUncompressed(file) ? int(largest / StoredBytes(file, 1)) : 0;
+    header.file->isTruncated = true;
+  }
+}
+
+/// A file without pixels, which is at fault only if it should have some.
+void ExplainLackOfPixels(const std::string& path, const Parsed& parsed, DicomHeader& header)
+{
+  const DicomAttributes attributes(parsed.meta);
+  const bool isImage = attributes.Value(DC::Rows).IsValid();
+  const bool isIndex = attributes.Text(DC::MediaStorageSOPClassUID) == IndexClass;
+  const bool isCut = !attributes.Value(DC::SOPClassUID).IsValid() && !isIndex;
+  if (parsed.isDamaged || isImage || isCut)
+  {
+    header.fault = { path, "pixels", "a file that is damaged or ends before them",
+      attributes.Text(DC::SeriesInstanceUID) };
+  }
+}
+
+}
+
+DicomHeader ReadDicomHeader(const std::string& path)
+{
+  DicomHeader header;
+  if (!vtkDICOMUtilities::IsDICOMFile(path.c_str()))
+  {
+    return header;
+  }
+  Parsed parsed = Parse(path);
+  std::shared_ptr<const ScratchFile> copy;
+  if (DicomAttributes(parsed.meta).Text(DC::TransferSyntaxUID) == DeflatedSyntax)
+  {
+    copy = InflatedCopy(path);
+    if (!copy)
+    {
+      header.fault = { path, "a deflated DICOM file", "damaged data" };
+      return header;
+    }
+    parsed = Parse(copy->Path());
+  }
+  header.meta = parsed.meta;
+  if (!parsed.hasPixels)
+  {
+    ExplainLackOfPixels(path, parsed, header);
+    return header;
+  }
+  const std::string missing = MissingAttribute(DicomAttributes(parsed.meta));
+  if (!missing.empty())
+  {
+    header.fault = { path, "the attribute " + missing, "none",
+      DicomAttributes(parsed.meta).Text(DC::SeriesInstanceUID) };
+    return header;
+  }
+  header.file = FileOf(path, parsed.meta);
+  if (copy)
+  {
+    header.file->decodedPath = copy->Path();
+    header.file->copy = copy;
+  }
+  CheckSize(parsed.pixelBytes, header);
+  return header;
+}
+
+bool IsUncompressed(const DicomFile& file)
+{
+  const std::string& syntax = file.transferSyntax;
+  return syntax.empty() || syntax == "1.2.840.10008.1.2" || syntax == "1.2.840.10008.1.2.1" ||
+    syntax == "1.2.840.10008.1.2.2" || syntax == "1.2.840.10008.1.20" ||
+    syntax == "1.2.840.113619.5.2";
+}
+
+double StoredBytes(const DicomFile& file, int frameCount)
+{
+  // Two pixels of "422" share two of their three values.
+  const bool isHalved = file.colours.find("_422") != std::string::npos;
+  const double values = double(file.rows) * file.columns * (isHalved ? 2 : file.samples);
+  return std::floor((values * file.bitsAllocated * frameCount + 7.0) / 8.0);
+}
+
+}

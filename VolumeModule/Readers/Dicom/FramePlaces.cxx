@@ -1,0 +1,190 @@
+#include "Readers/Dicom/FramePlaces.h"
+
+#include "Readers/Dicom/Attributes.h"
+
+#include <vtkDICOMDictHash.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace varimarch
+{
+namespace
+{
+
+std::optional<glm::dmat2x3> AxesOf(const DicomAttributes& attributes)
+{
+  const vtkDICOMTagPath detector(DC::DetectorInformationSequence, 0, DC::ImageOrientationPatient);
+  auto axes = attributes.Numbers<glm::dmat2x3>(DC::ImageOrientationPatient);
+  axes = axes ? axes : attributes.Numbers<glm::dmat2x3>(DC::ImageOrientationVolume);
+  axes = axes ? axes : attributes.Numbers<glm::dmat2x3>(detector);
+  if (!axes || glm::length(glm::cross((*axes)[0], (*axes)[1])) < 1e-6)
+  {
+    return std::nullopt;
+  }
+  return glm::dmat2x3(glm::normalize((*axes)[0]), glm::normalize((*axes)[1]));
+}
+
+std::optional<glm::dvec3> PositionOf(const DicomAttributes& attributes)
+{
+  const vtkDICOMTagPath detector(DC::DetectorInformationSequence, 0, DC::ImagePositionPatient);
+  auto position = attributes.Numbers<glm::dvec3>(DC::ImagePositionPatient);
+  position = position ? position : attributes.Numbers<glm::dvec3>(DC::ImagePositionVolume);
+  return position ? position : attributes.Numbers<glm::dvec3>(detector);
+}
+
+/// Size of the pixels of the first region of an ultrasound image that is measured in cm.
+std::optional<glm::dvec2> RegionPixelMm(const DicomAttributes& attributes)
+{
+  constexpr double UnitIsCm = 3.0;
+  constexpr double MmPerCm = 10.0;
+  const auto number = [&](vtkDICOMTag tag)
+  { return attributes.Number(vtkDICOMTagPath(DC::SequenceOfUltrasoundRegions, 0, tag)); };
+  const auto x = number(DC::PhysicalDeltaX);
+  const auto y = number(DC::PhysicalDeltaY);
+  const bool isLength = number(DC::PhysicalUnitsXDirection) == UnitIsCm &&
+    number(DC::PhysicalUnitsYDirection) == UnitIsCm;
+  return x && y && isLength ? std::optional<glm::dvec2>(MmPerCm * glm::abs(glm::dvec2(*x, *y)))
+                            : std::nullopt;
+}
+
+/// Distances of columns and of rows, from the attribute that the kind of file has.
+std::optional<glm::dvec2> PixelMmOf(const DicomAttributes& attributes)
+{
+  const auto isPositive = [](const std::optional<glm::dvec2>& mm)
+  { return mm && mm->x > 0.0 && mm->y > 0.0; };
+  for (const vtkDICOMTag tag :
+    { DC::PixelSpacing, DC::ImagerPixelSpacing, DC::NominalScannedPixelSpacing })
+  {
+    const auto rowsAndColumnsMm = attributes.Numbers<glm::dvec2>(tag);
+    if (isPositive(rowsAndColumnsMm))
+    {
+      return glm::dvec2(rowsAndColumnsMm->y, rowsAndColumnsMm->x);
+    }
+  }
+  const auto regionMm = RegionPixelMm(attributes);
+  return isPositive(regionMm) ? regionMm : std::nullopt;
+}
+
+void PlaceFrame(const DicomAttributes& attributes, DicomFrame& frame)
+{
+  frame.axes = AxesOf(attributes);
+  frame.positionMm = PositionOf(attributes);
+  frame.pixelMm = PixelMmOf(attributes);
+  const auto aspect = attributes.Numbers<glm::dvec2>(DC::PixelAspectRatio);
+  frame.pixelAspect = aspect && aspect->x > 0.0 && aspect->y > 0.0 ? aspect->y / aspect->x : 1.0;
+  frame.heightMm = attributes.Number(DC::SliceLocation);
+  const auto distance = attributes.Number(DC::SpacingBetweenSlices);
+  const auto thickness = attributes.Number(DC::SliceThickness);
+  frame.isDistanceThickness = !(distance && *distance != 0.0);
+  const auto stated = frame.isDistanceThickness ? thickness : distance;
+  if (stated && *stated != 0.0)
+  {
+    frame.distanceMm = *stated;
+  }
+}
+
+bool HavePlacesOfTheirOwn(vtkDICOMMetaData* meta)
+{
+  const vtkDICOMValue& groups = meta->Get(DC::PerFrameFunctionalGroupsSequence);
+  if (!groups.IsValid() || groups.GetNumberOfValues() == 0)
+  {
+    return false;
+  }
+  const DicomAttributes shared(meta, -1);
+  const DicomAttributes first(meta, 0);
+  return PositionOf(first).has_value() && !PositionOf(shared).has_value();
+}
+
+/// True for frames that a file describes as a film.
+bool IsFilm(const DicomAttributes& attributes)
+{
+  return attributes.Value(DC::FrameTime).IsValid() ||
+    attributes.Value(DC::FrameTimeVector).IsValid();
+}
+
+/// Signs of the directions that offsets of doses count in: along z for positions, along the normal
+/// for distances from the first frame (PS3.3 C.8.8.3.2).
+double DoseSign(const DicomFrame& frame, double firstOffset)
+{
+  const bool isPosition = firstOffset != 0.0;
+  return isPosition && frame.axes && glm::cross((*frame.axes)[0], (*frame.axes)[1]).z < 0.0 ? -1.0
+                                                                                            : 1.0;
+}
+
+/// Offsets of all frames from the first along the normal [mm]; empty for a film.
+std::vector<double> OffsetsMm(
+  const DicomAttributes& attributes, const std::vector<DicomFrame>& frames)
+{
+  const DicomFrame& first = frames.front();
+  const auto count = std::size_t(first.file->frameCount);
+  std::vector<double> offsets;
+  const vtkDICOMValue& dose = attributes.Value(DC::GridFrameOffsetVector);
+  if (dose.IsValid() && dose.GetNumberOfValues() == count)
+  {
+    offsets.resize(count);
+    dose.GetValues(offsets.data(), count);
+    const double start = offsets.front();
+    const double sign = DoseSign(first, start);
+    std::transform(offsets.begin(), offsets.end(), offsets.begin(),
+      [&](double offset) { return sign * (offset - start); });
+    return offsets;
+  }
+  const bool isTomography = first.file->modality == "CT" || first.file->modality == "PT";
+  if (IsFilm(attributes) && !isTomography)
+  {
+    return offsets;
+  }
+  const vtkDICOMValue& slices = attributes.Value(DC::SliceVector);
+  const bool hasSlices = slices.IsValid() && slices.GetNumberOfValues() == count;
+  if (first.distanceMm || isTomography || hasSlices)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double index = hasSlices ? slices.GetDouble(i) - slices.GetDouble(0) : double(i);
+      offsets.push_back(index * first.distanceMm.value_or(1.0));
+    }
+  }
+  return offsets;
+}
+
+void Stack(const std::vector<double>& offsetsMm, std::vector<DicomFrame>& frames)
+{
+  for (DicomFrame& frame : frames)
+  {
+    const double offsetMm = offsetsMm[std::size_t(frame.number)];
+    frame.heightMm = offsetMm;
+    if (frame.positionMm && frame.axes)
+    {
+      *frame.positionMm += offsetMm * glm::cross((*frame.axes)[0], (*frame.axes)[1]);
+    }
+  }
+}
+
+}
+
+void PlaceFrames(vtkDICOMMetaData* meta, std::vector<DicomFrame>& frames)
+{
+  for (DicomFrame& frame : frames)
+  {
+    PlaceFrame(DicomAttributes(meta, frame.number), frame);
+  }
+  if (frames.empty() || frames.front().file->frameCount == 1 || HavePlacesOfTheirOwn(meta))
+  {
+    return;
+  }
+  const std::vector<double> offsetsMm = OffsetsMm(DicomAttributes(meta), frames);
+  if (!offsetsMm.empty())
+  {
+    Stack(offsetsMm, frames);
+    return;
+  }
+  for (DicomFrame& frame : frames)
+  {
+    frame.heightMm = 0.0;
+    frame.differences[std::size_t(DicomDifference::FrameNumber)] = std::to_string(frame.number + 1);
+  }
+}
+
+}
