@@ -2,6 +2,7 @@
 
 #include "Readers/Dicom/DicomSeries.h"
 #include "Readers/Formats.h"
+#include "Readers/Unpacked.h"
 
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
@@ -32,6 +33,8 @@ struct vtkVolumeFileReader::Contents
 {
   varimarch::Volume Volume;
   vtkNew<vtkStringArray> Warnings;
+  /// Copies of the files of a packed DICOM series, which a caller may read after they were listed.
+  std::unique_ptr<varimarch::Unpacked> Copies;
 };
 
 vtkStandardNewMacro(vtkVolumeFileReader);
@@ -115,7 +118,18 @@ std::vector<vtkVolumeFileReader::DICOMSeries> vtkVolumeFileReader::ListDICOMSeri
   this->Try(
     [this, &list](varimarch::ReadProgress& progress)
     {
-      for (const auto& series : varimarch::FindDicomSeries(this->FileName, progress).series)
+      varimarch::ReadProgress unpacking = progress.Part(0.0, 0.5);
+      varimarch::ReadProgress finding = progress.Part(0.5, 1.0);
+      auto& copies = this->Read->Copies;
+      std::vector<std::string> warnings;
+      copies = varimarch::UnpackedIfPacked(this->FileName, warnings, unpacking);
+      const std::string path = copies ? copies->Path() : this->FileName;
+      const varimarch::VolumeFormat* format = varimarch::FormatOfFile(path, {});
+      if (format && format->read != varimarch::ReadDicom)
+      {
+        return;
+      }
+      for (const auto& series : varimarch::FindDicomSeries(path, finding).series)
       {
         const auto imageCount = std::int64_t(series.frames.size());
         list.push_back({ series.uid, series.description, series.modality, imageCount,
@@ -246,6 +260,12 @@ std::string vtkVolumeFileReader::GetFormatExtensions(int format)
     all += (all.empty() ? "" : " ") + extension;
   }
   return all;
+}
+
+const char* vtkVolumeFileReader::GetFormatOfFile(const char* path)
+{
+  const auto* format = path ? varimarch::FormatIfReadable(path) : nullptr;
+  return format ? format->name : nullptr;
 }
 
 bool vtkVolumeFileReader::CanReadFile(const char* path)

@@ -118,8 +118,9 @@ public:
 
   /**
    * Lists the DICOM series at FileName (a folder including its subfolders, a DICOMDIR, or a file),
-   * those with most images first. Reads headers only. Reports errors as Update() does, and then
-   * returns an empty list.
+   * those with most images first; or in an archive, whose files are unpacked for as long as this
+   * reader lives and reads nothing else. The list is empty for volumes of other formats. Reads
+   * headers only. Reports errors as Update() does, and then returns an empty list.
    */
   std::vector<DICOMSeries> ListDICOMSeries();
 
@@ -163,9 +164,14 @@ public:
   ///@}
 
   /**
-   * True if a file exists, has a known format by its extension or first bytes, and begins as that
-   * format does; also true for every folder, since it may hold DICOM files. Reads at most 512
-   * bytes.
+   * The name of the format of a file or folder, found as CanReadFile() does; null if there is none.
+   */
+  static const char* GetFormatOfFile(const char* path);
+
+  /**
+   * True if a file exists and begins as a file of a known format does or, for formats without a
+   * signature, has one of their extensions; also true for every folder, since it may hold DICOM
+   * files. Reads at most 4096 bytes.
    */
   static bool CanReadFile(const char* path);
 

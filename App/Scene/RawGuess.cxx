@@ -3,6 +3,7 @@
 #include "Scene/SceneNames.h"
 
 #include <vtkDataArray.h>
+#include <vtkVolumeFileReader.h>
 
 #include <cmath>
 #include <filesystem>
@@ -72,7 +73,9 @@ bool IsSquareSlices(std::int64_t voxels, RawLayout& layout)
 
 bool IsBareVoxels(const std::string& path)
 {
-  return std::regex_search(path, std::regex("\\.raw(\\.gz)?$", std::regex::icase));
+  const bool isNamedSo = std::regex_search(path, std::regex("\\.raw(\\.gz)?$", std::regex::icase));
+  const char* const format = vtkVolumeFileReader::GetFormatOfFile(path.c_str());
+  return isNamedSo && (!format || format == std::string("raw"));
 }
 
 RawLayout GuessedRawLayout(const std::string& path, std::int64_t fileBytes)

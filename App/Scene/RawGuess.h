@@ -10,7 +10,7 @@ namespace varimarch
 {
 
 /// True if the name is that of a raw file, which does not describe its voxels: "head.raw",
-/// "head.RAW.gz".
+/// "head.RAW.gz"; false if the file exists and has another format all the same.
 bool IsBareVoxels(const std::string& path);
 
 /// Guesses the layout of a raw file from its name, as in "head_256x256x108_int16.raw", or else from

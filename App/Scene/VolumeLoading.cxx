@@ -141,7 +141,10 @@ bool MayHoldSeveralSeries(const FileSource& source)
   std::string name = path.filename().string();
   std::transform(name.begin(), name.end(), name.begin(),
     [](unsigned char letter) { return char(std::tolower(letter)); });
-  return source.series.empty() && (name == "dicomdir" || std::filesystem::is_directory(path));
+  const char* const format = vtkVolumeFileReader::GetFormatOfFile(source.path.c_str());
+  const bool isArchive = format && format == std::string("archive");
+  return source.series.empty() &&
+    (name == "dicomdir" || std::filesystem::is_directory(path) || isArchive);
 }
 
 std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserver& observer)

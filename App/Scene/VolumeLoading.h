@@ -51,7 +51,7 @@ struct SeriesSummary
   GrayPicture middle; ///< the middle image; empty if it cannot be read
 };
 
-/// True if a source may hold several series: a folder, or the index file of a disc.
+/// True if a source may hold several series: a folder, an archive, or the index file of a disc.
 bool MayHoldSeveralSeries(const FileSource& source);
 
 /// Lists the series in a folder and its subfolders, or those of an index file, the largest first.

@@ -125,6 +125,40 @@ std::string NiftiBytes(const StoredVolume& volume, NiftiForm form, bool bigEndia
   return header.Bytes() + VoxelBytes(volume, bigEndian);
 }
 
+std::string AnalyzeHeaderBytes(
+  const StoredVolume& volume, const std::array<int, 3>& spmOrigin, bool bigEndian)
+{
+  BinaryHeader header(348, bigEndian);
+  PutNiftiSizes(volume, header);
+  header.Put(32, std::int32_t(16384)); // extents
+  header.PutText(38, "r");             // regular
+  header.Put(108, 0.0f);               // vox_offset
+  header.Put(123, char(0));
+  header.PutText(344, std::string(4, '\0'));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    header.Put(253 + 2 * axis, std::int16_t(spmOrigin[axis])); // originator
+  }
+  return header.Bytes();
+}
+
+std::string SpmMatrixBytes(const StoredVolume& volume)
+{
+  // A MATLAB file of version 4: type, rows, columns, no imaginary part, length of the name.
+  std::string bytes = Bytes(std::int32_t(0)) + Bytes(std::int32_t(4)) + Bytes(std::int32_t(4)) +
+    Bytes(std::int32_t(0)) + Bytes(std::int32_t(4)) + std::string("mat\0", 4);
+  const glm::dvec3 rasFromLps(-1.0, -1.0, 1.0);
+  glm::dvec3 origin = rasFromLps * volume.originMm;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3 step = rasFromLps * volume.axesMm[axis];
+    bytes += Bytes(step.x) + Bytes(step.y) + Bytes(step.z) + Bytes(0.0);
+    // The first voxel has the index 1.
+    origin -= step;
+  }
+  return bytes + Bytes(origin.x) + Bytes(origin.y) + Bytes(origin.z) + Bytes(1.0);
+}
+
 std::string Nifti2Bytes(const StoredVolume& volume, bool bigEndian)
 {
   // Offsets from the NIfTI-2 specification, nifti2.h.

@@ -249,8 +249,11 @@ std::string MetaImageHeaderText(const StoredVolume& volume)
     "\nElementSpacing =" + spacing + "\nDimSize =" + size + "\nElementType = " + type + "\n";
 }
 
-std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstIndex)
+/// @param margin  0 for values at points, or 1 for values in cells between more points
+static std::string VtiText(
+  const StoredVolume& volume, const std::array<int, 3>& firstIndex, int margin)
 {
+  const char* const attributes = margin > 0 ? "CellData" : "PointData";
   const char* const type = NameOfType(volume.scalarType,
     { "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Float32", "Float64", "Int64",
       "UInt64" });
@@ -260,11 +263,11 @@ std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstI
   glm::dvec3 originMm = volume.originMm;
   for (int axis = 0; axis < 3; ++axis)
   {
-    extent +=
-      Text(axis ? " " : "", firstIndex[axis], ' ', firstIndex[axis] + volume.dimensions[axis] - 1);
+    extent += Text(axis ? " " : "", firstIndex[axis], ' ',
+      firstIndex[axis] + volume.dimensions[axis] - 1 + margin);
     spacing += Text(axis ? " " : "", glm::length(volume.axesMm[axis]));
     direction[axis] = glm::normalize(volume.axesMm[axis]);
-    originMm -= volume.axesMm[axis] * double(firstIndex[axis]);
+    originMm -= volume.axesMm[axis] * (firstIndex[axis] + 0.5 * margin);
   }
   std::string rows;
   for (int i = 0; i < 9; ++i)
@@ -274,10 +277,19 @@ std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstI
   return Text("<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" "
               "byte_order=\"LittleEndian\">\n<ImageData WholeExtent=\"",
     extent, "\" Origin=\"", originMm.x, ' ', originMm.y, ' ', originMm.z, "\" Spacing=\"", spacing,
-    "\" Direction=\"", rows, "\">\n<Piece Extent=\"", extent,
-    "\">\n<PointData Scalars=\"density\">\n<DataArray type=\"", type,
-    "\" Name=\"density\" format=\"ascii\">\n", VoxelText(volume),
-    "\n</DataArray>\n</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n");
+    "\" Direction=\"", rows, "\">\n<Piece Extent=\"", extent, "\">\n<", attributes,
+    " Scalars=\"density\">\n<DataArray type=\"", type, "\" Name=\"density\" format=\"ascii\">\n",
+    VoxelText(volume), "\n</DataArray>\n</", attributes, ">\n</Piece>\n</ImageData>\n</VTKFile>\n");
+}
+
+std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstIndex)
+{
+  return VtiText(volume, firstIndex, 0);
+}
+
+std::string VtiCellText(const StoredVolume& volume)
+{
+  return VtiText(volume, { 0, 0, 0 }, 1);
 }
 
 std::string EncodedVti(

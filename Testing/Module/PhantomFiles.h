@@ -64,10 +64,25 @@ std::string VoxelText(const StoredVolume& volume);
 std::string Gzipped(const std::string& bytes);
 std::string Zlibbed(const std::string& bytes);
 
+/// A file, or a symbolic link, in an archive.
+struct ArchiveEntry
+{
+  std::string path;
+  std::string bytes;
+  std::string linkTarget = {}; ///< not empty for a link
+};
+/// An archive by libarchive: "zip", "pax", "gnutar" ..., compressed by "gzip", "bzip2" ... or not.
+std::string Archived(const std::vector<ArchiveEntry>& entries, const std::string& format,
+  const std::string& filter = "");
+/// Bytes compressed by libarchive: "gzip", "bzip2", "xz" or "zstd".
+std::string Compressed(const std::string& bytes, const std::string& filter);
+
 /// Files of each format, written according to its specification, without any library.
 std::string NrrdHeaderText(const StoredVolume& volume, const std::string& space = "LPS");
 std::string MetaImageHeaderText(const StoredVolume& volume);
 std::string VtiText(const StoredVolume& volume, const std::array<int, 3>& firstIndex = { 0, 0, 0 });
+/// A VTI file with the values in cells, whose centres are the positions of the voxels.
+std::string VtiCellText(const StoredVolume& volume);
 
 /// Encoding of a VTI file by VTK's own writer: values of vtkXMLWriter.
 struct VtiEncoding
@@ -89,6 +104,12 @@ enum class NiftiForm
 };
 std::string NiftiBytes(
   const StoredVolume& volume, NiftiForm form = NiftiForm::Affine, bool bigEndian = false);
+/// The header of an Analyze 7.5 pair, as SPM99 writes it.
+/// @param spmOrigin  the voxel at the origin, counted from 1; 0 if not stated
+std::string AnalyzeHeaderBytes(const StoredVolume& volume,
+  const std::array<int, 3>& spmOrigin = { 0, 0, 0 }, bool bigEndian = false);
+/// The file .mat that SPM99 writes beside such a pair.
+std::string SpmMatrixBytes(const StoredVolume& volume);
 /// NIfTI-2 with the affine form.
 std::string Nifti2Bytes(const StoredVolume& volume, bool bigEndian = false);
 

@@ -248,12 +248,14 @@ TEST(BadVolumeFiles, FilesOfAnotherKindAreNamed)
     { "empty.nrrd", "", "an empty file" },
     { "magic.nrrd", "NEARLY0004\n\n", "NRRD" },
     { "magic.nii", std::string(400, 'x'), "NIfTI" },
-    { "magic.vti", "<html></html>", "VTK" },
+    { "magic.vti", "<html></html>", "a web page" },
     { "magic.dcm", std::string(400, 'x'), "DICOM" },
     { "notar.inv3", std::string(2000, 'x'), "tar" },
-    { "nomembers.inv3", std::string(10240, '\0'), "main.plist" },
-    { "nomembers.gz.inv3", Gzipped(std::string(10240, '\0')), "main.plist" },
-    { "unknown.bin", "what is this", "known format" },
+    { "nomembers.inv3", std::string(10240, '\0'), "tar archive" },
+    { "nomembers.gz.inv3", Gzipped(std::string(10240, '\0')), "tar archive" },
+    { "unknown.bin", "what is this", "text that begins with \"what is this\"" },
+    { "unknown", "\x1a\x2b\x03", "the bytes 1a 2b 03" },
+    { "report.dcm", "%PDF-1.4", "a PDF document" },
     { "unset.raw", "voxels", "dimensions" },
   });
 }
@@ -264,7 +266,7 @@ TEST(BadVolumeFiles, FaultsOfHeadersAreNamed)
     { "type.nrrd", Replaced(Nrrd(), "int16_t", "quaternion"), "\"quaternion\"" },
     { "block.nrrd", Replaced(Nrrd(), "int16_t", "block"), "\"block\"" },
     { "type.mha", Replaced(MetaImage(), "MET_SHORT", "MET_STRANGE"), "\"MET_STRANGE\"" },
-    { "encoding.nrrd", Replaced(Nrrd(), "encoding: raw", "encoding: bzip2"), "\"bzip2\"" },
+    { "encoding.nrrd", Replaced(Nrrd(), "encoding: raw", "encoding: zrl"), "\"zrl\"" },
     { "space.nrrd", Replaced(Nrrd(), "space: LPS", "space: the-moon"), "\"the-moon\"" },
     { "spacing.mha", Replaced(MetaImage(), "ElementSpacing =", "ElementSpacing = nan 1 1\nX ="),
       "spacing" },
@@ -313,7 +315,10 @@ TEST(BadVolumeFiles, FoldersWithoutImagesAndUnreadableFilesAreRefused)
 {
   const TemporaryFolder folder;
   folder.Write("folder/readme.txt", "no image");
-  EXPECT_FALSE(ReadsOrFailsWell(folder.Path("folder")));
+  vtkNew<vtkVolumeFileReader> reader;
+  EXPECT_FALSE(ReadsOrFailsWell(reader, folder.Path("folder")));
+  EXPECT_NE(std::string(reader->GetErrorMessage()).find("text that begins with \"no image\""),
+    std::string::npos);
   EXPECT_FALSE(ReadsOrFailsWell(folder.Path("missing.mha")));
   const std::string locked = folder.Write("locked.mha", MetaImage());
   std::filesystem::permissions(locked, std::filesystem::perms::none);
@@ -323,13 +328,20 @@ TEST(BadVolumeFiles, FoldersWithoutImagesAndUnreadableFilesAreRefused)
   }
 }
 
-TEST(BadVolumeFiles, CanReadFileKnowsThemByNameOrFirstBytes)
+TEST(BadVolumeFiles, AreKnownByTheirContentWhateverTheirName)
 {
   const TemporaryFolder folder;
   for (const GoodFile& file : GoodFiles())
   {
-    EXPECT_TRUE(vtkVolumeFileReader::CanReadFile(folder.Write(file.name, file.bytes).c_str()))
-      << file.name;
+    for (const std::string& name : { std::string(file.name), std::string("unnamed"),
+           std::string("false.nrrd"), std::string("false.hdr"), std::string("false.raw") })
+    {
+      SCOPED_TRACE(file.name + (" named " + name));
+      const std::string path = folder.Write("names/" + name, file.bytes);
+      EXPECT_TRUE(vtkVolumeFileReader::CanReadFile(path.c_str()));
+      EXPECT_TRUE(ReadsOrFailsWell(path));
+      std::filesystem::remove(path);
+    }
   }
   EXPECT_TRUE(vtkVolumeFileReader::CanReadFile(folder.Write("unnamed", Nrrd()).c_str()));
   EXPECT_FALSE(vtkVolumeFileReader::CanReadFile(folder.Path("missing.nrrd").c_str()));

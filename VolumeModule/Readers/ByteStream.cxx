@@ -1,10 +1,14 @@
 #include "Readers/ByteStream.h"
 
+#include "Readers/ArchiveInput.h"
 #include "Readers/FileError.h"
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <zlib.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <limits>
 #include <vector>
@@ -31,14 +35,19 @@ public:
     {
       FailToRead(this->path, "a file that can be read to its end", "a read error");
     }
+    this->fileBytes += std::uint64_t(this->file.gcount());
     return std::size_t(this->file.gcount());
   }
+
+  std::uint64_t FileBytes() override { return this->fileBytes; }
 
 private:
   std::string path;
   std::ifstream file;
+  std::uint64_t fileBytes = 0;
 };
 
+/// Gzip or zlib. libarchive does not compare the checksums of gzip, zlib does.
 class InflateStream : public ByteStream
 {
 public:
@@ -69,6 +78,8 @@ public:
     }
     return done;
   }
+
+  std::uint64_t FileBytes() override { return this->file.FileBytes(); }
 
 private:
   /// Calls zlib's inflate once, with input available.
@@ -112,6 +123,102 @@ private:
   bool ended = false;
 };
 
+/// The compressions that libarchive detects.
+class ArchiveStream : public ByteStream
+{
+public:
+  ArchiveStream(const std::string& path, std::uint64_t offset)
+    : input(path)
+  {
+    archive* handle = this->input.Handle();
+    archive_read_support_format_raw(handle);
+    archive_read_support_filter_bzip2(handle);
+    archive_read_support_filter_xz(handle);
+    archive_read_support_filter_zstd(handle);
+    this->input.OpenBytes(std::make_unique<FileStream>(path, offset));
+    archive_entry* entry = nullptr;
+    this->input.Checked(archive_read_next_header(handle, &entry));
+    if (archive_filter_code(handle, 0) == ARCHIVE_FILTER_NONE)
+    {
+      FailToRead(path, "a stream that bzip2, xz or Zstandard has compressed", "another one");
+    }
+  }
+
+  std::size_t Read(void* buffer, std::size_t count) override
+  {
+    std::size_t done = 0;
+    long got = 1;
+    while (done < count && got > 0)
+    {
+      got = this->input.Checked(
+        archive_read_data(this->input.Handle(), static_cast<char*>(buffer) + done, count - done));
+      done += std::size_t(std::max(0L, got));
+    }
+    return done;
+  }
+
+  std::uint64_t FileBytes() override { return this->input.FileBytes(); }
+
+private:
+  ArchiveInput input;
+};
+
+class HexadecimalStream : public ByteStream
+{
+public:
+  HexadecimalStream(const std::string& path, std::uint64_t offset)
+    : path(path)
+    , file(path, offset)
+  {
+  }
+
+  std::size_t Read(void* buffer, std::size_t count) override
+  {
+    auto* bytes = static_cast<unsigned char*>(buffer);
+    std::size_t done = 0;
+    for (; done < count; ++done)
+    {
+      const int high = this->NextDigit();
+      const int low = this->NextDigit();
+      if (low < 0)
+      {
+        break;
+      }
+      bytes[done] = static_cast<unsigned char>(16 * high + low);
+    }
+    return done;
+  }
+
+  std::uint64_t FileBytes() override { return this->file.FileBytes(); }
+
+private:
+  /// The value of the next digit; -1 at the end.
+  int NextDigit()
+  {
+    for (char character; this->file.Read(&character, 1) == 1;)
+    {
+      if (std::isxdigit(static_cast<unsigned char>(character)))
+      {
+        return character <= '9' ? character - '0' : std::tolower(character) - 'a' + 10;
+      }
+      if (!std::isspace(static_cast<unsigned char>(character)))
+      {
+        FailToRead(
+          this->path, "hexadecimal digits", "the character " + Quoted(std::string(1, character)));
+      }
+    }
+    return -1;
+  }
+
+  std::string path;
+  FileStream file;
+};
+
+bool Begins(const char (&head)[10], const std::string& mark)
+{
+  return mark.compare(0, mark.size(), head, mark.size()) == 0;
+}
+
 }
 
 std::uint64_t ByteStream::Skip(std::uint64_t count)
@@ -133,19 +240,55 @@ std::uint64_t ByteStream::Skip(std::uint64_t count)
 
 Compression CompressionOf(const std::string& path)
 {
-  unsigned char head[2] = {};
-  FileStream(path, 0).Read(head, 2);
-  return head[0] == 0x1f && head[1] == 0x8b ? Compression::Deflate : Compression::None;
+  using namespace std::string_literals;
+  char head[10] = {};
+  FileStream(path, 0).Read(head, sizeof(head));
+  if (Begins(head, "\x1f\x8b"))
+  {
+    return Compression::Deflate;
+  }
+  // The first block of bzip2 has a mark too, without which a text might begin like this.
+  const bool isBzip2 = Begins(head, "BZh") && std::string(head + 4, 6) == "1AY&SY";
+  const bool isXz = Begins(head,
+    "\xfd"
+    "7zXZ\0"s);
+  const bool isZstandard = Begins(head, "\x28\xb5\x2f\xfd");
+  return isBzip2 || isXz || isZstandard ? Compression::Other : Compression::None;
 }
 
 std::unique_ptr<ByteStream> OpenStream(
   const std::string& path, Compression compression, std::uint64_t offset)
 {
-  if (compression == Compression::Deflate)
+  switch (compression)
   {
-    return std::make_unique<InflateStream>(path, offset);
+    case Compression::Deflate:
+      return std::make_unique<InflateStream>(path, offset);
+    case Compression::Other:
+      return std::make_unique<ArchiveStream>(path, offset);
+    case Compression::Hexadecimal:
+      return std::make_unique<HexadecimalStream>(path, offset);
+    case Compression::None:
+      break;
   }
   return std::make_unique<FileStream>(path, offset);
+}
+
+double LargestRatio(Compression compression)
+{
+  switch (compression)
+  {
+    case Compression::Deflate:
+      // The method's limit is 1032, see zlib's technical notes; the rest allows for headers.
+      return 1040.0;
+    case Compression::Other:
+      // bzip2 packs a block of up to 46 MB of equal bytes into about 40 bytes.
+      return 1.2e6;
+    case Compression::Hexadecimal:
+      return 0.5;
+    case Compression::None:
+      break;
+  }
+  return 1.0;
 }
 
 }

@@ -20,6 +20,9 @@ public:
   /// @throws std::runtime_error if a compressed stream is corrupt or reading fails
   virtual std::size_t Read(void* buffer, std::size_t count) = 0;
 
+  /// Number of the file's bytes that have been read so far.
+  virtual std::uint64_t FileBytes() = 0;
+
   /// Skips bytes. @returns the number of skipped bytes, at most `count`
   std::uint64_t Skip(std::uint64_t count);
 };
@@ -27,10 +30,13 @@ public:
 enum class Compression
 {
   None,
-  Deflate ///< gzip or zlib, detected from the first bytes
+  Deflate,    ///< gzip or zlib, detected from the first bytes
+  Other,      ///< bzip2, xz or Zstandard, detected from the first bytes
+  Hexadecimal ///< two digits for each byte, which makes a file longer
 };
 
-/// Deflate if the file begins like a gzip file, otherwise None.
+/// The compression of a file as its first bytes show it; zlib streams count as uncompressed, since
+/// they have no reliable mark.
 Compression CompressionOf(const std::string& path);
 
 /// Opens an existing file (see ReadableFileSize).
@@ -38,9 +44,9 @@ Compression CompressionOf(const std::string& path);
 std::unique_ptr<ByteStream> OpenStream(
   const std::string& path, Compression compression, std::uint64_t offset = 0);
 
-/// Upper bound of the compression ratio of deflate; a header that promises more is false. The
-/// method's limit is 1032, see zlib's technical notes; the rest allows for headers.
-constexpr double LargestDeflateRatio = 1040.0;
+/// Upper bound of the ratio of a stream's size to that of the file; a header that promises more is
+/// false.
+double LargestRatio(Compression compression);
 
 }
 

@@ -1,73 +1,96 @@
 #include "Readers/Formats.h"
 
+#include "Readers/ByteStream.h"
+#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/HeaderText.h"
 #include "Readers/Rectify.h"
+#include "Readers/Unpacked.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 namespace varimarch
 {
 namespace
 {
 
-bool IsGzip(const std::string& head)
-{
-  return head.compare(0, 2, "\x1f\x8b") == 0;
-}
-
-bool IsTar(const std::string& head)
-{
-  return head.size() > 262 && head.compare(257, 5, "ustar") == 0;
-}
-
 bool IsNifti(const std::string& head)
 {
-  const bool is1 =
-    head.size() >= 348 && (head.compare(344, 3, "n+1") == 0 || head.compare(344, 3, "ni1") == 0);
-  const bool is2 = head.compare(4, 3, "n+2") == 0 || head.compare(4, 3, "ni2") == 0;
-  return is1 || is2;
+  using namespace std::string_literals;
+  return TextAt(344, { "n+1\0"s, "ni1\0"s })(head) || TextAt(4, { "n+2\0"s, "ni2\0"s })(head);
 }
 
+bool Contains(const std::string& head, const std::string& text)
+{
+  return head.find(text) != std::string::npos;
+}
+
+/// DICOM with its usual preamble, or a data set that begins with group 2 or 8 in explicit or
+/// implicit encoding (PS3.5, section 7.1).
 bool IsDicom(const std::string& head)
 {
-  return head.size() >= 132 && head.compare(128, 4, "DICM") == 0;
+  if (TextAt(128, { "DICM" })(head))
+  {
+    return true;
+  }
+  const bool hasGroup = head.size() > 8 && (head[0] == 2 || head[0] == 8) && head[1] == 0;
+  const bool isExplicit = hasGroup && std::isupper(head[4]) && std::isupper(head[5]);
+  const bool isImplicit = hasGroup && head[3] == 0 && head[5] == 0 && head[6] == 0 && head[7] == 0;
+  return isExplicit || isImplicit;
 }
 
+/// A MetaImage begins with any of its fields, "Key = Value".
 bool IsMetaImage(const std::string& head)
 {
-  return head.find("NDims") != std::string::npos || head.find("ObjectType") != std::string::npos;
+  const std::size_t keyEnd = head.find_first_not_of(
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz", head.find_first_not_of(" \t\r\n"));
+  const std::size_t sign = head.find_first_not_of(" \t", keyEnd);
+  const bool hasField = sign != std::string::npos && (head[sign] == '=' || head[sign] == ':');
+  return hasField && Contains(head, "NDims") &&
+    (Contains(head, "DimSize") || Contains(head, "ObjectType"));
 }
 
-// The first row whose extension or first bytes match is used; raw voxels match nothing and come
-// last.
+/// True for VTK's XML files of a type.
+bool IsVtkXml(const std::string& head, const std::string& type)
+{
+  return TextAt(0, { "<?xml", "<VTKFile" })(head) && Contains(head, "<VTKFile") &&
+    Contains(head, '"' + type + '"');
+}
+
+bool IsVti(const std::string& head)
+{
+  return IsVtkXml(head, "ImageData");
+}
+
+/// An InVesalius project is known as an archive, before its files are.
+bool IsNever(const std::string&)
+{
+  return false;
+}
+
+constexpr bool decompresses = true;
+
+// The first row whose signature matches is used, or else the first whose extension matches.
 const std::vector<VolumeFormat> formats = {
-  { "NRRD", "NRRD images", { ".nrrd", ".nhdr" },
-    [](const std::string& head) { return head.compare(0, 4, "NRRD") == 0; }, ReadNrrd },
+  { "NRRD", "NRRD images", { ".nrrd", ".nhdr" }, TextAt(0, { "NRRD" }), ReadNrrd },
   { "MetaImage", "MetaImages", { ".mha", ".mhd" }, IsMetaImage, ReadMetaImage },
-  { "NIfTI", "NIfTI images", { ".nii", ".nii.gz", ".hdr", ".img", ".hdr.gz", ".img.gz" }, IsNifti,
-    ReadNifti },
-  { "VTI", "VTK images", { ".vti" },
-    [](const std::string& head) { return head.find("<VTKFile") != std::string::npos; }, ReadVti },
-  { "DICOM", "DICOM images", { ".dcm", ".dicom", ".ima" }, IsDicom, ReadDicom },
-  { "InVesalius", "InVesalius projects", { ".inv3" }, IsTar, ReadInv3 },
-  { "raw", "Raw voxels", { ".raw", ".raw.gz" }, nullptr, ReadRaw },
+  { "NIfTI", "NIfTI and Analyze images", { ".nii", ".nii.gz", ".hdr", ".hdr.gz" }, IsNifti,
+    ReadNifti, nullptr, decompresses },
+  { "Analyze", "Voxels of NIfTI or Analyze beside a header", { ".img", ".img.gz" }, nullptr,
+    ReadNifti, nullptr, decompresses },
+  { "VTI", "VTK images", { ".vti" }, IsVti, ReadVti },
+  { "DICOM", "DICOM images", { ".dcm", ".dicom", ".ima" }, IsDicom, ReadDicom, HoldsDicom },
+  { "InVesalius", "InVesalius projects", { ".inv3" }, IsNever, ReadInv3, HoldsInv3 },
+  { "archive", "Archives and compressed files",
+    { ".zip", ".tar", ".tar.gz", ".tgz", ".gz", ".bz2", ".xz", ".zst" }, IsArchive, ReadPacked,
+    HoldsVolumes },
+  { "raw", "Raw voxels", { ".raw", ".raw.gz" }, nullptr, ReadRaw, nullptr, decompresses },
 };
 
 bool EndsWith(const std::string& text, const std::string& end)
 {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-std::string FirstBytes(const std::string& path)
-{
-  std::string head(512, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), std::streamsize(head.size()));
-  head.resize(std::size_t(file.gcount()));
-  return head;
 }
 
 const VolumeFormat* FormatOfName(const std::string& path)
@@ -88,14 +111,49 @@ const VolumeFormat* FormatOfName(const std::string& path)
 
 const VolumeFormat* FormatOfContent(const std::string& head)
 {
+  const auto format = std::find_if(formats.begin(), formats.end(),
+    [&](const VolumeFormat& row) { return row.recognises && row.recognises(head); });
+  return format == formats.end() ? nullptr : &*format;
+}
+
+const VolumeFormat* FormatOfFolder(const std::string& path)
+{
+  const auto format = std::find_if(formats.begin(), formats.end(),
+    [&](const VolumeFormat& row) { return row.recognisesFolder && row.recognisesFolder(path); });
+  return format == formats.end() ? nullptr : &*format;
+}
+
+const VolumeFormat* FormatOfReader(decltype(VolumeFormat::read) read)
+{
+  return &*std::find_if(
+    formats.begin(), formats.end(), [&](const VolumeFormat& row) { return row.read == read; });
+}
+
+/// A list such as "NRRD, MetaImage or DICOM".
+std::string FormatNames()
+{
+  std::string names;
   for (const VolumeFormat& format : formats)
   {
-    if (format.recognises && format.recognises(head))
-    {
-      return &format;
-    }
+    const bool isLast = &format == &formats.back();
+    names += std::string(names.empty() ? "" : isLast ? " or " : ", ") + format.name;
   }
-  return nullptr;
+  return names;
+}
+
+/// The format whose reader explains best what is wrong with a file that no signature matches: that
+/// of its name, unless the content is known.
+const VolumeFormat& FormatThatExplains(const std::string& path)
+{
+  const bool isFolder = std::filesystem::is_directory(path);
+  const std::string head = isFolder ? "" : FirstBytes(path);
+  const VolumeFormat* format = FormatOfName(path);
+  if (isFolder || !format || !KnownContent(head).empty())
+  {
+    FailToRead(path, "a volume of a known format (" + FormatNames() + ")",
+      isFolder ? DescribedFolder(path) : DescribedContent(head));
+  }
+  return *format;
 }
 
 }
@@ -109,49 +167,67 @@ const VolumeFormat* FormatOfFile(const std::string& path, const ReadOptions& opt
 {
   if (std::filesystem::is_directory(path))
   {
-    return FormatOfName("folder.dcm");
+    return FormatOfFolder(path);
   }
-  const VolumeFormat* format = FormatOfName(path);
+  const VolumeFormat* format = FormatOfContent(FirstBytes(path));
   if (!format)
   {
-    format = FormatOfContent(FirstBytes(path));
+    const VolumeFormat* named = FormatOfName(path);
+    const bool isDescribed = options.raw.dimensions[0] > 0;
+    format = named && !named->recognises ? named : nullptr;
+    format = !format && isDescribed ? FormatOfReader(ReadRaw) : format;
   }
-  const bool isDescribed = options.raw.dimensions[0] > 0;
-  return !format && isDescribed ? &formats.back() : format;
+  const bool isPacked = format && !format->decompresses && CompressionOf(path) != Compression::None;
+  return isPacked ? FormatOfReader(ReadPacked) : format;
+}
+
+const VolumeFormat* FormatOfMember(const std::string& path)
+{
+  try
+  {
+    return FormatOfContent(FirstBytes(path));
+  }
+  catch (const std::runtime_error&)
+  {
+    return nullptr;
+  }
+}
+
+const VolumeFormat* FormatIfReadable(const std::string& path)
+{
+  try
+  {
+    const bool isEmpty = !std::filesystem::is_directory(path) && ReadableFileSize(path) == 0;
+    return isEmpty ? nullptr : FormatOfFile(path, ReadOptions());
+  }
+  catch (const std::runtime_error&)
+  {
+    return nullptr;
+  }
 }
 
 bool LooksReadable(const std::string& path)
 {
-  if (std::filesystem::is_directory(path))
-  {
-    return true;
-  }
-  const std::string head = FirstBytes(path);
-  const VolumeFormat* format = FormatOfFile(path, ReadOptions());
-  if (head.empty() || !format)
-  {
-    return false;
-  }
-  // A gzip header does not show what is compressed.
-  return !format->recognises || format->recognises(head) || IsGzip(head);
+  return std::filesystem::is_directory(path) || FormatIfReadable(path);
 }
 
-Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgress& progress)
+Volume ReadUnrectified(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   if (!std::filesystem::is_directory(path) && ReadableFileSize(path) == 0)
   {
     FailToRead(path, "a volume", "an empty file");
   }
-  const VolumeFormat* format = FormatOfFile(path, options);
-  if (!format)
-  {
-    FailToRead(path, "a volume of a known format",
-      "bytes that begin with " + Quoted(FirstBytes(path).substr(0, 8)));
-  }
+  const VolumeFormat* found = FormatOfFile(path, options);
+  const VolumeFormat& format = found ? *found : FormatThatExplains(path);
+  return format.read(path, options, progress);
+}
+
+Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgress& progress)
+{
   progress.Report(0.0);
   ReadProgress reading = progress.Part(0.0, options.rectify ? 0.8 : 1.0);
   ReadProgress rectifying = progress.Part(0.8, 1.0);
-  Volume volume = format->read(path, options, reading);
+  Volume volume = ReadUnrectified(path, options, reading);
   if (options.rectify)
   {
     volume = Rectified(path, volume, rectifying);

@@ -3,6 +3,7 @@
 
 #include "Readers/VolumeFile.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,20 +17,33 @@ struct VolumeFormat
   const char* name;
   const char* description;             ///< text for a file dialog
   std::vector<std::string> extensions; ///< lower case, with the dot
-  /// True if the first bytes of a file (at most 512) may be of this format; null for formats
-  /// without a signature.
-  bool (*recognises)(const std::string& head);
+  /// True for the first bytes (at most 4096, decompressed) of a file of this format; null for
+  /// formats without a signature, whose files are known by their extensions.
+  std::function<bool(const std::string& head)> recognises;
   /// Reads a file. Throws std::runtime_error with the sentence of FailToRead, or ReadCancelled.
   Volume (*read)(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+  /// True if a folder is a volume of this format; null for formats of single files.
+  bool (*recognisesFolder)(const std::string& path) = nullptr;
+  /// True if the reader decompresses files itself, so that only the first of several volumes needs
+  /// to be; false if compressed files are unpacked before.
+  bool decompresses = false;
 };
 
 const std::vector<VolumeFormat>& VolumeFormats();
 
-/// The format of a file, by its extension or else its first bytes; a folder is DICOM. A file of
-/// unknown format is raw voxels if the options give dimensions. Null if no format matches.
+/// The format of a file or folder by its content or, for formats without a signature, by its name.
+/// A file of unknown format is raw voxels if the options give dimensions. Null if no format
+/// matches.
+/// @throws std::runtime_error if the file cannot be read
 const VolumeFormat* FormatOfFile(const std::string& path, const ReadOptions& options);
 
-/// True if the file exists, has a known format, and begins as that format does.
+/// The format of a file in a folder, by its content only; null also if the file cannot be read.
+const VolumeFormat* FormatOfMember(const std::string& path);
+
+/// FormatOfFile, but null if the file cannot be read.
+const VolumeFormat* FormatIfReadable(const std::string& path);
+
+/// True if FormatIfReadable finds a format; true for every folder.
 bool LooksReadable(const std::string& path);
 
 /// Reads a file or folder of any format.
@@ -37,11 +51,20 @@ bool LooksReadable(const std::string& path);
 /// @throws ReadCancelled
 Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 
+/// The same, but irregular slices stay as they are even if the options say otherwise.
+Volume ReadUnrectified(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+
+/// True for a folder with DICOM files, with an InVesalius project, or with files of other formats.
+bool HoldsDicom(const std::string& folder);
+bool HoldsInv3(const std::string& folder);
+bool HoldsVolumes(const std::string& folder);
+
 Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadInv3(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadMetaImage(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadNifti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadNrrd(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadPacked(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadVti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 

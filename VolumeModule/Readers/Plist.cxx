@@ -1,11 +1,10 @@
 #include "Readers/Plist.h"
 
 #include "Readers/FileError.h"
-#include "Readers/VtkMessages.h"
 
-#include <vtkXMLDataElement.h>
-#include <vtkXMLDataParser.h>
+#include <plist/plist.h>
 
+#include <cstdint>
 #include <sstream>
 
 namespace varimarch
@@ -13,76 +12,91 @@ namespace varimarch
 namespace
 {
 
-std::string TextOf(vtkXMLDataElement* element)
+bool IsDictionary(plist_t node)
 {
-  const char* text = element->GetCharacterData();
-  return text ? text : "";
+  return node && plist_get_node_type(node) == PLIST_DICT;
+}
+
+std::string TextOf(plist_t node)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(17);
+  std::uint64_t integer = 0;
+  double real = 0.0;
+  switch (node ? plist_get_node_type(node) : PLIST_NONE)
+  {
+    case PLIST_STRING:
+      text << plist_get_string_ptr(node, nullptr);
+      break;
+    case PLIST_UINT:
+      // libplist keeps negative integers as their complements.
+      plist_get_uint_val(node, &integer);
+      text << std::int64_t(integer);
+      break;
+    case PLIST_REAL:
+      plist_get_real_val(node, &real);
+      text << real;
+      break;
+    default:
+      break;
+  }
+  return text.str();
 }
 
 }
 
-Plist::Plist(const std::string& path, const std::string& text)
+Plist::Plist(const std::string& path, const std::string& bytes)
   : path(path)
 {
-  VtkMessages messages;
-  vtkNew<vtkXMLDataParser> parser;
-  messages.Take(parser);
-  parser->SetIgnoreCharacterData(0);
-  std::istringstream stream(text);
-  parser->SetStream(&stream);
-  const bool isParsed = parser->Parse() != 0;
-  vtkXMLDataElement* root = parser->GetRootElement();
-  this->dictionary = isParsed && root ? root->FindNestedElementWithName("dict") : nullptr;
-  if (!this->dictionary)
+  plist_t top = nullptr;
+  plist_from_memory(bytes.data(), std::uint32_t(bytes.size()), &top);
+  this->root = std::shared_ptr<void>(top, &plist_free);
+  this->dictionary = top;
+  if (!IsDictionary(top))
   {
-    FailToRead(path, "a property list in XML", messages.FirstErrorOr("no dictionary"));
+    FailToRead(path, "a property list that is a dictionary", Quoted(bytes));
   }
 }
 
-Plist::Plist(const std::string& path, vtkSmartPointer<vtkXMLDataElement> dictionary)
+Plist::Plist(const std::string& path, std::shared_ptr<void> root, Node dictionary)
   : path(path)
+  , root(std::move(root))
   , dictionary(dictionary)
 {
 }
 
-vtkXMLDataElement* Plist::Value(const std::string& key) const
+Plist::Node Plist::Value(const std::string& key) const
 {
-  for (int i = 0; i + 1 < this->dictionary->GetNumberOfNestedElements(); ++i)
-  {
-    vtkXMLDataElement* element = this->dictionary->GetNestedElement(i);
-    if (std::string(element->GetName()) == "key" && TextOf(element) == key)
-    {
-      return this->dictionary->GetNestedElement(i + 1);
-    }
-  }
-  return nullptr;
+  return plist_dict_get_item(this->dictionary, key.c_str());
 }
 
 std::string Plist::Text(const std::string& key) const
 {
-  vtkXMLDataElement* value = this->Value(key);
-  return value ? TextOf(value) : "";
+  return TextOf(this->Value(key));
 }
 
 std::vector<std::string> Plist::Texts(const std::string& key) const
 {
   std::vector<std::string> texts;
-  vtkXMLDataElement* value = this->Value(key);
-  for (int i = 0; value && i < value->GetNumberOfNestedElements(); ++i)
+  const Node value = this->Value(key);
+  const std::uint32_t count =
+    value && plist_get_node_type(value) == PLIST_ARRAY ? plist_array_get_size(value) : 0;
+  for (std::uint32_t i = 0; i < count; ++i)
   {
-    texts.push_back(TextOf(value->GetNestedElement(i)));
+    texts.push_back(TextOf(plist_array_get_item(value, i)));
   }
   return texts;
 }
 
 Plist Plist::Dictionary(const std::string& key) const
 {
-  vtkXMLDataElement* value = this->Value(key);
-  if (!value || std::string(value->GetName()) != "dict")
+  const Node value = this->Value(key);
+  if (!IsDictionary(value))
   {
     FailToRead(this->path, "a property list with the dictionary " + Quoted(key), "none");
   }
-  return Plist(this->path, value);
+  return Plist(this->path, this->root, value);
 }
 
 }

@@ -1,24 +1,21 @@
 #ifndef Varimarch_Readers_Plist_h
 #define Varimarch_Readers_Plist_h
 
-#include <vtkSmartPointer.h>
-
+#include <memory>
 #include <string>
 #include <vector>
-
-class vtkXMLDataElement;
 
 namespace varimarch
 {
 
-/// A dictionary, with keys and values, of an Apple property list in XML.
+/// A dictionary, with keys and values, of an Apple property list in XML or binary.
 class Plist
 {
 public:
   /// Parses a property list whose root is a dictionary.
   /// @param path  path for error messages
   /// @throws std::runtime_error if it is not one
-  Plist(const std::string& path, const std::string& text);
+  Plist(const std::string& path, const std::string& bytes);
 
   /// Text of a value that is a string or a number; empty if the key does not exist.
   std::string Text(const std::string& key) const;
@@ -31,11 +28,14 @@ public:
   Plist Dictionary(const std::string& key) const;
 
 private:
-  Plist(const std::string& path, vtkSmartPointer<vtkXMLDataElement> dictionary);
-  vtkXMLDataElement* Value(const std::string& key) const;
+  using Node = void*; ///< libplist's plist_t
+
+  Plist(const std::string& path, std::shared_ptr<void> root, Node dictionary);
+  Node Value(const std::string& key) const;
 
   std::string path;
-  vtkSmartPointer<vtkXMLDataElement> dictionary;
+  std::shared_ptr<void> root; ///< owner of all nodes
+  Node dictionary;
 };
 
 }

@@ -1,14 +1,15 @@
-// InVesalius projects: a tar archive, optionally gzipped, with a property list main.plist and the
-// voxels in a file that it names. See https://github.com/invesalius/invesalius3
+// InVesalius projects: an archive, which is unpacked before, with a property list main.plist and
+// the voxels in a file that it names. See https://github.com/invesalius/invesalius3
+#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
 #include "Readers/NumberText.h"
 #include "Readers/Plist.h"
-#include "Readers/TarArchive.h"
 #include "Readers/VoxelFile.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 namespace varimarch
@@ -16,21 +17,34 @@ namespace varimarch
 namespace
 {
 
+const char* const mainFile = "main.plist";
+
+/// The path of a file of a project; fails if there is none.
+std::string FileOfProject(const std::string& path, const std::string& name)
+{
+  for (const std::string& file : FilesBelow(path))
+  {
+    if (std::filesystem::path(file).filename() == name)
+    {
+      return file;
+    }
+  }
+  FailToRead(path, "an archive with the file " + Quoted(name), "none of that name");
+}
+
 Plist ReadProject(const std::string& path)
 {
   // Real property lists have a few kB.
   constexpr std::uint64_t mostBytes = 1 << 24;
-  const TarMember member = FindInTar(path, "main.plist");
-  if (member.byteCount > mostBytes)
+  const std::string file = FileOfProject(path, mainFile);
+  const std::uint64_t byteCount = ReadableFileSize(file);
+  if (byteCount > mostBytes)
   {
-    FailToRead(path, "a main.plist of at most 16 MB", ByteText(double(member.byteCount)));
+    FailToRead(path, "a main.plist of at most 16 MB", ByteText(double(byteCount)));
   }
-  std::string text(std::size_t(member.byteCount), '\0');
-  if (member.stream->Read(text.data(), text.size()) < text.size())
-  {
-    FailToRead(path, "a complete main.plist", "an incomplete one");
-  }
-  return Plist(path, text);
+  std::string bytes(std::size_t(byteCount), '\0');
+  OpenStream(file, Compression::None)->Read(bytes.data(), bytes.size());
+  return Plist(path, bytes);
 }
 
 /// Converts a numpy type name to a VTK type.
@@ -92,28 +106,32 @@ vtkSmartPointer<vtkImageData> ReadMatrix(
   const std::string& path, const Plist& matrix, ReadProgress& progress)
 {
   const VoxelLayout layout = LayoutOf(path, matrix);
-  const std::uint64_t byteCount = CheckedByteCount(path, layout);
-  const TarMember member = FindInTar(path, matrix.Text("filename"));
-  if (member.byteCount != byteCount)
+  const std::string file = FileOfProject(path, matrix.Text("filename"));
+  if (ReadableFileSize(file) != CheckedByteCount(path, layout))
   {
-    FailToRead(path, Text(layout) + " (" + std::to_string(byteCount) + " bytes)",
-      std::to_string(member.byteCount) + " bytes in " + Quoted(matrix.Text("filename")));
+    FailToRead(path, Text(layout) + " (" + ByteText(double(CheckedByteCount(path, layout))) + ")",
+      ByteText(double(ReadableFileSize(file))) + " in " + Quoted(matrix.Text("filename")));
   }
-  if (double(byteCount) > LargestDeflateRatio * double(ReadableFileSize(path)))
-  {
-    FailToRead(path, ByteText(double(byteCount)) + " of voxels",
-      "a file of " + ByteText(double(ReadableFileSize(path))));
-  }
-  auto image = AllocatedImage(layout);
-  ReadBytes(path, *member.stream, image->GetScalarPointer(), byteCount, progress);
-  SwapToHostOrder(false, image);
-  return image;
+  VoxelFile voxels;
+  voxels.paths = { file };
+  return ReadVoxels(voxels, layout, progress);
 }
 
+}
+
+bool HoldsInv3(const std::string& folder)
+{
+  const std::vector<std::string> files = FilesBelow(folder);
+  return std::any_of(files.begin(), files.end(),
+    [](const std::string& file) { return std::filesystem::path(file).filename() == mainFile; });
 }
 
 Volume ReadInv3(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
+  if (!std::filesystem::is_directory(path))
+  {
+    FailToRead(path, "a tar archive", DescribedContent(FirstBytes(path)));
+  }
   // The project's "name" is not read, because it is the patient's.
   const Plist project = ReadProject(path);
   const ImageGeometry geometry = GeometryOf(path, project);

@@ -59,11 +59,8 @@ void CheckFileHolds(
   const bool isText = file.encoding == VoxelEncoding::Text;
   // A number and the separator after it take two bytes; the last one needs no separator.
   double neededBytes = isText ? 2.0 * partValues - 1.0 : double(partBytes) + file.dataOffset;
-  double mostBytes = std::max(0.0, fileBytes - headerBytes);
-  if (file.compression != Compression::None)
-  {
-    mostBytes *= LargestDeflateRatio;
-  }
+  const double mostBytes =
+    std::max(0.0, fileBytes - headerBytes) * LargestRatio(file.compression);
   if (neededBytes > mostBytes)
   {
     FailToRead(path, ByteText(neededBytes) + " of voxels",

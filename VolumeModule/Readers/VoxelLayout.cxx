@@ -1,28 +1,17 @@
 #include "Readers/VoxelLayout.h"
 
 #include "Readers/FileError.h"
+#include "Readers/Memory.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
-
-#include <vtksys/SystemInformation.hxx>
 
 #include <cstdio>
 #include <limits>
 
 namespace varimarch
 {
-namespace
-{
-
-double PhysicalMemoryBytes()
-{
-  vtksys::SystemInformation machine;
-  return 1024.0 * double(machine.GetHostMemoryTotal()); // in KiB
-}
-
-}
 
 std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layout)
 {

@@ -1,0 +1,107 @@
+// Packed volumes: archives, compressed files, and folders that hold a volume in files of any
+// format. What is packed is unpacked into a private folder, and read from there.
+#include "Readers/ByteStream.h"
+#include "Readers/FileContent.h"
+#include "Readers/Formats.h"
+#include "Readers/Unpacked.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+
+namespace varimarch
+{
+namespace
+{
+
+/// Reads plain copies, with messages about the packed files.
+Volume ReadCopies(const Unpacked& copies, const ReadOptions& options, ReadProgress& progress)
+{
+  try
+  {
+    Volume volume = ReadUnrectified(copies.Path(), options, progress);
+    for (std::string& warning : volume.warnings)
+    {
+      warning = copies.WithOriginalPaths(warning);
+    }
+    return volume;
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(copies.WithOriginalPaths(error.what()));
+  }
+}
+
+/// True for a file in a folder that is a volume; archives in folders are not opened.
+bool IsVolume(const std::string& file)
+{
+  const VolumeFormat* format = FormatOfMember(file);
+  return format && format->read != ReadPacked;
+}
+
+bool IsDicom(const std::string& file)
+{
+  const VolumeFormat* format = FormatOfMember(file);
+  return format && format->read == ReadDicom;
+}
+
+std::vector<std::string> VolumesBelow(const std::string& folder)
+{
+  std::vector<std::string> files = FilesBelow(folder);
+  files.erase(std::remove_if(files.begin(), files.end(), std::not_fn(IsVolume)), files.end());
+  return files;
+}
+
+}
+
+bool HoldsDicom(const std::string& folder)
+{
+  const std::vector<std::string> files = FilesBelow(folder);
+  return std::any_of(files.begin(), files.end(),
+    [](const std::string& file)
+    { return IsDicom(file) && CompressionOf(file) == Compression::None; });
+}
+
+bool HoldsVolumes(const std::string& folder)
+{
+  const std::vector<std::string> files = FilesBelow(folder);
+  return std::any_of(files.begin(), files.end(), IsVolume);
+}
+
+std::unique_ptr<Unpacked> UnpackedIfPacked(
+  const std::string& path, std::vector<std::string>& warnings, ReadProgress& progress)
+{
+  const VolumeFormat* format = FormatOfFile(path, ReadOptions());
+  // Plain DICOM files would have made a folder DICOM, so these are compressed ones.
+  const bool isPacked = format && format->read == ReadPacked &&
+    (!std::filesystem::is_directory(path) || IsDicom(VolumesBelow(path).front()));
+  return isPacked ? std::make_unique<Unpacked>(path, warnings, progress) : nullptr;
+}
+
+Volume ReadPacked(const std::string& path, const ReadOptions& options, ReadProgress& progress)
+{
+  ReadProgress unpacking = progress.Part(0.0, 0.5);
+  ReadProgress reading = progress.Part(0.5, 1.0);
+  std::vector<std::string> warnings;
+  Volume volume;
+  if (const auto copies = UnpackedIfPacked(path, warnings, unpacking))
+  {
+    volume = ReadCopies(*copies, options, reading);
+  }
+  else
+  {
+    const std::vector<std::string> files = VolumesBelow(path);
+    volume = ReadUnrectified(files.front(), options, reading);
+    if (files.size() > 1)
+    {
+      warnings.push_back("The folder holds " + std::to_string(files.size()) + " volumes; only " +
+        std::filesystem::path(files.front()).filename().string() + " was read.");
+    }
+  }
+  volume.warnings.insert(volume.warnings.begin(), warnings.begin(), warnings.end());
+  return volume;
+}
+
+}
