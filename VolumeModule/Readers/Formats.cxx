@@ -4,6 +4,7 @@
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/HeaderText.h"
+#include "Readers/Magnitude.h"
 #include "Readers/Rectify.h"
 #include "Readers/Unpacked.h"
 
@@ -219,7 +220,14 @@ Volume ReadUnrectified(const std::string& path, const ReadOptions& options, Read
   }
   const VolumeFormat* found = FormatOfFile(path, options);
   const VolumeFormat& format = found ? *found : FormatThatExplains(path);
-  return format.read(path, options, progress);
+  Volume volume = format.read(path, options, progress);
+  // ParaView shows such voxels by their magnitude too.
+  const int componentCount = volume.image->GetNumberOfScalarComponents();
+  if (componentCount > 4)
+  {
+    TakeMagnitude("The voxels have " + std::to_string(componentCount) + " components", volume);
+  }
+  return volume;
 }
 
 Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgress& progress)

@@ -25,8 +25,9 @@ std::string PathBeside(const std::string& headerPath, const std::string& name)
 std::vector<std::string> FilesOfPattern(const std::string& headerPath, const std::string& value)
 {
   static const std::regex pattern(R"(([^%]*)%(0?)(\d?)d([^%]*?)\s+(\S+)\s+(\S+)\s+(\S+)(\s+\S+)?)");
+  static const std::regex number(R"(%\d*d)");
   std::smatch parts;
-  if (value.find('%') == std::string::npos)
+  if (!std::regex_search(value, number))
   {
     return { PathBeside(headerPath, value) };
   }
@@ -135,22 +136,48 @@ std::vector<std::string> DataFiles(
   return files;
 }
 
-double MmPerUnit(const std::string& unit)
+double MmPerUnitOrWarn(const std::string& unit, std::vector<std::string>& warnings)
 {
   static const std::map<std::string, double> lengths = {
+    { "", 1.0 },
+    { "?", 1.0 },
+    { "???", 1.0 }, // not stated
     { "nm", 1e-6 },
     { "nanometer", 1e-6 },
+    { "nanometre", 1e-6 },
     { "um", 1e-3 },
-    { "\xc2\xb5m", 1e-3 }, // with the micro sign
-    { "\xce\xbcm", 1e-3 }, // with the Greek letter mu
     { "micron", 1e-3 },
     { "micrometer", 1e-3 },
+    { "micrometre", 1e-3 },
+    { "\xc2\xb5m", 1e-3 }, // with the micro sign
+    { "\xce\xbcm", 1e-3 }, // with the Greek letter mu
+    { "mm", 1.0 },
+    { "millimeter", 1.0 },
+    { "millimetre", 1.0 },
     { "cm", 10.0 },
+    { "centimeter", 10.0 },
+    { "centimetre", 10.0 },
     { "m", 1000.0 },
     { "meter", 1000.0 },
+    { "metre", 1000.0 },
   };
-  const auto length = lengths.find(LowerCase(unit));
-  return length == lengths.end() ? 1.0 : length->second;
+  std::string name = LowerCase(unit);
+  if (name.size() > 3 && name.back() == 's')
+  {
+    name.pop_back();
+  }
+  const auto length = lengths.find(name);
+  if (length != lengths.end())
+  {
+    return length->second;
+  }
+  const std::string warning =
+    "The unit " + Quoted(unit) + " is not known; millimetres were assumed.";
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+  {
+    warnings.push_back(warning);
+  }
+  return 1.0;
 }
 
 }

@@ -56,8 +56,9 @@ bool IsFileList(const std::string& value);
 std::vector<std::string> DataFiles(
   const std::string& headerPath, const std::string& value, const std::vector<std::string>& listed);
 
-/// Length of a unit such as "um" or "mm" [mm]; 1 for an unknown unit.
-double MmPerUnit(const std::string& unit);
+/// Length of a unit such as "um" or "mm" [mm]. It is 1 for an empty and for an unknown unit; the
+/// latter adds a warning.
+double MmPerUnitOrWarn(const std::string& unit, std::vector<std::string>& warnings);
 
 }
 

@@ -5,39 +5,13 @@
 #include "Readers/VolumeFile.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace varimarch
 {
 namespace
 {
-
-/// Parses a vector "(x,y,z)".
-glm::dvec3 VectorFromText(const std::string& path, const std::string& what, std::string text)
-{
-  std::string inside = text;
-  std::replace_if(
-    inside.begin(), inside.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
-  if (text.empty() || text.front() != '(' || text.back() != ')')
-  {
-    FailToRead(path, "a vector such as (1,0,0) for the " + what, Quoted(text));
-  }
-  const std::vector<double> numbers = NumbersFromText(path, what, inside, 3);
-  return { numbers[0], numbers[1], numbers[2] };
-}
-
-/// The parts of a field with one part per axis; empty if the field is missing.
-std::vector<std::string> PartsPerAxis(
-  const NrrdHeader& header, const std::vector<std::string>& keys, std::size_t axisCount)
-{
-  const std::vector<std::string> parts = NrrdParts(header.fields.Value(keys));
-  if (!parts.empty() && parts.size() != axisCount)
-  {
-    FailToRead(header.path, std::to_string(axisCount) + " values for the field " + keys.front(),
-      std::to_string(parts.size()));
-  }
-  return parts;
-}
 
 std::vector<std::int64_t> SizesOf(const NrrdHeader& header)
 {
@@ -48,7 +22,7 @@ std::vector<std::int64_t> SizesOf(const NrrdHeader& header)
     FailToRead(header.path, "2 to 16 dimensions", std::to_string(rank));
   }
   std::vector<std::int64_t> sizes;
-  for (const std::string& word : PartsPerAxis(header, { "sizes" }, std::size_t(rank)))
+  for (const std::string& word : NrrdPartsPerAxis(header, { "sizes" }, std::size_t(rank)))
   {
     sizes.push_back(IntegerFromText(header.path, "whole numbers as sizes", word));
   }
@@ -59,24 +33,47 @@ std::vector<std::int64_t> SizesOf(const NrrdHeader& header)
   return sizes;
 }
 
+std::string KindOf(const NrrdHeader& header, std::size_t axis)
+{
+  const auto kinds = NrrdParts(header.fields.Value({ "kinds" }));
+  return axis < kinds.size() ? LowerCase(kinds[axis]) : "";
+}
+
+bool IsListKind(const std::string& kind)
+{
+  return kind == "list" || kind == "time";
+}
+
+bool IsUnknownKind(const std::string& kind)
+{
+  return kind.empty() || kind == "???" || kind == "none";
+}
+
+bool IsSpatialKind(const std::string& kind)
+{
+  return kind == "domain" || kind == "space" || IsUnknownKind(kind);
+}
+
+/// True for the direction of an axis in space: not that of a time axis in a space with time, whose
+/// fourth number is the step in time.
+bool IsSpatialDirection(const std::vector<double>& direction)
+{
+  const bool isTime = direction.size() == 4 &&
+    std::all_of(direction.begin(), direction.begin() + 3, [](double x) { return x == 0.0; });
+  return !direction.empty() && !isTime;
+}
+
 /// For each axis, true if the header makes it a spatial one.
 std::vector<bool> SpatialAxes(const NrrdHeader& header, const std::vector<std::int64_t>& sizes)
 {
   const std::size_t rank = sizes.size();
-  const auto directions = PartsPerAxis(header, { "spacedirections" }, rank);
-  const auto kinds = PartsPerAxis(header, { "kinds" }, rank);
+  const auto directions = NrrdPartsPerAxis(header, { "spacedirections" }, rank);
   std::vector<bool> isSpatial(rank, true);
   for (std::size_t axis = 0; axis < rank; ++axis)
   {
-    if (!directions.empty())
-    {
-      isSpatial[axis] = directions[axis].front() == '(';
-    }
-    else if (!kinds.empty())
-    {
-      const std::string kind = LowerCase(kinds[axis]);
-      isSpatial[axis] = kind == "domain" || kind == "space" || kind == "???" || kind == "none";
-    }
+    isSpatial[axis] = directions.empty()
+      ? IsSpatialKind(KindOf(header, axis))
+      : IsSpatialDirection(NrrdVector(header, "space directions", directions[axis]));
   }
   // Without information about four axes, a short first axis holds components; otherwise the last
   // axis holds several volumes.
@@ -146,86 +143,50 @@ int TypeOf(const NrrdHeader& header)
   return type->second;
 }
 
-bool IsVectorKind(const NrrdHeader& header, std::size_t axis)
+/// Interprets an axis before the spatial ones: components of a voxel, or several volumes whose
+/// values alternate. A long axis of no known kind is several volumes.
+void TakeFirstAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
 {
-  const auto kinds = NrrdParts(header.fields.Value({ "kinds" }));
-  const std::string kind = axis < kinds.size() ? LowerCase(kinds[axis]) : "";
-  return kind.find("vector") != std::string::npos || kind.find("color") != std::string::npos;
+  const std::string kind = KindOf(header, axis);
+  const std::int64_t size = axes.sizes[axis];
+  if (axes.componentCount > 1 || axes.alternatingCount > 1)
+  {
+    FailToRead(header.path, "at most one axis before the spatial ones", "several");
+  }
+  const bool isList = IsListKind(kind) || (size > 4 && IsUnknownKind(kind));
+  (isList ? axes.alternatingCount : axes.componentCount) = size;
+  axes.areComplex = kind == "complex";
 }
 
-/// Interprets an axis that is not spatial: components of a voxel, or several volumes.
-void TakeOtherAxis(
-  const NrrdHeader& header, std::size_t other, NrrdAxes& axes, std::vector<std::string>& warnings)
+/// Interprets an axis after the spatial ones: several volumes or, directly after them, components
+/// that are stored one after another.
+void TakeLastAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
 {
-  const std::int64_t size = axes.sizes[other];
-  if (size < 1)
+  const std::string kind = KindOf(header, axis);
+  axes.planar = !IsListKind(kind) && !IsSpatialKind(kind) && axes.componentCount == 1 &&
+    axis == axes.spatial.back() + 1;
+  (axes.planar ? axes.componentCount : axes.volumeCount) *= axes.sizes[axis];
+}
+
+/// Interprets an axis that is not spatial.
+void TakeOtherAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
+{
+  if (axes.sizes[axis] < 1 || axes.sizes[axis] > std::numeric_limits<int>::max())
   {
-    FailToRead(header.path, "sizes above 0", std::to_string(size));
+    FailToRead(header.path, "sizes from 1 to 2147483647", std::to_string(axes.sizes[axis]));
   }
-  if (other > axes.spatial.front() && other < axes.spatial.back())
+  if (axis < axes.spatial.front())
   {
-    FailToRead(header.path, "adjacent spatial axes", "another axis between them");
+    TakeFirstAxis(header, axis, axes);
   }
-  axes.planar = other > axes.spatial.back() && IsVectorKind(header, other);
-  if (other < axes.spatial.front() || axes.planar)
+  else if (axis > axes.spatial.back())
   {
-    axes.componentCount = size;
+    TakeLastAxis(header, axis, axes);
   }
   else
   {
-    axes.volumeCount = size;
-    warnings.push_back(OnlyFirstVolume(size));
+    FailToRead(header.path, "adjacent spatial axes", "another axis between them");
   }
-}
-
-/// Sign changes that convert the axes of a named space to LPS.
-enum class SpaceTurn
-{
-  None,
-  LeftRight,
-  FrontBack,
-  Both,
-  Unknown
-};
-
-SpaceTurn TurnOfSpace(const NrrdHeader& header)
-{
-  static const std::map<std::string, SpaceTurn> turns = {
-    { "left-posterior-superior", SpaceTurn::None },
-    { "lps", SpaceTurn::None },
-    { "right-posterior-superior", SpaceTurn::LeftRight },
-    { "rps", SpaceTurn::LeftRight },
-    { "left-anterior-superior", SpaceTurn::FrontBack },
-    { "las", SpaceTurn::FrontBack },
-    { "right-anterior-superior", SpaceTurn::Both },
-    { "ras", SpaceTurn::Both },
-    { "", SpaceTurn::Unknown },
-    { "scanner-xyz", SpaceTurn::Unknown },
-    { "3d-right-handed", SpaceTurn::Unknown },
-    { "3d-left-handed", SpaceTurn::Unknown },
-  };
-  const std::string space = header.fields.Value({ "space" });
-  const auto turn = turns.find(LowerCase(space));
-  if (turn == turns.end())
-  {
-    FailToRead(
-      header.path, "a three-dimensional space such as left-posterior-superior", Quoted(space));
-  }
-  return turn->second;
-}
-
-/// Length of the space's unit [mm].
-double MmPerSpaceUnit(const NrrdHeader& header)
-{
-  for (std::string unit : NrrdParts(header.fields.Value({ "spaceunits", "units" })))
-  {
-    unit.erase(std::remove(unit.begin(), unit.end(), '"'), unit.end());
-    if (MmPerUnit(unit) != 1.0)
-    {
-      return MmPerUnit(unit);
-    }
-  }
-  return 1.0;
 }
 
 }
@@ -247,14 +208,17 @@ NrrdAxes AxesOf(const NrrdHeader& header, std::vector<std::string>& warnings)
       others.push_back(axis);
     }
   }
-  if (axes.spatial.size() < 2 || axes.spatial.size() > 3 || others.size() > 1)
+  if (axes.spatial.size() < 2 || axes.spatial.size() > 3)
   {
-    FailToRead(header.path, "three spatial axes and at most one other",
-      std::to_string(axes.spatial.size()) + " and " + std::to_string(others.size()));
+    FailToRead(header.path, "two or three spatial axes", std::to_string(axes.spatial.size()));
   }
-  if (!others.empty())
+  for (const std::size_t axis : others)
   {
-    TakeOtherAxis(header, others.front(), axes, warnings);
+    TakeOtherAxis(header, axis, axes);
+  }
+  if (axes.volumeCount * axes.alternatingCount > 1)
+  {
+    warnings.push_back(OnlyFirstVolume(axes.volumeCount * axes.alternatingCount));
   }
   return axes;
 }
@@ -267,41 +231,6 @@ VoxelLayout LayoutOf(const NrrdHeader& header, const NrrdAxes& axes)
     layout.dimensions[i] = axes.sizes[axes.spatial[i]];
   }
   return layout;
-}
-
-ImageGeometry GeometryOf(
-  const NrrdHeader& header, const NrrdAxes& axes, std::vector<std::string>& warnings)
-{
-  const std::size_t rank = axes.sizes.size();
-  const auto directions = PartsPerAxis(header, { "spacedirections" }, rank);
-  const auto spacings = PartsPerAxis(header, { "spacings" }, rank);
-  ImageGeometry geometry;
-  for (std::size_t i = 0; i < axes.spatial.size(); ++i)
-  {
-    const std::size_t axis = axes.spatial[i];
-    if (!directions.empty())
-    {
-      geometry.axesMm[int(i)] = VectorFromText(header.path, "space directions", directions[axis]);
-    }
-    else if (!spacings.empty())
-    {
-      geometry.axesMm[int(i)] *= NumberFromText(header.path, "numbers as spacings", spacings[axis]);
-    }
-  }
-  const std::string origin = header.fields.Value({ "spaceorigin" });
-  if (!origin.empty())
-  {
-    geometry.originMm = VectorFromText(header.path, "space origin", origin);
-  }
-
-  const SpaceTurn turn = TurnOfSpace(header);
-  const bool turnsX = turn == SpaceTurn::LeftRight || turn == SpaceTurn::Both;
-  const bool turnsY = turn == SpaceTurn::FrontBack || turn == SpaceTurn::Both;
-  if (turn == SpaceTurn::Unknown)
-  {
-    warnings.push_back(UnknownSides);
-  }
-  return InLps(geometry, { turnsX ? -1.0 : 1.0, turnsY ? -1.0 : 1.0, 1.0 }, MmPerSpaceUnit(header));
 }
 
 }

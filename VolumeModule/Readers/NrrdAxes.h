@@ -1,7 +1,6 @@
 #ifndef Varimarch_Readers_NrrdAxes_h
 #define Varimarch_Readers_NrrdAxes_h
 
-#include "Readers/ImageGeometry.h"
 #include "Readers/NrrdHeader.h"
 #include "Readers/VoxelLayout.h"
 
@@ -18,8 +17,11 @@ struct NrrdAxes
   std::vector<std::int64_t> sizes;
   std::vector<std::size_t> spatial; ///< at most three axes of the volume, fastest first
   std::int64_t volumeCount = 1;     ///< number of time points or list elements
-  std::int64_t componentCount = 1;  ///< values per voxel
-  bool planar = false; ///< components are stored one after another, each for the whole volume
+  /// Number of those whose values alternate, voxel by voxel.
+  std::int64_t alternatingCount = 1;
+  std::int64_t componentCount = 1; ///< values per voxel
+  bool planar = false;     ///< components are stored one after another, each for the whole volume
+  bool areComplex = false; ///< the components are a real and an imaginary part
 };
 
 /// Determines the axes. Adds a warning if only the first of several volumes is read.
@@ -28,11 +30,6 @@ NrrdAxes AxesOf(const NrrdHeader& header, std::vector<std::string>& warnings);
 
 /// @throws std::runtime_error for an unknown scalar type
 VoxelLayout LayoutOf(const NrrdHeader& header, const NrrdAxes& axes);
-
-/// Determines the geometry. Adds a warning if the file does not state the patient's orientation.
-/// @throws std::runtime_error for an unknown space or invalid numbers
-ImageGeometry GeometryOf(
-  const NrrdHeader& header, const NrrdAxes& axes, std::vector<std::string>& warnings);
 
 }
 

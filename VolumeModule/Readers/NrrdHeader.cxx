@@ -1,6 +1,7 @@
 #include "Readers/NrrdHeader.h"
 
 #include "Readers/FileError.h"
+#include "Readers/NumberText.h"
 
 #include <algorithm>
 
@@ -49,6 +50,35 @@ std::vector<std::string> NrrdParts(const std::string& line)
     begin = end;
   }
   return parts;
+}
+
+std::vector<std::string> NrrdPartsPerAxis(
+  const NrrdHeader& header, const std::vector<std::string>& keys, std::size_t axisCount)
+{
+  const std::vector<std::string> parts = NrrdParts(header.fields.Value(keys));
+  if (!parts.empty() && parts.size() != axisCount)
+  {
+    FailToRead(header.path, std::to_string(axisCount) + " values for the field " + keys.front(),
+      std::to_string(parts.size()));
+  }
+  return parts;
+}
+
+std::vector<double> NrrdVector(
+  const NrrdHeader& header, const std::string& what, const std::string& text)
+{
+  std::string inside = text;
+  std::replace_if(
+    inside.begin(), inside.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+  if (LowerCase(text) == "none" || LowerCase(Words(inside).front()) == "nan")
+  {
+    return {};
+  }
+  if (text.empty() || text.front() != '(' || text.back() != ')')
+  {
+    FailToRead(header.path, "a vector such as (1,0,0) for the " + what, Quoted(text));
+  }
+  return NumbersFromText(header.path, what, inside, Words(inside).size());
 }
 
 NrrdHeader ReadNrrdHeader(const std::string& path)

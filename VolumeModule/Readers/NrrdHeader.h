@@ -25,6 +25,18 @@ NrrdHeader ReadNrrdHeader(const std::string& path);
 /// The parts of a field's value: words, vectors "(x, y, z)" and quoted strings.
 std::vector<std::string> NrrdParts(const std::string& value);
 
+/// The parts of the first of these fields that exists, one for each axis; empty if there is none.
+/// @throws std::runtime_error for another number of parts
+std::vector<std::string> NrrdPartsPerAxis(
+  const NrrdHeader& header, const std::vector<std::string>& keys, std::size_t axisCount);
+
+/// The numbers of a vector such as "(1,0,0)"; empty for "none" and for vectors of NaN, which teem
+/// writes for axes without direction.
+/// @param what  description of the vector for the error message
+/// @throws std::runtime_error for any other text
+std::vector<double> NrrdVector(
+  const NrrdHeader& header, const std::string& what, const std::string& text);
+
 /// The text without spaces, since NRRD allows both "data file" and "datafile".
 std::string WithoutBlanks(std::string text);
 

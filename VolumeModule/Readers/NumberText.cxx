@@ -92,6 +92,11 @@ void ReadValues(
     {
       progress.Report(double(i) / double(list.count));
     }
+    const bool isNextGroup = i > 0 && i % list.together == 0;
+    for (std::uint64_t left = isNextGroup ? list.together * (list.groups - 1) : 0; left > 0; --left)
+    {
+      words.Next();
+    }
     const std::string& word = words.Next();
     if (word.empty())
     {

@@ -17,6 +17,8 @@ struct NumberList
   std::string path;
   int scalarType; ///< VTK_SHORT or another VTK type
   std::uint64_t count;
+  std::uint64_t together = 1; ///< numbers that stand together
+  std::uint64_t groups = 1;   ///< groups of such numbers, of which only the first is in the list
 };
 
 /// Reads decimal numbers, separated by whitespace or commas, into memory of the list's type.

@@ -136,13 +136,16 @@ std::vector<double> NumbersPerAxis(
   std::vector<double> numbers(3, otherwise);
   if (!value.empty())
   {
-    numbers = NumbersFromText(header.path, keys.front(), value, std::size_t(header.rank));
+    // Like MetaIO, this ignores numbers beyond the dimensions.
+    const std::size_t count = std::max(std::size_t(header.rank), Words(value).size());
+    numbers = NumbersFromText(header.path, keys.front(), value, count);
+    numbers.resize(std::size_t(header.rank), otherwise);
     numbers.resize(3, otherwise);
   }
   return numbers;
 }
 
-ImageGeometry GeometryOf(const MetaHeader& header)
+ImageGeometry GeometryOf(const MetaHeader& header, std::vector<std::string>& warnings)
 {
   const std::vector<double> spacing =
     NumbersPerAxis(header, { "elementspacing", "elementsize" }, 1.0);
@@ -163,7 +166,7 @@ ImageGeometry GeometryOf(const MetaHeader& header)
       }
     }
   }
-  const double mmPerUnit = MmPerUnit(header.fields.Value({ "distanceunits" }));
+  const double mmPerUnit = MmPerUnitOrWarn(header.fields.Value({ "distanceunits" }), warnings);
   ImageGeometry geometry;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -171,6 +174,19 @@ ImageGeometry GeometryOf(const MetaHeader& header)
     geometry.originMm[axis] = origin[axis] * mmPerUnit;
   }
   return geometry;
+}
+
+/// True if the file states a linear function of the values. MetaIO leaves it to its callers, and
+/// ITK and VTK do not apply it.
+bool HasIntensityFunction(const MetaHeader& header)
+{
+  const auto differs = [&](const std::string& key, double usual)
+  {
+    const std::string value = header.fields.Value({ key });
+    return !value.empty() && NumberFromText(header.path, key, value) != usual;
+  };
+  return differs("elementtointensityfunctionslope", 1.0) ||
+    differs("elementtointensityfunctionoffset", 0.0);
 }
 
 VoxelFile VoxelFileOf(const MetaHeader& header)
@@ -187,9 +203,9 @@ VoxelFile VoxelFileOf(const MetaHeader& header)
   {
     file.paths = DataFiles(header.path, name, header.listedFiles);
     const std::string skip = header.fields.Value({ "headersize" });
-    file.fileOffset =
+    file.dataOffset =
       skip.empty() ? 0 : IntegerFromText(header.path, "a number as HeaderSize", skip);
-    if (file.fileOffset < VoxelFile::FromEnd)
+    if (file.dataOffset < VoxelFile::FromEnd)
     {
       FailToRead(header.path, "at least -1 as HeaderSize", skip);
     }
@@ -208,7 +224,7 @@ Volume ReadMetaImage(const std::string& path, const ReadOptions&, ReadProgress& 
 {
   const MetaHeader header = ReadHeader(path);
   Volume volume;
-  const ImageGeometry geometry = GeometryOf(header);
+  const ImageGeometry geometry = GeometryOf(header, volume.warnings);
   const VoxelFile file = VoxelFileOf(header);
   if (file.volumeCount > 1)
   {
@@ -219,6 +235,11 @@ Volume ReadMetaImage(const std::string& path, const ReadOptions&, ReadProgress& 
   if (header.fields.Value(directionKeys).empty())
   {
     volume.warnings.push_back(UnknownSides);
+  }
+  if (HasIntensityFunction(header))
+  {
+    volume.warnings.push_back("The file states a conversion of its values to intensities "
+                              "(ElementToIntensityFunction), which was not applied.");
   }
   const std::string modality = header.fields.Value({ "modality" });
   volume.modality = modality == "MET_MOD_CT" ? "CT" : modality == "MET_MOD_MR" ? "MR" : "";

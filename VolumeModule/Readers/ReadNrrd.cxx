@@ -2,7 +2,9 @@
 // http://teem.sourceforge.net/nrrd/format.html
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/Magnitude.h"
 #include "Readers/NrrdAxes.h"
+#include "Readers/NrrdGeometry.h"
 #include "Readers/NumberText.h"
 #include "Readers/VoxelFile.h"
 
@@ -15,7 +17,7 @@ namespace varimarch
 namespace
 {
 
-/// Number of bytes or lines to skip; 0 if the field is missing.
+/// Number of bytes or lines to skip; 0 if the field is missing, VoxelFile::FromEnd for -1.
 std::int64_t Skip(const NrrdHeader& header, const std::string& key)
 {
   const std::string value = header.fields.Value({ key });
@@ -28,17 +30,6 @@ std::int64_t Skip(const NrrdHeader& header, const std::string& key)
   return skip;
 }
 
-/// Offset after a number of lines.
-std::uint64_t OffsetBehindLines(const std::string& path, std::uint64_t offset, std::int64_t count)
-{
-  const auto stream = OpenStream(path, Compression::None, offset);
-  for (char character; count > 0 && stream->Read(&character, 1) == 1; ++offset)
-  {
-    count -= character == '\n' ? 1 : 0;
-  }
-  return offset;
-}
-
 void SetEncoding(const NrrdHeader& header, VoxelFile& file)
 {
   const std::string encoding = LowerCase(header.fields.Value({ "encoding" }));
@@ -46,13 +37,21 @@ void SetEncoding(const NrrdHeader& header, VoxelFile& file)
   {
     file.compression = Compression::Deflate;
   }
+  else if (encoding == "bzip2" || encoding == "bz2")
+  {
+    file.compression = Compression::Other;
+  }
+  else if (encoding == "hex")
+  {
+    file.compression = Compression::Hexadecimal;
+  }
   else if (encoding == "txt" || encoding == "text" || encoding == "ascii")
   {
     file.encoding = VoxelEncoding::Text;
   }
   else if (encoding != "raw")
   {
-    FailToRead(header.path, "the encoding raw, gzip or ascii", Quoted(encoding));
+    FailToRead(header.path, "the encoding raw, gzip, bzip2, hex or ascii", Quoted(encoding));
   }
 }
 
@@ -71,23 +70,8 @@ VoxelFile VoxelFileOf(const NrrdHeader& header)
     file.fileOffset = std::int64_t(header.end);
   }
 
-  // Lines are skipped in the file; bytes are skipped after them, in the decompressed data.
-  const std::int64_t lineSkip = Skip(header, "lineskip");
-  if (lineSkip > 0)
-  {
-    ReadableFileSize(file.paths.front());
-    file.fileOffset =
-      std::int64_t(OffsetBehindLines(file.paths.front(), std::uint64_t(file.fileOffset), lineSkip));
-  }
-  const std::int64_t byteSkip = Skip(header, "byteskip");
-  if (byteSkip == VoxelFile::FromEnd)
-  {
-    file.fileOffset = VoxelFile::FromEnd;
-  }
-  else
-  {
-    file.dataOffset = byteSkip;
-  }
+  file.lineSkip = Skip(header, "lineskip");
+  file.dataOffset = Skip(header, "byteskip");
   return file;
 }
 
@@ -103,6 +87,7 @@ Volume ReadNrrd(const std::string& path, const ReadOptions&, ReadProgress& progr
   VoxelFile file = VoxelFileOf(header);
   file.planar = axes.planar;
   file.volumeCount = axes.volumeCount;
+  file.alternatingCount = axes.alternatingCount;
   const bool needsByteOrder =
     file.encoding == VoxelEncoding::Binary && vtkDataArray::GetDataTypeSize(layout.scalarType) > 1;
   if (needsByteOrder && !header.fields.Has("endian"))
@@ -110,6 +95,10 @@ Volume ReadNrrd(const std::string& path, const ReadOptions&, ReadProgress& progr
     volume.warnings.push_back("The file does not say its byte order; little endian was assumed.");
   }
   volume.image = ReadVoxels(file, layout, progress);
+  if (axes.areComplex)
+  {
+    TakeMagnitude("The numbers are complex", volume);
+  }
   PlaceImage(path, geometry, volume.image);
   return volume;
 }

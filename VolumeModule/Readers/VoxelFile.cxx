@@ -8,6 +8,8 @@
 #include <vtkImageData.h>
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 
 namespace varimarch
 {
@@ -35,54 +37,132 @@ VoxelFile FirstVolume(const VoxelFile& file, std::uint64_t valueCount)
   return first;
 }
 
-/// Opens a file at its first voxel.
-std::unique_ptr<ByteStream> StreamAtVoxels(
-  const VoxelFile& file, const std::string& path, std::uint64_t partBytes)
+/// The bytes of the first of several volumes whose values alternate.
+class FirstOfAlternating : public ByteStream
 {
-  const std::uint64_t fileBytes = ReadableFileSize(path);
-  std::uint64_t offset = std::uint64_t(file.fileOffset);
-  if (file.fileOffset == VoxelFile::FromEnd)
+public:
+  /// @param voxelBytes  size of a voxel of one volume
+  FirstOfAlternating(
+    std::unique_ptr<ByteStream> all, std::uint64_t voxelBytes, std::uint64_t volumeCount)
+    : all(std::move(all))
+    , voxelBytes(voxelBytes)
+    , otherBytes(voxelBytes * (volumeCount - 1))
   {
-    offset = fileBytes - std::min(fileBytes, partBytes * std::uint64_t(file.volumeCount));
   }
-  auto stream = OpenStream(path, file.compression, offset);
-  stream->Skip(std::uint64_t(file.dataOffset));
+
+  std::size_t Read(void* buffer, std::size_t count) override
+  {
+    std::size_t done = 0;
+    std::size_t got = 1;
+    while (done < count && got > 0)
+    {
+      if (this->place == this->voxelBytes)
+      {
+        this->all->Skip(this->otherBytes);
+        this->place = 0;
+      }
+      const auto wanted = std::min<std::uint64_t>(count - done, this->voxelBytes - this->place);
+      got = this->all->Read(static_cast<char*>(buffer) + done, std::size_t(wanted));
+      this->place += got;
+      done += got;
+    }
+    return done;
+  }
+
+  std::uint64_t FileBytes() override { return this->all->FileBytes(); }
+
+private:
+  std::unique_ptr<ByteStream> all;
+  std::uint64_t voxelBytes;
+  std::uint64_t otherBytes;
+  std::uint64_t place = 0; ///< number of bytes of the current voxel that were read
+};
+
+/// The part of a volume that one file holds.
+struct Part
+{
+  std::string path;
+  int scalarType;
+  std::uint64_t valueCount;
+  std::uint64_t valuesPerVoxel;
+
+  std::uint64_t Bytes() const { return this->valueCount * this->ValueBytes(); }
+  std::uint64_t ValueBytes() const
+  {
+    return std::uint64_t(vtkDataArray::GetDataTypeSize(this->scalarType));
+  }
+};
+
+/// Offset after a number of lines.
+std::uint64_t OffsetBehindLines(const std::string& path, std::uint64_t offset, std::int64_t count)
+{
+  const auto stream = OpenStream(path, Compression::None, offset);
+  for (char character; count > 0 && stream->Read(&character, 1) == 1; ++offset)
+  {
+    count -= character == '\n' ? 1 : 0;
+  }
+  return offset;
+}
+
+/// Opens a file at its first voxel.
+std::unique_ptr<ByteStream> StreamAtVoxels(const VoxelFile& file, const Part& part)
+{
+  const std::uint64_t begin =
+    OffsetBehindLines(part.path, std::uint64_t(file.fileOffset), file.lineSkip);
+  std::uint64_t skip = std::uint64_t(file.dataOffset);
+  if (file.dataOffset == VoxelFile::FromEnd)
+  {
+    const std::uint64_t all = file.compression == Compression::None
+      ? ReadableFileSize(part.path) - begin
+      : OpenStream(part.path, file.compression, begin)
+          ->Skip(std::numeric_limits<std::uint64_t>::max());
+    skip =
+      all - std::min(all, part.Bytes() * std::uint64_t(file.volumeCount * file.alternatingCount));
+  }
+  if (file.compression == Compression::None)
+  {
+    return OpenStream(part.path, file.compression, begin + skip);
+  }
+  auto stream = OpenStream(part.path, file.compression, begin);
+  stream->Skip(skip);
   return stream;
 }
 
 /// Fails if a file is too short for its part of the voxels, whatever its bytes are.
-void CheckFileHolds(
-  const VoxelFile& file, const std::string& path, std::uint64_t partBytes, std::uint64_t partValues)
+void CheckFileHolds(const VoxelFile& file, const Part& part)
 {
-  const double fileBytes = double(ReadableFileSize(path));
-  const double headerBytes = std::max(0.0, double(file.fileOffset));
+  const double fileBytes = double(ReadableFileSize(part.path));
+  const double headerBytes = double(file.fileOffset);
   const bool isText = file.encoding == VoxelEncoding::Text;
   // A number and the separator after it take two bytes; the last one needs no separator.
-  double neededBytes = isText ? 2.0 * partValues - 1.0 : double(partBytes) + file.dataOffset;
-  const double mostBytes =
-    std::max(0.0, fileBytes - headerBytes) * LargestRatio(file.compression);
+  const double neededBytes = double(file.alternatingCount) *
+      (isText ? 2.0 * double(part.valueCount) - 1.0 : double(part.Bytes())) +
+    std::max(0.0, double(file.dataOffset));
+  const double mostBytes = std::max(0.0, fileBytes - headerBytes) * LargestRatio(file.compression);
   if (neededBytes > mostBytes)
   {
-    FailToRead(path, ByteText(neededBytes) + " of voxels",
+    FailToRead(part.path, ByteText(neededBytes) + " of voxels",
       ByteText(fileBytes) + (headerBytes > 0 ? " with a header of " + ByteText(headerBytes) : ""));
   }
 }
 
 /// Reads the values of one file.
-void ReadPart(
-  const VoxelFile& file, const NumberList& values, void* destination, ReadProgress progress)
+void ReadPart(const VoxelFile& file, const Part& part, void* destination, ReadProgress progress)
 {
-  const auto valueBytes = std::uint64_t(vtkDataArray::GetDataTypeSize(values.scalarType));
-  const std::uint64_t partBytes = values.count * valueBytes;
-  const auto stream = StreamAtVoxels(file, values.path, partBytes);
+  auto stream = StreamAtVoxels(file, part);
   if (file.encoding == VoxelEncoding::Text)
   {
-    ReadNumbers(values, *stream, destination, progress);
+    ReadNumbers({ part.path, part.scalarType, part.valueCount, part.valuesPerVoxel,
+                  std::uint64_t(file.alternatingCount) },
+      *stream, destination, progress);
+    return;
   }
-  else
+  if (file.alternatingCount > 1)
   {
-    ReadBytes(values.path, *stream, destination, partBytes, progress);
+    stream = std::make_unique<FirstOfAlternating>(std::move(stream),
+      part.valuesPerVoxel * part.ValueBytes(), std::uint64_t(file.alternatingCount));
   }
+  ReadBytes(part.path, *stream, destination, part.Bytes(), progress);
 }
 
 /// Reorders from component by component to voxel by voxel.
@@ -146,20 +226,21 @@ vtkSmartPointer<vtkImageData> ReadVoxels(
   const std::uint64_t byteCount = CheckedByteCount(allFiles.paths.front(), layout);
   const auto valueBytes = std::uint64_t(vtkDataArray::GetDataTypeSize(layout.scalarType));
   const VoxelFile file = FirstVolume(allFiles, byteCount / valueBytes);
-  const std::uint64_t partBytes = byteCount / file.paths.size();
+  std::vector<Part> parts;
   for (const std::string& path : file.paths)
   {
-    CheckFileHolds(file, path, partBytes, partBytes / valueBytes);
+    parts.push_back({ path, layout.scalarType, byteCount / valueBytes / file.paths.size(),
+      std::uint64_t(layout.componentCount) });
+    CheckFileHolds(file, parts.back());
   }
 
   auto image = AllocatedImage(layout);
   auto* destination = static_cast<char*>(image->GetScalarPointer());
-  const double partCount = double(file.paths.size());
-  for (std::size_t part = 0; part < file.paths.size(); ++part)
+  const double partCount = double(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    const NumberList values = { file.paths[part], layout.scalarType, partBytes / valueBytes };
-    ReadPart(file, values, destination + part * partBytes,
-      progress.Part(double(part) / partCount, (part + 1.0) / partCount));
+    ReadPart(file, parts[i], destination + i * parts[i].Bytes(),
+      progress.Part(double(i) / partCount, double(i + 1) / partCount));
   }
   if (file.encoding == VoxelEncoding::Binary)
   {

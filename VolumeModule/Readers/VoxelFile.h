@@ -21,17 +21,20 @@ enum class VoxelEncoding
 /// Location and encoding of the voxels.
 struct VoxelFile
 {
-  /// A file offset that means: the voxels end with the file.
+  /// A data offset that means: the voxels end with the file.
   static constexpr std::int64_t FromEnd = -1;
 
   std::vector<std::string> paths; ///< files that hold equal parts, in order
   std::int64_t volumeCount = 1;   ///< number of volumes in all files; only the first is read
+  /// Number of volumes whose values alternate, voxel by voxel; only the first is read.
+  std::int64_t alternatingCount = 1;
   VoxelEncoding encoding = VoxelEncoding::Binary;
   Compression compression = Compression::None;
   bool bigEndian = false;
   bool planar = false;         ///< all values of component 0, then all of component 1, and so on
-  std::int64_t fileOffset = 0; ///< bytes to skip in each file, or FromEnd (uncompressed files only)
-  std::int64_t dataOffset = 0; ///< bytes to skip after decompression
+  std::int64_t fileOffset = 0; ///< bytes to skip in each file
+  std::int64_t lineSkip = 0;   ///< lines to skip after them
+  std::int64_t dataOffset = 0; ///< bytes to skip after decompression, or FromEnd
 };
 
 /// Reads the voxels into a new image at the origin with spacing 1. Sizes are checked against the

@@ -25,9 +25,9 @@ std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layou
     }
     bytes *= double(dimension);
   }
-  if (layout.componentCount < 1 || layout.componentCount > 4)
+  if (layout.componentCount < 1 || layout.componentCount > std::numeric_limits<int>::max())
   {
-    FailToRead(path, "1 to 4 values per voxel", std::to_string(layout.componentCount));
+    FailToRead(path, "at least 1 value per voxel", std::to_string(layout.componentCount));
   }
   const double memoryBytes = PhysicalMemoryBytes();
   if (bytes > memoryBytes)

@@ -22,8 +22,8 @@ struct VoxelLayout
 
 /// Memory that the voxels need [bytes].
 /// @param path  path for the error message
-/// @throws std::runtime_error for dimensions below 1, more than four components, or more bytes than
-/// the machine's memory
+/// @throws std::runtime_error for dimensions below 1, no component, or more bytes than the
+/// machine's memory
 std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layout);
 
 /// An image with memory for the voxels, at the origin, with spacing 1. The layout must have been
