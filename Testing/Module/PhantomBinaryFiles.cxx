@@ -145,18 +145,30 @@ std::string AnalyzeHeaderBytes(
 std::string SpmMatrixBytes(const StoredVolume& volume)
 {
   // A MATLAB file of version 4: type, rows, columns, no imaginary part, length of the name.
-  std::string bytes = Bytes(std::int32_t(0)) + Bytes(std::int32_t(4)) + Bytes(std::int32_t(4)) +
-    Bytes(std::int32_t(0)) + Bytes(std::int32_t(4)) + std::string("mat\0", 4);
+  constexpr int FirstNumber = 24;
+  BinaryHeader file(FirstNumber + 16 * 8, false);
+  file.Put(4, std::int32_t(4));
+  file.Put(8, std::int32_t(4));
+  file.Put(16, std::int32_t(4));
+  file.PutText(20, std::string("mat\0", 4));
+  const auto putColumn = [&](int column, const glm::dvec3& values, double last)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      file.Put(FirstNumber + 8 * (4 * column + row), row < 3 ? values[row] : last);
+    }
+  };
   const glm::dvec3 rasFromLps(-1.0, -1.0, 1.0);
   glm::dvec3 origin = rasFromLps * volume.originMm;
   for (int axis = 0; axis < 3; ++axis)
   {
     const glm::dvec3 step = rasFromLps * volume.axesMm[axis];
-    bytes += Bytes(step.x) + Bytes(step.y) + Bytes(step.z) + Bytes(0.0);
+    putColumn(axis, step, 0.0);
     // The first voxel has the index 1.
     origin -= step;
   }
-  return bytes + Bytes(origin.x) + Bytes(origin.y) + Bytes(origin.z) + Bytes(1.0);
+  putColumn(3, origin, 1.0);
+  return file.Bytes();
 }
 
 std::string Nifti2Bytes(const StoredVolume& volume, bool bigEndian)

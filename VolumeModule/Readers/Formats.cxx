@@ -16,12 +16,6 @@ namespace varimarch
 namespace
 {
 
-bool IsNifti(const std::string& head)
-{
-  using namespace std::string_literals;
-  return TextAt(344, { "n+1\0"s, "ni1\0"s })(head) || TextAt(4, { "n+2\0"s, "ni2\0"s })(head);
-}
-
 bool Contains(const std::string& head, const std::string& text)
 {
   return head.find(text) != std::string::npos;

@@ -54,6 +54,9 @@ Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgr
 /// The same, but irregular slices stay as they are even if the options say otherwise.
 Volume ReadUnrectified(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 
+/// True for the first bytes of a NIfTI or Analyze header.
+bool IsNifti(const std::string& head);
+
 /// True for a folder with DICOM files, with an InVesalius project, or with files of other formats.
 bool HoldsDicom(const std::string& folder);
 bool HoldsInv3(const std::string& folder);

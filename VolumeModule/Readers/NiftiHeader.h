@@ -1,0 +1,49 @@
+#ifndef Varimarch_Readers_NiftiHeader_h
+#define Varimarch_Readers_NiftiHeader_h
+
+#include "Readers/Rescale.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace varimarch
+{
+
+enum class NiftiKind
+{
+  OneFile, ///< the voxels follow the header
+  Pair,    ///< the voxels are in a file of their own
+  Analyze  ///< Analyze 7.5, a pair too, whose header has no mark and no orientation
+};
+
+/// The content of all versions of the header, in host byte order.
+struct NiftiHeader
+{
+  NiftiKind kind;
+  std::size_t byteCount; ///< size of the header with the flags of its extensions
+  bool bigEndian;
+  std::int64_t dim[8]; ///< [0] is the number of dimensions that follow
+  int intent;
+  int datatype;
+  double pixdim[8]; ///< [0] is the sign of the third axis in the quaternion form
+  double voxelOffset;
+  Rescale rescale;
+  double calibration[2]; ///< smallest and largest value to show
+  int units;
+  int quaternionCode;
+  int affineCode;
+  double quaternion[3];
+  double quaternionOffset[3];
+  double affine[3][4]; ///< rows of the affine matrix
+  /// For Analyze: the voxel at the origin as SPM stores it, counted from 1; 0 if not stated.
+  double spmOrigin[3];
+};
+
+/// Reads the header of a file that may be compressed.
+/// @throws std::runtime_error if it has none
+NiftiHeader ReadNiftiHeader(const std::string& path);
+
+}
+
+#endif
