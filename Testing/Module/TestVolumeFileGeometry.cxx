@@ -121,4 +121,55 @@ TEST(VolumeFileGeometry, VtiStaysInPlaceWhereverItsExtentBegins)
     });
 }
 
+TEST(VolumeFileGeometry, CellsOfVtiStayInPlace)
+{
+  ExpectAllOrientationsInPlace([](const TemporaryFolder& folder, const StoredVolume& volume)
+    { return folder.Write("phantom.vti", VtiCellText(volume)); });
+}
+
+/// Writes a volume as two pieces of VTI, one behind the other along the last axis, and the file
+/// that names them.
+std::string WriteInPieces(const TemporaryFolder& folder, const StoredVolume& volume)
+{
+  const int cut = 1;
+  const auto layerValues = std::ptrdiff_t(volume.dimensions[0]) * volume.dimensions[1];
+  StoredVolume lower = volume;
+  lower.dimensions[2] = cut;
+  lower.values.resize(std::size_t(cut * layerValues));
+  StoredVolume upper = volume;
+  upper.dimensions[2] -= cut;
+  upper.values.erase(upper.values.begin(), upper.values.begin() + cut * layerValues);
+  upper.originMm += double(cut) * upper.axesMm[2];
+  folder.Write("lower.vti", VtiText(lower));
+  folder.Write("upper.vti", VtiText(upper, { 0, 0, cut }));
+  return folder.Write("phantom.pvti",
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"PImageData\" version=\"0.1\">\n"
+    "<PImageData WholeExtent=\"0 4 0 3 0 2\">\n<Piece Source=\"upper.vti\"/>\n"
+    "<Piece Source=\"lower.vti\"/>\n</PImageData>\n</VTKFile>\n");
+}
+
+TEST(VolumeFileGeometry, PiecesOfVtiStayInPlace)
+{
+  ExpectAllOrientationsInPlace(WriteInPieces);
+}
+
+TEST(VolumeFileGeometry, AnalyzeStaysInPlaceByTheMatrixOfSpm)
+{
+  ExpectAllOrientationsInPlace(
+    [](const TemporaryFolder& folder, const StoredVolume& volume)
+    {
+      folder.Write("phantom.hdr", AnalyzeHeaderBytes(volume));
+      folder.Write("phantom.mat", SpmMatrixBytes(volume));
+      return folder.Write("phantom.img", VoxelBytes(volume));
+    });
+}
+
+TEST(VolumeFileGeometry, PackedFilesStayInPlace)
+{
+  ExpectAllOrientationsInPlace(
+    [](const TemporaryFolder& folder, const StoredVolume& volume) {
+      return folder.Write("phantom.zip", Archived({ { "a.nii", NiftiBytes(volume) } }, "zip"));
+    });
+}
+
 }

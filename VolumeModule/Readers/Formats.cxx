@@ -58,6 +58,16 @@ bool IsVti(const std::string& head)
   return IsVtkXml(head, "ImageData");
 }
 
+bool IsPvti(const std::string& head)
+{
+  return IsVtkXml(head, "PImageData");
+}
+
+bool IsLegacyVtk(const std::string& head)
+{
+  return TextAt(0, { "# vtk DataFile" })(head) && Contains(head, "STRUCTURED_POINTS");
+}
+
 /// An InVesalius project is known as an archive, before its files are.
 bool IsNever(const std::string&)
 {
@@ -75,6 +85,8 @@ const std::vector<VolumeFormat> formats = {
   { "Analyze", "Voxels of NIfTI or Analyze beside a header", { ".img", ".img.gz" }, nullptr,
     ReadNifti, nullptr, decompresses },
   { "VTI", "VTK images", { ".vti" }, IsVti, ReadVti },
+  { "PVTI", "VTK images in pieces", { ".pvti" }, IsPvti, ReadPvti },
+  { "VTK", "VTK structured points", { ".vtk" }, IsLegacyVtk, ReadLegacyVtk },
   { "DICOM", "DICOM images", { ".dcm", ".dicom", ".ima" }, IsDicom, ReadDicom, HoldsDicom },
   { "InVesalius", "InVesalius projects", { ".inv3" }, IsNever, ReadInv3, HoldsInv3 },
   { "archive", "Archives and compressed files",

@@ -64,10 +64,12 @@ bool HoldsVolumes(const std::string& folder);
 
 Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadInv3(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadLegacyVtk(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadMetaImage(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadNifti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadNrrd(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadPacked(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadPvti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadVti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 

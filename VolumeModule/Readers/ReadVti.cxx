@@ -3,8 +3,8 @@
 #include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/ImageGeometry.h"
 #include "Readers/VoxelLayout.h"
+#include "Readers/VtkImage.h"
 #include "Readers/VtkMessages.h"
 #include "Readers/VtkProgress.h"
 
@@ -17,13 +17,9 @@
 #include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkMatrix3x3.h>
-#include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLDataParser.h>
 #include <vtkXMLImageDataReader.h>
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -35,45 +31,34 @@ namespace varimarch
 namespace
 {
 
-/// Header information about the array that is read.
-struct ArrayInfo
-{
-  std::string name;
-  int scalarType;
-  int componentCount;
-};
-
 [[noreturn]] void FailWith(const std::string& path, const VtkMessages& messages)
 {
   FailToRead(path, "a complete VTK image file", messages.FirstErrorOr("an incomplete one"));
 }
 
-/// The active scalars, or else the first array with at most four numbers per point.
-ArrayInfo ArrayToRead(const std::string& path, vtkInformation* output)
+/// The arrays that a header lists.
+std::vector<ImageArray> ArraysOf(vtkInformationVector* list, bool areInCells)
 {
-  vtkInformationVector* arrays = output->Get(vtkDataObject::POINT_DATA_VECTOR());
-  const int count = arrays ? arrays->GetNumberOfInformationObjects() : 0;
-  std::vector<ArrayInfo> candidates;
+  const int count = list ? list->GetNumberOfInformationObjects() : 0;
+  std::vector<ImageArray> arrays;
   for (int i = 0; i < count; ++i)
   {
-    vtkInformation* array = arrays->GetInformationObject(i);
+    vtkInformation* array = list->GetInformationObject(i);
     const char* name = array->Get(vtkDataObject::FIELD_NAME());
-    const ArrayInfo info = { name ? name : "", array->Get(vtkDataObject::FIELD_ARRAY_TYPE()),
-      array->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()) };
     const int attributes = array->Get(vtkDataObject::FIELD_ACTIVE_ATTRIBUTE());
-    const bool isActive = (attributes & (1 << vtkDataSetAttributes::SCALARS)) != 0;
-    const bool isNumeric = info.scalarType >= VTK_CHAR && info.scalarType <= VTK_DOUBLE;
-    if (!info.name.empty() && (isNumeric || info.scalarType > VTK_STRING) &&
-      info.componentCount <= 4)
-    {
-      candidates.insert(isActive ? candidates.begin() : candidates.end(), info);
-    }
+    arrays.push_back({ name ? name : "", array->Get(vtkDataObject::FIELD_ARRAY_TYPE()),
+      array->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()),
+      (attributes & (1 << vtkDataSetAttributes::SCALARS)) != 0, areInCells });
   }
-  if (candidates.empty())
-  {
-    FailToRead(path, "a numeric array of point data", "none");
-  }
-  return candidates.front();
+  return arrays;
+}
+
+ImageArray ArrayToRead(const std::string& path, vtkInformation* output)
+{
+  std::vector<ImageArray> arrays = ArraysOf(output->Get(vtkDataObject::POINT_DATA_VECTOR()), false);
+  const auto inCells = ArraysOf(output->Get(vtkDataObject::CELL_DATA_VECTOR()), true);
+  arrays.insert(arrays.end(), inCells.begin(), inCells.end());
+  return ArrayToShow(path, arrays);
 }
 
 /// Fails for a truncated file, whose missing voxels VTK would leave uninitialized.
@@ -140,32 +125,17 @@ void CheckFileHolds(const std::string& path, const VoxelLayout& layout, bool isC
 }
 
 /// Selects this array only.
-void SelectArray(vtkXMLImageDataReader* reader, const std::string& name)
+void SelectArray(vtkXMLImageDataReader* reader, const ImageArray& array)
 {
   reader->GetPointDataArraySelection()->DisableAllArrays();
-  reader->GetPointDataArraySelection()->EnableArray(name.c_str());
   reader->GetCellDataArraySelection()->DisableAllArrays();
-}
-
-ImageGeometry GeometryOf(vtkImageData* image)
-{
-  const int* extent = image->GetExtent();
-  const glm::dvec3 firstIndex(extent[0], extent[2], extent[4]);
-  const glm::dmat3 direction =
-    glm::transpose(glm::make_mat3(image->GetDirectionMatrix()->GetData()));
-  ImageGeometry geometry;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    geometry.axesMm[axis] = direction[axis] * image->GetSpacing()[axis];
-  }
-  // The file's extent may begin anywhere; the output's begins at 0.
-  geometry.originMm = glm::make_vec3(image->GetOrigin()) + geometry.axesMm * firstIndex;
-  return geometry;
+  (array.isInCells ? reader->GetCellDataArraySelection() : reader->GetPointDataArraySelection())
+    ->EnableArray(array.name.c_str());
 }
 
 /// Reads the header, and fails if it cannot be true.
 /// @returns the array to read
-ArrayInfo ReadHeader(
+ImageArray ReadHeader(
   const std::string& path, vtkXMLImageDataReader* reader, const VtkMessages& messages)
 {
   reader->SetFileName(path.c_str());
@@ -175,12 +145,13 @@ ArrayInfo ReadHeader(
   {
     FailWith(path, messages);
   }
-  const ArrayInfo array = ArrayToRead(path, output);
+  const ImageArray array = ArrayToRead(path, output);
   const int* extent = output->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
   VoxelLayout layout = { {}, array.scalarType, array.componentCount };
   for (int axis = 0; axis < 3; ++axis)
   {
-    layout.dimensions[axis] = std::int64_t(extent[2 * axis + 1]) - extent[2 * axis] + 1;
+    const std::int64_t intervals = std::int64_t(extent[2 * axis + 1]) - extent[2 * axis];
+    layout.dimensions[axis] = array.isInCells && intervals > 0 ? intervals : intervals + 1;
   }
   CheckFileHolds(path, layout, reader->GetXMLParser()->GetCompressor() != nullptr);
   return array;
@@ -188,7 +159,7 @@ ArrayInfo ReadHeader(
 
 }
 
-Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progress)
+vtkSmartPointer<vtkImageData> ReadVtiFile(const std::string& path, ReadProgress& progress)
 {
   CheckIsWhole(path);
   VtkMessages messages;
@@ -197,8 +168,8 @@ Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progre
   reader->SetParserErrorObserver(messages.Listener());
   messages.Take(reader);
   messages.Take(reader->GetExecutive());
-  const ArrayInfo array = ReadHeader(path, reader, messages);
-  SelectArray(reader, array.name);
+  const ImageArray array = ReadHeader(path, reader, messages);
+  SelectArray(reader, array);
   // The selection makes the reader parse the file again, with another parser and decompressor.
   reader->UpdateInformation();
   messages.Take(reader->GetXMLParser());
@@ -207,20 +178,17 @@ Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progre
     messages.Take(compressor);
   }
   UpdateWithProgress(reader, progress);
-
-  vtkImageData* image = reader->GetOutput();
-  vtkDataArray* scalars = image->GetPointData()->GetArray(array.name.c_str());
-  if (!messages.Errors().empty() || !scalars ||
-    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  vtkSmartPointer<vtkImageData> voxels = VoxelsOf(reader->GetOutput(), array);
+  if (!messages.Errors().empty() || !voxels)
   {
     FailWith(path, messages);
   }
-  Volume volume;
-  volume.image = vtkSmartPointer<vtkImageData>::New();
-  volume.image->SetDimensions(image->GetDimensions());
-  volume.image->GetPointData()->SetScalars(scalars);
-  PlaceImage(path, GeometryOf(image), volume.image);
-  return volume;
+  return voxels;
+}
+
+Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progress)
+{
+  return VolumeOf(path, ReadVtiFile(path, progress));
 }
 
 }
