@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-/// What vtkVolumeFileReader made of a file.
+/// The result of vtkVolumeFileReader for a file.
 struct VolumeRead
 {
   std::string error;

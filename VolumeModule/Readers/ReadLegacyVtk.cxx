@@ -22,7 +22,7 @@ struct LegacyHeader
   std::vector<double> dimensions;
   std::vector<double> spacing = { 1.0, 1.0, 1.0 };
   std::vector<double> origin = { 0.0, 0.0, 0.0 };
-  std::string type; ///< of the first array
+  std::string type; ///< type of the first array
   std::int64_t componentCount = 1;
   std::uint64_t end = 0; ///< file offset of the values
 };
