@@ -328,6 +328,16 @@ TEST(BadVolumeFiles, FoldersWithoutImagesAndUnreadableFilesAreRefused)
   }
 }
 
+TEST(BadVolumeFiles, BareVoxelsAreNotTakenForDicom)
+{
+  // A data set in implicit encoding without preamble also begins with the number 8.
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("small.raw", std::string("\x08\0\5\0\4\0\0\0\3\0\7\0", 12));
+  EXPECT_STREQ(vtkVolumeFileReader::GetFormatOfFile(path.c_str()), "raw");
+  const std::string dicom("\x08\0\5\0\4\0\0\0ISO \x08\0\x16\0", 16);
+  EXPECT_STREQ(vtkVolumeFileReader::GetFormatOfFile(folder.Write("a.raw", dicom).c_str()), "DICOM");
+}
+
 TEST(BadVolumeFiles, AreKnownByTheirContentWhateverTheirName)
 {
   const TemporaryFolder folder;

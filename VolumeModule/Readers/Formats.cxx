@@ -9,6 +9,7 @@
 #include "Readers/Unpacked.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace varimarch
@@ -21,18 +22,27 @@ bool Contains(const std::string& head, const std::string& text)
   return head.find(text) != std::string::npos;
 }
 
+/// A 16-bit number of a little-endian file; 0 behind its end.
+unsigned ShortAt(const std::string& head, std::size_t offset)
+{
+  const auto byteAt = [&](std::size_t place)
+  { return place < head.size() ? unsigned(static_cast<unsigned char>(head[place])) : 0u; };
+  return byteAt(offset) + 256 * byteAt(offset + 1);
+}
+
 /// DICOM with its usual preamble, or a data set that begins with group 2 or 8 in explicit or
-/// implicit encoding (PS3.5, section 7.1).
+/// implicit encoding (PS3.5, section 7.1). The latter has no letters, so that the next element must
+/// follow in order too, lest bare voxels be taken for it.
 bool IsDicom(const std::string& head)
 {
-  if (TextAt(128, { "DICM" })(head))
-  {
-    return true;
-  }
-  const bool hasGroup = head.size() > 8 && (head[0] == 2 || head[0] == 8) && head[1] == 0;
-  const bool isExplicit = hasGroup && std::isupper(head[4]) && std::isupper(head[5]);
-  const bool isImplicit = hasGroup && head[3] == 0 && head[5] == 0 && head[6] == 0 && head[7] == 0;
-  return isExplicit || isImplicit;
+  const unsigned group = ShortAt(head, 0);
+  const bool hasGroup = head.size() > 8 && (group == 2 || group == 8);
+  const bool isExplicit = hasGroup && std::isupper(static_cast<unsigned char>(head[4])) &&
+    std::isupper(static_cast<unsigned char>(head[5]));
+  const std::size_t next = 8 + ShortAt(head, 4);
+  const bool isImplicit = hasGroup && ShortAt(head, 6) == 0 && ShortAt(head, 4) % 2 == 0 &&
+    ShortAt(head, next) == group && ShortAt(head, next + 2) > ShortAt(head, 2);
+  return TextAt(128, { "DICM" })(head) || isExplicit || isImplicit;
 }
 
 /// A MetaImage begins with any of its fields, "Key = Value".
