@@ -278,8 +278,7 @@ double LargestRatio(Compression compression)
   switch (compression)
   {
     case Compression::Deflate:
-      // The method's limit is 1032, see zlib's technical notes; the rest allows for headers.
-      return 1040.0;
+      return LargestDeflateRatio;
     case Compression::Other:
       // bzip2 packs a block of up to 46 MB of equal bytes into about 40 bytes.
       return 1.2e6;

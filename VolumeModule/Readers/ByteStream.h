@@ -44,8 +44,11 @@ Compression CompressionOf(const std::string& path);
 std::unique_ptr<ByteStream> OpenStream(
   const std::string& path, Compression compression, std::uint64_t offset = 0);
 
-/// Upper bound of the ratio of a stream's size to that of the file; a header that promises more is
-/// false.
+/// Upper bound of the compression ratio of deflate; a header that promises more is false. The
+/// method's limit is 1032, see zlib's technical notes; the rest allows for headers.
+constexpr double LargestDeflateRatio = 1040.0;
+
+/// Upper bound of the ratio of a stream's size to that of the file.
 double LargestRatio(Compression compression);
 
 }

@@ -22,6 +22,45 @@ std::string PathBeside(const std::string& headerPath, const std::string& name)
   return (std::filesystem::path(headerPath).parent_path() / name).string();
 }
 
+/// Length of a unit [mm]; nothing for an unknown one.
+std::optional<double> LengthOfUnit(const std::string& unit)
+{
+  static const std::map<std::string, double> lengths = {
+    { "", 1.0 },
+    { "?", 1.0 },
+    { "???", 1.0 }, // not stated
+    { "angstrom", 1e-7 },
+    { "\xc3\x85", 1e-7 }, // the letter A with a ring
+    { "nm", 1e-6 },
+    { "nanometer", 1e-6 },
+    { "nanometre", 1e-6 },
+    { "um", 1e-3 },
+    { "micron", 1e-3 },
+    { "micrometer", 1e-3 },
+    { "micrometre", 1e-3 },
+    { "\xc2\xb5m", 1e-3 }, // with the micro sign
+    { "\xce\xbcm", 1e-3 }, // with the Greek letter mu
+    { "mm", 1.0 },
+    { "millimeter", 1.0 },
+    { "millimetre", 1.0 },
+    { "cm", 10.0 },
+    { "centimeter", 10.0 },
+    { "centimetre", 10.0 },
+    { "inch", 25.4 },
+    { "in", 25.4 },
+    { "m", 1000.0 },
+    { "meter", 1000.0 },
+    { "metre", 1000.0 },
+  };
+  std::string name = LowerCase(unit);
+  if (name.size() > 3 && name.back() == 's')
+  {
+    name.pop_back();
+  }
+  const auto length = lengths.find(name);
+  return length == lengths.end() ? std::nullopt : std::optional(length->second);
+}
+
 std::vector<std::string> FilesOfPattern(const std::string& headerPath, const std::string& value)
 {
   static const std::regex pattern(R"(([^%]*)%(0?)(\d?)d([^%]*?)\s+(\S+)\s+(\S+)\s+(\S+)(\s+\S+)?)");
@@ -136,48 +175,21 @@ std::vector<std::string> DataFiles(
   return files;
 }
 
+double MmPerUnit(const std::string& unit)
+{
+  return LengthOfUnit(unit).value_or(1.0);
+}
+
 double MmPerUnitOrWarn(const std::string& unit, std::vector<std::string>& warnings)
 {
-  static const std::map<std::string, double> lengths = {
-    { "", 1.0 },
-    { "?", 1.0 },
-    { "???", 1.0 }, // not stated
-    { "nm", 1e-6 },
-    { "nanometer", 1e-6 },
-    { "nanometre", 1e-6 },
-    { "um", 1e-3 },
-    { "micron", 1e-3 },
-    { "micrometer", 1e-3 },
-    { "micrometre", 1e-3 },
-    { "\xc2\xb5m", 1e-3 }, // with the micro sign
-    { "\xce\xbcm", 1e-3 }, // with the Greek letter mu
-    { "mm", 1.0 },
-    { "millimeter", 1.0 },
-    { "millimetre", 1.0 },
-    { "cm", 10.0 },
-    { "centimeter", 10.0 },
-    { "centimetre", 10.0 },
-    { "m", 1000.0 },
-    { "meter", 1000.0 },
-    { "metre", 1000.0 },
-  };
-  std::string name = LowerCase(unit);
-  if (name.size() > 3 && name.back() == 's')
-  {
-    name.pop_back();
-  }
-  const auto length = lengths.find(name);
-  if (length != lengths.end())
-  {
-    return length->second;
-  }
   const std::string warning =
     "The unit " + Quoted(unit) + " is not known; millimetres were assumed.";
-  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+  const bool isNew = std::find(warnings.begin(), warnings.end(), warning) == warnings.end();
+  if (!LengthOfUnit(unit) && isNew)
   {
     warnings.push_back(warning);
   }
-  return 1.0;
+  return MmPerUnit(unit);
 }
 
 }

@@ -56,8 +56,10 @@ bool IsFileList(const std::string& value);
 std::vector<std::string> DataFiles(
   const std::string& headerPath, const std::string& value, const std::vector<std::string>& listed);
 
-/// Length of a unit such as "um" or "mm" [mm]. It is 1 for an empty and for an unknown unit; the
-/// latter adds a warning.
+/// Length of a unit such as "um" or "mm" [mm]; 1 for an unknown unit.
+double MmPerUnit(const std::string& unit);
+
+/// The same, with a warning for an unknown unit; an empty one is mm.
 double MmPerUnitOrWarn(const std::string& unit, std::vector<std::string>& warnings);
 
 }

@@ -21,6 +21,9 @@ struct ImageGeometry
   glm::dmat3 axesMm = glm::dmat3(1.0);
 };
 
+/// The signs for InLps of a geometry in RAS space (x to the right, y to the front, z to the head).
+constexpr glm::dvec3 LpsFromRas(-1.0, -1.0, 1.0);
+
 /// Converts a geometry to LPS space.
 /// @param signs  -1 for each axis of the file's space that points the other way, such as (-1,-1,1)
 /// for RAS

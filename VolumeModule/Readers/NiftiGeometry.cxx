@@ -165,7 +165,7 @@ ImageGeometry GeometryOf(
   }
   if (geometry)
   {
-    return InLps(*geometry, { -1.0, -1.0, 1.0 }, MmPerUnit(header.units));
+    return InLps(*geometry, LpsFromRas, MmPerUnit(header.units));
   }
   ImageGeometry sizes;
   for (int axis = 0; axis < 3; ++axis)

@@ -149,12 +149,13 @@ void TakeFirstAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
 {
   const std::string kind = KindOf(header, axis);
   const std::int64_t size = axes.sizes[axis];
-  if (axes.componentCount > 1 || axes.alternatingCount > 1)
+  if (axes.componentCount > 1 || axes.volumeCount > 1)
   {
     FailToRead(header.path, "at most one axis before the spatial ones", "several");
   }
   const bool isList = IsListKind(kind) || (size > 4 && IsUnknownKind(kind));
-  (isList ? axes.alternatingCount : axes.componentCount) = size;
+  (isList ? axes.volumeCount : axes.componentCount) = size;
+  axes.areAlternating = isList;
   axes.areComplex = kind == "complex";
 }
 
@@ -165,6 +166,10 @@ void TakeLastAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
   const std::string kind = KindOf(header, axis);
   axes.planar = !IsListKind(kind) && !IsSpatialKind(kind) && axes.componentCount == 1 &&
     axis == axes.spatial.back() + 1;
+  if (axes.areAlternating)
+  {
+    FailToRead(header.path, "several volumes before or after the spatial axes", "both");
+  }
   (axes.planar ? axes.componentCount : axes.volumeCount) *= axes.sizes[axis];
 }
 
@@ -216,9 +221,9 @@ NrrdAxes AxesOf(const NrrdHeader& header, std::vector<std::string>& warnings)
   {
     TakeOtherAxis(header, axis, axes);
   }
-  if (axes.volumeCount * axes.alternatingCount > 1)
+  if (axes.volumeCount > 1)
   {
-    warnings.push_back(OnlyFirstVolume(axes.volumeCount * axes.alternatingCount));
+    warnings.push_back(OnlyFirstVolume(axes.volumeCount));
   }
   return axes;
 }

@@ -17,9 +17,8 @@ struct NrrdAxes
   std::vector<std::int64_t> sizes;
   std::vector<std::size_t> spatial; ///< at most three axes of the volume, fastest first
   std::int64_t volumeCount = 1;     ///< number of time points or list elements
-  /// Number of those whose values alternate, voxel by voxel.
-  std::int64_t alternatingCount = 1;
-  std::int64_t componentCount = 1; ///< values per voxel
+  bool areAlternating = false;      ///< the volumes alternate voxel by voxel, instead of one by one
+  std::int64_t componentCount = 1;  ///< values per voxel
   bool planar = false;     ///< components are stored one after another, each for the whole volume
   bool areComplex = false; ///< the components are a real and an imaginary part
 };

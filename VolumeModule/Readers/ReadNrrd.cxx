@@ -87,7 +87,7 @@ Volume ReadNrrd(const std::string& path, const ReadOptions&, ReadProgress& progr
   VoxelFile file = VoxelFileOf(header);
   file.planar = axes.planar;
   file.volumeCount = axes.volumeCount;
-  file.alternatingCount = axes.alternatingCount;
+  file.alternation = axes.areAlternating ? 1 : 0;
   const bool needsByteOrder =
     file.encoding == VoxelEncoding::Binary && vtkDataArray::GetDataTypeSize(layout.scalarType) > 1;
   if (needsByteOrder && !header.fields.Has("endian"))

@@ -22,7 +22,7 @@ VoxelFile FirstVolume(const VoxelFile& file, std::uint64_t valueCount)
 {
   VoxelFile first = file;
   const std::uint64_t fileCount = file.paths.size();
-  if (fileCount == 1)
+  if (fileCount == 1 || file.alternation > 0)
   {
     return first;
   }
@@ -37,34 +37,38 @@ VoxelFile FirstVolume(const VoxelFile& file, std::uint64_t valueCount)
   return first;
 }
 
-/// The bytes of the first of several volumes whose values alternate.
+/// The first of several volumes that alternate in a stream.
 class FirstOfAlternating : public ByteStream
 {
 public:
-  /// @param voxelBytes  size of a voxel of one volume
+  /// @param runBytes  number of adjacent bytes of one volume
   FirstOfAlternating(
-    std::unique_ptr<ByteStream> all, std::uint64_t voxelBytes, std::uint64_t volumeCount)
+    std::unique_ptr<ByteStream> all, std::uint64_t runBytes, std::int64_t volumeCount)
     : all(std::move(all))
-    , voxelBytes(voxelBytes)
-    , otherBytes(voxelBytes * (volumeCount - 1))
+    , runBytes(runBytes)
+    , otherBytes(runBytes * std::uint64_t(volumeCount - 1))
+    , leftInRun(runBytes)
   {
   }
 
   std::size_t Read(void* buffer, std::size_t count) override
   {
     std::size_t done = 0;
-    std::size_t got = 1;
-    while (done < count && got > 0)
+    while (done < count)
     {
-      if (this->place == this->voxelBytes)
+      if (this->leftInRun == 0)
       {
         this->all->Skip(this->otherBytes);
-        this->place = 0;
+        this->leftInRun = this->runBytes;
       }
-      const auto wanted = std::min<std::uint64_t>(count - done, this->voxelBytes - this->place);
-      got = this->all->Read(static_cast<char*>(buffer) + done, std::size_t(wanted));
-      this->place += got;
+      const auto wanted = std::size_t(std::min<std::uint64_t>(count - done, this->leftInRun));
+      const std::size_t got = this->all->Read(static_cast<char*>(buffer) + done, wanted);
+      this->leftInRun -= got;
       done += got;
+      if (got < wanted)
+      {
+        break;
+      }
     }
     return done;
   }
@@ -73,9 +77,9 @@ public:
 
 private:
   std::unique_ptr<ByteStream> all;
-  std::uint64_t voxelBytes;
+  std::uint64_t runBytes;
   std::uint64_t otherBytes;
-  std::uint64_t place = 0; ///< number of bytes of the current voxel that were read
+  std::uint64_t leftInRun;
 };
 
 /// The part of a volume that one file holds.
@@ -84,7 +88,6 @@ struct Part
   std::string path;
   int scalarType;
   std::uint64_t valueCount;
-  std::uint64_t valuesPerVoxel;
 
   std::uint64_t Bytes() const { return this->valueCount * this->ValueBytes(); }
   std::uint64_t ValueBytes() const
@@ -113,11 +116,10 @@ std::unique_ptr<ByteStream> StreamAtVoxels(const VoxelFile& file, const Part& pa
   if (file.dataOffset == VoxelFile::FromEnd)
   {
     const std::uint64_t all = file.compression == Compression::None
-      ? ReadableFileSize(part.path) - begin
+      ? ReadableFileSize(part.path) - std::min(begin, ReadableFileSize(part.path))
       : OpenStream(part.path, file.compression, begin)
           ->Skip(std::numeric_limits<std::uint64_t>::max());
-    skip =
-      all - std::min(all, part.Bytes() * std::uint64_t(file.volumeCount * file.alternatingCount));
+    skip = all - std::min(all, part.Bytes() * std::uint64_t(file.volumeCount));
   }
   if (file.compression == Compression::None)
   {
@@ -135,9 +137,14 @@ void CheckFileHolds(const VoxelFile& file, const Part& part)
   const double headerBytes = double(file.fileOffset);
   const bool isText = file.encoding == VoxelEncoding::Text;
   // A number and the separator after it take two bytes; the last one needs no separator.
-  const double neededBytes = double(file.alternatingCount) *
-      (isText ? 2.0 * double(part.valueCount) - 1.0 : double(part.Bytes())) +
-    std::max(0.0, double(file.dataOffset));
+  // The others of alternating volumes may lack their last run.
+  const double otherValues = file.alternation > 0
+    ? (double(part.valueCount) - double(file.alternation)) * double(file.volumeCount - 1)
+    : 0.0;
+  const double values = double(part.valueCount) + otherValues;
+  const double neededBytes = isText
+    ? 2.0 * values - 1.0
+    : values * double(part.ValueBytes()) + std::max(0.0, double(file.dataOffset));
   const double mostBytes = std::max(0.0, fileBytes - headerBytes) * LargestRatio(file.compression);
   if (neededBytes > mostBytes)
   {
@@ -152,15 +159,19 @@ void ReadPart(const VoxelFile& file, const Part& part, void* destination, ReadPr
   auto stream = StreamAtVoxels(file, part);
   if (file.encoding == VoxelEncoding::Text)
   {
-    ReadNumbers({ part.path, part.scalarType, part.valueCount, part.valuesPerVoxel,
-                  std::uint64_t(file.alternatingCount) },
-      *stream, destination, progress);
+    NumberList numbers = { part.path, part.scalarType, part.valueCount };
+    if (file.alternation > 0)
+    {
+      numbers.together = std::uint64_t(file.alternation);
+      numbers.groups = std::uint64_t(file.volumeCount);
+    }
+    ReadNumbers(numbers, *stream, destination, progress);
     return;
   }
-  if (file.alternatingCount > 1)
+  if (file.alternation > 0)
   {
-    stream = std::make_unique<FirstOfAlternating>(std::move(stream),
-      part.valuesPerVoxel * part.ValueBytes(), std::uint64_t(file.alternatingCount));
+    stream = std::make_unique<FirstOfAlternating>(
+      std::move(stream), std::uint64_t(file.alternation) * part.ValueBytes(), file.volumeCount);
   }
   ReadBytes(part.path, *stream, destination, part.Bytes(), progress);
 }
@@ -229,8 +240,7 @@ vtkSmartPointer<vtkImageData> ReadVoxels(
   std::vector<Part> parts;
   for (const std::string& path : file.paths)
   {
-    parts.push_back({ path, layout.scalarType, byteCount / valueBytes / file.paths.size(),
-      std::uint64_t(layout.componentCount) });
+    parts.push_back({ path, layout.scalarType, byteCount / valueBytes / file.paths.size() });
     CheckFileHolds(file, parts.back());
   }
 

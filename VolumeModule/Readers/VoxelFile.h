@@ -26,8 +26,9 @@ struct VoxelFile
 
   std::vector<std::string> paths; ///< files that hold equal parts, in order
   std::int64_t volumeCount = 1;   ///< number of volumes in all files; only the first is read
-  /// Number of volumes whose values alternate, voxel by voxel; only the first is read.
-  std::int64_t alternatingCount = 1;
+  /// Number of adjacent values of one volume, if the volumes of a single file alternate; 0 if each
+  /// volume is in one piece.
+  std::int64_t alternation = 0;
   VoxelEncoding encoding = VoxelEncoding::Binary;
   Compression compression = Compression::None;
   bool bigEndian = false;
