@@ -80,7 +80,8 @@ void vtkVolumeFileReader::Try(const std::function<void(varimarch::ReadProgress&)
   catch (const std::exception& error)
   {
     std::error_code ignored;
-    this->ErrorMessage = error.what();
+    const auto& copies = this->Read->Copies;
+    this->ErrorMessage = copies ? copies->WithOriginalPaths(error.what()) : error.what();
     this->SetErrorCode(std::filesystem::exists(this->FileName, ignored)
         ? vtkErrorCode::FileFormatError
         : vtkErrorCode::FileNotFoundError);

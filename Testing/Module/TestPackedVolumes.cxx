@@ -156,6 +156,15 @@ TEST(PackedVolumes, CutArchivesAreRefused)
   }
 }
 
+TEST(PackedVolumes, AZipArchiveCutBetweenTwoEntriesIsRefused)
+{
+  const TemporaryFolder folder;
+  const std::string bytes = Archived(DicomEntries(phantom::Stored(0), "images"), "zip");
+  const VolumeRead read =
+    ReadVolumeAt(folder.Write("cut.zip", bytes.substr(0, bytes.rfind("PK\3\4"))));
+  EXPECT_NE(read.error.find("without its end"), std::string::npos) << read.error;
+}
+
 TEST(PackedVolumes, MessagesNameTheArchiveAndNotTheCopy)
 {
   const TemporaryFolder folder;
@@ -163,6 +172,19 @@ TEST(PackedVolumes, MessagesNameTheArchiveAndNotTheCopy)
     "scan.zip", Archived({ { "a/head.nrrd", NrrdHeaderText(phantom::Stored(0)) + "\n" } }, "zip"));
   const VolumeRead read = ReadVolumeAt(path);
   EXPECT_EQ(read.error.find("Cannot read \"" + path + "/a/head.nrrd\""), 0u) << read.error;
+}
+
+TEST(PackedVolumes, SeriesOfABrokenArchiveAreRefusedByItsName)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.Write(
+    "disc.zip", Archived({ { "a.dcm", DicomBytes(phantom::Stored(0), 0).substr(0, 200) } }, "zip"));
+  const ExpectedVtkErrors errors;
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(path.c_str());
+  EXPECT_TRUE(reader->ListDICOMSeries().empty());
+  EXPECT_EQ(std::string(reader->GetErrorMessage()).find("Cannot read \"" + path), 0u)
+    << reader->GetErrorMessage();
 }
 
 TEST(PackedVolumes, CopiesOfAnArchiveExistAsLongAsItsReader)

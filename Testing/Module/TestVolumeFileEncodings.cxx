@@ -5,6 +5,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkStringArray.h>
 #include <vtkVolumeFileReader.h>
 #include <vtkXMLWriter.h>
 
@@ -157,6 +158,24 @@ TEST(VolumeFileEncodings, MetaImageWithTheNamesOfOldFiles)
   EXPECT_DOUBLE_EQ(worldMm[0], 7.0 - 2.0);
   EXPECT_DOUBLE_EQ(worldMm[1], 8.0 + 1.0);
   EXPECT_DOUBLE_EQ(worldMm[2], 9.0 + 3.0);
+}
+
+TEST(VolumeFileEncodings, MetaImageOfAPlaneWithNumbersForThreeAxes)
+{
+  // MetaIO reads as many numbers as there are dimensions.
+  const TemporaryFolder folder;
+  StoredVolume slice = phantom::Stored(0);
+  slice.values.resize(20);
+  const std::string path = folder.Write("plane.mha",
+    "NDims = 2\nDimSize = 5 4\nElementSpacing = 0.5 2 1\nElementType = MET_SHORT\n"
+    "ElementToIntensityFunctionSlope = 2\nElementDataFile = LOCAL\n" +
+      VoxelBytes(slice));
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(path.c_str());
+  ExpectVoxels(reader, slice);
+  EXPECT_EQ(reader->GetOutput()->GetSpacing()[1], 2.0);
+  const std::string warning = reader->GetWarnings()->GetValue(1);
+  EXPECT_NE(warning.find("was not applied"), std::string::npos) << warning;
 }
 
 TEST(VolumeFileEncodings, NiftiOfEveryTypeAndByteOrder)
