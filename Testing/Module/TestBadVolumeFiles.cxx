@@ -257,6 +257,8 @@ TEST(BadVolumeFiles, FilesOfAnotherKindAreNamed)
     { "unknown", "\x1a\x2b\x03", "the bytes 1a 2b 03" },
     { "report.dcm", "%PDF-1.4", "a PDF document" },
     { "unset.raw", "voxels", "dimensions" },
+    { "no.zip", "no archive", "an archive or a compressed file" },
+    { "cut.tar", std::string(300, '\0'), "an archive or a compressed file" },
   });
 }
 

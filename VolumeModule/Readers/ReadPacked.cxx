@@ -2,6 +2,7 @@
 // format. What is packed is unpacked into a private folder, and read from there.
 #include "Readers/ByteStream.h"
 #include "Readers/FileContent.h"
+#include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/Unpacked.h"
 
@@ -85,21 +86,20 @@ Volume ReadPacked(const std::string& path, const ReadOptions& options, ReadProgr
   ReadProgress unpacking = progress.Part(0.0, 0.5);
   ReadProgress reading = progress.Part(0.5, 1.0);
   std::vector<std::string> warnings;
-  Volume volume;
-  if (const auto copies = UnpackedIfPacked(path, warnings, unpacking))
+  const auto copies = UnpackedIfPacked(path, warnings, unpacking);
+  const std::vector<std::string> files = copies ? std::vector<std::string>() : VolumesBelow(path);
+  if (!copies && files.empty())
   {
-    volume = ReadCopies(*copies, options, reading);
+    // Only its name was that of an archive.
+    FailToRead(path, "an archive or a compressed file", DescribedContent(FirstBytes(path)));
   }
-  else
+  if (files.size() > 1)
   {
-    const std::vector<std::string> files = VolumesBelow(path);
-    volume = ReadUnrectified(files.front(), options, reading);
-    if (files.size() > 1)
-    {
-      warnings.push_back("The folder holds " + std::to_string(files.size()) + " volumes; only " +
-        std::filesystem::path(files.front()).filename().string() + " was read.");
-    }
+    warnings.push_back("The folder holds " + std::to_string(files.size()) + " volumes; only " +
+      std::filesystem::path(files.front()).filename().string() + " was read.");
   }
+  Volume volume = copies ? ReadCopies(*copies, options, reading)
+                         : ReadUnrectified(files.front(), options, reading);
   volume.warnings.insert(volume.warnings.begin(), warnings.begin(), warnings.end());
   return volume;
 }
