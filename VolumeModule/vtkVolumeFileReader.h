@@ -2,8 +2,9 @@
  * @class   vtkVolumeFileReader
  * @brief   Reads a volume of any supported format, in patient coordinates
  *
- * One reader for VTI, NRRD, MetaImage, NIfTI, DICOM, InVesalius projects and raw voxels. Set a file
- * name (for DICOM: a folder, a DICOMDIR or a file) and update:
+ * One reader for VTI, NRRD, MetaImage, NIfTI, DICOM, InVesalius projects, TIFF, NumPy, MGH, MINC,
+ * AFNI, MIF, PAR/REC, GIPL, MRC, SLC, PVM, stacks of pictures and raw voxels. Set a file name (for
+ * DICOM: a folder, a DICOMDIR or a file; for a stack of pictures: a folder) and update:
  * @code
  *   vtkNew<vtkVolumeFileReader> reader;
  *   reader->SetFileName("head.nrrd");

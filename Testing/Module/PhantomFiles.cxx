@@ -185,6 +185,13 @@ std::string TemporaryFolder::Write(const std::string& name, const std::string& b
   return file.string();
 }
 
+std::string TemporaryFolder::Bytes(const std::string& name) const
+{
+  std::ostringstream bytes;
+  bytes << std::ifstream(this->path / name, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
 std::string VoxelBytes(const StoredVolume& volume, bool bigEndian)
 {
   switch (volume.scalarType)

@@ -51,6 +51,8 @@ public:
   std::string Path(const std::string& name) const { return (this->path / name).string(); }
   /// Writes a file and returns its path.
   std::string Write(const std::string& name, const std::string& bytes) const;
+  /// The bytes of a file of the folder.
+  std::string Bytes(const std::string& name) const;
 
 private:
   std::filesystem::path path;

@@ -1,5 +1,6 @@
 // Bad files give one sentence and an empty output, and take little memory.
-#include "PhantomFiles.h"
+#include "GoodFiles.h"
+#include "PhantomFormats.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkImageData.h>
@@ -116,24 +117,21 @@ std::string Vti(const VtiEncoding& encoding)
   return text.substr(0, text.size() - 1);
 }
 
-/// A valid file of each format: name, bytes, and the number of redundant bytes at its end.
-struct GoodFile
-{
-  const char* name;
-  std::string bytes;
-  std::size_t spareBytes = 0;
-};
-
 std::vector<GoodFile> GoodFiles()
 {
   const StoredVolume volume = phantom::Stored(0);
   // After the last voxel, gzip has an end mark and 8 bytes of checksums.
-  return { { "a.nrrd", Nrrd() }, { "gzip.nrrd", GzippedNrrd(), 12 }, { "a.mha", MetaImage() },
-    { "a.vti", Vti() }, { "binary.vti", Vti({ vtkXMLWriter::Binary }) },
+  std::vector<GoodFile> files = { { "a.nrrd", Nrrd() }, { "gzip.nrrd", GzippedNrrd(), 12 },
+    { "a.mha", MetaImage() }, { "a.vti", Vti() }, { "binary.vti", Vti({ vtkXMLWriter::Binary }) },
     { "raw.vti", Vti({ vtkXMLWriter::Appended, false }) },
     { "zlib.vti", Vti({ vtkXMLWriter::Appended, false, vtkXMLWriter::ZLIB }) },
     { "a.nii", NiftiBytes(volume) }, { "a.nii.gz", Gzipped(NiftiBytes(volume)), 12 },
     { "a.dcm", DicomBytes(volume, 0) } };
+  for (const GoodFile& file : MoreGoodFiles())
+  {
+    files.push_back(file);
+  }
+  return files;
 }
 
 TEST(BadVolumeFiles, TheGoodOnesAreRead)
@@ -212,6 +210,15 @@ TEST(BadVolumeFiles, FalseSizesTakeNoMemory)
     { "a.nii.gz", Gzipped(NiftiBytes(large).substr(0, 352) + VoxelBytes(volume)) },
     { "a.vti", VtiText(large) },
     { "a.dcm", DicomBytes(volume, 0, { "1.2", 1.0, 0.0, 65535 }) },
+    { "a.mgh", MghBytes(large) },
+    { "a.mgz", Gzipped(MghBytes(large)) },
+    { "a.gipl", GiplBytes(large) },
+    { "a.mrc", MrcBytes(large) },
+    { "a.mif", MifHeaderText(large, { 0, 1, 2 }, { false, false, false }) + VoxelBytes(volume) },
+    { "a.npy", NpyBytes(volume, { 30000, 30000, 30000 }) },
+    { "overflow.npy", NpyBytes(volume, { 2147483647, 2147483647, 2147483647, 2147483647 }) },
+    { "a.slc", Replaced(SlcBytes(PhantomOfBytes(), true), "5 4 3", "3000 3000 3000") },
+    { "a.pvm", Replaced(PvmBytes(PhantomOfBytes()), "5 4 3", "3000 3000 3000") },
   };
   for (const auto& [name, bytes] : files)
   {

@@ -1,5 +1,6 @@
 // The phantom must lie in the same place for every stored order and direction of its axes.
-#include "PhantomFiles.h"
+#include "PhantomFormats.h"
+#include "PhantomLibraryFiles.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -111,6 +112,45 @@ TEST(VolumeFileGeometry, DicomStaysInPlaceWhateverTheOrderOfItsFiles)
       }
       return folder.Path("images");
     });
+}
+
+TEST(VolumeFileGeometry, MghStaysInPlace)
+{
+  ExpectAllOrientationsInPlace([](const TemporaryFolder& folder, const StoredVolume& volume)
+    { return folder.Write("phantom.mgh", MghBytes(volume)); });
+}
+
+TEST(VolumeFileGeometry, AfniStaysInPlace)
+{
+  ExpectAllOrientationsInPlace(
+    [](const TemporaryFolder& folder, const StoredVolume& volume)
+    {
+      folder.Write("phantom+orig.BRIK", VoxelBytes(volume));
+      return folder.Write("phantom+orig.HEAD", AfniHeaderText(volume));
+    });
+}
+
+TEST(VolumeFileGeometry, MifStaysInPlaceWhateverTheStrides)
+{
+  ExpectAllOrientationsInPlace(
+    [](const TemporaryFolder& folder, const StoredVolume& volume)
+    {
+      return folder.Write("phantom.mif",
+        MifHeaderText(volume, { 2, 0, 1 }, { true, false, true }) + VoxelBytes(volume));
+    });
+}
+
+TEST(VolumeFileGeometry, MincStaysInPlace)
+{
+  for (const auto write : { WriteMinc1, WriteMinc2 })
+  {
+    ExpectAllOrientationsInPlace(
+      [&](const TemporaryFolder& folder, const StoredVolume& volume)
+      {
+        write(folder.Path("phantom.mnc"), volume, {});
+        return folder.Path("phantom.mnc");
+      });
+  }
 }
 
 TEST(VolumeFileGeometry, VtiStaysInPlaceWhereverItsExtentBegins)

@@ -7,7 +7,7 @@ packages=(
   # To build
   g++ cmake ninja-build ccache pkg-config git python3
   libvtk9-dev libvtk-dicom-dev libgdcm-dev libglm-dev libtbb-dev nlohmann-json3-dev libcli11-dev
-  zlib1g-dev libplist-dev libarchive-dev
+  zlib1g-dev libplist-dev libarchive-dev libtiff-dev libhdf5-dev libnetcdf-dev
   libegl-dev libgl-dev libglew-dev
   python3-dev python3-numpy python3-vtk9 vtk9
   qtbase5-dev qttools5-dev qttools5-dev-tools libvtk9-qt-dev libspdlog-dev

@@ -54,23 +54,49 @@ Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgr
 /// The same, but irregular slices stay as they are even if the options say otherwise.
 Volume ReadUnrectified(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 
-/// True for the first bytes of a NIfTI or Analyze header.
+/// True for the first bytes, decompressed, of a file of the format.
+bool IsAfni(const std::string& head);
+bool IsGipl(const std::string& head);
+bool IsMgh(const std::string& head);
+bool IsMif(const std::string& head);
+bool IsMinc(const std::string& head);
+bool IsMrc(const std::string& head);
 bool IsNifti(const std::string& head);
+bool IsNpy(const std::string& head);
+bool IsPar(const std::string& head);
+bool IsPvm(const std::string& head);
+bool IsSlc(const std::string& head);
+bool IsStackSlice(const std::string& head);
+bool IsTiff(const std::string& head);
 
-/// True for a folder with DICOM files, with an InVesalius project, or with files of other formats.
+/// True for a folder with DICOM files, with an InVesalius project, with pictures and no other
+/// volumes, or with files of other formats.
 bool HoldsDicom(const std::string& folder);
 bool HoldsInv3(const std::string& folder);
+bool HoldsPictures(const std::string& folder);
 bool HoldsVolumes(const std::string& folder);
 
+Volume ReadAfni(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadGipl(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadImageStack(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadInv3(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadLegacyVtk(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadMetaImage(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadMgh(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadMif(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadMinc(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadMrc(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadNifti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadNpy(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadNrrd(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadPacked(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadParRec(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadPvm(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadPvti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadSlc(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadTiff(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadVti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 
 }

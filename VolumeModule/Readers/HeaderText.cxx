@@ -3,6 +3,9 @@
 #include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
 #include "Readers/NumberText.h"
+#include "Readers/VoxelLayout.h"
+
+#include <vtkType.h>
 
 #include <algorithm>
 #include <cctype>
@@ -119,6 +122,43 @@ std::optional<std::string> HeaderLines::Next()
     line.pop_back();
   }
   return line;
+}
+
+std::string HeaderWords::Next()
+{
+  const auto isSpace = [this](std::size_t place)
+  { return std::isspace(static_cast<unsigned char>(this->bytes[place])) != 0; };
+  std::size_t begin = std::min(this->position, this->bytes.size());
+  while (begin < this->bytes.size() && isSpace(begin))
+  {
+    ++begin;
+  }
+  std::size_t end = begin;
+  while (end < this->bytes.size() && !isSpace(end))
+  {
+    ++end;
+  }
+  this->position = std::min(end + 1, this->bytes.size());
+  return this->bytes.substr(begin, end - begin);
+}
+
+std::int64_t HeaderWords::Integer(const std::string& what)
+{
+  return IntegerFromText(this->path, what, this->Next());
+}
+
+double HeaderWords::Number(const std::string& what)
+{
+  return NumberFromText(this->path, what, this->Next());
+}
+
+std::string WholeFile(const std::string& path)
+{
+  const auto fileBytes = std::int64_t(ReadableFileSize(path));
+  CheckedByteCount(path, { { fileBytes, 1, 1 }, VTK_UNSIGNED_CHAR });
+  std::string bytes(std::size_t(fileBytes), '\0');
+  bytes.resize(OpenStream(path, Compression::None)->Read(bytes.data(), bytes.size()));
+  return bytes;
 }
 
 std::string HeaderFields::Value(const std::vector<std::string>& keys) const

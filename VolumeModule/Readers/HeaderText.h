@@ -28,6 +28,40 @@ private:
   std::size_t position = 0;
 };
 
+/// The words at the beginning of a file that is in memory, one after another.
+class HeaderWords
+{
+public:
+  /// @param path  path for error messages
+  /// @param bytes  the file's bytes; must outlive this object
+  HeaderWords(const std::string& path, const std::string& bytes)
+    : path(path)
+    , bytes(bytes)
+  {
+  }
+
+  /// The next word, and steps over the white space before it and one character of that after it.
+  std::string Next();
+
+  /// The next words as numbers.
+  /// @param what  description of the number for the error message
+  /// @throws std::runtime_error if the next word is not a number
+  std::int64_t Integer(const std::string& what);
+  double Number(const std::string& what);
+
+  /// Offset of the next word, or of the bytes after the header.
+  std::size_t Position() const { return this->position; }
+
+private:
+  std::string path;
+  const std::string& bytes;
+  std::size_t position = 0;
+};
+
+/// All bytes of a file.
+/// @throws std::runtime_error if it cannot be read or does not fit in memory
+std::string WholeFile(const std::string& path);
+
 /// The fields of a text header, by key.
 class HeaderFields
 {

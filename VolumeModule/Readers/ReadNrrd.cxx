@@ -92,7 +92,7 @@ Volume ReadNrrd(const std::string& path, const ReadOptions&, ReadProgress& progr
     file.encoding == VoxelEncoding::Binary && vtkDataArray::GetDataTypeSize(layout.scalarType) > 1;
   if (needsByteOrder && !header.fields.Has("endian"))
   {
-    volume.warnings.push_back("The file does not say its byte order; little endian was assumed.");
+    volume.warnings.push_back(UnknownByteOrder);
   }
   volume.image = ReadVoxels(file, layout, progress);
   if (axes.areComplex)

@@ -44,6 +44,14 @@ struct Volume
 constexpr const char* UnknownSides =
   "The file does not say which side is the patient's left, so images may be mirrored.";
 
+/// The warning for files without the size of a voxel.
+constexpr const char* UnknownSpacing =
+  "The file does not say how large a voxel is; 1 mm along each axis was assumed.";
+
+/// The warning for binary files without their byte order.
+constexpr const char* UnknownByteOrder =
+  "The file does not say its byte order; little endian was assumed.";
+
 /// The warning for files with several volumes.
 inline std::string OnlyFirstVolume(std::int64_t count)
 {

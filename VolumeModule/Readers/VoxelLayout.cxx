@@ -6,12 +6,57 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
+#include <vtkType.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace varimarch
 {
+
+bool IsSame(const VoxelLayout& one, const VoxelLayout& other)
+{
+  return one.dimensions == other.dimensions && one.scalarType == other.scalarType &&
+    one.componentCount == other.componentCount;
+}
+
+std::size_t MostFrequent(const std::vector<VoxelLayout>& layouts)
+{
+  std::map<std::tuple<std::array<std::int64_t, 3>, int, std::int64_t>, std::size_t> counts;
+  const auto countOf = [&](const VoxelLayout& layout) -> std::size_t& {
+    return counts[{ layout.dimensions, layout.scalarType, layout.componentCount }];
+  };
+  for (const VoxelLayout& layout : layouts)
+  {
+    ++countOf(layout);
+  }
+  const auto most = std::max_element(layouts.begin(), layouts.end(),
+    [&](const VoxelLayout& one, const VoxelLayout& other)
+    { return countOf(one) < countOf(other); });
+  return std::size_t(most - layouts.begin());
+}
+
+int ScalarTypeOf(NumberKind kind, std::int64_t byteCount)
+{
+  static const std::map<std::pair<NumberKind, std::int64_t>, int> types = {
+    { { NumberKind::Signed, 1 }, VTK_SIGNED_CHAR },
+    { { NumberKind::Unsigned, 1 }, VTK_UNSIGNED_CHAR },
+    { { NumberKind::Signed, 2 }, VTK_SHORT },
+    { { NumberKind::Unsigned, 2 }, VTK_UNSIGNED_SHORT },
+    { { NumberKind::Signed, 4 }, VTK_INT },
+    { { NumberKind::Unsigned, 4 }, VTK_UNSIGNED_INT },
+    { { NumberKind::Float, 4 }, VTK_FLOAT },
+    { { NumberKind::Signed, 8 }, VTK_TYPE_INT64 },
+    { { NumberKind::Unsigned, 8 }, VTK_TYPE_UINT64 },
+    { { NumberKind::Float, 8 }, VTK_DOUBLE },
+  };
+  const auto type = types.find({ kind, byteCount });
+  return type == types.end() ? VTK_VOID : type->second;
+}
 
 std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layout)
 {

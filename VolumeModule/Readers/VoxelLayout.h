@@ -4,8 +4,10 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -19,6 +21,21 @@ struct VoxelLayout
   int scalarType;                         ///< VTK_SHORT or another VTK type
   std::int64_t componentCount = 1;        ///< values per voxel
 };
+
+bool IsSame(const VoxelLayout& one, const VoxelLayout& other);
+
+/// The index of the first layout of the kind that most are of; there must be at least one.
+std::size_t MostFrequent(const std::vector<VoxelLayout>& layouts);
+
+enum class NumberKind
+{
+  Signed,
+  Unsigned,
+  Float
+};
+
+/// The VTK type of numbers of this kind and size; VTK_VOID if there is none.
+int ScalarTypeOf(NumberKind kind, std::int64_t byteCount);
 
 /// Memory that the voxels need [bytes].
 /// @param path  path for the error message

@@ -1,0 +1,47 @@
+#ifndef Varimarch_Testing_PhantomLibraryFiles_h
+#define Varimarch_Testing_PhantomLibraryFiles_h
+
+#include "PhantomFiles.h"
+
+#include <string>
+#include <vector>
+
+/// Files of formats whose libraries write them: libtiff, netCDF, HDF5 and VTK.
+
+/// Variations of a TIFF file.
+struct TiffOptions
+{
+  std::string description = {}; ///< ImageDescription of the first page
+  int samples = 1;              ///< values per pixel
+  bool isPlanar = false;
+  bool isTiled = false;
+  int compression = 1; ///< COMPRESSION_NONE; 5 is LZW, 8 is deflate
+  bool bigEndian = false;
+  bool isBig = false;               ///< true: BigTIFF
+  double pixelsPerCentimetre = 0.0; ///< 0: no resolution
+  int orientation = 1;
+};
+
+/// Writes a page for each slice; the values of a pixel follow each other in the volume's values.
+void WriteTiff(
+  const std::string& path, const StoredVolume& volume, const TiffOptions& options = {});
+
+/// Writes a slice of a volume of bytes as PNG, JPEG or grey BMP, by the extension.
+void WritePicture(const std::string& path, const StoredVolume& volume, int slice);
+
+/// Variations of a MINC file.
+struct MincOptions
+{
+  bool isScaled = false; ///< true: extremes of each slice, which make real values of stored ones
+  int timeCount = 0;     ///< number of equal volumes; 0: no dimension of time
+};
+
+void WriteMinc1(
+  const std::string& path, const StoredVolume& volume, const MincOptions& options = {});
+void WriteMinc2(
+  const std::string& path, const StoredVolume& volume, const MincOptions& options = {});
+
+/// The real value of a stored value of a scaled MINC file.
+double MincReal(double stored, int slice);
+
+#endif

@@ -1,0 +1,99 @@
+#include "Readers/FileError.h"
+#include "Readers/HeaderText.h"
+#include "Readers/Images/TiffDescription.h"
+#include "Readers/NumberText.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace varimarch
+{
+namespace
+{
+
+/// A number above 0 of the description; 1 if it is missing.
+std::size_t Count(const std::string& path, const HeaderFields& fields, const std::string& key)
+{
+  const std::string value = fields.Value({ key });
+  const std::int64_t count = value.empty() ? 1 : IntegerFromText(path, "a number as " + key, value);
+  if (count < 1 || count > 100000000)
+  {
+    FailToRead(path, "1 to 100000000 as " + key, std::to_string(count));
+  }
+  return std::size_t(count);
+}
+
+/// Length of the unit [mm]; 0 if it is no length. ImageJ writes the letter mu as an escape.
+double LengthOfUnit(
+  const HeaderFields& fields, const TiffPage& page, std::vector<std::string>& warnings)
+{
+  const std::string unit = fields.Value({ "unit" });
+  if (unit == "\\u00B5m")
+  {
+    return 1e-3;
+  }
+  const bool isNoLength = unit.empty() || unit == "pixel" || unit == "pixels";
+  return isNoLength ? page.mmPerUnit : MmPerUnitOrWarn(unit, warnings);
+}
+
+std::array<double, 3> SpacingOf(const std::string& path, const HeaderFields& fields,
+  const TiffPage& page, std::vector<std::string>& warnings)
+{
+  const double mmPerUnit = LengthOfUnit(fields, page, warnings);
+  const std::string distance = fields.Value({ "spacing" });
+  std::array<double, 3> spacingMm = { 0.0, 0.0,
+    distance.empty()
+      ? mmPerUnit
+      : mmPerUnit * std::abs(NumberFromText(path, "a number as spacing", distance)) };
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const double pixels = page.pixelsPerUnit[axis];
+    spacingMm[axis] = pixels > 0.0 ? mmPerUnit / pixels : 0.0;
+  }
+  return spacingMm;
+}
+
+}
+
+std::optional<TiffStack> ImageJStack(TiffFile& file)
+{
+  if (file.Description().compare(0, 7, "ImageJ=") != 0)
+  {
+    return std::nullopt;
+  }
+  HeaderFields fields;
+  std::istringstream lines(file.Description());
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t equals = line.find('=');
+    if (equals != std::string::npos)
+    {
+      fields.Set(Trimmed(line.substr(0, equals)), Trimmed(line.substr(equals + 1)));
+    }
+  }
+  TiffStack stack;
+  const std::string& path = file.Path();
+  const std::size_t imageCount = Count(path, fields, "images");
+  stack.channelCount = Count(path, fields, "channels");
+  stack.timeCount = Count(path, fields, "frames");
+  // Without further numbers all images are slices.
+  const bool hasSlices = fields.Has("slices") || fields.Has("channels") || fields.Has("frames");
+  const std::size_t sliceCount = hasSlices ? Count(path, fields, "slices") : imageCount;
+  if (sliceCount * stack.channelCount > imageCount)
+  {
+    FailToRead(path, std::to_string(sliceCount * stack.channelCount) + " images for all slices",
+      std::to_string(imageCount));
+  }
+  if (file.Pages().size() == 1 && imageCount > 1)
+  {
+    file.AddPagesBehindFirst(imageCount - 1);
+  }
+  for (std::size_t page = 0; page < sliceCount * stack.channelCount; ++page)
+  {
+    stack.planes.push_back({ path, page });
+  }
+  stack.spacingMm = SpacingOf(path, fields, file.Pages().front(), stack.warnings);
+  return stack;
+}
+
+}

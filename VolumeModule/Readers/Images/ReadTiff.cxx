@@ -1,0 +1,151 @@
+// TIFF files of several pages: OME-TIFF, TIFF of ImageJ, and plain pages. libtiff decodes them.
+#include "Readers/FileError.h"
+#include "Readers/Formats.h"
+#include "Readers/ImageGeometry.h"
+#include "Readers/Images/StackGeometry.h"
+#include "Readers/Images/TiffDescription.h"
+
+#include <vtkDataArray.h>
+
+#include <algorithm>
+
+namespace varimarch
+{
+namespace
+{
+
+/// The files of a stack, of which one is open at a time.
+class OpenTiff
+{
+public:
+  explicit OpenTiff(std::unique_ptr<TiffFile> first)
+    : file(std::move(first))
+  {
+  }
+
+  TiffFile& At(const TiffPlane& plane)
+  {
+    if (this->file->Path() != plane.path)
+    {
+      this->file = std::make_unique<TiffFile>(plane.path);
+    }
+    if (plane.page >= this->file->Pages().size())
+    {
+      FailToRead(plane.path, std::to_string(plane.page + 1) + " pages",
+        std::to_string(this->file->Pages().size()));
+    }
+    return *this->file;
+  }
+
+private:
+  std::unique_ptr<TiffFile> file;
+};
+
+/// Keeps the first channel of a stack whose channels are more than the components of a voxel.
+void LimitChannels(TiffStack& stack, std::int64_t componentsPerPage)
+{
+  if (std::int64_t(stack.channelCount) * componentsPerPage <= 4)
+  {
+    return;
+  }
+  stack.warnings.push_back("The file holds " + std::to_string(stack.channelCount) +
+    " channels, but a voxel has at most 4 components; only the first channel was read.");
+  std::vector<TiffPlane> first;
+  for (std::size_t i = 0; i < stack.planes.size(); i += stack.channelCount)
+  {
+    first.push_back(stack.planes[i]);
+  }
+  stack.planes = first;
+  stack.channelCount = 1;
+}
+
+/// Checks all pages before memory is allocated.
+/// @returns the layout of the volume
+VoxelLayout CheckedLayout(const TiffStack& stack, const VoxelLayout& page, OpenTiff& files)
+{
+  VoxelLayout layout = page;
+  layout.dimensions[2] = std::int64_t(stack.planes.size() / stack.channelCount);
+  layout.componentCount *= std::int64_t(stack.channelCount);
+  for (const TiffPlane& plane : stack.planes)
+  {
+    TiffFile& file = files.At(plane);
+    const VoxelLayout& own = file.Pages()[plane.page].layout;
+    if (!IsSame(own, page))
+    {
+      FailToRead(plane.path, "pages of " + Text(page),
+        Text(own) + " in page " + std::to_string(plane.page + 1));
+    }
+    file.CheckHoldsPage(plane.page);
+  }
+  CheckedByteCount(stack.planes.front().path, layout);
+  return layout;
+}
+
+vtkSmartPointer<vtkImageData> ReadPlanes(
+  const TiffStack& stack, const VoxelLayout& page, OpenTiff& files, ReadProgress& progress)
+{
+  const VoxelLayout layout = CheckedLayout(stack, page, files);
+  auto image = AllocatedImage(layout);
+  const auto pixelBytes =
+    std::size_t(vtkDataArray::GetDataTypeSize(page.scalarType)) * std::size_t(page.componentCount);
+  const std::size_t voxelBytes = pixelBytes * stack.channelCount;
+  const auto pixelCount = std::size_t(page.dimensions[0] * page.dimensions[1]);
+  std::vector<char> pixels(stack.channelCount > 1 ? pixelCount * pixelBytes : 0);
+  auto* const voxels = static_cast<char*>(image->GetScalarPointer());
+  for (std::size_t i = 0; i < stack.planes.size(); ++i)
+  {
+    progress.Report(double(i) / double(stack.planes.size()));
+    TiffFile& file = files.At(stack.planes[i]);
+    char* const slice = voxels + i / stack.channelCount * pixelCount * voxelBytes;
+    file.ReadPage(stack.planes[i].page, pixels.empty() ? slice : pixels.data());
+    char* component = slice + i % stack.channelCount * pixelBytes;
+    for (auto pixel = pixels.begin(); pixel != pixels.end(); pixel += std::ptrdiff_t(pixelBytes))
+    {
+      std::copy_n(pixel, pixelBytes, component);
+      component += voxelBytes;
+    }
+  }
+  return image;
+}
+
+}
+
+bool IsTiff(const std::string& head)
+{
+  const std::string begin = head.substr(0, 4);
+  return begin == std::string("II*\0", 4) || begin == std::string("MM\0*", 4) ||
+    begin == std::string("II+\0", 4) || begin == std::string("MM\0+", 4);
+}
+
+Volume ReadTiff(const std::string& path, const ReadOptions&, ReadProgress& progress)
+{
+  auto file = std::make_unique<TiffFile>(path);
+  std::optional<TiffStack> described = OmeStack(*file);
+  if (!described)
+  {
+    described = ImageJStack(*file);
+  }
+  const bool isPlain = !described;
+  TiffStack stack = isPlain ? PlainStack(*file) : *described;
+  const TiffPage first = file->Pages()[stack.planes.front().page];
+  LimitChannels(stack, first.layout.componentCount);
+
+  OpenTiff files(std::move(file));
+  Volume volume;
+  volume.image = ReadPlanes(stack, first.layout, files, progress);
+  volume.warnings = stack.warnings;
+  if (stack.timeCount > 1)
+  {
+    volume.warnings.push_back(OnlyFirstVolume(std::int64_t(stack.timeCount)));
+  }
+  if (first.isInverted)
+  {
+    volume.warnings.push_back(
+      "The file's largest values are black; they are not turned into brightness.");
+  }
+  PlaceImage(path, StackGeometry(stack.spacingMm, isPlain ? first.orientation : 1, volume.warnings),
+    volume.image);
+  return volume;
+}
+
+}

@@ -1,0 +1,49 @@
+#ifndef Varimarch_Readers_Images_TiffDescription_h
+#define Varimarch_Readers_Images_TiffDescription_h
+
+#include "Readers/Images/TiffFile.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// A page of a set of TIFF files.
+struct TiffPlane
+{
+  std::string path;
+  std::size_t page;
+};
+
+/// The volume that a TIFF file describes.
+struct TiffStack
+{
+  /// The planes of the first time point, slice after slice, with the channels of a slice together.
+  std::vector<TiffPlane> planes;
+  std::size_t channelCount = 1;
+  std::size_t timeCount = 1;
+  std::array<double, 3> spacingMm = { 0.0, 0.0, 0.0 }; ///< 0 if unknown
+  std::vector<std::string> warnings;
+};
+
+/// The stack that the text of ImageJ describes; nothing if the file has none. Adds the pages that
+/// have no directories to the file. See ij.io.FileInfo and ij.io.TiffDecoder of ImageJ.
+/// @throws std::runtime_error for a description that is false
+std::optional<TiffStack> ImageJStack(TiffFile& file);
+
+/// The stack that the XML of OME-TIFF describes; nothing if the file has none. See
+/// https://docs.openmicroscopy.org/ome-model/latest/ome-tiff/specification.html
+/// @throws std::runtime_error for a description that is false
+std::optional<TiffStack> OmeStack(const TiffFile& file);
+
+/// The pages of a file without description, which are slices. Pages of another size than most are
+/// left out, with a warning.
+TiffStack PlainStack(const TiffFile& file);
+
+}
+
+#endif

@@ -1,0 +1,365 @@
+#include "Readers/Images/TiffFile.h"
+
+#include "Readers/BinaryHeader.h"
+#include "Readers/ByteStream.h"
+#include "Readers/FileContent.h"
+#include "Readers/FileError.h"
+
+#include <vtkByteSwap.h>
+#include <vtkDataArray.h>
+
+#include <tiffio.h>
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+
+namespace varimarch
+{
+
+/// Collects libtiff's errors, which it would otherwise print.
+struct TiffFile::Messages
+{
+  std::string first;
+
+  static int Take(TIFF*, void* self, const char*, const char* format, va_list arguments)
+  {
+    char text[200];
+    std::vsnprintf(text, sizeof(text), format, arguments);
+    std::string& first = static_cast<Messages*>(self)->first;
+    first = first.empty() ? text : first;
+    return 1;
+  }
+
+  static int Ignore(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+};
+
+/// The pixels of a page in memory, into which decoded rows are put.
+struct TiffFile::PixelRows
+{
+  char* destination;
+  std::size_t width;
+  std::size_t height;
+  std::size_t pixelBytes;  ///< distance of pixels in memory
+  std::size_t storedBytes; ///< bytes of a decoded pixel
+
+  void Put(const char* source, std::size_t row, std::size_t column, std::size_t count) const
+  {
+    char* target = this->destination + (row * this->width + column) * this->pixelBytes;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      std::copy_n(source + i * this->storedBytes, this->storedBytes, target + i * this->pixelBytes);
+    }
+  }
+};
+
+namespace
+{
+
+/// A tag's value, or its default according to the TIFF specification.
+template <class Value>
+Value Tag(TIFF* file, std::uint32_t tag)
+{
+  Value value = 0;
+  TIFFGetFieldDefaulted(file, tag, &value);
+  return value;
+}
+
+/// The type of pixels that are stored as numbers; VTK_VOID for colours of another kind.
+int TypeOfPixels(TIFF* file)
+{
+  const auto photometric = Tag<std::uint16_t>(file, TIFFTAG_PHOTOMETRIC);
+  const bool isPlain = photometric == PHOTOMETRIC_MINISBLACK ||
+    photometric == PHOTOMETRIC_MINISWHITE || photometric == PHOTOMETRIC_RGB;
+  const auto bits = Tag<std::uint16_t>(file, TIFFTAG_BITSPERSAMPLE);
+  const auto format = Tag<std::uint16_t>(file, TIFFTAG_SAMPLEFORMAT);
+  const NumberKind kind = format == SAMPLEFORMAT_INT ? NumberKind::Signed
+    : format == SAMPLEFORMAT_IEEEFP                  ? NumberKind::Float
+                                                     : NumberKind::Unsigned;
+  const bool isReal = format != SAMPLEFORMAT_COMPLEXINT && format != SAMPLEFORMAT_COMPLEXIEEEFP;
+  return isPlain && isReal && bits % 8 == 0 ? ScalarTypeOf(kind, bits / 8) : VTK_VOID;
+}
+
+double MmPerUnit(TIFF* file)
+{
+  switch (Tag<std::uint16_t>(file, TIFFTAG_RESOLUTIONUNIT))
+  {
+    case RESUNIT_INCH:
+      return 25.4;
+    case RESUNIT_CENTIMETER:
+      return 10.0;
+    default:
+      return 0.0;
+  }
+}
+
+}
+
+std::array<double, 2> PixelSpacingMm(const TiffPage& page)
+{
+  std::array<double, 2> spacingMm = { 0.0, 0.0 };
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const double pixels = page.pixelsPerUnit[axis];
+    spacingMm[axis] = pixels > 0.0 ? page.mmPerUnit / pixels : 0.0;
+  }
+  return spacingMm;
+}
+
+TiffFile::TiffFile(const std::string& path)
+  : path(path)
+  , messages(std::make_unique<Messages>())
+{
+  ReadableFileSize(path);
+  TIFFOpenOptions* const options = TIFFOpenOptionsAlloc();
+  TIFFOpenOptionsSetErrorHandlerExtR(options, Messages::Take, this->messages.get());
+  TIFFOpenOptionsSetWarningHandlerExtR(options, Messages::Ignore, nullptr);
+  this->file = TIFFOpenExt(path.c_str(), "r", options);
+  TIFFOpenOptionsFree(options);
+  if (!this->file)
+  {
+    this->Fail("a TIFF file");
+  }
+  const char* text = nullptr;
+  if (TIFFGetField(this->file, TIFFTAG_IMAGEDESCRIPTION, &text) && text)
+  {
+    this->description = text;
+  }
+  try
+  {
+    do
+    {
+      this->pages.push_back(this->CurrentPage());
+    } while (TIFFReadDirectory(this->file));
+    this->directoryCount = this->pages.size();
+    if (!this->messages->first.empty())
+    {
+      this->Fail("readable pages after page " + std::to_string(this->pages.size()));
+    }
+  }
+  catch (...)
+  {
+    TIFFClose(this->file);
+    throw;
+  }
+}
+
+TiffFile::~TiffFile()
+{
+  TIFFClose(this->file);
+}
+
+void TiffFile::Fail(const std::string& expected)
+{
+  const std::string& fault = this->messages->first;
+  FailToRead(this->path, expected,
+    fault.empty() ? "a damaged one"
+                  : "the fault " + Quoted(fault.substr(0, fault.find(". ")), 160));
+}
+
+void TiffFile::CheckHoldsDirectory(std::uint64_t offset)
+{
+  // A header of BigTIFF has the version 43.
+  const BinaryHeader begin(FirstBytes(this->path), TIFFIsBigEndian(this->file) != 0);
+  const bool isBig = begin.At<unsigned short>(2) == 43;
+  std::string count(8, '\0');
+  OpenStream(this->path, Compression::None, offset)->Read(count.data(), count.size());
+  const BinaryHeader numbers(count, TIFFIsBigEndian(this->file) != 0);
+  const double end = double(offset) +
+    (isBig ? 16.0 + 20.0 * double(numbers.At<std::uint64_t>(0))
+           : 6.0 + 12.0 * double(numbers.At<unsigned short>(0)));
+  const double fileBytes = double(ReadableFileSize(this->path));
+  if (end > fileBytes)
+  {
+    FailToRead(this->path, "a directory of a page that ends at " + ByteText(end),
+      "a file of " + ByteText(fileBytes));
+  }
+}
+
+TiffPage TiffFile::CurrentPage()
+{
+  TiffPage page = {};
+  page.layout = { { Tag<std::uint32_t>(this->file, TIFFTAG_IMAGEWIDTH),
+                    Tag<std::uint32_t>(this->file, TIFFTAG_IMAGELENGTH), 1 },
+    TypeOfPixels(this->file), Tag<std::uint16_t>(this->file, TIFFTAG_SAMPLESPERPIXEL) };
+  if (page.layout.scalarType == VTK_VOID)
+  {
+    char fault[1024] = {};
+    if (!TIFFRGBAImageOK(this->file, fault))
+    {
+      FailToRead(
+        this->path, "pixels of 8 to 64 bits or colours", "the fault " + Quoted(fault, 160));
+    }
+    const bool isGrey = Tag<std::uint16_t>(this->file, TIFFTAG_PHOTOMETRIC) <= 1;
+    page.layout.scalarType = VTK_UNSIGNED_CHAR;
+    page.layout.componentCount = isGrey ? 1 : 3;
+  }
+  page.isReduced =
+    (Tag<std::uint32_t>(this->file, TIFFTAG_SUBFILETYPE) & FILETYPE_REDUCEDIMAGE) != 0;
+  page.isInverted = Tag<std::uint16_t>(this->file, TIFFTAG_PHOTOMETRIC) == PHOTOMETRIC_MINISWHITE &&
+    TypeOfPixels(this->file) != VTK_VOID;
+  page.orientation = Tag<std::uint16_t>(this->file, TIFFTAG_ORIENTATION);
+  page.directory = TIFFCurrentDirOffset(this->file);
+  this->CheckHoldsDirectory(page.directory);
+  page.pixelsPerUnit = { double(Tag<float>(this->file, TIFFTAG_XRESOLUTION)),
+    double(Tag<float>(this->file, TIFFTAG_YRESOLUTION)) };
+  page.mmPerUnit = MmPerUnit(this->file);
+  return page;
+}
+
+void TiffFile::AddPagesBehindFirst(std::size_t count)
+{
+  if (Tag<std::uint16_t>(this->file, TIFFTAG_COMPRESSION) != COMPRESSION_NONE)
+  {
+    FailToRead(this->path, std::to_string(count + 1) + " pages", "one compressed page");
+  }
+  this->pages.insert(this->pages.end(), count, this->pages.front());
+}
+
+void TiffFile::SelectPage(std::size_t page)
+{
+  if (TIFFCurrentDirOffset(this->file) != this->pages[page].directory &&
+    !TIFFSetSubDirectory(this->file, this->pages[page].directory))
+  {
+    this->Fail("a readable page " + std::to_string(page + 1));
+  }
+}
+
+void TiffFile::CheckHoldsPage(std::size_t page)
+{
+  this->SelectPage(page);
+  const double fileBytes = double(ReadableFileSize(this->path));
+  const double pageBytes = double(CheckedByteCount(this->path, this->pages[page].layout));
+  const std::size_t behindFirst = page < this->directoryCount ? 0 : page - this->directoryCount + 1;
+  double storedBytes = 0.0;
+  double endBytes = 0.0;
+  const bool isTiled = TIFFIsTiled(this->file) != 0;
+  const std::uint32_t count =
+    isTiled ? TIFFNumberOfTiles(this->file) : TIFFNumberOfStrips(this->file);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const double bytes = double(TIFFGetStrileByteCount(this->file, i));
+    storedBytes += bytes;
+    endBytes = std::max(endBytes, double(TIFFGetStrileOffset(this->file, i)) + bytes);
+  }
+  endBytes += pageBytes * double(behindFirst);
+  // The densest method is zstd's, with blocks of 128 kB that repeat one byte. Values of fewer than
+  // 8 bits and colours with few samples take less than the page's bytes.
+  const bool isCompressed = Tag<std::uint16_t>(this->file, TIFFTAG_COMPRESSION) != COMPRESSION_NONE;
+  const double mostBytes = storedBytes * (isCompressed ? 40000.0 : 24.0);
+  if (endBytes > fileBytes || mostBytes < pageBytes)
+  {
+    FailToRead(this->path, ByteText(pageBytes) + " of pixels in page " + std::to_string(page + 1),
+      ByteText(std::max(0.0, std::min(storedBytes, fileBytes))) + " of a file of " +
+        ByteText(fileBytes));
+  }
+}
+
+void TiffFile::ReadPage(std::size_t index, void* destination)
+{
+  this->SelectPage(index);
+  const TiffPage& page = this->pages[index];
+  this->messages->first.clear();
+  if (index >= this->directoryCount)
+  {
+    this->ReadBehindFirst(index, destination);
+    return;
+  }
+  if (TypeOfPixels(this->file) == VTK_VOID)
+  {
+    this->ReadAsColours(page, destination);
+    return;
+  }
+  const auto valueBytes = std::size_t(vtkDataArray::GetDataTypeSize(page.layout.scalarType));
+  const auto pixelBytes = valueBytes * std::size_t(page.layout.componentCount);
+  const bool isPlanar =
+    Tag<std::uint16_t>(this->file, TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
+  const int planeCount = isPlanar ? int(page.layout.componentCount) : 1;
+  for (int plane = 0; plane < planeCount; ++plane)
+  {
+    const PixelRows rows = { static_cast<char*>(destination) + std::size_t(plane) * valueBytes,
+      std::size_t(page.layout.dimensions[0]), std::size_t(page.layout.dimensions[1]), pixelBytes,
+      isPlanar ? valueBytes : pixelBytes };
+    TIFFIsTiled(this->file) ? this->ReadTiles(rows, std::uint16_t(plane))
+                            : this->ReadStrips(rows, std::uint16_t(plane));
+  }
+}
+
+void TiffFile::ReadBehindFirst(std::size_t index, void* destination)
+{
+  const TiffPage& page = this->pages[index];
+  const std::uint64_t pageBytes = CheckedByteCount(this->path, page.layout);
+  const std::uint64_t offset =
+    TIFFGetStrileOffset(this->file, 0) + (index - this->directoryCount + 1) * pageBytes;
+  const auto stream = OpenStream(this->path, Compression::None, offset);
+  if (stream->Read(destination, std::size_t(pageBytes)) < pageBytes)
+  {
+    this->Fail("complete pixels");
+  }
+  if (TIFFIsByteSwapped(this->file))
+  {
+    const int valueBytes = vtkDataArray::GetDataTypeSize(page.layout.scalarType);
+    vtkByteSwap::SwapVoidRange(
+      destination, std::size_t(pageBytes) / std::size_t(valueBytes), std::size_t(valueBytes));
+  }
+}
+
+void TiffFile::ReadAsColours(const TiffPage& page, void* destination)
+{
+  const auto width = std::uint32_t(page.layout.dimensions[0]);
+  const auto height = std::uint32_t(page.layout.dimensions[1]);
+  std::vector<std::uint32_t> pixels(std::size_t(width) * height);
+  if (!TIFFReadRGBAImageOriented(this->file, width, height, pixels.data(), page.orientation, 1))
+  {
+    this->Fail("complete pixels");
+  }
+  auto* values = static_cast<unsigned char*>(destination);
+  for (const std::uint32_t pixel : pixels)
+  {
+    const unsigned char colours[3] = { static_cast<unsigned char>(TIFFGetR(pixel)),
+      static_cast<unsigned char>(TIFFGetG(pixel)), static_cast<unsigned char>(TIFFGetB(pixel)) };
+    values = std::copy_n(colours, page.layout.componentCount, values);
+  }
+}
+
+void TiffFile::ReadStrips(const PixelRows& rows, std::uint16_t plane)
+{
+  std::vector<char> row(std::size_t(TIFFScanlineSize64(this->file)));
+  for (std::size_t y = 0; y < rows.height; ++y)
+  {
+    if (row.size() < rows.width * rows.storedBytes ||
+      TIFFReadScanline(this->file, row.data(), std::uint32_t(y), plane) != 1)
+    {
+      this->Fail("complete pixels");
+    }
+    rows.Put(row.data(), y, 0, rows.width);
+  }
+}
+
+void TiffFile::ReadTiles(const PixelRows& rows, std::uint16_t plane)
+{
+  const auto tileWidth = std::size_t(Tag<std::uint32_t>(this->file, TIFFTAG_TILEWIDTH));
+  const auto tileHeight = std::size_t(Tag<std::uint32_t>(this->file, TIFFTAG_TILELENGTH));
+  std::vector<char> tile(std::size_t(TIFFTileSize64(this->file)));
+  if (tile.empty() || tile.size() < tileWidth * tileHeight * rows.storedBytes)
+  {
+    this->Fail("tiles of pixels");
+  }
+  for (std::size_t y = 0; y < rows.height; y += tileHeight)
+  {
+    for (std::size_t x = 0; x < rows.width; x += tileWidth)
+    {
+      if (TIFFReadTile(this->file, tile.data(), std::uint32_t(x), std::uint32_t(y), 0, plane) < 0)
+      {
+        this->Fail("complete pixels");
+      }
+      for (std::size_t row = 0; row < std::min(tileHeight, rows.height - y); ++row)
+      {
+        rows.Put(tile.data() + row * tileWidth * rows.storedBytes, y + row, x,
+          std::min(tileWidth, rows.width - x));
+      }
+    }
+  }
+}
+
+}

@@ -1,0 +1,230 @@
+// AFNI: a text header (.HEAD) with the voxels in a second file (.BRIK, perhaps gzipped). See
+// https://afni.nimh.nih.gov/pub/dist/doc/program_help/README.attributes.html
+#include "Readers/FileError.h"
+#include "Readers/Formats.h"
+#include "Readers/HeaderText.h"
+#include "Readers/ImageGeometry.h"
+#include "Readers/NumberText.h"
+#include "Readers/Rescale.h"
+#include "Readers/VoxelFile.h"
+
+#include <filesystem>
+
+namespace varimarch
+{
+namespace
+{
+
+/// The attributes of a header: texts, or lists of numbers.
+class AfniHeader
+{
+public:
+  explicit AfniHeader(const std::string& path);
+
+  const std::string& Path() const { return this->path; }
+  bool Has(const std::string& name) const { return this->fields.Has(name); }
+  std::string Text(const std::string& name) const { return this->fields.Value({ name }); }
+
+  /// At least `count` numbers.
+  std::vector<double> Numbers(const std::string& name, std::size_t count) const;
+
+private:
+  std::string path;
+  HeaderFields fields;
+};
+
+bool BeginsAttribute(const std::string& line)
+{
+  return line.compare(0, 4, "type") == 0 && line.find("-attribute") != std::string::npos;
+}
+
+AfniHeader::AfniHeader(const std::string& path)
+  : path(path)
+{
+  HeaderLines lines(path);
+  std::string name;
+  std::string value;
+  bool isValue = false;
+  const auto finish = [&]
+  {
+    // A text is between ' and ~.
+    value = Trimmed(value);
+    const bool isText = !value.empty() && value.front() == '\'';
+    this->fields.Set(name, isText ? value.substr(1, value.find('~') - 1) : value);
+    value.clear();
+    isValue = false;
+  };
+  while (const std::optional<std::string> line = lines.Next())
+  {
+    const std::size_t equals = line->find('=');
+    if (BeginsAttribute(*line))
+    {
+      finish();
+    }
+    else if (!isValue && equals != std::string::npos && line->compare(0, 4, "name") == 0)
+    {
+      name = Trimmed(line->substr(equals + 1));
+    }
+    else if (!isValue && line->compare(0, 5, "count") == 0)
+    {
+      isValue = true;
+    }
+    else
+    {
+      value += *line + '\n';
+    }
+  }
+  finish();
+}
+
+std::vector<double> AfniHeader::Numbers(const std::string& name, std::size_t count) const
+{
+  const std::vector<std::string> words = Words(this->Text(name));
+  if (words.size() < count)
+  {
+    FailToRead(
+      this->path, std::to_string(count) + " numbers as " + name, std::to_string(words.size()));
+  }
+  std::vector<double> numbers;
+  for (const std::string& word : words)
+  {
+    numbers.push_back(NumberFromText(this->path, "numbers as " + name, word));
+  }
+  return numbers;
+}
+
+VoxelLayout LayoutOf(const AfniHeader& header)
+{
+  const std::vector<double> dimensions = header.Numbers("DATASET_DIMENSIONS", 3);
+  VoxelLayout layout = { {}, VTK_VOID };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    layout.dimensions[axis] = std::int64_t(std::min(std::max(dimensions[axis], -1.0), 1e15));
+  }
+  const int code = int(header.Numbers("BRICK_TYPES", 1)[0]);
+  switch (code)
+  {
+    case 0:
+      layout.scalarType = VTK_UNSIGNED_CHAR;
+      break;
+    case 1:
+      layout.scalarType = VTK_SHORT;
+      break;
+    case 2:
+      layout.scalarType = VTK_INT;
+      break;
+    case 3:
+      layout.scalarType = VTK_FLOAT;
+      break;
+    case 4:
+      layout.scalarType = VTK_DOUBLE;
+      break;
+    case 6:
+      layout.scalarType = VTK_UNSIGNED_CHAR;
+      layout.componentCount = 3;
+      break;
+    default:
+      FailToRead(header.Path(), "a brick of real numbers or colours (type 0 to 4, or 6)",
+        "the type " + std::to_string(code));
+  }
+  return layout;
+}
+
+/// Geometry in AFNI's space, which is LPS.
+ImageGeometry GeometryOf(const AfniHeader& header)
+{
+  ImageGeometry geometry;
+  if (header.Has("IJK_TO_DICOM_REAL"))
+  {
+    const std::vector<double> rows = header.Numbers("IJK_TO_DICOM_REAL", 12);
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        geometry.axesMm[axis][row] = rows[std::size_t(4 * row + axis)];
+      }
+      geometry.originMm[row] = rows[std::size_t(4 * row + 3)];
+    }
+    return geometry;
+  }
+  const std::vector<double> orientation = header.Numbers("ORIENT_SPECIFIC", 3);
+  const std::vector<double> origin = header.Numbers("ORIGIN", 3);
+  const std::vector<double> step = header.Numbers("DELTA", 3);
+  geometry.axesMm = glm::dmat3(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // 0 and 1 are right and left, 2 and 3 back and front, 4 and 5 feet and head; the step has the
+    // sign.
+    const double code = orientation[std::size_t(axis)];
+    if (!(code >= 0.0 && code <= 5.0))
+    {
+      FailToRead(header.Path(), "0 to 5 as ORIENT_SPECIFIC", std::to_string(code));
+    }
+    geometry.axesMm[axis][int(code) / 2] = step[std::size_t(axis)];
+    geometry.originMm[int(code) / 2] = origin[std::size_t(axis)];
+  }
+  return geometry;
+}
+
+/// The factor of the first brick; 0 means none.
+Rescale RescaleOf(const AfniHeader& header)
+{
+  const double factor =
+    header.Has("BRICK_FLOAT_FACS") ? header.Numbers("BRICK_FLOAT_FACS", 1)[0] : 0.0;
+  return { factor == 0.0 ? 1.0 : factor, 0.0 };
+}
+
+/// The path with another extension, for image.HEAD, image.BRIK and image.BRIK.gz.
+std::string WithExtension(const std::string& path, const std::string& extension)
+{
+  std::filesystem::path changed = path;
+  if (LowerCase(changed.extension()) == ".gz")
+  {
+    changed.replace_extension();
+  }
+  return changed.replace_extension(extension).string();
+}
+
+VoxelFile VoxelFileOf(const AfniHeader& header, Volume& volume)
+{
+  VoxelFile file;
+  const std::string plain = WithExtension(header.Path(), ".BRIK");
+  file.paths = { std::filesystem::exists(plain + ".gz") ? plain + ".gz" : plain };
+  ReadableFileSize(file.paths.front());
+  file.compression = CompressionOf(file.paths.front());
+  file.bigEndian = header.Text("BYTEORDER_STRING") == "MSB_FIRST";
+  if (!header.Has("BYTEORDER_STRING"))
+  {
+    volume.warnings.push_back(UnknownByteOrder);
+  }
+  return file;
+}
+
+}
+
+bool IsAfni(const std::string& head)
+{
+  const std::string begin = Trimmed(head);
+  return BeginsAttribute(begin.substr(0, begin.find('\n')));
+}
+
+Volume ReadAfni(const std::string& path, const ReadOptions&, ReadProgress& progress)
+{
+  ReadableFileSize(path);
+  const AfniHeader header(WithExtension(path, ".HEAD"));
+  Volume volume;
+  const VoxelLayout layout = LayoutOf(header);
+  const ImageGeometry geometry = GeometryOf(header);
+  const Rescale rescale = RescaleOf(header);
+  const std::vector<double> rank = header.Numbers("DATASET_RANK", 2);
+  if (rank[1] > 1)
+  {
+    volume.warnings.push_back(OnlyFirstVolume(std::int64_t(rank[1])));
+  }
+  volume.image = ReadVoxels(VoxelFileOf(header, volume), layout, progress);
+  volume.image = Rescaled(path, volume.image, { rescale });
+  PlaceImage(path, geometry, volume.image);
+  return volume;
+}
+
+}

@@ -1,0 +1,104 @@
+// MGH and MGZ, the format of FreeSurfer: a big-endian header of 284 bytes, then the voxels; MGZ is
+// gzipped. See https://surfer.nmr.mgh.harvard.edu/fswiki/FsTutorial/MghFormat
+#include "Readers/BinaryHeader.h"
+#include "Readers/FileError.h"
+#include "Readers/Formats.h"
+#include "Readers/ImageGeometry.h"
+#include "Readers/VoxelFile.h"
+
+#include <map>
+#include <optional>
+
+namespace varimarch
+{
+namespace
+{
+
+constexpr std::size_t headerBytes = 284;
+
+/// The VTK type of a type code.
+std::optional<int> TypeOfCode(int code)
+{
+  static const std::map<int, int> types = { { 0, VTK_UNSIGNED_CHAR }, { 1, VTK_INT },
+    { 3, VTK_FLOAT }, { 4, VTK_SHORT }, { 10, VTK_UNSIGNED_SHORT } };
+  const auto type = types.find(code);
+  return type == types.end() ? std::nullopt : std::optional(type->second);
+}
+
+/// Geometry in RAS: the header has the position of the volume's centre.
+ImageGeometry GeometryOf(const BinaryHeader& header, const VoxelLayout& layout)
+{
+  ImageGeometry geometry;
+  const glm::dvec3 spacingMm = header.VectorAt<float>(30);
+  glm::dvec3 half;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.axesMm[axis] = header.VectorAt<float>(42 + 12 * std::size_t(axis)) * spacingMm[axis];
+    half[axis] = 0.5 * double(layout.dimensions[std::size_t(axis)]);
+  }
+  geometry.originMm = header.VectorAt<float>(78) - geometry.axesMm * half;
+  return geometry;
+}
+
+/// The geometry, in RAS, that the format defines for headers without one: coronal slices of 1 mm
+/// around the centre.
+ImageGeometry DefaultGeometry(const VoxelLayout& layout)
+{
+  ImageGeometry geometry;
+  geometry.axesMm = { { -1.0, 0.0, 0.0 }, { 0.0, 0.0, -1.0 }, { 0.0, 1.0, 0.0 } };
+  geometry.originMm = geometry.axesMm *
+    glm::dvec3(-0.5 * double(layout.dimensions[0]), -0.5 * double(layout.dimensions[1]),
+      -0.5 * double(layout.dimensions[2]));
+  return geometry;
+}
+
+}
+
+bool IsMgh(const std::string& head)
+{
+  const BinaryHeader header(head, true);
+  const auto isLength = [&](std::size_t offset)
+  { return header.At<int>(offset) > 0 && header.At<int>(offset) < (1 << 24); };
+  return header.At<int>(0) == 1 && isLength(4) && isLength(8) && isLength(12) && isLength(16) &&
+    TypeOfCode(header.At<int>(20)).has_value();
+}
+
+Volume ReadMgh(const std::string& path, const ReadOptions&, ReadProgress& progress)
+{
+  const BinaryHeader header(path, headerBytes, true);
+  const int version = header.At<int>(0);
+  if (version != 1)
+  {
+    FailToRead(path, "an MGH header of version 1", "version " + std::to_string(version));
+  }
+  const int code = header.At<int>(20);
+  const std::optional<int> type = TypeOfCode(code);
+  if (!type)
+  {
+    FailToRead(path, "an MGH type: 0, 1, 3, 4 or 10", std::to_string(code));
+  }
+  const VoxelLayout layout = { { header.At<int>(4), header.At<int>(8), header.At<int>(12) },
+    *type };
+  VoxelFile file;
+  file.paths = { path };
+  file.compression = CompressionOf(path);
+  file.bigEndian = true;
+  file.dataOffset = headerBytes;
+
+  Volume volume;
+  if (header.At<int>(16) > 1)
+  {
+    volume.warnings.push_back(OnlyFirstVolume(header.At<int>(16)));
+  }
+  const bool hasGeometry = header.At<short>(28) != 0;
+  if (!hasGeometry)
+  {
+    volume.warnings.push_back(UnknownSides);
+  }
+  volume.image = ReadVoxels(file, layout, progress);
+  const ImageGeometry geometry = hasGeometry ? GeometryOf(header, layout) : DefaultGeometry(layout);
+  PlaceImage(path, InLps(geometry, LpsFromRas, 1.0), volume.image);
+  return volume;
+}
+
+}

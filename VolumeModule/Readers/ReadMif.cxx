@@ -1,0 +1,294 @@
+// MIF, the format of MRtrix: a text header with the voxels in the same file (.mif) or in another
+// (.mih). See https://mrtrix.readthedocs.io/en/latest/getting_started/image_data.html
+#include "Readers/FileError.h"
+#include "Readers/Formats.h"
+#include "Readers/HeaderText.h"
+#include "Readers/ImageGeometry.h"
+#include "Readers/NumberText.h"
+#include "Readers/Rescale.h"
+#include "Readers/VoxelFile.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
+
+namespace varimarch
+{
+namespace
+{
+
+constexpr const char* mark = "mrtrix image";
+
+struct MifHeader
+{
+  std::string path;
+  HeaderFields fields;
+  std::vector<std::int64_t> sizes; ///< voxels along the axes x, y, z and perhaps more
+  std::vector<std::size_t> order;  ///< the axes, fastest in the file first
+  std::vector<bool> isBackwards; ///< for each axis, true if its last voxel comes first in the file
+};
+
+/// The parts of a list with commas.
+std::vector<std::string> Parts(std::string list)
+{
+  std::replace(list.begin(), list.end(), ',', ' ');
+  return Words(list);
+}
+
+/// Sets the order and the directions of the axes from a text such as "-0,-1,+2".
+void SetLayout(MifHeader& header)
+{
+  const std::string layout = header.fields.Value({ "layout" });
+  const std::vector<std::string> places = Parts(layout);
+  const std::size_t rank = header.sizes.size();
+  header.order.assign(rank, rank);
+  bool isValid = places.size() == rank;
+  for (std::size_t axis = 0; isValid && axis < rank; ++axis)
+  {
+    const bool hasSign = places[axis].find_first_of("+-") == 0;
+    const std::int64_t place =
+      IntegerFromText(header.path, "whole numbers as layout", places[axis].substr(hasSign ? 1 : 0));
+    isValid = place >= 0 && place < std::int64_t(rank) && header.order[std::size_t(place)] == rank;
+    if (isValid)
+    {
+      header.order[std::size_t(place)] = axis;
+      header.isBackwards.push_back(places[axis].front() == '-');
+    }
+  }
+  if (!isValid)
+  {
+    FailToRead(header.path, "a layout such as +0,+1,+2 with a place for each axis", Quoted(layout));
+  }
+}
+
+void SetSizes(MifHeader& header)
+{
+  double voxelCount = 1.0;
+  for (const std::string& word : Parts(header.fields.Value({ "dim" })))
+  {
+    header.sizes.push_back(IntegerFromText(header.path, "whole numbers as dim", word));
+    voxelCount *= double(header.sizes.back());
+    // The upper bound keeps products of sizes exact.
+    if (header.sizes.back() < 1 || voxelCount > 9e15)
+    {
+      FailToRead(header.path, "dimensions above 0 whose product is at most 9e15",
+        Quoted(header.fields.Value({ "dim" })));
+    }
+  }
+  if (header.sizes.size() < 3 || header.sizes.size() > 16)
+  {
+    FailToRead(header.path, "3 to 16 dimensions", std::to_string(header.sizes.size()));
+  }
+}
+
+MifHeader ReadHeader(const std::string& path)
+{
+  MifHeader header;
+  header.path = path;
+  HeaderLines lines(path);
+  if (Trimmed(lines.Next().value_or("")) != mark)
+  {
+    FailToRead(path, std::string("a first line \"") + mark + '"', "another one");
+  }
+  std::optional<std::string> line;
+  while ((line = lines.Next()) && Trimmed(*line) != "END")
+  {
+    const std::size_t colon = line->find(':');
+    if (colon == std::string::npos)
+    {
+      continue;
+    }
+    const std::string key = LowerCase(Trimmed(line->substr(0, colon)));
+    const std::string value = Trimmed(line->substr(colon + 1));
+    // The matrix has one line for each of its rows.
+    const bool isMore = key == "transform" && header.fields.Has(key);
+    header.fields.Set(key, isMore ? header.fields.Value({ key }) + ',' + value : value);
+  }
+  if (!line)
+  {
+    FailToRead(path, "a header that ends with END", "no such line");
+  }
+  SetSizes(header);
+  SetLayout(header);
+  return header;
+}
+
+struct MifType
+{
+  int scalarType;
+  bool bigEndian;
+};
+
+/// Parses a type such as "UInt16LE".
+MifType TypeOf(const MifHeader& header)
+{
+  const std::string stated = header.fields.Value({ "datatype" });
+  std::string name = LowerCase(stated);
+  const std::string end = name.size() > 2 ? name.substr(name.size() - 2) : "";
+  if (end == "le" || end == "be")
+  {
+    name.erase(name.size() - 2);
+  }
+  static const std::map<std::string, int> types = { { "int8", VTK_SIGNED_CHAR },
+    { "uint8", VTK_UNSIGNED_CHAR }, { "int16", VTK_SHORT }, { "uint16", VTK_UNSIGNED_SHORT },
+    { "int32", VTK_INT }, { "uint32", VTK_UNSIGNED_INT }, { "int64", VTK_TYPE_INT64 },
+    { "uint64", VTK_TYPE_UINT64 }, { "float32", VTK_FLOAT }, { "float64", VTK_DOUBLE } };
+  const auto type = types.find(name);
+  if (type == types.end())
+  {
+    FailToRead(header.path, "a type of real numbers such as Int16LE or Float32LE", Quoted(stated));
+  }
+  return { type->second, end == "be" };
+}
+
+/// The axes of the volume, fastest in the file first.
+std::vector<std::size_t> SpatialAxes(const MifHeader& header)
+{
+  std::vector<std::size_t> axes;
+  std::copy_if(header.order.begin(), header.order.end(), std::back_inserter(axes),
+    [](std::size_t axis) { return axis < 3; });
+  return axes;
+}
+
+/// The first volume, if there are several.
+void SelectVolume(const MifHeader& header, VoxelFile& file)
+{
+  std::int64_t voxelCount = 1;
+  bool isDone = false;
+  for (const std::size_t axis : header.order)
+  {
+    const std::int64_t size = header.sizes[axis];
+    const bool isOther = axis >= 3 && size > 1;
+    if (isOther && (isDone || header.isBackwards[axis]))
+    {
+      FailToRead(header.path, "volumes whose axis runs forwards and is in one place",
+        "the layout " + Quoted(header.fields.Value({ "layout" })));
+    }
+    if (isOther)
+    {
+      file.volumeCount *= size;
+      file.alternation = voxelCount;
+    }
+    isDone = isDone || (!isOther && size > 1 && file.volumeCount > 1);
+    voxelCount *= isOther ? 1 : size;
+  }
+  // Volumes one behind the other do not alternate, so that only the first must be there.
+  file.alternation = file.alternation == voxelCount ? 0 : file.alternation;
+}
+
+VoxelFile VoxelFileOf(const MifHeader& header, bool bigEndian)
+{
+  const std::string value = header.fields.Value({ "file" });
+  const std::size_t blank = value.find_last_of(" \t");
+  const std::string name = Trimmed(value.substr(0, blank));
+  VoxelFile file;
+  file.paths = { name == "." ? header.path
+                             : (std::filesystem::path(header.path).parent_path() / name).string() };
+  file.fileOffset = blank == std::string::npos
+    ? 0
+    : IntegerFromText(header.path, "an offset after the file's name", value.substr(blank + 1));
+  if (name.empty() || file.fileOffset < 0)
+  {
+    FailToRead(header.path, "a file and an offset such as \". 256\"", Quoted(value));
+  }
+  file.bigEndian = bigEndian;
+  SelectVolume(header, file);
+  return file;
+}
+
+/// Geometry in RAS of the axes x, y, z, each forwards. MRtrix puts the centre of a volume without
+/// transform at the origin.
+ImageGeometry NominalGeometry(const MifHeader& header, Volume& volume)
+{
+  const std::vector<std::string> spacing = Parts(header.fields.Value({ "vox" }));
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (std::size_t(axis) < spacing.size())
+    {
+      geometry.axesMm[axis] *=
+        NumberFromText(header.path, "numbers as vox", spacing[std::size_t(axis)]);
+    }
+    geometry.originMm -=
+      geometry.axesMm[axis] * (0.5 * double(header.sizes[std::size_t(axis)] - 1));
+  }
+  if (!header.fields.Has("transform"))
+  {
+    volume.warnings.push_back(UnknownSides);
+    return geometry;
+  }
+  const std::vector<std::string> words = Parts(header.fields.Value({ "transform" }));
+  if (words.size() < 12)
+  {
+    FailToRead(header.path, "12 numbers as transform", std::to_string(words.size()));
+  }
+  glm::dmat3 direction;
+  for (int i = 0; i < 12; ++i)
+  {
+    const double number =
+      NumberFromText(header.path, "numbers as transform", words[std::size_t(i)]);
+    (i % 4 == 3 ? geometry.originMm : direction[i % 4])[i / 4] = number;
+  }
+  geometry.axesMm = direction * geometry.axesMm;
+  return geometry;
+}
+
+/// Geometry in RAS of the axes in the order and direction of the file.
+ImageGeometry GeometryOf(const MifHeader& header, Volume& volume)
+{
+  const ImageGeometry nominal = NominalGeometry(header, volume);
+  ImageGeometry geometry;
+  geometry.originMm = nominal.originMm;
+  int stored = 0;
+  for (const std::size_t axis : SpatialAxes(header))
+  {
+    const glm::dvec3 stepMm = nominal.axesMm[int(axis)];
+    const bool isBackwards = header.isBackwards[axis];
+    geometry.axesMm[stored] = isBackwards ? -stepMm : stepMm;
+    geometry.originMm += isBackwards ? stepMm * double(header.sizes[axis] - 1) : glm::dvec3(0.0);
+    ++stored;
+  }
+  return geometry;
+}
+
+Rescale RescaleOf(const MifHeader& header)
+{
+  const std::vector<std::string> words = Parts(header.fields.Value({ "scaling" }));
+  return words.size() < 2 ? Rescale()
+                          : Rescale{ NumberFromText(header.path, "numbers as scaling", words[1]),
+                              NumberFromText(header.path, "numbers as scaling", words[0]) };
+}
+
+}
+
+bool IsMif(const std::string& head)
+{
+  return head.compare(0, std::string(mark).size(), mark) == 0;
+}
+
+Volume ReadMif(const std::string& path, const ReadOptions&, ReadProgress& progress)
+{
+  const MifHeader header = ReadHeader(path);
+  const MifType type = TypeOf(header);
+  VoxelLayout layout = { {}, type.scalarType };
+  std::size_t stored = 0;
+  for (const std::size_t axis : SpatialAxes(header))
+  {
+    layout.dimensions[stored++] = header.sizes[axis];
+  }
+  Volume volume;
+  const VoxelFile file = VoxelFileOf(header, type.bigEndian);
+  const ImageGeometry geometry = GeometryOf(header, volume);
+  const Rescale rescale = RescaleOf(header);
+  if (file.volumeCount > 1)
+  {
+    volume.warnings.push_back(OnlyFirstVolume(file.volumeCount));
+  }
+  volume.image = ReadVoxels(file, layout, progress);
+  volume.image = Rescaled(path, volume.image, { rescale });
+  PlaceImage(path, InLps(geometry, LpsFromRas, 1.0), volume.image);
+  return volume;
+}
+
+}

@@ -1,0 +1,31 @@
+#include "Readers/XmlText.h"
+
+#include "Readers/FileError.h"
+#include "Readers/VtkMessages.h"
+
+#include <vtkNew.h>
+#include <vtkXMLDataParser.h>
+
+#include <sstream>
+
+namespace varimarch
+{
+
+vtkSmartPointer<vtkXMLDataElement> XmlFromText(
+  const std::string& path, const std::string& what, const std::string& text)
+{
+  VtkMessages messages;
+  vtkNew<vtkXMLDataParser> parser;
+  messages.Take(parser);
+  parser->SetIgnoreCharacterData(0);
+  std::istringstream stream(text);
+  parser->SetStream(&stream);
+  const bool isParsed = parser->Parse() != 0;
+  if (!isParsed || !parser->GetRootElement())
+  {
+    FailToRead(path, what, messages.FirstErrorOr("no element"));
+  }
+  return parser->GetRootElement();
+}
+
+}
