@@ -94,6 +94,29 @@ void AddInfoCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunInfo(*arguments); });
 }
 
+void AddConvertCommand(CLI::App& program)
+{
+  const auto arguments = std::make_shared<ConvertArguments>();
+  CLI::App* app = program.add_subcommand("convert", "Write a volume in another format");
+  app->footer(
+    "Voxels, spacing, position and directions are kept; TIFF holds only the spacing.\n"
+    "Examples:\n"
+    "  varimarch convert dicom-folder head.nii.gz\n"
+    "  varimarch convert dicom-folder head.nrrd --series 2 --rectify\n"
+    "  varimarch convert slices-folder slices.mha\n"
+    "  varimarch convert scan.raw scan.vti --raw-dimensions 256x256x128 --raw-type uint16");
+  AddVolumeOptions(*app, arguments->volume,
+    "A volume file, a folder with a DICOM series or with pictures of slices, or\n"
+    "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+  app
+    ->add_option("OUTPUT", arguments->outputPath,
+      "The file to write: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha),\n"
+      "VTK image (.vti) or OME-TIFF (.tif, .tiff)")
+    ->required();
+  app->add_flag("--overwrite", arguments->overwrites, "Replace an existing file");
+  app->callback([arguments] { RunConvert(*arguments); });
+}
+
 }
 
 void AddCommands(CLI::App& program, const std::string& commandText)
@@ -101,6 +124,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddRenderCommand(program, commandText);
   AddCompareCommand(program, commandText);
   AddInfoCommand(program, commandText);
+  AddConvertCommand(program);
 }
 
 }

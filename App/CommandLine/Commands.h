@@ -13,7 +13,7 @@ class App;
 namespace varimarch
 {
 
-// In the arguments of all commands, commandText is the whole command line, for the results, and
+// In the arguments of commands, commandText is the whole command line, for the results, and
 // jsonPath a file for the results, or empty.
 
 struct RenderArguments
@@ -44,6 +44,13 @@ struct InfoArguments
   std::string jsonPath;
 };
 
+struct ConvertArguments
+{
+  VolumeArguments volume;
+  std::string outputPath;
+  bool overwrites = false; ///< true to replace an existing file
+};
+
 /// Draws a scene into a PNG file.
 void RunRender(const RenderArguments& arguments);
 
@@ -52,6 +59,9 @@ void RunCompare(const CompareArguments& arguments);
 
 /// Prints a description of a volume.
 void RunInfo(const InfoArguments& arguments);
+
+/// Writes a volume in another format.
+void RunConvert(const ConvertArguments& arguments);
 
 /// Adds the subcommands that fill these arguments and run.
 void AddCommands(CLI::App& program, const std::string& commandText);

@@ -119,6 +119,23 @@ def info(folder):
     assert volume["percentiles"][0]["value"] >= volume["range"][0]
 
 
+def convert(folder):
+    for name in ("a.nrrd", "b.nii.gz", "c.mha", "d.vti", "e.tif"):
+        _, messages = run("convert", VOLUME, folder / name)
+        assert ("only the spacing" in messages) == name.endswith(".tif"), messages
+        description, _ = run("info", folder / name)
+        assert "48 x 40 x 32" in description, description
+    assert not list(folder.glob("*.part*")), "an unfinished file is left"
+    first = (folder / "a.nrrd").read_bytes()
+    _, message = run("convert", folder / "b.nii.gz", folder / "a.nrrd", expect=1)
+    assert "--overwrite" in message and (folder / "a.nrrd").read_bytes() == first
+    run("convert", folder / "c.mha", folder / "a.nrrd", "--overwrite")
+    _, message = run("convert", VOLUME, folder / "a.dcm", expect=2)
+    assert ".nrrd" in message and not (folder / "a.dcm").exists()
+    _, message = run("convert", VOLUME, folder / "nowhere" / "a.nrrd", expect=1)
+    assert "cannot be written" in message, message
+
+
 def usage(folder):
     for arguments in ([], ["render"], ["rendr"], ["render", VOLUME], ["info", VOLUME, "--bins", "0"],
                       ["compare", VOLUME, "-o", folder, "--rounds", "none"]):
@@ -136,7 +153,7 @@ def usage(folder):
         _, errors = run("render", volume, "-o", folder / "a.png", "--raw-dimensions", "4x4x4",
                         expect=2)
         assert f"--raw-dimensions: expected a raw file, found the {kind} {volume}" in errors, errors
-    for command in ("render", "compare", "info"):
+    for command in ("render", "compare", "info", "convert"):
         text, _ = run(command, "--help")
         assert f"  varimarch {command} " in text, "help without examples"
 
@@ -174,5 +191,5 @@ def interrupt(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (render, compare, compare_with_every_blend, info, usage, errors, interrupt)
+        cases = (render, compare, compare_with_every_blend, info, convert, usage, errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

@@ -1,0 +1,70 @@
+// NRRD and MetaImage: a text header, and the values behind it. See
+// http://teem.sourceforge.net/nrrd/format.html and https://itk.org/Wiki/ITK/MetaIO/Documentation
+#include "Scene/VolumeWriters/VolumeWriters.h"
+#include "Scene/VolumeWriters/WrittenImage.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+std::string SizeText(const std::array<int, 3>& size)
+{
+  return std::to_string(size[0]) + ' ' + std::to_string(size[1]) + ' ' + std::to_string(size[2]);
+}
+
+/// A vector in NRRD's form, "(x,y,z)".
+std::string NrrdVector(const glm::dvec3& vector)
+{
+  return '(' + TextOf(vector, ',') + ')';
+}
+
+/// NRRD's name for an axis with the components of a voxel.
+std::string NrrdKind(int componentCount)
+{
+  return componentCount == 3 ? "RGB-color" : componentCount == 4 ? "RGBA-color" : "vector";
+}
+
+}
+
+bool WriteNrrdFile(const LoadedVolume& volume, const std::string& path, bool)
+{
+  const WrittenImage image(path, volume.image);
+  const int componentCount = image.ComponentCount();
+  const bool hasComponents = componentCount > 1;
+  std::string directions;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    directions += ' ' + NrrdVector(image.Direction()[axis] * image.SpacingMm()[axis]);
+  }
+  const std::string header = std::string("NRRD0004\ntype: ") + image.Type().nrrd +
+    "\ndimension: " + (hasComponents ? "4" : "3") + "\nspace: left-posterior-superior\nsizes: " +
+    (hasComponents ? std::to_string(componentCount) + ' ' : "") + SizeText(image.Size()) +
+    "\nspace directions:" + (hasComponents ? " none" : "") + directions +
+    "\nkinds: " + (hasComponents ? NrrdKind(componentCount) + ' ' : "") +
+    "domain domain domain\nendian: " + (IsBigEndianMachine() ? "big" : "little") +
+    "\nencoding: raw\nspace origin: " + NrrdVector(image.OriginMm()) + "\n\n";
+  return WriteHeaderAndValues(path, header, image);
+}
+
+bool WriteMetaImageFile(const LoadedVolume& volume, const std::string& path, bool)
+{
+  const WrittenImage image(path, volume.image);
+  const glm::dmat3 direction = image.Direction();
+  const int componentCount = image.ComponentCount();
+  const bool isKnown = volume.modality == "CT" || volume.modality == "MR";
+  const std::string header =
+    std::string("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = ") +
+    (IsBigEndianMachine() ? "True" : "False") +
+    "\nCompressedData = False\nTransformMatrix = " + TextOf(direction[0]) + ' ' +
+    TextOf(direction[1]) + ' ' + TextOf(direction[2]) + "\nOffset = " + TextOf(image.OriginMm()) +
+    "\nCenterOfRotation = 0 0 0\nElementSpacing = " + TextOf(image.SpacingMm()) +
+    "\nDimSize = " + SizeText(image.Size()) +
+    (isKnown ? "\nModality = MET_MOD_" + volume.modality : "") +
+    (componentCount > 1 ? "\nElementNumberOfChannels = " + std::to_string(componentCount) : "") +
+    "\nElementType = " + image.Type().metaImage + "\nElementDataFile = LOCAL\n";
+  return WriteHeaderAndValues(path, header, image);
+}
+
+}
