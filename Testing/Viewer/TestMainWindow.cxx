@@ -1,82 +1,33 @@
 // The whole window with real events, on a virtual display.
 
-#include "Viewer/MainWindow.h"
+#include "Scene/Presets.h"
+#include "TorsoWindow.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/VolumeView.h"
 
-#include <QAbstractButton>
-#include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
 #include <QColorDialog>
-#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QSpinBox>
-#include <QTemporaryDir>
+#include <QStatusBar>
 #include <QTest>
 
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkVariationFieldVolumeMapper.h>
-#include <vtkXMLImageDataWriter.h>
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 using namespace varimarch;
-
-namespace
-{
-
-constexpr int MostMilliseconds = 60000;
-
-// Text that identifies a widget in a failure message.
-std::string Words(const QWidget* widget)
-{
-  const QVariant text = widget->property("text");
-  return (text.isValid() ? text.toString() : widget->accessibleName()).toStdString();
-}
-
-class Window : public testing::Test
-{
-protected:
-  Window()
-  {
-    vtkNew<vtkXMLImageDataWriter> writer;
-    writer->SetInputData(
-      LoadVolume(ProceduralSource{ ProceduralKind::Torso, { 32, 28, 20 }, 1 }).image);
-    writer->SetFileName(this->Path("torso.vti").toUtf8());
-    writer->Write();
-    this->window.resize(900, 500);
-    this->window.show();
-  }
-
-  QString Path(const QString& name) const { return this->folder.filePath(name); }
-
-  VolumeView* View() { return this->window.CentralView()->Ours(); }
-  SceneModel* Model() { return this->window.Model(); }
-
-  /// Opens the torso and waits for its first frame.
-  void OpenTorso()
-  {
-    this->window.Open(this->Path("torso.vti"));
-    QSignalSpy drawn(this->View(), &VolumeView::Drawn);
-    ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return this->Model()->CurrentStudy() && !drawn.isEmpty(); }, MostMilliseconds));
-  }
-
-  QTemporaryDir folder;
-  MainWindow window;
-};
-
-}
 
 TEST_F(Window, OpensAFile)
 {
@@ -225,37 +176,6 @@ TEST_F(Window, RefinesAPictureThatStays)
   refined.clear();
   QTest::qWait(1000);
   EXPECT_TRUE(refined.isEmpty());
-}
-
-// At the smallest supported window size, everything is legible and reachable.
-TEST_F(Window, FitsASmallScreen)
-{
-  this->OpenTorso();
-  this->window.resize(1280, 720);
-  for (const char* const name : { "look", "cuts", "measures" })
-  {
-    this->window.findChild<QDockWidget*>(name)->raise();
-    QTest::qWait(100);
-    EXPECT_EQ(this->window.size(), QSize(1280, 720)) << "the window had to grow for " << name;
-    int seen = 0;
-    for (QWidget* const widget : this->window.findChildren<QWidget*>())
-    {
-      const bool isToRead = qobject_cast<QLabel*>(widget) ||
-        qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) ||
-        qobject_cast<QAbstractSpinBox*>(widget);
-      const bool isOfQt = widget->inherits("QDockWidgetTitleButton");
-      if (!isToRead || isOfQt || !widget->isVisible() || widget->visibleRegion().isEmpty())
-      {
-        continue;
-      }
-      ++seen;
-      const std::string what = widget->metaObject()->className() + (' ' + Words(widget));
-      EXPECT_EQ(widget->visibleRegion().boundingRect().width(), widget->width()) << what;
-      EXPECT_GE(widget->width(), widget->minimumSizeHint().width()) << what;
-      EXPECT_GE(widget->height(), widget->minimumSizeHint().height()) << what;
-    }
-    EXPECT_GT(seen, 15);
-  }
 }
 
 // A screen with two pixels per logical pixel in each direction.

@@ -1,5 +1,6 @@
 #include "Viewer/Tools/MouseTools.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -85,7 +86,7 @@ bool MouseTools::Release(QMouseEvent* mouse)
     return false;
   }
   this->active->Release(mouse->localPos());
-  this->active = nullptr;
+  this->SetActive(nullptr);
   return true;
 }
 
@@ -96,8 +97,16 @@ bool MouseTools::Cancel()
     return false;
   }
   this->active->Cancel();
-  this->active = nullptr;
+  this->SetActive(nullptr);
   return true;
+}
+
+// An outline needs every move, also those made while the program was busy. For other tools only the
+// last position counts, so Qt may leave out the moves before it.
+void MouseTools::SetActive(MouseTool* tool)
+{
+  this->active = tool;
+  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, tool != &this->scissors);
 }
 
 // During a gesture, presses of other buttons are swallowed, so that the camera does not turn.
@@ -110,7 +119,7 @@ bool MouseTools::Press(QMouseEvent* mouse)
   MouseTool* const tool = this->ToolFor(mouse);
   if (tool && tool->Press(mouse->localPos()))
   {
-    this->active = tool;
+    this->SetActive(tool);
   }
   return tool != nullptr;
 }

@@ -55,6 +55,7 @@ private:
   bool Release(QMouseEvent* mouse);
   bool Cancel();
   MouseTool* ToolFor(QMouseEvent* mouse);
+  void SetActive(MouseTool* tool);
 
   CutHandles handles;
   MeasureTool measure;

@@ -5,10 +5,12 @@
 #include "Scene/ScenePicking.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/View/PictureReport.h"
+#include "Viewer/WaitCursor.h"
 
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkEventQtSlotConnect.h>
@@ -19,7 +21,6 @@
 #include <vtkVariationFieldVolumeMapper.h>
 
 #include <cmath>
-#include <tuple>
 
 namespace varimarch
 {
@@ -29,8 +30,6 @@ namespace
 
 constexpr double PicturesPerSecondWhileMoving = 15.0;
 constexpr double PicturesPerSecondWhenStill = 0.01;
-constexpr int StillMilliseconds = 250;
-constexpr int RefinementMilliseconds = 20; // between the parts, for other events
 constexpr int RefiningPictures = 8;
 constexpr double LongestPartSeconds = 0.3;
 
@@ -96,7 +95,10 @@ VolumeView::VolumeView(SceneModel* model, MapperKind kind, QWidget* parent)
   this->events->Connect(style, vtkCommand::EndInteractionEvent, this, SLOT(EndTurning()));
   this->events->Connect(this->window, vtkCommand::StartEvent, this, SLOT(BeginPicture()));
   this->events->Connect(this->window, vtkCommand::EndEvent, this, SLOT(EndPicture()));
-  this->PrepareTimers();
+  connect(&this->pacer, &FramePacer::QuickFrameDue, this,
+    [this] { this->Draw(PicturesPerSecondWhileMoving); });
+  connect(&this->pacer, &FramePacer::FineFrameDue, this, &VolumeView::DrawFinely);
+  connect(&this->pacer, &FramePacer::RefinementDue, this, &VolumeView::Refine);
   connect(model, &SceneModel::Changed, this, &VolumeView::Update);
   if (model->CurrentStudy())
   {
@@ -112,12 +114,16 @@ VolumeView::~VolumeView()
 
 bool VolumeView::event(QEvent* event)
 {
+  if (!this->pipeline && dynamic_cast<QInputEvent*>(event))
+  {
+    return QWidget::event(event); // VTK's style warns of a window without a renderer
+  }
   if (this->pipeline && this->tools.Take(event))
   {
     this->overlay->update();
     return true;
   }
-  if (this->pipeline && event->type() == QEvent::MouseMove)
+  if (event->type() == QEvent::MouseMove)
   {
     const auto* const mouse = static_cast<QMouseEvent*>(event);
     if (mouse->buttons() == Qt::NoButton)
@@ -138,7 +144,7 @@ void VolumeView::resizeEvent(QResizeEvent* event)
   {
     this->TakeCamera();
   }
-  this->RequestPicture();
+  this->pacer.Request();
 }
 
 void VolumeView::Update(ScenePart part)
@@ -175,7 +181,7 @@ void VolumeView::Update(ScenePart part)
       this->pipeline->SetBackground(scene.background);
       break;
   }
-  this->RequestPicture();
+  this->pacer.Request();
 }
 
 void VolumeView::TakeVolume()
@@ -186,6 +192,8 @@ void VolumeView::TakeVolume()
   }
   this->pipeline.emplace(
     this->model->CurrentScene(), this->model->CurrentStudy()->volume.image, this->kind);
+  // The corner of the view says whether the error tolerance is kept; the mapper need not warn.
+  this->pipeline->Mapper()->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
   this->ApplyRefining();
   this->window->AddRenderer(this->pipeline->Renderer());
   this->texts =
@@ -202,13 +210,13 @@ void VolumeView::BeginTurning()
 {
   this->turning = NewGesture();
   this->isTurning = true;
-  this->refinement.stop();
+  this->pacer.StopRefinement();
 }
 
 void VolumeView::EndTurning()
 {
   this->isTurning = false;
-  this->finePicture.start();
+  this->pacer.RequestFine();
   this->KeepCamera();
 }
 
@@ -229,38 +237,25 @@ void VolumeView::KeepCamera()
   }
 }
 
-void VolumeView::RequestPicture()
+void VolumeView::Draw(double framesPerSecond)
 {
-  this->refinement.stop();
-  this->quickPicture.start();
-  this->finePicture.start();
+  // While the user turns the camera, VTK's interactor style sets the rate.
+  if (!this->isTurning)
+  {
+    this->window->SetDesiredUpdateRate(framesPerSecond);
+  }
+  this->window->Render();
 }
 
-void VolumeView::PrepareTimers()
+// VTK's mappers render a frame in one piece.
+void VolumeView::DrawFinely()
 {
-  const std::tuple<QTimer*, int, double> timers[] = {
-    { &this->quickPicture, 0, PicturesPerSecondWhileMoving },
-    { &this->finePicture, StillMilliseconds, PicturesPerSecondWhenStill },
-  };
-  for (const auto& [timer, milliseconds, rate] : timers)
+  std::optional<WaitCursor> cursor;
+  if (!this->OurMapper())
   {
-    timer->setSingleShot(true);
-    timer->setInterval(milliseconds);
-    connect(timer, &QTimer::timeout, this,
-      [this, rate = rate]
-      {
-        // While the user turns the camera, VTK's interactor style sets the rate.
-        if (!this->isTurning)
-        {
-          this->window->SetDesiredUpdateRate(rate);
-        }
-        this->window->Render();
-      });
+    cursor.emplace();
   }
-  connect(&this->finePicture, &QTimer::timeout, &this->refinement, qOverload<>(&QTimer::start));
-  this->refinement.setSingleShot(true);
-  this->refinement.setInterval(RefinementMilliseconds);
-  connect(&this->refinement, &QTimer::timeout, this, &VolumeView::Refine);
+  this->Draw(PicturesPerSecondWhenStill);
 }
 
 vtkVariationFieldVolumeMapper* VolumeView::OurMapper()
@@ -273,7 +268,7 @@ void VolumeView::SetRefining(bool newRefines)
 {
   this->refines = newRefines;
   this->ApplyRefining();
-  this->RequestPicture();
+  this->pacer.Request();
 }
 
 void VolumeView::ApplyRefining()
@@ -288,14 +283,14 @@ void VolumeView::ApplyRefining()
 void VolumeView::Refine()
 {
   auto* const ours = this->OurMapper();
-  if (!ours || this->isTurning || ours->GetDrawnPart() >= 1.0)
+  if (!ours || ours->GetDrawnPart() >= 1.0)
   {
     return;
   }
   this->refining = true;
   this->window->Render();
   this->refining = false;
-  this->refinement.start();
+  this->pacer.RequestRefinement();
   emit this->Refined(ours->GetDrawnPart() * ours->GetMaximumAccumulatedPictures());
 }
 

@@ -4,11 +4,11 @@
 #include "Scene/ScenePipeline.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Tools/MouseTools.h"
+#include "Viewer/View/FramePacer.h"
 #include "Viewer/View/Overlay.h"
 
 #include <QElapsedTimer>
 #include <QEvent>
-#include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <vtkNew.h>
@@ -93,8 +93,8 @@ private:
   void Update(ScenePart part);
   void TakeVolume();
   void TakeCamera();
-  void PrepareTimers();
-  void RequestPicture();
+  void Draw(double framesPerSecond);
+  void DrawFinely();
   vtkVariationFieldVolumeMapper* OurMapper(); ///< null if this view uses VTK's mapper
   void ApplyRefining();
   void Refine();
@@ -109,9 +109,7 @@ private:
   std::optional<ScenePipeline> pipeline;
   OverlayWidget* overlay;
   Qt::AlignmentFlag reportSide = Qt::AlignLeft;
-  QTimer quickPicture; ///< starts the quick frame while changes arrive
-  QTimer finePicture;  ///< starts the fine frame when changes have stopped
-  QTimer refinement;   ///< refines the fine frame while the program is idle
+  FramePacer pacer;
   bool refines = true;
   bool refining = false; ///< the current frame adds to the accumulated image
   bool isWhole = true;   ///< all parts of the last frame are complete

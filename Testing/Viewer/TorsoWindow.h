@@ -1,0 +1,56 @@
+#ifndef Varimarch_Testing_TorsoWindow_h
+#define Varimarch_Testing_TorsoWindow_h
+
+#include "Viewer/MainWindow.h"
+#include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/VolumeView.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <vtkXMLImageDataWriter.h>
+
+#include <gtest/gtest.h>
+
+namespace varimarch
+{
+
+constexpr int MostMilliseconds = 60000;
+
+/// A window beside the file of a small torso.
+class Window : public testing::Test
+{
+protected:
+  Window()
+  {
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetInputData(
+      LoadVolume(ProceduralSource{ ProceduralKind::Torso, { 32, 28, 20 }, 1 }).image);
+    writer->SetFileName(this->Path("torso.vti").toUtf8());
+    writer->Write();
+    this->window.resize(900, 500);
+    this->window.show();
+  }
+
+  QString Path(const QString& name) const { return this->folder.filePath(name); }
+
+  VolumeView* View() { return this->window.CentralView()->Ours(); }
+  SceneModel* Model() { return this->window.Model(); }
+
+  /// Opens the torso and waits for its first frame.
+  void OpenTorso()
+  {
+    this->window.Open(this->Path("torso.vti"));
+    QSignalSpy drawn(this->View(), &VolumeView::Drawn);
+    ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return this->Model()->CurrentStudy() && !drawn.isEmpty(); }, MostMilliseconds));
+  }
+
+  QTemporaryDir folder;
+  MainWindow window;
+};
+
+}
+
+#endif
