@@ -152,6 +152,22 @@ TEST_F(Window, ComparesWithVtk)
   QApplication::processEvents();
   EXPECT_LE(difference->pixmap(Qt::ReturnByValue).height(), difference->height())
     << "its scale is at the bottom";
+
+  // Both turn together, and the difference of the earlier view is marked.
+  const QList<VolumeView*> pictures = view->findChildren<VolumeView*>();
+  ASSERT_EQ(pictures.size(), 2);
+  VolumeView* const theirs = pictures[0] == this->View() ? pictures[1] : pictures[0];
+  EXPECT_NEAR(
+    double(theirs->width()) / theirs->height(), double(alone.width()) / alone.height(), 0.02)
+    << "the shape of the view alone, so that nothing is cropped";
+  EXPECT_TRUE(difference->isEnabled());
+  QSignalSpy drawnByThem(theirs, &VolumeView::Drawn);
+  this->Model()->Edit(
+    ScenePart::Camera, "turn", [](Scene& scene) { scene.camera.azimuthDegrees = 40.0; });
+  EXPECT_EQ(drawnByThem.count(), 1) << "before the program goes on";
+  EXPECT_FALSE(difference->isEnabled());
+  ASSERT_TRUE(compared.wait(MostMilliseconds));
+  EXPECT_TRUE(difference->isEnabled());
   view->CompareWith(std::nullopt);
   EXPECT_FALSE(view->LastDifference());
   EXPECT_EQ(this->View()->size(), alone);

@@ -4,6 +4,7 @@
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/View/VolumeView.h"
 #include "Viewer/View/VtkPictures.h"
+#include "Viewer/WaitCursor.h"
 
 #include <QImage>
 #include <QKeyEvent>
@@ -24,6 +25,7 @@ namespace
 {
 
 constexpr int StillMilliseconds = 400;
+constexpr int GapPixels = 3;     // between images
 constexpr int DividerPixels = 9; // area that can be grabbed, around a visible line
 constexpr double DividerStep = 0.02;
 
@@ -86,14 +88,17 @@ ComparisonView::ComparisonView(SceneModel* model, QWidget* parent)
   , theirPart(new QWidget(this))
   , divider(new Divider(this))
   , result(new QWidget(this))
-  , title(new QLabel(tr("Difference")))
+  , title(new QLabel)
   , picture(new QLabel)
   , numbers(new QLabel)
 {
-  auto* const layout = new QVBoxLayout(this->result);
-  layout->addWidget(this->title);
+  auto* const layout = new QHBoxLayout(this->result);
   layout->addWidget(this->picture, 1);
-  layout->addWidget(this->numbers);
+  auto* const texts = new QVBoxLayout;
+  layout->addLayout(texts, 1);
+  texts->addWidget(this->title);
+  texts->addWidget(this->numbers);
+  texts->addStretch();
   this->picture->setObjectName("difference");
   this->picture->setAlignment(Qt::AlignCenter);
   this->picture->setMinimumSize(1, 1);
@@ -107,9 +112,17 @@ ComparisonView::ComparisonView(SceneModel* model, QWidget* parent)
     {
       if (this->theirs)
       {
-        this->stillness.start();
+        this->AwaitStillness();
       }
     });
+}
+
+// Until the next comparison, the difference is that of earlier images.
+void ComparisonView::AwaitStillness()
+{
+  this->stillness.start();
+  this->result->setEnabled(false);
+  this->title->setText(tr("Difference (out of date)"));
 }
 
 void ComparisonView::CompareWith(std::optional<MapperKind> kind)
@@ -123,7 +136,7 @@ void ComparisonView::CompareWith(std::optional<MapperKind> kind)
   {
     this->theirs = new VolumeView(this->model, *kind, this->theirPart);
     this->theirs->SetTool(this->tool);
-    connect(this->theirs, &VolumeView::Drawn, this, [this] { this->stillness.start(); });
+    connect(this->theirs, &VolumeView::Drawn, this, [this] { this->AwaitStillness(); });
     this->theirs->show();
   }
   this->PlaceParts();
@@ -175,18 +188,20 @@ void ComparisonView::PlaceParts()
   }
   else
   {
-    this->PlaceSideBySide();
+    this->PlaceInGrid();
   }
 }
 
-void ComparisonView::PlaceSideBySide()
+// A quarter of the view has the shape of the whole view, so that the images show the same part.
+void ComparisonView::PlaceInGrid()
 {
-  const int width = this->width() / 3;
-  this->ours->setGeometry(0, 0, width, this->height());
-  this->theirPart->setGeometry(width, 0, width, this->height());
-  this->theirs->setGeometry(0, 0, width, this->height());
+  const QSize pane((this->width() - GapPixels) / 2, (this->height() - GapPixels) / 2);
+  const QPoint second(pane.width() + GapPixels, pane.height() + GapPixels);
+  this->ours->setGeometry(QRect(QPoint(0, 0), pane));
+  this->theirPart->setGeometry(QRect(QPoint(second.x(), 0), pane));
+  this->theirs->setGeometry(QRect(QPoint(0, 0), pane));
   this->theirs->SetReportSide(Qt::AlignLeft);
-  this->result->setGeometry(2 * width, 0, this->width() - 2 * width, this->height());
+  this->result->setGeometry(0, second.y(), this->width(), this->height() - second.y());
 }
 
 // VTK's image lies over ours and is clipped at the divider.
@@ -212,12 +227,15 @@ void ComparisonView::Compare()
   {
     return;
   }
+  const WaitCursor cursor;
   const vtkSmartPointer<vtkImageData> ourPicture = this->ours->FloatPicture();
   const vtkSmartPointer<vtkImageData> theirPicture = this->theirs->FloatPicture();
   this->lastDifference = CompareImages(static_cast<const float*>(theirPicture->GetScalarPointer()),
     static_cast<const float*>(ourPicture->GetScalarPointer()),
     std::size_t(ourPicture->GetNumberOfPoints()));
   this->ShowDifference(ourPicture, theirPicture);
+  this->result->setEnabled(true);
+  this->title->setText(tr("Difference"));
   this->PlaceParts();
   emit this->Compared();
 }

@@ -20,7 +20,7 @@ class SceneModel;
 class VolumeView;
 
 /// Our image and, on demand, VTK's image of the same scene, with the rendering times and the
-/// difference. They stand side by side with a difference image, or one over the other with a
+/// difference. They stand side by side above a difference image, or one over the other with a
 /// divider that can be dragged. The comparison runs when both have not changed for a moment.
 class ComparisonView : public QWidget
 {
@@ -56,8 +56,9 @@ private:
   class Divider;
 
   void PlaceParts();
-  void PlaceSideBySide();
+  void PlaceInGrid();
   void PlaceOverEachOther();
+  void AwaitStillness();
   void Compare();
   void ShowDifference(vtkImageData* ourPicture, vtkImageData* theirPicture);
 

@@ -164,7 +164,10 @@ void VolumeView::Update(ScenePart part)
         return; // the change came from this view
       }
       this->TakeCamera();
-      break;
+      // Two views that are compared turn together.
+      this->Draw(PicturesPerSecondWhileMoving);
+      this->pacer.RequestFine();
+      return;
     case ScenePart::Cuts:
       this->pipeline->SetCuts(scene.cuts);
       break;
