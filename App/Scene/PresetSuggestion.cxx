@@ -95,6 +95,10 @@ PresetSuggestion SuggestedPreset(const LoadedVolume& volume, const ImageStatisti
   {
     return ForMr(volume);
   }
+  if (volume.modality == "PT")
+  {
+    return { "pet-maximum", SuggestionReason::Modality, volume.modality };
+  }
   if (!volume.modality.empty())
   {
     return { "mr-maximum", SuggestionReason::Modality, volume.modality };

@@ -176,7 +176,7 @@ struct SliceSettings
   std::optional<std::array<double, 3>>
     crosshairMm; ///< world space, LPS; empty: the middle of the volume
   std::optional<std::array<double, 2>>
-    windowLevel;       ///< units of the data; empty: from the histogram
+    windowLevel;       ///< units of the data; empty: of the file, otherwise of the histogram
   double slabMm = 0.0; ///< >= 0; 0: a single slice
   SlabBlend slabBlend = SlabBlend::Maximum;
 };

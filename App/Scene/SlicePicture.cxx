@@ -21,6 +21,9 @@ namespace varimarch
 namespace
 {
 
+// As in the preset pet-maximum.
+constexpr double PetPartShown = 0.5;
+
 glm::dvec3 IndexOf(const glm::dvec3& pointWorld, vtkImageData* image)
 {
   glm::dvec3 index;
@@ -109,7 +112,8 @@ private:
       return 0;
     }
     const double part = (*value - this->request.level) / this->request.window + 0.5;
-    return std::uint8_t(std::lround(255.0 * std::clamp(part, 0.0, 1.0)));
+    const double gray = std::clamp(part, 0.0, 1.0);
+    return std::uint8_t(std::lround(255.0 * (this->request.inverted ? 1.0 - gray : gray)));
   }
 
   const SliceRequest& request;
@@ -135,6 +139,19 @@ SliceAxes AxesOf(SlicePlane plane)
     default:
       return { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
   }
+}
+
+SliceGrays SuggestedGrays(const LoadedVolume& volume, const ImageStatistics& statistics)
+{
+  const bool isPet = volume.modality == "PT";
+  if (volume.windowLevel)
+  {
+    return { *volume.windowLevel, isPet };
+  }
+  // Organs that excrete the tracer are many times brighter than the body.
+  const double first = isPet ? 0.0 : statistics.Percentile(0.1);
+  const double last = (isPet ? PetPartShown : 1.0) * statistics.Percentile(99.9);
+  return { { std::max(last - first, 1e-6), 0.5 * (first + last) }, isPet };
 }
 
 std::vector<std::uint8_t> SlicePicture(vtkImageData* image, const SliceRequest& request)

@@ -1,7 +1,9 @@
 #ifndef Varimarch_Scene_SlicePicture_h
 #define Varimarch_Scene_SlicePicture_h
 
+#include "Scene/ImageStatistics.h"
 #include "Scene/Scene.h"
+#include "Scene/VolumeLoading.h"
 
 #include <array>
 #include <cstdint>
@@ -43,10 +45,22 @@ struct SliceRequest
   double level;  ///< middle of that range
   double slabMm; ///< >= 0; 0: a single slice
   SlabBlend slabBlend = SlabBlend::Maximum;
+  bool inverted = false; ///< true exchanges black and white
 };
 
+/// The grey scale of slices that nobody has changed.
+struct SliceGrays
+{
+  std::array<double, 2> windowLevel; ///< as in SliceRequest
+  bool inverted;
+};
+
+/// The grey scale that suits a volume: window and level of its file, otherwise of its histogram.
+/// PET is inverted, as is usual: the more tracer, the darker.
+SliceGrays SuggestedGrays(const LoadedVolume& volume, const ImageStatistics& statistics);
+
 /// Grey pixels, row by row from the upper left. Voxels are interpolated linearly; outside the
-/// volume the image is black.
+/// volume the image is black, inverted or not.
 std::vector<std::uint8_t> SlicePicture(vtkImageData* image, const SliceRequest& request);
 
 }

@@ -98,6 +98,10 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   volume.bodyPart = reader->GetBodyPart();
   volume.hasContrastAgent = reader->HasContrastAgent();
   volume.weighting = reader->GetWeighting();
+  if (reader->HasWindowLevel())
+  {
+    volume.windowLevel = { reader->GetWindow(), reader->GetLevel() };
+  }
   if (reader->HasIrregularSlices())
   {
     volume.slices = source.rectified ? SliceLayout::Rectified : SliceLayout::Irregular;

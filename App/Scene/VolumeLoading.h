@@ -7,7 +7,9 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,9 @@ struct LoadedVolume
   std::string bodyPart = {};     ///< as in DICOM: "HEAD"; empty if unknown
   bool hasContrastAgent = false; ///< true if the file says so
   std::string weighting = {};    ///< for MR: "T1", "T2", "angiography"; empty if unknown
+  /// Width and middle of the range of values that the file recommends for slices; empty if it
+  /// recommends none.
+  std::optional<std::array<double, 2>> windowLevel = {};
 };
 
 /// Receives the fraction of the work done, [0, 1]; returns false to cancel.

@@ -20,7 +20,7 @@ namespace
 
 TEST(Presets, EveryOneIsReadable)
 {
-  EXPECT_EQ(PresetNames().size(), 12u);
+  EXPECT_EQ(PresetNames().size(), 13u);
   for (const std::string& name : PresetNames())
   {
     const Preset preset = BuiltInPreset(name);
@@ -99,6 +99,8 @@ TEST(Presets, AreSuggestedByTheFilesAttributes)
   said.weighting = "angiography";
   EXPECT_EQ(SuggestionFor(said).name, "mr-angiography");
   said.modality = "PT";
+  EXPECT_EQ(SuggestionFor(said).name, "pet-maximum");
+  said.modality = "US";
   EXPECT_EQ(SuggestionFor(said).name, "mr-maximum");
 }
 

@@ -73,6 +73,30 @@ TEST(SlicePicture, IsLinearBetweenVoxelsAndBlackOutside)
   EXPECT_EQ(Pixel(picture, 6, 0), 0);
 }
 
+TEST(SlicePicture, IsInvertedForPetAndFollowsTheFilesWindow)
+{
+  LoadedVolume volume;
+  volume.image = OneVoxel(0, 0, 0);
+  std::fill_n(static_cast<short*>(volume.image->GetScalarPointer()), 2000, short(100)); // below it
+  const ImageStatistics statistics(volume.image);
+  volume.modality = "PT";
+  EXPECT_TRUE(SuggestedGrays(volume, statistics).inverted);
+  EXPECT_EQ(SuggestedGrays(volume, statistics).windowLevel, (std::array<double, 2>{ 50.0, 25.0 }))
+    << "white is no tracer, black half of the brightest";
+  volume.modality = "CT";
+  EXPECT_FALSE(SuggestedGrays(volume, statistics).inverted);
+  volume.windowLevel = { 400.0, 60.0 };
+  EXPECT_EQ(SuggestedGrays(volume, statistics).windowLevel, *volume.windowLevel);
+
+  SliceRequest request = Request(SlicePlane::Axial);
+  request.mmPerPixel = 2.0;
+  request.inverted = true;
+  const auto picture = SlicePicture(volume.image, request);
+  EXPECT_EQ(Pixel(picture, 0, 0), 0);
+  EXPECT_EQ(Pixel(picture, 4, 0), 255);
+  EXPECT_EQ(Pixel(picture, 8, 0), 0) << "outside";
+}
+
 TEST(SlicePicture, SlabShowsItsLargestValue)
 {
   SliceRequest request = Request(SlicePlane::Axial);

@@ -84,6 +84,27 @@ TEST_F(Slices, ChangeWindowAndLevelByTheRightButton)
   EXPECT_EQ(this->model.History()->count(), 1);
 }
 
+TEST_F(Slices, OpenWithTheWindowAndLevelOfTheFile)
+{
+  auto study = std::make_shared<Study>(*SmallStudy());
+  study->volume.windowLevel = { 400.0, 60.0 };
+  this->model.Open(ProceduralSource(), study);
+  const auto windowLevel = [this]
+  {
+    // A drag that goes nowhere keeps the values that are shown.
+    QTest::mousePress(&this->axial, Qt::RightButton, {}, { 100, 80 });
+    QMouseEvent move(QEvent::MouseMove, QPointF(100, 80), Qt::NoButton, Qt::RightButton, {});
+    QApplication::sendEvent(&this->axial, &move);
+    return this->model.CurrentScene().slices.windowLevel.value();
+  };
+  EXPECT_EQ(windowLevel(), (std::array<double, 2>{ 400.0, 60.0 }));
+  // A restored session keeps its own.
+  Scene session = this->model.CurrentScene();
+  session.slices.windowLevel = { 100.0, 40.0 };
+  this->model.Restore(session, study);
+  EXPECT_EQ(windowLevel(), (std::array<double, 2>{ 100.0, 40.0 }));
+}
+
 TEST_F(Slices, AreScrolledAVoxelPerNotch)
 {
   QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 100, 80 });

@@ -3,6 +3,7 @@
 #include "Scene/AnatomicalDirection.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/WorldVector.h"
+#include "Viewer/Model/NumberText.h"
 #include "Viewer/View/MeasureOverlay.h"
 
 #include <QMouseEvent>
@@ -158,15 +159,15 @@ void SliceView::DrawLetters(QPainter& painter) const
   const glm::dvec3 right = VectorOf(this->axes.right);
   const glm::dvec3 down = VectorOf(this->axes.down);
   const QRect inside = this->rect().adjusted(6, 4, -6, -4);
-  painter.setPen(QColor(235, 235, 235));
-  painter.drawText(inside, Qt::AlignRight | Qt::AlignVCenter, LettersOf(right));
-  painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, LettersOf(-right));
-  painter.drawText(inside, Qt::AlignBottom | Qt::AlignHCenter, LettersOf(down));
-  painter.drawText(inside, Qt::AlignTop | Qt::AlignHCenter, LettersOf(-down));
-  const auto [window, level] = this->WindowLevel();
-  painter.setPen(QColor(160, 160, 160));
-  painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop,
-    tr("W %1 L %2").arg(window, 0, 'f', 0).arg(level, 0, 'f', 0));
+  DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignVCenter, LettersOf(right));
+  DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignVCenter, LettersOf(-right));
+  DrawLegibly(painter, inside, Qt::AlignBottom | Qt::AlignHCenter, LettersOf(down));
+  DrawLegibly(painter, inside, Qt::AlignTop | Qt::AlignHCenter, LettersOf(-down));
+  const auto [window, level] = this->Grays().windowLevel;
+  // Data without units may lie between 0 and 1.
+  const int decimals = window < 10.0 ? 3 : 0;
+  DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignTop,
+    tr("W %1 L %2").arg(NumberText(window, decimals), NumberText(level, decimals)));
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event)
@@ -177,7 +178,7 @@ void SliceView::mousePressEvent(QMouseEvent* event)
   }
   this->gesture = NewGesture();
   this->pressed = event->pos();
-  this->pressedWindowLevel = this->WindowLevel();
+  this->pressedWindowLevel = this->Grays().windowLevel;
   this->toolIsActive =
     this->measuring && event->button() == Qt::LeftButton && this->measure.Press(event->localPos());
   if (!this->toolIsActive && event->button() == Qt::LeftButton)
@@ -259,10 +260,10 @@ SliceRequest SliceView::Request() const
   const glm::dvec3 through = VectorOf(this->axes.through);
   const glm::dvec3 shown =
     middle + glm::dot(VectorOf(this->Crosshair()) - middle, through) * through;
-  const auto [window, level] = this->WindowLevel();
-  return { this->plane, NumbersOf(shown), this->MmPerPixel(), this->width(), this->height(), window,
-    level, this->model->CurrentScene().slices.slabMm,
-    this->model->CurrentScene().slices.slabBlend };
+  const SliceGrays grays = this->Grays();
+  const SliceSettings& slices = this->model->CurrentScene().slices;
+  return { this->plane, NumbersOf(shown), this->MmPerPixel(), this->width(), this->height(),
+    grays.windowLevel[0], grays.windowLevel[1], slices.slabMm, slices.slabBlend, grays.inverted };
 }
 
 // At a zoom of 1 the volume just fits into the view.
@@ -285,16 +286,12 @@ std::array<double, 3> SliceView::Crosshair() const
     MiddleOf(this->model->CurrentStudy()->volume.image));
 }
 
-std::array<double, 2> SliceView::WindowLevel() const
+SliceGrays SliceView::Grays() const
 {
-  if (const auto& chosen = this->model->CurrentScene().slices.windowLevel)
-  {
-    return *chosen;
-  }
-  const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
-  const double first = statistics.Percentile(0.1);
-  const double last = statistics.Percentile(99.9);
-  return { std::max(last - first, 1e-6), 0.5 * (first + last) };
+  const auto study = this->model->CurrentStudy();
+  SliceGrays grays = SuggestedGrays(study->volume, study->statistics);
+  grays.windowLevel = this->model->CurrentScene().slices.windowLevel.value_or(grays.windowLevel);
+  return grays;
 }
 
 void SliceView::SetCrosshair(const std::array<double, 3>& pointMm, int ofGesture)

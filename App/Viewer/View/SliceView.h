@@ -54,7 +54,7 @@ private:
   void DragWindowLevel(const QPoint& moved);
   double MmPerPixel() const;
   std::array<double, 3> Crosshair() const;
-  std::array<double, 2> WindowLevel() const;
+  SliceGrays Grays() const;
   void SetCrosshair(const std::array<double, 3>& pointMm, int gesture);
 
   SceneModel* model;
