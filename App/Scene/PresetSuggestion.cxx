@@ -14,6 +14,17 @@ namespace
 constexpr double HighestAir = -900.0;
 constexpr double LowestMetal = 2800.0;
 
+constexpr double LowestLung = -900.0;
+constexpr double HighestLung = -500.0;
+constexpr double LowestTissue = -250.0;
+
+// Share of the lungs in the body, without the air around it. Scans of the chest have several times
+// as much, and scans below the chest have hardly any.
+constexpr double LeastLungOfChest = 0.05;
+
+// Windows for lungs are centred near -600, those for soft tissue between 30 and 60.
+constexpr double HighestLevelForLungs = -300.0;
+
 // Dental fillings cover less than this, and need no look of their own.
 constexpr double LeastPercentOfMetal = 0.2;
 
@@ -53,6 +64,35 @@ std::string LookOfPart(std::string part)
   return "ct-bone";
 }
 
+double LungShare(const ImageStatistics& statistics)
+{
+  double lung = 0.0;
+  double tissue = 0.0;
+  for (std::size_t bin = 0; bin < statistics.Counts().size(); ++bin)
+  {
+    const double value = statistics.Smallest() + double(bin) * statistics.BinSpacing();
+    const double count = double(statistics.Counts()[bin]);
+    lung += value >= LowestLung && value <= HighestLung ? count : 0.0;
+    tissue += value >= LowestTissue ? count : 0.0;
+  }
+  return lung > 0.0 ? lung / (lung + tissue) : 0.0;
+}
+
+// Files of the abdomen often name the chest.
+PresetSuggestion ForBodyPart(const LoadedVolume& volume, const ImageStatistics& statistics)
+{
+  const std::string look = LookOfPart(volume.bodyPart);
+  if (look == "ct-lung" && volume.windowLevel && (*volume.windowLevel)[1] > HighestLevelForLungs)
+  {
+    return { "ct-bone", SuggestionReason::TissueWindow, volume.bodyPart };
+  }
+  if (look == "ct-lung" && LungShare(statistics) < LeastLungOfChest)
+  {
+    return { "ct-bone", SuggestionReason::LittleLung, volume.bodyPart };
+  }
+  return { look, SuggestionReason::BodyPart, volume.bodyPart };
+}
+
 PresetSuggestion ForCt(
   const LoadedVolume& volume, const ImageStatistics& statistics, const PresetSuggestion& otherwise)
 {
@@ -66,7 +106,7 @@ PresetSuggestion ForCt(
   }
   if (!volume.bodyPart.empty())
   {
-    return { LookOfPart(volume.bodyPart), SuggestionReason::BodyPart, volume.bodyPart };
+    return ForBodyPart(volume, statistics);
   }
   return otherwise;
 }

@@ -14,6 +14,8 @@ enum class SuggestionReason
 {
   Modality,      ///< named in the file
   BodyPart,      ///< named in the file
+  TissueWindow,  ///< the file names the chest, but its window shows soft tissue
+  LittleLung,    ///< the file names the chest, but few values are those of lungs
   ContrastAgent, ///< named in the file
   Weighting,     ///< T1 or T2, from the echo and repetition times in the file
   Metal,         ///< in the histogram: more than a few voxels are denser than any bone

@@ -104,6 +104,37 @@ TEST(Presets, AreSuggestedByTheFilesAttributes)
   EXPECT_EQ(SuggestionFor(said).name, "mr-maximum");
 }
 
+// Voxels of air, lung, tissue and bone, in parts of a hundred.
+PresetSuggestion SuggestionForChest(
+  int lung, int bone, const std::optional<std::array<double, 2>>& windowLevel = {})
+{
+  LoadedVolume volume;
+  volume.windowLevel = windowLevel;
+  volume.modality = "CT";
+  volume.bodyPart = "CHEST";
+  volume.image = vtkSmartPointer<vtkImageData>::New();
+  volume.image->SetDimensions(10, 10, 1);
+  volume.image->AllocateScalars(VTK_SHORT, 1);
+  auto* const values = static_cast<short*>(volume.image->GetScalarPointer());
+  std::fill_n(values, 100, short(-1000));
+  std::fill_n(values, 60, short(40));
+  std::fill_n(values, lung, short(-800));
+  std::fill_n(values + lung, bone, short(700));
+  return SuggestedPreset(volume, ImageStatistics(volume.image));
+}
+
+TEST(Presets, ShowLungsOnlyWhereThereAreLungs)
+{
+  EXPECT_EQ(SuggestionForChest(20, 5).name, "ct-lung");
+  EXPECT_EQ(SuggestionForChest(20, 5).reason, SuggestionReason::BodyPart);
+  EXPECT_EQ(SuggestionForChest(2, 5).name, "ct-bone") << "an abdomen with the tips of the lungs";
+  EXPECT_EQ(SuggestionForChest(2, 5).reason, SuggestionReason::LittleLung);
+  EXPECT_EQ(SuggestionForChest(0, 0).name, "ct-bone");
+  EXPECT_EQ(SuggestionForChest(20, 5, { { 1500.0, -600.0 } }).name, "ct-lung");
+  EXPECT_EQ(SuggestionForChest(20, 5, { { 400.0, 60.0 } }).name, "ct-bone");
+  EXPECT_EQ(SuggestionForChest(20, 5, { { 400.0, 60.0 } }).reason, SuggestionReason::TissueWindow);
+}
+
 TEST(Presets, AreSuggestedByTheHistogramWithoutAttributes)
 {
   LoadedVolume volume;

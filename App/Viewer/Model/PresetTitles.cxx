@@ -34,6 +34,11 @@ QString SuggestionText(const PresetSuggestion& suggestion)
   static const std::map<SuggestionReason, const char*> texts = {
     { SuggestionReason::Modality, QT_TRANSLATE_NOOP("PresetTitles", "the modality is %1") },
     { SuggestionReason::BodyPart, QT_TRANSLATE_NOOP("PresetTitles", "the body part is %1") },
+    { SuggestionReason::TissueWindow,
+      QT_TRANSLATE_NOOP(
+        "PresetTitles", "the body part is %1, but the file's window is for soft tissue") },
+    { SuggestionReason::LittleLung,
+      QT_TRANSLATE_NOOP("PresetTitles", "the body part is %1, but few values are those of lungs") },
     { SuggestionReason::ContrastAgent,
       QT_TRANSLATE_NOOP("PresetTitles", "the file mentions a contrast agent") },
     { SuggestionReason::Weighting,
