@@ -106,6 +106,12 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   {
     volume.slices = source.rectified ? SliceLayout::Rectified : SliceLayout::Irregular;
   }
+  if (volume.modality == "SEG")
+  {
+    volume.warnings.emplace_back(
+      "This is a segmentation (DICOM SEG): its segments are drawn as one grey volume; open the "
+      "scan itself, or convert the segments to a label map in NRRD or NIfTI.");
+  }
   vtkStringArray* warnings = reader->GetWarnings();
   for (vtkIdType i = 0; i < warnings->GetNumberOfValues(); ++i)
   {

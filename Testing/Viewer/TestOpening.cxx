@@ -21,6 +21,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 using namespace varimarch;
 
 namespace
@@ -194,6 +196,37 @@ TEST_F(Opening, OffersNothingForAScanThatIsEven)
   ASSERT_TRUE(this->IsOpened());
   EXPECT_TRUE(this->window.findChild<WarningBar*>()->isVisible());
   EXPECT_FALSE(this->Remedy()->isVisible());
+}
+
+TEST_F(Opening, SaysHowASegmentationIsDrawn)
+{
+  DicomOptions options;
+  options.modality = "SEG";
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    this->folder.Write(
+      "segments/" + std::to_string(slice), DicomBytes(phantom::Stored(0), slice, options));
+  }
+  this->Open("segments");
+  ASSERT_TRUE(this->IsOpened());
+  const std::vector<std::string>& warnings = this->window.Model()->CurrentStudy()->volume.warnings;
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_EQ(warnings.front().rfind("This is a segmentation (DICOM SEG)", 0), 0u);
+  EXPECT_TRUE(this->window.findChild<WarningBar*>()->isVisible());
+}
+
+TEST_F(Opening, ShowsSlicesWithTheWindowOfTheFile)
+{
+  // Offsets of cal_max and cal_min in the header, NIfTI-1 standard.
+  std::string bytes = NiftiBytes(phantom::Stored(0));
+  const float range[] = { 300.0f, 100.0f };
+  std::memcpy(bytes.data() + 124, range, sizeof range);
+  this->folder.Write("window.nii", bytes);
+  this->Open("window.nii");
+  ASSERT_TRUE(this->IsOpened());
+  const auto windowLevel = this->window.Model()->CurrentStudy()->volume.windowLevel;
+  ASSERT_TRUE(windowLevel);
+  EXPECT_EQ(*windowLevel, (std::array<double, 2>{ 200.0, 200.0 }));
 }
 
 TEST_F(Opening, AsksForTheLayoutOfARawFile)
