@@ -14,13 +14,6 @@ namespace varimarch
 namespace
 {
 
-bool IsSceneFile(const std::string& input)
-{
-  const std::string extension = ".json";
-  return input.size() > extension.size() &&
-    input.compare(input.size() - extension.size(), extension.size(), extension) == 0;
-}
-
 Preset Suggested(const LoadedVolume& volume, const ImageStatistics& statistics)
 {
   return BuiltInPreset(SuggestedPreset(volume, statistics).name);

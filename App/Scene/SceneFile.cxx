@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <fstream>
 
 namespace varimarch
 {
@@ -220,6 +221,17 @@ Scene SceneWithoutVolumeFromText(const std::string& text, const std::string& fil
 Preset PresetFromText(const std::string& text, const std::string& file)
 {
   return PresetFromJson(JsonCursor(ParseJson(text, file), file));
+}
+
+bool IsSceneFile(const std::string& path)
+{
+  if (std::filesystem::path(path).extension() == ".json")
+  {
+    return true;
+  }
+  char first = 0;
+  std::ifstream file(path);
+  return std::filesystem::is_regular_file(path) && file >> first && first == '{';
 }
 
 Scene ReadScene(const std::string& path)

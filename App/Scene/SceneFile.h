@@ -14,6 +14,9 @@ namespace varimarch
 /// Every reading function throws std::runtime_error with one sentence that names the file, the path
 /// of the key, the expected value and the found one.
 
+/// True for JSON, which is recognised by the extension .json or by its first character.
+bool IsSceneFile(const std::string& path);
+
 /// Reads a scene. Relative paths of volumes start at the scene file's folder.
 Scene ReadScene(const std::string& path);
 

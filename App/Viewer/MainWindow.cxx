@@ -20,7 +20,6 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QCloseEvent>
 #include <QColorDialog>
 #include <QDockWidget>
 #include <QMenuBar>
@@ -119,8 +118,8 @@ void MainWindow::MakeMenus()
   connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
   file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
   file->addSeparator();
-  file->addAction(
-    tr("Export an &image…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"));
+  file->addAction(tr("Export an &image…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"))
+    ->setObjectName("exportImage");
   file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
   file->addAction(tr("Export a &report…"), this, &MainWindow::ExportReport);
   file->addSeparator();
@@ -284,17 +283,6 @@ void MainWindow::childEvent(QChildEvent* event)
     tabs->setElideMode(Qt::ElideNone);
     tabs->setUsesScrollButtons(true);
   }
-}
-
-void MainWindow::closeEvent(QCloseEvent* event)
-{
-  LogEvent("window closed");
-  this->loader.Cancel();
-  this->autosave.Remove();
-  QSettings settings;
-  settings.setValue("window/geometry", this->saveGeometry());
-  settings.setValue("window/panels", this->saveState());
-  QMainWindow::closeEvent(event);
 }
 
 }

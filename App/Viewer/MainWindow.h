@@ -23,8 +23,8 @@ class ComparisonView;
 class SliceView;
 class WarningBar;
 
-/// The main window: menus, views, panels, and the loading of volumes. MainWindowFiles.cxx opens and
-/// saves files, MainWindowTools.cxx sets up the tools.
+/// The main window: menus, views, panels, and the loading of volumes. MainWindowFiles.cxx opens
+/// files, MainWindowSessions.cxx keeps the user's work, MainWindowTools.cxx sets up the tools.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -71,7 +71,14 @@ private:
   void ChooseFile();
   void ChooseFolder();
   void ChooseRawFile();
-  void SaveSession();
+  bool SaveSession(); ///< false if the user cancels, or if saving fails
+
+  /// The user's work on the volume, see WorkText; empty without a volume.
+  QString CurrentWork() const;
+
+  /// Returns true if the shown scan can be left: its work is saved, or the user gives it up.
+  bool MayLeaveScan();
+  void ShowSaved(const QString& path);
   void ListRecentScans();
   void ShowAbout();
   void Load(const VolumeSource& source, const QString& series = {});
@@ -92,8 +99,10 @@ private:
   VolumeLoader loader;
   Autosave autosave;
   RecentScans recentScans;
-  std::optional<Scene> restored; ///< scene whose volume is being loaded
-  bool exchanges = false;        ///< true while another form of the shown volume is being loaded
+  std::optional<Scene> restored;  ///< scene whose volume is being loaded
+  bool exchanges = false;         ///< true while another form of the shown volume is being loaded
+  bool restoresAutosaved = false; ///< the scene being loaded is the autosaved one
+  QString savedWork;              ///< the work that is in a file
   ComparisonView* view;
   QWidget* sliceColumn;
   QSplitter* slices;

@@ -1,4 +1,4 @@
-// The part of MainWindow that opens and saves files: scans, sessions, images.
+// The part of MainWindow that opens scans and sessions, and exports images.
 
 #include "Viewer/MainWindow.h"
 
@@ -9,6 +9,7 @@
 #include "Viewer/Open/RawForm.h"
 #include "Viewer/Open/SeriesPicker.h"
 #include "Viewer/Open/WarningBar.h"
+#include "Viewer/SaveDialog.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
 #include "Viewer/View/Turntable.h"
@@ -27,6 +28,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStatusBar>
+#include <QTimer>
 #include <QUrl>
 
 #include <vtkVolumeFileReader.h>
@@ -68,33 +70,25 @@ void LogVolume(const LoadedVolume& volume)
       { "warnings", double(volume.warnings.size()) } });
 }
 
-// Asks for the path of a turntable. A name without an extension gets that of the chosen filter.
-QString ChosenTurntable(QWidget* parent)
-{
-  const QStringList filters = TurntableFilters();
-  QFileDialog dialog(parent, MainWindow::tr("Export a turntable"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  const auto takeEnding = [&dialog](const QString& filter)
-  { dialog.setDefaultSuffix(filter.section("*.", 1).section(')', 0, 0)); };
-  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, takeEnding);
-  dialog.setNameFilters(filters);
-  takeEnding(filters.first());
-  dialog.selectFile("turntable");
-  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().first() : QString();
 }
 
-}
-
-void MainWindow::Open(const QString& path, const QString& series)
+void MainWindow::Open(const QString& name, const QString& series)
 {
+  if (!this->MayLeaveScan())
+  {
+    return;
+  }
   this->restored.reset();
   this->exchanges = false;
+  // A session in another folder must find the scan too.
+  const QString path = QFileInfo(name).absoluteFilePath();
+  this->restoresAutosaved = path == QFileInfo(this->autosave.Path()).absoluteFilePath();
   if (IsBareVoxels(path.toStdString()) && QFile::exists(path))
   {
     this->AskForLayout(path);
     return;
   }
-  if (QFileInfo(path).suffix() != "json")
+  if (!IsSceneFile(path.toStdString()))
   {
     this->Load(FileSource{ path.toStdString(), std::nullopt }, series);
     return;
@@ -145,39 +139,6 @@ void MainWindow::AskForSeries(const FileSource& source, const std::vector<Series
   picker->open();
 }
 
-void MainWindow::SaveSession()
-{
-  if (!this->model.CurrentStudy())
-  {
-    return;
-  }
-  const QString path = QFileDialog::getSaveFileName(
-    this, tr("Save the session"), "session.json", tr("Sessions (*.json)"));
-  if (path.isEmpty())
-  {
-    return;
-  }
-  try
-  {
-    WriteScene(this->model.CurrentScene(), path);
-    this->statusBar()->showMessage(tr("Saved %1").arg(path));
-  }
-  catch (const std::exception& problem)
-  {
-    QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
-  }
-}
-
-void MainWindow::OfferAutosaved()
-{
-  if (this->autosave.HasCopy() &&
-    QMessageBox::question(this, tr("Varimarch"),
-      tr("The program ended unexpectedly last time. Restore your session?")) == QMessageBox::Yes)
-  {
-    this->Open(this->autosave.Path());
-  }
-}
-
 void MainWindow::ChooseFile()
 {
   const QString path = QFileDialog::getOpenFileName(this, tr("Open a volume"), {}, FileFilter());
@@ -200,10 +161,11 @@ void MainWindow::ChooseRawFile()
 {
   const QString path =
     QFileDialog::getOpenFileName(this, tr("Open a raw file"), {}, tr("All files (*)"));
-  if (!path.isEmpty())
+  if (!path.isEmpty() && this->MayLeaveScan())
   {
     this->restored.reset();
     this->exchanges = false;
+    this->restoresAutosaved = false;
     this->AskForLayout(path);
   }
 }
@@ -213,18 +175,19 @@ void MainWindow::ExportPicture()
   if (this->model.CurrentStudy())
   {
     ExportDialog dialog(&this->model, this->view->Ours()->size(), this);
-    dialog.exec();
+    if (dialog.exec() == QDialog::Accepted)
+    {
+      this->ShowSaved(dialog.Path());
+    }
   }
 }
 
 void MainWindow::ExportTurntable()
 {
   constexpr int Pictures = 72;
-  if (!this->model.CurrentStudy())
-  {
-    return;
-  }
-  const QString path = ChosenTurntable(this);
+  const QString path = this->model.CurrentStudy()
+    ? ChosenFileToSave(this, tr("Export a turntable"), TurntableFilters(), "turntable")
+    : QString();
   if (path.isEmpty())
   {
     return;
@@ -236,13 +199,17 @@ void MainWindow::ExportTurntable()
   {
     PictureMaker maker(this->model.CurrentScene(), this->model.CurrentStudy()->volume.image,
       { this->view->Ours()->size(), false, true });
-    WriteTurntable(maker, Pictures, path,
+    const bool isComplete = WriteTurntable(maker, Pictures, path,
       [&](double part)
       {
         waiting.setValue(int(part * Pictures));
         QCoreApplication::processEvents();
         return !waiting.wasCanceled();
       });
+    if (isComplete)
+    {
+      this->ShowSaved(path);
+    }
   }
   catch (const std::exception& problem)
   {
@@ -269,6 +236,7 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
   {
     this->model.Open(source, study);
   }
+  this->savedWork = this->restoresAutosaved ? QString() : this->CurrentWork();
   if (const auto* const file = std::get_if<FileSource>(&source))
   {
     this->recentScans.Add(*file, *study);
@@ -344,9 +312,11 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
   }
 }
 
+// The program that the file is dragged from waits for the end of this function.
 void MainWindow::dropEvent(QDropEvent* event)
 {
-  this->Open(event->mimeData()->urls().first().toLocalFile());
+  const QString path = event->mimeData()->urls().first().toLocalFile();
+  QTimer::singleShot(0, this, [this, path] { this->Open(path); });
 }
 
 void MainWindow::ListRecentScans()

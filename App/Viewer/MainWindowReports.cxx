@@ -4,13 +4,12 @@
 
 #include "Viewer/Reports/BenchmarkDialog.h"
 #include "Viewer/Reports/ScanReport.h"
+#include "Viewer/SaveDialog.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/VolumeView.h"
+#include "Viewer/WaitCursor.h"
 
-#include <QFileDialog>
-#include <QGuiApplication>
 #include <QMessageBox>
-#include <QStatusBar>
 
 namespace varimarch
 {
@@ -18,30 +17,21 @@ namespace varimarch
 void MainWindow::ExportReport()
 {
   const QString path = this->model.CurrentStudy()
-    ? QFileDialog::getSaveFileName(this, tr("Export a report"), "report.pdf", tr("PDF (*.pdf)"))
+    ? ChosenFileToSave(this, tr("Export a report"), { tr("PDF (*.pdf)") }, "report")
     : QString();
   if (path.isEmpty())
   {
     return;
   }
-  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-  QString problem;
   try
   {
+    const WaitCursor cursor;
     WriteScanReport(&this->model, path);
+    this->ShowSaved(path);
   }
-  catch (const std::exception& failure)
+  catch (const std::exception& problem)
   {
-    problem = QString::fromStdString(failure.what());
-  }
-  QGuiApplication::restoreOverrideCursor();
-  if (problem.isEmpty())
-  {
-    this->statusBar()->showMessage(tr("Saved %1").arg(path));
-  }
-  else
-  {
-    QMessageBox::warning(this, tr("Cannot export"), problem);
+    QMessageBox::warning(this, tr("Cannot export"), QString::fromStdString(problem.what()));
   }
 }
 

@@ -1,5 +1,6 @@
 // Questions before opening a file, warnings, and protection of the patient's data.
 
+#include "Answers.h"
 #include "Module/PhantomFiles.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Log.h"
@@ -171,6 +172,7 @@ TEST_F(Opening, OffersToRectifyATiltedScan)
   EXPECT_EQ(this->RowCount(), 4) << "the scan must not be read again";
   EXPECT_FALSE(std::get<FileSource>(this->window.Model()->CurrentScene().volume).rectified);
 
+  const Answers discard(QMessageBox::Discard, {});
   this->Open("session.json");
   ASSERT_TRUE(this->HasRows(7));
   EXPECT_EQ(this->Remedy()->text(), "Show as scanned");

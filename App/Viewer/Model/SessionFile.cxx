@@ -1,6 +1,7 @@
 #include "Viewer/Model/SessionFile.h"
 
 #include "Scene/OutputFile.h"
+#include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 
 #include <QDir>
@@ -22,6 +23,21 @@ constexpr int DelayMilliseconds = 2000;
 void WriteScene(const Scene& scene, const QString& path)
 {
   WriteFileWhole(path.toStdString(), SceneText(scene));
+}
+
+QString WorkText(const Scene& scene, const ImageStatistics& statistics)
+{
+  const auto textOf = [](const Scene& work) { return QString::fromStdString(SceneText(work)); };
+  Scene work;
+  work.cuts = scene.cuts;
+  work.distances = scene.distances;
+  work.angles = scene.angles;
+  work.boxes = scene.boxes;
+  if (!IsBuiltInLook(scene.look, statistics))
+  {
+    work.look = scene.look;
+  }
+  return textOf(work) == textOf(Scene()) ? QString() : textOf(work);
 }
 
 Autosave::Autosave(SceneModel* model, const QString& path, QObject* parent)

@@ -6,6 +6,7 @@
 #include "Viewer/Panels/BlendingForm.h"
 #include "Viewer/Panels/GradientOpacityBox.h"
 #include "Viewer/Panels/ShadingBox.h"
+#include "Viewer/SaveDialog.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
 
 #include <QComboBox>
@@ -45,8 +46,8 @@ QIcon PictureOf(const ColorMap& map)
   return QPixmap::fromImage(image);
 }
 
-// Filter of a file dialog: "Looks (*.json);;3D Slicer volume properties (*.vp.json);; ...".
-QString FileFilter(bool toWrite)
+// Filters of a file dialog: "Looks (*.json)", "3D Slicer volume properties (*.vp.json)" ...
+QStringList FileFilters(bool toWrite)
 {
   QStringList all;
   QStringList lines;
@@ -63,7 +64,7 @@ QString FileFilter(bool toWrite)
   {
     lines.prepend(LookPanel::tr("All looks (%1)").arg(all.join(' ')));
   }
-  return lines.join(";;");
+  return lines;
 }
 
 }
@@ -202,7 +203,8 @@ void LookPanel::ShowPreset()
 
 void LookPanel::ChooseFileToLoad()
 {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Load a look"), {}, FileFilter(false));
+  const QString path =
+    QFileDialog::getOpenFileName(this, tr("Load a look"), {}, FileFilters(false).join(";;"));
   if (!path.isEmpty())
   {
     this->Load(path);
@@ -211,13 +213,10 @@ void LookPanel::ChooseFileToLoad()
 
 void LookPanel::ChooseFileToSave()
 {
-  QString filter;
-  const QString path =
-    QFileDialog::getSaveFileName(this, tr("Save the look"), {}, FileFilter(true), &filter);
+  const QString path = ChosenFileToSave(this, tr("Save the look"), FileFilters(true), QString());
   if (!path.isEmpty())
   {
-    const QString ending = filter.section("(*", 1).chopped(1);
-    this->Save(QFileInfo(path).suffix().isEmpty() ? path + ending : path);
+    this->Save(path);
   }
 }
 

@@ -2,11 +2,11 @@
 
 #include "Scene/OutputFile.h"
 #include "Viewer/Reports/PdfPages.h"
+#include "Viewer/SaveDialog.h"
 #include "Viewer/View/CurrentContext.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -249,8 +249,8 @@ void BenchmarkDialog::ShowState()
 
 void BenchmarkDialog::Export()
 {
-  const QString path = QFileDialog::getSaveFileName(
-    this, tr("Export the benchmark"), "benchmark.pdf", tr("Report (*.pdf);;Table (*.csv)"));
+  const QString path = ChosenFileToSave(
+    this, tr("Export the benchmark"), { tr("Report (*.pdf)"), tr("Table (*.csv)") }, "benchmark");
   if (path.isEmpty())
   {
     return;

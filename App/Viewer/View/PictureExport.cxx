@@ -3,6 +3,7 @@
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/SaveDialog.h"
 #include "Viewer/View/CurrentContext.h"
 #include "Viewer/View/Overlay.h"
 #include "Viewer/View/VtkPictures.h"
@@ -10,7 +11,6 @@
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QMessageBox>
 #include <QPainter>
@@ -164,9 +164,8 @@ ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
 
 void ExportDialog::Export()
 {
-  const QString path =
-    QFileDialog::getSaveFileName(this, tr("Export an image"), "picture.png", tr("PNG (*.png)"));
-  if (path.isEmpty())
+  this->path = ChosenFileToSave(this, tr("Export an image"), { tr("PNG (*.png)") }, "picture");
+  if (this->path.isEmpty())
   {
     return;
   }
@@ -182,11 +181,11 @@ void ExportDialog::Export()
         this->progress->setValue(int(100.0 * part));
         this->progress->repaint();
       });
-    QSaveFile file(path);
+    QSaveFile file(this->path);
     if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
     {
       throw std::runtime_error(
-        tr("Cannot write %1: %2").arg(path, file.errorString()).toStdString());
+        tr("Cannot write %1: %2").arg(this->path, file.errorString()).toStdString());
     }
     this->accept();
   }

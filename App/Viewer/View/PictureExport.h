@@ -63,6 +63,9 @@ class ExportDialog : public QDialog
 public:
   ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent);
 
+  /// The file that was written, once the dialog is accepted.
+  QString Path() const { return this->path; }
+
 private:
   void Export();
 
@@ -72,6 +75,7 @@ private:
   QCheckBox* transparent;
   QCheckBox* overlay;
   QProgressBar* progress;
+  QString path;
 };
 
 }

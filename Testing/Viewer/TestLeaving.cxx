@@ -1,0 +1,127 @@
+// Nothing that the user made is lost, and files that were saved can be opened again.
+
+#include "Answers.h"
+#include "Scene/SceneFile.h"
+#include "TorsoWindow.h"
+
+#include <QAction>
+#include <QDir>
+#include <QStandardPaths>
+#include <QStatusBar>
+
+using namespace varimarch;
+
+namespace
+{
+
+class Leaving : public Window
+{
+protected:
+  void SetUp() override { this->OpenTorso(); }
+
+  void Measure()
+  {
+    this->Model()->Edit(ScenePart::Measures, "measure",
+      [](Scene& scene) {
+        scene.distances.push_back({ { 0, 0, 0 }, { 30, 40, 0 }, "aorta" });
+      });
+  }
+
+  bool IsOpenedAgain(const std::shared_ptr<const Study>& before)
+  {
+    return QTest::qWaitFor(
+      [&] { return this->Model()->CurrentStudy() != before; }, MostMilliseconds);
+  }
+};
+
+}
+
+TEST_F(Leaving, AsksBeforeMeasurementsAreLost)
+{
+  this->Measure();
+  const auto study = this->Model()->CurrentStudy();
+  {
+    const Answers cancel(QMessageBox::Cancel, {});
+    this->window.close();
+    EXPECT_EQ(cancel.Questions(), 1);
+    EXPECT_TRUE(this->window.isVisible());
+    this->window.Open(this->Path("torso.vti"));
+    EXPECT_EQ(cancel.Questions(), 2);
+    EXPECT_FALSE(this->window.Loader()->IsLoading());
+    EXPECT_EQ(this->Model()->CurrentScene().distances.size(), 1u);
+  }
+  const Answers discard(QMessageBox::Discard, {});
+  this->window.Open(this->Path("torso.vti"));
+  ASSERT_TRUE(this->IsOpenedAgain(study));
+  EXPECT_TRUE(this->Model()->CurrentScene().distances.empty());
+  this->window.close();
+  EXPECT_FALSE(this->window.isVisible());
+  EXPECT_EQ(discard.Questions(), 1) << "nothing is lost at the end";
+}
+
+TEST_F(Leaving, SavesASessionThatOpensAgainAndAsksNoMore)
+{
+  this->Measure();
+  const Answers save(QMessageBox::Save, this->Path("sess"));
+  this->window.close();
+  EXPECT_FALSE(this->window.isVisible());
+  EXPECT_EQ(save.Questions(), 1);
+  ASSERT_TRUE(QFile::exists(this->Path("sess.json")));
+
+  // Sessions of other programs, or renamed ones, may have any name.
+  ASSERT_TRUE(QFile::rename(this->Path("sess.json"), this->Path("sess")));
+  const auto study = this->Model()->CurrentStudy();
+  this->window.show();
+  this->window.Open(this->Path("sess"));
+  ASSERT_TRUE(this->IsOpenedAgain(study));
+  ASSERT_EQ(this->Model()->CurrentScene().distances.size(), 1u);
+  EXPECT_EQ(this->Model()->CurrentScene().distances[0].name, "aorta");
+  this->window.close();
+  EXPECT_EQ(save.Questions(), 1);
+}
+
+TEST_F(Leaving, FindsTheScanFromASessionInAnotherFolder)
+{
+  const auto study = this->Model()->CurrentStudy();
+  const QString before = QDir::currentPath();
+  QDir::setCurrent(this->folder.path());
+  this->window.Open("torso.vti");
+  QDir::setCurrent(before);
+  ASSERT_TRUE(this->IsOpenedAgain(study));
+  ASSERT_TRUE(QDir(this->folder.path()).mkdir("sessions"));
+  WriteScene(this->Model()->CurrentScene(), this->Path("sessions/one.json"));
+  const Scene session = ReadScene(this->Path("sessions/one.json").toStdString());
+  EXPECT_TRUE(QFile::exists(QString::fromStdString(std::get<FileSource>(session.volume).path)));
+}
+
+TEST_F(Leaving, KeepsTheAutosavedCopyThatWasNotRestored)
+{
+  this->Measure();
+  const QString copy =
+    QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/autosaved.json";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(copy); }, MostMilliseconds));
+  MainWindow next;
+  next.show();
+  next.close();
+  EXPECT_TRUE(QFile::exists(copy)) << "nothing was opened that could have replaced it";
+  MainWindow later;
+  later.show();
+  {
+    const Answers yes(QMessageBox::Yes, {});
+    later.OfferAutosaved();
+  }
+  ASSERT_TRUE(
+    QTest::qWaitFor([&] { return later.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
+  EXPECT_EQ(later.Model()->CurrentScene().distances.size(), 1u);
+  const Answers discard(QMessageBox::Discard, {});
+  later.close();
+  EXPECT_EQ(discard.Questions(), 1) << "the restored work is in no file of the user's";
+}
+
+TEST_F(Leaving, SaysThatAnImageIsSaved)
+{
+  const Answers save(QMessageBox::Save, this->Path("torso"));
+  this->window.findChild<QAction*>("exportImage")->trigger();
+  EXPECT_TRUE(QFile::exists(this->Path("torso.png")));
+  EXPECT_EQ(this->window.statusBar()->currentMessage(), "Saved " + this->Path("torso.png"));
+}
