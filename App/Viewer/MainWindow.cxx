@@ -31,6 +31,7 @@
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 namespace varimarch
@@ -62,6 +63,11 @@ MainWindow::MainWindow(QWidget* parent)
   const QSettings settings;
   this->restoreGeometry(settings.value("window/geometry").toByteArray());
   this->restoreState(settings.value("window/panels").toByteArray());
+  this->Listen();
+}
+
+void MainWindow::Listen()
+{
   connect(this->warnings, &WarningBar::RemedyWanted, this, &MainWindow::ToggleRectified);
   connect(&this->model, &SceneModel::Changed, this,
     [this](ScenePart part)
@@ -69,6 +75,10 @@ MainWindow::MainWindow(QWidget* parent)
       if (part == ScenePart::Volume)
       {
         this->ShowWarnings();
+      }
+      if (part == ScenePart::Look)
+      {
+        this->statusBar()->clearMessage(); // it gives the reason for the first look
       }
     });
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
@@ -121,7 +131,7 @@ void MainWindow::MakeMenus()
   file->addAction(tr("Export an &image…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"))
     ->setObjectName("exportImage");
   file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
-  file->addAction(tr("Export a &report…"), this, &MainWindow::ExportReport);
+  file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
 
@@ -179,13 +189,15 @@ void MainWindow::MakeViewMenu()
   menu->addAction(tr("&Background…"), this, &MainWindow::ChooseBackground)
     ->setObjectName("background");
   menu->addSeparator();
+  this->panelMenu = menu->addMenu(tr("Pa&nels"));
+  this->panelMenu->setObjectName("panels");
   menu->addMenu(NewThemeMenu(this));
 }
 
 void MainWindow::MakeProjectionAction(QMenu* menu)
 {
   menu->addSeparator();
-  QAction* const parallel = menu->addAction(tr("Pa&rallel projection"));
+  QAction* const parallel = menu->addAction(tr("Parall&el projection"));
   parallel->setObjectName("parallelProjection");
   parallel->setCheckable(true);
   parallel->setShortcut(QKeySequence("5"));
@@ -234,26 +246,59 @@ void MainWindow::MakePanels()
     auto* const dock = new QDockWidget(title);
     dock->setObjectName(name);
     dock->setWidget(scroll);
-    this->addDockWidget(Qt::RightDockWidgetArea, dock);
+    this->panels.push_back(dock);
     return dock;
   };
-  QDockWidget* const presets = dockOf("presets", tr("Presets"),
+  dockOf("presets", tr("Presets"),
     new PresetGallery(&this->model,
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/presets"));
-  QDockWidget* const look = dockOf("look", tr("Look"), new LookPanel(&this->model));
+  dockOf("look", tr("Look"), new LookPanel(&this->model));
   QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
-  QDockWidget* const quality = dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
+  dockOf("measures", tr("Measurements"), new MeasuresPanel(&this->model));
+  dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
   // Handles are visible only while the panel of the cuts is open.
   connect(cuts, &QDockWidget::visibilityChanged, this->view->Ours(), &VolumeView::ShowCutHandles);
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  QDockWidget* const measures =
-    dockOf("measures", tr("Measurements"), new MeasuresPanel(&this->model));
-  this->tabifyDockWidget(presets, look);
-  this->tabifyDockWidget(look, cuts);
-  this->tabifyDockWidget(cuts, measures);
-  presets->raise();
-  this->resizeDocks({ look, quality }, { 600, 90 }, Qt::Vertical);
-  this->resizeDocks({ look }, { 380 }, Qt::Horizontal);
+  this->ArrangePanels();
+  this->MakePanelMenu();
+}
+
+// Stacks all panels except the last, which lies below them.
+void MainWindow::ArrangePanels()
+{
+  for (QDockWidget* const panel : this->panels)
+  {
+    panel->setFloating(false);
+    this->addDockWidget(Qt::RightDockWidgetArea, panel);
+    panel->show();
+  }
+  for (std::size_t i = 1; i + 1 < this->panels.size(); ++i)
+  {
+    this->tabifyDockWidget(this->panels[i - 1], this->panels[i]);
+  }
+  QDockWidget* const first = this->panels.front();
+  first->raise();
+  this->resizeDocks({ first, this->panels.back() }, { 600, 90 }, Qt::Vertical);
+  this->resizeDocks({ first }, { 380 }, Qt::Horizontal);
+}
+
+void MainWindow::MakePanelMenu()
+{
+  for (const QDockWidget* const panel : this->panels)
+  {
+    this->panelMenu->addAction(panel->toggleViewAction());
+  }
+  auto* const toolBar = this->findChild<QToolBar*>();
+  this->panelMenu->addAction(toolBar->toggleViewAction());
+  this->panelMenu->addSeparator();
+  this->panelMenu
+    ->addAction(tr("&Reset layout"), this,
+      [this, toolBar]
+      {
+        this->ArrangePanels();
+        toolBar->show();
+      })
+    ->setObjectName("resetLayout");
 }
 
 void MainWindow::MakeStatusBar()

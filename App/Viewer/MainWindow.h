@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+class QDockWidget;
 class QMenu;
 class QProgressBar;
 class QPushButton;
@@ -56,6 +57,7 @@ protected:
   void childEvent(QChildEvent* event) override;
 
 private:
+  void Listen();
   QWidget* MakeViews();
   void MakeMenus();
   void MakeViewMenu();
@@ -67,6 +69,8 @@ private:
   void MakeHelpMenu();
   void MakeLanguageMenu(QMenu* menu);
   void MakePanels();
+  void ArrangePanels();
+  void MakePanelMenu();
   void MakeStatusBar();
   void ChooseFile();
   void ChooseFolder();
@@ -109,6 +113,8 @@ private:
   std::vector<SliceView*> sliceViews;
   WarningBar* warnings;
   QMenu* recentMenu;
+  QMenu* panelMenu;
+  std::vector<QDockWidget*> panels;
   QProgressBar* progress;
   QPushButton* cancel;
 };

@@ -76,7 +76,7 @@ void MainWindow::MakeHelpMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu(tr("&Help"));
   this->MakeLanguageMenu(menu->addMenu(tr("&Language")));
-  menu->addAction(tr("Open the &log folder"), this,
+  menu->addAction(tr("Open the l&og folder"), this,
     []
     {
       const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);

@@ -38,7 +38,7 @@ void MainWindow::MakeLeftButtonActions(QMenu* menu)
     { LeftButton::CutOut, tr("&Cut out"), "X", tr("Draw around the part to remove") },
     { LeftButton::KeepOnly, tr("&Keep"), "Shift+X", tr("Draw around the part to keep") },
   };
-  auto* const bar = this->addToolBar(tr("Left button"));
+  auto* const bar = this->addToolBar(tr("Tool bar"));
   bar->setObjectName("leftButton");
   bar->setMovable(false);
   auto* const group = new QActionGroup(this);
@@ -69,7 +69,7 @@ void MainWindow::MakeComparisonActions(QMenu* menu)
   const std::tuple<QString, std::optional<MapperKind>> kinds[] = {
     { tr("&No comparison"), std::nullopt },
     { tr("Compare with VTK's &GPU mapper"), MapperKind::VtkGpu },
-    { tr("Compare with VTK's &CPU mapper"), MapperKind::VtkCpu },
+    { tr("Compare with VTK's CP&U mapper"), MapperKind::VtkCpu },
   };
   for (const auto& [name, kind] : kinds)
   {
@@ -82,7 +82,7 @@ void MainWindow::MakeComparisonActions(QMenu* menu)
   wipe->setCheckable(true);
   wipe->setStatusTip(tr("Both images in one place, with a divider to drag"));
   connect(wipe, &QAction::toggled, this->view, &ComparisonView::SetWipe);
-  menu->addAction(tr("&Benchmark…"), this, &MainWindow::ShowBenchmark)->setObjectName("benchmark");
+  menu->addAction(tr("Benc&hmark…"), this, &MainWindow::ShowBenchmark)->setObjectName("benchmark");
 }
 
 void MainWindow::Compare(std::optional<MapperKind> kind)

@@ -11,6 +11,7 @@
 #include <QColorDialog>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -171,6 +172,44 @@ TEST_F(Window, ComparesWithVtk)
   view->CompareWith(std::nullopt);
   EXPECT_FALSE(view->LastDifference());
   EXPECT_EQ(this->View()->size(), alone);
+}
+
+TEST_F(Window, FindsAClosedPanelAndRestoresTheLayout)
+{
+  auto* const look = this->window.findChild<QDockWidget*>("look");
+  auto* const quality = this->window.findChild<QDockWidget*>("quality");
+  const QRect before = quality->geometry();
+  look->close();
+  quality->setFloating(true);
+  auto* const panels = this->window.findChild<QMenu*>("panels");
+  const QList<QAction*> actions = panels->actions();
+  const auto entry = std::find_if(
+    actions.begin(), actions.end(), [](const QAction* action) { return action->text() == "Look"; });
+  ASSERT_NE(entry, actions.end());
+  EXPECT_FALSE((*entry)->isChecked());
+  (*entry)->trigger();
+  EXPECT_FALSE(look->isHidden());
+  for (QDockWidget* const panel : this->window.findChildren<QDockWidget*>())
+  {
+    panel->close();
+  }
+  this->window.findChild<QAction*>("resetLayout")->trigger();
+  QTest::qWait(100);
+  for (const QDockWidget* const panel : this->window.findChildren<QDockWidget*>())
+  {
+    EXPECT_FALSE(panel->isHidden() || panel->isFloating()) << panel->objectName().toStdString();
+  }
+  EXPECT_FALSE(this->window.findChild<QDockWidget*>("presets")->visibleRegion().isEmpty());
+  EXPECT_EQ(this->window.tabifiedDockWidgets(look).size(), 3);
+  EXPECT_NEAR(quality->geometry().top(), before.top(), 60);
+}
+
+TEST_F(Window, GivesTheReasonForALookUntilAnotherIsChosen)
+{
+  this->OpenTorso();
+  EXPECT_TRUE(this->window.statusBar()->currentMessage().startsWith("Look \"CT bone\""));
+  this->Model()->SetPreset(BuiltInPreset("ct-vessels"), "choose");
+  EXPECT_TRUE(this->window.statusBar()->currentMessage().isEmpty());
 }
 
 TEST_F(Window, RefinesAPictureThatStays)
