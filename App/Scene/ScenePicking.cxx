@@ -191,6 +191,17 @@ std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData*
   return seen;
 }
 
+bool IsHidden(const Scene& scene, vtkImageData* image, const std::array<double, 3>& eye,
+  const std::array<double, 3>& point, vtkImageData* mask)
+{
+  const double* const spacing = image->GetSpacing();
+  const double surfaceMm = 2.0 * std::max({ spacing[0], spacing[1], spacing[2] });
+  const glm::dvec3 toEye = VectorOf(eye) - VectorOf(point);
+  const double distanceMm = glm::length(toEye);
+  return !IsProjection(scene.look.blend) && distanceMm > surfaceMm &&
+    PointSeen(scene, image, eye, NumbersOf(VectorOf(point) + surfaceMm / distanceMm * toEye), mask);
+}
+
 std::optional<double> ValueAt(vtkImageData* image, const std::array<double, 3>& pointMm)
 {
   return RayValues(image).At(VectorOf(pointMm));

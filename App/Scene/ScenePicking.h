@@ -19,6 +19,11 @@ namespace varimarch
 std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData* image,
   const std::array<double, 3>& from, const std::array<double, 3>& to, vtkImageData* mask = nullptr);
 
+/// True if the scene absorbs at least half of the light between the eye and a point, both in world
+/// space [mm]. A point on a surface is not hidden by it, and projections hide nothing.
+bool IsHidden(const Scene& scene, vtkImageData* image, const std::array<double, 3>& eye,
+  const std::array<double, 3>& point, vtkImageData* mask = nullptr);
+
 /// The interpolated value at a point in world space; empty outside the volume.
 std::optional<double> ValueAt(vtkImageData* image, const std::array<double, 3>& pointMm);
 

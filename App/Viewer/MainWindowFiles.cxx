@@ -197,7 +197,7 @@ void MainWindow::ExportTurntable()
   waiting.setMinimumDuration(0);
   try
   {
-    PictureMaker maker(this->model.CurrentScene(), this->model.CurrentStudy()->volume.image,
+    PictureMaker maker(this->model.CurrentScene(), this->model.CurrentStudy()->volume,
       { this->view->Ours()->size(), false, true });
     const bool isComplete = WriteTurntable(maker, Pictures, path,
       [&](double part)

@@ -131,6 +131,21 @@ TEST(PointSeen, HasTheLargestOpacityOfAMaximum)
   EXPECT_NEAR((*seen)[0], 5.0, StepMm);
 }
 
+TEST(IsHidden, HoldsBehindASurfaceAndNotOnIt)
+{
+  const auto image = Ramp(false);
+  const auto isHidden = [&](double eyeX, double x) {
+    return IsHidden(WallAtThree(), image, { eyeX, 1.0, 2.0 }, { x, 1.0, 2.0 });
+  };
+  EXPECT_TRUE(isHidden(-50.0, 9.0));
+  EXPECT_FALSE(isHidden(-50.0, 4.0)) << "on the surface, which a pick finds only nearly";
+  EXPECT_FALSE(isHidden(-50.0, 0.0));
+  EXPECT_TRUE(isHidden(50.0, 0.0));
+  Scene projection = WallAtThree();
+  projection.look.blend = Blend::MaximumIntensity;
+  EXPECT_FALSE(IsHidden(projection, image, { -50.0, 1.0, 2.0 }, { 9.0, 1.0, 2.0 }));
+}
+
 TEST(ValueAt, IsInterpolatedInsideAndEmptyOutside)
 {
   EXPECT_NEAR(ValueAt(Ramp(false), { 2.25, 0.0, 0.0 }).value(), 2.25, 1e-5);

@@ -127,7 +127,7 @@ public:
 
   void Export()
   {
-    PictureMaker maker(this->Model()->CurrentScene(), this->Model()->CurrentStudy()->volume.image,
+    PictureMaker maker(this->Model()->CurrentScene(), this->Model()->CurrentStudy()->volume,
       { { 640, 480 }, false, true });
     Require(maker.Draw().save(this->folder + "/viewer-export.png"), "the picture is not written");
   }

@@ -4,11 +4,17 @@
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/SlabBar.h"
+#include "Viewer/View/MeasureOverlay.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QImage>
+#include <QPainter>
 #include <QPushButton>
 #include <QTableWidget>
+
+#include <vtkCamera.h>
+#include <vtkNew.h>
 
 #include <gtest/gtest.h>
 
@@ -58,13 +64,52 @@ TEST_F(Measures, AreListedWithTheirValues)
 TEST_F(Measures, HaveShorterTextsForBoxesInImages)
 {
   const Study& study = *this->model.CurrentStudy();
-  const MeasureTexts texts(this->model.CurrentScene(), study.volume.image);
+  const MeasureTexts texts(this->model.CurrentScene(), study.volume);
   const QStringList lines = texts.boxLabels.at(0).split('\n');
   ASSERT_EQ(lines.size(), 2);
   EXPECT_TRUE(texts.boxes.at(0).startsWith(lines[0] + ", from ")) << lines[0].toStdString();
   EXPECT_TRUE(texts.boxes.at(0).contains('\n' + lines[1] + ", ")) << lines[1].toStdString();
   EXPECT_EQ(VolumeText(999.0), QString::fromUtf8("999 mm³"));
   EXPECT_EQ(VolumeText(1234.0), "1.23 ml");
+}
+
+TEST_F(Measures, GiveTheUnitOfABoxAndSayThatItIsAMean)
+{
+  LoadedVolume volume = this->model.CurrentStudy()->volume;
+  const QString ofCt = MeasureTexts(this->model.CurrentScene(), volume).boxLabels.at(0);
+  EXPECT_TRUE(ofCt.startsWith("mean ")) << ofCt.toStdString();
+  EXPECT_TRUE(ofCt.section('\n', 0, 0).endsWith(" HU")) << ofCt.toStdString();
+  volume.modality = "MR";
+  EXPECT_FALSE(MeasureTexts(this->model.CurrentScene(), volume).boxLabels.at(0).contains("HU"));
+}
+
+// Overlapping labels would share pixels.
+TEST_F(Measures, HaveLabelsThatDoNotOverlap)
+{
+  const auto labelPixels = [this](int count)
+  {
+    Scene scene;
+    scene.distances.assign(std::size_t(count), { { 0, 0, 0 }, { 10, 0, 0 }, "aorta" });
+    const LoadedVolume& volume = this->model.CurrentStudy()->volume;
+    vtkNew<vtkCamera> camera;
+    camera->SetPosition(0.0, -500.0, 0.0);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    QImage image(400, 300, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    DrawMeasures(painter, { scene, MeasureTexts(scene, volume), volume.image },
+      FrameOf(camera, image.size()),
+      { [](const auto&, const auto&) { return true; }, [](const auto&) { return false; } });
+    painter.end();
+    int pixels = 0;
+    for (int i = 0; i < 400 * 300; ++i)
+    {
+      pixels += image.pixelColor(i % 400, i / 400) == QColor(235, 235, 235) ? 1 : 0;
+    }
+    return pixels;
+  };
+  EXPECT_GT(labelPixels(1), 20);
+  EXPECT_NEAR(labelPixels(3), 3 * labelPixels(1), 6) << "but for pixels on the line";
 }
 
 TEST_F(Measures, AreRenamedRemovedAndRestored)

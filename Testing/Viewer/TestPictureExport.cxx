@@ -14,11 +14,11 @@ TEST(ExportedPicture, HasTheRequestedSizeAndBackground)
 {
   const auto study = SmallStudy();
   const QImage onBackground =
-    PictureMaker(SceneOfPatient(), study->volume.image, { { 120, 80 }, false, false }).Draw();
+    PictureMaker(SceneOfPatient(), study->volume, { { 120, 80 }, false, false }).Draw();
   EXPECT_EQ(onBackground.size(), QSize(120, 80));
   EXPECT_EQ(onBackground.pixelColor(0, 0), QColor(0, 0, 255));
   const QImage transparent =
-    PictureMaker(SceneOfPatient(), study->volume.image, { { 120, 80 }, true, false }).Draw();
+    PictureMaker(SceneOfPatient(), study->volume, { { 120, 80 }, true, false }).Draw();
   EXPECT_EQ(transparent.pixelColor(0, 0).alpha(), 0);
   EXPECT_GT(transparent.pixelColor(60, 40).alpha(), 200) << "the spine";
 }
@@ -31,7 +31,7 @@ TEST(ExportedPicture, HasANoticeThatIsLegibleOnAnyBackground)
     Scene scene = SceneOfPatient();
     scene.background = { gray, gray, gray };
     const QImage picture =
-      PictureMaker(scene, study->volume.image, { { 800, 600 }, false, false }).Draw();
+      PictureMaker(scene, study->volume, { { 800, 600 }, false, false }).Draw();
     int darkest = 255;
     int brightest = 0;
     for (int y = 560; y < 600; ++y)
@@ -54,9 +54,8 @@ TEST(ExportedPicture, StoresTheSettingsWithoutPatientData)
   scene.look.name = "bone of DOE";
   scene.look.description = "as DOE needs it";
   scene.distances.push_back({ { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 }, "DOE" });
-  const QString text = PictureMaker(scene, study->volume.image, { { 32, 32 }, false, false })
-                         .Draw()
-                         .text("varimarch-scene");
+  const QString text =
+    PictureMaker(scene, study->volume, { { 32, 32 }, false, false }).Draw().text("varimarch-scene");
   EXPECT_FALSE(text.contains("DOE")) << text.toStdString();
   EXPECT_FALSE(text.contains("1.2.840.99"));
   const Scene back = SceneFromText(text.toStdString(), "picture");

@@ -1,6 +1,8 @@
 #include "Viewer/Model/MeasureTexts.h"
 
 #include "Scene/Measures.h"
+#include "Scene/VolumeLoading.h"
+#include "Viewer/Model/NumberText.h"
 
 namespace varimarch
 {
@@ -10,56 +12,53 @@ namespace
 
 constexpr double Mm3PerMl = 1000.0;
 
-QString Number(double value)
+QString FourDigits(double value)
 {
-  return QString::number(value, 'g', 4);
+  return QLocale().toString(value, 'g', 4);
 }
 
-QString BoxText(const BoxStatistics& statistics)
+QString MeanText(const BoxStatistics& statistics, const QString& unit)
 {
-  if (statistics.voxels == 0)
-  {
-    return MeasureTexts::tr("no voxels");
-  }
-  return MeasureTexts::tr("%1 ± %2, from %3 to %4\n%5, %6 voxels")
-    .arg(Number(statistics.mean), Number(statistics.standardDeviation), Number(statistics.smallest),
-      Number(statistics.largest), VolumeText(statistics.volumeMm3))
+  return MeasureTexts::tr("mean %1 ± %2%3")
+    .arg(FourDigits(statistics.mean), FourDigits(statistics.standardDeviation), unit);
+}
+
+QString BoxText(const BoxStatistics& statistics, const QString& unit)
+{
+  return MeasureTexts::tr("%1, from %2 to %3%4\n%5, %6 voxels")
+    .arg(MeanText(statistics, unit), FourDigits(statistics.smallest),
+      FourDigits(statistics.largest), unit, VolumeText(statistics.volumeMm3))
     .arg(statistics.voxels);
 }
 
-QString BoxLabel(const BoxStatistics& statistics)
-{
-  return statistics.voxels == 0
-    ? MeasureTexts::tr("no voxels")
-    : MeasureTexts::tr("%1 ± %2\n%3")
-        .arg(Number(statistics.mean), Number(statistics.standardDeviation),
-          VolumeText(statistics.volumeMm3));
 }
 
-}
-
-MeasureTexts::MeasureTexts(const Scene& scene, vtkImageData* image)
+MeasureTexts::MeasureTexts(const Scene& scene, const LoadedVolume& volume)
 {
   for (const Distance& distance : scene.distances)
   {
-    this->distances.append(MeasureTexts::tr("%1 mm").arg(LengthMm(distance), 0, 'f', 1));
+    this->distances.append(tr("%1 mm").arg(NumberText(LengthMm(distance), 1)));
   }
   for (const Angle& angle : scene.angles)
   {
-    this->angles.append(MeasureTexts::tr("%1°").arg(AngleDegrees(angle), 0, 'f', 1));
+    this->angles.append(tr("%1°").arg(NumberText(AngleDegrees(angle), 1)));
   }
+  const QString unit = volume.modality == "CT" ? QStringLiteral(" HU") : QString();
   for (const MeasuredBox& box : scene.boxes)
   {
-    const BoxStatistics statistics = StatisticsOf(box, image);
-    this->boxes.append(BoxText(statistics));
-    this->boxLabels.append(BoxLabel(statistics));
+    const BoxStatistics statistics = StatisticsOf(box, volume.image);
+    const bool isEmpty = statistics.voxels == 0;
+    this->boxes.append(isEmpty ? tr("no voxels") : BoxText(statistics, unit));
+    this->boxLabels.append(isEmpty
+        ? tr("no voxels")
+        : MeanText(statistics, unit) + '\n' + VolumeText(statistics.volumeMm3));
   }
 }
 
 QString VolumeText(double volumeMm3)
 {
-  return volumeMm3 < Mm3PerMl ? MeasureTexts::tr("%1 mm³").arg(volumeMm3, 0, 'f', 0)
-                              : MeasureTexts::tr("%1 ml").arg(volumeMm3 / Mm3PerMl, 0, 'f', 2);
+  return volumeMm3 < Mm3PerMl ? MeasureTexts::tr("%1 mm³").arg(NumberText(volumeMm3, 0))
+                              : MeasureTexts::tr("%1 ml").arg(NumberText(volumeMm3 / Mm3PerMl, 2));
 }
 
 }

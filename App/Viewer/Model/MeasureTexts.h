@@ -7,12 +7,10 @@
 #include <QString>
 #include <QStringList>
 
-class vtkImageData;
-
 namespace varimarch
 {
 
-struct BoxStatistics;
+struct LoadedVolume;
 
 /// Texts of the measurements, one for each in the order of the scene. They are made once per edit,
 /// since box statistics read many voxels.
@@ -22,12 +20,13 @@ struct MeasureTexts
 
 public:
   MeasureTexts() = default;
-  MeasureTexts(const Scene& scene, vtkImageData* image);
+  MeasureTexts(const Scene& scene, const LoadedVolume& volume);
 
   QStringList distances; ///< "12.3 mm"
   QStringList angles;    ///< "45.0°"
-  QStringList boxes;     ///< two lines: "312 ± 45, from 10 to 420", "1.23 ml, 1482 voxels"
-  QStringList boxLabels; ///< short form for images: "312 ± 45", "1.23 ml"
+  /// Two lines: "mean 312 ± 45 HU, from 10 to 420 HU", "1.23 ml, 1482 voxels".
+  QStringList boxes;
+  QStringList boxLabels; ///< short form for images: "mean 312 ± 45 HU", "1.23 ml"
 };
 
 /// "1.23 ml", or "123 mm³" below one millilitre.

@@ -79,7 +79,7 @@ void MeasuresPanel::Show(ScenePart part)
   const QSignalBlocker quiet(this->table);
   const int row = this->table->currentRow();
   const Scene& scene = this->model->CurrentScene();
-  const MeasureTexts texts(scene, this->model->CurrentStudy()->volume.image);
+  const MeasureTexts texts(scene, this->model->CurrentStudy()->volume);
   this->table->setRowCount(0);
   for (int i = 0; i < texts.distances.size(); ++i)
   {

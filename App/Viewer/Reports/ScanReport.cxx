@@ -95,7 +95,7 @@ QString SettingRows(const Scene& scene, const ImageStatistics& statistics)
 // Names of measurements are left out; they may contain a patient's name.
 QString MeasureRows(const Scene& scene, const Study& study)
 {
-  const MeasureTexts texts(scene, study.volume.image);
+  const MeasureTexts texts(scene, study.volume);
   QString rows;
   const auto add = [&](const QString& kind, const QStringList& measures)
   {
@@ -149,7 +149,7 @@ void WriteScanReport(SceneModel* model, const QString& path)
   const Scene& scene = model->CurrentScene();
   QTextDocument document;
   AddSlices(document, model);
-  PictureMaker maker(scene, model->CurrentStudy()->volume.image, { PictureSize, false, true });
+  PictureMaker maker(scene, model->CurrentStudy()->volume, { PictureSize, false, true });
   AddPicture(document, "picture", maker.Draw());
   document.setHtml(ScanReportHtml(scene, *model->CurrentStudy()));
   WritePdf(document, Translated("Volume report"), path);

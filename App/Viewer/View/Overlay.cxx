@@ -1,6 +1,7 @@
 #include "Viewer/View/Overlay.h"
 
 #include "Scene/AnatomicalDirection.h"
+#include "Scene/ScenePicking.h"
 #include "Scene/WorldVector.h"
 
 #include <QPainter>
@@ -79,12 +80,21 @@ void DrawCube(QPainter& painter, const PictureFrame& frame)
 
 }
 
-void DrawOverlay(QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame)
+void DrawOverlay(
+  QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame, vtkImageData* mask)
 {
   painter.setRenderHint(QPainter::Antialiasing);
   DrawLetters(painter, frame);
   DrawCube(painter, frame);
-  DrawMeasures(painter, measured, frame, [](const auto&, const auto&) { return true; });
+  const auto isHidden = [&](const std::array<double, 3>& point)
+  {
+    const std::optional<QPointF> pixel = frame.pixelOf(point);
+    return pixel &&
+      IsHidden(
+        measured.scene, measured.image, NumbersOf(frame.sightLineAt(*pixel).nearest), point, mask);
+  };
+  DrawMeasures(
+    painter, measured, frame, { [](const auto&, const auto&) { return true; }, isHidden });
 }
 
 }

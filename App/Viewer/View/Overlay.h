@@ -10,7 +10,9 @@ namespace varimarch
 
 /// Draws the annotations of an image, on the screen and in files: letters of the patient's
 /// directions at its edges, a cube with the same letters, and the measurements.
-void DrawOverlay(QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame);
+/// @param mask  the part that the scissors keep, see Scissors.h; may be null
+void DrawOverlay(
+  QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame, vtkImageData* mask);
 
 }
 

@@ -85,13 +85,14 @@ std::string AnonymousText(Scene scene)
 
 }
 
-PictureMaker::PictureMaker(const Scene& scene, vtkImageData* image, const ExportOptions& options)
+PictureMaker::PictureMaker(
+  const Scene& scene, const LoadedVolume& volume, const ExportOptions& options)
   : scene(OfSize(scene, options.pixels))
-  , image(image)
+  , volume(volume)
   , options(options)
 {
   const DrawingWithoutDisplay drawing;
-  this->view.emplace(this->scene, image, MapperKind::Varimarch);
+  this->view.emplace(this->scene, volume.image, MapperKind::Varimarch);
 }
 
 PictureMaker::~PictureMaker()
@@ -114,8 +115,10 @@ QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
   painter.scale(scale, scale);
   if (this->options.overlay)
   {
-    DrawOverlay(painter, { this->scene, MeasureTexts(this->scene, this->image), this->image },
-      FrameOf(this->view->Pipeline().Renderer()->GetActiveCamera(), size));
+    DrawOverlay(painter,
+      { this->scene, MeasureTexts(this->scene, this->volume), this->volume.image },
+      FrameOf(this->view->Pipeline().Renderer()->GetActiveCamera(), size),
+      this->view->Pipeline().Mask());
   }
   DrawNotice(painter, size);
   painter.end();
@@ -172,7 +175,7 @@ void ExportDialog::Export()
   this->progress->show();
   try
   {
-    PictureMaker maker(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
+    PictureMaker maker(this->model->CurrentScene(), this->model->CurrentStudy()->volume,
       { { this->width->value(), this->height->value() }, this->transparent->isChecked(),
         this->overlay->isChecked() });
     const QImage picture = maker.Draw(

@@ -14,12 +14,12 @@
 class QCheckBox;
 class QProgressBar;
 class QSpinBox;
-class vtkImageData;
 
 namespace varimarch
 {
 
 class SceneModel;
+struct LoadedVolume;
 
 struct ExportOptions
 {
@@ -33,9 +33,9 @@ struct ExportOptions
 class PictureMaker
 {
 public:
-  /// @param image  the scene's volume; must outlive this object
+  /// @param volume  the scene's volume; must outlive this object
   /// @throws std::runtime_error with one sentence if there is no OpenGL
-  PictureMaker(const Scene& scene, vtkImageData* image, const ExportOptions& options);
+  PictureMaker(const Scene& scene, const LoadedVolume& volume, const ExportOptions& options);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
@@ -50,7 +50,7 @@ public:
 
 private:
   Scene scene;
-  vtkImageData* image;
+  const LoadedVolume& volume;
   ExportOptions options;
   std::optional<OffscreenView> view;
 };

@@ -48,8 +48,7 @@ void SliceView::Update(ScenePart part)
 {
   if (part == ScenePart::Volume || part == ScenePart::Measures)
   {
-    this->texts =
-      MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image);
+    this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
     this->update();
   }
   if (part == ScenePart::Slices)
@@ -142,7 +141,9 @@ void SliceView::DrawMeasuresOfSlice(QPainter& painter) const
   painter.setRenderHint(QPainter::Antialiasing);
   DrawMeasures(painter,
     { this->model->CurrentScene(), this->texts, this->model->CurrentStudy()->volume.image },
-    this->Frame(), [this](const auto& from, const auto& to) { return this->Shows(from, to); });
+    this->Frame(),
+    { [this](const auto& from, const auto& to) { return this->Shows(from, to); },
+      [](const auto&) { return false; } });
   this->measure.Paint(painter);
 }
 

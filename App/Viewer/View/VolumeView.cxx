@@ -4,6 +4,7 @@
 #include "Scene/SceneCamera.h"
 #include "Scene/ScenePicking.h"
 #include "Scene/WorldVector.h"
+#include "Viewer/Model/NumberText.h"
 #include "Viewer/View/PictureReport.h"
 #include "Viewer/WaitCursor.h"
 
@@ -61,7 +62,7 @@ protected:
       DrawOverlay(painter,
         { this->view->model->CurrentScene(), this->view->texts,
           this->view->model->CurrentStudy()->volume.image },
-        this->view->Frame());
+        this->view->Frame(), this->view->pipeline->Mask());
       this->view->tools.Paint(painter);
       DrawLegibly(painter, this->rect().adjusted(10, 10, -10, -10),
         this->view->reportSide | Qt::AlignTop,
@@ -174,7 +175,7 @@ void VolumeView::Update(ScenePart part)
     case ScenePart::Slices:
       return;
     case ScenePart::Measures:
-      this->texts = MeasureTexts(scene, this->model->CurrentStudy()->volume.image);
+      this->texts = MeasureTexts(scene, this->model->CurrentStudy()->volume);
       this->overlay->update();
       return;
     case ScenePart::Render:
@@ -199,8 +200,7 @@ void VolumeView::TakeVolume()
   this->pipeline->Mapper()->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
   this->ApplyRefining();
   this->window->AddRenderer(this->pipeline->Renderer());
-  this->texts =
-    MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image);
+  this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
   this->TakeCamera();
 }
 
@@ -381,10 +381,10 @@ void VolumeView::Point(const QPointF& place)
   const LoadedVolume& volume = this->model->CurrentStudy()->volume;
   emit this->Pointed(tr("%1%2 at %3, %4, %5 mm")
                        .arg(volume.modality == "CT" ? tr("HU ") : tr("value "))
-                       .arg(ValueAt(volume.image, *point).value_or(0.0), 0, 'f', 0)
-                       .arg((*point)[0], 0, 'f', 1)
-                       .arg((*point)[1], 0, 'f', 1)
-                       .arg((*point)[2], 0, 'f', 1));
+                       .arg(NumberText(ValueAt(volume.image, *point).value_or(0.0), 0))
+                       .arg(NumberText((*point)[0], 1))
+                       .arg(NumberText((*point)[1], 1))
+                       .arg(NumberText((*point)[2], 1)));
 }
 
 double VolumeView::Aspect() const
