@@ -1,20 +1,63 @@
 // The window is translated into every language that the program offers.
 
+#include "Scene/SceneFile.h"
+#include "SmallStudy.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Language.h"
+#include "Viewer/Model/MeasureTexts.h"
+#include "Viewer/Panels/SlabBar.h"
 
+#include <QAbstractButton>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMap>
+#include <QMenu>
 #include <QMenuBar>
+#include <QSlider>
 #include <QTabBar>
 #include <QTest>
 
 #include <gtest/gtest.h>
 
+#include <clocale>
+
 using namespace varimarch;
 
 namespace
 {
+
+// Text that identifies a widget in a failure message.
+std::string Words(const QWidget* widget)
+{
+  const QVariant text = widget->property("text");
+  return (text.isValid() ? text.toString() : widget->accessibleName()).toStdString();
+}
+
+void ExpectLegible(const MainWindow& window, const std::string& language)
+{
+  int seen = 0;
+  for (QWidget* const widget : window.findChildren<QWidget*>())
+  {
+    const bool isToRead = qobject_cast<QLabel*>(widget) || qobject_cast<QAbstractButton*>(widget) ||
+      qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget) ||
+      qobject_cast<QSlider*>(widget);
+    const bool isOfQt = widget->inherits("QDockWidgetTitleButton");
+    if (!isToRead || isOfQt || !widget->isVisible() || widget->visibleRegion().isEmpty())
+    {
+      continue;
+    }
+    ++seen;
+    const std::string what =
+      language + ": " + widget->metaObject()->className() + (' ' + Words(widget));
+    EXPECT_EQ(widget->visibleRegion().boundingRect().width(), widget->width()) << what;
+    EXPECT_GE(widget->width(), widget->minimumSizeHint().width()) << what;
+    EXPECT_GE(widget->height(), widget->minimumSizeHint().height()) << what;
+  }
+  EXPECT_GT(seen, 15);
+}
 
 class Speaking : public testing::Test
 {
@@ -59,6 +102,72 @@ TEST_F(Speaking, ShowsTheTitlesOfPanelsInFull)
       EXPECT_EQ(tabs->tabToolTip(i), tabs->tabText(i));
     }
   }
+}
+
+// Menus open by Alt and a letter, and a letter that stands for two entries opens neither.
+TEST_F(Speaking, GivesEveryEntryOfAMenuALetterOfItsOwn)
+{
+  for (const Language& language : Languages())
+  {
+    Speak(language.code, QCoreApplication::instance());
+    MainWindow window;
+    QList<QWidget*> menus{ window.menuBar() };
+    for (QMenu* const menu : window.menuBar()->findChildren<QMenu*>())
+    {
+      menus.append(menu);
+    }
+    for (const QWidget* const menu : menus)
+    {
+      QMap<QString, QString> taken;
+      for (const QAction* const action : menu->actions())
+      {
+        const QString letter = QKeySequence::mnemonic(action->text()).toString();
+        EXPECT_TRUE(letter.isEmpty() || !taken.contains(letter))
+          << language.code.toStdString() << ": " << action->text().toStdString() << " and "
+          << taken[letter].toStdString();
+        taken[letter] = action->text();
+      }
+    }
+  }
+}
+
+// At the smallest supported window size, everything is legible and reachable.
+TEST_F(Speaking, FitsASmallScreen)
+{
+  for (const Language& language : Languages())
+  {
+    Speak(language.code, QCoreApplication::instance());
+    MainWindow window;
+    window.resize(1280, 720);
+    window.show();
+    window.Model()->Open(ProceduralSource(), SmallStudy());
+    for (const char* const name : { "look", "cuts", "measures" })
+    {
+      window.findChild<QDockWidget*>(name)->raise();
+      QTest::qWait(100);
+      EXPECT_EQ(window.size(), QSize(1280, 720)) << "the window had to grow for " << name;
+      ExpectLegible(window, language.code.toStdString());
+    }
+  }
+}
+
+TEST_F(Speaking, WritesNumbersAsTheLanguageDoesAndFilesAsInC)
+{
+  std::setlocale(LC_NUMERIC, "de_DE.UTF-8");
+  Speak("de", QCoreApplication::instance());
+  EXPECT_STREQ(std::localeconv()->decimal_point, ".") << "readers and writers of files";
+  SceneModel model;
+  model.Open(ProceduralSource(), SmallStudy());
+  model.Edit(ScenePart::Measures, "measure",
+    [](Scene& scene) {
+      scene.distances.push_back({ { 0, 0, 0 }, { 1234.5, 0, 0 }, {} });
+    });
+  SlabBar bar(&model);
+  model.Edit(ScenePart::Slices, "slab", [](Scene& scene) { scene.slices.slabMm = 12.5; });
+  EXPECT_EQ(bar.findChild<QDoubleSpinBox*>()->text(), "12,5 mm");
+  const MeasureTexts texts(model.CurrentScene(), model.CurrentStudy()->volume);
+  EXPECT_EQ(texts.distances[0], "1.234,5 mm");
+  EXPECT_NE(SceneText(model.CurrentScene()).find("1234.5"), std::string::npos);
 }
 
 TEST_F(Speaking, KeepsTheChoice)

@@ -6,6 +6,8 @@
 #include <QSettings>
 #include <QTranslator>
 
+#include <clocale>
+
 // Q_INIT_RESOURCE must be used outside of namespaces.
 static void InitTranslations()
 {
@@ -45,6 +47,9 @@ void Speak(const QString& code, QCoreApplication* application)
     delete last;
   }
   const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
+  QLocale::setDefault(locale);
+  // Qt takes all of the desktop's locale, but readers of files expect numbers as in C.
+  std::setlocale(LC_NUMERIC, "C");
   // Standard buttons such as "Cancel" are translated by Qt's own catalogue.
   const QString folderOfQt = QLibraryInfo::location(QLibraryInfo::TranslationsPath);
   const std::pair<QString, QString> places[] = { { "qtbase", folderOfQt },

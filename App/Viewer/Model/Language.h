@@ -22,8 +22,8 @@ QVector<Language> Languages();
 QString ChosenLanguage();
 void ChooseLanguage(const QString& code);
 
-/// Sets the language of all widgets created from now on. Empty: the system's language, if
-/// available.
+/// Sets the language of all widgets created from now on, and the way they write numbers. Empty: the
+/// system's language, if available. Numbers in files stay as in C.
 void Speak(const QString& code, QCoreApplication* application);
 
 }

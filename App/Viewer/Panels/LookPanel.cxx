@@ -80,6 +80,12 @@ LookPanel::LookPanel(SceneModel* model, QWidget* parent)
   column->addWidget(new BlendingForm(model));
   column->addWidget(new GradientOpacityBox(model));
   column->addWidget(new ShadingBox(model));
+  // The entries are longer in some languages, and must not widen the panel.
+  for (QComboBox* const box : this->findChildren<QComboBox*>())
+  {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+  }
   this->setEnabled(false);
   connect(model, &SceneModel::Changed, this, &LookPanel::Update);
 }
@@ -104,8 +110,10 @@ void LookPanel::MakePresets(QVBoxLayout* column)
         this->model->SetPreset(BuiltInPreset(name.toStdString()), tr("choose %1").arg(name));
       }
     });
-  auto* const load = new QPushButton(tr("Load look…"));
-  auto* const save = new QPushButton(tr("Save look…"));
+  auto* const load = new QPushButton(tr("Load…"));
+  load->setToolTip(tr("Loads a look from a file"));
+  auto* const save = new QPushButton(tr("Save…"));
+  save->setToolTip(tr("Saves the look in a file"));
   connect(load, &QPushButton::clicked, this, &LookPanel::ChooseFileToLoad);
   connect(save, &QPushButton::clicked, this, &LookPanel::ChooseFileToSave);
   auto* const row = new QHBoxLayout;

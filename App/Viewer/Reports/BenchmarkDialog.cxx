@@ -1,6 +1,7 @@
 #include "Viewer/Reports/BenchmarkDialog.h"
 
 #include "Scene/OutputFile.h"
+#include "Viewer/Model/NumberText.h"
 #include "Viewer/Reports/PdfPages.h"
 #include "Viewer/SaveDialog.h"
 #include "Viewer/View/CurrentContext.h"
@@ -32,19 +33,19 @@ QString SummaryText(const std::vector<OrbitPicture>& pictures, const QString& th
   return BenchmarkDialog::tr("Median of %1 views: ours %2 ms, %3 %4 ms, %5 times as long. "
                              "Difference: RMSE %6, largest %7, in 1/255.")
     .arg(pictures.size())
-    .arg(summary.medianOursMs, 0, 'f', 1)
+    .arg(NumberText(summary.medianOursMs, 1))
     .arg(theirs)
-    .arg(summary.medianTheirsMs, 0, 'f', 1)
-    .arg(summary.medianTheirsMs / summary.medianOursMs, 0, 'f', 2)
-    .arg(summary.rootMeanSquare, 0, 'f', 2)
-    .arg(summary.largest, 0, 'f', 1);
+    .arg(NumberText(summary.medianTheirsMs, 1))
+    .arg(NumberText(summary.medianTheirsMs / summary.medianOursMs, 2))
+    .arg(NumberText(summary.rootMeanSquare, 2))
+    .arg(NumberText(summary.largest, 1));
 }
 
 QStringList CellsOf(const OrbitPicture& picture)
 {
-  return { QString::number(picture.degrees, 'f', 0), QString::number(picture.oursMs, 'f', 1),
-    QString::number(picture.theirsMs, 'f', 1), QString::number(picture.rootMeanSquare, 'f', 2),
-    QString::number(picture.largest, 'f', 1) };
+  return { NumberText(picture.degrees, 0), NumberText(picture.oursMs, 1),
+    NumberText(picture.theirsMs, 1), NumberText(picture.rootMeanSquare, 2),
+    NumberText(picture.largest, 1) };
 }
 
 QStringList ColumnNames()

@@ -1,6 +1,7 @@
 #include "Viewer/View/ComparisonView.h"
 
 #include "Scene/DifferencePicture.h"
+#include "Viewer/Model/NumberText.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/View/VolumeView.h"
 #include "Viewer/View/VtkPictures.h"
@@ -243,10 +244,10 @@ void ComparisonView::Compare()
 void ComparisonView::ShowDifference(vtkImageData* ourPicture, vtkImageData* theirPicture)
 {
   this->numbers->setText(tr("RMSE %1, largest %2, in 1/255. Ours %3 ms, VTK's %4 ms.")
-                           .arg(this->lastDifference->rootMeanSquare, 0, 'f', 2)
-                           .arg(this->lastDifference->largest, 0, 'f', 1)
-                           .arg(1e3 * this->ours->PictureSeconds(), 0, 'f', 0)
-                           .arg(1e3 * this->theirs->PictureSeconds(), 0, 'f', 0));
+                           .arg(NumberText(this->lastDifference->rootMeanSquare, 2))
+                           .arg(NumberText(this->lastDifference->largest, 1))
+                           .arg(NumberText(1e3 * this->ours->PictureSeconds(), 0))
+                           .arg(NumberText(1e3 * this->theirs->PictureSeconds(), 0)));
   // Lay out first: more lines of text leave less room for the image.
   this->result->layout()->activate();
   const QImage image =

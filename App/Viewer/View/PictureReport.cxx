@@ -1,5 +1,7 @@
 #include "Viewer/View/PictureReport.h"
 
+#include "Viewer/Model/NumberText.h"
+
 #include <QCoreApplication>
 
 #include <vtkVariationFieldVolumeMapper.h>
@@ -29,7 +31,7 @@ QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
 
 QString PictureReport(ScenePipeline& pipeline, MapperKind kind, const Scene& scene, double seconds)
 {
-  const QString time = Texts::tr("%1 ms").arg(1e3 * seconds, 0, 'f', 0);
+  const QString time = Texts::tr("%1 ms").arg(NumberText(1e3 * seconds, 0));
   auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(pipeline.Mapper());
   if (!ours)
   {
