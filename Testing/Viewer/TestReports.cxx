@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableWidget>
@@ -137,6 +138,21 @@ TEST_F(Reports, StateTheSettingsWithoutPatientData)
   }
   EXPECT_FALSE(text.contains("DOE"));
   EXPECT_FALSE(text.contains("head"));
+}
+
+TEST_F(Reports, FillOnePageAndKeepTheLinesOfABoxApart)
+{
+  this->model.Edit(ScenePart::Measures, "measure",
+    [](Scene& scene)
+    {
+      scene.boxes.push_back({ { -20, -20, -20 }, { 20, 20, 20 }, {} });
+      scene.distances.assign(3, { { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 }, {} });
+    });
+  const QString text = ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy());
+  EXPECT_TRUE(text.contains(QRegularExpression("HU<br>[0-9.]+ m"))) << text.toStdString();
+  const QString path = this->folder.filePath("report.pdf");
+  WriteScanReport(&this->model, path);
+  EXPECT_EQ(BytesOf(path).count("/Type /Page\n"), 1);
 }
 
 TEST_F(Reports, MarkAnEditedLook)

@@ -3,6 +3,7 @@
 #include "Scene/Presets.h"
 #include "Scene/SceneNames.h"
 #include "Viewer/Model/MeasureTexts.h"
+#include "Viewer/Model/NumberText.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Reports/PdfPages.h"
 #include "Viewer/View/PictureExport.h"
@@ -22,48 +23,48 @@ namespace
 
 const QSize PictureSize(1200, 900);
 const QSize SliceSize(480, 420);
-// Width of an image that fills an A4 page between its margins [1/96 inch].
-constexpr int WidthOnPage = 640;
+// Widths on an A4 page, which is 640 wide between its margins [1/96 inch]. Three slices beside the
+// image are as high as it is, and leave room for the settings and a few measurements.
+constexpr int WidthOfPicture = 460;
+constexpr int WidthOfSlice = 130;
 
-QString Translated(const char* text)
+// A class, since lupdate finds only the texts that are arguments of tr.
+class ReportTexts
 {
-  return QCoreApplication::translate("ScanReport", text);
-}
-
-QString Number(double number, int decimals)
-{
-  return QString::number(number, 'f', decimals);
-}
+  Q_DECLARE_TR_FUNCTIONS(ScanReport)
+};
 
 QString Row(const QString& name, const QString& value)
 {
   return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
-    .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+    .arg(name.toHtmlEscaped(), value.toHtmlEscaped().replace('\n', "<br>"));
 }
 
 // Names of the user's own looks are left out; they may contain a patient's name.
 QString NameOf(const Look& look, const ImageStatistics& statistics)
 {
   const QString name = QString::fromStdString(look.name);
-  return !IsPresetName(look.name)     ? Translated("custom look")
+  return !IsPresetName(look.name)     ? ReportTexts::tr("custom look")
     : IsBuiltInLook(look, statistics) ? name
-                                      : Translated("%1, edited").arg(name);
+                                      : ReportTexts::tr("%1, edited").arg(name);
 }
 
 QString LightText(const Shading& shading)
 {
-  return shading.enabled ? Translated("ambient %1, diffuse %2, specular %3, power %4")
-                             .arg(Number(shading.ambient, 2), Number(shading.diffuse, 2),
-                               Number(shading.specular, 2), Number(shading.specularPower, 0))
-                         : Translated("none: unshaded colours");
+  return shading.enabled
+    ? ReportTexts::tr("ambient %1, diffuse %2, specular %3, power %4")
+        .arg(NumberText(shading.ambient, 2), NumberText(shading.diffuse, 2),
+          NumberText(shading.specular, 2), NumberText(shading.specularPower, 0))
+    : ReportTexts::tr("none: unshaded colours");
 }
 
 QString ErrorText(const RenderOptions& render)
 {
   return render.errorTolerance > 0.0
-    ? Translated("at most 1/%1 of full brightness in any colour of 99.9 % of the pixels, estimated")
+    ? ReportTexts::tr(
+        "at most 1/%1 of full brightness in any colour of 99.9 % of the pixels, estimated")
         .arg(int(std::lround(1.0 / render.errorTolerance)))
-    : Translated("not bounded");
+    : ReportTexts::tr("not bounded");
 }
 
 QString VolumeRows(const LoadedVolume& volume)
@@ -71,25 +72,27 @@ QString VolumeRows(const LoadedVolume& volume)
   const int* const count = volume.image->GetDimensions();
   const double* const spacing = volume.image->GetSpacing();
   const QString modality =
-    volume.modality.empty() ? Translated("unknown") : QString::fromStdString(volume.modality);
-  return Row(Translated("Modality"), modality) +
-    Row(Translated("Voxels"), QString("%1 x %2 x %3").arg(count[0]).arg(count[1]).arg(count[2])) +
-    Row(Translated("Voxel spacing"),
+    volume.modality.empty() ? ReportTexts::tr("unknown") : QString::fromStdString(volume.modality);
+  return Row(ReportTexts::tr("Modality"), modality) +
+    Row(ReportTexts::tr("Voxels"),
+      QString("%1 x %2 x %3").arg(count[0]).arg(count[1]).arg(count[2])) +
+    Row(ReportTexts::tr("Voxel spacing"),
       QString("%1 x %2 x %3 mm")
-        .arg(Number(spacing[0], 3), Number(spacing[1], 3), Number(spacing[2], 3)));
+        .arg(NumberText(spacing[0], 3), NumberText(spacing[1], 3), NumberText(spacing[2], 3)));
 }
 
 QString SettingRows(const Scene& scene, const ImageStatistics& statistics)
 {
-  return Row(Translated("Look"), NameOf(scene.look, statistics)) +
-    Row(Translated("Blend mode"), QString::fromStdString(NameOf(BlendNames(), scene.look.blend))) +
-    Row(Translated("Opacity per"), Number(scene.look.opacityUnitDistanceMm, 2) + " mm") +
-    Row(Translated("Opacity by gradient"),
-      scene.look.gradientOpacities.empty() ? Translated("off") : Translated("on")) +
-    Row(Translated("Light"), LightText(scene.look.shading)) +
-    Row(Translated("Cut planes"), QString::number(scene.cuts.planes.size())) +
-    Row(Translated("Scissors cuts"), QString::number(scene.cuts.scissors.size())) +
-    Row(Translated("Promised error"), ErrorText(scene.render));
+  return Row(ReportTexts::tr("Look"), NameOf(scene.look, statistics)) +
+    Row(ReportTexts::tr("Blend mode"),
+      QString::fromStdString(NameOf(BlendNames(), scene.look.blend))) +
+    Row(ReportTexts::tr("Opacity per"), NumberText(scene.look.opacityUnitDistanceMm, 2) + " mm") +
+    Row(ReportTexts::tr("Opacity by gradient"),
+      scene.look.gradientOpacities.empty() ? ReportTexts::tr("off") : ReportTexts::tr("on")) +
+    Row(ReportTexts::tr("Light"), LightText(scene.look.shading)) +
+    Row(ReportTexts::tr("Cut planes"), QString::number(scene.cuts.planes.size())) +
+    Row(ReportTexts::tr("Scissors cuts"), QString::number(scene.cuts.scissors.size())) +
+    Row(ReportTexts::tr("Promised error"), ErrorText(scene.render));
 }
 
 // Names of measurements are left out; they may contain a patient's name.
@@ -104,10 +107,10 @@ QString MeasureRows(const Scene& scene, const Study& study)
       rows += Row(QString("%1 %2").arg(kind).arg(i + 1), measures[i]);
     }
   };
-  add(Translated("Distance"), texts.distances);
-  add(Translated("Angle"), texts.angles);
-  add(Translated("Box"), texts.boxes);
-  return rows.isEmpty() ? Row(Translated("Measurements"), Translated("none")) : rows;
+  add(ReportTexts::tr("Distance"), texts.distances);
+  add(ReportTexts::tr("Angle"), texts.angles);
+  add(ReportTexts::tr("Box"), texts.boxes);
+  return rows.isEmpty() ? Row(ReportTexts::tr("Measurements"), ReportTexts::tr("none")) : rows;
 }
 
 void AddPicture(QTextDocument& document, const QString& name, const QImage& image)
@@ -132,16 +135,17 @@ void AddSlices(QTextDocument& document, SceneModel* model)
 
 QString ScanReportHtml(const Scene& scene, const Study& study)
 {
-  return QStringLiteral("<h1>%1</h1>%2<p><img src='picture' width='%9'></p>"
-                        "<p><img src='axial' width='%10'> <img src='coronal' width='%10'> "
-                        "<img src='sagittal' width='%10'></p>"
+  return QStringLiteral("<h1>%1</h1>%2<table><tr><td><img src='picture' width='%9'></td>"
+                        "<td><img src='axial' width='%10'><br><img src='coronal' width='%10'><br>"
+                        "<img src='sagittal' width='%10'></td></tr></table>"
                         "<h3>%3</h3><table>%4</table><h3>%5</h3><table>%6</table>"
                         "<h3>%7</h3><table>%8</table>")
-    .arg(Translated("Volume report"), OriginHtml(), Translated("Volume"), VolumeRows(study.volume),
-      Translated("Rendering settings"), SettingRows(scene, study.statistics),
-      Translated("Measurements"), MeasureRows(scene, study))
-    .arg(WidthOnPage)
-    .arg((WidthOnPage - 10) / 3);
+    .arg(ReportTexts::tr("Volume report"), OriginHtml(), ReportTexts::tr("Volume"),
+      VolumeRows(study.volume), ReportTexts::tr("Rendering settings"),
+      SettingRows(scene, study.statistics), ReportTexts::tr("Measurements"),
+      MeasureRows(scene, study))
+    .arg(WidthOfPicture)
+    .arg(WidthOfSlice);
 }
 
 void WriteScanReport(SceneModel* model, const QString& path)
@@ -152,7 +156,7 @@ void WriteScanReport(SceneModel* model, const QString& path)
   PictureMaker maker(scene, model->CurrentStudy()->volume, { PictureSize, false, true });
   AddPicture(document, "picture", maker.Draw());
   document.setHtml(ScanReportHtml(scene, *model->CurrentStudy()));
-  WritePdf(document, Translated("Volume report"), path);
+  WritePdf(document, ReportTexts::tr("Volume report"), path);
 }
 
 }
