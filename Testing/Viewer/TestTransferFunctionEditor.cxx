@@ -240,3 +240,18 @@ TEST_F(EditorOfAModel, ADragEndsWhenTheLookIsChangedElsewhere)
   this->MoveTo(this->At(1) + QPoint(30, 0));
   EXPECT_TRUE(SameCurves(this->Edited(), undone));
 }
+
+// A panel of a small screen is hardly wider than this.
+TEST_F(EditorOfAModel, ShowsTheWholeReadingInANarrowPanel)
+{
+  this->editor.resize(300, 300);
+  this->MoveTo({ 150, 120 });
+  const QString reading = this->editor.Picture().reading;
+  ASSERT_TRUE(reading.contains("above")) << reading.toStdString();
+  const QRectF& room = this->Layout().reading;
+  const QRectF needed = QFontMetricsF(this->editor.font())
+                          .boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, reading);
+  EXPECT_LE(needed.height(), room.height());
+  EXPECT_LE(needed.width(), room.width());
+  EXPECT_LT(room.bottom(), this->Layout().plot.top());
+}

@@ -27,8 +27,9 @@ void EditorLayout::Resize(const QSizeF& size, const QFontMetricsF& font)
   const double barHeight = this->hasColors ? BarHeight : 0.0;
   const double stopHeight = this->hasColors ? StopHeight : 0.0;
   const double below = barHeight + stopHeight + ticksHeight + 4.0;
-  this->reading = QRectF(left, 0.0, right - left, font.height() + 2.0);
-  const double top = this->reading.bottom() + Margin;
+  // The text takes two lines in a narrow panel.
+  this->reading = QRectF(left, 0.0, right - left, 2.0 * font.height() + 2.0);
+  const double top = this->reading.bottom() + 0.5 * Margin;
   this->plot =
     QRectF(left, top, std::max(right - left, 1.0), std::max(size.height() - top - below, 1.0));
   this->ticks = QRectF(left, this->plot.bottom(), this->plot.width(), ticksHeight);

@@ -332,8 +332,8 @@ void EditorPainter::PaintReading()
   this->painter->drawLine(QPointF(x, plot.top()), QPointF(x, this->layout.colorBar.bottom()));
 
   this->painter->setPen(this->Ink(0.95));
-  this->painter->drawText(
-    this->layout.reading, Qt::AlignLeft | Qt::AlignVCenter, this->picture.reading);
+  this->painter->drawText(this->layout.reading, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap,
+    this->picture.reading);
 }
 
 }

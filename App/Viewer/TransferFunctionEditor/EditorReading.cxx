@@ -13,10 +13,11 @@ namespace varimarch
 namespace
 {
 
-QString Translated(const char* text)
+// A class, since lupdate finds only the texts that are arguments of tr.
+class ReadingTexts
 {
-  return QCoreApplication::translate("TransferFunctionEditor", text);
-}
+  Q_DECLARE_TR_FUNCTIONS(TransferFunctionEditor)
+};
 
 QString ValueText(const EditorPicture& picture, double value)
 {
@@ -26,7 +27,8 @@ QString ValueText(const EditorPicture& picture, double value)
 
 QString OpacityText(double opacity)
 {
-  return Translated("opacity %1").arg(QLocale().toString(opacity, 'f', opacity < 0.1 ? 3 : 2));
+  return ReadingTexts::tr("opacity %1")
+    .arg(QLocale().toString(opacity, 'f', opacity < 0.1 ? 3 : 2));
 }
 
 QString PercentText(double part)
@@ -50,7 +52,7 @@ QString CountsText(const EditorPicture& picture, double value)
     const double binValue = picture.statistics->Smallest() + bin * picture.statistics->BinSpacing();
     above += binValue > value ? counts[bin] : 0;
   }
-  return Translated("%1 % of voxels, %2 % above")
+  return ReadingTexts::tr("%1 % of voxels, %2 % above")
     .arg(PercentText(bars.At(value).count / all), PercentText(above / all));
 }
 
@@ -81,19 +83,19 @@ QString DescriptionOf(const EditorPicture& picture, const NodeId& node)
   const QString value = ValueText(picture, ValueOf(picture.look, node));
   if (node.kind == NodeKind::Opacity)
   {
-    return Translated("point %1 of %2, %3, %4")
+    return ReadingTexts::tr("point %1 of %2, %3, %4")
       .arg(node.index + 1)
       .arg(picture.look.opacities.size())
       .arg(value, OpacityText(OpacityOf(picture.look, node)));
   }
   if (node.kind == NodeKind::Surface)
   {
-    return Translated("surface %1 of %2, %3, %4")
+    return ReadingTexts::tr("surface %1 of %2, %3, %4")
       .arg(node.index + 1)
       .arg(picture.look.isosurfaces.size())
       .arg(value, OpacityText(OpacityOf(picture.look, node)));
   }
-  return Translated("colour %1 of %2, %3")
+  return ReadingTexts::tr("colour %1 of %2, %3")
     .arg(node.index + 1)
     .arg(picture.look.colors.size())
     .arg(value);

@@ -34,12 +34,6 @@
         <translation>keine Voxel</translation>
     </message>
     <message>
-        <source>%1 ± %2, from %3 to %4
-%5, %6 voxels</source>
-        <translation>%1 ± %2, von %3 bis %4
-%5, %6 Voxel</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -56,10 +50,14 @@
         <translation>%1 ml</translation>
     </message>
     <message>
-        <source>%1 ± %2
-%3</source>
-        <translation>%1 ± %2
-%3</translation>
+        <source>mean %1 ± %2%3</source>
+        <translation>Mittel %1 ± %2%3</translation>
+    </message>
+    <message>
+        <source>%1, from %2 to %3%4
+%5, %6 voxels</source>
+        <translation>%1, von %2 bis %3%4
+%5, %6 Voxel</translation>
     </message>
 </context>
 <context>
@@ -251,6 +249,18 @@ Mittel von %1 Bildern</translation>
         <source>its values do not look like CT</source>
         <translation>seine Werte sehen nicht nach CT aus</translation>
     </message>
+    <message>
+        <source>PET maximum</source>
+        <translation>PET Maximum</translation>
+    </message>
+    <message>
+        <source>the body part is %1, but the file&apos;s window is for soft tissue</source>
+        <translation>die Körperregion ist %1, aber das Fenster der Datei ist für Weichteile</translation>
+    </message>
+    <message>
+        <source>the body part is %1, but few values are those of lungs</source>
+        <translation>die Körperregion ist %1, aber wenige Werte sind die von Lungen</translation>
+    </message>
 </context>
 <context>
     <name>RecentScans</name>
@@ -261,6 +271,121 @@ Mittel von %1 Bildern</translation>
     <message>
         <source>%1, %2 x %3 x %4, opened %5</source>
         <translation>%1, %2 x %3 x %4, geöffnet %5</translation>
+    </message>
+</context>
+<context>
+    <name>ScanReport</name>
+    <message>
+        <source>custom look</source>
+        <translation>eigene Darstellung</translation>
+    </message>
+    <message>
+        <source>%1, edited</source>
+        <translation>%1, bearbeitet</translation>
+    </message>
+    <message>
+        <source>ambient %1, diffuse %2, specular %3, power %4</source>
+        <translation>Umgebung %1, diffus %2, Glanz %3, Schärfe %4</translation>
+    </message>
+    <message>
+        <source>none: unshaded colours</source>
+        <translation>keines: unschattierte Farben</translation>
+    </message>
+    <message>
+        <source>at most 1/%1 of full brightness in any colour of 99.9 % of the pixels, estimated</source>
+        <translation>höchstens 1/%1 der vollen Helligkeit in jeder Farbe von 99,9 % der Pixel, geschätzt</translation>
+    </message>
+    <message>
+        <source>not bounded</source>
+        <translation>nicht begrenzt</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Voxel spacing</source>
+        <translation>Voxelabstand</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Blend mode</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
+        <source>Opacity per</source>
+        <translation>Deckkraft je</translation>
+    </message>
+    <message>
+        <source>Opacity by gradient</source>
+        <translation>Deckkraft nach Gradient</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Cut planes</source>
+        <translation>Schnittebenen</translation>
+    </message>
+    <message>
+        <source>Scissors cuts</source>
+        <translation>Schnitte mit der Schere</translation>
+    </message>
+    <message>
+        <source>Promised error</source>
+        <translation>Zugesagter Fehler</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Volume report</source>
+        <translation>Bericht zum Volumen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Rendering settings</source>
+        <translation>Einstellungen der Darstellung</translation>
     </message>
 </context>
 <context>
@@ -291,6 +416,29 @@ Mittel von %1 Bildern</translation>
     <message>
         <source>D&amp;ark</source>
         <translation>&amp;Dunkel</translation>
+    </message>
+</context>
+<context>
+    <name>TransferFunctionEditor</name>
+    <message>
+        <source>opacity %1</source>
+        <translation>Deckkraft %1</translation>
+    </message>
+    <message>
+        <source>%1 % of voxels, %2 % above</source>
+        <translation>%1 % der Voxel, %2 % darüber</translation>
+    </message>
+    <message>
+        <source>point %1 of %2, %3, %4</source>
+        <translation>Punkt %1 von %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>surface %1 of %2, %3, %4</source>
+        <translation>Fläche %1 von %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>colour %1 of %2, %3</source>
+        <translation>Farbe %1 von %2, %3</translation>
     </message>
 </context>
 <context>
@@ -403,16 +551,20 @@ Mittel von %1 Bildern</translation>
         <translation>Leistungsvergleich exportieren</translation>
     </message>
     <message>
-        <source>Report (*.pdf);;Table (*.csv)</source>
-        <translation>Bericht (*.pdf);;Tabelle (*.csv)</translation>
-    </message>
-    <message>
         <source>Cannot export</source>
         <translation>Export nicht möglich</translation>
     </message>
     <message>
         <source>A turn around a volume of %1 x %2 x %3 voxels, rendered at %4 x %5 pixels by our mapper and by %6.</source>
         <translation>Eine Drehung um ein Volumen von %1 x %2 x %3 Voxeln, gezeichnet mit %4 x %5 Pixeln von unserem Mapper und von %6.</translation>
+    </message>
+    <message>
+        <source>Report (*.pdf)</source>
+        <translation>Bericht (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -519,6 +671,10 @@ Mittel von %1 Bildern</translation>
     <message>
         <source>RMSE %1, largest %2, in 1/255. Ours %3 ms, VTK&apos;s %4 ms.</source>
         <translation>RMSE %1, größter %2, in 1/255. Unseres %3 ms, VTKs %4 ms.</translation>
+    </message>
+    <message>
+        <source>Difference (out of date)</source>
+        <translation>Unterschied (veraltet)</translation>
     </message>
 </context>
 <context>
@@ -736,14 +892,6 @@ Mittel von %1 Bildern</translation>
         <translation>%1 wählen</translation>
     </message>
     <message>
-        <source>Load look…</source>
-        <translation>Darstellung laden…</translation>
-    </message>
-    <message>
-        <source>Save look…</source>
-        <translation>Darstellung speichern…</translation>
-    </message>
-    <message>
         <source>HU</source>
         <translation>HE</translation>
     </message>
@@ -793,6 +941,22 @@ Mittel von %1 Bildern</translation>
     <message>
         <source>colour map %1</source>
         <translation>Farbtabelle %1</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden…</translation>
+    </message>
+    <message>
+        <source>Loads a look from a file</source>
+        <translation>Lädt eine Darstellung aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Saves the look in a file</source>
+        <translation>Speichert die Darstellung in einer Datei</translation>
     </message>
 </context>
 <context>
@@ -1022,10 +1186,6 @@ Mittel von %1 Bildern</translation>
         <translation>&amp;Sprache</translation>
     </message>
     <message>
-        <source>Open the &amp;log folder</source>
-        <translation>Ordner des &amp;Protokolls öffnen</translation>
-    </message>
-    <message>
         <source>&amp;About Varimarch</source>
         <translation>Ü&amp;ber Varimarch</translation>
     </message>
@@ -1098,10 +1258,6 @@ Mittel von %1 Bildern</translation>
         <translation>Den Teil umfahren, der bleiben soll</translation>
     </message>
     <message>
-        <source>Left button</source>
-        <translation>Linke Taste</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
@@ -1114,24 +1270,12 @@ Mittel von %1 Bildern</translation>
         <translation>Mit VTKs &amp;GPU-Mapper vergleichen</translation>
     </message>
     <message>
-        <source>Compare with VTK&apos;s &amp;CPU mapper</source>
-        <translation>Mit VTKs &amp;CPU-Mapper vergleichen</translation>
-    </message>
-    <message>
         <source>&amp;Wipe between them</source>
-        <translation>&amp;Dazwischen wischen</translation>
+        <translation>Da&amp;zwischen wischen</translation>
     </message>
     <message>
         <source>Both images in one place, with a divider to drag</source>
         <translation>Beide Bilder an einem Ort, mit einer Trennlinie zum Ziehen</translation>
-    </message>
-    <message>
-        <source>Export a &amp;report…</source>
-        <translation>Be&amp;richt exportieren…</translation>
-    </message>
-    <message>
-        <source>Pa&amp;rallel projection</source>
-        <translation>Pa&amp;rallelprojektion</translation>
     </message>
     <message>
         <source>No perspective: distant objects look as large as near ones</source>
@@ -1148,10 +1292,6 @@ Mittel von %1 Bildern</translation>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>&amp;Benchmark…</source>
-        <translation>&amp;Leistungsvergleich…</translation>
     </message>
     <message>
         <source>Rectify</source>
@@ -1171,11 +1311,47 @@ Mittel von %1 Bildern</translation>
     </message>
     <message>
         <source>&amp;Background…</source>
-        <translation>&amp;Hintergrund…</translation>
+        <translation>Hinter&amp;grund…</translation>
     </message>
     <message>
         <source>background</source>
         <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Export a re&amp;port…</source>
+        <translation>Ber&amp;icht exportieren…</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>Bedi&amp;enfelder</translation>
+    </message>
+    <message>
+        <source>Parall&amp;el projection</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Anordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Open the l&amp;og folder</source>
+        <translation>Ordner des &amp;Protokolls öffnen</translation>
+    </message>
+    <message>
+        <source>Your measurements, cuts and look are not saved. Save the session?</source>
+        <translation>Ihre Messungen, Schnitte und Darstellung sind nicht gespeichert. Sitzung speichern?</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s CP&amp;U mapper</source>
+        <translation>Mit VTKs CP&amp;U-Mapper vergleichen</translation>
+    </message>
+    <message>
+        <source>Benc&amp;hmark…</source>
+        <translation>&amp;Leistungsvergleich…</translation>
     </message>
 </context>
 <context>

@@ -34,12 +34,6 @@
         <translation>ningún vóxel</translation>
     </message>
     <message>
-        <source>%1 ± %2, from %3 to %4
-%5, %6 voxels</source>
-        <translation>%1 ± %2, de %3 a %4
-%5, %6 vóxeles</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -56,10 +50,14 @@
         <translation>%1 ml</translation>
     </message>
     <message>
-        <source>%1 ± %2
-%3</source>
-        <translation>%1 ± %2
-%3</translation>
+        <source>mean %1 ± %2%3</source>
+        <translation>media %1 ± %2%3</translation>
+    </message>
+    <message>
+        <source>%1, from %2 to %3%4
+%5, %6 voxels</source>
+        <translation>%1, de %2 a %3%4
+%5, %6 vóxeles</translation>
     </message>
 </context>
 <context>
@@ -251,6 +249,18 @@ media de %1 imágenes</translation>
         <source>its values do not look like CT</source>
         <translation>sus valores no parecen de TC</translation>
     </message>
+    <message>
+        <source>PET maximum</source>
+        <translation>PET, máximo</translation>
+    </message>
+    <message>
+        <source>the body part is %1, but the file&apos;s window is for soft tissue</source>
+        <translation>la región del cuerpo es %1, pero la ventana del archivo es para tejido blando</translation>
+    </message>
+    <message>
+        <source>the body part is %1, but few values are those of lungs</source>
+        <translation>la región del cuerpo es %1, pero pocos valores son de pulmones</translation>
+    </message>
 </context>
 <context>
     <name>RecentScans</name>
@@ -261,6 +271,121 @@ media de %1 imágenes</translation>
     <message>
         <source>%1, %2 x %3 x %4, opened %5</source>
         <translation>%1, %2 x %3 x %4, abierto %5</translation>
+    </message>
+</context>
+<context>
+    <name>ScanReport</name>
+    <message>
+        <source>custom look</source>
+        <translation>aspecto propio</translation>
+    </message>
+    <message>
+        <source>%1, edited</source>
+        <translation>%1, editado</translation>
+    </message>
+    <message>
+        <source>ambient %1, diffuse %2, specular %3, power %4</source>
+        <translation>ambiente %1, difuso %2, especular %3, exponente %4</translation>
+    </message>
+    <message>
+        <source>none: unshaded colours</source>
+        <translation>ninguna: colores sin sombreado</translation>
+    </message>
+    <message>
+        <source>at most 1/%1 of full brightness in any colour of 99.9 % of the pixels, estimated</source>
+        <translation>como máximo 1/%1 del brillo total en cada color del 99,9 % de los píxeles, estimado</translation>
+    </message>
+    <message>
+        <source>not bounded</source>
+        <translation>sin límite</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocida</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalidad</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Vóxeles</translation>
+    </message>
+    <message>
+        <source>Voxel spacing</source>
+        <translation>Distancia entre vóxeles</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>Blend mode</source>
+        <translation>Modo de mezcla</translation>
+    </message>
+    <message>
+        <source>Opacity per</source>
+        <translation>Opacidad por</translation>
+    </message>
+    <message>
+        <source>Opacity by gradient</source>
+        <translation>Opacidad por gradiente</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Luz</translation>
+    </message>
+    <message>
+        <source>Cut planes</source>
+        <translation>Planos de corte</translation>
+    </message>
+    <message>
+        <source>Scissors cuts</source>
+        <translation>Cortes con tijeras</translation>
+    </message>
+    <message>
+        <source>Promised error</source>
+        <translation>Error prometido</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Volume report</source>
+        <translation>Informe del volumen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Rendering settings</source>
+        <translation>Ajustes de la representación</translation>
     </message>
 </context>
 <context>
@@ -291,6 +416,29 @@ media de %1 imágenes</translation>
     <message>
         <source>D&amp;ark</source>
         <translation>&amp;Oscuro</translation>
+    </message>
+</context>
+<context>
+    <name>TransferFunctionEditor</name>
+    <message>
+        <source>opacity %1</source>
+        <translation>opacidad %1</translation>
+    </message>
+    <message>
+        <source>%1 % of voxels, %2 % above</source>
+        <translation>%1 % de los vóxeles, %2 % por encima</translation>
+    </message>
+    <message>
+        <source>point %1 of %2, %3, %4</source>
+        <translation>punto %1 de %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>surface %1 of %2, %3, %4</source>
+        <translation>superficie %1 de %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>colour %1 of %2, %3</source>
+        <translation>color %1 de %2, %3</translation>
     </message>
 </context>
 <context>
@@ -403,16 +551,20 @@ media de %1 imágenes</translation>
         <translation>Exportar la prueba de rendimiento</translation>
     </message>
     <message>
-        <source>Report (*.pdf);;Table (*.csv)</source>
-        <translation>Informe (*.pdf);;Tabla (*.csv)</translation>
-    </message>
-    <message>
         <source>Cannot export</source>
         <translation>No se puede exportar</translation>
     </message>
     <message>
         <source>A turn around a volume of %1 x %2 x %3 voxels, rendered at %4 x %5 pixels by our mapper and by %6.</source>
         <translation>Un giro alrededor de un volumen de %1 x %2 x %3 vóxeles, dibujado con %4 x %5 píxeles por nuestro mapper y por %6.</translation>
+    </message>
+    <message>
+        <source>Report (*.pdf)</source>
+        <translation>Informe (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabla (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -519,6 +671,10 @@ media de %1 imágenes</translation>
     <message>
         <source>RMSE %1, largest %2, in 1/255. Ours %3 ms, VTK&apos;s %4 ms.</source>
         <translation>RMSE %1, máxima %2, en 1/255. La nuestra %3 ms, la de VTK %4 ms.</translation>
+    </message>
+    <message>
+        <source>Difference (out of date)</source>
+        <translation>Diferencia (no actualizada)</translation>
     </message>
 </context>
 <context>
@@ -736,14 +892,6 @@ media de %1 imágenes</translation>
         <translation>elegir %1</translation>
     </message>
     <message>
-        <source>Load look…</source>
-        <translation>Cargar aspecto…</translation>
-    </message>
-    <message>
-        <source>Save look…</source>
-        <translation>Guardar aspecto…</translation>
-    </message>
-    <message>
         <source>HU</source>
         <translation>UH</translation>
     </message>
@@ -794,6 +942,22 @@ media de %1 imágenes</translation>
         <source>colour map %1</source>
         <translation>mapa de color %1</translation>
     </message>
+    <message>
+        <source>Load…</source>
+        <translation>Cargar…</translation>
+    </message>
+    <message>
+        <source>Loads a look from a file</source>
+        <translation>Carga un aspecto de un archivo</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Saves the look in a file</source>
+        <translation>Guarda el aspecto en un archivo</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MainWindow</name>
@@ -835,11 +999,11 @@ media de %1 imágenes</translation>
     </message>
     <message>
         <source>Export a &amp;turntable…</source>
-        <translation>Exportar un &amp;giro…</translation>
+        <translation>Exportar un gir&amp;o…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Salir</translation>
+        <translation>Sa&amp;lir</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -1022,10 +1186,6 @@ media de %1 imágenes</translation>
         <translation>&amp;Idioma</translation>
     </message>
     <message>
-        <source>Open the &amp;log folder</source>
-        <translation>Abrir la carpeta del &amp;registro</translation>
-    </message>
-    <message>
         <source>&amp;About Varimarch</source>
         <translation>&amp;Acerca de Varimarch</translation>
     </message>
@@ -1098,10 +1258,6 @@ media de %1 imágenes</translation>
         <translation>Rodee la parte que se conserva</translation>
     </message>
     <message>
-        <source>Left button</source>
-        <translation>Botón izquierdo</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
@@ -1111,27 +1267,15 @@ media de %1 imágenes</translation>
     </message>
     <message>
         <source>Compare with VTK&apos;s &amp;GPU mapper</source>
-        <translation>Comparar con el mapper de &amp;GPU de VTK</translation>
-    </message>
-    <message>
-        <source>Compare with VTK&apos;s &amp;CPU mapper</source>
-        <translation>Comparar con el mapper de &amp;CPU de VTK</translation>
+        <translation>Comparar con el mapper de G&amp;PU de VTK</translation>
     </message>
     <message>
         <source>&amp;Wipe between them</source>
-        <translation>&amp;Deslizar entre ambas</translation>
+        <translation>Des&amp;lizar entre ambas</translation>
     </message>
     <message>
         <source>Both images in one place, with a divider to drag</source>
         <translation>Ambas imágenes en un lugar, con un divisor que se arrastra</translation>
-    </message>
-    <message>
-        <source>Export a &amp;report…</source>
-        <translation>Exportar un &amp;informe…</translation>
-    </message>
-    <message>
-        <source>Pa&amp;rallel projection</source>
-        <translation>Proyección pa&amp;ralela</translation>
     </message>
     <message>
         <source>No perspective: distant objects look as large as near ones</source>
@@ -1148,10 +1292,6 @@ media de %1 imágenes</translation>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>&amp;Benchmark…</source>
-        <translation>&amp;Prueba de rendimiento…</translation>
     </message>
     <message>
         <source>Rectify</source>
@@ -1176,6 +1316,42 @@ media de %1 imágenes</translation>
     <message>
         <source>background</source>
         <translation>fondo</translation>
+    </message>
+    <message>
+        <source>Export a re&amp;port…</source>
+        <translation>Exportar un in&amp;forme…</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>Pan&amp;eles</translation>
+    </message>
+    <message>
+        <source>Parall&amp;el projection</source>
+        <translation>Proyección pa&amp;ralela</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Restablecer la disposición</translation>
+    </message>
+    <message>
+        <source>Open the l&amp;og folder</source>
+        <translation>Abrir la carpeta del &amp;registro</translation>
+    </message>
+    <message>
+        <source>Your measurements, cuts and look are not saved. Save the session?</source>
+        <translation>Sus medidas, cortes y aspecto no están guardados. ¿Guardar la sesión?</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Barra de herramientas</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s CP&amp;U mapper</source>
+        <translation>Comparar con el mapper de CP&amp;U de VTK</translation>
+    </message>
+    <message>
+        <source>Benc&amp;hmark…</source>
+        <translation>Prueba de &amp;rendimiento…</translation>
     </message>
 </context>
 <context>
