@@ -189,8 +189,8 @@ void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
     ->check(IsSides<2>("800x600", 1, LargestPictureSide))
     ->type_name("WxH")
     ->group(group);
-  AddChoice(
-    command, "--view", arguments.view, ViewNames(), "Side of the patient seen (default anterior)")
+  AddChoice(command, "--view", arguments.view, ViewNames(),
+    "Side of the patient seen (default automatic: anterior, or the face of a thin stack)")
     ->group(group);
   command
     .add_option("--azimuth", arguments.azimuthDegrees,

@@ -107,7 +107,8 @@ struct Preset
 /// +x left, +y posterior, +z superior.
 enum class View
 {
-  Anterior, ///< the eye is in front of the patient and looks at the face
+  Automatic, ///< the face of a thin stack, otherwise anterior
+  Anterior,  ///< the eye is in front of the patient and looks at the face
   Posterior,
   Left, ///< the eye is at the patient's left
   Right,
@@ -126,7 +127,7 @@ struct CameraPose
 
 struct Camera
 {
-  View view = View::Anterior;
+  View view = View::Automatic;
   double azimuthDegrees = 0.0;   ///< turns the eye about the vertical of the image
   double elevationDegrees = 0.0; ///< then raises the eye, (-90, 90)
   double zoom = 1.0;             ///< > 0; at 1 the volume's box just fits the image

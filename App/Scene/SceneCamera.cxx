@@ -19,6 +19,24 @@ namespace varimarch
 namespace
 {
 
+// The automatic view is that of the largest face of a box that is much thinner along one axis than
+// along the others, because such a box shows next to nothing from the side.
+View ViewOf(View view, const double boundsWorld[6])
+{
+  if (view != View::Automatic)
+  {
+    return view;
+  }
+  constexpr double MuchThinner = 10.0;
+  const double sides[] = { boundsWorld[1] - boundsWorld[0], boundsWorld[3] - boundsWorld[2],
+    boundsWorld[5] - boundsWorld[4] };
+  if (MuchThinner * sides[0] <= std::min(sides[1], sides[2]))
+  {
+    return View::Left;
+  }
+  return MuchThinner * sides[2] <= std::min(sides[0], sides[1]) ? View::Superior : View::Anterior;
+}
+
 struct Orientation
 {
   glm::dvec3 towardsEyeWorld;
@@ -86,7 +104,7 @@ void PlaceCamera(
   // Turn about the centre of the box.
   const glm::dvec3 center(0.5 * (boundsWorld[0] + boundsWorld[1]),
     0.5 * (boundsWorld[2] + boundsWorld[3]), 0.5 * (boundsWorld[4] + boundsWorld[5]));
-  const Orientation orientation = OrientationOf(placement.view);
+  const Orientation orientation = OrientationOf(ViewOf(placement.view, boundsWorld));
   const glm::dvec3 eye = center + orientation.towardsEyeWorld;
   camera->SetFocalPoint(center.x, center.y, center.z);
   camera->SetPosition(eye.x, eye.y, eye.z);

@@ -34,9 +34,9 @@ std::size_t EditDistance(const std::string& a, const std::string& b)
 
 const NameTable<View>& ViewNames()
 {
-  static const NameTable<View> table = { { "anterior", View::Anterior },
-    { "posterior", View::Posterior }, { "left", View::Left }, { "right", View::Right },
-    { "superior", View::Superior }, { "inferior", View::Inferior } };
+  static const NameTable<View> table = { { "automatic", View::Automatic },
+    { "anterior", View::Anterior }, { "posterior", View::Posterior }, { "left", View::Left },
+    { "right", View::Right }, { "superior", View::Superior }, { "inferior", View::Inferior } };
   return table;
 }
 

@@ -51,6 +51,29 @@ struct ViewCase
   Vector towardsEye;
 };
 
+TEST(SceneCamera, LooksAtTheFaceOfAThinStackUnlessItIsToldOtherwise)
+{
+  const auto looksAlong = [](View view, std::array<double, 3> sides)
+  {
+    const double bounds[6] = { 0.0, sides[0], 0.0, sides[1], 0.0, sides[2] };
+    Camera placement;
+    placement.view = view;
+    vtkNew<vtkCamera> camera;
+    PlaceCamera(placement, bounds, 1.0, camera);
+    const double* direction = camera->GetDirectionOfProjection();
+    return int(std::max_element(direction, direction + 3,
+                 [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      direction);
+  };
+  EXPECT_EQ(Camera().view, View::Automatic);
+  EXPECT_EQ(looksAlong(View::Automatic, { 350.0, 350.0, 9.0 }), 2);
+  EXPECT_EQ(looksAlong(View::Automatic, { 9.0, 350.0, 350.0 }), 0);
+  EXPECT_EQ(looksAlong(View::Automatic, { 350.0, 9.0, 350.0 }), 1);
+  EXPECT_EQ(looksAlong(View::Automatic, { 240.0, 240.0, 40.0 }), 1) << "not so thin";
+  EXPECT_EQ(looksAlong(View::Automatic, { 400.0, 5.0, 5.0 }), 1) << "a rod has no face";
+  EXPECT_EQ(looksAlong(View::Anterior, { 350.0, 350.0, 9.0 }), 1);
+}
+
 class PatientView : public testing::TestWithParam<ViewCase>
 {
 };

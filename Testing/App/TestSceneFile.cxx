@@ -201,8 +201,8 @@ INSTANTIATE_TEST_SUITE_P(Messages, SceneFileError,
     ErrorCase{ With(R"("camera": { "azimut": 3 })"),
       "camera: unknown key \"azimut\"; did you mean \"azimuth\"?" },
     ErrorCase{ With(R"("camera": { "view": "front" })"),
-      "camera.view: unknown value \"front\"; known: anterior, posterior, left, right, superior, "
-      "inferior" },
+      "camera.view: unknown value \"front\"; known: automatic, anterior, posterior, left, "
+      "right, superior, inferior" },
     ErrorCase{
       With(R"("camera": { "zoom": "big" })"), "camera.zoom: expected a number > 0, found \"big\"" },
     ErrorCase{ With(R"("camera": { "elevation": 90 })"),
