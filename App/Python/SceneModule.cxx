@@ -176,5 +176,11 @@ PyMODINIT_FUNC PyInit__scene()
   static PyModuleDef module = { PyModuleDef_HEAD_INIT, "_scene",
     "Renders scenes as the program varimarch does.", -1, functions, nullptr, nullptr, nullptr,
     nullptr };
-  return PyModule_Create(&module);
+  PyObject* const created = PyModule_Create(&module);
+  if (created && PyModule_AddStringConstant(created, "version", VARIMARCH_VERSION) != 0)
+  {
+    Py_DECREF(created);
+    return nullptr;
+  }
+  return created;
 }

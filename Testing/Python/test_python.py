@@ -7,6 +7,8 @@ Usage: test_python.py CASE [VARIMARCH]
 import json
 import os
 import pathlib
+import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -17,7 +19,7 @@ import numpy
 import varimarch
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_BIT
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
@@ -126,7 +128,19 @@ def what_is_wrong_is_one_sentence(folder):
     good = ball(8)
     cases = (
         (ValueError, "shape (3, 3)", lambda: varimarch.render(numpy.zeros((3, 3)))),
-        (ValueError, "shape ()", lambda: varimarch.render("head.nii")),
+        (TypeError, "read it by", lambda: varimarch.render("head.nii")),
+        (TypeError, "read it by", lambda: varimarch.render(folder / "head.nii")),
+        (TypeError, "found None", lambda: varimarch.render(None)),
+        (TypeError, "found a vtkRectilinearGrid", lambda: varimarch.render(vtkRectilinearGrid())),
+        (TypeError, "found None", lambda: varimarch.to_array(None)),
+        (TypeError, "found an int", lambda: varimarch.capture(3)),
+        (ValueError, "Render() first", lambda: varimarch.capture(varimarch.vtkHeadlessRenderWindow())),
+        (ValueError, "parallel: expected True", lambda: varimarch.render(good, parallel="no")),
+        (ValueError, "shade: expected True", lambda: varimarch.render(good, shade="no")),
+        (ValueError, "by 255", lambda: varimarch.render(good, color=(255, 128, 0))),
+        (ValueError, "opacity is 0", lambda: varimarch.render(good, color="transparent")),
+        (ValueError, 'did you mean "brown"?', lambda: varimarch.render(good, color="browm")),
+        (ValueError, "#ff8800", lambda: varimarch.render(good, background="#ff88")),
         (TypeError, "complex128", lambda: varimarch.render(good.astype(complex))),
         (ValueError, "finite", lambda: varimarch.render(good * numpy.nan)),
         (ValueError, "no scalars", lambda: varimarch.render(empty)),
@@ -139,7 +153,6 @@ def what_is_wrong_is_one_sentence(folder):
         (ValueError, "found 2", lambda: varimarch.render(good, opacity=[(1, 2)])),
         (ValueError, "list of", lambda: varimarch.render(good, opacity=0.5)),
         (ValueError, "10000", lambda: varimarch.render(good, opacity=[(1, 1)] * 10001)),
-        (ValueError, "browm", lambda: varimarch.render(good, color="browm")),
         (ValueError, "zoom", lambda: varimarch.render(good, zoom=0)),
         (ValueError, "elevation", lambda: varimarch.render(good, elevation=90)),
         (ValueError, "size", lambda: varimarch.render(good, size=(0, 4))),
@@ -178,6 +191,60 @@ def warnings_are_python_warnings(_folder):
         varimarch.render(ball(), color="white", opacity=spikes, shade=False, error_tolerance=1e-6,
                          **SMALL)
     assert caught and all(str(warning.message)[0].isupper() for warning in caught), caught
+
+
+def doubts_of_the_reader_are_python_warnings(folder):
+    """A NIfTI file of two time points, whose first is read."""
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 4, 3, 4, 5, 2, 1, 1, 1)
+    struct.pack_into("<2h", header, 70, 2, 8)
+    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 1, 1, 1, 1)
+    struct.pack_into("<f", header, 108, 352)
+    header[344:348] = b"n+1\0"
+    path = folder / "two.nii"
+    path.write_bytes(header + bytes(3 * 4 * 5 * 2))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        assert varimarch.read(path).GetDimensions() == (3, 4, 5)
+    assert any("only the first" in str(warning.message) for warning in caught), caught
+    assert all(warning.filename == __file__ for warning in caught), "it names this call"
+
+
+def masked_values_are_not_drawn(_folder):
+    values = ball()
+    for kind in ("f8", "f4", "i2", "u4"):
+        array = numpy.clip(values, 0, 500).astype(kind)
+        mask = array < 200
+        floats = numpy.where(mask, numpy.nan, array)
+        expected = varimarch.render(floats, **WHITE)
+        assert numpy.array_equal(varimarch.render(numpy.ma.array(array, mask=mask), **WHITE), expected)
+        assert not numpy.array_equal(varimarch.render(array, **WHITE), expected)
+        unmasked = numpy.ma.array(array)
+        assert numpy.shares_memory(varimarch.to_array(varimarch.to_image(unmasked)), array)
+
+
+def colours_are_what_people_write(_folder):
+    def drawn(color):
+        return varimarch.render(ball(), **{**WHITE, "color": color}).tobytes()
+
+    assert drawn((1, 0, 0)) == drawn("red") == drawn("#ff0000") == drawn("#F00")
+    assert drawn([1.0, 0.0, 0.0]) == drawn(numpy.array((1, 0, 0))) == drawn([(0, (1, 0, 0))])
+    assert drawn("#ff8800") != drawn("#ff0000")
+
+
+def thin_stacks_show_their_face(_folder):
+    stack = numpy.full((3, 40, 40), 100.0)
+    assert varimarch.render(stack, **WHITE).mean() > 100
+    assert varimarch.render(stack, view="anterior", **WHITE).mean() < 50
+
+
+def the_package_lists_its_contents_only(_folder):
+    names = set(dir(varimarch))
+    assert names == {*varimarch.__all__, "__doc__", "__version__"}, names
+    assert {"render", "read", "vtkVariationFieldVolumeMapper"} <= names
+    assert all(getattr(varimarch, name) for name in names)
+    assert re.fullmatch(r"\d+\.\d+\.\d+", varimarch.__version__), varimarch.__version__
 
 
 def other_threads_run_while_it_renders(_folder):

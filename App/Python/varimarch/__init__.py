@@ -19,7 +19,16 @@ that needs no display. The classes are the same as in C++, and their headers des
 # This module implements windows and renderers, without which VTK draws nothing.
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
+from . import VarimarchVolume
+from ._scene import version as __version__
 from .VarimarchVolume import *  # noqa: F401,F403
 from .images import read, to_array, to_image
 from .looks import presets
 from .pictures import capture, render, write_png
+
+__all__ = ["capture", "presets", "read", "render", "to_array", "to_image", "write_png"]
+__all__ += [name for name in dir(VarimarchVolume) if name.startswith("vtk")]
+
+
+def __dir__():
+    return [*__all__, "__doc__", "__version__"]

@@ -14,6 +14,26 @@ def choice(name, value, known):
     raise ValueError(f'unknown {name} "{value}"; {advice}')
 
 
+def truth(name, value):
+    """Returns a bool, given one or 0 or 1."""
+    if isinstance(value, (bool, numpy.bool_)) or (isinstance(value, int) and value in (0, 1)):
+        return bool(value)
+    raise ValueError(f"{name}: expected True or False, found {value!r}")
+
+
+def instance(name, value, kind, advice):
+    """Returns an object that must be of a class of VTK."""
+    if isinstance(value, kind):
+        return value
+    raise TypeError(f"{name}: expected a {kind.__name__}, found {named_type(value)}; {advice}")
+
+
+def named_type(value):
+    """Returns the name of an object's type with an article, such as "a vtkImageData"."""
+    name = type(value).__name__
+    return "None" if value is None else f"{'an' if name[0] in 'aeiou' else 'a'} {name}"
+
+
 def number(name, value, low, high):
     """Returns a float from low to high."""
     found = numbers_of(value, ())

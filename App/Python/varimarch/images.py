@@ -1,12 +1,14 @@
 """Conversion of volumes from files and arrays to vtkImageData, and back."""
 
 import os
+import warnings
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkObjectBase
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from .arguments import matrix_of_directions, three_numbers
+from .arguments import instance, matrix_of_directions, named_type, three_numbers
 from .VarimarchVolume import vtkVolumeFileReader
 from .vtk_messages import vtk_messages_as_exceptions
 
@@ -18,7 +20,7 @@ def read(path):
     of a file, a DICOMDIR or a folder, and the series with the most images is read. For raw voxels,
     other series, and metadata, use vtkVolumeFileReader.
 
-    Raises OSError with one sentence if the file cannot be read.
+    Doubtful input, such as a missing slice, is a Python warning. Raises OSError with one sentence if the file cannot be read.
     """
     reader = vtkVolumeFileReader()
     reader.SetFileName(os.fspath(path))
@@ -27,6 +29,10 @@ def read(path):
             reader.Update()
     except RuntimeError as error:
         raise OSError(str(error)) from None
+    doubts = reader.GetWarnings()
+    for doubt in range(doubts.GetNumberOfValues()):
+        # Level 1 is this function, level 2 its caller.
+        warnings.warn(doubts.GetValue(doubt), RuntimeWarning, stacklevel=2)
     return reader.GetOutput()
 
 
@@ -35,7 +41,8 @@ def to_image(array, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0), direction=N
 
     A contiguous array shares its memory with the image: do not change it while it is drawn, and call
     Modified() on the image's scalars after changing it. If an array is indexed [x, y, z], as those
-    of nibabel are, pass array.T.
+    of nibabel are, pass array.T. The masked values of a numpy.ma.MaskedArray become NaN, in a copy:
+    such voxels have no value.
 
     spacing: distances between voxels along x, y, z, in this order as everywhere in VTK [mm].
     origin: position of the first voxel, x, y, z [mm].
@@ -63,7 +70,8 @@ def to_array(image):
 
     With several components it is indexed [z, y, x, component]. It shares the image's memory.
     """
-    scalars = image.GetPointData().GetScalars()
+    advice = "read(path) and to_image(array) return one"
+    scalars = instance("image", image, vtkImageData, advice).GetPointData().GetScalars()
     if scalars is None:
         raise ValueError("the image has no scalars")
     shape = image.GetDimensions()[::-1]
@@ -72,9 +80,34 @@ def to_array(image):
     return vtk_to_numpy(scalars).reshape(shape)
 
 
+def check_is_array(array):
+    """Raises a TypeError that says what helps, given an object that is often passed instead."""
+    if isinstance(array, (str, os.PathLike)):
+        raise TypeError(
+            f"volume: expected an array or a vtkImageData, found the path {os.fspath(array)!r}; "
+            "read it by varimarch.read(path)"
+        )
+    if array is None or isinstance(array, vtkObjectBase):
+        raise TypeError(
+            f"volume: expected an array or a vtkImageData, found {named_type(array)}; "
+            "vtkVariationFieldVolumeMapper also renders a vtkRectilinearGrid, and vtkResampleToImage "
+            "makes an image of other data"
+        )
+
+
+def without_mask(array):
+    """Returns an array with NaN where a masked array has no value."""
+    if not numpy.ma.is_masked(array) or array.dtype.kind not in "biuf":
+        return array.data
+    floats = numpy.float32 if array.dtype.itemsize <= 2 else numpy.float64
+    kept = array.dtype if array.dtype.kind == "f" else floats
+    return array.astype(kept).filled(numpy.nan)
+
+
 def volume_of(array):
     """Returns an array of three dimensions in a type and a memory order that VTK supports."""
-    values = numpy.asarray(array)
+    check_is_array(array)
+    values = without_mask(array) if numpy.ma.isMaskedArray(array) else numpy.asarray(array)
     if values.ndim != 3 or min(values.shape) < 2:
         raise ValueError(
             "volume: expected an array [z, y, x] of at least 2 values along each, "

@@ -1,12 +1,14 @@
 """Looks: presets and transfer functions, in the format of Documentation/SceneFormat.md."""
 
+import difflib
 import json
+import re
 
 import numpy
 from vtkmodules.vtkCommonColor import vtkNamedColors
 
 from . import _scene
-from .arguments import choice, number, three_numbers
+from .arguments import choice, number, numbers_of, three_numbers
 from .images import to_array
 
 PRESETS = json.loads(_scene.presets())
@@ -27,7 +29,7 @@ def look_of(preset, image):
 
 def color_nodes(color):
     """Makes nodes from one colour for all values, or from pairs (value, colour) in ascending order."""
-    if isinstance(color, str):
+    if isinstance(color, str) or numbers_of(color, (3,)) is not None:
         color = [(0.0, color)]
     return [
         {"value": value, "rgb": rgb_of(node_color)}
@@ -57,13 +59,33 @@ def nodes_of(name, form, nodes):
 
 
 def rgb_of(color):
-    """Returns three numbers from 0 to 1, given them or a colour name of HTML or vtkNamedColors."""
+    """Returns three numbers from 0 to 1, given them, or a colour as "ivory", "#ff8800" or "#f80"."""
     if isinstance(color, str):
-        names = vtkNamedColors()
-        if not names.ColorExists(color):
-            raise ValueError(f'color: unknown name "{color}"')
-        return tuple(names.GetColor3d(color))
+        return rgb_of_name(color)
     rgb = three_numbers("color", color)
     if rgb.min() < 0.0 or rgb.max() > 1.0:
-        raise ValueError(f"color: expected red, green and blue from 0 to 1, found {tuple(rgb)}")
+        advice = "; divide them by 255" if 0.0 <= rgb.min() and rgb.max() <= 255.0 else ""
+        raise ValueError(
+            f"color: expected red, green and blue from 0 to 1, found {tuple(rgb.tolist())}{advice}"
+        )
     return tuple(rgb)
+
+
+def rgb_of_name(name):
+    """Returns the colour of a name of HTML or vtkNamedColors, or of hexadecimal digits."""
+    if name.lower() in ("transparent", "none"):
+        raise ValueError(
+            f'color: "{name}" is not a colour; values are transparent where their opacity is 0, '
+            "and images have no transparency"
+        )
+    digits = re.fullmatch("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})", name)
+    if digits:
+        size = len(digits[1]) // 3
+        parts = [digits[1][i : i + size] * (3 - size) for i in range(0, 3 * size, size)]
+        return tuple(int(part, 16) / 255 for part in parts)
+    names = vtkNamedColors()
+    if not names.ColorExists(name):
+        near = difflib.get_close_matches(name.lower(), names.GetColorNames().split("\n"), 1)
+        advice = f'did you mean "{near[0]}"?' if near else 'expected one as "ivory" or "#ff8800"'
+        raise ValueError(f'color: unknown name "{name}"; {advice}')
+    return tuple(names.GetColor3d(name))

@@ -8,14 +8,15 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from . import _scene
-from .arguments import choice, number
+from .arguments import choice, instance, number, truth
 from .images import to_array, to_image
 from .looks import color_nodes, look_of, opacity_nodes, rgb_of
 from .vtk_messages import vtk_messages_as_exceptions
 
-VIEWS = ("anterior", "posterior", "left", "right", "superior", "inferior")
+VIEWS = ("automatic", "anterior", "posterior", "left", "right", "superior", "inferior")
 BLENDS = ("composite", "maximum", "minimum", "average", "additive")
 # The largest side of a 2D texture that all relevant versions of OpenGL guarantee.
 LARGEST_SIDE = 16384
@@ -33,7 +34,7 @@ def render(
     blend=None,
     size=(512, 512),
     background=None,
-    view="anterior",
+    view="automatic",
     azimuth=0.0,
     elevation=0.0,
     zoom=1.0,
@@ -48,7 +49,8 @@ def render(
     preset: name of the look, one of presets(). The default is for any data, "ct-bone" for Hounsfield
         units.
     color: replaces the preset's colours: one colour, or a list of (value, colour), which is
-        interpolated linearly. A colour is a name such as "ivory", or (red, green, blue) from 0 to 1.
+        interpolated linearly. A colour is a name as "ivory", "#ff8800", or (red, green, blue) from 0
+        to 1.
     opacity: replaces the preset's opacities: a list of (value, opacity), with opacities from 0 to 1.
     opacity_unit_distance: the length over which material has these opacities [mm].
     shade: True to shade the volume; default: the preset's.
@@ -57,7 +59,8 @@ def render(
     size: width and height of the image [pixels].
     background: colour of the background; default: the preset's.
     view: side of the patient at which the camera is: "anterior", "posterior", "left", "right",
-        "superior" or "inferior". x points to the patient's left, y to the back, z to the head.
+        "superior" or "inferior". x points to the patient's left, y to the back, z to the head. The
+        default, "automatic", is anterior, or the face of a stack of few slices.
     azimuth: rotation of the camera from there about the vertical of the image [degrees].
     elevation: elevation of the camera after that, -89 to 89 [degrees].
     zoom: magnification; at 1 the volume's box just fits the image.
@@ -77,7 +80,7 @@ def render(
         look["opacities"] = opacity_nodes(opacity)
     look["opacityUnitDistance"] = number("opacity_unit_distance", opacity_unit_distance, 1e-30, 1e30)
     if shade is not None:
-        look["shading"]["enabled"] = bool(shade)
+        look["shading"]["enabled"] = truth("shade", shade)
     look["blend"] = choice("blend", blend or look["blend"], BLENDS)
     if error_tolerance is not None:
         look["errorTolerance"] = number("error_tolerance", error_tolerance, 0, 1)
@@ -88,7 +91,7 @@ def render(
         "azimuth": number("azimuth", azimuth, -36000, 36000),
         "elevation": number("elevation", elevation, -89, 89),
         "zoom": number("zoom", zoom, 1e-3, 1e3),
-        "projection": "parallel" if parallel else "perspective",
+        "projection": "parallel" if truth("parallel", parallel) else "perspective",
     }
     scene = {"look": look, "camera": camera, "size": picture_size(size)}
     picture = _scene.render(image, json.dumps(scene))
@@ -98,6 +101,9 @@ def render(
 
 def capture(window):
     """Returns the image in a vtkRenderWindow: an array [row, column, (red, green, blue)] of uint8."""
+    advice = "varimarch.render(volume) returns an image without one"
+    if instance("window", window, vtkRenderWindow, advice).GetNeverRendered():
+        raise ValueError("window: expected one that has been rendered; call its Render() first")
     width, height = window.GetSize()
     pixels = vtkUnsignedCharArray()
     window.GetPixelData(0, 0, width - 1, height - 1, False, pixels, 0)
