@@ -50,6 +50,23 @@ TEST(SeveralVolumes, AreBlendedBackToFrontInWhateverOrderTheyWereAdded)
   }
 }
 
+TEST(SeveralVolumes, OneInsideAnotherIsDrawnOverItInWhateverOrderTheyWereAdded)
+{
+  const double inside = 0.5 * HomogeneousScene::SideMm;
+  const double seen = 1.0 - std::pow(0.95, inside);
+  const std::array<double, 4> second = { 0.1 * seen, 0.2 * seen, 0.9 * seen, seen };
+  HomogeneousScene scene(0.05);
+  const SecondCube other(scene);
+  other.mapper->SetInputData(HomogeneousCube(inside));
+  const std::array<double, 4> first = scene.Piece(HomogeneousScene::SideMm);
+  for (vtkVolume* addedLast : { scene.volume.Get(), other.volume.Get() })
+  {
+    scene.renderer->RemoveVolume(addedLast);
+    scene.renderer->AddVolume(addedLast);
+    ExpectMiddle(scene.Draw(), Over(second, first));
+  }
+}
+
 TEST(SeveralVolumes, AreDrawnWhereTheyLeaveTheViewAndComeBack)
 {
   const double seen = 1.0 - std::pow(0.95, HomogeneousScene::SideMm);

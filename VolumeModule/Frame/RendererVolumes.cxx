@@ -9,12 +9,27 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace varimarch
 {
 
 namespace
 {
+
+// The place of a volume in the order of drawing: smaller is drawn earlier.
+struct Place
+{
+  double nearness; ///< minus the distance from the camera
+  double inside;   ///< minus the length of the box's diagonal: what surrounds another comes first
+  const vtkVolume* volume;
+
+  bool operator<(const Place& other) const
+  {
+    return std::tie(this->nearness, this->inside, this->volume) <
+      std::tie(other.nearness, other.inside, other.volume);
+  }
+};
 
 // The distance of a volume's centre from the camera; in a parallel projection, along the view.
 double DistanceOf(vtkVolume* volume, vtkCamera* camera)
@@ -47,9 +62,12 @@ std::vector<vtkVolume*> VolumesBackToFront(vtkRenderer* renderer)
     }
   }
   vtkCamera* const camera = renderer->GetActiveCamera();
-  std::stable_sort(volumes.begin(), volumes.end(),
-    [&](vtkVolume* one, vtkVolume* other)
-    { return DistanceOf(one, camera) > DistanceOf(other, camera); });
+  // The centres of nested boxes may differ by rounding.
+  const auto placeOf = [&](vtkVolume* volume) {
+    return Place{ -float(DistanceOf(volume, camera)), -volume->GetLength(), volume };
+  };
+  std::sort(volumes.begin(), volumes.end(),
+    [&](vtkVolume* one, vtkVolume* other) { return placeOf(one) < placeOf(other); });
   return volumes;
 }
 

@@ -12,8 +12,8 @@ namespace varimarch
 {
 
 /// The visible volumes of a renderer that vtkVariationFieldVolumeMapper draws, sorted by the
-/// distance of their centres from the camera, farthest first. Volumes at the same distance keep
-/// the order in which they were added.
+/// distance of their centres from the camera, farthest first, and at the same distance by the size
+/// of their boxes, largest first. The order does not depend on that in which they were added.
 std::vector<vtkVolume*> VolumesBackToFront(vtkRenderer* renderer);
 
 /// The time of the last change that may affect their order or their visibility.
