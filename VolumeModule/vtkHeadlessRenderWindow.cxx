@@ -2,6 +2,8 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtk_glew.h"
 
 // Xlib's macros (Status, None, ...) would collide with names of VTK.
@@ -9,7 +11,12 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <unistd.h>
+
 #include <array>
+#include <ios>
+#include <sstream>
+#include <stack>
 #include <vector>
 
 namespace
@@ -47,6 +54,66 @@ std::vector<EGLDisplay> CandidateDisplays()
   return displays;
 }
 
+// A display, surface and context that were current, to be made so again.
+struct CurrentContext
+{
+  EGLDisplay Display = eglGetCurrentDisplay();
+  EGLSurface Surface = eglGetCurrentSurface(EGL_DRAW);
+  EGLContext Handle = eglGetCurrentContext();
+
+  void Restore() const
+  {
+    if (this->Display != EGL_NO_DISPLAY)
+    {
+      eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Handle);
+    }
+  }
+};
+
+// True in a copy of a process that already had a context. The threads of its driver do not exist in
+// the copy, which would wait for them forever.
+bool IsForkedAfterUse()
+{
+  static const pid_t firstUser = getpid();
+  return getpid() != firstUser;
+}
+
+bool PeelsAny(vtkRendererCollection* renderers)
+{
+  vtkCollectionSimpleIterator iterator;
+  renderers->InitTraversal(iterator);
+  while (vtkRenderer* renderer = renderers->GetNextRenderer(iterator))
+  {
+    if (renderer->GetUseDepthPeeling())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+constexpr const char* ForkedReason =
+  "OpenGL was in use before this process was forked from another, and cannot be used in both: "
+  "start "
+  "the process anew, in Python by multiprocessing.set_start_method(\"spawn\")";
+
+std::string ReasonNotCurrent()
+{
+  if (IsForkedAfterUse())
+  {
+    return ForkedReason;
+  }
+  const EGLint error = eglGetError();
+  if (error == EGL_BAD_ACCESS)
+  {
+    return "The window is in use in another thread: render it in one thread only";
+  }
+  std::ostringstream reason;
+  reason << "The window's OpenGL context cannot be made current (EGL error 0x" << std::hex << error
+         << "): make a new window";
+  return reason.str();
+}
+
 }
 
 struct vtkHeadlessRenderWindow::Context
@@ -54,6 +121,7 @@ struct vtkHeadlessRenderWindow::Context
   EGLDisplay Display = EGL_NO_DISPLAY;
   EGLSurface Surface = EGL_NO_SURFACE;
   EGLContext Handle = EGL_NO_CONTEXT;
+  std::stack<CurrentContext> Pushed; // The contexts that pushing this one replaced.
 
   // Returns true if the display offers a core OpenGL context and a surface to make it current with.
   bool CreateOn(EGLDisplay display)
@@ -91,7 +159,8 @@ struct vtkHeadlessRenderWindow::Context
 
   bool MakeCurrent() const
   {
-    return eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Handle) == EGL_TRUE;
+    return !IsForkedAfterUse() &&
+      eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Handle) == EGL_TRUE;
   }
 
   void Destroy()
@@ -141,6 +210,11 @@ bool vtkHeadlessRenderWindow::InitializeContext()
   }
   if (!this->FailureReason.empty())
   {
+    return false;
+  }
+  if (IsForkedAfterUse())
+  {
+    this->FailureReason = ForkedReason;
     return false;
   }
   auto context = std::make_unique<Context>();
@@ -200,18 +274,62 @@ void vtkHeadlessRenderWindow::Initialize()
 void vtkHeadlessRenderWindow::Render()
 {
   this->Initialize();
-  this->Superclass::Render();
+  if (this->MultiSamples > 0 && PeelsAny(this->GetRenderers()))
+  {
+    this->SetMultiSamples(0);
+    vtkWarningMacro("Depth peeling and multisampling exclude each other: the number of samples is "
+                    "set to 0.");
+  }
+  if (!this->Graphics || this->TryToMakeCurrent())
+  {
+    this->Superclass::Render();
+  }
 }
 
 void vtkHeadlessRenderWindow::MakeCurrent()
 {
   if (this->Graphics)
   {
-    this->Graphics->MakeCurrent();
+    this->TryToMakeCurrent();
   }
+}
+
+// Reports the reason once if the context cannot be made current.
+bool vtkHeadlessRenderWindow::TryToMakeCurrent()
+{
+  if (this->Graphics->MakeCurrent())
+  {
+    this->FailureReason.clear();
+    return true;
+  }
+  const std::string reason = ReasonNotCurrent();
+  if (reason != this->FailureReason)
+  {
+    this->FailureReason = reason;
+    vtkErrorMacro(<< reason << ".");
+  }
+  return false;
 }
 
 bool vtkHeadlessRenderWindow::IsCurrent()
 {
   return this->Graphics && eglGetCurrentContext() == this->Graphics->Handle;
+}
+
+void vtkHeadlessRenderWindow::PushContext()
+{
+  if (this->Graphics)
+  {
+    this->Graphics->Pushed.push(CurrentContext());
+    this->MakeCurrent();
+  }
+}
+
+void vtkHeadlessRenderWindow::PopContext()
+{
+  if (this->Graphics && !this->Graphics->Pushed.empty())
+  {
+    this->Graphics->Pushed.top().Restore();
+    this->Graphics->Pushed.pop();
+  }
 }

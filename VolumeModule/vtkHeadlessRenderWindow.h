@@ -7,8 +7,14 @@
  * therefore run over ssh, in a container and in CI. It always draws off screen; read images back as
  * from any vtkRenderWindow.
  *
- * If no context is available, Render() draws nothing and reports the reason once as a VTK error.
- * InitializeContext() tests for a context beforehand.
+ * If no context is available, or if this thread or process cannot use it, Render() draws nothing
+ * and reports the reason once as a VTK error. InitializeContext() tests for a context beforehand.
+ *
+ * A renderer with depth peeling cannot have multisamples; Render() sets their number to 0 and
+ * warns.
+ *
+ * Several windows may show the same volume. Each has a context of its own, to which graphics
+ * resources belong, so that the volume is uploaded again whenever the other window renders.
  */
 
 #ifndef vtkHeadlessRenderWindow_h
@@ -43,6 +49,8 @@ public:
   void Render() override;
   void MakeCurrent() override;
   bool IsCurrent() override;
+  void PushContext() override;
+  void PopContext() override;
   void OpenGLInitContext() override;
 
 protected:
@@ -53,6 +61,7 @@ private:
   struct Context;
   std::unique_ptr<Context> Graphics;
   std::string FailureReason;
+  bool TryToMakeCurrent();
 
   vtkHeadlessRenderWindow(const vtkHeadlessRenderWindow&) = delete;
   void operator=(const vtkHeadlessRenderWindow&) = delete;

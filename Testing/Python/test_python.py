@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import re
+import signal
 import struct
 import subprocess
 import sys
@@ -245,6 +246,19 @@ def the_package_lists_its_contents_only(_folder):
     assert {"render", "read", "vtkVariationFieldVolumeMapper"} <= names
     assert all(getattr(varimarch, name) for name in names)
     assert re.fullmatch(r"\d+\.\d+\.\d+", varimarch.__version__), varimarch.__version__
+
+
+def a_copy_of_a_process_that_has_drawn_says_so(_folder):
+    """multiprocessing copies the process by default; the threads of OpenGL are not in the copy."""
+    varimarch.render(ball(8), **SMALL)
+    if os.fork() == 0:
+        signal.alarm(30)
+        try:
+            varimarch.render(ball(8), **SMALL)
+        except RuntimeError as error:
+            os._exit(0 if "spawn" in str(error) else 1)
+        os._exit(2)
+    assert os.wait()[1] == 0
 
 
 def other_threads_run_while_it_renders(_folder):

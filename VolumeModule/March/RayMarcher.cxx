@@ -34,7 +34,10 @@ void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)
 {
   if (this->window && this->window != newWindow)
   {
-    this->Release(this->window);
+    vtkOpenGLRenderWindow* const left = this->window;
+    left->PushContext();
+    this->Release(left);
+    left->PopContext();
   }
   this->window = newWindow;
 }
@@ -149,6 +152,10 @@ std::size_t RayMarcher::GraphicsMemoryBytes() const
 
 void RayMarcher::Release(vtkWindow* releasedWindow)
 {
+  if (this->window && releasedWindow && releasedWindow != this->window)
+  {
+    return; // the resources belong to another window
+  }
   this->resources.Release(releasedWindow);
   this->boxes.Release();
   this->shaders.Release(releasedWindow);
