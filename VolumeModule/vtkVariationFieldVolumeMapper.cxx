@@ -52,6 +52,27 @@ struct vtkVariationFieldVolumeMapper::Internals
   std::string Warnings(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const;
 };
 
+namespace
+{
+
+std::string ExceededTolerance(double tolerance, const varimarch::StepChoice& step)
+{
+  std::ostringstream text;
+  text << "The error tolerance " << tolerance << " cannot be kept: with a sample every "
+       << step.sampleDistance;
+  if (step.error > tolerance)
+  {
+    text << ", 99.9 % of the pixels are off by up to " << step.error << ". ";
+  }
+  else
+  {
+    text << ", isolated pixels exceed it, though 99.9 % of the pixels keep it. ";
+  }
+  return text.str();
+}
+
+}
+
 // Sentences about the requested features and accuracy that the last frame lacks; empty if there are
 // none.
 std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
@@ -67,21 +88,15 @@ std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
          << " is used. ";
     warnings += text.str();
   }
-  if (!mapper->GetErrorToleranceIsKept())
+  if (this->Marcher.MissesCurve())
   {
-    std::ostringstream text;
-    const varimarch::StepChoice& step = this->Marcher.Tolerance()->step;
-    text << "The error tolerance " << mapper->ErrorTolerance
-         << " cannot be kept: with a sample every " << step.sampleDistance;
-    if (step.error > mapper->ErrorTolerance)
-    {
-      text << ", 99.9 % of the pixels are off by up to " << step.error << ". ";
-    }
-    else
-    {
-      text << ", isolated pixels exceed it, though 99.9 % of the pixels keep it. ";
-    }
-    warnings += text.str();
+    warnings += "The image may be wrong by any amount: the transfer function changes over such a "
+                "range of values that its table misses parts of it. Let its last nodes be among "
+                "the values to be seen. ";
+  }
+  if (this->Marcher.Tolerance() && !this->Marcher.Tolerance()->step.KeepsLimit())
+  {
+    warnings += ExceededTolerance(mapper->ErrorTolerance, this->Marcher.Tolerance()->step);
   }
   return warnings;
 }
@@ -294,7 +309,11 @@ void vtkVariationFieldVolumeMapper::GetDepthImage(vtkImageData* image)
 double vtkVariationFieldVolumeMapper::GetEstimatedError()
 {
   const auto& tolerance = this->Private->Marcher.Tolerance();
-  return tolerance ? tolerance->step.error : 0.0;
+  if (!tolerance)
+  {
+    return 0.0;
+  }
+  return this->Private->Marcher.MissesCurve() ? 1.0 : tolerance->step.error;
 }
 
 void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -359,7 +378,7 @@ int vtkVariationFieldVolumeMapper::GetToleranceSearches()
 bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()
 {
   const auto& tolerance = this->Private->Marcher.Tolerance();
-  return !tolerance || tolerance->step.KeepsLimit();
+  return !tolerance || (tolerance->step.KeepsLimit() && !this->Private->Marcher.MissesCurve());
 }
 
 int vtkVariationFieldVolumeMapper::FillInputPortInformation(int port, vtkInformation* information)

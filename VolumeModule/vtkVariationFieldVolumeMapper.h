@@ -196,7 +196,8 @@ public:
   /**
    * Estimated error of the integration steps, for the last frame or for a nearby view before it, in
    * a premultiplied channel [0, 1]: 99.9 % of the pixels are off by at most this. 0 without an
-   * error tolerance.
+   * error tolerance; 1, the largest possible error, if nothing is known because the table of the
+   * transfer function misses parts of it.
    */
   double GetEstimatedError();
 

@@ -1,5 +1,6 @@
 #include "Scene/ReferenceRequest.h"
 
+#include "Frame/GrayRange.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/ScenePipeline.h"
@@ -107,10 +108,8 @@ ReferenceScene SceneOf(const ReferenceRequest& request, const Scalar* voxels)
   const ScalarGrid<Scalar> grid(voxels, request.geometry.dimensions);
   ReferenceScene scene{ [grid](glm::ivec3 cell) { return CornersOfCell(grid, cell); },
     request.geometry.boxGrid, request.transferFunction, request.blend };
-  double range[2];
-  request.scalars->GetFiniteRange(range);
-  scene.grayRange = { range[0], range[1] };
   scene.averagedRange = request.averagedRange.value_or(scene.averagedRange);
+  scene.grayRange = GrayRangeOf({ request.scalars, 0 }, scene.averagedRange);
   scene.isovalues = request.isovalues;
   if (!request.cutPlanesGrid.empty())
   {

@@ -12,6 +12,7 @@
 
 #include <glm/mat4x3.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 

@@ -2,6 +2,7 @@
 
 #include "Core/Look/HeadLightShading.h"
 #include "Core/Reference/ReferenceImage.h"
+#include "Frame/GrayRange.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Frame/VolumeGeometry.h"
 #include "Module/CutRays.h"
@@ -219,14 +220,12 @@ std::vector<float> MapperScene::Truth(double tolerance)
   scene.isovalues.assign(
     isovalues, isovalues + property->GetIsoSurfaceValues()->GetNumberOfContours());
   scene.blend = BlendOf(this->mapper->GetBlendMode());
-  double range[2];
-  ScalarsOf(this->image)->GetFiniteRange(range);
-  scene.grayRange = { range[0], range[1] };
   const double* const nanColor = this->mapper->GetNanColor();
   scene.gap = { { nanColor[0], nanColor[1], nanColor[2] },
     -std::log1p(-this->mapper->GetNanOpacity()) / property->GetScalarOpacityUnitDistance() };
   scene.averagedRange = { this->mapper->GetAverageIPScalarRange()[0],
     this->mapper->GetAverageIPScalarRange()[1] };
+  scene.grayRange = GrayRangeOf({ ScalarsOf(this->image), 0 }, scene.averagedRange);
   scene.uncutParts = CutRays(this->mapper, geometry.worldFromGrid, geometry.dataFromGrid);
   if (property->GetShade())
   {

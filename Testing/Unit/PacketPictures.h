@@ -1,6 +1,7 @@
 #ifndef Varimarch_Testing_PacketPictures_h
 #define Varimarch_Testing_PacketPictures_h
 
+#include "Core/Look/OpticalTable.h"
 #include "Core/Packets/PacketMarch.h"
 #include "Core/Reference/ReferenceImage.h"
 

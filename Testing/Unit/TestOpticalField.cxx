@@ -89,6 +89,22 @@ OpticalField FieldOf(const RandomScene& scene, const OpticalTolerance& tolerance
 
 }
 
+TEST(OpticalField, FarValuesHideNothing)
+{
+  const glm::ivec3 dimensions(9, 5, 5);
+  std::vector<double> voxels(std::size_t(9) * 5 * 5, 0.0);
+  voxels[2] = 100.0; // in the first brick
+  voxels[8] = -1e20; // in the second one
+  const BrickRanges ranges =
+    BuildBrickRanges(ScalarGrid<double>(voxels.data(), dimensions), -1000.0, 1000.0);
+  const OpticalTable table = BuildOpticalTable(
+    TransferFunction({}, { { 60.0, 0.0 }, { 255.0, 0.5 } }, 1.0), -1000.0, 1000.0);
+  const OpticalField field =
+    BuildOpticalField(ranges, table, OpticalTolerance::ForError(1.0 / 64.0, 10.0));
+  EXPECT_EQ(ByteAt(field, { 0, 0, 0 }), OpticalField::Structured);
+  EXPECT_EQ(ByteAt(field, { 1, 0, 0 }), OpticalField::Invisible);
+}
+
 class OpticalFieldOf : public testing::TestWithParam<unsigned>
 {
 };

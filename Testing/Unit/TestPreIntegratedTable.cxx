@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace varimarch;
@@ -24,8 +25,8 @@ OpticalTable PeakTable()
 
 std::size_t IndexOf(const PreIntegratedTable& table, double value)
 {
-  return std::size_t(std::lround(
-    (value - table.firstValue) / (table.lastValue - table.firstValue) * (table.size - 1)));
+  const double part = (value - table.firstValue) / (table.lastValue - table.firstValue);
+  return std::size_t(std::lround(std::clamp(part, 0.0, 1.0) * (table.size - 1)));
 }
 
 glm::vec4 At(const PreIntegratedTable& table, double from, double to)

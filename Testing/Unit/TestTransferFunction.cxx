@@ -1,4 +1,4 @@
-#include "Core/Look/TransferFunction.h"
+#include "Core/Look/OpticalTable.h"
 
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
@@ -240,6 +240,46 @@ TEST(OpticalTable, ALoneStepSeparatesTheValuesBesideIt)
   EXPECT_NEAR(LookUp(table, 255.0).a, std::log(2.0), 1e-6);
 }
 
+TEST(OpticalTable, SpansOnlyTheValuesBetweenWhichTheLookChanges)
+{
+  const TransferFunction function({ { -1e20, glm::dvec3(0.0) }, { 300.0, glm::dvec3(1.0) } },
+    { { -1e38, 0.0 }, { 60.0, 0.0 }, { 128.0, 0.2 }, { 255.0, 0.5 }, { 1e38, 0.5 } }, 1.0);
+  const OpticalTable table = BuildOpticalTable(function, -LargestNumber, LargestNumber);
+  EXPECT_EQ(table.firstValue, 60.0);
+  EXPECT_EQ(table.lastValue, 300.0) << "the colour still changes there";
+  EXPECT_FALSE(table.missesCurve);
+  EXPECT_EQ(LookUp(table, -1e20).a, 0.0f);
+  EXPECT_NEAR(LookUp(table, 128.0).a, function.Extinction(128.0), 1e-4) << "a node";
+  EXPECT_NEAR(LookUp(table, 1e30).a, std::log(2.0), 1e-6);
+}
+
+TEST(OpticalTable, SaysThatItMissesACurveThatIsMuchNarrowerThanItsEntriesAreApart)
+{
+  const auto misses = [](double last)
+  {
+    const TransferFunction function =
+      OpacityCurve({ { 60.0, 0.0 }, { 128.0, 0.2 }, { 255.0, 0.3 }, { last, 0.5 } });
+    return BuildOpticalTable(function, 0.0, last).missesCurve;
+  };
+  EXPECT_FALSE(misses(1e6));
+  EXPECT_TRUE(misses(1e20));
+}
+
+TEST(OpticalTable, HasIndicesForAllValuesHoweverSmallItsRange)
+{
+  const TransferFunction function = OpacityCurve({ { 0.0, 0.0 }, { 1e-310, 0.5 } });
+  for (const double largest : { 5e-324, 1e-310, 2.5e-306, 1.0 })
+  {
+    const OpticalTable table = BuildOpticalTable(function, 0.0, largest);
+    const double last = double(table.entries.size() - 1);
+    for (const double scale : { 1e-300, 1.0, 1e300 })
+    {
+      const IndexInTable index = IndexOf(table, last, scale, 0.0);
+      EXPECT_TRUE(std::isfinite(float(index.scale)) && std::isfinite(float(index.bias))) << scale;
+    }
+  }
+}
+
 TEST(OpticalTable, AReversedOrInfiniteRangeIsRefused)
 {
   const TransferFunction function = OpacityCurve({ { 0.0, 0.5 } });
@@ -251,8 +291,11 @@ TEST(OpticalTable, AReversedOrInfiniteRangeIsRefused)
 TEST(OpticalTable, APeakBetweenTwoEntriesKeepsItsIntegral)
 {
   // Extinction of about 1e-3 (1 - |v - 500.5| / 0.01): an integral of 1e-5 between entries 1 apart.
-  const TransferFunction peak(
-    {}, { { 0.0, 0.0 }, { 500.49, 0.0 }, { 500.5, 1e-3 }, { 500.51, 0.0 }, { 1023.0, 0.0 } }, 1.0);
+  // A trace of opacity at either end makes the table that wide.
+  const TransferFunction peak({},
+    { { 0.0, 1e-12 }, { 1.0, 0.0 }, { 500.49, 0.0 }, { 500.5, 1e-3 }, { 500.51, 0.0 },
+      { 1022.0, 0.0 }, { 1023.0, 1e-12 } },
+    1.0);
   const OpticalTable table = BuildOpticalTable(peak, 0.0, 1023.0, 1024);
   ASSERT_EQ(table.entries.size(), 1024u);
   double integral = 0.0;

@@ -1,6 +1,6 @@
 #include "Frame/FrameBuilder.h"
 
-#include "Core/Look/TransferFunction.h"
+#include "Core/Look/OpticalTable.h"
 #include "Core/Recipe/MaterialRecipe.h"
 #include "Frame/ImageSettings.h"
 #include "Frame/Lights.h"
@@ -277,18 +277,20 @@ void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.settings.cropping = frame.cuts.regions.has_value();
 }
 
-// The length of a ray through scalars that do not count in an average does not count either, so
-// such a ray must be sampled even where it is invisible.
+// Rays through scalars that do not count in an average must be sampled, although invisible.
 void ChooseAveraged(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   const double* averaged = mapper->GetAverageIPScalarRange();
   frame.material.averagedRange = { averaged[0], averaged[1] };
+  if (frame.settings.blend != Blend::AverageIntensity)
+  {
+    return;
+  }
   const double* scalars = frame.voxels.scalars->GetFiniteRange();
   // A spline exceeds the range of its voxels by less than the width of that range.
   const double beyond = frame.settings.cubic ? scalars[1] - scalars[0] : 0.0;
   const bool allCount = averaged[0] <= scalars[0] - beyond && scalars[1] + beyond <= averaged[1];
-  if (frame.settings.blend == Blend::AverageIntensity && !allCount &&
-    frame.settings.acceleration == Acceleration::OpticalField)
+  if (!allCount && frame.settings.acceleration == Acceleration::OpticalField)
   {
     frame.settings.acceleration = Acceleration::Off;
   }

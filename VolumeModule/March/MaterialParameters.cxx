@@ -57,7 +57,7 @@ void SetVisibleOfComponents(
 
 void SetColors(VolumeParameters& p, const VolumeMarch& march, const Mappings& mappings)
 {
-  const double largest = LargestColorOf(march.frame.voxels.components.front().array);
+  const double largest = LargestColorOf(march.frame.voxels.components);
   for (int i = 0; i < 3; ++i)
   {
     p.colorScale[i] = float(mappings[i].scale / largest);
@@ -112,9 +112,8 @@ void SetGradientOpacity(VolumeParameters& p, const VolumeMarch& march,
   for (int part = 0; part < PartCount(march.settings); ++part)
   {
     const int component = OpacityComponentOf(march.settings, part);
-    const ScalarTexels& texels = volume.Blocks().TexelsOfComponents()[component];
-    p.entriesPerGradient[part] =
-      float(mappings[component].scale / LargestGradient(texels) * p.lastGradientEntry);
+    p.entriesPerGradient[part] = float(
+      mappings[component].scale / volume.Materials().LastGradient(part) * p.lastGradientEntry);
   }
 }
 

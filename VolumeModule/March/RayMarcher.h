@@ -57,6 +57,8 @@ public:
   double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }
   /// See ToleranceSearch::Choice.
   const std::optional<ToleranceChoice>& Tolerance() const { return this->tolerance.Choice(); }
+  /// True if the table of a transfer function misses parts of it.
+  bool MissesCurve() const { return this->resources.MissesCurve(); }
   double FieldBuildSeconds() const { return this->resources.First().FieldBuildSeconds(); }
   std::size_t GraphicsMemoryBytes() const;
 

@@ -283,8 +283,8 @@ bool ToleranceSearch::PreIntegrationMayPay(
 // error of sampling.
 double ToleranceSearch::MissedOfLimit(Trial& trial, const ToleranceChoice& choice)
 {
-  const double range =
-    trial.volume.Blocks().Texels().largestScalar - trial.volume.Blocks().Texels().smallestScalar;
+  const ValueRange& resolved = trial.volume.Blocks().Texels().resolved;
+  const double range = resolved.upper - resolved.lower;
   if (trial.march.settings.blend != Blend::Composite || !trial.march.plan.triesPreIntegration ||
     !IsOpacityOfValues(trial.march.settings) ||
     (choice.integration == Integration::PreIntegrated && !trial.march.settings.shading) ||

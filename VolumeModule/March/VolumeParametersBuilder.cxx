@@ -40,8 +40,8 @@ void SetExtreme(VolumeParameters& p, const VolumeMarch& march, const VolumeResou
   }
 }
 
-// Maximum and minimum use the range of all interpolated values, average and sum the range of the
-// voxels.
+// Maximum and minimum use the range of all interpolated values, average and sum the range that they
+// show in gray.
 void SetProjection(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume,
   const Mappings& mappings)
 {
@@ -51,9 +51,9 @@ void SetProjection(VolumeParameters& p, const VolumeMarch& march, const VolumeRe
   {
     const TexelMapping& mapping = mappings[i];
     const double smallest =
-      mapping.TexelOf(isExtreme ? texels[i].smallestValue : texels[i].smallestScalar);
+      mapping.LimitedTexelOf(isExtreme ? texels[i].smallestValue : texels[i].gray.lower);
     const double largest =
-      mapping.TexelOf(isExtreme ? texels[i].largestValue : texels[i].largestScalar);
+      mapping.LimitedTexelOf(isExtreme ? texels[i].largestValue : texels[i].gray.upper);
     p.smallestScalars[i] = float(smallest);
     p.largestScalars[i] = float(largest);
     p.grayPerScalars[i] = float(largest > smallest ? 1.0 / (largest - smallest) : 0.0);

@@ -2,6 +2,7 @@
 
 #include "Core/Geometry/PixelRays.h"
 #include "Core/Recipe/MaterialRecipe.h"
+#include "Resources/ValueFocus.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
@@ -12,7 +13,7 @@ namespace varimarch
 namespace
 {
 
-// The default tolerance of the scalar field, as a fraction of the range of the scalars.
+// The default tolerance of the scalar field, as a fraction of the range of values.
 constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 
 // The tables that determine where a volume is visible.
@@ -67,11 +68,11 @@ void FieldResources::Update(const FieldInputs& inputs)
 void FieldResources::UpdateScalarField(const FieldInputs& inputs)
 {
   const VolumeMarch& march = inputs.march;
-  const ScalarTexels& texels = inputs.blocks.Texels();
-  const double range = texels.largestScalar - texels.smallestScalar;
+  const ValueRange values =
+    NearValues(inputs.blocks.Texels().resolved, ValuesThatMatter(march.frame).front());
   const double tolerance = march.frame.quality.variationTolerance >= 0.0
     ? march.frame.quality.variationTolerance
-    : DefaultToleranceOfRange * range;
+    : DefaultToleranceOfRange * (values.upper - values.lower);
   const FieldSource source{ Acceleration::ScalarField, inputs.volumeBuild, 0, tolerance };
   if (this->madeFrom == source)
   {

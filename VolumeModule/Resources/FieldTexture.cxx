@@ -54,8 +54,8 @@ BrickRanges RangesOf(
   const glm::ivec3 dimensions = values.dimensions;
   if (stride == 1)
   {
-    return BuildBrickRanges(ScalarGrid<Scalar>(scalars, dimensions), texels.smallestValue,
-      texels.largestValue, values.reachVoxels);
+    return BuildBrickRanges(ScalarGrid<Scalar>(scalars, dimensions), texels.resolved.lower,
+      texels.resolved.upper, values.reachVoxels);
   }
   // Only one component is copied at a time, to save memory.
   std::vector<Scalar> component(std::size_t(dimensions.x) * dimensions.y * dimensions.z);
@@ -63,8 +63,8 @@ BrickRanges RangesOf(
   {
     component[i] = scalars[i * stride];
   }
-  return BuildBrickRanges(ScalarGrid<Scalar>(component.data(), dimensions), texels.smallestValue,
-    texels.largestValue, values.reachVoxels);
+  return BuildBrickRanges(ScalarGrid<Scalar>(component.data(), dimensions), texels.resolved.lower,
+    texels.resolved.upper, values.reachVoxels);
 }
 
 BrickRanges RangesOf(const VoxelValues& values, std::size_t index)

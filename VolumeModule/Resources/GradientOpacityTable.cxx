@@ -40,6 +40,35 @@ Curves GradientOpacitiesOf(vtkVolumeProperty* property, const RenderSettings& se
   return curves;
 }
 
+/// The gradient of the last entry of a curve: the last at which it changes, at most that at which
+/// VTK's gradient opacity saturates.
+double LastGradientOf(vtkPiecewiseFunction* function, double saturated)
+{
+  if (!function)
+  {
+    return saturated;
+  }
+  const TransferFunction curve = OpacityCurveOf(function);
+  const double last = curve.ChangingValues().value_or(ValueRange{ 0.0, 0.0 }).upper;
+  // A step at the end needs one more entry.
+  const double entry = saturated / GradientOpacityTable::EntriesPerCurve;
+  const double end = curve.HasStepAt(last) ? last + entry : last;
+  return end > 0.0 ? std::min(end, saturated) : saturated;
+}
+
+/// The last gradient of each curve, or the largest one for all curves of labels.
+/// @param saturated  the gradient at which the opacity of each component saturates
+std::vector<double> LastGradients(const Curves& curves, const std::vector<double>& saturated)
+{
+  std::vector<double> last(saturated.size(), 0.0);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    const std::size_t part = std::min(i, last.size() - 1);
+    last[part] = std::max(last[part], LastGradientOf(curves[i], saturated[part]));
+  }
+  return last;
+}
+
 /// The entries of a table. Each entry has the values of four curves.
 /// @param largest  the gradient of the last entry of each curve; one for all curves of labels
 std::vector<glm::vec4> GradientOpacityEntries(
@@ -73,7 +102,7 @@ void GradientOpacityTable::Update(const VolumeMarch& march, const std::vector<Sc
     this->Release(march.frame.view.window);
     return;
   }
-  std::vector<double> largest;
+  std::vector<double> saturated;
   const Curves curves = GradientOpacitiesOf(march.frame.material.property, march.settings);
   std::vector<double> inputs = { double(march.frame.material.property->GetMTime()) };
   for (vtkPiecewiseFunction* curve : curves)
@@ -83,12 +112,13 @@ void GradientOpacityTable::Update(const VolumeMarch& march, const std::vector<Sc
   for (int part = 0; part < PartCount(march.settings); ++part)
   {
     const int component = OpacityComponentOf(march.settings, part);
-    largest.push_back(LargestGradient(texels[component]));
+    saturated.push_back(LargestGradient(texels[component]));
   }
-  inputs.insert(inputs.end(), largest.begin(), largest.end());
+  inputs.insert(inputs.end(), saturated.begin(), saturated.end());
   if (this->source != inputs)
   {
-    this->table.Set(march.frame.view.window, GradientOpacityEntries(curves, largest));
+    this->lastGradients = LastGradients(curves, saturated);
+    this->table.Set(march.frame.view.window, GradientOpacityEntries(curves, this->lastGradients));
     this->source = inputs;
   }
   this->table.Update(march.frame.view.window, march.plan.marcher);

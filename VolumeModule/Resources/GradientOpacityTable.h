@@ -25,11 +25,14 @@ public:
   void Update(const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
 
   MarchTexture Texture() const { return this->table.Texture(); }
+  /// The gradient of the last entry of a part's curve.
+  double LastGradient(std::size_t part) const { return this->lastGradients[part]; }
   std::size_t Bytes() const { return this->table.Bytes(); }
   void Release(vtkWindow* window);
 
 private:
   FloatTable table;
+  std::vector<double> lastGradients;
   std::vector<double> source; ///< The inputs of the table; empty if there is none.
 };
 

@@ -53,25 +53,24 @@ std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame, const TexelMappin
 
 }
 
-void MaterialResources::Update(
-  const VolumeMarch& march, const std::vector<ScalarTexels>& texels, int volumeBuild)
+void MaterialResources::Update(const VolumeMarch& march, const std::vector<ScalarTexels>& texels)
 {
-  this->UpdateOpticalTable(march, texels, volumeBuild);
+  this->UpdateOpticalTable(march, texels);
   this->gradientOpacity.Update(march, texels);
   this->UpdateLights(march);
   this->UpdateIsosurfaces(march, texels.front().mapping);
 }
 
 void MaterialResources::UpdateOpticalTable(
-  const VolumeMarch& march, const std::vector<ScalarTexels>& texels, int volumeBuild)
+  const VolumeMarch& march, const std::vector<ScalarTexels>& texels)
 {
   const std::vector<double> inputs =
     MaterialTableInputs(march.frame.material.property, march.settings);
-  if (this->tableOfProperty != march.frame.material.property ||
-    this->tableOfVolume != volumeBuild || this->tableInputs != inputs)
+  if (this->tableOfProperty != march.frame.material.property || this->tableOfTexels != texels ||
+    this->tableInputs != inputs)
   {
     this->opticalTable.SetTables(march.frame.view.window, this->BuildTables(march, texels));
-    this->tableOfVolume = volumeBuild; // the table spans the range of the scalars
+    this->tableOfTexels = texels; // they have the range that the table spans
     this->tableOfProperty = march.frame.material.property;
     this->tableInputs = inputs;
     ++this->tableBuilds;
@@ -115,11 +114,17 @@ std::vector<OpticalTable> MaterialResources::BuildTables(
   std::vector<OpticalTable> tables;
   for (const MaterialTable& table : this->materialTables)
   {
-    const ScalarTexels& range = texels[table.component];
-    tables.push_back(
-      BuildOpticalTable(table.transferFunction, range.smallestValue, range.largestValue, entries));
+    const ValueRange& range = texels[table.component].resolved;
+    tables.push_back(BuildOpticalTable(table.transferFunction, range.lower, range.upper, entries));
   }
   return tables;
+}
+
+bool MaterialResources::MissesCurve() const
+{
+  const std::vector<OpticalTable>& tables = this->opticalTable.Tables();
+  return std::any_of(
+    tables.begin(), tables.end(), [](const OpticalTable& table) { return table.missesCurve; });
 }
 
 void MaterialResources::UpdatePreIntegrated(const VolumeMarch& march)
@@ -181,6 +186,7 @@ std::size_t MaterialResources::Bytes() const
 void MaterialResources::Release(vtkWindow* window)
 {
   this->opticalTable.Release(window);
+  this->tableOfTexels.clear();
   this->preIntegratedTable.Release(window);
   this->preIntegratedOfTable = 0;
   this->twoValues.Release(window);

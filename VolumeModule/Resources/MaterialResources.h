@@ -25,9 +25,8 @@ class MaterialResources
 {
 public:
   /// Updates everything except the pre-integrated table.
-  /// @param texels       the texel format of each component
-  /// @param volumeBuild  the build number of the voxels, whose range the tables span
-  void Update(const VolumeMarch& march, const std::vector<ScalarTexels>& texels, int volumeBuild);
+  /// @param texels  the texel format of each component, whose range the tables span
+  void Update(const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
 
   /// Makes or releases the pre-integrated table, depending on the integration rule of the march.
   void UpdatePreIntegrated(const VolumeMarch& march);
@@ -44,10 +43,11 @@ public:
   glm::ivec2 TwoValuesSize() const { return this->twoValuesSize; }
   /// The textures of the look, and no others.
   VolumeTextures Textures() const;
+  double LastGradient(std::size_t part) const { return this->gradientOpacity.LastGradient(part); }
+  bool MissesCurve() const; ///< True if a table misses a curve of its function.
 
 private:
-  void UpdateOpticalTable(
-    const VolumeMarch& march, const std::vector<ScalarTexels>& texels, int volumeBuild);
+  void UpdateOpticalTable(const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
   std::vector<OpticalTable> BuildTables(
     const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
   void UpdateLights(const VolumeMarch& march);
@@ -57,7 +57,7 @@ private:
   std::vector<MaterialTable> materialTables; ///< The functions in the optical table.
   int tableBuilds = 0;
   vtkVolumeProperty* tableOfProperty = nullptr;
-  int tableOfVolume = 0;
+  std::vector<ScalarTexels> tableOfTexels;
   std::vector<double> tableInputs;
 
   PreIntegratedTableTexture preIntegratedTable;

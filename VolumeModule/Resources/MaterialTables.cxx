@@ -30,6 +30,20 @@ glm::vec4 ColorAt(vtkDataArray* colors, vtkIdType index)
   return color;
 }
 
+// True if the largest value exceeds 1 by more than rounding.
+bool ExceedsOne(const VoxelComponent& component)
+{
+  constexpr double Rounded = 1.001;
+  double range[2];
+  component.array->GetFiniteRange(range, component.index);
+  return range[1] > Rounded;
+}
+
+TransferFunction WithoutOpacities(const TransferFunction& function)
+{
+  return { function.Colors(), {}, function.OpacityUnitDistanceMm() };
+}
+
 }
 
 TwoValueTable TwoValueTableOf(vtkVolumeProperty* property)
@@ -88,7 +102,7 @@ std::vector<MaterialTable> MaterialTablesOf(
   switch (settings.components)
   {
     case Components::LuminanceOpacity:
-      return { { 0, TransferFunctionOf(property), false },
+      return { { 0, WithoutOpacities(TransferFunctionOf(property)), false },
         { 1, TransferFunctionOf(property), true } };
     case Components::Rgba:
       return { { 3, TransferFunctionOf(property), true } };
@@ -152,13 +166,14 @@ double WeightOf(vtkVolumeProperty* property, const RenderSettings& settings, int
   return settings.components == Components::Independent ? property->GetComponentWeight(part) : 1.0;
 }
 
-double LargestColorOf(vtkDataArray* array)
+double LargestColorOf(const VoxelComponents& components)
 {
+  vtkDataArray* const array = components.front().array;
   switch (array->GetDataType())
   {
     case VTK_FLOAT:
     case VTK_DOUBLE:
-      return 1.0;
+      return std::any_of(components.begin(), components.begin() + 3, ExceedsOne) ? 255.0 : 1.0;
     case VTK_SHORT:
     case VTK_UNSIGNED_SHORT:
       return array->GetDataTypeMax();

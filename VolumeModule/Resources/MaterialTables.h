@@ -1,8 +1,9 @@
 #ifndef Varimarch_Resources_MaterialTables_h
 #define Varimarch_Resources_MaterialTables_h
 
-#include "Core/Look/TransferFunction.h"
+#include "Core/Look/OpticalTable.h"
 #include "Core/Recipe/RenderSettings.h"
+#include "Frame/VoxelInput.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -10,7 +11,6 @@
 #include <array>
 #include <vector>
 
-class vtkDataArray;
 class vtkVolumeProperty;
 
 namespace varimarch
@@ -55,8 +55,9 @@ int OpacityComponentOf(const RenderSettings& settings, int part);
 /// The weight of a part's extinction in the mixture.
 double WeightOf(vtkVolumeProperty* property, const RenderSettings& settings, int part);
 
-/// The value of full brightness, by VTK's convention for arrays of colours.
-double LargestColorOf(vtkDataArray* array);
+/// The value of full brightness, by VTK's convention for arrays of colours; 255 for floats that
+/// exceed 1.
+double LargestColorOf(const VoxelComponents& components);
 
 /// Coefficients of ambient, diffuse and specular light, and the specular power.
 glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component);

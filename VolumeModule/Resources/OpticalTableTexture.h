@@ -1,7 +1,7 @@
 #ifndef Varimarch_Resources_OpticalTableTexture_h
 #define Varimarch_Resources_OpticalTableTexture_h
 
-#include "Core/Look/TransferFunction.h"
+#include "Core/Look/OpticalTable.h"
 #include "Resources/FloatBufferTexture.h"
 #include "Resources/VolumeTexture.h"
 

@@ -149,6 +149,13 @@ Box SceneResources::BoxOfAll(const Frame& frame) const
   return box;
 }
 
+bool SceneResources::MissesCurve() const
+{
+  return this->first.Materials().MissesCurve() ||
+    std::any_of(this->others.begin(), this->others.end(),
+      [](const auto& other) { return other->Materials().MissesCurve(); });
+}
+
 bool SceneResources::IsNothingDrawn() const
 {
   return IsEmpty(this->drawnBox);

@@ -47,6 +47,7 @@ public:
   /// The box around all volumes through which rays are marched, in the grid of the first volume.
   const Box& DrawnBox() const { return this->drawnBox; }
   bool IsNothingDrawn() const;
+  bool MissesCurve() const; ///< True if a table of any volume misses a curve of its function.
   std::size_t Bytes() const { return this->first.Bytes() + this->BytesBesideFirst(); }
   void Release(vtkWindow* window);
 

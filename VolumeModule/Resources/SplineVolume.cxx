@@ -59,6 +59,7 @@ std::vector<ScalarTexels> SplineVolume::Texels(const VoxelComponents& voxels) co
   {
     texels[i].smallestScalar = texelsOfVoxels[i].smallestScalar;
     texels[i].largestScalar = texelsOfVoxels[i].largestScalar;
+    texels[i].gray = texelsOfVoxels[i].gray;
     texels[i].finite = true;
   }
   return texels;

@@ -3,7 +3,9 @@
 #include "Core/Geometry/SplineCoefficients.h"
 #include "Core/Look/PreIntegratedTable.h"
 #include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/GrayRange.h"
 #include "Resources/FloatFramebuffer.h"
+#include "Resources/ValueFocus.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -17,23 +19,53 @@ void VolumeResources::UpdateVoxels(const Frame& frame)
   const VoxelInput& voxels = frame.voxels;
   this->Blocks().SetBlanking(voxels.blanking);
   const bool isCubic = frame.settings.cubic;
-  if (this->voxelsOf == voxels.components && this->voxelsTime == voxels.time &&
-    this->voxelsAreCubic == isCubic)
+  const bool areNew = !(this->voxelsOf == voxels.components && this->voxelsTime == voxels.time &&
+    this->voxelsAreCubic == isCubic);
+  std::vector<double> valueInputs = ValueInputs(frame);
+  if (!areNew && this->valueInputs == valueInputs)
   {
     return;
   }
-  this->voxelsOf.clear();
-  const glm::ivec3 dimensions = frame.geometry.dimensions;
-  this->spline = isCubic ? SplineVolume(voxels.components, dimensions) : SplineVolume();
-  this->Blocks().SetVoxels(isCubic
+  if (areNew)
+  {
+    this->voxelsOf.clear();
+    const glm::ivec3 dimensions = frame.geometry.dimensions;
+    this->spline = isCubic ? SplineVolume(voxels.components, dimensions) : SplineVolume();
+    this->allValues = isCubic
       ? VoxelValues{ this->spline.Components(), dimensions, this->spline.Texels(voxels.components),
           SplineReachVoxels }
-      : VoxelValues{ voxels.components, dimensions, ScalarTexelsOf(voxels.components) });
+      : VoxelValues{ voxels.components, dimensions, ScalarTexelsOf(voxels.components) };
+    this->packets.SetVoxels(this->allValues.components);
+  }
+  this->SetValues(frame, areNew);
   this->voxelsOf = voxels.components;
   this->voxelsTime = voxels.time;
   this->voxelsAreCubic = isCubic;
-  this->packets.SetVoxels(this->Blocks().Values().components);
-  ++this->voxelsBuild;
+  this->valueInputs = std::move(valueInputs);
+}
+
+// Other transfer functions need other texels only if some voxels are far beyond the values at which
+// they change.
+void VolumeResources::SetValues(const Frame& frame, bool areNew)
+{
+  VoxelValues values = this->allValues;
+  const std::vector<ScalarTexels>& present = this->Blocks().TexelsOfComponents();
+  const std::vector<std::optional<ValueRange>> matter = ValuesThatMatter(frame);
+  for (std::size_t i = 0; i < values.texels.size(); ++i)
+  {
+    ScalarTexels& texels = values.texels[i];
+    texels = Focused(texels, areNew ? texels : present[i], matter[i]);
+    if (IsProjection(frame.settings.blend))
+    {
+      const auto [lower, upper] = frame.material.averagedRange;
+      texels.gray = GrayRangeOf(frame.voxels.components[i], { lower, upper });
+    }
+  }
+  if (areNew || values.texels != present)
+  {
+    this->Blocks().SetVoxels(values);
+    ++this->voxelsBuild;
+  }
 }
 
 VolumeFindings VolumeResources::Update(const VolumeMarch& march, const MemoryElsewhere& elsewhere)
@@ -41,7 +73,7 @@ VolumeFindings VolumeResources::Update(const VolumeMarch& march, const MemoryEls
   this->UpdateCuts(march);
   this->UpdateMask(march);
   this->UpdateSpacing(march);
-  this->materials.Update(march, this->Blocks().TexelsOfComponents(), this->voxelsBuild);
+  this->materials.Update(march, this->Blocks().TexelsOfComponents());
   this->packets.Update(march, this->Blocks().Values());
   this->fields.Update({ march, this->Blocks(), this->materials, this->voxelsBuild });
   const bool blocksHaveGaps =

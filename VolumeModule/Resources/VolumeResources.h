@@ -77,6 +77,7 @@ public:
   const UnevenBins& SpacingBins() const { return this->spacingBins; }
 
 private:
+  void SetValues(const Frame& frame, bool areNew);
   void UpdateMask(const VolumeMarch& march);
   void UpdateCuts(const VolumeMarch& march);
   void UpdateSpacing(const VolumeMarch& march);
@@ -87,7 +88,9 @@ private:
   vtkMTimeType voxelsTime = 0;
   bool voxelsAreCubic = false;
   int voxelsBuild = 0;
-  SplineVolume spline; ///< Empty without cubic interpolation.
+  SplineVolume spline;             ///< Empty without cubic interpolation.
+  VoxelValues allValues;           ///< The voxels in the format in which all their values matter.
+  std::vector<double> valueInputs; ///< The inputs of the values that matter now.
 
   VolumeDivision division;
   MaterialResources materials;

@@ -1,5 +1,7 @@
 #include "Resources/VolumeTexture.h"
 
+#include "Frame/FiniteRange.h"
+
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -33,19 +35,6 @@ TexelMapping NormalizedMapping(double smallest, double largest)
 {
   const double factor = std::floor(LargestTexel16 / std::max(largest - smallest, 1.0));
   return { LargestTexel16 / factor, smallest };
-}
-
-// Scales floats to about [-1, 1], so that their products do not overflow, by a power of two, which
-// is exact. They are shifted only if their range is small compared with its distance from zero, as
-// for doubles around 1e7 that differ by 1.
-TexelMapping FloatMapping(double smallest, double largest)
-{
-  const double range = largest - smallest;
-  const double farthest = std::max(std::abs(smallest), std::abs(largest));
-  const bool farFromZero = range > 0.0 && farthest > 2.0 * range;
-  const double extent = farFromZero ? range : farthest;
-  const double scale = extent > 0.0 ? std::exp2(std::ceil(std::log2(extent))) : 1.0;
-  return { scale, farFromZero ? smallest : 0.0 };
 }
 
 template <class Scalar>
@@ -85,8 +74,10 @@ bool ConvertScalars(const Scalar* source, int stride, Texel* target, int texelSt
   {
     const Scalar scalar = source[x * stride];
     const bool finite = IsFinite(scalar);
-    target[x * texelStride] =
-      finite ? Texel((double(scalar) - mapping.offset) * factor + rounding) : Texel(0);
+    const double texel = (double(scalar) - mapping.offset) * factor + rounding;
+    target[x * texelStride] = finite
+      ? Texel(normalized ? texel : std::clamp(texel, -LargestTexel, LargestTexel))
+      : Texel(0);
     allFinite = allFinite && finite;
   }
   return allFinite;
@@ -191,6 +182,18 @@ bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& t
   return allFinite;
 }
 
+void CheckDifference(const ScalarTexels& texels)
+{
+  const double difference = texels.largestScalar - texels.smallestScalar;
+  if (0.0 < difference && difference < SmallestDifference)
+  {
+    std::ostringstream message;
+    message << "Cannot draw scalars that differ by at most " << difference << ": expected "
+            << SmallestDifference << " or more; multiply them by a large number";
+    throw std::runtime_error(message.str());
+  }
+}
+
 GLenum InternalFormatOf(const std::vector<ScalarTexels>& texels)
 {
   const std::size_t components = texels.size();
@@ -198,6 +201,18 @@ GLenum InternalFormatOf(const std::vector<ScalarTexels>& texels)
                                    : FormatFloatOfComponents[components - 1];
 }
 
+}
+
+// Scales by a power of two, which is exact. Numbers are shifted only if their range is small
+// compared with its distance from zero, as for doubles around 1e7 that differ by 1.
+TexelMapping FloatMapping(double smallest, double largest)
+{
+  const double range = largest - smallest;
+  const double farthest = std::max(std::abs(smallest), std::abs(largest));
+  const bool farFromZero = range > 0.0 && farthest > 2.0 * range;
+  const double extent = farFromZero ? range : farthest;
+  const double scale = extent > 0.0 ? std::exp2(std::ceil(std::log2(extent))) : 1.0;
+  return { scale, farFromZero ? smallest : 0.0 };
 }
 
 double TexelMapping::LimitedTexelOf(double scalar) const
@@ -252,15 +267,17 @@ std::vector<ScalarTexels> ScalarTexelsOf(const VoxelComponents& components)
   bool allIntegers = true;
   for (const VoxelComponent& component : components)
   {
-    double range[2];
-    component.array->GetFiniteRange(range, component.index);
-    const bool anyFinite = range[0] <= range[1];
+    const ValueRange finite = FiniteRangeOf(component);
+    const bool anyFinite = !finite.IsEmpty();
     const int type = component.array->GetDataType();
     ScalarTexels texels;
-    texels.smallestScalar = anyFinite ? range[0] : 0.0;
-    texels.largestScalar = anyFinite ? range[1] : 0.0;
+    texels.smallestScalar = anyFinite ? Limited(finite.lower) : 0.0;
+    texels.largestScalar = anyFinite ? Limited(finite.upper) : 0.0;
+    CheckDifference(texels);
     texels.smallestValue = texels.smallestScalar;
     texels.largestValue = texels.largestScalar;
+    texels.gray = { texels.smallestScalar, texels.largestScalar };
+    texels.resolved = texels.gray;
     allIntegers = allIntegers && type != VTK_FLOAT && type != VTK_DOUBLE;
     allNormalized = allNormalized && allIntegers &&
       texels.largestScalar - texels.smallestScalar <= LargestTexel16;

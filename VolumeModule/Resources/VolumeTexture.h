@@ -2,6 +2,7 @@
 #define Varimarch_Resources_VolumeTexture_h
 
 #include "Core/Geometry/ScalarGrid.h"
+#include "Core/Look/ValueRange.h"
 #include "Frame/VoxelInput.h"
 
 #include "VarimarchVolumeModule.h"
@@ -10,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -30,7 +32,16 @@ struct TexelMapping
   /// The texel of a scalar that may be infinite, clamped to the range of floats. VTK's default
   /// range of scalars is about that of floats.
   double LimitedTexelOf(double scalar) const;
+
+  bool operator==(const TexelMapping& other) const
+  {
+    return this->scale == other.scale && this->offset == other.offset;
+  }
 };
+
+/// The mapping of numbers that are not normalized. Scales them to about [-1, 1], so that their
+/// products do not overflow.
+TexelMapping FloatMapping(double smallest, double largest);
 
 /// The texel format of a volume. All its blocks share it, so that they join without a seam.
 struct ScalarTexels
@@ -39,12 +50,30 @@ struct ScalarTexels
   double largestScalar = 0.0;  ///< The largest finite voxel.
   double smallestValue = 0.0;  ///< The lower bound of interpolated values; may be below the voxels.
   double largestValue = 0.0;   ///< The upper bound of interpolated values; may be above the voxels.
+  /// The values that tables and fields tell apart: all of them, or those that matter. Values beyond
+  /// the ends look like these.
+  ValueRange resolved = { 0.0, 0.0 };
+  ValueRange gray = { 0.0, 0.0 }; ///< The values that projections show as black and white.
   TexelMapping mapping;
   bool normalized = true; ///< True for 16 bit integers, false for floats.
   bool finite = true;     ///< True if all voxels are known to be finite.
 
   std::size_t BytesPerTexel() const { return this->normalized ? 2 : 4; }
+
+  bool operator==(const ScalarTexels& other) const
+  {
+    return this->smallestScalar == other.smallestScalar &&
+      this->largestScalar == other.largestScalar && this->smallestValue == other.smallestValue &&
+      this->largestValue == other.largestValue && this->resolved == other.resolved &&
+      this->gray == other.gray && this->mapping == other.mapping;
+  }
+  bool operator!=(const ScalarTexels& other) const { return !(*this == other); }
 };
+
+/// Texels of floats are limited to this distance from zero. It is so far beyond those that matter,
+/// which are about [-1, 1], that an interpolated value passes these as close to its end as that of
+/// the unlimited one.
+constexpr double LargestTexel = double(std::int64_t(1) << 40);
 
 /// The gradient at which VTK's gradient opacity saturates: a quarter of the range per mean spacing.
 inline double LargestGradient(const ScalarTexels& texels)
@@ -54,6 +83,7 @@ inline double LargestGradient(const ScalarTexels& texels)
 }
 
 /// The texel format of each component, for linear interpolation. Either all are normalized or none.
+/// @throws std::runtime_error if the scalars of a component differ too little
 std::vector<ScalarTexels> ScalarTexelsOf(const VoxelComponents& components);
 
 /// The data from which the values of a volume are interpolated: its voxels, or the coefficients of
@@ -62,7 +92,8 @@ struct VoxelValues
 {
   VoxelComponents components;
   glm::ivec3 dimensions = glm::ivec3(0);
-  std::vector<ScalarTexels> texels = { ScalarTexels() }; ///< The texel format of each component.
+  std::vector<ScalarTexels> texels =
+    std::vector<ScalarTexels>(1); ///< The texel format of each component.
   int reachVoxels = 0; ///< The distance beyond its cell up to which a value depends on voxels.
 };
 

@@ -1,5 +1,7 @@
 #include "Core/Fields/BrickRanges.h"
 
+#include "Core/Look/ValueRange.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -76,14 +78,15 @@ BrickRanges::Steps StepsOf(
   }
   const auto steps = [&](Scalar value)
   { return (double(value) - ranges.FirstValue()) / ranges.ValuePerStep(); };
-  return { std::uint16_t(std::clamp(std::floor(steps(smallest)), 0.0, LargestStep)),
-    std::uint16_t(std::clamp(std::ceil(steps(largest)), 0.0, LargestStep)) };
+  const double lastStep = ranges.LastStep();
+  return { std::uint16_t(std::clamp(std::floor(steps(smallest)), 0.0, lastStep)),
+    std::uint16_t(std::clamp(std::ceil(steps(largest)), 0.0, lastStep)) };
 }
 
 // One step is exactly 1 for integers that span less than 2^16.
 double ValuePerStep(double range, bool integers)
 {
-  if (!(range > 0.0))
+  if (!(range > SmallestDifference))
   {
     return 1.0;
   }
@@ -92,7 +95,7 @@ double ValuePerStep(double range, bool integers)
 
 int LastStep(double range, bool integers)
 {
-  if (!(range > 0.0))
+  if (!(range > SmallestDifference))
   {
     return 0;
   }

@@ -15,8 +15,9 @@ namespace varimarch
 ///
 /// A brick reads 5 x 5 x 5 voxels, including its far faces, so that its range holds for all
 /// interpolated values in it; an interpolation that depends on voxels farther away adds those.
-/// Ranges are stored in 8 or 16 bits relative to the range of the whole volume, rounded outwards.
-/// They are exact for 8 bit data and for integers that span less than 2^16.
+/// Ranges are stored in 8 or 16 bits relative to a range of values, rounded outwards; values beyond
+/// its ends count as these. They are exact for 8 bit data and for integers that span less than
+/// 2^16.
 class BrickRanges
 {
 public:
@@ -35,7 +36,7 @@ public:
   /// An object without bricks.
   BrickRanges() = default;
 
-  /// Bricks of a volume whose values lie between first and last.
+  /// Bricks of a volume whose values between first and last are told apart.
   /// @param integers  true if all values are whole numbers
   BrickRanges(glm::ivec3 cellCount, double firstValue, double lastValue, bool integers);
 
@@ -69,7 +70,8 @@ private:
 };
 
 /// Builds the ranges by reading the volume once, on all cores.
-/// @param smallestValue, largestValue  range of the grid's finite values
+/// @param smallestValue, largestValue  range of the values that are told apart: all finite values
+/// of the grid, or those between which its look changes
 /// @param reachVoxels  number of voxels beyond its cell that an interpolated value depends on; 0
 /// for linear interpolation
 template <class Scalar>

@@ -42,19 +42,16 @@ class ChangeOfSteps
 public:
   ChangeOfSteps(const BrickRanges& ranges, const ExtremeLook& look)
     : changes(ChangeUpTo(look))
+    , entryOfStep(IndexOf(
+        look.table, double(this->changes.size()) - 1.0, ranges.ValuePerStep(), ranges.FirstValue()))
   {
-    const double extent = look.table.lastValue - look.table.firstValue;
-    const double last = double(this->changes.size()) - 1.0;
-    const double entriesPerValue = extent > 0.0 ? last / extent : 0.0;
-    this->firstEntry = (ranges.FirstValue() - look.table.firstValue) * entriesPerValue;
-    this->entriesPerStep = ranges.ValuePerStep() * entriesPerValue;
   }
 
   double Least(int step) const { return this->At(std::floor(this->EntryOf(step))); }
   double Most(int step) const { return this->At(std::ceil(this->EntryOf(step))); }
 
 private:
-  double EntryOf(int step) const { return this->firstEntry + step * this->entriesPerStep; }
+  double EntryOf(int step) const { return this->entryOfStep.bias + step * this->entryOfStep.scale; }
 
   double At(double entry) const
   {
@@ -62,8 +59,7 @@ private:
   }
 
   std::vector<double> changes;
-  double firstEntry;
-  double entriesPerStep;
+  IndexInTable entryOfStep;
 };
 
 // For each step, the least step whose colour differs by at most the tolerance.

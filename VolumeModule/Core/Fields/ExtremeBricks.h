@@ -2,7 +2,7 @@
 #define Varimarch_Core_Fields_ExtremeBricks_h
 
 #include "Core/Fields/BrickRanges.h"
-#include "Core/Look/TransferFunction.h"
+#include "Core/Look/OpticalTable.h"
 
 #include <glm/vec3.hpp>
 

@@ -156,15 +156,13 @@ public:
     const AlikeIntervals alike{ InvisibleUntil(table.entries),
       HomogeneousUntil(table.entries, tolerance) };
     const double lastEntry = double(table.entries.size()) - 1.0;
-    const double extent = table.lastValue - table.firstValue;
-    const double entriesPerValue = extent > 0.0 ? lastEntry / extent : 0.0;
-    const double entryOfFirstStep = (ranges.FirstValue() - table.firstValue) * entriesPerValue;
-    const double entriesPerStep = ranges.ValuePerStep() * entriesPerValue;
+    const IndexInTable entryOfStep =
+      IndexOf(table, lastEntry, ranges.ValuePerStep(), ranges.FirstValue());
     for (std::size_t step = 0; step < this->looks.size(); ++step)
     {
       // The product's rounding must not add a neighbour to a value that lies exactly on an entry.
       constexpr double rounding = 1e-6;
-      const double entry = entryOfFirstStep + double(step) * entriesPerStep;
+      const double entry = entryOfStep.bias + double(step) * entryOfStep.scale;
       const int first = int(std::clamp(std::floor(entry + rounding), 0.0, lastEntry));
       const int last = int(std::clamp(std::ceil(entry - rounding), 0.0, lastEntry));
       this->looks[step] = { alike.invisibleUntil[first], alike.homogeneousUntil[first], last };

@@ -3,7 +3,7 @@
 
 #include "Core/Fields/BrickRanges.h"
 #include "Core/Geometry/Box.h"
-#include "Core/Look/TransferFunction.h"
+#include "Core/Look/OpticalTable.h"
 
 #include <cstdint>
 #include <vector>

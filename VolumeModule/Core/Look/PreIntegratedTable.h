@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Look_PreIntegratedTable_h
 #define Varimarch_Core_Look_PreIntegratedTable_h
 
-#include "Core/Look/TransferFunction.h"
+#include "Core/Look/OpticalTable.h"
 
 #include <vector>
 

@@ -2,9 +2,6 @@
 
 #include <glm/common.hpp>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -102,26 +99,32 @@ void CheckNodes(const std::vector<Node>& nodes)
   }
 }
 
-/// True if the last two nodes are both at `value`, where they make a step.
-template <class Node>
-bool EndsWithStep(const std::vector<Node>& nodes, double value)
+/// The values between which a quantity of the nodes changes.
+/// @param ordinate  returns the quantity of a node that the curve interpolates
+template <class Node, class Ordinate>
+std::optional<ValueRange> ChangesOf(const std::vector<Node>& nodes, Ordinate ordinate)
 {
-  return nodes.size() >= 2 && nodes.back().value == value && nodes[nodes.size() - 2].value == value;
+  const auto differ = [&](const Node& one, const Node& next)
+  { return ordinate(one) != ordinate(next); };
+  const auto first = std::adjacent_find(nodes.begin(), nodes.end(), differ);
+  const auto last = std::adjacent_find(nodes.rbegin(), nodes.rend(), differ);
+  return first == nodes.end() ? std::nullopt
+                              : std::optional(ValueRange{ first->value, last->value });
 }
 
-std::vector<double> SortedNodeValues(const TransferFunction& transferFunction)
+template <class Node>
+bool HasStepIn(const std::vector<Node>& nodes)
 {
-  std::vector<double> values;
-  for (const ColorNode& node : transferFunction.Colors())
-  {
-    values.push_back(node.value);
-  }
-  for (const OpacityNode& node : transferFunction.Opacities())
-  {
-    values.push_back(node.value);
-  }
-  std::sort(values.begin(), values.end());
-  return values;
+  const auto isStep = [](const Node& node, const Node& next)
+  { return node.value == next.value || node.shape.sharpness > LargestSmoothSharpness; };
+  return std::adjacent_find(nodes.begin(), nodes.end(), isStep) != nodes.end();
+}
+
+template <class Node>
+bool HasStepIn(const std::vector<Node>& nodes, double value)
+{
+  const auto isThere = [&](const Node& node) { return node.value == value; };
+  return std::count_if(nodes.begin(), nodes.end(), isThere) > 1;
 }
 
 }
@@ -148,11 +151,13 @@ TransferFunction::TransferFunction(
   CheckNodes(this->opacities);
   for (ColorNode& node : this->colors)
   {
+    node.value = Limited(node.value);
     CheckFinite(node.rgb.r + node.rgb.g + node.rgb.b, "a colour");
     node.rgb = glm::clamp(node.rgb, 0.0, 1.0);
   }
   for (OpacityNode& node : this->opacities)
   {
+    node.value = Limited(node.value);
     CheckFinite(node.opacity, "an opacity");
     node.opacity = std::clamp(node.opacity, 0.0, 1.0);
   }
@@ -185,16 +190,66 @@ double TransferFunction::Extinction(double value) const
   return -std::log(CurveValue(this->opacities, value, transparency)) / this->opacityUnitDistanceMm;
 }
 
+std::vector<double> TransferFunction::NodeValues() const
+{
+  std::vector<double> values;
+  for (const ColorNode& node : this->colors)
+  {
+    values.push_back(node.value);
+  }
+  for (const OpacityNode& node : this->opacities)
+  {
+    values.push_back(node.value);
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
 double TransferFunction::FirstValue() const
 {
-  const std::vector<double> values = SortedNodeValues(*this);
+  const std::vector<double> values = this->NodeValues();
   return values.empty() ? 0.0 : values.front();
 }
 
 double TransferFunction::LastValue() const
 {
-  const std::vector<double> values = SortedNodeValues(*this);
+  const std::vector<double> values = this->NodeValues();
   return values.empty() ? 0.0 : values.back();
+}
+
+std::optional<ValueRange> TransferFunction::ChangingValues() const
+{
+  const std::optional<ValueRange> ofColor =
+    ChangesOf(this->colors, [](const ColorNode& node) { return node.rgb; });
+  const std::optional<ValueRange> ofOpacity =
+    ChangesOf(this->opacities, [](const OpacityNode& node) { return node.opacity; });
+  if (!ofOpacity)
+  {
+    // Without opacities, a function gives only the colours of a volume.
+    const bool isSeen = this->opacities.empty() || this->opacities.front().opacity > 0.0;
+    return isSeen ? ofColor : std::nullopt;
+  }
+  ValueRange changing = *ofOpacity;
+  if (ofColor && this->opacities.front().opacity > 0.0)
+  {
+    changing.lower = std::min(changing.lower, ofColor->lower);
+  }
+  if (ofColor && this->opacities.back().opacity > 0.0)
+  {
+    changing.upper = std::max(changing.upper, ofColor->upper);
+  }
+  return changing;
+}
+
+bool TransferFunction::HasStep() const
+{
+  return HasStepIn(this->colors) || HasStepIn(this->opacities);
+}
+
+bool TransferFunction::HasStepAt(double value) const
+{
+  return HasStepIn(this->colors, value) || HasStepIn(this->opacities, value);
 }
 
 bool TransferFunction::IsPiecewiseLinear() const
@@ -217,179 +272,12 @@ bool TransferFunction::IsPiecewiseLinear() const
 double TransferFunction::SmallestNodeGap() const
 {
   double smallest = std::numeric_limits<double>::infinity();
-  const std::vector<double> values = SortedNodeValues(*this);
+  const std::vector<double> values = this->NodeValues();
   for (std::size_t i = 1; i < values.size(); ++i)
   {
-    if (values[i] != values[i - 1])
-    {
-      smallest = std::min(smallest, values[i] - values[i - 1]);
-    }
+    smallest = std::min(smallest, values[i] - values[i - 1]);
   }
   return smallest;
-}
-
-namespace
-{
-
-// Interpolation between entries is linear in extinction, not in opacity, and rounds off a node that
-// lies between two entries.
-constexpr double EntriesPerNodeGap = 32.0;
-
-/// True if the curve jumps anywhere.
-template <class Node>
-bool HasStep(const std::vector<Node>& nodes)
-{
-  const auto isStep = [](const Node& node, const Node& next)
-  { return node.value == next.value || node.shape.sharpness > LargestSmoothSharpness; };
-  return std::adjacent_find(nodes.begin(), nodes.end(), isStep) != nodes.end();
-}
-
-/// A power of two with enough entries between neighbouring nodes, within the limits.
-std::size_t EntryCount(
-  double length, const TransferFunction& transferFunction, std::size_t mostEntries)
-{
-  // A step becomes a ramp one entry wide, which moves an opaque surface; more entries move it less.
-  const bool step = HasStep(transferFunction.Colors()) || HasStep(transferFunction.Opacities());
-  const double wanted =
-    step ? mostEntries : EntriesPerNodeGap * length / transferFunction.SmallestNodeGap();
-  std::size_t count = 1024;
-  while (double(count) < wanted && 2 * count <= mostEntries)
-  {
-    count *= 2;
-  }
-  return std::max<std::size_t>(std::min(count, mostEntries), 2);
-}
-
-glm::vec4 OpticalEntry(const TransferFunction& transferFunction, double value)
-{
-  const double extinction = std::min(transferFunction.Extinction(value), double(OpaqueExtinction));
-  return glm::vec4(transferFunction.Color(value), extinction);
-}
-
-/// The values in (lower, upper) at which the opacity has nodes, each once.
-std::vector<double> OpacityNodesIn(
-  const TransferFunction& transferFunction, double lower, double upper)
-{
-  std::vector<double> values;
-  for (const OpacityNode& node : transferFunction.Opacities())
-  {
-    const bool known = !values.empty() && values.back() == node.value;
-    if (lower < node.value && node.value < upper && !known)
-    {
-      values.push_back(node.value);
-    }
-  }
-  return values;
-}
-
-/// True if the curve is opaque at a value but on neither side of it, as at the tip of a tent. Such
-/// a value transmits light: the extinction next to it grows like a logarithm, whose integral is
-/// finite.
-bool IsOpaqueInPassing(const TransferFunction& transferFunction, double value, double gap)
-{
-  return std::isinf(transferFunction.Extinction(value)) &&
-    !std::isinf(transferFunction.Extinction(value - gap)) &&
-    !std::isinf(transferFunction.Extinction(value + gap));
-}
-
-/// The entry at a value of a table whose entries are `gap` apart. If several nodes lie within one
-/// entry on either side, a sample would miss what is between them, and a sample at an opaque tip
-/// would be a wall. The entry is then the mean under its hat function, which preserves the
-/// integral.
-glm::vec4 EntryAt(const TransferFunction& transferFunction, double value, double gap)
-{
-  std::vector<double> ends = OpacityNodesIn(transferFunction, value - gap, value + gap);
-  if (ends.size() < 2 && !IsOpaqueInPassing(transferFunction, value, gap))
-  {
-    return OpticalEntry(transferFunction, value);
-  }
-  ends.insert(ends.begin(), value - gap);
-  ends.push_back(value + gap);
-  constexpr int Points = 32; // samples between neighbouring nodes
-  double extinction = 0.0;
-  glm::dvec3 emission(0.0);
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-  {
-    const double width = (ends[i + 1] - ends[i]) / Points;
-    for (int point = 0; point < Points; ++point)
-    {
-      const double place = ends[i] + (point + 0.5) * width;
-      const double weight = (1.0 - std::abs(place - value) / gap) * width / gap;
-      const glm::dvec4 sample(OpticalEntry(transferFunction, place));
-      extinction += weight * sample.a;
-      emission += weight * sample.a * glm::dvec3(sample);
-    }
-  }
-  const glm::dvec3 color = extinction > 0.0 ? emission / extinction : transferFunction.Color(value);
-  return glm::vec4(color, extinction);
-}
-
-}
-
-OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
-  double largestValue, std::size_t mostEntries)
-{
-  if (!(smallestValue <= largestValue && std::isfinite(smallestValue) &&
-        std::isfinite(largestValue)))
-  {
-    throw std::invalid_argument("Optical table: the range of values must be finite and not "
-                                "reversed, found " +
-      std::to_string(smallestValue) + " to " + std::to_string(largestValue));
-  }
-
-  // The range where the function changes; a step at its end needs one more entry.
-  const double end = transferFunction.LastValue();
-  const bool stepAtEnd =
-    EndsWithStep(transferFunction.Colors(), end) || EndsWithStep(transferFunction.Opacities(), end);
-  const double finest = (largestValue / mostEntries - smallestValue / mostEntries);
-  const double first = std::max(smallestValue, transferFunction.FirstValue());
-  const double last = std::min(largestValue, stepAtEnd ? end + finest : end);
-  if (!(first < last))
-  {
-    const glm::vec4 everywhere = OpticalEntry(transferFunction, smallestValue);
-    return { smallestValue, largestValue, { everywhere, everywhere } };
-  }
-
-  const std::size_t count = EntryCount(last - first, transferFunction, mostEntries);
-  const double gap = (last - first) / double(count - 1);
-  OpticalTable table{ first, last, std::vector<glm::vec4>(count) };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-      {
-        const double fraction = double(i) / double(count - 1);
-        table.entries[i] =
-          EntryAt(transferFunction, (1.0 - fraction) * first + fraction * last, gap);
-      }
-    });
-  return table;
-}
-
-IndexInTable IndexOf(
-  const OpticalTable& table, double lastIndex, double valueScale, double valueOffset)
-{
-  const double extent = table.lastValue - table.firstValue;
-  const double indexPerValue = extent > 0.0 ? lastIndex / extent : 0.0;
-  return { valueScale * indexPerValue, (valueOffset - table.firstValue) * indexPerValue };
-}
-
-std::array<double, 2> VisibleValues(const OpticalTable& table)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto absorbs = [](const glm::vec4& entry) { return entry.a > 0.0f; };
-  const auto first = std::find_if(table.entries.begin(), table.entries.end(), absorbs);
-  if (first == table.entries.end())
-  {
-    return { infinity, -infinity };
-  }
-  const auto behindLast =
-    std::find_if(table.entries.rbegin(), table.entries.rend(), absorbs).base();
-  const double gap = (table.lastValue - table.firstValue) / double(table.entries.size() - 1);
-  const auto valueAt = [&](auto entry)
-  { return table.firstValue + gap * double(entry - table.entries.begin()); };
-  return { first == table.entries.begin() ? -infinity : valueAt(first - 1),
-    behindLast == table.entries.end() ? infinity : valueAt(behindLast) };
 }
 
 }

@@ -1,11 +1,11 @@
 #ifndef Varimarch_Core_Look_TransferFunction_h
 #define Varimarch_Core_Look_TransferFunction_h
 
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include "Core/Look/ValueRange.h"
 
-#include <array>
-#include <cstddef>
+#include <glm/vec3.hpp>
+
+#include <optional>
 #include <vector>
 
 namespace varimarch
@@ -61,12 +61,23 @@ public:
   /// for opacity 1: such a material is opaque however thin it is.
   double Extinction(double value) const;
 
-  /// First and last value at which anything changes; both 0 without nodes.
+  /// First and last value of a node; both 0 without nodes.
   double FirstValue() const;
   double LastValue() const;
 
+  /// The values between which the look changes; none if it is the same for all. Beyond the ends all
+  /// values look alike. Colours do not count where the opacity is 0.
+  std::optional<ValueRange> ChangingValues() const;
+
+  /// True if the curve of colour or opacity jumps anywhere, or at a value.
+  bool HasStep() const;
+  bool HasStepAt(double value) const;
+
   /// True if all curves between nodes are straight and there is no step.
   bool IsPiecewiseLinear() const;
+
+  /// The values of all nodes, ascending and without duplicates.
+  std::vector<double> NodeValues() const;
 
   /// Smallest distance between two nodes at different values; infinite if there are none.
   double SmallestNodeGap() const;
@@ -80,48 +91,6 @@ private:
   std::vector<OpacityNode> opacities;
   double opacityUnitDistanceMm;
 };
-
-/// Colour and extinction at equidistant values, for linear interpolation between entries. Entry i
-/// holds (r, g, b, extinction [1/mm]) at firstValue + i * (lastValue - firstValue) / (entries - 1);
-/// the end entries hold for all values beyond. If firstValue equals lastValue, all entries are
-/// equal. An opaque value has OpaqueExtinction, which is finite, so that it can be multiplied by
-/// zero and interpolated without a NaN.
-struct OpticalTable
-{
-  double firstValue;
-  double lastValue;
-  std::vector<glm::vec4> entries; ///< at least two
-};
-
-/// Extinction of opaque values [1/mm]. Large enough that the thinnest segment is opaque, and small
-/// enough that its product with any length fits a float.
-constexpr float OpaqueExtinction = 1e30f;
-
-/// Samples a transfer function over the part of [smallestValue, largestValue] in which it changes,
-/// on all cores. The number of entries is a power of two, from 1024 to `mostEntries`, with at least
-/// 32 between neighbouring nodes; it is `mostEntries` for a function with a step, which becomes a
-/// ramp one entry wide, and two if nothing changes. A peak between two entries becomes one entry
-/// wide and keeps its integral of extinction over the values.
-/// @throws std::invalid_argument unless both values are finite and smallestValue <= largestValue
-OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
-  double largestValue, std::size_t mostEntries = 65536);
-
-/// A scalar's index in a table is scalar * scale + bias.
-struct IndexInTable
-{
-  double scale;
-  double bias;
-};
-
-/// The index of scalars that stand for the values scalar * valueScale + valueOffset; 0 in a table
-/// whose first value is its last.
-/// @param lastIndex  index of the table's last value
-IndexInTable IndexOf(
-  const OpticalTable& table, double lastIndex, double valueScale = 1.0, double valueOffset = 0.0);
-
-/// The open range of values in which a table has any extinction. An end is infinite if the end
-/// entry has extinction; the range is (infinity, -infinity) if no entry has.
-std::array<double, 2> VisibleValues(const OpticalTable& table);
 
 }
 

@@ -15,12 +15,6 @@
 namespace varimarch
 {
 
-struct ValueRange
-{
-  double lower;
-  double upper;
-};
-
 /// Light along the part of a ray in one cell, over u in [0, 1].
 struct PieceLight
 {

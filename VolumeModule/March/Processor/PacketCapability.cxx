@@ -102,8 +102,8 @@ bool IsPlain(const ScalarTexels& texels, vtkDataArray* array)
     return areFew || PacketVoxelTypeOf(array);
   }
   constexpr double Large = 1e15;
-  return texels.mapping.offset == 0.0 && texels.mapping.scale <= Large &&
-    texels.mapping.scale >= 1.0 / Large;
+  const double farthest = std::max(-texels.smallestScalar, texels.largestScalar);
+  return texels.mapping.offset == 0.0 && farthest <= Large && texels.mapping.scale >= 1.0 / Large;
 }
 
 bool HasPlainValues(const VolumeResources& volume)

@@ -1,0 +1,205 @@
+#include "Core/Look/OpticalTable.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Interpolation between entries is linear in extinction, not in opacity, and rounds off a node that
+// lies between two entries.
+constexpr double EntriesPerNodeGap = 32.0;
+
+/// A power of two with enough entries between neighbouring nodes, within the limits.
+/// @param finest  the width of the ramp that replaces a step
+std::size_t EntryCount(
+  double length, double finest, const TransferFunction& transferFunction, std::size_t mostEntries)
+{
+  // A ramp moves an opaque surface; more entries move it less. Fewer than usual suffice if nothing
+  // but the step changes: in finer ones, the rounding of an index would cross it.
+  const bool step = transferFunction.HasStep();
+  const double wanted =
+    step ? length / finest : EntriesPerNodeGap * length / transferFunction.SmallestNodeGap();
+  std::size_t count = step ? 2 : 1024;
+  while (double(count) < wanted && 2 * count <= mostEntries)
+  {
+    count *= 2;
+  }
+  return std::max<std::size_t>(std::min(count, mostEntries), 2);
+}
+
+/// True if three nodes in a range lie between two entries that are much farther apart. Two nodes
+/// are a step, and three that are not so close are a peak.
+/// @param gap  the distance of the entries
+bool MissesCurve(const TransferFunction& transferFunction, ValueRange range, double gap)
+{
+  constexpr double MuchFarther = 256.0;
+  std::vector<double> nodes = transferFunction.NodeValues();
+  const auto isOutside = [&](double value) { return value < range.lower || range.upper < value; };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), isOutside), nodes.end());
+  for (std::size_t i = 2; i < nodes.size(); ++i)
+  {
+    if (MuchFarther * (nodes[i] - nodes[i - 2]) < gap)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The part of a range of values in which a function changes; it is empty if nothing changes there.
+/// @param finest  the width of the ramp that replaces a step
+ValueRange TableRange(const TransferFunction& transferFunction, ValueRange values, double finest)
+{
+  const ValueRange nothing{ values.lower, values.lower };
+  const ValueRange changing = transferFunction.ChangingValues().value_or(nothing);
+  // A step at the end needs one more entry.
+  const double end =
+    transferFunction.HasStepAt(changing.upper) ? changing.upper + finest : changing.upper;
+  return { std::max(values.lower, changing.lower), std::min(values.upper, end) };
+}
+
+glm::vec4 OpticalEntry(const TransferFunction& transferFunction, double value)
+{
+  const double extinction = std::min(transferFunction.Extinction(value), double(OpaqueExtinction));
+  return glm::vec4(transferFunction.Color(value), extinction);
+}
+
+/// The values in (lower, upper) at which the opacity has nodes, each once.
+std::vector<double> OpacityNodesIn(
+  const TransferFunction& transferFunction, double lower, double upper)
+{
+  std::vector<double> values;
+  for (const OpacityNode& node : transferFunction.Opacities())
+  {
+    const bool known = !values.empty() && values.back() == node.value;
+    if (lower < node.value && node.value < upper && !known)
+    {
+      values.push_back(node.value);
+    }
+  }
+  return values;
+}
+
+/// True if the curve is opaque at a value but on neither side of it, as at the tip of a tent. Such
+/// a value transmits light: the extinction next to it grows like a logarithm, whose integral is
+/// finite.
+bool IsOpaqueInPassing(const TransferFunction& transferFunction, double value, double gap)
+{
+  return std::isinf(transferFunction.Extinction(value)) &&
+    !std::isinf(transferFunction.Extinction(value - gap)) &&
+    !std::isinf(transferFunction.Extinction(value + gap));
+}
+
+/// The entry at a value of a table whose entries are `gap` apart. If several nodes lie within one
+/// entry on either side, a sample would miss what is between them, and a sample at an opaque tip
+/// would be a wall. The entry is then the mean under its hat function, which preserves the
+/// integral.
+glm::vec4 EntryAt(const TransferFunction& transferFunction, double value, double gap)
+{
+  std::vector<double> ends = OpacityNodesIn(transferFunction, value - gap, value + gap);
+  if (ends.size() < 2 && !IsOpaqueInPassing(transferFunction, value, gap))
+  {
+    return OpticalEntry(transferFunction, value);
+  }
+  ends.insert(ends.begin(), value - gap);
+  ends.push_back(value + gap);
+  constexpr int Points = 32; // samples between neighbouring nodes
+  double extinction = 0.0;
+  glm::dvec3 emission(0.0);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+  {
+    const double width = (ends[i + 1] - ends[i]) / Points;
+    for (int point = 0; point < Points; ++point)
+    {
+      const double place = ends[i] + (point + 0.5) * width;
+      const double weight = (1.0 - std::abs(place - value) / gap) * width / gap;
+      const glm::dvec4 sample(OpticalEntry(transferFunction, place));
+      extinction += weight * sample.a;
+      emission += weight * sample.a * glm::dvec3(sample);
+    }
+  }
+  const glm::dvec3 color = extinction > 0.0 ? emission / extinction : transferFunction.Color(value);
+  return glm::vec4(color, extinction);
+}
+
+}
+
+OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
+  double largestValue, std::size_t mostEntries)
+{
+  if (!(smallestValue <= largestValue && std::isfinite(smallestValue) &&
+        std::isfinite(largestValue)))
+  {
+    throw std::invalid_argument("Optical table: the range of values must be finite and not "
+                                "reversed, found " +
+      std::to_string(smallestValue) + " to " + std::to_string(largestValue));
+  }
+
+  const double finest = largestValue / mostEntries - smallestValue / mostEntries;
+  const auto [first, last] = TableRange(transferFunction, { smallestValue, largestValue }, finest);
+  if (!(last - first > SmallestDifference))
+  {
+    const glm::vec4 everywhere = OpticalEntry(transferFunction, smallestValue);
+    return { smallestValue, largestValue, { everywhere, everywhere } };
+  }
+
+  const std::size_t count = EntryCount(last - first, finest, transferFunction, mostEntries);
+  const double gap = (last - first) / double(count - 1);
+  OpticalTable table{ first, last, std::vector<glm::vec4>(count),
+    MissesCurve(transferFunction, { first, last }, gap) };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
+    [&, lower = first, upper = last](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        const double fraction = double(i) / double(count - 1);
+        table.entries[i] =
+          EntryAt(transferFunction, (1.0 - fraction) * lower + fraction * upper, gap);
+      }
+    });
+  return table;
+}
+
+IndexInTable IndexOf(
+  const OpticalTable& table, double lastIndex, double valueScale, double valueOffset)
+{
+  constexpr double Most = 1e30;
+  const double extent = table.lastValue - table.firstValue;
+  const double indexPerValue = extent > SmallestDifference ? lastIndex / extent : 0.0;
+  return { std::min(valueScale * indexPerValue, Most),
+    std::clamp((valueOffset - table.firstValue) * indexPerValue, -Most, Most) };
+}
+
+std::array<double, 2> VisibleValues(const OpticalTable& table)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto absorbs = [](const glm::vec4& entry) { return entry.a > 0.0f; };
+  const auto first = std::find_if(table.entries.begin(), table.entries.end(), absorbs);
+  if (first == table.entries.end())
+  {
+    return { infinity, -infinity };
+  }
+  const auto behindLast =
+    std::find_if(table.entries.rbegin(), table.entries.rend(), absorbs).base();
+  const auto valueAt = [&](auto entry)
+  {
+    const double fraction =
+      double(entry - table.entries.begin()) / double(table.entries.size() - 1);
+    return (1.0 - fraction) * table.firstValue + fraction * table.lastValue;
+  };
+  return { first == table.entries.begin() ? -infinity : valueAt(first - 1),
+    behindLast == table.entries.end() ? infinity : valueAt(behindLast) };
+}
+
+}

@@ -1,0 +1,64 @@
+#ifndef Varimarch_Core_Look_OpticalTable_h
+#define Varimarch_Core_Look_OpticalTable_h
+
+#include "Core/Look/TransferFunction.h"
+
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace varimarch
+{
+
+/// Colour and extinction at equidistant values, for linear interpolation between entries. Entry i
+/// holds (r, g, b, extinction [1/mm]) at firstValue + i * (lastValue - firstValue) / (entries - 1);
+/// the end entries hold for all values beyond. If firstValue equals lastValue, all entries are
+/// equal. An opaque value has OpaqueExtinction, which is finite, so that it can be multiplied by
+/// zero and interpolated without a NaN.
+struct OpticalTable
+{
+  double firstValue;
+  double lastValue;
+  std::vector<glm::vec4> entries; ///< at least two
+  /// True if the function has a whole curve between two entries, which are hundreds of times as far
+  /// apart: the table then has only its mean.
+  bool missesCurve = false;
+};
+
+/// Extinction of opaque values [1/mm]. Large enough that the thinnest segment is opaque, and small
+/// enough that its product with any length fits a float.
+constexpr float OpaqueExtinction = 1e30f;
+
+/// Samples a transfer function over the part of [smallestValue, largestValue] in which it changes,
+/// on all cores. The number of entries is a power of two, from 1024 to `mostEntries`, with at least
+/// 32 between neighbouring nodes. A step becomes a ramp one entry wide; a function with a step has
+/// as many entries as fit if [smallestValue, largestValue] has `mostEntries`. There are two entries
+/// if nothing changes. A peak between two entries becomes one entry wide and keeps its integral of
+/// extinction over the values.
+/// @throws std::invalid_argument unless both values are finite and smallestValue <= largestValue
+OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
+  double largestValue, std::size_t mostEntries = 65536);
+
+/// A scalar's index in a table is scalar * scale + bias.
+struct IndexInTable
+{
+  double scale;
+  double bias;
+};
+
+/// The index of scalars that stand for the values scalar * valueScale + valueOffset; 0 in a table
+/// whose first value is its last. Scale and bias are limited, so that the index of no scalar is NaN
+/// in floats.
+/// @param lastIndex  index of the table's last value
+IndexInTable IndexOf(
+  const OpticalTable& table, double lastIndex, double valueScale = 1.0, double valueOffset = 0.0);
+
+/// The open range of values in which a table has any extinction. An end is infinite if the end
+/// entry has extinction; the range is (infinity, -infinity) if no entry has.
+std::array<double, 2> VisibleValues(const OpticalTable& table);
+
+}
+
+#endif

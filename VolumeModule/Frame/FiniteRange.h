@@ -1,0 +1,16 @@
+#ifndef Varimarch_Frame_FiniteRange_h
+#define Varimarch_Frame_FiniteRange_h
+
+#include "Core/Look/ValueRange.h"
+#include "Frame/VoxelInput.h"
+
+namespace varimarch
+{
+
+/// The range of the finite values of a component, none if there are none. Reads the voxels on all
+/// cores, which takes a small part of the time of vtkDataArray::GetFiniteRange.
+ValueRange FiniteRangeOf(const VoxelComponent& component);
+
+}
+
+#endif

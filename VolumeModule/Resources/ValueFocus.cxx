@@ -1,0 +1,106 @@
+#include "Resources/ValueFocus.h"
+
+#include "Resources/MaterialTables.h"
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+using OptionalRange = std::optional<ValueRange>;
+
+// As many widths of the values that matter are told apart on either side of them, so that an edit
+// of a transfer function seldom needs another format.
+constexpr double WidthsBeside = 16.0;
+
+// Texels of floats have full precision down to this part of the largest, squares of their
+// differences included.
+constexpr double LeastOfTexels = 1.0 / LargestTexel;
+
+OptionalRange Both(const OptionalRange& one, const OptionalRange& other)
+{
+  return !one || !other
+    ? (one ? one : other)
+    : ValueRange{ std::min(one->lower, other->lower), std::max(one->upper, other->upper) };
+}
+
+ValueRange Widened(const ValueRange& range, double beside)
+{
+  return { range.lower - beside, range.upper + beside };
+}
+
+std::vector<OptionalRange> ValuesOfFunctions(const Frame& frame)
+{
+  std::vector<OptionalRange> values(frame.voxels.components.size());
+  for (const MaterialTable& table : MaterialTablesOf(frame.material.property, frame.settings))
+  {
+    OptionalRange& ofComponent = values[table.component];
+    ofComponent = Both(ofComponent, table.transferFunction.ChangingValues());
+  }
+  return values;
+}
+
+}
+
+std::vector<OptionalRange> ValuesThatMatter(const Frame& frame)
+{
+  const std::size_t count = frame.voxels.components.size();
+  const MaterialRequest& material = frame.material;
+  if (frame.settings.functionOf != FunctionOf::Value || frame.settings.blend == Blend::Additive)
+  {
+    return std::vector<OptionalRange>(count);
+  }
+  switch (frame.settings.blend)
+  {
+    case Blend::AverageIntensity:
+      return std::vector<OptionalRange>(
+        count, ValueRange{ material.averagedRange[0], material.averagedRange[1] });
+    case Blend::Isosurface:
+      return std::vector<OptionalRange>(
+        count, ValueRange{ material.isovalues.front(), material.isovalues.back() });
+    default:
+      return ValuesOfFunctions(frame);
+  }
+}
+
+std::vector<double> ValueInputs(const Frame& frame)
+{
+  std::vector<double> inputs = MaterialTableInputs(frame.material.property, frame.settings);
+  inputs.push_back(double(frame.settings.blend));
+  inputs.insert(inputs.end(), { frame.material.averagedRange[0], frame.material.averagedRange[1] });
+  inputs.insert(inputs.end(), frame.material.isovalues.begin(), frame.material.isovalues.end());
+  return inputs;
+}
+
+ValueRange NearValues(const ValueRange& all, const OptionalRange& thatMatter)
+{
+  const ValueRange matter = thatMatter ? thatMatter->And(all) : ValueRange{ 1.0, 0.0 };
+  return matter.IsEmpty() ? all : Widened(matter, WidthsBeside * WidthOf(matter)).And(all);
+}
+
+ScalarTexels Focused(
+  const ScalarTexels& all, const ScalarTexels& present, const OptionalRange& thatMatter)
+{
+  const ValueRange matter = thatMatter ? thatMatter->And(all.resolved) : ValueRange{ 1.0, 0.0 };
+  if (all.normalized || matter.IsEmpty() || !ReachFarBeyond(all.resolved, matter))
+  {
+    return all;
+  }
+  if (present.resolved.Contains(matter) && !ReachFarBeyond(present.resolved, matter))
+  {
+    return present;
+  }
+  ScalarTexels focused = all;
+  const double width = WidthOf(matter);
+  focused.resolved = NearValues(all.resolved, matter);
+  if (LeastOfTexels * all.resolved.Width() > width)
+  {
+    focused.mapping = FloatMapping(focused.resolved.lower, focused.resolved.upper);
+  }
+  return focused;
+}
+
+}

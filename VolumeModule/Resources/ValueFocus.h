@@ -1,0 +1,32 @@
+#ifndef Varimarch_Resources_ValueFocus_h
+#define Varimarch_Resources_ValueFocus_h
+
+#include "Frame/Frame.h"
+#include "Resources/VolumeTexture.h"
+
+#include <optional>
+#include <vector>
+
+namespace varimarch
+{
+
+/// The values of each component between which its look changes; none if all values matter.
+std::vector<std::optional<ValueRange>> ValuesThatMatter(const Frame& frame);
+
+/// Everything in a frame that these depend on.
+std::vector<double> ValueInputs(const Frame& frame);
+
+/// The part of a range that lies within some widths of the values that matter; all of it if no
+/// value does.
+ValueRange NearValues(const ValueRange& all, const std::optional<ValueRange>& thatMatter);
+
+/// A texel format whose tables, fields and texels tell apart the values that matter, although other
+/// values, such as a fill value, may be very far away. The present format is kept if it does that,
+/// because another one costs an upload.
+/// @param all  the format of all values of a component
+ScalarTexels Focused(const ScalarTexels& all, const ScalarTexels& present,
+  const std::optional<ValueRange>& thatMatter);
+
+}
+
+#endif
