@@ -101,12 +101,15 @@ std::vector<std::string> RecipeOf(const Frame& frame)
   return FragmentShaderParts(settings);
 }
 
-// The inputs of a volume that the integration rule depends on, besides its recipe.
-std::vector<double> RuleInputsOf(const VolumeMarch& march, const VolumeBuilds& builds)
+// The inputs of a volume that the integration rule depends on, besides its recipe and voxels.
+std::vector<double> RuleInputsOf(const VolumeMarch& march)
 {
-  return { double(builds.volumeTexture), double(builds.opticalTable), double(march.plan.marcher),
-    double(march.plan.choosesIntegration), double(march.settings.integration),
-    march.plan.budget.StepTolerance(), march.frame.geometry.SmallestSpacingMm() };
+  std::vector<double> inputs = MaterialTableInputs(march.frame.material.property, march.settings);
+  inputs.insert(inputs.end(),
+    { double(march.plan.marcher), double(march.plan.choosesIntegration),
+      double(march.settings.integration), march.plan.budget.StepTolerance(),
+      march.frame.geometry.SmallestSpacingMm() });
+  return inputs;
 }
 
 // The inputs of a volume that the image depends on in any view, besides those of the rule.
@@ -150,7 +153,8 @@ void ToleranceInputs::Add(const VolumeMarch& march, const VolumeBuilds& builds)
   const auto append = [](auto& inputs, const auto& more)
   { inputs.insert(inputs.end(), more.begin(), more.end()); };
   append(this->recipe, RecipeOf(march.frame));
-  append(this->rule, RuleInputsOf(march, builds));
+  append(this->rule, RuleInputsOf(march));
+  this->voxels.push_back(builds.volumeTexture);
   append(this->scene, SceneInputsOf(march));
   this->view.push_back(CornersOf(march.frame.geometry.boxGrid,
     ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid));
@@ -164,6 +168,10 @@ void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& vo
   if (BeginsPicture(march.plan.pass))
   {
     this->viewRests = inputs.view == this->view;
+    const bool areNew = !this->voxels.empty() && inputs.voxels != this->voxels;
+    this->isSeries = areNew && this->voxelsWereNew;
+    this->voxelsWereNew = areNew;
+    this->voxels = inputs.voxels;
   }
   this->view = inputs.view;
   const bool serves = this->choice &&
@@ -223,11 +231,13 @@ FoundSteps ToleranceSearch::Trial::Find(
 ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs& inputs) const
 {
   // Each search begins at the same distance, so that its result does not depend on the previous
-  // one.
-  const double firstMm = SmallestSpacingMm(trial.march.frame);
+  // one. While every image has new voxels, it begins at the previous result to save trial images.
+  const bool hasRule = this->choice && this->choice->inputs.HasRuleOf(inputs);
+  const double firstMm = hasRule && this->isSeries ? this->choice->step.sampleDistance
+                                                   : SmallestSpacingMm(trial.march.frame);
   // The rule is chosen again only for another transfer function or volume, not while a camera
   // moves.
-  if (this->choice && this->choice->inputs.HasRuleOf(inputs))
+  if (hasRule && (this->isSeries || this->choice->inputs.voxels == inputs.voxels))
   {
     const Integration integration = this->choice->integration;
     return WithMissed({ inputs, integration, trial.Find(integration, firstMm).choice },

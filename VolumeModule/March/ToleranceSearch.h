@@ -19,7 +19,8 @@ namespace varimarch
 struct ToleranceInputs
 {
   std::vector<std::string> recipe; ///< The shader files of the request.
-  std::vector<double> rule;        ///< Other inputs of the choice of the integration rule.
+  std::vector<double> rule;        ///< Other inputs of the choice of the rule, without voxels.
+  std::vector<int> voxels;         ///< The build number of the voxels of each volume.
   std::vector<double> scene;       ///< Other inputs of the image in any view.
   std::vector<CornersClip> view;   ///< The corners of the volumes in the view.
 
@@ -32,7 +33,7 @@ struct ToleranceInputs
   }
   bool HasSceneOf(const ToleranceInputs& other) const
   {
-    return this->HasRuleOf(other) && this->scene == other.scene;
+    return this->HasRuleOf(other) && this->voxels == other.voxels && this->scene == other.scene;
   }
   bool operator==(const ToleranceInputs& other) const
   {
@@ -102,6 +103,9 @@ private:
   std::optional<ToleranceChoice> choice;
   std::vector<CornersClip> view; ///< The view of the last image with a tolerance.
   bool viewRests = false;        ///< True if the previous image had the same view.
+  std::vector<int> voxels;       ///< The build numbers of the voxels of the last image.
+  bool voxelsWereNew = false;    ///< True if they were not those of the image before it.
+  bool isSeries = false;         ///< True if the last two images had new voxels.
   int searches = 0;
 };
 
