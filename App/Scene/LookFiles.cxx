@@ -13,8 +13,8 @@
 #include "Scene/SceneFile.h"
 
 #include <nlohmann/json.hpp>
+#include <vtksys/SystemTools.hxx>
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -138,25 +138,17 @@ const std::vector<Row>& Table()
   return table;
 }
 
-std::string LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char letter) { return char(std::tolower(letter)); });
-  return text;
-}
-
 // Our own format if the name has no known extension.
 const Row& RowOf(const std::string& path)
 {
-  const std::string name = LowerCase(std::filesystem::path(path).filename().string());
+  const std::string name =
+    vtksys::SystemTools::LowerCase(std::filesystem::path(path).filename().string());
   const Row* best = &Table().front();
   std::size_t length = 0;
   for (const Row& row : Table())
   {
     const std::string& ending = row.format.extension;
-    const bool has = name.size() >= ending.size() &&
-      name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-    if (has && ending.size() > length)
+    if (vtksys::SystemTools::StringEndsWith(name, ending.c_str()) && ending.size() > length)
     {
       best = &row;
       length = ending.size();

@@ -8,9 +8,8 @@
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 #include <vtkVolumeFileReader.h>
+#include <vtksys/SystemTools.hxx>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
@@ -148,9 +147,7 @@ LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer
 bool MayHoldSeveralSeries(const FileSource& source)
 {
   const std::filesystem::path path = source.path;
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char letter) { return char(std::tolower(letter)); });
+  const std::string name = vtksys::SystemTools::LowerCase(path.filename().string());
   const char* const format = vtkVolumeFileReader::GetFormatOfFile(source.path.c_str());
   const bool isArchive = format && format == std::string("archive");
   return source.series.empty() &&

@@ -8,6 +8,8 @@
 #include "Readers/Rectify.h"
 #include "Readers/Unpacked.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -100,7 +102,7 @@ const std::vector<VolumeFormat> formats = {
   { "DICOM", "DICOM images", { ".dcm", ".dicom", ".ima" }, IsDicom, ReadDicom, HoldsDicom },
   { "InVesalius", "InVesalius projects", { ".inv3" }, IsNever, ReadInv3, HoldsInv3 },
   { "TIFF", "TIFF images", { ".tif", ".tiff", ".btf", ".tf8" }, IsTiff, ReadTiff },
-  { "pictures", "Stacks of pictures", { ".png", ".jpg", ".jpeg", ".bmp" }, IsStackSlice,
+  { "image stack", "Stacks of images", { ".png", ".jpg", ".jpeg", ".bmp" }, IsStackSlice,
     ReadImageStack, HoldsPictures },
   { "NumPy", "NumPy arrays", { ".npy" }, IsNpy, ReadNpy, nullptr, decompresses },
   { "MGH", "FreeSurfer images", { ".mgh", ".mgz", ".mgh.gz" }, IsMgh, ReadMgh, nullptr,
@@ -124,11 +126,6 @@ const std::vector<VolumeFormat> formats = {
   { "raw", "Raw voxels", { ".raw", ".raw.gz" }, nullptr, ReadRaw, nullptr, decompresses },
 };
 
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 const VolumeFormat* FormatOfName(const std::string& path)
 {
   const std::string name = LowerCase(std::filesystem::path(path).filename());
@@ -136,7 +133,7 @@ const VolumeFormat* FormatOfName(const std::string& path)
   {
     for (const std::string& extension : format.extensions)
     {
-      if (EndsWith(name, extension))
+      if (vtksys::SystemTools::StringEndsWith(name, extension.c_str()))
       {
         return &format;
       }
@@ -165,16 +162,15 @@ const VolumeFormat* FormatOfReader(decltype(VolumeFormat::read) read)
     formats.begin(), formats.end(), [&](const VolumeFormat& row) { return row.read == read; });
 }
 
-/// A list such as "NRRD, MetaImage or DICOM".
+/// A list such as "NRRD, MetaImage or raw", without the rows for voxels beside a header.
 std::string FormatNames()
 {
   std::string names;
   for (const VolumeFormat& format : formats)
   {
-    const bool isLast = &format == &formats.back();
-    names += std::string(names.empty() ? "" : isLast ? " or " : ", ") + format.name;
+    names += format.recognises ? std::string(format.name) + ", " : "";
   }
-  return names;
+  return names.substr(0, names.size() - 2) + " or " + formats.back().name;
 }
 
 /// The format whose reader explains best what is wrong with a file that no signature matches: that

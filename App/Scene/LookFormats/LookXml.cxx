@@ -6,9 +6,8 @@
 #include <vtkCommand.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
+#include <vtksys/SystemTools.hxx>
 
-#include <algorithm>
-#include <cctype>
 #include <sstream>
 
 namespace varimarch
@@ -17,18 +16,10 @@ namespace varimarch
 namespace
 {
 
-std::string LowerCaseName(vtkXMLDataElement* element)
-{
-  std::string name = element->GetName() ? element->GetName() : "";
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char letter) { return char(std::tolower(letter)); });
-  return name;
-}
-
 void Collect(
   vtkXMLDataElement* element, const std::string& name, std::vector<vtkXMLDataElement*>& found)
 {
-  if (LowerCaseName(element) == name)
+  if (vtksys::SystemTools::LowerCase(element->GetName() ? element->GetName() : "") == name)
   {
     found.push_back(element);
   }

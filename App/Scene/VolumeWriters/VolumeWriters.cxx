@@ -2,8 +2,9 @@
 
 #include "Scene/OutputFile.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
@@ -24,15 +25,7 @@ const std::vector<VolumeWriter> writers = {
 
 std::string LowerName(const std::string& path)
 {
-  std::string name = std::filesystem::path(path).filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char letter) { return char(std::tolower(letter)); });
-  return name;
-}
-
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+  return vtksys::SystemTools::LowerCase(std::filesystem::path(path).filename().string());
 }
 
 }
@@ -49,7 +42,8 @@ const VolumeWriter* WriterFor(const std::string& path)
     [&](const VolumeWriter& row)
     {
       return std::any_of(row.extensions.begin(), row.extensions.end(),
-        [&](const std::string& extension) { return EndsWith(name, extension); });
+        [&](const std::string& extension)
+        { return vtksys::SystemTools::StringEndsWith(name, extension.c_str()); });
     });
   return writer == writers.end() ? nullptr : &*writer;
 }
@@ -61,7 +55,7 @@ std::vector<std::string> WriteVolume(const LoadedVolume& volume, const std::stri
   {
     throw std::runtime_error(path + ": no format that can be written has this extension");
   }
-  const bool isCompressed = EndsWith(LowerName(path), ".gz");
+  const bool isCompressed = vtksys::SystemTools::StringEndsWith(LowerName(path), ".gz");
   WriteFileWhole(
     path, [&](const std::string& part) { return writer->write(volume, part, isCompressed); });
   return *writer->loss ? std::vector<std::string>{ writer->loss } : std::vector<std::string>();

@@ -1,5 +1,6 @@
 #include "Readers/Dicom/Grouping.h"
 
+#include "Core/Quality/Percentile.h"
 #include "Readers/Dicom/Differences.h"
 
 #include <glm/geometric.hpp>
@@ -278,9 +279,7 @@ double UsualDistanceMm(const std::vector<double>& heightsMm)
   std::vector<double> gaps(heightsMm.size());
   std::adjacent_difference(heightsMm.begin(), heightsMm.end(), gaps.begin());
   gaps.erase(gaps.begin());
-  const auto middle = gaps.begin() + std::ptrdiff_t((gaps.size() - 1) / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  return *middle;
+  return Percentile(gaps, 0.5);
 }
 
 DicomSlices ChooseSlices(std::vector<DicomFrame> frames, std::vector<std::string>& warnings)

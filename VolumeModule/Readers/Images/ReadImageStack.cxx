@@ -1,4 +1,4 @@
-// Stacks of pictures: one file per slice, in a folder, in the natural order of their names.
+// Stacks of images: one file per slice, in a folder, in the natural order of their names.
 #include "Readers/ByteStream.h"
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
