@@ -21,7 +21,7 @@ namespace varimarch
 namespace
 {
 
-// As in the preset pet-maximum.
+// The part of the range of a PET scan that its slices and the preset pet-maximum show.
 constexpr double PetPartShown = 0.5;
 
 glm::dvec3 IndexOf(const glm::dvec3& pointWorld, vtkImageData* image)

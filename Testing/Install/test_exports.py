@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 # Instances of the standard library's templates: its headers make them visible, in every C++ library.
-# So are the type descriptions of functions that std::function and std::shared_ptr keep.
+# The type descriptions of functions, which std::function and std::shared_ptr keep, are visible too.
 STANDARD_LIBRARY = re.compile(r"_Z(T[ISTV]|GV)?Z?(NK?)?(St|9__gnu_cxx)|_ZT[IS]P?F")
 LINKER = {"__bss_start", "_edata", "_end"}
 

@@ -1,4 +1,4 @@
-// Several windows without a display, and a window where it cannot draw.
+// Windows without a display show one volume together, and explain why they cannot draw.
 
 #include "Module/HomogeneousScene.h"
 #include "Support/ExpectedVtkErrors.h"

@@ -12,8 +12,8 @@ namespace
 
 using OptionalRange = std::optional<ValueRange>;
 
-// As many widths of the values that matter are told apart on either side of them, so that an edit
-// of a transfer function seldom needs another format.
+// The number of widths of the values that matter by which a format reaches beyond them on either
+// side, so that an edit of a transfer function seldom needs another format.
 constexpr double WidthsBeside = 16.0;
 
 // Texels of floats have full precision down to this part of the largest, squares of their
@@ -25,11 +25,6 @@ OptionalRange Both(const OptionalRange& one, const OptionalRange& other)
   return !one || !other
     ? (one ? one : other)
     : ValueRange{ std::min(one->lower, other->lower), std::max(one->upper, other->upper) };
-}
-
-ValueRange Widened(const ValueRange& range, double beside)
-{
-  return { range.lower - beside, range.upper + beside };
 }
 
 std::vector<OptionalRange> ValuesOfFunctions(const Frame& frame)
@@ -78,7 +73,12 @@ std::vector<double> ValueInputs(const Frame& frame)
 ValueRange NearValues(const ValueRange& all, const OptionalRange& thatMatter)
 {
   const ValueRange matter = thatMatter ? thatMatter->And(all) : ValueRange{ 1.0, 0.0 };
-  return matter.IsEmpty() ? all : Widened(matter, WidthsBeside * WidthOf(matter)).And(all);
+  if (matter.IsEmpty())
+  {
+    return all;
+  }
+  const double besideMatter = WidthsBeside * WidthOf(matter);
+  return ValueRange{ matter.lower - besideMatter, matter.upper + besideMatter }.And(all);
 }
 
 ScalarTexels Focused(

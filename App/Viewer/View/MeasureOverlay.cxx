@@ -70,7 +70,7 @@ private:
   std::vector<Label> labels;
 };
 
-// Beside a position, below the labels that are in the way, and within the image.
+// The place of a label: beside a position, below other labels, and within the image.
 QRectF MeasurePainter::PlaceOf(const QPointF& beside, const QSizeF& size) const
 {
   const QSizeF room = this->frame.size - size - QSizeF(4.0, 4.0);
