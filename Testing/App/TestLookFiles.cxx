@@ -285,7 +285,8 @@ TEST_F(LookFiles, LabelTablesColourSingleValues)
     const TransferFunction function(look.colors, look.opacities, look.opacityUnitDistanceMm);
     EXPECT_EQ(function.Opacity(0.0), 0.0);
     EXPECT_EQ(function.Opacity(1.0), 0.0);
-    EXPECT_EQ(function.Opacity(2.0), 1.0);
+    EXPECT_EQ(function.Opacity(1.75), 1.0);
+    EXPECT_EQ(function.Opacity(2.25), 1.0);
     EXPECT_EQ(function.Color(2.25), glm::dvec3(221.0, 130.0, 101.0) / 255.0);
     EXPECT_EQ(function.Opacity(3.0), 0.0);
   }
