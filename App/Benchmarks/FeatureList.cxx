@@ -58,7 +58,7 @@ void ShadeOn(Stage stage)
   PropertyOf(stage)->ShadeOn();
 }
 
-void Composite(Stage stage)
+void CompositeOn(Stage stage)
 {
   stage.mapper->SetBlendModeToComposite();
 }
@@ -68,7 +68,7 @@ Feature::Switch BlendMode(int mode)
   return [mode](Stage stage) { stage.mapper->SetBlendMode(mode); };
 }
 
-void Isosurface(Stage stage)
+void IsosurfaceOn(Stage stage)
 {
   PropertyOf(stage)->GetIsoSurfaceValues()->SetValue(0, ScalarAt(stage, 0.4));
   stage.mapper->SetBlendModeToIsoSurface();
@@ -330,12 +330,12 @@ const std::vector<Feature>& Features()
     { "damping", "shading", ShadeOn, DampingOn, DampingOff, false },
     { "cubic", "composite", ShadeOff, CubicOn, CubicOff, false },
     { "cubic-shaded", "shading", ShadeOn, CubicOn, CubicOff, false },
-    { "maximum", "composite", ShadeOff, BlendMode(Mapper::MAXIMUM_INTENSITY_BLEND), Composite },
-    { "minimum", "composite", ShadeOff, BlendMode(Mapper::MINIMUM_INTENSITY_BLEND), Composite },
-    { "average", "composite", ShadeOff, BlendMode(Mapper::AVERAGE_INTENSITY_BLEND), Composite },
-    { "additive", "composite", ShadeOff, BlendMode(Mapper::ADDITIVE_BLEND), Composite },
-    { "isosurface", "shading", ShadeOn, Isosurface, Composite },
-    { "slice", "composite", ShadeOff, SliceAcross, Composite },
+    { "maximum", "composite", ShadeOff, BlendMode(Mapper::MAXIMUM_INTENSITY_BLEND), CompositeOn },
+    { "minimum", "composite", ShadeOff, BlendMode(Mapper::MINIMUM_INTENSITY_BLEND), CompositeOn },
+    { "average", "composite", ShadeOff, BlendMode(Mapper::AVERAGE_INTENSITY_BLEND), CompositeOn },
+    { "additive", "composite", ShadeOff, BlendMode(Mapper::ADDITIVE_BLEND), CompositeOn },
+    { "isosurface", "shading", ShadeOn, IsosurfaceOn, CompositeOn },
+    { "slice", "composite", ShadeOff, SliceAcross, CompositeOn },
     { "cropping-box", "composite", ShadeOff, Cropping(VTK_CROP_SUBVOLUME), CroppingOff },
     { "cropping-fence", "composite", ShadeOff, Cropping(VTK_CROP_FENCE), CroppingOff },
     { "clipping", "composite", ShadeOff, ClippingOn, ClippingOff },

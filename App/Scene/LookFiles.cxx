@@ -109,7 +109,7 @@ std::string ParaViewText(const Look& look, const LookContext&)
   return ParaViewJson(look);
 }
 
-struct Row
+struct FormatRow
 {
   LookFileFormat format;
   Reader read;
@@ -117,9 +117,9 @@ struct Row
 };
 
 // The longest extension that a name ends with decides.
-const std::vector<Row>& Table()
+const std::vector<FormatRow>& FormatRows()
 {
-  static const std::vector<Row> table = {
+  static const std::vector<FormatRow> table = {
     { { "Looks", ".json", true }, ReadAnyJson, OwnText },
     { { "3D Slicer volume properties", ".vp.json", true }, ReadAnyJson, WriteLook<SlicerJson> },
     { { "3D Slicer volume properties, old", ".vp", true }, OneLook<LookFromSlicerText>,
@@ -139,13 +139,13 @@ const std::vector<Row>& Table()
 }
 
 // Our own format if the name has no known extension.
-const Row& RowOf(const std::string& path)
+const FormatRow& RowOf(const std::string& path)
 {
   const std::string name =
     vtksys::SystemTools::LowerCase(std::filesystem::path(path).filename().string());
-  const Row* best = &Table().front();
+  const FormatRow* best = &FormatRows().front();
   std::size_t length = 0;
-  for (const Row& row : Table())
+  for (const FormatRow& row : FormatRows())
   {
     const std::string& ending = row.format.extension;
     if (vtksys::SystemTools::StringEndsWith(name, ending.c_str()) && ending.size() > length)
@@ -180,7 +180,7 @@ const std::vector<LookFileFormat>& LookFileFormats()
   static const std::vector<LookFileFormat> formats = []
   {
     std::vector<LookFileFormat> list;
-    for (const Row& row : Table())
+    for (const FormatRow& row : FormatRows())
     {
       list.push_back(row.format);
     }
@@ -218,7 +218,7 @@ Preset ReadLook(const std::string& path, const std::string& name, const LookCont
 
 void WriteLookFile(const Preset& preset, const std::string& path, const LookContext& context)
 {
-  const Row& row = RowOf(path);
+  const FormatRow& row = RowOf(path);
   if (!row.write)
   {
     throw std::runtime_error("Cannot write " + path + ": " + row.format.description +

@@ -43,12 +43,12 @@ double EllipsoidDistance(glm::dvec3 offset, glm::dvec3 radii)
   return slope > 0.0 ? scaled * (scaled - 1.0) / slope : -std::min({ radii.x, radii.y, radii.z });
 }
 
-double Distance(const TorsoPhantom::Ellipsoid& ellipsoid, glm::dvec3 position)
+double DistanceMm(const TorsoPhantom::Ellipsoid& ellipsoid, glm::dvec3 position)
 {
   return EllipsoidDistance(position - ellipsoid.center, ellipsoid.radii);
 }
 
-double Distance(const TorsoPhantom::EllipticCylinder& cylinder, glm::dvec3 position)
+double DistanceMm(const TorsoPhantom::EllipticCylinder& cylinder, glm::dvec3 position)
 {
   const glm::dvec3 offset = position - cylinder.center;
   const double around =
@@ -56,7 +56,7 @@ double Distance(const TorsoPhantom::EllipticCylinder& cylinder, glm::dvec3 posit
   return std::max(around, std::abs(offset.z) - cylinder.radii.z);
 }
 
-double Distance(const TorsoPhantom::Capsule& capsule, glm::dvec3 position)
+double DistanceMm(const TorsoPhantom::Capsule& capsule, glm::dvec3 position)
 {
   const glm::dvec3 axis = capsule.end - capsule.start;
   const double along = glm::clamp(
@@ -101,7 +101,7 @@ public:
   {
     constexpr double ThinnestMm = 0.7;
     const glm::dvec3 end = start + direction * (5.0 + 4.5 * radius);
-    if (radius < ThinnestMm || Distance(this->lung, end) > 0.0)
+    if (radius < ThinnestMm || DistanceMm(this->lung, end) > 0.0)
     {
       return;
     }
@@ -162,7 +162,7 @@ std::vector<double> TorsoPhantom::Row(glm::dvec3 firstMm, double stepMm, int cou
     {
       const glm::dvec3 position(firstMm.x + i * stepMm, firstMm.y, firstMm.z);
       const double distance =
-        std::visit([&](const auto& shape) { return Distance(shape, position); }, solid.shape);
+        std::visit([&](const auto& shape) { return DistanceMm(shape, position); }, solid.shape);
       const double half = 0.5 * this->edgeWidthMm;
       row[i] = glm::mix(row[i], solid.hounsfield, 1.0 - glm::smoothstep(-half, half, distance));
     }

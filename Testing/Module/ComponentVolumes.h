@@ -49,7 +49,7 @@ inline void LookAlongZ(MapperScene& scene)
 }
 
 // Appearance of a component: a constant colour, and an opacity that rises from 0 with the value.
-struct Look
+struct ComponentLook
 {
   glm::dvec3 color;
   double lowest;
@@ -57,7 +57,7 @@ struct Look
   double opacity; ///< opacity at the highest value
 };
 
-inline void SetLook(vtkVolumeProperty* property, int component, const Look& look)
+inline void SetLook(vtkVolumeProperty* property, int component, const ComponentLook& look)
 {
   vtkNew<vtkColorTransferFunction> color;
   color->AddRGBPoint(0.0, look.color.r, look.color.g, look.color.b);
@@ -68,13 +68,13 @@ inline void SetLook(vtkVolumeProperty* property, int component, const Look& look
   property->SetScalarOpacity(component, opacity);
 }
 
-inline double OpacityOf(const Look& look, double value)
+inline double OpacityOf(const ComponentLook& look, double value)
 {
   const double part = (value - look.lowest) / (look.highest - look.lowest);
   return look.opacity * std::clamp(part, 0.0, 1.0);
 }
 
-inline const Look looks[] = { { { 1.0, 0.2, 0.1 }, 0.0, 100.0, 0.1 },
+inline const ComponentLook looks[] = { { { 1.0, 0.2, 0.1 }, 0.0, 100.0, 0.1 },
   { { 0.1, 0.9, 0.3 }, 20.0, 120.0, 0.2 }, { { 0.2, 0.3, 1.0 }, 10.0, 90.0, 0.15 },
   { { 0.9, 0.8, 0.1 }, 50.0, 150.0, 0.3 } };
 

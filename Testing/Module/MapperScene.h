@@ -23,6 +23,9 @@
 #include <string>
 #include <vector>
 
+/// Half of the step between two values of a picture with 8 bits.
+inline constexpr double HalfByteStep = 0.5 / 255.0;
+
 /// The larger error of two images in each measure.
 varimarch::ImageError LargerError(
   const std::vector<float>& one, const std::vector<float>& other, const std::vector<float>& truth);

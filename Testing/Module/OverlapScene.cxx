@@ -23,7 +23,7 @@ struct WorldMaterial
 {
   VolumeGeometry geometry;
   std::vector<double> voxels;
-  Look look;
+  ComponentLook look;
   bool nearest;
   bool shaded;
 
@@ -63,7 +63,7 @@ OverlapScene::OverlapScene(int size)
   camera->SetClippingRange(50.0, 150.0);
 }
 
-vtkVolume* OverlapScene::Add(int port, vtkImageData* image, const Look& look)
+vtkVolume* OverlapScene::Add(int port, vtkImageData* image, const ComponentLook& look)
 {
   Part part{ image, vtkSmartPointer<vtkVolume>::New(), look };
   SetLook(part.volume->GetProperty(), 0, look);

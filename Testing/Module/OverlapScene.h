@@ -19,7 +19,7 @@ public:
   explicit OverlapScene(int size = 32);
 
   /// Adds the volume of a port. Its property has the given look and linear interpolation.
-  vtkVolume* Add(int port, vtkImageData* image, const Look& look);
+  vtkVolume* Add(int port, vtkImageData* image, const ComponentLook& look);
   void Remove(int port);
 
   /// The image in float: premultiplied RGBA without the background, rendered by a shader or, where
@@ -45,7 +45,7 @@ private:
   {
     vtkSmartPointer<vtkImageData> image;
     vtkSmartPointer<vtkVolume> volume;
-    Look look;
+    ComponentLook look;
   };
   std::map<int, Part> parts; ///< by port
 };

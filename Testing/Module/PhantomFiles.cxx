@@ -1,4 +1,5 @@
 #include "PhantomFiles.h"
+#include "PhantomText.h"
 
 #include <vtkByteSwap.h>
 #include <vtkImageData.h>
@@ -18,7 +19,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <locale>
 #include <sstream>
 #include <stdexcept>
 
@@ -31,17 +31,6 @@ glm::dmat3 PhantomAxesMm()
 {
   const glm::dmat3 turn = glm::mat3_cast(glm::normalize(glm::dquat(0.9, 0.21, -0.13, 0.34)));
   return turn * glm::dmat3(0.7, 0, 0, 0, 1.1, 0, 0, 0, 2.5);
-}
-
-/// Text of numbers, independent of the locale and without rounding.
-template <class... Values>
-std::string Text(const Values&... values)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(17);
-  (text << ... << values);
-  return text.str();
 }
 
 std::string Vector(const glm::dvec3& v)

@@ -1,4 +1,5 @@
 #include "PhantomFormats.h"
+#include "PhantomText.h"
 
 #include <vtkByteSwap.h>
 #include <vtkSetGet.h>
@@ -7,22 +8,10 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <locale>
 #include <map>
-#include <sstream>
 
 namespace
 {
-
-template <class... Values>
-std::string Text(const Values&... values)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(17);
-  (text << ... << values);
-  return text.str();
-}
 
 /// The bytes of numbers of one type.
 template <class Number>

@@ -20,7 +20,7 @@ using namespace varimarch;
 namespace
 {
 
-constexpr int Size = 24;
+constexpr int AccumulatedSize = 24;
 
 // Makes bone opaque at once, so that its outline is sharp.
 void ShowAnEdge(MapperScene& scene)
@@ -36,18 +36,18 @@ void ShowAnEdge(MapperScene& scene)
 std::vector<float> SupersampledTruth(const std::function<void(MapperScene&)>& prepare)
 {
   constexpr int PerSide = 8;
-  MapperScene scene(SmallTorso(), PerSide * Size);
+  MapperScene scene(SmallTorso(), PerSide * AccumulatedSize);
   prepare(scene);
   const std::vector<float> fine = scene.Truth();
-  std::vector<float> mean(4 * Size * Size);
-  for (int row = 0; row < PerSide * Size; ++row)
+  std::vector<float> mean(4 * AccumulatedSize * AccumulatedSize);
+  for (int row = 0; row < PerSide * AccumulatedSize; ++row)
   {
-    for (int column = 0; column < PerSide * Size; ++column)
+    for (int column = 0; column < PerSide * AccumulatedSize; ++column)
     {
       for (int channel = 0; channel < 4; ++channel)
       {
-        mean[4 * (row / PerSide * Size + column / PerSide) + channel] +=
-          fine[4 * (row * PerSide * Size + column) + channel] / (PerSide * PerSide);
+        mean[4 * (row / PerSide * AccumulatedSize + column / PerSide) + channel] +=
+          fine[4 * (row * PerSide * AccumulatedSize + column) + channel] / (PerSide * PerSide);
       }
     }
   }
@@ -84,7 +84,7 @@ int PicturesAfter(MapperScene& scene, const std::function<void()>& change)
 TEST(AccumulatedPictures, TendToThePictureOfManyRaysPerPixel)
 {
   const std::vector<float> truth = SupersampledTruth(ShowAnEdge);
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), AccumulatedSize);
   ShowAnEdge(scene);
   const std::vector<float> alone = scene.Draw();
   scene.mapper->SetMaximumAccumulatedPictures(32);
@@ -106,7 +106,7 @@ TEST(AccumulatedPictures, SmoothTheFacesOfTheVolumeItself)
     scene.renderer->GetActiveCamera()->Zoom(0.6);
   };
   const std::vector<float> truth = SupersampledTruth(prepare);
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), AccumulatedSize);
   prepare(scene);
   const std::vector<float> alone = scene.Draw();
   scene.mapper->SetMaximumAccumulatedPictures(32);
@@ -116,7 +116,7 @@ TEST(AccumulatedPictures, SmoothTheFacesOfTheVolumeItself)
 
 TEST(AccumulatedPictures, BeginAnewWithAllThatChangesWhatIsSeen)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), AccumulatedSize);
   scene.volume->GetProperty()->ShadeOn();
   vtkNew<vtkSphereSource> sphere;
   vtkNew<vtkPolyDataMapper> surface;
@@ -155,7 +155,7 @@ TEST(AccumulatedPictures, BeginAnewWithAllThatChangesWhatIsSeen)
 
 TEST(AccumulatedPictures, GoOnWhereNothingIsChanged)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), AccumulatedSize);
   scene.mapper->SetMaximumAccumulatedPictures(4);
   EXPECT_EQ(PicturesAfter(scene, [&] { scene.renderer->ResetCameraClippingRange(); }), 3);
   scene.window->Render();
@@ -165,7 +165,7 @@ TEST(AccumulatedPictures, GoOnWhereNothingIsChanged)
 
 TEST(AccumulatedPictures, StandAloneWhileSomebodyInteracts)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), AccumulatedSize);
   scene.mapper->SetMaximumAccumulatedPictures(4);
   scene.window->SetDesiredUpdateRate(20.0);
   scene.window->Render();
@@ -175,7 +175,7 @@ TEST(AccumulatedPictures, StandAloneWhileSomebodyInteracts)
 
 TEST(AccumulatedPictures, TakeNothingWhenOff)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), AccumulatedSize);
   const std::vector<float> picture = scene.Draw();
   const vtkIdType bytes = scene.mapper->GetGraphicsMemoryBytes();
   const int shaders = scene.mapper->GetShaderBuilds();
@@ -183,7 +183,7 @@ TEST(AccumulatedPictures, TakeNothingWhenOff)
   EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 1);
   scene.mapper->SetMaximumAccumulatedPictures(2);
   scene.Draw();
-  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes + 16 * Size * Size);
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes + 16 * AccumulatedSize * AccumulatedSize);
   EXPECT_EQ(scene.mapper->GetShaderBuilds(), shaders + 1) << "the shader that averages frames";
   scene.mapper->SetMaximumAccumulatedPictures(1);
   EXPECT_EQ(scene.Draw(), picture);
@@ -193,7 +193,7 @@ TEST(AccumulatedPictures, TakeNothingWhenOff)
 // Even on a slow machine, each part of a frame is as short as possible.
 TEST(AccumulatedPictures, InPartsAreThePictureInTheEnd)
 {
-  MapperScene scene(SmallTorso(), 2 * Size);
+  MapperScene scene(SmallTorso(), 2 * AccumulatedSize);
   scene.volume->GetProperty()->ShadeOn();
   const std::vector<float> whole = scene.Draw();
   scene.mapper->SetLongestPartSeconds(1e-9);
@@ -221,7 +221,7 @@ TEST(AccumulatedPictures, InPartsHaveTheSameMean)
 {
   const auto meanOf = [](double longestPartSeconds)
   {
-    MapperScene scene(SmallTorso(), 2 * Size);
+    MapperScene scene(SmallTorso(), 2 * AccumulatedSize);
     ShowAnEdge(scene);
     scene.mapper->SetMaximumAccumulatedPictures(3);
     scene.mapper->SetLongestPartSeconds(longestPartSeconds);
@@ -232,7 +232,7 @@ TEST(AccumulatedPictures, InPartsHaveTheSameMean)
 
 TEST(AccumulatedPictures, InPartsAreDrawnAtOnceWhileSomebodyInteracts)
 {
-  MapperScene scene(SmallTorso(), 2 * Size);
+  MapperScene scene(SmallTorso(), 2 * AccumulatedSize);
   scene.mapper->SetLongestPartSeconds(1e-9);
   scene.window->SetDesiredUpdateRate(15.0);
   scene.Draw();

@@ -24,7 +24,7 @@ using namespace varimarch;
 namespace
 {
 
-constexpr int Size = 64;
+constexpr int BlocksSize = 64;
 // The image and its tables take half of the smaller limit; the volume has 344064 bytes.
 constexpr vtkIdType FewBlocks = 340000;
 constexpr vtkIdType ManyBlocks = 200000;
@@ -131,7 +131,7 @@ class BlocksOf : public testing::TestWithParam<std::tuple<CameraView, VolumeLook
 TEST_P(BlocksOf, MakeThePictureOfTheWhole)
 {
   const auto& [view, look] = GetParam();
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   view.look(scene);
   scene.mapper->SetBlendMode(look.blendMode);
   scene.volume->GetProperty()->SetShade(look.shade);
@@ -159,7 +159,7 @@ class BlocksWithFields : public testing::TestWithParam<int>
 
 TEST_P(BlocksWithFields, MakeThePictureOfTheWhole)
 {
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   UseFineSteps(scene, 0.02);
   scene.mapper->SetAccelerationMode(GetParam());
   scene.mapper->SetVariationTolerance(0.0);
@@ -177,7 +177,7 @@ TEST(BlockFaces, AreMarchedOnceByRaysThatRunInThem)
   image->AllocateScalars(VTK_SHORT, 1);
   image->GetPointData()->GetScalars()->Fill(100.0);
   static_cast<short*>(image->GetScalarPointer())[0] = 0; // gives the mean a range of values
-  MapperScene scene(image, Size);
+  MapperScene scene(image, BlocksSize);
   LookAlongAnAxis(scene);
   vtkCamera* const camera = scene.renderer->GetActiveCamera();
   camera->SetParallelScale(32.0);
@@ -211,7 +211,7 @@ TEST(BlockFaces, BesideVoxelsThatAreNotFiniteLookAsInTheWhole)
     voxels[i] = isFinite ? float(torso->GetPointData()->GetScalars()->GetComponent(i, 0))
                          : std::numeric_limits<float>::quiet_NaN();
   }
-  MapperScene scene(image, Size);
+  MapperScene scene(image, BlocksSize);
   UseFineSteps(scene, 0.02);
   scene.mapper->SetSampleDistance(3.0 * scene.mapper->GetSampleDistance());
   scene.mapper->SetNanOpacity(0.02);
@@ -223,7 +223,7 @@ TEST(BlockFaces, BesideVoxelsThatAreNotFiniteLookAsInTheWhole)
 
 TEST(Blocks, EndAtGeometryAndKeepToTheirViewport)
 {
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   UseFineSteps(scene, 0.02);
   scene.renderer->AddActor(Ball(scene.volume->GetCenter(), 0.3 * scene.volume->GetLength()));
   EXPECT_LT(DifferenceInBlocks(scene, FewBlocks).largest, 0.02);
@@ -233,7 +233,7 @@ TEST(Blocks, EndAtGeometryAndKeepToTheirViewport)
 
 TEST(Blocks, KeepAnErrorTolerance)
 {
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   scene.mapper->SetErrorTolerance(1.0 / 64.0);
   scene.mapper->SetMaximumGraphicsMemory(FewBlocks);
   const ImageError error = scene.Error();
@@ -251,7 +251,7 @@ TEST(Blocks, OfCellsMakeThePictureOfTheWhole)
   cells->SetDimensions(65, 57, 49);
   cells->SetSpacing(points->GetSpacing());
   cells->GetCellData()->SetScalars(points->GetPointData()->GetScalars());
-  MapperScene scene(cells, Size);
+  MapperScene scene(cells, BlocksSize);
   UseFineSteps(scene, 0.03);
   EXPECT_LT(DifferenceInBlocks(scene, FewBlocks).largest, 0.5);
 }
@@ -271,7 +271,7 @@ int UploadsBy(MapperScene& scene)
 
 TEST(BlockMemory, BlocksThatShowNothingAreNotUploadedAndOthersOnce)
 {
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   scene.mapper->SetMaximumGraphicsMemory(FewBlocks);
   const int all = UploadsBy(scene);
   scene.opacities->RemoveAllPoints();
@@ -295,7 +295,7 @@ TEST(BlockMemory, BlocksThatShowNothingAreNotUploadedAndOthersOnce)
 
 TEST(BlockMemory, BlocksOutOfViewAreNotUploaded)
 {
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   scene.mapper->SetMaximumGraphicsMemory(FewBlocks);
   const int all = UploadsBy(scene);
   scene.mapper->ReleaseGraphicsResources(scene.window);
@@ -305,7 +305,7 @@ TEST(BlockMemory, BlocksOutOfViewAreNotUploaded)
 
 TEST(BlockMemory, BlocksThatDoNotFitAreUploadedWhenNeeded)
 {
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   UseFineSteps(scene, 0.02); // everything is visible
   scene.mapper->SetMaximumGraphicsMemory(FewBlocks);
   const int all = UploadsBy(scene);
@@ -317,7 +317,7 @@ TEST(BlockMemory, BlocksThatDoNotFitAreUploadedWhenNeeded)
 
 TEST(BlockMemory, AVolumeThatFitsKeepsNoBlocks)
 {
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   scene.window->Render();
   const vtkIdType whole = scene.mapper->GetGraphicsMemoryBytes();
   scene.mapper->SetMaximumGraphicsMemory(whole - 1);
@@ -331,7 +331,7 @@ TEST(BlockMemory, AVolumeThatFitsKeepsNoBlocks)
 
 TEST(BlockMemory, AnEditShows)
 {
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   UseFineSteps(scene, 0.02);
   scene.mapper->SetMaximumGraphicsMemory(FewBlocks);
   scene.Draw();
@@ -348,7 +348,7 @@ TEST(BlockMemory, AnEditShows)
 
 TEST(BlockMemory, TooLittleForAnyBlockIsNamed)
 {
-  MapperScene scene(Torso(), Size);
+  MapperScene scene(Torso(), BlocksSize);
   scene.mapper->SetMaximumGraphicsMemory(100000);
   ExpectedVtkErrors errors;
   scene.window->Render();
@@ -360,7 +360,7 @@ TEST(BlockMemory, TooLittleForAnyBlockIsNamed)
 
 TEST(Blocks, HoldAVolumeLongerThanTheDevicesTextures)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), BlocksSize);
   scene.window->Render();
   GLint longestSide = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &longestSide);
@@ -382,7 +382,7 @@ TEST(Blocks, HoldAVolumeLongerThanTheDevicesTextures)
 
 TEST(Blocks, AreOfSizesThatTheDeviceHasTexturesFor)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), BlocksSize);
   scene.window->Render();
   GLint longestSide = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &longestSide);

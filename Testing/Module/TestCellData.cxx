@@ -16,7 +16,7 @@ using namespace varimarch;
 namespace
 {
 
-constexpr int Size = 64;
+constexpr int CellDataSize = 64;
 
 // The torso as cell data.
 vtkSmartPointer<vtkImageData> TorsoOfCells()
@@ -83,7 +83,7 @@ TEST_P(CellDataOfBlend, IsTheTruth)
   for (const int mode :
     { vtkVariationFieldVolumeMapper::ScalarField, vtkVariationFieldVolumeMapper::OpticalField })
   {
-    MapperScene scene(TorsoOfCells(), Size);
+    MapperScene scene(TorsoOfCells(), CellDataSize);
     scene.mapper->SetBlendMode(GetParam());
     scene.mapper->SetAccelerationMode(mode);
     scene.mapper->AutoAdjustSampleDistancesOff();
@@ -125,7 +125,7 @@ TEST(CellData, AnArrayIsFoundByModeNameAndNumber)
 
 TEST(SampleDistance, IsLockedToTheSpacingAsVtkHasIt)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), CellDataSize);
   scene.mapper->AutoAdjustSampleDistancesOff();
   scene.mapper->LockSampleDistanceToInputSpacingOn();
   scene.Draw();

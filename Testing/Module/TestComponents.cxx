@@ -17,8 +17,6 @@ using namespace varimarch;
 namespace
 {
 
-constexpr double Tolerance = 0.5 / 255.0;
-
 // One value in each component, except on a face, so that they have a range.
 vtkSmartPointer<vtkImageData> ConstantBut(int components)
 {
@@ -57,9 +55,9 @@ TEST_P(IndependentComponents, AreAMixtureByTheirWeights)
   const std::array<float, 4> drawn = scene.MiddlePixel();
   for (int channel = 0; channel < 3; ++channel)
   {
-    EXPECT_NEAR(drawn[channel], alpha * emission[channel] / extinction, Tolerance) << channel;
+    EXPECT_NEAR(drawn[channel], alpha * emission[channel] / extinction, HalfByteStep) << channel;
   }
-  EXPECT_NEAR(drawn[3], alpha, Tolerance);
+  EXPECT_NEAR(drawn[3], alpha, HalfByteStep);
 }
 
 TEST_P(IndependentComponents, AddWhatEachIsOverAUnitDistanceInAnExtreme)
@@ -79,8 +77,8 @@ TEST_P(IndependentComponents, AddWhatEachIsOverAUnitDistanceInAnExtreme)
     { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND })
   {
     scene.mapper->SetBlendMode(blend);
-    EXPECT_NEAR(scene.MiddlePixel()[3], sum.a, Tolerance);
-    EXPECT_NEAR(scene.MiddlePixel()[1], sum.g, Tolerance);
+    EXPECT_NEAR(scene.MiddlePixel()[3], sum.a, HalfByteStep);
+    EXPECT_NEAR(scene.MiddlePixel()[1], sum.g, HalfByteStep);
   }
 }
 
@@ -107,13 +105,13 @@ TEST(Components, AverageAndAdditiveAreWeightedSums)
   scene.mapper->SetSampleDistance(0.05);
   // Grey rises from 0 to 1 along the ray, so its mean is a half.
   scene.mapper->SetBlendModeToAverageIntensity();
-  EXPECT_NEAR(scene.MiddlePixel()[0], 0.1 * 0.5 + 0.5 * 0.2 * 0.5, Tolerance);
+  EXPECT_NEAR(scene.MiddlePixel()[0], 0.1 * 0.5 + 0.5 * 0.2 * 0.5, HalfByteStep);
   scene.mapper->SetBlendModeToAdditive();
-  EXPECT_NEAR(scene.MiddlePixel()[0], 6.0 * 0.1 * 0.5 + 0.5 * 0.2 * 0.5 * 6.0 / 2.0, Tolerance);
+  EXPECT_NEAR(scene.MiddlePixel()[0], 6.0 * 0.1 * 0.5 + 0.5 * 0.2 * 0.5 * 6.0 / 2.0, HalfByteStep);
   // The range covers all of the first component's values and half of the second's.
   scene.mapper->SetBlendModeToAverageIntensity();
   scene.mapper->SetAverageIPScalarRange(-1.0, 60.0);
-  EXPECT_NEAR(scene.MiddlePixel()[0], 0.1 * 0.5 + 0.5 * 0.2 * 0.25, 2.0 * Tolerance);
+  EXPECT_NEAR(scene.MiddlePixel()[0], 0.1 * 0.5 + 0.5 * 0.2 * 0.25, 2.0 * HalfByteStep);
 }
 
 TEST(Components, MinimumIsASmallestValue)
@@ -146,9 +144,9 @@ TEST(Components, MaximaOfSeveralAddTheirLight)
   scene.mapper->AutoAdjustSampleDistancesOff();
   scene.mapper->SetSampleDistance(0.002);
   const std::array<float, 4> drawn = scene.MiddlePixel();
-  EXPECT_NEAR(drawn[0], 0.3, Tolerance);
-  EXPECT_NEAR(drawn[1], 0.5 * 0.4, Tolerance);
-  EXPECT_NEAR(drawn[3], 0.3 + 0.5 * 0.4, Tolerance);
+  EXPECT_NEAR(drawn[0], 0.3, HalfByteStep);
+  EXPECT_NEAR(drawn[1], 0.5 * 0.4, HalfByteStep);
+  EXPECT_NEAR(drawn[3], 0.3 + 0.5 * 0.4, HalfByteStep);
 }
 
 TEST(Components, OfEveryTypeKeepTheirPrecision)
@@ -164,7 +162,7 @@ TEST(Components, OfEveryTypeKeepTheirPrecision)
     SetLook(scene.volume->GetProperty(), 0, { glm::dvec3(1.0), 9998.0, 10002.0, 0.2 });
     SetLook(scene.volume->GetProperty(), 1, { glm::dvec3(1.0), 9999.0, 10002.0, 0.3 });
     const double expected = 1.0 - std::pow(1.0 - 0.1, 6.0) * std::pow(1.0 - 0.2, 6.0);
-    EXPECT_NEAR(scene.MiddlePixel()[3], expected, Tolerance)
+    EXPECT_NEAR(scene.MiddlePixel()[3], expected, HalfByteStep)
       << scene.image->GetScalarTypeAsString();
   }
 }
@@ -184,11 +182,11 @@ TEST(Components, TwoDependentComponentsAreColourAndOpacity)
   property->GetRGBTransferFunction()->AddRGBPoint(40.0, 0.8, 0.0, 0.0);
   const double alpha = 1.0 - std::pow(1.0 - 0.1, 6.0);
   const std::array<float, 4> drawn = scene.MiddlePixel();
-  EXPECT_NEAR(drawn[0], 0.6 * alpha, Tolerance);
-  EXPECT_NEAR(drawn[1], 0.25 * alpha, Tolerance);
-  EXPECT_NEAR(drawn[3], alpha, Tolerance);
+  EXPECT_NEAR(drawn[0], 0.6 * alpha, HalfByteStep);
+  EXPECT_NEAR(drawn[1], 0.25 * alpha, HalfByteStep);
+  EXPECT_NEAR(drawn[3], alpha, HalfByteStep);
   scene.mapper->SetBlendModeToMaximumIntensity();
-  EXPECT_NEAR(scene.MiddlePixel()[0], 0.6 * 0.1, Tolerance);
+  EXPECT_NEAR(scene.MiddlePixel()[0], 0.6 * 0.1, HalfByteStep);
 }
 
 TEST(Components, GradientOpacityOfDependentComponentsUsesTheOpacityComponent)
@@ -209,7 +207,7 @@ TEST(Components, GradientOpacityOfDependentComponentsUsesTheOpacityComponent)
   factors->AddPoint(0.0, 0.2);
   factors->AddPoint(1.0, 1.0);
   property->SetGradientOpacity(factors);
-  EXPECT_NEAR(scene.MiddlePixel()[3], 1.0 - std::pow(1.0 - 0.1, 6.0), Tolerance);
+  EXPECT_NEAR(scene.MiddlePixel()[3], 1.0 - std::pow(1.0 - 0.1, 6.0), HalfByteStep);
 }
 
 TEST(Components, FourDependentComponentsAreAColourAndOpacity)
@@ -228,10 +226,10 @@ TEST(Components, FourDependentComponentsAreAColourAndOpacity)
     SetLook(property, 0, { glm::dvec3(0.0), 0.5 * one, 0.7 * one, 0.2 });
     const double alpha = 1.0 - std::pow(1.0 - 0.1, 6.0);
     const std::array<float, 4> drawn = scene.MiddlePixel();
-    EXPECT_NEAR(drawn[0], 0.8 * alpha, Tolerance);
-    EXPECT_NEAR(drawn[1], 0.4 * alpha, Tolerance);
-    EXPECT_NEAR(drawn[2], 0.2 * alpha, Tolerance);
-    EXPECT_NEAR(drawn[3], alpha, Tolerance);
+    EXPECT_NEAR(drawn[0], 0.8 * alpha, HalfByteStep);
+    EXPECT_NEAR(drawn[1], 0.4 * alpha, HalfByteStep);
+    EXPECT_NEAR(drawn[2], 0.2 * alpha, HalfByteStep);
+    EXPECT_NEAR(drawn[3], alpha, HalfByteStep);
   }
 }
 

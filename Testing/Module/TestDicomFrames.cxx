@@ -1,5 +1,6 @@
 // DICOM files with several frames: stacks, times, doses, mosaics.
 #include "DicomReading.h"
+#include "DicomTags.h"
 
 #include <glm/geometric.hpp>
 
@@ -13,19 +14,7 @@ using phantom_dicom::Pixels;
 using phantom_dicom::Sequence;
 using phantom_dicom::Shorts;
 using phantom_dicom::Text;
-
-constexpr std::uint32_t Frames = 0x00280008;
-constexpr std::uint32_t Modality = 0x00080060;
-constexpr std::uint32_t SlicesMm = 0x00180088;
-constexpr std::uint32_t FrameTime = 0x00181063;
-constexpr std::uint32_t Position = 0x00200032;
-constexpr std::uint32_t Orientation = 0x00200037;
-constexpr std::uint32_t PixelSpacing = 0x00280030;
-constexpr std::uint32_t Intercept = 0x00281052;
-constexpr std::uint32_t Slope = 0x00281053;
-constexpr std::uint32_t PixelData = 0x7fe00010;
-constexpr std::uint32_t SharedGroups = 0x52009229;
-constexpr std::uint32_t FrameGroups = 0x52009230;
+using namespace dicom_tags;
 
 class DicomFrames : public DicomReading
 {

@@ -1,5 +1,6 @@
 // The slices of a series that make up one volume, and those that are left out.
 #include "DicomReading.h"
+#include "DicomTags.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkObject.h>
@@ -10,17 +11,7 @@ namespace
 using phantom_dicom::Decimals;
 using phantom_dicom::Elements;
 using phantom_dicom::Text;
-
-constexpr std::uint32_t AcquisitionNumber = 0x00200012;
-constexpr std::uint32_t InstanceNumber = 0x00200013;
-constexpr std::uint32_t Position = 0x00200032;
-constexpr std::uint32_t Orientation = 0x00200037;
-constexpr std::uint32_t TimePoint = 0x00200100;
-constexpr std::uint32_t SliceLocation = 0x00201041;
-constexpr std::uint32_t SliceThickness = 0x00180050;
-constexpr std::uint32_t PixelSpacing = 0x00280030;
-constexpr std::uint32_t Intercept = 0x00281052;
-constexpr std::uint32_t Rows = 0x00280010;
+using namespace dicom_tags;
 
 class DicomGroups : public DicomReading
 {

@@ -1,5 +1,6 @@
 // The values of DICOM pixels: their coding, sign and bits, and what they stand for.
 #include "DicomReading.h"
+#include "DicomTags.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <numeric>
@@ -12,18 +13,7 @@ using phantom_dicom::Elements;
 using phantom_dicom::Pixels;
 using phantom_dicom::Shorts;
 using phantom_dicom::Text;
-
-constexpr std::uint32_t Samples = 0x00280002;
-constexpr std::uint32_t Colours = 0x00280004;
-constexpr std::uint32_t BitsAllocated = 0x00280100;
-constexpr std::uint32_t BitsStored = 0x00280101;
-constexpr std::uint32_t HighBit = 0x00280102;
-constexpr std::uint32_t IsSigned = 0x00280103;
-constexpr std::uint32_t Padding = 0x00280120;
-constexpr std::uint32_t Intercept = 0x00281052;
-constexpr std::uint32_t Slope = 0x00281053;
-constexpr std::uint32_t ModalityTable = 0x00283000;
-constexpr std::uint32_t PixelData = 0x7fe00010;
+using namespace dicom_tags;
 
 /// The values 0, 1, ... of the 20 pixels of a slice.
 std::vector<int> Counted(int first = 0)
@@ -65,7 +55,7 @@ TEST_F(DicomValues, SignBitsAndScaleBelongToEachSlice)
       }
       elements[BitsStored] = Shorts({ 12 });
       elements[HighBit] = Shorts({ 11 });
-      elements[IsSigned] = Shorts({ 0 });
+      elements[PixelRepresentation] = Shorts({ 0 });
       elements[Intercept] = Decimals({ -1000.0 });
       elements[PixelData] = Pixels(values);
     }
@@ -114,7 +104,7 @@ TEST_F(DicomValues, StoredBitsMayBeTheHighOnes)
   elements[PixelData] = Pixels(values);
   elements[BitsStored] = Shorts({ 12 });
   EXPECT_EQ(this->ValueOf(elements, 2), -3.0);
-  elements[IsSigned] = Shorts({ 0 });
+  elements[PixelRepresentation] = Shorts({ 0 });
   EXPECT_EQ(this->ValueOf(elements, 2), 4093.0);
 }
 
@@ -124,7 +114,7 @@ TEST_F(DicomValues, BrightPaddingBecomesTheLowestValue)
   std::vector<int> values = Counted(1000);
   values[3] = 63536;
   elements[PixelData] = Pixels(values);
-  elements[IsSigned] = Shorts({ 0 });
+  elements[PixelRepresentation] = Shorts({ 0 });
   elements[Intercept] = Decimals({ -1024 });
   elements[Padding] = Shorts({ 63536 });
   EXPECT_EQ(this->ValueOf(elements, 3), -24.0);
@@ -155,7 +145,7 @@ TEST_F(DicomValues, NumbersOfColoursBecomeColours)
   elements[BitsAllocated] = Shorts({ 8 });
   elements[BitsStored] = Shorts({ 8 });
   elements[HighBit] = Shorts({ 7 });
-  elements[IsSigned] = Shorts({ 0 });
+  elements[PixelRepresentation] = Shorts({ 0 });
   elements[PixelData] = { "OW", bytes };
   for (int colour = 0; colour < 3; ++colour)
   {
@@ -187,7 +177,7 @@ TEST_F(DicomValues, RescaledColoursDoNotOverflow)
   elements[BitsAllocated] = Shorts({ 8 });
   elements[BitsStored] = Shorts({ 8 });
   elements[HighBit] = Shorts({ 7 });
-  elements[IsSigned] = Shorts({ 0 });
+  elements[PixelRepresentation] = Shorts({ 0 });
   elements[Slope] = Decimals({ 1000 });
   elements[PixelData] = { "OW", bytes };
   EXPECT_EQ(this->ValueOf(elements, 7, 2), 207000.0);

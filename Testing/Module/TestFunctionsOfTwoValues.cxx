@@ -20,8 +20,6 @@ using namespace varimarch;
 namespace
 {
 
-constexpr double Tolerance = 0.5 / 255.0;
-
 // A function of 5 x 3 points. Red is the position of the first value, green that of the second, and
 // the opacity is a tenth of their product.
 vtkSmartPointer<vtkImageData> Function()
@@ -67,9 +65,9 @@ public:
   {
     const double alpha = 1.0 - std::pow(1.0 - 0.1 * first * second, 32.0);
     const std::array<float, 4> drawn = this->scene.MiddlePixel();
-    EXPECT_NEAR(drawn[3], alpha, Tolerance);
-    EXPECT_NEAR(drawn[0], first * alpha, Tolerance);
-    EXPECT_NEAR(drawn[1], second * alpha, Tolerance);
+    EXPECT_NEAR(drawn[3], alpha, HalfByteStep);
+    EXPECT_NEAR(drawn[0], first * alpha, HalfByteStep);
+    EXPECT_NEAR(drawn[1], second * alpha, HalfByteStep);
   }
 
   MapperScene scene;
@@ -136,9 +134,9 @@ TEST(FunctionsOfTwoValues, MayBeOfASinglePoint)
   values.scene.volume->GetProperty()->SetTransferFunction2D(point);
   const double alpha = 1.0 - std::pow(1.0 - 0.05, 32.0);
   const std::array<float, 4> drawn = values.scene.MiddlePixel();
-  EXPECT_NEAR(drawn[3], alpha, Tolerance);
-  EXPECT_NEAR(drawn[0], alpha, Tolerance);
-  EXPECT_NEAR(drawn[1], 0.5 * alpha, Tolerance);
+  EXPECT_NEAR(drawn[3], alpha, HalfByteStep);
+  EXPECT_NEAR(drawn[0], alpha, HalfByteStep);
+  EXPECT_NEAR(drawn[1], 0.5 * alpha, HalfByteStep);
 }
 
 TEST(FunctionsOfTwoValues, AreUploadedAnewWhenTheirImageChanges)

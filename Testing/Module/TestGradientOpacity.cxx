@@ -17,8 +17,6 @@ using namespace varimarch;
 namespace
 {
 
-constexpr double Tolerance = 0.5 / 255.0;
-
 // A white block of 9 x 9 x 33 voxels whose values rise by `slope` per voxel along x, seen along z.
 // Apart from the outermost voxels, it has one gradient.
 class Ramp
@@ -76,7 +74,7 @@ TEST(GradientOpacity, MultipliesTheOpacityOfAUnitDistanceWhateverTheStep)
   for (const double sampleDistance : { 4.0, 1.0, 0.1 })
   {
     ramp.scene.mapper->SetSampleDistance(sampleDistance);
-    EXPECT_NEAR(ramp.DrawnOpacity(), expected, Tolerance) << sampleDistance;
+    EXPECT_NEAR(ramp.DrawnOpacity(), expected, HalfByteStep) << sampleDistance;
   }
 }
 
@@ -99,7 +97,7 @@ TEST(GradientOpacity, BeyondAQuarterOfTheRangeIsThatOfAQuarter)
   ramp.factors->AddPoint(80.0, 0.001);
   ramp.factors->AddPoint(240.0, 0.9);
   const double expected = 1.0 - std::pow(1.0 - 0.9 * 0.001, 16.0 * 32.0);
-  EXPECT_NEAR(ramp.DrawnOpacity(), expected, Tolerance);
+  EXPECT_NEAR(ramp.DrawnOpacity(), expected, HalfByteStep);
 }
 
 TEST(GradientOpacity, LeavesAnOpaqueMaterialOpaqueWhereItIsOne)

@@ -22,7 +22,6 @@ using namespace varimarch;
 namespace
 {
 
-constexpr double Tolerance = 0.5 / 255.0;
 constexpr double Red = 0.8;
 
 // A nearly opaque block whose values fall towards the eye. Its front at z = 8 fills the image.
@@ -88,7 +87,7 @@ TEST(Lights, DirectionalLightFallsWithTheCosine)
   const glm::dvec3 toLight(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
   block.AddLight(front + 10.0 * toLight, front);
   const double shining = std::cos(0.5 * std::acos(cosine));
-  EXPECT_NEAR(block.DrawnRed(), 0.6 * cosine * Red + 0.3 * std::pow(shining, 8.0), Tolerance);
+  EXPECT_NEAR(block.DrawnRed(), 0.6 * cosine * Red + 0.3 * std::pow(shining, 8.0), HalfByteStep);
 }
 
 TEST(Lights, AmbientLightIsThatOfTheLightsUnlessTheyAreHeadLights)
@@ -97,12 +96,12 @@ TEST(Lights, AmbientLightIsThatOfTheLightsUnlessTheyAreHeadLights)
   vtkLight* light = block.AddLight(front + glm::dvec3(0.0, 0.0, 10.0), front);
   light->SetDiffuseColor(0.0, 0.0, 0.0);
   light->SetSpecularColor(0.0, 0.0, 0.0);
-  EXPECT_NEAR(block.DrawnRed(), 0.0, Tolerance);
+  EXPECT_NEAR(block.DrawnRed(), 0.0, HalfByteStep);
   light->SetAmbientColor(0.5, 0.0, 0.0);
   light->SetIntensity(0.5);
-  EXPECT_NEAR(block.DrawnRed(), 0.1 * 0.25 * Red, Tolerance);
+  EXPECT_NEAR(block.DrawnRed(), 0.1 * 0.25 * Red, HalfByteStep);
   light->SetLightTypeToHeadlight();
-  EXPECT_NEAR(block.DrawnRed(), 0.1 * Red, Tolerance);
+  EXPECT_NEAR(block.DrawnRed(), 0.1 * Red, HalfByteStep);
 }
 
 TEST(Lights, AddUpHoweverManyThereAre)
@@ -113,7 +112,7 @@ TEST(Lights, AddUpHoweverManyThereAre)
     vtkLight* light = block.AddLight(front + glm::dvec3(0.0, 0.0, 10.0), front);
     light->SetIntensity(0.05);
   }
-  EXPECT_NEAR(block.DrawnRed(), 12 * 0.05 * (0.6 * Red + 0.3), Tolerance);
+  EXPECT_NEAR(block.DrawnRed(), 12 * 0.05 * (0.6 * Red + 0.3), HalfByteStep);
 }
 
 TEST(Lights, PositionalLightIsAttenuatedWithItsDistance)
@@ -123,7 +122,8 @@ TEST(Lights, PositionalLightIsAttenuatedWithItsDistance)
   light->PositionalOn();
   light->SetConeAngle(180.0);
   light->SetAttenuationValues(0.5, 0.25, 0.125);
-  EXPECT_NEAR(block.DrawnRed(), (0.6 * Red + 0.3) / (0.5 + 0.25 * 4.0 + 0.125 * 16.0), Tolerance);
+  EXPECT_NEAR(
+    block.DrawnRed(), (0.6 * Red + 0.3) / (0.5 + 0.25 * 4.0 + 0.125 * 16.0), HalfByteStep);
 }
 
 TEST(Lights, SpotLightFallsTowardsItsConeAndIsDarkBeyond)
@@ -136,10 +136,10 @@ TEST(Lights, SpotLightFallsTowardsItsConeAndIsDarkBeyond)
   light->PositionalOn();
   light->SetConeAngle(30.0);
   light->SetExponent(3.0);
-  EXPECT_NEAR(
-    block.DrawnRed(), std::pow(std::cos(glm::radians(20.0)), 3.0) * (0.6 * Red + 0.3), Tolerance);
+  EXPECT_NEAR(block.DrawnRed(), std::pow(std::cos(glm::radians(20.0)), 3.0) * (0.6 * Red + 0.3),
+    HalfByteStep);
   light->SetConeAngle(15.0);
-  EXPECT_NEAR(block.DrawnRed(), 0.0, Tolerance);
+  EXPECT_NEAR(block.DrawnRed(), 0.0, HalfByteStep);
 }
 
 TEST(Lights, TheBackOfASurfaceIsLitOnlyWhereBothSidesAre)
@@ -148,14 +148,14 @@ TEST(Lights, TheBackOfASurfaceIsLitOnlyWhereBothSidesAre)
   block.AddLight(front - glm::dvec3(0.0, 0.0, 10.0), front);
   EXPECT_NEAR(block.DrawnRed(), 0.6 * Red, 0.005) << "no light is reflected to the eye";
   block.scene.renderer->TwoSidedLightingOff();
-  EXPECT_NEAR(block.DrawnRed(), 0.0, Tolerance);
+  EXPECT_NEAR(block.DrawnRed(), 0.0, HalfByteStep);
   // A head light still lights the front, and leaves ambient light on the back.
   FacingBlock facing;
   facing.scene.renderer->TwoSidedLightingOff();
   facing.AddLight(front, front)->SetLightTypeToHeadlight();
-  EXPECT_NEAR(facing.DrawnRed(), 0.7 * Red + 0.3, Tolerance);
+  EXPECT_NEAR(facing.DrawnRed(), 0.7 * Red + 0.3, HalfByteStep);
   facing.scene.renderer->GetActiveCamera()->SetPosition(4.0, 4.0, -22.0);
-  EXPECT_NEAR(facing.DrawnRed(), 0.1 * Red, Tolerance);
+  EXPECT_NEAR(facing.DrawnRed(), 0.1 * Red, HalfByteStep);
 }
 
 TEST(Lights, CameraLightsGoWithTheCamera)
@@ -164,9 +164,9 @@ TEST(Lights, CameraLightsGoWithTheCamera)
   vtkLight* light = block.AddLight({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 });
   light->SetLightTypeToCameraLight();
   const double before = block.DrawnRed();
-  EXPECT_NEAR(before, 0.6 * Red + 0.3, Tolerance);
+  EXPECT_NEAR(before, 0.6 * Red + 0.3, HalfByteStep);
   block.scene.renderer->GetActiveCamera()->SetPosition(4.0, 4.0, -22.0);
-  EXPECT_NEAR(block.DrawnRed(), before, Tolerance);
+  EXPECT_NEAR(block.DrawnRed(), before, HalfByteStep);
 }
 
 namespace

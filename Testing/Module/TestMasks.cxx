@@ -20,8 +20,6 @@ using namespace varimarch;
 namespace
 {
 
-constexpr double Tolerance = 0.5 / 255.0;
-
 using Labels = std::function<int(glm::ivec3)>;
 
 vtkSmartPointer<vtkImageData> MaskOf(glm::ivec3 size, const Labels& labels, int type = VTK_INT)
@@ -101,11 +99,11 @@ TEST(BinaryMask, EndsHalfWayBetweenVoxels)
   {
     block.scene.mapper->SetAutoAdjustSampleDistances(!coarse);
     block.scene.mapper->SetSampleDistance(4.0);
-    EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 11.0), Tolerance);
+    EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 11.0), HalfByteStep);
   }
   // Only the half of the first voxel that lies inside the volume.
   block.SetMask([](glm::ivec3 voxel) { return voxel.z == 0 ? 1 : 0; }, true);
-  EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 0.5), Tolerance);
+  EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 0.5), HalfByteStep);
   block.SetMask([](glm::ivec3) { return 0; }, true);
   EXPECT_EQ(block.scene.MiddlePixel()[3], 0.0f);
 }
@@ -138,7 +136,7 @@ TEST(BinaryMask, MayHaveAnotherResolutionInTheSameBox)
   block.scene.mapper->SetMaskInput(MaskOf(
     { 3, 3, 11 }, [](glm::ivec3 voxel) { return voxel.z >= 2 && voxel.z < 5 ? 1 : 0; },
     VTK_UNSIGNED_CHAR));
-  EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 9.0), Tolerance);
+  EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 9.0), HalfByteStep);
 }
 
 TEST(LabelMap, OpacityIsThatOfAUnitDistanceWhateverTheStep)
@@ -157,7 +155,7 @@ TEST(LabelMap, OpacityIsThatOfAUnitDistanceWhateverTheStep)
   {
     block.scene.mapper->AutoAdjustSampleDistancesOff();
     block.scene.mapper->SetSampleDistance(sampleDistance);
-    EXPECT_NEAR(block.scene.MiddlePixel()[3], expected, Tolerance) << sampleDistance;
+    EXPECT_NEAR(block.scene.MiddlePixel()[3], expected, HalfByteStep) << sampleDistance;
   }
 }
 
@@ -171,13 +169,13 @@ TEST(LabelMap, ColoursApplyOnlyToLabelledVoxels)
   block.SetMask([](glm::ivec3 voxel) { return voxel.z >= 28 ? 1 : 0; });
   const double inFront = 1.0 - std::pow(0.95, 4.5);
   const double all = 1.0 - std::pow(0.95, 32.0);
-  EXPECT_NEAR(block.scene.MiddlePixel()[0], all, Tolerance);
-  EXPECT_NEAR(block.scene.MiddlePixel()[1], all - inFront, Tolerance);
+  EXPECT_NEAR(block.scene.MiddlePixel()[0], all, HalfByteStep);
+  EXPECT_NEAR(block.scene.MiddlePixel()[1], all - inFront, HalfByteStep);
   // Half of the label's colour and half of the colour without labels.
   block.scene.mapper->SetMaskBlendFactor(0.5);
-  EXPECT_NEAR(block.scene.MiddlePixel()[1], all - 0.5 * inFront, Tolerance);
+  EXPECT_NEAR(block.scene.MiddlePixel()[1], all - 0.5 * inFront, HalfByteStep);
   block.scene.mapper->SetMaskBlendFactor(0.0);
-  EXPECT_NEAR(block.scene.MiddlePixel()[1], all, Tolerance);
+  EXPECT_NEAR(block.scene.MiddlePixel()[1], all, HalfByteStep);
 }
 
 TEST(LabelMap, OpacitiesOfAUnitDistanceAreMixed)
@@ -187,7 +185,7 @@ TEST(LabelMap, OpacitiesOfAUnitDistanceAreMixed)
   block.SetMask([](glm::ivec3) { return 1; });
   block.scene.mapper->SetMaskBlendFactor(0.25);
   const double expected = 1.0 - std::pow(1.0 - (0.75 * 0.05 + 0.25 * 0.25), 32.0);
-  EXPECT_NEAR(block.scene.MiddlePixel()[3], expected, Tolerance);
+  EXPECT_NEAR(block.scene.MiddlePixel()[3], expected, HalfByteStep);
 }
 
 namespace

@@ -16,19 +16,19 @@ namespace
 {
 
 // The same opacity for all values from 0 to 2.
-Look OneMaterial(glm::dvec3 color, double opacity)
+ComponentLook OneMaterial(glm::dvec3 color, double opacity)
 {
   return { color, -2.0, -1.0, opacity };
 }
 
-const Look red = OneMaterial({ 0.9, 0.2, 0.1 }, 0.1);
-const Look blue = OneMaterial({ 0.1, 0.3, 0.8 }, 0.05);
+const ComponentLook red = OneMaterial({ 0.9, 0.2, 0.1 }, 0.1);
+const ComponentLook blue = OneMaterial({ 0.1, 0.3, 0.8 }, 0.05);
 
 // A box of one material in world space, for closed forms.
 struct ClosedBox
 {
   VolumeGeometry geometry;
-  Look look;
+  ComponentLook look;
 
   Interval PartOf(const Ray& rayWorld) const
   {
@@ -229,10 +229,10 @@ struct BallLooks
   bool secondNearest;
 };
 
-const Look ballLooks[] = { { { 1.0, 0.3, 0.1 }, 20.0, 100.0, 0.15 },
+const ComponentLook ballLooks[] = { { { 1.0, 0.3, 0.1 }, 20.0, 100.0, 0.15 },
   { { 0.2, 0.5, 1.0 }, 10.0, 120.0, 0.3 } };
 
-double Ball(glm::dvec3 place, glm::dvec3 center)
+double BallField(glm::dvec3 place, glm::dvec3 center)
 {
   return 130.0 - 16.0 * glm::length(place - center);
 }
@@ -241,11 +241,11 @@ void AddBalls(OverlapScene& scene, const BallLooks& looks, const int (&ports)[2]
 {
   const auto first = CenteredImage({ 14, 15, 13 }, { 18.0, 16.0, 17.0 },
     [](glm::dvec3 voxel) {
-      return Ball(voxel, { 6.0, 7.0, 6.0 });
+      return BallField(voxel, { 6.0, 7.0, 6.0 });
     });
   const auto second = CenteredImage({ 15, 12, 16 }, { 16.0, 18.0, 15.0 },
     [](glm::dvec3 voxel) {
-      return Ball(voxel * glm::dvec3(1.0, 1.3, 0.9), { 7.0, 7.0, 7.0 });
+      return BallField(voxel * glm::dvec3(1.0, 1.3, 0.9), { 7.0, 7.0, 7.0 });
     });
   vtkVolume* const one = scene.Add(ports[0], first, ballLooks[0]);
   one->RotateWXYZ(25.0, 1.0, 1.0, 0.0);
@@ -314,7 +314,7 @@ vtkSmartPointer<vtkImageData> FarBalls(double y)
 {
   return CenteredImage({ 64, 40, 40 }, { 18.0, 12.0, 12.0 },
     [y](glm::dvec3 voxel) {
-      return std::max(Ball(voxel, { 16.0, y, 20.0 }), Ball(voxel, { 48.0, y, 20.0 }));
+      return std::max(BallField(voxel, { 16.0, y, 20.0 }), BallField(voxel, { 48.0, y, 20.0 }));
     });
 }
 

@@ -13,7 +13,7 @@ using namespace varimarch;
 namespace
 {
 
-constexpr int Size = 64;
+constexpr int NearestSize = 64;
 
 // Allows for the rounding of floats; nothing is sampled. A few rays graze the edge of their largest
 // voxel, and may or may not see it.
@@ -31,7 +31,7 @@ void ExpectExact(MapperScene& scene)
 
 TEST(Nearest, IsTheDefaultOfAProperty)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), NearestSize);
   vtkNew<vtkVolumeProperty> property;
   property->SetColor(scene.colors);
   property->SetScalarOpacity(scene.opacities);
@@ -53,7 +53,7 @@ TEST_P(NearestOfBlend, IsTheTruthWhateverTheField)
          vtkVariationFieldVolumeMapper::ScalarField, vtkVariationFieldVolumeMapper::OpticalField })
   {
     SCOPED_TRACE(mode);
-    MapperScene scene(SmallTorso(), Size);
+    MapperScene scene(SmallTorso(), NearestSize);
     scene.mapper->SetBlendMode(GetParam());
     scene.mapper->SetAccelerationMode(mode);
     scene.mapper->SetEarlyTerminationTransmittance(0.0);
@@ -74,7 +74,7 @@ TEST(Nearest, AVoxelHasOneNormal)
   for (const int mode :
     { vtkVariationFieldVolumeMapper::Off, vtkVariationFieldVolumeMapper::OpticalField })
   {
-    MapperScene scene(SmallTorso(), Size);
+    MapperScene scene(SmallTorso(), NearestSize);
     scene.mapper->SetAccelerationMode(mode);
     scene.mapper->SetEarlyTerminationTransmittance(0.0);
     scene.volume->GetProperty()->SetInterpolationTypeToNearest();
@@ -86,7 +86,7 @@ TEST(Nearest, AVoxelHasOneNormal)
 
 TEST(Nearest, IsCutAndTurnedLikeEverythingElse)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), NearestSize);
   scene.mapper->SetEarlyTerminationTransmittance(0.0);
   scene.volume->GetProperty()->SetInterpolationTypeToNearest();
   scene.volume->SetScale(1.2, 0.8, 1.0);
@@ -103,7 +103,7 @@ TEST(Nearest, IsCutAndTurnedLikeEverythingElse)
 
 TEST(Nearest, IsTheSameInBlocks)
 {
-  MapperScene scene(ProceduralVolume({ ProceduralKind::Torso, { 64, 56, 48 }, 7 }), Size);
+  MapperScene scene(ProceduralVolume({ ProceduralKind::Torso, { 64, 56, 48 }, 7 }), NearestSize);
   scene.volume->GetProperty()->SetInterpolationTypeToNearest();
   const std::vector<float> whole = scene.Draw();
   scene.mapper->SetMaximumGraphicsMemory(200000);
@@ -114,7 +114,7 @@ TEST(Nearest, IsTheSameInBlocks)
 
 TEST(Nearest, NeedsNoStepsAndSearchesForNone)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), NearestSize);
   scene.mapper->SetErrorTolerance(1.0 / 64.0);
   scene.volume->GetProperty()->SetInterpolationTypeToNearest();
   scene.Draw();

@@ -26,7 +26,7 @@ using namespace varimarch;
 namespace
 {
 
-constexpr int Size = 64;
+constexpr int SurfaceSize = 64;
 
 // Skin as a veil, bone behind it, and a value that does not occur in the volume.
 void UseIsosurfaces(MapperScene& scene)
@@ -113,7 +113,7 @@ TEST(Isosurfaces, AreTheTruthWhateverTheField)
   for (const int mode :
     { vtkVariationFieldVolumeMapper::Off, vtkVariationFieldVolumeMapper::OpticalField })
   {
-    MapperScene scene(SmallTorso(), Size);
+    MapperScene scene(SmallTorso(), SurfaceSize);
     UseIsosurfaces(scene);
     scene.mapper->SetAccelerationMode(mode);
     ExpectTruth(scene);
@@ -124,7 +124,7 @@ TEST(Isosurfaces, AreTheTruthWhateverTheField)
 
 TEST(Isosurfaces, DoNotDependOnTheSampleDistance)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), SurfaceSize);
   UseIsosurfaces(scene);
   const std::vector<float> automatic = scene.Draw();
   scene.mapper->AutoAdjustSampleDistancesOff();
@@ -134,7 +134,7 @@ TEST(Isosurfaces, DoNotDependOnTheSampleDistance)
 
 TEST(Isosurfaces, BricksWithoutThemAreLeftOut)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), SurfaceSize);
   UseIsosurfaces(scene);
   scene.volume->GetProperty()->GetIsoSurfaceValues()->SetNumberOfContours(1); // bone
   scene.mapper->DrawFetchCountsOn();
@@ -171,7 +171,7 @@ TEST(Isosurfaces, AShellThinnerThanAnyStepIsNotMissed)
 
 TEST(Isosurfaces, AreTheFacesOfVoxelsWithoutInterpolation)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), SurfaceSize);
   UseIsosurfaces(scene);
   scene.volume->GetProperty()->SetInterpolationTypeToNearest();
   ExpectTruth(scene);
@@ -180,7 +180,7 @@ TEST(Isosurfaces, AreTheFacesOfVoxelsWithoutInterpolation)
 
 TEST(Isosurfaces, WithoutAValueNothingIsDrawn)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), SurfaceSize);
   scene.mapper->SetBlendModeToIsoSurface();
   scene.volume->GetProperty()->GetIsoSurfaceValues()->SetNumberOfContours(0);
   const std::vector<float> drawn = scene.Draw();
@@ -189,7 +189,7 @@ TEST(Isosurfaces, WithoutAValueNothingIsDrawn)
 
 TEST(Isosurfaces, AreTheSameInBlocks)
 {
-  MapperScene scene(ProceduralVolume({ ProceduralKind::Torso, { 64, 56, 48 }, 7 }), Size);
+  MapperScene scene(ProceduralVolume({ ProceduralKind::Torso, { 64, 56, 48 }, 7 }), SurfaceSize);
   UseIsosurfaces(scene);
   const std::vector<float> whole = scene.Draw();
   scene.mapper->SetMaximumGraphicsMemory(200000);

@@ -18,7 +18,7 @@
 namespace
 {
 
-constexpr int Size = 48;
+constexpr int ViewSize = 48;
 
 // An opaque cube of 5 voxels per side.
 vtkSmartPointer<vtkImageData> OpaqueCube()
@@ -35,10 +35,10 @@ double MiddleOf(const std::vector<float>& picture)
 {
   double sum = 0.0;
   double weighted = 0.0;
-  for (int pixel = 0; pixel < Size * Size; ++pixel)
+  for (int pixel = 0; pixel < ViewSize * ViewSize; ++pixel)
   {
     sum += picture[4 * pixel + 3];
-    weighted += picture[4 * pixel + 3] * (pixel % Size);
+    weighted += picture[4 * pixel + 3] * (pixel % ViewSize);
   }
   EXPECT_GT(sum, 20.0) << "nothing is visible";
   return weighted / sum;
@@ -59,7 +59,7 @@ std::vector<double> Shown(vtkRenderWindow* window)
 // VTK's mapper shows both eyes the rays of a single eye in the middle.
 TEST(Stereo, EachEyeSeesTheVolumeWhereItSeesGeometry)
 {
-  MapperScene scene(OpaqueCube(), Size);
+  MapperScene scene(OpaqueCube(), ViewSize);
   scene.opacities->RemoveAllPoints();
   scene.opacities->AddPoint(0.0, 1.0);
   vtkNew<vtkCubeSource> source;
@@ -92,24 +92,24 @@ TEST(Stereo, EachEyeSeesTheVolumeWhereItSeesGeometry)
 
 TEST(Viewports, APartOfAWindowShowsWhatAWindowOfItsSizeDoes)
 {
-  MapperScene alone(SmallTorso(), Size);
+  MapperScene alone(SmallTorso(), ViewSize);
   const std::vector<double> expected = Shown(alone.window);
-  MapperScene left(SmallTorso(), Size);
-  MapperScene right(SmallTorso(), Size, left.window);
+  MapperScene left(SmallTorso(), ViewSize);
+  MapperScene right(SmallTorso(), ViewSize, left.window);
   left.renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
   right.renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
-  left.window->SetSize(2 * Size, Size);
+  left.window->SetSize(2 * ViewSize, ViewSize);
   for (vtkRenderer* renderer : { left.renderer.Get(), right.renderer.Get() })
   {
     renderer->GetActiveCamera()->DeepCopy(alone.renderer->GetActiveCamera());
   }
   const std::vector<double> shown = Shown(left.window);
-  for (int row = 0; row < Size; ++row)
+  for (int row = 0; row < ViewSize; ++row)
   {
-    for (int column = 0; column < 6 * Size; ++column)
+    for (int column = 0; column < 6 * ViewSize; ++column)
     {
-      ASSERT_NEAR(
-        shown[row * 6 * Size + column], expected[row * 3 * Size + column % (3 * Size)], 1.0)
+      ASSERT_NEAR(shown[row * 6 * ViewSize + column],
+        expected[row * 3 * ViewSize + column % (3 * ViewSize)], 1.0)
         << column << ", " << row;
     }
   }
@@ -117,7 +117,7 @@ TEST(Viewports, APartOfAWindowShowsWhatAWindowOfItsSizeDoes)
 
 TEST(Layers, AVolumeIsDrawnOverTheLayerBelow)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), ViewSize);
   const std::vector<float> alone = scene.Draw();
   vtkNew<vtkRenderer> below;
   below->SetBackground(0.0, 0.6, 0.2);
@@ -127,7 +127,7 @@ TEST(Layers, AVolumeIsDrawnOverTheLayerBelow)
   scene.window->AddRenderer(below);
   const std::vector<double> shown = Shown(scene.window);
   const double background[3] = { 0.0, 0.6, 0.2 };
-  for (int pixel = 0; pixel < Size * Size; ++pixel)
+  for (int pixel = 0; pixel < ViewSize * ViewSize; ++pixel)
   {
     const float* const rgba = &alone[4 * pixel];
     for (int channel = 0; channel < 3; ++channel)
@@ -140,7 +140,7 @@ TEST(Layers, AVolumeIsDrawnOverTheLayerBelow)
 
 TEST(Layers, GeometryOfTheLayerBelowHidesAVolumeWhereDepthIsKept)
 {
-  MapperScene scene(SmallTorso(), Size);
+  MapperScene scene(SmallTorso(), ViewSize);
   const double* const bounds = scene.volume->GetBounds();
   vtkNew<vtkCubeSource> source;
   source->SetBounds(bounds[0] - 1.0, bounds[1] + 1.0, bounds[2] - 1.0, bounds[3] + 1.0,
@@ -160,7 +160,7 @@ TEST(Layers, GeometryOfTheLayerBelowHidesAVolumeWhereDepthIsKept)
   scene.window->SetNumberOfLayers(2);
   scene.window->AddRenderer(below);
   const std::vector<double> shown = Shown(scene.window);
-  const double* const middle = &shown[3 * (Size / 2 * Size + Size / 2)];
+  const double* const middle = &shown[3 * (ViewSize / 2 * ViewSize + ViewSize / 2)];
   EXPECT_NEAR(middle[0], 0.0, 0.5);
   EXPECT_NEAR(middle[1], 255.0 * 0.6, 1.0);
   EXPECT_NEAR(middle[2], 255.0 * 0.2, 1.0);

@@ -20,7 +20,7 @@ constexpr int types[] = { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNS
   VTK_INT, VTK_UNSIGNED_INT, VTK_FLOAT, VTK_DOUBLE };
 
 /// A volume whose values reach the limits of their type.
-StoredVolume VolumeOfType(int scalarType)
+StoredVolume FullRangeVolume(int scalarType)
 {
   StoredVolume volume = phantom::Stored(0);
   volume.scalarType = scalarType;
@@ -60,7 +60,7 @@ TEST(VolumeFileEncodings, NrrdOfEveryTypeByteOrderAndEncoding)
   const TemporaryFolder folder;
   for (const int type : types)
   {
-    const StoredVolume volume = VolumeOfType(type);
+    const StoredVolume volume = FullRangeVolume(type);
     for (const bool isBig : { false, true })
     {
       SCOPED_TRACE(vtkImageScalarTypeNameMacro(type));
@@ -112,7 +112,7 @@ TEST(VolumeFileEncodings, MetaImageOfEveryTypeByteOrderAndEncoding)
   const TemporaryFolder folder;
   for (const int type : types)
   {
-    const StoredVolume volume = VolumeOfType(type);
+    const StoredVolume volume = FullRangeVolume(type);
     for (const bool isBig : { false, true })
     {
       SCOPED_TRACE(vtkImageScalarTypeNameMacro(type));
@@ -183,7 +183,7 @@ TEST(VolumeFileEncodings, NiftiOfEveryTypeAndByteOrder)
   const TemporaryFolder folder;
   for (const int type : types)
   {
-    const StoredVolume volume = VolumeOfType(type);
+    const StoredVolume volume = FullRangeVolume(type);
     for (const bool isBig : { false, true })
     {
       SCOPED_TRACE(vtkImageScalarTypeNameMacro(type));
@@ -199,7 +199,7 @@ TEST(VolumeFileEncodings, Nifti2OfEveryTypeAndByteOrder)
   const TemporaryFolder folder;
   for (const int type : types)
   {
-    const StoredVolume volume = VolumeOfType(type);
+    const StoredVolume volume = FullRangeVolume(type);
     for (const bool isBig : { false, true })
     {
       SCOPED_TRACE(vtkImageScalarTypeNameMacro(type));
@@ -235,7 +235,7 @@ TEST(VolumeFileEncodings, VtiOfEveryType)
   for (const int type : types)
   {
     SCOPED_TRACE(vtkImageScalarTypeNameMacro(type));
-    const StoredVolume volume = VolumeOfType(type);
+    const StoredVolume volume = FullRangeVolume(type);
     ExpectVoxelsOfFile(folder.Write("phantom.vti", VtiText(volume)), volume);
   }
 }
@@ -243,7 +243,7 @@ TEST(VolumeFileEncodings, VtiOfEveryType)
 TEST(VolumeFileEncodings, VtiInEveryWayThatVtkWritesIt)
 {
   const TemporaryFolder folder;
-  StoredVolume volume = VolumeOfType(VTK_SHORT);
+  StoredVolume volume = FullRangeVolume(VTK_SHORT);
   const std::string voxels = VoxelBytes(volume);
   for (const VtiEncoding& way :
     { VtiEncoding{ vtkXMLWriter::Ascii }, VtiEncoding{ vtkXMLWriter::Binary },
@@ -344,7 +344,7 @@ TEST(VolumeFileEncodings, BareVoxelsAsTheCallerDescribesThem)
   const TemporaryFolder folder;
   for (const int type : types)
   {
-    const StoredVolume volume = VolumeOfType(type);
+    const StoredVolume volume = FullRangeVolume(type);
     for (const bool isBig : { false, true })
     {
       SCOPED_TRACE(vtkImageScalarTypeNameMacro(type));

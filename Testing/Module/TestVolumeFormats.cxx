@@ -16,7 +16,7 @@ namespace
 {
 
 /// Values whose bytes differ, so that a wrong byte order is detectable.
-StoredVolume VolumeOfType(int scalarType)
+StoredVolume VolumeEndingAt100(int scalarType)
 {
   StoredVolume volume = phantom::Stored(0);
   volume.scalarType = scalarType;
@@ -27,7 +27,7 @@ StoredVolume VolumeOfType(int scalarType)
 /// A volume whose axes are those of the world, for formats without directions.
 StoredVolume StraightVolume(int scalarType)
 {
-  StoredVolume volume = VolumeOfType(scalarType);
+  StoredVolume volume = VolumeEndingAt100(scalarType);
   volume.originMm = { 3.0, -4.5, 7.25 };
   volume.axesMm = glm::dmat3(0.5, 0.0, 0.0, 0.0, 0.75, 0.0, 0.0, 0.0, 2.5);
   return volume;
@@ -101,14 +101,14 @@ TEST(VolumeFormats, EveryTypeAndByteOrderGivesItsValues)
   const TemporaryFolder folder;
   for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_FLOAT })
   {
-    const StoredVolume volume = VolumeOfType(type);
+    const StoredVolume volume = VolumeEndingAt100(type);
     ExpectStored(folder.Write("a.mgh", MghBytes(volume)), volume);
     ExpectStored(folder.Write("a.mgz", Gzipped(MghBytes(volume))), volume);
   }
   for (const int type : { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
          VTK_INT, VTK_UNSIGNED_INT, VTK_FLOAT, VTK_DOUBLE })
   {
-    const StoredVolume volume = VolumeOfType(type);
+    const StoredVolume volume = VolumeEndingAt100(type);
     ExpectStored(folder.Write("a.gipl", GiplBytes(volume)), volume);
     ExpectStored(folder.Write("a.mif", Mif(volume)), volume);
     ExpectStored(folder.Write("a.npy", NpyBytes(volume, { 3, 4, 5 })), volume);
@@ -116,13 +116,13 @@ TEST(VolumeFormats, EveryTypeAndByteOrderGivesItsValues)
   }
   for (const int type : { VTK_SIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_FLOAT })
   {
-    const StoredVolume volume = VolumeOfType(type);
+    const StoredVolume volume = VolumeEndingAt100(type);
     ExpectStored(folder.Write("a.mrc", MrcBytes(volume)), volume);
     ExpectStored(folder.Write("b.mrc", MrcBytes(volume, true)), volume);
   }
   for (const bool isBig : { false, true })
   {
-    const StoredVolume volume = VolumeOfType(VTK_FLOAT);
+    const StoredVolume volume = VolumeEndingAt100(VTK_FLOAT);
     folder.Write("a+orig.BRIK", VoxelBytes(volume, isBig));
     ExpectStored(folder.Write("a+orig.HEAD", AfniHeaderText(volume, isBig)), volume);
     ExpectStored(folder.Path("a+orig.BRIK"), volume);

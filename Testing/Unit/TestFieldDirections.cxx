@@ -92,14 +92,12 @@ TEST(FieldDirections, NarrowWhereAViewIsKept)
 
 namespace
 {
-
-constexpr int Side = BrickRanges::CellsPerSide;
 const glm::ivec3 bricks(9, 7, 11);
 
 // Single visible voxels leave free blocks of all sizes.
 OpticalField FieldTowards(const glm::ivec3& towards)
 {
-  const glm::ivec3 dimensions = Side * bricks + 1;
+  const glm::ivec3 dimensions = BrickRanges::CellsPerSide * bricks + 1;
   std::vector<std::uint8_t> voxels(std::size_t(dimensions.x) * dimensions.y * dimensions.z, 0);
   std::mt19937 random(5);
   for (int i = 0; i < 5; ++i)

@@ -17,8 +17,6 @@ using namespace varimarch;
 namespace
 {
 
-constexpr int Side = BrickRanges::CellsPerSide;
-
 struct RandomScene
 {
   glm::ivec3 dimensions;
@@ -72,8 +70,8 @@ glm::vec4 Look(const OpticalTable& table, double value)
 
 glm::ivec3 BrickAt(const OpticalField& field, glm::dvec3 position)
 {
-  return glm::clamp(
-    glm::ivec3(glm::floor(position / double(Side))), glm::ivec3(0), field.brickCount - 1);
+  return glm::clamp(glm::ivec3(glm::floor(position / double(BrickRanges::CellsPerSide))),
+    glm::ivec3(0), field.brickCount - 1);
 }
 
 std::uint8_t ByteAt(const OpticalField& field, glm::ivec3 brick)
@@ -130,8 +128,10 @@ TEST_P(OpticalFieldOf, ABlockThatMayBeLeftIsInvisibleEverywhere)
     }
     ++left;
     const int radius = byte - OpticalField::Invisible;
-    const glm::dvec3 lower = glm::max(glm::dvec3(Side * (brick - radius)), 0.0);
-    const glm::dvec3 upper = glm::min(glm::dvec3(Side * (brick + radius + 1)), last);
+    const glm::dvec3 lower =
+      glm::max(glm::dvec3(BrickRanges::CellsPerSide * (brick - radius)), 0.0);
+    const glm::dvec3 upper =
+      glm::min(glm::dvec3(BrickRanges::CellsPerSide * (brick + radius + 1)), last);
     EXPECT_EQ(Look(scene.table, grid.Value(point(lower, upper))).a, 0.0f);
   }
   EXPECT_GT(left, 100) << "hardly any block is skippable";
@@ -185,7 +185,7 @@ TEST_P(OpticalFieldOf, AHomogeneousBrickKeepsItsTolerance)
   const OpticalTolerance tolerance{ 0.2, 0.05, 0.3, 60.0 };
   const OpticalField field = FieldOf(scene, tolerance);
   std::mt19937 random(GetParam());
-  std::uniform_real_distribution<double> inside(0.0, double(Side));
+  std::uniform_real_distribution<double> inside(0.0, double(BrickRanges::CellsPerSide));
   int homogeneous = 0;
   for (int i = 0; i < int(field.bricks.size()); ++i)
   {
@@ -200,8 +200,8 @@ TEST_P(OpticalFieldOf, AHomogeneousBrickKeepsItsTolerance)
     glm::vec4 largest(-1e30f);
     for (int sample = 0; sample < 50; ++sample)
     {
-      const glm::dvec3 position = glm::min(
-        glm::dvec3(Side * brick) + glm::dvec3(inside(random), inside(random), inside(random)),
+      const glm::dvec3 position = glm::min(glm::dvec3(BrickRanges::CellsPerSide * brick) +
+          glm::dvec3(inside(random), inside(random), inside(random)),
         glm::dvec3(scene.dimensions - 1));
       const glm::vec4 look = Look(scene.table, grid.Value(position));
       smallest = glm::min(smallest, look);
@@ -240,8 +240,8 @@ TEST(BrickRanges, AreThoseOfAllVoxelsThatABrickReads)
   const glm::ivec3 count = narrow.BrickCount();
   for (int i = 0; i < count.x * count.y * count.z; ++i)
   {
-    const glm::ivec3 first =
-      Side * glm::ivec3(i % count.x, i / count.x % count.y, i / count.x / count.y);
+    const glm::ivec3 first = BrickRanges::CellsPerSide *
+      glm::ivec3(i % count.x, i / count.x % count.y, i / count.x / count.y);
     int smallest = 255;
     int largest = 0;
     for (int voxel = 0; voxel < 125; ++voxel)

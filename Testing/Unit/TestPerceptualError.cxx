@@ -56,13 +56,13 @@ const std::vector<PublishedPair> PublishedPairs = { { { 50.0000, 2.6772, -79.775
   { { 6.7747, -0.2908, -2.4247 }, { 5.8714, -0.0985, -2.2286 }, 0.6377 },
   { { 2.0776, 0.0795, -1.1350 }, { 0.9033, -0.0636, -0.5514 }, 0.9082 } };
 
-constexpr int Side = 11; // side of one window
+constexpr int WindowSide = 11; // side of one window
 
 // Opaque grey images of the size of one window.
 std::vector<float> Grey(double level)
 {
   std::vector<float> picture;
-  for (int pixel = 0; pixel < Side * Side; ++pixel)
+  for (int pixel = 0; pixel < WindowSide * WindowSide; ++pixel)
   {
     picture.insert(picture.end(), { float(level), float(level), float(level), 1.0f });
   }
@@ -71,7 +71,8 @@ std::vector<float> Grey(double level)
 
 PerceptualError Compared(const std::vector<float>& image, const std::vector<float>& truth)
 {
-  return ComparePerceived({ image.data(), truth.data(), Side, Side, { 0.0, 0.0, 0.0 } });
+  return ComparePerceived(
+    { image.data(), truth.data(), WindowSide, WindowSide, { 0.0, 0.0, 0.0 } });
 }
 
 }
@@ -120,7 +121,7 @@ TEST(PerceptualError, StructureCountsByItsWeightInTheWindow)
 {
   // One white pixel at the centre of a black image: mean w, mean square w, covariance with black 0.
   std::vector<float> dot = Grey(0.0);
-  const int middle = 4 * (Side * (Side / 2) + Side / 2);
+  const int middle = 4 * (WindowSide * (WindowSide / 2) + WindowSide / 2);
   dot[middle] = dot[middle + 1] = dot[middle + 2] = 1.0f;
   double sum = 0.0;
   for (int i = -5; i <= 5; ++i)
@@ -144,9 +145,10 @@ TEST(PerceptualError, PercentileLeavesOutOnePixelInHundred)
 TEST(PerceptualError, IsOfThePictureOnItsBackground)
 {
   // A transparent image on white equals white on black.
-  const std::vector<float> nothing(4 * Side * Side, 0.0f);
+  const std::vector<float> nothing(4 * WindowSide * WindowSide, 0.0f);
   const std::vector<float> white = Grey(1.0);
-  const DisplayedPair pair = { nothing.data(), white.data(), Side, Side, { 1.0, 1.0, 1.0 } };
+  const DisplayedPair pair = { nothing.data(), white.data(), WindowSide, WindowSide,
+    { 1.0, 1.0, 1.0 } };
   EXPECT_NEAR(ComparePerceived(pair).structuralSimilarity, 1.0, 1e-12);
   EXPECT_EQ(ComparePerceived(pair).meanColorDifference, 0.0);
 }

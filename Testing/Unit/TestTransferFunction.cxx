@@ -1,3 +1,5 @@
+#include "ReferenceVolumes.h"
+
 #include "Core/Look/OpticalTable.h"
 
 #include <glm/common.hpp>
@@ -10,8 +12,6 @@ using namespace varimarch;
 
 namespace
 {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 TransferFunction OpacityCurve(std::vector<OpacityNode> nodes, double unitDistanceMm = 1.0)
 {

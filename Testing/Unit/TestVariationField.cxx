@@ -1,3 +1,5 @@
+#include "ReferenceVolumes.h"
+
 #include "Core/Fields/VariationField.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +13,6 @@ using namespace varimarch;
 
 namespace
 {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 template <class Scalar>
 struct Volume

@@ -16,7 +16,7 @@ namespace
 
 constexpr int Width = 101;
 constexpr int Height = 67;
-constexpr float Side = 6.0f;
+constexpr float BlockSide = 6.0f;
 const glm::ivec2 SizePixels(Width, Height);
 
 glm::vec3 DirectionOf(const glm::dmat4& clipFromGrid)
@@ -29,7 +29,7 @@ VisibleBlocks RandomBlocks(unsigned seed, int count = 12)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(20.0f, 80.0f);
-  VisibleBlocks blocks{ Side, {} };
+  VisibleBlocks blocks{ BlockSide, {} };
   for (int i = 0; i < count; ++i)
   {
     const float x = place(random);
@@ -73,7 +73,7 @@ TEST_P(VisibleDepthsOf, HoldAllPointsOfTheBlocks)
     visible.Draw(blocks, clipFromGrid, DirectionOf(clipFromGrid), SizePixels, pixels);
   ASSERT_TRUE(depths.nearest);
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> within(-0.5 * Side, 0.5 * Side);
+  std::uniform_real_distribution<double> within(-0.5 * BlockSide, 0.5 * BlockSide);
   int seen = 0;
   for (int i = 0; i < 4000; ++i)
   {
@@ -100,13 +100,13 @@ TEST_P(VisibleDepthsOf, AreNothingWhereNoBlockIs)
 {
   const glm::dmat4 clipFromGrid = GetParam() ? Parallel() : Perspective();
   const Viewport pixels{ 0, 0, Width, Height };
-  const VisibleBlocks blocks{ Side, { glm::vec3(50.0f) } };
+  const VisibleBlocks blocks{ BlockSide, { glm::vec3(50.0f) } };
   VisibleDepths visible;
   const PacketDepths depths =
     visible.Draw(blocks, clipFromGrid, DirectionOf(clipFromGrid), SizePixels, pixels);
   const int middle = Height / 2 / PacketHeight * depths.columns + Width / 2 / PacketWidth;
   EXPECT_LT(depths.nearest[middle], depths.farthest[middle]);
-  EXPECT_LT(depths.farthest[middle] - depths.nearest[middle], 2.0f * Side);
+  EXPECT_LT(depths.farthest[middle] - depths.nearest[middle], 2.0f * BlockSide);
   int empty = 0;
   const int packets = depths.columns * ((Height + PacketHeight - 1) / PacketHeight);
   for (int packet = 0; packet < packets; ++packet)
@@ -130,7 +130,7 @@ TEST_P(VisibleDepthsOf, ManyBlocksAreThoseOfEach)
   for (std::size_t first = 0; first < blocks.centersGrid.size(); first += 500)
   {
     const PacketDepths one = alone.Draw(
-      { Side, { blocks.centersGrid[first] } }, clipFromGrid, direction, SizePixels, pixels);
+      { BlockSide, { blocks.centersGrid[first] } }, clipFromGrid, direction, SizePixels, pixels);
     for (int packet = 0; packet < packets; ++packet)
     {
       ASSERT_LE(all.nearest[packet], one.nearest[packet]);
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Projections, VisibleDepthsOf, testing::Bool());
 TEST(VisibleDepths, SayNothingBesideTheEye)
 {
   const glm::dmat4 clipFromGrid = Perspective();
-  const VisibleBlocks blocks{ Side, { glm::vec3(50.0f), glm::vec3(-90.0f, 20.0f, 130.0f) } };
+  const VisibleBlocks blocks{ BlockSide, { glm::vec3(50.0f), glm::vec3(-90.0f, 20.0f, 130.0f) } };
   VisibleDepths visible;
   EXPECT_FALSE(
     visible
@@ -157,12 +157,12 @@ TEST(VisibleDepths, KeepNothingOfWhatWasDrawnBefore)
 {
   const glm::dmat4 clipFromGrid = Perspective();
   const glm::vec3 direction = DirectionOf(clipFromGrid);
-  const VisibleBlocks block{ Side, { glm::vec3(50.0f) } };
+  const VisibleBlocks block{ BlockSide, { glm::vec3(50.0f) } };
   VisibleDepths visible;
   visible.Draw(
     RandomBlocks(5, 20000), clipFromGrid, direction, SizePixels, { 0, 0, Width, Height });
-  visible.Draw({ Side, { glm::vec3(-90.0f, 20.0f, 130.0f) } }, clipFromGrid, direction, SizePixels,
-    { 0, 0, Width, Height }); // beside the eye
+  visible.Draw({ BlockSide, { glm::vec3(-90.0f, 20.0f, 130.0f) } }, clipFromGrid, direction,
+    SizePixels, { 0, 0, Width, Height }); // beside the eye
   const Viewport pixels{ 0, 0, Width / 2, Height / 2 };
   const PacketDepths again = visible.Draw(block, clipFromGrid, direction, SizePixels, pixels);
   VisibleDepths other;

@@ -8,6 +8,7 @@
 #include "Viewer/Open/RawForm.h"
 #include "Viewer/Open/SeriesPicker.h"
 #include "Viewer/Open/WarningBar.h"
+#include "Waiting.h"
 
 #include <QFile>
 #include <QLabel>
@@ -28,8 +29,6 @@ using namespace varimarch;
 
 namespace
 {
-
-constexpr int MostMilliseconds = 60000;
 
 class Opening : public testing::Test
 {

@@ -3,6 +3,7 @@
 #include "Scene/Presets.h"
 #include "SmallStudy.h"
 #include "Viewer/Panels/PresetGallery.h"
+#include "Waiting.h"
 
 #include <QFile>
 #include <QLabel>
@@ -21,8 +22,6 @@ using namespace varimarch;
 
 namespace
 {
-
-constexpr int MostMilliseconds = 60000;
 
 class Gallery : public testing::Test
 {

@@ -1,6 +1,7 @@
 // The form for raw files: its guess, its message about the size, its preview.
 
 #include "Viewer/Open/RawForm.h"
+#include "Waiting.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -17,8 +18,6 @@ using namespace varimarch;
 
 namespace
 {
-
-constexpr int MostMilliseconds = 30000;
 
 // Slices of 4 x 4 voxels: the first is bright in its left half, the last in its upper half.
 std::string Voxels()

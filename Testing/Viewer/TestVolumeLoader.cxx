@@ -3,6 +3,7 @@
 #include "Module/PhantomFiles.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/VolumeLoader.h"
+#include "Waiting.h"
 
 #include <QSignalSpy>
 
@@ -12,8 +13,6 @@ using namespace varimarch;
 
 namespace
 {
-
-constexpr int MostMilliseconds = 30000;
 
 class Loading : public testing::Test
 {

@@ -4,6 +4,7 @@
 #include "Viewer/MainWindow.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/VolumeView.h"
+#include "Waiting.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -15,8 +16,6 @@
 
 namespace varimarch
 {
-
-constexpr int MostMilliseconds = 60000;
 
 /// A window beside the file of a small torso.
 class Window : public testing::Test

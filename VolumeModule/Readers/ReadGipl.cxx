@@ -13,7 +13,7 @@ namespace varimarch
 namespace
 {
 
-constexpr std::size_t headerBytes = 256;
+constexpr std::size_t giplHeaderBytes = 256;
 
 bool HasMark(const BinaryHeader& header)
 {
@@ -44,7 +44,7 @@ bool IsGipl(const std::string& head)
 
 Volume ReadGipl(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
-  const BinaryHeader header(path, headerBytes, true);
+  const BinaryHeader header(path, giplHeaderBytes, true);
   if (!HasMark(header))
   {
     FailToRead(path, "a GIPL header that ends with its mark", "another end");
@@ -61,7 +61,7 @@ Volume ReadGipl(const std::string& path, const ReadOptions&, ReadProgress& progr
   file.paths = { path };
   file.compression = CompressionOf(path);
   file.bigEndian = true;
-  file.dataOffset = headerBytes;
+  file.dataOffset = giplHeaderBytes;
 
   Volume volume;
   const int volumeCount = header.At<unsigned short>(6);

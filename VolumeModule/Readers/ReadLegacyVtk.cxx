@@ -115,7 +115,7 @@ bool TakeArrayLine(
 }
 
 /// Reads up to the values of the first array: that of SCALARS, VECTORS ... or of a field.
-LegacyHeader ReadHeader(const std::string& path)
+LegacyHeader ReadLegacyHeader(const std::string& path)
 {
   LegacyHeader header;
   HeaderLines lines(path);
@@ -158,7 +158,7 @@ LegacyHeader ReadHeader(const std::string& path)
 
 Volume ReadLegacyVtk(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
-  const LegacyHeader header = ReadHeader(path);
+  const LegacyHeader header = ReadLegacyHeader(path);
   if (header.dimensions.empty())
   {
     FailToRead(path, "a line with DIMENSIONS", "none");

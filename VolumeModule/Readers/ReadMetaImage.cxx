@@ -28,7 +28,7 @@ struct MetaHeader
 const std::vector<std::string> directionKeys = { "transformmatrix", "rotation", "orientation" };
 const char* const dataFileKey = "elementdatafile";
 
-MetaHeader ReadHeader(const std::string& path)
+MetaHeader ReadMetaHeader(const std::string& path)
 {
   MetaHeader header;
   header.path = path;
@@ -222,7 +222,7 @@ VoxelFile VoxelFileOf(const MetaHeader& header)
 
 Volume ReadMetaImage(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
-  const MetaHeader header = ReadHeader(path);
+  const MetaHeader header = ReadMetaHeader(path);
   Volume volume;
   const ImageGeometry geometry = GeometryOf(header, volume.warnings);
   const VoxelFile file = VoxelFileOf(header);

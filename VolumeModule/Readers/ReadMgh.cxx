@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-constexpr std::size_t headerBytes = 284;
+constexpr std::size_t mghHeaderBytes = 284;
 
 /// The VTK type of a type code.
 std::optional<int> TypeOfCode(int code)
@@ -65,7 +65,7 @@ bool IsMgh(const std::string& head)
 
 Volume ReadMgh(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
-  const BinaryHeader header(path, headerBytes, true);
+  const BinaryHeader header(path, mghHeaderBytes, true);
   const int version = header.At<int>(0);
   if (version != 1)
   {
@@ -83,7 +83,7 @@ Volume ReadMgh(const std::string& path, const ReadOptions&, ReadProgress& progre
   file.paths = { path };
   file.compression = CompressionOf(path);
   file.bigEndian = true;
-  file.dataOffset = headerBytes;
+  file.dataOffset = mghHeaderBytes;
 
   Volume volume;
   if (header.At<int>(16) > 1)

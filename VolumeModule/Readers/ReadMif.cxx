@@ -18,7 +18,7 @@ namespace varimarch
 namespace
 {
 
-constexpr const char* mark = "mrtrix image";
+constexpr const char* mifMark = "mrtrix image";
 
 struct MifHeader
 {
@@ -82,14 +82,14 @@ void SetSizes(MifHeader& header)
   }
 }
 
-MifHeader ReadHeader(const std::string& path)
+MifHeader ReadMifHeader(const std::string& path)
 {
   MifHeader header;
   header.path = path;
   HeaderLines lines(path);
-  if (Trimmed(lines.Next().value_or("")) != mark)
+  if (Trimmed(lines.Next().value_or("")) != mifMark)
   {
-    FailToRead(path, std::string("a first line \"") + mark + '"', "another one");
+    FailToRead(path, std::string("a first line \"") + mifMark + '"', "another one");
   }
   std::optional<std::string> line;
   while ((line = lines.Next()) && Trimmed(*line) != "END")
@@ -264,12 +264,12 @@ Rescale RescaleOf(const MifHeader& header)
 
 bool IsMif(const std::string& head)
 {
-  return head.compare(0, std::string(mark).size(), mark) == 0;
+  return head.compare(0, std::string(mifMark).size(), mifMark) == 0;
 }
 
 Volume ReadMif(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
-  const MifHeader header = ReadHeader(path);
+  const MifHeader header = ReadMifHeader(path);
   const MifType type = TypeOf(header);
   VoxelLayout layout = { {}, type.scalarType };
   std::size_t stored = 0;

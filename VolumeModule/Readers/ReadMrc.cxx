@@ -17,7 +17,7 @@ namespace varimarch
 namespace
 {
 
-constexpr std::size_t headerBytes = 1024;
+constexpr std::size_t mrcHeaderBytes = 1024;
 constexpr double mmPerAngstrom = 1e-7;
 
 /// The file axis, 0 to 2, along each axis of the cell; the header counts from 1. Files without this
@@ -130,7 +130,7 @@ bool IsMrc(const std::string& head)
 
 Volume ReadMrc(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
-  const BinaryHeader little(path, headerBytes, false);
+  const BinaryHeader little(path, mrcHeaderBytes, false);
   const BinaryHeader big(little.Bytes(), true);
   if (!IsPlausible(little) && !IsPlausible(big))
   {
@@ -146,7 +146,7 @@ Volume ReadMrc(const std::string& path, const ReadOptions&, ReadProgress& progre
   {
     FailToRead(path, "an extended header of at least 0 bytes", std::to_string(extendedBytes));
   }
-  file.dataOffset = std::int64_t(headerBytes) + extendedBytes;
+  file.dataOffset = std::int64_t(mrcHeaderBytes) + extendedBytes;
 
   Volume volume;
   const ImageGeometry geometry = GeometryOf(header, volume);

@@ -100,7 +100,7 @@ VoxelLayout LayoutOf(const std::string& path, const NiftiHeader& header, Volume&
 }
 
 /// The partner of image.hdr is image.img and vice versa, with or without .gz, whichever exists.
-std::string Partner(const std::string& path, const std::string& extension)
+std::string NiftiPartner(const std::string& path, const std::string& extension)
 {
   std::filesystem::path partner = path;
   if (partner.extension() == ".gz")
@@ -120,7 +120,8 @@ std::string HeaderPath(const std::string& path)
   {
     name.replace_extension();
   }
-  return name.extension() == ".img" && !IsNifti(FirstBytes(path)) ? Partner(path, ".hdr") : path;
+  return name.extension() == ".img" && !IsNifti(FirstBytes(path)) ? NiftiPartner(path, ".hdr")
+                                                                  : path;
 }
 
 /// File offset of the voxels, after decompression.
@@ -146,7 +147,8 @@ std::int64_t VoxelOffset(const std::string& path, const NiftiHeader& header, Vol
 VoxelFile VoxelFileOf(const std::string& headerPath, const NiftiHeader& header, Volume& volume)
 {
   VoxelFile file;
-  file.paths = { header.kind == NiftiKind::OneFile ? headerPath : Partner(headerPath, ".img") };
+  file.paths = { header.kind == NiftiKind::OneFile ? headerPath
+                                                   : NiftiPartner(headerPath, ".img") };
   ReadableFileSize(file.paths.front());
   file.compression = CompressionOf(file.paths.front());
   file.bigEndian = header.bigEndian;

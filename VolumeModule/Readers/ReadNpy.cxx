@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-constexpr const char* mark = "\x93NUMPY";
+constexpr const char* npyMark = "\x93NUMPY";
 constexpr std::size_t markBytes = 6;
 
 struct NpyHeader
@@ -33,7 +33,7 @@ std::string HeaderText(const std::string& path, std::int64_t& headerBytes)
   unsigned char begin[12] = {};
   const std::size_t got = stream->Read(begin, 10);
   if (got < 10 ||
-    !std::equal(begin, begin + markBytes, reinterpret_cast<const unsigned char*>(mark)))
+    !std::equal(begin, begin + markBytes, reinterpret_cast<const unsigned char*>(npyMark)))
   {
     FailToRead(path, "a NumPy array", "a file without its mark");
   }
@@ -52,7 +52,7 @@ std::string HeaderText(const std::string& path, std::int64_t& headerBytes)
   return text;
 }
 
-NpyHeader ReadHeader(const std::string& path)
+NpyHeader ReadNpyHeader(const std::string& path)
 {
   NpyHeader header = {};
   const std::string text = HeaderText(path, header.bytes);
@@ -143,13 +143,13 @@ NpyGrid GridOf(const NpyHeader& header, const NpyAxes& axes)
 
 bool IsNpy(const std::string& head)
 {
-  return head.compare(0, markBytes, mark) == 0;
+  return head.compare(0, markBytes, npyMark) == 0;
 }
 
 Volume ReadNpy(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
   ReadableFileSize(path);
-  const NpyHeader header = ReadHeader(path);
+  const NpyHeader header = ReadNpyHeader(path);
   const NpyAxes axes = AxesOf(path, header);
   const NpyGrid grid = GridOf(header, axes);
   VoxelFile file;

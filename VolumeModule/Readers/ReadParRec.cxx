@@ -21,7 +21,7 @@ namespace varimarch
 namespace
 {
 
-constexpr const char* mark = "# === DATA DESCRIPTION FILE";
+constexpr const char* parMark = "# === DATA DESCRIPTION FILE";
 
 /// An image of the list, which is one slice of one volume.
 struct ParImage
@@ -69,7 +69,7 @@ ParImage ImageOf(const std::string& path, const std::string& line)
     columns[22], columns[23], int(columns[25]), { columns[28], columns[29] } };
 }
 
-ParHeader ReadHeader(const std::string& path)
+ParHeader ReadParHeader(const std::string& path)
 {
   ParHeader header;
   header.path = path;
@@ -224,7 +224,7 @@ vtkSmartPointer<vtkImageData> ReadSlices(const std::string& path, const VoxelLay
 }
 
 /// The header or voxel file beside the given one, whose names are both in upper or lower case.
-std::string Partner(const std::string& path, const std::string& extension)
+std::string ParPartner(const std::string& path, const std::string& extension)
 {
   std::filesystem::path partner = path;
   const std::string own = partner.extension();
@@ -245,12 +245,12 @@ std::string Partner(const std::string& path, const std::string& extension)
 
 bool IsPar(const std::string& head)
 {
-  return head.compare(0, std::string(mark).size(), mark) == 0;
+  return head.compare(0, std::string(parMark).size(), parMark) == 0;
 }
 
 Volume ReadParRec(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
-  const ParHeader header = ReadHeader(Partner(path, ".par"));
+  const ParHeader header = ReadParHeader(ParPartner(path, ".par"));
   const std::vector<ParImage> slices = FirstVolumeOf(header);
   const VoxelLayout layout = LayoutOf(header, slices);
   const ImageGeometry geometry = GeometryOf(header, layout);
@@ -261,7 +261,7 @@ Volume ReadParRec(const std::string& path, const ReadOptions&, ReadProgress& pro
   {
     volume.warnings.push_back(OnlyFirstVolume(std::int64_t(volumeCount)));
   }
-  volume.image = ReadSlices(Partner(path, ".rec"), layout, slices, progress);
+  volume.image = ReadSlices(ParPartner(path, ".rec"), layout, slices, progress);
   std::vector<Rescale> rescales;
   for (const ParImage& slice : slices)
   {

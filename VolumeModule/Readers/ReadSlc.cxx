@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-constexpr const char* mark = "11111";
+constexpr const char* slcMark = "11111";
 
 struct SlcHeader
 {
@@ -36,12 +36,12 @@ std::size_t EndOfText(const SlcHeader& header, const std::string& bytes, std::si
   return letter + 1;
 }
 
-SlcHeader ReadHeader(const std::string& path, const std::string& bytes)
+SlcHeader ReadSlcHeader(const std::string& path, const std::string& bytes)
 {
   SlcHeader header = { path, { {}, VTK_UNSIGNED_CHAR }, {}, false, 0 };
   HeaderWords words(path, bytes);
   const std::string first = words.Next();
-  if (first != mark)
+  if (first != slcMark)
   {
     FailToRead(path, "an SLC file, whose first number is 11111", Quoted(first));
   }
@@ -143,13 +143,13 @@ std::size_t TakeSlice(const SlcHeader& header, const std::string& bytes, std::si
 
 bool IsSlc(const std::string& head)
 {
-  return head.compare(0, 5, mark) == 0 && head.size() > 5 && (head[5] == '\n' || head[5] == ' ');
+  return head.compare(0, 5, slcMark) == 0 && head.size() > 5 && (head[5] == '\n' || head[5] == ' ');
 }
 
 Volume ReadSlc(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
   const std::string bytes = WholeFile(path);
-  const SlcHeader header = ReadHeader(path, bytes);
+  const SlcHeader header = ReadSlcHeader(path, bytes);
   const double voxelBytes = double(CheckedByteCount(path, header.layout));
   // Two bytes encode at most 127.
   const double mostBytes = double(bytes.size()) * (header.isEncoded ? 64.0 : 1.0);

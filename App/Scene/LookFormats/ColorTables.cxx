@@ -21,14 +21,14 @@ struct TableEntry
   double opacity; ///< [0, 1]
 };
 
-using Table = std::vector<TableEntry>;
+using TableEntries = std::vector<TableEntry>;
 
 bool IsBinaryLut(const std::string& bytes)
 {
   return bytes.size() == 3 * ScaleColors || bytes.compare(0, 4, "ICOL") == 0;
 }
 
-Table EntriesOfBinary(const std::string& bytes, const std::string& file)
+TableEntries EntriesOfBinary(const std::string& bytes, const std::string& file)
 {
   const std::size_t header = bytes.size() == 3 * ScaleColors ? 0 : 32;
   if (bytes.size() < header + 3 * ScaleColors)
@@ -39,7 +39,7 @@ Table EntriesOfBinary(const std::string& bytes, const std::string& file)
   }
   const auto component = [&](int channel, int i)
   { return double(static_cast<unsigned char>(bytes[header + channel * ScaleColors + i])); };
-  Table entries;
+  TableEntries entries;
   for (int i = 0; i < ScaleColors; ++i)
   {
     entries.push_back({ double(i), { component(0, i), component(1, i), component(2, i) }, 1.0 });
@@ -48,10 +48,10 @@ Table EntriesOfBinary(const std::string& bytes, const std::string& file)
 }
 
 /// Reads the entries of all lines. Comments, empty lines and a line of headings are skipped.
-Table EntriesOfLines(const std::string& text, const std::string& file, const char* expected,
+TableEntries EntriesOfLines(const std::string& text, const std::string& file, const char* expected,
   const std::function<bool(std::istream&, TableEntry&)>& readEntry)
 {
-  Table entries;
+  TableEntries entries;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
   {
@@ -121,7 +121,7 @@ bool ReadLabelEntry(std::istream& fields, TableEntry& entry)
   return isRead;
 }
 
-Look ScaleOf(const Table& entries, const std::string& file, const LookContext& context)
+Look ScaleOf(const TableEntries& entries, const std::string& file, const LookContext& context)
 {
   Look look;
   const double first = entries.front().index;
@@ -135,7 +135,7 @@ Look ScaleOf(const Table& entries, const std::string& file, const LookContext& c
 }
 
 /// A label's colour and opacity hold from half a step below its value to half a step above.
-Look LabelsOf(const Table& entries, const std::string& file, const LookContext& context)
+Look LabelsOf(const TableEntries& entries, const std::string& file, const LookContext& context)
 {
   Look look;
   for (const TableEntry& entry : entries)
@@ -157,7 +157,7 @@ Look LabelsOf(const Table& entries, const std::string& file, const LookContext& 
 
 Look LookFromLut(const std::string& bytes, const std::string& file, const LookContext& context)
 {
-  const Table entries = IsBinaryLut(bytes)
+  const TableEntries entries = IsBinaryLut(bytes)
     ? EntriesOfBinary(bytes, file)
     : EntriesOfLines(bytes, file, "red, green and blue", ReadLutEntry);
   return ScaleOf(entries, file, context);

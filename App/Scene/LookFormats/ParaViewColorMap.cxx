@@ -44,7 +44,7 @@ std::vector<OpacityNode> OpacitiesOf(const JsonCursor& points)
   return nodes;
 }
 
-std::vector<ColorNode> ColorsOf(const JsonCursor& points)
+std::vector<ColorNode> ColorsOfPoints(const JsonCursor& points)
 {
   const std::vector<double> numbers = NumbersOf(points, 4);
   std::vector<ColorNode> nodes;
@@ -140,7 +140,7 @@ Look LookFromParaViewJson(
   const auto space = map.Find("ColorSpace");
   Look look;
   look.shading.enabled = false;
-  look.colors = ColorsOf(map.At("RGBPoints"));
+  look.colors = ColorsOfPoints(map.At("RGBPoints"));
   if (const auto points = map.Find("Points"))
   {
     look.opacities = OpacitiesOf(*points);

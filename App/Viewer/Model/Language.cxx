@@ -20,7 +20,7 @@ namespace varimarch
 namespace
 {
 
-const QString Key = QStringLiteral("language");
+const QString LanguageKey = QStringLiteral("language");
 
 }
 
@@ -31,12 +31,12 @@ QVector<Language> Languages()
 
 QString ChosenLanguage()
 {
-  return QSettings().value(Key).toString();
+  return QSettings().value(LanguageKey).toString();
 }
 
 void ChooseLanguage(const QString& code)
 {
-  QSettings().setValue(Key, code);
+  QSettings().setValue(LanguageKey, code);
 }
 
 void Speak(const QString& code, QCoreApplication* application)

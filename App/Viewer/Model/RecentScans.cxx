@@ -17,7 +17,7 @@ namespace varimarch
 namespace
 {
 
-const QString Key = QStringLiteral("recentScans");
+const QString RecentScansKey = QStringLiteral("recentScans");
 
 QString LabelOf(const Study& study)
 {
@@ -46,7 +46,7 @@ QVector<RecentScan> RecentScans::List() const
 {
   QVector<RecentScan> scans;
   QSettings settings;
-  const int count = settings.beginReadArray(Key);
+  const int count = settings.beginReadArray(RecentScansKey);
   for (int i = 0; i < count; ++i)
   {
     settings.setArrayIndex(i);
@@ -80,8 +80,8 @@ void RecentScans::Clear()
 void RecentScans::Keep(const QVector<RecentScan>& scans)
 {
   QSettings settings;
-  settings.remove(Key);
-  settings.beginWriteArray(Key, scans.size());
+  settings.remove(RecentScansKey);
+  settings.beginWriteArray(RecentScansKey, scans.size());
   for (int i = 0; i < scans.size(); ++i)
   {
     settings.setArrayIndex(i);

@@ -24,7 +24,7 @@ namespace varimarch
 namespace
 {
 
-constexpr int LargestSide = 1 << 16;
+constexpr int MostVoxelsPerSide = 1 << 16;
 constexpr int SmallestPreview = 256; ///< [logical pixels]
 constexpr double LargestSpacingMm = 1000.0;
 
@@ -72,7 +72,7 @@ QFormLayout* RawForm::MakeForm()
   for (int axis = 0; axis < 3; ++axis)
   {
     this->dimensions[axis] = new QSpinBox;
-    this->dimensions[axis]->setRange(1, LargestSide);
+    this->dimensions[axis]->setRange(1, MostVoxelsPerSide);
     this->dimensions[axis]->setAccessibleName(axes[axis]);
     connect(this->dimensions[axis], QOverload<int>::of(&QSpinBox::valueChanged), this, changed);
     form->addRow(axes[axis], this->dimensions[axis]);

@@ -17,7 +17,7 @@ namespace varimarch
 namespace
 {
 
-constexpr double GrabPixels = 11.0;
+constexpr double HandleGrabPixels = 11.0;
 constexpr double DiscPixels = 6.0;
 const QColor PlaneColor(255, 190, 60);
 const QColor BoxColor(120, 200, 255);
@@ -82,7 +82,7 @@ std::optional<CutHandle> CutHandles::HandleAt(const QPointF& place) const
   for (const CutHandle& handle : HandlesOf(this->model->CurrentScene().cuts, this->Image(), frame))
   {
     const std::optional<QPointF> pixel = frame.pixelOf(handle.pointMm);
-    if (pixel && QLineF(*pixel, place).length() <= GrabPixels)
+    if (pixel && QLineF(*pixel, place).length() <= HandleGrabPixels)
     {
       return handle;
     }
@@ -186,7 +186,7 @@ void CutHandles::PaintHandle(
   }
   const bool ofPlane =
     handle.kind == CutHandleKind::PushPlane || handle.kind == CutHandleKind::TurnPlane;
-  const bool hovered = QLineF(*place, this->pointer).length() <= GrabPixels;
+  const bool hovered = QLineF(*place, this->pointer).length() <= HandleGrabPixels;
   const double radius = DiscPixels * (hovered ? 1.4 : 1.0);
   if (handle.kind == CutHandleKind::TurnPlane)
   {

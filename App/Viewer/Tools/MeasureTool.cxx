@@ -17,7 +17,7 @@ namespace varimarch
 namespace
 {
 
-constexpr double GrabPixels = 7.0;
+constexpr double MeasureGrabPixels = 7.0;
 
 using Point = MeasureTool::Point;
 
@@ -78,7 +78,7 @@ std::optional<MeasureTool::PointId> MeasureTool::PointNear(const QPointF& place)
       {
         const std::optional<QPointF> pixel = frame.pixelOf(*points[i]);
         if (pixel && this->surface.Shows(*points.front(), *points.back()) &&
-          QLineF(*pixel, place).length() <= GrabPixels)
+          QLineF(*pixel, place).length() <= MeasureGrabPixels)
         {
           return PointId{ of, measure, i };
         }

@@ -25,7 +25,7 @@ namespace varimarch
 namespace
 {
 
-constexpr int StillMilliseconds = 400;
+constexpr int ComparedMilliseconds = 400;
 constexpr int GapPixels = 3;     // between images
 constexpr int DividerPixels = 9; // area that can be grabbed, around a visible line
 constexpr double DividerStep = 0.02;
@@ -106,7 +106,7 @@ ComparisonView::ComparisonView(SceneModel* model, QWidget* parent)
   this->numbers->setWordWrap(true);
   this->result->hide();
   this->stillness.setSingleShot(true);
-  this->stillness.setInterval(StillMilliseconds);
+  this->stillness.setInterval(ComparedMilliseconds);
   connect(&this->stillness, &QTimer::timeout, this, &ComparisonView::Compare);
   connect(this->ours, &VolumeView::Drawn, this,
     [this]

@@ -30,7 +30,7 @@ namespace varimarch
 namespace
 {
 
-constexpr int LargestSide = 16384;
+constexpr int MostPixelsPerSide = 16384;
 // Text has the same size relative to the image; it is laid out for an image of this height.
 constexpr double HeightOfWords = 800.0;
 
@@ -145,7 +145,7 @@ ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
   this->setWindowTitle(tr("Export an image"));
   for (QSpinBox* side : { this->width, this->height })
   {
-    side->setRange(16, LargestSide);
+    side->setRange(16, MostPixelsPerSide);
     side->setSuffix(tr(" pixels"));
   }
   this->width->setValue(viewSize.width());

@@ -17,7 +17,7 @@ namespace varimarch
 namespace
 {
 
-constexpr int LargestSide = 128; ///< side of the reduced copy [voxels]
+constexpr int CopyVoxelsPerSide = 128; ///< side of the reduced copy [voxels]
 constexpr int RestMilliseconds = 500;
 constexpr double ErrorTolerance = 1.0 / 32.0;
 constexpr double Zoom = 1.3; // most volumes are empty in their corners
@@ -120,7 +120,7 @@ void PresetThumbnails::Run(const std::shared_ptr<Task>& task)
     scene.size = { task->pixels.width(), task->pixels.height() };
     scene.render.errorTolerance = ErrorTolerance;
     scene.camera.zoom = Zoom;
-    OffscreenView view(scene, SmallCopy(task->volume, LargestSide), MapperKind::Varimarch);
+    OffscreenView view(scene, SmallCopy(task->volume, CopyVoxelsPerSide), MapperKind::Varimarch);
     for (int index = 0; index < int(task->presets.size()) && task->ShouldContinue(); ++index)
     {
       TakePreset(task->presets[index], scene);

@@ -11,7 +11,7 @@ namespace varimarch
 namespace
 {
 
-constexpr double Side = BrickRanges::CellsPerSide;
+constexpr double BrickSide = BrickRanges::CellsPerSide;
 
 // A range of bricks along an axis, both ends included.
 struct Span
@@ -27,10 +27,10 @@ std::vector<Span> SpansOf(const UnevenAxis& axis, int brickCount)
   std::vector<Span> spans;
   for (int brick = 0; brick < brickCount; ++brick)
   {
-    const double lower = axis.VoxelAt(Side * brick) - Rounding;
-    const double upper = axis.VoxelAt(Side * (brick + 1)) + Rounding;
-    spans.push_back({ std::clamp(int(std::floor(lower / Side)), 0, brickCount - 1),
-      std::clamp(int(std::floor(upper / Side)), 0, brickCount - 1) });
+    const double lower = axis.VoxelAt(BrickSide * brick) - Rounding;
+    const double upper = axis.VoxelAt(BrickSide * (brick + 1)) + Rounding;
+    spans.push_back({ std::clamp(int(std::floor(lower / BrickSide)), 0, brickCount - 1),
+      std::clamp(int(std::floor(upper / BrickSide)), 0, brickCount - 1) });
   }
   return spans;
 }
