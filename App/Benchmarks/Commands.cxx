@@ -3,6 +3,7 @@
 #include "BenchMethods.h"
 #include "CommandLine/Parser.h"
 #include "FeatureList.h"
+#include "SoakBench.h"
 
 #include <CLI/CLI.hpp>
 
@@ -185,6 +186,28 @@ void AddFeatureCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunFeatures(*arguments); });
 }
 
+void AddSoakCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<SoakArguments>();
+  arguments->report.commandText = commandText;
+  CLI::App* app = program.add_subcommand(
+    "soak", "Render for a long time, with edits and other voxels, and watch memory and speed");
+  app->footer("Writes soak.md and .json after each tenth of the frames.\n"
+              "Examples:\n"
+              "  varimarch-bench soak head.nii.gz -o report\n"
+              "  varimarch-bench soak procedural:torso:128x128x96 -o report --frames 100000");
+  app
+    ->add_option("SCENE", arguments->input,
+      "A scene file (.json), volume file, DICOM folder, or procedural:NAME[:XxYxZ]")
+    ->required();
+  AddLookAndPictureOptions(*app, arguments->scene);
+  AddReportOptions(*app, arguments->report);
+  app->add_option("--frames", arguments->frames, "Number of frames (default 20000)")
+    ->check(CLI::Range(SoakParts, 100000000).description(""))
+    ->type_name("N");
+  app->callback([arguments] { RunSoak(*arguments); });
+}
+
 }
 
 void AddCommands(CLI::App& program, const std::string& commandText)
@@ -194,6 +217,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddSpeedCommand(program, commandText);
   AddScalingCommand(program, commandText);
   AddFeatureCommand(program, commandText);
+  AddSoakCommand(program, commandText);
 }
 
 }

@@ -66,6 +66,14 @@ struct FeatureArguments
   int rounds = 3;
 };
 
+struct SoakArguments
+{
+  ReportArguments report;
+  SceneArguments scene;
+  std::string input;
+  int frames = 20000; ///< at least SoakParts
+};
+
 /// Run the benchmarks. Each measures, writes its report after every step, so that an interrupted
 /// run keeps its results, and prints a summary.
 /// @throws UsageError when the arguments do not fit together
@@ -75,6 +83,7 @@ void RunPublished(const PublishedArguments& arguments);
 void RunSpeed(const SpeedArguments& arguments);
 void RunScaling(const ScalingArguments& arguments);
 void RunFeatures(const FeatureArguments& arguments);
+void RunSoak(const SoakArguments& arguments);
 
 /// Adds the subcommands that fill these arguments and run.
 void AddCommands(CLI::App& program, const std::string& commandText);

@@ -205,6 +205,18 @@ def scaling(folder):
     assert png_size(folder / "scaling.png")[0] > 1000
 
 
+def soak(folder):
+    text, _ = run("soak", "procedural:shells:16x16x16", "-o", folder, "--size", "32x32",
+                  "--frames", "410")
+    assert (folder / "soak.md").read_text() == text
+    parts = json.loads((folder / "soak.json").read_text())["parts"]
+    assert [part["frames"] for part in parts] == list(range(41, 411, 41))
+    assert all(part["medianMs"] > 0 for part in parts)
+    # Nothing grows once all kinds of frames were rendered.
+    assert parts[-1]["openFiles"] == parts[-2]["openFiles"]
+    assert parts[-1]["residentMegabytes"] < parts[-2]["residentMegabytes"] + 20
+
+
 def features(folder):
     text, _ = run("features", "procedural:shells:16x16x16", "-o", folder, "--size",
                   "32x32", "--rounds", "1", "--only", "shading,dependent-4")
@@ -244,7 +256,7 @@ def usage(folder):
         _, errors = run(*arguments, expect=2)
         assert errors.strip(), arguments
     text, _ = run("--help")
-    for command in ("work-precision", "published", "speed", "scaling", "features"):
+    for command in ("work-precision", "published", "speed", "scaling", "features", "soak"):
         assert command in text.partition("Subcommands:")[2], text
         text_of_command, _ = run(command, "--help")
         assert f"  varimarch-bench {command} " in text_of_command, "help without examples"
@@ -255,5 +267,5 @@ if __name__ == "__main__":
         cases = (work_precision, work_precision_leaves_out_what_takes_long,
                  work_precision_judges_error_tolerances,
                  work_precision_keeps_what_it_has_when_stopped, published, speed,
-                 speed_draws_what_takes_long_in_one_round, scaling, features, usage)
+                 speed_draws_what_takes_long_in_one_round, scaling, features, soak, usage)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))
