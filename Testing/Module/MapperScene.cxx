@@ -12,10 +12,12 @@
 #include <vtkCellData.h>
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkSphereSource.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -146,13 +148,13 @@ vtkDataArray* ScalarsOf(vtkImageData* image)
 }
 
 // A double holds the values of every type in these tests.
-std::vector<double> VoxelsOf(vtkImageData* image)
+std::vector<double> VoxelsOf(vtkImageData* image, int component)
 {
   vtkDataArray* const scalars = ScalarsOf(image);
   std::vector<double> voxels(scalars->GetNumberOfTuples());
   for (std::size_t i = 0; i < voxels.size(); ++i)
   {
-    voxels[i] = scalars->GetComponent(vtkIdType(i), 0);
+    voxels[i] = scalars->GetComponent(vtkIdType(i), component);
   }
   return voxels;
 }
@@ -162,6 +164,49 @@ CellCorners OneValue(double value)
   CellCorners corners;
   corners.fill(value);
   return corners;
+}
+
+bool IsHidden(vtkUnsignedCharArray* flags, vtkIdType index, int hidden)
+{
+  return flags && (flags->GetValue(index) & hidden) != 0;
+}
+
+// The voxels with those that are blanked as NaN, so that the cells around them are left out.
+std::vector<double> WithoutBlanked(vtkImageData* image, std::vector<double> voxels)
+{
+  vtkUnsignedCharArray* const flags = image->GetPointGhostArray();
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+  {
+    if (IsHidden(flags, vtkIdType(i), vtkDataSetAttributes::HIDDENPOINT))
+    {
+      voxels[i] = std::nan("");
+    }
+  }
+  return voxels;
+}
+
+// The corners of a cell, which are NaN if it is blanked. Cells outside repeat those at the faces.
+CellCorners CornersOfVisibleCell(
+  vtkImageData* image, const ScalarGrid<double>& visible, glm::ivec3 cell)
+{
+  const glm::ivec3 count = visible.CellCount();
+  const glm::ivec3 inside = glm::clamp(cell, glm::ivec3(0), count - 1);
+  const vtkIdType index =
+    inside.x + vtkIdType(count.x) * (inside.y + vtkIdType(count.y) * inside.z);
+  return IsHidden(image->GetCellGhostArray(), index, vtkDataSetAttributes::HIDDENCELL)
+    ? OneValue(std::nan(""))
+    : CornersOfCell(visible, cell);
+}
+
+// The material of cells without a value. A blanked cell has a value, but is left out.
+OpticalProperties FillOfGaps(
+  vtkImageData* image, vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property)
+{
+  const bool isBlanked = image->GetPointGhostArray() || image->GetCellGhostArray();
+  const double* const rgb = mapper->GetNanColor();
+  return { { rgb[0], rgb[1], rgb[2] },
+    isBlanked ? 0.0
+              : -std::log1p(-mapper->GetNanOpacity()) / property->GetScalarOpacityUnitDistance() };
 }
 
 // Without interpolation a voxel is a box of one value. The reference represents it as a cell, half
@@ -204,28 +249,31 @@ VolumeGeometry MapperScene::ReferenceGeometry()
   return geometry;
 }
 
-std::vector<float> MapperScene::Truth(double tolerance)
+std::vector<float> MapperScene::Truth(double tolerance, int component)
 {
   const VolumeGeometry geometry = this->ReferenceGeometry();
-  const std::vector<double> voxels = VoxelsOf(this->image);
+  const std::vector<double> voxels = VoxelsOf(this->image, component);
   const ScalarGrid<double> grid(voxels.data(), geometry.dimensions);
+  const std::vector<double> visibleVoxels = WithoutBlanked(this->image, voxels);
+  const ScalarGrid<double> visible(visibleVoxels.data(), geometry.dimensions);
   const VoxelBoxes boxes{ grid };
   const bool isNearest = this->IsNearest();
   vtkVolumeProperty* property = this->volume->GetProperty();
 
   ReferenceScene scene{ [&](glm::ivec3 cell)
-    { return isNearest ? OneValue(boxes.Value(cell)) : CornersOfCell(grid, cell); },
-    geometry.boxGrid, TransferFunctionOf(property) };
+    {
+      return isNearest ? OneValue(VoxelBoxes{ visible }.Value(cell))
+                       : CornersOfVisibleCell(this->image, visible, cell);
+    },
+    geometry.boxGrid, TransferFunctionOf(property, component) };
   const double* const isovalues = property->GetIsoSurfaceValues()->GetValues();
   scene.isovalues.assign(
     isovalues, isovalues + property->GetIsoSurfaceValues()->GetNumberOfContours());
   scene.blend = BlendOf(this->mapper->GetBlendMode());
-  const double* const nanColor = this->mapper->GetNanColor();
-  scene.gap = { { nanColor[0], nanColor[1], nanColor[2] },
-    -std::log1p(-this->mapper->GetNanOpacity()) / property->GetScalarOpacityUnitDistance() };
+  scene.gap = FillOfGaps(this->image, this->mapper, property);
   scene.averagedRange = { this->mapper->GetAverageIPScalarRange()[0],
     this->mapper->GetAverageIPScalarRange()[1] };
-  scene.grayRange = GrayRangeOf({ ScalarsOf(this->image), 0 }, scene.averagedRange);
+  scene.grayRange = GrayRangeOf({ ScalarsOf(this->image), component }, scene.averagedRange);
   scene.uncutParts = CutRays(this->mapper, geometry.worldFromGrid, geometry.dataFromGrid);
   if (property->GetShade())
   {
@@ -251,9 +299,16 @@ std::vector<float> MapperScene::DrawReferenceOf(const ReferenceScene& scene, dou
 
 ImageError MapperScene::ErrorOf(const Material& material, double tolerance)
 {
-  ReferenceScene scene{ {}, this->ReferenceGeometry().boxGrid, TransferFunction({}, {}, 1.0) };
+  return this->ErrorTo(this->TruthOf(material, tolerance));
+}
+
+std::vector<float> MapperScene::TruthOf(const Material& material, double tolerance)
+{
+  const VolumeGeometry geometry = this->ReferenceGeometry();
+  ReferenceScene scene{ {}, geometry.boxGrid, TransferFunction({}, {}, 1.0) };
   scene.material = material;
-  return this->ErrorTo(this->DrawReferenceOf(scene, tolerance));
+  scene.uncutParts = CutRays(this->mapper, geometry.worldFromGrid, geometry.dataFromGrid);
+  return this->DrawReferenceOf(scene, tolerance);
 }
 
 std::array<float, 4> MapperScene::MiddlePixel()

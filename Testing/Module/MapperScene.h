@@ -51,14 +51,17 @@ public:
   /// The image rendered by packets of rays, if they support the scene.
   std::vector<float> DrawByProcessor();
 
-  /// The image of the reference integrator, shaded if the property is.
-  std::vector<float> Truth(double tolerance = 1e-5);
+  /// The image of the reference integrator for one component, shaded if the property is.
+  std::vector<float> Truth(double tolerance = 1e-5, int component = 0);
 
   /// Error of Draw and DrawByProcessor against Truth, whichever is larger.
   varimarch::ImageError Error();
 
   /// Optical properties that the eye sees at a position; positions and rays are in grid space.
   using Material = std::function<varimarch::OpticalProperties(glm::dvec3, const varimarch::Ray&)>;
+
+  /// The composite of a material by the reference integrator.
+  std::vector<float> TruthOf(const Material& material, double tolerance = 1e-4);
 
   /// Error of both against the composite of a material, whichever is larger.
   varimarch::ImageError ErrorOf(const Material& material, double tolerance = 1e-4);

@@ -3,6 +3,7 @@
 #include "Module/MapperScene.h"
 
 #include <vtkCellData.h>
+#include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkUniformGrid.h>
@@ -153,6 +154,26 @@ TEST(Blanking, TheNanColorDoesNotApplyToBlankedPoints)
   BlankedScene scene(grid);
   scene.mapper->SetNanOpacity(1.0);
   EXPECT_NEAR(scene.LengthMm(3.25, 4.75), 7.0, LengthError);
+}
+
+TEST(Blanking, FacesOfBlankedVoxelsAreNoSurfaces)
+{
+  const auto grid = Grid(false);
+  for (vtkIdType point = 0; point < grid->GetNumberOfPoints(); ++point)
+  {
+    grid->GetPointData()->GetScalars()->SetComponent(point, 0, double(point * 37 % 101));
+    if (point % 11 == 0)
+    {
+      grid->BlankPoint(point);
+    }
+  }
+  MapperScene scene(grid, 48);
+  scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+  scene.mapper->SetBlendModeToIsoSurface();
+  scene.volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 50.0);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(0.0, 0.3);
+  EXPECT_LT(scene.Error().percentile999, 1.0) << "of 255";
 }
 
 TEST(Blanking, NormalsBesideABlankedCellAreThoseOfTheData)

@@ -28,15 +28,15 @@ struct Fill
   int side; ///< voxels of a corner that have it, along each axis
 };
 
-// A blob of values from 0 to 255; a corner of it is filled.
-vtkSmartPointer<vtkImageData> Blob(int type, const Fill& fill)
+// A blob of values from `shift` to `shift` + 255; a corner of it is filled.
+vtkSmartPointer<vtkImageData> Blob(int type, const Fill& fill, double shift)
 {
   return ImageOf(type, 1,
     [&](glm::ivec3 voxel, int)
     {
       const bool isFilled = std::max({ voxel.x, voxel.y, voxel.z }) < fill.side;
       const double distance = glm::length(glm::dvec3(voxel) - 8.0) / 8.0;
-      return isFilled ? fill.value : std::round(255.0 * std::max(1.0 - distance, 0.0));
+      return isFilled ? fill.value : shift + std::round(255.0 * std::max(1.0 - distance, 0.0));
     },
     { 17, 17, 17 });
 }
@@ -44,17 +44,17 @@ vtkSmartPointer<vtkImageData> Blob(int type, const Fill& fill)
 // The scene of a blob, seen along z: the filled corner is in the lower left of the image.
 struct BlobScene : MapperScene
 {
-  explicit BlobScene(const Fill& fill, int type = VTK_DOUBLE)
-    : MapperScene(Blob(type, fill), 24)
+  explicit BlobScene(const Fill& fill, int type = VTK_DOUBLE, double shift = 0.0)
+    : MapperScene(Blob(type, fill, shift), 24)
   {
     this->LookDown({ 8.0, 8.0, 8.0 }, 9.0);
     this->colors->RemoveAllPoints();
-    this->colors->AddRGBPoint(0.0, 0.2, 0.6, 1.0);
-    this->colors->AddRGBPoint(255.0, 1.0, 0.7, 0.3);
+    this->colors->AddRGBPoint(shift, 0.2, 0.6, 1.0);
+    this->colors->AddRGBPoint(shift + 255.0, 1.0, 0.7, 0.3);
     this->opacities->RemoveAllPoints();
-    this->opacities->AddPoint(60.0, 0.0);
-    this->opacities->AddPoint(128.0, 0.15);
-    this->opacities->AddPoint(255.0, 0.5);
+    this->opacities->AddPoint(shift + 60.0, 0.0);
+    this->opacities->AddPoint(shift + 128.0, 0.15);
+    this->opacities->AddPoint(shift + 255.0, 0.5);
     this->volume->GetProperty()->SetShade(false);
   }
 
@@ -157,6 +157,64 @@ TEST(FarValues, ChangeNoRayOfOtherRulesAndLooks)
     SCOPED_TRACE(look);
     ExpectTheSameBesideFills({ { -1e20, 1 } }, looks[look]);
   }
+}
+
+// Floats tell values around 2^31 apart by 256 only, and a fill value at zero hides that the others
+// are far from it.
+TEST(FarValues, AtZeroLeaveTheOthersTheirPrecision)
+{
+  BlobScene without(Nothing);
+  struct Numbers
+  {
+    int type;
+    double shift;
+  };
+  for (const auto& [type, shift] :
+    { Numbers{ VTK_INT, -1e8 + 100.0 }, Numbers{ VTK_INT, 2147483000.0 },
+      Numbers{ VTK_UNSIGNED_INT, 4294967000.0 }, Numbers{ VTK_LONG_LONG, 1e12 },
+      Numbers{ VTK_UNSIGNED_LONG, 1e12 }, Numbers{ VTK_DOUBLE, -1e12 } })
+  {
+    SCOPED_TRACE(testing::Message() << shift << ", type " << type);
+    for (const int blend : { Mapper::COMPOSITE_BLEND, Mapper::MAXIMUM_INTENSITY_BLEND })
+    {
+      without.mapper->SetBlendMode(blend);
+      const std::vector<float> expected = without.Beside(without.Draw());
+      BlobScene filled({ 0.0, 2 }, type, shift);
+      filled.mapper->SetBlendMode(blend);
+      const ImageError error = LargerError(
+        filled.Beside(filled.Draw()), filled.Beside(filled.DrawByProcessor()), expected);
+      EXPECT_LT(error.largest, 0.6) << "of 255, blend mode " << blend;
+    }
+  }
+}
+
+TEST(FarValues, FromZeroAreInterpolatedWhateverTheirType)
+{
+  for (const int type : { VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_FLOAT, VTK_DOUBLE })
+  {
+    SCOPED_TRACE(type);
+    const auto image = ImageOf(
+      type, 1, [](glm::ivec3 voxel, int) { return 1e7 + (voxel.x + voxel.y + voxel.z) % 4; });
+    MapperScene scene(image, 24);
+    scene.opacities->RemoveAllPoints();
+    scene.opacities->AddPoint(1e7 + 1.0, 0.0);
+    scene.opacities->AddPoint(1e7 + 3.0, 0.5);
+    scene.mapper->AutoAdjustSampleDistancesOff();
+    scene.mapper->SetSampleDistance(0.02);
+    EXPECT_LT(scene.Error().largest, 1.0) << "of 255";
+  }
+}
+
+TEST(FarValues, ThatAreAllTheSameAreCountedInAnAverage)
+{
+  constexpr double Value = 16219916300.0;
+  MapperScene scene(ImageOf(VTK_DOUBLE, 1, [](glm::ivec3, int) { return Value; }), 9);
+  LookAlongZ(scene);
+  scene.mapper->SetBlendModeToAverageIntensity();
+  scene.mapper->SetAverageIPScalarRange(Value - 30.0, Value + 100.0);
+  EXPECT_EQ(scene.MiddlePixel()[3], 1.0f);
+  scene.mapper->SetAverageIPScalarRange(Value + 30.0, Value + 100.0);
+  EXPECT_EQ(scene.MiddlePixel()[3], 0.0f);
 }
 
 TEST(FarValues, OutsideTheAveragedRangeChangeNoAverage)

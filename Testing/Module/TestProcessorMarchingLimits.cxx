@@ -110,6 +110,18 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
         shifted->Update();
         s.mapper->SetInputData(shifted->GetOutput());
         ShowUpperValues(s, shifted->GetOutput());
+      } },
+    Change{ "IntegersBetweenWhichFloatsAreFew",
+      [](MapperScene& s)
+      {
+        vtkNew<vtkImageShiftScale> shifted;
+        shifted->SetInputData(s.image);
+        shifted->SetShift(1e9);
+        shifted->SetScale(0.01);
+        shifted->SetOutputScalarTypeToInt();
+        shifted->Update();
+        s.mapper->SetInputData(shifted->GetOutput());
+        ShowUpperValues(s, shifted->GetOutput());
       } }),
   NameOf);
 

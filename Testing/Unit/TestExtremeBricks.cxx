@@ -98,6 +98,20 @@ TEST(ExtremeBricks, ValuesBetweenABricksExtremesLookNoBetter)
   }
 }
 
+// Before its first value a ray stands beyond all of them, and must enter every brick.
+TEST(ExtremeBricks, ABoundIsAValueOfTheVolumeIfAllLookTheSame)
+{
+  BrickRanges ranges(glm::ivec3(8, 8, 8), 10.0, 16.0, true);
+  const OpticalTable table =
+    BuildOpticalTable(TransferFunction({}, { { 0.0, 0.3 } }, 1.0), 10.0, 16.0);
+  const auto boundOf = [&](bool largest) {
+    return BuildExtremeBricks(ranges, { table, 1.0, 0.0 }, largest).front();
+  };
+  ranges.Set(0, { 2, 4 });
+  EXPECT_EQ(boundOf(true), 0);
+  EXPECT_EQ(boundOf(false), 6);
+}
+
 TEST(ExtremeBricks, ABlockIsAsTheBestOfItsBricks)
 {
   const glm::ivec3 count(6, 5, 9); // not a multiple of the block size

@@ -308,6 +308,25 @@ TEST(OpticalTable, APeakBetweenTwoEntriesKeepsItsIntegral)
   EXPECT_EQ(table.entries[502].a, 0.0f);
 }
 
+// A background has the end's value: the mean of a curve beside it would make it visible.
+TEST(OpticalTable, ItsEndsAreExactHoweverNearTheNextNodeIs)
+{
+  const TransferFunction function =
+    OpacityCurve({ { 0.0, 0.0 }, { 1e-6, 0.5 }, { 1000.0 - 1e-6, 0.4 }, { 1000.0, 0.0 } });
+  const OpticalTable table = BuildOpticalTable(function, 0.0, 1000.0);
+  EXPECT_EQ(table.entries.front().a, 0.0f);
+  EXPECT_EQ(table.entries.back().a, 0.0f);
+  EXPECT_GT(table.entries[1].a, 0.5f);
+}
+
+TEST(OpticalTable, AStepBeforeAllValuesIsOver)
+{
+  const TransferFunction function = OpacityCurve({ { 2.0, 0.3 }, { 4.0, 0.3 }, { 4.0, 0.0 } });
+  const OpticalTable table = BuildOpticalTable(function, 7.0, 1e30);
+  EXPECT_EQ(LookUp(table, 7.0).a, 0.0f);
+  EXPECT_EQ(LookUp(table, 1e20).a, 0.0f);
+}
+
 TEST(OpticalTable, VisibleValuesEncloseAllThatAbsorbs)
 {
   const auto visible = [](std::vector<OpacityNode> nodes)

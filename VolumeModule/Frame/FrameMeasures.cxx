@@ -2,8 +2,16 @@
 
 #include "Core/Recipe/MaterialRecipe.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace varimarch
 {
@@ -21,6 +29,80 @@ double SumOf(const Frame& frame, const Number& numberOf)
   }
   return sum;
 }
+
+// The least thickness of the pieces that parallel planes cut from a volume.
+class ThinnestPiece
+{
+public:
+  explicit ThinnestPiece(const Frame& frame)
+    : box(frame.cuts.boxGrid)
+    , worldFromNormal(glm::inverse(glm::transpose(frame.geometry.WorldFromGridDirection())))
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::dvec4 plane(0.0);
+      plane[axis] = 1.0;
+      this->Take(plane, this->box.upper[axis] - this->box.lower[axis]);
+    }
+    this->TakeSlabs(frame.cuts.planesGrid);
+    if (frame.cuts.regions)
+    {
+      this->TakeRegions(frame.cuts.regions->planesGrid);
+    }
+  }
+
+  double Mm() const { return this->mm; }
+
+private:
+  void Take(const glm::dvec4& plane, double thicknessGrid)
+  {
+    if (thicknessGrid > 0.0)
+    {
+      const double perMm = glm::length(this->worldFromNormal * glm::dvec3(plane));
+      this->mm = std::min(this->mm, thicknessGrid / perMm);
+    }
+  }
+
+  // Two planes that keep what is between them.
+  void TakeSlabs(const std::vector<glm::dvec4>& planes)
+  {
+    constexpr double Opposite = -0.999;
+    for (std::size_t i = 1; i < planes.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        if (glm::dot(glm::dvec3(planes[i]), glm::dvec3(planes[j])) < Opposite)
+        {
+          this->Take(planes[i], planes[i].w + planes[j].w);
+        }
+      }
+    }
+  }
+
+  void TakeRegions(const std::array<glm::dvec4, 6>& planes)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const glm::dvec4& lower = planes[2 * axis];
+      const glm::dvec4& upper = planes[2 * axis + 1];
+      this->Take(lower, this->FarthestAbove(-lower));
+      this->Take(lower, lower.w - upper.w);
+      this->Take(upper, this->FarthestAbove(upper));
+    }
+  }
+
+  double FarthestAbove(const glm::dvec4& plane) const
+  {
+    const glm::dvec3 normal(plane);
+    const glm::dvec3 corner =
+      glm::mix(this->box.lower, this->box.upper, glm::greaterThan(normal, glm::dvec3(0.0)));
+    return plane.w + glm::dot(normal, corner);
+  }
+
+  Box box;
+  glm::dmat3 worldFromNormal;
+  double mm = std::numeric_limits<double>::infinity();
+};
 
 template <class Number>
 double SmallestOf(const Frame& frame, const Number& numberOf)
@@ -41,10 +123,14 @@ double SmallestSpacingMm(const Frame& frame)
     frame, [](const VolumeGeometry& geometry) { return geometry.SmallestSpacingMm(); });
 }
 
-double ThinnestSideMm(const Frame& frame)
+double ThinnestPieceMm(const Frame& frame)
 {
-  return SmallestOf(
-    frame, [](const VolumeGeometry& geometry) { return geometry.ThinnestSideMm(); });
+  double thinnest = ThinnestPiece(frame).Mm();
+  for (const Frame& other : frame.others)
+  {
+    thinnest = std::min(thinnest, ThinnestPiece(other).Mm());
+  }
+  return thinnest;
 }
 
 double LongestRayMm(const Frame& frame)

@@ -14,8 +14,8 @@ double SmallestSpacingMm(const Frame& frame);
 /// An upper bound of the length of a ray within the volumes [mm].
 double LongestRayMm(const Frame& frame);
 
-/// The shortest side of a volume [mm].
-double ThinnestSideMm(const Frame& frame);
+/// The shortest side of the volumes, or of the pieces that parallel cuts leave of them [mm].
+double ThinnestPieceMm(const Frame& frame);
 
 /// The shortest sample distance that the marcher supports [mm], see
 /// VolumeGeometry::ShortestSampleDistanceMm.

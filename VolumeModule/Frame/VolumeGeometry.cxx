@@ -51,14 +51,6 @@ double VolumeGeometry::SmallestSpacingMm() const
     std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
 }
 
-double VolumeGeometry::ThinnestSideMm() const
-{
-  const glm::dmat3 axes = this->WorldFromGridDirection();
-  const glm::dvec3 extent = this->boxGrid.upper - this->boxGrid.lower;
-  return std::min({ extent.x * glm::length(axes[0]), extent.y * glm::length(axes[1]),
-    extent.z * glm::length(axes[2]) });
-}
-
 double VolumeGeometry::DiagonalMm() const
 {
   const glm::dmat3 axes = this->WorldFromGridDirection();

@@ -41,8 +41,6 @@ struct VolumeGeometry
   /// The smallest distance between neighbouring voxels in world space [mm].
   double SmallestSpacingMm() const;
 
-  double ThinnestSideMm() const; ///< The shortest side of the volume [mm].
-
   /// The length of the longest ray through the volume [mm].
   double DiagonalMm() const;
 

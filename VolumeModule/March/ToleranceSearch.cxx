@@ -23,9 +23,11 @@ constexpr double FinestVoxels = 1.0 / 128.0;
 // At least this many samples on the longest ray: with fewer, halving the distance would not change
 // the image.
 constexpr double FewestSamples = 16.0;
-// At least this many samples across the thinnest side of a volume, for the same reason: a segment
-// has four samples, and one of half the length must still end in the volume.
+// At least this many samples across the thinnest piece of a volume, for the same reason: a segment
+// has four samples, and one of half the length must still end in the piece. In pieces thinner than
+// a quarter of a voxel, four samples suffice.
 constexpr double FewestAcross = 8.0;
+constexpr double LeastOfCoarsestVoxels = 1.0 / 32.0;
 
 // The cost of a pre-integrated step, in midpoint steps. For materials, which are then linear
 // between two samples, packets and shaders differ (2.1 to 2.9 with packets in seven images).
@@ -124,8 +126,10 @@ std::vector<double> SceneInputsOf(const VolumeMarch& march)
 StepRange RangeOf(const VolumeMarch& march)
 {
   const double voxelMm = SmallestSpacingMm(march.frame);
-  const double coarsestMm = std::min({ CoarsestVoxels * voxelMm,
-    LongestRayMm(march.frame) / FewestSamples, ThinnestSideMm(march.frame) / FewestAcross });
+  const double acrossMm =
+    std::max(ThinnestPieceMm(march.frame) / FewestAcross, LeastOfCoarsestVoxels * voxelMm);
+  const double coarsestMm =
+    std::min({ CoarsestVoxels * voxelMm, LongestRayMm(march.frame) / FewestSamples, acrossMm });
   // The search also draws at half of the finest distance.
   const double finestMm = std::max(
     FinestVoxels * voxelMm, 2.0 * ShortestSampleDistanceMm(march.frame, march.plan.marcher));

@@ -179,8 +179,8 @@ ExtremeSteps FieldResources::ExtremeStepsOf(Blend blend) const
   constexpr double rounding = 1.0 / 64.0; // [steps]
   const double sense = blend == Blend::MaximumIntensity ? 1.0 : -1.0;
   const BrickRanges& ranges = this->field.Ranges();
-  return { sense, ranges.FirstValue() - sense * rounding * ranges.ValuePerStep(),
-    ranges.ValuePerStep() };
+  const double perStep = ranges.LastStep() > 0 ? ranges.ValuePerStep() : 0.0;
+  return { sense, ranges.FirstValue() - sense * rounding * perStep, perStep };
 }
 
 double FieldResources::BuildSeconds(const VolumeBlocks& blocks) const

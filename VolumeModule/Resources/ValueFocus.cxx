@@ -16,10 +16,6 @@ using OptionalRange = std::optional<ValueRange>;
 // side, so that an edit of a transfer function seldom needs another format.
 constexpr double WidthsBeside = 16.0;
 
-// Texels of floats have full precision down to this part of the largest, squares of their
-// differences included.
-constexpr double LeastOfTexels = 1.0 / LargestTexel;
-
 OptionalRange Both(const OptionalRange& one, const OptionalRange& other)
 {
   return !one || !other
@@ -94,12 +90,8 @@ ScalarTexels Focused(
     return present;
   }
   ScalarTexels focused = all;
-  const double width = WidthOf(matter);
   focused.resolved = NearValues(all.resolved, matter);
-  if (LeastOfTexels * all.resolved.Width() > width)
-  {
-    focused.mapping = FloatMapping(focused.resolved.lower, focused.resolved.upper);
-  }
+  focused.mapping = FloatMapping(focused.resolved.lower, focused.resolved.upper);
   return focused;
 }
 

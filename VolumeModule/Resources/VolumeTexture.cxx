@@ -204,13 +204,14 @@ GLenum InternalFormatOf(const std::vector<ScalarTexels>& texels)
 }
 
 // Scales by a power of two, which is exact. Numbers are shifted only if their range is small
-// compared with its distance from zero, as for doubles around 1e7 that differ by 1.
+// compared with its distance from zero, as for doubles around 1e7 that differ by 1, or if all are
+// the same, for floats need not represent that number.
 TexelMapping FloatMapping(double smallest, double largest)
 {
   const double range = largest - smallest;
   const double farthest = std::max(std::abs(smallest), std::abs(largest));
-  const bool farFromZero = range > 0.0 && farthest > 2.0 * range;
-  const double extent = farFromZero ? range : farthest;
+  const bool farFromZero = farthest > 2.0 * range;
+  const double extent = farFromZero && range > 0.0 ? range : farthest;
   const double scale = extent > 0.0 ? std::exp2(std::ceil(std::log2(extent))) : 1.0;
   return { scale, farFromZero ? smallest : 0.0 };
 }

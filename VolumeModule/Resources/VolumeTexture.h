@@ -70,10 +70,11 @@ struct ScalarTexels
   bool operator!=(const ScalarTexels& other) const { return !(*this == other); }
 };
 
-/// Texels of floats are limited to this distance from zero. It is so far beyond those that matter,
-/// which are about [-1, 1], that an interpolated value passes these as close to its end as that of
-/// the unlimited one.
-constexpr double LargestTexel = double(std::int64_t(1) << 40);
+/// Texels of floats are limited to this distance from zero if they reach farther, as a fill value
+/// does among values that matter, which are about [-1, 1]. Larger texels would shine through where
+/// a filter has no weight for them but for rounding. With smaller ones the values that matter would
+/// reach visibly into the corners of their cells, where the weights of three axes are multiplied.
+constexpr double LargestTexel = 4096.0;
 
 /// The gradient at which VTK's gradient opacity saturates: a quarter of the range per mean spacing.
 inline double LargestGradient(const ScalarTexels& texels)

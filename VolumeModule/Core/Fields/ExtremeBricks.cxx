@@ -62,12 +62,12 @@ private:
   IndexInTable entryOfStep;
 };
 
-// For each step, the least step whose colour differs by at most the tolerance.
-std::vector<std::uint16_t> LeastAlike(const ChangeOfSteps& change, double tolerance)
+// For each step up to the last, the least step whose colour differs by at most the tolerance.
+std::vector<std::uint16_t> LeastAlike(const ChangeOfSteps& change, double tolerance, int last)
 {
-  std::vector<std::uint16_t> alike(StepCount);
+  std::vector<std::uint16_t> alike(std::size_t(last) + 1);
   int least = 0;
-  for (int step = 0; step < StepCount; ++step)
+  for (int step = 0; step <= last; ++step)
   {
     while (least < step && change.Most(step) - change.Least(least) > tolerance)
     {
@@ -78,11 +78,13 @@ std::vector<std::uint16_t> LeastAlike(const ChangeOfSteps& change, double tolera
   return alike;
 }
 
-std::vector<std::uint16_t> GreatestAlike(const ChangeOfSteps& change, double tolerance)
+// The greatest one. It is a step that values have: a ray without a value yet, which stands beyond
+// all values, enters every brick.
+std::vector<std::uint16_t> GreatestAlike(const ChangeOfSteps& change, double tolerance, int last)
 {
-  std::vector<std::uint16_t> alike(StepCount);
-  int greatest = StepCount - 1;
-  for (int step = StepCount - 1; step >= 0; --step)
+  std::vector<std::uint16_t> alike(std::size_t(last) + 1);
+  int greatest = last;
+  for (int step = last; step >= 0; --step)
   {
     while (greatest > step && change.Most(greatest) - change.Least(step) > tolerance)
     {
@@ -99,8 +101,9 @@ std::vector<std::uint16_t> BuildExtremeBricks(
   const BrickRanges& ranges, const ExtremeLook& look, bool largest)
 {
   const ChangeOfSteps change(ranges, look);
-  const std::vector<std::uint16_t> alike =
-    largest ? LeastAlike(change, look.tolerance) : GreatestAlike(change, look.tolerance);
+  const std::vector<std::uint16_t> alike = largest
+    ? LeastAlike(change, look.tolerance, ranges.LastStep())
+    : GreatestAlike(change, look.tolerance, ranges.LastStep());
   const glm::ivec3 count = ranges.BrickCount();
   std::vector<std::uint16_t> extremes(std::size_t(count.x) * count.y * count.z);
   for (std::size_t i = 0; i < extremes.size(); ++i)

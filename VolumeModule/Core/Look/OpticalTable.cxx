@@ -63,9 +63,10 @@ ValueRange TableRange(const TransferFunction& transferFunction, ValueRange value
 {
   const ValueRange nothing{ values.lower, values.lower };
   const ValueRange changing = transferFunction.ChangingValues().value_or(nothing);
-  // A step at the end needs one more entry.
-  const double end =
-    transferFunction.HasStepAt(changing.upper) ? changing.upper + finest : changing.upper;
+  // A step at the end needs one more entry, unless it lies before all values.
+  const bool endsInStep =
+    changing.upper >= values.lower && transferFunction.HasStepAt(changing.upper);
+  const double end = endsInStep ? changing.upper + finest : changing.upper;
   return { std::max(values.lower, changing.lower), std::min(values.upper, end) };
 }
 
@@ -164,8 +165,11 @@ OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double 
       for (std::size_t i = range.begin(); i < range.end(); ++i)
       {
         const double fraction = double(i) / double(count - 1);
-        table.entries[i] =
-          EntryAt(transferFunction, (1.0 - fraction) * lower + fraction * upper, gap);
+        const double value = (1.0 - fraction) * lower + fraction * upper;
+        const bool isEnd = i == 0 || i == count - 1;
+        table.entries[i] = isEnd && !IsOpaqueInPassing(transferFunction, value, gap)
+          ? OpticalEntry(transferFunction, value)
+          : EntryAt(transferFunction, value, gap);
       }
     });
   return table;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace varimarch
 {
@@ -40,11 +41,11 @@ struct ValueRange
   }
 };
 
-/// The width that a range of values has for computers: not less than their precision. A single
-/// value is as wide as it is far from 0, and 0 itself is as wide as 1.
+/// The width that a range of values has for computers: not less than the precision of doubles, with
+/// thousands of steps. A single value is as wide as it is far from 0, and 0 itself is as wide as 1.
 inline double WidthOf(const ValueRange& range)
 {
-  constexpr double Precision = 1.0 / (1 << 20);
+  constexpr double Precision = 1.0 / (std::int64_t(1) << 40);
   const double farthest = std::max(std::abs(range.lower), std::abs(range.upper));
   const double width = range.Width() > 0.0 ? range.Width() : farthest;
   return width > 0.0 ? std::max(width, Precision * farthest) : 1.0;

@@ -95,15 +95,18 @@ bool CanBeIndexed(glm::ivec3 voxels, bool cubic)
 // large, too small or too far from zero.
 bool IsPlain(const ScalarTexels& texels, vtkDataArray* array)
 {
+  constexpr double MostWhole = 1 << 24; // floats represent all integers up to this one
+  const double farthest = std::max(-texels.smallestScalar, texels.largestScalar);
   if (texels.normalized)
   {
-    constexpr double MostWhole = 1 << 24; // floats represent all integers up to this one
-    const bool areFew = std::max(-texels.smallestScalar, texels.largestScalar) <= MostWhole;
-    return areFew || PacketVoxelTypeOf(array);
+    constexpr double MostWidths = 1 << 12; // floats between these tell parts of their range apart
+    const double width = std::max(texels.largestScalar - texels.smallestScalar, 1.0);
+    return farthest <= MostWidths * width && (farthest <= MostWhole || PacketVoxelTypeOf(array));
   }
   constexpr double Large = 1e15;
-  const double farthest = std::max(-texels.smallestScalar, texels.largestScalar);
-  return texels.mapping.offset == 0.0 && farthest <= Large && texels.mapping.scale >= 1.0 / Large;
+  const bool isConstant = texels.smallestScalar == texels.largestScalar && farthest <= MostWhole;
+  return (texels.mapping.offset == 0.0 || isConstant) && farthest <= Large &&
+    texels.mapping.scale >= 1.0 / Large;
 }
 
 bool HasPlainValues(const VolumeResources& volume)

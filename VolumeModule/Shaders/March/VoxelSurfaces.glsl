@@ -15,8 +15,14 @@ vec3 CellCount()
 
 float scalarBefore; // value of the voxel that the ray has left
 
+const float RoundingVoxels = 1e-4; // error of a place along a ray
+
 void BeginCells(Ray ray)
 {
+  // Rounding may put the ray into the voxel before its beginning, which may be a gap.
+  LatticePlace behind = BehindCell(cellRay, cell);
+  bool begins = (behind.t - cell.t) * length(ray.directionGrid) > RoundingVoxels;
+  cell.cell = begins ? cell.cell : behind.cell;
   scalarBefore = ScalarAt((cell.cell + 0.5) / voxelCount);
 }
 
