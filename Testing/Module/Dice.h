@@ -3,8 +3,16 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <vector>
+
+/// The number in an environment variable, by which a longer or another run is asked for.
+inline long NumberFromEnvironment(const char* variable, long otherwise)
+{
+  const char* const text = std::getenv(variable);
+  return text ? std::strtol(text, nullptr, 10) : otherwise;
+}
 
 /// Random choices that are the same on every computer, because the distributions of the standard
 /// library are not.

@@ -3,6 +3,7 @@
 // VARIMARCH_RANDOM_SCENES is the number of scenes, VARIMARCH_RANDOM_SEED the first seed. A scene
 // that fails is drawn alone by its seed and the number 1.
 
+#include "Module/Dice.h"
 #include "Module/RandomScenes.h"
 #include "Support/ExpectedVtkErrors.h"
 
@@ -18,12 +19,6 @@ namespace
 
 // As many scenes as one core draws in about 25 s.
 constexpr long UsualScenes = 150;
-
-long NumberIn(const char* variable, long otherwise)
-{
-  const char* const text = std::getenv(variable);
-  return text ? std::strtol(text, nullptr, 10) : otherwise;
-}
 
 // The larger of an error in a channel of a pixel, for bounds of what is right.
 double ErrorOf(const float* pixel, const float* lower, const float* upper)
@@ -124,8 +119,8 @@ bool IsPicture(const std::vector<float>& drawn)
 
 TEST(RandomScenes, KeepTheirErrorToleranceOrWarn)
 {
-  const long count = NumberIn("VARIMARCH_RANDOM_SCENES", UsualScenes);
-  const long first = NumberIn("VARIMARCH_RANDOM_SEED", 1);
+  const long count = NumberFromEnvironment("VARIMARCH_RANDOM_SCENES", UsualScenes);
+  const long first = NumberFromEnvironment("VARIMARCH_RANDOM_SEED", 1);
   vtkNew<vtkHeadlessRenderWindow> window;
   long warned = 0;
   for (long seed = first; seed < first + count; ++seed)

@@ -3,8 +3,8 @@
 //
 // VARIMARCH_RANDOM_ACTIONS is the number of changes, VARIMARCH_RANDOM_SEED the first seed.
 
+#include "Module/Dice.h"
 #include "Module/MapperScene.h"
-#include "Module/RandomNumbers.h"
 #include "Scene/ProceduralVolume.h"
 
 #include <vtkCamera.h>
@@ -276,12 +276,12 @@ private:
   std::size_t editCount = 0; ///< number of the state's edits that were made here
 };
 
-std::vector<Node> RandomNodes(Random& random, double highest)
+std::vector<Node> RandomNodes(Dice& dice, double highest)
 {
   std::vector<Node> nodes;
-  for (int node = Below(random, 4); node >= 0; --node)
+  for (int node = dice.Whole(0, 3); node >= 0; --node)
   {
-    nodes.push_back({ Between(random, -0.1, 1.1), Between(random, 0.0, highest) });
+    nodes.push_back({ dice.Between(-0.1, 1.1), dice.Between(0.0, highest) });
   }
   return nodes;
 }
@@ -289,45 +289,45 @@ std::vector<Node> RandomNodes(Random& random, double highest)
 struct Action
 {
   const char* name;
-  void (*act)(State&, Random&);
+  void (*act)(State&, Dice&);
 };
 
 const Action actions[] = {
-  { "input", [](State& s, Random& r) { s.input = Below(r, InputCount); } },
-  { "edit", [](State& s, Random&) { s.edits.push_back(s.input); } },
-  { "opacities", [](State& s, Random& r) { s.opacities = RandomNodes(r, 0.6); } },
-  { "colours", [](State& s, Random& r) { s.reds = RandomNodes(r, 1.0); } },
-  { "unit distance", [](State& s, Random& r) { s.unitDistanceMm = Between(r, 0.5, 20.0); } },
-  { "shading", [](State& s, Random&) { s.shaded = !s.shaded; } },
-  { "nearest", [](State& s, Random&) { s.nearest = !s.nearest; } },
-  { "gradient opacity", [](State& s, Random&) { s.gradientOpacity = !s.gradientOpacity; } },
+  { "input", [](State& s, Dice& dice) { s.input = dice.Whole(0, InputCount - 1); } },
+  { "edit", [](State& s, Dice&) { s.edits.push_back(s.input); } },
+  { "opacities", [](State& s, Dice& dice) { s.opacities = RandomNodes(dice, 0.6); } },
+  { "colours", [](State& s, Dice& dice) { s.reds = RandomNodes(dice, 1.0); } },
+  { "unit distance", [](State& s, Dice& dice) { s.unitDistanceMm = dice.Between(0.5, 20.0); } },
+  { "shading", [](State& s, Dice&) { s.shaded = !s.shaded; } },
+  { "nearest", [](State& s, Dice&) { s.nearest = !s.nearest; } },
+  { "gradient opacity", [](State& s, Dice&) { s.gradientOpacity = !s.gradientOpacity; } },
   { "blend",
-    [](State& s, Random& r)
+    [](State& s, Dice& dice)
     {
-      s.blend = OneOf<int>(r,
-        { vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
-          vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, vtkVolumeMapper::AVERAGE_INTENSITY_BLEND,
-          vtkVolumeMapper::ADDITIVE_BLEND });
+      s.blend = dice.OneOf<int>({ vtkVolumeMapper::COMPOSITE_BLEND,
+        vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND,
+        vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, vtkVolumeMapper::ADDITIVE_BLEND });
     } },
   { "tolerance",
-    [](State& s, Random& r) {
-      s.tolerance = OneOf<double>(r, { 0.0, 1.0 / 16.0, 1.0 / 64.0, 1.0 / 255.0 });
+    [](State& s, Dice& dice) {
+      s.tolerance = dice.OneOf<double>({ 0.0, 1.0 / 16.0, 1.0 / 64.0, 1.0 / 255.0 });
     } },
-  { "processor", [](State& s, Random&) { s.byProcessor = !s.byProcessor; } },
-  { "acceleration", [](State& s, Random& r) { s.acceleration = Below(r, 3); } },
-  { "cubic", [](State& s, Random&) { s.cubic = !s.cubic; } },
-  { "cropping", [](State& s, Random&) { s.cropped = !s.cropped; } },
-  { "cropped regions", [](State& s, Random& r) { s.croppedRegions = Below(r, 1 << 27); } },
-  { "clipping", [](State& s, Random&) { s.clipped = !s.clipped; } },
-  { "clipping plane", [](State& s, Random& r) { s.clippedTurn = Between(r, 0.0, 360.0); } },
-  { "mask", [](State& s, Random&) { s.masked = !s.masked; } },
-  { "ball", [](State& s, Random&) { s.hasBall = !s.hasBall; } },
-  { "turn", [](State& s, Random& r) { s.turn = Between(r, 0.0, 360.0); } },
-  { "elevation", [](State& s, Random& r) { s.elevation = Between(r, -80.0, 80.0); } },
-  { "zoom", [](State& s, Random& r) { s.zoom = Between(r, 0.5, 8.0); } },
-  { "projection", [](State& s, Random&) { s.isParallel = !s.isParallel; } },
-  { "volume's turn", [](State& s, Random& r) { s.volumeTurn = Between(r, 0.0, 360.0); } },
-  { "size", [](State& s, Random& r) { s.size = 32 + Below(r, 32); } },
+  { "processor", [](State& s, Dice&) { s.byProcessor = !s.byProcessor; } },
+  { "acceleration", [](State& s, Dice& dice) { s.acceleration = dice.Whole(0, 2); } },
+  { "cubic", [](State& s, Dice&) { s.cubic = !s.cubic; } },
+  { "cropping", [](State& s, Dice&) { s.cropped = !s.cropped; } },
+  { "cropped regions",
+    [](State& s, Dice& dice) { s.croppedRegions = dice.Whole(0, (1 << 27) - 1); } },
+  { "clipping", [](State& s, Dice&) { s.clipped = !s.clipped; } },
+  { "clipping plane", [](State& s, Dice& dice) { s.clippedTurn = dice.Between(0.0, 360.0); } },
+  { "mask", [](State& s, Dice&) { s.masked = !s.masked; } },
+  { "ball", [](State& s, Dice&) { s.hasBall = !s.hasBall; } },
+  { "turn", [](State& s, Dice& dice) { s.turn = dice.Between(0.0, 360.0); } },
+  { "elevation", [](State& s, Dice& dice) { s.elevation = dice.Between(-80.0, 80.0); } },
+  { "zoom", [](State& s, Dice& dice) { s.zoom = dice.Between(0.5, 8.0); } },
+  { "projection", [](State& s, Dice&) { s.isParallel = !s.isParallel; } },
+  { "volume's turn", [](State& s, Dice& dice) { s.volumeTurn = dice.Between(0.0, 360.0); } },
+  { "size", [](State& s, Dice& dice) { s.size = 32 + dice.Whole(0, 31); } },
 };
 
 /// Largest difference that the tolerance allows two images of one scene: each may be wrong by twice
@@ -339,21 +339,21 @@ double AllowedDifference(double tolerance)
 
 TEST(RandomUse, LeavesNothingOfEarlierScenesInTheMapper)
 {
-  const int count = NumberFromEnvironment("VARIMARCH_RANDOM_ACTIONS", 120);
-  const int seed = NumberFromEnvironment("VARIMARCH_RANDOM_SEED", 1);
-  Random random(seed);
+  const long count = NumberFromEnvironment("VARIMARCH_RANDOM_ACTIONS", 120);
+  const long seed = NumberFromEnvironment("VARIMARCH_RANDOM_SEED", 1);
+  Dice dice(seed, 0);
   State state;
   vtkNew<vtkHeadlessRenderWindow> usedWindow;
   vtkNew<vtkHeadlessRenderWindow> newWindow;
   Followed used(usedWindow);
   std::ostringstream history;
-  for (int number = 0; number < count; ++number)
+  for (long number = 0; number < count; ++number)
   {
-    const Action& action = actions[Below(random, int(std::size(actions)))];
-    action.act(state, random);
+    const Action& action = actions[dice.Whole(0, int(std::size(actions)) - 1)];
+    action.act(state, dice);
     history << ' ' << action.name << ',';
     used.Follow(state);
-    if (Below(random, 20) == 0)
+    if (dice.Chance(0.05))
     {
       used.ReleaseGraphics();
       history << " release,";

@@ -4,7 +4,7 @@
 //
 // VARIMARCH_RANDOM_ACTIONS is the number of actions, VARIMARCH_RANDOM_SEED the seed.
 
-#include "Module/RandomNumbers.h"
+#include "Module/Dice.h"
 #include "Scene/SceneFile.h"
 #include "TorsoWindow.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
@@ -72,16 +72,16 @@ std::string TextOf(const SceneModel* model)
 class Monkey
 {
 public:
-  Monkey(MainWindow* window, unsigned seed)
+  Monkey(MainWindow* window, std::uint64_t seed)
     : window(window)
-    , random(seed)
+    , dice(seed, 0)
   {
   }
 
   /// Does something, and returns its name.
   QString Act()
   {
-    switch (Below(this->random, 8))
+    switch (this->dice.Whole(0, 7))
     {
       case 0:
         return this->Drag();
@@ -115,20 +115,20 @@ private:
 
   QPoint PlaceIn(const QWidget* widget)
   {
-    return { Below(this->random, widget->width()), Below(this->random, widget->height()) };
+    return { this->dice.Whole(0, widget->width() - 1), this->dice.Whole(0, widget->height() - 1) };
   }
 
   template <class Thing>
   Thing AnyOf(const QList<Thing>& things)
   {
-    return things[Below(this->random, things.size())];
+    return things[this->dice.Whole(0, things.size() - 1)];
   }
 
   /// A widget that is dragged in: half of the time a picture or the editor.
   QWidget* Dragged()
   {
     QList<QWidget*> widgets = this->Usable<QWidget>();
-    if (Below(this->random, 2) == 0)
+    if (this->dice.Chance(0.5))
     {
       QList<QWidget*> views;
       for (QWidget* const widget : widgets)
@@ -147,14 +147,14 @@ private:
   QString Drag()
   {
     QPointer<QWidget> widget = this->Dragged();
-    const Qt::MouseButton button = OneOf<Qt::MouseButton>(
-      this->random, { Qt::LeftButton, Qt::LeftButton, Qt::RightButton, Qt::MiddleButton });
+    const Qt::MouseButton button = this->dice.OneOf<Qt::MouseButton>(
+      { Qt::LeftButton, Qt::LeftButton, Qt::RightButton, Qt::MiddleButton });
     const Qt::KeyboardModifiers keys =
-      OneOf<Qt::KeyboardModifier>(this->random, { Qt::NoModifier, Qt::ShiftModifier });
+      this->dice.OneOf<Qt::KeyboardModifier>({ Qt::NoModifier, Qt::ShiftModifier });
     const QString name =
       QString("drag in %1 '%2'").arg(widget->metaObject()->className(), widget->objectName());
     QTest::mousePress(widget, button, keys, this->PlaceIn(widget));
-    for (int move = Below(this->random, 4); move > 0 && widget; --move)
+    for (int move = this->dice.Whole(0, 3); move > 0 && widget; --move)
     {
       const QPoint place = this->PlaceIn(widget);
       QMouseEvent moved(
@@ -170,7 +170,7 @@ private:
 
   QString Key()
   {
-    const auto key = OneOf<Qt::Key>(this->random,
+    const auto key = this->dice.OneOf<Qt::Key>(
       { Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_Delete, Qt::Key_Tab,
         Qt::Key_Escape, Qt::Key_Home, Qt::Key_PageUp, Qt::Key_1, Qt::Key_Return, Qt::Key_Space });
     QWidget* const focus = QApplication::focusWidget();
@@ -200,16 +200,16 @@ private:
   QString Undo()
   {
     QUndoStack* const history = this->window->Model()->History();
-    for (int step = Below(this->random, 5); step >= 0; --step)
+    for (int step = this->dice.Whole(0, 4); step >= 0; --step)
     {
-      Below(this->random, 2) == 0 ? history->undo() : history->redo();
+      this->dice.Chance(0.5) ? history->undo() : history->redo();
     }
     return "undo and redo";
   }
 
   QString Resize()
   {
-    this->window->resize(700 + Below(this->random, 500), 400 + Below(this->random, 300));
+    this->window->resize(700 + this->dice.Whole(0, 499), 400 + this->dice.Whole(0, 299));
     return "resize";
   }
 
@@ -238,7 +238,7 @@ private:
 
   void Set(QWidget* control)
   {
-    const double part = Between(this->random, 0.0, 1.0);
+    const double part = this->dice.Between(0.0, 1.0);
     if (auto* const slider = qobject_cast<QAbstractSlider*>(control))
     {
       slider->setValue(slider->minimum() + int(part * (slider->maximum() - slider->minimum())));
@@ -253,7 +253,7 @@ private:
     }
     else if (auto* const choice = qobject_cast<QComboBox*>(control))
     {
-      choice->setCurrentIndex(Below(this->random, std::max(choice->count(), 1)));
+      choice->setCurrentIndex(this->dice.Whole(0, std::max(choice->count(), 1) - 1));
     }
     else if (auto* const button = qobject_cast<QAbstractButton*>(control))
     {
@@ -262,22 +262,22 @@ private:
   }
 
   MainWindow* window;
-  Random random;
+  Dice dice;
 };
 
 }
 
 TEST_F(Window, SurvivesRandomActions)
 {
-  const int count = NumberFromEnvironment("VARIMARCH_RANDOM_ACTIONS", 150);
-  const int seed = NumberFromEnvironment("VARIMARCH_RANDOM_SEED", 1);
+  const long count = NumberFromEnvironment("VARIMARCH_RANDOM_ACTIONS", 150);
+  const long seed = NumberFromEnvironment("VARIMARCH_RANDOM_SEED", 1);
   this->OpenTorso();
   const std::string beginning = TextOf(this->Model());
   const DialogsGivenUp dialogs;
   Monkey monkey(&this->window, seed);
   QStringList history;
   double earlyMegabytes = 0.0;
-  for (int number = 1; number <= count; ++number)
+  for (long number = 1; number <= count; ++number)
   {
     history << monkey.Act();
     QTest::qWait(number % 7 == 0 ? 60 : 1);
