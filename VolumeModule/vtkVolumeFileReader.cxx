@@ -224,6 +224,29 @@ bool vtkVolumeFileReader::HasIrregularSlices()
   return !this->Read->Volume.irregularSlicesMm.empty();
 }
 
+const char* vtkVolumeFileReader::GetFrameOfReferenceUID()
+{
+  return this->Read->Volume.frameOfReference.c_str();
+}
+
+bool vtkVolumeFileReader::HoldsLabels()
+{
+  return this->Read->Volume.segments.has_value();
+}
+
+std::vector<vtkVolumeFileReader::Segment> vtkVolumeFileReader::GetSegments()
+{
+  std::vector<Segment> list;
+  const auto& segments = this->Read->Volume.segments;
+  for (const auto& segment : segments.value_or(std::vector<varimarch::LabelledSegment>()))
+  {
+    const glm::dvec3 rgb = segment.rgb.value_or(glm::dvec3(0.0));
+    list.push_back(
+      { segment.value, segment.name, segment.rgb.has_value(), { rgb.r, rgb.g, rgb.b } });
+  }
+  return list;
+}
+
 vtkStringArray* vtkVolumeFileReader::GetWarnings()
 {
   return this->Read->Warnings;

@@ -144,8 +144,32 @@ public:
   /// True if the gantry was tilted, or slices are unevenly spaced or missing: RectifySlices then
   /// changes the volume.
   bool HasIrregularSlices();
+  /// UID of the space that the positions are in, the same for scans that fit on each other; or
+  /// empty.
+  const char* GetFrameOfReferenceUID();
   /// Sentences about doubtful input, such as missing slices. Owned by the reader.
   vtkStringArray* GetWarnings();
+  ///@}
+
+  /**
+   * A segment of a label map, such as an organ: the voxels of one value.
+   */
+  struct Segment
+  {
+    int Value;        ///< not 0, which means no segment
+    std::string Name; ///< may be empty
+    bool HasColor;
+    double Color[3]; ///< red, green and blue, [0, 1]; only if HasColor
+  };
+
+  ///@{
+  /**
+   * True after Update() if the file says that its values are labels, as DICOM segmentations,
+   * 3D Slicer's .seg.nrrd and NIfTI label maps do. GetSegments() are those that it describes;
+   * values may occur that have no description.
+   */
+  bool HoldsLabels();
+  std::vector<Segment> GetSegments();
   ///@}
 
   /**

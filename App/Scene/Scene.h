@@ -207,6 +207,26 @@ struct MeasuredBox
   std::string name = {};
 };
 
+/// A region of a label map, such as an organ: the voxels of one value.
+struct Segment
+{
+  int value;            ///< value of its voxels in the file, not 0
+  std::string name;     ///< may be empty
+  glm::dvec3 rgb;       ///< [0, 1]
+  bool visible = true;  ///< false draws its voxels as the look does
+  double opacity = 1.0; ///< opacity of its mean thickness, [0, 1]
+};
+
+/// A segmentation that is drawn over the volume; see LabelMap.h.
+struct SceneLabels
+{
+  std::string path;        ///< a file, or a folder with DICOM series
+  std::string series = {}; ///< as in FileSource; empty: the first segmentation
+  /// Appearance of segments, by their values. Segments of the file that are missing here look as
+  /// the file says.
+  std::vector<Segment> segments = {};
+};
+
 struct RenderOptions
 {
   std::optional<double> sampleDistanceMm; ///< > 0; empty: the mapper chooses
@@ -243,6 +263,7 @@ struct Scene
   std::vector<Distance> distances;
   std::vector<Angle> angles;
   std::vector<MeasuredBox> boxes;
+  std::optional<SceneLabels> labels;
   RenderOptions render;
   std::array<int, 2> size = { 512, 512 }; ///< image size [pixels]
   std::array<double, 3> background = { 0.0, 0.0, 0.0 };

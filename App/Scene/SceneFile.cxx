@@ -2,6 +2,7 @@
 
 #include "Scene/CameraJson.h"
 #include "Scene/CutsJson.h"
+#include "Scene/LabelsJson.h"
 #include "Scene/LookJson.h"
 #include "Scene/MeasuresJson.h"
 #include "Scene/Presets.h"
@@ -99,8 +100,8 @@ void ReadRender(const JsonCursor& json, RenderOptions& render)
 // Editors find the schema through "$schema"; it is ignored here.
 std::vector<std::string> KeysBesideVolume()
 {
-  return { "$schema", "look", "camera", "cuts", "slices", "distances", "angles", "boxes", "render",
-    "size", "background" };
+  return { "$schema", "look", "camera", "cuts", "slices", "distances", "angles", "boxes", "labels",
+    "render", "size", "background" };
 }
 
 void ReadAllButVolume(const JsonCursor& json, Scene& scene)
@@ -122,6 +123,10 @@ void ReadAllButVolume(const JsonCursor& json, Scene& scene)
   scene.distances = DistancesFromJson(json);
   scene.angles = AnglesFromJson(json);
   scene.boxes = BoxesFromJson(json);
+  if (const auto labels = json.Find("labels"))
+  {
+    scene.labels = LabelsFromJson(*labels);
+  }
   if (const auto render = json.Find("render"))
   {
     ReadRender(*render, scene.render);
@@ -181,6 +186,10 @@ std::string SceneText(const Scene& scene)
   json["distances"] = JsonFromDistances(scene.distances);
   json["angles"] = JsonFromAngles(scene.angles);
   json["boxes"] = JsonFromBoxes(scene.boxes);
+  if (scene.labels)
+  {
+    json["labels"] = JsonFromLabels(*scene.labels);
+  }
   json["render"] = { { "sampleDistance", JsonFromOptional(render.sampleDistanceMm) },
     { "acceleration", NameOf(AccelerationNames(), render.acceleration) },
     { "errorTolerance", render.errorTolerance },
@@ -237,10 +246,18 @@ bool IsSceneFile(const std::string& path)
 Scene ReadScene(const std::string& path)
 {
   Scene scene = SceneFromJson(JsonCursor(ReadJson(path), path));
-  if (auto* file = std::get_if<FileSource>(&scene.volume))
+  const auto startAtScene = [folder = std::filesystem::path(path).parent_path()](std::string& file)
   {
     // An absolute path is unchanged by operator/.
-    file->path = (std::filesystem::path(path).parent_path() / file->path).string();
+    file = (folder / file).string();
+  };
+  if (auto* file = std::get_if<FileSource>(&scene.volume))
+  {
+    startAtScene(file->path);
+  }
+  if (scene.labels)
+  {
+    startAtScene(scene.labels->path);
   }
   return scene;
 }

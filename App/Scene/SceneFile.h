@@ -17,7 +17,7 @@ namespace varimarch
 /// True for JSON, which is recognised by the extension .json or by its first character.
 bool IsSceneFile(const std::string& path);
 
-/// Reads a scene. Relative paths of volumes start at the scene file's folder.
+/// Reads a scene. Relative paths of volumes and labels start at the scene file's folder.
 Scene ReadScene(const std::string& path);
 
 /// Optional keys are always written, so that the text holds the whole scene.

@@ -4,6 +4,7 @@
 #include "Scene/SceneCamera.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/Scissors.h"
+#include "Scene/SegmentDrawing.h"
 #include "Scene/VolumeProperty.h"
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
@@ -128,8 +129,15 @@ bool CanCutByScissors(MapperKind kind)
   return kind != MapperKind::VtkCpu;
 }
 
+bool CanDrawLabels(MapperKind kind, Blend blend, vtkImageData* image)
+{
+  return kind != MapperKind::VtkCpu && blend == Blend::Composite &&
+    image->GetNumberOfScalarComponents() == 1;
+}
+
 ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind kind)
-  : image(image)
+  : kind(kind)
+  , image(image)
   , mapper(NewMapper(kind))
 {
   if (IsOurs(kind))
@@ -151,13 +159,74 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   this->SetCamera(scene.camera, double(scene.size[0]) / scene.size[1]);
 }
 
-void ScenePipeline::SetLook(const Look& look)
+void ScenePipeline::SetLook(const Look& newLook)
 {
-  const Look resolved = InUnitsOfData(look, this->image);
-  ApplyLook(resolved, MeanSpacingMm(this->image), this->volume->GetProperty());
-  this->mapper->SetBlendMode(VtkBlendModeOf(look.blend));
-  const auto averaged = resolved.averagedRange.value_or(AllValues);
+  this->look = InUnitsOfData(newLook, this->image);
+  this->mapper->SetBlendMode(VtkBlendModeOf(this->look.blend));
+  const auto averaged = this->look.averagedRange.value_or(AllValues);
   this->mapper->SetAverageIPScalarRange(averaged[0], averaged[1]);
+  this->ApplyProperty();
+  this->ApplyMask();
+}
+
+void ScenePipeline::SetLabels(std::shared_ptr<const LabelMap> newLabels)
+{
+  this->labels = std::move(newLabels);
+  this->segments = this->labels ? this->labels->segments : std::vector<Segment>();
+  this->labelMask = this->labels ? LabelMask(*this->labels, this->mask) : nullptr;
+  this->ApplyProperty();
+  this->ApplyMask();
+}
+
+void ScenePipeline::SetSegments(const std::vector<Segment>& changed)
+{
+  this->segments = changed;
+  this->ApplyProperty();
+}
+
+bool ScenePipeline::DrawsLabels() const
+{
+  return this->labels && CanDrawLabels(this->kind, this->look.blend, this->image);
+}
+
+// A new property each time: functions of labels cannot be removed from one.
+void ScenePipeline::ApplyProperty()
+{
+  vtkNew<vtkVolumeProperty> property;
+  ApplyLook(this->look, MeanSpacingMm(this->image), property);
+  if (this->DrawsLabels())
+  {
+    ApplySegments(*this->labels, this->segments, property);
+  }
+  this->volume->SetProperty(property);
+}
+
+void ScenePipeline::ApplyMask()
+{
+  if (this->DrawsLabels())
+  {
+    this->SetMask(this->labelMask, true);
+  }
+  else
+  {
+    this->SetMask(this->mask, false);
+  }
+}
+
+void ScenePipeline::SetMask(vtkImageData* voxels, bool areLabels)
+{
+  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
+  {
+    ours->SetMaskType(areLabels ? vtkVariationFieldVolumeMapper::LabelMapMaskType
+                                : vtkVariationFieldVolumeMapper::BinaryMaskType);
+    ours->SetMaskInput(voxels);
+  }
+  else if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(this->mapper))
+  {
+    gpu->SetMaskType(areLabels ? vtkGPUVolumeRayCastMapper::LabelMapMaskType
+                               : vtkGPUVolumeRayCastMapper::BinaryMaskType);
+    gpu->SetMaskInput(voxels ? RightHanded(voxels) : nullptr);
+  }
 }
 
 void ScenePipeline::SetCamera(const Camera& camera, double aspect)
@@ -188,16 +257,8 @@ void ScenePipeline::SetScissors(const std::vector<ScissorsCut>& cuts)
 {
   this->scissors = cuts;
   this->mask = MaskOf(cuts, this->image);
-  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
-  {
-    ours->SetMaskTypeToBinary();
-    ours->SetMaskInput(this->mask);
-  }
-  else if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(this->mapper))
-  {
-    gpu->SetMaskTypeToBinary();
-    gpu->SetMaskInput(this->mask ? RightHanded(this->mask) : nullptr);
-  }
+  this->labelMask = this->labels ? LabelMask(*this->labels, this->mask) : nullptr;
+  this->ApplyMask();
 }
 
 void ScenePipeline::SetRenderOptions(const RenderOptions& options)

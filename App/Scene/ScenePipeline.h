@@ -1,6 +1,7 @@
 #ifndef Varimarch_Scene_ScenePipeline_h
 #define Varimarch_Scene_ScenePipeline_h
 
+#include "Scene/LabelMap.h"
 #include "Scene/Scene.h"
 
 #include <vtkImageData.h>
@@ -10,6 +11,7 @@
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 
+#include <memory>
 #include <vector>
 
 namespace varimarch
@@ -20,6 +22,10 @@ bool CanBlend(MapperKind kind, Blend blend);
 
 /// True if a mapper supports scissors. VTK's fixed-point mapper has no masks.
 bool CanCutByScissors(MapperKind kind);
+
+/// True if a mapper can draw labels over a volume: in composites of one component. VTK's
+/// fixed-point mapper has no masks.
+bool CanDrawLabels(MapperKind kind, Blend blend, vtkImageData* image);
 
 /// Turns a scene into a VTK pipeline of volume, property, mapper, renderer and camera; the only
 /// place that does. Owns no window: add Renderer() to a window of the scene's size.
@@ -40,6 +46,12 @@ public:
   void SetLook(const Look& look);
   void SetCamera(const Camera& camera, double aspect);
   void SetCuts(const SceneCuts& cuts);
+  /// Draws labels over the volume where CanDrawLabels; null draws none. Their segments look as they
+  /// say.
+  void SetLabels(std::shared_ptr<const LabelMap> newLabels);
+  /// Changes the look of the segments, and keeps their voxels.
+  /// @param changed  as many as the labels have, in their order
+  void SetSegments(const std::vector<Segment>& changed);
   void SetRenderOptions(const RenderOptions& options);
   void SetBackground(const std::array<double, 3>& rgb);
 
@@ -47,11 +59,20 @@ public:
   double UsedSampleDistanceMm() const;
 
 private:
+  bool DrawsLabels() const;
   void SetScissors(const std::vector<ScissorsCut>& cuts);
+  void ApplyProperty();
+  void ApplyMask();
+  void SetMask(vtkImageData* voxels, bool areLabels);
 
+  MapperKind kind;
   vtkSmartPointer<vtkImageData> image;
+  Look look;                         ///< in units of the data
   std::vector<ScissorsCut> scissors; ///< the cuts that made the mask
   vtkSmartPointer<vtkImageData> mask;
+  std::shared_ptr<const LabelMap> labels;  ///< null without labels
+  std::vector<Segment> segments;           ///< the look of the labels' segments
+  vtkSmartPointer<vtkImageData> labelMask; ///< labels without what scissors remove
   vtkSmartPointer<vtkVolumeMapper> mapper;
   vtkNew<vtkVolume> volume;
   vtkNew<vtkRenderer> renderer;

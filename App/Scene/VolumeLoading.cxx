@@ -2,6 +2,7 @@
 
 #include "Scene/ProceduralVolume.h"
 #include "Scene/SceneNames.h"
+#include "Scene/Segments.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkErrorCode.h>
@@ -10,6 +11,9 @@
 #include <vtkVolumeFileReader.h>
 #include <vtksys/SystemTools.hxx>
 
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -82,6 +86,28 @@ private:
   vtkNew<vtkVolumeFileReader> reader;
 };
 
+// Completes the segments that a file describes. Too many labels stay plain values.
+void TakeSegments(const std::vector<vtkVolumeFileReader::Segment>& described, LoadedVolume& volume)
+{
+  std::vector<Segment> known;
+  for (const vtkVolumeFileReader::Segment& segment : described)
+  {
+    const glm::dvec3 rgb =
+      segment.HasColor ? glm::make_vec3(segment.Color) : ColorOfLabel(segment.Value);
+    known.push_back(
+      { segment.Value, segment.Name.empty() ? NameOfLabel(segment.Value) : segment.Name, rgb });
+  }
+  try
+  {
+    volume.segments = SegmentsOf(volume.image, known);
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    volume.warnings.push_back(
+      std::string("The labels are drawn as values without colours: ") + reason.what() + ".");
+  }
+}
+
 LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
 {
   QuietReader reader(source.path, observer);
@@ -111,12 +137,28 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
       "This is a segmentation (DICOM SEG): its segments are drawn as one grey volume; open the "
       "scan itself, or convert the segments to a label map in NRRD or NIfTI.");
   }
+  volume.frameOfReference = reader->GetFrameOfReferenceUID();
+  if (reader->HoldsLabels())
+  {
+    TakeSegments(reader->GetSegments(), volume);
+  }
   vtkStringArray* warnings = reader->GetWarnings();
   for (vtkIdType i = 0; i < warnings->GetNumberOfValues(); ++i)
   {
     volume.warnings.push_back(warnings->GetValue(i));
   }
   return volume;
+}
+
+// The UID of the first segmentation; empty if there is none.
+std::string SegmentationSeries(const std::string& path, const LoadObserver& observer)
+{
+  QuietReader reader(path, observer);
+  const auto found = reader->ListDICOMSeries();
+  reader.Check();
+  const auto segmentation = std::find_if(found.begin(), found.end(),
+    [](const vtkVolumeFileReader::DICOMSeries& series) { return series.Modality == "SEG"; });
+  return segmentation == found.end() ? std::string() : segmentation->UID;
 }
 
 GrayPicture MiddleOfFile(const std::string& path)
@@ -152,6 +194,16 @@ bool MayHoldSeveralSeries(const FileSource& source)
   const bool isArchive = format && format == std::string("archive");
   return source.series.empty() &&
     (name == "dicomdir" || std::filesystem::is_directory(path) || isArchive);
+}
+
+LoadedVolume LoadLabelVolume(const SceneLabels& labels, const LoadObserver& observer)
+{
+  FileSource source = { labels.path, std::nullopt, labels.series };
+  if (MayHoldSeveralSeries(source))
+  {
+    source.series = SegmentationSeries(labels.path, observer);
+  }
+  return ReadFile(source, observer);
 }
 
 std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserver& observer)

@@ -36,6 +36,10 @@ struct LoadedVolume
   /// Width and middle of the range of values that the file recommends for slices; empty if it
   /// recommends none.
   std::optional<std::array<double, 2>> windowLevel = {};
+  /// All segments if the values are labels: those that the file describes, and the other values.
+  /// Otherwise empty.
+  std::vector<Segment> segments = {};
+  std::string frameOfReference = {}; ///< UID of DICOM for the space of the image; may be empty
 };
 
 /// Receives the fraction of the work done, [0, 1]; returns false to cancel.
@@ -58,6 +62,11 @@ struct SeriesSummary
 
 /// True if a source may hold several series: a folder, an archive, or the index file of a disc.
 bool MayHoldSeveralSeries(const FileSource& source);
+
+/// Reads the labels of a scene as a volume of its own; those of a folder are its first
+/// segmentation.
+/// @throws std::runtime_error as LoadVolume does
+LoadedVolume LoadLabelVolume(const SceneLabels& labels, const LoadObserver& observer = {});
 
 /// Lists the series in a folder and its subfolders, or those of an index file, the largest first.
 /// @throws std::runtime_error as LoadVolume does

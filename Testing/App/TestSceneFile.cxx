@@ -42,6 +42,8 @@ Scene UnusualScene()
   scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "length" } };
   scene.angles = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, { 7.0, 8.0, 9.0 }, "bend" } };
   scene.boxes = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "liver" } };
+  scene.labels = { "/data/organs.seg.nrrd", "1.2.840.2",
+    { { 7, "liver", { 0.5, 0.25, 0.125 }, false, 0.75 }, { -2, "", { 0.0, 1.0, 0.5 } } } };
   scene.render = { 0.125, Acceleration::ScalarField, Integration::Simpson, 0.25, 3.5, 0.0 };
   scene.size = { 640, 360 };
   scene.background = { 0.1, 0.2, 0.3 };
@@ -110,6 +112,24 @@ TEST(SceneFile, KeepsMeasurementsAndScissorsCuts)
   EXPECT_EQ(back.boxes[0].fromMm, scene.boxes[0].fromMm);
   EXPECT_EQ(back.slices.slabBlend, SlabBlend::Mean);
   EXPECT_TRUE(back.cuts.scissors == scene.cuts.scissors);
+}
+
+TEST(SceneFile, KeepsLabels)
+{
+  const Scene back = SceneFromText(SceneText(UnusualScene()), "test");
+  ASSERT_TRUE(back.labels);
+  EXPECT_EQ(back.labels->path, "/data/organs.seg.nrrd");
+  EXPECT_EQ(back.labels->series, "1.2.840.2");
+  ASSERT_EQ(back.labels->segments.size(), 2);
+  const Segment& liver = back.labels->segments[0];
+  EXPECT_EQ(liver.value, 7);
+  EXPECT_EQ(liver.name, "liver");
+  EXPECT_EQ(liver.rgb, glm::dvec3(0.5, 0.25, 0.125));
+  EXPECT_FALSE(liver.visible);
+  EXPECT_EQ(liver.opacity, 0.75);
+  EXPECT_EQ(back.labels->segments[1].value, -2);
+  EXPECT_TRUE(back.labels->segments[1].visible);
+  EXPECT_FALSE(SceneFromText(With("\"size\": [9, 9]"), "test").labels);
 }
 
 TEST(SceneFile, OptionalPartsOfLooksReadBackAsWritten)
@@ -216,6 +236,15 @@ INSTANTIATE_TEST_SUITE_P(Messages, SceneFileError,
       "render.sampleDistance: expected a number > 0 or \"auto\", found \"fine\"" },
     ErrorCase{ With(R"("render": { "earlyTermination": 1 })"),
       "render.earlyTermination: expected a number >= 0 and < 1, found 1" },
+    ErrorCase{
+      With(R"("labels": { "segments": [] })"), "labels: expected the key \"file\", found none" },
+    ErrorCase{
+      With(R"("labels": { "file": "a", "segments": [ { "value": 0, "color": [0, 0, 0] } ] })"),
+      "labels.segments[0].value: expected the value of a segment, found 0, which means no "
+      "segment" },
+    ErrorCase{ With(R"("labels": { "file": "a", "segments": [ { "value": 3, "color": [0, 0, 0] },
+      { "value": 3, "color": [1, 0, 0] } ] })"),
+      "labels.segments[1].value: expected another value for each segment, found 3 twice" },
     ErrorCase{ R"({ "volume": {}, "look": "ct-bone" })",
       "volume: expected the key \"file\" or \"procedural\", found neither" },
     ErrorCase{ R"({ "volume": { "file": "a.raw", "seed": 1 }, "look": "ct-bone" })",
@@ -264,12 +293,14 @@ TEST(SceneFile, MissingFileIsNamed)
   EXPECT_THROW(ReadScene(VARIMARCH_SCENE_FOLDER), std::runtime_error);
 }
 
-TEST(SceneFile, RelativeVolumeStartsAtTheScenesFolder)
+TEST(SceneFile, RelativeFilesStartAtTheScenesFolder)
 {
   const std::filesystem::path folder = testing::TempDir();
   const std::string path = folder / "varimarch-relative.json";
-  std::ofstream(path) << R"({ "volume": { "file": "sub/head.nii" }, "look": "mr-head" })";
+  std::ofstream(path) << R"({ "volume": { "file": "sub/head.nii" }, "look": "mr-head",
+    "labels": { "file": "sub/labels.nii" } })";
   EXPECT_EQ(std::get<FileSource>(ReadScene(path).volume).path, (folder / "sub/head.nii").string());
+  EXPECT_EQ(ReadScene(path).labels->path, (folder / "sub/labels.nii").string());
   std::filesystem::remove(path);
 }
 

@@ -24,6 +24,14 @@ struct WindowLevel
   double level;  ///< centre of the range
 };
 
+/// A segment of a label map: the voxels of one value.
+struct LabelledSegment
+{
+  int value;                     ///< not 0, which means no segment
+  std::string name;              ///< may be empty
+  std::optional<glm::dvec3> rgb; ///< [0, 1]; empty if the file gives no colour
+};
+
 /// The content of a file: an image in LPS space [mm] and its metadata, none of which identifies a
 /// patient.
 struct Volume
@@ -38,6 +46,10 @@ struct Volume
   /// Positions of the first voxels of the scanned slices [LPS, mm], in order along the normal, if
   /// the slices were tilted or are unevenly spaced; otherwise empty.
   std::vector<glm::dvec3> irregularSlicesMm;
+  /// The segments that the file describes if its values are labels; otherwise empty. Values may
+  /// occur that have no description.
+  std::optional<std::vector<LabelledSegment>> segments;
+  std::string frameOfReference; ///< UID of the DICOM space that positions are in; or empty
 };
 
 /// The warning for files without orientation.

@@ -1,0 +1,226 @@
+#include "Scene/Segments.h"
+
+#include <vtkImageData.h>
+#include <vtkMath.h>
+#include <vtkMatrix4x4.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+template <class Value>
+int LabelOf(Value value)
+{
+  const auto number = double(value);
+  if (!(number >= SmallestLabel && number <= LargestLabel && number == std::floor(number)))
+  {
+    std::ostringstream found;
+    found << number;
+    throw std::invalid_argument("expected whole numbers as labels, found " + found.str());
+  }
+  return int(number);
+}
+
+// Neighbours mostly have the same value, so that few voxels need more than a comparison.
+template <class Value>
+std::set<int> LabelsIn(const Value* values, vtkIdType count)
+{
+  std::set<int> labels;
+  Value last = Value(0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (values[i] != last)
+    {
+      last = values[i];
+      labels.insert(LabelOf(last));
+    }
+    if (labels.size() > MostLabels + 1)
+    {
+      break;
+    }
+  }
+  labels.erase(0);
+  return labels;
+}
+
+std::set<int> LabelsIn(vtkImageData* image)
+{
+  switch (image->GetScalarType())
+  {
+    vtkTemplateMacro(return LabelsIn(
+      static_cast<const VTK_TT*>(image->GetScalarPointer()), image->GetNumberOfPoints()));
+  }
+  return {};
+}
+
+template <class Value>
+void NumberVoxels(
+  const Value* values, const std::map<int, unsigned char>& numbers, vtkImageData* image)
+{
+  auto* const voxels = static_cast<unsigned char*>(image->GetScalarPointer());
+  Value last = Value(0);
+  unsigned char number = 0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    if (values[i] != last)
+    {
+      last = values[i];
+      number = last != Value(0) ? numbers.at(int(last)) : 0;
+    }
+    voxels[i] = number;
+  }
+}
+
+// Voxels of a segment, and uninterrupted runs of them along each axis.
+struct SegmentCounts
+{
+  std::int64_t voxels = 0;
+  std::array<std::int64_t, 3> runs = {};
+};
+
+using AllCounts = std::vector<SegmentCounts>;
+
+void CountSlice(vtkImageData* numbers, int slice, AllCounts& counts)
+{
+  const int* const size = numbers->GetDimensions();
+  const vtkIdType steps[3] = { 1, size[0], vtkIdType(size[0]) * size[1] };
+  const auto* voxel =
+    static_cast<const unsigned char*>(numbers->GetScalarPointer()) + slice * steps[2];
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x, ++voxel)
+    {
+      if (*voxel == 0)
+      {
+        continue;
+      }
+      SegmentCounts& own = counts[*voxel - 1];
+      ++own.voxels;
+      const int index[3] = { x, y, slice };
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        own.runs[axis] += index[axis] == 0 || voxel[-steps[axis]] != *voxel ? 1 : 0;
+      }
+    }
+  }
+}
+
+AllCounts CountsOf(vtkImageData* numbers, std::size_t count)
+{
+  AllCounts all(count);
+  std::mutex mutex;
+  tbb::parallel_for(0, numbers->GetDimensions()[2],
+    [&](int slice)
+    {
+      AllCounts here(count);
+      CountSlice(numbers, slice, here);
+      const std::lock_guard<std::mutex> lock(mutex);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        all[i].voxels += here[i].voxels;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          all[i].runs[axis] += here[i].runs[axis];
+        }
+      }
+    });
+  return all;
+}
+
+}
+
+glm::dvec3 ColorOfLabel(int value)
+{
+  // Multiples of the golden ratio are spread evenly over the circle of hues, however many there
+  // are.
+  constexpr double GoldenRatio = 0.61803398874989485;
+  const double turns = GoldenRatio * value;
+  glm::dvec3 rgb;
+  vtkMath::HSVToRGB(turns - std::floor(turns), 0.65, 0.95, &rgb.r, &rgb.g, &rgb.b);
+  return rgb;
+}
+
+std::string NameOfLabel(int value)
+{
+  return "Label " + std::to_string(value);
+}
+
+std::vector<Segment> SegmentsOf(vtkImageData* labels, const std::vector<Segment>& known)
+{
+  if (labels->GetNumberOfScalarComponents() != 1)
+  {
+    throw std::invalid_argument("expected one label per voxel, found " +
+      std::to_string(labels->GetNumberOfScalarComponents()) + " values");
+  }
+  std::set<int> values = LabelsIn(labels);
+  std::vector<Segment> segments = known;
+  for (const Segment& segment : known)
+  {
+    values.erase(segment.value);
+  }
+  for (const int value : values)
+  {
+    segments.push_back({ value, NameOfLabel(value), ColorOfLabel(value) });
+  }
+  if (segments.size() > MostLabels)
+  {
+    throw std::invalid_argument(
+      "expected at most " + std::to_string(MostLabels) + " different labels, found more");
+  }
+  return segments;
+}
+
+vtkSmartPointer<vtkImageData> SegmentNumbers(
+  vtkImageData* labels, const std::vector<Segment>& segments)
+{
+  std::map<int, unsigned char> numbers;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    numbers[segments[i].value] = static_cast<unsigned char>(i + 1);
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(labels);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  switch (labels->GetScalarType())
+  {
+    vtkTemplateMacro(
+      NumberVoxels(static_cast<const VTK_TT*>(labels->GetScalarPointer()), numbers, image));
+  }
+  return image;
+}
+
+// Cauchy's formula: the mean length is the volume by the mean area of the shadow, here that of the
+// shadows along the three axes, in which each run of voxels covers one face of a voxel.
+std::vector<SegmentSize> SizesOf(vtkImageData* numbers, std::size_t count)
+{
+  const double* const spacing = numbers->GetSpacing();
+  const double voxelMm3 = std::abs(numbers->GetIndexToPhysicalMatrix()->Determinant());
+  std::vector<SegmentSize> sizes;
+  for (const SegmentCounts& counts : CountsOf(numbers, count))
+  {
+    double runsPerMm = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      runsPerMm += double(counts.runs[axis]) / (3.0 * spacing[axis]);
+    }
+    const auto voxels = double(counts.voxels);
+    sizes.push_back(
+      { counts.voxels, 1e-3 * voxelMm3 * voxels, voxels > 0.0 ? voxels / runsPerMm : 0.0 });
+  }
+  return sizes;
+}
+
+}

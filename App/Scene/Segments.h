@@ -1,0 +1,54 @@
+#ifndef Varimarch_Scene_Segments_h
+#define Varimarch_Scene_Segments_h
+
+#include "Scene/Scene.h"
+
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+class vtkImageData;
+
+namespace varimarch
+{
+
+/// Masks of VTK's mappers have 8 bits, and one value stands for what scissors remove.
+constexpr int MostLabels = 254;
+
+constexpr int SmallestLabel = std::numeric_limits<int>::min();
+constexpr int LargestLabel = std::numeric_limits<int>::max();
+
+/// Colour of a label for which a file gives none. Neighbouring labels differ much.
+glm::dvec3 ColorOfLabel(int value);
+
+/// "Label 3", the name of a label for which a file gives none.
+std::string NameOfLabel(int value);
+
+/// The known segments of an image of labels, and one more for every other value but 0.
+/// @throws std::invalid_argument whose words say what was expected and found, if the values are not
+///         labels or too many
+std::vector<Segment> SegmentsOf(vtkImageData* labels, const std::vector<Segment>& known);
+
+/// An image of the same grid whose voxels number the segments: i + 1 in segment i, 0 in none.
+/// @param segments  as SegmentsOf returns them
+vtkSmartPointer<vtkImageData> SegmentNumbers(
+  vtkImageData* labels, const std::vector<Segment>& segments);
+
+/// Size of a segment on a grid.
+struct SegmentSize
+{
+  std::int64_t voxels = 0;
+  double volumeMl = 0.0;
+  double thicknessMm = 0.0; ///< mean length of the lines through it; 0 without voxels
+};
+
+/// Sizes of all segments.
+/// @param numbers  as SegmentNumbers returns them
+/// @param count    number of segments
+std::vector<SegmentSize> SizesOf(vtkImageData* numbers, std::size_t count);
+
+}
+
+#endif
