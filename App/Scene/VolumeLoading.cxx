@@ -131,12 +131,6 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   {
     volume.slices = source.rectified ? SliceLayout::Rectified : SliceLayout::Irregular;
   }
-  if (volume.modality == "SEG")
-  {
-    volume.warnings.emplace_back(
-      "This is a segmentation (DICOM SEG): its segments are drawn as one grey volume; open the "
-      "scan itself, or convert the segments to a label map in NRRD or NIfTI.");
-  }
   volume.frameOfReference = reader->GetFrameOfReferenceUID();
   if (reader->HoldsLabels())
   {

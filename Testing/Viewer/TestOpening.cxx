@@ -2,6 +2,7 @@
 
 #include "Answers.h"
 #include "Module/PhantomFiles.h"
+#include "Module/PhantomSegmentation.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SessionFile.h"
@@ -199,21 +200,17 @@ TEST_F(Opening, OffersNothingForAScanThatIsEven)
   EXPECT_FALSE(this->Remedy()->isVisible());
 }
 
-TEST_F(Opening, SaysHowASegmentationIsDrawn)
+TEST_F(Opening, KnowsTheSegmentsOfASegmentation)
 {
-  DicomOptions options;
-  options.modality = "SEG";
-  for (int slice = 0; slice < 3; ++slice)
-  {
-    this->folder.Write(
-      "segments/" + std::to_string(slice), DicomBytes(phantom::Stored(0), slice, options));
-  }
+  const std::vector<int> pixels(20, 1);
+  this->folder.Write("segments/a",
+    phantom_dicom::FileBytes(phantom_dicom::Segmentation(phantom::Stored(0), { { 4, "liver" } },
+      { { 4, 0, pixels }, { 4, 1, pixels }, { 4, 2, pixels } })));
   this->Open("segments");
   ASSERT_TRUE(this->IsOpened());
-  const std::vector<std::string>& warnings = this->window.Model()->CurrentStudy()->volume.warnings;
-  ASSERT_FALSE(warnings.empty());
-  EXPECT_EQ(warnings.front().rfind("This is a segmentation (DICOM SEG)", 0), 0u);
-  EXPECT_TRUE(this->window.findChild<WarningBar*>()->isVisible());
+  const std::vector<Segment>& segments = this->window.Model()->CurrentStudy()->volume.segments;
+  ASSERT_EQ(segments.size(), 1);
+  EXPECT_EQ(segments.front().name, "liver");
 }
 
 TEST_F(Opening, ShowsSlicesWithTheWindowOfTheFile)

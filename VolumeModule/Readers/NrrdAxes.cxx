@@ -2,7 +2,6 @@
 
 #include "Readers/FileError.h"
 #include "Readers/NumberText.h"
-#include "Readers/VolumeFile.h"
 
 #include <algorithm>
 #include <limits>
@@ -196,7 +195,7 @@ void TakeOtherAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
 
 }
 
-NrrdAxes AxesOf(const NrrdHeader& header, std::vector<std::string>& warnings)
+NrrdAxes AxesOf(const NrrdHeader& header)
 {
   NrrdAxes axes;
   axes.sizes = SizesOf(header);
@@ -220,10 +219,6 @@ NrrdAxes AxesOf(const NrrdHeader& header, std::vector<std::string>& warnings)
   for (const std::size_t axis : others)
   {
     TakeOtherAxis(header, axis, axes);
-  }
-  if (axes.volumeCount > 1)
-  {
-    warnings.push_back(OnlyFirstVolume(axes.volumeCount));
   }
   return axes;
 }

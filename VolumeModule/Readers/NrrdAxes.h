@@ -23,9 +23,9 @@ struct NrrdAxes
   bool areComplex = false; ///< the components are a real and an imaginary part
 };
 
-/// Determines the axes. Adds a warning if only the first of several volumes is read.
+/// Determines the axes.
 /// @throws std::runtime_error for axes that do not form a volume
-NrrdAxes AxesOf(const NrrdHeader& header, std::vector<std::string>& warnings);
+NrrdAxes AxesOf(const NrrdHeader& header);
 
 /// @throws std::runtime_error for an unknown scalar type
 VoxelLayout LayoutOf(const NrrdHeader& header, const NrrdAxes& axes);

@@ -14,9 +14,14 @@ namespace
 void TakeLine(NrrdHeader& header, const std::string& line)
 {
   const std::size_t colon = line.find(':');
-  if (line[0] == '#' || line.compare(std::min(colon, line.size()), 2, ":=") == 0)
+  if (line[0] == '#')
   {
-    return; // a comment or a key/value pair
+    return; // a comment
+  }
+  if (line.compare(std::min(colon, line.size()), 2, ":=") == 0)
+  {
+    header.pairs[line.substr(0, colon)] = Trimmed(line.substr(colon + 2));
+    return;
   }
   if (colon == std::string::npos)
   {

@@ -4,6 +4,7 @@
 #include "Readers/HeaderText.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ struct NrrdHeader
 {
   std::string path;
   HeaderFields fields;
-  std::vector<std::string> listedFiles; ///< the lines after "data file: LIST"
-  std::uint64_t end = 0;                ///< file offset of the first byte after the header
+  std::map<std::string, std::string> pairs; ///< the lines "key:=value", which programs define
+  std::vector<std::string> listedFiles;     ///< the lines after "data file: LIST"
+  std::uint64_t end = 0;                    ///< file offset of the first byte after the header
 };
 
 /// @throws std::runtime_error if the file is not an NRRD file, or its header is incomplete

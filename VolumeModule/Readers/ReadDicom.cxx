@@ -4,6 +4,7 @@
 #include "Readers/Dicom/DicomStack.h"
 #include "Readers/Dicom/FileHeader.h"
 #include "Readers/Dicom/Grouping.h"
+#include "Readers/Dicom/Segmentation.h"
 #include "Readers/Dicom/StoredSlices.h"
 #include "Readers/Dicom/Values.h"
 #include "Readers/Formats.h"
@@ -47,6 +48,7 @@ void TakeMetadata(const DicomFrame& slice, Volume& volume)
   }
   const DicomAttributes attributes(header.meta, slice.number);
   volume.modality = attributes.Text(DC::Modality);
+  volume.frameOfReference = attributes.Text(DC::FrameOfReferenceUID);
   volume.bodyPart = attributes.Text(DC::BodyPartExamined);
   volume.hasContrastAgent = !attributes.Text(DC::ContrastBolusAgent).empty();
   if (volume.modality == "MR")
@@ -106,35 +108,43 @@ std::vector<DicomFault> FaultsOf(const DicomScan& scan, const DicomSeries& serie
   return faults;
 }
 
-}
-
-Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgress& progress)
+/// Reads the images of a series as slices of a volume.
+Volume ReadSlices(
+  const std::string& path, const DicomSeries& series, bool rectifies, ReadProgress& progress)
 {
   Volume volume;
-  ReadProgress scanning = progress.Part(0.0, 0.3);
-  ReadProgress decoding = progress.Part(0.3, 1.0);
-  const DicomScan scan = FindDicomSeries(path, scanning);
-  const DicomSeries& series = SeriesNamed(path, scan.series, options.series);
-  volume.warnings = scan.warnings;
-  if (options.series.empty() && scan.series.size() > 1)
-  {
-    volume.warnings.push_back(
-      "This is the first of several series: " + SeriesList(scan.series) + ".");
-  }
-  WarnOfFaults(FaultsOf(scan, series), volume.warnings);
   const StoredSlices stored =
-    DecodedSlices(path, ChooseSlices(series.frames, volume.warnings), decoding);
+    DecodedSlices(path, ChooseSlices(series.frames, volume.warnings), progress);
   WarnOfFaults(stored.faults, volume.warnings);
-
   const std::vector<DicomFrame>& frames = stored.slices.frames;
   volume.image = Rescaled(path, stored.image, RescalesOf(frames));
   SetPaddingToLowest(frames, volume.image, volume.warnings);
   const DicomStack stack(stored.slices);
   PlaceImage(path, stack.Geometry(), volume.image);
   volume.irregularSlicesMm = stack.IrregularSlicesMm();
-  stack.Warn(options.rectify && !volume.irregularSlicesMm.empty(), volume.warnings);
+  stack.Warn(rectifies && !volume.irregularSlicesMm.empty(), volume.warnings);
   WarnOfLoss(frames, volume.warnings);
   TakeMetadata(frames.front(), volume);
+  return volume;
+}
+
+}
+
+Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgress& progress)
+{
+  ReadProgress scanning = progress.Part(0.0, 0.3);
+  ReadProgress decoding = progress.Part(0.3, 1.0);
+  const DicomScan scan = FindDicomSeries(path, scanning);
+  const DicomSeries& series = SeriesNamed(path, scan.series, options.series);
+  std::vector<std::string> warnings = scan.warnings;
+  if (options.series.empty() && scan.series.size() > 1)
+  {
+    warnings.push_back("This is the first of several series: " + SeriesList(scan.series) + ".");
+  }
+  WarnOfFaults(FaultsOf(scan, series), warnings);
+  Volume volume = IsSegmentation(series) ? ReadSegmentation(path, series, decoding)
+                                         : ReadSlices(path, series, options.rectify, decoding);
+  volume.warnings.insert(volume.warnings.begin(), warnings.begin(), warnings.end());
   return volume;
 }
 

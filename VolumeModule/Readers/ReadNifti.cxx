@@ -188,6 +188,11 @@ Volume ReadNifti(const std::string& path, const ReadOptions&, ReadProgress& prog
   ApplyRescale(headerPath, header, volume);
   PlaceImage(headerPath, geometry, volume.image);
 
+  constexpr int LabelIntent = 1002; // NIFTI_INTENT_LABEL, which VTK's header lacks
+  if (header.intent == LabelIntent)
+  {
+    volume.segments.emplace(); // the header has no names
+  }
   const double window = header.calibration[1] - header.calibration[0];
   if (std::isfinite(window) && window > 0)
   {

@@ -5,6 +5,7 @@
 #include "Readers/Magnitude.h"
 #include "Readers/NrrdAxes.h"
 #include "Readers/NrrdGeometry.h"
+#include "Readers/NrrdSegments.h"
 #include "Readers/NumberText.h"
 #include "Readers/VoxelFile.h"
 
@@ -81,7 +82,12 @@ Volume ReadNrrd(const std::string& path, const ReadOptions&, ReadProgress& progr
 {
   Volume volume;
   const NrrdHeader header = ReadNrrdHeader(path);
-  const NrrdAxes axes = AxesOf(header, volume.warnings);
+  const bool holdsSegments = HoldsSegments(header);
+  const NrrdAxes axes = holdsSegments ? LayersAsComponents(AxesOf(header)) : AxesOf(header);
+  if (axes.volumeCount > 1)
+  {
+    volume.warnings.push_back(OnlyFirstVolume(axes.volumeCount));
+  }
   const VoxelLayout layout = LayoutOf(header, axes);
   const ImageGeometry geometry = GeometryOf(header, axes, volume.warnings);
   VoxelFile file = VoxelFileOf(header);
@@ -95,7 +101,11 @@ Volume ReadNrrd(const std::string& path, const ReadOptions&, ReadProgress& progr
     volume.warnings.push_back(UnknownByteOrder);
   }
   volume.image = ReadVoxels(file, layout, progress);
-  if (axes.areComplex)
+  if (holdsSegments)
+  {
+    TakeSegments(header, volume);
+  }
+  else if (axes.areComplex)
   {
     TakeMagnitude("The numbers are complex", volume);
   }

@@ -47,13 +47,15 @@ struct DicomFile
   std::string instanceUid;
   std::string seriesDescription;
   std::string modality;
+  bool isSegmentation = false; ///< true if the pixels are masks of segments or labels
   double seriesNumber = 0.0;
 
   int rows = 0; ///< size of the stored image
   int columns = 0;
   int frameCount = 1;
-  bool isTruncated = false; ///< true if the file ends before the last frame
-  int samples = 1;          ///< values per pixel as stored
+  std::int64_t pixelOffset = 0; ///< offset of the first pixel in the file at decodedPath [bytes]
+  bool isTruncated = false;     ///< true if the file ends before the last frame
+  int samples = 1;              ///< values per pixel as stored
   int bitsAllocated = 16;
   int bitsStored = 16;
   int highBit = 15;

@@ -2,6 +2,7 @@
 
 #include "Readers/Dicom/FileFrames.h"
 #include "Readers/Dicom/FileSearch.h"
+#include "Readers/Dicom/Segmentation.h"
 #include "Readers/FileError.h"
 
 #include <algorithm>
@@ -101,8 +102,8 @@ public:
     std::stable_sort(this->scan.series.begin(), this->scan.series.end(),
       [](const DicomSeries& a, const DicomSeries& b)
       {
-        return std::make_tuple(-double(a.frames.size()), a.number) <
-          std::make_tuple(-double(b.frames.size()), b.number);
+        return std::make_tuple(IsSegmentation(a), -double(a.frames.size()), a.number) <
+          std::make_tuple(IsSegmentation(b), -double(b.frames.size()), b.number);
       });
   }
 

@@ -20,7 +20,7 @@ struct DicomSeries
 /// The series below a path.
 struct DicomScan
 {
-  std::vector<DicomSeries> series; ///< at least one; the series with most images first
+  std::vector<DicomSeries> series; ///< at least one; most images first, segmentations last
   std::vector<DicomFault> faults;  ///< files that cannot be read, wholly or in part
   std::vector<std::string> warnings;
 };

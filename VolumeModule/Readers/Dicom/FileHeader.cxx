@@ -21,6 +21,10 @@ namespace
 /// UID of the class of DICOMDIR files, which have no other class.
 constexpr const char* IndexClass = "1.2.840.10008.1.3.10";
 
+/// UIDs of the classes of segmentations: masks, and labels.
+constexpr const char* SegmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
+constexpr const char* LabelsClass = "1.2.840.10008.5.1.4.1.1.66.7";
+
 constexpr const char* DeflatedSyntax = "1.2.840.10008.1.2.1.99";
 
 /// A parsed file, and the place of its pixels.
@@ -28,7 +32,8 @@ struct Parsed
 {
   vtkSmartPointer<vtkDICOMMetaData> meta;
   bool hasPixels;
-  bool isDamaged;    ///< true if the attributes end early or are malformed
+  bool isDamaged; ///< true if the attributes end early or are malformed
+  std::int64_t pixelOffset;
   double pixelBytes; ///< bytes from the first pixel to the end of the file
 };
 
@@ -42,6 +47,7 @@ Parsed Parse(const std::string& path)
   parser->SetFileName(path.c_str());
   parser->Update();
   return { meta, parser->GetPixelDataFound(), parser->GetErrorCode() != 0,
+    std::int64_t(parser->GetFileOffset()),
     double(parser->GetFileSize() - parser->GetFileOffset()) };
 }
 
@@ -93,6 +99,8 @@ std::shared_ptr<DicomFile> FileOf(const std::string& path, vtkDICOMMetaData* met
   file->instanceUid = attributes.Text(DC::SOPInstanceUID);
   file->seriesDescription = attributes.Value(DC::SeriesDescription).AsUTF8String();
   file->modality = attributes.Text(DC::Modality);
+  const std::string kind = attributes.Text(DC::SOPClassUID);
+  file->isSegmentation = kind == SegmentationClass || kind == LabelsClass;
   file->seriesNumber = attributes.NumberOr(DC::SeriesNumber, 0.0);
   file->rows = int(attributes.NumberOr(DC::Rows, 0.0));
   file->columns = int(attributes.NumberOr(DC::Columns, 0.0));
@@ -180,6 +188,7 @@ DicomHeader ReadDicomHeader(const std::string& path)
     return header;
   }
   header.file = FileOf(path, parsed.meta);
+  header.file->pixelOffset = parsed.pixelOffset;
   if (copy)
   {
     header.file->decodedPath = copy->Path();

@@ -27,15 +27,6 @@ std::vector<std::vector<int>> SlicesOfFiles(const std::vector<DicomFrame>& frame
   return all;
 }
 
-/// Checks that all frames of a file fit in memory once decoded.
-void CheckFrames(const std::string& path, const DicomFile& file)
-{
-  const int type = file.bitsAllocated <= 8 ? VTK_UNSIGNED_CHAR
-    : file.bitsAllocated <= 16             ? VTK_SHORT
-                                           : VTK_DOUBLE;
-  CheckedByteCount(path, { { file.columns, file.rows, file.frameCount }, type, file.samples });
-}
-
 /// Keeps the slices that were decoded.
 void LeaveOutMissing(const std::vector<bool>& isDecoded, StoredSlices& stored)
 {
@@ -62,6 +53,14 @@ void LeaveOutMissing(const std::vector<bool>& isDecoded, StoredSlices& stored)
   stored.image = image;
 }
 
+}
+
+void CheckFrames(const std::string& path, const DicomFile& file)
+{
+  const int type = file.bitsAllocated <= 8 ? VTK_UNSIGNED_CHAR
+    : file.bitsAllocated <= 16             ? VTK_SHORT
+                                           : VTK_DOUBLE;
+  CheckedByteCount(path, { { file.columns, file.rows, file.frameCount }, type, file.samples });
 }
 
 StoredSlices DecodedSlices(
