@@ -13,6 +13,21 @@ namespace varimarch
 namespace
 {
 
+void AddLabelOptions(CLI::App& command, LabelArguments& arguments)
+{
+  const std::string group = "Labels";
+  command
+    .add_option("--labels", arguments.path,
+      "Segmentation of the scan: DICOM SEG, .seg.nrrd, or a label map of any format")
+    ->type_name("FILE")
+    ->group(group);
+  command
+    .add_option("--label-colors", arguments.colorTable,
+      "Names and colours of the labels, as 3D Slicer (.ctbl), ITK-SNAP and FreeSurfer write them")
+    ->type_name("FILE")
+    ->group(group);
+}
+
 void AddRenderCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<RenderArguments>();
@@ -24,8 +39,10 @@ void AddRenderCommand(CLI::App& program, const std::string& commandText)
     "  varimarch render dicom-folder -o bone.png --preset ct-bone --view left --zoom 1.3\n"
     "  varimarch render scan.raw --raw-dimensions 256x256x128 --raw-type uint16 -o scan.png\n"
     "  varimarch render procedural:torso:256x192x192 -o torso.png --azimuth 30\n"
+    "  varimarch render ct-folder -o organs.png --labels organs.seg.nrrd\n"
     "  varimarch render scene.json -o scene.png --size 1024x1024 --renderer vtk-gpu");
   AddSceneOptions(*app, arguments->scene);
+  AddLabelOptions(*app, arguments->labels);
   app->add_option("-o,--output", arguments->outputPath, "The image to write")
     ->type_name("FILE.png")
     ->required();
@@ -83,10 +100,12 @@ void AddInfoCommand(CLI::App& program, const std::string& commandText)
               "  varimarch info head.nii.gz\n"
               "  varimarch info dicom-folder --bins 64\n"
               "  varimarch info dicom-folder --series 2\n"
+              "  varimarch info ct.nii.gz --labels organs.nii.gz\n"
               "  varimarch info scan.raw --raw-dimensions 256x256x128 --json scan.json");
   AddVolumeOptions(*app, arguments->volume,
     "A volume file, a folder with a DICOM series, or\n"
     "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+  AddLabelOptions(*app, arguments->labels);
   app->add_option("--bins", arguments->bins, "Number of histogram bars (default 32)")
     ->check(CLI::Range(1, 65536).description(""))
     ->type_name("N");

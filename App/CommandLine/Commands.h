@@ -1,6 +1,7 @@
 #ifndef Varimarch_CommandLine_Commands_h
 #define Varimarch_CommandLine_Commands_h
 
+#include "LabelArguments.h"
 #include "SceneArguments.h"
 
 #include <string>
@@ -20,6 +21,7 @@ struct RenderArguments
 {
   std::string commandText;
   SceneArguments scene;
+  LabelArguments labels;
   MapperKind renderer = MapperKind::Varimarch;
   std::string outputPath;         ///< path of the PNG file
   double graphicsMegabytes = 0.0; ///< limit of our mapper's graphics memory [MB]; 0: no limit
@@ -40,6 +42,7 @@ struct InfoArguments
 {
   std::string commandText;
   VolumeArguments volume;
+  LabelArguments labels;
   int bins = 32; ///< number of bars of the histogram, >= 1
   std::string jsonPath;
 };

@@ -2,6 +2,7 @@
 
 #include "Comparison.h"
 #include "ComparisonReport.h"
+#include "Messages.h"
 #include "OutputFolder.h"
 #include "Progress.h"
 #include "Results.h"
@@ -69,6 +70,10 @@ void RunCompare(const CompareArguments& arguments)
 {
   OutputFolder(arguments.outputFolder);
   const auto [scene, volume] = LoadScene(arguments.scene);
+  if (scene.labels)
+  {
+    PrintMessage("warning: the labels are not drawn, because the reference has none");
+  }
   auto progress = std::make_unique<Progress>("Integrating the reference");
   const Comparison comparison = Compare(scene, volume.image, arguments.rounds,
     [&](const std::string& step) { progress->SetActivity(step); });

@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include "Messages.h"
 #include "Progress.h"
 #include "Results.h"
 #include "Scene/ImageFiles.h"
@@ -15,11 +16,33 @@
 namespace varimarch
 {
 
+namespace
+{
+
+void WarnOfMissingLabels(
+  const RenderArguments& arguments, const Scene& scene, const LoadedVolume& volume)
+{
+  if (scene.labels && !CanDrawLabels(arguments.renderer, scene.look.blend, volume.image))
+  {
+    PrintMessage(
+      "warning: the labels are not drawn: expected the blend mode composite, a volume of "
+      "one component, and a renderer other than vtk-cpu; found the blend mode " +
+      NameOf(BlendNames(), scene.look.blend) + ", " +
+      std::to_string(volume.image->GetNumberOfScalarComponents()) + " components and " +
+      NameOf(MapperKindNames(), arguments.renderer));
+  }
+}
+
+}
+
 void RunRender(const RenderArguments& arguments)
 {
-  const auto [scene, volume] = LoadScene(arguments.scene);
+  auto [scene, volume] = LoadScene(arguments.scene);
+  const auto labels = LoadLabelsReporting(arguments.labels, volume, scene);
+  WarnOfMissingLabels(arguments, scene, volume);
   const Progress progress("Drawing " + arguments.outputPath);
   OffscreenView view(scene, volume.image, arguments.renderer);
+  view.Pipeline().SetLabels(labels);
   auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
   if (ours)
   {
@@ -51,6 +74,7 @@ void RunRender(const RenderArguments& arguments)
   }
   results["openglRenderer"] = view.DeviceName();
   results["picture"] = arguments.outputPath;
+  AddSegments(labels, results);
   WriteResults(results, arguments.jsonPath);
 }
 

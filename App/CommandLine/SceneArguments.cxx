@@ -1,6 +1,7 @@
 #include "SceneArguments.h"
 
 #include "Scene/ImageStatistics.h"
+#include "Scene/LabelMap.h"
 #include "Scene/LookFiles.h"
 #include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
@@ -16,7 +17,8 @@ namespace
 
 Preset Suggested(const LoadedVolume& volume, const ImageStatistics& statistics)
 {
-  return BuiltInPreset(SuggestedPreset(volume, statistics).name);
+  return volume.segments.empty() ? BuiltInPreset(SuggestedPreset(volume, statistics).name)
+                                 : Preset{ LookOfLabelsOnly() };
 }
 
 /// The look of a file. Colours without opacities get those of the scene, or those of the preset

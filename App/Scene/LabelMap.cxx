@@ -148,6 +148,12 @@ LabelMap LabelMapOf(const LoadedVolume& labels, const std::string& path, const L
   CheckFrameOfReference(labels, path, scan);
   LabelMap map;
   map.warnings = labels.warnings;
+  if (scan.slices == SliceLayout::Irregular)
+  {
+    map.warnings.emplace_back(
+      "The slices of the scan are tilted or uneven; where they are not drawn "
+      "where they were scanned, the labels lie beside them.");
+  }
   map.segments = SegmentsOfFile(labels, path);
   const auto numbers = SegmentNumbers(labels.image, map.segments);
   const std::vector<SegmentSize> before = SizesOf(numbers, map.segments.size());

@@ -157,22 +157,6 @@ const FormatRow& RowOf(const std::string& path)
   return *best;
 }
 
-std::string BytesOf(const std::string& path)
-{
-  std::error_code unknown;
-  std::ifstream stream(path, std::ios::binary);
-  // Opening a folder succeeds; only reading it would fail.
-  if (!stream || std::filesystem::is_directory(path, unknown))
-  {
-    FailToReadLook(path, "it cannot be read as a file");
-  }
-  if (std::filesystem::file_size(path, unknown) > MostBytes)
-  {
-    FailToReadLook(path, "the file is larger than 16 MB");
-  }
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 }
 
 const std::vector<LookFileFormat>& LookFileFormats()
@@ -189,9 +173,25 @@ const std::vector<LookFileFormat>& LookFileFormats()
   return formats;
 }
 
+std::string BytesOfLookFile(const std::string& path)
+{
+  std::error_code unknown;
+  std::ifstream stream(path, std::ios::binary);
+  // Opening a folder succeeds; only reading it would fail.
+  if (!stream || std::filesystem::is_directory(path, unknown))
+  {
+    FailToReadLook(path, "it cannot be read as a file");
+  }
+  if (std::filesystem::file_size(path, unknown) > MostBytes)
+  {
+    FailToReadLook(path, "the file is larger than 16 MB");
+  }
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
 std::vector<Preset> ReadLookFile(const std::string& path, const LookContext& context)
 {
-  return RowOf(path).read(BytesOf(path), path, context);
+  return RowOf(path).read(BytesOfLookFile(path), path, context);
 }
 
 Preset ReadLook(const std::string& path, const std::string& name, const LookContext& context)

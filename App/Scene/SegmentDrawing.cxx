@@ -17,8 +17,11 @@ namespace varimarch
 namespace
 {
 
-/// Value in a mask of the voxels that scissors remove.
-constexpr int Removed = MostLabels + 1;
+/// Value in a mask of the voxels that scissors remove. VTK's mapper expects labels without gaps.
+int RemovedNumber(const LabelMap& labels)
+{
+  return int(labels.segments.size()) + 1;
+}
 
 vtkSmartPointer<vtkPiecewiseFunction> Constant(double value)
 {
@@ -27,21 +30,25 @@ vtkSmartPointer<vtkPiecewiseFunction> Constant(double value)
   return function;
 }
 
-// The opacity of a unit distance of a segment whose mean thickness has the given opacity.
-double OpacityOfUnitDistance(double opacity, double thicknessMm, double unitDistanceMm)
+// The opacity of a unit distance of a segment whose mean thickness has the given opacity. A voxel
+// lets at least a level of 8 bits through: the steps along rays would have to be far shorter in
+// front of an edge that is harder than that.
+double OpacityOfUnitDistance(
+  double opacity, double thicknessMm, double voxelMm, double unitDistanceMm)
 {
-  return thicknessMm > 0.0 ? 1.0 - std::pow(1.0 - opacity, unitDistanceMm / thicknessMm) : 0.0;
+  constexpr double LeastTransmittance = 1.0 / 256.0;
+  const double most = -std::log(LeastTransmittance) / voxelMm;
+  const double extinction = thicknessMm > 0.0 ? -std::log1p(-opacity) / thicknessMm : 0.0;
+  return -std::expm1(-std::min(extinction, most) * unitDistanceMm);
 }
 
 void ApplyOwnFunctions(
-  int number, const Segment& segment, double thicknessMm, vtkVolumeProperty* property)
+  int number, const Segment& segment, double opacity, vtkVolumeProperty* property)
 {
   vtkNew<vtkColorTransferFunction> color;
   color->AddRGBPoint(0.0, segment.rgb.r, segment.rgb.g, segment.rgb.b);
   property->SetLabelColor(number, color);
-  property->SetLabelScalarOpacity(number,
-    Constant(OpacityOfUnitDistance(
-      segment.opacity, thicknessMm, property->GetScalarOpacityUnitDistance())));
+  property->SetLabelScalarOpacity(number, Constant(opacity));
   if (property->HasGradientOpacity())
   {
     property->SetLabelGradientOpacity(number, Constant(1.0));
@@ -76,19 +83,23 @@ std::vector<vtkIdType> Coarser(int count, int coarseCount)
 void ApplySegments(
   const LabelMap& labels, const std::vector<Segment>& segments, vtkVolumeProperty* property)
 {
+  const double* const spacing = labels.image->GetSpacing();
+  const double voxelMm = *std::min_element(spacing, spacing + 3);
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     if (segments[i].visible)
     {
-      ApplyOwnFunctions(int(i + 1), segments[i], labels.sizes[i].thicknessMm, property);
+      const double opacity = OpacityOfUnitDistance(segments[i].opacity, labels.sizes[i].thicknessMm,
+        voxelMm, property->GetScalarOpacityUnitDistance());
+      ApplyOwnFunctions(int(i + 1), segments[i], opacity, property);
     }
     else
     {
       ApplyFunctionsOfLook(int(i + 1), property);
     }
   }
-  property->SetLabelColor(Removed, property->GetRGBTransferFunction());
-  property->SetLabelScalarOpacity(Removed, Constant(0.0));
+  ApplyFunctionsOfLook(RemovedNumber(labels), property);
+  property->SetLabelScalarOpacity(RemovedNumber(labels), Constant(0.0));
 }
 
 vtkSmartPointer<vtkImageData> LabelMask(const LabelMap& labels, vtkImageData* kept)
@@ -106,6 +117,7 @@ vtkSmartPointer<vtkImageData> LabelMask(const LabelMap& labels, vtkImageData* ke
   {
     coarser[axis] = Coarser(size[axis], keptSize[axis]);
   }
+  const auto removed = static_cast<unsigned char>(RemovedNumber(labels));
   auto* const voxels = static_cast<unsigned char*>(mask->GetScalarPointer());
   const auto* const isKept = static_cast<const unsigned char*>(kept->GetScalarPointer());
   tbb::parallel_for(0, size[2],
@@ -118,7 +130,7 @@ vtkSmartPointer<vtkImageData> LabelMask(const LabelMap& labels, vtkImageData* ke
           isKept + (coarser[2][z] * keptSize[1] + coarser[1][y]) * keptSize[0];
         for (int x = 0; x < size[0]; ++x)
         {
-          row[x] = keptRow[coarser[0][x]] ? row[x] : Removed;
+          row[x] = keptRow[coarser[0][x]] ? row[x] : removed;
         }
       }
     });

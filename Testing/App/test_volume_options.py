@@ -90,6 +90,58 @@ def raw(folder):
     assert "--raw-header-bytes" in errors, errors
 
 
+def nrrd(path, values, size, pairs=""):
+    """Writes bytes as an NRRD file with voxels of 1 x 2 x 3 mm."""
+    header = ("NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\n"
+              f"sizes: {' '.join(map(str, size))}\nspace origin: (0,0,0)\nencoding: raw\n"
+              f"space directions: (1,0,0) (0,2,0) (0,0,3)\n{pairs}\n")
+    path.write_bytes(header.encode() + bytes(values))
+
+
+def labels(folder):
+    """Draws segments over their scan, lists them, and says how a segmentation gets its scan."""
+    scan, segments = folder / "scan.nrrd", folder / "organs.seg.nrrd"
+    nrrd(scan, [100] * 512, (8, 8, 8))
+    in_ball = [i % 8 in range(2, 6) and i // 8 % 8 in range(2, 6) and i // 64 in range(2, 6)
+               for i in range(512)]
+    nrrd(segments, [5 if inside else 0 for inside in in_ball], (8, 8, 8),
+         "Segment0_Name:=left kidney\nSegment0_Color:=1 0.5 0\nSegment0_LabelValue:=5\n"
+         "Segment1_Name:=nothing\nSegment1_LabelValue:=6\n")
+    results, picture = folder / "results.json", folder / "a.png"
+    text, _ = run("info", segments, "--json", results)
+    # 64 voxels of 6 mm3
+    assert "5          64        0.38  #ff8000  left kidney\n" in text, text
+    listed = json.loads(results.read_text())["segments"]
+    assert [row["value"] for row in listed] == [5, 6] and listed[0]["voxels"] == 64, listed
+    assert abs(listed[0]["volumeMl"] - 0.384) < 1e-9 and listed[1]["voxels"] == 0, listed
+
+    options = ["-o", picture, "--size", "48x48", "--json", results]
+    run("render", scan, *options)
+    plain = picture.read_bytes()
+    _, errors = run("render", scan, "--labels", segments, *options)
+    assert errors == "" and picture.read_bytes() != plain, errors
+    drawn = picture.read_bytes()
+    (folder / "scene.json").write_text(json.dumps(
+        {"volume": {"file": "scan.nrrd"}, "look": "mr-head",
+         "labels": {"file": "organs.seg.nrrd"}}))
+    run("render", folder / "scene.json", *options)
+    assert picture.read_bytes() == drawn, "the scene differs from the options"
+    table = folder / "table.ctbl"
+    table.write_text("5 kidney 0 0 255 255\n")
+    text, _ = run("info", scan, "--labels", segments, "--label-colors", table)
+    assert "#0000ff  kidney\n" in text, text
+    run("render", scan, "--labels", segments, "--label-colors", table, *options)
+    assert picture.read_bytes() not in (plain, drawn)
+
+    _, errors = run("render", segments, *options)
+    assert f"to draw it over the scan: render SCAN --labels {segments}" in errors, errors
+    assert json.loads(results.read_text())["look"] == "labels"
+    _, errors = run("render", scan, "--labels", segments, "--blend", "maximum", *options)
+    assert "the labels are not drawn: expected the blend mode composite" in errors, errors
+    _, errors = run("render", scan, "--label-colors", table, *options, expect=2)
+    assert "--label-colors: expected --labels FILE" in errors, errors
+
+
 def rectify(folder):
     """Resamples slices of a tilted gantry upright if an option or a scene asks for it."""
     (folder / "scan").mkdir()
@@ -126,4 +178,4 @@ def rectify(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        {"series": series, "raw": raw, "rectify": rectify}[sys.argv[2]](pathlib.Path(name))
+        {"series": series, "raw": raw, "labels": labels, "rectify": rectify}[sys.argv[2]](pathlib.Path(name))

@@ -1,8 +1,13 @@
 #include "Scene/LookFormats/ColorTables.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <functional>
+#include <iomanip>
+#include <limits>
 #include <locale>
 #include <sstream>
 
@@ -19,6 +24,8 @@ struct TableEntry
   double index;
   glm::dvec3 rgb; ///< 0 to 255
   double opacity; ///< [0, 1]
+  std::string name = {};
+  bool isVisible = true;
 };
 
 using TableEntries = std::vector<TableEntry>;
@@ -105,9 +112,8 @@ bool ReadLutEntry(std::istream& fields, TableEntry& entry)
 
 bool ReadCtblEntry(std::istream& fields, TableEntry& entry)
 {
-  std::string name;
-  const bool isRead =
-    fields >> entry.index >> name && ReadRgb(fields, entry.rgb) && bool(fields >> entry.opacity);
+  const bool isRead = fields >> entry.index >> entry.name && ReadRgb(fields, entry.rgb) &&
+    bool(fields >> entry.opacity);
   entry.opacity /= 255.0;
   return isRead;
 }
@@ -115,9 +121,11 @@ bool ReadCtblEntry(std::istream& fields, TableEntry& entry)
 bool ReadLabelEntry(std::istream& fields, TableEntry& entry)
 {
   double visible = 1.0;
+  double visibleAsMesh = 1.0;
   const bool isRead =
     fields >> entry.index && ReadRgb(fields, entry.rgb) && bool(fields >> entry.opacity >> visible);
-  entry.opacity = visible != 0.0 ? entry.opacity : 0.0;
+  entry.isVisible = visible != 0.0;
+  fields >> visibleAsMesh >> std::quoted(entry.name);
   return isRead;
 }
 
@@ -145,12 +153,23 @@ Look LabelsOf(const TableEntries& entries, const std::string& file, const LookCo
     for (const double end : ends)
     {
       look.colors.push_back({ end, entry.rgb / 255.0 });
-      look.opacities.push_back({ end, entry.opacity });
+      look.opacities.push_back({ end, entry.isVisible ? entry.opacity : 0.0 });
     }
     look.opacities.push_back({ ends[1], 0.0 });
   }
   look.shading.enabled = false;
   return CleanLook(look, file, context);
+}
+
+TableEntries EntriesOfCtbl(const std::string& text, const std::string& file)
+{
+  return EntriesOfLines(text, file, "index, name, red, green, blue and opacity", ReadCtblEntry);
+}
+
+TableEntries EntriesOfLabels(const std::string& text, const std::string& file)
+{
+  return EntriesOfLines(
+    text, file, "index, red, green, blue, opacity and visibility", ReadLabelEntry);
 }
 
 }
@@ -165,17 +184,35 @@ Look LookFromLut(const std::string& bytes, const std::string& file, const LookCo
 
 Look LookFromCtbl(const std::string& text, const std::string& file, const LookContext& context)
 {
-  return LabelsOf(
-    EntriesOfLines(text, file, "index, name, red, green, blue and opacity", ReadCtblEntry), file,
-    context);
+  return LabelsOf(EntriesOfCtbl(text, file), file, context);
 }
 
 Look LookFromLabelDescriptions(
   const std::string& text, const std::string& file, const LookContext& context)
 {
-  return LabelsOf(
-    EntriesOfLines(text, file, "index, red, green, blue, opacity and visibility", ReadLabelEntry),
-    file, context);
+  return LabelsOf(EntriesOfLabels(text, file), file, context);
+}
+
+std::vector<Segment> SegmentsFromTable(const std::string& text, const std::string& file)
+{
+  const bool isQuoted = text.find('"') != std::string::npos;
+  const TableEntries entries = isQuoted ? EntriesOfLabels(text, file) : EntriesOfCtbl(text, file);
+  const bool hasOpacities = std::any_of(
+    entries.begin(), entries.end(), [](const TableEntry& entry) { return entry.opacity > 0.0; });
+  std::vector<Segment> segments;
+  for (const TableEntry& entry : entries)
+  {
+    if (std::abs(entry.index) > std::numeric_limits<int>::max() ||
+      entry.index != std::floor(entry.index))
+    {
+      FailToReadLook(
+        file, "expected whole numbers as labels, found " + std::to_string(entry.index));
+    }
+    segments.push_back({ int(entry.index), entry.name,
+      glm::clamp(entry.rgb / 255.0, glm::dvec3(0.0), glm::dvec3(1.0)), entry.isVisible,
+      hasOpacities ? std::clamp(entry.opacity, 0.0, 1.0) : 1.0 });
+  }
+  return segments;
 }
 
 }

@@ -4,6 +4,7 @@
 #include "Scene/LookFormats/LookContext.h"
 
 #include <string>
+#include <vector>
 
 namespace varimarch
 {
@@ -25,6 +26,10 @@ Look LookFromCtbl(const std::string& text, const std::string& file, const LookCo
 /// two flags for visibility, and a name in quotes. Each colour and opacity belongs to one value.
 Look LookFromLabelDescriptions(
   const std::string& text, const std::string& file, const LookContext& context);
+
+/// Segments of either kind of table, which names in quotes tell apart. In FreeSurfer's tables,
+/// which are those of 3D Slicer otherwise, all opacities are 0 and mean nothing.
+std::vector<Segment> SegmentsFromTable(const std::string& text, const std::string& file);
 
 }
 

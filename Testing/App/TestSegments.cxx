@@ -1,0 +1,110 @@
+#include "Scene/Segments.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+using namespace varimarch;
+
+namespace
+{
+
+vtkSmartPointer<vtkImageData> Image(const std::vector<double>& values, int type)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(int(values.size()), 1, 1);
+  image->AllocateScalars(type, 1);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    image->SetScalarComponentFromDouble(int(i), 0, 0, 0, values[i]);
+  }
+  return image;
+}
+
+std::vector<int> ValuesOf(const std::vector<Segment>& segments)
+{
+  std::vector<int> values;
+  for (const Segment& segment : segments)
+  {
+    values.push_back(segment.value);
+  }
+  return values;
+}
+
+std::string ErrorOf(vtkImageData* image)
+{
+  try
+  {
+    SegmentsOf(image, {});
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+}
+
+TEST(Segments, AreThoseThatAreKnownAndThenTheOtherValues)
+{
+  const auto image = Image({ 0, 7, 2035, 0, -4, 7 }, VTK_INT);
+  const auto segments = SegmentsOf(image, { { 9, "spleen", glm::dvec3(0.5) }, { 7, "liver", {} } });
+  EXPECT_EQ(ValuesOf(segments), (std::vector<int>{ 9, 7, -4, 2035 }));
+  EXPECT_EQ(segments[1].name, "liver");
+  EXPECT_EQ(segments[3].name, "Label 2035");
+  EXPECT_NE(segments[2].rgb, segments[3].rgb);
+  const auto numbers = SegmentNumbers(image, segments);
+  const auto* const voxels = static_cast<const unsigned char*>(numbers->GetScalarPointer());
+  EXPECT_EQ(std::vector<int>(voxels, voxels + 6), (std::vector<int>{ 0, 2, 4, 0, 3, 2 }));
+}
+
+TEST(Segments, OfRealNumbersAreWholeOnes)
+{
+  EXPECT_EQ(
+    ValuesOf(SegmentsOf(Image({ 0, 3, 1e6 }, VTK_FLOAT), {})), (std::vector<int>{ 3, 1000000 }));
+  EXPECT_EQ(ErrorOf(Image({ 0, 0.5 }, VTK_FLOAT)), "expected whole numbers as labels, found 0.5");
+  EXPECT_EQ(
+    ErrorOf(Image({ 0, 1e12 }, VTK_DOUBLE)), "expected whole numbers as labels, found 1e+12");
+  EXPECT_EQ(ErrorOf(Image({ 0, NAN }, VTK_FLOAT)), "expected whole numbers as labels, found nan");
+}
+
+TEST(Segments, AreAtMostAsManyAsMasksCanTellApart)
+{
+  std::vector<double> values;
+  for (int label = 0; label <= MostLabels; ++label)
+  {
+    values.push_back(label);
+  }
+  EXPECT_EQ(ErrorOf(Image(values, VTK_SHORT)), "");
+  values.push_back(1000);
+  EXPECT_EQ(ErrorOf(Image(values, VTK_SHORT)), "expected at most 254 different labels, found more");
+}
+
+// A box has the mean chord 3 abc / (ab + bc + ca) along its axes, weighted by their shadows.
+TEST(Segments, HaveTheSizeOfTheirBox)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(9, 10, 11);
+  image->SetSpacing(1.0, 2.0, 0.5);
+  image->SetDirectionMatrix(0, 0.6, 0.8, -1, 0, 0, 0, 0.8, -0.6);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType x = i % 9;
+    const vtkIdType y = i / 9 % 10;
+    const vtkIdType z = i / 90;
+    const bool isInBox = x < 4 && y >= 2 && y < 8 && z >= 3;
+    static_cast<unsigned char*>(image->GetScalarPointer())[i] = isInBox ? 2 : x == 6 ? 1 : 0;
+  }
+  const std::vector<SegmentSize> sizes = SizesOf(image, 3);
+  EXPECT_EQ(sizes[1].voxels, 4 * 6 * 8);
+  EXPECT_NEAR(sizes[1].volumeMl, 4 * 12 * 4 * 1e-3, 1e-12);
+  EXPECT_NEAR(sizes[1].thicknessMm, 3.0 * 4 * 12 * 4 / (4 * 12 + 12 * 4 + 4 * 4), 1e-9);
+  EXPECT_EQ(sizes[0].voxels, 110);
+  EXPECT_EQ(sizes[2].voxels, 0);
+  EXPECT_EQ(sizes[2].thicknessMm, 0.0);
+}
