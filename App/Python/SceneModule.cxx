@@ -3,6 +3,8 @@
 #include "vtkPython.h" // Python's header must come first
 
 #include "Readers/VtkMessages.h"
+#include "Scene/LabelMap.h"
+#include "Scene/LabelsJson.h"
 #include "Scene/LookJson.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/Presets.h"
@@ -12,8 +14,12 @@
 #include <nlohmann/json.hpp>
 #include <vtkPythonUtil.h>
 
+#include <algorithm>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace varimarch
 {
@@ -108,11 +114,62 @@ PyObject* PresetInUnitsOfData(PyObject*, PyObject* arguments)
     });
 }
 
-vtkSmartPointer<vtkImageData> RenderScene(
-  const Scene& scene, vtkImageData* volume, VtkMessages& messages)
+// The arguments of render() for labels.
+struct GivenLabels
+{
+  std::string path;                    ///< empty if the labels are an image
+  vtkSmartPointer<vtkImageData> image; ///< null if the labels are a file
+  const char* segments = "[]";
+  double opacity = 1.0;
+
+  /// Returns false and sets a Python error if the object is neither a path nor an image.
+  bool Take(PyObject* object)
+  {
+    if (PyUnicode_Check(object))
+    {
+      const char* const text = PyUnicode_AsUTF8(object);
+      this->path = text ? text : "";
+      return text != nullptr;
+    }
+    this->image =
+      static_cast<vtkImageData*>(vtkPythonUtil::GetPointerFromObject(object, "vtkImageData"));
+    return this->image != nullptr;
+  }
+};
+
+std::vector<Segment> SegmentsFromText(const char* text)
+{
+  const nlohmann::json parsed = ParseJson(text, "segments");
+  return SegmentsFromJson(JsonCursor(parsed, "segments"));
+}
+
+// The labels on the grid of a volume; null without any.
+std::shared_ptr<const LabelMap> LabelsOver(vtkImageData* volume, const GivenLabels& given)
+{
+  if (given.path.empty() && !given.image)
+  {
+    return nullptr;
+  }
+  LoadedVolume scan;
+  scan.image = volume;
+  LoadedVolume labels;
+  labels.image = given.image;
+  auto map = std::make_shared<LabelMap>(
+    given.image ? LabelMapOf(labels, "the array", scan) : LoadLabels({ given.path }, scan));
+  for (Segment& segment : map->segments)
+  {
+    segment.opacity = given.opacity;
+  }
+  TakeAppearance(SegmentsFromText(given.segments), given.image ? "the array" : given.path, *map);
+  return map;
+}
+
+vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, vtkImageData* volume,
+  const std::shared_ptr<const LabelMap>& labels, VtkMessages& messages)
 {
   const ReleasedInterpreter released;
   OffscreenView view(scene, volume, MapperKind::Varimarch);
+  view.Pipeline().SetLabels(labels);
   messages.Take(view.Pipeline().Mapper());
   messages.Take(view.Pipeline().Renderer());
   messages.Take(view.Pipeline().Renderer()->GetRenderWindow());
@@ -132,25 +189,43 @@ Scene SceneFromArgument(const char* text)
   }
 }
 
+// Raises warnings in Python. Returns false if the user has made them errors.
+bool Warn(const std::vector<std::string>& warnings)
+{
+  return std::all_of(warnings.begin(), warnings.end(),
+    [](const std::string& warning)
+    {
+      // Level 1 is render(), level 2 its caller.
+      return PyErr_WarnEx(PyExc_RuntimeWarning, warning.c_str(), 2) == 0;
+    });
+}
+
 PyObject* Render(PyObject*, PyObject* arguments)
 {
-  VolumeAndText given;
-  if (!given.Take(arguments))
+  PyObject* object = nullptr;
+  PyObject* labelObject = Py_None;
+  const char* text = nullptr;
+  GivenLabels given;
+  if (!PyArg_ParseTuple(
+        arguments, "Os|Osd", &object, &text, &labelObject, &given.segments, &given.opacity))
+  {
+    return nullptr;
+  }
+  auto* const volume =
+    static_cast<vtkImageData*>(vtkPythonUtil::GetPointerFromObject(object, "vtkImageData"));
+  if (!volume || (labelObject != Py_None && !given.Take(labelObject)))
   {
     return nullptr;
   }
   return ResultOf(
-    [&given]() -> PyObject*
+    [&]() -> PyObject*
     {
       VtkMessages messages;
-      const auto image = RenderScene(SceneFromArgument(given.text), given.volume, messages);
-      for (const std::string& warning : messages.Warnings())
+      const auto labels = LabelsOver(volume, given);
+      const auto image = RenderScene(SceneFromArgument(text), volume, labels, messages);
+      if (!Warn(messages.Warnings()) || (labels && !Warn(labels->warnings)))
       {
-        // Level 1 is render(), level 2 its caller.
-        if (PyErr_WarnEx(PyExc_RuntimeWarning, warning.c_str(), 2) != 0)
-        {
-          return nullptr;
-        }
+        return nullptr;
       }
       if (!messages.Errors().empty())
       {
@@ -171,7 +246,8 @@ PyMODINIT_FUNC PyInit__scene()
     { "in_units_of_data", varimarch::PresetInUnitsOfData, METH_VARARGS,
       "(volume, preset) -> the preset with values in the units of the volume's data." },
     { "render", varimarch::Render, METH_VARARGS,
-      "(volume, scene) -> the rendered vtkImageData, whose first row is the lowest." },
+      "(volume, scene[, labels, segments, opacity]) -> the rendered vtkImageData, whose first row "
+      "is the lowest." },
     { nullptr, nullptr, 0, nullptr } };
   static PyModuleDef module = { PyModuleDef_HEAD_INIT, "_scene",
     "Renders scenes as the program varimarch does.", -1, functions, nullptr, nullptr, nullptr,

@@ -279,6 +279,47 @@ def other_threads_run_while_it_renders(_folder):
     assert runs, "the other thread waited"
 
 
+def labels_are_drawn_over_their_volume(folder):
+    """Segments have their colour, whatever the values; a file says the same as an array."""
+    array = numpy.zeros((16, 16, 16), numpy.int16)
+    array[0] = 100
+    labels = numpy.zeros(array.shape, numpy.uint8)
+    labels[4:12, 4:12, 4:12] = 7
+    look = {**WHITE, "opacity": [(0, 0)], "parallel": True}
+    assert not varimarch.render(array, **look).any()
+    picture = varimarch.render(array, labels=labels, label_colors={7: "#ff8000"}, **look)
+    assert picture[16, 16].tolist() == [255, 128, 0] and not picture[2, 2].any()
+    half = varimarch.render(
+        array, labels=labels, label_colors={7: "white"}, label_opacity=0.5, **look
+    )
+    assert abs(int(half[16, 16, 0]) - 128) <= 2, half[16, 16]
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(str(folder / "labels.vti"))
+    writer.SetInputData(varimarch.to_image(labels))
+    writer.Write()
+    path = folder / "labels.vti"
+    from_file = varimarch.render(array, labels=path, label_colors={7: "#ff8000"}, **look)
+    assert numpy.array_equal(from_file, picture)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        varimarch.render(array, labels=labels, label_colors={8: "red"}, **look)
+    assert "segment of the value 8" in str(caught[0].message), caught
+    for arguments, words in (
+        ({"labels": labels[:8]}, "expected the shape (16, 16, 16)"),
+        ({"labels": labels / 2}, "an array of integers, found values of type float64"),
+        ({"labels": labels, "blend": "maximum"}, 'expected blend="composite"'),
+        ({"labels": labels, "label_colors": {0: "red"}}, "whole numbers but 0"),
+        ({"labels": labels, "label_colors": "red"}, "{label: colour}, found a str"),
+        ({"labels": labels, "label_opacity": 2}, "label_opacity: expected a number from 0 to 1"),
+        ({"label_colors": {1: "red"}}, "expected only with labels"),
+    ):
+        try:
+            varimarch.render(array, **{**look, **arguments})
+            raise AssertionError(f"{arguments} was accepted")
+        except (TypeError, ValueError) as error:
+            assert words in str(error), error
+
+
 def classes_work_in_a_pipeline(_folder):
     """Uses our mapper and window in an ordinary VTK pipeline in Python."""
     source = vtkRTAnalyticSource()

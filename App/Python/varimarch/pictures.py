@@ -13,6 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from . import _scene
 from .arguments import choice, instance, number, truth
 from .images import to_array, to_image
+from .labels import drawn_labels
 from .looks import color_nodes, look_of, opacity_nodes, rgb_of
 from .vtk_messages import vtk_messages_as_exceptions
 
@@ -32,6 +33,9 @@ def render(
     opacity_unit_distance=1.0,
     shade=None,
     blend=None,
+    labels=None,
+    label_colors=None,
+    label_opacity=1.0,
     size=(512, 512),
     background=None,
     view="automatic",
@@ -55,6 +59,14 @@ def render(
     opacity_unit_distance: the length over which material has these opacities [mm].
     shade: True to shade the volume; default: the preset's.
     blend: "composite", "maximum", "minimum", "average" or "additive"; default: the preset's.
+
+    labels: segments to draw over the volume: the path of a segmentation (DICOM SEG, .seg.nrrd) or
+        label map, an array of integers of the volume's shape, or a vtkImageData on any grid; 0 means
+        no segment. A segment has one colour, whatever the volume's values; the rest is drawn as
+        usual. Composites only.
+    label_colors: colours by label, such as {1: "red", 2: "#00ff00"}; default: those of the file, or
+        different ones.
+    label_opacity: opacity of the mean thickness of each segment, 0 to 1.
 
     size: width and height of the image [pixels].
     background: colour of the background; default: the preset's.
@@ -94,7 +106,8 @@ def render(
         "projection": "parallel" if truth("parallel", parallel) else "perspective",
     }
     scene = {"look": look, "camera": camera, "size": picture_size(size)}
-    picture = _scene.render(image, json.dumps(scene))
+    drawn = drawn_labels(image, labels, label_colors, label_opacity, look["blend"])
+    picture = _scene.render(image, json.dumps(scene), *drawn)
     # VTK counts rows from the bottom.
     return to_array(picture)[0, ::-1].copy()
 
