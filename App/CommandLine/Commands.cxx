@@ -28,11 +28,22 @@ void AddLabelOptions(CLI::App& command, LabelArguments& arguments)
     ->group(group);
 }
 
+void AddPictureFileOptions(CLI::App& command, RenderArguments& arguments)
+{
+  command
+    .add_option("-o,--output", arguments.outputPath,
+      "The image to write: PNG (.png), or a DICOM secondary capture without data\n"
+      "of the patient (.dcm)")
+    ->type_name("FILE")
+    ->required();
+  command.add_flag("--overwrite", arguments.overwrites, "Replace an existing DICOM file");
+}
+
 void AddRenderCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<RenderArguments>();
   arguments->commandText = commandText;
-  CLI::App* app = program.add_subcommand("render", "Draw a volume or a scene into a PNG file");
+  CLI::App* app = program.add_subcommand("render", "Draw a volume or a scene into an image file");
   app->footer(
     "Examples:\n"
     "  varimarch render head.nii.gz -o head.png\n"
@@ -40,12 +51,11 @@ void AddRenderCommand(CLI::App& program, const std::string& commandText)
     "  varimarch render scan.raw --raw-dimensions 256x256x128 --raw-type uint16 -o scan.png\n"
     "  varimarch render procedural:torso:256x192x192 -o torso.png --azimuth 30\n"
     "  varimarch render ct-folder -o organs.png --labels organs.seg.nrrd\n"
-    "  varimarch render scene.json -o scene.png --size 1024x1024 --renderer vtk-gpu");
+    "  varimarch render scene.json -o scene.png --size 1024x1024 --renderer vtk-gpu\n"
+    "  varimarch render dicom-folder -o bone.dcm --preset ct-bone");
   AddSceneOptions(*app, arguments->scene);
   AddLabelOptions(*app, arguments->labels);
-  app->add_option("-o,--output", arguments->outputPath, "The image to write")
-    ->type_name("FILE.png")
-    ->required();
+  AddPictureFileOptions(*app, *arguments);
   app
     ->add_option_function<std::string>(
       "--renderer",

@@ -23,7 +23,8 @@ struct RenderArguments
   SceneArguments scene;
   LabelArguments labels;
   MapperKind renderer = MapperKind::Varimarch;
-  std::string outputPath;         ///< path of the PNG file
+  std::string outputPath;         ///< path of the PNG or DICOM file
+  bool overwrites = false;        ///< true to replace an existing DICOM file
   double graphicsMegabytes = 0.0; ///< limit of our mapper's graphics memory [MB]; 0: no limit
   int repeats = 0;                ///< number of further frames, whose median time is reported
   std::string jsonPath;
@@ -54,7 +55,7 @@ struct ConvertArguments
   bool overwrites = false; ///< true to replace an existing file
 };
 
-/// Draws a scene into a PNG file.
+/// Draws a scene into a PNG or DICOM file.
 void RunRender(const RenderArguments& arguments);
 
 /// Draws a scene with our mapper and VTK's, and writes images and tables of their differences.

@@ -7,11 +7,15 @@
 #include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/SceneNames.h"
+#include "UsageError.h"
 #include "VtkMessages.h"
 
 #include <vtkVariationFieldVolumeMapper.h>
 
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <stdexcept>
 
 namespace varimarch
 {
@@ -33,10 +37,27 @@ void WarnOfMissingLabels(
   }
 }
 
+// Rejects an output that cannot be written, before a volume is read for it. A DICOM file may be
+// part of a scan, so it is not replaced by mistake.
+void CheckOutput(const RenderArguments& arguments)
+{
+  const std::string& path = arguments.outputPath;
+  const auto format = PictureFormatOf(path);
+  if (!format)
+  {
+    throw UsageError("--output: expected a name that ends with .png or .dcm, found " + path);
+  }
+  if (*format == PictureFormat::Dicom && !arguments.overwrites && std::filesystem::exists(path))
+  {
+    throw std::runtime_error(path + ": exists already; --overwrite replaces it");
+  }
+}
+
 }
 
 void RunRender(const RenderArguments& arguments)
 {
+  CheckOutput(arguments);
   auto [scene, volume] = LoadScene(arguments.scene);
   const auto labels = LoadLabelsReporting(arguments.labels, volume, scene);
   WarnOfMissingLabels(arguments, scene, volume);
@@ -55,7 +76,7 @@ void RunRender(const RenderArguments& arguments)
     repeatSeconds.push_back(view.Render());
   }
   ThrowIfVtkReportedError();
-  WritePng(view.Bytes(), arguments.outputPath);
+  WritePicture(view.Bytes(), { scene.render, arguments.renderer }, arguments.outputPath);
 
   nlohmann::ordered_json results = ResultsOf(arguments.commandText, volume);
   results["look"] = scene.look.name;

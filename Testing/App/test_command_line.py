@@ -69,6 +69,21 @@ def render(folder):
     assert png_size(folder / "scene.png") == (40, 30)
 
 
+def render_dicom(folder):
+    picture = folder / "a.dcm"
+    run("render", VOLUME, "-o", picture, "--size", "33x21", "--error-tolerance", "0.125")
+    first = picture.read_bytes()
+    assert first[128:132] == b"DICM" and b"colour channel: 0.125 of full" in first
+    description, _ = run("info", picture)
+    assert "33 x 21 x 1" in description, description
+    _, message = run("render", VOLUME, "-o", picture, "--size", "33x21", expect=1)
+    assert "--overwrite" in message and picture.read_bytes() == first
+    run("render", VOLUME, "-o", picture, "--size", "33x21", "--overwrite", "--sample-distance", "2")
+    assert b"error is not bounded" in picture.read_bytes()
+    _, message = run("render", VOLUME, "-o", folder / "a.jpg", expect=2)
+    assert ".png or .dcm" in message and not (folder / "a.jpg").exists()
+
+
 def compare(folder):
     output = folder / "new" / "comparison"
     table, _ = run("compare", VOLUME, "-o", output, "--size", "80x60", "--rounds", "2",
@@ -191,5 +206,6 @@ def interrupt(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (render, compare, compare_with_every_blend, info, convert, usage, errors, interrupt)
+        cases = (render, render_dicom, compare, compare_with_every_blend, info, convert, usage,
+                 errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

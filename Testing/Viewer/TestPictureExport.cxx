@@ -1,8 +1,12 @@
-// Exported images: size, transparency, and the scene in their metadata.
+// Exported images: size, transparency, the scene in their metadata, and their files.
 
+#include "Answers.h"
 #include "Scene/SceneFile.h"
 #include "SmallStudy.h"
 #include "Viewer/View/PictureExport.h"
+
+#include <QCheckBox>
+#include <QTemporaryDir>
 
 #include <gtest/gtest.h>
 
@@ -62,4 +66,32 @@ TEST(ExportedPicture, StoresTheSettingsWithoutPatientData)
   EXPECT_EQ(back.look.opacities.size(), 2);
   EXPECT_EQ(back.distances.size(), 1);
   EXPECT_EQ(back.size, (std::array<int, 2>{ 32, 32 }));
+}
+
+// DICOM holds no transparency, so its image lies over the background.
+TEST(ExportedPicture, IsWrittenInTheFormatOfItsName)
+{
+  SceneModel model;
+  model.Open(ProceduralSource(), SmallStudy());
+  model.Edit(ScenePart::Background, "blue",
+    [](Scene& scene) {
+      scene.background = { 0.0, 0.0, 1.0 };
+    });
+  const QTemporaryDir folder;
+  for (const QString name : { "torso.png", "torso.dcm" })
+  {
+    ExportDialog dialog(&model, { 40, 30 }, nullptr);
+    dialog.findChild<QCheckBox*>("transparent")->setChecked(true);
+    const Answers save(QMessageBox::Ok, folder.filePath(name));
+    EXPECT_EQ(dialog.exec(), QDialog::Accepted) << name.toStdString();
+  }
+  const QImage png(folder.filePath("torso.png"));
+  EXPECT_EQ(png.size(), QSize(40, 30));
+  EXPECT_EQ(png.pixelColor(39, 0).alpha(), 0);
+  EXPECT_TRUE(png.text("varimarch-scene").contains("background"));
+  const LoadedVolume dicom =
+    LoadVolume(FileSource{ folder.filePath("torso.dcm").toStdString(), std::nullopt });
+  ASSERT_EQ(dicom.image->GetNumberOfScalarComponents(), 3);
+  EXPECT_EQ(dicom.image->GetScalarComponentAsDouble(39, 0, 0, 0), 0.0);
+  EXPECT_EQ(dicom.image->GetScalarComponentAsDouble(39, 0, 0, 2), 255.0);
 }

@@ -818,8 +818,8 @@ Mittel von %1 Bildern</translation>
 <context>
     <name>varimarch::ExportDialog</name>
     <message>
-        <source>Transparent background</source>
-        <translation>Durchsichtiger Hintergrund</translation>
+        <source>Transparent background (PNG)</source>
+        <translation>Durchsichtiger Hintergrund (PNG)</translation>
     </message>
     <message>
         <source>Directions and measurements</source>
@@ -846,8 +846,8 @@ Mittel von %1 Bildern</translation>
         <translation>PNG (*.png)</translation>
     </message>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>%1 lässt sich nicht schreiben: %2</translation>
+        <source>DICOM without data of the patient (*.dcm)</source>
+        <translation>DICOM ohne Daten des Patienten (*.dcm)</translation>
     </message>
     <message>
         <source>Cannot export</source>

@@ -818,8 +818,8 @@ media de %1 imágenes</translation>
 <context>
     <name>varimarch::ExportDialog</name>
     <message>
-        <source>Transparent background</source>
-        <translation>Fondo transparente</translation>
+        <source>Transparent background (PNG)</source>
+        <translation>Fondo transparente (PNG)</translation>
     </message>
     <message>
         <source>Directions and measurements</source>
@@ -846,8 +846,8 @@ media de %1 imágenes</translation>
         <translation>PNG (*.png)</translation>
     </message>
     <message>
-        <source>Cannot write %1: %2</source>
-        <translation>No se puede escribir %1: %2</translation>
+        <source>DICOM without data of the patient (*.dcm)</source>
+        <translation>DICOM sin datos del paciente (*.dcm)</translation>
     </message>
     <message>
         <source>Cannot export</source>

@@ -1,5 +1,6 @@
 #include "Viewer/View/PictureExport.h"
 
+#include "Scene/ImageFiles.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/SceneModel.h"
@@ -16,13 +17,11 @@
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSpinBox>
 
 #include <vtkCamera.h>
-#include <vtkImageData.h>
 
-#include <stdexcept>
+#include <exception>
 
 namespace varimarch
 {
@@ -138,7 +137,7 @@ ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
   , model(model)
   , width(new QSpinBox)
   , height(new QSpinBox)
-  , transparent(new QCheckBox(tr("Transparent background")))
+  , transparent(new QCheckBox(tr("Transparent background (PNG)")))
   , overlay(new QCheckBox(tr("Directions and measurements")))
   , progress(new QProgressBar)
 {
@@ -150,6 +149,7 @@ ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
   }
   this->width->setValue(viewSize.width());
   this->height->setValue(viewSize.height());
+  this->transparent->setObjectName("transparent");
   this->overlay->setChecked(true);
   this->progress->setRange(0, 100);
   this->progress->hide();
@@ -167,7 +167,8 @@ ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
 
 void ExportDialog::Export()
 {
-  this->path = ChosenFileToSave(this, tr("Export an image"), { tr("PNG (*.png)") }, "picture");
+  this->path = ChosenFileToSave(this, tr("Export an image"),
+    { tr("PNG (*.png)"), tr("DICOM without data of the patient (*.dcm)") }, "picture");
   if (this->path.isEmpty())
   {
     return;
@@ -175,8 +176,12 @@ void ExportDialog::Export()
   this->progress->show();
   try
   {
-    PictureMaker maker(this->model->CurrentScene(), this->model->CurrentStudy()->volume,
-      { { this->width->value(), this->height->value() }, this->transparent->isChecked(),
+    const std::string file = this->path.toStdString();
+    const Scene& scene = this->model->CurrentScene();
+    const bool isTransparent =
+      this->transparent->isChecked() && PictureFormatOf(file) == PictureFormat::Png;
+    PictureMaker maker(scene, this->model->CurrentStudy()->volume,
+      { { this->width->value(), this->height->value() }, isTransparent,
         this->overlay->isChecked() });
     const QImage picture = maker.Draw(
       [this](double part)
@@ -184,12 +189,8 @@ void ExportDialog::Export()
         this->progress->setValue(int(100.0 * part));
         this->progress->repaint();
       });
-    QSaveFile file(this->path);
-    if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
-    {
-      throw std::runtime_error(
-        tr("Cannot write %1: %2").arg(this->path, file.errorString()).toStdString());
-    }
+    WritePicture(BytesOfImage(picture),
+      { scene.render, MapperKind::Varimarch, picture.text("varimarch-scene").toStdString() }, file);
     this->accept();
   }
   catch (const std::exception& problem)

@@ -1,9 +1,8 @@
 #include "Viewer/View/VtkPictures.h"
 
-#include <vtkImageData.h>
-
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace varimarch
 {
@@ -32,6 +31,22 @@ QImage ImageOfFloats(vtkImageData* picture)
     }
   }
   return image;
+}
+
+vtkSmartPointer<vtkImageData> BytesOfImage(const QImage& image)
+{
+  const QImage bytes = image.convertToFormat(
+    image.hasAlphaChannel() ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+  const int componentCount = bytes.depth() / 8;
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(bytes.width(), bytes.height(), 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, componentCount);
+  for (int row = 0; row < bytes.height(); ++row)
+  {
+    std::memcpy(picture->GetScalarPointer(0, bytes.height() - 1 - row, 0), bytes.constScanLine(row),
+      std::size_t(componentCount) * bytes.width());
+  }
+  return picture;
 }
 
 }

@@ -3,18 +3,22 @@
 
 #include <QImage>
 
-class vtkImageData;
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
 
 namespace varimarch
 {
 
-/// Conversions of VTK images, whose first row is the lowest, to QImage.
+/// Conversions between VTK images, whose first row is the lowest, and QImage.
 
 /// @param picture  bytes of RGB
 QImage ImageOfBytes(vtkImageData* picture);
 
 /// @param picture  floats of premultiplied RGBA
 QImage ImageOfFloats(vtkImageData* picture);
+
+/// Bytes of RGB, or of RGBA for an image with an alpha channel, not premultiplied.
+vtkSmartPointer<vtkImageData> BytesOfImage(const QImage& image);
 
 }
 
