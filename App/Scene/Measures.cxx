@@ -15,44 +15,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace varimarch
 {
 
 namespace
 {
-
-// Running sums of differences from an offset, one of the values. Without it, squares of large
-// values would lose the variance to rounding.
-struct Sums
-{
-  double offset = 0.0;
-  std::int64_t count = 0;
-  double sum = 0.0;
-  double sumOfSquares = 0.0;
-  double smallest = std::numeric_limits<double>::infinity();
-  double largest = -std::numeric_limits<double>::infinity();
-
-  void Add(double value)
-  {
-    if (std::isfinite(value))
-    {
-      const double difference = value - this->offset;
-      ++this->count;
-      this->sum += difference;
-      this->sumOfSquares += difference * difference;
-      this->smallest = std::min(this->smallest, value);
-      this->largest = std::max(this->largest, value);
-    }
-  }
-
-  static Sums Joined(const Sums& a, const Sums& b)
-  {
-    return { a.offset, a.count + b.count, a.sum + b.sum, a.sumOfSquares + b.sumOfSquares,
-      std::min(a.smallest, b.smallest), std::max(a.largest, b.largest) };
-  }
-};
 
 // First and last voxel along each axis, as in the extents of vtkImageData. An empty range has its
 // last voxel before the first.
@@ -83,9 +51,9 @@ std::array<int, 6> VoxelsIn(const MeasuredBox& box, vtkImageData* image)
   return voxels;
 }
 
-Sums SumsOf(const std::array<int, 6>& voxels, vtkImageData* image)
+ValueSums SumsOf(const std::array<int, 6>& voxels, vtkImageData* image)
 {
-  Sums sums;
+  ValueSums sums(0.0);
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
   const int* const extent = image->GetExtent();
   const auto indexOf = [&](int i, int j, int k)
@@ -97,12 +65,10 @@ Sums SumsOf(const std::array<int, 6>& voxels, vtkImageData* image)
   const auto sumUp = [&](auto* array)
   {
     const auto tuples = vtk::DataArrayTupleRange(array);
-    const double first = double(tuples[indexOf(voxels[0], voxels[2], voxels[4])][0]);
-    Sums none;
-    none.offset = std::isfinite(first) ? first : 0.0;
+    const ValueSums none(double(tuples[indexOf(voxels[0], voxels[2], voxels[4])][0]));
     sums = tbb::parallel_reduce(
       tbb::blocked_range2d<int>(voxels[4], voxels[5] + 1, voxels[2], voxels[3] + 1), none,
-      [&](const tbb::blocked_range2d<int>& part, Sums partial)
+      [&](const tbb::blocked_range2d<int>& part, ValueSums partial)
       {
         for (int k = part.rows().begin(); k != part.rows().end(); ++k)
         {
@@ -116,7 +82,11 @@ Sums SumsOf(const std::array<int, 6>& voxels, vtkImageData* image)
         }
         return partial;
       },
-      Sums::Joined);
+      [](ValueSums a, const ValueSums& b)
+      {
+        a.Join(b);
+        return a;
+      });
   };
   if (!vtkArrayDispatch::Dispatch::Execute(scalars, sumUp))
   {
@@ -140,23 +110,14 @@ double AngleDegrees(const Angle& angle)
   return glm::degrees(std::atan2(glm::length(glm::cross(first, second)), glm::dot(first, second)));
 }
 
-BoxStatistics StatisticsOf(const MeasuredBox& box, vtkImageData* image)
+RegionStatistics StatisticsOf(const MeasuredBox& box, vtkImageData* image)
 {
   const std::array<int, 6> voxels = VoxelsIn(box, image);
   if (voxels[1] < voxels[0] || voxels[3] < voxels[2] || voxels[5] < voxels[4])
   {
     return {};
   }
-  const Sums sums = SumsOf(voxels, image);
-  if (sums.count == 0)
-  {
-    return {};
-  }
-  const double* const spacing = image->GetSpacing();
-  const double mean = sums.sum / double(sums.count);
-  const double variance = sums.sumOfSquares / double(sums.count) - mean * mean;
-  return { sums.count, double(sums.count) * spacing[0] * spacing[1] * spacing[2],
-    sums.offset + mean, std::sqrt(std::max(variance, 0.0)), sums.smallest, sums.largest };
+  return SumsOf(voxels, image).Statistics(image);
 }
 
 }

@@ -1,9 +1,8 @@
 #ifndef Varimarch_Scene_Measures_h
 #define Varimarch_Scene_Measures_h
 
+#include "Scene/RegionStatistics.h"
 #include "Scene/Scene.h"
-
-#include <cstdint>
 
 class vtkImageData;
 
@@ -16,18 +15,8 @@ double LengthMm(const Distance& distance);
 double AngleDegrees(const Angle& angle);
 
 /// Statistics of the voxels whose centres lie in a box. A box thinner than a voxel counts the
-/// voxels that it passes through. Values that are not finite are left out.
-struct BoxStatistics
-{
-  std::int64_t voxels = 0;
-  double volumeMm3 = 0.0;
-  double mean = 0.0; ///< in units of the data; 0 if the box holds no voxels
-  double standardDeviation = 0.0;
-  double smallest = 0.0;
-  double largest = 0.0;
-};
-
-BoxStatistics StatisticsOf(const MeasuredBox& box, vtkImageData* image);
+/// voxels that it passes through.
+RegionStatistics StatisticsOf(const MeasuredBox& box, vtkImageData* image);
 
 }
 

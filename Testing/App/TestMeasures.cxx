@@ -37,11 +37,11 @@ TEST(Angle, IsMeasuredBetweenItsArms)
   EXPECT_EQ(AngleDegrees({ { 1, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }), 0.0) << "an arm has no length";
 }
 
-TEST(BoxStatistics, CountTheVoxelsInTheBox)
+TEST(RegionStatistics, CountTheVoxelsInTheBox)
 {
   // The box holds voxels 2 to 5 along x, 1 to 3 along y, and 1 to 2 along z, in any order of its
   // corners.
-  const BoxStatistics found =
+  const RegionStatistics found =
     StatisticsOf({ { 5.4, 1.5, 7.0 }, { 1.6, 6.2, 2.9 } }, Ramp(VTK_SHORT, 0.0));
   EXPECT_EQ(found.voxels, 4 * 3 * 2);
   EXPECT_DOUBLE_EQ(found.volumeMm3, 24 * 6.0);
@@ -51,27 +51,27 @@ TEST(BoxStatistics, CountTheVoxelsInTheBox)
   EXPECT_EQ(found.largest, 5.0);
 }
 
-TEST(BoxStatistics, KeepTheirDigitsWithLargeValues)
+TEST(RegionStatistics, KeepTheirDigitsWithLargeValues)
 {
   const MeasuredBox all = { { -1, -1, -1 }, { 100, 100, 100 } };
-  const BoxStatistics found = StatisticsOf(all, Ramp(VTK_DOUBLE, 1e9));
+  const RegionStatistics found = StatisticsOf(all, Ramp(VTK_DOUBLE, 1e9));
   EXPECT_EQ(found.voxels, 1000);
   EXPECT_NEAR(found.mean, 1e9 + 4.5, 1e-6);
   EXPECT_NEAR(found.standardDeviation, std::sqrt(8.25), 1e-6);
 }
 
-TEST(BoxStatistics, LeaveOutValuesThatAreNotFinite)
+TEST(RegionStatistics, LeaveOutValuesThatAreNotFinite)
 {
   const auto image = Ramp(VTK_FLOAT, 0.0);
   image->SetScalarComponentFromDouble(0, 0, 0, 0, std::numeric_limits<double>::quiet_NaN());
-  const BoxStatistics found = StatisticsOf({ { 0, 0, 0 }, { 2, 0, 0 } }, image);
+  const RegionStatistics found = StatisticsOf({ { 0, 0, 0 }, { 2, 0, 0 } }, image);
   EXPECT_EQ(found.voxels, 2);
   EXPECT_DOUBLE_EQ(found.mean, 1.5);
 }
 
-TEST(BoxStatistics, CountTheVoxelsThatAThinBoxPassesThrough)
+TEST(RegionStatistics, CountTheVoxelsThatAThinBoxPassesThrough)
 {
-  const BoxStatistics found = StatisticsOf({ { 0, 0, 7.2 }, { 9, 18, 7.4 } }, Ramp(VTK_SHORT, 0.0));
+  const RegionStatistics found = StatisticsOf({ { 0, 0, 7.2 }, { 9, 18, 7.4 } }, Ramp(VTK_SHORT, 0.0));
   EXPECT_EQ(found.voxels, 100);
   EXPECT_EQ(StatisticsOf({ { 50, 50, 50 }, { 60, 60, 60 } }, Ramp(VTK_SHORT, 0.0)).voxels, 0)
     << "beside the volume";

@@ -17,13 +17,13 @@ QString FourDigits(double value)
   return QLocale().toString(value, 'g', 4);
 }
 
-QString MeanText(const BoxStatistics& statistics, const QString& unit)
+QString MeanText(const RegionStatistics& statistics, const QString& unit)
 {
   return MeasureTexts::tr("mean %1 ± %2%3")
     .arg(FourDigits(statistics.mean), FourDigits(statistics.standardDeviation), unit);
 }
 
-QString BoxText(const BoxStatistics& statistics, const QString& unit)
+QString BoxText(const RegionStatistics& statistics, const QString& unit)
 {
   return MeasureTexts::tr("%1, from %2 to %3%4\n%5, %6 voxels")
     .arg(MeanText(statistics, unit), FourDigits(statistics.smallest),
@@ -46,7 +46,7 @@ MeasureTexts::MeasureTexts(const Scene& scene, const LoadedVolume& volume)
   const QString unit = volume.modality == "CT" ? QStringLiteral(" HU") : QString();
   for (const MeasuredBox& box : scene.boxes)
   {
-    const BoxStatistics statistics = StatisticsOf(box, volume.image);
+    const RegionStatistics statistics = StatisticsOf(box, volume.image);
     const bool isEmpty = statistics.voxels == 0;
     this->boxes.append(isEmpty ? tr("no voxels") : BoxText(statistics, unit));
     this->boxLabels.append(isEmpty
