@@ -1,12 +1,10 @@
 #include "Scene/SlicePicture.h"
 
-#include "Scene/WorldVector.h"
+#include "Scene/SliceGrid.h"
 
 #include <vtkImageData.h>
 #include <vtkImageInterpolator.h>
 #include <vtkNew.h>
-
-#include <glm/geometric.hpp>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -24,29 +22,17 @@ namespace
 // The part of the range of a PET scan that its slices and the preset pet-maximum show.
 constexpr double PetPartShown = 0.5;
 
-glm::dvec3 IndexOf(const glm::dvec3& pointWorld, vtkImageData* image)
-{
-  glm::dvec3 index;
-  image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, &index.x);
-  return index;
-}
-
 class SliceSampler
 {
 public:
   SliceSampler(vtkImageData* image, const SliceRequest& request)
     : request(request)
-    , extent(image->GetExtent())
+    , grid(image, request)
   {
-    const SliceAxes axes = AxesOf(request.plane);
-    const glm::dvec3 middle = VectorOf(request.middleMm);
     const double* const spacing = image->GetSpacing();
     const double stepMm = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
     this->slabSteps = int(std::ceil(0.5 * request.slabMm / stepMm));
-    this->middleIndex = IndexOf(middle, image);
-    this->right = IndexOf(middle + request.mmPerPixel * VectorOf(axes.right), image) - middleIndex;
-    this->down = IndexOf(middle + request.mmPerPixel * VectorOf(axes.down), image) - middleIndex;
-    this->through = IndexOf(middle + stepMm * VectorOf(axes.through), image) - middleIndex;
+    this->through = this->grid.Through(stepMm);
     this->interpolator->SetInterpolationModeToLinear();
     this->interpolator->Initialize(image);
   }
@@ -55,10 +41,7 @@ public:
   {
     for (int column = 0; column < this->request.width; ++column)
     {
-      const glm::dvec3 index = this->middleIndex +
-        (column + 0.5 - 0.5 * this->request.width) * this->right +
-        (row + 0.5 - 0.5 * this->request.height) * this->down;
-      pixels[column] = this->GrayOf(this->BlendedThrough(index));
+      pixels[column] = this->GrayOf(this->BlendedThrough(this->grid.IndexAt(column, row)));
     }
   }
 
@@ -93,12 +76,9 @@ private:
 
   std::optional<double> ValueAt(const glm::dvec3& index) const
   {
-    for (int axis = 0; axis < 3; ++axis)
+    if (!this->grid.Holds(index))
     {
-      if (!(index[axis] >= this->extent[2 * axis] && index[axis] <= this->extent[2 * axis + 1]))
-      {
-        return std::nullopt;
-      }
+      return std::nullopt;
     }
     double value;
     this->interpolator->InterpolateIJK(&index.x, &value);
@@ -117,11 +97,8 @@ private:
   }
 
   const SliceRequest& request;
-  const int* extent;
+  SliceGrid grid;
   int slabSteps;
-  glm::dvec3 middleIndex;
-  glm::dvec3 right;
-  glm::dvec3 down;
   glm::dvec3 through;
   vtkNew<vtkImageInterpolator> interpolator;
 };

@@ -1,0 +1,55 @@
+#include "Scene/SliceGrid.h"
+
+#include "Scene/WorldVector.h"
+
+#include <vtkImageData.h>
+
+namespace varimarch
+{
+
+namespace
+{
+
+glm::dvec3 IndexOf(const glm::dvec3& pointWorld, vtkImageData* image)
+{
+  glm::dvec3 index;
+  image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, &index.x);
+  return index;
+}
+
+}
+
+SliceGrid::SliceGrid(vtkImageData* image, const SliceRequest& request)
+  : extent(image->GetExtent())
+{
+  const SliceAxes axes = AxesOf(request.plane);
+  const glm::dvec3 middle = VectorOf(request.middleMm);
+  const glm::dvec3 middleIndex = IndexOf(middle, image);
+  const auto step = [&](const glm::dvec3& directionMm)
+  { return IndexOf(middle + directionMm, image) - middleIndex; };
+  this->right = step(request.mmPerPixel * VectorOf(axes.right));
+  this->down = step(request.mmPerPixel * VectorOf(axes.down));
+  this->throughPerMm = step(VectorOf(axes.through));
+  this->first = middleIndex + (0.5 - 0.5 * request.width) * this->right +
+    (0.5 - 0.5 * request.height) * this->down;
+}
+
+glm::dvec3 SliceGrid::IndexAt(int column, int row) const
+{
+  return this->first + double(column) * this->right + double(row) * this->down;
+}
+
+bool SliceGrid::Holds(const glm::dvec3& index) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // False for NaN too.
+    if (!(index[axis] >= this->extent[2 * axis] && index[axis] <= this->extent[2 * axis + 1]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+}
