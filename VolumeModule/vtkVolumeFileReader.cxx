@@ -133,8 +133,9 @@ std::vector<vtkVolumeFileReader::DICOMSeries> vtkVolumeFileReader::ListDICOMSeri
       for (const auto& series : varimarch::FindDicomSeries(path, finding).series)
       {
         const auto imageCount = std::int64_t(series.frames.size());
-        list.push_back({ series.uid, series.description, series.modality, imageCount,
-          series.frames[series.frames.size() / 2].file->path });
+        const varimarch::DicomFile& middle = *series.frames[series.frames.size() / 2].file;
+        list.push_back({ series.uid, series.description, series.modality, imageCount, middle.path,
+          middle.frameOfReference });
       }
     });
   return list;

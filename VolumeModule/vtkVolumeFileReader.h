@@ -114,7 +114,8 @@ public:
     std::string Description; ///< text that the operator of the scanner entered, or empty
     std::string Modality;
     vtkTypeInt64 NumberOfImages;
-    std::string MiddleFile; ///< the file with the middle image of the series
+    std::string MiddleFile;          ///< the file with the middle image of the series
+    std::string FrameOfReferenceUID; ///< see GetFrameOfReferenceUID(); may be empty
   };
 
   /**

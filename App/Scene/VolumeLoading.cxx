@@ -213,7 +213,7 @@ std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserve
       throw std::runtime_error("Reading " + path + " was stopped");
     }
     all.push_back({ series.UID, series.Description, series.Modality, series.NumberOfImages,
-      MiddleOfFile(series.MiddleFile) });
+      MiddleOfFile(series.MiddleFile), series.FrameOfReferenceUID });
   }
   return all;
 }

@@ -58,6 +58,7 @@ struct SeriesSummary
   std::string modality;    ///< "CT", "MR" ...
   std::int64_t imageCount;
   GrayPicture middle; ///< the middle image; empty if it cannot be read
+  std::string frameOfReference = {}; ///< as in LoadedVolume
 };
 
 /// True if a source may hold several series: a folder, an archive, or the index file of a disc.

@@ -46,6 +46,7 @@ struct DicomFile
   std::string seriesUid;      ///< UID of the series
   std::string instanceUid;
   std::string seriesDescription;
+  std::string frameOfReference; ///< UID of the space of all positions; may be empty
   std::string modality;
   bool isSegmentation = false; ///< true if the pixels are masks of segments or labels
   double seriesNumber = 0.0;

@@ -98,6 +98,7 @@ std::shared_ptr<DicomFile> FileOf(const std::string& path, vtkDICOMMetaData* met
   file->seriesUid = attributes.Text(DC::SeriesInstanceUID);
   file->instanceUid = attributes.Text(DC::SOPInstanceUID);
   file->seriesDescription = attributes.Value(DC::SeriesDescription).AsUTF8String();
+  file->frameOfReference = attributes.Text(DC::FrameOfReferenceUID);
   file->modality = attributes.Text(DC::Modality);
   const std::string kind = attributes.Text(DC::SOPClassUID);
   file->isSegmentation = kind == SegmentationClass || kind == LabelsClass;
