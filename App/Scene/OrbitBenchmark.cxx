@@ -41,6 +41,17 @@ OrbitBenchmark::OrbitBenchmark(
   this->theirs.Render();
 }
 
+void OrbitBenchmark::ShowLabels(
+  std::shared_ptr<const LabelMap> labels, const std::vector<Segment>& segments)
+{
+  for (OffscreenView* const view : { &this->ours, &this->theirs })
+  {
+    view->Pipeline().SetLabels(labels);
+    view->Pipeline().SetSegments(segments);
+    view->Render();
+  }
+}
+
 void OrbitBenchmark::DrawNext()
 {
   OrbitPicture picture;

@@ -3,6 +3,7 @@
 
 #include "Scene/OffscreenView.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ public:
   /// @param image   the scene's volume; must outlive this object
   /// @throws std::runtime_error with one sentence if there is no OpenGL
   OrbitBenchmark(const Scene& scene, vtkImageData* image, MapperKind theirs, int pictures);
+
+  /// Draws labels over the volume from now on.
+  /// @param segments  their look, see ScenePipeline::SetSegments
+  void ShowLabels(std::shared_ptr<const LabelMap> labels, const std::vector<Segment>& segments);
 
   bool IsDone() const { return int(this->drawn.size()) == this->count; }
   void DrawNext();

@@ -14,8 +14,8 @@ using namespace varimarch;
 namespace
 {
 
-constexpr int Width = 7;
-constexpr int Height = 5;
+constexpr int FileWidth = 7;
+constexpr int FileHeight = 5;
 
 /// The path of a file that is deleted at the end of the test.
 class File
@@ -34,10 +34,10 @@ public:
 vtkSmartPointer<vtkImageData> Picture()
 {
   auto picture = vtkSmartPointer<vtkImageData>::New();
-  picture->SetDimensions(Width, Height, 1);
+  picture->SetDimensions(FileWidth, FileHeight, 1);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* const bytes = static_cast<unsigned char*>(picture->GetScalarPointer());
-  for (int i = 0; i < 3 * Width * Height; ++i)
+  for (int i = 0; i < 3 * FileWidth * FileHeight; ++i)
   {
     bytes[i] = static_cast<unsigned char>(2 * i + 1);
   }
@@ -69,9 +69,9 @@ TEST(SecondaryCapture, KeepsThePixels)
   vtkImageData* const read = reader->GetOutput();
   ASSERT_EQ(read->GetNumberOfScalarComponents(), 3);
   ASSERT_EQ(read->GetScalarType(), VTK_UNSIGNED_CHAR);
-  for (int y = 0; y < Height; ++y)
+  for (int y = 0; y < FileHeight; ++y)
   {
-    for (int x = 0; x < Width; ++x)
+    for (int x = 0; x < FileWidth; ++x)
     {
       for (int channel = 0; channel < 3; ++channel)
       {

@@ -12,7 +12,7 @@ namespace varimarch
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
 /// Inserts a node into a curve. If the segment is not linear, its midpoint stays in place, on one
 /// side of the new node.
@@ -79,8 +79,8 @@ Insertion InsertPoint(const Look& look, double value, double opacity, double lon
 double WithinNeighbors(const Look& look, double between, double value)
 {
   const auto [begin, end] = IndicesAt(look.opacities, between);
-  const double low = begin > 0 ? look.opacities[begin - 1].value : -Infinity;
-  const double high = end < int(look.opacities.size()) ? look.opacities[end].value : Infinity;
+  const double low = begin > 0 ? look.opacities[begin - 1].value : -Unlimited;
+  const double high = end < int(look.opacities.size()) ? look.opacities[end].value : Unlimited;
   return std::clamp(value, low, high);
 }
 
