@@ -12,6 +12,7 @@
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/PresetGallery.h"
 #include "Viewer/Panels/QualityPanel.h"
+#include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/Panels/SlabBar.h"
 #include "Viewer/Theme.h"
 #include "Viewer/View/ComparisonView.h"
@@ -54,7 +55,8 @@ MainWindow::MainWindow(QWidget* parent)
   this->setCentralWidget(center);
   this->setAcceptDrops(true);
   this->resize(1280, 800);
-  this->MakeMenus();
+  this->MakeFileMenu();
+  this->MakeEditMenu();
   this->MakeViewMenu();
   this->MakeToolMenu();
   this->MakeHelpMenu();
@@ -72,7 +74,7 @@ void MainWindow::Listen()
   connect(&this->model, &SceneModel::Changed, this,
     [this](ScenePart part)
     {
-      if (part == ScenePart::Volume)
+      if (part == ScenePart::Volume || part == ScenePart::Labels)
       {
         this->ShowWarnings();
       }
@@ -83,6 +85,11 @@ void MainWindow::Listen()
     });
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
   connect(&this->loader, &VolumeLoader::SeriesFound, this, &MainWindow::AskForSeries);
+  connect(&this->loader, &VolumeLoader::LabelsLoaded, this, &MainWindow::ShowSegmentation);
+  connect(
+    &this->loader, &VolumeLoader::PossibleLabelsLoaded, this, &MainWindow::AskForSegmentation);
+  connect(&this->loader, &VolumeLoader::SegmentationsFound, this,
+    [this](const std::vector<SeriesSummary>& found) { this->segmentations = found; });
   connect(&this->loader, &VolumeLoader::Failed, this, &MainWindow::ShowFailure);
   connect(&this->loader, &VolumeLoader::Cancelled, this,
     [this]
@@ -116,13 +123,19 @@ QWidget* MainWindow::MakeViews()
   return all;
 }
 
-void MainWindow::MakeMenus()
+void MainWindow::MakeFileMenu()
 {
   QMenu* const file = this->menuBar()->addMenu(tr("&File"));
   file->addAction(tr("&Open…"), this, &MainWindow::ChooseFile, QKeySequence::Open);
   file->addAction(
     tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
   file->addAction(tr("Open a ra&w file…"), this, &MainWindow::ChooseRawFile);
+  QAction* const segmentation =
+    file->addAction(tr("Open a se&gmentation…"), this, &MainWindow::ChooseSegmentation);
+  segmentation->setObjectName("openSegmentation");
+  segmentation->setEnabled(false);
+  connect(&this->model, &SceneModel::Changed, segmentation,
+    [segmentation] { segmentation->setEnabled(true); });
   this->recentMenu = file->addMenu(tr("&Recent scans"));
   this->recentMenu->setObjectName("recent");
   connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
@@ -134,7 +147,10 @@ void MainWindow::MakeMenus()
   file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
+}
 
+void MainWindow::MakeEditMenu()
+{
   QMenu* const edit = this->menuBar()->addMenu(tr("&Edit"));
   QAction* const undo = this->model.History()->createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence::Undo);
@@ -255,6 +271,10 @@ void MainWindow::MakePanels()
   dockOf("look", tr("Look"), new LookPanel(&this->model));
   QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
   dockOf("measures", tr("Measurements"), new MeasuresPanel(&this->model));
+  auto* const segments = new SegmentsPanel(&this->model);
+  connect(segments, &SegmentsPanel::OpenWanted, this, &MainWindow::ChooseSegmentation);
+  connect(segments, &SegmentsPanel::Saved, this, &MainWindow::ShowSaved);
+  dockOf("segments", tr("Segments"), segments);
   dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
   // Handles are visible only while the panel of the cuts is open.
   connect(cuts, &QDockWidget::visibilityChanged, this->view->Ours(), &VolumeView::ShowCutHandles);
@@ -263,18 +283,23 @@ void MainWindow::MakePanels()
   this->MakePanelMenu();
 }
 
-// Stacks all panels except the last, which lies below them.
+// Stacks all panels except the last, which lies below them. Each is stacked at once, since the
+// window would grow for panels below each other.
 void MainWindow::ArrangePanels()
 {
-  for (QDockWidget* const panel : this->panels)
+  for (std::size_t i = 0; i < this->panels.size(); ++i)
   {
+    QDockWidget* const panel = this->panels[i];
     panel->setFloating(false);
-    this->addDockWidget(Qt::RightDockWidgetArea, panel);
+    if (i == 0 || i + 1 == this->panels.size())
+    {
+      this->addDockWidget(Qt::RightDockWidgetArea, panel);
+    }
+    else
+    {
+      this->tabifyDockWidget(this->panels[i - 1], panel);
+    }
     panel->show();
-  }
-  for (std::size_t i = 1; i + 1 < this->panels.size(); ++i)
-  {
-    this->tabifyDockWidget(this->panels[i - 1], this->panels[i]);
   }
   QDockWidget* const first = this->panels.front();
   first->raise();

@@ -25,7 +25,8 @@ class SliceView;
 class WarningBar;
 
 /// The main window: menus, views, panels, and the loading of volumes. MainWindowFiles.cxx opens
-/// files, MainWindowSessions.cxx keeps the user's work, MainWindowTools.cxx sets up the tools.
+/// files, MainWindowSegments.cxx shows segmentations, MainWindowSessions.cxx keeps the user's work,
+/// MainWindowTools.cxx sets up the tools.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -59,7 +60,8 @@ protected:
 private:
   void Listen();
   QWidget* MakeViews();
-  void MakeMenus();
+  void MakeFileMenu();
+  void MakeEditMenu();
   void MakeViewMenu();
   void MakeProjectionAction(QMenu* menu);
   void ChooseBackground();
@@ -72,9 +74,11 @@ private:
   void ArrangePanels();
   void MakePanelMenu();
   void MakeStatusBar();
+  static QString FileFilter();
   void ChooseFile();
   void ChooseFolder();
   void ChooseRawFile();
+  void ChooseSegmentation();
   bool SaveSession(); ///< false if the user cancels, or if saving fails
 
   /// The user's work on the volume, see WorkText; empty without a volume.
@@ -85,7 +89,18 @@ private:
   void ShowSaved(const QString& path);
   void ListRecentScans();
   void ShowAbout();
-  void Load(const VolumeSource& source, const QString& series = {});
+  void ForgetRequest();
+  void BeginLoading(const QString& path);
+  void Load(const VolumeSource& source, const QString& series = {},
+    const std::optional<SceneLabels>& labels = {});
+  void OpenSegmentation(const SceneLabels& labels);
+  void OpenDropped(const QString& path);
+  void ShowSegmentation(const SceneLabels& labels, const std::shared_ptr<const Study>& labelled);
+  void RaiseSegments();
+  void AskForSegmentation(const SceneLabels& labels, const std::shared_ptr<const Study>& labelled,
+    const std::shared_ptr<const Study>& own);
+  void OfferSegmentations(const FileSource& folder);
+  void ShowOffered(const FileSource& folder, const std::vector<SeriesSummary>& offered);
   void ExportPicture();
   void ExportTurntable();
   void ExportReport();
@@ -106,7 +121,9 @@ private:
   std::optional<Scene> restored;  ///< scene whose volume is being loaded
   bool exchanges = false;         ///< true while another form of the shown volume is being loaded
   bool restoresAutosaved = false; ///< the scene being loaded is the autosaved one
-  QString savedWork;              ///< the work that is in a file
+  bool isDropped = false;         ///< the file being loaded may be a segmentation of the scan
+  std::vector<SeriesSummary> segmentations; ///< found in the folder that is being loaded
+  QString savedWork;                        ///< the work that is in a file
   ComparisonView* view;
   QWidget* sliceColumn;
   QSplitter* slices;

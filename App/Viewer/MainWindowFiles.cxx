@@ -41,8 +41,19 @@ namespace varimarch
 namespace
 {
 
+void LogVolume(const LoadedVolume& volume)
+{
+  const int* const count = volume.image->GetDimensions();
+  LogEvent("volume opened",
+    { { "columns", double(count[0]) }, { "rows", double(count[1]) }, { "slices", double(count[2]) },
+      { "bytes per value", double(volume.image->GetScalarSize()) },
+      { "warnings", double(volume.warnings.size()) } });
+}
+
+}
+
 // Filter of a file dialog: "Volumes (*.nrrd *.nhdr ...)", then a line for each format.
-QString FileFilter()
+QString MainWindow::FileFilter()
 {
   QStringList all;
   QStringList formats;
@@ -56,20 +67,9 @@ QString FileFilter()
     formats += QStringLiteral("%1 (%2)").arg(
       vtkVolumeFileReader::GetFormatDescription(format), extensions.join(' '));
   }
-  formats.prepend(MainWindow::tr("Volumes (%1)").arg(all.join(' ')));
-  formats.append(MainWindow::tr("All files (*)"));
+  formats.prepend(tr("Volumes (%1)").arg(all.join(' ')));
+  formats.append(tr("All files (*)"));
   return formats.join(";;");
-}
-
-void LogVolume(const LoadedVolume& volume)
-{
-  const int* const count = volume.image->GetDimensions();
-  LogEvent("volume opened",
-    { { "columns", double(count[0]) }, { "rows", double(count[1]) }, { "slices", double(count[2]) },
-      { "bytes per value", double(volume.image->GetScalarSize()) },
-      { "warnings", double(volume.warnings.size()) } });
-}
-
 }
 
 void MainWindow::Open(const QString& name, const QString& series)
@@ -78,8 +78,7 @@ void MainWindow::Open(const QString& name, const QString& series)
   {
     return;
   }
-  this->restored.reset();
-  this->exchanges = false;
+  this->ForgetRequest();
   // A session in another folder must find the scan too.
   const QString path = QFileInfo(name).absoluteFilePath();
   this->restoresAutosaved = path == QFileInfo(this->autosave.Path()).absoluteFilePath();
@@ -96,7 +95,7 @@ void MainWindow::Open(const QString& name, const QString& series)
   try
   {
     this->restored = ReadScene(path.toStdString());
-    this->Load(this->restored->volume);
+    this->Load(this->restored->volume, {}, this->restored->labels);
   }
   catch (const std::exception& problem)
   {
@@ -104,14 +103,29 @@ void MainWindow::Open(const QString& name, const QString& series)
   }
 }
 
-void MainWindow::Load(const VolumeSource& source, const QString& series)
+// A new request replaces the last one, with all that was to be done after it.
+void MainWindow::ForgetRequest()
+{
+  this->restored.reset();
+  this->exchanges = false;
+  this->restoresAutosaved = false;
+  this->isDropped = false;
+  this->segmentations.clear();
+}
+
+void MainWindow::BeginLoading(const QString& path)
 {
   LogEvent("loading");
   this->ShowLoading(true);
+  this->statusBar()->showMessage(tr("Loading %1").arg(QFileInfo(path).fileName()));
+}
+
+void MainWindow::Load(
+  const VolumeSource& source, const QString& series, const std::optional<SceneLabels>& labels)
+{
   const auto* const file = std::get_if<FileSource>(&source);
-  const QString name = file ? QFileInfo(QString::fromStdString(file->path)).fileName() : QString();
-  this->statusBar()->showMessage(tr("Loading %1").arg(name));
-  this->loader.Load(source, series);
+  this->BeginLoading(file ? QString::fromStdString(file->path) : QString());
+  this->loader.Load(source, series, labels);
 }
 
 void MainWindow::AskForLayout(const QString& path)
@@ -163,9 +177,7 @@ void MainWindow::ChooseRawFile()
     QFileDialog::getOpenFileName(this, tr("Open a raw file"), {}, tr("All files (*)"));
   if (!path.isEmpty() && this->MayLeaveScan())
   {
-    this->restored.reset();
-    this->exchanges = false;
-    this->restoresAutosaved = false;
+    this->ForgetRequest();
     this->AskForLayout(path);
   }
 }
@@ -197,7 +209,7 @@ void MainWindow::ExportTurntable()
   waiting.setMinimumDuration(0);
   try
   {
-    PictureMaker maker(this->model.CurrentScene(), this->model.CurrentStudy()->volume,
+    PictureMaker maker(this->model.CurrentScene(), *this->model.CurrentStudy(),
       { this->view->Ours()->size(), false, true });
     const bool isComplete = WriteTurntable(maker, Pictures, path,
       [&](double part)
@@ -226,6 +238,10 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
     this->Exchange(source, study);
     return;
   }
+  if (std::exchange(this->isDropped, false) && !this->MayLeaveScan())
+  {
+    return;
+  }
   if (this->restored)
   {
     this->restored->volume = source;
@@ -240,6 +256,13 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
   if (const auto* const file = std::get_if<FileSource>(&source))
   {
     this->recentScans.Add(*file, *study);
+    this->OfferSegmentations(*file);
+  }
+  if (study->labels)
+  {
+    this->statusBar()->showMessage(tr("Segments: %1").arg(study->labels->segments.size()));
+    this->RaiseSegments();
+    return;
   }
   this->statusBar()->showMessage(
     tr("Look \"%1\": %2. Press R to restore it.")
@@ -255,6 +278,13 @@ void MainWindow::ShowWarnings()
   {
     texts.append(QString::fromStdString(warning));
   }
+  if (const auto labels = this->model.CurrentStudy()->labels)
+  {
+    for (const std::string& warning : labels->warnings)
+    {
+      texts.append(QString::fromStdString(warning));
+    }
+  }
   const QString remedy = volume.slices == SliceLayout::Irregular ? tr("Rectify")
     : volume.slices == SliceLayout::Rectified                    ? tr("Show as scanned")
                                                                  : QString();
@@ -267,14 +297,16 @@ void MainWindow::ToggleRectified()
   auto& file = std::get<FileSource>(source);
   file.rectified = !file.rectified;
   const std::shared_ptr<const Study> known = this->model.ExchangedStudy();
-  if (known && known->volume.slices != this->model.CurrentStudy()->volume.slices)
+  // Labels lie on the grid of one form of the scan.
+  const std::optional<SceneLabels>& labels = this->model.CurrentScene().labels;
+  if (known && !labels && known->volume.slices != this->model.CurrentStudy()->volume.slices)
   {
     this->Exchange(source, known);
   }
   else if (!this->loader.IsLoading())
   {
     this->exchanges = true;
-    this->Load(source);
+    this->Load(source, {}, labels);
   }
 }
 
@@ -316,7 +348,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 void MainWindow::dropEvent(QDropEvent* event)
 {
   const QString path = event->mimeData()->urls().first().toLocalFile();
-  QTimer::singleShot(0, this, [this, path] { this->Open(path); });
+  QTimer::singleShot(0, this, [this, path] { this->OpenDropped(path); });
 }
 
 void MainWindow::ListRecentScans()

@@ -18,7 +18,7 @@ namespace varimarch
 QString MainWindow::CurrentWork() const
 {
   const auto study = this->model.CurrentStudy();
-  return study ? WorkText(this->model.CurrentScene(), study->statistics) : QString();
+  return study ? WorkText(this->model.CurrentScene(), *study) : QString();
 }
 
 bool MainWindow::MayLeaveScan()
@@ -28,7 +28,7 @@ bool MainWindow::MayLeaveScan()
     return true;
   }
   const QMessageBox::StandardButton answer = QMessageBox::question(this, tr("Varimarch"),
-    tr("Your measurements, cuts and look are not saved. Save the session?"),
+    tr("Your measurements, cuts, look and segments are not saved. Save the session?"),
     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && this->SaveSession());
 }

@@ -4,6 +4,7 @@
 
 #include "LeaksOfOthers.h"
 #include "PrivateSettings.h"
+#include "Scene/VolumeWriters/VolumeWriters.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
@@ -14,9 +15,12 @@
 #include <QMenu>
 #include <QSignalSpy>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
 #include <iostream>
@@ -35,6 +39,23 @@ void Require(bool done, const char* what)
   {
     throw std::runtime_error(what);
   }
+}
+
+// Labels by values in HU: 1 in bone, and 2 in the teeth, which lie in the lowest slices.
+vtkSmartPointer<vtkImageData> BoneAndTeeth(vtkImageData* scan)
+{
+  auto labels = vtkSmartPointer<vtkImageData>::New();
+  labels->CopyStructure(scan);
+  labels->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* const label = static_cast<unsigned char*>(labels->GetScalarPointer());
+  vtkDataArray* const values = scan->GetPointData()->GetScalars();
+  const vtkIdType count = values->GetNumberOfTuples();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    label[i] = value > 600.0 && 10 * i < count ? 2 : value > 250.0 ? 1 : 0;
+  }
+  return labels;
 }
 
 class Guide
@@ -115,6 +136,24 @@ public:
     this->Take("viewer-distance");
   }
 
+  void ShowSegments()
+  {
+    const QTemporaryDir place;
+    const std::string path = place.filePath("segments.nrrd").toStdString();
+    WriteVolume({ BoneAndTeeth(this->Model()->CurrentStudy()->volume.image), "", {} }, path);
+    VolumeView* const view = this->window.CentralView()->Ours();
+    view->SetRefining(false); // one frame is enough
+    this->window.Loader()->LoadLabels(
+      { path, {}, { { 1, "bone", { 0.90, 0.60, 0.25 } }, { 2, "teeth", { 0.25, 0.60, 0.95 } } } },
+      this->Model()->CurrentStudy());
+    Require(QTest::qWaitFor(
+              [&] { return this->Model()->CurrentStudy()->labels != nullptr; }, MostMilliseconds),
+      "the segments are not opened");
+    this->Take("viewer-segments");
+    this->Model()->History()->undo();
+    view->SetRefining(true);
+  }
+
   void CompareWithVtk()
   {
     ComparisonView* const view = this->window.CentralView();
@@ -127,8 +166,8 @@ public:
 
   void Export()
   {
-    PictureMaker maker(this->Model()->CurrentScene(), this->Model()->CurrentStudy()->volume,
-      { { 640, 480 }, false, true });
+    PictureMaker maker(
+      this->Model()->CurrentScene(), *this->Model()->CurrentStudy(), { { 640, 480 }, false, true });
     Require(maker.Draw().save(this->folder + "/viewer-export.png"), "the picture is not written");
   }
 
@@ -173,6 +212,7 @@ int main(int argumentCount, char** arguments)
     guide.SeeSurfaces();
     guide.CutAway();
     guide.CutOut();
+    guide.ShowSegments();
     guide.MeasureDistance();
     guide.CompareWithVtk();
     guide.Export();

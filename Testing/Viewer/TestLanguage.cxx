@@ -1,7 +1,7 @@
 // The window is translated into every language that the program offers.
 
+#include "LabelledStudy.h"
 #include "Scene/SceneFile.h"
-#include "SmallStudy.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Language.h"
 #include "Viewer/Model/MeasureTexts.h"
@@ -44,7 +44,9 @@ void ExpectLegible(const MainWindow& window, const std::string& language)
     const bool isToRead = qobject_cast<QLabel*>(widget) || qobject_cast<QAbstractButton*>(widget) ||
       qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget) ||
       qobject_cast<QSlider*>(widget);
-    const bool isOfQt = widget->inherits("QDockWidgetTitleButton");
+    // Qt draws these smaller than they ask for: buttons of docks, and arrows beside tabs.
+    const bool isOfQt =
+      widget->inherits("QDockWidgetTitleButton") || qobject_cast<QTabBar*>(widget->parentWidget());
     if (!isToRead || isOfQt || !widget->isVisible() || widget->visibleRegion().isEmpty())
     {
       continue;
@@ -94,7 +96,7 @@ TEST_F(Speaking, ShowsTheTitlesOfPanelsInFull)
     QTest::qWait(100);
     const auto* const tabs = window.findChild<QTabBar*>();
     ASSERT_TRUE(tabs);
-    ASSERT_EQ(tabs->count(), 4);
+    ASSERT_EQ(tabs->count(), 5);
     for (int i = 0; i < tabs->count(); ++i)
     {
       const int words = tabs->fontMetrics().horizontalAdvance(tabs->tabText(i));
@@ -141,7 +143,8 @@ TEST_F(Speaking, FitsASmallScreen)
     window.resize(1280, 720);
     window.show();
     window.Model()->Open(ProceduralSource(), SmallStudy());
-    for (const char* const name : { "look", "cuts", "measures" })
+    window.Model()->ShowLabels({ "labels.nrrd" }, LabelledStudy(), "labels");
+    for (const char* const name : { "look", "cuts", "measures", "segments" })
     {
       window.findChild<QDockWidget*>(name)->raise();
       QTest::qWait(100);

@@ -1,7 +1,7 @@
 // Sessions on disk: they read back as written, and an autosaved copy exists until the end.
 
+#include "LabelledStudy.h"
 #include "Scene/SceneFile.h"
-#include "SmallStudy.h"
 #include "Viewer/Model/SessionFile.h"
 
 #include <QTemporaryDir>
@@ -51,4 +51,17 @@ TEST_F(Sessions, AreSavedDuringEditsAndDeletedAfterANormalExit)
   EXPECT_EQ(ReadScene(this->path.toStdString()).camera.zoom, 2.5);
   autosave.Remove();
   EXPECT_FALSE(autosave.HasCopy());
+}
+
+TEST_F(Sessions, KeepSegmentsThatLookOtherThanInTheirFile)
+{
+  this->model.ShowLabels({ "labels.nrrd" }, LabelledStudy(), "open a segmentation");
+  const auto work = [this]
+  { return WorkText(this->model.CurrentScene(), *this->model.CurrentStudy()); };
+  EXPECT_TRUE(work().isEmpty()) << "it is easily opened again";
+  this->model.Edit(
+    ScenePart::Segments, "hide", [](Scene& scene) { scene.labels->segments[1].visible = false; });
+  EXPECT_TRUE(work().contains("labels.nrrd"));
+  this->model.History()->undo();
+  EXPECT_TRUE(work().isEmpty());
 }

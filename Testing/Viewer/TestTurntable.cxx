@@ -25,7 +25,7 @@ class Turning : public testing::Test
 protected:
   bool Write(const QString& name, int stopAfter = 1000000, QSize pixels = { 48, 48 })
   {
-    PictureMaker maker(SceneOfPatient(), this->study->volume, { pixels, false, false });
+    PictureMaker maker(SceneOfPatient(), *this->study, { pixels, false, false });
     int told = 0;
     return WriteTurntable(
       maker, 4, this->folder.filePath(name), [&](double) { return told++ < stopAfter; });

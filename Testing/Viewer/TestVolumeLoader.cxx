@@ -1,4 +1,4 @@
-// Loading in a thread ends in exactly one of four ways, also when it is cancelled or destroyed.
+// Loading in a thread ends in exactly one way, also when it is cancelled or destroyed.
 
 #include "Module/PhantomFiles.h"
 #include "Viewer/Model/RecentScans.h"
@@ -19,8 +19,8 @@ class Loading : public testing::Test
 protected:
   int Ends() const
   {
-    return this->loaded.count() + this->found.count() + this->failed.count() +
-      this->cancelled.count();
+    return this->loaded.count() + this->labelled.count() + this->found.count() +
+      this->failed.count() + this->cancelled.count();
   }
 
   /// Writes slices of the phantom to a folder, as a separate series.
@@ -39,6 +39,7 @@ protected:
   TemporaryFolder folder;
   VolumeLoader loader;
   QSignalSpy loaded{ &this->loader, &VolumeLoader::Loaded };
+  QSignalSpy labelled{ &this->loader, &VolumeLoader::LabelsLoaded };
   QSignalSpy found{ &this->loader, &VolumeLoader::SeriesFound };
   QSignalSpy failed{ &this->loader, &VolumeLoader::Failed };
   QSignalSpy cancelled{ &this->loader, &VolumeLoader::Cancelled };
@@ -119,6 +120,25 @@ TEST_F(Loading, AFolderWithOneSeriesNeedsNoChoice)
   this->loader.Load(FileSource{ this->folder.Path("disc"), std::nullopt });
   ASSERT_TRUE(this->loaded.wait(MostMilliseconds));
   EXPECT_EQ(this->Ends(), 1);
+}
+
+TEST_F(Loading, PutsLabelsOverAScan)
+{
+  const FileSource file{ this->folder.Write("a.nii", NiftiBytes(phantom::Stored(0))),
+    std::nullopt };
+  this->loader.Load(file);
+  ASSERT_TRUE(this->loaded.wait(MostMilliseconds));
+  const auto scan = this->loaded.first()[1].value<std::shared_ptr<const Study>>();
+  this->loader.LoadLabels({ file.path }, scan);
+  ASSERT_TRUE(this->labelled.wait(MostMilliseconds));
+  EXPECT_EQ(this->labelled.first()[0].value<SceneLabels>().path, file.path);
+  const auto study = this->labelled.first()[1].value<std::shared_ptr<const Study>>();
+  EXPECT_EQ(study->volume.image, scan->volume.image);
+  EXPECT_EQ(study->segmentStatistics.size(), study->labels->segments.size());
+  EXPECT_EQ(study->segmentStatistics[0].mean, study->labels->segments[0].value);
+  this->loader.LoadLabels({ this->folder.Path("missing.nii") }, scan);
+  ASSERT_TRUE(this->failed.wait(MostMilliseconds));
+  EXPECT_EQ(this->Ends(), 3);
 }
 
 TEST_F(Loading, CancellingEmitsNoVolume)

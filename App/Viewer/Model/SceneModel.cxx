@@ -66,6 +66,12 @@ void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> o
   first.volume = source;
   first.render = this->state.scene.render;
   TakePreset(BuiltInPreset(SuggestedPreset(opened->volume, opened->statistics).name), first);
+  const auto* const file = std::get_if<FileSource>(&source);
+  if (opened->labels && file)
+  {
+    first.labels = { file->path, file->series };
+    first.look = LookOfLabelsOnly();
+  }
   this->Restore(first, std::move(opened));
 }
 
@@ -75,6 +81,7 @@ void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened
   this->exchanged.reset();
   State restored = { std::move(opened), saved };
   restored.scene.look = InUnitsOfData(saved.look, restored.study->statistics);
+  TakeSegments(restored);
   this->Replace({ ScenePart::Volume }, restored);
 }
 
@@ -84,10 +91,29 @@ void SceneModel::Exchange(
   this->exchanged = this->state.study;
   State changed = { std::move(form), this->state.scene };
   changed.scene.volume = source;
+  TakeSegments(changed);
   changed.scene.cuts.box =
     BoxInOther(changed.scene.cuts.box, this->exchanged->volume.image, changed.study->volume.image);
   this->history.push(
     new EditStep(this, { ScenePart::Volume }, name, std::move(changed), NoGesture));
+}
+
+void SceneModel::ShowLabels(
+  const SceneLabels& labels, std::shared_ptr<const Study> labelled, const QString& name)
+{
+  State changed = { std::move(labelled), this->state.scene };
+  changed.scene.labels = labels;
+  TakeSegments(changed);
+  this->history.push(
+    new EditStep(this, { ScenePart::Labels }, name, std::move(changed), NoGesture));
+}
+
+void SceneModel::CloseLabels(const QString& name)
+{
+  State changed = { WithoutLabels(*this->state.study), this->state.scene };
+  TakeSegments(changed);
+  this->history.push(
+    new EditStep(this, { ScenePart::Labels }, name, std::move(changed), NoGesture));
 }
 
 void SceneModel::Edit(
@@ -113,6 +139,19 @@ void SceneModel::SetPreset(const Preset& preset, const QString& name)
   this->history.push(
     new EditStep(this, { ScenePart::Look, ScenePart::Render, ScenePart::Background }, name,
       std::move(changed), NoGesture));
+}
+
+// The labels of the study have the appearance that the scene gave when they were loaded.
+void SceneModel::TakeSegments(State& taken)
+{
+  if (!taken.study->labels)
+  {
+    taken.scene.labels.reset();
+  }
+  else if (taken.scene.labels)
+  {
+    taken.scene.labels->segments = taken.study->labels->segments;
+  }
 }
 
 void SceneModel::Replace(const std::vector<ScenePart>& parts, const State& newState)

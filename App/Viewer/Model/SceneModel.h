@@ -1,10 +1,9 @@
 #ifndef Varimarch_Viewer_SceneModel_h
 #define Varimarch_Viewer_SceneModel_h
 
-#include "Scene/ImageStatistics.h"
 #include "Scene/Scene.h"
-#include "Scene/VolumeLoading.h"
 #include "Viewer/Model/Gesture.h"
+#include "Viewer/Model/Study.h"
 
 #include <QObject>
 #include <QString>
@@ -17,13 +16,6 @@
 namespace varimarch
 {
 
-/// A volume in memory with the statistics of its voxels.
-struct Study
-{
-  LoadedVolume volume;
-  ImageStatistics statistics;
-};
-
 /// The part of a scene that has changed.
 enum class ScenePart
 {
@@ -33,13 +25,15 @@ enum class ScenePart
   Cuts,
   Slices,
   Measures, ///< distances, angles, boxes
+  Labels,   ///< another segmentation, or none
+  Segments, ///< their names and looks
   Render,
   Background,
 };
 
 /// The data behind the window: a volume and its scene as plain data. Panels edit the model and do
 /// not know each other; views observe it. Every edit is an undo step. The look's values are in
-/// units of the data.
+/// units of the data. The scene's segments are those of the study's labels, in the same order.
 class SceneModel : public QObject
 {
   Q_OBJECT
@@ -67,6 +61,14 @@ public:
   /// The form that the last exchange replaced; null without one.
   std::shared_ptr<const Study> ExchangedStudy() const { return this->exchanged; }
 
+  /// Shows labels over the scan. This is an undo step.
+  /// @param labelled  the scan with these labels
+  void ShowLabels(
+    const SceneLabels& labels, std::shared_ptr<const Study> labelled, const QString& name);
+
+  /// Shows the scan without labels. This is an undo step.
+  void CloseLabels(const QString& name);
+
   /// Changes a part of the scene.
   /// @param name  of the undo step, for "Undo NAME"
   void Edit(ScenePart part, const QString& name, const std::function<void(Scene&)>& change,
@@ -92,6 +94,7 @@ private:
     Scene scene;
   };
 
+  static void TakeSegments(State& taken);
   void Replace(const std::vector<ScenePart>& parts, const State& newState);
 
   State state;
@@ -103,6 +106,7 @@ private:
 
 Q_DECLARE_METATYPE(varimarch::ScenePart)
 Q_DECLARE_METATYPE(varimarch::FileSource)
+Q_DECLARE_METATYPE(varimarch::SceneLabels)
 Q_DECLARE_METATYPE(varimarch::VolumeSource)
 Q_DECLARE_METATYPE(std::vector<varimarch::SeriesSummary>)
 Q_DECLARE_METATYPE(std::shared_ptr<const varimarch::Study>)

@@ -25,7 +25,7 @@ void WriteScene(const Scene& scene, const QString& path)
   WriteFileWhole(path.toStdString(), SceneText(scene));
 }
 
-QString WorkText(const Scene& scene, const ImageStatistics& statistics)
+QString WorkText(const Scene& scene, const Study& study)
 {
   const auto textOf = [](const Scene& work) { return QString::fromStdString(SceneText(work)); };
   Scene work;
@@ -33,9 +33,20 @@ QString WorkText(const Scene& scene, const ImageStatistics& statistics)
   work.distances = scene.distances;
   work.angles = scene.angles;
   work.boxes = scene.boxes;
-  if (!IsBuiltInLook(scene.look, statistics))
+  if (!IsBuiltInLook(scene.look, study.statistics))
   {
     work.look = scene.look;
+  }
+  Scene asLoaded = work;
+  if (scene.labels)
+  {
+    work.labels = scene.labels;
+    asLoaded.labels = scene.labels;
+    asLoaded.labels->segments = study.labels->segments;
+  }
+  if (textOf(work) == textOf(asLoaded))
+  {
+    work.labels.reset();
   }
   return textOf(work) == textOf(Scene()) ? QString() : textOf(work);
 }

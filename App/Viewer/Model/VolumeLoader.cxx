@@ -6,20 +6,140 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
+#include <iterator>
 #include <new>
+#include <stdexcept>
 
 namespace varimarch
 {
 
+namespace
+{
+
+// The result of a request. A folder with several series has neither study.
+struct Found
+{
+  VolumeSource source;
+  std::shared_ptr<const Study> study; ///< the volume, if one was read
+  SceneLabels labels;
+  std::shared_ptr<const Study> labelled;    ///< a scan with labels over it, if they were read
+  std::vector<SeriesSummary> series;        ///< all series of a folder
+  std::vector<SeriesSummary> segmentations; ///< the segmentations among them
+};
+
+bool IsSegmentation(const SeriesSummary& series)
+{
+  return series.modality == "SEG";
+}
+
+// The volume as a study, with labels over it. Labels that cannot be read do not lose the volume.
+std::shared_ptr<const Study> StudyOf(LoadedVolume volume, const std::string& path,
+  const std::optional<SceneLabels>& labels, const LoadObserver& observe)
+{
+  ImageStatistics statistics(volume.image);
+  Study study = { std::move(volume), std::move(statistics) };
+  try
+  {
+    if (labels)
+    {
+      return WithLabels(study, LoadLabels(*labels, study.volume, observe));
+    }
+    if (!study.volume.segments.empty())
+    {
+      LabelMap own = LabelMapOf(study.volume, path, study.volume);
+      own.warnings.clear(); // they are those of the volume
+      return WithLabels(study, std::move(own));
+    }
+  }
+  catch (const std::runtime_error& reason)
+  {
+    study.volume.warnings.push_back(reason.what());
+  }
+  return std::make_shared<const Study>(std::move(study));
+}
+
+// The only series that fulfils a condition.
+template <class Condition>
+const SeriesSummary* OnlySeries(const std::vector<SeriesSummary>& series, const Condition& isWanted)
+{
+  const auto first = std::find_if(series.begin(), series.end(), isWanted);
+  return std::count_if(series.begin(), series.end(), isWanted) == 1 ? &*first : nullptr;
+}
+
+// The series to open without a question; null if the user has to choose.
+const SeriesSummary* SeriesToOpen(const std::vector<SeriesSummary>& series, const QString& digest)
+{
+  if (!digest.isEmpty())
+  {
+    return OnlySeries(
+      series, [&](const SeriesSummary& one) { return DigestOfSeries(one.uid) == digest; });
+  }
+  return series.size() == 1 ? &series.front() : OnlySeries(series, std::not_fn(IsSegmentation));
+}
+
+Found ReadVolume(const VolumeSource& source, const QString& digest,
+  const std::optional<SceneLabels>& labels, const LoadObserver& observe)
+{
+  Found found;
+  found.source = source;
+  auto* const file = std::get_if<FileSource>(&found.source);
+  if (file && MayHoldSeveralSeries(*file))
+  {
+    found.series = ListSeries(file->path, observe);
+    std::copy_if(found.series.begin(), found.series.end(), std::back_inserter(found.segmentations),
+      IsSegmentation);
+    const SeriesSummary* const chosen = SeriesToOpen(found.series, digest);
+    if (!chosen && (!found.series.empty() || !digest.isEmpty()))
+    {
+      return found;
+    }
+    // The only series of a folder needs no name.
+    if (chosen && (found.series.size() > 1 || !digest.isEmpty()))
+    {
+      file->series = chosen->uid;
+    }
+  }
+  found.study =
+    StudyOf(LoadVolume(found.source, observe), file ? file->path : std::string(), labels, observe);
+  return found;
+}
+
+Found ReadBeside(const std::string& path, const Study& scan, const LoadObserver& observe)
+{
+  Found found;
+  found.source = FileSource{ path, std::nullopt };
+  found.labels.path = path;
+  LoadedVolume volume = LoadVolume(found.source, observe);
+  const bool areLabels = !volume.segments.empty();
+  try
+  {
+    found.labelled = WithLabels(scan, LabelMapOf(volume, path, scan.volume));
+  }
+  catch (const std::runtime_error&)
+  {
+    // They belong to no scan, or to another one.
+    if (areLabels)
+    {
+      throw;
+    }
+  }
+  if (!areLabels)
+  {
+    found.study = StudyOf(std::move(volume), path, std::nullopt, observe);
+  }
+  return found;
+}
+
+}
+
 // State shared by the thread and the loader.
 struct VolumeLoader::Task
 {
-  VolumeSource source;
-  QString digest; ///< identifies the requested series; may be empty
+  std::function<Found(const LoadObserver&)> read;
   std::atomic<bool> stop{ false };
-  std::shared_ptr<const Study> study; ///< set on success
-  std::vector<SeriesSummary> series;  ///< the series to choose from, if there are several
-  QString failure;                    ///< set on failure
+  Found found;
+  QString failure; ///< set on failure
 };
 
 VolumeLoader::VolumeLoader(QObject* parent)
@@ -38,41 +158,46 @@ VolumeLoader::~VolumeLoader()
   }
 }
 
+void VolumeLoader::Load(
+  const VolumeSource& source, const QString& series, const std::optional<SceneLabels>& labels)
+{
+  auto request = std::make_shared<Task>();
+  request->read = [=](const LoadObserver& observe)
+  { return ReadVolume(source, series, labels, observe); };
+  this->Start(request);
+}
+
+void VolumeLoader::LoadLabels(const SceneLabels& labels, std::shared_ptr<const Study> scan)
+{
+  auto request = std::make_shared<Task>();
+  request->read = [=](const LoadObserver& observe)
+  {
+    Found found;
+    found.labels = labels;
+    found.labelled = WithLabels(*scan, varimarch::LoadLabels(labels, scan->volume, observe));
+    return found;
+  };
+  this->Start(request);
+}
+
+void VolumeLoader::LoadBeside(const std::string& path, std::shared_ptr<const Study> scan)
+{
+  auto request = std::make_shared<Task>();
+  request->read = [=](const LoadObserver& observe) { return ReadBeside(path, *scan, observe); };
+  this->Start(request);
+}
+
 // Runs in the thread.
-void VolumeLoader::Read(Task& task)
+void VolumeLoader::Run(Task& task)
 {
   const auto observe = [&](double part)
   {
     emit this->Progress(part);
     return !task.stop;
   };
-  auto* const file = std::get_if<FileSource>(&task.source);
-  if (file && MayHoldSeveralSeries(*file))
-  {
-    task.series = ListSeries(file->path, observe);
-    const bool isKnown = !task.digest.isEmpty();
-    const auto known = std::find_if(task.series.begin(), task.series.end(),
-      [&](const SeriesSummary& series)
-      { return isKnown && DigestOfSeries(series.uid) == task.digest; });
-    if (known != task.series.end())
-    {
-      file->series = known->uid;
-    }
-    else if (isKnown || task.series.size() > 1)
-    {
-      return;
-    }
-  }
-  LoadedVolume volume = LoadVolume(task.source, observe);
-  ImageStatistics statistics(volume.image);
-  task.study = std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
-}
-
-void VolumeLoader::Run(Task& task)
-{
   try
   {
-    this->Read(task);
+    task.found = task.read(observe);
   }
   catch (const std::bad_alloc&)
   {
@@ -84,7 +209,7 @@ void VolumeLoader::Run(Task& task)
   }
 }
 
-void VolumeLoader::Load(const VolumeSource& source, const QString& series)
+void VolumeLoader::Start(std::shared_ptr<Task> request)
 {
   if (this->thread)
   {
@@ -92,9 +217,7 @@ void VolumeLoader::Load(const VolumeSource& source, const QString& series)
     this->thread->wait();
     this->Finish();
   }
-  this->task = std::make_shared<Task>();
-  this->task->source = source;
-  this->task->digest = series;
+  this->task = std::move(request);
   this->thread = QThread::create([this, task = this->task] { this->Run(*task); });
   // A signal of the previous thread may still be queued.
   connect(this->thread, &QThread::finished, this,
@@ -125,17 +248,38 @@ void VolumeLoader::Finish()
   {
     emit this->Cancelled();
   }
-  else if (ended->study)
+  else if (!ended->failure.isEmpty())
   {
-    emit this->Loaded(ended->source, ended->study);
-  }
-  else if (ended->failure.isEmpty())
-  {
-    emit this->SeriesFound(std::get<FileSource>(ended->source), ended->series);
+    emit this->Failed(ended->failure);
   }
   else
   {
-    emit this->Failed(ended->failure);
+    this->Report(*ended);
+  }
+}
+
+void VolumeLoader::Report(const Task& ended)
+{
+  const Found& found = ended.found;
+  if (!found.segmentations.empty())
+  {
+    emit this->SegmentationsFound(found.segmentations);
+  }
+  if (found.study && found.labelled)
+  {
+    emit this->PossibleLabelsLoaded(found.labels, found.labelled, found.study);
+  }
+  else if (found.labelled)
+  {
+    emit this->LabelsLoaded(found.labels, found.labelled);
+  }
+  else if (found.study)
+  {
+    emit this->Loaded(found.source, found.study);
+  }
+  else
+  {
+    emit this->SeriesFound(std::get<FileSource>(found.source), found.series);
   }
 }
 

@@ -8,6 +8,8 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 class QThread;
@@ -15,9 +17,9 @@ class QThread;
 namespace varimarch
 {
 
-/// Reads volumes in a thread, one at a time; a new request replaces the last one. Each Load ends
-/// with exactly one of the signals Loaded, SeriesFound, Failed and Cancelled, unless the loader is
-/// destroyed first.
+/// Reads volumes and segmentations in a thread, one at a time; a new request replaces the last one.
+/// Each request ends with exactly one of the signals Loaded, LabelsLoaded, PossibleLabelsLoaded,
+/// SeriesFound, Failed and Cancelled, unless the loader is destroyed first.
 class VolumeLoader : public QObject
 {
   Q_OBJECT
@@ -26,9 +28,19 @@ public:
   explicit VolumeLoader(QObject* parent = nullptr);
   ~VolumeLoader() override;
 
+  /// Loads a volume, and labels over it, which are left out with a warning if they cannot be read.
+  /// A segmentation without its scan gets its own labels.
   /// @param series  digest of the DICOM series to load (DigestOfSeries); if empty and there are
-  ///                several, SeriesFound is emitted
-  void Load(const VolumeSource& source, const QString& series = {});
+  ///                several that are no segmentations, SeriesFound is emitted
+  void Load(const VolumeSource& source, const QString& series = {},
+    const std::optional<SceneLabels>& labels = {});
+
+  /// Loads labels over a scan.
+  void LoadLabels(const SceneLabels& labels, std::shared_ptr<const Study> scan);
+
+  /// Loads a file that may be a segmentation of a scan. Emits LabelsLoaded if the file says that
+  /// its values are labels, PossibleLabelsLoaded if they could be, and otherwise Loaded.
+  void LoadBeside(const std::string& path, std::shared_ptr<const Study> scan);
 
   /// Returns immediately; the thread stops at its next progress report.
   void Cancel();
@@ -39,6 +51,14 @@ signals:
   /// @param part  fraction of the work that is done, [0, 1]
   void Progress(double part);
   void Loaded(const varimarch::VolumeSource& source, std::shared_ptr<const varimarch::Study> study);
+  /// @param study  the scan with the labels
+  void LabelsLoaded(
+    const varimarch::SceneLabels& labels, std::shared_ptr<const varimarch::Study> study);
+  /// @param own  the same file as a volume of its own
+  void PossibleLabelsLoaded(const varimarch::SceneLabels& labels,
+    std::shared_ptr<const varimarch::Study> study, std::shared_ptr<const varimarch::Study> own);
+  /// Emitted before Loaded or SeriesFound if a folder also holds segmentations.
+  void SegmentationsFound(const std::vector<varimarch::SeriesSummary>& segmentations);
   /// Emitted for several DICOM series if none was requested or the requested one is missing.
   void SeriesFound(
     const varimarch::FileSource& source, const std::vector<varimarch::SeriesSummary>& series);
@@ -49,9 +69,10 @@ signals:
 private:
   struct Task;
 
+  void Start(std::shared_ptr<Task> request);
   void Run(Task& task);
-  void Read(Task& task);
   void Finish();
+  void Report(const Task& ended);
 
   QThread* thread = nullptr;
   std::shared_ptr<Task> task;

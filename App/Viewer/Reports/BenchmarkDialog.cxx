@@ -41,6 +41,20 @@ QString SummaryText(const std::vector<OrbitPicture>& pictures, const QString& th
     .arg(NumberText(summary.largest, 1));
 }
 
+// Says what a mapper of VTK cannot draw of a scene; empty if it draws everything.
+QString MissingIn(MapperKind kind, const Scene& scene)
+{
+  if (!CanBlend(kind, scene.look.blend))
+  {
+    return BenchmarkDialog::tr(
+      "VTK's CPU mapper does not support this blend mode; choose VTK's GPU mapper.");
+  }
+  // Segments need a mask, as scissors do.
+  return scene.labels && !CanCutByScissors(kind)
+    ? BenchmarkDialog::tr("VTK's CPU mapper does not support segments; choose VTK's GPU mapper.")
+    : QString();
+}
+
 QStringList CellsOf(const OrbitPicture& picture)
 {
   return { NumberText(picture.degrees, 0), NumberText(picture.oursMs, 1),
@@ -148,10 +162,10 @@ MapperKind BenchmarkDialog::ChosenKind() const
 void BenchmarkDialog::Start()
 {
   Scene scene = this->model->CurrentScene();
-  if (!CanBlend(this->ChosenKind(), scene.look.blend))
+  const QString missing = MissingIn(this->ChosenKind(), scene);
+  if (!missing.isEmpty())
   {
-    this->summary->setText(
-      tr("VTK's CPU mapper does not support this blend mode; choose VTK's GPU mapper."));
+    this->summary->setText(missing);
     return;
   }
   scene.size = { this->pictureSize.width(), this->pictureSize.height() };
@@ -164,6 +178,10 @@ void BenchmarkDialog::Start()
     const DrawingWithoutDisplay drawing;
     this->orbit = std::make_unique<OrbitBenchmark>(
       scene, this->study->volume.image, this->ChosenKind(), this->count->value());
+    if (scene.labels)
+    {
+      this->orbit->ShowLabels(this->study->labels, scene.labels->segments);
+    }
   }
   catch (const std::exception& problem)
   {

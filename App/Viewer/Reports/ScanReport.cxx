@@ -153,7 +153,7 @@ void WriteScanReport(SceneModel* model, const QString& path)
   const Scene& scene = model->CurrentScene();
   QTextDocument document;
   AddSlices(document, model);
-  PictureMaker maker(scene, model->CurrentStudy()->volume, { PictureSize, false, true });
+  PictureMaker maker(scene, *model->CurrentStudy(), { PictureSize, false, true });
   AddPicture(document, "picture", maker.Draw());
   document.setHtml(ScanReportHtml(scene, *model->CurrentStudy()));
   WritePdf(document, ReportTexts::tr("Volume report"), path);

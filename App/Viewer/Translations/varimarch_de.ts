@@ -127,16 +127,6 @@ error unknown</source>
 Fehler unbekannt</translation>
     </message>
     <message>
-        <source>%1
-%2
-error unknown
-scissors not supported</source>
-        <translation>%1
-%2
-Fehler unbekannt
-kennt keine Schere</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -169,6 +159,18 @@ Mittel von %1 Bildern</translation>
 %2 % of the image</source>
         <translation>%1
 %2 % des Bildes</translation>
+    </message>
+    <message>
+        <source>
+scissors not supported</source>
+        <translation>
+kennt keine Schere</translation>
+    </message>
+    <message>
+        <source>
+segments not supported</source>
+        <translation>
+kennt keine Segmente</translation>
     </message>
 </context>
 <context>
@@ -565,6 +567,10 @@ Mittel von %1 Bildern</translation>
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s CPU mapper does not support segments; choose VTK&apos;s GPU mapper.</source>
+        <translation>VTKs CPU-Mapper beherrscht Segmente nicht; VTKs GPU-Mapper wählen.</translation>
     </message>
 </context>
 <context>
@@ -1338,10 +1344,6 @@ Mittel von %1 Bildern</translation>
         <translation>Ordner des &amp;Protokolls öffnen</translation>
     </message>
     <message>
-        <source>Your measurements, cuts and look are not saved. Save the session?</source>
-        <translation>Ihre Messungen, Schnitte und Darstellung sind nicht gespeichert. Sitzung speichern?</translation>
-    </message>
-    <message>
         <source>Tool bar</source>
         <translation>Werkzeugleiste</translation>
     </message>
@@ -1352,6 +1354,46 @@ Mittel von %1 Bildern</translation>
     <message>
         <source>Benc&amp;hmark…</source>
         <translation>&amp;Leistungsvergleich…</translation>
+    </message>
+    <message>
+        <source>Open a se&amp;gmentation…</source>
+        <translation>Se&amp;gmentierung öffnen…</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Open a segmentation of this scan</source>
+        <translation>Segmentierung dieser Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>open a segmentation</source>
+        <translation>Segmentierung öffnen</translation>
+    </message>
+    <message>
+        <source>Segments: %1</source>
+        <translation>Segmente: %1</translation>
+    </message>
+    <message>
+        <source>This file may be a segmentation of the scan that is shown: it lies in the same place, and has %1 different whole values. Show it as segments of the scan?</source>
+        <translation>Diese Datei kann eine Segmentierung der gezeigten Aufnahme sein: sie liegt am selben Ort und hat %1 verschiedene ganze Werte. Als Segmente der Aufnahme zeigen?</translation>
+    </message>
+    <message>
+        <source>Show as segments</source>
+        <translation>Als Segmente zeigen</translation>
+    </message>
+    <message>
+        <source>Open as a scan</source>
+        <translation>Als Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Beside the scan the folder holds a segmentation. Show its segments?</source>
+        <translation>Neben der Aufnahme enthält der Ordner eine Segmentierung. Ihre Segmente zeigen?</translation>
+    </message>
+    <message>
+        <source>Your measurements, cuts, look and segments are not saved. Save the session?</source>
+        <translation>Ihre Messungen, Schnitte, Darstellung und Segmente sind nicht gespeichert. Sitzung speichern?</translation>
     </message>
 </context>
 <context>
@@ -1575,6 +1617,123 @@ Mittel von %1 Bildern</translation>
     <message>
         <source>The file ends before this slice</source>
         <translation>Die Datei endet vor dieser Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SegmentsPanel</name>
+    <message>
+        <source>A segmentation of this scan colours its regions: a DICOM segmentation, a segmentation of 3D Slicer, or a label map in NRRD, NIfTI or another format.</source>
+        <translation>Eine Segmentierung dieser Aufnahme färbt ihre Bereiche: eine DICOM-Segmentierung, eine Segmentierung von 3D Slicer oder ein Label-Volumen in NRRD, NIfTI oder einem anderen Format.</translation>
+    </message>
+    <message>
+        <source>Open a segmentation…</source>
+        <translation>Segmentierung öffnen…</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Hide all</source>
+        <translation>Alle verbergen</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected segments</source>
+        <translation>Deckkraft der ausgewählten Segmente</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Close the segmentation</source>
+        <translation>Segmentierung schließen</translation>
+    </message>
+    <message>
+        <source>close the segmentation</source>
+        <translation>Segmentierung schließen</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HE</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>Volume
+ml</source>
+        <translation>Volumen
+ml</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>The volume shows segments only with the blend mode Composite.</source>
+        <translation>Das Volumen zeigt Segmente nur mit der Mischung „Überlagerung“.</translation>
+    </message>
+    <message>
+        <source>The volume cannot show segments, since its voxels have several values.</source>
+        <translation>Das Volumen kann keine Segmente zeigen, da seine Voxel mehrere Werte haben.</translation>
+    </message>
+    <message>
+        <source>rename</source>
+        <translation>umbenennen</translation>
+    </message>
+    <message>
+        <source>show a segment</source>
+        <translation>Segment zeigen</translation>
+    </message>
+    <message>
+        <source>hide a segment</source>
+        <translation>Segment verbergen</translation>
+    </message>
+    <message>
+        <source>show all segments</source>
+        <translation>alle Segmente zeigen</translation>
+    </message>
+    <message>
+        <source>hide all segments</source>
+        <translation>alle Segmente verbergen</translation>
+    </message>
+    <message>
+        <source>opacity of segments</source>
+        <translation>Deckkraft von Segmenten</translation>
+    </message>
+    <message>
+        <source>colour of a segment</source>
+        <translation>Farbe eines Segments</translation>
+    </message>
+    <message>
+        <source>Save the statistics</source>
+        <translation>Statistik speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>Speichern nicht möglich</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
     </message>
 </context>
 <context>

@@ -127,16 +127,6 @@ error unknown</source>
 error desconocido</translation>
     </message>
     <message>
-        <source>%1
-%2
-error unknown
-scissors not supported</source>
-        <translation>%1
-%2
-error desconocido
-no conoce las tijeras</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -169,6 +159,18 @@ media de %1 imágenes</translation>
 %2 % of the image</source>
         <translation>%1
 %2 % de la imagen</translation>
+    </message>
+    <message>
+        <source>
+scissors not supported</source>
+        <translation>
+no conoce las tijeras</translation>
+    </message>
+    <message>
+        <source>
+segments not supported</source>
+        <translation>
+no conoce los segmentos</translation>
     </message>
 </context>
 <context>
@@ -565,6 +567,10 @@ media de %1 imágenes</translation>
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabla (*.csv)</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s CPU mapper does not support segments; choose VTK&apos;s GPU mapper.</source>
+        <translation>El mapper de CPU de VTK no admite segmentos; elija el mapper de GPU de VTK.</translation>
     </message>
 </context>
 <context>
@@ -1338,10 +1344,6 @@ media de %1 imágenes</translation>
         <translation>Abrir la carpeta del &amp;registro</translation>
     </message>
     <message>
-        <source>Your measurements, cuts and look are not saved. Save the session?</source>
-        <translation>Sus medidas, cortes y aspecto no están guardados. ¿Guardar la sesión?</translation>
-    </message>
-    <message>
         <source>Tool bar</source>
         <translation>Barra de herramientas</translation>
     </message>
@@ -1352,6 +1354,46 @@ media de %1 imágenes</translation>
     <message>
         <source>Benc&amp;hmark…</source>
         <translation>Prueba de &amp;rendimiento…</translation>
+    </message>
+    <message>
+        <source>Open a se&amp;gmentation…</source>
+        <translation>Abrir una segmen&amp;tación…</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmentos</translation>
+    </message>
+    <message>
+        <source>Open a segmentation of this scan</source>
+        <translation>Abrir una segmentación de este estudio</translation>
+    </message>
+    <message>
+        <source>open a segmentation</source>
+        <translation>abrir una segmentación</translation>
+    </message>
+    <message>
+        <source>Segments: %1</source>
+        <translation>Segmentos: %1</translation>
+    </message>
+    <message>
+        <source>This file may be a segmentation of the scan that is shown: it lies in the same place, and has %1 different whole values. Show it as segments of the scan?</source>
+        <translation>Este archivo puede ser una segmentación del estudio mostrado: está en el mismo lugar y tiene %1 valores enteros distintos. ¿Mostrarlo como segmentos del estudio?</translation>
+    </message>
+    <message>
+        <source>Show as segments</source>
+        <translation>Mostrar como segmentos</translation>
+    </message>
+    <message>
+        <source>Open as a scan</source>
+        <translation>Abrir como estudio</translation>
+    </message>
+    <message>
+        <source>Beside the scan the folder holds a segmentation. Show its segments?</source>
+        <translation>Junto al estudio, la carpeta contiene una segmentación. ¿Mostrar sus segmentos?</translation>
+    </message>
+    <message>
+        <source>Your measurements, cuts, look and segments are not saved. Save the session?</source>
+        <translation>Sus medidas, cortes, aspecto y segmentos no están guardados. ¿Guardar la sesión?</translation>
     </message>
 </context>
 <context>
@@ -1575,6 +1617,123 @@ media de %1 imágenes</translation>
     <message>
         <source>The file ends before this slice</source>
         <translation>El archivo termina antes de este corte</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SegmentsPanel</name>
+    <message>
+        <source>A segmentation of this scan colours its regions: a DICOM segmentation, a segmentation of 3D Slicer, or a label map in NRRD, NIfTI or another format.</source>
+        <translation>Una segmentación de este estudio colorea sus regiones: una segmentación DICOM, una segmentación de 3D Slicer o un mapa de etiquetas en NRRD, NIfTI u otro formato.</translation>
+    </message>
+    <message>
+        <source>Open a segmentation…</source>
+        <translation>Abrir una segmentación…</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todos</translation>
+    </message>
+    <message>
+        <source>Hide all</source>
+        <translation>Ocultar todos</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Color…</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected segments</source>
+        <translation>Opacidad de los segmentos seleccionados</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Guardar como CSV…</translation>
+    </message>
+    <message>
+        <source>Close the segmentation</source>
+        <translation>Cerrar la segmentación</translation>
+    </message>
+    <message>
+        <source>close the segmentation</source>
+        <translation>cerrar la segmentación</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>UH</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmento</translation>
+    </message>
+    <message>
+        <source>Volume
+ml</source>
+        <translation>Volumen
+ml</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Mín</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Máx</translation>
+    </message>
+    <message>
+        <source>The volume shows segments only with the blend mode Composite.</source>
+        <translation>El volumen solo muestra segmentos con el modo de mezcla «Composición».</translation>
+    </message>
+    <message>
+        <source>The volume cannot show segments, since its voxels have several values.</source>
+        <translation>El volumen no puede mostrar segmentos, porque sus vóxeles tienen varios valores.</translation>
+    </message>
+    <message>
+        <source>rename</source>
+        <translation>renombrar</translation>
+    </message>
+    <message>
+        <source>show a segment</source>
+        <translation>mostrar un segmento</translation>
+    </message>
+    <message>
+        <source>hide a segment</source>
+        <translation>ocultar un segmento</translation>
+    </message>
+    <message>
+        <source>show all segments</source>
+        <translation>mostrar todos los segmentos</translation>
+    </message>
+    <message>
+        <source>hide all segments</source>
+        <translation>ocultar todos los segmentos</translation>
+    </message>
+    <message>
+        <source>opacity of segments</source>
+        <translation>opacidad de segmentos</translation>
+    </message>
+    <message>
+        <source>colour of a segment</source>
+        <translation>color de un segmento</translation>
+    </message>
+    <message>
+        <source>Save the statistics</source>
+        <translation>Guardar la estadística</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabla (*.csv)</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>No se puede guardar</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
     </message>
 </context>
 <context>

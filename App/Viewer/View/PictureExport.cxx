@@ -54,12 +54,12 @@ Scene OfSize(Scene scene, const QSize& pixels)
   return scene;
 }
 
-template <class Measure>
-void ForgetNames(std::vector<Measure>& measures)
+template <class Named>
+void ForgetNames(std::vector<Named>& all)
 {
-  for (Measure& measure : measures)
+  for (Named& one : all)
   {
-    measure.name.clear();
+    one.name.clear();
   }
 }
 
@@ -79,19 +79,29 @@ std::string AnonymousText(Scene scene)
   ForgetNames(scene.distances);
   ForgetNames(scene.angles);
   ForgetNames(scene.boxes);
+  if (scene.labels)
+  {
+    scene.labels->path = "labels";
+    scene.labels->series.clear();
+    ForgetNames(scene.labels->segments);
+  }
   return SceneText(scene);
 }
 
 }
 
-PictureMaker::PictureMaker(
-  const Scene& scene, const LoadedVolume& volume, const ExportOptions& options)
+PictureMaker::PictureMaker(const Scene& scene, const Study& study, const ExportOptions& options)
   : scene(OfSize(scene, options.pixels))
-  , volume(volume)
+  , study(study)
   , options(options)
 {
   const DrawingWithoutDisplay drawing;
-  this->view.emplace(this->scene, volume.image, MapperKind::Varimarch);
+  this->view.emplace(this->scene, study.volume.image, MapperKind::Varimarch);
+  if (this->scene.labels)
+  {
+    this->view->Pipeline().SetLabels(study.labels);
+    this->view->Pipeline().SetSegments(this->scene.labels->segments);
+  }
 }
 
 PictureMaker::~PictureMaker()
@@ -115,7 +125,7 @@ QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
   if (this->options.overlay)
   {
     DrawOverlay(painter,
-      { this->scene, MeasureTexts(this->scene, this->volume), this->volume.image },
+      { this->scene, MeasureTexts(this->scene, this->study.volume), this->study.volume.image },
       FrameOf(this->view->Pipeline().Renderer()->GetActiveCamera(), size),
       this->view->Pipeline().Mask());
   }
@@ -180,7 +190,8 @@ void ExportDialog::Export()
     const Scene& scene = this->model->CurrentScene();
     const bool isTransparent =
       this->transparent->isChecked() && PictureFormatOf(file) == PictureFormat::Png;
-    PictureMaker maker(scene, this->model->CurrentStudy()->volume,
+    const auto study = this->model->CurrentStudy();
+    PictureMaker maker(scene, *study,
       { { this->width->value(), this->height->value() }, isTransparent,
         this->overlay->isChecked() });
     const QImage picture = maker.Draw(

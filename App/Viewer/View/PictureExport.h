@@ -19,7 +19,7 @@ namespace varimarch
 {
 
 class SceneModel;
-struct LoadedVolume;
+struct Study;
 
 struct ExportOptions
 {
@@ -33,9 +33,9 @@ struct ExportOptions
 class PictureMaker
 {
 public:
-  /// @param volume  the scene's volume; must outlive this object
+  /// @param study  the scene's volume and labels; must outlive this object
   /// @throws std::runtime_error with one sentence if there is no OpenGL
-  PictureMaker(const Scene& scene, const LoadedVolume& volume, const ExportOptions& options);
+  PictureMaker(const Scene& scene, const Study& study, const ExportOptions& options);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
@@ -50,7 +50,7 @@ public:
 
 private:
   Scene scene;
-  const LoadedVolume& volume;
+  const Study& study;
   ExportOptions options;
   std::optional<OffscreenView> view;
 };

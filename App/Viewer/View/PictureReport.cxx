@@ -22,9 +22,17 @@ struct Texts
 QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
 {
   const QString mapper = kind == MapperKind::VtkGpu ? Texts::tr("VTK, GPU") : Texts::tr("VTK, CPU");
-  const bool cuts = CanCutByScissors(kind) || scene.cuts.scissors.empty();
-  return cuts ? Texts::tr("%1\n%2\nerror unknown").arg(mapper, time)
-              : Texts::tr("%1\n%2\nerror unknown\nscissors not supported").arg(mapper, time);
+  QString report = Texts::tr("%1\n%2\nerror unknown").arg(mapper, time);
+  // Both need a mask.
+  if (!CanCutByScissors(kind) && !scene.cuts.scissors.empty())
+  {
+    report += Texts::tr("\nscissors not supported");
+  }
+  if (!CanCutByScissors(kind) && scene.labels)
+  {
+    report += Texts::tr("\nsegments not supported");
+  }
+  return report;
 }
 
 }

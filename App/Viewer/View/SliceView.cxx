@@ -2,6 +2,7 @@
 
 #include "Scene/AnatomicalDirection.h"
 #include "Scene/SceneCuts.h"
+#include "Scene/SliceSegments.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/NumberText.h"
 #include "Viewer/View/MeasureOverlay.h"
@@ -51,7 +52,7 @@ void SliceView::Update(ScenePart part)
     this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
     this->update();
   }
-  if (part == ScenePart::Slices)
+  if (part == ScenePart::Slices || part == ScenePart::Labels || part == ScenePart::Segments)
   {
     this->update();
   }
@@ -121,19 +122,30 @@ void SliceView::paintEvent(QPaintEvent*)
   {
     return;
   }
+  this->DrawVoxels(painter);
+  this->DrawCrosshair(painter);
+  this->DrawLetters(painter);
+  this->DrawMeasuresOfSlice(painter);
+}
+
+void SliceView::DrawVoxels(QPainter& painter) const
+{
   // Render at the resolution of the screen.
   SliceRequest request = this->Request();
   const double ratio = this->devicePixelRatioF();
   request.width = std::max(int(request.width * ratio), 1);
   request.height = std::max(int(request.height * ratio), 1);
   request.mmPerPixel /= ratio;
-  const std::vector<std::uint8_t> pixels =
-    SlicePicture(this->model->CurrentStudy()->volume.image, request);
+  const Study& study = *this->model->CurrentStudy();
+  const std::vector<std::uint8_t> grays = SlicePicture(study.volume.image, request);
   painter.drawImage(this->rect(),
-    QImage(pixels.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
-  this->DrawCrosshair(painter);
-  this->DrawLetters(painter);
-  this->DrawMeasuresOfSlice(painter);
+    QImage(grays.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
+  if (const auto& labels = this->model->CurrentScene().labels)
+  {
+    const std::vector<Rgba> colors = SliceSegments(study.labels->image, labels->segments, request);
+    painter.drawImage(this->rect(),
+      QImage(colors.data()->data(), request.width, request.height, QImage::Format_RGBA8888));
+  }
 }
 
 void SliceView::DrawMeasuresOfSlice(QPainter& painter) const

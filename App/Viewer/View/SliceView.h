@@ -49,6 +49,7 @@ private:
   void Update(ScenePart part);
   void DrawMeasuresOfSlice(QPainter& painter) const;
   SliceRequest Request() const;
+  void DrawVoxels(QPainter& painter) const;
   void DrawCrosshair(QPainter& painter) const;
   void DrawLetters(QPainter& painter) const;
   void DragWindowLevel(const QPoint& moved);

@@ -2,9 +2,6 @@
 
 #include "Scene/FloatCapture.h"
 #include "Scene/SceneCamera.h"
-#include "Scene/ScenePicking.h"
-#include "Scene/WorldVector.h"
-#include "Viewer/Model/NumberText.h"
 #include "Viewer/View/PictureReport.h"
 #include "Viewer/WaitCursor.h"
 
@@ -160,14 +157,7 @@ void VolumeView::Update(ScenePart part)
       this->pipeline->SetLook(scene.look);
       break;
     case ScenePart::Camera:
-      if (IsAt(scene.camera, this->pipeline->Renderer()->GetActiveCamera()))
-      {
-        return; // the change came from this view
-      }
-      this->TakeCamera();
-      // Two views that are compared turn together.
-      this->Draw(PicturesPerSecondWhileMoving);
-      this->pacer.RequestFine();
+      this->FollowCamera();
       return;
     case ScenePart::Cuts:
       this->pipeline->SetCuts(scene.cuts);
@@ -178,6 +168,12 @@ void VolumeView::Update(ScenePart part)
       this->texts = MeasureTexts(scene, this->model->CurrentStudy()->volume);
       this->overlay->update();
       return;
+    case ScenePart::Labels:
+      this->TakeLabels();
+      break;
+    case ScenePart::Segments:
+      this->pipeline->SetSegments(scene.labels->segments);
+      break;
     case ScenePart::Render:
       this->pipeline->SetRenderOptions(scene.render);
       break;
@@ -188,6 +184,18 @@ void VolumeView::Update(ScenePart part)
   this->pacer.Request();
 }
 
+void VolumeView::FollowCamera()
+{
+  if (IsAt(this->model->CurrentScene().camera, this->pipeline->Renderer()->GetActiveCamera()))
+  {
+    return; // the change came from this view
+  }
+  this->TakeCamera();
+  // Two views that are compared turn together.
+  this->Draw(PicturesPerSecondWhileMoving);
+  this->pacer.RequestFine();
+}
+
 void VolumeView::TakeVolume()
 {
   if (this->pipeline)
@@ -196,12 +204,22 @@ void VolumeView::TakeVolume()
   }
   this->pipeline.emplace(
     this->model->CurrentScene(), this->model->CurrentStudy()->volume.image, this->kind);
+  this->TakeLabels();
   // The corner of the view says whether the error tolerance is kept; the mapper need not warn.
   this->pipeline->Mapper()->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
   this->ApplyRefining();
   this->window->AddRenderer(this->pipeline->Renderer());
   this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
   this->TakeCamera();
+}
+
+void VolumeView::TakeLabels()
+{
+  this->pipeline->SetLabels(this->model->CurrentStudy()->labels);
+  if (const auto& labels = this->model->CurrentScene().labels)
+  {
+    this->pipeline->SetSegments(labels->segments);
+  }
 }
 
 void VolumeView::TakeCamera()
@@ -361,30 +379,6 @@ Camera VolumeView::CurrentCamera() const
   Camera camera = this->model->CurrentScene().camera;
   camera.pose = PoseOf(this->pipeline->Renderer()->GetActiveCamera());
   return camera;
-}
-
-std::optional<std::array<double, 3>> VolumeView::PointAt(const QPointF& place) const
-{
-  const SightLine sight = this->Frame().sightLineAt(place);
-  return PointSeen(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
-    NumbersOf(sight.nearest), NumbersOf(sight.farthest), this->pipeline->Mask());
-}
-
-void VolumeView::Point(const QPointF& place)
-{
-  const std::optional<std::array<double, 3>> point = this->PointAt(place);
-  if (!point)
-  {
-    emit this->Pointed({});
-    return;
-  }
-  const LoadedVolume& volume = this->model->CurrentStudy()->volume;
-  emit this->Pointed(tr("%1%2 at %3, %4, %5 mm")
-                       .arg(volume.modality == "CT" ? tr("HU ") : tr("value "))
-                       .arg(NumberText(ValueAt(volume.image, *point).value_or(0.0), 0))
-                       .arg(NumberText((*point)[0], 1))
-                       .arg(NumberText((*point)[1], 1))
-                       .arg(NumberText((*point)[2], 1)));
 }
 
 double VolumeView::Aspect() const

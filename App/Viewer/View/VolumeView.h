@@ -91,7 +91,9 @@ private:
   class OverlayWidget;
 
   void Update(ScenePart part);
+  void FollowCamera();
   void TakeVolume();
+  void TakeLabels();
   void TakeCamera();
   void Draw(double framesPerSecond);
   void DrawFinely();

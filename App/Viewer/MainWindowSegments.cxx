@@ -1,0 +1,154 @@
+// The part of MainWindow that shows segmentations over the scan.
+
+#include "Viewer/MainWindow.h"
+
+#include "Scene/RawGuess.h"
+#include "Scene/SceneFile.h"
+#include "Viewer/Model/Log.h"
+#include "Viewer/Open/SeriesPicker.h"
+
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStatusBar>
+
+#include <algorithm>
+#include <iterator>
+
+namespace varimarch
+{
+
+namespace
+{
+
+bool MayBelongTo(const LoadedVolume& scan, const SeriesSummary& segmentation)
+{
+  return scan.frameOfReference.empty() || segmentation.frameOfReference.empty() ||
+    scan.frameOfReference == segmentation.frameOfReference;
+}
+
+}
+
+void MainWindow::ChooseSegmentation()
+{
+  const QString path = this->model.CurrentStudy()
+    ? QFileDialog::getOpenFileName(this, tr("Open a segmentation of this scan"), {}, FileFilter())
+    : QString();
+  if (!path.isEmpty())
+  {
+    this->OpenSegmentation({ path.toStdString() });
+  }
+}
+
+void MainWindow::OpenSegmentation(const SceneLabels& labels)
+{
+  this->ForgetRequest();
+  this->BeginLoading(QString::fromStdString(labels.path));
+  this->loader.LoadLabels(labels, this->model.CurrentStudy());
+}
+
+// A file that is dropped on a scan may be its segmentation. Folders and sessions are opened.
+void MainWindow::OpenDropped(const QString& path)
+{
+  const std::string name = path.toStdString();
+  const auto study = this->model.CurrentStudy();
+  if (!study || IsSceneFile(name) || IsBareVoxels(name) ||
+    MayHoldSeveralSeries({ name, std::nullopt }))
+  {
+    this->Open(path);
+    return;
+  }
+  this->ForgetRequest();
+  this->isDropped = true;
+  this->BeginLoading(path);
+  this->loader.LoadBeside(name, study);
+}
+
+void MainWindow::ShowSegmentation(
+  const SceneLabels& labels, const std::shared_ptr<const Study>& labelled)
+{
+  if (labelled->volume.image != this->model.CurrentStudy()->volume.image)
+  {
+    // Meanwhile the user chose another form of the scan, with another grid.
+    this->OpenSegmentation(labels);
+    return;
+  }
+  LogEvent("segmentation opened",
+    { { "segments", double(labelled->labels->segments.size()) },
+      { "warnings", double(labelled->labels->warnings.size()) } });
+  this->ShowLoading(false);
+  this->model.ShowLabels(labels, labelled, tr("open a segmentation"));
+  this->statusBar()->showMessage(tr("Segments: %1").arg(labelled->labels->segments.size()));
+  this->RaiseSegments();
+}
+
+void MainWindow::RaiseSegments()
+{
+  auto* const panel = this->findChild<QDockWidget*>("segments");
+  panel->show();
+  panel->raise();
+}
+
+// Asks what a file of few whole values is.
+void MainWindow::AskForSegmentation(const SceneLabels& labels,
+  const std::shared_ptr<const Study>& labelled, const std::shared_ptr<const Study>& own)
+{
+  this->ShowLoading(false);
+  auto* const box = new QMessageBox(QMessageBox::Question, tr("Varimarch"),
+    tr("This file may be a segmentation of the scan that is shown: it lies in the same place, and "
+       "has %1 different whole values. Show it as segments of the scan?")
+      .arg(labelled->labels->segments.size()),
+    QMessageBox::NoButton, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setObjectName("possibleSegmentation");
+  QPushButton* const asSegments = box->addButton(tr("Show as segments"), QMessageBox::YesRole);
+  QPushButton* const asScan = box->addButton(tr("Open as a scan"), QMessageBox::NoRole);
+  box->addButton(QMessageBox::Cancel);
+  connect(
+    asSegments, &QAbstractButton::clicked, this, [=] { this->ShowSegmentation(labels, labelled); });
+  connect(asScan, &QAbstractButton::clicked, this,
+    [=] {
+      this->ShowLoaded(FileSource{ labels.path, std::nullopt }, own);
+    });
+  box->open();
+}
+
+void MainWindow::OfferSegmentations(const FileSource& folder)
+{
+  const auto study = this->model.CurrentStudy();
+  std::vector<SeriesSummary> offered;
+  std::copy_if(this->segmentations.begin(), this->segmentations.end(), std::back_inserter(offered),
+    [&](const SeriesSummary& one) { return MayBelongTo(study->volume, one); });
+  this->segmentations.clear();
+  if (offered.empty() || study->labels)
+  {
+    return;
+  }
+  auto* const box = new QMessageBox(QMessageBox::Question, tr("Varimarch"),
+    tr("Beside the scan the folder holds a segmentation. Show its segments?"),
+    QMessageBox::Yes | QMessageBox::No, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setObjectName("foundSegmentation");
+  connect(box->button(QMessageBox::Yes), &QAbstractButton::clicked, this,
+    [=] { this->ShowOffered(folder, offered); });
+  box->open();
+}
+
+void MainWindow::ShowOffered(const FileSource& folder, const std::vector<SeriesSummary>& offered)
+{
+  if (offered.size() == 1)
+  {
+    this->OpenSegmentation({ folder.path, offered.front().uid });
+    return;
+  }
+  auto* const picker = new SeriesPicker(offered, this);
+  picker->setAttribute(Qt::WA_DeleteOnClose);
+  connect(picker, &SeriesPicker::Chosen, this,
+    [=](const QString& uid) {
+      this->OpenSegmentation({ folder.path, uid.toStdString() });
+    });
+  picker->open();
+}
+
+}

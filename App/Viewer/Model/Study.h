@@ -1,0 +1,34 @@
+#ifndef Varimarch_Viewer_Study_h
+#define Varimarch_Viewer_Study_h
+
+#include "Scene/ImageStatistics.h"
+#include "Scene/LabelMap.h"
+#include "Scene/SegmentStatistics.h"
+#include "Scene/VolumeLoading.h"
+
+#include <memory>
+#include <vector>
+
+namespace varimarch
+{
+
+/// A volume in memory with the statistics of its voxels, and the labels over it. It does not
+/// change.
+struct Study
+{
+  LoadedVolume volume;
+  ImageStatistics statistics;
+  std::shared_ptr<const LabelMap> labels = {}; ///< null without a segmentation
+  std::vector<RegionStatistics>
+    segmentStatistics = {}; ///< the volume in each segment of the labels
+};
+
+/// The same volume with other labels.
+std::shared_ptr<const Study> WithLabels(const Study& scan, LabelMap labels);
+
+/// The same volume without labels.
+std::shared_ptr<const Study> WithoutLabels(const Study& scan);
+
+}
+
+#endif

@@ -1,0 +1,335 @@
+#include "Viewer/Panels/SegmentsPanel.h"
+
+#include "Scene/OutputFile.h"
+#include "Scene/ScenePipeline.h"
+#include "Viewer/LiveColorDialog.h"
+#include "Viewer/Model/Gesture.h"
+#include "Viewer/Model/NumberText.h"
+#include "Viewer/Panels/NumberSlider.h"
+#include "Viewer/SaveDialog.h"
+
+#include <QColorDialog>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <exception>
+
+namespace varimarch
+{
+
+namespace
+{
+
+enum Column
+{
+  Name,
+  Volume,
+  Mean,
+  Smallest,
+  Largest,
+  ColumnCount,
+};
+
+constexpr double Mm3PerMl = 1000.0;
+
+QColor ColorOf(const Segment& segment)
+{
+  return QColor::fromRgbF(segment.rgb.r, segment.rgb.g, segment.rgb.b);
+}
+
+QIcon Swatch(const QColor& color)
+{
+  QPixmap swatch(14, 14);
+  swatch.fill(color);
+  QIcon icon(swatch);
+  icon.addPixmap(swatch, QIcon::Selected); // selected rows would tint it
+  return icon;
+}
+
+}
+
+SegmentsPanel::SegmentsPanel(SceneModel* model, QWidget* parent)
+  : QWidget(parent)
+  , model(model)
+  , hint(new QLabel(tr("A segmentation of this scan colours its regions: a DICOM segmentation, a "
+                       "segmentation of 3D Slicer, or a label map in NRRD, NIfTI or another "
+                       "format.")))
+  , all(new QWidget)
+  , note(new QLabel)
+{
+  this->hint->setWordWrap(true);
+  this->note->setWordWrap(true);
+  this->note->setObjectName("note");
+  auto* const open = new QPushButton(tr("Open a segmentation…"));
+  open->setObjectName("openSegmentation");
+  this->MakeTable();
+  auto* const column = new QVBoxLayout(this->all);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(this->note);
+  column->addWidget(this->table, 1);
+  column->addWidget(this->MakeControls());
+  auto* const layout = new QVBoxLayout(this);
+  layout->addWidget(this->hint);
+  layout->addWidget(open);
+  layout->addWidget(this->all, 1);
+  layout->addStretch();
+  connect(open, &QPushButton::clicked, this, &SegmentsPanel::OpenWanted);
+  connect(model, &SceneModel::Changed, this, &SegmentsPanel::Show);
+  this->all->hide();
+  this->setEnabled(false);
+}
+
+void SegmentsPanel::MakeTable()
+{
+  this->table = new QTableWidget(0, ColumnCount);
+  this->table->verticalHeader()->hide();
+  this->table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  this->table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+  this->table->horizontalHeader()->setMinimumSectionSize(40);
+  this->table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  this->table->setWordWrap(false);
+  this->table->setMinimumHeight(120);
+  connect(this->table, &QTableWidget::itemChanged, this, &SegmentsPanel::TakeItem);
+  connect(this->table, &QTableWidget::itemSelectionChanged, this, &SegmentsPanel::ShowSelected);
+}
+
+QWidget* SegmentsPanel::MakeControls()
+{
+  auto* const controls = new QWidget;
+  auto* const grid = new QGridLayout(controls);
+  grid->setContentsMargins(0, 0, 0, 0);
+  const auto button = [&](const char* name, const QString& text, int row, int column, int span = 1)
+  {
+    auto* const added = new QPushButton(text);
+    added->setObjectName(name);
+    grid->addWidget(added, row, column, 1, span);
+    return added;
+  };
+  connect(button("showAll", tr("Show all"), 0, 0), &QPushButton::clicked, this,
+    [this] { this->SetVisible(true); });
+  connect(button("hideAll", tr("Hide all"), 0, 1), &QPushButton::clicked, this,
+    [this] { this->SetVisible(false); });
+  this->opacity = new NumberSlider(0.0, 1.0, NumberSlider::Scale::Linear);
+  this->opacity->setAccessibleName(tr("Opacity"));
+  this->opacity->setToolTip(tr("Opacity of the selected segments"));
+  grid->addWidget(new QLabel(tr("Opacity")), 1, 0);
+  grid->addWidget(this->opacity, 1, 1);
+  connect(this->opacity, &NumberSlider::Edited, this, &SegmentsPanel::SetOpacity);
+  this->color = button("color", tr("Colour…"), 2, 0);
+  connect(this->color, &QPushButton::clicked, this, &SegmentsPanel::ChooseColor);
+  connect(button("saveStatistics", tr("Save as CSV…"), 2, 1), &QPushButton::clicked, this,
+    &SegmentsPanel::SaveStatistics);
+  connect(button("closeSegmentation", tr("Close the segmentation"), 3, 0, 2), &QPushButton::clicked,
+    this, [this] { this->model->CloseLabels(tr("close the segmentation")); });
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+  return controls;
+}
+
+void SegmentsPanel::Show(ScenePart part)
+{
+  if (part == ScenePart::Look)
+  {
+    this->ShowNote();
+    return;
+  }
+  if (part != ScenePart::Volume && part != ScenePart::Labels && part != ScenePart::Segments)
+  {
+    return;
+  }
+  this->setEnabled(true);
+  const bool hasLabels = this->model->CurrentScene().labels.has_value();
+  this->hint->setVisible(!hasLabels);
+  this->all->setVisible(hasLabels);
+  this->ShowNote();
+  if (!hasLabels)
+  {
+    this->table->setRowCount(0);
+    return;
+  }
+  this->ShowHeader();
+  this->ShowRows();
+  this->ShowSelected();
+}
+
+void SegmentsPanel::ShowHeader()
+{
+  const bool isCt = this->model->CurrentStudy()->volume.modality == "CT";
+  const auto withUnit = [isCt](const QString& name)
+  { return isCt ? name + '\n' + tr("HU") : name; };
+  this->table->setHorizontalHeaderLabels({ tr("Segment"), tr("Volume\nml"), withUnit(tr("Mean")),
+    withUnit(tr("Min")), withUnit(tr("Max")) });
+}
+
+// Keeps the items, and with them the selection.
+void SegmentsPanel::ShowRows()
+{
+  const std::vector<Segment>& segments = this->model->CurrentScene().labels->segments;
+  const QSignalBlocker quiet(this->table);
+  this->table->setRowCount(int(segments.size()));
+  for (int row = 0; row < this->table->rowCount(); ++row)
+  {
+    const Segment& segment = segments[row];
+    QTableWidgetItem* const name = this->Item(row, Name);
+    name->setText(QString::fromStdString(segment.name));
+    name->setToolTip(name->text());
+    name->setIcon(Swatch(ColorOf(segment)));
+    name->setCheckState(segment.visible ? Qt::Checked : Qt::Unchecked);
+    this->ShowStatistics(row);
+  }
+  if (this->table->currentRow() < 0)
+  {
+    this->table->selectRow(0);
+  }
+}
+
+void SegmentsPanel::ShowStatistics(int row)
+{
+  const Study& study = *this->model->CurrentStudy();
+  const RegionStatistics& region = study.segmentStatistics[row];
+  const double ml = region.volumeMm3 / Mm3PerMl;
+  // Data without units may lie between 0 and 1.
+  const bool isNarrow = study.statistics.Largest() - study.statistics.Smallest() < 10.0;
+  const auto valueText = [&](double value, int decimals)
+  { return region.voxels > 0 ? NumberText(value, isNarrow ? 3 : decimals) : QString(); };
+  const std::pair<Column, QString> texts[] = { { Volume, NumberText(ml, ml < 100.0 ? 2 : 0) },
+    { Mean, valueText(region.mean, 1) }, { Smallest, valueText(region.smallest, 0) },
+    { Largest, valueText(region.largest, 0) } };
+  for (const auto& [column, text] : texts)
+  {
+    QTableWidgetItem* const item = this->Item(row, column);
+    item->setText(text);
+    item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
+    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  }
+}
+
+QTableWidgetItem* SegmentsPanel::Item(int row, int column)
+{
+  if (!this->table->item(row, column))
+  {
+    this->table->setItem(row, column, new QTableWidgetItem);
+  }
+  return this->table->item(row, column);
+}
+
+void SegmentsPanel::ShowSelected()
+{
+  const int row = this->table->currentRow();
+  const bool isSelected = row >= 0 && this->table->selectionModel()->hasSelection();
+  this->opacity->setEnabled(isSelected);
+  this->color->setEnabled(isSelected);
+  if (isSelected)
+  {
+    this->opacity->SetNumber(this->model->CurrentScene().labels->segments[row].opacity);
+  }
+}
+
+void SegmentsPanel::ShowNote()
+{
+  const Blend blend = this->model->CurrentScene().look.blend;
+  vtkImageData* const image = this->model->CurrentStudy()->volume.image;
+  this->note->setText(image->GetNumberOfScalarComponents() == 1
+      ? tr("The volume shows segments only with the blend mode Composite.")
+      : tr("The volume cannot show segments, since its voxels have several values."));
+  this->note->setVisible(!CanDrawLabels(MapperKind::Varimarch, blend, image));
+}
+
+// The user renamed a segment, or showed or hid it.
+void SegmentsPanel::TakeItem(const QTableWidgetItem* item)
+{
+  const Segment& segment = this->model->CurrentScene().labels->segments[item->row()];
+  const bool isShown = item->checkState() == Qt::Checked;
+  const std::string name = item->text().trimmed().toStdString();
+  const QString step = isShown == segment.visible ? tr("rename")
+    : isShown                                     ? tr("show a segment")
+                                                  : tr("hide a segment");
+  this->Edit(step,
+    [&, changed = item->row()](Segment& edited, int row)
+    {
+      if (row == changed)
+      {
+        edited.visible = isShown;
+        edited.name = name;
+      }
+    });
+}
+
+void SegmentsPanel::Edit(
+  const QString& step, const std::function<void(Segment&, int row)>& change, int gesture)
+{
+  this->model->Edit(
+    ScenePart::Segments, step,
+    [&](Scene& scene)
+    {
+      for (std::size_t row = 0; row < scene.labels->segments.size(); ++row)
+      {
+        change(scene.labels->segments[row], int(row));
+      }
+    },
+    gesture);
+}
+
+void SegmentsPanel::SetVisible(bool visible)
+{
+  this->Edit(visible ? tr("show all segments") : tr("hide all segments"),
+    [visible](Segment& segment, int) { segment.visible = visible; });
+}
+
+void SegmentsPanel::SetOpacity(double number, int gesture)
+{
+  const QItemSelectionModel* const selection = this->table->selectionModel();
+  this->Edit(
+    tr("opacity of segments"),
+    [=](Segment& segment, int row)
+    { segment.opacity = selection->isRowSelected(row, {}) ? number : segment.opacity; },
+    gesture);
+}
+
+void SegmentsPanel::ChooseColor()
+{
+  const int chosen = this->table->currentRow();
+  const glm::dvec3 before = this->model->CurrentScene().labels->segments[chosen].rgb;
+  const auto edit = [this, chosen, gesture = NewGesture()](const glm::dvec3& rgb)
+  {
+    this->Edit(
+      tr("colour of a segment"),
+      [&](Segment& segment, int row) { segment.rgb = row == chosen ? rgb : segment.rgb; }, gesture);
+  };
+  const QColorDialog* const dialog = OpenLiveColorDialog(
+    QColor::fromRgbF(before.r, before.g, before.b),
+    [edit](const QColor& color) {
+      edit({ color.redF(), color.greenF(), color.blueF() });
+    },
+    this);
+  connect(dialog, &QDialog::rejected, this, [edit, before] { edit(before); });
+}
+
+void SegmentsPanel::SaveStatistics()
+{
+  const QString path =
+    ChosenFileToSave(this, tr("Save the statistics"), { tr("Table (*.csv)") }, "segments");
+  if (path.isEmpty())
+  {
+    return;
+  }
+  try
+  {
+    WriteFileWhole(path.toStdString(),
+      CsvOf(this->model->CurrentScene().labels->segments,
+        this->model->CurrentStudy()->segmentStatistics));
+    emit this->Saved(path);
+  }
+  catch (const std::exception& problem)
+  {
+    QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
+  }
+}
+
+}

@@ -1,0 +1,63 @@
+#ifndef Varimarch_Viewer_SegmentsPanel_h
+#define Varimarch_Viewer_SegmentsPanel_h
+
+#include "Viewer/Model/SceneModel.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+class QTableWidgetItem;
+
+namespace varimarch
+{
+
+class NumberSlider;
+
+/// The segments of the segmentation over the scan: their names, colours and opacities, which of
+/// them are shown, and the values of the scan in each.
+class SegmentsPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit SegmentsPanel(SceneModel* model, QWidget* parent = nullptr);
+
+signals:
+  void OpenWanted();
+  /// The statistics are in a file.
+  void Saved(const QString& path);
+
+private:
+  void MakeTable();
+  QWidget* MakeControls();
+  void Show(ScenePart part);
+  void ShowHeader();
+  void ShowRows();
+  void ShowStatistics(int row);
+  void ShowSelected();
+  void ShowNote();
+  QTableWidgetItem* Item(int row, int column);
+  void TakeItem(const QTableWidgetItem* item);
+  void Edit(const QString& step, const std::function<void(Segment&, int row)>& change,
+    int gesture = SceneModel::NoGesture);
+  void SetVisible(bool visible);
+  void SetOpacity(double opacity, int gesture);
+  void ChooseColor();
+  void SaveStatistics();
+
+  SceneModel* model;
+  QLabel* hint; ///< shown without segments
+  QWidget* all; ///< everything else
+  QLabel* note; ///< says why the 3D view shows no segments
+  QTableWidget* table;
+  NumberSlider* opacity;
+  QPushButton* color;
+};
+
+}
+
+#endif
