@@ -1,5 +1,6 @@
 #include "vtkVolumeFileReader.h"
 
+#include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Dicom/DicomSeries.h"
 #include "Readers/Formats.h"
 #include "Readers/Unpacked.h"
@@ -68,6 +69,7 @@ void vtkVolumeFileReader::Try(const std::function<void(varimarch::ReadProgress&)
       this->UpdateProgress(partDone);
       return !this->GetAbortExecute();
     });
+  const varimarch::DecoderSession session(this->LongestSilence);
   try
   {
     action(progress);
@@ -289,12 +291,14 @@ std::string vtkVolumeFileReader::GetFormatExtensions(int format)
 
 const char* vtkVolumeFileReader::GetFormatOfFile(const char* path)
 {
+  const varimarch::DecoderSession session;
   const auto* format = path ? varimarch::FormatIfReadable(path) : nullptr;
   return format ? format->name : nullptr;
 }
 
 bool vtkVolumeFileReader::CanReadFile(const char* path)
 {
+  const varimarch::DecoderSession session;
   return path && varimarch::LooksReadable(path);
 }
 
@@ -312,5 +316,6 @@ void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RawBigEndian: " << this->RawBigEndian << '\n';
   os << indent << "DICOMSeriesUID: " << this->DICOMSeriesUID << '\n';
   os << indent << "RectifySlices: " << this->RectifySlices << '\n';
+  os << indent << "LongestSilence: " << this->LongestSilence << '\n';
   os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
 }

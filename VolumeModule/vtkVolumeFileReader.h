@@ -22,6 +22,11 @@
  * what was found. Sizes are checked against the file and the machine's memory before memory is
  * allocated.
  *
+ * Libraries that others maintain parse DICOM, VTI, TIFF, pictures, MINC, InVesalius projects and
+ * archives in a process of its own, the program varimarch-decode, with limits of memory and time.
+ * A file at which it crashes or hangs is an error like any other; the other slices of a series are
+ * read. Without that program these formats cannot be read.
+ *
  * The file is read in UpdateInformation(), because the type of rescaled values is known only after
  * that. Progress events are invoked there. SetAbortExecute(1) in an observer stops the reader: the
  * output is empty, the error code is vtkErrorCode::UserError, and there is no error event.
@@ -103,6 +108,16 @@ public:
   vtkSetMacro(RectifySlices, bool);
   vtkGetMacro(RectifySlices, bool);
   vtkBooleanMacro(RectifySlices, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The longest time that decoding a file may take without progress [s], > 0. Each MB of a DICOM
+   * file's decoded pixels adds a second, since one of many frames is decoded in one step. Default:
+   * 60.
+   */
+  vtkSetClampMacro(LongestSilence, double, 0.01, VTK_DOUBLE_MAX);
+  vtkGetMacro(LongestSilence, double);
   ///@}
 
   /**
@@ -228,6 +243,7 @@ private:
   bool RawBigEndian = false;
   std::string DICOMSeriesUID;
   bool RectifySlices = false;
+  double LongestSilence = 60.0;
 
   std::unique_ptr<Contents> Read;
   std::string ErrorMessage;

@@ -9,6 +9,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 PREFIX, VERSION = pathlib.Path(sys.argv[1]), sys.argv[2]
 
@@ -44,6 +45,11 @@ def check_manual(command):
 if __name__ == "__main__":
     assert varimarch("--version") == f"varimarch {VERSION}\n"
     assert "16 x 16 x 16" in varimarch("info", "procedural:shells:16x16x16")
+    # The library finds the installed decoder by itself.
+    assert (PREFIX / "lib/varimarch/varimarch-decode").is_file()
+    with tempfile.TemporaryDirectory() as folder:
+        varimarch("convert", "procedural:shells:8x8x8", f"{folder}/shells.vti")
+        assert "8 x 8 x 8" in varimarch("info", f"{folder}/shells.vti")
     scenes = sorted((PREFIX / "share/varimarch/Scenes").glob("*.json"))
     assert scenes, "no scenes are installed"
     check_manual(["varimarch"])

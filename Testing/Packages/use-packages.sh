@@ -17,6 +17,9 @@ varimarch --version
 varimarch render procedural:shells:32x32x32 -o procedural.png --size 64x64
 varimarch render /usr/share/varimarch/Scenes/shells-step.json -o scene.png --size 64x64
 drawn procedural.png
+# The decoder reads this format.
+varimarch convert procedural:shells:8x8x8 shells.vti
+varimarch info shells.vti
 drawn scene.png
 ls /usr/share/man/man1/varimarch.1.gz /usr/share/man/man1/varimarch-render.1.gz
 

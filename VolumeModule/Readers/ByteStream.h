@@ -44,6 +44,9 @@ Compression CompressionOf(const std::string& path);
 std::unique_ptr<ByteStream> OpenStream(
   const std::string& path, Compression compression, std::uint64_t offset = 0);
 
+/// OpenStream for Compression::Other. libarchive decompresses, so a module asks a decoder.
+std::unique_ptr<ByteStream> OpenArchiveStream(const std::string& path, std::uint64_t offset);
+
 /// Upper bound of the compression ratio of deflate; a header that promises more is false. The
 /// method's limit is 1032, see zlib's technical notes; the rest allows for headers.
 constexpr double LargestDeflateRatio = 1040.0;

@@ -6,7 +6,7 @@
 #include "Readers/HeaderText.h"
 #include "Readers/Magnitude.h"
 #include "Readers/Rectify.h"
-#include "Readers/Unpacked.h"
+#include "Readers/Signatures.h"
 
 #include <vtksys/SystemTools.hxx>
 

@@ -69,6 +69,9 @@ bool IsSlc(const std::string& head);
 bool IsStackSlice(const std::string& head);
 bool IsTiff(const std::string& head);
 
+/// The property list of an InVesalius project.
+constexpr const char* InVesaliusFile = "main.plist";
+
 /// True for a folder with DICOM files, with an InVesalius project, with pictures and no other
 /// volumes, or with files of other formats.
 bool HoldsDicom(const std::string& folder);

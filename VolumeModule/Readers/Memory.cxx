@@ -7,8 +7,9 @@ namespace varimarch
 
 double PhysicalMemoryBytes()
 {
-  vtksys::SystemInformation machine;
-  return 1024.0 * double(machine.GetHostMemoryTotal()); // in KiB
+  static const double bytes =
+    1024.0 * double(vtksys::SystemInformation().GetHostMemoryTotal()); // in KiB
+  return bytes;
 }
 
 double FreeMemoryBytes()

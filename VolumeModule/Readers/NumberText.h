@@ -5,6 +5,7 @@
 #include "Readers/VolumeFile.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ void ReadNumbers(
 
 /// The words of a line, separated by whitespace.
 std::vector<std::string> Words(const std::string& line);
+
+/// The number that a text is, independent of the locale; none if it is anything else.
+std::optional<double> NumberIn(const std::string& text);
 
 /// Converts a word to a number, independent of the locale.
 /// @param what  description of the number for the error message

@@ -1,15 +1,12 @@
-// DICOM: headers and uncompressed pixels by vtk-dicom, compressed pixels by GDCM.
-#include "Readers/Dicom/Attributes.h"
+// DICOM: vtk-dicom and GDCM read single files in a decoder; the order of slices is decided here.
 #include "Readers/Dicom/DicomSeries.h"
 #include "Readers/Dicom/DicomStack.h"
-#include "Readers/Dicom/FileHeader.h"
 #include "Readers/Dicom/Grouping.h"
+#include "Readers/Dicom/Metadata.h"
 #include "Readers/Dicom/Segmentation.h"
 #include "Readers/Dicom/StoredSlices.h"
 #include "Readers/Dicom/Values.h"
 #include "Readers/Formats.h"
-
-#include <vtkDICOMDictHash.h>
 
 #include <algorithm>
 
@@ -18,48 +15,16 @@ namespace varimarch
 namespace
 {
 
-/// Determines the weighting from the sequence's times; empty for times in between.
-std::string WeightingOf(const DicomAttributes& attributes)
-{
-  constexpr double ShortestEchoMsOfT2 = 60.0;
-  constexpr double LongestEchoMsOfT1 = 30.0;
-  constexpr double LongestRepetitionMsOfT1 = 1000.0;
-  if (attributes.Text(DC::AngioFlag) == "Y")
-  {
-    return "angiography";
-  }
-  const double echoMs = attributes.NumberOr(DC::EchoTime, 0.0);
-  const double repetitionMs = attributes.NumberOr(DC::RepetitionTime, 0.0);
-  if (echoMs >= ShortestEchoMsOfT2)
-  {
-    return "T2";
-  }
-  const bool isShort = echoMs <= LongestEchoMsOfT1 && repetitionMs <= LongestRepetitionMsOfT1;
-  return echoMs > 0.0 && repetitionMs > 0.0 && isShort ? "T1" : "";
-}
-
 /// Takes further metadata, none of which identifies the patient, from a slice.
 void TakeMetadata(const DicomFrame& slice, Volume& volume)
 {
-  const DicomHeader header = ReadDicomHeader(slice.file->path);
-  if (!header.file)
-  {
-    return;
-  }
-  const DicomAttributes attributes(header.meta, slice.number);
-  volume.modality = attributes.Text(DC::Modality);
-  volume.frameOfReference = attributes.Text(DC::FrameOfReferenceUID);
-  volume.bodyPart = attributes.Text(DC::BodyPartExamined);
-  volume.hasContrastAgent = !attributes.Text(DC::ContrastBolusAgent).empty();
-  if (volume.modality == "MR")
-  {
-    volume.weighting = WeightingOf(attributes);
-  }
-  const double window = attributes.NumberOr(DC::WindowWidth, 0.0);
-  if (window > 0)
-  {
-    volume.windowLevel = { window, attributes.NumberOr(DC::WindowCenter, 0.0) };
-  }
+  const DicomMetadata metadata = MetadataOf(slice.file->path, slice.number);
+  volume.modality = metadata.modality;
+  volume.frameOfReference = slice.file->frameOfReference;
+  volume.bodyPart = metadata.bodyPart;
+  volume.hasContrastAgent = metadata.hasContrastAgent;
+  volume.weighting = metadata.weighting;
+  volume.windowLevel = metadata.windowLevel;
   if (slice.file->colours == "MONOCHROME1" ||
     (slice.file->colours == "PALETTE COLOR" && slice.file->palette.entries.empty()))
   {
@@ -128,6 +93,23 @@ Volume ReadSlices(
   return volume;
 }
 
+/// Reads the segmentation in the first file of a series.
+Volume ReadFirstSegmentation(const DicomSeries& series, ReadProgress& progress)
+{
+  const DicomFile& first = *series.frames.front().file;
+  Volume volume = ReadSegmentation(first.path, progress);
+  std::vector<DicomFrame> others;
+  std::copy_if(series.frames.begin(), series.frames.end(), std::back_inserter(others),
+    [&](const DicomFrame& frame) { return frame.file.get() != &first; });
+  if (!others.empty())
+  {
+    volume.warnings.push_back("The series holds several segmentations, of which only the first "
+                              "was read; the others: " +
+      FrameList(others) + ".");
+  }
+  return volume;
+}
+
 }
 
 Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgress& progress)
@@ -142,7 +124,7 @@ Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgre
     warnings.push_back("This is the first of several series: " + SeriesList(scan.series) + ".");
   }
   WarnOfFaults(FaultsOf(scan, series), warnings);
-  Volume volume = IsSegmentation(series) ? ReadSegmentation(path, series, decoding)
+  Volume volume = IsSegmentation(series) ? ReadFirstSegmentation(series, decoding)
                                          : ReadSlices(path, series, options.rectify, decoding);
   volume.warnings.insert(volume.warnings.begin(), warnings.begin(), warnings.end());
   return volume;

@@ -17,8 +17,6 @@ namespace varimarch
 namespace
 {
 
-const char* const mainFile = "main.plist";
-
 /// The path of a file of a project; fails if there is none.
 std::string FileOfProject(const std::string& path, const std::string& name)
 {
@@ -36,7 +34,7 @@ Plist ReadProject(const std::string& path)
 {
   // Real property lists have a few kB.
   constexpr std::uint64_t mostBytes = 1 << 24;
-  const std::string file = FileOfProject(path, mainFile);
+  const std::string file = FileOfProject(path, InVesaliusFile);
   const std::uint64_t byteCount = ReadableFileSize(file);
   if (byteCount > mostBytes)
   {
@@ -117,13 +115,6 @@ vtkSmartPointer<vtkImageData> ReadMatrix(
   return ReadVoxels(voxels, layout, progress);
 }
 
-}
-
-bool HoldsInv3(const std::string& folder)
-{
-  const std::vector<std::string> files = FilesBelow(folder);
-  return std::any_of(files.begin(), files.end(),
-    [](const std::string& file) { return std::filesystem::path(file).filename() == mainFile; });
 }
 
 Volume ReadInv3(const std::string& path, const ReadOptions&, ReadProgress& progress)

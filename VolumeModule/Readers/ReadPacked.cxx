@@ -65,6 +65,31 @@ bool HoldsDicom(const std::string& folder)
     { return IsDicom(file) && CompressionOf(file) == Compression::None; });
 }
 
+bool HoldsInv3(const std::string& folder)
+{
+  const std::vector<std::string> files = FilesBelow(folder);
+  return std::any_of(files.begin(), files.end(),
+    [](const std::string& file)
+    { return std::filesystem::path(file).filename() == InVesaliusFile; });
+}
+
+bool HoldsPictures(const std::string& folder)
+{
+  bool hasPictures = false;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    const VolumeFormat* const format =
+      entry.is_regular_file() ? FormatOfMember(entry.path()) : nullptr;
+    const bool isPicture = format && (format->read == ReadTiff || format->read == ReadImageStack);
+    if (format && !isPicture)
+    {
+      return false;
+    }
+    hasPictures = hasPictures || isPicture;
+  }
+  return hasPictures;
+}
+
 bool HoldsVolumes(const std::string& folder)
 {
   const std::vector<std::string> files = FilesBelow(folder);

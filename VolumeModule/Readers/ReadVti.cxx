@@ -14,6 +14,7 @@
 #include <vtkDataCompressor.h>
 #include <vtkDataObject.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -141,7 +142,8 @@ ImageArray ReadHeader(
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
   vtkInformation* output = reader->GetOutputInformation(0);
-  if (!messages.Errors().empty() || !output->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  if (!messages.Errors().empty() || reader->GetErrorCode() != vtkErrorCode::NoError ||
+    !output->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
   {
     FailWith(path, messages);
   }
@@ -179,7 +181,7 @@ vtkSmartPointer<vtkImageData> ReadVtiFile(const std::string& path, ReadProgress&
   }
   UpdateWithProgress(reader, progress);
   vtkSmartPointer<vtkImageData> voxels = VoxelsOf(reader->GetOutput(), array);
-  if (!messages.Errors().empty() || !voxels)
+  if (!messages.Errors().empty() || reader->GetErrorCode() != vtkErrorCode::NoError || !voxels)
   {
     FailWith(path, messages);
   }

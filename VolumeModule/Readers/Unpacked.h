@@ -4,21 +4,12 @@
 #include "Readers/PrivateFolder.h"
 #include "Readers/VolumeFile.h"
 
-#include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-struct archive_entry;
-
 namespace varimarch
 {
-
-class ArchiveInput;
-
-/// True for the first bytes, decompressed, of an archive that Unpacked opens: tar or ZIP.
-bool IsArchive(const std::string& head);
 
 /// Plain copies of what is packed: of the files in an archive, of a compressed file, or of a folder
 /// with compressed files. They exist as long as this object.
@@ -39,22 +30,9 @@ public:
   std::string WithOriginalPaths(std::string message) const;
 
 private:
-  /// Fills a buffer; returns less than `count` bytes only at the end.
-  using Source = std::function<std::size_t(void* buffer, std::size_t count)>;
-
-  void UnpackArchive(std::vector<std::string>& warnings, ReadProgress& progress);
-  void UnpackEntry(ArchiveInput& input, archive_entry* entry, const std::string& to,
-    const std::function<void()>& report);
-  void UnpackFile(const std::string& from, const std::string& to, ReadProgress& progress);
-  void UnpackFolder(ReadProgress& progress);
-  void Write(const std::string& to, const Source& source, const std::function<void()>& report);
-  void CheckSpace(double byteCount) const;
-
   PrivateFolder folder;
   std::string original;
   std::string copies;
-  double spaceBytes; ///< space for copies
-  double usedBytes = 0.0;
 };
 
 /// The copies of a path that cannot be read as it is; null for other paths.

@@ -58,6 +58,12 @@ int ScalarTypeOf(NumberKind kind, std::int64_t byteCount)
   return type == types.end() ? VTK_VOID : type->second;
 }
 
+bool IsNumberType(int scalarType)
+{
+  return (scalarType >= VTK_CHAR && scalarType <= VTK_DOUBLE) ||
+    (scalarType > VTK_STRING && scalarType <= VTK_TYPE_UINT64);
+}
+
 std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layout)
 {
   // A product of doubles cannot overflow, and is exact for all volumes that fit in memory.

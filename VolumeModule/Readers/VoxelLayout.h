@@ -37,6 +37,9 @@ enum class NumberKind
 /// The VTK type of numbers of this kind and size; VTK_VOID if there is none.
 int ScalarTypeOf(NumberKind kind, std::int64_t byteCount);
 
+/// True for a VTK type of numbers.
+bool IsNumberType(int scalarType);
+
 /// Memory that the voxels need [bytes].
 /// @param path  path for the error message
 /// @throws std::runtime_error for dimensions below 1, no component, or more bytes than the

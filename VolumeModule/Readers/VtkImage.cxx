@@ -2,6 +2,7 @@
 
 #include "Readers/FileError.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/VoxelLayout.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -20,9 +21,8 @@ namespace
 
 bool IsNumeric(const ImageArray& array)
 {
-  const bool isNumber = (array.scalarType >= VTK_CHAR && array.scalarType <= VTK_DOUBLE) ||
-    (array.scalarType > VTK_STRING && array.scalarType <= VTK_TYPE_UINT64);
-  return isNumber && !array.name.empty() && array.name != vtkDataSetAttributes::GhostArrayName();
+  return IsNumberType(array.scalarType) && !array.name.empty() &&
+    array.name != vtkDataSetAttributes::GhostArrayName();
 }
 
 ImageGeometry GeometryOf(vtkImageData* image)

@@ -12,9 +12,6 @@
 namespace varimarch
 {
 
-/// The number that a text is, independent of the locale; none if it is anything else.
-std::optional<double> NumberIn(const std::string& text);
-
 /// The attributes of one frame of a file: its own, else those that the frames share, else those of
 /// the file. An attribute that is empty or not a number counts as missing.
 class DicomAttributes

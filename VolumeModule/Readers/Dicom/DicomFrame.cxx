@@ -1,12 +1,40 @@
 #include "Readers/Dicom/DicomFrame.h"
 
 #include "Readers/FileError.h"
+#include "Readers/VoxelLayout.h"
+
+#include <vtkType.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace varimarch
 {
+
+bool IsUncompressed(const DicomFile& file)
+{
+  const std::string& syntax = file.transferSyntax;
+  return syntax.empty() || syntax == "1.2.840.10008.1.2" || syntax == "1.2.840.10008.1.2.1" ||
+    syntax == "1.2.840.10008.1.2.2" || syntax == "1.2.840.10008.1.20" ||
+    syntax == "1.2.840.113619.5.2";
+}
+
+double StoredBytes(const DicomFile& file, int frameCount)
+{
+  // Two pixels of "422" share two of their three values.
+  const bool isHalved = file.colours.find("_422") != std::string::npos;
+  const double values = double(file.rows) * file.columns * (isHalved ? 2 : file.samples);
+  return std::floor((values * file.bitsAllocated * frameCount + 7.0) / 8.0);
+}
+
+void CheckFrames(const std::string& path, const DicomFile& file)
+{
+  const int type = file.bitsAllocated <= 8 ? VTK_UNSIGNED_CHAR
+    : file.bitsAllocated <= 16             ? VTK_SHORT
+                                           : VTK_DOUBLE;
+  CheckedByteCount(path, { { file.columns, file.rows, file.frameCount }, type, file.samples });
+}
 
 std::string FrameName(const DicomFrame& frame)
 {

@@ -16,8 +16,6 @@
 namespace varimarch
 {
 
-class ScratchFile;
-
 /// A file, or a part of it, that cannot be used.
 struct DicomFault
 {
@@ -39,10 +37,9 @@ struct DicomTable
 /// patient.
 struct DicomFile
 {
-  std::string path;        ///< the path for messages
-  std::string decodedPath; ///< the path to read: a copy if the file is compressed as a whole
-  std::shared_ptr<const ScratchFile> copy;
-  std::string transferSyntax; ///< UID of the coding of the pixels
+  std::string path;
+  bool isDeflated = false;    ///< true if the attributes are compressed too
+  std::string transferSyntax; ///< UID of the coding of the pixels; once inflated, if deflated
   std::string seriesUid;      ///< UID of the series
   std::string instanceUid;
   std::string seriesDescription;
@@ -54,9 +51,8 @@ struct DicomFile
   int rows = 0; ///< size of the stored image
   int columns = 0;
   int frameCount = 1;
-  std::int64_t pixelOffset = 0; ///< offset of the first pixel in the file at decodedPath [bytes]
-  bool isTruncated = false;     ///< true if the file ends before the last frame
-  int samples = 1;              ///< values per pixel as stored
+  bool isTruncated = false; ///< true if the file ends before the last frame
+  int samples = 1;          ///< values per pixel as stored
   int bitsAllocated = 16;
   int bitsStored = 16;
   int highBit = 15;
@@ -66,6 +62,17 @@ struct DicomFile
   /// Red, green and blue of the stored values; empty unless the pixels are numbers of colours.
   DicomTable<std::array<std::uint8_t, 3>> palette;
 };
+
+/// True for pixels that are stored without compression.
+bool IsUncompressed(const DicomFile& file);
+
+/// Bytes that the frames need as the file stores them without compression.
+double StoredBytes(const DicomFile& file, int frameCount);
+
+/// Checks that all frames of a file fit in memory once decoded.
+/// @param path  path for error messages
+/// @throws std::runtime_error otherwise
+void CheckFrames(const std::string& path, const DicomFile& file);
 
 /// Attributes by which images of one place differ, most telling first.
 enum class DicomDifference

@@ -1,8 +1,7 @@
 #include "Readers/Dicom/DicomSeries.h"
 
-#include "Readers/Dicom/FileFrames.h"
+#include "Readers/Decoder/DicomDecoding.h"
 #include "Readers/Dicom/FileSearch.h"
-#include "Readers/Dicom/Segmentation.h"
 #include "Readers/FileError.h"
 
 #include <algorithm>
@@ -38,41 +37,27 @@ public:
   {
   }
 
-  void Add(const std::string& path)
+  void Add(const std::string& path, const DicomContent& content)
   {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored))
+    this->hasOther |= content.isDicom && !content.file && !content.fault;
+    if (content.fault)
     {
-      this->scan.faults.push_back({ path, "an existing file", "no file of this name" });
-      return;
+      this->scan.faults.push_back(*content.fault);
     }
-    const DicomHeader header = ReadDicomHeader(path);
-    this->hasOther |= header.meta && !header.file && !header.fault;
-    if (header.fault)
-    {
-      this->scan.faults.push_back(*header.fault);
-    }
-    if (!header.file || header.completeFrames == 0)
+    if (content.frames.empty())
     {
       return;
     }
-    const bool isNew = header.file->instanceUid.empty() ||
-      this->known.insert({ header.file->seriesUid, header.file->instanceUid }).second;
+    const DicomFile& file = *content.file;
+    const bool isNew =
+      file.instanceUid.empty() || this->known.insert({ file.seriesUid, file.instanceUid }).second;
     if (!isNew)
     {
       this->repeated.push_back(Quoted(std::filesystem::path(path).filename().string()));
       return;
     }
-    const std::vector<DicomFrame> frames = FramesOf(header);
-    if (frames.empty())
-    {
-      this->scan.faults.push_back(
-        { path, "the number and direction of the slices of a Siemens mosaic", "none",
-          header.file->seriesUid });
-      return;
-    }
-    DicomSeries& series = SeriesOf(*header.file, this->scan.series);
-    series.frames.insert(series.frames.end(), frames.begin(), frames.end());
+    DicomSeries& series = SeriesOf(file, this->scan.series);
+    series.frames.insert(series.frames.end(), content.frames.begin(), content.frames.end());
   }
 
   /// @throws std::runtime_error if there is no series
@@ -116,6 +101,11 @@ private:
 
 }
 
+bool IsSegmentation(const DicomSeries& series)
+{
+  return series.frames.front().file->isSegmentation;
+}
+
 DicomScan FindDicomSeries(const std::string& path, ReadProgress& progress)
 {
   DicomScan scan;
@@ -123,11 +113,9 @@ DicomScan FindDicomSeries(const std::string& path, ReadProgress& progress)
   ReadProgress reading = progress.Part(0.1, 1.0);
   const std::vector<std::string> files = FindDicomFiles(path, scan.warnings, searching);
   Collection collection(scan);
-  for (std::size_t i = 0; i < files.size(); ++i)
-  {
-    collection.Add(files[i]);
-    reading.Report(double(i + 1) / double(files.size()));
-  }
+  ForEachContent(
+    files, [&](std::size_t i, const DicomContent& content) { collection.Add(files[i], content); },
+    reading);
   collection.Finish(path);
   return scan;
 }

@@ -17,6 +17,10 @@ struct DicomSeries
   std::vector<DicomFrame> frames; ///< in the order of their numbers, then of their files
 };
 
+/// True for a series of segmentations (PS3.3 A.51), whose frames are the masks of segments, or
+/// labels.
+bool IsSegmentation(const DicomSeries& series);
+
 /// The series below a path.
 struct DicomScan
 {

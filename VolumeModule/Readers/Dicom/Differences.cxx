@@ -1,6 +1,6 @@
 #include "Readers/Dicom/Differences.h"
 
-#include "Readers/Dicom/Attributes.h"
+#include "Readers/NumberText.h"
 
 #include <algorithm>
 #include <map>

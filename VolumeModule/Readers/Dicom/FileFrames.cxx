@@ -1,6 +1,7 @@
 #include "Readers/Dicom/FileFrames.h"
 
 #include "Readers/Dicom/Attributes.h"
+#include "Readers/Dicom/FileHeader.h"
 #include "Readers/Dicom/FramePlaces.h"
 #include "Readers/Dicom/Mosaic.h"
 
@@ -10,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace varimarch
 {
@@ -138,8 +140,7 @@ DicomFrame FrameOf(const DicomHeader& header, int number)
   return frame;
 }
 
-}
-
+/// The complete frames of a file; none of a mosaic that does not say how many slices it has.
 std::vector<DicomFrame> FramesOf(const DicomHeader& header)
 {
   std::vector<DicomFrame> frames;
@@ -150,6 +151,30 @@ std::vector<DicomFrame> FramesOf(const DicomHeader& header)
   }
   PlaceFrames(header.meta, frames);
   return IsMosaic(header.meta) ? MosaicTiles(header.meta, frames) : frames;
+}
+
+}
+
+DicomContent ReadDicomContent(const std::string& path)
+{
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored))
+  {
+    return { false, nullptr, {}, DicomFault{ path, "an existing file", "no file of this name" } };
+  }
+  const DicomHeader header = ReadDicomHeader(path);
+  DicomContent content = { header.meta != nullptr, header.file, {}, header.fault };
+  if (!header.file || header.completeFrames == 0)
+  {
+    return content;
+  }
+  content.frames = FramesOf(header);
+  if (content.frames.empty())
+  {
+    content.fault = { path, "the number and direction of the slices of a Siemens mosaic", "none",
+      header.file->seriesUid };
+  }
+  return content;
 }
 
 }

@@ -93,7 +93,6 @@ std::shared_ptr<DicomFile> FileOf(const std::string& path, vtkDICOMMetaData* met
   const DicomAttributes attributes(meta);
   auto file = std::make_shared<DicomFile>();
   file->path = path;
-  file->decodedPath = path;
   file->transferSyntax = attributes.Text(DC::TransferSyntaxUID);
   file->seriesUid = attributes.Text(DC::SeriesInstanceUID);
   file->instanceUid = attributes.Text(DC::SOPInstanceUID);
@@ -164,10 +163,11 @@ DicomHeader ReadDicomHeader(const std::string& path)
     return header;
   }
   Parsed parsed = Parse(path);
-  std::shared_ptr<const ScratchFile> copy;
-  if (DicomAttributes(parsed.meta).Text(DC::TransferSyntaxUID) == DeflatedSyntax)
+  const bool isDeflated =
+    DicomAttributes(parsed.meta).Text(DC::TransferSyntaxUID) == DeflatedSyntax;
+  if (isDeflated)
   {
-    copy = InflatedCopy(path);
+    const auto copy = InflatedCopy(path);
     if (!copy)
     {
       header.fault = { path, "a deflated DICOM file", "damaged data" };
@@ -189,30 +189,10 @@ DicomHeader ReadDicomHeader(const std::string& path)
     return header;
   }
   header.file = FileOf(path, parsed.meta);
-  header.file->pixelOffset = parsed.pixelOffset;
-  if (copy)
-  {
-    header.file->decodedPath = copy->Path();
-    header.file->copy = copy;
-  }
+  header.file->isDeflated = isDeflated;
+  header.pixelOffset = parsed.pixelOffset;
   CheckSize(parsed.pixelBytes, header);
   return header;
-}
-
-bool IsUncompressed(const DicomFile& file)
-{
-  const std::string& syntax = file.transferSyntax;
-  return syntax.empty() || syntax == "1.2.840.10008.1.2" || syntax == "1.2.840.10008.1.2.1" ||
-    syntax == "1.2.840.10008.1.2.2" || syntax == "1.2.840.10008.1.20" ||
-    syntax == "1.2.840.113619.5.2";
-}
-
-double StoredBytes(const DicomFile& file, int frameCount)
-{
-  // Two pixels of "422" share two of their three values.
-  const bool isHalved = file.colours.find("_422") != std::string::npos;
-  const double values = double(file.rows) * file.columns * (isHalved ? 2 : file.samples);
-  return std::floor((values * file.bitsAllocated * frameCount + 7.0) / 8.0);
 }
 
 }

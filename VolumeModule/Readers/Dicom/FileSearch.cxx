@@ -1,12 +1,7 @@
 #include "Readers/Dicom/FileSearch.h"
 
-#include "Readers/FileError.h"
+#include "Readers/Dicom/DicomIndex.h"
 #include "Readers/HeaderText.h"
-#include "Readers/VtkMessages.h"
-#include "Readers/VtkProgress.h"
-
-#include <vtkDICOMDirectory.h>
-#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -38,26 +33,6 @@ fs::path IndexIn(const fs::path& folder)
     }
   }
   return {};
-}
-
-std::vector<std::string> FilesOfIndex(const fs::path& index, ReadProgress& progress)
-{
-  VtkMessages silenced;
-  vtkNew<vtkDICOMDirectory> directory;
-  silenced.Take(directory);
-  const fs::path folder = index.parent_path();
-  directory->SetDirectoryName(folder.empty() ? "." : folder.c_str());
-  UpdateWithProgress(directory, progress);
-  std::vector<std::string> files;
-  for (int series = 0; series < directory->GetNumberOfSeries(); ++series)
-  {
-    vtkStringArray* const names = directory->GetFileNamesForSeries(series);
-    for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
-    {
-      files.push_back(names->GetValue(i));
-    }
-  }
-  return files;
 }
 
 /// Files of a folder and its subfolders, in the order of their paths. A folder that links lead to
@@ -113,7 +88,7 @@ std::vector<std::string> FindDicomFiles(
   }
   const fs::path index = IndexIn(path);
   const std::vector<std::string> listed =
-    index.empty() ? std::vector<std::string>() : FilesOfIndex(index, progress);
+    index.empty() ? std::vector<std::string>() : FilesOfIndex(index.string(), progress);
   return listed.empty() ? FilesBelow(path, warnings, progress) : listed;
 }
 

@@ -1,7 +1,5 @@
 #include "Readers/Dicom/GdcmCopy.h"
 
-#include "Readers/Dicom/SilentErrors.h"
-
 #include <gdcmImageChangeTransferSyntax.h>
 #include <gdcmImageReader.h>
 #include <gdcmImageWriter.h>
@@ -10,11 +8,12 @@
 #include <gdcmWriter.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 namespace varimarch
@@ -65,10 +64,13 @@ bool Uncompress(const std::string& from, const std::string& to)
 std::shared_ptr<const ScratchFile> Copy(const std::string& path, CopyFunction copy)
 {
   auto file = std::make_shared<ScratchFile>();
-  const SilentErrors silent;
   try
   {
     return copy(path, file->Path()) ? file : nullptr;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
   }
   catch (const std::exception&)
   {
@@ -79,21 +81,19 @@ std::shared_ptr<const ScratchFile> Copy(const std::string& path, CopyFunction co
 }
 
 ScratchFile::ScratchFile()
-  : path((std::filesystem::temp_directory_path() / "varimarch-XXXXXX").string())
+  : descriptor(memfd_create("varimarch-copy", MFD_CLOEXEC))
+  , path("/proc/self/fd/" + std::to_string(this->descriptor))
 {
-  const int descriptor = mkstemp(this->path.data());
-  if (descriptor < 0)
+  if (this->descriptor < 0)
   {
-    throw std::runtime_error("Cannot create a temporary file in " +
-      std::filesystem::temp_directory_path().string() + ": " + std::strerror(errno) + ".");
+    throw std::runtime_error(
+      std::string("Cannot create a file in memory: ") + std::strerror(errno) + '.');
   }
-  close(descriptor);
 }
 
 ScratchFile::~ScratchFile()
 {
-  std::error_code ignored;
-  std::filesystem::remove(this->path, ignored);
+  close(this->descriptor);
 }
 
 std::shared_ptr<const ScratchFile> InflatedCopy(const std::string& path)
@@ -121,7 +121,6 @@ std::shared_ptr<const ScratchFile> LengthenedCopy(const std::string& path, doubl
 
 std::size_t FragmentCount(const std::string& path)
 {
-  const SilentErrors silent;
   try
   {
     gdcm::Reader reader;

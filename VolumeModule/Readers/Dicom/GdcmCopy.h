@@ -8,7 +8,7 @@
 namespace varimarch
 {
 
-/// A file with a unique name in the folder for temporary files, deleted with this object.
+/// A file in memory, without a name in any folder. It vanishes with this object or the process.
 class ScratchFile
 {
 public:
@@ -21,6 +21,7 @@ public:
   const std::string& Path() const { return this->path; }
 
 private:
+  int descriptor;
   std::string path;
 };
 

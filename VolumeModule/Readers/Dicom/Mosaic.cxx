@@ -1,6 +1,7 @@
 #include "Readers/Dicom/Mosaic.h"
 
 #include "Readers/Dicom/Attributes.h"
+#include "Readers/NumberText.h"
 
 #include <vtkDICOMDictHash.h>
 

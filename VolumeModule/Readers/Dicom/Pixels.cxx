@@ -1,8 +1,6 @@
 #include "Readers/Dicom/Pixels.h"
 
-#include "Readers/Dicom/FileHeader.h"
 #include "Readers/Dicom/GdcmCopy.h"
-#include "Readers/Dicom/SilentErrors.h"
 #include "Readers/FileError.h"
 #include "Readers/VtkMessages.h"
 
@@ -17,6 +15,7 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <new>
 #include <string>
 #include <type_traits>
 
@@ -131,27 +130,31 @@ vtkSmartPointer<vtkImageData> Read(const DicomFile& file, const std::string& pat
 
 DecodedPixels DecodePixels(const DicomFile& file)
 {
+  const auto inflated = file.isDeflated ? InflatedCopy(file.path) : nullptr;
+  const std::string path = inflated ? inflated->Path() : file.path;
   if (IsUncompressed(file))
   {
     // vtk-dicom gives up all frames of a file that ends early.
-    const auto copy = file.isTruncated
-      ? LengthenedCopy(file.decodedPath, StoredBytes(file, file.frameCount))
-      : nullptr;
-    const auto image = Read(file, copy ? copy->Path() : file.decodedPath);
+    const auto copy =
+      file.isTruncated ? LengthenedCopy(path, StoredBytes(file, file.frameCount)) : nullptr;
+    const auto image = Read(file, copy ? copy->Path() : path);
     return { image, image ? std::nullopt : std::optional(DamagedFault(file)) };
   }
   // vtk-dicom decodes only the first fragment of a frame in run-length coding.
-  const bool isSplit = file.transferSyntax == RunLengthSyntax &&
-    FragmentCount(file.decodedPath) != std::size_t(file.frameCount);
-  const auto copy = isSplit ? UncompressedCopy(file.decodedPath) : nullptr;
-  const SilentErrors silent;
+  const bool isSplit =
+    file.transferSyntax == RunLengthSyntax && FragmentCount(path) != std::size_t(file.frameCount);
+  const auto copy = isSplit ? UncompressedCopy(path) : nullptr;
   vtkSmartPointer<vtkImageData> image;
   try
   {
     if (IsKnownSyntax(file.transferSyntax) && (copy || !isSplit))
     {
-      image = Read(file, copy ? copy->Path() : file.decodedPath);
+      image = Read(file, copy ? copy->Path() : path);
     }
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
   }
   catch (const std::exception&)
   {

@@ -1,10 +1,9 @@
 #include "Readers/Dicom/SegmentFrames.h"
 
 #include "Readers/Dicom/Attributes.h"
-#include "Readers/Dicom/FileHeader.h"
 #include "Readers/Dicom/Pixels.h"
-#include "Readers/Dicom/StoredSlices.h"
 #include "Readers/FileError.h"
+#include "Readers/NumberText.h"
 
 #include <vtkDICOMDictHash.h>
 #include <vtkDICOMItem.h>
@@ -74,21 +73,23 @@ int SegmentNumberOf(const DicomFrame& frame)
   return int(NumberIn(text).value_or(0.0));
 }
 
-SegmentFrames::SegmentFrames(const DicomFile& file, vtkDICOMMetaData* meta)
-  : file(file)
-  , kind(SegmentationKindOf(meta))
+SegmentFrames::SegmentFrames(const DicomHeader& header)
+  : header(header)
+  , file(*header.file)
+  , kind(SegmentationKindOf(header.meta))
 {
   if (this->kind == SegmentationKind::Fractional)
   {
-    this->least = 0.5 * DicomAttributes(meta).NumberOr(DC::MaximumFractionalValue, 255.0);
+    this->least = 0.5 * DicomAttributes(header.meta).NumberOr(DC::MaximumFractionalValue, 255.0);
   }
-  if (HasSingleBits(file))
+  if (HasSingleBits(this->file))
   {
-    this->bits.open(file.decodedPath, std::ios::binary);
+    this->inflated = this->file.isDeflated ? InflatedCopy(this->file.path) : nullptr;
+    this->bits.open(this->inflated ? this->inflated->Path() : this->file.path, std::ios::binary);
     return;
   }
-  CheckFrames(file.path, file);
-  const DecodedPixels pixels = DecodePixels(file);
+  CheckFrames(this->file.path, this->file);
+  const DecodedPixels pixels = DecodePixels(this->file);
   if (pixels.fault)
   {
     FailToRead(pixels.fault->path, pixels.fault->expected, pixels.fault->found);
@@ -109,7 +110,7 @@ std::vector<std::uint16_t> SegmentFrames::Unpacked(const DicomFrame& frame)
   const std::int64_t firstBit = count * frame.number;
   const std::int64_t firstByte = firstBit / 8;
   std::string bytes(std::size_t((firstBit + count + 7) / 8 - firstByte), '\0');
-  this->bits.seekg(this->file.pixelOffset + firstByte);
+  this->bits.seekg(this->header.pixelOffset + firstByte);
   if (!this->bits.read(bytes.data(), std::streamsize(bytes.size())))
   {
     FailToRead(this->file.path, "pixels of " + FrameName(frame), "the end of the file");

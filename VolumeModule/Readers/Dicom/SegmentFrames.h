@@ -1,10 +1,10 @@
 #ifndef Varimarch_Readers_SegmentFrames_h
 #define Varimarch_Readers_SegmentFrames_h
 
-#include "Readers/Dicom/DicomFrame.h"
+#include "Readers/Dicom/FileHeader.h"
+#include "Readers/Dicom/GdcmCopy.h"
 #include "Readers/VolumeFile.h"
 
-#include <vtkDICOMMetaData.h>
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
@@ -33,9 +33,9 @@ std::vector<LabelledSegment> DescribedSegments(vtkDICOMMetaData* meta);
 class SegmentFrames
 {
 public:
-  /// @param file  must outlive this object
+  /// @param header  the header of a file with pixels; must outlive this object
   /// @throws std::runtime_error if the pixels cannot be decoded
-  SegmentFrames(const DicomFile& file, vtkDICOMMetaData* meta);
+  explicit SegmentFrames(const DicomHeader& header);
 
   /// The numbers of the segments of a frame's pixels, row by row; 0 for none.
   /// @throws std::runtime_error if the file cannot be read
@@ -45,7 +45,9 @@ private:
   std::vector<std::uint16_t> Unpacked(const DicomFrame& frame);
   std::vector<std::uint16_t> Decoded(const DicomFrame& frame) const;
 
+  const DicomHeader& header;
   const DicomFile& file;
+  std::shared_ptr<const ScratchFile> inflated; ///< a copy of the file, if it is deflated
   SegmentationKind kind;
   double least = 1.0;                    ///< smallest stored value inside a segment
   std::ifstream bits;                    ///< the file, if its pixels are single bits

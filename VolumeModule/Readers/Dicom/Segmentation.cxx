@@ -1,14 +1,12 @@
 #include "Readers/Dicom/Segmentation.h"
 
-#include "Readers/Dicom/Attributes.h"
+#include "Readers/Dicom/FileFrames.h"
 #include "Readers/Dicom/FileHeader.h"
 #include "Readers/Dicom/SegmentFrames.h"
 #include "Readers/FileError.h"
 #include "Readers/ImageGeometry.h"
 #include "Readers/SegmentOverlap.h"
 #include "Readers/VoxelLayout.h"
-
-#include <vtkDICOMDictHash.h>
 
 #include <glm/geometric.hpp>
 
@@ -117,23 +115,17 @@ FrameGrid GridOf(const std::vector<DicomFrame>& frames, std::vector<std::string>
   return grid;
 }
 
-/// The frames of the first file of a series.
-std::vector<DicomFrame> FramesOfFirstFile(
-  const DicomSeries& series, std::vector<std::string>& warnings)
+/// The complete frames of a segmentation.
+std::vector<DicomFrame> FramesOfFile(const std::string& path)
 {
-  std::vector<DicomFrame> first;
-  std::vector<DicomFrame> others;
-  for (const DicomFrame& frame : series.frames)
+  const DicomContent content = ReadDicomContent(path);
+  if (content.frames.empty())
   {
-    (frame.file == series.frames.front().file ? first : others).push_back(frame);
+    const DicomFault fault =
+      content.fault.value_or(DicomFault{ path, "a segmentation", "a file without pixels" });
+    FailToRead(fault.path, fault.expected, fault.found);
   }
-  if (!others.empty())
-  {
-    warnings.push_back("The series holds several segmentations, of which only the first was read; "
-                       "the others: " +
-      FrameList(others) + ".");
-  }
-  return first;
+  return content.frames;
 }
 
 void WarnOfFractions(vtkDICOMMetaData* meta, std::vector<std::string>& warnings)
@@ -147,18 +139,13 @@ void WarnOfFractions(vtkDICOMMetaData* meta, std::vector<std::string>& warnings)
 
 }
 
-bool IsSegmentation(const DicomSeries& series)
-{
-  return series.frames.front().file->isSegmentation;
-}
-
-Volume ReadSegmentation(const std::string& path, const DicomSeries& series, ReadProgress& progress)
+Volume ReadSegmentation(const std::string& path, ReadProgress& progress)
 {
   Volume volume;
-  const std::vector<DicomFrame> frames = FramesOfFirstFile(series, volume.warnings);
+  const std::vector<DicomFrame> frames = FramesOfFile(path);
   const DicomFile& file = *frames.front().file;
   CheckPlaces(path, frames);
-  const DicomHeader header = ReadDicomHeader(file.path);
+  const DicomHeader header = ReadDicomHeader(path);
   const FrameGrid grid = GridOf(frames, volume.warnings);
   const VoxelLayout layout = { { file.columns, file.rows, grid.sliceCount }, VTK_UNSIGNED_SHORT };
   CheckedByteCount(path, layout);
@@ -168,7 +155,7 @@ Volume ReadSegmentation(const std::string& path, const DicomSeries& series, Read
   volume.image = AllocatedImage(layout);
   auto* const voxels = static_cast<std::uint16_t*>(volume.image->GetScalarPointer());
   std::fill_n(voxels, volume.image->GetNumberOfPoints(), std::uint16_t(0));
-  SegmentFrames pixels(file, header.meta);
+  SegmentFrames pixels(header);
   SegmentOverlap overlap;
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
@@ -176,8 +163,8 @@ Volume ReadSegmentation(const std::string& path, const DicomSeries& series, Read
     overlap.Put(numbers, voxels + std::int64_t(grid.slices[i]) * file.rows * file.columns);
     progress.Report(double(i + 1) / double(frames.size()));
   }
-  volume.modality = series.modality;
-  volume.frameOfReference = DicomAttributes(header.meta).Text(DC::FrameOfReferenceUID);
+  volume.modality = file.modality;
+  volume.frameOfReference = file.frameOfReference;
   overlap.Warn(*volume.segments, volume.warnings);
   PlaceImage(path, grid.geometry, volume.image);
   return volume;

@@ -1,6 +1,6 @@
 #include "Readers/Dicom/StoredSlices.h"
 
-#include "Readers/Dicom/Pixels.h"
+#include "Readers/Decoder/DicomDecoding.h"
 #include "Readers/Dicom/Values.h"
 #include "Readers/FileError.h"
 
@@ -55,14 +55,6 @@ void LeaveOutMissing(const std::vector<bool>& isDecoded, StoredSlices& stored)
 
 }
 
-void CheckFrames(const std::string& path, const DicomFile& file)
-{
-  const int type = file.bitsAllocated <= 8 ? VTK_UNSIGNED_CHAR
-    : file.bitsAllocated <= 16             ? VTK_SHORT
-                                           : VTK_DOUBLE;
-  CheckedByteCount(path, { { file.columns, file.rows, file.frameCount }, type, file.samples });
-}
-
 StoredSlices DecodedSlices(
   const std::string& path, const DicomSlices& slices, ReadProgress& progress)
 {
@@ -72,22 +64,27 @@ StoredSlices DecodedSlices(
   stored.image = AllocatedImage(layout);
   const std::vector<std::vector<int>> files = SlicesOfFiles(slices.frames);
   std::vector<bool> isDecoded(slices.frames.size(), false);
-  for (std::size_t i = 0; i < files.size(); ++i)
+  std::vector<const DicomFile*> toDecode;
+  for (const std::vector<int>& slicesOfFile : files)
   {
-    const DicomFile& file = *slices.frames[std::size_t(files[i].front())].file;
-    CheckFrames(path, file);
-    const DecodedPixels pixels = DecodePixels(file);
-    if (pixels.fault)
-    {
-      stored.faults.push_back(*pixels.fault);
-    }
-    for (const int slice : pixels.fault ? std::vector<int>() : files[i])
-    {
-      PutSlice(slices.frames[std::size_t(slice)], pixels.image, stored.image, slice);
-      isDecoded[std::size_t(slice)] = true;
-    }
-    progress.Report(double(i + 1) / double(files.size()));
+    toDecode.push_back(slices.frames[std::size_t(slicesOfFile.front())].file.get());
+    CheckFrames(path, *toDecode.back());
   }
+  ForEachDecoded(
+    toDecode,
+    [&](std::size_t i, const DecodedPixels& pixels)
+    {
+      if (pixels.fault)
+      {
+        stored.faults.push_back(*pixels.fault);
+      }
+      for (const int slice : pixels.fault ? std::vector<int>() : files[i])
+      {
+        PutSlice(slices.frames[std::size_t(slice)], pixels.image, stored.image, slice);
+        isDecoded[std::size_t(slice)] = true;
+      }
+    },
+    progress);
   if (stored.faults.size() == files.size())
   {
     const DicomFault& fault = stored.faults.front();

@@ -15,10 +15,6 @@ struct StoredSlices
   std::vector<DicomFault> faults; ///< files whose slices are missing
 };
 
-/// Checks that all frames of a file fit in memory once decoded.
-/// @throws std::runtime_error otherwise
-void CheckFrames(const std::string& path, const DicomFile& file);
-
 /// Decodes slices, file by file.
 /// @param path  path for error messages
 /// @throws std::runtime_error if the volume does not fit in memory, or no slice can be decoded

@@ -214,7 +214,7 @@ private:
   std::int64_t sliceValues;
 };
 
-std::string Rounded(double number)
+std::string RoundedText(double number)
 {
   std::ostringstream text;
   text << number;
@@ -230,8 +230,8 @@ void SetToLowest(PaddedVoxels<Value> voxels, std::vector<std::string>& warnings)
   {
     voxels.Darken(extremes);
     warnings.push_back("Voxels that the files mark as outside the image, with values up to " +
-      Rounded(extremes.highestPadding) + ", were set to its lowest value, " +
-      Rounded(extremes.lowestOther) + ".");
+      RoundedText(extremes.highestPadding) + ", were set to its lowest value, " +
+      RoundedText(extremes.lowestOther) + ".");
   }
 }
 

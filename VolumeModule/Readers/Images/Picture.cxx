@@ -7,10 +7,12 @@
 #include "Readers/Formats.h"
 #include "Readers/HeaderText.h"
 #include "Readers/Images/TiffFile.h"
+#include "Readers/Signatures.h"
 #include "Readers/VtkMessages.h"
 
 #include <vtkBMPReader.h>
 #include <vtkDataArray.h>
+#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkJPEGReader.h>
 #include <vtkNew.h>
@@ -24,23 +26,6 @@ namespace varimarch
 {
 namespace
 {
-
-bool IsPng(const std::string& head)
-{
-  return head.compare(0, 8, "\x89PNG\r\n\x1a\n") == 0;
-}
-
-bool IsJpeg(const std::string& head)
-{
-  return head.compare(0, 3, "\xff\xd8\xff") == 0;
-}
-
-bool IsBmp(const std::string& head)
-{
-  // After the mark and the size of the file, four bytes are zero.
-  return head.compare(0, 2, "BM") == 0 && head.size() >= 26 &&
-    head.compare(6, 4, std::string(4, '\0')) == 0;
-}
 
 /// Fails unless all parts of a PNG file are there with their checksums, because libpng prints the
 /// faults of others.
@@ -144,11 +129,6 @@ Picture InspectedTiff(const std::string& path)
 
 }
 
-bool IsPicture(const std::string& head)
-{
-  return IsPng(head) || IsJpeg(head) || IsBmp(head);
-}
-
 Picture InspectedPicture(const std::string& path)
 {
   if (IsTiff(FirstBytes(path)))
@@ -166,7 +146,7 @@ Picture InspectedPicture(const std::string& path)
   Picture picture = { path,
     { { extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, 1 }, reader->GetDataScalarType(),
       reader->GetNumberOfScalarComponents() } };
-  if (!messages.Errors().empty())
+  if (!messages.Errors().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
   {
     FailToRead(path, "a readable picture", messages.FirstErrorOr("none"));
   }
@@ -198,7 +178,8 @@ void ReadPicture(const Picture& picture, void* destination)
   vtkImageData* const image = reader->GetOutput();
   const auto width = std::size_t(picture.layout.dimensions[0]);
   const auto height = std::size_t(picture.layout.dimensions[1]);
-  if (!messages.Errors().empty() || std::size_t(image->GetNumberOfPoints()) != width * height ||
+  if (!messages.Errors().empty() || reader->GetErrorCode() != vtkErrorCode::NoError ||
+    !image->GetScalarPointer() || std::size_t(image->GetNumberOfPoints()) != width * height ||
     image->GetScalarType() != picture.layout.scalarType)
   {
     FailToRead(picture.path, "a readable picture", messages.FirstErrorOr("another size"));

@@ -18,9 +18,6 @@ struct Picture
   int orientation = 1;                            ///< as in StackGeometry
 };
 
-/// True if a file begins like a picture.
-bool IsPicture(const std::string& head);
-
 /// Reads what a file says about its picture.
 /// @throws std::runtime_error if the file is damaged
 Picture InspectedPicture(const std::string& path);

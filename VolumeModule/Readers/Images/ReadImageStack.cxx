@@ -6,6 +6,7 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/Images/Picture.h"
 #include "Readers/Images/StackGeometry.h"
+#include "Readers/Signatures.h"
 
 #include <vtkNew.h>
 #include <vtkSortFileNames.h>
@@ -120,28 +121,6 @@ vtkSmartPointer<vtkImageData> ReadSlices(
   return image;
 }
 
-}
-
-bool HoldsPictures(const std::string& folder)
-{
-  bool hasPictures = false;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-  {
-    const VolumeFormat* const format =
-      entry.is_regular_file() ? FormatOfMember(entry.path()) : nullptr;
-    const bool isPicture = format && (format->read == ReadTiff || format->read == ReadImageStack);
-    if (format && !isPicture)
-    {
-      return false;
-    }
-    hasPictures = hasPictures || isPicture;
-  }
-  return hasPictures;
-}
-
-bool IsStackSlice(const std::string& head)
-{
-  return IsPicture(head) || IsTiff(head);
 }
 
 Volume ReadImageStack(const std::string& path, const ReadOptions& options, ReadProgress& progress)

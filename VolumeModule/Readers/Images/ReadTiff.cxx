@@ -110,13 +110,6 @@ vtkSmartPointer<vtkImageData> ReadPlanes(
 
 }
 
-bool IsTiff(const std::string& head)
-{
-  const std::string begin = head.substr(0, 4);
-  return begin == std::string("II*\0", 4) || begin == std::string("MM\0*", 4) ||
-    begin == std::string("II+\0", 4) || begin == std::string("MM\0+", 4);
-}
-
 Volume ReadTiff(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
   auto file = std::make_unique<TiffFile>(path);

@@ -7,6 +7,7 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/Minc/MincFile.h"
 #include "Readers/Rescale.h"
+#include "Readers/Signatures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,6 @@ int WorldAxis(const MincAxis& axis)
   const std::string names[3] = { "xspace", "yspace", "zspace" };
   const auto* const name = std::find(std::begin(names), std::end(names), axis.name);
   return name == std::end(names) ? -1 : int(name - std::begin(names));
-}
-
-bool IsHdf5(const std::string& head)
-{
-  return head.compare(0, 8, "\x89HDF\r\n\x1a\n") == 0;
 }
 
 bool IsComponents(const MincAxis& axis)
@@ -179,12 +175,6 @@ std::vector<Rescale> RescalesOf(const std::string& path, MincFile& file)
   return rescales;
 }
 
-}
-
-bool IsMinc(const std::string& head)
-{
-  return head.compare(0, 4, std::string("CDF\x01")) == 0 ||
-    head.compare(0, 4, std::string("CDF\x02")) == 0 || IsHdf5(head);
 }
 
 Volume ReadMinc(const std::string& path, const ReadOptions&, ReadProgress& progress)

@@ -1,0 +1,138 @@
+#ifndef Varimarch_Readers_Decoder_Fields_h
+#define Varimarch_Readers_Decoder_Fields_h
+
+#include "Readers/Decoder/Wire.h"
+#include "Readers/Dicom/FileFrames.h"
+#include "Readers/Dicom/Metadata.h"
+#include "Readers/Unpacking.h"
+#include "Readers/VolumeFile.h"
+#include "Readers/VoxelLayout.h"
+
+// The members of the structs that the messages between a reader and its decoder hold.
+
+namespace glm
+{
+
+template <class Wire>
+void Fields(Wire& wire, dvec2& vector)
+{
+  wire(vector.x, vector.y);
+}
+
+template <class Wire>
+void Fields(Wire& wire, ivec2& vector)
+{
+  wire(vector.x, vector.y);
+}
+
+template <class Wire>
+void Fields(Wire& wire, dvec3& vector)
+{
+  wire(vector.x, vector.y, vector.z);
+}
+
+template <class Wire>
+void Fields(Wire& wire, dmat2x3& matrix)
+{
+  wire(matrix[0], matrix[1]);
+}
+
+}
+
+namespace varimarch
+{
+
+template <class Wire>
+void Fields(Wire& wire, RawOptions& raw)
+{
+  wire(raw.dimensions, raw.scalarType, raw.componentCount, raw.spacingMm, raw.headerBytes,
+    raw.bigEndian);
+}
+
+template <class Wire>
+void Fields(Wire& wire, ReadOptions& options)
+{
+  wire(options.raw, options.series, options.rectify);
+}
+
+template <class Wire>
+void Fields(Wire& wire, WindowLevel& range)
+{
+  wire(range.window, range.level);
+}
+
+template <class Wire>
+void Fields(Wire& wire, LabelledSegment& segment)
+{
+  wire(segment.value, segment.name, segment.rgb);
+}
+
+/// All but the image.
+template <class Wire>
+void Fields(Wire& wire, Volume& volume)
+{
+  wire(volume.modality, volume.bodyPart, volume.hasContrastAgent, volume.weighting,
+    volume.windowLevel, volume.warnings, volume.irregularSlicesMm, volume.segments,
+    volume.frameOfReference);
+}
+
+template <class Wire>
+void Fields(Wire& wire, VoxelLayout& layout)
+{
+  wire(layout.dimensions, layout.scalarType, layout.componentCount);
+}
+
+template <class Wire>
+void Fields(Wire& wire, UnpackingOrder& order)
+{
+  wire(order.path, order.folder, order.spaceBytes);
+}
+
+template <class Wire>
+void Fields(Wire& wire, UnpackedContent& content)
+{
+  wire(content.path, content.warnings);
+}
+
+template <class Wire>
+void Fields(Wire& wire, DicomFault& fault)
+{
+  wire(fault.path, fault.expected, fault.found, fault.seriesUid);
+}
+
+template <class Wire, class Entry>
+void Fields(Wire& wire, DicomTable<Entry>& table)
+{
+  wire(table.first, table.entries);
+}
+
+template <class Wire>
+void Fields(Wire& wire, DicomFile& file)
+{
+  wire(file.path, file.isDeflated, file.transferSyntax, file.seriesUid, file.instanceUid,
+    file.seriesDescription, file.frameOfReference, file.modality, file.isSegmentation,
+    file.seriesNumber, file.rows, file.columns, file.frameCount, file.isTruncated, file.samples,
+    file.bitsAllocated, file.bitsStored, file.highBit, file.isSigned, file.isFloat, file.colours,
+    file.palette);
+}
+
+/// All but the file and the table.
+template <class Wire>
+void Fields(Wire& wire, DicomFrame& frame)
+{
+  wire(frame.number, frame.firstPixel, frame.size, frame.positionMm, frame.axes, frame.pixelMm,
+    frame.pixelAspect, frame.distanceMm, frame.isDistanceThickness, frame.heightMm,
+    frame.instanceNumber, frame.differences, frame.slope, frame.intercept, frame.padding,
+    frame.isLossy);
+}
+
+template <class Wire>
+void Fields(Wire& wire, DicomMetadata& metadata)
+{
+  wire(metadata.modality, metadata.bodyPart, metadata.hasContrastAgent, metadata.weighting,
+    metadata.windowLevel);
+}
+
+}
+
+#endif

@@ -1,0 +1,11 @@
+#include "Readers/Decoder/Jobs.h"
+
+namespace varimarch
+{
+
+const char* DecoderVersion()
+{
+  return VARIMARCH_VERSION;
+}
+
+}

@@ -1,0 +1,28 @@
+#ifndef Varimarch_Readers_Dicom_Metadata_h
+#define Varimarch_Readers_Dicom_Metadata_h
+
+#include "Readers/VolumeFile.h"
+
+#include <optional>
+#include <string>
+
+namespace varimarch
+{
+
+/// Attributes of a frame that its place and values do not depend on. The members are those of
+/// Volume; all are empty if the file cannot be read.
+struct DicomMetadata
+{
+  std::string modality;
+  std::string bodyPart;
+  bool hasContrastAgent = false;
+  std::string weighting;
+  std::optional<WindowLevel> windowLevel;
+};
+
+/// Reads the metadata of a frame.
+DicomMetadata MetadataOf(const std::string& path, int frame);
+
+}
+
+#endif

@@ -1,0 +1,86 @@
+#include "Readers/Signatures.h"
+
+#include "Readers/FileContent.h"
+#include "Readers/Formats.h"
+
+#include <cstdlib>
+#include <numeric>
+
+namespace varimarch
+{
+namespace
+{
+
+bool IsPicture(const std::string& head)
+{
+  return IsPng(head) || IsJpeg(head) || IsBmp(head);
+}
+
+/// The mark of all tar formats, also those without the letters "ustar": a checksum in octal digits,
+/// which counts its own field as blanks.
+bool IsTar(const std::string& head)
+{
+  if (head.size() < 512)
+  {
+    return false;
+  }
+  const auto sum = [](unsigned before, unsigned char byte) { return before + byte; };
+  const unsigned total = std::accumulate(head.begin(), head.begin() + 148, 0u, sum) + 8u * ' ' +
+    std::accumulate(head.begin() + 156, head.begin() + 512, 0u, sum);
+  return head[0] != '\0' &&
+    std::strtoul(head.substr(148, 8).c_str(), nullptr, 8) == (unsigned long)(total);
+}
+
+}
+
+bool IsArchive(const std::string& head)
+{
+  return IsZip(head) || IsTar(head);
+}
+
+bool IsBmp(const std::string& head)
+{
+  // After the mark and the size of the file, four bytes are zero.
+  return head.compare(0, 2, "BM") == 0 && head.size() >= 26 &&
+    head.compare(6, 4, std::string(4, '\0')) == 0;
+}
+
+bool IsHdf5(const std::string& head)
+{
+  return head.compare(0, 8, "\x89HDF\r\n\x1a\n") == 0;
+}
+
+bool IsJpeg(const std::string& head)
+{
+  return head.compare(0, 3, "\xff\xd8\xff") == 0;
+}
+
+bool IsMinc(const std::string& head)
+{
+  return head.compare(0, 4, std::string("CDF\x01")) == 0 ||
+    head.compare(0, 4, std::string("CDF\x02")) == 0 || IsHdf5(head);
+}
+
+bool IsPng(const std::string& head)
+{
+  return head.compare(0, 8, "\x89PNG\r\n\x1a\n") == 0;
+}
+
+bool IsStackSlice(const std::string& head)
+{
+  return IsPicture(head) || IsTiff(head);
+}
+
+bool IsTiff(const std::string& head)
+{
+  const std::string begin = head.substr(0, 4);
+  return begin == std::string("II*\0", 4) || begin == std::string("MM\0*", 4) ||
+    begin == std::string("II+\0", 4) || begin == std::string("MM\0+", 4);
+}
+
+bool IsZip(const std::string& head)
+{
+  return TextAt(0, { "PK\3\4", "PK\5\6", "PK00PK\3\4" })(head);
+}
+
+}

@@ -1,0 +1,21 @@
+#ifndef Varimarch_Readers_Signatures_h
+#define Varimarch_Readers_Signatures_h
+
+#include <string>
+
+namespace varimarch
+{
+
+// True for the first bytes of a file of the kind. Those of whole formats are in Formats.h.
+bool IsBmp(const std::string& head);
+bool IsHdf5(const std::string& head);
+bool IsJpeg(const std::string& head);
+bool IsPng(const std::string& head);
+bool IsZip(const std::string& head);
+
+/// True for the first bytes, decompressed, of an archive: tar or ZIP.
+bool IsArchive(const std::string& head);
+
+}
+
+#endif
