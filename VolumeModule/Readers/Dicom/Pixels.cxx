@@ -1,12 +1,12 @@
 #include "Readers/Dicom/Pixels.h"
 
 #include "Readers/Dicom/GdcmCopy.h"
+#include "Readers/Dicom/vtkCheckedDICOMReader.h"
 #include "Readers/FileError.h"
 #include "Readers/VtkMessages.h"
 
 #include <vtkDICOMDictHash.h>
 #include <vtkDICOMMetaData.h>
-#include <vtkDICOMReader.h>
 #include <vtkDICOMSliceSorter.h>
 #include <vtkDICOMUtilities.h>
 #include <vtkErrorCode.h>
@@ -89,7 +89,7 @@ bool IsComplete(vtkDICOMReader* reader, const DicomFile& file)
 vtkSmartPointer<vtkImageData> Read(const DicomFile& file, const std::string& path)
 {
   VtkMessages silenced;
-  vtkNew<vtkDICOMReader> reader;
+  vtkNew<vtkCheckedDICOMReader> reader;
   silenced.Take(reader);
   silenced.Take(reader->GetExecutive());
   silenced.Take(reader->GetSorter());
