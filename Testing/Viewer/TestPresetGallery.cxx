@@ -71,6 +71,18 @@ TEST_F(Gallery, ShowsThisVolumeAsEachPresetDoes)
   EXPECT_GT(qGray(skin.pixel(skin.rect().center())), 20) << "the torso is in the middle";
 }
 
+TEST_F(Gallery, IsHiddenAndShownAgainWithAllItsPictures)
+{
+  const QImage empty = this->Picture(0);
+  const int last = this->List()->count() - 1;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return this->Picture(last) != empty; }, MostMilliseconds));
+  QTest::qWait(100);
+  this->panel.hide();
+  this->panel.show();
+  QTest::qWait(300);
+  EXPECT_NE(this->Picture(last), empty);
+}
+
 TEST_F(Gallery, MarksTheCurrentLook)
 {
   EXPECT_EQ(this->List()->currentItem(), this->Item("CT bone"));

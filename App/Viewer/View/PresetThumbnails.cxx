@@ -109,7 +109,8 @@ void PresetThumbnails::Finish()
 // Runs in the thread.
 void PresetThumbnails::Run(const std::shared_ptr<Task>& task)
 {
-  if (!task->ShouldContinue())
+  // A gallery that is shown again asks for nothing if it has all pictures.
+  if (task->presets.empty() || !task->ShouldContinue())
   {
     return;
   }
