@@ -1,70 +1,19 @@
+#include "ShaderValidation.h"
+#include "Support/EveryRecipe.h"
+
 #include "Core/Recipe/FlatParameters.h"
 #include "Core/Recipe/PassRecipe.h"
-#include "Core/Recipe/ShaderAssembly.h"
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Support/EveryRecipe.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <fstream>
 #include <regex>
-#include <sstream>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace varimarch;
 
 namespace
 {
-
-std::string TextOf(const std::string& path)
-{
-  std::ifstream stream(std::string(SHADER_FOLDER) + "/" + path);
-  EXPECT_TRUE(stream) << path;
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-std::vector<ShaderFile> LoadParts(const std::vector<std::string>& paths)
-{
-  std::vector<ShaderFile> files;
-  for (const std::string& path : paths)
-  {
-    files.push_back({ path, TextOf(path) });
-  }
-  return WithIncludes(files, TextOf);
-}
-
-struct Validation
-{
-  bool passed;
-  std::string messages;
-};
-
-// @param stage  "vert" or "frag"
-Validation Validate(const std::vector<ShaderFile>& files, const std::string& stage)
-{
-  // Tests of this program run concurrently in separate processes, so each needs its own file.
-  const std::string path =
-    std::string(SCRATCH_FOLDER) + "/recipe-" + std::to_string(getpid()) + "." + stage;
-  std::ofstream(path) << AssembleShader(files);
-  const std::string command = std::string(GLSLANG_VALIDATOR) + " '" + path + "' 2>&1";
-  FILE* const pipe = popen(command.c_str(), "r");
-  std::string messages;
-  std::array<char, 256> line;
-  while (std::fgets(line.data(), int(line.size()), pipe))
-  {
-    messages += line.data();
-  }
-  const int status = pclose(pipe);
-  std::remove(path.c_str());
-  return { WIFEXITED(status) && WEXITSTATUS(status) == 0, TraceShaderErrors(messages, files) };
-}
 
 std::string Describe(const std::vector<std::string>& parts)
 {
@@ -83,7 +32,7 @@ TEST(Shaders, EveryRecipeCompiles)
   for (const RenderSettings& settings : EveryRecipe())
   {
     const std::vector<std::string> parts = FragmentShaderParts(settings);
-    const Validation validation = Validate(LoadParts(parts), "frag");
+    const ShaderValidation validation = Validate(LoadParts(parts), "frag");
     EXPECT_TRUE(validation.passed) << Describe(parts) << "\n" << validation.messages;
   }
 }
@@ -99,8 +48,8 @@ TEST(Shaders, EveryRecipeCompilesWithFlatParameters)
     std::vector<ShaderFile> vertex = LoadParts(VertexShaderParts());
     std::vector<ShaderFile> fragment = LoadParts(parts);
     HandParametersOn(vertex, fragment, MostFlatComponents);
-    const Validation ofVertex = Validate(vertex, "vert");
-    const Validation ofFragment = Validate(fragment, "frag");
+    const ShaderValidation ofVertex = Validate(vertex, "vert");
+    const ShaderValidation ofFragment = Validate(fragment, "frag");
     EXPECT_TRUE(ofVertex.passed) << Describe(parts) << "\n" << ofVertex.messages;
     EXPECT_TRUE(ofFragment.passed) << Describe(parts) << "\n" << ofFragment.messages;
   }
@@ -150,7 +99,7 @@ TEST(Shaders, PlainCompositesHaveFourFormulas)
 
 TEST(Shaders, TheVertexShaderCompiles)
 {
-  const Validation validation = Validate(LoadParts(VertexShaderParts()), "vert");
+  const ShaderValidation validation = Validate(LoadParts(VertexShaderParts()), "vert");
   EXPECT_TRUE(validation.passed) << validation.messages;
 }
 
@@ -161,7 +110,7 @@ TEST(Shaders, AnErrorIsTracedToItsFileAndLine)
     [](const ShaderFile& one) { return one.path == "Depth/None.glsl"; });
   ASSERT_NE(file, files.end());
   file->text = "\nfloat DepthLimit(Ray ray) { return missing; }\n";
-  const Validation validation = Validate(files, "frag");
+  const ShaderValidation validation = Validate(files, "frag");
   EXPECT_FALSE(validation.passed);
   EXPECT_NE(validation.messages.find("Depth/None.glsl:2"), std::string::npos)
     << validation.messages;

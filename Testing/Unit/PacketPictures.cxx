@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace varimarch
 {
@@ -14,7 +15,7 @@ namespace
 {
 
 constexpr double Largest = 100.0;
-constexpr double UnitDistanceMm = 2.0;
+constexpr double UnitDistanceMm = PacketPictures::UnitDistanceMm;
 
 constexpr Box BoxOfVoxels()
 {
@@ -45,14 +46,13 @@ TransferFunction Colorful()
     { { 40.0, 0.0 }, { 70.0, 0.3 }, { 100.0, 0.6 } }, UnitDistanceMm };
 }
 
-ReferenceView ViewOf(const glm::dmat3& worldFromGrid)
+ReferenceView ViewOf(const glm::dmat3& worldFromGrid, glm::ivec2 pixels)
 {
   const glm::dvec3 middle = worldFromGrid * (0.5 * glm::dvec3(PacketPictures::Dimensions - 1));
-  const glm::dmat4 clipFromWorld =
-    glm::perspective(0.6, double(PacketPictures::Width) / PacketPictures::Height, 5.0, 100.0) *
+  const glm::dmat4 clipFromWorld = glm::perspective(0.6, double(pixels.x) / pixels.y, 5.0, 100.0) *
     glm::lookAt(middle + glm::dvec3(18.0, 13.0, 24.0), middle, glm::dvec3(0.0, 1.0, 0.0));
   return { ComputePixelRays(clipFromWorld * glm::dmat4(worldFromGrid), BoxOfVoxels()),
-    worldFromGrid, PacketPictures::Width, PacketPictures::Height };
+    worldFromGrid, pixels.x, pixels.y };
 }
 
 RayParameters RaysOf(const ReferenceView& view)
@@ -95,14 +95,20 @@ VolumeParameters ParametersOf(const glm::dmat3& worldFromGrid)
 
 }
 
+// Neither side of the image is a multiple of a packet's.
 PacketPictures::PacketPictures()
+  : PacketPictures({ SmoothVoxels(), Colorful(), { 37, 30 } })
+{
+}
+
+PacketPictures::PacketPictures(PacketSubject subject)
   : scene()
   , truth{ [this](glm::ivec3 cell) { return CornersOfCell(this->Grid(), cell); }, BoxOfVoxels(),
-    Colorful() }
-  , voxels(SmoothVoxels())
+    subject.look }
+  , voxels(std::move(subject.voxels))
   , worldFromGrid(1.0, 0.0, 0.0, 0.0, 1.3, 0.0, 0.0, 0.0, 0.8)
-  , table(BuildOpticalTable(Colorful(), 0.0, Largest))
-  , view(ViewOf(worldFromGrid))
+  , table(BuildOpticalTable(subject.look, 0.0, Largest))
+  , view(ViewOf(worldFromGrid, subject.pixels))
 {
   this->scene.rays = RaysOf(this->view);
   this->scene.parameters = ParametersOf(this->worldFromGrid);
@@ -126,6 +132,16 @@ void PacketPictures::UseTable(const std::vector<glm::vec4>& entries, int lastInd
     this->table.entries.back(), glm::vec2(visible[0], visible[1]) };
 }
 
+void PacketPictures::PreIntegrate()
+{
+  this->preIntegrated = BuildPreIntegratedTable(this->table);
+  const std::vector<glm::vec4>& entries = this->preIntegrated->entries;
+  this->UseTable(entries, this->preIntegrated->size - 1);
+  this->scene.look.emissionBelow = entries.front();
+  this->scene.look.emissionAbove = entries.back();
+  this->scene.rule = PacketRule::PreIntegrated;
+}
+
 void PacketPictures::LightFromTheEye()
 {
   VolumeParameters& parameters = this->scene.parameters;
@@ -139,8 +155,8 @@ void PacketPictures::LightFromTheEye()
 
 std::vector<float> PacketPictures::March(InstructionSet set) const
 {
-  std::vector<float> rgba(4 * Width * Height);
-  MarchPackets(this->scene, { 0, 0, Width, Height }, rgba.data(), set);
+  std::vector<float> rgba(std::size_t(4 * this->view.width * this->view.height));
+  MarchPackets(this->scene, { 0, 0, this->view.width, this->view.height }, rgba.data(), set);
   return rgba;
 }
 

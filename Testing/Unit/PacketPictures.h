@@ -2,26 +2,39 @@
 #define Varimarch_Testing_PacketPictures_h
 
 #include "Core/Look/OpticalTable.h"
+#include "Core/Look/PreIntegratedTable.h"
 #include "Core/Packets/PacketMarch.h"
 #include "Core/Reference/ReferenceImage.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace varimarch
 {
 
-/// A small volume of smooth values from 0 to 100, seen in perspective from the side. Both packets
-/// of rays and the reference integrator render it. The scene of the packets is set up by hand,
-/// without a mapper.
+/// The subject of an image: a volume, its look, and the size of the image.
+struct PacketSubject
+{
+  std::vector<std::int16_t> voxels; ///< values from 0 to 100, of PacketPictures::Dimensions
+  TransferFunction look;            ///< over a unit distance of 2 mm
+  glm::ivec2 pixels;
+};
+
+/// A small volume, seen in perspective from the side. Both packets of rays and the reference
+/// integrator render it. The scene of the packets is set up by hand, without a mapper.
 class PacketPictures
 {
 public:
-  static constexpr int Width = 37; // neither side is a multiple of a packet's
-  static constexpr int Height = 30;
   static constexpr glm::ivec3 Dimensions = glm::ivec3(21, 11, 12);
+  static constexpr double UnitDistanceMm = 2.0;
 
+  /// A volume of smooth values.
   PacketPictures();
+  explicit PacketPictures(PacketSubject subject);
+  // The scene points into this object.
+  PacketPictures(const PacketPictures&) = delete;
+  void operator=(const PacketPictures&) = delete;
 
   /// A scene of packets that march 16-bit voxels by midpoints, without light; tests modify it.
   PacketScene scene;
@@ -41,6 +54,8 @@ public:
   }
 
   void UseTable(const std::vector<glm::vec4>& entries, int lastIndex);
+  /// Integrates exactly between samples, by a table that this object keeps.
+  void PreIntegrate();
   void LightFromTheEye();
 
   /// The images: premultiplied, the bottom row first.
@@ -51,6 +66,7 @@ private:
   std::vector<std::int16_t> voxels;
   glm::dmat3 worldFromGrid;
   OpticalTable table;
+  std::optional<PreIntegratedTable> preIntegrated;
   ReferenceView view;
 };
 

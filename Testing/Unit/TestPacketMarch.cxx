@@ -4,7 +4,6 @@
 
 #include "Core/Fields/OpticalField.h"
 #include "Core/Geometry/SplineCoefficients.h"
-#include "Core/Look/PreIntegratedTable.h"
 #include "Core/Quality/BlueNoise.h"
 #include "Core/Quality/ImageError.h"
 #include "Core/Reference/SplineGrid.h"
@@ -67,11 +66,7 @@ TEST_P(PacketMarch, ByMidpointsConvergesToTheIntegral)
 
 TEST_P(PacketMarch, OfPreIntegratedSegmentsConvergesToTheIntegral)
 {
-  const PreIntegratedTable table = BuildPreIntegratedTable(this->pictures.Table());
-  this->pictures.UseTable(table.entries, table.size - 1);
-  this->scene.look.emissionBelow = table.entries.front();
-  this->scene.look.emissionAbove = table.entries.back();
-  this->scene.rule = PacketRule::PreIntegrated;
+  this->pictures.PreIntegrate();
   this->ExpectTruth(0.05, 0.3);
 }
 

@@ -1,6 +1,5 @@
 #include "ReferenceVolumes.h"
-
-#include "Core/Fields/VariationField.h"
+#include "VariationByBruteForce.h"
 
 #include <gtest/gtest.h>
 
@@ -15,25 +14,16 @@ namespace
 {
 
 template <class Scalar>
-struct Volume
-{
-  glm::ivec3 dimensions;
-  std::vector<Scalar> voxels;
-
-  ScalarGrid<Scalar> Grid() const { return { voxels.data(), dimensions }; }
-};
-
-template <class Scalar>
-std::size_t Count(const Volume<Scalar>& volume)
+std::size_t Count(const OwnedVolume<Scalar>& volume)
 {
   return volume.Grid().VoxelCount();
 }
 
 /// Flat regions of all sizes with a few bumps between them, so that every radius occurs.
 template <class Scalar>
-Volume<Scalar> BumpyVolume(glm::ivec3 dimensions, int bumps, unsigned seed)
+OwnedVolume<Scalar> BumpyVolume(glm::ivec3 dimensions, int bumps, unsigned seed)
 {
-  Volume<Scalar> volume{ dimensions, {} };
+  OwnedVolume<Scalar> volume{ dimensions, {} };
   std::mt19937 random(seed);
   volume.voxels.resize(Count(volume));
   for (Scalar& voxel : volume.voxels)
@@ -47,50 +37,8 @@ Volume<Scalar> BumpyVolume(glm::ivec3 dimensions, int bumps, unsigned seed)
   return volume;
 }
 
-/// Difference of the extreme voxels of a block in long double, which is exact for all types here.
 template <class Scalar>
-long double BlockVariation(const Volume<Scalar>& volume, glm::ivec3 cell, int radius)
-{
-  const glm::ivec3 lower = glm::max(cell - radius, glm::ivec3(0));
-  const glm::ivec3 upper = glm::min(cell + radius + 1, volume.dimensions - 1);
-  long double lowest = std::numeric_limits<long double>::infinity();
-  long double highest = -lowest;
-  for (int z = lower.z; z <= upper.z; ++z)
-  {
-    for (int y = lower.y; y <= upper.y; ++y)
-    {
-      for (int x = lower.x; x <= upper.x; ++x)
-      {
-        const Scalar voxel = volume.Grid().Voxel({ x, y, z });
-        if (!std::isfinite(double(voxel)))
-        {
-          return std::numeric_limits<long double>::infinity();
-        }
-        lowest = std::min<long double>(lowest, voxel);
-        highest = std::max<long double>(highest, voxel);
-      }
-    }
-  }
-  return highest - lowest;
-}
-
-/// The definition, by trying one radius after the other.
-template <class Scalar>
-int SizeByBruteForce(const Volume<Scalar>& volume, glm::ivec3 cell, double tolerance)
-{
-  const long double limit = std::min(tolerance, std::numeric_limits<double>::max());
-  const int whole = std::max({ volume.dimensions.x, volume.dimensions.y, volume.dimensions.z });
-  int size = 0;
-  while (size <= VariationField::LargestRadius && size <= whole &&
-    BlockVariation(volume, cell, size) <= limit)
-  {
-    ++size;
-  }
-  return size > whole ? VariationField::LargestRadius + 1 : size;
-}
-
-template <class Scalar>
-void ExpectFieldEqualsBruteForce(const Volume<Scalar>& volume, double tolerance)
+void ExpectFieldEqualsBruteForce(const OwnedVolume<Scalar>& volume, double tolerance)
 {
   const VariationField field = BuildVariationField(volume.Grid(), tolerance);
   ASSERT_EQ(field.cellCount, volume.Grid().CellCount());
@@ -129,7 +77,7 @@ TYPED_TEST(VariationFieldOf, HoldsTheLargestBlockThatKeepsTheTolerance)
 TYPED_TEST(VariationFieldOf, NeverOverflows)
 {
   using Limits = std::numeric_limits<TypeParam>;
-  Volume<TypeParam> volume = BumpyVolume<TypeParam>({ 6, 5, 4 }, 0, 3);
+  OwnedVolume<TypeParam> volume = BumpyVolume<TypeParam>({ 6, 5, 4 }, 0, 3);
   volume.voxels[30] = Limits::lowest();
   volume.voxels[90] = Limits::max();
   ExpectFieldEqualsBruteForce(volume, 2.0);
@@ -139,7 +87,7 @@ TYPED_TEST(VariationFieldOf, NeverOverflows)
 /// Values at any two positions in the block of a cell differ by at most the tolerance.
 TYPED_TEST(VariationFieldOf, KeepsThePromiseForInterpolatedValues)
 {
-  const Volume<TypeParam> volume = BumpyVolume<TypeParam>({ 19, 14, 16 }, 5, 4);
+  const OwnedVolume<TypeParam> volume = BumpyVolume<TypeParam>({ 19, 14, 16 }, 5, 4);
   const ScalarGrid<TypeParam> grid = volume.Grid();
   const VariationField field = BuildVariationField(grid, 2.0);
   std::mt19937 random(5);
@@ -190,7 +138,7 @@ TEST(VariationField, ReachesItsLargestRadiusAndNoFarther)
 
 TEST(VariationField, ConstantVolumeIsOneBlockAtToleranceZero)
 {
-  const Volume<float> volume{ { 9, 8, 7 }, std::vector<float>(9 * 8 * 7, 1e30f) };
+  const OwnedVolume<float> volume{ { 9, 8, 7 }, std::vector<float>(9 * 8 * 7, 1e30f) };
   const VariationField field = BuildVariationField(volume.Grid(), 0.0);
   EXPECT_EQ(std::count(field.cells.begin(), field.cells.end(), VariationField::LargestRadius + 1),
     std::ptrdiff_t(field.cells.size()));
@@ -200,7 +148,7 @@ TEST(VariationField, NonFiniteVoxelsTouchOnlyTheBlocksThatHoldThem)
 {
   for (const double bad : { std::nan(""), infinity, -infinity })
   {
-    Volume<double> volume = BumpyVolume<double>({ 12, 11, 10 }, 0, 10);
+    OwnedVolume<double> volume = BumpyVolume<double>({ 12, 11, 10 }, 0, 10);
     volume.voxels[3 + 12 * (4 + 11 * 5)] = bad;
     volume.voxels[4 + 12 * (4 + 11 * 5)] = bad;
     for (const double tolerance : { 2.0, 1e300, infinity })
@@ -212,7 +160,7 @@ TEST(VariationField, NonFiniteVoxelsTouchOnlyTheBlocksThatHoldThem)
 
 TEST(VariationField, InfiniteToleranceAcceptsEverythingFinite)
 {
-  const Volume<int> volume = BumpyVolume<int>({ 9, 8, 7 }, 50, 11);
+  const OwnedVolume<int> volume = BumpyVolume<int>({ 9, 8, 7 }, 50, 11);
   const VariationField field = BuildVariationField(volume.Grid(), infinity);
   EXPECT_EQ(
     *std::min_element(field.cells.begin(), field.cells.end()), VariationField::LargestRadius + 1);
@@ -220,7 +168,7 @@ TEST(VariationField, InfiniteToleranceAcceptsEverythingFinite)
 
 TEST(VariationField, BadTolerancesAreRefused)
 {
-  const Volume<int> volume = BumpyVolume<int>({ 2, 2, 2 }, 0, 12);
+  const OwnedVolume<int> volume = BumpyVolume<int>({ 2, 2, 2 }, 0, 12);
   EXPECT_THROW(BuildVariationField(volume.Grid(), -1.0), std::invalid_argument);
   EXPECT_THROW(BuildVariationField(volume.Grid(), std::nan("")), std::invalid_argument);
 }
