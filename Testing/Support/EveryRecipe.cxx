@@ -256,7 +256,11 @@ std::vector<RenderSettings> ExactRecipes()
   for (Blend blend :
     { Blend::MaximumIntensity, Blend::MinimumIntensity, Blend::AverageIntensity, Blend::Additive })
   {
-    add(blend, true, false);
+    for (RayPass pass : { RayPass::Whole, RayPass::PickVoxel })
+    {
+      add(blend, true, false);
+      recipes.back().pass = pass;
+    }
   }
   for (bool shading : { false, true })
   {

@@ -236,7 +236,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 187u);
+  EXPECT_EQ(distinct.size(), 191u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -4,7 +4,7 @@
 
 const float Nowhere = 3.0e38;
 const float StepsPerPiece = 8.0;
-const float ShortestVoxels = 0.25; // length of the shortest piece
+const float ShortestPiece = 0.25; // length of the shortest piece
 
 struct Located
 {
@@ -19,7 +19,7 @@ Located Locate(Ray ray, Interval inside, float opacity)
   float t = inside.enter;
   float end = inside.exit;
   float endOpacity = 0.0; // opacity at `end`; 0 as long as it is not known
-  float shortestMm = ShortestVoxels / length(ray.directionGrid);
+  float shortestMm = ShortestPiece / length(ray.directionGrid);
   float shortest = 0.0;
   Located before = Located(Nowhere, t, sum);
   for (int index = 0; index < mostSegments && end - t > shortest; ++index)

@@ -39,7 +39,7 @@ public:
   /// @return t [mm]; Never for rays that do not reach the opacity
   Lanes Find()
   {
-    const Lanes shortestMm = ShortestVoxels / Length(this->rays.directionGrid);
+    const Lanes shortestMm = ShortestPiece / Length(this->rays.directionGrid);
     LaneMask going = LaneMask(this->t < this->end);
     for (int index = 0; index < this->scene.rays.mostSegments && Any(going); ++index)
     {
@@ -55,7 +55,7 @@ public:
 
 private:
   static constexpr float StepsPerPiece = 8.0f;
-  static constexpr float ShortestVoxels = 0.25f;
+  static constexpr float ShortestPiece = 0.25f;
 
   void MarchPiece(int index, LaneMask mask)
   {
