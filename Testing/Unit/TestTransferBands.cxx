@@ -29,6 +29,16 @@ TEST(TransferBands, PropertiesAtTheEndsOfABandAreThoseInside)
   }
 }
 
+TEST(TransferBands, OnlyWhatLetsNothingThroughIsOpaque)
+{
+  // The opacity from 3.9 to 4 rounds to 1 everywhere, but the extinction reaches infinity only
+  // at 4.
+  const TransferBands bands(
+    { {}, { { 0.0, 0.0, { 0.5, 0.98 } }, { 4.0, 1.0 }, { 5.0, 1.0 } }, 1.0 }, { 3.9 });
+  EXPECT_EQ(bands[bands.BandBelow(3.95)].kind, TransferBands::Kind::Varying);
+  EXPECT_EQ(bands[bands.BandBelow(4.5)].kind, TransferBands::Kind::Opaque);
+}
+
 TEST(TransferBands, VisibilityOfARangeFollowsItsBands)
 {
   const TransferBands bands(

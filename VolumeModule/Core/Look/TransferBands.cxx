@@ -51,21 +51,23 @@ TransferBands::TransferBands(
 
 TransferBands::Kind TransferBands::KindOf(double lower, double upper) const
 {
-  // Curves are monotone in a band, so equal values near both ends mean equal values in between.
+  // Curves are monotone in a band, so equal values at both ends mean equal values in between. The
+  // ends are a bit inside, because a step at an end belongs to one side only.
   const bool endless = lower == -infinity || upper == infinity;
   const double nearLower =
-    endless ? (upper == infinity ? upper : lower) : lower + (upper - lower) / 1024.0;
-  const double nearUpper = endless ? nearLower : upper - (upper - lower) / 1024.0;
-  const double opacity = this->transferFunction.Opacity(nearLower);
-  if (opacity != this->transferFunction.Opacity(nearUpper))
+    endless ? (upper == infinity ? upper : lower) : std::nextafter(lower, infinity);
+  const double nearUpper = endless ? nearLower : std::nextafter(upper, -infinity);
+  // The opacity of a thin veil beside an opaque node rounds to 1, its extinction is finite.
+  const double extinction = this->transferFunction.Extinction(nearLower);
+  if (extinction != this->transferFunction.Extinction(nearUpper))
   {
     return Kind::Varying;
   }
-  if (opacity == 0.0)
+  if (extinction == 0.0)
   {
     return Kind::Invisible;
   }
-  if (opacity == 1.0)
+  if (std::isinf(extinction))
   {
     return Kind::Opaque;
   }
