@@ -4,6 +4,7 @@
 
 #include <vtkSetGet.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -170,6 +171,12 @@ std::int64_t IntegerFromText(
     FailToRead(path, what, Quoted(word));
   }
   return number;
+}
+
+std::int64_t WholeNumber(double number)
+{
+  constexpr double Most = 1e15;
+  return std::isnan(number) ? 0 : std::int64_t(std::clamp(number, -Most, Most));
 }
 
 std::vector<double> NumbersFromText(

@@ -41,6 +41,10 @@ double NumberFromText(const std::string& path, const std::string& what, const st
 std::int64_t IntegerFromText(
   const std::string& path, const std::string& what, const std::string& word);
 
+/// A number without its fraction; 0 for NaN. Numbers beyond 1e15, which count nothing in a file,
+/// become that.
+std::int64_t WholeNumber(double number);
+
 /// Converts the words of a line to exactly `count` numbers.
 /// @throws std::runtime_error if it has other words, or another number of them
 std::vector<double> NumbersFromText(

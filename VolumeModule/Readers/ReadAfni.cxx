@@ -99,9 +99,9 @@ VoxelLayout LayoutOf(const AfniHeader& header)
   VoxelLayout layout = { {}, VTK_VOID };
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    layout.dimensions[axis] = std::int64_t(std::min(std::max(dimensions[axis], -1.0), 1e15));
+    layout.dimensions[axis] = WholeNumber(dimensions[axis]);
   }
-  const int code = int(header.Numbers("BRICK_TYPES", 1)[0]);
+  const std::int64_t code = WholeNumber(header.Numbers("BRICK_TYPES", 1)[0]);
   switch (code)
   {
     case 0:
@@ -219,7 +219,7 @@ Volume ReadAfni(const std::string& path, const ReadOptions&, ReadProgress& progr
   const std::vector<double> rank = header.Numbers("DATASET_RANK", 2);
   if (rank[1] > 1)
   {
-    volume.warnings.push_back(OnlyFirstVolume(std::int64_t(rank[1])));
+    volume.warnings.push_back(OnlyFirstVolume(WholeNumber(rank[1])));
   }
   volume.image = ReadVoxels(VoxelFileOf(header, volume), layout, progress);
   volume.image = Rescaled(path, volume.image, { rescale });

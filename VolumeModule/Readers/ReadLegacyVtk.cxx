@@ -170,7 +170,7 @@ Volume ReadLegacyVtk(const std::string& path, const ReadOptions&, ReadProgress& 
     // Cells lie between points, and their voxels at their centres.
     const bool isBetween = header.isInCells && header.dimensions[std::size_t(axis)] > 1.0;
     layout.dimensions[std::size_t(axis)] =
-      std::int64_t(header.dimensions[std::size_t(axis)]) - (isBetween ? 1 : 0);
+      WholeNumber(header.dimensions[std::size_t(axis)]) - (isBetween ? 1 : 0);
     geometry.axesMm[axis][axis] = header.spacing[std::size_t(axis)];
     geometry.originMm[axis] = header.origin[std::size_t(axis)] +
       (isBetween ? 0.5 * header.spacing[std::size_t(axis)] : 0.0);

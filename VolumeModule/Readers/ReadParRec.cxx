@@ -60,13 +60,11 @@ ParImage ImageOf(const std::string& path, const std::string& line)
   {
     FailToRead(path, "at least 30 numbers for each image", Quoted(line));
   }
-  for (double& column : columns)
-  {
-    column = std::clamp(column, -2e9, 2e9);
-  }
-  return { int(columns[0]), std::int64_t(columns[6]), int(columns[7]),
-    { std::int64_t(columns[9]), std::int64_t(columns[10]) }, { columns[12], columns[11] },
-    columns[22], columns[23], int(columns[25]), { columns[28], columns[29] } };
+  const auto whole = [&](std::size_t column)
+  { return WholeNumber(std::clamp(columns[column], -2e9, 2e9)); };
+  return { int(whole(0)), whole(6), int(whole(7)), { whole(9), whole(10) },
+    { columns[12], columns[11] }, columns[22], columns[23], int(whole(25)),
+    { columns[28], columns[29] } };
 }
 
 ParHeader ReadParHeader(const std::string& path)

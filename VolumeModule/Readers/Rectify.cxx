@@ -1,6 +1,7 @@
 #include "Readers/Rectify.h"
 
 #include "Readers/ImageGeometry.h"
+#include "Readers/NumberText.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>
@@ -82,8 +83,8 @@ EvenGrid GridOf(vtkImageData* image, const std::vector<glm::dvec3>& positionsMm)
   last = { std::ceil(last.x - Tolerance), std::ceil(last.y - Tolerance), last.z };
   const double gapCount = std::round((last.z - first.z) / DistanceMm(grid.slices));
   const int* const voxels = image->GetDimensions();
-  grid.dimensions = { voxels[0] + std::int64_t(last.x - first.x),
-    voxels[1] + std::int64_t(last.y - first.y), std::int64_t(gapCount) + 1 };
+  grid.dimensions = { voxels[0] + WholeNumber(last.x - first.x),
+    voxels[1] + WholeNumber(last.y - first.y), WholeNumber(gapCount) + 1 };
   grid.geometry.axesMm = { axes[0] * spacingMm[0], axes[1] * spacingMm[1],
     axes[2] * (last.z - first.z) / gapCount };
   grid.geometry.originMm =
@@ -99,7 +100,7 @@ EvenGrid GridOf(vtkImageData* image, const std::vector<glm::dvec3>& positionsMm)
 struct Pair
 {
   explicit Pair(double position)
-    : first(std::int64_t(std::floor(position + Tolerance)))
+    : first(WholeNumber(std::floor(position + Tolerance)))
     , fraction(std::max(0.0, position - double(this->first)))
   {
     this->fraction = this->fraction < Tolerance ? 0.0 : this->fraction;
