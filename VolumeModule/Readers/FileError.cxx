@@ -1,5 +1,6 @@
 #include "Readers/FileError.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -11,8 +12,12 @@ namespace varimarch
 
 void FailToRead(const std::string& path, const std::string& expected, const std::string& found)
 {
-  throw std::runtime_error(
-    "Cannot read \"" + path + "\": expected " + expected + ", found " + found + ".");
+  std::string sentence =
+    "Cannot read \"" + path + "\": expected " + expected + ", found " + found + ".";
+  // The name of a file may come from another file, with any bytes.
+  std::replace_if(
+    sentence.begin(), sentence.end(), [](unsigned char letter) { return letter < ' '; }, '?');
+  throw std::runtime_error(sentence);
 }
 
 std::string Quoted(const std::string& text, std::size_t longest)

@@ -75,7 +75,11 @@ void CleanShading(Shading& shading)
 
 void FailToReadLook(const std::string& file, const std::string& message)
 {
-  throw std::runtime_error("Cannot read " + file + ": " + message + ".");
+  // Words of a file may hold line breaks, and a message is one line.
+  std::string line = message;
+  std::replace_if(
+    line.begin(), line.end(), [](unsigned char letter) { return letter < ' '; }, '?');
+  throw std::runtime_error("Cannot read " + file + ": " + line + ".");
 }
 
 std::string NameOfLookFile(const std::string& path)
