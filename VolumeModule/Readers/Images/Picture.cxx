@@ -13,6 +13,7 @@
 #include <vtkBMPReader.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
+#include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkJPEGReader.h>
 #include <vtkNew.h>
@@ -140,6 +141,7 @@ Picture InspectedPicture(const std::string& path)
   VtkMessages messages;
   const auto reader = ReaderFor(bytes);
   messages.Take(reader);
+  messages.Take(reader->GetExecutive());
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
   const int* const extent = reader->GetDataExtent();
@@ -173,6 +175,7 @@ void ReadPicture(const Picture& picture, void* destination)
   VtkMessages messages;
   const auto reader = ReaderFor(head);
   messages.Take(reader);
+  messages.Take(reader->GetExecutive());
   reader->SetFileName(picture.path.c_str());
   reader->Update();
   vtkImageData* const image = reader->GetOutput();
