@@ -191,13 +191,12 @@ nlohmann::json ParseJson(const std::string& text, const std::string& file)
   {
     return nlohmann::json::parse(text);
   }
-  catch (const nlohmann::json::parse_error& error)
+  // A number that is too large is no error of parsing for the library.
+  catch (const nlohmann::json::exception& error)
   {
     // Skip the library's own error number in brackets.
     const std::string what = error.what();
-    const std::size_t start = what.find("parse error");
-    throw std::runtime_error(
-      file + ": not valid JSON: " + (start == std::string::npos ? what : what.substr(start)));
+    throw std::runtime_error(file + ": not valid JSON: " + what.substr(what.find("] ") + 2));
   }
 }
 
