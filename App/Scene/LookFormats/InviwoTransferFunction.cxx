@@ -6,6 +6,8 @@
 
 #include <glm/vec4.hpp>
 
+#include <algorithm>
+
 namespace varimarch
 {
 
@@ -72,8 +74,8 @@ Look LookFromItf(const std::string& text, const std::string& file, const LookCon
     TakePoint(point, file, look);
   }
   look = CleanLook(look, file, context);
-  const double first = NumberOf(top, "maskmin", "content", 0.0);
-  const double last = NumberOf(top, "maskmax", "content", 1.0);
+  const double first = std::max(NumberOf(top, "maskmin", "content", 0.0), 0.0);
+  const double last = std::min(NumberOf(top, "maskmax", "content", 1.0), 1.0);
   const bool atValues = NumberOf(top, "type", "content", 0.0) == 1.0;
   if (!atValues && last > first && (first > 0.0 || last < 1.0))
   {

@@ -1,5 +1,6 @@
 #include "Scene/LookFormats/LookContext.h"
 
+#include "Core/Look/ValueRange.h"
 #include "Scene/VolumeProperty.h"
 
 #include <vtkDataArray.h>
@@ -20,13 +21,14 @@ namespace
 template <class Node>
 void CleanNodes(std::vector<Node>& nodes, const std::string& file)
 {
-  const auto isFinite = [](const Node& node) { return std::isfinite(node.value); };
-  if (!std::all_of(nodes.begin(), nodes.end(), isFinite) || nodes.size() > MostLookNodes)
+  // The widths between such values are finite too.
+  const auto isInRange = [](const Node& node) { return std::abs(node.value) <= LargestNumber; };
+  if (!std::all_of(nodes.begin(), nodes.end(), isInRange) || nodes.size() > MostLookNodes)
   {
     FailToReadLook(file,
       nodes.size() > MostLookNodes
         ? "a curve has more than " + std::to_string(MostLookNodes) + " nodes"
-        : "the value of a node is not a finite number");
+        : "the value of a node is not a number from -1e300 to 1e300");
   }
   // Two nodes at one value form a step; a stable sort keeps its sides in order.
   std::stable_sort(
