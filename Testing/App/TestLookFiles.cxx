@@ -98,6 +98,17 @@ const std::string TwoCurves = PlistHead + "<key>16bitClutColors</key><array><arr
   PlistPoint(50, 0) + "</array><array>" + PlistPoint(200, 0.5) + PlistPoint(1200, 0.75) +
   "</array></array>" + "<key>useShading</key><false/></dict></plist>";
 
+/// An element in an element, this many times.
+std::string Nested(const std::string& element, int levels)
+{
+  std::string text;
+  for (int i = 0; i < 2 * levels; ++i)
+  {
+    text += (i < levels ? "<" : "</") + element + ">";
+  }
+  return text;
+}
+
 std::string InBinary(const std::string& xml)
 {
   plist_t list = nullptr;
@@ -336,6 +347,31 @@ TEST_F(LookFiles, InviwoFilesOfTheFirstVersionAreReadable)
     <dataPoints><point><pos x="0.5" y="0.75" /><rgba x="1" y="0" z="0" w="0.75" /></point>
     </dataPoints></InviwoTreeData>)");
   EXPECT_EQ(TextOf(look.opacities), "1000:0.75");
+}
+
+TEST_F(LookFiles, NestedTooDeeplyTheyAreRefused)
+{
+  constexpr int TooMany = 300000;
+  const std::string problem = ": expected at most 30000 elements, found more.";
+  EXPECT_EQ(this->ProblemOf("a.itf", Nested("a", TooMany)), "Cannot read a.itf" + problem);
+  EXPECT_EQ(this->ProblemOf("a.plist", PlistHead + Nested("array", TooMany)),
+    "Cannot read a.plist" + problem);
+  std::string trailer(32, '\0');
+  trailer[13] = 1;
+  EXPECT_EQ(this->ProblemOf("a.plist", "bplist00" + trailer), "Cannot read a.plist" + problem)
+    << "65536 objects";
+}
+
+TEST_F(LookFiles, NestedLessDeeplyTheyAreRead)
+{
+  // The deepest ones that are accepted must not exhaust the stack.
+  constexpr int Levels = 29000;
+  EXPECT_EQ(
+    this->ProblemOf("a.itf", Nested("a", Levels)), "Cannot read a.itf: it holds no colours.");
+  EXPECT_EQ(
+    this->ProblemOf("a.plist",
+      PlistHead + "<key>16bitClutCurves</key>" + Nested("array", Levels) + "</dict></plist>"),
+    "a.plist: expected the key \"16bitClutColors\", found none");
 }
 
 TEST_F(LookFiles, BrokenFilesAreExplained)

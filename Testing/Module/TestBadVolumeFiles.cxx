@@ -292,6 +292,26 @@ TEST(BadVolumeFiles, FaultsOfHeadersAreNamed)
   });
 }
 
+TEST(BadVolumeFiles, HeadersOfAnyLengthAreRefused)
+{
+  const std::string nrrd =
+    NrrdHeaderText(phantom::Stored(0)) + "endian: little\nencoding: raw\ndata file: ";
+  const std::string pattern = std::string(100000, 'x') + "%03d.raw 1 3 1";
+  const std::string npy = NpyBytes(phantom::Stored(0), { 3, 4, 5 });
+  std::string header = npy.substr(10, 118).insert(60, 50000, ' ');
+  header.resize(65280, ' ');
+  const std::string start = npy.substr(0, 8) + std::string("\x00\xff", 2);
+  ExpectFaultsNamed({
+    { "pattern.nrrd", nrrd + pattern + "\n", "at most 1000 characters" },
+    { "pattern.mhd",
+      MetaImageHeaderText(phantom::Stored(0)) + "ElementDataFile = " + pattern + "\n",
+      "at most 1000 characters" },
+    { "header.npy", start + header + npy.substr(128), "at most 1000 characters" },
+    { "numbers.nrrd", nrrd + "%d.raw 9223372036854775807 9223372036854775000 -400\n",
+      "1 to 100000 files" },
+  });
+}
+
 TEST(BadVolumeFiles, CorruptCompressedStreamsAreNamed)
 {
   const TemporaryFolder folder;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <regex>
@@ -69,6 +70,12 @@ std::vector<std::string> FilesOfPattern(const std::string& headerPath, const std
   static const std::regex pattern(R"(([^%]*)%(0?)(\d?)d([^%]*?)\s+(\S+)\s+(\S+)\s+(\S+)(\s+\S+)?)");
   static const std::regex number(R"(%\d*d)");
   std::smatch parts;
+  // std::regex recurses for each character, so a long text would exhaust the stack.
+  constexpr std::size_t LongestName = 1000;
+  if (value.size() > LongestName)
+  {
+    FailToRead(headerPath, "a file name of at most 1000 characters", Quoted(value));
+  }
   if (!std::regex_search(value, number))
   {
     return { PathBeside(headerPath, value) };
@@ -81,7 +88,10 @@ std::vector<std::string> FilesOfPattern(const std::string& headerPath, const std
   const std::int64_t last = IntegerFromText(headerPath, "a last file number", parts[6]);
   const std::int64_t step = IntegerFromText(headerPath, "a step of file numbers", parts[7]);
   const double count = step == 0 ? 0.0 : (double(last) - double(first)) / double(step) + 1.0;
-  if (!(count >= 1.0 && count <= 1e5))
+  constexpr double LargestNumber = 1e15;
+  const bool areSmall =
+    std::abs(double(first)) <= LargestNumber && std::abs(double(last)) <= LargestNumber;
+  if (!(count >= 1.0 && count <= 1e5 && areSmall))
   {
     FailToRead(headerPath, "a pattern for 1 to 100000 files", Quoted(value));
   }

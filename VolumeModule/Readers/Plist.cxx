@@ -1,6 +1,7 @@
 #include "Readers/Plist.h"
 
 #include "Readers/FileError.h"
+#include "Readers/Nesting.h"
 
 #include <plist/plist.h>
 
@@ -49,6 +50,10 @@ std::string TextOf(plist_t node)
 Plist::Plist(const std::string& path, const std::string& bytes)
   : path(path)
 {
+  if (MayBeNestedTooDeep(bytes))
+  {
+    FailToRead(path, "a property list of at most 30000 elements", "more");
+  }
   plist_t top = nullptr;
   plist_from_memory(bytes.data(), std::uint32_t(bytes.size()), &top);
   this->root = std::shared_ptr<void>(top, &plist_free);

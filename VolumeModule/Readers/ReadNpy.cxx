@@ -2,6 +2,7 @@
 // https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
 #include "Readers/NumberText.h"
 #include "Readers/VoxelFile.h"
@@ -49,7 +50,15 @@ std::string HeaderText(const std::string& path, std::int64_t& headerBytes)
   {
     FailToRead(path, "a header of " + std::to_string(length) + " bytes", "fewer");
   }
-  return text;
+  // std::regex recurses for each character, so a long text would exhaust the stack.
+  constexpr std::size_t longestText = 1000;
+  const std::string withoutPadding = Trimmed(text);
+  if (withoutPadding.size() > longestText)
+  {
+    FailToRead(
+      path, "a NumPy header of at most 1000 characters", std::to_string(withoutPadding.size()));
+  }
+  return withoutPadding;
 }
 
 NpyHeader ReadNpyHeader(const std::string& path)

@@ -1,6 +1,7 @@
 #include "Readers/XmlText.h"
 
 #include "Readers/FileError.h"
+#include "Readers/Nesting.h"
 #include "Readers/VtkMessages.h"
 
 #include <vtkNew.h>
@@ -14,6 +15,10 @@ namespace varimarch
 vtkSmartPointer<vtkXMLDataElement> XmlFromText(
   const std::string& path, const std::string& what, const std::string& text)
 {
+  if (MayBeNestedTooDeep(text))
+  {
+    FailToRead(path, "XML of at most 30000 elements", "more");
+  }
   VtkMessages messages;
   vtkNew<vtkXMLDataParser> parser;
   messages.Take(parser);

@@ -1,5 +1,6 @@
 #include "Scene/LookFormats/LookXml.h"
 
+#include "Readers/Nesting.h"
 #include "Scene/LookFormats/LookContext.h"
 
 #include <vtkCallbackCommand.h>
@@ -13,26 +14,12 @@
 namespace varimarch
 {
 
-namespace
-{
-
-void Collect(
-  vtkXMLDataElement* element, const std::string& name, std::vector<vtkXMLDataElement*>& found)
-{
-  if (vtksys::SystemTools::LowerCase(element->GetName() ? element->GetName() : "") == name)
-  {
-    found.push_back(element);
-  }
-  for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
-  {
-    Collect(element->GetNestedElement(i), name, found);
-  }
-}
-
-}
-
 LookXml::LookXml(const std::string& text, const std::string& file)
 {
+  if (MayBeNestedTooDeep(text))
+  {
+    FailToReadLook(file, "expected at most 30000 elements, found more");
+  }
   std::istringstream stream(text);
   // While an observer listens to errors, VTK does not print them; the error below reports the
   // failure.
@@ -56,7 +43,21 @@ vtkXMLDataElement* LookXml::Root() const
 std::vector<vtkXMLDataElement*> ElementsNamed(vtkXMLDataElement* top, const std::string& name)
 {
   std::vector<vtkXMLDataElement*> found;
-  Collect(top, name, found);
+  // A recursion would exhaust the stack for a file that is nested deeply.
+  std::vector<vtkXMLDataElement*> next = { top };
+  while (!next.empty())
+  {
+    vtkXMLDataElement* const element = next.back();
+    next.pop_back();
+    if (vtksys::SystemTools::LowerCase(element->GetName() ? element->GetName() : "") == name)
+    {
+      found.push_back(element);
+    }
+    for (int i = element->GetNumberOfNestedElements() - 1; i >= 0; --i)
+    {
+      next.push_back(element->GetNestedElement(i));
+    }
+  }
   return found;
 }
 

@@ -1,5 +1,6 @@
 #include "Scene/LookFormats/OsirixPreset.h"
 
+#include "Readers/Nesting.h"
 #include "Scene/JsonCursor.h"
 
 #include <plist/plist.h>
@@ -18,9 +19,12 @@ namespace
 
 using PlistOwner = std::unique_ptr<void, decltype(&plist_free)>;
 
-nlohmann::json JsonOf(plist_t node);
+// Looks have three levels.
+constexpr int MostLevels = 16;
 
-nlohmann::json JsonOfDictionary(plist_t dictionary)
+nlohmann::json JsonOf(plist_t node, int levels);
+
+nlohmann::json JsonOfDictionary(plist_t dictionary, int levels)
 {
   nlohmann::json json = nlohmann::json::object();
   plist_dict_iter iterator = nullptr;
@@ -34,26 +38,27 @@ nlohmann::json JsonOfDictionary(plist_t dictionary)
     {
       break;
     }
-    json[key] = JsonOf(value);
+    json[key] = JsonOf(value, levels);
     std::free(key);
   }
   std::free(iterator);
   return json;
 }
 
-// Converts a property list to JSON. Dates and binary data, which looks do not need, become null.
-nlohmann::json JsonOf(plist_t node)
+// Converts this many levels of a property list to JSON. Deeper ones, dates and binary data, which
+// looks do not need, become null.
+nlohmann::json JsonOf(plist_t node, int levels)
 {
-  switch (plist_get_node_type(node))
+  switch (levels > 0 ? plist_get_node_type(node) : PLIST_NONE)
   {
     case PLIST_DICT:
-      return JsonOfDictionary(node);
+      return JsonOfDictionary(node, levels - 1);
     case PLIST_ARRAY:
     {
       nlohmann::json json = nlohmann::json::array();
       for (uint32_t i = 0; i < plist_array_get_size(node); ++i)
       {
-        json.push_back(JsonOf(plist_array_get_item(node, i)));
+        json.push_back(JsonOf(plist_array_get_item(node, i), levels - 1));
       }
       return json;
     }
@@ -85,6 +90,10 @@ nlohmann::json JsonOf(plist_t node)
 
 nlohmann::json JsonFromPlist(const std::string& bytes, const std::string& file)
 {
+  if (MayBeNestedTooDeep(bytes))
+  {
+    FailToReadLook(file, "expected at most 30000 elements, found more");
+  }
   plist_t top = nullptr;
   plist_from_memory(bytes.data(), uint32_t(bytes.size()), &top);
   const PlistOwner owner(top, &plist_free);
@@ -92,7 +101,7 @@ nlohmann::json JsonFromPlist(const std::string& bytes, const std::string& file)
   {
     FailToReadLook(file, "it is not a property list");
   }
-  return JsonOf(top);
+  return JsonOf(top, MostLevels);
 }
 
 Look CurveOf(const JsonCursor& points, const JsonCursor& colors)
