@@ -129,7 +129,7 @@ std::string GreyBmp(const StoredVolume& volume, int slice)
   const std::size_t begin = 14 + 40 + 4 * 256;
   std::string bytes = "BM" + number(begin + rowBytes * height, 4) + number(0, 4) +
     number(begin, 4) + number(40, 4) + number(width, 4) + number(height, 4) + number(1, 2) +
-    number(8, 2) + number(0, 24);
+    number(8, 2) + std::string(24, '\0');
   for (std::size_t shade = 0; shade < 256; ++shade)
   {
     bytes += std::string(3, char(shade)) + '\0';
