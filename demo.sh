@@ -28,7 +28,7 @@ compareMappers()
 
 setUp "${packages[@]}"
 headCt=$(headCt)
-build release varimarch 8
+build release varimarch 4
 
 compareMappers head-ct "$headCt" ct-bone
 compareMappers head-t1 /usr/share/mricron/templates/ch2better.nii.gz mr-head
@@ -36,7 +36,7 @@ compareMappers head-t1 /usr/share/mricron/templates/ch2better.nii.gz mr-head
 step "Done: the images and tables are in $output"
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]
 then
-  build release varimarch-viewer 4
+  build release varimarch-viewer 2
   step "Opening the viewer"
   "$programs/varimarch-viewer" "$headCt"
 fi
