@@ -57,7 +57,7 @@ struct SeriesSummary
   std::string description; ///< as entered at the scanner; may be empty
   std::string modality;    ///< "CT", "MR" ...
   std::int64_t imageCount;
-  GrayPicture middle; ///< the middle image; empty if it cannot be read
+  GrayPicture middle;                ///< the middle image; empty if it cannot be read
   std::string frameOfReference = {}; ///< as in LoadedVolume
 };
 

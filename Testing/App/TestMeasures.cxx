@@ -71,7 +71,8 @@ TEST(RegionStatistics, LeaveOutValuesThatAreNotFinite)
 
 TEST(RegionStatistics, CountTheVoxelsThatAThinBoxPassesThrough)
 {
-  const RegionStatistics found = StatisticsOf({ { 0, 0, 7.2 }, { 9, 18, 7.4 } }, Ramp(VTK_SHORT, 0.0));
+  const RegionStatistics found =
+    StatisticsOf({ { 0, 0, 7.2 }, { 9, 18, 7.4 } }, Ramp(VTK_SHORT, 0.0));
   EXPECT_EQ(found.voxels, 100);
   EXPECT_EQ(StatisticsOf({ { 50, 50, 50 }, { 60, 60, 60 } }, Ramp(VTK_SHORT, 0.0)).voxels, 0)
     << "beside the volume";
