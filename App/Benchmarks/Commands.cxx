@@ -23,6 +23,14 @@ void AddReportOptions(CLI::App& command, ReportArguments& report)
   AddJsonOption(command, report.jsonPath);
 }
 
+void AddSceneArgument(CLI::App& command, std::string& input)
+{
+  command
+    .add_option(
+      "SCENE", input, "A scene file (.json), volume file, DICOM folder, or procedural:NAME[:XxYxZ]")
+    ->required();
+}
+
 void AddRoundsOption(CLI::App& command, int& rounds)
 {
   command.add_option("--rounds", rounds, "Number of measurements of each (default 3)")
@@ -173,10 +181,7 @@ void AddFeatureCommand(CLI::App& program, const std::string& commandText)
     "Examples:\n"
     "  varimarch-bench features head.nii.gz -o report --size 256x256\n"
     "  varimarch-bench features head.nii.gz -o report --only clipping,isosurface");
-  app
-    ->add_option("SCENE", arguments->input,
-      "A scene file (.json), volume file, DICOM folder, or procedural:NAME[:XxYxZ]")
-    ->required();
+  AddSceneArgument(*app, arguments->input);
   AddLookAndPictureOptions(*app, arguments->scene);
   AddReportOptions(*app, arguments->report);
   app->add_option("--only", arguments->only, "Features to measure (default all)")
@@ -196,10 +201,7 @@ void AddSoakCommand(CLI::App& program, const std::string& commandText)
               "Examples:\n"
               "  varimarch-bench soak head.nii.gz -o report\n"
               "  varimarch-bench soak procedural:torso:128x128x96 -o report --frames 100000");
-  app
-    ->add_option("SCENE", arguments->input,
-      "A scene file (.json), volume file, DICOM folder, or procedural:NAME[:XxYxZ]")
-    ->required();
+  AddSceneArgument(*app, arguments->input);
   AddLookAndPictureOptions(*app, arguments->scene);
   AddReportOptions(*app, arguments->report);
   app->add_option("--frames", arguments->frames, "Number of frames (default 20000)")

@@ -17,7 +17,7 @@
 namespace
 {
 
-// As many scenes as one core draws in about 25 s.
+// The suite draws this many scenes in about 10 s of one core.
 constexpr long UsualScenes = 150;
 
 // The larger of an error in a channel of a pixel, for bounds of what is right.

@@ -52,7 +52,8 @@ Plist::Plist(const std::string& path, const std::string& bytes)
 {
   if (MayBeNestedTooDeep(bytes))
   {
-    FailToRead(path, "a property list of at most 30000 elements", "more");
+    FailToRead(path,
+      "a property list of at most " + std::to_string(MostNestedElements) + " elements", "more");
   }
   plist_t top = nullptr;
   plist_from_memory(bytes.data(), std::uint32_t(bytes.size()), &top);

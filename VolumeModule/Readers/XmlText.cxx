@@ -17,7 +17,7 @@ vtkSmartPointer<vtkXMLDataElement> XmlFromText(
 {
   if (MayBeNestedTooDeep(text))
   {
-    FailToRead(path, "XML of at most 30000 elements", "more");
+    FailToRead(path, "XML of at most " + std::to_string(MostNestedElements) + " elements", "more");
   }
   VtkMessages messages;
   vtkNew<vtkXMLDataParser> parser;

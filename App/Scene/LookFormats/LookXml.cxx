@@ -18,7 +18,8 @@ LookXml::LookXml(const std::string& text, const std::string& file)
 {
   if (MayBeNestedTooDeep(text))
   {
-    FailToReadLook(file, "expected at most 30000 elements, found more");
+    FailToReadLook(
+      file, "expected at most " + std::to_string(MostNestedElements) + " elements, found more");
   }
   std::istringstream stream(text);
   // While an observer listens to errors, VTK does not print them; the error below reports the

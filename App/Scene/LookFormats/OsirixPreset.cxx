@@ -92,7 +92,8 @@ nlohmann::json JsonFromPlist(const std::string& bytes, const std::string& file)
 {
   if (MayBeNestedTooDeep(bytes))
   {
-    FailToReadLook(file, "expected at most 30000 elements, found more");
+    FailToReadLook(
+      file, "expected at most " + std::to_string(MostNestedElements) + " elements, found more");
   }
   plist_t top = nullptr;
   plist_from_memory(bytes.data(), uint32_t(bytes.size()), &top);
