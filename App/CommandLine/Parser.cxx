@@ -255,7 +255,7 @@ void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
 int RunProgram(const std::string& summary, const std::string& version,
   SubcommandAdder addSubcommands, int argc, char** argv)
 {
-  RemoveUnfinishedFileOnInterrupt();
+  DeleteUnfinishedFileOnSignals(ProgramName());
   CollectVtkMessages();
   const std::string name = ProgramName();
   try

@@ -1,12 +1,17 @@
 #include "Scene/OutputFile.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +23,11 @@ namespace varimarch
 namespace
 {
 
+namespace fs = std::filesystem;
+
+const std::string partPrefix = "varimarch-";
+const std::string partMark = ".part";
+
 // Path of the unfinished file in plain memory, since a signal handler must not allocate. Empty if
 // there is none.
 char unfinishedPath[4096] = "";
@@ -26,20 +36,41 @@ char unfinishedPath[4096] = "";
 char notices[2][1024] = { "", "" };
 std::atomic<int> noticeInUse = 0;
 
-void DeleteAndTerminate(int signal)
+// The sentence about a fault, complete but for the number of its signal.
+char faultNotice[256] = "";
+
+void Print(const char* text)
+{
+  if (write(STDERR_FILENO, text, std::strlen(text)) < 0)
+  {
+    // Nothing can be reported if stderr is closed.
+  }
+}
+
+void DeleteUnfinishedFile()
 {
   if (unfinishedPath[0] != '\0')
   {
     unlink(unfinishedPath);
   }
-  const char* const notice = notices[noticeInUse];
-  if (notice[0] != '\0' && write(STDERR_FILENO, notice, std::strlen(notice)) < 0)
-  {
-    // Nothing can be reported if stderr is closed.
-  }
+}
+
+void DeleteAndTerminate(int signal)
+{
+  DeleteUnfinishedFile();
+  Print(notices[noticeInUse]);
   // Restore the default action, so that the parent process sees the signal that ended the program.
   std::signal(signal, SIG_DFL);
   std::raise(signal);
+}
+
+void DeleteAndFail(int signal)
+{
+  DeleteUnfinishedFile();
+  Print(faultNotice);
+  const char digits[] = { char('0' + signal / 10), char('0' + signal % 10), ')', '.', '\n', '\0' };
+  Print(digits);
+  _exit(EXIT_FAILURE);
 }
 
 void SetUnfinishedPath(const std::string& path)
@@ -57,36 +88,146 @@ void SetUnfinishedPath(const std::string& path)
   throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
 }
 
-// The process id keeps two programs that write the same file from sharing a temporary file.
-std::string PartOf(const std::filesystem::path& path)
+// Renaming would replace a device, such as /dev/null, by a file, and also a file that is protected.
+void CheckMayBeWritten(const std::string& path)
 {
-  std::filesystem::path part = path;
-  part.replace_filename(
-    path.stem().string() + "." + std::to_string(getpid()) + ".part" + path.extension().string());
-  return part.string();
+  std::error_code unknown;
+  const fs::file_status status = fs::status(path, unknown);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    throw std::runtime_error(path + ": expected the name of a file to write, found " +
+      (fs::is_directory(status) ? "a folder" : "a device or a pipe"));
+  }
+  if (fs::exists(status) && access(path.c_str(), W_OK) != 0)
+  {
+    FailToWrite(path);
+  }
+}
+
+fs::path FolderOf(const std::string& path)
+{
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+// The process id tells users whose file it is; the number keeps apart the files of a process.
+std::string NewPartOf(const std::string& path)
+{
+  static std::atomic<unsigned> count = 0;
+  const std::string name =
+    partPrefix + std::to_string(getpid()) + '-' + std::to_string(++count) + partMark;
+  return (FolderOf(path) / name).string() + fs::path(path).extension().string();
+}
+
+// Deletes a file of this user unless a process holds its lock.
+void DeleteUnlessLocked(const fs::path& path)
+{
+  const int file = open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  struct stat status = {};
+  if (file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
+    status.st_uid == geteuid() && flock(file, LOCK_EX | LOCK_NB) == 0)
+  {
+    unlink(path.c_str());
+  }
+  if (file >= 0)
+  {
+    close(file);
+  }
+}
+
+// Deletes the unfinished files of processes that have ended.
+void DeleteLeftFiles(const fs::path& folder)
+{
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+  {
+    const std::string name = entry->path().filename().string();
+    if (name.compare(0, partPrefix.size(), partPrefix) == 0 &&
+      name.find(partMark) != std::string::npos)
+    {
+      DeleteUnlessLocked(entry->path());
+    }
+  }
+}
+
+// Returns the descriptor of a new file that is locked where the file system has locks; -1 if
+// another process deleted it before it was locked. A negative descriptor with errno set to another
+// value than EAGAIN is a failure.
+int NewLockedFile(const std::string& part)
+{
+  const int file = open(part.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (file < 0)
+  {
+    return -1;
+  }
+  const bool isTaken = flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  struct stat status = {};
+  if (!isTaken && fstat(file, &status) == 0 && status.st_nlink > 0)
+  {
+    return file;
+  }
+  close(file);
+  errno = EAGAIN;
+  return -1;
+}
+
+// Waits until a file or folder is on the disk. Some file systems cannot tell.
+bool IsOnDisk(int descriptor)
+{
+  return fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP;
+}
+
+// Makes the renaming last. The file is complete under either name, so a failure changes nothing.
+void SyncFolder(const fs::path& folder)
+{
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0)
+  {
+    fsync(descriptor);
+    close(descriptor);
+  }
 }
 
 }
 
 UnfinishedFile::UnfinishedFile(const std::string& path)
   : path(path)
-  , part(PartOf(path))
 {
+  CheckMayBeWritten(path);
+  DeleteLeftFiles(FolderOf(path));
+  do
+  {
+    this->part = NewPartOf(path);
+    this->lock = NewLockedFile(this->part);
+  } while (this->lock < 0 && (errno == EAGAIN || errno == EEXIST));
+  if (this->lock < 0)
+  {
+    FailToWrite(path);
+  }
   SetUnfinishedPath(this->part);
 }
 
 UnfinishedFile::~UnfinishedFile()
 {
   std::remove(this->part.c_str());
+  close(this->lock);
   SetUnfinishedPath("");
 }
 
 void UnfinishedFile::Complete()
 {
-  if (std::rename(this->part.c_str(), this->path.c_str()) != 0)
+  struct stat old = {};
+  if (lstat(this->path.c_str(), &old) == 0 && S_ISREG(old.st_mode))
+  {
+    // A private file stays private.
+    fchmod(this->lock, old.st_mode & 0777);
+  }
+  if (!IsOnDisk(this->lock) || std::rename(this->part.c_str(), this->path.c_str()) != 0)
   {
     FailToWrite(this->path);
   }
+  SyncFolder(FolderOf(this->path));
 }
 
 void WriteFileWhole(const std::string& path, const std::string& bytes)
@@ -113,10 +254,30 @@ void WriteFileWhole(
   file.Complete();
 }
 
-void RemoveUnfinishedFileOnInterrupt()
+void DeleteUnfinishedFileOnSignals(const std::string& program)
 {
   std::signal(SIGINT, DeleteAndTerminate);
   std::signal(SIGTERM, DeleteAndTerminate);
+  std::snprintf(faultNotice, sizeof(faultNotice),
+    "%.60s: a library or the graphics driver failed, perhaps for lack of memory; no unfinished "
+    "file is left. Close other programs or use a smaller volume (signal ",
+    program.c_str());
+  // A stack of its own, for faults by which the program's is used up.
+  static std::array<char, 1 << 16> stack;
+  const stack_t alternative = { stack.data(), 0, stack.size() };
+  sigaltstack(&alternative, nullptr);
+  struct sigaction action = {};
+  action.sa_handler = DeleteAndFail;
+  action.sa_flags = int(SA_ONSTACK | SA_RESETHAND);
+  for (const int fault : { SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL })
+  {
+    // Sanitizers have handlers already.
+    struct sigaction before = {};
+    if (sigaction(fault, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
+    {
+      sigaction(fault, &action, nullptr);
+    }
+  }
 }
 
 void SetInterruptNotice(const std::string& notice)

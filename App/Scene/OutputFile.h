@@ -7,27 +7,33 @@
 namespace varimarch
 {
 
-/// A file under construction. It is written under a temporary name, with the process id and "part"
-/// before the extension, so that nobody sees it incomplete. Unless it is completed, the destructor
-/// deletes it.
+/// A file under construction. It is written under a temporary name beside the final one, such as
+/// "varimarch-1234-1.part.png" in process 1234, so that nobody sees it incomplete. Unless it is
+/// completed, the destructor deletes it. What a killed program has left is deleted when the next
+/// file is written to the same folder: the system releases the lock of a process that has ended.
 class UnfinishedFile
 {
 public:
+  /// Makes an empty file for writers to open again.
+  /// @throws std::runtime_error that names the file and the reason: the folder cannot be written
+  /// to, or the final name belongs to a folder or a device
   explicit UnfinishedFile(const std::string& path);
   ~UnfinishedFile();
   UnfinishedFile(const UnfinishedFile&) = delete;
   void operator=(const UnfinishedFile&) = delete;
 
-  /// The temporary name to write to.
+  /// The temporary name to write to. Writers must not replace the file by another one.
   const std::string& Part() const { return this->part; }
 
-  /// Renames the file to its final name and replaces a file of that name.
+  /// Waits until the bytes are on the disk, and renames the file to its final name. A file or a
+  /// symbolic link of that name is replaced; a file's permissions are kept.
   /// @throws std::runtime_error that names the file and the system's reason
   void Complete();
 
 private:
   std::string path;
   std::string part;
+  int lock; ///< descriptor of the part, locked as long as this process lives
 };
 
 /// Writes a file under a temporary name and renames it when complete.
@@ -39,10 +45,13 @@ void WriteFileWhole(const std::string& path, const std::string& bytes);
 void WriteFileWhole(
   const std::string& path, const std::function<bool(const std::string& part)>& write);
 
-/// From now on SIGINT and SIGTERM delete the unfinished file that was begun last.
-void RemoveUnfinishedFileOnInterrupt();
+/// From now on the unfinished file that was begun last is deleted if SIGINT or SIGTERM ends the
+/// program, or a fault does, such as a driver's when there is no memory left. A fault prints a
+/// sentence to stderr and ends the program with exit code 1.
+/// @param program  its name, for the sentence
+void DeleteUnfinishedFileOnSignals(const std::string& program);
 
-/// Sets the line that these signals print to stderr before they end the program. It is given
+/// Sets the line that SIGINT and SIGTERM print to stderr before they end the program. It is given
 /// without a line break and cut to 1023 bytes. Empty, the default, prints nothing.
 void SetInterruptNotice(const std::string& notice);
 

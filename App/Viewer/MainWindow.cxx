@@ -40,8 +40,7 @@ namespace varimarch
 
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
-  , autosave(&this->model,
-      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/autosaved.json")
+  , autosave(&this->model, QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
   , view(new ComparisonView(&this->model))
   , warnings(new WarningBar)
 {

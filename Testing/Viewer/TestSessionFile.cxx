@@ -20,7 +20,8 @@ protected:
   Sessions() { this->model.Open(ProceduralSource(), SmallStudy()); }
 
   QTemporaryDir folder;
-  QString path = folder.filePath("sub/scene.json");
+  QString copies = folder.filePath("sub");
+  QString path = folder.filePath("sub/autosaved.json");
   SceneModel model;
 };
 
@@ -44,7 +45,7 @@ TEST_F(Sessions, AreRestoredAsTheyWere)
 
 TEST_F(Sessions, AreSavedDuringEditsAndDeletedAfterANormalExit)
 {
-  Autosave autosave(&this->model, this->path);
+  Autosave autosave(&this->model, this->copies);
   EXPECT_FALSE(autosave.HasCopy());
   this->model.Edit(ScenePart::Camera, "zoom", [](Scene& scene) { scene.camera.zoom = 2.5; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.HasCopy(); }, 30000));
@@ -64,4 +65,40 @@ TEST_F(Sessions, KeepSegmentsThatLookOtherThanInTheirFile)
   EXPECT_TRUE(work().contains("labels.nrrd"));
   this->model.History()->undo();
   EXPECT_TRUE(work().isEmpty());
+}
+
+TEST_F(Sessions, AreAutosavedApartByViewersThatRunAtOnce)
+{
+  this->model.Edit(ScenePart::Camera, "zoom", [](Scene& scene) { scene.camera.zoom = 2.5; });
+  auto first = std::make_unique<Autosave>(&this->model, this->copies);
+  first->Save();
+  SceneModel other;
+  other.Open(ProceduralSource(), SmallStudy());
+  Autosave second(&other, this->copies);
+  EXPECT_FALSE(second.HasCopy()) << "the copy of a running viewer is not the rest of a crash";
+  second.Save();
+  EXPECT_EQ(ReadScene(first->Path().toStdString()).camera.zoom, 2.5);
+  second.Remove();
+  EXPECT_TRUE(first->HasCopy());
+
+  // The end without Remove is that of a crash.
+  first.reset();
+  SceneModel later;
+  EXPECT_TRUE(Autosave(&later, this->copies).HasCopy());
+}
+
+TEST_F(Sessions, AreAutosavedWhereOnlyTheUserReads)
+{
+  const Autosave autosave(&this->model, this->copies);
+  const auto others = QFile::ReadGroup | QFile::ExeGroup | QFile::ReadOther | QFile::ExeOther;
+  EXPECT_FALSE(QFile::permissions(this->copies) & others);
+}
+
+TEST_F(Sessions, KeepThePermissionsOfTheFileTheyReplace)
+{
+  const QString file = this->folder.filePath("private.json");
+  WriteScene(Scene(), file);
+  ASSERT_TRUE(QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner));
+  WriteScene(this->model.CurrentScene(), file);
+  EXPECT_FALSE(QFile::permissions(file) & (QFile::ReadGroup | QFile::ReadOther));
 }

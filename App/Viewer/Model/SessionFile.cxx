@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <exception>
 
 namespace varimarch
@@ -17,6 +18,26 @@ namespace
 {
 
 constexpr int DelayMilliseconds = 2000;
+
+// A user does not run more viewers at once.
+constexpr int MostCopies = 64;
+
+// Copies that other viewers are writing, or have left, the latest first; then names for new ones.
+QStringList CopiesIn(const QString& folder)
+{
+  QStringList copies;
+  for (const QFileInfo& file :
+    QDir(folder).entryInfoList({ "autosaved*.json" }, QDir::Files, QDir::Time))
+  {
+    copies.append(file.filePath());
+  }
+  for (int i = 1; i <= MostCopies; ++i)
+  {
+    const QString number = i == 1 ? QString() : QStringLiteral("-%1").arg(i);
+    copies.append(folder + "/autosaved" + number + ".json");
+  }
+  return copies;
+}
 
 }
 
@@ -51,12 +72,16 @@ QString WorkText(const Scene& scene, const Study& study)
   return textOf(work) == textOf(Scene()) ? QString() : textOf(work);
 }
 
-Autosave::Autosave(SceneModel* model, const QString& path, QObject* parent)
+Autosave::Autosave(SceneModel* model, const QString& folder, QObject* parent)
   : QObject(parent)
   , model(model)
-  , path(path)
 {
-  QDir().mkpath(QFileInfo(path).path());
+  QDir().mkpath(folder);
+  QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+  const QStringList copies = CopiesIn(folder);
+  const auto free = std::find_if(
+    copies.begin(), copies.end(), [this](const QString& copy) { return this->TryToLock(copy); });
+  this->path = free == copies.end() ? QString() : *free;
   this->delay.setSingleShot(true);
   this->delay.setInterval(DelayMilliseconds);
   connect(&this->delay, &QTimer::timeout, this, &Autosave::Save);
@@ -68,6 +93,14 @@ Autosave::Autosave(SceneModel* model, const QString& path, QObject* parent)
         this->delay.start();
       }
     });
+}
+
+// Tries to lock a copy for this program. The lock of a program that has ended is replaced.
+bool Autosave::TryToLock(const QString& copy)
+{
+  this->lock = std::make_unique<QLockFile>(copy + ".lock");
+  this->lock->setStaleLockTime(0);
+  return this->lock->tryLock(0);
 }
 
 bool Autosave::HasCopy() const
@@ -83,6 +116,10 @@ void Autosave::Remove()
 
 void Autosave::Save()
 {
+  if (this->path.isEmpty())
+  {
+    return;
+  }
   try
   {
     WriteScene(this->model->CurrentScene(), this->path);

@@ -3,9 +3,12 @@
 
 #include "Viewer/Model/SceneModel.h"
 
+#include <QLockFile>
 #include <QObject>
 #include <QString>
 #include <QTimer>
+
+#include <memory>
 
 namespace varimarch
 {
@@ -20,27 +23,33 @@ void WriteScene(const Scene& scene, const QString& path);
 QString WorkText(const Scene& scene, const Study& study);
 
 /// Saves a copy of the scene while it is edited, so that no work is lost if the program ends
-/// unexpectedly. A normal exit deletes the copy.
+/// unexpectedly. A normal exit deletes the copy. Viewers that run at once have copies of their own:
+/// each locks its own, and takes over the latest one that a program has left.
 class Autosave : public QObject
 {
   Q_OBJECT
 
 public:
-  /// @param path  of the copy; its folder is created
-  Autosave(SceneModel* model, const QString& path, QObject* parent = nullptr);
+  /// @param folder  of the copies; made readable for this user only, because they name the scan
+  Autosave(SceneModel* model, const QString& folder, QObject* parent = nullptr);
 
   /// True if an earlier run of the program ended unexpectedly and left a copy.
   bool HasCopy() const;
+  /// The copy of this program; empty if the folder cannot be written to.
   QString Path() const { return this->path; }
+
+  /// Saves now, instead of two seconds after an edit.
+  void Save();
 
   /// Deletes the copy, because the program ends normally.
   void Remove();
 
 private:
-  void Save();
+  bool TryToLock(const QString& copy);
 
   SceneModel* model;
   QString path;
+  std::unique_ptr<QLockFile> lock;
   QTimer delay;
 };
 

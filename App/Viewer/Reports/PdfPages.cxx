@@ -1,15 +1,15 @@
 #include "Viewer/Reports/PdfPages.h"
 
+#include "Scene/OutputFile.h"
+
 #include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QFile>
 #include <QLocale>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QTextDocument>
-
-#include <stdexcept>
 
 namespace varimarch
 {
@@ -57,24 +57,27 @@ void PaintPages(QTextDocument& document, QPdfWriter& writer)
 
 void WritePdf(QTextDocument& document, const QString& title, const QString& path)
 {
-  QSaveFile file(path);
-  if (file.open(QIODevice::WriteOnly))
-  {
-    QPdfWriter writer(&file);
-    writer.setTitle(title);
-    writer.setCreator("Varimarch");
-    writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setPageMargins(
-      QMarginsF(MarginMm, MarginMm, MarginMm, MarginMm), QPageLayout::Millimeter);
-    writer.setResolution(DotsPerInch);
-    PaintPages(document, writer);
-  }
-  if (!file.commit())
-  {
-    throw std::runtime_error(QCoreApplication::translate("PdfPages", "Cannot write %1: %2")
-                               .arg(path, file.errorString())
-                               .toStdString());
-  }
+  WriteFileWhole(path.toStdString(),
+    [&](const std::string& part)
+    {
+      QFile file(QString::fromStdString(part));
+      if (!file.open(QIODevice::WriteOnly))
+      {
+        return false;
+      }
+      {
+        QPdfWriter writer(&file);
+        writer.setTitle(title);
+        writer.setCreator("Varimarch");
+        writer.setPageSize(QPageSize(QPageSize::A4));
+        writer.setPageMargins(
+          QMarginsF(MarginMm, MarginMm, MarginMm, MarginMm), QPageLayout::Millimeter);
+        writer.setResolution(DotsPerInch);
+        PaintPages(document, writer);
+      }
+      // QPdfWriter reports no errors; those of the file remain set.
+      return file.flush() && file.error() == QFile::NoError;
+    });
 }
 
 QString OriginHtml()

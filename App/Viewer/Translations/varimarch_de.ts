@@ -96,10 +96,6 @@
         <source>Not for diagnostic use: made by a program that is not a medical device</source>
         <translation>Nicht für die Diagnose: von einem Programm, das kein Medizinprodukt ist</translation>
     </message>
-    <message>
-        <source>Cannot write %1: %2</source>
-        <translation>%1 lässt sich nicht schreiben: %2</translation>
-    </message>
 </context>
 <context>
     <name>PictureExport</name>
@@ -445,6 +441,10 @@ kennt keine Segmente</translation>
 </context>
 <context>
     <name>Turntable</name>
+    <message>
+        <source>the disk is full, or its end was not written</source>
+        <translation>die Platte ist voll, oder das Ende wurde nicht geschrieben</translation>
+    </message>
     <message>
         <source>Cannot write %1</source>
         <translation>%1 lässt sich nicht schreiben</translation>

@@ -96,10 +96,6 @@
         <source>Not for diagnostic use: made by a program that is not a medical device</source>
         <translation>No apto para diagnóstico: hecho por un programa que no es un producto sanitario</translation>
     </message>
-    <message>
-        <source>Cannot write %1: %2</source>
-        <translation>No se puede escribir %1: %2</translation>
-    </message>
 </context>
 <context>
     <name>PictureExport</name>
@@ -445,6 +441,10 @@ no conoce los segmentos</translation>
 </context>
 <context>
     <name>Turntable</name>
+    <message>
+        <source>the disk is full, or its end was not written</source>
+        <translation>el disco está lleno o no se escribió el final</translation>
+    </message>
     <message>
         <source>Cannot write %1</source>
         <translation>No se puede escribir %1</translation>

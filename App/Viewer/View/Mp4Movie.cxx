@@ -1,6 +1,7 @@
 #include "Viewer/View/Mp4Movie.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QRegularExpression>
 #include <QStandardPaths>
 
@@ -60,6 +61,7 @@ QString FfmpegProgram()
 Mp4Movie::Mp4Movie(const QString& path)
   : path(path)
   , file(path.toStdString())
+  , metadata(path.toStdString() + ".txt")
 {
   QObject::connect(&this->ffmpeg, &QProcess::errorOccurred,
     [this](QProcess::ProcessError error)
@@ -84,16 +86,17 @@ void Mp4Movie::Start(const QImage& first)
         "Turntable", "MP4 needs the program ffmpeg, which is not installed"));
   }
   const QByteArray description = MetadataOf(first);
-  if (!this->metadata.open() || this->metadata.write(description) != description.size() ||
-    !this->metadata.flush())
+  QFile metadataFile(QString::fromStdString(this->metadata.Part()));
+  if (!metadataFile.open(QIODevice::WriteOnly) ||
+    metadataFile.write(description) != description.size() || !metadataFile.flush())
   {
-    FailToWrite(this->path, this->metadata.errorString());
+    FailToWrite(this->path, metadataFile.errorString());
   }
   const QString size = QStringLiteral("%1x%2").arg(first.width() & ~1).arg(first.height() & ~1);
   const QString rate = QString::number(MoviePicturesPerSecond);
   QStringList options = { "-hide_banner", "-loglevel", "error", "-y" };
   options += { "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", size, "-r", rate, "-i", "pipe:0" };
-  options += { "-f", "ffmetadata", "-i", this->metadata.fileName(), "-map_metadata", "1" };
+  options += { "-f", "ffmetadata", "-i", "file:" + metadataFile.fileName(), "-map_metadata", "1" };
   options += EncoderOptions();
   options += { "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4" };
   this->ffmpeg.setStandardOutputFile(QProcess::nullDevice());

@@ -5,7 +5,6 @@
 #include "Viewer/View/TurnWriter.h"
 
 #include <QProcess>
-#include <QTemporaryFile>
 
 namespace varimarch
 {
@@ -33,7 +32,7 @@ private:
 
   QString path;
   UnfinishedFile file;
-  QTemporaryFile metadata;
+  UnfinishedFile metadata; ///< for ffmpeg to read; never completed
   QProcess ffmpeg;
   bool started = false;
   bool ended = false;

@@ -12,6 +12,7 @@
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
+#include <QFile>
 #include <QFormLayout>
 #include <QMessageBox>
 #include <QPainter>
@@ -140,6 +141,13 @@ void PictureMaker::Turn(double degrees)
   vtkRenderer* const renderer = this->view->Pipeline().Renderer();
   renderer->GetActiveCamera()->Azimuth(degrees);
   renderer->ResetCameraClippingRange();
+}
+
+// QImage would not report that the last bytes, which are in a buffer, could not be written.
+bool SaveAsPng(const QImage& picture, const std::string& path)
+{
+  QFile file(QString::fromStdString(path));
+  return file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.flush();
 }
 
 ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)

@@ -55,6 +55,10 @@ private:
   std::optional<OffscreenView> view;
 };
 
+/// Writes a PNG file in place. Returns false if a part of it could not be written; errno then says
+/// why.
+bool SaveAsPng(const QImage& picture, const std::string& path);
+
 /// Asks for size, options and file, then renders and writes the image.
 class ExportDialog : public QDialog
 {

@@ -2,7 +2,6 @@
 
 #include "Scene/OutputFile.h"
 #include "Viewer/View/Mp4Movie.h"
-#include "Viewer/View/TurnWriter.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -14,6 +13,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
+#include <vector>
 
 namespace varimarch
 {
@@ -29,33 +30,56 @@ public:
   {
   }
 
-  ~PictureSeries() override
-  {
-    for (const QString& written : this->files)
-    {
-      QFile::remove(written);
-    }
-  }
-
   void Add(const QImage& picture) override
   {
     const QFileInfo name(this->path);
     const QString file = QStringLiteral("%1/%2-%3.png")
                            .arg(name.path(), name.completeBaseName())
-                           .arg(this->files.size(), 3, 10, QChar('0'));
-    this->files.append(file);
-    if (!picture.save(file))
+                           .arg(int(this->files.size()), 3, 10, QChar('0'));
+    this->files.push_back(std::make_unique<UnfinishedFile>(file.toStdString()));
+    if (!SaveAsPng(picture, this->files.back()->Part()))
     {
-      FailToWrite(file);
+      FailToWrite(file, qt_error_string());
     }
   }
 
-  void Complete() override { this->files.clear(); }
+  void Complete() override
+  {
+    for (const auto& file : this->files)
+    {
+      file->Complete();
+    }
+  }
 
 private:
   QString path;
-  QStringList files;
+  std::vector<std::unique_ptr<UnfinishedFile>> files;
 };
+
+// True if the last page of an Ogg file is marked as the last, and ends with the file; RFC 3533. The
+// writer does not look whether the system took its bytes.
+bool EndsAsOgg(const std::string& path)
+{
+  constexpr qint64 LongestPage = 65307;
+  QFile file(QString::fromStdString(path));
+  if (!file.open(QIODevice::ReadOnly) || !file.seek(std::max<qint64>(0, file.size() - LongestPage)))
+  {
+    return false;
+  }
+  const QByteArray end = file.readAll();
+  const int page = end.lastIndexOf("OggS");
+  const int table = page + 27;
+  if (page < 0 || end.size() < table)
+  {
+    return false;
+  }
+  const int segmentCount = uchar(end[table - 1]);
+  const QByteArray segments = end.mid(table, segmentCount);
+  const int contentBytes = std::accumulate(
+    segments.begin(), segments.end(), 0, [](int sum, char bytes) { return sum + uchar(bytes); });
+  constexpr int LastPage = 4;
+  return (end[page + 5] & LastPage) != 0 && table + segmentCount + contentBytes == end.size();
+}
 
 class OggMovie : public TurnWriter
 {
@@ -97,6 +121,11 @@ public:
   {
     this->writer->End();
     this->started = false;
+    if (!EndsAsOgg(this->file.Part()))
+    {
+      FailToWrite(this->path,
+        QCoreApplication::translate("Turntable", "the disk is full, or its end was not written"));
+    }
     this->file.Complete();
   }
 
@@ -121,7 +150,9 @@ private:
   bool started = false;
 };
 
-std::unique_ptr<TurnWriter> WriterOf(const QString& path)
+}
+
+std::unique_ptr<TurnWriter> TurnWriterFor(const QString& path)
 {
   if (path.endsWith(".mp4", Qt::CaseInsensitive))
   {
@@ -132,8 +163,6 @@ std::unique_ptr<TurnWriter> WriterOf(const QString& path)
     return std::make_unique<OggMovie>(path);
   }
   return std::make_unique<PictureSeries>(path);
-}
-
 }
 
 QStringList TurntableFilters()
@@ -150,7 +179,7 @@ QStringList TurntableFilters()
 bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
   const std::function<bool(double)>& onProgress)
 {
-  const std::unique_ptr<TurnWriter> writer = WriterOf(path);
+  const std::unique_ptr<TurnWriter> writer = TurnWriterFor(path);
   const auto isTaken = [&](double part)
   {
     while (writer->IsBusy())

@@ -2,10 +2,12 @@
 #define Varimarch_Viewer_Turntable_h
 
 #include "Viewer/View/PictureExport.h"
+#include "Viewer/View/TurnWriter.h"
 
 #include <QStringList>
 
 #include <functional>
+#include <memory>
 
 namespace varimarch
 {
@@ -14,9 +16,12 @@ namespace varimarch
 /// ffmpeg is installed, "Movie, Ogg Theora (*.ogv)", "Images (*.png)".
 QStringList TurntableFilters();
 
-/// Renders a full turn about the vertical of the image. Writes a movie if the path ends in ".mp4"
-/// or ".ogv", and otherwise a series "NAME-000.png", "NAME-001.png" and so on. Deletes the files if
-/// cancelled or on failure.
+/// The writer that a file name chooses: a movie if it ends in ".mp4" or ".ogv", and otherwise a
+/// series "NAME-000.png", "NAME-001.png" and so on.
+std::unique_ptr<TurnWriter> TurnWriterFor(const QString& path);
+
+/// Renders a full turn about the vertical of the image for the writer of a file name. What is
+/// cancelled or fails leaves the files that were there before.
 /// @param onProgress  receives the fraction done, [0, 1); returns false to cancel
 /// @return true if complete
 /// @throws std::runtime_error with one sentence
