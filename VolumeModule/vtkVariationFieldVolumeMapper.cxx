@@ -20,6 +20,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -173,6 +174,11 @@ void vtkVariationFieldVolumeMapper::Internals::Draw(
   {
     mapper->DrawFrame(renderer, volume);
     mapper->Private->ReportedError.clear();
+  }
+  catch (const std::bad_alloc&)
+  {
+    mapper->ReportOnce("Not enough memory to draw this volume; close other programs, or draw a "
+                       "smaller volume or image");
   }
   catch (const std::exception& problem)
   {

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 
 namespace
@@ -79,16 +80,26 @@ void vtkVolumeFileReader::Try(const std::function<void(varimarch::ReadProgress&)
     this->ErrorMessage = "Reading \"" + std::string(this->FileName) + "\" was stopped.";
     this->SetErrorCode(vtkErrorCode::UserError);
   }
+  catch (const std::bad_alloc&)
+  {
+    this->Fail("Cannot read \"" + std::string(this->FileName) +
+      "\": expected memory for its values, found too little; close other programs.");
+  }
   catch (const std::exception& error)
   {
-    std::error_code ignored;
     const auto& copies = this->Read->Copies;
-    this->ErrorMessage = copies ? copies->WithOriginalPaths(error.what()) : error.what();
-    this->SetErrorCode(std::filesystem::exists(this->FileName, ignored)
-        ? vtkErrorCode::FileFormatError
-        : vtkErrorCode::FileNotFoundError);
-    vtkErrorMacro(<< this->ErrorMessage);
+    this->Fail(copies ? copies->WithOriginalPaths(error.what()) : error.what());
   }
+}
+
+void vtkVolumeFileReader::Fail(const std::string& sentence)
+{
+  std::error_code ignored;
+  this->ErrorMessage = sentence;
+  this->SetErrorCode(std::filesystem::exists(this->FileName, ignored)
+      ? vtkErrorCode::FileFormatError
+      : vtkErrorCode::FileNotFoundError);
+  vtkErrorMacro(<< this->ErrorMessage);
 }
 
 void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)

@@ -229,6 +229,7 @@ private:
   struct Contents;
 
   /// Runs an action on the file; reports an exception that it throws as this reader's error.
+  void Fail(const std::string& sentence);
   void Try(const std::function<void(varimarch::ReadProgress&)>& action);
   /// Postcondition: either Read holds an image, or the error is set and reported.
   void ReadFile();

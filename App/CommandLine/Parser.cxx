@@ -11,9 +11,14 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <limits>
 #include <new>
+#include <stdexcept>
 
 namespace varimarch
 {
@@ -51,6 +56,17 @@ std::string CommandText(int argc, char** argv)
     text += word;
   }
   return text;
+}
+
+// Fails if what was printed is lost, such as on a full disk.
+void CheckStandardOutput()
+{
+  errno = 0;
+  if (!std::cout.flush())
+  {
+    throw std::runtime_error(std::string("standard output: cannot be written") +
+      (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
+  }
 }
 
 int Parse(CLI::App& program, int argc, char** argv)
@@ -256,6 +272,8 @@ int RunProgram(const std::string& summary, const std::string& version,
   SubcommandAdder addSubcommands, int argc, char** argv)
 {
   DeleteUnfinishedFileOnSignals(ProgramName());
+  // A file beyond the shell's limit is then an error of the writer.
+  std::signal(SIGXFSZ, SIG_IGN);
   CollectVtkMessages();
   const std::string name = ProgramName();
   try
@@ -268,11 +286,13 @@ int RunProgram(const std::string& summary, const std::string& version,
       " SUBCOMMAND --help describes a subcommand, with examples.\n"
       "Exit codes: 0 success, 1 failure, 2 bad usage.");
     addSubcommands(program, CommandText(argc, argv));
-    return Parse(program, argc, argv);
+    const int result = Parse(program, argc, argv);
+    CheckStandardOutput();
+    return result;
   }
   catch (const std::bad_alloc&)
   {
-    PrintMessage("not enough memory");
+    PrintMessage("not enough memory; close other programs or use a smaller volume or image");
   }
   catch (const std::exception& error)
   {

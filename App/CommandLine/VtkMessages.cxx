@@ -2,6 +2,7 @@
 
 #include "Messages.h"
 
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -60,6 +61,8 @@ namespace varimarch
 
 void CollectVtkMessages()
 {
+  // VTK's log would print the same messages again, with colours and addresses.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<vtkMessageCollector> collector;
   vtkOutputWindow::SetInstance(collector);
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -56,6 +57,10 @@ PyObject* ResultOf(const Function& function)
   catch (const std::invalid_argument& error)
   {
     PyErr_SetString(PyExc_ValueError, error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    PyErr_NoMemory();
   }
   catch (const std::exception& error)
   {

@@ -1,12 +1,11 @@
 #include "Scene/JsonCursor.h"
 
+#include "Scene/SmallFile.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -15,6 +14,9 @@ namespace varimarch
 
 namespace
 {
+
+// Our own files have six levels, and those of other programs few more.
+constexpr int MostJsonLevels = 100;
 
 // The value found, short enough for an error message.
 std::string Excerpt(const nlohmann::json& value)
@@ -187,9 +189,19 @@ std::vector<JsonCursor> JsonCursor::Elements(std::size_t fewest, std::size_t mos
 
 nlohmann::json ParseJson(const std::string& text, const std::string& file)
 {
+  // Deeper values have no meaning here, and functions that visit them would use up the stack.
+  const auto checkDepth = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&)
+  {
+    if (depth > MostJsonLevels)
+    {
+      throw std::runtime_error(file + ": expected JSON of at most " +
+        std::to_string(MostJsonLevels) + " levels, found more");
+    }
+    return true;
+  };
   try
   {
-    return nlohmann::json::parse(text);
+    return nlohmann::json::parse(text, checkDepth);
   }
   // A number that is too large is no error of parsing for the library.
   catch (const nlohmann::json::exception& error)
@@ -207,13 +219,7 @@ std::string TextFromJson(const nlohmann::ordered_json& json)
 
 nlohmann::json ReadJson(const std::string& path)
 {
-  std::ifstream stream(path, std::ios::binary);
-  // Opening a folder succeeds; only reading it would fail.
-  if (!stream || std::filesystem::is_directory(path))
-  {
-    throw std::runtime_error(path + ": cannot be read as a file");
-  }
-  return ParseJson(std::string(std::istreambuf_iterator<char>(stream), {}), path);
+  return ParseJson(BytesOfSmallFile(path), path);
 }
 
 }

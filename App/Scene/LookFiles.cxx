@@ -11,13 +11,13 @@
 #include "Scene/LookJson.h"
 #include "Scene/OutputFile.h"
 #include "Scene/SceneFile.h"
+#include "Scene/SmallFile.h"
 
 #include <nlohmann/json.hpp>
 #include <vtksys/SystemTools.hxx>
 
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 
 namespace varimarch
 {
@@ -31,9 +31,6 @@ using LookWriter = std::string (*)(const Look& look, const LookContext& context)
 using Reader = std::vector<Preset> (*)(
   const std::string& bytes, const std::string& file, const LookContext& context);
 using Writer = std::string (*)(const Preset& preset, const LookContext& context);
-
-// Larger than the files that programs write.
-constexpr std::uintmax_t MostBytes = 16 << 20;
 
 // Replaces trailing commas by spaces.
 std::string WithoutTrailingCommas(std::string text)
@@ -173,25 +170,9 @@ const std::vector<LookFileFormat>& LookFileFormats()
   return formats;
 }
 
-std::string BytesOfLookFile(const std::string& path)
-{
-  std::error_code unknown;
-  std::ifstream stream(path, std::ios::binary);
-  // Opening a folder succeeds; only reading it would fail.
-  if (!stream || std::filesystem::is_directory(path, unknown))
-  {
-    FailToReadLook(path, "it cannot be read as a file");
-  }
-  if (std::filesystem::file_size(path, unknown) > MostBytes)
-  {
-    FailToReadLook(path, "the file is larger than 16 MB");
-  }
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 std::vector<Preset> ReadLookFile(const std::string& path, const LookContext& context)
 {
-  return RowOf(path).read(BytesOfLookFile(path), path, context);
+  return RowOf(path).read(BytesOfSmallFile(path), path, context);
 }
 
 Preset ReadLook(const std::string& path, const std::string& name, const LookContext& context)

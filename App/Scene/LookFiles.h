@@ -26,10 +26,6 @@ const std::vector<LookFileFormat>& LookFileFormats();
 /// @throws std::runtime_error one sentence that names the file
 std::vector<Preset> ReadLookFile(const std::string& path, const LookContext& context);
 
-/// The whole content of a file with looks, at most 16 MB.
-/// @throws std::runtime_error one sentence that names the file
-std::string BytesOfLookFile(const std::string& path);
-
 /// Reads the look of a name. An empty name stands for the only look of a file.
 /// @throws std::runtime_error one sentence that names the file and lists its looks if the name does
 ///         not select one

@@ -238,9 +238,11 @@ bool IsSceneFile(const std::string& path)
   {
     return true;
   }
+  // Opening a pipe would wait for its writer.
+  std::error_code unknown;
   char first = 0;
-  std::ifstream file(path);
-  return std::filesystem::is_regular_file(path) && file >> first && first == '{';
+  return std::filesystem::is_regular_file(path, unknown) && std::ifstream(path) >> first &&
+    first == '{';
 }
 
 Scene ReadScene(const std::string& path)

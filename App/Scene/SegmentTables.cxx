@@ -1,7 +1,7 @@
 #include "Scene/SegmentTables.h"
 
-#include "Scene/LookFiles.h"
 #include "Scene/LookFormats/ColorTables.h"
+#include "Scene/SmallFile.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace varimarch
 
 std::vector<Segment> ReadSegmentTable(const std::string& path)
 {
-  return SegmentsFromTable(BytesOfLookFile(path), path);
+  return SegmentsFromTable(BytesOfSmallFile(path), path);
 }
 
 void TakeTable(const std::vector<Segment>& table, std::vector<Segment>& segments)

@@ -4,14 +4,19 @@
 #include "Viewer/Model/Language.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Theme.h"
+#include "Viewer/View/OpenGLProblem.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QMessageBox>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
 #include <iterator>
 
 namespace
@@ -45,6 +50,52 @@ void AnswerWithoutDisplay(int argumentCount, char** arguments)
   }
 }
 
+void PrintFailure(const QString& reason)
+{
+  std::cerr << "varimarch-viewer: no window can be opened: " << reason.toStdString() << ".\n";
+}
+
+// Ends the program with a sentence if there is no display or no plug-in for it. Qt would abort.
+void EndOnFatalMessage(QtMsgType type, const QMessageLogContext&, const QString& message)
+{
+  // The first message names the cause.
+  static const QString reason = message.section('\n', 0, 0).trimmed();
+  if (type == QtFatalMsg)
+  {
+    PrintFailure(reason +
+      "; start the program in a graphical session, or use the program varimarch, which needs no "
+      "display");
+    std::_Exit(EXIT_FAILURE);
+  }
+}
+
+// Shows the window until the user closes it. Returns the exit code of the program.
+int RunWindow(const QStringList& paths)
+{
+  const QString problem = varimarch::OpenGLProblem();
+  if (!problem.isEmpty())
+  {
+    PrintFailure(problem);
+    QMessageBox::critical(nullptr, QApplication::applicationName(), problem);
+    return EXIT_FAILURE;
+  }
+
+  varimarch::ApplyTheme(varimarch::ChosenTheme());
+  varimarch::StartLog(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
+  varimarch::MainWindow window;
+  window.show();
+  window.ShowNoticeOnce();
+  if (!paths.isEmpty())
+  {
+    window.Open(paths.first());
+  }
+  else
+  {
+    window.OfferAutosaved();
+  }
+  return QApplication::exec();
+}
+
 }
 
 int main(int argumentCount, char** arguments)
@@ -58,25 +109,16 @@ int main(int argumentCount, char** arguments)
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  // A file beyond the shell's limit is then an error of the writer.
+  std::signal(SIGXFSZ, SIG_IGN);
+  const QtMessageHandler printing = qInstallMessageHandler(EndOnFatalMessage);
   QApplication application(argumentCount, arguments);
+  qInstallMessageHandler(printing);
   varimarch::Speak(varimarch::ChosenLanguage(), &application);
 
   QCommandLineParser parser;
   AddOptions(parser);
   parser.process(application);
 
-  varimarch::ApplyTheme(varimarch::ChosenTheme());
-  varimarch::StartLog(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
-  varimarch::MainWindow window;
-  window.show();
-  window.ShowNoticeOnce();
-  if (!parser.positionalArguments().isEmpty())
-  {
-    window.Open(parser.positionalArguments().first());
-  }
-  else
-  {
-    window.OfferAutosaved();
-  }
-  return QApplication::exec();
+  return RunWindow(parser.positionalArguments());
 }

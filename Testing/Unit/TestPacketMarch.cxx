@@ -9,6 +9,8 @@
 #include "Core/Reference/SplineGrid.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -192,6 +194,18 @@ TEST_P(PacketMarch, InPiecesAddsUpToTheWhole)
   }
   this->scene.rays.croppingRegions = (1 << 27) - 1;
   ExpectEqual(this->March(), whole);
+}
+
+TEST_P(PacketMarch, IsTheSameWithAnyNumberOfThreads)
+{
+  const std::vector<float> usual = this->March();
+  for (const int count : { 1, 64 })
+  {
+    const tbb::global_control control(
+      tbb::global_control::max_allowed_parallelism, std::size_t(count));
+    tbb::task_arena arena(count);
+    EXPECT_EQ(arena.execute([&] { return this->March(); }), usual) << count << " threads";
+  }
 }
 
 TEST_P(PacketMarch, IsThatOfTheBaseline)

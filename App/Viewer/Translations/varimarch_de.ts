@@ -91,6 +91,21 @@
     </message>
 </context>
 <context>
+    <name>OpenGLProblem</name>
+    <message>
+        <source>OpenGL 3.2 or later is needed, found %1; install or update the driver of the graphics card, or the package libgl1-mesa-dri, which draws without one</source>
+        <translation>OpenGL 3.2 oder neuer wird gebraucht, gefunden wurde %1; installieren oder aktualisieren Sie den Treiber der Grafikkarte oder das Paket libgl1-mesa-dri, das ohne sie zeichnet</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>a display without GLX</source>
+        <translation>eine Anzeige ohne GLX</translation>
+    </message>
+</context>
+<context>
     <name>PdfPages</name>
     <message>
         <source>Not for diagnostic use: made by a program that is not a medical device</source>

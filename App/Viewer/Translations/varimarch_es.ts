@@ -91,6 +91,21 @@
     </message>
 </context>
 <context>
+    <name>OpenGLProblem</name>
+    <message>
+        <source>OpenGL 3.2 or later is needed, found %1; install or update the driver of the graphics card, or the package libgl1-mesa-dri, which draws without one</source>
+        <translation>Se necesita OpenGL 3.2 o posterior y se encontró %1; instale o actualice el controlador de la tarjeta gráfica, o el paquete libgl1-mesa-dri, que dibuja sin ella</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>a display without GLX</source>
+        <translation>una pantalla sin GLX</translation>
+    </message>
+</context>
+<context>
     <name>PdfPages</name>
     <message>
         <source>Not for diagnostic use: made by a program that is not a medical device</source>

@@ -114,7 +114,9 @@ TiffFile::TiffFile(const std::string& path)
   TIFFOpenOptions* const options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, Messages::Take, this->messages.get());
   TIFFOpenOptionsSetWarningHandlerExtR(options, Messages::Ignore, nullptr);
-  this->file = TIFFOpenExt(path.c_str(), "r", options);
+  // The letter m turns off mapping into memory, where a file that another program cuts would end
+  // this one by a signal.
+  this->file = TIFFOpenExt(path.c_str(), "rm", options);
   TIFFOpenOptionsFree(options);
   if (!this->file)
   {

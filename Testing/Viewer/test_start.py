@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Starts the viewer where it cannot work: it ends with one sentence instead of a crash.
+
+Usage: test_start.py VIEWER XVFB_RUN
+"""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+
+VIEWER, XVFB_RUN = sys.argv[1:]
+
+
+def sentence(text):
+    lines = [line for line in text.splitlines() if line.startswith("varimarch-viewer: ")]
+    assert len(lines) == 1, text
+    return lines[0]
+
+
+def without_display(home):
+    """There is no display, or none that answers."""
+    environment = {name: value for name, value in os.environ.items()
+                   if name not in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")}
+    for display in ({}, {"DISPLAY": ":77"}):
+        done = subprocess.run([VIEWER], env={**environment, **display, "HOME": home}, check=False,
+                              capture_output=True, text=True, timeout=60)
+        assert done.returncode == 1, f"exit code {done.returncode}: {done.stderr}"
+        assert "no window can be opened" in sentence(done.stderr), done.stderr
+
+
+def without_opengl(home):
+    """The display has no OpenGL, or one that is too old. The sentence is in a box too, which waits."""
+    for screen, environment in (("-extension GLX", {}), ("", {"MESA_GL_VERSION_OVERRIDE": "2.1"})):
+        process = subprocess.Popen(
+            [XVFB_RUN, "--auto-servernum", "--server-args", f"-screen 0 640x480x24 {screen}", VIEWER],
+            env={**os.environ, **environment, "HOME": home, "QT_QPA_PLATFORM": "xcb"},
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True)
+        try:
+            told = ""
+            while "varimarch-viewer: " not in told:
+                line = process.stderr.readline()
+                assert line, f"the viewer ended with {process.wait()}: {told}"
+                told += line
+            assert "OpenGL 3.2" in sentence(told), told
+        finally:
+            os.killpg(process.pid, signal.SIGTERM)
+            process.wait(timeout=30)
+
+
+with tempfile.TemporaryDirectory() as folder:
+    without_display(folder)
+    without_opengl(folder)
