@@ -105,8 +105,8 @@ VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* 
   vtkNew<vtkMatrix4x4> worldFromData;
   volume->GetMatrix(worldFromData);
   VolumeGeometry geometry;
-  glm::dvec3 first;
-  glm::dvec3 step;
+  glm::dvec3 first(0.0);
+  glm::dvec3 step(1.0);
   for (int axis = 0; axis < 3; ++axis)
   {
     geometry.dimensions[axis] = axes[axis].VoxelCount();

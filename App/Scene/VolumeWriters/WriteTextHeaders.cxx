@@ -3,6 +3,8 @@
 #include "Scene/VolumeWriters/VolumeWriters.h"
 #include "Scene/VolumeWriters/WrittenImage.h"
 
+#include <sstream>
+
 namespace varimarch
 {
 
@@ -54,17 +56,19 @@ bool WriteMetaImageFile(const LoadedVolume& volume, const std::string& path, boo
   const glm::dmat3 direction = image.Direction();
   const int componentCount = image.ComponentCount();
   const bool isKnown = volume.modality == "CT" || volume.modality == "MR";
-  const std::string header =
-    std::string("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = ") +
-    (IsBigEndianMachine() ? "True" : "False") +
-    "\nCompressedData = False\nTransformMatrix = " + TextOf(direction[0]) + ' ' +
-    TextOf(direction[1]) + ' ' + TextOf(direction[2]) + "\nOffset = " + TextOf(image.OriginMm()) +
-    "\nCenterOfRotation = 0 0 0\nElementSpacing = " + TextOf(image.SpacingMm()) +
-    "\nDimSize = " + SizeText(image.Size()) +
-    (isKnown ? "\nModality = MET_MOD_" + volume.modality : "") +
-    (componentCount > 1 ? "\nElementNumberOfChannels = " + std::to_string(componentCount) : "") +
-    "\nElementType = " + image.Type().metaImage + "\nElementDataFile = LOCAL\n";
-  return WriteHeaderAndValues(path, header, image);
+  std::ostringstream header;
+  header << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = "
+         << (IsBigEndianMachine() ? "True" : "False")
+         << "\nCompressedData = False\nTransformMatrix = " << TextOf(direction[0]) << ' '
+         << TextOf(direction[1]) << ' ' << TextOf(direction[2])
+         << "\nOffset = " << TextOf(image.OriginMm())
+         << "\nCenterOfRotation = 0 0 0\nElementSpacing = " << TextOf(image.SpacingMm())
+         << "\nDimSize = " << SizeText(image.Size())
+         << (isKnown ? "\nModality = MET_MOD_" + volume.modality : "")
+         << (componentCount > 1 ? "\nElementNumberOfChannels = " + std::to_string(componentCount)
+                                : "")
+         << "\nElementType = " << image.Type().metaImage << "\nElementDataFile = LOCAL\n";
+  return WriteHeaderAndValues(path, header.str(), image);
 }
 
 }
