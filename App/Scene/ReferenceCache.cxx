@@ -210,6 +210,8 @@ void ReferenceCache::Keep(const std::string& path, const ReferencePicture& pictu
   try
   {
     fs::create_directories(this->folder);
+    // The images show a patient's scan.
+    fs::permissions(this->folder, fs::perms::owner_all);
     WriteFileWhole(path, FileBytes(picture));
     this->DeleteOldest();
   }

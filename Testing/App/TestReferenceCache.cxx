@@ -223,3 +223,9 @@ TEST_F(ReferenceCacheTest, AVolumeWithoutOneComponentIsRefused)
   colored->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   EXPECT_THROW(this->cache.Picture(this->scene, colored, 1e-4), std::invalid_argument);
 }
+
+TEST_F(ReferenceCacheTest, IsReadableByItsUserOnly)
+{
+  this->Draws(this->scene);
+  EXPECT_EQ(fs::status(this->folder).permissions(), fs::perms::owner_all);
+}

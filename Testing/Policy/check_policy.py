@@ -14,8 +14,8 @@ SKIPPED = 77
 
 TOP_LEVEL = set(
     """.ci .clang-format .clang-tidy .gitattributes .github .gitignore App CHANGELOG.md
-    CMakeLists.txt CMakePresets.json CONTRIBUTING.md Data Documentation LICENSE README.md Testing
-    VolumeModule demo.sh test.sh""".split()
+    CMakeLists.txt CMakePresets.json CONTRIBUTING.md Data Documentation LICENSE README.md
+    SECURITY.md Testing VolumeModule demo.sh test.sh""".split()
 )
 LARGEST_FILE_BYTES = 1_000_000
 LONGEST_FILE_LINES = 400

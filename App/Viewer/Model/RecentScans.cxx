@@ -90,6 +90,9 @@ void RecentScans::Keep(const QVector<RecentScan>& scans)
     settings.setValue("series", scans[i].series);
   }
   settings.endArray();
+  // Paths of scans are for their user only. A file that is written again keeps its permissions.
+  settings.sync();
+  QFile::setPermissions(settings.fileName(), QFile::ReadOwner | QFile::WriteOwner);
 }
 
 }
