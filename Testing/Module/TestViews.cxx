@@ -115,6 +115,18 @@ TEST(Viewports, APartOfAWindowShowsWhatAWindowOfItsSizeDoes)
   }
 }
 
+// A view that a splitter has closed is drawn too.
+TEST(Viewports, WithoutAreaDrawNothingAndReportNothing)
+{
+  MapperScene scene(SmallTorso(), ViewSize);
+  for (const double width : { 0.0, 1.0 })
+  {
+    scene.renderer->SetViewport(0.0, 0.0, width, 1.0 - width);
+    const std::vector<double> shown = Shown(scene.window);
+    EXPECT_EQ(*std::max_element(shown.begin(), shown.end()), 0.0);
+  }
+}
+
 TEST(Layers, AVolumeIsDrawnOverTheLayerBelow)
 {
   MapperScene scene(SmallTorso(), ViewSize);

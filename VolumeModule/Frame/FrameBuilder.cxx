@@ -306,8 +306,9 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   {
     throw std::runtime_error("The render window does not use OpenGL");
   }
+  const Viewport viewport = ViewportOf(renderer);
   const std::optional<MapperInput> input = InputOf(mapper, one.port);
-  if (!input)
+  if (!input || viewport.width < 1 || viewport.height < 1)
   {
     return std::nullopt;
   }
@@ -317,7 +318,7 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   frame.material.property = volume->GetProperty();
   frame.voxels.scalars = input->scalars;
   frame.voxels.time = std::max(input->data->GetMTime(), input->scalars->GetMTime());
-  frame.view.viewport = ViewportOf(renderer);
+  frame.view.viewport = viewport;
   frame.settings = SettingsOf(mapper, renderer, frame.material.property, input->scalars);
   ChoosePlaces(*input, volume, frame);
   ChooseVoxels(mapper, input->data, frame);
