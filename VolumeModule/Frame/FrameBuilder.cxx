@@ -1,12 +1,12 @@
 #include "Frame/FrameBuilder.h"
 
 #include "Core/Look/OpticalTable.h"
-#include "Core/Recipe/MaterialRecipe.h"
 #include "Frame/ImageSettings.h"
 #include "Frame/Lights.h"
 #include "Frame/MapperInput.h"
 #include "Frame/MaterialChoices.h"
 #include "Frame/OverlappingVolumes.h"
+#include "Frame/QualityChoices.h"
 #include "Frame/UserShaderCode.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
@@ -96,32 +96,6 @@ Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings
   return Acceleration::Off;
 }
 
-Integration IntegrationOf(int integrationRule)
-{
-  switch (integrationRule)
-  {
-    case vtkVariationFieldVolumeMapper::PreIntegrated:
-      return Integration::PreIntegrated;
-    case vtkVariationFieldVolumeMapper::Simpson:
-      return Integration::Simpson;
-    case vtkVariationFieldVolumeMapper::PublishedSum:
-      return Integration::PublishedSum;
-  }
-  return Integration::Midpoint;
-}
-
-// Samples per voxel that keep a composite within half a grey level of a fine march, measured on a
-// head CT with a bone transfer function. Normals turn faster than values change. A maximum only has
-// to be passed closely.
-double AutomaticSamplesPerVoxel(const RenderSettings& settings)
-{
-  if (settings.blend != Blend::Composite)
-  {
-    return 2.0;
-  }
-  return MarchesMaterial(settings) ? 8.0 : 4.0;
-}
-
 // The homogeneous material of a transfer function with one node.
 glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistanceMm)
 {
@@ -129,39 +103,6 @@ glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistance
     { { 0.0, { color[0], color[1], color[2] } } }, { { 0.0, opacity } }, unitDistanceMm);
   const double extinction = std::min(material.Extinction(0.0), double(OpaqueExtinction));
   return glm::dvec4(material.Color(0.0), extinction);
-}
-
-// Only an image with a tolerance has a budget; if the user sets the sample distance, it has none.
-ErrorBudget BudgetOf(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
-{
-  ErrorBudget budget;
-  budget.tolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
-  budget.windowScale = frame.image.windowScaleBias.x;
-  budget.isExtreme = IsExtreme(frame.settings.blend);
-  budget.isSampled = IsSampled(frame.settings);
-  return budget;
-}
-
-void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
-{
-  QualityRequest& quality = frame.quality;
-  quality.budget = BudgetOf(mapper, frame);
-  quality.choosesIntegration =
-    mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
-    frame.settings.blend == Blend::Composite && IsSampled(frame.settings);
-  quality.variationTolerance = mapper->GetVariationTolerance();
-  quality.earlyTerminationTransmittance =
-    quality.budget.EarlyTermination(mapper->GetEarlyTerminationTransmittance());
-  quality.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
-    ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
-    : mapper->GetSampleDistance();
-  frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
-  if (quality.choosesIntegration && MarchesMaterial(frame.settings) &&
-    quality.budget.StepTolerance() == 0.0)
-  {
-    // No trial chooses these short steps, at which this rule has the smaller error.
-    frame.settings.integration = Integration::PreIntegrated;
-  }
 }
 
 bool HasComponents(vtkVariationFieldVolumeMapper* mapper, int port)

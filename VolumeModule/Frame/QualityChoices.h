@@ -1,0 +1,17 @@
+#ifndef Varimarch_Frame_QualityChoices_h
+#define Varimarch_Frame_QualityChoices_h
+
+#include "Frame/Frame.h"
+
+class vtkVariationFieldVolumeMapper;
+
+namespace varimarch
+{
+
+/// Chooses the error budget, the sample distance and the integration rule of a frame whose other
+/// settings are complete.
+void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame);
+
+}
+
+#endif
