@@ -121,10 +121,9 @@ private:
     this->Add(this->At(beyond + 1.5), 0.3 * this->most);
   }
 
-  // Finer orders are for the table of a pre-integration, which has 1024 values, as one.
   void Logarithmic()
   {
-    const int orders = this->dice.Whole(1, 3);
+    const int orders = this->dice.Whole(1, 6);
     for (int i = orders; i >= 0; --i)
     {
       this->Add(this->At(std::pow(10.0, -i)), this->Opacity());

@@ -2,12 +2,14 @@
 
 #include "Module/ComponentVolumes.h"
 #include "Module/ExtremeSceneParts.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <vtkPlane.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -89,5 +91,37 @@ TEST(FoundByChance, TheErrorToleranceIsKeptInThinPieces)
     EXPECT_LE(varimarch::CompareImages(drawn.data(), truth.data(), truth.size() / 4).percentile999,
       255.0 * Tolerance);
     EXPECT_LT(scene.mapper->GetUsedSampleDistance(), 0.4 / 7.0) << "samples across the slab";
+  }
+}
+
+// The table of a pre-integration has at most 1024 values, none of them between such nodes. Its
+// error is the same at all sample distances.
+TEST(FoundByChance, NodesWithinAThousandthOfTheRangeAreDrawnOrTold)
+{
+  constexpr double Tolerance = 1.0 / 128.0;
+  MapperScene scene(ImageOf(VTK_FLOAT, 1,
+                      [](glm::ivec3 voxel, int)
+                      {
+                        const bool isFar = std::max({ voxel.x, voxel.y, voxel.z }) < 2;
+                        const double part = 0.5 +
+                          0.5 * std::sin(0.7 * voxel.x + 0.5 * voxel.y) * std::cos(0.6 * voxel.z);
+                        return isFar ? 1e6 : 900.0 * part;
+                      },
+                      { 11, 9, 10 }),
+    48);
+  scene.volume->GetProperty()->ShadeOff();
+  Opacities({ { 100.0, 0.0 }, { 300.0, 0.25 }, { 500.0, 0.003 }, { 700.0, 0.15 }, { 900.0, 0.28 },
+              { 1e6, 0.2 } },
+    0.0, 900.0)(scene);
+  scene.mapper->SetErrorTolerance(Tolerance);
+  for (const int rule : { Mapper::Automatic, Mapper::PreIntegrated })
+  {
+    SCOPED_TRACE(rule == Mapper::Automatic ? "automatic" : "pre-integrated");
+    scene.mapper->SetIntegrationRule(rule);
+    const ExpectedVtkErrors warnings;
+    const double error = scene.Error().percentile999 / 255.0;
+    const bool isKept = scene.mapper->GetErrorToleranceIsKept();
+    EXPECT_EQ(isKept, rule == Mapper::Automatic) << error;
+    EXPECT_LE(error, 2.0 * std::max(Tolerance, scene.mapper->GetEstimatedError()));
   }
 }

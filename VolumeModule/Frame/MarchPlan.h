@@ -38,9 +38,10 @@ struct MarchPlan
   ShaderRole role = ShaderRole::MarchRays;
   Viewport viewport = {};
   glm::dvec2 rayOffsetPixels = glm::dvec2(0.0); ///< The offset of rays from their pixels' centres.
-  bool addsUp = false;  ///< True if the colours are added to those in the framebuffer.
-  bool isTrial = false; ///< True for a trial image, in which fetches are not counted.
-  bool isLit = true;    ///< False for a trial of opacities, which do not depend on light.
+  bool addsUp = false;        ///< True if the colours are added to those in the framebuffer.
+  bool isTrial = false;       ///< True for a trial image, in which fetches are not counted.
+  bool isLit = true;          ///< False for a trial of opacities, which do not depend on light.
+  bool hasSmallTable = false; ///< True for a trial with half of the pre-integrated values.
 
   /// The plan of another drawing of the same image.
   MarchPlan WithPass(RayPass otherPass) const;

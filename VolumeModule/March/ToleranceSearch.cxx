@@ -57,8 +57,13 @@ double GainThatPays(const VolumeMarch& march)
 constexpr double NarrowPeak = 1.0 / 256.0;
 
 // A larger optical table loses so much in its pre-integrated table that edges of the transfer
-// function move, equally at every sample distance: a trial would not show that error.
+// function move, equally at every sample distance: a shorter distance would not show that error.
 constexpr std::size_t MostPreIntegratedEntries = 8192;
+
+bool LosesByPreIntegration(const VolumeResources& volume)
+{
+  return volume.Materials().OpticalTables().Table().entries.size() > MostPreIntegratedEntries;
+}
 
 // A pre-integrated table has 1024 values on a side, which also moves edges: a difference below this
 // many times the limit may be an error of the table.
@@ -207,21 +212,34 @@ const std::vector<float>& ToleranceSearch::Trial::DrawUnlit(
   return this->DrawOnce(!this->march.settings.shading, integration, sampleDistanceMm);
 }
 
+std::vector<float> ToleranceSearch::Trial::DrawWithSmallTable(double sampleDistanceMm)
+{
+  MarchPlan tried = this->PlanOf(false, Integration::PreIntegrated, sampleDistanceMm);
+  tried.hasSmallTable = true;
+  return this->draw(tried);
+}
+
 const std::vector<float>& ToleranceSearch::Trial::DrawOnce(
   bool isLit, Integration integration, double distanceMm)
 {
   std::vector<float>& image = this->drawn[{ isLit, integration, distanceMm }];
   if (image.empty())
   {
-    MarchPlan tried = this->march.plan.WithViewport(TrialPixels(this->march.plan.viewport));
-    tried.pass = RayPass::Whole;
-    tried.integration = integration;
-    tried.sampleDistanceMm = distanceMm;
-    tried.isTrial = true;
-    tried.isLit = isLit;
-    image = this->draw(tried);
+    image = this->draw(this->PlanOf(isLit, integration, distanceMm));
   }
   return image;
+}
+
+MarchPlan ToleranceSearch::Trial::PlanOf(
+  bool isLit, Integration integration, double distanceMm) const
+{
+  MarchPlan tried = this->march.plan.WithViewport(TrialPixels(this->march.plan.viewport));
+  tried.pass = RayPass::Whole;
+  tried.integration = integration;
+  tried.sampleDistanceMm = distanceMm;
+  tried.isTrial = true;
+  tried.isLit = isLit;
+  return tried;
 }
 
 FoundSteps ToleranceSearch::Trial::Find(
@@ -277,8 +295,8 @@ bool ToleranceSearch::PreIntegrationMayPay(
   {
     return true;
   }
-  const bool losesTooMuch = !MarchesMaterial(trial.march.settings) &&
-    trial.volume.Materials().OpticalTables().Table().entries.size() > MostPreIntegratedEntries;
+  const bool losesTooMuch =
+    !MarchesMaterial(trial.march.settings) && LosesByPreIntegration(trial.volume);
   if (losesTooMuch || !choice.step.KeepsLimit())
   {
     return !losesTooMuch;
@@ -292,29 +310,54 @@ bool ToleranceSearch::PreIntegrationMayPay(
   return GainThatPays(trial.march) * ErrorOfLimit(image, finest, trial.limit) < 1.0;
 }
 
-// A shorter distance does not reveal a peak that lies between all samples. Pre-integration misses
-// no peak: its difference from the sampled image, less the error of its own steps, is therefore an
-// error of sampling.
+// A shorter distance reveals neither a peak that lies between all samples nor what the table of a
+// pre-integration loses.
 double ToleranceSearch::MissedOfLimit(Trial& trial, const ToleranceChoice& choice)
 {
-  const ValueRange& resolved = trial.volume.Blocks().Texels().resolved;
-  const double range = resolved.upper - resolved.lower;
   if (trial.march.settings.blend != Blend::Composite || !trial.march.plan.triesPreIntegration ||
-    !IsOpacityOfValues(trial.march.settings) ||
-    (choice.integration == Integration::PreIntegrated && !trial.march.settings.shading) ||
-    TransferFunctionOf(trial.march.frame.material.property).SmallestNodeGap() >= NarrowPeak * range)
+    !IsOpacityOfValues(trial.march.settings))
   {
     return 0.0;
   }
+  if (choice.integration == Integration::PreIntegrated && !trial.march.settings.shading)
+  {
+    return LostOfLimit(trial, choice.step.sampleDistance);
+  }
+  const ValueRange& resolved = trial.volume.Blocks().Texels().resolved;
+  const double range = resolved.upper - resolved.lower;
+  const bool hasNarrowPeaks =
+    TransferFunctionOf(trial.march.frame.material.property).SmallestNodeGap() < NarrowPeak * range;
+  return hasNarrowPeaks ? MissedPeaksOfLimit(trial, choice) : 0.0;
+}
+
+// Pre-integration misses no peak: its difference from the sampled image, less the errors of its own
+// steps and table, is therefore an error of sampling.
+double ToleranceSearch::MissedPeaksOfLimit(Trial& trial, const ToleranceChoice& choice)
+{
   const double distanceMm = choice.step.sampleDistance;
   const std::vector<float> steps = OpacityOf(trial.Draw(choice.integration, distanceMm));
   const std::vector<float> coarse =
     OpacityOf(trial.DrawUnlit(Integration::PreIntegrated, distanceMm));
   const std::vector<float> fine =
     OpacityOf(trial.DrawUnlit(Integration::PreIntegrated, 0.5 * distanceMm));
-  const double missed =
+  const double difference =
     DifferenceOfLimit(steps, fine, trial.limit) - DifferenceOfLimit(coarse, fine, trial.limit);
+  if (difference <= CertainlyMissed)
+  {
+    return 0.0;
+  }
+  const double missed = difference - LostOfLimit(trial, 0.5 * distanceMm);
   return missed > CertainlyMissed ? missed : 0.0;
+}
+
+// The error of a pre-integrated table falls at least in proportion to the distance of its values,
+// or is erratic if nodes lie closer together: a table of half as many differs by the error or more.
+double ToleranceSearch::LostOfLimit(Trial& trial, double distanceMm)
+{
+  return LosesByPreIntegration(trial.volume)
+    ? DifferenceOfLimit(trial.DrawWithSmallTable(distanceMm),
+        trial.DrawUnlit(Integration::PreIntegrated, distanceMm), trial.limit)
+    : 0.0;
 }
 
 }

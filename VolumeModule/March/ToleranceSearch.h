@@ -49,7 +49,7 @@ struct ToleranceChoice
   ToleranceInputs inputs; ///< The inputs of the search that found it.
   Integration integration;
   StepChoice step;
-  double missedOfLimit = 0.0; ///< The error of missed peaks as a fraction of the limit.
+  double missedOfLimit = 0.0; ///< The error that no sample distance shows, in parts of the limit.
 };
 
 /// Draws a trial image and returns premultiplied RGBA of the pixels of the plan's viewport.
@@ -86,11 +86,14 @@ private:
 
     const std::vector<float>& Draw(Integration integration, double sampleDistanceMm);
     const std::vector<float>& DrawUnlit(Integration integration, double sampleDistanceMm);
+    /// Unlit, with a pre-integrated table of half as many values on a side.
+    std::vector<float> DrawWithSmallTable(double sampleDistanceMm);
     /// @param exact  see FindSampleDistance
     FoundSteps Find(Integration integration, double firstMm, const std::vector<float>& exact = {});
 
   private:
     const std::vector<float>& DrawOnce(bool isLit, Integration integration, double distanceMm);
+    MarchPlan PlanOf(bool isLit, Integration integration, double distanceMm) const;
   };
 
   ToleranceChoice ChooseSteps(Trial trial, const ToleranceInputs& inputs) const;
@@ -98,7 +101,10 @@ private:
   /// @param finest  see FoundSteps
   static bool PreIntegrationMayPay(
     Trial& trial, const ToleranceChoice& choice, const std::vector<float>& finest);
+  /// The part of the error that no sample distance shows.
   static double MissedOfLimit(Trial& trial, const ToleranceChoice& choice);
+  static double MissedPeaksOfLimit(Trial& trial, const ToleranceChoice& choice);
+  static double LostOfLimit(Trial& trial, double distanceMm);
 
   std::optional<ToleranceChoice> choice;
   std::vector<CornersClip> view; ///< The view of the last image with a tolerance.

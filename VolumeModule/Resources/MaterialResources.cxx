@@ -23,9 +23,9 @@ constexpr double PreIntegratedPerGap = 64.0;
 constexpr std::size_t FewestPreIntegrated = 256;
 constexpr std::size_t MostPreIntegrated = 1024;
 
-std::size_t PreIntegratedEntries(vtkVolumeProperty* property, const OpticalTable& table)
+std::size_t PreIntegratedEntries(const VolumeMarch& march, const OpticalTable& table)
 {
-  const TransferFunction function = TransferFunctionOf(property);
+  const TransferFunction function = TransferFunctionOf(march.frame.material.property);
   const double range = table.lastValue - table.firstValue;
   std::size_t side = function.IsPiecewiseLinear() ? FewestPreIntegrated : MostPreIntegrated;
   while (
@@ -33,6 +33,7 @@ std::size_t PreIntegratedEntries(vtkVolumeProperty* property, const OpticalTable
   {
     side *= 2;
   }
+  side /= march.plan.hasSmallTable ? 2 : 1;
   return side * side;
 }
 
@@ -135,15 +136,17 @@ void MaterialResources::UpdatePreIntegrated(const VolumeMarch& march)
     this->preIntegratedOfTable = 0;
   }
   else if (this->preIntegratedOfTable != this->tableBuilds ||
+    this->preIntegratedIsSmall != march.plan.hasSmallTable ||
     this->preIntegratedTable.IsKept() != (march.plan.marcher == Marcher::Processor))
   {
     const OpticalTable& optical = this->opticalTable.Table();
-    PreIntegratedTable table = BuildPreIntegratedTable(
-      optical, PreIntegratedEntries(march.frame.material.property, optical));
+    PreIntegratedTable table =
+      BuildPreIntegratedTable(optical, PreIntegratedEntries(march, optical));
     march.plan.marcher == Marcher::Processor
       ? this->preIntegratedTable.Keep(march.frame.view.window, std::move(table))
       : this->preIntegratedTable.Upload(march.frame.view.window, std::move(table));
     this->preIntegratedOfTable = this->tableBuilds;
+    this->preIntegratedIsSmall = march.plan.hasSmallTable;
   }
 }
 

@@ -61,7 +61,8 @@ private:
   std::vector<double> tableInputs;
 
   PreIntegratedTableTexture preIntegratedTable;
-  int preIntegratedOfTable = 0; ///< The build number of the optical table it was made from.
+  int preIntegratedOfTable = 0;      ///< The build number of the optical table it was made from.
+  bool preIntegratedIsSmall = false; ///< True if it is the one of a trial.
 
   FloatTable twoValues; ///< The transfer function of two values.
   glm::ivec2 twoValuesSize = glm::ivec2(1);
