@@ -432,6 +432,17 @@ public:
 
   ///@{
   /**
+   * Light voxels with a label as the surface of their label, so that a segment in tissue of its own
+   * brightness is not dark. Inside a label the light is that of a surface that faces the eye.
+   * Default: off, lit by the gradient of the scalars, as VTK does.
+   */
+  vtkSetMacro(LabelSurfaces, vtkTypeBool);
+  vtkGetMacro(LabelSurfaces, vtkTypeBool);
+  vtkBooleanMacro(LabelSurfaces, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Name of the point data array that is the second argument of a two-dimensional transfer function
    * (vtkVolumeProperty::SetTransferFunction2D). Default: none, which means the gradient magnitude,
    * measured as for gradient opacity. The first and last points on each axis of the function's
@@ -525,6 +536,7 @@ protected:
   vtkSmartPointer<vtkImageData> MaskInput;
   int MaskType = LabelMapMaskType;
   float MaskBlendFactor = 1.0f;
+  vtkTypeBool LabelSurfaces = 0;
   char* Transfer2DYAxisArray = nullptr;
   double DampingGradient = 0.0;
   vtkTypeBool CubicInterpolation = 0;

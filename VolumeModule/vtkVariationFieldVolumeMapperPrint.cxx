@@ -40,6 +40,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaskInput: " << this->MaskInput << "\n";
   os << indent << "MaskType: " << this->MaskType << "\n";
   os << indent << "MaskBlendFactor: " << this->MaskBlendFactor << "\n";
+  os << indent << "LabelSurfaces: " << this->LabelSurfaces << "\n";
   os << indent << "Transfer2DYAxisArray: "
      << (this->Transfer2DYAxisArray ? this->Transfer2DYAxisArray : "none") << "\n";
   os << indent << "UsedSampleDistance: " << this->GetUsedSampleDistance() << "\n";

@@ -36,6 +36,7 @@ vtkSmartPointer<vtkVolumeMapper> NewMapper(MapperKind kind)
     default:
       auto mapper = vtkSmartPointer<vtkVariationFieldVolumeMapper>::New();
       mapper->SetProcessorMarching(kind == MapperKind::Varimarch);
+      mapper->LabelSurfacesOn();
       return mapper;
   }
 }

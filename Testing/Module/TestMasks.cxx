@@ -5,6 +5,7 @@
 #include "Module/MapperScene.h"
 
 #include <vtkDataArray.h>
+#include <vtkLight.h>
 #include <vtkPointData.h>
 
 #include <glm/common.hpp>
@@ -264,6 +265,68 @@ TEST(LabelMap, WithFunctionsOfEachLabelIsThatOfTheReference)
   EXPECT_LT(error.largest, 10.0);
   const std::vector<float> drawn = torso.scene.Draw();
   EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the image is empty";
+}
+
+namespace
+{
+
+// A block with an opaque label in nothing. It has one value, so its own gradient lights nothing.
+class LitLabel : public Block
+{
+public:
+  explicit LitLabel(const Labels& labels)
+  {
+    vtkVolumeProperty* property = this->scene.volume->GetProperty();
+    property->ShadeOn();
+    property->SetAmbient(0.2);
+    property->SetDiffuse(0.5);
+    property->SetSpecular(0.1);
+    property->SetSpecularPower(20.0);
+    property->SetLabelScalarOpacity(1, Constant(1.0));
+    this->scene.opacities->RemoveAllPoints();
+    this->scene.opacities->AddPoint(0.0, 0.0);
+    this->scene.mapper->LabelSurfacesOn();
+    this->SetMask(labels);
+  }
+};
+
+int HalfTheBlock(glm::ivec3 voxel)
+{
+  return voxel.z < 20 ? 1 : 0;
+}
+
+}
+
+TEST(LabelMap, IsLitAsTheSurfaceOfItsLabel)
+{
+  LitLabel facing(HalfTheBlock);
+  EXPECT_NEAR(facing.scene.MiddlePixel()[0], 0.8, HalfByteStep);
+  facing.scene.mapper->LabelSurfacesOff();
+  EXPECT_NEAR(facing.scene.MiddlePixel()[0], 0.2, HalfByteStep) << "as VTK does";
+  // A staircase of one step per voxel is a slope of 45 degrees.
+  LitLabel slope([](glm::ivec3 voxel) { return voxel.z + voxel.y < 24 ? 1 : 0; });
+  const double cosine = std::sqrt(0.5);
+  EXPECT_NEAR(slope.scene.MiddlePixel()[0], 0.2 + 0.5 * cosine + 0.1 * std::pow(cosine, 20.0),
+    2.0 * HalfByteStep);
+}
+
+TEST(LabelMap, IsDullWhereItHasNoSurface)
+{
+  LitLabel inside([](glm::ivec3) { return 1; });
+  EXPECT_NEAR(inside.scene.MiddlePixel()[0], 0.7, HalfByteStep);
+  vtkNew<vtkLight> dim;
+  dim->SetLightTypeToHeadlight();
+  dim->SetIntensity(0.5);
+  inside.scene.renderer->RemoveAllLights();
+  inside.scene.renderer->AddLight(dim);
+  EXPECT_NEAR(inside.scene.MiddlePixel()[0], 0.45, HalfByteStep);
+}
+
+TEST(LabelMap, IsNotDampedWhereTheScanIsHomogeneous)
+{
+  LitLabel label(HalfTheBlock);
+  label.scene.mapper->SetDampingGradient(1e4);
+  EXPECT_NEAR(label.scene.MiddlePixel()[0], 0.8, HalfByteStep);
 }
 
 TEST(Masks, TakeTheirShaderAndTextureOnlyWhereTheyAre)

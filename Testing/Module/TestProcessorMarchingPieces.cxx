@@ -182,6 +182,13 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfPieces,
         factors->AddPoint(100.0, 1.0);
         s.volume->GetProperty()->SetLabelGradientOpacity(2, factors);
       } },
+    Change{ "LabelsLitAsSurfaces",
+      [](MapperScene& s)
+      {
+        UseLabels(s);
+        s.volume->GetProperty()->ShadeOn();
+        s.mapper->LabelSurfacesOn();
+      } },
     Change{ "LabelsOfBoxes",
       [](MapperScene& s)
       {

@@ -107,8 +107,10 @@ std::vector<RenderSettings> RecipesOfFunctionsAndMasks()
     RenderSettings labels;
     labels.shading = shading;
     labels.mask = Mask::Labels;
+    labels.labelSurfaces = shading;
     recipes.push_back(labels);
     labels.gradientOpacity = true;
+    labels.labelSurfaces = false;
     recipes.push_back(labels);
     for (FunctionOf functionOf : { FunctionOf::ValueAndGradient, FunctionOf::TwoValues })
     {

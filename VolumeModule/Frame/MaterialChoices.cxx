@@ -132,6 +132,8 @@ void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* pr
     settings.componentCount, property->GetIndependentComponents() != 0);
   settings.functionOf = FunctionOfMapper(mapper, property, settings);
   settings.mask = MaskOf(mapper, settings);
+  settings.labelSurfaces =
+    settings.mask == Mask::Labels && property->GetShade() != 0 && mapper->GetLabelSurfaces() != 0;
   settings.gradientOpacity = HasGradientOpacity(property, settings);
 }
 

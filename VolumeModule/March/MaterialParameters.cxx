@@ -83,6 +83,9 @@ void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
   const HeadLightColors light = HeadLightColorsOf(march.frame.view.renderer);
   p.diffuseLight = light.diffuse;
   p.specularLight = light.specular;
+  constexpr double Undamped = 1e8;
+  constexpr double Most = 1e30;
+  p.labelGradient = float(std::min(Undamped / texelsPerScalar, Most));
   if (march.settings.damping)
   {
     p.dampingFactors = march.frame.geometry.gradientFactors *

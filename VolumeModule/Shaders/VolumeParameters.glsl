@@ -44,6 +44,7 @@ layout(std140) uniform VolumeParameters
   float clippedScalar;         // scalar that gradients see beyond clipping planes
   int isosurfaceCount;
   float backsLit;       // 1 if both sides of surfaces are lit, else 0
+  float labelGradient;  // factor of a label's gradient, which makes it one that is not damped
   vec4 reflectances[4]; // coefficients of ambient, diffuse and specular light, specular power
 
   // The mixture, and lights that are not at the eye.

@@ -81,6 +81,11 @@ float LitPart(vec3 gradient);
 // of the material, or the row of a label.
 float AtGradient(float extinction, vec3 gradient, int component);
 
+// --- LabelLight: light on a sample that may have a label. Only with labels ---
+// Defines:
+//   vec3 LitLabel(vec3 color, vec3 gradient, Ray ray, float t);
+//     The color after lighting, for a gradient of the scalars.
+
 // --- Values: what the material at a point depends on ---
 // Defines struct Values, which is read at every sample, and struct Gradients, which is read only
 // where a sample absorbs light. Both can be taken as linear along a short segment.

@@ -100,6 +100,7 @@ struct PacketLight
 {
   PacketShading shading;
   bool damps;
+  bool labels; ///< labels are lit as their own surfaces
 };
 
 /// Bricks that steps may leave out.

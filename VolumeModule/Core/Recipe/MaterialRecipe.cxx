@@ -92,6 +92,7 @@ std::vector<std::string> MaterialParts(const RenderSettings& settings)
     return { UsesGradients(settings) ? GradientFile(settings) : "Gradient/None.glsl",
       ShadeFile(settings),
       settings.gradientOpacity ? "GradientOpacity/LabelTables.glsl" : "GradientOpacity/None.glsl",
+      settings.labelSurfaces ? "LabelLight/Labels.glsl" : "LabelLight/Scalars.glsl",
       "Values/One.glsl", "Material/Labelled.glsl" };
   }
   const std::string opacity =

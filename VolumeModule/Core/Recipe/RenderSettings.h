@@ -162,6 +162,7 @@ struct RenderSettings
   bool damping = false; ///< shading fades where the gradient is small; one component only
   bool lights = false;  ///< all lights of the scene, not only a head light
   Mask mask = Mask::None;
+  bool labelSurfaces = false; ///< labels are lit as surfaces of their own; labels with shading only
   FunctionOf functionOf = FunctionOf::Value; ///< other than Value: composites of one component only
   Components components = Components::One;
   int componentCount = 1;                  ///< number of the volume's components

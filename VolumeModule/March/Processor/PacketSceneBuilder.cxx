@@ -139,7 +139,7 @@ PacketScene PacketSceneOf(
     march.frame.geometry.dimensions };
   scene.look = LookOf(march, volume, scene.parameters, 0, 0);
   scene.labelRows = around.labelRows.empty() ? nullptr : around.labelRows.data();
-  scene.light = { ShadingOf(march.settings), march.settings.damping };
+  scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces };
   scene.extreme = ExtremeOf(march, volume);
   scene.isMean = march.settings.blend == Blend::AverageIntensity;
   scene.steps = StepsOf(march, volume);

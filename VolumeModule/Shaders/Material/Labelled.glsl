@@ -19,5 +19,5 @@ vec4 Material(Values values, Gradients gradients, Ray ray, float t)
     optical = vec4(mix(plain.rgb, optical.rgb, labelPart),
       MixedExtinction(plain.a, optical.a, labelPart, opacityUnitDistancesMm.x));
   }
-  return vec4(Shade(optical.rgb, gradients.scalar, reflectances[0], ray, t), optical.a);
+  return vec4(LitLabel(optical.rgb, gradients.scalar, ray, t), optical.a);
 }

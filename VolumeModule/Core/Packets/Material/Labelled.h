@@ -4,6 +4,7 @@
 // Twin of Material/Labelled.glsl and Classify/LabelTables.glsl.
 
 #include "Core/Packets/GradientOpacity/LabelTables.h"
+#include "Core/Packets/LabelLight/Labels.h"
 #include "Core/Packets/Material/OneComponent.h"
 
 namespace varimarch
@@ -16,7 +17,11 @@ namespace
 class LabelledMaterial : public PacketMaterial
 {
 public:
-  using PacketMaterial::PacketMaterial;
+  LabelledMaterial(const PacketScene& scene, const PacketRays& rays)
+    : PacketMaterial(scene, rays)
+    , surfaces(scene, rays)
+  {
+  }
 
   Optical At(Lanes value, const Surface& surface, Lanes t) const
   {
@@ -30,11 +35,28 @@ public:
       optical.extinction = Select(isMixed, mixed.extinction, optical.extinction);
       optical.color = Select(isMixed, mixed.color, optical.color);
     }
-    optical.color = this->Shaded(optical.color, surface, t);
+    optical.color = this->Lit(optical.color, surface, t);
     return optical;
   }
 
 private:
+  Lanes3 Lit(const Lanes3& color, const Surface& surface, Lanes t) const
+  {
+    const LaneMask isLabelled = LaneMask(this->rays.region > 0);
+    if (!this->scene.light.labels || !Any(isLabelled))
+    {
+      return this->Shaded(color, surface, t);
+    }
+    const Lanes3 normal = this->surfaces.GradientAt(this->rays.At(t));
+    const LaneMask isInside = isLabelled & LaneMask(Dot(normal, normal) <= LeastSurface);
+    const Lanes factor = All(this->scene.parameters.labelGradient);
+    const Surface facingEye = { Lanes3(factor), this->directionWorld, All(1.0f) };
+    const Surface own = Select(isInside, facingEye, this->SurfaceOf(factor * normal));
+    Lanes4 reflectance = ReflectanceOf(this->scene);
+    reflectance.z = Select(isInside, All(0.0f), reflectance.z);
+    return this->ShadedBy(reflectance, color, Select(isLabelled, own, surface), t);
+  }
+
   Optical OfRows(IntLanes rows, Lanes value, const Surface& surface) const
   {
     const IntNumbers row(rows);
@@ -68,6 +90,8 @@ private:
       MixedExtinction(plain.extinction, own.extinction, part,
         All(this->scene.parameters.opacityUnitDistancesMm.x)) };
   }
+
+  LabelSurfaces surfaces;
 };
 
 }

@@ -58,12 +58,19 @@ public:
 
   Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t) const
   {
+    return this->ShadedBy(ReflectanceOf(this->scene), color, surface, t);
+  }
+
+protected:
+  Lanes3 ShadedBy(
+    const Lanes4& reflectance, const Lanes3& color, const Surface& surface, Lanes t) const
+  {
     switch (this->scene.light.shading)
     {
       case PacketShading::HeadLight:
-        return LitByHeadLight(this->scene, color, surface);
+        return LitByHeadLight(this->scene, reflectance, color, surface);
       case PacketShading::Lights:
-        return PacketLights(this->scene, this->directionWorld)
+        return PacketLights(this->scene, reflectance, this->directionWorld)
           .Lit(color, surface, this->WorldAt(t));
       case PacketShading::None:
         break;
@@ -102,7 +109,7 @@ public:
   Optical At(Lanes value, const Surface& surface, Lanes) const
   {
     Optical optical = Classify(this->scene.look, value);
-    optical.color = LitByHeadLight(this->scene, optical.color, surface);
+    optical.color = LitByHeadLight(this->scene, ReflectanceOf(this->scene), optical.color, surface);
     return optical;
   }
 };

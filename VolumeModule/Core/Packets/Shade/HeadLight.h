@@ -19,10 +19,11 @@ inline Lanes4 ReflectanceOf(const PacketScene& scene)
   return { All(r.x), All(r.y), All(r.z), All(r.z > 0.0f ? r.w : 0.0f) };
 }
 
-inline Lanes3 LitByHeadLight(const PacketScene& scene, const Lanes3& color, const Surface& surface)
+inline Lanes3 LitByHeadLight(
+  const PacketScene& scene, const Lanes4& reflectance, const Lanes3& color, const Surface& surface)
 {
   return LitFromEye(color, FacingEye(surface.normalWorld, surface.towardsEye),
-    LitPart(scene, surface), ReflectanceOf(scene), AllOf3(scene.parameters.diffuseLight),
+    LitPart(scene, surface), reflectance, AllOf3(scene.parameters.diffuseLight),
     AllOf3(scene.parameters.specularLight));
 }
 

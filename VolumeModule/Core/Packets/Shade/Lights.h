@@ -16,10 +16,10 @@ namespace
 class PacketLights
 {
 public:
-  PacketLights(const PacketScene& scene, const Lanes3& directionWorld)
+  PacketLights(const PacketScene& scene, const Lanes4& reflectance, const Lanes3& directionWorld)
     : scene(scene)
     , parameters(scene.parameters)
-    , reflectance(ReflectanceOf(scene))
+    , reflectance(reflectance)
     , isShiny(scene.parameters.reflectances[scene.constituent.component].z > 0.0f)
     , toEye(-directionWorld)
   {
