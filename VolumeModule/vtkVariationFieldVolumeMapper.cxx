@@ -4,6 +4,7 @@
 #include "Frame/FrameBuilder.h"
 #include "Frame/RendererVolumes.h"
 #include "Frame/SelectorScope.h"
+#include "March/AccuracyWarnings.h"
 #include "March/ImageOutput.h"
 #include "March/RayMarcher.h"
 
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <new>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -53,53 +53,13 @@ struct vtkVariationFieldVolumeMapper::Internals
   std::string Warnings(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const;
 };
 
-namespace
-{
-
-std::string ExceededTolerance(double tolerance, const varimarch::StepChoice& step)
-{
-  std::ostringstream text;
-  text << "The error tolerance " << tolerance << " cannot be kept: with a sample every "
-       << step.sampleDistance;
-  if (step.error > tolerance)
-  {
-    text << ", 99.9 % of the pixels are off by up to " << step.error << ". ";
-  }
-  else
-  {
-    text << ", isolated pixels exceed it, though 99.9 % of the pixels keep it. ";
-  }
-  return text.str();
-}
-
-}
-
 // Sentences about the requested features and accuracy that the last frame lacks; empty if there are
 // none.
 std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
   vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const
 {
-  std::string warnings = varimarch::MissingFeatures(mapper, volume);
-  if (!mapper->GetAutoAdjustSampleDistances() &&
-    this->Marcher.UsedSampleDistanceMm() > mapper->GetSampleDistance())
-  {
-    std::ostringstream text;
-    text << "The sample distance " << mapper->GetSampleDistance()
-         << " is too short for this volume: " << this->Marcher.UsedSampleDistanceMm()
-         << " is used. ";
-    warnings += text.str();
-  }
-  if (this->Marcher.MissesCurve())
-  {
-    warnings += "The image may be wrong by any amount: the transfer function changes over such a "
-                "range of values that its table misses parts of it. Let its last nodes be among "
-                "the values to be seen. ";
-  }
-  if (this->Marcher.Tolerance() && !this->Marcher.Tolerance()->step.KeepsLimit())
-  {
-    warnings += ExceededTolerance(mapper->ErrorTolerance, this->Marcher.Tolerance()->step);
-  }
-  return warnings;
+  return varimarch::MissingFeatures(mapper, volume) +
+    varimarch::AccuracyWarnings(mapper, this->Marcher);
 }
 
 namespace
@@ -319,7 +279,7 @@ double vtkVariationFieldVolumeMapper::GetEstimatedError()
   {
     return 0.0;
   }
-  return this->Private->Marcher.MissesCurve() ? 1.0 : tolerance->step.error;
+  return this->Private->Marcher.HasUnknownError() ? 1.0 : tolerance->step.error;
 }
 
 void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -384,7 +344,7 @@ int vtkVariationFieldVolumeMapper::GetToleranceSearches()
 bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()
 {
   const auto& tolerance = this->Private->Marcher.Tolerance();
-  return !tolerance || (tolerance->step.KeepsLimit() && !this->Private->Marcher.MissesCurve());
+  return !tolerance || (tolerance->step.KeepsLimit() && !this->Private->Marcher.HasUnknownError());
 }
 
 int vtkVariationFieldVolumeMapper::FillInputPortInformation(int port, vtkInformation* information)

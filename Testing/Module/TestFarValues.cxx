@@ -255,6 +255,32 @@ TEST(FarValues, ThatAFunctionReachesMakeItsErrorUnknown)
   EXPECT_FALSE(scene.mapper->GetErrorToleranceIsKept());
 }
 
+TEST(FarValues, OfASumOrMeanMakeItsErrorUnknown)
+{
+  for (const int blend : { Mapper::ADDITIVE_BLEND, Mapper::AVERAGE_INTENSITY_BLEND })
+  {
+    SCOPED_TRACE(blend);
+    BlobScene scene({ -1e20, 1 });
+    scene.mapper->SetBlendMode(blend);
+    scene.mapper->SetErrorTolerance(1.0 / 64.0);
+    ExpectedVtkErrors warnings;
+    scene.Draw();
+    EXPECT_NE(warnings.Text().find("Replace far values"), std::string::npos) << warnings.Text();
+    EXPECT_EQ(scene.mapper->GetEstimatedError(), 1.0);
+    EXPECT_FALSE(scene.mapper->GetErrorToleranceIsKept());
+  }
+}
+
+// Values up to this distance are as exact as they must be.
+TEST(FarValues, OfASumThatStayDistinctAreNoWarning)
+{
+  BlobScene scene({ -1e5, 1 });
+  scene.mapper->SetBlendModeToAdditive();
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  EXPECT_LT(scene.Error().percentile999, 255.0 / 64.0);
+  EXPECT_TRUE(scene.mapper->GetErrorToleranceIsKept());
+}
+
 TEST(FarValues, OfTheLargestDoublesAreDrawn)
 {
   BlobScene scene({ LargestDouble, 1 });

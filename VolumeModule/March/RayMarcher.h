@@ -59,6 +59,9 @@ public:
   const std::optional<ToleranceChoice>& Tolerance() const { return this->tolerance.Choice(); }
   /// True if the table of a transfer function misses parts of it.
   bool MissesCurve() const { return this->resources.MissesCurve(); }
+  bool MergesValues() const { return this->resources.MergesValues(); }
+  /// True if the image may be wrong by any amount, which no trial image shows.
+  bool HasUnknownError() const { return this->MissesCurve() || this->MergesValues(); }
   double FieldBuildSeconds() const { return this->resources.First().FieldBuildSeconds(); }
   std::size_t GraphicsMemoryBytes() const;
 

@@ -3,6 +3,7 @@
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/Lights.h"
 #include "Frame/PropertyTransferFunction.h"
+#include "Resources/ValueFocus.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkVolumeProperty.h"
@@ -57,6 +58,8 @@ std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame, const TexelMappin
 void MaterialResources::Update(const VolumeMarch& march, const std::vector<ScalarTexels>& texels)
 {
   this->UpdateOpticalTable(march, texels);
+  this->mergesValues =
+    march.plan.marcher == Marcher::Device && varimarch::MergesValues(march.frame, texels);
   this->gradientOpacity.Update(march, texels);
   this->UpdateLights(march);
   this->UpdateIsosurfaces(march, texels.front().mapping);

@@ -45,6 +45,8 @@ public:
   VolumeTextures Textures() const;
   double LastGradient(std::size_t part) const { return this->gradientOpacity.LastGradient(part); }
   bool MissesCurve() const; ///< True if a table misses a curve of its function.
+  /// True if texels on the device do not tell apart the values that matter to a sum or mean.
+  bool MergesValues() const { return this->mergesValues; }
 
 private:
   void UpdateOpticalTable(const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
@@ -59,6 +61,7 @@ private:
   vtkVolumeProperty* tableOfProperty = nullptr;
   std::vector<ScalarTexels> tableOfTexels;
   std::vector<double> tableInputs;
+  bool mergesValues = false;
 
   PreIntegratedTableTexture preIntegratedTable;
   int preIntegratedOfTable = 0;      ///< The build number of the optical table it was made from.

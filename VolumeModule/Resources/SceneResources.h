@@ -48,6 +48,9 @@ public:
   const Box& DrawnBox() const { return this->drawnBox; }
   bool IsNothingDrawn() const;
   bool MissesCurve() const; ///< True if a table of any volume misses a curve of its function.
+  /// True if texels do not tell apart the values that matter. Overlapping volumes are no
+  /// projection.
+  bool MergesValues() const { return this->first.Materials().MergesValues(); }
   std::size_t Bytes() const { return this->first.Bytes() + this->BytesBesideFirst(); }
   void Release(vtkWindow* window);
 

@@ -95,4 +95,24 @@ ScalarTexels Focused(
   return focused;
 }
 
+bool MergesValues(const Frame& frame, const std::vector<ScalarTexels>& texels)
+{
+  constexpr double MostWidths = 65536.0; // floats still tell 256 values of a width apart
+  if (!IsProjection(frame.settings.blend) || frame.settings.functionOf != FunctionOf::Value)
+  {
+    return false;
+  }
+  const std::vector<OptionalRange> functions = ValuesOfFunctions(frame);
+  for (std::size_t i = 0; i < functions.size(); ++i)
+  {
+    const ValueRange& all = texels[i].resolved;
+    const ValueRange matter = functions[i] ? functions[i]->And(all) : ValueRange{ 1.0, 0.0 };
+    if (!texels[i].normalized && !matter.IsEmpty() && all.Width() > MostWidths * WidthOf(matter))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 }

@@ -27,6 +27,10 @@ ValueRange NearValues(const ValueRange& all, const std::optional<ValueRange>& th
 ScalarTexels Focused(const ScalarTexels& all, const ScalarTexels& present,
   const std::optional<ValueRange>& thatMatter);
 
+/// True if the texels of a sum or mean do not tell apart the values between which its look changes.
+/// All values count in it, so that its texels cannot be focused.
+bool MergesValues(const Frame& frame, const std::vector<ScalarTexels>& texels);
+
 }
 
 #endif

@@ -1,0 +1,62 @@
+#include "March/AccuracyWarnings.h"
+
+#include "March/RayMarcher.h"
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include <sstream>
+
+namespace varimarch
+{
+
+namespace
+{
+
+std::string ExceededTolerance(double tolerance, const StepChoice& step)
+{
+  std::ostringstream text;
+  text << "The error tolerance " << tolerance << " cannot be kept: with a sample every "
+       << step.sampleDistance;
+  if (step.error > tolerance)
+  {
+    text << ", 99.9 % of the pixels are off by up to " << step.error << ". ";
+  }
+  else
+  {
+    text << ", isolated pixels exceed it, though 99.9 % of the pixels keep it. ";
+  }
+  return text.str();
+}
+
+}
+
+std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMarcher& marcher)
+{
+  std::string warnings;
+  if (!mapper->GetAutoAdjustSampleDistances() &&
+    marcher.UsedSampleDistanceMm() > mapper->GetSampleDistance())
+  {
+    std::ostringstream text;
+    text << "The sample distance " << mapper->GetSampleDistance()
+         << " is too short for this volume: " << marcher.UsedSampleDistanceMm() << " is used. ";
+    warnings += text.str();
+  }
+  if (marcher.MissesCurve())
+  {
+    warnings += "The image may be wrong by any amount: the transfer function changes over such a "
+                "range of values that its table misses parts of it. Let its last nodes be among "
+                "the values to be seen. ";
+  }
+  if (marcher.MergesValues())
+  {
+    warnings += "The image may be wrong by any amount: all values count in a sum or mean, and they "
+                "reach so far that those between which the opacity changes look the same. Replace "
+                "far values, such as a fill value, or draw a mean of a range without them. ";
+  }
+  if (marcher.Tolerance() && !marcher.Tolerance()->step.KeepsLimit())
+  {
+    warnings += ExceededTolerance(mapper->GetErrorTolerance(), marcher.Tolerance()->step);
+  }
+  return warnings;
+}
+
+}
