@@ -1,8 +1,6 @@
 #include "Scene/FloatCapture.h"
 
 #include <vtkCamera.h>
-#include <vtkNew.h>
-#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkRect.h>
@@ -44,56 +42,86 @@ private:
   double alpha;
 };
 
-// Some drivers stop a single draw call that takes seconds, and progress cannot be reported during
-// one.
-void RenderInBands(
-  vtkRenderer* renderer, const int size[2], const std::function<void(double)>& onBand)
+// The use of a window, in which a framebuffer replaces its own.
+class WindowInUse
 {
-  constexpr int BandRows = 16;
-  for (int row = 0; row < size[1]; row += BandRows)
+public:
+  // Start() creates the context if necessary, sets the state that VTK's classes rely on, and binds
+  // the window's framebuffer.
+  explicit WindowInUse(vtkOpenGLRenderWindow* window)
+    : window(window)
   {
-    onBand(double(row) / size[1]);
-    // The camera resets its scissor rectangle after each frame.
-    renderer->GetActiveCamera()->SetScissorRect(
-      vtkRecti(0, row, size[0], std::min(BandRows, size[1] - row)));
-    renderer->GetActiveCamera()->SetUseScissor(true);
-    renderer->Render();
-    glFinish();
+    window->Start();
+  }
+  ~WindowInUse() { this->window->End(); }
+  WindowInUse(const WindowInUse&) = delete;
+  WindowInUse& operator=(const WindowInUse&) = delete;
+
+private:
+  vtkOpenGLRenderWindow* window;
+};
+
+}
+
+FloatCapture::FloatCapture(vtkOpenGLRenderWindow* window, vtkRenderer* renderer)
+  : window(window)
+  , renderer(renderer)
+{
+  const WindowInUse use(window);
+  std::copy_n(window->GetSize(), 2, this->size.begin());
+  this->framebuffer->SetContext(window);
+  if (!this->framebuffer->PopulateFramebuffer(
+        this->size[0], this->size[1], true, 1, VTK_FLOAT, true, 24, 0, false))
+  {
+    throw std::runtime_error("OpenGL has no framebuffer of 32-bit floats for " +
+      std::to_string(this->size[0]) + " x " + std::to_string(this->size[1]) + " pixels");
   }
 }
 
+void FloatCapture::RenderRows(int count)
+{
+  const WindowInUse use(this->window);
+  const WithoutBackground withoutBackground(this->renderer);
+  this->framebuffer->Bind();
+  count = std::min(count, this->RowsLeft());
+  if (count < this->size[1])
+  {
+    // The camera resets its scissor rectangle after each frame.
+    vtkCamera* const camera = this->renderer->GetActiveCamera();
+    camera->SetScissorRect(vtkRecti(0, this->rowsDone, this->size[0], count));
+    camera->SetUseScissor(true);
+  }
+  this->renderer->Render();
+  glFinish();
+  this->rowsDone += count;
+}
+
+vtkSmartPointer<vtkImageData> FloatCapture::Image()
+{
+  const WindowInUse use(this->window);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(this->size[0], this->size[1], 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  this->framebuffer->Bind();
+  this->window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, this->size[0], this->size[1], GL_RGBA, GL_FLOAT, image->GetScalarPointer());
+  return image;
 }
 
 vtkSmartPointer<vtkImageData> CaptureFloatImage(
   vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const std::function<void(double)>& onBand)
 {
-  // Start() creates the context if necessary, sets the state that VTK's classes rely on, and binds
-  // the window's framebuffer, which ours then replaces.
-  window->Start();
-  const int* size = window->GetSize();
-  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
-  framebuffer->SetContext(window);
-  const bool complete =
-    framebuffer->PopulateFramebuffer(size[0], size[1], true, 1, VTK_FLOAT, true, 24, 0, false);
-
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  if (complete)
+  constexpr int BandRows = 16;
+  FloatCapture capture(window, renderer);
+  while (capture.RowsLeft() > 0)
   {
-    const WithoutBackground withoutBackground(renderer);
-    onBand ? RenderInBands(renderer, size, onBand) : renderer->Render();
-    image->SetDimensions(size[0], size[1], 1);
-    image->AllocateScalars(VTK_FLOAT, 4);
-    framebuffer->Bind();
-    window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size[0], size[1], GL_RGBA, GL_FLOAT, image->GetScalarPointer());
+    if (onBand)
+    {
+      onBand(capture.PartDone());
+    }
+    capture.RenderRows(onBand ? BandRows : capture.RowsLeft());
   }
-  window->End();
-  if (!complete)
-  {
-    throw std::runtime_error("OpenGL has no framebuffer of 32-bit floats for " +
-      std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels");
-  }
-  return image;
+  return capture.Image();
 }
 
 }

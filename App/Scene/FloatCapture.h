@@ -2,8 +2,11 @@
 #define Varimarch_Scene_FloatCapture_h
 
 #include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <functional>
 
 class vtkOpenGLRenderWindow;
@@ -12,11 +15,35 @@ class vtkRenderer;
 namespace varimarch
 {
 
-/// Renders once into a framebuffer of 32-bit floats that starts out transparent. The result is
-/// premultiplied RGBA without the background and without rounding to 8 bits, the bottom row first.
-/// Errors are measured on such images. VTK's GPU mapper must have rendered an ordinary frame
-/// before; otherwise its image stays empty.
-/// @param window  the renderer's window, of the size to render
+/// Renders once into a framebuffer of 32-bit floats that starts out transparent, some rows at a
+/// time, with pauses as long as the scene does not change. Some drivers stop a single draw call
+/// that takes seconds, and a window does not react during one. VTK's GPU mapper must have rendered
+/// an ordinary frame before; otherwise its image stays empty.
+class FloatCapture
+{
+public:
+  /// @param window  the renderer's window, of the size to render; both must outlive this object
+  /// @throws std::runtime_error if the driver does not support such a framebuffer
+  FloatCapture(vtkOpenGLRenderWindow* window, vtkRenderer* renderer);
+
+  /// Renders the next rows, from the bottom up, and waits for them.
+  void RenderRows(int count);
+  int RowsLeft() const { return this->size[1] - this->rowsDone; }
+  double PartDone() const { return double(this->rowsDone) / this->size[1]; } ///< [0, 1]
+
+  /// Premultiplied RGBA without the background and without rounding to 8 bits, the bottom row
+  /// first. Errors are measured on such images. Requires that no rows are left.
+  vtkSmartPointer<vtkImageData> Image();
+
+private:
+  vtkOpenGLRenderWindow* window;
+  vtkRenderer* renderer;
+  std::array<int, 2> size;
+  int rowsDone = 0;
+  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
+};
+
+/// The whole image.
 /// @param onBand  if given, the image is rendered in horizontal bands, and this is called before
 ///                each one with the fraction done, [0, 1); for images that take long
 /// @throws std::runtime_error if the driver does not support such a framebuffer

@@ -3,17 +3,14 @@
 #include "Scene/Presets.h"
 #include "TorsoWindow.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
-#include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/VolumeView.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QColorDialog>
 #include <QDockWidget>
-#include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
-#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStatusBar>
@@ -138,42 +135,6 @@ TEST_F(Window, CutsByHand)
   EXPECT_EQ(this->Model()->History()->count(), 1);
 }
 
-TEST_F(Window, ComparesWithVtk)
-{
-  this->OpenTorso();
-  ComparisonView* const view = this->window.CentralView();
-  const QSize alone = this->View()->size();
-  QSignalSpy compared(view, &ComparisonView::Compared);
-  view->CompareWith(MapperKind::VtkGpu);
-  ASSERT_TRUE(compared.wait(MostMilliseconds));
-  ASSERT_TRUE(view->LastDifference());
-  EXPECT_GT(view->LastDifference()->rootMeanSquare, 0.0);
-  EXPECT_LT(view->LastDifference()->rootMeanSquare, 20.0) << "of one scene";
-  const auto* const difference = view->findChild<QLabel*>("difference");
-  QApplication::processEvents();
-  EXPECT_LE(difference->pixmap(Qt::ReturnByValue).height(), difference->height())
-    << "its scale is at the bottom";
-
-  // Both turn together, and the difference of the earlier view is marked.
-  const QList<VolumeView*> pictures = view->findChildren<VolumeView*>();
-  ASSERT_EQ(pictures.size(), 2);
-  VolumeView* const theirs = pictures[0] == this->View() ? pictures[1] : pictures[0];
-  EXPECT_NEAR(
-    double(theirs->width()) / theirs->height(), double(alone.width()) / alone.height(), 0.02)
-    << "the shape of the view alone, so that nothing is cropped";
-  EXPECT_TRUE(difference->isEnabled());
-  QSignalSpy drawnByThem(theirs, &VolumeView::Drawn);
-  this->Model()->Edit(
-    ScenePart::Camera, "turn", [](Scene& scene) { scene.camera.azimuthDegrees = 40.0; });
-  EXPECT_EQ(drawnByThem.count(), 1) << "before the program goes on";
-  EXPECT_FALSE(difference->isEnabled());
-  ASSERT_TRUE(compared.wait(MostMilliseconds));
-  EXPECT_TRUE(difference->isEnabled());
-  view->CompareWith(std::nullopt);
-  EXPECT_FALSE(view->LastDifference());
-  EXPECT_EQ(this->View()->size(), alone);
-}
-
 TEST_F(Window, FindsAClosedPanelAndRestoresTheLayout)
 {
   auto* const look = this->window.findChild<QDockWidget*>("look");
@@ -260,40 +221,6 @@ TEST_F(LargeScreen, ShowsAVolumeCoarselyAtOnceAndThenInFull)
   ASSERT_FALSE(refined.isEmpty());
   EXPECT_LE(refined.first().first().toDouble(), 1.0) << "the image is rendered in parts";
   EXPECT_EQ(this->View()->renderWindow()->GetSize()[0], 2 * this->View()->width());
-}
-
-TEST_F(Window, WipesBetweenOursAndVtks)
-{
-  this->OpenTorso();
-  ComparisonView* const view = this->window.CentralView();
-  QSignalSpy compared(view, &ComparisonView::Compared);
-  view->SetWipe(true);
-  view->CompareWith(MapperKind::VtkGpu);
-  ASSERT_TRUE(compared.wait(MostMilliseconds));
-  EXPECT_GT(view->LastDifference()->rootMeanSquare, 0.0);
-  EXPECT_LT(view->LastDifference()->rootMeanSquare, 20.0) << "both lie over each other";
-  const QList<VolumeView*> pictures = view->findChildren<VolumeView*>();
-  ASSERT_EQ(pictures.size(), 2);
-  EXPECT_EQ(pictures[0]->size(), pictures[1]->size());
-  const auto leftEdgeOfTheirs = [&]
-  {
-    VolumeView* const theirs = pictures[0] == this->View() ? pictures[1] : pictures[0];
-    EXPECT_EQ(theirs->mapTo(view, QPoint()), this->View()->mapTo(view, QPoint()));
-    return theirs->parentWidget()->x();
-  };
-  EXPECT_NEAR(leftEdgeOfTheirs(), view->width() / 2, 1);
-  // The divider can be dragged and moved by keys.
-  QWidget* const divider = view->childAt(view->width() / 2, 20);
-  ASSERT_NE(divider, this->View());
-  QTest::mousePress(divider, Qt::LeftButton, {}, divider->rect().center());
-  QMouseEvent move(
-    QEvent::MouseMove, divider->rect().center() + QPoint(60, 0), Qt::NoButton, Qt::LeftButton, {});
-  QApplication::sendEvent(divider, &move);
-  QTest::mouseRelease(divider, Qt::LeftButton);
-  EXPECT_NEAR(leftEdgeOfTheirs(), view->width() / 2 + 60, 6);
-  const int before = leftEdgeOfTheirs();
-  QTest::keyClick(divider, Qt::Key_Left);
-  EXPECT_LT(leftEdgeOfTheirs(), before);
 }
 
 TEST_F(Window, ClosesWhileItLoads)

@@ -229,8 +229,12 @@ void ComparisonView::Compare()
     return;
   }
   const WaitCursor cursor;
-  const vtkSmartPointer<vtkImageData> ourPicture = this->ours->FloatPicture();
   const vtkSmartPointer<vtkImageData> theirPicture = this->theirs->FloatPicture();
+  if (!theirPicture)
+  {
+    return; // the view says when it is complete
+  }
+  const vtkSmartPointer<vtkImageData> ourPicture = this->ours->FloatPicture();
   this->lastDifference = CompareImages(static_cast<const float*>(theirPicture->GetScalarPointer()),
     static_cast<const float*>(ourPicture->GetScalarPointer()),
     std::size_t(ourPicture->GetNumberOfPoints()));

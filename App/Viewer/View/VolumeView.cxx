@@ -1,9 +1,7 @@
 #include "Viewer/View/VolumeView.h"
 
-#include "Scene/FloatCapture.h"
 #include "Scene/SceneCamera.h"
 #include "Viewer/View/PictureReport.h"
-#include "Viewer/WaitCursor.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -27,9 +25,6 @@ namespace
 {
 
 constexpr double PicturesPerSecondWhileMoving = 15.0;
-constexpr double PicturesPerSecondWhenStill = 0.01;
-constexpr int RefiningPictures = 8;
-constexpr double LongestPartSeconds = 0.3;
 
 bool IsAt(const Camera& placement, vtkCamera* camera)
 {
@@ -56,6 +51,8 @@ protected:
     if (this->view->pipeline)
     {
       QPainter painter(this);
+      const auto& [red, green, blue] = this->view->model->CurrentScene().background;
+      this->view->still.Paint(painter, this->rect(), QColor::fromRgbF(red, green, blue));
       DrawOverlay(painter,
         { this->view->model->CurrentScene(), this->view->texts,
           this->view->model->CurrentStudy()->volume.image },
@@ -255,98 +252,6 @@ void VolumeView::KeepCamera()
     this->model->Edit(
       ScenePart::Camera, tr("turn the camera"), [&](Scene& scene) { scene.camera.pose = pose; },
       this->turning);
-  }
-}
-
-void VolumeView::Draw(double framesPerSecond)
-{
-  // While the user turns the camera, VTK's interactor style sets the rate.
-  if (!this->isTurning)
-  {
-    this->window->SetDesiredUpdateRate(framesPerSecond);
-  }
-  this->window->Render();
-}
-
-// VTK's mappers render a frame in one piece.
-void VolumeView::DrawFinely()
-{
-  std::optional<WaitCursor> cursor;
-  if (!this->OurMapper())
-  {
-    cursor.emplace();
-  }
-  this->Draw(PicturesPerSecondWhenStill);
-}
-
-vtkVariationFieldVolumeMapper* VolumeView::OurMapper()
-{
-  return this->pipeline ? vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline->Mapper())
-                        : nullptr;
-}
-
-void VolumeView::SetRefining(bool newRefines)
-{
-  this->refines = newRefines;
-  this->ApplyRefining();
-  this->pacer.Request();
-}
-
-void VolumeView::ApplyRefining()
-{
-  if (auto* const ours = this->OurMapper())
-  {
-    ours->SetMaximumAccumulatedPictures(this->refines ? RefiningPictures : 1);
-    ours->SetLongestPartSeconds(this->refines ? LongestPartSeconds : 0.0);
-  }
-}
-
-void VolumeView::Refine()
-{
-  auto* const ours = this->OurMapper();
-  if (!ours || ours->GetDrawnPart() >= 1.0)
-  {
-    return;
-  }
-  this->refining = true;
-  this->window->Render();
-  this->refining = false;
-  this->pacer.RequestRefinement();
-  emit this->Refined(ours->GetDrawnPart() * ours->GetMaximumAccumulatedPictures());
-}
-
-vtkSmartPointer<vtkImageData> VolumeView::FloatPicture()
-{
-  this->capturing = true;
-  const vtkSmartPointer<vtkImageData> picture =
-    CaptureFloatImage(this->window, this->pipeline->Renderer());
-  this->capturing = false;
-  return picture;
-}
-
-void VolumeView::BeginPicture()
-{
-  this->pictureTimer.start();
-}
-
-void VolumeView::EndPicture()
-{
-  if (this->capturing)
-  {
-    return;
-  }
-  this->window->WaitForCompletion();
-  const double seconds = 1e-9 * double(this->pictureTimer.nsecsElapsed());
-  this->overlay->update();
-  if (this->refining && this->isWhole)
-  {
-    return; // one of several frames to be averaged
-  }
-  this->pictureSeconds = seconds + (this->refining ? this->pictureSeconds : 0.0);
-  this->isWhole = !this->OurMapper() || this->OurMapper()->GetAccumulatedPictures() > 0;
-  if (this->isWhole)
-  {
-    emit this->Drawn();
   }
 }
 

@@ -6,6 +6,7 @@
 #include "Viewer/Tools/MouseTools.h"
 #include "Viewer/View/FramePacer.h"
 #include "Viewer/View/Overlay.h"
+#include "Viewer/View/StillPicture.h"
 
 #include <QElapsedTimer>
 #include <QEvent>
@@ -46,7 +47,7 @@ public:
   /// Projection of the last frame.
   PictureFrame Frame() const override;
 
-  /// Renders the frame again as a float image, see CaptureFloatImage.
+  /// The frame as a float image, see CaptureFloatImage. Null while VTK's is incomplete.
   vtkSmartPointer<vtkImageData> FloatPicture();
 
   std::optional<std::array<double, 3>> PointAt(const QPointF& place) const override;
@@ -100,6 +101,7 @@ private:
   vtkVariationFieldVolumeMapper* OurMapper(); ///< null if this view uses VTK's mapper
   void ApplyRefining();
   void Refine();
+  void ContinueStill();
   Camera CurrentCamera() const;
   void Point(const QPointF& place);
   double Aspect() const;
@@ -109,9 +111,10 @@ private:
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkEventQtSlotConnect> events;
   std::optional<ScenePipeline> pipeline;
-  OverlayWidget* overlay;
+  QWidget* overlay; ///< an OverlayWidget
   Qt::AlignmentFlag reportSide = Qt::AlignLeft;
   FramePacer pacer;
+  StillPicture still; ///< the fine frame of VTK's GPU mapper
   bool refines = true;
   bool refining = false; ///< the current frame adds to the accumulated image
   bool isWhole = true;   ///< all parts of the last frame are complete
