@@ -112,7 +112,9 @@ void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)
   options.raw.headerBytes = this->RawHeaderBytes;
   options.raw.bigEndian = this->RawBigEndian;
   options.series = this->DICOMSeriesUID;
-  options.rectify = this->RectifySlices;
+  options.rectify = this->RectifySlices ? varimarch::Rectify::Always
+    : this->RectifyMisplacedSlices      ? varimarch::Rectify::Misplaced
+                                        : varimarch::Rectify::Never;
   this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
   for (const std::string& warning : this->Read->Volume.warnings)
   {
@@ -238,6 +240,11 @@ bool vtkVolumeFileReader::HasIrregularSlices()
   return !this->Read->Volume.irregularSlicesMm.empty();
 }
 
+bool vtkVolumeFileReader::HasRectifiedSlices()
+{
+  return this->Read->Volume.isRectified;
+}
+
 const char* vtkVolumeFileReader::GetFrameOfReferenceUID()
 {
   return this->Read->Volume.frameOfReference.c_str();
@@ -327,6 +334,7 @@ void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RawBigEndian: " << this->RawBigEndian << '\n';
   os << indent << "DICOMSeriesUID: " << this->DICOMSeriesUID << '\n';
   os << indent << "RectifySlices: " << this->RectifySlices << '\n';
+  os << indent << "RectifyMisplacedSlices: " << this->RectifyMisplacedSlices << '\n';
   os << indent << "LongestSilence: " << this->LongestSilence << '\n';
   os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
 }

@@ -112,6 +112,17 @@ public:
 
   ///@{
   /**
+   * Resample a DICOM series as RectifySlices does, but only if its slices would not be placed where
+   * they were scanned, and if no gap is wider than four usual distances, so that little is made up.
+   * Slices of a tilted gantry keep their places without that. Default: false.
+   */
+  vtkSetMacro(RectifyMisplacedSlices, bool);
+  vtkGetMacro(RectifyMisplacedSlices, bool);
+  vtkBooleanMacro(RectifyMisplacedSlices, bool);
+  ///@}
+
+  ///@{
+  /**
    * The longest time that decoding a file may take without progress [s], > 0. Each MB of a DICOM
    * file's decoded pixels adds a second, since one of many frames is decoded in one step. Default:
    * 60.
@@ -160,6 +171,8 @@ public:
   /// True if the gantry was tilted, or slices are unevenly spaced or missing: RectifySlices then
   /// changes the volume.
   bool HasIrregularSlices();
+  /// True if the slices have been resampled.
+  bool HasRectifiedSlices();
   /// UID of the space that the positions are in, the same for scans that fit on each other; or
   /// empty.
   const char* GetFrameOfReferenceUID();
@@ -244,6 +257,7 @@ private:
   bool RawBigEndian = false;
   std::string DICOMSeriesUID;
   bool RectifySlices = false;
+  bool RectifyMisplacedSlices = false;
   double LongestSilence = 60.0;
 
   std::unique_ptr<Contents> Read;

@@ -53,8 +53,12 @@ void CheckOutput(const ConvertArguments& arguments)
 void RunConvert(const ConvertArguments& arguments)
 {
   CheckOutput(arguments);
-  const LoadedVolume volume =
-    LoadVolumeReporting(SourceOf(arguments.volume, arguments.volume.input));
+  VolumeSource source = SourceOf(arguments.volume, arguments.volume.input);
+  if (auto* const file = std::get_if<FileSource>(&source))
+  {
+    file->rectified = file->rectified.value_or(false); // values are kept
+  }
+  const LoadedVolume volume = LoadVolumeReporting(source);
   const Progress progress("Writing " + arguments.outputPath);
   for (const std::string& loss : WriteVolume(volume, arguments.outputPath))
   {

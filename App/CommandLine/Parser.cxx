@@ -310,8 +310,12 @@ void AddVolumeOptions(
       "The DICOM series to read: its number in the list that is printed without\n"
       "this option, its SeriesInstanceUID, or an unambiguous prefix of that (default 1)")
     ->type_name("SERIES");
-  command.add_flag(
+  CLI::Option* const rectify = command.add_flag(
     "--rectify", arguments.rectify, "Resample tilted or unevenly spaced slices on an even grid");
+  command
+    .add_flag("--as-scanned", arguments.asScanned,
+      "Keep slices at uneven distances, which are resampled otherwise if gaps are small")
+    ->excludes(rectify);
   AddRawOptions(command, arguments.raw);
 }
 

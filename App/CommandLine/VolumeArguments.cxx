@@ -8,6 +8,7 @@
 #include "UsageError.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace varimarch
 {
@@ -73,11 +74,18 @@ void RejectSeries(const VolumeArguments& arguments, const std::string& kind)
   }
 }
 
+std::optional<bool> RectifiedBy(const VolumeArguments& arguments)
+{
+  return arguments.rectify || arguments.asScanned ? std::optional<bool>(arguments.rectify)
+                                                  : std::nullopt;
+}
+
 void RejectRectify(const VolumeArguments& arguments)
 {
-  if (arguments.rectify)
+  if (const std::optional<bool> rectified = RectifiedBy(arguments))
   {
-    throw UsageError("--rectify: expected a scan, found a procedural volume");
+    throw UsageError(std::string(*rectified ? "--rectify" : "--as-scanned") +
+      ": expected a scan, found a procedural volume");
   }
 }
 
@@ -97,7 +105,7 @@ VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input
     RejectSeries(arguments, "file");
   }
   source.series = arguments.series;
-  source.rectified = arguments.rectify;
+  source.rectified = RectifiedBy(arguments);
   if (HasRawLayout(arguments))
   {
     source.raw = arguments.raw;
@@ -124,7 +132,8 @@ VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volu
   VolumeSource source = volumeOfScene;
   if (auto* const file = std::get_if<FileSource>(&source))
   {
-    file->rectified = file->rectified || arguments.rectify;
+    const std::optional<bool> rectified = RectifiedBy(arguments);
+    file->rectified = rectified ? rectified : file->rectified;
     return source;
   }
   RejectRectify(arguments);

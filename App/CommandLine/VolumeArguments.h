@@ -16,9 +16,10 @@ constexpr int LargestVolumeSide = 1 << 20;
 struct VolumeArguments
 {
   std::string input;
-  bool rectify = false; ///< true to resample tilted or unevenly spaced slices on an even grid
-  std::string series;   ///< DICOM series to read; empty: the first
-  RawLayout raw;        ///< layout of a raw file; dimensions of 0 if the file has a header
+  bool rectify = false;   ///< true to resample tilted or unevenly spaced slices on an even grid
+  bool asScanned = false; ///< true to keep them
+  std::string series;     ///< DICOM series to read; empty: the first
+  RawLayout raw;          ///< layout of a raw file; dimensions of 0 if the file has a header
 };
 
 /// The file, folder or procedural volume that an input names.

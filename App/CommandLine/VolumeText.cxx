@@ -53,7 +53,7 @@ std::string SlicesText(SliceLayout slices)
     case SliceLayout::Irregular:
       return "tilted, uneven or missing; --rectify resamples them on an even grid";
     case SliceLayout::Rectified:
-      return "tilted, uneven or missing; resampled on an even grid";
+      return "tilted, uneven or missing; resampled on an even grid; --as-scanned keeps them";
     default:
       return "even";
   }

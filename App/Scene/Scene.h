@@ -29,7 +29,9 @@ struct FileSource
   std::string path;             ///< a file, or a folder with a DICOM series
   std::optional<RawLayout> raw; ///< layout of a file without a header; otherwise empty
   std::string series = {};      ///< which of several DICOM series, as named by vtkVolumeFileReader
-  bool rectified = false;       ///< true resamples tilted or unevenly spaced slices on an even grid
+  /// True resamples tilted or unevenly spaced slices on an even grid, false keeps them as scanned;
+  /// empty resamples those that would be drawn elsewhere than they were scanned.
+  std::optional<bool> rectified = {};
 };
 
 enum class ProceduralKind

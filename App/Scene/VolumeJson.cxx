@@ -99,7 +99,7 @@ nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
   }
   if (file.rectified)
   {
-    json["rectified"] = true;
+    json["rectified"] = *file.rectified;
   }
   if (file.raw)
   {

@@ -112,7 +112,8 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
 {
   QuietReader reader(source.path, observer);
   reader->SetDICOMSeriesUID(source.series.c_str());
-  reader->SetRectifySlices(source.rectified);
+  reader->SetRectifySlices(source.rectified.value_or(false));
+  reader->SetRectifyMisplacedSlices(!source.rectified);
   if (source.raw)
   {
     Apply(*source.raw, reader.operator->());
@@ -129,7 +130,7 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   }
   if (reader->HasIrregularSlices())
   {
-    volume.slices = source.rectified ? SliceLayout::Rectified : SliceLayout::Irregular;
+    volume.slices = reader->HasRectifiedSlices() ? SliceLayout::Rectified : SliceLayout::Irregular;
   }
   volume.frameOfReference = reader->GetFrameOfReferenceUID();
   if (reader->HoldsLabels())

@@ -295,7 +295,7 @@ void MainWindow::ToggleRectified()
 {
   VolumeSource source = this->model.CurrentScene().volume;
   auto& file = std::get<FileSource>(source);
-  file.rectified = !file.rectified;
+  file.rectified = this->model.CurrentStudy()->volume.slices != SliceLayout::Rectified;
   const std::shared_ptr<const Study> known = this->model.ExchangedStudy();
   // Labels lie on the grid of one form of the scan.
   const std::optional<SceneLabels>& labels = this->model.CurrentScene().labels;

@@ -154,7 +154,8 @@ def rectify(folder):
     assert "--rectify resamples them" in text, text
     assert "tilted by 16.26 degrees; each slice is drawn at its true position" in warnings, warnings
     text, warnings = run("info", folder / "scan", "--rectify", "--json", folder / "rectified.json")
-    assert "resampled on an even grid\n" in text and "resampled on an even grid" in warnings
+    assert "resampled on an even grid; --as-scanned keeps them\n" in text, text
+    assert "resampled on an even grid" in warnings, warnings
     scanned, rectified = (json.loads((folder / f"{name}.json").read_text())["volume"]
                           for name in ("scanned", "rectified"))
     assert scanned["irregularSlices"] and rectified["irregularSlices"]
@@ -172,8 +173,20 @@ def rectify(folder):
     pictures.append((folder / "a.png").read_bytes())
     assert pictures[0] == pictures[1] == pictures[3] != pictures[2]
     for command in (["info"], ["render", "-o", folder / "a.png"]):
-        _, errors = run(*command, VOLUME, "--rectify", expect=2)
-        assert "--rectify: expected a scan, found a procedural volume" in errors, errors
+        for option in ("--rectify", "--as-scanned"):
+            _, errors = run(*command, VOLUME, option, expect=2)
+            assert f"{option}: expected a scan, found a procedural volume" in errors, errors
+
+    # A missing slice is made up unless the user refuses; a conversion keeps the values.
+    (folder / "scan" / "5").unlink()
+    for options, count in ([], 12), (["--as-scanned"], 11):
+        run("info", folder / "scan", *options, "--json", folder / "gap.json")
+        volume = json.loads((folder / "gap.json").read_text())["volume"]
+        assert volume["dimensions"][2] == count and volume["rectified"] == (count == 12), volume
+    for options, count in ([], 11), (["--rectify"], 12):
+        run("convert", folder / "scan", folder / "gap.nrrd", "--overwrite", *options)
+        header = (folder / "gap.nrrd").read_bytes().split(b"\n\n")[0].decode() + "\n"
+        assert re.search(rf"sizes: \d+ \d+ {count}\n", header), header
 
 
 if __name__ == "__main__":

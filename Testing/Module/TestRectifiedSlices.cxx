@@ -311,6 +311,38 @@ TEST_F(RectifiedSlices, StayAsScannedUnlessAskedFor)
   EXPECT_TRUE(this->IsTold("each slice is drawn at its true position"));
 }
 
+// Whether slices with these axes and heights are resampled if only misplaced ones are to be.
+struct ByDefault
+{
+  glm::dmat3 axesMm;
+  std::vector<double> heights;
+  bool areRectified;
+};
+
+TEST_F(RectifiedSlices, AreByDefaultThoseThatWouldBeDrawnElsewhere)
+{
+  for (const auto& [axesMm, heights, areRectified] :
+    { ByDefault{ Tilted(), Evenly(9), false }, ByDefault{ Upright(), { 0, 1, 2, 5, 6, 7 }, true },
+      ByDefault{ Tilted(), { 0, 1, 2, 5, 6, 7 }, true },
+      ByDefault{ Upright(), { 0, 1, 2, 7, 8, 9 }, false } })
+  {
+    SCOPED_TRACE(testing::PrintToString(heights));
+    TemporaryFolder own;
+    const Scan scan(axesMm, heights);
+    scan.Write(own);
+    vtkNew<vtkVolumeFileReader> chooser;
+    chooser->SetFileName(own.Path("scan").c_str());
+    chooser->RectifyMisplacedSlicesOn();
+    chooser->Update();
+    EXPECT_EQ(chooser->HasRectifiedSlices(), areRectified);
+    EXPECT_TRUE(chooser->HasIrregularSlices());
+    if (areRectified)
+    {
+      ExpectTrue(scan, chooser->GetOutput());
+    }
+  }
+}
+
 TEST_F(RectifiedSlices, AreRefusedIfTheyDoNotFitTheMemory)
 {
   Scan(Upright(), { 0.0, 1.0, 2.0, 1e11 }).Write(this->folder);

@@ -170,7 +170,7 @@ TEST_F(Opening, OffersToRectifyATiltedScan)
   EXPECT_EQ(this->RowCount(), 7);
   this->Remedy()->click();
   EXPECT_EQ(this->RowCount(), 4) << "the scan must not be read again";
-  EXPECT_FALSE(std::get<FileSource>(this->window.Model()->CurrentScene().volume).rectified);
+  EXPECT_EQ(std::get<FileSource>(this->window.Model()->CurrentScene().volume).rectified, false);
 
   const Answers discard(QMessageBox::Discard, {});
   this->Open("session.json");

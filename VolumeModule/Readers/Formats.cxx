@@ -264,10 +264,10 @@ Volume ReadUnrectified(const std::string& path, const ReadOptions& options, Read
 Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   progress.Report(0.0);
-  ReadProgress reading = progress.Part(0.0, options.rectify ? 0.8 : 1.0);
+  ReadProgress reading = progress.Part(0.0, options.rectify == Rectify::Never ? 1.0 : 0.8);
   ReadProgress rectifying = progress.Part(0.8, 1.0);
   Volume volume = ReadUnrectified(path, options, reading);
-  if (options.rectify)
+  if (options.Rectifies(volume))
   {
     volume = Rectified(path, volume, rectifying);
   }

@@ -74,8 +74,8 @@ std::vector<DicomFault> FaultsOf(const DicomScan& scan, const DicomSeries& serie
 }
 
 /// Reads the images of a series as slices of a volume.
-Volume ReadSlices(
-  const std::string& path, const DicomSeries& series, bool rectifies, ReadProgress& progress)
+Volume ReadSlices(const std::string& path, const DicomSeries& series, const ReadOptions& options,
+  ReadProgress& progress)
 {
   Volume volume;
   const StoredSlices stored =
@@ -87,7 +87,8 @@ Volume ReadSlices(
   const DicomStack stack(stored.slices);
   PlaceImage(path, stack.Geometry(), volume.image);
   volume.irregularSlicesMm = stack.IrregularSlicesMm();
-  stack.Warn(rectifies && !volume.irregularSlicesMm.empty(), volume.warnings);
+  volume.isMisplaced = stack.IsMisplaced();
+  stack.Warn(options.Rectifies(volume), volume.warnings);
   WarnOfLoss(frames, volume.warnings);
   TakeMetadata(frames.front(), volume);
   return volume;
@@ -125,7 +126,7 @@ Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgre
   }
   WarnOfFaults(FaultsOf(scan, series), warnings);
   Volume volume = IsSegmentation(series) ? ReadFirstSegmentation(series, decoding)
-                                         : ReadSlices(path, series, options.rectify, decoding);
+                                         : ReadSlices(path, series, options, decoding);
   volume.warnings.insert(volume.warnings.begin(), warnings.begin(), warnings.end());
   return volume;
 }

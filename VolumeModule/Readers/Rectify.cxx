@@ -207,16 +207,13 @@ void FillWithLowest(vtkImageData* scan, vtkImageData* image)
 
 Volume Rectified(const std::string& path, const Volume& volume, ReadProgress& progress)
 {
-  if (volume.irregularSlicesMm.empty())
-  {
-    return volume;
-  }
   vtkImageData* const scan = volume.image;
   const EvenGrid grid = GridOf(scan, volume.irregularSlicesMm);
   const VoxelLayout layout = { grid.dimensions, scan->GetScalarType(),
     scan->GetNumberOfScalarComponents() };
   CheckedByteCount(path, layout);
   Volume rectified = volume;
+  rectified.isRectified = true;
   rectified.image = AllocatedImage(layout);
   PlaceImage(path, grid.geometry, rectified.image);
   FillWithLowest(scan, rectified.image);

@@ -16,7 +16,7 @@ namespace varimarch
 /// of the first slice's frame, fills with 0, supports only even distances, and cannot be cancelled.
 ///
 /// @param path  path for the error message
-/// @param volume  a volume with irregularSlicesMm; one without is returned unchanged
+/// @param volume  a volume with irregularSlicesMm
 /// @throws std::runtime_error if the resampled volume does not fit in memory
 /// @throws ReadCancelled
 Volume Rectified(const std::string& path, const Volume& volume, ReadProgress& progress);

@@ -46,6 +46,8 @@ struct Volume
   /// Positions of the first voxels of the scanned slices [LPS, mm], in order along the normal, if
   /// the slices were tilted or are unevenly spaced; otherwise empty.
   std::vector<glm::dvec3> irregularSlicesMm;
+  bool isMisplaced = false; ///< True if slices are drawn elsewhere than scanned, with small gaps.
+  bool isRectified = false; ///< True if they have been resampled.
   /// The segments that the file describes if its values are labels; otherwise empty. Values may
   /// occur that have no description.
   std::optional<std::vector<LabelledSegment>> segments;
@@ -82,12 +84,26 @@ struct RawOptions
   bool bigEndian = false;
 };
 
+/// The irregular slices that are resampled to an even grid.
+enum class Rectify
+{
+  Never,
+  Misplaced, ///< Slices that would be drawn elsewhere than they were scanned, with small gaps.
+  Always
+};
+
 /// Options of a reader.
 struct ReadOptions
 {
   RawOptions raw;
-  std::string series;   ///< the DICOM series to read, see SeriesNamed
-  bool rectify = false; ///< true to resample irregular slices to an even grid
+  std::string series; ///< the DICOM series to read, see SeriesNamed
+  Rectify rectify = Rectify::Never;
+
+  bool Rectifies(const Volume& volume) const
+  {
+    return this->rectify == Rectify::Always ? !volume.irregularSlicesMm.empty()
+                                            : this->rectify != Rectify::Never && volume.isMisplaced;
+  }
 };
 
 /// Thrown if the user has cancelled the reader.

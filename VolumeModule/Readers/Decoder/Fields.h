@@ -72,8 +72,8 @@ template <class Wire>
 void Fields(Wire& wire, Volume& volume)
 {
   wire(volume.modality, volume.bodyPart, volume.hasContrastAgent, volume.weighting,
-    volume.windowLevel, volume.warnings, volume.irregularSlicesMm, volume.segments,
-    volume.frameOfReference);
+    volume.windowLevel, volume.warnings, volume.irregularSlicesMm, volume.isMisplaced,
+    volume.isRectified, volume.segments, volume.frameOfReference);
 }
 
 template <class Wire>

@@ -109,6 +109,14 @@ std::vector<glm::dvec3> DicomStack::IrregularSlicesMm() const
   return isIrregular ? this->positionsMm : std::vector<glm::dvec3>();
 }
 
+bool DicomStack::IsMisplaced() const
+{
+  constexpr double MostOfUsual = 4.0;
+  const auto isSmall = [&](double gapMm) { return gapMm <= MostOfUsual * this->drawnMm; };
+  return this->slices.hasPositions && (this->IsUneven() || this->IsCrooked()) &&
+    std::all_of(this->gapsMm.begin(), this->gapsMm.end(), isSmall);
+}
+
 void DicomStack::Warn(bool isRectified, std::vector<std::string>& warnings) const
 {
   const DicomFrame& first = this->slices.frames.front();

@@ -27,6 +27,10 @@ public:
   /// spaced, or do not lie on a straight line; otherwise empty.
   std::vector<glm::dvec3> IrregularSlicesMm() const;
 
+  /// True if slices are drawn elsewhere than they were scanned, and no gap is so large that
+  /// interpolation would make up what lies in it.
+  bool IsMisplaced() const;
+
   /// Warns of unknown sides and sizes, gantry tilt, missing slices and uneven distances.
   /// @param isRectified  true if the volume is resampled, which corrects tilt and distances
   void Warn(bool isRectified, std::vector<std::string>& warnings) const;
