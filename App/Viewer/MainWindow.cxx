@@ -334,8 +334,12 @@ void MainWindow::MakeStatusBar()
   this->statusBar()->addPermanentWidget(this->cancel);
   this->ShowLoading(false);
   this->statusBar()->showMessage(tr("Open a scan, or drop one here"));
-  connect(this->view->Ours(), &VolumeView::Pointed, this->statusBar(),
-    [this](const QString& text) { this->statusBar()->showMessage(text); });
+  const auto showText = [this](const QString& text) { this->statusBar()->showMessage(text); };
+  connect(this->view->Ours(), &VolumeView::Pointed, this->statusBar(), showText);
+  for (SliceView* const slice : this->sliceViews)
+  {
+    connect(slice, &SliceView::Pointed, this->statusBar(), showText);
+  }
   connect(this->cancel, &QPushButton::clicked, &this->loader, &VolumeLoader::Cancel);
   connect(&this->loader, &VolumeLoader::Progress, this->progress,
     [this](double part) { this->progress->setValue(int(100.0 * part)); });

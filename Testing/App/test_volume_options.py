@@ -6,6 +6,7 @@ Usage: test_volume_options.py VARIMARCH CASE
 
 import json
 import pathlib
+import re
 import struct
 import sys
 import tempfile

@@ -1,6 +1,6 @@
 // Reports: the benchmark of an orbit, and the report of a scan.
 
-#include "SmallStudy.h"
+#include "LabelledStudy.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
 #include "Viewer/Reports/ScanReport.h"
 
@@ -153,6 +153,22 @@ TEST_F(Reports, FillOnePageAndKeepTheLinesOfABoxApart)
   const QString path = this->folder.filePath("report.pdf");
   WriteScanReport(&this->model, path);
   EXPECT_EQ(BytesOf(path).count("/Type /Page\n"), 1);
+}
+
+TEST_F(Reports, ListTheSegmentsWithTheirStatistics)
+{
+  const auto text = [this]
+  { return ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy()); };
+  EXPECT_FALSE(text().contains("Segments"));
+  this->model.ShowLabels({ "/scans/DOE^JOHN/labels.nrrd" }, LabelledStudy(), "open");
+  this->model.Edit(ScenePart::Segments, "rename",
+    [](Scene& scene) { scene.labels->segments[0].name = "lower <half>"; });
+  const QString table = text().mid(text().indexOf("<h3>Segments</h3>"));
+  EXPECT_EQ(table.count("<tr>"), 2) << table.toStdString();
+  EXPECT_TRUE(table.contains("lower &lt;half&gt;") && table.contains("Label 5"));
+  EXPECT_TRUE(table.contains(QString("%1 voxels").arg(32 * 28 * 10)));
+  EXPECT_TRUE(table.contains(QString("%1 voxels").arg(32 * 10)));
+  EXPECT_FALSE(text().contains("DOE"));
 }
 
 TEST_F(Reports, MarkAnEditedLook)

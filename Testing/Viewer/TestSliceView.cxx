@@ -1,9 +1,10 @@
 // Slices: the mouse moves their common crosshair, and every gesture is an undo step.
 
-#include "SmallStudy.h"
+#include "LabelledStudy.h"
 #include "Viewer/View/SliceView.h"
 
 #include <QApplication>
+#include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -136,4 +137,33 @@ TEST_F(Slices, MeasureABoxAsDeepAsItIsNarrow)
   EXPECT_NEAR(
     this->model.CurrentScene().boxes.at(0).toMm[0], (*this->axial.PointAt({ 150, 80 }))[0], 1e-9);
   EXPECT_NEAR(this->model.CurrentScene().boxes.at(0).toMm[2], depth, 1e-9);
+}
+
+TEST_F(Slices, NameTheSegmentUnderThePointer)
+{
+  this->model.ShowLabels({ "labels.nrrd" }, LabelledStudy(), "open");
+  std::array<double, 3> lower; // in the half of label 3
+  const int voxel[3] = { 16, 14, 4 };
+  this->model.CurrentStudy()->volume.image->TransformIndexToPhysicalPoint(voxel, lower.data());
+  this->model.Edit(
+    ScenePart::Slices, "move", [&](Scene& scene) { scene.slices.crosshairMm = lower; });
+  QSignalSpy pointed(&this->axial, &SliceView::Pointed);
+  const auto textAt = [&](const QPointF& place, Qt::MouseButtons buttons)
+  {
+    QMouseEvent move(QEvent::MouseMove, place, Qt::NoButton, buttons, {});
+    QApplication::sendEvent(&this->axial, &move);
+    return pointed.last().first().toString();
+  };
+  const QPointF place = this->axial.PlaceOf(lower);
+  const QString text = textAt(place, Qt::NoButton);
+  EXPECT_TRUE(text.startsWith("HU ") && text.endsWith(" mm, Label 3")) << text.toStdString();
+  // A measurement in progress names it too.
+  this->axial.SetTool(LeftButton::Distance);
+  QTest::mousePress(&this->axial, Qt::LeftButton, {}, place.toPoint() - QPoint(30, 0));
+  EXPECT_EQ(textAt(place, Qt::LeftButton), text);
+  QTest::mouseRelease(&this->axial, Qt::LeftButton, {}, place.toPoint());
+  EXPECT_EQ(textAt({ 1.0, 1.0 }, Qt::NoButton), "") << "beside the volume";
+  this->model.Edit(
+    ScenePart::Segments, "hide", [](Scene& scene) { scene.labels->segments[0].visible = false; });
+  EXPECT_TRUE(textAt(place, Qt::NoButton).endsWith(" mm"));
 }

@@ -1,8 +1,12 @@
 #include "Viewer/Model/MeasureTexts.h"
 
 #include "Scene/Measures.h"
+#include "Scene/ScenePicking.h"
 #include "Scene/VolumeLoading.h"
 #include "Viewer/Model/NumberText.h"
+#include "Viewer/Model/Study.h"
+
+#include <vtkImageData.h>
 
 namespace varimarch
 {
@@ -31,6 +35,23 @@ QString BoxText(const RegionStatistics& statistics, const QString& unit)
     .arg(statistics.voxels);
 }
 
+QString UnitOf(const LoadedVolume& volume)
+{
+  return volume.modality == "CT" ? QStringLiteral(" HU") : QString();
+}
+
+// ", liver" in a visible segment of this name, otherwise empty.
+QString SegmentText(
+  const SceneLabels& labels, vtkImageData* numbers, const std::array<double, 3>& pointMm)
+{
+  std::array<double, 3> copy = pointMm; // VTK takes no constant
+  const vtkIdType voxel = numbers->FindPoint(copy.data());
+  const int number =
+    voxel < 0 ? 0 : static_cast<const unsigned char*>(numbers->GetScalarPointer())[voxel];
+  const bool isShown = number > 0 && labels.segments[number - 1].visible;
+  return isShown ? ", " + QString::fromStdString(labels.segments[number - 1].name) : QString();
+}
+
 }
 
 MeasureTexts::MeasureTexts(const Scene& scene, const LoadedVolume& volume)
@@ -43,15 +64,13 @@ MeasureTexts::MeasureTexts(const Scene& scene, const LoadedVolume& volume)
   {
     this->angles.append(tr("%1°").arg(NumberText(AngleDegrees(angle), 1)));
   }
-  const QString unit = volume.modality == "CT" ? QStringLiteral(" HU") : QString();
   for (const MeasuredBox& box : scene.boxes)
   {
     const RegionStatistics statistics = StatisticsOf(box, volume.image);
-    const bool isEmpty = statistics.voxels == 0;
-    this->boxes.append(isEmpty ? tr("no voxels") : BoxText(statistics, unit));
-    this->boxLabels.append(isEmpty
+    this->boxes.append(RegionText(statistics, volume));
+    this->boxLabels.append(statistics.voxels == 0
         ? tr("no voxels")
-        : MeanText(statistics, unit) + '\n' + VolumeText(statistics.volumeMm3));
+        : MeanText(statistics, UnitOf(volume)) + '\n' + VolumeText(statistics.volumeMm3));
   }
 }
 
@@ -59,6 +78,24 @@ QString VolumeText(double volumeMm3)
 {
   return volumeMm3 < Mm3PerMl ? MeasureTexts::tr("%1 mm³").arg(NumberText(volumeMm3, 0))
                               : MeasureTexts::tr("%1 ml").arg(NumberText(volumeMm3 / Mm3PerMl, 2));
+}
+
+QString RegionText(const RegionStatistics& statistics, const LoadedVolume& volume)
+{
+  return statistics.voxels == 0 ? MeasureTexts::tr("no voxels")
+                                : BoxText(statistics, UnitOf(volume));
+}
+
+QString PointText(const Scene& scene, const Study& study, const std::array<double, 3>& pointMm)
+{
+  const LoadedVolume& volume = study.volume;
+  return MeasureTexts::tr("%1%2 at %3, %4, %5 mm")
+           .arg(volume.modality == "CT" ? MeasureTexts::tr("HU ") : MeasureTexts::tr("value "))
+           .arg(NumberText(ValueAt(volume.image, pointMm).value_or(0.0), 0))
+           .arg(NumberText(pointMm[0], 1))
+           .arg(NumberText(pointMm[1], 1))
+           .arg(NumberText(pointMm[2], 1)) +
+    (scene.labels ? SegmentText(*scene.labels, study.labels->image, pointMm) : QString());
 }
 
 }

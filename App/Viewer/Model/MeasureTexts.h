@@ -7,10 +7,14 @@
 #include <QString>
 #include <QStringList>
 
+#include <array>
+
 namespace varimarch
 {
 
 struct LoadedVolume;
+struct RegionStatistics;
+struct Study;
 
 /// Texts of the measurements, one for each in the order of the scene. They are made once per edit,
 /// since box statistics read many voxels.
@@ -31,6 +35,13 @@ public:
 
 /// "1.23 ml", or "123 mm³" below one millilitre.
 QString VolumeText(double volumeMm3);
+
+/// The two lines of MeasureTexts::boxes, or "no voxels".
+QString RegionText(const RegionStatistics& statistics, const LoadedVolume& volume);
+
+/// "HU 41 at 12.3, -4.0, 105.5 mm, liver" for a point in world space, the last in a visible
+/// segment.
+QString PointText(const Scene& scene, const Study& study, const std::array<double, 3>& pointMm);
 
 }
 

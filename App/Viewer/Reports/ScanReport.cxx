@@ -113,6 +113,27 @@ QString MeasureRows(const Scene& scene, const Study& study)
   return rows.isEmpty() ? Row(ReportTexts::tr("Measurements"), ReportTexts::tr("none")) : rows;
 }
 
+// Unlike the names of measurements, those of segments are needed, and usually anatomy.
+QString SegmentTable(const Scene& scene, const Study& study)
+{
+  if (!scene.labels)
+  {
+    return {};
+  }
+  QString rows;
+  for (std::size_t i = 0; i < scene.labels->segments.size(); ++i)
+  {
+    const Segment& segment = scene.labels->segments[i];
+    const QColor color = QColor::fromRgbF(segment.rgb.r, segment.rgb.g, segment.rgb.b);
+    const QString name = QString::fromStdString(segment.name).toHtmlEscaped();
+    QString text = RegionText(study.segmentStatistics[i], study.volume).toHtmlEscaped();
+    rows += QStringLiteral("<tr><td bgcolor='%1'>&nbsp;&nbsp;&nbsp;&nbsp;</td>"
+                           "<td>&nbsp;%2&nbsp;&nbsp;</td><td>%3</td></tr>")
+              .arg(color.name(), name, text.replace('\n', "<br>"));
+  }
+  return QStringLiteral("<h3>%1</h3><table>%2</table>").arg(ReportTexts::tr("Segments"), rows);
+}
+
 void AddPicture(QTextDocument& document, const QString& name, const QImage& image)
 {
   document.addResource(QTextDocument::ImageResource, QUrl(name), image);
@@ -139,13 +160,14 @@ QString ScanReportHtml(const Scene& scene, const Study& study)
                         "<td><img src='axial' width='%10'><br><img src='coronal' width='%10'><br>"
                         "<img src='sagittal' width='%10'></td></tr></table>"
                         "<h3>%3</h3><table>%4</table><h3>%5</h3><table>%6</table>"
-                        "<h3>%7</h3><table>%8</table>")
+                        "<h3>%7</h3><table>%8</table>%11")
     .arg(ReportTexts::tr("Volume report"), OriginHtml(), ReportTexts::tr("Volume"),
       VolumeRows(study.volume), ReportTexts::tr("Rendering settings"),
       SettingRows(scene, study.statistics), ReportTexts::tr("Measurements"),
       MeasureRows(scene, study))
     .arg(WidthOfPicture)
-    .arg(WidthOfSlice);
+    .arg(WidthOfSlice)
+    .arg(SegmentTable(scene, study));
 }
 
 void WriteScanReport(SceneModel* model, const QString& path)

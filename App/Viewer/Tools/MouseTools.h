@@ -40,6 +40,8 @@ public:
   void Choose(LeftButton button);
   void ShowCutHandles(bool shown) { this->handles.SetShown(shown); }
 
+  bool Measures() const { return this->chosen == &this->measure; }
+
   /// Returns true if a tool handled the mouse or keyboard event.
   bool Take(QEvent* event);
 

@@ -59,6 +59,18 @@
         <translation>%1, von %2 bis %3%4
 %5, %6 Voxel</translation>
     </message>
+    <message>
+        <source>%1%2 at %3, %4, %5 mm</source>
+        <translation>%1%2 bei %3, %4, %5 mm</translation>
+    </message>
+    <message>
+        <source>HU </source>
+        <translation>HE </translation>
+    </message>
+    <message>
+        <source>value </source>
+        <translation>Wert </translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -399,6 +411,10 @@ kennt keine Segmente</translation>
     <message>
         <source>Rendering settings</source>
         <translation>Einstellungen der Darstellung</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
     </message>
 </context>
 <context>
@@ -2024,18 +2040,6 @@ ml</translation>
     <message>
         <source>turn the camera</source>
         <translation>Kamera drehen</translation>
-    </message>
-    <message>
-        <source>%1%2 at %3, %4, %5 mm</source>
-        <translation>%1%2 bei %3, %4, %5 mm</translation>
-    </message>
-    <message>
-        <source>HU </source>
-        <translation>HE </translation>
-    </message>
-    <message>
-        <source>value </source>
-        <translation>Wert </translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,18 @@
         <translation>%1, de %2 a %3%4
 %5, %6 vóxeles</translation>
     </message>
+    <message>
+        <source>%1%2 at %3, %4, %5 mm</source>
+        <translation>%1%2 en %3, %4, %5 mm</translation>
+    </message>
+    <message>
+        <source>HU </source>
+        <translation>UH </translation>
+    </message>
+    <message>
+        <source>value </source>
+        <translation>valor </translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -399,6 +411,10 @@ no conoce los segmentos</translation>
     <message>
         <source>Rendering settings</source>
         <translation>Ajustes de la representación</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmentos</translation>
     </message>
 </context>
 <context>
@@ -2024,18 +2040,6 @@ ml</translation>
     <message>
         <source>turn the camera</source>
         <translation>girar la cámara</translation>
-    </message>
-    <message>
-        <source>%1%2 at %3, %4, %5 mm</source>
-        <translation>%1%2 en %3, %4, %5 mm</translation>
-    </message>
-    <message>
-        <source>HU </source>
-        <translation>UH </translation>
-    </message>
-    <message>
-        <source>value </source>
-        <translation>valor </translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include "Scene/AnatomicalDirection.h"
 #include "Scene/SceneCuts.h"
+#include "Scene/ScenePicking.h"
 #include "Scene/SliceSegments.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/NumberText.h"
@@ -42,6 +43,7 @@ SliceView::SliceView(SceneModel* model, SlicePlane plane, QWidget* parent)
   this->setMinimumSize(120, 90);
   this->setAttribute(Qt::WA_OpaquePaintEvent);
   this->setCursor(Qt::CrossCursor);
+  this->setMouseTracking(true);
   connect(model, &SceneModel::Changed, this, &SliceView::Update);
 }
 
@@ -216,6 +218,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
   {
     return;
   }
+  this->Point(event->localPos());
   if (this->toolIsActive)
   {
     this->measure.Drag(event->localPos());
@@ -229,6 +232,15 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
   {
     this->DragWindowLevel(event->pos() - this->pressed);
   }
+}
+
+void SliceView::Point(const QPointF& place)
+{
+  const std::array<double, 3> point = *this->PointAt(place);
+  const Study& study = *this->model->CurrentStudy();
+  emit this->Pointed(ValueAt(study.volume.image, point)
+      ? PointText(this->model->CurrentScene(), study, point)
+      : QString());
 }
 
 // Dragging to the right widens the window, dragging down brightens, as in radiology viewers.

@@ -36,6 +36,10 @@ public:
   std::optional<std::array<double, 3>> PointAt(const QPointF& place) const override;
   QPointF PlaceOf(const std::array<double, 3>& pointMm) const;
 
+signals:
+  /// Describes the voxel under the pointer, for the status bar; empty beside the volume.
+  void Pointed(const QString& text);
+
 protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -53,6 +57,7 @@ private:
   void DrawCrosshair(QPainter& painter) const;
   void DrawLetters(QPainter& painter) const;
   void DragWindowLevel(const QPoint& moved);
+  void Point(const QPointF& place);
   double MmPerPixel() const;
   std::array<double, 3> Crosshair() const;
   SliceGrays Grays() const;

@@ -115,6 +115,10 @@ bool VolumeView::event(QEvent* event)
   }
   if (this->pipeline && this->tools.Take(event))
   {
+    if (event->type() == QEvent::MouseMove && this->tools.Measures())
+    {
+      this->Point(static_cast<QMouseEvent*>(event)->localPos());
+    }
     this->overlay->update();
     return true;
   }
