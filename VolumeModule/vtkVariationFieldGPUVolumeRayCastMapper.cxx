@@ -100,7 +100,7 @@ std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting()
   return sentences;
 }
 
-void vtkVariationFieldGPUVolumeRayCastMapper::ChooseMapper(vtkRenderer* renderer, vtkVolume* volume)
+bool vtkVariationFieldGPUVolumeRayCastMapper::ChooseMapper(vtkRenderer* renderer, vtkVolume* volume)
 {
   const bool wasVtk = !this->ReasonForVtkMapper.empty();
   this->ForwardSettings();
@@ -131,6 +131,7 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ChooseMapper(vtkRenderer* renderer
       std::cerr << "Varimarch: " << choice << '\n';
     }
   }
+  return !isVtk;
 }
 
 void vtkVariationFieldGPUVolumeRayCastMapper::Draw(vtkRenderer* renderer, vtkVolume* volume)
@@ -150,8 +151,7 @@ void vtkVariationFieldGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, vtkV
       this->GetInputAlgorithm(port, 0)->Update();
     }
   }
-  this->ChooseMapper(renderer, volume);
-  if (this->ReasonForVtkMapper.empty())
+  if (this->ChooseMapper(renderer, volume))
   {
     this->Draw(renderer, volume);
   }

@@ -57,6 +57,12 @@ public:
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
+  /**
+   * INTERNAL: chooses the mapper for the next frame. Returns true for the variation field mapper,
+   * false for VTK's own.
+   */
+  bool ChooseMapper(vtkRenderer* renderer, vtkVolume* volume);
+
   ///@{
   /**
    * The colours and depths of the last frame drawn with RenderToImage.
@@ -74,7 +80,6 @@ protected:
 private:
   void ForwardSettings();
   std::string UnsupportedSetting();
-  void ChooseMapper(vtkRenderer* renderer, vtkVolume* volume);
   void Draw(vtkRenderer* renderer, vtkVolume* volume);
 
   vtkNew<vtkVariationFieldVolumeMapper> VariationFieldMapper;

@@ -168,10 +168,14 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInOrder(
   }
   for (vtkVolume* next : volumes)
   {
-    auto* nextMapper = vtkVariationFieldVolumeMapper::SafeDownCast(next->GetMapper());
+    vtkVariationFieldVolumeMapper* const nextMapper = varimarch::DrawingMapper(next);
     if (next != volume)
     {
       next->Update();
+      if (varimarch::IsLeftToVtk(next, renderer))
+      {
+        continue; // until its turn
+      }
       nextMapper->Private->Ahead = { renderer, time };
     }
     Draw(nextMapper, renderer, next);
@@ -180,7 +184,7 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInOrder(
 
 void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  const bool isAlone = volume->GetMapper() != this || this->RenderToImage ||
+  const bool isAlone = varimarch::DrawingMapper(volume) != this || this->RenderToImage ||
     varimarch::PassOfVolume(this, renderer, volume).kind != varimarch::RayPass::Whole;
   isAlone ? Internals::Draw(this, renderer, volume)
           : Internals::DrawInOrder(this, renderer, volume);

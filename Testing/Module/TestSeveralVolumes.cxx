@@ -2,6 +2,8 @@
 
 #include "Module/HomogeneousScene.h"
 
+#include <vtkVariationFieldGPUVolumeRayCastMapper.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,21 +11,36 @@
 namespace
 {
 
-// A second cube of another material, which the test moves along the view.
-struct SecondCube
+using Adapter = vtkVariationFieldGPUVolumeRayCastMapper;
+
+vtkVariationFieldVolumeMapper* DrawingMapper(vtkVariationFieldVolumeMapper* mapper)
 {
-  explicit SecondCube(HomogeneousScene& scene)
+  return mapper;
+}
+
+vtkVariationFieldVolumeMapper* DrawingMapper(Adapter* mapper)
+{
+  return mapper->GetVariationFieldMapper();
+}
+
+// A second cube of another material, which the test moves along the view.
+template <class Mapper>
+struct SecondCubeBy
+{
+  explicit SecondCubeBy(HomogeneousScene& scene)
   {
     this->mapper->SetInputData(HomogeneousCube(HomogeneousScene::SideMm));
-    this->mapper->SetErrorTolerance(0.0);
+    DrawingMapper(this->mapper)->SetErrorTolerance(0.0);
     this->volume->SetMapper(this->mapper);
     UseOneMaterial(this->volume->GetProperty(), { 0.1, 0.2, 0.9 }, 0.05);
     scene.renderer->AddVolume(this->volume);
   }
 
-  vtkNew<vtkVariationFieldVolumeMapper> mapper;
+  vtkNew<Mapper> mapper;
   vtkNew<vtkVolume> volume;
 };
+
+using SecondCube = SecondCubeBy<vtkVariationFieldVolumeMapper>;
 
 void ExpectMiddle(const std::vector<float>& picture, const std::array<double, 4>& truth)
 {
@@ -85,4 +102,42 @@ TEST(SeveralVolumes, AreDrawnWhereTheyLeaveTheViewAndComeBack)
     ExpectMiddle(scene.Draw(), second);
     ExpectMiddle(scene.Draw(), second);
   }
+}
+
+// A program that draws through the plugin has adapters.
+TEST(SeveralVolumes, OfThePluginAreBlendedBackToFrontToo)
+{
+  const double seen = 1.0 - std::pow(0.95, HomogeneousScene::SideMm);
+  const std::array<double, 4> second = { 0.1 * seen, 0.2 * seen, 0.9 * seen, seen };
+  HomogeneousScene scene(0.05);
+  const std::array<double, 4> first = scene.Piece(HomogeneousScene::SideMm);
+  const SecondCubeBy<Adapter> other(scene);
+  for (const bool areBothAdapters : { false, true })
+  {
+    vtkNew<Adapter> adapter;
+    adapter->SetInputData(HomogeneousCube(HomogeneousScene::SideMm));
+    adapter->GetVariationFieldMapper()->SetErrorTolerance(0.0);
+    if (areBothAdapters)
+    {
+      scene.volume->SetMapper(adapter);
+    }
+    for (double zMm : { -20.0, 20.0, 20.0, -20.0, -20.0 })
+    {
+      other.volume->SetPosition(0.0, 0.0, zMm);
+      ExpectMiddle(scene.Draw(), zMm > 0.0 ? Over(second, first) : Over(first, second));
+      EXPECT_STREQ(other.mapper->GetReasonForVtkMapper(), "");
+    }
+  }
+}
+
+TEST(SeveralVolumes, OfThePluginAreDrawnOnceWhereVtkDrawsOne)
+{
+  HomogeneousScene scene(0.05);
+  const SecondCubeBy<Adapter> other(scene);
+  other.volume->SetPosition(0.0, 0.0, 20.0);
+  other.mapper->SetColorRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
+  const std::vector<float> one = scene.Draw();
+  EXPECT_STRNE(other.mapper->GetReasonForVtkMapper(), "");
+  const float alpha = one[4 * (16 * 32 + 16) + 3];
+  EXPECT_NEAR(alpha, 1.0 - std::pow(0.95, 2.0 * HomogeneousScene::SideMm), 0.02);
 }

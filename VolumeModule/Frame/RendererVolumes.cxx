@@ -1,5 +1,6 @@
 #include "Frame/RendererVolumes.h"
 
+#include "vtkVariationFieldGPUVolumeRayCastMapper.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkCamera.h"
@@ -45,6 +46,20 @@ double DistanceOf(vtkVolume* volume, vtkCamera* camera)
 
 }
 
+vtkVariationFieldVolumeMapper* DrawingMapper(vtkVolume* volume)
+{
+  vtkAbstractVolumeMapper* const mapper = volume->GetMapper();
+  auto* const adapter = vtkVariationFieldGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  return adapter ? adapter->GetVariationFieldMapper()
+                 : vtkVariationFieldVolumeMapper::SafeDownCast(mapper);
+}
+
+bool IsLeftToVtk(vtkVolume* volume, vtkRenderer* renderer)
+{
+  auto* const adapter = vtkVariationFieldGPUVolumeRayCastMapper::SafeDownCast(volume->GetMapper());
+  return adapter && !adapter->ChooseMapper(renderer, volume);
+}
+
 std::vector<vtkVolume*> VolumesBackToFront(vtkRenderer* renderer)
 {
   std::vector<vtkVolume*> volumes;
@@ -54,9 +69,8 @@ std::vector<vtkVolume*> VolumesBackToFront(vtkRenderer* renderer)
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
     auto* volume = vtkVolume::SafeDownCast(prop);
-    auto* mapper =
-      volume ? vtkVariationFieldVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
-    if (mapper && volume->GetVisibility() && mapper->GetDataObjectInput())
+    if (volume && DrawingMapper(volume) && volume->GetVisibility() &&
+      volume->GetMapper()->GetDataObjectInput())
     {
       volumes.push_back(volume);
     }
