@@ -8,11 +8,11 @@ namespace
 
 /// The bytes of a file that a library writes.
 template <class Write>
-std::string BytesOf(Write write)
+std::string BytesOf(Write write, const std::string& name = "file.png")
 {
   const TemporaryFolder folder;
-  write(folder.Path("file.png"));
-  return folder.Bytes("file.png");
+  write(folder.Path(name));
+  return folder.Bytes(name);
 }
 
 }
@@ -29,7 +29,8 @@ std::vector<GoodFile> MoreGoodFiles()
   const StoredVolume volume = phantom::Stored(0);
   const StoredVolume bytes = PhantomOfBytes();
   const std::string mif = MifHeaderText(volume, { 2, 0, 1 }, { true, false, true });
-  // A PVM file has comments after its voxels.
+  const auto picture = [&](const std::string& path) { WritePicture(path, bytes, 0); };
+  // A PVM file has comments after its voxels, a BMP file at most three bytes after its last row.
   return { { "a.mgh", MghBytes(volume) }, { "a.mgz", Gzipped(MghBytes(volume)), 12 },
     { "a.gipl", GiplBytes(volume) }, { "a.mrc", MrcBytes(volume) },
     { "a.mif", mif + VoxelBytes(volume) }, { "a.npy", NpyBytes(volume, { 3, 4, 5 }) },
@@ -41,7 +42,8 @@ std::vector<GoodFile> MoreGoodFiles()
         [&](const std::string& path) {
           WriteTiff(path, volume, { "", 1, false, true, 5 });
         }) },
-    { "a.png", BytesOf([&](const std::string& path) { WritePicture(path, bytes, 0); }) },
+    { "a.png", BytesOf(picture) }, { "a.jpg", BytesOf(picture, "file.jpg") },
+    { "a.bmp", BytesOf(picture, "file.bmp"), 3 },
     { "1.mnc", BytesOf([&](const std::string& path) { WriteMinc1(path, volume); }) },
     { "2.mnc", BytesOf([&](const std::string& path) { WriteMinc2(path, volume); }) } };
 }

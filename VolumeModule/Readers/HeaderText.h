@@ -23,6 +23,9 @@ public:
   /// File offset of the next line.
   std::uint64_t Position() const { return this->position; }
 
+  /// True after a last line without a line end, which may have been cut.
+  bool EndInALine() const { return this->position > this->text.size(); }
+
 private:
   std::string text;
   std::size_t position = 0;

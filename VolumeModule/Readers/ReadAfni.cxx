@@ -29,6 +29,15 @@ public:
   std::vector<double> Numbers(const std::string& name, std::size_t count) const;
 
 private:
+  struct Attribute
+  {
+    std::string name;
+    std::string count; ///< the stated number of numbers or characters
+    std::string value;
+  };
+
+  void Keep(const Attribute& attribute);
+
   std::string path;
   HeaderFields fields;
 };
@@ -42,39 +51,50 @@ AfniHeader::AfniHeader(const std::string& path)
   : path(path)
 {
   HeaderLines lines(path);
-  std::string name;
-  std::string value;
-  bool isValue = false;
-  const auto finish = [&]
-  {
-    // A text is between ' and ~.
-    value = Trimmed(value);
-    const bool isText = !value.empty() && value.front() == '\'';
-    this->fields.Set(name, isText ? value.substr(1, value.find('~') - 1) : value);
-    value.clear();
-    isValue = false;
-  };
+  Attribute attribute;
   while (const std::optional<std::string> line = lines.Next())
   {
     const std::size_t equals = line->find('=');
+    const std::string right = equals == std::string::npos ? "" : Trimmed(line->substr(equals + 1));
     if (BeginsAttribute(*line))
     {
-      finish();
+      this->Keep(attribute);
+      attribute = {};
     }
-    else if (!isValue && equals != std::string::npos && line->compare(0, 4, "name") == 0)
+    else if (attribute.count.empty() && !right.empty() && line->compare(0, 4, "name") == 0)
     {
-      name = Trimmed(line->substr(equals + 1));
+      attribute.name = right;
     }
-    else if (!isValue && line->compare(0, 5, "count") == 0)
+    else if (attribute.count.empty() && !right.empty() && line->compare(0, 5, "count") == 0)
     {
-      isValue = true;
+      attribute.count = right;
     }
     else
     {
-      value += *line + '\n';
+      attribute.value += *line + '\n';
     }
   }
-  finish();
+  this->Keep(attribute);
+  if (lines.EndInALine())
+  {
+    FailToRead(path, "a line end behind the last number", "the end of the file");
+  }
+}
+
+/// A text is between ' and ~.
+void AfniHeader::Keep(const Attribute& attribute)
+{
+  const std::string value = Trimmed(attribute.value);
+  const bool isText = !value.empty() && value.front() == '\'';
+  const bool isWhole = isText ? value.find('~') != std::string::npos
+                              : std::to_string(Words(value).size()) == attribute.count;
+  if (!attribute.count.empty() && !isWhole)
+  {
+    FailToRead(this->path,
+      attribute.count + (isText ? " characters as " : " numbers as ") + attribute.name,
+      "only " + Quoted(value));
+  }
+  this->fields.Set(attribute.name, isText ? value.substr(1, value.find('~') - 1) : value);
 }
 
 std::vector<double> AfniHeader::Numbers(const std::string& name, std::size_t count) const

@@ -22,6 +22,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace varimarch
 {
@@ -53,10 +54,32 @@ void CheckPng(const std::string& path, const std::string& bytes)
   }
 }
 
+/// True if a JPEG file has its end mark. A thumbnail in its header has one too, and is skipped.
+bool HasEndOfJpeg(const std::string& bytes)
+{
+  constexpr unsigned char FirstRestart = 0xd0;
+  constexpr unsigned char LastRestart = 0xd7;
+  constexpr unsigned char End = 0xd9;
+  const BinaryHeader numbers(bytes, true);
+  std::size_t place = 2;
+  while (place + 1 < bytes.size())
+  {
+    const auto mark = static_cast<unsigned char>(bytes[place + 1]);
+    const bool isOfPixels = bytes[place] != '\xff' || mark == 0 || mark == 0xff ||
+      (FirstRestart <= mark && mark <= LastRestart);
+    if (!isOfPixels && mark == End)
+    {
+      return true;
+    }
+    place += isOfPixels ? 1 : 2 + std::size_t(numbers.At<unsigned short>(place + 2));
+  }
+  return false;
+}
+
 /// Fails if a JPEG file does not end with its mark, because libjpeg makes the missing pixels grey.
 void CheckJpeg(const std::string& path, const std::string& bytes)
 {
-  if (bytes.rfind("\xff\xd9") == std::string::npos)
+  if (!HasEndOfJpeg(bytes))
   {
     FailToRead(
       path, "a complete JPEG file", "its end after " + std::to_string(bytes.size()) + " bytes");
@@ -75,7 +98,10 @@ void CheckBmp(const std::string& path, const std::string& bytes)
     FailToRead(path, "a BMP file of 8 or 24 bits per pixel without compression",
       std::to_string(bits) + " bits and compression " + std::to_string(compression));
   }
-  const double neededBytes = width * height * bits / 8 + double(numbers.At<unsigned int>(10));
+  // Rows are padded to four bytes; the padding of the last one may be missing.
+  const double paddedBytes = 4.0 * std::ceil(width * bits / 32.0);
+  const double neededBytes = double(numbers.At<unsigned int>(10)) +
+    paddedBytes * std::max(height - 1.0, 0.0) + width * bits / 8.0;
   if (neededBytes > double(bytes.size()))
   {
     FailToRead(path, ByteText(neededBytes) + " of pixels", ByteText(double(bytes.size())));
