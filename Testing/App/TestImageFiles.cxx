@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 using namespace varimarch;
 
@@ -104,14 +106,26 @@ TEST(SecondaryCapture, HasTheAttributesOfItsKindAndNoneOfAPatient)
   EXPECT_EQ(text(0x0028, 0x0301), "NO");
   EXPECT_NE(text(0x0008, 0x2111).find("channel: 0.25 of full"), std::string::npos)
     << text(0x0008, 0x2111);
-  for (const vtkDICOMTag& required :
-    { vtkDICOMTag(0x0010, 0x0010), vtkDICOMTag(0x0010, 0x0020), vtkDICOMTag(0x0010, 0x0030),
-      vtkDICOMTag(0x0010, 0x0040), vtkDICOMTag(0x0008, 0x0020), vtkDICOMTag(0x0008, 0x0030),
-      vtkDICOMTag(0x0008, 0x0050), vtkDICOMTag(0x0008, 0x0090), vtkDICOMTag(0x0020, 0x0010) })
+  for (const vtkDICOMTag& required : { vtkDICOMTag(0x0010, 0x0010), vtkDICOMTag(0x0010, 0x0020),
+         vtkDICOMTag(0x0010, 0x0030), vtkDICOMTag(0x0010, 0x0040), vtkDICOMTag(0x0008, 0x0020),
+         vtkDICOMTag(0x0008, 0x0030), vtkDICOMTag(0x0008, 0x0050), vtkDICOMTag(0x0008, 0x0090),
+         vtkDICOMTag(0x0020, 0x0010), vtkDICOMTag(0x0020, 0x0020), vtkDICOMTag(0x0020, 0x0060) })
   {
     EXPECT_TRUE(data->Has(required)) << required;
     EXPECT_EQ(data->Get(required).AsString(), "") << required;
   }
+}
+
+// PS3.5 6.2: texts have even lengths by a space, UIDs by a zero.
+TEST(SecondaryCapture, PadsUidsWithZeros)
+{
+  const File file("uids.dcm");
+  WritePicture(Picture(), {}, file.path);
+  std::ifstream stream(file.path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  const std::string kind = "1.2.840.10008.5.1.4.1.1.7"; // 25 characters
+  EXPECT_EQ(bytes.find(kind + ' '), std::string::npos);
+  EXPECT_NE(bytes.find(kind + '\0'), std::string::npos);
 }
 
 TEST(SecondaryCapture, IsAStudyOfItsOwn)

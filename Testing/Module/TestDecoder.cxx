@@ -11,8 +11,10 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <thread>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -167,14 +169,45 @@ TEST_F(Decoder, ThatWantsMoreMemoryThanAnImageNeedsDoesNotGetIt)
 TEST_F(Decoder, LearnsNothingOfTheProgramThatReads)
 {
   const std::string seen = this->folder.Path("seen");
-  const OtherDecoder other(this->Program("/usr/bin/env >" + seen + "; echo \"$*\" >>" + seen));
+  const OtherDecoder other(this->Program(
+    "/usr/bin/env >" + seen + "; echo \"$*\" >>" + seen + "; ls -l /proc/self/fd >>" + seen));
   setenv("PATIENT", "Doe^Jane", 1);
+  const int inherited = open(this->folder.Write("Doe", "").c_str(), O_RDONLY);
   this->RefusalOfFile("a.vti", VtiText(phantom::Stored(0)));
+  close(inherited);
   unsetenv("PATIENT");
   const std::string text = this->folder.Bytes("seen");
   ExpectWords(text, { "LC_ALL=" });
   EXPECT_EQ(text.find("Doe"), std::string::npos) << text;
   EXPECT_EQ(text.find("a.vti"), std::string::npos) << text;
+}
+
+// The signal of Ctrl+C goes to the whole group of the program that reads.
+TEST_F(Decoder, IsInAProcessGroupOfItsOwn)
+{
+  const std::string seen = this->folder.Path("seen");
+  const OtherDecoder other(this->Program("read -r status </proc/self/stat; echo $status >" + seen));
+  this->RefusalOfFile("a.vti", VtiText(phantom::Stored(0)));
+  std::istringstream status(this->folder.Bytes("seen"));
+  int process = 0;
+  int parent = 0;
+  int group = -1;
+  std::string name;
+  std::string state;
+  status >> process >> name >> state >> parent >> group;
+  EXPECT_EQ(parent, getpid());
+  EXPECT_EQ(group, process);
+}
+
+// A file in memory that becomes shorter would end the program that reads.
+TEST_F(Decoder, CannotShortenTheMemoryThatItShares)
+{
+  const std::string seen = this->folder.Path("seen");
+  const OtherDecoder other(
+    this->Program("if (: >/proc/self/fd/4) 2>/dev/null; then echo shortened >" + seen +
+      "; else echo refused >" + seen + "; fi"));
+  this->RefusalOfFile("a.vti", VtiText(phantom::Stored(0)));
+  EXPECT_EQ(this->folder.Bytes("seen"), "refused\n");
 }
 
 TEST_F(Decoder, IsNamedIfItIsMissing)
@@ -199,6 +232,16 @@ TEST_F(Decoder, OfAnotherKindIsRefused)
   const OtherDecoder other("/bin/true");
   ExpectWords(this->RefusalOfFile("a.vti", VtiText(phantom::Stored(0))),
     { "expected the program \"/bin/true\"", "the exit code 0" });
+}
+
+TEST_F(Decoder, OfAnotherVersionIsRefused)
+{
+  // A greeting of five letters, as the decoder of a version 0.0.1 would send it.
+  const OtherDecoder other(
+    this->Program("printf '\\0\\0\\0\\0\\0\\0\\0\\0\\5\\0\\0\\0\\0\\0\\0\\0' "
+                  ">&3; printf 0.0.1 >&3; exec /bin/sleep 60"));
+  ExpectWords(this->RefusalOfFile("a.vti", VtiText(phantom::Stored(0))),
+    { "of Varimarch", "found another one" });
 }
 
 TEST_F(Decoder, ThatHangsIsEnded)
