@@ -4,6 +4,7 @@
 #include "Messages.h"
 #include "Scene/OutputFile.h"
 #include "Scene/Presets.h"
+#include "Scene/SceneLights.h"
 #include "Scene/SceneNames.h"
 #include "UsageError.h"
 #include "VtkMessages.h"
@@ -164,6 +165,32 @@ void AddRawOptions(CLI::App& command, RawLayout& raw)
     ->group(group);
 }
 
+void AddLightOptions(CLI::App& command, SceneArguments& arguments)
+{
+  const std::string group = "Look";
+  const auto setLights = [&](const std::vector<std::pair<double, double>>& angles)
+  {
+    for (const auto& [azimuth, elevation] : angles)
+    {
+      arguments.lights.push_back(CameraLight(azimuth, elevation));
+    }
+  };
+  command
+    .add_option_function<std::vector<std::pair<double, double>>>("--light", setLights,
+      "A light this far to the right of and above the eye, degrees; may be repeated\n"
+      "(default: at the eye). Scenes have more kinds of lights")
+    ->check(CLI::Range(-180.0, 180.0).description(""))
+    ->delimiter(',')
+    ->type_name("AZ,EL")
+    ->group(group);
+  command
+    .add_option("--damping", arguments.dampingGradient,
+      "Gradient below which shading weakens, in units of the look's values per mm")
+    ->check(CLI::NonNegativeNumber.description(""))
+    ->type_name("G")
+    ->group(group);
+}
+
 void AddLookOptions(CLI::App& command, SceneArguments& arguments)
 {
   const std::string group = "Look";
@@ -192,6 +219,22 @@ void AddLookOptions(CLI::App& command, SceneArguments& arguments)
     ->group(group);
   AddChoice(command, "--blend", arguments.blend, BlendNames(), "Blend mode (default: the preset's)")
     ->group(group);
+  AddLightOptions(command, arguments);
+}
+
+void AddClippingRangeOption(CLI::App& command, SceneArguments& arguments)
+{
+  const auto setRange = [&](const std::vector<double>& range) {
+    arguments.clippingRangeMm = { range[0], range[1] };
+  };
+  command
+    .add_option_function<std::vector<double>>("--clipping-range", setRange,
+      "Show only what lies between these distances from the eye, mm (default: all)")
+    ->check(Above(0.0))
+    ->delimiter(',')
+    ->expected(2)
+    ->type_name("NEAR,FAR")
+    ->group("Image");
 }
 
 void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
@@ -224,6 +267,7 @@ void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
     ->group(group);
   command.add_flag("--parallel", arguments.parallel, "Parallel instead of perspective projection")
     ->group(group);
+  AddClippingRangeOption(command, arguments);
   const auto setBackground = [&](const std::vector<double>& rgb) {
     arguments.background = { rgb[0], rgb[1], rgb[2] };
   };
@@ -263,6 +307,17 @@ void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
       "Largest difference of values that the scalar field may skip, in units of the data")
     ->check(CLI::NonNegativeNumber.description(""))
     ->type_name("E")
+    ->group(group);
+  command
+    .add_option("--early-termination", arguments.earlyTerminationTransmittance,
+      "Transmittance at which a ray ends, if the error tolerance is 0 (default 1/1024)")
+    ->check(CLI::Range(0.0, 0.999999).description(""))
+    ->type_name("T")
+    ->group(group);
+  AddChoice(command, "--interpolation", arguments.interpolation, InterpolationNames(),
+    "Values between voxels (default linear)")
+    ->group(group);
+  command.add_flag("--jitter", arguments.jitter, "Offset the samples of each ray by blue noise")
     ->group(group);
 }
 

@@ -55,6 +55,7 @@ void OverridePreset(
 void OverrideLook(const SceneArguments& arguments, Look& look)
 {
   look.shading.enabled = arguments.shade.value_or(look.shading.enabled);
+  look.dampingGradient = arguments.dampingGradient.value_or(look.dampingGradient);
   if (arguments.blend)
   {
     look.blend = *arguments.blend;
@@ -72,6 +73,14 @@ void OverrideCamera(const SceneArguments& arguments, Camera& camera)
   camera.elevationDegrees = arguments.elevationDegrees.value_or(camera.elevationDegrees);
   camera.zoom = arguments.zoom.value_or(camera.zoom);
   camera.parallel = arguments.parallel || camera.parallel;
+  if (arguments.clippingRangeMm)
+  {
+    if (!((*arguments.clippingRangeMm)[0] < (*arguments.clippingRangeMm)[1]))
+    {
+      throw UsageError("--clipping-range: expected the nearer distance first");
+    }
+    camera.clippingRangeMm = arguments.clippingRangeMm;
+  }
 }
 
 void OverrideSampling(const SceneArguments& arguments, RenderOptions& render)
@@ -90,6 +99,10 @@ void OverrideSampling(const SceneArguments& arguments, RenderOptions& render)
   {
     render.variationTolerance = arguments.variationTolerance;
   }
+  render.earlyTerminationTransmittance =
+    arguments.earlyTerminationTransmittance.value_or(render.earlyTerminationTransmittance);
+  render.interpolation = arguments.interpolation.value_or(render.interpolation);
+  render.jitter = arguments.jitter || render.jitter;
 }
 
 }
@@ -107,6 +120,7 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   LoadedVolume loaded = LoadVolumeReporting(scene.volume);
   OverridePreset(arguments, loaded, isScene, scene);
   OverrideLook(arguments, scene.look);
+  scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;
   OverrideCamera(arguments, scene.camera);
   OverrideSampling(arguments, scene.render);
   scene.size = arguments.size.value_or(scene.size);

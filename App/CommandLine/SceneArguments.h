@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace varimarch
 {
@@ -23,18 +24,24 @@ struct SceneArguments
   std::string lookName;         ///< name of a look in that file; empty: its only look
   std::optional<bool> shade;
   std::optional<Blend> blend;
+  std::optional<double> dampingGradient;  ///< as in Look
+  std::vector<SceneLight> lights;         ///< empty: those of the scene
   std::optional<std::array<int, 2>> size; ///< size of the image [pixels]
   std::optional<View> view;
   std::optional<double> azimuthDegrees;
   std::optional<double> elevationDegrees;
   std::optional<double> zoom;
   bool parallel = false;
+  std::optional<std::array<double, 2>> clippingRangeMm;
   std::optional<std::array<double, 3>> background; ///< background as RGB, [0, 1]
   std::optional<double> sampleDistanceMm;          ///< sample distance, > 0
   std::optional<Acceleration> acceleration;
   std::optional<Integration> integration;
   std::optional<double> errorTolerance;     ///< error tolerance, [0, 1]
   std::optional<double> variationTolerance; ///< tolerance of the scalar field [units of the data]
+  std::optional<double> earlyTerminationTransmittance; ///< [0, 1)
+  std::optional<Interpolation> interpolation;
+  bool jitter = false;
 };
 
 /// Loads the scene that an input and the arguments describe, with its volume.

@@ -8,7 +8,15 @@ namespace varimarch
 namespace
 {
 
-constexpr NumberRange Positive = { 0.0, std::numeric_limits<double>::infinity(), true };
+std::array<double, 2> ClippingRangeFromJson(const JsonCursor& json)
+{
+  const std::array<double, 2> range = json.Numbers<2>(Positive);
+  if (!(range[0] < range[1]))
+  {
+    json.Fail("expected the nearer distance first, found the farther one or two equal ones");
+  }
+  return range;
+}
 
 CameraPose PoseFromJson(const JsonCursor& json)
 {
@@ -21,7 +29,8 @@ CameraPose PoseFromJson(const JsonCursor& json)
 
 Camera CameraFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "view", "azimuth", "elevation", "zoom", "projection", "viewAngle", "pose" });
+  json.RequireObject(
+    { "view", "azimuth", "elevation", "zoom", "projection", "viewAngle", "pose", "clippingRange" });
   Camera camera;
   if (const auto view = json.Find("view"))
   {
@@ -51,6 +60,10 @@ Camera CameraFromJson(const JsonCursor& json)
   {
     camera.pose = PoseFromJson(*pose);
   }
+  if (const auto range = json.Find("clippingRange"))
+  {
+    camera.clippingRangeMm = ClippingRangeFromJson(*range);
+  }
   return camera;
 }
 
@@ -65,6 +78,10 @@ nlohmann::ordered_json JsonFromCamera(const Camera& camera)
     json["pose"] = { { "position", camera.pose->positionMm },
       { "focalPoint", camera.pose->focalPointMm }, { "viewUp", camera.pose->viewUp },
       { "parallelScale", camera.pose->parallelScaleMm } };
+  }
+  if (camera.clippingRangeMm)
+  {
+    json["clippingRange"] = *camera.clippingRangeMm;
   }
   return json;
 }

@@ -26,6 +26,9 @@ struct NumberRange
   std::string Description() const; ///< "a number > 0"
 };
 
+inline constexpr NumberRange UnitInterval = { 0.0, 1.0 };
+inline constexpr NumberRange Positive = { 0.0, std::numeric_limits<double>::infinity(), true };
+
 /// A JSON value and its path in the file, so that every error names both:
 /// `head.json: camera.zoom: expected a number > 0, found "big"`. Every reading function throws such
 /// a std::runtime_error if the value is not of the expected kind. Holds a reference to the JSON

@@ -12,8 +12,6 @@ namespace varimarch
 namespace
 {
 
-constexpr NumberRange UnitInterval = { 0.0, 1.0 };
-
 Segment SegmentFromJson(const JsonCursor& json)
 {
   json.RequireObject({ "value", "name", "color", "visible", "opacity" });

@@ -11,9 +11,6 @@ namespace varimarch
 namespace
 {
 
-constexpr NumberRange UnitInterval = { 0.0, 1.0 };
-constexpr NumberRange Positive = { 0.0, std::numeric_limits<double>::infinity(), true };
-
 NodeShape ShapeFromJson(const JsonCursor& json)
 {
   NodeShape shape;
@@ -178,6 +175,10 @@ Look LookFromJson(const JsonCursor& json)
   {
     look.shading = ShadingFromJson(*shading);
   }
+  if (const auto damping = json.Find("damping"))
+  {
+    look.dampingGradient = damping->Number({ 0.0 });
+  }
   ReadBlend(json, look);
   return look;
 }
@@ -196,8 +197,8 @@ Preset PresetFromJson(const JsonCursor& json)
     return BuiltInPreset(name);
   }
   json.RequireObject({ "name", "description", "domain", "colors", "opacities",
-    "opacityUnitDistance", "gradientOpacities", "shading", "blend", "isosurfaces", "averagedRange",
-    "errorTolerance", "background" });
+    "opacityUnitDistance", "gradientOpacities", "shading", "damping", "blend", "isosurfaces",
+    "averagedRange", "errorTolerance", "background" });
   Preset preset = { LookFromJson(json) };
   if (const auto tolerance = json.Find("errorTolerance"))
   {
@@ -230,6 +231,10 @@ nlohmann::ordered_json JsonFromLook(const Look& look)
   json["shading"] = { { "enabled", look.shading.enabled }, { "ambient", look.shading.ambient },
     { "diffuse", look.shading.diffuse }, { "specular", look.shading.specular },
     { "specularPower", look.shading.specularPower } };
+  if (look.dampingGradient > 0.0)
+  {
+    json["damping"] = look.dampingGradient;
+  }
   json["blend"] = NameOf(BlendNames(), look.blend);
   for (const Isosurface& surface : look.isosurfaces)
   {

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace varimarch
 {
@@ -44,6 +45,26 @@ std::optional<HeadLight> LightOf(const Shading& shading, Blend blend)
   }
   return HeadLight{ glm::dvec3(shading.ambient), glm::dvec3(shading.diffuse),
     glm::dvec3(shading.specular), shading.specularPower };
+}
+
+// Throws std::invalid_argument for the parts of scenes that the reference does not draw.
+void CheckThatReferenceDraws(const Scene& scene)
+{
+  const bool shaded = LightOf(scene.look.shading, scene.look.blend).has_value();
+  const std::tuple<bool, const char*> parts[] = {
+    { !scene.cuts.scissors.empty(), "cuts by planes or the box only, found cuts by scissors" },
+    { !scene.look.gradientOpacities.empty(), "a look without gradient opacity" },
+    { shaded && !scene.lights.empty(), "the light at the eye only, found the key \"lights\"" },
+    { shaded && scene.look.dampingGradient > 0.0, "a look without damping" },
+    { scene.render.interpolation != Interpolation::Linear, "linear interpolation" },
+  };
+  for (const auto& [isFound, expected] : parts)
+  {
+    if (isFound)
+    {
+      throw std::invalid_argument(std::string("Reference image: expected ") + expected);
+    }
+  }
 }
 
 std::vector<double> IsovaluesOf(const Look& look)
@@ -147,16 +168,8 @@ ReferenceScene SceneOf(const ReferenceRequest& request)
 
 ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, double tolerance)
 {
-  if (!scene.cuts.scissors.empty())
-  {
-    throw std::invalid_argument("Reference image: expected cuts by planes or the box only, "
-                                "found cuts by scissors");
-  }
+  CheckThatReferenceDraws(scene);
   vtkDataArray* scalars = CheckedScalars(image);
-  if (!scene.look.gradientOpacities.empty())
-  {
-    throw std::invalid_argument("Reference image: expected a look without gradient opacity");
-  }
   ScenePipeline pipeline(scene, image, MapperKind::Varimarch);
   const VolumeGeometry geometry = VolumeGeometryOf(image, pipeline.Volume());
   return { scalars, geometry, TransferFunctionOf(pipeline.Volume()->GetProperty()),

@@ -91,6 +91,9 @@ struct Look
   /// composites. Empty: the gradient does not affect the opacity.
   std::vector<OpacityNode> gradientOpacities;
   Shading shading;
+  /// Gradient magnitude below which diffuse and specular light are reduced in proportion [units of
+  /// the value per mm], >= 0; 0 reduces none. See vtkVariationFieldVolumeMapper::DampingGradient.
+  double dampingGradient = 0.0;
   Blend blend = Blend::Composite;
   std::vector<Isosurface> isosurfaces; ///< sorted by value; at least one for Blend::Isosurface
   /// First and last value that count in an average. Empty: all values.
@@ -136,6 +139,30 @@ struct Camera
   bool parallel = false;
   double viewAngleDegrees = 30.0; ///< vertical, (0, 180); perspective projection only
   std::optional<CameraPose> pose; ///< replaces view, azimuth, elevation and zoom
+  /// Distances from the eye between which the volume is visible [mm], 0 < first < second. Empty:
+  /// all of it.
+  std::optional<std::array<double, 2>> clippingRangeMm = {};
+};
+
+/// The place that a light shines from.
+enum class LightKind
+{
+  Head,        ///< the eye
+  Camera,      ///< far away, in a direction that turns with the camera
+  Directional, ///< far away, in a direction that is fixed in the patient
+  Positional,  ///< a point in the patient
+};
+
+/// A light on shaded volumes.
+struct SceneLight
+{
+  LightKind kind = LightKind::Head;
+  /// Vector towards the light, of any length > 0. Camera: to the right, upwards and towards the
+  /// eye. Directional: world space, LPS.
+  std::array<double, 3> direction = { 0.0, 0.0, 1.0 };
+  std::array<double, 3> positionMm = {};         ///< place of a positional light; world space, LPS
+  std::array<double, 3> rgb = { 1.0, 1.0, 1.0 }; ///< each in [0, 1]
+  double intensity = 1.0;                        ///< factor of the colour, > 0
 };
 
 /// Keeps the side of the plane that the normal points to. World space, LPS.
@@ -229,6 +256,14 @@ struct SceneLabels
   std::vector<Segment> segments = {};
 };
 
+/// The values between the voxels.
+enum class Interpolation
+{
+  Nearest, ///< voxels are boxes
+  Linear,
+  Cubic, ///< a spline; isosurfaces are linear, and so are VTK's mappers
+};
+
 struct RenderOptions
 {
   std::optional<double> sampleDistanceMm; ///< > 0; empty: the mapper chooses
@@ -236,7 +271,9 @@ struct RenderOptions
   std::optional<Integration> integration;   ///< for composites; empty: the mapper chooses
   double errorTolerance = 1.0 / 64.0;       ///< [0, 1]; used if the mapper chooses the distance
   std::optional<double> variationTolerance; ///< units of the data; empty: the mapper chooses
-  double earlyTerminationTransmittance = 1.0 / 1024; ///< [0, 1)
+  double earlyTerminationTransmittance = 1.0 / 1024; ///< [0, 1); used for an error tolerance of 0
+  Interpolation interpolation = Interpolation::Linear;
+  bool jitter = false; ///< offsets the samples of each ray by blue noise
 };
 
 /// The mapper that renders a scene. Not part of the scene, since all mappers should agree.
@@ -259,6 +296,7 @@ struct Scene
 {
   VolumeSource volume;
   Look look;
+  std::vector<SceneLight> lights; ///< empty: a white light at the eye
   Camera camera;
   SceneCuts cuts;
   SliceSettings slices;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace varimarch
 {
@@ -169,6 +170,27 @@ Camera WithProjection(const Camera& camera, bool parallel)
     changed.pose->positionMm = NumbersOf(focalPoint + distance * glm::normalize(toEye));
   }
   return changed;
+}
+
+std::array<double, 2> DepthRangeMm(const Camera& camera, const double boundsWorld[6], double least)
+{
+  vtkNew<vtkCamera> placed;
+  PlaceCamera(camera, boundsWorld, 1.0, placed);
+  std::array<double, 2> range = { std::numeric_limits<double>::infinity(), least };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = boundsWorld[2 * axis + ((corner >> axis) & 1)];
+    }
+    placed->GetViewTransformMatrix()->MultiplyPoint(point, point);
+    const double depth = -point[2];
+    range = { std::min(range[0], depth), std::max(range[1], depth) };
+  }
+  range[0] = std::max(range[0], least);
+  range[1] = std::max(range[1], range[0] + least);
+  return range;
 }
 
 std::array<double, 3> ViewDirection(const Camera& camera)

@@ -3,9 +3,11 @@
 #include "Scene/CameraJson.h"
 #include "Scene/CutsJson.h"
 #include "Scene/LabelsJson.h"
+#include "Scene/LightsJson.h"
 #include "Scene/LookJson.h"
 #include "Scene/MeasuresJson.h"
 #include "Scene/Presets.h"
+#include "Scene/RenderJson.h"
 #include "Scene/VolumeJson.h"
 
 #include <nlohmann/json.hpp>
@@ -19,8 +21,6 @@ namespace varimarch
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr NumberRange Positive = { 0.0, Infinity, true };
 // All relevant OpenGL versions guarantee 2D textures of at least this size.
 constexpr int LargestPictureSide = 16384;
 
@@ -47,67 +47,21 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
   return slices;
 }
 
-// A number, or the word "auto" to let the mapper choose.
-std::optional<double> NumberOrAuto(const JsonCursor& json, const NumberRange& range)
-{
-  if (!json.IsText())
-  {
-    return json.Number(range);
-  }
-  if (json.Text() != "auto")
-  {
-    json.FailExpecting(range.Description() + " or \"auto\"");
-  }
-  return std::nullopt;
-}
-
-template <class Value>
-std::optional<Value> ChoiceOrAuto(const JsonCursor& json, const NameTable<Value>& names)
-{
-  return json.IsText() && json.Text() == "auto" ? std::nullopt : std::optional(json.Choice(names));
-}
-
-void ReadRender(const JsonCursor& json, RenderOptions& render)
-{
-  json.RequireObject({ "sampleDistance", "errorTolerance", "acceleration", "integration",
-    "variationTolerance", "earlyTermination" });
-  if (const auto distance = json.Find("sampleDistance"))
-  {
-    render.sampleDistanceMm = NumberOrAuto(*distance, Positive);
-  }
-  if (const auto tolerance = json.Find("errorTolerance"))
-  {
-    render.errorTolerance = tolerance->Number({ 0.0, 1.0 });
-  }
-  if (const auto acceleration = json.Find("acceleration"))
-  {
-    render.acceleration = acceleration->Choice(AccelerationNames());
-  }
-  if (const auto integration = json.Find("integration"))
-  {
-    render.integration = ChoiceOrAuto(*integration, IntegrationNames());
-  }
-  if (const auto tolerance = json.Find("variationTolerance"))
-  {
-    render.variationTolerance = NumberOrAuto(*tolerance, { 0.0 });
-  }
-  if (const auto transmittance = json.Find("earlyTermination"))
-  {
-    render.earlyTerminationTransmittance = transmittance->Number({ 0.0, 1.0, false, true });
-  }
-}
-
 // Editors find the schema through "$schema"; it is ignored here.
 std::vector<std::string> KeysBesideVolume()
 {
-  return { "$schema", "look", "camera", "cuts", "slices", "distances", "angles", "boxes", "labels",
-    "render", "size", "background" };
+  return { "$schema", "look", "lights", "camera", "cuts", "slices", "distances", "angles", "boxes",
+    "labels", "render", "size", "background" };
 }
 
 void ReadAllButVolume(const JsonCursor& json, Scene& scene)
 {
   // The preset's settings come first, so that the scene's own keys override them.
   TakePreset(PresetFromJson(json.At("look")), scene);
+  if (const auto lights = json.Find("lights"))
+  {
+    scene.lights = LightsFromJson(*lights);
+  }
   if (const auto camera = json.Find("camera"))
   {
     scene.camera = CameraFromJson(*camera);
@@ -167,19 +121,17 @@ nlohmann::ordered_json JsonFromSlices(const SliceSettings& slices)
   return json;
 }
 
-nlohmann::ordered_json JsonFromOptional(const std::optional<double>& number)
-{
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json("auto");
-}
-
 }
 
 std::string SceneText(const Scene& scene)
 {
-  const RenderOptions& render = scene.render;
   nlohmann::ordered_json json;
   json["volume"] = JsonFromVolume(scene.volume);
   json["look"] = JsonFromLook(scene.look);
+  if (!scene.lights.empty())
+  {
+    json["lights"] = JsonFromLights(scene.lights);
+  }
   json["camera"] = JsonFromCamera(scene.camera);
   json["cuts"] = JsonFromCuts(scene.cuts);
   json["slices"] = JsonFromSlices(scene.slices);
@@ -190,13 +142,7 @@ std::string SceneText(const Scene& scene)
   {
     json["labels"] = JsonFromLabels(*scene.labels);
   }
-  json["render"] = { { "sampleDistance", JsonFromOptional(render.sampleDistanceMm) },
-    { "acceleration", NameOf(AccelerationNames(), render.acceleration) },
-    { "errorTolerance", render.errorTolerance },
-    { "integration",
-      render.integration ? NameOf(IntegrationNames(), *render.integration) : "auto" },
-    { "variationTolerance", JsonFromOptional(render.variationTolerance) },
-    { "earlyTermination", render.earlyTerminationTransmittance } };
+  json["render"] = JsonFromRender(scene.render);
   json["size"] = scene.size;
   json["background"] = scene.background;
   return TextFromJson(json);

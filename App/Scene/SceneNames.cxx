@@ -71,6 +71,21 @@ const NameTable<Domain>& DomainNames()
   return table;
 }
 
+const NameTable<Interpolation>& InterpolationNames()
+{
+  static const NameTable<Interpolation> table = { { "nearest", Interpolation::Nearest },
+    { "linear", Interpolation::Linear }, { "cubic", Interpolation::Cubic } };
+  return table;
+}
+
+const NameTable<LightKind>& LightKindNames()
+{
+  static const NameTable<LightKind> table = { { "head", LightKind::Head },
+    { "camera", LightKind::Camera }, { "directional", LightKind::Directional },
+    { "positional", LightKind::Positional } };
+  return table;
+}
+
 const NameTable<ProceduralKind>& ProceduralNames()
 {
   static const NameTable<ProceduralKind> table = { { "shells", ProceduralKind::Shells },

@@ -20,6 +20,8 @@ const NameTable<Blend>& BlendNames();
 const NameTable<Acceleration>& AccelerationNames();
 const NameTable<Integration>& IntegrationNames();
 const NameTable<Domain>& DomainNames();
+const NameTable<Interpolation>& InterpolationNames();
+const NameTable<LightKind>& LightKindNames();
 
 const NameTable<ProceduralKind>& ProceduralNames();
 const NameTable<SlabBlend>& SlabBlendNames();

@@ -3,10 +3,12 @@
 #include "Scene/ImageOrientation.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/SceneCuts.h"
+#include "Scene/SceneLights.h"
 #include "Scene/Scissors.h"
 #include "Scene/SegmentDrawing.h"
 #include "Scene/VolumeProperty.h"
 
+#include <vtkCamera.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkPlane.h>
@@ -101,12 +103,14 @@ void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
   mapper->SetIntegrationRule(RuleOf(options.integration));
   mapper->SetVariationTolerance(options.variationTolerance.value_or(-1.0));
   mapper->SetEarlyTerminationTransmittance(options.earlyTerminationTransmittance);
+  mapper->SetUseJittering(options.jitter);
 }
 
 void Apply(const RenderOptions& options, vtkGPUVolumeRayCastMapper* mapper)
 {
   mapper->SetAutoAdjustSampleDistances(!options.sampleDistanceMm);
   mapper->SetSampleDistance(float(options.sampleDistanceMm.value_or(1.0)));
+  mapper->SetUseJittering(options.jitter);
 }
 
 void Apply(const RenderOptions& options, vtkFixedPointVolumeRayCastMapper* mapper)
@@ -154,6 +158,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   this->volume->SetMapper(this->mapper);
   this->renderer->AddVolume(this->volume);
   this->SetLook(scene.look);
+  this->SetLights(scene.lights);
   this->SetCuts(scene.cuts);
   this->SetRenderOptions(scene.render);
   this->SetBackground(scene.background);
@@ -166,8 +171,17 @@ void ScenePipeline::SetLook(const Look& newLook)
   this->mapper->SetBlendMode(VtkBlendModeOf(this->look.blend));
   const auto averaged = this->look.averagedRange.value_or(AllValues);
   this->mapper->SetAverageIPScalarRange(averaged[0], averaged[1]);
+  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
+  {
+    ours->SetDampingGradient(this->look.dampingGradient * MeanSpacingMm(this->image));
+  }
   this->ApplyProperty();
   this->ApplyMask();
+}
+
+void ScenePipeline::SetLights(const std::vector<SceneLight>& lights)
+{
+  varimarch::SetLights(lights, this->renderer);
 }
 
 void ScenePipeline::SetLabels(std::shared_ptr<const LabelMap> newLabels)
@@ -200,6 +214,19 @@ void ScenePipeline::ApplyProperty()
     ApplySegments(*this->labels, this->segments, property);
   }
   this->volume->SetProperty(property);
+  this->ApplyInterpolation();
+}
+
+void ScenePipeline::ApplyInterpolation()
+{
+  const bool nearest = this->interpolation == Interpolation::Nearest;
+  this->volume->GetProperty()->SetInterpolationType(
+    nearest ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
+  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
+  {
+    ours->SetCubicInterpolation(
+      this->interpolation == Interpolation::Cubic && this->look.blend != Blend::Isosurface);
+  }
 }
 
 void ScenePipeline::ApplyMask()
@@ -233,7 +260,14 @@ void ScenePipeline::SetMask(vtkImageData* voxels, bool areLabels)
 void ScenePipeline::SetCamera(const Camera& camera, double aspect)
 {
   PlaceCamera(camera, this->image->GetBounds(), aspect, this->renderer->GetActiveCamera());
-  this->renderer->ResetCameraClippingRange();
+  if (camera.clippingRangeMm)
+  {
+    this->renderer->GetActiveCamera()->SetClippingRange(camera.clippingRangeMm->data());
+  }
+  else
+  {
+    this->renderer->ResetCameraClippingRange();
+  }
 }
 
 void ScenePipeline::SetCuts(const SceneCuts& cuts)
@@ -276,6 +310,8 @@ void ScenePipeline::SetRenderOptions(const RenderOptions& options)
   {
     Apply(options, vtkFixedPointVolumeRayCastMapper::SafeDownCast(this->mapper));
   }
+  this->interpolation = options.interpolation;
+  this->ApplyInterpolation();
 }
 
 void ScenePipeline::SetBackground(const std::array<double, 3>& rgb)

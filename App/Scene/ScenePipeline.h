@@ -53,6 +53,7 @@ public:
   /// @param changed  as many as the labels have, in their order
   void SetSegments(const std::vector<Segment>& changed);
   void SetRenderOptions(const RenderOptions& options);
+  void SetLights(const std::vector<SceneLight>& lights);
   void SetBackground(const std::array<double, 3>& rgb);
 
   /// Sample distance of the last frame [mm].
@@ -63,11 +64,13 @@ private:
   void SetScissors(const std::vector<ScissorsCut>& cuts);
   void ApplyProperty();
   void ApplyMask();
+  void ApplyInterpolation();
   void SetMask(vtkImageData* voxels, bool areLabels);
 
   MapperKind kind;
   vtkSmartPointer<vtkImageData> image;
-  Look look;                         ///< in units of the data
+  Look look; ///< in units of the data
+  Interpolation interpolation = Interpolation::Linear;
   std::vector<ScissorsCut> scissors; ///< the cuts that made the mask
   vtkSmartPointer<vtkImageData> mask;
   std::shared_ptr<const LabelMap> labels;  ///< null without labels

@@ -15,7 +15,7 @@ namespace
 {
 
 // The middle slice as a volume of its own.
-vtkSmartPointer<vtkImageData> MiddleOf(vtkImageData* image)
+vtkSmartPointer<vtkImageData> MiddleSliceOf(vtkImageData* image)
 {
   int extent[6];
   image->GetExtent(extent);
@@ -30,7 +30,7 @@ vtkSmartPointer<vtkImageData> MiddleOf(vtkImageData* image)
 
 GrayPicture MiddleSlice(vtkImageData* image)
 {
-  const vtkSmartPointer<vtkImageData> slice = MiddleOf(image);
+  const vtkSmartPointer<vtkImageData> slice = MiddleSliceOf(image);
   const ImageStatistics statistics(slice);
   const double black = statistics.Percentile(1.0);
   const double white = std::max(statistics.Percentile(99.0), black + 1e-9);

@@ -10,7 +10,6 @@ namespace varimarch
 namespace
 {
 
-constexpr NumberRange Positive = { 0.0, std::numeric_limits<double>::infinity(), true };
 constexpr int LargestVolumeSide = 1 << 20;
 
 RawLayout RawLayoutFromJson(const JsonCursor& json)

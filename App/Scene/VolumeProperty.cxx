@@ -114,6 +114,7 @@ Look InUnitsOfData(const Look& look, const ImageStatistics& statistics)
   {
     node.value *= one - zero;
   }
+  resolved.dampingGradient *= one - zero;
   return resolved;
 }
 
@@ -133,7 +134,6 @@ void ApplyLook(const Look& look, double meanSpacingMm, vtkVolumeProperty* proper
       ? vtkSmartPointer<vtkPiecewiseFunction>()
       : CurveOf(look.gradientOpacities, meanSpacingMm));
   property->SetScalarOpacityUnitDistance(look.opacityUnitDistanceMm);
-  property->SetInterpolationTypeToLinear();
   property->SetShade(look.shading.enabled);
   property->SetAmbient(look.shading.ambient);
   property->SetDiffuse(look.shading.diffuse);

@@ -8,7 +8,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <optional>
+#include <tuple>
 
 #include <unistd.h>
 
@@ -213,6 +215,37 @@ TEST_F(ReferenceCacheTest, ItsFolderFollowsTheXdgSpecification)
   EXPECT_EQ(ReferenceCache::DefaultFolder(), "/somebody/.cache/varimarch/reference");
   home.Set(nullptr);
   EXPECT_EQ(ReferenceCache::DefaultFolder(), "");
+}
+
+TEST_F(ReferenceCacheTest, ScenesThatTheReferenceCannotDrawAreRefused)
+{
+  const std::tuple<const char*, std::function<void(Scene&)>> refused[] = {
+    { "lights",
+      [](Scene& scene) {
+        scene.lights = { { LightKind::Camera, { 1.0, 0.0, 0.0 } } };
+      } },
+    { "damping", [](Scene& scene) { scene.look.dampingGradient = 1.0; } },
+    { "interpolation", [](Scene& scene) { scene.render.interpolation = Interpolation::Cubic; } },
+    { "gradient opacity",
+      [](Scene& scene) {
+        scene.look.gradientOpacities = { { 0.0, 0.5 } };
+      } },
+  };
+  for (const auto& [word, change] : refused)
+  {
+    Scene changed = this->scene;
+    changed.look.shading.enabled = true;
+    change(changed);
+    try
+    {
+      this->cache.Picture(changed, this->image, 1e-4);
+      ADD_FAILURE() << word;
+    }
+    catch (const std::invalid_argument& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST_F(ReferenceCacheTest, AVolumeWithoutOneComponentIsRefused)

@@ -120,6 +120,28 @@ def every_blend_draws_its_own(_folder):
     assert len(pictures) == 5, "two blends draw the same picture"
 
 
+def lights_and_quality_change_the_picture(_folder):
+    look = {"color": "white", "opacity": [(200, 0), (250, 1)], "shade": True, **SMALL}
+    upper_right = {"kind": "camera", "direction": (1, 1, 1), "color": "ivory", "intensity": 0.9}
+    choices = (
+        {},
+        {"lights": [upper_right]},
+        {"lights": [{"kind": "head"}, upper_right]},
+        {"damping": 300},
+        {"clipping_range": (1, 50)},
+        {"interpolation": "nearest"},
+        {"interpolation": "cubic"},
+        {"error_tolerance": 0, "early_termination": 0.5},
+        {"error_tolerance": 0, "early_termination": 0.5, "jitter": True},
+    )
+    pictures = {varimarch.render(ball(), **look, **choice).tobytes() for choice in choices}
+    assert len(pictures) == len(choices), "two arguments draw the same picture"
+    lit = varimarch.render(ball(), **look, lights=[upper_right]).astype(int)
+    assert lit[:16, 16:].sum() > 1.2 * lit[16:, :16].sum(), "light from the upper right"
+    head = varimarch.render(ball(), **look, lights=[{"kind": "head"}])
+    assert numpy.array_equal(head, varimarch.render(ball(), **look))
+
+
 def what_is_wrong_is_one_sentence(folder):
     empty = vtkImageData()
     empty.SetDimensions(4, 4, 4)
@@ -139,6 +161,13 @@ def what_is_wrong_is_one_sentence(folder):
         (ValueError, "parallel: expected True", lambda: varimarch.render(good, parallel="no")),
         (ValueError, "shade: expected True", lambda: varimarch.render(good, shade="no")),
         (ValueError, "by 255", lambda: varimarch.render(good, color=(255, 128, 0))),
+        (ValueError, "list of dictionaries", lambda: varimarch.render(good, lights={"kind": "head"})),
+        (ValueError, '"position"', lambda: varimarch.render(good, lights=[{"kind": "positional"}])),
+        (ValueError, "direction", lambda: varimarch.render(good, lights=[{"direction": 3}])),
+        (ValueError, "ascending", lambda: varimarch.render(good, clipping_range=(5, 2))),
+        (ValueError, 'did you mean "cubic"', lambda: varimarch.render(good, interpolation="cubik")),
+        (ValueError, "damping", lambda: varimarch.render(good, damping=-1)),
+        (ValueError, "early_termination", lambda: varimarch.render(good, early_termination=1)),
         (ValueError, "opacity is 0", lambda: varimarch.render(good, color="transparent")),
         (ValueError, 'did you mean "brown"?', lambda: varimarch.render(good, color="browm")),
         (ValueError, "#ff8800", lambda: varimarch.render(good, background="#ff88")),

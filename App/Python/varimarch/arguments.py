@@ -42,6 +42,14 @@ def number(name, value, low, high):
     return float(found)
 
 
+def ascending_pair(name, values):
+    """Returns two numbers above 0, the smaller one first."""
+    found = numbers_of(values, (2,))
+    if found is None or not 0.0 < found[0] < found[1]:
+        raise ValueError(f"{name}: expected two ascending numbers above 0, found {values!r}")
+    return tuple(found.tolist())
+
+
 def three_numbers(name, values):
     """Returns three finite numbers as an array."""
     found = numbers_of(values, (3,))

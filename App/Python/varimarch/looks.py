@@ -45,6 +45,27 @@ def opacity_nodes(opacity):
     ]
 
 
+def lights_of(lights):
+    """Returns lights as in the scene format, given such dictionaries with colours of any form."""
+    if not isinstance(lights, (list, tuple)) or not all(isinstance(one, dict) for one in lights):
+        raise ValueError(
+            'lights: expected a list of dictionaries such as {"kind": "camera", "direction": '
+            f"(1, 1, 1)}}, found {lights!r}"
+        )
+    vectors = ("direction", "position")
+    return [
+        {
+            key: rgb_of(value)
+            if key == "color"
+            else three_numbers(f"lights: {key}", value).tolist()
+            if key in vectors
+            else value
+            for key, value in light.items()
+        }
+        for light in lights
+    ]
+
+
 def nodes_of(name, form, nodes):
     try:
         pairs = [(float(value), what) for value, what in nodes]

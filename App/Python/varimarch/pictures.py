@@ -11,14 +11,15 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from . import _scene
-from .arguments import choice, instance, number, truth
+from .arguments import ascending_pair, choice, instance, number, truth
 from .images import to_array, to_image
 from .labels import drawn_labels
-from .looks import color_nodes, look_of, opacity_nodes, rgb_of
+from .looks import color_nodes, lights_of, look_of, opacity_nodes, rgb_of
 from .vtk_messages import vtk_messages_as_exceptions
 
 VIEWS = ("automatic", "anterior", "posterior", "left", "right", "superior", "inferior")
 BLENDS = ("composite", "maximum", "minimum", "average", "additive")
+INTERPOLATIONS = ("nearest", "linear", "cubic")
 # The largest side of a 2D texture that all relevant versions of OpenGL guarantee.
 LARGEST_SIDE = 16384
 
@@ -32,6 +33,8 @@ def render(
     opacity=None,
     opacity_unit_distance=1.0,
     shade=None,
+    lights=None,
+    damping=None,
     blend=None,
     labels=None,
     label_colors=None,
@@ -43,7 +46,11 @@ def render(
     elevation=0.0,
     zoom=1.0,
     parallel=False,
+    clipping_range=None,
     error_tolerance=None,
+    early_termination=None,
+    interpolation="linear",
+    jitter=False,
 ):
     """Renders a volume, and returns an image as an array [row, column, (red, green, blue)] of uint8.
 
@@ -57,7 +64,13 @@ def render(
         to 1.
     opacity: replaces the preset's opacities: a list of (value, opacity), with opacities from 0 to 1.
     opacity_unit_distance: the length over which material has these opacities [mm].
-    shade: True to shade the volume; default: the preset's.
+    shade: True to light the volume, so that surfaces are brighter where they face a light; there are
+        no shadows. Default: the preset's.
+    lights: the lights of a shaded volume, a list of dictionaries as in Documentation/SceneFormat.md,
+        such as {"kind": "camera", "direction": (1, 1, 1), "color": "ivory"}, a light from the upper
+        right; default: a white light at the eye.
+    damping: gradient magnitude below which light other than ambient is reduced, in units of the
+        volume per mm, so that noise in homogeneous material does not glitter; default: the preset's.
     blend: "composite", "maximum", "minimum", "average" or "additive"; default: the preset's.
 
     labels: segments to draw over the volume: the path of a segmentation (DICOM SEG, .seg.nrrd) or
@@ -77,9 +90,14 @@ def render(
     elevation: elevation of the camera after that, -89 to 89 [degrees].
     zoom: magnification; at 1 the volume's box just fits the image.
     parallel: True for a parallel projection instead of a perspective one of 30 degrees.
+    clipping_range: nearest and farthest distance from the camera that is drawn [mm]; default: all.
 
     error_tolerance: largest accepted error of a colour channel, 0 to 1; a smaller one takes longer;
         default: the preset's.
+    early_termination: transmittance below which a ray ends, 0 to less than 1, used if error_tolerance
+        is 0; default: 1 / 1024.
+    interpolation: values between voxels: "nearest", "linear" or "cubic".
+    jitter: True to offset the samples of each ray by blue noise, which hides rings of long steps.
 
     Raises ValueError or TypeError for bad arguments, and RuntimeError if the volume cannot be
     rendered, each with one sentence.
@@ -93,6 +111,8 @@ def render(
     look["opacityUnitDistance"] = number("opacity_unit_distance", opacity_unit_distance, 1e-30, 1e30)
     if shade is not None:
         look["shading"]["enabled"] = truth("shade", shade)
+    if damping is not None:
+        look["damping"] = number("damping", damping, 0, 1e30)
     look["blend"] = choice("blend", blend or look["blend"], BLENDS)
     if error_tolerance is not None:
         look["errorTolerance"] = number("error_tolerance", error_tolerance, 0, 1)
@@ -105,7 +125,17 @@ def render(
         "zoom": number("zoom", zoom, 1e-3, 1e3),
         "projection": "parallel" if truth("parallel", parallel) else "perspective",
     }
-    scene = {"look": look, "camera": camera, "size": picture_size(size)}
+    if clipping_range is not None:
+        camera["clippingRange"] = ascending_pair("clipping_range", clipping_range)
+    quality = {
+        "interpolation": choice("interpolation", interpolation, INTERPOLATIONS),
+        "jitter": truth("jitter", jitter),
+    }
+    if early_termination is not None:
+        quality["earlyTermination"] = number("early_termination", early_termination, 0, 0.999999)
+    scene = {"look": look, "camera": camera, "render": quality, "size": picture_size(size)}
+    if lights is not None:
+        scene["lights"] = lights_of(lights)
     drawn = drawn_labels(image, labels, label_colors, label_opacity, look["blend"])
     picture = _scene.render(image, json.dumps(scene), *drawn)
     # VTK counts rows from the bottom.

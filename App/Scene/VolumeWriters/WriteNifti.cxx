@@ -17,7 +17,7 @@ namespace varimarch
 namespace
 {
 
-constexpr std::size_t headerBytes = 352; ///< with four bytes that say that nothing follows
+constexpr std::size_t niftiHeaderBytes = 352; ///< with four bytes that say that nothing follows
 constexpr int scannerCoordinates = 1;
 constexpr int millimetres = 2;
 constexpr int vectorIntent = 1007;
@@ -66,7 +66,7 @@ nifti_1_header HeaderOf(const std::string& path, const WrittenImage& image)
   header.sform_code = scannerCoordinates;
   header.xyzt_units = millimetres;
   header.scl_slope = 1.0f;
-  header.vox_offset = float(headerBytes);
+  header.vox_offset = float(niftiHeaderBytes);
   header.datatype = short(ColourType(image) != 0 ? ColourType(image) : image.Type().nifti);
   header.bitpix = short(
     8 * image.ValueBytes() * std::size_t(ColourType(image) != 0 ? image.ComponentCount() : 1));
@@ -145,7 +145,7 @@ bool WriteNiftiFile(const LoadedVolume& volume, const std::string& path, bool is
   const WrittenImage image(path, volume.image);
   const nifti_1_header header = HeaderOf(path, image);
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof(header));
-  bytes.resize(headerBytes);
+  bytes.resize(niftiHeaderBytes);
   GzipFile file(path, isCompressed);
   file.Write(bytes.data(), bytes.size());
   if (HasVectors(image))

@@ -1,0 +1,92 @@
+#include "Scene/LightsJson.h"
+
+#include <nlohmann/json.hpp>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// Each kind of light has its own keys, so that a place that it ignores is an error.
+std::vector<std::string> KeysOf(LightKind kind)
+{
+  switch (kind)
+  {
+    case LightKind::Camera:
+    case LightKind::Directional:
+      return { "kind", "direction", "color", "intensity" };
+    case LightKind::Positional:
+      return { "kind", "position", "color", "intensity" };
+    default:
+      return { "kind", "color", "intensity" };
+  }
+}
+
+SceneLight LightFromJson(const JsonCursor& json)
+{
+  SceneLight light;
+  light.kind = json.At("kind").Choice(LightKindNames());
+  json.RequireObject(KeysOf(light.kind));
+  if (light.kind == LightKind::Camera || light.kind == LightKind::Directional)
+  {
+    light.direction = json.At("direction").Numbers<3>();
+    if (light.direction == std::array<double, 3>{})
+    {
+      json.At("direction").Fail("expected a vector towards the light, found one of length 0");
+    }
+  }
+  if (light.kind == LightKind::Positional)
+  {
+    light.positionMm = json.At("position").Numbers<3>();
+  }
+  if (const auto color = json.Find("color"))
+  {
+    light.rgb = color->Numbers<3>({ 0.0, 1.0 });
+  }
+  if (const auto intensity = json.Find("intensity"))
+  {
+    light.intensity = intensity->Number({ 0.0, 1000.0, true });
+  }
+  return light;
+}
+
+nlohmann::ordered_json JsonFromLight(const SceneLight& light)
+{
+  nlohmann::ordered_json json = { { "kind", NameOf(LightKindNames(), light.kind) } };
+  if (light.kind == LightKind::Camera || light.kind == LightKind::Directional)
+  {
+    json["direction"] = light.direction;
+  }
+  if (light.kind == LightKind::Positional)
+  {
+    json["position"] = light.positionMm;
+  }
+  json["color"] = light.rgb;
+  json["intensity"] = light.intensity;
+  return json;
+}
+
+}
+
+std::vector<SceneLight> LightsFromJson(const JsonCursor& json)
+{
+  std::vector<SceneLight> lights;
+  for (const JsonCursor& element : json.Elements(0, MostLights))
+  {
+    lights.push_back(LightFromJson(element));
+  }
+  return lights;
+}
+
+nlohmann::ordered_json JsonFromLights(const std::vector<SceneLight>& lights)
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const SceneLight& light : lights)
+  {
+    json.push_back(JsonFromLight(light));
+  }
+  return json;
+}
+
+}
