@@ -8,6 +8,7 @@
 #include "Viewer/Model/Log.h"
 #include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/CutsPanel.h"
+#include "Viewer/Panels/LightsPanel.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/PresetGallery.h"
@@ -268,6 +269,7 @@ void MainWindow::MakePanels()
     new PresetGallery(&this->model,
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/presets"));
   dockOf("look", tr("Look"), new LookPanel(&this->model));
+  dockOf("lights", tr("Lights"), new LightsPanel(&this->model));
   QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
   dockOf("measures", tr("Measurements"), new MeasuresPanel(&this->model));
   auto* const segments = new SegmentsPanel(&this->model);
@@ -302,7 +304,7 @@ void MainWindow::ArrangePanels()
   }
   QDockWidget* const first = this->panels.front();
   first->raise();
-  this->resizeDocks({ first, this->panels.back() }, { 600, 90 }, Qt::Vertical);
+  this->resizeDocks({ first, this->panels.back() }, { 560, 130 }, Qt::Vertical);
   this->resizeDocks({ first }, { 380 }, Qt::Horizontal);
 }
 

@@ -4,6 +4,8 @@
 #include "SmallStudy.h"
 #include "Viewer/Panels/CutsPanel.h"
 
+#include <QDoubleSpinBox>
+#include <QGroupBox>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -125,4 +127,27 @@ TEST_F(Cutting, WithTheBoxKeepsItsFacesInOrder)
   this->model.History()->undo();
   this->model.History()->undo();
   EXPECT_EQ(this->Slider("x from")->value(), 0);
+}
+
+TEST_F(Cutting, DistancesFromTheEyeStartWithTheWholeVolumeAndKeepTheirOrder)
+{
+  auto* const box = this->panel.findChild<QGroupBox*>("clippingRange");
+  const auto digits = [&](const char* name)
+  { return this->panel.findChild<QWidget*>(name)->findChild<QDoubleSpinBox*>(); };
+  const Camera& camera = this->model.CurrentScene().camera;
+  EXPECT_FALSE(box->isChecked());
+  QTest::keyClick(box, Qt::Key_Space);
+  ASSERT_TRUE(camera.clippingRangeMm);
+  const std::array<double, 2> whole = *camera.clippingRangeMm;
+  const double* const bounds = this->model.CurrentStudy()->volume.image->GetBounds();
+  EXPECT_NEAR(whole[1] - whole[0], bounds[3] - bounds[2], 1e-6) << "seen from the front";
+  digits("nearest")->setValue(0.5 * (whole[0] + whole[1]));
+  EXPECT_NEAR((*camera.clippingRangeMm)[0], 0.5 * (whole[0] + whole[1]), 0.01);
+  EXPECT_EQ((*camera.clippingRangeMm)[1], whole[1]);
+  digits("farthest")->setValue(0.9 * whole[0]);
+  EXPECT_LT((*camera.clippingRangeMm)[0], (*camera.clippingRangeMm)[1]) << "the other makes way";
+  this->model.History()->undo();
+  EXPECT_NEAR(digits("farthest")->value(), whole[1], 0.01);
+  QTest::keyClick(box, Qt::Key_Space);
+  EXPECT_FALSE(camera.clippingRangeMm);
 }

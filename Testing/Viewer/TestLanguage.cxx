@@ -96,7 +96,7 @@ TEST_F(Speaking, ShowsTheTitlesOfPanelsInFull)
     QTest::qWait(100);
     const auto* const tabs = window.findChild<QTabBar*>();
     ASSERT_TRUE(tabs);
-    ASSERT_EQ(tabs->count(), 5);
+    ASSERT_EQ(tabs->count(), 6);
     for (int i = 0; i < tabs->count(); ++i)
     {
       const int words = tabs->fontMetrics().horizontalAdvance(tabs->tabText(i));
@@ -144,7 +144,7 @@ TEST_F(Speaking, FitsASmallScreen)
     window.show();
     window.Model()->Open(ProceduralSource(), SmallStudy());
     window.Model()->ShowLabels({ "labels.nrrd" }, LabelledStudy(), "labels");
-    for (const char* const name : { "look", "cuts", "measures", "segments" })
+    for (const char* const name : { "look", "lights", "cuts", "measures", "segments" })
     {
       window.findChild<QDockWidget*>(name)->raise();
       QTest::qWait(100);

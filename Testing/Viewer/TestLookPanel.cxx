@@ -93,6 +93,17 @@ TEST_F(PanelOfAModel, EveryControlEditsTheModelInAStepOfItsOwn)
   EXPECT_EQ(this->Digits("Ambient")->value(), BuiltInPreset("ct-bone").look.shading.ambient);
 }
 
+TEST_F(PanelOfAModel, DampingIsUpToATenthOfTheRangePerVoxel)
+{
+  QDoubleSpinBox* const damping = this->Digits("damping");
+  EXPECT_EQ(damping->value(), 0.0);
+  EXPECT_GT(damping->maximum(), 1.0);
+  damping->setValue(1.0);
+  EXPECT_EQ(this->Shown().dampingGradient, 1.0);
+  this->model.History()->undo();
+  EXPECT_EQ(damping->value(), 0.0);
+}
+
 TEST_F(PanelOfAModel, ASliderThatIsDraggedIsOneStep)
 {
   auto* const slider = this->Find<QWidget>("Diffuse")->findChild<QSlider*>();

@@ -101,6 +101,31 @@ TEST_F(Window, DrawsAnEditQuicklyThenFinely)
   EXPECT_LT(rates.back(), 0.1);
 }
 
+TEST_F(Window, KeepsTheClippingRangeWhileItIsTurned)
+{
+  this->OpenTorso();
+  const std::array<double, 2> limits = { 400.0, 1000.0 };
+  const auto range = [this]
+  {
+    std::array<double, 2> found;
+    this->View()->Pipeline()->Renderer()->GetActiveCamera()->GetClippingRange(found.data());
+    return found;
+  };
+  const std::array<double, 2> whole = range();
+  this->Model()->Edit(
+    ScenePart::Camera, "limits", [&](Scene& scene) { scene.camera.clippingRangeMm = limits; });
+  EXPECT_EQ(range(), limits);
+  const QPoint middle = this->View()->rect().center();
+  QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
+  QTest::mouseMove(this->View(), middle + QPoint(50, 10));
+  QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(50, 10));
+  EXPECT_TRUE(this->Model()->CurrentScene().camera.pose);
+  EXPECT_EQ(range(), limits);
+  this->Model()->History()->undo();
+  this->Model()->History()->undo();
+  EXPECT_NEAR(range()[0], whole[0], 1e-6);
+}
+
 TEST_F(Window, CutsByHand)
 {
   this->OpenTorso();
@@ -161,7 +186,7 @@ TEST_F(Window, FindsAClosedPanelAndRestoresTheLayout)
     EXPECT_FALSE(panel->isHidden() || panel->isFloating()) << panel->objectName().toStdString();
   }
   EXPECT_FALSE(this->window.findChild<QDockWidget*>("presets")->visibleRegion().isEmpty());
-  EXPECT_EQ(this->window.tabifiedDockWidgets(look).size(), 4);
+  EXPECT_EQ(this->window.tabifiedDockWidgets(look).size(), 5);
   EXPECT_NEAR(quality->geometry().top(), before.top(), 60);
 }
 

@@ -21,6 +21,7 @@ enum class ScenePart
 {
   Volume, ///< and every other part
   Look,
+  Lights,
   Camera,
   Cuts,
   Slices,

@@ -54,6 +54,7 @@ QString WorkText(const Scene& scene, const Study& study)
   work.distances = scene.distances;
   work.angles = scene.angles;
   work.boxes = scene.boxes;
+  work.lights = scene.lights;
   if (!IsBuiltInLook(scene.look, study.statistics))
   {
     work.look = scene.look;

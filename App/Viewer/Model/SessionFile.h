@@ -17,9 +17,9 @@ namespace varimarch
 /// the file
 void WriteScene(const Scene& scene, const QString& path);
 
-/// The part of a scene that is a user's work: cuts, measurements, a look other than a preset, and
-/// segments that look other than in their file. The camera, the slices and the quality are easily
-/// set again. Empty if there is no work.
+/// The part of a scene that is a user's work: cuts, measurements, lights, a look other than a
+/// preset, and segments that look other than in their file. The camera, the slices and the quality
+/// are easily set again. Empty if there is no work.
 QString WorkText(const Scene& scene, const Study& study);
 
 /// Saves a copy of the scene while it is edited, so that no work is lost if the program ends

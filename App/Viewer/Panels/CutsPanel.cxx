@@ -3,6 +3,7 @@
 #include "Scene/AnatomicalDirection.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/SceneCuts.h"
+#include "Viewer/Panels/ClippingRangeBox.h"
 
 #include <QGridLayout>
 #include <QGroupBox>
@@ -58,6 +59,7 @@ CutsPanel::CutsPanel(SceneModel* model, QWidget* parent)
   layout->addWidget(this->MakePlanes());
   layout->addWidget(this->MakeBox());
   layout->addWidget(this->MakeScissors());
+  layout->addWidget(new ClippingRangeBox(model));
   layout->addStretch();
   this->setEnabled(false);
   connect(model, &SceneModel::Changed, this, &CutsPanel::Show);

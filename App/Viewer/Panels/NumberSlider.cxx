@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
+#include <algorithm>
 #include <cmath>
 
 namespace varimarch
@@ -33,10 +34,9 @@ NumberSlider::NumberSlider(double smallest, double largest, Scale scale, QWidget
   , digits(new QDoubleSpinBox)
 {
   this->slider->setRange(0, Positions);
-  this->digits->setRange(smallest, largest);
   this->digits->setDecimals(2);
-  this->digits->setSingleStep(scale == Scale::Linear ? 0.01 * (largest - smallest) : 0.1);
   this->digits->setKeyboardTracking(false);
+  this->SetRange(smallest, largest);
   auto* const row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(this->slider, 1);
@@ -59,6 +59,20 @@ void NumberSlider::SetNumber(double number)
   const QSignalBlocker blockers[] = { QSignalBlocker(this->slider), QSignalBlocker(this->digits) };
   this->slider->setValue(this->PositionOf(number));
   this->digits->setValue(number);
+}
+
+void NumberSlider::SetRange(double newSmallest, double newLargest)
+{
+  const QSignalBlocker blockers[] = { QSignalBlocker(this->slider), QSignalBlocker(this->digits) };
+  const double number = std::clamp(this->digits->value(), newSmallest, newLargest);
+  this->smallest = newSmallest;
+  this->largest = newLargest;
+  const double width = newLargest - newSmallest;
+  this->digits->setDecimals(width < 1.0 ? 4 : 2);
+  this->digits->setRange(newSmallest, newLargest);
+  this->digits->setSingleStep(
+    this->scale == Scale::Linear ? 0.01 * width : std::min(0.01 * width, 0.1));
+  this->SetNumber(number);
 }
 
 void NumberSlider::SetSuffix(const QString& suffix)

@@ -26,6 +26,9 @@ public:
   /// Shows a number without emitting Edited. Numbers outside the range are clamped.
   void SetNumber(double number);
 
+  /// Changes the range, and keeps the number.
+  void SetRange(double newSmallest, double newLargest);
+
   /// Sets the suffix of the spin box.
   void SetSuffix(const QString& suffix);
 

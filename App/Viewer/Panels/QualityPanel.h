@@ -5,13 +5,19 @@
 
 #include <QWidget>
 
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
 class QLabel;
 class QSlider;
 
 namespace varimarch
 {
 
-/// The error tolerance of the rendered image.
+class NumberSlider;
+
+/// The error tolerance of the rendered image, or none; the interpolation between voxels; and the
+/// jitter and the end of rays.
 class QualityPanel : public QWidget
 {
   Q_OBJECT
@@ -20,11 +26,21 @@ public:
   explicit QualityPanel(SceneModel* model, QWidget* parent = nullptr);
 
 private:
+  void MakeError();
+  void MakePromise();
+  void MakeInterpolation();
+  void Edit(const QString& name, const std::function<void(RenderOptions&)>& change,
+    int gesture = SceneModel::NoGesture);
   void Show();
 
   SceneModel* model;
+  QFormLayout* form;
   QSlider* error;
   QLabel* text;
+  QCheckBox* promises;
+  NumberSlider* end;
+  QComboBox* interpolation;
+  QCheckBox* jitter;
 };
 
 }

@@ -1,6 +1,7 @@
 #include "Viewer/Panels/ShadingBox.h"
 
 #include "Scene/ShadingPresets.h"
+#include "Scene/VolumeProperty.h"
 #include "Viewer/Panels/NumberSlider.h"
 
 #include <QComboBox>
@@ -53,6 +54,7 @@ ShadingBox::ShadingBox(SceneModel* model, QWidget* parent)
   this->AddCoefficient(tr("Specular"), &Shading::specular, new NumberSlider(0, 1, Scale::Linear));
   this->AddCoefficient(
     tr("Power"), &Shading::specularPower, new NumberSlider(1, 1000, Scale::Logarithmic));
+  this->MakeDamping();
   connect(model, &SceneModel::Changed, this, &ShadingBox::Update);
 }
 
@@ -90,6 +92,34 @@ void ShadingBox::AddCoefficient(
   this->sliders.emplace_back(slider, coefficient);
 }
 
+void ShadingBox::MakeDamping()
+{
+  this->damping = new NumberSlider(0, 1, NumberSlider::Scale::Linear);
+  this->damping->setObjectName("damping");
+  this->damping->setToolTip(
+    tr("Gradient below which light other than ambient weakens, so that noise "
+       "in homogeneous material does not glitter"));
+  connect(this->damping, &NumberSlider::Edited, this,
+    [this](double gradient, int gesture)
+    {
+      Look look = this->model->CurrentScene().look;
+      look.dampingGradient = gradient;
+      this->model->SetLook(look, tr("damping"), gesture);
+    });
+  this->form->addRow(tr("Damping"), this->damping);
+}
+
+// Noise has gradients of a few percent of the range of the values per voxel.
+void ShadingBox::ShowDampingOf(const Study& study)
+{
+  constexpr double LargestPart = 0.1;
+  const ImageStatistics& statistics = study.statistics;
+  const double range = statistics.Percentile(99.9) - statistics.Percentile(0.1);
+  const double largest = LargestPart * range / MeanSpacingMm(study.volume.image);
+  this->damping->SetRange(0.0, largest > 0.0 ? largest : 1.0);
+  this->damping->SetSuffix(study.volume.modality == "CT" ? tr(" HU/mm") : tr(" per mm"));
+}
+
 void ShadingBox::Edit(const QString& name, const Shading& shading, int gesture)
 {
   Look look = this->model->CurrentScene().look;
@@ -103,7 +133,12 @@ void ShadingBox::Update(ScenePart part)
   {
     return;
   }
+  if (part == ScenePart::Volume)
+  {
+    this->ShowDampingOf(*this->model->CurrentStudy());
+  }
   const Look& look = this->model->CurrentScene().look;
+  this->damping->SetNumber(look.dampingGradient);
   this->setVisible(look.blend == Blend::Composite || look.blend == Blend::Isosurface);
   this->setChecked(look.shading.enabled);
   // A custom shading has an additional last row while it is shown.

@@ -26,6 +26,8 @@ public:
 
 private:
   void MakeKinds();
+  void MakeDamping();
+  void ShowDampingOf(const Study& study);
   void AddCoefficient(const QString& name, double Shading::*coefficient, NumberSlider* slider);
   void Edit(const QString& name, const Shading& shading, int gesture);
   void Update(ScenePart part);
@@ -33,6 +35,7 @@ private:
   SceneModel* model;
   QFormLayout* form;
   QComboBox* kinds;
+  NumberSlider* damping;
   std::vector<std::pair<NumberSlider*, double Shading::*>> sliders;
 };
 

@@ -696,6 +696,41 @@ kennt keine Segmente</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::ClippingRangeBox</name>
+    <message>
+        <source>Distance from the eye</source>
+        <translation>Abstand vom Auge</translation>
+    </message>
+    <message>
+        <source>Shows only what lies between two distances from the eye</source>
+        <translation>Zeigt nur, was zwischen zwei Abständen vom Auge liegt</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Farthest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>distance from the eye</source>
+        <translation>Abstand vom Auge</translation>
+    </message>
+    <message>
+        <source>limit the distance from the eye</source>
+        <translation>Abstand vom Auge begrenzen</translation>
+    </message>
+    <message>
+        <source>show all distances</source>
+        <translation>alle Abstände zeigen</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::ComparisonView</name>
     <message>
         <source>Divider between our image and VTK&apos;s</source>
@@ -916,6 +951,97 @@ kennt keine Segmente</translation>
     <message>
         <source>per mm</source>
         <translation>je mm</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::LightsPanel</name>
+    <message>
+        <source>At the eye</source>
+        <translation>Am Auge</translation>
+    </message>
+    <message>
+        <source>Turns with the camera</source>
+        <translation>Dreht sich mit der Kamera</translation>
+    </message>
+    <message>
+        <source>Direction in the patient</source>
+        <translation>Richtung im Patienten</translation>
+    </message>
+    <message>
+        <source>Point in the patient</source>
+        <translation>Punkt im Patienten</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Lichter</translation>
+    </message>
+    <message>
+        <source>Add a light</source>
+        <translation>Licht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>intensity of a light</source>
+        <translation>Stärke eines Lichts</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>direction of a light</source>
+        <translation>Richtung eines Lichts</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Left, back, head of the patient [mm]</source>
+        <translation>Links, hinten, Kopf des Patienten [mm]</translation>
+    </message>
+    <message>
+        <source>place of a light</source>
+        <translation>Ort eines Lichts</translation>
+    </message>
+    <message>
+        <source>Move to the crosshair of the slices</source>
+        <translation>An das Fadenkreuz der Schichten setzen</translation>
+    </message>
+    <message>
+        <source>Place [mm]</source>
+        <translation>Ort [mm]</translation>
+    </message>
+    <message>
+        <source>add a light</source>
+        <translation>Licht hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove a light</source>
+        <translation>Licht entfernen</translation>
+    </message>
+    <message>
+        <source>colour of a light</source>
+        <translation>Farbe eines Lichts</translation>
     </message>
 </context>
 <context>
@@ -1426,6 +1552,10 @@ kennt keine Segmente</translation>
         <source>Your measurements, cuts, look and segments are not saved. Save the session?</source>
         <translation>Ihre Messungen, Schnitte, Darstellung und Segmente sind nicht gespeichert. Sitzung speichern?</translation>
     </message>
+    <message>
+        <source>Lights</source>
+        <translation>Lichter</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -1569,6 +1699,78 @@ kennt keine Segmente</translation>
     <message>
         <source>1/%1 of full brightness</source>
         <translation>1/%1 der vollen Helligkeit</translation>
+    </message>
+    <message>
+        <source>Promise the error</source>
+        <translation>Fehler versprechen</translation>
+    </message>
+    <message>
+        <source>Otherwise all steps are as long as the spacing of the voxels suggests</source>
+        <translation>Sonst sind alle Schritte so lang, wie der Abstand der Voxel es nahelegt</translation>
+    </message>
+    <message>
+        <source>promise of the error</source>
+        <translation>Versprechen des Fehlers</translation>
+    </message>
+    <message>
+        <source>A ray ends where less than this part of the light behind it is left</source>
+        <translation>Ein Strahl endet, wo weniger als dieser Teil des Lichts hinter ihm übrig ist</translation>
+    </message>
+    <message>
+        <source>end of rays</source>
+        <translation>Ende der Strahlen</translation>
+    </message>
+    <message>
+        <source>Rays end at</source>
+        <translation>Strahlen enden bei</translation>
+    </message>
+    <message>
+        <source>None: voxels are boxes</source>
+        <translation>Keine: Voxel sind Quader</translation>
+    </message>
+    <message>
+        <source>The values as they were measured</source>
+        <translation>Die Werte, wie sie gemessen wurden</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>The fastest</source>
+        <translation>Am schnellsten</translation>
+    </message>
+    <message>
+        <source>Cubic</source>
+        <translation>Kubisch</translation>
+    </message>
+    <message>
+        <source>A spline: edges have no staircases</source>
+        <translation>Ein Spline: Kanten haben keine Treppen</translation>
+    </message>
+    <message>
+        <source>interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Zufälliger Beginn</translation>
+    </message>
+    <message>
+        <source>Turns the rings that long steps leave into fine grain</source>
+        <translation>Macht aus den Ringen langer Schritte ein feines Korn</translation>
+    </message>
+    <message>
+        <source>jitter</source>
+        <translation>zufälliger Beginn</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>not promised</source>
+        <translation>nicht versprochen</translation>
     </message>
 </context>
 <context>
@@ -1849,6 +2051,26 @@ ml</translation>
     <message>
         <source>Custom</source>
         <translation>Eigene Werte</translation>
+    </message>
+    <message>
+        <source>Gradient below which light other than ambient weakens, so that noise in homogeneous material does not glitter</source>
+        <translation>Gradient, unterhalb dessen das nicht umgebende Licht schwächer wird, damit Rauschen in gleichmäßigem Material nicht glitzert</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source> HU/mm</source>
+        <translation> HE/mm</translation>
+    </message>
+    <message>
+        <source> per mm</source>
+        <translation> je mm</translation>
     </message>
 </context>
 <context>

@@ -696,6 +696,41 @@ no conoce los segmentos</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::ClippingRangeBox</name>
+    <message>
+        <source>Distance from the eye</source>
+        <translation>Distancia al ojo</translation>
+    </message>
+    <message>
+        <source>Shows only what lies between two distances from the eye</source>
+        <translation>Muestra solo lo que está entre dos distancias al ojo</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Mínima</translation>
+    </message>
+    <message>
+        <source>Farthest</source>
+        <translation>Máxima</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>distance from the eye</source>
+        <translation>distancia al ojo</translation>
+    </message>
+    <message>
+        <source>limit the distance from the eye</source>
+        <translation>limitar la distancia al ojo</translation>
+    </message>
+    <message>
+        <source>show all distances</source>
+        <translation>mostrar todas las distancias</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::ComparisonView</name>
     <message>
         <source>Divider between our image and VTK&apos;s</source>
@@ -916,6 +951,97 @@ no conoce los segmentos</translation>
     <message>
         <source>per mm</source>
         <translation>por mm</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::LightsPanel</name>
+    <message>
+        <source>At the eye</source>
+        <translation>En el ojo</translation>
+    </message>
+    <message>
+        <source>Turns with the camera</source>
+        <translation>Gira con la cámara</translation>
+    </message>
+    <message>
+        <source>Direction in the patient</source>
+        <translation>Dirección en el paciente</translation>
+    </message>
+    <message>
+        <source>Point in the patient</source>
+        <translation>Punto en el paciente</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Luces</translation>
+    </message>
+    <message>
+        <source>Add a light</source>
+        <translation>Añadir una luz</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>intensity of a light</source>
+        <translation>intensidad de una luz</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensidad</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>direction of a light</source>
+        <translation>dirección de una luz</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Hacia la derecha</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>Hacia arriba</translation>
+    </message>
+    <message>
+        <source>Left, back, head of the patient [mm]</source>
+        <translation>Izquierda, espalda, cabeza del paciente [mm]</translation>
+    </message>
+    <message>
+        <source>place of a light</source>
+        <translation>lugar de una luz</translation>
+    </message>
+    <message>
+        <source>Move to the crosshair of the slices</source>
+        <translation>Mover a la cruz de los cortes</translation>
+    </message>
+    <message>
+        <source>Place [mm]</source>
+        <translation>Lugar [mm]</translation>
+    </message>
+    <message>
+        <source>add a light</source>
+        <translation>añadir una luz</translation>
+    </message>
+    <message>
+        <source>remove a light</source>
+        <translation>quitar una luz</translation>
+    </message>
+    <message>
+        <source>colour of a light</source>
+        <translation>color de una luz</translation>
     </message>
 </context>
 <context>
@@ -1426,6 +1552,10 @@ no conoce los segmentos</translation>
         <source>Your measurements, cuts, look and segments are not saved. Save the session?</source>
         <translation>Sus medidas, cortes, aspecto y segmentos no están guardados. ¿Guardar la sesión?</translation>
     </message>
+    <message>
+        <source>Lights</source>
+        <translation>Luces</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -1569,6 +1699,78 @@ no conoce los segmentos</translation>
     <message>
         <source>1/%1 of full brightness</source>
         <translation>1/%1 del brillo máximo</translation>
+    </message>
+    <message>
+        <source>Promise the error</source>
+        <translation>Prometer el error</translation>
+    </message>
+    <message>
+        <source>Otherwise all steps are as long as the spacing of the voxels suggests</source>
+        <translation>Si no, todos los pasos miden lo que sugiere la distancia entre vóxeles</translation>
+    </message>
+    <message>
+        <source>promise of the error</source>
+        <translation>promesa del error</translation>
+    </message>
+    <message>
+        <source>A ray ends where less than this part of the light behind it is left</source>
+        <translation>Un rayo termina donde queda menos de esta parte de la luz que hay detrás</translation>
+    </message>
+    <message>
+        <source>end of rays</source>
+        <translation>final de los rayos</translation>
+    </message>
+    <message>
+        <source>Rays end at</source>
+        <translation>Los rayos acaban en</translation>
+    </message>
+    <message>
+        <source>None: voxels are boxes</source>
+        <translation>Ninguna: los vóxeles son cajas</translation>
+    </message>
+    <message>
+        <source>The values as they were measured</source>
+        <translation>Los valores tal como se midieron</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>The fastest</source>
+        <translation>La más rápida</translation>
+    </message>
+    <message>
+        <source>Cubic</source>
+        <translation>Cúbica</translation>
+    </message>
+    <message>
+        <source>A spline: edges have no staircases</source>
+        <translation>Un spline: los bordes no tienen escalones</translation>
+    </message>
+    <message>
+        <source>interpolation</source>
+        <translation>interpolación</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Inicio aleatorio</translation>
+    </message>
+    <message>
+        <source>Turns the rings that long steps leave into fine grain</source>
+        <translation>Convierte los anillos de los pasos largos en un grano fino</translation>
+    </message>
+    <message>
+        <source>jitter</source>
+        <translation>inicio aleatorio</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolación</translation>
+    </message>
+    <message>
+        <source>not promised</source>
+        <translation>sin prometer</translation>
     </message>
 </context>
 <context>
@@ -1849,6 +2051,26 @@ ml</translation>
     <message>
         <source>Custom</source>
         <translation>Personalizada</translation>
+    </message>
+    <message>
+        <source>Gradient below which light other than ambient weakens, so that noise in homogeneous material does not glitter</source>
+        <translation>Gradiente por debajo del cual la luz no ambiental se debilita, para que el ruido del material homogéneo no brille</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>amortiguación</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortiguación</translation>
+    </message>
+    <message>
+        <source> HU/mm</source>
+        <translation> UH/mm</translation>
+    </message>
+    <message>
+        <source> per mm</source>
+        <translation> por mm</translation>
     </message>
 </context>
 <context>

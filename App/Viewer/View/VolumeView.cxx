@@ -1,6 +1,5 @@
 #include "Viewer/View/VolumeView.h"
 
-#include "Scene/SceneCamera.h"
 #include "Viewer/View/PictureReport.h"
 
 #include <QMouseEvent>
@@ -20,19 +19,6 @@
 
 namespace varimarch
 {
-
-namespace
-{
-
-constexpr double PicturesPerSecondWhileMoving = 15.0;
-
-bool IsAt(const Camera& placement, vtkCamera* camera)
-{
-  return placement.pose == PoseOf(camera) &&
-    placement.parallel == (camera->GetParallelProjection() != 0);
-}
-
-}
 
 // Paints over the image and lets mouse events through.
 class VolumeView::OverlayWidget : public QWidget
@@ -157,6 +143,9 @@ void VolumeView::Update(ScenePart part)
     case ScenePart::Look:
       this->pipeline->SetLook(scene.look);
       break;
+    case ScenePart::Lights:
+      this->pipeline->SetLights(scene.lights);
+      break;
     case ScenePart::Camera:
       this->FollowCamera();
       return;
@@ -185,18 +174,6 @@ void VolumeView::Update(ScenePart part)
   this->pacer.Request();
 }
 
-void VolumeView::FollowCamera()
-{
-  if (IsAt(this->model->CurrentScene().camera, this->pipeline->Renderer()->GetActiveCamera()))
-  {
-    return; // the change came from this view
-  }
-  this->TakeCamera();
-  // Two views that are compared turn together.
-  this->Draw(PicturesPerSecondWhileMoving);
-  this->pacer.RequestFine();
-}
-
 void VolumeView::TakeVolume()
 {
   if (this->pipeline)
@@ -223,42 +200,6 @@ void VolumeView::TakeLabels()
   }
 }
 
-void VolumeView::TakeCamera()
-{
-  this->pipeline->SetCamera(this->model->CurrentScene().camera, this->Aspect());
-}
-
-void VolumeView::BeginTurning()
-{
-  this->turning = NewGesture();
-  this->isTurning = true;
-  this->pacer.StopRefinement();
-}
-
-void VolumeView::EndTurning()
-{
-  this->isTurning = false;
-  this->pacer.RequestFine();
-  this->KeepCamera();
-}
-
-// Records the camera that the user turned as an undo step.
-void VolumeView::KeepCamera()
-{
-  if (!this->pipeline)
-  {
-    return;
-  }
-  vtkCamera* const camera = this->pipeline->Renderer()->GetActiveCamera();
-  if (!IsAt(this->model->CurrentScene().camera, camera))
-  {
-    const CameraPose pose = PoseOf(camera);
-    this->model->Edit(
-      ScenePart::Camera, tr("turn the camera"), [&](Scene& scene) { scene.camera.pose = pose; },
-      this->turning);
-  }
-}
-
 PictureFrame VolumeView::Frame() const
 {
   return FrameOf(this->pipeline->Renderer()->GetActiveCamera(), this->size());
@@ -281,18 +222,6 @@ void VolumeView::SetReportSide(Qt::AlignmentFlag side)
 {
   this->reportSide = side;
   this->overlay->update();
-}
-
-Camera VolumeView::CurrentCamera() const
-{
-  Camera camera = this->model->CurrentScene().camera;
-  camera.pose = PoseOf(this->pipeline->Renderer()->GetActiveCamera());
-  return camera;
-}
-
-double VolumeView::Aspect() const
-{
-  return this->height() > 0 ? double(this->width()) / this->height() : 1.0;
 }
 
 }

@@ -20,6 +20,7 @@
 
 class vtkEventQtSlotConnect;
 class vtkGenericOpenGLRenderWindow;
+class vtkInteractorStyle;
 class vtkVariationFieldVolumeMapper;
 
 namespace varimarch
@@ -89,6 +90,8 @@ private slots:
   void EndPicture();
 
 private:
+  static constexpr double PicturesPerSecondWhileMoving = 15.0;
+
   class OverlayWidget;
 
   void Update(ScenePart part);
@@ -103,6 +106,7 @@ private:
   void Refine();
   void ContinueStill();
   Camera CurrentCamera() const;
+  vtkInteractorStyle* Style();
   void Point(const QPointF& place);
   double Aspect() const;
 

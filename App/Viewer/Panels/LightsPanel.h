@@ -1,0 +1,63 @@
+#ifndef Varimarch_Viewer_LightsPanel_h
+#define Varimarch_Viewer_LightsPanel_h
+
+#include "Viewer/Model/SceneModel.h"
+
+#include <QWidget>
+
+#include <array>
+#include <vector>
+
+class QDoubleSpinBox;
+class QFormLayout;
+class QListWidget;
+class QPushButton;
+class QToolButton;
+
+namespace varimarch
+{
+
+class NumberSlider;
+
+/// The lights on a shaded volume: a list, and the colour, intensity and place of the selected one.
+/// A scene without lights has the one at the eye.
+class LightsPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit LightsPanel(SceneModel* model, QWidget* parent = nullptr);
+
+private:
+  QToolButton* MakeAddButton();
+  void MakeColorAndIntensity();
+  void MakeDirection();
+  void MakePosition();
+  std::vector<SceneLight> Shown() const;
+  void Replace(const std::vector<SceneLight>& lights, const QString& name, int gesture);
+  void EditSelected(const QString& name, const std::function<void(SceneLight&)>& change,
+    int gesture = SceneModel::NoGesture);
+  void Add(LightKind kind);
+  void Remove();
+  void ChooseColor();
+  void MoveToCrosshair();
+  void Show(ScenePart part);
+  void ShowSelected();
+  void ShowRow(QWidget* field, bool shown);
+
+  SceneModel* model;
+  QToolButton* add;
+  QPushButton* remove;
+  QListWidget* list;
+  QFormLayout* form;
+  QPushButton* color;
+  NumberSlider* intensity;
+  NumberSlider* azimuth;
+  NumberSlider* elevation;
+  QWidget* position;
+  std::array<QDoubleSpinBox*, 3> coordinates;
+};
+
+}
+
+#endif

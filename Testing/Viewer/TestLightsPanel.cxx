@@ -1,0 +1,132 @@
+// The panel of the lights: adds, places, colours and removes them, each in a step of its own.
+
+#include "Scene/SceneCuts.h"
+#include "Scene/SceneLights.h"
+#include "SmallStudy.h"
+#include "Viewer/Panels/LightsPanel.h"
+
+#include <QColorDialog>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+class LightsOfAModel : public testing::Test
+{
+protected:
+  LightsOfAModel()
+  {
+    this->model.Open(ProceduralSource(), SmallStudy());
+    this->panel.show();
+  }
+
+  const std::vector<SceneLight>& Lights() const { return this->model.CurrentScene().lights; }
+
+  template <class Widget>
+  Widget* Find(const char* name) const
+  {
+    return this->panel.findChild<Widget*>(name);
+  }
+
+  QDoubleSpinBox* Digits(const char* name) const
+  {
+    return this->Find<QWidget>(name)->findChild<QDoubleSpinBox*>();
+  }
+
+  void Add(int kind) const
+  {
+    this->Find<QToolButton>("addLight")->menu()->actions().at(kind)->trigger();
+  }
+
+  QListWidget* List() const { return this->Find<QListWidget>("lightsList"); }
+
+  SceneModel model;
+  LightsPanel panel{ &this->model };
+};
+
+}
+
+TEST_F(LightsOfAModel, ASceneWithoutLightsHasThatAtTheEyeWhichStays)
+{
+  EXPECT_TRUE(this->Lights().empty());
+  ASSERT_EQ(this->List()->count(), 1);
+  EXPECT_FALSE(this->Find<QPushButton>("removeLight")->isEnabled());
+  EXPECT_FALSE(this->Find<QWidget>("lightAzimuth")->isVisible());
+  this->Add(1);
+  ASSERT_EQ(this->Lights().size(), 2u);
+  EXPECT_EQ(this->Lights()[0].kind, LightKind::Head);
+  EXPECT_EQ(this->Lights()[1].kind, LightKind::Camera);
+  EXPECT_EQ(this->List()->currentRow(), 1) << "the new one is selected";
+  this->model.History()->undo();
+  EXPECT_TRUE(this->Lights().empty());
+}
+
+TEST_F(LightsOfAModel, AnglesTurnALight)
+{
+  this->Add(1);
+  EXPECT_FALSE(this->Find<QWidget>("lightPosition")->isVisible());
+  EXPECT_NEAR(this->Digits("lightAzimuth")->value(), 45.0, 1e-6);
+  this->Digits("lightAzimuth")->setValue(-90.0);
+  this->Digits("lightElevation")->setValue(0.0);
+  EXPECT_NEAR(this->Lights()[1].direction[0], -1.0, 1e-9) << "from the left of the image";
+  EXPECT_NEAR(this->Lights()[1].direction[1], 0.0, 1e-9);
+  EXPECT_EQ(this->model.History()->count(), 3);
+  auto* const slider = this->Find<QWidget>("lightElevation")->findChild<QSlider*>();
+  slider->setSliderDown(true);
+  slider->setSliderPosition(400);
+  slider->setSliderPosition(450);
+  slider->setSliderDown(false);
+  EXPECT_EQ(this->model.History()->count(), 4) << "a drag is one step";
+}
+
+TEST_F(LightsOfAModel, APointMovesByNumbersAndToTheCrosshair)
+{
+  this->Add(3);
+  ASSERT_TRUE(this->Find<QWidget>("lightPosition")->isVisible());
+  EXPECT_EQ(this->Lights()[1].positionMm, MiddleOf(this->model.CurrentStudy()->volume.image));
+  this->Digits("lightPosition")->setValue(12.5);
+  EXPECT_EQ(this->Lights()[1].positionMm[0], 12.5);
+  this->model.Edit(ScenePart::Slices, "crosshair",
+    [](Scene& scene) {
+      scene.slices.crosshairMm = { { 1.0, 2.0, 3.0 } };
+    });
+  QTest::mouseClick(this->Find<QPushButton>("lightToCrosshair"), Qt::LeftButton);
+  EXPECT_EQ(this->Lights()[1].positionMm, (std::array{ 1.0, 2.0, 3.0 }));
+  EXPECT_EQ(this->Digits("lightPosition")->value(), 1.0);
+}
+
+TEST_F(LightsOfAModel, ColourAndIntensityAreThoseOfTheSelectedLight)
+{
+  this->Add(2);
+  this->List()->setCurrentRow(0);
+  this->Digits("lightIntensity")->setValue(0.5);
+  EXPECT_EQ(this->Lights()[0].intensity, 0.5);
+  EXPECT_EQ(this->Lights()[1].intensity, 1.0);
+  QTest::mouseClick(this->Find<QPushButton>("lightColor"), Qt::LeftButton);
+  auto* const dialog = this->panel.findChild<QColorDialog*>();
+  ASSERT_TRUE(dialog);
+  dialog->setCurrentColor(Qt::red);
+  EXPECT_EQ(this->Lights()[0].rgb, (std::array{ 1.0, 0.0, 0.0 })) << "while it is chosen";
+  dialog->reject();
+  EXPECT_EQ(this->Lights()[0].rgb, (std::array{ 1.0, 1.0, 1.0 }));
+}
+
+TEST_F(LightsOfAModel, TheSelectedLightIsRemoved)
+{
+  this->Add(1);
+  this->List()->setCurrentRow(0);
+  QTest::mouseClick(this->Find<QPushButton>("removeLight"), Qt::LeftButton);
+  ASSERT_EQ(this->Lights().size(), 1u);
+  EXPECT_EQ(this->Lights()[0].kind, LightKind::Camera);
+  EXPECT_FALSE(this->Find<QPushButton>("removeLight")->isEnabled());
+}
