@@ -37,6 +37,27 @@ void WarnOfMissingLabels(
   }
 }
 
+// Warns of labels and regions that are not drawn.
+void WarnOfMissingParts(
+  const RenderArguments& arguments, const Scene& scene, const LoadedVolume& volume)
+{
+  WarnOfMissingLabels(arguments, scene, volume);
+  if (scene.look.regions.empty())
+  {
+    return;
+  }
+  if (!CanDrawRegions(arguments.renderer, scene.look.blend, volume.image))
+  {
+    PrintMessage("warning: the regions of the look are not drawn, but its curves: expected the "
+                 "blend mode composite, a volume of one component, and a renderer other than "
+                 "vtk-cpu");
+  }
+  else if (scene.labels)
+  {
+    PrintMessage("warning: the labels are not drawn: expected a look without regions");
+  }
+}
+
 // Rejects an output that cannot be written, before a volume is read for it. A DICOM file may be
 // part of a scan, so it is not replaced by mistake.
 void CheckOutput(const RenderArguments& arguments)
@@ -60,7 +81,7 @@ void RunRender(const RenderArguments& arguments)
   CheckOutput(arguments);
   auto [scene, volume] = LoadScene(arguments.scene);
   const auto labels = LoadLabelsReporting(arguments.labels, volume, scene);
-  WarnOfMissingLabels(arguments, scene, volume);
+  WarnOfMissingParts(arguments, scene, volume);
   const Progress progress("Drawing " + arguments.outputPath);
   OffscreenView view(scene, volume.image, arguments.renderer);
   view.Pipeline().SetLabels(labels);

@@ -65,6 +65,11 @@ double MagnitudeAt(
 
 }
 
+vtkIdType StrideOfMagnitudes(vtkImageData* image)
+{
+  return SamplingOf(image).stride;
+}
+
 vtkSmartPointer<vtkImageData> GradientMagnitudes(vtkImageData* image)
 {
   const Sampling sampling = SamplingOf(image);

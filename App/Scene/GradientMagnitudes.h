@@ -12,6 +12,9 @@ namespace varimarch
 /// central differences. A voxel with a neighbour that is not finite gets 0.
 vtkSmartPointer<vtkImageData> GradientMagnitudes(vtkImageData* image);
 
+/// Distance between the voxels that have magnitudes, along each axis [voxels].
+vtkIdType StrideOfMagnitudes(vtkImageData* image);
+
 }
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "Scene/LookFormats/LookContext.h"
 #include "Scene/Presets.h"
+#include "Scene/RegionsJson.h"
 
 #include <nlohmann/json.hpp>
 
@@ -175,6 +176,10 @@ Look LookFromJson(const JsonCursor& json)
   {
     look.shading = ShadingFromJson(*shading);
   }
+  if (const auto regions = json.Find("regions"))
+  {
+    look.regions = RegionsFromJson(*regions);
+  }
   if (const auto damping = json.Find("damping"))
   {
     look.dampingGradient = damping->Number({ 0.0 });
@@ -197,8 +202,8 @@ Preset PresetFromJson(const JsonCursor& json)
     return BuiltInPreset(name);
   }
   json.RequireObject({ "name", "description", "domain", "colors", "opacities",
-    "opacityUnitDistance", "gradientOpacities", "shading", "damping", "blend", "isosurfaces",
-    "averagedRange", "errorTolerance", "background" });
+    "opacityUnitDistance", "gradientOpacities", "regions", "shading", "damping", "blend",
+    "isosurfaces", "averagedRange", "errorTolerance", "background" });
   Preset preset = { LookFromJson(json) };
   if (const auto tolerance = json.Find("errorTolerance"))
   {
@@ -227,6 +232,10 @@ nlohmann::ordered_json JsonFromLook(const Look& look)
   if (!look.gradientOpacities.empty())
   {
     json["gradientOpacities"] = JsonFromOpacities(look.gradientOpacities);
+  }
+  if (!look.regions.empty())
+  {
+    json["regions"] = JsonFromRegions(look.regions);
   }
   json["shading"] = { { "enabled", look.shading.enabled }, { "ambient", look.shading.ambient },
     { "diffuse", look.shading.diffuse }, { "specular", look.shading.specular },

@@ -54,6 +54,7 @@ void CheckThatReferenceDraws(const Scene& scene)
   const std::tuple<bool, const char*> parts[] = {
     { !scene.cuts.scissors.empty(), "cuts by planes or the box only, found cuts by scissors" },
     { !scene.look.gradientOpacities.empty(), "a look without gradient opacity" },
+    { !scene.look.regions.empty(), "a look without regions" },
     { shaded && !scene.lights.empty(), "the light at the eye only, found the key \"lights\"" },
     { shaded && scene.look.dampingGradient > 0.0, "a look without damping" },
     { scene.render.interpolation != Interpolation::Linear, "linear interpolation" },

@@ -32,8 +32,8 @@ struct ReferenceRequest
 };
 
 /// @throws std::invalid_argument for a volume without scalars or with several components, and for
-///         the parts of scenes that the reference does not draw: scissors, gradient opacity, lights
-///         other than that at the eye, damping, nearest and cubic interpolation
+///         the parts of scenes that the reference does not draw: scissors, gradient opacity,
+///         regions, lights other than that at the eye, damping, nearest and cubic interpolation
 ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, double tolerance);
 
 /// @return nothing if `progress` cancelled

@@ -78,6 +78,23 @@ struct Isosurface
   double opacity = 1.0; ///< opacity of the surface, however thick the material behind it, [0, 1]
 };
 
+enum class RegionShape
+{
+  Rectangle,
+  Ellipse, ///< that touches the sides of the rectangle
+};
+
+/// A part of the plane of value and gradient magnitude that has a colour and an opacity.
+struct LookRegion
+{
+  RegionShape shape = RegionShape::Rectangle;
+  std::array<double, 2> values;    ///< first and last value, ascending [units of the look]
+  std::array<double, 2> gradients; ///< ascending, >= 0 [units of the look's values per mm]
+  glm::dvec3 rgb;                  ///< [0, 1]
+  double opacity = 0.5;            ///< over the look's unit distance, [0, 1]
+  double softness = 0.25; ///< part of the way from the edge to the middle that fades, [0, 1]
+};
+
 /// Transfer function and light: the appearance of the values.
 struct Look
 {
@@ -90,6 +107,9 @@ struct Look
   /// Opacity factors by gradient magnitude [units of the value per mm], sorted by it, for
   /// composites. Empty: the gradient does not affect the opacity.
   std::vector<OpacityNode> gradientOpacities;
+  /// Regions that replace colours, opacities and opacity factors in composites of one component;
+  /// later ones lie over earlier ones. Empty: the curves count.
+  std::vector<LookRegion> regions;
   Shading shading;
   /// Gradient magnitude below which diffuse and specular light are reduced in proportion [units of
   /// the value per mm], >= 0; 0 reduces none. See vtkVariationFieldVolumeMapper::DampingGradient.

@@ -86,6 +86,13 @@ const NameTable<LightKind>& LightKindNames()
   return table;
 }
 
+const NameTable<RegionShape>& RegionShapeNames()
+{
+  static const NameTable<RegionShape> table = { { "rectangle", RegionShape::Rectangle },
+    { "ellipse", RegionShape::Ellipse } };
+  return table;
+}
+
 const NameTable<ProceduralKind>& ProceduralNames()
 {
   static const NameTable<ProceduralKind> table = { { "shells", ProceduralKind::Shells },

@@ -22,6 +22,7 @@ const NameTable<Integration>& IntegrationNames();
 const NameTable<Domain>& DomainNames();
 const NameTable<Interpolation>& InterpolationNames();
 const NameTable<LightKind>& LightKindNames();
+const NameTable<RegionShape>& RegionShapeNames();
 
 const NameTable<ProceduralKind>& ProceduralNames();
 const NameTable<SlabBlend>& SlabBlendNames();

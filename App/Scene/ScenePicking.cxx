@@ -1,6 +1,7 @@
 #include "Scene/ScenePicking.h"
 
 #include "Core/Look/TransferFunction.h"
+#include "Scene/LookRegions.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/Scissors.h"
 #include "Scene/WorldVector.h"
@@ -115,10 +116,10 @@ public:
   {
     if (value && this->look.blend == Blend::Composite)
     {
-      const double factor = this->gradientOpacity
-        ? this->gradientOpacity->Opacity(values.GradientMagnitudeAt(pointWorld))
-        : 1.0;
-      this->opticalDepth += stepMm * this->Extinction(*value, factor);
+      const double gradient = this->gradientOpacity || !this->look.regions.empty()
+        ? values.GradientMagnitudeAt(pointWorld)
+        : 0.0;
+      this->opticalDepth += stepMm * this->Extinction(*value, gradient);
     }
     if (value && this->before && this->look.blend == Blend::Isosurface)
     {
@@ -129,9 +130,15 @@ public:
   }
 
 private:
-  // Scales the opacity per unit distance by a factor before converting it to an extinction.
-  double Extinction(double value, double factor) const
+  // Finds the opacity per unit distance before converting it to an extinction.
+  double Extinction(double value, double gradient) const
   {
+    if (!this->look.regions.empty())
+    {
+      return -std::log1p(-ColorInRegions(this->look.regions, value, gradient).a) /
+        this->look.opacityUnitDistanceMm;
+    }
+    const double factor = this->gradientOpacity ? this->gradientOpacity->Opacity(gradient) : 1.0;
     return factor < 1.0
       ? -std::log1p(-factor * this->function.Opacity(value)) / this->look.opacityUnitDistanceMm
       : this->function.Extinction(value);

@@ -1,6 +1,7 @@
 #include "Scene/ScenePipeline.h"
 
 #include "Scene/ImageOrientation.h"
+#include "Scene/LookRegions.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/SceneLights.h"
@@ -140,6 +141,11 @@ bool CanDrawLabels(MapperKind kind, Blend blend, vtkImageData* image)
     image->GetNumberOfScalarComponents() == 1;
 }
 
+bool CanDrawRegions(MapperKind kind, Blend blend, vtkImageData* image)
+{
+  return CanDrawLabels(kind, blend, image);
+}
+
 ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind kind)
   : kind(kind)
   , image(image)
@@ -201,7 +207,13 @@ void ScenePipeline::SetSegments(const std::vector<Segment>& changed)
 
 bool ScenePipeline::DrawsLabels() const
 {
-  return this->labels && CanDrawLabels(this->kind, this->look.blend, this->image);
+  return this->labels && !this->DrawsRegions() &&
+    CanDrawLabels(this->kind, this->look.blend, this->image);
+}
+
+bool ScenePipeline::DrawsRegions() const
+{
+  return !this->look.regions.empty() && CanDrawRegions(this->kind, this->look.blend, this->image);
 }
 
 // A new property each time: functions of labels cannot be removed from one.
@@ -209,6 +221,10 @@ void ScenePipeline::ApplyProperty()
 {
   vtkNew<vtkVolumeProperty> property;
   ApplyLook(this->look, MeanSpacingMm(this->image), property);
+  if (this->DrawsRegions())
+  {
+    ApplyRegions(this->look.regions, this->image, property);
+  }
   if (this->DrawsLabels())
   {
     ApplySegments(*this->labels, this->segments, property);

@@ -27,6 +27,11 @@ bool CanCutByScissors(MapperKind kind);
 /// fixed-point mapper has no masks.
 bool CanDrawLabels(MapperKind kind, Blend blend, vtkImageData* image);
 
+/// True if a mapper draws the regions of a look, if it has any: in composites of one component.
+/// VTK's fixed-point mapper knows no transfer functions of two values. Labels are not drawn with
+/// regions.
+bool CanDrawRegions(MapperKind kind, Blend blend, vtkImageData* image);
+
 /// Turns a scene into a VTK pipeline of volume, property, mapper, renderer and camera; the only
 /// place that does. Owns no window: add Renderer() to a window of the scene's size.
 class ScenePipeline
@@ -61,6 +66,7 @@ public:
 
 private:
   bool DrawsLabels() const;
+  bool DrawsRegions() const;
   void SetScissors(const std::vector<ScissorsCut>& cuts);
   void ApplyProperty();
   void ApplyMask();

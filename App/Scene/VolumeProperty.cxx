@@ -1,6 +1,7 @@
 #include "Scene/VolumeProperty.h"
 
 #include "Scene/ImageStatistics.h"
+#include "Scene/LookRegions.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
@@ -114,6 +115,7 @@ Look InUnitsOfData(const Look& look, const ImageStatistics& statistics)
   {
     node.value *= one - zero;
   }
+  resolved.regions = TransformedRegions(resolved.regions, one - zero, zero);
   resolved.dampingGradient *= one - zero;
   return resolved;
 }

@@ -226,6 +226,10 @@ TEST_F(ReferenceCacheTest, ScenesThatTheReferenceCannotDrawAreRefused)
       } },
     { "damping", [](Scene& scene) { scene.look.dampingGradient = 1.0; } },
     { "interpolation", [](Scene& scene) { scene.render.interpolation = Interpolation::Cubic; } },
+    { "regions",
+      [](Scene& scene) {
+        scene.look.regions = { { RegionShape::Ellipse, { 0.0, 1.0 }, { 0.0, 1.0 }, { 1, 1, 1 } } };
+      } },
     { "gradient opacity",
       [](Scene& scene) {
         scene.look.gradientOpacities = { { 0.0, 0.5 } };

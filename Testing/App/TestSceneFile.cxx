@@ -31,6 +31,9 @@ Scene UnusualScene()
   scene.look.opacityUnitDistanceMm = 3.0;
   scene.look.shading = { false, 0.3, 0.4, 0.5, 60.0 };
   scene.look.dampingGradient = 0.375;
+  scene.look.regions = { { RegionShape::Ellipse, { 0.25, 0.5 }, { 0.0, 2.0 }, { 0.1, 0.2, 0.3 },
+                           0.75, 0.125 },
+    { RegionShape::Rectangle, { -1.0, 0.5 }, { 1.0, 2.0 }, { 1.0, 1.0, 1.0 } } };
   scene.look.blend = Blend::Isosurface;
   scene.look.gradientOpacities = { { 0.5, 0.25, { 0.25, 0.5 } }, { 2.0, 1.0 } };
   scene.look.isosurfaces = { { 0.5, { 0.1, 0.2, 0.3 }, 0.75 } };
@@ -125,6 +128,20 @@ TEST(SceneFile, KeepsLightsAndHowTheyReflect)
   EXPECT_EQ(back.lights[2].positionMm, scene.lights[2].positionMm);
   EXPECT_EQ(back.lights[3].kind, LightKind::Head);
   EXPECT_EQ(back.look.dampingGradient, 0.375);
+}
+
+TEST(SceneFile, KeepsRegionsOfValueAndGradient)
+{
+  const Scene scene = UnusualScene();
+  const Scene back = SceneFromText(SceneText(scene), "test");
+  ASSERT_EQ(back.look.regions.size(), 2u);
+  EXPECT_EQ(back.look.regions[0].shape, RegionShape::Ellipse);
+  EXPECT_EQ(back.look.regions[0].values, scene.look.regions[0].values);
+  EXPECT_EQ(back.look.regions[0].gradients, scene.look.regions[0].gradients);
+  EXPECT_EQ(back.look.regions[0].rgb, scene.look.regions[0].rgb);
+  EXPECT_EQ(back.look.regions[0].opacity, 0.75);
+  EXPECT_EQ(back.look.regions[0].softness, 0.125);
+  EXPECT_EQ(back.look.regions[1].shape, RegionShape::Rectangle);
 }
 
 TEST(SceneFile, KeepsClippingRangeInterpolationAndJitter)

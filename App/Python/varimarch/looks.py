@@ -47,23 +47,41 @@ def opacity_nodes(opacity):
 
 def lights_of(lights):
     """Returns lights as in the scene format, given such dictionaries with colours of any form."""
-    if not isinstance(lights, (list, tuple)) or not all(isinstance(one, dict) for one in lights):
+    example = '{"kind": "camera", "direction": (1, 1, 1)}'
+    return dictionaries_of("lights", lights, example, {"color": 3, "direction": 3, "position": 3})
+
+
+def regions_of(regions):
+    """Returns regions as in the scene format, given such dictionaries with colours of any form."""
+    example = (
+        '{"shape": "ellipse", "values": (100, 300), "gradients": (50, 200), "rgb": "ivory", '
+        '"opacity": 0.3}'
+    )
+    return dictionaries_of("regions", regions, example, {"rgb": 3, "values": 2, "gradients": 2})
+
+
+def dictionaries_of(name, dictionaries, example, lengths):
+    """Returns dictionaries in which colours and arrays are lists of numbers of these lengths."""
+    if not isinstance(dictionaries, (list, tuple)) or not all(
+        isinstance(one, dict) for one in dictionaries
+    ):
         raise ValueError(
-            'lights: expected a list of dictionaries such as {"kind": "camera", "direction": '
-            f"(1, 1, 1)}}, found {lights!r}"
+            f"{name}: expected a list of dictionaries such as {example}, found {dictionaries!r}"
         )
-    vectors = ("direction", "position")
-    return [
-        {
-            key: rgb_of(value)
-            if key == "color"
-            else three_numbers(f"lights: {key}", value).tolist()
-            if key in vectors
-            else value
-            for key, value in light.items()
-        }
-        for light in lights
-    ]
+
+    def plain(key, value):
+        if key in ("color", "rgb"):
+            return rgb_of(value)
+        if key not in lengths:
+            return value
+        numbers = numbers_of(value, (lengths[key],))
+        if numbers is None:
+            raise ValueError(
+                f"{name}: {key}: expected {lengths[key]} finite numbers, found {value!r}"
+            )
+        return numbers.tolist()
+
+    return [{key: plain(key, value) for key, value in one.items()} for one in dictionaries]
 
 
 def nodes_of(name, form, nodes):

@@ -14,7 +14,7 @@ from . import _scene
 from .arguments import ascending_pair, choice, instance, number, truth
 from .images import to_array, to_image
 from .labels import drawn_labels
-from .looks import color_nodes, lights_of, look_of, opacity_nodes, rgb_of
+from .looks import color_nodes, lights_of, look_of, opacity_nodes, regions_of, rgb_of
 from .vtk_messages import vtk_messages_as_exceptions
 
 VIEWS = ("automatic", "anterior", "posterior", "left", "right", "superior", "inferior")
@@ -32,6 +32,7 @@ def render(
     color=None,
     opacity=None,
     opacity_unit_distance=1.0,
+    regions=None,
     shade=None,
     lights=None,
     damping=None,
@@ -64,6 +65,10 @@ def render(
         to 1.
     opacity: replaces the preset's opacities: a list of (value, opacity), with opacities from 0 to 1.
     opacity_unit_distance: the length over which material has these opacities [mm].
+    regions: a transfer function of value and gradient magnitude, which replaces colours and opacities:
+        a list of dictionaries as in Documentation/SceneFormat.md, such as {"shape": "ellipse",
+        "values": (100, 300), "gradients": (50, 200), "rgb": "ivory", "opacity": 0.3}. Composites of
+        one component only.
     shade: True to light the volume, so that surfaces are brighter where they face a light; there are
         no shadows. Default: the preset's.
     lights: the lights of a shaded volume, a list of dictionaries as in Documentation/SceneFormat.md,
@@ -111,9 +116,16 @@ def render(
     look["opacityUnitDistance"] = number("opacity_unit_distance", opacity_unit_distance, 1e-30, 1e30)
     if shade is not None:
         look["shading"]["enabled"] = truth("shade", shade)
+    if regions is not None:
+        look["regions"] = regions_of(regions)
     if damping is not None:
         look["damping"] = number("damping", damping, 0, 1e30)
     look["blend"] = choice("blend", blend or look["blend"], BLENDS)
+    if regions is not None and (look["blend"] != "composite" or to_array(image).ndim != 3):
+        raise ValueError(
+            'regions: expected blend="composite" and a volume of one component, found '
+            f'blend="{look["blend"]}" and {image.GetNumberOfScalarComponents()}'
+        )
     if error_tolerance is not None:
         look["errorTolerance"] = number("error_tolerance", error_tolerance, 0, 1)
     if background is not None:
