@@ -6,13 +6,16 @@
 #include "PrivateSettings.h"
 #include "Scene/VolumeWriters/VolumeWriters.h"
 #include "Viewer/MainWindow.h"
+#include "Viewer/RegionEditor/RegionEditor.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
 #include "Viewer/View/VolumeView.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QMenu>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
@@ -82,6 +85,27 @@ public:
     this->window.findChild<QDockWidget*>("look")->raise();
     this->Model()->SetLook(look, "isosurfaces");
     this->Take("viewer-surfaces");
+    this->Model()->History()->undo();
+  }
+
+  // Skin and bone by their edges.
+  void SeeRegions()
+  {
+    auto* const dock = this->window.findChild<QDockWidget*>("look");
+    auto* const isOn = dock->findChild<QCheckBox*>("regions");
+    Require(QTest::qWaitFor([&] { return isOn->isEnabled(); }, MostMilliseconds),
+      "the gradients are not counted");
+    Look look = this->Model()->CurrentScene().look;
+    look.regions = { { RegionShape::Rectangle, { -700.0, -150.0 }, { 150.0, 500.0 },
+                       { 0.87, 0.66, 0.53 }, 0.06, 0.5 },
+      { RegionShape::Ellipse, { 150.0, 1100.0 }, { 60.0, 500.0 }, { 0.95, 0.90, 0.78 }, 0.7,
+        0.3 } };
+    this->Model()->SetLook(look, "regions");
+    auto* const editor = dock->findChild<RegionEditor*>();
+    editor->Select(1);
+    QTest::qWait(100); // until the panel has its height
+    dock->findChild<QScrollArea*>()->ensureWidgetVisible(editor->parentWidget());
+    this->Take("viewer-regions");
     this->Model()->History()->undo();
   }
 
@@ -210,6 +234,7 @@ int main(int argumentCount, char** arguments)
   {
     Guide guide(arguments[1], arguments[2]);
     guide.SeeSurfaces();
+    guide.SeeRegions();
     guide.CutAway();
     guide.CutOut();
     guide.ShowSegments();

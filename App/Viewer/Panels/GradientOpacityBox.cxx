@@ -1,12 +1,11 @@
 #include "Viewer/Panels/GradientOpacityBox.h"
 
-#include "Scene/GradientMagnitudes.h"
+#include "Viewer/Model/GradientCounting.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
 
 #include <QCheckBox>
 #include <QToolBar>
 #include <QVBoxLayout>
-#include <QtConcurrentRun>
 
 #include <algorithm>
 
@@ -26,9 +25,11 @@ std::vector<OpacityNode> EdgesOf(const ImageStatistics& gradients)
 
 }
 
-GradientOpacityBox::GradientOpacityBox(SceneModel* model, QWidget* parent)
+GradientOpacityBox::GradientOpacityBox(
+  SceneModel* model, const GradientCounting* counting, QWidget* parent)
   : QWidget(parent)
   , model(model)
+  , counting(counting)
   , isOn(new QCheckBox(tr("Opacity by gradient")))
   , editor(new TransferFunctionEditor)
 {
@@ -55,7 +56,8 @@ GradientOpacityBox::GradientOpacityBox(SceneModel* model, QWidget* parent)
   connect(this->editor, &TransferFunctionEditor::LookEdited, this,
     [this](const Look& edited, const QString& name, int gesture)
     { this->Edit(edited.opacities, name, gesture); });
-  connect(&this->counting, &QFutureWatcherBase::finished, this, &GradientOpacityBox::TakeCounts);
+  connect(counting, &GradientCounting::Begun, this, [this] { this->isOn->setEnabled(false); });
+  connect(counting, &GradientCounting::Counted, this, &GradientOpacityBox::TakeCounts);
   connect(model, &SceneModel::Changed, this, &GradientOpacityBox::Update);
 }
 
@@ -67,7 +69,8 @@ void GradientOpacityBox::Switch(bool on)
     this->Edit({}, tr("switch off opacity by gradient"), SceneModel::NoGesture);
     return;
   }
-  this->Edit(this->remembered.empty() ? EdgesOf(*this->counting.result()) : this->remembered,
+  this->Edit(
+    this->remembered.empty() ? EdgesOf(this->counting->Counts()->gradients) : this->remembered,
     tr("switch on opacity by gradient"), SceneModel::NoGesture);
 }
 
@@ -84,7 +87,8 @@ void GradientOpacityBox::Update(ScenePart part)
   if (part == ScenePart::Volume)
   {
     this->remembered.clear();
-    this->BeginToCount();
+    const bool isCt = this->model->CurrentStudy()->volume.modality == "CT";
+    this->editor->SetUnit(isCt ? tr("HU/mm") : tr("per mm"));
   }
   if (part != ScenePart::Look && part != ScenePart::Volume)
   {
@@ -101,19 +105,11 @@ void GradientOpacityBox::Update(ScenePart part)
   }
 }
 
-void GradientOpacityBox::BeginToCount()
-{
-  this->isOn->setEnabled(false);
-  const auto study = this->model->CurrentStudy();
-  this->editor->SetUnit(study->volume.modality == "CT" ? tr("HU/mm") : tr("per mm"));
-  this->counting.setFuture(QtConcurrent::run(
-    [study] { return Statistics(new ImageStatistics(GradientMagnitudes(study->volume.image))); }));
-}
-
 void GradientOpacityBox::TakeCounts()
 {
   this->isOn->setEnabled(true);
-  this->editor->SetStatistics(this->counting.result());
+  const auto counts = this->counting->Counts();
+  this->editor->SetStatistics({ counts, &counts->gradients });
 }
 
 }

@@ -3,10 +3,8 @@
 
 #include "Viewer/Model/SceneModel.h"
 
-#include <QFutureWatcher>
 #include <QWidget>
 
-#include <memory>
 #include <vector>
 
 class QCheckBox;
@@ -14,31 +12,30 @@ class QCheckBox;
 namespace varimarch
 {
 
+class GradientCounting;
 class TransferFunctionEditor;
 
-/// Opacity by gradient magnitude, edited over a histogram of the gradients. A thread computes the
-/// histogram while the volume is already shown. Switched off, the curve is removed from the scene
-/// and remembered here. For composites only.
+/// Opacity by gradient magnitude, edited over a histogram of the gradients. Switched off, the curve
+/// is removed from the scene and remembered here. For composites only.
 class GradientOpacityBox : public QWidget
 {
   Q_OBJECT
 
 public:
-  explicit GradientOpacityBox(SceneModel* model, QWidget* parent = nullptr);
+  /// @param counting  of the same model; outlives this
+  GradientOpacityBox(
+    SceneModel* model, const GradientCounting* counting, QWidget* parent = nullptr);
 
 private:
-  using Statistics = std::shared_ptr<const ImageStatistics>;
-
   void Switch(bool on);
   void Edit(const std::vector<OpacityNode>& nodes, const QString& name, int gesture);
   void Update(ScenePart part);
-  void BeginToCount();
   void TakeCounts();
 
   SceneModel* model;
+  const GradientCounting* counting;
   QCheckBox* isOn;
   TransferFunctionEditor* editor;
-  QFutureWatcher<Statistics> counting;
   std::vector<OpacityNode>
     remembered; ///< curve for the next time; empty: one that suits the volume
 };

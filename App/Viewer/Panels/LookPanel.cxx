@@ -3,8 +3,10 @@
 #include "Scene/ColorMaps.h"
 #include "Scene/LookFiles.h"
 #include "Scene/Presets.h"
+#include "Viewer/Model/GradientCounting.h"
 #include "Viewer/Panels/BlendingForm.h"
 #include "Viewer/Panels/GradientOpacityBox.h"
+#include "Viewer/Panels/RegionsBox.h"
 #include "Viewer/Panels/ShadingBox.h"
 #include "Viewer/SaveDialog.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
@@ -78,7 +80,9 @@ LookPanel::LookPanel(SceneModel* model, QWidget* parent)
   this->MakePresets(column);
   this->MakeEditor(column);
   column->addWidget(new BlendingForm(model));
-  column->addWidget(new GradientOpacityBox(model));
+  auto* const counting = new GradientCounting(model, this);
+  column->addWidget(new GradientOpacityBox(model, counting));
+  column->addWidget(new RegionsBox(model, counting));
   column->addWidget(new ShadingBox(model));
   // The entries are longer in some languages, and must not widen the panel.
   for (QComboBox* const box : this->findChildren<QComboBox*>())

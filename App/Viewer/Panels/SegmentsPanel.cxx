@@ -233,12 +233,13 @@ void SegmentsPanel::ShowSelected()
 
 void SegmentsPanel::ShowNote()
 {
-  const Blend blend = this->model->CurrentScene().look.blend;
+  const Look& look = this->model->CurrentScene().look;
   vtkImageData* const image = this->model->CurrentStudy()->volume.image;
   this->note->setText(image->GetNumberOfScalarComponents() == 1
-      ? tr("The volume shows segments only with the blend mode Composite.")
+      ? tr("The volume shows segments only with the blend mode Composite and without regions.")
       : tr("The volume cannot show segments, since its voxels have several values."));
-  this->note->setVisible(!CanDrawLabels(MapperKind::Varimarch, blend, image));
+  this->note->setVisible(
+    !look.regions.empty() || !CanDrawLabels(MapperKind::Varimarch, look.blend, image));
 }
 
 // The user renamed a segment, or showed or hid it.

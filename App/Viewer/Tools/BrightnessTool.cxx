@@ -1,5 +1,6 @@
 #include "Viewer/Tools/BrightnessTool.h"
 
+#include "Scene/LookRegions.h"
 #include "Viewer/TransferFunctionEditor/LookEditing.h"
 
 #include <algorithm>
@@ -37,9 +38,12 @@ void BrightnessTool::Drag(const QPointF& place)
   const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
   const double range = statistics.Percentile(99.9) - statistics.Percentile(0.1);
   const double factor = std::clamp(std::exp(moved.x()), 1.0 / WidestFactor, WidestFactor);
-  const Look scaled = ScaleLook(this->before, factor, MiddleOfOpacities(this->before));
-  this->model->SetLook(MoveNodes(scaled, AllNodes(scaled), -0.5 * range * moved.y(), 0.0),
-    tr("window and level"), this->gesture);
+  const double middle = MiddleOfOpacities(this->before);
+  const double shift = -0.5 * range * moved.y();
+  const Look scaled = ScaleLook(this->before, factor, middle);
+  Look look = MoveNodes(scaled, AllNodes(scaled), shift, 0.0);
+  look.regions = TransformedRegions(this->before.regions, factor, (1.0 - factor) * middle + shift);
+  this->model->SetLook(look, tr("window and level"), this->gesture);
 }
 
 void BrightnessTool::Cancel()

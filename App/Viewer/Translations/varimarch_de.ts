@@ -1853,6 +1853,116 @@ kennt keine Segmente</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::RegionEditor</name>
+    <message>
+        <source>Add a rectangle</source>
+        <translation>Rechteck hinzufügen</translation>
+    </message>
+    <message>
+        <source>+ Rectangle</source>
+        <translation>+ Rechteck</translation>
+    </message>
+    <message>
+        <source>Add an ellipse</source>
+        <translation>Ellipse hinzufügen</translation>
+    </message>
+    <message>
+        <source>+ Ellipse</source>
+        <translation>+ Ellipse</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Show all values and gradients</source>
+        <translation>Alle Werte und Gradienten zeigen</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>add a region</source>
+        <translation>Bereich hinzufügen</translation>
+    </message>
+    <message>
+        <source>delete a region</source>
+        <translation>Bereich löschen</translation>
+    </message>
+    <message>
+        <source>colour of a region</source>
+        <translation>Farbe eines Bereichs</translation>
+    </message>
+    <message>
+        <source>resize a region</source>
+        <translation>Größe eines Bereichs ändern</translation>
+    </message>
+    <message>
+        <source>move a region</source>
+        <translation>Bereich verschieben</translation>
+    </message>
+    <message>
+        <source>Add a rectangle here</source>
+        <translation>Hier ein Rechteck hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an ellipse here</source>
+        <translation>Hier eine Ellipse hinzufügen</translation>
+    </message>
+    <message>
+        <source>Regions of value and gradient</source>
+        <translation>Bereiche von Wert und Gradient</translation>
+    </message>
+    <message>
+        <source>%1 %2, gradient %3 per mm: %4 voxels</source>
+        <translation>%1 %2, Gradient %3 je mm: %4 Voxel</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::RegionsBox</name>
+    <message>
+        <source>Regions of value and gradient</source>
+        <translation>Bereiche von Wert und Gradient</translation>
+    </message>
+    <message>
+        <source>Rectangles and ellipses over the values and their gradients, instead of the curves</source>
+        <translation>Rechtecke und Ellipsen über den Werten und ihren Gradienten, statt der Kurven</translation>
+    </message>
+    <message>
+        <source>opacity of a region</source>
+        <translation>Deckkraft eines Bereichs</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>soft edge of a region</source>
+        <translation>weicher Rand eines Bereichs</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>switch off regions</source>
+        <translation>Bereiche ausschalten</translation>
+    </message>
+    <message>
+        <source>switch on regions</source>
+        <translation>Bereiche einschalten</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HE</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::SegmentsPanel</name>
     <message>
         <source>A segmentation of this scan colours its regions: a DICOM segmentation, a segmentation of 3D Slicer, or a label map in NRRD, NIfTI or another format.</source>
@@ -1917,10 +2027,6 @@ ml</translation>
         <translation>Max</translation>
     </message>
     <message>
-        <source>The volume shows segments only with the blend mode Composite.</source>
-        <translation>Das Volumen zeigt Segmente nur mit der Mischung „Überlagerung“.</translation>
-    </message>
-    <message>
         <source>The volume cannot show segments, since its voxels have several values.</source>
         <translation>Das Volumen kann keine Segmente zeigen, da seine Voxel mehrere Werte haben.</translation>
     </message>
@@ -1967,6 +2073,10 @@ ml</translation>
     <message>
         <source>Opacity</source>
         <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>The volume shows segments only with the blend mode Composite and without regions.</source>
+        <translation>Das Volumen zeigt Segmente nur mit der Mischung „Überlagerung“ und ohne Bereiche.</translation>
     </message>
 </context>
 <context>

@@ -1853,6 +1853,116 @@ no conoce los segmentos</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::RegionEditor</name>
+    <message>
+        <source>Add a rectangle</source>
+        <translation>Añadir un rectángulo</translation>
+    </message>
+    <message>
+        <source>+ Rectangle</source>
+        <translation>+ Rectángulo</translation>
+    </message>
+    <message>
+        <source>Add an ellipse</source>
+        <translation>Añadir una elipse</translation>
+    </message>
+    <message>
+        <source>+ Ellipse</source>
+        <translation>+ Elipse</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Color…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Show all values and gradients</source>
+        <translation>Mostrar todos los valores y gradientes</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todo</translation>
+    </message>
+    <message>
+        <source>add a region</source>
+        <translation>añadir una región</translation>
+    </message>
+    <message>
+        <source>delete a region</source>
+        <translation>eliminar una región</translation>
+    </message>
+    <message>
+        <source>colour of a region</source>
+        <translation>color de una región</translation>
+    </message>
+    <message>
+        <source>resize a region</source>
+        <translation>cambiar el tamaño de una región</translation>
+    </message>
+    <message>
+        <source>move a region</source>
+        <translation>mover una región</translation>
+    </message>
+    <message>
+        <source>Add a rectangle here</source>
+        <translation>Añadir aquí un rectángulo</translation>
+    </message>
+    <message>
+        <source>Add an ellipse here</source>
+        <translation>Añadir aquí una elipse</translation>
+    </message>
+    <message>
+        <source>Regions of value and gradient</source>
+        <translation>Regiones de valor y gradiente</translation>
+    </message>
+    <message>
+        <source>%1 %2, gradient %3 per mm: %4 voxels</source>
+        <translation>%1 %2, gradiente %3 por mm: %4 vóxeles</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::RegionsBox</name>
+    <message>
+        <source>Regions of value and gradient</source>
+        <translation>Regiones de valor y gradiente</translation>
+    </message>
+    <message>
+        <source>Rectangles and ellipses over the values and their gradients, instead of the curves</source>
+        <translation>Rectángulos y elipses sobre los valores y sus gradientes, en lugar de las curvas</translation>
+    </message>
+    <message>
+        <source>opacity of a region</source>
+        <translation>opacidad de una región</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>soft edge of a region</source>
+        <translation>borde suave de una región</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Borde suave</translation>
+    </message>
+    <message>
+        <source>switch off regions</source>
+        <translation>desactivar las regiones</translation>
+    </message>
+    <message>
+        <source>switch on regions</source>
+        <translation>activar las regiones</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>UH</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::SegmentsPanel</name>
     <message>
         <source>A segmentation of this scan colours its regions: a DICOM segmentation, a segmentation of 3D Slicer, or a label map in NRRD, NIfTI or another format.</source>
@@ -1917,10 +2027,6 @@ ml</translation>
         <translation>Máx</translation>
     </message>
     <message>
-        <source>The volume shows segments only with the blend mode Composite.</source>
-        <translation>El volumen solo muestra segmentos con el modo de mezcla «Composición».</translation>
-    </message>
-    <message>
         <source>The volume cannot show segments, since its voxels have several values.</source>
         <translation>El volumen no puede mostrar segmentos, porque sus vóxeles tienen varios valores.</translation>
     </message>
@@ -1967,6 +2073,10 @@ ml</translation>
     <message>
         <source>Opacity</source>
         <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>The volume shows segments only with the blend mode Composite and without regions.</source>
+        <translation>El volumen solo muestra segmentos con el modo de mezcla «Composición» y sin regiones.</translation>
     </message>
 </context>
 <context>
