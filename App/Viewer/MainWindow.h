@@ -51,6 +51,10 @@ public:
   VolumeLoader* Loader() { return &this->loader; }
   ComparisonView* CentralView() { return this->view; }
 
+signals:
+  /// @param reason  one sentence
+  void OpeningFailed(const QString& reason);
+
 protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;

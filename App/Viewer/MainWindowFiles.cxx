@@ -321,6 +321,7 @@ void MainWindow::Exchange(const VolumeSource& source, const std::shared_ptr<cons
 void MainWindow::ShowFailure(const QString& reason)
 {
   LogEvent("opening failed");
+  emit this->OpeningFailed(reason);
   this->ShowLoading(false);
   this->statusBar()->showMessage(reason);
   auto* const box =

@@ -3,6 +3,7 @@
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Language.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Remote/RemoteControl.h"
 #include "Viewer/Theme.h"
 #include "Viewer/View/OpenGLProblem.h"
 
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <iterator>
 
@@ -28,6 +30,9 @@ void AddOptions(QCommandLineParser& parser)
     "Shows CT and MR volumes with a promised error. Not for diagnostic use.");
   parser.addHelpOption();
   parser.addVersionOption();
+  parser.addOption({ "listen",
+    "Let scripts of this user change the look through the local socket of this name or path.",
+    "name" });
   parser.addPositionalArgument("volume",
     "A volume file, a folder with a DICOM series, or a saved session, to open.", "[volume]");
 }
@@ -69,8 +74,24 @@ void EndOnFatalMessage(QtMsgType type, const QMessageLogContext&, const QString&
   }
 }
 
+// Returns false, with a message, if the window cannot listen to scripts.
+bool Listens(varimarch::MainWindow& window, const QString& name)
+{
+  try
+  {
+    // Owned by the window.
+    (new varimarch::RemoteControl(&window))->Listen(name);
+    return true;
+  }
+  catch (const std::exception& problem)
+  {
+    std::cerr << "varimarch-viewer: " << problem.what() << "\n";
+    return false;
+  }
+}
+
 // Shows the window until the user closes it. Returns the exit code of the program.
-int RunWindow(const QStringList& paths)
+int RunWindow(const QCommandLineParser& parser)
 {
   const QString problem = varimarch::OpenGLProblem();
   if (!problem.isEmpty())
@@ -83,8 +104,13 @@ int RunWindow(const QStringList& paths)
   varimarch::ApplyTheme(varimarch::ChosenTheme());
   varimarch::StartLog(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
   varimarch::MainWindow window;
+  if (parser.isSet("listen") && !Listens(window, parser.value("listen")))
+  {
+    return EXIT_FAILURE;
+  }
   window.show();
   window.ShowNoticeOnce();
+  const QStringList paths = parser.positionalArguments();
   if (!paths.isEmpty())
   {
     window.Open(paths.first());
@@ -120,5 +146,5 @@ int main(int argumentCount, char** arguments)
   AddOptions(parser);
   parser.process(application);
 
-  return RunWindow(parser.positionalArguments());
+  return RunWindow(parser);
 }

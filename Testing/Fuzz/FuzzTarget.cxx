@@ -10,8 +10,8 @@ std::vector<FuzzTarget> FuzzTargets()
 {
   std::vector<FuzzTarget> targets = VolumeTargets();
   for (const std::vector<FuzzTarget>& more : { DicomTargets(), LookTargets(), SceneTargets(),
-         std::vector<FuzzTarget>{ RawGuessTarget(), TransferFunctionTarget(), FieldTarget(),
-           PacketTarget(), RecipeTarget() } })
+         std::vector<FuzzTarget>{ RemoteTarget(), RawGuessTarget(), TransferFunctionTarget(),
+           FieldTarget(), PacketTarget(), RecipeTarget() } })
   {
     targets.insert(targets.end(), more.begin(), more.end());
   }

@@ -34,6 +34,7 @@ std::vector<FuzzTarget> VolumeTargets();
 std::vector<FuzzTarget> DicomTargets();
 std::vector<FuzzTarget> LookTargets();
 std::vector<FuzzTarget> SceneTargets();
+FuzzTarget RemoteTarget();
 FuzzTarget RawGuessTarget();
 FuzzTarget TransferFunctionTarget();
 FuzzTarget FieldTarget();

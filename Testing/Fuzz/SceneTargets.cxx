@@ -4,6 +4,7 @@
 #include "Fuzz/ReadInput.h"
 #include "Scene/Presets.h"
 #include "Scene/RawGuess.h"
+#include "Scene/RemoteMessage.h"
 #include "Scene/SceneFile.h"
 
 #include <algorithm>
@@ -23,7 +24,9 @@ const std::vector<std::string> SceneWords = { "\"volume\"", "\"file\"", "\"raw\"
   "\"windowLevel\"", "\"slab\"", "\"distances\"", "\"angles\"", "\"boxes\"", "\"from\"", "\"to\"",
   "\"render\"", "\"integration\"", "\"auto\"", "\"size\"", "\"background\"", "\"colors\"",
   "\"opacities\"", "\"gradientOpacities\"", "\"isosurfaces\"", "\"blend\"", "\"domain\"",
-  "\"relative\"", "\"shading\"", "1e308", "1e-320", "-0.0", "null", "\\u0000", "\\ud800" };
+  "\"relative\"", "\"shading\"", "\"damping\"", "\"lights\"", "\"positional\"", "\"direction\"",
+  "\"clippingRange\"", "\"interpolation\"", "1e308", "1e-320", "-0.0", "null", "\\u0000",
+  "\\ud800" };
 
 /// A scene that uses every key.
 Scene FullScene()
@@ -32,11 +35,16 @@ Scene FullScene()
   scene.volume = FileSource{ "head.raw", RawLayout{ { 2, 3, 4 }, "float32" }, "1.2", true };
   scene.look = BuiltInPreset("ct-bone").look;
   scene.look.gradientOpacities = { { 0.0, 0.0 }, { 100.0, 1.0, { 0.25, 0.5 } } };
+  scene.look.regions = { { RegionShape::Ellipse, { 0, 300 }, { 5, 40 }, { 1, 0, 0 } },
+    { RegionShape::Rectangle, { 0, 300 }, { 0, 40 }, { 0, 1, 0 }, 0.25, 0.0 } };
+  scene.look.dampingGradient = 12.5;
+  scene.lights = { { LightKind::Camera, { 1, 1, 1 } }, { LightKind::Positional } };
   scene.look.isosurfaces = { { 300.0, { 1.0, 0.5, 0.0 }, 0.5 } };
   scene.look.averagedRange = { { -100.0, 100.0 } };
   scene.camera.pose = CameraPose{ { 0, -500, 0 }, { 0, 0, 0 }, { 0, 0, 1 }, 100.0 };
   scene.cuts.planes = { { { 1, 2, 3 }, { 0, 0, 1 } } };
   scene.cuts.scissors = { { scene.camera, { { -0.5, 0.0 }, { 0.5, 0.0 }, { 0.0, 0.5 } }, true } };
+  scene.camera.clippingRangeMm = { { 10.0, 20.0 } };
   scene.slices.crosshairMm = { { 1.0, 2.0, 3.0 } };
   scene.slices.windowLevel = { { 400.0, 40.0 } };
   scene.distances = { { { 0, 0, 0 }, { 1, 1, 1 }, "a \"name\"" } };
@@ -82,6 +90,35 @@ bool RequireThatTextsReadBack(const std::string& text, Read read, Write write)
   }
   Require(write(read(written, "a.json")) == written, "what was read reads back otherwise");
   return true;
+}
+
+/// Requests that a viewer grants, the first with every key of looks.
+std::vector<std::string> RemoteSeeds()
+{
+  std::string look = LookText(FullScene().look);
+  std::replace(look.begin(), look.end(), '\n', ' ');
+  return { R"({ "set": )" + look + "}", R"({ "set": "ct-bone" })", R"({ "get": "look" })",
+    R"({ "get": "status" })", R"({ "set": )" + std::string(100, '[') };
+}
+
+/// Requires that a request is read, or refused in one line, and that its look can be answered in
+/// one.
+bool ReadRequest(const std::string& text)
+{
+  try
+  {
+    const RemoteRequest request = RemoteRequestFromText(text);
+    const bool setsLook = request.task == RemoteRequest::Task::SetLook;
+    const std::string answer = setsLook ? RemoteLook(request.look) : RemoteDone();
+    RequireOneLine(answer);
+    return true;
+  }
+  catch (const std::runtime_error& error)
+  {
+    RequireOneLine(error.what());
+    RequireOneLine(RemoteError(error.what()));
+    return false;
+  }
 }
 
 /// The first line is the name of a file, the rest its voxels.
@@ -132,6 +169,13 @@ std::vector<FuzzTarget> SceneTargets()
   { return RequireThatTextsReadBack(text, PresetFromText, PresetText); };
   return { { "scene", scene, SceneSeeds, SceneWords },
     { "preset", preset, PresetSeeds, SceneWords } };
+}
+
+FuzzTarget RemoteTarget()
+{
+  std::vector<std::string> words = SceneWords;
+  words.insert(words.end(), { "\"get\"", "\"set\"", "\"status\"", "\"regions\"", "\"ellipse\"" });
+  return { "remote", ReadRequest, RemoteSeeds, words };
 }
 
 FuzzTarget RawGuessTarget()

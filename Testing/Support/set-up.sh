@@ -16,7 +16,7 @@ packages=(
   # Real volumes: a head CT and a T1 head
   invesalius-examples mricron-data
 )
-testPackages=(libgtest-dev glslang-tools xvfb xauth)
+testPackages=(libgtest-dev glslang-tools xdotool xvfb xauth)
 packageLog=build/packages.log
 
 step()

@@ -9,7 +9,8 @@ Images are rendered from arrays or files, and are arrays themselves:
     varimarch.write_png(image, "head.png")
 
 render() renders a volume; read() opens any volume file; to_image() and to_array() convert arrays to
-vtkImageData and back; capture() returns the image in a window; presets() lists the presets.
+vtkImageData and back; capture() returns the image in a window; presets() lists the presets. Viewer opens a volume in the
+program varimarch-viewer, and exchanges looks with it.
 
 In VTK pipelines of your own, use the classes like all other classes of VTK:
 vtkVariationFieldVolumeMapper renders, vtkVolumeFileReader reads, vtkHeadlessRenderWindow is a window
@@ -25,8 +26,9 @@ from .VarimarchVolume import *  # noqa: F401,F403
 from .images import read, to_array, to_image
 from .looks import presets
 from .pictures import capture, render, write_png
+from .viewer import Viewer
 
-__all__ = ["capture", "presets", "read", "render", "to_array", "to_image", "write_png"]
+__all__ = ["Viewer", "capture", "presets", "read", "render", "to_array", "to_image", "write_png"]
 __all__ += [name for name in dir(VarimarchVolume) if name.startswith("vtk")]
 
 

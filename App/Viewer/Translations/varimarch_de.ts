@@ -1963,6 +1963,13 @@ kennt keine Segmente</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::RemoteControl</name>
+    <message>
+        <source>look of a script</source>
+        <translation>Darstellung eines Skripts</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::SegmentsPanel</name>
     <message>
         <source>A segmentation of this scan colours its regions: a DICOM segmentation, a segmentation of 3D Slicer, or a label map in NRRD, NIfTI or another format.</source>

@@ -1963,6 +1963,13 @@ no conoce los segmentos</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::RemoteControl</name>
+    <message>
+        <source>look of a script</source>
+        <translation>aspecto de un script</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::SegmentsPanel</name>
     <message>
         <source>A segmentation of this scan colours its regions: a DICOM segmentation, a segmentation of 3D Slicer, or a label map in NRRD, NIfTI or another format.</source>
