@@ -139,6 +139,7 @@ void MainWindow::MakeFileMenu()
   this->recentMenu = file->addMenu(tr("&Recent scans"));
   this->recentMenu->setObjectName("recent");
   connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
+  this->MakeAskAtStartAction(file);
   file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
   file->addSeparator();
   file->addAction(tr("Export an &image…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"))

@@ -41,6 +41,9 @@ public:
   /// Offers to restore the session of a program that ended unexpectedly.
   void OfferAutosaved();
 
+  /// Asks for a file if the user has chosen that, and nothing is opened yet.
+  void OfferFileAtStart();
+
   /// Shows, once per user, the notice that the program is not for diagnostic use.
   void ShowNoticeOnce();
 
@@ -79,6 +82,7 @@ private:
   void MakePanelMenu();
   void MakeStatusBar();
   static QString FileFilter();
+  void MakeAskAtStartAction(QMenu* menu);
   void ChooseFile();
   void ChooseFolder();
   void ChooseRawFile();

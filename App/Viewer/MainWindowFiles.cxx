@@ -27,6 +27,7 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSettings>
 #include <QStatusBar>
 #include <QTimer>
 #include <QUrl>
@@ -40,6 +41,8 @@ namespace varimarch
 
 namespace
 {
+
+const QString AskAtStartKey = QStringLiteral("open/askAtStart");
 
 void LogVolume(const LoadedVolume& volume)
 {
@@ -159,6 +162,25 @@ void MainWindow::ChooseFile()
   if (!path.isEmpty())
   {
     this->Open(path);
+  }
+}
+
+void MainWindow::MakeAskAtStartAction(QMenu* menu)
+{
+  QAction* const ask = menu->addAction(tr("&Ask for a scan at start"));
+  ask->setObjectName("askAtStart");
+  ask->setCheckable(true);
+  ask->setChecked(QSettings().value(AskAtStartKey).toBool());
+  connect(ask, &QAction::triggered, ask, [](bool on) { QSettings().setValue(AskAtStartKey, on); });
+}
+
+// The dialog waits for the window to be shown.
+void MainWindow::OfferFileAtStart()
+{
+  if (QSettings().value(AskAtStartKey).toBool() && !this->model.CurrentStudy() &&
+    !this->loader.IsLoading())
+  {
+    QTimer::singleShot(0, this, &MainWindow::ChooseFile);
   }
 }
 

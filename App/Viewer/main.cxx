@@ -118,6 +118,7 @@ int RunWindow(const QCommandLineParser& parser)
   else
   {
     window.OfferAutosaved();
+    window.OfferFileAtStart();
   }
   return QApplication::exec();
 }

@@ -295,3 +295,17 @@ TEST_F(Opening, CanBeClosedWhileItAsks)
   ASSERT_TRUE(this->Awaited<SeriesPicker>());
   this->window.close();
 }
+
+TEST_F(Opening, AsksForAFileAtStartOnlyIfTheUserWantsThat)
+{
+  this->folder.Write("head.nii", NiftiBytes(phantom::Stored(0)));
+  const Answers answers(QMessageBox::Ok, QString::fromStdString(this->folder.Path("head.nii")));
+  this->window.OfferFileAtStart();
+  QTest::qWait(200);
+  EXPECT_FALSE(this->window.Loader()->IsLoading() || this->window.Model()->CurrentStudy());
+  this->window.findChild<QAction*>("askAtStart")->trigger();
+  this->window.OfferFileAtStart();
+  ASSERT_TRUE(QTest::qWaitFor(
+    [this] { return this->window.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
+  EXPECT_TRUE(MainWindow().findChild<QAction*>("askAtStart")->isChecked()) << "remembered";
+}

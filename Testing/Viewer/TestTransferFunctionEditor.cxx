@@ -2,9 +2,13 @@
 
 #include "EditorOfAModel.h"
 
+#include <QAction>
+#include <QColorDialog>
 #include <QSignalSpy>
 
 #include <glm/geometric.hpp>
+
+#include <algorithm>
 
 using namespace varimarch;
 
@@ -254,4 +258,24 @@ TEST_F(EditorOfAModel, ShowsTheWholeReadingInANarrowPanel)
   EXPECT_LE(needed.height(), room.height());
   EXPECT_LE(needed.width(), room.width());
   EXPECT_LT(room.bottom(), this->Layout().plot.top());
+}
+
+TEST_F(EditorOfAModel, AClickAsksForTheColourOnlyIfTheUserWantsThat)
+{
+  QTest::mouseClick(&this->editor, Qt::LeftButton, {}, this->Empty());
+  EXPECT_EQ(this->Edited().opacities.size(), 5u);
+  EXPECT_FALSE(this->editor.findChild<QColorDialog*>());
+  const QList<QAction*> actions = this->editor.actions();
+  const auto ask = std::find_if(actions.begin(), actions.end(),
+    [](const QAction* action) { return action->text() == "Ask for the colour of a new point"; });
+  ASSERT_NE(ask, actions.end());
+  (*ask)->trigger();
+  QTest::mouseClick(&this->editor, Qt::LeftButton, {}, this->Empty() + QPoint(40, 0));
+  auto* const dialog = this->editor.findChild<QColorDialog*>();
+  ASSERT_TRUE(dialog);
+  const int added = this->editor.Picture().selected.begin()->index;
+  dialog->setCurrentColor(Qt::green);
+  EXPECT_EQ(ColorOf(this->Edited(), { NodeKind::Opacity, added }), glm::dvec3(0.0, 1.0, 0.0));
+  dialog->accept();
+  (*ask)->trigger();
 }

@@ -12,6 +12,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QScreen>
+#include <QSettings>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@ namespace varimarch
 namespace
 {
 
+const QString AsksForColorKey = QStringLiteral("editor/asksForColor");
 constexpr double OpacityNudge = 0.01;
 constexpr double LargeNudge = 10.0;
 constexpr double ZoomPerKey = 1.25;
@@ -60,6 +62,11 @@ void TransferFunctionEditor::MakeEditActions()
     &QAction::triggered, this, &TransferFunctionEditor::AddBesideSelected);
   connect(this->AddAction(tr("Select all"), QKeySequence::SelectAll), &QAction::triggered, this,
     [this] { this->Select(AllNodes(this->picture.look)); });
+  this->asksForColor = this->AddAction(tr("Ask for the colour of a new point"), Qt::Key_P);
+  this->asksForColor->setCheckable(true);
+  this->asksForColor->setChecked(QSettings().value(AsksForColorKey).toBool());
+  connect(this->asksForColor, &QAction::triggered, this,
+    [](bool on) { QSettings().setValue(AsksForColorKey, on); });
   auto* const separator = new QAction(this);
   separator->setSeparator(true);
   this->addAction(separator);
@@ -294,6 +301,14 @@ void TransferFunctionEditor::ChooseColor()
     OpenLiveColorDialog(QColorOf(ColorOf(before, *nodes.begin())), color, this);
   connect(
     dialog, &QDialog::rejected, this, [=] { this->Edit(before, tr("choose colour"), gesture); });
+}
+
+void TransferFunctionEditor::AskForColorIfWanted()
+{
+  if (this->asksForColor->isChecked())
+  {
+    this->ChooseColor();
+  }
 }
 
 void TransferFunctionEditor::OpenPopover(const NodeId& node)

@@ -243,9 +243,10 @@ void EditorMouse::Release(const QMouseEvent& event)
   {
     this->editor->Select(this->selectedByClick);
   }
-  else if (ended == Drag::Begun && !event.modifiers().testFlag(Qt::ControlModifier))
+  else if (ended == Drag::Begun && !event.modifiers().testFlag(Qt::ControlModifier) &&
+    this->AddAt(this->pressed))
   {
-    this->AddAt(this->pressed);
+    this->editor->AskForColorIfWanted();
   }
 }
 

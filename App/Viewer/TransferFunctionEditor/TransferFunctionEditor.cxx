@@ -59,6 +59,7 @@ void TransferFunctionEditor::LeaveOutColors()
   this->picture.layout.hasColors = false;
   this->picture.look.colors.clear();
   this->removeAction(this->chooseColor);
+  this->removeAction(this->asksForColor);
 }
 
 void TransferFunctionEditor::SetUnit(const QString& unit)

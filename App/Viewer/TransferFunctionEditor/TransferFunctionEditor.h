@@ -45,6 +45,10 @@ public:
   /// The same, and selects the new node.
   void Add(const Insertion& insertion, const QString& stepName, int gesture);
 
+  /// Lets the user choose the colour of the selected node, if the user has asked for that at each
+  /// click that adds one.
+  void AskForColorIfWanted();
+
   void PanAxis(double pixels);
 
   /// @param band  null rectangle: none
@@ -101,6 +105,7 @@ private:
   EditorPicture picture;
   EditorMouse mouse;
   QAction* chooseColor;
+  QAction* asksForColor; ///< checked: a click that adds a point asks for its colour
   QAction* showMost;
   QList<QAction*> viewActions;
   int keyGesture = 0;   ///< lasts while a key is held down

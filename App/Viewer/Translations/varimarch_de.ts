@@ -80,6 +80,21 @@
     </message>
 </context>
 <context>
+    <name>OpenGLProblem</name>
+    <message>
+        <source>OpenGL 3.2 or later is needed, found %1; install or update the driver of the graphics card, or the package libgl1-mesa-dri, which draws without one</source>
+        <translation>OpenGL 3.2 oder neuer wird gebraucht, gefunden wurde %1; installieren oder aktualisieren Sie den Treiber der Grafikkarte oder das Paket libgl1-mesa-dri, das ohne sie zeichnet</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>a display without GLX</source>
+        <translation>eine Anzeige ohne GLX</translation>
+    </message>
+</context>
+<context>
     <name>OwnPresets</name>
     <message>
         <source>My look %1</source>
@@ -100,21 +115,6 @@
     <message>
         <source>Cannot remove the preset %1.</source>
         <translation>Die Vorlage %1 lässt sich nicht entfernen.</translation>
-    </message>
-</context>
-<context>
-    <name>OpenGLProblem</name>
-    <message>
-        <source>OpenGL 3.2 or later is needed, found %1; install or update the driver of the graphics card, or the package libgl1-mesa-dri, which draws without one</source>
-        <translation>OpenGL 3.2 oder neuer wird gebraucht, gefunden wurde %1; installieren oder aktualisieren Sie den Treiber der Grafikkarte oder das Paket libgl1-mesa-dri, das ohne sie zeichnet</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keines</translation>
-    </message>
-    <message>
-        <source>a display without GLX</source>
-        <translation>eine Anzeige ohne GLX</translation>
     </message>
 </context>
 <context>
@@ -1556,6 +1556,10 @@ kennt keine Segmente</translation>
         <source>Lights</source>
         <translation>Lichter</translation>
     </message>
+    <message>
+        <source>&amp;Ask for a scan at start</source>
+        <translation>Beim Start nach einer &amp;Aufnahme fragen</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2365,6 +2369,10 @@ ml</translation>
     <message>
         <source>Low</source>
         <translation>Gering</translation>
+    </message>
+    <message>
+        <source>Ask for the colour of a new point</source>
+        <translation>Nach der Farbe eines neuen Punkts fragen</translation>
     </message>
 </context>
 <context>

@@ -80,6 +80,21 @@
     </message>
 </context>
 <context>
+    <name>OpenGLProblem</name>
+    <message>
+        <source>OpenGL 3.2 or later is needed, found %1; install or update the driver of the graphics card, or the package libgl1-mesa-dri, which draws without one</source>
+        <translation>Se necesita OpenGL 3.2 o posterior y se encontró %1; instale o actualice el controlador de la tarjeta gráfica, o el paquete libgl1-mesa-dri, que dibuja sin ella</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>a display without GLX</source>
+        <translation>una pantalla sin GLX</translation>
+    </message>
+</context>
+<context>
     <name>OwnPresets</name>
     <message>
         <source>My look %1</source>
@@ -100,21 +115,6 @@
     <message>
         <source>Cannot remove the preset %1.</source>
         <translation>El preajuste %1 no se puede eliminar.</translation>
-    </message>
-</context>
-<context>
-    <name>OpenGLProblem</name>
-    <message>
-        <source>OpenGL 3.2 or later is needed, found %1; install or update the driver of the graphics card, or the package libgl1-mesa-dri, which draws without one</source>
-        <translation>Se necesita OpenGL 3.2 o posterior y se encontró %1; instale o actualice el controlador de la tarjeta gráfica, o el paquete libgl1-mesa-dri, que dibuja sin ella</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ninguno</translation>
-    </message>
-    <message>
-        <source>a display without GLX</source>
-        <translation>una pantalla sin GLX</translation>
     </message>
 </context>
 <context>
@@ -1556,6 +1556,10 @@ no conoce los segmentos</translation>
         <source>Lights</source>
         <translation>Luces</translation>
     </message>
+    <message>
+        <source>&amp;Ask for a scan at start</source>
+        <translation>&amp;Preguntar por un estudio al iniciar</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2365,6 +2369,10 @@ ml</translation>
     <message>
         <source>Low</source>
         <translation>Bajas</translation>
+    </message>
+    <message>
+        <source>Ask for the colour of a new point</source>
+        <translation>Preguntar por el color de un punto nuevo</translation>
     </message>
 </context>
 <context>
