@@ -64,14 +64,15 @@
  * of at most second degree, such as a vtkPlane or vtkSphere. Sample distance and error tolerance do
  * not affect them. CubicInterpolation replaces linear interpolation by a spline.
  *
- * A rectilinear grid is interpolated between its own coordinates. ScalarField is not available for
- * it.
+ * A rectilinear grid is interpolated between its own coordinates. CellField and VariationField
+ * are not available for it.
  *
  * Several inputs are the volumes of a vtkMultiVolume. They may overlap, and are drawn as one
  * composite of the sum of their extinctions and emissions, each with its own matrix, property and
  * voxels. Set them up with vtkVariationFieldGPUVolumeRayCastMapper, because vtkMultiVolume asks a
  * vtkGPUVolumeRayCastMapper for its bounds. Overlapping volumes exclude masks, cropping, blanked or
- * non-finite voxels, cuts drawn as surfaces, user code, depth images and drawing in blocks.
+ * non-finite voxels, cuts drawn as surfaces, a number of steps, user code, depth images and drawing
+ * in blocks.
  *
  * An isosurface of several independent components is that of the component with the largest weight.
  *
@@ -104,9 +105,10 @@ public:
 
   enum AccelerationModes
   {
-    Off,         ///< no field: all steps have the sample distance
-    ScalarField, ///< the published field, made from the scalars and VariationTolerance
-    OpticalField ///< the field of the colours and opacities that the transfer function gives
+    Off,            ///< no field: all steps have the sample distance
+    CellField,      ///< blocks of cells in which values differ by at most VariationTolerance
+    VariationField, ///< the field published by Banquero, Ortiz and Rossi (2016), for comparison
+    OpticalField    ///< the field of the colours and opacities that the transfer function gives
   };
 
   ///@{
@@ -115,12 +117,15 @@ public:
    * invisible parts at once and cross parts of constant look in one step, with an error of at most
    * 1/255 in a premultiplied colour channel. For a maximum or minimum, rays skip what cannot change
    * the extreme found so far; sums and averages skip only if they include all scalar values.
-   * Default: OpticalField.
+   * VariationField is for linear interpolation only. It stores for each voxel the distance to the
+   * nearest voxel whose value differs by VariationTolerance or more, and a ray takes steps of that
+   * length. With PublishedSum this is the method that its authors published. Default: OpticalField.
    */
   vtkSetClampMacro(AccelerationMode, int, Off, OpticalField);
   vtkGetMacro(AccelerationMode, int);
   void SetAccelerationModeToOff() { this->SetAccelerationMode(Off); }
-  void SetAccelerationModeToScalarField() { this->SetAccelerationMode(ScalarField); }
+  void SetAccelerationModeToCellField() { this->SetAccelerationMode(CellField); }
+  void SetAccelerationModeToVariationField() { this->SetAccelerationMode(VariationField); }
   void SetAccelerationModeToOpticalField() { this->SetAccelerationMode(OpticalField); }
   ///@}
 
@@ -148,8 +153,8 @@ public:
   ///@{
   /**
    * Largest difference between two values in a block that a ray may cross in one step, in units of
-   * the scalars. Affects ScalarField only. A negative value means 1/256 of the scalars' range.
-   * Default: -1.
+   * the scalars. Affects CellField and VariationField only. A negative value means 1/256 of the
+   * scalars' range. Default: -1.
    */
   vtkSetMacro(VariationTolerance, double);
   vtkGetMacro(VariationTolerance, double);
@@ -161,7 +166,8 @@ public:
     Midpoint,      ///< second order: the segment has the value in its middle
     PreIntegrated, ///< values are linear between samples, the transfer function is exact
     Simpson,       ///< extinction is a parabola through three samples
-    PublishedSum   ///< the published sum of repeated samples, to show its error
+    PublishedSum,  ///< the sum of repeated samples of Banquero, Ortiz and Rossi (2016)
+    FirstHit       ///< MaximumNumberOfSteps samples behind the first of opacity above one half
   };
 
   ///@{
@@ -169,9 +175,10 @@ public:
    * The rule that integrates a composite between samples. If opacity or colour depend on gradients
    * or on several values, as shaded colours do, there are two rules: Midpoint, and one that is
    * linear between samples and takes four parts per segment, which all others then mean. For these
-   * materials Automatic without an error tolerance is the latter. Default: Automatic.
+   * materials Automatic without an error tolerance is the latter. FirstHit searches in steps of an
+   * eighth of the sample distance, and draws nothing in front of what it finds. Default: Automatic.
    */
-  vtkSetClampMacro(IntegrationRule, int, Automatic, PublishedSum);
+  vtkSetClampMacro(IntegrationRule, int, Automatic, FirstHit);
   vtkGetMacro(IntegrationRule, int);
   ///@}
 
@@ -235,6 +242,36 @@ public:
    */
   vtkSetClampMacro(SampleDistance, double, 1e-30, 1e30);
   vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance between samples along a ray in voxels: in units of the smallest spacing. If it is
+   * above 0, it replaces SampleDistance. Default: 0.
+   */
+  vtkSetClampMacro(SampleDistanceInVoxels, double, 0.0, 1e30);
+  vtkGetMacro(SampleDistanceInVoxels, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of sample distances after which a ray ends, from where it enters the volume or, inside
+   * of it, from the camera's near plane or FirstDistance on. For FirstHit, the number of samples.
+   * Ignored while AutoAdjustSampleDistances is on, because the sample distance is not known then.
+   * Not available for overlapping volumes. 0 is no limit. Default: 0.
+   */
+  vtkSetClampMacro(MaximumNumberOfSteps, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance from the eye at which rays begin [world units, mm], for a camera inside the volume:
+   * what is nearer is not drawn. With a parallel projection it is the distance from the plane of
+   * the camera's position. Default: 0.
+   */
+  vtkSetClampMacro(FirstDistance, double, 0.0, 1e30);
+  vtkGetMacro(FirstDistance, double);
   ///@}
 
   ///@{
@@ -527,6 +564,9 @@ protected:
   bool DrawFetchCounts = false;
   double VariationTolerance = -1.0;
   double SampleDistance = 1.0;
+  double SampleDistanceInVoxels = 0.0;
+  int MaximumNumberOfSteps = 0;
+  double FirstDistance = 0.0;
   vtkTypeBool AutoAdjustSampleDistances = 1;
   vtkTypeBool LockSampleDistanceToInputSpacing = 0;
   double EarlyTerminationTransmittance = 1.0 / 1024.0;

@@ -14,6 +14,9 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DrawFetchCounts: " << this->DrawFetchCounts << "\n";
   os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "SampleDistanceInVoxels: " << this->SampleDistanceInVoxels << "\n";
+  os << indent << "MaximumNumberOfSteps: " << this->MaximumNumberOfSteps << "\n";
+  os << indent << "FirstDistance: " << this->FirstDistance << "\n";
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
   os << indent << "LockSampleDistanceToInputSpacing: " << this->LockSampleDistanceToInputSpacing
      << "\n";

@@ -77,7 +77,7 @@ struct Row
   BenchMethod method;
   RenderOptions options;
   std::vector<BenchSetting> (*sweep)(vtkImageData*, const RenderOptions&);
-  double variation255; ///< tolerance of the scalar field, in 1/255 of the value range
+  double variation255; ///< tolerance of a field of values, in 1/255 of the value range
   Pictures pictures;   ///< the scenes to which the method applies
 };
 
@@ -86,11 +86,11 @@ constexpr MapperKind Shaders = MapperKind::VarimarchShaders;
 
 const std::vector<Row>& Rows()
 {
-  const RenderOptions scalar = With(Acceleration::ScalarField);
+  const RenderOptions cells = With(Acceleration::CellField);
   const RenderOptions optical = With(Acceleration::OpticalField);
   const RenderOptions preIntegrated = With(Acceleration::OpticalField, Integration::PreIntegrated);
   const RenderOptions simpson = With(Acceleration::OpticalField, Integration::Simpson);
-  const RenderOptions published = With(Acceleration::ScalarField, Integration::PublishedSum);
+  const RenderOptions published = With(Acceleration::VariationField, Integration::PublishedSum);
   static const std::vector<Row> rows = {
     { { "tolerance", "Varimarch, error tolerances", MapperKind::Varimarch,
         { Blue, Marker::Square, Stroke::Dashed } },
@@ -99,22 +99,22 @@ const std::vector<Row>& Rows()
       optical, FineSampleDistances, 0.0, Pictures::All },
     { { "off", "Varimarch, no field", Shaders, { SkyBlue, Marker::Diamond, Stroke::Dashed } },
       With(Acceleration::Off), SampleDistances, 0.0, Pictures::All },
-    { { "scalar-1", "Varimarch, scalar field, E 1/255", Shaders,
+    { { "cells-1", "Varimarch, cell field, E 1/255", Shaders,
         { Green, Marker::Circle, Stroke::Solid } },
-      scalar, SampleDistances, 1.0, Pictures::All },
-    { { "scalar-4", "Varimarch, scalar field, E 4/255", Shaders,
+      cells, SampleDistances, 1.0, Pictures::All },
+    { { "cells-4", "Varimarch, cell field, E 4/255", Shaders,
         { Green, Marker::Diamond, Stroke::Dashed } },
-      scalar, SampleDistances, 4.0, Pictures::All },
-    { { "scalar-10", "Varimarch, scalar field, E 10/255", Shaders,
+      cells, SampleDistances, 4.0, Pictures::All },
+    { { "cells-10", "Varimarch, cell field, E 10/255", Shaders,
         { Green, Marker::Square, Stroke::Dotted } },
-      scalar, SampleDistances, 10.0, Pictures::All },
+      cells, SampleDistances, 10.0, Pictures::All },
     { { "pre-integrated", "Varimarch, optical, pre-integrated", Shaders,
         { Purple, Marker::Circle, Stroke::Solid } },
       preIntegrated, FineSampleDistances, 0.0, Pictures::Composites },
     { { "simpson", "Varimarch, optical, Simpson", Shaders,
         { Purple, Marker::Square, Stroke::Dashed } },
       simpson, FineSampleDistances, 0.0, Pictures::UnshadedComposites },
-    { { "published", "published sum, scalar, E 4/255", Shaders,
+    { { "published", "Banquero et al. 2016, E 4/255", Shaders,
         { Orange, Marker::Diamond, Stroke::Solid } },
       published, SampleDistances, 4.0, Pictures::UnshadedComposites },
     { { "vtk-gpu", "VTK GPU mapper", MapperKind::VtkGpu,

@@ -21,7 +21,7 @@ const char* const BanqueroHead =
   "Steps are the texture fetches along a ray. The tables do not state the length of a ray, so\n"
   "here the volume's longest edge has as many samples. Table 2 does not state its steps; its\n"
   "figures are listed at 60, which the conclusion recommends. *Plain*: no field, published sum;\n"
-  "*field*: the published sum with the scalar field, E = 4/255 of the range; *ours*: the optical\n"
+  "*field*: the same with the field of variations, E = 4/255 of the range; *ours*: the optical\n"
   "field with the midpoint rule. RMSE in 1/255 of premultiplied RGBA.\n\n"
   "| volume | steps | their FPS, table 1 | plain / field, table 2 | plain [FPS] | RMSE "
   "| field [FPS] | RMSE | ours [FPS] | RMSE | field / plain | ours / plain |\n"

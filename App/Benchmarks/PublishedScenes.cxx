@@ -67,7 +67,7 @@ std::vector<BenchRun> BanqueroRuns(vtkImageData* image)
     return swept;
   };
   return { run("plain", Acceleration::Off, Integration::PublishedSum, 0.0),
-    run("field", Acceleration::ScalarField, Integration::PublishedSum, 0.0),
+    run("field", Acceleration::VariationField, Integration::PublishedSum, 0.0),
     run("ours", Acceleration::OpticalField, Integration::Midpoint,
       RenderOptions().earlyTerminationTransmittance) };
 }

@@ -15,7 +15,7 @@ namespace
 const char* const TargetsHead =
   "\n## Targets\n"
   "Our speed-up over another method, at the largest error tolerance at which our RMSE meets the\n"
-  "target. VTK's mappers and the published sum, with the scalar field and E = 4/255, take one "
+  "target. VTK's mappers and the published method, with E = 4/255, take one "
   "sample\n"
   "per voxel; our march without a field keeps a tolerance of 1/64. Means are geometric.\n\n"
   "| against | shaded | size | scenes | mean | target | least | target | least on | verdict |\n"

@@ -281,6 +281,30 @@ void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
     ->group(group);
 }
 
+void AddSpanOptions(CLI::App& command, SceneArguments& arguments, const std::string& group)
+{
+  command
+    .add_option("--sample-distance-voxels", arguments.sampleDistanceVoxels,
+      "The same in units of the smallest voxel spacing")
+    ->check(Above(0.0))
+    ->excludes("--sample-distance")
+    ->type_name("N")
+    ->group(group);
+  command
+    .add_option("--steps", arguments.mostSteps,
+      "Sample distances after which rays end, for a given distance\n"
+      "(default 0: they end behind the volume)")
+    ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
+    ->type_name("N")
+    ->group(group);
+  command
+    .add_option("--first-distance", arguments.firstDistanceMm,
+      "Distance from the eye at which rays begin, for an eye in the volume (default 0)")
+    ->check(CLI::NonNegativeNumber.description(""))
+    ->type_name("MM")
+    ->group(group);
+}
+
 void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
 {
   const std::string group = "Sampling";
@@ -304,7 +328,8 @@ void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
     ->group(group);
   command
     .add_option("--tolerance", arguments.variationTolerance,
-      "Largest difference of values that the scalar field may skip, in units of the data")
+      "Difference of values by which the fields of cells and of variations\n"
+      "limit steps, in units of the data")
     ->check(CLI::NonNegativeNumber.description(""))
     ->type_name("E")
     ->group(group);
@@ -319,6 +344,7 @@ void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
     ->group(group);
   command.add_flag("--jitter", arguments.jitter, "Offset the samples of each ray by blue noise")
     ->group(group);
+  AddSpanOptions(command, arguments, group);
 }
 
 }

@@ -88,6 +88,7 @@ void OverrideSampling(const SceneArguments& arguments, RenderOptions& render)
   if (arguments.sampleDistanceMm)
   {
     render.sampleDistanceMm = arguments.sampleDistanceMm;
+    render.sampleDistanceVoxels.reset();
   }
   render.errorTolerance = arguments.errorTolerance.value_or(render.errorTolerance);
   render.acceleration = arguments.acceleration.value_or(render.acceleration);
@@ -103,6 +104,12 @@ void OverrideSampling(const SceneArguments& arguments, RenderOptions& render)
     arguments.earlyTerminationTransmittance.value_or(render.earlyTerminationTransmittance);
   render.interpolation = arguments.interpolation.value_or(render.interpolation);
   render.jitter = arguments.jitter || render.jitter;
+  if (arguments.sampleDistanceVoxels)
+  {
+    render.sampleDistanceVoxels = arguments.sampleDistanceVoxels;
+  }
+  render.mostSteps = arguments.mostSteps.value_or(render.mostSteps);
+  render.firstDistanceMm = arguments.firstDistanceMm.value_or(render.firstDistanceMm);
 }
 
 }

@@ -38,7 +38,10 @@ struct SceneArguments
   std::optional<Acceleration> acceleration;
   std::optional<Integration> integration;
   std::optional<double> errorTolerance;     ///< error tolerance, [0, 1]
-  std::optional<double> variationTolerance; ///< tolerance of the scalar field [units of the data]
+  std::optional<double> variationTolerance; ///< tolerance of a field of values [units of the data]
+  std::optional<double> sampleDistanceVoxels; ///< sample distance in smallest spacings, > 0
+  std::optional<int> mostSteps;               ///< sample distances after which a ray ends
+  std::optional<double> firstDistanceMm;      ///< distance from the eye at which rays begin
   std::optional<double> earlyTerminationTransmittance; ///< [0, 1)
   std::optional<Interpolation> interpolation;
   bool jitter = false;

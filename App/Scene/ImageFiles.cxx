@@ -40,7 +40,7 @@ std::string DerivationOf(const PictureOrigin& origin)
   const RenderOptions& render = origin.render;
   std::ostringstream text;
   text << "Volume rendering by Varimarch, not for diagnostic use. ";
-  if (IsOurs(origin.mapper) && !render.sampleDistanceMm && render.errorTolerance > 0.0)
+  if (IsOurs(origin.mapper) && !render.HasSampleDistance() && render.errorTolerance > 0.0)
   {
     text << "Error tolerance of a colour channel: " << render.errorTolerance
          << " of full brightness.";

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace varimarch
 {
 
@@ -33,12 +35,29 @@ nlohmann::ordered_json JsonFromOptional(const std::optional<double>& number)
   return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json("auto");
 }
 
+void ReadSpan(const JsonCursor& json, RenderOptions& render)
+{
+  if (const auto voxels = json.Find("sampleDistanceVoxels"))
+  {
+    render.sampleDistanceVoxels = NumberOrAuto(*voxels, Positive);
+  }
+  if (const auto steps = json.Find("steps"))
+  {
+    render.mostSteps = steps->Integer(0, std::numeric_limits<int>::max());
+  }
+  if (const auto distance = json.Find("firstDistance"))
+  {
+    render.firstDistanceMm = distance->Number({ 0.0 });
+  }
+}
+
 }
 
 void ReadRender(const JsonCursor& json, RenderOptions& render)
 {
   json.RequireObject({ "sampleDistance", "errorTolerance", "acceleration", "integration",
-    "variationTolerance", "earlyTermination", "interpolation", "jitter" });
+    "variationTolerance", "earlyTermination", "interpolation", "jitter", "sampleDistanceVoxels",
+    "steps", "firstDistance" });
   if (const auto distance = json.Find("sampleDistance"))
   {
     render.sampleDistanceMm = NumberOrAuto(*distance, Positive);
@@ -71,6 +90,7 @@ void ReadRender(const JsonCursor& json, RenderOptions& render)
   {
     render.jitter = jitter->Boolean();
   }
+  ReadSpan(json, render);
 }
 
 nlohmann::ordered_json JsonFromRender(const RenderOptions& render)
@@ -83,7 +103,9 @@ nlohmann::ordered_json JsonFromRender(const RenderOptions& render)
     { "variationTolerance", JsonFromOptional(render.variationTolerance) },
     { "earlyTermination", render.earlyTerminationTransmittance },
     { "interpolation", NameOf(InterpolationNames(), render.interpolation) },
-    { "jitter", render.jitter } };
+    { "jitter", render.jitter },
+    { "sampleDistanceVoxels", JsonFromOptional(render.sampleDistanceVoxels) },
+    { "steps", render.mostSteps }, { "firstDistance", render.firstDistanceMm } };
 }
 
 }

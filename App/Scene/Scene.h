@@ -294,6 +294,12 @@ struct RenderOptions
   double earlyTerminationTransmittance = 1.0 / 1024; ///< [0, 1); used for an error tolerance of 0
   Interpolation interpolation = Interpolation::Linear;
   bool jitter = false; ///< offsets the samples of each ray by blue noise
+  /// Sample distance in units of the smallest spacing, > 0; replaces sampleDistanceMm.
+  std::optional<double> sampleDistanceVoxels = {};
+  int mostSteps = 0;            ///< sample distances after which a ray ends; 0: no limit
+  double firstDistanceMm = 0.0; ///< distance from the eye at which rays begin, >= 0
+
+  bool HasSampleDistance() const { return this->sampleDistanceMm || this->sampleDistanceVoxels; }
 };
 
 /// The mapper that renders a scene. Not part of the scene, since all mappers should agree.

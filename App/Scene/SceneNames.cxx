@@ -52,7 +52,8 @@ const NameTable<Blend>& BlendNames()
 const NameTable<Acceleration>& AccelerationNames()
 {
   static const NameTable<Acceleration> table = { { "off", Acceleration::Off },
-    { "scalar", Acceleration::ScalarField }, { "optical", Acceleration::OpticalField } };
+    { "cells", Acceleration::CellField }, { "variation", Acceleration::VariationField },
+    { "optical", Acceleration::OpticalField } };
   return table;
 }
 
@@ -60,7 +61,14 @@ const NameTable<Integration>& IntegrationNames()
 {
   static const NameTable<Integration> table = { { "midpoint", Integration::Midpoint },
     { "pre-integrated", Integration::PreIntegrated }, { "simpson", Integration::Simpson },
-    { "published-sum", Integration::PublishedSum } };
+    { "published-sum", Integration::PublishedSum }, { "first-hit", Integration::FirstHit } };
+  return table;
+}
+
+const NameTable<VoxelDistance>& VoxelDistanceNames()
+{
+  static const NameTable<VoxelDistance> table = { { "euclidean", VoxelDistance::Euclidean },
+    { "chebyshev", VoxelDistance::Chebyshev } };
   return table;
 }
 

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Scene_SceneNames_h
 #define Varimarch_Scene_SceneNames_h
 
+#include "Core/Fields/VariationField.h"
 #include "Scene/Scene.h"
 
 #include <string>
@@ -19,6 +20,7 @@ const NameTable<View>& ViewNames();
 const NameTable<Blend>& BlendNames();
 const NameTable<Acceleration>& AccelerationNames();
 const NameTable<Integration>& IntegrationNames();
+const NameTable<VoxelDistance>& VoxelDistanceNames();
 const NameTable<Domain>& DomainNames();
 const NameTable<Interpolation>& InterpolationNames();
 const NameTable<LightKind>& LightKindNames();

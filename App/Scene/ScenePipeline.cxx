@@ -50,8 +50,10 @@ int ModeOf(Acceleration acceleration)
   {
     case Acceleration::Off:
       return vtkVariationFieldVolumeMapper::Off;
-    case Acceleration::ScalarField:
-      return vtkVariationFieldVolumeMapper::ScalarField;
+    case Acceleration::CellField:
+      return vtkVariationFieldVolumeMapper::CellField;
+    case Acceleration::VariationField:
+      return vtkVariationFieldVolumeMapper::VariationField;
     default:
       return vtkVariationFieldVolumeMapper::OpticalField;
   }
@@ -71,6 +73,8 @@ int RuleOf(std::optional<Integration> integration)
       return vtkVariationFieldVolumeMapper::Simpson;
     case Integration::PublishedSum:
       return vtkVariationFieldVolumeMapper::PublishedSum;
+    case Integration::FirstHit:
+      return vtkVariationFieldVolumeMapper::FirstHit;
     default:
       return vtkVariationFieldVolumeMapper::Midpoint;
   }
@@ -97,8 +101,11 @@ int VtkBlendModeOf(Blend blend)
 
 void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
 {
-  mapper->SetAutoAdjustSampleDistances(!options.sampleDistanceMm);
+  mapper->SetAutoAdjustSampleDistances(!options.HasSampleDistance());
   mapper->SetSampleDistance(options.sampleDistanceMm.value_or(mapper->GetSampleDistance()));
+  mapper->SetSampleDistanceInVoxels(options.sampleDistanceVoxels.value_or(0.0));
+  mapper->SetMaximumNumberOfSteps(options.mostSteps);
+  mapper->SetFirstDistance(options.firstDistanceMm);
   mapper->SetAccelerationMode(ModeOf(options.acceleration));
   mapper->SetErrorTolerance(options.errorTolerance);
   mapper->SetIntegrationRule(RuleOf(options.integration));
@@ -107,19 +114,29 @@ void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
   mapper->SetUseJittering(options.jitter);
 }
 
-void Apply(const RenderOptions& options, vtkGPUVolumeRayCastMapper* mapper)
+// The sample distance of VTK's mappers, which know no voxels.
+double DistanceMm(const RenderOptions& options, vtkImageData* image)
 {
-  mapper->SetAutoAdjustSampleDistances(!options.sampleDistanceMm);
-  mapper->SetSampleDistance(float(options.sampleDistanceMm.value_or(1.0)));
+  const double* const spacing = image->GetSpacing();
+  return options.sampleDistanceVoxels
+    ? *options.sampleDistanceVoxels * std::min({ spacing[0], spacing[1], spacing[2] })
+    : options.sampleDistanceMm.value_or(1.0);
+}
+
+void Apply(const RenderOptions& options, vtkImageData* image, vtkGPUVolumeRayCastMapper* mapper)
+{
+  mapper->SetAutoAdjustSampleDistances(!options.HasSampleDistance());
+  mapper->SetSampleDistance(float(DistanceMm(options, image)));
   mapper->SetUseJittering(options.jitter);
 }
 
-void Apply(const RenderOptions& options, vtkFixedPointVolumeRayCastMapper* mapper)
+void Apply(
+  const RenderOptions& options, vtkImageData* image, vtkFixedPointVolumeRayCastMapper* mapper)
 {
   // By default this mapper adapts its ray spacing to a frame rate, but an image must not depend on
   // the speed of the machine. Its default sample distance is 1 mm for any voxel size.
   mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(float(options.sampleDistanceMm.value_or(1.0)));
+  mapper->SetSampleDistance(float(DistanceMm(options, image)));
 }
 
 }
@@ -320,11 +337,11 @@ void ScenePipeline::SetRenderOptions(const RenderOptions& options)
   }
   else if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(this->mapper))
   {
-    Apply(options, gpu);
+    Apply(options, this->image, gpu);
   }
   else
   {
-    Apply(options, vtkFixedPointVolumeRayCastMapper::SafeDownCast(this->mapper));
+    Apply(options, this->image, vtkFixedPointVolumeRayCastMapper::SafeDownCast(this->mapper));
   }
   this->interpolation = options.interpolation;
   this->ApplyInterpolation();

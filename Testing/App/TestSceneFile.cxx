@@ -52,8 +52,8 @@ Scene UnusualScene()
   scene.boxes = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "liver" } };
   scene.labels = { "/data/organs.seg.nrrd", "1.2.840.2",
     { { 7, "liver", { 0.5, 0.25, 0.125 }, false, 0.75 }, { -2, "", { 0.0, 1.0, 0.5 } } } };
-  scene.render = { 0.125, Acceleration::ScalarField, Integration::Simpson, 0.25, 3.5, 0.0,
-    Interpolation::Cubic, true };
+  scene.render = { 0.125, Acceleration::CellField, Integration::Simpson, 0.25, 3.5, 0.0,
+    Interpolation::Cubic, true, 2, 9, 3 };
   scene.size = { 640, 360 };
   scene.background = { 0.1, 0.2, 0.3 };
   return scene;

@@ -44,7 +44,7 @@ def render(folder):
         assert written["look"] == "ct-vessels" and written["renderer"] == renderer
         assert "--view left" in written["command"]
     assert not list(folder.glob("*.part*")), "an unfinished file is left"
-    for acceleration in ("off", "scalar", "optical"):
+    for acceleration in ("off", "cells", "variation", "optical"):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64",
             "--acceleration", acceleration)
     run("render", VOLUME, "-o", folder / "a.png", "--size", "32x32", "--error-tolerance", "0",
@@ -52,11 +52,11 @@ def render(folder):
     blocks = json.loads((folder / "blocks.json").read_text())
     assert blocks["blockUploads"] > 1 and blocks["graphicsMemoryBytes"] <= 1e5, blocks
     rules = set()
-    for rule in ("midpoint", "pre-integrated", "simpson", "published-sum"):
+    for rule in ("midpoint", "pre-integrated", "simpson", "published-sum", "first-hit"):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", "--no-shade",
             "--integration", rule, "--sample-distance", "4")
         rules.add((folder / "a.png").read_bytes())
-    assert len(rules) == 4, "two rules draw the same picture"
+    assert len(rules) == 5, "two rules draw the same picture"
     pictures = {}
     for option in (None, "--shade", "--no-shade"):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", *filter(None, [option]))
@@ -162,6 +162,18 @@ def convert(folder):
     assert "cannot be written" in message, message
 
 
+def limited_rays(folder):
+    pictures = set()
+    for options in ((), ("--steps", "9"), ("--first-distance", "260")):
+        run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", "--no-shade",
+            "--sample-distance-voxels", "1", *options)
+        pictures.add((folder / "a.png").read_bytes())
+    assert len(pictures) == 3, "an option has no effect"
+    _, message = run("render", VOLUME, "-o", folder / "a.png", "--sample-distance", "1",
+                     "--sample-distance-voxels", "1", expect=2)
+    assert "excludes" in message, message
+
+
 def usage(folder):
     for arguments in ([], ["render"], ["rendr"], ["render", VOLUME], ["info", VOLUME, "--bins", "0"],
                       ["compare", VOLUME, "-o", folder, "--rounds", "none"]):
@@ -171,7 +183,7 @@ def usage(folder):
         (["--preset", "ct-bones"], 'did you mean "ct-bone"?'),
         (["--size", "12y3"], "such as 800x600"),
         (["--sample-distance", "0"], "expected a number > 0"),
-        (["--acceleration", "none"], "known: off, scalar, optical"),
+        (["--acceleration", "none"], "known: off, cells, variation, optical"),
     ):
         _, errors = run("render", VOLUME, "-o", folder / "a.png", *arguments, expect=2)
         assert message in errors, errors
@@ -217,6 +229,6 @@ def interrupt(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (render, render_dicom, compare, compare_with_every_blend, info, convert, usage,
-                 errors, interrupt)
+        cases = (render, render_dicom, compare, compare_with_every_blend, info, convert,
+                 limited_rays, usage, errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

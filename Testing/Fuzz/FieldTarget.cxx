@@ -56,13 +56,23 @@ void ForEach(glm::ivec3 count, Action action)
 template <class Scalar>
 void RequireVariation(const OwnedVolume<Scalar>& volume, double tolerance)
 {
-  const VariationField field = BuildVariationField(volume.Grid(), tolerance);
+  const CellField field = BuildCellField(volume.Grid(), tolerance);
   ForEach(field.cellCount,
     [&](glm::ivec3 cell, std::size_t i)
     {
       Require(int(field.cells[i]) == SizeByBruteForce(volume, cell, tolerance),
-        "a block of the variation field is not the largest that keeps the tolerance");
+        "a block of the cell field is not the largest that keeps the tolerance");
     });
+  for (const VoxelDistance kind : { VoxelDistance::Euclidean, VoxelDistance::Chebyshev })
+  {
+    const VariationField distances = BuildVariationField(volume.Grid(), tolerance, kind);
+    ForEach(distances.voxelCount,
+      [&](glm::ivec3 voxel, std::size_t i)
+      {
+        Require(int(distances.voxels[i]) == DistanceByBruteForce(volume, voxel, tolerance, kind),
+          "a distance of the variation field is not that to the nearest different voxel");
+      });
+  }
 }
 
 /// True if a value absorbs, however its place in the table is rounded.

@@ -47,12 +47,14 @@ Acceleration ChosenAcceleration(ChosenNumbers& numbers, const RenderSettings& se
 {
   const bool isOne = settings.components == Components::One;
   const bool sums = IsProjection(settings.blend) && !settings.nearest;
-  switch (numbers.Integer(0, 2))
+  const bool mayUseValues = isOne && IsSampled(settings) && !settings.uneven;
+  switch (numbers.Integer(0, 3))
   {
     case 0:
-      return isOne && IsSampled(settings) && !settings.uneven ? Acceleration::ScalarField
-                                                              : Acceleration::Off;
+      return mayUseValues ? Acceleration::CellField : Acceleration::Off;
     case 1:
+      return mayUseValues && !settings.cubic ? Acceleration::VariationField : Acceleration::Off;
+    case 2:
       return settings.blend == Blend::Composite || settings.blend == Blend::Isosurface ||
           (isOne && (IsExtreme(settings.blend) || sums))
         ? Acceleration::OpticalField
@@ -72,7 +74,8 @@ void ChooseImage(ChosenNumbers& numbers, RenderSettings& settings)
   settings.countFetches = numbers.Integer(0, 7) == 0;
   settings.sceneGeometry = numbers.Flag();
   settings.integration = numbers.Of({ Integration::Midpoint, Integration::PreIntegrated,
-    Integration::Simpson, Integration::PublishedSum });
+    Integration::Simpson, Integration::PublishedSum, Integration::FirstHit });
+  settings.limitsSpan = numbers.Flag();
   settings.clipping = numbers.Flag();
   settings.cropping = numbers.Flag();
   settings.clippedGradients = settings.clipping && isOne && numbers.Flag();

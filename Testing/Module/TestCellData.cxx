@@ -81,7 +81,7 @@ class CellDataOfBlend : public testing::TestWithParam<int>
 TEST_P(CellDataOfBlend, IsTheTruth)
 {
   for (const int mode :
-    { vtkVariationFieldVolumeMapper::ScalarField, vtkVariationFieldVolumeMapper::OpticalField })
+    { vtkVariationFieldVolumeMapper::CellField, vtkVariationFieldVolumeMapper::OpticalField })
   {
     MapperScene scene(TorsoOfCells(), CellDataSize);
     scene.mapper->SetBlendMode(GetParam());

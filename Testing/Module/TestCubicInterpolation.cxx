@@ -158,7 +158,7 @@ TEST_P(CubicFields, NeverJumpOverWhatTheSplineShows)
 
 INSTANTIATE_TEST_SUITE_P(Fields, CubicFields,
   testing::Values(
-    vtkVariationFieldVolumeMapper::ScalarField + 0, vtkVariationFieldVolumeMapper::OpticalField));
+    vtkVariationFieldVolumeMapper::CellField + 0, vtkVariationFieldVolumeMapper::OpticalField));
 
 TEST(Cubic, MeetsWithoutASeamBetweenBlocks)
 {

@@ -44,7 +44,7 @@ template <class Test>
 void ForEveryRecipe(MapperScene& scene, Test test)
 {
   vtkVolumeProperty* const property = scene.volume->GetProperty();
-  for (int acceleration : { Mapper::Off, Mapper::ScalarField, Mapper::OpticalField })
+  for (int acceleration : { Mapper::Off, Mapper::CellField, Mapper::OpticalField })
   {
     scene.mapper->SetAccelerationMode(acceleration);
     scene.mapper->SetBlendModeToComposite();

@@ -105,7 +105,7 @@ void ExpectTheSameBesideFills(const std::vector<Fill>& fills, Prepare prepare)
 
 TEST(FarValues, ChangeNoRayThatMissesThem)
 {
-  for (const int acceleration : { Mapper::Off, Mapper::ScalarField, Mapper::OpticalField })
+  for (const int acceleration : { Mapper::Off, Mapper::CellField, Mapper::OpticalField })
   {
     SCOPED_TRACE(acceleration);
     ExpectTheSameBesideFills(

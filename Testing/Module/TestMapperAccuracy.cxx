@@ -61,7 +61,7 @@ TEST_P(MapperAccuracy, ShadedCompositeIsWithinHalfAGreyLevelOfTheTruth)
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryField, MapperAccuracy,
-  testing::Values(int(Mapper::Off), int(Mapper::ScalarField), int(Mapper::OpticalField)));
+  testing::Values(int(Mapper::Off), int(Mapper::CellField), int(Mapper::OpticalField)));
 
 class ExtremeAccuracy : public testing::TestWithParam<int>
 {

@@ -111,10 +111,10 @@ TEST(Rebuilds, AReplacedFunctionCountsAsAChangeHoweverOldItIs)
     (Counts{ 0, 0, 1, 1, 0 }));
 }
 
-TEST(Rebuilds, TheScalarFieldIsIndependentOfTheTransferFunction)
+TEST(Rebuilds, TheCellFieldIsIndependentOfTheTransferFunction)
 {
   MapperScene scene(SmallTorso());
-  scene.mapper->SetAccelerationModeToScalarField();
+  scene.mapper->SetAccelerationModeToCellField();
   EXPECT_EQ(
     BuiltBy(scene, [&] { scene.opacities->AddPoint(300.0, 0.3); }), (Counts{ 0, 0, 0, 1, 0 }));
   EXPECT_EQ(
@@ -161,7 +161,7 @@ TEST(Resources, NothingIsResidentThatTheSceneDoesNotNeed)
   scene.window->Render();
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), volumeBytes + tableBytes + brickBytes);
 
-  scene.mapper->SetAccelerationModeToScalarField();
+  scene.mapper->SetAccelerationModeToCellField();
   scene.window->Render();
   EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), volumeBytes + tableBytes + cellBytes);
 

@@ -50,7 +50,7 @@ class NearestOfBlend : public testing::TestWithParam<int>
 TEST_P(NearestOfBlend, IsTheTruthWhateverTheField)
 {
   for (const int mode : { vtkVariationFieldVolumeMapper::Off,
-         vtkVariationFieldVolumeMapper::ScalarField, vtkVariationFieldVolumeMapper::OpticalField })
+         vtkVariationFieldVolumeMapper::CellField, vtkVariationFieldVolumeMapper::OpticalField })
   {
     SCOPED_TRACE(mode);
     MapperScene scene(SmallTorso(), NearestSize);

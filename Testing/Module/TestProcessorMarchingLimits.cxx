@@ -76,8 +76,7 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
         s.mapper->SetBlendModeToMaximumIntensity();
       } },
     Change{ "Simpson", [](MapperScene& s) { s.mapper->SetIntegrationRule(Mapper::Simpson); } },
-    Change{
-      "TheScalarField", [](MapperScene& s) { s.mapper->SetAccelerationModeToScalarField(); } },
+    Change{ "TheCellField", [](MapperScene& s) { s.mapper->SetAccelerationModeToCellField(); } },
     Change{ "AMaskOfOtherSize", UseFinerMask },
     Change{ "LightOnCuts",
       [](MapperScene& s)

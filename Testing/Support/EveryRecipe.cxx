@@ -10,6 +10,9 @@ namespace varimarch
 namespace
 {
 
+constexpr Acceleration EveryAcceleration[] = { Acceleration::Off, Acceleration::CellField,
+  Acceleration::VariationField, Acceleration::OpticalField };
+
 std::vector<RenderSettings> RecipesOfPictures()
 {
   std::vector<RenderSettings> recipes;
@@ -21,10 +24,10 @@ std::vector<RenderSettings> RecipesOfPictures()
       recipes.back().pass = pass;
     }
   }
-  for (Acceleration acceleration :
-    { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
+  for (Acceleration acceleration : EveryAcceleration)
   {
     recipes.push_back({ Blend::Composite, acceleration });
+    recipes.back().limitsSpan = true;
     recipes.back().jitter = true;
     recipes.back().windowLevel = true;
   }
@@ -223,7 +226,7 @@ std::vector<RenderSettings> RecipesOfSeveralVolumes()
   mixture.components = Components::Independent;
   mixture.componentCount = 3;
   RenderSettings two = one;
-  two.acceleration = Acceleration::ScalarField;
+  two.acceleration = Acceleration::CellField;
   two.functionOf = FunctionOf::ValueAndGradient;
   two.cubic = true;
   std::vector<RenderSettings> recipes;
@@ -233,6 +236,9 @@ std::vector<RenderSettings> RecipesOfSeveralVolumes()
     recipes.push_back(first);
   };
   add(one, { one });
+  RenderSettings spanned = one;
+  spanned.limitsSpan = true;
+  add(spanned, { one });
   add(one, { lit });
   add(lit, { nearest });
   add(nearest, { nearest, nearest });
@@ -294,13 +300,12 @@ std::vector<RenderSettings> EveryRecipe()
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }
-  for (Acceleration acceleration :
-    { Acceleration::Off, Acceleration::ScalarField, Acceleration::OpticalField })
+  for (Acceleration acceleration : EveryAcceleration)
   {
     for (bool sceneGeometry : { false, true })
     {
       for (Integration integration : { Integration::Midpoint, Integration::PreIntegrated,
-             Integration::Simpson, Integration::PublishedSum })
+             Integration::Simpson, Integration::PublishedSum, Integration::FirstHit })
       {
         recipes.push_back({ Blend::Composite, acceleration, false, sceneGeometry, integration });
       }

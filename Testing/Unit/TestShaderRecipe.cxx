@@ -38,12 +38,14 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
       "Classify/OpticalTable.glsl", "Blend/Composite.glsl", "Loop/Segments.glsl",
       "FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
       "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
-      "RayMarch.frag.glsl" }));
+      "Span/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
 {
-  EXPECT_EQ(Changed({ Blend::Composite, Acceleration::ScalarField, false, false }),
+  EXPECT_EQ(Changed({ Blend::Composite, Acceleration::CellField, false, false }),
+    Parts{ "Step/CellField.glsl" });
+  EXPECT_EQ(Changed({ Blend::Composite, Acceleration::VariationField, false, false }),
     Parts{ "Step/VariationField.glsl" });
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::OpticalField, false, false }),
     Parts{ "Step/OpticalField.glsl" });
@@ -127,6 +129,9 @@ TEST(ShaderRecipe, GapsTakeTheirWalkAndWhatFillsThem)
 
 TEST(ShaderRecipe, VolumesWithoutGapsHaveNothingToFill)
 {
+  RenderSettings spanned = plain;
+  spanned.limitsSpan = true;
+  EXPECT_EQ(Changed(spanned), Parts{ "Span/Limited.glsl" });
   RenderSettings settings;
   settings.fillGaps = true;
   EXPECT_EQ(FragmentShaderParts(settings), FragmentShaderParts(RenderSettings()));
@@ -149,7 +154,9 @@ TEST(ShaderRecipe, ARuleOfIntegrationIsItsMarchAndWhatThatLooksUp)
   EXPECT_EQ(marchOf(Integration::Simpson),
     (Parts{ "Classify/OpticalTable.glsl", "Loop/Segments.glsl", "March/Simpson.glsl" }));
   EXPECT_EQ(marchOf(Integration::PublishedSum),
-    (Parts{ "Classify/OpticalTable.glsl", "Loop/Segments.glsl", "March/PublishedSum.glsl" }));
+    (Parts{ "Classify/OpticalTable.glsl", "March/PublishedSum.glsl" }));
+  EXPECT_EQ(
+    marchOf(Integration::FirstHit), (Parts{ "Classify/OpticalTable.glsl", "March/FirstHit.glsl" }));
 }
 
 TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
@@ -161,7 +168,7 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
       "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
       "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl", "Loop/Cells.glsl",
       "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl",
-      "Window/None.glsl", "Resume/Whole.glsl", "RayMarch.frag.glsl" }));
+      "Window/None.glsl", "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, ExactMarchesTakeNoSampleSteps)
@@ -215,7 +222,7 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
       "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
       "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
       "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl", "March/Several.glsl",
-      "Mask/None.glsl", "Crop/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
+      "Mask/None.glsl", "Crop/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "Span/None.glsl",
       "RayMarch.frag.glsl" }));
 }
 
@@ -226,7 +233,8 @@ TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
   EXPECT_EQ(FragmentShaderParts(settings),
     (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
       "VolumeTextures.glsl", "VolumeSlots.glsl", "Depth/None.glsl", "Clip/None.glsl",
-      "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl", "RayMarch.frag.glsl" }));
+      "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl", "Span/None.glsl",
+      "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -13,24 +12,18 @@ using namespace varimarch;
 namespace
 {
 
+/// A volume of values below `values`, with a few voxels of other values among them.
 template <class Scalar>
-std::size_t Count(const OwnedVolume<Scalar>& volume)
-{
-  return volume.Grid().VoxelCount();
-}
-
-/// Flat regions of all sizes with a few bumps between them, so that every radius occurs.
-template <class Scalar>
-OwnedVolume<Scalar> BumpyVolume(glm::ivec3 dimensions, int bumps, unsigned seed)
+OwnedVolume<Scalar> VariedVolume(glm::ivec3 dimensions, int values, int others, unsigned seed)
 {
   OwnedVolume<Scalar> volume{ dimensions, {} };
   std::mt19937 random(seed);
-  volume.voxels.resize(Count(volume));
+  volume.voxels.resize(volume.Grid().VoxelCount());
   for (Scalar& voxel : volume.voxels)
   {
-    voxel = Scalar(random() % 3);
+    voxel = Scalar(random() % values);
   }
-  for (int i = 0; i < bumps; ++i)
+  for (int i = 0; i < others; ++i)
   {
     volume.voxels[random() % volume.voxels.size()] = Scalar(10 + random() % 90);
   }
@@ -38,25 +31,21 @@ OwnedVolume<Scalar> BumpyVolume(glm::ivec3 dimensions, int bumps, unsigned seed)
 }
 
 template <class Scalar>
-void ExpectFieldEqualsBruteForce(const OwnedVolume<Scalar>& volume, double tolerance)
+void ExpectDefinitionHolds(const OwnedVolume<Scalar>& volume, double tolerance)
 {
-  const VariationField field = BuildVariationField(volume.Grid(), tolerance);
-  ASSERT_EQ(field.cellCount, volume.Grid().CellCount());
-  std::size_t i = 0;
-  for (int z = 0; z < field.cellCount.z; ++z)
+  for (const VoxelDistance kind : { VoxelDistance::Euclidean, VoxelDistance::Chebyshev })
   {
-    for (int y = 0; y < field.cellCount.y; ++y)
+    const VariationField field = BuildVariationField(volume.Grid(), tolerance, kind);
+    ASSERT_EQ(field.voxelCount, volume.dimensions);
+    const glm::ivec3 count = volume.dimensions;
+    for (int i = 0; i < count.x * count.y * count.z; ++i)
     {
-      for (int x = 0; x < field.cellCount.x; ++x, ++i)
-      {
-        ASSERT_EQ(int(field.cells[i]), SizeByBruteForce(volume, { x, y, z }, tolerance))
-          << "cell " << x << " " << y << " " << z << " of " << volume.dimensions.x << " x "
-          << volume.dimensions.y << " x " << volume.dimensions.z;
-      }
+      const glm::ivec3 voxel(i % count.x, i / count.x % count.y, i / count.x / count.y);
+      ASSERT_EQ(int(field.voxels[i]), DistanceByBruteForce(volume, voxel, tolerance, kind))
+        << "voxel " << voxel.x << " " << voxel.y << " " << voxel.z << " of " << count.x << " x "
+        << count.y << " x " << count.z << ", distance " << int(kind);
     }
   }
-}
-
 }
 
 template <class Scalar>
@@ -64,111 +53,92 @@ class VariationFieldOf : public testing::Test
 {
 };
 
-using ScalarTypes = testing::Types<char, signed char, unsigned char, short, unsigned short, int,
+using VoxelTypes = testing::Types<char, signed char, unsigned char, short, unsigned short, int,
   unsigned int, long, unsigned long, long long, unsigned long long, float, double>;
-TYPED_TEST_SUITE(VariationFieldOf, ScalarTypes);
+TYPED_TEST_SUITE(VariationFieldOf, VoxelTypes);
 
-TYPED_TEST(VariationFieldOf, HoldsTheLargestBlockThatKeepsTheTolerance)
+}
+
+TYPED_TEST(VariationFieldOf, HoldsTheDistanceToTheNearestDifferentVoxel)
 {
-  ExpectFieldEqualsBruteForce(BumpyVolume<TypeParam>({ 17, 10, 13 }, 6, 1), 2.0);
-  ExpectFieldEqualsBruteForce(BumpyVolume<TypeParam>({ 17, 10, 13 }, 6, 2), 1.5);
+  ExpectDefinitionHolds(VariedVolume<TypeParam>({ 17, 10, 13 }, 3, 6, 1), 3.0);
+  ExpectDefinitionHolds(VariedVolume<TypeParam>({ 11, 16, 9 }, 3, 4, 2), 2.5);
+  ExpectDefinitionHolds(VariedVolume<TypeParam>({ 12, 7, 8 }, 100, 0, 3), 40.0);
 }
 
 TYPED_TEST(VariationFieldOf, NeverOverflows)
 {
   using Limits = std::numeric_limits<TypeParam>;
-  OwnedVolume<TypeParam> volume = BumpyVolume<TypeParam>({ 6, 5, 4 }, 0, 3);
+  OwnedVolume<TypeParam> volume = VariedVolume<TypeParam>({ 6, 5, 4 }, 3, 0, 4);
   volume.voxels[30] = Limits::lowest();
   volume.voxels[90] = Limits::max();
-  ExpectFieldEqualsBruteForce(volume, 2.0);
-  ExpectFieldEqualsBruteForce(volume, double(Limits::max()));
+  ExpectDefinitionHolds(volume, 3.0);
+  ExpectDefinitionHolds(volume, double(Limits::max()));
 }
 
-/// Values at any two positions in the block of a cell differ by at most the tolerance.
-TYPED_TEST(VariationFieldOf, KeepsThePromiseForInterpolatedValues)
-{
-  const OwnedVolume<TypeParam> volume = BumpyVolume<TypeParam>({ 19, 14, 16 }, 5, 4);
-  const ScalarGrid<TypeParam> grid = volume.Grid();
-  const VariationField field = BuildVariationField(grid, 2.0);
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> fraction(0.0, 1.0);
-  for (int i = 0; i < 20000; ++i)
-  {
-    const std::size_t index = random() % field.cells.size();
-    if (field.cells[index] == 0)
-    {
-      continue;
-    }
-    const glm::dvec3 cell(int(index) % field.cellCount.x,
-      int(index) / field.cellCount.x % field.cellCount.y,
-      int(index) / field.cellCount.x / field.cellCount.y);
-    const double radius = field.cells[index] - 1;
-    const auto position = [&]
-    {
-      const glm::dvec3 place(fraction(random), fraction(random), fraction(random));
-      return cell - radius + place * (2.0 * radius + 1.0);
-    };
-    ASSERT_LE(std::abs(grid.Value(position()) - grid.Value(position())), 2.0 + 1e-12);
-  }
-}
-
-TEST(VariationField, IsTheLargestAtAllFacesOfFlatAndOddVolumes)
+TEST(VariationField, HoldsItsDefinitionInFlatAndOddVolumes)
 {
   for (const glm::ivec3 dimensions : { glm::ivec3(1), glm::ivec3(1, 1, 40), glm::ivec3(40, 1, 1),
          glm::ivec3(1, 31, 22), glm::ivec3(23, 2, 31), glm::ivec3(3, 21, 1), glm::ivec3(2),
          glm::ivec3(33, 31, 2), glm::ivec3(20, 21, 19) })
   {
-    for (const int bumps : { 1, 3 })
+    for (const int others : { 1, 3 })
     {
-      ExpectFieldEqualsBruteForce(BumpyVolume<short>(dimensions, bumps, 6), 2.0);
+      ExpectDefinitionHolds(VariedVolume<short>(dimensions, 3, others, 5), 3.0);
     }
   }
 }
 
-TEST(VariationField, ReachesItsLargestRadiusAndNoFarther)
+TEST(VariationField, EndsAtItsFarthestDistance)
 {
   for (const glm::ivec3 dimensions :
     { glm::ivec3(600, 2, 1), glm::ivec3(1, 600, 2), glm::ivec3(2, 1, 600) })
   {
-    ExpectFieldEqualsBruteForce(BumpyVolume<unsigned char>(dimensions, 1, 7), 2.0);
-    ExpectFieldEqualsBruteForce(BumpyVolume<unsigned char>(dimensions, 3, 8), 2.0);
-    ExpectFieldEqualsBruteForce(BumpyVolume<unsigned char>(dimensions, 0, 9), 2.0);
+    ExpectDefinitionHolds(VariedVolume<unsigned char>(dimensions, 3, 1, 6), 3.0);
+    ExpectDefinitionHolds(VariedVolume<unsigned char>(dimensions, 3, 0, 7), 3.0);
   }
 }
 
-TEST(VariationField, ConstantVolumeIsOneBlockAtToleranceZero)
+TEST(VariationField, CountsADifferenceOfExactlyTheTolerance)
 {
-  const OwnedVolume<float> volume{ { 9, 8, 7 }, std::vector<float>(9 * 8 * 7, 1e30f) };
-  const VariationField field = BuildVariationField(volume.Grid(), 0.0);
-  EXPECT_EQ(std::count(field.cells.begin(), field.cells.end(), VariationField::LargestRadius + 1),
-    std::ptrdiff_t(field.cells.size()));
+  const OwnedVolume<float> volume{ { 4, 1, 1 }, { 0.0f, 0.0f, 1.0f, 0.0f } };
+  const auto build = [&](double tolerance)
+  { return BuildVariationField(volume.Grid(), tolerance, VoxelDistance::Euclidean).voxels; };
+  EXPECT_EQ(build(1.0), (std::vector<std::uint8_t>{ 2, 1, 1, 1 }));
+  EXPECT_EQ(build(1.0 + 1e-9), std::vector<std::uint8_t>(4, VariationField::Farthest));
+  EXPECT_EQ(build(0.0), std::vector<std::uint8_t>(4, 1)) << "no two voxels differ by less than 0";
 }
 
-TEST(VariationField, NonFiniteVoxelsTouchOnlyTheBlocksThatHoldThem)
+TEST(VariationField, SeparatesABallFromACube)
+{
+  // The only different voxel is two voxels away along each axis: 2 in a cube, 3.46 in a ball.
+  OwnedVolume<float> volume{ { 3, 3, 3 }, std::vector<float>(27) };
+  volume.voxels.back() = 9.0f;
+  const auto first = [&](VoxelDistance kind)
+  { return int(BuildVariationField(volume.Grid(), 1.0, kind).voxels.front()); };
+  EXPECT_EQ(first(VoxelDistance::Euclidean), 3);
+  EXPECT_EQ(first(VoxelDistance::Chebyshev), 2);
+}
+
+TEST(VariationField, DiffersFromNonFiniteVoxelsAtAnyTolerance)
 {
   for (const double bad : { std::nan(""), infinity, -infinity })
   {
-    OwnedVolume<double> volume = BumpyVolume<double>({ 12, 11, 10 }, 0, 10);
-    volume.voxels[3 + 12 * (4 + 11 * 5)] = bad;
-    volume.voxels[4 + 12 * (4 + 11 * 5)] = bad;
-    for (const double tolerance : { 2.0, 1e300, infinity })
-    {
-      ExpectFieldEqualsBruteForce(volume, tolerance);
-    }
+    OwnedVolume<double> volume = VariedVolume<double>({ 9, 8, 7 }, 3, 0, 8);
+    volume.voxels[200] = bad;
+    ExpectDefinitionHolds(volume, 3.0);
+    ExpectDefinitionHolds(volume, infinity);
+    EXPECT_EQ(
+      int(BuildVariationField(volume.Grid(), infinity, VoxelDistance::Euclidean).voxels[200]), 1);
   }
 }
 
-TEST(VariationField, InfiniteToleranceAcceptsEverythingFinite)
+TEST(VariationField, RefusesBadTolerances)
 {
-  const OwnedVolume<int> volume = BumpyVolume<int>({ 9, 8, 7 }, 50, 11);
-  const VariationField field = BuildVariationField(volume.Grid(), infinity);
-  EXPECT_EQ(
-    *std::min_element(field.cells.begin(), field.cells.end()), VariationField::LargestRadius + 1);
-}
-
-TEST(VariationField, BadTolerancesAreRefused)
-{
-  const OwnedVolume<int> volume = BumpyVolume<int>({ 2, 2, 2 }, 0, 12);
-  EXPECT_THROW(BuildVariationField(volume.Grid(), -1.0), std::invalid_argument);
-  EXPECT_THROW(BuildVariationField(volume.Grid(), std::nan("")), std::invalid_argument);
+  const OwnedVolume<float> volume{ { 2, 2, 2 }, std::vector<float>(8) };
+  for (const double bad : { -1.0, std::nan("") })
+  {
+    EXPECT_THROW(
+      BuildVariationField(volume.Grid(), bad, VoxelDistance::Euclidean), std::invalid_argument);
+  }
 }

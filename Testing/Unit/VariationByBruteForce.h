@@ -1,66 +1,48 @@
 #ifndef Varimarch_Testing_VariationByBruteForce_h
 #define Varimarch_Testing_VariationByBruteForce_h
 
+#include "CellFieldByBruteForce.h"
+
 #include "Core/Fields/VariationField.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include <glm/common.hpp>
 
 namespace varimarch
 {
 
-/// A volume that owns its voxels.
-template <class Scalar>
-struct OwnedVolume
+/// True if |p - q| < distance, computed in whole numbers.
+inline bool IsCloser(glm::ivec3 p, glm::ivec3 q, int distance, VoxelDistance kind)
 {
-  glm::ivec3 dimensions;
-  std::vector<Scalar> voxels;
+  const glm::ivec3 apart = glm::abs(p - q);
+  return kind == VoxelDistance::Chebyshev
+    ? std::max({ apart.x, apart.y, apart.z }) < distance
+    : apart.x * apart.x + apart.y * apart.y + apart.z * apart.z < distance * distance;
+}
 
-  ScalarGrid<Scalar> Grid() const { return { voxels.data(), dimensions }; }
-};
-
-/// Difference of the extreme voxels of a block in long double, which is exact for all types here.
+/// The definition: the largest distance for which no closer voxel differs by E or more.
 template <class Scalar>
-long double BlockVariation(const OwnedVolume<Scalar>& volume, glm::ivec3 cell, int radius)
+int DistanceByBruteForce(
+  const OwnedVolume<Scalar>& volume, glm::ivec3 voxel, double tolerance, VoxelDistance kind)
 {
-  const glm::ivec3 lower = glm::max(cell - radius, glm::ivec3(0));
-  const glm::ivec3 upper = glm::min(cell + radius + 1, volume.dimensions - 1);
-  long double lowest = std::numeric_limits<long double>::infinity();
-  long double highest = -lowest;
-  for (int z = lower.z; z <= upper.z; ++z)
+  int largest = VariationField::Farthest;
+  const double value = double(volume.Grid().Voxel(voxel));
+  std::size_t i = 0;
+  for (int z = 0; z < volume.dimensions.z; ++z)
   {
-    for (int y = lower.y; y <= upper.y; ++y)
+    for (int y = 0; y < volume.dimensions.y; ++y)
     {
-      for (int x = lower.x; x <= upper.x; ++x)
+      for (int x = 0; x < volume.dimensions.x; ++x, ++i)
       {
-        const Scalar voxel = volume.Grid().Voxel({ x, y, z });
-        if (!std::isfinite(double(voxel)))
+        const glm::ivec3 other(x, y, z);
+        const bool differs = !(std::abs(double(volume.voxels[i]) - value) < tolerance);
+        while (differs && other != voxel && IsCloser(voxel, other, largest, kind))
         {
-          return std::numeric_limits<long double>::infinity();
+          --largest;
         }
-        lowest = std::min<long double>(lowest, voxel);
-        highest = std::max<long double>(highest, voxel);
       }
     }
   }
-  return highest - lowest;
-}
-
-/// The definition, by trying one radius after the other.
-template <class Scalar>
-int SizeByBruteForce(const OwnedVolume<Scalar>& volume, glm::ivec3 cell, double tolerance)
-{
-  const long double limit = std::min(tolerance, std::numeric_limits<double>::max());
-  const int whole = std::max({ volume.dimensions.x, volume.dimensions.y, volume.dimensions.z });
-  int size = 0;
-  while (size <= VariationField::LargestRadius && size <= whole &&
-    BlockVariation(volume, cell, size) <= limit)
-  {
-    ++size;
-  }
-  return size > whole ? VariationField::LargestRadius + 1 : size;
+  return largest;
 }
 
 }

@@ -63,8 +63,16 @@ struct QualityRequest
   ErrorBudget budget;
   bool choosesIntegration = false; ///< True if a trial may choose the integration rule.
   double sampleDistanceMm = 0.0;   ///< The sample distance, unless a tolerance chooses it.
-  double variationTolerance = 0.0; ///< The scalar field's tolerance; negative: from the range.
+  double variationTolerance =
+    0.0; ///< The tolerance of a field of values; negative: from the range.
   double earlyTerminationTransmittance = 0.0; ///< The transmittance at which a ray ends.
+};
+
+/// The part of a ray that is marched, if not all of it in the volume.
+struct SpanRequest
+{
+  double firstDistanceMm = 0.0; ///< The distance from the eye at which rays begin.
+  int mostSteps = 0;            ///< The number of sample distances that rays go; 0: no limit.
 };
 
 /// The image that is made from the rays.
@@ -106,6 +114,7 @@ struct Frame
   RenderSettings settings; ///< The part of the recipe that the request determines.
   MaterialRequest material;
   QualityRequest quality;
+  SpanRequest span;
   ImageRequest image;
   AccumulationRequest accumulation;
   RequestedPass pass;

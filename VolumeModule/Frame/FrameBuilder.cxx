@@ -82,9 +82,13 @@ Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings
   const bool sums = IsProjection(settings.blend) && !settings.nearest;
   switch (accelerationMode)
   {
-    case vtkVariationFieldVolumeMapper::ScalarField:
-      // The scalar field describes interpolated values of one component only.
-      return one && IsSampled(settings) ? Acceleration::ScalarField : Acceleration::Off;
+    case vtkVariationFieldVolumeMapper::CellField:
+      // The cell field describes interpolated values of one component only.
+      return one && IsSampled(settings) ? Acceleration::CellField : Acceleration::Off;
+    case vtkVariationFieldVolumeMapper::VariationField:
+      // Coefficients of a spline are not values.
+      return one && IsSampled(settings) && !settings.cubic ? Acceleration::VariationField
+                                                           : Acceleration::Off;
     case vtkVariationFieldVolumeMapper::OpticalField:
       // A projection of several components has a result for each of them, and a brick could be
       // skipped only if it changed none. A slice is sampled only once per ray.
@@ -202,7 +206,7 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
     throw std::runtime_error("Masks of rectilinear grids are not supported");
   }
   frame.settings.uneven = true;
-  if (frame.settings.acceleration == Acceleration::ScalarField)
+  if (IsOfValues(frame.settings.acceleration))
   {
     frame.settings.acceleration = Acceleration::Off; // fields need cells of equal size
   }
@@ -276,6 +280,7 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   frame.device.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
   ApplyImageSettings(mapper, renderer, prop, frame);
   ChooseQuality(mapper, frame);
+  ChooseSpan(mapper, frame);
   return frame;
 }
 

@@ -33,6 +33,7 @@ void CheckTogether(const Frame& frame, vtkVariationFieldVolumeMapper* mapper)
     { settings.clippedGradients, "cuts drawn as surfaces" },
     { frame.voxels.blanking.Any(), "blanked voxels" },
     { !frame.userCode.IsEmpty(), "user shader code" },
+    { frame.span.mostSteps > 0, "a number of steps" },
     { settings.countFetches, "fetch counts" },
     { settings.pass == RayPass::PickVoxel, "a selection of points or cells" },
     { frame.image.toImages, "a depth image" },

@@ -19,6 +19,8 @@ Integration IntegrationOf(int integrationRule)
       return Integration::Simpson;
     case vtkVariationFieldVolumeMapper::PublishedSum:
       return Integration::PublishedSum;
+    case vtkVariationFieldVolumeMapper::FirstHit:
+      return Integration::FirstHit;
   }
   return Integration::Midpoint;
 }
@@ -46,6 +48,13 @@ ErrorBudget BudgetOf(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
   return budget;
 }
 
+// The sample distance that the user sets.
+double ChosenSampleDistanceMm(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
+{
+  const double voxels = mapper->GetSampleDistanceInVoxels();
+  return voxels > 0.0 ? voxels * frame.geometry.SmallestSpacingMm() : mapper->GetSampleDistance();
+}
+
 }
 
 void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
@@ -60,7 +69,7 @@ void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
     quality.budget.EarlyTermination(mapper->GetEarlyTerminationTransmittance());
   quality.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
-    : mapper->GetSampleDistance();
+    : ChosenSampleDistanceMm(mapper, frame);
   frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
   if (quality.choosesIntegration && MarchesMaterial(frame.settings) &&
     quality.budget.StepTolerance() == 0.0)
@@ -68,6 +77,15 @@ void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
     // No trial chooses these short steps, at which this rule has the smaller error.
     frame.settings.integration = Integration::PreIntegrated;
   }
+}
+
+// A number of steps has a meaning only if these are of known length.
+void ChooseSpan(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  frame.span.firstDistanceMm = mapper->GetFirstDistance();
+  frame.span.mostSteps =
+    mapper->GetAutoAdjustSampleDistances() ? 0 : mapper->GetMaximumNumberOfSteps();
+  frame.settings.limitsSpan = frame.span.firstDistanceMm > 0.0 || frame.span.mostSteps > 0;
 }
 
 }

@@ -12,6 +12,9 @@ namespace varimarch
 /// settings are complete.
 void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame);
 
+/// Chooses the part of rays that is marched.
+void ChooseSpan(vtkVariationFieldVolumeMapper* mapper, Frame& frame);
+
 }
 
 #endif

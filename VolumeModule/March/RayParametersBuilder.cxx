@@ -4,10 +4,13 @@
 #include "Frame/FrameMeasures.h"
 #include "Resources/BlueNoiseTexture.h"
 
+#include "vtkCamera.h"
 #include "vtkRenderer.h"
 
 #include <glm/common.hpp>
 #include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +39,25 @@ void SetRays(RayParameters& p, const VolumeMarch& march, const Box& boxGrid)
   p.clipFromGrid = clipFromGrid;
   p.clipDepthRow = glm::row(clipFromGrid, 2);
   p.clipWeightRow = glm::row(clipFromGrid, 3);
+}
+
+// The whole box has no part that is taken away because it is invisible, so that steps count from
+// the same place for any transfer function.
+void SetSpan(RayParameters& p, const VolumeMarch& march)
+{
+  const Frame& frame = march.frame;
+  constexpr double Unlimited = 1e30;
+  const bool countsFromHit = march.settings.integration == Integration::FirstHit;
+  const double steps = frame.span.mostSteps > 0 ? double(frame.span.mostSteps) : Unlimited;
+  p.firstDistanceMm = float(frame.span.firstDistanceMm);
+  p.spanMm =
+    float(countsFromHit ? Unlimited : std::min(steps * frame.quality.sampleDistanceMm, Unlimited));
+  p.samplesAfterHit = float(steps);
+  p.wholeLowerGrid = frame.cuts.boxGrid.lower;
+  p.wholeUpperGrid = frame.cuts.boxGrid.upper;
+  glm::dvec3 eyeWorld;
+  frame.view.renderer->GetActiveCamera()->GetPosition(glm::value_ptr(eyeWorld));
+  p.eyeGrid = glm::dvec3(glm::inverse(frame.geometry.worldFromGrid) * glm::dvec4(eyeWorld, 1.0));
 }
 
 void SetCuts(RayParameters& p, const Cuts& cuts)
@@ -99,6 +121,7 @@ RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid)
   p.earlyTerminationTransmittance = float(march.frame.quality.earlyTerminationTransmittance);
   p.noisePixelsMask = glm::ivec2(BlueNoiseTexture::Pixels - 1);
   p.windowScaleBias = march.frame.image.windowScaleBias;
+  SetSpan(p, march);
   SetCuts(p, march.frame.cuts);
   SetResampling(p, march);
   SetPass(p, march);

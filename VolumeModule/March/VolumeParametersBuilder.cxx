@@ -106,8 +106,8 @@ MarchedVolume VolumeOfShaders(const VolumeMarch& march, const VolumeResources& v
   }
   if (block)
   {
-    const bool isOfCells = march.settings.acceleration == Acceleration::ScalarField;
-    marched.fieldSize = isOfCells ? block->scalarField.Size() : marched.fieldSize;
+    const bool isOfValues = IsOfValues(march.settings.acceleration);
+    marched.fieldSize = isOfValues ? block->valueField.Size() : marched.fieldSize;
     marched.gapCells = block->gaps.Size();
   }
   return marched;

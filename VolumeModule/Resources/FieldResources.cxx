@@ -13,7 +13,7 @@ namespace varimarch
 namespace
 {
 
-// The default tolerance of the scalar field, as a fraction of the range of values.
+// The default tolerance of a field of values, as a fraction of the range of values.
 constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 
 // The tables that determine where a volume is visible.
@@ -36,17 +36,18 @@ std::vector<ComponentTable> TablesOfOpacity(const MaterialResources& materials)
 void FieldResources::Update(const FieldInputs& inputs)
 {
   const VolumeMarch& march = inputs.march;
-  if (march.settings.acceleration != Acceleration::ScalarField)
+  if (!IsOfValues(march.settings.acceleration))
   {
-    inputs.blocks.SetScalarField(march.frame.view.window, {});
+    inputs.blocks.SetValueField(march.frame.view.window, {});
   }
   switch (march.settings.acceleration)
   {
     case Acceleration::Off:
       this->Release(march.frame.view.window);
       break;
-    case Acceleration::ScalarField:
-      this->UpdateScalarField(inputs);
+    case Acceleration::CellField:
+    case Acceleration::VariationField:
+      this->UpdateValueField(inputs);
       break;
     case Acceleration::OpticalField:
       if (IsExtreme(march.settings.blend))
@@ -65,7 +66,7 @@ void FieldResources::Update(const FieldInputs& inputs)
   }
 }
 
-void FieldResources::UpdateScalarField(const FieldInputs& inputs)
+void FieldResources::UpdateValueField(const FieldInputs& inputs)
 {
   const VolumeMarch& march = inputs.march;
   const ValueRange values =
@@ -73,14 +74,15 @@ void FieldResources::UpdateScalarField(const FieldInputs& inputs)
   const double tolerance = march.frame.quality.variationTolerance >= 0.0
     ? march.frame.quality.variationTolerance
     : DefaultToleranceOfRange * (values.upper - values.lower);
-  const FieldSource source{ Acceleration::ScalarField, inputs.volumeBuild, 0, tolerance };
+  const FieldSource source{ march.settings.acceleration, inputs.volumeBuild, 0, tolerance };
   if (this->madeFrom == source)
   {
     return;
   }
   this->field.Release(march.frame.view.window);
   this->rangesOfVolume = 0;
-  inputs.blocks.SetScalarField(march.frame.view.window, tolerance);
+  inputs.blocks.SetValueField(
+    march.frame.view.window, ValueField{ march.settings.acceleration, tolerance });
   this->madeFrom = source;
   ++this->builds;
 }
@@ -185,9 +187,8 @@ ExtremeSteps FieldResources::ExtremeStepsOf(Blend blend) const
 
 double FieldResources::BuildSeconds(const VolumeBlocks& blocks) const
 {
-  const bool isOfCells =
-    this->madeFrom && this->madeFrom->acceleration == Acceleration::ScalarField;
-  return isOfCells ? blocks.FieldBuildSeconds() : this->field.BuildSeconds();
+  const bool isOfValues = this->madeFrom && IsOfValues(this->madeFrom->acceleration);
+  return isOfValues ? blocks.FieldBuildSeconds() : this->field.BuildSeconds();
 }
 
 void FieldResources::ForgetBricks()

@@ -54,7 +54,7 @@ struct ExtremeSteps
 struct FieldInputs
 {
   const VolumeMarch& march;
-  VolumeBlocks& blocks; ///< The blocks, each of which has the scalar field of its cells.
+  VolumeBlocks& blocks; ///< The blocks, each of which has the field of its values.
   const MaterialResources& materials;
   int volumeBuild;
 };
@@ -81,7 +81,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void UpdateScalarField(const FieldInputs& inputs);
+  void UpdateValueField(const FieldInputs& inputs);
   void UpdateOpticalField(const FieldInputs& inputs);
   void UpdateExtremes(const FieldInputs& inputs);
   void UpdateIsosurfaceField(const FieldInputs& inputs);

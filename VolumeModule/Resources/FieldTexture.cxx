@@ -1,5 +1,6 @@
 #include "Resources/FieldTexture.h"
 
+#include "Core/Fields/CellField.h"
 #include "Core/Fields/EvenBricks.h"
 #include "Core/Fields/VariationField.h"
 #include "Resources/VolumeTexture.h"
@@ -25,7 +26,7 @@ namespace
 {
 
 // Shrinks each block [c - k, c + k], because values at its border depend on voxels outside it.
-void Narrow(VariationField& field, int reachVoxels)
+void Narrow(CellField& field, int reachVoxels)
 {
   for (std::uint8_t& cell : field.cells)
   {
@@ -33,16 +34,35 @@ void Narrow(VariationField& field, int reachVoxels)
   }
 }
 
-// The scalar field of a volume of one component.
-VariationField ScalarFieldOf(const ScalarRegion& region, double tolerance)
+/// The texels of a field, x fastest.
+struct FieldTexels
+{
+  glm::ivec3 count;
+  std::vector<std::uint8_t> texels;
+};
+
+template <class Scalar>
+FieldTexels TexelsOf(const ScalarGrid<Scalar>& grid, const ValueField& chosen, int reachVoxels)
+{
+  if (chosen.kind == Acceleration::VariationField)
+  {
+    VariationField field = BuildVariationField(grid, chosen.tolerance, VoxelDistance::Euclidean);
+    return { field.voxelCount, std::move(field.voxels) };
+  }
+  CellField field = BuildCellField(grid, chosen.tolerance);
+  Narrow(field, reachVoxels);
+  return { field.cellCount, std::move(field.cells) };
+}
+
+FieldTexels TexelsOf(const ScalarRegion& region, const ValueField& chosen, int reachVoxels)
 {
   vtkDataArray* const array = region.components.front().array;
   void* const voxels = array->GetVoidPointer(0);
   switch (array->GetDataType())
   {
-    vtkTemplateMacro(return BuildVariationField(
+    vtkTemplateMacro(return TexelsOf(
       ScalarGrid<VTK_TT>(static_cast<VTK_TT*>(voxels), region.dimensions).Part(region.voxels),
-      tolerance));
+      chosen, reachVoxels));
   }
   return {};
 }
@@ -136,14 +156,13 @@ void AccelerationField::Upload(
   this->texture->Deactivate();
 }
 
-void AccelerationField::BuildScalarField(
-  vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance, int reachVoxels)
+void AccelerationField::BuildValueField(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
+  const ValueField& chosen, int reachVoxels)
 {
   const Stopwatch stopwatch;
-  VariationField field = ScalarFieldOf(region, tolerance);
-  Narrow(field, reachVoxels);
+  const FieldTexels field = TexelsOf(region, chosen, reachVoxels);
   this->buildSeconds = stopwatch.Seconds();
-  this->Upload(window, field.cellCount, field.cells);
+  this->Upload(window, field.count, field.texels);
 }
 
 void AccelerationField::SetTexels(

@@ -25,17 +25,28 @@ struct ComponentTable
   const OpticalTable* table;
 };
 
-/// The field by which rays skip samples, as a 3D texture with one texel for each cell (scalar
-/// field) or each brick of cells (optical field, extremes).
+/// A choice of a field that depends on the voxels alone.
+struct ValueField
+{
+  Acceleration kind; ///< CellField or VariationField.
+  double tolerance;  ///< See BuildCellField and BuildVariationField.
+
+  bool operator==(const ValueField& other) const
+  {
+    return this->kind == other.kind && this->tolerance == other.tolerance;
+  }
+};
+
+/// The field by which rays skip samples, as a 3D texture with one texel for each voxel (variation
+/// field), each cell (cell field) or each brick of cells (optical field, extremes).
 class AccelerationField
 {
 public:
-  /// Builds the scalar field of the cells of a region.
-  /// @param tolerance    see BuildVariationField
-  /// @param reachVoxels  see VoxelValues
+  /// Builds a field of the values of a region, which has one component.
+  /// @param reachVoxels  see VoxelValues; 0 for a variation field
   /// @throws std::runtime_error if the device cannot hold the texture
-  void BuildScalarField(
-    vtkOpenGLRenderWindow* window, const ScalarRegion& region, double tolerance, int reachVoxels);
+  void BuildValueField(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
+    const ValueField& chosen, int reachVoxels);
 
   /// Uploads the texels of a field that is built elsewhere, x fastest.
   /// @throws std::runtime_error if the device cannot hold the texture

@@ -9,7 +9,7 @@ void VolumeBlock::Release(vtkWindow* window)
 {
   this->volume.Release(window);
   this->gaps.Release(window);
-  this->scalarField.Release(window);
+  this->valueField.Release(window);
 }
 
 void VolumeBlocks::SetVoxels(const VoxelValues& newValues)
@@ -40,16 +40,16 @@ void VolumeBlocks::SetBlanking(const Blanking& newBlanking)
   }
 }
 
-void VolumeBlocks::SetScalarField(vtkWindow* window, std::optional<double> tolerance)
+void VolumeBlocks::SetValueField(vtkWindow* window, std::optional<ValueField> chosen)
 {
-  this->scalarTolerance = tolerance;
+  this->valueField = chosen;
   this->fieldBuildSeconds = 0.0;
   for (const auto& block : this->blocks)
   {
-    if (block && !tolerance)
+    if (block && !chosen)
     {
-      block->scalarField.Release(window);
-      block->scalarTolerance.reset();
+      block->valueField.Release(window);
+      block->valueFieldOf.reset();
     }
   }
 }
@@ -58,7 +58,7 @@ std::size_t VolumeBlocks::BytesPerVoxel() const
 {
   const std::size_t gapBytes = this->MayHaveGaps() ? 1 : 0;
   return this->values.texels.size() * this->Texels().BytesPerTexel() + gapBytes +
-    (this->scalarTolerance ? 1 : 0);
+    (this->valueField ? 1 : 0);
 }
 
 bool VolumeBlocks::Divide(vtkWindow* window, const BlockLimits& limits)
@@ -116,14 +116,14 @@ const VolumeBlock& VolumeBlocks::Take(vtkOpenGLRenderWindow* window, int block)
     this->Upload(window, *taken, region);
   }
   this->UpdateGaps(window, *taken, region);
-  this->UpdateScalarField(window, *taken, region);
+  this->UpdateValueField(window, *taken, region);
   return *taken;
 }
 
 void VolumeBlocks::Upload(
   vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region)
 {
-  block.scalarTolerance.reset();
+  block.valueFieldOf.reset();
   block.volume.Upload(window, region, this->values.texels);
   block.isCurrent = true;
   block.gapsAreCurrent = false;
@@ -149,15 +149,14 @@ void VolumeBlocks::UpdateGaps(
   block.gapsAreCurrent = true;
 }
 
-void VolumeBlocks::UpdateScalarField(
+void VolumeBlocks::UpdateValueField(
   vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region)
 {
-  if (this->scalarTolerance && block.scalarTolerance != this->scalarTolerance)
+  if (this->valueField && !(block.valueFieldOf == this->valueField))
   {
-    block.scalarField.BuildScalarField(
-      window, region, *this->scalarTolerance, this->values.reachVoxels);
-    block.scalarTolerance = this->scalarTolerance;
-    this->fieldBuildSeconds += block.scalarField.BuildSeconds();
+    block.valueField.BuildValueField(window, region, *this->valueField, this->values.reachVoxels);
+    block.valueFieldOf = this->valueField;
+    this->fieldBuildSeconds += block.valueField.BuildSeconds();
   }
 }
 

@@ -16,20 +16,20 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// The textures of one block: its voxels and the fields of its cells.
+/// The textures of one block: its voxels and the fields of its voxels and cells.
 struct VolumeBlock
 {
   VolumeTexture volume;
-  AccelerationField gaps; ///< The cells without values; empty if there are none.
-  AccelerationField scalarField;
-  bool isCurrent = false; ///< True if the texture is up to date.
+  AccelerationField gaps;       ///< The cells without values; empty if there are none.
+  AccelerationField valueField; ///< A field of the values alone, if the acceleration has one.
+  bool isCurrent = false;       ///< True if the texture is up to date.
   bool gapsAreCurrent = false;
-  std::optional<double> scalarTolerance; ///< The tolerance that the field was built for.
+  std::optional<ValueField> valueFieldOf; ///< The choice that the field was built for.
 
   bool HasGaps() const { return this->gaps.Bytes() > 0; }
   std::size_t Bytes() const
   {
-    return this->volume.Bytes() + this->gaps.Bytes() + this->scalarField.Bytes();
+    return this->volume.Bytes() + this->gaps.Bytes() + this->valueField.Bytes();
   }
   void Release(vtkWindow* window);
 };
@@ -46,10 +46,10 @@ public:
   void SetBlanking(const Blanking& newBlanking);
   bool MayHaveGaps() const { return !this->Texels().finite || this->blanking.Any(); }
 
-  /// Sets the tolerance of the scalar field that each block has for its cells; none for no field.
-  void SetScalarField(vtkWindow* window, std::optional<double> tolerance);
+  /// Chooses the field of values that each block has; none for no field.
+  void SetValueField(vtkWindow* window, std::optional<ValueField> chosen);
 
-  /// The largest memory per voxel, including the fields of cells.
+  /// The largest memory per voxel, including the fields of voxels and cells.
   std::size_t BytesPerVoxel() const;
 
   /// @return true if the division has changed; no block is resident then
@@ -81,12 +81,12 @@ private:
   void LetGo(vtkWindow* window, const std::vector<int>& released);
   void Upload(vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
   void UpdateGaps(vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
-  void UpdateScalarField(
+  void UpdateValueField(
     vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
 
   VoxelValues values;
   Blanking blanking;
-  std::optional<double> scalarTolerance;
+  std::optional<ValueField> valueField;
   BlockPartition partition;
   BlockResidency residency;
   std::size_t capacity = 0;

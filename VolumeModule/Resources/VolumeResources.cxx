@@ -152,11 +152,11 @@ VolumeTextures VolumeResources::Textures(
   textures.spacingTable = this->spacing.Texture();
   if (block)
   {
-    const bool isOfCells = settings.acceleration == Acceleration::ScalarField;
+    const bool isOfValues = IsOfValues(settings.acceleration);
     textures.volumeTexture.onDevice = block->volume.Texture();
     textures.gapTexture.onDevice = block->gaps.Texture();
     textures.fieldTexture.onDevice =
-      isOfCells ? block->scalarField.Texture() : textures.fieldTexture.onDevice;
+      isOfValues ? block->valueField.Texture() : textures.fieldTexture.onDevice;
   }
   return textures;
 }

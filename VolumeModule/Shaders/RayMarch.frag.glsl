@@ -21,16 +21,20 @@ Ray PixelRay()
   return ray;
 }
 
-Interval InsideOf(Ray ray)
+Interval InsideBox(Ray ray, vec3 lowerGrid, vec3 upperGrid)
 {
-  vec2 inside =
-    IntersectBox(ray.originGrid, SafeInverse(ray.directionGrid), boxLowerGrid, boxUpperGrid);
+  vec2 inside = IntersectBox(ray.originGrid, SafeInverse(ray.directionGrid), lowerGrid, upperGrid);
   // The near plane cuts the box when the camera is close to it or inside.
   inside = CutByPlane(inside, BeyondPlane(nearPlaneGrid, ray.originGrid),
     ApproachToPlane(nearPlaneGrid, ray.directionGrid));
   inside = CutByPlane(inside, BeyondPlane(farPlaneGrid, ray.originGrid),
     ApproachToPlane(farPlaneGrid, ray.directionGrid));
   return Clipped(ray, Interval(inside.x, min(inside.y, DepthLimit(ray))));
+}
+
+Interval InsideOf(Ray ray)
+{
+  return Spanned(ray, InsideBox(ray, boxLowerGrid, boxUpperGrid));
 }
 
 void main()

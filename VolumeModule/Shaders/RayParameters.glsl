@@ -39,6 +39,9 @@ layout(std140) uniform RayParameters
   int rowsOfNext;           // number of rows, from below, in which sumTexture has one more image
   int pickedHighestBits;    // 1: picking writes the bits of a number above its lowest 24; 0: those
   float pickedOffset;       // index of a point or cell = floor(grid position + this)
+  float firstDistanceMm;    // distance from the eye at which a ray begins, if not before the volume
+  float spanMm;             // length of the part of a ray that is marched [mm]
+  float samplesAfterHit;    // number of samples of March/FirstHit.glsl
 
   // The ray of a pixel at (x, y), each in [-1, 1]: element 0 + x * element 1 + y * element 2. The
   // start is in homogeneous coordinates (Core/Geometry/PixelRays.h).
@@ -48,6 +51,9 @@ layout(std140) uniform RayParameters
   vec4 farPlaneGrid;          // the dot product with (position, 1) is >= 0 up to the far plane
   vec3 boxLowerGrid;          // lower corner of the box that rays are marched in
   vec3 boxUpperGrid;          // upper corner of that box
+  vec3 wholeLowerGrid;        // lower corner of the box of the whole volume
+  vec3 wholeUpperGrid;        // upper corner of that box
+  vec3 eyeGrid;               // position of the camera
   vec3 sharedUpperGrid;       // upper faces at which another block begins; elsewhere far away
   vec3 propColor;             // colour that stands for this volume in a selection, [0, 1]
   vec3 pickedCount;           // number of points or cells along each axis

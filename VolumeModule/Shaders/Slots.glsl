@@ -39,6 +39,13 @@ Interval Clipped(Ray ray, Interval inside);
 // True if a plane cuts the position away. Only Clip/Planes.glsl defines it.
 bool IsClipped(vec3 positionGrid);
 
+// --- Span: where rays begin, and how far they go ---
+// The part of the ray that is marched.
+Interval Spanned(Ray ray, Interval inside);
+// The part of the ray inside a box that near and far plane, opaque geometry and clipping planes
+// leave.
+Interval InsideBox(Ray ray, vec3 lowerGrid, vec3 upperGrid);
+
 // --- Jitter: noise shortens the first segment of a ray ---
 // The length of the first segment, as a fraction of the length of the others, (0, 1].
 float FirstSegment();

@@ -9,8 +9,8 @@ layout(std140) uniform VolumeParameters
   vec3 firstVoxelGrid;    // first voxel in the volume texture; 0 if it holds the whole volume
   vec3 voxelCount;        // number of voxels in the volume texture along each axis
 
-  // Steps by a field of bricks or cells.
-  vec3 fieldSize;        // number of bricks or cells along each axis
+  // Steps by a field of bricks, cells or voxels.
+  vec3 fieldSize;        // number of bricks, cells or voxels along each axis
   vec3 fieldSizeInverse; // 1 / fieldSize
   vec2 scalarFromField;  // scale and bias, from the number of a brick of extremes to a scalar
   float cellsPerBrick;   // number of cells along each side of a brick

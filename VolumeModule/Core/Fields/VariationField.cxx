@@ -1,18 +1,15 @@
 #include "Core/Fields/VariationField.h"
 
-#include "Core/Fields/WindowRanges.h"
+#include "Core/Fields/RangePyramid.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
-#include <limits>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
-#include <utility>
 
 namespace varimarch
 {
@@ -20,263 +17,201 @@ namespace varimarch
 namespace
 {
 
-/// Tests without overflow whether two values differ by at most a tolerance. Integers are compared
-/// in the unsigned type of their width, in which the difference is exact.
-template <class Scalar, bool = std::is_integral_v<Scalar>>
-class WithinTolerance
+/// Squares of distances, so that they are whole numbers.
+struct EuclideanMeasure
+{
+  static int OfVoxels(int voxels) { return voxels * voxels; }
+  static int Joined(int x, int y, int z) { return x + y + z; }
+  static int WholeVoxels(int measure) { return int(std::sqrt(double(measure))); }
+};
+
+struct ChebyshevMeasure
+{
+  static int OfVoxels(int voxels) { return voxels; }
+  static int Joined(int x, int y, int z) { return std::max({ x, y, z }); }
+  static int WholeVoxels(int measure) { return measure; }
+};
+
+/// Finds the nearest voxel with a different value. Cubes of the pyramid are left out if they are
+/// not closer than a voxel that is known, or have no different value; nearer ones are searched
+/// first. Along a sweep the nearest voxels of neighbours are known and nearly always the right
+/// ones, so that a search mostly confirms them.
+template <class Scalar, class Measure>
+class NearestDifference
 {
 public:
-  explicit WithinTolerance(double tolerance)
-    : tolerance(tolerance >= double(std::numeric_limits<Magnitude>::max())
-          ? std::numeric_limits<Magnitude>::max()
-          : Magnitude(tolerance))
+  NearestDifference(
+    const ScalarGrid<Scalar>& grid, const RangePyramid<Scalar>& ranges, double tolerance)
+    : grid(grid)
+    , ranges(ranges)
+    , tolerance(tolerance)
   {
   }
 
-  bool operator()(Scalar lowest, Scalar highest) const
+  void Begin(glm::ivec3 newVoxel)
   {
-    return Magnitude(Magnitude(highest) - Magnitude(lowest)) <= this->tolerance;
+    this->voxel = newVoxel;
+    this->value = double(this->grid.Voxel(newVoxel));
+    this->nearest.reset();
+    this->measure = Measure::OfVoxels(VariationField::Farthest);
   }
 
-private:
-  using Magnitude = std::make_unsigned_t<Scalar>;
-  Magnitude tolerance;
-};
-
-template <class Scalar>
-class WithinTolerance<Scalar, false>
-{
-public:
-  // The tolerance stays finite, so that the infinite range of a cell with a NaN never passes.
-  explicit WithinTolerance(double tolerance)
-    : tolerance(std::min(tolerance, std::numeric_limits<double>::max()))
+  /// Takes a voxel into account.
+  void Try(glm::ivec3 other)
   {
-  }
-
-  bool operator()(Scalar lowest, Scalar highest) const
-  {
-    return double(highest) - double(lowest) <= this->tolerance;
-  }
-
-private:
-  double tolerance;
-};
-
-/// The eight windows that cover the block of each cell of a row: two along x in each of four rows.
-template <class Scalar>
-struct Windows
-{
-  Windows(const Scalar* ranges, const std::ptrdiff_t (&rows)[4], int step)
-    : rows{ ranges + rows[0], ranges + rows[1], ranges + rows[2], ranges + rows[3] }
-    , step(step)
-  {
-  }
-
-  template <class Combine>
-  Scalar Combined(int cell, Combine combine) const
-  {
-    const auto row = [&](int i)
-    { return combine(this->rows[i][cell], this->rows[i][cell + this->step]); };
-    return combine(combine(row(0), row(1)), combine(row(2), row(3)));
-  }
-
-  const Scalar* rows[4];
-  int step;
-};
-
-/// Fills a field, block size by block size. The *size* of a cell is the stored number: radius + 1,
-/// or 0.
-///
-/// A block of size s reads 2 s voxels along each axis; two windows of size w, w / 2 <= s <= w,
-/// cover it. A block that fits contains all smaller blocks of its cell, so a cell's size is the
-/// number of block sizes that fit.
-template <class Scalar>
-class FieldBuilder
-{
-public:
-  FieldBuilder(const ScalarGrid<Scalar>& grid, double tolerance);
-  VariationField Build();
-
-private:
-  /// Number of cells that are tested together, so that the compiler vectorizes the loop.
-  static constexpr int ChunkLength = WindowRanges<Scalar>::Overrun;
-  using Chunk = std::array<std::uint8_t, ChunkLength>;
-
-  /// First voxels of the two windows that cover a block along one axis.
-  struct Starts
-  {
-    int first;
-    int second;
-  };
-
-  bool FillLevel();
-  bool FillSlice(int z, bool sliceBelowIsDone);
-  bool FillChunk(glm::ivec3 cell, int knownSize);
-  int SmallestSizeBeside(glm::ivec3 cell, bool sliceBelowIsDone) const;
-  bool AddFitting(glm::ivec3 cell, int size, Chunk& sizes) const;
-  Starts WindowStarts(int axis, int cell, int size) const;
-
-  int CellsInChunk(int x) const { return std::min(ChunkLength, this->field.cellCount.x - x); }
-  const std::uint8_t* Sizes(glm::ivec3 cell) const
-  {
-    const glm::ivec3 count = this->field.cellCount;
-    return &this->field.cells[(std::size_t(cell.z) * count.y + cell.y) * count.x + cell.x];
-  }
-  std::uint8_t* Sizes(glm::ivec3 cell)
-  {
-    return const_cast<std::uint8_t*>(std::as_const(*this).Sizes(cell));
-  }
-
-  VariationField field;
-  WindowRanges<Scalar> ranges;
-  WithinTolerance<Scalar> within;
-};
-
-template <class Scalar>
-FieldBuilder<Scalar>::FieldBuilder(const ScalarGrid<Scalar>& grid, double tolerance)
-  : ranges(grid, VariationField::LargestRadius + 1)
-  , within(tolerance)
-{
-  const glm::ivec3 count = grid.CellCount();
-  this->field.cellCount = count;
-  this->field.cells.resize(std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z));
-}
-
-template <class Scalar>
-VariationField FieldBuilder<Scalar>::Build()
-{
-  bool anyFitsAll = this->FillLevel();
-  while (anyFitsAll && this->ranges.WindowSize() <= VariationField::LargestRadius)
-  {
-    this->ranges.DoubleWindows();
-    anyFitsAll = this->FillLevel();
-  }
-  return std::move(this->field);
-}
-
-/// Tests all block sizes that the present windows serve.
-/// @return true if any cell fits the largest of them
-template <class Scalar>
-bool FieldBuilder<Scalar>::FillLevel()
-{
-  std::atomic<bool> anyFitsAll = false;
-  tbb::parallel_for(tbb::blocked_range<int>(0, this->field.cellCount.z),
-    [&](const tbb::blocked_range<int>& slices)
+    const glm::ivec3 apart = other - this->voxel;
+    const int far = Measure::Joined(Measure::OfVoxels(std::abs(apart.x)),
+      Measure::OfVoxels(std::abs(apart.y)), Measure::OfVoxels(std::abs(apart.z)));
+    if (other != this->voxel && far < this->measure && this->Differs(0, other))
     {
-      for (int z = slices.begin(); z < slices.end(); ++z)
-      {
-        if (this->FillSlice(z, z > slices.begin()))
-        {
-          anyFitsAll = true;
-        }
-      }
-    });
-  return anyFitsAll;
-}
-
-template <class Scalar>
-bool FieldBuilder<Scalar>::FillSlice(int z, bool sliceBelowIsDone)
-{
-  bool anyFitsAll = false;
-  for (int y = 0; y < this->field.cellCount.y; ++y)
-  {
-    for (int x = 0; x < this->field.cellCount.x; x += ChunkLength)
-    {
-      const int knownSize = this->SmallestSizeBeside({ x, y, z }, sliceBelowIsDone) - 1;
-      anyFitsAll |= this->FillChunk({ x, y, z }, knownSize);
+      this->nearest = other;
+      this->measure = far;
     }
   }
-  return anyFitsAll;
-}
 
-/// The smallest size among the preceding cells along y or z, if those are done. A cell's block
-/// contains the next smaller block of each neighbour, so sizes of neighbours differ by at most one,
-/// and what the neighbours prove need not be tested.
-template <class Scalar>
-int FieldBuilder<Scalar>::SmallestSizeBeside(glm::ivec3 cell, bool sliceBelowIsDone) const
-{
-  const auto smallest = [&](glm::ivec3 start)
+  /// Searches all voxels that are closer than those tried.
+  void Search()
   {
-    const std::uint8_t* sizes = this->Sizes(start);
-    return int(*std::min_element(sizes, sizes + this->CellsInChunk(start.x)));
+    const int reach = Measure::WholeVoxels(this->measure - 1);
+    if (reach == 0)
+    {
+      return; // no voxel is closer than a neighbour
+    }
+    int level = 0;
+    while (level < this->ranges.Top() && (1 << level) < 2 * reach + 1)
+    {
+      ++level;
+    }
+    const glm::ivec3 first = glm::max(this->voxel - reach, glm::ivec3(0)) >> level;
+    const glm::ivec3 last =
+      glm::min(this->voxel + reach, this->ranges.Count(0) - 1) >> level; // at most first + 1
+    this->SearchCubes(level, first, last);
+  }
+
+  const std::optional<glm::ivec3>& Nearest() const { return this->nearest; }
+  int WholeVoxels() const { return Measure::WholeVoxels(this->measure); }
+
+private:
+  bool Differs(int level, glm::ivec3 cube) const
+  {
+    const ValuesBetween<Scalar> values = this->ranges.At(level, cube);
+    return !(this->value - double(values.lowest) < this->tolerance &&
+      double(values.highest) - this->value < this->tolerance);
+  }
+
+  /// One or two cubes along an axis, the nearer one first, with the measures of the gaps between
+  /// them and the voxel.
+  struct CubesOfAxis
+  {
+    int count;
+    int cubes[2];
+    int measures[2];
   };
-  const int alongY = cell.y > 0 ? smallest(cell - glm::ivec3(0, 1, 0)) : 0;
-  const int alongZ = sliceBelowIsDone ? smallest(cell - glm::ivec3(0, 0, 1)) : 0;
-  return std::max(alongY, alongZ);
-}
 
-/// @param knownSize  a size that fits all cells of the chunk
-template <class Scalar>
-bool FieldBuilder<Scalar>::FillChunk(glm::ivec3 cell, int knownSize)
+  CubesOfAxis CubesAlong(int axis, int level, int first, int last) const
+  {
+    const int place = this->voxel[axis];
+    const auto measureOf = [&](int cube)
+    {
+      const int lower = cube << level;
+      return Measure::OfVoxels(std::max({ lower - place, place - lower - ((1 << level) - 1), 0 }));
+    };
+    const int nearer = std::clamp(place >> level, first, last);
+    const int farther = first + last - nearer;
+    return { last - first + 1, { nearer, farther }, { measureOf(nearer), measureOf(farther) } };
+  }
+
+  /// Searches up to eight cubes, nearer ones first.
+  void SearchCubes(int level, glm::ivec3 first, glm::ivec3 last)
+  {
+    const CubesOfAxis x = this->CubesAlong(0, level, first.x, last.x);
+    const CubesOfAxis y = this->CubesAlong(1, level, first.y, last.y);
+    const CubesOfAxis z = this->CubesAlong(2, level, first.z, last.z);
+    const auto isCloser = [&](int i, int j, int k)
+    { return Measure::Joined(x.measures[i], y.measures[j], z.measures[k]) < this->measure; };
+    for (int k = 0; k < z.count && isCloser(0, 0, k); ++k)
+    {
+      for (int j = 0; j < y.count && isCloser(0, j, k); ++j)
+      {
+        for (int i = 0; i < x.count && isCloser(i, j, k); ++i)
+        {
+          const glm::ivec3 cube(x.cubes[i], y.cubes[j], z.cubes[k]);
+          if (this->Differs(level, cube))
+          {
+            this->SearchIn(level, cube);
+          }
+        }
+      }
+    }
+  }
+
+  void SearchIn(int level, glm::ivec3 cube)
+  {
+    if (level == 0)
+    {
+      this->Try(cube);
+      return;
+    }
+    const glm::ivec3 first = 2 * cube;
+    this->SearchCubes(level - 1, first, glm::min(first + 1, this->ranges.Count(level - 1) - 1));
+  }
+
+  const ScalarGrid<Scalar>& grid;
+  const RangePyramid<Scalar>& ranges;
+  double tolerance;
+  glm::ivec3 voxel = glm::ivec3(0);
+  double value = 0.0;
+  std::optional<glm::ivec3> nearest;
+  int measure = 0;
+};
+
+/// Fills one slice, sweeping along x and then along y.
+template <class Scalar, class Measure>
+void FillSlice(
+  NearestDifference<Scalar, Measure> search, glm::ivec3 count, int z, std::uint8_t* distances)
 {
-  std::uint8_t* stored = this->Sizes(cell);
-  const int length = this->CellsInChunk(cell.x);
-  const int windowSize = this->ranges.WindowSize();
-  const int smallest = std::max(windowSize / 2, knownSize);
-  if (std::all_of(stored, stored + length, [&](int size) { return size < windowSize / 2; }))
+  // Nearest voxels of the row before, which those of this row replace.
+  std::vector<std::optional<glm::ivec3>> nearestOfRow(count.x);
+  for (int y = 0; y < count.y; ++y)
   {
-    return false;
+    std::optional<glm::ivec3> nearestBefore;
+    for (int x = 0; x < count.x; ++x)
+    {
+      search.Begin({ x, y, z });
+      for (const std::optional<glm::ivec3>& known : { nearestBefore, nearestOfRow[x] })
+      {
+        if (known)
+        {
+          search.Try(*known);
+        }
+      }
+      search.Search();
+      nearestBefore = nearestOfRow[x] = search.Nearest();
+      *distances++ = std::uint8_t(search.WholeVoxels());
+    }
   }
-
-  Chunk sizes{};
-  bool anyFits = true;
-  for (int size = smallest + 1; size <= windowSize && anyFits; ++size)
-  {
-    anyFits = this->AddFitting(cell, size, sizes);
-  }
-  bool anyFitsAll = false;
-  for (int i = 0; i < length; ++i)
-  {
-    const int size = std::max<int>(stored[i], knownSize) + sizes[i];
-    stored[i] = std::uint8_t(size);
-    anyFitsAll |= size == windowSize;
-  }
-  return anyFitsAll;
 }
 
-/// Adds one to each cell of the chunk whose block of this size fits.
-/// @return true if any fits
-template <class Scalar>
-bool FieldBuilder<Scalar>::AddFitting(glm::ivec3 cell, int size, Chunk& sizes) const
+template <class Measure, class Scalar>
+VariationField BuildBy(const ScalarGrid<Scalar>& grid, double tolerance)
 {
-  const Starts x = this->WindowStarts(0, cell.x, size);
-  const Starts y = this->WindowStarts(1, cell.y, size);
-  const Starts z = this->WindowStarts(2, cell.z, size);
-  const std::ptrdiff_t rows[4] = { this->ranges.Offset(x.first, y.first, z.first),
-    this->ranges.Offset(x.first, y.second, z.first),
-    this->ranges.Offset(x.first, y.first, z.second),
-    this->ranges.Offset(x.first, y.second, z.second) };
-  const Windows<Scalar> lowest(this->ranges.Lowest(), rows, x.second - x.first);
-  const Windows<Scalar> highest(this->ranges.Highest(), rows, x.second - x.first);
-
-  const int length = this->CellsInChunk(cell.x);
-  const WithinTolerance<Scalar> fits = this->within;
-  std::uint8_t any = 0;
-#pragma GCC ivdep
-  for (int i = 0; i < ChunkLength; ++i)
-  {
-    const std::uint8_t one = fits(lowest.Combined(i, Lower()), highest.Combined(i, Higher()));
-    sizes[i] += one;
-    any |= one & (i < length);
-  }
-  return any != 0;
-}
-
-/// A block as long as the volume covers it from every cell, so larger ones are the same.
-template <class Scalar>
-typename FieldBuilder<Scalar>::Starts FieldBuilder<Scalar>::WindowStarts(
-  int axis, int cell, int size) const
-{
-  const int cutSize = std::min(size, this->ranges.VoxelCount(axis));
-  const int first = std::max(cell - cutSize + 1, -this->ranges.Margin(axis));
-  const int last = cell + cutSize - this->ranges.WindowSize() + 1;
-  return { first, std::max(first, last) };
+  const RangePyramid<Scalar> ranges(grid);
+  const glm::ivec3 count = grid.Dimensions();
+  VariationField field{ count, std::vector<std::uint8_t>(grid.VoxelCount()) };
+  tbb::parallel_for(0, count.z,
+    [&](int z)
+    {
+      FillSlice(NearestDifference<Scalar, Measure>(grid, ranges, tolerance), count, z,
+        &field.voxels[std::size_t(z) * count.x * count.y]);
+    });
+  return field;
 }
 
 }
 
 template <class Scalar>
-VariationField BuildVariationField(const ScalarGrid<Scalar>& grid, double tolerance)
+VariationField BuildVariationField(
+  const ScalarGrid<Scalar>& grid, double tolerance, VoxelDistance distance)
 {
   if (!(tolerance >= 0.0))
   {
@@ -284,24 +219,25 @@ VariationField BuildVariationField(const ScalarGrid<Scalar>& grid, double tolera
       "Cannot build a variation field: expected a tolerance of at least 0, found " +
       std::to_string(tolerance));
   }
-  return FieldBuilder<Scalar>(grid, tolerance).Build();
+  return distance == VoxelDistance::Euclidean ? BuildBy<EuclideanMeasure>(grid, tolerance)
+                                              : BuildBy<ChebyshevMeasure>(grid, tolerance);
 }
 
-#define VARIMARCH_FIELD_OF(Scalar) \
-  template VariationField BuildVariationField(const ScalarGrid<Scalar>&, double)
-VARIMARCH_FIELD_OF(char);
-VARIMARCH_FIELD_OF(signed char);
-VARIMARCH_FIELD_OF(unsigned char);
-VARIMARCH_FIELD_OF(short);
-VARIMARCH_FIELD_OF(unsigned short);
-VARIMARCH_FIELD_OF(int);
-VARIMARCH_FIELD_OF(unsigned int);
-VARIMARCH_FIELD_OF(long);
-VARIMARCH_FIELD_OF(unsigned long);
-VARIMARCH_FIELD_OF(long long);
-VARIMARCH_FIELD_OF(unsigned long long);
-VARIMARCH_FIELD_OF(float);
-VARIMARCH_FIELD_OF(double);
-#undef VARIMARCH_FIELD_OF
+#define VARIMARCH_VARIATION_OF(Scalar) \
+  template VariationField BuildVariationField(const ScalarGrid<Scalar>&, double, VoxelDistance)
+VARIMARCH_VARIATION_OF(char);
+VARIMARCH_VARIATION_OF(signed char);
+VARIMARCH_VARIATION_OF(unsigned char);
+VARIMARCH_VARIATION_OF(short);
+VARIMARCH_VARIATION_OF(unsigned short);
+VARIMARCH_VARIATION_OF(int);
+VARIMARCH_VARIATION_OF(unsigned int);
+VARIMARCH_VARIATION_OF(long);
+VARIMARCH_VARIATION_OF(unsigned long);
+VARIMARCH_VARIATION_OF(long long);
+VARIMARCH_VARIATION_OF(unsigned long long);
+VARIMARCH_VARIATION_OF(float);
+VARIMARCH_VARIATION_OF(double);
+#undef VARIMARCH_VARIATION_OF
 
 }

@@ -9,38 +9,37 @@
 namespace varimarch
 {
 
-/// A field that says how far a ray may go before the volume changes by more than a tolerance.
-///
-/// It has one byte per cell, the unit cube between eight voxels: 0 if the cell itself varies by
-/// more than the tolerance; otherwise k + 1 if the block of cells [c - k, c + k] on each axis,
-/// clipped to the volume, does not. This block spans [c - k, c + k + 1] in grid space and reads the
-/// voxels c - k ... c + k + 1.
-///
-/// The bound holds for *interpolated* values, not only for voxels: trilinear interpolation in a
-/// cell stays within the range of its eight voxels, so any two positions in the block have values
-/// that differ by at most the tolerance.
-///
-/// Source: Banquero, Ortiz and Rossi, "Realtime volume render en videojuegos" (2016), whose field
-/// stores a distance per voxel. Documentation/Mathematics.md explains why it is per cell here and
-/// proves the bound.
-struct VariationField
+/// The distance between two voxels, in voxels.
+enum class VoxelDistance
 {
-  /// Largest stored k: blocks of 127 cells. Larger blocks would cost more to find than they save.
-  static constexpr int LargestRadius = 63;
-
-  glm::ivec3 cellCount = glm::ivec3(0);
-  std::vector<std::uint8_t> cells; ///< x fastest
+  Euclidean, ///< voxels closer than d lie in a ball
+  Chebyshev, ///< voxels closer than d lie in a cube: the largest difference of an index
 };
 
-/// Builds the field of a grid on all cores. Each stored radius is the largest that keeps the bound,
-/// up to LargestRadius. Cells that touch a voxel that is not finite exceed every tolerance. The
-/// build needs two copies of the voxels with a margin: 2.6 times their memory for 512 voxels a
-/// side, 3.2 times for 256.
-/// @param tolerance  largest accepted difference of two values in a block, >= 0, in units of the
-/// data
+/// The field of variations S of Banquero, Ortiz and Rossi, "Realtime volume render en videojuegos"
+/// (2016), equation 3: S(p) is the largest distance d for which every voxel q with |p - q| < d
+/// has a value with |I(p) - I(q)| < E.
+///
+/// A voxel that is not finite, or has such a neighbour, has no smaller distance to a different
+/// value than to that voxel. The promise is about voxels: interpolated values inside the ball may
+/// differ by more than E, because they also depend on voxels outside it. CellField keeps its
+/// promise for these.
+struct VariationField
+{
+  /// Largest stored distance [voxels], also that of a voxel that differs from no other.
+  static constexpr int Farthest = 255;
+
+  glm::ivec3 voxelCount = glm::ivec3(0);
+  std::vector<std::uint8_t> voxels; ///< whole distances from 1 to Farthest, x fastest
+};
+
+/// Builds the field of a grid on all cores. Beside the field, this takes two sevenths of the memory
+/// of the voxels.
+/// @param tolerance  E in units of the data, >= 0
 /// @throws std::invalid_argument if the tolerance is negative or NaN
 template <class Scalar>
-VariationField BuildVariationField(const ScalarGrid<Scalar>& grid, double tolerance);
+VariationField BuildVariationField(
+  const ScalarGrid<Scalar>& grid, double tolerance, VoxelDistance distance);
 
 }
 

@@ -35,7 +35,7 @@ struct Higher
 };
 
 /// Lowest and highest value of all windows: cubes of voxels of one size, addressed by their first
-/// voxel. BuildVariationField uses it. It copies the voxels, and can only double the window size.
+/// voxel. BuildCellField uses it. It copies the voxels, and can only double the window size.
 ///
 /// Windows are clipped to the volume. They may start up to `Margin` voxels before the volume, so
 /// that blocks clipped at a lower face are as tight as all others, and one voxel behind it. A

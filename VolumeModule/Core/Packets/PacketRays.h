@@ -2,7 +2,7 @@
 #define Varimarch_Core_Packets_PacketRays_h
 
 // The rays of a packet, and the part of them that is marched, with the names of RayMarch.frag.glsl.
-// Twin of Clip/Planes.glsl and Depth/SceneGeometry.glsl.
+// Twin of Clip/Planes.glsl, Depth/SceneGeometry.glsl and Span/Limited.glsl.
 
 #include "Core/Packets/PacketScene.h"
 #include "Core/Packets/ShaderMath.h"
@@ -71,6 +71,19 @@ inline void KeepBeyond(PacketRays& rays, const glm::vec4& plane)
     ApproachToPlane(plane, rays.directionGrid));
   rays.enter = kept.x;
   rays.exit = kept.y;
+}
+
+/// Keeps the part that is marched, as Shaders/Span/Limited.glsl does.
+inline void CutToSpan(PacketRays& rays, const PacketScene& scene, Lanes enterWhole)
+{
+  const RayParameters& p = scene.rays;
+  const auto& worldFromGrid = scene.parameters.worldFromGrid;
+  const Lanes3 toEye = Transformed(worldFromGrid, AllOf3(p.eyeGrid) - rays.originGrid);
+  const Lanes first =
+    Dot(toEye, Transformed(worldFromGrid, rays.directionGrid)) + p.firstDistanceMm;
+  const Lanes2 spanned = CutToSpan({ rays.enter, rays.exit }, enterWhole, first, All(p.spanMm));
+  rays.enter = spanned.x;
+  rays.exit = spanned.y;
 }
 
 /// The depth at each pixel, some of which may be beyond the image's edges.
@@ -182,16 +195,31 @@ inline PacketRays LinesOf(const PacketScene& scene, int x, int y)
   return rays;
 }
 
-/// @param x, y  the first pixel of the packet, in the image
-inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
+/// The part of lines that is inside a box and that all planes leave.
+inline PacketRays InsideBox(const PacketScene& scene, const PacketRays& lines,
+  const glm::vec3& lowerGrid, const glm::vec3& upperGrid)
 {
-  PacketRays rays = LinesOf(scene, x, y);
-  KeepInside(rays, scene.rays.boxLowerGrid, scene.rays.boxUpperGrid);
+  PacketRays rays = lines;
+  KeepInside(rays, lowerGrid, upperGrid);
   KeepBeyond(rays, scene.rays.nearPlaneGrid);
   KeepBeyond(rays, scene.rays.farPlaneGrid);
   for (int plane = 0; plane < scene.rays.clippingPlaneCount; ++plane)
   {
     KeepBeyond(rays, scene.rayTextures.clippingPlanes[plane]);
+  }
+  return rays;
+}
+
+/// @param x, y  the first pixel of the packet, in the image
+inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
+{
+  const RayParameters& parameters = scene.rays;
+  const PacketRays lines = LinesOf(scene, x, y);
+  PacketRays rays = InsideBox(scene, lines, parameters.boxLowerGrid, parameters.boxUpperGrid);
+  if (scene.cuts.limitsSpan)
+  {
+    CutToSpan(rays, scene,
+      InsideBox(scene, lines, parameters.wholeLowerGrid, parameters.wholeUpperGrid).enter);
   }
   if (scene.rayTextures.depthTexture)
   {

@@ -122,9 +122,10 @@ struct PacketExtreme
   float bricksPerBlock; ///< bricks along a side of a block
 };
 
-/// Arrays that cut rays off.
+/// Arrays and choices that cut rays off.
 struct PacketCuts
 {
+  bool limitsSpan; ///< true if rays begin at a distance from the eye, or end after some steps
   glm::ivec2 depthPixels; ///< size of the depth image
   /// Four numbers for each pixel, from below; the first two are the depths between which its ray is
   /// marched. Null: there are no layers.

@@ -10,10 +10,17 @@ namespace varimarch
 /// The rule by which rays skip samples.
 enum class Acceleration
 {
-  Off,          ///< all steps have the sample distance
-  ScalarField,  ///< skips blocks in which the scalar varies by at most a tolerance
-  OpticalField, ///< skips bricks by the colours and opacities of their values
+  Off,            ///< all steps have the sample distance
+  CellField,      ///< skips blocks in which the scalar varies by at most a tolerance
+  VariationField, ///< steps by the published field of voxels, for comparison
+  OpticalField,   ///< skips bricks by the colours and opacities of their values
 };
+
+/// True if a field is made of the values alone, without the transfer function.
+inline bool IsOfValues(Acceleration acceleration)
+{
+  return acceleration == Acceleration::CellField || acceleration == Acceleration::VariationField;
+}
 
 /// The rule that integrates a composite along a segment of the ray. The number of samples per
 /// segment follows from the sample distance, so that the rules compare at equal cost in texture
@@ -25,6 +32,7 @@ enum class Integration
   PreIntegrated, ///< values are linear between samples; materials take four parts; order 2
   Simpson,       ///< a parabola of extinction through three samples; order 4 for smooth data
   PublishedSum,  ///< the first sample, repeated, for comparison; order 1
+  FirstHit,      ///< a number of samples behind the first opaque one, for comparison
 };
 
 /// The blend mode: the way in which samples along a ray become a pixel.
@@ -165,11 +173,13 @@ struct RenderSettings
   bool labelSurfaces = false; ///< labels are lit as surfaces of their own; labels with shading only
   FunctionOf functionOf = FunctionOf::Value; ///< other than Value: composites of one component only
   Components components = Components::One;
-  int componentCount = 1;                  ///< number of the volume's components
-  bool gradientOpacity = false;            ///< opacity depends on the gradient; composite only
-  bool jitter = false;                     ///< rays begin with a fraction of a step
-  bool windowLevel = false;                ///< colours of the image are scaled
-  bool overlaps = false;                   ///< drawn together with other volumes; composite only
+  int componentCount = 1;       ///< number of the volume's components
+  bool gradientOpacity = false; ///< opacity depends on the gradient; composite only
+  bool jitter = false;          ///< rays begin with a fraction of a step
+  bool windowLevel = false;     ///< colours of the image are scaled
+  bool limitsSpan =
+    false;               ///< rays begin at a distance from the eye, or end after a number of steps
+  bool overlaps = false; ///< drawn together with other volumes; composite only
   std::vector<RenderSettings> others = {}; ///< settings of the other volumes, if this is the first
 };
 

@@ -21,6 +21,11 @@ std::string ClipFile(const RenderSettings& settings)
   return settings.clipping ? "Clip/Planes.glsl" : "Clip/None.glsl";
 }
 
+std::string SpanFile(const RenderSettings& settings)
+{
+  return settings.limitsSpan ? "Span/Limited.glsl" : "Span/None.glsl";
+}
+
 std::string JitterFile(const RenderSettings& settings)
 {
   return settings.jitter ? "Jitter/BlueNoise.glsl" : "Jitter/None.glsl";
@@ -40,7 +45,9 @@ std::string StepFile(const RenderSettings& settings)
 {
   switch (settings.acceleration)
   {
-    case Acceleration::ScalarField:
+    case Acceleration::CellField:
+      return "Step/CellField.glsl";
+    case Acceleration::VariationField:
       return "Step/VariationField.glsl";
     case Acceleration::OpticalField:
       if (IsExtreme(settings.blend))
@@ -52,6 +59,24 @@ std::string StepFile(const RenderSettings& settings)
       break;
   }
   return "Step/Fixed.glsl";
+}
+
+std::string RuleFile(Integration integration)
+{
+  switch (integration)
+  {
+    case Integration::PreIntegrated:
+      return "March/PreIntegrated.glsl";
+    case Integration::Simpson:
+      return "March/Simpson.glsl";
+    case Integration::PublishedSum:
+      return "March/PublishedSum.glsl";
+    case Integration::FirstHit:
+      return "March/FirstHit.glsl";
+    case Integration::Midpoint:
+      break;
+  }
+  return "March/Midpoint.glsl";
 }
 
 std::string MarchFile(const RenderSettings& settings)
@@ -83,18 +108,7 @@ std::string MarchFile(const RenderSettings& settings)
     return settings.integration == Integration::Midpoint ? "March/MaterialMidpoint.glsl"
                                                          : "March/MaterialSegments.glsl";
   }
-  switch (settings.integration)
-  {
-    case Integration::PreIntegrated:
-      return "March/PreIntegrated.glsl";
-    case Integration::Simpson:
-      return "March/Simpson.glsl";
-    case Integration::PublishedSum:
-      return "March/PublishedSum.glsl";
-    case Integration::Midpoint:
-      break;
-  }
-  return "March/Midpoint.glsl";
+  return RuleFile(settings.integration);
 }
 
 using Parts = std::vector<std::string>;
@@ -119,7 +133,8 @@ std::vector<std::string> PictureParts(const RenderSettings& settings)
     parts.insert(parts.end(), classify.begin(), classify.end());
   }
   parts.insert(parts.end(),
-    { BlendFile(settings), WindowFile(settings), ResumeFile(settings.pass), "RayMarch.frag.glsl" });
+    { BlendFile(settings), WindowFile(settings), ResumeFile(settings.pass), SpanFile(settings),
+      "RayMarch.frag.glsl" });
   return parts;
 }
 
@@ -132,7 +147,8 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   }
   Parts parts = PartsOfRaysAndVolume();
   parts.insert(parts.end(), { DepthFile(settings), ClipFile(settings) });
-  parts.insert(parts.end(), { ResumeFile(settings.pass), "RayMarch.frag.glsl" });
+  parts.insert(
+    parts.end(), { ResumeFile(settings.pass), SpanFile(settings), "RayMarch.frag.glsl" });
   return parts;
 }
 
@@ -163,8 +179,7 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
 // The loop along a ray that calls a rule; empty if the rule has a loop of its own.
 std::vector<std::string> LoopParts(const std::string& march)
 {
-  for (const char* const rule :
-    { "Midpoint", "PreIntegrated", "Simpson", "PublishedSum", "Projection" })
+  for (const char* const rule : { "Midpoint", "PreIntegrated", "Simpson", "Projection" })
   {
     if (march == std::string("March/") + rule + ".glsl")
     {
@@ -243,7 +258,7 @@ static std::vector<std::string> PartsAroundMarch(const RenderSettings& settings)
   parts.push_back(ProbeFile(settings));
   const std::vector<std::string> pass = PassParts(settings);
   parts.insert(parts.end(), pass.begin(), pass.end());
-  parts.push_back("RayMarch.frag.glsl");
+  parts.insert(parts.end(), { SpanFile(settings), "RayMarch.frag.glsl" });
   return parts;
 }
 
@@ -275,7 +290,7 @@ static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
   add(PartsOfOne(settings));
   add({ "March/Several.glsl", "Mask/None.glsl", "Crop/None.glsl" });
   add(PassParts(settings));
-  add({ "RayMarch.frag.glsl" });
+  add({ SpanFile(settings), "RayMarch.frag.glsl" });
   return parts;
 }
 

@@ -90,6 +90,7 @@ PacketExtreme ExtremeOf(const VolumeMarch& march, const VolumeResources& volume)
 PacketCuts CutsOf(const VolumeMarch& march, const PacketSurroundings& around)
 {
   PacketCuts cuts = {};
+  cuts.limitsSpan = march.settings.limitsSpan;
   cuts.depthPixels = around.depthPixels;
   cuts.layerPixels = { march.plan.viewport.width, march.plan.viewport.height };
   return cuts;
