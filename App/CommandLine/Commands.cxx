@@ -138,12 +138,47 @@ void AddConvertCommand(CLI::App& program)
     "A volume file, a folder with a DICOM series or with pictures of slices, or\n"
     "procedural:shells|marschner-lobb|torso[:XxYxZ]");
   app
-    ->add_option("OUTPUT", arguments->outputPath,
+    ->add_option("OUTPUT", arguments->output.path,
       "The file to write: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha),\n"
       "VTK image (.vti) or OME-TIFF (.tif, .tiff)")
     ->required();
-  app->add_flag("--overwrite", arguments->overwrites, "Replace an existing file");
+  app->add_flag("--overwrite", arguments->output.overwrites, "Replace an existing file");
   app->callback([arguments] { RunConvert(*arguments); });
+}
+
+void AddFieldCommand(CLI::App& program)
+{
+  const auto arguments = std::make_shared<FieldArguments>();
+  CLI::App* app =
+    program.add_subcommand("field", "Write how far each voxel's surroundings have about its value");
+  app->footer(
+    "The field of variations of Banquero, Ortiz and Rossi (2016): for each voxel the largest\n"
+    "distance d, 1 to 255 voxels, such that all voxels closer than d differ from it by less than "
+    "E.\n"
+    "Examples:\n"
+    "  varimarch field head.nii.gz -o field.nrrd --tolerance 40\n"
+    "  varimarch field procedural:shells -o field.mha --tolerance 0.01 --distance chebyshev");
+  AddVolumeOptions(*app, arguments->volume,
+    "A volume file, a folder with a DICOM series, or\n"
+    "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+  app
+    ->add_option("-o,--output", arguments->output.path,
+      "The file to write, in a format of varimarch convert; voxels are bytes")
+    ->required()
+    ->type_name("FILE");
+  app->add_option("--tolerance", arguments->tolerance, "E in units of the data")
+    ->required()
+    ->check(CLI::NonNegativeNumber.description(""))
+    ->type_name("E");
+  app
+    ->add_option_function<std::string>(
+      "--distance",
+      [arguments](const std::string& name)
+      { arguments->distance = ValueOf(VoxelDistanceNames(), name); },
+      "Shape of the surroundings: a ball (euclidean, the default) or a cube (chebyshev)")
+    ->check(OneOf(NamesOf(VoxelDistanceNames())));
+  app->add_flag("--overwrite", arguments->output.overwrites, "Replace an existing file");
+  app->callback([arguments] { RunField(*arguments); });
 }
 
 }
@@ -154,6 +189,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddCompareCommand(program, commandText);
   AddInfoCommand(program, commandText);
   AddConvertCommand(program);
+  AddFieldCommand(program);
 }
 
 }

@@ -1,8 +1,10 @@
 #ifndef Varimarch_CommandLine_Commands_h
 #define Varimarch_CommandLine_Commands_h
 
+#include "Core/Fields/VariationField.h"
 #include "LabelArguments.h"
 #include "SceneArguments.h"
+#include "VolumeOutput.h"
 
 #include <string>
 
@@ -51,8 +53,15 @@ struct InfoArguments
 struct ConvertArguments
 {
   VolumeArguments volume;
-  std::string outputPath;
-  bool overwrites = false; ///< true to replace an existing file
+  VolumeOutput output;
+};
+
+struct FieldArguments
+{
+  VolumeArguments volume;
+  VolumeOutput output;
+  double tolerance = 0.0; ///< E of VariationField [units of the data], >= 0
+  VoxelDistance distance = VoxelDistance::Euclidean;
 };
 
 /// Draws a scene into a PNG or DICOM file.
@@ -66,6 +75,9 @@ void RunInfo(const InfoArguments& arguments);
 
 /// Writes a volume in another format.
 void RunConvert(const ConvertArguments& arguments);
+
+/// Writes the field of variations of a volume as a volume.
+void RunField(const FieldArguments& arguments);
 
 /// Adds the subcommands that fill these arguments and run.
 void AddCommands(CLI::App& program, const std::string& commandText);

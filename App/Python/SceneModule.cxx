@@ -9,6 +9,8 @@
 #include "Scene/OffscreenView.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
+#include "Scene/SceneNames.h"
+#include "Scene/VariationImage.h"
 #include "Scene/VolumeProperty.h"
 
 #include <nlohmann/json.hpp>
@@ -240,6 +242,33 @@ PyObject* Render(PyObject*, PyObject* arguments)
     });
 }
 
+PyObject* FieldOfVariations(PyObject*, PyObject* arguments)
+{
+  PyObject* object = nullptr;
+  double tolerance = 0.0;
+  const char* distance = nullptr;
+  if (!PyArg_ParseTuple(arguments, "Ods", &object, &tolerance, &distance))
+  {
+    return nullptr;
+  }
+  auto* const volume =
+    static_cast<vtkImageData*>(vtkPythonUtil::GetPointerFromObject(object, "vtkImageData"));
+  if (!volume)
+  {
+    return nullptr;
+  }
+  return ResultOf(
+    [&]
+    {
+      vtkSmartPointer<vtkImageData> field;
+      {
+        const ReleasedInterpreter released;
+        field = VariationImage(volume, tolerance, ValueOf(VoxelDistanceNames(), distance));
+      }
+      return vtkPythonUtil::GetObjectFromPointer(field);
+    });
+}
+
 }
 
 }
@@ -253,6 +282,8 @@ PyMODINIT_FUNC PyInit__scene()
     { "render", varimarch::Render, METH_VARARGS,
       "(volume, scene[, labels, segments, opacity]) -> the rendered vtkImageData, whose first row "
       "is the lowest." },
+    { "variation_field", varimarch::FieldOfVariations, METH_VARARGS,
+      "(volume, tolerance, distance) -> a vtkImageData of bytes with distances in voxels." },
     { nullptr, nullptr, 0, nullptr } };
   static PyModuleDef module = { PyModuleDef_HEAD_INIT, "_scene",
     "Renders scenes as the program varimarch does.", -1, functions, nullptr, nullptr, nullptr,

@@ -174,6 +174,38 @@ def limited_rays(folder):
     assert "excludes" in message, message
 
 
+def field(folder):
+    def voxels_of(name):
+        header, _, voxels = (folder / name).read_bytes().partition(b"ElementDataFile = LOCAL\n")
+        assert b"MET_UCHAR" in header and b"CompressedData = False" in header, header
+        return voxels
+
+    # A row of values whose nearest differences can be counted.
+    values = [0, 0, 0, 0, 9, 9, 5, 5]
+    (folder / "row.raw").write_bytes(bytes(2 * values + 2 * values))
+    raw = (folder / "row.raw", "--raw-dimensions", "8x2x2", "--raw-type", "uint8")
+    for distance in ("euclidean", "chebyshev"):
+        run("field", *raw, "-o", folder / f"{distance}.mha", "--tolerance", "5",
+            "--distance", distance)
+        assert list(voxels_of(f"{distance}.mha")[:8]) == [4, 3, 2, 1, 1, 2, 3, 4], distance
+    run("field", *raw, "-o", folder / "six.mha", "--tolerance", "6")
+    assert list(voxels_of("six.mha")[:8]) == [4, 3, 2, 1, 1, 2, 255, 255]
+    _, message = run("field", *raw, "-o", folder / "six.mha", "--tolerance", "6", expect=1)
+    assert "--overwrite" in message, message
+    run("field", *raw, "-o", folder / "six.mha", "--tolerance", "10", "--overwrite")
+    assert set(voxels_of("six.mha")) == {255}, "no two values differ by 10"
+    description, _ = run("info", VOLUME)
+    run("field", VOLUME, "-o", folder / "torso.nii.gz", "--tolerance", "50")
+    place = [line for line in description.splitlines() if "mm" in line]
+    written, _ = run("info", folder / "torso.nii.gz")
+    assert all(line in written for line in place), (place, written)
+    for arguments, message in ((["-o", folder / "a.nrrd"], "--tolerance"),
+                               (["-o", folder / "a.png", "--tolerance", "1"], ".nrrd"),
+                               (["-o", folder / "a.nrrd", "--tolerance", "-1"], "--tolerance")):
+        _, errors = run("field", *raw, *arguments, expect=2)
+        assert message in errors, errors
+
+
 def usage(folder):
     for arguments in ([], ["render"], ["rendr"], ["render", VOLUME], ["info", VOLUME, "--bins", "0"],
                       ["compare", VOLUME, "-o", folder, "--rounds", "none"]):
@@ -191,7 +223,7 @@ def usage(folder):
         _, errors = run("render", volume, "-o", folder / "a.png", "--raw-dimensions", "4x4x4",
                         expect=2)
         assert f"--raw-dimensions: expected a raw file, found the {kind} {volume}" in errors, errors
-    for command in ("render", "compare", "info", "convert"):
+    for command in ("render", "compare", "info", "convert", "field"):
         text, _ = run(command, "--help")
         assert f"  varimarch {command} " in text, "help without examples"
 
@@ -229,6 +261,6 @@ def interrupt(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (render, render_dicom, compare, compare_with_every_blend, info, convert,
+        cases = (render, render_dicom, compare, compare_with_every_blend, info, convert, field,
                  limited_rays, usage, errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

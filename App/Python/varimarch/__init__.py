@@ -9,8 +9,9 @@ Images are rendered from arrays or files, and are arrays themselves:
     varimarch.write_png(image, "head.png")
 
 render() renders a volume; read() opens any volume file; to_image() and to_array() convert arrays to
-vtkImageData and back; capture() returns the image in a window; presets() lists the presets. Viewer opens a volume in the
-program varimarch-viewer, and exchanges looks with it.
+vtkImageData and back; capture() returns the image in a window; presets() lists the presets;
+variation_field() returns how far values stay about the same around each voxel. Viewer opens a volume
+in the program varimarch-viewer, and exchanges looks with it.
 
 In VTK pipelines of your own, use the classes like all other classes of VTK:
 vtkVariationFieldVolumeMapper renders, vtkVolumeFileReader reads, vtkHeadlessRenderWindow is a window
@@ -23,12 +24,14 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from . import VarimarchVolume
 from ._scene import version as __version__
 from .VarimarchVolume import *  # noqa: F401,F403
+from .fields import variation_field
 from .images import read, to_array, to_image
 from .looks import presets
 from .pictures import capture, render, write_png
 from .viewer import Viewer
 
-__all__ = ["Viewer", "capture", "presets", "read", "render", "to_array", "to_image", "write_png"]
+__all__ = ["Viewer", "capture", "presets", "read", "render", "to_array", "to_image"]
+__all__ += ["variation_field", "write_png"]
 __all__ += [name for name in dir(VarimarchVolume) if name.startswith("vtk")]
 
 

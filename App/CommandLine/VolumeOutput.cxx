@@ -1,0 +1,62 @@
+#include "VolumeOutput.h"
+
+#include "Messages.h"
+#include "Progress.h"
+#include "Scene/VolumeWriters/VolumeWriters.h"
+#include "UsageError.h"
+#include "VtkMessages.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// A list such as ".nii, .nii.gz, .nrrd".
+std::string WritableExtensions()
+{
+  std::string list;
+  for (const VolumeWriter& writer : VolumeWriters())
+  {
+    for (const std::string& extension : writer.extensions)
+    {
+      list += (list.empty() ? "" : ", ") + extension;
+    }
+  }
+  return list;
+}
+
+}
+
+void CheckVolumeOutput(const VolumeOutput& output, const std::string& argument)
+{
+  const std::string& path = output.path;
+  if (!WriterFor(path))
+  {
+    throw UsageError(
+      argument + ": expected a name that ends with " + WritableExtensions() + ", found " + path);
+  }
+  if (std::filesystem::is_directory(path))
+  {
+    throw std::runtime_error(path + ": expected the name of a file, found a folder");
+  }
+  if (!output.overwrites && std::filesystem::exists(path))
+  {
+    throw std::runtime_error(path + ": exists already; --overwrite replaces it");
+  }
+}
+
+void WriteVolumeReporting(const LoadedVolume& volume, const VolumeOutput& output)
+{
+  const Progress progress("Writing " + output.path);
+  for (const std::string& loss : WriteVolume(volume, output.path))
+  {
+    PrintMessage("warning: " + loss);
+  }
+  ThrowIfVtkReportedError();
+}
+
+}
