@@ -305,6 +305,25 @@ public:
   vtkGetMacro(EarlyTerminationTransmittance, double);
   ///@}
 
+  enum CompositingOrders
+  {
+    FrontToBack, ///< rays may end early and skip what is invisible
+    BackToFront  ///< whole rays at equal steps, for comparison
+  };
+
+  ///@{
+  /**
+   * The order in which the samples of a ray are composited. Both give the same image up to rounding
+   * and early termination. BackToFront takes neither a field nor early termination, integrates by
+   * midpoints, and is left to shaders. It applies to composites; overlapping volumes and voxels
+   * drawn as boxes are always composited front to back. Default: FrontToBack.
+   */
+  vtkSetClampMacro(CompositingOrder, int, FrontToBack, BackToFront);
+  vtkGetMacro(CompositingOrder, int);
+  void SetCompositingOrderToFrontToBack() { this->SetCompositingOrder(FrontToBack); }
+  void SetCompositingOrderToBackToFront() { this->SetCompositingOrder(BackToFront); }
+  ///@}
+
   ///@{
   /**
    * A gradient magnitude below which diffuse and specular light are reduced in proportion.
@@ -570,6 +589,7 @@ protected:
   vtkTypeBool AutoAdjustSampleDistances = 1;
   vtkTypeBool LockSampleDistanceToInputSpacing = 0;
   double EarlyTerminationTransmittance = 1.0 / 1024.0;
+  int CompositingOrder = FrontToBack;
   double NanColor[3] = { 0.5, 0.0, 0.0 };
   double NanOpacity = 0.0;
   vtkIdType MaximumGraphicsMemory = 0;

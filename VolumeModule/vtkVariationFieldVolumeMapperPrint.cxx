@@ -26,6 +26,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NanOpacity: " << this->NanOpacity << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "MaximumGraphicsMemory: " << this->MaximumGraphicsMemory << "\n";
+  os << indent << "CompositingOrder: " << this->CompositingOrder << "\n";
   os << indent << "DampingGradient: " << this->DampingGradient << "\n";
   os << indent << "CubicInterpolation: " << this->CubicInterpolation << "\n";
   os << indent << "UseJittering: " << this->UseJittering << "\n";

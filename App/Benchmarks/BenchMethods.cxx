@@ -84,6 +84,14 @@ struct Row
 // Integration rules and fields are compared in shaders, because packets do not have all of them.
 constexpr MapperKind Shaders = MapperKind::VarimarchShaders;
 
+RenderOptions WithoutField(bool fromBehind)
+{
+  RenderOptions options = With(Acceleration::Off);
+  options.earlyTerminationTransmittance = 0.0;
+  options.fromBehind = fromBehind;
+  return options;
+}
+
 const std::vector<Row>& Rows()
 {
   const RenderOptions cells = With(Acceleration::CellField);
@@ -127,11 +135,41 @@ const std::vector<Row>& Rows()
   return rows;
 }
 
-bool IsUsedIn(Pictures pictures, const Look& look)
+// Choices of our mapper that are slower, or cost more memory, and are there to be compared.
+const std::vector<Row>& RowsOfChoices()
 {
-  const bool isComposite = look.blend == Blend::Composite;
-  return pictures == Pictures::All ||
-    (isComposite && (pictures == Pictures::Composites || !look.shading.enabled));
+  static const std::vector<Row> rows = {
+    { { "whole-rays", "Varimarch, no field, no early end", Shaders,
+        { SkyBlue, Marker::Circle, Stroke::Dotted } },
+      WithoutField(false), SampleDistances, 0.0, Pictures::Composites },
+    { { "back-to-front", "Varimarch, no field, back to front", Shaders,
+        { SkyBlue, Marker::Square, Stroke::Solid } },
+      WithoutField(true), SampleDistances, 0.0, Pictures::Composites },
+  };
+  return rows;
+}
+
+std::vector<Row> AllRows()
+{
+  std::vector<Row> rows = Rows();
+  rows.insert(rows.end(), RowsOfChoices().begin(), RowsOfChoices().end());
+  return rows;
+}
+
+bool IsUsedIn(Pictures pictures, const Scene& scene)
+{
+  const bool isComposite = scene.look.blend == Blend::Composite;
+  const bool isShaded = scene.look.shading.enabled;
+  switch (pictures)
+  {
+    case Pictures::All:
+      return true;
+    case Pictures::Composites:
+      return isComposite;
+    case Pictures::UnshadedComposites:
+      return isComposite && !isShaded;
+  }
+  return false;
 }
 
 }
@@ -139,7 +177,7 @@ bool IsUsedIn(Pictures pictures, const Look& look)
 std::vector<std::string> BenchMethodNames()
 {
   std::vector<std::string> names;
-  for (const Row& row : Rows())
+  for (const Row& row : AllRows())
   {
     names.push_back(row.method.name);
   }
@@ -150,11 +188,11 @@ std::vector<BenchRun> WorkPrecisionRuns(
   const Scene& scene, vtkImageData* image, const std::vector<std::string>& chosen)
 {
   std::vector<BenchRun> runs;
-  for (const Row& row : Rows())
+  for (const Row& row : AllRows())
   {
     const bool wanted =
       chosen.empty() || std::find(chosen.begin(), chosen.end(), row.method.name) != chosen.end();
-    if (wanted && CanBlend(row.method.kind, scene.look.blend) && IsUsedIn(row.pictures, scene.look))
+    if (wanted && CanBlend(row.method.kind, scene.look.blend) && IsUsedIn(row.pictures, scene))
     {
       RenderOptions options = row.options;
       options.variationTolerance = Variation(image, row.variation255);

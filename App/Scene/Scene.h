@@ -298,6 +298,7 @@ struct RenderOptions
   std::optional<double> sampleDistanceVoxels = {};
   int mostSteps = 0;            ///< sample distances after which a ray ends; 0: no limit
   double firstDistanceMm = 0.0; ///< distance from the eye at which rays begin, >= 0
+  bool fromBehind = false;      ///< composites are added up from the back; not in scene files
 
   bool HasSampleDistance() const { return this->sampleDistanceMm || this->sampleDistanceVoxels; }
 };

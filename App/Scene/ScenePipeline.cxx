@@ -112,6 +112,8 @@ void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
   mapper->SetVariationTolerance(options.variationTolerance.value_or(-1.0));
   mapper->SetEarlyTerminationTransmittance(options.earlyTerminationTransmittance);
   mapper->SetUseJittering(options.jitter);
+  mapper->SetCompositingOrder(options.fromBehind ? vtkVariationFieldVolumeMapper::BackToFront
+                                                 : vtkVariationFieldVolumeMapper::FrontToBack);
 }
 
 // The sample distance of VTK's mappers, which know no voxels.

@@ -83,6 +83,22 @@ std::vector<RenderSettings> RecipesOfGrowingSteps()
   return recipes;
 }
 
+std::vector<RenderSettings> RecipesFromBehind()
+{
+  std::vector<RenderSettings> recipes;
+  for (bool shading : { false, true })
+  {
+    for (RayPass pass : { RayPass::Whole, RayPass::Block, RayPass::PickVoxel })
+    {
+      recipes.push_back({ Blend::Composite, Acceleration::Off, shading, false });
+      recipes.back().fromBehind = true;
+      recipes.back().jitter = shading;
+      recipes.back().pass = pass;
+    }
+  }
+  return recipes;
+}
+
 std::vector<RenderSettings> RecipesInBlocks()
 {
   std::vector<RenderSettings> recipes;
@@ -293,10 +309,10 @@ std::vector<RenderSettings> EveryRecipe()
   RenderSettings counting;
   counting.countFetches = true;
   std::vector<RenderSettings> recipes = { counting };
-  for (const std::vector<RenderSettings>& others :
-    { RecipesOfMaterials(), RecipesOfLinearMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(),
-      RecipesInBlocks(), RecipesOfPictures(), RecipesOfSplines(), RecipesWithCuts(),
-      RecipesOfSeveralVolumes(), ExactRecipes() })
+  for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(),
+         RecipesOfLinearMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(), RecipesInBlocks(),
+         RecipesOfPictures(), RecipesOfSplines(), RecipesWithCuts(), RecipesOfSeveralVolumes(),
+         RecipesFromBehind(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

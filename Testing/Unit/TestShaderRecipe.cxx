@@ -109,6 +109,17 @@ TEST(ShaderRecipe, ASplineChangesHowTheVolumeIsReadAndItsGradients)
     (Parts{ "Interpolation/CubicSpline.glsl", "Gradient/OfSpline.glsl" }));
 }
 
+TEST(ShaderRecipe, TheOrderOfCompositingIsAMarchOfItsOwn)
+{
+  RenderSettings behind = plain;
+  behind.fromBehind = true;
+  EXPECT_EQ(Changed(behind), (Parts{ "FromBehind.glsl", "March/MidpointFromBehind.glsl" }));
+  const Parts parts = FragmentShaderParts(behind);
+  EXPECT_EQ(std::count(parts.begin(), parts.end(), "Loop/Segments.glsl"), 0);
+  behind.shading = true;
+  EXPECT_EQ(Changed(behind).back(), "March/MaterialFromBehind.glsl");
+}
+
 TEST(ShaderRecipe, CutsChangeTheirOwnSlotsOnly)
 {
   RenderSettings cuts = plain;

@@ -80,6 +80,10 @@ Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings
   const bool one = settings.components == Components::One;
   // A walk from voxel to voxel cannot add up the lengths that it skips.
   const bool sums = IsProjection(settings.blend) && !settings.nearest;
+  if (settings.fromBehind)
+  {
+    return Acceleration::Off; // the length of a step depends on what lies in front of it
+  }
   switch (accelerationMode)
   {
     case vtkVariationFieldVolumeMapper::CellField:
@@ -123,6 +127,8 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   settings.nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
   settings.cubic = mapper->GetCubicInterpolation() != 0 && !settings.nearest;
   ChooseMaterial(mapper, property, scalars, settings);
+  settings.fromBehind = settings.blend == Blend::Composite && !settings.nearest &&
+    mapper->GetCompositingOrder() == vtkVariationFieldVolumeMapper::BackToFront;
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings);
   settings.shading = property->GetShade() != 0 && !IsProjection(settings.blend);
   settings.lights = settings.shading && !HasHeadLightOnly(renderer);

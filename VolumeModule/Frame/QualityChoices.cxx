@@ -9,8 +9,12 @@ namespace varimarch
 namespace
 {
 
-Integration IntegrationOf(int integrationRule)
+Integration IntegrationOf(int integrationRule, const RenderSettings& settings)
 {
+  if (settings.fromBehind)
+  {
+    return Integration::Midpoint;
+  }
   switch (integrationRule)
   {
     case vtkVariationFieldVolumeMapper::PreIntegrated:
@@ -63,14 +67,15 @@ void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   quality.budget = BudgetOf(mapper, frame);
   quality.choosesIntegration =
     mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
-    frame.settings.blend == Blend::Composite && IsSampled(frame.settings);
+    frame.settings.blend == Blend::Composite && IsSampled(frame.settings) &&
+    !frame.settings.fromBehind;
   quality.variationTolerance = mapper->GetVariationTolerance();
   quality.earlyTerminationTransmittance =
     quality.budget.EarlyTermination(mapper->GetEarlyTerminationTransmittance());
   quality.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
     : ChosenSampleDistanceMm(mapper, frame);
-  frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule());
+  frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule(), frame.settings);
   if (quality.choosesIntegration && MarchesMaterial(frame.settings) &&
     quality.budget.StepTolerance() == 0.0)
   {

@@ -179,6 +179,7 @@ struct RenderSettings
   bool windowLevel = false;     ///< colours of the image are scaled
   bool limitsSpan =
     false;               ///< rays begin at a distance from the eye, or end after a number of steps
+  bool fromBehind = false; ///< composited from the back; with Acceleration::Off
   bool overlaps = false; ///< drawn together with other volumes; composite only
   std::vector<RenderSettings> others = {}; ///< settings of the other volumes, if this is the first
 };

@@ -61,6 +61,13 @@ std::string StepFile(const RenderSettings& settings)
   return "Step/Fixed.glsl";
 }
 
+std::string FileFromBehind(const RenderSettings& settings)
+{
+  return MarchesMaterial(settings) ? "March/MaterialFromBehind.glsl"
+                                   : "March/MidpointFromBehind.glsl";
+}
+
+// The rule of composites of one scalar.
 std::string RuleFile(Integration integration)
 {
   switch (integration)
@@ -102,6 +109,10 @@ std::string MarchFile(const RenderSettings& settings)
   if (settings.blend != Blend::Composite)
   {
     return IsSampled(settings) ? "March/Projection.glsl" : "March/Extreme.glsl";
+  }
+  if (settings.fromBehind)
+  {
+    return FileFromBehind(settings);
   }
   if (MarchesMaterial(settings))
   {
@@ -211,9 +222,14 @@ std::vector<std::string> MarchParts(const RenderSettings& settings)
     parts.push_back(
       settings.components == Components::One ? "Sample/Scalar.glsl" : "Sample/Texel.glsl");
   }
-  if (march == "March/Midpoint.glsl" || march == "March/PreIntegrated.glsl")
+  if (march == "March/Midpoint.glsl" || march == "March/PreIntegrated.glsl" ||
+    march == "March/MidpointFromBehind.glsl")
   {
     parts.push_back("FourScalars.glsl");
+  }
+  if (march == FileFromBehind(settings))
+  {
+    parts.push_back("FromBehind.glsl");
   }
   parts.push_back(march);
   return parts;
