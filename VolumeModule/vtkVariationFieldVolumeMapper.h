@@ -350,6 +350,19 @@ public:
 
   ///@{
   /**
+   * Keep the gradients of all voxels in a texture of 6 bytes per voxel, instead of computing each
+   * from six fetches. The image is the same but for the rounding of the gradients to 16 bits.
+   * Applies to volumes of one component where the image needs gradients, unless these are those of
+   * a spline, see clipping planes as surfaces, or belong to a rectilinear grid. Such images are
+   * left to shaders. Default: off.
+   */
+  vtkSetClampMacro(StoredGradients, vtkTypeBool, 0, 1);
+  vtkGetMacro(StoredGradients, vtkTypeBool);
+  vtkBooleanMacro(StoredGradients, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Offset the first sample of each ray by blue noise, which is the same in all frames. The rings
    * that a long sample distance causes become fine grain. Default: off.
    */
@@ -600,6 +613,7 @@ protected:
   char* Transfer2DYAxisArray = nullptr;
   double DampingGradient = 0.0;
   vtkTypeBool CubicInterpolation = 0;
+  vtkTypeBool StoredGradients = 0;
   vtkTypeBool UseJittering = 0;
   float ImageSampleDistance = 1.0f;
   int MaximumAccumulatedPictures = 1;

@@ -29,6 +29,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CompositingOrder: " << this->CompositingOrder << "\n";
   os << indent << "DampingGradient: " << this->DampingGradient << "\n";
   os << indent << "CubicInterpolation: " << this->CubicInterpolation << "\n";
+  os << indent << "StoredGradients: " << this->StoredGradients << "\n";
   os << indent << "UseJittering: " << this->UseJittering << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";

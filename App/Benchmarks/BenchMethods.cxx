@@ -69,6 +69,7 @@ enum class Pictures
   All,
   Composites,
   UnshadedComposites,
+  ShadedComposites,
 };
 
 /// A row of the table of methods.
@@ -89,6 +90,13 @@ RenderOptions WithoutField(bool fromBehind)
   RenderOptions options = With(Acceleration::Off);
   options.earlyTerminationTransmittance = 0.0;
   options.fromBehind = fromBehind;
+  return options;
+}
+
+RenderOptions WithStoredGradients()
+{
+  RenderOptions options = With(Acceleration::OpticalField);
+  options.storedGradients = true;
   return options;
 }
 
@@ -145,6 +153,9 @@ const std::vector<Row>& RowsOfChoices()
     { { "back-to-front", "Varimarch, no field, back to front", Shaders,
         { SkyBlue, Marker::Square, Stroke::Solid } },
       WithoutField(true), SampleDistances, 0.0, Pictures::Composites },
+    { { "stored-gradients", "Varimarch, optical, stored gradients", Shaders,
+        { Blue, Marker::Diamond, Stroke::Dotted } },
+      WithStoredGradients(), FineSampleDistances, 0.0, Pictures::ShadedComposites },
   };
   return rows;
 }
@@ -168,6 +179,8 @@ bool IsUsedIn(Pictures pictures, const Scene& scene)
       return isComposite;
     case Pictures::UnshadedComposites:
       return isComposite && !isShaded;
+    case Pictures::ShadedComposites:
+      return isComposite && isShaded;
   }
   return false;
 }

@@ -299,6 +299,7 @@ struct RenderOptions
   int mostSteps = 0;            ///< sample distances after which a ray ends; 0: no limit
   double firstDistanceMm = 0.0; ///< distance from the eye at which rays begin, >= 0
   bool fromBehind = false;      ///< composites are added up from the back; not in scene files
+  bool storedGradients = false; ///< gradients are kept in a texture; not in scene files
 
   bool HasSampleDistance() const { return this->sampleDistanceMm || this->sampleDistanceVoxels; }
 };

@@ -114,6 +114,7 @@ void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
   mapper->SetUseJittering(options.jitter);
   mapper->SetCompositingOrder(options.fromBehind ? vtkVariationFieldVolumeMapper::BackToFront
                                                  : vtkVariationFieldVolumeMapper::FrontToBack);
+  mapper->SetStoredGradients(options.storedGradients);
 }
 
 // The sample distance of VTK's mappers, which know no voxels.

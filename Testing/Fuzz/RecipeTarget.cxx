@@ -108,6 +108,7 @@ RenderSettings ChosenSettings(ChosenNumbers& numbers)
     !settings.cubic && !isSurface && settings.mask == Mask::None && numbers.Integer(0, 3) == 0;
   settings.acceleration = ChosenAcceleration(numbers, settings);
   ChooseImage(numbers, settings);
+  settings.storedGradients = settings.components == Components::One && numbers.Flag();
   if (settings.blend == Blend::Composite && !settings.nearest && numbers.Integer(0, 7) == 0)
   {
     settings.fromBehind = true;

@@ -206,9 +206,10 @@ def shaders_have_no_switches():
 # Files that only shaders have, because packets leave their scenes to them.
 LEFT_TO_SHADERS = set(
     """Blend/ComponentAdditive Blend/ComponentAverage Blend/ComponentExtreme
-    Gradient/ClippedDifferences March/FirstHit March/MaterialFromBehind March/MidpointFromBehind
-    March/PublishedSum March/Simpson March/Slice March/VoxelSurfaces Material/TwoValues
-    Probe/FetchCount Sample/Texel Step/CellField Step/VariationField Values/Two""".split()
+    Gradient/ClippedDifferences Gradient/Stored March/FirstHit March/MaterialFromBehind
+    March/MidpointFromBehind March/PublishedSum March/Simpson March/Slice March/VoxelSurfaces
+    Material/TwoValues Probe/FetchCount Sample/Texel Step/CellField Step/VariationField
+    Values/Two""".split()
 )
 
 

@@ -99,6 +99,24 @@ std::vector<RenderSettings> RecipesFromBehind()
   return recipes;
 }
 
+std::vector<RenderSettings> RecipesWithStoredGradients()
+{
+  RenderSettings lit;
+  lit.shading = true;
+  lit.storedGradients = true;
+  RenderSettings two = lit;
+  two.functionOf = FunctionOf::ValueAndGradient;
+  RenderSettings surfaces{ Blend::Isosurface, Acceleration::OpticalField, true };
+  surfaces.storedGradients = true;
+  RenderSettings counted = lit;
+  counted.gaps = true;
+  counted.countFetches = true;
+  RenderSettings joined = lit;
+  joined.overlaps = true;
+  joined.others = { joined };
+  return { lit, two, surfaces, counted, joined };
+}
+
 std::vector<RenderSettings> RecipesInBlocks()
 {
   std::vector<RenderSettings> recipes;
@@ -312,7 +330,7 @@ std::vector<RenderSettings> EveryRecipe()
   for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(),
          RecipesOfLinearMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(), RecipesInBlocks(),
          RecipesOfPictures(), RecipesOfSplines(), RecipesWithCuts(), RecipesOfSeveralVolumes(),
-         RecipesFromBehind(), ExactRecipes() })
+         RecipesFromBehind(), RecipesWithStoredGradients(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

@@ -120,6 +120,27 @@ TEST(ShaderRecipe, TheOrderOfCompositingIsAMarchOfItsOwn)
   EXPECT_EQ(Changed(behind).back(), "March/MaterialFromBehind.glsl");
 }
 
+TEST(ShaderRecipe, StoredGradientsAreAFileOfTheirSlotWhereThereAreGradients)
+{
+  RenderSettings stored = plain;
+  stored.storedGradients = true;
+  EXPECT_EQ(Changed(stored), Parts());
+  EXPECT_FALSE(ReadsStoredGradients(stored));
+  stored.shading = true;
+  EXPECT_EQ(Changed(stored).front(), "Gradient/Stored.glsl");
+  EXPECT_TRUE(ReadsStoredGradients(stored));
+  RenderSettings picture = stored;
+  picture.pass = RayPass::Picture; // the last drawing of a frame in blocks
+  EXPECT_TRUE(ReadsStoredGradients(picture));
+  for (bool RenderSettings::*other :
+    { &RenderSettings::cubic, &RenderSettings::uneven, &RenderSettings::clippedGradients })
+  {
+    RenderSettings without = stored;
+    without.*other = true;
+    EXPECT_FALSE(ReadsStoredGradients(without));
+  }
+}
+
 TEST(ShaderRecipe, CutsChangeTheirOwnSlotsOnly)
 {
   RenderSettings cuts = plain;

@@ -135,6 +135,8 @@ void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* pr
   settings.labelSurfaces =
     settings.mask == Mask::Labels && property->GetShade() != 0 && mapper->GetLabelSurfaces() != 0;
   settings.gradientOpacity = HasGradientOpacity(property, settings);
+  settings.storedGradients =
+    mapper->GetStoredGradients() != 0 && settings.components == Components::One;
 }
 
 void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame& frame)

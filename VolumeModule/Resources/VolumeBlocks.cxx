@@ -10,6 +10,7 @@ void VolumeBlock::Release(vtkWindow* window)
   this->volume.Release(window);
   this->gaps.Release(window);
   this->valueField.Release(window);
+  this->gradients.Release(window);
 }
 
 void VolumeBlocks::SetVoxels(const VoxelValues& newValues)
@@ -54,11 +55,24 @@ void VolumeBlocks::SetValueField(vtkWindow* window, std::optional<ValueField> ch
   }
 }
 
+void VolumeBlocks::SetGradients(vtkWindow* window, bool areStored)
+{
+  this->storesGradients = areStored;
+  for (const auto& block : this->blocks)
+  {
+    if (block && !areStored)
+    {
+      block->gradients.Release(window);
+      block->gradientsAreCurrent = false;
+    }
+  }
+}
+
 std::size_t VolumeBlocks::BytesPerVoxel() const
 {
   const std::size_t gapBytes = this->MayHaveGaps() ? 1 : 0;
   return this->values.texels.size() * this->Texels().BytesPerTexel() + gapBytes +
-    (this->valueField ? 1 : 0);
+    (this->valueField ? 1 : 0) + (this->storesGradients ? GradientTexture::BytesPerVoxel : 0);
 }
 
 bool VolumeBlocks::Divide(vtkWindow* window, const BlockLimits& limits)
@@ -117,6 +131,7 @@ const VolumeBlock& VolumeBlocks::Take(vtkOpenGLRenderWindow* window, int block)
   }
   this->UpdateGaps(window, *taken, region);
   this->UpdateValueField(window, *taken, region);
+  this->UpdateGradients(window, *taken, region);
   return *taken;
 }
 
@@ -127,6 +142,7 @@ void VolumeBlocks::Upload(
   block.volume.Upload(window, region, this->values.texels);
   block.isCurrent = true;
   block.gapsAreCurrent = false;
+  block.gradientsAreCurrent = false;
   ++this->uploads;
 }
 
@@ -157,6 +173,16 @@ void VolumeBlocks::UpdateValueField(
     block.valueField.BuildValueField(window, region, *this->valueField, this->values.reachVoxels);
     block.valueFieldOf = this->valueField;
     this->fieldBuildSeconds += block.valueField.BuildSeconds();
+  }
+}
+
+void VolumeBlocks::UpdateGradients(
+  vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region)
+{
+  if (this->storesGradients && !block.gradientsAreCurrent)
+  {
+    block.gradients.Upload(window, region, this->Texels());
+    block.gradientsAreCurrent = true;
   }
 }
 

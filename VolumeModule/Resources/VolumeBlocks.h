@@ -4,6 +4,7 @@
 #include "Core/Blocks/BlockPartition.h"
 #include "Core/Blocks/BlockResidency.h"
 #include "Resources/FieldTexture.h"
+#include "Resources/GradientTexture.h"
 #include "Resources/VolumeGaps.h"
 #include "Resources/VolumeTexture.h"
 
@@ -22,14 +23,17 @@ struct VolumeBlock
   VolumeTexture volume;
   AccelerationField gaps;       ///< The cells without values; empty if there are none.
   AccelerationField valueField; ///< A field of the values alone, if the acceleration has one.
+  GradientTexture gradients;    ///< Empty unless gradients are stored.
   bool isCurrent = false;       ///< True if the texture is up to date.
   bool gapsAreCurrent = false;
+  bool gradientsAreCurrent = false;
   std::optional<ValueField> valueFieldOf; ///< The choice that the field was built for.
 
   bool HasGaps() const { return this->gaps.Bytes() > 0; }
   std::size_t Bytes() const
   {
-    return this->volume.Bytes() + this->gaps.Bytes() + this->valueField.Bytes();
+    return this->volume.Bytes() + this->gaps.Bytes() + this->valueField.Bytes() +
+      this->gradients.Bytes();
   }
   void Release(vtkWindow* window);
 };
@@ -49,7 +53,10 @@ public:
   /// Chooses the field of values that each block has; none for no field.
   void SetValueField(vtkWindow* window, std::optional<ValueField> chosen);
 
-  /// The largest memory per voxel, including the fields of voxels and cells.
+  /// Decides whether each block has the gradients of its voxels.
+  void SetGradients(vtkWindow* window, bool areStored);
+
+  /// The largest memory per voxel, including the fields of voxels and cells and the gradients.
   std::size_t BytesPerVoxel() const;
 
   /// @return true if the division has changed; no block is resident then
@@ -83,10 +90,13 @@ private:
   void UpdateGaps(vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
   void UpdateValueField(
     vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
+  void UpdateGradients(
+    vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
 
   VoxelValues values;
   Blanking blanking;
   std::optional<ValueField> valueField;
+  bool storesGradients = false;
   BlockPartition partition;
   BlockResidency residency;
   std::size_t capacity = 0;

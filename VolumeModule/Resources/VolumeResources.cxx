@@ -75,6 +75,8 @@ VolumeFindings VolumeResources::Update(const VolumeMarch& march, const MemoryEls
   this->UpdateSpacing(march);
   this->materials.Update(march, this->Blocks().TexelsOfComponents());
   this->packets.Update(march, this->Blocks().Values());
+  this->Blocks().SetGradients(march.frame.view.window,
+    march.plan.marcher == Marcher::Device && ReadsStoredGradients(march.settings));
   this->fields.Update({ march, this->Blocks(), this->materials, this->voxelsBuild });
   const bool blocksHaveGaps =
     this->division.Update(march, this->fields, this->BesideBlocks(march, elsewhere));
@@ -154,6 +156,7 @@ VolumeTextures VolumeResources::Textures(
   {
     const bool isOfValues = IsOfValues(settings.acceleration);
     textures.volumeTexture.onDevice = block->volume.Texture();
+    textures.gradientTexture.onDevice = block->gradients.Texture();
     textures.gapTexture.onDevice = block->gaps.Texture();
     textures.fieldTexture.onDevice =
       isOfValues ? block->valueField.Texture() : textures.fieldTexture.onDevice;

@@ -294,6 +294,15 @@ std::vector<ScalarTexels> ScalarTexelsOf(const VoxelComponents& components)
   return all;
 }
 
+std::vector<float> TexelsAsFloats(const ScalarRegion& region, const ScalarTexels& texels)
+{
+  const glm::ivec3 count = region.voxels.count;
+  std::vector<float> floats(std::size_t(count.x) * count.y * count.z);
+  ConvertComponent(region.components.front(),
+    { region.dimensions, region.voxels, 1, texels.mapping }, floats.data());
+  return floats;
+}
+
 // vtkTextureObject::AllocateProxyTexture3D does the same, but reports a refusal as an error.
 std::size_t VolumeTexture::MostTexels(
   glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels)

@@ -134,6 +134,9 @@ private:
   std::size_t bytes = 0;
 };
 
+/// The texels of the first component of a region, as the numbers that shaders read.
+std::vector<float> TexelsAsFloats(const ScalarRegion& region, const ScalarTexels& texels);
+
 /// Allocates a 3D texture.
 /// @param components  numbers per texel, 1 to 4
 /// @param what  the content of the texture for the error message, such as "a volume"

@@ -30,6 +30,8 @@ vec4 SlopeAlong(vec3 axis, vec3 positionTexture);
 // --- Probe: fetches voxels, and may count the fetches ---
 // The texel at a position in the volume texture. Every fetch of the volume is done here.
 vec4 StoredAt(vec3 placeTexture);
+// Counts the fetch of another texture of the volume, if fetches are counted.
+void CountFetch();
 // The colour to draw for a ray that has gathered this colour.
 vec4 Probed(vec4 picture);
 

@@ -3,6 +3,7 @@
 // memory.
 
 uniform sampler3D volumeTexture;      // values of up to four components
+uniform sampler3D gradientTexture;    // differences over two voxels, of the first component
 uniform sampler3D fieldTexture;       // nearest; of bricks, cells or voxels, see the files of Step
 uniform sampler3D gapTexture;         // nearest; of cells, see Gaps/Cells.glsl
 uniform sampler3D maskTexture;        // nearest; content and reach, see Mask/Voxels.glsl

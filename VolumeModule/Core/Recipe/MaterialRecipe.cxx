@@ -54,7 +54,13 @@ std::string GradientFile(const RenderSettings& settings)
   {
     return "Gradient/ClippedDifferences.glsl";
   }
-  return settings.cubic ? "Gradient/OfSpline.glsl" : "Gradient/CentralDifferences.glsl";
+  if (settings.cubic)
+  {
+    return "Gradient/OfSpline.glsl";
+  }
+  // On an uneven grid, voxels are not one step of the even grid apart.
+  return settings.storedGradients && !settings.uneven ? "Gradient/Stored.glsl"
+                                                      : "Gradient/CentralDifferences.glsl";
 }
 
 std::vector<std::string> ClassifyParts(const RenderSettings& settings)

@@ -344,4 +344,13 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   return parts;
 }
 
+bool ReadsStoredGradients(const RenderSettings& settings)
+{
+  RenderSettings march = settings;
+  march.pass = RayPass::Whole;
+  march.role = ShaderRole::MarchRays;
+  const Parts parts = FragmentShaderParts(march);
+  return std::find(parts.begin(), parts.end(), "Gradient/Stored.glsl") != parts.end();
+}
+
 }

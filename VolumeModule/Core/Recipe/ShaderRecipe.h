@@ -17,6 +17,9 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings);
 /// True if the shader uses a PreIntegratedTable.
 bool UsesPreIntegration(const RenderSettings& settings);
 
+/// True if the march of a frame reads gradients from a texture.
+bool ReadsStoredGradients(const RenderSettings& settings);
+
 /// Number of materials that the shader mixes.
 int PartCount(const RenderSettings& settings);
 

@@ -99,12 +99,15 @@ VolumeTextures TexturesOf(
   const VolumeMarch& march, const VolumeResources& volume, const VolumeBlock* block)
 {
   const VolumeTextures textures = volume.Textures(march.settings, block);
-  if (vtkTextureObject* const voxels = textures.volumeTexture.onDevice)
+  const int filter = march.settings.nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
+  for (vtkTextureObject* const voxels :
+    { textures.volumeTexture.onDevice, textures.gradientTexture.onDevice })
   {
-    const int filter =
-      march.settings.nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
-    voxels->SetMinificationFilter(filter);
-    voxels->SetMagnificationFilter(filter);
+    if (voxels)
+    {
+      voxels->SetMinificationFilter(filter);
+      voxels->SetMagnificationFilter(filter);
+    }
   }
   return textures;
 }

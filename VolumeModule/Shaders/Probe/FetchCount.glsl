@@ -1,10 +1,16 @@
-// Draws the number of a ray's fetches of the volume instead of its colour: in red, not scaled.
+// Draws the number of a ray's fetches of the volume and its gradients instead of its colour: in
+// red, not scaled.
 
 float fetches = 0.0;
 
-vec4 StoredAt(vec3 placeTexture)
+void CountFetch()
 {
   fetches += 1.0;
+}
+
+vec4 StoredAt(vec3 placeTexture)
+{
+  CountFetch();
   return textureLod(volumeTexture, placeTexture, 0.0);
 }
 

@@ -1,5 +1,7 @@
 // Fetches are not counted.
 
+void CountFetch() {}
+
 vec4 StoredAt(vec3 placeTexture)
 {
   return textureLod(volumeTexture, placeTexture, 0.0);
