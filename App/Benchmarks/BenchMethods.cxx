@@ -1,5 +1,6 @@
 #include "BenchMethods.h"
 
+#include "Comparison/vtkComparisonMapper.h"
 #include "Scene/ScenePipeline.h"
 
 #include <algorithm>
@@ -22,6 +23,10 @@ constexpr std::array<unsigned char, 3> Vermilion = { 213, 94, 0 };
 
 constexpr std::array<unsigned char, 3> Purple = { 204, 121, 167 };
 constexpr std::array<unsigned char, 3> Orange = { 230, 159, 0 };
+
+// Darker and lighter than all others, for the methods of others.
+constexpr std::array<unsigned char, 3> Brown = { 102, 51, 0 };
+constexpr std::array<unsigned char, 3> Gray = { 140, 140, 140 };
 
 RenderOptions With(Acceleration acceleration, Integration integration = Integration::Midpoint)
 {
@@ -52,6 +57,17 @@ std::vector<BenchSetting> FineSampleDistances(vtkImageData* image, const RenderO
   return settings;
 }
 
+// Distances between slices of voxels.
+std::vector<BenchSetting> WholeVoxels(vtkImageData* image, const RenderOptions& options)
+{
+  std::vector<BenchSetting> settings;
+  for (const double voxels : { 4.0, 2.0, 1.0 })
+  {
+    settings.push_back(AtDistance(image, voxels, options));
+  }
+  return settings;
+}
+
 // Settings for which the mapper chooses the sample distance.
 std::vector<BenchSetting> ErrorTolerances(vtkImageData* /*image*/, const RenderOptions& options)
 {
@@ -70,6 +86,8 @@ enum class Pictures
   Composites,
   UnshadedComposites,
   ShadedComposites,
+  PlainComposites,         ///< without cuts and gradient opacity
+  UnshadedPlainComposites, ///< the same, unshaded
 };
 
 /// A row of the table of methods.
@@ -160,11 +178,46 @@ const std::vector<Row>& RowsOfChoices()
   return rows;
 }
 
+// Methods of others, which only the benchmarks draw.
+const std::vector<Row>& RowsOfOthers()
+{
+  const auto row = [](const std::string& name, const std::string& title, CurveStyle style,
+                     int method, Pictures pictures = Pictures::PlainComposites) {
+    return Row{ { name, title, Shaders, style, method }, {}, SampleDistances, 0.0, pictures };
+  };
+  static const std::vector<Row> rows = {
+    row("slices-object", "object-aligned slices", { Brown, Marker::Circle, Stroke::Solid },
+      vtkComparisonMapper::ObjectSlices),
+    { { "slices-object-2d", "object-aligned slices, 2D textures", Shaders,
+        { Brown, Marker::Square, Stroke::Dotted }, vtkComparisonMapper::ObjectSlices2D },
+      {}, WholeVoxels, 0.0, Pictures::UnshadedPlainComposites },
+    row("slices-view", "view-aligned slices", { Brown, Marker::Diamond, Stroke::Dashed },
+      vtkComparisonMapper::ViewSlices),
+    row("shells", "spherical shells", { Gray, Marker::Circle, Stroke::Solid },
+      vtkComparisonMapper::Shells),
+    row("passes", "march in passes", { Gray, Marker::Square, Stroke::Dashed },
+      vtkComparisonMapper::Passes),
+    row("half-angle", "half-angle slices, with shadows: not the same image",
+      { Gray, Marker::Diamond, Stroke::Dotted }, vtkComparisonMapper::HalfAngle),
+  };
+  return rows;
+}
+
 std::vector<Row> AllRows()
 {
   std::vector<Row> rows = Rows();
-  rows.insert(rows.end(), RowsOfChoices().begin(), RowsOfChoices().end());
+  for (const std::vector<Row>& more : { RowsOfChoices(), RowsOfOthers() })
+  {
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
   return rows;
+}
+
+bool IsPlain(const Scene& scene)
+{
+  const SceneCuts& cuts = scene.cuts;
+  return scene.look.gradientOpacities.empty() && cuts.box == SceneCuts().box &&
+    cuts.planes.empty() && cuts.scissors.empty();
 }
 
 bool IsUsedIn(Pictures pictures, const Scene& scene)
@@ -181,6 +234,10 @@ bool IsUsedIn(Pictures pictures, const Scene& scene)
       return isComposite && !isShaded;
     case Pictures::ShadedComposites:
       return isComposite && isShaded;
+    case Pictures::PlainComposites:
+      return isComposite && IsPlain(scene);
+    case Pictures::UnshadedPlainComposites:
+      return isComposite && !isShaded && IsPlain(scene);
   }
   return false;
 }

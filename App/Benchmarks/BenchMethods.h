@@ -6,6 +6,7 @@
 
 #include <vtkImageData.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct BenchMethod
   std::string title; ///< name in legends and reports
   MapperKind kind;
   CurveStyle style;
+  /// One of vtkComparisonMapper::Methods, which then draws instead of the mapper of this kind.
+  std::optional<int> comparison = {};
 };
 
 std::vector<std::string> BenchMethodNames();

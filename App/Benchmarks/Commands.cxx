@@ -48,12 +48,14 @@ void AddLongestOption(CLI::App& command, double& seconds, const std::string& des
 void AddWorkPrecisionCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<WorkPrecisionArguments>();
+  arguments->options.orbitFrames = 31;
   arguments->report.commandText = commandText;
   CLI::App* app = program.add_subcommand(
     "work-precision", "Plot error against run time for our mapper's settings and VTK's mappers");
   app->footer(
     "Writes a self-contained work-precision.html, and .md, .csv and .json, with each scene's\n"
-    "plots as PNG and SVG, after each scene, so an interrupted run keeps its results.\n"
+    "plots as PNG and SVG and images as PNG, after each scene, so an interrupted run keeps its\n"
+    "results.\n"
     "Examples:\n"
     "  varimarch-bench work-precision head.nii.gz -o report --size 256x256\n"
     "  varimarch-bench work-precision Data/Scenes/*.json -o report --rounds 5\n"
@@ -70,6 +72,11 @@ void AddWorkPrecisionCommand(CLI::App& program, const std::string& commandText)
   AddRoundsOption(*app, arguments->options.rounds);
   AddLongestOption(*app, arguments->options.longestSeconds,
     "Skip finer settings once an image takes longer (default 3)");
+  app
+    ->add_option("--orbit", arguments->options.orbitFrames,
+      "Frames of an orbit in which changes of the error are measured (default 31), or 0")
+    ->check(CLI::IsMember({ 0 }).description("") | CLI::Range(2, 10000).description(""))
+    ->type_name("FRAMES");
   app->callback([arguments] { RunWorkPrecision(*arguments); });
 }
 

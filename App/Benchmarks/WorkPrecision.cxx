@@ -2,10 +2,8 @@
 
 #include "CommandLine/Results.h"
 #include "CommandLine/VtkMessages.h"
-#include "FrameCost.h"
+#include "MethodView.h"
 #include "Scene/Median.h"
-
-#include <vtkVariationFieldVolumeMapper.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,14 +20,14 @@ namespace
 struct Runner
 {
   WorkCurve curve;
-  std::unique_ptr<OffscreenView> view;
+  std::unique_ptr<MethodView> view;
 
   /// The time of a frame, drawn after another one that built what the setting needs [s].
   double SecondsOf(const BenchSetting& setting)
   {
-    this->view->Pipeline().SetRenderOptions(setting.options);
-    this->view->Render();
-    return this->view->Render();
+    this->view->SetOptions(setting.options);
+    this->view->Offscreen().Render();
+    return this->view->Offscreen().Render();
   }
 };
 
@@ -60,24 +58,19 @@ double EightBitRmse(vtkImageData* truth)
   return std::sqrt(sum / double(count));
 }
 
-double EstimatedError(OffscreenView& view)
-{
-  auto* mapper = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
-  return mapper ? mapper->GetEstimatedError() : 0.0;
-}
-
 // Draws one setting, measures its error, and returns the time of a frame [s].
 double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision& result)
 {
   constexpr double NearOneVoxel = 0.99; // VTK's mappers round distances to float
   const double seconds = runner.SecondsOf(setting);
-  const auto picture = runner.view->FloatImage();
+  MethodView& view = *runner.view;
+  const auto picture = view.Offscreen().FloatImage();
   ThrowIfVtkReportedError();
   WorkCurve& curve = runner.curve;
   curve.eightBits = HoldsEightBitsOnly(picture) && (curve.points.empty() || curve.eightBits);
-  curve.points.push_back({ setting, runner.view->Pipeline().UsedSampleDistanceMm(),
-    EstimatedError(*runner.view), ErrorOf(picture, result.truth.picture, result.scene.background),
-    FetchesPerPixel(*runner.view), {}, 0.0 });
+  curve.points.push_back({ setting, view.UsedSampleDistanceMm(), view.EstimatedError(),
+    ErrorOf(picture, result.truth.picture, result.scene.background), view.Fetches(), view.Bytes(),
+    {}, 0.0 });
   if (!curve.picture || VoxelsOf(result, curve.points.back()) >= NearOneVoxel)
   {
     curve.picture = picture;
@@ -89,8 +82,8 @@ double AddPoint(Runner& runner, const BenchSetting& setting, const WorkPrecision
 Runner StartedRunner(const BenchRun& run, const WorkPrecision& result,
   const MeasuringOptions& options, const OnStep& onStep)
 {
-  Runner runner = { { run.method, {}, {}, false, 0, nullptr },
-    std::make_unique<OffscreenView>(result.scene, result.volume.image, run.method.kind) };
+  Runner runner = { { run.method, {}, {}, false, 0, nullptr, {} },
+    std::make_unique<MethodView>(run.method, result.scene, result.volume.image) };
   double seconds = 0.0;
   for (const BenchSetting& setting : run.settings)
   {
@@ -105,6 +98,24 @@ Runner StartedRunner(const BenchRun& run, const WorkPrecision& result,
     seconds = AddPoint(runner, setting, result);
   }
   return runner;
+}
+
+// The setting that a curve's picture shows, of all methods on the same orbit.
+void MeasureOrbits(
+  std::vector<Runner>& runners, const WorkPrecision& result, int frames, const OnStep& onStep)
+{
+  std::vector<MethodView*> views;
+  for (Runner& runner : runners)
+  {
+    runner.view->SetOptions(runner.curve.points[runner.curve.shown].setting.options);
+    views.push_back(runner.view.get());
+  }
+  const std::vector<OrbitChange> changes = ChangesInOrbit(views, result.scene, result.volume.image,
+    frames, [&](const std::string& step) { onStep(result.name + ": " + step); });
+  for (std::size_t i = 0; i < runners.size(); ++i)
+  {
+    runners[i].curve.orbit = changes[i];
+  }
 }
 
 }
@@ -134,6 +145,10 @@ WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const Loa
       }
     }
   }
+  if (options.orbitFrames > 0)
+  {
+    MeasureOrbits(runners, result, options.orbitFrames, onStep);
+  }
   ThrowIfVtkReportedError();
   for (Runner& runner : runners)
   {
@@ -141,7 +156,7 @@ WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const Loa
     {
       point.medianMs = Median(point.roundsMs);
     }
-    result.openglRenderer = runner.view->DeviceName();
+    result.openglRenderer = runner.view->Offscreen().DeviceName();
     result.curves.push_back(runner.curve);
   }
   return result;

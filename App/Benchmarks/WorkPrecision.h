@@ -4,6 +4,7 @@
 #include "BenchMethods.h"
 #include "CommandLine/PictureError.h"
 #include "CommandLine/Truth.h"
+#include "OrbitChange.h"
 #include "Scene/VolumeLoading.h"
 
 #include <optional>
@@ -21,6 +22,7 @@ struct WorkPoint
   double estimatedError;   ///< the mapper's estimate, [0, 1]; 0 if the sample distance was given
   PictureError error;
   std::optional<double> fetchesPerPixel; ///< see FrameCost.h
+  std::optional<double> graphicsBytes;   ///< see FrameCost.h
   std::vector<double> roundsMs;
   double medianMs;
 };
@@ -33,6 +35,7 @@ struct WorkCurve
   bool eightBits;                        ///< true if its images are rounded to 8 bits
   std::size_t shown;                     ///< index of the point that `picture` shows
   vtkSmartPointer<vtkImageData> picture; ///< float image, near one sample per voxel
+  std::optional<OrbitChange> orbit;      ///< measured at the point that `picture` shows
 };
 
 /// Error against run time of several methods on one scene.
@@ -51,6 +54,7 @@ struct MeasuringOptions
 {
   int rounds = 3;
   double longestSeconds = 3.0; ///< time of a frame after which finer settings are skipped
+  int orbitFrames = 0;         ///< frames of an orbit, see OrbitChange.h; 0: none
 };
 
 /// Draws a scene with every method and setting, compares each with the truth, and measures the

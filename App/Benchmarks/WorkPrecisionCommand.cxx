@@ -5,6 +5,7 @@
 #include "CommandLine/Results.h"
 #include "CommandLine/VtkMessages.h"
 #include "LogLogPlot.h"
+#include "Scene/ImageFiles.h"
 #include "Scene/OutputFile.h"
 #include "ToleranceReport.h"
 #include "WorkPrecisionMarkdown.h"
@@ -67,6 +68,16 @@ std::vector<std::string> WrittenPlots(
   return svgs;
 }
 
+// Writes the image of each method at about one sample per voxel.
+void WritePictures(const WorkPrecision& scene, const std::filesystem::path& folder)
+{
+  for (const WorkCurve& curve : scene.curves)
+  {
+    const std::string name = scene.name + "-" + curve.method.name + ".png";
+    WritePng(BytesOver(curve.picture, scene.scene.background), (folder / name).string());
+  }
+}
+
 void Write(const std::vector<WorkPrecision>& scenes, const WorkPrecisionPage& page,
   const ReportArguments& report)
 {
@@ -104,6 +115,7 @@ void RunWorkPrecision(const WorkPrecisionArguments& arguments)
       WorkPrecisionRuns(scene, volume.image, arguments.methods), arguments.options,
       [&](const std::string& step) { progress.SetActivity(step); }));
     page.plotSvgs.push_back(WrittenPlots(scenes.back(), folder));
+    WritePictures(scenes.back(), folder);
     ThrowIfVtkReportedError();
     Write(scenes, page, arguments.report);
   }

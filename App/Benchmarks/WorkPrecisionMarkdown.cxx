@@ -177,6 +177,46 @@ std::string ToleranceTable(const std::vector<WorkPrecision>& scenes)
     " rows.\n";
 }
 
+// The row of a method at the setting that its picture shows.
+std::vector<std::string> CellsOf(const WorkPrecision& scene, const WorkCurve& curve)
+{
+  const WorkPoint& point = curve.points[curve.shown];
+  constexpr double Megabyte = 1e6;
+  std::vector<std::string> cells = { scene.name, curve.method.title, point.setting.label,
+    Fixed(point.error.light.rootMeanSquare, 2), Fixed(point.medianMs, 1),
+    point.fetchesPerPixel ? Fixed(*point.fetchesPerPixel, 1) : Absent,
+    point.graphicsBytes ? Fixed(*point.graphicsBytes / Megabyte, 1) : Absent };
+  if (!curve.orbit)
+  {
+    cells.insert(cells.end(), 3, Absent);
+    return cells;
+  }
+  cells.insert(cells.end(),
+    { Fixed(curve.orbit->median, 3), Fixed(curve.orbit->largest, 3),
+      Fixed(curve.orbit->largestAtDegrees, 0) });
+  return cells;
+}
+
+std::string MethodTable(const std::vector<WorkPrecision>& scenes)
+{
+  std::string text = "\n## All methods near one sample per voxel\n\nChange: RMSE of the change of "
+                     "the error between neighbouring frames of an orbit of " +
+    Fixed(OrbitDegrees, 0) +
+    " degrees, against our mapper at eight samples per voxel; a largest change far above the "
+    "median is a pop. MB: textures of the method, in 10^6 bytes.\n\n" +
+    Head({ "scene", "method", "setting", "RMSE", "ms", "fetches per pixel", "MB", "median change",
+           "largest change", "at [degrees]" },
+      3);
+  for (const WorkPrecision& scene : scenes)
+  {
+    for (const WorkCurve& curve : scene.curves)
+    {
+      text += Row(CellsOf(scene, curve));
+    }
+  }
+  return text;
+}
+
 }
 
 std::string WorkPrecisionMarkdown(
@@ -190,7 +230,7 @@ std::string WorkPrecisionMarkdown(
     "\n\nErrors are the RMSE of float images in 1/255 of premultiplied RGBA without background, "
     "against an adaptive integral of each ray in double precision. Times are medians of "
     "alternating rounds: compare the ratios. Links lead to plots.\n" +
-    SpeedTable(scenes) + VerdictTable(scenes) + ToleranceTable(scenes);
+    SpeedTable(scenes) + VerdictTable(scenes) + ToleranceTable(scenes) + MethodTable(scenes);
   for (const WorkPrecision& scene : scenes)
   {
     for (const WorkCurve& curve : scene.curves)

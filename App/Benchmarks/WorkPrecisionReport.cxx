@@ -37,6 +37,10 @@ nlohmann::ordered_json ToJson(const WorkPrecision& scene, const WorkPoint& point
   {
     json["fetchesPerPixel"] = *point.fetchesPerPixel;
   }
+  if (point.graphicsBytes)
+  {
+    json["graphicsBytes"] = *point.graphicsBytes;
+  }
   json["roundsMs"] = point.roundsMs;
   json["medianMs"] = point.medianMs;
   return json;
@@ -50,6 +54,13 @@ nlohmann::ordered_json ToJson(const WorkPrecision& scene, const WorkCurve& curve
   for (const WorkPoint& point : curve.points)
   {
     json["points"].push_back(ToJson(scene, point));
+  }
+  if (curve.orbit)
+  {
+    json["orbit"] = { { "setting", curve.points[curve.shown].setting.label },
+      { "frames", curve.orbit->frames }, { "degreesPerFrame", curve.orbit->degreesPerFrame },
+      { "medianChange255", curve.orbit->median }, { "largestChange255", curve.orbit->largest },
+      { "largestAtDegrees", curve.orbit->largestAtDegrees } };
   }
   return json;
 }
@@ -204,7 +215,7 @@ std::string TableCsv(const std::vector<WorkPrecision>& scenes)
   std::ostringstream csv;
   csv << "scene,method,renderer,setting,error_tolerance,voxels,sample_distance_mm,rmse_255,"
          "percentile_99_9_255,largest_255,"
-         "ssim,ciede2000_mean,ciede2000_99,fetches_per_pixel,median_ms\n";
+         "ssim,ciede2000_mean,ciede2000_99,fetches_per_pixel,graphics_bytes,median_ms\n";
   csv.precision(9);
   for (const WorkPrecision& scene : scenes)
   {
@@ -220,7 +231,8 @@ std::string TableCsv(const std::vector<WorkPrecision>& scenes)
             << point.sampleDistanceMm << "," << light.rootMeanSquare << "," << light.percentile999
             << "," << light.largest << "," << perceived.structuralSimilarity << ","
             << perceived.meanColorDifference << "," << perceived.colorDifference99 << ","
-            << OrNothing(point.fetchesPerPixel) << "," << point.medianMs << "\n";
+            << OrNothing(point.fetchesPerPixel) << "," << OrNothing(point.graphicsBytes) << ","
+            << point.medianMs << "\n";
       }
     }
   }

@@ -22,6 +22,7 @@ public:
   OffscreenView(const Scene& scene, vtkImageData* image, MapperKind kind);
 
   ScenePipeline& Pipeline() { return this->pipeline; }
+  const ScenePipeline& Pipeline() const { return this->pipeline; }
 
   /// Renders, waits for the device to finish, and returns the time that this took [s].
   double Render();

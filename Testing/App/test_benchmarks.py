@@ -49,6 +49,9 @@ def work_precision(folder):
         # Finer sampling reduces the error, and the benchmark measures that.
         assert curves["off"][-1] < curves["off"][0] / 10, curves
     assert all(float(row["median_ms"]) > 0 for row in rows)
+    assert all(bool(row["graphics_bytes"]) == (row["method"] in ("optical", "off")) for row in rows)
+    assert all(method["orbit"]["frames"] == 31 for scene in results["scenes"]
+               for method in scene["methods"])
     page = (output / "work-precision.html").read_text()
     assert "://" not in page and 'src="data:image/svg+xml;base64,' in page, "not self-contained"
     assert page.count("<figure>") == 2 * (1 + 2 * 4)
@@ -102,6 +105,32 @@ def work_precision_judges_error_tolerances(folder):
     yes = worst.get("timesAsFast", 0) > 1
     assert (f"| {'yes' if yes else '**no**'} |" in judgement) and f"Yes on {int(yes)} of 1" in judgement
     assert tables.count("| tolerance 1/") == len(tolerances)
+
+
+def work_precision_draws_methods_of_others(folder):
+    """Methods of others get the same columns as ours, and fewer samples give larger errors."""
+    others = ["slices-object", "slices-object-2d", "slices-view", "shells", "passes", "half-angle"]
+    orders = ["whole-rays", "back-to-front"]
+    run("work-precision", VOLUME, "-o", folder, "--size", "48x40", "--rounds", "1", "--methods",
+        ",".join(orders + others), "--no-shade", "--orbit", "4")
+    (scene,) = json.loads((folder / "work-precision.json").read_text())["scenes"]
+    curves = {method["method"]: method for method in scene["methods"]}
+    assert list(curves) == orders + others, list(curves)
+    for name, curve in curves.items():
+        first, *_, last = curve["points"]
+        assert curve["orbit"]["frames"] == 4 and curve["orbit"]["degreesPerFrame"] == 30, curve
+        assert 0 < curve["orbit"]["medianChange255"] <= curve["orbit"]["largestChange255"], curve
+        assert first["graphicsBytes"] > 2 * 48 * 40 * 32, (name, first)
+        assert png_size(folder / f"{scene['name']}-{name}.png") == (48, 40)
+        if name != "half-angle":  # its shadows are not in the truth
+            assert last["rmse255"] < first["rmse255"] < 60, (name, curve)
+    # Three stacks of slices, of which one view takes one, and the 3D texture of the others.
+    bytes_of = {name: curve["points"][0]["graphicsBytes"] for name, curve in curves.items()}
+    assert bytes_of["slices-object-2d"] == bytes_of["slices-object"] + 2 * 48 * 40 * 32, bytes_of
+    one, other = (curves[name]["points"] for name in orders)
+    assert all(abs(a["rmse255"] - b["rmse255"]) < 0.01 for a, b in zip(one, other, strict=True))
+    table = (folder / "work-precision.md").read_text()
+    assert "| back to front" not in table and "no field, back to front | 1 voxels |" in table
 
 
 def write_ball(volumes):

@@ -3,6 +3,8 @@
 
 #include "Core/Recipe/ShaderAssembly.h"
 
+#include "VarimarchVolumeModule.h"
+
 #include <string>
 #include <vector>
 
@@ -22,7 +24,8 @@ const std::vector<ShaderTableRow>& ShaderTable();
 /// The texts of shader files that are compiled into the library.
 /// @param paths  paths below VolumeModule/Shaders
 /// @throws std::runtime_error if a path is not part of the build
-std::vector<ShaderFile> LoadShaderFiles(const std::vector<std::string>& paths);
+VARIMARCHVOLUME_EXPORT std::vector<ShaderFile> LoadShaderFiles(
+  const std::vector<std::string>& paths);
 
 }
 

@@ -1,0 +1,220 @@
+#include "ComparisonVolume.h"
+
+#include "Core/Look/OpticalTable.h"
+#include "Frame/PropertyTransferFunction.h"
+#include "Resources/ComponentCopy.h"
+
+#include <vtkDataArray.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkPointData.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+#include <vtk_glew.h>
+
+#include <glm/common.hpp>
+#include <tbb/parallel_for.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr float LargestTexel16Bits = 65535.0f;
+
+vtkDataArray* CheckedScalars(vtkImageData* image)
+{
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("A comparison method draws volumes of one component, found " +
+      std::to_string(scalars ? scalars->GetNumberOfComponents() : 0));
+  }
+  return scalars;
+}
+
+std::vector<std::uint16_t> SixteenBits(const std::vector<float>& texels)
+{
+  std::vector<std::uint16_t> rounded(texels.size());
+  tbb::parallel_for(std::size_t(0), texels.size(),
+    [&](std::size_t i) { rounded[i] = std::uint16_t(LargestTexel16Bits * texels[i] + 0.5f); });
+  return rounded;
+}
+
+void FilterLinearly(vtkTextureObject* texture)
+{
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+}
+
+}
+
+void ComparisonVolume::Update(
+  vtkOpenGLRenderWindow* window, vtkImageData* newImage, vtkVolume* volume)
+{
+  this->geometry = VolumeGeometryOf(newImage, volume);
+  if (this->image != newImage || this->imageTime != newImage->GetMTime())
+  {
+    this->Release(window);
+    this->image = newImage;
+    this->imageTime = newImage->GetMTime();
+    this->UploadVoxels(window);
+  }
+  vtkVolumeProperty* const property = volume->GetProperty();
+  if (this->propertyTime != property->GetMTime())
+  {
+    this->propertyTime = property->GetMTime();
+    this->shaded = property->GetShade() != 0;
+    this->reflectance = { property->GetAmbient(), property->GetDiffuse(), property->GetSpecular(),
+      property->GetSpecularPower() };
+    this->UploadTable(window, volume);
+  }
+}
+
+// 16 bits per voxel, as in the product's texture.
+void ComparisonVolume::UploadVoxels(vtkOpenGLRenderWindow* window)
+{
+  const ComponentCopy copy = CopyAsFloats({ CheckedScalars(this->image), 0 });
+  const double* const values = copy.array->GetRange(0);
+  this->smallest = values[0];
+  this->range = std::max(values[1] - values[0], 1e-30);
+  this->texels.resize(std::size_t(copy.array->GetNumberOfTuples()));
+  const auto* const floats = static_cast<const float*>(copy.array->GetVoidPointer(0));
+  tbb::parallel_for(std::size_t(0), this->texels.size(),
+    [&](std::size_t i) { this->texels[i] = float((floats[i] - this->smallest) / this->range); });
+
+  const glm::uvec3 size(this->geometry.dimensions);
+  std::vector<std::uint16_t> rounded = SixteenBits(this->texels);
+  this->voxels->SetContext(window);
+  this->voxels->SetInternalFormat(GL_R16);
+  this->voxels->SetFormat(GL_RED);
+  this->voxels->SetDataType(GL_UNSIGNED_SHORT);
+  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  if (!this->voxels->Create3DFromRaw(size.x, size.y, size.z, 1, VTK_UNSIGNED_SHORT, rounded.data()))
+  {
+    throw std::runtime_error("A comparison method found no memory for a texture of the volume");
+  }
+  FilterLinearly(this->voxels);
+}
+
+void ComparisonVolume::UploadTable(vtkOpenGLRenderWindow* window, vtkVolume* volume)
+{
+  const OpticalTable built = BuildOpticalTable(
+    TransferFunctionOf(volume->GetProperty()), this->smallest, this->smallest + this->range);
+  const IndexInTable index =
+    IndexOf(built, double(built.entries.size()) - 1.0, this->range, this->smallest);
+  this->tableScale = float(index.scale);
+  this->tableBias = float(index.bias);
+  this->lastTableIndex = float(built.entries.size() - 1);
+  this->tableEntries = built.entries.size();
+  this->tableBuffer->Upload(
+    &built.entries.front().x, 4 * built.entries.size(), vtkOpenGLBufferObject::TextureBuffer);
+  this->table->ReleaseGraphicsResources(window);
+  this->table->SetContext(window);
+  this->table->CreateTextureBuffer(unsigned(built.entries.size()), 4, VTK_FLOAT, this->tableBuffer);
+}
+
+std::vector<std::string> ComparisonVolume::FragmentFiles(
+  const std::string& voxelFile, const std::string& main) const
+{
+  std::vector<std::string> files = { "Parameters.glsl", voxelFile, "Classify/OpticalTable.glsl" };
+  if (this->shaded)
+  {
+    files.insert(files.end(),
+      { "Gradient/CentralDifferences.glsl", "Damping/None.glsl", "Shade/HeadLight.glsl",
+        "Look/Lit.glsl" });
+  }
+  else
+  {
+    files.emplace_back("Look/Plain.glsl");
+  }
+  files.insert(files.end(), { "Sample.glsl", main });
+  return files;
+}
+
+void ComparisonVolume::SetUniforms(ComparisonProgram& program, const glm::dvec4& eyeGrid) const
+{
+  program.Set("voxelCountInverse", 1.0f / glm::vec3(this->geometry.dimensions));
+  program.Set("worldFromGrid", glm::mat3(this->geometry.WorldFromGridDirection()));
+  program.Set("worldFromGradient", glm::mat3(this->geometry.WorldFromGridNormal()));
+  program.Set("tableScales", glm::vec4(this->tableScale));
+  program.Set("tableBiases", glm::vec4(this->tableBias));
+  program.Set("lastTableIndices", glm::vec4(this->lastTableIndex));
+  program.Set("diffuseLight", glm::vec3(1.0f));
+  program.Set("specularLight", glm::vec3(1.0f));
+  program.Set("reflectances", this->reflectance);
+  program.Set("eyeGrid", glm::vec4(eyeGrid));
+  program.Set("opticalTable", this->table);
+  program.Set("volumeTexture", this->voxels);
+}
+
+const std::vector<vtkSmartPointer<vtkTextureObject>>& ComparisonVolume::Stack(
+  vtkOpenGLRenderWindow* window, int axis)
+{
+  std::vector<vtkSmartPointer<vtkTextureObject>>& stack = this->stacks[axis];
+  const glm::ivec3 size = this->geometry.dimensions;
+  const int right = axis == 0 ? 1 : 0;
+  const int up = axis == 2 ? 1 : 2;
+  for (int slice = int(stack.size()); slice < size[axis]; ++slice)
+  {
+    std::vector<float> pixels;
+    for (int row = 0; row < size[up]; ++row)
+    {
+      for (int column = 0; column < size[right]; ++column)
+      {
+        glm::ivec3 voxel(slice);
+        voxel[right] = column;
+        voxel[up] = row;
+        pixels.push_back(
+          this->texels[voxel.x + std::size_t(size.x) * (voxel.y + std::size_t(size.y) * voxel.z)]);
+      }
+    }
+    std::vector<std::uint16_t> rounded = SixteenBits(pixels);
+    auto texture = vtkSmartPointer<vtkTextureObject>::New();
+    texture->SetContext(window);
+    texture->SetInternalFormat(GL_R16);
+    texture->SetFormat(GL_RED);
+    texture->SetDataType(GL_UNSIGNED_SHORT);
+    texture->Create2DFromRaw(
+      unsigned(size[right]), unsigned(size[up]), 1, VTK_UNSIGNED_SHORT, rounded.data());
+    FilterLinearly(texture);
+    stack.push_back(texture);
+  }
+  return stack;
+}
+
+std::size_t ComparisonVolume::Bytes() const
+{
+  std::size_t bytes = 2 * this->texels.size() + sizeof(glm::vec4) * this->tableEntries;
+  for (const auto& stack : this->stacks)
+  {
+    bytes += stack.empty() ? 0 : 2 * this->texels.size();
+  }
+  return bytes;
+}
+
+void ComparisonVolume::Release(vtkWindow* window)
+{
+  this->voxels->ReleaseGraphicsResources(window);
+  this->table->ReleaseGraphicsResources(window);
+  this->tableBuffer->ReleaseGraphicsResources();
+  for (auto& stack : this->stacks)
+  {
+    for (const auto& slice : stack)
+    {
+      slice->ReleaseGraphicsResources(window);
+    }
+    stack.clear();
+  }
+  this->image = nullptr;
+  this->propertyTime = 0;
+}
+
+}

@@ -1,0 +1,76 @@
+#ifndef Varimarch_Benchmarks_Comparison_ComparisonVolume_h
+#define Varimarch_Benchmarks_Comparison_ComparisonVolume_h
+
+#include "ComparisonProgram.h"
+#include "Frame/VolumeGeometry.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkOpenGLBufferObject.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextureObject.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkVolume;
+
+namespace varimarch
+{
+
+/// The voxels and the look of a volume on the device, as comparison methods read them: one
+/// component, a transfer function of one value, and a light at the eye.
+class ComparisonVolume
+{
+public:
+  /// Uploads what has changed since the last call.
+  /// @throws std::invalid_argument if the volume has not exactly one component
+  void Update(vtkOpenGLRenderWindow* window, vtkImageData* image, vtkVolume* volume);
+
+  /// Sets the uniforms that all fragment shaders with a look have, and activates the textures.
+  /// @param eyeGrid  the eye in homogeneous coordinates
+  void SetUniforms(ComparisonProgram& program, const glm::dvec4& eyeGrid) const;
+
+  /// The files of a fragment shader that gives samples their look.
+  /// @param voxels  file of the folder Voxels
+  /// @param main    file with main()
+  std::vector<std::string> FragmentFiles(const std::string& voxels, const std::string& main) const;
+
+  /// The slices across an axis as 2D textures; made at the first call after a change.
+  const std::vector<vtkSmartPointer<vtkTextureObject>>& Stack(
+    vtkOpenGLRenderWindow* window, int axis);
+
+  const VolumeGeometry& Geometry() const { return this->geometry; }
+  std::size_t Bytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  void UploadVoxels(vtkOpenGLRenderWindow* window);
+  void UploadTable(vtkOpenGLRenderWindow* window, vtkVolume* volume);
+
+  vtkSmartPointer<vtkImageData> image;
+  vtkMTimeType imageTime = 0;
+  vtkMTimeType propertyTime = 0;
+  VolumeGeometry geometry;
+  std::vector<float> texels; ///< in [0, 1] over the values of the volume
+  double smallest = 0.0;
+  double range = 1.0; ///< the largest value less the smallest
+  bool shaded = false;
+  glm::vec4 reflectance = glm::vec4(0.0f);
+  float tableScale = 0.0f;
+  float tableBias = 0.0f;
+  float lastTableIndex = 1.0f;
+  std::size_t tableEntries = 0;
+  vtkNew<vtkTextureObject> voxels;
+  vtkNew<vtkTextureObject> table;
+  vtkNew<vtkOpenGLBufferObject> tableBuffer;
+  std::array<std::vector<vtkSmartPointer<vtkTextureObject>>, 3> stacks;
+};
+
+}
+
+#endif

@@ -1,0 +1,95 @@
+#ifndef vtkComparisonMapper_h
+#define vtkComparisonMapper_h
+
+#include <vtkSmartPointer.h>
+#include <vtkVolumeMapper.h>
+
+#include <memory>
+
+/// Draws composites of one component as published methods do that this project compares itself
+/// with: slices, a march in several passes, half-angle slices. It is part of the benchmarks only;
+/// the product does not know it. It draws no cuts, masks, labels, gradient opacity or opaque
+/// geometry, and lights samples by a white light at the eye.
+class vtkComparisonMapper : public vtkVolumeMapper
+{
+public:
+  static vtkComparisonMapper* New();
+  vtkTypeMacro(vtkComparisonMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Methods
+  {
+    ObjectSlices,   ///< slices across an axis of the volume, from a 3D texture
+    ObjectSlices2D, ///< the same, from three stacks of 2D textures
+    ViewSlices,     ///< slices parallel to the image
+    Shells,         ///< spherical shells around the eye
+    Passes,         ///< ray marching in several passes
+    HalfAngle       ///< slices halfway between view and light, with shadows
+  };
+
+  ///@{
+  /// Default: ViewSlices.
+  vtkSetClampMacro(Method, int, ObjectSlices, HalfAngle);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /// Distance between slices or samples [mm], > 0. ObjectSlices2D rounds it to whole voxels, at
+  /// least one. Default: 1.
+  vtkSetClampMacro(SampleDistance, double, 1e-30, 1e30);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /// Slices and shells: blend them over each other, from the back to the front, instead of under
+  /// each other. Default: on.
+  vtkSetMacro(FromBehind, bool);
+  vtkGetMacro(FromBehind, bool);
+  ///@}
+
+  ///@{
+  /// Passes: steps per pass, > 0, and the transmittance below which a ray ends. Defaults: 32 and
+  /// 1/1024.
+  vtkSetClampMacro(StepsPerPass, int, 1, 65536);
+  vtkGetMacro(StepsPerPass, int);
+  vtkSetClampMacro(EarlyTerminationTransmittance, double, 0.0, 0.999999);
+  vtkGetMacro(EarlyTerminationTransmittance, double);
+  ///@}
+
+  ///@{
+  /// HalfAngle: the direction towards the light in the camera's right, up and backward directions,
+  /// of any length, and half the angle of the cone in which light is scattered [degrees]. Defaults:
+  /// from above at 45 degrees; 20. Without an angle there are shadows only.
+  vtkSetVector3Macro(LightDirection, double);
+  vtkGetVector3Macro(LightDirection, double);
+  vtkSetClampMacro(SpreadDegrees, double, 0.0, 80.0);
+  vtkGetMacro(SpreadDegrees, double);
+  ///@}
+
+  /// Textures of the volume and its look in the last frame [bytes].
+  double GetGraphicsMemoryBytes();
+
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkComparisonMapper();
+  ~vtkComparisonMapper() override;
+
+private:
+  struct Internals;
+
+  int Method = ViewSlices;
+  double SampleDistance = 1.0;
+  bool FromBehind = true;
+  int StepsPerPass = 32;
+  double EarlyTerminationTransmittance = 1.0 / 1024.0;
+  double LightDirection[3] = { 0.0, 1.0, 1.0 };
+  double SpreadDegrees = 20.0;
+  std::unique_ptr<Internals> Private;
+
+  vtkComparisonMapper(const vtkComparisonMapper&) = delete;
+  void operator=(const vtkComparisonMapper&) = delete;
+};
+
+#endif

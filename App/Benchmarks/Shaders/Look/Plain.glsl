@@ -1,0 +1,4 @@
+vec3 LitColor(vec3 color, vec3 positionTexture, Ray ray)
+{
+  return color;
+}

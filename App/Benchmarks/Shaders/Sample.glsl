@@ -1,0 +1,11 @@
+#include "Math/Absorption.glsl"
+// The colour, premultiplied, and the opacity of a sample that stands for a length of its ray.
+
+vec4 SampleColor(vec3 positionGrid, vec3 directionGrid, float lengthMm)
+{
+  vec3 positionTexture = TextureOfGrid(positionGrid);
+  vec4 optical = Classify(ScalarAt(positionTexture));
+  float absorbed = Absorption(min(optical.a * lengthMm, 100.0));
+  Ray ray = Ray(positionGrid, directionGrid, positionTexture, directionGrid * voxelCountInverse);
+  return vec4(LitColor(optical.rgb, positionTexture, ray) * absorbed, absorbed);
+}
