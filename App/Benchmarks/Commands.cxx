@@ -198,6 +198,21 @@ void AddFeatureCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunFeatures(*arguments); });
 }
 
+void AddShaderCostCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<ShaderCostArguments>();
+  arguments->report.commandText = commandText;
+  CLI::App* app =
+    program.add_subcommand("shaders", "Ask the driver for the cost of each shader, unlit and lit");
+  app->footer("Writes shaders.md and .json. Mesa's drivers also tell the instructions.\n"
+              "Example:\n"
+              "  varimarch-bench shaders procedural:torso:32x32x24 -o report");
+  AddSceneArgument(*app, arguments->input);
+  AddLookAndPictureOptions(*app, arguments->scene);
+  AddReportOptions(*app, arguments->report);
+  app->callback([arguments] { RunShaderCosts(*arguments); });
+}
+
 void AddSoakCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<SoakArguments>();
@@ -226,6 +241,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddSpeedCommand(program, commandText);
   AddScalingCommand(program, commandText);
   AddFeatureCommand(program, commandText);
+  AddShaderCostCommand(program, commandText);
   AddSoakCommand(program, commandText);
 }
 

@@ -74,6 +74,13 @@ struct SoakArguments
   int frames = 20000; ///< at least SoakParts
 };
 
+struct ShaderCostArguments
+{
+  ReportArguments report;
+  SceneArguments scene;
+  std::string input;
+};
+
 /// Run the benchmarks. Each measures, writes its report after every step, so that an interrupted
 /// run keeps its results, and prints a summary.
 /// @throws UsageError when the arguments do not fit together
@@ -83,6 +90,7 @@ void RunPublished(const PublishedArguments& arguments);
 void RunSpeed(const SpeedArguments& arguments);
 void RunScaling(const ScalingArguments& arguments);
 void RunFeatures(const FeatureArguments& arguments);
+void RunShaderCosts(const ShaderCostArguments& arguments);
 void RunSoak(const SoakArguments& arguments);
 
 /// Adds the subcommands that fill these arguments and run.

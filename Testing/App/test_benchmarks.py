@@ -133,6 +133,24 @@ def work_precision_draws_methods_of_others(folder):
     assert "| back to front" not in table and "no field, back to front | 1 voxels |" in table
 
 
+def shaders(folder):
+    text, _ = run("shaders", VOLUME, "-o", folder / "out", "--size", "32x32", "--no-shade",
+                  "--json", folder / "copy.json")
+    assert (folder / "out" / "shaders.md").read_text() == text
+    results = json.loads((folder / "out" / "shaders.json").read_text())
+    assert json.loads((folder / "copy.json").read_text()) == results
+    costs = {cost["recipe"]: cost for cost in results["shaders"]}
+    assert {"off", "optical", "back-to-front", "clipping", "maximum"} <= set(costs), list(costs)
+    assert "lit" not in costs["simpson"] and "shells" not in costs
+    for name in ("off", "optical", "clipping"):
+        plain, lit = costs[name]["plain"], costs[name]["lit"]
+        assert plain["textures"] >= 2 and plain["numbers"] > 100, (name, plain)
+        if "llvmpipe" in results["openglRenderer"]:
+            assert lit["instructions"] > plain["instructions"] > 100, (name, plain, lit)
+            assert lit["fetches"] > plain["fetches"] >= 3, (name, plain, lit)
+    assert costs["optical"]["plain"]["textures"] == costs["off"]["plain"]["textures"] + 1
+
+
 def write_ball(volumes):
     """Writes a small ball in place of the Visible Male in a folder of volumes."""
     (volumes / "vismale").mkdir(parents=True)
