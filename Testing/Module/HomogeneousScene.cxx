@@ -54,9 +54,9 @@ std::array<double, 4> HomogeneousScene::Piece(double lengthMm) const
 vtkSmartPointer<vtkActor> Plane(double zMm, double fromXMm, const std::array<double, 3>& rgb)
 {
   vtkNew<vtkPlaneSource> source;
-  source->SetOrigin(fromXMm, -100.0, zMm);
-  source->SetPoint1(100.0, -100.0, zMm);
-  source->SetPoint2(fromXMm, 100.0, zMm);
+  source->SetOrigin(fromXMm, -1000.0, zMm);
+  source->SetPoint1(1000.0, -1000.0, zMm);
+  source->SetPoint2(fromXMm, 1000.0, zMm);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(source->GetOutputPort());
   auto actor = vtkSmartPointer<vtkActor>::New();

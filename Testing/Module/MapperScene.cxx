@@ -32,6 +32,17 @@ vtkSmartPointer<vtkImageData> SmallTorso()
   return ProceduralVolume({ ProceduralKind::Torso, { 40, 36, 24 }, 7 });
 }
 
+vtkSmartPointer<vtkImageData> TorsoOfCells()
+{
+  const vtkSmartPointer<vtkImageData> torso = SmallTorso();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(41, 37, 25);
+  image->SetSpacing(torso->GetSpacing());
+  image->SetOrigin(torso->GetOrigin());
+  image->GetCellData()->SetScalars(torso->GetPointData()->GetScalars());
+  return image;
+}
+
 vtkSmartPointer<vtkActor> Ball(const double centerWorld[3], double radiusMm)
 {
   vtkNew<vtkSphereSource> sphere;

@@ -92,6 +92,9 @@ private:
 /// A torso phantom with noise: int16, anisotropic, 40 x 36 x 24 voxels.
 vtkSmartPointer<vtkImageData> SmallTorso();
 
+/// The same torso as cell data.
+vtkSmartPointer<vtkImageData> TorsoOfCells();
+
 /// A lit ball of geometry.
 vtkSmartPointer<vtkActor> Ball(const double centerWorld[3], double radiusMm);
 

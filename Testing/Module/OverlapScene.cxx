@@ -163,3 +163,35 @@ vtkSmartPointer<vtkImageData> HomogeneousBox(glm::dvec3 sizeMm)
 {
   return CenteredImage({ 5, 4, 6 }, sizeMm, [](glm::dvec3) { return 1.0; });
 }
+
+double BallField(glm::dvec3 place, glm::dvec3 center)
+{
+  return 130.0 - 16.0 * glm::length(place - center);
+}
+
+void AddBalls(OverlapScene& scene, const BallLooks& looks, const int (&ports)[2])
+{
+  const auto first = CenteredImage({ 14, 15, 13 }, { 18.0, 16.0, 17.0 },
+    [](glm::dvec3 voxel) {
+      return BallField(voxel, { 6.0, 7.0, 6.0 });
+    });
+  const auto second = CenteredImage({ 15, 12, 16 }, { 16.0, 18.0, 15.0 },
+    [](glm::dvec3 voxel) {
+      return BallField(voxel * glm::dvec3(1.0, 1.3, 0.9), { 7.0, 7.0, 7.0 });
+    });
+  vtkVolume* const one = scene.Add(ports[0], first, ballLooks[0]);
+  one->RotateWXYZ(25.0, 1.0, 1.0, 0.0);
+  one->GetProperty()->SetShade(looks.firstShaded);
+  vtkVolume* const other = scene.Add(ports[1], second, ballLooks[1]);
+  other->SetPosition(3.0, 2.0, -1.0);
+  other->RotateWXYZ(50.0, 0.0, 1.0, 1.0);
+  other->GetProperty()->SetShade(looks.secondShaded);
+  if (looks.firstNearest)
+  {
+    one->GetProperty()->SetInterpolationTypeToNearest();
+  }
+  if (looks.secondNearest)
+  {
+    other->GetProperty()->SetInterpolationTypeToNearest();
+  }
+}

@@ -57,4 +57,21 @@ vtkSmartPointer<vtkImageData> CenteredImage(
 /// A box with one value everywhere.
 vtkSmartPointer<vtkImageData> HomogeneousBox(glm::dvec3 sizeMm);
 
+/// Appearance of two balls with soft rims, at an angle and with different voxel sizes.
+struct BallLooks
+{
+  bool firstShaded;
+  bool secondShaded;
+  bool firstNearest;
+  bool secondNearest;
+};
+
+inline const ComponentLook ballLooks[] = { { { 1.0, 0.3, 0.1 }, 20.0, 100.0, 0.15 },
+  { { 0.2, 0.5, 1.0 }, 10.0, 120.0, 0.3 } };
+
+/// The value of a ball at a place, both in voxels.
+double BallField(glm::dvec3 place, glm::dvec3 center);
+
+void AddBalls(OverlapScene& scene, const BallLooks& looks, const int (&ports)[2] = { 0, 1 });
+
 #endif

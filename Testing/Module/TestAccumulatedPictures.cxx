@@ -1,6 +1,6 @@
 // Accumulated frames of a scene that does not change.
 
-#include "Module/MapperScene.h"
+#include "Module/SupersampledTruth.h"
 
 #include <vtkActor.h>
 #include <vtkDataArray.h>
@@ -32,28 +32,6 @@ void ShowAnEdge(MapperScene& scene)
   scene.mapper->SetErrorTolerance(1.0 / 16.0);
 }
 
-// The image with each pixel the mean of 8 x 8 rays of the reference.
-std::vector<float> SupersampledTruth(const std::function<void(MapperScene&)>& prepare)
-{
-  constexpr int PerSide = 8;
-  MapperScene scene(SmallTorso(), PerSide * AccumulatedSize);
-  prepare(scene);
-  const std::vector<float> fine = scene.Truth();
-  std::vector<float> mean(4 * AccumulatedSize * AccumulatedSize);
-  for (int row = 0; row < PerSide * AccumulatedSize; ++row)
-  {
-    for (int column = 0; column < PerSide * AccumulatedSize; ++column)
-    {
-      for (int channel = 0; channel < 4; ++channel)
-      {
-        mean[4 * (row / PerSide * AccumulatedSize + column / PerSide) + channel] +=
-          fine[4 * (row * PerSide * AccumulatedSize + column) + channel] / (PerSide * PerSide);
-      }
-    }
-  }
-  return mean;
-}
-
 double ErrorOf(const std::vector<float>& drawn, const std::vector<float>& truth)
 {
   return CompareImages(drawn.data(), truth.data(), truth.size() / 4).rootMeanSquare;
@@ -83,7 +61,7 @@ int PicturesAfter(MapperScene& scene, const std::function<void()>& change)
 
 TEST(AccumulatedPictures, TendToThePictureOfManyRaysPerPixel)
 {
-  const std::vector<float> truth = SupersampledTruth(ShowAnEdge);
+  const std::vector<float> truth = SupersampledTruth(AccumulatedSize, ShowAnEdge);
   MapperScene scene(SmallTorso(), AccumulatedSize);
   ShowAnEdge(scene);
   const std::vector<float> alone = scene.Draw();
@@ -105,7 +83,7 @@ TEST(AccumulatedPictures, SmoothTheFacesOfTheVolumeItself)
     scene.mapper->SetErrorTolerance(1.0 / 64.0);
     scene.renderer->GetActiveCamera()->Zoom(0.6);
   };
-  const std::vector<float> truth = SupersampledTruth(prepare);
+  const std::vector<float> truth = SupersampledTruth(AccumulatedSize, prepare);
   MapperScene scene(SmallTorso(), AccumulatedSize);
   prepare(scene);
   const std::vector<float> alone = scene.Draw();

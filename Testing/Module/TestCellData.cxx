@@ -18,18 +18,6 @@ namespace
 
 constexpr int CellDataSize = 64;
 
-// The torso as cell data.
-vtkSmartPointer<vtkImageData> TorsoOfCells()
-{
-  const vtkSmartPointer<vtkImageData> torso = SmallTorso();
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(41, 37, 25);
-  image->SetSpacing(torso->GetSpacing());
-  image->SetOrigin(torso->GetOrigin());
-  image->GetCellData()->SetScalars(torso->GetPointData()->GetScalars());
-  return image;
-}
-
 // 4 x 5 x 6 cells of 1 mm with a single value, in a named array.
 vtkSmartPointer<vtkDataArray> ConstantArray(const char* name, int count, double value)
 {

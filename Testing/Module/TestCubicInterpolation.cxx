@@ -1,9 +1,7 @@
 // Spline interpolation of voxels, compared with a spline in double precision.
 
 #include "Core/Geometry/PixelRays.h"
-#include "Core/Reference/SplineGrid.h"
-#include "Frame/PropertyTransferFunction.h"
-#include "Module/MapperScene.h"
+#include "Module/CubicScene.h"
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
@@ -19,85 +17,6 @@
 #include <random>
 
 using namespace varimarch;
-
-namespace
-{
-
-// An edge with a little noise behind a wide veil, so that overshoots are visible.
-vtkSmartPointer<vtkImageData> NoisyEdge(int type)
-{
-  const auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(14, 11, 9);
-  image->SetSpacing(1.0, 1.2, 1.6);
-  image->AllocateScalars(type, 1);
-  std::mt19937 random(2);
-  std::uniform_int_distribution<int> noise(0, 60);
-  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  for (int i = 0; i < 14 * 11 * 9; ++i)
-  {
-    const int x = i % 14;
-    const int z = i / (14 * 11);
-    scalars->SetComponent(i, 0, (x + z > 10 ? 220 : 20) + noise(random));
-  }
-  return image;
-}
-
-SplineGrid SplineOf(vtkImageData* image)
-{
-  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  std::vector<double> voxels(scalars->GetNumberOfTuples());
-  for (std::size_t i = 0; i < voxels.size(); ++i)
-  {
-    voxels[i] = scalars->GetComponent(vtkIdType(i), 0);
-  }
-  const int* const dimensions = image->GetDimensions();
-  return SplineGrid(voxels, { dimensions[0], dimensions[1], dimensions[2] });
-}
-
-class CubicScene : public MapperScene
-{
-public:
-  explicit CubicScene(vtkImageData* image, int size = 48)
-    : MapperScene(image, size)
-    , spline(SplineOf(image))
-  {
-    this->mapper->CubicInterpolationOn();
-    this->colors->RemoveAllPoints();
-    this->colors->AddRGBPoint(0.0, 0.1, 0.2, 1.0);
-    this->colors->AddRGBPoint(300.0, 1.0, 0.8, 0.1);
-    this->opacities->RemoveAllPoints();
-    this->opacities->AddPoint(-40.0, 0.3); // shows values that only undershoots reach
-    this->opacities->AddPoint(0.0, 0.0);
-    this->opacities->AddPoint(150.0, 0.0);
-    this->opacities->AddPoint(320.0, 0.5);
-  }
-
-  // The true image's material: the spline, lit by its own gradient.
-  Material Truth()
-  {
-    const VolumeGeometry geometry = VolumeGeometryOf(this->image, this->volume);
-    const TransferFunction function = TransferFunctionOf(this->volume->GetProperty());
-    const bool shaded = this->volume->GetProperty()->GetShade() != 0;
-    return [this, geometry, function, shaded](glm::dvec3 position, const Ray& ray)
-    {
-      const double value = this->spline.Value(position);
-      OpticalProperties properties{ function.Color(value), function.Extinction(value) };
-      if (shaded)
-      {
-        const glm::dvec3 normal =
-          glm::normalize(geometry.WorldFromGridNormal() * this->spline.Gradient(position));
-        const glm::dvec3 toEye = glm::normalize(geometry.WorldFromGridDirection() * ray.direction);
-        const double facing = std::abs(glm::dot(normal, toEye));
-        properties.rgb = properties.rgb * (0.1 + 0.7 * facing) + 0.2 * std::pow(facing, 10.0);
-      }
-      return properties;
-    };
-  }
-
-  SplineGrid spline;
-};
-
-}
 
 class CubicOfTypes : public testing::TestWithParam<int>
 {

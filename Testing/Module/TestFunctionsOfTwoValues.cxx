@@ -1,7 +1,6 @@
 // Transfer functions of two values; the second is the gradient magnitude or another array.
 
-#include "Frame/VolumeGeometry.h"
-#include "Module/MapperScene.h"
+#include "Module/ReferenceMaterials.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkDataArray.h>
@@ -155,37 +154,13 @@ class FunctionOfTorso : public testing::TestWithParam<bool>
 
 TEST_P(FunctionOfTorso, IsThatOfTheReference)
 {
-  const auto torso = SmallTorso();
-  const bool shaded = GetParam();
-  MapperScene scene(torso, 48);
+  MapperScene scene(SmallTorso(), 48);
   vtkVolumeProperty* property = scene.volume->GetProperty();
-  property->SetShade(shaded);
+  property->SetShade(GetParam());
   property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   property->SetTransferFunction2D(Function());
 
-  const VolumeGeometry geometry = VolumeGeometryOf(torso, scene.volume);
-  const ScalarGrid<short> grid(
-    static_cast<const short*>(torso->GetScalarPointer()), geometry.dimensions);
-  double spacing[3];
-  torso->GetSpacing(spacing);
-  double range[2];
-  torso->GetScalarRange(range);
-  const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
-  const auto material = [&](glm::dvec3 position, const Ray& rayGrid) -> OpticalProperties
-  {
-    const glm::dvec3 gradient = grid.Gradient(position);
-    const double magnitude =
-      mean * glm::length(gradient / glm::dvec3(spacing[0], spacing[1], spacing[2]));
-    const double first = (grid.Value(position) - range[0]) / (range[1] - range[0]);
-    const double second = std::min(magnitude / (0.25 * (range[1] - range[0])), 1.0);
-    const glm::dvec3 toEye = glm::normalize(geometry.WorldFromGridDirection() * rayGrid.direction);
-    const double facing =
-      std::abs(glm::dot(glm::normalize(geometry.WorldFromGridNormal() * gradient), toEye));
-    const glm::dvec3 rgb(first, second, 0.5);
-    return { shaded ? rgb * (0.1 + 0.7 * facing) + 0.2 * std::pow(facing, 10.0) : rgb,
-      -std::log1p(-0.1 * first * second) };
-  };
-  const ImageError error = scene.ErrorOf(material);
+  const ImageError error = scene.ErrorOf(MaterialOfTwoValues(scene));
   EXPECT_LT(error.rootMeanSquare, 0.5);
   EXPECT_LT(error.largest, 10.0);
   const std::vector<float> drawn = scene.Draw();

@@ -1,8 +1,7 @@
 // Lights other than a head light, compared with closed forms for surfaces that face the eye, and
 // otherwise with a reference that has the same lights.
 
-#include "Frame/VolumeGeometry.h"
-#include "Module/MapperScene.h"
+#include "Module/ReferenceMaterials.h"
 
 #include <vtkDataArray.h>
 #include <vtkLight.h>
@@ -169,43 +168,6 @@ TEST(Lights, CameraLightsGoWithTheCamera)
   EXPECT_NEAR(block.DrawnRed(), before, HalfByteStep);
 }
 
-namespace
-{
-
-glm::dvec3 Vector(const double* values)
-{
-  return { values[0], values[1], values[2] };
-}
-
-// The renderer's lighting in double precision.
-glm::dvec3 Lit(MapperScene& scene, glm::dvec3 color, glm::dvec3 normal, glm::dvec3 positionWorld,
-  glm::dvec3 toEye)
-{
-  vtkVolumeProperty* property = scene.volume->GetProperty();
-  glm::dvec3 sum(0.0);
-  vtkCollectionSimpleIterator iterator;
-  scene.renderer->GetLights()->InitTraversal(iterator);
-  while (vtkLight* light = scene.renderer->GetLights()->GetNextLight(iterator))
-  {
-    const glm::dvec3 position = Vector(light->GetTransformedPosition());
-    const glm::dvec3 focus = Vector(light->GetTransformedFocalPoint());
-    const glm::dvec3 away = light->GetPositional() ? positionWorld - position : focus - position;
-    const glm::dvec3 toLight = -glm::normalize(away);
-    const double inCone = glm::dot(-toLight, glm::normalize(focus - position));
-    const bool lit = !light->GetPositional() || light->GetConeAngle() >= 90.0 ||
-      inCone >= std::cos(glm::radians(light->GetConeAngle()));
-    const double shining = std::abs(glm::dot(normal, glm::normalize(toLight + toEye)));
-    sum += lit ? property->GetDiffuse() * std::abs(glm::dot(normal, toLight)) * color *
-          Vector(light->GetDiffuseColor()) +
-        property->GetSpecular() * std::pow(shining, property->GetSpecularPower()) *
-          Vector(light->GetSpecularColor())
-               : glm::dvec3(0.0);
-  }
-  return sum;
-}
-
-}
-
 TEST(Lights, OnStretchedShearedAndTurnedVolumesAreThoseOfTheReference)
 {
   const vtkSmartPointer<vtkImageData> torso = SmallTorso();
@@ -228,23 +190,7 @@ TEST(Lights, OnStretchedShearedAndTurnedVolumesAreThoseOfTheReference)
   lamp->SetSpecularColor(0.2, 0.5, 1.0);
   scene.renderer->AddLight(lamp);
 
-  const VolumeGeometry geometry = VolumeGeometryOf(torso, scene.volume);
-  const auto* voxels = static_cast<const short*>(torso->GetScalarPointer());
-  const ScalarGrid<short> grid(voxels, geometry.dimensions);
-  const TransferFunction transferFunction(
-    { { -200.0, { 0.8, 0.5, 0.4 } }, { 150.0, { 0.9, 0.3, 0.2 } }, { 400.0, { 1.0, 0.95, 0.85 } } },
-    { { -200.0, 0.0 }, { 0.0, 0.01 }, { 150.0, 0.01 }, { 400.0, 0.2 } }, 1.0);
-  const auto material = [&](glm::dvec3 positionGrid, const Ray& rayGrid) -> OpticalProperties
-  {
-    const double value = grid.Value(positionGrid);
-    const glm::dvec3 normal =
-      glm::normalize(geometry.WorldFromGridNormal() * grid.Gradient(positionGrid));
-    const glm::dvec3 toEye = -glm::normalize(geometry.WorldFromGridDirection() * rayGrid.direction);
-    return { Lit(scene, transferFunction.Color(value), normal,
-               glm::dvec3(geometry.worldFromGrid * glm::dvec4(positionGrid, 1.0)), toEye),
-      transferFunction.Extinction(value) };
-  };
-  const ImageError error = scene.ErrorOf(material);
+  const ImageError error = scene.ErrorOf(MaterialInLights(scene));
   EXPECT_LT(error.rootMeanSquare, 0.5);
   EXPECT_LT(error.largest, 10.0);
 }

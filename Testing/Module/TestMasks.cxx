@@ -1,8 +1,7 @@
 // Masks decide which voxels are visible, and with which functions. A voxel of a mask fills the cube
 // around it, so the length of a ray within a label is known exactly.
 
-#include "Frame/VolumeGeometry.h"
-#include "Module/MapperScene.h"
+#include "Module/LabelledTorso.h"
 
 #include <vtkDataArray.h>
 #include <vtkLight.h>
@@ -20,26 +19,6 @@ using namespace varimarch;
 
 namespace
 {
-
-using Labels = std::function<int(glm::ivec3)>;
-
-vtkSmartPointer<vtkImageData> MaskOf(glm::ivec3 size, const Labels& labels, int type = VTK_INT)
-{
-  const auto mask = vtkSmartPointer<vtkImageData>::New();
-  mask->SetDimensions(size.x, size.y, size.z);
-  mask->AllocateScalars(type, 1);
-  for (int z = 0; z < size.z; ++z)
-  {
-    for (int y = 0; y < size.y; ++y)
-    {
-      for (int x = 0; x < size.x; ++x)
-      {
-        mask->SetScalarComponentFromDouble(x, y, z, 0, labels({ x, y, z }));
-      }
-    }
-  }
-  return mask;
-}
 
 // A white block of 9 x 9 x 33 voxels of value 50 in a range of 0 to 100, seen along its z axis,
 // with an opacity of 0.05 per unit distance.
@@ -187,73 +166,6 @@ TEST(LabelMap, OpacitiesOfAUnitDistanceAreMixed)
   block.scene.mapper->SetMaskBlendFactor(0.25);
   const double expected = 1.0 - std::pow(1.0 - (0.75 * 0.05 + 0.25 * 0.25), 32.0);
   EXPECT_NEAR(block.scene.MiddlePixel()[3], expected, HalfByteStep);
-}
-
-namespace
-{
-
-// A torso with three labels: 1 has its own colour and opacity, 2 a gradient opacity.
-class LabelledTorso
-{
-public:
-  LabelledTorso()
-    : scene(SmallTorso(), 48)
-    , geometry(VolumeGeometryOf(this->scene.image, this->scene.volume))
-    , grid(static_cast<const short*>(this->scene.image->GetScalarPointer()), size)
-  {
-    this->scene.mapper->SetMaskInput(MaskOf(size, LabelOf, VTK_UNSIGNED_CHAR));
-    this->green->AddRGBPoint(0.0, 0.1, 0.9, 0.2);
-    this->veil->AddPoint(-100.0, 0.0);
-    this->veil->AddPoint(300.0, 0.08);
-    this->factors->AddPoint(0.0, 0.2);
-    this->factors->AddPoint(100.0, 1.0);
-    vtkVolumeProperty* property = this->scene.volume->GetProperty();
-    property->ShadeOn();
-    property->SetLabelColor(1, this->green);
-    property->SetLabelScalarOpacity(1, this->veil);
-    property->SetLabelGradientOpacity(2, this->factors);
-  }
-
-  OpticalProperties MaterialAt(glm::dvec3 position, const Ray& rayGrid)
-  {
-    const glm::ivec3 nearest(glm::floor(position + 0.5));
-    const int label = LabelOf(glm::clamp(nearest, glm::ivec3(0), size - 1));
-    const double value = this->grid.Value(position);
-    const glm::dvec3 gradient = this->grid.Gradient(position);
-    const double factor = label == 2 ? this->factors->GetValue(this->Magnitude(gradient)) : 1.0;
-    const double opacity = (label == 1 ? this->veil : this->scene.opacities)->GetValue(value);
-    double rgb[3];
-    (label == 1 ? this->green : this->scene.colors)->GetColor(value, rgb);
-    const glm::dvec3 normal = this->geometry.WorldFromGridNormal() * gradient;
-    const glm::dvec3 toEye = this->geometry.WorldFromGridDirection() * rayGrid.direction;
-    const double facing = std::abs(glm::dot(glm::normalize(normal), glm::normalize(toEye)));
-    return { glm::dvec3(rgb[0], rgb[1], rgb[2]) * (0.1 + 0.7 * facing) +
-        0.2 * std::pow(facing, 10.0),
-      -std::log1p(-opacity * factor) };
-  }
-
-  MapperScene scene;
-
-private:
-  static int LabelOf(glm::ivec3 voxel) { return (voxel.x / 13 + voxel.z / 9) % 3; }
-
-  // Gradient magnitude per mean spacing.
-  double Magnitude(glm::dvec3 gradient) const
-  {
-    double spacing[3];
-    this->scene.image->GetSpacing(spacing);
-    const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
-    return mean * glm::length(gradient / glm::dvec3(spacing[0], spacing[1], spacing[2]));
-  }
-
-  static constexpr glm::ivec3 size = glm::ivec3(40, 36, 24);
-  VolumeGeometry geometry;
-  ScalarGrid<short> grid;
-  vtkNew<vtkColorTransferFunction> green;
-  vtkNew<vtkPiecewiseFunction> veil;
-  vtkNew<vtkPiecewiseFunction> factors;
-};
-
 }
 
 TEST(LabelMap, WithFunctionsOfEachLabelIsThatOfTheReference)

@@ -217,55 +217,6 @@ TEST(MultiVolume, ASingleVolumeIsRenderedAsWithoutAMultiVolume)
   EXPECT_LT(bytesLeft, bytesOfTwo);
 }
 
-namespace
-{
-
-// Appearance of two balls with soft rims, at an angle and with different voxel sizes.
-struct BallLooks
-{
-  bool firstShaded;
-  bool secondShaded;
-  bool firstNearest;
-  bool secondNearest;
-};
-
-const ComponentLook ballLooks[] = { { { 1.0, 0.3, 0.1 }, 20.0, 100.0, 0.15 },
-  { { 0.2, 0.5, 1.0 }, 10.0, 120.0, 0.3 } };
-
-double BallField(glm::dvec3 place, glm::dvec3 center)
-{
-  return 130.0 - 16.0 * glm::length(place - center);
-}
-
-void AddBalls(OverlapScene& scene, const BallLooks& looks, const int (&ports)[2] = { 0, 1 })
-{
-  const auto first = CenteredImage({ 14, 15, 13 }, { 18.0, 16.0, 17.0 },
-    [](glm::dvec3 voxel) {
-      return BallField(voxel, { 6.0, 7.0, 6.0 });
-    });
-  const auto second = CenteredImage({ 15, 12, 16 }, { 16.0, 18.0, 15.0 },
-    [](glm::dvec3 voxel) {
-      return BallField(voxel * glm::dvec3(1.0, 1.3, 0.9), { 7.0, 7.0, 7.0 });
-    });
-  vtkVolume* const one = scene.Add(ports[0], first, ballLooks[0]);
-  one->RotateWXYZ(25.0, 1.0, 1.0, 0.0);
-  one->GetProperty()->SetShade(looks.firstShaded);
-  vtkVolume* const other = scene.Add(ports[1], second, ballLooks[1]);
-  other->SetPosition(3.0, 2.0, -1.0);
-  other->RotateWXYZ(50.0, 0.0, 1.0, 1.0);
-  other->GetProperty()->SetShade(looks.secondShaded);
-  if (looks.firstNearest)
-  {
-    one->GetProperty()->SetInterpolationTypeToNearest();
-  }
-  if (looks.secondNearest)
-  {
-    other->GetProperty()->SetInterpolationTypeToNearest();
-  }
-}
-
-}
-
 class OverlappingBalls : public testing::TestWithParam<BallLooks>
 {
 };

@@ -1,0 +1,63 @@
+#ifndef Varimarch_Testing_ReferenceMaterials_h
+#define Varimarch_Testing_ReferenceMaterials_h
+
+#include "Core/Geometry/ScalarGrid.h"
+#include "Frame/VolumeGeometry.h"
+#include "Module/MapperScene.h"
+
+#include <vector>
+
+/// The voxels of a scene of one component in double precision, and VTK's measures of them.
+/// Positions are in grid space. Without interpolation the values are those of the nearest voxel.
+class SceneSamples
+{
+public:
+  explicit SceneSamples(MapperScene& scene);
+
+  double Value(glm::dvec3 positionGrid) const { return this->Grid().Value(positionGrid); }
+
+  /// Central differences [per voxel].
+  glm::dvec3 Gradient(glm::dvec3 positionGrid) const { return this->Grid().Gradient(positionGrid); }
+
+  /// Length of a gradient in VTK's unit: differences per mean spacing.
+  double Magnitude(glm::dvec3 gradient) const;
+
+  /// Cosine of the angle between a gradient and the direction to the eye, without its sign.
+  double Facing(glm::dvec3 gradient, const varimarch::Ray& rayGrid) const;
+
+  glm::dvec3 NormalWorld(glm::dvec3 gradient) const;
+  glm::dvec3 ToEyeWorld(const varimarch::Ray& rayGrid) const;
+  glm::dvec3 PositionWorld(glm::dvec3 positionGrid) const;
+
+private:
+  varimarch::ScalarGrid<double> Grid() const
+  {
+    return { this->voxels.data(), this->geometry.dimensions };
+  }
+
+  varimarch::VolumeGeometry geometry;
+  std::vector<double> voxels;
+};
+
+/// The optical properties that scenes of one component show by VTK's definitions, written without
+/// any formula of the mapper, for MapperScene::TruthOf. The scene must outlive them.
+
+/// The volume in the renderer's lights that have no ambient light.
+MapperScene::Material MaterialInLights(MapperScene& scene);
+
+/// The volume in a head light that is damped where the gradient is below the mapper's
+/// DampingGradient.
+MapperScene::Material DampedMaterial(MapperScene& scene);
+
+/// The property's function of value and gradient magnitude, shaded by a head light if the property
+/// is.
+MapperScene::Material MaterialOfTwoValues(MapperScene& scene);
+
+/// The volume where the mapper's binary mask, which has its voxels, is above 0.
+MapperScene::Material MaskedMaterial(MapperScene& scene);
+
+/// The volume in a head light, with the property's ClippedVoxelIntensity as value of what the
+/// mapper's clipping planes remove.
+MapperScene::Material MaterialWithClippedIntensity(MapperScene& scene);
+
+#endif

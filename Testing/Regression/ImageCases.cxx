@@ -1,0 +1,171 @@
+#include "Regression/RegressionCase.h"
+
+#include "Module/HomogeneousScene.h"
+#include "Module/ProcessorMarching.h"
+#include "Module/SupersampledTruth.h"
+
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkShaderProperty.h>
+
+#include <algorithm>
+
+namespace
+{
+
+// Fewer rays than pixels suffice where nothing but opaque geometry has an edge.
+RegressionScene ImageSampleDistance()
+{
+  const auto scene = std::make_shared<HomogeneousScene>(0.1, RegressionSide);
+  scene->mapper->SetErrorTolerance(1.0 / 64.0);
+  scene->mapper->ProcessorMarchingOn();
+  scene->mapper->SetImageSampleDistance(3.0f);
+  const std::array<double, 3> rgb = { 0.1, 0.3, 0.7 };
+  scene->renderer->AddActor(Plane(4.0, 1.3, rgb));
+  RegressionScene regression = SceneOf(scene);
+  regression.truth = [scene, rgb]
+  {
+    std::vector<float> image = scene->Truth();
+    const double halfMm = scene->renderer->GetActiveCamera()->GetParallelScale();
+    const std::array<double, 4> covered = Over(scene->Piece(4.0), { rgb[0], rgb[1], rgb[2], 1.0 });
+    for (int pixel = 0; pixel < scene->size * scene->size; ++pixel)
+    {
+      const double xMm = (2.0 * (pixel % scene->size + 0.5) / scene->size - 1.0) * halfMm;
+      if (xMm > 1.3)
+      {
+        std::copy(covered.begin(), covered.end(), image.begin() + 4 * pixel);
+      }
+    }
+    return image;
+  };
+  return regression;
+}
+
+void SetSampleDistance(MapperScene& scene)
+{
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistance(1.0);
+}
+
+void LockSampleDistance(MapperScene& scene)
+{
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->LockSampleDistanceToInputSpacingOn();
+}
+
+void DrawInStrips(MapperScene& scene)
+{
+  scene.volume->GetProperty()->ShadeOn();
+  scene.mapper->SetLongestPartSeconds(1e-9);
+}
+
+void SharpBone(MapperScene& scene)
+{
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(150.0, 0.0);
+  scene.opacities->AddPoint(250.0, 0.5);
+}
+
+RegressionScene Accumulation()
+{
+  constexpr int Side = RegressionSide / 2;
+  const auto scene = NewScene(SmallTorso(), Side);
+  SharpBone(*scene);
+  scene->mapper->SetMaximumAccumulatedPictures(64);
+  RegressionScene regression = SceneOf(scene);
+  regression.truth = [] { return SupersampledTruth(Side, SharpBone); };
+  return regression;
+}
+
+void MarchInPackets(MapperScene& scene)
+{
+  scene.mapper->ProcessorMarchingOn();
+  scene.volume->GetProperty()->ShadeOn();
+  Clip(scene);
+}
+
+// Colours between nothing and opacity, scaled about a level.
+RegressionScene WindowLevel()
+{
+  constexpr float Window = 0.6f;
+  constexpr float Level = 0.45f;
+  const auto scene = NewScene(SmallTorso());
+  scene->mapper->SetFinalColorWindow(Window);
+  scene->mapper->SetFinalColorLevel(Level);
+  RegressionScene regression = SceneOf(scene);
+  regression.truth = [scene]
+  {
+    std::vector<float> image = scene->Truth();
+    for (std::size_t i = 0; i < image.size(); ++i)
+    {
+      const float alpha = image[i | 3];
+      image[i] = i % 4 == 3
+        ? alpha
+        : std::clamp((image[i] - Level * alpha) / Window + 0.5f * alpha, 0.0f, alpha);
+    }
+    return image;
+  };
+  return regression;
+}
+
+// The colour image of a mapper that renders to images, without its opacity.
+vtkSmartPointer<vtkImageData> ColorImageOf(MapperScene& scene)
+{
+  vtkNew<vtkImageData> color;
+  auto* const vtk = vtkGPUVolumeRayCastMapper::SafeDownCast(scene.volume->GetMapper());
+  vtk ? vtk->GetColorImage(color) : scene.mapper->GetColorImage(color);
+  auto bytes = vtkSmartPointer<vtkImageData>::New();
+  bytes->SetDimensions(color->GetDimensions());
+  bytes->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (vtkIdType i = 0; i < color->GetNumberOfPoints(); ++i)
+  {
+    const auto* const from = static_cast<unsigned char*>(color->GetScalarPointer()) + 4 * i;
+    std::copy_n(from, 3, static_cast<unsigned char*>(bytes->GetScalarPointer()) + 3 * i);
+  }
+  return bytes;
+}
+
+RegressionScene RenderToImage()
+{
+  const auto scene = NewScene(SmallTorso());
+  scene->mapper->RenderToImageOn();
+  RegressionScene regression = SceneOf(scene);
+  regression.background = { 1.0, 1.0, 1.0 };
+  regression.drawn = [scene] { return ColorImageOf(*scene); };
+  return regression;
+}
+
+RegressionScene UserCode()
+{
+  const auto scene = NewScene(SmallTorso());
+  scene->volume->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//Varimarch::Window", true, "vec4 Windowed(vec4 picture) { return picture.bgra; }", false);
+  RegressionScene regression = SceneOf(scene);
+  regression.truth = [scene]
+  {
+    std::vector<float> image = scene->Truth();
+    for (std::size_t i = 0; i < image.size(); i += 4)
+    {
+      std::swap(image[i], image[i + 2]);
+    }
+    return image;
+  };
+  return regression;
+}
+
+}
+
+std::vector<RegressionCase> ImageCases()
+{
+  return {
+    { "ImageSampleDistance", ImageSampleDistance },
+    TorsoCase("SampleDistance", SetSampleDistance),
+    TorsoCase("LockedSampleDistance", LockSampleDistance),
+    TorsoCase("Strips", DrawInStrips),
+    { "Accumulation", Accumulation },
+    TorsoCase("Jitter", [](MapperScene& scene) { scene.mapper->UseJitteringOn(); }),
+    TorsoCase("Packets", MarchInPackets),
+    { "WindowLevel", WindowLevel },
+    { "RenderToImage", RenderToImage },
+    { "UserCode", UserCode },
+  };
+}
