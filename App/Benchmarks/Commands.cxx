@@ -213,6 +213,24 @@ void AddShaderCostCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunShaderCosts(*arguments); });
 }
 
+void AddOrderCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<OrderArguments>();
+  arguments->report.commandText = commandText;
+  CLI::App* app = program.add_subcommand(
+    "order", "Measure orders of convergence under refinement of steps, grid and pixels");
+  app->footer("Writes order.md, .csv and .json, and a plot of each experiment as PNG and SVG.\n"
+              "Example:\n"
+              "  varimarch-bench order -o order");
+  AddReportOptions(*app, arguments->report);
+  app
+    ->add_option(
+      "--side", arguments->side, "Side of the square images, a multiple of 8 (default 128)")
+    ->check(CLI::Range(16, 1024).description(""))
+    ->type_name("PIXELS");
+  app->callback([arguments] { RunOrder(*arguments); });
+}
+
 void AddSoakCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<SoakArguments>();
@@ -242,6 +260,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddScalingCommand(program, commandText);
   AddFeatureCommand(program, commandText);
   AddShaderCostCommand(program, commandText);
+  AddOrderCommand(program, commandText);
   AddSoakCommand(program, commandText);
 }
 

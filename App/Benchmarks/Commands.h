@@ -66,6 +66,12 @@ struct FeatureArguments
   int rounds = 3;
 };
 
+struct OrderArguments
+{
+  ReportArguments report;
+  int side = 128; ///< height and width of the images [pixels], a multiple of 8
+};
+
 struct SoakArguments
 {
   ReportArguments report;
@@ -91,6 +97,7 @@ void RunSpeed(const SpeedArguments& arguments);
 void RunScaling(const ScalingArguments& arguments);
 void RunFeatures(const FeatureArguments& arguments);
 void RunShaderCosts(const ShaderCostArguments& arguments);
+void RunOrder(const OrderArguments& arguments);
 void RunSoak(const SoakArguments& arguments);
 
 /// Adds the subcommands that fill these arguments and run.

@@ -114,7 +114,7 @@ void AddInfoCommand(CLI::App& program, const std::string& commandText)
               "  varimarch info scan.raw --raw-dimensions 256x256x128 --json scan.json");
   AddVolumeOptions(*app, arguments->volume,
     "A volume file, a folder with a DICOM series, or\n"
-    "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+    "procedural:shells|marschner-lobb|torso|checkerboard|ramp[:XxYxZ]");
   AddLabelOptions(*app, arguments->labels);
   app->add_option("--bins", arguments->bins, "Number of histogram bars (default 32)")
     ->check(CLI::Range(1, 65536).description(""))
@@ -136,7 +136,7 @@ void AddConvertCommand(CLI::App& program)
     "  varimarch convert scan.raw scan.vti --raw-dimensions 256x256x128 --raw-type uint16");
   AddVolumeOptions(*app, arguments->volume,
     "A volume file, a folder with a DICOM series or with pictures of slices, or\n"
-    "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+    "procedural:shells|marschner-lobb|torso|checkerboard|ramp[:XxYxZ]");
   app
     ->add_option("OUTPUT", arguments->output.path,
       "The file to write: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha),\n"

@@ -404,7 +404,7 @@ void AddSceneOptions(CLI::App& command, SceneArguments& arguments)
 {
   AddVolumeOptions(command, arguments.volume,
     "A volume file, a folder with a DICOM series, a scene file (.json), or\n"
-    "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+    "procedural:shells|marschner-lobb|torso|checkerboard|ramp[:XxYxZ]");
   AddLookAndPictureOptions(command, arguments);
   AddSamplingOptions(command, arguments);
 }

@@ -108,6 +108,34 @@ vtkSmartPointer<vtkImageData> MarschnerLobb(const ProceduralSource& source)
   return image;
 }
 
+vtkSmartPointer<vtkImageData> Checkerboard(const ProceduralSource& source)
+{
+  auto image = EmptyVolume(source.dimensions, glm::dvec3(CubeMm), VTK_UNSIGNED_CHAR);
+  ForEachRow<std::uint8_t>(image,
+    [&](std::uint8_t* row, int j, int k)
+    {
+      for (int i = 0; i < source.dimensions[0]; ++i)
+      {
+        row[i] = (i + j + k) % 2 == 0 ? 0 : 255;
+      }
+    });
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> Ramp(const ProceduralSource& source)
+{
+  auto image = EmptyVolume(source.dimensions, glm::dvec3(CubeMm), VTK_FLOAT);
+  ForEachRow<float>(image,
+    [&](float* row, int, int)
+    {
+      for (int i = 0; i < source.dimensions[0]; ++i)
+      {
+        row[i] = float(255.0 * i / (source.dimensions[0] - 1));
+      }
+    });
+  return image;
+}
+
 // A normally distributed number of variance 1. It depends only on its arguments, so that the order
 // of the threads does not matter. It is the sum of twelve uniform numbers (Irwin-Hall) from
 // Steele's SplitMix64.
@@ -163,6 +191,10 @@ vtkSmartPointer<vtkImageData> ProceduralVolume(const ProceduralSource& source)
       return Shells(source);
     case ProceduralKind::MarschnerLobb:
       return MarschnerLobb(source);
+    case ProceduralKind::Checkerboard:
+      return Checkerboard(source);
+    case ProceduralKind::Ramp:
+      return Ramp(source);
     default:
       return Torso(source);
   }

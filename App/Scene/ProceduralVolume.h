@@ -19,6 +19,12 @@ namespace varimarch
 ///   Reconstruction Filters for Volume Rendering", Proc. IEEE Visualization 1994, p. 102, with
 ///   f_M = 6 and alpha = 0.25. The paper's 41^3 voxels sample it just finely enough.
 /// - Torso: int16 in Hounsfield units, see TorsoPhantom.h.
+/// - Checkerboard: uint8, 100 mm cube. Voxels are 0 and 255 in turn along each axis, so that the
+///   field has kinks at all faces of cells. This and the next are after K. Kim, C. Wittenbrink, A.
+///   Pang, "Extended specifications and test data sets for data level comparisons of direct volume
+///   rendering algorithms", TVCG 7(4), 2001.
+/// - Ramp: float, 100 mm cube. Values rise linearly along x from 0 to 255, and interpolation
+///   reproduces them.
 ///
 /// @throws std::invalid_argument if a dimension is outside [2, LargestProceduralSide]
 vtkSmartPointer<vtkImageData> ProceduralVolume(const ProceduralSource& source);

@@ -39,6 +39,8 @@ enum class ProceduralKind
   Shells,        ///< nested spherical shells
   MarschnerLobb, ///< the classic test signal for reconstruction
   Torso,         ///< a CT of a torso
+  Checkerboard,  ///< voxels that all differ from their neighbours
+  Ramp,          ///< values that rise linearly
 };
 
 /// A volume that is computed: see ProceduralVolume.h.

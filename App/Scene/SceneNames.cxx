@@ -104,7 +104,8 @@ const NameTable<RegionShape>& RegionShapeNames()
 const NameTable<ProceduralKind>& ProceduralNames()
 {
   static const NameTable<ProceduralKind> table = { { "shells", ProceduralKind::Shells },
-    { "marschner-lobb", ProceduralKind::MarschnerLobb }, { "torso", ProceduralKind::Torso } };
+    { "marschner-lobb", ProceduralKind::MarschnerLobb }, { "torso", ProceduralKind::Torso },
+    { "checkerboard", ProceduralKind::Checkerboard }, { "ramp", ProceduralKind::Ramp } };
   return table;
 }
 

@@ -43,8 +43,8 @@ double MeanAround(vtkImageData* image, double x, double y, double z)
 
 TEST(ProceduralVolume, SameSourceGivesSameVoxelsWithAnyNumberOfThreads)
 {
-  for (const ProceduralKind kind :
-    { ProceduralKind::Shells, ProceduralKind::MarschnerLobb, ProceduralKind::Torso })
+  for (const ProceduralKind kind : { ProceduralKind::Shells, ProceduralKind::MarschnerLobb,
+         ProceduralKind::Torso, ProceduralKind::Checkerboard, ProceduralKind::Ramp })
   {
     const ProceduralSource source = { kind, { 33, 30, 27 }, 7 };
     const auto parallel = ProceduralVolume(source);
@@ -105,6 +105,31 @@ TEST(ProceduralVolume, MarschnerLobbFollowsItsFormula)
   EXPECT_NEAR(ValueAt(signal, 0, 0, 50), 0.2, 1e-6);
   // At radius 1 the inner cosine is 0, so the ripple is 1 again.
   EXPECT_NEAR(ValueAt(signal, 50, 0, -50), 1.0, 1e-6);
+}
+
+TEST(ProceduralVolume, NeighboursOnACheckerboardDiffer)
+{
+  const auto board = ProceduralVolume({ ProceduralKind::Checkerboard, { 5, 4, 6 }, 1 });
+  for (int i = 0; i < 4 * 3 * 5; ++i)
+  {
+    const int x = i % 4;
+    const int y = i / 4 % 3;
+    const int z = i / 12;
+    const double value = board->GetScalarComponentAsDouble(x, y, z, 0);
+    EXPECT_EQ(value, (x + y + z) % 2 ? 255.0 : 0.0);
+    EXPECT_EQ(board->GetScalarComponentAsDouble(x + 1, y, z, 0), 255.0 - value);
+    EXPECT_EQ(board->GetScalarComponentAsDouble(x, y + 1, z, 0), 255.0 - value);
+    EXPECT_EQ(board->GetScalarComponentAsDouble(x, y, z + 1, 0), 255.0 - value);
+  }
+}
+
+TEST(ProceduralVolume, RampRisesLinearly)
+{
+  const auto ramp = ProceduralVolume({ ProceduralKind::Ramp, { 18, 3, 4 }, 1 });
+  for (int x = 0; x < 18; ++x)
+  {
+    EXPECT_NEAR(ramp->GetScalarComponentAsDouble(x, x % 3, x % 4, 0), 15.0 * x, 1e-4);
+  }
 }
 
 TEST(ProceduralVolume, RefusesImpossibleSizes)

@@ -252,6 +252,33 @@ def scaling(folder):
     assert png_size(folder / "scaling.png")[0] > 1000
 
 
+def order(folder):
+    text, _ = run("order", "-o", folder, "--side", "16")
+    results = json.loads((folder / "order.json").read_text())
+    names = ["steps-ramp", "steps-checkerboard", "tolerance-ramp", "tolerance-checkerboard",
+             "grid", "pixels"]
+    assert [experiment["name"] for experiment in results["experiments"]] == names
+    rows = list(csv.DictReader((folder / "order.csv").open()))
+    orders = {}
+    for experiment in results["experiments"]:
+        name = experiment["name"]
+        assert png_size(folder / f"{name}.png")[0] > 1000
+        assert (folder / f"{name}.svg").read_text().rstrip().endswith("</svg>")
+        for method in experiment["methods"]:
+            assert method["method"] in text
+            assert len(method["points"]) == sum(
+                row["experiment"] == name and row["method"] == method["method"] for row in rows)
+            orders[name, method["method"]] = (method.get("order"), method.get("expectedOrder"))
+    # The orders of our rules where theory has them: linear values along rays, and a smooth field.
+    for name, method in [("steps-ramp", "Varimarch, midpoint"),
+                         ("steps-ramp", "Varimarch, midpoint, packets"),
+                         ("steps-ramp", "Varimarch, pre-integrated"),
+                         ("steps-ramp", "Varimarch, Simpson"), ("steps-ramp", "published sum"),
+                         ("grid", "Varimarch, linear"), ("grid", "Varimarch, cubic spline")]:
+        observed, expected = orders[name, method]
+        assert abs(observed - expected) < 0.35, (name, method, observed, expected)
+
+
 def soak(folder):
     text, _ = run("soak", "procedural:shells:16x16x16", "-o", folder, "--size", "32x32",
                   "--frames", "410")
