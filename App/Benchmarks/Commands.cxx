@@ -3,6 +3,7 @@
 #include "BenchMethods.h"
 #include "CommandLine/Parser.h"
 #include "FeatureList.h"
+#include "Scene/SceneNames.h"
 #include "SoakBench.h"
 
 #include <CLI/CLI.hpp>
@@ -231,6 +232,29 @@ void AddOrderCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunOrder(*arguments); });
 }
 
+void AddReferencesCommand(CLI::App& program)
+{
+  const auto arguments = std::make_shared<ReferencesArguments>();
+  CLI::App* app = program.add_subcommand(
+    "references", "Write reference images by which other renderers can be judged");
+  app->footer("Writes NAME.npy and NAME.json of each scene, and the volumes as NRRD. With\n"
+              "--renderer it writes only the images that this mapper draws.\n"
+              "Examples:\n"
+              "  varimarch-bench references -o Data/References\n"
+              "  varimarch-bench references -o pictures --renderer vtk-gpu");
+  app->add_option("-o,--output", arguments->outputFolder, "The folder for the files")
+    ->type_name("FOLDER")
+    ->required();
+  app
+    ->add_option_function<std::string>(
+      "--renderer",
+      [arguments](const std::string& name)
+      { arguments->renderer = ValueOf(MapperKindNames(), name); },
+      "The mapper that draws (default: the reference integrator)")
+    ->check(OneOf(NamesOf(MapperKindNames())));
+  app->callback([arguments] { RunReferences(*arguments); });
+}
+
 void AddSoakCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<SoakArguments>();
@@ -261,6 +285,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddFeatureCommand(program, commandText);
   AddShaderCostCommand(program, commandText);
   AddOrderCommand(program, commandText);
+  AddReferencesCommand(program);
   AddSoakCommand(program, commandText);
 }
 

@@ -6,6 +6,7 @@
 #include "SpeedBench.h"
 #include "WorkPrecision.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,12 @@ struct OrderArguments
   int side = 128; ///< height and width of the images [pixels], a multiple of 8
 };
 
+struct ReferencesArguments
+{
+  std::string outputFolder;
+  std::optional<MapperKind> renderer; ///< the mapper that draws; empty: the reference
+};
+
 struct SoakArguments
 {
   ReportArguments report;
@@ -98,6 +105,7 @@ void RunScaling(const ScalingArguments& arguments);
 void RunFeatures(const FeatureArguments& arguments);
 void RunShaderCosts(const ShaderCostArguments& arguments);
 void RunOrder(const OrderArguments& arguments);
+void RunReferences(const ReferencesArguments& arguments);
 void RunSoak(const SoakArguments& arguments);
 
 /// Adds the subcommands that fill these arguments and run.

@@ -279,6 +279,32 @@ def order(folder):
         assert abs(observed - expected) < 0.35, (name, method, observed, expected)
 
 
+def references(folder):
+    committed = pathlib.Path(__file__).parents[2] / "Data" / "References"
+    run("references", "-o", folder / "again")
+    run("references", "-o", folder / "vtk", "--renderer", "vtk-gpu")
+    names = sorted(path.name for path in committed.iterdir())
+    written = sorted(path.name for path in (folder / "again").iterdir())
+    assert written == [name for name in names if name not in ("README.md", "compare.py")], written
+
+    def compared(pictures):
+        script = [sys.executable, committed / "compare.py", pictures, "--json"]
+        result = subprocess.run(script, capture_output=True, text=True, check=False)
+        return result.returncode, result.stderr, json.loads(result.stdout or "[]")
+
+    code, errors, rows = compared(folder / "again")
+    assert code == 0, errors
+    assert len(rows) == sum(name.endswith(".npy") for name in names)
+    # Another compiler rounds otherwise, within the error that the reference states.
+    assert all(row["largest"] <= max(2 * 255 * row["reference_error"], 1e-3) for row in rows), rows
+    code, errors, rows = compared(folder / "vtk")
+    assert code == 0, errors
+    assert all(row["rmse"] > 0.01 for row in rows), rows
+    (folder / "vtk" / "ramp.npy").unlink()
+    code, errors, _ = compared(folder / "vtk")
+    assert code == 1 and "ramp.npy" in errors, errors
+
+
 def soak(folder):
     text, _ = run("soak", "procedural:shells:16x16x16", "-o", folder, "--size", "32x32",
                   "--frames", "410")
