@@ -214,6 +214,24 @@ void AddShaderCostCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunShaderCosts(*arguments); });
 }
 
+void AddExtremesCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<ExtremesArguments>();
+  arguments->commandText = commandText;
+  CLI::App* app = program.add_subcommand(
+    "extremes", "Measure errors and times of stiff and extreme scenes, in our mapper and in VTK's");
+  app->footer("Writes extremes.md and .csv after each scene.\n"
+              "Example:\n"
+              "  varimarch-bench extremes -o extremes");
+  app->add_option("-o,--output", arguments->outputFolder, "The folder for the report")
+    ->type_name("FOLDER")
+    ->required();
+  app->add_option("--only", arguments->only, "Draw only scenes whose names start with one of these")
+    ->delimiter(',')
+    ->type_name("NAMES");
+  app->callback([arguments] { RunExtremes(*arguments); });
+}
+
 void AddOrderCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<OrderArguments>();
@@ -284,6 +302,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddScalingCommand(program, commandText);
   AddFeatureCommand(program, commandText);
   AddShaderCostCommand(program, commandText);
+  AddExtremesCommand(program, commandText);
   AddOrderCommand(program, commandText);
   AddReferencesCommand(program);
   AddSoakCommand(program, commandText);

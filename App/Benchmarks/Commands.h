@@ -67,6 +67,13 @@ struct FeatureArguments
   int rounds = 3;
 };
 
+struct ExtremesArguments
+{
+  std::string commandText; ///< the whole command line, for the results
+  std::string outputFolder;
+  std::vector<std::string> only; ///< beginnings of the names of scenes; empty: all
+};
+
 struct OrderArguments
 {
   ReportArguments report;
@@ -104,6 +111,7 @@ void RunSpeed(const SpeedArguments& arguments);
 void RunScaling(const ScalingArguments& arguments);
 void RunFeatures(const FeatureArguments& arguments);
 void RunShaderCosts(const ShaderCostArguments& arguments);
+void RunExtremes(const ExtremesArguments& arguments);
 void RunOrder(const OrderArguments& arguments);
 void RunReferences(const ReferencesArguments& arguments);
 void RunSoak(const SoakArguments& arguments);

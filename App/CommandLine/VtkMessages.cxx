@@ -16,6 +16,9 @@ namespace
 
 std::string firstError;
 
+bool isInScope = false;
+std::string firstOfScope;
+
 // The message without VTK's "ERROR: In file, line 7" and "vtkClass (0x1234): ".
 std::string Sentence(const std::string& message)
 {
@@ -39,6 +42,11 @@ public:
 
   void DisplayErrorText(const char* text) override
   {
+    if (isInScope)
+    {
+      this->KeepInScope(text);
+      return;
+    }
     // The first error names the cause; later ones are its consequences.
     if (firstError.empty())
     {
@@ -48,10 +56,24 @@ public:
 
   void DisplayWarningText(const char* text) override
   {
+    if (isInScope)
+    {
+      this->KeepInScope(text);
+      return;
+    }
     varimarch::PrintMessage("warning: " + Sentence(text));
   }
 
   void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
+
+private:
+  void KeepInScope(const char* text)
+  {
+    if (firstOfScope.empty())
+    {
+      firstOfScope = Sentence(text);
+    }
+  }
 };
 
 vtkStandardNewMacro(vtkMessageCollector);
@@ -75,6 +97,22 @@ void ThrowIfVtkReportedError()
     firstError.clear();
     throw std::runtime_error(error);
   }
+}
+
+VtkMessageScope::VtkMessageScope()
+{
+  isInScope = true;
+  firstOfScope.clear();
+}
+
+VtkMessageScope::~VtkMessageScope()
+{
+  isInScope = false;
+}
+
+std::string VtkMessageScope::First() const
+{
+  return firstOfScope;
 }
 
 }

@@ -14,6 +14,19 @@ void CollectVtkMessages();
 /// @throws std::runtime_error with the first error that VTK has reported since the last call
 void ThrowIfVtkReportedError();
 
+/// During its lifetime, VTK's errors and warnings are neither printed nor thrown, but kept here.
+class VtkMessageScope
+{
+public:
+  VtkMessageScope();
+  ~VtkMessageScope();
+  VtkMessageScope(const VtkMessageScope&) = delete;
+  void operator=(const VtkMessageScope&) = delete;
+
+  /// The first message since construction; empty: none.
+  std::string First() const;
+};
+
 }
 
 #endif

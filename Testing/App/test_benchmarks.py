@@ -252,6 +252,25 @@ def scaling(folder):
     assert png_size(folder / "scaling.png")[0] > 1000
 
 
+def extremes(folder):
+    names = ["OpaqueAboveAStep", "NotANumberInADenseVolume", "OneVoxel", "StepOf1e-30"]
+    text, _ = run("extremes", "-o", folder, "--only", ",".join(names))
+    assert (folder / "extremes.md").read_text() in text
+    rows = list(csv.DictReader((folder / "extremes.csv").open()))
+    drawn = {row["scene"] for row in rows}
+    assert drawn == {*names, "OneVoxelThick", "OneVoxelThickFromItsFront", "OneVoxelThickInX",
+                     "OneVoxelThickInY", "OneVoxelThickInTwoAxes", "OneVoxelOfNotANumber"}, drawn
+    assert len(rows) == 4 * len(drawn)
+    for row in rows:
+        if row["mapper"].startswith("ours"):
+            # Rays that graze a hard surface are right or wrong by all.
+            right = float(row["percentile_99_9_255"]) <= 4 or row["scene"] == "OpaqueAboveAStep"
+            assert row["finite"] == "yes" and (right or row["message"]), row
+            assert row["empty"] == "no" and float(row["median_ms"]) > 0, row
+        if row["scene"] == "StepOf1e-30":
+            assert row["tried"] == ("yes" if row["mapper"].startswith("ours") else "no"), row
+
+
 def order(folder):
     text, _ = run("order", "-o", folder, "--side", "16")
     results = json.loads((folder / "order.json").read_text())

@@ -2,24 +2,14 @@
 #define Varimarch_Testing_MapperScene_h
 
 #include "Core/Quality/ImageError.h"
-#include "Core/Reference/ReferenceScene.h"
-#include "Frame/VolumeGeometry.h"
+#include "Stages/VolumeStage.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkColorTransferFunction.h>
-#include <vtkHeadlessRenderWindow.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPiecewiseFunction.h>
-#include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
-#include <vtkVariationFieldVolumeMapper.h>
-#include <vtkVolume.h>
-#include <vtkVolumeProperty.h>
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,38 +20,22 @@ inline constexpr double HalfByteStep = 0.5 / 255.0;
 varimarch::ImageError LargerError(
   const std::vector<float>& one, const std::vector<float>& other, const std::vector<float>& truth);
 
-/// One volume in one window, set up as by any VTK program, with its true image.
-class MapperScene
+/// A stage of tests, which draws by shaders unless told otherwise.
+class MapperScene : public varimarch::VolumeStage
 {
 public:
   /// @param window  a window that was rendered to before keeps its shaders for the next scene
   explicit MapperScene(vtkImageData* image, int size = 96,
     vtkHeadlessRenderWindow* window = vtkSmartPointer<vtkHeadlessRenderWindow>::New());
-  ~MapperScene();
-  MapperScene(const MapperScene&) = delete;
-  void operator=(const MapperScene&) = delete;
 
   /// Looks along -z from z = 30 mm in parallel projection; the image is `2 * halfMm` high and wide.
   void LookDown(glm::dvec3 focusWorld, double halfMm);
 
-  /// The image in float: premultiplied RGBA without the background. Rendered by a shader unless the
-  /// test sets the mapper otherwise.
-  std::vector<float> Draw();
-
   /// The image rendered by packets of rays, if they support the scene.
   std::vector<float> DrawByProcessor();
 
-  /// The image of the reference integrator for one component, shaded if the property is.
-  std::vector<float> Truth(double tolerance = 1e-5, int component = 0);
-
   /// Error of Draw and DrawByProcessor against Truth, whichever is larger.
   varimarch::ImageError Error();
-
-  /// Optical properties that the eye sees at a position; positions and rays are in grid space.
-  using Material = std::function<varimarch::OpticalProperties(glm::dvec3, const varimarch::Ray&)>;
-
-  /// The composite of a material by the reference integrator.
-  std::vector<float> TruthOf(const Material& material, double tolerance = 1e-4);
 
   /// Error of both against the composite of a material, whichever is larger.
   varimarch::ImageError ErrorOf(const Material& material, double tolerance = 1e-4);
@@ -73,19 +47,7 @@ public:
   std::vector<std::string> ShaderParts();
   bool UsesShaderPart(const std::string& part);
 
-  vtkSmartPointer<vtkImageData> image;
-  int size;
-  vtkSmartPointer<vtkHeadlessRenderWindow> window;
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkVolume> volume;
-  vtkNew<vtkVariationFieldVolumeMapper> mapper;
-  vtkNew<vtkColorTransferFunction> colors;
-  vtkNew<vtkPiecewiseFunction> opacities;
-
 private:
-  bool IsNearest();
-  varimarch::VolumeGeometry ReferenceGeometry();
-  std::vector<float> DrawReferenceOf(const varimarch::ReferenceScene& scene, double tolerance);
   varimarch::ImageError ErrorTo(const std::vector<float>& truth);
 };
 

@@ -68,28 +68,28 @@ bool MayBeColors(const RandomVolume& volume)
 RandomScene::RandomScene(std::uint64_t seed, vtkHeadlessRenderWindow* window)
 {
   const auto subject = [&](int number) { return Dice(seed, std::uint64_t(number)); };
-  Dice kind = subject(Kind);
+  Dice kind = subject(Subject::Kind);
   this->components = RandomComponents(kind);
-  Dice ofVolume = subject(Volume);
+  Dice ofVolume = subject(Subject::Volume);
   this->volume = MakeRandomVolume(ofVolume, this->components);
   this->scene = std::make_unique<MapperScene>(this->volume.image, 48, window);
   this->description = "seed " + std::to_string(seed) + ": " + this->volume.description;
-  Dice view = subject(View);
+  Dice view = subject(Subject::View);
   this->description += SetRandomView(*this->scene, view);
-  Dice cuts = subject(Cuts);
+  Dice cuts = subject(Subject::Cuts);
   this->description += SetRandomCuts(*this->scene, cuts);
-  Dice material = subject(Material);
+  Dice material = subject(Subject::Material);
   this->SetMaterial(material);
-  Dice blending = subject(Blending);
+  Dice blending = subject(Subject::Blending);
   this->SetBlend(blending);
   for (int component = 0; component < this->components; ++component)
   {
-    Dice look = subject(Look + component);
+    Dice look = subject(Subject::Look + component);
     vtkVolumeProperty* const property = this->scene->volume->GetProperty();
     this->description += SetRandomLook(property, component, this->volume, this->isMixture, look);
     this->edges = std::max(this->edges, EdgesOf(property, component));
   }
-  Dice quality = subject(Quality);
+  Dice quality = subject(Subject::Quality);
   this->SetQuality(quality);
 }
 

@@ -287,8 +287,8 @@ TEST(ErrorTolerance, DrawsNothingIntoTheWindowWhenTriedOut)
 
 TEST(ErrorTolerance, IsThatOfColoursInTheWindow)
 {
-  for (std::vector<float> (MapperScene::*draw)() :
-    { &MapperScene::Draw, &MapperScene::DrawByProcessor })
+  using Way = std::vector<float> (MapperScene::*)();
+  for (const Way draw : std::vector<Way>{ &MapperScene::Draw, &MapperScene::DrawByProcessor })
   {
     MapperScene scene(SmallTorso());
     scene.mapper->SetErrorTolerance(1.0 / 64.0);

@@ -1,6 +1,7 @@
 // Behaviour at the limits of numbers, geometries and transfer functions.
 
-#include "Module/ExtremeScenes.h"
+#include "Module/MapperScene.h"
+#include "Stages/ExtremeScenes.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkDataArray.h>
@@ -17,6 +18,17 @@ namespace
 {
 
 using Mapper = vtkVariationFieldVolumeMapper;
+using namespace varimarch;
+
+// The scene with the mapper's default error tolerance.
+std::unique_ptr<MapperScene> MapperSceneOf(
+  const ExtremeScene& extreme, int size, vtkHeadlessRenderWindow* window)
+{
+  auto scene = std::make_unique<MapperScene>(extreme.image(), size, window);
+  scene->mapper->SetErrorTolerance(1.0 / 64.0);
+  extreme.prepare(*scene);
+  return scene;
+}
 
 std::string Describe(Mapper* mapper)
 {
@@ -65,11 +77,6 @@ void ForEveryRecipe(MapperScene& scene, Test test)
     }
   }
 }
-
-}
-
-namespace
-{
 
 void ExpectNothingButNumbers(const std::vector<ExtremeScene>& scenes)
 {

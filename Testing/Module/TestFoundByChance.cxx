@@ -1,7 +1,7 @@
 // Kinds of faults that random scenes have shown, each in a scene that shows nothing else.
 
 #include "Module/ComponentVolumes.h"
-#include "Module/ExtremeSceneParts.h"
+#include "Stages/ExtremeSceneParts.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkPlane.h>
@@ -13,7 +13,7 @@
 #include <functional>
 #include <vector>
 
-using namespace extreme;
+using namespace varimarch::extreme;
 using Mapper = vtkVariationFieldVolumeMapper;
 
 TEST(FoundByChance, ExtremesThatLookTheSameForAllValuesAreDrawn)

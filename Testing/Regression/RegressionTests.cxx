@@ -6,6 +6,7 @@
 #include "Regression/VtkDifferences.h"
 #include "Regression/VtkMapper.h"
 #include "Scene/ImageFiles.h"
+#include "Scene/Scene.h"
 
 #include <vtkPNGReader.h>
 #include <vtkRegressionTestImage.h>
@@ -82,7 +83,7 @@ void UseShaders(const RegressionScene& scene)
 {
   for (const std::shared_ptr<MapperScene>& volume : scene.volumes)
   {
-    volume->mapper->ProcessorMarchingOff();
+    volume->UseMapper(varimarch::MapperKind::VarimarchShaders);
   }
   if (scene.overlap)
   {

@@ -1,12 +1,13 @@
-#include "Module/ExtremeSceneParts.h"
+#include "Stages/ExtremeSceneParts.h"
 
+#include <vtkCamera.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace extreme
+namespace varimarch::extreme
 {
 
 namespace
@@ -49,7 +50,7 @@ vtkSmartPointer<vtkImageData> LumpyImage(
   return image;
 }
 
-void SetOpacities(MapperScene& scene, const std::vector<Node>& nodes)
+void SetOpacities(VolumeStage& scene, const std::vector<Node>& nodes)
 {
   scene.opacities->RemoveAllPoints();
   scene.opacities->AllowDuplicateScalarsOn();
@@ -59,7 +60,7 @@ void SetOpacities(MapperScene& scene, const std::vector<Node>& nodes)
   }
 }
 
-void SetColors(MapperScene& scene, double first, double last)
+void SetColors(VolumeStage& scene, double first, double last)
 {
   scene.colors->RemoveAllPoints();
   scene.colors->AddRGBPoint(first, 0.1, 0.5, 1.0);
@@ -93,7 +94,7 @@ Image Constant(double value, int type)
 
 Preparation Opacities(const std::vector<Node>& nodes, double first, double last)
 {
-  return [=](MapperScene& scene)
+  return [=](VolumeStage& scene)
   {
     SetColors(scene, first, last);
     SetOpacities(scene, nodes);
@@ -106,28 +107,28 @@ Preparation LookAt(double first, double range, double opacity)
     { { first + 0.4 * range, 0.0 }, { first + range, opacity } }, first, first + range);
 }
 
-void UsualLook(MapperScene& scene)
+void UsualLook(VolumeStage& scene)
 {
   LookAt(0.0, 1.0)(scene);
 }
 
-void DenseLook(MapperScene& scene)
+void DenseLook(VolumeStage& scene)
 {
   LookAt(0.0, 1.0, 0.9)(scene);
 }
 
 Preparation UnitDistance(double distanceMm)
 {
-  return [=](MapperScene& scene)
+  return [=](VolumeStage& scene)
   {
     UsualLook(scene);
     scene.volume->GetProperty()->SetScalarOpacityUnitDistance(distanceMm);
   };
 }
 
-Preparation SeenFrom(const View& view)
+Preparation SeenFrom(const Viewpoint& view)
 {
-  return [=](MapperScene& scene)
+  return [=](VolumeStage& scene)
   {
     UsualLook(scene);
     vtkCamera* const camera = scene.renderer->GetActiveCamera();
@@ -141,7 +142,7 @@ Preparation SeenFrom(const View& view)
 
 Preparation SeenAlong(std::array<double, 3> direction, double sideVoxels)
 {
-  return [=](MapperScene& scene)
+  return [=](VolumeStage& scene)
   {
     SeenFrom({ { -50.0 * direction[0], -50.0 * direction[1], -50.0 * direction[2] },
       { 0.0, 0.0, 0.0 } })(scene);

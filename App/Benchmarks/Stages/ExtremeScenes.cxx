@@ -1,7 +1,10 @@
-#include "Module/ExtremeSceneParts.h"
+#include "Stages/ExtremeSceneParts.h"
 
 #include <cmath>
 #include <limits>
+
+namespace varimarch
+{
 
 using namespace extreme;
 
@@ -16,7 +19,7 @@ const double OneUlpBelowOne = std::nextafter(1.0, 0.0);
 
 Preparation SampledEvery(double distance)
 {
-  return [=](MapperScene& scene)
+  return [=](VolumeStage& scene)
   {
     UsualLook(scene);
     scene.mapper->SetErrorTolerance(0.0);
@@ -27,7 +30,7 @@ Preparation SampledEvery(double distance)
 
 Preparation NanColor(double opacity)
 {
-  return [=](MapperScene& scene)
+  return [=](VolumeStage& scene)
   {
     UsualLook(scene);
     scene.mapper->SetNanColor(0.1, 1.0, 0.3);
@@ -70,7 +73,7 @@ std::vector<ExtremeScene> HardSurfaces()
     { "ExtinctionOf1e6", Lumpy(), UnitDistance(1e-6) },
     { "ExtinctionOf1e12", Lumpy(), UnitDistance(1e-12) },
     { "OpaquePeakNarrowerThanATexel", Lumpy(SmallBox, VTK_UNSIGNED_SHORT, 0.0, 65535.0),
-      [](MapperScene& scene)
+      [](VolumeStage& scene)
       {
         Opacities({ { 30000.2, 0.0 }, { 30000.5, 0.9 }, { 30000.8, 0.0 } }, 0.0, 65535.0)(scene);
         scene.volume->GetProperty()->SetScalarOpacityUnitDistance(1e-6);
@@ -130,7 +133,7 @@ std::vector<ExtremeScene> ExtremesWithoutTolerance()
         { { 2000, 0, 0 }, { 2000, 1, 0 }, { 2000, 2, 0 }, { 2000, 0, 1 }, { 2000, 1, 1 },
           { 2000, 2, 1 }, { 2000, 0, 2 }, { 2000, 1, 2 }, { 2000, 2, 2 } },
         { 2001, 3, 3 }),
-      [](MapperScene& scene)
+      [](VolumeStage& scene)
       {
         SampledEvery(1.0 / 9.0)(scene);
         SeenFrom({ { -1100.0, 0.2, 0.1 }, { 0.0, 0.0, 0.0 }, 0.15, { 1.0, 1e4 } })(scene);
@@ -143,11 +146,12 @@ std::vector<ExtremeScene> ExtremesWithoutTolerance()
   };
 }
 
-std::unique_ptr<MapperScene> MapperSceneOf(
+std::unique_ptr<VolumeStage> StageOf(
   const ExtremeScene& extreme, int size, vtkHeadlessRenderWindow* window)
 {
-  auto scene = std::make_unique<MapperScene>(extreme.image(), size, window);
-  scene->mapper->SetErrorTolerance(1.0 / 64.0);
-  extreme.prepare(*scene);
-  return scene;
+  auto stage = std::make_unique<VolumeStage>(extreme.image(), size, window);
+  extreme.prepare(*stage);
+  return stage;
+}
+
 }

@@ -1,18 +1,18 @@
-#ifndef Varimarch_Testing_ExtremeSceneParts_h
-#define Varimarch_Testing_ExtremeSceneParts_h
+#ifndef Varimarch_Benchmarks_ExtremeSceneParts_h
+#define Varimarch_Benchmarks_ExtremeSceneParts_h
 
-#include "Module/ExtremeScenes.h"
+#include "Stages/ExtremeScenes.h"
 
 #include <array>
 
 /// Building blocks of extreme scenes: small volumes of smooth lumps, transfer functions, cameras.
-namespace extreme
+namespace varimarch::extreme
 {
 
 using Dimensions = std::array<int, 3>;
 using Spacing = std::array<double, 3>;
 using Image = std::function<vtkSmartPointer<vtkImageData>()>;
-using Preparation = std::function<void(MapperScene&)>;
+using Preparation = std::function<void(VolumeStage&)>;
 
 constexpr Dimensions SmallBox = { 11, 9, 10 };
 
@@ -29,8 +29,8 @@ Image Constant(double value, int type = VTK_FLOAT);
 /// Transparent over the lowest two fifths of the values, then a ramp of opacity.
 Preparation LookAt(double first, double range, double opacity = 0.3);
 
-void UsualLook(MapperScene& scene);
-void DenseLook(MapperScene& scene);
+void UsualLook(VolumeStage& scene);
+void DenseLook(VolumeStage& scene);
 
 struct Node
 {
@@ -44,7 +44,7 @@ Preparation Opacities(const std::vector<Node>& nodes, double first = 0.0, double
 /// The usual look for opacities that hold over this distance.
 Preparation UnitDistance(double distanceMm);
 
-struct View
+struct Viewpoint
 {
   std::array<double, 3> position;
   std::array<double, 3> focalPoint;
@@ -52,7 +52,7 @@ struct View
   std::array<double, 2> clippingRange = { 0.01, 100.0 };
 };
 
-Preparation SeenFrom(const View& view);
+Preparation SeenFrom(const Viewpoint& view);
 
 /// Pixels half a voxel apart, so that rays pass through voxels, along edges and in cell faces.
 Preparation SeenAlong(std::array<double, 3> direction, double sideVoxels = 0.5);

@@ -1,19 +1,22 @@
-#ifndef Varimarch_Testing_ExtremeScenes_h
-#define Varimarch_Testing_ExtremeScenes_h
+#ifndef Varimarch_Benchmarks_ExtremeScenes_h
+#define Varimarch_Benchmarks_ExtremeScenes_h
 
-#include "Module/MapperScene.h"
+#include "Stages/VolumeStage.h"
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace varimarch
+{
+
 /// A scene at the limits of numbers, geometries or transfer functions.
 struct ExtremeScene
 {
   std::string name;
   std::function<vtkSmartPointer<vtkImageData>()> image;
-  std::function<void(MapperScene&)> prepare; ///< sets transfer function, camera and settings
+  std::function<void(VolumeStage&)> prepare; ///< sets transfer function, camera and settings
 };
 
 std::vector<ExtremeScene> ExtremeMaterials(); ///< opacities and transfer functions
@@ -25,8 +28,10 @@ std::vector<ExtremeScene> ExtremeViews();     ///< cameras and clipping ranges
 /// Sample distances, without an error tolerance.
 std::vector<ExtremeScene> ExtremesWithoutTolerance();
 
-/// Sets a scene up in a window, with the mapper's default error tolerance.
-std::unique_ptr<MapperScene> MapperSceneOf(
+/// Sets a scene up in a window, with the mapper's defaults.
+std::unique_ptr<VolumeStage> StageOf(
   const ExtremeScene& scene, int size, vtkHeadlessRenderWindow* window);
+
+}
 
 #endif

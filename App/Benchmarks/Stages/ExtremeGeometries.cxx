@@ -1,7 +1,12 @@
-#include "Module/ExtremeSceneParts.h"
+#include "Stages/ExtremeSceneParts.h"
+
+#include <vtkCamera.h>
 
 #include <cmath>
 #include <limits>
+
+namespace varimarch
+{
 
 using namespace extreme;
 
@@ -10,7 +15,7 @@ namespace
 
 Preparation Scaled(double scale)
 {
-  return [scale](MapperScene& scene)
+  return [scale](VolumeStage& scene)
   {
     UsualLook(scene);
     scene.volume->SetScale(scale);
@@ -21,7 +26,7 @@ Preparation Scaled(double scale)
 
 Preparation UnitDistanceSeenObliquely(double distanceMm)
 {
-  return [=](MapperScene& scene)
+  return [=](VolumeStage& scene)
   {
     UnitDistance(distanceMm)(scene);
     scene.renderer->GetActiveCamera()->SetPosition(0.3, -1.0, 0.4);
@@ -29,7 +34,7 @@ Preparation UnitDistanceSeenObliquely(double distanceMm)
   };
 }
 
-void LookThroughTheFront(MapperScene& scene)
+void LookThroughTheFront(VolumeStage& scene)
 {
   DenseLook(scene);
   scene.renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 10.0);
@@ -58,23 +63,23 @@ std::vector<ExtremeScene> ExtremeShapes()
 {
   return {
     { "StretchedAThousandTimes", Lumpy({ 11, 9, 2 }, VTK_FLOAT, 0.0, 1.0, { 1.0, 1.0, 1000.0 }),
-      [](MapperScene& scene)
+      [](VolumeStage& scene)
       {
         SeenFrom({ { 12.0, 9.0, -8000.0 }, { 0.0, 0.0, 0.0 }, 0.1, { 1.0, 1e5 } })(scene);
         scene.volume->GetProperty()->SetScalarOpacityUnitDistance(1000.0);
       } },
     { "StretchedAndSeenFromTheSide", Lumpy({ 11, 9, 2 }, VTK_FLOAT, 0.0, 1.0, { 1.0, 1.0, 1000.0 }),
-      [](MapperScene& scene) {
+      [](VolumeStage& scene) {
         SeenFrom({ { 30.0, 20.0, 300.0 }, { 0.0, 0.0, 200.0 }, 30.0, { 1.0, 1e5 } })(scene);
       } },
     { "StretchedAThousandTimesInTwoAxes",
       Lumpy({ 3, 9, 3 }, VTK_FLOAT, 0.0, 1.0, { 1000.0, 1.0, 1000.0 }),
-      [](MapperScene& scene) {
+      [](VolumeStage& scene) {
         SeenFrom({ { 300.0, -30.0, 200.0 }, { 280.0, 0.0, 210.0 }, 30.0, { 1.0, 1e5 } })(scene);
       } },
     { "StretchedAThousandTimesSeenAlong",
       Lumpy({ 2, 9, 10 }, VTK_FLOAT, 0.0, 1.0, { 1000.0, 1.0, 1.0 }),
-      [](MapperScene& scene)
+      [](VolumeStage& scene)
       {
         SeenAlong({ 1.0, 0.0, 0.0 }, 0.25)(scene);
         scene.renderer->GetActiveCamera()->SetPosition(-2000.0, 0.0, 0.0);
@@ -88,7 +93,7 @@ std::vector<ExtremeScene> ExtremeShapes()
     { "SpacedBy1e-6", Lumpy(SmallBox, VTK_FLOAT, 0.0, 1.0, { 1e-6, 1e-6, 1e-6 }),
       UnitDistanceSeenObliquely(1e-6) },
     { "FarFromTheOrigin", Lumpy(),
-      [](MapperScene& scene)
+      [](VolumeStage& scene)
       {
         UsualLook(scene);
         scene.volume->SetPosition(1e5, -1e5, 1e5);
@@ -129,4 +134,6 @@ std::vector<ExtremeScene> ExtremeViews()
       SeenFrom({ { -30.0, 3.0, 2.0 }, { 0.0, 0.0, 0.0 }, 30.0, { 1.0, 10.0 } }) },
     { "BehindTheCamera", Lumpy(), SeenFrom({ { -30.0, 3.0, 2.0 }, { -40.0, 0.0, 0.0 } }) },
   };
+}
+
 }

@@ -1,4 +1,4 @@
-#include "Module/CutRays.h"
+#include "Stages/CutRays.h"
 
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
@@ -8,7 +8,8 @@
 
 #include <algorithm>
 
-using namespace varimarch;
+namespace varimarch
+{
 
 namespace
 {
@@ -99,4 +100,6 @@ std::vector<Interval> CutRays::operator()(const Ray& rayGrid, Interval inside) c
     }
   }
   return left;
+}
+
 }

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Testing_CutRays_h
-#define Varimarch_Testing_CutRays_h
+#ifndef Varimarch_Benchmarks_CutRays_h
+#define Varimarch_Benchmarks_CutRays_h
 
 #include "Core/Geometry/Box.h"
 
@@ -9,6 +9,9 @@
 
 #include <vector>
 
+namespace varimarch
+{
+
 /// The parts of a ray that a mapper's clipping planes and cropping keep, by VTK's definition:
 /// tested point by point in world and data space, without any formula of the mapper.
 class CutRays
@@ -16,8 +19,7 @@ class CutRays
 public:
   CutRays(vtkVolumeMapper* mapper, const glm::dmat4& worldFromGrid, const glm::dmat4& dataFromGrid);
 
-  std::vector<varimarch::Interval> operator()(
-    const varimarch::Ray& rayGrid, varimarch::Interval inside) const;
+  std::vector<Interval> operator()(const Ray& rayGrid, Interval inside) const;
 
 private:
   bool IsLeft(glm::dvec3 positionGrid) const;
@@ -26,5 +28,7 @@ private:
   glm::dmat4 worldFromGrid;
   glm::dmat4 dataFromGrid;
 };
+
+}
 
 #endif
