@@ -337,6 +337,20 @@ public:
 
   ///@{
   /**
+   * Let the volume cast shadows on itself: the diffuse and specular light of each of the renderer's
+   * first eight lights that are not at the eye is multiplied by what the volume between the light
+   * and the sample lets through. Ambient light and lights at the eye cast none. Requires a
+   * composite with shading. The error tolerance holds for the image with its shadows. Opaque
+   * geometry casts no shadows, overlapping volumes and volumes in several blocks have none.
+   * Default: off.
+   */
+  vtkSetClampMacro(Shadows, vtkTypeBool, 0, 1);
+  vtkGetMacro(Shadows, vtkTypeBool);
+  vtkBooleanMacro(Shadows, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Use a tricubic spline through the voxels where the property asks for linear interpolation. All
    * voxels keep their values and edges show no staircase, but next to a sharp edge the spline
    * overshoots, by up to a tenth of the step. Shading uses the spline's gradient. Each sample costs
@@ -612,6 +626,7 @@ protected:
   vtkTypeBool LabelSurfaces = 0;
   char* Transfer2DYAxisArray = nullptr;
   double DampingGradient = 0.0;
+  vtkTypeBool Shadows = 0;
   vtkTypeBool CubicInterpolation = 0;
   vtkTypeBool StoredGradients = 0;
   vtkTypeBool UseJittering = 0;

@@ -28,6 +28,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumGraphicsMemory: " << this->MaximumGraphicsMemory << "\n";
   os << indent << "CompositingOrder: " << this->CompositingOrder << "\n";
   os << indent << "DampingGradient: " << this->DampingGradient << "\n";
+  os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
   os << indent << "CubicInterpolation: " << this->CubicInterpolation << "\n";
   os << indent << "StoredGradients: " << this->StoredGradients << "\n";
   os << indent << "UseJittering: " << this->UseJittering << "\n";

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 using namespace varimarch;
@@ -76,45 +77,66 @@ bool ShinesOn(vtkLight* light, glm::dvec3 toLight, glm::dvec3 axis)
     glm::dot(-toLight, axis) >= std::cos(glm::radians(light->GetConeAngle()));
 }
 
+struct LitPoint
+{
+  glm::dvec3 rgb; ///< colour by the transfer function
+  glm::dvec3 positionGrid;
+  glm::dvec3 positionWorld;
+  glm::dvec3 normal;
+  glm::dvec3 toEye;
+};
+
 // Light that a light casts to the eye, two-sided and without attenuation.
-glm::dvec3 LightFrom(vtkLight* light, vtkVolumeProperty* property, glm::dvec3 rgb,
-  const glm::dvec3& normal, const glm::dvec3& positionWorld, const glm::dvec3& toEye)
+glm::dvec3 LightFrom(vtkLight* light, vtkVolumeProperty* property, const LitPoint& point,
+  const LightReaching& reaching)
 {
   const glm::dvec3 position = glm::make_vec3(light->GetTransformedPosition());
   const glm::dvec3 focus = glm::make_vec3(light->GetTransformedFocalPoint());
   const glm::dvec3 axis = glm::normalize(focus - position);
-  const glm::dvec3 toLight =
-    light->GetPositional() ? -glm::normalize(positionWorld - position) : -axis;
+  const bool isNear = light->GetPositional() != 0;
+  const glm::dvec3 toLight = isNear ? -glm::normalize(point.positionWorld - position) : -axis;
   if (!ShinesOn(light, toLight, axis))
   {
     return glm::dvec3(0.0);
   }
-  const double shining = std::abs(glm::dot(normal, glm::normalize(toLight + toEye)));
-  return property->GetDiffuse() * std::abs(glm::dot(normal, toLight)) * rgb *
-    glm::make_vec3(light->GetDiffuseColor()) +
-    property->GetSpecular() * std::pow(shining, property->GetSpecularPower()) *
-    glm::make_vec3(light->GetSpecularColor());
+  const double farMm =
+    isNear ? glm::length(point.positionWorld - position) : std::numeric_limits<double>::infinity();
+  const double part = reaching ? reaching(point.positionGrid, toLight, farMm) : 1.0;
+  const double shining = std::abs(glm::dot(point.normal, glm::normalize(toLight + point.toEye)));
+  return part *
+    (property->GetDiffuse() * std::abs(glm::dot(point.normal, toLight)) * point.rgb *
+        glm::make_vec3(light->GetDiffuseColor()) +
+      property->GetSpecular() * std::pow(shining, property->GetSpecularPower()) *
+        glm::make_vec3(light->GetSpecularColor()));
 }
 
 }
 
 MapperScene::Material MaterialInLights(MapperScene& scene)
 {
+  return MaterialInShadows(scene, {});
+}
+
+MapperScene::Material MaterialInShadows(MapperScene& scene, const LightReaching& reaching)
+{
   const auto samples = std::make_shared<SceneSamples>(scene);
   const TransferFunction function = TransferFunctionOf(scene.volume->GetProperty());
-  return [&scene, samples, function](glm::dvec3 position, const Ray& ray)
+  return [&scene, samples, function, reaching](glm::dvec3 position, const Ray& ray)
   {
     const double value = samples->Value(position);
-    const glm::dvec3 normal = samples->NormalWorld(samples->Gradient(position));
+    const double extinction = function.Extinction(value);
+    const LitPoint point{ function.Color(value), position, samples->PositionWorld(position),
+      samples->NormalWorld(samples->Gradient(position)), samples->ToEyeWorld(ray) };
     glm::dvec3 sum(0.0);
     vtkCollectionSimpleIterator iterator;
     scene.renderer->GetLights()->InitTraversal(iterator);
     while (vtkLight* light = scene.renderer->GetLights()->GetNextLight(iterator))
     {
-      sum += LightFrom(light, scene.volume->GetProperty(), function.Color(value), normal,
-        samples->PositionWorld(position), samples->ToEyeWorld(ray));
+      // A point that absorbs nothing emits nothing, and needs no shadow.
+      sum += extinction > 0.0 ? LightFrom(light, scene.volume->GetProperty(), point, reaching)
+                              : glm::dvec3(0.0);
     }
-    return OpticalProperties{ sum, function.Extinction(value) };
+    return OpticalProperties{ sum, extinction };
   };
 }
 

@@ -5,6 +5,7 @@
 #include "Frame/VolumeGeometry.h"
 #include "Module/MapperScene.h"
 
+#include <functional>
 #include <vector>
 
 /// The voxels of a scene of one component in double precision, and VTK's measures of them.
@@ -42,8 +43,18 @@ private:
 /// The optical properties that scenes of one component show by VTK's definitions, written without
 /// any formula of the mapper, for MapperScene::TruthOf. The scene must outlive them.
 
+/// The part of a light that reaches a point [0, 1].
+/// @param towardsWorld  unit vector to the light
+/// @param farMm         distance of the light; infinite for one at infinity
+using LightReaching =
+  std::function<double(glm::dvec3 positionGrid, glm::dvec3 towardsWorld, double farMm)>;
+
 /// The volume in the renderer's lights that have no ambient light.
 MapperScene::Material MaterialInLights(MapperScene& scene);
+
+/// The same where parts of the lights reach a point.
+/// @param reaching  without it, all light reaches every point
+MapperScene::Material MaterialInShadows(MapperScene& scene, const LightReaching& reaching);
 
 /// The volume in a head light that is damped where the gradient is below the mapper's
 /// DampingGradient.

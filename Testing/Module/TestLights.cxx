@@ -5,7 +5,6 @@
 
 #include <vtkDataArray.h>
 #include <vtkLight.h>
-#include <vtkLightCollection.h>
 #include <vtkPointData.h>
 
 #include <glm/geometric.hpp>

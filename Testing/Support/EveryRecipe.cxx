@@ -172,13 +172,15 @@ std::vector<RenderSettings> RecipesOfMaterials()
   RenderSettings damped;
   damped.shading = true;
   damped.damping = true;
-  std::vector<RenderSettings> recipes = { lit, damped, gradient, litGradient };
+  RenderSettings shadowed = lit;
+  shadowed.shadows = true;
+  std::vector<RenderSettings> recipes = { lit, damped, gradient, litGradient, shadowed };
   const std::vector<RenderSettings> others = RecipesOfFunctionsAndMasks();
   recipes.insert(recipes.end(), others.begin(), others.end());
   for (const auto& [components, count] : { std::pair(Components::Independent, 3),
          std::pair(Components::LuminanceOpacity, 2), std::pair(Components::Rgba, 4) })
   {
-    for (RenderSettings settings : { RenderSettings(), lit, litGradient })
+    for (RenderSettings settings : { RenderSettings(), lit, litGradient, shadowed })
     {
       settings.components = components;
       settings.componentCount = count;
@@ -192,6 +194,26 @@ std::vector<RenderSettings> RecipesOfMaterials()
       recipes.push_back(projection);
     }
   }
+  return recipes;
+}
+
+std::vector<RenderSettings> RecipesOfShadows()
+{
+  RenderSettings plain;
+  plain.shading = true;
+  plain.lights = true;
+  plain.shadows = true;
+  std::vector<RenderSettings> recipes(7, plain);
+  recipes[0].acceleration = Acceleration::Off;
+  recipes[1].skipsBricks = false;
+  recipes[2].nearest = true;
+  recipes[3].cubic = true;
+  recipes[4].clipping = true;
+  recipes[4].cropping = true;
+  recipes[4].gaps = true;
+  recipes[5].mask = Mask::Labels;
+  recipes[5].gradientOpacity = true;
+  recipes[6].functionOf = FunctionOf::TwoValues;
   return recipes;
 }
 
@@ -327,10 +349,11 @@ std::vector<RenderSettings> EveryRecipe()
   RenderSettings counting;
   counting.countFetches = true;
   std::vector<RenderSettings> recipes = { counting };
-  for (const std::vector<RenderSettings>& others : { RecipesOfMaterials(),
-         RecipesOfLinearMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(), RecipesInBlocks(),
-         RecipesOfPictures(), RecipesOfSplines(), RecipesWithCuts(), RecipesOfSeveralVolumes(),
-         RecipesFromBehind(), RecipesWithStoredGradients(), ExactRecipes() })
+  for (const std::vector<RenderSettings>& others :
+    { RecipesOfMaterials(), RecipesOfLinearMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(),
+      RecipesInBlocks(), RecipesOfPictures(), RecipesOfShadows(), RecipesOfSplines(),
+      RecipesWithCuts(), RecipesOfSeveralVolumes(), RecipesFromBehind(),
+      RecipesWithStoredGradients(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

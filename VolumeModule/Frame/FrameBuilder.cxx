@@ -132,6 +132,8 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings);
   settings.shading = property->GetShade() != 0 && !IsProjection(settings.blend);
   settings.lights = settings.shading && !HasHeadLightOnly(renderer);
+  settings.shadows =
+    settings.lights && settings.blend == Blend::Composite && mapper->GetShadows() != 0;
   settings.damping = settings.shading && settings.components == Components::One &&
     mapper->GetDampingGradient() > 0.0;
   settings.countFetches = mapper->GetDrawFetchCounts();

@@ -31,6 +31,7 @@ void CheckTogether(const Frame& frame, vtkVariationFieldVolumeMapper* mapper)
     { settings.mask != Mask::None, "a mask" },
     { mapper->GetCropping() != 0, "cropping" },
     { settings.clippedGradients, "cuts drawn as surfaces" },
+    { settings.shadows, "shadows" },
     { frame.voxels.blanking.Any(), "blanked voxels" },
     { !frame.userCode.IsEmpty(), "user shader code" },
     { frame.span.mostSteps > 0, "a number of steps" },

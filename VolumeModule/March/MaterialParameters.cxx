@@ -96,6 +96,7 @@ void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
     const LightTexels others = LightTexelsOf(march.frame.view.renderer);
     p.distantCount = others.distantCount;
     p.nearCount = others.nearCount;
+    p.gridFromWorld = glm::inverse(march.frame.geometry.WorldFromGridDirection());
     p.ambientLight = AmbientLightOf(march.frame.view.renderer);
     p.backsLit = march.frame.view.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
     p.worldOfGridOrigin = glm::dvec3(march.frame.geometry.worldFromGrid[3]);

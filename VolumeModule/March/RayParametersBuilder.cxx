@@ -2,6 +2,8 @@
 
 #include "Core/Geometry/PixelRays.h"
 #include "Frame/FrameMeasures.h"
+#include "Frame/Lights.h"
+#include "March/Processor/SoftwareRasterizer.h"
 #include "Resources/BlueNoiseTexture.h"
 
 #include "vtkCamera.h"
@@ -95,6 +97,29 @@ void SetPass(RayParameters& p, const VolumeMarch& march)
   p.pickedHighestBits = int(march.frame.pass.highestBits);
 }
 
+// The longest segment of rays to lights, and the distance between these rays along a ray of the
+// eye. Below the spacing of the voxels it is the geometric mean of that and the sample distance,
+// because light changes less than what is seen, and the time of shadows is inverse to its square. A
+// software rasteriser ends a shader, and with it the ray, after 2^16 iterations of all its loops;
+// there it is as long as these allow. A segment takes up to two iterations, one to skip invisible
+// bricks.
+double ShadowStepMm(const VolumeMarch& march)
+{
+  const double step = march.plan.sampleDistanceMm;
+  const double spacing = march.frame.geometry.SmallestSpacingMm();
+  const double shadowStep = step < spacing ? std::sqrt(step * spacing) : step;
+  if (!march.settings.shadows || march.plan.marcher != Marcher::Device || !IsSoftwareRasterizer())
+  {
+    return shadowStep;
+  }
+  constexpr double MostIterations = 1 << 16;
+  constexpr double IterationsPerSegment = 2.0;
+  const LightTexels texels = LightTexelsOf(march.frame.view.renderer);
+  const double lights = texels.distantCount + texels.nearCount;
+  return std::max(shadowStep,
+    march.frame.geometry.DiagonalMm() * std::sqrt(IterationsPerSegment * lights / MostIterations));
+}
+
 }
 
 Viewport RaysOf(const Viewport& frame, double imageSampleDistance)
@@ -117,6 +142,7 @@ RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid)
   p.viewportOriginPixels = glm::dvec2(viewport.left, viewport.bottom) - march.plan.rayOffsetPixels;
   p.viewportPixelsInverse = 1.0 / glm::dvec2(viewport.width, viewport.height);
   p.stepMm = float(march.plan.sampleDistanceMm);
+  p.shadowStepMm = float(ShadowStepMm(march));
   p.mostSegments = MostSegments(march.frame, march.plan.sampleDistanceMm);
   p.earlyTerminationTransmittance = float(march.frame.quality.earlyTerminationTransmittance);
   p.noisePixelsMask = glm::ivec2(BlueNoiseTexture::Pixels - 1);

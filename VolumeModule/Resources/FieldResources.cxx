@@ -96,7 +96,9 @@ bool FieldResources::BeginsField(const FieldInputs& inputs, FieldSource& source)
   const glm::dmat4 clipFromGrid =
     ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
   const PixelRays rays = ComputePixelRays(clipFromGrid, march.frame.geometry.boxGrid);
-  source.towards = this->directions.Next(DirectionsOf(rays));
+  // Rays to lights go anywhere.
+  source.towards =
+    march.settings.shadows ? glm::ivec3(0) : this->directions.Next(DirectionsOf(rays));
   if (this->madeFrom == source)
   {
     return false;

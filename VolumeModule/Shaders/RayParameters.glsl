@@ -21,6 +21,7 @@ layout(std140) uniform RayParameters
   // axis, 1 between them, and 2 above them. 0 without cropping.
   int croppingRegions;
 
+  float shadowStepMm;  // longest segment of rays to lights, and distance between them [mm]
   int clampDepth;      // 1: a ray that meets nothing visible has the depth of its exit
   float leastOpacity;  // opacity from which a ray is picked or has a depth, [0, 1]
   float sameSurfaceMm; // distance of the ends of two rays that end at one surface [mm]

@@ -109,6 +109,8 @@ float PlainMm(int index, float plainMm);
 //     Marches the parts of the ray that have a value, and fills the gaps between them.
 
 // --- Crop: divides rays at cropping planes ---
+// True if the region at t is drawn.
+bool IsDrawn(Ray ray, float t);
 // Defines:
 //   Accumulation MarchCropped(Ray ray, Interval inside, Accumulation sum);
 //     Marches the parts of the ray that lie in visible regions.
@@ -128,6 +130,9 @@ vec4 Peeled(vec4 front, vec4 back);
 vec4 ColorOfPlace(vec3 positionGrid);
 
 // --- Mask: divides rays where the content of a mask changes ---
+// The row of the mask's label at a position, in tables; 0 without a label, -1 where the mask hides
+// the volume.
+int LabelRowAt(vec3 positionGrid);
 // Defines:
 //   Accumulation MarchMasked(Ray ray, Interval inside, Accumulation sum);
 //     Marches the parts of the ray that the mask shows, and sets labelRow for each.

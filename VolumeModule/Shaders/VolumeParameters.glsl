@@ -51,6 +51,7 @@ layout(std140) uniform VolumeParameters
   int materialCount;      // number of materials, 1 to 4
   int distantCount;       // number of distant lights, which come first in lightTexels
   int nearCount;          // number of near lights
+  mat3 gridFromWorld;     // for directions only [1/mm]
   vec3 ambientLight;      // light that the ambient coefficient multiplies, of all lights
   vec3 worldOfGridOrigin; // world position of the grid's origin [mm]
 

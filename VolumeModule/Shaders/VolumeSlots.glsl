@@ -41,6 +41,10 @@ vec4 Probed(vec4 picture);
 // shortens the first segment. blendState is the result of BlendState for the ray up to t.
 Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState);
 
+// The segment from t on, of the length plainMm, or more where the volume allows it. It begins
+// beyond t if nothing before can be seen. Not for extremes.
+Interval NextOfField(Ray ray, Interval inside, float t, float plainMm);
+
 // --- Classify: transfer functions ---
 // Each function returns a colour (r,g,b), not premultiplied, and an extinction [1/mm]. A file
 // defines the one that its march or its material calls.
@@ -74,6 +78,18 @@ mat4x3 GradientsAllAt(vec3 positionTexture);
 // coefficients of ambient, diffuse and specular light, and the specular power.
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t);
 
+// --- Reach: the part of each light that reaches a point. Only for Shade/Lights.glsl ---
+// Parts of up to eight lights, in the order of lightTexels, [0,1].
+struct Reach
+{
+  vec4 first;
+  vec4 second;
+};
+// The parts at t. Along a ray, t should ascend.
+Reach ReachAt(Ray ray, float t);
+// The part of one light.
+float Reaching(Reach reach, int light);
+
 // --- Damping: less light where a volume is homogeneous. Only with light ---
 // The fraction of diffuse and specular light that remains at a gradient, [0,1].
 float LitPart(vec3 gradient);
@@ -103,8 +119,12 @@ float AtGradient(float extinction, vec3 gradient, int component);
 // Defines:
 //   vec4 Material(Values values, Gradients gradients, Ray ray, float t);
 //     The colour after lighting, not premultiplied, and the extinction [1/mm].
+//   float MaterialExtinction(Values values, Gradients gradients);
+//     The extinction alone [1/mm].
 
 // --- Gaps: see also Slots.glsl ---
+// True if the volume has a value at this position.
+bool HasValue(vec3 positionTexture);
 // True if all voxels that the gradient at this position depends on are finite.
 bool HasGradient(vec3 positionTexture);
 

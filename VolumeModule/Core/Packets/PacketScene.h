@@ -100,7 +100,8 @@ struct PacketLight
 {
   PacketShading shading;
   bool damps;
-  bool labels; ///< labels are lit as their own surfaces
+  bool labels;       ///< labels are lit as their own surfaces
+  bool castsShadows; ///< Shaders/Reach; only with lights
 };
 
 /// Bricks that steps may leave out.

@@ -17,6 +17,7 @@
 #include "Core/Packets/Material/Labelled.h"
 #include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
+#include "Core/Packets/Reach/ShadowRays.h"
 
 namespace varimarch
 {
@@ -103,6 +104,10 @@ PacketSum MarchSampled(
   if (scene.labelRows)
   {
     return MarchMaterial<Voxels, LabelledMaterial>(scene, rays, walk, before);
+  }
+  if (scene.light.castsShadows)
+  {
+    return MarchMaterial<Voxels, ShadowedMaterial<Voxels>>(scene, rays, walk, before);
   }
   return HeadLitMaterial::IsThatOf(scene)
     ? MarchMaterial<Voxels, HeadLitMaterial>(scene, rays, walk, before)

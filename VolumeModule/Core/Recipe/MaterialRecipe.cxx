@@ -48,6 +48,11 @@ std::string ShadeFile(const RenderSettings& settings)
   return settings.lights ? "Shade/Lights.glsl" : "Shade/HeadLight.glsl";
 }
 
+std::string ReachFile(const RenderSettings& settings)
+{
+  return settings.shading && settings.shadows ? "Reach/ShadowRays.glsl" : "Reach/None.glsl";
+}
+
 std::string GradientFile(const RenderSettings& settings)
 {
   if (settings.clippedGradients)

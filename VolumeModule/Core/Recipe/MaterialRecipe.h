@@ -21,6 +21,7 @@ std::vector<std::string> ClassifyParts(const RenderSettings& settings);
 std::vector<std::string> MaterialParts(const RenderSettings& settings);
 
 std::string ShadeFile(const RenderSettings& settings);
+std::string ReachFile(const RenderSettings& settings);
 std::string GradientFile(const RenderSettings& settings);
 
 }

@@ -169,6 +169,7 @@ struct RenderSettings
   ShaderRole role = ShaderRole::MarchRays;
   bool damping = false; ///< shading fades where the gradient is small; one component only
   bool lights = false;  ///< all lights of the scene, not only a head light
+  bool shadows = false; ///< these lights cast shadows; requires lights; composites only
   Mask mask = Mask::None;
   bool labelSurfaces = false; ///< labels are lit as surfaces of their own; labels with shading only
   FunctionOf functionOf = FunctionOf::Value; ///< other than Value: composites of one component only
@@ -179,9 +180,9 @@ struct RenderSettings
   bool jitter = false;          ///< rays begin with a fraction of a step
   bool windowLevel = false;     ///< colours of the image are scaled
   bool limitsSpan =
-    false;               ///< rays begin at a distance from the eye, or end after a number of steps
-  bool fromBehind = false; ///< composited from the back; with Acceleration::Off
-  bool overlaps = false; ///< drawn together with other volumes; composite only
+    false; ///< rays begin at a distance from the eye, or end after a number of steps
+  bool fromBehind = false;                 ///< composited from the back; with Acceleration::Off
+  bool overlaps = false;                   ///< drawn together with other volumes; composite only
   std::vector<RenderSettings> others = {}; ///< settings of the other volumes, if this is the first
 };
 

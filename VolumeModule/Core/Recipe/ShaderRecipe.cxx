@@ -180,6 +180,10 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
     const std::vector<std::string> material = MaterialParts(settings);
     parts.insert(parts.end(), material.begin(), material.end());
   }
+  if (settings.lights)
+  {
+    parts.push_back(ReachFile(settings));
+  }
   if (settings.shading && (settings.blend == Blend::Isosurface || MarchesMaterial(settings)))
   {
     parts.push_back(settings.damping ? "Damping/Homogeneous.glsl" : "Damping/None.glsl");

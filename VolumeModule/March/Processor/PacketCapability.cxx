@@ -79,7 +79,9 @@ bool HasPacketRecipe(const Frame& frame)
     settings.mask == Mask::None || frame.voxels.mask.dimensions == frame.geometry.dimensions;
   const bool isSampledEvenly = !settings.uneven || (!isLocated && !settings.nearest);
   const bool hasPlaces = !isLocated || !IsProjection(settings.blend);
-  return HasTwins(settings) && isMixed && isSampledEvenly && hasPlaces && hasMask;
+  const bool hasShadows =
+    !settings.shadows || (!IsMixture(frame) && !settings.nearest && settings.mask != Mask::Labels);
+  return HasTwins(settings) && hasShadows && isMixed && isSampledEvenly && hasPlaces && hasMask;
 }
 
 // True if 32 bits hold the index of every voxel.

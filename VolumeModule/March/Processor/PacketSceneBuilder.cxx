@@ -140,7 +140,8 @@ PacketScene PacketSceneOf(
     march.frame.geometry.dimensions };
   scene.look = LookOf(march, volume, scene.parameters, 0, 0);
   scene.labelRows = around.labelRows.empty() ? nullptr : around.labelRows.data();
-  scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces };
+  scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces,
+    march.settings.shading && march.settings.shadows };
   scene.extreme = ExtremeOf(march, volume);
   scene.isMean = march.settings.blend == Blend::AverageIntensity;
   scene.steps = StepsOf(march, volume);

@@ -25,6 +25,12 @@ bool HasGradient(vec3 positionTexture)
   return least > 0.5;
 }
 
+bool HasValue(vec3 positionTexture)
+{
+  float texel = GapTexel(floor(positionTexture * voxelCount - 0.5 + gapShift));
+  return texel > 0.5 && texel < 254.5;
+}
+
 Accumulation MarchVolume(Ray ray, Interval inside, Accumulation sum)
 {
   LatticeRay lattice = RayInLattice(ray.originGrid - firstVoxelGrid + gapShift, ray.directionGrid);

@@ -1,5 +1,10 @@
 // The volume has a value everywhere.
 
+bool HasValue(vec3 positionTexture)
+{
+  return true;
+}
+
 bool HasGradient(vec3 positionTexture)
 {
   return true;

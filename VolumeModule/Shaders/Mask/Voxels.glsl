@@ -10,6 +10,12 @@ vec2 MaskAt(vec3 voxel)
   return floor(textureLod(maskTexture, (inside + 0.5) / maskVoxelCount, 0.0).rg * 65535.0 + 0.5);
 }
 
+int LabelRowAt(vec3 positionGrid)
+{
+  float content = MaskAt(floor((positionGrid + 0.5) * maskVoxelsPerVoxel)).x;
+  return content > leastContent ? int(content) : -1;
+}
+
 Accumulation MarchMasked(Ray ray, Interval inside, Accumulation sum)
 {
   LatticeRay lattice = RayInLattice(

@@ -2,17 +2,31 @@
 // the mixed materials add up, as those of particles between each other do, in any order. A
 // component's weight is its part of the mixture.
 
+float PartExtinction(Values values, Gradients gradients, int part)
+{
+  vec3 opacityGradient = gradients.ofScalars[OpacityComponent(part)];
+  return partWeights[part] * AtGradient(PartOptical(values.scalars, part).a, opacityGradient, part);
+}
+
+float MaterialExtinction(Values values, Gradients gradients)
+{
+  float extinction = 0.0;
+  for (int part = 0; part < materialCount; ++part)
+  {
+    extinction += PartExtinction(values, gradients, part);
+  }
+  return extinction;
+}
+
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {
   vec3 emission = vec3(0.0);
   float extinction = 0.0;
   for (int part = 0; part < materialCount; ++part)
   {
-    vec4 optical = PartOptical(values.scalars, part);
-    vec3 gradient = gradients.ofScalars[part];
-    vec3 opacityGradient = gradients.ofScalars[OpacityComponent(part)];
-    float absorbed = partWeights[part] * AtGradient(optical.a, opacityGradient, part);
-    emission += absorbed * Shade(optical.rgb, gradient, reflectances[part], ray, t);
+    vec3 color = PartOptical(values.scalars, part).rgb;
+    float absorbed = PartExtinction(values, gradients, part);
+    emission += absorbed * Shade(color, gradients.ofScalars[part], reflectances[part], ray, t);
     extinction += absorbed;
   }
   return vec4(emission / max(extinction, 1e-30), extinction);

@@ -10,7 +10,7 @@ vec4 OfRow(int row, Values values, Gradients gradients)
   return vec4(optical.rgb, AtGradient(optical.a, gradients.scalar, row));
 }
 
-vec4 Material(Values values, Gradients gradients, Ray ray, float t)
+vec4 LookOf(Values values, Gradients gradients)
 {
   vec4 optical = OfRow(labelRow, values, gradients);
   if (labelPart < 1.0 && labelRow > 0)
@@ -19,5 +19,16 @@ vec4 Material(Values values, Gradients gradients, Ray ray, float t)
     optical = vec4(mix(plain.rgb, optical.rgb, labelPart),
       MixedExtinction(plain.a, optical.a, labelPart, opacityUnitDistancesMm.x));
   }
+  return optical;
+}
+
+float MaterialExtinction(Values values, Gradients gradients)
+{
+  return LookOf(values, gradients).a;
+}
+
+vec4 Material(Values values, Gradients gradients, Ray ray, float t)
+{
+  vec4 optical = LookOf(values, gradients);
   return vec4(LitLabel(optical.rgb, gradients.scalar, ray, t), optical.a);
 }

@@ -1,5 +1,10 @@
 // One scalar, seen through the transfer function, and lit.
 
+float MaterialExtinction(Values values, Gradients gradients)
+{
+  return AtGradient(Classify(values.scalar).a, gradients.scalar, 0);
+}
+
 vec4 Material(Values values, Gradients gradients, Ray ray, float t)
 {
   vec4 optical = Classify(values.scalar);

@@ -21,6 +21,7 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
   vec3 normal = -InverseLength(inward) * inward;
   vec3 positionWorld = worldFromGrid * (ray.originGrid + t * ray.directionGrid) + worldOfGridOrigin;
   vec3 toEye = -(worldFromGrid * ray.directionGrid);
+  Reach reach = ReachAt(ray, t);
   vec2 atEye = Reflected(normal, toEye, toEye, reflectance.w, backsLit);
   vec3 diffuse = atEye.x * diffuseLight;
   vec3 specular = atEye.y * specularLight;
@@ -28,6 +29,7 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
   {
     vec3 toLight = texelFetch(lightTexels, texel).xyz;
     vec2 reflected = Reflected(normal, toLight, toEye, reflectance.w, backsLit);
+    reflected *= Reaching(reach, texel / TexelsPerLight);
     diffuse += reflected.x * texelFetch(lightTexels, texel + 1).rgb;
     specular += reflected.y * texelFetch(lightTexels, texel + 2).rgb;
   }
@@ -40,6 +42,7 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
     vec3 toLight = toPlace / distanceMm;
     vec2 reflected = ReachOf(texel, distanceMm, toLight) *
       Reflected(normal, toLight, toEye, reflectance.w, backsLit);
+    reflected *= Reaching(reach, texel / TexelsPerLight);
     diffuse += reflected.x * texelFetch(lightTexels, texel + 1).rgb;
     specular += reflected.y * texelFetch(lightTexels, texel + 2).rgb;
   }

@@ -3,9 +3,9 @@
 // within the tolerance, but no shorter than plain steps. The field's texel of cell c is 0 if the
 // cell itself varies too much, else k + 1 if the block of cells c - k to c + k does not.
 
-Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
+Interval NextOfField(Ray ray, Interval inside, float t, float plainMm)
 {
-  float plain = t + PlainMm(index, plainMm);
+  float plain = t + plainMm;
   vec3 origin = ray.originGrid - firstVoxelGrid;
   vec3 position = origin + t * ray.directionGrid;
   vec3 cell = clamp(floor(position), vec3(0.0), fieldSize - 1.0);
@@ -17,4 +17,9 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm
   vec3 exits = (leaving - origin) * SafeInverse(ray.directionGrid);
   float proven = min(min(exits.x, exits.y), exits.z);
   return Interval(t, reach < 0.5 ? plain : max(plain, proven));
+}
+
+Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
+{
+  return NextOfField(ray, inside, t, PlainMm(index, plainMm));
 }

@@ -6,7 +6,7 @@
 // brick, 1 for a homogeneous one, and 128 + k if the bricks b - k to b + k, or those of them that
 // lie in the direction of the rays, are invisible.
 
-Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
+Interval NextOfField(Ray ray, Interval inside, float t, float plainMm)
 {
   LatticeRay lattice =
     RayInLattice(ray.originGrid / cellsPerBrick, ray.directionGrid / cellsPerBrick);
@@ -28,6 +28,11 @@ Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm
       break;
     }
   }
-  float plain = place.t + StepGrowth(blendState) * PlainMm(index, plainMm);
+  float plain = place.t + plainMm;
   return Interval(place.t, content < 0.5 ? plain : max(plain, behind.t));
+}
+
+Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
+{
+  return NextOfField(ray, inside, t, StepGrowth(blendState) * PlainMm(index, plainMm));
 }

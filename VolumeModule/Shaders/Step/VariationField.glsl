@@ -2,8 +2,14 @@
 // videojuegos" (2016), equation 3: from t, the ray goes on by the distance that is stored for the
 // nearest voxel, in voxels along the ray, however long a plain step is.
 
-Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
+Interval NextOfField(Ray ray, Interval inside, float t, float plainMm)
 {
   float voxels = 255.0 * textureLod(fieldTexture, PositionTexture(ray, t), 0.0).r;
-  return Interval(t, t + PlainMm(index, voxels / length(ray.directionGrid)));
+  return Interval(t, t + voxels / length(ray.directionGrid));
+}
+
+Interval NextSegment(Ray ray, Interval inside, float t, int index, float plainMm, float blendState)
+{
+  Interval next = NextOfField(ray, inside, t, plainMm);
+  return Interval(t, t + PlainMm(index, next.exit - t));
 }

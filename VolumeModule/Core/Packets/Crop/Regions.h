@@ -48,17 +48,7 @@ public:
     return drawn;
   }
 
-private:
-  Lanes NextCrossing() const
-  {
-    Lanes next = this->rays.exit;
-    for (const Lanes& crossing : this->crossings)
-    {
-      next = Select(LaneMask(crossing > this->t), Min(crossing, next), next);
-    }
-    return next;
-  }
-
+  /// The rays whose region at a place is drawn.
   LaneMask IsDrawn(Lanes place) const
   {
     const Lanes3 position = this->rays.At(place);
@@ -71,6 +61,17 @@ private:
       region = 3 * region - isBeyondLower - isBeyondUpper; // a mask is -1
     }
     return LaneMask((AllInt(this->parameters.croppingRegions) >> region & 1) != 0);
+  }
+
+private:
+  Lanes NextCrossing() const
+  {
+    Lanes next = this->rays.exit;
+    for (const Lanes& crossing : this->crossings)
+    {
+      next = Select(LaneMask(crossing > this->t), Min(crossing, next), next);
+    }
+    return next;
   }
 
   const RayParameters& parameters;

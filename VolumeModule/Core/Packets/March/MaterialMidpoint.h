@@ -28,7 +28,7 @@ PacketSum MarchMaterialMidpoints(
 {
   constexpr int Parts = 4;
   const Voxels voxels(scene.volume);
-  const Material material(scene, rays);
+  Material material(scene, rays);
   bool isSeen = false; // the last sample: the next is then read with its gradient at once
   return MarchSegments<Parts>(scene, rays, walk, before,
     [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)

@@ -49,6 +49,13 @@ public:
     return drawn;
   }
 
+  /// The rays whose content at a place is drawn.
+  LaneMask IsDrawn(Lanes t) const
+  {
+    const IntLanes content = this->TexelsAt(this->lattice.IndexOf(this->lattice.At(t).cell), 0);
+    return LaneMask(FloatOf(content) > this->leastContent);
+  }
+
 private:
   IntLanes TexelsAt(const IntNumbers& index, int which) const
   {

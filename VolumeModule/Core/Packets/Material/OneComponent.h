@@ -45,25 +45,33 @@ public:
   /// @param t  the place along the rays [mm]
   Optical At(Lanes value, const Surface& surface, Lanes t) const
   {
-    Optical optical = this->scene.textures.twoValueTable
-      ? ClassifyTwo(this->scene, value, surface.gradient)
-      : Classify(this->scene.look, value);
+    Optical optical = this->LookOf(value, surface.gradient);
     optical.color = this->Shaded(optical.color, surface, t);
+    return optical;
+  }
+
+  /// The optical properties without light.
+  Optical LookOf(Lanes value, const Lanes3& gradient) const
+  {
+    Optical optical = this->scene.textures.twoValueTable ? ClassifyTwo(this->scene, value, gradient)
+                                                         : Classify(this->scene.look, value);
     if (this->scene.textures.gradientOpacityTable)
     {
-      optical.extinction = AtGradient(this->scene, optical.extinction, surface.gradient);
+      optical.extinction = AtGradient(this->scene, optical.extinction, gradient);
     }
     return optical;
   }
 
-  Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t) const
+  template <class Reach = AllLight>
+  Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t, const Reach& reach = {}) const
   {
-    return this->ShadedBy(ReflectanceOf(this->scene), color, surface, t);
+    return this->ShadedBy(ReflectanceOf(this->scene), color, surface, t, reach);
   }
 
 protected:
-  Lanes3 ShadedBy(
-    const Lanes4& reflectance, const Lanes3& color, const Surface& surface, Lanes t) const
+  template <class Reach = AllLight>
+  Lanes3 ShadedBy(const Lanes4& reflectance, const Lanes3& color, const Surface& surface, Lanes t,
+    const Reach& reach = {}) const
   {
     switch (this->scene.light.shading)
     {
@@ -71,21 +79,19 @@ protected:
         return LitByHeadLight(this->scene, reflectance, color, surface);
       case PacketShading::Lights:
         return PacketLights(this->scene, reflectance, this->directionWorld)
-          .Lit(color, surface, this->WorldAt(t));
+          .Lit(color, surface, this->WorldAt(t), reach);
       case PacketShading::None:
         break;
     }
     return color;
   }
 
-private:
   Lanes3 WorldAt(Lanes t) const
   {
     const glm::vec3& origin = this->scene.parameters.worldOfGridOrigin;
     return Transformed(this->scene.parameters.worldFromGrid, this->rays.At(t)) + AllOf3(origin);
   }
 
-protected:
   const PacketScene& scene;
   const PacketRays& rays;
   Lanes3 directionWorld;

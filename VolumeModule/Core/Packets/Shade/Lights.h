@@ -4,6 +4,7 @@
 // Twin of Shade/Lights.glsl.
 
 #include "Core/Packets/Damping/Homogeneous.h"
+#include "Core/Packets/Reach/Light.h"
 #include "Core/Packets/Shade/HeadLight.h"
 
 namespace varimarch
@@ -16,6 +17,8 @@ namespace
 class PacketLights
 {
 public:
+  static constexpr int TexelsPerLight = 5;
+
   PacketLights(const PacketScene& scene, const Lanes4& reflectance, const Lanes3& directionWorld)
     : scene(scene)
     , parameters(scene.parameters)
@@ -25,7 +28,10 @@ public:
   {
   }
 
-  Lanes3 Lit(const Lanes3& color, const Surface& surface, const Lanes3& positionWorld) const
+  /// @tparam Reach  AllLight or PartialLight
+  template <class Reach>
+  Lanes3 Lit(const Lanes3& color, const Surface& surface, const Lanes3& positionWorld,
+    const Reach& reach) const
   {
     const Lanes3 outward = -InverseLength(surface.normalWorld) * surface.normalWorld;
     Sum sum = { Lanes3(0.0f), Lanes3(0.0f) };
@@ -34,19 +40,19 @@ public:
     const glm::vec4* texel = this->scene.textures.lightTexels.Texels<glm::vec4>();
     for (int i = 0; i < this->parameters.distantCount; ++i, texel += TexelsPerLight)
     {
-      sum.Add(this->ReflectedFrom(outward, AllOf3(*texel)), texel[1], texel[2]);
+      const Lanes2 reflected = this->ReflectedFrom(outward, AllOf3(*texel));
+      sum.Add(Reached(reflected, reach, i), texel[1], texel[2]);
     }
     for (int i = 0; i < this->parameters.nearCount; ++i, texel += TexelsPerLight)
     {
-      sum.Add(this->ReflectedFromNear(outward, positionWorld, texel), texel[1], texel[2]);
+      const Lanes2 reflected = this->ReflectedFromNear(outward, positionWorld, texel);
+      sum.Add(Reached(reflected, reach, this->parameters.distantCount + i), texel[1], texel[2]);
     }
     return LitByAll(color, LitPart(this->scene, surface), this->reflectance,
       AllOf3(this->parameters.ambientLight), sum.diffuse, sum.specular);
   }
 
 private:
-  static constexpr int TexelsPerLight = 5;
-
   struct Sum
   {
     Lanes3 diffuse;

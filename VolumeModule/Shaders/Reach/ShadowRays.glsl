@@ -1,0 +1,137 @@
+#include "Math/IntersectBox.glsl"
+// The volume casts shadows on itself: a ray from a point to each light is marched through the same
+// field and by the same rule as the rays of the eye. What is near decides, so that its segments
+// begin short and grow. Light changes less along a ray of the eye than what is seen: it is computed
+// at places that are shadowStepMm apart, and is linear between them. As the sample distance goes to
+// 0, so does shadowStepMm, and the error of the shadows; the search for steps that keep the error
+// tolerance finds steps for both.
+
+const int MostShadows = 8;              // lights beyond these cast none
+const int TexelsPerLightHere = 5;       // see Shade/Lights.glsl
+const float ShortestShadowPart = 0.125; // length of the first segment [shadowStepMm]
+const float ShadowPartGrowth = 1.3;     // a segment is longer than the one before by this factor
+const float MostShadowDepth = 12.0;     // less light than exp(-12) is none
+const float BeyondAll = 3.0e38;         // distance of lights at infinity [mm]
+const float PartsOfShadow = 4.0;
+
+float PartDepth(Values start, Values end, Gradients gradients, float along, float lengthMm)
+{
+  return MaterialExtinction(Between(start, end, along), gradients) * (lengthMm / PartsOfShadow);
+}
+
+// The optical depth of a segment along which values are linear.
+float SegmentDepth(Values start, Values end, vec3 endTexture, float lengthMm)
+{
+  Gradients gradients = GradientsAt(endTexture);
+  return PartDepth(start, end, gradients, 0.125, lengthMm) +
+    PartDepth(start, end, gradients, 0.375, lengthMm) +
+    PartDepth(start, end, gradients, 0.625, lengthMm) +
+    PartDepth(start, end, gradients, 0.875, lengthMm);
+}
+
+// True if cropping, the mask and gaps leave the volume at t. Sets labelRow for it.
+bool IsSeen(Ray ray, float t)
+{
+  labelRow = LabelRowAt(ray.originGrid + t * ray.directionGrid);
+  return labelRow >= 0 && IsDrawn(ray, t) && HasValue(PositionTexture(ray, t));
+}
+
+// The optical depth of the volume along a ray from its origin on.
+float DepthAlong(Ray ray, float farMm)
+{
+  vec2 box =
+    IntersectBox(ray.originGrid, SafeInverse(ray.directionGrid), boxLowerGrid, boxUpperGrid);
+  Interval inside = Clipped(ray, Interval(max(box.x, 0.0), min(box.y, farMm)));
+  float t = inside.enter;
+  float depth = 0.0;
+  float plainMm = ShortestShadowPart * shadowStepMm;
+  Values endValues = ValuesAt(PositionTexture(ray, t));
+  for (int index = 0; index < mostSegments && t < inside.exit && depth < MostShadowDepth; ++index)
+  {
+    Interval segment = NextOfField(ray, inside, t, plainMm);
+    // Where the ray jumps, a segment without length reads the values behind the jump.
+    bool jumps = segment.enter > t;
+    t = min(jumps ? segment.enter : segment.exit, inside.exit);
+    float lengthMm = jumps ? 0.0 : max(t - segment.enter, 0.0);
+    Values startValues = endValues;
+    vec3 endTexture = PositionTexture(ray, t);
+    endValues = ValuesAt(endTexture);
+    if (lengthMm > 0.0 && MayAbsorb(startValues, endValues) && IsSeen(ray, t - 0.5 * lengthMm))
+    {
+      depth += SegmentDepth(startValues, endValues, endTexture, lengthMm);
+    }
+    plainMm = jumps ? plainMm : min(ShadowPartGrowth * plainMm, shadowStepMm);
+  }
+  return depth;
+}
+
+float TransmittedFrom(int light, vec3 originGrid)
+{
+  vec3 place = texelFetch(lightTexels, TexelsPerLightHere * light).xyz;
+  vec3 positionWorld = worldFromGrid * originGrid + worldOfGridOrigin;
+  bool isDistant = light < distantCount;
+  vec3 toLight = isDistant ? place : place - positionWorld;
+  float distanceMm = max(length(toLight), 1e-15);
+  Ray ray;
+  ray.originGrid = originGrid;
+  ray.directionGrid = gridFromWorld * (toLight / distanceMm);
+  ray.originTexture = (originGrid - firstVoxelGrid + 0.5) * voxelCountInverse;
+  ray.directionTexture = ray.directionGrid * voxelCountInverse;
+  return exp(-DepthAlong(ray, isDistant ? BeyondAll : distanceMm));
+}
+
+// The parts of the lights at t, from rays to each of them.
+Reach TracedReach(Ray ray, float t)
+{
+  vec3 originGrid = ray.originGrid + t * ray.directionGrid;
+  Reach reach = Reach(vec4(1.0), vec4(1.0));
+  int ownRow = labelRow;
+  int count = min(distantCount + nearCount, MostShadows);
+  for (int light = 0; light < count; ++light)
+  {
+    float transmitted = TransmittedFrom(light, originGrid);
+    if (light < 4)
+    {
+      reach.first[light] = transmitted;
+    }
+    else
+    {
+      reach.second[light - 4] = transmitted;
+    }
+  }
+  labelRow = ownRow;
+  return reach;
+}
+
+// The last two places at which the light was computed.
+float tracedFrom = -2e30;
+float tracedTo = -1e30;
+Reach reachFrom;
+Reach reachTo;
+
+Reach ReachAt(Ray ray, float t)
+{
+  if (t > tracedTo || t < tracedFrom)
+  {
+    bool goesOn = t > tracedTo && t <= tracedTo + shadowStepMm;
+    tracedFrom = goesOn ? tracedTo : t;
+    if (goesOn)
+    {
+      reachFrom = reachTo;
+    }
+    else
+    {
+      reachFrom = TracedReach(ray, t);
+    }
+    tracedTo = tracedFrom + shadowStepMm;
+    reachTo = TracedReach(ray, tracedTo);
+  }
+  float along = (t - tracedFrom) / (tracedTo - tracedFrom);
+  return Reach(
+    mix(reachFrom.first, reachTo.first, along), mix(reachFrom.second, reachTo.second, along));
+}
+
+float Reaching(Reach reach, int light)
+{
+  return light < 4 ? reach.first[light] : light < MostShadows ? reach.second[light - 4] : 1.0;
+}
