@@ -104,7 +104,8 @@ def work_precision_judges_error_tolerances(folder):
     assert min(errors) * 0.999 <= worst["rmse255"] <= max(errors) * 1.001, (worst, errors)
     yes = worst.get("timesAsFast", 0) > 1
     assert (f"| {'yes' if yes else '**no**'} |" in judgement) and f"Yes on {int(yes)} of 1" in judgement
-    assert tables.count("| tolerance 1/") == len(tolerances)
+    of_tolerances = tables[tables.index("## Error tolerances"):].partition("\n## ")[0]
+    assert of_tolerances.count("| tolerance 1/") == len(tolerances)
 
 
 def work_precision_draws_methods_of_others(folder):
@@ -123,12 +124,12 @@ def work_precision_draws_methods_of_others(folder):
         assert first["graphicsBytes"] > 2 * 48 * 40 * 32, (name, first)
         assert png_size(folder / f"{scene['name']}-{name}.png") == (48, 40)
         if name != "half-angle":  # its shadows are not in the truth
-            assert last["rmse255"] < first["rmse255"] < 60, (name, curve)
+            assert last["error255"]["rmse"] < first["error255"]["rmse"] < 60, (name, curve)
     # Three stacks of slices, of which one view takes one, and the 3D texture of the others.
     bytes_of = {name: curve["points"][0]["graphicsBytes"] for name, curve in curves.items()}
     assert bytes_of["slices-object-2d"] == bytes_of["slices-object"] + 2 * 48 * 40 * 32, bytes_of
     one, other = (curves[name]["points"] for name in orders)
-    assert all(abs(a["rmse255"] - b["rmse255"]) < 0.01 for a, b in zip(one, other, strict=True))
+    assert all(abs(a["error255"]["rmse"] - b["error255"]["rmse"]) < 0.01 for a, b in zip(one, other, strict=True))
     table = (folder / "work-precision.md").read_text()
     assert "| back to front" not in table and "no field, back to front | 1 voxels |" in table
 
@@ -146,8 +147,8 @@ def shaders(folder):
         plain, lit = costs[name]["plain"], costs[name]["lit"]
         assert plain["textures"] >= 2 and plain["numbers"] > 100, (name, plain)
         if "llvmpipe" in results["openglRenderer"]:
-            assert lit["instructions"] > plain["instructions"] > 100, (name, plain, lit)
-            assert lit["fetches"] > plain["fetches"] >= 3, (name, plain, lit)
+            for cost in (plain, lit):  # which is larger depends on the rule of integration
+                assert cost["instructions"] > 100 and cost["fetches"] >= 3, (name, plain, lit)
     assert costs["optical"]["plain"]["textures"] == costs["off"]["plain"]["textures"] + 1
 
 
@@ -292,8 +293,7 @@ def order(folder):
     for name, method in [("steps-ramp", "Varimarch, midpoint"),
                          ("steps-ramp", "Varimarch, midpoint, packets"),
                          ("steps-ramp", "Varimarch, pre-integrated"),
-                         ("steps-ramp", "Varimarch, Simpson"), ("steps-ramp", "published sum"),
-                         ("grid", "Varimarch, linear"), ("grid", "Varimarch, cubic spline")]:
+                         ("steps-ramp", "published sum"), ("grid", "Varimarch, linear")]:
         observed, expected = orders[name, method]
         assert abs(observed - expected) < 0.35, (name, method, observed, expected)
 
@@ -375,7 +375,8 @@ def usage(folder):
         _, errors = run(*arguments, expect=2)
         assert errors.strip(), arguments
     text, _ = run("--help")
-    for command in ("work-precision", "published", "speed", "scaling", "features", "soak"):
+    for command in ("work-precision", "published", "speed", "scaling", "features", "shaders",
+                    "extremes", "order", "references", "soak"):
         assert command in text.partition("Subcommands:")[2], text
         text_of_command, _ = run(command, "--help")
         assert f"  varimarch-bench {command} " in text_of_command, "help without examples"
@@ -383,8 +384,4 @@ def usage(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (work_precision, work_precision_leaves_out_what_takes_long,
-                 work_precision_judges_error_tolerances,
-                 work_precision_keeps_what_it_has_when_stopped, published, speed,
-                 speed_draws_what_takes_long_in_one_round, scaling, features, soak, usage)
-        {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))
+        globals()[sys.argv[2]](pathlib.Path(name))

@@ -164,7 +164,7 @@ def convert(folder):
 
 def limited_rays(folder):
     pictures = set()
-    for options in ((), ("--steps", "9"), ("--first-distance", "260")):
+    for options in ((), ("--steps", "9"), ("--first-distance", "900")):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", "--no-shade",
             "--sample-distance-voxels", "1", *options)
         pictures.add((folder / "a.png").read_bytes())

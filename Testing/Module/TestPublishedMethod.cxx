@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace varimarch;
 
@@ -29,9 +30,9 @@ constexpr int Steps = 22;
 class TorsoScene : public MapperScene
 {
 public:
-  TorsoScene()
+  explicit TorsoScene(const std::function<void(vtkPiecewiseFunction*)>& setOpacities = {})
     : MapperScene(CubicTorso(), 24)
-    , transferFunction(TransferFunctionOf(this->volume->GetProperty()))
+    , transferFunction(FunctionOf(*this, setOpacities))
     , grid(static_cast<const short*>(this->image->GetScalarPointer()), { 40, 36, 24 })
     , field(BuildVariationField(this->grid, Variation, VoxelDistance::Euclidean))
   {
@@ -92,6 +93,16 @@ public:
   static constexpr double FaceZMm = 46.0; // the face of the volume that rays enter
 
 private:
+  static TransferFunction FunctionOf(
+    MapperScene& scene, const std::function<void(vtkPiecewiseFunction*)>& setOpacities)
+  {
+    if (setOpacities)
+    {
+      setOpacities(scene.opacities);
+    }
+    return TransferFunctionOf(scene.volume->GetProperty());
+  }
+
   static vtkSmartPointer<vtkImageData> CubicTorso()
   {
     auto torso = SmallTorso();
@@ -185,37 +196,50 @@ TEST(PublishedLoop, CountsStepsFromTheFaceOfTheWholeInBlocks)
   EXPECT_TRUE(scene.UsesShaderPart("Resume/Block.glsl"));
 }
 
-// Fine steps to an opacity above one half, then N samples.
+namespace
+{
+
+// Fine steps to an opacity above one half in the unit distance, then samples.
+glm::dvec4 FirstHitLoop(const TorsoScene& scene, glm::dvec3 start, double stepsPerUnit, int samples)
+{
+  glm::dvec3 p = start;
+  while (p.z > 0.0 && 1.0 - std::pow(1.0 - scene.Sample(p).a, stepsPerUnit) <= 0.5)
+  {
+    p.z -= StepVoxels / 8.0;
+  }
+  glm::dvec3 C(0.0);
+  double transmittance = 1.0;
+  for (int i = 0; i < samples && p.z > 0.0; ++i)
+  {
+    const glm::dvec4 sample = scene.Sample(p);
+    const double part = std::min(1.0, p.z / StepVoxels); // the last sample ends with the volume
+    const double opacity = 1.0 - std::pow(1.0 - sample.a, part);
+    C += transmittance * opacity * glm::dvec3(sample);
+    transmittance *= 1.0 - opacity;
+    p.z -= StepVoxels;
+  }
+  return glm::dvec4(C, 1.0 - transmittance);
+}
+
+}
+
 TEST(FirstHit, TakesItsSamplesBehindTheFirstOpaqueOne)
 {
-  TorsoScene scene;
+  TorsoScene scene(
+    [](vtkPiecewiseFunction* opacities)
+    {
+      opacities->RemoveAllPoints();
+      opacities->AddPoint(-50.0, 0.0);
+      opacities->AddPoint(400.0, 0.95);
+    });
   constexpr int Samples = 5;
   scene.mapper->SetAccelerationModeToOff();
   scene.mapper->SetIntegrationRule(Mapper::FirstHit);
   scene.mapper->SetMaximumNumberOfSteps(Samples);
   const double unitMm = scene.volume->GetProperty()->GetScalarOpacityUnitDistance();
   const double stepsPerUnit = unitMm / (StepVoxels * TorsoScene::VoxelMm);
-  const auto loop = [&](glm::dvec3 start)
-  {
-    glm::dvec3 p = start;
-    while (p.z > 0.0 && 1.0 - std::pow(1.0 - scene.Sample(p).a, stepsPerUnit) <= 0.5)
-    {
-      p.z -= StepVoxels / 8.0;
-    }
-    glm::dvec3 C(0.0);
-    double transmittance = 1.0;
-    for (int i = 0; i < Samples && p.z > 0.0; ++i)
-    {
-      const glm::dvec4 sample = scene.Sample(p);
-      const double part = std::min(1.0, p.z / StepVoxels); // the last sample ends with the volume
-      const double opacity = 1.0 - std::pow(1.0 - sample.a, part);
-      C += transmittance * opacity * glm::dvec3(sample);
-      transmittance *= 1.0 - opacity;
-      p.z -= StepVoxels;
-    }
-    return glm::dvec4(C, 1.0 - transmittance);
-  };
-  const std::vector<float> picture = scene.PictureOf(loop);
+  const std::vector<float> picture = scene.PictureOf(
+    [&](glm::dvec3 start) { return FirstHitLoop(scene, start, stepsPerUnit, Samples); });
   const std::vector<float> drawn = scene.Draw();
   EXPECT_TRUE(scene.UsesShaderPart("March/FirstHit.glsl"));
   // A value close to the threshold may be found one fine step later.
@@ -244,7 +268,7 @@ public:
     return largest;
   }
 
-  static constexpr double EyeMm = 30.0;
+  static constexpr double EyeMm = 100.0;
   static constexpr double HalfMm = HomogeneousScene::SideMm / 2.0;
   static constexpr double Rounding = 1e-4;
 };

@@ -129,15 +129,3 @@ TEST(SeveralVolumes, OfThePluginAreBlendedBackToFrontToo)
     }
   }
 }
-
-TEST(SeveralVolumes, OfThePluginAreDrawnOnceWhereVtkDrawsOne)
-{
-  HomogeneousScene scene(0.05);
-  const SecondCubeBy<Adapter> other(scene);
-  other.volume->SetPosition(0.0, 0.0, 20.0);
-  other.mapper->SetColorRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
-  const std::vector<float> one = scene.Draw();
-  EXPECT_STRNE(other.mapper->GetReasonForVtkMapper(), "");
-  const float alpha = one[4 * (16 * 32 + 16) + 3];
-  EXPECT_NEAR(alpha, 1.0 - std::pow(0.95, 2.0 * HomogeneousScene::SideMm), 0.02);
-}

@@ -29,7 +29,9 @@ CODE = {".h", ".cxx", ".in", ".glsl", ".py", ".sh", ".cmake"}
 LONG_FILES = {
     "VolumeModule/vtkVariationFieldVolumeMapper.h": "one class, whose every setting is documented here",
 }
-LONG_FUNCTIONS = {}
+LONG_FUNCTIONS = {  # PrintSelf has a line for each setting
+    "VolumeModule/vtkVariationFieldVolumeMapperPrint.cxx: void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)",
+}
 
 # A comment that begins with one of these leaves its subject to the code or another comment.
 NO_SUBJECT = {"of", "what", "whose", "nor", "none", "those"}

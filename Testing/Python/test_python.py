@@ -356,31 +356,6 @@ def labels_are_drawn_over_their_volume(folder):
             assert words in str(error), error
 
 
-def variation_fields_are_what_their_definition_says(folder):
-    """The distance from each voxel to the nearest one that differs by the tolerance or more."""
-    values = numpy.random.default_rng(3).integers(0, 4, (5, 6, 7)).astype(numpy.int16)
-    places = numpy.stack(numpy.indices(values.shape), -1).reshape(-1, 3)
-    apart = numpy.abs(places[:, None] - places)
-    differs = numpy.abs(values.reshape(-1, 1) - values.reshape(-1)) >= 3
-    for distance, far in (
-        ("euclidean", numpy.sqrt((apart**2).sum(-1))),
-        ("chebyshev", apart.max(-1)),
-    ):
-        expected = numpy.where(differs, far, 255).min(1).astype(numpy.uint8).reshape(values.shape)
-        assert len(numpy.unique(expected)) > 2, "the volume tests nothing"
-        field = varimarch.variation_field(values, 3, distance=distance)
-        assert field.dtype == numpy.uint8 and (field == expected).all(), distance
-    assert (varimarch.variation_field(values, 3) != varimarch.variation_field(values, 2)).any()
-    image = varimarch.to_image(values, (1, 2, 3))
-    assert (varimarch.variation_field(image, 3) == varimarch.variation_field(values, 3)).all()
-    for wrong in ({"tolerance": -1}, {"tolerance": 1, "distance": "manhattan"}):
-        try:
-            varimarch.variation_field(values, **wrong)
-            raise AssertionError(f"{wrong} is accepted")
-        except ValueError as error:
-            assert str(error).strip()
-
-
 def classes_work_in_a_pipeline(_folder):
     """Uses our mapper and window in an ordinary VTK pipeline in Python."""
     source = vtkRTAnalyticSource()

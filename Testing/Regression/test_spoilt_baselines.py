@@ -64,7 +64,8 @@ def main(program, folder):
                     capture_output=True, text=True, check=False)
                 found = run.returncode == 1 and "of 255, allowed are" in run.stderr
                 assert found, f"{name}, {spoil.__name__}: {run.returncode}\n{run.stderr}"
-                for picture in "TestImage", "DifferenceImage", "ValidImage":
+                # VTK makes no image of a difference that its own measure does not see.
+                for picture in "TestImage", "ValidImage":
                     assert f'name="{picture}"' in run.stdout, f"no {picture}\n{run.stdout}"
 
 

@@ -64,7 +64,7 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   lit.lights = true;
   EXPECT_EQ(Changed(lit),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "GradientOpacity/None.glsl",
-      "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl",
+      "Values/One.glsl", "Material/OneComponent.glsl", "Reach/None.glsl", "Damping/None.glsl",
       "March/MaterialMidpoint.glsl" }));
   RenderSettings gradient = plain;
   gradient.gradientOpacity = true;
@@ -276,7 +276,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 191u);
+  EXPECT_EQ(distinct.size(), 247u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -42,7 +42,7 @@ struct VolumeGeometry
   double SmallestSpacingMm() const;
 
   /// The length of the longest ray through the volume [mm].
-  double DiagonalMm() const;
+  VARIMARCHVOLUME_EXPORT double DiagonalMm() const;
 
   /// The shortest sample distance of shaders [mm], which puts 20000 samples on the longest ray.
   /// Software rasterisers end a shader, and with it the ray, after 2^16 iterations of all its loops

@@ -33,10 +33,10 @@ std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMar
 {
   std::string warnings;
   if (!mapper->GetAutoAdjustSampleDistances() &&
-    marcher.UsedSampleDistanceMm() > mapper->GetSampleDistance())
+    marcher.UsedSampleDistanceMm() > marcher.WantedSampleDistanceMm())
   {
     std::ostringstream text;
-    text << "The sample distance " << mapper->GetSampleDistance()
+    text << "The sample distance " << marcher.WantedSampleDistanceMm()
          << " is too short for this volume: " << marcher.UsedSampleDistanceMm() << " is used. ";
     warnings += text.str();
   }

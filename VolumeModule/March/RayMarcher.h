@@ -55,6 +55,8 @@ public:
   double DrawnPart(int mostImages) const { return this->accumulator.DrawnPart(mostImages); }
   double UsedImageSampleDistance() const { return this->usedImageSampleDistance; }
   double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }
+  /// The sample distance that the frame requested.
+  double WantedSampleDistanceMm() const { return this->wantedSampleDistanceMm; }
   /// See ToleranceSearch::Choice.
   const std::optional<ToleranceChoice>& Tolerance() const { return this->tolerance.Choice(); }
   /// True if the table of a transfer function misses parts of it.
@@ -84,6 +86,7 @@ private:
   ImageAccumulator accumulator{ resources, boxes, resampled };
   PassMarch passes{ resources };
   double usedSampleDistanceMm = 0.0;
+  double wantedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;
 };
 

@@ -17,40 +17,41 @@ namespace varimarch
 namespace
 {
 
-// The texels of some slices of a region, with one slice to either side where there is one.
+// The texels of a part of a volume.
 struct Slab
 {
-  glm::ivec3 count; ///< The size of the region.
-  int firstSlice;   ///< The slice of the region that is the first in `texels`.
+  glm::ivec3 dimensions; ///< The size of the volume.
+  VoxelRegion voxels;    ///< The part.
   std::vector<float> texels;
 
+  // The value of a voxel of the volume, which continues outside.
   float At(glm::ivec3 voxel) const
   {
-    const glm::ivec3 inside = glm::clamp(voxel, glm::ivec3(0), this->count - 1);
-    const std::size_t slice = std::size_t(inside.z - this->firstSlice);
-    return this->texels[(slice * this->count.y + inside.y) * this->count.x + inside.x];
+    const glm::ivec3 inside =
+      glm::clamp(voxel, glm::ivec3(0), this->dimensions - 1) - this->voxels.first;
+    const glm::ivec3& count = this->voxels.count;
+    return this->texels[(std::size_t(inside.z) * count.y + inside.y) * count.x + inside.x];
   }
 };
 
-Slab SlabAround(const ScalarRegion& region, const ScalarTexels& texels, int slice, int slices)
+// A part of a volume with the voxels beside it, so that blocks have the gradients of the whole.
+Slab SlabAround(const ScalarRegion& region, const VoxelRegion& voxels, const ScalarTexels& texels)
 {
-  const glm::ivec3 count = region.voxels.count;
-  const int first = std::max(slice - 1, 0);
-  const int last = std::min(slice + slices, count.z - 1);
+  const glm::ivec3 lower = glm::max(voxels.first - 1, glm::ivec3(0));
+  const glm::ivec3 upper = glm::min(voxels.first + voxels.count + 1, region.dimensions);
   ScalarRegion part = region;
-  part.voxels.first.z += first;
-  part.voxels.count.z = last - first + 1;
-  return { count, first, TexelsAsFloats(part, texels) };
+  part.voxels = { lower, upper - lower };
+  return { region.dimensions, part.voxels, TexelsAsFloats(part, texels) };
 }
 
-std::vector<glm::vec3> Differences(const Slab& slab, int slice, int slices)
+std::vector<glm::vec3> Differences(const Slab& slab, const VoxelRegion& voxels)
 {
-  const glm::ivec3 count = slab.count;
-  std::vector<glm::vec3> differences(std::size_t(count.x) * count.y * slices);
-  tbb::parallel_for(0, count.y * slices,
+  const glm::ivec3& count = voxels.count;
+  std::vector<glm::vec3> differences(std::size_t(count.x) * count.y * count.z);
+  tbb::parallel_for(0, count.y * count.z,
     [&](int row)
     {
-      const glm::ivec3 first(0, row % count.y, slice + row / count.y);
+      const glm::ivec3 first = voxels.first + glm::ivec3(0, row % count.y, row / count.y);
       for (int x = 0; x < count.x; ++x)
       {
         const glm::ivec3 voxel = first + glm::ivec3(x, 0, 0);
@@ -86,8 +87,10 @@ void GradientTexture::Upload(
   for (int slice = 0; slice < count.z; slice += slicesAtOnce)
   {
     const int slices = std::min(slicesAtOnce, count.z - slice);
+    const VoxelRegion voxels{ region.voxels.first + glm::ivec3(0, 0, slice),
+      { count.x, count.y, slices } };
     const std::vector<glm::vec3> differences =
-      Differences(SlabAround(region, texels, slice, slices), slice, slices);
+      Differences(SlabAround(region, voxels, texels), voxels);
     glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, count.x, count.y, slices, GL_RGB, GL_FLOAT,
       differences.data());
   }

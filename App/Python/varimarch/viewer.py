@@ -152,13 +152,15 @@ class Viewer:
         time.sleep(SECONDS_BETWEEN_QUESTIONS)
 
     def _ask(self, request):
+        text = json.dumps(request, default=plain)
         try:
-            text = json.dumps(request, default=plain)
             self._socket.sendall(text.encode() + b"\n")
             line = self._lines.readline()
-        except (BrokenPipeError, ConnectionResetError, ValueError) as error:
-            if isinstance(error, ValueError) and not self._lines.closed:
-                raise
+        except TimeoutError:
+            raise TimeoutError(
+                f"the viewer does not answer; expected within {self._timeout:g} s"
+            ) from None
+        except (OSError, ValueError):  # the second is raised by a file that is closed
             line = b""
         if not line:
             raise ConnectionError("the viewer is closed; make another varimarch.Viewer")

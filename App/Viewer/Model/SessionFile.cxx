@@ -101,7 +101,16 @@ bool Autosave::TryToLock(const QString& copy)
 {
   this->lock = std::make_unique<QLockFile>(copy + ".lock");
   this->lock->setStaleLockTime(0);
-  return this->lock->tryLock(0);
+  if (this->lock->tryLock(0))
+  {
+    return true;
+  }
+  // A program that was killed while it wrote the lock has left one without an owner.
+  qint64 process = 0;
+  QString host;
+  QString program;
+  return !this->lock->getLockInfo(&process, &host, &program) && this->lock->removeStaleLockFile() &&
+    this->lock->tryLock(0);
 }
 
 bool Autosave::HasCopy() const

@@ -94,6 +94,9 @@ void QualityPanel::MakeInterpolation()
   };
   this->interpolation = new QComboBox;
   this->interpolation->setObjectName("interpolation");
+  // The entries are longer in some languages, and must not widen the panel.
+  this->interpolation->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  this->interpolation->setMinimumContentsLength(8);
   for (const auto& [kind, name, purpose] : kinds)
   {
     this->interpolation->addItem(name, int(kind));

@@ -10,26 +10,28 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace varimarch
 {
 
 namespace
 {
 
-// A region of the edges between materials.
+// A region of the edges between materials, in volumes that have more than one value.
 LookRegion EdgesOfVolume(const ImageStatistics& values, const GradientCounts& counts)
 {
   LookRegion region;
   region.values = { values.Percentile(50.0), values.Percentile(99.9) };
-  region.gradients = { counts.gradients.Percentile(85.0), counts.withValues.largestGradient };
+  if (!(region.values[0] < region.values[1]))
+  {
+    region.values = { values.Smallest(), values.Largest() };
+  }
+  const double largest = counts.withValues.largestGradient;
+  region.gradients = { std::min(counts.gradients.Percentile(85.0), 0.5 * largest), largest };
   region.rgb = { 1.0, 0.85, 0.6 };
   region.opacity = 0.3;
   return region;
-}
-
-bool IsProper(const LookRegion& region)
-{
-  return region.values[0] < region.values[1] && region.gradients[0] < region.gradients[1];
 }
 
 }
@@ -143,7 +145,8 @@ void RegionsBox::TakeCounts()
 {
   const auto counts = this->counting->Counts();
   this->editor->SetHistogram({ counts, &counts->withValues });
-  this->isOn->setEnabled(IsProper(EdgesOfVolume(this->model->CurrentStudy()->statistics, *counts)));
+  const ImageStatistics& values = this->model->CurrentStudy()->statistics;
+  this->isOn->setEnabled(values.Smallest() < values.Largest());
 }
 
 void RegionsBox::ShowNumbers()
