@@ -340,9 +340,9 @@ public:
    * Let the volume cast shadows on itself: the diffuse and specular light of each of the renderer's
    * first eight lights that are not at the eye is multiplied by what the volume between the light
    * and the sample lets through. Ambient light and lights at the eye cast none. Requires a
-   * composite with shading. The error tolerance holds for the image with its shadows. Opaque
-   * geometry casts no shadows, overlapping volumes and volumes in several blocks have none.
-   * Default: off.
+   * composite with shading. The error tolerance holds for the image with its shadows, which takes
+   * many times as long as without. Opaque geometry casts no shadows, overlapping volumes and
+   * volumes in several blocks have none. Default: off.
    */
   vtkSetClampMacro(Shadows, vtkTypeBool, 0, 1);
   vtkGetMacro(Shadows, vtkTypeBool);
