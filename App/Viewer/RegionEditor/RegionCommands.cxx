@@ -1,6 +1,7 @@
 // Keyboard commands and menus of the editor of regions. They cover everything that the mouse can
 // do.
 
+#include "Viewer/EditorActions.h"
 #include "Viewer/LiveColorDialog.h"
 #include "Viewer/Model/Gesture.h"
 #include "Viewer/RegionEditor/RegionEditor.h"
@@ -20,42 +21,27 @@ namespace varimarch
 namespace
 {
 
-constexpr double ZoomPerKeyPress = 1.25;
 constexpr double NudgePart = 0.005; // share of the visible part of the plane
 constexpr double LargeNudgeFactor = 10.0;
 
-bool IsArrowKey(int key)
-{
-  return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
-}
-
-}
-
-QAction* RegionEditor::AddAction(const QString& text, const QKeySequence& key)
-{
-  auto* const action = new QAction(text, this);
-  action->setShortcut(key);
-  action->setShortcutContext(Qt::WidgetShortcut);
-  this->addAction(action);
-  return action;
 }
 
 void RegionEditor::MakeActions()
 {
-  QAction* const rectangle = this->AddAction(tr("Add a rectangle"), Qt::Key_Insert);
+  QAction* const rectangle = AddKeyAction(this, tr("Add a rectangle"), Qt::Key_Insert);
   rectangle->setIconText(tr("+ Rectangle"));
   connect(rectangle, &QAction::triggered, this,
     [this] { this->Add(RegionShape::Rectangle, this->picture.layout.plot.center()); });
   QAction* const ellipse =
-    this->AddAction(tr("Add an ellipse"), QKeySequence(Qt::SHIFT | Qt::Key_Insert));
+    AddKeyAction(this, tr("Add an ellipse"), QKeySequence(Qt::SHIFT | Qt::Key_Insert));
   ellipse->setIconText(tr("+ Ellipse"));
   connect(ellipse, &QAction::triggered, this,
     [this] { this->Add(RegionShape::Ellipse, this->picture.layout.plot.center()); });
-  QAction* const color = this->AddAction(tr("Colour…"), Qt::Key_C);
+  QAction* const color = AddKeyAction(this, tr("Colour…"), Qt::Key_C);
   connect(color, &QAction::triggered, this, &RegionEditor::ChooseColor);
-  QAction* const remove = this->AddAction(tr("Delete"), Qt::Key_Delete);
+  QAction* const remove = AddKeyAction(this, tr("Delete"), Qt::Key_Delete);
   connect(remove, &QAction::triggered, this, &RegionEditor::DeleteSelected);
-  QAction* const all = this->AddAction(tr("Show all values and gradients"), Qt::Key_F);
+  QAction* const all = AddKeyAction(this, tr("Show all values and gradients"), Qt::Key_F);
   all->setIconText(tr("All"));
   connect(all, &QAction::triggered, this, &RegionEditor::ShowAll);
   this->editActions = { rectangle, ellipse, color, remove, all };
@@ -121,27 +107,13 @@ void RegionEditor::ChooseColor()
   connect(dialog, &QDialog::rejected, this, [edit, old] { edit(old); });
 }
 
-QAction* RegionEditor::ActionOf(const QKeyEvent& event) const
-{
-  const int modifiers = int(event.modifiers() & ~Qt::KeypadModifier);
-  const int key = event.key() == Qt::Key_Backspace ? int(Qt::Key_Delete) : event.key();
-  for (QAction* const action : this->actions())
-  {
-    if (action->shortcut() == QKeySequence(key | modifiers))
-    {
-      return action;
-    }
-  }
-  return nullptr;
-}
-
 bool RegionEditor::event(QEvent* event)
 {
   // While the editor has the focus, its keys override the window's shortcuts.
   if (event->type() == QEvent::ShortcutOverride)
   {
     const auto& key = static_cast<const QKeyEvent&>(*event);
-    if (IsArrowKey(key.key()) || this->ActionOf(key) ||
+    if (IsArrowKey(key.key()) || ActionOfKey(*this, key) ||
       (key.key() == Qt::Key_Escape && this->drag != Drag::None))
     {
       event->accept();
@@ -153,7 +125,7 @@ bool RegionEditor::event(QEvent* event)
 void RegionEditor::keyPressEvent(QKeyEvent* event)
 {
   const bool zooms = event->key() == Qt::Key_Plus || event->key() == Qt::Key_Minus;
-  if (QAction* const action = this->ActionOf(*event))
+  if (QAction* const action = ActionOfKey(*this, *event))
   {
     action->trigger();
   }
@@ -164,7 +136,7 @@ void RegionEditor::keyPressEvent(QKeyEvent* event)
   else if (zooms)
   {
     this->Zoom(this->picture.layout.plot.center(),
-      event->key() == Qt::Key_Plus ? ZoomPerKeyPress : 1.0 / ZoomPerKeyPress);
+      event->key() == Qt::Key_Plus ? ZoomPerKey : 1.0 / ZoomPerKey);
   }
   else if (event->key() == Qt::Key_Escape && this->drag != Drag::None)
   {

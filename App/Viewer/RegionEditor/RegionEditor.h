@@ -77,8 +77,6 @@ private:
   };
 
   void MakeActions();
-  QAction* AddAction(const QString& text, const QKeySequence& key);
-  QAction* ActionOf(const QKeyEvent& event) const;
   RegionPlane Plane() const;
   void Edit(const std::vector<LookRegion>& regions, const QString& stepName, int gesture);
   void Add(RegionShape shape, const QPointF& position);

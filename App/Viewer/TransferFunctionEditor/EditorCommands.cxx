@@ -1,5 +1,6 @@
 // Keyboard commands and menus of the editor. They cover everything that the mouse can do.
 
+#include "Viewer/EditorActions.h"
 #include "Viewer/LiveColorDialog.h"
 #include "Viewer/Model/Gesture.h"
 #include "Viewer/TransferFunctionEditor/EditorReading.h"
@@ -26,27 +27,12 @@ namespace
 const QString AsksForColorKey = QStringLiteral("editor/asksForColor");
 constexpr double OpacityNudge = 0.01;
 constexpr double LargeNudge = 10.0;
-constexpr double ZoomPerKey = 1.25;
 
-bool IsArrow(int key)
-{
-  return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
-}
-
-}
-
-QAction* TransferFunctionEditor::AddAction(const QString& text, const QKeySequence& key)
-{
-  auto* const action = new QAction(text, this);
-  action->setShortcut(key);
-  action->setShortcutContext(Qt::WidgetShortcut);
-  this->addAction(action);
-  return action;
 }
 
 void TransferFunctionEditor::MakeEditActions()
 {
-  connect(this->AddAction(tr("Edit numbers…"), Qt::Key_Return), &QAction::triggered, this,
+  connect(AddKeyAction(this, tr("Edit numbers…"), Qt::Key_Return), &QAction::triggered, this,
     [this]
     {
       if (!this->picture.selected.empty())
@@ -54,15 +40,15 @@ void TransferFunctionEditor::MakeEditActions()
         this->OpenPopover(*this->picture.selected.begin());
       }
     });
-  this->chooseColor = this->AddAction(tr("Colour…"), Qt::Key_C);
+  this->chooseColor = AddKeyAction(this, tr("Colour…"), Qt::Key_C);
   connect(this->chooseColor, &QAction::triggered, this, &TransferFunctionEditor::ChooseColor);
-  connect(this->AddAction(tr("Delete"), Qt::Key_Delete), &QAction::triggered, this,
+  connect(AddKeyAction(this, tr("Delete"), Qt::Key_Delete), &QAction::triggered, this,
     &TransferFunctionEditor::DeleteSelected);
-  connect(this->AddAction(tr("Add a point after the selected one"), Qt::Key_Insert),
+  connect(AddKeyAction(this, tr("Add a point after the selected one"), Qt::Key_Insert),
     &QAction::triggered, this, &TransferFunctionEditor::AddBesideSelected);
-  connect(this->AddAction(tr("Select all"), QKeySequence::SelectAll), &QAction::triggered, this,
+  connect(AddKeyAction(this, tr("Select all"), QKeySequence::SelectAll), &QAction::triggered, this,
     [this] { this->Select(AllNodes(this->picture.look)); });
-  this->asksForColor = this->AddAction(tr("Ask for the colour of a new point"), Qt::Key_P);
+  this->asksForColor = AddKeyAction(this, tr("Ask for the colour of a new point"), Qt::Key_P);
   this->asksForColor->setCheckable(true);
   this->asksForColor->setChecked(QSettings().value(AsksForColorKey).toBool());
   connect(this->asksForColor, &QAction::triggered, this,
@@ -74,7 +60,7 @@ void TransferFunctionEditor::MakeEditActions()
 
 void TransferFunctionEditor::MakeAxisActions()
 {
-  QAction* const all = this->AddAction(tr("Show all values"), Qt::Key_F);
+  QAction* const all = AddKeyAction(this, tr("Show all values"), Qt::Key_F);
   all->setIconText(tr("All"));
   connect(all, &QAction::triggered, this,
     [this]
@@ -82,12 +68,12 @@ void TransferFunctionEditor::MakeAxisActions()
       this->showMost->setChecked(false);
       this->FitToVoxels(100.0);
     });
-  this->showMost = this->AddAction(tr("Hide the outermost 1 % of the voxels"), Qt::Key_H);
+  this->showMost = AddKeyAction(this, tr("Hide the outermost 1 % of the voxels"), Qt::Key_H);
   this->showMost->setIconText(tr("99 %"));
   this->showMost->setCheckable(true);
   connect(this->showMost, &QAction::triggered, this,
     [this](bool most) { this->FitToVoxels(most ? 99.0 : 100.0); });
-  QAction* const curve = this->AddAction(tr("Show the curve"), Qt::Key_E);
+  QAction* const curve = AddKeyAction(this, tr("Show the curve"), Qt::Key_E);
   curve->setIconText(tr("Curve"));
   connect(curve, &QAction::triggered, this, &TransferFunctionEditor::FitToCurve);
   this->viewActions = { all, this->showMost, curve };
@@ -96,7 +82,7 @@ void TransferFunctionEditor::MakeAxisActions()
 void TransferFunctionEditor::MakeScaleActions()
 {
 
-  QAction* const logarithmic = this->AddAction(tr("Logarithmic counts"), Qt::Key_L);
+  QAction* const logarithmic = AddKeyAction(this, tr("Logarithmic counts"), Qt::Key_L);
   logarithmic->setIconText(tr("Log"));
   logarithmic->setCheckable(true);
   logarithmic->setChecked(this->picture.logarithmicCounts);
@@ -106,7 +92,7 @@ void TransferFunctionEditor::MakeScaleActions()
       this->picture.logarithmicCounts = on;
       this->update();
     });
-  QAction* const low = this->AddAction(tr("Enlarge low opacities"), Qt::Key_O);
+  QAction* const low = AddKeyAction(this, tr("Enlarge low opacities"), Qt::Key_O);
   low->setIconText(tr("Low"));
   low->setCheckable(true);
   connect(low, &QAction::toggled, this,
@@ -118,29 +104,13 @@ void TransferFunctionEditor::MakeScaleActions()
   this->viewActions.append({ logarithmic, low });
 }
 
-QAction* TransferFunctionEditor::ActionOf(const QKeyEvent& event) const
-{
-  const int modifiers = int(event.modifiers() & ~Qt::KeypadModifier);
-  const QKeySequence keys(event.key() == Qt::Key_Enter ? int(Qt::Key_Return)
-      : event.key() == Qt::Key_Backspace               ? int(Qt::Key_Delete)
-                                                       : event.key() | modifiers);
-  for (QAction* const action : this->actions())
-  {
-    if (!action->isSeparator() && action->shortcut() == keys)
-    {
-      return action;
-    }
-  }
-  return nullptr;
-}
-
 bool TransferFunctionEditor::event(QEvent* event)
 {
   // While the editor has the focus, its keys override the window's shortcuts.
   if (event->type() == QEvent::ShortcutOverride)
   {
     const auto& key = static_cast<const QKeyEvent&>(*event);
-    if (IsArrow(key.key()) || this->ActionOf(key) ||
+    if (IsArrowKey(key.key()) || ActionOfKey(*this, key) ||
       (key.key() == Qt::Key_Escape && this->mouse.IsDragging()))
     {
       event->accept();
@@ -151,11 +121,11 @@ bool TransferFunctionEditor::event(QEvent* event)
 
 void TransferFunctionEditor::keyPressEvent(QKeyEvent* event)
 {
-  if (QAction* const action = this->ActionOf(*event))
+  if (QAction* const action = ActionOfKey(*this, *event))
   {
     action->trigger();
   }
-  else if (IsArrow(event->key()))
+  else if (IsArrowKey(event->key()))
   {
     this->Nudge(*event);
   }

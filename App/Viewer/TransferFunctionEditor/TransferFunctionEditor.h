@@ -86,8 +86,6 @@ private:
   void MakeEditActions();
   void MakeAxisActions();
   void MakeScaleActions();
-  QAction* AddAction(const QString& text, const QKeySequence& key);
-  QAction* ActionOf(const QKeyEvent& event) const;
 
   void DeleteSelected();
   void ChooseColor();
