@@ -1,6 +1,7 @@
 // Clipping planes and cropping cut exactly at VTK's positions, in every blend mode.
 
 #include "Module/MapperScene.h"
+#include "Module/UsualSettings.h"
 #include "Scene/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
@@ -40,22 +41,6 @@ void AddObliquePlanes(MapperScene& scene)
 {
   AddPlane(scene, { 1.0, 0.7, -0.3 }, { 0.3, 0.3, 0.4 });
   AddPlane(scene, { -1.0, 0.4, 0.8 }, { 0.75, 0.5, 0.5 });
-}
-
-// Crops each axis to the middle half of the image's bounds, off all voxels.
-void Crop(MapperScene& scene, int flags)
-{
-  double bounds[6];
-  scene.image->GetBounds(bounds);
-  double planes[6];
-  for (int i = 0; i < 6; ++i)
-  {
-    const double part = i % 2 == 0 ? 0.27 : 0.71;
-    planes[i] = bounds[i / 2 * 2] + part * (bounds[i / 2 * 2 + 1] - bounds[i / 2 * 2]);
-  }
-  scene.mapper->CroppingOn();
-  scene.mapper->SetCroppingRegionPlanes(planes);
-  scene.mapper->SetCroppingRegionFlags(flags);
 }
 
 // Uses gentle materials and short steps, so that the cuts dominate the error.
@@ -197,7 +182,7 @@ TEST(Cuts, PlanesInTheWrongOrderDrawNothing)
   HalvingScene scene;
   for (const int flags : { SubVolume, 0x7ffffff })
   {
-    Crop(scene, flags);
+    CropToMiddle(scene, flags);
     scene.mapper->SetCroppingRegionPlanes(1.0, 9.0, 5.0, 5.0, 1.0, 9.0);
     const std::vector<float> drawn = scene.Draw();
     EXPECT_EQ(*std::max_element(drawn.begin(), drawn.end()), 0.0f);
@@ -225,7 +210,7 @@ TEST_P(CutsOfBlend, ClippedAndCroppedPicturesAreTheTruth)
     AddObliquePlanes(scene);
     if (flags != 0)
     {
-      Crop(scene, flags);
+      CropToMiddle(scene, flags);
     }
     if (IsExtreme())
     {
@@ -254,7 +239,7 @@ TEST(Cuts, PlanesFollowTheMatricesOfImageAndVolume)
     scene.volume->RotateWXYZ(35.0, 0.3, 1.0, 0.2);
     scene.renderer->ResetCamera();
     AddObliquePlanes(scene);
-    Crop(scene, flags);
+    CropToMiddle(scene, flags);
     ExpectTruth(scene, 0.2, 2.5);
     EXPECT_TRUE(scene.UsesShaderPart("Clip/Planes.glsl"));
   }
@@ -266,7 +251,7 @@ TEST(Cuts, NormalsAtACutAreThoseOfTheData)
   UseGentleMaterials(scene);
   scene.volume->GetProperty()->ShadeOn();
   AddObliquePlanes(scene);
-  Crop(scene, EveryOther);
+  CropToMiddle(scene, EveryOther);
   ExpectTruth(scene, 0.2, 4.0);
 }
 
@@ -299,7 +284,7 @@ TEST(Cuts, AVolumeInBlocksIsCutAsTheWholeIs)
   AddObliquePlanes(scene);
   for (const int flags : { SubVolume, EveryOther })
   {
-    Crop(scene, flags);
+    CropToMiddle(scene, flags);
     scene.mapper->SetMaximumGraphicsMemory(0);
     const std::vector<float> whole = scene.Draw();
     scene.mapper->SetMaximumGraphicsMemory(200000);
@@ -325,7 +310,7 @@ TEST(Cuts, GapsAreCutLikeTheRest)
   UseGentleMaterials(scene);
   scene.mapper->SetNanOpacity(0.05);
   AddObliquePlanes(scene);
-  Crop(scene, EveryOther);
+  CropToMiddle(scene, EveryOther);
   ExpectTruth(scene, 0.2, 2.5);
 }
 
@@ -340,7 +325,7 @@ TEST(Cuts, AnErrorToleranceIsTriedOutAnewForOtherCuts)
   AddObliquePlanes(scene);
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetToleranceSearches(), searches + 1);
-  Crop(scene, EveryOther);
+  CropToMiddle(scene, EveryOther);
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetToleranceSearches(), searches + 2);
 }

@@ -2,6 +2,7 @@
 // otherwise with a reference that has the same lights.
 
 #include "Module/ReferenceMaterials.h"
+#include "Module/UsualSettings.h"
 
 #include <vtkDataArray.h>
 #include <vtkLight.h>
@@ -48,12 +49,7 @@ public:
 
   vtkLight* AddLight(glm::dvec3 position, glm::dvec3 focus)
   {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->SetPosition(position.x, position.y, position.z);
-    light->SetFocalPoint(focus.x, focus.y, focus.z);
-    this->scene.renderer->AddLight(light);
-    return light;
+    return ::AddLight(this->scene.renderer, position, focus);
   }
 
   double DrawnRed() { return this->scene.MiddlePixel()[0]; }
@@ -176,18 +172,7 @@ TEST(Lights, OnStretchedShearedAndTurnedVolumesAreThoseOfTheReference)
   scene.volume->GetProperty()->ShadeOn();
   scene.volume->GetProperty()->SetSpecularPower(5.0);
   scene.renderer->ResetCamera();
-  scene.renderer->AutomaticLightCreationOff();
-  scene.renderer->RemoveAllLights();
-  vtkNew<vtkLight> sun;
-  sun->SetPosition(1.0, -0.5, 2.0);
-  sun->SetDiffuseColor(1.0, 0.5, 0.2);
-  scene.renderer->AddLight(sun);
-  vtkNew<vtkLight> lamp;
-  lamp->SetPosition(-60.0, -250.0, 30.0);
-  lamp->PositionalOn();
-  lamp->SetConeAngle(180.0);
-  lamp->SetSpecularColor(0.2, 0.5, 1.0);
-  scene.renderer->AddLight(lamp);
+  UseSunAndLamp(scene.renderer);
 
   const ImageError error = scene.ErrorOf(MaterialInLights(scene));
   EXPECT_LT(error.rootMeanSquare, 0.5);

@@ -6,7 +6,9 @@
 #include "Frame/PropertyTransferFunction.h"
 #include "Frame/VolumeGeometry.h"
 #include "Module/ReferenceMaterials.h"
+#include "Module/UsualSettings.h"
 #include "Stages/CutRays.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <vtkLight.h>
 #include <vtkPlane.h>
@@ -53,12 +55,7 @@ public:
 
   vtkLight* AddLight(glm::dvec3 position, glm::dvec3 focus = glm::dvec3(0.0))
   {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->SetPosition(position.x, position.y, position.z);
-    light->SetFocalPoint(focus.x, focus.y, focus.z);
-    this->scene.renderer->AddLight(light);
-    return light;
+    return ::AddLight(this->scene.renderer, position, focus);
   }
 
   double DrawnRed() { return this->scene.MiddlePixel()[0]; }
@@ -208,18 +205,7 @@ public:
     property->SetSpecular(0.2);
     property->SetSpecularPower(5.0);
     this->scene.mapper->ShadowsOn();
-    this->scene.renderer->AutomaticLightCreationOff();
-    this->scene.renderer->RemoveAllLights();
-    vtkNew<vtkLight> sun;
-    sun->SetPosition(1.0, -0.5, 2.0);
-    sun->SetDiffuseColor(1.0, 0.5, 0.2);
-    this->scene.renderer->AddLight(sun);
-    vtkNew<vtkLight> lamp;
-    lamp->SetPosition(-60.0, -250.0, 30.0);
-    lamp->PositionalOn();
-    lamp->SetConeAngle(180.0);
-    lamp->SetDiffuseColor(0.2, 0.5, 0.8);
-    this->scene.renderer->AddLight(lamp);
+    UseSunAndLamp(this->scene.renderer);
   }
 
   // The nested integral needs no more than a tenth of the tolerance that is tested.
@@ -295,4 +281,14 @@ TEST(Shadows, TakeTheirShaderOnlyWhereTheyAre)
   torso.scene.renderer->AddLight(headLight);
   torso.scene.Draw();
   EXPECT_FALSE(torso.scene.UsesShaderPart("Reach/ShadowRays.glsl")) << "the eye sees no shadow";
+}
+
+TEST(Shadows, OfAVolumeInBlocksAreLeftOutWithASentence)
+{
+  ShadowedTorso torso(16);
+  torso.scene.mapper->SetMaximumGraphicsMemory(60000);
+  ExpectedVtkErrors warnings;
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.UsesShaderPart("Resume/Block.glsl")) << "the volume fits into one block";
+  EXPECT_NE(warnings.Text().find("has no shadows"), std::string::npos) << warnings.Text();
 }

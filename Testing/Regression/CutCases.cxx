@@ -2,27 +2,12 @@
 
 #include "Module/ProcessorMarching.h"
 #include "Module/ReferenceMaterials.h"
+#include "Module/UsualSettings.h"
 
 #include <vtkPlane.h>
 
 namespace
 {
-
-// Crops each axis to the middle half of the image's bounds, off all voxels.
-void Crop(MapperScene& scene, int flags)
-{
-  double bounds[6];
-  scene.image->GetBounds(bounds);
-  double planes[6];
-  for (int i = 0; i < 6; ++i)
-  {
-    const double part = i % 2 == 0 ? 0.27 : 0.71;
-    planes[i] = bounds[i / 2 * 2] + part * (bounds[i / 2 * 2 + 1] - bounds[i / 2 * 2]);
-  }
-  scene.mapper->CroppingOn();
-  scene.mapper->SetCroppingRegionPlanes(planes);
-  scene.mapper->SetCroppingRegionFlags(flags);
-}
 
 // Shows cuts everywhere, also in soft tissue.
 void ShowTissue(MapperScene& scene)
@@ -58,13 +43,13 @@ std::vector<RegressionCase> CutCases()
       [](MapperScene& scene)
       {
         ShowTissue(scene);
-        Crop(scene, VTK_CROP_SUBVOLUME);
+        CropToMiddle(scene, VTK_CROP_SUBVOLUME);
       }),
     TorsoCase("CroppingToRegions",
       [](MapperScene& scene)
       {
         ShowTissue(scene);
-        Crop(scene, VTK_CROP_INVERTED_CROSS);
+        CropToMiddle(scene, VTK_CROP_INVERTED_CROSS);
       }),
     TorsoCase("ClippingPlanes", ClipTwice),
     MaterialCase("ClippedVoxelIntensity", ClipAsSurface, MaterialWithClippedIntensity),

@@ -5,6 +5,7 @@
 #include "Module/ProcessorMarching.h"
 #include "Module/ReferenceMaterials.h"
 #include "Module/ReferenceMixture.h"
+#include "Module/UsualSettings.h"
 
 #include <vtkLight.h>
 
@@ -20,17 +21,7 @@ void SeveralLights(MapperScene& scene)
 {
   scene.volume->GetProperty()->ShadeOn();
   scene.volume->GetProperty()->SetSpecularPower(5.0);
-  scene.renderer->AutomaticLightCreationOff();
-  vtkNew<vtkLight> sun;
-  sun->SetPosition(1.0, -0.5, 2.0);
-  sun->SetDiffuseColor(1.0, 0.5, 0.2);
-  scene.renderer->AddLight(sun);
-  vtkNew<vtkLight> lamp;
-  lamp->SetPosition(-60.0, -250.0, 30.0);
-  lamp->PositionalOn();
-  lamp->SetConeAngle(180.0);
-  lamp->SetSpecularColor(0.2, 0.5, 1.0);
-  scene.renderer->AddLight(lamp);
+  UseSunAndLamp(scene.renderer);
 }
 
 void Damping(MapperScene& scene)

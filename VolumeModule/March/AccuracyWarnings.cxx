@@ -52,6 +52,12 @@ std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMar
                 "reach so far that those between which the opacity changes look the same. Replace "
                 "far values, such as a fill value, or draw a mean of a range without them. ";
   }
+  if (marcher.LeavesOutShadows())
+  {
+    warnings +=
+      "The volume has no shadows, because it does not fit into the graphics memory at once. "
+      "Allow more of it, or draw a smaller volume. ";
+  }
   if (marcher.Tolerance() && !marcher.Tolerance()->step.KeepsLimit())
   {
     warnings += ExceededTolerance(mapper->GetErrorTolerance(), marcher.Tolerance()->step);

@@ -27,6 +27,7 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->ChooseSteps(frame, plan);
   this->usedSampleDistanceMm = plan.sampleDistanceMm;
   this->wantedSampleDistanceMm = frame.quality.sampleDistanceMm;
+  this->leavesOutShadows = frame.settings.shadows && this->resources.IsInBlocks();
   this->resources.UpdatePreIntegrated(frame, plan);
   this->DrawImage(frame, plan);
 }

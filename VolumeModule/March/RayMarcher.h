@@ -62,6 +62,8 @@ public:
   /// True if the table of a transfer function misses parts of it.
   bool MissesCurve() const { return this->resources.MissesCurve(); }
   bool MergesValues() const { return this->resources.MergesValues(); }
+  /// True if shadows are requested, but left out because a shader sees one block at a time.
+  bool LeavesOutShadows() const { return this->leavesOutShadows; }
   /// True if the image may be wrong by any amount, which no trial image shows.
   bool HasUnknownError() const { return this->MissesCurve() || this->MergesValues(); }
   double FieldBuildSeconds() const { return this->resources.First().FieldBuildSeconds(); }
@@ -88,6 +90,7 @@ private:
   double usedSampleDistanceMm = 0.0;
   double wantedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;
+  bool leavesOutShadows = false;
 };
 
 }

@@ -53,6 +53,7 @@ inline Lanes Absorption(Lanes depth)
 #include "Shaders/Math/Gradients.glsl"
 #include "Shaders/Math/Planes.glsl"
 #include "Shaders/Math/PreIntegration.glsl"
+#include "Shaders/Math/ShadowSteps.glsl"
 #include "Shaders/Math/Span.glsl"
 #include "Shaders/Math/Tables.glsl"
 #include "Shaders/Math/UnevenPlace.glsl"

@@ -1,4 +1,5 @@
 #include "Math/IntersectBox.glsl"
+#include "Math/ShadowSteps.glsl"
 // The volume casts shadows on itself: a ray from a point to each light is marched through the same
 // field and by the same rule as the rays of the eye. What is near decides, so that its segments
 // begin short and grow. Light changes less along a ray of the eye than what is seen: it is computed
@@ -6,12 +7,7 @@
 // 0, so does shadowStepMm, and the error of the shadows; the search for steps that keep the error
 // tolerance finds steps for both.
 
-const int MostShadows = 8;              // lights beyond these cast none
-const int TexelsPerLightHere = 5;       // see Shade/Lights.glsl
-const float ShortestShadowPart = 0.125; // length of the first segment [shadowStepMm]
-const float ShadowPartGrowth = 1.3;     // a segment is longer than the one before by this factor
-const float MostShadowDepth = 12.0;     // less light than exp(-12) is none
-const float BeyondAll = 3.0e38;         // distance of lights at infinity [mm]
+const float BeyondAll = 3.0e38; // distance of lights at infinity [mm]
 const float PartsOfShadow = 4.0;
 
 float PartDepth(Values start, Values end, Gradients gradients, float along, float lengthMm)
@@ -44,9 +40,10 @@ float DepthAlong(Ray ray, float farMm)
   Interval inside = Clipped(ray, Interval(max(box.x, 0.0), min(box.y, farMm)));
   float t = inside.enter;
   float depth = 0.0;
-  float plainMm = ShortestShadowPart * shadowStepMm;
+  float plainMm = FirstShadowStep(shadowStepMm);
   Values endValues = ValuesAt(PositionTexture(ray, t));
-  for (int index = 0; index < mostSegments && t < inside.exit && depth < MostShadowDepth; ++index)
+  for (int index = 0; index < mostSegments && t < inside.exit && depth < float(MostShadowDepth);
+       ++index)
   {
     Interval segment = NextOfField(ray, inside, t, plainMm);
     // Where the ray jumps, a segment without length reads the values behind the jump.
@@ -60,14 +57,14 @@ float DepthAlong(Ray ray, float farMm)
     {
       depth += SegmentDepth(startValues, endValues, endTexture, lengthMm);
     }
-    plainMm = jumps ? plainMm : min(ShadowPartGrowth * plainMm, shadowStepMm);
+    plainMm = jumps ? plainMm : NextShadowStep(plainMm, shadowStepMm);
   }
   return depth;
 }
 
 float TransmittedFrom(int light, vec3 originGrid)
 {
-  vec3 place = texelFetch(lightTexels, TexelsPerLightHere * light).xyz;
+  vec3 place = texelFetch(lightTexels, TexelsPerLight * light).xyz;
   vec3 positionWorld = worldFromGrid * originGrid + worldOfGridOrigin;
   bool isDistant = light < distantCount;
   vec3 toLight = isDistant ? place : place - positionWorld;

@@ -34,7 +34,7 @@ inline Lanes2 Reached(const Lanes2& reflected, AllLight, int)
 /// Lights with shadows.
 struct PartialLight
 {
-  static constexpr int Most = 8; ///< lights beyond these cast no shadow
+  static constexpr int Most = MostShadows; ///< lights beyond these cast no shadow
   Lanes of[Most] = {};
 };
 

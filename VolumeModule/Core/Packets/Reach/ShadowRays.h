@@ -30,7 +30,7 @@ public:
     , walk(scene, rays, 0, 0)
     , material(scene, rays)
     , t(rays.enter)
-    , plainMm(All(FirstSegment * scene.rays.shadowStepMm))
+    , plainMm(FirstShadowStep(All(scene.rays.shadowStepMm)))
     , endValue(voxels.ValueAt(rays.At(rays.enter)))
   {
   }
@@ -42,16 +42,12 @@ public:
     for (int index = 0; index < this->scene.rays.mostSegments && Any(mask); ++index)
     {
       this->AddSegment(mask);
-      mask &= LaneMask(this->t < this->rays.exit) & LaneMask(this->depth < MostDepth);
+      mask &= LaneMask(this->t < this->rays.exit) & LaneMask(this->depth < float(MostShadowDepth));
     }
     return this->depth;
   }
 
 private:
-  static constexpr float FirstSegment = 0.125f; ///< [shadowStepMm]
-  static constexpr float Growth = 1.3f;
-  static constexpr float MostDepth = 12.0f;
-
   void AddSegment(LaneMask mask)
   {
     const SegmentLanes next = this->walk.NextOfBricks(this->t, this->plainMm, mask);
@@ -72,7 +68,7 @@ private:
       this->depth = this->depth + Select(absorbs, added, Lanes{});
     }
     this->t = Select(mask, end, this->t);
-    const Lanes longer = Min(Growth * this->plainMm, All(this->scene.rays.shadowStepMm));
+    const Lanes longer = NextShadowStep(this->plainMm, All(this->scene.rays.shadowStepMm));
     this->plainMm = Select(jumps, this->plainMm, longer);
   }
 
