@@ -65,6 +65,18 @@ bool LosesByPreIntegration(const VolumeResources& volume)
   return volume.Materials().OpticalTables().Table().entries.size() > MostPreIntegratedEntries;
 }
 
+// A pre-integrated table hits or misses nodes that lie closer together than its values by chance,
+// and so does the table of half as many: their difference has been 1/3.5 of the error.
+constexpr double MostByChance = 4.0;
+
+bool HasNodesBetweenTableValues(const VolumeMarch& march, const VolumeResources& volume)
+{
+  const OpticalTable& table = volume.Materials().OpticalTables().Table();
+  return MostPreIntegratedValues *
+    TransferFunctionOf(march.frame.material.property).SmallestNodeGap() <
+    table.lastValue - table.firstValue;
+}
+
 // A pre-integrated table has 1024 values on a side, which also moves edges: a difference below this
 // many times the limit may be an error of the table.
 constexpr double CertainlyMissed = 4.0;
@@ -350,14 +362,18 @@ double ToleranceSearch::MissedPeaksOfLimit(Trial& trial, const ToleranceChoice& 
   return missed > CertainlyMissed ? missed : 0.0;
 }
 
-// The error of a pre-integrated table falls at least in proportion to the distance of its values,
-// or is erratic if nodes lie closer together: a table of half as many differs by the error or more.
+// The error of a pre-integrated table falls at least in proportion to the distance of its values:
+// a table of half as many differs by the error or more, unless nodes lie between its values.
 double ToleranceSearch::LostOfLimit(Trial& trial, double distanceMm)
 {
-  return LosesByPreIntegration(trial.volume)
-    ? DifferenceOfLimit(trial.DrawWithSmallTable(distanceMm),
-        trial.DrawUnlit(Integration::PreIntegrated, distanceMm), trial.limit)
-    : 0.0;
+  if (!LosesByPreIntegration(trial.volume))
+  {
+    return 0.0;
+  }
+  const double difference = DifferenceOfLimit(trial.DrawWithSmallTable(distanceMm),
+    trial.DrawUnlit(Integration::PreIntegrated, distanceMm), trial.limit);
+  return HasNodesBetweenTableValues(trial.march, trial.volume) ? MostByChance * difference
+                                                               : difference;
 }
 
 }

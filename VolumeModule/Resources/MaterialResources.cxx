@@ -19,18 +19,17 @@ namespace
 {
 
 // A side of a pre-integrated table has this many entries between two nodes of the transfer
-// function, within these bounds. A smaller table fits better into the processor's caches.
+// function, but at least these. A smaller table fits better into the processor's caches.
 constexpr double PreIntegratedPerGap = 64.0;
 constexpr std::size_t FewestPreIntegrated = 256;
-constexpr std::size_t MostPreIntegrated = 1024;
 
 std::size_t PreIntegratedEntries(const VolumeMarch& march, const OpticalTable& table)
 {
   const TransferFunction function = TransferFunctionOf(march.frame.material.property);
   const double range = table.lastValue - table.firstValue;
-  std::size_t side = function.IsPiecewiseLinear() ? FewestPreIntegrated : MostPreIntegrated;
-  while (
-    side < MostPreIntegrated && side * function.SmallestNodeGap() < PreIntegratedPerGap * range)
+  std::size_t side = function.IsPiecewiseLinear() ? FewestPreIntegrated : MostPreIntegratedValues;
+  while (side < MostPreIntegratedValues &&
+    side * function.SmallestNodeGap() < PreIntegratedPerGap * range)
   {
     side *= 2;
   }

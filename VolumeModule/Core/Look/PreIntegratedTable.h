@@ -8,6 +8,9 @@
 namespace varimarch
 {
 
+/// The most values on a side of a table that is built.
+inline constexpr std::size_t MostPreIntegratedValues = 1024;
+
 /// A transfer function integrated over pieces of a ray along which the scalar changes linearly from
 /// one value to another. Entry (i, j) holds the mean extinction and the mean emission (extinction
 /// times colour) over the values from i to j, which are equidistant in [firstValue, lastValue]. It
@@ -28,12 +31,12 @@ struct PreIntegratedTable
 };
 
 /// @param mostEntries  upper bound of size * size, >= 4
-PreIntegratedTable BuildPreIntegratedTable(
-  const OpticalTable& table, std::size_t mostEntries = 1024 * 1024);
+PreIntegratedTable BuildPreIntegratedTable(const OpticalTable& table,
+  std::size_t mostEntries = MostPreIntegratedValues * MostPreIntegratedValues);
 
 /// Memory of the table's entries.
-std::size_t PreIntegratedTableBytes(
-  const OpticalTable& table, std::size_t mostEntries = 1024 * 1024);
+std::size_t PreIntegratedTableBytes(const OpticalTable& table,
+  std::size_t mostEntries = MostPreIntegratedValues * MostPreIntegratedValues);
 
 }
 
