@@ -26,7 +26,7 @@ namespace
 
 /// Version of the cache. Increase it when the reference gives another image for the same request,
 /// or when the file format changes.
-constexpr int version = 1;
+constexpr int version = 2;
 
 template <class Matrix>
 void AddMatrix(ContentDigest& digest, const Matrix& matrix)
@@ -41,6 +41,16 @@ void AddShape(ContentDigest& digest, double value, const NodeShape& shape)
   digest.Add(shape.sharpness);
 }
 
+void AddOpacities(ContentDigest& digest, const std::vector<OpacityNode>& nodes)
+{
+  digest.Add(nodes.size());
+  for (const OpacityNode& node : nodes)
+  {
+    AddShape(digest, node.value, node.shape);
+    digest.Add(node.opacity);
+  }
+}
+
 void AddTransferFunction(ContentDigest& digest, const TransferFunction& transferFunction)
 {
   digest.Add(transferFunction.Colors().size());
@@ -49,23 +59,57 @@ void AddTransferFunction(ContentDigest& digest, const TransferFunction& transfer
     AddShape(digest, node.value, node.shape);
     AddMatrix(digest, node.rgb);
   }
-  for (const OpacityNode& node : transferFunction.Opacities())
-  {
-    AddShape(digest, node.value, node.shape);
-    digest.Add(node.opacity);
-  }
+  AddOpacities(digest, transferFunction.Opacities());
   digest.Add(transferFunction.OpacityUnitDistanceMm());
 }
 
-void AddLight(ContentDigest& digest, const std::optional<HeadLight>& light)
+void AddRegions(ContentDigest& digest, const std::vector<LookRegion>& regions)
 {
-  digest.Add(light.has_value());
-  if (light)
+  digest.Add(regions.size());
+  for (const LookRegion& region : regions)
   {
-    AddMatrix(digest, light->ambient);
-    AddMatrix(digest, light->diffuse);
-    AddMatrix(digest, light->specular);
-    digest.Add(light->specularPower);
+    digest.Add(region.shape);
+    digest.Add(region.values[0]);
+    digest.Add(region.values[1]);
+    digest.Add(region.gradients[0]);
+    digest.Add(region.gradients[1]);
+    AddMatrix(digest, region.rgb);
+    digest.Add(region.opacity);
+    digest.Add(region.softness);
+  }
+}
+
+void AddLighting(ContentDigest& digest, const std::optional<ReferenceLighting>& lighting)
+{
+  digest.Add(lighting.has_value());
+  if (lighting)
+  {
+    digest.Add(lighting->shading.ambient);
+    digest.Add(lighting->shading.diffuse);
+    digest.Add(lighting->shading.specular);
+    digest.Add(lighting->shading.specularPower);
+    digest.Add(lighting->dampingGradient);
+    digest.Add(lighting->lights.size());
+    for (const PlacedLight& light : lighting->lights)
+    {
+      digest.Add(light.kind);
+      AddMatrix(digest, light.rgb);
+      AddMatrix(digest, light.place);
+    }
+  }
+}
+
+void AddCuts(ContentDigest& digest, const ReferenceCuts& cuts)
+{
+  digest.Add(cuts.planesGrid.size());
+  for (const glm::dvec4& plane : cuts.planesGrid)
+  {
+    AddMatrix(digest, plane);
+  }
+  digest.Add(cuts.mask != nullptr);
+  if (cuts.mask)
+  {
+    digest.AddBytes(cuts.mask->GetScalarPointer(), std::size_t(cuts.mask->GetNumberOfPoints()));
   }
 }
 
@@ -97,8 +141,14 @@ std::string KeyOf(const ReferenceRequest& request)
   AddMatrix(digest, request.geometry.dimensions);
   AddMatrix(digest, request.geometry.boxGrid.lower);
   AddMatrix(digest, request.geometry.boxGrid.upper);
+  AddMatrix(digest, request.geometry.worldFromGrid);
+  AddMatrix(digest, request.geometry.gradientFactors);
+  digest.Add(request.meanSpacingMm);
   AddTransferFunction(digest, request.transferFunction);
-  AddLight(digest, request.light);
+  digest.Add(request.interpolation);
+  AddOpacities(digest, request.gradientOpacities);
+  AddRegions(digest, request.regions);
+  AddLighting(digest, request.lighting);
   digest.Add(request.blend);
   for (const double isovalue : request.isovalues)
   {
@@ -110,11 +160,7 @@ std::string KeyOf(const ReferenceRequest& request)
     digest.Add(request.averagedRange->lower);
     digest.Add(request.averagedRange->upper);
   }
-  digest.Add(request.cutPlanesGrid.size());
-  for (const glm::dvec4& plane : request.cutPlanesGrid)
-  {
-    AddMatrix(digest, plane);
-  }
+  AddCuts(digest, request.cuts);
   AddView(digest, request.view);
   digest.Add(request.tolerance);
   return digest.Text();

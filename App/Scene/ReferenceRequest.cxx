@@ -1,7 +1,11 @@
 #include "Scene/ReferenceRequest.h"
 
+#include "Core/Geometry/ScalarGrid.h"
+#include "Core/Look/HeadLightShading.h"
 #include "Frame/GrayRange.h"
 #include "Frame/PropertyTransferFunction.h"
+#include "Scene/LookRegions.h"
+#include "Scene/ReferenceMaterial.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/ScenePipeline.h"
 #include "Scene/VolumeProperty.h"
@@ -16,6 +20,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -37,27 +42,32 @@ vtkDataArray* CheckedScalars(vtkImageData* image)
   return scalars;
 }
 
-std::optional<HeadLight> LightOf(const Shading& shading, Blend blend)
+// Nothing if colours are not lit; projections show values.
+std::optional<ReferenceLighting> LightingOf(
+  const Look& look, const std::vector<SceneLight>& lights, vtkRenderer* renderer)
 {
-  if (!shading.enabled || (blend != Blend::Composite && blend != Blend::Isosurface))
-  {
-    return std::nullopt;
-  }
-  return HeadLight{ glm::dvec3(shading.ambient), glm::dvec3(shading.diffuse),
-    glm::dvec3(shading.specular), shading.specularPower };
+  const bool hasColors = look.blend == Blend::Composite || look.blend == Blend::Isosurface;
+  return look.shading.enabled && hasColors
+    ? std::optional(ReferenceLightingOf(look, lights, renderer->GetActiveCamera()))
+    : std::nullopt;
+}
+
+// The interpolation of the mapper, whose isosurfaces are never cubic.
+Interpolation InterpolationOf(const Scene& scene)
+{
+  const bool isLinear =
+    scene.look.blend == Blend::Isosurface && scene.render.interpolation == Interpolation::Cubic;
+  return isLinear ? Interpolation::Linear : scene.render.interpolation;
 }
 
 // Throws std::invalid_argument for the parts of scenes that the reference does not draw.
 void CheckThatReferenceDraws(const Scene& scene)
 {
-  const bool shaded = LightOf(scene.look.shading, scene.look.blend).has_value();
   const std::tuple<bool, const char*> parts[] = {
-    { !scene.cuts.scissors.empty(), "cuts by planes or the box only, found cuts by scissors" },
-    { !scene.look.gradientOpacities.empty(), "a look without gradient opacity" },
-    { !scene.look.regions.empty(), "a look without regions" },
-    { shaded && !scene.lights.empty(), "the light at the eye only, found the key \"lights\"" },
-    { shaded && scene.look.dampingGradient > 0.0, "a look without damping" },
-    { scene.render.interpolation != Interpolation::Linear, "linear interpolation" },
+    { scene.labels.has_value(), "a scene without labels" },
+    { scene.render.firstDistanceMm > 0.0, "rays from the eye on, found a first distance" },
+    { scene.look.blend != Blend::Composite && InterpolationOf(scene) != Interpolation::Linear,
+      "linear interpolation, or a composite" },
   };
   for (const auto& [isFound, expected] : parts)
   {
@@ -109,19 +119,38 @@ std::vector<glm::dvec4> PlanesInGrid(
   return planesGrid;
 }
 
-// Clips an interval of a ray to the positive side of a plane.
-Interval PositivePart(const glm::dvec4& plane, const Ray& ray, Interval part)
+HeadLight HeadLightOf(const Shading& shading)
 {
-  const double atOrigin = glm::dot(plane, glm::dvec4(ray.origin, 1.0));
-  const double perLength = glm::dot(glm::dvec3(plane), ray.direction);
-  if (perLength == 0.0)
+  return { glm::dvec3(shading.ambient), glm::dvec3(shading.diffuse), glm::dvec3(shading.specular),
+    shading.specularPower };
+}
+
+// A plain light at the eye is integrated exactly; others are sampled, and so are values by their
+// gradients and values without linear interpolation.
+template <class Scalar>
+void SetMaterial(
+  const ReferenceRequest& request, const ScalarGrid<Scalar>& grid, ReferenceScene& scene)
+{
+  if (request.interpolation != Interpolation::Linear || !request.gradientOpacities.empty() ||
+    !request.regions.empty())
   {
-    return atOrigin >= 0.0 ? part : Interval{ 0.0, 0.0 };
+    const auto material = std::make_shared<const ReferenceMaterial>(request);
+    scene.material = [material](glm::dvec3 positionGrid, const Ray& rayGrid)
+    { return material->At(positionGrid, rayGrid); };
   }
-  double& end = perLength > 0.0 ? part.enter : part.exit;
-  const double crossing = -atOrigin / perLength;
-  end = perLength > 0.0 ? std::max(end, crossing) : std::min(end, crossing);
-  return part;
+  else if (request.lighting && request.lighting->IsPlainHeadLight())
+  {
+    scene.shade = HeadLightShading(
+      HeadLightOf(request.lighting->shading),
+      [grid](glm::ivec3 cell) { return GradientsOfCell(grid, cell); },
+      request.geometry.WorldFromGridDirection());
+  }
+  else if (request.lighting)
+  {
+    const auto material = std::make_shared<const ReferenceMaterial>(request);
+    scene.shade = [material](const CellPart& part, const Ray& rayGrid)
+    { return material->LightAlong(part, rayGrid); };
+  }
 }
 
 template <class Scalar>
@@ -133,26 +162,16 @@ ReferenceScene SceneOf(const ReferenceRequest& request, const Scalar* voxels)
   scene.averagedRange = request.averagedRange.value_or(scene.averagedRange);
   scene.grayRange = GrayRangeOf({ request.scalars, 0 }, scene.averagedRange);
   scene.isovalues = request.isovalues;
-  if (!request.cutPlanesGrid.empty())
+  if (!request.cuts.IsEmpty())
   {
-    scene.uncutParts = [planes = request.cutPlanesGrid](const Ray& rayGrid, Interval inside)
-    {
-      for (const glm::dvec4& plane : planes)
-      {
-        inside = PositivePart(plane, rayGrid, inside);
-      }
-      return inside.IsEmpty() ? std::vector<Interval>() : std::vector<Interval>{ inside };
-    };
+    scene.uncutParts = [&request](const Ray& rayGrid, Interval inside)
+    { return request.cuts.PartsOf(rayGrid, inside, request.geometry.dimensions); };
   }
-  if (request.light)
-  {
-    scene.shade = HeadLightShading(
-      *request.light, [grid](glm::ivec3 cell) { return GradientsOfCell(grid, cell); },
-      request.geometry.WorldFromGridDirection());
-  }
+  SetMaterial(request, grid, scene);
   return scene;
 }
 
+// The scene refers to the request.
 ReferenceScene SceneOf(const ReferenceRequest& request)
 {
   switch (request.scalars->GetDataType())
@@ -173,11 +192,14 @@ ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, do
   vtkDataArray* scalars = CheckedScalars(image);
   ScenePipeline pipeline(scene, image, MapperKind::Varimarch);
   const VolumeGeometry geometry = VolumeGeometryOf(image, pipeline.Volume());
-  return { scalars, geometry, TransferFunctionOf(pipeline.Volume()->GetProperty()),
-    LightOf(scene.look.shading, scene.look.blend), scene.look.blend,
-    IsovaluesOf(InUnitsOfData(scene.look, image)),
-    AveragedRangeOf(InUnitsOfData(scene.look, image)),
-    PlanesInGrid(PlanesOf(scene.cuts, image), geometry),
+  const Look look = InUnitsOfData(scene.look, image);
+  const bool isComposite = look.blend == Blend::Composite;
+  return { scalars, geometry, MeanSpacingMm(image), LargestRegionGradient(image),
+    InterpolationOf(scene), TransferFunctionOf(pipeline.Volume()->GetProperty()),
+    isComposite ? look.gradientOpacities : std::vector<OpacityNode>(),
+    isComposite ? look.regions : std::vector<LookRegion>(),
+    LightingOf(look, scene.lights, pipeline.Renderer()), look.blend, IsovaluesOf(look),
+    AveragedRangeOf(look), { PlanesInGrid(PlanesOf(scene.cuts, image), geometry), pipeline.Mask() },
     ViewOf(scene, pipeline.Renderer(), geometry), tolerance };
 }
 

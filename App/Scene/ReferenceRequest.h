@@ -1,14 +1,13 @@
 #ifndef Varimarch_Scene_ReferenceRequest_h
 #define Varimarch_Scene_ReferenceRequest_h
 
-#include "Core/Look/HeadLightShading.h"
 #include "Core/Reference/ReferenceImage.h"
 #include "Frame/VolumeGeometry.h"
+#include "Scene/ReferenceCuts.h"
+#include "Scene/ReferenceLighting.h"
 #include "Scene/ReferencePicture.h"
 
 #include <vtkDataArray.h>
-
-#include <glm/vec4.hpp>
 
 #include <optional>
 #include <vector>
@@ -16,24 +15,29 @@
 namespace varimarch
 {
 
-/// Everything that a reference image depends on, and nothing else.
+/// Everything that a reference image depends on, and nothing else. Values are in units of the data.
 struct ReferenceRequest
 {
   vtkSmartPointer<vtkDataArray> scalars;
   VolumeGeometry geometry;
+  double meanSpacingMm;
+  double largestGradientPerMm; ///< see LargestRegionGradient
+  Interpolation interpolation; ///< linear except in composites
   TransferFunction transferFunction;
-  std::optional<HeadLight> light; ///< empty: unshaded
+  std::vector<OpacityNode> gradientOpacities; ///< see Look; empty except in composites
+  std::vector<LookRegion> regions;            ///< see Look; empty except in composites
+  std::optional<ReferenceLighting> lighting;  ///< empty: unshaded
   Blend blend;
   std::vector<double> isovalues;
   std::optional<ValueRange> averagedRange; ///< empty: all values
-  std::vector<glm::dvec4> cutPlanesGrid;   ///< keep what lies on their positive sides
+  ReferenceCuts cuts;
   ReferenceView view;
   double tolerance;
 };
 
 /// @throws std::invalid_argument for a volume without scalars or with several components, and for
-///         the parts of scenes that the reference does not draw: scissors, gradient opacity,
-///         regions, lights other than that at the eye, damping, nearest and cubic interpolation
+///         the parts of scenes that the reference does not draw: labels, a first distance, and
+///         nearest or cubic interpolation except in composites
 ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, double tolerance);
 
 /// @return nothing if `progress` cancelled

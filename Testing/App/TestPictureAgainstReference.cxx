@@ -4,6 +4,7 @@
 #include "Scene/ProceduralVolume.h"
 #include "Scene/ReferencePicture.h"
 #include "Scene/SceneCuts.h"
+#include "Scene/SceneLights.h"
 #include "Scene/VolumeLoading.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <vector>
 
 using namespace varimarch;
 
@@ -124,6 +127,93 @@ TEST(PictureAgainstReference, ATurnedVolumeOfAnotherTypeIsInTheSamePlace)
     {} };
   scene.render.sampleDistanceMm = 0.5;
   EXPECT_LT(ErrorOf(scene, image).rootMeanSquare, 0.15) << "with cuts";
+}
+
+namespace
+{
+
+/// A change of a shaded composite, and the largest root mean square of what steps of 0.1 mm err.
+struct ReferencePart
+{
+  const char* name;
+  std::function<void(Scene&)> change;
+  double rootMeanSquare = 0.05;
+};
+
+const std::vector<ReferencePart> ReferenceParts = {
+  { "light of the camera", [](Scene& s) { s.lights = { CameraLight(-50.0, 35.0) }; } },
+  { "lights of several kinds",
+    [](Scene& s)
+    {
+      s.lights = { { LightKind::Directional, { 1.0, -1.0, 0.4 }, {}, { 1.0, 0.6, 0.3 }, 0.7 },
+        { LightKind::Positional, {}, { -60.0, -50.0, 90.0 }, { 0.3, 0.5, 1.0 }, 0.6 }, {} };
+    } },
+  { "two lights at the eye",
+    [](Scene& s)
+    {
+      s.lights = { { LightKind::Head, {}, {}, { 1.0, 0.6, 0.3 }, 0.4 },
+        { LightKind::Head, {}, {}, { 0.2, 0.6, 0.9 }, 0.5 } };
+    } },
+  { "damping", [](Scene& s) { s.look.dampingGradient = 0.1; } },
+  { "opacity by gradient",
+    [](Scene& s) {
+      s.look.gradientOpacities = { { 0.02, 0.1 }, { 0.1, 1.0 } };
+    } },
+  // The mapper's table has 512 values and 128 gradients.
+  { "regions",
+    [](Scene& s)
+    {
+      s.look.regions = { { RegionShape::Rectangle, { 0.3, 0.7 }, { 0.0, 0.15 }, { 1.0, 0.4, 0.2 },
+                           0.03, 1.0 },
+        { RegionShape::Ellipse, { 0.5, 1.1 }, { 0.03, 0.2 }, { 0.2, 0.5, 1.0 }, 0.2, 1.0 } };
+    },
+    0.3 },
+  { "nearest voxels", [](Scene& s) { s.render.interpolation = Interpolation::Nearest; } },
+  { "a spline", [](Scene& s) { s.render.interpolation = Interpolation::Cubic; } },
+  { "scissors",
+    [](Scene& s)
+    {
+      ScissorsCut cut;
+      cut.camera = s.camera;
+      cut.camera.pose =
+        CameraPose{ { 0.0, -300.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 40.0 };
+      cut.outline = { { -0.2, -1.0 }, { 1.0, 0.1 }, { 0.0, 1.0 } };
+      s.cuts.scissors = { cut };
+    } },
+};
+
+}
+
+TEST(PictureAgainstReference, EveryPartOfALookConvergesToTheIntegral)
+{
+  for (const ReferencePart& part : ReferenceParts)
+  {
+    SCOPED_TRACE(part.name);
+    Scene scene = SceneOf(Blend::Composite, true);
+    scene.size = { 36, 30 };
+    const auto image = ProceduralVolume({ ProceduralKind::MarschnerLobb, { 24, 26, 28 } });
+    scene.render.sampleDistanceMm = 0.1;
+    const auto without = DrawReferencePicture(scene, image, 1e-4);
+    part.change(scene);
+    EXPECT_LT(ErrorOf(scene, image).rootMeanSquare, part.rootMeanSquare);
+    const auto with = DrawReferencePicture(scene, image, 1e-4);
+    EXPECT_GT(CompareImages(static_cast<const float*>(with->image->GetScalarPointer()),
+                static_cast<const float*>(without->image->GetScalarPointer()),
+                std::size_t(without->image->GetNumberOfPoints()))
+                .rootMeanSquare,
+      20.0 * part.rootMeanSquare)
+      << "nothing of the part is seen";
+  }
+}
+
+TEST(PictureAgainstReference, ScissorsCutProjectionsToo)
+{
+  for (const Blend blend : { Blend::MaximumIntensity, Blend::AverageIntensity })
+  {
+    Scene scene = SceneOf(blend, false);
+    ReferenceParts.back().change(scene);
+    EXPECT_LT(ErrorAtDistance(scene, 0.05).rootMeanSquare, 0.1) << int(blend);
+  }
 }
 
 /// A head CT of the package invesalius-examples, with default settings.

@@ -1,5 +1,6 @@
 #include "Scene/ProceduralVolume.h"
 #include "Scene/ReferenceCache.h"
+#include "Scene/SceneLights.h"
 #include "Scene/SceneNames.h"
 
 #include <gtest/gtest.h>
@@ -107,6 +108,22 @@ TEST_F(ReferenceCacheTest, EveryChangeOfTheImageComputesAnother)
   EXPECT_TRUE(drawsWith([](Scene& s) { s.camera.parallel = true; })) << "projection";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.cuts.box[0] = 0.5; })) << "cuts";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.size = { 4, 16 }; })) << "size";
+  EXPECT_TRUE(drawsWith(
+    [](Scene& s) {
+      s.look.gradientOpacities = { { 0.0, 0.5 } };
+    }))
+    << "opacity by gradient";
+  EXPECT_TRUE(drawsWith(
+    [](Scene& s) {
+      s.look.regions = { { RegionShape::Ellipse, { 0.0, 1.0 }, { 0.0, 1.0 }, { 1, 1, 1 } } };
+    }))
+    << "regions";
+  EXPECT_TRUE(drawsWith([](Scene& s) { s.render.interpolation = Interpolation::Nearest; }))
+    << "interpolation";
+  this->scene.look.shading.enabled = true;
+  EXPECT_TRUE(drawsWith([](Scene& s) { s.look.dampingGradient = 0.5; })) << "damping";
+  EXPECT_TRUE(drawsWith([](Scene& s) { s.lights = { CameraLight(20.0, 10.0) }; })) << "lights";
+  this->scene.look.shading.enabled = false;
   static_cast<float*>(this->image->GetScalarPointer())[700] += 0.1f;
   EXPECT_TRUE(this->Draws(this->scene)) << "a voxel";
 }
@@ -220,19 +237,13 @@ TEST_F(ReferenceCacheTest, ItsFolderFollowsTheXdgSpecification)
 TEST_F(ReferenceCacheTest, ScenesThatTheReferenceCannotDrawAreRefused)
 {
   const std::tuple<const char*, std::function<void(Scene&)>> refused[] = {
-    { "lights",
-      [](Scene& scene) {
-        scene.lights = { { LightKind::Camera, { 1.0, 0.0, 0.0 } } };
-      } },
-    { "damping", [](Scene& scene) { scene.look.dampingGradient = 1.0; } },
-    { "interpolation", [](Scene& scene) { scene.render.interpolation = Interpolation::Cubic; } },
-    { "regions",
-      [](Scene& scene) {
-        scene.look.regions = { { RegionShape::Ellipse, { 0.0, 1.0 }, { 0.0, 1.0 }, { 1, 1, 1 } } };
-      } },
-    { "gradient opacity",
-      [](Scene& scene) {
-        scene.look.gradientOpacities = { { 0.0, 0.5 } };
+    { "labels", [](Scene& scene) { scene.labels = SceneLabels{ "labels.nrrd" }; } },
+    { "first distance", [](Scene& scene) { scene.render.firstDistanceMm = 1.0; } },
+    { "interpolation",
+      [](Scene& scene)
+      {
+        scene.look.blend = Blend::MaximumIntensity;
+        scene.render.interpolation = Interpolation::Cubic;
       } },
   };
   for (const auto& [word, change] : refused)

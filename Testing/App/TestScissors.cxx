@@ -1,7 +1,6 @@
 // Scissors: the part that an outline removes, in masks, in images and in picking.
 
 #include "Scene/OffscreenView.h"
-#include "Scene/ReferenceRequest.h"
 #include "Scene/ScenePicking.h"
 #include "Scene/Scissors.h"
 
@@ -10,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 using namespace varimarch;
 
@@ -146,16 +144,4 @@ TEST(Scissors, RemoveThePartFromPicking)
   const auto mask = MaskOf({ cut }, image);
   EXPECT_TRUE(PointSeen(scene, image, { -4, -50, 0 }, { -4, 50, 0 }, mask));
   EXPECT_FALSE(PointSeen(scene, image, { 4, -50, 0 }, { 4, 50, 0 }, mask));
-}
-
-TEST(Scissors, AreRefusedByTheReferenceInASentence)
-{
-  Scene scene;
-  scene.look.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };
-  scene.look.opacities = { { 0.0, 0.9 } };
-  EXPECT_NO_THROW(ReferenceRequestFor(scene, Cube(4), 1e-3));
-  ScissorsCut cut = FromTheFront(true);
-  cut.outline = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 } };
-  scene.cuts.scissors = { cut };
-  EXPECT_THROW(ReferenceRequestFor(scene, Cube(4), 1e-3), std::invalid_argument);
 }

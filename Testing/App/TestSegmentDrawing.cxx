@@ -104,6 +104,22 @@ TEST_F(LabelledScan, HasSegmentsInTheirOwnColourWhereTheLookIsTransparent)
   EXPECT_NEAR(picture->GetScalarComponentAsDouble(4, 4, 0, 3), 0.0, Tolerance);
 }
 
+TEST_F(LabelledScan, HasOpaqueSegmentsEvenWhereTheyAreOneVoxelThick)
+{
+  for (int z = 0; z < Side; ++z)
+  {
+    for (int y = 0; y < Side; ++y)
+    {
+      for (int x = 0; x < Side; ++x)
+      {
+        this->labels->image->SetScalarComponentFromDouble(x, y, z, 0, y == Side / 2 ? 2 : 0);
+      }
+    }
+  }
+  this->labels->sizes = SizesOf(this->labels->image, 2);
+  EXPECT_GT(RightBox(this->Draw(), 3), 0.97);
+}
+
 TEST_F(LabelledScan, KeepsTheOpacityOfSegmentsForOtherUnitDistances)
 {
   this->scene.look.opacityUnitDistanceMm = 7.0;

@@ -65,6 +65,7 @@ TEST(SliceSegments, AreOutlinesAroundALightFill)
   const auto picture = SliceSegments(Numbers(), Segments(), SegmentRequest(SlicePlane::Axial));
   EXPECT_EQ(Pixel(picture, 0, 0), (Rgba{ 255, 0, 0, 38 })) << "30 % of half the opacity";
   EXPECT_EQ(Pixel(picture, -5, 0), (Rgba{ 255, 0, 0, 255 })) << "opaque, whatever the opacity";
+  EXPECT_EQ(Pixel(picture, -4, 0)[3], 255);
   EXPECT_EQ(Pixel(picture, -3, 0)[3], 38) << "behind an outline of two pixels";
   EXPECT_EQ(Pixel(picture, 5, 0), (Rgba{ 255, 0, 0, 255 })) << "another segment begins";
   EXPECT_EQ(Pixel(picture, 6, 0), (Rgba{ 0, 51, 255, 255 }));

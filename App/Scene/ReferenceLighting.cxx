@@ -1,0 +1,106 @@
+#include "Scene/ReferenceLighting.h"
+
+#include "Scene/WorldVector.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+PlacedLight Placed(const SceneLight& light, const glm::dmat3& worldFromView)
+{
+  const glm::dvec3 rgb = light.intensity * VectorOf(light.rgb);
+  switch (light.kind)
+  {
+    case LightKind::Head:
+      return { light.kind, rgb, {} };
+    case LightKind::Camera:
+      return { light.kind, rgb, worldFromView * glm::normalize(VectorOf(light.direction)) };
+    case LightKind::Directional:
+      return { light.kind, rgb, glm::normalize(VectorOf(light.direction)) };
+    default:
+      return { light.kind, rgb, VectorOf(light.positionMm) };
+  }
+}
+
+glm::dvec3 TowardsLight(const PlacedLight& light, const LitPoint& point)
+{
+  switch (light.kind)
+  {
+    case LightKind::Head:
+      return point.toEye;
+    case LightKind::Positional:
+      return glm::normalize(light.place - point.positionMm);
+    default:
+      return light.place;
+  }
+}
+
+/// Columns are the image's axes to the right, upwards and towards the eye.
+glm::dmat3 WorldFromView(vtkCamera* camera)
+{
+  // The matrix of VTK has its rows one after the other: reading them as columns inverts a rotation.
+  return glm::dmat3(glm::make_mat4(camera->GetViewTransformMatrix()->GetData()));
+}
+
+}
+
+bool ReferenceLighting::IsPlainHeadLight() const
+{
+  return this->dampingGradient == 0.0 && this->lights.size() == 1 &&
+    this->lights[0].kind == LightKind::Head && this->lights[0].rgb == glm::dvec3(1.0);
+}
+
+glm::dvec3 ReferenceLighting::Lit(const LitPoint& point) const
+{
+  const auto facing = [&](glm::dvec3 direction)
+  {
+    const double cosine = glm::dot(point.normal, direction);
+    return std::clamp(this->lightsBacks ? std::abs(cosine) : cosine, 0.0, 1.0);
+  };
+  const double undamped =
+    this->dampingGradient > 0.0 ? std::min(point.gradientPerMm / this->dampingGradient, 1.0) : 1.0;
+  glm::dvec3 diffuse(0.0);
+  glm::dvec3 specular(0.0);
+  for (const PlacedLight& light : this->lights)
+  {
+    const glm::dvec3 towards = TowardsLight(light, point);
+    const double cosine = facing(towards);
+    if (cosine > 0.0)
+    {
+      diffuse += cosine * light.rgb;
+      const double shining = facing(glm::normalize(towards + point.toEye));
+      specular += std::pow(shining, this->shading.specularPower) * light.rgb;
+    }
+  }
+  return point.rgb * (this->shading.ambient + undamped * this->shading.diffuse * diffuse) +
+    undamped * this->shading.specular * specular;
+}
+
+ReferenceLighting ReferenceLightingOf(
+  const Look& look, const std::vector<SceneLight>& lights, vtkCamera* camera)
+{
+  const bool hasHeadLightsOnly = std::all_of(lights.begin(), lights.end(),
+    [](const SceneLight& light) { return light.kind == LightKind::Head; });
+  ReferenceLighting lighting{ look.shading, look.dampingGradient, {}, hasHeadLightsOnly };
+  const glm::dmat3 worldFromView = WorldFromView(camera);
+  for (const SceneLight& light : lights.empty() ? std::vector<SceneLight>(1) : lights)
+  {
+    lighting.lights.push_back(Placed(light, worldFromView));
+  }
+  return lighting;
+}
+
+}

@@ -1,0 +1,42 @@
+#ifndef Varimarch_Scene_ReferenceMaterial_h
+#define Varimarch_Scene_ReferenceMaterial_h
+
+#include "Core/Reference/ReferenceScene.h"
+#include "Scene/ReferenceRequest.h"
+
+#include <functional>
+
+namespace varimarch
+{
+
+/// The values and the light of a reference image at any point, for the parts of scenes that
+/// ReferenceIntegrator has no closed form for. The request must outlive it.
+class ReferenceMaterial
+{
+public:
+  /// @throws std::invalid_argument for cubic interpolation of voxels that are not finite
+  explicit ReferenceMaterial(const ReferenceRequest& request);
+
+  /// The light on values between which interpolation is linear, for ReferenceScene::shade. Requires
+  /// that the request has lighting.
+  PieceLight LightAlong(const CellPart& part, const Ray& rayGrid) const;
+
+  /// The optical properties of a point, for ReferenceScene::material: by its value, or by value and
+  /// gradient if the look has opacities by gradient or regions.
+  OpticalProperties At(glm::dvec3 positionGrid, const Ray& rayGrid) const;
+
+private:
+  double GradientPerMm(glm::dvec3 gradient) const;
+  OpticalProperties Unlit(double value, double gradientPerMm) const;
+  glm::dvec3 Lit(
+    glm::dvec3 rgb, glm::dvec3 gradient, glm::dvec3 positionGrid, const Ray& rayGrid) const;
+
+  const ReferenceRequest& request;
+  TransferFunction gradientOpacity; ///< over gradient magnitudes [units of the data per mm]
+  std::function<double(glm::dvec3 positionGrid)> value;
+  std::function<glm::dvec3(glm::dvec3 positionGrid)> gradient; ///< [per voxel]
+};
+
+}
+
+#endif
