@@ -123,6 +123,19 @@ TEST(FarValues, ChangeNoRayWhereTheFunctionEndsBeforeThem)
     });
 }
 
+TEST(FarValues, ChangeNoLightOnALookThatIsTheSameForAllValues)
+{
+  ExpectTheSameBesideFills(FarFills,
+    [](BlobScene& scene)
+    {
+      scene.colors->RemoveAllPoints();
+      scene.colors->AddRGBPoint(0.0, 0.2, 0.6, 1.0);
+      scene.opacities->RemoveAllPoints();
+      scene.opacities->AddPoint(0.0, 0.1);
+      scene.volume->GetProperty()->ShadeOn();
+    });
+}
+
 TEST(FarValues, ChangeNoRayOfOtherRulesAndLooks)
 {
   using Prepare = std::function<void(BlobScene&)>;

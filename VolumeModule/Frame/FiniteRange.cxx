@@ -7,9 +7,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace varimarch
 {
@@ -129,6 +132,29 @@ ValueRange FiniteRangeOf(const VoxelComponent& component)
     vtkTemplateMacro(return FiniteRangeOf(static_cast<const VTK_TT*>(scalars), stride, count));
   }
   return { 1.0, 0.0 };
+}
+
+ValueRange UsualRangeOf(const VoxelComponent& component)
+{
+  constexpr vtkIdType MostSamples = 4096;
+  constexpr vtkIdType Stride = 15485863; // a prime, so that samples do not lie in one plane
+  const vtkIdType count = component.array->GetNumberOfTuples();
+  std::vector<double> samples;
+  for (vtkIdType i = 0; i < std::min(count, MostSamples); ++i)
+  {
+    const double scalar = component.array->GetComponent(i * Stride % count, component.index);
+    if (std::isfinite(scalar))
+    {
+      samples.push_back(scalar);
+    }
+  }
+  if (samples.empty())
+  {
+    return { 1.0, 0.0 };
+  }
+  std::sort(samples.begin(), samples.end());
+  const std::size_t twentieth = samples.size() / 20;
+  return { samples[twentieth], samples[samples.size() - 1 - twentieth] };
 }
 
 }

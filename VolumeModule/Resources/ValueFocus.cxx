@@ -1,5 +1,6 @@
 #include "Resources/ValueFocus.h"
 
+#include "Frame/FiniteRange.h"
 #include "Resources/MaterialTables.h"
 
 #include <algorithm>
@@ -34,6 +35,20 @@ std::vector<OptionalRange> ValuesOfFunctions(const Frame& frame)
   return values;
 }
 
+// Where all values look the same, light still shows how the usual ones change.
+std::vector<OptionalRange> LitValues(const Frame& frame)
+{
+  std::vector<OptionalRange> values = ValuesOfFunctions(frame);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (!values[i] && frame.settings.shading)
+    {
+      values[i] = UsualRangeOf(frame.voxels.components[i]);
+    }
+  }
+  return values;
+}
+
 }
 
 std::vector<OptionalRange> ValuesThatMatter(const Frame& frame)
@@ -53,7 +68,7 @@ std::vector<OptionalRange> ValuesThatMatter(const Frame& frame)
       return std::vector<OptionalRange>(
         count, ValueRange{ material.isovalues.front(), material.isovalues.back() });
     default:
-      return ValuesOfFunctions(frame);
+      return LitValues(frame);
   }
 }
 
@@ -61,6 +76,7 @@ std::vector<double> ValueInputs(const Frame& frame)
 {
   std::vector<double> inputs = MaterialTableInputs(frame.material.property, frame.settings);
   inputs.push_back(double(frame.settings.blend));
+  inputs.push_back(double(frame.settings.shading));
   inputs.insert(inputs.end(), { frame.material.averagedRange[0], frame.material.averagedRange[1] });
   inputs.insert(inputs.end(), frame.material.isovalues.begin(), frame.material.isovalues.end());
   return inputs;
