@@ -241,6 +241,33 @@ TEST(LabelMap, IsNotDampedWhereTheScanIsHomogeneous)
   EXPECT_NEAR(label.scene.MiddlePixel()[0], 0.8, HalfByteStep);
 }
 
+// Two corners far apart, with nothing between them.
+int TwoCorners(glm::ivec3 voxel)
+{
+  return voxel.x < 2 && (voxel.z < 4 || voxel.z > 28) ? 1 : 0;
+}
+
+TEST(LabelMap, IsSkippedWhereABrickHasNoVisibleLabel)
+{
+  LitLabel label(TwoCorners);
+  label.scene.Draw();
+  EXPECT_TRUE(label.scene.UsesShaderPart("Step/OpticalField.glsl"));
+  EXPECT_EQ(label.scene.MiddlePixel()[3], 0.0f);
+  label.SetMask(HalfTheBlock);
+  EXPECT_NEAR(label.scene.MiddlePixel()[3], 1.0f, HalfByteStep) << "the field is that of the mask";
+}
+
+TEST(BinaryMask, IsSkippedWhereABrickShowsNoVoxel)
+{
+  Block block;
+  block.SetMask(TwoCorners, true);
+  block.scene.Draw();
+  EXPECT_TRUE(block.scene.UsesShaderPart("Step/OpticalField.glsl"));
+  EXPECT_EQ(block.scene.MiddlePixel()[3], 0.0f);
+  block.SetMask([](glm::ivec3) { return 1; }, true);
+  EXPECT_NEAR(block.scene.MiddlePixel()[3], 1.0 - std::pow(0.95, 32.0), HalfByteStep);
+}
+
 TEST(Masks, TakeTheirShaderAndTextureOnlyWhereTheyAre)
 {
   Block block;

@@ -16,8 +16,9 @@ namespace
 // The default tolerance of a field of values, as a fraction of the range of values.
 constexpr double DefaultToleranceOfRange = 1.0 / 256.0;
 
-// The tables that determine where a volume is visible.
-std::vector<ComponentTable> TablesOfOpacity(const MaterialResources& materials)
+// The tables that determine where a volume is visible. Each row of a mask of labels shows one of
+// them, and the row 1 of a binary mask shows all.
+std::vector<ComponentTable> TablesOfOpacity(const MaterialResources& materials, Mask mask)
 {
   std::vector<ComponentTable> tables;
   for (std::size_t i = 0; i < materials.MaterialTables().size(); ++i)
@@ -25,7 +26,9 @@ std::vector<ComponentTable> TablesOfOpacity(const MaterialResources& materials)
     const MaterialTable& table = materials.MaterialTables()[i];
     if (table.decidesOnOpacity)
     {
-      tables.push_back({ table.component, &materials.OpticalTables().Tables()[i] });
+      const std::size_t row = mask == Mask::Labels ? i : 1;
+      tables.push_back(
+        { table.component, &materials.OpticalTables().Tables()[i], std::uint16_t(row) });
     }
   }
   return tables;
@@ -74,7 +77,7 @@ void FieldResources::UpdateValueField(const FieldInputs& inputs)
   const double tolerance = march.frame.quality.variationTolerance >= 0.0
     ? march.frame.quality.variationTolerance
     : DefaultToleranceOfRange * (values.upper - values.lower);
-  const FieldSource source{ march.settings.acceleration, inputs.volumeBuild, 0, tolerance };
+  const FieldSource source{ march.settings.acceleration, inputs.volumeBuild, 0, 0, tolerance };
   if (this->madeFrom == source)
   {
     return;
@@ -118,15 +121,15 @@ void FieldResources::UpdateOpticalField(const FieldInputs& inputs)
     ? OpticalTolerance::Nothing(longestRayMm)
     : OpticalTolerance::ForError(march.frame.quality.budget.FieldError(), longestRayMm);
   FieldSource source{ Acceleration::OpticalField, inputs.volumeBuild,
-    inputs.materials.TableBuilds(), tolerance.color / tolerance.longestRayMm, 0.0,
-    march.plan.marcher };
+    inputs.materials.TableBuilds(), inputs.mask.Builds(), tolerance.color / tolerance.longestRayMm,
+    0.0, march.plan.marcher };
   if (!this->BeginsField(inputs, source))
   {
     return;
   }
-  const std::vector<ComponentTable> tables = TablesOfOpacity(inputs.materials);
-  this->field.BuildOpticalField(
-    march.frame.view.window, tables, tolerance, source.towards, march.plan.marcher);
+  const std::vector<ComponentTable> tables = TablesOfOpacity(inputs.materials, march.settings.mask);
+  this->field.BuildOpticalField(march.frame.view.window, tables, inputs.mask.Rows(), tolerance,
+    source.towards, march.plan.marcher);
   this->madeFrom = source;
 }
 
@@ -135,8 +138,8 @@ void FieldResources::UpdateExtremes(const FieldInputs& inputs)
   const VolumeMarch& march = inputs.march;
   const bool largest = march.settings.blend == Blend::MaximumIntensity;
   const FieldSource source{ Acceleration::OpticalField, inputs.volumeBuild,
-    inputs.materials.TableBuilds(), march.frame.quality.budget.FieldError(), largest ? 1.0 : -1.0,
-    march.plan.marcher };
+    inputs.materials.TableBuilds(), 0, march.frame.quality.budget.FieldError(),
+    largest ? 1.0 : -1.0, march.plan.marcher };
   if (this->madeFrom == source)
   {
     return;
@@ -154,7 +157,7 @@ void FieldResources::UpdateExtremes(const FieldInputs& inputs)
 void FieldResources::UpdateIsosurfaceField(const FieldInputs& inputs)
 {
   const VolumeMarch& march = inputs.march;
-  FieldSource source{ Acceleration::OpticalField, inputs.volumeBuild, 0, 0.0, 0.0,
+  FieldSource source{ Acceleration::OpticalField, inputs.volumeBuild, 0, 0, 0.0, 0.0,
     march.plan.marcher };
   source.isovalues = march.frame.material.isovalues;
   if (this->BeginsField(inputs, source))

@@ -4,6 +4,7 @@
 #include "Core/Fields/FieldDirections.h"
 #include "Frame/MarchPlan.h"
 #include "Resources/FieldTexture.h"
+#include "Resources/MaskTexture.h"
 #include "Resources/MaterialResources.h"
 #include "Resources/VolumeBlocks.h"
 
@@ -21,6 +22,7 @@ struct FieldSource
   Acceleration acceleration;
   int volumeBuild; ///< The build number of the voxels.
   int tableBuild;  ///< The build number of the optical table; 0 for a field that does not use it.
+  int maskBuild;   ///< The build number of the mask; 0 for a field that does not use it.
   double tolerance;
   double sense = 0.0; ///< 1 for maxima, -1 for minima; 0 for other fields.
   Marcher marcher = Marcher::Device;
@@ -37,8 +39,8 @@ struct FieldSource
   {
     return this->isovalues == other.isovalues && this->acceleration == other.acceleration &&
       this->volumeBuild == other.volumeBuild && this->tableBuild == other.tableBuild &&
-      this->tolerance == other.tolerance && this->sense == other.sense &&
-      this->marcher == other.marcher;
+      this->maskBuild == other.maskBuild && this->tolerance == other.tolerance &&
+      this->sense == other.sense && this->marcher == other.marcher;
   }
 };
 
@@ -56,6 +58,7 @@ struct FieldInputs
   const VolumeMarch& march;
   VolumeBlocks& blocks; ///< The blocks, each of which has the field of its values.
   const MaterialResources& materials;
+  const MaskTexture& mask;
   int volumeBuild;
 };
 

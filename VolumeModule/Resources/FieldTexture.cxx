@@ -184,16 +184,16 @@ void AccelerationField::BuildRanges(const VoxelValues& values, const std::vector
 }
 
 void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
-  const std::vector<ComponentTable>& tables, const OpticalTolerance& tolerance, glm::ivec3 towards,
-  Marcher marcher)
+  const std::vector<ComponentTable>& tables, const BrickRows& rows,
+  const OpticalTolerance& tolerance, glm::ivec3 towards, Marcher marcher)
 {
   const Stopwatch stopwatch;
   std::vector<OpticalChannel> components;
   for (const ComponentTable& shown : tables)
   {
-    components.push_back({ this->ranges[shown.component], *shown.table });
+    components.push_back({ this->ranges[shown.component], *shown.table, shown.row });
   }
-  OpticalField field = varimarch::BuildOpticalField(components, tolerance, towards);
+  OpticalField field = varimarch::BuildOpticalField(components, rows, tolerance, towards);
   this->ReleaseField(window);
   this->SetVisible(field, marcher);
   this->AddBuildSeconds(stopwatch.Seconds());

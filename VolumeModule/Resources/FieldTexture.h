@@ -23,6 +23,7 @@ struct ComponentTable
 {
   int component;
   const OpticalTable* table;
+  std::uint16_t row; ///< See OpticalChannel.
 };
 
 /// A choice of a field that depends on the voxels alone.
@@ -61,11 +62,12 @@ public:
   /// Builds the optical field, which stays empty if rays could skip hardly anything.
   /// @throws std::runtime_error if the device cannot hold the texture
   /// @param tables   the optical tables of the components
+  /// @param rows     the rows of the volume's mask
   /// @param towards  the ray directions it is for, see DirectionsOf
   /// @param marcher  the marcher that reads it: a texture for the device, Bricks() for the
   /// processor
   void BuildOpticalField(vtkOpenGLRenderWindow* window, const std::vector<ComponentTable>& tables,
-    const OpticalTolerance& tolerance, glm::ivec3 towards, Marcher marcher);
+    const BrickRows& rows, const OpticalTolerance& tolerance, glm::ivec3 towards, Marcher marcher);
 
   /// @throws std::runtime_error if the device cannot hold the texture
   /// @param marcher  see BuildOpticalField

@@ -29,13 +29,18 @@ std::uint16_t RowOf(double label, const MaskVoxels& mask)
   return std::uint16_t(hasRow ? found - mask.rows.begin() + 1 : 0);
 }
 
-std::vector<std::uint16_t> TexelsOf(const MaskVoxels& mask)
+std::vector<std::uint16_t> RowsOf(const MaskVoxels& mask)
 {
   std::vector<std::uint16_t> rows(mask.labels->GetNumberOfTuples());
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     rows[i] = RowOf(mask.labels->GetComponent(vtkIdType(i), 0), mask);
   }
+  return rows;
+}
+
+std::vector<std::uint16_t> TexelsOf(const std::vector<std::uint16_t>& rows, const MaskVoxels& mask)
+{
   const std::vector<std::uint16_t> reach = LabelReach(rows, mask.dimensions);
   std::vector<std::uint16_t> texels;
   texels.reserve(2 * rows.size());
@@ -48,12 +53,15 @@ std::vector<std::uint16_t> TexelsOf(const MaskVoxels& mask)
 
 }
 
-void MaskTexture::Update(vtkOpenGLRenderWindow* window, const MaskVoxels& newMask, Marcher marcher)
+void MaskTexture::Update(vtkOpenGLRenderWindow* window, const MaskVoxels& newMask,
+  glm::ivec3 newBrickedVoxels, Marcher marcher)
 {
-  if (!(this->mask == newMask))
+  const bool isNew = !(this->mask == newMask && this->brickedVoxels == newBrickedVoxels);
+  if (isNew)
   {
     this->Release(window);
     this->mask = newMask;
+    this->brickedVoxels = newBrickedVoxels;
   }
   if (marcher == Marcher::Device && this->bytes > 0)
   {
@@ -61,7 +69,13 @@ void MaskTexture::Update(vtkOpenGLRenderWindow* window, const MaskVoxels& newMas
   }
   if (this->texels.empty())
   {
-    this->texels = TexelsOf(newMask);
+    const std::vector<std::uint16_t> rowsOfVoxels = RowsOf(newMask);
+    if (isNew && newBrickedVoxels != glm::ivec3(0))
+    {
+      this->rows = BrickRows(rowsOfVoxels, newMask.dimensions, newBrickedVoxels);
+      ++this->builds;
+    }
+    this->texels = TexelsOf(rowsOfVoxels, newMask);
   }
   marcher == Marcher::Device ? this->Upload(window) : this->ReleaseTexture(window);
 }
@@ -90,6 +104,8 @@ void MaskTexture::ReleaseTexture(vtkWindow* window)
 void MaskTexture::Release(vtkWindow* window)
 {
   this->ReleaseTexture(window);
+  this->builds += this->rows.AreKnown() ? 1 : 0;
+  this->rows = BrickRows();
   this->mask = {};
   this->texels = {};
 }

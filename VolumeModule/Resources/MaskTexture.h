@@ -1,6 +1,7 @@
 #ifndef Varimarch_Resources_MaskTexture_h
 #define Varimarch_Resources_MaskTexture_h
 
+#include "Core/Fields/BrickRows.h"
 #include "Core/Parameters/MarchTextures.h"
 #include "Core/Recipe/RenderSettings.h"
 #include "Frame/VoxelInput.h"
@@ -25,13 +26,19 @@ class MaskTexture
 {
 public:
   /// Updates the texels if the mask or the marcher that reads them has changed.
+  /// @param brickedVoxels  the number of the volume's voxels along each axis; 0 if its bricks do
+  ///                       not have the places of voxels, as on uneven axes
   /// @throws std::runtime_error if the device cannot hold the texture
-  void Update(vtkOpenGLRenderWindow* window, const MaskVoxels& mask, Marcher marcher);
+  void Update(vtkOpenGLRenderWindow* window, const MaskVoxels& mask, glm::ivec3 brickedVoxels,
+    Marcher marcher);
 
   MarchTexture Texture() const
   {
     return { this->texture, this->texels.empty() ? nullptr : this->texels.data() };
   }
+  /// The rows in each brick of the volume. All are possible without a mask.
+  const BrickRows& Rows() const { return this->rows; }
+  int Builds() const { return this->builds; } ///< The number of changes of Rows() so far.
   glm::ivec3 Size() const { return this->mask.dimensions; }
   std::size_t Bytes() const { return this->bytes; }
   void Release(vtkWindow* window);
@@ -42,6 +49,9 @@ private:
   void ReleaseTexture(vtkWindow* window);
 
   MaskVoxels mask;
+  glm::ivec3 brickedVoxels = glm::ivec3(0);
+  BrickRows rows;
+  int builds = 0;
   std::vector<std::uint16_t> texels; ///< Two numbers for each voxel.
   std::size_t bytes = 0;
 };

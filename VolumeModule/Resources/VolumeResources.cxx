@@ -77,7 +77,7 @@ VolumeFindings VolumeResources::Update(const VolumeMarch& march, const MemoryEls
   this->packets.Update(march, this->Blocks().Values());
   this->Blocks().SetGradients(march.frame.view.window,
     march.plan.marcher == Marcher::Device && ReadsStoredGradients(march.settings));
-  this->fields.Update({ march, this->Blocks(), this->materials, this->voxelsBuild });
+  this->fields.Update({ march, this->Blocks(), this->materials, this->mask, this->voxelsBuild });
   const bool blocksHaveGaps =
     this->division.Update(march, this->fields, this->BesideBlocks(march, elsewhere));
   return { this->fields.OfBricks().SkipsAny(), blocksHaveGaps || this->packets.HasGaps() };
@@ -119,7 +119,9 @@ void VolumeResources::UpdateMask(const VolumeMarch& march)
   }
   else
   {
-    this->mask.Update(march.frame.view.window, march.frame.voxels.mask, march.plan.marcher);
+    const bool isEven = march.frame.voxels.axes.empty();
+    this->mask.Update(march.frame.view.window, march.frame.voxels.mask,
+      isEven ? march.frame.geometry.dimensions : glm::ivec3(0), march.plan.marcher);
   }
 }
 

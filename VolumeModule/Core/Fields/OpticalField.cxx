@@ -10,6 +10,7 @@
 #include <deque>
 #include <functional>
 #include <iterator>
+#include <numeric>
 
 namespace varimarch
 {
@@ -189,23 +190,35 @@ private:
   std::vector<StepLook> looks; ///< one per step
 };
 
-// A brick of several components has the least uniform class of its components.
+// A brick has the least uniform class of the channels that its rows show.
 class ChannelsClassifier
 {
 public:
-  ChannelsClassifier(const std::vector<OpticalChannel>& channels, const OpticalTolerance& tolerance)
+  ChannelsClassifier(const std::vector<OpticalChannel>& channels, const BrickRows& rows,
+    const OpticalTolerance& tolerance)
     : channels(channels)
+    , rows(rows)
   {
     for (const OpticalChannel& channel : channels)
     {
       this->classifiers.emplace_back(channel.ranges, channel.table, tolerance);
+    }
+    if (!rows.AreKnown())
+    {
+      this->channelsOfSet.emplace_back(channels.size());
+      std::iota(this->channelsOfSet[0].begin(), this->channelsOfSet[0].end(), 0);
+    }
+    for (const std::vector<std::uint16_t>& set : rows.Sets())
+    {
+      this->channelsOfSet.push_back(this->ChannelsOf(set));
     }
   }
 
   std::uint8_t ClassOf(std::size_t brick) const
   {
     std::uint8_t least = OpticalField::Invisible;
-    for (std::size_t i = 0; i < this->channels.size(); ++i)
+    for (const std::size_t i :
+      this->channelsOfSet[this->rows.AreKnown() ? this->rows.SetOf(brick) : 0])
     {
       least = std::min(least, this->classifiers[i].ClassOf(this->channels[i].ranges[brick]));
     }
@@ -213,8 +226,23 @@ public:
   }
 
 private:
+  std::vector<std::size_t> ChannelsOf(const std::vector<std::uint16_t>& set) const
+  {
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < this->channels.size(); ++i)
+    {
+      if (std::binary_search(set.begin(), set.end(), this->channels[i].row))
+      {
+        shown.push_back(i);
+      }
+    }
+    return shown;
+  }
+
   const std::vector<OpticalChannel>& channels;
+  const BrickRows& rows;
   std::vector<BrickClassifier> classifiers;
+  std::vector<std::vector<std::size_t>> channelsOfSet; ///< those that each set of rows shows
 };
 
 // Builds a field from the class of each brick, classOf(index).
@@ -257,10 +285,10 @@ OpticalField BuildField(glm::ivec3 count, glm::ivec3 towards, ClassOf classOf)
 
 }
 
-OpticalField BuildOpticalField(const std::vector<OpticalChannel>& channels,
+OpticalField BuildOpticalField(const std::vector<OpticalChannel>& channels, const BrickRows& rows,
   const OpticalTolerance& tolerance, glm::ivec3 towards)
 {
-  const ChannelsClassifier classifier(channels, tolerance);
+  const ChannelsClassifier classifier(channels, rows, tolerance);
   return BuildField(channels.front().ranges.BrickCount(), towards,
     [&](std::size_t brick) { return classifier.ClassOf(brick); });
 }

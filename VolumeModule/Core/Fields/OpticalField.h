@@ -2,6 +2,7 @@
 #define Varimarch_Core_Fields_OpticalField_h
 
 #include "Core/Fields/BrickRanges.h"
+#include "Core/Fields/BrickRows.h"
 #include "Core/Geometry/Box.h"
 #include "Core/Look/OpticalTable.h"
 
@@ -66,20 +67,22 @@ struct OpticalChannel
 {
   const BrickRanges& ranges;
   const OpticalTable& table;
+  std::uint16_t row = 0; ///< the row of a mask that shows the table; not used without a mask
 };
 
-/// Builds the field on all cores. A brick of several components is invisible if all of them are,
-/// and homogeneous if each is homogeneous or invisible. Each component may contribute the whole
-/// error.
+/// Builds the field on all cores. A brick of several channels is invisible if all of them are, and
+/// homogeneous if each is homogeneous or invisible. Each may contribute the whole error. Only the
+/// channels whose rows occur in a brick count there; others are never seen in it.
 /// @param channels  at least one; all of one volume
-/// @param towards  ray directions that the field holds for; see DirectionsOf
-OpticalField BuildOpticalField(const std::vector<OpticalChannel>& channels,
+/// @param rows      the rows of the volume's mask
+/// @param towards   ray directions that the field holds for; see DirectionsOf
+OpticalField BuildOpticalField(const std::vector<OpticalChannel>& channels, const BrickRows& rows,
   const OpticalTolerance& tolerance, glm::ivec3 towards = glm::ivec3(0));
 
 inline OpticalField BuildOpticalField(const BrickRanges& ranges, const OpticalTable& table,
   const OpticalTolerance& tolerance, glm::ivec3 towards = glm::ivec3(0))
 {
-  return BuildOpticalField({ OpticalChannel{ ranges, table } }, tolerance, towards);
+  return BuildOpticalField({ OpticalChannel{ ranges, table } }, {}, tolerance, towards);
 }
 
 /// A field for isosurfaces: bricks that no surface passes are invisible, all others structured.
