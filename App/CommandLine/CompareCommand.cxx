@@ -69,10 +69,11 @@ void WriteComparison(const Comparison& comparison, const Scene& scene, const Loa
 void RunCompare(const CompareArguments& arguments)
 {
   OutputFolder(arguments.outputFolder);
-  const auto [scene, volume] = LoadScene(arguments.scene);
+  auto [scene, volume] = LoadScene(arguments.scene);
   if (scene.labels)
   {
     PrintMessage("warning: the labels are not drawn, because the reference has none");
+    scene.labels.reset();
   }
   auto progress = std::make_unique<Progress>("Integrating the reference");
   const Comparison comparison = Compare(scene, volume.image, arguments.rounds,
