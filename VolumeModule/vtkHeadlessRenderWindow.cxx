@@ -1,10 +1,11 @@
 #include "vtkHeadlessRenderWindow.h"
 
+#include "VtkVersions.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
-#include "vtk_glew.h"
 
 // Xlib's macros (Status, None, ...) would collide with names of VTK.
 #define EGL_NO_X11
@@ -21,10 +22,6 @@
 
 namespace
 {
-
-// glewInit returns this if it has loaded all functions but found no GLX display. EGL never has one,
-// so it counts as success.
-constexpr GLenum GlewErrorNoGLXDisplay = 4;
 
 // All displays worth trying: first the drivers' devices, so that a GPU is preferred to software.
 std::vector<EGLDisplay> CandidateDisplays()
@@ -241,11 +238,11 @@ void vtkHeadlessRenderWindow::OpenGLInitContext()
   {
     return;
   }
-  const GLenum result = glewInit();
-  this->GlewInitValid = result == GLEW_OK || result == GlewErrorNoGLXDisplay;
-  if (!this->GlewInitValid)
+  const std::string fault = varimarch::LoadOpenGL(eglGetProcAddress);
+  VARIMARCH_SET_OPENGL_LOADED(fault.empty());
+  if (!fault.empty())
   {
-    vtkErrorMacro("Cannot load the OpenGL functions: " << glewGetErrorString(result));
+    vtkErrorMacro("Cannot load the OpenGL functions: " << fault);
     return;
   }
   this->Initialized = true;

@@ -1,11 +1,11 @@
 #include "Scene/FloatCapture.h"
+#include "VtkVersions.h"
 
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkRect.h>
 #include <vtkRenderer.h>
-#include <vtk_glew.h>
 
 #include <algorithm>
 #include <array>

@@ -4,11 +4,11 @@
 #include "Resources/VolumeTexture.h"
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
+#include "VtkVersions.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
-#include <vtk_glew.h>
 
 #include <gtest/gtest.h>
 

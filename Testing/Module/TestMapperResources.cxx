@@ -2,10 +2,10 @@
 
 #include "Module/MapperScene.h"
 #include "Support/ExpectedVtkErrors.h"
+#include "VtkVersions.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
-#include <vtk_glew.h>
 
 #include <gtest/gtest.h>
 

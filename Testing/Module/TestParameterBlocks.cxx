@@ -2,12 +2,12 @@
 
 #include "Core/Parameters/MarchParameters.h"
 #include "Core/Recipe/ParameterBlock.h"
+#include "VtkVersions.h"
 
 #include <vtkHeadlessRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
-#include <vtk_glew.h>
 
 #include <gtest/gtest.h>
 

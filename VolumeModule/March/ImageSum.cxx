@@ -1,8 +1,8 @@
 #include "March/ImageSum.h"
+#include "VtkVersions.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtk_glew.h"
 
 #include <glm/common.hpp>
 

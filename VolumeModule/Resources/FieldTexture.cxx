@@ -4,13 +4,13 @@
 #include "Core/Fields/EvenBricks.h"
 #include "Core/Fields/VariationField.h"
 #include "Resources/VolumeTexture.h"
+#include "VtkVersions.h"
 
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkSetGet.h"
 #include "vtkType.h"
-#include "vtk_glew.h"
 
 #include <tbb/parallel_invoke.h>
 

@@ -1,9 +1,9 @@
 #include "Resources/FloatFramebuffer.h"
+#include "VtkVersions.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkType.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,9 +1,9 @@
 #include "Resources/GradientTexture.h"
+#include "VtkVersions.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkType.h"
-#include "vtk_glew.h"
 
 #include <glm/common.hpp>
 #include <tbb/parallel_for.h>

@@ -2,11 +2,11 @@
 
 #include "Core/Fields/LabelReach.h"
 #include "Resources/VolumeTexture.h"
+#include "VtkVersions.h"
 
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "Resources/RayAccumulation.h"
+#include "VtkVersions.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkType.h"
-#include "vtk_glew.h"
 
 namespace varimarch
 {

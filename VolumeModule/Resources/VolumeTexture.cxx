@@ -1,13 +1,13 @@
 #include "Resources/VolumeTexture.h"
 
 #include "Frame/FiniteRange.h"
+#include "VtkVersions.h"
 
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkSetGet.h"
 #include "vtkType.h"
-#include "vtk_glew.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

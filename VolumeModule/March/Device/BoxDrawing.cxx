@@ -2,12 +2,12 @@
 
 #include "March/RayParametersBuilder.h"
 #include "March/VolumeParametersBuilder.h"
+#include "VtkVersions.h"
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkVolume.h"
-#include "vtk_glew.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>

@@ -1,8 +1,8 @@
 #include "March/Device/BoxGeometry.h"
+#include "VtkVersions.h"
 
 #include "vtkShaderProgram.h"
 #include "vtkType.h"
-#include "vtk_glew.h"
 
 #include <array>
 

@@ -7,6 +7,7 @@
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/Device/ShaderFiles.h"
 #include "March/Processor/SoftwareRasterizer.h"
+#include "VtkVersions.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkCommand.h"
@@ -18,7 +19,6 @@
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkVolume.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <iterator>

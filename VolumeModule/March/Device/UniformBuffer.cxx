@@ -1,6 +1,5 @@
 #include "March/Device/UniformBuffer.h"
-
-#include "vtk_glew.h"
+#include "VtkVersions.h"
 
 namespace varimarch
 {

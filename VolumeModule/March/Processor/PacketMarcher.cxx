@@ -3,10 +3,10 @@
 #include "Core/Geometry/ProjectedBox.h"
 #include "Core/Packets/PacketMarch.h"
 #include "March/Processor/PacketScenes.h"
+#include "VtkVersions.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtk_glew.h"
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>

@@ -1,10 +1,10 @@
 #include "March/Processor/PacketPicture.h"
 
 #include "Core/Packets/PacketMarch.h"
+#include "VtkVersions.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkType.h"
-#include "vtk_glew.h"
 
 #include <stdexcept>
 #include <string>

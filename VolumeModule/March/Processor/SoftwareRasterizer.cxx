@@ -1,6 +1,5 @@
 #include "March/Processor/SoftwareRasterizer.h"
-
-#include "vtk_glew.h"
+#include "VtkVersions.h"
 
 #include <string>
 
