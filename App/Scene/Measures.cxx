@@ -65,7 +65,7 @@ ValueSums SumsOf(const std::array<int, 6>& voxels, vtkImageData* image)
   const auto sumUp = [&](auto* array)
   {
     const auto tuples = vtk::DataArrayTupleRange(array);
-    const ValueSums none(double(tuples[indexOf(voxels[0], voxels[2], voxels[4])][0]));
+    const ValueSums none{ double(tuples[indexOf(voxels[0], voxels[2], voxels[4])][0]) };
     sums = tbb::parallel_reduce(
       tbb::blocked_range2d<int>(voxels[4], voxels[5] + 1, voxels[2], voxels[3] + 1), none,
       [&](const tbb::blocked_range2d<int>& part, ValueSums partial)
