@@ -15,7 +15,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <stdexcept>
+#include <thread>
 
 namespace varimarch
 {
@@ -32,9 +34,11 @@ const std::string partMark = ".part";
 // there is none.
 char unfinishedPath[4096] = "";
 
-// Double-buffered notice: one buffer is written while the signal handler may read the other.
-char notices[2][1024] = { "", "" };
-std::atomic<int> noticeInUse = 0;
+// The line that is printed at an interrupt, which may come while static objects are destroyed.
+char interruptNotice[1024] = "";
+
+// Held to change the two above, and by the thread that waits for interrupts.
+std::mutex interruptMutex;
 
 // The sentence about a fault, complete but for the number of its signal.
 char faultNotice[256] = "";
@@ -55,13 +59,33 @@ void DeleteUnfinishedFile()
   }
 }
 
-void DeleteAndTerminate(int signal)
+// Waits for one of the signals, which all threads block.
+[[noreturn]] void AwaitInterrupt(sigset_t interrupts)
 {
+  int signal = 0;
+  sigwait(&interrupts, &signal);
+  constexpr unsigned MostSeconds = 5; // the folder of the file may be gone too
+  alarm(MostSeconds);
+  const std::lock_guard<std::mutex> lock(interruptMutex);
   DeleteUnfinishedFile();
-  Print(notices[noticeInUse]);
-  // Restore the default action, so that the parent process sees the signal that ended the program.
+  Print(interruptNotice);
+  // With the default action, the parent process sees the signal that ended the program.
   std::signal(signal, SIG_DFL);
+  pthread_sigmask(SIG_UNBLOCK, &interrupts, nullptr);
   std::raise(signal);
+  _exit(EXIT_FAILURE);
+}
+
+// The threads of the program leave interrupts to a thread of their own. A handler would not be
+// called while a file is read from a network disk that is gone; the default action ends even that.
+void DeleteUnfinishedFileOnInterrupts()
+{
+  sigset_t interrupts;
+  sigemptyset(&interrupts);
+  sigaddset(&interrupts, SIGINT);
+  sigaddset(&interrupts, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &interrupts, nullptr);
+  std::thread(AwaitInterrupt, interrupts).detach();
 }
 
 void DeleteAndFail(int signal)
@@ -75,6 +99,7 @@ void DeleteAndFail(int signal)
 
 void SetUnfinishedPath(const std::string& path)
 {
+  const std::lock_guard<std::mutex> lock(interruptMutex);
   unfinishedPath[0] = '\0';
   if (path.size() < sizeof(unfinishedPath))
   {
@@ -256,8 +281,7 @@ void WriteFileWhole(
 
 void DeleteUnfinishedFileOnSignals(const std::string& program)
 {
-  std::signal(SIGINT, DeleteAndTerminate);
-  std::signal(SIGTERM, DeleteAndTerminate);
+  DeleteUnfinishedFileOnInterrupts();
   std::snprintf(faultNotice, sizeof(faultNotice),
     "%.60s: a library or the graphics driver failed, perhaps for lack of memory; no unfinished "
     "file is left. Close other programs or use a smaller volume (signal ",
@@ -282,10 +306,10 @@ void DeleteUnfinishedFileOnSignals(const std::string& program)
 
 void SetInterruptNotice(const std::string& notice)
 {
-  const int other = 1 - noticeInUse;
-  const std::string line = notice.empty() ? "" : notice.substr(0, sizeof(notices[0]) - 2) + "\n";
-  std::memcpy(notices[other], line.c_str(), line.size() + 1);
-  noticeInUse = other;
+  const std::lock_guard<std::mutex> lock(interruptMutex);
+  const std::string line =
+    notice.empty() ? "" : notice.substr(0, sizeof(interruptNotice) - 2) + "\n";
+  std::memcpy(interruptNotice, line.c_str(), line.size() + 1);
 }
 
 }

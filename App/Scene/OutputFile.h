@@ -47,7 +47,8 @@ void WriteFileWhole(
 
 /// From now on the unfinished file that was begun last is deleted if SIGINT or SIGTERM ends the
 /// program, or a fault does, such as a driver's when there is no memory left. A fault prints a
-/// sentence to stderr and ends the program with exit code 1.
+/// sentence to stderr and ends the program with exit code 1. Call it before any thread is started:
+/// it blocks the two signals, which a thread of its own waits for.
 /// @param program  its name, for the sentence
 void DeleteUnfinishedFileOnSignals(const std::string& program);
 

@@ -73,9 +73,12 @@ bool IsSquareSlices(std::int64_t voxels, RawLayout& layout)
 
 bool IsBareVoxels(const std::string& path)
 {
-  const bool isNamedSo = std::regex_search(path, std::regex("\\.raw(\\.gz)?$", std::regex::icase));
+  if (!std::regex_search(path, std::regex("\\.raw(\\.gz)?$", std::regex::icase)))
+  {
+    return false;
+  }
   const char* const format = vtkVolumeFileReader::GetFormatOfFile(path.c_str());
-  return isNamedSo && (!format || format == std::string("raw"));
+  return !format || format == std::string("raw");
 }
 
 RawLayout GuessedRawLayout(const std::string& path, std::int64_t fileBytes)

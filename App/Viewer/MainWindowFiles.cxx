@@ -2,10 +2,10 @@
 
 #include "Viewer/MainWindow.h"
 
-#include "Scene/RawGuess.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/PresetTitles.h"
+#include "Viewer/Open/FileKind.h"
 #include "Viewer/Open/RawForm.h"
 #include "Viewer/Open/SeriesPicker.h"
 #include "Viewer/Open/WarningBar.h"
@@ -17,7 +17,6 @@
 
 #include <QCoreApplication>
 #include <QDragEnterEvent>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -85,12 +84,20 @@ void MainWindow::Open(const QString& name, const QString& series)
   // A session in another folder must find the scan too.
   const QString path = QFileInfo(name).absoluteFilePath();
   this->restoresAutosaved = path == QFileInfo(this->autosave.Path()).absoluteFilePath();
-  if (IsBareVoxels(path.toStdString()) && QFile::exists(path))
+  const std::optional<FileKind> kind = KindOfFile(path);
+  if (!kind)
+  {
+    this->ShowFailure(
+      tr("\"%1\" does not answer: its disk or the network may be gone. Try again later.")
+        .arg(path));
+    return;
+  }
+  if (*kind == FileKind::BareVoxels)
   {
     this->AskForLayout(path);
     return;
   }
-  if (!IsSceneFile(path.toStdString()))
+  if (*kind == FileKind::Volume)
   {
     this->Load(FileSource{ path.toStdString(), std::nullopt }, series);
     return;

@@ -2,9 +2,8 @@
 
 #include "Viewer/MainWindow.h"
 
-#include "Scene/RawGuess.h"
-#include "Scene/SceneFile.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Open/FileKind.h"
 #include "Viewer/Open/SeriesPicker.h"
 
 #include <QDockWidget>
@@ -53,7 +52,7 @@ void MainWindow::OpenDropped(const QString& path)
 {
   const std::string name = path.toStdString();
   const auto study = this->model.CurrentStudy();
-  if (!study || IsSceneFile(name) || IsBareVoxels(name) ||
+  if (!study || KindOfFile(path) != FileKind::Volume ||
     MayHoldSeveralSeries({ name, std::nullopt }))
   {
     this->Open(path);

@@ -315,6 +315,33 @@ def processors(folder):
     assert pictures[0] == pictures[1] == pictures[2]
 
 
+def gone_disk(folder):
+    """Ctrl+C ends the program even if the server of a file's file system answers no more."""
+    source, mounted = folder / "source", folder / "mounted"
+    source.mkdir()
+    mounted.mkdir()
+    for name in ("a.nrrd", "a.vti"):
+        assert run("convert", "procedural:torso:160x160x160", source / name).returncode == 0
+        server = subprocess.Popen(
+            ["/usr/bin/python3", "-B", pathlib.Path(__file__).with_name("serve_until_stopped.py"),
+             source, mounted], stderr=subprocess.DEVNULL)
+        try:
+            while not os.path.ismount(mounted):
+                if server.poll() is not None:
+                    sys.exit(SKIPPED)  # no FUSE here
+                time.sleep(0.1)
+            process = subprocess.Popen([sys.argv[1], "info", mounted / name],
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            assert process.stderr.readline().startswith("Reading "), "the user is told what is awaited"
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            assert process.wait(timeout=30) == -signal.SIGINT
+        finally:
+            server.kill()
+            server.wait()
+            subprocess.run(["umount", "--lazy", mounted], check=False, stderr=subprocess.DEVNULL)
+
+
 def killed(folder):
     """Killed at random moments, programs leave the old file or the new one, and no rest for long."""
     numbers = random.Random(1)
@@ -346,7 +373,7 @@ def killed(folder):
 
 
 CASES = (file_size_limit, full_disk, read_only, devices, memory, sizes, no_opengl, pipes,
-         changing_files, deep_documents, processors, killed)
+         changing_files, gone_disk, deep_documents, processors, killed)
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:

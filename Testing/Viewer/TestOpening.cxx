@@ -3,6 +3,7 @@
 #include "Answers.h"
 #include "Module/PhantomFiles.h"
 #include "Module/PhantomSegmentation.h"
+#include "SilentFile.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SessionFile.h"
@@ -96,6 +97,20 @@ protected:
   MainWindow window;
 };
 
+}
+
+TEST_F(Opening, AFileThatDoesNotAnswerIsASentence)
+{
+  const std::string path = this->folder.Write("a.nii", NiftiBytes(phantom::Stored(0)));
+  const SilentFile file(path);
+  if (!file.IsSilent())
+  {
+    GTEST_SKIP() << "the file system has no leases";
+  }
+  QSignalSpy failed(&this->window, &MainWindow::OpeningFailed);
+  this->window.Open(QString::fromStdString(path));
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed.first().first().toString().contains("a.nii\" does not answer"));
 }
 
 TEST_F(Opening, AsksWhichOfSeveralSeriesAndWarns)

@@ -1,6 +1,7 @@
 // Loading in a thread ends in exactly one way, also when it is cancelled or destroyed.
 
 #include "Module/PhantomFiles.h"
+#include "SilentFile.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/VolumeLoader.h"
 #include "Waiting.h"
@@ -147,6 +148,29 @@ TEST_F(Loading, CancellingEmitsNoVolume)
   this->loader.Cancel();
   ASSERT_TRUE(this->cancelled.wait(MostMilliseconds));
   EXPECT_EQ(this->Ends(), 1);
+}
+
+TEST_F(Loading, FromADiskThatDoesNotAnswerEndsWhenItIsCancelled)
+{
+  const FileSource source{ this->folder.Write("a.nii", NiftiBytes(phantom::Stored(0))),
+    std::nullopt };
+  const SilentFile file(source.path);
+  if (!file.IsSilent())
+  {
+    GTEST_SKIP() << "the file system has no leases";
+  }
+  this->loader.Load(source);
+  EXPECT_FALSE(this->loaded.wait(500));
+  this->loader.Cancel();
+  ASSERT_TRUE(this->cancelled.wait(MostMilliseconds));
+  EXPECT_FALSE(this->loader.IsLoading());
+  this->loader.Load(SmallVolume);
+  ASSERT_TRUE(this->loaded.wait(MostMilliseconds));
+  this->loader.Load(source);
+  this->loader.Load(SmallVolume);
+  ASSERT_TRUE(this->loaded.wait(MostMilliseconds));
+  EXPECT_EQ(this->loaded.count(), 2);
+  EXPECT_EQ(this->Ends(), 4);
 }
 
 TEST_F(Loading, ANewRequestCancelsTheLast)

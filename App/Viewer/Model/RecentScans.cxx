@@ -1,5 +1,7 @@
 #include "Viewer/Model/RecentScans.h"
 
+#include "Viewer/Model/ResultInTime.h"
+
 #include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDateTime>
@@ -33,6 +35,14 @@ QString LabelOf(const Study& study)
     .arg(QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat));
 }
 
+QVector<RecentScan> Existing(QVector<RecentScan> scans)
+{
+  scans.erase(std::remove_if(scans.begin(), scans.end(),
+                [](const RecentScan& scan) { return !QFile::exists(scan.path); }),
+    scans.end());
+  return scans;
+}
+
 }
 
 QString DigestOfSeries(const std::string& uid)
@@ -51,12 +61,10 @@ QVector<RecentScan> RecentScans::List() const
   {
     settings.setArrayIndex(i);
     const auto text = [&](const char* key) { return settings.value(key).toString(); };
-    if (QFile::exists(text("path")))
-    {
-      scans.append({ text("path"), text("label"), text("series") });
-    }
+    scans.append({ text("path"), text("label"), text("series") });
   }
-  return scans;
+  // Scans stay in the list if a disk of the network does not answer.
+  return ResultInTime([scans] { return Existing(scans); }).value_or(scans);
 }
 
 void RecentScans::Add(const FileSource& source, const Study& study)

@@ -3,11 +3,13 @@
 #include "Viewer/Model/RecentScans.h"
 
 #include <QThread>
+#include <QTimer>
 
 #include <algorithm>
 #include <exception>
 #include <functional>
 #include <iterator>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 
@@ -16,6 +18,10 @@ namespace varimarch
 
 namespace
 {
+
+// Time that a thread has to stop; it has more when the program ends.
+constexpr int StopMilliseconds = 2000;
+constexpr int StopMillisecondsAtEnd = 10000;
 
 // The result of a request. A folder with several series has neither study.
 struct Found
@@ -133,13 +139,17 @@ Found ReadBeside(const std::string& path, const Study& scan, const LoadObserver&
 
 }
 
-// State shared by the thread and the loader.
+// State shared by the thread and the loader. A thread that waits for a disk that is gone outlives
+// the loader.
 struct VolumeLoader::Task
 {
   std::function<Found(const LoadObserver&)> read;
   std::atomic<bool> stop{ false };
   Found found;
   QString failure; ///< set on failure
+
+  std::mutex mutex;
+  VolumeLoader* loader; ///< receives the progress; null if it has left the thread alone
 };
 
 VolumeLoader::VolumeLoader(QObject* parent)
@@ -151,10 +161,14 @@ VolumeLoader::~VolumeLoader()
 {
   if (this->thread)
   {
-    this->thread->disconnect(this);
+    QThread* const last = this->thread;
     this->task->stop = true;
-    this->thread->wait();
-    delete this->thread;
+    const bool hasStopped = last->wait(StopMillisecondsAtEnd);
+    this->LeaveThread();
+    if (hasStopped)
+    {
+      delete last;
+    }
   }
 }
 
@@ -192,7 +206,11 @@ void VolumeLoader::Run(Task& task)
 {
   const auto observe = [&](double part)
   {
-    emit this->Progress(part);
+    const std::lock_guard<std::mutex> lock(task.mutex);
+    if (task.loader)
+    {
+      emit task.loader->Progress(part);
+    }
     return !task.stop;
   };
   try
@@ -213,12 +231,13 @@ void VolumeLoader::Start(std::shared_ptr<Task> request)
 {
   if (this->thread)
   {
-    this->Cancel();
-    this->thread->wait();
-    this->Finish();
+    this->task->stop = true;
+    this->thread->wait(StopMilliseconds);
+    this->EndCancelled();
   }
   this->task = std::move(request);
-  this->thread = QThread::create([this, task = this->task] { this->Run(*task); });
+  this->task->loader = this;
+  this->thread = QThread::create([task = this->task] { Run(*task); });
   // A signal of the previous thread may still be queued.
   connect(this->thread, &QThread::finished, this,
     [this, ended = this->thread]
@@ -236,14 +255,41 @@ void VolumeLoader::Cancel()
   if (this->task)
   {
     this->task->stop = true;
+    QTimer::singleShot(StopMilliseconds, this,
+      [this, cancelled = this->task]
+      {
+        if (cancelled == this->task)
+        {
+          this->EndCancelled();
+        }
+      });
   }
+}
+
+// The thread may still wait for its file. It then ends some day, or with the program.
+std::shared_ptr<VolumeLoader::Task> VolumeLoader::LeaveThread()
+{
+  this->thread->disconnect(this);
+  connect(this->thread, &QThread::finished, this->thread, &QObject::deleteLater);
+  if (this->thread->isFinished())
+  {
+    this->thread->deleteLater();
+  }
+  this->thread = nullptr;
+  const std::lock_guard<std::mutex> lock(this->task->mutex);
+  this->task->loader = nullptr;
+  return std::move(this->task);
+}
+
+void VolumeLoader::EndCancelled()
+{
+  this->LeaveThread();
+  emit this->Cancelled();
 }
 
 void VolumeLoader::Finish()
 {
-  this->thread->deleteLater();
-  this->thread = nullptr;
-  const std::shared_ptr<Task> ended = std::move(this->task);
+  const std::shared_ptr<Task> ended = this->LeaveThread();
   if (ended->stop)
   {
     emit this->Cancelled();

@@ -19,7 +19,8 @@ namespace varimarch
 
 /// Reads volumes and segmentations in a thread, one at a time; a new request replaces the last one.
 /// Each request ends with exactly one of the signals Loaded, LabelsLoaded, PossibleLabelsLoaded,
-/// SeriesFound, Failed and Cancelled, unless the loader is destroyed first.
+/// SeriesFound, Failed and Cancelled, unless the loader is destroyed first. A thread that does not
+/// stop within seconds, because its file is on a disk of the network that is gone, is left alone.
 class VolumeLoader : public QObject
 {
   Q_OBJECT
@@ -42,7 +43,8 @@ public:
   /// its values are labels, PossibleLabelsLoaded if they could be, and otherwise Loaded.
   void LoadBeside(const std::string& path, std::shared_ptr<const Study> scan);
 
-  /// Returns immediately; the thread stops at its next progress report.
+  /// Returns immediately. The thread stops at its next progress report; Cancelled is emitted after
+  /// two seconds even if there is none.
   void Cancel();
 
   bool IsLoading() const { return this->thread != nullptr; }
@@ -69,9 +71,12 @@ signals:
 private:
   struct Task;
 
+  static void Run(Task& task);
+
   void Start(std::shared_ptr<Task> request);
-  void Run(Task& task);
   void Finish();
+  void EndCancelled();
+  std::shared_ptr<Task> LeaveThread();
   void Report(const Task& ended);
 
   QThread* thread = nullptr;

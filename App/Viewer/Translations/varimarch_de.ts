@@ -1129,6 +1129,10 @@ kennt keine Segmente</translation>
         <translation>Varimarch, nicht für die Diagnose</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; does not answer: its disk or the network may be gone. Try again later.</source>
+        <translation>„%1“ antwortet nicht: Der Datenträger oder das Netz ist vielleicht weg. Versuchen Sie es später noch einmal.</translation>
+    </message>
+    <message>
         <source>Loading was cancelled</source>
         <translation>Das Laden wurde abgebrochen</translation>
     </message>

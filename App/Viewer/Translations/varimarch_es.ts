@@ -1129,6 +1129,10 @@ no conoce los segmentos</translation>
         <translation>Varimarch, no apto para diagnóstico</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; does not answer: its disk or the network may be gone. Try again later.</source>
+        <translation>«%1» no responde: quizá no estén disponibles su disco o la red. Inténtelo más tarde.</translation>
+    </message>
+    <message>
         <source>Loading was cancelled</source>
         <translation>Se canceló la carga</translation>
     </message>
