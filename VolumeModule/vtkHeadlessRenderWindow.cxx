@@ -14,6 +14,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <ios>
 #include <sstream>
@@ -73,6 +74,23 @@ bool IsForkedAfterUse()
 {
   static const pid_t firstUser = getpid();
   return getpid() != firstUser;
+}
+
+// A context that tells if the graphics card is reset, where the driver has such contexts.
+EGLContext CoreContext(EGLDisplay display, EGLConfig config)
+{
+  const EGLint attributes[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
+    EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+    EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET, EGL_NONE };
+  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+  if (context != EGL_NO_CONTEXT)
+  {
+    return context;
+  }
+  std::array<EGLint, 7> fewer = {};
+  std::copy_n(attributes, 6, fewer.begin());
+  fewer[6] = EGL_NONE;
+  return eglCreateContext(display, config, EGL_NO_CONTEXT, fewer.data());
 }
 
 bool PeelsAny(vtkRendererCollection* renderers)
@@ -138,13 +156,11 @@ struct vtkHeadlessRenderWindow::Context
     {
       return false;
     }
-    const EGLint contextAttributes[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
-      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE };
     // VTK draws into its own framebuffer objects; the surface is needed only to make the context
     // current.
     const EGLint surfaceAttributes[] = { EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE };
     this->Display = display;
-    this->Handle = eglCreateContext(display, config, EGL_NO_CONTEXT, contextAttributes);
+    this->Handle = CoreContext(display, config);
     this->Surface = eglCreatePbufferSurface(display, config, surfaceAttributes);
     if (this->Handle == EGL_NO_CONTEXT || this->Surface == EGL_NO_SURFACE || !this->MakeCurrent())
     {

@@ -5,6 +5,7 @@
 #include "Frame/RendererVolumes.h"
 #include "Frame/SelectorScope.h"
 #include "March/AccuracyWarnings.h"
+#include "March/Device/GraphicsReset.h"
 #include "March/ImageOutput.h"
 #include "March/RayMarcher.h"
 
@@ -209,6 +210,7 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   {
     frame->view.window->MakeCurrent();
     this->Private->DrawInTime(this, volume, *frame);
+    varimarch::CheckForGraphicsReset();
     selected.ReportCounts(this->GetDataSetInput());
     vtkOpenGLCheckErrorMacro("OpenGL error after drawing");
     this->WarnOnce(this->Private->Warnings(this, volume));

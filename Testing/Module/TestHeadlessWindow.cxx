@@ -4,6 +4,7 @@
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkUnsignedCharArray.h>
+#include <vtk_glew.h>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <thread>
+#include <utility>
 
 namespace
 {
@@ -84,6 +86,24 @@ TEST(HeadlessWindow, ReturnsToTheContextThatWasCurrent)
   EXPECT_TRUE(second->IsCurrent());
   second->PopContext();
   EXPECT_TRUE(first->IsCurrent() && !second->IsCurrent());
+}
+
+TEST(HeadlessWindow, TellsOnceThatItsGraphicsCardWasReset)
+{
+  HomogeneousScene scene(0.05);
+  scene.window->Render();
+  if (!__glewGetGraphicsResetStatus)
+  {
+    GTEST_SKIP() << "the driver cannot tell";
+  }
+  const ExpectedVtkErrors errors;
+  const auto statusOfDriver = std::exchange(
+    __glewGetGraphicsResetStatus, []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET; });
+  scene.window->Render();
+  scene.window->Render();
+  __glewGetGraphicsResetStatus = statusOfDriver;
+  ASSERT_EQ(errors.Messages().size(), 1u) << errors.Text();
+  EXPECT_NE(errors.Text().find("The graphics card was reset"), std::string::npos) << errors.Text();
 }
 
 TEST(HeadlessWindow, DrawsAVolumeWithMultisamplesAndPeeling)
