@@ -1,13 +1,19 @@
-// The program of libFuzzer. The environment variable VARIMARCH_FUZZ_TARGET names the target.
+// The program of libFuzzer. The environment variable VARIMARCH_FUZZ_TARGET names the target, and
+// VARIMARCH_FUZZ_SECONDS limits the processor time of this process.
 #include "Fuzz/FuzzTarget.h"
+
+#include "Readers/Decoder/DecoderSession.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 /// Ends the program at a message of VTK, which a user would see beside the reader's own.
@@ -43,6 +49,23 @@ const varimarch::FuzzTarget& Target()
   return target;
 }
 
+/// Sends the signal at which libFuzzer ends behind the present input, and prints its statistics.
+void LimitProcessorTime()
+{
+  const char* const seconds = std::getenv("VARIMARCH_FUZZ_SECONDS");
+  itimerspec time = {};
+  time.it_value.tv_sec = seconds ? std::atol(seconds) : 0;
+  sigevent event = {};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGUSR1;
+  timer_t timer = {};
+  if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer) != 0 ||
+    timer_settime(timer, 0, &time, nullptr) != 0)
+  {
+    throw std::runtime_error("the system has no timer of processor time");
+  }
+}
+
 }
 
 extern "C" int LLVMFuzzerInitialize(int*, char***)
@@ -52,12 +75,15 @@ extern "C" int LLVMFuzzerInitialize(int*, char***)
   try
   {
     Target();
+    LimitProcessorTime();
   }
   catch (const std::exception& error)
   {
-    std::cerr << "VARIMARCH_FUZZ_TARGET: " << error.what() << '\n';
+    std::cerr << "The fuzz target cannot be run: " << error.what() << '\n';
     std::exit(2);
   }
+  // All inputs share a decoder, until one of them ends it.
+  static const varimarch::DecoderSession session;
   return 0;
 }
 

@@ -3,6 +3,8 @@
 #include "DicomReading.h"
 #include "Support/ExpectedVtkErrors.h"
 
+#include "Readers/Decoder/DecoderSession.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkErrorCode.h>
 
@@ -133,6 +135,25 @@ protected:
 
   std::size_t descriptors = 0;
 };
+
+TEST_F(Decoder, ServesAllReadsOfASession)
+{
+  const std::string starts = this->folder.Path("starts");
+  const OtherDecoder decoder(this->Program("echo >>'" + starts + "'; exec '" DECODER_PROGRAM "'"));
+  this->Write("a.dcm", Slice(0));
+  const auto expectStarts = [&](int count)
+  { EXPECT_EQ(this->folder.Bytes("starts"), std::string(std::size_t(count), '\n')); };
+  {
+    const varimarch::DecoderSession session;
+    for (int read = 0; read < 3; ++read)
+    {
+      EXPECT_GT(this->Read("a.dcm")->GetNumberOfPoints(), 0);
+    }
+    expectStarts(1);
+  }
+  this->Read("a.dcm");
+  expectStarts(2);
+}
 
 TEST_F(Decoder, ThatCrashesIsASentence)
 {

@@ -21,6 +21,10 @@ DecoderSession::DecoderSession(double longestSilence)
 DecoderSession::~DecoderSession()
 {
   current = this->outer;
+  if (this->outer && this->idle)
+  {
+    this->outer->Return(std::move(this->idle));
+  }
 }
 
 DecoderSession* DecoderSession::Current()
@@ -30,6 +34,10 @@ DecoderSession* DecoderSession::Current()
 
 std::unique_ptr<DecoderProcess> DecoderSession::Idle()
 {
+  if (!this->idle && this->outer)
+  {
+    return this->outer->Idle();
+  }
   return this->idle ? std::move(this->idle) : std::make_unique<DecoderProcess>();
 }
 

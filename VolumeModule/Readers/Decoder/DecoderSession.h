@@ -1,6 +1,8 @@
 #ifndef Varimarch_Readers_Decoder_DecoderSession_h
 #define Varimarch_Readers_Decoder_DecoderSession_h
 
+#include "VarimarchVolumeModule.h"
+
 #include "Readers/Decoder/DecoderProcess.h"
 
 #include <memory>
@@ -9,9 +11,9 @@ namespace varimarch
 {
 
 /// The time during which the reads of a thread share a decoder, which is started when the first of
-/// them needs it. Without a session each job has a decoder of its own. Sessions may be nested; the
-/// innermost one counts.
-class DecoderSession
+/// them needs it. Without a session each job has a decoder of its own. A session within another one
+/// uses that one's decoder, and has its own patience.
+class VARIMARCHVOLUME_EXPORT DecoderSession
 {
 public:
   static constexpr double UsualSilenceSeconds = 60.0;
