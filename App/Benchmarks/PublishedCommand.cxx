@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -25,7 +26,7 @@ void Write(const PublishedPage& page, const ReportArguments& report)
   WriteResults(results, folder / "published.json");
   WriteResults(results, report.jsonPath);
   SetInterruptNotice(folder,
-    std::to_string(page.measured.volumes.size() + page.measured.volt.size()) + " of the scenes");
+    std::to_string(page.measured.dataSets.size() + page.measured.volt.size()) + " of the scenes");
 }
 
 }
@@ -33,9 +34,12 @@ void Write(const PublishedPage& page, const ReportArguments& report)
 void RunPublished(const PublishedArguments& arguments)
 {
   SetInterruptNotice(OutputFolder(arguments.report.outputFolder), "nothing yet");
-  PublishedPage page = { arguments.report.commandText, ThisMachine(), {} };
+  PublishedPage page = { arguments.report.commandText, ThisMachine(), {}, {} };
   {
     Progress progress("Measuring the published scenes");
+    page.figures = DrawPublishedFigures(arguments.options.folder,
+      std::min(arguments.options.side, 256), arguments.report.outputFolder,
+      [&](const std::string& step) { progress.SetActivity(step); });
     MeasurePublished(
       arguments.options, [&](const std::string& step) { progress.SetActivity(step); },
       [&](const PublishedMeasurements& measured)

@@ -2,11 +2,13 @@
 #define Varimarch_Benchmarks_PublishedReport_h
 
 #include "Machine.h"
+#include "PublishedFigures.h"
 #include "PublishedScenes.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace varimarch
 {
@@ -16,9 +18,10 @@ struct PublishedPage
   std::string commandText;
   Machine machine;
   PublishedMeasurements measured;
+  std::vector<PublishedFigure> figures;
 };
 
-/// A page with the papers' figures beside ours, and the differences between the setups.
+/// The measurements beside the published figures, as Markdown; at least one data set.
 std::string PublishedMarkdown(const PublishedPage& page);
 
 nlohmann::ordered_json ToJson(const PublishedPage& page);

@@ -11,20 +11,9 @@ namespace varimarch
 namespace
 {
 
-constexpr const char* VisMale = "vismale/vismale_128x256x256_uint8.mhd";
-
 BenchMethod Method(const std::string& name, MapperKind kind)
 {
   return { name, name, kind, {} };
-}
-
-RenderOptions With(Acceleration acceleration, Integration integration, double earlyTermination)
-{
-  RenderOptions options;
-  options.acceleration = acceleration;
-  options.integration = integration;
-  options.earlyTerminationTransmittance = earlyTermination;
-  return options;
 }
 
 double LongestEdgeMm(vtkImageData* image)
@@ -33,43 +22,58 @@ double LongestEdgeMm(vtkImageData* image)
   return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
-// The paper does not give its transfer function. We use a grey ramp that is clear below a threshold
-// and otherwise transparent enough that rays reach deep into the volume, as in the paper's loop,
-// which has no early termination. The unit distance of opacity is a hundredth of the volume.
-Look BanqueroLook(vtkImageData* image)
+// The loop with each number of steps of table 1, which are one voxel long.
+BenchRun StepsRun(vtkImageData* image, const PublishedDataSet& published)
 {
-  Look look;
-  look.name = "grey ramp";
-  look.domain = Domain::Relative;
-  look.colors = { { 0.1, { 0.0, 0.0, 0.0 }, {} }, { 1.0, { 1.0, 1.0, 1.0 }, {} } };
-  look.opacities = { { 0.15, 0.0, {} }, { 1.0, 0.3, {} } };
-  look.opacityUnitDistanceMm = LongestEdgeMm(image) / 100.0;
-  look.shading.enabled = false;
-  return look;
+  BenchRun run = { Method("steps", MapperKind::VarimarchShaders), {} };
+  for (const PublishedSteps& row : published.steps)
+  {
+    RenderOptions options = PublishedLoop(image, false, 0.0);
+    options.mostSteps = row.steps;
+    run.settings.push_back(AtDistance(image, 1.0, options));
+    run.settings.back().label = std::to_string(row.steps) + " steps";
+  }
+  return run;
 }
 
-// Sample distances at which the volume's longest edge has as many samples as the paper's loop has
-// steps.
-std::vector<BenchRun> BanqueroRuns(vtkImageData* image)
+// The loop along whole rays.
+BenchRun WholeRun(vtkImageData* image, const std::string& name, bool hasField)
 {
-  constexpr double PublishedVariation255 = 4.0; // figure 10, free of artifacts
-  const auto run =
-    [&](const std::string& name, Acceleration acceleration, Integration rule, double termination)
+  BenchRun run = { Method(name, MapperKind::VarimarchShaders), {} };
+  for (const double voxels : PublishedStepVoxels)
   {
-    BenchRun swept = { Method(name, MapperKind::VarimarchShaders), {} };
-    RenderOptions options = With(acceleration, rule, termination);
-    options.variationTolerance = Variation(image, PublishedVariation255);
-    for (const int steps : PublishedSteps)
-    {
-      const double voxels = LongestEdgeMm(image) / steps / VoxelMm(image);
-      swept.settings.push_back(AtDistance(image, voxels, options));
-    }
-    return swept;
-  };
-  return { run("plain", Acceleration::Off, Integration::PublishedSum, 0.0),
-    run("field", Acceleration::VariationField, Integration::PublishedSum, 0.0),
-    run("ours", Acceleration::OpticalField, Integration::Midpoint,
-      RenderOptions().earlyTerminationTransmittance) };
+    run.settings.push_back(
+      AtDistance(image, voxels, PublishedLoop(image, hasField, PublishedVariation255)));
+  }
+  return run;
+}
+
+BenchRun ToleranceRun(const std::string& name, MapperKind kind)
+{
+  BenchRun run = { Method(name, kind), {} };
+  for (const int part : { 4, 8, 16, 32, 64, 128, 255 })
+  {
+    run.settings.push_back({ "1/" + std::to_string(part), {} });
+    run.settings.back().options.errorTolerance = 1.0 / part;
+  }
+  return run;
+}
+
+std::vector<BenchRun> BanqueroRuns(vtkImageData* image, const PublishedDataSet& published)
+{
+  std::vector<BenchRun> runs;
+  if (!published.steps.empty())
+  {
+    runs.push_back(StepsRun(image, published));
+  }
+  if (published.rates)
+  {
+    runs.push_back(WholeRun(image, "rc", false));
+    runs.push_back(WholeRun(image, "df", true));
+    runs.push_back(ToleranceRun("tolerance", MapperKind::Varimarch));
+    runs.push_back(ToleranceRun("tolerance-shader", MapperKind::VarimarchShaders));
+  }
+  return runs;
 }
 
 // Values up to 40 are clear; values from 41 share one opacity. The paper does not give its unit
@@ -91,8 +95,11 @@ std::vector<BenchRun> VoltRuns(vtkImageData* image)
   constexpr double Saturated = 0.05; // a saturation of 95 %
   const auto run = [&](const std::string& name, MapperKind kind, Acceleration acceleration)
   {
-    return BenchRun{ Method(name, kind),
-      { AtDistance(image, Voxels, With(acceleration, Integration::Midpoint, Saturated)) } };
+    RenderOptions options;
+    options.acceleration = acceleration;
+    options.integration = Integration::Midpoint;
+    options.earlyTerminationTransmittance = Saturated;
+    return BenchRun{ Method(name, kind), { AtDistance(image, Voxels, options) } };
   };
   return { run("ours", MapperKind::Varimarch, Acceleration::OpticalField),
     run("off", MapperKind::Varimarch, Acceleration::Off),
@@ -114,7 +121,7 @@ void AddVolt(const PublishedOptions& options, const OnStep& onStep, const OnPubl
   PublishedMeasurements& result)
 {
   const LoadedVolume volume =
-    LoadVolume(FileSource{ options.folder + "/" + VisMale, std::nullopt });
+    LoadVolume(FileSource{ options.folder + "/" + VisMaleFile, std::nullopt });
   for (const int alpha255 : { 15, 63, 255 })
   {
     for (const bool shaded : { false, true })
@@ -127,48 +134,74 @@ void AddVolt(const PublishedOptions& options, const OnStep& onStep, const OnPubl
   }
 }
 
+MeasuredDataSet MeasureDataSet(
+  const PublishedDataSet& published, const PublishedOptions& options, const OnStep& onStep)
+{
+  const std::string path = options.folder + "/" + published.file;
+  const std::string name = published.name + " " + std::to_string(published.side);
+  onStep("Reading " + path);
+  const LoadedVolume volume = LoadAtSize(path, published.side);
+  MeasuredDataSet measured = { published,
+    Measured(
+      name, SoftLook(volume.image), volume, BanqueroRuns(volume.image, published), options, onStep),
+    {} };
+  if (published.rates)
+  {
+    onStep(name + ": jumps");
+    measured.promise = TryJumps(volume.image, Variation(volume.image, PublishedVariation255));
+  }
+  return measured;
 }
 
-const std::vector<PublishedVolume>& PublishedVolumes()
+}
+
+// The paper does not give its transfer function. The unit distance of opacity is a hundredth of the
+// volume, and the opacity is low, because the paper's loop has no early termination.
+Look SoftLook(vtkImageData* image)
 {
-  static const std::vector<PublishedVolume> volumes = {
-    { "SKULL", "ct_skull_phantom/dicom", "another skull, of plastic, 512 x 512 x 140",
-      { 60.0, 59.8, 26.5, 11.1 }, 48.0, 59.0 },
-    { "MRI HEAD", "mr_head_studyforrest/mr_head_studyforrest_274x384x384_int16.mha",
-      "another head, 274 x 384 x 384", { 60.0, 54.8, 23.2, 10.3 }, 50.0, 60.0 },
-    { "VIS MALE", VisMale, "128 x 256 x 256; theirs 128^3 at 80 steps and in table 2, else 256^3",
-      { 0.0, 0.0, 60.0, 32.1 }, 45.0, 60.0 },
-    { "BONZAI", "bonsai/bonsai_256x256x256_uint8.mhd", "the same", {}, 30.0, 55.0 },
-    { "TOOTH", "tooth/tooth_103x94x161_uint8.mhd", "103 x 94 x 161; theirs 64^3", {}, 60.0, 60.0 },
-  };
-  return volumes;
+  Look look;
+  look.name = "grey ramp";
+  look.domain = Domain::Relative;
+  look.colors = { { 0.1, { 0.0, 0.0, 0.0 }, {} }, { 1.0, { 1.0, 1.0, 1.0 }, {} } };
+  look.opacities = { { 0.15, 0.0, {} }, { 1.0, 0.3, {} } };
+  look.opacityUnitDistanceMm = LongestEdgeMm(image) / 100.0;
+  look.shading.enabled = false;
+  return look;
+}
+
+RenderOptions PublishedLoop(vtkImageData* image, bool hasField, double variation255)
+{
+  RenderOptions options;
+  options.acceleration = hasField ? Acceleration::VariationField : Acceleration::Off;
+  options.integration = Integration::PublishedSum;
+  options.variationTolerance = Variation(image, variation255);
+  options.earlyTerminationTransmittance = 0.0;
+  return options;
 }
 
 PublishedMeasurements MeasurePublished(
   const PublishedOptions& options, const OnStep& onStep, const OnPublished& onMeasured)
 {
   PublishedMeasurements result;
-  for (const PublishedVolume& published : PublishedVolumes())
+  for (const PublishedDataSet& published : PublishedDataSets())
   {
-    const std::string path = options.folder + "/" + published.file;
-    if (!std::filesystem::exists(path))
+    if (std::filesystem::exists(options.folder + "/" + published.file))
+    {
+      result.dataSets.push_back(MeasureDataSet(published, options, onStep));
+      onMeasured(result);
+    }
+    else if (std::find(result.missing.begin(), result.missing.end(), published.file) ==
+      result.missing.end())
     {
       result.missing.push_back(published.file);
-      continue;
     }
-    onStep("Reading " + path);
-    const LoadedVolume volume = LoadVolume(FileSource{ path, std::nullopt });
-    result.volumes.push_back({ published,
-      Measured(published.name, BanqueroLook(volume.image), volume, BanqueroRuns(volume.image),
-        options, onStep) });
-    onMeasured(result);
   }
-  if (result.volumes.empty())
+  if (result.dataSets.empty())
   {
     throw std::runtime_error(
-      options.folder + ": expected volumes such as " + VisMale + ", found none");
+      options.folder + ": expected volumes such as " + VisMaleFile + ", found none");
   }
-  if (std::filesystem::exists(options.folder + "/" + VisMale))
+  if (std::filesystem::exists(options.folder + "/" + VisMaleFile))
   {
     AddVolt(options, onStep, onMeasured, result);
   }

@@ -1,41 +1,36 @@
 #ifndef Varimarch_Benchmarks_PublishedScenes_h
 #define Varimarch_Benchmarks_PublishedScenes_h
 
+#include "PublishedPromise.h"
+#include "PublishedVolumes.h"
 #include "WorkPrecision.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace varimarch
 {
 
-/// The scenes on which two papers measured: M. Banquero, E. Ortiz, B. Rossi, "Realtime volumen
+/// The scenes on which two papers measured: M. Banquero, E. Ortiz, B. Rossi, "Realtime volume
 /// render en videojuegos", 2016, tables 1 and 2, and "Volt: interactive volume rendering with
 /// CUDA", 2009. PublishedReport states what is known of them and what we assume.
 
-/// The numbers of samples along a ray in Banquero's tables.
-constexpr int PublishedSteps[] = { 40, 60, 80, 120 };
+/// E in 1/255 of the values' range: that of figure 10 without artefacts.
+constexpr double PublishedVariation255 = 4.0;
 
-/// A volume of Banquero's tables with their frames per second; 0 where a table has none.
-struct PublishedVolume
+/// The steps of whole rays [smallest voxel spacings].
+constexpr double PublishedStepVoxels[] = { 1.0, 0.5 };
+
+/// Our measurements on one data set. The method "steps" has one point for each row of table 1, and
+/// "rc" and "df" have one for each of PublishedStepVoxels; "tolerance" and "tolerance-shader" are
+/// swept over error tolerances.
+struct MeasuredDataSet
 {
-  std::string name;   ///< name in the paper
-  std::string file;   ///< path in the folder of volumes
-  std::string remark; ///< difference between our volume and theirs
-  double stepsFps[4]; ///< frame rates of table 1, at each of PublishedSteps
-  double plainFps;    ///< frame rate of table 2, by ray casting
-  double fieldFps;    ///< frame rate of table 2, with the field
-};
-
-const std::vector<PublishedVolume>& PublishedVolumes();
-
-/// Our measurements on one of these volumes: the methods "plain", "field" and "ours" at each of
-/// PublishedSteps.
-struct MeasuredVolume
-{
-  PublishedVolume published;
+  PublishedDataSet published;
   WorkPrecision measured;
+  std::optional<PublishedPromise> promise; ///< for data sets of table 2
 };
 
 /// Our measurements on VIS MALE with one of Volt's opacities: the methods "ours", "off" and
@@ -49,7 +44,7 @@ struct MeasuredVolt
 
 struct PublishedMeasurements
 {
-  std::vector<MeasuredVolume> volumes;
+  std::vector<MeasuredDataSet> dataSets;
   std::vector<MeasuredVolt> volt;
   std::vector<std::string> missing; ///< files that are not in the folder
 };
@@ -63,6 +58,12 @@ struct PublishedOptions
 
 /// Called after each scene with all measurements so far.
 using OnPublished = std::function<void(const PublishedMeasurements&)>;
+
+/// A grey ramp, clear below a threshold, and soft enough that rays reach deep into the volume.
+Look SoftLook(vtkImageData* image);
+
+/// The paper's loop: plain ray casting, or with the field of variations for E [1/255].
+RenderOptions PublishedLoop(vtkImageData* image, bool hasField, double variation255);
 
 /// Measures the scenes of both papers.
 /// @throws std::runtime_error when the folder holds no volume, or a mapper reports an error

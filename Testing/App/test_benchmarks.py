@@ -172,12 +172,23 @@ def published(folder):
     text, _ = run("published", "--volumes", volumes, "-o", folder / "out", "--side", "32",
                   "--rounds", "1")
     assert (folder / "out" / "published.md").read_text() == text
-    assert "Not in the folder: tooth/" in text and "| VIS MALE | 120 | 32.1 |" in text
+    assert "Not in the folder: tooth/tooth_103x94x161_uint8.mhd." in text
+    assert "| VIS MALE | 256 x 256 x 256 | 120 | 32.1 |" in text
+    assert "| VIS MALE | 128 x 128 x 128 | 45 | > 60 | > 1.33 | 0.5 |" in text
     results = json.loads((folder / "out" / "published.json").read_text())
-    assert [row["volume"] for row in results["banquero"]] == ["VIS MALE"]
-    for method in results["banquero"][0]["measured"]["methods"]:
-        assert [round(15 / point["sampleDistanceMm"]) for point in method["points"]] == [
-            40, 60, 80, 120], method
+    sets = results["banquero"]
+    assert [(row["dataSet"], row["side"]) for row in sets] == [("VIS MALE", 128), ("VIS MALE", 256)]
+    methods = {method["method"]: method["points"] for method in sets[0]["measured"]["methods"]}
+    assert list(methods) == ["steps", "rc", "df", "tolerance", "tolerance-shader"]
+    for name in ("rc", "df"):
+        assert [round(point["voxels"], 3) for point in methods[name]] == [1, 0.5], name
+    fetches = {name: methods[name][0]["fetchesPerPixel"] for name in ("steps", "rc", "df")}
+    assert 1 < fetches["steps"] < fetches["rc"] and fetches["df"] < fetches["rc"], fetches
+    assert sets[0]["meanChebyshev"] <= sets[0]["meanEuclidean"], "a ball is larger than a cube"
+    assert 0 < sets[0]["longJumps"] <= 1 and 0 <= sets[0]["brokenJumps"] <= 1
+    for figure in (5, 6, 9, 10):
+        picture = folder / "out" / f"figure-{figure}.png"
+        assert picture.read_bytes()[:4] == b"\x89PNG" and picture.name in text
     assert [(row["alpha255"], row["shaded"]) for row in results["volt"]] == [
         (alpha, shaded) for alpha in (15, 63, 255) for shaded in (False, True)]
     _, errors = run("published", "--volumes", folder / "out", "-o", folder, expect=1)
