@@ -199,6 +199,8 @@ const std::vector<Row>& RowsOfOthers()
       vtkComparisonMapper::Passes),
     row("half-angle", "half-angle slices, with shadows: not the same image",
       { Gray, Marker::Diamond, Stroke::Dotted }, vtkComparisonMapper::HalfAngle),
+    row("light-volume", "slices with shadows from a volume of light: not the same image",
+      { Brown, Marker::Diamond, Stroke::Dotted }, vtkComparisonMapper::LightVolume),
   };
   return rows;
 }

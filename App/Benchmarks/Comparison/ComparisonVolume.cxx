@@ -1,6 +1,5 @@
 #include "ComparisonVolume.h"
 
-#include "Core/Look/OpticalTable.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Resources/ComponentCopy.h"
 
@@ -45,6 +44,8 @@ std::vector<std::uint16_t> SixteenBits(const std::vector<float>& texels)
   return rounded;
 }
 
+}
+
 void FilterLinearly(vtkTextureObject* texture)
 {
   texture->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -52,8 +53,6 @@ void FilterLinearly(vtkTextureObject* texture)
   texture->SetWrapR(vtkTextureObject::ClampToEdge);
   texture->SetMinificationFilter(vtkTextureObject::Linear);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
-}
-
 }
 
 void ComparisonVolume::Update(
@@ -66,6 +65,7 @@ void ComparisonVolume::Update(
     this->image = newImage;
     this->imageTime = newImage->GetMTime();
     this->UploadVoxels(window);
+    ++this->version;
   }
   vtkVolumeProperty* const property = volume->GetProperty();
   if (this->propertyTime != property->GetMTime())
@@ -75,6 +75,7 @@ void ComparisonVolume::Update(
     this->reflectance = { property->GetAmbient(), property->GetDiffuse(), property->GetSpecular(),
       property->GetSpecularPower() };
     this->UploadTable(window, volume);
+    ++this->version;
   }
 }
 
@@ -106,19 +107,24 @@ void ComparisonVolume::UploadVoxels(vtkOpenGLRenderWindow* window)
 
 void ComparisonVolume::UploadTable(vtkOpenGLRenderWindow* window, vtkVolume* volume)
 {
-  const OpticalTable built = BuildOpticalTable(
+  this->optical = BuildOpticalTable(
     TransferFunctionOf(volume->GetProperty()), this->smallest, this->smallest + this->range);
-  const IndexInTable index =
-    IndexOf(built, double(built.entries.size()) - 1.0, this->range, this->smallest);
-  this->tableScale = float(index.scale);
-  this->tableBias = float(index.bias);
-  this->lastTableIndex = float(built.entries.size() - 1);
-  this->tableEntries = built.entries.size();
+  const std::vector<glm::vec4>& entries = this->optical.entries;
+  this->index = IndexOf(this->optical, double(entries.size()) - 1.0, this->range, this->smallest);
   this->tableBuffer->Upload(
-    &built.entries.front().x, 4 * built.entries.size(), vtkOpenGLBufferObject::TextureBuffer);
+    &entries.front().x, 4 * entries.size(), vtkOpenGLBufferObject::TextureBuffer);
   this->table->ReleaseGraphicsResources(window);
   this->table->SetContext(window);
-  this->table->CreateTextureBuffer(unsigned(built.entries.size()), 4, VTK_FLOAT, this->tableBuffer);
+  this->table->CreateTextureBuffer(unsigned(entries.size()), 4, VTK_FLOAT, this->tableBuffer);
+}
+
+double ComparisonVolume::Extinction(double texel) const
+{
+  const std::vector<glm::vec4>& entries = this->optical.entries;
+  const double last = double(entries.size() - 1);
+  const double place = glm::clamp(this->index.scale * texel + this->index.bias, 0.0, last);
+  const auto below = std::size_t(std::min(place, last - 1.0));
+  return glm::mix(double(entries[below].a), double(entries[below + 1].a), place - double(below));
 }
 
 std::vector<std::string> ComparisonVolume::FragmentFiles(
@@ -144,9 +150,9 @@ void ComparisonVolume::SetUniforms(ComparisonProgram& program, const glm::dvec4&
   program.Set("voxelCountInverse", 1.0f / glm::vec3(this->geometry.dimensions));
   program.Set("worldFromGrid", glm::mat3(this->geometry.WorldFromGridDirection()));
   program.Set("worldFromGradient", glm::mat3(this->geometry.WorldFromGridNormal()));
-  program.Set("tableScales", glm::vec4(this->tableScale));
-  program.Set("tableBiases", glm::vec4(this->tableBias));
-  program.Set("lastTableIndices", glm::vec4(this->lastTableIndex));
+  program.Set("tableScales", glm::vec4(float(this->index.scale)));
+  program.Set("tableBiases", glm::vec4(float(this->index.bias)));
+  program.Set("lastTableIndices", glm::vec4(float(this->optical.entries.size() - 1)));
   program.Set("diffuseLight", glm::vec3(1.0f));
   program.Set("specularLight", glm::vec3(1.0f));
   program.Set("reflectances", this->reflectance);
@@ -192,7 +198,7 @@ const std::vector<vtkSmartPointer<vtkTextureObject>>& ComparisonVolume::Stack(
 
 std::size_t ComparisonVolume::Bytes() const
 {
-  std::size_t bytes = 2 * this->texels.size() + sizeof(glm::vec4) * this->tableEntries;
+  std::size_t bytes = 2 * this->texels.size() + sizeof(glm::vec4) * this->optical.entries.size();
   for (const auto& stack : this->stacks)
   {
     bytes += stack.empty() ? 0 : 2 * this->texels.size();

@@ -2,6 +2,8 @@
 #define Varimarch_Benchmarks_Comparison_ComparisonVolume_h
 
 #include "ComparisonProgram.h"
+#include "Core/Geometry/ScalarGrid.h"
+#include "Core/Look/OpticalTable.h"
 #include "Frame/VolumeGeometry.h"
 
 #include <vtkImageData.h>
@@ -21,6 +23,9 @@ class vtkVolume;
 
 namespace varimarch
 {
+
+/// Lets a texture interpolate linearly and continue its edges.
+void FilterLinearly(vtkTextureObject* texture);
 
 /// The voxels and the look of a volume on the device, as comparison methods read them: one
 /// component, a transfer function of one value, and a light at the eye.
@@ -45,6 +50,13 @@ public:
     vtkOpenGLRenderWindow* window, int axis);
 
   const VolumeGeometry& Geometry() const { return this->geometry; }
+
+  /// The voxels in [0, 1] over the values of the volume, and the extinction [1/mm] of such a value.
+  ScalarGrid<float> Texels() const { return { this->texels.data(), this->geometry.dimensions }; }
+  double Extinction(double texel) const;
+
+  /// A number that grows with each change of the voxels or the look.
+  int Version() const { return this->version; }
   std::size_t Bytes() const;
   void Release(vtkWindow* window);
 
@@ -61,10 +73,9 @@ private:
   double range = 1.0; ///< the largest value less the smallest
   bool shaded = false;
   glm::vec4 reflectance = glm::vec4(0.0f);
-  float tableScale = 0.0f;
-  float tableBias = 0.0f;
-  float lastTableIndex = 1.0f;
-  std::size_t tableEntries = 0;
+  OpticalTable optical;
+  IndexInTable index = { 0.0, 0.0 }; ///< index of a texel in the table
+  int version = 0;
   vtkNew<vtkTextureObject> voxels;
   vtkNew<vtkTextureObject> table;
   vtkNew<vtkOpenGLBufferObject> tableBuffer;

@@ -91,9 +91,15 @@ void UseProgram(const ComparisonFrame& frame, const std::string& voxels, const s
   frame.program.Set("clipFromGrid", glm::mat4(frame.view.clipFromGrid));
 }
 
-void DrawFrom3DTexture(const ComparisonFrame& frame, const SliceSet& set)
+// @param light  parts of a light that arrive, or null
+void DrawFrom3DTexture(const ComparisonFrame& frame, const SliceSet& set, vtkTextureObject* light)
 {
-  UseProgram(frame, "Voxels/Texture3D.glsl", "Slice.frag.glsl");
+  UseProgram(frame, "Voxels/Texture3D.glsl", light ? "SliceInLight.frag.glsl" : "Slice.frag.glsl");
+  if (light)
+  {
+    frame.program.Set("lightVolume", light);
+    frame.program.Set("boxUpperGrid", glm::vec3(frame.volume.Geometry().boxGrid.upper));
+  }
   frame.program.Set("sliceMm", float(set.sliceMm));
   frame.program.SetTriangles(set.triangles);
   frame.program.DrawAll();
@@ -156,8 +162,13 @@ void DrawSlices(const ComparisonFrame& frame, Slices slices, bool fromBehind)
   {
     const glm::dvec3 normal =
       slices == Slices::Object ? NormalOfStack(axis, frame) : frame.view.directionWorld;
-    DrawFrom3DTexture(frame, SlicesAlong(frame, normal, fromBehind));
+    DrawFrom3DTexture(frame, SlicesAlong(frame, normal, fromBehind), nullptr);
   }
+}
+
+void DrawLitSlices(const ComparisonFrame& frame, vtkTextureObject* light, bool fromBehind)
+{
+  DrawFrom3DTexture(frame, SlicesAlong(frame, frame.view.directionWorld, fromBehind), light);
 }
 
 }

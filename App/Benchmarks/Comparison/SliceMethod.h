@@ -23,6 +23,11 @@ enum class Slices
 /// "under" for slices from the front to the back.
 void DrawSlices(const ComparisonFrame& frame, Slices slices, bool fromBehind);
 
+/// The same with slices parallel to the image, whose colours are multiplied by the light at their
+/// places.
+/// @param light  parts of a light that arrive, at points from corner to corner of the volume's box
+void DrawLitSlices(const ComparisonFrame& frame, vtkTextureObject* light, bool fromBehind);
+
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "ComparedView.h"
 #include "ComparisonImage.h"
 #include "HalfAngleMethod.h"
+#include "LightVolumeMethod.h"
 #include "PassMethod.h"
 #include "SliceMethod.h"
 
@@ -27,6 +28,7 @@ struct vtkComparisonMapper::Internals
   ComparisonImage image;
   PassMethod passes;
   HalfAngleMethod halfAngle;
+  LightVolumeMethod lightVolume;
 
   void DrawImage(vtkComparisonMapper* mapper, const ComparisonFrame& frame);
   void Show(const ComparedView& view);
@@ -99,6 +101,12 @@ void vtkComparisonMapper::Internals::DrawImage(
   }
   SetComparisonState(frame.view.window,
     mapper->GetFromBehind() ? ComparisonBlending::Over : ComparisonBlending::Under);
+  if (mapper->GetMethod() == LightVolume)
+  {
+    this->lightVolume.Draw(
+      frame, ToLightWorld(mapper, frame.view), mapper->GetLightPoints(), mapper->GetFromBehind());
+    return;
+  }
   DrawSlices(frame, SlicesOf(mapper->GetMethod()), mapper->GetFromBehind());
 }
 
@@ -148,7 +156,7 @@ void vtkComparisonMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 
 double vtkComparisonMapper::GetGraphicsMemoryBytes()
 {
-  return double(this->Private->volume.Bytes());
+  return double(this->Private->volume.Bytes() + this->Private->lightVolume.Bytes());
 }
 
 void vtkComparisonMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -158,6 +166,7 @@ void vtkComparisonMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Private->image.Release(window);
   this->Private->passes.Release(window);
   this->Private->halfAngle.Release(window);
+  this->Private->lightVolume.Release(window);
 }
 
 void vtkComparisonMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -171,4 +180,5 @@ void vtkComparisonMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightDirection: " << this->LightDirection[0] << " " << this->LightDirection[1]
      << " " << this->LightDirection[2] << "\n";
   os << indent << "SpreadDegrees: " << this->SpreadDegrees << "\n";
+  os << indent << "LightPoints: " << this->LightPoints << "\n";
 }

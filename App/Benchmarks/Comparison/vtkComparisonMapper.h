@@ -7,9 +7,9 @@
 #include <memory>
 
 /// Draws composites of one component as published methods do that this project compares itself
-/// with: slices, a march in several passes, half-angle slices. It is part of the benchmarks only;
-/// the product does not know it. It draws no cuts, masks, labels, gradient opacity or opaque
-/// geometry, and lights samples by a white light at the eye.
+/// with: slices, a march in several passes, half-angle slices, a volume of light. It is part of the
+/// benchmarks only; the product does not know it. It draws no cuts, masks, labels, gradient opacity
+/// or opaque geometry, and lights samples by a white light at the eye.
 class vtkComparisonMapper : public vtkVolumeMapper
 {
 public:
@@ -24,12 +24,13 @@ public:
     ViewSlices,     ///< slices parallel to the image
     Shells,         ///< spherical shells around the eye
     Passes,         ///< ray marching in several passes
-    HalfAngle       ///< slices halfway between view and light, with shadows
+    HalfAngle,      ///< slices halfway between view and light, with shadows
+    LightVolume     ///< slices parallel to the image, with shadows from a volume of light
   };
 
   ///@{
   /// Default: ViewSlices.
-  vtkSetClampMacro(Method, int, ObjectSlices, HalfAngle);
+  vtkSetClampMacro(Method, int, ObjectSlices, LightVolume);
   vtkGetMacro(Method, int);
   ///@}
 
@@ -41,8 +42,8 @@ public:
   ///@}
 
   ///@{
-  /// Slices and shells: blend them over each other, from the back to the front, instead of under
-  /// each other. Default: on.
+  /// All but passes and half-angle slices: blend them over each other, from the back to the front,
+  /// instead of under each other. Default: on.
   vtkSetMacro(FromBehind, bool);
   vtkGetMacro(FromBehind, bool);
   ///@}
@@ -57,16 +58,27 @@ public:
   ///@}
 
   ///@{
-  /// HalfAngle: the direction towards the light in the camera's right, up and backward directions,
-  /// of any length, and half the angle of the cone in which light is scattered [degrees]. Defaults:
-  /// from above at 45 degrees; 20. Without an angle there are shadows only.
+  /// HalfAngle and LightVolume: the direction towards the light in the camera's right, up and
+  /// backward directions, of any length. Default: from above at 45 degrees.
   vtkSetVector3Macro(LightDirection, double);
   vtkGetVector3Macro(LightDirection, double);
+  ///@}
+
+  ///@{
+  /// HalfAngle: half the angle of the cone in which light is scattered [degrees]. Default: 20.
+  /// Without an angle there are shadows only.
   vtkSetClampMacro(SpreadDegrees, double, 0.0, 80.0);
   vtkGetMacro(SpreadDegrees, double);
   ///@}
 
-  /// Textures of the volume and its look in the last frame [bytes].
+  ///@{
+  /// LightVolume: points of the grid of light along the longest axis of the volume, >= 2. Default:
+  /// 64.
+  vtkSetClampMacro(LightPoints, int, 2, 1024);
+  vtkGetMacro(LightPoints, int);
+  ///@}
+
+  /// Textures of the volume, its look and its light in the last frame [bytes].
   double GetGraphicsMemoryBytes();
 
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
@@ -86,6 +98,7 @@ private:
   double EarlyTerminationTransmittance = 1.0 / 1024.0;
   double LightDirection[3] = { 0.0, 1.0, 1.0 };
   double SpreadDegrees = 20.0;
+  int LightPoints = 64;
   std::unique_ptr<Internals> Private;
 
   vtkComparisonMapper(const vtkComparisonMapper&) = delete;
