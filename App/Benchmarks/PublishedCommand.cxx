@@ -33,12 +33,13 @@ void Write(const PublishedPage& page, const ReportArguments& report)
 
 void RunPublished(const PublishedArguments& arguments)
 {
+  constexpr int LargestSide = 256; // side of each picture in a figure [pixels]
   SetInterruptNotice(OutputFolder(arguments.report.outputFolder), "nothing yet");
   PublishedPage page = { arguments.report.commandText, ThisMachine(), {}, {} };
   {
     Progress progress("Measuring the published scenes");
     page.figures = DrawPublishedFigures(arguments.options.folder,
-      std::min(arguments.options.side, 256), arguments.report.outputFolder,
+      std::min(arguments.options.side, LargestSide), arguments.report.outputFolder,
       [&](const std::string& step) { progress.SetActivity(step); });
     MeasurePublished(
       arguments.options, [&](const std::string& step) { progress.SetActivity(step); },

@@ -16,7 +16,7 @@ struct PublishedFigure
   std::string text; ///< caption: what the figure shows, and how our picture was made
 };
 
-/// Draws figures 5, 6, 7, 9 and 10 of the paper into a folder, of volumes that are not missing.
+/// Draws figures 3, 5, 6, 7, 9 and 10 of the paper into a folder, of volumes that are not missing.
 /// @param volumes  the folder of volumes
 /// @param side     side of each picture of a figure [pixels]
 /// @throws std::runtime_error when a file cannot be written

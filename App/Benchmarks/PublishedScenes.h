@@ -33,8 +33,12 @@ struct MeasuredDataSet
   std::optional<PublishedPromise> promise; ///< for data sets of table 2
 };
 
-/// Our measurements on VIS MALE with one of Volt's opacities: the methods "ours", "off" and
-/// "vtk-gpu" at Volt's sample distance.
+/// Gradient below which Volt's light is damped here [units of the data, which are bytes, per
+/// voxel].
+constexpr double VoltDampingPerVoxel = 10.0;
+
+/// Our measurements on VIS MALE with one of Volt's opacities: the methods "ours", "off" and, where
+/// no light is damped, "vtk-gpu" at Volt's sample distance.
 struct MeasuredVolt
 {
   int alpha255;

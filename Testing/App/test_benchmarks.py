@@ -187,7 +187,7 @@ def published(folder):
     assert 1 < fetches["steps"] < fetches["rc"] and fetches["df"] < fetches["rc"], fetches
     assert sets[0]["meanChebyshev"] <= sets[0]["meanEuclidean"], "a ball is larger than a cube"
     assert 0 < sets[0]["longJumps"] <= 1 and 0 <= sets[0]["brokenJumps"] <= 1
-    for figure in (5, 6, 9, 10):
+    for figure in (3, 5, 6, 9, 10):
         picture = folder / "out" / f"figure-{figure}.png"
         assert picture.read_bytes()[:4] == b"\x89PNG" and picture.name in text
     assert [(row["alpha255"], row["shaded"]) for row in results["volt"]] == [
