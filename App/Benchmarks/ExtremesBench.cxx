@@ -14,9 +14,6 @@ namespace varimarch
 namespace
 {
 
-// Height and width of the images [pixels]: those of the tests of the same scenes.
-constexpr int Side = 48;
-
 struct Group
 {
   std::string name;
@@ -91,11 +88,11 @@ bool IsWanted(const std::string& name, const std::vector<std::string>& only)
 std::vector<ExtremeResult> ResultsOf(const ExtremeScene& extreme, vtkHeadlessRenderWindow* window)
 {
   std::vector<ExtremeResult> results;
-  const std::vector<float> truth = StageOf(extreme, Side, window)->Truth();
+  const std::vector<float> truth = StageOf(extreme, ExtremesSide, window)->Truth();
   for (const MapperKind kind : ExtremeMappers())
   {
     // A new stage for each, so that none inherits what another has built.
-    results.push_back(ResultOf(*StageOf(extreme, Side, window), kind, truth));
+    results.push_back(ResultOf(*StageOf(extreme, ExtremesSide, window), kind, truth));
   }
   return results;
 }

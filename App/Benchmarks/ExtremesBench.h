@@ -12,6 +12,9 @@
 namespace varimarch
 {
 
+/// Height and width of the images [pixels]: those of the tests of the same scenes.
+constexpr int ExtremesSide = 48;
+
 /// A mapper's image of an extreme scene.
 struct ExtremeResult
 {

@@ -7,10 +7,12 @@
 #include "Scene/ProceduralVolume.h"
 #include "Scene/ReferencePicture.h"
 
+#include <vtkCamera.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace varimarch
 {
@@ -47,6 +49,10 @@ const Method VtkGpu = { "VTK GPU mapper", VtkGpuStyle, MapperKind::VtkGpu, Integ
   false, 1.0 };
 const Method VtkCpu = { "VTK fixed-point mapper", VtkCpuStyle, MapperKind::VtkCpu,
   Integration::Midpoint, false, 1.0 };
+
+// Each is shorter by the root of two, so that short curves have enough points for a fit.
+constexpr double StepsVoxels[] = { 4.0, 2.828, 2.0, 1.414, 1.0, 0.7071, 0.5, 0.3536, 0.25, 0.1768,
+  0.125, 0.08839, 0.0625 };
 
 // The rules and mappers whose steps are refined. Kinks at the faces of cells reduce higher orders.
 std::vector<Method> MethodsOfSteps(bool isSmooth)
@@ -111,13 +117,17 @@ OrderExperiment RefineSteps(ProceduralKind kind, int side, const OnStep& onStep)
   const std::string volume = NameOfVolume(kind);
   OrderExperiment experiment = { "steps-" + volume, "Steps, " + volume, "sample distance [voxels]",
     {} };
+  if (kind == ProceduralKind::Checkerboard)
+  {
+    experiment.widestFitted = 1.0; // its values turn over from voxel to voxel
+  }
   const Scene scene = OrderScene(kind, side);
   const auto image = ProceduralVolume(std::get<ProceduralSource>(scene.volume));
   const auto truth = DrawReferencePicture(scene, image, TruthTolerance)->image;
   for (const Method& method : MethodsOfSteps(kind == ProceduralKind::Ramp))
   {
     OrderCurve curve = CurveOf(method);
-    for (const double voxels : { 4.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625 })
+    for (const double voxels : StepsVoxels)
     {
       onStep(experiment.title + ": " + method.title);
       const auto picture = Drawn(method, scene, image, voxels * VoxelSideMm(image));
@@ -145,7 +155,7 @@ OrderExperiment RefineTolerance(ProceduralKind kind, int side, const OnStep& onS
   for (const Method& method : { packets, shaders })
   {
     OrderCurve curve = CurveOf(method);
-    for (const int part : { 8, 16, 32, 64, 128, 256, 512 })
+    for (const int part : { 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096 })
     {
       onStep(experiment.title + ": " + method.title);
       scene.render.errorTolerance = 1.0 / part;
@@ -159,21 +169,38 @@ OrderExperiment RefineTolerance(ProceduralKind kind, int side, const OnStep& onS
 // Steps so short that the grid makes all the error, except in VTK's mappers.
 constexpr double FineStepMm = 0.2;
 
-OrderExperiment RefineGrid(int side, const OnStep& onStep)
+// Limits a view to the half of the depth of the smooth volume that lies around its middle.
+void ClipToInside(Scene& scene)
 {
-  OrderExperiment experiment = { "grid", "Grid, smooth field", "width of a cell [mm]", {} };
-  const Scene scene = SmoothScene(side);
+  constexpr double HalfDepthMm = 25.0;
+  OffscreenView view(scene, SmoothVolume(2), MapperKind::Varimarch);
+  const double middleMm = view.Pipeline().Renderer()->GetActiveCamera()->GetDistance();
+  scene.camera.clippingRangeMm = { middleMm - HalfDepthMm, middleMm + HalfDepthMm };
+}
+
+// Beyond its faces a spline goes on as its mirror image, with a kink at each face: it errs by h
+// over a length of h there, so that whole rays have order 2, as those of linear interpolation have.
+OrderExperiment RefineGrid(int side, bool isInside, const OnStep& onStep)
+{
+  OrderExperiment experiment = { isInside ? "grid-inside" : "grid",
+    isInside ? "Grid, inside of the smooth field" : "Grid, smooth field", "width of a cell [mm]",
+    {} };
+  Scene scene = SmoothScene(side);
+  if (isInside)
+  {
+    ClipToInside(scene);
+  }
   const Method linear = { "Varimarch, linear", MidpointStyle, MapperKind::VarimarchShaders,
     Integration::Midpoint, false, 2.0 };
   const Method cubic = { "Varimarch, cubic spline", SimpsonStyle, MapperKind::VarimarchShaders,
-    Integration::Midpoint, true, 4.0 };
+    Integration::Midpoint, true, isInside ? 4.0 : 2.0 };
   Method gpu = VtkGpu;
   Method cpu = VtkCpu;
   gpu.order = cpu.order = 2.0;
   for (const Method& method : { linear, cubic, gpu, cpu })
   {
     OrderCurve curve = CurveOf(method);
-    for (const int voxels : { 5, 9, 17, 33, 65 })
+    for (const int voxels : { 9, 13, 17, 25, 33, 49, 65 })
     {
       onStep(experiment.title + ": " + method.title);
       const auto image = SmoothVolume(voxels);
@@ -256,7 +283,8 @@ void MeasureOrders(int side, const OnStep& onStep,
     [&] { return RefineSteps(ProceduralKind::Checkerboard, side, onStep); },
     [&] { return RefineTolerance(ProceduralKind::Ramp, side, onStep); },
     [&] { return RefineTolerance(ProceduralKind::Checkerboard, side, onStep); },
-    [&] { return RefineGrid(side, onStep); },
+    [&] { return RefineGrid(side, false, onStep); },
+    [&] { return RefineGrid(side, true, onStep); },
     [&] { return RefinePixels(side, onStep); },
   };
   for (const auto& measure : measurements)
@@ -264,7 +292,10 @@ void MeasureOrders(int side, const OnStep& onStep,
     experiments.push_back(measure());
     for (OrderCurve& curve : experiments.back().curves)
     {
-      curve.fit = FitOrder(curve.points, OrderFloor);
+      std::vector<OrderPoint> fitted;
+      std::copy_if(curve.points.begin(), curve.points.end(), std::back_inserter(fitted),
+        [&](const OrderPoint& point) { return point.width <= experiments.back().widestFitted; });
+      curve.fit = FitOrder(fitted, OrderFloor);
     }
     onResult(experiments);
   }

@@ -7,6 +7,7 @@
 #include "Scene/Scene.h"
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,10 +32,12 @@ struct OrderExperiment
   std::string title;     ///< title, with what is refined and the scene
   std::string widthName; ///< the refined width, with its unit
   std::vector<OrderCurve> curves;
+  /// Widths above this are not in the range in which the error has an order.
+  double widestFitted = std::numeric_limits<double>::infinity();
 };
 
 /// Errors below this are left out of fits: those of sums of floats [1/255].
-constexpr double OrderFloor = 0.002;
+constexpr double OrderFloor = 0.0005;
 
 /// Measures the observed orders of convergence, after Etiene et al., "Verifying volume rendering
 /// using discretization error analysis", TVCG 20(1), 2014, and Etiene, Kirby, Silva, "A study of

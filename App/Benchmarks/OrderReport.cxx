@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <sstream>
 
 namespace varimarch
@@ -17,12 +18,19 @@ std::string FittedOrder(const OrderCurve& curve)
   return curve.fit ? Fixed(curve.fit->order, 2) + " ± " + Fixed(curve.fit->halfWidth, 2) : "-";
 }
 
+std::string FittedRange(const OrderExperiment& experiment)
+{
+  return std::isinf(experiment.widestFitted)
+    ? std::string()
+    : "Fitted from " + experiment.widthName + " " + Fixed(experiment.widestFitted, 0) + " on.\n\n";
+}
+
 std::string OrderRow(const OrderCurve& curve)
 {
   return "| " + curve.method + " | " + (curve.expected ? Fixed(*curve.expected, 0) : "-") + " | " +
     FittedOrder(curve) + " | " + std::to_string(curve.fit ? curve.fit->points : 0) + " of " +
     std::to_string(curve.points.size()) + " | " + Fixed(curve.points.front().rmse, 3) + " | " +
-    Fixed(curve.points.back().rmse, 3) + " |\n";
+    Fixed(curve.points.back().rmse, 4) + " |\n";
 }
 
 }
@@ -35,12 +43,11 @@ std::string OrderMarkdown(const OrderPage& page)
     page.commandText +
     "`.\n\nErrors are RMSE in 1/255. Orders are slopes fitted to all errors "
     "above " +
-    Fixed(OrderFloor, 3) + ", with their 95 % confidence.\n";
+    Fixed(OrderFloor, 4) + ", with their 95 % confidence.\n";
   for (const OrderExperiment& experiment : page.experiments)
   {
     text += "\n## " + experiment.title + "\n\n![Error over " + experiment.widthName + "](" +
-      experiment.name +
-      ".svg)\n\n"
+      experiment.name + ".svg)\n\n" + FittedRange(experiment) +
       "| method | expected | observed order | fitted to | error, coarsest | error, finest |\n"
       "|---|---:|---:|---:|---:|---:|\n";
     for (const OrderCurve& curve : experiment.curves)

@@ -288,7 +288,7 @@ def order(folder):
     text, _ = run("order", "-o", folder, "--side", "16")
     results = json.loads((folder / "order.json").read_text())
     names = ["steps-ramp", "steps-checkerboard", "tolerance-ramp", "tolerance-checkerboard",
-             "grid", "pixels"]
+             "grid", "grid-inside", "pixels"]
     assert [experiment["name"] for experiment in results["experiments"]] == names
     rows = list(csv.DictReader((folder / "order.csv").open()))
     orders = {}
