@@ -110,8 +110,8 @@ def work_precision_judges_error_tolerances(folder):
 
 def work_precision_draws_methods_of_others(folder):
     """Methods of others get the same columns as ours, and fewer samples give larger errors."""
-    others = ["slices-object", "slices-object-2d", "slices-view", "shells", "passes", "half-angle",
-              "light-volume"]
+    shadowed = ["half-angle", "light-volume"]  # shadows are not in the truth
+    others = ["slices-object", "slices-object-2d", "slices-view", "shells", "passes", *shadowed]
     orders = ["whole-rays", "back-to-front"]
     run("work-precision", VOLUME, "-o", folder, "--size", "48x40", "--rounds", "1", "--methods",
         ",".join(orders + others), "--no-shade", "--orbit", "4")
@@ -124,7 +124,7 @@ def work_precision_draws_methods_of_others(folder):
         assert 0 < curve["orbit"]["medianChange255"] <= curve["orbit"]["largestChange255"], curve
         assert first["graphicsBytes"] > 2 * 48 * 40 * 32, (name, first)
         assert png_size(folder / f"{scene['name']}-{name}.png") == (48, 40)
-        if name not in ("half-angle", "light-volume"):  # shadows are not in the truth
+        if name not in shadowed:
             assert last["error255"]["rmse"] < first["error255"]["rmse"] < 60, (name, curve)
     # Three stacks of slices, of which one view takes one, and the 3D texture of the others.
     bytes_of = {name: curve["points"][0]["graphicsBytes"] for name, curve in curves.items()}
@@ -151,6 +151,9 @@ def shaders(folder):
             for cost in (plain, lit):  # which is larger depends on the rule of integration
                 assert cost["instructions"] > 100 and cost["fetches"] >= 3, (name, plain, lit)
     assert costs["optical"]["plain"]["textures"] == costs["off"]["plain"]["textures"] + 1
+    if "llvmpipe" in results["openglRenderer"]:  # features are measured on linear interpolation
+        fetches = [costs[name]["plain"]["fetches"] for name in ("nearest", "clipping", "cubic")]
+        assert fetches == sorted(set(fetches)), fetches
 
 
 def write_ball(volumes):
@@ -185,11 +188,9 @@ def published(folder):
         assert [round(point["voxels"], 3) for point in methods[name]] == [1, 0.5], name
     fetches = {name: methods[name][0]["fetchesPerPixel"] for name in ("steps", "rc", "df")}
     assert 1 < fetches["steps"] < fetches["rc"] and fetches["df"] < fetches["rc"], fetches
-    assert sets[0]["meanChebyshev"] <= sets[0]["meanEuclidean"], "a ball is larger than a cube"
-    assert 0 < sets[0]["longJumps"] <= 1 and 0 <= sets[0]["brokenJumps"] <= 1
-    for figure in (3, 5, 6, 9, 10):
-        picture = folder / "out" / f"figure-{figure}.png"
-        assert picture.read_bytes()[:4] == b"\x89PNG" and picture.name in text
+    assert sets[0]["meanChebyshev"] <= sets[0]["meanEuclidean"] and 0 < sets[0]["longJumps"] <= 1
+    for name in (f"figure-{figure}.png" for figure in (3, 5, 6, 9, 10)):
+        assert png_size(folder / "out" / name)[0] > 100 and name in text
     assert [(row["alpha255"], row["shaded"]) for row in results["volt"]] == [
         (alpha, shaded) for alpha in (15, 63, 255) for shaded in (False, True)]
     _, errors = run("published", "--volumes", folder / "out", "-o", folder, expect=1)
