@@ -388,9 +388,9 @@ TEST(Blocks, AreOfSizesThatTheDeviceHasTexturesFor)
   scene.window->Render();
   GLint longestSide = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &longestSide);
-  const std::vector<ScalarTexels> texels(1);
-  EXPECT_EQ(VolumeTexture::MostTexels({ 64, 56, 48 }, texels), 64u * 56u * 48u);
-  const std::size_t most = VolumeTexture::MostTexels(glm::ivec3(longestSide), texels);
+  const TexelFormat format = TexelFormat::Integers16;
+  EXPECT_EQ(VolumeTexture::MostTexels({ 64, 56, 48 }, 1, format), 64u * 56u * 48u);
+  const std::size_t most = VolumeTexture::MostTexels(glm::ivec3(longestSide), 1, format);
   EXPECT_GE(most, 64u * 56u * 48u);
   EXPECT_LT(double(most), std::pow(longestSide, 3.0)) << "more than any device's memory";
 }

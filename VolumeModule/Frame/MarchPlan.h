@@ -25,6 +25,7 @@ struct MarchPlan
 {
   Marcher marcher = Marcher::Device;
   Integration integration = Integration::Midpoint;
+  bool filters8Bits = false;        ///< True if texels of 8 bits may replace wider ones.
   bool choosesIntegration = false;  ///< True if a trial may still change the integration rule.
   bool triesPreIntegration = false; ///< True if memory suffices for a pre-integrated table.
   ErrorBudget budget;

@@ -1,6 +1,7 @@
 #include "March/RayMarcher.h"
 
 #include "Frame/FrameMeasures.h"
+#include "March/Device/FilterPrecision.h"
 #include "March/Processor/PacketCapability.h"
 #include "March/Processor/PacketSceneBuilder.h"
 #include "March/RayParametersBuilder.h"
@@ -58,6 +59,7 @@ void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)
   else
   {
     plan.marcher = Marcher::Device;
+    plan.filters8Bits = this->resources.AnyFits8Bits() && Filters8BitsExactly(frame.view.window);
     this->packets.Release(frame.view.window);
   }
   plan.sampleDistanceMm =

@@ -70,6 +70,15 @@ void SceneResources::UpdateVoxels(const Frame& frame)
   }
 }
 
+bool SceneResources::AnyFits8Bits() const
+{
+  const auto fits = [](const VolumeResources& volume)
+  { return volume.Blocks().Texels().fits8Bits; };
+  return fits(this->first) ||
+    std::any_of(
+      this->others.begin(), this->others.end(), [&](const auto& other) { return fits(*other); });
+}
+
 void SceneResources::Update(const Frame& frame, MarchPlan& plan, const MemoryElsewhere& ofImages)
 {
   this->UpdateDepth(frame, plan);

@@ -43,6 +43,7 @@ public:
   /// The textures of the rays, apart from results of other drawings.
   RayTextures Textures() const;
 
+  bool AnyFits8Bits() const; ///< True if texels of 8 bits can hold a volume.
   bool IsInBlocks() const { return this->first.Blocks().Partition().Count() > 1; }
   /// The box around all volumes through which rays are marched, in the grid of the first volume.
   const Box& DrawnBox() const { return this->drawnBox; }

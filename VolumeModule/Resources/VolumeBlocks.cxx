@@ -16,12 +16,27 @@ void VolumeBlock::Release(vtkWindow* window)
 void VolumeBlocks::SetVoxels(const VoxelValues& newValues)
 {
   this->values = newValues;
+  this->ForgetVoxels();
+}
+
+void VolumeBlocks::ForgetVoxels()
+{
   for (const auto& block : this->blocks)
   {
     if (block)
     {
       block->isCurrent = false;
     }
+  }
+}
+
+void VolumeBlocks::SetFilter(bool areFiltered8Bits)
+{
+  const TexelFormat present = this->Format();
+  this->filters8Bits = areFiltered8Bits;
+  if (this->Format() != present)
+  {
+    this->ForgetVoxels();
   }
 }
 
@@ -71,7 +86,7 @@ void VolumeBlocks::SetGradients(vtkWindow* window, bool areStored)
 std::size_t VolumeBlocks::BytesPerVoxel() const
 {
   const std::size_t gapBytes = this->MayHaveGaps() ? 1 : 0;
-  return this->values.texels.size() * this->Texels().BytesPerTexel() + gapBytes +
+  return this->values.texels.size() * BytesOf(this->Format()) + gapBytes +
     (this->valueField ? 1 : 0) + (this->storesGradients ? GradientTexture::BytesPerVoxel : 0);
 }
 
@@ -139,7 +154,7 @@ void VolumeBlocks::Upload(
   vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region)
 {
   block.valueFieldOf.reset();
-  block.volume.Upload(window, region, this->values.texels);
+  block.volume.Upload(window, region, this->values.texels, this->Format());
   block.isCurrent = true;
   block.gapsAreCurrent = false;
   block.gradientsAreCurrent = false;

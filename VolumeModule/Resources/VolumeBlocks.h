@@ -53,6 +53,10 @@ public:
   /// Chooses the field of values that each block has; none for no field.
   void SetValueField(vtkWindow* window, std::optional<ValueField> chosen);
 
+  /// Says whether the device filters texels of 8 bits as exactly as wider ones.
+  void SetFilter(bool filters8Bits);
+  TexelFormat Format() const { return TexelFormatOf(this->values.texels, this->filters8Bits); }
+
   /// Decides whether each block has the gradients of its voxels.
   void SetGradients(vtkWindow* window, bool areStored);
 
@@ -85,6 +89,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void ForgetVoxels();
   void LetGo(vtkWindow* window, const std::vector<int>& released);
   void Upload(vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
   void UpdateGaps(vtkOpenGLRenderWindow* window, VolumeBlock& block, const ScalarRegion& region);
@@ -96,6 +101,7 @@ private:
   VoxelValues values;
   Blanking blanking;
   std::optional<ValueField> valueField;
+  bool filters8Bits = false;
   bool storesGradients = false;
   BlockPartition partition;
   BlockResidency residency;

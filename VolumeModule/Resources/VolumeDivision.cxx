@@ -74,8 +74,8 @@ BlockLimits VolumeDivision::LimitsOf(
   BlockLimits limits{ vtkTextureObject::GetMaximumTextureSize3D(march.frame.view.window),
     this->blocks.BytesPerVoxel(), 0 };
   limits.largestBytes = limits.bytesPerVoxel *
-    VolumeTexture::MostTexels(
-      glm::min(voxels, limits.largestSide), this->blocks.TexelsOfComponents());
+    VolumeTexture::MostTexels(glm::min(voxels, limits.largestSide),
+      this->blocks.TexelsOfComponents().size(), this->blocks.Format());
   const std::size_t most = march.frame.device.mostMemoryBytes;
   const std::size_t fixedBytes = elsewhere.fixedBytes;
   const std::size_t wholeBytes = limits.bytesPerVoxel * voxels.x * voxels.y * voxels.z;

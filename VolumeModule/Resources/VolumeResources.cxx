@@ -75,6 +75,7 @@ VolumeFindings VolumeResources::Update(const VolumeMarch& march, const MemoryEls
   this->UpdateSpacing(march);
   this->materials.Update(march, this->Blocks().TexelsOfComponents());
   this->packets.Update(march, this->Blocks().Values());
+  this->Blocks().SetFilter(march.plan.filters8Bits);
   this->Blocks().SetGradients(march.frame.view.window,
     march.plan.marcher == Marcher::Device && ReadsStoredGradients(march.settings));
   this->fields.Update({ march, this->Blocks(), this->materials, this->mask, this->voxelsBuild });

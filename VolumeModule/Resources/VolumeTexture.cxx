@@ -1,6 +1,5 @@
 #include "Resources/VolumeTexture.h"
 
-#include "Frame/FiniteRange.h"
 #include "VtkVersions.h"
 
 #include "vtkDataArray.h"
@@ -16,6 +15,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <type_traits>
@@ -27,15 +27,8 @@ namespace varimarch
 namespace
 {
 
-constexpr double LargestTexel16 = 65535.0;
-
-// Spreads integers over 16 bits by an integer factor, so that each voxel's texel is exact and the
-// filter interpolates with all bits.
-TexelMapping NormalizedMapping(double smallest, double largest)
-{
-  const double factor = std::floor(LargestTexel16 / std::max(largest - smallest, 1.0));
-  return { LargestTexel16 / factor, smallest };
-}
+template <class Texel>
+constexpr double LargestInteger = double(std::numeric_limits<Texel>::max());
 
 template <class Scalar>
 bool IsFinite(Scalar scalar)
@@ -67,7 +60,7 @@ bool ConvertScalars(const Scalar* source, int stride, Texel* target, int texelSt
   const TexelMapping& mapping)
 {
   constexpr bool normalized = std::is_integral<Texel>::value;
-  const double factor = (normalized ? LargestTexel16 : 1.0) / mapping.scale;
+  const double factor = (normalized ? LargestInteger<Texel> : 1.0) / mapping.scale;
   const double rounding = normalized ? 0.5 : 0.0;
   bool allFinite = true;
   for (int x = 0; x < count; ++x)
@@ -146,6 +139,7 @@ bool ConvertComponent(const VoxelComponent& component, const ComponentRows& rows
 }
 
 constexpr GLenum FormatOfComponents[] = { GL_RED, GL_RG, GL_RGB, GL_RGBA };
+constexpr GLint Format8OfComponents[] = { GL_R8, GL_RG8, GL_RGB8, GL_RGBA8 };
 constexpr GLint Format16OfComponents[] = { GL_R16, GL_RG16, GL_RGB16, GL_RGBA16 };
 constexpr GLint FormatFloatOfComponents[] = { GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F };
 
@@ -153,7 +147,8 @@ constexpr GLint FormatFloatOfComponents[] = { GL_R32F, GL_RG32F, GL_RGB32F, GL_R
 /// volume.
 /// @return true if all scalars are finite
 template <class Texel>
-bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& texelsOfComponents)
+bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& texelsOfComponents,
+  GLenum typeOfTexels)
 {
   constexpr std::size_t texelsAtOnce = std::size_t(1) << 22;
   const VoxelRegion& all = region.voxels;
@@ -176,50 +171,37 @@ bool UploadSlices(const ScalarRegion& region, const std::vector<ScalarTexels>& t
       allFinite = ConvertComponent(component, rows, texels.data() + i) && allFinite;
     }
     glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, part.count.x, part.count.y, slices,
-      FormatOfComponents[components - 1],
-      std::is_integral<Texel>::value ? GL_UNSIGNED_SHORT : GL_FLOAT, texels.data());
+      FormatOfComponents[components - 1], typeOfTexels, texels.data());
   }
   return allFinite;
 }
 
-void CheckDifference(const ScalarTexels& texels)
+GLenum InternalFormatOf(std::size_t components, TexelFormat format)
 {
-  const double difference = texels.largestScalar - texels.smallestScalar;
-  if (0.0 < difference && difference < SmallestDifference)
+  switch (format)
   {
-    std::ostringstream message;
-    message << "Cannot draw scalars that differ by at most " << difference << ": expected "
-            << SmallestDifference << " or more; multiply them by a large number";
-    throw std::runtime_error(message.str());
+    case TexelFormat::Integers8:
+      return Format8OfComponents[components - 1];
+    case TexelFormat::Integers16:
+      return Format16OfComponents[components - 1];
+    default:
+      return FormatFloatOfComponents[components - 1];
   }
 }
 
-GLenum InternalFormatOf(const std::vector<ScalarTexels>& texels)
+int VtkTypeOf(TexelFormat format)
 {
-  const std::size_t components = texels.size();
-  return texels.front().normalized ? Format16OfComponents[components - 1]
-                                   : FormatFloatOfComponents[components - 1];
+  switch (format)
+  {
+    case TexelFormat::Integers8:
+      return VTK_UNSIGNED_CHAR;
+    case TexelFormat::Integers16:
+      return VTK_UNSIGNED_SHORT;
+    default:
+      return VTK_FLOAT;
+  }
 }
 
-}
-
-// Scales by a power of two, which is exact. Numbers are shifted only if their range is small
-// compared with its distance from zero, as for doubles around 1e7 that differ by 1, or if all are
-// the same, for floats need not represent that number.
-TexelMapping FloatMapping(double smallest, double largest)
-{
-  const double range = largest - smallest;
-  const double farthest = std::max(std::abs(smallest), std::abs(largest));
-  const bool farFromZero = farthest > 2.0 * range;
-  const double extent = farFromZero && range > 0.0 ? range : farthest;
-  const double scale = extent > 0.0 ? std::exp2(std::ceil(std::log2(extent))) : 1.0;
-  return { scale, farFromZero ? smallest : 0.0 };
-}
-
-double TexelMapping::LimitedTexelOf(double scalar) const
-{
-  constexpr double most = 1e30;
-  return std::clamp(this->TexelOf(scalar), -most, most);
 }
 
 void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
@@ -261,37 +243,16 @@ void AllocateTexture3D(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   }
 }
 
-std::vector<ScalarTexels> ScalarTexelsOf(const VoxelComponents& components)
+// llvmpipe filters texels of 8 bits in integers of 8 bits if the texture is repeated or clamped on
+// every axis, but in floats if it is mirrored on one. A mirrored texture is the same as a clamped
+// one up to a voxel beyond the outermost, which is as far as gradients read.
+void SetVolumeFilter(vtkTextureObject* texture, bool isNarrow)
 {
-  std::vector<ScalarTexels> all;
-  bool allNormalized = true;
-  bool allIntegers = true;
-  for (const VoxelComponent& component : components)
-  {
-    const ValueRange finite = FiniteRangeOf(component);
-    const bool anyFinite = !finite.IsEmpty();
-    const int type = component.array->GetDataType();
-    ScalarTexels texels;
-    texels.smallestScalar = anyFinite ? Limited(finite.lower) : 0.0;
-    texels.largestScalar = anyFinite ? Limited(finite.upper) : 0.0;
-    CheckDifference(texels);
-    texels.smallestValue = texels.smallestScalar;
-    texels.largestValue = texels.largestScalar;
-    texels.gray = { texels.smallestScalar, texels.largestScalar };
-    texels.resolved = texels.gray;
-    allIntegers = allIntegers && type != VTK_FLOAT && type != VTK_DOUBLE;
-    allNormalized = allNormalized && allIntegers &&
-      texels.largestScalar - texels.smallestScalar <= LargestTexel16;
-    all.push_back(texels);
-  }
-  for (ScalarTexels& texels : all)
-  {
-    texels.finite = allIntegers;
-    texels.normalized = allNormalized;
-    texels.mapping = allNormalized ? NormalizedMapping(texels.smallestScalar, texels.largestScalar)
-                                   : FloatMapping(texels.smallestScalar, texels.largestScalar);
-  }
-  return all;
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetWrapR(isNarrow ? vtkTextureObject::MirroredRepeat : vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
 }
 
 std::vector<float> TexelsAsFloats(const ScalarRegion& region, const ScalarTexels& texels)
@@ -305,12 +266,12 @@ std::vector<float> TexelsAsFloats(const ScalarRegion& region, const ScalarTexels
 
 // vtkTextureObject::AllocateProxyTexture3D does the same, but reports a refusal as an error.
 std::size_t VolumeTexture::MostTexels(
-  glm::ivec3 dimensions, const std::vector<ScalarTexels>& texels)
+  glm::ivec3 dimensions, std::size_t components, TexelFormat format)
 {
   const auto isTaken = [&]
   {
-    glTexImage3D(GL_PROXY_TEXTURE_3D, 0, InternalFormatOf(texels), dimensions.x, dimensions.y,
-      dimensions.z, 0, FormatOfComponents[texels.size() - 1], GL_FLOAT, nullptr);
+    glTexImage3D(GL_PROXY_TEXTURE_3D, 0, InternalFormatOf(components, format), dimensions.x,
+      dimensions.y, dimensions.z, 0, FormatOfComponents[components - 1], GL_FLOAT, nullptr);
     GLint width = 0;
     glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
     return width == dimensions.x;
@@ -324,24 +285,29 @@ std::size_t VolumeTexture::MostTexels(
 }
 
 void VolumeTexture::Upload(vtkOpenGLRenderWindow* window, const ScalarRegion& region,
-  const std::vector<ScalarTexels>& texels)
+  const std::vector<ScalarTexels>& texels, TexelFormat format)
 {
-  const bool normalized = texels.front().normalized;
   const int components = int(region.components.size());
   const glm::ivec3 size = region.voxels.count;
-  AllocateTexture3D(this->texture, window, size, normalized ? VTK_UNSIGNED_SHORT : VTK_FLOAT,
-    InternalFormatOf(texels), components, "a volume");
-  this->bytes = std::size_t(size.x) * size.y * size.z * components * texels.front().BytesPerTexel();
+  AllocateTexture3D(this->texture, window, size, VtkTypeOf(format),
+    InternalFormatOf(texels.size(), format), components, "a volume");
+  this->bytes = std::size_t(size.x) * size.y * size.z * components * BytesOf(format);
 
-  this->texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->texture->SetWrapR(vtkTextureObject::ClampToEdge);
-  this->texture->SetMinificationFilter(vtkTextureObject::Linear);
-  this->texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  SetVolumeFilter(this->texture, format == TexelFormat::Integers8);
   this->texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  this->allFinite =
-    normalized ? UploadSlices<std::uint16_t>(region, texels) : UploadSlices<float>(region, texels);
+  switch (format)
+  {
+    case TexelFormat::Integers8:
+      this->allFinite = UploadSlices<std::uint8_t>(region, texels, GL_UNSIGNED_BYTE);
+      break;
+    case TexelFormat::Integers16:
+      this->allFinite = UploadSlices<std::uint16_t>(region, texels, GL_UNSIGNED_SHORT);
+      break;
+    case TexelFormat::Floats:
+      this->allFinite = UploadSlices<float>(region, texels, GL_FLOAT);
+      break;
+  }
   this->texture->Deactivate();
 }
 
