@@ -120,6 +120,16 @@ void AddLightOptions(CLI::App& command, SceneArguments& arguments)
     ->group(group);
 }
 
+void AddRegionsOption(CLI::App& command, SceneArguments& arguments)
+{
+  command
+    .add_option("--regions", arguments.regions,
+      "File with regions of value and gradient magnitude that replace the curves of\n"
+      "the look: an array as of the key \"regions\" of a look")
+    ->type_name("FILE")
+    ->group("Look");
+}
+
 void AddLookOptions(CLI::App& command, SceneArguments& arguments)
 {
   const std::string group = "Look";
@@ -137,6 +147,7 @@ void AddLookOptions(CLI::App& command, SceneArguments& arguments)
     ->type_name("NAME")
     ->needs(fileOption)
     ->group(group);
+  AddRegionsOption(command, arguments);
   CLI::Option* shadeOption = command
                                .add_flag_callback(
                                  "--shade", [&] { arguments.shade = true; }, "Shade the volume")

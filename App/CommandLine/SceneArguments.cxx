@@ -5,6 +5,7 @@
 #include "Scene/LookFiles.h"
 #include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
+#include "Scene/RegionsJson.h"
 #include "Scene/SceneFile.h"
 #include "Scene/VolumeProperty.h"
 #include "UsageError.h"
@@ -54,6 +55,10 @@ void OverridePreset(
 
 void OverrideLook(const SceneArguments& arguments, Look& look)
 {
+  if (!arguments.regions.empty())
+  {
+    look.regions = ReadRegions(arguments.regions);
+  }
   look.shading.enabled = arguments.shade.value_or(look.shading.enabled);
   look.dampingGradient = arguments.dampingGradient.value_or(look.dampingGradient);
   if (arguments.blend)

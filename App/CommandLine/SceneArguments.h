@@ -22,6 +22,7 @@ struct SceneArguments
   std::string preset;           ///< name of a built-in preset; empty: chosen for the volume
   std::string transferFunction; ///< file with looks; empty: the preset's look
   std::string lookName;         ///< name of a look in that file; empty: its only look
+  std::string regions;          ///< file of regions; empty: those of the look
   std::optional<bool> shade;
   std::optional<Blend> blend;
   std::optional<double> dampingGradient;  ///< as in Look

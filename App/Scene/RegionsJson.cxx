@@ -47,6 +47,12 @@ std::vector<LookRegion> RegionsFromJson(const JsonCursor& json)
   return regions;
 }
 
+std::vector<LookRegion> ReadRegions(const std::string& path)
+{
+  const nlohmann::json json = ReadJson(path);
+  return RegionsFromJson(JsonCursor(json, path));
+}
+
 nlohmann::ordered_json JsonFromRegions(const std::vector<LookRegion>& regions)
 {
   nlohmann::ordered_json json;

@@ -4,6 +4,7 @@
 #include "Scene/JsonCursor.h"
 #include "Scene/Scene.h"
 
+#include <string>
 #include <vector>
 
 namespace varimarch
@@ -13,6 +14,9 @@ namespace varimarch
 constexpr std::size_t MostRegions = 64;
 
 std::vector<LookRegion> RegionsFromJson(const JsonCursor& json);
+
+/// Reads a file that holds an array of regions. @throws std::runtime_error that names the file
+std::vector<LookRegion> ReadRegions(const std::string& path);
 
 nlohmann::ordered_json JsonFromRegions(const std::vector<LookRegion>& regions);
 

@@ -174,6 +174,27 @@ def limited_rays(folder):
     assert "excludes" in message, message
 
 
+def regions(folder):
+    """Regions of a file draw what the same regions of a look draw, in place of its curves."""
+    tissue = [{"shape": "ellipse", "values": [-100, 300], "gradients": [0, 60], "rgb": [1, 0.6, 0.4],
+               "opacity": 0.02},
+              {"shape": "rectangle", "values": [100, 1200], "gradients": [20, 4000],
+               "rgb": [1, 1, 0.9], "opacity": 0.4, "softness": 0.2}]
+    (alone := folder / "regions.json").write_text(json.dumps(tissue))
+    look = {"colors": [{"value": 0, "rgb": [0, 0, 1]}], "opacities": [{"value": 0, "opacity": 1}]}
+    (curves := folder / "curves.json").write_text(json.dumps(look))
+    (whole := folder / "look.json").write_text(json.dumps({**look, "regions": tissue}))
+    pictures = []
+    for options in (["--transfer-function", curves], ["--transfer-function", whole],
+                    ["--transfer-function", curves, "--regions", alone]):
+        run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", *options)
+        pictures.append((folder / "a.png").read_bytes())
+    assert pictures[0] != pictures[1] == pictures[2]
+    alone.write_text('[{"shape": "ellipse", "values": [300, 100]}]')
+    _, message = run("render", VOLUME, "-o", folder / "a.png", "--regions", alone, expect=1)
+    assert "regions.json: [0].values: expected the smaller end first" in message, message
+
+
 def field(folder):
     def voxels_of(name):
         header, _, voxels = (folder / name).read_bytes().partition(b"ElementDataFile = LOCAL\n")
@@ -262,5 +283,5 @@ def interrupt(folder):
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
         cases = (render, render_dicom, compare, compare_with_every_blend, info, convert, field,
-                 limited_rays, usage, errors, interrupt)
+                 limited_rays, regions, usage, errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))
