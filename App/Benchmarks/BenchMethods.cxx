@@ -205,10 +205,35 @@ const std::vector<Row>& RowsOfOthers()
   return rows;
 }
 
+// The march in passes, with voxels in other forms than the 16 bits of the row "passes".
+const std::vector<Row>& RowsOfStorages()
+{
+  const auto row =
+    [](const std::string& name, const std::string& title, CurveStyle style, VoxelStorage storage)
+  {
+    return Row{ { name, title, Shaders, style, vtkComparisonMapper::Passes, storage }, {},
+      SampleDistances, 0.0, Pictures::PlainComposites };
+  };
+  static const std::vector<Row> rows = {
+    row("bits-8", "8 bits", { Green, Marker::Square, Stroke::Solid }, VoxelStorage::Bits8),
+    row("bits-8-rgba", "8 bits, four voxels in RGBA8", { Green, Marker::Diamond, Stroke::Dotted },
+      VoxelStorage::FourInTexel),
+    row("bits-6", "6 bits, five voxels in a word", { Purple, Marker::Diamond, Stroke::Solid },
+      VoxelStorage::Bits6),
+    row("bits-4-rgba", "4 bits, four voxels in RGBA4", { Orange, Marker::Circle, Stroke::Dashed },
+      VoxelStorage::FourInTexel4),
+    row("bits-1", "1 bit, 32 voxels in a word", { Vermilion, Marker::Diamond, Stroke::Dotted },
+      VoxelStorage::Bit1),
+    row("slices-side-by-side", "slices in a 2D texture, two bilinear reads",
+      { Black, Marker::Circle, Stroke::Dotted }, VoxelStorage::Slices2D),
+  };
+  return rows;
+}
+
 std::vector<Row> AllRows()
 {
   std::vector<Row> rows = Rows();
-  for (const std::vector<Row>& more : { RowsOfChoices(), RowsOfOthers() })
+  for (const std::vector<Row>& more : { RowsOfChoices(), RowsOfOthers(), RowsOfStorages() })
   {
     rows.insert(rows.end(), more.begin(), more.end());
   }

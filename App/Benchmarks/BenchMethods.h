@@ -1,6 +1,7 @@
 #ifndef Varimarch_Benchmarks_BenchMethods_h
 #define Varimarch_Benchmarks_BenchMethods_h
 
+#include "Comparison/VoxelStorage.h"
 #include "LogLogPlot.h"
 #include "Scene/Scene.h"
 
@@ -22,6 +23,7 @@ struct BenchMethod
   CurveStyle style;
   /// One of vtkComparisonMapper::Methods, which then draws instead of the mapper of this kind.
   std::optional<int> comparison = {};
+  VoxelStorage storage = VoxelStorage::Bits16; ///< only for comparison methods
 };
 
 std::vector<std::string> BenchMethodNames();

@@ -4,13 +4,13 @@
 #include "CommandLine/VtkMessages.h"
 #include "FeatureView.h"
 #include "MethodView.h"
+#include "VtkVersions.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkShaderProgram.h>
 #include <vtkVariationFieldGPUVolumeRayCastMapper.h>
 #include <vtkVariationFieldVolumeMapper.h>
 #include <vtkVolumeProperty.h>
-#include <vtk_glew.h>
 
 #include <cstdlib>
 #include <functional>

@@ -1,16 +1,13 @@
 // The comparison methods of the benchmarks: slices, shells, a march in passes, half-angle slices.
 
+#include "App/ComparedScene.h"
 #include "Benchmarks/Comparison/SliceGeometry.h"
-#include "Benchmarks/Comparison/vtkComparisonMapper.h"
 #include "Benchmarks/OrbitChange.h"
 
 #include "Core/Geometry/ScalarGrid.h"
 #include "Core/Look/OpticalTable.h"
-#include "Core/Quality/ImageError.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Frame/VolumeGeometry.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/ProceduralVolume.h"
 
 #include <vtkCamera.h>
 
@@ -27,57 +24,7 @@ using namespace varimarch;
 namespace
 {
 
-using Pixels = std::vector<float>;
 using Mapper = vtkComparisonMapper;
-
-// A look without steep slopes, so that rounding of positions hardly shows.
-Scene SoftScene(bool shaded)
-{
-  Scene scene;
-  scene.look.colors = { { -1000.0, { 0.1, 0.3, 1.0 } }, { 1500.0, { 1.0, 0.7, 0.2 } } };
-  scene.look.opacities = { { -600.0, 0.0 }, { 1500.0, 0.25 } };
-  scene.look.opacityUnitDistanceMm = 10.0;
-  scene.look.shading.enabled = shaded;
-  scene.camera.azimuthDegrees = 25.0;
-  scene.camera.elevationDegrees = 15.0;
-  scene.size = { 64, 56 };
-  return scene;
-}
-
-vtkSmartPointer<vtkImageData> Torso()
-{
-  return ProceduralVolume({ ProceduralKind::Torso, { 40, 36, 24 }, 7 });
-}
-
-// A scene that one of the comparison methods draws.
-struct ComparedScene
-{
-  vtkSmartPointer<vtkImageData> image;
-  OffscreenView view;
-  vtkNew<Mapper> mapper;
-
-  explicit ComparedScene(const Scene& scene, vtkSmartPointer<vtkImageData> volume = Torso())
-    : image(volume)
-    , view(scene, volume, MapperKind::VarimarchShaders)
-  {
-    this->mapper->SetInputDataObject(this->image);
-    this->mapper->SetSampleDistance(4.0);
-    this->view.Pipeline().Volume()->SetMapper(this->mapper);
-  }
-
-  Pixels Draw(int method)
-  {
-    this->mapper->SetMethod(method);
-    const auto picture = this->view.FloatImage();
-    const auto* const channels = static_cast<const float*>(picture->GetScalarPointer());
-    return Pixels(channels, channels + 4 * picture->GetNumberOfPoints());
-  }
-};
-
-ImageError Difference(const Pixels& one, const Pixels& other)
-{
-  return CompareImages(one.data(), other.data(), other.size() / 4);
-}
 
 // Ray marching in double precision at given distances from the eye.
 struct MarchByHand
@@ -245,9 +192,7 @@ TEST(Slices, MakeTheImageOfOurMapperWhenTheyAreClose)
     settings.render.errorTolerance = 1.0 / 1024.0;
     ComparedScene scene(settings);
     OffscreenView ours(settings, scene.image, MapperKind::Varimarch);
-    const auto picture = ours.FloatImage();
-    const auto* const channels = static_cast<const float*>(picture->GetScalarPointer());
-    const Pixels truth(channels, channels + 4 * picture->GetNumberOfPoints());
+    const Pixels truth = PixelsOf(ours.FloatImage());
     scene.mapper->SetSampleDistance(0.5);
     for (const int method :
       { Mapper::ObjectSlices, Mapper::ViewSlices, Mapper::Shells, Mapper::Passes })

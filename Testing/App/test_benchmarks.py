@@ -135,6 +135,26 @@ def work_precision_draws_methods_of_others(folder):
     assert "| back to front" not in table and "no field, back to front | 1 voxels |" in table
 
 
+def work_precision_compares_storages(folder):
+    """Fewer bits take less memory and err more; another arrangement of the same bits errs the same."""
+    methods = ["passes", "bits-8", "bits-8-rgba", "bits-6", "bits-4-rgba", "bits-1",
+               "slices-side-by-side"]
+    run("work-precision", VOLUME, "-o", folder, "--size", "48x40", "--rounds", "1", "--methods",
+        ",".join(methods), "--no-shade")
+    (scene,) = json.loads((folder / "work-precision.json").read_text())["scenes"]
+    finest = {method["method"]: method["points"][-1] for method in scene["methods"]}
+    assert list(finest) == methods, list(finest)
+    errors = {name: point["error255"]["rmse"] for name, point in finest.items()}
+    memory = {name: point["graphicsBytes"] for name, point in finest.items()}
+    fewer = ["passes", "bits-8", "bits-6", "bits-4-rgba", "bits-1"]
+    for more, less in zip(fewer, fewer[1:]):
+        assert errors[less] > 1.5 * errors[more], errors
+        assert memory[less] < memory[more] or "rgba" in less, memory  # a device may keep 4 in 8 bits
+    for other, same in (("bits-8-rgba", "bits-8"), ("slices-side-by-side", "passes")):
+        assert abs(errors[other] - errors[same]) < 0.01 * errors[same], errors
+    assert memory["bits-8-rgba"] == memory["bits-8"], memory
+
+
 def shaders(folder):
     text, _ = run("shaders", VOLUME, "-o", folder / "out", "--size", "32x32", "--no-shade",
                   "--json", folder / "copy.json")

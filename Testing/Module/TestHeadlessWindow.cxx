@@ -2,9 +2,9 @@
 
 #include "Module/HomogeneousScene.h"
 #include "Support/ExpectedVtkErrors.h"
+#include "VtkVersions.h"
 
 #include <vtkUnsignedCharArray.h>
-#include <vtk_glew.h>
 
 #include <gtest/gtest.h>
 

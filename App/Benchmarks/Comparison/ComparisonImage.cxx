@@ -1,8 +1,9 @@
 #include "ComparisonImage.h"
 
+#include "VtkVersions.h"
+
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtk_glew.h>
 
 #include <stdexcept>
 

@@ -1,13 +1,13 @@
 #include "ComparisonProgram.h"
 
 #include "Core/Recipe/ShaderAssembly.h"
+#include "VtkVersions.h"
 
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
-#include <vtk_glew.h>
 
 #include <glm/gtc/type_ptr.hpp>
 

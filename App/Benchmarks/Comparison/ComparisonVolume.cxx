@@ -2,6 +2,8 @@
 
 #include "Frame/PropertyTransferFunction.h"
 #include "Resources/ComponentCopy.h"
+#include "Resources/VolumeTexture.h"
+#include "VtkVersions.h"
 
 #include <vtkDataArray.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -9,7 +11,6 @@
 #include <vtkPointData.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
-#include <vtk_glew.h>
 
 #include <glm/common.hpp>
 #include <tbb/parallel_for.h>
@@ -56,15 +57,19 @@ void FilterLinearly(vtkTextureObject* texture)
 }
 
 void ComparisonVolume::Update(
-  vtkOpenGLRenderWindow* window, vtkImageData* newImage, vtkVolume* volume)
+  vtkOpenGLRenderWindow* window, vtkImageData* newImage, vtkVolume* volume, VoxelStorage newStorage)
 {
   this->geometry = VolumeGeometryOf(newImage, volume);
-  if (this->image != newImage || this->imageTime != newImage->GetMTime())
+  if (this->image != newImage || this->imageTime != newImage->GetMTime() ||
+    this->storage != newStorage)
   {
     this->Release(window);
     this->image = newImage;
     this->imageTime = newImage->GetMTime();
-    this->UploadVoxels(window);
+    this->storage = newStorage;
+    this->ReadVoxels();
+    UploadVoxels(window, this->voxels, newStorage, { this->texels, this->geometry.dimensions });
+    this->voxelBytes = TextureBytes(this->voxels);
     ++this->version;
   }
   vtkVolumeProperty* const property = volume->GetProperty();
@@ -79,8 +84,7 @@ void ComparisonVolume::Update(
   }
 }
 
-// 16 bits per voxel, as in the product's texture.
-void ComparisonVolume::UploadVoxels(vtkOpenGLRenderWindow* window)
+void ComparisonVolume::ReadVoxels()
 {
   const ComponentCopy copy = CopyAsFloats({ CheckedScalars(this->image), 0 });
   const double* const values = copy.array->GetRange(0);
@@ -90,19 +94,6 @@ void ComparisonVolume::UploadVoxels(vtkOpenGLRenderWindow* window)
   const auto* const floats = static_cast<const float*>(copy.array->GetVoidPointer(0));
   tbb::parallel_for(std::size_t(0), this->texels.size(),
     [&](std::size_t i) { this->texels[i] = float((floats[i] - this->smallest) / this->range); });
-
-  const glm::uvec3 size(this->geometry.dimensions);
-  std::vector<std::uint16_t> rounded = SixteenBits(this->texels);
-  this->voxels->SetContext(window);
-  this->voxels->SetInternalFormat(GL_R16);
-  this->voxels->SetFormat(GL_RED);
-  this->voxels->SetDataType(GL_UNSIGNED_SHORT);
-  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  if (!this->voxels->Create3DFromRaw(size.x, size.y, size.z, 1, VTK_UNSIGNED_SHORT, rounded.data()))
-  {
-    throw std::runtime_error("A comparison method found no memory for a texture of the volume");
-  }
-  FilterLinearly(this->voxels);
 }
 
 void ComparisonVolume::UploadTable(vtkOpenGLRenderWindow* window, vtkVolume* volume)
@@ -127,10 +118,21 @@ double ComparisonVolume::Extinction(double texel) const
   return glm::mix(double(entries[below].a), double(entries[below + 1].a), place - double(below));
 }
 
-std::vector<std::string> ComparisonVolume::FragmentFiles(
-  const std::string& voxelFile, const std::string& main) const
+std::vector<std::string> ComparisonVolume::FragmentFiles(const std::string& main) const
 {
-  std::vector<std::string> files = { "Parameters.glsl", voxelFile, "Classify/OpticalTable.glsl" };
+  return this->FilesWith(ShaderFilesOf(this->storage), main);
+}
+
+std::vector<std::string> ComparisonVolume::FragmentFilesOfStack(const std::string& main) const
+{
+  return this->FilesWith({ "Voxels/Slices2D.glsl" }, main);
+}
+
+std::vector<std::string> ComparisonVolume::FilesWith(
+  std::vector<std::string> files, const std::string& main) const
+{
+  files.insert(files.begin(), "Parameters.glsl");
+  files.emplace_back("Classify/OpticalTable.glsl");
   if (this->shaded)
   {
     files.insert(files.end(),
@@ -147,6 +149,7 @@ std::vector<std::string> ComparisonVolume::FragmentFiles(
 
 void ComparisonVolume::SetUniforms(ComparisonProgram& program, const glm::dvec4& eyeGrid) const
 {
+  program.Set("voxelCount", glm::vec3(this->geometry.dimensions));
   program.Set("voxelCountInverse", 1.0f / glm::vec3(this->geometry.dimensions));
   program.Set("worldFromGrid", glm::mat3(this->geometry.WorldFromGridDirection()));
   program.Set("worldFromGradient", glm::mat3(this->geometry.WorldFromGridNormal()));
@@ -190,7 +193,7 @@ const std::vector<vtkSmartPointer<vtkTextureObject>>& ComparisonVolume::Stack(
     texture->SetDataType(GL_UNSIGNED_SHORT);
     texture->Create2DFromRaw(
       unsigned(size[right]), unsigned(size[up]), 1, VTK_UNSIGNED_SHORT, rounded.data());
-    FilterLinearly(texture);
+    SetVolumeFilter(texture, false);
     stack.push_back(texture);
   }
   return stack;
@@ -198,7 +201,7 @@ const std::vector<vtkSmartPointer<vtkTextureObject>>& ComparisonVolume::Stack(
 
 std::size_t ComparisonVolume::Bytes() const
 {
-  std::size_t bytes = 2 * this->texels.size() + sizeof(glm::vec4) * this->optical.entries.size();
+  std::size_t bytes = this->voxelBytes + sizeof(glm::vec4) * this->optical.entries.size();
   for (const auto& stack : this->stacks)
   {
     bytes += stack.empty() ? 0 : 2 * this->texels.size();

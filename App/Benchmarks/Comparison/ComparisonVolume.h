@@ -5,6 +5,7 @@
 #include "Core/Geometry/ScalarGrid.h"
 #include "Core/Look/OpticalTable.h"
 #include "Frame/VolumeGeometry.h"
+#include "VoxelStorage.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -34,16 +35,18 @@ class ComparisonVolume
 public:
   /// Uploads what has changed since the last call.
   /// @throws std::invalid_argument if the volume has not exactly one component
-  void Update(vtkOpenGLRenderWindow* window, vtkImageData* image, vtkVolume* volume);
+  void Update(
+    vtkOpenGLRenderWindow* window, vtkImageData* image, vtkVolume* volume, VoxelStorage storage);
 
   /// Sets the uniforms that all fragment shaders with a look have, and activates the textures.
   /// @param eyeGrid  the eye in homogeneous coordinates
   void SetUniforms(ComparisonProgram& program, const glm::dvec4& eyeGrid) const;
 
   /// The files of a fragment shader that gives samples their look.
-  /// @param voxels  file of the folder Voxels
-  /// @param main    file with main()
-  std::vector<std::string> FragmentFiles(const std::string& voxels, const std::string& main) const;
+  /// @param main  file with main()
+  std::vector<std::string> FragmentFiles(const std::string& main) const;
+  /// The same for a shader that reads the slices of a stack.
+  std::vector<std::string> FragmentFilesOfStack(const std::string& main) const;
 
   /// The slices across an axis as 2D textures; made at the first call after a change.
   const std::vector<vtkSmartPointer<vtkTextureObject>>& Stack(
@@ -61,11 +64,14 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void UploadVoxels(vtkOpenGLRenderWindow* window);
+  void ReadVoxels();
   void UploadTable(vtkOpenGLRenderWindow* window, vtkVolume* volume);
+  std::vector<std::string> FilesWith(
+    std::vector<std::string> voxelFiles, const std::string& main) const;
 
   vtkSmartPointer<vtkImageData> image;
   vtkMTimeType imageTime = 0;
+  VoxelStorage storage = VoxelStorage::Bits16;
   vtkMTimeType propertyTime = 0;
   VolumeGeometry geometry;
   std::vector<float> texels; ///< in [0, 1] over the values of the volume
@@ -76,6 +82,7 @@ private:
   OpticalTable optical;
   IndexInTable index = { 0.0, 0.0 }; ///< index of a texel in the table
   int version = 0;
+  std::size_t voxelBytes = 0;
   vtkNew<vtkTextureObject> voxels;
   vtkNew<vtkTextureObject> table;
   vtkNew<vtkOpenGLBufferObject> tableBuffer;

@@ -40,8 +40,7 @@ void DrawSlice(const ComparisonFrame& frame, const std::vector<glm::vec3>& slice
 
 void UseLook(const ComparisonFrame& frame, const std::string& main, const glm::dmat4& clipFromGrid)
 {
-  frame.program.Use(
-    frame.view.window, "Grid.vert.glsl", frame.volume.FragmentFiles("Voxels/Texture3D.glsl", main));
+  frame.program.Use(frame.view.window, "Grid.vert.glsl", frame.volume.FragmentFiles(main));
   frame.volume.SetUniforms(frame.program, frame.view.eyeGrid);
   frame.program.Set("clipFromGrid", glm::mat4(clipFromGrid));
   frame.program.Set("sliceMm", float(frame.sampleDistanceMm));

@@ -1,10 +1,10 @@
 #include "LightVolumeMethod.h"
 
 #include "SliceMethod.h"
+#include "VtkVersions.h"
 
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtk_glew.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,8 +1,9 @@
 #include "PassMethod.h"
 
+#include "VtkVersions.h"
+
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtk_glew.h>
 
 #include <glm/matrix.hpp>
 
@@ -102,8 +103,8 @@ void PassMethod::March(const ComparisonFrame& frame, int firstStep, int stepCoun
   SetComparisonState(view.window, ComparisonBlending::Under);
   view.window->GetState()->vtkglEnable(GL_DEPTH_TEST);
   view.window->GetState()->vtkglDepthFunc(GL_LESS);
-  frame.program.Use(view.window, "Grid.vert.glsl",
-    frame.volume.FragmentFiles("Voxels/Texture3D.glsl", "MarchPass.frag.glsl"));
+  frame.program.Use(
+    view.window, "Grid.vert.glsl", frame.volume.FragmentFiles("MarchPass.frag.glsl"));
   frame.volume.SetUniforms(frame.program, view.eyeGrid);
   frame.program.Set("directionTexture", this->directions.Color());
   frame.program.Set("stepMm", float(frame.sampleDistanceMm));

@@ -84,9 +84,9 @@ SliceSet SlicesOfVoxels(const ComparisonFrame& frame, int axis, bool fromBehind)
   return set;
 }
 
-void UseProgram(const ComparisonFrame& frame, const std::string& voxels, const std::string& main)
+void UseProgram(const ComparisonFrame& frame, const std::vector<std::string>& fragmentFiles)
 {
-  frame.program.Use(frame.view.window, "Grid.vert.glsl", frame.volume.FragmentFiles(voxels, main));
+  frame.program.Use(frame.view.window, "Grid.vert.glsl", fragmentFiles);
   frame.volume.SetUniforms(frame.program, frame.view.eyeGrid);
   frame.program.Set("clipFromGrid", glm::mat4(frame.view.clipFromGrid));
 }
@@ -94,7 +94,8 @@ void UseProgram(const ComparisonFrame& frame, const std::string& voxels, const s
 // @param light  parts of a light that arrive, or null
 void DrawFrom3DTexture(const ComparisonFrame& frame, const SliceSet& set, vtkTextureObject* light)
 {
-  UseProgram(frame, "Voxels/Texture3D.glsl", light ? "SliceInLight.frag.glsl" : "Slice.frag.glsl");
+  UseProgram(
+    frame, frame.volume.FragmentFiles(light ? "SliceInLight.frag.glsl" : "Slice.frag.glsl"));
   if (light)
   {
     frame.program.Set("lightVolume", light);
@@ -109,7 +110,7 @@ void DrawFrom3DTexture(const ComparisonFrame& frame, const SliceSet& set, vtkTex
 void DrawFrom2DTextures(const ComparisonFrame& frame, int axis, const SliceSet& set)
 {
   const auto& stack = frame.volume.Stack(frame.view.window, axis);
-  UseProgram(frame, "Voxels/Slices2D.glsl", "Slice.frag.glsl");
+  UseProgram(frame, frame.volume.FragmentFilesOfStack("Slice.frag.glsl"));
   frame.program.Set("sliceMm", float(set.sliceMm));
   frame.program.Set("sliceAxes", glm::ivec2(axis == 0 ? 1 : 0, axis == 2 ? 1 : 2));
   frame.program.SetTriangles(set.triangles);
@@ -133,7 +134,7 @@ void DrawShells(const ComparisonFrame& frame, bool fromBehind)
   {
     std::reverse(radii.begin(), radii.end());
   }
-  UseProgram(frame, "Voxels/Texture3D.glsl", "Shell.frag.glsl");
+  UseProgram(frame, frame.volume.FragmentFiles("Shell.frag.glsl"));
   frame.program.Set("sliceMm", float(frame.sampleDistanceMm));
   frame.program.Set("boxUpperGrid", glm::vec3(geometry.boxGrid.upper));
   frame.program.SetTriangles(CoverOf(geometry.boxGrid, frame.view.clipFromGrid));

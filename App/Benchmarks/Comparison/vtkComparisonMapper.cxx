@@ -6,6 +6,7 @@
 #include "LightVolumeMethod.h"
 #include "PassMethod.h"
 #include "SliceMethod.h"
+#include "VtkVersions.h"
 
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
@@ -13,7 +14,6 @@
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
-#include <vtk_glew.h>
 
 #include <glm/geometric.hpp>
 
@@ -138,7 +138,7 @@ void vtkComparisonMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   try
   {
-    this->Private->volume.Update(window, image, volume);
+    this->Private->volume.Update(window, image, volume, this->Storage);
     const ComparedView view = ComparedViewOf(renderer, this->Private->volume.Geometry());
     {
       const KeptState kept(window->GetState());
@@ -173,6 +173,7 @@ void vtkComparisonMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Storage: " << int(this->Storage) << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "FromBehind: " << this->FromBehind << "\n";
   os << indent << "StepsPerPass: " << this->StepsPerPass << "\n";

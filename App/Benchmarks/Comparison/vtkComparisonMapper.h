@@ -1,15 +1,17 @@
 #ifndef vtkComparisonMapper_h
 #define vtkComparisonMapper_h
 
+#include "VoxelStorage.h"
+
 #include <vtkSmartPointer.h>
 #include <vtkVolumeMapper.h>
 
 #include <memory>
 
 /// Draws composites of one component as published methods do that this project compares itself
-/// with: slices, a march in several passes, half-angle slices, a volume of light. It is part of the
-/// benchmarks only; the product does not know it. It draws no cuts, masks, labels, gradient opacity
-/// or opaque geometry, and lights samples by a white light at the eye.
+/// with: slices, a march in several passes, half-angle slices, a volume of light, voxels in fewer
+/// bits. It is part of the benchmarks only; the product does not know it. It draws no cuts, masks,
+/// labels, gradient opacity or opaque geometry, and lights samples by a white light at the eye.
 class vtkComparisonMapper : public vtkVolumeMapper
 {
 public:
@@ -32,6 +34,12 @@ public:
   /// Default: ViewSlices.
   vtkSetClampMacro(Method, int, ObjectSlices, LightVolume);
   vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /// Storage of the voxels, for all methods but ObjectSlices2D. Default: Bits16.
+  vtkSetEnumMacro(Storage, varimarch::VoxelStorage);
+  vtkGetEnumMacro(Storage, varimarch::VoxelStorage);
   ///@}
 
   ///@{
@@ -92,6 +100,7 @@ private:
   struct Internals;
 
   int Method = ViewSlices;
+  varimarch::VoxelStorage Storage = varimarch::VoxelStorage::Bits16;
   double SampleDistance = 1.0;
   bool FromBehind = true;
   int StepsPerPass = 32;

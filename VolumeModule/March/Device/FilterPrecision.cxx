@@ -4,13 +4,13 @@
 #include "March/Device/ShaderFiles.h"
 #include "Resources/FloatFramebuffer.h"
 #include "Resources/VolumeTexture.h"
+#include "VtkVersions.h"
 
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

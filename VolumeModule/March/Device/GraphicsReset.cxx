@@ -1,6 +1,6 @@
 #include "March/Device/GraphicsReset.h"
 
-#include "vtk_glew.h"
+#include "VtkVersions.h"
 
 #include <stdexcept>
 
