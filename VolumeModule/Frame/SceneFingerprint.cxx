@@ -117,7 +117,7 @@ Numbers GeometryOf(vtkOpenGLRenderWindow* window)
 
 }
 
-std::vector<double> VolumeFingerprint(const Frame& frame)
+std::vector<double> MaterialFingerprint(const Frame& frame)
 {
   vtkShaderProperty* const shader = frame.view.prop->GetShaderProperty();
   auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
@@ -126,8 +126,14 @@ std::vector<double> VolumeFingerprint(const Frame& frame)
     double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0 };
   Append(numbers, frame.material.Numbers());
   Append(numbers, frame.cuts.Numbers());
-  Append(numbers, LightsOf(frame));
   Append(numbers, FunctionsOf(frame.material.property));
+  return numbers;
+}
+
+std::vector<double> VolumeFingerprint(const Frame& frame)
+{
+  Numbers numbers = MaterialFingerprint(frame);
+  Append(numbers, LightsOf(frame));
   return numbers;
 }
 

@@ -10,6 +10,9 @@ namespace varimarch
 
 struct Frame;
 
+/// Everything in a volume and its look that light in it depends on, but for the lights themselves.
+std::vector<double> MaterialFingerprint(const Frame& frame);
+
 /// Everything in a volume and its look that an image depends on in any view, as numbers and
 /// modification times. Changes by observers of vtkCommand::UpdateShaderEvent are not included.
 std::vector<double> VolumeFingerprint(const Frame& frame);

@@ -79,6 +79,7 @@ VolumeFindings VolumeResources::Update(const VolumeMarch& march, const MemoryEls
   this->Blocks().SetGradients(march.frame.view.window,
     march.plan.marcher == Marcher::Device && ReadsStoredGradients(march.settings));
   this->fields.Update({ march, this->Blocks(), this->materials, this->mask, this->voxelsBuild });
+  this->light.Update(march);
   const bool blocksHaveGaps =
     this->division.Update(march, this->fields, this->BesideBlocks(march, elsewhere));
   return { this->fields.OfBricks().SkipsAny(), blocksHaveGaps || this->packets.HasGaps() };
@@ -191,6 +192,7 @@ void VolumeResources::Release(vtkWindow* window)
   this->fields.Release(window);
   this->materials.Release(window);
   this->packets.Release();
+  this->light.Release();
   this->mask.Release(window);
   this->clippingPlanes.Release(window);
   this->spacing.Release(window);

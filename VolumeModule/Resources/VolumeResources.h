@@ -5,6 +5,7 @@
 #include "Frame/MarchPlan.h"
 #include "Resources/FieldResources.h"
 #include "Resources/FloatTable.h"
+#include "Resources/LightResources.h"
 #include "Resources/MaskTexture.h"
 #include "Resources/MaterialResources.h"
 #include "Resources/ProcessorVolume.h"
@@ -69,6 +70,7 @@ public:
   const VolumeDivision& Division() const { return this->division; }
   VolumeBlocks& Blocks() { return this->division.Blocks(); }
   const VolumeBlocks& Blocks() const { return this->division.Blocks(); }
+  const LightResources& Light() const { return this->light; }
   const MaskTexture& Mask() const { return this->mask; }
   /// The textures of the volume.
   /// @param block  null for the volume of the processor, or if the shader marches no rays
@@ -96,6 +98,7 @@ private:
   MaterialResources materials;
   FieldResources fields;
   ProcessorVolume packets;
+  LightResources light;
   MaskTexture mask;
   FloatTable clippingPlanes;
   FloatTable spacing;     ///< The bins as a table; empty unless the grid is rectilinear.

@@ -95,6 +95,20 @@ struct PacketRow
   float indexOffset;
 };
 
+/// Lights of a scene that may cast shadows; lights beyond these cast none.
+constexpr int MostShadowedLights = 8;
+
+/// How exactly shadows are computed, and where their lattices of light are; see LightLattice.
+struct PacketShadows
+{
+  /// Nodes of the lattice of each light; null: every shadow is a ray.
+  std::uint8_t* nodes[MostShadowedLights];
+  glm::ivec3 nodeCount;
+  float nodeStepMm; ///< longest segment of the rays that fill nodes
+  float agreement;  ///< largest difference between the nodes of a cell that is used
+  float tolerance;  ///< error that a shadow may add to a colour; 0: none
+};
+
 /// Shaders/Shade and Shaders/Damping.
 struct PacketLight
 {
@@ -190,6 +204,7 @@ struct PacketScene
   PacketLook look;
   const PacketRow* labelRows; ///< null: voxels have no labels
   PacketLight light;
+  PacketShadows shadows; ///< only if the light casts shadows
   PacketExtreme extreme;
   bool isMean; ///< projections: true for a mean, false for a sum
   PacketSteps steps;

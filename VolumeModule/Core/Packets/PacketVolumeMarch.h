@@ -3,6 +3,7 @@
 
 // One volume of one component along the rays of a packet: the march of each rule.
 
+#include "Core/Packets/Flattened.h"
 #include "Core/Packets/Interpolation/CubicSpline.h"
 #include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/March/Extreme.h"
@@ -17,21 +18,13 @@
 #include "Core/Packets/Material/Labelled.h"
 #include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
-#include "Core/Packets/Reach/ShadowRays.h"
+#include "Core/Packets/Reach/ShadowedMaterial.h"
 
 namespace varimarch
 {
 
 namespace
 {
-
-// Inlines everything that a function calls, so that lanes stay in registers. With the checks of a
-// sanitizer such a function would take a compiler ten minutes.
-#ifdef __SANITIZE_ADDRESS__
-#define FLATTENED
-#else
-#define FLATTENED [[gnu::flatten]]
-#endif
 
 template <class Voxels, class Material>
 FLATTENED PacketSum MarchMaterial(
@@ -156,7 +149,5 @@ struct MarchOf<SplineCoefficients>
 }
 
 }
-
-#undef FLATTENED
 
 #endif

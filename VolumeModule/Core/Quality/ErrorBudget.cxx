@@ -27,6 +27,11 @@ double ErrorBudget::FieldError() const
   return error / double(this->volumeCount);
 }
 
+double ErrorBudget::LightError() const
+{
+  return this->HasTolerance() ? BeforeWindow(FieldShare, this->windowScale) * this->tolerance : 0.0;
+}
+
 double ErrorBudget::EarlyTermination(double withoutTolerance) const
 {
   return this->HasTolerance()

@@ -9,7 +9,8 @@ namespace varimarch
 /// Divides the error tolerance of an image among all approximations of the march. The tolerance is
 /// a promise about premultiplied colours and opacity in [0, 1], after window and level: the error
 /// of 99.9 % of the pixels is at most the tolerance. It is divided among
-///   - the field: homogeneous bricks that a ray crosses in one step;
+///   - the field: homogeneous bricks that a ray crosses in one step; in images with shadows, which
+///     have no such bricks, the light;
 ///   - early termination: the part of a ray behind the point where it ends;
 ///   - the steps: sample distance and integration rule, which a search tries out.
 struct ErrorBudget
@@ -53,6 +54,9 @@ struct ErrorBudget
 
   /// The error that the homogeneous bricks of one volume may add to a component of a pixel.
   double FieldError() const;
+
+  /// The error that shadows may add to a component of a pixel, besides that of their steps.
+  double LightError() const;
 
   /// The transmittance at which a ray may end.
   /// @param withoutTolerance  the result if there is no tolerance

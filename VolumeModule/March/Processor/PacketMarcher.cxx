@@ -57,6 +57,7 @@ std::vector<PacketScene> PartsOf(
   {
     const bool clampDepth = march.frame.image.clampDepth;
     other.location = { LeastDepthOpacity, 0.0f, clampDepth };
+    other.light.castsShadows = false; // places do not depend on light
     other.depths =
       clampDepth ? PacketDepths() : scene.depths; // the back face may lie behind the visible part
     return { scene, other };
@@ -64,6 +65,7 @@ std::vector<PacketScene> PartsOf(
   if (march.settings.pass == RayPass::PickVoxel)
   {
     other.location = { 0.5f, LeastPickedOpacity, false };
+    other.light.castsShadows = false;
   }
   return { other };
 }

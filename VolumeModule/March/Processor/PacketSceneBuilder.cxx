@@ -142,6 +142,7 @@ PacketScene PacketSceneOf(
   scene.labelRows = around.labelRows.empty() ? nullptr : around.labelRows.data();
   scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces,
     march.settings.shading && march.settings.shadows };
+  scene.shadows = volume.Light().Shadows();
   scene.extreme = ExtremeOf(march, volume);
   scene.isMean = march.settings.blend == Blend::AverageIntensity;
   scene.steps = StepsOf(march, volume);

@@ -3,9 +3,9 @@
 // The volume casts shadows on itself: a ray from a point to each light is marched through the same
 // field and by the same rule as the rays of the eye. What is near decides, so that its segments
 // begin short and grow. Light changes less along a ray of the eye than what is seen: it is computed
-// at places that are shadowStepMm apart, and is linear between them. As the sample distance goes to
-// 0, so does shadowStepMm, and the error of the shadows; the search for steps that keep the error
-// tolerance finds steps for both.
+// at places that are shadowStepMm apart, and the optical depth to it is linear between them. As the
+// sample distance goes to 0, so does shadowStepMm, and the error of the shadows; the search for
+// steps that keep the error tolerance finds steps for both.
 
 const float BeyondAll = 3.0e38; // distance of lights at infinity [mm]
 const float PartsOfShadow = 4.0;
@@ -100,6 +100,12 @@ Reach TracedReach(Ray ray, float t)
   return reach;
 }
 
+// The light between two places, where the optical depth to it is linear.
+vec4 LightBetween(vec4 start, vec4 end, float along)
+{
+  return exp(mix(log(max(start, 1e-6)), log(max(end, 1e-6)), along));
+}
+
 // The last two places at which the light was computed.
 float tracedFrom = -2e30;
 float tracedTo = -1e30;
@@ -124,8 +130,8 @@ Reach ReachAt(Ray ray, float t)
     reachTo = TracedReach(ray, tracedTo);
   }
   float along = (t - tracedFrom) / (tracedTo - tracedFrom);
-  return Reach(
-    mix(reachFrom.first, reachTo.first, along), mix(reachFrom.second, reachTo.second, along));
+  return Reach(LightBetween(reachFrom.first, reachTo.first, along),
+    LightBetween(reachFrom.second, reachTo.second, along));
 }
 
 float Reaching(Reach reach, int light)

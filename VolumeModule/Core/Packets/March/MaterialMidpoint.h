@@ -30,7 +30,7 @@ PacketSum MarchMaterialMidpoints(
   const Voxels voxels(scene.volume);
   Material material(scene, rays);
   bool isSeen = false; // the last sample: the next is then read with its gradient at once
-  return MarchSegments<Parts>(scene, rays, walk, before,
+  PacketSum all = MarchSegments<Parts>(scene, rays, walk, before,
     [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
     {
       for (int part = 0; part < Parts; ++part)
@@ -48,10 +48,12 @@ PacketSum MarchMaterialMidpoints(
         isSeen = mayAbsorb(value);
         if (isSeen)
         {
-          sum.Add(material.At(value, material.SurfaceOf(gradient), t), partMm);
+          AddLit(sum, material, value, material.SurfaceOf(gradient), { t, partMm });
         }
       }
     });
+  AddOwed(all, material);
+  return all;
 }
 
 }

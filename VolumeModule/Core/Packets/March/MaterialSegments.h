@@ -54,6 +54,7 @@ public:
       this->going &= GoOn(this->scene, this->rays, this->t, this->sum) &
         (this->index < this->scene.rays.mostSegments);
     }
+    AddOwed(this->sum, this->material);
     return this->sum;
   }
 
@@ -114,9 +115,9 @@ private:
   {
     const MaterialSegment& piece = this->segment;
     const Lanes place = All(along);
-    const Optical optical = this->material.At(Mix(piece.startValue, piece.endValue, place),
-      Mix(piece.start, piece.end, place), this->t - (1.0f - along) * piece.lengthMm);
-    this->sum.Add(optical, part * piece.lengthMm);
+    AddLit(this->sum, this->material, Mix(piece.startValue, piece.endValue, place),
+      Mix(piece.start, piece.end, place),
+      { this->t - (1.0f - along) * piece.lengthMm, part * piece.lengthMm });
   }
 
   const PacketScene& scene;

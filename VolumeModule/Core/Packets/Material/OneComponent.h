@@ -4,6 +4,7 @@
 // The optical properties of places, which may depend on gradients.
 // Twin of Material/OneComponent.glsl, Material/ValueAndGradient.glsl and Values/One.glsl.
 
+#include "Core/Packets/Blend/Composite.h"
 #include "Core/Packets/Classify/OpticalTable.h"
 #include "Core/Packets/Classify/TwoValueTable.h"
 #include "Core/Packets/GradientOpacity/Table.h"
@@ -16,6 +17,13 @@ namespace varimarch
 
 namespace
 {
+
+/// A part of the rays of a packet, which has the optical properties of its middle.
+struct RayPart
+{
+  Lanes t; ///< its middle [mm]
+  Lanes lengthMm;
+};
 
 /// The optical properties along the rays of a packet.
 class PacketMaterial
@@ -62,16 +70,14 @@ public:
     return optical;
   }
 
-  template <class Reach = AllLight>
-  Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t, const Reach& reach = {}) const
+  Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t) const
   {
-    return this->ShadedBy(ReflectanceOf(this->scene), color, surface, t, reach);
+    return this->ShadedBy(ReflectanceOf(this->scene), color, surface, t);
   }
 
 protected:
-  template <class Reach = AllLight>
-  Lanes3 ShadedBy(const Lanes4& reflectance, const Lanes3& color, const Surface& surface, Lanes t,
-    const Reach& reach = {}) const
+  Lanes3 ShadedBy(
+    const Lanes4& reflectance, const Lanes3& color, const Surface& surface, Lanes t) const
   {
     switch (this->scene.light.shading)
     {
@@ -79,7 +85,7 @@ protected:
         return LitByHeadLight(this->scene, reflectance, color, surface);
       case PacketShading::Lights:
         return PacketLights(this->scene, reflectance, this->directionWorld)
-          .Lit(color, surface, this->WorldAt(t), reach);
+          .Lit(color, surface, this->WorldAt(t));
       case PacketShading::None:
         break;
     }
@@ -119,6 +125,20 @@ public:
     return optical;
   }
 };
+
+/// Adds a part of the rays to a sum.
+template <class Material>
+void AddLit(
+  PacketSum& sum, Material& material, Lanes value, const Surface& surface, const RayPart& part)
+{
+  sum.Add(material.At(value, surface, part.t), part.lengthMm);
+}
+
+/// Adds light that a material may still owe to a sum at the end of the rays.
+template <class Material>
+void AddOwed(PacketSum&, Material&)
+{
+}
 
 }
 

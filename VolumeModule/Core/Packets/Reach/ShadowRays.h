@@ -18,31 +18,48 @@ namespace varimarch
 namespace
 {
 
+/// How far and how exactly rays to lights are marched.
+struct ShadowMarch
+{
+  float longestMm; ///< longest segment
+  float mostDepth; ///< optical depth beyond which no light is left
+};
+
 /// The optical depth of the volume along rays of any origin.
 template <class Voxels>
 class ShadowDepth
 {
 public:
-  ShadowDepth(const PacketScene& scene, const Voxels& voxels, const PacketRays& rays)
+  ShadowDepth(const PacketScene& scene, const Voxels& voxels, const PacketRays& rays,
+    const ShadowMarch& march)
     : scene(scene)
     , voxels(voxels)
     , rays(rays)
+    , march(march)
     , walk(scene, rays, 0, 0)
     , material(scene, rays)
     , t(rays.enter)
-    , plainMm(FirstShadowStep(All(scene.rays.shadowStepMm)))
+    , plainMm(FirstShadowStep(All(march.longestMm)))
     , endValue(voxels.ValueAt(rays.At(rays.enter)))
   {
   }
 
-  /// @param mask  the rays whose depth matters
-  Lanes Along(LaneMask mask)
+  /// @param mask   the rays whose depth matters
+  /// @param known  (places along the rays, depths up to there, rays) -> the rays whose further
+  ///               depth is known, after adding it to the depths
+  template <class Known>
+  Lanes Along(LaneMask mask, Known known)
   {
     mask &= LaneMask(this->t < this->rays.exit);
     for (int index = 0; index < this->scene.rays.mostSegments && Any(mask); ++index)
     {
+      mask &= ~known(this->t, this->depth, mask);
+      if (!Any(mask))
+      {
+        break;
+      }
       this->AddSegment(mask);
-      mask &= LaneMask(this->t < this->rays.exit) & LaneMask(this->depth < float(MostShadowDepth));
+      mask &= LaneMask(this->t < this->rays.exit) & LaneMask(this->depth < this->march.mostDepth);
     }
     return this->depth;
   }
@@ -68,7 +85,7 @@ private:
       this->depth = this->depth + Select(absorbs, added, Lanes{});
     }
     this->t = Select(mask, end, this->t);
-    const Lanes longer = NextShadowStep(this->plainMm, All(this->scene.rays.shadowStepMm));
+    const Lanes longer = NextShadowStep(this->plainMm, All(this->march.longestMm));
     this->plainMm = Select(jumps, this->plainMm, longer);
   }
 
@@ -98,16 +115,18 @@ private:
 
   Lanes MeanExtinction(Lanes startValue, Lanes end, LaneMask mask) const
   {
+    const bool isOfValues =
+      !this->scene.textures.gradientOpacityTable && !this->scene.textures.twoValueTable;
     const Lanes3 gradient =
-      this->scene.textures.gradientOpacityTable || this->scene.textures.twoValueTable
-      ? this->voxels.SlopeAt(this->rays.At(end), mask).gradient
-      : Lanes3{ Lanes{}, Lanes{}, Lanes{} };
+      isOfValues ? Lanes3(0.0f) : this->voxels.SlopeAt(this->rays.At(end), mask).gradient;
     constexpr int Parts = 4;
     Lanes sum = {};
     for (int part = 0; part < Parts; ++part)
     {
       const Lanes value = Mix(startValue, this->endValue, All((float(part) + 0.5f) / Parts));
-      sum = sum + this->material.LookOf(value, gradient).extinction;
+      sum = sum +
+        (isOfValues ? ExtinctionOf(this->scene.look, value)
+                    : this->material.LookOf(value, gradient).extinction);
     }
     return (1.0f / Parts) * sum;
   }
@@ -115,6 +134,7 @@ private:
   const PacketScene& scene;
   const Voxels& voxels;
   const PacketRays& rays;
+  const ShadowMarch& march;
   PacketWalk walk;
   PacketMaterial material;
   Lanes t;
@@ -123,99 +143,53 @@ private:
   Lanes depth = {};
 };
 
-/// The rays from points to a light, as far as the volume and its clipping planes leave them.
-inline PacketRays RaysTowards(
-  const PacketScene& scene, const Lanes3& originGrid, const Lanes3& directionGrid, Lanes farMm)
-{
-  PacketRays rays;
-  rays.originGrid = originGrid;
-  rays.directionGrid = directionGrid;
-  rays.inverse = SafeInverse(directionGrid);
-  rays.region = IntLanes{};
-  rays.enter = Lanes{};
-  rays.exit = farMm;
-  KeepInside(rays, scene.rays.boxLowerGrid, scene.rays.boxUpperGrid);
-  for (int plane = 0; plane < scene.rays.clippingPlaneCount; ++plane)
-  {
-    KeepBeyond(rays, scene.rayTextures.clippingPlanes[plane]);
-  }
-  rays.exit = Max(rays.exit, rays.enter);
-  return rays;
-}
-
-/// The material of a volume whose lights cast shadows.
-template <class Voxels>
-class ShadowedMaterial : public PacketMaterial
+/// One of the lights that cast shadows.
+class ShadowedLight
 {
 public:
-  ShadowedMaterial(const PacketScene& scene, const PacketRays& rays)
-    : PacketMaterial(scene, rays)
-    , voxels(scene.volume)
+  static int CountOf(const PacketScene& scene)
+  {
+    const VolumeParameters& p = scene.parameters;
+    return std::min(p.distantCount + p.nearCount, MostShadowedLights);
+  }
+
+  /// @param light  in the order of lightTexels
+  ShadowedLight(const PacketScene& scene, int light)
+    : scene(scene)
+    , isDistant(light < scene.parameters.distantCount)
+    , texel(scene.textures.lightTexels[light * PacketLights::TexelsPerLight])
   {
   }
 
-  /// Along a ray, t should ascend.
-  Optical At(Lanes value, const Surface& surface, Lanes t)
+  /// The rays to it, as far as the volume and its clipping planes leave them.
+  PacketRays RaysFrom(const Lanes3& originGrid) const
   {
-    Optical optical = this->LookOf(value, surface.gradient);
-    this->MoveTo(t, LaneMask(optical.extinction > 0.0f));
-    const Lanes along = (t - this->from) / (this->to - this->from);
-    optical.color =
-      this->Shaded(optical.color, surface, t, Mix(this->reachFrom, this->reachTo, along));
-    return optical;
+    const VolumeParameters& p = this->scene.parameters;
+    const Lanes3 positionWorld =
+      Transformed(p.worldFromGrid, originGrid) + AllOf3(p.worldOfGridOrigin);
+    const Lanes3 toLight =
+      this->isDistant ? AllOf3(this->texel) : AllOf3(this->texel) - positionWorld;
+    const Lanes distanceMm = Max(Length(toLight), 1e-15f);
+    PacketRays rays;
+    rays.originGrid = originGrid;
+    rays.directionGrid = Transformed(p.gridFromWorld, (1.0f / distanceMm) * toLight);
+    rays.inverse = SafeInverse(rays.directionGrid);
+    rays.region = IntLanes{};
+    rays.enter = Lanes{};
+    rays.exit = this->isDistant ? All(Never) : distanceMm;
+    KeepInside(rays, this->scene.rays.boxLowerGrid, this->scene.rays.boxUpperGrid);
+    for (int plane = 0; plane < this->scene.rays.clippingPlaneCount; ++plane)
+    {
+      KeepBeyond(rays, this->scene.rayTextures.clippingPlanes[plane]);
+    }
+    rays.exit = Max(rays.exit, rays.enter);
+    return rays;
   }
 
 private:
-  // Computes the light at places on both sides of t, where it is not known. Not inlined: a
-  // flattened march would contain it several times.
-  [[gnu::noinline]] void MoveTo(Lanes t, LaneMask mask)
-  {
-    const LaneMask moves = mask & (LaneMask(t > this->to) | LaneMask(t < this->from));
-    if (!Any(moves))
-    {
-      return;
-    }
-    const Lanes stepMm = All(this->scene.rays.shadowStepMm);
-    const LaneMask goesOn = moves & LaneMask(t > this->to) & LaneMask(t <= this->to + stepMm);
-    const LaneMask begins = moves & ~goesOn;
-    this->reachFrom = Select(goesOn, this->reachTo, this->reachFrom);
-    if (Any(begins))
-    {
-      this->reachFrom = Select(begins, this->ReachAt(t, begins), this->reachFrom);
-    }
-    this->from = Select(moves, Select(goesOn, this->to, t), this->from);
-    this->to = Select(moves, this->from + stepMm, this->to);
-    this->reachTo = Select(moves, this->ReachAt(this->to, moves), this->reachTo);
-  }
-
-  // The parts of the lights that reach places of some of the rays.
-  [[gnu::noinline]] PartialLight ReachAt(Lanes t, LaneMask mask) const
-  {
-    const VolumeParameters& p = this->scene.parameters;
-    const glm::vec4* texel = this->scene.textures.lightTexels.template Texels<glm::vec4>();
-    const Lanes3 origin = this->rays.At(t);
-    const Lanes3 positionWorld = this->WorldAt(t);
-    PartialLight reach;
-    const int count = std::min(p.distantCount + p.nearCount, PartialLight::Most);
-    for (int light = 0; light < count; ++light, texel += PacketLights::TexelsPerLight)
-    {
-      const bool isDistant = light < p.distantCount;
-      const Lanes3 toLight = isDistant ? AllOf3(*texel) : AllOf3(*texel) - positionWorld;
-      const Lanes distanceMm = Max(Length(toLight), 1e-15f);
-      const PacketRays towards = RaysTowards(this->scene, origin,
-        Transformed(p.gridFromWorld, (1.0f / distanceMm) * toLight),
-        isDistant ? All(Never) : distanceMm);
-      const Lanes depth = ShadowDepth<Voxels>(this->scene, this->voxels, towards).Along(mask);
-      reach.of[light] = 1.0f - Absorption(depth);
-    }
-    return reach;
-  }
-
-  Voxels voxels;
-  Lanes from = All(-2e30f); ///< the last two places at which the light was computed
-  Lanes to = All(-1e30f);
-  PartialLight reachFrom;
-  PartialLight reachTo;
+  const PacketScene& scene;
+  bool isDistant;
+  const glm::vec4& texel;
 };
 
 }

@@ -4,7 +4,6 @@
 // Twin of Shade/Lights.glsl.
 
 #include "Core/Packets/Damping/Homogeneous.h"
-#include "Core/Packets/Reach/Light.h"
 #include "Core/Packets/Shade/HeadLight.h"
 
 namespace varimarch
@@ -28,28 +27,41 @@ public:
   {
   }
 
-  /// @tparam Reach  AllLight or PartialLight
-  template <class Reach>
-  Lanes3 Lit(const Lanes3& color, const Surface& surface, const Lanes3& positionWorld,
-    const Reach& reach) const
+  Lanes3 Lit(const Lanes3& color, const Surface& surface, const Lanes3& positionWorld) const
+  {
+    return this->LitApart(color, surface, positionWorld, 0, [](int, const Lanes3&) {});
+  }
+
+  /// The light of all but the first lights, each of which is taken by itself.
+  /// @param apart  number of the first lights
+  /// @param take   (index of a light, its part of the colour)
+  template <class Take>
+  Lanes3 LitApart(const Lanes3& color, const Surface& surface, const Lanes3& positionWorld,
+    int apart, Take take) const
   {
     const Lanes3 outward = -InverseLength(surface.normalWorld) * surface.normalWorld;
+    const Lanes litPart = LitPart(this->scene, surface);
     Sum sum = { Lanes3(0.0f), Lanes3(0.0f) };
     sum.Add(this->ReflectedFrom(outward, this->toEye), this->parameters.diffuseLight,
       this->parameters.specularLight);
     const glm::vec4* texel = this->scene.textures.lightTexels.Texels<glm::vec4>();
-    for (int i = 0; i < this->parameters.distantCount; ++i, texel += TexelsPerLight)
+    const int count = this->parameters.distantCount + this->parameters.nearCount;
+    for (int i = 0; i < count; ++i, texel += TexelsPerLight)
     {
-      const Lanes2 reflected = this->ReflectedFrom(outward, AllOf3(*texel));
-      sum.Add(Reached(reflected, reach, i), texel[1], texel[2]);
+      const Lanes2 reflected = i < this->parameters.distantCount
+        ? this->ReflectedFrom(outward, AllOf3(*texel))
+        : this->ReflectedFromNear(outward, positionWorld, texel);
+      if (i >= apart)
+      {
+        sum.Add(reflected, texel[1], texel[2]);
+        continue;
+      }
+      Sum own = { Lanes3(0.0f), Lanes3(0.0f) };
+      own.Add(reflected, texel[1], texel[2]);
+      take(i, LitByAll(color, litPart, this->reflectance, Lanes3(0.0f), own.diffuse, own.specular));
     }
-    for (int i = 0; i < this->parameters.nearCount; ++i, texel += TexelsPerLight)
-    {
-      const Lanes2 reflected = this->ReflectedFromNear(outward, positionWorld, texel);
-      sum.Add(Reached(reflected, reach, this->parameters.distantCount + i), texel[1], texel[2]);
-    }
-    return LitByAll(color, LitPart(this->scene, surface), this->reflectance,
-      AllOf3(this->parameters.ambientLight), sum.diffuse, sum.specular);
+    return LitByAll(color, litPart, this->reflectance, AllOf3(this->parameters.ambientLight),
+      sum.diffuse, sum.specular);
   }
 
 private:

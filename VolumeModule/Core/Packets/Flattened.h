@@ -1,0 +1,12 @@
+#ifndef Varimarch_Core_Packets_Flattened_h
+#define Varimarch_Core_Packets_Flattened_h
+
+// Inlines everything that a function calls, so that lanes stay in registers. With the checks of a
+// sanitizer such a function would take a compiler ten minutes.
+#ifdef __SANITIZE_ADDRESS__
+#define FLATTENED
+#else
+#define FLATTENED [[gnu::flatten]]
+#endif
+
+#endif

@@ -1,0 +1,302 @@
+#ifndef Varimarch_Core_Packets_Reach_GatheredLight_h
+#define Varimarch_Core_Packets_Reach_GatheredLight_h
+
+// The light that samples reflect, kept until it is known how much of it reaches them. Light counts
+// only in proportion to what an eye sees of it, which is known at the end of a stretch of the ray.
+
+#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/PacketScene.h"
+#include "Core/Packets/ShaderMath.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// Places along the rays of a packet, and the part of a light that reaches them.
+struct LitPlaces
+{
+  static constexpr int MostPerRay = 24;
+
+  int count[LaneCount]; ///< number of places of each ray
+  float t[MostPerRay][LaneCount];
+  float weight[MostPerRay][LaneCount]; ///< influence on the colour
+  float light[MostPerRay][LaneCount];  ///< part that reaches the place
+  bool isNeeded[MostPerRay][LaneCount];
+};
+
+/// The light that the samples of a packet's rays would reflect without shadows, in intervals of one
+/// length. In each, the optical depth to a light is taken as linear: of a quadratic through the
+/// light at both ends and in the middle, where it is the geometric mean, each sample has three
+/// coefficients, which are added up.
+class GatheredLight
+{
+public:
+  /// @param lightCount  at most MostShadowedLights
+  GatheredLight(int lightCount, float intervalMm)
+    : lightCount(lightCount)
+    , intervalMm(intervalMm)
+  {
+    this->Clear();
+  }
+
+  /// True if samples at t do not fit before a Flush().
+  bool IsFullAt(Lanes t, LaneMask mask) const
+  {
+    const LaneMask moves = this->MovesTo(t, mask);
+    return Any(moves & (IntLanesAt(this->count) >= MostIntervals - 1));
+  }
+
+  /// Goes to samples. Along each ray t ascends.
+  void MoveTo(Lanes t, LaneMask mask)
+  {
+    const LaneMask moves = this->MovesTo(t, mask);
+    if (Any(moves))
+    {
+      const Lanes to = this->from + this->intervalMm;
+      const LaneMask goesOn = moves & this->isOpen & LaneMask(t <= to + this->intervalMm);
+      this->Close(moves & this->isOpen);
+      this->from = Select(moves, Select(goesOn, to, t), this->from);
+      this->isOpen |= moves;
+    }
+    const Lanes along = (1.0f / this->intervalMm) * (t - this->from);
+    this->atStart = (1.0f - along) * (1.0f - 2.0f * along);
+    this->inMiddle = 4.0f * along * (1.0f - along);
+    this->atEnd = along * (2.0f * along - 1.0f);
+  }
+
+  /// @param color  0 where nothing is seen
+  void Add(int light, const Lanes3& color)
+  {
+    Part& part = this->open[light];
+    part.atStart = part.atStart + this->atStart * color;
+    part.inMiddle = part.inMiddle + this->inMiddle * color;
+    part.atEnd = part.atEnd + this->atEnd * color;
+  }
+
+  /// The colours of everything that is gathered, which is then forgotten.
+  /// @param least  error that may come from light that is not asked for
+  /// @param trace  (light, LitPlaces), which sets the light of the places that need it
+  template <class Trace>
+  Lanes3 Flush(float least, Trace trace)
+  {
+    this->Close(this->isOpen);
+    Lanes3 sum(0.0f);
+    for (int light = 0; light < this->lightCount; ++light)
+    {
+      LitPlaces places;
+      for (int lane = 0; lane < LaneCount; ++lane)
+      {
+        this->SetPlaces(light, lane, places);
+        ChooseNeeded(lane, least, places);
+      }
+      trace(light, places);
+      float color[3][LaneCount] = {};
+      for (int lane = 0; lane < LaneCount; ++lane)
+      {
+        SetOthers(lane, places);
+        this->AddColor(light, lane, places, color);
+      }
+      sum = sum + Lanes3(LanesAt(color[0]), LanesAt(color[1]), LanesAt(color[2]));
+    }
+    this->Clear();
+    return sum;
+  }
+
+private:
+  static constexpr int MostIntervals = LitPlaces::MostPerRay / 2;
+
+  /// The coefficients of the light at the start of an interval, in its middle and at its end.
+  struct Part
+  {
+    Lanes3 atStart;
+    Lanes3 inMiddle;
+    Lanes3 atEnd;
+  };
+
+  /// The same of one ray.
+  struct RayPart
+  {
+    float atStart[3];
+    float inMiddle[3];
+    float atEnd[3];
+  };
+
+  static IntLanes IntLanesAt(const int (&numbers)[LaneCount])
+  {
+    return IntLanesOf([&](int lane) { return numbers[lane]; });
+  }
+
+  void Clear()
+  {
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      this->count[lane] = 0;
+    }
+    for (Part& part : this->open)
+    {
+      part = { Lanes3(0.0f), Lanes3(0.0f), Lanes3(0.0f) };
+    }
+    this->isOpen = LaneMask{};
+  }
+
+  LaneMask MovesTo(Lanes t, LaneMask mask) const
+  {
+    const LaneMask isInside =
+      LaneMask(t >= this->from) & LaneMask(t <= this->from + this->intervalMm);
+    return mask & ~(this->isOpen & isInside);
+  }
+
+  void Close(LaneMask mask)
+  {
+    const IntNumbers closes(mask);
+    const Numbers start(this->from);
+    for (int light = 0; light < this->lightCount; ++light)
+    {
+      const Part& part = this->open[light];
+      this->CloseVector(closes, part.atStart, light, &RayPart::atStart);
+      this->CloseVector(closes, part.inMiddle, light, &RayPart::inMiddle);
+      this->CloseVector(closes, part.atEnd, light, &RayPart::atEnd);
+      const Lanes3 nothing(0.0f);
+      this->open[light] = { Select(mask, nothing, part.atStart),
+        Select(mask, nothing, part.inMiddle), Select(mask, nothing, part.atEnd) };
+    }
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      if (closes.of[lane] != 0)
+      {
+        this->starts[this->count[lane]++][lane] = start.of[lane];
+      }
+    }
+    this->isOpen &= ~mask;
+  }
+
+  void CloseVector(
+    const IntNumbers& closes, const Lanes3& vector, int light, float (RayPart::*member)[3])
+  {
+    const Numbers red(vector.x);
+    const Numbers green(vector.y);
+    const Numbers blue(vector.z);
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      if (closes.of[lane] != 0)
+      {
+        float(&closed)[3] = this->parts[light][this->count[lane]][lane].*member;
+        closed[0] = red.of[lane];
+        closed[1] = green.of[lane];
+        closed[2] = blue.of[lane];
+      }
+    }
+  }
+
+  static float Largest(const float (&color)[3])
+  {
+    const auto size = [](float number) { return number < 0.0f ? -number : number; };
+    const float first = size(color[0]) > size(color[1]) ? size(color[0]) : size(color[1]);
+    return first > size(color[2]) ? first : size(color[2]);
+  }
+
+  // True if an interval begins where the one before it ends.
+  bool GoesOn(int interval, int lane) const
+  {
+    return interval > 0 &&
+      this->starts[interval][lane] == this->starts[interval - 1][lane] + this->intervalMm;
+  }
+
+  void SetPlaces(int light, int lane, LitPlaces& places) const
+  {
+    int place = -1;
+    for (int i = 0; i < this->count[lane]; ++i)
+    {
+      const RayPart& part = this->parts[light][i][lane];
+      const float middle = 0.5f * Largest(part.inMiddle);
+      if (!this->GoesOn(i, lane))
+      {
+        ++place;
+        places.t[place][lane] = this->starts[i][lane];
+        places.weight[place][lane] = 0.0f;
+      }
+      places.weight[place][lane] += Largest(part.atStart) + middle;
+      ++place;
+      places.t[place][lane] = this->starts[i][lane] + this->intervalMm;
+      places.weight[place][lane] = Largest(part.atEnd) + middle;
+    }
+    places.count[lane] = place + 1;
+  }
+
+  // Light is not needed at places that together have next to no influence.
+  static void ChooseNeeded(int lane, float least, LitPlaces& places)
+  {
+    float unlit = 0.0f;
+    for (int place = 0; place < places.count[lane]; ++place)
+    {
+      unlit += places.weight[place][lane];
+      places.isNeeded[place][lane] = unlit > least;
+      unlit = unlit > least ? 0.0f : unlit;
+      places.light[place][lane] = 0.5f; // the error is then at most half of the influence
+    }
+  }
+
+  // Between the places at which the light is known, it is linear.
+  static void SetOthers(int lane, LitPlaces& places)
+  {
+    int known = -1;
+    for (int place = 0; place < places.count[lane]; ++place)
+    {
+      if (!places.isNeeded[place][lane])
+      {
+        continue;
+      }
+      const float light = places.light[place][lane];
+      for (int other = known + 1; other < place; ++other)
+      {
+        const float before = known < 0 ? light : places.light[known][lane];
+        const float from = places.t[known < 0 ? other : known][lane];
+        const float along = (places.t[other][lane] - from) / (places.t[place][lane] - from);
+        places.light[other][lane] = before + along * (light - before);
+      }
+      known = place;
+    }
+    for (int other = known + 1; other < places.count[lane] && known >= 0; ++other)
+    {
+      places.light[other][lane] = places.light[known][lane];
+    }
+  }
+
+  void AddColor(int light, int lane, const LitPlaces& places, float (&color)[3][LaneCount]) const
+  {
+    int place = -1;
+    for (int i = 0; i < this->count[lane]; ++i)
+    {
+      place += this->GoesOn(i, lane) ? 0 : 1;
+      const float start = places.light[place][lane];
+      const float end = places.light[++place][lane];
+      const float middle = __builtin_sqrtf(start * end);
+      const RayPart& part = this->parts[light][i][lane];
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        color[channel][lane] += start * part.atStart[channel] + middle * part.inMiddle[channel] +
+          end * part.atEnd[channel];
+      }
+    }
+  }
+
+  int lightCount;
+  float intervalMm;
+  LaneMask isOpen; ///< the rays that have an interval that is not closed
+  Lanes from = {}; ///< where it begins
+  Lanes atStart;   ///< coefficients of the samples
+  Lanes inMiddle;
+  Lanes atEnd;
+  Part open[MostShadowedLights];
+  int count[LaneCount];                   ///< number of closed intervals of each ray
+  float starts[MostIntervals][LaneCount]; ///< where they begin
+  RayPart parts[MostShadowedLights][MostIntervals][LaneCount];
+};
+
+}
+
+}
+
+#endif

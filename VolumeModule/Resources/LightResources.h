@@ -1,0 +1,45 @@
+#ifndef Varimarch_Resources_LightResources_h
+#define Varimarch_Resources_LightResources_h
+
+#include "Core/Fields/LightLattice.h"
+#include "Core/Packets/PacketScene.h"
+#include "Frame/MarchPlan.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace varimarch
+{
+
+/// The lattices of the lights that cast shadows in a volume, one for each light, which packets of
+/// rays fill while they draw. A lattice is kept as long as its light, the volume and its opacities
+/// stay, whatever the view; there are none without an error tolerance.
+class LightResources
+{
+public:
+  /// @throws std::runtime_error if there is no memory
+  void Update(const VolumeMarch& march);
+
+  /// The lattices, and how exactly shadows are computed.
+  PacketShadows Shadows() const;
+
+  std::size_t Bytes() const; ///< The size of all lattices, also of parts that are not in use.
+  void Release() { this->kept.clear(); }
+
+private:
+  /// The lattice of a light.
+  struct Kept
+  {
+    std::vector<double> inputs; ///< Everything that its light depends on.
+    LightLattice lattice;
+  };
+
+  Kept TakeKept(const std::vector<double>& inputs, const glm::ivec3& voxelCount);
+
+  std::vector<Kept> kept; ///< In the order of the lights.
+  PacketShadows shadows = {};
+};
+
+}
+
+#endif
