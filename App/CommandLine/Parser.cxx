@@ -113,6 +113,12 @@ void AddLightOptions(CLI::App& command, SceneArguments& arguments)
     ->type_name("AZ,EL")
     ->group(group);
   command
+    .add_flag_callback(
+      "--shadows", [&] { arguments.shadows = true; },
+      "Let the volume cast shadows, from lights that are not at the eye; takes about\n"
+      "three times as long")
+    ->group(group);
+  command
     .add_option("--damping", arguments.dampingGradient,
       "Gradient below which shading weakens, in units of the look's values per mm")
     ->check(CLI::NonNegativeNumber.description(""))

@@ -133,6 +133,7 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   OverridePreset(arguments, loaded, isScene, scene);
   OverrideLook(arguments, scene.look);
   scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;
+  scene.shadows = arguments.shadows.value_or(scene.shadows);
   OverrideCamera(arguments, scene.camera);
   OverrideSampling(arguments, scene.render);
   scene.size = arguments.size.value_or(scene.size);

@@ -25,8 +25,9 @@ struct SceneArguments
   std::string regions;          ///< file of regions; empty: those of the look
   std::optional<bool> shade;
   std::optional<Blend> blend;
-  std::optional<double> dampingGradient;  ///< as in Look
-  std::vector<SceneLight> lights;         ///< empty: those of the scene
+  std::optional<double> dampingGradient; ///< as in Look
+  std::vector<SceneLight> lights;        ///< empty: those of the scene
+  std::optional<bool> shadows;
   std::optional<std::array<int, 2>> size; ///< size of the image [pixels]
   std::optional<View> view;
   std::optional<double> azimuthDegrees;

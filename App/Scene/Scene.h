@@ -327,6 +327,8 @@ struct Scene
   VolumeSource volume;
   Look look;
   std::vector<SceneLight> lights; ///< empty: a white light at the eye
+  /// True if the volume casts shadows on itself: vtkVariationFieldVolumeMapper::Shadows.
+  bool shadows = false;
   Camera camera;
   SceneCuts cuts;
   SliceSettings slices;

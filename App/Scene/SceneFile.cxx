@@ -51,18 +51,27 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
 // Editors find the schema through "$schema"; it is ignored here.
 std::vector<std::string> KeysBesideVolume()
 {
-  return { "$schema", "look", "lights", "camera", "cuts", "slices", "distances", "angles", "boxes",
-    "labels", "render", "size", "background" };
+  return { "$schema", "look", "lights", "shadows", "camera", "cuts", "slices", "distances",
+    "angles", "boxes", "labels", "render", "size", "background" };
+}
+
+void ReadLights(const JsonCursor& json, Scene& scene)
+{
+  if (const auto lights = json.Find("lights"))
+  {
+    scene.lights = LightsFromJson(*lights);
+  }
+  if (const auto shadows = json.Find("shadows"))
+  {
+    scene.shadows = shadows->Boolean();
+  }
 }
 
 void ReadAllButVolume(const JsonCursor& json, Scene& scene)
 {
   // The preset's settings come first, so that the scene's own keys override them.
   TakePreset(PresetFromJson(json.At("look")), scene);
-  if (const auto lights = json.Find("lights"))
-  {
-    scene.lights = LightsFromJson(*lights);
-  }
+  ReadLights(json, scene);
   if (const auto camera = json.Find("camera"))
   {
     scene.camera = CameraFromJson(*camera);
@@ -132,6 +141,10 @@ std::string SceneText(const Scene& scene)
   if (!scene.lights.empty())
   {
     json["lights"] = JsonFromLights(scene.lights);
+  }
+  if (scene.shadows)
+  {
+    json["shadows"] = true;
   }
   json["camera"] = JsonFromCamera(scene.camera);
   json["cuts"] = JsonFromCuts(scene.cuts);

@@ -185,6 +185,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   this->renderer->AddVolume(this->volume);
   this->SetLook(scene.look);
   this->SetLights(scene.lights);
+  this->SetShadows(scene.shadows);
   this->SetCuts(scene.cuts);
   this->SetRenderOptions(scene.render);
   this->SetBackground(scene.background);
@@ -208,6 +209,14 @@ void ScenePipeline::SetLook(const Look& newLook)
 void ScenePipeline::SetLights(const std::vector<SceneLight>& lights)
 {
   varimarch::SetLights(lights, this->renderer);
+}
+
+void ScenePipeline::SetShadows(bool shadows)
+{
+  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
+  {
+    ours->SetShadows(shadows);
+  }
 }
 
 void ScenePipeline::SetLabels(std::shared_ptr<const LabelMap> newLabels)

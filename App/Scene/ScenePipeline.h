@@ -59,6 +59,8 @@ public:
   void SetSegments(const std::vector<Segment>& changed);
   void SetRenderOptions(const RenderOptions& options);
   void SetLights(const std::vector<SceneLight>& lights);
+  /// VTK's mappers cast no shadows.
+  void SetShadows(bool shadows);
   void SetBackground(const std::array<double, 3>& rgb);
 
   /// Sample distance of the last frame [mm].

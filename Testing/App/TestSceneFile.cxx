@@ -44,6 +44,7 @@ Scene UnusualScene()
   scene.lights = { { LightKind::Camera, { 1.0, 2.0, 3.0 }, {}, { 0.25, 0.5, 1.0 }, 2.5 },
     { LightKind::Directional, { 0.0, -1.0, 0.5 } },
     { LightKind::Positional, SceneLight().direction, { 4.0, 5.0, 6.0 } }, SceneLight() };
+  scene.shadows = true;
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
     { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } } };
   scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0, SlabBlend::Mean };
@@ -127,6 +128,8 @@ TEST(SceneFile, KeepsLightsAndHowTheyReflect)
   EXPECT_EQ(back.lights[1].direction, scene.lights[1].direction);
   EXPECT_EQ(back.lights[2].positionMm, scene.lights[2].positionMm);
   EXPECT_EQ(back.lights[3].kind, LightKind::Head);
+  EXPECT_TRUE(back.shadows);
+  EXPECT_FALSE(SceneFromText(SceneText(Scene()), "test").shadows);
   EXPECT_EQ(back.look.dampingGradient, 0.375);
 }
 

@@ -126,6 +126,7 @@ def lights_and_quality_change_the_picture(_folder):
     choices = (
         {},
         {"lights": [upper_right]},
+        {"lights": [upper_right], "shadows": True},
         {"lights": [{"kind": "head"}, upper_right]},
         {"damping": 300},
         {"regions": [{"shape": "ellipse", "values": (100, 400), "gradients": (1, 60),

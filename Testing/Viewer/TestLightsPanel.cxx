@@ -5,6 +5,7 @@
 #include "SmallStudy.h"
 #include "Viewer/Panels/LightsPanel.h"
 
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
 #include <QListWidget>
@@ -129,4 +130,16 @@ TEST_F(LightsOfAModel, TheSelectedLightIsRemoved)
   ASSERT_EQ(this->Lights().size(), 1u);
   EXPECT_EQ(this->Lights()[0].kind, LightKind::Camera);
   EXPECT_FALSE(this->Find<QPushButton>("removeLight")->isEnabled());
+}
+
+TEST_F(LightsOfAModel, ShadowsAreAStepThatIsUndone)
+{
+  auto* const shadows = this->Find<QCheckBox>("shadows");
+  EXPECT_FALSE(shadows->isChecked());
+  QTest::mouseClick(shadows, Qt::LeftButton, {}, QPoint(8, shadows->height() / 2));
+  EXPECT_TRUE(this->model.CurrentScene().shadows);
+  EXPECT_TRUE(this->Lights().empty()) << "lights stay";
+  this->model.History()->undo();
+  EXPECT_FALSE(this->model.CurrentScene().shadows);
+  EXPECT_FALSE(shadows->isChecked());
 }

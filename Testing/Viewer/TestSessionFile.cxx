@@ -67,6 +67,13 @@ TEST_F(Sessions, KeepSegmentsThatLookOtherThanInTheirFile)
   EXPECT_TRUE(work().isEmpty());
 }
 
+TEST_F(Sessions, KeepShadows)
+{
+  this->model.Edit(ScenePart::Lights, "shadows", [](Scene& scene) { scene.shadows = true; });
+  EXPECT_TRUE(
+    WorkText(this->model.CurrentScene(), *this->model.CurrentStudy()).contains("shadows"));
+}
+
 TEST_F(Sessions, AreAutosavedApartByViewersThatRunAtOnce)
 {
   this->model.Edit(ScenePart::Camera, "zoom", [](Scene& scene) { scene.camera.zoom = 2.5; });

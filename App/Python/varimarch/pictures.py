@@ -35,6 +35,7 @@ def render(
     regions=None,
     shade=None,
     lights=None,
+    shadows=False,
     damping=None,
     blend=None,
     labels=None,
@@ -69,11 +70,13 @@ def render(
         a list of dictionaries as in Documentation/SceneFormat.md, such as {"shape": "ellipse",
         "values": (100, 300), "gradients": (50, 200), "rgb": "ivory", "opacity": 0.3}. Composites of
         one component only.
-    shade: True to light the volume, so that surfaces are brighter where they face a light; there are
-        no shadows. Default: the preset's.
+    shade: True to light the volume, so that surfaces are brighter where they face a light. Default:
+        the preset's.
     lights: the lights of a shaded volume, a list of dictionaries as in Documentation/SceneFormat.md,
         such as {"kind": "camera", "direction": (1, 1, 1), "color": "ivory"}, a light from the upper
         right; default: a white light at the eye.
+    shadows: True to let a shaded volume cast shadows on itself, from lights that are not at the eye;
+        takes about three times as long.
     damping: gradient magnitude below which light other than ambient is reduced, in units of the
         volume per mm, so that noise in homogeneous material does not glitter; default: the preset's.
     blend: "composite", "maximum", "minimum", "average" or "additive"; default: the preset's.
@@ -148,6 +151,7 @@ def render(
     scene = {"look": look, "camera": camera, "render": quality, "size": picture_size(size)}
     if lights is not None:
         scene["lights"] = lights_of(lights)
+    scene["shadows"] = truth("shadows", shadows)
     drawn = drawn_labels(image, labels, label_colors, label_opacity, look["blend"])
     picture = _scene.render(image, json.dumps(scene), *drawn)
     # VTK counts rows from the bottom.

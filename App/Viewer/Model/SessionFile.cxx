@@ -55,6 +55,7 @@ QString WorkText(const Scene& scene, const Study& study)
   work.angles = scene.angles;
   work.boxes = scene.boxes;
   work.lights = scene.lights;
+  work.shadows = scene.shadows;
   if (!IsBuiltInLook(scene.look, study.statistics))
   {
     work.look = scene.look;

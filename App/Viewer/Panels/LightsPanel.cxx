@@ -6,6 +6,7 @@
 #include "Viewer/LiveColorDialog.h"
 #include "Viewer/Panels/NumberSlider.h"
 
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -90,6 +91,8 @@ LightsPanel::LightsPanel(SceneModel* model, QWidget* parent)
   column->addLayout(row);
   column->addWidget(this->list);
   column->addLayout(this->form);
+  this->MakeShadows();
+  column->addWidget(this->shadows);
   column->addStretch();
   this->MakeColorAndIntensity();
   this->MakeDirection();
@@ -193,6 +196,22 @@ void LightsPanel::MakePosition()
   this->form->addRow(tr("Place [mm]"), this->position);
 }
 
+void LightsPanel::MakeShadows()
+{
+  this->shadows = new QCheckBox(tr("Shadows"));
+  this->shadows->setObjectName("shadows");
+  this->shadows->setToolTip(
+    tr("The volume casts shadows on itself, from lights that are not at the eye. "
+       "An image takes about three times as long."));
+  connect(this->shadows, &QCheckBox::clicked, this,
+    [this](bool isOn)
+    {
+      this->model->Edit(
+        ScenePart::Lights, tr("shadows"), [isOn](Scene& scene) { scene.shadows = isOn; },
+        SceneModel::NoGesture);
+    });
+}
+
 std::vector<SceneLight> LightsPanel::Shown() const
 {
   const std::vector<SceneLight>& lights = this->model->CurrentScene().lights;
@@ -277,6 +296,7 @@ void LightsPanel::Show(ScenePart part)
   this->list->setCurrentRow(selected);
   this->add->setEnabled(lights.size() < MostLights);
   this->remove->setEnabled(lights.size() > 1);
+  this->shadows->setChecked(this->model->CurrentScene().shadows);
   this->ShowSelected();
 }
 

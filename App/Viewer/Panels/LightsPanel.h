@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QListWidget;
@@ -19,8 +20,8 @@ namespace varimarch
 
 class NumberSlider;
 
-/// The lights on a shaded volume: a list, and the colour, intensity and place of the selected one.
-/// A scene without lights has the one at the eye.
+/// The lights on a shaded volume: a list, and the colour, intensity and place of the selected one;
+/// and whether the volume casts shadows. A scene without lights has the one at the eye.
 class LightsPanel : public QWidget
 {
   Q_OBJECT
@@ -33,6 +34,7 @@ private:
   void MakeColorAndIntensity();
   void MakeDirection();
   void MakePosition();
+  void MakeShadows();
   std::vector<SceneLight> Shown() const;
   void Replace(const std::vector<SceneLight>& lights, const QString& name, int gesture);
   void EditSelected(const QString& name, const std::function<void(SceneLight&)>& change,
@@ -56,6 +58,7 @@ private:
   NumberSlider* elevation;
   QWidget* position;
   std::array<QDoubleSpinBox*, 3> coordinates;
+  QCheckBox* shadows;
 };
 
 }

@@ -1043,6 +1043,18 @@ kennt keine Segmente</translation>
         <source>colour of a light</source>
         <translation>Farbe eines Lichts</translation>
     </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
+        <translation>Das Volumen wirft Schatten auf sich selbst, von Lichtern, die nicht am Auge sind. Ein Bild dauert etwa dreimal so lange.</translation>
+    </message>
+    <message>
+        <source>shadows</source>
+        <translation>Schatten</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::LookPanel</name>

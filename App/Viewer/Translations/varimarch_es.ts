@@ -1043,6 +1043,18 @@ no conoce los segmentos</translation>
         <source>colour of a light</source>
         <translation>color de una luz</translation>
     </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Sombras</translation>
+    </message>
+    <message>
+        <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
+        <translation>El volumen proyecta sombras sobre sí mismo, desde luces que no están en el ojo. Una imagen tarda unas tres veces más.</translation>
+    </message>
+    <message>
+        <source>shadows</source>
+        <translation>sombras</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::LookPanel</name>

@@ -145,6 +145,7 @@ void VolumeView::Update(ScenePart part)
       break;
     case ScenePart::Lights:
       this->pipeline->SetLights(scene.lights);
+      this->pipeline->SetShadows(scene.shadows);
       break;
     case ScenePart::Camera:
       this->FollowCamera();
