@@ -106,20 +106,25 @@ void AddPublishedCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunPublished(*arguments); });
 }
 
-void AddSpeedOptions(CLI::App& command, const std::shared_ptr<SpeedArguments>& arguments)
+void AddSceneOptions(CLI::App& command, BenchSceneArguments& scenes)
 {
-  command.add_option("SCENES", arguments->inputs,
+  command.add_option("SCENES", scenes.inputs,
     "Scene files (.json), volume files, DICOM folders, or procedural:NAME[:XxYxZ]");
   command
-    .add_option("--volumes", arguments->volumes,
+    .add_option("--volumes", scenes.volumes,
       "A folder of well-known volumes, each drawn soft, dense and as a thin peak")
     ->check(CLI::ExistingDirectory.description(""))
     ->type_name("FOLDER");
   command
-    .add_option("--only", arguments->only,
-      "Draw only scenes of --volumes whose names start with one of these")
+    .add_option(
+      "--only", scenes.only, "Draw only scenes of --volumes whose names start with one of these")
     ->delimiter(',')
     ->type_name("NAMES");
+}
+
+void AddSpeedOptions(CLI::App& command, const std::shared_ptr<SpeedArguments>& arguments)
+{
+  AddSceneOptions(command, arguments->scenes);
   AddReportOptions(command, arguments->report);
   command
     .add_option(
@@ -154,6 +159,30 @@ void AddSpeedCommand(CLI::App& program, const std::string& commandText)
               "  varimarch-bench speed Data/Scenes/*.json -o report --sides 256 --shading off");
   AddSpeedOptions(*app, arguments);
   app->callback([arguments] { RunSpeed(*arguments); });
+}
+
+void AddShadowCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<ShadowArguments>();
+  arguments->report.commandText = commandText;
+  CLI::App* app = program.add_subcommand(
+    "shadows", "Measure the time and the error of shadows, still, turning and with a moving light");
+  app->footer("Writes shadows.md and .json after each scene.\n"
+              "Examples:\n"
+              "  varimarch-bench shadows --volumes volumes -o report\n"
+              "  varimarch-bench shadows head.nii.gz -o report --side 256");
+  AddSceneOptions(*app, arguments->scenes);
+  AddReportOptions(*app, arguments->report);
+  app->add_option("--side", arguments->options.side, "Side of the square images (default 512)")
+    ->check(CLI::Range(1, 4096).description(""))
+    ->type_name("PIXELS");
+  app
+    ->add_option(
+      "--tolerance", arguments->options.errorTolerance, "The error tolerance (default 1/64)")
+    ->check(CLI::Range(1e-4, 1.0).description(""))
+    ->type_name("ERROR");
+  AddRoundsOption(*app, arguments->options.rounds);
+  app->callback([arguments] { RunShadows(*arguments); });
 }
 
 void AddScalingCommand(CLI::App& program, const std::string& commandText)
@@ -299,6 +328,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddWorkPrecisionCommand(program, commandText);
   AddPublishedCommand(program, commandText);
   AddSpeedCommand(program, commandText);
+  AddShadowCommand(program, commandText);
   AddScalingCommand(program, commandText);
   AddFeatureCommand(program, commandText);
   AddShaderCostCommand(program, commandText);

@@ -3,6 +3,7 @@
 
 #include "CommandLine/SceneArguments.h"
 #include "PublishedScenes.h"
+#include "ShadowBench.h"
 #include "SpeedBench.h"
 #include "WorkPrecision.h"
 
@@ -41,13 +42,30 @@ struct PublishedArguments
   PublishedOptions options;
 };
 
-struct SpeedArguments
+/// The scenes that a benchmark draws.
+struct BenchSceneArguments
 {
-  ReportArguments report;
   std::vector<std::string> inputs;
   std::string volumes;           ///< folder of well-known volumes; empty: none
   std::vector<std::string> only; ///< prefixes of scene names; empty: all scenes
+};
+
+/// @throws UsageError when there are none
+/// @throws std::runtime_error when a file cannot be read
+SpeedScenes LoadBenchScenes(const BenchSceneArguments& arguments);
+
+struct SpeedArguments
+{
+  ReportArguments report;
+  BenchSceneArguments scenes;
   SpeedOptions options;
+};
+
+struct ShadowArguments
+{
+  ReportArguments report;
+  BenchSceneArguments scenes;
+  ShadowOptions options;
 };
 
 struct ScalingArguments
@@ -108,6 +126,7 @@ struct ShaderCostArguments
 void RunWorkPrecision(const WorkPrecisionArguments& arguments);
 void RunPublished(const PublishedArguments& arguments);
 void RunSpeed(const SpeedArguments& arguments);
+void RunShadows(const ShadowArguments& arguments);
 void RunScaling(const ScalingArguments& arguments);
 void RunFeatures(const FeatureArguments& arguments);
 void RunShaderCosts(const ShaderCostArguments& arguments);

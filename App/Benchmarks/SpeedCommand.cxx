@@ -17,10 +17,7 @@
 namespace varimarch
 {
 
-namespace
-{
-
-SpeedScenes LoadScenes(const SpeedArguments& arguments)
+SpeedScenes LoadBenchScenes(const BenchSceneArguments& arguments)
 {
   SpeedScenes loaded;
   if (!arguments.volumes.empty())
@@ -39,6 +36,9 @@ SpeedScenes LoadScenes(const SpeedArguments& arguments)
   return loaded;
 }
 
+namespace
+{
+
 void Write(const SpeedPage& page, const ReportArguments& report)
 {
   const std::filesystem::path folder = report.outputFolder;
@@ -54,7 +54,7 @@ void Write(const SpeedPage& page, const ReportArguments& report)
 void RunSpeed(const SpeedArguments& arguments)
 {
   SpeedPage page = { arguments.report.commandText, ThisMachine(), arguments.options, {}, {} };
-  const SpeedScenes loaded = LoadScenes(arguments);
+  const SpeedScenes loaded = LoadBenchScenes(arguments.scenes);
   const std::filesystem::path folder = OutputFolder(arguments.report.outputFolder);
   page.missing = loaded.missing;
   for (std::size_t i = 0; i < loaded.scenes.size(); ++i)

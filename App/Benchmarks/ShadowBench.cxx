@@ -1,0 +1,189 @@
+#include "ShadowBench.h"
+
+#include "CommandLine/VtkMessages.h"
+#include "Scene/Median.h"
+#include "Scene/OffscreenView.h"
+#include "Scene/SceneLights.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr int FramesOfMotion = 9;
+
+// The direction to the upper right of a camera, fixed in the world.
+std::array<double, 3> UpperRightOf(vtkCamera* camera)
+{
+  const glm::dvec3 toEye = -glm::make_vec3(camera->GetDirectionOfProjection());
+  const glm::dvec3 up = glm::make_vec3(camera->GetViewUp());
+  const glm::dvec3 direction = toEye + 0.8 * glm::normalize(glm::cross(up, toEye)) + 0.7 * up;
+  return { direction.x, direction.y, direction.z };
+}
+
+Scene LitScene(const LoadedScene& loaded, const ShadowOptions& options)
+{
+  Scene scene = loaded.scene;
+  scene.look.shading.enabled = true;
+  scene.size = { options.side, options.side };
+  scene.render.errorTolerance = options.errorTolerance;
+  ScenePipeline pipeline(scene, loaded.volume.image, MapperKind::Varimarch);
+  scene.lights = { { LightKind::Directional,
+    UpperRightOf(pipeline.Renderer()->GetActiveCamera()) } };
+  return scene;
+}
+
+Scene WithShadows(Scene scene)
+{
+  scene.shadows = true;
+  return scene;
+}
+
+SceneLight Turned(SceneLight light, double degrees)
+{
+  LightAngles angles = AnglesOf(light.direction, light.kind);
+  angles.azimuthDegrees = std::remainder(angles.azimuthDegrees + degrees, 360.0);
+  light.direction = DirectionOf(angles, light.kind);
+  return light;
+}
+
+/// A view, with or without shadows, and what is measured in it.
+struct ShadowView
+{
+  OffscreenView view;
+  SceneLight light;
+  double firstMs;
+
+  ShadowView(const Scene& scene, vtkImageData* image)
+    : view(scene, image, MapperKind::Varimarch)
+    , light(scene.lights.front())
+    , firstMs(1000.0 * this->view.Render())
+  {
+  }
+
+  double MedianMs(ShadowMotion motion)
+  {
+    std::vector<double> times;
+    for (int frame = 0; frame < FramesOfMotion; ++frame)
+    {
+      this->Move(motion);
+      times.push_back(1000.0 * this->view.Render());
+    }
+    return Median(times);
+  }
+
+private:
+  void Move(ShadowMotion motion)
+  {
+    if (motion == ShadowMotion::Turning)
+    {
+      this->view.Pipeline().Renderer()->GetActiveCamera()->Azimuth(1.0);
+      this->view.Pipeline().Renderer()->ResetCameraClippingRange();
+    }
+    if (motion == ShadowMotion::LightDragged)
+    {
+      this->light = Turned(this->light, 2.0);
+      this->view.Pipeline().SetLights({ this->light });
+    }
+  }
+};
+
+// The times of each round, one list for each motion.
+struct Rounds
+{
+  std::array<std::vector<double>, ShadowMotions> without;
+  std::array<std::vector<double>, ShadowMotions> with;
+  std::array<std::vector<double>, ShadowMotions> factor;
+
+  // A slow moment of the machine affects both alike.
+  void Add(int round, ShadowView& plain, ShadowView& shadowed)
+  {
+    for (int motion = 0; motion < ShadowMotions; ++motion)
+    {
+      const auto drawPlain = [&]
+      { this->without[motion].push_back(plain.MedianMs(ShadowMotion(motion))); };
+      const auto drawShadowed = [&]
+      { this->with[motion].push_back(shadowed.MedianMs(ShadowMotion(motion))); };
+      if (round % 2 == 0)
+      {
+        drawPlain();
+      }
+      drawShadowed();
+      if (round % 2 == 1)
+      {
+        drawPlain();
+      }
+      this->factor[motion].push_back(this->with[motion].back() / this->without[motion].back());
+    }
+  }
+};
+
+std::vector<float> PixelsOf(OffscreenView& view)
+{
+  const auto picture = view.FloatImage();
+  const auto* const channels = static_cast<const float*>(picture->GetScalarPointer());
+  return std::vector<float>(channels, channels + 4 * picture->GetNumberOfPoints());
+}
+
+ImageError ErrorOf(const Scene& scene, vtkImageData* image)
+{
+  Scene fine = scene;
+  fine.render.sampleDistanceVoxels = 0.125;
+  fine.render.errorTolerance = 0.0;
+  OffscreenView drawn(scene, image, MapperKind::Varimarch);
+  OffscreenView exact(fine, image, MapperKind::Varimarch);
+  const std::vector<float> pixels = PixelsOf(drawn);
+  return CompareImages(pixels.data(), PixelsOf(exact).data(), pixels.size() / 4);
+}
+
+}
+
+ShadowCase MeasureShadows(
+  const LoadedScene& loaded, const ShadowOptions& options, const OnStep& onStep)
+{
+  const Scene plain = LitScene(loaded, options);
+  const Scene shadowed = WithShadows(plain);
+  ShadowCase measured = { loaded.name };
+  Rounds rounds;
+  std::vector<double> firstMs;
+  for (int round = 0; round < options.rounds; ++round)
+  {
+    onStep("times, round " + std::to_string(round + 1));
+    ShadowView without(plain, loaded.volume.image);
+    ShadowView with(shadowed, loaded.volume.image);
+    firstMs.push_back(with.firstMs);
+    rounds.Add(round, without, with);
+  }
+  measured.firstMs = Median(firstMs);
+  for (int motion = 0; motion < ShadowMotions; ++motion)
+  {
+    measured.withoutMs[motion] = Median(rounds.without[motion]);
+    measured.withMs[motion] = Median(rounds.with[motion]);
+    measured.factor[motion] = Median(rounds.factor[motion]);
+  }
+  onStep("error");
+  measured.error = ErrorOf(shadowed, loaded.volume.image);
+  ThrowIfVtkReportedError();
+  return measured;
+}
+
+double MeanFactor(const std::vector<ShadowCase>& cases, ShadowMotion motion)
+{
+  double sum = 0.0;
+  for (const ShadowCase& measured : cases)
+  {
+    sum += std::log(measured.factor[int(motion)]);
+  }
+  return std::exp(sum / double(cases.size()));
+}
+
+}
