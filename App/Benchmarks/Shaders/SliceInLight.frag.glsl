@@ -1,7 +1,8 @@
 // A slice as the eye sees it, under the light that a volume of light tells, which was made before.
 
-uniform float sliceMm;         // length that a slice stands for [mm]
-uniform sampler3D lightVolume; // fraction of the light that arrives, from corner to corner of the box
+uniform float sliceMm; // length that a slice stands for [mm]
+// Fraction of the light that arrives, from corner to corner of the box.
+uniform sampler3D lightVolume;
 uniform vec3 boxUpperGrid;
 in vec3 positionGrid;
 out vec4 fragOutput0;
