@@ -18,7 +18,7 @@ namespace varimarch
 struct ReferenceCuts
 {
   std::vector<glm::dvec4> planesGrid; ///< keep what lies on their positive sides
-  vtkSmartPointer<vtkImageData> mask; ///< of scissors, see Scissors.h; null without
+  vtkSmartPointer<vtkImageData> mask; ///< the mask of scissors, see Scissors.h; null without
 
   bool IsEmpty() const { return this->planesGrid.empty() && !this->mask; }
 

@@ -242,7 +242,7 @@ private:
   const std::vector<OpticalChannel>& channels;
   const BrickRows& rows;
   std::vector<BrickClassifier> classifiers;
-  std::vector<std::vector<std::size_t>> channelsOfSet; ///< those that each set of rows shows
+  std::vector<std::vector<std::size_t>> channelsOfSet; ///< the channels that each set of rows shows
 };
 
 // Builds a field from the class of each brick, classOf(index).
