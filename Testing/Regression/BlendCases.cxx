@@ -2,6 +2,7 @@
 
 #include "Module/ProcessorMarching.h"
 #include "Module/SliceTruth.h"
+#include "Module/UsualSettings.h"
 
 #include <vtkImplicitFunction.h>
 #include <vtkPlane.h>
@@ -24,11 +25,17 @@ void MaximumIntensity(MapperScene& scene)
   ShowRange(scene, -1000.0, 1200.0);
 }
 
+// In a box inside the body, for rays that begin in the air around it all have the least value
+// there.
 void MinimumIntensity(MapperScene& scene)
 {
   scene.mapper->SetBlendModeToMinimumIntensity();
-  ShowRange(scene, 200.0, -1000.0);
-  scene.colors->AddRGBPoint(-1000.0, 0.2, 0.6, 1.0);
+  CropToMiddle(scene, VTK_CROP_SUBVOLUME);
+  ShowRange(scene, 300.0, -900.0);
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(-900.0, 0.2, 0.6, 1.0);
+  scene.colors->AddRGBPoint(0.0, 1.0, 0.5, 0.2);
+  scene.colors->AddRGBPoint(200.0, 1.0, 1.0, 0.8);
   scene.renderer->GetActiveCamera()->Zoom(1.8);
 }
 

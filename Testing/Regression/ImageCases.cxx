@@ -1,5 +1,7 @@
 #include "Regression/RegressionCase.h"
 
+#include "Core/Geometry/Box.h"
+#include "Frame/VolumeGeometry.h"
 #include "Module/HomogeneousScene.h"
 #include "Module/ProcessorMarching.h"
 #include "Module/SupersampledTruth.h"
@@ -7,7 +9,10 @@
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkShaderProperty.h>
 
+#include <glm/matrix.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -134,6 +139,72 @@ RegressionScene RenderToImage()
   return regression;
 }
 
+// The depths that a mapper renders, from black to white.
+vtkSmartPointer<vtkImageData> DepthImageOf(MapperScene& scene)
+{
+  vtkNew<vtkImageData> depth;
+  auto* const vtk = vtkGPUVolumeRayCastMapper::SafeDownCast(scene.volume->GetMapper());
+  vtk ? vtk->GetDepthImage(depth) : scene.mapper->GetDepthImage(depth);
+  auto bytes = vtkSmartPointer<vtkImageData>::New();
+  bytes->SetDimensions(depth->GetDimensions());
+  bytes->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (vtkIdType i = 0; i < depth->GetNumberOfPoints(); ++i)
+  {
+    const double level = 255.0 * static_cast<float*>(depth->GetScalarPointer())[i];
+    std::fill_n(static_cast<unsigned char*>(bytes->GetScalarPointer()) + 3 * i, 3,
+      static_cast<unsigned char>(std::lround(level)));
+  }
+  return bytes;
+}
+
+// The depths at which the rays of all pixels enter a box of the world, as gray.
+std::vector<float> DepthsOfBox(MapperScene& scene, const varimarch::Box& box)
+{
+  const glm::dmat4 clipFromWorld = varimarch::ClipFromWorld(scene.renderer);
+  const glm::dmat4 worldFromClip = glm::inverse(clipFromWorld);
+  const auto worldAt = [&](const glm::dvec3& clip)
+  {
+    const glm::dvec4 world = worldFromClip * glm::dvec4(clip, 1.0);
+    return glm::dvec3(world) / world.w;
+  };
+  std::vector<float> image;
+  for (int pixel = 0; pixel < scene.size * scene.size; ++pixel)
+  {
+    const double x = 2.0 * (pixel % scene.size + 0.5) / scene.size - 1.0;
+    const double y = 2.0 * (pixel / scene.size + 0.5) / scene.size - 1.0;
+    const glm::dvec3 near = worldAt({ x, y, -1.0 });
+    const varimarch::Ray ray = { near, worldAt({ x, y, 1.0 }) - near };
+    const varimarch::Interval inside = Intersection(ray, box);
+    const glm::dvec4 entry =
+      clipFromWorld * glm::dvec4(ray.origin + inside.enter * ray.direction, 1.0);
+    const auto depth = float(0.5 + 0.5 * entry.z / entry.w);
+    const float seen = inside.IsEmpty() ? 0.0f : 1.0f;
+    image.insert(image.end(), { seen * depth, seen * depth, seen * depth, seen });
+  }
+  return image;
+}
+
+// A cube of one material, which is seen from its faces on.
+RegressionScene DepthImage()
+{
+  constexpr double SideMm = HomogeneousScene::SideMm;
+  const auto scene = NewScene(HomogeneousCube(SideMm));
+  UseOneMaterial(scene->volume->GetProperty(), { 1.0, 1.0, 1.0 }, 0.999999);
+  scene->mapper->RenderToImageOn();
+  vtkCamera* const camera = scene->renderer->GetActiveCamera();
+  camera->Azimuth(33.0);
+  camera->Elevation(25.0);
+  camera->Zoom(0.7);
+  camera->SetClippingRange(camera->GetDistance() - SideMm, camera->GetDistance() + SideMm);
+  RegressionScene regression = SceneOf(scene);
+  regression.background = { 1.0, 1.0, 1.0 };
+  regression.truth = [scene] {
+    return DepthsOfBox(*scene, { glm::dvec3(-0.5 * SideMm), glm::dvec3(0.5 * SideMm) });
+  };
+  regression.drawn = [scene] { return DepthImageOf(*scene); };
+  return regression;
+}
+
 RegressionScene UserCode()
 {
   const auto scene = NewScene(SmallTorso());
@@ -168,6 +239,7 @@ std::vector<RegressionCase> ImageCases()
     TorsoCase("Packets", MarchInPackets),
     { "WindowLevel", WindowLevel },
     { "RenderToImage", RenderToImage },
+    { "DepthImage", DepthImage },
     { "UserCode", UserCode },
   };
 }

@@ -168,12 +168,13 @@ RegressionScene SeveralVolumes()
   const auto behind = std::make_shared<MapperScene>(SmallTorso(), RegressionSide);
   behind->mapper->SetErrorTolerance(scene->mapper->GetErrorTolerance());
   behind->mapper->ProcessorMarchingOn();
-  behind->volume->SetPosition(150.0, 400.0, 60.0);
+  behind->volume->SetPosition(60.0, 270.0, 50.0);
   behind->colors->RemoveAllPoints();
   behind->colors->AddRGBPoint(0.0, 0.2, 0.5, 1.0);
   scene->renderer->AddVolume(behind->volume);
   behind->renderer->SetActiveCamera(scene->renderer->GetActiveCamera());
   scene->renderer->ResetCamera();
+  scene->renderer->GetActiveCamera()->Zoom(1.8);
   RegressionScene regression = SceneOf(scene);
   regression.volumes.push_back(behind);
   regression.truth = [scene, behind] { return ImageOver(scene->Truth(), behind->Truth()); };

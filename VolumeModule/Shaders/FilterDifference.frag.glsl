@@ -1,5 +1,5 @@
-// Draws the differences between two textures of the same voxels, at positions between these that are
-// spread evenly: M. Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018).
+// Draws the differences between two textures of the same voxels, at positions between these that
+// are spread evenly: M. Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018).
 
 uniform sampler3D narrowTexture;
 uniform sampler3D wideTexture;
