@@ -61,8 +61,9 @@ std::vector<std::string> FileSeeds()
   scaled[0x00281050] = Decimals({ 40 });
   scaled[0x00281051] = Decimals({ 400 });
   const std::string whole = FileBytes(scaled);
+  const std::string firstTagOfDataSet("\x08\0\x16\0", 4);
   return { whole, FileBytes(EnhancedFile()), FileBytes(PaletteFile()),
-    whole.substr(whole.find("\x08\0\x16\0", 132)) };
+    whole.substr(whole.find(firstTagOfDataSet)) };
 }
 
 std::vector<std::string> SlicesOf(const DicomOptions& options)

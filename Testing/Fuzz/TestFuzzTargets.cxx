@@ -37,14 +37,13 @@ class FuzzTargetOf : public testing::TestWithParam<FuzzTarget>
 {
 };
 
-TEST_P(FuzzTargetOf, AcceptsItsFirstSeedAndKeepsItsPromisesForAll)
+TEST_P(FuzzTargetOf, AcceptsItsSeeds)
 {
   const std::vector<std::string> seeds = GetParam().seeds();
   ASSERT_FALSE(seeds.empty());
-  EXPECT_NO_THROW(EXPECT_TRUE(GetParam().run(seeds.front())));
   for (const std::string& seed : seeds)
   {
-    EXPECT_NO_THROW(GetParam().run(seed));
+    EXPECT_NO_THROW(EXPECT_TRUE(GetParam().run(seed)) << seed.substr(0, 200));
   }
 }
 

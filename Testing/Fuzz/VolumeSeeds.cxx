@@ -75,7 +75,7 @@ std::vector<std::string> AnalyzeSeeds()
 std::vector<std::string> NpySeeds()
 {
   return { NpyBytes(Phantom(), { 3, 4, 5 }), NpyBytes(PhantomOf(VTK_FLOAT), { 5, 4, 3 }, true),
-    NpyBytes(PhantomOf(VTK_DOUBLE), { 3, 4, 5, 1 }, false, true), NpyBytes(Phantom(), { 60 }) };
+    NpyBytes(PhantomOf(VTK_DOUBLE), { 3, 4, 5, 1 }, false, true) };
 }
 
 std::vector<std::string> MghSeeds()

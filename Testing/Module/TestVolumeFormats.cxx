@@ -226,6 +226,32 @@ TEST(VolumeFormats, TheFirstOfAlternatingMifVolumesIsRead)
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(2, 0, 1, 0), volume.values[22]);
 }
 
+TEST(VolumeFormats, UnknownDistancesOfMifVoxelsAreTheMeanOfTheOthers)
+{
+  const TemporaryFolder folder;
+  const StoredVolume volume = phantom::Stored(0);
+  const auto header = [](const std::string& vox)
+  {
+    return "mrtrix image\ndim: 5,4,3\n" + vox + "layout: +0,+1,+2\ndatatype: Int16LE\n" +
+      "file: voxels 0\nEND\n";
+  };
+  folder.Write("voxels", VoxelBytes(volume));
+  const auto expectSpacing = [&](const std::string& vox, std::array<double, 3> expected)
+  {
+    vtkNew<vtkVolumeFileReader> reader;
+    Read(reader, folder.Write("a.mih", header(vox)));
+    EXPECT_TRUE(Warns(reader, "The distance of voxels is not known along ")) << vox;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(reader->GetOutput()->GetSpacing()[axis], expected[std::size_t(axis)]) << vox;
+    }
+  };
+  expectSpacing("vox: 1,3,nan\n", { 1.0, 3.0, 2.0 });
+  expectSpacing("vox: inf,nan,0.5\n", { 0.5, 0.5, 0.5 });
+  expectSpacing("vox: 2,3\n", { 2.0, 3.0, 2.5 });
+  expectSpacing("", { 1.0, 1.0, 1.0 });
+}
+
 TEST(VolumeFormats, ParRecPutsItsSlicesInOrder)
 {
   const TemporaryFolder folder;

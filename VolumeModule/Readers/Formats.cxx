@@ -11,7 +11,6 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace varimarch
@@ -22,29 +21,6 @@ namespace
 bool Contains(const std::string& head, const std::string& text)
 {
   return head.find(text) != std::string::npos;
-}
-
-/// A 16-bit number of a little-endian file; 0 behind its end.
-unsigned ShortAt(const std::string& head, std::size_t offset)
-{
-  const auto byteAt = [&](std::size_t place)
-  { return place < head.size() ? unsigned(static_cast<unsigned char>(head[place])) : 0u; };
-  return byteAt(offset) + 256 * byteAt(offset + 1);
-}
-
-/// DICOM with its usual preamble, or a data set that begins with group 2 or 8 in explicit or
-/// implicit encoding (PS3.5, section 7.1). The latter has no letters, so that the next element must
-/// follow in order too, lest bare voxels be taken for it.
-bool IsDicom(const std::string& head)
-{
-  const unsigned group = ShortAt(head, 0);
-  const bool hasGroup = head.size() > 8 && (group == 2 || group == 8);
-  const bool isExplicit = hasGroup && std::isupper(static_cast<unsigned char>(head[4])) &&
-    std::isupper(static_cast<unsigned char>(head[5]));
-  const std::size_t next = 8 + ShortAt(head, 4);
-  const bool isImplicit = hasGroup && ShortAt(head, 6) == 0 && ShortAt(head, 4) % 2 == 0 &&
-    ShortAt(head, next) == group && ShortAt(head, next + 2) > ShortAt(head, 2);
-  return TextAt(128, { "DICM" })(head) || isExplicit || isImplicit;
 }
 
 /// A MetaImage begins with any of its fields, "Key = Value".

@@ -9,6 +9,7 @@
 #include "Readers/VoxelFile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -197,19 +198,45 @@ VoxelFile VoxelFileOf(const MifHeader& header, bool bigEndian)
   return file;
 }
 
+/// Distances of voxels along x, y and z. As MRtrix does, an unknown one becomes the mean of those
+/// that are known, or 1.
+glm::dvec3 SpacingMm(const MifHeader& header, Volume& volume)
+{
+  std::vector<std::string> words = Parts(header.fields.Value({ "vox" }));
+  words.resize(3, "nan");
+  glm::dvec3 spacingMm;
+  double sumMm = 0.0;
+  int knownCount = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacingMm[axis] = NumberFromText(header.path, "numbers as vox", words[std::size_t(axis)]);
+    const bool isKnown = std::isfinite(spacingMm[axis]);
+    sumMm += isKnown ? spacingMm[axis] : 0.0;
+    knownCount += isKnown ? 1 : 0;
+  }
+  if (knownCount == 3)
+  {
+    return spacingMm;
+  }
+  const double usualMm = knownCount > 0 ? sumMm / knownCount : 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacingMm[axis] = std::isfinite(spacingMm[axis]) ? spacingMm[axis] : usualMm;
+  }
+  volume.warnings.push_back("The distance of voxels is not known along " +
+    std::to_string(3 - knownCount) + " of 3 axes; the mean of the others is taken, or 1 mm.");
+  return spacingMm;
+}
+
 /// Geometry in RAS of the axes x, y, z, each forwards. MRtrix puts the centre of a volume without
 /// transform at the origin.
 ImageGeometry NominalGeometry(const MifHeader& header, Volume& volume)
 {
-  const std::vector<std::string> spacing = Parts(header.fields.Value({ "vox" }));
+  const glm::dvec3 spacingMm = SpacingMm(header, volume);
   ImageGeometry geometry;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (std::size_t(axis) < spacing.size())
-    {
-      geometry.axesMm[axis] *=
-        NumberFromText(header.path, "numbers as vox", spacing[std::size_t(axis)]);
-    }
+    geometry.axesMm[axis] *= spacingMm[axis];
     geometry.originMm -=
       geometry.axesMm[axis] * (0.5 * double(header.sizes[std::size_t(axis)] - 1));
   }

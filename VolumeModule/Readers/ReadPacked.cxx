@@ -42,7 +42,7 @@ bool IsVolume(const std::string& file)
   return format && format->read != ReadPacked;
 }
 
-bool IsDicom(const std::string& file)
+bool IsDicomFile(const std::string& file)
 {
   const VolumeFormat* format = FormatOfMember(file);
   return format && format->read == ReadDicom;
@@ -62,7 +62,7 @@ bool HoldsDicom(const std::string& folder)
   const std::vector<std::string> files = FilesBelow(folder);
   return std::any_of(files.begin(), files.end(),
     [](const std::string& file)
-    { return IsDicom(file) && CompressionOf(file) == Compression::None; });
+    { return IsDicomFile(file) && CompressionOf(file) == Compression::None; });
 }
 
 bool HoldsInv3(const std::string& folder)
@@ -102,7 +102,7 @@ std::unique_ptr<Unpacked> UnpackedIfPacked(
   const VolumeFormat* format = FormatOfFile(path, ReadOptions());
   // Plain DICOM files would have made a folder DICOM, so these are compressed ones.
   const bool isPacked = format && format->read == ReadPacked &&
-    (!std::filesystem::is_directory(path) || IsDicom(VolumesBelow(path).front()));
+    (!std::filesystem::is_directory(path) || IsDicomFile(VolumesBelow(path).front()));
   return isPacked ? std::make_unique<Unpacked>(path, warnings, progress) : nullptr;
 }
 

@@ -3,6 +3,7 @@
 #include "Readers/FileContent.h"
 #include "Readers/Formats.h"
 
+#include <cctype>
 #include <cstdlib>
 #include <numeric>
 
@@ -10,6 +11,14 @@ namespace varimarch
 {
 namespace
 {
+
+/// A 16-bit number of a little-endian file; 0 behind its end.
+unsigned ShortAt(const std::string& head, std::size_t offset)
+{
+  const auto byteAt = [&](std::size_t place)
+  { return place < head.size() ? unsigned(static_cast<unsigned char>(head[place])) : 0u; };
+  return byteAt(offset) + 256 * byteAt(offset + 1);
+}
 
 bool IsPicture(const std::string& head)
 {
@@ -31,6 +40,18 @@ bool IsTar(const std::string& head)
     std::strtoul(head.substr(148, 8).c_str(), nullptr, 8) == (unsigned long)(total);
 }
 
+}
+
+bool IsDicom(const std::string& head)
+{
+  const unsigned group = ShortAt(head, 0);
+  const bool hasGroup = head.size() > 8 && (group == 2 || group == 8);
+  const bool isExplicit = hasGroup && std::isupper(static_cast<unsigned char>(head[4])) &&
+    std::isupper(static_cast<unsigned char>(head[5]));
+  const std::size_t next = 8 + ShortAt(head, 4);
+  const bool isImplicit = hasGroup && ShortAt(head, 6) == 0 && ShortAt(head, 4) % 2 == 0 &&
+    ShortAt(head, next) == group && ShortAt(head, next + 2) > ShortAt(head, 2);
+  return TextAt(128, { "DICM" })(head) || isExplicit || isImplicit;
 }
 
 bool IsArchive(const std::string& head)

@@ -1,14 +1,15 @@
 #include "Readers/Dicom/FileHeader.h"
 
+#include "Readers/ByteStream.h"
 #include "Readers/Dicom/Attributes.h"
 #include "Readers/Dicom/GdcmCopy.h"
+#include "Readers/Signatures.h"
 #include "Readers/VoxelLayout.h"
 #include "Readers/VtkMessages.h"
 
 #include <vtkDICOMDictHash.h>
 #include <vtkDICOMLookupTable.h>
 #include <vtkDICOMParser.h>
-#include <vtkDICOMUtilities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,14 @@ Parsed Parse(const std::string& path)
   return { meta, parser->GetPixelDataFound(), parser->GetErrorCode() != 0,
     std::int64_t(parser->GetFileOffset()),
     double(parser->GetFileSize() - parser->GetFileOffset()) };
+}
+
+/// True for any data set that the format is known by, also without the mark at byte 128.
+bool IsDataSet(const std::string& path)
+{
+  std::string head(4096, '\0');
+  head.resize(OpenStream(path, Compression::None)->Read(head.data(), head.size()));
+  return IsDicom(head);
 }
 
 /// The first attribute without which pixels cannot be understood and that the file lacks.
@@ -158,7 +167,7 @@ void ExplainLackOfPixels(const std::string& path, const Parsed& parsed, DicomHea
 DicomHeader ReadDicomHeader(const std::string& path)
 {
   DicomHeader header;
-  if (!vtkDICOMUtilities::IsDICOMFile(path.c_str()))
+  if (!IsDataSet(path))
   {
     return header;
   }
