@@ -67,6 +67,8 @@ bool ReadInput(const std::string& path, const RawLayout* raw)
   vtkNew<vtkVolumeFileReader> reader;
   reader->AddObserver(vtkCommand::ErrorEvent, observer);
   reader->SetFileName(path.c_str());
+  // A library that hangs is ended before libFuzzer takes it for a fault.
+  reader->SetLongestSilence(20.0);
   if (raw)
   {
     reader->SetRawDimensions(raw->dimensions.data());
