@@ -209,6 +209,14 @@ public:
     UseSunAndLamp(this->scene.renderer);
   }
 
+  /// @param opacity  over a millimetre
+  void SetMostOpacity(double opacity)
+  {
+    this->scene.opacities->RemoveAllPoints();
+    this->scene.opacities->AddPoint(-200.0, 0.0);
+    this->scene.opacities->AddPoint(300.0, opacity);
+  }
+
   // The nested integral needs no more than a tenth of the tolerance that is tested.
   std::vector<float> Truth(double tolerance = 1e-3)
   {
@@ -256,9 +264,7 @@ TEST(Shadows, OfSoftAndOfDenseMaterialKeepTheErrorTolerance)
   for (const double mostOpacity : { 0.01, 0.999 })
   {
     ShadowedTorso torso(12);
-    torso.scene.opacities->RemoveAllPoints();
-    torso.scene.opacities->AddPoint(-200.0, 0.0);
-    torso.scene.opacities->AddPoint(300.0, mostOpacity);
+    torso.SetMostOpacity(mostOpacity);
     torso.scene.mapper->SetErrorTolerance(Tolerance);
     const std::vector<float> truth = torso.Truth();
     const std::vector<float> drawn = torso.scene.DrawByProcessor();
@@ -288,7 +294,7 @@ const std::vector<LightChange>& LightChanges()
         auto* const light = vtkLight::SafeDownCast(scene.renderer->GetLights()->GetItemAsObject(0));
         light->SetPosition(-90.0, 40.0, -60.0);
       } },
-    { "opacity", [](MapperScene& scene) { scene.opacities->AddPoint(40.0, 0.9); } },
+    { "opacity", [](MapperScene& scene) { scene.opacities->AddPoint(40.0, 0.2); } },
     { "plane",
       [](MapperScene& scene)
       {
@@ -326,13 +332,18 @@ const std::vector<LightChange>& LightChanges()
 // ray has filled it.
 TEST(Shadows, AfterAnyChangeAreThoseOfANewVolume)
 {
+  constexpr double SoftEnoughForALattice = 0.1;
   for (const LightChange& change : LightChanges())
   {
     ShadowedTorso kept(48);
+    kept.SetMostOpacity(SoftEnoughForALattice);
+    kept.scene.mapper->SetErrorTolerance(1.0 / 64.0); // without one there is no lattice
     const std::vector<float> before = kept.scene.DrawByProcessor();
     EXPECT_EQ(kept.scene.DrawByProcessor(), before) << change.name;
     change.change(kept.scene);
     ShadowedTorso fresh(48);
+    fresh.SetMostOpacity(SoftEnoughForALattice);
+    fresh.scene.mapper->SetErrorTolerance(1.0 / 64.0);
     change.change(fresh.scene);
     const std::vector<float> after = kept.scene.DrawByProcessor();
     EXPECT_EQ(after, fresh.scene.DrawByProcessor()) << change.name;

@@ -28,6 +28,21 @@ double NodeStepVoxels(const ErrorBudget& budget)
   return std::min(1.0, std::sqrt(budget.LightError() / ErrorOfAVoxel));
 }
 
+// True if matter takes so little light over a voxel that a shadow is as wide as a cell.
+bool IsSmooth(const MaterialResources& materials, double voxelMm)
+{
+  constexpr double MostDepthOfVoxel = 4.0;
+  double most = 0.0;
+  for (const OpticalTable& table : materials.OpticalTables().Tables())
+  {
+    for (const glm::vec4& entry : table.entries)
+    {
+      most = std::max(most, double(entry.w));
+    }
+  }
+  return most * voxelMm <= MostDepthOfVoxel;
+}
+
 // All inputs of a light's way through the volume, without those of the light itself.
 std::vector<double> InputsOf(const VolumeMarch& march)
 {
@@ -42,13 +57,14 @@ std::vector<double> InputsOf(const VolumeMarch& march)
 
 }
 
-void LightResources::Update(const VolumeMarch& march)
+void LightResources::Update(const VolumeMarch& march, const MaterialResources& materials)
 {
   const double error = march.plan.budget.LightError();
   const double voxelMm = march.frame.geometry.SmallestSpacingMm();
   this->shadows = {};
   this->shadows.tolerance = float(error);
-  if (!march.settings.shadows || march.plan.marcher == Marcher::Device || !(error > 0.0))
+  if (!march.settings.shadows || march.plan.marcher == Marcher::Device || !(error > 0.0) ||
+    !IsSmooth(materials, voxelMm))
   {
     this->kept.clear();
     return;

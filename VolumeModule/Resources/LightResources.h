@@ -4,6 +4,7 @@
 #include "Core/Fields/LightLattice.h"
 #include "Core/Packets/PacketScene.h"
 #include "Frame/MarchPlan.h"
+#include "Resources/MaterialResources.h"
 
 #include <cstddef>
 #include <vector>
@@ -13,12 +14,14 @@ namespace varimarch
 
 /// The lattices of the lights that cast shadows in a volume, one for each light, which packets of
 /// rays fill while they draw. A lattice is kept as long as its light, the volume and its opacities
-/// stay, whatever the view; there are none without an error tolerance.
+/// stay, whatever the view. There are none without an error tolerance, and none where a voxel may
+/// be all but opaque: shadows are then thinner than the cells of a lattice.
 class LightResources
 {
 public:
   /// @throws std::runtime_error if there is no memory
-  void Update(const VolumeMarch& march);
+  /// @param materials  the look of the volume
+  void Update(const VolumeMarch& march, const MaterialResources& materials);
 
   /// The lattices, and how exactly shadows are computed.
   PacketShadows Shadows() const;

@@ -79,7 +79,7 @@ VolumeFindings VolumeResources::Update(const VolumeMarch& march, const MemoryEls
   this->Blocks().SetGradients(march.frame.view.window,
     march.plan.marcher == Marcher::Device && ReadsStoredGradients(march.settings));
   this->fields.Update({ march, this->Blocks(), this->materials, this->mask, this->voxelsBuild });
-  this->light.Update(march);
+  this->light.Update(march, this->materials);
   const bool blocksHaveGaps =
     this->division.Update(march, this->fields, this->BesideBlocks(march, elsewhere));
   return { this->fields.OfBricks().SkipsAny(), blocksHaveGaps || this->packets.HasGaps() };
