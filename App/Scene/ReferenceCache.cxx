@@ -89,6 +89,7 @@ void AddLighting(ContentDigest& digest, const std::optional<ReferenceLighting>& 
     digest.Add(lighting->shading.specular);
     digest.Add(lighting->shading.specularPower);
     digest.Add(lighting->dampingGradient);
+    digest.Add(lighting->castsShadows);
     digest.Add(lighting->lights.size());
     for (const PlacedLight& light : lighting->lights)
     {

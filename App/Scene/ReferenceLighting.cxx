@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace varimarch
 {
@@ -48,6 +49,12 @@ glm::dvec3 TowardsLight(const PlacedLight& light, const LitPoint& point)
   }
 }
 
+double DistanceMm(const PlacedLight& light, const LitPoint& point)
+{
+  return light.kind == LightKind::Positional ? glm::length(light.place - point.positionMm)
+                                             : std::numeric_limits<double>::infinity();
+}
+
 /// Columns are the image's axes to the right, upwards and towards the eye.
 glm::dmat3 WorldFromView(vtkCamera* camera)
 {
@@ -63,7 +70,7 @@ bool ReferenceLighting::IsPlainHeadLight() const
     this->lights[0].kind == LightKind::Head && this->lights[0].rgb == glm::dvec3(1.0);
 }
 
-glm::dvec3 ReferenceLighting::Lit(const LitPoint& point) const
+glm::dvec3 ReferenceLighting::Lit(const LitPoint& point, const LightReaching& reaching) const
 {
   const auto facing = [&](glm::dvec3 direction)
   {
@@ -80,21 +87,25 @@ glm::dvec3 ReferenceLighting::Lit(const LitPoint& point) const
     const double cosine = facing(towards);
     if (cosine > 0.0)
     {
-      diffuse += cosine * light.rgb;
+      const bool isDimmed = reaching && light.kind != LightKind::Head;
+      const glm::dvec3 rgb =
+        light.rgb * (isDimmed ? reaching(towards, DistanceMm(light, point)) : 1.0);
       const double shining = facing(glm::normalize(towards + point.toEye));
-      specular += std::pow(shining, this->shading.specularPower) * light.rgb;
+      diffuse += cosine * rgb;
+      specular += std::pow(shining, this->shading.specularPower) * rgb;
     }
   }
   return point.rgb * (this->shading.ambient + undamped * this->shading.diffuse * diffuse) +
     undamped * this->shading.specular * specular;
 }
 
-ReferenceLighting ReferenceLightingOf(
-  const Look& look, const std::vector<SceneLight>& lights, vtkCamera* camera)
+ReferenceLighting ReferenceLightingOf(const Scene& scene, const Look& look, vtkCamera* camera)
 {
+  const std::vector<SceneLight>& lights = scene.lights;
   const bool hasHeadLightsOnly = std::all_of(lights.begin(), lights.end(),
     [](const SceneLight& light) { return light.kind == LightKind::Head; });
-  ReferenceLighting lighting{ look.shading, look.dampingGradient, {}, hasHeadLightsOnly };
+  ReferenceLighting lighting{ look.shading, look.dampingGradient, {}, hasHeadLightsOnly,
+    scene.shadows && look.blend == Blend::Composite };
   const glm::dmat3 worldFromView = WorldFromView(camera);
   for (const SceneLight& light : lights.empty() ? std::vector<SceneLight>(1) : lights)
   {

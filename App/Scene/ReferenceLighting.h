@@ -3,6 +3,7 @@
 
 #include "Scene/Scene.h"
 
+#include <functional>
 #include <vector>
 
 class vtkCamera;
@@ -28,6 +29,11 @@ struct LitPoint
   double gradientPerMm; ///< magnitude [units of the data per mm]
 };
 
+/// The part of a light that reaches a point [0, 1].
+/// @param towards  unit vector to the light, world space
+/// @param farMm    distance of the light; infinite for far lights
+using LightReaching = std::function<double(glm::dvec3 towards, double farMm)>;
+
 /// The light of a scene, for the reference: the model of Blinn, "Models of light reflection for
 /// computer synthesized pictures" (SIGGRAPH 1977), in double precision and without any formula of
 /// the mapper.
@@ -36,18 +42,19 @@ struct ReferenceLighting
   Shading shading;
   double dampingGradient; ///< see Look [units of the data per mm]
   std::vector<PlacedLight> lights;
-  bool lightsBacks; ///< true if both sides of a surface are lit
+  bool lightsBacks;  ///< true if both sides of a surface are lit
+  bool castsShadows; ///< true if the volume dims lights that are not at the eye
 
   /// True for one white light at the eye without damping.
   bool IsPlainHeadLight() const;
 
   /// The colour that a point shows to the eye.
-  glm::dvec3 Lit(const LitPoint& point) const;
+  /// @param reaching  asked for lights that are not at the eye; without it, all light arrives
+  glm::dvec3 Lit(const LitPoint& point, const LightReaching& reaching = {}) const;
 };
 
-/// @param look  in units of the data
-ReferenceLighting ReferenceLightingOf(
-  const Look& look, const std::vector<SceneLight>& lights, vtkCamera* camera);
+/// @param look  the scene's look in units of the data
+ReferenceLighting ReferenceLightingOf(const Scene& scene, const Look& look, vtkCamera* camera);
 
 }
 

@@ -84,8 +84,10 @@ glm::dvec3 UnitOrZero(glm::dvec3 vector)
 
 }
 
-ReferenceMaterial::ReferenceMaterial(const ReferenceRequest& request)
+ReferenceMaterial::ReferenceMaterial(
+  const ReferenceRequest& request, std::shared_ptr<const LightTransmittance> transmittance)
   : request(request)
+  , transmittance(std::move(transmittance))
   , gradientOpacity({}, request.gradientOpacities, 1.0)
 {
   Samples samples = SamplesOf(request);
@@ -150,11 +152,17 @@ glm::dvec3 ReferenceMaterial::Lit(
   glm::dvec3 rgb, glm::dvec3 gradient, glm::dvec3 positionGrid, const Ray& rayGrid) const
 {
   const VolumeGeometry& geometry = this->request.geometry;
-  return this->request.lighting->Lit(
-    { rgb, glm::dvec3(geometry.worldFromGrid * glm::dvec4(positionGrid, 1.0)),
-      -UnitOrZero(geometry.WorldFromGridNormal() * gradient),
-      -glm::normalize(geometry.WorldFromGridDirection() * rayGrid.direction),
-      this->GradientPerMm(gradient) });
+  const LitPoint point{ rgb, glm::dvec3(geometry.worldFromGrid * glm::dvec4(positionGrid, 1.0)),
+    -UnitOrZero(geometry.WorldFromGridNormal() * gradient),
+    -glm::normalize(geometry.WorldFromGridDirection() * rayGrid.direction),
+    this->GradientPerMm(gradient) };
+  if (!this->transmittance)
+  {
+    return this->request.lighting->Lit(point);
+  }
+  return this->request.lighting->Lit(point,
+    [&](glm::dvec3 towards, double farMm)
+    { return this->transmittance->Towards(positionGrid, towards, farMm); });
 }
 
 }

@@ -1,10 +1,12 @@
 #ifndef Varimarch_Scene_ReferenceMaterial_h
 #define Varimarch_Scene_ReferenceMaterial_h
 
+#include "Core/Reference/LightTransmittance.h"
 #include "Core/Reference/ReferenceScene.h"
 #include "Scene/ReferenceRequest.h"
 
 #include <functional>
+#include <memory>
 
 namespace varimarch
 {
@@ -14,8 +16,10 @@ namespace varimarch
 class ReferenceMaterial
 {
 public:
+  /// @param transmittance  dims the lights that are not at the eye; null: all light arrives
   /// @throws std::invalid_argument for cubic interpolation of voxels that are not finite
-  explicit ReferenceMaterial(const ReferenceRequest& request);
+  explicit ReferenceMaterial(const ReferenceRequest& request,
+    std::shared_ptr<const LightTransmittance> transmittance = nullptr);
 
   /// The light on values between which interpolation is linear, for ReferenceScene::shade. Requires
   /// that the request has lighting.
@@ -32,6 +36,7 @@ private:
     glm::dvec3 rgb, glm::dvec3 gradient, glm::dvec3 positionGrid, const Ray& rayGrid) const;
 
   const ReferenceRequest& request;
+  std::shared_ptr<const LightTransmittance> transmittance;
   TransferFunction gradientOpacity; ///< over gradient magnitudes [units of the data per mm]
   std::function<double(glm::dvec3 positionGrid)> value;
   std::function<glm::dvec3(glm::dvec3 positionGrid)> gradient; ///< [per voxel]

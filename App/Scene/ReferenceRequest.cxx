@@ -44,11 +44,11 @@ vtkDataArray* CheckedScalars(vtkImageData* image)
 
 // Nothing if colours are not lit; projections show values.
 std::optional<ReferenceLighting> LightingOf(
-  const Look& look, const std::vector<SceneLight>& lights, vtkRenderer* renderer)
+  const Scene& scene, const Look& look, vtkRenderer* renderer)
 {
   const bool hasColors = look.blend == Blend::Composite || look.blend == Blend::Isosurface;
   return look.shading.enabled && hasColors
-    ? std::optional(ReferenceLightingOf(look, lights, renderer->GetActiveCamera()))
+    ? std::optional(ReferenceLightingOf(scene, look, renderer->GetActiveCamera()))
     : std::nullopt;
 }
 
@@ -125,6 +125,42 @@ HeadLight HeadLightOf(const Shading& shading)
     shading.specularPower };
 }
 
+ReferenceScene SceneOf(const ReferenceRequest& request);
+
+// The light that the volume lets through, by its opacities and cuts; null without shadows.
+std::shared_ptr<const LightTransmittance> TransmittanceOf(const ReferenceRequest& request)
+{
+  if (!request.lighting || !request.lighting->castsShadows)
+  {
+    return nullptr;
+  }
+  struct Unlit
+  {
+    explicit Unlit(const ReferenceRequest& lit)
+      : request(WithoutLight(lit))
+      , transmittance(SceneOf(this->request), glm::inverse(lit.geometry.WorldFromGridDirection()),
+          lit.tolerance)
+    {
+    }
+
+    static ReferenceRequest WithoutLight(ReferenceRequest request)
+    {
+      request.lighting.reset();
+      return request;
+    }
+
+    ReferenceRequest request; // the scene of the transmittance refers to it
+    LightTransmittance transmittance;
+  };
+  const auto unlit = std::make_shared<const Unlit>(request);
+  return { unlit, &unlit->transmittance };
+}
+
+std::shared_ptr<const ReferenceMaterial> MaterialOf(const ReferenceRequest& request)
+{
+  return std::make_shared<const ReferenceMaterial>(request, TransmittanceOf(request));
+}
+
 // A plain light at the eye is integrated exactly; others are sampled, and so are values by their
 // gradients and values without linear interpolation.
 template <class Scalar>
@@ -134,7 +170,7 @@ void SetMaterial(
   if (request.interpolation != Interpolation::Linear || !request.gradientOpacities.empty() ||
     !request.regions.empty())
   {
-    const auto material = std::make_shared<const ReferenceMaterial>(request);
+    const auto material = MaterialOf(request);
     scene.material = [material](glm::dvec3 positionGrid, const Ray& rayGrid)
     { return material->At(positionGrid, rayGrid); };
   }
@@ -147,7 +183,7 @@ void SetMaterial(
   }
   else if (request.lighting)
   {
-    const auto material = std::make_shared<const ReferenceMaterial>(request);
+    const auto material = MaterialOf(request);
     scene.shade = [material](const CellPart& part, const Ray& rayGrid)
     { return material->LightAlong(part, rayGrid); };
   }
@@ -198,7 +234,7 @@ ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, do
     InterpolationOf(scene), TransferFunctionOf(pipeline.Volume()->GetProperty()),
     isComposite ? look.gradientOpacities : std::vector<OpacityNode>(),
     isComposite ? look.regions : std::vector<LookRegion>(),
-    LightingOf(look, scene.lights, pipeline.Renderer()), look.blend, IsovaluesOf(look),
+    LightingOf(scene, look, pipeline.Renderer()), look.blend, IsovaluesOf(look),
     AveragedRangeOf(look), { PlanesInGrid(PlanesOf(scene.cuts, image), geometry), pipeline.Mask() },
     ViewOf(scene, pipeline.Renderer(), geometry), tolerance };
 }

@@ -38,11 +38,12 @@ Scene SceneOf(Blend blend, bool shading)
 }
 
 /// Error of the mapper's image.
-ImageError ErrorOf(const Scene& scene, vtkImageData* image)
+/// @param tolerance  of the reference
+ImageError ErrorOf(const Scene& scene, vtkImageData* image, double tolerance = 1e-6)
 {
   OffscreenView view(scene, image, MapperKind::Varimarch);
   const auto picture = view.FloatImage();
-  const auto truth = DrawReferencePicture(scene, image, 1e-6);
+  const auto truth = DrawReferencePicture(scene, image, tolerance);
   const auto* pixels = static_cast<const float*>(truth.value().image->GetScalarPointer());
   const std::size_t count = std::size_t(scene.size[0]) * scene.size[1];
   EXPECT_GT(*std::max_element(pixels, pixels + 4 * count), 0.1) << "the image is empty";
@@ -148,6 +149,15 @@ const std::vector<ReferencePart> ReferenceParts = {
       s.lights = { { LightKind::Directional, { 1.0, -1.0, 0.4 }, {}, { 1.0, 0.6, 0.3 }, 0.7 },
         { LightKind::Positional, {}, { -60.0, -50.0, 90.0 }, { 0.3, 0.5, 1.0 }, 0.6 }, {} };
     } },
+  // Rays to lights have segments of the root of the sample distance.
+  { "shadows",
+    [](Scene& s)
+    {
+      s.lights = { CameraLight(-50.0, 35.0),
+        { LightKind::Positional, {}, { 30.0, -50.0, 40.0 }, { 0.3, 0.5, 1.0 }, 0.6 } };
+      s.shadows = true;
+    },
+    0.2 },
   { "two lights at the eye",
     [](Scene& s)
     {
@@ -190,13 +200,13 @@ TEST(PictureAgainstReference, EveryPartOfALookConvergesToTheIntegral)
   {
     SCOPED_TRACE(part.name);
     Scene scene = SceneOf(Blend::Composite, true);
-    scene.size = { 36, 30 };
+    scene.size = { 24, 20 };
     const auto image = ProceduralVolume({ ProceduralKind::MarschnerLobb, { 24, 26, 28 } });
     scene.render.sampleDistanceMm = 0.1;
-    const auto without = DrawReferencePicture(scene, image, 1e-4);
+    const auto without = DrawReferencePicture(scene, image, 1e-3);
     part.change(scene);
-    EXPECT_LT(ErrorOf(scene, image).rootMeanSquare, part.rootMeanSquare);
-    const auto with = DrawReferencePicture(scene, image, 1e-4);
+    EXPECT_LT(ErrorOf(scene, image, 1e-5).rootMeanSquare, part.rootMeanSquare);
+    const auto with = DrawReferencePicture(scene, image, 1e-3);
     EXPECT_GT(CompareImages(static_cast<const float*>(with->image->GetScalarPointer()),
                 static_cast<const float*>(without->image->GetScalarPointer()),
                 std::size_t(without->image->GetNumberOfPoints()))

@@ -123,6 +123,13 @@ TEST_F(ReferenceCacheTest, EveryChangeOfTheImageComputesAnother)
   this->scene.look.shading.enabled = true;
   EXPECT_TRUE(drawsWith([](Scene& s) { s.look.dampingGradient = 0.5; })) << "damping";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.lights = { CameraLight(20.0, 10.0) }; })) << "lights";
+  EXPECT_TRUE(drawsWith(
+    [](Scene& s)
+    {
+      s.lights = { CameraLight(20.0, 10.0) };
+      s.shadows = true;
+    }))
+    << "shadows";
   this->scene.look.shading.enabled = false;
   static_cast<float*>(this->image->GetScalarPointer())[700] += 0.1f;
   EXPECT_TRUE(this->Draws(this->scene)) << "a voxel";

@@ -129,7 +129,9 @@ TEST(SceneFile, KeepsLightsAndHowTheyReflect)
   EXPECT_EQ(back.lights[2].positionMm, scene.lights[2].positionMm);
   EXPECT_EQ(back.lights[3].kind, LightKind::Head);
   EXPECT_TRUE(back.shadows);
-  EXPECT_FALSE(SceneFromText(SceneText(Scene()), "test").shadows);
+  Scene unshadowed = scene;
+  unshadowed.shadows = false;
+  EXPECT_FALSE(SceneFromText(SceneText(unshadowed), "test").shadows);
   EXPECT_EQ(back.look.dampingGradient, 0.375);
 }
 
