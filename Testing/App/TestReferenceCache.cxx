@@ -108,31 +108,36 @@ TEST_F(ReferenceCacheTest, EveryChangeOfTheImageComputesAnother)
   EXPECT_TRUE(drawsWith([](Scene& s) { s.camera.parallel = true; })) << "projection";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.cuts.box[0] = 0.5; })) << "cuts";
   EXPECT_TRUE(drawsWith([](Scene& s) { s.size = { 4, 16 }; })) << "size";
-  EXPECT_TRUE(drawsWith(
-    [](Scene& s) {
-      s.look.gradientOpacities = { { 0.0, 0.5 } };
-    }))
-    << "opacity by gradient";
-  EXPECT_TRUE(drawsWith(
-    [](Scene& s) {
-      s.look.regions = { { RegionShape::Ellipse, { 0.0, 1.0 }, { 0.0, 1.0 }, { 1, 1, 1 } } };
-    }))
-    << "regions";
-  EXPECT_TRUE(drawsWith([](Scene& s) { s.render.interpolation = Interpolation::Nearest; }))
-    << "interpolation";
-  this->scene.look.shading.enabled = true;
-  EXPECT_TRUE(drawsWith([](Scene& s) { s.look.dampingGradient = 0.5; })) << "damping";
-  EXPECT_TRUE(drawsWith([](Scene& s) { s.lights = { CameraLight(20.0, 10.0) }; })) << "lights";
-  EXPECT_TRUE(drawsWith(
-    [](Scene& s)
-    {
-      s.lights = { CameraLight(20.0, 10.0) };
-      s.shadows = true;
-    }))
-    << "shadows";
-  this->scene.look.shading.enabled = false;
   static_cast<float*>(this->image->GetScalarPointer())[700] += 0.1f;
   EXPECT_TRUE(this->Draws(this->scene)) << "a voxel";
+}
+
+TEST_F(ReferenceCacheTest, EveryPartOfALookComputesAnother)
+{
+  this->scene.look.shading.enabled = true;
+  this->scene.lights = { CameraLight(20.0, 10.0) };
+  EXPECT_TRUE(this->Draws(this->scene));
+  const std::tuple<const char*, std::function<void(Scene&)>> parts[] = {
+    { "opacity by gradient",
+      [](Scene& s) {
+        s.look.gradientOpacities = { { 0.0, 0.5 } };
+      } },
+    { "regions",
+      [](Scene& s) {
+        s.look.regions = { { RegionShape::Ellipse, { 0.0, 1.0 }, { 0.0, 1.0 }, { 1, 1, 1 } } };
+      } },
+    { "interpolation", [](Scene& s) { s.render.interpolation = Interpolation::Nearest; } },
+    { "damping", [](Scene& s) { s.look.dampingGradient = 0.5; } },
+    { "lights", [](Scene& s) { s.lights[0].rgb[1] = 0.5; } },
+    { "shadows", [](Scene& s) { s.shadows = true; } },
+  };
+  for (const auto& [name, change] : parts)
+  {
+    Scene changed = this->scene;
+    change(changed);
+    EXPECT_TRUE(this->Draws(changed)) << name;
+    EXPECT_FALSE(this->Draws(changed)) << name;
+  }
 }
 
 TEST_F(ReferenceCacheTest, ChangesThatDoNotAffectTheImageComputeNone)
