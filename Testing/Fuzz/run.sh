@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # run.sh MINUTES [TARGET...]: builds the fuzz targets with clang, and runs each of them, or the named
 # ones, for MINUTES of processor time, as many at a time as there are processors (taskset limits
-# them). A run of less than a minute is limited by the clock instead. Those with the fewest inputs so
-# far come first. Prints a table of executions, coverage and findings, and ends with code 1 if there
+# them). A run of less than a minute is limited by the clock instead, and tries the same inputs each
+# time. Those with the fewest inputs so far come first. Prints a table of executions, coverage and findings, and ends with code 1 if there
 # are findings. It may be interrupted by Ctrl+C.
 #
 # Corpora, findings and figures of all runs are kept in build/fuzz/corpora, build/fuzz/findings and
@@ -41,6 +41,8 @@ mapfile -t known < <("$bin/fuzz-seeds" "$corpora")
 mostSeconds=$((seconds < 60 ? seconds : 4 * seconds))
 options=(-max_total_time=$mostSeconds -timeout=60 -report_slow_units=60 -rss_limit_mb=4000
   -close_fd_mask=3 -print_final_stats=1 -reload=0)
+# A run of less than a minute is a check of a change: it tries the same inputs each time.
+[ "$seconds" -ge 60 ] || options+=(-seed=1)
 foreign=" dicom dicom-folder dicomdir minc tiff pictures vti pvti vtk archive inv3 "
 
 # inputsOf NAME... prints the names with the number of inputs of all runs, fewest first.

@@ -22,9 +22,12 @@ LookXml::LookXml(const std::string& text, const std::string& file)
       file, "expected at most " + std::to_string(MostNestedElements) + " elements, found more");
   }
   std::istringstream stream(text);
-  // While an observer listens to errors, VTK does not print them; the error below reports the
-  // failure.
-  this->parser->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkCallbackCommand>());
+  // While an observer listens to errors and warnings, VTK does not print them; the error below
+  // reports the failure.
+  for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
+  {
+    this->parser->AddObserver(event, vtkNew<vtkCallbackCommand>());
+  }
   this->parser->SetStream(&stream);
   const bool isValid = this->parser->Parse() && this->parser->GetRootElement();
   this->parser->SetStream(nullptr);

@@ -130,8 +130,10 @@ glm::vec4 EntryAt(const TransferFunction& transferFunction, double value, double
       emission += weight * sample.a * glm::dvec3(sample);
     }
   }
-  const glm::dvec3 color = extinction > 0.0 ? emission / extinction : transferFunction.Color(value);
-  return glm::vec4(color, extinction);
+  // The weights add up to 1 but for rounding.
+  const glm::dvec3 color = extinction > 0.0 ? glm::min(emission / extinction, glm::dvec3(1.0))
+                                            : transferFunction.Color(value);
+  return glm::vec4(color, std::min(extinction, double(OpaqueExtinction)));
 }
 
 }
