@@ -274,6 +274,23 @@ TEST(Shadows, OfSoftAndOfDenseMaterialKeepTheErrorTolerance)
   }
 }
 
+// OpenGL without a graphics card ends shaders that take long. Tests draw in this way.
+TEST(Shadows, TellWhereShadersAreTooLongForThem)
+{
+  ShadowedTorso torso(12);
+  torso.SetMostOpacity(0.999);
+  torso.scene.mapper->SetErrorTolerance(1.0 / 255.0);
+  torso.scene.mapper->ShadowsOff();
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.mapper->GetErrorToleranceIsKept());
+  torso.scene.mapper->ShadowsOn();
+  const ExpectedVtkErrors messages;
+  torso.scene.Draw();
+  EXPECT_NE(messages.Text().find("shadows may be wrong"), std::string::npos) << messages.Text();
+  EXPECT_FALSE(torso.scene.mapper->GetErrorToleranceIsKept());
+  EXPECT_EQ(torso.scene.mapper->GetEstimatedError(), 1.0);
+}
+
 namespace
 {
 

@@ -58,6 +58,12 @@ std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMar
       "The volume has no shadows, because it does not fit into the graphics memory at once. "
       "Allow more of it, or draw a smaller volume. ";
   }
+  if (marcher.Tolerance() && marcher.HasLongShadowSteps())
+  {
+    warnings += "The shadows may be wrong by any amount: without a graphics card OpenGL ends the "
+                "short segments of rays to lights that the sample distance asks for. Let the "
+                "processor march (ProcessorMarching), or switch the shadows off. ";
+  }
   if (marcher.Tolerance() && !marcher.Tolerance()->step.KeepsLimit())
   {
     warnings += ExceededTolerance(mapper->GetErrorTolerance(), marcher.Tolerance()->step);

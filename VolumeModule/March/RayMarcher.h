@@ -64,8 +64,13 @@ public:
   bool MergesValues() const { return this->resources.MergesValues(); }
   /// True if shadows are requested, but left out because a shader sees one block at a time.
   bool LeavesOutShadows() const { return this->leavesOutShadows; }
+  /// See the function of this name.
+  bool HasLongShadowSteps() const { return this->hasLongShadowSteps; }
   /// True if the image may be wrong by any amount, which no trial image shows.
-  bool HasUnknownError() const { return this->MissesCurve() || this->MergesValues(); }
+  bool HasUnknownError() const
+  {
+    return this->MissesCurve() || this->MergesValues() || this->HasLongShadowSteps();
+  }
   double FieldBuildSeconds() const { return this->resources.First().FieldBuildSeconds(); }
   std::size_t GraphicsMemoryBytes() const;
 
@@ -91,6 +96,7 @@ private:
   double wantedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;
   bool leavesOutShadows = false;
+  bool hasLongShadowSteps = false;
 };
 
 }

@@ -99,25 +99,28 @@ void SetPass(RayParameters& p, const VolumeMarch& march)
 
 // The longest segment of rays to lights, and the distance between these rays along a ray of the
 // eye. Below the spacing of the voxels it is the geometric mean of that and the sample distance,
-// because light changes less than what is seen, and the time of shadows is inverse to its square. A
-// software rasteriser ends a shader, and with it the ray, after 2^16 iterations of all its loops;
-// there it is as long as these allow. A segment takes up to two iterations, one to skip invisible
-// bricks.
-double ShadowStepMm(const VolumeMarch& march)
+// because light changes less than what is seen, and the time of shadows is inverse to its square.
+double WantedShadowStepMm(const VolumeMarch& march)
 {
   const double step = march.plan.sampleDistanceMm;
   const double spacing = march.frame.geometry.SmallestSpacingMm();
-  const double shadowStep = step < spacing ? std::sqrt(step * spacing) : step;
+  return step < spacing ? std::sqrt(step * spacing) : step;
+}
+
+// A software rasteriser ends a shader, and with it the ray, after 2^16 iterations of all its loops.
+// A segment takes up to two iterations, one to skip invisible bricks.
+double ShortestShadowStepMm(const VolumeMarch& march)
+{
   if (!march.settings.shadows || march.plan.marcher != Marcher::Device || !IsSoftwareRasterizer())
   {
-    return shadowStep;
+    return 0.0;
   }
   constexpr double MostIterations = 1 << 16;
   constexpr double IterationsPerSegment = 2.0;
   const LightTexels texels = LightTexelsOf(march.frame.view.renderer);
   const double lights = texels.distantCount + texels.nearCount;
-  return std::max(shadowStep,
-    march.frame.geometry.DiagonalMm() * std::sqrt(IterationsPerSegment * lights / MostIterations));
+  return march.frame.geometry.DiagonalMm() *
+    std::sqrt(IterationsPerSegment * lights / MostIterations);
 }
 
 }
@@ -134,6 +137,11 @@ Viewport RaysOf(const Viewport& frame, double imageSampleDistance)
   return { 0, 0, side(frame.width), side(frame.height) };
 }
 
+bool HasLongShadowSteps(const VolumeMarch& march)
+{
+  return WantedShadowStepMm(march) < ShortestShadowStepMm(march);
+}
+
 RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid)
 {
   const Viewport& viewport = march.plan.viewport;
@@ -142,7 +150,7 @@ RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid)
   p.viewportOriginPixels = glm::dvec2(viewport.left, viewport.bottom) - march.plan.rayOffsetPixels;
   p.viewportPixelsInverse = 1.0 / glm::dvec2(viewport.width, viewport.height);
   p.stepMm = float(march.plan.sampleDistanceMm);
-  p.shadowStepMm = float(ShadowStepMm(march));
+  p.shadowStepMm = float(std::max(WantedShadowStepMm(march), ShortestShadowStepMm(march)));
   p.mostSegments = MostSegments(march.frame, march.plan.sampleDistanceMm);
   p.earlyTerminationTransmittance = float(march.frame.quality.earlyTerminationTransmittance);
   p.noisePixelsMask = glm::ivec2(BlueNoiseTexture::Pixels - 1);

@@ -12,6 +12,10 @@ namespace varimarch
 /// pixel form a regular grid.
 Viewport RaysOf(const Viewport& frame, double imageSampleDistance);
 
+/// True if the segments of rays to lights are longer than the sample distance asks for, because the
+/// device ends shaders that take longer.
+bool HasLongShadowSteps(const VolumeMarch& march);
+
 /// The parameters of a march that follow from the frame alone. Parameters of earlier drawings, such
 /// as an image of depths, are left at zero; the caller sets them.
 /// @param boxGrid  the box through which all rays of the frame are marched
