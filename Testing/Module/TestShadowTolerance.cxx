@@ -1,0 +1,253 @@
+// Shadows of a torso, compared with a reference that integrates the light's way through the volume
+// in double precision.
+
+#include "Core/Geometry/ScalarGrid.h"
+#include "Core/Reference/LightTransmittance.h"
+#include "Frame/PropertyTransferFunction.h"
+#include "Frame/VolumeGeometry.h"
+#include "Module/ReferenceMaterials.h"
+#include "Module/UsualSettings.h"
+#include "Stages/CutRays.h"
+#include "Support/ExpectedVtkErrors.h"
+
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace varimarch;
+
+namespace
+{
+
+// A turned torso under a sun and a lamp.
+class ShadowedTorso
+{
+public:
+  explicit ShadowedTorso(int size)
+    : scene(SmallTorso(), size)
+    , geometry(VolumeGeometryOf(this->scene.image, this->scene.volume))
+    , voxels(static_cast<const short*>(this->scene.image->GetScalarPointer()),
+        static_cast<const short*>(this->scene.image->GetScalarPointer()) +
+          this->scene.image->GetNumberOfPoints())
+    , grid(this->voxels.data(), this->geometry.dimensions)
+  {
+    vtkVolumeProperty* const property = this->scene.volume->GetProperty();
+    property->ShadeOn();
+    property->SetSpecular(0.2);
+    property->SetSpecularPower(5.0);
+    this->scene.mapper->ShadowsOn();
+    UseSunAndLamp(this->scene.renderer);
+  }
+
+  /// @param opacity  over a millimetre
+  void SetMostOpacity(double opacity)
+  {
+    this->scene.opacities->RemoveAllPoints();
+    this->scene.opacities->AddPoint(-200.0, 0.0);
+    this->scene.opacities->AddPoint(300.0, opacity);
+  }
+
+  // The nested integral needs no more than a tenth of the tolerance that is tested.
+  std::vector<float> Truth(double tolerance = 1e-3)
+  {
+    const TransferFunction look = TransferFunctionOf(this->scene.volume->GetProperty(), 0);
+    ReferenceScene opacities{ [&](glm::ivec3 cell) { return CornersOfCell(this->grid, cell); },
+      this->geometry.boxGrid, look };
+    opacities.uncutParts =
+      CutRays(this->scene.mapper, this->geometry.worldFromGrid, this->geometry.dataFromGrid);
+    const LightTransmittance transmittance(
+      opacities, glm::inverse(this->geometry.WorldFromGridDirection()), tolerance);
+    const auto reaching = [&](glm::dvec3 positionGrid, glm::dvec3 towardsWorld, double farMm)
+    { return transmittance.Towards(positionGrid, towardsWorld, farMm); };
+    return this->scene.TruthOf(MaterialInShadows(this->scene, reaching), tolerance);
+  }
+
+  MapperScene scene;
+
+private:
+  VolumeGeometry geometry;
+  std::vector<short> voxels;
+  ScalarGrid<short> grid;
+};
+
+}
+
+TEST(Shadows, KeepTheErrorTolerance)
+{
+  ShadowedTorso torso(16);
+  const std::vector<float> truth = torso.Truth(4e-4);
+  const auto errorOf = [&](const std::vector<float>& drawn)
+  { return CompareImages(drawn.data(), truth.data(), truth.size() / 4); };
+  for (const double tolerance : { 1.0 / 16.0, 1.0 / 64.0, 1.0 / 255.0 })
+  {
+    torso.scene.mapper->SetErrorTolerance(tolerance);
+    EXPECT_LT(errorOf(torso.scene.DrawByProcessor()).percentile999, 255.0 * tolerance) << tolerance;
+  }
+  torso.scene.mapper->ShadowsOff();
+  EXPECT_GT(errorOf(torso.scene.DrawByProcessor()).percentile999, 20.0) << "shadows are seen";
+}
+
+// A soft material and one that is opaque within a voxel have other shadows than the torso's.
+TEST(Shadows, OfSoftAndOfDenseMaterialKeepTheErrorTolerance)
+{
+  constexpr double Tolerance = 1.0 / 64.0;
+  for (const double mostOpacity : { 0.01, 0.999 })
+  {
+    ShadowedTorso torso(12);
+    torso.SetMostOpacity(mostOpacity);
+    torso.scene.mapper->SetErrorTolerance(Tolerance);
+    const std::vector<float> truth = torso.Truth();
+    const std::vector<float> drawn = torso.scene.DrawByProcessor();
+    EXPECT_LT(
+      CompareImages(drawn.data(), truth.data(), truth.size() / 4).percentile999, 255.0 * Tolerance)
+      << mostOpacity;
+  }
+}
+
+// OpenGL without a graphics card ends shaders that take long. Tests draw in this way.
+TEST(Shadows, TellWhereShadersAreTooLongForThem)
+{
+  ShadowedTorso torso(12);
+  torso.SetMostOpacity(0.999);
+  torso.scene.mapper->SetErrorTolerance(1.0 / 255.0);
+  torso.scene.mapper->ShadowsOff();
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.mapper->GetErrorToleranceIsKept());
+  torso.scene.mapper->ShadowsOn();
+  const ExpectedVtkErrors messages;
+  torso.scene.Draw();
+  EXPECT_NE(messages.Text().find("shadows may be wrong"), std::string::npos) << messages.Text();
+  EXPECT_FALSE(torso.scene.mapper->GetErrorToleranceIsKept());
+  EXPECT_EQ(torso.scene.mapper->GetEstimatedError(), 1.0);
+}
+
+namespace
+{
+
+// A change of something that the light in a volume depends on.
+struct LightChange
+{
+  const char* name;
+  void (*change)(MapperScene& scene);
+};
+
+const std::vector<LightChange>& LightChanges()
+{
+  static const std::vector<LightChange> changes = {
+    { "camera", [](MapperScene& scene) { scene.renderer->GetActiveCamera()->Azimuth(25.0); } },
+    { "light",
+      [](MapperScene& scene)
+      {
+        auto* const light = vtkLight::SafeDownCast(scene.renderer->GetLights()->GetItemAsObject(0));
+        light->SetPosition(-90.0, 40.0, -60.0);
+      } },
+    { "opacity", [](MapperScene& scene) { scene.opacities->AddPoint(40.0, 0.2); } },
+    { "plane",
+      [](MapperScene& scene)
+      {
+        vtkNew<vtkPlane> plane;
+        plane->SetOrigin(scene.image->GetCenter());
+        plane->SetNormal(1.0, 0.3, 0.2);
+        scene.mapper->AddClippingPlane(plane);
+      } },
+    { "cropping",
+      [](MapperScene& scene)
+      {
+        const double* const b = scene.image->GetBounds();
+        scene.mapper->CroppingOn();
+        scene.mapper->SetCroppingRegionPlanes(b[0], 0.5 * (b[0] + b[1]), b[2], b[3], b[4], b[5]);
+        scene.mapper->SetCroppingRegionFlagsToSubVolume();
+      } },
+    { "place", [](MapperScene& scene) { scene.volume->RotateX(15.0); } },
+    { "voxels",
+      [](MapperScene& scene)
+      {
+        auto* const voxels = static_cast<short*>(scene.image->GetScalarPointer());
+        std::reverse(voxels, voxels + scene.image->GetNumberOfPoints());
+        scene.image->GetPointData()->GetScalars()->Modified();
+        scene.image->Modified();
+      } },
+    { "tolerance", [](MapperScene& scene) { scene.mapper->SetErrorTolerance(1.0 / 200.0); } },
+    { "spline", [](MapperScene& scene) { scene.mapper->CubicInterpolationOn(); } },
+  };
+  return changes;
+}
+
+}
+
+// Light that is kept from the picture before would show, and so would a node that depends on which
+// ray has filled it.
+TEST(Shadows, AfterAnyChangeAreThoseOfANewVolume)
+{
+  constexpr double SoftEnoughForALattice = 0.1;
+  for (const LightChange& change : LightChanges())
+  {
+    ShadowedTorso kept(48);
+    kept.SetMostOpacity(SoftEnoughForALattice);
+    kept.scene.mapper->SetErrorTolerance(1.0 / 64.0); // without one there is no lattice
+    const std::vector<float> before = kept.scene.DrawByProcessor();
+    EXPECT_EQ(kept.scene.DrawByProcessor(), before) << change.name;
+    change.change(kept.scene);
+    ShadowedTorso fresh(48);
+    fresh.SetMostOpacity(SoftEnoughForALattice);
+    fresh.scene.mapper->SetErrorTolerance(1.0 / 64.0);
+    change.change(fresh.scene);
+    const std::vector<float> after = kept.scene.DrawByProcessor();
+    EXPECT_EQ(after, fresh.scene.DrawByProcessor()) << change.name;
+    EXPECT_NE(after, before) << change.name << ": nothing has changed";
+  }
+}
+
+// The other rule has other samples in packets than in the shader.
+TEST(Shadows, OfPacketsAreThoseOfTheShader)
+{
+  for (const double sampleDistanceMm : { 4.0, 2.0 })
+  {
+    // llvmpipe ends the shader of shorter steps.
+    ShadowedTorso torso(32);
+    torso.scene.mapper->SetIntegrationRule(vtkVariationFieldVolumeMapper::PreIntegrated);
+    torso.scene.mapper->AutoAdjustSampleDistancesOff();
+    torso.scene.mapper->SetSampleDistance(sampleDistanceMm);
+    const std::vector<float> drawn = torso.scene.Draw();
+    EXPECT_TRUE(torso.scene.UsesShaderPart("Reach/ShadowRays.glsl"));
+    const std::vector<float> marched = torso.scene.DrawByProcessor();
+    EXPECT_FALSE(torso.scene.UsesShaderPart("Reach/ShadowRays.glsl")) << "packets march";
+    EXPECT_LT(CompareImages(marched.data(), drawn.data(), drawn.size() / 4).largest, 4.0);
+  }
+}
+
+TEST(Shadows, TakeTheirShaderOnlyWhereTheyAre)
+{
+  ShadowedTorso torso(16);
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.UsesShaderPart("Reach/ShadowRays.glsl"));
+  const vtkIdType bytes = torso.scene.mapper->GetGraphicsMemoryBytes();
+  torso.scene.mapper->ShadowsOff();
+  torso.scene.Draw();
+  EXPECT_FALSE(torso.scene.UsesShaderPart("Reach/ShadowRays.glsl"));
+  EXPECT_EQ(torso.scene.mapper->GetGraphicsMemoryBytes(), bytes) << "rays need no memory";
+  torso.scene.mapper->ShadowsOn();
+  torso.scene.renderer->RemoveAllLights();
+  vtkNew<vtkLight> headLight;
+  headLight->SetLightTypeToHeadlight();
+  torso.scene.renderer->AddLight(headLight);
+  torso.scene.Draw();
+  EXPECT_FALSE(torso.scene.UsesShaderPart("Reach/ShadowRays.glsl")) << "the eye sees no shadow";
+}
+
+TEST(Shadows, OfAVolumeInBlocksAreLeftOutWithASentence)
+{
+  ShadowedTorso torso(16);
+  torso.scene.mapper->SetMaximumGraphicsMemory(60000);
+  ExpectedVtkErrors warnings;
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.UsesShaderPart("Resume/Block.glsl")) << "the volume fits into one block";
+  EXPECT_NE(warnings.Text().find("has no shadows"), std::string::npos) << warnings.Text();
+}
