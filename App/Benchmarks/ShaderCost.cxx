@@ -52,7 +52,7 @@ ProgramCost CostOf(GLuint program)
     (IsSampler(type) ? cost.textures : cost.numbers) +=
       IsSampler(type) ? 1 : size * NumbersIn(type);
   }
-  if (GLEW_ARB_get_program_binary)
+  if (glGetProgramBinary != nullptr)
   {
     glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &cost.binaryBytes);
   }

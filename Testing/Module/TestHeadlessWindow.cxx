@@ -92,16 +92,16 @@ TEST(HeadlessWindow, TellsOnceThatItsGraphicsCardWasReset)
 {
   HomogeneousScene scene(0.05);
   scene.window->Render();
-  if (!__glewGetGraphicsResetStatus)
+  if (!glGetGraphicsResetStatus)
   {
     GTEST_SKIP() << "the driver cannot tell";
   }
   const ExpectedVtkErrors errors;
-  const auto statusOfDriver = std::exchange(
-    __glewGetGraphicsResetStatus, []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET; });
+  const auto statusOfDriver =
+    std::exchange(glGetGraphicsResetStatus, []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET; });
   scene.window->Render();
   scene.window->Render();
-  __glewGetGraphicsResetStatus = statusOfDriver;
+  glGetGraphicsResetStatus = statusOfDriver;
   ASSERT_EQ(errors.Messages().size(), 1u) << errors.Text();
   EXPECT_NE(errors.Text().find("The graphics card was reset"), std::string::npos) << errors.Text();
 }

@@ -9,8 +9,8 @@ namespace varimarch
 
 void CheckForGraphicsReset()
 {
-  // A function of OpenGL 4.5.
-  const bool isKnown = __glewGetGraphicsResetStatus != nullptr;
+  // A function of OpenGL 4.5, whose name stands for a pointer.
+  const bool isKnown = glGetGraphicsResetStatus != nullptr;
   if (isKnown && glGetGraphicsResetStatus() != GL_NO_ERROR)
   {
     throw std::runtime_error("The graphics card was reset while the image was drawn: start the "
