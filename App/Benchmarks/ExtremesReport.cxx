@@ -114,9 +114,7 @@ std::string TableHead()
 std::string ExtremesMarkdown(const ExtremesPage& page)
 {
   const std::string side = std::to_string(ExtremesSide);
-  std::string text = "# Extreme scenes\n\n" + page.machine.processor + ", " +
-    std::to_string(page.machine.cores) + " cores, VTK " + page.machine.vtkVersion + ", " +
-    page.machine.date + ", load before the start " + Fixed(page.machine.load, 1) + ". Made by `" +
+  std::string text = "# Extreme scenes\n\n" + TextOf(page.machine) + ". Made by `" +
     page.commandText + "`.\n\n" + SummaryTable(page.measurements) +
     "\nBelow: the RMSE / the error that 99.9 % of the pixels keep [1/255], of images of " + side +
     " x " + side +

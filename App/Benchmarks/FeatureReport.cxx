@@ -65,10 +65,8 @@ nlohmann::ordered_json ToJson(const FeatureCost& cost)
 
 std::string FeatureMarkdown(const FeaturePage& page)
 {
-  std::string text = "# What features cost\n\n" + page.volume + ", " + page.machine.processor +
-    ", " + std::to_string(page.machine.cores) + " cores, VTK " + page.machine.vtkVersion + ", " +
-    page.machine.date + ", load before the start " + Fixed(page.machine.load, 1) + ", images of " +
-    std::to_string(page.size[0]) + " x " + std::to_string(page.size[1]) +
+  std::string text = "# What features cost\n\n" + page.volume + ", " + TextOf(page.machine) +
+    ", images of " + std::to_string(page.size[0]) + " x " + std::to_string(page.size[1]) +
     " of a moving camera, medians of " + std::to_string(page.rounds) +
     " alternating rounds. Made by `" + page.commandText +
     "`.\n\nOurs is the plugin's mapper at its error tolerance; VTK's takes one sample per voxel. "

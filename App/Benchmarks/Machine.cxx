@@ -1,5 +1,7 @@
 #include "Machine.h"
 
+#include "CommandLine/Results.h"
+
 #include <vtkVersion.h>
 
 #include <nlohmann/json.hpp>
@@ -56,6 +58,12 @@ nlohmann::ordered_json ToJson(const Machine& machine)
   return { { "processor", machine.processor }, { "cores", machine.cores },
     { "loadBefore", machine.load }, { "vtkVersion", machine.vtkVersion },
     { "date", machine.date } };
+}
+
+std::string TextOf(const Machine& machine)
+{
+  return machine.processor + ", " + std::to_string(machine.cores) + " cores, VTK " +
+    machine.vtkVersion + ", " + machine.date + ", load before the start " + Fixed(machine.load, 1);
 }
 
 }

@@ -23,6 +23,9 @@ Machine ThisMachine();
 
 nlohmann::ordered_json ToJson(const Machine& machine);
 
+/// The same as a part of a sentence.
+std::string TextOf(const Machine& machine);
+
 }
 
 #endif

@@ -67,11 +67,10 @@ nlohmann::ordered_json ToJson(const ScalingPoint& point)
 
 std::string ScalingMarkdown(const ScalingPage& page)
 {
-  std::string text = "# Time over the size of the volume\n\n" + page.machine.processor + ", " +
-    std::to_string(page.machine.cores) + " cores, VTK " + page.machine.vtkVersion + ", " +
-    page.machine.date + ", load before the start " + Fixed(page.machine.load, 1) + ", images of " +
-    std::to_string(page.size[0]) + " x " + std::to_string(page.size[1]) + ", medians of " +
-    std::to_string(page.rounds) + " alternating rounds. Made by `" + page.commandText +
+  std::string text = "# Time over the size of the volume\n\n" + TextOf(page.machine) +
+    ", images of " + std::to_string(page.size[0]) + " x " + std::to_string(page.size[1]) +
+    ", medians of " + std::to_string(page.rounds) + " alternating rounds. Made by `" +
+    page.commandText +
     "`.\n\nOurs uses its error tolerance, VTK's GPU mapper its own choice of samples; errors are "
     "not measured.\n\n"
     "| volume | renderer | side [voxels] | still [ms] | first [ms] | rebuild [ms] | field [ms] "

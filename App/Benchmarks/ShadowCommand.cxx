@@ -47,10 +47,8 @@ std::string Row(const ShadowCase& measured)
 std::string Markdown(const ShadowPage& page)
 {
   const std::string side = std::to_string(page.options.side);
-  std::string text = "# Cost of shadows\n\n" + page.machine.processor + ", " +
-    std::to_string(page.machine.cores) + " cores, " + page.machine.date +
-    ", load before the start " + Fixed(page.machine.load, 1) + ". Images of " + side + " x " +
-    side + ", error tolerance " + Fixed(255.0 * page.options.errorTolerance, 2) +
+  std::string text = "# Cost of shadows\n\n" + TextOf(page.machine) + ". Images of " + side +
+    " x " + side + ", error tolerance " + Fixed(255.0 * page.options.errorTolerance, 2) +
     " of 255, one light fixed in the world, medians of " + std::to_string(page.options.rounds) +
     " alternating rounds. Made by\n\n    " + page.commandText +
     "\n\nTimes without and with shadows [ms] and their factor; the first frame with shadows [ms]; "
