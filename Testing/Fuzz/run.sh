@@ -2,8 +2,8 @@
 # run.sh MINUTES [TARGET...]: builds the fuzz targets with clang, and runs each of them, or the named
 # ones, for MINUTES of processor time, as many at a time as there are processors (taskset limits
 # them). A run of less than a minute is limited by the clock instead, and tries the same inputs each
-# time. Those with the fewest inputs so far come first. Prints a table of executions, coverage and findings, and ends with code 1 if there
-# are findings. It may be interrupted by Ctrl+C.
+# time. Targets with the fewest inputs so far come first. Prints a table of executions, coverage and
+# findings, and ends with code 1 if there are findings. It may be interrupted by Ctrl+C.
 #
 # Corpora, findings and figures of all runs are kept in build/fuzz/corpora, build/fuzz/findings and
 # build/fuzz/runs.txt, so that a run goes on where the last one ended. An input that failed becomes a

@@ -112,21 +112,30 @@ RegressionScene WindowLevel()
   return regression;
 }
 
+// An image of three bytes a pixel.
+// @param put  (index of the pixel, its bytes)
+template <class Put>
+vtkSmartPointer<vtkImageData> BytesOf(vtkImageData* image, const Put& put)
+{
+  auto bytes = vtkSmartPointer<vtkImageData>::New();
+  bytes->SetDimensions(image->GetDimensions());
+  bytes->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    put(i, static_cast<unsigned char*>(bytes->GetScalarPointer()) + 3 * i);
+  }
+  return bytes;
+}
+
 // The colour image of a mapper that renders to images, without its opacity.
 vtkSmartPointer<vtkImageData> ColorImageOf(MapperScene& scene)
 {
   vtkNew<vtkImageData> color;
   auto* const vtk = vtkGPUVolumeRayCastMapper::SafeDownCast(scene.volume->GetMapper());
   vtk ? vtk->GetColorImage(color) : scene.mapper->GetColorImage(color);
-  auto bytes = vtkSmartPointer<vtkImageData>::New();
-  bytes->SetDimensions(color->GetDimensions());
-  bytes->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (vtkIdType i = 0; i < color->GetNumberOfPoints(); ++i)
-  {
-    const auto* const from = static_cast<unsigned char*>(color->GetScalarPointer()) + 4 * i;
-    std::copy_n(from, 3, static_cast<unsigned char*>(bytes->GetScalarPointer()) + 3 * i);
-  }
-  return bytes;
+  const auto* const rgba = static_cast<const unsigned char*>(color->GetScalarPointer());
+  return BytesOf(
+    color, [&](vtkIdType i, unsigned char* bytes) { std::copy_n(rgba + 4 * i, 3, bytes); });
 }
 
 RegressionScene RenderToImage()
@@ -145,16 +154,10 @@ vtkSmartPointer<vtkImageData> DepthImageOf(MapperScene& scene)
   vtkNew<vtkImageData> depth;
   auto* const vtk = vtkGPUVolumeRayCastMapper::SafeDownCast(scene.volume->GetMapper());
   vtk ? vtk->GetDepthImage(depth) : scene.mapper->GetDepthImage(depth);
-  auto bytes = vtkSmartPointer<vtkImageData>::New();
-  bytes->SetDimensions(depth->GetDimensions());
-  bytes->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (vtkIdType i = 0; i < depth->GetNumberOfPoints(); ++i)
-  {
-    const double level = 255.0 * static_cast<float*>(depth->GetScalarPointer())[i];
-    std::fill_n(static_cast<unsigned char*>(bytes->GetScalarPointer()) + 3 * i, 3,
-      static_cast<unsigned char>(std::lround(level)));
-  }
-  return bytes;
+  const auto* const depths = static_cast<const float*>(depth->GetScalarPointer());
+  return BytesOf(depth,
+    [&](vtkIdType i, unsigned char* bytes)
+    { std::fill_n(bytes, 3, static_cast<unsigned char>(std::lround(255.0 * depths[i]))); });
 }
 
 // The depths at which the rays of all pixels enter a box of the world, as gray.

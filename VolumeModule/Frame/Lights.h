@@ -33,8 +33,9 @@ glm::dvec3 AmbientLightOf(vtkRenderer* renderer);
 /// Shaders/Shade/Lights.glsl. The texels are never empty.
 struct LightTexels
 {
-  int distantCount = 0; ///< The number of lights at infinity, which come first.
-  int nearCount = 0;    ///< The number of lights with a position.
+  static constexpr int PerLight = 5; ///< The first one has its direction or position.
+  int distantCount = 0;              ///< The number of lights at infinity, which come first.
+  int nearCount = 0;                 ///< The number of lights with a position.
   std::vector<glm::vec4> texels;
 };
 

@@ -15,8 +15,6 @@ namespace varimarch
 namespace
 {
 
-constexpr int TexelsPerLight = 5; // Shaders/Shade/Lights.glsl
-
 // The differences between the nodes of a cell, in parts of the error of light: light between nodes
 // differs from their interpolation by a small part of that.
 constexpr double AgreementOfError = 32.0;
@@ -80,7 +78,7 @@ void LightResources::Update(const VolumeMarch& march, const MaterialResources& m
   for (int light = 0; light < count; ++light)
   {
     std::vector<double> inputs = volumeInputs;
-    const glm::vec4& place = lights.texels[std::size_t(light) * TexelsPerLight];
+    const glm::vec4& place = lights.texels[std::size_t(light) * LightTexels::PerLight];
     inputs.insert(inputs.end(), { place.x, place.y, place.z, double(light < lights.distantCount) });
     now.push_back(this->TakeKept(inputs, march.frame.geometry.dimensions));
     this->shadows.nodes[light] = now.back().lattice.Nodes();

@@ -99,7 +99,7 @@ std::vector<std::uint8_t> FourInTexel(VoxelStorage storage, const NormalizedVoxe
   return bytes;
 }
 
-// As many voxels along z as fit into a word, the first in the lowest bits.
+// Words that hold several voxels along z, the first one in the lowest bits.
 std::vector<std::uint32_t> InWords(
   VoxelStorage storage, int voxelsPerWord, const NormalizedVoxels& voxels)
 {
