@@ -99,14 +99,4 @@ PacketShadows LightResources::Shadows() const
   return this->shadows;
 }
 
-std::size_t LightResources::Bytes() const
-{
-  std::size_t bytes = 0;
-  for (const Kept& own : this->kept)
-  {
-    bytes += own.lattice.Bytes();
-  }
-  return bytes;
-}
-
 }

@@ -6,7 +6,6 @@
 #include "Frame/MarchPlan.h"
 #include "Resources/MaterialResources.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace varimarch
@@ -26,7 +25,6 @@ public:
   /// The lattices, and how exactly shadows are computed.
   PacketShadows Shadows() const;
 
-  std::size_t Bytes() const; ///< The size of all lattices, also of parts that are not in use.
   void Release() { this->kept.clear(); }
 
 private:
