@@ -54,6 +54,23 @@ RandomEdges EdgesOf(vtkVolumeProperty* property, int component)
   return isOpaque ? RandomEdges::Hard : ofSteps;
 }
 
+// The steps of a function. Two nodes within an entry of the table are a step to it.
+std::vector<varimarch::ValueRange> StepsOf(
+  const varimarch::TransferFunction& function, double entry)
+{
+  std::vector<varimarch::ValueRange> steps;
+  const std::vector<double> nodes = function.NodeValues();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const bool isClose = i + 1 < nodes.size() && nodes[i + 1] - nodes[i] <= entry;
+    if (isClose || function.HasStepAt(nodes[i]))
+    {
+      steps.push_back({ nodes[i], isClose ? nodes[i + 1] : nodes[i] });
+    }
+  }
+  return steps;
+}
+
 // True if components 0 to 2 of 4 are colours of full range.
 bool MayBeColors(const RandomVolume& volume)
 {
@@ -91,6 +108,33 @@ RandomScene::RandomScene(std::uint64_t seed, vtkHeadlessRenderWindow* window)
   }
   Dice quality = subject(Subject::Quality);
   this->SetQuality(quality);
+}
+
+bool RandomScene::IsExact() const
+{
+  vtkVolumeProperty* const property = this->scene->volume->GetProperty();
+  vtkDataArray* const voxels = this->volume.image->GetPointData()->GetScalars();
+  const double entry = this->volume.values.Width() / 65536.0;
+  constexpr int VoxelsOfCell = 8;
+  const int most = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION ? 1 : VoxelsOfCell;
+  for (int component = 0; component < this->components; ++component)
+  {
+    const varimarch::TransferFunction function = varimarch::TransferFunctionOf(property, component);
+    for (const varimarch::ValueRange& step : StepsOf(function, entry))
+    {
+      int atStep = 0;
+      for (vtkIdType i = 0; i < voxels->GetNumberOfTuples(); ++i)
+      {
+        const double value = voxels->GetComponent(i, component);
+        atStep += step.lower - entry <= value && value <= step.upper + entry;
+      }
+      if (atStep >= most)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 void RandomScene::SetMaterial(Dice& dice)

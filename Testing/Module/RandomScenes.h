@@ -57,6 +57,10 @@ public:
 
   RandomEdges Edges() const { return this->edges; }
 
+  /// False if a whole voxel or cell may have a value so close to a step of a function that its look
+  /// is between those of either side, because a step is a ramp as wide as an entry of the table.
+  bool IsExact() const;
+
   MapperScene& Scene() { return *this->scene; }
 
 private:
