@@ -6,6 +6,7 @@
 #include "Readers/Magnitude.h"
 #include "Readers/NiftiGeometry.h"
 #include "Readers/NiftiHeader.h"
+#include "Readers/NumberText.h"
 #include "Readers/Rescale.h"
 #include "Readers/VoxelFile.h"
 
@@ -94,7 +95,7 @@ VoxelLayout LayoutOf(const std::string& path, const NiftiHeader& header, Volume&
     type.componentCount / double(componentCount);
   if (volumeCount > 1.0)
   {
-    volume.warnings.push_back(OnlyFirstVolume(std::int64_t(volumeCount)));
+    volume.warnings.push_back(OnlyFirstVolume(WholeNumber(volumeCount)));
   }
   return { { dim[1], dim[2], dim[3] }, type.scalarType, componentCount };
 }
