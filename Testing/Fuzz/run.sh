@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # run.sh MINUTES [TARGET...]: builds the fuzz targets with clang, and runs each of them, or the named
 # ones, for MINUTES of processor time, as many at a time as there are processors (taskset limits
-# them). A run of less than a minute is limited by the clock instead, and tries the same inputs each
-# time. Targets with the fewest inputs so far come first. Prints a table of executions, coverage and
-# findings, and ends with code 1 if there are findings. It may be interrupted by Ctrl+C.
+# them). A run of less than a minute is limited by the clock instead, and begins with the same random
+# numbers each time. Targets with the fewest inputs so far come first. Prints a table of executions, coverage and
+# findings, and ends with code 3 if there are findings, which it prints if they are short. It may be
+# interrupted by Ctrl+C.
 #
 # Corpora, findings and figures of all runs are kept in build/fuzz/corpora, build/fuzz/findings and
 # build/fuzz/runs.txt, so that a run goes on where the last one ended. An input that failed becomes a
@@ -41,7 +42,7 @@ mapfile -t known < <("$bin/fuzz-seeds" "$corpora")
 mostSeconds=$((seconds < 60 ? seconds : 4 * seconds))
 options=(-max_total_time=$mostSeconds -timeout=60 -report_slow_units=60 -rss_limit_mb=4000
   -close_fd_mask=3 -print_final_stats=1 -reload=0)
-# A run of less than a minute is a check of a change: it tries the same inputs each time.
+# A run of less than a minute is a check of a change, whose inputs should depend little on chance.
 [ "$seconds" -ge 60 ] || options+=(-seed=1)
 foreign=" dicom dicom-folder dicomdir minc tiff pictures vti pvti vtk archive inv3 "
 
@@ -109,17 +110,27 @@ fuzzTarget()
   echo "$row" | tee -a "$runs"
 }
 
-# showFindings prints each target that failed, its input and the reason; it returns 1 if there are any.
+# showInput FILE prints its name, and its bytes for base64 --decode if they are few.
+showInput()
+{
+  echo "$1"
+  [ "$(stat --format %s "$1")" -gt 3000 ] || base64 "$1"
+}
+
+# showFindings prints each target that failed, its input and the reason; it returns 3 if there are any.
 showFindings()
 {
-  local failed name result=0
+  local failed name input result=0
   for failed in "$place"/*.failed
   do
     [ -e "$failed" ] || continue
-    result=1
+    result=3
     name=$(basename "$failed" .failed)
     printf '\nThe target %s failed. The log is %s, the input is:\n' "$name" "$findings/$name.log"
-    find "$findings/$name" -type f -newer "$place/$name.started"
+    for input in $(find "$findings/$name" -type f -newer "$place/$name.started")
+    do
+      showInput "$input"
+    done
     grep -m 5 -E 'ERROR: |The target failed: |VTK printed: |runtime error: |SUMMARY: |cannot be run: ' \
       "$findings/$name.log" || true
   done
@@ -156,6 +167,6 @@ do
   wait || true
 done
 result=0
-showFindings || result=1
+showFindings || result=$?
 [ -z "$isInterrupted" ] || result=130
 exit $result
