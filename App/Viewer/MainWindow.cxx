@@ -2,10 +2,8 @@
 
 #include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
-#include "Scene/SceneCamera.h"
-#include "Viewer/LiveColorDialog.h"
-#include "Viewer/Model/Gesture.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Open/StartPage.h"
 #include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/LightsPanel.h"
@@ -15,21 +13,20 @@
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/Panels/SlabBar.h"
-#include "Viewer/Theme.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/SliceView.h"
+#include "Viewer/View/ViewLayout.h"
 #include "Viewer/View/VolumeView.h"
+#include "Viewer/ViewMenu.h"
 
 #include <QAction>
-#include <QActionGroup>
-#include <QColorDialog>
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
-#include <QSplitter>
+#include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTabBar>
@@ -51,13 +48,28 @@ MainWindow::MainWindow(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(this->warnings);
-  column->addWidget(this->MakeViews(), 1);
+  this->MakeViews();
+  this->MakeStartPage();
+  auto* const pages = new QStackedWidget;
+  pages->addWidget(this->startPage);
+  pages->addWidget(this->views);
+  connect(&this->model, &SceneModel::Changed, pages,
+    [this, pages]
+    {
+      if (pages->currentWidget() != this->views)
+      {
+        pages->setCurrentWidget(this->views);
+        this->view->Ours()->setFocus();
+      }
+    });
+  column->addWidget(pages, 1);
   this->setCentralWidget(center);
   this->setAcceptDrops(true);
   this->resize(1280, 800);
   this->MakeFileMenu();
   this->MakeEditMenu();
-  this->MakeViewMenu();
+  this->viewMenu = new ViewMenu(&this->model, this->views, this);
+  this->menuBar()->addMenu(this->viewMenu);
   this->MakeToolMenu();
   this->MakeHelpMenu();
   this->MakePanels();
@@ -100,27 +112,32 @@ void MainWindow::Listen()
     });
 }
 
-QWidget* MainWindow::MakeViews()
+void MainWindow::MakeViews()
 {
-  this->sliceColumn = new QWidget;
-  this->slices = new QSplitter(Qt::Vertical);
+  std::vector<QWidget*> slices;
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
   {
     this->sliceViews.push_back(new SliceView(&this->model, plane));
-    this->slices->addWidget(this->sliceViews.back());
+    slices.push_back(this->sliceViews.back());
   }
-  auto* const column = new QVBoxLayout(this->sliceColumn);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(this->slices, 1);
-  column->addWidget(new SlabBar(&this->model));
-  auto* const all = new QSplitter(Qt::Horizontal);
-  all->addWidget(this->view);
-  all->addWidget(this->sliceColumn);
-  all->setSizes({ 720, 280 });
-  all->setStretchFactor(0, 3);
-  all->setStretchFactor(1, 1);
-  return all;
+  this->views = new ViewLayout(this->view, slices, new SlabBar(&this->model));
+  connect(this->view->Ours(), &VolumeView::DoubleClicked, this->views,
+    [this] { this->views->Toggle(this->view); });
+  for (SliceView* const slice : this->sliceViews)
+  {
+    connect(
+      slice, &SliceView::DoubleClicked, this->views, [this, slice] { this->views->Toggle(slice); });
+  }
+}
+
+void MainWindow::MakeStartPage()
+{
+  this->startPage = new StartPage(this->recentScans);
+  connect(this->startPage, &StartPage::FileWanted, this, &MainWindow::ChooseFile);
+  connect(this->startPage, &StartPage::FolderWanted, this, &MainWindow::ChooseFolder);
+  connect(this->startPage, &StartPage::ScanWanted, this, &MainWindow::Open);
+  connect(this->startPage, &StartPage::SampleWanted, this,
+    [this](const VolumeSource& sample) { this->Load(sample); });
 }
 
 void MainWindow::MakeFileMenu()
@@ -170,85 +187,6 @@ void MainWindow::MakeEditMenu()
       }
     },
     QKeySequence("R"));
-}
-
-void MainWindow::MakeViewMenu()
-{
-  QMenu* const menu = this->menuBar()->addMenu(tr("&View"));
-  // The keys of the numeric keypad, as in other viewers.
-  const std::tuple<View, QString, QString> views[] = {
-    { View::Anterior, tr("&Anterior"), "1" },
-    { View::Posterior, tr("&Posterior"), "Shift+1" },
-    { View::Left, tr("&Left"), "3" },
-    { View::Right, tr("&Right"), "Shift+3" },
-    { View::Superior, tr("&Superior"), "7" },
-    { View::Inferior, tr("&Inferior"), "Shift+7" },
-  };
-  for (const auto& [direction, name, key] : views)
-  {
-    menu->addAction(
-      name, this,
-      [this, direction = direction]
-      {
-        if (this->model.CurrentStudy())
-        {
-          this->model.Edit(ScenePart::Camera, tr("standard view"),
-            [direction](Scene& scene)
-            {
-              scene.camera.view = direction;
-              scene.camera.pose.reset();
-            });
-        }
-      },
-      QKeySequence(key));
-  }
-  this->MakeProjectionAction(menu);
-  menu->addAction(tr("&Background…"), this, &MainWindow::ChooseBackground)
-    ->setObjectName("background");
-  menu->addSeparator();
-  this->panelMenu = menu->addMenu(tr("Pa&nels"));
-  this->panelMenu->setObjectName("panels");
-  menu->addMenu(NewThemeMenu(this));
-}
-
-void MainWindow::MakeProjectionAction(QMenu* menu)
-{
-  menu->addSeparator();
-  QAction* const parallel = menu->addAction(tr("Parall&el projection"));
-  parallel->setObjectName("parallelProjection");
-  parallel->setCheckable(true);
-  parallel->setShortcut(QKeySequence("5"));
-  parallel->setStatusTip(tr("No perspective: distant objects look as large as near ones"));
-  connect(parallel, &QAction::triggered, this,
-    [this](bool on)
-    {
-      this->model.Edit(ScenePart::Camera, tr("projection"),
-        [on](Scene& scene) { scene.camera = WithProjection(scene.camera, on); });
-    });
-  connect(&this->model, &SceneModel::Changed, parallel,
-    [this, parallel] { parallel->setChecked(this->model.CurrentScene().camera.parallel); });
-}
-
-void MainWindow::ChooseBackground()
-{
-  if (!this->model.CurrentStudy())
-  {
-    return;
-  }
-  const std::array<double, 3> before = this->model.CurrentScene().background;
-  const auto edit = [this, gesture = NewGesture()](const std::array<double, 3>& rgb)
-  {
-    this->model.Edit(
-      ScenePart::Background, tr("background"), [&](Scene& scene) { scene.background = rgb; },
-      gesture);
-  };
-  const QColorDialog* const dialog = OpenLiveColorDialog(
-    QColor::fromRgbF(before[0], before[1], before[2]),
-    [edit](const QColor& color) {
-      edit({ color.redF(), color.greenF(), color.blueF() });
-    },
-    this);
-  connect(dialog, &QDialog::rejected, this, [edit, before] { edit(before); });
 }
 
 void MainWindow::MakePanels()
@@ -311,14 +249,15 @@ void MainWindow::ArrangePanels()
 
 void MainWindow::MakePanelMenu()
 {
+  QMenu* const menu = this->viewMenu->Panels();
   for (const QDockWidget* const panel : this->panels)
   {
-    this->panelMenu->addAction(panel->toggleViewAction());
+    menu->addAction(panel->toggleViewAction());
   }
   auto* const toolBar = this->findChild<QToolBar*>();
-  this->panelMenu->addAction(toolBar->toggleViewAction());
-  this->panelMenu->addSeparator();
-  this->panelMenu
+  menu->addAction(toolBar->toggleViewAction());
+  menu->addSeparator();
+  menu
     ->addAction(tr("&Reset layout"), this,
       [this, toolBar]
       {

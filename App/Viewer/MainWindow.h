@@ -15,13 +15,15 @@ class QDockWidget;
 class QMenu;
 class QProgressBar;
 class QPushButton;
-class QSplitter;
 
 namespace varimarch
 {
 
 class ComparisonView;
 class SliceView;
+class StartPage;
+class ViewLayout;
+class ViewMenu;
 class WarningBar;
 
 /// The main window: menus, views, panels, and the loading of volumes. MainWindowFiles.cxx opens
@@ -66,12 +68,10 @@ protected:
 
 private:
   void Listen();
-  QWidget* MakeViews();
+  void MakeViews();
+  void MakeStartPage();
   void MakeFileMenu();
   void MakeEditMenu();
-  void MakeViewMenu();
-  void MakeProjectionAction(QMenu* menu);
-  void ChooseBackground();
   void MakeToolMenu();
   void MakeLeftButtonActions(QMenu* menu);
   void MakeComparisonActions(QMenu* menu);
@@ -133,12 +133,12 @@ private:
   std::vector<SeriesSummary> segmentations; ///< found in the folder that is being loaded
   QString savedWork;                        ///< the work that is in a file
   ComparisonView* view;
-  QWidget* sliceColumn;
-  QSplitter* slices;
   std::vector<SliceView*> sliceViews;
+  ViewLayout* views;
+  StartPage* startPage;
   WarningBar* warnings;
   QMenu* recentMenu;
-  QMenu* panelMenu;
+  ViewMenu* viewMenu;
   std::vector<QDockWidget*> panels;
   QProgressBar* progress;
   QPushButton* cancel;

@@ -2,6 +2,8 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Viewer/CommandPalette.h"
+#include "Viewer/KeysDialog.h"
 #include "Viewer/Model/Language.h"
 #include "Viewer/Model/Log.h"
 
@@ -75,6 +77,16 @@ void MainWindow::MakeLanguageMenu(QMenu* menu)
 void MainWindow::MakeHelpMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu(tr("&Help"));
+  menu
+    ->addAction(
+      tr("&Find a command…"), this, [this] { (new CommandPalette(this->menuBar(), this))->open(); },
+      QKeySequence("Ctrl+K"))
+    ->setObjectName("findCommand");
+  menu
+    ->addAction(
+      tr("&Mouse and keys"), this, [this] { ShowKeys(this->menuBar(), this); },
+      QKeySequence(Qt::Key_F1))
+    ->setObjectName("mouseAndKeys");
   this->MakeLanguageMenu(menu->addMenu(tr("&Language")));
   menu->addAction(tr("Open the l&og folder"), this,
     []

@@ -4,13 +4,13 @@
 
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/SliceView.h"
+#include "Viewer/View/ViewLayout.h"
 #include "Viewer/View/VolumeView.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
-#include <QSplitter>
 #include <QToolBar>
 
 namespace varimarch
@@ -28,15 +28,15 @@ void MainWindow::MakeToolMenu()
 void MainWindow::MakeLeftButtonActions(QMenu* menu)
 {
   const std::tuple<LeftButton, QString, QString, QString> tools[] = {
-    { LeftButton::Turn, tr("&Turn"), "T", tr("Drag to turn the volume") },
-    { LeftButton::Brightness, tr("&Brightness"), "W",
+    { LeftButton::Turn, tr("&Rotate"), "T", tr("Drag to rotate the volume") },
+    { LeftButton::Brightness, tr("&Window/Level"), "W",
       tr("Drag sideways for the window, up and down for the level; or drag with Ctrl") },
     { LeftButton::Distance, tr("&Distance"), "M", tr("Drag from one point to another") },
     { LeftButton::Angle, tr("&Angle"), "A",
       tr("Drag from the end of one arm to the vertex, then press at the end of the other") },
     { LeftButton::Box, tr("B&ox"), "B", tr("Drag from corner to corner: mean, deviation, volume") },
-    { LeftButton::CutOut, tr("&Cut out"), "X", tr("Draw around the part to remove") },
-    { LeftButton::KeepOnly, tr("&Keep"), "Shift+X", tr("Draw around the part to keep") },
+    { LeftButton::CutOut, tr("&Scissors"), "X", tr("Draw around the part to remove") },
+    { LeftButton::KeepOnly, tr("&Keep inside"), "Shift+X", tr("Draw around the part to keep") },
   };
   auto* const bar = this->addToolBar(tr("Tool bar"));
   bar->setObjectName("leftButton");
@@ -78,7 +78,7 @@ void MainWindow::MakeComparisonActions(QMenu* menu)
     action->setChecked(!kind);
     connect(action, &QAction::triggered, this, [this, kind = kind] { this->Compare(kind); });
   }
-  QAction* const wipe = menu->addAction(tr("&Wipe between them"));
+  QAction* const wipe = menu->addAction(tr("W&ipe between them"));
   wipe->setCheckable(true);
   wipe->setStatusTip(tr("Both images in one place, with a divider to drag"));
   connect(wipe, &QAction::toggled, this->view, &ComparisonView::SetWipe);
@@ -88,8 +88,7 @@ void MainWindow::MakeComparisonActions(QMenu* menu)
 void MainWindow::Compare(std::optional<MapperKind> kind)
 {
   this->view->CompareWith(kind);
-  // Hide the slices to make room for three images side by side.
-  this->sliceColumn->setVisible(!kind);
+  this->views->ShowSlices(!kind); // three images side by side need their room
 }
 
 }

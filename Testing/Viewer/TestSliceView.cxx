@@ -1,6 +1,7 @@
 // Slices: the mouse moves their common crosshair, and every gesture is an undo step.
 
 #include "LabelledStudy.h"
+#include "Viewer/View/SliceCorners.h"
 #include "Viewer/View/SliceView.h"
 
 #include <QApplication>
@@ -106,15 +107,67 @@ TEST_F(Slices, OpenWithTheWindowAndLevelOfTheFile)
   EXPECT_EQ(windowLevel(), (std::array<double, 2>{ 100.0, 40.0 }));
 }
 
-TEST_F(Slices, AreScrolledAVoxelPerNotch)
+TEST_F(Slices, AreScrolledASlicePerNotchAndKey)
 {
   QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 100, 80 });
   const double before = this->Crosshair()[2];
+  const double stepMm = this->model.CurrentStudy()->volume.image->GetSpacing()[2];
   QWheelEvent wheel(QPointF(100, 80), QPointF(), {}, { 0, 120 }, {}, {}, Qt::NoScrollPhase, false);
   QApplication::sendEvent(&this->axial, &wheel);
-  const double* const spacing = this->model.CurrentStudy()->volume.image->GetSpacing();
-  EXPECT_NEAR(
-    this->Crosshair()[2], before + std::min({ spacing[0], spacing[1], spacing[2] }), 1e-9);
+  EXPECT_NEAR(this->Crosshair()[2], before + stepMm, 1e-9);
+  QTest::keyClick(&this->axial, Qt::Key_PageDown);
+  EXPECT_NEAR(this->Crosshair()[2], before - 9.0 * stepMm, 1e-9);
+  QTest::keyClick(&this->axial, Qt::Key_Up);
+  EXPECT_NEAR(this->Crosshair()[2], before - 8.0 * stepMm, 1e-9);
+}
+
+TEST_F(Slices, AreZoomedByKeysAndMovedByTheMiddleButton)
+{
+  const auto corner = *this->axial.PointAt({ 0, 0 });
+  const auto middle = *this->axial.PointAt({ 100, 80 });
+  QTest::keyClick(&this->axial, Qt::Key_Plus);
+  EXPECT_GT((*this->axial.PointAt({ 0, 0 }))[0], corner[0]);
+  EXPECT_NEAR((*this->axial.PointAt({ 100, 80 }))[0], middle[0], 1e-9);
+  const auto grabbed = *this->axial.PointAt({ 90, 60 });
+  QTest::mousePress(&this->axial, Qt::MiddleButton, {}, { 90, 60 });
+  QMouseEvent move(QEvent::MouseMove, QPointF(130, 85), Qt::NoButton, Qt::MiddleButton, {});
+  QApplication::sendEvent(&this->axial, &move);
+  QTest::mouseRelease(&this->axial, Qt::MiddleButton, {}, { 130, 85 });
+  const auto dropped = *this->axial.PointAt({ 130, 85 });
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(dropped[i], grabbed[i], 1e-9) << "the point follows the pointer";
+  }
+  EXPECT_EQ(this->model.History()->count(), 0) << "how a slice is looked at is not work";
+  QTest::keyClick(&this->axial, Qt::Key_Home);
+  EXPECT_EQ(*this->axial.PointAt({ 0, 0 }), corner);
+}
+
+TEST_F(Slices, HaveTheUsualWindowsOfCtOnTheNumbers)
+{
+  auto study = std::make_shared<Study>(*SmallStudy());
+  study->volume.modality = "CT";
+  this->model.Open(ProceduralSource(), study);
+  const auto windowLevel = [this] { return this->model.CurrentScene().slices.windowLevel; };
+  QTest::keyClick(&this->axial, Qt::Key_2);
+  EXPECT_EQ(windowLevel().value(), (std::array<double, 2>{ 1500.0, -600.0 })) << "lungs";
+  QTest::keyClick(&this->coronal, Qt::Key_5);
+  EXPECT_EQ(windowLevel().value(), (std::array<double, 2>{ 80.0, 40.0 })) << "brain";
+  QTest::keyClick(&this->axial, Qt::Key_0);
+  EXPECT_FALSE(windowLevel()) << "as in the file";
+  EXPECT_EQ(this->model.History()->count(), 3);
+  study->volume.modality = "MR";
+  QTest::keyClick(&this->axial, Qt::Key_2);
+  EXPECT_FALSE(windowLevel()) << "values of MR have no unit";
+}
+
+// Scale bars have round lengths.
+TEST(ScaleBar, IsTheLargestRoundLengthThatFits)
+{
+  EXPECT_DOUBLE_EQ(ScaleBarMm(99.0), 50.0);
+  EXPECT_DOUBLE_EQ(ScaleBarMm(100.0), 100.0);
+  EXPECT_DOUBLE_EQ(ScaleBarMm(4.9), 2.0);
+  EXPECT_DOUBLE_EQ(ScaleBarMm(0.19), 0.1);
 }
 
 TEST_F(Slices, MeasureABoxAsDeepAsItIsNarrow)

@@ -28,6 +28,133 @@
     </message>
 </context>
 <context>
+    <name>KeysDialog</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>the chosen tool; at first it rotates</source>
+        <translation>das gewählte Werkzeug; zunächst dreht es</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl</source>
+        <translation>Ziehen mit Strg</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>Fenster und Mitte</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Mittlere Taste</translation>
+    </message>
+    <message>
+        <source>move the volume</source>
+        <translation>das Volumen verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel, right button</source>
+        <translation>Rad, rechte Taste</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>zoomen</translation>
+    </message>
+    <message>
+        <source>Double-click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>see this view alone, or all again</source>
+        <translation>diese Ansicht allein zeigen oder wieder alle</translation>
+    </message>
+    <message>
+        <source>revert a gesture that is not finished</source>
+        <translation>eine begonnene Geste rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>move the crosshair, or the chosen measurement</source>
+        <translation>das Fadenkreuz bewegen, oder die gewählte Messung</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>Rechte Taste</translation>
+    </message>
+    <message>
+        <source>move the slice</source>
+        <translation>die Schicht verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel, arrow and page keys</source>
+        <translation>Rad, Pfeil- und Bildtasten</translation>
+    </message>
+    <message>
+        <source>the next slices</source>
+        <translation>die nächsten Schichten</translation>
+    </message>
+    <message>
+        <source>Ctrl with wheel, + and -</source>
+        <translation>Strg mit Rad, + und -</translation>
+    </message>
+    <message>
+        <source>zoom; Home shows the whole slice</source>
+        <translation>zoomen; Pos1 zeigt die ganze Schicht</translation>
+    </message>
+    <message>
+        <source>a usual window for CT; 0 is that of the file</source>
+        <translation>ein übliches CT-Fenster; 0 ist das der Datei</translation>
+    </message>
+    <message>
+        <source>Curve of the look</source>
+        <translation>Kurve der Darstellung</translation>
+    </message>
+    <message>
+        <source>Drag a point</source>
+        <translation>Punkt ziehen</translation>
+    </message>
+    <message>
+        <source>change its value and opacity</source>
+        <translation>Wert und Deckkraft ändern</translation>
+    </message>
+    <message>
+        <source>Click the curve</source>
+        <translation>Kurve anklicken</translation>
+    </message>
+    <message>
+        <source>add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Double-click a point</source>
+        <translation>Punkt doppelklicken</translation>
+    </message>
+    <message>
+        <source>type its numbers</source>
+        <translation>Zahlen eingeben</translation>
+    </message>
+    <message>
+        <source>choose its colour</source>
+        <translation>Farbe wählen</translation>
+    </message>
+    <message>
+        <source>Menus</source>
+        <translation>Menüs</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+</context>
+<context>
     <name>MeasureTexts</name>
     <message>
         <source>no voxels</source>
@@ -429,6 +556,87 @@ kennt keine Segmente</translation>
     </message>
 </context>
 <context>
+    <name>SliceCorners</name>
+    <message>
+        <source>W %1 L %2</source>
+        <translation>F %1 M %2</translation>
+    </message>
+    <message>
+        <source>Zoom %1 %</source>
+        <translation>Zoom %1 %</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Schicht %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message>
+        <source>Slab %1 mm</source>
+        <translation>Dicke %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>SliceView</name>
+    <message>
+        <source>window and level</source>
+        <translation>Fenster und Mitte</translation>
+    </message>
+</context>
+<context>
+    <name>SliceWindows</name>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Lungs</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Mediastinum</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Subdural</source>
+        <translation>Subdural</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Schlaganfall</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+</context>
+<context>
     <name>Theme</name>
     <message>
         <source>&amp;Theme</source>
@@ -728,6 +936,29 @@ kennt keine Segmente</translation>
     <message>
         <source>show all distances</source>
         <translation>alle Abstände zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Some letters of the command, such as &quot;panel look&quot;</source>
+        <translation>Einige Buchstaben des Befehls, etwa „dar bedi“</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -1205,38 +1436,6 @@ kennt keine Segmente</translation>
         <translation>vorgeschlagene Darstellung</translation>
     </message>
     <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Anterior</source>
-        <translation>Von &amp;vorn</translation>
-    </message>
-    <message>
-        <source>&amp;Posterior</source>
-        <translation>Von &amp;hinten</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>Von &amp;links</translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation>Von &amp;rechts</translation>
-    </message>
-    <message>
-        <source>&amp;Superior</source>
-        <translation>Von &amp;oben</translation>
-    </message>
-    <message>
-        <source>&amp;Inferior</source>
-        <translation>Von &amp;unten</translation>
-    </message>
-    <message>
-        <source>standard view</source>
-        <translation>Standardansicht</translation>
-    </message>
-    <message>
         <source>Presets</source>
         <translation>Vorlagen</translation>
     </message>
@@ -1381,18 +1580,6 @@ kennt keine Segmente</translation>
         <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
-        <source>&amp;Turn</source>
-        <translation>&amp;Drehen</translation>
-    </message>
-    <message>
-        <source>Drag to turn the volume</source>
-        <translation>Ziehen dreht das Volumen</translation>
-    </message>
-    <message>
-        <source>&amp;Brightness</source>
-        <translation>&amp;Helligkeit</translation>
-    </message>
-    <message>
         <source>Drag sideways for the window, up and down for the level; or drag with Ctrl</source>
         <translation>Quer ziehen für das Fenster, auf und ab für die Mitte; auch Strg und ziehen</translation>
     </message>
@@ -1421,16 +1608,8 @@ kennt keine Segmente</translation>
         <translation>Von Ecke zu Ecke ziehen: Mittel, Streuung, Volumen</translation>
     </message>
     <message>
-        <source>&amp;Cut out</source>
-        <translation>&amp;Ausschneiden</translation>
-    </message>
-    <message>
         <source>Draw around the part to remove</source>
         <translation>Den Teil umfahren, der weg soll</translation>
-    </message>
-    <message>
-        <source>&amp;Keep</source>
-        <translation>&amp;Behalten</translation>
     </message>
     <message>
         <source>Draw around the part to keep</source>
@@ -1449,20 +1628,8 @@ kennt keine Segmente</translation>
         <translation>Mit VTKs &amp;GPU-Mapper vergleichen</translation>
     </message>
     <message>
-        <source>&amp;Wipe between them</source>
-        <translation>Da&amp;zwischen wischen</translation>
-    </message>
-    <message>
         <source>Both images in one place, with a divider to drag</source>
         <translation>Beide Bilder an einem Ort, mit einer Trennlinie zum Ziehen</translation>
-    </message>
-    <message>
-        <source>No perspective: distant objects look as large as near ones</source>
-        <translation>Ohne Perspektive: Fernes erscheint so groß wie Nahes</translation>
-    </message>
-    <message>
-        <source>projection</source>
-        <translation>Projektion</translation>
     </message>
     <message>
         <source>Export a report</source>
@@ -1489,24 +1656,8 @@ kennt keine Segmente</translation>
         <translation>Schichten wie aufgenommen</translation>
     </message>
     <message>
-        <source>&amp;Background…</source>
-        <translation>Hinter&amp;grund…</translation>
-    </message>
-    <message>
-        <source>background</source>
-        <translation>Hintergrund</translation>
-    </message>
-    <message>
         <source>Export a re&amp;port…</source>
         <translation>Ber&amp;icht exportieren…</translation>
-    </message>
-    <message>
-        <source>Pa&amp;nels</source>
-        <translation>Bedi&amp;enfelder</translation>
-    </message>
-    <message>
-        <source>Parall&amp;el projection</source>
-        <translation>&amp;Parallelprojektion</translation>
     </message>
     <message>
         <source>&amp;Reset layout</source>
@@ -1575,6 +1726,38 @@ kennt keine Segmente</translation>
     <message>
         <source>&amp;Ask for a scan at start</source>
         <translation>Beim Start nach einer &amp;Aufnahme fragen</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>&amp;Befehl suchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the volume</source>
+        <translation>Ziehen dreht das Volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Window/Level</source>
+        <translation>&amp;Fenster/Mitte</translation>
+    </message>
+    <message>
+        <source>&amp;Scissors</source>
+        <translation>S&amp;chere</translation>
+    </message>
+    <message>
+        <source>&amp;Keep inside</source>
+        <translation>Inneres &amp;behalten</translation>
+    </message>
+    <message>
+        <source>W&amp;ipe between them</source>
+        <translation>Da&amp;zwischen wischen</translation>
     </message>
 </context>
 <context>
@@ -2252,16 +2435,59 @@ ml</translation>
 <context>
     <name>varimarch::SliceView</name>
     <message>
-        <source>W %1 L %2</source>
-        <translation>F %1 M %2</translation>
-    </message>
-    <message>
         <source>window and level</source>
         <translation>Fenster und Mitte</translation>
     </message>
     <message>
         <source>move the crosshair</source>
         <translation>Fadenkreuz bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::StartPage</name>
+    <message>
+        <source>Open a scan, or drop one on this window</source>
+        <translation>Öffnen Sie eine Aufnahme, oder ziehen Sie eine hierher</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>NIfTI, NRRD, MetaImage, a ZIP of a CD, a session …</source>
+        <translation>NIfTI, NRRD, MetaImage, ZIP einer CD, eine Sitzung …</translation>
+    </message>
+    <message>
+        <source>Open a folder…</source>
+        <translation>Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>A CD, or the slices of a DICOM series</source>
+        <translation>Eine CD oder die Schichten einer DICOM-Serie</translation>
+    </message>
+    <message>
+        <source>Recent scans</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Head CT</source>
+        <translation>CT eines Kopfes</translation>
+    </message>
+    <message>
+        <source>From the package invesalius-examples</source>
+        <translation>Aus dem Paket invesalius-examples</translation>
+    </message>
+    <message>
+        <source>Phantom of a torso</source>
+        <translation>Phantom eines Rumpfes</translation>
+    </message>
+    <message>
+        <source>Computed, with bones, lungs and vessels</source>
+        <translation>Berechnet, mit Knochen, Lunge und Gefäßen</translation>
     </message>
 </context>
 <context>
@@ -2389,6 +2615,97 @@ ml</translation>
     <message>
         <source>Ask for the colour of a new point</source>
         <translation>Nach der Farbe eines neuen Punkts fragen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ViewMenu</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Background…</source>
+        <translation>Hinter&amp;grund…</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>Bedi&amp;enfelder</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>Von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>Von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>Von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>Von &amp;oben</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>Von &amp;unten</translation>
+    </message>
+    <message>
+        <source>standard view</source>
+        <translation>Standardansicht</translation>
+    </message>
+    <message>
+        <source>Parall&amp;el projection</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>No perspective: distant objects look as large as near ones</source>
+        <translation>Ohne Perspektive: Fernes erscheint so groß wie Nahes</translation>
+    </message>
+    <message>
+        <source>projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>&amp;Window of the slices</source>
+        <translation>Fen&amp;ster der Schichten</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;%1  %2</source>
+        <translation>&amp;%1  %2</translation>
+    </message>
+    <message>
+        <source>Or click a slice and press %1</source>
+        <translation>Oder eine Schicht anklicken und %1 drücken</translation>
+    </message>
+    <message>
+        <source>&amp;Volume large</source>
+        <translation>Volu&amp;men groß</translation>
+    </message>
+    <message>
+        <source>&amp;Four views alike</source>
+        <translation>Vier &amp;Ansichten gleich groß</translation>
+    </message>
+    <message>
+        <source>Double-click a view to see it alone, and again to see all</source>
+        <translation>Ein Doppelklick zeigt eine Ansicht allein, ein weiterer alle</translation>
+    </message>
+    <message>
+        <source>Full s&amp;creen</source>
+        <translation>Vollbil&amp;d</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,133 @@
     </message>
 </context>
 <context>
+    <name>KeysDialog</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Arrastrar</translation>
+    </message>
+    <message>
+        <source>the chosen tool; at first it rotates</source>
+        <translation>la herramienta elegida; al principio gira</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl</source>
+        <translation>Arrastrar con Ctrl</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>ventana y nivel</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Botón central</translation>
+    </message>
+    <message>
+        <source>move the volume</source>
+        <translation>mover el volumen</translation>
+    </message>
+    <message>
+        <source>Wheel, right button</source>
+        <translation>Rueda, botón derecho</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>ampliar o reducir</translation>
+    </message>
+    <message>
+        <source>Double-click</source>
+        <translation>Doble clic</translation>
+    </message>
+    <message>
+        <source>see this view alone, or all again</source>
+        <translation>ver solo esta vista, o de nuevo todas</translation>
+    </message>
+    <message>
+        <source>revert a gesture that is not finished</source>
+        <translation>deshacer un gesto sin terminar</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Cortes</translation>
+    </message>
+    <message>
+        <source>move the crosshair, or the chosen measurement</source>
+        <translation>mover la cruz, o la medida elegida</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>Botón derecho</translation>
+    </message>
+    <message>
+        <source>move the slice</source>
+        <translation>mover el corte</translation>
+    </message>
+    <message>
+        <source>Wheel, arrow and page keys</source>
+        <translation>Rueda, flechas y teclas de página</translation>
+    </message>
+    <message>
+        <source>the next slices</source>
+        <translation>los cortes siguientes</translation>
+    </message>
+    <message>
+        <source>Ctrl with wheel, + and -</source>
+        <translation>Ctrl con rueda, + y -</translation>
+    </message>
+    <message>
+        <source>zoom; Home shows the whole slice</source>
+        <translation>ampliar o reducir; Inicio muestra el corte entero</translation>
+    </message>
+    <message>
+        <source>a usual window for CT; 0 is that of the file</source>
+        <translation>una ventana usual de TC; 0 es la del archivo</translation>
+    </message>
+    <message>
+        <source>Curve of the look</source>
+        <translation>Curva del aspecto</translation>
+    </message>
+    <message>
+        <source>Drag a point</source>
+        <translation>Arrastrar un punto</translation>
+    </message>
+    <message>
+        <source>change its value and opacity</source>
+        <translation>cambiar su valor y opacidad</translation>
+    </message>
+    <message>
+        <source>Click the curve</source>
+        <translation>Clic en la curva</translation>
+    </message>
+    <message>
+        <source>add a point</source>
+        <translation>añadir un punto</translation>
+    </message>
+    <message>
+        <source>Double-click a point</source>
+        <translation>Doble clic en un punto</translation>
+    </message>
+    <message>
+        <source>type its numbers</source>
+        <translation>escribir sus números</translation>
+    </message>
+    <message>
+        <source>choose its colour</source>
+        <translation>elegir su color</translation>
+    </message>
+    <message>
+        <source>Menus</source>
+        <translation>Menús</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Ratón y teclas</translation>
+    </message>
+</context>
+<context>
     <name>MeasureTexts</name>
     <message>
         <source>no voxels</source>
@@ -429,6 +556,87 @@ no conoce los segmentos</translation>
     </message>
 </context>
 <context>
+    <name>SliceCorners</name>
+    <message>
+        <source>W %1 L %2</source>
+        <translation>A %1 N %2</translation>
+    </message>
+    <message>
+        <source>Zoom %1 %</source>
+        <translation>Zoom %1 %</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Corte %1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message>
+        <source>Slab %1 mm</source>
+        <translation>Grosor %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>SliceView</name>
+    <message>
+        <source>window and level</source>
+        <translation>ventana y nivel</translation>
+    </message>
+</context>
+<context>
+    <name>SliceWindows</name>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Lungs</source>
+        <translation>Pulmones</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Mediastino</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Hueso</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Cerebro</translation>
+    </message>
+    <message>
+        <source>Subdural</source>
+        <translation>Subdural</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Ictus</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Hígado</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Vasos</translation>
+    </message>
+</context>
+<context>
     <name>Theme</name>
     <message>
         <source>&amp;Theme</source>
@@ -728,6 +936,29 @@ no conoce los segmentos</translation>
     <message>
         <source>show all distances</source>
         <translation>mostrar todas las distancias</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Buscar una orden</translation>
+    </message>
+    <message>
+        <source>Some letters of the command, such as &quot;panel look&quot;</source>
+        <translation>Algunas letras de la orden, como «panel asp»</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Órdenes</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -1205,38 +1436,6 @@ no conoce los segmentos</translation>
         <translation>aspecto sugerido</translation>
     </message>
     <message>
-        <source>&amp;View</source>
-        <translation>&amp;Vista</translation>
-    </message>
-    <message>
-        <source>&amp;Anterior</source>
-        <translation>&amp;Anterior</translation>
-    </message>
-    <message>
-        <source>&amp;Posterior</source>
-        <translation>&amp;Posterior</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>&amp;Izquierda</translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation>&amp;Derecha</translation>
-    </message>
-    <message>
-        <source>&amp;Superior</source>
-        <translation>&amp;Superior</translation>
-    </message>
-    <message>
-        <source>&amp;Inferior</source>
-        <translation>I&amp;nferior</translation>
-    </message>
-    <message>
-        <source>standard view</source>
-        <translation>vista estándar</translation>
-    </message>
-    <message>
         <source>Presets</source>
         <translation>Preajustes</translation>
     </message>
@@ -1381,18 +1580,6 @@ no conoce los segmentos</translation>
         <translation>&amp;Herramientas</translation>
     </message>
     <message>
-        <source>&amp;Turn</source>
-        <translation>&amp;Girar</translation>
-    </message>
-    <message>
-        <source>Drag to turn the volume</source>
-        <translation>Arrastre para girar el volumen</translation>
-    </message>
-    <message>
-        <source>&amp;Brightness</source>
-        <translation>&amp;Brillo</translation>
-    </message>
-    <message>
         <source>Drag sideways for the window, up and down for the level; or drag with Ctrl</source>
         <translation>Arrastre en horizontal para la ventana, en vertical para el nivel; también Ctrl y arrastrar</translation>
     </message>
@@ -1421,16 +1608,8 @@ no conoce los segmentos</translation>
         <translation>Arrastre de esquina a esquina: media, desviación, volumen</translation>
     </message>
     <message>
-        <source>&amp;Cut out</source>
-        <translation>&amp;Cortar</translation>
-    </message>
-    <message>
         <source>Draw around the part to remove</source>
         <translation>Rodee la parte que se quita</translation>
-    </message>
-    <message>
-        <source>&amp;Keep</source>
-        <translation>C&amp;onservar</translation>
     </message>
     <message>
         <source>Draw around the part to keep</source>
@@ -1449,20 +1628,8 @@ no conoce los segmentos</translation>
         <translation>Comparar con el mapper de G&amp;PU de VTK</translation>
     </message>
     <message>
-        <source>&amp;Wipe between them</source>
-        <translation>Des&amp;lizar entre ambas</translation>
-    </message>
-    <message>
         <source>Both images in one place, with a divider to drag</source>
         <translation>Ambas imágenes en un lugar, con un divisor que se arrastra</translation>
-    </message>
-    <message>
-        <source>No perspective: distant objects look as large as near ones</source>
-        <translation>Sin perspectiva: lo lejano se ve tan grande como lo cercano</translation>
-    </message>
-    <message>
-        <source>projection</source>
-        <translation>proyección</translation>
     </message>
     <message>
         <source>Export a report</source>
@@ -1489,24 +1656,8 @@ no conoce los segmentos</translation>
         <translation>cortes como se adquirieron</translation>
     </message>
     <message>
-        <source>&amp;Background…</source>
-        <translation>&amp;Fondo…</translation>
-    </message>
-    <message>
-        <source>background</source>
-        <translation>fondo</translation>
-    </message>
-    <message>
         <source>Export a re&amp;port…</source>
         <translation>Exportar un in&amp;forme…</translation>
-    </message>
-    <message>
-        <source>Pa&amp;nels</source>
-        <translation>Pan&amp;eles</translation>
-    </message>
-    <message>
-        <source>Parall&amp;el projection</source>
-        <translation>Proyección pa&amp;ralela</translation>
     </message>
     <message>
         <source>&amp;Reset layout</source>
@@ -1575,6 +1726,38 @@ no conoce los segmentos</translation>
     <message>
         <source>&amp;Ask for a scan at start</source>
         <translation>&amp;Preguntar por un estudio al iniciar</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>&amp;Buscar una orden…</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>Ratón y &amp;teclas</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Girar</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the volume</source>
+        <translation>Arrastre para girar el volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Window/Level</source>
+        <translation>&amp;Ventana/nivel</translation>
+    </message>
+    <message>
+        <source>&amp;Scissors</source>
+        <translation>&amp;Tijeras</translation>
+    </message>
+    <message>
+        <source>&amp;Keep inside</source>
+        <translation>C&amp;onservar el interior</translation>
+    </message>
+    <message>
+        <source>W&amp;ipe between them</source>
+        <translation>Des&amp;lizar entre ambas</translation>
     </message>
 </context>
 <context>
@@ -2252,16 +2435,59 @@ ml</translation>
 <context>
     <name>varimarch::SliceView</name>
     <message>
-        <source>W %1 L %2</source>
-        <translation>A %1 N %2</translation>
-    </message>
-    <message>
         <source>window and level</source>
         <translation>ventana y nivel</translation>
     </message>
     <message>
         <source>move the crosshair</source>
         <translation>mover la cruz</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::StartPage</name>
+    <message>
+        <source>Open a scan, or drop one on this window</source>
+        <translation>Abra un estudio, o suéltelo en esta ventana</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Abrir un archivo…</translation>
+    </message>
+    <message>
+        <source>NIfTI, NRRD, MetaImage, a ZIP of a CD, a session …</source>
+        <translation>NIfTI, NRRD, MetaImage, ZIP de un CD, una sesión …</translation>
+    </message>
+    <message>
+        <source>Open a folder…</source>
+        <translation>Abrir una carpeta…</translation>
+    </message>
+    <message>
+        <source>A CD, or the slices of a DICOM series</source>
+        <translation>Un CD, o los cortes de una serie DICOM</translation>
+    </message>
+    <message>
+        <source>Recent scans</source>
+        <translation>Estudios recientes</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Ejemplos</translation>
+    </message>
+    <message>
+        <source>Head CT</source>
+        <translation>TC de una cabeza</translation>
+    </message>
+    <message>
+        <source>From the package invesalius-examples</source>
+        <translation>Del paquete invesalius-examples</translation>
+    </message>
+    <message>
+        <source>Phantom of a torso</source>
+        <translation>Fantoma de un torso</translation>
+    </message>
+    <message>
+        <source>Computed, with bones, lungs and vessels</source>
+        <translation>Calculado, con huesos, pulmones y vasos</translation>
     </message>
 </context>
 <context>
@@ -2389,6 +2615,97 @@ ml</translation>
     <message>
         <source>Ask for the colour of a new point</source>
         <translation>Preguntar por el color de un punto nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ViewMenu</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vista</translation>
+    </message>
+    <message>
+        <source>&amp;Background…</source>
+        <translation>&amp;Fondo…</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>Pan&amp;eles</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>&amp;Anterior</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>&amp;Posterior</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Izquierda</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Derecha</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>&amp;Superior</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>I&amp;nferior</translation>
+    </message>
+    <message>
+        <source>standard view</source>
+        <translation>vista estándar</translation>
+    </message>
+    <message>
+        <source>Parall&amp;el projection</source>
+        <translation>Proyección pa&amp;ralela</translation>
+    </message>
+    <message>
+        <source>No perspective: distant objects look as large as near ones</source>
+        <translation>Sin perspectiva: lo lejano se ve tan grande como lo cercano</translation>
+    </message>
+    <message>
+        <source>projection</source>
+        <translation>proyección</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>fondo</translation>
+    </message>
+    <message>
+        <source>&amp;Window of the slices</source>
+        <translation>&amp;Ventana de los cortes</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Como en el archivo</translation>
+    </message>
+    <message>
+        <source>&amp;%1  %2</source>
+        <translation>&amp;%1  %2</translation>
+    </message>
+    <message>
+        <source>Or click a slice and press %1</source>
+        <translation>O haga clic en un corte y pulse %1</translation>
+    </message>
+    <message>
+        <source>&amp;Volume large</source>
+        <translation>Volumen &amp;grande</translation>
+    </message>
+    <message>
+        <source>&amp;Four views alike</source>
+        <translation>&amp;Cuatro vistas iguales</translation>
+    </message>
+    <message>
+        <source>Double-click a view to see it alone, and again to see all</source>
+        <translation>Doble clic muestra una vista sola; otro, todas</translation>
+    </message>
+    <message>
+        <source>Full s&amp;creen</source>
+        <translation>Pantalla co&amp;mpleta</translation>
     </message>
 </context>
 <context>

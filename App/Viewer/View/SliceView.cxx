@@ -1,13 +1,16 @@
 #include "Viewer/View/SliceView.h"
 
-#include "Scene/AnatomicalDirection.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/ScenePicking.h"
+#include "Scene/SliceNumber.h"
 #include "Scene/SliceSegments.h"
 #include "Scene/WorldVector.h"
-#include "Viewer/Model/NumberText.h"
+#include "Viewer/Model/SliceWindows.h"
 #include "Viewer/View/MeasureOverlay.h"
+#include "Viewer/View/SliceCorners.h"
 
+#include <QImage>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -16,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace varimarch
 {
@@ -25,11 +29,6 @@ namespace
 
 constexpr double ZoomPerNotch = 1.15;
 const QColor CrosshairColor(90, 200, 250, 170);
-
-QString LettersOf(const glm::dvec3& direction)
-{
-  return QString::fromStdString(AnatomicalDirection(&direction.x));
-}
 
 }
 
@@ -44,11 +43,16 @@ SliceView::SliceView(SceneModel* model, SlicePlane plane, QWidget* parent)
   this->setAttribute(Qt::WA_OpaquePaintEvent);
   this->setCursor(Qt::CrossCursor);
   this->setMouseTracking(true);
+  this->setFocusPolicy(Qt::StrongFocus);
   connect(model, &SceneModel::Changed, this, &SliceView::Update);
 }
 
 void SliceView::Update(ScenePart part)
 {
+  if (part == ScenePart::Volume)
+  {
+    this->zoom = {};
+  }
   if (part == ScenePart::Volume || part == ScenePart::Measures)
   {
     this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
@@ -99,21 +103,12 @@ bool SliceView::Shows(const std::array<double, 3>& from, const std::array<double
 
 std::optional<std::array<double, 3>> SliceView::PointAt(const QPointF& place) const
 {
-  const QPointF fromMiddle = place - QRectF(this->rect()).center();
-  // The view does not scroll when the crosshair moves within it.
-  glm::dvec3 point = VectorOf(this->Request().middleMm);
-  point += this->MmPerPixel() * fromMiddle.x() * VectorOf(this->axes.right);
-  point += this->MmPerPixel() * fromMiddle.y() * VectorOf(this->axes.down);
-  return NumbersOf(point);
+  return this->Placement().PointAt(place);
 }
 
 QPointF SliceView::PlaceOf(const std::array<double, 3>& pointMm) const
 {
-  const glm::dvec3 fromMiddle = VectorOf(pointMm) - VectorOf(this->Request().middleMm);
-  return QRectF(this->rect()).center() +
-    QPointF(glm::dot(fromMiddle, VectorOf(this->axes.right)),
-      glm::dot(fromMiddle, VectorOf(this->axes.down))) /
-    this->MmPerPixel();
+  return this->Placement().PlaceOf(pointMm);
 }
 
 void SliceView::paintEvent(QPaintEvent*)
@@ -126,8 +121,15 @@ void SliceView::paintEvent(QPaintEvent*)
   }
   this->DrawVoxels(painter);
   this->DrawCrosshair(painter);
-  this->DrawLetters(painter);
+  DrawSliceCorners(painter, this->rect(), this->model->CurrentStudy()->volume.image,
+    this->Request(), this->zoom.factor);
   this->DrawMeasuresOfSlice(painter);
+  if (this->hasFocus())
+  {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(CrosshairColor);
+    painter.drawRect(QRectF(this->rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  }
 }
 
 void SliceView::DrawVoxels(QPainter& painter) const
@@ -169,22 +171,6 @@ void SliceView::DrawCrosshair(QPainter& painter) const
   painter.drawLine(QPointF(place.x(), 0.0), QPointF(place.x(), this->height()));
 }
 
-void SliceView::DrawLetters(QPainter& painter) const
-{
-  const glm::dvec3 right = VectorOf(this->axes.right);
-  const glm::dvec3 down = VectorOf(this->axes.down);
-  const QRect inside = this->rect().adjusted(6, 4, -6, -4);
-  DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignVCenter, LettersOf(right));
-  DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignVCenter, LettersOf(-right));
-  DrawLegibly(painter, inside, Qt::AlignBottom | Qt::AlignHCenter, LettersOf(down));
-  DrawLegibly(painter, inside, Qt::AlignTop | Qt::AlignHCenter, LettersOf(-down));
-  const auto [window, level] = this->Grays().windowLevel;
-  // Data without units may lie between 0 and 1.
-  const int decimals = window < 10.0 ? 3 : 0;
-  DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignTop,
-    tr("W %1 L %2").arg(NumberText(window, decimals), NumberText(level, decimals)));
-}
-
 void SliceView::mousePressEvent(QMouseEvent* event)
 {
   if (!this->model->CurrentStudy())
@@ -194,6 +180,7 @@ void SliceView::mousePressEvent(QMouseEvent* event)
   this->gesture = NewGesture();
   this->pressed = event->pos();
   this->pressedWindowLevel = this->Grays().windowLevel;
+  this->pressedShiftMm = this->zoom.shiftMm;
   this->toolIsActive =
     this->measuring && event->button() == Qt::LeftButton && this->measure.Press(event->localPos());
   if (!this->toolIsActive && event->button() == Qt::LeftButton)
@@ -232,6 +219,10 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
   {
     this->DragWindowLevel(event->pos() - this->pressed);
   }
+  else if (event->buttons() & Qt::MiddleButton)
+  {
+    this->DragSlice(event->pos() - this->pressed);
+  }
 }
 
 void SliceView::Point(const QPointF& place)
@@ -257,6 +248,22 @@ void SliceView::DragWindowLevel(const QPoint& moved)
     [&](Scene& scene) { scene.slices.windowLevel = changed; }, this->gesture);
 }
 
+void SliceView::DragSlice(const QPoint& moved)
+{
+  this->zoom.shiftMm = this->pressedShiftMm - this->Placement().MmPerPixel() * QPointF(moved);
+  this->update();
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+  if (this->measuring || event->button() != Qt::LeftButton)
+  {
+    this->mousePressEvent(event);
+    return;
+  }
+  emit this->DoubleClicked();
+}
+
 void SliceView::wheelEvent(QWheelEvent* event)
 {
   if (!this->model->CurrentStudy())
@@ -264,45 +271,92 @@ void SliceView::wheelEvent(QWheelEvent* event)
     return;
   }
   const double notches = event->angleDelta().y() / 120.0;
-  if (event->modifiers() & Qt::ControlModifier)
+  event->modifiers() & Qt::ControlModifier ? this->Zoom(notches) : this->Scroll(notches);
+}
+
+// The window's shortcuts, such as the numbers of standard views, wait while a slice has the keys.
+bool SliceView::event(QEvent* event)
+{
+  if (event->type() == QEvent::ShortcutOverride)
   {
-    this->zoom = std::clamp(this->zoom * std::pow(ZoomPerNotch, notches), 0.2, 50.0);
-    this->update();
-    return;
+    const auto* const key = static_cast<QKeyEvent*>(event);
+    const bool isNumber = key->key() >= Qt::Key_0 && key->key() <= Qt::Key_9;
+    if (isNumber && !(key->modifiers() & ~Qt::KeypadModifier))
+    {
+      event->accept();
+      return true;
+    }
   }
-  const double* const spacing = this->model->CurrentStudy()->volume.image->GetSpacing();
-  const double stepMm = std::min({ spacing[0], spacing[1], spacing[2] });
+  return QWidget::event(event);
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event)
+{
+  constexpr double Page = 10.0; // slices
+  static const std::map<int, double> scrolls = { { Qt::Key_Up, 1.0 }, { Qt::Key_Down, -1.0 },
+    { Qt::Key_PageUp, Page }, { Qt::Key_PageDown, -Page } };
+  static const std::map<int, double> zooms = { { Qt::Key_Plus, 1.0 }, { Qt::Key_Equal, 1.0 },
+    { Qt::Key_Minus, -1.0 } };
+  const int key = event->key();
+  if (!this->model->CurrentStudy())
+  {
+    QWidget::keyPressEvent(event);
+  }
+  else if (const auto scroll = scrolls.find(key); scroll != scrolls.end())
+  {
+    this->Scroll(scroll->second);
+  }
+  else if (const auto step = zooms.find(key); step != zooms.end())
+  {
+    this->Zoom(step->second);
+  }
+  else if (key == Qt::Key_Home)
+  {
+    this->ResetZoom();
+  }
+  else if (key >= Qt::Key_0 && key <= Qt::Key_9)
+  {
+    ChooseWindow(this->model, key - Qt::Key_0);
+  }
+  else
+  {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+void SliceView::Zoom(double notches)
+{
+  this->zoom.factor = std::clamp(this->zoom.factor * std::pow(ZoomPerNotch, notches), 0.2, 50.0);
+  this->update();
+}
+
+void SliceView::ResetZoom()
+{
+  this->zoom = {};
+  this->update();
+}
+
+void SliceView::Scroll(double slices)
+{
+  const double stepMm = SliceStepMm(this->model->CurrentStudy()->volume.image, this->plane);
   this->SetCrosshair(
-    NumbersOf(VectorOf(this->Crosshair()) + notches * stepMm * VectorOf(this->axes.through)),
+    NumbersOf(VectorOf(this->Crosshair()) + slices * stepMm * VectorOf(this->axes.through)),
     SceneModel::NoGesture);
 }
 
 SliceRequest SliceView::Request() const
 {
-  vtkImageData* const image = this->model->CurrentStudy()->volume.image;
-  // The view is centred on the volume, in the plane of the crosshair.
-  const glm::dvec3 middle = VectorOf(MiddleOf(image));
-  const glm::dvec3 through = VectorOf(this->axes.through);
-  const glm::dvec3 shown =
-    middle + glm::dot(VectorOf(this->Crosshair()) - middle, through) * through;
+  const SlicePlacement placement = this->Placement();
   const SliceGrays grays = this->Grays();
   const SliceSettings& slices = this->model->CurrentScene().slices;
-  return { this->plane, NumbersOf(shown), this->MmPerPixel(), this->width(), this->height(),
+  return { this->plane, placement.MiddleMm(), placement.MmPerPixel(), this->width(), this->height(),
     grays.windowLevel[0], grays.windowLevel[1], slices.slabMm, slices.slabBlend, grays.inverted };
 }
 
-// At a zoom of 1 the volume just fits into the view.
-double SliceView::MmPerPixel() const
+SlicePlacement SliceView::Placement() const
 {
-  vtkImageData* const image = this->model->CurrentStudy()->volume.image;
-  const auto acrossMm = [&](const std::array<double, 3>& direction)
-  {
-    const auto [first, last] = ReachAlong(direction, image);
-    return last - first;
-  };
-  return std::max(acrossMm(this->axes.right) / std::max(this->width(), 1),
-           acrossMm(this->axes.down) / std::max(this->height(), 1)) /
-    this->zoom;
+  return { this->model->CurrentStudy()->volume.image, this->plane, this->Crosshair(), this->size(),
+    this->zoom };
 }
 
 std::array<double, 3> SliceView::Crosshair() const

@@ -5,8 +5,8 @@
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Tools/MouseTools.h"
+#include "Viewer/View/SlicePlacement.h"
 
-#include <QImage>
 #include <QPoint>
 #include <QWidget>
 
@@ -16,8 +16,10 @@ namespace varimarch
 {
 
 /// A slice of the volume through the crosshair, which all slices share. The left button moves the
-/// crosshair or measures, the right button drags window and level, the wheel scrolls through the
-/// slices, and Ctrl with the wheel zooms.
+/// crosshair or measures, the right button drags window and level, the middle button drags the
+/// slice, the wheel scrolls through the slices, and Ctrl with the wheel zooms. The slice that was
+/// clicked last takes keys: the arrows and the page keys scroll, + and - zoom, a number chooses a
+/// usual window, see ChooseWindow.
 class SliceView
   : public QWidget
   , public ToolSurface
@@ -40,7 +42,13 @@ signals:
   /// Describes the voxel under the pointer, for the status bar; empty beside the volume.
   void Pointed(const QString& text);
 
+  /// The user wants to see this view alone, or all views again.
+  void DoubleClicked();
+
 protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -55,10 +63,13 @@ private:
   SliceRequest Request() const;
   void DrawVoxels(QPainter& painter) const;
   void DrawCrosshair(QPainter& painter) const;
-  void DrawLetters(QPainter& painter) const;
   void DragWindowLevel(const QPoint& moved);
+  void DragSlice(const QPoint& moved);
+  void Zoom(double notches);
+  void Scroll(double slices);
+  void ResetZoom();
   void Point(const QPointF& place);
-  double MmPerPixel() const;
+  SlicePlacement Placement() const;
   std::array<double, 3> Crosshair() const;
   SliceGrays Grays() const;
   void SetCrosshair(const std::array<double, 3>& pointMm, int gesture);
@@ -66,7 +77,7 @@ private:
   SceneModel* model;
   SlicePlane plane;
   SliceAxes axes;
-  double zoom = 1.0;
+  SliceZoom zoom;
   int gesture = SceneModel::NoGesture;
   MeasureTool measure;
   bool measuring = false;    ///< the left button measures
@@ -74,6 +85,7 @@ private:
   MeasureTexts texts;
   QPoint pressed;
   std::array<double, 2> pressedWindowLevel = {};
+  QPointF pressedShiftMm;
 };
 
 }

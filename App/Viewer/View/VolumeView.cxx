@@ -108,6 +108,11 @@ bool VolumeView::event(QEvent* event)
     this->overlay->update();
     return true;
   }
+  if (event->type() == QEvent::MouseButtonDblClick)
+  {
+    emit this->DoubleClicked();
+    return true;
+  }
   if (event->type() == QEvent::MouseMove)
   {
     const auto* const mouse = static_cast<QMouseEvent*>(event);

@@ -74,6 +74,9 @@ signals:
   /// @param pictures  number of frames averaged so far; a fraction counts parts of the last one
   void Refined(double pictures);
 
+  /// The user wants to see this view alone, or all views again.
+  void DoubleClicked();
+
   /// Describes the object under the pointer, for the status bar; empty over nothing.
   void Pointed(const QString& text);
 

@@ -1,0 +1,133 @@
+#include "Viewer/CommandPalette.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The text of a menu has its key behind '&', and dots if a dialog follows.
+QString WordsOf(QString text)
+{
+  return text.remove('&').remove(QChar(0x2026)).simplified();
+}
+
+void AddCommands(const QList<QAction*>& actions, const QString& path, QVector<Command>& commands)
+{
+  for (QAction* const action : actions)
+  {
+    if (action->isSeparator() || !action->isEnabled() || !action->isVisible())
+    {
+      continue;
+    }
+    const QString own =
+      path.isEmpty() ? WordsOf(action->text()) : path + ": " + WordsOf(action->text());
+    if (QMenu* const menu = action->menu())
+    {
+      emit menu->aboutToShow(); // some menus are filled when they are shown
+      AddCommands(menu->actions(), own, commands);
+    }
+    else
+    {
+      commands.append({ own, action });
+    }
+  }
+}
+
+bool HoldsAll(const QString& text, const QStringList& words)
+{
+  return std::all_of(words.begin(), words.end(),
+    [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+}
+
+QVector<Command> CommandsOf(QMenuBar* menuBar)
+{
+  QVector<Command> commands;
+  AddCommands(menuBar->actions(), {}, commands);
+  return commands;
+}
+
+CommandPalette::CommandPalette(QMenuBar* menuBar, QWidget* parent)
+  : QDialog(parent)
+  , commands(CommandsOf(menuBar))
+  , search(new QLineEdit)
+  , list(new QListWidget)
+{
+  this->setObjectName("commandPalette");
+  this->setWindowTitle(tr("Find a command"));
+  this->setAttribute(Qt::WA_DeleteOnClose);
+  this->resize(460, 360);
+  this->search->setPlaceholderText(tr("Some letters of the command, such as \"panel look\""));
+  this->search->setAccessibleName(tr("Command"));
+  this->search->installEventFilter(this);
+  this->list->setAccessibleName(tr("Commands"));
+  this->list->setFocusPolicy(Qt::NoFocus); // the arrow keys move through it from the line
+  auto* const column = new QVBoxLayout(this);
+  column->addWidget(this->search);
+  column->addWidget(this->list);
+  connect(this->search, &QLineEdit::textChanged, this, &CommandPalette::Filter);
+  connect(this->search, &QLineEdit::returnPressed, this, &CommandPalette::Start);
+  connect(this->list, &QListWidget::itemClicked, this, &CommandPalette::Start);
+  this->Filter({});
+}
+
+void CommandPalette::Filter(const QString& text)
+{
+  const QStringList words = text.split(QRegularExpression("\\s+"), Qt::SkipEmptyParts);
+  this->list->clear();
+  for (int i = 0; i < this->commands.size(); ++i)
+  {
+    const Command& command = this->commands[i];
+    if (HoldsAll(command.path, words))
+    {
+      const QString key = command.action->shortcut().toString(QKeySequence::NativeText);
+      auto* const item = new QListWidgetItem(
+        key.isEmpty() ? command.path : tr("%1 (%2)").arg(command.path, key), this->list);
+      item->setData(Qt::UserRole, i);
+    }
+  }
+  this->list->setCurrentRow(0);
+}
+
+// The command starts when the dialog is closed, since it may open one of its own.
+void CommandPalette::Start()
+{
+  if (const QListWidgetItem* const item = this->list->currentItem())
+  {
+    QAction* const action = this->commands[item->data(Qt::UserRole).toInt()].action;
+    this->accept();
+    QTimer::singleShot(0, action, &QAction::trigger);
+  }
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::KeyPress)
+  {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp ||
+      key == Qt::Key_PageDown)
+    {
+      QCoreApplication::sendEvent(this->list, event);
+      return true;
+    }
+  }
+  return QDialog::eventFilter(watched, event);
+}
+
+}

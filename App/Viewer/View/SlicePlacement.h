@@ -1,0 +1,49 @@
+#ifndef Varimarch_Viewer_SlicePlacement_h
+#define Varimarch_Viewer_SlicePlacement_h
+
+#include "Scene/SlicePicture.h"
+
+#include <QPointF>
+#include <QSize>
+
+#include <array>
+
+class vtkImageData;
+
+namespace varimarch
+{
+
+/// How the user has placed a slice in its view.
+struct SliceZoom
+{
+  double factor = 1.0; ///< 1: the volume just fits into the view
+  QPointF shiftMm = { 0,
+    0 }; ///< offset of the view's centre from the volume's, to the right and down
+};
+
+/// Which point of the patient is at which place of a view that shows a slice.
+class SlicePlacement
+{
+public:
+  /// @param pointMm  a point of the slice, such as the crosshair; world space
+  SlicePlacement(vtkImageData* image, SlicePlane plane, const std::array<double, 3>& pointMm,
+    const QSize& view, const SliceZoom& zoom);
+
+  double MmPerPixel() const { return this->mmPerPixel; }
+
+  /// The point at the view's centre.
+  const std::array<double, 3>& MiddleMm() const { return this->middleMm; }
+
+  std::array<double, 3> PointAt(const QPointF& place) const;
+  QPointF PlaceOf(const std::array<double, 3>& pointMm) const;
+
+private:
+  SliceAxes axes;
+  QPointF centre; ///< the view's middle [pixels]
+  double mmPerPixel;
+  std::array<double, 3> middleMm;
+};
+
+}
+
+#endif

@@ -1,0 +1,102 @@
+// The window's first page, the arrangement of its views, and its commands by name.
+
+#include "TorsoWindow.h"
+#include "Viewer/CommandPalette.h"
+#include "Viewer/Open/StartPage.h"
+#include "Viewer/View/SliceView.h"
+#include "Viewer/View/ViewLayout.h"
+
+#include <QAbstractButton>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QTextBrowser>
+
+using namespace varimarch;
+
+TEST_F(Window, OffersScansAndSamplesWhileItIsEmpty)
+{
+  auto* const page = this->window.findChild<StartPage*>();
+  ASSERT_TRUE(page && page->isVisible());
+  EXPECT_FALSE(this->View()->isVisible());
+  const QList<QAbstractButton*> buttons = page->findChildren<QAbstractButton*>();
+  QAbstractButton* const sample = buttons.last(); // the computed one
+  QTest::mouseClick(sample, Qt::LeftButton);
+  ASSERT_TRUE(
+    QTest::qWaitFor([&] { return bool(this->Model()->CurrentStudy()); }, MostMilliseconds));
+  EXPECT_FALSE(page->isVisible());
+  EXPECT_TRUE(this->View()->isVisible());
+}
+
+TEST_F(Window, ShowsADoubleClickedViewAlone)
+{
+  this->OpenTorso();
+  auto* const layout = this->window.findChild<ViewLayout*>();
+  const QList<SliceView*> slices = this->window.findChildren<SliceView*>();
+  ASSERT_EQ(slices.size(), 3);
+  QTest::mouseClick(slices[1], Qt::LeftButton);
+  QTest::mouseDClick(slices[1], Qt::LeftButton);
+  QTest::qWait(50);
+  EXPECT_TRUE(slices[1]->isVisible());
+  EXPECT_FALSE(slices[0]->isVisible() || slices[2]->isVisible() || this->View()->isVisible());
+  EXPECT_GT(slices[1]->height(), 300);
+  QTest::mouseDClick(slices[1], Qt::LeftButton);
+  EXPECT_TRUE(slices[0]->isVisible() && slices[2]->isVisible() && this->View()->isVisible());
+  QTest::mouseDClick(this->View(), Qt::LeftButton);
+  EXPECT_EQ(layout->Alone(), this->window.CentralView());
+  EXPECT_FALSE(slices[0]->isVisible());
+  EXPECT_EQ(this->Model()->History()->count(), 1) << "the crosshair, put by the first click";
+
+  // A measurement by clicks is not the wish to see a view alone.
+  layout->ShowAlone(nullptr);
+  slices[0]->SetTool(LeftButton::Distance);
+  QTest::mouseDClick(slices[0], Qt::LeftButton);
+  EXPECT_FALSE(layout->Alone());
+}
+
+TEST_F(Window, ArrangesFourViewsAlike)
+{
+  this->window.resize(1280, 800);
+  this->OpenTorso();
+  this->window.findChild<QAction*>("fourAlike")->trigger();
+  QTest::qWait(50);
+  for (const SliceView* const slice : this->window.findChildren<SliceView*>())
+  {
+    EXPECT_NEAR(slice->width(), this->View()->width(), 30);
+    EXPECT_NEAR(slice->height(), this->View()->height(), 40);
+  }
+  this->window.Compare(MapperKind::VtkCpu);
+  EXPECT_FALSE(this->window.findChild<SliceView*>()->isVisible());
+  this->window.Compare(std::nullopt);
+  this->window.findChild<QAction*>("volumeLarge")->trigger();
+  QTest::qWait(50);
+  EXPECT_GT(this->View()->width(), 1.5 * this->window.findChild<SliceView*>()->width());
+}
+
+TEST_F(Window, FindsACommandByItsWords)
+{
+  this->OpenTorso();
+  this->window.findChild<QAction*>("findCommand")->trigger();
+  auto* const palette = this->window.findChild<QDialog*>("commandPalette");
+  ASSERT_TRUE(palette);
+  auto* const search = palette->findChild<QLineEdit*>();
+  auto* const list = palette->findChild<QListWidget*>();
+  EXPECT_GT(list->count(), 30);
+  QTest::keyClicks(search, "paral proj");
+  ASSERT_EQ(list->count(), 1);
+  EXPECT_EQ(list->item(0)->text(), "View: Parallel projection (5)");
+  QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_TRUE(QTest::qWaitFor(
+    [&] { return this->Model()->CurrentScene().camera.parallel; }, MostMilliseconds));
+}
+
+TEST_F(Window, TellsItsKeysAndWhatTheMouseDoes)
+{
+  this->window.findChild<QAction*>("mouseAndKeys")->trigger();
+  const auto* const text = this->window.findChild<QDialog*>("keys")->findChild<QTextBrowser*>();
+  for (const char* const line :
+    { "Ctrl+K", "Help: Find a command", "Double-click", "Tools: Rotate" })
+  {
+    EXPECT_TRUE(text->toPlainText().contains(line)) << line;
+  }
+}
