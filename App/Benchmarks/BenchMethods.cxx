@@ -244,7 +244,7 @@ bool IsPlain(const Scene& scene)
 {
   const SceneCuts& cuts = scene.cuts;
   return scene.look.gradientOpacities.empty() && cuts.box == SceneCuts().box &&
-    cuts.planes.empty() && cuts.scissors.empty();
+    cuts.planes.empty() && !NeedMask(cuts);
 }
 
 bool IsUsedIn(Pictures pictures, const Scene& scene)

@@ -183,17 +183,9 @@ void AddClippingRangeOption(CLI::App& command, SceneArguments& arguments)
     ->group("Image");
 }
 
-void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
+void AddCameraOptions(CLI::App& command, SceneArguments& arguments)
 {
   const std::string group = "Image";
-  command
-    .add_option_function<std::string>(
-      "--size",
-      [&](const std::string& text) { arguments.size = Sides<2>(text, 1, LargestPictureSide); },
-      "Size in pixels (default 512x512)")
-    ->check(IsSides<2>("800x600", 1, LargestPictureSide))
-    ->type_name("WxH")
-    ->group(group);
   AddChoice(command, "--view", arguments.view, ViewNames(),
     "Side of the patient seen (default automatic: anterior, or the face of a thin stack)")
     ->group(group);
@@ -214,6 +206,24 @@ void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
   command.add_flag("--parallel", arguments.parallel, "Parallel instead of perspective projection")
     ->group(group);
   AddClippingRangeOption(command, arguments);
+}
+
+void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
+{
+  const std::string group = "Image";
+  command
+    .add_option_function<std::string>(
+      "--size",
+      [&](const std::string& text) { arguments.size = Sides<2>(text, 1, LargestPictureSide); },
+      "Size in pixels (default 512x512)")
+    ->check(IsSides<2>("800x600", 1, LargestPictureSide))
+    ->type_name("WxH")
+    ->group(group);
+  AddCameraOptions(command, arguments);
+  command
+    .add_flag("--body-only", arguments.bodyOnly,
+      "Leave out the table, the head rest and clothes of a CT scan")
+    ->group(group);
   const auto setBackground = [&](const std::vector<double>& rgb) {
     arguments.background = { rgb[0], rgb[1], rgb[2] };
   };

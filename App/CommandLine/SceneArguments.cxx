@@ -1,5 +1,6 @@
 #include "SceneArguments.h"
 
+#include "Scene/BodyMask.h"
 #include "Scene/ImageStatistics.h"
 #include "Scene/LabelMap.h"
 #include "Scene/LookFiles.h"
@@ -135,6 +136,13 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;
   scene.shadows = arguments.shadows.value_or(scene.shadows);
   OverrideCamera(arguments, scene.camera);
+  scene.cuts.bodyOnly = arguments.bodyOnly || scene.cuts.bodyOnly;
+  if (scene.cuts.bodyOnly && !HasBodyMask(loaded.modality))
+  {
+    throw std::runtime_error(
+      "The table can be removed from CT only, whose values have a unit; found " +
+      (loaded.modality.empty() ? "a volume of unknown modality" : loaded.modality));
+  }
   OverrideSampling(arguments, scene.render);
   scene.size = arguments.size.value_or(scene.size);
   scene.background = arguments.background.value_or(scene.background);

@@ -35,6 +35,7 @@ struct SceneArguments
   std::optional<double> zoom;
   bool parallel = false;
   std::optional<std::array<double, 2>> clippingRangeMm;
+  bool bodyOnly = false;
   std::optional<std::array<double, 3>> background; ///< background as RGB, [0, 1]
   std::optional<double> sampleDistanceMm;          ///< sample distance, > 0
   std::optional<Acceleration> acceleration;

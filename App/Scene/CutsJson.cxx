@@ -55,7 +55,7 @@ ScissorsCut ScissorsCutFromJson(const JsonCursor& json)
 
 SceneCuts CutsFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "box", "planes", "scissors" });
+  json.RequireObject({ "box", "planes", "scissors", "bodyOnly" });
   SceneCuts cuts;
   if (const auto box = json.Find("box"))
   {
@@ -75,6 +75,10 @@ SceneCuts CutsFromJson(const JsonCursor& json)
       cuts.scissors.push_back(ScissorsCutFromJson(cut));
     }
   }
+  if (const auto bodyOnly = json.Find("bodyOnly"))
+  {
+    cuts.bodyOnly = bodyOnly->Boolean();
+  }
   return cuts;
 }
 
@@ -92,6 +96,7 @@ nlohmann::ordered_json JsonFromCuts(const SceneCuts& cuts)
     json["scissors"].push_back({ { "camera", JsonFromCamera(cut.camera) },
       { "outline", cut.outline }, { "keep", NameOf(KeptNames(), cut.keepsInside) } });
   }
+  json["bodyOnly"] = cuts.bodyOnly;
   return json;
 }
 

@@ -212,7 +212,14 @@ struct SceneCuts
   std::array<double, 6> box = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   std::vector<CutPlane> planes;
   std::vector<ScissorsCut> scissors;
+  bool bodyOnly = false; ///< leaves out the table and all else beside the body, see BodyMask.h
 };
+
+/// True if the cuts need a mask.
+inline bool NeedMask(const SceneCuts& cuts)
+{
+  return cuts.bodyOnly || !cuts.scissors.empty();
+}
 
 /// How the slices of a slab combine into one image.
 enum class SlabBlend

@@ -1,5 +1,6 @@
 #include "Scene/ScenePipeline.h"
 
+#include "Scene/BodyMask.h"
 #include "Scene/ImageOrientation.h"
 #include "Scene/LookRegions.h"
 #include "Scene/SceneCamera.h"
@@ -327,16 +328,21 @@ void ScenePipeline::SetCuts(const SceneCuts& cuts)
   }
   this->mapper->SetClippingPlanes(planes);
   // Making a mask visits every voxel; dragging a plane must not repeat that.
-  if (this->scissors != cuts.scissors)
+  if (this->scissors != cuts.scissors || this->bodyOnly != cuts.bodyOnly)
   {
-    this->SetScissors(cuts.scissors);
+    this->MakeMask(cuts);
   }
 }
 
-void ScenePipeline::SetScissors(const std::vector<ScissorsCut>& cuts)
+void ScenePipeline::MakeMask(const SceneCuts& cuts)
 {
-  this->scissors = cuts;
-  this->mask = MaskOf(cuts, this->image);
+  this->scissors = cuts.scissors;
+  this->bodyOnly = cuts.bodyOnly;
+  if (this->bodyOnly && !this->body)
+  {
+    this->body = BodyMask(this->image);
+  }
+  this->mask = MaskOf(cuts.scissors, this->image, this->bodyOnly ? this->body.Get() : nullptr);
   this->labelMask = this->labels ? LabelMask(*this->labels, this->mask) : nullptr;
   this->ApplyMask();
 }

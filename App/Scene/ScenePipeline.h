@@ -44,7 +44,7 @@ public:
   vtkVolume* Volume() { return this->volume; }
   vtkVolumeMapper* Mapper() { return this->mapper; }
 
-  /// The part that the scissors keep, see Scissors.h; null without scissors.
+  /// The part that scissors and BodyMask keep, see Scissors.h; null if they keep all.
   vtkImageData* Mask() const { return this->mask; }
 
   /// Each setter changes one part of the scene and keeps the volume.
@@ -69,7 +69,7 @@ public:
 private:
   bool DrawsLabels() const;
   bool DrawsRegions() const;
-  void SetScissors(const std::vector<ScissorsCut>& cuts);
+  void MakeMask(const SceneCuts& cuts);
   void ApplyProperty();
   void ApplyMask();
   void ApplyInterpolation();
@@ -80,6 +80,8 @@ private:
   Look look; ///< in units of the data
   Interpolation interpolation = Interpolation::Linear;
   std::vector<ScissorsCut> scissors; ///< the cuts that made the mask
+  bool bodyOnly = false;
+  vtkSmartPointer<vtkImageData> body; ///< see BodyMask.h; null before it is wanted
   vtkSmartPointer<vtkImageData> mask;
   std::shared_ptr<const LabelMap> labels;  ///< null without labels
   std::vector<Segment> segments;           ///< the look of the labels' segments

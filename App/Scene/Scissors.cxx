@@ -121,6 +121,30 @@ private:
   vtkSmartPointer<vtkImageData> inside; ///< rasterized outline: 1 inside, 0 outside
 };
 
+// Takes what another mask of the same box removes from a new mask.
+void KeepOnly(vtkImageData* kept, vtkImageData* mask)
+{
+  const int* const size = mask->GetDimensions();
+  const int* const keptSize = kept->GetDimensions();
+  const auto* const keptVoxels = static_cast<const unsigned char*>(kept->GetScalarPointer());
+  auto* const voxels = static_cast<unsigned char*>(mask->GetScalarPointer());
+  const auto nearest = [&](int voxel, int axis)
+  { return std::int64_t((voxel + 0.5) * keptSize[axis] / size[axis]); };
+  tbb::parallel_for(0, size[2],
+    [&](int z)
+    {
+      for (int y = 0; y < size[1]; ++y)
+      {
+        const unsigned char* const row =
+          keptVoxels + (nearest(z, 2) * keptSize[1] + nearest(y, 1)) * keptSize[0];
+        for (int x = 0; x < size[0]; ++x)
+        {
+          voxels[(std::int64_t(z) * size[1] + y) * size[0] + x] = row[nearest(x, 0)];
+        }
+      }
+    });
+}
+
 // Number of mask voxels along each axis.
 std::array<int, 3> MaskSize(vtkImageData* image)
 {
@@ -182,9 +206,10 @@ void RemoveFromMask(const Stencil& stencil, vtkImageData* mask, vtkImageData* im
 
 }
 
-vtkSmartPointer<vtkImageData> MaskOf(const std::vector<ScissorsCut>& cuts, vtkImageData* image)
+vtkSmartPointer<vtkImageData> MaskOf(
+  const std::vector<ScissorsCut>& cuts, vtkImageData* image, vtkImageData* body)
 {
-  if (cuts.empty())
+  if (cuts.empty() && !body)
   {
     return nullptr;
   }
@@ -195,6 +220,10 @@ vtkSmartPointer<vtkImageData> MaskOf(const std::vector<ScissorsCut>& cuts, vtkIm
   mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   auto* const voxels = static_cast<unsigned char*>(mask->GetScalarPointer());
   std::fill_n(voxels, mask->GetNumberOfPoints(), 1);
+  if (body)
+  {
+    KeepOnly(body, mask);
+  }
   for (const ScissorsCut& cut : cuts)
   {
     RemoveFromMask(Stencil(cut), mask, image);

@@ -16,8 +16,10 @@ namespace varimarch
 
 /// Binary mask for a mapper: 1 where the volume stays, 0 where a cut removes it. It covers the
 /// volume's box at the volume's resolution, or coarser by a whole factor beyond about 16 million
-/// voxels. Null without cuts.
-vtkSmartPointer<vtkImageData> MaskOf(const std::vector<ScissorsCut>& cuts, vtkImageData* image);
+/// voxels. Null without cuts and a body.
+/// @param body  the part that stays before the cuts, see BodyMask.h; null for all
+vtkSmartPointer<vtkImageData> MaskOf(
+  const std::vector<ScissorsCut>& cuts, vtkImageData* image, vtkImageData* body = nullptr);
 
 /// True if a mask keeps a point of the volume. A null mask keeps everything.
 /// @param index  continuous index of the point, within the image

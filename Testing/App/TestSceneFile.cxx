@@ -46,7 +46,7 @@ Scene UnusualScene()
     { LightKind::Positional, SceneLight().direction, { 4.0, 5.0, 6.0 } }, SceneLight() };
   scene.shadows = true;
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
-    { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } } };
+    { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } }, true };
   scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0, SlabBlend::Mean };
   scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "length" } };
   scene.angles = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, { 7.0, 8.0, 9.0 }, "bend" } };
@@ -114,6 +114,8 @@ TEST(SceneFile, KeepsMeasurementsAndScissorsCuts)
   EXPECT_EQ(back.boxes[0].fromMm, scene.boxes[0].fromMm);
   EXPECT_EQ(back.slices.slabBlend, SlabBlend::Mean);
   EXPECT_TRUE(back.cuts.scissors == scene.cuts.scissors);
+  EXPECT_TRUE(scene.cuts.bodyOnly);
+  EXPECT_TRUE(back.cuts.bodyOnly);
 }
 
 TEST(SceneFile, KeepsLightsAndHowTheyReflect)

@@ -19,7 +19,7 @@ constexpr int Middle = Side / 2;
 
 // Voxels of 1 mm, the centre one at the world's origin. Segment 1 is the cube of 11 voxels around
 // the origin, and segment 2 the slab of 2 voxels beside it, towards the patient's left.
-vtkSmartPointer<vtkImageData> Numbers()
+vtkSmartPointer<vtkImageData> SegmentNumbers()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(Side, Side, Side);
@@ -62,7 +62,8 @@ const Rgba Nothing = { 0, 0, 0, 0 };
 
 TEST(SliceSegments, AreOutlinesAroundALightFill)
 {
-  const auto picture = SliceSegments(Numbers(), Segments(), SegmentRequest(SlicePlane::Axial));
+  const auto picture =
+    SliceSegments(SegmentNumbers(), Segments(), SegmentRequest(SlicePlane::Axial));
   EXPECT_EQ(Pixel(picture, 0, 0), (Rgba{ 255, 0, 0, 38 })) << "30 % of half the opacity";
   EXPECT_EQ(Pixel(picture, -5, 0), (Rgba{ 255, 0, 0, 255 })) << "opaque, whatever the opacity";
   EXPECT_EQ(Pixel(picture, -4, 0)[3], 255);
@@ -77,23 +78,23 @@ TEST(SliceSegments, LieWhereTheirVoxelsAre)
 {
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal })
   {
-    const auto picture = SliceSegments(Numbers(), Segments(), SegmentRequest(plane));
+    const auto picture = SliceSegments(SegmentNumbers(), Segments(), SegmentRequest(plane));
     EXPECT_EQ(Pixel(picture, 7, 0)[2], 255) << "the patient's left is on the right";
     EXPECT_EQ(Pixel(picture, -7, 0), Nothing);
   }
   SliceRequest sagittal = SegmentRequest(SlicePlane::Sagittal);
   sagittal.middleMm = { 6.4, 0.0, 0.0 };
-  EXPECT_EQ(Pixel(SliceSegments(Numbers(), Segments(), sagittal), 0, 0)[2], 255)
+  EXPECT_EQ(Pixel(SliceSegments(SegmentNumbers(), Segments(), sagittal), 0, 0)[2], 255)
     << "the nearest voxel";
   sagittal.middleMm = { 7.6, 0.0, 0.0 };
-  EXPECT_EQ(Pixel(SliceSegments(Numbers(), Segments(), sagittal), 0, 0), Nothing);
+  EXPECT_EQ(Pixel(SliceSegments(SegmentNumbers(), Segments(), sagittal), 0, 0), Nothing);
 }
 
 TEST(SliceSegments, LeaveOutWhatIsHidden)
 {
   std::vector<Segment> segments = Segments();
   segments[0].visible = false;
-  const auto picture = SliceSegments(Numbers(), segments, SegmentRequest(SlicePlane::Axial));
+  const auto picture = SliceSegments(SegmentNumbers(), segments, SegmentRequest(SlicePlane::Axial));
   EXPECT_EQ(Pixel(picture, 0, 0), Nothing);
   EXPECT_EQ(Pixel(picture, 6, 0)[3], 255);
 }
@@ -102,9 +103,9 @@ TEST(SliceSegments, EndWithTheVolumeButHaveNoOutlineAtTheEdgeOfTheSlice)
 {
   SliceRequest request = SegmentRequest(SlicePlane::Axial);
   request.mmPerPixel = 0.25; // the slice shows 5 mm of the cube
-  EXPECT_EQ(Pixel(SliceSegments(Numbers(), Segments(), request), -Middle, 0)[3], 38);
+  EXPECT_EQ(Pixel(SliceSegments(SegmentNumbers(), Segments(), request), -Middle, 0)[3], 38);
   request.mmPerPixel = 2.0; // the slice is larger than the volume
-  EXPECT_EQ(Pixel(SliceSegments(Numbers(), Segments(), request), -Middle, 0), Nothing);
+  EXPECT_EQ(Pixel(SliceSegments(SegmentNumbers(), Segments(), request), -Middle, 0), Nothing);
 }
 
 }

@@ -73,6 +73,9 @@ def render(folder):
     assert len(seen) == 10, "an option changes nothing"
     _, message = run("render", VOLUME, "-o", folder / "a.png", "--clipping-range", "9,3", expect=2)
     assert "--clipping-range: expected the nearer distance first" in message, message
+    _, message = run("render", "procedural:marschner-lobb:16x16x16", "-o", folder / "a.png", "--body-only",
+                     expect=1)
+    assert "from CT only" in message and "unknown modality" in message, message
     scene = folder / "scene.json"
     scene.write_text('{"volume": {"procedural": "shells", "size": [16, 16, 16]},'
                      ' "look": "mr-head", "size": [40, 30]}')

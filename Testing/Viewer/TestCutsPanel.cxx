@@ -4,6 +4,7 @@
 #include "SmallStudy.h"
 #include "Viewer/Panels/CutsPanel.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QListWidget>
@@ -48,6 +49,23 @@ protected:
   CutsPanel panel{ &this->model };
 };
 
+}
+
+TEST_F(Cutting, RemovesTheTableOfACt)
+{
+  auto* const bodyOnly = this->panel.findChild<QCheckBox*>("bodyOnly");
+  auto study = std::make_shared<Study>(*SmallStudy());
+  study->volume.modality = "MR";
+  this->model.Open(ProceduralSource(), study);
+  EXPECT_FALSE(bodyOnly->isEnabled()) << "values of MR have no unit";
+  study->volume.modality = "CT";
+  this->model.Open(ProceduralSource(), study);
+  ASSERT_TRUE(bodyOnly->isEnabled());
+  bodyOnly->click();
+  EXPECT_TRUE(this->model.CurrentScene().cuts.bodyOnly);
+  this->model.History()->undo();
+  EXPECT_FALSE(this->model.CurrentScene().cuts.bodyOnly);
+  EXPECT_FALSE(bodyOnly->isChecked());
 }
 
 TEST_F(Cutting, IsPossibleOnlyWithAVolume)

@@ -1,10 +1,13 @@
 #include "Viewer/Panels/CutsPanel.h"
 
 #include "Scene/AnatomicalDirection.h"
+#include "Scene/BodyMask.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/SceneCuts.h"
 #include "Viewer/Panels/ClippingRangeBox.h"
+#include "Viewer/WaitCursor.h"
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QLabel>
@@ -56,6 +59,7 @@ CutsPanel::CutsPanel(SceneModel* model, QWidget* parent)
   , model(model)
 {
   auto* const layout = new QVBoxLayout(this);
+  layout->addWidget(this->MakeBodyOnly());
   layout->addWidget(this->MakePlanes());
   layout->addWidget(this->MakeBox());
   layout->addWidget(this->MakeScissors());
@@ -63,6 +67,21 @@ CutsPanel::CutsPanel(SceneModel* model, QWidget* parent)
   layout->addStretch();
   this->setEnabled(false);
   connect(model, &SceneModel::Changed, this, &CutsPanel::Show);
+}
+
+QCheckBox* CutsPanel::MakeBodyOnly()
+{
+  this->bodyOnly = new QCheckBox(tr("Remove table, head rest and clothes"));
+  this->bodyOnly->setObjectName("bodyOnly");
+  this->bodyOnly->setToolTip(tr("Shows the body of a CT scan alone"));
+  connect(this->bodyOnly, &QCheckBox::clicked, this,
+    [this](bool on)
+    {
+      const WaitCursor wait; // the body of a large scan takes some seconds
+      this->model->Edit(ScenePart::Cuts, on ? tr("remove the table") : tr("show the table"),
+        [on](Scene& scene) { scene.cuts.bodyOnly = on; });
+    });
+  return this->bodyOnly;
 }
 
 QToolButton* CutsPanel::MakeAddButton()
@@ -175,7 +194,7 @@ void CutsPanel::ShowScissors()
 {
   const int count = int(this->model->CurrentScene().cuts.scissors.size());
   this->scissors->setText(count == 0
-      ? tr("Choose Cut out or Keep above, then draw around the part to remove or to keep.")
+      ? tr("Choose Scissors or Keep inside above, then draw around the part to remove or to keep.")
       : tr("Scissors cuts: %1").arg(count));
   this->bringBack->setEnabled(count > 0);
 }
@@ -188,6 +207,8 @@ void CutsPanel::Show(ScenePart part)
     this->ShowPlanes();
     this->ShowBox();
     this->ShowScissors();
+    this->bodyOnly->setChecked(this->model->CurrentScene().cuts.bodyOnly);
+    this->bodyOnly->setEnabled(HasBodyMask(this->model->CurrentStudy()->volume.modality));
   }
 }
 

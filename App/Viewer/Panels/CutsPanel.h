@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+class QCheckBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
@@ -26,6 +27,7 @@ public:
   explicit CutsPanel(SceneModel* model, QWidget* parent = nullptr);
 
 private:
+  QCheckBox* MakeBodyOnly();
   QToolButton* MakeAddButton();
   QSlider* MakeSlider(const QString& name);
   QWidget* MakePlanes();
@@ -44,6 +46,7 @@ private:
   void MoveFace(int face, int position);
 
   SceneModel* model;
+  QCheckBox* bodyOnly;
   QToolButton* add;
   QListWidget* planes;
   std::vector<CutPlane> shown; ///< the planes in the list

@@ -92,6 +92,8 @@ QString SettingRows(const Scene& scene, const ImageStatistics& statistics)
     Row(ReportTexts::tr("Light"), LightText(scene.look.shading)) +
     Row(ReportTexts::tr("Cut planes"), QString::number(scene.cuts.planes.size())) +
     Row(ReportTexts::tr("Scissors cuts"), QString::number(scene.cuts.scissors.size())) +
+    Row(ReportTexts::tr("Table and clothes"),
+      scene.cuts.bodyOnly ? ReportTexts::tr("removed") : ReportTexts::tr("shown")) +
     Row(ReportTexts::tr("Promised error"), ErrorText(scene.render));
 }
 

@@ -312,15 +312,15 @@ Mittel von %1 Bildern</translation>
     </message>
     <message>
         <source>
-scissors not supported</source>
-        <translation>
-kennt keine Schere</translation>
-    </message>
-    <message>
-        <source>
 segments not supported</source>
         <translation>
 kennt keine Segmente</translation>
+    </message>
+    <message>
+        <source>
+masks not supported</source>
+        <translation>
+Masken nicht unterstützt</translation>
     </message>
 </context>
 <context>
@@ -542,6 +542,18 @@ kennt keine Segmente</translation>
     <message>
         <source>Segments</source>
         <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Table and clothes</source>
+        <translation>Tisch und Kleidung</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
     </message>
 </context>
 <context>
@@ -1090,10 +1102,6 @@ kennt keine Segmente</translation>
         <translation>alle Scherenschnitte entfernen</translation>
     </message>
     <message>
-        <source>Choose Cut out or Keep above, then draw around the part to remove or to keep.</source>
-        <translation>Oben Ausschneiden oder Behalten wählen, dann den Teil umfahren, der weg soll oder bleiben soll.</translation>
-    </message>
-    <message>
         <source>Scissors cuts: %1</source>
         <translation>Schnitte mit der Schere: %1</translation>
     </message>
@@ -1116,6 +1124,26 @@ kennt keine Segmente</translation>
     <message>
         <source>crop</source>
         <translation>beschneiden</translation>
+    </message>
+    <message>
+        <source>Remove table, head rest and clothes</source>
+        <translation>Tisch, Kopfstütze und Kleidung entfernen</translation>
+    </message>
+    <message>
+        <source>Shows the body of a CT scan alone</source>
+        <translation>Zeigt nur den Körper einer CT-Aufnahme</translation>
+    </message>
+    <message>
+        <source>remove the table</source>
+        <translation>Tisch entfernen</translation>
+    </message>
+    <message>
+        <source>show the table</source>
+        <translation>Tisch zeigen</translation>
+    </message>
+    <message>
+        <source>Choose Scissors or Keep inside above, then draw around the part to remove or to keep.</source>
+        <translation>Wählen Sie oben Schere oder Inneres behalten, und umfahren Sie, was entfernt werden oder bleiben soll.</translation>
     </message>
 </context>
 <context>

@@ -312,15 +312,15 @@ media de %1 imágenes</translation>
     </message>
     <message>
         <source>
-scissors not supported</source>
-        <translation>
-no conoce las tijeras</translation>
-    </message>
-    <message>
-        <source>
 segments not supported</source>
         <translation>
 no conoce los segmentos</translation>
+    </message>
+    <message>
+        <source>
+masks not supported</source>
+        <translation>
+no admite máscaras</translation>
     </message>
 </context>
 <context>
@@ -542,6 +542,18 @@ no conoce los segmentos</translation>
     <message>
         <source>Segments</source>
         <translation>Segmentos</translation>
+    </message>
+    <message>
+        <source>Table and clothes</source>
+        <translation>Mesa y ropa</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>quitadas</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>mostradas</translation>
     </message>
 </context>
 <context>
@@ -1090,10 +1102,6 @@ no conoce los segmentos</translation>
         <translation>quitar todos los cortes con tijeras</translation>
     </message>
     <message>
-        <source>Choose Cut out or Keep above, then draw around the part to remove or to keep.</source>
-        <translation>Elija arriba Cortar o Conservar y rodee la parte que se quita o se conserva.</translation>
-    </message>
-    <message>
         <source>Scissors cuts: %1</source>
         <translation>Cortes con tijeras: %1</translation>
     </message>
@@ -1116,6 +1124,26 @@ no conoce los segmentos</translation>
     <message>
         <source>crop</source>
         <translation>recortar</translation>
+    </message>
+    <message>
+        <source>Remove table, head rest and clothes</source>
+        <translation>Quitar la mesa, el reposacabezas y la ropa</translation>
+    </message>
+    <message>
+        <source>Shows the body of a CT scan alone</source>
+        <translation>Muestra solo el cuerpo de un estudio de TC</translation>
+    </message>
+    <message>
+        <source>remove the table</source>
+        <translation>quitar la mesa</translation>
+    </message>
+    <message>
+        <source>show the table</source>
+        <translation>mostrar la mesa</translation>
+    </message>
+    <message>
+        <source>Choose Scissors or Keep inside above, then draw around the part to remove or to keep.</source>
+        <translation>Elija arriba Tijeras o Conservar el interior, y dibuje alrededor de la parte que se quita o se conserva.</translation>
     </message>
 </context>
 <context>

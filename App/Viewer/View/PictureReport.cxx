@@ -24,9 +24,9 @@ QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
   const QString mapper = kind == MapperKind::VtkGpu ? Texts::tr("VTK, GPU") : Texts::tr("VTK, CPU");
   QString report = Texts::tr("%1\n%2\nerror unknown").arg(mapper, time);
   // Both need a mask.
-  if (!CanCutByScissors(kind) && !scene.cuts.scissors.empty())
+  if (!CanCutByScissors(kind) && NeedMask(scene.cuts))
   {
-    report += Texts::tr("\nscissors not supported");
+    report += Texts::tr("\nmasks not supported");
   }
   if (!CanCutByScissors(kind) && scene.labels)
   {
