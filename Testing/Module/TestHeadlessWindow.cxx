@@ -88,6 +88,16 @@ TEST(HeadlessWindow, ReturnsToTheContextThatWasCurrent)
   EXPECT_TRUE(first->IsCurrent() && !second->IsCurrent());
 }
 
+TEST(HeadlessWindow, HasADepthThatVtkMayAskFor)
+{
+  vtkNew<vtkHeadlessRenderWindow> window;
+  window->Initialize();
+  window->MakeCurrent();
+  ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+  EXPECT_GE(window->GetDepthBufferSize(), 24);
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
 TEST(HeadlessWindow, TellsOnceThatItsGraphicsCardWasReset)
 {
   HomogeneousScene scene(0.05);
