@@ -141,6 +141,11 @@ void vtkVariationFieldVolumeMapper::Internals::Draw(
     mapper->ReportOnce("Not enough memory to draw this volume; close other programs, or draw a "
                        "smaller volume or image");
   }
+  catch (const varimarch::GraphicsReset& reset)
+  {
+    mapper->ReportOnce(reset.what());
+    mapper->InvokeEvent(varimarch::GraphicsResetEvent, nullptr);
+  }
   catch (const std::exception& problem)
   {
     mapper->ReportOnce(problem.what());
@@ -209,7 +214,16 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   if (frame)
   {
     frame->view.window->MakeCurrent();
-    this->Private->DrawInTime(this, volume, *frame);
+    try
+    {
+      this->Private->DrawInTime(this, volume, *frame);
+    }
+    catch (const std::exception&)
+    {
+      // A lost context fails in many ways.
+      varimarch::CheckForGraphicsReset();
+      throw;
+    }
     varimarch::CheckForGraphicsReset();
     selected.ReportCounts(this->GetDataSetInput());
     vtkOpenGLCheckErrorMacro("OpenGL error after drawing");

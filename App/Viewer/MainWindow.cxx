@@ -95,6 +95,10 @@ void MainWindow::Listen()
         this->statusBar()->clearMessage(); // it gives the reason for the first look
       }
     });
+  // The view is still drawing when it tells.
+  connect(this->view->Ours(), &VolumeView::GraphicsLost, this, &MainWindow::RenewGraphics,
+    Qt::QueuedConnection);
+  connect(this->view->Ours(), &VolumeView::Drawn, this, [this] { this->resetsInARow = 0; });
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
   connect(&this->loader, &VolumeLoader::SeriesFound, this, &MainWindow::AskForSeries);
   connect(&this->loader, &VolumeLoader::LabelsLoaded, this, &MainWindow::ShowSegmentation);

@@ -94,6 +94,7 @@ private:
 
   /// Returns true if the shown scan can be left: its work is saved, or the user gives it up.
   bool MayLeaveScan();
+  void RenewGraphics();
   void ShowSaved(const QString& path);
   void ListRecentScans();
   void ShowAbout();
@@ -132,6 +133,7 @@ private:
   bool isDropped = false;         ///< the file being loaded may be a segmentation of the scan
   std::vector<SeriesSummary> segmentations; ///< found in the folder that is being loaded
   QString savedWork;                        ///< the work that is in a file
+  int resetsInARow = 0; ///< resets of the graphics card without an image between them
   ComparisonView* view;
   std::vector<SliceView*> sliceViews;
   ViewLayout* views;

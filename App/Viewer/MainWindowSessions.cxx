@@ -1,4 +1,5 @@
-// The part of MainWindow that keeps the user's work: sessions, and questions before it is lost.
+// The part of MainWindow that keeps the user's work: sessions, questions before it is lost, and
+// what follows a reset of the graphics card.
 
 #include "Viewer/MainWindow.h"
 
@@ -6,9 +7,11 @@
 #include "Viewer/SaveDialog.h"
 
 #include <QCloseEvent>
+#include <QGuiApplication>
 #include <QMessageBox>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTimer>
 
 #include <exception>
 
@@ -64,6 +67,39 @@ void MainWindow::OfferAutosaved()
   {
     this->Open(this->autosave.Path());
   }
+}
+
+// Makes new contexts: that of the window, with which the views share theirs, is lost too.
+void MainWindow::RenewGraphics()
+{
+  constexpr int MostInARow = 2;
+  constexpr int GestureMilliseconds = 50;
+  if (QGuiApplication::mouseButtons() != Qt::NoButton)
+  {
+    // A window that is made anew would miss the end of the gesture.
+    QTimer::singleShot(GestureMilliseconds, this, &MainWindow::RenewGraphics);
+    return;
+  }
+  LogEvent("graphics card reset");
+  const bool goesOn = ++this->resetsInARow < MostInARow;
+  if (goesOn)
+  {
+    // A view drops its context when it leaves a window.
+    QWidget* const center = this->takeCentralWidget();
+    this->hide();
+    this->destroy(true, false);
+    this->setCentralWidget(center);
+    center->show();
+    this->show();
+  }
+  auto* const box = new QMessageBox(QMessageBox::Warning, tr("Graphics card"),
+    goesOn ? tr("The graphics card was reset, and the image is drawn anew; nothing is lost.")
+           : tr("The graphics card was reset again before it had drawn an image; save the session "
+                "and start the program again, with another driver, or with "
+                "LIBGL_ALWAYS_SOFTWARE=1 to draw without the card."),
+    QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

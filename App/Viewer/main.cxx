@@ -134,6 +134,7 @@ int main(int argumentCount, char** arguments)
 
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
+  format.setOption(QSurfaceFormat::ResetNotification);
   QSurfaceFormat::setDefaultFormat(format);
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   // A file beyond the shell's limit is then an error of the writer.

@@ -1556,6 +1556,18 @@ Masken nicht unterstützt</translation>
         <translation>Darstellung „%1“: %2. R stellt sie wieder her.</translation>
     </message>
     <message>
+        <source>Graphics card</source>
+        <translation>Grafikkarte</translation>
+    </message>
+    <message>
+        <source>The graphics card was reset, and the image is drawn anew; nothing is lost.</source>
+        <translation>Die Grafikkarte wurde zurückgesetzt, und das Bild wird neu gezeichnet; nichts ist verloren.</translation>
+    </message>
+    <message>
+        <source>The graphics card was reset again before it had drawn an image; save the session and start the program again, with another driver, or with LIBGL_ALWAYS_SOFTWARE=1 to draw without the card.</source>
+        <translation>Die Grafikkarte wurde erneut zurückgesetzt, bevor sie ein Bild gezeichnet hatte; speichern Sie die Sitzung und starten Sie das Programm neu, mit einem anderen Treiber, oder mit LIBGL_ALWAYS_SOFTWARE=1, um ohne die Karte zu zeichnen.</translation>
+    </message>
+    <message>
         <source>Cannot open</source>
         <translation>Öffnen nicht möglich</translation>
     </message>

@@ -1556,6 +1556,18 @@ no admite máscaras</translation>
         <translation>Aspecto «%1»: %2. Pulse R para restaurarlo.</translation>
     </message>
     <message>
+        <source>Graphics card</source>
+        <translation>Tarjeta gráfica</translation>
+    </message>
+    <message>
+        <source>The graphics card was reset, and the image is drawn anew; nothing is lost.</source>
+        <translation>La tarjeta gráfica se reinició y la imagen se dibuja de nuevo; no se ha perdido nada.</translation>
+    </message>
+    <message>
+        <source>The graphics card was reset again before it had drawn an image; save the session and start the program again, with another driver, or with LIBGL_ALWAYS_SOFTWARE=1 to draw without the card.</source>
+        <translation>La tarjeta gráfica se reinició otra vez antes de dibujar una imagen; guarde la sesión e inicie el programa de nuevo, con otro controlador, o con LIBGL_ALWAYS_SOFTWARE=1 para dibujar sin la tarjeta.</translation>
+    </message>
+    <message>
         <source>Cannot open</source>
         <translation>No se puede abrir</translation>
     </message>

@@ -1,5 +1,6 @@
 #include "Viewer/View/VolumeView.h"
 
+#include "March/Device/GraphicsReset.h"
 #include "Viewer/View/PictureReport.h"
 
 #include <QMouseEvent>
@@ -191,6 +192,7 @@ void VolumeView::TakeVolume()
   this->TakeLabels();
   // The corner of the view says whether the error tolerance is kept; the mapper need not warn.
   this->pipeline->Mapper()->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
+  this->events->Connect(this->pipeline->Mapper(), GraphicsResetEvent, this, SLOT(LoseGraphics()));
   this->ApplyRefining();
   this->window->AddRenderer(this->pipeline->Renderer());
   this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);

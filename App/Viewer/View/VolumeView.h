@@ -71,6 +71,9 @@ signals:
   /// A frame, or its last part, is complete.
   void Drawn();
 
+  /// The graphics card was reset. The view draws again when it has a new context.
+  void GraphicsLost();
+
   /// @param pictures  number of frames averaged so far; a fraction counts parts of the last one
   void Refined(double pictures);
 
@@ -81,6 +84,7 @@ signals:
   void Pointed(const QString& text);
 
 protected:
+  void initializeGL() override;
   bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -91,6 +95,7 @@ private slots:
   void KeepCamera();
   void BeginPicture();
   void EndPicture();
+  void LoseGraphics();
 
 private:
   static constexpr double PicturesPerSecondWhileMoving = 15.0;
@@ -128,6 +133,7 @@ private:
   QElapsedTimer pictureTimer;
   double pictureSeconds = 0.0;
   bool capturing = false;
+  bool isLost = false; ///< the graphics card was reset, and the context is still the same
   int turning = SceneModel::NoGesture; ///< gesture number of the camera
   bool isTurning = false;
   MouseTools tools;

@@ -1,4 +1,4 @@
-// The frames of a VolumeView: quick, fine and refined.
+// The frames of a VolumeView: quick, fine and refined; and those that are lost.
 
 #include "Viewer/View/VolumeView.h"
 
@@ -23,6 +23,10 @@ constexpr double LongestPartSeconds = 0.3;
 
 void VolumeView::Draw(double framesPerSecond)
 {
+  if (this->isLost)
+  {
+    return;
+  }
   // While the user turns the camera, VTK's interactor style sets the rate.
   if (!this->isTurning)
   {
@@ -77,7 +81,7 @@ void VolumeView::Refine()
     return;
   }
   auto* const ours = this->OurMapper();
-  if (!ours || ours->GetDrawnPart() >= 1.0)
+  if (!ours || ours->GetDrawnPart() >= 1.0 || this->isLost)
   {
     return;
   }
@@ -122,7 +126,7 @@ void VolumeView::BeginPicture()
 
 void VolumeView::EndPicture()
 {
-  if (this->capturing)
+  if (this->capturing || this->isLost)
   {
     return;
   }
@@ -138,6 +142,25 @@ void VolumeView::EndPicture()
   if (this->isWhole)
   {
     emit this->Drawn();
+  }
+}
+
+void VolumeView::LoseGraphics()
+{
+  if (!this->isLost)
+  {
+    this->isLost = true;
+    emit this->GraphicsLost();
+  }
+}
+
+void VolumeView::initializeGL()
+{
+  QVTKOpenGLNativeWidget::initializeGL();
+  if (this->isLost)
+  {
+    this->isLost = false;
+    this->pacer.Request();
   }
 }
 

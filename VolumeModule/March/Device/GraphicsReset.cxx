@@ -2,8 +2,6 @@
 
 #include "VtkVersions.h"
 
-#include <stdexcept>
-
 namespace varimarch
 {
 
@@ -11,11 +9,13 @@ void CheckForGraphicsReset()
 {
   // A function of OpenGL 4.5, whose name stands for a pointer.
   const bool isKnown = glGetGraphicsResetStatus != nullptr;
-  if (isKnown && glGetGraphicsResetStatus() != GL_NO_ERROR)
+  const bool isTold = isKnown && glGetGraphicsResetStatus() != GL_NO_ERROR;
+  // Somebody else may have asked before, such as Qt; a lost context then answers nothing.
+  if (isTold || !glGetString(GL_VERSION))
   {
-    throw std::runtime_error("The graphics card was reset while the image was drawn: start the "
-                             "program again, or make a new window; if this happens again, choose a "
-                             "smaller image, or another driver");
+    throw GraphicsReset("The graphics card was reset while the image was drawn: start the program "
+                        "again, or make a new window; if this happens again, choose a smaller "
+                        "image, or another driver");
   }
 }
 
