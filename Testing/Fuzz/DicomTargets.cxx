@@ -1,11 +1,17 @@
-// DICOM: single files, folders of slices, and indices. Compressed and deflated files are left out:
-// GDCM reads them, whose faults the reader cannot mend.
+// DICOM: single files, folders of slices, indices, and compressed or deflated files. The last have
+// a target of their own: GDCM ends the decoder at many of them, which takes time.
 #include "Fuzz/FuzzInput.h"
 #include "Fuzz/FuzzTarget.h"
 #include "Fuzz/ReadInput.h"
 #include "Module/PhantomDicom.h"
 
+#include <gdcmImageChangeTransferSyntax.h>
+#include <gdcmImageReader.h>
+#include <gdcmImageWriter.h>
+
 #include <algorithm>
+#include <numeric>
+#include <sstream>
 
 namespace varimarch
 {
@@ -97,31 +103,111 @@ std::vector<std::string> IndexSeeds()
   return { JoinedFiles(files) };
 }
 
+/// A slice of 16 x 16 pixels: GDCM writes behind its buffer if JPEG 2000 makes pixels longer.
+Elements WideSlice()
+{
+  Elements elements = Slice(0);
+  std::vector<int> values(16 * 16);
+  std::iota(values.begin(), values.end(), 0);
+  elements[0x00280010] = Shorts({ 16 });
+  elements[0x00280011] = Shorts({ 16 });
+  elements[0x7fe00010] = Pixels(values);
+  return elements;
+}
+
+/// The same with 8 bits, which is all that the baseline of JPEG has.
+Elements ByteSlice()
+{
+  Elements elements = WideSlice();
+  elements[0x00280100] = Shorts({ 8 });
+  elements[0x00280101] = Shorts({ 8 });
+  elements[0x00280102] = Shorts({ 7 });
+  elements[0x00280103] = Shorts({ 0 });
+  elements[0x7fe00010] = { "OB", std::string(16 * 16, '\x28') };
+  return elements;
+}
+
+/// A file in another transfer syntax, which GDCM writes.
+std::string CompressedFile(const Elements& elements, gdcm::TransferSyntax::TSType syntax)
+{
+  std::istringstream plain(FileBytes(elements));
+  gdcm::ImageReader reader;
+  reader.SetStream(plain);
+  Require(reader.Read(), "GDCM does not read a seed");
+  gdcm::ImageChangeTransferSyntax change;
+  change.SetTransferSyntax(syntax);
+  change.SetInput(reader.GetImage());
+  Require(change.Change(), "GDCM does not compress a seed");
+  std::ostringstream compressed;
+  gdcm::ImageWriter writer;
+  writer.SetFile(reader.GetFile());
+  writer.SetImage(change.GetOutput());
+  writer.SetStream(compressed);
+  Require(writer.Write(), "GDCM does not write a seed");
+  return compressed.str();
+}
+
+std::vector<std::string> CompressedSeeds()
+{
+  using Syntax = gdcm::TransferSyntax;
+  std::vector<std::string> seeds = { FileBytes(Slice(0), DeflatedSyntax),
+    CompressedFile(ByteSlice(), Syntax::JPEGBaselineProcess1) };
+  for (const Syntax::TSType syntax : { Syntax::JPEGLosslessProcess14_1, Syntax::JPEGLSLossless,
+         Syntax::JPEG2000Lossless, Syntax::RLELossless })
+  {
+    seeds.push_back(CompressedFile(WideSlice(), syntax));
+  }
+  return seeds;
+}
+
 bool NeedsGdcm(const std::string& input)
 {
   const auto holds = [&](const char* uid) { return input.find(uid) != input.npos; };
   return holds("1.2.840.10008.1.2.4.") || holds(RunLengthSyntax) || holds(DeflatedSyntax);
 }
 
-FuzzTarget DicomTarget(const std::string& name, const std::vector<std::string>& files,
-  const std::string& opens, std::vector<std::string> (*seeds)())
+const std::vector<std::string>& Words()
 {
-  const auto run = [files, opens](const std::string& input)
-  {
-    if (NeedsGdcm(input))
-    {
-      return false;
-    }
-    Inputs().Replace(files, input);
-    return ReadInput(Inputs().Path(opens));
-  };
-  const std::vector<std::string> words = { "DICM", ImplicitSyntax, ExplicitSyntax,
+  static const std::vector<std::string> words = { "DICM", ImplicitSyntax, ExplicitSyntax,
     "1.2.840.10008.1.2.2", "MONOCHROME1", "MONOCHROME2", "PALETTE COLOR", "RGB", "YBR_FULL",
     "YBR_FULL_422", "ARGB", "SQ", "OB", "OW", "OF", "UN", "DS", "IS", "US", "FD", "MOSAIC",
     "SIEMENS CSA HEADER", "SV10", "ORIGINAL\\PRIMARY", "LOCALIZER", "HFS", "FFP", "\\", "1e400",
     std::string("\xfe\xff\x00\xe0\xff\xff\xff\xff", 8),
     std::string("\xfe\xff\x0d\xe0\x00\x00\x00\x00", 8), FileBoundary };
-  return { name, run, seeds, words };
+  return words;
+}
+
+bool ReadFiles(
+  const std::vector<std::string>& files, const std::string& opens, const std::string& input)
+{
+  Inputs().Replace(files, input);
+  return ReadInput(Inputs().Path(opens));
+}
+
+FuzzTarget DicomTarget(const std::string& name, const std::vector<std::string>& files,
+  const std::string& opens, std::vector<std::string> (*seeds)())
+{
+  const auto run = [files, opens](const std::string& input)
+  { return !NeedsGdcm(input) && ReadFiles(files, opens, input); };
+  return { name, run, seeds, Words() };
+}
+
+FuzzTarget CompressedTarget()
+{
+  const auto run = [](const std::string& input) { return ReadFiles({ "a.dcm" }, "a.dcm", input); };
+  std::vector<std::string> words = Words();
+  for (const char* syntax : { "50", "51", "57", "70", "80", "81", "90", "91" })
+  {
+    words.push_back(std::string("1.2.840.10008.1.2.4.") + syntax);
+  }
+  // Markers of JPEG, JPEG-LS and JPEG 2000: images, frames, tables, scans, restarts, tiles.
+  for (const char* marker : { "\xff\xd8", "\xff\xd9", "\xff\xc0", "\xff\xc2", "\xff\xc3",
+         "\xff\xc4", "\xff\xda", "\xff\xdb", "\xff\xdd", "\xff\xf7", "\xff\xf8", "\xff\x4f\xff\x51",
+         "\xff\x52", "\xff\x5c", "\xff\x90", "\xff\x93" })
+  {
+    words.emplace_back(marker);
+  }
+  return { "dicom-compressed", run, CompressedSeeds, words };
 }
 
 }
@@ -130,7 +216,8 @@ std::vector<FuzzTarget> DicomTargets()
 {
   return { DicomTarget("dicom", { "a.dcm" }, "a.dcm", FileSeeds),
     DicomTarget("dicom-folder", { "1", "2", "3", "4", "5", "6" }, "", FolderSeeds),
-    DicomTarget("dicomdir", { "DICOMDIR", "1", "2", "3" }, "DICOMDIR", IndexSeeds) };
+    DicomTarget("dicomdir", { "DICOMDIR", "1", "2", "3" }, "DICOMDIR", IndexSeeds),
+    CompressedTarget() };
 }
 
 }

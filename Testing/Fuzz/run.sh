@@ -44,7 +44,7 @@ options=(-max_total_time=$mostSeconds -timeout=60 -report_slow_units=60 -rss_lim
   -close_fd_mask=3 -print_final_stats=1 -reload=0)
 # A run of less than a minute is a check of a change, whose inputs should depend little on chance.
 [ "$seconds" -ge 60 ] || options+=(-seed=1)
-foreign=" dicom dicom-folder dicomdir minc tiff pictures vti pvti vtk archive inv3 "
+foreign=" dicom dicom-compressed dicom-folder dicomdir minc tiff pictures vti pvti vtk archive inv3 "
 
 # inputsOf NAME... prints the names with the number of inputs of all runs, fewest first.
 inputsOf()

@@ -2,6 +2,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkPointData.h>
 
 #include <tbb/parallel_for.h>
@@ -106,12 +107,16 @@ std::vector<double> Mapped(const DicomFrame& frame, const std::vector<double>& r
   return mapped;
 }
 
+/// Compressed pixels may have another type than their file's attributes promise: values beyond the
+/// promised type become its nearest ones.
 void PutRow(const std::vector<double>& row, int scalarType, void* begin)
 {
   const auto copy = [&](auto* to)
   {
-    using Value = std::remove_reference_t<decltype(*to)>;
-    std::transform(row.begin(), row.end(), to, [](double value) { return Value(value); });
+    for (const double value : row)
+    {
+      vtkMath::RoundDoubleToIntegralIfNecessary(value, to++);
+    }
   };
   switch (scalarType)
   {
