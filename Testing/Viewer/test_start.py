@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
-"""Starts the viewer where it cannot work: it ends with one sentence instead of a crash.
+"""Starts the viewer where it cannot work, or takes its display away: it ends with one sentence
+instead of a crash.
 
 Usage: test_start.py VIEWER XVFB_RUN
 """
 
 import os
+import pathlib
 import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 VIEWER, XVFB_RUN = sys.argv[1:]
 
@@ -49,6 +52,32 @@ def without_opengl(home):
             process.wait(timeout=30)
 
 
+def display_that_ends(home):
+    """The display ends while a volume is shown and the presets are drawn: no crash, but a code."""
+    volume = pathlib.Path(home) / "a.nrrd"
+    header = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 40 40\nencoding: raw\n\n"
+    volume.write_bytes(header.encode() + bytes(i % 251 for i in range(40**3)))
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24"],
+                              pass_fds=[write], stderr=subprocess.DEVNULL)
+    try:
+        environment = {**os.environ, "HOME": home, "QT_QPA_PLATFORM": "xcb",
+                       "DISPLAY": ":" + os.read(read, 16).decode().strip()}
+        process = subprocess.Popen([VIEWER, volume], env=environment, text=True,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        while not any("volume" in log.read_text() for log in pathlib.Path(home).rglob("*.log")):
+            assert process.poll() is None, process.stderr.read()
+            time.sleep(0.1)
+        time.sleep(0.5)
+    finally:
+        server.kill()
+        server.wait()
+    _, told = process.communicate(timeout=60)
+    assert process.returncode == 1, f"exit code {process.returncode}: {told}"
+    assert "X11 connection broke" in told, told
+
+
 with tempfile.TemporaryDirectory() as folder:
     without_display(folder)
     without_opengl(folder)
+    display_that_ends(folder)
