@@ -1,6 +1,7 @@
-// Random actions in the whole window: clicks, drags, keys, menus, sliders, undo, while it may be
-// busy. Whatever is done, a saved session reads back equal, undoing everything returns to the
-// beginning, and VTK reports no error.
+// Random actions in the whole window: clicks, drags, keys, menus, sliders, undo, and opening the
+// scan again, while it may be busy. Whatever is done, a saved session reads back equal, undoing
+// everything returns to the beginning, and VTK reports no error. In the end the window closes while
+// it loads.
 //
 // VARIMARCH_RANDOM_ACTIONS is the number of actions, VARIMARCH_RANDOM_SEED the seed.
 
@@ -72,8 +73,9 @@ std::string TextOf(const SceneModel* model)
 class Monkey
 {
 public:
-  Monkey(MainWindow* window, std::uint64_t seed)
+  Monkey(MainWindow* window, const QString& scan, std::uint64_t seed)
     : window(window)
+    , scan(scan)
     , dice(seed, 0)
   {
   }
@@ -81,6 +83,10 @@ public:
   /// Does something, and returns its name.
   QString Act()
   {
+    if (this->dice.Chance(0.03))
+    {
+      return this->Open();
+    }
     switch (this->dice.Whole(0, 7))
     {
       case 0:
@@ -96,6 +102,14 @@ public:
       default:
         return this->Operate();
     }
+  }
+
+  /// Opens the scan again without waiting for it, and without work that a question would protect.
+  QString Open()
+  {
+    this->window->Model()->History()->setIndex(0);
+    this->window->Open(this->scan);
+    return "open";
   }
 
 private:
@@ -262,6 +276,7 @@ private:
   }
 
   MainWindow* window;
+  QString scan;
   Dice dice;
 };
 
@@ -272,9 +287,12 @@ TEST_F(Window, SurvivesRandomActions)
   const long count = NumberFromEnvironment("VARIMARCH_RANDOM_ACTIONS", 150);
   const long seed = NumberFromEnvironment("VARIMARCH_RANDOM_SEED", 1);
   this->OpenTorso();
-  const std::string beginning = TextOf(this->Model());
+  std::string beginning = TextOf(this->Model());
+  const QObject opening;
+  QObject::connect(this->window.Loader(), &VolumeLoader::Loaded, &opening,
+    [&] { beginning = TextOf(this->Model()); });
   const DialogsGivenUp dialogs;
-  Monkey monkey(&this->window, seed);
+  Monkey monkey(&this->window, this->Path("torso.vti"), seed);
   QStringList history;
   double earlyMegabytes = 0.0;
   for (long number = 1; number <= count; ++number)
@@ -301,4 +319,6 @@ TEST_F(Window, SurvivesRandomActions)
     }
   }
   EXPECT_LT(ResidentMegabytes(), earlyMegabytes + 150.0);
+  monkey.Open();
+  EXPECT_TRUE(this->window.close()) << "while it loads";
 }
