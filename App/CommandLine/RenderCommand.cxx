@@ -42,19 +42,12 @@ void WarnOfMissingParts(
   const RenderArguments& arguments, const Scene& scene, const LoadedVolume& volume)
 {
   WarnOfMissingLabels(arguments, scene, volume);
-  if (scene.look.regions.empty())
-  {
-    return;
-  }
-  if (!CanDrawRegions(arguments.renderer, scene.look.blend, volume.image))
+  if (!scene.look.regions.empty() &&
+    !CanDrawRegions(arguments.renderer, scene.look.blend, volume.image))
   {
     PrintMessage("warning: the regions of the look are not drawn, but its curves: expected the "
                  "blend mode composite, a volume of one component, and a renderer other than "
                  "vtk-cpu");
-  }
-  else if (scene.labels)
-  {
-    PrintMessage("warning: the labels are not drawn: expected a look without regions");
   }
 }
 

@@ -237,8 +237,7 @@ void ScenePipeline::SetSegments(const std::vector<Segment>& changed)
 
 bool ScenePipeline::DrawsLabels() const
 {
-  return this->labels && !this->DrawsRegions() &&
-    CanDrawLabels(this->kind, this->look.blend, this->image);
+  return this->labels && CanDrawLabels(this->kind, this->look.blend, this->image);
 }
 
 bool ScenePipeline::DrawsRegions() const

@@ -55,7 +55,8 @@ void ApplyOwnFunctions(
   }
 }
 
-// Labels without functions of their own would change the rows of the mask, and so its upload.
+// Labels without functions of their own would change the rows of the mask, and so its upload. A
+// label cannot have a function of two values.
 void ApplyFunctionsOfLook(int number, vtkVolumeProperty* property)
 {
   property->SetLabelColor(number, property->GetRGBTransferFunction());
@@ -93,7 +94,7 @@ void ApplySegments(
         voxelMm, property->GetScalarOpacityUnitDistance());
       ApplyOwnFunctions(int(i + 1), segments[i], opacity, property);
     }
-    else
+    else if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_2D)
     {
       ApplyFunctionsOfLook(int(i + 1), property);
     }

@@ -143,6 +143,23 @@ TEST_F(LabelledScan, IsFreeOfTheGradientOpacityOfTheLookInSegments)
   EXPECT_NEAR(Middle(this->Draw(), 3), 0.5, Tolerance);
 }
 
+TEST_F(LabelledScan, HasItsSegmentsOverRegionsOfValueAndGradient)
+{
+  LookRegion green = { RegionShape::Rectangle, { -1.0, 231.0 }, { 0.0, 1000.0 },
+    { 0.0, 1.0, 0.0 } };
+  green.opacity = 0.0;
+  this->scene.look.regions = { green };
+  const auto clear = this->Draw();
+  EXPECT_NEAR(Middle(clear, 0), 0.5, Tolerance);
+  EXPECT_NEAR(Middle(clear, 3), 0.5, Tolerance);
+  this->scene.look.regions[0].opacity = 0.1;
+  const auto plain = OffscreenView(this->scene, this->scan, MapperKind::Varimarch).FloatImage();
+  EXPECT_GT(ErrorBetween(plain, this->Draw()), 20.0);
+  this->labels->segments[0].visible = false;
+  this->labels->segments[1].visible = false;
+  EXPECT_LT(ErrorBetween(plain, this->Draw()), 1.5);
+}
+
 TEST_F(LabelledScan, ChangesSegmentsWithoutTheirVoxels)
 {
   OffscreenView view(this->scene, this->scan, MapperKind::Varimarch);

@@ -33,13 +33,15 @@ void ChooseMaterial(ChosenNumbers& numbers, RenderSettings& settings)
     settings.functionOf =
       numbers.Of({ FunctionOf::Value, FunctionOf::ValueAndGradient, FunctionOf::TwoValues });
   }
-  const bool isOfValue = settings.functionOf == FunctionOf::Value;
+  const bool mayHaveLabels = isComposite && isOne && settings.functionOf != FunctionOf::TwoValues;
   settings.mask = numbers.Of({ Mask::None, Mask::Binary, Mask::Labels });
-  if (settings.mask == Mask::Labels && !(isComposite && isOne && isOfValue))
+  if (settings.mask == Mask::Labels && !mayHaveLabels)
   {
     settings.mask = Mask::None;
   }
-  settings.gradientOpacity = isComposite && isOfValue && numbers.Flag();
+  const bool mayHaveGradientOpacity =
+    settings.functionOf == FunctionOf::Value || settings.mask == Mask::Labels;
+  settings.gradientOpacity = isComposite && mayHaveGradientOpacity && numbers.Flag();
 }
 
 // AccelerationOf in Frame/FrameBuilder.cxx.

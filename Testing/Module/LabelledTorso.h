@@ -57,8 +57,7 @@ public:
 
   varimarch::OpticalProperties MaterialAt(glm::dvec3 position, const varimarch::Ray& rayGrid)
   {
-    const glm::ivec3 nearest(glm::floor(position + 0.5));
-    const int label = LabelOf(glm::clamp(nearest, glm::ivec3(0), size - 1));
+    const int label = LabelAt(position);
     const double value = this->grid.Value(position);
     const glm::dvec3 gradient = this->grid.Gradient(position);
     const double factor = label == 2 ? this->factors->GetValue(this->Magnitude(gradient)) : 1.0;
@@ -73,9 +72,23 @@ public:
       -std::log1p(-opacity * factor) };
   }
 
+  /// The material without a label, and otherwise that of the label.
+  varimarch::OpticalProperties MaterialOver(
+    const MapperScene::Material& withoutLabel, glm::dvec3 position, const varimarch::Ray& rayGrid)
+  {
+    return LabelAt(position) == 0 ? withoutLabel(position, rayGrid)
+                                  : this->MaterialAt(position, rayGrid);
+  }
+
   MapperScene scene;
 
 private:
+  static int LabelAt(glm::dvec3 position)
+  {
+    const glm::ivec3 nearest(glm::floor(position + 0.5));
+    return LabelOf(glm::clamp(nearest, glm::ivec3(0), size - 1));
+  }
+
   static int LabelOf(glm::ivec3 voxel) { return (voxel.x / 13 + voxel.z / 9) % 3; }
 
   // Gradient magnitude per mean spacing.

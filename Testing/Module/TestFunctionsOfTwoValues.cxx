@@ -176,9 +176,9 @@ TEST(FunctionsOfTwoValues, TakeTheirShadersOnlyWhereTheyAre)
   values.scene.mapper->SetAccelerationModeToOff();
   values.scene.Draw();
   const std::vector<std::string> parts = values.scene.ShaderParts();
-  const auto classify = std::find(parts.begin(), parts.end(), "Classify/TwoValueTable.glsl");
+  const auto classify = std::find(parts.begin(), parts.end(), "ClassifyTwo/Table.glsl");
   const auto march = std::find(classify, parts.end(), "March/MaterialSegments.glsl");
   EXPECT_EQ(std::vector<std::string>(classify, march),
-    (std::vector<std::string>{ "Classify/TwoValueTable.glsl", "Gradient/None.glsl",
-      "Shade/None.glsl", "Values/Two.glsl", "Material/TwoValues.glsl", "Blend/Composite.glsl" }));
+    (std::vector<std::string>{ "ClassifyTwo/Table.glsl", "Gradient/None.glsl", "Shade/None.glsl",
+      "Values/Two.glsl", "Material/TwoValues.glsl", "Blend/Composite.glsl" }));
 }

@@ -2,6 +2,8 @@
 // around it, so the length of a ray within a label is known exactly.
 
 #include "Module/LabelledTorso.h"
+#include "Module/ProcessorMarching.h"
+#include "Module/ReferenceMaterials.h"
 
 #include <vtkDataArray.h>
 #include <vtkLight.h>
@@ -177,6 +179,19 @@ TEST(LabelMap, WithFunctionsOfEachLabelIsThatOfTheReference)
   EXPECT_LT(error.largest, 10.0);
   const std::vector<float> drawn = torso.scene.Draw();
   EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.3) << "the image is empty";
+}
+
+TEST(LabelMap, LiesOverAFunctionOfValueAndGradient)
+{
+  LabelledTorso torso;
+  ShowValueAndGradient(torso.scene);
+  const MapperScene::Material withoutLabel = MaterialOfTwoValues(torso.scene);
+  const ImageError error = torso.scene.ErrorOf([&](glm::dvec3 position, const Ray& rayGrid)
+    { return torso.MaterialOver(withoutLabel, position, rayGrid); });
+  EXPECT_LT(error.rootMeanSquare, 0.5);
+  EXPECT_LT(error.largest, 10.0);
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.UsesShaderPart("Rows/ValueAndGradient.glsl"));
 }
 
 namespace

@@ -195,6 +195,13 @@ INSTANTIATE_TEST_SUITE_P(EveryPart, ProcessorMarchingOfPieces,
         UseLabels(s);
         ShowBoxes(s);
       } },
+    Change{ "LabelsOverAFunctionOfValueAndGradientInPart",
+      [](MapperScene& s)
+      {
+        UseLabels(s);
+        ShowValueAndGradient(s);
+        s.mapper->SetMaskBlendFactor(0.4f);
+      } },
     Change{ "LabelsInACrop",
       [](MapperScene& s)
       {

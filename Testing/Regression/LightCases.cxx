@@ -86,6 +86,18 @@ RegressionScene LabelMap()
     { return torso->MaterialAt(position, ray); });
 }
 
+RegressionScene LabelMapOverTwoValues()
+{
+  const auto torso = std::make_shared<LabelledTorso>(RegressionSide);
+  torso->scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  torso->scene.mapper->ProcessorMarchingOn();
+  ShowValueAndGradient(torso->scene);
+  const MapperScene::Material withoutLabel = MaterialOfTwoValues(torso->scene);
+  return SceneOf(std::shared_ptr<MapperScene>(torso, &torso->scene),
+    [torso, withoutLabel](glm::dvec3 position, const varimarch::Ray& ray)
+    { return torso->MaterialOver(withoutLabel, position, ray); });
+}
+
 }
 
 std::vector<RegressionCase> LightCases()
@@ -101,5 +113,6 @@ std::vector<RegressionCase> LightCases()
     { "Cubic", Cubic },
     MaterialCase("BinaryMask", BinaryMask, MaskedMaterial),
     { "LabelMap", LabelMap },
+    { "LabelMapOverTwoValues", LabelMapOverTwoValues },
   };
 }

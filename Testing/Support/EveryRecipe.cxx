@@ -149,6 +149,8 @@ std::vector<RenderSettings> RecipesOfFunctionsAndMasks()
     labels.gradientOpacity = true;
     labels.labelSurfaces = false;
     recipes.push_back(labels);
+    labels.functionOf = FunctionOf::ValueAndGradient;
+    recipes.push_back(labels);
     for (FunctionOf functionOf : { FunctionOf::ValueAndGradient, FunctionOf::TwoValues })
     {
       RenderSettings two;

@@ -276,7 +276,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 247u);
+  EXPECT_EQ(distinct.size(), 251u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

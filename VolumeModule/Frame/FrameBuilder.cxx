@@ -321,8 +321,10 @@ std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* vo
     twoValues = twoValues ||
       (mode == vtkVolumeProperty::TF_2D &&
         (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND || hasComponents));
+    const bool hasSecondArray = mode == vtkVolumeProperty::TF_2D &&
+      mapper->GetTransfer2DYAxisArray() && *mapper->GetTransfer2DYAxisArray();
     labels = labels ||
-      (mapper->GetMaskInput() && hasComponents &&
+      (mapper->GetMaskInput() && (hasComponents || hasSecondArray) &&
         mapper->GetMaskType() == vtkVariationFieldVolumeMapper::LabelMapMaskType);
   }
   std::string missing;
@@ -333,7 +335,8 @@ std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* vo
   }
   if (labels)
   {
-    missing += "Label maps are supported only for volumes of one component. ";
+    missing += "Label maps are supported only for volumes of one component, without a second "
+               "array of values. ";
   }
   return missing + MissingShaderCode(volume);
 }

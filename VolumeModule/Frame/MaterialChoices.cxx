@@ -67,7 +67,7 @@ Mask MaskOf(vtkVariationFieldVolumeMapper* mapper, const RenderSettings& setting
     return Mask::Binary;
   }
   const bool hasLabels = settings.blend == Blend::Composite &&
-    settings.components == Components::One && settings.functionOf == FunctionOf::Value;
+    settings.components == Components::One && settings.functionOf != FunctionOf::TwoValues;
   return hasLabels ? Mask::Labels : Mask::None;
 }
 
@@ -104,13 +104,13 @@ VoxelComponent SecondComponent(vtkVariationFieldVolumeMapper* mapper, vtkDataSet
 
 bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& settings)
 {
-  if (settings.functionOf != FunctionOf::Value)
-  {
-    return false; // VTK ignores gradient opacity here too
-  }
   if (settings.mask == Mask::Labels && property->HasLabelGradientOpacity())
   {
     return true;
+  }
+  if (settings.functionOf != FunctionOf::Value)
+  {
+    return false; // VTK ignores gradient opacity here too
   }
   for (int part = 0; part < PartCount(settings); ++part)
   {

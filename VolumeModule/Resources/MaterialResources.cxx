@@ -96,31 +96,35 @@ void MaterialResources::UpdateOpticalTable(
 std::vector<OpticalTable> MaterialResources::BuildTables(
   const VolumeMarch& march, const std::vector<ScalarTexels>& texels)
 {
-  const ScalarTexels& first = texels.front();
   this->twoValues.Release(march.frame.view.window);
-  if (march.settings.functionOf != FunctionOf::Value)
-  {
-    TwoValueTable table = TwoValueTableOf(march.frame.material.property);
-    const double unitDistanceMm = march.frame.material.property->GetScalarOpacityUnitDistance();
-    this->materialTables = { { 0, TransferFunction({}, {}, unitDistanceMm), true } };
-    OpticalTable bound =
-      UpperBound(table, { first.smallestScalar, first.largestScalar }, unitDistanceMm);
-    this->twoValuesSize = table.size;
-    this->twoValues.Set(march.frame.view.window, std::move(table.entries));
-    return { std::move(bound) };
-  }
   // All tables share MostEntries, but each has at least FewestEntries.
   constexpr std::size_t MostEntries = 65536;
   constexpr std::size_t FewestEntries = 256;
   this->materialTables = MaterialTablesOf(march.frame.material.property, march.settings);
   const std::size_t entries = std::max(MostEntries / this->materialTables.size(), FewestEntries);
   std::vector<OpticalTable> tables;
-  for (const MaterialTable& table : this->materialTables)
+  if (march.settings.functionOf != FunctionOf::Value)
   {
+    tables.push_back(this->BuildTwoValues(march, texels.front()));
+  }
+  while (tables.size() < this->materialTables.size())
+  {
+    const MaterialTable& table = this->materialTables[tables.size()];
     const ValueRange& range = texels[table.component].resolved;
     tables.push_back(BuildOpticalTable(table.transferFunction, range.lower, range.upper, entries));
   }
   return tables;
+}
+
+OpticalTable MaterialResources::BuildTwoValues(const VolumeMarch& march, const ScalarTexels& texels)
+{
+  vtkVolumeProperty* const property = march.frame.material.property;
+  TwoValueTable table = TwoValueTableOf(property);
+  OpticalTable bound = UpperBound(table, { texels.smallestScalar, texels.largestScalar },
+    property->GetScalarOpacityUnitDistance());
+  this->twoValuesSize = table.size;
+  this->twoValues.Set(march.frame.view.window, std::move(table.entries));
+  return bound;
 }
 
 bool MaterialResources::MissesCurve() const

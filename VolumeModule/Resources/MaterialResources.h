@@ -52,6 +52,8 @@ private:
   void UpdateOpticalTable(const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
   std::vector<OpticalTable> BuildTables(
     const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
+  /// Sets the function of two values, and returns the largest extinction of each first value.
+  OpticalTable BuildTwoValues(const VolumeMarch& march, const ScalarTexels& texels);
   void UpdateLights(const VolumeMarch& march);
   void UpdateIsosurfaces(const VolumeMarch& march, const TexelMapping& mapping);
 

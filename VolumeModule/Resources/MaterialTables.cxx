@@ -44,6 +44,16 @@ TransferFunction WithoutOpacities(const TransferFunction& function)
   return { function.Colors(), {}, function.OpacityUnitDistanceMm() };
 }
 
+// A function of two values stands in another table.
+MaterialTable FirstTableOf(vtkVolumeProperty* property, const RenderSettings& settings)
+{
+  return { 0,
+    settings.functionOf == FunctionOf::Value
+      ? TransferFunctionOf(property)
+      : TransferFunction({}, {}, property->GetScalarOpacityUnitDistance()),
+    true };
+}
+
 }
 
 TwoValueTable TwoValueTableOf(vtkVolumeProperty* property)
@@ -92,7 +102,7 @@ std::vector<MaterialTable> MaterialTablesOf(
 {
   if (settings.mask == Mask::Labels)
   {
-    std::vector<MaterialTable> rows = { { 0, TransferFunctionOf(property), true } };
+    std::vector<MaterialTable> rows = { FirstTableOf(property, settings) };
     for (const int label : LabelsOf(property))
     {
       rows.push_back({ 0, LabelTransferFunctionOf(property, label), true });
@@ -109,8 +119,8 @@ std::vector<MaterialTable> MaterialTablesOf(
     default:
       break;
   }
-  std::vector<MaterialTable> tables;
-  for (int component = 0; component < PartCount(settings); ++component)
+  std::vector<MaterialTable> tables = { FirstTableOf(property, settings) };
+  for (int component = 1; component < PartCount(settings); ++component)
   {
     tables.push_back({ component, TransferFunctionOf(property, component), true });
   }

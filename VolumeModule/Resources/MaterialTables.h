@@ -26,7 +26,7 @@ struct MaterialTable
 
 /// The transfer functions of a property's materials: one for each independent component; for two
 /// dependent components one of colours, then one of opacities; for RGBA one of opacities; for
-/// labels one for each row. Empty for a transfer function of two values.
+/// labels one for each row. One that shows nothing stands for a transfer function of two values.
 std::vector<MaterialTable> MaterialTablesOf(
   vtkVolumeProperty* property, const RenderSettings& settings);
 

@@ -54,6 +54,8 @@ vec4 Classify(float scalar);
 vec4 ClassifyBetween(float startScalar, float endScalar);
 // The look of a scalar by one of several tables.
 vec4 ClassifyBy(int table, float scalar);
+
+// --- ClassifyTwo: a transfer function of two values, with results as those of Classify ---
 // The look of two values, each [0,1] in its range.
 vec4 ClassifyTwo(vec2 place);
 
@@ -114,6 +116,11 @@ float AtGradient(float extinction, vec3 gradient, int component);
 //     Linear interpolation, with `along` in [0,1].
 //   bool MayAbsorb(Values start, Values end);
 //     True if any value between the two may absorb light.
+
+// --- Rows: the looks of the rows of a label map. Only with labels ---
+// Defines:
+//   vec4 OfRow(int row, Values values, Gradients gradients);
+//     The colour before lighting and the extinction [1/mm].
 
 // --- Material: the look of a point. Only if it depends on more than one scalar ---
 // Defines:

@@ -236,10 +236,9 @@ void SegmentsPanel::ShowNote()
   const Look& look = this->model->CurrentScene().look;
   vtkImageData* const image = this->model->CurrentStudy()->volume.image;
   this->note->setText(image->GetNumberOfScalarComponents() == 1
-      ? tr("The volume shows segments only with the blend mode Composite and without regions.")
+      ? tr("The volume shows segments only with the blend mode Composite.")
       : tr("The volume cannot show segments, since its voxels have several values."));
-  this->note->setVisible(
-    !look.regions.empty() || !CanDrawLabels(MapperKind::Varimarch, look.blend, image));
+  this->note->setVisible(!CanDrawLabels(MapperKind::Varimarch, look.blend, image));
 }
 
 // The user renamed a segment, or showed or hid it.

@@ -2325,8 +2325,8 @@ ml</translation>
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>The volume shows segments only with the blend mode Composite and without regions.</source>
-        <translation>Das Volumen zeigt Segmente nur mit der Mischung „Überlagerung“ und ohne Bereiche.</translation>
+        <source>The volume shows segments only with the blend mode Composite.</source>
+        <translation>Das Volumen zeigt Segmente nur mit der Mischung „Überlagerung“.</translation>
     </message>
 </context>
 <context>

@@ -2325,8 +2325,8 @@ ml</translation>
         <translation>Opacidad</translation>
     </message>
     <message>
-        <source>The volume shows segments only with the blend mode Composite and without regions.</source>
-        <translation>El volumen solo muestra segmentos con el modo de mezcla «Composición» y sin regiones.</translation>
+        <source>The volume shows segments only with the blend mode Composite.</source>
+        <translation>El volumen solo muestra segmentos con el modo de mezcla «Composición».</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,8 @@ namespace varimarch
 namespace
 {
 
+using Parts = std::vector<std::string>;
+
 std::string ComponentsFile(Components components)
 {
   switch (components)
@@ -26,6 +28,17 @@ bool UsesGradients(const RenderSettings& settings)
 {
   return (settings.blend == Blend::Composite || settings.blend == Blend::Slice) &&
     (settings.shading || settings.gradientOpacity);
+}
+
+Parts LabelParts(const RenderSettings& settings)
+{
+  const bool hasRegions = settings.functionOf == FunctionOf::ValueAndGradient;
+  return { hasRegions || UsesGradients(settings) ? GradientFile(settings) : "Gradient/None.glsl",
+    ShadeFile(settings),
+    settings.gradientOpacity ? "GradientOpacity/LabelTables.glsl" : "GradientOpacity/None.glsl",
+    settings.labelSurfaces ? "LabelLight/Labels.glsl" : "LabelLight/Scalars.glsl",
+    "Values/One.glsl", hasRegions ? "Rows/ValueAndGradient.glsl" : "Rows/Tables.glsl",
+    "Material/Labelled.glsl" };
 }
 
 }
@@ -70,13 +83,15 @@ std::string GradientFile(const RenderSettings& settings)
 
 std::vector<std::string> ClassifyParts(const RenderSettings& settings)
 {
-  if (settings.functionOf != FunctionOf::Value)
-  {
-    return { "Classify/TwoValueTable.glsl" };
-  }
+  const bool hasTwoValues = settings.functionOf != FunctionOf::Value;
   if (settings.mask == Mask::Labels)
   {
-    return { "Classify/LabelTables.glsl" };
+    return hasTwoValues ? Parts{ "Classify/LabelTables.glsl", "ClassifyTwo/Table.glsl" }
+                        : Parts{ "Classify/LabelTables.glsl" };
+  }
+  if (hasTwoValues)
+  {
+    return { "ClassifyTwo/Table.glsl" };
   }
   if (settings.components == Components::One)
   {
@@ -93,18 +108,14 @@ std::vector<std::string> MaterialParts(const RenderSettings& settings)
     return { settings.shading ? GradientFile(settings) : "Gradient/None.glsl", ShadeFile(settings),
       "Values/Two.glsl", "Material/TwoValues.glsl" };
   }
+  if (settings.mask == Mask::Labels)
+  {
+    return LabelParts(settings);
+  }
   if (settings.functionOf == FunctionOf::ValueAndGradient)
   {
     return { GradientFile(settings), ShadeFile(settings), "Values/One.glsl",
       "Material/ValueAndGradient.glsl" };
-  }
-  if (settings.mask == Mask::Labels)
-  {
-    return { UsesGradients(settings) ? GradientFile(settings) : "Gradient/None.glsl",
-      ShadeFile(settings),
-      settings.gradientOpacity ? "GradientOpacity/LabelTables.glsl" : "GradientOpacity/None.glsl",
-      settings.labelSurfaces ? "LabelLight/Labels.glsl" : "LabelLight/Scalars.glsl",
-      "Values/One.glsl", "Material/Labelled.glsl" };
   }
   const std::string opacity =
     settings.gradientOpacity ? "GradientOpacity/Table.glsl" : "GradientOpacity/None.glsl";

@@ -4,12 +4,6 @@
 // One scalar, seen through the transfer functions of the label at its place. If the label counts in
 // part only, colors and opacities over a unit distance are mixed with those without a label.
 
-vec4 OfRow(int row, Values values, Gradients gradients)
-{
-  vec4 optical = ClassifyBy(row, values.scalar);
-  return vec4(optical.rgb, AtGradient(optical.a, gradients.scalar, row));
-}
-
 vec4 LookOf(Values values, Gradients gradients)
 {
   vec4 optical = OfRow(labelRow, values, gradients);

@@ -1,7 +1,8 @@
 #ifndef Varimarch_Core_Packets_Material_Labelled_h
 #define Varimarch_Core_Packets_Material_Labelled_h
 
-// Twin of Material/Labelled.glsl and Classify/LabelTables.glsl.
+// Twin of Material/Labelled.glsl, Classify/LabelTables.glsl, Rows/Tables.glsl and
+// Rows/ValueAndGradient.glsl.
 
 #include "Core/Packets/GradientOpacity/LabelTables.h"
 #include "Core/Packets/LabelLight/Labels.h"
@@ -58,6 +59,19 @@ private:
   }
 
   Optical OfRows(IntLanes rows, Lanes value, const Surface& surface) const
+  {
+    Optical optical = this->OfTables(rows, value, surface);
+    const LaneMask isPlain = LaneMask(rows == 0);
+    if (this->scene.textures.twoValueTable && Any(isPlain))
+    {
+      const Optical plain = ClassifyTwo(this->scene, value, surface.gradient);
+      optical.extinction = Select(isPlain, plain.extinction, optical.extinction);
+      optical.color = Select(isPlain, plain.color, optical.color);
+    }
+    return optical;
+  }
+
+  Optical OfTables(IntLanes rows, Lanes value, const Surface& surface) const
   {
     const IntNumbers row(rows);
     const auto lookOf = [&](int lane) -> const PacketRow&

@@ -6,7 +6,7 @@
 
 #include "Core/Packets/Blend/Composite.h"
 #include "Core/Packets/Classify/OpticalTable.h"
-#include "Core/Packets/Classify/TwoValueTable.h"
+#include "Core/Packets/ClassifyTwo/Table.h"
 #include "Core/Packets/GradientOpacity/Table.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/Shade/HeadLight.h"

@@ -1,7 +1,7 @@
-#ifndef Varimarch_Core_Packets_Classify_TwoValueTable_h
-#define Varimarch_Core_Packets_Classify_TwoValueTable_h
+#ifndef Varimarch_Core_Packets_ClassifyTwo_Table_h
+#define Varimarch_Core_Packets_ClassifyTwo_Table_h
 
-// Twin of Classify/TwoValueTable.glsl, for a value and the magnitude of its gradient.
+// Twin of ClassifyTwo/Table.glsl, for a value and the magnitude of its gradient.
 
 #include "Core/Packets/PacketTables.h"
 
