@@ -7,6 +7,7 @@
 #include "Scene/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
+#include <vtkImageMagnitude.h>
 #include <vtkPointData.h>
 #include <vtkUniformGrid.h>
 
@@ -141,6 +142,37 @@ RegressionScene SceneOfComponents(int type, int components, bool independent)
     { return mixture->At(position, ray); });
 }
 
+// The filter by which vtkSmartVolumeMapper draws magnitudes makes the torso, moved to values from 0
+// on, of vectors.
+RegressionScene VectorMagnitude()
+{
+  constexpr double Air = 1100.0;
+  const vtkSmartPointer<vtkImageData> torso = SmallTorso();
+  vtkNew<vtkImageData> vectors;
+  vectors->CopyStructure(torso);
+  vectors->AllocateScalars(VTK_FLOAT, 3);
+  vtkDataArray* const values = torso->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < torso->GetNumberOfPoints(); ++i)
+  {
+    const double length = values->GetTuple1(i) + Air;
+    vectors->GetPointData()->GetScalars()->SetTuple3(
+      i, 0.6 * length, 0.48 * length, -0.64 * length);
+    values->SetTuple1(i, length);
+  }
+  const auto scene = NewScene(torso);
+  scene->colors->RemoveAllPoints();
+  scene->colors->AddRGBPoint(Air, 0.8, 0.5, 0.4);
+  scene->colors->AddRGBPoint(Air + 400.0, 1.0, 0.95, 0.85);
+  scene->opacities->RemoveAllPoints();
+  scene->opacities->AddPoint(Air - 200.0, 0.0);
+  scene->opacities->AddPoint(Air + 400.0, 0.2);
+  vtkNew<vtkImageMagnitude> magnitude;
+  magnitude->SetInputData(vectors);
+  magnitude->Update(); // VTK's mapper gets the image without the filter
+  scene->mapper->SetInputConnection(magnitude->GetOutputPort());
+  return SceneOf(scene);
+}
+
 RegressionScene Blocks()
 {
   const auto scene =
@@ -166,6 +198,7 @@ std::vector<RegressionCase> InputCases()
     { "IndependentComponents", [] { return SceneOfComponents(VTK_SHORT, 4, true); } },
     { "TwoDependentComponents", [] { return SceneOfComponents(VTK_SHORT, 2, false); } },
     { "FourDependentComponents", [] { return SceneOfComponents(VTK_UNSIGNED_CHAR, 4, false); } },
+    { "VectorMagnitude", VectorMagnitude },
     { "NotFinite", NotFinite },
     { "FarValues", FarValues },
     { "Blocks", Blocks },
