@@ -1,6 +1,8 @@
 #include "Module/ReferenceMaterials.h"
 
+#include "Core/Reference/LightTransmittance.h"
 #include "Frame/PropertyTransferFunction.h"
+#include "Stages/CutRays.h"
 
 #include <vtkDataArray.h>
 #include <vtkLight.h>
@@ -12,6 +14,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
@@ -138,6 +141,21 @@ MapperScene::Material MaterialInShadows(MapperScene& scene, const LightReaching&
     }
     return OpticalProperties{ sum, extinction };
   };
+}
+
+MapperScene::Material MaterialInOwnShadows(MapperScene& scene, double tolerance)
+{
+  const auto samples = std::make_shared<SceneSamples>(scene);
+  const VolumeGeometry& geometry = samples->Geometry();
+  ReferenceScene opacities{ [samples](glm::ivec3 cell)
+    { return CornersOfCell(samples->Grid(), cell); },
+    geometry.boxGrid, TransferFunctionOf(scene.volume->GetProperty()) };
+  opacities.uncutParts = CutRays(scene.mapper, geometry.worldFromGrid, geometry.dataFromGrid);
+  const auto transmittance = std::make_shared<const LightTransmittance>(
+    opacities, glm::inverse(geometry.WorldFromGridDirection()), tolerance);
+  return MaterialInShadows(scene,
+    [transmittance](glm::dvec3 positionGrid, glm::dvec3 towardsWorld, double farMm)
+    { return transmittance->Towards(positionGrid, towardsWorld, farMm); });
 }
 
 MapperScene::Material DampedMaterial(MapperScene& scene)

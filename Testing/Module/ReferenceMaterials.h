@@ -30,12 +30,13 @@ public:
   glm::dvec3 ToEyeWorld(const varimarch::Ray& rayGrid) const;
   glm::dvec3 PositionWorld(glm::dvec3 positionGrid) const;
 
-private:
+  const varimarch::VolumeGeometry& Geometry() const { return this->geometry; }
   varimarch::ScalarGrid<double> Grid() const
   {
     return { this->voxels.data(), this->geometry.dimensions };
   }
 
+private:
   varimarch::VolumeGeometry geometry;
   std::vector<double> voxels;
 };
@@ -55,6 +56,11 @@ MapperScene::Material MaterialInLights(MapperScene& scene);
 /// The same where parts of the lights reach a point.
 /// @param reaching  without it, all light reaches every point
 MapperScene::Material MaterialInShadows(MapperScene& scene, const LightReaching& reaching);
+
+/// The same in the shadows that the volume casts on itself, within its cuts. Its voxels and
+/// opacities are those at the time of the call.
+/// @param tolerance  of the light that reaches a point
+MapperScene::Material MaterialInOwnShadows(MapperScene& scene, double tolerance);
 
 /// The volume in a head light that is damped where the gradient is below the mapper's
 /// DampingGradient.

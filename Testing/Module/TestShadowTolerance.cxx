@@ -1,13 +1,8 @@
 // Shadows of a torso, compared with a reference that integrates the light's way through the volume
 // in double precision.
 
-#include "Core/Geometry/ScalarGrid.h"
-#include "Core/Reference/LightTransmittance.h"
-#include "Frame/PropertyTransferFunction.h"
-#include "Frame/VolumeGeometry.h"
 #include "Module/ReferenceMaterials.h"
 #include "Module/UsualSettings.h"
-#include "Stages/CutRays.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkLight.h>
@@ -15,8 +10,6 @@
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -32,11 +25,6 @@ class ShadowedTorso
 public:
   explicit ShadowedTorso(int size)
     : scene(SmallTorso(), size)
-    , geometry(VolumeGeometryOf(this->scene.image, this->scene.volume))
-    , voxels(static_cast<const short*>(this->scene.image->GetScalarPointer()),
-        static_cast<const short*>(this->scene.image->GetScalarPointer()) +
-          this->scene.image->GetNumberOfPoints())
-    , grid(this->voxels.data(), this->geometry.dimensions)
   {
     vtkVolumeProperty* const property = this->scene.volume->GetProperty();
     property->ShadeOn();
@@ -57,24 +45,10 @@ public:
   // The nested integral needs no more than a tenth of the tolerance that is tested.
   std::vector<float> Truth(double tolerance = 1e-3)
   {
-    const TransferFunction look = TransferFunctionOf(this->scene.volume->GetProperty(), 0);
-    ReferenceScene opacities{ [&](glm::ivec3 cell) { return CornersOfCell(this->grid, cell); },
-      this->geometry.boxGrid, look };
-    opacities.uncutParts =
-      CutRays(this->scene.mapper, this->geometry.worldFromGrid, this->geometry.dataFromGrid);
-    const LightTransmittance transmittance(
-      opacities, glm::inverse(this->geometry.WorldFromGridDirection()), tolerance);
-    const auto reaching = [&](glm::dvec3 positionGrid, glm::dvec3 towardsWorld, double farMm)
-    { return transmittance.Towards(positionGrid, towardsWorld, farMm); };
-    return this->scene.TruthOf(MaterialInShadows(this->scene, reaching), tolerance);
+    return this->scene.TruthOf(MaterialInOwnShadows(this->scene, tolerance), tolerance);
   }
 
   MapperScene scene;
-
-private:
-  VolumeGeometry geometry;
-  std::vector<short> voxels;
-  ScalarGrid<short> grid;
 };
 
 }

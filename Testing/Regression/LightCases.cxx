@@ -24,6 +24,76 @@ void SeveralLights(MapperScene& scene)
   UseSunAndLamp(scene.renderer);
 }
 
+// Shades a scene whose lights `add` adds.
+// @param add  (renderer)
+template <class Add>
+void ShadeIn(MapperScene& scene, const Add& add)
+{
+  scene.volume->GetProperty()->ShadeOn();
+  scene.volume->GetProperty()->SetSpecularPower(5.0);
+  scene.renderer->AutomaticLightCreationOff();
+  scene.renderer->RemoveAllLights();
+  add(scene.renderer);
+}
+
+void AddSun(vtkRenderer* renderer)
+{
+  AddLight(renderer, { 1.0, -0.5, 2.0 }, glm::dvec3(0.0));
+}
+
+// In front of the torso, from which it is as far as the torso is wide.
+vtkLight* AddLamp(vtkRenderer* renderer)
+{
+  vtkLight* const lamp = AddLight(renderer, { -60.0, -250.0, 30.0 }, glm::dvec3(0.0));
+  lamp->PositionalOn();
+  lamp->SetConeAngle(180.0);
+  return lamp;
+}
+
+void DirectionalLight(MapperScene& scene)
+{
+  ShadeIn(scene, AddSun);
+}
+
+void PositionalLight(MapperScene& scene)
+{
+  ShadeIn(scene, AddLamp);
+}
+
+void SpotLight(MapperScene& scene)
+{
+  ShadeIn(scene,
+    [](vtkRenderer* renderer)
+    {
+      vtkLight* const spot = AddLamp(renderer);
+      spot->SetConeAngle(20.0);
+      spot->SetExponent(0.0);
+    });
+}
+
+void ColouredLights(MapperScene& scene)
+{
+  ShadeIn(scene,
+    [](vtkRenderer* renderer)
+    {
+      AddLight(renderer, { 2.0, -1.0, 1.0 }, glm::dvec3(0.0))->SetColor(1.0, 0.4, 0.1);
+      AddLight(renderer, { -2.0, -1.0, 1.0 }, glm::dvec3(0.0))->SetColor(0.1, 0.4, 1.0);
+    });
+}
+
+// The reference needs a ray to the light for each of its samples, so that these images are small.
+RegressionScene InShadows(void (*light)(MapperScene&))
+{
+  constexpr double Tolerance = 1e-3;
+  const auto scene = NewScene(SmallTorso(), RegressionSide / 2);
+  light(*scene);
+  scene->mapper->ShadowsOn();
+  RegressionScene regression = SceneOf(scene);
+  regression.truth = [scene]
+  { return scene->TruthOf(MaterialInOwnShadows(*scene, Tolerance), Tolerance); };
+  return regression;
+}
+
 void Damping(MapperScene& scene)
 {
   scene.volume->GetProperty()->ShadeOn();
@@ -105,6 +175,13 @@ std::vector<RegressionCase> LightCases()
   return {
     TorsoCase("HeadLight", HeadLight),
     MaterialCase("SeveralLights", SeveralLights, MaterialInLights),
+    MaterialCase("DirectionalLight", DirectionalLight, MaterialInLights),
+    MaterialCase("PositionalLight", PositionalLight, MaterialInLights),
+    MaterialCase("SpotLight", SpotLight, MaterialInLights),
+    MaterialCase("ColouredLights", ColouredLights, MaterialInLights),
+    { "Shadows", [] { return InShadows(DirectionalLight); } },
+    { "ShadowsOfALamp", [] { return InShadows(PositionalLight); } },
+    { "ShadowsOfTwoLights", [] { return InShadows(ColouredLights); } },
     MaterialCase("Damping", Damping, DampedMaterial),
     MaterialCase("GradientOpacity", GradientOpacity, MixtureOf),
     MaterialCase("TwoValues", ShowValueAndGradient, MaterialOfTwoValues),

@@ -176,10 +176,10 @@ int List()
   return EXIT_SUCCESS;
 }
 
-int WriteBaselines(const std::string& folder)
+int WriteBaselines(const std::string& folder, const std::vector<RegressionCase>& cases)
 {
   std::filesystem::create_directories(folder);
-  for (const RegressionCase& regression : AllRegressionCases())
+  for (const RegressionCase& regression : cases)
   {
     std::cout << regression.name << std::endl;
     varimarch::WritePng(TruthOf(regression.make()), folder + "/" + regression.name + ".png");
@@ -212,13 +212,16 @@ int Run(int argc, char** argv)
   if (testing->IsFlagSpecified("--write"))
   {
     const std::string folder = testing->GetDataRoot();
-    return testing->IsFlagSpecified("--mapper") ? WriteVtkDifferences(folder)
-                                                : WriteBaselines(folder + "/Baseline");
+    const bool isOne = argv[1][0] != '-';
+    return testing->IsFlagSpecified("--mapper")
+      ? WriteVtkDifferences(folder)
+      : WriteBaselines(folder + "/Baseline",
+          isOne ? std::vector<RegressionCase>{ CaseNamed(argv[1]) } : AllRegressionCases());
   }
   if (argc < 2 || !testing->IsValidImageSpecified())
   {
     throw std::invalid_argument("expected RegressionTests NAME -D DATA -T TEMP -V BASELINE "
-                                "[--mapper shaders|vtk], or --list, or --write -D DATA");
+                                "[--mapper shaders|vtk], or --list, or [NAME] --write -D DATA");
   }
   return Judge(CaseNamed(argv[1]), testing);
 }
