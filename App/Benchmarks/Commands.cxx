@@ -161,6 +161,21 @@ void AddSpeedCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunSpeed(*arguments); });
 }
 
+void AddShadowOptions(CLI::App& command, ShadowArguments& arguments)
+{
+  AddSceneOptions(command, arguments.scenes);
+  AddReportOptions(command, arguments.report);
+  command.add_option("--side", arguments.options.side, "Side of the square images (default 512)")
+    ->check(CLI::Range(1, 4096).description(""))
+    ->type_name("PIXELS");
+  command
+    .add_option(
+      "--tolerance", arguments.options.errorTolerance, "The error tolerance (default 1/64)")
+    ->check(CLI::Range(1e-4, 1.0).description(""))
+    ->type_name("ERROR");
+  AddRoundsOption(command, arguments.options.rounds);
+}
+
 void AddShadowCommand(CLI::App& program, const std::string& commandText)
 {
   const auto arguments = std::make_shared<ShadowArguments>();
@@ -171,18 +186,21 @@ void AddShadowCommand(CLI::App& program, const std::string& commandText)
               "Examples:\n"
               "  varimarch-bench shadows --volumes volumes -o report\n"
               "  varimarch-bench shadows head.nii.gz -o report --side 256");
-  AddSceneOptions(*app, arguments->scenes);
-  AddReportOptions(*app, arguments->report);
-  app->add_option("--side", arguments->options.side, "Side of the square images (default 512)")
-    ->check(CLI::Range(1, 4096).description(""))
-    ->type_name("PIXELS");
-  app
-    ->add_option(
-      "--tolerance", arguments->options.errorTolerance, "The error tolerance (default 1/64)")
-    ->check(CLI::Range(1e-4, 1.0).description(""))
-    ->type_name("ERROR");
-  AddRoundsOption(*app, arguments->options.rounds);
+  AddShadowOptions(*app, *arguments);
   app->callback([arguments] { RunShadows(*arguments); });
+}
+
+void AddLightMethodsCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<ShadowArguments>();
+  arguments->report.commandText = commandText;
+  CLI::App* app = program.add_subcommand(
+    "light-methods", "Measure our shadows beside those of others: error, time and memory");
+  app->footer("Writes light-methods.md, .csv and .json after each scene.\n"
+              "Example:\n"
+              "  varimarch-bench light-methods --volumes volumes -o report --side 256");
+  AddShadowOptions(*app, *arguments);
+  app->callback([arguments] { RunLightMethods(*arguments); });
 }
 
 void AddScalingCommand(CLI::App& program, const std::string& commandText)
@@ -329,6 +347,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddPublishedCommand(program, commandText);
   AddSpeedCommand(program, commandText);
   AddShadowCommand(program, commandText);
+  AddLightMethodsCommand(program, commandText);
   AddScalingCommand(program, commandText);
   AddFeatureCommand(program, commandText);
   AddShaderCostCommand(program, commandText);

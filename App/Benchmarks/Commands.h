@@ -127,6 +127,7 @@ void RunWorkPrecision(const WorkPrecisionArguments& arguments);
 void RunPublished(const PublishedArguments& arguments);
 void RunSpeed(const SpeedArguments& arguments);
 void RunShadows(const ShadowArguments& arguments);
+void RunLightMethods(const ShadowArguments& arguments);
 void RunScaling(const ScalingArguments& arguments);
 void RunFeatures(const FeatureArguments& arguments);
 void RunShaderCosts(const ShaderCostArguments& arguments);

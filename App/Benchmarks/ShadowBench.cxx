@@ -3,13 +3,9 @@
 #include "CommandLine/VtkMessages.h"
 #include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
-#include "Scene/SceneLights.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
-
-#include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
 
@@ -20,41 +16,6 @@ namespace
 {
 
 constexpr int FramesOfMotion = 9;
-
-// The direction to the upper right of a camera, fixed in the world.
-std::array<double, 3> UpperRightOf(vtkCamera* camera)
-{
-  const glm::dvec3 toEye = -glm::make_vec3(camera->GetDirectionOfProjection());
-  const glm::dvec3 up = glm::make_vec3(camera->GetViewUp());
-  const glm::dvec3 direction = toEye + 0.8 * glm::normalize(glm::cross(up, toEye)) + 0.7 * up;
-  return { direction.x, direction.y, direction.z };
-}
-
-Scene LitScene(const LoadedScene& loaded, const ShadowOptions& options)
-{
-  Scene scene = loaded.scene;
-  scene.look.shading.enabled = true;
-  scene.size = { options.side, options.side };
-  scene.render.errorTolerance = options.errorTolerance;
-  ScenePipeline pipeline(scene, loaded.volume.image, MapperKind::Varimarch);
-  scene.lights = { { LightKind::Directional,
-    UpperRightOf(pipeline.Renderer()->GetActiveCamera()) } };
-  return scene;
-}
-
-Scene WithShadows(Scene scene)
-{
-  scene.shadows = true;
-  return scene;
-}
-
-SceneLight Turned(SceneLight light, double degrees)
-{
-  LightAngles angles = AnglesOf(light.direction, light.kind);
-  angles.azimuthDegrees = std::remainder(angles.azimuthDegrees + degrees, 360.0);
-  light.direction = DirectionOf(angles, light.kind);
-  return light;
-}
 
 /// A view, with or without shadows, and what is measured in it.
 struct ShadowView
@@ -127,20 +88,10 @@ struct Rounds
   }
 };
 
-std::vector<float> PixelsOf(OffscreenView& view)
-{
-  const auto picture = view.FloatImage();
-  const auto* const channels = static_cast<const float*>(picture->GetScalarPointer());
-  return std::vector<float>(channels, channels + 4 * picture->GetNumberOfPoints());
-}
-
 ImageError ErrorOf(const Scene& scene, vtkImageData* image)
 {
-  Scene fine = scene;
-  fine.render.sampleDistanceVoxels = 0.125;
-  fine.render.errorTolerance = 0.0;
   OffscreenView drawn(scene, image, MapperKind::Varimarch);
-  OffscreenView exact(fine, image, MapperKind::Varimarch);
+  OffscreenView exact(FineScene(scene), image, MapperKind::Varimarch);
   const std::vector<float> pixels = PixelsOf(drawn);
   return CompareImages(pixels.data(), PixelsOf(exact).data(), pixels.size() / 4);
 }

@@ -3,7 +3,7 @@
 
 #include "CommandLine/Truth.h"
 #include "Core/Quality/ImageError.h"
-#include "SpeedScenes.h"
+#include "ShadowScenes.h"
 
 #include <array>
 #include <string>
@@ -32,13 +32,6 @@ struct ShadowCase
   std::array<double, ShadowMotions> withMs = {};
   std::array<double, ShadowMotions> factor = {}; ///< median of the factors of the rounds
   ImageError error = {}; ///< error of the first frame with shadows, against its fine image
-};
-
-struct ShadowOptions
-{
-  int side = 512; ///< side of the square images [pixels]
-  int rounds = 3;
-  double errorTolerance = 1.0 / 64.0;
 };
 
 /// Draws frames with and without shadows, alternately. The error is that against an image of the

@@ -136,9 +136,9 @@ struct LitCube : ComparedScene
   }
 
   // Red and opacity in the middle of the image.
-  glm::dvec2 Middle()
+  glm::dvec2 Middle(int method = Mapper::HalfAngle)
   {
-    const Pixels drawn = this->Draw(Mapper::HalfAngle);
+    const Pixels drawn = this->Draw(method);
     const float* const middle = &drawn[4 * (64 * 28 + 32)];
     return { middle[0], middle[3] };
   }
@@ -301,4 +301,50 @@ TEST(HalfAngle, LightFromTheSideShadowsAndScatteringSpreadsIt)
   EXPECT_LT(redIn(28, 22), 0.7 * redIn(28, 42)) << "no shadow";
   cube.mapper->SetSpreadDegrees(40.0);
   EXPECT_GT(Difference(cube.Draw(Mapper::HalfAngle), hard).largest, 1.0);
+}
+
+// Samples lie in the middles of steps, and so does the light that reaches them.
+TEST(SecondMarch, LightOfAHomogeneousCubeIsAGeometricSeries)
+{
+  LitCube cube;
+  cube.mapper->SetLightDirection(0.0, 0.0, 1.0);
+  cube.mapper->SetEarlyTerminationTransmittance(0.0);
+  const glm::dvec2 middle = cube.Middle(Mapper::SecondMarch);
+  const double passes = std::pow(0.9, 16.0);
+  EXPECT_NEAR(middle.y, 1.0 - passes, 1e-5);
+  EXPECT_NEAR(middle.x, 0.1 * std::sqrt(0.9) * (1.0 - passes * passes) / (1.0 - 0.9 * 0.9), 1e-5);
+}
+
+// VTK begins a step nearer to the light, and goes on for half a voxel beyond the volume: sample k
+// of the eye, in the middle of its step, has k + 1 samples between it and the light, but the first
+// has none.
+TEST(VtkShadows, LightOfAHomogeneousCubeIsThatOfAllSamplesInTheTexture)
+{
+  LitCube cube;
+  cube.mapper->SetLightDirection(0.0, 0.0, 1.0);
+  cube.mapper->SetEarlyTerminationTransmittance(0.0);
+  double expected = 0.1;
+  for (int k = 1; k < 16; ++k)
+  {
+    expected += 0.1 * std::pow(0.9, k) * std::pow(0.9, k + 1);
+  }
+  EXPECT_NEAR(cube.Middle(Mapper::VtkShadows).x, expected, 1e-5);
+}
+
+TEST(SecondMarch, LightsSurfacesAsOurMapperDoes)
+{
+  Scene settings = SoftScene(true);
+  settings.lights = { { LightKind::Camera, { 0.8, 0.7, 1.0 } } };
+  settings.shadows = true;
+  ComparedScene scene(settings);
+  OffscreenView ours(settings, scene.image, MapperKind::Varimarch);
+  const Pixels truth = PixelsOf(ours.FloatImage());
+  scene.mapper->SetLightDirection(0.8, 0.7, 1.0);
+  for (const int method : { Mapper::SecondMarch, Mapper::LightVolume })
+  {
+    EXPECT_LT(Difference(scene.Draw(method), truth).rootMeanSquare, 2.0) << "method " << method;
+  }
+  scene.mapper->SetLightDirection(-0.8, 0.7, 1.0);
+  EXPECT_GT(Difference(scene.Draw(Mapper::SecondMarch), truth).rootMeanSquare, 5.0)
+    << "another light makes no difference";
 }

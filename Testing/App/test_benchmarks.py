@@ -130,6 +130,22 @@ def speed_draws_what_takes_long_in_one_round(folder):
         assert "published" not in [point["method"] for point in case["points"]]
 
 
+def light_methods(folder):
+    text, _ = run("light-methods", VOLUME, "-o", folder / "out", "--side", "32", "--rounds", "1")
+    assert (folder / "out" / "light-methods.md").read_text() == text
+    with (folder / "out" / "light-methods.csv").open() as file:
+        rows = {row["method"]: row for row in csv.DictReader(file)}
+    assert list(rows) == ["ours", "no shadows", "second march", "light volume", "half-angle",
+                          "half-angle, blurred", "VTK's rays"], list(rows)
+    error = {name: float(row["percentile999"]) for name, row in rows.items()}
+    assert error["ours"] <= 255 / 64, error
+    assert error["no shadows"] > max(5.0, error["second march"]), error
+    assert float(rows["no shadows"]["light_megabytes"]) == 0.0
+    assert rows["half-angle"]["light_megabytes"] == "2.097", "two buffers of 256 x 256 pixels"
+    json_scene, = json.loads((folder / "out" / "light-methods.json").read_text())["scenes"]
+    assert set(json_scene["methods"]) == set(rows)
+
+
 def scaling(folder):
     text, _ = run("scaling", "-o", folder, "--sides", "16,32", "--size", "48x40",
                   "--rounds", "2", "--no-shade")

@@ -30,4 +30,13 @@ ComparedView ComparedViewOf(vtkRenderer* renderer, const VolumeGeometry& geometr
   return view;
 }
 
+void ComparisonFrame::Use(const std::string& main, const std::string& shadow) const
+{
+  this->program.Use(this->view.window, "Grid.vert.glsl", this->volume.FragmentFiles(main, shadow));
+  this->volume.SetUniforms(this->program, this->view.eyeGrid);
+  const glm::dmat3 gridFromWorld = glm::inverse(this->volume.Geometry().WorldFromGridDirection());
+  this->program.Set("toLightWorld", glm::vec3(this->toLightWorld));
+  this->program.Set("toLightGrid", glm::vec3(gridFromWorld * this->toLightWorld));
+}
+
 }

@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <string>
+
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 
@@ -37,6 +39,12 @@ struct ComparisonFrame
   ComparisonVolume& volume;
   ComparisonProgram& program;
   double sampleDistanceMm; ///< > 0
+  glm::dvec3 toLightWorld; ///< direction towards a distant light, a unit vector
+
+  /// Makes a program with the volume's look current, and sets the uniforms of its slots.
+  /// @param main    file with main(), for a fragment shader
+  /// @param shadow  file of the slot Shadow
+  void Use(const std::string& main, const std::string& shadow = NoShadow) const;
 };
 
 }

@@ -56,6 +56,13 @@ void ComparisonImage::Continue(vtkOpenGLRenderWindow* window)
   window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
 }
 
+std::size_t ComparisonImage::Bytes() const
+{
+  return this->color->GetHandle()
+    ? 4 * sizeof(float) * std::size_t(this->size.x) * std::size_t(this->size.y)
+    : 0;
+}
+
 void ComparisonImage::Release(vtkWindow* window)
 {
   this->framebuffer->ReleaseGraphicsResources(window);

@@ -8,6 +8,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstddef>
+
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
@@ -28,6 +30,7 @@ public:
   void Continue(vtkOpenGLRenderWindow* window);
 
   vtkTextureObject* Color() { return this->color; }
+  std::size_t Bytes() const; ///< 0 before the first Begin
   void Release(vtkWindow* window);
 
 private:

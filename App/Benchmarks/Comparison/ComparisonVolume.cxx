@@ -118,22 +118,27 @@ double ComparisonVolume::Extinction(double texel) const
   return glm::mix(double(entries[below].a), double(entries[below + 1].a), place - double(below));
 }
 
-std::vector<std::string> ComparisonVolume::FragmentFiles(const std::string& main) const
+std::vector<std::string> ComparisonVolume::FragmentFiles(
+  const std::string& main, const std::string& shadow) const
 {
-  return this->FilesWith(ShaderFilesOf(this->storage), main);
+  return this->FilesWith(ShaderFilesOf(this->storage), main, shadow);
 }
 
 std::vector<std::string> ComparisonVolume::FragmentFilesOfStack(const std::string& main) const
 {
-  return this->FilesWith({ "Voxels/Slices2D.glsl" }, main);
+  return this->FilesWith({ "Voxels/Slices2D.glsl" }, main, NoShadow);
 }
 
 std::vector<std::string> ComparisonVolume::FilesWith(
-  std::vector<std::string> files, const std::string& main) const
+  std::vector<std::string> files, const std::string& main, const std::string& shadow) const
 {
   files.insert(files.begin(), "Parameters.glsl");
   files.emplace_back("Classify/OpticalTable.glsl");
-  if (this->shaded)
+  if (!this->shaded)
+  {
+    files.emplace_back("Look/Plain.glsl");
+  }
+  else if (shadow == NoShadow)
   {
     files.insert(files.end(),
       { "Gradient/CentralDifferences.glsl", "Damping/None.glsl", "Shade/HeadLight.glsl",
@@ -141,9 +146,9 @@ std::vector<std::string> ComparisonVolume::FilesWith(
   }
   else
   {
-    files.emplace_back("Look/Plain.glsl");
+    files.insert(files.end(), { "Gradient/CentralDifferences.glsl", "Look/InLight.glsl" });
   }
-  files.insert(files.end(), { "Sample.glsl", main });
+  files.insert(files.end(), { shadow, "Sample.glsl", main });
   return files;
 }
 
@@ -160,6 +165,7 @@ void ComparisonVolume::SetUniforms(ComparisonProgram& program, const glm::dvec4&
   program.Set("specularLight", glm::vec3(1.0f));
   program.Set("reflectances", this->reflectance);
   program.Set("eyeGrid", glm::vec4(eyeGrid));
+  program.Set("boxUpperGrid", glm::vec3(this->geometry.boxGrid.upper));
   program.Set("opticalTable", this->table);
   program.Set("volumeTexture", this->voxels);
 }

@@ -25,11 +25,14 @@ class vtkVolume;
 namespace varimarch
 {
 
+/// The choice of the shaders' slot Shadow without shadows.
+inline const std::string NoShadow = "Shadow/None.glsl";
+
 /// Lets a texture interpolate linearly and continue its edges.
 void FilterLinearly(vtkTextureObject* texture);
 
 /// The voxels and the look of a volume on the device, as comparison methods read them: one
-/// component, a transfer function of one value, and a light at the eye.
+/// component, a transfer function of one value, and a light at the eye or far away.
 class ComparisonVolume
 {
 public:
@@ -44,7 +47,10 @@ public:
 
   /// The files of a fragment shader that gives samples their look.
   /// @param main  file with main()
-  std::vector<std::string> FragmentFiles(const std::string& main) const;
+  /// @param shadow  file of the slot Shadow; another than NoShadow replaces the light at the eye by
+  ///                a distant one
+  std::vector<std::string> FragmentFiles(
+    const std::string& main, const std::string& shadow = NoShadow) const;
   /// The same for a shader that reads the slices of a stack.
   std::vector<std::string> FragmentFilesOfStack(const std::string& main) const;
 
@@ -67,7 +73,7 @@ private:
   void ReadVoxels();
   void UploadTable(vtkOpenGLRenderWindow* window, vtkVolume* volume);
   std::vector<std::string> FilesWith(
-    std::vector<std::string> voxelFiles, const std::string& main) const;
+    std::vector<std::string> voxelFiles, const std::string& main, const std::string& shadow) const;
 
   vtkSmartPointer<vtkImageData> image;
   vtkMTimeType imageTime = 0;

@@ -38,19 +38,12 @@ void DrawSlice(const ComparisonFrame& frame, const std::vector<glm::vec3>& slice
   frame.program.DeactivateTextures();
 }
 
-void UseLook(const ComparisonFrame& frame, const std::string& main, const glm::dmat4& clipFromGrid)
-{
-  frame.program.Use(frame.view.window, "Grid.vert.glsl", frame.volume.FragmentFiles(main));
-  frame.volume.SetUniforms(frame.program, frame.view.eyeGrid);
-  frame.program.Set("clipFromGrid", glm::mat4(clipFromGrid));
-  frame.program.Set("sliceMm", float(frame.sampleDistanceMm));
 }
 
-}
-
-void HalfAngleMethod::Draw(const ComparisonFrame& frame, ComparisonImage& image,
-  const glm::dvec3& toLightWorld, double spreadDegrees)
+void HalfAngleMethod::Draw(
+  const ComparisonFrame& frame, ComparisonImage& image, double spreadDegrees)
 {
+  const glm::dvec3& toLightWorld = frame.toLightWorld;
   const ComparedView& view = frame.view;
   const VolumeGeometry& geometry = frame.volume.Geometry();
   // Slices are met in the order of the light. The eye meets them in the same order if it is on the
@@ -74,7 +67,9 @@ void HalfAngleMethod::Draw(const ComparisonFrame& frame, ComparisonImage& image,
     image.Continue(view.window);
     SetComparisonState(
       view.window, sameSide ? ComparisonBlending::Under : ComparisonBlending::Over);
-    UseLook(frame, "LitSlice.frag.glsl", view.clipFromGrid);
+    frame.Use("Slice.frag.glsl", "Shadow/LightBuffer.glsl");
+    frame.program.Set("clipFromGrid", glm::mat4(view.clipFromGrid));
+    frame.program.Set("sliceMm", float(frame.sampleDistanceMm));
     frame.program.Set("lightFromGrid", glm::mat4(light.lightFromGrid));
     frame.program.Set("lightTexture", this->buffers[this->present].Color());
     DrawSlice(frame, slice);
@@ -100,8 +95,15 @@ void HalfAngleMethod::DimLight(
   }
   this->buffers[this->present].Continue(window);
   SetComparisonState(window, ComparisonBlending::Dim);
-  UseLook(frame, "Shadow.frag.glsl", light.lightFromGrid);
+  frame.Use("Shadow.frag.glsl");
+  frame.program.Set("clipFromGrid", glm::mat4(light.lightFromGrid));
+  frame.program.Set("sliceMm", float(frame.sampleDistanceMm));
   DrawSlice(frame, slice);
+}
+
+std::size_t HalfAngleMethod::Bytes() const
+{
+  return this->buffers[0].Bytes() + this->buffers[1].Bytes();
 }
 
 void HalfAngleMethod::Release(vtkWindow* window)

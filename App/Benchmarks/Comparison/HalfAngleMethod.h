@@ -18,11 +18,10 @@ class HalfAngleMethod
 {
 public:
   /// Draws into `image`, which is bound afterwards.
-  /// @param toLightWorld   direction towards the light, a unit vector
   /// @param spreadDegrees  half the angle of the cone of scattered light, [0, 90); 0: shadows only
-  void Draw(const ComparisonFrame& frame, ComparisonImage& image, const glm::dvec3& toLightWorld,
-    double spreadDegrees);
+  void Draw(const ComparisonFrame& frame, ComparisonImage& image, double spreadDegrees);
 
+  std::size_t Bytes() const; ///< both buffers of light
   void Release(vtkWindow* window);
 
 private:

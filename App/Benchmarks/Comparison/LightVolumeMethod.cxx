@@ -81,16 +81,15 @@ std::vector<float> LightAt(
 
 }
 
-void LightVolumeMethod::Draw(
-  const ComparisonFrame& frame, const glm::dvec3& toLightWorld, int mostPoints, bool fromBehind)
+void LightVolumeMethod::Draw(const ComparisonFrame& frame, int mostPoints, bool fromBehind)
 {
-  this->Update(frame, toLightWorld, mostPoints);
+  this->Update(frame, mostPoints);
   DrawLitSlices(frame, this->light, fromBehind);
 }
 
-void LightVolumeMethod::Update(
-  const ComparisonFrame& frame, const glm::dvec3& toLightWorld, int mostPoints)
+void LightVolumeMethod::Update(const ComparisonFrame& frame, int mostPoints)
 {
+  const glm::dvec3& toLightWorld = frame.toLightWorld;
   if (this->builtVersion == frame.volume.Version() && this->builtFor == toLightWorld &&
     this->builtMostPoints == mostPoints)
   {

@@ -22,17 +22,15 @@ class LightVolumeMethod
 public:
   /// Draws slices parallel to the image into the bound image, whose blending is "over" for slices
   /// from the back to the front, and "under" for the opposite order.
-  /// @param toLightWorld  direction towards the light, a unit vector
-  /// @param mostPoints    points of the grid along the longest axis of the volume, >= 2; an axis
-  ///                      has no more points than voxels
-  void Draw(
-    const ComparisonFrame& frame, const glm::dvec3& toLightWorld, int mostPoints, bool fromBehind);
+  /// @param mostPoints  points of the grid along the longest axis of the volume, >= 2; an axis has
+  ///                    no more points than voxels
+  void Draw(const ComparisonFrame& frame, int mostPoints, bool fromBehind);
 
   std::size_t Bytes() const; ///< texture of the light
   void Release(vtkWindow* window);
 
 private:
-  void Update(const ComparisonFrame& frame, const glm::dvec3& toLightWorld, int mostPoints);
+  void Update(const ComparisonFrame& frame, int mostPoints);
 
   vtkNew<vtkTextureObject> light;
   glm::dvec3 builtFor = glm::dvec3(0.0); ///< direction towards the light

@@ -52,7 +52,7 @@ void DrawFaces(const ComparisonFrame& frame, Faces faces)
 }
 
 void PassMethod::Draw(
-  const ComparisonFrame& frame, ComparisonImage& image, int stepsPerPass, double leastTransmittance)
+  const ComparisonFrame& frame, ComparisonImage& image, const PassSettings& settings)
 {
   const ComparedView& view = frame.view;
   if (unsigned(view.sizePixels.x) != this->depth->GetWidth() ||
@@ -72,12 +72,12 @@ void PassMethod::Draw(
   view.window->GetState()->vtkglClear(GL_DEPTH_BUFFER_BIT);
   const int steps = int(std::ceil(frame.volume.Geometry().DiagonalMm() / frame.sampleDistanceMm));
   this->passes = 0;
-  for (int first = 0; first < steps; first += stepsPerPass)
+  for (int first = 0; first < steps; first += settings.stepsPerPass)
   {
     image.Continue(view.window);
-    this->March(frame, first, stepsPerPass);
-    this->EndRays(
-      frame, image, (first + stepsPerPass) * frame.sampleDistanceMm, leastTransmittance);
+    this->March(frame, settings, first);
+    this->EndRays(frame, image, (first + settings.stepsPerPass) * frame.sampleDistanceMm,
+      settings.leastTransmittance);
     ++this->passes;
   }
   image.Continue(view.window);
@@ -97,19 +97,18 @@ void PassMethod::SetUpRays(const ComparisonFrame& frame)
   DrawFaces(frame, Faces::Back);
 }
 
-void PassMethod::March(const ComparisonFrame& frame, int firstStep, int stepCount)
+void PassMethod::March(const ComparisonFrame& frame, const PassSettings& settings, int firstStep)
 {
   const ComparedView& view = frame.view;
   SetComparisonState(view.window, ComparisonBlending::Under);
   view.window->GetState()->vtkglEnable(GL_DEPTH_TEST);
   view.window->GetState()->vtkglDepthFunc(GL_LESS);
-  frame.program.Use(
-    view.window, "Grid.vert.glsl", frame.volume.FragmentFiles("MarchPass.frag.glsl"));
-  frame.volume.SetUniforms(frame.program, view.eyeGrid);
+  frame.Use("MarchPass.frag.glsl", settings.shadow);
+  frame.program.Set("shadowStepMm", float(frame.sampleDistanceMm));
   frame.program.Set("directionTexture", this->directions.Color());
   frame.program.Set("stepMm", float(frame.sampleDistanceMm));
   frame.program.Set("firstStep", firstStep);
-  frame.program.Set("stepCount", stepCount);
+  frame.program.Set("stepCount", settings.stepsPerPass);
   DrawFaces(frame, Faces::Front);
 }
 

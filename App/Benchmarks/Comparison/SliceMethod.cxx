@@ -84,22 +84,14 @@ SliceSet SlicesOfVoxels(const ComparisonFrame& frame, int axis, bool fromBehind)
   return set;
 }
 
-void UseProgram(const ComparisonFrame& frame, const std::vector<std::string>& fragmentFiles)
-{
-  frame.program.Use(frame.view.window, "Grid.vert.glsl", fragmentFiles);
-  frame.volume.SetUniforms(frame.program, frame.view.eyeGrid);
-  frame.program.Set("clipFromGrid", glm::mat4(frame.view.clipFromGrid));
-}
-
 // @param light  parts of a light that arrive, or null
 void DrawFrom3DTexture(const ComparisonFrame& frame, const SliceSet& set, vtkTextureObject* light)
 {
-  UseProgram(
-    frame, frame.volume.FragmentFiles(light ? "SliceInLight.frag.glsl" : "Slice.frag.glsl"));
+  frame.Use("Slice.frag.glsl", light ? "Shadow/LightVolume.glsl" : NoShadow);
+  frame.program.Set("clipFromGrid", glm::mat4(frame.view.clipFromGrid));
   if (light)
   {
     frame.program.Set("lightVolume", light);
-    frame.program.Set("boxUpperGrid", glm::vec3(frame.volume.Geometry().boxGrid.upper));
   }
   frame.program.Set("sliceMm", float(set.sliceMm));
   frame.program.SetTriangles(set.triangles);
@@ -110,7 +102,10 @@ void DrawFrom3DTexture(const ComparisonFrame& frame, const SliceSet& set, vtkTex
 void DrawFrom2DTextures(const ComparisonFrame& frame, int axis, const SliceSet& set)
 {
   const auto& stack = frame.volume.Stack(frame.view.window, axis);
-  UseProgram(frame, frame.volume.FragmentFilesOfStack("Slice.frag.glsl"));
+  frame.program.Use(
+    frame.view.window, "Grid.vert.glsl", frame.volume.FragmentFilesOfStack("Slice.frag.glsl"));
+  frame.volume.SetUniforms(frame.program, frame.view.eyeGrid);
+  frame.program.Set("clipFromGrid", glm::mat4(frame.view.clipFromGrid));
   frame.program.Set("sliceMm", float(set.sliceMm));
   frame.program.Set("sliceAxes", glm::ivec2(axis == 0 ? 1 : 0, axis == 2 ? 1 : 2));
   frame.program.SetTriangles(set.triangles);
@@ -134,9 +129,9 @@ void DrawShells(const ComparisonFrame& frame, bool fromBehind)
   {
     std::reverse(radii.begin(), radii.end());
   }
-  UseProgram(frame, frame.volume.FragmentFiles("Shell.frag.glsl"));
+  frame.Use("Shell.frag.glsl");
+  frame.program.Set("clipFromGrid", glm::mat4(frame.view.clipFromGrid));
   frame.program.Set("sliceMm", float(frame.sampleDistanceMm));
-  frame.program.Set("boxUpperGrid", glm::vec3(geometry.boxGrid.upper));
   frame.program.SetTriangles(CoverOf(geometry.boxGrid, frame.view.clipFromGrid));
   for (const double radius : radii)
   {

@@ -17,7 +17,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 using namespace varimarch;
 
@@ -49,6 +51,22 @@ Slices SlicesOf(int method)
       return Slices::Shells;
     default:
       return Slices::View;
+  }
+}
+
+// The file of the slot Shadow for methods that march in passes; empty for others.
+std::optional<std::string> ShadowOfPasses(int method)
+{
+  switch (method)
+  {
+    case vtkComparisonMapper::Passes:
+      return NoShadow;
+    case vtkComparisonMapper::SecondMarch:
+      return "Shadow/SecondMarch.glsl";
+    case vtkComparisonMapper::VtkShadows:
+      return "Shadow/VtkRays.glsl";
+    default:
+      return std::nullopt;
   }
 }
 
@@ -86,25 +104,23 @@ private:
 void vtkComparisonMapper::Internals::DrawImage(
   vtkComparisonMapper* mapper, const ComparisonFrame& frame)
 {
-  if (mapper->GetMethod() == Passes)
+  if (const std::optional<std::string> shadow = ShadowOfPasses(mapper->GetMethod()))
   {
-    this->passes.Draw(
-      frame, this->image, mapper->GetStepsPerPass(), mapper->GetEarlyTerminationTransmittance());
+    this->passes.Draw(frame, this->image,
+      { mapper->GetStepsPerPass(), mapper->GetEarlyTerminationTransmittance(), *shadow });
     return;
   }
   this->image.Begin(frame.view.window, frame.view.sizePixels, glm::vec4(0.0f));
   if (mapper->GetMethod() == HalfAngle)
   {
-    this->halfAngle.Draw(
-      frame, this->image, ToLightWorld(mapper, frame.view), mapper->GetSpreadDegrees());
+    this->halfAngle.Draw(frame, this->image, mapper->GetSpreadDegrees());
     return;
   }
   SetComparisonState(frame.view.window,
     mapper->GetFromBehind() ? ComparisonBlending::Over : ComparisonBlending::Under);
   if (mapper->GetMethod() == LightVolume)
   {
-    this->lightVolume.Draw(
-      frame, ToLightWorld(mapper, frame.view), mapper->GetLightPoints(), mapper->GetFromBehind());
+    this->lightVolume.Draw(frame, mapper->GetLightPoints(), mapper->GetFromBehind());
     return;
   }
   DrawSlices(frame, SlicesOf(mapper->GetMethod()), mapper->GetFromBehind());
@@ -142,8 +158,9 @@ void vtkComparisonMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     const ComparedView view = ComparedViewOf(renderer, this->Private->volume.Geometry());
     {
       const KeptState kept(window->GetState());
-      this->Private->DrawImage(
-        this, { view, this->Private->volume, this->Private->program, this->SampleDistance });
+      this->Private->DrawImage(this,
+        { view, this->Private->volume, this->Private->program, this->SampleDistance,
+          ToLightWorld(this, view) });
     }
     const KeptState kept(window->GetState());
     this->Private->Show(view);
@@ -156,7 +173,12 @@ void vtkComparisonMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 
 double vtkComparisonMapper::GetGraphicsMemoryBytes()
 {
-  return double(this->Private->volume.Bytes() + this->Private->lightVolume.Bytes());
+  return double(this->Private->volume.Bytes()) + this->GetLightMemoryBytes();
+}
+
+double vtkComparisonMapper::GetLightMemoryBytes()
+{
+  return double(this->Private->halfAngle.Bytes() + this->Private->lightVolume.Bytes());
 }
 
 void vtkComparisonMapper::ReleaseGraphicsResources(vtkWindow* window)

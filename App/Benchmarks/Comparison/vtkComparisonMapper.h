@@ -11,7 +11,8 @@
 /// Draws composites of one component as published methods do that this project compares itself
 /// with: slices, a march in several passes, half-angle slices, a volume of light, voxels in fewer
 /// bits. It is part of the benchmarks only; the product does not know it. It draws no cuts, masks,
-/// labels, gradient opacity or opaque geometry, and lights samples by a white light at the eye.
+/// labels, gradient opacity or opaque geometry. Methods without shadows light samples by a white
+/// light at the eye, those with shadows by a white light far away.
 class vtkComparisonMapper : public vtkVolumeMapper
 {
 public:
@@ -27,12 +28,14 @@ public:
     Shells,         ///< spherical shells around the eye
     Passes,         ///< ray marching in several passes
     HalfAngle,      ///< slices halfway between view and light, with shadows
-    LightVolume     ///< slices parallel to the image, with shadows from a volume of light
+    LightVolume,    ///< slices parallel to the image, with shadows from a volume of light
+    SecondMarch,    ///< as Passes, with shadows by a second march from each sample to the light
+    VtkShadows      ///< the same by the rays of VTK 9.2 and later
   };
 
   ///@{
   /// Default: ViewSlices.
-  vtkSetClampMacro(Method, int, ObjectSlices, LightVolume);
+  vtkSetClampMacro(Method, int, ObjectSlices, VtkShadows);
   vtkGetMacro(Method, int);
   ///@}
 
@@ -50,15 +53,15 @@ public:
   ///@}
 
   ///@{
-  /// All but passes and half-angle slices: blend them over each other, from the back to the front,
-  /// instead of under each other. Default: on.
+  /// Slices other than half-angle, and shells: blend them over each other, from the back to the
+  /// front, instead of under each other. Default: on.
   vtkSetMacro(FromBehind, bool);
   vtkGetMacro(FromBehind, bool);
   ///@}
 
   ///@{
-  /// Passes: steps per pass, > 0, and the transmittance below which a ray ends. Defaults: 32 and
-  /// 1/1024.
+  /// Marches in passes: steps per pass, > 0, and the transmittance below which a ray ends.
+  /// Defaults: 32 and 1/1024.
   vtkSetClampMacro(StepsPerPass, int, 1, 65536);
   vtkGetMacro(StepsPerPass, int);
   vtkSetClampMacro(EarlyTerminationTransmittance, double, 0.0, 0.999999);
@@ -66,7 +69,7 @@ public:
   ///@}
 
   ///@{
-  /// HalfAngle and LightVolume: the direction towards the light in the camera's right, up and
+  /// Methods with shadows: the direction towards the light in the camera's right, up and
   /// backward directions, of any length. Default: from above at 45 degrees.
   vtkSetVector3Macro(LightDirection, double);
   vtkGetVector3Macro(LightDirection, double);
@@ -88,6 +91,8 @@ public:
 
   /// Textures of the volume, its look and its light in the last frame [bytes].
   double GetGraphicsMemoryBytes();
+  /// The part of it that is for light alone.
+  double GetLightMemoryBytes();
 
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

@@ -13,6 +13,9 @@ uniform vec3 specularLight;
 uniform vec4 reflectances[1]; // coefficients of ambient, diffuse and specular light, specular power
 uniform samplerBuffer opticalTable;
 uniform vec4 eyeGrid; // the eye in homogeneous coordinates; at infinity for a parallel projection
+uniform vec3 boxUpperGrid; // upper corner of the volume's box, whose lower corner is 0
+uniform vec3 toLightWorld; // direction towards a distant light, a unit vector
+uniform vec3 toLightGrid;  // the same [grid per mm]
 
 struct Ray
 {
@@ -24,8 +27,10 @@ struct Ray
 
 // The scalar at a position in the volume texture (folder Voxels).
 float ScalarAt(vec3 positionTexture);
+// The part of the distant light that arrives at the origin of a ray, [0, 1] (folder Shadow).
+float Arriving(Ray ray);
 // The colour that a material of this colour sends towards the eye (folder Look).
-vec3 LitColor(vec3 color, vec3 positionTexture, Ray ray);
+vec3 LitColor(vec3 color, float arriving, vec3 positionTexture, Ray ray);
 
 bool HasGradient(vec3 positionTexture)
 {

@@ -3,7 +3,6 @@
 
 uniform float sliceMm;  // length that a shell stands for [mm]
 uniform float radiusMm; // radius of the shell [mm]
-uniform vec3 boxUpperGrid;
 in vec3 positionGrid;
 out vec4 fragOutput0;
 

@@ -1,6 +1,6 @@
 // The product's light at the eye, from its slot Shade.
 
-vec3 LitColor(vec3 color, vec3 positionTexture, Ray ray)
+vec3 LitColor(vec3 color, float arriving, vec3 positionTexture, Ray ray)
 {
-  return Shade(color, GradientAt(positionTexture), reflectances[0], ray, 0.0);
+  return arriving * Shade(color, GradientAt(positionTexture), reflectances[0], ray, 0.0);
 }

@@ -1,4 +1,4 @@
-vec3 LitColor(vec3 color, vec3 positionTexture, Ray ray)
+vec3 LitColor(vec3 color, float arriving, vec3 positionTexture, Ray ray)
 {
-  return color;
+  return arriving * color;
 }

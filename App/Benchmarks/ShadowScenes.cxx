@@ -1,0 +1,71 @@
+#include "ShadowScenes.h"
+
+#include "Scene/OffscreenView.h"
+#include "Scene/SceneLights.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The direction to the upper right of a camera, fixed in the world.
+std::array<double, 3> UpperRightOf(vtkCamera* camera)
+{
+  const glm::dvec3 toEye = -glm::make_vec3(camera->GetDirectionOfProjection());
+  const glm::dvec3 up = glm::make_vec3(camera->GetViewUp());
+  const glm::dvec3 direction = toEye + 0.8 * glm::normalize(glm::cross(up, toEye)) + 0.7 * up;
+  return { direction.x, direction.y, direction.z };
+}
+
+}
+
+Scene LitScene(const LoadedScene& loaded, const ShadowOptions& options)
+{
+  Scene scene = loaded.scene;
+  scene.look.shading.enabled = true;
+  scene.size = { options.side, options.side };
+  scene.render.errorTolerance = options.errorTolerance;
+  ScenePipeline pipeline(scene, loaded.volume.image, MapperKind::Varimarch);
+  scene.lights = { { LightKind::Directional,
+    UpperRightOf(pipeline.Renderer()->GetActiveCamera()) } };
+  return scene;
+}
+
+Scene WithShadows(Scene scene)
+{
+  scene.shadows = true;
+  return scene;
+}
+
+Scene FineScene(Scene scene)
+{
+  scene.render.sampleDistanceVoxels = 0.125;
+  scene.render.errorTolerance = 0.0;
+  return scene;
+}
+
+SceneLight Turned(SceneLight light, double degrees)
+{
+  LightAngles angles = AnglesOf(light.direction, light.kind);
+  angles.azimuthDegrees = std::remainder(angles.azimuthDegrees + degrees, 360.0);
+  light.direction = DirectionOf(angles, light.kind);
+  return light;
+}
+
+std::vector<float> PixelsOf(OffscreenView& view)
+{
+  const auto picture = view.FloatImage();
+  const auto* const channels = static_cast<const float*>(picture->GetScalarPointer());
+  return std::vector<float>(channels, channels + 4 * picture->GetNumberOfPoints());
+}
+
+}

@@ -1,0 +1,42 @@
+#ifndef Varimarch_Benchmarks_ShadowScenes_h
+#define Varimarch_Benchmarks_ShadowScenes_h
+
+#include "SpeedScenes.h"
+
+#include <vector>
+
+namespace varimarch
+{
+
+class OffscreenView;
+
+// The scenes of measurements of light, and their true images.
+
+struct ShadowOptions
+{
+  int side = 512; ///< side of the square images [pixels]
+  int rounds = 3;
+  double errorTolerance = 1.0 / 64.0;
+};
+  int views = 4;
+};
+
+/// The scene shaded, in one light from the upper right of its camera, which is fixed in the world
+/// and casts no shadows yet.
+Scene LitScene(const LoadedScene& loaded, const ShadowOptions& options);
+
+Scene WithShadows(Scene scene);
+
+/// The same with samples an eighth of a voxel apart and without a lattice of light. Its image
+/// judges others.
+Scene FineScene(Scene scene);
+
+/// The light, turned about the patient.
+SceneLight Turned(SceneLight light, double degrees);
+
+/// A new frame: premultiplied RGBA of all pixels.
+std::vector<float> PixelsOf(OffscreenView& view);
+
+}
+
+#endif
