@@ -24,6 +24,7 @@ struct BenchMethod
   /// One of vtkComparisonMapper::Methods, which then draws instead of the mapper of this kind.
   std::optional<int> comparison = {};
   VoxelStorage storage = VoxelStorage::Bits16; ///< only for comparison methods
+  bool correctedTable = false;                 ///< vtkComparisonMapper::CorrectedTable
 };
 
 std::vector<std::string> BenchMethodNames();

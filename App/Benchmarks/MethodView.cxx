@@ -16,6 +16,7 @@ MethodView::MethodView(const BenchMethod& method, const Scene& scene, vtkImageDa
     this->comparison = vtkSmartPointer<vtkComparisonMapper>::New();
     this->comparison->SetMethod(*method.comparison);
     this->comparison->SetStorage(method.storage);
+    this->comparison->SetCorrectedTable(method.correctedTable);
     this->comparison->SetInputDataObject(image);
     this->view.Pipeline().Volume()->SetMapper(this->comparison);
   }

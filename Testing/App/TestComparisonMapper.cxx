@@ -248,6 +248,19 @@ TEST(Passes, DoNotChangeTheImage)
   }
 }
 
+TEST(Passes, HaveWholeStepsInATable)
+{
+  LitCube cube;
+  cube.mapper->SetEarlyTerminationTransmittance(0.0);
+  cube.mapper->SetCorrectedTable(true);
+  EXPECT_NEAR(cube.Middle(Mapper::Passes).y, 1.0 - std::pow(0.9, 16.0), 1e-5);
+  // A step that is not whole counts as one, which happens once in a ray.
+  cube.mapper->SetSampleDistance(3.0);
+  EXPECT_NEAR(cube.Middle(Mapper::Passes).y, 1.0 - std::pow(0.9, 18.0), 1e-5);
+  cube.mapper->SetCorrectedTable(false);
+  EXPECT_NEAR(cube.Middle(Mapper::Passes).y, 1.0 - std::pow(0.9, 16.0), 1e-5);
+}
+
 TEST(Passes, EndRaysThatHaveMetEnough)
 {
   Scene settings = SoftScene(false);

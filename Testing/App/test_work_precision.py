@@ -110,7 +110,8 @@ def work_precision_judges_error_tolerances(folder):
 def work_precision_draws_methods_of_others(folder):
     """Methods of others get the same columns as ours, and fewer samples give larger errors."""
     shadowed = ["half-angle", "light-volume"]  # shadows are not in the truth
-    others = ["slices-object", "slices-object-2d", "slices-view", "shells", "passes", *shadowed]
+    others = ["slices-object", "slices-object-2d", "slices-view", "shells", "passes",
+              "corrected-table", *shadowed]
     orders = ["whole-rays", "back-to-front"]
     run("work-precision", VOLUME, "-o", folder, "--size", "48x40", "--rounds", "1", "--methods",
         ",".join(orders + others), "--no-shade", "--orbit", "4")

@@ -56,25 +56,27 @@ void FilterLinearly(vtkTextureObject* texture)
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
 }
 
-void ComparisonVolume::Update(
-  vtkOpenGLRenderWindow* window, vtkImageData* newImage, vtkVolume* volume, VoxelStorage newStorage)
+void ComparisonVolume::Update(vtkOpenGLRenderWindow* window, vtkImageData* newImage,
+  vtkVolume* volume, const ComparedForm& newForm)
 {
   this->geometry = VolumeGeometryOf(newImage, volume);
   if (this->image != newImage || this->imageTime != newImage->GetMTime() ||
-    this->storage != newStorage)
+    this->form.voxels != newForm.voxels)
   {
     this->Release(window);
     this->image = newImage;
     this->imageTime = newImage->GetMTime();
-    this->storage = newStorage;
+    this->form.voxels = newForm.voxels;
     this->ReadVoxels();
-    UploadVoxels(window, this->voxels, newStorage, { this->texels, this->geometry.dimensions });
+    UploadVoxels(window, this->voxels, newForm.voxels, { this->texels, this->geometry.dimensions });
     this->voxelBytes = TextureBytes(this->voxels);
     ++this->version;
   }
   vtkVolumeProperty* const property = volume->GetProperty();
-  if (this->propertyTime != property->GetMTime())
+  if (this->propertyTime != property->GetMTime() ||
+    this->form.correctedStepMm != newForm.correctedStepMm)
   {
+    this->form.correctedStepMm = newForm.correctedStepMm;
     this->propertyTime = property->GetMTime();
     this->shaded = property->GetShade() != 0;
     this->reflectance = { property->GetAmbient(), property->GetDiffuse(), property->GetSpecular(),
@@ -100,7 +102,14 @@ void ComparisonVolume::UploadTable(vtkOpenGLRenderWindow* window, vtkVolume* vol
 {
   this->optical = BuildOpticalTable(
     TransferFunctionOf(volume->GetProperty()), this->smallest, this->smallest + this->range);
-  const std::vector<glm::vec4>& entries = this->optical.entries;
+  std::vector<glm::vec4> entries = this->optical.entries;
+  if (this->form.correctedStepMm > 0.0)
+  {
+    for (glm::vec4& entry : entries)
+    {
+      entry.a = float(-std::expm1(-double(entry.a) * this->form.correctedStepMm));
+    }
+  }
   this->index = IndexOf(this->optical, double(entries.size()) - 1.0, this->range, this->smallest);
   this->tableBuffer->Upload(
     &entries.front().x, 4 * entries.size(), vtkOpenGLBufferObject::TextureBuffer);
@@ -121,7 +130,7 @@ double ComparisonVolume::Extinction(double texel) const
 std::vector<std::string> ComparisonVolume::FragmentFiles(
   const std::string& main, const std::string& shadow) const
 {
-  return this->FilesWith(ShaderFilesOf(this->storage), main, shadow);
+  return this->FilesWith(ShaderFilesOf(this->form.voxels), main, shadow);
 }
 
 std::vector<std::string> ComparisonVolume::FragmentFilesOfStack(const std::string& main) const
@@ -134,6 +143,8 @@ std::vector<std::string> ComparisonVolume::FilesWith(
 {
   files.insert(files.begin(), "Parameters.glsl");
   files.emplace_back("Classify/OpticalTable.glsl");
+  files.emplace_back(
+    this->form.correctedStepMm > 0.0 ? "Absorb/Corrected.glsl" : "Absorb/Exponential.glsl");
   if (!this->shaded)
   {
     files.emplace_back("Look/Plain.glsl");

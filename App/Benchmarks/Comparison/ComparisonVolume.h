@@ -31,6 +31,14 @@ inline const std::string NoShadow = "Shadow/None.glsl";
 /// Lets a texture interpolate linearly and continue its edges.
 void FilterLinearly(vtkTextureObject* texture);
 
+/// The form in which voxels and look are stored.
+struct ComparedForm
+{
+  VoxelStorage voxels = VoxelStorage::Bits16;
+  /// Length of steps for which the table has opacities instead of extinctions [mm]; 0: none.
+  double correctedStepMm = 0.0;
+};
+
 /// The voxels and the look of a volume on the device, as comparison methods read them: one
 /// component, a transfer function of one value, and a light at the eye or far away.
 class ComparisonVolume
@@ -38,8 +46,8 @@ class ComparisonVolume
 public:
   /// Uploads what has changed since the last call.
   /// @throws std::invalid_argument if the volume has not exactly one component
-  void Update(
-    vtkOpenGLRenderWindow* window, vtkImageData* image, vtkVolume* volume, VoxelStorage storage);
+  void Update(vtkOpenGLRenderWindow* window, vtkImageData* image, vtkVolume* volume,
+    const ComparedForm& form);
 
   /// Sets the uniforms that all fragment shaders with a look have, and activates the textures.
   /// @param eyeGrid  the eye in homogeneous coordinates
@@ -77,7 +85,7 @@ private:
 
   vtkSmartPointer<vtkImageData> image;
   vtkMTimeType imageTime = 0;
-  VoxelStorage storage = VoxelStorage::Bits16;
+  ComparedForm form;
   vtkMTimeType propertyTime = 0;
   VolumeGeometry geometry;
   std::vector<float> texels; ///< in [0, 1] over the values of the volume

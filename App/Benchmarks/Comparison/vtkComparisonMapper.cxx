@@ -154,7 +154,9 @@ void vtkComparisonMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   try
   {
-    this->Private->volume.Update(window, image, volume, this->Storage);
+    const bool isCorrected = this->CorrectedTable && this->Method == Passes;
+    this->Private->volume.Update(
+      window, image, volume, { this->Storage, isCorrected ? this->SampleDistance : 0.0 });
     const ComparedView view = ComparedViewOf(renderer, this->Private->volume.Geometry());
     {
       const KeptState kept(window->GetState());
@@ -196,6 +198,7 @@ void vtkComparisonMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Storage: " << int(this->Storage) << "\n";
+  os << indent << "CorrectedTable: " << this->CorrectedTable << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "FromBehind: " << this->FromBehind << "\n";
   os << indent << "StepsPerPass: " << this->StepsPerPass << "\n";

@@ -46,6 +46,13 @@ public:
   ///@}
 
   ///@{
+  /// Passes: the table has the opacities of whole steps, so that samples need no exponential.
+  /// Default: off.
+  vtkSetMacro(CorrectedTable, bool);
+  vtkGetMacro(CorrectedTable, bool);
+  ///@}
+
+  ///@{
   /// Distance between slices or samples [mm], > 0. ObjectSlices2D rounds it to whole voxels, at
   /// least one. Default: 1.
   vtkSetClampMacro(SampleDistance, double, 1e-30, 1e30);
@@ -106,6 +113,7 @@ private:
 
   int Method = ViewSlices;
   varimarch::VoxelStorage Storage = varimarch::VoxelStorage::Bits16;
+  bool CorrectedTable = false;
   double SampleDistance = 1.0;
   bool FromBehind = true;
   int StepsPerPass = 32;

@@ -1,4 +1,3 @@
-#include "Math/Absorption.glsl"
 // The colour, premultiplied, and the opacity of a sample that stands for a length of its ray.
 
 vec4 SampleColor(vec3 positionGrid, vec3 directionGrid, float lengthMm)
@@ -9,7 +8,7 @@ vec4 SampleColor(vec3 positionGrid, vec3 directionGrid, float lengthMm)
   {
     return vec4(0.0);
   }
-  float absorbed = Absorption(min(optical.a * lengthMm, 100.0));
+  float absorbed = Absorbed(optical.a, lengthMm);
   Ray ray = Ray(positionGrid, directionGrid, positionTexture, directionGrid * voxelCountInverse);
   return vec4(LitColor(optical.rgb, Arriving(ray), positionTexture, ray) * absorbed, absorbed);
 }

@@ -1,4 +1,3 @@
-#include "Math/Absorption.glsl"
 #include "Math/IntersectBox.glsl"
 // A ray from each sample to a distant light as VTK marches it from version 9.2 on: it begins a step
 // away from the sample, samples are at the beginnings of steps, steps are as long in the texture as
@@ -20,7 +19,7 @@ float Arriving(Ray ray)
   for (float t = 0.0; t < exit; t += stepTexture)
   {
     float extinction = Classify(ScalarAt(origin + t * toLightTexture)).a;
-    arriving *= 1.0 - Absorption(min(extinction * shadowStepMm, 100.0));
+    arriving *= 1.0 - Absorbed(extinction, shadowStepMm);
   }
   return arriving;
 }
