@@ -187,6 +187,17 @@ void AddShadowCommand(CLI::App& program, const std::string& commandText)
               "  varimarch-bench shadows --volumes volumes -o report\n"
               "  varimarch-bench shadows head.nii.gz -o report --side 256");
   AddShadowOptions(*app, *arguments);
+  app
+    ->add_option("--tolerances", arguments->options.tolerances,
+      "The tolerances whose errors are measured (default 1/16, 1/32, 1/64, 1/128, 1/255)")
+    ->delimiter(',')
+    ->check(CLI::Range(1e-4, 1.0).description(""))
+    ->type_name("ERRORS");
+  app
+    ->add_option("--views", arguments->options.views,
+      "The number of views of each scene in which they are measured (default 4)")
+    ->check(CLI::Range(1, 360).description(""))
+    ->type_name("N");
   app->callback([arguments] { RunShadows(*arguments); });
 }
 

@@ -5,6 +5,7 @@
 #include "CommandLine/Results.h"
 #include "Machine.h"
 #include "Scene/OutputFile.h"
+#include "ShadowPromises.h"
 
 #include <nlohmann/json.hpp>
 
@@ -24,6 +25,7 @@ struct ShadowPage
   Machine machine;
   ShadowOptions options;
   std::vector<ShadowCase> cases;
+  std::vector<ShadowPromises> promises; ///< in the order of the cases
 };
 
 constexpr std::array<ShadowMotion, ShadowMotions> Motions = { ShadowMotion::Still,
@@ -66,7 +68,24 @@ std::string Markdown(const ShadowPage& page)
     text += std::string(motion > 0 ? ", " : " ") + MotionNames[motion] + " " +
       Fixed(MeanFactor(page.cases, Motions[motion]), 2);
   }
-  return text + ".\n";
+  return text + ".\n" + MarkdownOf(page.promises, page.options);
+}
+
+nlohmann::ordered_json ToJson(const ImageError& error)
+{
+  return { { "rootMeanSquare", error.rootMeanSquare }, { "percentile999", error.percentile999 },
+    { "largest", error.largest } };
+}
+
+nlohmann::ordered_json ToJson(const std::vector<ShadowPromise>& promises)
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const ShadowPromise& promise : promises)
+  {
+    json.push_back({ { "view", promise.view }, { "errorTolerance", promise.errorTolerance },
+      { "error", ToJson(promise.error) } });
+  }
+  return json;
 }
 
 nlohmann::ordered_json ToJson(const ShadowPage& page)
@@ -74,14 +93,12 @@ nlohmann::ordered_json ToJson(const ShadowPage& page)
   nlohmann::ordered_json json = { { "command", page.commandText },
     { "machine", ToJson(page.machine) }, { "side", page.options.side },
     { "errorTolerance", page.options.errorTolerance } };
-  for (const ShadowCase& measured : page.cases)
+  for (std::size_t i = 0; i < page.cases.size(); ++i)
   {
+    const ShadowCase& measured = page.cases[i];
     json["scenes"].push_back({ { "scene", measured.scene }, { "withoutMs", measured.withoutMs },
       { "withMs", measured.withMs }, { "factor", measured.factor }, { "firstMs", measured.firstMs },
-      { "error",
-        { { "rootMeanSquare", measured.error.rootMeanSquare },
-          { "percentile999", measured.error.percentile999 },
-          { "largest", measured.error.largest } } } });
+      { "error", ToJson(measured.error) }, { "promises", ToJson(page.promises[i].promises) } });
   }
   return json;
 }
@@ -90,7 +107,7 @@ nlohmann::ordered_json ToJson(const ShadowPage& page)
 
 void RunShadows(const ShadowArguments& arguments)
 {
-  ShadowPage page = { arguments.report.commandText, ThisMachine(), arguments.options, {} };
+  ShadowPage page = { arguments.report.commandText, ThisMachine(), arguments.options, {}, {} };
   const SpeedScenes loaded = LoadBenchScenes(arguments.scenes);
   const std::filesystem::path folder = OutputFolder(arguments.report.outputFolder);
   for (const LoadedScene& scene : loaded.scenes)
@@ -99,8 +116,9 @@ void RunShadows(const ShadowArguments& arguments)
       std::to_string(page.cases.size()) + " of " + std::to_string(loaded.scenes.size()) +
         " scenes");
     Progress progress("Measuring " + scene.name);
-    page.cases.push_back(MeasureShadows(
-      scene, page.options, [&](const std::string& step) { progress.SetActivity(step); }));
+    const OnStep onStep = [&](const std::string& step) { progress.SetActivity(step); };
+    page.cases.push_back(MeasureShadows(scene, page.options, onStep));
+    page.promises.push_back({ scene.name, MeasureShadowPromises(scene, page.options, onStep) });
     WriteResults(ToJson(page), folder / "shadows.json");
     WriteResults(ToJson(page), arguments.report.jsonPath);
     WriteFileWhole(folder / "shadows.md", Markdown(page));

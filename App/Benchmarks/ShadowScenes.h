@@ -16,8 +16,9 @@ struct ShadowOptions
 {
   int side = 512; ///< side of the square images [pixels]
   int rounds = 3;
-  double errorTolerance = 1.0 / 64.0;
-};
+  double errorTolerance = 1.0 / 64.0; ///< tolerance of the measurements of time
+  /// Tolerances whose errors are measured, and the number of views in which they are.
+  std::vector<double> tolerances = { 1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0, 1.0 / 128.0, 1.0 / 255.0 };
   int views = 4;
 };
 

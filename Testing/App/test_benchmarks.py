@@ -130,6 +130,21 @@ def speed_draws_what_takes_long_in_one_round(folder):
         assert "published" not in [point["method"] for point in case["points"]]
 
 
+def shadows(folder):
+    text, _ = run("shadows", VOLUME, "-o", folder / "out", "--side", "32", "--rounds", "1",
+                  "--tolerances", "0.0625,0.015625", "--views", "2")
+    assert (folder / "out" / "shadows.md").read_text() == text
+    scene, = json.loads((folder / "out" / "shadows.json").read_text())["scenes"]
+    promises = scene["promises"]
+    assert [(kept["view"], kept["errorTolerance"]) for kept in promises] == [
+        (0, 0.0625), (0, 0.015625), (1, 0.0625), (1, 0.015625)]
+    for kept in promises:
+        assert kept["error"]["percentile999"] <= 255 * kept["errorTolerance"], kept
+    assert promises[0]["error"] != promises[2]["error"], "one view, twice"
+    worst = max(kept["error"]["percentile999"] for kept in promises[1::2])
+    assert f"| {worst:.2f} |\n" in text.split("## Tolerances")[1], text
+
+
 def light_methods(folder):
     text, _ = run("light-methods", VOLUME, "-o", folder / "out", "--side", "32", "--rounds", "1")
     assert (folder / "out" / "light-methods.md").read_text() == text
