@@ -20,7 +20,8 @@ struct LightMethod
   /// One of vtkComparisonMapper::Methods; empty: our mapper.
   std::optional<int> comparison = {};
   bool hasShadows = true;
-  double spreadDegrees = 0.0;               ///< vtkComparisonMapper::SpreadDegrees
+  double toleranceFactor = 1.0; ///< our mapper's error tolerance, relative to that of the options
+  double spreadDegrees = 0.0;   ///< vtkComparisonMapper::SpreadDegrees
   double leastTransmittance = 1.0 / 1024.0; ///< transmittance at which rays end
 };
 

@@ -150,8 +150,8 @@ def light_methods(folder):
     assert (folder / "out" / "light-methods.md").read_text() == text
     with (folder / "out" / "light-methods.csv").open() as file:
         rows = {row["method"]: row for row in csv.DictReader(file)}
-    assert list(rows) == ["ours", "no shadows", "second march", "light volume", "half-angle",
-                          "half-angle, blurred", "VTK's rays"], list(rows)
+    assert list(rows) == ["ours", "ours, coarse", "no shadows", "second march", "light volume",
+                          "half-angle", "half-angle, blurred", "VTK's rays"], list(rows)
     error = {name: float(row["percentile999"]) for name, row in rows.items()}
     assert error["ours"] <= 255 / 64, error
     assert error["no shadows"] > max(5.0, error["second march"]), error
@@ -278,8 +278,8 @@ def usage(folder):
         _, errors = run(*arguments, expect=2)
         assert errors.strip(), arguments
     text, _ = run("--help")
-    for command in ("work-precision", "published", "speed", "scaling", "features", "shaders",
-                    "extremes", "order", "references", "soak"):
+    for command in ("work-precision", "published", "speed", "shadows", "light-methods", "scaling",
+                    "features", "shaders", "extremes", "order", "references", "soak"):
         assert command in text.partition("Subcommands:")[2], text
         text_of_command, _ = run(command, "--help")
         assert f"  varimarch-bench {command} " in text_of_command, "help without examples"
