@@ -1,5 +1,6 @@
 // Transfer functions of two values; the second is the gradient magnitude or another array.
 
+#include "Module/LabelledTorso.h"
 #include "Module/ReferenceMaterials.h"
 #include "Support/ExpectedVtkErrors.h"
 
@@ -117,6 +118,18 @@ TEST(FunctionsOfTwoValues, TakeAnArrayByName)
   ExpectedVtkErrors errors;
   values.scene.window->Render();
   EXPECT_NE(errors.Text().find("no such array"), std::string::npos);
+}
+
+TEST(FunctionsOfTwoValues, OfAnArrayLeaveLabelsOutAndSaySo)
+{
+  TwoValues values;
+  values.scene.mapper->SetTransfer2DYAxisArray("second");
+  values.scene.mapper->SetMaskTypeToLabelMap();
+  values.scene.mapper->SetMaskInput(MaskOf({ 9, 9, 33 }, [](glm::ivec3) { return 1; }));
+  const ExpectedVtkErrors messages;
+  values.scene.window->Render();
+  EXPECT_NE(messages.Text().find("without a second array of values"), std::string::npos)
+    << messages.Text();
 }
 
 TEST(FunctionsOfTwoValues, MayBeOfASinglePoint)
