@@ -29,6 +29,8 @@ void MainWindow::MakeLeftButtonActions(QMenu* menu)
 {
   const std::tuple<LeftButton, QString, QString, QString> tools[] = {
     { LeftButton::Turn, tr("&Rotate"), "T", tr("Drag to rotate the volume") },
+    { LeftButton::Walk, tr("Wa&lk"), "G",
+      tr("Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around") },
     { LeftButton::Brightness, tr("&Window/Level"), "W",
       tr("Drag sideways for the window, up and down for the level; or drag with Ctrl") },
     { LeftButton::Distance, tr("&Distance"), "M", tr("Drag from one point to another") },

@@ -1,11 +1,13 @@
 // Gestures in the views keep every point of the hand, however long the program takes to draw.
 
+#include "Scene/SceneCamera.h"
 #include "TorsoWindow.h"
 
 #include <QAction>
 #include <QCursor>
 #include <QStatusBar>
 
+#include <vtkCamera.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkVariationFieldVolumeMapper.h>
@@ -89,4 +91,16 @@ TEST_F(Window, PrintsNothingInNormalUse)
     << "the mapper has reason to warn";
   EXPECT_EQ(output->count, 0);
   vtkOutputWindow::SetInstance(nullptr);
+}
+
+TEST_F(Window, WalksByKeysThatAreShortcutsOtherwise)
+{
+  this->OpenTorso();
+  this->View()->SetTool(LeftButton::Walk);
+  const auto camera = [this]() -> const Camera& { return this->Model()->CurrentScene().camera; };
+  QTest::keyPress(this->View(), Qt::Key_W);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return camera().pose.has_value(); }, MostMilliseconds));
+  QTest::keyRelease(this->View(), Qt::Key_W);
+  EXPECT_FALSE(camera().parallel);
+  EXPECT_EQ(PoseOf(this->View()->Pipeline()->Renderer()->GetActiveCamera()), *camera().pose);
 }

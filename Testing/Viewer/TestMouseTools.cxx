@@ -7,17 +7,20 @@
 #include "SmallStudy.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Tools/MouseTools.h"
+#include "Waiting.h"
 
 #include <QKeyEvent>
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QSlider>
+#include <QTest>
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <gtest/gtest.h>
 
@@ -116,15 +119,25 @@ protected:
   vtkImageData* Image() const { return this->model.CurrentStudy()->volume.image; }
   int Steps() { return this->model.History()->count(); }
 
+  bool SendKey(QEvent::Type type, int key, Qt::KeyboardModifiers modifiers = {})
+  {
+    QKeyEvent event(type, key, modifiers);
+    return this->tools.Take(&event);
+  }
+
+  Camera PresentCamera() const
+  {
+    Camera camera = this->model.CurrentScene().camera;
+    camera.pose =
+      camera.pose.value_or(CameraPose{ { 0, -500, 0 }, { 0, 0, 0 }, { 0, 0, 1 }, 100.0 });
+    return camera;
+  }
+
+  CameraPose Pose() const { return *this->PresentCamera().pose; }
+
   SceneModel model;
   Sheet sheet{ &this->model };
-  MouseTools tools{ &this->model, this->sheet,
-    [this]
-    {
-      Camera camera = this->model.CurrentScene().camera;
-      camera.pose = CameraPose{ { 0, -500, 0 }, { 0, 0, 0 }, { 0, 0, 1 }, 100.0 };
-      return camera;
-    } };
+  MouseTools tools{ &this->model, this->sheet, [this] { return this->PresentCamera(); } };
 };
 
 }
@@ -262,4 +275,74 @@ TEST_F(Tools, MoveTheLookWithControlWhateverIsChosen)
   this->model.History()->undo();
   this->model.History()->undo();
   EXPECT_EQ(this->model.CurrentScene().look.opacities[1].value, before.opacities[1].value);
+}
+
+TEST_F(Tools, WalkWhileKeysAreHeldAndUndoIt)
+{
+  this->tools.Choose(LeftButton::Walk);
+  const CameraPose before = this->Pose();
+  EXPECT_TRUE(this->SendKey(QEvent::ShortcutOverride, Qt::Key_W)) << "W is no shortcut";
+  EXPECT_TRUE(this->SendKey(QEvent::KeyPress, Qt::Key_W));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return this->Steps() > 0; }, MostMilliseconds));
+  EXPECT_TRUE(this->SendKey(QEvent::KeyRelease, Qt::Key_W));
+  const CameraPose walked = this->Pose();
+  const glm::dvec3 moved = VectorOf(walked.positionMm) - VectorOf(before.positionMm);
+  const glm::dvec3 forward =
+    glm::normalize(VectorOf(before.focalPointMm) - VectorOf(before.positionMm));
+  EXPECT_GT(glm::dot(moved, forward), 0.0);
+  EXPECT_LT(glm::length(glm::cross(moved, forward)), 1e-6);
+  QTest::qWait(100);
+  EXPECT_EQ(this->Pose(), walked) << "no key is held";
+  EXPECT_EQ(this->Steps(), 1);
+  this->model.History()->undo();
+  EXPECT_EQ(this->Pose(), before);
+}
+
+TEST_F(Tools, LeaveKeysToShortcutsUnlessTheUserWalks)
+{
+  EXPECT_FALSE(this->SendKey(QEvent::ShortcutOverride, Qt::Key_W));
+  this->tools.Choose(LeftButton::Walk);
+  EXPECT_FALSE(this->SendKey(QEvent::ShortcutOverride, Qt::Key_X));
+  EXPECT_FALSE(this->SendKey(QEvent::ShortcutOverride, Qt::Key_S, Qt::ControlModifier));
+}
+
+TEST_F(Tools, LookAroundFromWhereTheEyeIs)
+{
+  this->tools.ShowCutHandles(false);
+  this->tools.Choose(LeftButton::Walk);
+  const CameraPose before = this->Pose();
+  // A drag over the height of the view is its angle.
+  this->DragAlong({ { 50.0, 150.0 }, { 350.0, 150.0 } });
+  const CameraPose turned = this->Pose();
+  EXPECT_EQ(turned.positionMm, before.positionMm);
+  const auto direction = [](const CameraPose& pose)
+  { return glm::normalize(VectorOf(pose.focalPointMm) - VectorOf(pose.positionMm)); };
+  const double degrees = this->model.CurrentScene().camera.viewAngleDegrees;
+  EXPECT_NEAR(
+    glm::dot(direction(turned), direction(before)), std::cos(glm::radians(degrees)), 1e-6);
+  const glm::dvec3 right = glm::cross(direction(before), VectorOf(before.viewUp));
+  EXPECT_GT(glm::dot(direction(turned), right), 0.0);
+}
+
+TEST(Walking, GoesAlongTheAxesOfTheView)
+{
+  const CameraPose pose = { { 1.0, 2.0, 3.0 }, { 1.0, 2.0, -7.0 }, { 0.0, 1.0, 0.0 }, 1.0 };
+  const CameraPose walked = Walked(pose, { 5.0, 7.0, 11.0 });
+  EXPECT_NEAR(glm::distance(VectorOf(walked.positionMm), glm::dvec3(6.0, 9.0, -8.0)), 0.0, 1e-12);
+  EXPECT_NEAR(
+    glm::distance(VectorOf(walked.focalPointMm), glm::dvec3(6.0, 9.0, -18.0)), 0.0, 1e-12);
+}
+
+TEST(Walking, LooksToTheRightAndUpButNotOverhead)
+{
+  const CameraPose pose = { { 1.0, 2.0, 3.0 }, { 1.0, 2.0, -7.0 }, { 0.0, 1.0, 0.0 }, 1.0 };
+  const auto seen = [&](double right, double up)
+  {
+    const CameraPose looking = LookingAround(pose, right, up);
+    return VectorOf(looking.focalPointMm) - VectorOf(looking.positionMm);
+  };
+  EXPECT_NEAR(glm::distance(seen(90.0, 0.0), glm::dvec3(10.0, 0.0, 0.0)), 0.0, 1e-12);
+  EXPECT_NEAR(
+    glm::distance(seen(0.0, 30.0), 10.0 * glm::dvec3(0.0, 0.5, -std::sqrt(0.75))), 0.0, 1e-12);
+  EXPECT_NEAR(seen(0.0, 200.0).y, 10.0 * std::sin(glm::radians(85.0)), 1e-12);
 }

@@ -29,12 +29,14 @@ MouseTools::MouseTools(
   , measure(model, surface)
   , scissors(model, surface, camera)
   , brightness(model, surface)
+  , walk(model, surface, camera)
 {
 }
 
 void MouseTools::Choose(LeftButton button)
 {
   this->chosen = nullptr;
+  this->walk.Stand();
   if (const auto kind = MeasureOf(button))
   {
     this->measure.SetKind(*kind);
@@ -43,6 +45,10 @@ void MouseTools::Choose(LeftButton button)
   else if (button == LeftButton::Brightness)
   {
     this->chosen = &this->brightness;
+  }
+  else if (button == LeftButton::Walk)
+  {
+    this->chosen = &this->walk;
   }
   else if (button != LeftButton::Turn)
   {
@@ -62,11 +68,26 @@ bool MouseTools::Take(QEvent* event)
       return this->Move(static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonRelease:
       return this->Release(static_cast<QMouseEvent*>(event));
+    case QEvent::ShortcutOverride:
     case QEvent::KeyPress:
-      return static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && this->Cancel();
+    case QEvent::KeyRelease:
+      return this->Key(event);
+    case QEvent::FocusOut:
+      this->walk.Stand();
+      return false;
     default:
       return false;
   }
+}
+
+bool MouseTools::Key(QEvent* event)
+{
+  auto* const key = static_cast<QKeyEvent*>(event);
+  if (this->chosen == &this->walk && this->walk.TakeKey(key))
+  {
+    return true;
+  }
+  return event->type() == QEvent::KeyPress && key->key() == Qt::Key_Escape && this->Cancel();
 }
 
 bool MouseTools::Move(QMouseEvent* mouse)

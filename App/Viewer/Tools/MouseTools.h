@@ -5,6 +5,7 @@
 #include "Viewer/Tools/CutHandles.h"
 #include "Viewer/Tools/MeasureTool.h"
 #include "Viewer/Tools/ScissorsTool.h"
+#include "Viewer/Tools/WalkTool.h"
 
 #include <QEvent>
 
@@ -19,6 +20,7 @@ namespace varimarch
 enum class LeftButton
 {
   Turn, ///< turns the camera; in slices, moves the crosshair
+  Walk, ///< looks around, and keys move the eye; in slices, moves the crosshair
   Brightness,
   Distance,
   Angle,
@@ -55,6 +57,7 @@ private:
   bool Press(QMouseEvent* mouse);
   bool Move(QMouseEvent* mouse);
   bool Release(QMouseEvent* mouse);
+  bool Key(QEvent* event);
   bool Cancel();
   MouseTool* ToolFor(QMouseEvent* mouse);
   void SetActive(MouseTool* tool);
@@ -63,6 +66,7 @@ private:
   MeasureTool measure;
   ScissorsTool scissors;
   BrightnessTool brightness;
+  WalkTool walk;
   MouseTool* chosen = nullptr; ///< null: the camera turns
   MouseTool* active = nullptr; ///< the tool whose gesture is in progress
 };

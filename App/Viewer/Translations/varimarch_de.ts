@@ -734,6 +734,13 @@ Masken nicht unterstützt</translation>
     </message>
 </context>
 <context>
+    <name>WalkTool</name>
+    <message>
+        <source>walk</source>
+        <translation>gehen</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::BenchmarkDialog</name>
     <message>
         <source>Median of %1 views: ours %2 ms, %3 %4 ms, %5 times as long. Difference: RMSE %6, largest %7, in 1/255.</source>
@@ -1798,6 +1805,14 @@ Masken nicht unterstützt</translation>
     <message>
         <source>W&amp;ipe between them</source>
         <translation>Da&amp;zwischen wischen</translation>
+    </message>
+    <message>
+        <source>Wa&amp;lk</source>
+        <translation>&amp;Gehen</translation>
+    </message>
+    <message>
+        <source>Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around</source>
+        <translation>Durch das Volumen gehen: W, A, S, D oder Pfeiltasten, E und Q; Ziehen blickt umher</translation>
     </message>
 </context>
 <context>

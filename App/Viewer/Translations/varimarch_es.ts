@@ -734,6 +734,13 @@ no admite máscaras</translation>
     </message>
 </context>
 <context>
+    <name>WalkTool</name>
+    <message>
+        <source>walk</source>
+        <translation>caminar</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::BenchmarkDialog</name>
     <message>
         <source>Median of %1 views: ours %2 ms, %3 %4 ms, %5 times as long. Difference: RMSE %6, largest %7, in 1/255.</source>
@@ -1798,6 +1805,14 @@ no admite máscaras</translation>
     <message>
         <source>W&amp;ipe between them</source>
         <translation>Des&amp;lizar entre ambas</translation>
+    </message>
+    <message>
+        <source>Wa&amp;lk</source>
+        <translation>Cam&amp;inar</translation>
+    </message>
+    <message>
+        <source>Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around</source>
+        <translation>Caminar por el volumen: W, A, S, D o flechas, E y Q; arrastre para mirar alrededor</translation>
     </message>
 </context>
 <context>

@@ -216,6 +216,10 @@ PictureFrame VolumeView::Frame() const
 void VolumeView::SetTool(LeftButton button)
 {
   this->tools.Choose(button);
+  if (button == LeftButton::Walk)
+  {
+    this->setFocus(); // for the keys
+  }
   this->setCursor(this->tools.Cursor(this->mapFromGlobal(QCursor::pos())));
   this->overlay->update();
 }
