@@ -161,7 +161,8 @@ LightMethodsCase MeasureLightMethods(
   const Scene plain = LitScene(loaded, options);
   vtkImageData* const image = loaded.volume.image;
   onStep("fine image");
-  OffscreenView fine(FineScene(WithShadows(plain)), image, MapperKind::Varimarch);
+  OffscreenView fine(
+    FineScene(WithShadows(plain), options.errorTolerance), image, MapperKind::Varimarch);
   const std::vector<float> truth = PixelsOf(fine);
   const std::vector<LightMethod>& methods = LightMethods();
   LightMethodsCase measured = { loaded.name, std::vector<LightMethodCost>(methods.size()) };

@@ -47,7 +47,7 @@ struct LightMethodsCase
 };
 
 /// Draws frames by each method in turn. The errors are against an image of our mapper without a
-/// lattice of light, with samples an eighth of a voxel apart.
+/// lattice of light, with samples FineDistanceVoxels apart.
 /// @throws std::runtime_error when a mapper reports an error
 LightMethodsCase MeasureLightMethods(
   const LoadedScene& loaded, const ShadowOptions& options, const OnStep& onStep);

@@ -90,8 +90,9 @@ std::string MarkdownOf(const LightMethodsPage& page)
     " alternating rounds. Ours has an error tolerance of " +
     Fixed(255.0 * page.options.errorTolerance, 2) +
     " of 255; the samples and slices of all others are a voxel apart. Errors [1/255] are against "
-    "our own rays with samples an eighth of a voxel apart. Made by\n\n    " +
-    page.commandText +
+    "our own rays with samples " +
+    Fixed(FineDistanceVoxels(page.options.errorTolerance), 3) +
+    " of a voxel apart. Made by\n\n    " + page.commandText +
     "\n\n## All scenes together\nMedians of the errors and the largest of 99.9 % of the pixels; "
     "geometric means of the times, relative to ours; the most memory for light.\n\n"
     "| method | what it is | RMSE | 99.9 % | largest 99.9 % | still | light dragged | MB |\n"

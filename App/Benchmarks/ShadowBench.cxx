@@ -91,7 +91,7 @@ struct Rounds
 ImageError ErrorOf(const Scene& scene, vtkImageData* image)
 {
   OffscreenView drawn(scene, image, MapperKind::Varimarch);
-  OffscreenView exact(FineScene(scene), image, MapperKind::Varimarch);
+  OffscreenView exact(FineScene(scene, scene.render.errorTolerance), image, MapperKind::Varimarch);
   const std::vector<float> pixels = PixelsOf(drawn);
   return CompareImages(pixels.data(), PixelsOf(exact).data(), pixels.size() / 4);
 }

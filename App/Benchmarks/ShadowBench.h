@@ -35,7 +35,7 @@ struct ShadowCase
 };
 
 /// Draws frames with and without shadows, alternately. The error is that against an image of the
-/// same mapper without a lattice of light, with samples an eighth of a voxel apart.
+/// same mapper without a lattice of light, with samples FineDistanceVoxels apart.
 /// @throws std::runtime_error when the mapper reports an error
 ShadowCase MeasureShadows(
   const LoadedScene& loaded, const ShadowOptions& options, const OnStep& onStep);

@@ -54,7 +54,9 @@ std::string Markdown(const ShadowPage& page)
     " of 255, one light fixed in the world, medians of " + std::to_string(page.options.rounds) +
     " alternating rounds. Made by\n\n    " + page.commandText +
     "\n\nTimes without and with shadows [ms] and their factor; the first frame with shadows [ms]; "
-    "and its errors [1/255] against rays with samples an eighth of a voxel apart.\n\n"
+    "and its errors [1/255] against rays with samples " +
+    Fixed(FineDistanceVoxels(page.options.errorTolerance), 3) +
+    " of a voxel apart.\n\n"
     "| scene | still | with | factor | turning | with | factor | light dragged | with | factor "
     "| first | RMSE | 99.9 % | largest |\n"
     "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";

@@ -19,7 +19,8 @@ struct ShadowPromise
   ImageError error = {}; ///< against the fine image of the view
 };
 
-/// Draws a scene from several sides, all in the same light, with each of the tolerances.
+/// Draws a scene from several sides, all in the same light, with each of the tolerances. Images
+/// have half the side, since the fine ones take long.
 /// @throws std::runtime_error when the mapper reports an error
 std::vector<ShadowPromise> MeasureShadowPromises(
   const LoadedScene& loaded, const ShadowOptions& options, const OnStep& onStep);

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace varimarch
@@ -46,9 +47,16 @@ Scene WithShadows(Scene scene)
   return scene;
 }
 
-Scene FineScene(Scene scene)
+double FineDistanceVoxels(double errorTolerance)
 {
-  scene.render.sampleDistanceVoxels = 0.125;
+  constexpr double Finest = 1.0 / 32.0;
+  constexpr double Coarsest = 1.0 / 8.0;
+  return std::clamp(4.0 * errorTolerance, Finest, Coarsest);
+}
+
+Scene FineScene(Scene scene, double errorTolerance)
+{
+  scene.render.sampleDistanceVoxels = FineDistanceVoxels(errorTolerance);
   scene.render.errorTolerance = 0.0;
   return scene;
 }

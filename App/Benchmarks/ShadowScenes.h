@@ -28,9 +28,12 @@ Scene LitScene(const LoadedScene& loaded, const ShadowOptions& options);
 
 Scene WithShadows(Scene scene);
 
-/// The same with samples an eighth of a voxel apart and without a lattice of light. Its image
-/// judges others.
-Scene FineScene(Scene scene);
+/// The distance between samples of images that judge others [voxels]. At an eighth, shadows of
+/// dense material are wrong by 2 of 255 for 99.9 % of the pixels, and by far more for single ones.
+double FineDistanceVoxels(double errorTolerance);
+
+/// The same with samples at that distance and without a lattice of light. Its image judges others.
+Scene FineScene(Scene scene, double errorTolerance);
 
 /// The light, turned about the patient.
 SceneLight Turned(SceneLight light, double degrees);
