@@ -11,10 +11,64 @@
 #include "vtk_glew.h"
 #endif
 
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkInformation.h"
+#include "vtkOpenGLActor.h"
+#include "vtkVersionMacros.h"
+#include "vtkVolume.h"
+
 #include <string>
 
 namespace varimarch
 {
+
+/// The part of the light that rays through the volume scatter, instead of surfaces, [0, 2]; since
+/// VTK 9.2.
+inline double ScatteredPart(vtkGPUVolumeRayCastMapper* mapper)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return mapper->GetVolumetricScatteringBlending();
+#else
+  (void)mapper;
+  return 0.0;
+#endif
+}
+
+/// True if the normals of light are those of the opacity instead of the scalars; since VTK 9.2.
+inline bool ShadesByOpacity(vtkVolumeMapper* mapper)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return mapper->GetComputeNormalFromOpacity();
+#else
+  (void)mapper;
+  return false;
+#endif
+}
+
+/// Copies the setting that ShadesByOpacity returns.
+inline void CopyShadingByOpacity(vtkVolumeMapper* from, vtkVolumeMapper* to)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  to->SetComputeNormalFromOpacity(from->GetComputeNormalFromOpacity());
+#else
+  (void)from;
+  (void)to;
+#endif
+}
+
+/// True if the volume shall write to the depth buffer, for passes such as ambient occlusion in
+/// screen space; since VTK 9.4.
+inline bool WritesDepth(vtkVolume* volume)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  vtkInformation* const keys = volume->GetPropertyKeys();
+  return keys && keys->Has(vtkOpenGLActor::GLDepthMaskOverride()) &&
+    keys->Get(vtkOpenGLActor::GLDepthMaskOverride()) == 1;
+#else
+  (void)volume;
+  return false;
+#endif
+}
 
 /// A function that gives the address of one of OpenGL's functions.
 using OpenGLLoader = void (*(*)(const char* name))();

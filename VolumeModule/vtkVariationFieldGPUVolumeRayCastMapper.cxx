@@ -1,6 +1,7 @@
 #include "vtkVariationFieldGPUVolumeRayCastMapper.h"
 
 #include "Frame/FrameBuilder.h"
+#include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -81,6 +82,7 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
   mapper->SetUseJittering(this->UseJittering);
   mapper->SetFinalColorWindow(this->FinalColorWindow);
   mapper->SetFinalColorLevel(this->FinalColorLevel);
+  varimarch::CopyShadingByOpacity(this, mapper);
 }
 
 // Settings that vtkVariationFieldVolumeMapper does not have.
@@ -91,6 +93,8 @@ std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting()
     { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR ||
         this->GradientOpacityRangeType != SCALAR,
       "Transfer functions with a range type other than SCALAR are not supported yet. " },
+    { varimarch::ScatteredPart(this) > 0.0,
+      "Scattering (VolumetricScatteringBlending) is not supported yet. " },
   };
   std::string sentences;
   for (const Setting& setting : settings)

@@ -9,6 +9,7 @@
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
+#include <vtkSOADataArrayTemplate.h>
 #include <vtkShaderProperty.h>
 #include <vtkShortArray.h>
 #include <vtkUniformGrid.h>
@@ -214,6 +215,18 @@ TEST(GPUAdapter, LeavesOutWhatIsBlanked)
   blanked->Modified();
   EXPECT_NE(Drawn(scene, adapter, Nothing), before);
   EXPECT_STREQ(adapter->GetReasonForVtkMapper(), "");
+}
+
+TEST(GPUAdapter, LeavesArraysThatAreNotContiguousToVtk)
+{
+  MapperScene scene(SmallTorso());
+  vtkNew<vtkSOADataArrayTemplate<short>> spread;
+  spread->DeepCopy(scene.image->GetPointData()->GetScalars());
+  scene.image->GetPointData()->SetScalars(spread);
+  vtkNew<vtkVariationFieldGPUVolumeRayCastMapper> adapter;
+  adapter->SetInputData(scene.image);
+  EXPECT_FALSE(adapter->ChooseMapper(scene.renderer, scene.volume));
+  EXPECT_NE(std::string(adapter->GetReasonForVtkMapper()).find("side by side"), std::string::npos);
 }
 
 TEST_P(ForwardedSetting, IsDrawnAsByTheMapperItself)

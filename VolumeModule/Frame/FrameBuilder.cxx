@@ -8,6 +8,7 @@
 #include "Frame/OverlappingVolumes.h"
 #include "Frame/QualityChoices.h"
 #include "Frame/UserShaderCode.h"
+#include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkContourValues.h"
@@ -249,6 +250,22 @@ void ChooseAveraged(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   }
 }
 
+// Sentences about settings that VTK 9.1 does not have.
+std::string MissingNewFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume)
+{
+  std::string missing;
+  if (ShadesByOpacity(mapper))
+  {
+    missing += "Normals of the opacity (ComputeNormalFromOpacity) are not supported yet. ";
+  }
+  if (WritesDepth(volume))
+  {
+    missing +=
+      "Depths of a volume in the depth buffer (GLDepthMaskOverride) are not supported yet. ";
+  }
+  return missing;
+}
+
 // Builds the frame of one volume of a prop. A prop with one volume is that volume itself.
 std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   vtkRenderer* renderer, vtkVolume* prop, const VolumeOfPort& one)
@@ -338,7 +355,7 @@ std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* vo
     missing += "Label maps are supported only for volumes of one component, without a second "
                "array of values. ";
   }
-  return missing + MissingShaderCode(volume);
+  return missing + MissingNewFeatures(mapper, volume) + MissingShaderCode(volume);
 }
 
 std::string UnsupportedFeature(

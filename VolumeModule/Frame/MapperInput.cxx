@@ -34,6 +34,12 @@ vtkDataArray* CheckedScalars(vtkDataSet* data, vtkDataArray* scalars, int cellFl
     throw std::runtime_error(
       "Array \"" + name + "\" holds single bits: expected numbers of at least 8 bits");
   }
+  if (!scalars->HasStandardMemoryLayout())
+  {
+    throw std::runtime_error("Array \"" + name + "\" is a " + scalars->GetClassName() +
+      ", which does not store the components of a voxel side by side: expected an array that does, "
+      "such as a copy by vtkDataArray::DeepCopy");
+  }
   const vtkIdType count = cellFlag == 0 ? data->GetNumberOfPoints() : data->GetNumberOfCells();
   if (scalars->GetNumberOfTuples() != count)
   {

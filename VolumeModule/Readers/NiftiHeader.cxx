@@ -4,9 +4,9 @@
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/NiftiLayout.h"
 
 #include <vtkByteSwap.h>
-#include <vtkNIFTIPrivate.h>
 
 #include <cmath>
 #include <cstring>

@@ -6,11 +6,10 @@
 #include "Readers/Magnitude.h"
 #include "Readers/NiftiGeometry.h"
 #include "Readers/NiftiHeader.h"
+#include "Readers/NiftiLayout.h"
 #include "Readers/NumberText.h"
 #include "Readers/Rescale.h"
 #include "Readers/VoxelFile.h"
-
-#include <vtkNIFTIPrivate.h>
 
 #include <algorithm>
 #include <array>
