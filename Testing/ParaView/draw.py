@@ -1,0 +1,224 @@
+"""Draws cases in ParaView, by pvpython or by pvbatch on any number of processes.
+
+Usage: pvbatch draw.py PLUGIN REPRESENTATION FOLDER [SERVER] CASE...
+
+Each case is a function of this file, or the name of a scene in Data/References. Its picture is
+FOLDER/CASE.png. SERVER, such as localhost:11111, is the pvserver that draws. Without a case, the
+names of all cases are printed.
+"""
+
+import json
+import pathlib
+import sys
+
+from paraview import simple
+
+REFERENCES = pathlib.Path(__file__).resolve().parents[2] / "Data" / "References"
+SIZE = 256
+LIT = {"Ambient": 0.2, "Diffuse": 0.8, "Specular": 0.2, "SpecularPower": 16.0}
+CASES = {}
+
+
+def case(function):
+    CASES[function.__name__] = function
+    return function
+
+
+class Stage:
+    """A view of one kind of volumes."""
+
+    def __init__(self, representation):
+        self.representation = representation
+        self.is_ours = representation != "Volume"
+        self.view = simple.CreateView("RenderView")
+        self.view.ViewSize = [SIZE, SIZE]
+        self.view.UseColorPaletteForBackground = 0
+        self.view.Background = [0.0, 0.0, 0.0]
+        self.view.OrientationAxesVisibility = 0
+        self.view.UseLight = 0
+        # It smooths edges of a picture, or with several processes of their parts of it.
+        self.view.UseFXAA = 0
+        simple.AddLight(view=self.view).Coords = "Headlight"
+
+    def show(self, source, array, colors, opacities, unit_distance=1.0):
+        """Shows a source as a volume with nodes (value, red, green, blue) and (value, opacity)."""
+        display = simple.Show(source, self.view)
+        display.ColorArrayName = ["POINTS", array]
+        look = simple.GetColorTransferFunction(array, display, separate=True)
+        look.AutomaticRescaleRangeMode = "Never"
+        look.RGBPoints = [number for node in colors for number in node]
+        look.ColorSpace = "RGB"
+        opacity = simple.GetOpacityTransferFunction(array, display, separate=True)
+        opacity.Points = [
+            number for value, alpha in opacities for number in (value, alpha, 0.5, 0.0)
+        ]
+        display.LookupTable = look
+        display.ScalarOpacityFunction = opacity
+        self.set(display, "ScalarOpacityUnitDistance", unit_distance)
+        display.SetRepresentationType(self.representation)
+        return display
+
+    def set(self, display, name, value):
+        """Sets a property of ParaView's volumes, which ours may have under a name of its own."""
+        own = {
+            "Shade": "VarimarchShade",
+            "BlendMode": "VarimarchBlendMode",
+            "ScalarOpacityUnitDistance": "VarimarchUnitDistance",
+        }
+        setattr(display, own.get(name, name) if self.is_ours else name, value)
+
+    def look(self, position, focal_point, view_up=(0.0, 0.0, 1.0), angle=30.0):
+        self.view.CameraPosition = position
+        self.view.CameraFocalPoint = focal_point
+        self.view.CameraViewUp = view_up
+        self.view.CameraViewAngle = angle
+
+
+def wavelet(stage, shade=False, opacity=0.2):
+    """ParaView's own test volume, of 81 voxels along each axis, from -40 to 40."""
+    source = simple.Wavelet(WholeExtent=[-40, 40, -40, 40, -40, 40])
+    source.XFreq, source.YFreq, source.ZFreq = 30.0, 20.0, 25.0
+    colors = [(0.0, 0.1, 0.2, 0.9), (130.0, 0.9, 0.8, 0.3), (280.0, 1.0, 0.2, 0.1)]
+    display = stage.show(source, "RTData", colors, [(0.0, 0.0), (120.0, 0.0), (280.0, opacity)])
+    stage.look([120.0, -170.0, 80.0], [0.0, 0.0, 0.0])
+    if shade:
+        stage.set(display, "Shade", 1)
+        for name, value in LIT.items():
+            setattr(display, name, value)
+    return source, display
+
+
+@case
+def composite(stage):
+    wavelet(stage)
+
+
+@case
+def behind(stage):
+    wavelet(stage)
+    stage.look([-120.0, 170.0, -80.0], [0.0, 0.0, 0.0])
+
+
+@case
+def lit(stage):
+    wavelet(stage, shade=True)
+
+
+@case
+def opaque(stage):
+    wavelet(stage, shade=True, opacity=0.95)
+
+
+@case
+def turned(stage):
+    wavelet(stage)[1].Orientation = [180.0, 0.0, 0.0]
+
+
+@case
+def oblique(stage):
+    wavelet(stage)[1].Orientation = [20.0, 30.0, 40.0]
+
+
+@case
+def cropped(stage):
+    display = wavelet(stage)[1]
+    display.UseCropping = 1
+    display.CroppingOrigin = [0.0, 0.0, 12.0]
+    display.CroppingScale = [1.0, 0.7, 0.8]
+
+
+@case
+def geometry(stage):
+    wavelet(stage)
+    sphere = simple.Sphere(Radius=22.0, Center=[6.0, -8.0, 4.0])
+    sphere.ThetaResolution = sphere.PhiResolution = 64
+    simple.Show(sphere, stage.view)
+
+
+@case
+def inside(stage):
+    wavelet(stage, opacity=0.05)
+    stage.look([5.0, 3.0, 2.0], [40.0, 30.0, 5.0], angle=60.0)
+
+
+@case
+def two(stage):
+    wavelet(stage)
+    other = simple.Wavelet(WholeExtent=[-40, 40, -40, 40, -40, 40])
+    display = stage.show(other, "RTData", [(0.0, 0.0, 0.6, 0.1), (280.0, 0.7, 1.0, 0.7)],
+                         [(0.0, 0.0), (200.0, 0.0), (280.0, 0.3)])
+    display.Position = [90.0, 0.0, 0.0]
+    stage.look([120.0, -300.0, 80.0], [45.0, 0.0, 0.0])
+
+
+@case
+def cells(stage):
+    source, _ = wavelet(stage)
+    simple.Hide(source, stage.view)
+    moved = simple.PointDatatoCellData(Input=source)
+    display = stage.show(moved, "RTData", [(0.0, 0.1, 0.2, 0.9), (280.0, 1.0, 0.2, 0.1)],
+                         [(0.0, 0.0), (120.0, 0.0), (280.0, 0.2)])
+    display.ColorArrayName = ["CELLS", "RTData"]
+
+
+@case
+def maximum(stage):
+    stage.set(wavelet(stage)[1], "BlendMode", 1)
+
+
+@case
+def shadows(stage):
+    display = wavelet(stage, shade=True)[1]
+    stage.view.AdditionalLights = []
+    light = simple.AddLight(view=stage.view)
+    light.Coords, light.Type = "Scene", "Directional"
+    light.Position, light.FocalPoint = [100.0, 0.0, 200.0], [0.0, 0.0, 0.0]
+    if stage.is_ours:
+        display.Shadows = 1
+
+
+def reference(stage, name):
+    """A scene of Data/References, whose exact picture is there too."""
+    description = json.loads((REFERENCES / f"{name}.json").read_text())
+    scene, camera = description["scene"], description["camera"]
+    source = simple.NrrdReader(FileName=str(REFERENCES / description["volume"]["file"]))
+    source.UpdatePipeline()
+    array = source.PointData.GetArray(0).Name
+    colors = [(node["value"], *node["rgb"]) for node in scene["look"]["colors"]]
+    opacities = [(node["value"], node["opacity"]) for node in scene["look"]["opacities"]]
+    display = stage.show(source, array, colors, opacities, scene["look"]["opacityUnitDistance"])
+    light = scene["look"]["shading"]
+    stage.set(display, "Shade", int(light["enabled"]))
+    for name, key in zip(LIT, ("ambient", "diffuse", "specular", "specularPower")):
+        setattr(display, name, light[key])
+    angle = camera["viewAngleDegrees"]
+    stage.look(camera["position"], camera["focalPoint"], camera["viewUp"], angle)
+    stage.view.CameraParallelProjection = int(camera["isParallel"])
+    stage.view.CameraParallelScale = camera["parallelScale"]
+    stage.view.ViewSize = scene["size"]
+
+
+def main():
+    plugin, representation, folder, *cases = sys.argv[1:]
+    is_remote = bool(cases) and ":" in cases[0]
+    if is_remote:
+        host, port = cases.pop(0).split(":")
+        simple.Connect(host, int(port))
+        simple.LoadPlugin(plugin, remote=False, ns=globals())
+    simple.LoadPlugin(plugin, remote=True, ns=globals())
+    simple._DisableFirstRenderCameraReset()
+    if not cases:
+        print(*CASES)
+    for name in cases:
+        stage = Stage(representation)
+        if name in CASES:
+            CASES[name](stage)
+        else:
+            reference(stage, name)
+        simple.Render(stage.view)
+        simple.SaveScreenshot(f"{folder}/{name}.png", stage.view)
+        if not is_remote:
+            simple.ResetSession()
+
+
+main()
