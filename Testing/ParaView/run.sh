@@ -118,6 +118,24 @@ testOneProcess()
   done
 }
 
+# The program of this tree draws the same scenes, with Debian's VTK.
+testProgram()
+{
+  local program=build/dev/bin/varimarch name
+  [ -x "$program" ] || { echo "Skipped: no $program; build the preset dev"; return; }
+  row ""
+  row "| scene | \`varimarch render\` |"
+  row "|---|---|"
+  for name in "${references[@]}"
+  do
+    python3 -c 'import json, sys; print(json.dumps(json.load(sys.stdin)["scene"]))' \
+      <"Data/References/$name.json" >"$pictures/exact/$name.json"
+    "$program" render "$pictures/exact/$name.json" -o "$pictures/exact/$name-program.png" >/dev/null
+    row "| $name" \
+      "| $(compare "$pictures/exact/$name-program.png" "$pictures/exact/$name.png" 60) |"
+  done
+}
+
 testSeveralProcesses()
 {
   step "Several processes, against one"
@@ -199,6 +217,7 @@ buildPlugin
 mkdir -p "$pictures"
 : >"$report"
 testOneProcess
+testProgram
 testSeveralProcesses
 testRefusals
 testServer
