@@ -317,6 +317,11 @@ vtkIdType vtkVariationFieldVolumeMapper::GetGraphicsMemoryBytes()
   return vtkIdType(this->Private->Marcher.GraphicsMemoryBytes());
 }
 
+vtkIdType vtkVariationFieldVolumeMapper::GetLightMemoryBytes()
+{
+  return vtkIdType(this->Private->Marcher.LightBytes());
+}
+
 void vtkVariationFieldVolumeMapper::GetShaderParts(vtkStringArray* parts)
 {
   parts->Initialize();

@@ -353,6 +353,32 @@ public:
 
   ///@{
   /**
+   * Strength of ambient occlusion, [0, 1]: how much darker a place is that sees little of what is
+   * around the volume. With the part V of the light from all around that matter within
+   * AmbientOcclusionReach lets through, all light of a sample is multiplied by
+   * V / (V + strength (1 - V)): at 1 light is reflected once, below that matter also reflects the
+   * light of other matter. V is that two voxels outside the surface of a sample
+   * (Documentation/Mathematics.md). The error tolerance holds for the image with its occlusion,
+   * which needs one: without a tolerance, and below 1/128, it takes very long. For composites of
+   * one component, lit or not; packets of rays on the processor draw it (see ProcessorMarching),
+   * also with a graphics card. The light is kept while the volume and its look stay, in up to a
+   * byte for each voxel. Default: 0, no occlusion.
+   */
+  vtkSetClampMacro(AmbientOcclusion, double, 0.0, 1.0);
+  vtkGetMacro(AmbientOcclusion, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance beyond which matter does not occlude [mm]. Default: 0, which is 16 times the smallest
+   * distance between voxels.
+   */
+  vtkSetClampMacro(AmbientOcclusionReach, double, 0.0, 1e30);
+  vtkGetMacro(AmbientOcclusionReach, double);
+  ///@}
+
+  ///@{
+  /**
    * Use a tricubic spline through the voxels where the property asks for linear interpolation. All
    * voxels keep their values and edges show no staircase, but next to a sharp edge the spline
    * overshoots, by up to a tenth of the step. Shading uses the spline's gradient. Each sample costs
@@ -565,6 +591,12 @@ public:
   vtkIdType GetGraphicsMemoryBytes();
 
   /**
+   * Main memory for the light of shadows and ambient occlusion, of which only the visible parts are
+   * taken from the system [bytes].
+   */
+  vtkIdType GetLightMemoryBytes();
+
+  /**
    * True if the last frame keeps the ErrorTolerance everywhere. False if steps cannot keep it, or
    * if isolated rays graze an opaque surface; a warning then names the error and the sample
    * distance.
@@ -629,6 +661,8 @@ protected:
   char* Transfer2DYAxisArray = nullptr;
   double DampingGradient = 0.0;
   vtkTypeBool Shadows = 0;
+  double AmbientOcclusion = 0.0;
+  double AmbientOcclusionReach = 0.0;
   vtkTypeBool CubicInterpolation = 0;
   vtkTypeBool StoredGradients = 0;
   vtkTypeBool UseJittering = 0;

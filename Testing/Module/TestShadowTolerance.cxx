@@ -216,6 +216,18 @@ TEST(Shadows, TakeTheirShaderOnlyWhereTheyAre)
   EXPECT_FALSE(torso.scene.UsesShaderPart("Reach/ShadowRays.glsl")) << "the eye sees no shadow";
 }
 
+TEST(Shadows, KeepNoLatticeWhereTheyAreOff)
+{
+  ShadowedTorso torso(16);
+  torso.SetMostOpacity(0.1);
+  torso.scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  torso.scene.DrawByProcessor();
+  EXPECT_GT(torso.scene.mapper->GetLightMemoryBytes(), 0);
+  torso.scene.mapper->ShadowsOff();
+  torso.scene.DrawByProcessor();
+  EXPECT_EQ(torso.scene.mapper->GetLightMemoryBytes(), 0);
+}
+
 TEST(Shadows, OfAVolumeInBlocksAreLeftOutWithASentence)
 {
   ShadowedTorso torso(16);

@@ -62,6 +62,16 @@ TEST(ErrorBudget, TheSlackOfTheEstimateTakesAtMostOnePercentMoreThanTheTolerance
   }
 }
 
+TEST(ErrorBudget, AmbientOcclusionTakesFromTheSteps)
+{
+  ErrorBudget budget;
+  budget.tolerance = 1.0 / 64.0;
+  const double open = budget.StepLimit().percentile999;
+  budget.isOccluded = true;
+  constexpr double ErrorOfTheLattice = 0.01 / 4.0;
+  EXPECT_GT(open - budget.StepLimit().percentile999, ErrorOfTheLattice);
+}
+
 TEST(ErrorBudget, LaterImagesKeepTheToleranceToo)
 {
   for (const ErrorBudget& budget : ManyBudgets())

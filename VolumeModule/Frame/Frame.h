@@ -43,6 +43,8 @@ struct MaterialRequest
   int surfaceComponent = 0;      ///< The component of the array that has the isosurfaces.
   /// The gradient below which shading fades [units of data per mean spacing].
   double dampingGradient = 0.0;
+  double occlusion = 0.0; ///< The strength of ambient occlusion, [0, 1].
+  double occlusionReachMm = 0.0;
   SliceSurface slice = {};
   std::array<double, 2> averagedRange = {}; ///< The range of scalars that count in an average.
   /// Colour and extinction [1/mm] of cells without a value.
@@ -51,9 +53,9 @@ struct MaterialRequest
   /// The numbers that an image depends on in any view and that the property does not have.
   std::vector<double> Numbers() const
   {
-    return { this->labelBlend, this->dampingGradient, this->averagedRange[0],
-      this->averagedRange[1], this->gapOptical.r, this->gapOptical.g, this->gapOptical.b,
-      this->gapOptical.a };
+    return { this->labelBlend, this->dampingGradient, this->occlusion, this->occlusionReachMm,
+      this->averagedRange[0], this->averagedRange[1], this->gapOptical.r, this->gapOptical.g,
+      this->gapOptical.b, this->gapOptical.a };
   }
 };
 

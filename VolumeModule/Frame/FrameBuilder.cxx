@@ -135,6 +135,8 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   settings.lights = settings.shading && !HasHeadLightOnly(renderer);
   settings.shadows =
     settings.lights && settings.blend == Blend::Composite && mapper->GetShadows() != 0;
+  settings.occlusion = settings.blend == Blend::Composite &&
+    settings.components == Components::One && mapper->GetAmbientOcclusion() > 0.0;
   settings.damping = settings.shading && settings.components == Components::One &&
     mapper->GetDampingGradient() > 0.0;
   settings.countFetches = mapper->GetDrawFetchCounts();
@@ -297,6 +299,9 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
     return std::nullopt;
   }
   frame.material.dampingGradient = mapper->GetDampingGradient();
+  frame.material.occlusion = mapper->GetAmbientOcclusion();
+  frame.material.occlusionReachMm =
+    OcclusionReachMm(mapper->GetAmbientOcclusionReach(), frame.geometry);
   ChooseCuts(mapper, frame);
   ChooseAveraged(mapper, frame);
   frame.material.gapOptical = GapOptical(mapper->GetNanColor(), mapper->GetNanOpacity(),

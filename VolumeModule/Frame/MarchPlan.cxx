@@ -75,6 +75,7 @@ VolumeMarch MarchOf(const Frame& frame, const MarchPlan& plan)
   settings.role = plan.role;
   settings.shading = settings.shading && plan.isLit;
   settings.shadows = settings.shadows && settings.pass != RayPass::Block; // a block is no whole
+  settings.occlusion = settings.occlusion && plan.marcher == Marcher::Processor;
   settings.countFetches = settings.countFetches && !plan.isTrial; // errors are errors of colours
   TakeFindings(plan.volumes.front(), settings);
   settings.others.clear();

@@ -49,6 +49,7 @@ ErrorBudget BudgetOf(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
   budget.windowScale = frame.image.windowScaleBias.x;
   budget.isExtreme = IsExtreme(frame.settings.blend);
   budget.isSampled = IsSampled(frame.settings);
+  budget.isOccluded = frame.settings.occlusion;
   return budget;
 }
 

@@ -122,6 +122,12 @@ VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* 
   return geometry;
 }
 
+double OcclusionReachMm(double chosenMm, const VolumeGeometry& geometry)
+{
+  constexpr double UsualVoxels = 16.0;
+  return chosenMm > 0.0 ? chosenMm : UsualVoxels * geometry.SmallestSpacingMm();
+}
+
 glm::dmat4 GridFromGrid(const VolumeGeometry& to, const VolumeGeometry& from)
 {
   return glm::inverse(to.worldFromGrid) * from.worldFromGrid;

@@ -64,6 +64,10 @@ VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* 
 VARIMARCHVOLUME_EXPORT VolumeGeometry VolumeGeometryOf(
   vtkImageData* image, vtkVolume* volume, VoxelPlace place = VoxelPlace::Points);
 
+/// The reach of ambient occlusion [mm].
+/// @param chosenMm  0: 16 times the smallest distance between voxels
+VARIMARCHVOLUME_EXPORT double OcclusionReachMm(double chosenMm, const VolumeGeometry& geometry);
+
 /// The transform from the grid of one volume to that of another.
 glm::dmat4 GridFromGrid(const VolumeGeometry& to, const VolumeGeometry& from);
 

@@ -27,6 +27,30 @@ std::string ExceededTolerance(double tolerance, const StepChoice& step)
   return text.str();
 }
 
+std::string LightWarnings(const RayMarcher& marcher)
+{
+  std::string warnings;
+  if (marcher.LeavesOutShadows())
+  {
+    warnings +=
+      "The volume has no shadows, because it does not fit into the graphics memory at once. "
+      "Allow more of it, or draw a smaller volume. ";
+  }
+  if (marcher.LeavesOutOcclusion())
+  {
+    warnings += "The volume has no ambient occlusion: packets of rays on the processor draw it "
+                "(ProcessorMarching), but not in label maps, boxes of voxels, volumes with gaps or "
+                "a bounded graphics memory. ";
+  }
+  if (marcher.Tolerance() && marcher.HasLongShadowSteps())
+  {
+    warnings += "The shadows may be wrong by any amount: without a graphics card OpenGL ends the "
+                "short segments of rays to lights that the sample distance asks for. Let the "
+                "processor march (ProcessorMarching), or switch the shadows off. ";
+  }
+  return warnings;
+}
+
 }
 
 std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMarcher& marcher)
@@ -52,18 +76,7 @@ std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMar
                 "reach so far that those between which the opacity changes look the same. Replace "
                 "far values, such as a fill value, or draw a mean of a range without them. ";
   }
-  if (marcher.LeavesOutShadows())
-  {
-    warnings +=
-      "The volume has no shadows, because it does not fit into the graphics memory at once. "
-      "Allow more of it, or draw a smaller volume. ";
-  }
-  if (marcher.Tolerance() && marcher.HasLongShadowSteps())
-  {
-    warnings += "The shadows may be wrong by any amount: without a graphics card OpenGL ends the "
-                "short segments of rays to lights that the sample distance asks for. Let the "
-                "processor march (ProcessorMarching), or switch the shadows off. ";
-  }
+  warnings += LightWarnings(marcher);
   if (marcher.Tolerance() && !marcher.Tolerance()->step.KeepsLimit())
   {
     warnings += ExceededTolerance(mapper->GetErrorTolerance(), marcher.Tolerance()->step);

@@ -64,6 +64,10 @@ public:
   bool MergesValues() const { return this->resources.MergesValues(); }
   /// True if shadows are requested, but left out because a shader sees one block at a time.
   bool LeavesOutShadows() const { return this->leavesOutShadows; }
+  /// True if ambient occlusion is requested, but left out because shaders march.
+  bool LeavesOutOcclusion() const { return this->leavesOutOcclusion; }
+  /// The memory of the lattices of light, of which only pages that are used are taken.
+  std::size_t LightBytes() const { return this->resources.First().Light().Bytes(); }
   /// See the function of this name.
   bool HasLongShadowSteps() const { return this->hasLongShadowSteps; }
   /// True if the image may be wrong by any amount, which no trial image shows.
@@ -96,6 +100,7 @@ private:
   double wantedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;
   bool leavesOutShadows = false;
+  bool leavesOutOcclusion = false;
   bool hasLongShadowSteps = false;
 };
 

@@ -99,9 +99,10 @@ bool FieldResources::BeginsField(const FieldInputs& inputs, FieldSource& source)
   const glm::dmat4 clipFromGrid =
     ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
   const PixelRays rays = ComputePixelRays(clipFromGrid, march.frame.geometry.boxGrid);
-  // Rays to lights go anywhere.
-  source.towards =
-    march.settings.shadows ? glm::ivec3(0) : this->directions.Next(DirectionsOf(rays));
+  // Rays to lights and to the sky go anywhere.
+  source.towards = march.settings.shadows || march.settings.occlusion
+    ? glm::ivec3(0)
+    : this->directions.Next(DirectionsOf(rays));
   if (this->madeFrom == source)
   {
     return false;

@@ -4,6 +4,7 @@
 #include "Frame/SceneFingerprint.h"
 
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,25 @@ namespace
 // differs from their interpolation by a small part of that.
 constexpr double AgreementOfError = 32.0;
 
+// The difference between the nodes of a cell of the light from all around up to which it is
+// interpolated. More of it is not used for a smaller error: cells err by up to a hundredth, whose
+// place the steps leave (ErrorBudget).
+constexpr float SkyAgreement = 0.5f;
+
+// The least error of light with which these cells are used.
+constexpr double SkyCellError = 1.0 / 1024.0;
+
+// The optical depth beyond which no light is left if there is no tolerance.
+constexpr float MostDepthOfTraced = 12.0f;
+
+// The error of each of the rays to all sides, in parts of that of their mean.
+constexpr double ErrorOfOneRay = 4.0;
+
 // The longest segments of rays from nodes, in voxels. The error of a segment is of second order.
-double NodeStepVoxels(const ErrorBudget& budget)
+double NodeStepVoxels(double error)
 {
   constexpr double ErrorOfAVoxel = 1.0 / 512.0;
-  return std::min(1.0, std::sqrt(budget.LightError() / ErrorOfAVoxel));
+  return std::min(1.0, std::sqrt(error / ErrorOfAVoxel));
 }
 
 // True if matter takes so little light over a voxel that a shadow is as wide as a cell.
@@ -57,46 +72,98 @@ std::vector<double> InputsOf(const VolumeMarch& march)
 
 void LightResources::Update(const VolumeMarch& march, const MaterialResources& materials)
 {
+  this->shadows = {};
+  this->sky = {};
+  std::vector<Kept> now;
+  if (march.plan.marcher == Marcher::Processor)
+  {
+    this->UpdateShadows(march, materials, now);
+    this->UpdateSky(march, now);
+  }
+  this->kept = std::move(now);
+}
+
+void LightResources::UpdateShadows(
+  const VolumeMarch& march, const MaterialResources& materials, std::vector<Kept>& now)
+{
   const double error = march.plan.budget.LightError();
   const double voxelMm = march.frame.geometry.SmallestSpacingMm();
-  this->shadows = {};
   this->shadows.tolerance = float(error);
-  if (!march.settings.shadows || march.plan.marcher == Marcher::Device || !(error > 0.0) ||
-    !IsSmooth(materials, voxelMm))
+  if (!march.settings.shadows || !(error > 0.0) || !IsSmooth(materials, voxelMm))
   {
-    this->kept.clear();
     return;
   }
-  this->shadows.nodeCount = LightLattice::NodeCount(march.frame.geometry.dimensions);
-  this->shadows.nodeStepMm = float(NodeStepVoxels(march.plan.budget) * voxelMm);
+  this->shadows.shape = LightLattice::ShapeOfLight(march.frame.geometry.dimensions);
+  this->shadows.nodeStepMm = float(NodeStepVoxels(error) * voxelMm);
   this->shadows.agreement = float(AgreementOfError * error);
 
   const LightTexels lights = LightTexelsOf(march.frame.view.renderer);
   const int count = std::min(lights.distantCount + lights.nearCount, MostShadowedLights);
   const std::vector<double> volumeInputs = InputsOf(march);
-  std::vector<Kept> now;
   for (int light = 0; light < count; ++light)
   {
     std::vector<double> inputs = volumeInputs;
     const glm::vec4& place = lights.texels[std::size_t(light) * LightTexels::PerLight];
     inputs.insert(inputs.end(), { place.x, place.y, place.z, double(light < lights.distantCount) });
-    now.push_back(this->TakeKept(inputs, march.frame.geometry.dimensions));
-    this->shadows.nodes[light] = now.back().lattice.Nodes();
+    this->shadows.nodes[light] = this->KeepNodes(std::move(inputs), this->shadows.shape, now);
   }
-  this->kept = std::move(now);
 }
 
-LightResources::Kept LightResources::TakeKept(
-  const std::vector<double>& inputs, const glm::ivec3& voxelCount)
+void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
+{
+  if (!march.settings.occlusion)
+  {
+    return;
+  }
+  const double strength = march.frame.material.occlusion;
+  const glm::dmat3 gridFromWorld = glm::inverse(march.frame.geometry.WorldFromGridDirection());
+  this->sky.strength = float(strength);
+  this->sky.reachMm = float(march.frame.material.occlusionReachMm);
+  for (int i = 0; i < SphereDirections; ++i)
+  {
+    const WeightedDirection& one = SphereQuadrature()[std::size_t(i)];
+    this->sky.directions[i] = glm::dvec4(gridFromWorld * one.direction, one.weight);
+  }
+  // The light that is kept changes by up to 1 / strength times what rays miss.
+  const double error = strength * march.plan.budget.LightError();
+  const double voxelMm = march.frame.geometry.SmallestSpacingMm();
+  if (!(error > 0.0))
+  {
+    this->sky.stepMm = float(std::min(voxelMm, march.plan.sampleDistanceMm));
+    this->sky.mostDepth = MostDepthOfTraced;
+    return;
+  }
+  this->sky.stepMm = float(NodeStepVoxels(ErrorOfOneRay * error) * voxelMm);
+  this->sky.mostDepth = float(-std::log(error));
+  if (march.plan.budget.LightError() < SkyCellError)
+  {
+    return;
+  }
+  this->sky.shape = LightLattice::ShapeOfSky(march.frame.geometry.dimensions);
+  this->sky.agreement = SkyAgreement;
+  // The strength and the reach are among the numbers of the material.
+  this->sky.nodes = this->KeepNodes(InputsOf(march), this->sky.shape, now);
+}
+
+// The nodes of a lattice that is kept, or of an empty one.
+std::uint8_t* LightResources::KeepNodes(
+  std::vector<double> inputs, const LatticeShape& shape, std::vector<Kept>& now)
 {
   const auto found = std::find_if(
     this->kept.begin(), this->kept.end(), [&](const Kept& own) { return own.inputs == inputs; });
-  return found == this->kept.end() ? Kept{ inputs, LightLattice(voxelCount) } : std::move(*found);
+  now.push_back(
+    found == this->kept.end() ? Kept{ std::move(inputs), LightLattice(shape) } : std::move(*found));
+  return now.back().lattice.Nodes();
 }
 
-PacketShadows LightResources::Shadows() const
+std::size_t LightResources::Bytes() const
 {
-  return this->shadows;
+  std::size_t bytes = 0;
+  for (const Kept& one : this->kept)
+  {
+    bytes += one.lattice.Bytes();
+  }
+  return bytes;
 }
 
 }

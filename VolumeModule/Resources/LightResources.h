@@ -11,10 +11,11 @@
 namespace varimarch
 {
 
-/// The lattices of the lights that cast shadows in a volume, one for each light, which packets of
-/// rays fill while they draw. A lattice is kept as long as its light, the volume and its opacities
-/// stay, whatever the view. There are none without an error tolerance, and none where a voxel may
-/// be all but opaque: shadows are then thinner than the cells of a lattice.
+/// The lattices of the lights that cast shadows in a volume, one for each light, and of the light
+/// from all around, which packets of rays fill while they draw. A lattice is kept as long as its
+/// light, the volume and its opacities stay, whatever the view. There are none without an error
+/// tolerance, and none of shadows where a voxel may be all but opaque: they are then thinner than
+/// the cells of a lattice.
 class LightResources
 {
 public:
@@ -23,7 +24,13 @@ public:
   void Update(const VolumeMarch& march, const MaterialResources& materials);
 
   /// The lattices, and how exactly shadows are computed.
-  PacketShadows Shadows() const;
+  const PacketShadows& Shadows() const { return this->shadows; }
+
+  /// The lattice, and how exactly ambient occlusion is computed.
+  const PacketSky& Sky() const { return this->sky; }
+
+  /// The memory of all lattices, of which only pages that are used are taken from the system.
+  std::size_t Bytes() const;
 
   void Release() { this->kept.clear(); }
 
@@ -35,10 +42,15 @@ private:
     LightLattice lattice;
   };
 
-  Kept TakeKept(const std::vector<double>& inputs, const glm::ivec3& voxelCount);
+  void UpdateShadows(
+    const VolumeMarch& march, const MaterialResources& materials, std::vector<Kept>& now);
+  void UpdateSky(const VolumeMarch& march, std::vector<Kept>& now);
+  std::uint8_t* KeepNodes(
+    std::vector<double> inputs, const LatticeShape& shape, std::vector<Kept>& now);
 
-  std::vector<Kept> kept; ///< In the order of the lights.
+  std::vector<Kept> kept;
   PacketShadows shadows = {};
+  PacketSky sky = {};
 };
 
 }

@@ -1,5 +1,6 @@
 #include "Core/Fields/LightLattice.h"
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -19,21 +20,33 @@ std::size_t BytesFor(const glm::ivec3& count)
 
 }
 
-glm::ivec3 LightLattice::NodeCount(const glm::ivec3& voxelCount)
+LatticeShape LightLattice::ShapeOfLight(const glm::ivec3& voxelCount)
 {
-  return voxelCount / VoxelsPerNode;
+  constexpr int VoxelsPerNode = 2;
+  return { voxelCount / VoxelsPerNode, VoxelsPerNode, 0 };
+}
+
+LatticeShape LightLattice::ShapeOfSky(const glm::ivec3& voxelCount)
+{
+  constexpr int Margin = SkyDistanceVoxels + 1;
+  const LatticeShape fine = { voxelCount + 2 * Margin, 1, Margin };
+  // Packets number nodes with 32 bits.
+  const bool canBeNumbered =
+    BytesFor(fine.nodeCount) <= std::size_t(std::numeric_limits<std::int32_t>::max());
+  return canBeNumbered ? fine : LatticeShape{ (voxelCount + 2 * Margin) / 2 + 1, 2, Margin };
 }
 
 // calloc takes zeros from the system page by page, when they are written.
-LightLattice::LightLattice(const glm::ivec3& voxelCount)
-  : bytes(BytesFor(NodeCount(voxelCount)))
+LightLattice::LightLattice(const LatticeShape& shape)
+  : shape(shape)
+  , bytes(BytesFor(shape.nodeCount))
   , nodes(this->bytes > 0 ? static_cast<std::uint8_t*>(std::calloc(this->bytes, 1)) : nullptr)
 {
   if (this->bytes > 0 && !this->nodes)
   {
-    throw std::runtime_error("Shadows: expected " + std::to_string(this->bytes) +
+    throw std::runtime_error("Light: expected " + std::to_string(this->bytes) +
       " bytes of memory for a lattice of light, found none; close other programs, or switch "
-      "shadows off");
+      "shadows and ambient occlusion off");
   }
 }
 

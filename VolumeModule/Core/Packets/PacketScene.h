@@ -1,6 +1,8 @@
 #ifndef Varimarch_Core_Packets_PacketScene_h
 #define Varimarch_Core_Packets_PacketScene_h
 
+#include "Core/Fields/LightLattice.h"
+#include "Core/Geometry/SphereQuadrature.h"
 #include "Core/Geometry/Viewport.h"
 #include "Core/Parameters/MarchParameters.h"
 #include "Core/Parameters/MarchTextures.h"
@@ -103,10 +105,23 @@ struct PacketShadows
 {
   /// Nodes of the lattice of each light; null: every shadow is a ray.
   std::uint8_t* nodes[MostShadowedLights];
-  glm::ivec3 nodeCount;
+  LatticeShape shape;
   float nodeStepMm; ///< longest segment of the rays that fill nodes
   float agreement;  ///< largest difference between the nodes of a cell that is used
   float tolerance;  ///< error that a shadow may add to a colour; 0: none
+};
+
+/// Light from all around, as far as matter lets it through: ambient occlusion.
+struct PacketSky
+{
+  float strength;                         ///< (0, 1]; 0: all light arrives everywhere
+  float reachMm;                          ///< distance beyond which matter does not count
+  glm::vec4 directions[SphereDirections]; ///< SphereQuadrature [grid space per mm], with weights
+  std::uint8_t* nodes;                    ///< nodes of its lattice; null: every place is traced
+  LatticeShape shape;
+  float stepMm;    ///< longest segment of rays
+  float agreement; ///< largest difference between the nodes of a cell that is used
+  float mostDepth; ///< optical depth beyond which no light is left
 };
 
 /// Shaders/Shade and Shaders/Damping.
@@ -205,6 +220,7 @@ struct PacketScene
   const PacketRow* labelRows; ///< null: voxels have no labels
   PacketLight light;
   PacketShadows shadows; ///< only if the light casts shadows
+  PacketSky sky;
   PacketExtreme extreme;
   bool isMean; ///< projections: true for a mean, false for a sum
   PacketSteps steps;

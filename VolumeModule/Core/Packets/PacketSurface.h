@@ -31,6 +31,22 @@ inline Surface Select(LaneMask mask, const Surface& yes, const Surface& no)
     Select(mask, yes.towardsEye, no.towardsEye) };
 }
 
+/// A surface, and the part of the light from all around that reaches it.
+struct OpenSurface : Surface
+{
+  Lanes open; ///< [0, 1]
+};
+
+inline OpenSurface Mix(const OpenSurface& a, const OpenSurface& b, Lanes part)
+{
+  return { Mix(static_cast<const Surface&>(a), b, part), Mix(a.open, b.open, part) };
+}
+
+inline OpenSurface Select(LaneMask mask, const OpenSurface& yes, const OpenSurface& no)
+{
+  return { Select(mask, static_cast<const Surface&>(yes), no), Select(mask, yes.open, no.open) };
+}
+
 }
 
 }

@@ -18,7 +18,7 @@
 #include "Core/Packets/Material/Labelled.h"
 #include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
-#include "Core/Packets/Reach/ShadowedMaterial.h"
+#include "Core/Packets/Reach/DimmedMaterial.h"
 
 namespace varimarch
 {
@@ -98,9 +98,9 @@ PacketSum MarchSampled(
   {
     return MarchMaterial<Voxels, LabelledMaterial>(scene, rays, walk, before);
   }
-  if (scene.light.castsShadows)
+  if (scene.light.castsShadows || scene.sky.strength > 0.0f)
   {
-    return MarchMaterial<Voxels, ShadowedMaterial<Voxels>>(scene, rays, walk, before);
+    return MarchMaterial<Voxels, DimmedMaterial<Voxels>>(scene, rays, walk, before);
   }
   return HeadLitMaterial::IsThatOf(scene)
     ? MarchMaterial<Voxels, HeadLitMaterial>(scene, rays, walk, before)

@@ -48,7 +48,8 @@ ErrorLimit ErrorBudget::StepLimit() const
 {
   const double tolerance =
     this->isExtreme ? ExtremesShare * this->StepTolerance() : this->StepTolerance();
-  return { StepShare * tolerance, LargestStepShare * tolerance };
+  const double share = this->isOccluded ? OccludedStepShare : StepShare;
+  return { share * tolerance, LargestStepShare * tolerance };
 }
 
 ErrorBudget ErrorBudget::WithStepFactor(double factor) const

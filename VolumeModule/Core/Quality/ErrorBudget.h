@@ -22,6 +22,9 @@ struct ErrorBudget
   /// The part of the steps, as the 99.9th percentile of their errors. The rest is a reserve for the
   /// slack of the estimate.
   static constexpr double StepShare = 0.66;
+  /// The same in images with ambient occlusion. Between the nodes of its lattice light errs by up
+  /// to a hundredth, a quarter of a tolerance of 1/64, which the reserve and this leave.
+  static constexpr double OccludedStepShare = 0.45;
   /// The limit for the largest error of a trial's pixels. They are few, so a stricter limit would
   /// only react to chance.
   static constexpr double LargestStepShare = 1.0;
@@ -49,6 +52,7 @@ struct ErrorBudget
   bool isSampled = true;    ///< False if steps make no error, because rays are not sampled.
   int volumeCount = 1;      ///< The number of overlapping volumes, which share the field's part.
   double stepFactor = 1.0;  ///< The factor of the steps' part in this image.
+  bool isOccluded = false;  ///< True with ambient occlusion.
 
   bool HasTolerance() const { return this->tolerance > 0.0; }
 

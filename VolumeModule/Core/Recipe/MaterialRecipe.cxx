@@ -27,7 +27,7 @@ std::string ComponentsFile(Components components)
 bool UsesGradients(const RenderSettings& settings)
 {
   return (settings.blend == Blend::Composite || settings.blend == Blend::Slice) &&
-    (settings.shading || settings.gradientOpacity);
+    (settings.shading || settings.gradientOpacity || settings.occlusion);
 }
 
 Parts LabelParts(const RenderSettings& settings)
@@ -48,8 +48,9 @@ bool MarchesMaterial(const RenderSettings& settings)
   const bool isComposite = settings.blend == Blend::Composite;
   return settings.blend == Blend::Slice || settings.overlaps ||
     (isComposite &&
-      (settings.shading || settings.gradientOpacity || settings.components != Components::One ||
-        settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels));
+      (settings.shading || settings.gradientOpacity || settings.occlusion ||
+        settings.components != Components::One || settings.functionOf != FunctionOf::Value ||
+        settings.mask == Mask::Labels));
 }
 
 std::string ShadeFile(const RenderSettings& settings)

@@ -79,9 +79,9 @@ bool HasPacketRecipe(const Frame& frame)
     settings.mask == Mask::None || frame.voxels.mask.dimensions == frame.geometry.dimensions;
   const bool isSampledEvenly = !settings.uneven || (!isLocated && !settings.nearest);
   const bool hasPlaces = !isLocated || !IsProjection(settings.blend);
-  const bool hasShadows =
-    !settings.shadows || (!IsMixture(frame) && !settings.nearest && settings.mask != Mask::Labels);
-  return HasTwins(settings) && hasShadows && isMixed && isSampledEvenly && hasPlaces && hasMask;
+  const bool hasLight = !(settings.shadows || settings.occlusion) ||
+    (!IsMixture(frame) && !settings.nearest && settings.mask != Mask::Labels);
+  return HasTwins(settings) && hasLight && isMixed && isSampledEvenly && hasPlaces && hasMask;
 }
 
 // True if 32 bits hold the index of every voxel.
@@ -148,11 +148,13 @@ bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 
 }
 
-// The voxels are examined last, because that takes time.
+// Ambient occlusion is drawn by packets on any device. The voxels are examined last, because that
+// takes time.
 bool CanMarchByPackets(const Frame& frame, SceneResources& resources)
 {
-  const bool may = frame.device.mayMarchOnProcessor && IsSoftwareRasterizer() &&
-    frame.device.mostMemoryBytes == 0 && frame.userCode.IsEmpty();
+  const bool may = frame.device.mayMarchOnProcessor &&
+    (IsSoftwareRasterizer() || frame.settings.occlusion) && frame.device.mostMemoryBytes == 0 &&
+    frame.userCode.IsEmpty();
   if (!may || !IsReadByPackets(frame, resources.First()))
   {
     return false;

@@ -41,6 +41,13 @@ Viewport WithinScissors(const Viewport& pixels, const Viewport& viewport, vtkOpe
   return drawn;
 }
 
+// Places do not depend on light.
+void LeaveOutLight(PacketScene& scene)
+{
+  scene.light.castsShadows = false;
+  scene.sky.strength = 0.0f;
+}
+
 // The scenes whose images or depths Shaders/Marched combines into pixels.
 std::vector<PacketScene> PartsOf(
   const PacketScene& scene, const VolumeMarch& march, const std::vector<float>& layerDepths)
@@ -57,7 +64,7 @@ std::vector<PacketScene> PartsOf(
   {
     const bool clampDepth = march.frame.image.clampDepth;
     other.location = { LeastDepthOpacity, 0.0f, clampDepth };
-    other.light.castsShadows = false; // places do not depend on light
+    LeaveOutLight(other);
     other.depths =
       clampDepth ? PacketDepths() : scene.depths; // the back face may lie behind the visible part
     return { scene, other };
@@ -65,7 +72,7 @@ std::vector<PacketScene> PartsOf(
   if (march.settings.pass == RayPass::PickVoxel)
   {
     other.location = { 0.5f, LeastPickedOpacity, false };
-    other.light.castsShadows = false;
+    LeaveOutLight(other);
   }
   return { other };
 }

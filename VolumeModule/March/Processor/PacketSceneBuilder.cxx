@@ -143,6 +143,7 @@ PacketScene PacketSceneOf(
   scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces,
     march.settings.shading && march.settings.shadows };
   scene.shadows = volume.Light().Shadows();
+  scene.sky = volume.Light().Sky();
   scene.extreme = ExtremeOf(march, volume);
   scene.isMean = march.settings.blend == Blend::AverageIntensity;
   scene.steps = StepsOf(march, volume);

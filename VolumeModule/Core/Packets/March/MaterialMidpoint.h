@@ -38,17 +38,19 @@ PacketSum MarchMaterialMidpoints(
         const Lanes t = enter + (float(part) + 0.5f) * partMm;
         const Lanes3 place = rays.At(t);
         const LaneMask going = LaneMask(partMm > 0.0f);
-        const auto mayAbsorb = [&](Lanes value)
-        { return Any(going & MayAbsorb(scene.look, value, value)); };
-        if (!isSeen && !mayAbsorb(voxels.ValueAt(place)))
+        const auto absorbing = [&](Lanes value)
+        { return going & MayAbsorb(scene.look, value, value); };
+        if (!isSeen && !Any(absorbing(voxels.ValueAt(place))))
         {
           continue;
         }
         const auto [value, gradient] = SlopeFor(material, voxels, place, going);
-        isSeen = mayAbsorb(value);
+        const LaneMask absorbs = absorbing(value);
+        isSeen = Any(absorbs);
         if (isSeen)
         {
-          AddLit(sum, material, value, material.SurfaceOf(gradient), { t, partMm });
+          AddLit(sum, material, value, SurfaceAt(material, { value, gradient }, place, absorbs),
+            { t, partMm });
         }
       }
     });

@@ -13,12 +13,13 @@ namespace
 {
 
 /// A segment along which values and surfaces are linear.
+template <class SurfaceType>
 struct MaterialSegment
 {
   Lanes startValue;
   Lanes endValue;
-  Surface start;
-  Surface end;
+  SurfaceType start;
+  SurfaceType end;
   Lanes lengthMm;
 };
 
@@ -59,6 +60,8 @@ public:
   }
 
 private:
+  using SurfaceType = typename Material::SurfaceType;
+
   /// Advances to the next segment that absorbs; false if no ray has one.
   bool FindSegment()
   {
@@ -103,7 +106,8 @@ private:
     const Lanes3 gradient = this->material.IsPlain()
       ? Lanes3{ Lanes{}, Lanes{}, Lanes{} }
       : this->voxels.SlopeAt(place, this->going).gradient;
-    const Surface surface = this->material.SurfaceOf(gradient);
+    const SurfaceType surface =
+      SurfaceAt(this->material, { this->segment.endValue, gradient }, place, this->going);
     // Before its first visible segment a ray has no gradient yet; it absorbs least there.
     this->segment.start = Select(this->known, this->segment.end, surface);
     this->segment.end = surface;
@@ -113,7 +117,7 @@ private:
   /// @param along  the middle of the part, [0, 1] of the segment
   void AddPart(float along, float part)
   {
-    const MaterialSegment& piece = this->segment;
+    const MaterialSegment<SurfaceType>& piece = this->segment;
     const Lanes place = All(along);
     AddLit(this->sum, this->material, Mix(piece.startValue, piece.endValue, place),
       Mix(piece.start, piece.end, place),
@@ -130,7 +134,7 @@ private:
   IntLanes index = {};
   LaneMask going;
   LaneMask known = {}; ///< the rays whose surface at t is known
-  MaterialSegment segment = {};
+  MaterialSegment<SurfaceType> segment = {};
 };
 
 }

@@ -8,6 +8,7 @@
 #include "Core/Packets/Classify/OpticalTable.h"
 #include "Core/Packets/ClassifyTwo/Table.h"
 #include "Core/Packets/GradientOpacity/Table.h"
+#include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/Shade/HeadLight.h"
 #include "Core/Packets/Shade/Lights.h"
@@ -29,6 +30,8 @@ struct RayPart
 class PacketMaterial
 {
 public:
+  using SurfaceType = Surface;
+
   PacketMaterial(const PacketScene& scene, const PacketRays& rays)
     : scene(scene)
     , rays(rays)
@@ -125,6 +128,14 @@ public:
     return optical;
   }
 };
+
+/// The surface at places of the rays.
+/// @param mask  the rays whose surface matters
+template <class Material>
+Surface SurfaceAt(const Material& material, const Slope& slope, const Lanes3&, LaneMask)
+{
+  return material.SurfaceOf(slope.gradient);
+}
 
 /// Adds a part of the rays to a sum.
 template <class Material>

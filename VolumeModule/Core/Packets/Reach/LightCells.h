@@ -41,10 +41,11 @@ struct EmptyNodes
 class LightCells
 {
 public:
-  /// @param light  its index
-  LightCells(const PacketShadows& shadows, int light)
-    : nodes(shadows.nodes[light])
-    , nodeCount(shadows.nodeCount)
+  /// @param nodes  null: there is no lattice
+  LightCells(std::uint8_t* nodes, const LatticeShape& shape)
+    : nodes(nodes)
+    , shape(shape)
+    , nodeCount(shape.nodeCount)
   {
   }
 
@@ -53,7 +54,7 @@ public:
   /// The places that have nodes on all sides.
   LaneMask Contains(const Lanes3& placeGrid) const
   {
-    const Lanes3 place = InNodes(placeGrid);
+    const Lanes3 place = this->InNodes(placeGrid);
     const auto isWithin = [](Lanes number, int count)
     { return LaneMask(number >= 0.0f) & LaneMask(number <= float(count - 1)); };
     return isWithin(place.x, this->nodeCount.x) & isWithin(place.y, this->nodeCount.y) &
@@ -66,7 +67,7 @@ public:
   template <class Trace>
   LightInCells LightAt(const Lanes3& placeGrid, LaneMask mask, Trace trace) const
   {
-    const Lanes3 place = InNodes(placeGrid);
+    const Lanes3 place = this->InNodes(placeGrid);
     const Lanes3 cell{ CellBelow(place.x, this->nodeCount.x), CellBelow(place.y, this->nodeCount.y),
       CellBelow(place.z, this->nodeCount.z) };
     const IntNumbers first(Truncated(cell.x) +
@@ -76,9 +77,10 @@ public:
   }
 
 private:
-  static Lanes3 InNodes(const Lanes3& placeGrid)
+  Lanes3 InNodes(const Lanes3& placeGrid) const
   {
-    return (1.0f / float(LightLattice::VoxelsPerNode)) * placeGrid;
+    return (1.0f / float(this->shape.voxelsPerNode)) *
+      (placeGrid + Lanes3(float(this->shape.margin)));
   }
 
   static Lanes CellBelow(Lanes number, int count)
@@ -134,9 +136,10 @@ private:
       IntLanesOf([&](int lane) { return empty.of[lane < empty.count ? lane : 0]; });
     const LaneMask mask = IntLanesOf([&](int lane) { return lane < empty.count ? -1 : 0; });
     const IntLanes row = node / this->nodeCount.x;
-    const Lanes3 placeGrid = float(LightLattice::VoxelsPerNode) *
-      Lanes3(FloatOf(node % this->nodeCount.x), FloatOf(row % this->nodeCount.y),
-        FloatOf(row / this->nodeCount.y));
+    const Lanes3 placeGrid = float(this->shape.voxelsPerNode) *
+        Lanes3(FloatOf(node % this->nodeCount.x), FloatOf(row % this->nodeCount.y),
+          FloatOf(row / this->nodeCount.y)) -
+      Lanes3(float(this->shape.margin));
     constexpr float Steps = float(LightLattice::Full - LightLattice::Dark);
     const Lanes light = float(LightLattice::Dark) + Steps * trace(placeGrid, mask);
     const IntNumbers bytes(Truncated(light + 0.5f));
@@ -171,6 +174,7 @@ private:
   }
 
   std::uint8_t* nodes;
+  LatticeShape shape;
   glm::ivec3 nodeCount;
 };
 

@@ -22,6 +22,7 @@ namespace
 struct ShadowMarch
 {
   float longestMm; ///< longest segment
+  Lanes firstMm;   ///< first segment
   float mostDepth; ///< optical depth beyond which no light is left
 };
 
@@ -39,7 +40,7 @@ public:
     , walk(scene, rays, 0, 0)
     , material(scene, rays)
     , t(rays.enter)
-    , plainMm(FirstShadowStep(All(march.longestMm)))
+    , plainMm(march.firstMm)
     , endValue(voxels.ValueAt(rays.At(rays.enter)))
   {
   }
@@ -143,6 +144,17 @@ private:
   Lanes depth = {};
 };
 
+/// Keeps the parts of rays inside the volume that clipping planes leave.
+inline void KeepUncut(PacketRays& rays, const PacketScene& scene)
+{
+  KeepInside(rays, scene.rays.boxLowerGrid, scene.rays.boxUpperGrid);
+  for (int plane = 0; plane < scene.rays.clippingPlaneCount; ++plane)
+  {
+    KeepBeyond(rays, scene.rayTextures.clippingPlanes[plane]);
+  }
+  rays.exit = Max(rays.exit, rays.enter);
+}
+
 /// One of the lights that cast shadows.
 class ShadowedLight
 {
@@ -150,7 +162,8 @@ public:
   static int CountOf(const PacketScene& scene)
   {
     const VolumeParameters& p = scene.parameters;
-    return std::min(p.distantCount + p.nearCount, MostShadowedLights);
+    return scene.light.castsShadows ? std::min(p.distantCount + p.nearCount, MostShadowedLights)
+                                    : 0;
   }
 
   /// @param light  in the order of lightTexels
@@ -177,12 +190,7 @@ public:
     rays.region = IntLanes{};
     rays.enter = Lanes{};
     rays.exit = this->isDistant ? All(Never) : distanceMm;
-    KeepInside(rays, this->scene.rays.boxLowerGrid, this->scene.rays.boxUpperGrid);
-    for (int plane = 0; plane < this->scene.rays.clippingPlaneCount; ++plane)
-    {
-      KeepBeyond(rays, this->scene.rayTextures.clippingPlanes[plane]);
-    }
-    rays.exit = Max(rays.exit, rays.enter);
+    KeepUncut(rays, this->scene);
     return rays;
   }
 

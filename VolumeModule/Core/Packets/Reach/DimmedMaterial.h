@@ -1,11 +1,12 @@
-#ifndef Varimarch_Core_Packets_Reach_ShadowedMaterial_h
-#define Varimarch_Core_Packets_Reach_ShadowedMaterial_h
+#ifndef Varimarch_Core_Packets_Reach_DimmedMaterial_h
+#define Varimarch_Core_Packets_Reach_DimmedMaterial_h
 
-// The material of a volume whose lights cast shadows.
+// The material of a volume that dims its own light: by shadows and by ambient occlusion.
 
 #include "Core/Packets/Flattened.h"
 #include "Core/Packets/Reach/GatheredLight.h"
 #include "Core/Packets/Reach/LightCells.h"
+#include "Core/Packets/Reach/OpenSky.h"
 #include "Core/Packets/Reach/ShadowRays.h"
 
 namespace varimarch
@@ -26,7 +27,7 @@ public:
     : scene(scene)
     , voxels(voxels)
     , light(scene, light)
-    , cells(scene.shadows, light)
+    , cells(scene.shadows.nodes[light], scene.shadows.shape)
   {
   }
 
@@ -34,7 +35,8 @@ public:
   {
     const PacketRays rays = this->light.RaysFrom(placeGrid);
     // Cells are read where a ray begins, and then ever farther apart.
-    const Lanes cellMm = float(LightLattice::VoxelsPerNode) / Length(rays.directionGrid);
+    const Lanes cellMm =
+      float(this->scene.shadows.shape.voxelsPerNode) / Length(rays.directionGrid);
     Lanes next = {};
     const auto known = [&](Lanes t, Lanes& depth, LaneMask going)
     {
@@ -46,7 +48,7 @@ public:
       next = Select(asks, Max(2.0f * t, t + cellMm), next);
       return this->AddKnown(rays.At(t), depth, asks);
     };
-    return this->AtEndOf(rays, mask, { this->scene.rays.shadowStepMm, this->MostDepth() }, known);
+    return this->AtEndOf(rays, mask, this->scene.rays.shadowStepMm, known);
   }
 
 private:
@@ -59,8 +61,9 @@ private:
 
   template <class Known>
   [[gnu::noinline]] FLATTENED Lanes AtEndOf(
-    const PacketRays& rays, LaneMask mask, const ShadowMarch& march, Known known) const
+    const PacketRays& rays, LaneMask mask, float longestMm, Known known) const
   {
+    const ShadowMarch march = { longestMm, FirstShadowStep(All(longestMm)), this->MostDepth() };
     return Exp(-ShadowDepth<Voxels>(this->scene, this->voxels, rays, march).Along(mask, known));
   }
 
@@ -83,8 +86,7 @@ private:
   // The light at nodes, which no view and no sample changes.
   [[gnu::noinline]] Lanes AtNode(const Lanes3& nodeGrid, LaneMask mask) const
   {
-    return this->AtEndOf(this->light.RaysFrom(nodeGrid), mask,
-      { this->scene.shadows.nodeStepMm, this->MostDepth() },
+    return this->AtEndOf(this->light.RaysFrom(nodeGrid), mask, this->scene.shadows.nodeStepMm,
       [](Lanes, Lanes, LaneMask) { return LaneMask{}; });
   }
 
@@ -94,19 +96,33 @@ private:
   LightCells cells;
 };
 
-/// Adds its samples to a sum without what shadows may take away, which it gathers.
+/// Adds its samples to a sum without what shadows may take away, which it gathers. Its surfaces
+/// know how much of the light from all around reaches them.
 template <class Voxels>
-class ShadowedMaterial : public PacketMaterial
+class DimmedMaterial : public PacketMaterial
 {
 public:
-  ShadowedMaterial(const PacketScene& scene, const PacketRays& rays)
+  using SurfaceType = OpenSurface;
+
+  DimmedMaterial(const PacketScene& scene, const PacketRays& rays)
     : PacketMaterial(scene, rays)
     , voxels(scene.volume)
-    , gathered(ShadowedLight::CountOf(scene), scene.rays.shadowStepMm)
+    , lightCount(ShadowedLight::CountOf(scene))
+    , gathered(this->lightCount, scene.rays.shadowStepMm)
   {
   }
 
-  void Add(PacketSum& sum, Lanes value, const Surface& surface, const RayPart& part)
+  static constexpr bool IsPlain() { return false; }
+
+  OpenSurface SurfaceAt(const Slope& slope, const Lanes3& placeGrid, LaneMask mask) const
+  {
+    const Surface surface = this->SurfaceOf(slope.gradient);
+    return this->scene.sky.strength > 0.0f ? OpenSurface{ surface,
+      OpenSky<Voxels>(this->scene, this->voxels).At(this->Outside(slope, placeGrid), mask) }
+                                           : OpenSurface{ surface, All(1.0f) };
+  }
+
+  void Add(PacketSum& sum, Lanes value, const OpenSurface& surface, const RayPart& part)
   {
     const Optical look = this->LookOf(value, surface.gradient);
     const LaneMask isSeen = LaneMask(look.extinction * part.lengthMm > 0.0f);
@@ -114,18 +130,9 @@ public:
     {
       return;
     }
-    if (this->gathered.IsFullAt(part.t, isSeen))
-    {
-      this->AddGathered(sum);
-    }
-    this->gathered.MoveTo(part.t, isSeen);
-    const Lanes seen =
-      sum.transmittance * Absorption(Min(look.extinction * part.lengthMm, All(100.0f)));
-    const Lanes3 color =
-      PacketLights(this->scene, ReflectanceOf(this->scene), this->directionWorld)
-        .LitApart(look.color, surface, this->WorldAt(part.t), ShadowedLight::CountOf(this->scene),
-          [&](int light, const Lanes3& own) { this->gathered.Add(light, seen * own); });
-    sum.Add({ color, look.extinction }, part.lengthMm);
+    const Lanes3 color = this->lightCount > 0 ? this->GatheredFrom(sum, look, surface, part, isSeen)
+                                              : this->Shaded(look.color, surface, part.t);
+    sum.Add({ surface.open * color, look.extinction }, part.lengthMm);
   }
 
   [[gnu::noinline]] void AddGathered(PacketSum& sum)
@@ -136,6 +143,35 @@ public:
   }
 
 private:
+  // Gathers what shadows may take away. Returns the colour without that.
+  Lanes3 GatheredFrom(PacketSum& sum, const Optical& look, const OpenSurface& surface,
+    const RayPart& part, LaneMask isSeen)
+  {
+    if (this->gathered.IsFullAt(part.t, isSeen))
+    {
+      this->AddGathered(sum);
+    }
+    this->gathered.MoveTo(part.t, isSeen);
+    const Lanes seen = surface.open * sum.transmittance *
+      Absorption(Min(look.extinction * part.lengthMm, All(100.0f)));
+    return PacketLights(this->scene, ReflectanceOf(this->scene), this->directionWorld)
+      .LitApart(look.color, surface, this->WorldAt(part.t), this->lightCount,
+        [&](int light, const Lanes3& own) { this->gathered.Add(light, seen * own); });
+  }
+
+  // The places at which surfaces see what is around them: off the side on which there would be less
+  // matter if values went on as they change here.
+  Lanes3 Outside(const Slope& slope, const Lanes3& placeGrid) const
+  {
+    const Lanes perVoxel = 0.5f * Length(slope.gradient); // differences over two voxels
+    const auto extinctionOf = [&](Lanes value)
+    { return this->LookOf(value, slope.gradient).extinction; };
+    const LaneMask isThinnerAbove =
+      LaneMask(extinctionOf(slope.value + perVoxel) < extinctionOf(slope.value - perVoxel));
+    const Lanes distance = float(LightLattice::SkyDistanceVoxels) * InverseLength(slope.gradient);
+    return placeGrid + Select(isThinnerAbove, distance, -distance) * slope.gradient;
+  }
+
   /// Places that wait for a packet of rays to a light, which may be of any rays of the eye.
   struct Waiting
   {
@@ -198,18 +234,26 @@ private:
   }
 
   Voxels voxels;
+  int lightCount; ///< number of lights that cast shadows
   GatheredLight gathered;
 };
 
 template <class Voxels>
-void AddLit(PacketSum& sum, ShadowedMaterial<Voxels>& material, Lanes value, const Surface& surface,
-  const RayPart& part)
+OpenSurface SurfaceAt(const DimmedMaterial<Voxels>& material, const Slope& slope,
+  const Lanes3& placeGrid, LaneMask mask)
+{
+  return material.SurfaceAt(slope, placeGrid, mask);
+}
+
+template <class Voxels>
+void AddLit(PacketSum& sum, DimmedMaterial<Voxels>& material, Lanes value,
+  const OpenSurface& surface, const RayPart& part)
 {
   material.Add(sum, value, surface, part);
 }
 
 template <class Voxels>
-void AddOwed(PacketSum& sum, ShadowedMaterial<Voxels>& material)
+void AddOwed(PacketSum& sum, DimmedMaterial<Voxels>& material)
 {
   material.AddGathered(sum);
 }

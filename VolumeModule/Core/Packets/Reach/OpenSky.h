@@ -1,0 +1,83 @@
+#ifndef Varimarch_Core_Packets_Reach_OpenSky_h
+#define Varimarch_Core_Packets_Reach_OpenSky_h
+
+// Light from all around, as far as matter near a place lets it through: ambient occlusion.
+
+#include "Core/Packets/Flattened.h"
+#include "Core/Packets/Reach/LightCells.h"
+#include "Core/Packets/Reach/ShadowRays.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// The part of the light from all around that reaches places in a volume.
+template <class Voxels>
+class OpenSky
+{
+public:
+  OpenSky(const PacketScene& scene, const Voxels& voxels)
+    : scene(scene)
+    , voxels(voxels)
+    , cells(scene.sky.nodes, scene.sky.shape)
+  {
+  }
+
+  /// @param mask  the places that matter
+  Lanes At(const Lanes3& placeGrid, LaneMask mask) const
+  {
+    if (!this->cells)
+    {
+      return this->Traced(placeGrid, mask);
+    }
+    LaneMask agrees = mask & this->cells.Contains(placeGrid);
+    const LightInCells found = this->cells.LightAt(placeGrid, agrees,
+      [&](const Lanes3& nodeGrid, LaneMask nodes) { return this->Traced(nodeGrid, nodes); });
+    agrees &= LaneMask(found.spread <= this->scene.sky.agreement);
+    const LaneMask others = mask & ~agrees;
+    return Any(others) ? Select(others, this->Traced(placeGrid, others), found.between)
+                       : found.between;
+  }
+
+private:
+  // Matter that takes light gives back a part of it: Documentation/Mathematics.md.
+  [[gnu::noinline]] Lanes Traced(const Lanes3& placeGrid, LaneMask mask) const
+  {
+    Lanes seen = {};
+    for (const glm::vec4& direction : this->scene.sky.directions)
+    {
+      seen = seen + direction.w * Exp(-this->DepthTowards(direction, placeGrid, mask));
+    }
+    return seen / (seen + this->scene.sky.strength * (1.0f - seen));
+  }
+
+  FLATTENED Lanes DepthTowards(
+    const glm::vec3& directionGrid, const Lanes3& placeGrid, LaneMask mask) const
+  {
+    PacketRays rays;
+    rays.originGrid = placeGrid;
+    rays.directionGrid = AllOf3(directionGrid);
+    rays.inverse = SafeInverse(rays.directionGrid);
+    rays.region = IntLanes{};
+    rays.enter = Lanes{};
+    rays.exit = All(this->scene.sky.reachMm);
+    KeepUncut(rays, this->scene);
+    // A surface is farther from its place than the first segment.
+    const float longestMm = this->scene.sky.stepMm;
+    const ShadowMarch march = { longestMm, All(0.5f * longestMm), this->scene.sky.mostDepth };
+    return ShadowDepth<Voxels>(this->scene, this->voxels, rays, march)
+      .Along(mask, [](Lanes, Lanes, LaneMask) { return LaneMask{}; });
+  }
+
+  const PacketScene& scene;
+  const Voxels& voxels;
+  LightCells cells;
+};
+
+}
+
+}
+
+#endif

@@ -1,0 +1,31 @@
+#include "Core/Reference/SkyVisibility.h"
+
+#include <glm/geometric.hpp>
+
+namespace varimarch
+{
+
+double SkyVisibility::At(glm::dvec3 positionGrid) const
+{
+  double sum = 0.0;
+  for (const auto& [direction, weight] : SphereQuadrature())
+  {
+    sum += weight * this->transmittance.Towards(positionGrid, direction, this->reachMm);
+  }
+  return sum;
+}
+
+glm::dvec3 OutsideOf(glm::dvec3 positionGrid, glm::dvec3 gradient, bool isThinnerUp)
+{
+  constexpr double DistanceVoxels = 2.0;
+  const double length = glm::length(gradient);
+  const double signedDistance = isThinnerUp ? DistanceVoxels : -DistanceVoxels;
+  return length > 0.0 ? positionGrid + (signedDistance / length) * gradient : positionGrid;
+}
+
+double KeptLight(double visibility, double strength)
+{
+  return visibility / (visibility + strength * (1.0 - visibility));
+}
+
+}

@@ -1,0 +1,43 @@
+#ifndef Varimarch_Core_Reference_SkyVisibility_h
+#define Varimarch_Core_Reference_SkyVisibility_h
+
+#include "Core/Geometry/SphereQuadrature.h"
+#include "Core/Reference/LightTransmittance.h"
+
+namespace varimarch
+{
+
+/// The part of the light from all around that a volume lets through to a point, in double
+/// precision: the mean over SphereQuadrature of the transmittance over a reach. It is the truth of
+/// ambient occlusion.
+class SkyVisibility
+{
+public:
+  /// @param transmittance  of the volume; kept by reference
+  /// @param reachMm        distance beyond which matter does not count
+  SkyVisibility(const LightTransmittance& transmittance, double reachMm)
+    : transmittance(transmittance)
+    , reachMm(reachMm)
+  {
+  }
+
+  /// @return [0, 1]
+  double At(glm::dvec3 positionGrid) const;
+
+private:
+  const LightTransmittance& transmittance;
+  double reachMm;
+};
+
+/// The place from which a surface sees what is around it: two voxels along its gradient, up or
+/// down.
+/// @param gradient      per voxel
+/// @param isThinnerUp   true if there would be less matter where the value is higher
+glm::dvec3 OutsideOf(glm::dvec3 positionGrid, glm::dvec3 gradient, bool isThinnerUp);
+
+/// The part of its light that a place keeps: V / (V + strength (1 - V)) for the visibility V.
+double KeptLight(double visibility, double strength);
+
+}
+
+#endif
