@@ -126,6 +126,24 @@ void AddLightOptions(CLI::App& command, SceneArguments& arguments)
     ->group(group);
 }
 
+void AddOcclusionOptions(CLI::App& command, SceneArguments& arguments)
+{
+  const std::string group = "Look";
+  command
+    .add_option("--occlusion", arguments.occlusion,
+      "Ambient occlusion: how much darker places are that see little of what is around\n"
+      "the volume, 0 to 1 (default 0)")
+    ->check(CLI::Range(0.0, 1.0).description(""))
+    ->type_name("S")
+    ->group(group);
+  command
+    .add_option("--occlusion-reach", arguments.occlusionReachMm,
+      "Distance beyond which matter does not occlude, mm (default: 16 voxels)")
+    ->check(CLI::NonNegativeNumber.description(""))
+    ->type_name("MM")
+    ->group(group);
+}
+
 void AddRegionsOption(CLI::App& command, SceneArguments& arguments)
 {
   command
@@ -166,6 +184,7 @@ void AddLookOptions(CLI::App& command, SceneArguments& arguments)
   AddChoice(command, "--blend", arguments.blend, BlendNames(), "Blend mode (default: the preset's)")
     ->group(group);
   AddLightOptions(command, arguments);
+  AddOcclusionOptions(command, arguments);
 }
 
 void AddClippingRangeOption(CLI::App& command, SceneArguments& arguments)

@@ -135,6 +135,8 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   OverrideLook(arguments, scene.look);
   scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;
   scene.shadows = arguments.shadows.value_or(scene.shadows);
+  scene.occlusion = { arguments.occlusion.value_or(scene.occlusion.strength),
+    arguments.occlusionReachMm.value_or(scene.occlusion.reachMm) };
   OverrideCamera(arguments, scene.camera);
   scene.cuts.bodyOnly = arguments.bodyOnly || scene.cuts.bodyOnly;
   if (scene.cuts.bodyOnly && !HasBodyMask(loaded.modality))

@@ -28,6 +28,8 @@ struct SceneArguments
   std::optional<double> dampingGradient; ///< as in Look
   std::vector<SceneLight> lights;        ///< empty: those of the scene
   std::optional<bool> shadows;
+  std::optional<double> occlusion; ///< strength of ambient occlusion, [0, 1]
+  std::optional<double> occlusionReachMm;
   std::optional<std::array<int, 2>> size; ///< size of the image [pixels]
   std::optional<View> view;
   std::optional<double> azimuthDegrees;

@@ -147,6 +147,8 @@ std::string KeyOf(const ReferenceRequest& request)
   digest.Add(request.meanSpacingMm);
   AddTransferFunction(digest, request.transferFunction);
   digest.Add(request.interpolation);
+  digest.Add(request.occlusion.strength);
+  digest.Add(request.occlusion.reachMm);
   AddOpacities(digest, request.gradientOpacities);
   AddRegions(digest, request.regions);
   AddLighting(digest, request.lighting);

@@ -1,6 +1,7 @@
 #include "Scene/ReferenceMaterial.h"
 
 #include "Core/Geometry/ScalarGrid.h"
+#include "Core/Reference/SkyVisibility.h"
 #include "Core/Reference/SplineGrid.h"
 #include "Scene/LookRegions.h"
 
@@ -101,7 +102,7 @@ PieceLight ReferenceMaterial::LightAlong(const CellPart& part, const Ray& rayGri
     {
       const double t = part.t.enter + u * (part.t.exit - part.t.enter);
       const glm::dvec3 position = rayGrid.origin + t * rayGrid.direction;
-      return this->Lit(rgb, this->gradient(position), position, rayGrid);
+      return this->Emitted(rgb, this->gradient(position), position, rayGrid);
     } };
 }
 
@@ -115,9 +116,9 @@ OpticalProperties ReferenceMaterial::At(glm::dvec3 positionGrid, const Ray& rayG
   const glm::dvec3 gradient = this->gradient(positionGrid);
   OpticalProperties properties = this->Unlit(value, this->GradientPerMm(gradient));
   properties.extinction = std::min(properties.extinction, LargestExtinction);
-  if (this->request.lighting && properties.extinction > 0.0)
+  if (properties.extinction > 0.0)
   {
-    properties.rgb = this->Lit(properties.rgb, gradient, positionGrid, rayGrid);
+    properties.rgb = this->Emitted(properties.rgb, gradient, positionGrid, rayGrid);
   }
   return properties;
 }
@@ -148,6 +149,27 @@ OpticalProperties ReferenceMaterial::Unlit(double value, double gradientPerMm) c
   return { function.Color(value), function.Extinction(value) };
 }
 
+glm::dvec3 ReferenceMaterial::Emitted(
+  glm::dvec3 rgb, glm::dvec3 gradient, glm::dvec3 positionGrid, const Ray& rayGrid) const
+{
+  const glm::dvec3 lit =
+    this->request.lighting ? this->Lit(rgb, gradient, positionGrid, rayGrid) : rgb;
+  return this->request.occlusion.strength > 0.0 ? this->KeptAt(gradient, positionGrid) * lit : lit;
+}
+
+// The part of its light that a place keeps under ambient occlusion.
+double ReferenceMaterial::KeptAt(glm::dvec3 gradient, glm::dvec3 positionGrid) const
+{
+  const double value = this->value(positionGrid);
+  const double perVoxel = glm::length(gradient);
+  const double perMm = this->GradientPerMm(gradient);
+  const bool isThinnerUp = this->Unlit(value + perVoxel, perMm).extinction <
+    this->Unlit(value - perVoxel, perMm).extinction;
+  const SkyVisibility sky(*this->transmittance, this->request.occlusion.reachMm);
+  return KeptLight(
+    sky.At(OutsideOf(positionGrid, gradient, isThinnerUp)), this->request.occlusion.strength);
+}
+
 glm::dvec3 ReferenceMaterial::Lit(
   glm::dvec3 rgb, glm::dvec3 gradient, glm::dvec3 positionGrid, const Ray& rayGrid) const
 {
@@ -156,7 +178,7 @@ glm::dvec3 ReferenceMaterial::Lit(
     -UnitOrZero(geometry.WorldFromGridNormal() * gradient),
     -glm::normalize(geometry.WorldFromGridDirection() * rayGrid.direction),
     this->GradientPerMm(gradient) };
-  if (!this->transmittance)
+  if (!this->request.lighting->castsShadows)
   {
     return this->request.lighting->Lit(point);
   }

@@ -16,13 +16,12 @@ namespace varimarch
 class ReferenceMaterial
 {
 public:
-  /// @param transmittance  dims the lights that are not at the eye; null: all light arrives
+  /// @param transmittance  of the volume, for shadows and ambient occlusion; null without them
   /// @throws std::invalid_argument for cubic interpolation of voxels that are not finite
   explicit ReferenceMaterial(const ReferenceRequest& request,
     std::shared_ptr<const LightTransmittance> transmittance = nullptr);
 
-  /// The light on values between which interpolation is linear, for ReferenceScene::shade. Requires
-  /// that the request has lighting.
+  /// The light on values between which interpolation is linear, for ReferenceScene::shade.
   PieceLight LightAlong(const CellPart& part, const Ray& rayGrid) const;
 
   /// The optical properties of a point, for ReferenceScene::material: by its value, or by value and
@@ -32,8 +31,11 @@ public:
 private:
   double GradientPerMm(glm::dvec3 gradient) const;
   OpticalProperties Unlit(double value, double gradientPerMm) const;
+  glm::dvec3 Emitted(
+    glm::dvec3 rgb, glm::dvec3 gradient, glm::dvec3 positionGrid, const Ray& rayGrid) const;
   glm::dvec3 Lit(
     glm::dvec3 rgb, glm::dvec3 gradient, glm::dvec3 positionGrid, const Ray& rayGrid) const;
+  double KeptAt(glm::dvec3 gradient, glm::dvec3 positionGrid) const;
 
   const ReferenceRequest& request;
   std::shared_ptr<const LightTransmittance> transmittance;

@@ -78,6 +78,11 @@ void CheckThatReferenceDraws(const Scene& scene)
   }
 }
 
+Occlusion WithReach(const Occlusion& occlusion, const VolumeGeometry& geometry)
+{
+  return { occlusion.strength, OcclusionReachMm(occlusion.reachMm, geometry) };
+}
+
 std::vector<double> IsovaluesOf(const Look& look)
 {
   std::vector<double> isovalues;
@@ -127,10 +132,11 @@ HeadLight HeadLightOf(const Shading& shading)
 
 ReferenceScene SceneOf(const ReferenceRequest& request);
 
-// The light that the volume lets through, by its opacities and cuts; null without shadows.
+// The light that the volume lets through, by its opacities and cuts; null if all of it arrives.
 std::shared_ptr<const LightTransmittance> TransmittanceOf(const ReferenceRequest& request)
 {
-  if (!request.lighting || !request.lighting->castsShadows)
+  const bool castsShadows = request.lighting && request.lighting->castsShadows;
+  if (!castsShadows && request.occlusion.strength == 0.0)
   {
     return nullptr;
   }
@@ -146,6 +152,7 @@ std::shared_ptr<const LightTransmittance> TransmittanceOf(const ReferenceRequest
     static ReferenceRequest WithoutLight(ReferenceRequest request)
     {
       request.lighting.reset();
+      request.occlusion = {};
       return request;
     }
 
@@ -174,14 +181,15 @@ void SetMaterial(
     scene.material = [material](glm::dvec3 positionGrid, const Ray& rayGrid)
     { return material->At(positionGrid, rayGrid); };
   }
-  else if (request.lighting && request.lighting->IsPlainHeadLight())
+  else if (request.lighting && request.lighting->IsPlainHeadLight() &&
+    request.occlusion.strength == 0.0)
   {
     scene.shade = HeadLightShading(
       HeadLightOf(request.lighting->shading),
       [grid](glm::ivec3 cell) { return GradientsOfCell(grid, cell); },
       request.geometry.WorldFromGridDirection());
   }
-  else if (request.lighting)
+  else if (request.lighting || request.occlusion.strength > 0.0)
   {
     const auto material = MaterialOf(request);
     scene.shade = [material](const CellPart& part, const Ray& rayGrid)
@@ -234,7 +242,8 @@ ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, do
     InterpolationOf(scene), TransferFunctionOf(pipeline.Volume()->GetProperty()),
     isComposite ? look.gradientOpacities : std::vector<OpacityNode>(),
     isComposite ? look.regions : std::vector<LookRegion>(),
-    LightingOf(scene, look, pipeline.Renderer()), look.blend, IsovaluesOf(look),
+    LightingOf(scene, look, pipeline.Renderer()),
+    isComposite ? WithReach(scene.occlusion, geometry) : Occlusion(), look.blend, IsovaluesOf(look),
     AveragedRangeOf(look), { PlanesInGrid(PlanesOf(scene.cuts, image), geometry), pipeline.Mask() },
     ViewOf(scene, pipeline.Renderer(), geometry), tolerance };
 }

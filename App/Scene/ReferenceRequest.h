@@ -27,6 +27,7 @@ struct ReferenceRequest
   std::vector<OpacityNode> gradientOpacities; ///< see Look; empty except in composites
   std::vector<LookRegion> regions;            ///< see Look; empty except in composites
   std::optional<ReferenceLighting> lighting;  ///< empty: unshaded
+  Occlusion occlusion;                        ///< with its reach; off except in composites
   Blend blend;
   std::vector<double> isovalues;
   std::optional<ValueRange> averagedRange; ///< empty: all values

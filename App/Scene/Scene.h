@@ -327,6 +327,18 @@ inline bool IsOurs(MapperKind kind)
   return kind == MapperKind::Varimarch || kind == MapperKind::VarimarchShaders;
 }
 
+/// Ambient occlusion: vtkVariationFieldVolumeMapper::AmbientOcclusion.
+struct Occlusion
+{
+  double strength = 0.0; ///< [0, 1]; 0: off
+  double reachMm = 0.0;  ///< 0: 16 times the smallest distance between voxels
+
+  bool operator==(const Occlusion& other) const
+  {
+    return this->strength == other.strength && this->reachMm == other.reachMm;
+  }
+};
+
 /// Everything that a rendered image depends on, as plain data. SceneFile reads and writes it, and
 /// ScenePipeline renders it.
 struct Scene
@@ -336,6 +348,7 @@ struct Scene
   std::vector<SceneLight> lights; ///< empty: a white light at the eye
   /// True if the volume casts shadows on itself: vtkVariationFieldVolumeMapper::Shadows.
   bool shadows = false;
+  Occlusion occlusion;
   Camera camera;
   SceneCuts cuts;
   SliceSettings slices;

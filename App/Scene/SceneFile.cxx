@@ -51,8 +51,8 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
 // Editors find the schema through "$schema"; it is ignored here.
 std::vector<std::string> KeysBesideVolume()
 {
-  return { "$schema", "look", "lights", "shadows", "camera", "cuts", "slices", "distances",
-    "angles", "boxes", "labels", "render", "size", "background" };
+  return { "$schema", "look", "lights", "shadows", "occlusion", "camera", "cuts", "slices",
+    "distances", "angles", "boxes", "labels", "render", "size", "background" };
 }
 
 void ReadLights(const JsonCursor& json, Scene& scene)
@@ -64,6 +64,15 @@ void ReadLights(const JsonCursor& json, Scene& scene)
   if (const auto shadows = json.Find("shadows"))
   {
     scene.shadows = shadows->Boolean();
+  }
+  if (const auto occlusion = json.Find("occlusion"))
+  {
+    occlusion->RequireObject({ "strength", "reach" });
+    scene.occlusion.strength = occlusion->At("strength").Number({ 0.0, 1.0 });
+    if (const auto reach = occlusion->Find("reach"))
+    {
+      scene.occlusion.reachMm = reach->Number({ 0.0 });
+    }
   }
 }
 
@@ -145,6 +154,11 @@ std::string SceneText(const Scene& scene)
   if (scene.shadows)
   {
     json["shadows"] = true;
+  }
+  if (scene.occlusion.strength > 0.0)
+  {
+    json["occlusion"] = { { "strength", scene.occlusion.strength },
+      { "reach", scene.occlusion.reachMm } };
   }
   json["camera"] = JsonFromCamera(scene.camera);
   json["cuts"] = JsonFromCuts(scene.cuts);

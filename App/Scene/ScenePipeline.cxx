@@ -187,6 +187,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   this->SetLook(scene.look);
   this->SetLights(scene.lights);
   this->SetShadows(scene.shadows);
+  this->SetOcclusion(scene.occlusion);
   this->SetCuts(scene.cuts);
   this->SetRenderOptions(scene.render);
   this->SetBackground(scene.background);
@@ -217,6 +218,15 @@ void ScenePipeline::SetShadows(bool shadows)
   if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
   {
     ours->SetShadows(shadows);
+  }
+}
+
+void ScenePipeline::SetOcclusion(const Occlusion& occlusion)
+{
+  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
+  {
+    ours->SetAmbientOcclusion(occlusion.strength);
+    ours->SetAmbientOcclusionReach(occlusion.reachMm);
   }
 }
 

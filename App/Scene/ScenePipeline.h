@@ -59,8 +59,9 @@ public:
   void SetSegments(const std::vector<Segment>& changed);
   void SetRenderOptions(const RenderOptions& options);
   void SetLights(const std::vector<SceneLight>& lights);
-  /// VTK's mappers cast no shadows.
+  /// VTK's mappers cast no shadows, and have no ambient occlusion.
   void SetShadows(bool shadows);
+  void SetOcclusion(const Occlusion& occlusion);
   void SetBackground(const std::array<double, 3>& rgb);
 
   /// Sample distance of the last frame [mm].

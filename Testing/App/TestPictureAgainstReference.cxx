@@ -216,6 +216,31 @@ TEST(PictureAgainstReference, EveryPartOfALookConvergesToTheIntegral)
   }
 }
 
+// The reference traces 32 rays from every place at which it asks for the colour, so that the image
+// is small and its tolerance a quarter of a level.
+TEST(PictureAgainstReference, AmbientOcclusionOfLitAndOfUnlitMatterConvergesToTheIntegral)
+{
+  for (const bool isLit : { true, false })
+  {
+    Scene scene = SceneOf(Blend::Composite, isLit);
+    scene.size = { 6, 5 };
+    scene.render.sampleDistanceMm = 0.25;
+    const auto image = ProceduralVolume({ ProceduralKind::MarschnerLobb, { 24, 26, 28 } });
+    scene.occlusion = { isLit ? 0.4 : 1.0, 5.0 };
+    EXPECT_LT(ErrorOf(scene, image, 1e-3).rootMeanSquare, 0.3) << isLit;
+    Scene open = scene;
+    open.occlusion = {};
+    const auto with = DrawReferencePicture(scene, image, 1e-2);
+    const auto without = DrawReferencePicture(open, image, 1e-2);
+    EXPECT_GT(CompareImages(static_cast<const float*>(with->image->GetScalarPointer()),
+                static_cast<const float*>(without->image->GetScalarPointer()),
+                std::size_t(without->image->GetNumberOfPoints()))
+                .rootMeanSquare,
+      4.0)
+      << isLit;
+  }
+}
+
 TEST(PictureAgainstReference, ScissorsCutProjectionsToo)
 {
   for (const Blend blend : { Blend::MaximumIntensity, Blend::AverageIntensity })

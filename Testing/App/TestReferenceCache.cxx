@@ -130,6 +130,11 @@ TEST_F(ReferenceCacheTest, EveryPartOfALookComputesAnother)
     { "damping", [](Scene& s) { s.look.dampingGradient = 0.5; } },
     { "lights", [](Scene& s) { s.lights[0].rgb[1] = 0.5; } },
     { "shadows", [](Scene& s) { s.shadows = true; } },
+    { "occlusion", [](Scene& s) { s.occlusion.strength = 0.5; } },
+    { "reach of occlusion",
+      [](Scene& s) {
+        s.occlusion = { 0.5, 2.0 };
+      } },
   };
   for (const auto& [name, change] : parts)
   {

@@ -127,6 +127,8 @@ def lights_and_quality_change_the_picture(_folder):
         {},
         {"lights": [upper_right]},
         {"lights": [upper_right], "shadows": True},
+        {"occlusion": 0.5},
+        {"occlusion": 0.5, "occlusion_reach": 3},
         {"lights": [{"kind": "head"}, upper_right]},
         {"damping": 300},
         {"regions": [{"shape": "ellipse", "values": (100, 400), "gradients": (1, 60),

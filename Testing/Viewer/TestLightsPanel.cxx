@@ -143,3 +143,17 @@ TEST_F(LightsOfAModel, ShadowsAreAStepThatIsUndone)
   EXPECT_FALSE(this->model.CurrentScene().shadows);
   EXPECT_FALSE(shadows->isChecked());
 }
+
+TEST_F(LightsOfAModel, OcclusionIsAStepThatIsUndone)
+{
+  this->Digits("occlusion")->setValue(0.5);
+  this->Digits("occlusionReach")->setValue(20.0);
+  EXPECT_EQ(this->model.CurrentScene().occlusion, (Occlusion{ 0.5, 20.0 }));
+  EXPECT_TRUE(this->Lights().empty()) << "lights stay";
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().occlusion, (Occlusion{ 0.5, 0.0 }));
+  EXPECT_EQ(this->Digits("occlusionReach")->value(), 0.0);
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().occlusion, Occlusion());
+  EXPECT_EQ(this->Digits("occlusion")->value(), 0.0);
+}

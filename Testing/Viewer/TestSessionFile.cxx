@@ -74,6 +74,14 @@ TEST_F(Sessions, KeepShadows)
     WorkText(this->model.CurrentScene(), *this->model.CurrentStudy()).contains("shadows"));
 }
 
+TEST_F(Sessions, KeepAmbientOcclusion)
+{
+  this->model.Edit(
+    ScenePart::Lights, "occlusion", [](Scene& scene) { scene.occlusion.strength = 0.5; });
+  EXPECT_TRUE(
+    WorkText(this->model.CurrentScene(), *this->model.CurrentStudy()).contains("occlusion"));
+}
+
 TEST_F(Sessions, AreAutosavedApartByViewersThatRunAtOnce)
 {
   this->model.Edit(ScenePart::Camera, "zoom", [](Scene& scene) { scene.camera.zoom = 2.5; });

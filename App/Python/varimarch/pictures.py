@@ -36,6 +36,8 @@ def render(
     shade=None,
     lights=None,
     shadows=False,
+    occlusion=0.0,
+    occlusion_reach=0.0,
     damping=None,
     blend=None,
     labels=None,
@@ -77,6 +79,9 @@ def render(
         right; default: a white light at the eye.
     shadows: True to let a shaded volume cast shadows on itself, from lights that are not at the eye;
         takes about three times as long.
+    occlusion: strength of ambient occlusion, 0 to 1: how much darker places are that see little of
+        what is around the volume. Composites of one component only.
+    occlusion_reach: distance beyond which matter does not occlude [mm]; default: 16 voxels.
     damping: gradient magnitude below which light other than ambient is reduced, in units of the
         volume per mm, so that noise in homogeneous material does not glitter; default: the preset's.
     blend: "composite", "maximum", "minimum", "average" or "additive"; default: the preset's.
@@ -152,6 +157,10 @@ def render(
     if lights is not None:
         scene["lights"] = lights_of(lights)
     scene["shadows"] = truth("shadows", shadows)
+    scene["occlusion"] = {
+        "strength": number("occlusion", occlusion, 0, 1),
+        "reach": number("occlusion_reach", occlusion_reach, 0, 1e30),
+    }
     drawn = drawn_labels(image, labels, label_colors, label_opacity, look["blend"])
     picture = _scene.render(image, json.dumps(scene), *drawn)
     # VTK counts rows from the bottom.

@@ -93,6 +93,7 @@ LightsPanel::LightsPanel(SceneModel* model, QWidget* parent)
   column->addLayout(this->form);
   this->MakeShadows();
   column->addWidget(this->shadows);
+  column->addLayout(this->MakeOcclusion());
   column->addStretch();
   this->MakeColorAndIntensity();
   this->MakeDirection();
@@ -212,6 +213,34 @@ void LightsPanel::MakeShadows()
     });
 }
 
+QFormLayout* LightsPanel::MakeOcclusion()
+{
+  constexpr double LongestReachMm = 100.0;
+  auto* const rows = new QFormLayout;
+  const auto add = [=](const char* name, double largest, double Occlusion::*part)
+  {
+    auto* const slider = new NumberSlider(0.0, largest, NumberSlider::Scale::Linear);
+    slider->setObjectName(name);
+    connect(slider, &NumberSlider::Edited, this,
+      [=](double number, int gesture)
+      {
+        this->model->Edit(
+          ScenePart::Lights, tr("ambient occlusion"),
+          [=](Scene& scene) { scene.occlusion.*part = number; }, gesture);
+      });
+    return slider;
+  };
+  this->occlusion = add("occlusion", 1.0, &Occlusion::strength);
+  this->occlusion->setToolTip(
+    tr("How much darker places are that see little of what is around the volume; 0 is off."));
+  this->reach = add("occlusionReach", LongestReachMm, &Occlusion::reachMm);
+  this->reach->SetSuffix(tr(" mm"));
+  this->reach->setToolTip(tr("Matter farther away does not occlude. 0 stands for 16 voxels."));
+  rows->addRow(tr("Occlusion"), this->occlusion);
+  rows->addRow(tr("Reach"), this->reach);
+  return rows;
+}
+
 std::vector<SceneLight> LightsPanel::Shown() const
 {
   const std::vector<SceneLight>& lights = this->model->CurrentScene().lights;
@@ -297,6 +326,8 @@ void LightsPanel::Show(ScenePart part)
   this->add->setEnabled(lights.size() < MostLights);
   this->remove->setEnabled(lights.size() > 1);
   this->shadows->setChecked(this->model->CurrentScene().shadows);
+  this->occlusion->SetNumber(this->model->CurrentScene().occlusion.strength);
+  this->reach->SetNumber(this->model->CurrentScene().occlusion.reachMm);
   this->ShowSelected();
 }
 

@@ -21,7 +21,8 @@ namespace varimarch
 class NumberSlider;
 
 /// The lights on a shaded volume: a list, and the colour, intensity and place of the selected one;
-/// and whether the volume casts shadows. A scene without lights has the one at the eye.
+/// whether the volume casts shadows, and its ambient occlusion. A scene without lights has the one
+/// at the eye.
 class LightsPanel : public QWidget
 {
   Q_OBJECT
@@ -35,6 +36,7 @@ private:
   void MakeDirection();
   void MakePosition();
   void MakeShadows();
+  QFormLayout* MakeOcclusion();
   std::vector<SceneLight> Shown() const;
   void Replace(const std::vector<SceneLight>& lights, const QString& name, int gesture);
   void EditSelected(const QString& name, const std::function<void(SceneLight&)>& change,
@@ -59,6 +61,8 @@ private:
   QWidget* position;
   std::array<QDoubleSpinBox*, 3> coordinates;
   QCheckBox* shadows;
+  NumberSlider* occlusion;
+  NumberSlider* reach;
 };
 
 }

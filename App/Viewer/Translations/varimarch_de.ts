@@ -1321,6 +1321,30 @@ Masken nicht unterstützt</translation>
         <source>shadows</source>
         <translation>Schatten</translation>
     </message>
+    <message>
+        <source>ambient occlusion</source>
+        <translation>Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>How much darker places are that see little of what is around the volume; 0 is off.</source>
+        <translation>Wie viel dunkler Stellen sind, die wenig von der Umgebung des Volumens sehen; 0 ist aus.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Matter farther away does not occlude. 0 stands for 16 voxels.</source>
+        <translation>Weiter entfernte Materie verdeckt nicht. 0 steht für 16 Voxel.</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::LookPanel</name>

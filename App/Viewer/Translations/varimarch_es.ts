@@ -1321,6 +1321,30 @@ no admite máscaras</translation>
         <source>shadows</source>
         <translation>sombras</translation>
     </message>
+    <message>
+        <source>ambient occlusion</source>
+        <translation>oclusión ambiental</translation>
+    </message>
+    <message>
+        <source>How much darker places are that see little of what is around the volume; 0 is off.</source>
+        <translation>Cuánto más oscuros son los lugares que ven poco de lo que rodea al volumen; 0 es desactivado.</translation>
+    </message>
+    <message>
+        <source>Matter farther away does not occlude. 0 stands for 16 voxels.</source>
+        <translation>La materia más lejana no ocluye. 0 equivale a 16 vóxeles.</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Oclusión</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::LookPanel</name>

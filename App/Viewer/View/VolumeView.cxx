@@ -152,6 +152,7 @@ void VolumeView::Update(ScenePart part)
     case ScenePart::Lights:
       this->pipeline->SetLights(scene.lights);
       this->pipeline->SetShadows(scene.shadows);
+      this->pipeline->SetOcclusion(scene.occlusion);
       break;
     case ScenePart::Camera:
       this->FollowCamera();
