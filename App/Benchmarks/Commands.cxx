@@ -161,7 +161,7 @@ void AddSpeedCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunSpeed(*arguments); });
 }
 
-void AddShadowOptions(CLI::App& command, ShadowArguments& arguments)
+void AddLightCostOptions(CLI::App& command, LightCostArguments& arguments)
 {
   AddSceneOptions(command, arguments.scenes);
   AddReportOptions(command, arguments.report);
@@ -176,17 +176,18 @@ void AddShadowOptions(CLI::App& command, ShadowArguments& arguments)
   AddRoundsOption(command, arguments.options.rounds);
 }
 
-void AddShadowCommand(CLI::App& program, const std::string& commandText)
+void AddLightCostCommand(
+  CLI::App& program, const std::string& commandText, LightFeature feature, const std::string& name)
 {
-  const auto arguments = std::make_shared<ShadowArguments>();
+  const auto arguments = std::make_shared<LightCostArguments>();
   arguments->report.commandText = commandText;
+  arguments->options.feature = feature;
   CLI::App* app = program.add_subcommand(
-    "shadows", "Measure the time and the error of shadows, still, turning and with a moving light");
-  app->footer("Writes shadows.md and .json after each scene.\n"
-              "Examples:\n"
-              "  varimarch-bench shadows --volumes volumes -o report\n"
-              "  varimarch-bench shadows head.nii.gz -o report --side 256");
-  AddShadowOptions(*app, *arguments);
+    name, "Measure the time and the error of " + name + ", still, turning and dragged");
+  const std::string command = "  varimarch-bench " + name;
+  app->footer("Writes " + name + ".md and .json after each scene.\nExamples:\n" + command +
+    " --volumes volumes -o report\n" + command + " head.nii.gz -o report --side 256");
+  AddLightCostOptions(*app, *arguments);
   app
     ->add_option("--tolerances", arguments->options.tolerances,
       "The tolerances whose errors are measured (default 1/16, 1/32, 1/64, 1/128, 1/255)")
@@ -198,19 +199,19 @@ void AddShadowCommand(CLI::App& program, const std::string& commandText)
       "The number of views of each scene in which they are measured (default 4)")
     ->check(CLI::Range(1, 360).description(""))
     ->type_name("N");
-  app->callback([arguments] { RunShadows(*arguments); });
+  app->callback([arguments] { RunLightCost(*arguments); });
 }
 
 void AddLightMethodsCommand(CLI::App& program, const std::string& commandText)
 {
-  const auto arguments = std::make_shared<ShadowArguments>();
+  const auto arguments = std::make_shared<LightCostArguments>();
   arguments->report.commandText = commandText;
   CLI::App* app = program.add_subcommand(
     "light-methods", "Measure our shadows beside those of others: error, time and memory");
   app->footer("Writes light-methods.md, .csv and .json after each scene.\n"
               "Example:\n"
               "  varimarch-bench light-methods --volumes volumes -o report --side 256");
-  AddShadowOptions(*app, *arguments);
+  AddLightCostOptions(*app, *arguments);
   app->callback([arguments] { RunLightMethods(*arguments); });
 }
 
@@ -357,7 +358,8 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddWorkPrecisionCommand(program, commandText);
   AddPublishedCommand(program, commandText);
   AddSpeedCommand(program, commandText);
-  AddShadowCommand(program, commandText);
+  AddLightCostCommand(program, commandText, LightFeature::Shadows, "shadows");
+  AddLightCostCommand(program, commandText, LightFeature::Occlusion, "occlusion");
   AddLightMethodsCommand(program, commandText);
   AddScalingCommand(program, commandText);
   AddFeatureCommand(program, commandText);

@@ -2,8 +2,8 @@
 #define Varimarch_Benchmarks_Commands_h
 
 #include "CommandLine/SceneArguments.h"
+#include "LightCost.h"
 #include "PublishedScenes.h"
-#include "ShadowBench.h"
 #include "SpeedBench.h"
 #include "WorkPrecision.h"
 
@@ -61,11 +61,11 @@ struct SpeedArguments
   SpeedOptions options;
 };
 
-struct ShadowArguments
+struct LightCostArguments
 {
   ReportArguments report;
   BenchSceneArguments scenes;
-  ShadowOptions options;
+  LightCostOptions options;
 };
 
 struct ScalingArguments
@@ -126,8 +126,8 @@ struct ShaderCostArguments
 void RunWorkPrecision(const WorkPrecisionArguments& arguments);
 void RunPublished(const PublishedArguments& arguments);
 void RunSpeed(const SpeedArguments& arguments);
-void RunShadows(const ShadowArguments& arguments);
-void RunLightMethods(const ShadowArguments& arguments);
+void RunLightCost(const LightCostArguments& arguments);
+void RunLightMethods(const LightCostArguments& arguments);
 void RunScaling(const ScalingArguments& arguments);
 void RunFeatures(const FeatureArguments& arguments);
 void RunShaderCosts(const ShaderCostArguments& arguments);

@@ -3,11 +3,11 @@
 #include "BenchMethods.h"
 #include "CommandLine/VtkMessages.h"
 #include "Comparison/vtkComparisonMapper.h"
-#include "Core/Fields/LightLattice.h"
 #include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
 
 #include <vtkCamera.h>
+#include <vtkVariationFieldVolumeMapper.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -29,8 +29,7 @@ class MethodInLight
 {
 public:
   MethodInLight(const LightMethod& method, const Scene& scene, vtkImageData* image)
-    : image(image)
-    , view(scene, image, MapperKind::Varimarch)
+    : view(scene, image, MapperKind::Varimarch)
     , light(scene.lights.front())
   {
     if (method.comparison)
@@ -63,14 +62,11 @@ public:
 
   std::vector<float> Pixels() { return PixelsOf(this->view); }
 
-  double LightBytes() const
+  double LightBytes()
   {
-    if (this->comparison)
-    {
-      return this->comparison->GetLightMemoryBytes();
-    }
-    const glm::ivec3 nodes = LightLattice::NodeCount(glm::make_vec3(this->image->GetDimensions()));
-    return double(nodes.x) * nodes.y * nodes.z;
+    auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->view.Pipeline().Mapper());
+    return this->comparison ? double(this->comparison->GetLightMemoryBytes())
+                            : double(ours->GetLightMemoryBytes());
   }
 
 private:
@@ -111,7 +107,6 @@ private:
       glm::dot(toLight, glm::cross(up, toEye)), glm::dot(toLight, up), glm::dot(toLight, toEye));
   }
 
-  vtkImageData* image;
   OffscreenView view;
   SceneLight light;
   vtkSmartPointer<vtkComparisonMapper> comparison; ///< null for our mapper
@@ -119,7 +114,7 @@ private:
 
 Scene SceneOf(const LightMethod& method, const Scene& plain)
 {
-  Scene scene = method.hasShadows ? WithShadows(plain) : plain;
+  Scene scene = method.hasShadows ? WithFeature(plain, LightFeature::Shadows) : plain;
   scene.render.errorTolerance *= method.toleranceFactor;
   return scene;
 }
@@ -156,13 +151,13 @@ const std::vector<LightMethod>& LightMethods()
 }
 
 LightMethodsCase MeasureLightMethods(
-  const LoadedScene& loaded, const ShadowOptions& options, const OnStep& onStep)
+  const LoadedScene& loaded, const LightCostOptions& options, const OnStep& onStep)
 {
   const Scene plain = LitScene(loaded, options);
   vtkImageData* const image = loaded.volume.image;
   onStep("fine image");
-  OffscreenView fine(
-    FineScene(WithShadows(plain), options.errorTolerance), image, MapperKind::Varimarch);
+  OffscreenView fine(FineScene(WithFeature(plain, LightFeature::Shadows), options.errorTolerance),
+    image, MapperKind::Varimarch);
   const std::vector<float> truth = PixelsOf(fine);
   const std::vector<LightMethod>& methods = LightMethods();
   LightMethodsCase measured = { loaded.name, std::vector<LightMethodCost>(methods.size()) };

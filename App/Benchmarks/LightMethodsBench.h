@@ -3,7 +3,7 @@
 
 #include "CommandLine/Truth.h"
 #include "Core/Quality/ImageError.h"
-#include "ShadowScenes.h"
+#include "LightScenes.h"
 
 #include <optional>
 #include <string>
@@ -50,7 +50,7 @@ struct LightMethodsCase
 /// lattice of light, with samples FineDistanceVoxels apart.
 /// @throws std::runtime_error when a mapper reports an error
 LightMethodsCase MeasureLightMethods(
-  const LoadedScene& loaded, const ShadowOptions& options, const OnStep& onStep);
+  const LoadedScene& loaded, const LightCostOptions& options, const OnStep& onStep);
 
 }
 

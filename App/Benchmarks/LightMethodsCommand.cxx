@@ -14,7 +14,7 @@
 namespace varimarch
 {
 
-void RunLightMethods(const ShadowArguments& arguments)
+void RunLightMethods(const LightCostArguments& arguments)
 {
   LightMethodsPage page = { arguments.report.commandText, ThisMachine(), arguments.options, {} };
   const SpeedScenes loaded = LoadBenchScenes(arguments.scenes);

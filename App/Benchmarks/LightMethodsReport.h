@@ -17,7 +17,7 @@ struct LightMethodsPage
 {
   std::string commandText;
   Machine machine;
-  ShadowOptions options;
+  LightCostOptions options;
   std::vector<LightMethodsCase> cases; ///< at least one
 };
 

@@ -1,4 +1,4 @@
-#include "ShadowBench.h"
+#include "LightCost.h"
 
 #include "CommandLine/VtkMessages.h"
 #include "Scene/Median.h"
@@ -17,21 +17,23 @@ namespace
 
 constexpr int FramesOfMotion = 9;
 
-/// A view, with or without shadows, and what is measured in it.
-struct ShadowView
+/// A view, with or without the feature, and what is measured in it.
+struct MeasuredView
 {
   OffscreenView view;
   SceneLight light;
+  Occlusion occlusion;
   double firstMs;
 
-  ShadowView(const Scene& scene, vtkImageData* image)
+  MeasuredView(const Scene& scene, vtkImageData* image)
     : view(scene, image, MapperKind::Varimarch)
     , light(scene.lights.front())
+    , occlusion(scene.occlusion)
     , firstMs(1000.0 * this->view.Render())
   {
   }
 
-  double MedianMs(ShadowMotion motion)
+  double MedianMs(LightMotion motion)
   {
     std::vector<double> times;
     for (int frame = 0; frame < FramesOfMotion; ++frame)
@@ -43,17 +45,19 @@ struct ShadowView
   }
 
 private:
-  void Move(ShadowMotion motion)
+  void Move(LightMotion motion)
   {
-    if (motion == ShadowMotion::Turning)
+    if (motion == LightMotion::Turning)
     {
       this->view.Pipeline().Renderer()->GetActiveCamera()->Azimuth(1.0);
       this->view.Pipeline().Renderer()->ResetCameraClippingRange();
     }
-    if (motion == ShadowMotion::LightDragged)
+    if (motion == LightMotion::LightDragged)
     {
       this->light = Turned(this->light, 2.0);
       this->view.Pipeline().SetLights({ this->light });
+      this->occlusion.strength *= 0.98;
+      this->view.Pipeline().SetOcclusion(this->occlusion);
     }
   }
 };
@@ -61,24 +65,24 @@ private:
 // The times of each round, one list for each motion.
 struct Rounds
 {
-  std::array<std::vector<double>, ShadowMotions> without;
-  std::array<std::vector<double>, ShadowMotions> with;
-  std::array<std::vector<double>, ShadowMotions> factor;
+  std::array<std::vector<double>, LightMotions> without;
+  std::array<std::vector<double>, LightMotions> with;
+  std::array<std::vector<double>, LightMotions> factor;
 
   // A slow moment of the machine affects both alike.
-  void Add(int round, ShadowView& plain, ShadowView& shadowed)
+  void Add(int round, MeasuredView& plain, MeasuredView& featured)
   {
-    for (int motion = 0; motion < ShadowMotions; ++motion)
+    for (int motion = 0; motion < LightMotions; ++motion)
     {
       const auto drawPlain = [&]
-      { this->without[motion].push_back(plain.MedianMs(ShadowMotion(motion))); };
-      const auto drawShadowed = [&]
-      { this->with[motion].push_back(shadowed.MedianMs(ShadowMotion(motion))); };
+      { this->without[motion].push_back(plain.MedianMs(LightMotion(motion))); };
+      const auto drawWith = [&]
+      { this->with[motion].push_back(featured.MedianMs(LightMotion(motion))); };
       if (round % 2 == 0)
       {
         drawPlain();
       }
-      drawShadowed();
+      drawWith();
       if (round % 2 == 1)
       {
         drawPlain();
@@ -98,39 +102,39 @@ ImageError ErrorOf(const Scene& scene, vtkImageData* image)
 
 }
 
-ShadowCase MeasureShadows(
-  const LoadedScene& loaded, const ShadowOptions& options, const OnStep& onStep)
+LightCost MeasureLightCost(
+  const LoadedScene& loaded, const LightCostOptions& options, const OnStep& onStep)
 {
   const Scene plain = LitScene(loaded, options);
-  const Scene shadowed = WithShadows(plain);
-  ShadowCase measured = { loaded.name };
+  const Scene featured = WithFeature(plain, options.feature);
+  LightCost measured = { loaded.name };
   Rounds rounds;
   std::vector<double> firstMs;
   for (int round = 0; round < options.rounds; ++round)
   {
     onStep("times, round " + std::to_string(round + 1));
-    ShadowView without(plain, loaded.volume.image);
-    ShadowView with(shadowed, loaded.volume.image);
+    MeasuredView without(plain, loaded.volume.image);
+    MeasuredView with(featured, loaded.volume.image);
     firstMs.push_back(with.firstMs);
     rounds.Add(round, without, with);
   }
   measured.firstMs = Median(firstMs);
-  for (int motion = 0; motion < ShadowMotions; ++motion)
+  for (int motion = 0; motion < LightMotions; ++motion)
   {
     measured.withoutMs[motion] = Median(rounds.without[motion]);
     measured.withMs[motion] = Median(rounds.with[motion]);
     measured.factor[motion] = Median(rounds.factor[motion]);
   }
   onStep("error");
-  measured.error = ErrorOf(shadowed, loaded.volume.image);
+  measured.error = ErrorOf(featured, loaded.volume.image);
   ThrowIfVtkReportedError();
   return measured;
 }
 
-double MeanFactor(const std::vector<ShadowCase>& cases, ShadowMotion motion)
+double MeanFactor(const std::vector<LightCost>& cases, LightMotion motion)
 {
   double sum = 0.0;
-  for (const ShadowCase& measured : cases)
+  for (const LightCost& measured : cases)
   {
     sum += std::log(measured.factor[int(motion)]);
   }

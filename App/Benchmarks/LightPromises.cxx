@@ -1,4 +1,4 @@
-#include "ShadowPromises.h"
+#include "LightPromises.h"
 
 #include "CommandLine/Results.h"
 #include "CommandLine/VtkMessages.h"
@@ -46,7 +46,7 @@ struct Keeping
   double worst = 0.0;   ///< largest error of 99.9 % of the pixels, over the tolerance
   double largest = 0.0; ///< largest error, over the tolerance
 
-  void Add(const ShadowPromise& promise)
+  void Add(const LightPromise& promise)
   {
     const double part = promise.error.percentile999 / (255.0 * promise.errorTolerance);
     const double largestPart = promise.error.largest / (255.0 * promise.errorTolerance);
@@ -58,12 +58,12 @@ struct Keeping
   }
 };
 
-std::string SummaryRow(const std::vector<ShadowPromises>& scenes, double errorTolerance)
+std::string SummaryRow(const std::vector<LightPromises>& scenes, double errorTolerance)
 {
   Keeping keeping;
-  for (const ShadowPromises& scene : scenes)
+  for (const LightPromises& scene : scenes)
   {
-    for (const ShadowPromise& promise : scene.promises)
+    for (const LightPromise& promise : scene.promises)
     {
       if (promise.errorTolerance == errorTolerance)
       {
@@ -77,10 +77,10 @@ std::string SummaryRow(const std::vector<ShadowPromises>& scenes, double errorTo
     Fixed(keeping.largest, 1) + " |\n";
 }
 
-double WorstOf(const ShadowPromises& scene, double errorTolerance)
+double WorstOf(const LightPromises& scene, double errorTolerance)
 {
   double worst = 0.0;
-  for (const ShadowPromise& promise : scene.promises)
+  for (const LightPromise& promise : scene.promises)
   {
     worst = promise.errorTolerance == errorTolerance ? std::max(worst, promise.error.percentile999)
                                                      : worst;
@@ -90,12 +90,12 @@ double WorstOf(const ShadowPromises& scene, double errorTolerance)
 
 }
 
-std::vector<ShadowPromise> MeasureShadowPromises(
-  const LoadedScene& loaded, const ShadowOptions& options, const OnStep& onStep)
+std::vector<LightPromise> MeasureLightPromises(
+  const LoadedScene& loaded, const LightCostOptions& options, const OnStep& onStep)
 {
-  Scene lit = WithShadows(LitScene(loaded, options));
+  Scene lit = WithFeature(LitScene(loaded, options), options.feature);
   lit.size = { std::max(options.side / 2, 1), std::max(options.side / 2, 1) };
-  std::vector<ShadowPromise> promises;
+  std::vector<LightPromise> promises;
   for (int view = 0; view < options.views; ++view)
   {
     Scene scene = ViewOf(lit, view, options.views);
@@ -114,7 +114,7 @@ std::vector<ShadowPromise> MeasureShadowPromises(
   return promises;
 }
 
-std::string MarkdownOf(const std::vector<ShadowPromises>& scenes, const ShadowOptions& options)
+std::string MarkdownOf(const std::vector<LightPromises>& scenes, const LightCostOptions& options)
 {
   std::string text = "\n## Tolerances\n" + std::to_string(options.views) +
     " views of each scene in the same light, of half the side, against rays with samples " +
@@ -133,7 +133,7 @@ std::string MarkdownOf(const std::vector<ShadowPromises>& scenes, const ShadowOp
     line += "---:|";
   }
   perScene += "\n" + line + "\n";
-  for (const ShadowPromises& scene : scenes)
+  for (const LightPromises& scene : scenes)
   {
     perScene += "| " + scene.scene + " |";
     for (const double errorTolerance : options.tolerances)

@@ -3,9 +3,9 @@
 #include "CommandLine/OutputFolder.h"
 #include "CommandLine/Progress.h"
 #include "CommandLine/Results.h"
+#include "LightPromises.h"
 #include "Machine.h"
 #include "Scene/OutputFile.h"
-#include "ShadowPromises.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,25 +18,29 @@ namespace varimarch
 namespace
 {
 
-/// The measurements of `varimarch-bench shadows`, and how they were made.
-struct ShadowPage
+/// The measurements of a feature, and how they were made.
+struct LightCostPage
 {
   std::string commandText;
   Machine machine;
-  ShadowOptions options;
-  std::vector<ShadowCase> cases;
-  std::vector<ShadowPromises> promises; ///< in the order of the cases
+  LightCostOptions options;
+  std::vector<LightCost> cases;
+  std::vector<LightPromises> promises; ///< in the order of the cases
 };
 
-constexpr std::array<ShadowMotion, ShadowMotions> Motions = { ShadowMotion::Still,
-  ShadowMotion::Turning, ShadowMotion::LightDragged };
-constexpr std::array<const char*, ShadowMotions> MotionNames = { "still", "turning",
-  "light dragged" };
+constexpr std::array<LightMotion, LightMotions> Motions = { LightMotion::Still,
+  LightMotion::Turning, LightMotion::LightDragged };
+constexpr std::array<const char*, LightMotions> MotionNames = { "still", "turning", "dragged" };
 
-std::string Row(const ShadowCase& measured)
+bool IsOfShadows(const LightCostPage& page)
+{
+  return page.options.feature == LightFeature::Shadows;
+}
+
+std::string Row(const LightCost& measured)
 {
   std::string row = "| " + measured.scene + " |";
-  for (int motion = 0; motion < ShadowMotions; ++motion)
+  for (int motion = 0; motion < LightMotions; ++motion)
   {
     row += " " + Fixed(measured.withoutMs[motion], 1) + " | " + Fixed(measured.withMs[motion], 1) +
       " | " + Fixed(measured.factor[motion], 2) + " |";
@@ -46,26 +50,29 @@ std::string Row(const ShadowCase& measured)
     " |\n";
 }
 
-std::string Markdown(const ShadowPage& page)
+std::string Markdown(const LightCostPage& page)
 {
   const std::string side = std::to_string(page.options.side);
-  std::string text = "# Cost of shadows\n\n" + TextOf(page.machine) + ". Images of " + side +
-    " x " + side + ", error tolerance " + Fixed(255.0 * page.options.errorTolerance, 2) +
+  const std::string feature =
+    IsOfShadows(page) ? "shadows" : "ambient occlusion of strength 0.5 and a reach of 16 voxels";
+  std::string text = "# Cost of " + feature + "\n\n" + TextOf(page.machine) + ". Images of " +
+    side + " x " + side + ", error tolerance " + Fixed(255.0 * page.options.errorTolerance, 2) +
     " of 255, one light fixed in the world, medians of " + std::to_string(page.options.rounds) +
-    " alternating rounds. Made by\n\n    " + page.commandText +
-    "\n\nTimes without and with shadows [ms] and their factor; the first frame with shadows [ms]; "
-    "and its errors [1/255] against rays with samples " +
+    " alternating rounds. Made by\n\n    " + page.commandText + "\n\nTimes without and with " +
+    feature + " [ms] and their factor, still, while the camera turns, and while " +
+    (IsOfShadows(page) ? "the light" : "the strength") +
+    " is dragged; the first frame with it [ms]; and its errors [1/255] against rays with samples " +
     Fixed(FineDistanceVoxels(page.options.errorTolerance), 3) +
     " of a voxel apart.\n\n"
-    "| scene | still | with | factor | turning | with | factor | light dragged | with | factor "
+    "| scene | still | with | factor | turning | with | factor | dragged | with | factor "
     "| first | RMSE | 99.9 % | largest |\n"
     "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
-  for (const ShadowCase& measured : page.cases)
+  for (const LightCost& measured : page.cases)
   {
     text += Row(measured);
   }
   text += "\nGeometric means of the factors:";
-  for (int motion = 0; motion < ShadowMotions; ++motion)
+  for (int motion = 0; motion < LightMotions; ++motion)
   {
     text += std::string(motion > 0 ? ", " : " ") + MotionNames[motion] + " " +
       Fixed(MeanFactor(page.cases, Motions[motion]), 2);
@@ -79,10 +86,10 @@ nlohmann::ordered_json ToJson(const ImageError& error)
     { "largest", error.largest } };
 }
 
-nlohmann::ordered_json ToJson(const std::vector<ShadowPromise>& promises)
+nlohmann::ordered_json ToJson(const std::vector<LightPromise>& promises)
 {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const ShadowPromise& promise : promises)
+  for (const LightPromise& promise : promises)
   {
     json.push_back({ { "view", promise.view }, { "errorTolerance", promise.errorTolerance },
       { "error", ToJson(promise.error) } });
@@ -90,14 +97,14 @@ nlohmann::ordered_json ToJson(const std::vector<ShadowPromise>& promises)
   return json;
 }
 
-nlohmann::ordered_json ToJson(const ShadowPage& page)
+nlohmann::ordered_json ToJson(const LightCostPage& page)
 {
   nlohmann::ordered_json json = { { "command", page.commandText },
     { "machine", ToJson(page.machine) }, { "side", page.options.side },
     { "errorTolerance", page.options.errorTolerance } };
   for (std::size_t i = 0; i < page.cases.size(); ++i)
   {
-    const ShadowCase& measured = page.cases[i];
+    const LightCost& measured = page.cases[i];
     json["scenes"].push_back({ { "scene", measured.scene }, { "withoutMs", measured.withoutMs },
       { "withMs", measured.withMs }, { "factor", measured.factor }, { "firstMs", measured.firstMs },
       { "error", ToJson(measured.error) }, { "promises", ToJson(page.promises[i].promises) } });
@@ -107,11 +114,12 @@ nlohmann::ordered_json ToJson(const ShadowPage& page)
 
 }
 
-void RunShadows(const ShadowArguments& arguments)
+void RunLightCost(const LightCostArguments& arguments)
 {
-  ShadowPage page = { arguments.report.commandText, ThisMachine(), arguments.options, {}, {} };
+  LightCostPage page = { arguments.report.commandText, ThisMachine(), arguments.options, {}, {} };
   const SpeedScenes loaded = LoadBenchScenes(arguments.scenes);
   const std::filesystem::path folder = OutputFolder(arguments.report.outputFolder);
+  const std::string name = IsOfShadows(page) ? "shadows" : "occlusion";
   for (const LoadedScene& scene : loaded.scenes)
   {
     SetInterruptNotice(folder,
@@ -119,11 +127,11 @@ void RunShadows(const ShadowArguments& arguments)
         " scenes");
     Progress progress("Measuring " + scene.name);
     const OnStep onStep = [&](const std::string& step) { progress.SetActivity(step); };
-    page.cases.push_back(MeasureShadows(scene, page.options, onStep));
-    page.promises.push_back({ scene.name, MeasureShadowPromises(scene, page.options, onStep) });
-    WriteResults(ToJson(page), folder / "shadows.json");
+    page.cases.push_back(MeasureLightCost(scene, page.options, onStep));
+    page.promises.push_back({ scene.name, MeasureLightPromises(scene, page.options, onStep) });
+    WriteResults(ToJson(page), folder / (name + ".json"));
     WriteResults(ToJson(page), arguments.report.jsonPath);
-    WriteFileWhole(folder / "shadows.md", Markdown(page));
+    WriteFileWhole(folder / (name + ".md"), Markdown(page));
   }
   std::cout << Markdown(page);
 }

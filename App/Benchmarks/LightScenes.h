@@ -1,5 +1,5 @@
-#ifndef Varimarch_Benchmarks_ShadowScenes_h
-#define Varimarch_Benchmarks_ShadowScenes_h
+#ifndef Varimarch_Benchmarks_LightScenes_h
+#define Varimarch_Benchmarks_LightScenes_h
 
 #include "SpeedScenes.h"
 
@@ -12,8 +12,16 @@ class OffscreenView;
 
 // The scenes of measurements of light, and their true images.
 
-struct ShadowOptions
+/// The light whose cost is measured.
+enum class LightFeature
 {
+  Shadows,
+  Occlusion, ///< ambient occlusion with half of its full strength
+};
+
+struct LightCostOptions
+{
+  LightFeature feature = LightFeature::Shadows;
   int side = 512; ///< side of the square images [pixels]
   int rounds = 3;
   double errorTolerance = 1.0 / 64.0; ///< tolerance of the measurements of time
@@ -23,10 +31,10 @@ struct ShadowOptions
 };
 
 /// The scene shaded, in one light from the upper right of its camera, which is fixed in the world
-/// and casts no shadows yet.
-Scene LitScene(const LoadedScene& loaded, const ShadowOptions& options);
+/// and has no feature yet.
+Scene LitScene(const LoadedScene& loaded, const LightCostOptions& options);
 
-Scene WithShadows(Scene scene);
+Scene WithFeature(Scene scene, LightFeature feature);
 
 /// The distance between samples of images that judge others [voxels]. At an eighth, shadows of
 /// dense material are wrong by 2 of 255 for 99.9 % of the pixels, and by far more for single ones.

@@ -1,4 +1,4 @@
-#include "ShadowScenes.h"
+#include "LightScenes.h"
 
 #include "Scene/OffscreenView.h"
 #include "Scene/SceneLights.h"
@@ -29,7 +29,7 @@ std::array<double, 3> UpperRightOf(vtkCamera* camera)
 
 }
 
-Scene LitScene(const LoadedScene& loaded, const ShadowOptions& options)
+Scene LitScene(const LoadedScene& loaded, const LightCostOptions& options)
 {
   Scene scene = loaded.scene;
   scene.look.shading.enabled = true;
@@ -41,9 +41,11 @@ Scene LitScene(const LoadedScene& loaded, const ShadowOptions& options)
   return scene;
 }
 
-Scene WithShadows(Scene scene)
+Scene WithFeature(Scene scene, LightFeature feature)
 {
-  scene.shadows = true;
+  constexpr double Strength = 0.5;
+  scene.shadows = feature == LightFeature::Shadows;
+  scene.occlusion.strength = feature == LightFeature::Occlusion ? Strength : 0.0;
   return scene;
 }
 
