@@ -24,6 +24,26 @@
 namespace
 {
 
+bool runsEvents = false;
+
+// Handles events until the user quits. Qt calls exit() from within if the display is gone. Threads
+// still work on a scan then, under which nothing may be destroyed; the autosaved session is kept.
+int RunEvents()
+{
+  std::atexit(
+    []
+    {
+      if (runsEvents)
+      {
+        std::_Exit(EXIT_FAILURE);
+      }
+    });
+  runsEvents = true;
+  const int code = QApplication::exec();
+  runsEvents = false;
+  return code;
+}
+
 void AddOptions(QCommandLineParser& parser)
 {
   parser.setApplicationDescription(
@@ -120,7 +140,7 @@ int RunWindow(const QCommandLineParser& parser)
     window.OfferAutosaved();
     window.OfferFileAtStart();
   }
-  return QApplication::exec();
+  return RunEvents();
 }
 
 }

@@ -1800,7 +1800,7 @@ Masken nicht unterstützt</translation>
     </message>
     <message>
         <source>&amp;Find a command…</source>
-        <translation>&amp;Befehl suchen…</translation>
+        <translation>Be&amp;fehl suchen…</translation>
     </message>
     <message>
         <source>&amp;Mouse and keys</source>
@@ -1832,7 +1832,7 @@ Masken nicht unterstützt</translation>
     </message>
     <message>
         <source>Wa&amp;lk</source>
-        <translation>&amp;Gehen</translation>
+        <translation>Ge&amp;hen</translation>
     </message>
     <message>
         <source>Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around</source>
