@@ -13,6 +13,9 @@ vtkImageData and back; capture() returns the image in a window; presets() lists 
 variation_field() returns how far values stay about the same around each voxel. Viewer opens a volume
 in the program varimarch-viewer, and exchanges looks with it.
 
+enable() lets PyVista, vedo, mayavi and other programs that leave the choice of a mapper to VTK draw
+with Varimarch in this process.
+
 In VTK pipelines of your own, use the classes like all other classes of VTK:
 vtkVariationFieldVolumeMapper renders, vtkVolumeFileReader reads, vtkHeadlessRenderWindow is a window
 that needs no display. The classes are the same as in C++, and their headers describe them.
@@ -28,9 +31,10 @@ from .fields import variation_field
 from .images import read, to_array, to_image
 from .looks import presets
 from .pictures import capture, render, write_png
+from .plugin import enable
 from .viewer import Viewer
 
-__all__ = ["Viewer", "capture", "presets", "read", "render", "to_array", "to_image"]
+__all__ = ["Viewer", "capture", "enable", "presets", "read", "render", "to_array", "to_image"]
 __all__ += ["variation_field", "write_png"]
 __all__ += [name for name in dir(VarimarchVolume) if name.startswith("vtk")]
 
