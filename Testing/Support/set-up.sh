@@ -16,7 +16,9 @@ packages=(
   # Real volumes: a head CT and a T1 head
   invesalius-examples mricron-data
 )
-testPackages=(libgtest-dev glslang-tools python3-fuse python3-vedo python3-venv python3-wheel xdotool xvfb xauth)
+testPackages=(
+  libgtest-dev glslang-tools python3-fuse python3-vedo python3-venv python3-wheel xdotool xvfb xauth
+)
 fuzzPackages=(clang libclang-rt-14-dev)
 packageLog=build/packages.log
 
