@@ -6,6 +6,7 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/VoxelFile.h"
 
+#include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -21,11 +22,11 @@ constexpr std::size_t mrcHeaderBytes = 1024;
 constexpr double mmPerAngstrom = 1e-7;
 
 /// The file axis, 0 to 2, along each axis of the cell; the header counts from 1. Files without this
-/// entry store x, y, z.
+/// entry store x, y, z. Damaged entries may give any number from -1.
 glm::ivec3 CellAxes(const BinaryHeader& header)
 {
   const glm::ivec3 axes(header.VectorAt<int>(64));
-  return axes == glm::ivec3(0) ? glm::ivec3(0, 1, 2) : axes - 1;
+  return axes == glm::ivec3(0) ? glm::ivec3(0, 1, 2) : glm::max(axes, 0) - 1;
 }
 
 /// The stamp of the machine that wrote the file is often missing, so the byte order is that in
