@@ -361,8 +361,9 @@ public:
    * (Documentation/Mathematics.md). The error tolerance holds for the image with its occlusion,
    * which needs one: without a tolerance, and below 1/128, it takes very long. For composites of
    * one component, lit or not; packets of rays on the processor draw it (see ProcessorMarching),
-   * also with a graphics card. The light is kept while the volume and its look stay, in up to a
-   * byte for each voxel. Default: 0, no occlusion.
+   * also with a graphics card. Images of less than a second of allocated time, in which somebody
+   * interacts, leave it out. The light is kept while the volume and its look stay, in up to a byte
+   * for each voxel. Default: 0, no occlusion.
    */
   vtkSetClampMacro(AmbientOcclusion, double, 0.0, 1.0);
   vtkGetMacro(AmbientOcclusion, double);

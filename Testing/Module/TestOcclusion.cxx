@@ -219,8 +219,10 @@ TEST(Occlusion, KeepsTheErrorToleranceInAllButSinglePixels)
   EXPECT_GT(pixelsBeyond(torso.scene.DrawByProcessor(), 0.1), 10) << "occlusion is seen";
 }
 
+// In voxels of a centimetre the mapper may tell that both together miss the tolerance.
 TEST(Occlusion, IsThatOfShadowedLightToo)
 {
+  const ExpectedVtkErrors warnings;
   OccludedTorso shadowed(24);
   shadowed.scene.mapper->ShadowsOn();
   const std::vector<float> both = shadowed.scene.DrawByProcessor();
@@ -289,6 +291,28 @@ TEST(Occlusion, TakesNothingWhereItIsOff)
   torso.scene.Draw();
   EXPECT_EQ(torso.scene.ShaderParts(), parts);
   EXPECT_EQ(torso.scene.mapper->GetGraphicsMemoryBytes(), graphicsBytes);
+}
+
+// A place that comes into view costs 32 rays, so that a turning image would take many times as
+// long.
+TEST(Occlusion, IsLeftOutWhileSomebodyInteractsAndKeptForTheStillImage)
+{
+  OccludedTorso torso(16);
+  torso.scene.mapper->SetProcessorMarching(true);
+  torso.scene.mapper->SetMaximumImageSampleDistance(1.0);
+  const std::vector<float> still = torso.scene.Draw();
+  const vtkIdType bytes = torso.scene.mapper->GetLightMemoryBytes();
+  torso.scene.window->SetDesiredUpdateRate(20.0);
+  const std::vector<float> moving = torso.scene.Draw();
+  EXPECT_EQ(torso.scene.mapper->GetLightMemoryBytes(), bytes)
+    << "the still image needs the lattice";
+  torso.scene.window->SetDesiredUpdateRate(1e-3);
+  EXPECT_EQ(torso.scene.Draw(), still);
+  torso.scene.mapper->SetAmbientOcclusion(0.0);
+  const std::vector<float> without = torso.scene.Draw();
+  const auto apart = [](const std::vector<float>& a, const std::vector<float>& b)
+  { return CompareImages(a.data(), b.data(), a.size() / 4).rootMeanSquare; };
+  EXPECT_LT(apart(moving, without), 0.2 * apart(still, without));
 }
 
 TEST(Occlusion, ByShadersIsLeftOutWithASentence)

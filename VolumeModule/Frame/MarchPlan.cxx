@@ -61,6 +61,7 @@ MarchPlan PlanOf(const Frame& frame, const std::optional<PictureQuality>& qualit
     plan.imageSampleDistance = std::max(
       plan.imageSampleDistance, std::clamp(quality->imageSampleDistance, shortest, longest));
     plan.mostAccumulated = 0;
+    plan.isInteractive = true;
     plan.budget = plan.budget.WithStepFactor(quality->toleranceFactor);
     plan.sampleDistanceMm *= quality->toleranceFactor;
   }
@@ -75,7 +76,8 @@ VolumeMarch MarchOf(const Frame& frame, const MarchPlan& plan)
   settings.role = plan.role;
   settings.shading = settings.shading && plan.isLit;
   settings.shadows = settings.shadows && settings.pass != RayPass::Block; // a block is no whole
-  settings.occlusion = settings.occlusion && plan.marcher == Marcher::Processor;
+  settings.occlusion =
+    settings.occlusion && plan.marcher == Marcher::Processor && !plan.isInteractive;
   settings.countFetches = settings.countFetches && !plan.isTrial; // errors are errors of colours
   TakeFindings(plan.volumes.front(), settings);
   settings.others.clear();

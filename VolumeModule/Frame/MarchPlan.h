@@ -32,6 +32,7 @@ struct MarchPlan
   double sampleDistanceMm = 0.0;
   double imageSampleDistance = 1.0;    ///< The distance between rays [pixels].
   int mostAccumulated = 0;             ///< The number of images in the mean; 0: no accumulation.
+  bool isInteractive = false;          ///< True while a user interacts.
   std::vector<VolumeFindings> volumes; ///< One entry for the first volume and each of the others.
 
   // One drawing of the image, or of a part of it.

@@ -23,7 +23,7 @@ constexpr double AgreementOfError = 32.0;
 // The difference between the nodes of a cell of the light from all around up to which it is
 // interpolated. More of it is not used for a smaller error: cells err by up to a hundredth, whose
 // place the steps leave (ErrorBudget).
-constexpr float SkyAgreement = 0.5f;
+constexpr float SkyAgreement = 0.35f;
 
 // The least error of light with which these cells are used.
 constexpr double SkyCellError = 1.0 / 1024.0;
@@ -109,9 +109,10 @@ void LightResources::UpdateShadows(
   }
 }
 
+// Nodes stay while a user interacts, although such images have no occlusion.
 void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
 {
-  if (!march.settings.occlusion)
+  if (!march.frame.settings.occlusion)
   {
     return;
   }
