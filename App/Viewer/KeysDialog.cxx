@@ -41,6 +41,7 @@ QString VolumeTable()
       Row(KeyTexts::tr("Middle button"), KeyTexts::tr("move the volume")) +
       Row(KeyTexts::tr("Wheel, right button"), KeyTexts::tr("zoom")) +
       Row(KeyTexts::tr("Double-click"), KeyTexts::tr("see this view alone, or all again")) +
+      Row("W A S D E Q", KeyTexts::tr("walk, with the tool Walk; arrow and page keys too")) +
       Row("Esc", KeyTexts::tr("revert a gesture that is not finished")));
 }
 

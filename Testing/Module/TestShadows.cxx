@@ -1,5 +1,6 @@
 // Shadows that a slab casts on itself, compared with closed forms.
 
+#include "Module/SlabScene.h"
 #include "Module/UsualSettings.h"
 
 #include <vtkLight.h>
@@ -19,24 +20,18 @@ namespace
 constexpr double Red = 0.8;
 constexpr double SlabMm = 8.0;
 
-// A wide slab between z = 0 and z = 8 whose values fall along z, so that its normals face the eye,
-// and whose material is the same everywhere. Only diffuse light counts.
+// A slab whose light is diffuse.
 class Slab
 {
 public:
   explicit Slab(double opacityPerMm)
-    : scene(Values(), 9)
+    : scene(opacityPerMm, Red)
   {
-    this->scene.colors->RemoveAllPoints();
-    this->scene.colors->AddRGBPoint(0.0, Red, 0.4, 0.2);
-    this->scene.opacities->RemoveAllPoints();
-    this->scene.opacities->AddPoint(0.0, opacityPerMm);
     vtkVolumeProperty* const property = this->scene.volume->GetProperty();
     property->ShadeOn();
     property->SetAmbient(0.0);
     property->SetDiffuse(1.0);
     property->SetSpecular(0.0);
-    this->scene.LookDown({ 0.0, 0.0, 0.0 }, 0.5);
     this->scene.renderer->AutomaticLightCreationOff();
     this->scene.renderer->RemoveAllLights();
     this->scene.mapper->ShadowsOn();
@@ -49,23 +44,7 @@ public:
 
   double DrawnRed() { return this->scene.MiddlePixel()[0]; }
 
-  MapperScene scene;
-
-private:
-  static vtkSmartPointer<vtkImageData> Values()
-  {
-    const auto image = vtkSmartPointer<vtkImageData>::New();
-    image->SetDimensions(9, 9, 9);
-    image->SetOrigin(-20.0, -20.0, 0.0);
-    image->SetSpacing(5.0, 5.0, 1.0);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-    for (int i = 0; i < 9 * 9 * 9; ++i)
-    {
-      static_cast<unsigned char*>(image->GetScalarPointer())[i] =
-        static_cast<unsigned char>(80 - 10 * (i / (9 * 9)));
-    }
-    return image;
-  }
+  SlabScene scene;
 };
 
 // The light of a slab seen along its normal, lit at an angle: the eye sees exp(-sigma z) of what

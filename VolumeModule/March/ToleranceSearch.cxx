@@ -135,8 +135,9 @@ std::vector<double> RuleInputsOf(const VolumeMarch& march)
 std::vector<double> SceneInputsOf(const VolumeMarch& march)
 {
   std::vector<double> inputs = march.frame.fingerprint;
-  inputs.insert(
-    inputs.end(), { double(march.plan.viewport.width), double(march.plan.viewport.height) });
+  inputs.insert(inputs.end(),
+    { double(march.plan.viewport.width), double(march.plan.viewport.height),
+      double(march.settings.occlusion) });
   return inputs;
 }
 

@@ -79,6 +79,8 @@ void LightResources::Update(const VolumeMarch& march, const MaterialResources& m
   {
     this->UpdateShadows(march, materials, now);
     this->UpdateSky(march, now);
+    // While a user interacts, images have no occlusion, but its nodes stay for the still image.
+    this->sky = march.settings.occlusion ? this->sky : PacketSky();
   }
   this->kept = std::move(now);
 }
@@ -109,7 +111,6 @@ void LightResources::UpdateShadows(
   }
 }
 
-// Nodes stay while a user interacts, although such images have no occlusion.
 void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
 {
   if (!march.frame.settings.occlusion)

@@ -11,9 +11,9 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// Writes over a slice which one it is: window, level and zoom in the upper left, number and
-/// position in the upper right, a bar of known length in the lower right, and letters of the
-/// patient's directions at the edges.
+/// Draws texts over a slice: window, level and zoom in the upper left, number, position and slab in
+/// the upper right, a bar of a round length in the lower right, and the letters of the patient's
+/// directions at the edges.
 /// @param request  the slice, which fills the view
 /// @param zoom     1: the volume just fits into the view
 void DrawSliceCorners(QPainter& painter, const QRectF& view, vtkImageData* image,

@@ -13,7 +13,6 @@ ViewLayout::ViewLayout(
   : QWidget(parent)
   , volume(volume)
   , slices(slices)
-  , bar(bar)
   , columns(new QSplitter(Qt::Horizontal))
   , left(new QSplitter(Qt::Vertical))
   , right(new QSplitter(Qt::Vertical))

@@ -49,7 +49,6 @@ private:
 
   QWidget* volume;
   std::vector<QWidget*> slices;
-  QWidget* bar;
   QSplitter* columns;
   QSplitter* left;
   QSplitter* right;

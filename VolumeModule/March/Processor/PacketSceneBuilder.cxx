@@ -144,7 +144,6 @@ PacketScene PacketSceneOf(
     march.settings.shading && march.settings.shadows };
   scene.shadows = volume.Light().Shadows();
   scene.sky = volume.Light().Sky();
-  scene.sky.strength = march.settings.occlusion ? scene.sky.strength : 0.0f;
   scene.extreme = ExtremeOf(march, volume);
   scene.isMean = march.settings.blend == Blend::AverageIntensity;
   scene.steps = StepsOf(march, volume);
