@@ -1,5 +1,15 @@
-# The targets that all targets link to, for every project that builds the module: the one of this tree
-# and those for programs with a VTK of their own. VTK must have been found.
+# How targets are built, and the targets that all of them link to, for every project that builds the
+# module: the one of this tree and those for programs with a VTK of their own. VTK must have been found.
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+# Libraries export only symbols with an export macro, as those of VTK do.
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+# The module is a shared library, so that the plugin, the programs and Python load the same one.
+set(BUILD_SHARED_LIBS ON)
 
 add_library(VarimarchBuildOptions INTERFACE)
 target_compile_options(VarimarchBuildOptions INTERFACE -Wall -Wextra

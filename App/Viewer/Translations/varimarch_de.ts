@@ -153,6 +153,10 @@
         <source>Mouse and keys</source>
         <translation>Maus und Tasten</translation>
     </message>
+    <message>
+        <source>walk, with the tool Walk; arrow and page keys too</source>
+        <translation>gehen, mit dem Werkzeug Gehen; auch Pfeil- und Bildtasten</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTexts</name>

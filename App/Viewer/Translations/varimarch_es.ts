@@ -153,6 +153,10 @@
         <source>Mouse and keys</source>
         <translation>Ratón y teclas</translation>
     </message>
+    <message>
+        <source>walk, with the tool Walk; arrow and page keys too</source>
+        <translation>caminar, con la herramienta Caminar; también flechas y teclas de página</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTexts</name>
