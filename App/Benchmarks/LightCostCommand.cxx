@@ -1,6 +1,7 @@
 #include "Commands.h"
 
 #include "CommandLine/OutputFolder.h"
+#include "CommandLine/PictureError.h"
 #include "CommandLine/Progress.h"
 #include "CommandLine/Results.h"
 #include "LightPromises.h"
@@ -78,12 +79,6 @@ std::string Markdown(const LightCostPage& page)
       Fixed(MeanFactor(page.cases, Motions[motion]), 2);
   }
   return text + ".\n" + MarkdownOf(page.promises, page.options);
-}
-
-nlohmann::ordered_json ToJson(const ImageError& error)
-{
-  return { { "rootMeanSquare", error.rootMeanSquare }, { "percentile999", error.percentile999 },
-    { "largest", error.largest } };
 }
 
 nlohmann::ordered_json ToJson(const std::vector<LightPromise>& promises)

@@ -1,5 +1,6 @@
 #include "LightMethodsReport.h"
 
+#include "CommandLine/PictureError.h"
 #include "CommandLine/Results.h"
 #include "Scene/Median.h"
 
@@ -143,9 +144,7 @@ nlohmann::ordered_json ToJson(const LightMethodsPage& page)
       const LightMethodCost& cost = measured.methods[i];
       methods[LightMethods()[i].name] = { { "firstMs", cost.firstMs }, { "stillMs", cost.stillMs },
         { "draggedMs", cost.draggedMs }, { "lightMegabytes", cost.lightMegabytes },
-        { "error",
-          { { "rootMeanSquare", cost.error.rootMeanSquare },
-            { "percentile999", cost.error.percentile999 }, { "largest", cost.error.largest } } } };
+        { "error", ToJson(cost.error) } };
     }
     json["scenes"].push_back({ { "scene", measured.scene }, { "methods", methods } });
   }

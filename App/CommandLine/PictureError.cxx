@@ -15,13 +15,15 @@ PictureError ErrorOf(
     ComparePerceived({ image, right, size[0], size[1], background }) };
 }
 
+nlohmann::ordered_json ToJson(const ImageError& error)
+{
+  return { { "rmse", error.rootMeanSquare }, { "percentile99.9", error.percentile999 },
+    { "largest", error.largest } };
+}
+
 nlohmann::ordered_json ToJson(const PictureError& error)
 {
-  return { { "error255",
-             { { "rmse", error.light.rootMeanSquare },
-               { "percentile99.9", error.light.percentile999 },
-               { "largest", error.light.largest } } },
-    { "ssim", error.perceived.structuralSimilarity },
+  return { { "error255", ToJson(error.light) }, { "ssim", error.perceived.structuralSimilarity },
     { "ciede2000",
       { { "mean", error.perceived.meanColorDifference },
         { "percentile99", error.perceived.colorDifference99 } } } };

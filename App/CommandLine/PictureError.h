@@ -24,6 +24,7 @@ struct PictureError
 PictureError ErrorOf(
   vtkImageData* picture, vtkImageData* truth, const std::array<double, 3>& background);
 
+nlohmann::ordered_json ToJson(const ImageError& error);
 nlohmann::ordered_json ToJson(const PictureError& error);
 
 }
