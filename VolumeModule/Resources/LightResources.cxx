@@ -20,9 +20,9 @@ namespace
 // differs from their interpolation by a small part of that.
 constexpr double AgreementOfError = 32.0;
 
-// The difference between the nodes of a cell of the light from all around up to which it is
-// interpolated. More of it is not used for a smaller error: cells err by up to a hundredth, whose
-// place the steps leave (ErrorBudget).
+// The largest difference between the nodes of a cell at which the light from all around is
+// interpolated. It is the same for all tolerances: such cells err by up to a hundredth, for which
+// ErrorBudget keeps a share.
 constexpr float SkyAgreement = 0.35f;
 
 // The least error of light with which these cells are used.
