@@ -16,7 +16,10 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <atomic>
+#include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 
 namespace
@@ -29,13 +32,64 @@ struct Setting
   const char* sentence;
 };
 
+bool IsErrorTolerance(double tolerance)
+{
+  return tolerance >= 0.0 && tolerance <= 1.0; // false for NaN
+}
+
+double ErrorToleranceFromEnvironment()
+{
+  const double usual = vtkNew<vtkVariationFieldVolumeMapper>()->GetErrorTolerance();
+  const char* const text = std::getenv("VARIMARCH_ERROR_TOLERANCE");
+  if (!text)
+  {
+    return usual;
+  }
+  const char* const end = text + std::strlen(text);
+  double tolerance = -1.0;
+  const auto [stop, error] = std::from_chars(text, end, tolerance);
+  if (stop == end && error == std::errc() && IsErrorTolerance(tolerance))
+  {
+    return tolerance;
+  }
+  vtkGenericWarningMacro("The environment variable VARIMARCH_ERROR_TOLERANCE is \""
+    << text << "\": expected a number from 0 to 1; images keep " << usual);
+  return usual;
+}
+
+// Programs may make mappers in several threads.
+std::atomic<double>& DefaultErrorTolerance()
+{
+  static std::atomic<double> tolerance(ErrorToleranceFromEnvironment());
+  return tolerance;
+}
+
 }
 
 vtkStandardNewMacro(vtkVariationFieldGPUVolumeRayCastMapper);
 
-vtkVariationFieldGPUVolumeRayCastMapper::vtkVariationFieldGPUVolumeRayCastMapper() = default;
+vtkVariationFieldGPUVolumeRayCastMapper::vtkVariationFieldGPUVolumeRayCastMapper()
+{
+  this->VariationFieldMapper->SetErrorTolerance(GetDefaultErrorTolerance());
+}
 
 vtkVariationFieldGPUVolumeRayCastMapper::~vtkVariationFieldGPUVolumeRayCastMapper() = default;
+
+void vtkVariationFieldGPUVolumeRayCastMapper::SetDefaultErrorTolerance(double tolerance)
+{
+  if (!IsErrorTolerance(tolerance))
+  {
+    vtkGenericWarningMacro("The default error tolerance stays "
+      << GetDefaultErrorTolerance() << ": expected a number from 0 to 1, found " << tolerance);
+    return;
+  }
+  DefaultErrorTolerance() = tolerance;
+}
+
+double vtkVariationFieldGPUVolumeRayCastMapper::GetDefaultErrorTolerance()
+{
+  return DefaultErrorTolerance();
+}
 
 vtkVariationFieldVolumeMapper* vtkVariationFieldGPUVolumeRayCastMapper::GetVariationFieldMapper()
 {

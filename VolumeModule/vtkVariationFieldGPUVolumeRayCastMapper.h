@@ -39,6 +39,16 @@ public:
   vtkTypeMacro(vtkVariationFieldGPUVolumeRayCastMapper, vtkOpenGLGPUVolumeRayCastMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * The error tolerance of mappers that are made from now on, 0 to 1, for programs that never see
+   * their mapper. The default is the environment variable VARIMARCH_ERROR_TOLERANCE, or 1/64 without
+   * it. A value that is not a number from 0 to 1 is reported and not used.
+   */
+  static void SetDefaultErrorTolerance(double tolerance);
+  static double GetDefaultErrorTolerance();
+  ///@}
+
   /**
    * The mapper that draws. Use it for settings that VTK's mapper does not have, such as error
    * tolerance and acceleration. Settings that both have are overwritten by this class for each

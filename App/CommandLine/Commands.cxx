@@ -181,6 +181,30 @@ void AddFieldCommand(CLI::App& program)
   app->callback([arguments] { RunField(*arguments); });
 }
 
+void AddLookCommand(CLI::App& program)
+{
+  const auto arguments = std::make_shared<LookArguments>();
+  CLI::App* app = program.add_subcommand("look", "Write a look for another program");
+  app->footer("Values are in units of the data of the volume, which also decides on the look if "
+              "none is named.\n"
+              "Formats that hold only colours and opacities lose the rest of the look.\n"
+              "Examples:\n"
+              "  varimarch look dicom-folder bone.paraview.json --preset ct-bone\n"
+              "  varimarch look scene.json scene.vp.json\n"
+              "  varimarch look head.nii.gz head.json --transfer-function head.vp");
+  AddVolumeOptions(*app, arguments->scene.volume,
+    "A volume file, a folder with a DICOM series, a scene file (.json), or\n"
+    "procedural:shells|marschner-lobb|torso[:XxYxZ]");
+  app
+    ->add_option("OUTPUT", arguments->output,
+      "The file to write: Varimarch (.json), ParaView (.paraview.json),\n"
+      "3D Slicer (.vp.json, .vp)")
+    ->required();
+  AddLookOptions(*app, arguments->scene);
+  app->add_flag("--overwrite", arguments->overwrites, "Replace an existing file");
+  app->callback([arguments] { RunLook(*arguments); });
+}
+
 }
 
 void AddCommands(CLI::App& program, const std::string& commandText)
@@ -190,6 +214,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddInfoCommand(program, commandText);
   AddConvertCommand(program);
   AddFieldCommand(program);
+  AddLookCommand(program);
 }
 
 }

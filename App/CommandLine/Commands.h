@@ -64,6 +64,13 @@ struct FieldArguments
   VoxelDistance distance = VoxelDistance::Euclidean;
 };
 
+struct LookArguments
+{
+  SceneArguments scene; ///< only its volume and look
+  std::string output;
+  bool overwrites = false; ///< true to replace an existing file
+};
+
 /// Draws a scene into a PNG or DICOM file.
 void RunRender(const RenderArguments& arguments);
 
@@ -78,6 +85,9 @@ void RunConvert(const ConvertArguments& arguments);
 
 /// Writes the field of variations of a volume as a volume.
 void RunField(const FieldArguments& arguments);
+
+/// Writes the look of a volume or scene in the format of another program.
+void RunLook(const LookArguments& arguments);
 
 /// Adds the subcommands that fill these arguments and run.
 void AddCommands(CLI::App& program, const std::string& commandText);

@@ -154,39 +154,6 @@ void AddRegionsOption(CLI::App& command, SceneArguments& arguments)
     ->group("Look");
 }
 
-void AddLookOptions(CLI::App& command, SceneArguments& arguments)
-{
-  const std::string group = "Look";
-  CLI::Option* presetOption = command
-                                .add_option("--preset", arguments.preset,
-                                  "Built-in look (default: ct-bone for CT, else mr-head)")
-                                ->check(OneOf(PresetNames()))
-                                ->group(group);
-  CLI::Option* fileOption =
-    command.add_option("--transfer-function", arguments.transferFunction, "File with looks")
-      ->type_name("FILE")
-      ->excludes(presetOption)
-      ->group(group);
-  command.add_option("--look", arguments.lookName, "Name of the look in a file that holds several")
-    ->type_name("NAME")
-    ->needs(fileOption)
-    ->group(group);
-  AddRegionsOption(command, arguments);
-  CLI::Option* shadeOption = command
-                               .add_flag_callback(
-                                 "--shade", [&] { arguments.shade = true; }, "Shade the volume")
-                               ->group(group);
-  command
-    .add_flag_callback(
-      "--no-shade", [&] { arguments.shade = false; }, "Do not shade the volume")
-    ->excludes(shadeOption)
-    ->group(group);
-  AddChoice(command, "--blend", arguments.blend, BlendNames(), "Blend mode (default: the preset's)")
-    ->group(group);
-  AddLightOptions(command, arguments);
-  AddOcclusionOptions(command, arguments);
-}
-
 void AddClippingRangeOption(CLI::App& command, SceneArguments& arguments)
 {
   const auto setRange = [&](const std::vector<double>& range) {
@@ -349,6 +316,39 @@ void AddSceneOptions(CLI::App& command, SceneArguments& arguments)
     "procedural:shells|marschner-lobb|torso|checkerboard|ramp[:XxYxZ]");
   AddLookAndPictureOptions(command, arguments);
   AddSamplingOptions(command, arguments);
+}
+
+void AddLookOptions(CLI::App& command, SceneArguments& arguments)
+{
+  const std::string group = "Look";
+  CLI::Option* presetOption = command
+                                .add_option("--preset", arguments.preset,
+                                  "Built-in look (default: ct-bone for CT, else mr-head)")
+                                ->check(OneOf(PresetNames()))
+                                ->group(group);
+  CLI::Option* fileOption =
+    command.add_option("--transfer-function", arguments.transferFunction, "File with looks")
+      ->type_name("FILE")
+      ->excludes(presetOption)
+      ->group(group);
+  command.add_option("--look", arguments.lookName, "Name of the look in a file that holds several")
+    ->type_name("NAME")
+    ->needs(fileOption)
+    ->group(group);
+  AddRegionsOption(command, arguments);
+  CLI::Option* shadeOption = command
+                               .add_flag_callback(
+                                 "--shade", [&] { arguments.shade = true; }, "Shade the volume")
+                               ->group(group);
+  command
+    .add_flag_callback(
+      "--no-shade", [&] { arguments.shade = false; }, "Do not shade the volume")
+    ->excludes(shadeOption)
+    ->group(group);
+  AddChoice(command, "--blend", arguments.blend, BlendNames(), "Blend mode (default: the preset's)")
+    ->group(group);
+  AddLightOptions(command, arguments);
+  AddOcclusionOptions(command, arguments);
 }
 
 void AddLookAndPictureOptions(CLI::App& command, SceneArguments& arguments)

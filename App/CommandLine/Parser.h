@@ -35,6 +35,9 @@ void AddVolumeOptions(
 /// Adds VOLUME and all options of a scene.
 void AddSceneOptions(CLI::App& command, SceneArguments& arguments);
 
+/// Adds the options of the look, with its lights.
+void AddLookOptions(CLI::App& command, SceneArguments& arguments);
+
 /// Adds the options of look and image, for a command that has inputs of its own and chooses the
 /// sampling.
 void AddLookAndPictureOptions(CLI::App& command, SceneArguments& arguments);

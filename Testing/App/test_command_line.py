@@ -231,6 +231,32 @@ def field(folder):
         assert message in errors, errors
 
 
+def look(folder):
+    """A preset in the format of each program that can be written."""
+    written = folder / "bone.paraview.json"
+    run("look", VOLUME, written, "--preset", "ct-bone")
+    (color_map,) = json.loads(written.read_text())
+    assert color_map["RGBPoints"][:4] == [150, 0.6, 0.36, 0.24], color_map
+    assert color_map["Points"][4:8] == [300, 0.35, 0.5, 0.0], color_map
+    before = written.read_bytes()
+    _, message = run("look", VOLUME, written, "--preset", "ct-lung", expect=1)
+    assert "--overwrite" in message and written.read_bytes() == before, message
+    run("look", VOLUME, written, "--preset", "ct-lung", "--overwrite")
+    assert written.read_bytes() != before
+    _, errors = run("look", VOLUME, folder / "bone.png", expect=2)
+    assert "expected a name that ends with .json" in errors, errors
+    draw = ["render", VOLUME, "--size", "48x48", "-o"]
+    run("look", VOLUME, folder / "own.json", "--preset", "ct-bone")
+    run(*draw, folder / "preset.png", "--preset", "ct-bone")
+    run(*draw, folder / "own.png", "--transfer-function", folder / "own.json")
+    assert (folder / "own.png").read_bytes() == (folder / "preset.png").read_bytes()
+    # 3D Slicer's formats hold less than a preset does.
+    for name in ("slicer.vp.json", "slicer.vp"):
+        run("look", VOLUME, folder / name, "--preset", "ct-bone")
+        assert "0.35" in (folder / name).read_text(), name
+        run(*draw, folder / "slicer.png", "--transfer-function", folder / name)
+
+
 def usage(folder):
     for arguments in ([], ["render"], ["rendr"], ["render", VOLUME], ["info", VOLUME, "--bins", "0"],
                       ["compare", VOLUME, "-o", folder, "--rounds", "none"]):
@@ -248,7 +274,7 @@ def usage(folder):
         _, errors = run("render", volume, "-o", folder / "a.png", "--raw-dimensions", "4x4x4",
                         expect=2)
         assert f"--raw-dimensions: expected a raw file, found the {kind} {volume}" in errors, errors
-    for command in ("render", "compare", "info", "convert", "field"):
+    for command in ("render", "compare", "info", "convert", "field", "look"):
         text, _ = run(command, "--help")
         assert f"  varimarch {command} " in text, "help without examples"
 
@@ -286,6 +312,6 @@ def interrupt(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (render, render_dicom, compare, compare_with_every_blend, info, convert, field,
+        cases = (render, render_dicom, compare, compare_with_every_blend, info, convert, field, look,
                  limited_rays, regions, usage, errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

@@ -4,7 +4,9 @@
 Usage: test_enable.py CASE
 """
 
+import os
 import pathlib
+import subprocess
 import sys
 
 import numpy
@@ -61,6 +63,33 @@ def it_is_switched_off_and_on():
         varimarch.enable(enabled)
         made = vtkGPUVolumeRayCastMapper().GetClassName()
         assert made == (OURS if enabled else VTKS), (enabled, made)
+
+
+def tolerance_in_a_process_with(text):
+    """The default error tolerance in a process with this VARIMARCH_ERROR_TOLERANCE, and its messages."""
+    script = f"import varimarch; print(varimarch.{OURS}.GetDefaultErrorTolerance())"
+    environment = dict(os.environ, VARIMARCH_ERROR_TOLERANCE=text)
+    ended = subprocess.run([sys.executable, "-c", script], env=environment, check=True,
+                           capture_output=True, text=True)
+    return float(ended.stdout), ended.stderr
+
+
+def mappers_that_vtk_makes_keep_the_error_tolerance():
+    varimarch.enable()
+    assert vtkGPUVolumeRayCastMapper().GetVariationFieldMapper().GetErrorTolerance() == 1 / 64
+    varimarch.enable(error_tolerance=1 / 255)
+    assert vtkGPUVolumeRayCastMapper().GetVariationFieldMapper().GetErrorTolerance() == 1 / 255
+    for wrong in (-0.1, 2, "small", float("nan")):
+        try:
+            varimarch.enable(error_tolerance=wrong)
+            raise AssertionError(f"{wrong} was taken")
+        except ValueError as error:
+            assert "error_tolerance: expected a number from 0 to 1" in str(error), error
+    assert tolerance_in_a_process_with("0.125") == (0.125, "")
+    for wrong in ("", "2", "1/64", "-1", "nan"):
+        tolerance, messages = tolerance_in_a_process_with(wrong)
+        assert tolerance == 1 / 64
+        assert f'VARIMARCH_ERROR_TOLERANCE is "{wrong}": expected a number from 0 to 1' in messages
 
 
 def a_missing_plugin_is_one_sentence():
