@@ -55,6 +55,14 @@ void AddRenderCommand(CLI::App& program, const std::string& commandText)
     "  varimarch render dicom-folder -o bone.dcm --preset ct-bone");
   AddSceneOptions(*app, arguments->scene);
   AddLabelOptions(*app, arguments->labels);
+  app
+    ->add_option("--overlay", arguments->overlays,
+      "A further scan in the same space, drawn in one march with the first, such as a PET\n"
+      "over its CT; may be repeated. Scenes give it a look and a place")
+    ->type_name("FILE")
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+    ->group("Volume");
   AddPictureFileOptions(*app, *arguments);
   app
     ->add_option_function<std::string>(

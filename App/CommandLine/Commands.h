@@ -7,6 +7,7 @@
 #include "VolumeOutput.h"
 
 #include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -24,6 +25,7 @@ struct RenderArguments
   std::string commandText;
   SceneArguments scene;
   LabelArguments labels;
+  std::vector<std::string> overlays; ///< files of volumes over the first
   MapperKind renderer = MapperKind::Varimarch;
   std::string outputPath;         ///< path of the PNG or DICOM file
   bool overwrites = false;        ///< true to replace an existing DICOM file

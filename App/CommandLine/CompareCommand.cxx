@@ -75,6 +75,11 @@ void RunCompare(const CompareArguments& arguments)
     PrintMessage("warning: the labels are not drawn, because the reference has none");
     scene.labels.reset();
   }
+  if (!scene.overlays.empty())
+  {
+    PrintMessage("warning: only the first volume is drawn, because the reference has no other");
+    scene.overlays.clear();
+  }
   auto progress = std::make_unique<Progress>("Integrating the reference");
   const Comparison comparison = Compare(scene, volume.image, arguments.rounds,
     [&](const std::string& step) { progress->SetActivity(step); });

@@ -1,6 +1,7 @@
 #include "Commands.h"
 
 #include "Messages.h"
+#include "OverlayArguments.h"
 #include "Progress.h"
 #include "Results.h"
 #include "Scene/ImageFiles.h"
@@ -37,11 +38,31 @@ void WarnOfMissingLabels(
   }
 }
 
+// Several volumes are marched as one composite.
+void WarnOfMissingTogether(const RenderArguments& arguments, const Scene& scene)
+{
+  if (scene.overlays.empty())
+  {
+    return;
+  }
+  if (!CanOverlay(arguments.renderer))
+  {
+    PrintMessage("warning: only the first volume is drawn: vtk-cpu draws one");
+  }
+  else if (scene.look.blend != Blend::Composite || scene.shadows || scene.labels ||
+    scene.occlusion.strength > 0.0)
+  {
+    PrintMessage("warning: several volumes are drawn as composites, without labels, shadows and "
+                 "ambient occlusion");
+  }
+}
+
 // Warns of labels and regions that are not drawn.
 void WarnOfMissingParts(
   const RenderArguments& arguments, const Scene& scene, const LoadedVolume& volume)
 {
   WarnOfMissingLabels(arguments, scene, volume);
+  WarnOfMissingTogether(arguments, scene);
   if (!scene.look.regions.empty() &&
     !CanDrawRegions(arguments.renderer, scene.look.blend, volume.image))
   {
@@ -74,10 +95,12 @@ void RunRender(const RenderArguments& arguments)
   CheckOutput(arguments);
   auto [scene, volume] = LoadScene(arguments.scene);
   const auto labels = LoadLabelsReporting(arguments.labels, volume, scene);
+  const auto overlays = LoadOverlaysReporting(arguments.overlays, volume, scene);
   WarnOfMissingParts(arguments, scene, volume);
   const Progress progress("Drawing " + arguments.outputPath);
   OffscreenView view(scene, volume.image, arguments.renderer);
   view.Pipeline().SetLabels(labels);
+  view.Pipeline().SetOverlays(scene.overlays, overlays);
   auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
   if (ours)
   {

@@ -20,6 +20,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -171,12 +172,33 @@ std::shared_ptr<const LabelMap> LabelsOver(vtkImageData* volume, const GivenLabe
   return map;
 }
 
+using Images = std::vector<vtkSmartPointer<vtkImageData>>;
+
+// The images of a Python sequence; empty with a Python error if it holds something else.
+std::optional<Images> ImagesOf(PyObject* sequence)
+{
+  Images images;
+  for (Py_ssize_t i = 0; i < PySequence_Size(sequence); ++i)
+  {
+    PyObject* const item = PySequence_GetItem(sequence, i);
+    images.push_back(
+      static_cast<vtkImageData*>(vtkPythonUtil::GetPointerFromObject(item, "vtkImageData")));
+    Py_XDECREF(item);
+    if (!images.back())
+    {
+      return std::nullopt;
+    }
+  }
+  return images;
+}
+
 vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, vtkImageData* volume,
-  const std::shared_ptr<const LabelMap>& labels, VtkMessages& messages)
+  const std::shared_ptr<const LabelMap>& labels, const Images& overlays, VtkMessages& messages)
 {
   const ReleasedInterpreter released;
   OffscreenView view(scene, volume, MapperKind::Varimarch);
   view.Pipeline().SetLabels(labels);
+  view.Pipeline().SetOverlays(scene.overlays, overlays);
   messages.Take(view.Pipeline().Mapper());
   messages.Take(view.Pipeline().Renderer());
   messages.Take(view.Pipeline().Renderer()->GetRenderWindow());
@@ -210,17 +232,19 @@ bool Warn(const std::vector<std::string>& warnings)
 PyObject* Render(PyObject*, PyObject* arguments)
 {
   PyObject* object = nullptr;
+  PyObject* overlayObjects = nullptr;
   PyObject* labelObject = Py_None;
   const char* text = nullptr;
   GivenLabels given;
-  if (!PyArg_ParseTuple(
-        arguments, "Os|Osd", &object, &text, &labelObject, &given.segments, &given.opacity))
+  if (!PyArg_ParseTuple(arguments, "OsO|Osd", &object, &text, &overlayObjects, &labelObject,
+        &given.segments, &given.opacity))
   {
     return nullptr;
   }
   auto* const volume =
     static_cast<vtkImageData*>(vtkPythonUtil::GetPointerFromObject(object, "vtkImageData"));
-  if (!volume || (labelObject != Py_None && !given.Take(labelObject)))
+  const std::optional<Images> overlays = volume ? ImagesOf(overlayObjects) : std::nullopt;
+  if (!overlays || (labelObject != Py_None && !given.Take(labelObject)))
   {
     return nullptr;
   }
@@ -229,7 +253,7 @@ PyObject* Render(PyObject*, PyObject* arguments)
     {
       VtkMessages messages;
       const auto labels = LabelsOver(volume, given);
-      const auto image = RenderScene(SceneFromArgument(text), volume, labels, messages);
+      const auto image = RenderScene(SceneFromArgument(text), volume, labels, *overlays, messages);
       if (!Warn(messages.Warnings()) || (labels && !Warn(labels->warnings)))
       {
         return nullptr;
@@ -280,8 +304,8 @@ PyMODINIT_FUNC PyInit__scene()
     { "in_units_of_data", varimarch::PresetInUnitsOfData, METH_VARARGS,
       "(volume, preset) -> the preset with values in the units of the volume's data." },
     { "render", varimarch::Render, METH_VARARGS,
-      "(volume, scene[, labels, segments, opacity]) -> the rendered vtkImageData, whose first row "
-      "is the lowest." },
+      "(volume, scene, overlays[, labels, segments, opacity]) -> the rendered vtkImageData, whose "
+      "first row is the lowest. The overlays are the images of the scene's overlays." },
     { "variation_field", varimarch::FieldOfVariations, METH_VARARGS,
       "(volume, tolerance, distance) -> a vtkImageData of bytes with distances in voxels." },
     { nullptr, nullptr, 0, nullptr } };

@@ -229,6 +229,13 @@ enum class SlabBlend
   Mean,
 };
 
+/// How slices show the volumes over the first one.
+enum class SliceFusion
+{
+  Blend,        ///< mixed with the first volume
+  Checkerboard, ///< in every other square
+};
+
 /// The viewer's slices through the volume, along the patient's axes.
 struct SliceSettings
 {
@@ -238,7 +245,46 @@ struct SliceSettings
     windowLevel;       ///< units of the data; empty: of the file, otherwise of the histogram
   double slabMm = 0.0; ///< >= 0; 0: a single slice
   SlabBlend slabBlend = SlabBlend::Maximum;
+  SliceFusion fusion = SliceFusion::Blend;
+  double fusionOpacity = 0.5; ///< part of the volumes over the first one in a blend, [0, 1]
 };
+
+/// A rigid motion of a volume away from its patient coordinates: it is turned about the middle of
+/// its box, about x, then y, then z, and then moved. World space, LPS.
+struct Placement
+{
+  std::array<double, 3> turnDegrees = {};
+  std::array<double, 3> moveMm = {};
+
+  bool operator==(const Placement& other) const
+  {
+    return this->turnDegrees == other.turnDegrees && this->moveMm == other.moveMm;
+  }
+};
+
+/// The colours of a volume in slices, from the smallest to the largest value that they show.
+enum class SliceColors
+{
+  Gray,
+  Hot, ///< black, red, yellow, white: for PET
+  Green,
+};
+
+/// A volume that is drawn over the first one, in the same space.
+struct OverlaidVolume
+{
+  VolumeSource source;
+  Look look;
+  std::string name = {}; ///< may be empty
+  Placement placement = {};
+  bool visible = true;
+  double opacity = 1.0; ///< factor of the opacities of the look, and of the part in slices, [0, 1]
+  SliceColors sliceColors = SliceColors::Gray;
+  std::optional<std::array<double, 2>> windowLevel = {}; ///< as in SliceSettings
+};
+
+/// Together with the first volume. Graphics cards limit a program to about 16 textures.
+constexpr std::size_t MostVolumes = 4;
 
 // Measurements that the user has made, drawn over the image. World space, LPS; names may be empty.
 
@@ -356,6 +402,7 @@ struct Scene
   std::vector<Angle> angles;
   std::vector<MeasuredBox> boxes;
   std::optional<SceneLabels> labels;
+  std::vector<OverlaidVolume> overlays; ///< from the lowest to the uppermost in slices
   RenderOptions render;
   std::array<int, 2> size = { 512, 512 }; ///< image size [pixels]
   std::array<double, 3> background = { 0.0, 0.0, 0.0 };

@@ -6,6 +6,7 @@
 #include "Scene/LightsJson.h"
 #include "Scene/LookJson.h"
 #include "Scene/MeasuresJson.h"
+#include "Scene/OverlaysJson.h"
 #include "Scene/Presets.h"
 #include "Scene/RenderJson.h"
 #include "Scene/VolumeJson.h"
@@ -27,7 +28,8 @@ constexpr int LargestPictureSide = 16384;
 
 SliceSettings SlicesFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "crosshair", "windowLevel", "slab", "slabBlend" });
+  json.RequireObject(
+    { "crosshair", "windowLevel", "slab", "slabBlend", "fusion", "fusionOpacity" });
   SliceSettings slices;
   if (const auto crosshair = json.Find("crosshair"))
   {
@@ -45,6 +47,14 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
   {
     slices.slabBlend = blend->Choice(SlabBlendNames());
   }
+  if (const auto fusion = json.Find("fusion"))
+  {
+    slices.fusion = fusion->Choice(SliceFusionNames());
+  }
+  if (const auto opacity = json.Find("fusionOpacity"))
+  {
+    slices.fusionOpacity = opacity->Number(UnitInterval);
+  }
   return slices;
 }
 
@@ -52,7 +62,7 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
 std::vector<std::string> KeysBesideVolume()
 {
   return { "$schema", "look", "lights", "shadows", "occlusion", "camera", "cuts", "slices",
-    "distances", "angles", "boxes", "labels", "render", "size", "background" };
+    "distances", "angles", "boxes", "labels", "overlays", "render", "size", "background" };
 }
 
 void ReadLights(const JsonCursor& json, Scene& scene)
@@ -100,6 +110,10 @@ void ReadAllButVolume(const JsonCursor& json, Scene& scene)
   {
     scene.labels = LabelsFromJson(*labels);
   }
+  if (const auto overlays = json.Find("overlays"))
+  {
+    scene.overlays = OverlaysFromJson(*overlays);
+  }
   if (const auto render = json.Find("render"))
   {
     ReadRender(*render, scene.render);
@@ -128,7 +142,9 @@ Scene SceneFromJson(const JsonCursor& json)
 nlohmann::ordered_json JsonFromSlices(const SliceSettings& slices)
 {
   nlohmann::ordered_json json = { { "slab", slices.slabMm },
-    { "slabBlend", NameOf(SlabBlendNames(), slices.slabBlend) } };
+    { "slabBlend", NameOf(SlabBlendNames(), slices.slabBlend) },
+    { "fusion", NameOf(SliceFusionNames(), slices.fusion) },
+    { "fusionOpacity", slices.fusionOpacity } };
   if (slices.crosshairMm)
   {
     json["crosshair"] = *slices.crosshairMm;
@@ -169,6 +185,10 @@ std::string SceneText(const Scene& scene)
   if (scene.labels)
   {
     json["labels"] = JsonFromLabels(*scene.labels);
+  }
+  if (!scene.overlays.empty())
+  {
+    json["overlays"] = JsonFromOverlays(scene.overlays);
   }
   json["render"] = JsonFromRender(scene.render);
   json["size"] = scene.size;
@@ -227,9 +247,17 @@ Scene ReadScene(const std::string& path)
     // An absolute path is unchanged by operator/.
     file = (folder / file).string();
   };
-  if (auto* file = std::get_if<FileSource>(&scene.volume))
+  const auto startVolumeAtScene = [&](VolumeSource& volume)
   {
-    startAtScene(file->path);
+    if (auto* const file = std::get_if<FileSource>(&volume))
+    {
+      startAtScene(file->path);
+    }
+  };
+  startVolumeAtScene(scene.volume);
+  for (OverlaidVolume& overlay : scene.overlays)
+  {
+    startVolumeAtScene(overlay.source);
   }
   if (scene.labels)
   {

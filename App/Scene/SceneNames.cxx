@@ -116,6 +116,20 @@ const NameTable<SlabBlend>& SlabBlendNames()
   return table;
 }
 
+const NameTable<SliceFusion>& SliceFusionNames()
+{
+  static const NameTable<SliceFusion> names = { { "blend", SliceFusion::Blend },
+    { "checkerboard", SliceFusion::Checkerboard } };
+  return names;
+}
+
+const NameTable<SliceColors>& SliceColorsNames()
+{
+  static const NameTable<SliceColors> names = { { "gray", SliceColors::Gray },
+    { "hot", SliceColors::Hot }, { "green", SliceColors::Green } };
+  return names;
+}
+
 const NameTable<bool>& ProjectionNames()
 {
   static const NameTable<bool> table = { { "perspective", false }, { "parallel", true } };

@@ -28,6 +28,8 @@ const NameTable<RegionShape>& RegionShapeNames();
 
 const NameTable<ProceduralKind>& ProceduralNames();
 const NameTable<SlabBlend>& SlabBlendNames();
+const NameTable<SliceFusion>& SliceFusionNames();
+const NameTable<SliceColors>& SliceColorsNames();
 const NameTable<bool>& ProjectionNames(); ///< true: parallel
 const NameTable<bool>& ByteOrderNames();  ///< true: big-endian
 

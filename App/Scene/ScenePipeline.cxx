@@ -3,6 +3,7 @@
 #include "Scene/BodyMask.h"
 #include "Scene/ImageOrientation.h"
 #include "Scene/LookRegions.h"
+#include "Scene/MapperOptions.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/SceneLights.h"
@@ -45,42 +46,6 @@ vtkSmartPointer<vtkVolumeMapper> NewMapper(MapperKind kind)
   }
 }
 
-int ModeOf(Acceleration acceleration)
-{
-  switch (acceleration)
-  {
-    case Acceleration::Off:
-      return vtkVariationFieldVolumeMapper::Off;
-    case Acceleration::CellField:
-      return vtkVariationFieldVolumeMapper::CellField;
-    case Acceleration::VariationField:
-      return vtkVariationFieldVolumeMapper::VariationField;
-    default:
-      return vtkVariationFieldVolumeMapper::OpticalField;
-  }
-}
-
-int RuleOf(std::optional<Integration> integration)
-{
-  if (!integration)
-  {
-    return vtkVariationFieldVolumeMapper::Automatic;
-  }
-  switch (*integration)
-  {
-    case Integration::PreIntegrated:
-      return vtkVariationFieldVolumeMapper::PreIntegrated;
-    case Integration::Simpson:
-      return vtkVariationFieldVolumeMapper::Simpson;
-    case Integration::PublishedSum:
-      return vtkVariationFieldVolumeMapper::PublishedSum;
-    case Integration::FirstHit:
-      return vtkVariationFieldVolumeMapper::FirstHit;
-    default:
-      return vtkVariationFieldVolumeMapper::Midpoint;
-  }
-}
-
 int VtkBlendModeOf(Blend blend)
 {
   switch (blend)
@@ -98,49 +63,6 @@ int VtkBlendModeOf(Blend blend)
     default:
       return vtkVolumeMapper::COMPOSITE_BLEND;
   }
-}
-
-void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
-{
-  mapper->SetAutoAdjustSampleDistances(!options.HasSampleDistance());
-  mapper->SetSampleDistance(options.sampleDistanceMm.value_or(mapper->GetSampleDistance()));
-  mapper->SetSampleDistanceInVoxels(options.sampleDistanceVoxels.value_or(0.0));
-  mapper->SetMaximumNumberOfSteps(options.mostSteps);
-  mapper->SetFirstDistance(options.firstDistanceMm);
-  mapper->SetAccelerationMode(ModeOf(options.acceleration));
-  mapper->SetErrorTolerance(options.errorTolerance);
-  mapper->SetIntegrationRule(RuleOf(options.integration));
-  mapper->SetVariationTolerance(options.variationTolerance.value_or(-1.0));
-  mapper->SetEarlyTerminationTransmittance(options.earlyTerminationTransmittance);
-  mapper->SetUseJittering(options.jitter);
-  mapper->SetCompositingOrder(options.fromBehind ? vtkVariationFieldVolumeMapper::BackToFront
-                                                 : vtkVariationFieldVolumeMapper::FrontToBack);
-  mapper->SetStoredGradients(options.storedGradients);
-}
-
-// The sample distance of VTK's mappers, which know no voxels.
-double DistanceMm(const RenderOptions& options, vtkImageData* image)
-{
-  const double* const spacing = image->GetSpacing();
-  return options.sampleDistanceVoxels
-    ? *options.sampleDistanceVoxels * std::min({ spacing[0], spacing[1], spacing[2] })
-    : options.sampleDistanceMm.value_or(1.0);
-}
-
-void Apply(const RenderOptions& options, vtkImageData* image, vtkGPUVolumeRayCastMapper* mapper)
-{
-  mapper->SetAutoAdjustSampleDistances(!options.HasSampleDistance());
-  mapper->SetSampleDistance(float(DistanceMm(options, image)));
-  mapper->SetUseJittering(options.jitter);
-}
-
-void Apply(
-  const RenderOptions& options, vtkImageData* image, vtkFixedPointVolumeRayCastMapper* mapper)
-{
-  // By default this mapper adapts its ray spacing to a frame rate, but an image must not depend on
-  // the speed of the machine. Its default sample distance is 1 mm for any voxel size.
-  mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(float(DistanceMm(options, image)));
 }
 
 }
@@ -171,6 +93,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   : kind(kind)
   , image(image)
   , mapper(NewMapper(kind))
+  , overlays(kind, this->mapper, this->volume)
 {
   if (IsOurs(kind))
   {
@@ -197,7 +120,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
 void ScenePipeline::SetLook(const Look& newLook)
 {
   this->look = InUnitsOfData(newLook, this->image);
-  this->mapper->SetBlendMode(VtkBlendModeOf(this->look.blend));
+  this->ApplyBlend();
   const auto averaged = this->look.averagedRange.value_or(AllValues);
   this->mapper->SetAverageIPScalarRange(averaged[0], averaged[1]);
   if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
@@ -213,20 +136,53 @@ void ScenePipeline::SetLights(const std::vector<SceneLight>& lights)
   varimarch::SetLights(lights, this->renderer);
 }
 
-void ScenePipeline::SetShadows(bool shadows)
+void ScenePipeline::SetShadows(bool newShadows)
+{
+  this->shadows = newShadows;
+  this->ApplyLight();
+}
+
+void ScenePipeline::SetOcclusion(const Occlusion& newOcclusion)
+{
+  this->occlusion = newOcclusion;
+  this->ApplyLight();
+}
+
+void ScenePipeline::ApplyBlend()
+{
+  this->mapper->SetBlendMode(
+    this->overlays.Any() ? vtkVolumeMapper::COMPOSITE_BLEND : VtkBlendModeOf(this->look.blend));
+}
+
+void ScenePipeline::ApplyLight()
 {
   if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
   {
-    ours->SetShadows(shadows);
+    const bool isAlone = !this->overlays.Any();
+    ours->SetShadows(isAlone && this->shadows);
+    ours->SetAmbientOcclusion(isAlone ? this->occlusion.strength : 0.0);
+    ours->SetAmbientOcclusionReach(this->occlusion.reachMm);
   }
 }
 
-void ScenePipeline::SetOcclusion(const Occlusion& occlusion)
+void ScenePipeline::SetOverlays(const std::vector<OverlaidVolume>& drawn,
+  const std::vector<vtkSmartPointer<vtkImageData>>& images)
 {
-  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
+  vtkVolume* const before = this->overlays.Prop();
+  const bool wasAlone = !this->overlays.Any();
+  this->overlays.Set(drawn, images);
+  if (this->overlays.Prop() != before)
   {
-    ours->SetAmbientOcclusion(occlusion.strength);
-    ours->SetAmbientOcclusionReach(occlusion.reachMm);
+    this->renderer->RemoveVolume(before);
+    this->renderer->AddVolume(this->overlays.Prop());
+  }
+  if (this->overlays.Any() == wasAlone)
+  {
+    this->ApplyBlend();
+    this->ApplyLight();
+    this->ApplyProperty();
+    this->ApplyMask();
+    this->SetRenderOptions(this->options);
   }
 }
 
@@ -247,7 +203,8 @@ void ScenePipeline::SetSegments(const std::vector<Segment>& changed)
 
 bool ScenePipeline::DrawsLabels() const
 {
-  return this->labels && CanDrawLabels(this->kind, this->look.blend, this->image);
+  return this->labels && !this->overlays.Any() &&
+    CanDrawLabels(this->kind, this->look.blend, this->image);
 }
 
 bool ScenePipeline::DrawsRegions() const
@@ -274,13 +231,14 @@ void ScenePipeline::ApplyProperty()
 
 void ScenePipeline::ApplyInterpolation()
 {
-  const bool nearest = this->interpolation == Interpolation::Nearest;
-  this->volume->GetProperty()->SetInterpolationType(
-    nearest ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
+  const bool nearest = this->options.interpolation == Interpolation::Nearest;
+  const int type = nearest ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION;
+  this->volume->GetProperty()->SetInterpolationType(type);
+  this->overlays.SetInterpolationType(type);
   if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
   {
     ours->SetCubicInterpolation(
-      this->interpolation == Interpolation::Cubic && this->look.blend != Blend::Isosurface);
+      this->options.interpolation == Interpolation::Cubic && this->look.blend != Blend::Isosurface);
   }
 }
 
@@ -292,7 +250,24 @@ void ScenePipeline::ApplyMask()
   }
   else
   {
-    this->SetMask(this->mask, false);
+    this->SetMask(this->overlays.Any() ? nullptr : this->mask.Get(), false);
+  }
+  this->ApplyFirstImage();
+}
+
+// Overlapping volumes have no masks, so a masked first volume has its smallest value where it is
+// cut away.
+void ScenePipeline::ApplyFirstImage()
+{
+  vtkImageData* const wanted = this->overlays.Any() ? this->mask.Get() : nullptr;
+  if (this->mapperMask != wanted)
+  {
+    this->mapperMask = wanted;
+    const vtkSmartPointer<vtkImageData> drawn =
+      wanted ? WithoutRemoved(this->image, wanted) : this->image;
+    vtkNew<vtkTransform> unused; // the geometry is the same
+    this->mapper->SetInputDataObject(
+      0, IsOurs(this->kind) ? drawn : WithoutDirection(RightHanded(drawn), unused));
   }
 }
 
@@ -356,21 +331,12 @@ void ScenePipeline::MakeMask(const SceneCuts& cuts)
   this->ApplyMask();
 }
 
-void ScenePipeline::SetRenderOptions(const RenderOptions& options)
+void ScenePipeline::SetRenderOptions(const RenderOptions& newOptions)
 {
-  if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
-  {
-    Apply(options, ours);
-  }
-  else if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(this->mapper))
-  {
-    Apply(options, this->image, gpu);
-  }
-  else
-  {
-    Apply(options, this->image, vtkFixedPointVolumeRayCastMapper::SafeDownCast(this->mapper));
-  }
-  this->interpolation = options.interpolation;
+  this->options = newOptions;
+  RenderOptions possible = newOptions;
+  possible.mostSteps = this->overlays.Any() ? 0 : newOptions.mostSteps;
+  Apply(possible, this->image, this->mapper);
   this->ApplyInterpolation();
 }
 

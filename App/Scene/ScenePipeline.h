@@ -3,6 +3,7 @@
 
 #include "Scene/LabelMap.h"
 #include "Scene/Scene.h"
+#include "Scene/SceneOverlays.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -57,6 +58,11 @@ public:
   /// Changes the look of the segments, and keeps their voxels.
   /// @param changed  as many as the labels have, in their order
   void SetSegments(const std::vector<Segment>& changed);
+  /// Draws volumes over the first one where CanOverlay. All of them are then composites, without
+  /// labels, shadows, ambient occlusion and a number of steps; see SceneOverlays.
+  /// @param images  as SceneOverlays::Set takes them
+  void SetOverlays(const std::vector<OverlaidVolume>& overlays,
+    const std::vector<vtkSmartPointer<vtkImageData>>& images);
   void SetRenderOptions(const RenderOptions& options);
   void SetLights(const std::vector<SceneLight>& lights);
   /// VTK's mappers cast no shadows, and have no ambient occlusion.
@@ -72,14 +78,19 @@ private:
   bool DrawsRegions() const;
   void MakeMask(const SceneCuts& cuts);
   void ApplyProperty();
+  void ApplyBlend();
+  void ApplyLight();
   void ApplyMask();
+  void ApplyFirstImage();
   void ApplyInterpolation();
   void SetMask(vtkImageData* voxels, bool areLabels);
 
   MapperKind kind;
   vtkSmartPointer<vtkImageData> image;
   Look look; ///< in units of the data
-  Interpolation interpolation = Interpolation::Linear;
+  RenderOptions options;
+  bool shadows = false;
+  Occlusion occlusion;
   std::vector<ScissorsCut> scissors; ///< the cuts that made the mask
   bool bodyOnly = false;
   vtkSmartPointer<vtkImageData> body; ///< see BodyMask.h; null before it is wanted
@@ -89,6 +100,8 @@ private:
   vtkSmartPointer<vtkImageData> labelMask; ///< labels without what scissors remove
   vtkSmartPointer<vtkVolumeMapper> mapper;
   vtkNew<vtkVolume> volume;
+  SceneOverlays overlays;
+  vtkSmartPointer<vtkImageData> mapperMask; ///< the mask that the mapper's voxels have; may be null
   vtkNew<vtkRenderer> renderer;
 };
 

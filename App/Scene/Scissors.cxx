@@ -3,13 +3,16 @@
 #include "Scene/SceneCamera.h"
 
 #include <vtkCamera.h>
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkImageStencilToImage.h>
 #include <vtkLassoStencilSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x3.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
@@ -247,6 +250,37 @@ bool Keeps(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index)
     voxel[axis] = std::clamp(int(part * maskSize[axis]), 0, maskSize[axis] - 1);
   }
   return *static_cast<unsigned char*>(mask->GetScalarPointer(voxel)) != 0;
+}
+
+vtkSmartPointer<vtkImageData> WithoutRemoved(vtkImageData* image, vtkImageData* mask)
+{
+  auto copy = vtkSmartPointer<vtkImageData>::New();
+  copy->DeepCopy(image);
+  vtkDataArray* const scalars = copy->GetPointData()->GetScalars();
+  std::vector<double> smallest;
+  for (int component = 0; component < scalars->GetNumberOfComponents(); ++component)
+  {
+    smallest.push_back(scalars->GetRange(component)[0]);
+  }
+  const glm::ivec3 count = glm::make_vec3(image->GetDimensions());
+  const int* const extent = image->GetExtent();
+  const glm::dvec3 first(extent[0], extent[2], extent[4]);
+  tbb::parallel_for(0, count.z,
+    [&](int z)
+    {
+      vtkIdType voxel = vtkIdType(z) * count.x * count.y;
+      for (int y = 0; y < count.y; ++y)
+      {
+        for (int x = 0; x < count.x; ++x, ++voxel)
+        {
+          if (!Keeps(mask, image, first + glm::dvec3(x, y, z)))
+          {
+            scalars->SetTuple(voxel, smallest.data());
+          }
+        }
+      }
+    });
+  return copy;
 }
 
 bool operator==(const ScissorsCut& a, const ScissorsCut& b)

@@ -25,6 +25,9 @@ vtkSmartPointer<vtkImageData> MaskOf(
 /// @param index  continuous index of the point, within the image
 bool Keeps(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index);
 
+/// A copy of a volume whose voxels have the smallest value wherever a mask keeps nothing.
+vtkSmartPointer<vtkImageData> WithoutRemoved(vtkImageData* image, vtkImageData* mask);
+
 bool operator==(const ScissorsCut& a, const ScissorsCut& b);
 
 }

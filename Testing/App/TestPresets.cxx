@@ -20,7 +20,7 @@ namespace
 
 TEST(Presets, EveryOneIsReadable)
 {
-  EXPECT_EQ(PresetNames().size(), 13u);
+  EXPECT_EQ(PresetNames().size(), 14u);
   for (const std::string& name : PresetNames())
   {
     const Preset preset = BuiltInPreset(name);

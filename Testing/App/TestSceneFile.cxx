@@ -48,12 +48,16 @@ Scene UnusualScene()
   scene.occlusion = { 0.25, 12.5 };
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
     { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } }, true };
-  scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0, SlabBlend::Mean };
+  scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0, SlabBlend::Mean,
+    SliceFusion::Checkerboard, 0.25 };
   scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "length" } };
   scene.angles = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, { 7.0, 8.0, 9.0 }, "bend" } };
   scene.boxes = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "liver" } };
   scene.labels = { "/data/organs.seg.nrrd", "1.2.840.2",
     { { 7, "liver", { 0.5, 0.25, 0.125 }, false, 0.75 }, { -2, "", { 0.0, 1.0, 0.5 } } } };
+  scene.overlays = { { FileSource{ "/data/pet", std::nullopt, "1.2.840.3" }, scene.look, "PET",
+    { { 1.0, -2.0, 3.5 }, { 10.0, 20.0, -30.0 } }, false, 0.75, SliceColors::Green,
+    { { 5.0, 2.5 } } } };
   scene.render = { 0.125, Acceleration::CellField, Integration::Simpson, 0.25, 3.5, 0.0,
     Interpolation::Cubic, true, 2, 9, 3 };
   scene.size = { 640, 360 };
@@ -178,6 +182,24 @@ TEST(SceneFile, KeepsLabels)
   EXPECT_FALSE(liver.visible);
   EXPECT_EQ(liver.opacity, 0.75);
   EXPECT_EQ(back.labels->segments[1].value, -2);
+}
+
+TEST(SceneFile, KeepsVolumesOverTheFirst)
+{
+  const Scene scene = UnusualScene();
+  const Scene back = SceneFromText(SceneText(scene), "test");
+  EXPECT_EQ(back.slices.fusion, SliceFusion::Checkerboard);
+  EXPECT_EQ(back.slices.fusionOpacity, 0.25);
+  ASSERT_EQ(back.overlays.size(), 1);
+  const OverlaidVolume& overlay = back.overlays[0];
+  EXPECT_EQ(std::get<FileSource>(overlay.source).series, "1.2.840.3");
+  EXPECT_EQ(overlay.look.dampingGradient, 0.375);
+  EXPECT_EQ(overlay.name, "PET");
+  EXPECT_EQ(overlay.placement, scene.overlays[0].placement);
+  EXPECT_FALSE(overlay.visible);
+  EXPECT_EQ(overlay.opacity, 0.75);
+  EXPECT_EQ(overlay.sliceColors, SliceColors::Green);
+  EXPECT_EQ(overlay.windowLevel, scene.overlays[0].windowLevel);
 }
 
 TEST(SceneFile, OptionalPartsOfLooksReadBackAsWritten)

@@ -99,6 +99,29 @@ def nrrd(path, values, size, pairs=""):
     path.write_bytes(header.encode() + bytes(values))
 
 
+def overlays(folder):
+    """Draws volumes together by options and by a scene, and warns of an unknown space."""
+    first, second, picture = folder / "first.nrrd", folder / "second.nrrd", folder / "a.png"
+    nrrd(first, [100 if i % 8 < 4 else 0 for i in range(512)], (8, 8, 8))
+    nrrd(second, [100 if i % 8 >= 4 else 0 for i in range(512)], (8, 8, 8))
+    options = ["-o", picture, "--size", "48x48"]
+    run("render", first, *options)
+    alone = picture.read_bytes()
+    _, errors = run("render", first, "--overlay", second, *options)
+    assert "second.nrrd: the files do not say whether it is in the same space" in errors, errors
+    both = picture.read_bytes()
+    assert both != alone
+    (folder / "scene.json").write_text(json.dumps(
+        {"volume": {"file": "first.nrrd"}, "look": "mr-head",
+         "overlays": [{"volume": {"file": "second.nrrd"}, "look": "mr-head"}]}))
+    run("render", folder / "scene.json", *options)
+    assert picture.read_bytes() == both, "the scene differs from the options"
+    _, errors = run("render", first, "--overlay", second, "--renderer", "vtk-cpu", *options)
+    assert "only the first volume is drawn" in errors, errors
+    _, errors = run("render", first, *["--overlay", second] * 4, *options, expect=2)
+    assert "expected at most 4 volumes together with the first, found 5" in errors, errors
+
+
 def labels(folder):
     """Draws segments over their scan, lists them, and says how a segmentation gets its scan."""
     scan, segments = folder / "scan.nrrd", folder / "organs.seg.nrrd"
@@ -192,4 +215,5 @@ def rectify(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        {"series": series, "raw": raw, "labels": labels, "rectify": rectify}[sys.argv[2]](pathlib.Path(name))
+        {"series": series, "raw": raw, "labels": labels, "overlays": overlays,
+     "rectify": rectify}[sys.argv[2]](pathlib.Path(name))

@@ -3,7 +3,7 @@
 from . import _scene
 from .arguments import choice, number
 from .images import to_array
-from .pictures import image_of
+from .images import image_of
 
 DISTANCES = ("euclidean", "chebyshev")
 

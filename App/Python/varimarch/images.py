@@ -122,3 +122,11 @@ def volume_of(array):
     elif values.dtype.kind == "f" and values.dtype.itemsize not in (4, 8):
         values = values.astype(numpy.float32 if values.dtype.itemsize < 4 else numpy.float64)
     return numpy.ascontiguousarray(values, values.dtype.newbyteorder("="))
+
+
+def image_of(volume, spacing):
+    if not isinstance(volume, vtkImageData):
+        return to_image(volume, (1.0, 1.0, 1.0) if spacing is None else spacing)
+    if spacing is not None:
+        raise ValueError("spacing: expected only with an array; the vtkImageData has its own")
+    return volume

@@ -12,9 +12,10 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from . import _scene
 from .arguments import ascending_pair, choice, instance, number, truth
-from .images import to_array, to_image
+from .images import image_of, to_array, to_image
 from .labels import drawn_labels
 from .looks import color_nodes, lights_of, look_of, opacity_nodes, regions_of, rgb_of
+from .overlays import overlays_of
 from .vtk_messages import vtk_messages_as_exceptions
 
 VIEWS = ("automatic", "anterior", "posterior", "left", "right", "superior", "inferior")
@@ -43,6 +44,7 @@ def render(
     labels=None,
     label_colors=None,
     label_opacity=1.0,
+    overlays=(),
     size=(512, 512),
     background=None,
     view="automatic",
@@ -93,6 +95,12 @@ def render(
     label_colors: colours by label, such as {1: "red", 2: "#00ff00"}; default: those of the file, or
         different ones.
     label_opacity: opacity of the mean thickness of each segment, 0 to 1.
+
+    overlays: further volumes in the same space, drawn in one march with the first, at most three:
+        each a volume or a dictionary {"volume": ...} with any of "spacing", "preset", "color",
+        "opacity" and "opacity_unit_distance", as of the first volume; "strength", a factor of its
+        opacities, 0 to 1; "turn", angles about x, y and z through its middle [degrees]; and "move",
+        along x, y and z [mm]. All are composites, without labels, shadows and ambient occlusion.
 
     size: width and height of the image [pixels].
     background: colour of the background; default: the preset's.
@@ -161,8 +169,13 @@ def render(
         "strength": number("occlusion", occlusion, 0, 1),
         "reach": number("occlusion_reach", occlusion_reach, 0, 1e30),
     }
+    scene["overlays"], over = overlays_of(overlays)
+    if over and (labels is not None or look["blend"] != "composite" or shadows or occlusion):
+        raise ValueError(
+            'overlays: expected blend="composite" without labels, shadows and occlusion'
+        )
     drawn = drawn_labels(image, labels, label_colors, label_opacity, look["blend"])
-    picture = _scene.render(image, json.dumps(scene), *drawn)
+    picture = _scene.render(image, json.dumps(scene), over, *drawn)
     # VTK counts rows from the bottom.
     return to_array(picture)[0, ::-1].copy()
 
@@ -199,14 +212,6 @@ def write_png(picture, path):
             writer.Write()
     except RuntimeError as error:
         raise OSError(str(error)) from None
-
-
-def image_of(volume, spacing):
-    if not isinstance(volume, vtkImageData):
-        return to_image(volume, (1.0, 1.0, 1.0) if spacing is None else spacing)
-    if spacing is not None:
-        raise ValueError("spacing: expected only with an array; the vtkImageData has its own")
-    return volume
 
 
 def picture_size(size):

@@ -22,6 +22,7 @@ QString PresetTitle(const std::string& name)
     { "mr-head", QT_TRANSLATE_NOOP("PresetTitles", "MR head, T1") },
     { "mr-maximum", QT_TRANSLATE_NOOP("PresetTitles", "MR maximum") },
     { "mr-t2", QT_TRANSLATE_NOOP("PresetTitles", "MR head, T2") },
+    { "pet-hot", QT_TRANSLATE_NOOP("PresetTitles", "PET hot") },
     { "pet-maximum", QT_TRANSLATE_NOOP("PresetTitles", "PET maximum") },
   };
   const auto found = titles.find(name);

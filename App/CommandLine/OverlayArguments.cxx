@@ -1,0 +1,61 @@
+#include "OverlayArguments.h"
+
+#include "Messages.h"
+#include "Scene/ImageStatistics.h"
+#include "Scene/Overlaying.h"
+#include "UsageError.h"
+#include "VolumeArguments.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+// A volume that has been placed by hand or by registration has its place whatever its file says.
+void WarnOfOtherSpace(
+  const LoadedVolume& first, const LoadedVolume& volume, const OverlaidVolume& overlay)
+{
+  const CommonSpace space = SpaceOf(first, volume);
+  if (space == CommonSpace::Same || !(overlay.placement == Placement()))
+  {
+    return;
+  }
+  PrintMessage("warning: " + overlay.name +
+    (space == CommonSpace::Different
+        ? " has another frame of reference than the first volume, so it may lie in the wrong place"
+        : ": the files do not say whether it is in the same space as the first volume; it is "
+          "placed "
+          "by its coordinates"));
+}
+
+}
+
+std::vector<vtkSmartPointer<vtkImageData>> LoadOverlaysReporting(
+  const std::vector<std::string>& paths, const LoadedVolume& first, Scene& scene)
+{
+  if (1 + scene.overlays.size() + paths.size() > MostVolumes)
+  {
+    throw UsageError("--overlay: expected at most " + std::to_string(MostVolumes) +
+      " volumes together with the first, found " +
+      std::to_string(1 + scene.overlays.size() + paths.size()));
+  }
+  std::vector<vtkSmartPointer<vtkImageData>> images;
+  for (const OverlaidVolume& overlay : scene.overlays)
+  {
+    const LoadedVolume volume = LoadVolumeReporting(overlay.source);
+    WarnOfOtherSpace(first, volume, overlay);
+    images.push_back(volume.image);
+  }
+  for (const std::string& path : paths)
+  {
+    const FileSource source = { path, std::nullopt };
+    const LoadedVolume volume = LoadVolumeReporting(source);
+    scene.overlays.push_back(OverlayOf(source, volume, ImageStatistics(volume.image)));
+    WarnOfOtherSpace(first, volume, scene.overlays.back());
+    images.push_back(volume.image);
+  }
+  return images;
+}
+
+}

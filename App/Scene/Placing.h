@@ -1,0 +1,26 @@
+#ifndef Varimarch_Scene_Placing_h
+#define Varimarch_Scene_Placing_h
+
+#include "Scene/Scene.h"
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/mat4x4.hpp>
+
+namespace varimarch
+{
+
+/// The rigid motion of a placement: where a point of the volume's patient coordinates is put. World
+/// space, LPS.
+glm::dmat4 WorldFromPatient(const Placement& placement, vtkImageData* image);
+
+/// The placement with this motion. Requires a rotation and a translation.
+Placement PlacementOf(const glm::dmat4& worldFromPatient, vtkImageData* image);
+
+/// The same voxels where a placement puts them. The scalars are shared.
+vtkSmartPointer<vtkImageData> Placed(vtkImageData* image, const Placement& placement);
+
+}
+
+#endif

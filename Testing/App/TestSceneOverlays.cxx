@@ -1,0 +1,144 @@
+// Several volumes in one scene: a volume over itself is twice as dense, and a placement is where
+// the volume is.
+
+#include "Core/Quality/ImageError.h"
+#include "Scene/OffscreenView.h"
+#include "Scene/Placing.h"
+#include "Scene/ProceduralVolume.h"
+
+#include <vtkVariationFieldVolumeMapper.h>
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr double Levels = 255.0; // CompareImages counts in levels of 8 bits
+
+Look Fog(const glm::dvec3& rgb)
+{
+  Look look;
+  look.colors = { { 0.0, rgb } };
+  look.opacities = { { -200.0, 0.0 }, { 300.0, 0.02 } };
+  look.shading.enabled = false;
+  return look;
+}
+
+struct Overlaid
+{
+  Scene scene;
+  vtkSmartPointer<vtkImageData> image =
+    ProceduralVolume({ ProceduralKind::Torso, { 48, 40, 36 }, 1 });
+  std::vector<vtkSmartPointer<vtkImageData>> others;
+
+  Overlaid()
+  {
+    this->scene.look = Fog({ 1.0, 0.5, 0.25 });
+    this->scene.size = { 64, 64 };
+    this->scene.camera.azimuthDegrees = 20.0;
+    this->scene.render.sampleDistanceMm = 1.0;
+  }
+
+  void Add(const OverlaidVolume& overlay, vtkImageData* other)
+  {
+    this->scene.overlays.push_back(overlay);
+    this->others.push_back(other);
+  }
+
+  vtkSmartPointer<vtkImageData> Draw(MapperKind kind = MapperKind::Varimarch) const
+  {
+    OffscreenView view(this->scene, this->image, kind);
+    view.Pipeline().SetOverlays(this->scene.overlays, this->others);
+    view.Render(); // VTK's GPU mapper renders its first frame only into the window itself
+    return view.FloatImage();
+  }
+};
+
+ImageError Difference(vtkImageData* a, vtkImageData* b)
+{
+  return CompareImages(static_cast<const float*>(a->GetScalarPointer()),
+    static_cast<const float*>(b->GetScalarPointer()), std::size_t(a->GetNumberOfPoints()));
+}
+
+}
+
+TEST(SceneOverlays, AVolumeOverItselfIsTwiceAsDense)
+{
+  Overlaid both;
+  both.Add({ ProceduralSource(), both.scene.look }, both.image);
+  Overlaid dense;
+  dense.scene.look.opacityUnitDistanceMm = 0.5;
+  // Both are integrated by the same steps, but by different rules.
+  EXPECT_LT(Difference(both.Draw(), dense.Draw()).largest, 0.01 * Levels);
+  Overlaid once;
+  EXPECT_GT(Difference(both.Draw(), once.Draw()).largest, 0.1 * Levels);
+}
+
+TEST(SceneOverlays, HiddenOnesAndThoseOfNoOpacityLeaveTheImage)
+{
+  Overlaid alone;
+  Overlaid hidden;
+  OverlaidVolume overlay = { ProceduralSource(), Fog({ 0.0, 1.0, 0.0 }) };
+  overlay.visible = false;
+  hidden.Add(overlay, hidden.image);
+  EXPECT_EQ(Difference(alone.Draw(), hidden.Draw()).largest, 0.0);
+  Overlaid clear;
+  overlay.visible = true;
+  overlay.opacity = 0.0;
+  clear.Add(overlay, clear.image);
+  EXPECT_LT(Difference(alone.Draw(), clear.Draw()).largest, 0.01 * Levels);
+}
+
+TEST(SceneOverlays, APlacementIsWhereTheVolumeIs)
+{
+  const Placement placement = { { 10.0, 20.0, -30.0 }, { 40.0, -20.0, 10.0 } };
+  Overlaid moved;
+  moved.Add({ ProceduralSource(), Fog({ 0.0, 1.0, 0.0 }), "", placement }, moved.image);
+  Overlaid there;
+  there.Add({ ProceduralSource(), Fog({ 0.0, 1.0, 0.0 }) }, Placed(there.image, placement));
+  const auto picture = moved.Draw();
+  EXPECT_LT(Difference(picture, there.Draw()).largest, 1e-3 * Levels);
+  Overlaid unmoved;
+  unmoved.Add({ ProceduralSource(), Fog({ 0.0, 1.0, 0.0 }) }, unmoved.image);
+  EXPECT_GT(Difference(picture, unmoved.Draw()).largest, 0.1 * Levels);
+}
+
+// The first volume is a maximum with shadows and a mask, which several volumes cannot be.
+TEST(SceneOverlays, TheFirstVolumeIsItselfAgainWhenTheyGo)
+{
+  Overlaid scene;
+  scene.scene.look.blend = Blend::MaximumIntensity;
+  scene.scene.cuts.bodyOnly = true;
+  const auto expected = scene.Draw();
+  OffscreenView view(scene.scene, scene.image, MapperKind::Varimarch);
+  view.Pipeline().SetOverlays({ { ProceduralSource(), Fog({ 0.0, 1.0, 0.0 }) } }, { scene.image });
+  EXPECT_GT(Difference(view.FloatImage(), expected).largest, 0.1 * Levels);
+  view.Pipeline().SetOverlays({}, {});
+  EXPECT_EQ(Difference(view.FloatImage(), expected).largest, 0.0);
+}
+
+TEST(SceneOverlays, WhatIsCutAwayOfTheFirstVolumeIsNotDrawn)
+{
+  Overlaid cut;
+  cut.Add({ ProceduralSource(), Fog({ 0.0, 1.0, 0.0 }), "", {}, true, 0.0 }, cut.image);
+  const auto whole = cut.Draw();
+  // The table of the torso has values that the fog shows; without it there is less of it.
+  cut.scene.cuts.bodyOnly = true;
+  const auto body = cut.Draw();
+  Overlaid alone;
+  alone.scene.cuts.bodyOnly = true;
+  EXPECT_GT(Difference(whole, body).largest, 0.02 * Levels);
+  EXPECT_LT(Difference(alone.Draw(), body).rootMeanSquare, 0.02 * Levels);
+}
+
+TEST(SceneOverlays, VtkDrawsThemAlike)
+{
+  Overlaid both;
+  both.Add(
+    { ProceduralSource(), Fog({ 0.0, 1.0, 0.0 }), "", { { 0.0, 0.0, 30.0 }, {} } }, both.image);
+  const auto ours = both.Draw();
+  // VTK's mapper composites its volumes one after another at each sample, and jitters none.
+  EXPECT_LT(Difference(ours, both.Draw(MapperKind::VtkGpu)).rootMeanSquare, 0.03 * Levels);
+}
