@@ -245,6 +245,11 @@ bool vtkVolumeFileReader::HasRectifiedSlices()
   return this->Read->Volume.isRectified;
 }
 
+double vtkVolumeFileReader::GetUptakeValueFactor()
+{
+  return this->Read->Volume.uptakeValueFactor.value_or(0.0);
+}
+
 const char* vtkVolumeFileReader::GetFrameOfReferenceUID()
 {
   return this->Read->Volume.frameOfReference.c_str();

@@ -173,6 +173,9 @@ public:
   bool HasIrregularSlices();
   /// True if the slices have been resampled.
   bool HasRectifiedSlices();
+  /// Factor from the values of PET to standardized uptake values by body weight [g/ml]; 0 if the
+  /// file does not say all that this needs.
+  double GetUptakeValueFactor();
   /// UID of the space that the positions are in, the same for scans that fit on each other; or
   /// empty.
   const char* GetFrameOfReferenceUID();

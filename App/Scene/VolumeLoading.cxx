@@ -132,6 +132,7 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   {
     volume.slices = reader->HasRectifiedSlices() ? SliceLayout::Rectified : SliceLayout::Irregular;
   }
+  volume.uptakeValueFactor = reader->GetUptakeValueFactor();
   volume.frameOfReference = reader->GetFrameOfReferenceUID();
   if (reader->HoldsLabels())
   {

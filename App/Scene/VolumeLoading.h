@@ -39,6 +39,7 @@ struct LoadedVolume
   /// All segments if the values are labels: those that the file describes, and the other values.
   /// Otherwise empty.
   std::vector<Segment> segments = {};
+  double uptakeValueFactor = 0.0;    ///< for PET: from values to SUV [g/ml]; 0 if unknown
   std::string frameOfReference = {}; ///< UID of DICOM for the space of the image; may be empty
 };
 

@@ -25,6 +25,7 @@ void TakeMetadata(const DicomFrame& slice, Volume& volume)
   volume.hasContrastAgent = metadata.hasContrastAgent;
   volume.weighting = metadata.weighting;
   volume.windowLevel = metadata.windowLevel;
+  volume.uptakeValueFactor = metadata.uptakeValueFactor;
   if (slice.file->colours == "MONOCHROME1" ||
     (slice.file->colours == "PALETTE COLOR" && slice.file->palette.entries.empty()))
   {

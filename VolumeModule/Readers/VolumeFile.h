@@ -51,6 +51,7 @@ struct Volume
   /// The segments that the file describes if its values are labels; otherwise empty. Values may
   /// occur that have no description.
   std::optional<std::vector<LabelledSegment>> segments;
+  std::optional<double> uptakeValueFactor; ///< for PET: from values to SUV [g/ml]
   std::string frameOfReference; ///< UID of the DICOM space that positions are in; or empty
 };
 

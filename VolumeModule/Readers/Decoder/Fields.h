@@ -73,7 +73,7 @@ void Fields(Wire& wire, Volume& volume)
 {
   wire(volume.modality, volume.bodyPart, volume.hasContrastAgent, volume.weighting,
     volume.windowLevel, volume.warnings, volume.irregularSlicesMm, volume.isMisplaced,
-    volume.isRectified, volume.segments, volume.frameOfReference);
+    volume.isRectified, volume.segments, volume.uptakeValueFactor, volume.frameOfReference);
 }
 
 template <class Wire>
@@ -130,7 +130,7 @@ template <class Wire>
 void Fields(Wire& wire, DicomMetadata& metadata)
 {
   wire(metadata.modality, metadata.bodyPart, metadata.hasContrastAgent, metadata.weighting,
-    metadata.windowLevel);
+    metadata.windowLevel, metadata.uptakeValueFactor);
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "Readers/Dicom/Attributes.h"
 #include "Readers/Dicom/FileHeader.h"
+#include "Readers/Dicom/UptakeValue.h"
 
 #include <vtkDICOMDictHash.h>
 
@@ -48,6 +49,7 @@ DicomMetadata MetadataOf(const std::string& path, int frame)
   {
     metadata.weighting = WeightingOf(attributes);
   }
+  metadata.uptakeValueFactor = UptakeValueFactor(attributes);
   const double window = attributes.NumberOr(DC::WindowWidth, 0.0);
   if (window > 0)
   {

@@ -18,6 +18,7 @@ struct DicomMetadata
   bool hasContrastAgent = false;
   std::string weighting;
   std::optional<WindowLevel> windowLevel;
+  std::optional<double> uptakeValueFactor;
 };
 
 /// Reads the metadata of a frame.
