@@ -11,6 +11,7 @@ packages=(
   libegl-dev libgl-dev libglew-dev
   python3-dev python3-numpy python3-vtk9 vtk9
   qtbase5-dev qttools5-dev qttools5-dev-tools libvtk9-qt-dev libspdlog-dev
+  libinsighttoolkit5-dev
   # To draw without a graphics card
   libegl1 libgl1-mesa-dri
   # Real volumes: a head CT and a T1 head
