@@ -158,8 +158,14 @@ void SceneOverlays::SetImages(const std::vector<vtkSmartPointer<vtkImageData>>& 
   {
     return;
   }
-  this->several = IsOurs(this->kind) ? vtkSmartPointer<vtkMultiVolume>(vtkBoundedVolumes::New())
-                                     : vtkSmartPointer<vtkMultiVolume>::New();
+  if (IsOurs(this->kind))
+  {
+    this->several = vtkSmartPointer<vtkBoundedVolumes>::New();
+  }
+  else
+  {
+    this->several = vtkSmartPointer<vtkMultiVolume>::New();
+  }
   this->several->SetMapper(this->mapper);
   this->several->SetVolume(this->first, 0);
   for (const auto& image : shown)

@@ -6,6 +6,7 @@
 #include "Viewer/Open/StartPage.h"
 #include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/CutsPanel.h"
+#include "Viewer/Panels/FusionBar.h"
 #include "Viewer/Panels/LightsPanel.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/MeasuresPanel.h"
@@ -13,6 +14,7 @@
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/Panels/SlabBar.h"
+#include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/ViewLayout.h"
@@ -21,6 +23,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QMenu>
 #include <QMenuBar>
 #include <QProgressBar>
 #include <QPushButton>
@@ -124,7 +127,13 @@ void MainWindow::MakeViews()
     this->sliceViews.push_back(new SliceView(&this->model, plane));
     slices.push_back(this->sliceViews.back());
   }
-  this->views = new ViewLayout(this->view, slices, new SlabBar(&this->model));
+  auto* const bars = new QWidget;
+  auto* const column = new QVBoxLayout(bars);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(new FusionBar(&this->model));
+  column->addWidget(new SlabBar(&this->model));
+  this->views = new ViewLayout(this->view, slices, bars);
   connect(this->view->Ours(), &VolumeView::DoubleClicked, this->views,
     [this] { this->views->Toggle(this->view); });
   for (SliceView* const slice : this->sliceViews)
@@ -151,6 +160,11 @@ void MainWindow::MakeFileMenu()
   file->addAction(
     tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
   file->addAction(tr("Open a ra&w file…"), this, &MainWindow::ChooseRawFile);
+  QAction* const further =
+    file->addAction(tr("A&dd a scan…"), this, &MainWindow::ChooseFurtherScan);
+  further->setObjectName("addScan");
+  further->setEnabled(false);
+  connect(&this->model, &SceneModel::Changed, further, [further] { further->setEnabled(true); });
   QAction* const segmentation =
     file->addAction(tr("Open a se&gmentation…"), this, &MainWindow::ChooseSegmentation);
   segmentation->setObjectName("openSegmentation");
@@ -169,6 +183,18 @@ void MainWindow::MakeFileMenu()
   file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
+}
+
+void MainWindow::ListRecentScans()
+{
+  this->recentMenu->clear();
+  for (const RecentScan& scan : this->recentScans.List())
+  {
+    this->recentMenu->addAction(
+      scan.label, this, [this, scan] { this->Open(scan.path, scan.series); });
+  }
+  this->recentMenu->addSeparator();
+  this->recentMenu->addAction(tr("Clear the list"), this, [this] { this->recentScans.Clear(); });
 }
 
 void MainWindow::MakeEditMenu()
@@ -215,6 +241,10 @@ void MainWindow::MakePanels()
   dockOf("lights", tr("Lights"), new LightsPanel(&this->model));
   QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
   dockOf("measures", tr("Measurements"), new MeasuresPanel(&this->model));
+  auto* const volumes = new VolumesPanel(&this->model);
+  connect(volumes, &VolumesPanel::AddWanted, this, &MainWindow::ChooseFurtherScan);
+  connect(volumes, &VolumesPanel::RegistrationWanted, this, &MainWindow::Register);
+  dockOf("volumes", tr("Volumes"), volumes);
   auto* const segments = new SegmentsPanel(&this->model);
   connect(segments, &SegmentsPanel::OpenWanted, this, &MainWindow::ChooseSegmentation);
   connect(segments, &SegmentsPanel::Saved, this, &MainWindow::ShowSaved);

@@ -27,8 +27,8 @@ class ViewMenu;
 class WarningBar;
 
 /// The main window: menus, views, panels, and the loading of volumes. MainWindowFiles.cxx opens
-/// files, MainWindowSegments.cxx shows segmentations, MainWindowSessions.cxx keeps the user's work,
-/// MainWindowTools.cxx sets up the tools.
+/// files, MainWindowSegments.cxx shows segmentations, MainWindowVolumes.cxx adds further scans,
+/// MainWindowSessions.cxx keeps the user's work, MainWindowTools.cxx sets up the tools.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -39,6 +39,9 @@ public:
   /// Starts to load a file, a folder with a DICOM series, or a saved session.
   /// @param series  digest of the DICOM series to open; if empty, the user is asked
   void Open(const QString& path, const QString& series = {});
+
+  /// Starts to load a scan to be drawn over the one that is shown.
+  void AddScan(const QString& path);
 
   /// Offers to restore the session of a program that ended unexpectedly.
   void OfferAutosaved();
@@ -87,6 +90,10 @@ private:
   void ChooseFolder();
   void ChooseRawFile();
   void ChooseSegmentation();
+  void ChooseFurtherScan();
+  void Register(int overlay);
+  void TakeRegistered(int overlay, const Placement& placement);
+  void ShowAdded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   bool SaveSession(); ///< false if the user cancels, or if saving fails
 
   /// The user's work on the volume, see WorkText; empty without a volume.
@@ -101,7 +108,8 @@ private:
   void ForgetRequest();
   void BeginLoading(const QString& path);
   void Load(const VolumeSource& source, const QString& series = {},
-    const std::optional<SceneLabels>& labels = {});
+    const std::optional<SceneLabels>& labels = {},
+    const std::vector<OverlaidVolume>& overlays = {});
   void OpenSegmentation(const SceneLabels& labels);
   void OpenDropped(const QString& path);
   void ShowSegmentation(const SceneLabels& labels, const std::shared_ptr<const Study>& labelled);
@@ -130,6 +138,7 @@ private:
   std::optional<Scene> restored;  ///< scene whose volume is being loaded
   bool exchanges = false;         ///< true while another form of the shown volume is being loaded
   bool restoresAutosaved = false; ///< the scene being loaded is the autosaved one
+  bool addsScan = false;          ///< true while a further scan is being loaded
   bool isDropped = false;         ///< the file being loaded may be a segmentation of the scan
   std::vector<SeriesSummary> segmentations; ///< found in the folder that is being loaded
   QString savedWork;                        ///< the work that is in a file

@@ -105,7 +105,7 @@ void MainWindow::Open(const QString& name, const QString& series)
   try
   {
     this->restored = ReadScene(path.toStdString());
-    this->Load(this->restored->volume, {}, this->restored->labels);
+    this->Load(this->restored->volume, {}, this->restored->labels, this->restored->overlays);
   }
   catch (const std::exception& problem)
   {
@@ -120,6 +120,7 @@ void MainWindow::ForgetRequest()
   this->exchanges = false;
   this->restoresAutosaved = false;
   this->isDropped = false;
+  this->addsScan = false;
   this->segmentations.clear();
 }
 
@@ -130,12 +131,12 @@ void MainWindow::BeginLoading(const QString& path)
   this->statusBar()->showMessage(tr("Loading %1").arg(QFileInfo(path).fileName()));
 }
 
-void MainWindow::Load(
-  const VolumeSource& source, const QString& series, const std::optional<SceneLabels>& labels)
+void MainWindow::Load(const VolumeSource& source, const QString& series,
+  const std::optional<SceneLabels>& labels, const std::vector<OverlaidVolume>& overlays)
 {
   const auto* const file = std::get_if<FileSource>(&source);
   this->BeginLoading(file ? QString::fromStdString(file->path) : QString());
-  this->loader.Load(source, series, labels);
+  this->loader.Load(source, series, labels, overlays);
 }
 
 void MainWindow::AskForLayout(const QString& path)
@@ -267,6 +268,11 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
     this->Exchange(source, study);
     return;
   }
+  if (std::exchange(this->addsScan, false))
+  {
+    this->ShowAdded(source, study);
+    return;
+  }
   if (std::exchange(this->isDropped, false) && !this->MayLeaveScan())
   {
     return;
@@ -379,18 +385,6 @@ void MainWindow::dropEvent(QDropEvent* event)
 {
   const QString path = event->mimeData()->urls().first().toLocalFile();
   QTimer::singleShot(0, this, [this, path] { this->OpenDropped(path); });
-}
-
-void MainWindow::ListRecentScans()
-{
-  this->recentMenu->clear();
-  for (const RecentScan& scan : this->recentScans.List())
-  {
-    this->recentMenu->addAction(
-      scan.label, this, [this, scan] { this->Open(scan.path, scan.series); });
-  }
-  this->recentMenu->addSeparator();
-  this->recentMenu->addAction(tr("Clear the list"), this, [this] { this->recentScans.Clear(); });
 }
 
 }

@@ -26,7 +26,7 @@ GradientCounting::GradientCounting(SceneModel* model, QObject* parent)
   connect(model, &SceneModel::Changed, this,
     [this](ScenePart part)
     {
-      if (part == ScenePart::Volume)
+      if (IsOtherLookVolume(part))
       {
         this->Begin();
       }
@@ -43,7 +43,7 @@ void GradientCounting::Begin()
 {
   this->counts.reset();
   emit this->Begun();
-  const auto study = this->model->CurrentStudy();
+  const auto study = this->model->EditedStudy();
   this->watcher.setFuture(QtConcurrent::run([study] { return CountsOf(study->volume.image); }));
 }
 

@@ -1,6 +1,7 @@
 #include "Viewer/Model/MeasureTexts.h"
 
 #include "Scene/Measures.h"
+#include "Scene/Placing.h"
 #include "Scene/ScenePicking.h"
 #include "Scene/VolumeLoading.h"
 #include "Viewer/Model/NumberText.h"
@@ -37,7 +38,47 @@ QString BoxText(const RegionStatistics& statistics, const QString& unit)
 
 QString UnitOf(const LoadedVolume& volume)
 {
-  return volume.modality == "CT" ? QStringLiteral(" HU") : QString();
+  return volume.modality == "CT"     ? QStringLiteral(" HU")
+    : volume.uptakeValueFactor > 0.0 ? QStringLiteral(" SUV")
+                                     : QString();
+}
+
+// Statistics of uptake values, where they are known.
+RegionStatistics InUnits(RegionStatistics statistics, const LoadedVolume& volume)
+{
+  const double factor = volume.uptakeValueFactor > 0.0 ? volume.uptakeValueFactor : 1.0;
+  statistics.mean *= factor;
+  statistics.standardDeviation *= factor;
+  statistics.smallest *= factor;
+  statistics.largest *= factor;
+  return statistics;
+}
+
+// The value at a point: "HU 40", "SUV 2.35 (5868)" or "value 7".
+QString ValueText(const LoadedVolume& volume, double value)
+{
+  const QString number = NumberText(value, 0);
+  return volume.modality == "CT" ? MeasureTexts::tr("HU ") + number
+    : volume.uptakeValueFactor > 0.0
+    ? MeasureTexts::tr("SUV %1 (%2)").arg(NumberText(value * volume.uptakeValueFactor, 2), number)
+    : MeasureTexts::tr("value ") + number;
+}
+
+// "; PET: SUV 2.35 (5868)" for each visible volume over the first at a point.
+QString OverlayTexts(const Scene& scene, const Study& study, const std::array<double, 3>& pointMm)
+{
+  QString texts;
+  for (std::size_t i = 0; i < scene.overlays.size(); ++i)
+  {
+    const LoadedVolume& volume = study.overlays[i]->volume;
+    const auto value = ValueAt(Placed(volume.image, scene.overlays[i].placement), pointMm);
+    if (value && scene.overlays[i].visible)
+    {
+      texts +=
+        "; " + QString::fromStdString(scene.overlays[i].name) + ": " + ValueText(volume, *value);
+    }
+  }
+  return texts;
 }
 
 // ", liver" in a visible segment of this name, otherwise empty.
@@ -70,7 +111,8 @@ MeasureTexts::MeasureTexts(const Scene& scene, const LoadedVolume& volume)
     this->boxes.append(RegionText(statistics, volume));
     this->boxLabels.append(statistics.voxels == 0
         ? tr("no voxels")
-        : MeanText(statistics, UnitOf(volume)) + '\n' + VolumeText(statistics.volumeMm3));
+        : MeanText(InUnits(statistics, volume), UnitOf(volume)) + '\n' +
+          VolumeText(statistics.volumeMm3));
   }
 }
 
@@ -83,19 +125,19 @@ QString VolumeText(double volumeMm3)
 QString RegionText(const RegionStatistics& statistics, const LoadedVolume& volume)
 {
   return statistics.voxels == 0 ? MeasureTexts::tr("no voxels")
-                                : BoxText(statistics, UnitOf(volume));
+                                : BoxText(InUnits(statistics, volume), UnitOf(volume));
 }
 
 QString PointText(const Scene& scene, const Study& study, const std::array<double, 3>& pointMm)
 {
   const LoadedVolume& volume = study.volume;
-  return MeasureTexts::tr("%1%2 at %3, %4, %5 mm")
-           .arg(volume.modality == "CT" ? MeasureTexts::tr("HU ") : MeasureTexts::tr("value "))
-           .arg(NumberText(ValueAt(volume.image, pointMm).value_or(0.0), 0))
+  return MeasureTexts::tr("%1 at %2, %3, %4 mm")
+           .arg(ValueText(volume, ValueAt(volume.image, pointMm).value_or(0.0)))
            .arg(NumberText(pointMm[0], 1))
            .arg(NumberText(pointMm[1], 1))
            .arg(NumberText(pointMm[2], 1)) +
-    (scene.labels ? SegmentText(*scene.labels, study.labels->image, pointMm) : QString());
+    (scene.labels ? SegmentText(*scene.labels, study.labels->image, pointMm) : QString()) +
+    OverlayTexts(scene, study, pointMm);
 }
 
 }

@@ -8,6 +8,7 @@
 
 #include <QUndoCommand>
 
+#include <algorithm>
 #include <utility>
 
 namespace varimarch
@@ -82,6 +83,8 @@ void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened
   State restored = { std::move(opened), saved };
   restored.scene.look = InUnitsOfData(saved.look, restored.study->statistics);
   TakeSegments(restored);
+  TakeOverlays(restored);
+  this->edited = 0;
   this->Replace({ ScenePart::Volume }, restored);
 }
 
@@ -89,7 +92,7 @@ void SceneModel::Exchange(
   const VolumeSource& source, std::shared_ptr<const Study> form, const QString& name)
 {
   this->exchanged = this->state.study;
-  State changed = { std::move(form), this->state.scene };
+  State changed = { WithOverlaysOf(*this->state.study, form), this->state.scene };
   changed.scene.volume = source;
   TakeSegments(changed);
   changed.scene.cuts.box =
@@ -116,6 +119,69 @@ void SceneModel::CloseLabels(const QString& name)
     new EditStep(this, { ScenePart::Labels }, name, std::move(changed), NoGesture));
 }
 
+void SceneModel::AddOverlay(
+  const OverlaidVolume& overlay, std::shared_ptr<const Study> added, const QString& name)
+{
+  Study study = *this->state.study;
+  study.overlays.push_back(std::move(added));
+  State changed = { std::make_shared<const Study>(std::move(study)), this->state.scene };
+  changed.scene.overlays.push_back(overlay);
+  const int last = int(changed.scene.overlays.size());
+  this->PushOverlays(std::move(changed), name, last);
+}
+
+void SceneModel::RemoveOverlay(int overlay, const QString& name)
+{
+  Study study = *this->state.study;
+  study.overlays.erase(study.overlays.begin() + overlay);
+  State changed = { std::make_shared<const Study>(std::move(study)), this->state.scene };
+  changed.scene.overlays.erase(changed.scene.overlays.begin() + overlay);
+  this->PushOverlays(std::move(changed), name, std::min(this->edited, overlay));
+}
+
+void SceneModel::MoveOverlay(int from, int to, const QString& name)
+{
+  Study study = *this->state.study;
+  std::swap(study.overlays[from], study.overlays[to]);
+  State changed = { std::make_shared<const Study>(std::move(study)), this->state.scene };
+  std::swap(changed.scene.overlays[from], changed.scene.overlays[to]);
+  this->PushOverlays(std::move(changed), name, to + 1);
+}
+
+void SceneModel::PushOverlays(State changed, const QString& name, int newEdited)
+{
+  this->history.push(
+    new EditStep(this, { ScenePart::Overlays }, name, std::move(changed), NoGesture));
+  this->SetEditedVolume(newEdited);
+}
+
+void SceneModel::SetEditedVolume(int volume)
+{
+  if (this->edited != volume)
+  {
+    this->edited = volume;
+    emit this->Changed(ScenePart::EditedVolume);
+  }
+}
+
+std::shared_ptr<const Study> SceneModel::EditedStudy() const
+{
+  return this->edited == 0 ? this->state.study : this->state.study->overlays[this->edited - 1];
+}
+
+const Look& SceneModel::EditedLook() const
+{
+  return this->edited == 0 ? this->state.scene.look
+                           : this->state.scene.overlays[this->edited - 1].look;
+}
+
+Scene SceneModel::EditedScene() const
+{
+  Scene scene = this->state.scene;
+  scene.look = this->EditedLook();
+  return scene;
+}
+
 void SceneModel::Edit(
   ScenePart part, const QString& name, const std::function<void(Scene&)>& change, int gesture)
 {
@@ -126,13 +192,21 @@ void SceneModel::Edit(
 
 void SceneModel::SetLook(const Look& look, const QString& name, int gesture)
 {
-  const Look inUnitsOfData = InUnitsOfData(look, this->state.study->statistics);
+  const Look inUnitsOfData = InUnitsOfData(look, this->EditedStudy()->statistics);
   this->Edit(
-    ScenePart::Look, name, [&](Scene& edited) { edited.look = inUnitsOfData; }, gesture);
+    ScenePart::Look, name,
+    [&](Scene& scene)
+    { (this->edited == 0 ? scene.look : scene.overlays[this->edited - 1].look) = inUnitsOfData; },
+    gesture);
 }
 
 void SceneModel::SetPreset(const Preset& preset, const QString& name)
 {
+  if (this->edited > 0)
+  {
+    this->SetLook(preset.look, name);
+    return;
+  }
   State changed = this->state;
   TakePreset(preset, changed.scene);
   changed.scene.look = InUnitsOfData(preset.look, changed.study->statistics);
@@ -154,12 +228,44 @@ void SceneModel::TakeSegments(State& taken)
   }
 }
 
+// Overlays that could not be read are left out.
+void SceneModel::TakeOverlays(State& taken)
+{
+  if (taken.scene.overlays.empty() && taken.study->overlays.empty())
+  {
+    return;
+  }
+  Study study = *taken.study;
+  study.overlays.resize(taken.scene.overlays.size());
+  for (int i = int(study.overlays.size()) - 1; i >= 0; --i)
+  {
+    OverlaidVolume& overlay = taken.scene.overlays[i];
+    if (study.overlays[i])
+    {
+      overlay.look = InUnitsOfData(overlay.look, study.overlays[i]->statistics);
+    }
+    else
+    {
+      study.overlays.erase(study.overlays.begin() + i);
+      taken.scene.overlays.erase(taken.scene.overlays.begin() + i);
+    }
+  }
+  taken.study = std::make_shared<const Study>(std::move(study));
+}
+
 void SceneModel::Replace(const std::vector<ScenePart>& parts, const State& newState)
 {
   this->state = newState;
+  const int last = int(newState.scene.overlays.size());
+  const bool editsOther = this->edited > last;
+  this->edited = std::min(this->edited, last);
   for (const ScenePart part : parts)
   {
     emit this->Changed(part);
+  }
+  if (editsOther)
+  {
+    emit this->Changed(ScenePart::EditedVolume);
   }
 }
 

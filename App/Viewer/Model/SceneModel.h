@@ -25,12 +25,20 @@ enum class ScenePart
   Camera,
   Cuts,
   Slices,
-  Measures, ///< distances, angles, boxes
-  Labels,   ///< another segmentation, or none
-  Segments, ///< their names and looks
+  Measures,     ///< distances, angles, boxes
+  Labels,       ///< another segmentation, or none
+  Segments,     ///< their names and looks
+  Overlays,     ///< the volumes over the first: which, where, and how they look in slices
+  EditedVolume, ///< the volume whose look is edited; not a part of the scene
   Render,
   Background,
 };
+
+/// True if the volume whose look is edited is another one.
+inline bool IsOtherLookVolume(ScenePart part)
+{
+  return part == ScenePart::Volume || part == ScenePart::EditedVolume;
+}
 
 /// The data behind the window: a volume and its scene as plain data. Panels edit the model and do
 /// not know each other; views observe it. Every edit is an undo step. The look's values are in
@@ -70,15 +78,37 @@ public:
   /// Shows the scan without labels. This is an undo step.
   void CloseLabels(const QString& name);
 
+  /// Draws a further volume over the others. This is an undo step, and the volume becomes the
+  /// edited one. Requires fewer than MostVolumes.
+  void AddOverlay(
+    const OverlaidVolume& overlay, std::shared_ptr<const Study> added, const QString& name);
+
+  /// Takes an overlay away. This is an undo step.
+  void RemoveOverlay(int overlay, const QString& name);
+
+  /// Moves an overlay to another place in the list. This is an undo step.
+  void MoveOverlay(int from, int to, const QString& name);
+
+  /// The volume whose look the panels edit: 0 is the first, i the overlay i - 1.
+  int EditedVolume() const { return this->edited; }
+  void SetEditedVolume(int volume);
+
+  /// The edited volume and its look; the study is null before the first volume.
+  std::shared_ptr<const Study> EditedStudy() const;
+  const Look& EditedLook() const;
+  /// The scene with the look of the edited volume.
+  Scene EditedScene() const;
+
   /// Changes a part of the scene.
   /// @param name  of the undo step, for "Undo NAME"
   void Edit(ScenePart part, const QString& name, const std::function<void(Scene&)>& change,
     int gesture = NoGesture);
 
-  /// Replaces the look. A relative look is converted to units of the data.
+  /// Replaces the look of the edited volume. A relative look is converted to units of the data.
   void SetLook(const Look& look, const QString& name, int gesture = NoGesture);
 
-  /// Applies a preset, its look, quality and background, in one step.
+  /// Applies a preset to the edited volume, and its quality and background if that is the first
+  /// volume, in one step.
   void SetPreset(const Preset& preset, const QString& name);
 
   QUndoStack* History() { return &this->history; }
@@ -96,10 +126,13 @@ private:
   };
 
   static void TakeSegments(State& taken);
+  static void TakeOverlays(State& taken);
+  void PushOverlays(State changed, const QString& name, int newEdited);
   void Replace(const std::vector<ScenePart>& parts, const State& newState);
 
   State state;
   std::shared_ptr<const Study> exchanged;
+  int edited = 0;
   QUndoStack history;
 };
 

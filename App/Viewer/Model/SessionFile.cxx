@@ -57,6 +57,7 @@ QString WorkText(const Scene& scene, const Study& study)
   work.lights = scene.lights;
   work.shadows = scene.shadows;
   work.occlusion = scene.occlusion;
+  work.overlays = scene.overlays;
   if (!IsBuiltInLook(scene.look, study.statistics))
   {
     work.look = scene.look;

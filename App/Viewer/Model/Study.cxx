@@ -22,4 +22,26 @@ std::shared_ptr<const Study> WithoutLabels(const Study& scan)
   return std::make_shared<const Study>(std::move(bare));
 }
 
+std::shared_ptr<const Study> WithOverlaysOf(
+  const Study& scan, const std::shared_ptr<const Study>& form)
+{
+  if (scan.overlays.empty())
+  {
+    return form;
+  }
+  Study withOverlays = *form;
+  withOverlays.overlays = scan.overlays;
+  return std::make_shared<const Study>(std::move(withOverlays));
+}
+
+std::vector<vtkSmartPointer<vtkImageData>> OverlayImages(const Study& study)
+{
+  std::vector<vtkSmartPointer<vtkImageData>> images;
+  for (const auto& overlay : study.overlays)
+  {
+    images.push_back(overlay->volume.image);
+  }
+  return images;
+}
+
 }

@@ -21,7 +21,16 @@ struct Study
   std::shared_ptr<const LabelMap> labels = {}; ///< null without a segmentation
   std::vector<RegionStatistics>
     segmentStatistics = {}; ///< the volume in each segment of the labels
+  /// The volumes over this one, in the order of the scene's overlays.
+  std::vector<std::shared_ptr<const Study>> overlays = {};
 };
+
+/// Another form of a volume, with the overlays of that volume.
+std::shared_ptr<const Study> WithOverlaysOf(
+  const Study& scan, const std::shared_ptr<const Study>& form);
+
+/// The images of the overlays, as ScenePipeline::SetOverlays takes them.
+std::vector<vtkSmartPointer<vtkImageData>> OverlayImages(const Study& study);
 
 /// The same volume with other labels.
 std::shared_ptr<const Study> WithLabels(const Study& scan, LabelMap labels);

@@ -65,6 +65,29 @@ std::shared_ptr<const Study> StudyOf(LoadedVolume volume, const std::string& pat
   return std::make_shared<const Study>(std::move(study));
 }
 
+// The volume with others over it. One that cannot be read is null.
+std::shared_ptr<const Study> WithOverlays(const std::shared_ptr<const Study>& first,
+  const std::vector<OverlaidVolume>& overlays, const LoadObserver& observe)
+{
+  Study study = *first;
+  for (const OverlaidVolume& overlay : overlays)
+  {
+    study.overlays.emplace_back();
+    try
+    {
+      LoadedVolume volume = LoadVolume(overlay.source, observe);
+      ImageStatistics statistics(volume.image);
+      study.overlays.back() =
+        std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
+    }
+    catch (const std::runtime_error& reason)
+    {
+      study.volume.warnings.push_back(reason.what());
+    }
+  }
+  return std::make_shared<const Study>(std::move(study));
+}
+
 // The only series that fulfils a condition.
 template <class Condition>
 const SeriesSummary* OnlySeries(const std::vector<SeriesSummary>& series, const Condition& isWanted)
@@ -172,12 +195,19 @@ VolumeLoader::~VolumeLoader()
   }
 }
 
-void VolumeLoader::Load(
-  const VolumeSource& source, const QString& series, const std::optional<SceneLabels>& labels)
+void VolumeLoader::Load(const VolumeSource& source, const QString& series,
+  const std::optional<SceneLabels>& labels, const std::vector<OverlaidVolume>& overlays)
 {
   auto request = std::make_shared<Task>();
   request->read = [=](const LoadObserver& observe)
-  { return ReadVolume(source, series, labels, observe); };
+  {
+    Found found = ReadVolume(source, series, labels, observe);
+    if (found.study && !overlays.empty())
+    {
+      found.study = WithOverlays(found.study, overlays, observe);
+    }
+    return found;
+  };
   this->Start(request);
 }
 

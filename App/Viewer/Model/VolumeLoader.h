@@ -30,11 +30,13 @@ public:
   ~VolumeLoader() override;
 
   /// Loads a volume, and labels over it, which are left out with a warning if they cannot be read.
-  /// A segmentation without its scan gets its own labels.
+  /// A segmentation without its scan gets its own labels. Overlays that cannot be read are left out
+  /// with a warning too.
   /// @param series  digest of the DICOM series to load (DigestOfSeries); if empty and there are
   ///                several that are no segmentations, SeriesFound is emitted
   void Load(const VolumeSource& source, const QString& series = {},
-    const std::optional<SceneLabels>& labels = {});
+    const std::optional<SceneLabels>& labels = {},
+    const std::vector<OverlaidVolume>& overlays = {});
 
   /// Loads labels over a scan.
   void LoadLabels(const SceneLabels& labels, std::shared_ptr<const Study> scan);

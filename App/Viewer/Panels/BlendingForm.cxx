@@ -82,7 +82,7 @@ void BlendingForm::MakeUnitDistance()
   connect(this->unitDistance, &NumberSlider::Edited, this,
     [this](double millimetres, int gesture)
     {
-      Look look = this->model->CurrentScene().look;
+      Look look = this->model->EditedLook();
       look.opacityUnitDistanceMm = millimetres;
       this->model->SetLook(look, tr("opacity distance"), gesture);
     });
@@ -114,7 +114,7 @@ void BlendingForm::MakeAveragedRange()
 
 void BlendingForm::ChooseBlend(Blend chosen)
 {
-  Look look = this->model->CurrentScene().look;
+  Look look = this->model->EditedLook();
   look = chosen == Blend::Isosurface ? WithSurface(look) : look;
   look.blend = chosen;
   this->model->SetLook(look, tr("blend mode"));
@@ -122,11 +122,11 @@ void BlendingForm::ChooseBlend(Blend chosen)
 
 void BlendingForm::ChooseAveragedRange()
 {
-  const auto study = this->model->CurrentStudy();
+  const auto study = this->model->EditedStudy();
   const double first = std::min(this->averagedFirst->value(), this->averagedLast->value());
   const double last = std::max(this->averagedFirst->value(), this->averagedLast->value());
   const bool all = first <= study->statistics.Smallest() && last >= study->statistics.Largest();
-  Look look = this->model->CurrentScene().look;
+  Look look = this->model->EditedLook();
   look.averagedRange = all ? std::nullopt : std::optional(std::array<double, 2>{ first, last });
   this->model->SetLook(look, tr("range of averaged values"));
 }
@@ -139,12 +139,12 @@ void BlendingForm::ShowRow(QWidget* field, bool shown)
 
 void BlendingForm::Update(ScenePart part)
 {
-  if (part != ScenePart::Look && part != ScenePart::Volume)
+  if (part != ScenePart::Look && !IsOtherLookVolume(part))
   {
     return;
   }
-  const Look& look = this->model->CurrentScene().look;
-  const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
+  const Look& look = this->model->EditedLook();
+  const ImageStatistics& statistics = this->model->EditedStudy()->statistics;
   this->blend->setCurrentIndex(this->blend->findData(int(look.blend)));
   this->unitDistance->SetNumber(look.opacityUnitDistanceMm);
   const std::array<double, 2> range = look.averagedRange.value_or(

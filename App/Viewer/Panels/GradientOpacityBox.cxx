@@ -65,7 +65,7 @@ void GradientOpacityBox::Switch(bool on)
 {
   if (!on)
   {
-    this->remembered = this->model->CurrentScene().look.gradientOpacities;
+    this->remembered = this->model->EditedLook().gradientOpacities;
     this->Edit({}, tr("switch off opacity by gradient"), SceneModel::NoGesture);
     return;
   }
@@ -77,24 +77,24 @@ void GradientOpacityBox::Switch(bool on)
 void GradientOpacityBox::Edit(
   const std::vector<OpacityNode>& nodes, const QString& name, int gesture)
 {
-  Look look = this->model->CurrentScene().look;
+  Look look = this->model->EditedLook();
   look.gradientOpacities = nodes;
   this->model->SetLook(look, name, gesture);
 }
 
 void GradientOpacityBox::Update(ScenePart part)
 {
-  if (part == ScenePart::Volume)
+  if (IsOtherLookVolume(part))
   {
     this->remembered.clear();
-    const bool isCt = this->model->CurrentStudy()->volume.modality == "CT";
+    const bool isCt = this->model->EditedStudy()->volume.modality == "CT";
     this->editor->SetUnit(isCt ? tr("HU/mm") : tr("per mm"));
   }
-  if (part != ScenePart::Look && part != ScenePart::Volume)
+  if (part != ScenePart::Look && !IsOtherLookVolume(part))
   {
     return;
   }
-  const Look& look = this->model->CurrentScene().look;
+  const Look& look = this->model->EditedLook();
   this->setVisible(look.blend == Blend::Composite);
   this->isOn->setChecked(!look.gradientOpacities.empty());
   if (!look.gradientOpacities.empty())

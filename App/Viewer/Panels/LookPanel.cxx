@@ -163,9 +163,9 @@ QToolButton* LookPanel::MakeColorMaps()
     menu->addAction(PictureOf(map), name, this,
       [this, &map, name]
       {
-        const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
-        this->model->SetLook(WithColorMap(this->model->CurrentScene().look, map,
-                               statistics.Smallest(), statistics.Largest()),
+        const ImageStatistics& statistics = this->model->EditedStudy()->statistics;
+        this->model->SetLook(
+          WithColorMap(this->model->EditedLook(), map, statistics.Smallest(), statistics.Largest()),
           tr("colour map %1").arg(name));
       });
   }
@@ -175,15 +175,15 @@ QToolButton* LookPanel::MakeColorMaps()
 
 void LookPanel::Update(ScenePart part)
 {
-  if (part != ScenePart::Look && part != ScenePart::Volume)
+  if (part != ScenePart::Look && !IsOtherLookVolume(part))
   {
     return;
   }
-  const Look& look = this->model->CurrentScene().look;
+  const Look& look = this->model->EditedLook();
   this->editor->SetLook(look);
-  if (part == ScenePart::Volume)
+  if (IsOtherLookVolume(part))
   {
-    const auto study = this->model->CurrentStudy();
+    const auto study = this->model->EditedStudy();
     this->setEnabled(true);
     this->editor->SetUnit(study->volume.modality == "CT" ? tr("HU") : tr("value"));
     this->editor->SetStatistics({ study, &study->statistics });
@@ -195,8 +195,8 @@ void LookPanel::Update(ScenePart part)
 // the edited look.
 void LookPanel::ShowPreset()
 {
-  const Look& look = this->model->CurrentScene().look;
-  const bool isPreset = IsBuiltInLook(look, this->model->CurrentStudy()->statistics);
+  const Look& look = this->model->EditedLook();
+  const bool isPreset = IsBuiltInLook(look, this->model->EditedStudy()->statistics);
   const int presetCount = int(PresetNames().size());
   this->presets->removeItem(presetCount);
   const QString name = QString::fromStdString(look.name);
@@ -266,14 +266,14 @@ void LookPanel::Save(const QString& path)
 {
   this->Attempt(
     [&] {
-      WriteLookFile(PresetOf(this->model->CurrentScene()), path.toStdString(), this->FileContext());
+      WriteLookFile(PresetOf(this->model->EditedScene()), path.toStdString(), this->FileContext());
     });
 }
 
 LookContext LookPanel::FileContext() const
 {
-  LookContext context = ContextOf(this->model->CurrentStudy()->volume.image);
-  context.opacities = this->model->CurrentScene().look.opacities;
+  LookContext context = ContextOf(this->model->EditedStudy()->volume.image);
+  context.opacities = this->model->EditedLook().opacities;
   return context;
 }
 

@@ -128,12 +128,12 @@ void PresetGallery::showEvent(QShowEvent*)
 void PresetGallery::Update(ScenePart part)
 {
   this->thumbnails.Rest();
-  if (part == ScenePart::Volume)
+  if (IsOtherLookVolume(part))
   {
     this->setEnabled(true);
     this->ListPresets();
   }
-  const bool isOfPresets = part == ScenePart::Volume || part == ScenePart::Look ||
+  const bool isOfPresets = IsOtherLookVolume(part) || part == ScenePart::Look ||
     part == ScenePart::Render || part == ScenePart::Background;
   if (isOfPresets)
   {
@@ -143,7 +143,7 @@ void PresetGallery::Update(ScenePart part)
 
 void PresetGallery::ListPresets()
 {
-  const auto study = this->model->CurrentStudy();
+  const auto study = this->model->EditedStudy();
   this->problem->hide();
   this->presets.clear();
   this->list->clear();
@@ -167,7 +167,7 @@ void PresetGallery::AddItem(const QString& title, const QString& tip, const Pres
   item->setData(HasPictureRole, false);
   this->presets.push_back(preset);
   Look& look = this->presets.back().look;
-  look = InUnitsOfData(look, this->model->CurrentStudy()->statistics);
+  look = InUnitsOfData(look, this->model->EditedStudy()->statistics);
 }
 
 // The folder may contain files that are not looks.
@@ -187,7 +187,7 @@ void PresetGallery::AddOwn(const QString& name)
 
 void PresetGallery::DrawPictures()
 {
-  if (!this->isVisible() || !this->model->CurrentStudy())
+  if (!this->isVisible() || !this->model->EditedStudy())
   {
     return;
   }
@@ -201,7 +201,7 @@ void PresetGallery::DrawPictures()
       wanted.push_back(this->presets[row]);
     }
   }
-  this->thumbnails.Draw(this->model->CurrentStudy(), std::move(wanted), PictureSize);
+  this->thumbnails.Draw(this->model->EditedStudy(), std::move(wanted), PictureSize);
 }
 
 void PresetGallery::ShowPicture(int index, const QImage& picture)
@@ -218,7 +218,7 @@ void PresetGallery::ShowPicture(int index, const QImage& picture)
 
 void PresetGallery::MarkCurrent()
 {
-  const Scene& scene = this->model->CurrentScene();
+  const Scene scene = this->model->EditedScene();
   const std::string text = NamelessText(scene);
   const auto found = std::find_if(this->presets.begin(), this->presets.end(),
     [&](const Preset& preset) { return NamelessText(scene, preset) == text; });
@@ -229,7 +229,7 @@ void PresetGallery::MarkCurrent()
 void PresetGallery::Choose(int row)
 {
   // A double-click is also reported as a click; apply the preset only once.
-  const Scene& scene = this->model->CurrentScene();
+  const Scene scene = this->model->EditedScene();
   if (NamelessText(scene, this->presets[row]) != NamelessText(scene))
   {
     this->model->SetPreset(this->presets[row], tr("choose %1").arg(this->list->item(row)->text()));
@@ -242,7 +242,7 @@ void PresetGallery::Keep()
   this->Attempt(
     [this]
     {
-      this->AddOwn(this->ownPresets.Keep(PresetOf(this->model->CurrentScene())));
+      this->AddOwn(this->ownPresets.Keep(PresetOf(this->model->EditedScene())));
       this->DrawPictures();
       // Let the user type over the provisional name.
       QListWidgetItem* const item = this->list->item(this->list->count() - 1);

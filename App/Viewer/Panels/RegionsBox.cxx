@@ -103,12 +103,12 @@ void RegionsBox::Switch(bool on)
 {
   if (!on)
   {
-    this->remembered = this->model->CurrentScene().look.regions;
+    this->remembered = this->model->EditedLook().regions;
     this->Edit({}, tr("switch off regions"), SceneModel::NoGesture);
     return;
   }
   const LookRegion first =
-    EdgesOfVolume(this->model->CurrentStudy()->statistics, *this->counting->Counts());
+    EdgesOfVolume(this->model->EditedStudy()->statistics, *this->counting->Counts());
   this->Edit(this->remembered.empty() ? std::vector<LookRegion>{ first } : this->remembered,
     tr("switch on regions"), SceneModel::NoGesture);
   this->editor->Select(0);
@@ -116,26 +116,26 @@ void RegionsBox::Switch(bool on)
 
 void RegionsBox::Edit(const std::vector<LookRegion>& regions, const QString& name, int gesture)
 {
-  Look look = this->model->CurrentScene().look;
+  Look look = this->model->EditedLook();
   look.regions = regions;
   this->model->SetLook(look, name, gesture);
 }
 
 void RegionsBox::Update(ScenePart part)
 {
-  if (part == ScenePart::Volume)
+  if (IsOtherLookVolume(part))
   {
     this->remembered.clear();
     this->editor->SetUnit(
-      this->model->CurrentStudy()->volume.modality == "CT" ? tr("HU") : QString());
+      this->model->EditedStudy()->volume.modality == "CT" ? tr("HU") : QString());
   }
-  if (part != ScenePart::Look && part != ScenePart::Volume)
+  if (part != ScenePart::Look && !IsOtherLookVolume(part))
   {
     return;
   }
-  const Look& look = this->model->CurrentScene().look;
+  const Look& look = this->model->EditedLook();
   this->setVisible(
-    CanDrawRegions(MapperKind::Varimarch, look.blend, this->model->CurrentStudy()->volume.image));
+    CanDrawRegions(MapperKind::Varimarch, look.blend, this->model->EditedStudy()->volume.image));
   this->isOn->setChecked(!look.regions.empty());
   this->editor->SetRegions(look.regions);
   this->ShowNumbers();
@@ -145,7 +145,7 @@ void RegionsBox::TakeCounts()
 {
   const auto counts = this->counting->Counts();
   this->editor->SetHistogram({ counts, &counts->withValues });
-  const ImageStatistics& values = this->model->CurrentStudy()->statistics;
+  const ImageStatistics& values = this->model->EditedStudy()->statistics;
   this->isOn->setEnabled(values.Smallest() < values.Largest());
 }
 

@@ -43,7 +43,7 @@ ShadingBox::ShadingBox(SceneModel* model, QWidget* parent)
   connect(this, &QGroupBox::clicked, this,
     [this](bool on)
     {
-      Shading shading = this->model->CurrentScene().look.shading;
+      Shading shading = this->model->EditedLook().shading;
       shading.enabled = on;
       this->Edit(tr("shading"), shading, SceneModel::NoGesture);
     });
@@ -84,7 +84,7 @@ void ShadingBox::AddCoefficient(
   connect(slider, &NumberSlider::Edited, this,
     [=](double number, int gesture)
     {
-      Shading shading = this->model->CurrentScene().look.shading;
+      Shading shading = this->model->EditedLook().shading;
       shading.*coefficient = number;
       this->Edit(name.toLower(), shading, gesture);
     });
@@ -102,7 +102,7 @@ void ShadingBox::MakeDamping()
   connect(this->damping, &NumberSlider::Edited, this,
     [this](double gradient, int gesture)
     {
-      Look look = this->model->CurrentScene().look;
+      Look look = this->model->EditedLook();
       look.dampingGradient = gradient;
       this->model->SetLook(look, tr("damping"), gesture);
     });
@@ -122,22 +122,22 @@ void ShadingBox::ShowDampingOf(const Study& study)
 
 void ShadingBox::Edit(const QString& name, const Shading& shading, int gesture)
 {
-  Look look = this->model->CurrentScene().look;
+  Look look = this->model->EditedLook();
   look.shading = shading;
   this->model->SetLook(look, name, gesture);
 }
 
 void ShadingBox::Update(ScenePart part)
 {
-  if (part != ScenePart::Look && part != ScenePart::Volume)
+  if (part != ScenePart::Look && !IsOtherLookVolume(part))
   {
     return;
   }
-  if (part == ScenePart::Volume)
+  if (IsOtherLookVolume(part))
   {
-    this->ShowDampingOf(*this->model->CurrentStudy());
+    this->ShowDampingOf(*this->model->EditedStudy());
   }
-  const Look& look = this->model->CurrentScene().look;
+  const Look& look = this->model->EditedLook();
   this->damping->SetNumber(look.dampingGradient);
   this->setVisible(look.blend == Blend::Composite || look.blend == Blend::Isosurface);
   this->setChecked(look.shading.enabled);

@@ -25,7 +25,7 @@ BrightnessTool::BrightnessTool(SceneModel* model, const ToolSurface& surface)
 bool BrightnessTool::Press(const QPointF& place)
 {
   this->pressed = place;
-  this->before = this->model->CurrentScene().look;
+  this->before = this->model->EditedLook();
   this->gesture = NewGesture();
   return true;
 }
@@ -35,7 +35,7 @@ void BrightnessTool::Drag(const QPointF& place)
 {
   const QSizeF size = this->surface.Frame().size;
   const QPointF moved = (place - this->pressed) / std::min(size.width(), size.height());
-  const ImageStatistics& statistics = this->model->CurrentStudy()->statistics;
+  const ImageStatistics& statistics = this->model->EditedStudy()->statistics;
   const double range = statistics.Percentile(99.9) - statistics.Percentile(0.1);
   const double factor = std::clamp(std::exp(moved.x()), 1.0 / WidestFactor, WidestFactor);
   const double middle = MiddleOfOpacities(this->before);

@@ -191,16 +191,20 @@
 %5, %6 Voxel</translation>
     </message>
     <message>
-        <source>%1%2 at %3, %4, %5 mm</source>
-        <translation>%1%2 bei %3, %4, %5 mm</translation>
-    </message>
-    <message>
         <source>HU </source>
         <translation>HE </translation>
     </message>
     <message>
         <source>value </source>
         <translation>Wert </translation>
+    </message>
+    <message>
+        <source>SUV %1 (%2)</source>
+        <translation>SUV %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3, %4 mm</source>
+        <translation>%1 bei %2, %3, %4 mm</translation>
     </message>
 </context>
 <context>
@@ -416,6 +420,10 @@ Masken nicht unterstützt</translation>
     <message>
         <source>the body part is %1, but few values are those of lungs</source>
         <translation>die Körperregion ist %1, aber wenige Werte sind die von Lungen</translation>
+    </message>
+    <message>
+        <source>PET hot</source>
+        <translation>PET heiß</translation>
     </message>
 </context>
 <context>
@@ -1197,6 +1205,37 @@ Masken nicht unterstützt</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::FusionBar</name>
+    <message>
+        <source>Checkerboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Blend of the volumes</source>
+        <translation>Mischung der Volumen</translation>
+    </message>
+    <message>
+        <source>0 shows the first volume, 1 those over it</source>
+        <translation>0 zeigt das erste Volumen, 1 die darüber</translation>
+    </message>
+    <message>
+        <source>Shows the volumes in alternate squares of 20 mm</source>
+        <translation>Zeigt die Volumen abwechselnd in Quadraten von 20 mm</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
+        <source>blend of the volumes</source>
+        <translation>Mischung der Volumen</translation>
+    </message>
+    <message>
+        <source>checkerboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::GradientOpacityBox</name>
     <message>
         <source>Opacity by gradient</source>
@@ -1841,6 +1880,62 @@ Masken nicht unterstützt</translation>
     <message>
         <source>Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around</source>
         <translation>Durch das Volumen gehen: W, A, S, D oder Pfeiltasten, E und Q; Ziehen blickt umher</translation>
+    </message>
+    <message>
+        <source>A&amp;dd a scan…</source>
+        <translation>Aufnahme &amp;hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Add a scan</source>
+        <translation>Aufnahme hinzufügen</translation>
+    </message>
+    <message>
+        <source>Where is the scan to draw over the one that is shown?</source>
+        <translation>Wo liegt die Aufnahme, die über die gezeigte gezeichnet werden soll?</translation>
+    </message>
+    <message>
+        <source>In a file…</source>
+        <translation>In einer Datei…</translation>
+    </message>
+    <message>
+        <source>In a folder of DICOM files…</source>
+        <translation>In einem Ordner mit DICOM-Dateien…</translation>
+    </message>
+    <message>
+        <source>add a scan</source>
+        <translation>Aufnahme hinzufügen</translation>
+    </message>
+    <message>
+        <source>Added %1; the look panels now change it</source>
+        <translation>%1 hinzugefügt; die Felder für das Aussehen ändern jetzt dieses Volumen</translation>
+    </message>
+    <message>
+        <source>The two scans have different frames of reference: they may not fit on each other. Check their place in the slices, and move or register the added one.</source>
+        <translation>Die beiden Aufnahmen haben verschiedene Bezugssysteme: sie passen vielleicht nicht aufeinander. Prüfen Sie ihre Lage in den Schichten, und verschieben oder registrieren Sie die hinzugefügte.</translation>
+    </message>
+    <message>
+        <source>The files do not say whether the two scans are in the same space. They are placed by their coordinates: check that in the slices, and move or register the added one.</source>
+        <translation>Die Dateien sagen nicht, ob die beiden Aufnahmen im selben Raum liegen. Sie liegen nach ihren Koordinaten: prüfen Sie das in den Schichten, und verschieben oder registrieren Sie die hinzugefügte.</translation>
+    </message>
+    <message>
+        <source>Registering</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>Cannot register</source>
+        <translation>Registrierung nicht möglich</translation>
+    </message>
+    <message>
+        <source>register a volume</source>
+        <translation>Volumen registrieren</translation>
+    </message>
+    <message>
+        <source>Registered; compare the volumes in the slices before you trust it</source>
+        <translation>Registriert; vergleichen Sie die Volumen in den Schichten, bevor Sie sich darauf verlassen</translation>
     </message>
 </context>
 <context>
@@ -2803,6 +2898,157 @@ ml</translation>
     <message>
         <source>turn the camera</source>
         <translation>Kamera drehen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::VolumesPanel</name>
+    <message>
+        <source>computed volume</source>
+        <translation>berechnetes Volumen</translation>
+    </message>
+    <message>
+        <source>Several volumes are drawn together as composites, without segments, shadows and ambient occlusion.</source>
+        <translation>Mehrere Volumen werden zusammen mit der Mischung Überlagerung gezeichnet, ohne Segmente, Schatten und Umgebungsverdeckung.</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>The look panels change the selected volume</source>
+        <translation>Die Felder für das Aussehen ändern das ausgewählte Volumen</translation>
+    </message>
+    <message>
+        <source>Add a scan…</source>
+        <translation>Aufnahme hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Opacity of the volume</source>
+        <translation>Deckkraft des Volumens</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Hot</source>
+        <translation>Heiß</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>In slices</source>
+        <translation>In Schichten</translation>
+    </message>
+    <message>
+        <source>opacity of a volume</source>
+        <translation>Deckkraft eines Volumens</translation>
+    </message>
+    <message>
+        <source>colours in slices</source>
+        <translation>Farben in Schichten</translation>
+    </message>
+    <message>
+        <source>Place beside its patient coordinates</source>
+        <translation>Lage neben den Patientenkoordinaten</translation>
+    </message>
+    <message>
+        <source>Move to the patient&apos;s left</source>
+        <translation>Nach links des Patienten verschieben</translation>
+    </message>
+    <message>
+        <source>Move to the back</source>
+        <translation>Nach hinten verschieben</translation>
+    </message>
+    <message>
+        <source>Move to the head</source>
+        <translation>Zum Kopf verschieben</translation>
+    </message>
+    <message>
+        <source>Turn about the axis to the left</source>
+        <translation>Um die Achse nach links drehen</translation>
+    </message>
+    <message>
+        <source>Turn about the axis to the back</source>
+        <translation>Um die Achse nach hinten drehen</translation>
+    </message>
+    <message>
+        <source>Turn about the axis to the head</source>
+        <translation>Um die Achse zum Kopf drehen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Patient coordinates</source>
+        <translation>Patientenkoordinaten</translation>
+    </message>
+    <message>
+        <source>patient coordinates</source>
+        <translation>Patientenkoordinaten</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registrieren</translation>
+    </message>
+    <message>
+        <source>Finds the place where the volume fits the first one best, as a rigid body</source>
+        <translation>Findet die Lage, in der das Volumen als starrer Körper am besten auf das erste passt</translation>
+    </message>
+    <message>
+        <source>rename</source>
+        <translation>umbenennen</translation>
+    </message>
+    <message>
+        <source>show a volume</source>
+        <translation>Volumen zeigen</translation>
+    </message>
+    <message>
+        <source>hide a volume</source>
+        <translation>Volumen verbergen</translation>
+    </message>
+    <message>
+        <source>move a volume</source>
+        <translation>Volumen verschieben</translation>
+    </message>
+    <message>
+        <source>order of volumes</source>
+        <translation>Reihenfolge der Volumen</translation>
+    </message>
+    <message>
+        <source>remove a volume</source>
+        <translation>Volumen entfernen</translation>
     </message>
 </context>
 <context>

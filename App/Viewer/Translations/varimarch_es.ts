@@ -191,16 +191,20 @@
 %5, %6 vóxeles</translation>
     </message>
     <message>
-        <source>%1%2 at %3, %4, %5 mm</source>
-        <translation>%1%2 en %3, %4, %5 mm</translation>
-    </message>
-    <message>
         <source>HU </source>
         <translation>UH </translation>
     </message>
     <message>
         <source>value </source>
         <translation>valor </translation>
+    </message>
+    <message>
+        <source>SUV %1 (%2)</source>
+        <translation>SUV %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3, %4 mm</source>
+        <translation>%1 en %2, %3, %4 mm</translation>
     </message>
 </context>
 <context>
@@ -416,6 +420,10 @@ no admite máscaras</translation>
     <message>
         <source>the body part is %1, but few values are those of lungs</source>
         <translation>la región del cuerpo es %1, pero pocos valores son de pulmones</translation>
+    </message>
+    <message>
+        <source>PET hot</source>
+        <translation>PET cálido</translation>
     </message>
 </context>
 <context>
@@ -1197,6 +1205,37 @@ no admite máscaras</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::FusionBar</name>
+    <message>
+        <source>Checkerboard</source>
+        <translation>Tablero</translation>
+    </message>
+    <message>
+        <source>Blend of the volumes</source>
+        <translation>Mezcla de los volúmenes</translation>
+    </message>
+    <message>
+        <source>0 shows the first volume, 1 those over it</source>
+        <translation>0 muestra el primer volumen, 1 los que están encima</translation>
+    </message>
+    <message>
+        <source>Shows the volumes in alternate squares of 20 mm</source>
+        <translation>Muestra los volúmenes en cuadrados alternos de 20 mm</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Mezcla</translation>
+    </message>
+    <message>
+        <source>blend of the volumes</source>
+        <translation>mezcla de los volúmenes</translation>
+    </message>
+    <message>
+        <source>checkerboard</source>
+        <translation>tablero</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::GradientOpacityBox</name>
     <message>
         <source>Opacity by gradient</source>
@@ -1841,6 +1880,62 @@ no admite máscaras</translation>
     <message>
         <source>Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around</source>
         <translation>Caminar por el volumen: W, A, S, D o flechas, E y Q; arrastre para mirar alrededor</translation>
+    </message>
+    <message>
+        <source>A&amp;dd a scan…</source>
+        <translation>A&amp;ñadir un estudio…</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volúmenes</translation>
+    </message>
+    <message>
+        <source>Add a scan</source>
+        <translation>Añadir un estudio</translation>
+    </message>
+    <message>
+        <source>Where is the scan to draw over the one that is shown?</source>
+        <translation>¿Dónde está el estudio que se dibujará sobre el mostrado?</translation>
+    </message>
+    <message>
+        <source>In a file…</source>
+        <translation>En un archivo…</translation>
+    </message>
+    <message>
+        <source>In a folder of DICOM files…</source>
+        <translation>En una carpeta de archivos DICOM…</translation>
+    </message>
+    <message>
+        <source>add a scan</source>
+        <translation>añadir un estudio</translation>
+    </message>
+    <message>
+        <source>Added %1; the look panels now change it</source>
+        <translation>Se añadió %1; los paneles de aspecto cambian ahora este volumen</translation>
+    </message>
+    <message>
+        <source>The two scans have different frames of reference: they may not fit on each other. Check their place in the slices, and move or register the added one.</source>
+        <translation>Los dos estudios tienen sistemas de referencia distintos: puede que no coincidan. Compruebe su posición en los cortes y mueva o registre el añadido.</translation>
+    </message>
+    <message>
+        <source>The files do not say whether the two scans are in the same space. They are placed by their coordinates: check that in the slices, and move or register the added one.</source>
+        <translation>Los archivos no dicen si los dos estudios están en el mismo espacio. Se colocan según sus coordenadas: compruébelo en los cortes y mueva o registre el añadido.</translation>
+    </message>
+    <message>
+        <source>Registering</source>
+        <translation>Registrando</translation>
+    </message>
+    <message>
+        <source>Cannot register</source>
+        <translation>No se puede registrar</translation>
+    </message>
+    <message>
+        <source>register a volume</source>
+        <translation>registrar un volumen</translation>
+    </message>
+    <message>
+        <source>Registered; compare the volumes in the slices before you trust it</source>
+        <translation>Registrado; compare los volúmenes en los cortes antes de fiarse</translation>
     </message>
 </context>
 <context>
@@ -2803,6 +2898,157 @@ ml</translation>
     <message>
         <source>turn the camera</source>
         <translation>girar la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::VolumesPanel</name>
+    <message>
+        <source>computed volume</source>
+        <translation>volumen calculado</translation>
+    </message>
+    <message>
+        <source>Several volumes are drawn together as composites, without segments, shadows and ambient occlusion.</source>
+        <translation>Varios volúmenes se dibujan juntos como compuestos, sin segmentos, sombras ni oclusión ambiental.</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volúmenes</translation>
+    </message>
+    <message>
+        <source>The look panels change the selected volume</source>
+        <translation>Los paneles de aspecto cambian el volumen seleccionado</translation>
+    </message>
+    <message>
+        <source>Add a scan…</source>
+        <translation>Añadir un estudio…</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Subir</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bajar</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Opacity of the volume</source>
+        <translation>Opacidad del volumen</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Hot</source>
+        <translation>Cálido</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Verde</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>In slices</source>
+        <translation>En los cortes</translation>
+    </message>
+    <message>
+        <source>opacity of a volume</source>
+        <translation>opacidad de un volumen</translation>
+    </message>
+    <message>
+        <source>colours in slices</source>
+        <translation>colores en los cortes</translation>
+    </message>
+    <message>
+        <source>Place beside its patient coordinates</source>
+        <translation>Posición respecto a las coordenadas del paciente</translation>
+    </message>
+    <message>
+        <source>Move to the patient&apos;s left</source>
+        <translation>Mover hacia la izquierda del paciente</translation>
+    </message>
+    <message>
+        <source>Move to the back</source>
+        <translation>Mover hacia atrás</translation>
+    </message>
+    <message>
+        <source>Move to the head</source>
+        <translation>Mover hacia la cabeza</translation>
+    </message>
+    <message>
+        <source>Turn about the axis to the left</source>
+        <translation>Girar alrededor del eje hacia la izquierda</translation>
+    </message>
+    <message>
+        <source>Turn about the axis to the back</source>
+        <translation>Girar alrededor del eje hacia atrás</translation>
+    </message>
+    <message>
+        <source>Turn about the axis to the head</source>
+        <translation>Girar alrededor del eje hacia la cabeza</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Patient coordinates</source>
+        <translation>Coordenadas del paciente</translation>
+    </message>
+    <message>
+        <source>patient coordinates</source>
+        <translation>coordenadas del paciente</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registrar</translation>
+    </message>
+    <message>
+        <source>Finds the place where the volume fits the first one best, as a rigid body</source>
+        <translation>Busca la posición en que el volumen encaja mejor sobre el primero, como cuerpo rígido</translation>
+    </message>
+    <message>
+        <source>rename</source>
+        <translation>renombrar</translation>
+    </message>
+    <message>
+        <source>show a volume</source>
+        <translation>mostrar un volumen</translation>
+    </message>
+    <message>
+        <source>hide a volume</source>
+        <translation>ocultar un volumen</translation>
+    </message>
+    <message>
+        <source>move a volume</source>
+        <translation>mover un volumen</translation>
+    </message>
+    <message>
+        <source>order of volumes</source>
+        <translation>orden de los volúmenes</translation>
+    </message>
+    <message>
+        <source>remove a volume</source>
+        <translation>quitar un volumen</translation>
     </message>
 </context>
 <context>

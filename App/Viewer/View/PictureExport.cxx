@@ -64,19 +64,35 @@ void ForgetNames(std::vector<Named>& all)
   }
 }
 
-// The scene without paths and names given by the user, which may contain a patient's name.
-std::string AnonymousText(Scene scene)
+void ForgetFile(VolumeSource& volume)
 {
-  if (auto* const file = std::get_if<FileSource>(&scene.volume))
+  if (auto* const file = std::get_if<FileSource>(&volume))
   {
     file->path = "volume";
     file->series.clear();
   }
-  if (!IsPresetName(scene.look.name))
+}
+
+void ForgetOwnName(Look& look)
+{
+  if (!IsPresetName(look.name))
   {
-    scene.look.name.clear();
-    scene.look.description.clear();
+    look.name.clear();
+    look.description.clear();
   }
+}
+
+// The scene without paths and names given by the user, which may contain a patient's name.
+std::string AnonymousText(Scene scene)
+{
+  ForgetFile(scene.volume);
+  for (OverlaidVolume& overlay : scene.overlays)
+  {
+    ForgetFile(overlay.source);
+    ForgetOwnName(overlay.look);
+  }
+  ForgetNames(scene.overlays);
+  ForgetOwnName(scene.look);
   ForgetNames(scene.distances);
   ForgetNames(scene.angles);
   ForgetNames(scene.boxes);
@@ -103,6 +119,7 @@ PictureMaker::PictureMaker(const Scene& scene, const Study& study, const ExportO
     this->view->Pipeline().SetLabels(study.labels);
     this->view->Pipeline().SetSegments(this->scene.labels->segments);
   }
+  this->view->Pipeline().SetOverlays(this->scene.overlays, OverlayImages(study));
 }
 
 PictureMaker::~PictureMaker()

@@ -3,13 +3,10 @@
 #include "Scene/SceneCuts.h"
 #include "Scene/ScenePicking.h"
 #include "Scene/SliceNumber.h"
-#include "Scene/SliceSegments.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/SliceWindows.h"
-#include "Viewer/View/MeasureOverlay.h"
 #include "Viewer/View/SliceCorners.h"
 
-#include <QImage>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -28,7 +25,6 @@ namespace
 {
 
 constexpr double ZoomPerNotch = 1.15;
-const QColor CrosshairColor(90, 200, 250, 170);
 
 }
 
@@ -58,7 +54,8 @@ void SliceView::Update(ScenePart part)
     this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
     this->update();
   }
-  if (part == ScenePart::Slices || part == ScenePart::Labels || part == ScenePart::Segments)
+  if (part == ScenePart::Slices || part == ScenePart::Labels || part == ScenePart::Segments ||
+    part == ScenePart::Overlays)
   {
     this->update();
   }
@@ -127,48 +124,9 @@ void SliceView::paintEvent(QPaintEvent*)
   if (this->hasFocus())
   {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(CrosshairColor);
+    painter.setPen(ColorOfCrosshair());
     painter.drawRect(QRectF(this->rect()).adjusted(0.5, 0.5, -0.5, -0.5));
   }
-}
-
-void SliceView::DrawVoxels(QPainter& painter) const
-{
-  // Render at the resolution of the screen.
-  SliceRequest request = this->Request();
-  const double ratio = this->devicePixelRatioF();
-  request.width = std::max(int(request.width * ratio), 1);
-  request.height = std::max(int(request.height * ratio), 1);
-  request.mmPerPixel /= ratio;
-  const Study& study = *this->model->CurrentStudy();
-  const std::vector<std::uint8_t> grays = SlicePicture(study.volume.image, request);
-  painter.drawImage(this->rect(),
-    QImage(grays.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
-  if (const auto& labels = this->model->CurrentScene().labels)
-  {
-    const std::vector<Rgba> colors = SliceSegments(study.labels->image, labels->segments, request);
-    painter.drawImage(this->rect(),
-      QImage(colors.data()->data(), request.width, request.height, QImage::Format_RGBA8888));
-  }
-}
-
-void SliceView::DrawMeasuresOfSlice(QPainter& painter) const
-{
-  painter.setRenderHint(QPainter::Antialiasing);
-  DrawMeasures(painter,
-    { this->model->CurrentScene(), this->texts, this->model->CurrentStudy()->volume.image },
-    this->Frame(),
-    { [this](const auto& from, const auto& to) { return this->Shows(from, to); },
-      [](const auto&) { return false; } });
-  this->measure.Paint(painter);
-}
-
-void SliceView::DrawCrosshair(QPainter& painter) const
-{
-  const QPointF place = this->PlaceOf(this->Crosshair());
-  painter.setPen(CrosshairColor);
-  painter.drawLine(QPointF(0.0, place.y()), QPointF(this->width(), place.y()));
-  painter.drawLine(QPointF(place.x(), 0.0), QPointF(place.x(), this->height()));
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event)

@@ -7,6 +7,7 @@
 #include "Viewer/Tools/MouseTools.h"
 #include "Viewer/View/SlicePlacement.h"
 
+#include <QColor>
 #include <QPoint>
 #include <QWidget>
 
@@ -62,7 +63,9 @@ private:
   void DrawMeasuresOfSlice(QPainter& painter) const;
   SliceRequest Request() const;
   void DrawVoxels(QPainter& painter) const;
+  void DrawOverlays(QPainter& painter, SliceRequest request) const;
   void DrawCrosshair(QPainter& painter) const;
+  static QColor ColorOfCrosshair();
   void DragWindowLevel(const QPoint& moved);
   void DragSlice(const QPoint& moved);
   void Zoom(double notches);

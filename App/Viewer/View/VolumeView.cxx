@@ -148,7 +148,13 @@ void VolumeView::Update(ScenePart part)
       break;
     case ScenePart::Look:
       this->pipeline->SetLook(scene.look);
+      this->TakeOverlays();
       break;
+    case ScenePart::Overlays:
+      this->TakeOverlays();
+      break;
+    case ScenePart::EditedVolume:
+      return;
     case ScenePart::Lights:
       this->pipeline->SetLights(scene.lights);
       this->pipeline->SetShadows(scene.shadows);
@@ -191,6 +197,7 @@ void VolumeView::TakeVolume()
   this->pipeline.emplace(
     this->model->CurrentScene(), this->model->CurrentStudy()->volume.image, this->kind);
   this->TakeLabels();
+  this->TakeOverlays();
   // The corner of the view says whether the error tolerance is kept; the mapper need not warn.
   this->pipeline->Mapper()->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
   this->events->Connect(this->pipeline->Mapper(), GraphicsResetEvent, this, SLOT(LoseGraphics()));
@@ -198,6 +205,12 @@ void VolumeView::TakeVolume()
   this->window->AddRenderer(this->pipeline->Renderer());
   this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
   this->TakeCamera();
+}
+
+void VolumeView::TakeOverlays()
+{
+  this->pipeline->SetOverlays(
+    this->model->CurrentScene().overlays, OverlayImages(*this->model->CurrentStudy()));
 }
 
 void VolumeView::TakeLabels()

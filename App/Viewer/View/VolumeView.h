@@ -106,6 +106,7 @@ private:
   void FollowCamera();
   void TakeVolume();
   void TakeLabels();
+  void TakeOverlays();
   void TakeCamera();
   void Draw(double framesPerSecond);
   void DrawFinely();

@@ -1,0 +1,286 @@
+#include "Viewer/Panels/VolumesPanel.h"
+
+#include "Viewer/Panels/NumberSlider.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr double FarthestMm = 5000.0;
+
+QString NameOfSource(const VolumeSource& source)
+{
+  const auto* const file = std::get_if<FileSource>(&source);
+  return file ? QFileInfo(QString::fromStdString(file->path)).fileName()
+              : VolumesPanel::tr("computed volume");
+}
+
+QDoubleSpinBox* NewNumber(const QString& name, double largest, const QString& suffix)
+{
+  auto* const box = new QDoubleSpinBox;
+  box->setRange(-largest, largest);
+  box->setDecimals(1);
+  box->setSuffix(suffix);
+  box->setAccessibleName(name);
+  box->setToolTip(name);
+  box->setKeyboardTracking(false);
+  return box;
+}
+
+}
+
+VolumesPanel::VolumesPanel(SceneModel* model, QWidget* parent)
+  : QWidget(parent)
+  , model(model)
+  , list(new QListWidget)
+  , note(
+      new QLabel(tr("Several volumes are drawn together as composites, without segments, shadows "
+                    "and ambient occlusion.")))
+{
+  this->note->setWordWrap(true);
+  this->note->setObjectName("note");
+  this->list->setObjectName("volumes");
+  this->list->setAccessibleName(tr("Volumes"));
+  this->list->setMinimumHeight(90);
+  this->list->setToolTip(tr("The look panels change the selected volume"));
+  auto* const column = new QVBoxLayout(this);
+  column->addWidget(this->list, 1);
+  column->addWidget(this->MakeButtons());
+  column->addWidget(this->note);
+  column->addWidget(this->MakeAppearance());
+  column->addWidget(this->MakePlace());
+  connect(this->list, &QListWidget::itemChanged, this, &VolumesPanel::TakeItem);
+  connect(this->list, &QListWidget::currentRowChanged, this,
+    [this](int row)
+    {
+      if (row >= 0)
+      {
+        this->model->SetEditedVolume(row);
+        this->ShowSelected();
+      }
+    });
+  connect(model, &SceneModel::Changed, this, &VolumesPanel::Show);
+  this->setEnabled(false);
+}
+
+QWidget* VolumesPanel::MakeButtons()
+{
+  auto* const buttons = new QWidget;
+  auto* const grid = new QGridLayout(buttons);
+  grid->setContentsMargins(0, 0, 0, 0);
+  const auto button = [&](const char* name, const QString& text, int row, int column, int span = 1)
+  {
+    auto* const added = new QPushButton(text);
+    added->setObjectName(name);
+    grid->addWidget(added, row, column, 1, span);
+    return added;
+  };
+  this->add = button("addScan", tr("Add a scan…"), 0, 0, 3);
+  this->up = button("up", tr("Up"), 1, 0);
+  this->down = button("down", tr("Down"), 1, 1);
+  this->remove = button("remove", tr("Remove"), 1, 2);
+  connect(this->add, &QPushButton::clicked, this, &VolumesPanel::AddWanted);
+  connect(this->up, &QPushButton::clicked, this, [this] { this->Move(-1); });
+  connect(this->down, &QPushButton::clicked, this, [this] { this->Move(1); });
+  connect(this->remove, &QPushButton::clicked, this, &VolumesPanel::Remove);
+  return buttons;
+}
+
+QWidget* VolumesPanel::MakeAppearance()
+{
+  this->appearance = new QWidget;
+  this->opacity = new NumberSlider(0.0, 1.0, NumberSlider::Scale::Linear);
+  this->opacity->setAccessibleName(tr("Opacity of the volume"));
+  this->colors = new QComboBox;
+  this->colors->setObjectName("sliceColors");
+  this->colors->addItems({ tr("Grey"), tr("Hot"), tr("Green") }); // in the order of SliceColors
+  auto* const form = new QFormLayout(this->appearance);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(tr("Opacity"), this->opacity);
+  form->addRow(tr("In slices"), this->colors);
+  connect(this->opacity, &NumberSlider::Edited, this,
+    [this](double number, int gesture)
+    {
+      this->Edit(
+        tr("opacity of a volume"), [=](OverlaidVolume& overlay) { overlay.opacity = number; },
+        gesture);
+    });
+  connect(this->colors, QOverload<int>::of(&QComboBox::activated), this,
+    [this](int index)
+    {
+      this->Edit(tr("colours in slices"),
+        [=](OverlaidVolume& overlay) { overlay.sliceColors = SliceColors(index); });
+    });
+  return this->appearance;
+}
+
+QWidget* VolumesPanel::MakePlace()
+{
+  this->place = new QGroupBox(tr("Place beside its patient coordinates"));
+  auto* const grid = new QGridLayout(this->place);
+  const QString moveNames[] = { tr("Move to the patient's left"), tr("Move to the back"),
+    tr("Move to the head") };
+  const QString turnNames[] = { tr("Turn about the axis to the left"),
+    tr("Turn about the axis to the back"), tr("Turn about the axis to the head") };
+  grid->addWidget(new QLabel(tr("Move")), 0, 0);
+  grid->addWidget(new QLabel(tr("Turn")), 1, 0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->moves[axis] = NewNumber(moveNames[axis], FarthestMm, tr(" mm"));
+    this->turns[axis] = NewNumber(turnNames[axis], 180.0, tr("°"));
+    this->moves[axis]->setObjectName(QStringLiteral("move%1").arg(axis));
+    this->turns[axis]->setObjectName(QStringLiteral("turn%1").arg(axis));
+    grid->addWidget(this->moves[axis], 0, axis + 1);
+    grid->addWidget(this->turns[axis], 1, axis + 1);
+    for (const QDoubleSpinBox* const number : { this->moves[axis], this->turns[axis] })
+    {
+      connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+        &VolumesPanel::TakePlace);
+    }
+  }
+  auto* const reset = new QPushButton(tr("Patient coordinates"));
+  reset->setObjectName("resetPlace");
+  connect(reset, &QPushButton::clicked, this,
+    [this]
+    {
+      this->Edit(
+        tr("patient coordinates"), [](OverlaidVolume& overlay) { overlay.placement = {}; });
+    });
+  auto* const fit = new QPushButton(tr("Register"));
+  fit->setObjectName("register");
+  fit->setToolTip(tr("Finds the place where the volume fits the first one best, as a rigid body"));
+  connect(
+    fit, &QPushButton::clicked, this, [this] { emit this->RegistrationWanted(this->Selected()); });
+  grid->addWidget(reset, 2, 0, 1, 2);
+  grid->addWidget(fit, 2, 2, 1, 2);
+  return this->place;
+}
+
+int VolumesPanel::Selected() const
+{
+  return this->list->currentRow() - 1;
+}
+
+void VolumesPanel::Show(ScenePart part)
+{
+  if (part == ScenePart::Volume || part == ScenePart::Overlays || part == ScenePart::EditedVolume)
+  {
+    this->setEnabled(true);
+    this->ShowRows();
+    this->ShowSelected();
+  }
+}
+
+void VolumesPanel::ShowRows()
+{
+  const Scene& scene = this->model->CurrentScene();
+  const QSignalBlocker quiet(this->list);
+  this->list->clear();
+  this->list->addItem(NameOfSource(scene.volume));
+  for (const OverlaidVolume& overlay : scene.overlays)
+  {
+    const QString name = QString::fromStdString(overlay.name);
+    auto* const item =
+      new QListWidgetItem(name.isEmpty() ? NameOfSource(overlay.source) : name, this->list);
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+    item->setCheckState(overlay.visible ? Qt::Checked : Qt::Unchecked);
+  }
+  this->list->setCurrentRow(this->model->EditedVolume());
+}
+
+void VolumesPanel::ShowSelected()
+{
+  const Scene& scene = this->model->CurrentScene();
+  const int selected = this->Selected();
+  const int count = int(scene.overlays.size());
+  const bool isOverlay = selected >= 0 && selected < count;
+  this->note->setVisible(count > 0);
+  this->add->setEnabled(count + 1 < int(MostVolumes));
+  this->up->setEnabled(isOverlay && selected > 0);
+  this->down->setEnabled(isOverlay && selected + 1 < count);
+  this->remove->setEnabled(isOverlay);
+  this->appearance->setVisible(isOverlay);
+  this->place->setVisible(isOverlay);
+  if (!isOverlay)
+  {
+    return;
+  }
+  const OverlaidVolume& overlay = scene.overlays[selected];
+  this->opacity->SetNumber(overlay.opacity);
+  this->colors->setCurrentIndex(int(overlay.sliceColors));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const QSignalBlocker quietMove(this->moves[axis]);
+    const QSignalBlocker quietTurn(this->turns[axis]);
+    this->moves[axis]->setValue(overlay.placement.moveMm[axis]);
+    this->turns[axis]->setValue(overlay.placement.turnDegrees[axis]);
+  }
+}
+
+// The user renamed a volume, or showed or hid it.
+void VolumesPanel::TakeItem(const QListWidgetItem* item)
+{
+  const int changed = this->list->row(item) - 1;
+  if (changed < 0)
+  {
+    return;
+  }
+  const bool isShown = item->checkState() == Qt::Checked;
+  const std::string name = item->text().trimmed().toStdString();
+  const OverlaidVolume& before = this->model->CurrentScene().overlays[changed];
+  const QString step = isShown == before.visible ? tr("rename")
+    : isShown                                    ? tr("show a volume")
+                                                 : tr("hide a volume");
+  this->model->Edit(ScenePart::Overlays, step,
+    [&](Scene& scene)
+    {
+      scene.overlays[changed].visible = isShown;
+      scene.overlays[changed].name = name;
+    });
+}
+
+void VolumesPanel::TakePlace()
+{
+  Placement placement;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    placement.moveMm[axis] = this->moves[axis]->value();
+    placement.turnDegrees[axis] = this->turns[axis]->value();
+  }
+  this->Edit(tr("move a volume"), [&](OverlaidVolume& overlay) { overlay.placement = placement; });
+}
+
+void VolumesPanel::Move(int step)
+{
+  const int from = this->Selected();
+  this->model->MoveOverlay(from, from + step, tr("order of volumes"));
+}
+
+void VolumesPanel::Remove()
+{
+  this->model->RemoveOverlay(this->Selected(), tr("remove a volume"));
+}
+
+void VolumesPanel::Edit(
+  const QString& step, const std::function<void(OverlaidVolume&)>& change, int gesture)
+{
+  this->model->Edit(
+    ScenePart::Overlays, step,
+    [&, selected = this->Selected()](Scene& scene) { change(scene.overlays[selected]); }, gesture);
+}
+
+}

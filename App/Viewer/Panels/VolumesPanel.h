@@ -1,0 +1,71 @@
+#ifndef Varimarch_Viewer_VolumesPanel_h
+#define Varimarch_Viewer_VolumesPanel_h
+
+#include "Viewer/Model/SceneModel.h"
+
+#include <QWidget>
+
+#include <array>
+#include <functional>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGroupBox;
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+class QPushButton;
+
+namespace varimarch
+{
+
+class NumberSlider;
+
+/// The volumes of the scene: the first, and those over it. The selected one is the volume whose
+/// look the other panels edit. Volumes over the first have an opacity, colours in slices and a
+/// place.
+class VolumesPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit VolumesPanel(SceneModel* model, QWidget* parent = nullptr);
+
+signals:
+  void AddWanted();
+  /// @param overlay  the index in the scene's overlays
+  void RegistrationWanted(int overlay);
+
+private:
+  QWidget* MakeButtons();
+  QWidget* MakeAppearance();
+  QWidget* MakePlace();
+  void Show(ScenePart part);
+  void ShowRows();
+  void ShowSelected();
+  int Selected() const; ///< index of the selected overlay; -1 for the first volume
+  void TakeItem(const QListWidgetItem* item);
+  void TakePlace();
+  void Move(int step);
+  void Remove();
+  void Edit(const QString& step, const std::function<void(OverlaidVolume&)>& change,
+    int gesture = SceneModel::NoGesture);
+
+  SceneModel* model;
+  QListWidget* list;
+  QLabel* note; ///< says what several volumes are drawn without
+  QPushButton* add;
+  QPushButton* up;
+  QPushButton* down;
+  QPushButton* remove;
+  QWidget* appearance;
+  QGroupBox* place;
+  NumberSlider* opacity;
+  QComboBox* colors;
+  std::array<QDoubleSpinBox*, 3> moves;
+  std::array<QDoubleSpinBox*, 3> turns;
+};
+
+}
+
+#endif

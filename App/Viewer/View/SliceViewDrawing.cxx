@@ -1,0 +1,90 @@
+// The part of SliceView that draws.
+
+#include "Viewer/View/SliceView.h"
+
+#include "Scene/Placing.h"
+#include "Scene/SliceFusing.h"
+#include "Scene/SliceSegments.h"
+#include "Viewer/View/MeasureOverlay.h"
+
+#include <QImage>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+QColor SliceView::ColorOfCrosshair()
+{
+  return { 90, 200, 250, 170 };
+}
+
+void SliceView::DrawVoxels(QPainter& painter) const
+{
+  // Render at the resolution of the screen.
+  SliceRequest request = this->Request();
+  const double ratio = this->devicePixelRatioF();
+  request.width = std::max(int(request.width * ratio), 1);
+  request.height = std::max(int(request.height * ratio), 1);
+  request.mmPerPixel /= ratio;
+  const Study& study = *this->model->CurrentStudy();
+  const std::vector<std::uint8_t> grays = SlicePicture(study.volume.image, request);
+  painter.drawImage(this->rect(),
+    QImage(grays.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
+  this->DrawOverlays(painter, request);
+  if (const auto& labels = this->model->CurrentScene().labels)
+  {
+    const std::vector<Rgba> colors = SliceSegments(study.labels->image, labels->segments, request);
+    painter.drawImage(this->rect(),
+      QImage(colors.data()->data(), request.width, request.height, QImage::Format_RGBA8888));
+  }
+}
+
+void SliceView::DrawOverlays(QPainter& painter, SliceRequest request) const
+{
+  const Scene& scene = this->model->CurrentScene();
+  for (std::size_t i = 0; i < scene.overlays.size(); ++i)
+  {
+    const OverlaidVolume& overlay = scene.overlays[i];
+    const Study& study = *this->model->CurrentStudy()->overlays[i];
+    if (!overlay.visible)
+    {
+      continue;
+    }
+    // A blend shows PET bright on dark, whatever its slices look like alone.
+    const auto windowLevel =
+      overlay.windowLevel.value_or(SuggestedGrays(study.volume, study.statistics).windowLevel);
+    request.window = windowLevel[0];
+    request.level = windowLevel[1];
+    request.inverted = false;
+    const bool isBlend = scene.slices.fusion == SliceFusion::Blend;
+    const std::vector<Rgba> pixels =
+      FusedPixels(Placed(study.volume.image, overlay.placement), request,
+        { overlay.sliceColors, isBlend ? scene.slices.fusionOpacity * overlay.opacity : 1.0,
+          scene.slices.fusion });
+    painter.drawImage(this->rect(),
+      QImage(pixels.data()->data(), request.width, request.height, QImage::Format_RGBA8888));
+  }
+}
+
+void SliceView::DrawMeasuresOfSlice(QPainter& painter) const
+{
+  painter.setRenderHint(QPainter::Antialiasing);
+  DrawMeasures(painter,
+    { this->model->CurrentScene(), this->texts, this->model->CurrentStudy()->volume.image },
+    this->Frame(),
+    { [this](const auto& from, const auto& to) { return this->Shows(from, to); },
+      [](const auto&) { return false; } });
+  this->measure.Paint(painter);
+}
+
+void SliceView::DrawCrosshair(QPainter& painter) const
+{
+  const QPointF place = this->PlaceOf(this->Crosshair());
+  painter.setPen(ColorOfCrosshair());
+  painter.drawLine(QPointF(0.0, place.y()), QPointF(this->width(), place.y()));
+  painter.drawLine(QPointF(place.x(), 0.0), QPointF(place.x(), this->height()));
+}
+
+}

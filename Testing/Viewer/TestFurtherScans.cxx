@@ -1,0 +1,118 @@
+// Further scans in the window: added, checked for their space, saved in sessions.
+
+#include "Answers.h"
+#include "OverlaidStudy.h"
+#include "Scene/Presets.h"
+#include "TorsoWindow.h"
+#include "Viewer/Model/SessionFile.h"
+#include "Viewer/Panels/VolumesPanel.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QListWidget>
+
+using namespace varimarch;
+
+namespace
+{
+
+class FurtherScans : public Window
+{
+protected:
+  bool AwaitOverlays(std::size_t count)
+  {
+    return QTest::qWaitFor(
+      [&] { return this->Model()->CurrentScene().overlays.size() == count; }, MostMilliseconds);
+  }
+
+  /// Number of pixels of the 3D view that are mainly red.
+  int RedPixels()
+  {
+    QSignalSpy drawn(this->View(), &VolumeView::Drawn);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !drawn.isEmpty(); }, MostMilliseconds));
+    const QImage picture = this->View()->grabFramebuffer();
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+    {
+      for (int x = 0; x < picture.width(); ++x)
+      {
+        const QColor color = picture.pixelColor(x, y);
+        count += color.red() > 60 && color.red() > 2 * color.blue();
+      }
+    }
+    return count;
+  }
+
+  /// Adds the PET, and closes the warning that its file names no space.
+  void AddPetOfFile()
+  {
+    this->window.AddScan(this->WritePet());
+    ASSERT_TRUE(this->AwaitOverlays(1));
+    auto* const warning = this->window.findChild<QMessageBox*>("otherSpace");
+    ASSERT_TRUE(warning);
+    warning->button(QMessageBox::Ok)->click();
+  }
+
+  QString WritePet()
+  {
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetInputData(PetOver(this->Model()->CurrentStudy()->volume.image)->volume.image);
+    writer->SetFileName(this->Path("pet.vti").toUtf8());
+    writer->Write();
+    return this->Path("pet.vti");
+  }
+};
+
+}
+
+TEST_F(FurtherScans, AreDrawnOverTheFirstWithAWarningOfTheirSpace)
+{
+  this->OpenTorso();
+  this->AddPetOfFile();
+  auto* const panel = this->window.findChild<VolumesPanel*>();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return panel->isVisible(); }, MostMilliseconds));
+  this->Model()->SetPreset(BuiltInPreset("pet-hot"), "hot");
+  const int hot = this->RedPixels();
+  panel->findChild<QListWidget*>()->item(1)->setCheckState(Qt::Unchecked);
+  EXPECT_LT(this->RedPixels() + 100, hot);
+}
+
+TEST_F(FurtherScans, AreInSessions)
+{
+  this->OpenTorso();
+  this->AddPetOfFile();
+  this->Model()->Edit(ScenePart::Overlays, "move",
+    [](Scene& scene) {
+      scene.overlays[0].placement.moveMm = { 5.0, 0.0, 0.0 };
+    });
+  WriteScene(this->Model()->CurrentScene(), this->Path("session.json"));
+  Answers discards(QMessageBox::Discard, {});
+  this->window.Open(this->Path("torso.vti"));
+  ASSERT_TRUE(this->AwaitOverlays(0));
+  this->window.Open(this->Path("session.json"));
+  ASSERT_TRUE(this->AwaitOverlays(1));
+  EXPECT_EQ(this->Model()->CurrentScene().overlays[0].placement.moveMm[0], 5.0);
+  ASSERT_EQ(this->Model()->CurrentStudy()->overlays.size(), 1);
+}
+
+TEST_F(FurtherScans, OfASessionMayBeGone)
+{
+  this->OpenTorso();
+  this->AddPetOfFile();
+  WriteScene(this->Model()->CurrentScene(), this->Path("session.json"));
+  QFile::remove(this->Path("pet.vti"));
+  Answers discards(QMessageBox::Discard, {});
+  this->window.Open(this->Path("session.json"));
+  ASSERT_TRUE(this->AwaitOverlays(0));
+  EXPECT_FALSE(this->Model()->CurrentStudy()->volume.warnings.empty());
+}
+
+TEST_F(FurtherScans, ThatCannotBeReadLeaveTheFirst)
+{
+  this->OpenTorso();
+  QSignalSpy failed(&this->window, &MainWindow::OpeningFailed);
+  this->window.AddScan(this->Path("missing.vti"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, MostMilliseconds));
+  EXPECT_TRUE(this->Model()->CurrentScene().overlays.empty());
+  EXPECT_TRUE(this->Model()->CurrentStudy());
+}
