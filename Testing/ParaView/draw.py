@@ -4,12 +4,16 @@ Usage: pvbatch draw.py PLUGIN REPRESENTATION FOLDER [SERVER] CASE...
 
 Each case is a function of this file, or the name of a scene in Data/References. Its picture is
 FOLDER/CASE.png. SERVER, such as localhost:11111, is the pvserver that draws. Without a case, the
-names of all cases are printed.
+names of all cases are printed. With the environment variable VARIMARCH_FRAMES the camera of each case
+then turns for this number of frames, and the median time of one is printed [ms].
 """
 
 import json
+import os
 import pathlib
+import statistics
 import sys
+import time
 
 from paraview import simple
 
@@ -162,6 +166,14 @@ def cells(stage):
 
 
 @case
+def cell(stage):
+    """One cell, so that all processes but one have no data."""
+    source, _ = wavelet(stage, opacity=0.9)
+    source.WholeExtent = [0, 1, 0, 1, 0, 1]
+    stage.look([1.7, -3.0, 1.5], [0.5, 0.5, 0.5])
+
+
+@case
 def maximum(stage):
     stage.set(wavelet(stage)[1], "BlendMode", 1)
 
@@ -198,6 +210,18 @@ def reference(stage, name):
     stage.view.ViewSize = scene["size"]
 
 
+def frame_seconds(view):
+    """The median time of a frame while the camera turns, with the number of frames that
+    VARIMARCH_FRAMES says, drawn and composited as a still image."""
+    times = []
+    for _ in range(int(os.environ["VARIMARCH_FRAMES"])):
+        view.GetActiveCamera().Azimuth(7.0)
+        start = time.perf_counter()
+        simple.Render(view)
+        times.append(time.perf_counter() - start)
+    return statistics.median(times)
+
+
 def main():
     plugin, representation, folder, *cases = sys.argv[1:]
     is_remote = bool(cases) and ":" in cases[0]
@@ -216,6 +240,8 @@ def main():
         else:
             reference(stage, name)
         simple.Render(stage.view)
+        if os.environ.get("VARIMARCH_FRAMES"):
+            print(name, f"{1000 * frame_seconds(stage.view):.0f}", flush=True)
         simple.SaveScreenshot(f"{folder}/{name}.png", stage.view)
         if not is_remote:
             simple.ResetSession()

@@ -13,12 +13,12 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . Testing/Support/set-up.sh
 
 prefix=$PWD/build/paraview-5.11/usr
-plugin=$PWD/build/paraview/lib/paraview-5.11/plugins/VarimarchVolume/VarimarchVolume.so
+plugin=$PWD/build/paraview/lib/x86_64-linux-gnu/paraview-5.11/plugins/VarimarchVolume/VarimarchVolume.so
 pictures=$PWD/build/paraview-test
 report=$pictures/report.md
 ranks=("${@:-2 4 8}")
 read -ra ranks <<<"${ranks[*]}"
-cases=(composite behind lit opaque turned oblique cropped geometry inside two cells)
+cases=(composite behind lit opaque turned oblique cropped geometry inside two cells cell)
 # Scenes of Data/References with a light at the eye, or with none.
 references=(torso-soft torso-soft-lit torso-parallel shells-thin-peak)
 # Least ratio of the pictures of several processes to that of one [dB]. ParaView composites parts in
@@ -59,7 +59,7 @@ unpackParaView()
 buildPlugin()
 {
   cmake -S App/ParaView -B build/paraview -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_LIBRARY_ARCHITECTURE=x86_64-linux-gnu \
+    -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_LIBRARY_ARCHITECTURE=x86_64-linux-gnu -DCMAKE_INSTALL_LIBDIR=lib/x86_64-linux-gnu \
     -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
     -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8 >build/paraview.log 2>&1 ||
     fail "CMake could not configure the plugin; see build/paraview.log"
@@ -162,6 +162,47 @@ testSeveralProcesses()
   done
 }
 
+# Prints the median time of a frame of a case in the log of a folder [ms].
+frameTime()
+{
+  sed -n "s/^composite \([0-9]*\)$/\1/p" "$pictures/$1/log"
+}
+
+testTimes()
+{
+  step "Times"
+  local count
+  row ""
+  row "| processes | Varimarch [ms] | ParaView's Volume [ms] |"
+  row "|---:|---:|---:|"
+  for count in 1 "${ranks[@]}"
+  do
+    VARIMARCH_FRAMES=15 draw "$count" "Volume (Varimarch)" "times-ours-$count" composite
+    VARIMARCH_FRAMES=15 draw "$count" "Volume" "times-stock-$count" composite
+    row "| $count | $(frameTime "times-ours-$count") | $(frameTime "times-stock-$count") |"
+  done
+}
+
+# A process that is killed while all draw must end the others, with a message of mpiexec.
+testDeath()
+{
+  step "A process that dies"
+  local code=0
+  mkdir -p "$pictures/death"
+  # shellcheck disable=SC2016
+  VARIMARCH_FRAMES=100000 inParaView timeout 120 bash -c '
+    mpiexec --oversubscribe -n 2 pvbatch --force-offscreen-rendering "$@" &
+    sleep 40
+    kill -9 "$(pgrep -P $! pvbatch | tail -n 1)"
+    wait $!' bash Testing/ParaView/draw.py "$plugin" "Volume (Varimarch)" "$pictures/death" \
+    composite >"$pictures/death/log" 2>&1 || code=$?
+  expectMessage "signal 9" "$pictures/death/log"
+  [ "$code" -ne 0 ] && [ "$code" -ne 124 ] || {
+    failures=$((failures + 1))
+    echo "FAILED: expected an exit code of mpiexec, found $code"
+  }
+}
+
 # expectMessage TEXT FILE
 expectMessage()
 {
@@ -187,6 +228,15 @@ testRefusals()
     >"$pictures/autoload.log" 2>&1 || failures=$((failures + 1))
   expectMessage "which this program does not use" "$pictures/autoload.log"
   expectMessage "drawn" "$pictures/autoload.log"
+}
+
+testPackage()
+{
+  step "The package"
+  (cd build/paraview && cpack -G DEB >cpack.log) || fail "cpack failed; see build/paraview/cpack.log"
+  dpkg-deb --contents build/paraview/packages/*.deb >"$pictures/package.log"
+  expectMessage "./usr/lib/x86_64-linux-gnu/paraview-5.11/plugins/VarimarchVolume/VarimarchVolume.so" \
+    "$pictures/package.log"
 }
 
 # The server listens on all networks and asks nobody who they are, so it gets a network of its own.
@@ -219,6 +269,9 @@ mkdir -p "$pictures"
 testOneProcess
 testProgram
 testSeveralProcesses
+testTimes
 testRefusals
+testDeath
 testServer
+testPackage
 [ "$failures" -eq 0 ] || fail "$failures checks failed; the pictures and logs are in $pictures"
