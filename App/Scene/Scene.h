@@ -3,6 +3,7 @@
 
 #include "Core/Look/TransferFunction.h"
 #include "Core/Recipe/RenderSettings.h"
+#include "Scene/SliceAxes.h"
 
 #include <array>
 #include <cstdint>
@@ -236,7 +237,7 @@ enum class SliceFusion
   Checkerboard, ///< in every other square
 };
 
-/// The viewer's slices through the volume, along the patient's axes.
+/// The viewer's slices through the volume, along the patient's axes or turned about the crosshair.
 struct SliceSettings
 {
   std::optional<std::array<double, 3>>
@@ -247,6 +248,7 @@ struct SliceSettings
   SlabBlend slabBlend = SlabBlend::Maximum;
   SliceFusion fusion = SliceFusion::Blend;
   double fusionOpacity = 0.5; ///< part of the volumes over the first one in a blend, [0, 1]
+  SliceTurn turn = {};
 };
 
 /// A rigid motion of a volume away from its patient coordinates: it is turned about the middle of

@@ -26,14 +26,20 @@ namespace
 // All relevant OpenGL versions guarantee 2D textures of at least this size.
 constexpr int LargestPictureSide = 16384;
 
+constexpr double MostTurnDegrees = 180.0;
+
 SliceSettings SlicesFromJson(const JsonCursor& json)
 {
   json.RequireObject(
-    { "crosshair", "windowLevel", "slab", "slabBlend", "fusion", "fusionOpacity" });
+    { "crosshair", "turn", "windowLevel", "slab", "slabBlend", "fusion", "fusionOpacity" });
   SliceSettings slices;
   if (const auto crosshair = json.Find("crosshair"))
   {
     slices.crosshairMm = crosshair->Numbers<3>({});
+  }
+  if (const auto turn = json.Find("turn"))
+  {
+    slices.turn = turn->Numbers<3>({ -MostTurnDegrees, MostTurnDegrees });
   }
   if (const auto windowLevel = json.Find("windowLevel"))
   {
@@ -148,6 +154,10 @@ nlohmann::ordered_json JsonFromSlices(const SliceSettings& slices)
   if (slices.crosshairMm)
   {
     json["crosshair"] = *slices.crosshairMm;
+  }
+  if (slices.turn != SliceTurn())
+  {
+    json["turn"] = slices.turn;
   }
   if (slices.windowLevel)
   {

@@ -28,7 +28,7 @@ public:
   explicit Checkerboard(const SliceRequest& request)
     : mmPerPixel(request.mmPerPixel)
   {
-    const SliceAxes axes = AxesOf(request.plane);
+    const SliceAxes axes = AxesOf(request.plane, request.turn);
     const glm::dvec3 middle = VectorOf(request.middleMm);
     this->leftMm =
       glm::dot(middle, VectorOf(axes.right)) + (0.5 - 0.5 * request.width) * mmPerPixel;

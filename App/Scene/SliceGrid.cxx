@@ -22,7 +22,7 @@ glm::dvec3 IndexOf(const glm::dvec3& pointWorld, vtkImageData* image)
 SliceGrid::SliceGrid(vtkImageData* image, const SliceRequest& request)
   : extent(image->GetExtent())
 {
-  const SliceAxes axes = AxesOf(request.plane);
+  const SliceAxes axes = AxesOf(request.plane, request.turn);
   const glm::dvec3 middle = VectorOf(request.middleMm);
   const glm::dvec3 middleIndex = IndexOf(middle, image);
   const auto step = [&](const glm::dvec3& directionMm)

@@ -105,19 +105,6 @@ private:
 
 }
 
-SliceAxes AxesOf(SlicePlane plane)
-{
-  switch (plane)
-  {
-    case SlicePlane::Coronal:
-      return { { 1.0, 0.0, 0.0 }, { 0.0, 0.0, -1.0 }, { 0.0, 1.0, 0.0 } };
-    case SlicePlane::Sagittal:
-      return { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, -1.0 }, { 1.0, 0.0, 0.0 } };
-    default:
-      return { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
-  }
-}
-
 SliceGrays SuggestedGrays(const LoadedVolume& volume, const ImageStatistics& statistics)
 {
   const bool isPet = volume.modality == "PT";

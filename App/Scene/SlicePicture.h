@@ -3,6 +3,7 @@
 
 #include "Scene/ImageStatistics.h"
 #include "Scene/Scene.h"
+#include "Scene/SliceAxes.h"
 #include "Scene/VolumeLoading.h"
 
 #include <array>
@@ -13,25 +14,6 @@ class vtkImageData;
 
 namespace varimarch
 {
-
-/// Anatomical planes.
-enum class SlicePlane
-{
-  Axial,    ///< seen from the feet: patient's right at the left, front at the top
-  Coronal,  ///< seen from the front: patient's right at the left, head at the top
-  Sagittal, ///< seen from the patient's left: front at the left, head at the top
-};
-
-/// Directions of a slice's image in world space (LPS): along its rows, down its columns, and from
-/// one slice to the next. Unit vectors.
-struct SliceAxes
-{
-  std::array<double, 3> right;
-  std::array<double, 3> down;
-  std::array<double, 3> through;
-};
-
-SliceAxes AxesOf(SlicePlane plane);
 
 /// A slice to draw.
 struct SliceRequest
@@ -46,6 +28,7 @@ struct SliceRequest
   double slabMm; ///< >= 0; 0: a single slice
   SlabBlend slabBlend = SlabBlend::Maximum;
   bool inverted = false; ///< true exchanges black and white
+  SliceTurn turn = {};
 };
 
 /// The grey scale of slices that nobody has changed.

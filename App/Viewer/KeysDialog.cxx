@@ -49,6 +49,7 @@ QString SliceTable()
 {
   return Table(KeyTexts::tr("Slices"),
     Row(KeyTexts::tr("Drag"), KeyTexts::tr("move the crosshair, or the chosen measurement")) +
+      Row(KeyTexts::tr("Drag a line of the crosshair"), KeyTexts::tr("turn the other slices")) +
       Row(KeyTexts::tr("Right button"), KeyTexts::tr("window and level")) +
       Row(KeyTexts::tr("Middle button"), KeyTexts::tr("move the slice")) +
       Row(KeyTexts::tr("Wheel, arrow and page keys"), KeyTexts::tr("the next slices")) +

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace varimarch;
 
@@ -51,6 +52,45 @@ TEST(SlicePicture, PutsThePatientWhereRadiologistsExpect)
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 5), Request(SlicePlane::Coronal)), 0, -5), 255);
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 5, 0), Request(SlicePlane::Sagittal)), 5, 0), 255);
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 5), Request(SlicePlane::Sagittal)), 0, -5), 255);
+}
+
+TEST(SlicePicture, ShowsAnObliquePlane)
+{
+  // Turned by 45 degrees about the axis from right to left, an axial plane contains (0, 4, 4).
+  const auto image = OneVoxel(0, 4, 4);
+  SliceRequest request = Request(SlicePlane::Axial);
+  const auto straight = SlicePicture(image, request);
+  EXPECT_EQ(*std::max_element(straight.begin(), straight.end()), 0);
+  request.turn = { 45.0, 0.0, 0.0 };
+  const auto oblique = SlicePicture(image, request);
+  const auto brightest = std::max_element(oblique.begin(), oblique.end());
+  EXPECT_GT(*brightest, 100);
+  EXPECT_EQ((brightest - oblique.begin()) % 21, 10) << "not beside the middle";
+  EXPECT_EQ((brightest - oblique.begin()) / 21, 16) << "4 * sqrt(2) below the middle";
+}
+
+TEST(SliceAxes, AreTurnedInTheirPlaneAsLittleAsPossible)
+{
+  const SliceTurn turn = TurnedBy({}, { 0.0, 0.0, 1.0 }, 90.0);
+  const SliceAxes axial = AxesOf(SlicePlane::Axial, turn);
+  const SliceAxes coronal = AxesOf(SlicePlane::Coronal, turn);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(axial.right[i], AxesOf(SlicePlane::Axial).right[i], 1e-12);
+    EXPECT_NEAR(coronal.through[i], -AxesOf(SlicePlane::Sagittal).through[i], 1e-12);
+    EXPECT_NEAR(coronal.down[i], AxesOf(SlicePlane::Coronal).down[i], 1e-12);
+  }
+  // Three right angles about the three axes are one about the second, in closed form.
+  const SliceTurn several =
+    TurnedBy(TurnedBy(TurnedBy({}, { 1.0, 0.0, 0.0 }, 90.0), { 0.0, 1.0, 0.0 }, 90.0),
+      { 0.0, 0.0, 1.0 }, 90.0);
+  EXPECT_NEAR(several[0], 0.0, 1e-9);
+  EXPECT_NEAR(several[1], 90.0, 1e-9);
+  EXPECT_NEAR(several[2], 0.0, 1e-9);
+  // Half a turn has a through direction that faces the anatomical one.
+  const SliceAxes facing = AxesOf(SlicePlane::Axial, { 180.0, 0.0, 0.0 });
+  EXPECT_NEAR(facing.through[2], -1.0, 1e-12);
+  EXPECT_NEAR(std::abs(facing.right[0]), 1.0, 1e-12);
 }
 
 TEST(SlicePicture, FollowsTheDirectionOfTheImage)

@@ -1,15 +1,19 @@
 // Slices: the mouse moves their common crosshair, and every gesture is an undo step.
 
 #include "LabelledStudy.h"
+#include "Viewer/Panels/SlabBar.h"
 #include "Viewer/View/SliceCorners.h"
 #include "Viewer/View/SliceView.h"
 
 #include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace varimarch;
 
@@ -119,6 +123,40 @@ TEST_F(Slices, AreScrolledASlicePerNotchAndKey)
   EXPECT_NEAR(this->Crosshair()[2], before - 9.0 * stepMm, 1e-9);
   QTest::keyClick(&this->axial, Qt::Key_Up);
   EXPECT_NEAR(this->Crosshair()[2], before - 8.0 * stepMm, 1e-9);
+}
+
+TEST_F(Slices, AreTurnedByTheArmsOfTheCrosshair)
+{
+  // From the right arm by 30 degrees upwards, about the head's axis.
+  const auto corner = *this->axial.PointAt({ 0, 0 });
+  this->DragInAxial({ 170, 80 }, { 100 + 61, 80 - 35 });
+  const SliceTurn turn = this->model.CurrentScene().slices.turn;
+  EXPECT_NEAR(turn[0], 0.0, 1e-9);
+  EXPECT_NEAR(turn[1], 0.0, 1e-9);
+  EXPECT_NEAR(turn[2], -30.0, 0.5);
+  EXPECT_EQ(*this->axial.PointAt({ 0, 0 }), corner) << "the plane of the gesture stays";
+  const auto right = *this->coronal.PointAt({ 150, 80 });
+  const auto middle = *this->coronal.PointAt({ 100, 80 });
+  EXPECT_NEAR(std::atan2(right[1] - middle[1], right[0] - middle[0]), -0.5236, 0.01);
+  EXPECT_EQ(this->model.History()->count(), 1);
+  // The arm has followed the pointer.
+  this->DragInAxial({ 100 + 61, 80 - 35 }, { 170, 80 });
+  EXPECT_NEAR(this->model.CurrentScene().slices.turn[2], 0.0, 1e-6);
+  this->model.History()->undo();
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().slices.turn, SliceTurn());
+}
+
+TEST_F(Slices, AreStraightenedByAButton)
+{
+  SlabBar bar(&this->model);
+  auto* const button = bar.findChild<QToolButton*>();
+  ASSERT_TRUE(button);
+  this->DragInAxial({ 170, 80 }, { 161, 45 });
+  EXPECT_TRUE(button->isEnabled());
+  button->click();
+  EXPECT_EQ(this->model.CurrentScene().slices.turn, SliceTurn());
+  EXPECT_FALSE(button->isEnabled());
 }
 
 TEST_F(Slices, AreZoomedByKeysAndMovedByTheMiddleButton)

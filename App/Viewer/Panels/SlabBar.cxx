@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 namespace varimarch
 {
@@ -21,6 +22,7 @@ SlabBar::SlabBar(SceneModel* model, QWidget* parent)
   , model(model)
   , thickness(new QDoubleSpinBox)
   , blend(new QComboBox)
+  , straighten(new QToolButton)
 {
   // Items in the order of SlabBlend.
   this->blend->addItems({ tr("Maximum"), tr("Minimum"), tr("Mean") });
@@ -37,6 +39,9 @@ SlabBar::SlabBar(SceneModel* model, QWidget* parent)
   row->addWidget(new QLabel(tr("Slab")));
   row->addWidget(this->thickness, 1);
   row->addWidget(this->blend);
+  this->straighten->setText(tr("Straighten"));
+  this->straighten->setToolTip(tr("Show axial, coronal and sagittal slices again"));
+  row->addWidget(this->straighten);
   connect(this->thickness, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
     [this](double millimetres)
     {
@@ -48,6 +53,12 @@ SlabBar::SlabBar(SceneModel* model, QWidget* parent)
     {
       this->model->Edit(ScenePart::Slices, tr("slab"),
         [index](Scene& scene) { scene.slices.slabBlend = SlabBlend(index); });
+    });
+  connect(this->straighten, &QToolButton::clicked, this,
+    [this]
+    {
+      this->model->Edit(ScenePart::Slices, tr("straighten the slices"),
+        [](Scene& scene) { scene.slices.turn = {}; });
     });
   connect(model, &SceneModel::Changed, this, &SlabBar::Show);
   this->setEnabled(false);
@@ -64,6 +75,7 @@ void SlabBar::Show(ScenePart part)
   const QSignalBlocker quiet[] = { QSignalBlocker(this->thickness), QSignalBlocker(this->blend) };
   this->thickness->setValue(slices.slabMm);
   this->blend->setCurrentIndex(int(slices.slabBlend));
+  this->straighten->setEnabled(slices.turn != SliceTurn());
 }
 
 }

@@ -7,11 +7,12 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QToolButton;
 
 namespace varimarch
 {
 
-/// Slab thickness of the slices and its blend mode.
+/// Slab thickness of the slices, its blend mode, and the way back from turned slices.
 class SlabBar : public QWidget
 {
   Q_OBJECT
@@ -25,6 +26,7 @@ private:
   SceneModel* model;
   QDoubleSpinBox* thickness; ///< [mm]
   QComboBox* blend;
+  QToolButton* straighten;
 };
 
 }

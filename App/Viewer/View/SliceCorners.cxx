@@ -51,11 +51,18 @@ QString WindowText(const SliceRequest& request, double zoom)
 QString PlaceText(vtkImageData* image, const SliceRequest& request)
 {
   QStringList lines;
-  if (const auto slice = SliceNumberAt(image, request.plane, request.middleMm))
+  const bool isTurned = request.turn != SliceTurn();
+  const auto slice =
+    isTurned ? std::nullopt : SliceNumberAt(image, request.plane, request.middleMm);
+  if (slice)
   {
     lines << CornerTexts::tr("Slice %1 of %2").arg(slice->number).arg(slice->count);
   }
-  const glm::dvec3 through = VectorOf(AxesOf(request.plane).through);
+  if (isTurned)
+  {
+    lines << CornerTexts::tr("Oblique");
+  }
+  const glm::dvec3 through = VectorOf(AxesOf(request.plane, request.turn).through);
   const double positionMm = glm::dot(VectorOf(request.middleMm), through);
   lines << CornerTexts::tr("%1 %2 mm")
              .arg(LettersOf(positionMm < 0.0 ? -through : through),
@@ -102,7 +109,7 @@ void DrawSliceCorners(QPainter& painter, const QRectF& view, vtkImageData* image
   const SliceRequest& request, double zoom)
 {
   const QRectF inside = view.adjusted(MarginX, MarginY, -MarginX, -MarginY);
-  const SliceAxes axes = AxesOf(request.plane);
+  const SliceAxes axes = AxesOf(request.plane, request.turn);
   const glm::dvec3 right = VectorOf(axes.right);
   const glm::dvec3 down = VectorOf(axes.down);
   DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignVCenter, LettersOf(right));

@@ -12,9 +12,9 @@
 namespace varimarch
 {
 
-SlicePlacement::SlicePlacement(vtkImageData* image, SlicePlane plane,
+SlicePlacement::SlicePlacement(vtkImageData* image, const SliceAxes& axes,
   const std::array<double, 3>& pointMm, const QSize& view, const SliceZoom& zoom)
-  : axes(AxesOf(plane))
+  : axes(axes)
   , centre(QRectF(QPointF(), view).center())
 {
   const auto acrossMm = [image](const std::array<double, 3>& direction)
@@ -42,10 +42,13 @@ std::array<double, 3> SlicePlacement::PointAt(const QPointF& place) const
 QPointF SlicePlacement::PlaceOf(const std::array<double, 3>& pointMm) const
 {
   const glm::dvec3 fromMiddle = VectorOf(pointMm) - VectorOf(this->middleMm);
-  return this->centre +
-    QPointF(glm::dot(fromMiddle, VectorOf(this->axes.right)),
-      glm::dot(fromMiddle, VectorOf(this->axes.down))) /
-    this->mmPerPixel;
+  return this->centre + this->AlongView(NumbersOf(fromMiddle)) / this->mmPerPixel;
+}
+
+QPointF SlicePlacement::AlongView(const std::array<double, 3>& direction) const
+{
+  return { glm::dot(VectorOf(direction), VectorOf(this->axes.right)),
+    glm::dot(VectorOf(direction), VectorOf(this->axes.down)) };
 }
 
 }

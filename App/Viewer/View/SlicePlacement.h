@@ -26,7 +26,7 @@ class SlicePlacement
 {
 public:
   /// @param pointMm  a point of the slice, such as the crosshair; world space
-  SlicePlacement(vtkImageData* image, SlicePlane plane, const std::array<double, 3>& pointMm,
+  SlicePlacement(vtkImageData* image, const SliceAxes& axes, const std::array<double, 3>& pointMm,
     const QSize& view, const SliceZoom& zoom);
 
   double MmPerPixel() const { return this->mmPerPixel; }
@@ -36,6 +36,9 @@ public:
 
   std::array<double, 3> PointAt(const QPointF& place) const;
   QPointF PlaceOf(const std::array<double, 3>& pointMm) const;
+
+  /// A direction in the view, to the right and down; its length is that of its part in the slice.
+  QPointF AlongView(const std::array<double, 3>& direction) const;
 
 private:
   SliceAxes axes;

@@ -32,7 +32,6 @@ SliceView::SliceView(SceneModel* model, SlicePlane plane, QWidget* parent)
   : QWidget(parent)
   , model(model)
   , plane(plane)
-  , axes(AxesOf(plane))
   , measure(model, *this)
 {
   this->setMinimumSize(120, 90);
@@ -70,7 +69,8 @@ void SliceView::SetTool(LeftButton button)
 
 PictureFrame SliceView::Frame() const
 {
-  const glm::dvec3 through = VectorOf(this->axes.through);
+  const SliceAxes axes = this->Axes();
+  const glm::dvec3 through = VectorOf(axes.through);
   const auto sightLineAt = [this, through](const QPointF& place)
   {
     const glm::dvec3 point = VectorOf(*this->PointAt(place));
@@ -78,12 +78,12 @@ PictureFrame SliceView::Frame() const
   };
   return { this->size(),
     [this](const std::array<double, 3>& point) { return std::optional(this->PlaceOf(point)); },
-    sightLineAt, this->axes.right, NumbersOf(-VectorOf(this->axes.down)), NumbersOf(-through) };
+    sightLineAt, axes.right, NumbersOf(-VectorOf(axes.down)), NumbersOf(-through) };
 }
 
 std::optional<glm::dvec3> SliceView::Through() const
 {
-  return VectorOf(this->axes.through);
+  return VectorOf(this->Axes().through);
 }
 
 // True for objects that reach into the slab, or within half a voxel of a single slice.
@@ -92,8 +92,9 @@ bool SliceView::Shows(const std::array<double, 3>& from, const std::array<double
   const double* const spacing = this->model->CurrentStudy()->volume.image->GetSpacing();
   const double reachMm = 0.5 *
     std::max(this->model->CurrentScene().slices.slabMm, *std::max_element(spacing, spacing + 3));
-  const auto depth = [this](const std::array<double, 3>& point)
-  { return glm::dot(VectorOf(point) - VectorOf(this->Crosshair()), VectorOf(this->axes.through)); };
+  const glm::dvec3 through = VectorOf(this->Axes().through);
+  const auto depth = [&](const std::array<double, 3>& point)
+  { return glm::dot(VectorOf(point) - VectorOf(this->Crosshair()), through); };
   const auto [first, last] = std::minmax({ depth(from), depth(to) });
   return first <= reachMm && last >= -reachMm;
 }
@@ -141,14 +142,24 @@ void SliceView::mousePressEvent(QMouseEvent* event)
   this->pressedShiftMm = this->zoom.shiftMm;
   this->toolIsActive =
     this->measuring && event->button() == Qt::LeftButton && this->measure.Press(event->localPos());
-  if (!this->toolIsActive && event->button() == Qt::LeftButton)
+  if (this->toolIsActive || event->button() != Qt::LeftButton)
   {
-    this->SetCrosshair(*this->PointAt(event->localPos()), this->gesture);
+    return;
   }
+  if (const CrosshairArms arms = this->Arms(); arms.Hold(event->localPos()))
+  {
+    this->draggedArms = arms;
+    return;
+  }
+  this->SetCrosshair(*this->PointAt(event->localPos()), this->gesture);
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event)
 {
+  if (event->button() == Qt::LeftButton)
+  {
+    this->draggedArms.reset();
+  }
   if (this->toolIsActive && event->button() == Qt::LeftButton)
   {
     this->toolIsActive = false;
@@ -164,10 +175,20 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
     return;
   }
   this->Point(event->localPos());
+  const bool turns =
+    this->draggedArms || (!this->measuring && this->Arms().Hold(event->localPos()));
+  this->setCursor(turns ? Qt::PointingHandCursor : Qt::CrossCursor);
   if (this->toolIsActive)
   {
     this->measure.Drag(event->localPos());
     this->update();
+  }
+  else if (this->draggedArms)
+  {
+    const SliceTurn turn = this->draggedArms->Dragged(this->pressed, event->localPos());
+    this->model->Edit(
+      ScenePart::Slices, tr("turn the slices"), [&](Scene& scene) { scene.slices.turn = turn; },
+      this->gesture);
   }
   else if (event->buttons() & Qt::LeftButton)
   {
@@ -298,7 +319,7 @@ void SliceView::Scroll(double slices)
 {
   const double stepMm = SliceStepMm(this->model->CurrentStudy()->volume.image, this->plane);
   this->SetCrosshair(
-    NumbersOf(VectorOf(this->Crosshair()) + slices * stepMm * VectorOf(this->axes.through)),
+    NumbersOf(VectorOf(this->Crosshair()) + slices * stepMm * VectorOf(this->Axes().through)),
     SceneModel::NoGesture);
 }
 
@@ -308,13 +329,25 @@ SliceRequest SliceView::Request() const
   const SliceGrays grays = this->Grays();
   const SliceSettings& slices = this->model->CurrentScene().slices;
   return { this->plane, placement.MiddleMm(), placement.MmPerPixel(), this->width(), this->height(),
-    grays.windowLevel[0], grays.windowLevel[1], slices.slabMm, slices.slabBlend, grays.inverted };
+    grays.windowLevel[0], grays.windowLevel[1], slices.slabMm, slices.slabBlend, grays.inverted,
+    slices.turn };
 }
 
 SlicePlacement SliceView::Placement() const
 {
-  return { this->model->CurrentStudy()->volume.image, this->plane, this->Crosshair(), this->size(),
+  return { this->model->CurrentStudy()->volume.image, this->Axes(), this->Crosshair(), this->size(),
     this->zoom };
+}
+
+SliceAxes SliceView::Axes() const
+{
+  return AxesOf(this->plane, this->model->CurrentScene().slices.turn);
+}
+
+CrosshairArms SliceView::Arms() const
+{
+  return { this->plane, this->model->CurrentScene().slices.turn, this->Placement(),
+    this->Crosshair(), this->size() };
 }
 
 std::array<double, 3> SliceView::Crosshair() const

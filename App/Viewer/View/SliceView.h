@@ -5,6 +5,7 @@
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Tools/MouseTools.h"
+#include "Viewer/View/CrosshairArms.h"
 #include "Viewer/View/SlicePlacement.h"
 
 #include <QColor>
@@ -12,15 +13,16 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
 
 namespace varimarch
 {
 
 /// A slice of the volume through the crosshair, which all slices share. The left button moves the
-/// crosshair or measures, the right button drags window and level, the middle button drags the
-/// slice, the wheel scrolls through the slices, and Ctrl with the wheel zooms. The slice that was
-/// clicked last takes keys: the arrows and the page keys scroll, + and - zoom, a number chooses a
-/// usual window, see ChooseWindow.
+/// crosshair, turns the other two planes by its arms, or measures, the right button drags window
+/// and level, the middle button drags the slice, the wheel scrolls through the slices, and Ctrl
+/// with the wheel zooms. The slice that was clicked last takes keys: the arrows and the page keys
+/// scroll, + and - zoom, a number chooses a usual window, see ChooseWindow.
 class SliceView
   : public QWidget
   , public ToolSurface
@@ -73,13 +75,14 @@ private:
   void ResetZoom();
   void Point(const QPointF& place);
   SlicePlacement Placement() const;
+  SliceAxes Axes() const;
+  CrosshairArms Arms() const;
   std::array<double, 3> Crosshair() const;
   SliceGrays Grays() const;
   void SetCrosshair(const std::array<double, 3>& pointMm, int gesture);
 
   SceneModel* model;
   SlicePlane plane;
-  SliceAxes axes;
   SliceZoom zoom;
   int gesture = SceneModel::NoGesture;
   MeasureTool measure;
@@ -89,6 +92,7 @@ private:
   QPoint pressed;
   std::array<double, 2> pressedWindowLevel = {};
   QPointF pressedShiftMm;
+  std::optional<CrosshairArms> draggedArms; ///< empty while no arm is dragged
 };
 
 }

@@ -11,6 +11,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 
 namespace varimarch
 {
@@ -81,10 +82,13 @@ void SliceView::DrawMeasuresOfSlice(QPainter& painter) const
 
 void SliceView::DrawCrosshair(QPainter& painter) const
 {
-  const QPointF place = this->PlaceOf(this->Crosshair());
+  const double far = std::hypot(this->width(), this->height());
+  const CrosshairArms arms = this->Arms();
   painter.setPen(ColorOfCrosshair());
-  painter.drawLine(QPointF(0.0, place.y()), QPointF(this->width(), place.y()));
-  painter.drawLine(QPointF(place.x(), 0.0), QPointF(place.x(), this->height()));
+  for (const QPointF& along : arms.Directions())
+  {
+    painter.drawLine(arms.Middle() - far * along, arms.Middle() + far * along);
+  }
 }
 
 }
