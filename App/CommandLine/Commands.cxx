@@ -28,6 +28,18 @@ void AddLabelOptions(CLI::App& command, LabelArguments& arguments)
     ->group(group);
 }
 
+void AddOverlayOption(CLI::App& command, std::vector<std::string>& paths)
+{
+  command
+    .add_option("--overlay", paths,
+      "A further scan in the same space, drawn in one march with the first, such as a PET\n"
+      "over its CT; may be repeated. Scenes give it a look and a place")
+    ->type_name("FILE")
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+    ->group("Volume");
+}
+
 void AddPictureFileOptions(CLI::App& command, RenderArguments& arguments)
 {
   command
@@ -55,14 +67,7 @@ void AddRenderCommand(CLI::App& program, const std::string& commandText)
     "  varimarch render dicom-folder -o bone.dcm --preset ct-bone");
   AddSceneOptions(*app, arguments->scene);
   AddLabelOptions(*app, arguments->labels);
-  app
-    ->add_option("--overlay", arguments->overlays,
-      "A further scan in the same space, drawn in one march with the first, such as a PET\n"
-      "over its CT; may be repeated. Scenes give it a look and a place")
-    ->type_name("FILE")
-    ->expected(1)
-    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-    ->group("Volume");
+  AddOverlayOption(*app, arguments->overlays);
   AddPictureFileOptions(*app, *arguments);
   app
     ->add_option_function<std::string>(

@@ -88,6 +88,17 @@ void CheckOutput(const RenderArguments& arguments)
   }
 }
 
+/// Limits the memory of our mapper; null for a mapper of VTK.
+vtkVariationFieldVolumeMapper* LimitedMapper(OffscreenView& view, double graphicsMegabytes)
+{
+  auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
+  if (ours)
+  {
+    ours->SetMaximumGraphicsMemory(vtkIdType(1e6 * graphicsMegabytes));
+  }
+  return ours;
+}
+
 }
 
 void RunRender(const RenderArguments& arguments)
@@ -101,11 +112,7 @@ void RunRender(const RenderArguments& arguments)
   OffscreenView view(scene, volume.image, arguments.renderer);
   view.Pipeline().SetLabels(labels);
   view.Pipeline().SetOverlays(scene.overlays, overlays);
-  auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
-  if (ours)
-  {
-    ours->SetMaximumGraphicsMemory(vtkIdType(1e6 * arguments.graphicsMegabytes));
-  }
+  auto* const ours = LimitedMapper(view, arguments.graphicsMegabytes);
   const double seconds = view.Render();
   std::vector<double> repeatSeconds;
   for (int i = 0; i < arguments.repeats; ++i)

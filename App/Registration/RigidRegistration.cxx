@@ -36,7 +36,7 @@ using Metric = itk::MattesMutualInformationImageToImageMetricv4<Image, Image>;
 using Optimizer = itk::RegularStepGradientDescentOptimizerv4<double>;
 using Method = itk::ImageRegistrationMethodv4<Image, Image, Transform>;
 
-constexpr int VoxelsPerSide = 160; // of the copies that are compared
+constexpr int VoxelsPerSide = 160; // The copies that are compared have at most as many.
 constexpr int Levels = 3;
 constexpr int StepsPerLevel = 120;
 constexpr int Bins = 48;

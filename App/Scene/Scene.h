@@ -4,6 +4,7 @@
 #include "Core/Look/TransferFunction.h"
 #include "Core/Recipe/RenderSettings.h"
 #include "Scene/SliceAxes.h"
+#include "Scene/SceneMeasures.h"
 
 #include <array>
 #include <cstdint>
@@ -287,31 +288,6 @@ struct OverlaidVolume
 
 /// Together with the first volume. Graphics cards limit a program to about 16 textures.
 constexpr std::size_t MostVolumes = 4;
-
-// Measurements that the user has made, drawn over the image. World space, LPS; names may be empty.
-
-struct Distance
-{
-  std::array<double, 3> fromMm;
-  std::array<double, 3> toMm;
-  std::string name = {};
-};
-
-struct Angle
-{
-  std::array<double, 3> fromMm;
-  std::array<double, 3> vertexMm; ///< apex of the angle
-  std::array<double, 3> toMm;
-  std::string name = {};
-};
-
-/// A box along the volume's axes whose voxels are summarized by statistics.
-struct MeasuredBox
-{
-  std::array<double, 3> fromMm; ///< two opposite corners
-  std::array<double, 3> toMm;
-  std::string name = {};
-};
 
 /// A region of a label map, such as an organ: the voxels of one value.
 struct Segment

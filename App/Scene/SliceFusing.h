@@ -15,7 +15,7 @@ namespace varimarch
 struct FusedSlice
 {
   SliceColors colors;
-  double opacity; ///< of a blend, [0, 1]; of the shown squares of a checkerboard
+  double opacity; ///< [0, 1]; in a checkerboard that of the squares that show it
   SliceFusion fusion;
 };
 

@@ -299,10 +299,16 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
     this->RaiseSegments();
     return;
   }
+  this->ShowSuggestion(*study);
+}
+
+// Says why the scan has its first look.
+void MainWindow::ShowSuggestion(const Study& study)
+{
   this->statusBar()->showMessage(
     tr("Look \"%1\": %2. Press R to restore it.")
       .arg(PresetTitle(this->model.CurrentScene().look.name),
-        SuggestionText(SuggestedPreset(study->volume, study->statistics))));
+        SuggestionText(SuggestedPreset(study.volume, study.statistics))));
 }
 
 void MainWindow::ShowWarnings()

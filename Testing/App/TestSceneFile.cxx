@@ -17,6 +17,19 @@ using namespace varimarch;
 namespace
 {
 
+std::vector<OverlaidVolume> UnusualOverlays(const Look& look)
+{
+  return { { FileSource{ "/data/pet", std::nullopt, "1.2.840.3" }, look, "PET",
+    { { 1.0, -2.0, 3.5 }, { 10.0, 20.0, -30.0 } }, false, 0.75, SliceColors::Green,
+    { { 5.0, 2.5 } } } };
+}
+
+std::vector<LookRegion> UnusualRegions()
+{
+  return { { RegionShape::Ellipse, { 0.25, 0.5 }, { 0.0, 2.0 }, { 0.1, 0.2, 0.3 }, 0.75, 0.125 },
+    { RegionShape::Rectangle, { -1.0, 0.5 }, { 1.0, 2.0 }, { 1.0, 1.0, 1.0 } } };
+}
+
 // A scene in which no value has its default.
 Scene UnusualScene()
 {
@@ -31,9 +44,7 @@ Scene UnusualScene()
   scene.look.opacityUnitDistanceMm = 3.0;
   scene.look.shading = { false, 0.3, 0.4, 0.5, 60.0 };
   scene.look.dampingGradient = 0.375;
-  scene.look.regions = { { RegionShape::Ellipse, { 0.25, 0.5 }, { 0.0, 2.0 }, { 0.1, 0.2, 0.3 },
-                           0.75, 0.125 },
-    { RegionShape::Rectangle, { -1.0, 0.5 }, { 1.0, 2.0 }, { 1.0, 1.0, 1.0 } } };
+  scene.look.regions = UnusualRegions();
   scene.look.blend = Blend::Isosurface;
   scene.look.gradientOpacities = { { 0.5, 0.25, { 0.25, 0.5 } }, { 2.0, 1.0 } };
   scene.look.isosurfaces = { { 0.5, { 0.1, 0.2, 0.3 }, 0.75 } };
@@ -55,9 +66,7 @@ Scene UnusualScene()
   scene.boxes = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "liver" } };
   scene.labels = { "/data/organs.seg.nrrd", "1.2.840.2",
     { { 7, "liver", { 0.5, 0.25, 0.125 }, false, 0.75 }, { -2, "", { 0.0, 1.0, 0.5 } } } };
-  scene.overlays = { { FileSource{ "/data/pet", std::nullopt, "1.2.840.3" }, scene.look, "PET",
-    { { 1.0, -2.0, 3.5 }, { 10.0, 20.0, -30.0 } }, false, 0.75, SliceColors::Green,
-    { { 5.0, 2.5 } } } };
+  scene.overlays = UnusualOverlays(scene.look);
   scene.render = { 0.125, Acceleration::CellField, Integration::Simpson, 0.25, 3.5, 0.0,
     Interpolation::Cubic, true, 2, 9, 3 };
   scene.size = { 640, 360 };

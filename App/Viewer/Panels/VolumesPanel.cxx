@@ -21,6 +21,7 @@ namespace
 {
 
 constexpr double FarthestMm = 5000.0;
+constexpr int NarrowestNumber = 76; // pixels
 
 QString NameOfSource(const VolumeSource& source)
 {
@@ -38,6 +39,9 @@ QDoubleSpinBox* NewNumber(const QString& name, double largest, const QString& su
   box->setAccessibleName(name);
   box->setToolTip(name);
   box->setKeyboardTracking(false);
+  // Three of them fit beside each other in a narrow panel.
+  box->setMinimumWidth(NarrowestNumber);
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return box;
 }
 

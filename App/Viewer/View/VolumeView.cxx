@@ -148,17 +148,12 @@ void VolumeView::Update(ScenePart part)
       break;
     case ScenePart::Look:
       this->pipeline->SetLook(scene.look);
-      this->TakeOverlays();
-      break;
+      [[fallthrough]];
     case ScenePart::Overlays:
       this->TakeOverlays();
       break;
-    case ScenePart::EditedVolume:
-      return;
     case ScenePart::Lights:
-      this->pipeline->SetLights(scene.lights);
-      this->pipeline->SetShadows(scene.shadows);
-      this->pipeline->SetOcclusion(scene.occlusion);
+      this->TakeLights();
       break;
     case ScenePart::Camera:
       this->FollowCamera();
@@ -166,11 +161,8 @@ void VolumeView::Update(ScenePart part)
     case ScenePart::Cuts:
       this->pipeline->SetCuts(scene.cuts);
       break;
-    case ScenePart::Slices:
-      return;
     case ScenePart::Measures:
-      this->texts = MeasureTexts(scene, this->model->CurrentStudy()->volume);
-      this->overlay->update();
+      this->TakeMeasures();
       return;
     case ScenePart::Labels:
       this->TakeLabels();
@@ -184,8 +176,24 @@ void VolumeView::Update(ScenePart part)
     case ScenePart::Background:
       this->pipeline->SetBackground(scene.background);
       break;
+    default:
+      return;
   }
   this->pacer.Request();
+}
+
+void VolumeView::TakeLights()
+{
+  const Scene& scene = this->model->CurrentScene();
+  this->pipeline->SetLights(scene.lights);
+  this->pipeline->SetShadows(scene.shadows);
+  this->pipeline->SetOcclusion(scene.occlusion);
+}
+
+void VolumeView::TakeMeasures()
+{
+  this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
+  this->overlay->update();
 }
 
 void VolumeView::TakeVolume()

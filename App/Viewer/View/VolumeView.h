@@ -107,6 +107,8 @@ private:
   void TakeVolume();
   void TakeLabels();
   void TakeOverlays();
+  void TakeLights();
+  void TakeMeasures();
   void TakeCamera();
   void Draw(double framesPerSecond);
   void DrawFinely();
