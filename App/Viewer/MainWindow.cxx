@@ -3,6 +3,7 @@
 #include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Open/StartPage.h"
 #include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/CutsPanel.h"
@@ -12,7 +13,6 @@
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/PresetGallery.h"
 #include "Viewer/Panels/QualityPanel.h"
-#include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/Panels/SlabBar.h"
 #include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/View/ComparisonView.h"
@@ -134,10 +134,13 @@ void MainWindow::MakeViews()
   column->addWidget(new FusionBar(&this->model));
   column->addWidget(new SlabBar(&this->model));
   this->views = new ViewLayout(this->view, slices, bars);
+  this->segmentEditor = new SegmentEditor(&this->model, this);
+  this->view->Ours()->SetSegmentEditor(this->segmentEditor);
   connect(this->view->Ours(), &VolumeView::DoubleClicked, this->views,
     [this] { this->views->Toggle(this->view); });
   for (SliceView* const slice : this->sliceViews)
   {
+    slice->SetSegmentEditor(this->segmentEditor);
     connect(
       slice, &SliceView::DoubleClicked, this->views, [this, slice] { this->views->Toggle(slice); });
   }
@@ -245,10 +248,7 @@ void MainWindow::MakePanels()
   connect(volumes, &VolumesPanel::AddWanted, this, &MainWindow::ChooseFurtherScan);
   connect(volumes, &VolumesPanel::RegistrationWanted, this, &MainWindow::Register);
   dockOf("volumes", tr("Volumes"), volumes);
-  auto* const segments = new SegmentsPanel(&this->model);
-  connect(segments, &SegmentsPanel::OpenWanted, this, &MainWindow::ChooseSegmentation);
-  connect(segments, &SegmentsPanel::Saved, this, &MainWindow::ShowSaved);
-  dockOf("segments", tr("Segments"), segments);
+  dockOf("segments", tr("Segments"), this->MakeSegmentsPanel());
   dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
   // Handles are visible only while the panel of the cuts is open.
   connect(cuts, &QDockWidget::visibilityChanged, this->view->Ours(), &VolumeView::ShowCutHandles);

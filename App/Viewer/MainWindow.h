@@ -20,6 +20,7 @@ namespace varimarch
 {
 
 class ComparisonView;
+class SegmentEditor;
 class SliceView;
 class StartPage;
 class ViewLayout;
@@ -90,6 +91,8 @@ private:
   void ChooseFolder();
   void ChooseRawFile();
   void ChooseSegmentation();
+  bool SaveSegmentation(); ///< false if the user cancels, or if saving fails
+  QWidget* MakeSegmentsPanel();
   void ChooseFurtherScan();
   void Register(int overlay);
   void TakeRegistered(int overlay, const Placement& placement);
@@ -146,6 +149,7 @@ private:
   int resetsInARow = 0; ///< resets of the graphics card without an image between them
   ComparisonView* view;
   std::vector<SliceView*> sliceViews;
+  SegmentEditor* segmentEditor;
   ViewLayout* views;
   StartPage* startPage;
   WarningBar* warnings;

@@ -2,17 +2,24 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Scene/SegmentFiles.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Open/FileKind.h"
 #include "Viewer/Open/SeriesPicker.h"
+#include "Viewer/Panels/SegmentEditingBox.h"
+#include "Viewer/Panels/SegmentsPanel.h"
+#include "Viewer/SaveDialog.h"
 
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QVBoxLayout>
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 
 namespace varimarch
@@ -27,6 +34,46 @@ bool MayBelongTo(const LoadedVolume& scan, const SeriesSummary& segmentation)
     scan.frameOfReference == segmentation.frameOfReference;
 }
 
+}
+
+QWidget* MainWindow::MakeSegmentsPanel()
+{
+  auto* const segments = new SegmentsPanel(&this->model);
+  connect(segments, &SegmentsPanel::OpenWanted, this, &MainWindow::ChooseSegmentation);
+  connect(segments, &SegmentsPanel::Saved, this, &MainWindow::ShowSaved);
+  connect(segments, &SegmentsPanel::Selected, this->segmentEditor, &SegmentEditor::SetSegment);
+  auto* const box = new SegmentEditingBox(&this->model, this->segmentEditor);
+  connect(box, &SegmentEditingBox::SaveWanted, this, &MainWindow::SaveSegmentation);
+  auto* const panel = new QWidget;
+  auto* const column = new QVBoxLayout(panel);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(segments, 1);
+  column->addWidget(box);
+  return panel;
+}
+
+bool MainWindow::SaveSegmentation()
+{
+  const QString path = ChosenFileToSave(this, tr("Save the segmentation"),
+    { tr("Segmentation of 3D Slicer (*.seg.nrrd)"), tr("NIfTI (*.nii.gz)") }, "segmentation");
+  if (path.isEmpty())
+  {
+    return false;
+  }
+  try
+  {
+    const Scene& scene = this->model.CurrentScene();
+    WriteSegments(*this->model.CurrentStudy()->labels, scene.labels->segments, scene.volume,
+      path.toStdString());
+  }
+  catch (const std::exception& problem)
+  {
+    QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
+    return false;
+  }
+  this->model.TakeSavedLabels(path.toStdString(), tr("save the segmentation"));
+  this->ShowSaved(path);
+  return true;
 }
 
 void MainWindow::ChooseSegmentation()

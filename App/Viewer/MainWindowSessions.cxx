@@ -21,7 +21,8 @@ namespace varimarch
 QString MainWindow::CurrentWork() const
 {
   const auto study = this->model.CurrentStudy();
-  return study ? WorkText(this->model.CurrentScene(), *study) : QString();
+  const QString voxels = this->model.HasUnsavedLabels() ? QStringLiteral("voxels") : QString();
+  return study ? WorkText(this->model.CurrentScene(), *study) + voxels : QString();
 }
 
 bool MainWindow::MayLeaveScan()
@@ -36,8 +37,13 @@ bool MainWindow::MayLeaveScan()
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && this->SaveSession());
 }
 
+// A session names the file of its segments, so they are saved first.
 bool MainWindow::SaveSession()
 {
+  if (this->model.HasUnsavedLabels() && !this->SaveSegmentation())
+  {
+    return false;
+  }
   const QString path = this->model.CurrentStudy()
     ? ChosenFileToSave(this, tr("Save the session"), { tr("Sessions (*.json)") }, "session")
     : QString();

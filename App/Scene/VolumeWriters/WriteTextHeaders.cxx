@@ -3,6 +3,7 @@
 #include "Scene/VolumeWriters/VolumeWriters.h"
 #include "Scene/VolumeWriters/WrittenImage.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace varimarch
@@ -28,6 +29,33 @@ std::string NrrdKind(int componentCount)
   return componentCount == 3 ? "RGB-color" : componentCount == 4 ? "RGBA-color" : "vector";
 }
 
+/// Names cannot hold the ends of lines.
+std::string OneLine(std::string text)
+{
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+/// The keys by which 3D Slicer knows segments in a file of its own, ".seg.nrrd".
+std::string SegmentKeys(const std::vector<Segment>& segments, const std::array<int, 3>& size)
+{
+  std::string keys;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const std::string key = "Segment" + std::to_string(i) + '_';
+    keys += key + "ID:=Segment_" + std::to_string(i + 1) + '\n' + key +
+      "Name:=" + OneLine(segments[i].name) + '\n' + key + "Color:=" + TextOf(segments[i].rgb) +
+      '\n' + key + "LabelValue:=" + std::to_string(segments[i].value) + '\n' + key + "Layer:=0\n" +
+      key + "Extent:=0 " + std::to_string(size[0] - 1) + " 0 " + std::to_string(size[1] - 1) +
+      " 0 " + std::to_string(size[2] - 1) + '\n';
+  }
+  return keys +
+    (segments.empty() ? ""
+                      : "Segmentation_MasterRepresentation:=Binary labelmap\n"
+                        "Segmentation_ContainedRepresentationNames:=Binary labelmap|\n"
+                        "Segmentation_ReferenceImageExtentOffset:=0 0 0\n");
+}
+
 }
 
 bool WriteNrrdFile(const LoadedVolume& volume, const std::string& path, bool)
@@ -46,7 +74,8 @@ bool WriteNrrdFile(const LoadedVolume& volume, const std::string& path, bool)
     "\nspace directions:" + (hasComponents ? " none" : "") + directions +
     "\nkinds: " + (hasComponents ? NrrdKind(componentCount) + ' ' : "") +
     "domain domain domain\nendian: " + (IsBigEndianMachine() ? "big" : "little") +
-    "\nencoding: raw\nspace origin: " + NrrdVector(image.OriginMm()) + "\n\n";
+    "\nencoding: raw\nspace origin: " + NrrdVector(image.OriginMm()) + '\n' +
+    SegmentKeys(volume.segments, image.Size()) + '\n';
   return WriteHeaderAndValues(path, header, image);
 }
 

@@ -85,6 +85,7 @@ void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened
   TakeSegments(restored);
   TakeOverlays(restored);
   this->edited = 0;
+  this->hasUnsavedLabels = false;
   this->Replace({ ScenePart::Volume }, restored);
 }
 
@@ -107,14 +108,20 @@ void SceneModel::ShowLabels(
   State changed = { std::move(labelled), this->state.scene };
   changed.scene.labels = labels;
   TakeSegments(changed);
-  this->history.push(
-    new EditStep(this, { ScenePart::Labels }, name, std::move(changed), NoGesture));
+  this->hasUnsavedLabels = false;
+  this->PushLabels(std::move(changed), name);
 }
 
 void SceneModel::CloseLabels(const QString& name)
 {
   State changed = { WithoutLabels(*this->state.study), this->state.scene };
   TakeSegments(changed);
+  this->hasUnsavedLabels = false;
+  this->PushLabels(std::move(changed), name);
+}
+
+void SceneModel::PushLabels(State changed, const QString& name)
+{
   this->history.push(
     new EditStep(this, { ScenePart::Labels }, name, std::move(changed), NoGesture));
 }

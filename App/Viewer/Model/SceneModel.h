@@ -2,6 +2,7 @@
 #define Varimarch_Viewer_SceneModel_h
 
 #include "Scene/Scene.h"
+#include "Scene/SegmentEditing.h"
 #include "Viewer/Model/Gesture.h"
 #include "Viewer/Model/Study.h"
 
@@ -78,6 +79,19 @@ public:
   /// Shows the scan without labels. This is an undo step.
   void CloseLabels(const QString& name);
 
+  /// Adds a segment without voxels, and labels if there are none. This is an undo step.
+  void AddSegment(const QString& segmentName, const QString& name);
+
+  /// Changes voxels of the labels, which may have been changed already. This is an undo step, which
+  /// keeps the changed box and no copy of the labels.
+  void ChangeLabels(const LabelChange& change, const QString& name);
+
+  /// Takes the file that the labels have been written to.
+  void TakeSavedLabels(const std::string& path, const QString& name);
+
+  /// True if voxels or segments have been drawn since the labels were read or written.
+  bool HasUnsavedLabels() const { return this->hasUnsavedLabels; }
+
   /// Draws a further volume over the others. This is an undo step, and the volume becomes the
   /// edited one. Requires fewer than MostVolumes.
   void AddOverlay(
@@ -118,6 +132,7 @@ signals:
 
 private:
   class EditStep;
+  class LabelStep;
 
   struct State
   {
@@ -127,12 +142,15 @@ private:
 
   static void TakeSegments(State& taken);
   static void TakeOverlays(State& taken);
+  void PushLabels(State changed, const QString& name);
+  void RenewLabels(LabelMap map);
   void PushOverlays(State changed, const QString& name, int newEdited);
   void Replace(const std::vector<ScenePart>& parts, const State& newState);
 
   State state;
   std::shared_ptr<const Study> exchanged;
   int edited = 0;
+  bool hasUnsavedLabels = false;
   QUndoStack history;
 };
 

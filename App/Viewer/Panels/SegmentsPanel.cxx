@@ -222,6 +222,7 @@ QTableWidgetItem* SegmentsPanel::Item(int row, int column)
 void SegmentsPanel::ShowSelected()
 {
   const int row = this->table->currentRow();
+  emit this->Selected(row);
   const bool isSelected = row >= 0 && this->table->selectionModel()->hasSelection();
   this->opacity->setEnabled(isSelected);
   this->color->setEnabled(isSelected);

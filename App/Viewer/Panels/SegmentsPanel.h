@@ -28,6 +28,8 @@ public:
 
 signals:
   void OpenWanted();
+  /// @param row  the current segment; -1 without one
+  void Selected(int row);
   /// The statistics are in a file.
   void Saved(const QString& path);
 

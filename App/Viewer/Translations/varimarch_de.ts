@@ -1164,6 +1164,22 @@ Masken nicht unterstützt</translation>
         <source>Choose Scissors or Keep inside above, then draw around the part to remove or to keep.</source>
         <translation>Wählen Sie oben Schere oder Inneres behalten, und umfahren Sie, was entfernt werden oder bleiben soll.</translation>
     </message>
+    <message>
+        <source>Remove face</source>
+        <translation>Gesicht entfernen</translation>
+    </message>
+    <message>
+        <source>Cuts the front of the head away in the 3D view, to %1 mm behind its smoothed surface. This is no anonymization: look at the image, ears and bones stay, and slices show the face.</source>
+        <translation>Schneidet in der 3D-Ansicht die Vorderseite des Kopfes weg, bis %1 mm hinter seiner geglätteten Oberfläche. Das ist keine Anonymisierung: prüfen Sie das Bild, Ohren und Knochen bleiben, und Schichten zeigen das Gesicht.</translation>
+    </message>
+    <message>
+        <source>remove the face</source>
+        <translation>Gesicht entfernen</translation>
+    </message>
+    <message>
+        <source>show the face</source>
+        <translation>Gesicht zeigen</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::ExportDialog</name>
@@ -1937,6 +1953,22 @@ Masken nicht unterstützt</translation>
         <source>Registered; compare the volumes in the slices before you trust it</source>
         <translation>Registriert; vergleichen Sie die Volumen in den Schichten, bevor Sie sich darauf verlassen</translation>
     </message>
+    <message>
+        <source>Save the segmentation</source>
+        <translation>Segmentierung speichern</translation>
+    </message>
+    <message>
+        <source>Segmentation of 3D Slicer (*.seg.nrrd)</source>
+        <translation>Segmentierung von 3D Slicer (*.seg.nrrd)</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz)</source>
+        <translation>NIfTI (*.nii.gz)</translation>
+    </message>
+    <message>
+        <source>save the segmentation</source>
+        <translation>Segmentierung speichern</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2348,6 +2380,136 @@ Masken nicht unterstützt</translation>
     <message>
         <source>look of a script</source>
         <translation>Darstellung eines Skripts</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SegmentEditingBox</name>
+    <message>
+        <source>Draw segments</source>
+        <translation>Segmente zeichnen</translation>
+    </message>
+    <message>
+        <source>New segment</source>
+        <translation>Neues Segment</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>Segment %1</translation>
+    </message>
+    <message>
+        <source>new segment</source>
+        <translation>neues Segment</translation>
+    </message>
+    <message>
+        <source>Nothing has changed: the value there is outside the range, or no voxels are left.</source>
+        <translation>Nichts hat sich geändert: der Wert dort liegt außerhalb des Bereichs, oder es bleiben keine Voxel.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Click in a slice or in the volume: the connected voxels of these values are added.</source>
+        <translation>In eine Schicht oder ins Volumen klicken: die zusammenhängenden Voxel mit diesen Werten kommen hinzu.</translation>
+    </message>
+    <message>
+        <source>Drag in a slice to paint.</source>
+        <translation>In einer Schicht ziehen, um zu malen.</translation>
+    </message>
+    <message>
+        <source>Drag in a slice to erase.</source>
+        <translation>In einer Schicht ziehen, um zu radieren.</translation>
+    </message>
+    <message>
+        <source>Smallest value of a region</source>
+        <translation>Kleinster Wert eines Bereichs</translation>
+    </message>
+    <message>
+        <source>Largest value of a region</source>
+        <translation>Größter Wert eines Bereichs</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Radius des Pinsels</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Keep the largest part</source>
+        <translation>Größten Teil behalten</translation>
+    </message>
+    <message>
+        <source>Remove parts below</source>
+        <translation>Teile entfernen unter</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Save the segmentation…</source>
+        <translation>Segmentierung speichern…</translation>
+    </message>
+    <message>
+        <source>Volume of the smallest part that is kept</source>
+        <translation>Volumen des kleinsten Teils, der bleibt</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Width of the smoothing</source>
+        <translation>Breite der Glättung</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SegmentEditor</name>
+    <message>
+        <source>add a region</source>
+        <translation>Bereich hinzufügen</translation>
+    </message>
+    <message>
+        <source>erase</source>
+        <translation>radieren</translation>
+    </message>
+    <message>
+        <source>paint</source>
+        <translation>malen</translation>
+    </message>
+    <message>
+        <source>keep the largest part</source>
+        <translation>größten Teil behalten</translation>
+    </message>
+    <message>
+        <source>remove small parts</source>
+        <translation>kleine Teile entfernen</translation>
+    </message>
+    <message>
+        <source>smooth a segment</source>
+        <translation>Segment glätten</translation>
     </message>
 </context>
 <context>

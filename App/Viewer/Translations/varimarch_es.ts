@@ -1164,6 +1164,22 @@ no admite máscaras</translation>
         <source>Choose Scissors or Keep inside above, then draw around the part to remove or to keep.</source>
         <translation>Elija arriba Tijeras o Conservar el interior, y dibuje alrededor de la parte que se quita o se conserva.</translation>
     </message>
+    <message>
+        <source>Remove face</source>
+        <translation>Quitar la cara</translation>
+    </message>
+    <message>
+        <source>Cuts the front of the head away in the 3D view, to %1 mm behind its smoothed surface. This is no anonymization: look at the image, ears and bones stay, and slices show the face.</source>
+        <translation>Recorta en la vista 3D la parte delantera de la cabeza, hasta %1 mm detrás de su superficie suavizada. Esto no es una anonimización: revise la imagen, las orejas y los huesos quedan, y los cortes muestran la cara.</translation>
+    </message>
+    <message>
+        <source>remove the face</source>
+        <translation>quitar la cara</translation>
+    </message>
+    <message>
+        <source>show the face</source>
+        <translation>mostrar la cara</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::ExportDialog</name>
@@ -1937,6 +1953,22 @@ no admite máscaras</translation>
         <source>Registered; compare the volumes in the slices before you trust it</source>
         <translation>Registrado; compare los volúmenes en los cortes antes de fiarse</translation>
     </message>
+    <message>
+        <source>Save the segmentation</source>
+        <translation>Guardar la segmentación</translation>
+    </message>
+    <message>
+        <source>Segmentation of 3D Slicer (*.seg.nrrd)</source>
+        <translation>Segmentación de 3D Slicer (*.seg.nrrd)</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz)</source>
+        <translation>NIfTI (*.nii.gz)</translation>
+    </message>
+    <message>
+        <source>save the segmentation</source>
+        <translation>guardar la segmentación</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2348,6 +2380,136 @@ no admite máscaras</translation>
     <message>
         <source>look of a script</source>
         <translation>aspecto de un script</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SegmentEditingBox</name>
+    <message>
+        <source>Draw segments</source>
+        <translation>Dibujar segmentos</translation>
+    </message>
+    <message>
+        <source>New segment</source>
+        <translation>Segmento nuevo</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>Segmento %1</translation>
+    </message>
+    <message>
+        <source>new segment</source>
+        <translation>segmento nuevo</translation>
+    </message>
+    <message>
+        <source>Nothing has changed: the value there is outside the range, or no voxels are left.</source>
+        <translation>Nada ha cambiado: el valor en ese punto está fuera del intervalo o no quedan vóxeles.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Apagado</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Pintar</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Click in a slice or in the volume: the connected voxels of these values are added.</source>
+        <translation>Haga clic en un corte o en el volumen: se añaden los vóxeles conectados con estos valores.</translation>
+    </message>
+    <message>
+        <source>Drag in a slice to paint.</source>
+        <translation>Arrastre en un corte para pintar.</translation>
+    </message>
+    <message>
+        <source>Drag in a slice to erase.</source>
+        <translation>Arrastre en un corte para borrar.</translation>
+    </message>
+    <message>
+        <source>Smallest value of a region</source>
+        <translation>Valor mínimo de una región</translation>
+    </message>
+    <message>
+        <source>Largest value of a region</source>
+        <translation>Valor máximo de una región</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Radio del pincel</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>Keep the largest part</source>
+        <translation>Conservar la parte mayor</translation>
+    </message>
+    <message>
+        <source>Remove parts below</source>
+        <translation>Quitar partes menores de</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Suavizar</translation>
+    </message>
+    <message>
+        <source>Save the segmentation…</source>
+        <translation>Guardar la segmentación…</translation>
+    </message>
+    <message>
+        <source>Volume of the smallest part that is kept</source>
+        <translation>Volumen de la parte más pequeña que se conserva</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Width of the smoothing</source>
+        <translation>Anchura del suavizado</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SegmentEditor</name>
+    <message>
+        <source>add a region</source>
+        <translation>añadir una región</translation>
+    </message>
+    <message>
+        <source>erase</source>
+        <translation>borrar</translation>
+    </message>
+    <message>
+        <source>paint</source>
+        <translation>pintar</translation>
+    </message>
+    <message>
+        <source>keep the largest part</source>
+        <translation>conservar la parte mayor</translation>
+    </message>
+    <message>
+        <source>remove small parts</source>
+        <translation>quitar partes pequeñas</translation>
+    </message>
+    <message>
+        <source>smooth a segment</source>
+        <translation>suavizar un segmento</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace varimarch
 {
@@ -65,6 +66,27 @@ void SliceView::SetTool(LeftButton button)
   const std::optional<MeasureKind> kind = MeasureOf(button);
   this->measuring = bool(kind);
   this->measure.SetKind(kind.value_or(MeasureKind::Distance));
+}
+
+void SliceView::SetSegmentEditor(SegmentEditor* newEditor)
+{
+  this->segmentEditor = newEditor;
+  for (const auto signal : { &SegmentEditor::Stroked, &SegmentEditor::ToolChanged })
+  {
+    connect(newEditor, signal, this, QOverload<>::of(&SliceView::update));
+  }
+}
+
+// True if the press edits segments.
+bool SliceView::PressSegment(const QMouseEvent* event)
+{
+  this->isDrawing =
+    this->segmentEditor && this->segmentEditor->TakesSlices() && event->button() == Qt::LeftButton;
+  if (this->isDrawing)
+  {
+    this->segmentEditor->Press(*this->PointAt(event->localPos()), this->Axes().through);
+  }
+  return this->isDrawing;
 }
 
 PictureFrame SliceView::Frame() const
@@ -122,6 +144,7 @@ void SliceView::paintEvent(QPaintEvent*)
   DrawSliceCorners(painter, this->rect(), this->model->CurrentStudy()->volume.image,
     this->Request(), this->zoom.factor);
   this->DrawMeasuresOfSlice(painter);
+  this->DrawBrush(painter);
   if (this->hasFocus())
   {
     painter.setBrush(Qt::NoBrush);
@@ -133,6 +156,10 @@ void SliceView::paintEvent(QPaintEvent*)
 void SliceView::mousePressEvent(QMouseEvent* event)
 {
   if (!this->model->CurrentStudy())
+  {
+    return;
+  }
+  if (this->PressSegment(event))
   {
     return;
   }
@@ -160,6 +187,10 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event)
   {
     this->draggedArms.reset();
   }
+  if (event->button() == Qt::LeftButton && std::exchange(this->isDrawing, false))
+  {
+    this->segmentEditor->Release();
+  }
   if (this->toolIsActive && event->button() == Qt::LeftButton)
   {
     this->toolIsActive = false;
@@ -174,11 +205,12 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
   {
     return;
   }
-  this->Point(event->localPos());
-  const bool turns =
-    this->draggedArms || (!this->measuring && this->Arms().Hold(event->localPos()));
-  this->setCursor(turns ? Qt::PointingHandCursor : Qt::CrossCursor);
-  if (this->toolIsActive)
+  this->FollowPointer(event->localPos());
+  if (this->isDrawing)
+  {
+    this->segmentEditor->Drag(*this->PointAt(event->localPos()));
+  }
+  else if (this->toolIsActive)
   {
     this->measure.Drag(event->localPos());
     this->update();
@@ -204,13 +236,22 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
   }
 }
 
-void SliceView::Point(const QPointF& place)
+void SliceView::FollowPointer(const QPointF& place)
 {
+  this->pointer = place;
   const std::array<double, 3> point = *this->PointAt(place);
   const Study& study = *this->model->CurrentStudy();
   emit this->Pointed(ValueAt(study.volume.image, point)
       ? PointText(this->model->CurrentScene(), study, point)
       : QString());
+  const bool isBrush = this->segmentEditor && this->segmentEditor->IsBrush();
+  const bool turns =
+    this->draggedArms || (!this->measuring && !isBrush && this->Arms().Hold(place));
+  this->setCursor(turns ? Qt::PointingHandCursor : Qt::CrossCursor);
+  if (isBrush)
+  {
+    this->update(); // the brush follows
+  }
 }
 
 // Dragging to the right widens the window, dragging down brightens, as in radiology viewers.

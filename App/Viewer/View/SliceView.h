@@ -4,6 +4,7 @@
 #include "Scene/SlicePicture.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Tools/MouseTools.h"
 #include "Viewer/View/CrosshairArms.h"
 #include "Viewer/View/SlicePlacement.h"
@@ -34,6 +35,9 @@ public:
 
   /// Sets the action of the left button. For tools of the 3D view it moves the crosshair.
   void SetTool(LeftButton button);
+
+  /// The left button edits segments while a tool of the editor is chosen.
+  void SetSegmentEditor(SegmentEditor* newEditor);
 
   PictureFrame Frame() const override;
 
@@ -67,13 +71,15 @@ private:
   void DrawVoxels(QPainter& painter) const;
   void DrawOverlays(QPainter& painter, SliceRequest request) const;
   void DrawCrosshair(QPainter& painter) const;
+  void DrawBrush(QPainter& painter) const;
+  bool PressSegment(const QMouseEvent* event);
   static QColor ColorOfCrosshair();
   void DragWindowLevel(const QPoint& moved);
   void DragSlice(const QPoint& moved);
   void Zoom(double notches);
   void Scroll(double slices);
   void ResetZoom();
-  void Point(const QPointF& place);
+  void FollowPointer(const QPointF& place);
   SlicePlacement Placement() const;
   SliceAxes Axes() const;
   CrosshairArms Arms() const;
@@ -89,6 +95,9 @@ private:
   bool measuring = false;    ///< the left button measures
   bool toolIsActive = false; ///< a gesture of the measure tool is in progress
   MeasureTexts texts;
+  SegmentEditor* segmentEditor = nullptr; ///< null before it is set
+  bool isDrawing = false;                 ///< a stroke is in progress
+  QPointF pointer;
   QPoint pressed;
   std::array<double, 2> pressedWindowLevel = {};
   QPointF pressedShiftMm;

@@ -91,4 +91,16 @@ void SliceView::DrawCrosshair(QPainter& painter) const
   }
 }
 
+void SliceView::DrawBrush(QPainter& painter) const
+{
+  if (this->segmentEditor && this->segmentEditor->IsBrush() && this->underMouse())
+  {
+    const double radius = this->segmentEditor->RadiusMm() / this->Placement().MmPerPixel();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(ColorOfCrosshair());
+    painter.drawEllipse(this->pointer, radius, radius);
+  }
+}
+
 }

@@ -100,6 +100,10 @@ bool VolumeView::event(QEvent* event)
   {
     return QWidget::event(event); // VTK's style warns of a window without a renderer
   }
+  if (this->pipeline && this->PressSegment(event))
+  {
+    return true;
+  }
   if (this->pipeline && this->tools.Take(event))
   {
     if (event->type() == QEvent::MouseMove && this->tools.Measures())

@@ -3,6 +3,7 @@
 
 #include "Scene/ScenePipeline.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Tools/MouseTools.h"
 #include "Viewer/View/FramePacer.h"
 #include "Viewer/View/Overlay.h"
@@ -55,6 +56,9 @@ public:
 
   /// Sets the action of the left button.
   void SetTool(LeftButton button);
+
+  /// The left button adds regions to a segment while that tool of the editor is chosen.
+  void SetSegmentEditor(SegmentEditor* newEditor) { this->segmentEditor = newEditor; }
 
   /// Sets whether a frame is refined while the program is idle. Our mapper then renders the frame
   /// in parts, which keeps the window responsive, and averages several frames with different
@@ -109,6 +113,7 @@ private:
   void TakeOverlays();
   void TakeLights();
   void TakeMeasures();
+  bool PressSegment(QEvent* event);
   void TakeCamera();
   void Draw(double framesPerSecond);
   void DrawFinely();
@@ -139,6 +144,7 @@ private:
   bool isLost = false; ///< the graphics card was reset, and the context is still the same
   int turning = SceneModel::NoGesture; ///< gesture number of the camera
   bool isTurning = false;
+  SegmentEditor* segmentEditor = nullptr; ///< null before it is set
   MouseTools tools;
   MeasureTexts texts; ///< labels of the measurements
 };

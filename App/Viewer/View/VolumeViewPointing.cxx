@@ -6,6 +6,8 @@
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
 
+#include <QMouseEvent>
+
 namespace varimarch
 {
 
@@ -22,6 +24,23 @@ void VolumeView::Point(const QPointF& place)
   emit this->Pointed(point
       ? PointText(this->model->CurrentScene(), *this->model->CurrentStudy(), *point)
       : QString());
+}
+
+// True if the event is a press that adds a region to a segment.
+bool VolumeView::PressSegment(QEvent* event)
+{
+  const bool isPress = event->type() == QEvent::MouseButtonPress;
+  const auto* const mouse = isPress ? static_cast<QMouseEvent*>(event) : nullptr;
+  if (!mouse || mouse->button() != Qt::LeftButton || !this->segmentEditor ||
+    !this->segmentEditor->TakesVolume())
+  {
+    return false;
+  }
+  if (const auto point = this->PointAt(mouse->localPos()))
+  {
+    this->segmentEditor->AddRegion(*point);
+  }
+  return true;
 }
 
 }

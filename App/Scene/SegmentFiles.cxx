@@ -1,0 +1,70 @@
+#include "Scene/SegmentFiles.h"
+
+#include "Scene/VolumeWriters/VolumeWriters.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+bool EndsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void CheckPath(const std::string& path, const VolumeSource& scan)
+{
+  const bool isKnown =
+    EndsWith(path, ".seg.nrrd") || EndsWith(path, ".nii") || EndsWith(path, ".nii.gz");
+  if (!isKnown)
+  {
+    throw std::runtime_error(
+      path + ": expected a name that ends with .seg.nrrd, .nii or .nii.gz; choose one");
+  }
+  const auto* const file = std::get_if<FileSource>(&scan);
+  std::error_code unknown;
+  if (file && std::filesystem::equivalent(path, file->path, unknown))
+  {
+    throw std::runtime_error(
+      path + ": this is the file of the scan, which is not replaced; choose another name");
+  }
+}
+
+// The values of the segments instead of their numbers.
+vtkSmartPointer<vtkImageData> ValuesOf(vtkImageData* numbers, const std::vector<Segment>& segments)
+{
+  const bool areBytes = std::all_of(segments.begin(), segments.end(),
+    [](const Segment& segment) { return segment.value > 0 && segment.value <= 255; });
+  auto values = vtkSmartPointer<vtkImageData>::New();
+  values->CopyStructure(numbers);
+  values->AllocateScalars(areBytes ? VTK_UNSIGNED_CHAR : VTK_INT, 1);
+  vtkDataArray* const scalars = values->GetPointData()->GetScalars();
+  const auto* const number = static_cast<const unsigned char*>(numbers->GetScalarPointer());
+  for (vtkIdType voxel = 0; voxel < numbers->GetNumberOfPoints(); ++voxel)
+  {
+    scalars->SetComponent(voxel, 0, number[voxel] > 0 ? segments[number[voxel] - 1].value : 0);
+  }
+  return values;
+}
+
+}
+
+std::vector<std::string> WriteSegments(const LabelMap& labels, const std::vector<Segment>& segments,
+  const VolumeSource& scan, const std::string& path)
+{
+  CheckPath(path, scan);
+  LoadedVolume volume;
+  volume.image = ValuesOf(labels.image, segments);
+  volume.segments = segments;
+  return WriteVolume(volume, path);
+}
+
+}

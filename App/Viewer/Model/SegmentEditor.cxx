@@ -1,0 +1,122 @@
+#include "Viewer/Model/SegmentEditor.h"
+
+#include <vtkImageData.h>
+
+#include <utility>
+
+namespace varimarch
+{
+
+SegmentEditor::SegmentEditor(SceneModel* model, QObject* parent)
+  : QObject(parent)
+  , model(model)
+{
+}
+
+void SegmentEditor::SetTool(SegmentTool newTool)
+{
+  this->tool = newTool;
+  emit this->ToolChanged();
+}
+
+bool SegmentEditor::HasSegment() const
+{
+  const auto& labels = this->model->CurrentScene().labels;
+  return labels && this->segment >= 0 && this->segment < int(labels->segments.size());
+}
+
+vtkImageData* SegmentEditor::Numbers() const
+{
+  return this->model->CurrentStudy()->labels->image;
+}
+
+void SegmentEditor::Change(const LabelChange& change, const QString& name)
+{
+  if (change.IsEmpty())
+  {
+    emit this->Unchanged();
+  }
+  else
+  {
+    this->model->ChangeLabels(change, name);
+  }
+}
+
+void SegmentEditor::AddRegion(const std::array<double, 3>& pointMm)
+{
+  this->Change(ConnectedRegion(this->Numbers(), this->Number(),
+                 this->model->CurrentStudy()->volume.image, pointMm, this->range),
+    tr("add a region"));
+}
+
+void SegmentEditor::Press(
+  const std::array<double, 3>& pointMm, const std::array<double, 3>& sliceNormal)
+{
+  if (this->tool == SegmentTool::Region)
+  {
+    this->AddRegion(pointMm);
+    return;
+  }
+  this->isStroking = true;
+  this->stroke = {};
+  this->normal = sliceNormal;
+  this->lastMm = pointMm;
+  this->Brush(pointMm);
+}
+
+void SegmentEditor::Drag(const std::array<double, 3>& pointMm)
+{
+  if (this->isStroking)
+  {
+    this->Brush(pointMm);
+  }
+}
+
+// The voxels change at once, so that the user sees the stroke; the model hears of it at its end.
+void SegmentEditor::Brush(const std::array<double, 3>& toMm)
+{
+  const BrushStroke line = { this->lastMm, toMm, this->normal, this->radiusMm };
+  const LabelChange change = this->tool == SegmentTool::Erase
+    ? Erased(this->Numbers(), this->Number(), line)
+    : Painted(this->Numbers(), this->Number(), line);
+  Apply(change, true, this->Numbers());
+  this->stroke = Joined(this->stroke, change, this->Numbers());
+  this->lastMm = toMm;
+  emit this->Stroked();
+}
+
+void SegmentEditor::Release()
+{
+  if (std::exchange(this->isStroking, false) && !this->stroke.IsEmpty())
+  {
+    this->model->ChangeLabels(
+      this->stroke, this->tool == SegmentTool::Erase ? tr("erase") : tr("paint"));
+  }
+}
+
+void SegmentEditor::KeepLargestIsland()
+{
+  if (this->HasSegment())
+  {
+    this->Change(LargestIsland(this->Numbers(), this->Number()), tr("keep the largest part"));
+  }
+}
+
+void SegmentEditor::RemoveSmallIslands(double leastMl)
+{
+  if (this->HasSegment())
+  {
+    this->Change(
+      WithoutSmallIslands(this->Numbers(), this->Number(), leastMl), tr("remove small parts"));
+  }
+}
+
+void SegmentEditor::Smooth(double deviationMm)
+{
+  if (this->HasSegment())
+  {
+    this->Change(Smoothed(this->Numbers(), this->Number(), deviationMm), tr("smooth a segment"));
+  }
+}
+
+}

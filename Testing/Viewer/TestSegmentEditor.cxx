@@ -1,0 +1,166 @@
+// Segments that are drawn by hand, with the widgets that a user operates.
+
+#include "Scene/ScenePicking.h"
+#include "SmallStudy.h"
+#include "Viewer/Panels/SegmentEditingBox.h"
+#include "Viewer/Panels/SegmentsPanel.h"
+#include "Viewer/View/SliceView.h"
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace varimarch;
+
+namespace
+{
+
+class DrawnSegments : public testing::Test
+{
+protected:
+  DrawnSegments()
+  {
+    this->slice.SetSegmentEditor(&this->editor);
+    this->slice.resize(300, 300);
+    QObject::connect(
+      &this->panel, &SegmentsPanel::Selected, &this->editor, &SegmentEditor::SetSegment);
+    this->model.Open(ProceduralSource{ ProceduralKind::Torso }, SmallStudy());
+    this->box.show();
+    this->panel.show();
+  }
+
+  void Press(const char* name)
+  {
+    QTest::mouseClick(this->box.findChild<QPushButton*>(name), Qt::LeftButton);
+  }
+
+  std::int64_t Voxels(int segment)
+  {
+    return this->model.CurrentStudy()->segmentStatistics[segment].voxels;
+  }
+
+  /// Drags over the middle of the slice.
+  void Stroke(int fromX, int toX)
+  {
+    QTest::mousePress(&this->slice, Qt::LeftButton, Qt::NoModifier, { fromX, 150 });
+    QTest::mouseMove(&this->slice, { (fromX + toX) / 2, 150 });
+    QMouseEvent move(QEvent::MouseMove, QPointF(toX, 150), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&this->slice, &move);
+    QTest::mouseRelease(&this->slice, Qt::LeftButton, Qt::NoModifier, { toX, 150 });
+  }
+
+  void SetNumber(const char* name, double value)
+  {
+    this->box.findChild<QDoubleSpinBox*>(name)->setValue(value);
+  }
+
+  SceneModel model;
+  SegmentEditor editor{ &this->model };
+  SegmentsPanel panel{ &this->model };
+  SegmentEditingBox box{ &this->model, &this->editor };
+  SliceView slice{ &this->model, SlicePlane::Axial };
+};
+
+}
+
+TEST_F(DrawnSegments, BeginEmptyAndAreInTheTable)
+{
+  this->Press("newSegment");
+  this->Press("newSegment");
+  ASSERT_TRUE(this->model.CurrentScene().labels);
+  EXPECT_EQ(this->model.CurrentScene().labels->segments[1].name, "Segment 2");
+  EXPECT_EQ(this->panel.findChild<QTableWidget*>()->rowCount(), 2);
+  EXPECT_EQ(this->Voxels(0), 0);
+  EXPECT_TRUE(this->model.HasUnsavedLabels());
+  this->model.History()->undo();
+  this->model.History()->undo();
+  EXPECT_FALSE(this->model.CurrentScene().labels);
+}
+
+TEST_F(DrawnSegments, ABrushPaintsAndErasesInOneStepEach)
+{
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  this->SetNumber("brushRadius", 40.0);
+  const int steps = this->model.History()->count();
+  this->Stroke(100, 200);
+  const std::int64_t painted = this->Voxels(0);
+  EXPECT_GT(painted, 10);
+  EXPECT_EQ(this->model.History()->count(), steps + 1);
+  this->Press("toolErase");
+  this->SetNumber("brushRadius", 60.0);
+  this->Stroke(180, 220);
+  EXPECT_LT(this->Voxels(0), painted);
+  EXPECT_GT(this->Voxels(0), 0);
+  this->model.History()->undo();
+  EXPECT_EQ(this->Voxels(0), painted);
+  this->model.History()->undo();
+  EXPECT_EQ(this->Voxels(0), 0);
+  this->model.History()->redo();
+  EXPECT_EQ(this->Voxels(0), painted);
+}
+
+TEST_F(DrawnSegments, ARegionHasTheValuesOfItsRange)
+{
+  this->Press("newSegment");
+  this->Press("toolRegion");
+  vtkImageData* const image = this->model.CurrentStudy()->volume.image;
+  // The middle of a voxel: a region begins at the nearest one.
+  std::array<double, 3> middle;
+  image->TransformIndexToPhysicalPoint(16, 14, 10, middle.data());
+  this->model.Edit(
+    ScenePart::Slices, "there", [&](Scene& scene) { scene.slices.crosshairMm = middle; });
+  const double value = *ValueAt(image, middle);
+  this->SetNumber("smallestValue", value - 20.0);
+  this->SetNumber("largestValue", value + 20.0);
+  QTest::mouseClick(
+    &this->slice, Qt::LeftButton, Qt::NoModifier, this->slice.PlaceOf(middle).toPoint());
+  ASSERT_GT(this->Voxels(0), 0);
+  EXPECT_GE(this->model.CurrentStudy()->segmentStatistics[0].smallest, value - 20.0);
+  EXPECT_LE(this->model.CurrentStudy()->segmentStatistics[0].largest, value + 20.0);
+  // Nothing has such values.
+  this->SetNumber("smallestValue", 90000.0);
+  this->SetNumber("largestValue", 90001.0);
+  QTest::mouseClick(&this->slice, Qt::LeftButton, Qt::NoModifier, { 150, 150 });
+  EXPECT_TRUE(this->box.findChild<QLabel*>("drawHint")->text().startsWith("Nothing has changed"));
+}
+
+TEST_F(DrawnSegments, AreCleanedUpByButtons)
+{
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  this->SetNumber("brushRadius", 50.0);
+  this->Stroke(140, 150);
+  const std::int64_t large = this->Voxels(0);
+  this->SetNumber("brushRadius", 12.0);
+  this->Stroke(40, 41);
+  ASSERT_GT(this->Voxels(0), large);
+  this->Press("keepLargest");
+  EXPECT_EQ(this->Voxels(0), large);
+  this->model.History()->undo();
+  const double ml = this->model.CurrentStudy()->segmentStatistics[0].volumeMm3 / 1000.0;
+  this->SetNumber("islandVolume", 0.5 * ml);
+  this->Press("removeSmall");
+  EXPECT_EQ(this->Voxels(0), large);
+  this->SetNumber("smoothing", 30.0);
+  this->Press("smooth");
+  EXPECT_NE(this->Voxels(0), large);
+  this->model.History()->undo();
+  EXPECT_EQ(this->Voxels(0), large);
+}
+
+TEST_F(DrawnSegments, TheCrosshairMovesAgainWithoutATool)
+{
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  this->Press("toolNone");
+  this->Stroke(100, 200);
+  EXPECT_EQ(this->Voxels(0), 0);
+  EXPECT_TRUE(this->model.CurrentScene().slices.crosshairMm);
+}
