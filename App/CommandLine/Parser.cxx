@@ -194,6 +194,17 @@ void AddCameraOptions(CLI::App& command, SceneArguments& arguments)
   AddClippingRangeOption(command, arguments);
 }
 
+void AddFaceOption(CLI::App& command, SceneArguments& arguments)
+{
+  command
+    .add_option("--remove-face", arguments.faceDepthMm,
+      "Cut the front of a head away to this depth behind its smoothed surface, mm,\n"
+      "such as 15. Look at the image: this is no anonymization")
+    ->check(CLI::NonNegativeNumber.description(""))
+    ->type_name("MM")
+    ->group("Image");
+}
+
 void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
 {
   const std::string group = "Image";
@@ -210,6 +221,7 @@ void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
     .add_flag("--body-only", arguments.bodyOnly,
       "Leave out the table, the head rest and clothes of a CT scan")
     ->group(group);
+  AddFaceOption(command, arguments);
   const auto setBackground = [&](const std::vector<double>& rgb) {
     arguments.background = { rgb[0], rgb[1], rgb[2] };
   };

@@ -139,6 +139,7 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
     arguments.occlusionReachMm.value_or(scene.occlusion.reachMm) };
   OverrideCamera(arguments, scene.camera);
   scene.cuts.bodyOnly = arguments.bodyOnly || scene.cuts.bodyOnly;
+  scene.cuts.faceDepthMm = arguments.faceDepthMm.value_or(scene.cuts.faceDepthMm);
   if (scene.cuts.bodyOnly && !HasBodyMask(loaded.modality))
   {
     throw std::runtime_error(

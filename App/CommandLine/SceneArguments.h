@@ -38,6 +38,7 @@ struct SceneArguments
   bool parallel = false;
   std::optional<std::array<double, 2>> clippingRangeMm;
   bool bodyOnly = false;
+  std::optional<double> faceDepthMm;               ///< as in SceneCuts
   std::optional<std::array<double, 3>> background; ///< background as RGB, [0, 1]
   std::optional<double> sampleDistanceMm;          ///< sample distance, > 0
   std::optional<Acceleration> acceleration;

@@ -55,7 +55,7 @@ ScissorsCut ScissorsCutFromJson(const JsonCursor& json)
 
 SceneCuts CutsFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "box", "planes", "scissors", "bodyOnly" });
+  json.RequireObject({ "box", "planes", "scissors", "bodyOnly", "faceDepth" });
   SceneCuts cuts;
   if (const auto box = json.Find("box"))
   {
@@ -79,6 +79,10 @@ SceneCuts CutsFromJson(const JsonCursor& json)
   {
     cuts.bodyOnly = bodyOnly->Boolean();
   }
+  if (const auto depth = json.Find("faceDepth"))
+  {
+    cuts.faceDepthMm = depth->Number({ 0.0 });
+  }
   return cuts;
 }
 
@@ -97,6 +101,7 @@ nlohmann::ordered_json JsonFromCuts(const SceneCuts& cuts)
       { "outline", cut.outline }, { "keep", NameOf(KeptNames(), cut.keepsInside) } });
   }
   json["bodyOnly"] = cuts.bodyOnly;
+  json["faceDepth"] = cuts.faceDepthMm;
   return json;
 }
 

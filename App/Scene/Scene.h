@@ -215,12 +215,16 @@ struct SceneCuts
   std::vector<CutPlane> planes;
   std::vector<ScissorsCut> scissors;
   bool bodyOnly = false; ///< leaves out the table and all else beside the body, see BodyMask.h
+  /// Depth to which the face is cut away [mm], see FaceMask.h; 0: it stays.
+  double faceDepthMm = 0.0;
 };
+
+constexpr double UsualFaceDepthMm = 15.0;
 
 /// True if the cuts need a mask.
 inline bool NeedMask(const SceneCuts& cuts)
 {
-  return cuts.bodyOnly || !cuts.scissors.empty();
+  return cuts.bodyOnly || cuts.faceDepthMm > 0.0 || !cuts.scissors.empty();
 }
 
 /// How the slices of a slab combine into one image.

@@ -1,6 +1,7 @@
 #include "Scene/ScenePipeline.h"
 
 #include "Scene/BodyMask.h"
+#include "Scene/FaceMask.h"
 #include "Scene/ImageOrientation.h"
 #include "Scene/LookRegions.h"
 #include "Scene/MapperOptions.h"
@@ -168,9 +169,18 @@ void ScenePipeline::ApplyLight()
 void ScenePipeline::SetOverlays(const std::vector<OverlaidVolume>& drawn,
   const std::vector<vtkSmartPointer<vtkImageData>>& images)
 {
+  this->wantedOverlays = drawn;
+  this->wantedImages = images;
+  this->ApplyOverlays();
+}
+
+void ScenePipeline::ApplyOverlays()
+{
   vtkVolume* const before = this->overlays.Prop();
   const bool wasAlone = !this->overlays.Any();
-  this->overlays.Set(drawn, images);
+  const bool areDrawn = this->faceDepthMm == 0.0;
+  this->overlays.Set(areDrawn ? this->wantedOverlays : std::vector<OverlaidVolume>(),
+    areDrawn ? this->wantedImages : std::vector<vtkSmartPointer<vtkImageData>>());
   if (this->overlays.Prop() != before)
   {
     this->renderer->RemoveVolume(before);
@@ -312,7 +322,8 @@ void ScenePipeline::SetCuts(const SceneCuts& cuts)
   }
   this->mapper->SetClippingPlanes(planes);
   // Making a mask visits every voxel; dragging a plane must not repeat that.
-  if (this->scissors != cuts.scissors || this->bodyOnly != cuts.bodyOnly)
+  if (this->scissors != cuts.scissors || this->bodyOnly != cuts.bodyOnly ||
+    this->faceDepthMm != cuts.faceDepthMm)
   {
     this->MakeMask(cuts);
   }
@@ -326,9 +337,16 @@ void ScenePipeline::MakeMask(const SceneCuts& cuts)
   {
     this->body = BodyMask(this->image);
   }
-  this->mask = MaskOf(cuts.scissors, this->image, this->bodyOnly ? this->body.Get() : nullptr);
+  this->faceDepthMm = cuts.faceDepthMm;
+  vtkSmartPointer<vtkImageData> stays = this->bodyOnly ? this->body : nullptr;
+  if (this->faceDepthMm > 0.0)
+  {
+    stays = Both(FaceMask(this->image, this->faceDepthMm), stays, this->image);
+  }
+  this->mask = MaskOf(cuts.scissors, this->image, stays);
   this->labelMask = this->labels ? LabelMask(*this->labels, this->mask) : nullptr;
   this->ApplyMask();
+  this->ApplyOverlays();
 }
 
 void ScenePipeline::SetRenderOptions(const RenderOptions& newOptions)

@@ -59,7 +59,8 @@ public:
   /// @param changed  as many as the labels have, in their order
   void SetSegments(const std::vector<Segment>& changed);
   /// Draws volumes over the first one where CanOverlay. All of them are then composites, without
-  /// labels, shadows, ambient occlusion and a number of steps; see SceneOverlays.
+  /// labels, shadows, ambient occlusion and a number of steps; see SceneOverlays. While the face is
+  /// removed, none is drawn, since they have faces too.
   /// @param images  as SceneOverlays::Set takes them
   void SetOverlays(const std::vector<OverlaidVolume>& overlays,
     const std::vector<vtkSmartPointer<vtkImageData>>& images);
@@ -82,6 +83,7 @@ private:
   void ApplyLight();
   void ApplyMask();
   void ApplyFirstImage();
+  void ApplyOverlays();
   void ApplyInterpolation();
   void SetMask(vtkImageData* voxels, bool areLabels);
 
@@ -93,6 +95,7 @@ private:
   Occlusion occlusion;
   std::vector<ScissorsCut> scissors; ///< the cuts that made the mask
   bool bodyOnly = false;
+  double faceDepthMm = 0.0;
   vtkSmartPointer<vtkImageData> body; ///< see BodyMask.h; null before it is wanted
   vtkSmartPointer<vtkImageData> mask;
   std::shared_ptr<const LabelMap> labels;  ///< null without labels
@@ -101,6 +104,8 @@ private:
   vtkSmartPointer<vtkVolumeMapper> mapper;
   vtkNew<vtkVolume> volume;
   SceneOverlays overlays;
+  std::vector<OverlaidVolume> wantedOverlays;
+  std::vector<vtkSmartPointer<vtkImageData>> wantedImages;
   vtkSmartPointer<vtkImageData> mapperMask; ///< the mask that the mapper's voxels have; may be null
   vtkNew<vtkRenderer> renderer;
 };

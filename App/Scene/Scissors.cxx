@@ -252,6 +252,34 @@ bool Keeps(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index)
   return *static_cast<unsigned char*>(mask->GetScalarPointer(voxel)) != 0;
 }
 
+vtkSmartPointer<vtkImageData> Both(vtkImageData* fine, vtkImageData* other, vtkImageData* image)
+{
+  if (!fine || !other)
+  {
+    return fine ? fine : other;
+  }
+  auto both = vtkSmartPointer<vtkImageData>::New();
+  both->DeepCopy(fine);
+  const glm::dvec3 size = glm::dvec3(glm::ivec3(glm::make_vec3(image->GetDimensions())));
+  const glm::ivec3 count = glm::make_vec3(fine->GetDimensions());
+  const int* const extent = image->GetExtent();
+  const glm::dvec3 first(extent[0], extent[2], extent[4]);
+  auto* voxel = static_cast<unsigned char*>(both->GetScalarPointer());
+  for (int z = 0; z < count.z; ++z)
+  {
+    for (int y = 0; y < count.y; ++y)
+    {
+      for (int x = 0; x < count.x; ++x, ++voxel)
+      {
+        // The middle of a voxel of the mask as an index of the image.
+        const glm::dvec3 part = (glm::dvec3(x, y, z) + 0.5) / glm::dvec3(count);
+        *voxel &= Keeps(other, image, first + part * size - 0.5);
+      }
+    }
+  }
+  return both;
+}
+
 vtkSmartPointer<vtkImageData> WithoutRemoved(vtkImageData* image, vtkImageData* mask)
 {
   auto copy = vtkSmartPointer<vtkImageData>::New();

@@ -25,6 +25,10 @@ vtkSmartPointer<vtkImageData> MaskOf(
 /// @param index  continuous index of the point, within the image
 bool Keeps(vtkImageData* mask, vtkImageData* image, const glm::dvec3& index);
 
+/// The mask of what two masks of an image keep, on the grid of the first; the other mask if one is
+/// null.
+vtkSmartPointer<vtkImageData> Both(vtkImageData* fine, vtkImageData* other, vtkImageData* image);
+
 /// A copy of a volume whose voxels have the smallest value wherever a mask keeps nothing.
 vtkSmartPointer<vtkImageData> WithoutRemoved(vtkImageData* image, vtkImageData* mask);
 

@@ -58,7 +58,7 @@ Scene UnusualScene()
   scene.shadows = true;
   scene.occlusion = { 0.25, 12.5 };
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
-    { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } }, true };
+    { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } }, true, 12.5 };
   scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0, SlabBlend::Mean,
     SliceFusion::Checkerboard, 0.25 };
   scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "length" } };
@@ -130,6 +130,7 @@ TEST(SceneFile, KeepsMeasurementsAndScissorsCuts)
   EXPECT_TRUE(back.cuts.scissors == scene.cuts.scissors);
   EXPECT_TRUE(scene.cuts.bodyOnly);
   EXPECT_TRUE(back.cuts.bodyOnly);
+  EXPECT_EQ(back.cuts.faceDepthMm, 12.5);
 }
 
 TEST(SceneFile, KeepsLightsAndHowTheyReflect)

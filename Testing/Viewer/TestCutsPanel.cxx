@@ -53,6 +53,11 @@ protected:
 
 TEST_F(Cutting, RemovesTheTableOfACt)
 {
+  auto* const noFace = this->panel.findChild<QCheckBox*>("noFace");
+  noFace->click();
+  EXPECT_EQ(this->model.CurrentScene().cuts.faceDepthMm, UsualFaceDepthMm);
+  this->model.History()->undo();
+  EXPECT_FALSE(noFace->isChecked());
   auto* const bodyOnly = this->panel.findChild<QCheckBox*>("bodyOnly");
   auto study = std::make_shared<Study>(*SmallStudy());
   study->volume.modality = "MR";

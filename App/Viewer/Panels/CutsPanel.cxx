@@ -60,6 +60,7 @@ CutsPanel::CutsPanel(SceneModel* model, QWidget* parent)
 {
   auto* const layout = new QVBoxLayout(this);
   layout->addWidget(this->MakeBodyOnly());
+  layout->addWidget(this->MakeNoFace());
   layout->addWidget(this->MakePlanes());
   layout->addWidget(this->MakeBox());
   layout->addWidget(this->MakeScissors());
@@ -82,6 +83,24 @@ QCheckBox* CutsPanel::MakeBodyOnly()
         [on](Scene& scene) { scene.cuts.bodyOnly = on; });
     });
   return this->bodyOnly;
+}
+
+QCheckBox* CutsPanel::MakeNoFace()
+{
+  this->noFace = new QCheckBox(tr("Remove face"));
+  this->noFace->setObjectName("noFace");
+  this->noFace->setToolTip(tr(
+    "Cuts the front of the head away in the 3D view, to %1 mm behind its smoothed surface. This is "
+    "no anonymization: look at the image, ears and bones stay, and slices show the face.")
+                             .arg(UsualFaceDepthMm));
+  connect(this->noFace, &QCheckBox::clicked, this,
+    [this](bool on)
+    {
+      const WaitCursor wait;
+      this->model->Edit(ScenePart::Cuts, on ? tr("remove the face") : tr("show the face"),
+        [on](Scene& scene) { scene.cuts.faceDepthMm = on ? UsualFaceDepthMm : 0.0; });
+    });
+  return this->noFace;
 }
 
 QToolButton* CutsPanel::MakeAddButton()
@@ -208,6 +227,7 @@ void CutsPanel::Show(ScenePart part)
     this->ShowBox();
     this->ShowScissors();
     this->bodyOnly->setChecked(this->model->CurrentScene().cuts.bodyOnly);
+    this->noFace->setChecked(this->model->CurrentScene().cuts.faceDepthMm > 0.0);
     this->bodyOnly->setEnabled(HasBodyMask(this->model->CurrentStudy()->volume.modality));
   }
 }

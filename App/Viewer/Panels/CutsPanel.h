@@ -28,6 +28,7 @@ public:
 
 private:
   QCheckBox* MakeBodyOnly();
+  QCheckBox* MakeNoFace();
   QToolButton* MakeAddButton();
   QSlider* MakeSlider(const QString& name);
   QWidget* MakePlanes();
@@ -47,6 +48,7 @@ private:
 
   SceneModel* model;
   QCheckBox* bodyOnly;
+  QCheckBox* noFace;
   QToolButton* add;
   QListWidget* planes;
   std::vector<CutPlane> shown; ///< the planes in the list
