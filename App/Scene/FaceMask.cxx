@@ -24,9 +24,9 @@ namespace
 
 constexpr double HighestAirHu = -500.0;
 constexpr double SkinHu = -300.0;
-constexpr double SkinPart = 0.15; // of the range of values without a unit
+constexpr double SkinPart = 0.15; // a part of the range of values without a unit
 constexpr double SmoothingMm = 20.0;
-constexpr double FrontPart = 0.5; // of the depth of the head from front to back
+constexpr double FrontPart = 0.5; // a part of the head from front to back
 constexpr int Nothing = std::numeric_limits<int>::max();
 
 // The lines of voxels from the front to the back of the patient.

@@ -186,7 +186,7 @@ TEST_F(Window, FindsAClosedPanelAndRestoresTheLayout)
     EXPECT_FALSE(panel->isHidden() || panel->isFloating()) << panel->objectName().toStdString();
   }
   EXPECT_FALSE(this->window.findChild<QDockWidget*>("presets")->visibleRegion().isEmpty());
-  EXPECT_EQ(this->window.tabifiedDockWidgets(look).size(), 5);
+  EXPECT_EQ(this->window.tabifiedDockWidgets(look).size(), 6);
   EXPECT_NEAR(quality->geometry().top(), before.top(), 60);
 }
 
