@@ -19,6 +19,14 @@ namespace
 constexpr double DenseBoneHu = 200.0;
 constexpr double PercentOfBright = 90.0; // where the values have no unit
 
+// Four widgets fit beside each other in a narrow panel.
+void MakeNarrow(QWidget* widget)
+{
+  constexpr int NarrowestPixels = 66;
+  widget->setMinimumWidth(NarrowestPixels);
+  widget->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
 }
 
 SegmentEditingBox::SegmentEditingBox(SceneModel* model, SegmentEditor* editor, QWidget* parent)
@@ -75,6 +83,7 @@ QDoubleSpinBox* SegmentEditingBox::Number(const char* name, const QString& meani
   number->setToolTip(meaning);
   number->setRange(0.1, 1000.0);
   number->setDecimals(1);
+  MakeNarrow(number);
   number->setValue(value);
   return number;
 }
@@ -88,6 +97,7 @@ void SegmentEditingBox::MakeTools(QGridLayout* grid)
   {
     QPushButton* const button = this->Button(buttons[i].first, buttons[i].second);
     button->setCheckable(true);
+    MakeNarrow(button);
     button->setChecked(i == 0);
     this->tools->addButton(button, i);
     grid->addWidget(button, 0, i);
@@ -111,7 +121,7 @@ void SegmentEditingBox::MakeNumbers(QGridLayout* grid)
   this->radius->setSuffix(tr(" mm"));
   grid->addWidget(new QLabel(tr("Values")), 1, 0);
   grid->addWidget(this->smallest, 1, 1);
-  grid->addWidget(this->largest, 1, 2);
+  grid->addWidget(this->largest, 1, 2, 1, 2);
   grid->addWidget(new QLabel(tr("Radius")), 2, 0);
   grid->addWidget(this->radius, 2, 1);
   for (QDoubleSpinBox* const bound : { this->smallest, this->largest })
