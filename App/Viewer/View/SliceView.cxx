@@ -5,11 +5,9 @@
 #include "Scene/SliceNumber.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/SliceWindows.h"
-#include "Viewer/View/SliceCorners.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QWheelEvent>
 
 #include <glm/geometric.hpp>
@@ -129,28 +127,6 @@ std::optional<std::array<double, 3>> SliceView::PointAt(const QPointF& place) co
 QPointF SliceView::PlaceOf(const std::array<double, 3>& pointMm) const
 {
   return this->Placement().PlaceOf(pointMm);
-}
-
-void SliceView::paintEvent(QPaintEvent*)
-{
-  QPainter painter(this);
-  painter.fillRect(this->rect(), Qt::black);
-  if (!this->model->CurrentStudy())
-  {
-    return;
-  }
-  this->DrawVoxels(painter);
-  this->DrawCrosshair(painter);
-  DrawSliceCorners(painter, this->rect(), this->model->CurrentStudy()->volume.image,
-    this->Request(), this->zoom.factor);
-  this->DrawMeasuresOfSlice(painter);
-  this->DrawBrush(painter);
-  if (this->hasFocus())
-  {
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(ColorOfCrosshair());
-    painter.drawRect(QRectF(this->rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-  }
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event)

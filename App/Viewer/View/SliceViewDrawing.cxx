@@ -6,6 +6,7 @@
 #include "Scene/SliceFusing.h"
 #include "Scene/SliceSegments.h"
 #include "Viewer/View/MeasureOverlay.h"
+#include "Viewer/View/SliceCorners.h"
 
 #include <QImage>
 #include <QPainter>
@@ -19,6 +20,28 @@ namespace varimarch
 QColor SliceView::ColorOfCrosshair()
 {
   return { 90, 200, 250, 170 };
+}
+
+void SliceView::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.fillRect(this->rect(), Qt::black);
+  if (!this->model->CurrentStudy())
+  {
+    return;
+  }
+  this->DrawVoxels(painter);
+  this->DrawCrosshair(painter);
+  DrawSliceCorners(painter, this->rect(), this->model->CurrentStudy()->volume.image,
+    this->Request(), this->zoom.factor);
+  this->DrawMeasuresOfSlice(painter);
+  this->DrawBrush(painter);
+  if (this->hasFocus())
+  {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(ColorOfCrosshair());
+    painter.drawRect(QRectF(this->rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  }
 }
 
 void SliceView::DrawVoxels(QPainter& painter) const
