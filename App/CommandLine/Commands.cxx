@@ -109,6 +109,17 @@ void AddCompareCommand(CLI::App& program, const std::string& commandText)
   app->add_option("--rounds", arguments->rounds, "Number of frames of each (default 5)")
     ->check(CLI::Range(1, 10000).description(""))
     ->type_name("N");
+  app
+    ->add_option("--paths", arguments->paths.paths,
+      "Compare with light that matter scatters, traced by N random paths for each pixel")
+    ->check(CLI::Range(2, 1000000).description(""))
+    ->type_name("N");
+  app
+    ->add_option("--scatterings", arguments->paths.mostScatterings,
+      "Largest number of times that a path is scattered (default: any)")
+    ->check(CLI::Range(1, 1000000).description(""))
+    ->type_name("N")
+    ->needs("--paths");
   AddJsonOption(*app, arguments->jsonPath);
   app->callback([arguments] { RunCompare(*arguments); });
 }

@@ -3,6 +3,7 @@
 
 #include "Core/Fields/VariationField.h"
 #include "LabelArguments.h"
+#include "Scene/PathPicture.h"
 #include "SceneArguments.h"
 #include "VolumeOutput.h"
 
@@ -39,7 +40,8 @@ struct CompareArguments
   std::string commandText;
   SceneArguments scene;
   std::string outputFolder;
-  int rounds = 5; ///< number of frames of each mapper, >= 1
+  int rounds = 5;     ///< number of frames of each mapper, >= 1
+  PathSettings paths; ///< paths of the truth, if it is to be traced
   std::string jsonPath;
 };
 

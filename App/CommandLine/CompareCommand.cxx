@@ -30,7 +30,7 @@ void WritePictures(
 {
   const auto truth = BytesOver(comparison.truth.picture, scene.background);
   WritePng(truth, folder / "reference.png");
-  std::vector<SheetColumn> columns = { { "truth", "adaptive integral in double precision", truth,
+  std::vector<SheetColumn> columns = { { "truth", ShortlyDescribed(comparison.truth), truth,
     nullptr } };
   for (const Measurement& measurement : comparison.measurements)
   {
@@ -81,7 +81,7 @@ void RunCompare(const CompareArguments& arguments)
     scene.overlays.clear();
   }
   auto progress = std::make_unique<Progress>("Integrating the reference");
-  const Comparison comparison = Compare(scene, volume.image, arguments.rounds,
+  const Comparison comparison = Compare(scene, volume.image, arguments.rounds, arguments.paths,
     [&](const std::string& step) { progress->SetActivity(step); });
   progress->SetActivity("Writing " + arguments.outputFolder);
   WriteComparison(comparison, scene, volume, arguments);

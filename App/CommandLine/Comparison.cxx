@@ -44,10 +44,12 @@ std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
 
 }
 
-Comparison Compare(const Scene& scene, vtkImageData* image, int rounds, const OnStep& onStep)
+Comparison Compare(const Scene& scene, vtkImageData* image, int rounds, const PathSettings& paths,
+  const OnStep& onStep)
 {
   Comparison comparison = {};
-  comparison.truth = TruthOf(scene, image, onStep);
+  comparison.truth =
+    paths.paths > 0 ? TruthByPaths(scene, image, paths, onStep) : TruthOf(scene, image, onStep);
   const auto views = WarmedUpViews(scene, image, onStep, comparison);
   comparison.openglRenderer = views.front()->DeviceName();
   for (int round = 1; round <= rounds; ++round)

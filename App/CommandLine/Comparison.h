@@ -36,9 +36,11 @@ struct Comparison
 /// equally, and compares each image with the truth. A time is that of one vtkRenderWindow::Render,
 /// until the device has finished.
 /// @param rounds   number of frames after each mapper's first, >= 1
+/// @param paths    the truth is traced by them, if there are any
 /// @param onStep   called with a description of each step
 /// @throws std::runtime_error when a mapper reports an error
-Comparison Compare(const Scene& scene, vtkImageData* image, int rounds, const OnStep& onStep);
+Comparison Compare(const Scene& scene, vtkImageData* image, int rounds, const PathSettings& paths,
+  const OnStep& onStep);
 
 }
 

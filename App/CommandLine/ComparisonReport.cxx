@@ -149,7 +149,7 @@ nlohmann::ordered_json ToJson(const Comparison& comparison)
   nlohmann::ordered_json json;
   json["openglRenderer"] = comparison.openglRenderer;
   json["reference"] = { { "largestError255", 255.0 * comparison.truth.largestError },
-    { "seconds", comparison.truth.seconds } };
+    { "seconds", comparison.truth.seconds }, { "paths", comparison.truth.paths.paths } };
   for (const Measurement& measurement : comparison.measurements)
   {
     nlohmann::ordered_json row = { { "renderer", NameOf(MapperKindNames(), measurement.kind) },

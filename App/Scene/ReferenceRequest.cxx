@@ -248,11 +248,8 @@ ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, do
     ViewOf(scene, pipeline.Renderer(), geometry), tolerance };
 }
 
-std::optional<ReferencePicture> DrawReferencePicture(
-  const ReferenceRequest& request, const ProgressFunction& progress)
+std::optional<ReferencePicture> PictureOf(const std::optional<ReferenceImage>& drawn)
 {
-  const ReferenceIntegrator integrator(SceneOf(request), request.tolerance);
-  const std::optional<ReferenceImage> drawn = DrawReference(integrator, request.view, progress);
   if (!drawn)
   {
     return std::nullopt;
@@ -263,6 +260,13 @@ std::optional<ReferencePicture> DrawReferencePicture(
   std::copy(
     drawn->rgba.begin(), drawn->rgba.end(), static_cast<float*>(picture.image->GetScalarPointer()));
   return picture;
+}
+
+std::optional<ReferencePicture> DrawReferencePicture(
+  const ReferenceRequest& request, const ProgressFunction& progress)
+{
+  const ReferenceIntegrator integrator(SceneOf(request), request.tolerance);
+  return PictureOf(DrawReference(integrator, request.view, progress));
 }
 
 }

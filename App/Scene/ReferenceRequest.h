@@ -41,6 +41,9 @@ struct ReferenceRequest
 ///         nearest or cubic interpolation except in composites
 ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, double tolerance);
 
+/// The image as VTK's data; nothing if there is none.
+std::optional<ReferencePicture> PictureOf(const std::optional<ReferenceImage>& drawn);
+
 /// @return nothing if `progress` cancelled
 std::optional<ReferencePicture> DrawReferencePicture(
   const ReferenceRequest& request, const ProgressFunction& progress);

@@ -127,6 +127,18 @@ def compare(folder):
     assert png_size(output / "side-by-side.png")[0] > 4 * 80
 
 
+def compare_with_paths(folder):
+    run("compare", "procedural:marschner-lobb:12x12x12", "-o", folder, "--size", "20x16",
+        "--rounds", "1", "--paths", "40", "--scatterings", "3")
+    results = json.loads((folder / "compare.json").read_text())
+    assert results["reference"]["paths"] == 40 and results["reference"]["largestError255"] > 0.1
+    assert "40 random paths" in (folder / "compare.md").read_text()
+    _, message = run("compare", VOLUME, "-o", folder, "--scatterings", "3", expect=2)
+    assert "--paths" in message, message
+    _, message = run("compare", VOLUME, "-o", folder, "--paths", "9", "--blend", "maximum", expect=1)
+    assert "expected a composite with shading" in message, message
+
+
 def compare_with_every_blend(folder):
     (look := folder / "look.json").write_text('{"colors": [{"value": 0, "rgb": [1, 1, 1]}],'
         '"opacities": [{"value": 0, "opacity": 1}], "isosurfaces": [{"value": 0.5, "rgb": [1, 1, 1]}]}')
@@ -312,6 +324,7 @@ def interrupt(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        cases = (render, render_dicom, compare, compare_with_every_blend, info, convert, field, look,
+        cases = (render, render_dicom, compare, compare_with_every_blend,
+                 compare_with_paths, info, convert, field, look,
                  limited_rays, regions, usage, errors, interrupt)
         {case.__name__: case for case in cases}[sys.argv[2]](pathlib.Path(name))

@@ -17,24 +17,14 @@ namespace varimarch
 namespace
 {
 
-ReferenceColor PixelColor(
-  const ReferenceIntegrator& integrator, const ReferenceView& view, int column, int row)
-{
-  const Ray ray =
-    view.rays.At(2.0 * (column + 0.5) / view.width - 1.0, 2.0 * (row + 0.5) / view.height - 1.0);
-  const double mmPerParameter = glm::length(view.worldFromGridDirection * ray.direction);
-  return integrator.Color(ray, mmPerParameter, view.rays.BetweenPlanes(ray));
-}
-
 using Tile = tbb::blocked_range2d<int>;
 
 /// State that the threads share.
 class Drawing
 {
 public:
-  Drawing(const ReferenceIntegrator& integrator, const ReferenceView& view,
-    const ProgressFunction& progress)
-    : integrator(integrator)
+  Drawing(const PixelColor& color, const ReferenceView& view, const ProgressFunction& progress)
+    : color(color)
     , view(view)
     , progress(progress)
     , image{ view.width, view.height, std::vector<float>(4 * std::size_t(view.width) * view.height),
@@ -48,7 +38,9 @@ public:
 private:
   void Report(std::size_t pixels, double largestError);
 
-  const ReferenceIntegrator& integrator;
+  ReferenceColor ColorOf(int column, int row) const;
+
+  const PixelColor& color;
   const ReferenceView& view;
   const ProgressFunction& progress;
   ReferenceImage image;
@@ -56,6 +48,16 @@ private:
   std::mutex reporting;
   std::size_t pixelsDone = 0;
 };
+
+ReferenceColor Drawing::ColorOf(int column, int row) const
+{
+  const PixelRays& rays = this->view.rays;
+  const Ray ray = rays.At(
+    2.0 * (column + 0.5) / this->view.width - 1.0, 2.0 * (row + 0.5) / this->view.height - 1.0);
+  const double mmPerParameter = glm::length(this->view.worldFromGridDirection * ray.direction);
+  return this->color(
+    ray, mmPerParameter, rays.BetweenPlanes(ray), std::size_t(row) * this->view.width + column);
+}
 
 void Drawing::Draw(const Tile& tile)
 {
@@ -68,7 +70,7 @@ void Drawing::Draw(const Tile& tile)
   {
     for (int column = tile.cols().begin(); column < tile.cols().end(); ++column)
     {
-      const ReferenceColor color = PixelColor(this->integrator, this->view, column, row);
+      const ReferenceColor color = this->ColorOf(column, row);
       float* rgba = this->image.rgba.data() + 4 * (std::size_t(row) * this->view.width + column);
       for (int channel = 0; channel < 4; ++channel)
       {
@@ -99,8 +101,8 @@ std::optional<ReferenceImage> Drawing::Result()
 
 }
 
-std::optional<ReferenceImage> DrawReference(const ReferenceIntegrator& integrator,
-  const ReferenceView& view, const ProgressFunction& progress)
+std::optional<ReferenceImage> DrawPixels(
+  const PixelColor& color, const ReferenceView& view, const ProgressFunction& progress)
 {
   if (view.width < 1 || view.height < 1)
   {
@@ -108,10 +110,18 @@ std::optional<ReferenceImage> DrawReference(const ReferenceIntegrator& integrato
       std::to_string(view.width) + " x " + std::to_string(view.height));
   }
   constexpr int tileSize = 16;
-  Drawing drawing(integrator, view, progress);
+  Drawing drawing(color, view, progress);
   tbb::parallel_for(Tile(0, view.height, tileSize, 0, view.width, tileSize),
     [&](const Tile& tile) { drawing.Draw(tile); });
   return drawing.Result();
+}
+
+std::optional<ReferenceImage> DrawReference(const ReferenceIntegrator& integrator,
+  const ReferenceView& view, const ProgressFunction& progress)
+{
+  return DrawPixels([&](const Ray& ray, double mmPerParameter, Interval limits, std::size_t)
+    { return integrator.Color(ray, mmPerParameter, limits); },
+    view, progress);
 }
 
 }

@@ -34,6 +34,19 @@ struct ReferenceImage
 /// threads at once.
 using ProgressFunction = std::function<bool(double)>;
 
+/// The colour of a pixel by its ray. It may be called by several threads at once.
+/// @param mmPerParameter  length of the ray's direction in the world [mm]
+/// @param limits          the part of the ray between the near and the far plane
+/// @param pixel           number of the pixel, row by row
+using PixelColor = std::function<ReferenceColor(
+  const Ray& rayGrid, double mmPerParameter, Interval limits, std::size_t pixel)>;
+
+/// Computes the colour of each pixel by the ray through its centre, on all cores.
+/// @return nothing if `progress` cancelled
+/// @throws std::invalid_argument for an image without pixels
+std::optional<ReferenceImage> DrawPixels(
+  const PixelColor& color, const ReferenceView& view, const ProgressFunction& progress = {});
+
 /// Integrates the ray through each pixel's centre, on all cores.
 /// @return nothing if `progress` cancelled
 /// @throws std::invalid_argument for an image without pixels
