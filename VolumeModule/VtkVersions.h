@@ -16,6 +16,7 @@
 #include "vtkOpenGLActor.h"
 #include "vtkVersionMacros.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <string>
 
@@ -28,6 +29,28 @@ inline double ScatteredPart(vtkGPUVolumeRayCastMapper* mapper)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   return mapper->GetVolumetricScatteringBlending();
+#else
+  (void)mapper;
+  return 0.0;
+#endif
+}
+
+/// The mean cosine of the angle by which matter turns light, [-1, 1]; 0 before VTK 9.2.
+inline double ScatteringAnisotropyOf(vtkVolumeProperty* property)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return property->GetScatteringAnisotropy();
+#else
+  (void)property;
+  return 0.0;
+#endif
+}
+
+/// The reach of rays to lights for scattering, [0, 1]; since VTK 9.2.
+inline double LightReach(vtkGPUVolumeRayCastMapper* mapper)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return mapper->GetGlobalIlluminationReach();
 #else
   (void)mapper;
   return 0.0;

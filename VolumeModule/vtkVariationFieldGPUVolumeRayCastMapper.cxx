@@ -136,6 +136,8 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
   mapper->SetUseJittering(this->UseJittering);
   mapper->SetFinalColorWindow(this->FinalColorWindow);
   mapper->SetFinalColorLevel(this->FinalColorLevel);
+  mapper->SetVolumetricScatteringBlending(varimarch::ScatteredPart(this));
+  mapper->SetGlobalIlluminationReach(varimarch::LightReach(this));
   varimarch::CopyShadingByOpacity(this, mapper);
 }
 
@@ -147,8 +149,6 @@ std::string vtkVariationFieldGPUVolumeRayCastMapper::UnsupportedSetting()
     { this->ColorRangeType != SCALAR || this->ScalarOpacityRangeType != SCALAR ||
         this->GradientOpacityRangeType != SCALAR,
       "Transfer functions with a range type other than SCALAR are not supported yet. " },
-    { varimarch::ScatteredPart(this) > 0.0,
-      "Scattering (VolumetricScatteringBlending) is not supported yet. " },
   };
   std::string sentences;
   for (const Setting& setting : settings)

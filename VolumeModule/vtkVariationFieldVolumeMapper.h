@@ -353,6 +353,38 @@ public:
 
   ///@{
   /**
+   * Light that matter scatters once, with the names of VTK 9.2. The blending, [0, 2], is the part
+   * of the diffuse and specular light that is scattered instead of reflected by surfaces; from 1 on
+   * all is, as in VTK in the limit of short steps. Scattered light is the colour times the diffuse
+   * coefficient times the phase function of Henyey and Greenstein, whose mean over all directions
+   * is 1. Requires a composite with shading. Default: 0, no scattering, which costs nothing.
+   */
+  vtkSetClampMacro(VolumetricScatteringBlending, double, 0.0, 2.0);
+  vtkGetMacro(VolumetricScatteringBlending, double);
+  ///@}
+
+  ///@{
+  /**
+   * Reach of the rays that dim scattered light on its way to a sample, [0, 1]: 0: none; 1: all of
+   * the volume; between them, in VTK's way, 1 - (1 - reach)^0.33 diagonals of the volume. With
+   * Shadows all light is dimmed by all of the volume. Lights at the eye are not dimmed. Default: 0.
+   */
+  vtkSetClampMacro(GlobalIlluminationReach, double, 0.0, 1.0);
+  vtkGetMacro(GlobalIlluminationReach, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mean cosine of the angle by which matter turns the light that it scatters: -1 back, 0 evenly, 1
+   * straight on; at most 0.99 is drawn. Default: 0, which is that of the volume's property, since
+   * VTK 9.2, or even.
+   */
+  vtkSetClampMacro(ScatteringAnisotropy, double, -1.0, 1.0);
+  vtkGetMacro(ScatteringAnisotropy, double);
+  ///@}
+
+  ///@{
+  /**
    * Strength of ambient occlusion, [0, 1]: how much darker a place is that sees little of what is
    * around the volume. With the part V of the light from all around that matter within
    * AmbientOcclusionReach lets through, all light of a sample is multiplied by
@@ -662,6 +694,9 @@ protected:
   char* Transfer2DYAxisArray = nullptr;
   double DampingGradient = 0.0;
   vtkTypeBool Shadows = 0;
+  double VolumetricScatteringBlending = 0.0;
+  double GlobalIlluminationReach = 0.0;
+  double ScatteringAnisotropy = 0.0;
   double AmbientOcclusion = 0.0;
   double AmbientOcclusionReach = 0.0;
   vtkTypeBool CubicInterpolation = 0;

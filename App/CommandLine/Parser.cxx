@@ -126,6 +126,31 @@ void AddLightOptions(CLI::App& command, SceneArguments& arguments)
     ->group(group);
 }
 
+void AddScatteringOptions(CLI::App& command, SceneArguments& arguments)
+{
+  const std::string group = "Look";
+  command
+    .add_option("--scattering", arguments.scattering,
+      "The part of the light that matter scatters and surfaces do not reflect, 0 to 2 as in\n"
+      "VTK; all from 1 on (default 0)")
+    ->check(CLI::Range(0.0, 2.0).description(""))
+    ->type_name("B")
+    ->group(group);
+  command
+    .add_option("--anisotropy", arguments.anisotropy,
+      "Mean cosine of the angle by which it turns light, -0.99 (back) to 0.99 (straight on;\n"
+      "default 0)")
+    ->check(CLI::Range(-0.99, 0.99).description(""))
+    ->type_name("G")
+    ->group(group);
+  command
+    .add_option("--scattering-reach", arguments.scatteringReach,
+      "How far matter dims scattered light, 0 (not at all, the default) to 1 (everywhere)")
+    ->check(CLI::Range(0.0, 1.0).description(""))
+    ->type_name("R")
+    ->group(group);
+}
+
 void AddOcclusionOptions(CLI::App& command, SceneArguments& arguments)
 {
   const std::string group = "Look";
@@ -360,6 +385,7 @@ void AddLookOptions(CLI::App& command, SceneArguments& arguments)
   AddChoice(command, "--blend", arguments.blend, BlendNames(), "Blend mode (default: the preset's)")
     ->group(group);
   AddLightOptions(command, arguments);
+  AddScatteringOptions(command, arguments);
   AddOcclusionOptions(command, arguments);
 }
 

@@ -135,6 +135,9 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   OverrideLook(arguments, scene.look);
   scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;
   scene.shadows = arguments.shadows.value_or(scene.shadows);
+  scene.scattering = { arguments.scattering.value_or(scene.scattering.blending),
+    arguments.anisotropy.value_or(scene.scattering.anisotropy),
+    arguments.scatteringReach.value_or(scene.scattering.reach) };
   scene.occlusion = { arguments.occlusion.value_or(scene.occlusion.strength),
     arguments.occlusionReachMm.value_or(scene.occlusion.reachMm) };
   OverrideCamera(arguments, scene.camera);

@@ -28,7 +28,10 @@ struct SceneArguments
   std::optional<double> dampingGradient; ///< as in Look
   std::vector<SceneLight> lights;        ///< empty: those of the scene
   std::optional<bool> shadows;
-  std::optional<double> occlusion; ///< strength of ambient occlusion, [0, 1]
+  std::optional<double> scattering;      ///< blending of scattered light, [0, 2]
+  std::optional<double> anisotropy;      ///< [-0.99, 0.99]
+  std::optional<double> scatteringReach; ///< [0, 1]
+  std::optional<double> occlusion;       ///< strength of ambient occlusion, [0, 1]
   std::optional<double> occlusionReachMm;
   std::optional<std::array<int, 2>> size; ///< size of the image [pixels]
   std::optional<View> view;

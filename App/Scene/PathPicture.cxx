@@ -178,6 +178,7 @@ ScatteringScene ScatteringSceneOf(const ReferenceRequest& request, const TracedS
     scene.uncutParts = [&traced](const Ray& rayGrid, Interval inside)
     { return traced.unlit.cuts.PartsOf(rayGrid, inside, traced.unlit.geometry.dimensions); };
   }
+  scene.anisotropy = request.lighting->anisotropy;
   scene.lights = LightsOf(request);
   scene.environment = glm::dvec3(shading.diffuse > 0.0 ? shading.ambient / shading.diffuse : 0.0);
   return scene;

@@ -90,6 +90,10 @@ void AddLighting(ContentDigest& digest, const std::optional<ReferenceLighting>& 
     digest.Add(lighting->shading.specularPower);
     digest.Add(lighting->dampingGradient);
     digest.Add(lighting->castsShadows);
+    digest.Add(lighting->dimsSurfaces);
+    digest.Add(lighting->reachMm);
+    digest.Add(lighting->scatteredPart);
+    digest.Add(lighting->anisotropy);
     digest.Add(lighting->lights.size());
     for (const PlacedLight& light : lighting->lights)
     {

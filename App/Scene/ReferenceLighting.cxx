@@ -1,5 +1,6 @@
 #include "Scene/ReferenceLighting.h"
 
+#include "Core/Reference/PathTracer.h"
 #include "Scene/WorldVector.h"
 
 #include <vtkCamera.h>
@@ -66,7 +67,7 @@ glm::dmat3 WorldFromView(vtkCamera* camera)
 
 bool ReferenceLighting::IsPlainHeadLight() const
 {
-  return this->dampingGradient == 0.0 && this->lights.size() == 1 &&
+  return this->scatteredPart == 0.0 && this->dampingGradient == 0.0 && this->lights.size() == 1 &&
     this->lights[0].kind == LightKind::Head && this->lights[0].rgb == glm::dvec3(1.0);
 }
 
@@ -85,27 +86,37 @@ glm::dvec3 ReferenceLighting::Lit(const LitPoint& point, const LightReaching& re
   {
     const glm::dvec3 towards = TowardsLight(light, point);
     const double cosine = facing(towards);
-    if (cosine > 0.0)
+    if (cosine == 0.0 && this->scatteredPart == 0.0)
     {
-      const bool isDimmed = reaching && light.kind != LightKind::Head;
-      const glm::dvec3 rgb =
-        light.rgb * (isDimmed ? reaching(towards, DistanceMm(light, point)) : 1.0);
-      const double shining = facing(glm::normalize(towards + point.toEye));
-      diffuse += cosine * rgb;
-      specular += std::pow(shining, this->shading.specularPower) * rgb;
+      continue;
     }
+    const bool isDimmed = reaching && light.kind != LightKind::Head;
+    const double arriving = isDimmed ? reaching(towards, DistanceMm(light, point)) : 1.0;
+    const double onSurfaces =
+      (1.0 - this->scatteredPart) * undamped * (this->dimsSurfaces ? arriving : 1.0);
+    const double scattered = this->scatteredPart * arriving *
+      HenyeyGreenstein(-glm::dot(towards, point.toEye), this->anisotropy);
+    const double shining = cosine > 0.0 ? facing(glm::normalize(towards + point.toEye)) : 0.0;
+    diffuse += (onSurfaces * cosine + scattered) * light.rgb;
+    specular += onSurfaces * std::pow(shining, this->shading.specularPower) * light.rgb;
   }
-  return point.rgb * (this->shading.ambient + undamped * this->shading.diffuse * diffuse) +
-    undamped * this->shading.specular * specular;
+  return point.rgb * (this->shading.ambient + this->shading.diffuse * diffuse) +
+    this->shading.specular * specular;
 }
 
-ReferenceLighting ReferenceLightingOf(const Scene& scene, const Look& look, vtkCamera* camera)
+ReferenceLighting ReferenceLightingOf(
+  const Scene& scene, const Look& look, vtkCamera* camera, const VolumeGeometry& geometry)
 {
   const std::vector<SceneLight>& lights = scene.lights;
   const bool hasHeadLightsOnly = std::all_of(lights.begin(), lights.end(),
     [](const SceneLight& light) { return light.kind == LightKind::Head; });
+  const bool isComposite = look.blend == Blend::Composite;
+  const Scattering scattering = isComposite ? scene.scattering : Scattering();
+  const bool dimsScattered = scattering.blending > 0.0 && scattering.reach > 0.0;
   ReferenceLighting lighting{ look.shading, look.dampingGradient, {}, hasHeadLightsOnly,
-    scene.shadows && look.blend == Blend::Composite };
+    isComposite && (scene.shadows || dimsScattered), scene.shadows,
+    LightReachMm(scene.shadows ? 1.0 : scattering.reach, geometry),
+    std::min(scattering.blending, 1.0), scattering.anisotropy };
   const glm::dmat3 worldFromView = WorldFromView(camera);
   for (const SceneLight& light : lights.empty() ? std::vector<SceneLight>(1) : lights)
   {

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Scene_ReferenceLighting_h
 #define Varimarch_Scene_ReferenceLighting_h
 
+#include "Frame/VolumeGeometry.h"
 #include "Scene/Scene.h"
 
 #include <functional>
@@ -44,6 +45,11 @@ struct ReferenceLighting
   std::vector<PlacedLight> lights;
   bool lightsBacks;  ///< true if both sides of a surface are lit
   bool castsShadows; ///< true if the volume dims lights that are not at the eye
+  bool dimsSurfaces; ///< false if it dims only the light that matter scatters
+  double reachMm;    ///< distance beyond which it does not dim
+  /// The part of the light that matter scatters, [0, 1]; surfaces reflect the rest.
+  double scatteredPart;
+  double anisotropy; ///< see HenyeyGreenstein
 
   /// True for one white light at the eye without damping.
   bool IsPlainHeadLight() const;
@@ -54,7 +60,8 @@ struct ReferenceLighting
 };
 
 /// @param look  the scene's look in units of the data
-ReferenceLighting ReferenceLightingOf(const Scene& scene, const Look& look, vtkCamera* camera);
+ReferenceLighting ReferenceLightingOf(
+  const Scene& scene, const Look& look, vtkCamera* camera, const VolumeGeometry& geometry);
 
 }
 

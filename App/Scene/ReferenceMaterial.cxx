@@ -184,7 +184,10 @@ glm::dvec3 ReferenceMaterial::Lit(
   }
   return this->request.lighting->Lit(point,
     [&](glm::dvec3 towards, double farMm)
-    { return this->transmittance->Towards(positionGrid, towards, farMm); });
+    {
+      return this->transmittance->Towards(
+        positionGrid, towards, std::min(farMm, this->request.lighting->reachMm));
+    });
 }
 
 }

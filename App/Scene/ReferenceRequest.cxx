@@ -44,11 +44,11 @@ vtkDataArray* CheckedScalars(vtkImageData* image)
 
 // Nothing if colours are not lit; projections show values.
 std::optional<ReferenceLighting> LightingOf(
-  const Scene& scene, const Look& look, vtkRenderer* renderer)
+  const Scene& scene, const Look& look, vtkRenderer* renderer, const VolumeGeometry& geometry)
 {
   const bool hasColors = look.blend == Blend::Composite || look.blend == Blend::Isosurface;
   return look.shading.enabled && hasColors
-    ? std::optional(ReferenceLightingOf(scene, look, renderer->GetActiveCamera()))
+    ? std::optional(ReferenceLightingOf(scene, look, renderer->GetActiveCamera(), geometry))
     : std::nullopt;
 }
 
@@ -242,7 +242,7 @@ ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, do
     InterpolationOf(scene), TransferFunctionOf(pipeline.Volume()->GetProperty()),
     isComposite ? look.gradientOpacities : std::vector<OpacityNode>(),
     isComposite ? look.regions : std::vector<LookRegion>(),
-    LightingOf(scene, look, pipeline.Renderer()),
+    LightingOf(scene, look, pipeline.Renderer(), geometry),
     isComposite ? WithReach(scene.occlusion, geometry) : Occlusion(), look.blend, IsovaluesOf(look),
     AveragedRangeOf(look), { PlanesInGrid(PlanesOf(scene.cuts, image), geometry), pipeline.Mask() },
     ViewOf(scene, pipeline.Renderer(), geometry), tolerance };

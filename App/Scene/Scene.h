@@ -355,6 +355,20 @@ inline bool IsOurs(MapperKind kind)
   return kind == MapperKind::Varimarch || kind == MapperKind::VarimarchShaders;
 }
 
+/// Light that matter scatters: vtkVariationFieldVolumeMapper::VolumetricScatteringBlending.
+struct Scattering
+{
+  double blending = 0.0;   ///< [0, 2]; 0: off
+  double anisotropy = 0.0; ///< [-0.99, 0.99]
+  double reach = 0.0;      ///< [0, 1]
+
+  bool operator==(const Scattering& other) const
+  {
+    return this->blending == other.blending && this->anisotropy == other.anisotropy &&
+      this->reach == other.reach;
+  }
+};
+
 /// Ambient occlusion: vtkVariationFieldVolumeMapper::AmbientOcclusion.
 struct Occlusion
 {
@@ -376,6 +390,7 @@ struct Scene
   std::vector<SceneLight> lights; ///< empty: a white light at the eye
   /// True if the volume casts shadows on itself: vtkVariationFieldVolumeMapper::Shadows.
   bool shadows = false;
+  Scattering scattering;
   Occlusion occlusion;
   Camera camera;
   SceneCuts cuts;

@@ -67,8 +67,9 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
 // Editors find the schema through "$schema"; it is ignored here.
 std::vector<std::string> KeysBesideVolume()
 {
-  return { "$schema", "look", "lights", "shadows", "occlusion", "camera", "cuts", "slices",
-    "distances", "angles", "boxes", "labels", "overlays", "render", "size", "background" };
+  return { "$schema", "look", "lights", "shadows", "scattering", "occlusion", "camera", "cuts",
+    "slices", "distances", "angles", "boxes", "labels", "overlays", "render", "size",
+    "background" };
 }
 
 void ReadLights(const JsonCursor& json, Scene& scene)
@@ -80,6 +81,19 @@ void ReadLights(const JsonCursor& json, Scene& scene)
   if (const auto shadows = json.Find("shadows"))
   {
     scene.shadows = shadows->Boolean();
+  }
+  if (const auto scattering = json.Find("scattering"))
+  {
+    scattering->RequireObject({ "blending", "anisotropy", "reach" });
+    scene.scattering.blending = scattering->At("blending").Number({ 0.0, 2.0 });
+    if (const auto anisotropy = scattering->Find("anisotropy"))
+    {
+      scene.scattering.anisotropy = anisotropy->Number({ -0.99, 0.99 });
+    }
+    if (const auto reach = scattering->Find("reach"))
+    {
+      scene.scattering.reach = reach->Number({ 0.0, 1.0 });
+    }
   }
   if (const auto occlusion = json.Find("occlusion"))
   {
@@ -180,6 +194,11 @@ std::string SceneText(const Scene& scene)
   if (scene.shadows)
   {
     json["shadows"] = true;
+  }
+  if (scene.scattering.blending > 0.0)
+  {
+    json["scattering"] = { { "blending", scene.scattering.blending },
+      { "anisotropy", scene.scattering.anisotropy }, { "reach", scene.scattering.reach } };
   }
   if (scene.occlusion.strength > 0.0)
   {

@@ -111,6 +111,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   this->SetLook(scene.look);
   this->SetLights(scene.lights);
   this->SetShadows(scene.shadows);
+  this->SetScattering(scene.scattering);
   this->SetOcclusion(scene.occlusion);
   this->SetCuts(scene.cuts);
   this->SetRenderOptions(scene.render);
@@ -143,6 +144,12 @@ void ScenePipeline::SetShadows(bool newShadows)
   this->ApplyLight();
 }
 
+void ScenePipeline::SetScattering(const Scattering& newScattering)
+{
+  this->scattering = newScattering;
+  this->ApplyLight();
+}
+
 void ScenePipeline::SetOcclusion(const Occlusion& newOcclusion)
 {
   this->occlusion = newOcclusion;
@@ -161,6 +168,9 @@ void ScenePipeline::ApplyLight()
   {
     const bool isAlone = !this->overlays.Any();
     ours->SetShadows(isAlone && this->shadows);
+    ours->SetVolumetricScatteringBlending(isAlone ? this->scattering.blending : 0.0);
+    ours->SetGlobalIlluminationReach(this->scattering.reach);
+    ours->SetScatteringAnisotropy(this->scattering.anisotropy);
     ours->SetAmbientOcclusion(isAlone ? this->occlusion.strength : 0.0);
     ours->SetAmbientOcclusionReach(this->occlusion.reachMm);
   }

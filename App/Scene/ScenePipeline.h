@@ -66,8 +66,9 @@ public:
     const std::vector<vtkSmartPointer<vtkImageData>>& images);
   void SetRenderOptions(const RenderOptions& options);
   void SetLights(const std::vector<SceneLight>& lights);
-  /// VTK's mappers cast no shadows, and have no ambient occlusion.
+  /// VTK's mappers cast no shadows, scatter no light, and have no ambient occlusion.
   void SetShadows(bool shadows);
+  void SetScattering(const Scattering& scattering);
   void SetOcclusion(const Occlusion& occlusion);
   void SetBackground(const std::array<double, 3>& rgb);
 
@@ -92,6 +93,7 @@ private:
   Look look; ///< in units of the data
   RenderOptions options;
   bool shadows = false;
+  Scattering scattering;
   Occlusion occlusion;
   std::vector<ScissorsCut> scissors; ///< the cuts that made the mask
   bool bodyOnly = false;

@@ -1,5 +1,6 @@
 #include "Scene/PathPicture.h"
 #include "Scene/ProceduralVolume.h"
+#include "Scene/SceneLights.h"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,24 @@ TEST(PathPicture, HasTheOpacitiesOfTheIntegral)
   const ReferencePicture truth = DrawReferencePicture(scene, image, 1e-6).value();
   EXPECT_GT(paths.largestError, 0.01);
   EXPECT_LT(std::abs(Difference(paths, truth, 3)), 3.0);
+}
+
+// Light that is scattered once has an integral, too.
+TEST(PathPicture, ScatteringOnceIsThatOfTheIntegral)
+{
+  Scene scene = SmallScene();
+  scene.look.shading.ambient = 0.0;
+  scene.look.shading.diffuse = 0.8;
+  scene.look.shading.specular = 0.0;
+  scene.lights = { CameraLight(60.0, 20.0) };
+  scene.scattering = { 1.0, 0.5, 1.0 };
+  const auto image = SmallVolume();
+  const ReferencePicture paths = DrawPathPicture(scene, image, { 200, 1 }).value();
+  const ReferencePicture truth = DrawReferencePicture(scene, image, 1e-4).value();
+  EXPECT_LT(std::abs(Difference(paths, truth, 0)), 3.0);
+  // Scattering more often adds light.
+  const ReferencePicture often = DrawPathPicture(scene, image, { 200, 0 }).value();
+  EXPECT_GT(Difference(often, truth, 0), 5.0);
 }
 
 TEST(PathPicture, RefusesScenesThatHaveNoLight)

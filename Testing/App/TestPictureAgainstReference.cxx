@@ -216,6 +216,23 @@ TEST(PictureAgainstReference, EveryPartOfALookConvergesToTheIntegral)
   }
 }
 
+TEST(PictureAgainstReference, ScatteredLightConvergesToTheIntegral)
+{
+  Scene scene = SceneOf(Blend::Composite, true);
+  scene.size = { 12, 10 };
+  scene.lights = { CameraLight(50.0, 30.0), SceneLight() };
+  scene.render.sampleDistanceMm = 0.1;
+  const auto image = ProceduralVolume({ ProceduralKind::MarschnerLobb, { 24, 26, 28 } });
+  for (const Scattering& scattering :
+    { Scattering{ 2.0, 0.0, 0.0 }, Scattering{ 0.5, 0.4, 1.0 }, Scattering{ 1.0, -0.3, 0.05 } })
+  {
+    scene.scattering = scattering;
+    EXPECT_LT(ErrorOf(scene, image, 1e-4).rootMeanSquare, 0.2) << scattering.reach;
+  }
+  scene.shadows = true;
+  EXPECT_LT(ErrorOf(scene, image, 1e-4).rootMeanSquare, 0.2);
+}
+
 // The reference traces 32 rays from every place at which it asks for the colour, so that the image
 // is small and its tolerance a quarter of a level.
 TEST(PictureAgainstReference, AmbientOcclusionOfLitAndOfUnlitMatterConvergesToTheIntegral)

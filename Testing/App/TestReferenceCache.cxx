@@ -130,6 +130,15 @@ TEST_F(ReferenceCacheTest, EveryPartOfALookComputesAnother)
     { "damping", [](Scene& s) { s.look.dampingGradient = 0.5; } },
     { "lights", [](Scene& s) { s.lights[0].rgb[1] = 0.5; } },
     { "shadows", [](Scene& s) { s.shadows = true; } },
+    { "scattering", [](Scene& s) { s.scattering.blending = 0.5; } },
+    { "anisotropy",
+      [](Scene& s) {
+        s.scattering = { 0.5, 0.5, 0.0 };
+      } },
+    { "reach of scattering",
+      [](Scene& s) {
+        s.scattering = { 0.5, 0.0, 0.5 };
+      } },
     { "occlusion", [](Scene& s) { s.occlusion.strength = 0.5; } },
     { "reach of occlusion",
       [](Scene& s) {

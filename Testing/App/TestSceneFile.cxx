@@ -56,6 +56,7 @@ Scene UnusualScene()
     { LightKind::Directional, { 0.0, -1.0, 0.5 } },
     { LightKind::Positional, SceneLight().direction, { 4.0, 5.0, 6.0 } }, SceneLight() };
   scene.shadows = true;
+  scene.scattering = { 0.75, -0.25, 0.5 };
   scene.occlusion = { 0.25, 12.5 };
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
     { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } }, true, 12.5 };
@@ -149,9 +150,12 @@ TEST(SceneFile, KeepsLightsAndHowTheyReflect)
   Scene unshadowed = scene;
   unshadowed.shadows = false;
   EXPECT_FALSE(SceneFromText(SceneText(unshadowed), "test").shadows);
+  EXPECT_EQ(back.scattering, scene.scattering);
   EXPECT_EQ(back.occlusion, scene.occlusion);
   Scene open = scene;
   open.occlusion = {};
+  open.scattering = {};
+  EXPECT_EQ(SceneFromText(SceneText(open), "test").scattering, Scattering());
   EXPECT_EQ(SceneFromText(SceneText(open), "test").occlusion, Occlusion());
   EXPECT_EQ(back.look.dampingGradient, 0.375);
 }

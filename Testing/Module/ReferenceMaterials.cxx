@@ -1,6 +1,7 @@
 #include "Module/ReferenceMaterials.h"
 
 #include "Core/Reference/LightTransmittance.h"
+#include "Core/Reference/PathTracer.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Stages/CutRays.h"
 
@@ -89,10 +90,12 @@ struct LitPoint
   glm::dvec3 toEye;
 };
 
-// Light that a light casts to the eye, two-sided and without attenuation.
-glm::dvec3 LightFrom(vtkLight* light, vtkVolumeProperty* property, const LitPoint& point,
-  const LightReaching& reaching)
+// Light that a light casts to the eye, two-sided and without attenuation, and the part of it that
+// matter scatters.
+glm::dvec3 LightFrom(
+  vtkLight* light, MapperScene& scene, const LitPoint& point, const LightReaching& reaching)
 {
+  vtkVolumeProperty* const property = scene.volume->GetProperty();
   const glm::dvec3 position = glm::make_vec3(light->GetTransformedPosition());
   const glm::dvec3 focus = glm::make_vec3(light->GetTransformedFocalPoint());
   const glm::dvec3 axis = glm::normalize(focus - position);
@@ -106,10 +109,15 @@ glm::dvec3 LightFrom(vtkLight* light, vtkVolumeProperty* property, const LitPoin
     isNear ? glm::length(point.positionWorld - position) : std::numeric_limits<double>::infinity();
   const double part = reaching ? reaching(point.positionGrid, toLight, farMm) : 1.0;
   const double shining = std::abs(glm::dot(point.normal, glm::normalize(toLight + point.toEye)));
+  const double scattered = std::min(scene.mapper->GetVolumetricScatteringBlending(), 1.0);
+  const double phase =
+    HenyeyGreenstein(-glm::dot(toLight, point.toEye), scene.mapper->GetScatteringAnisotropy());
+  const double diffuse =
+    (1.0 - scattered) * std::abs(glm::dot(point.normal, toLight)) + scattered * phase;
   return part *
-    (property->GetDiffuse() * std::abs(glm::dot(point.normal, toLight)) * point.rgb *
-        glm::make_vec3(light->GetDiffuseColor()) +
-      property->GetSpecular() * std::pow(shining, property->GetSpecularPower()) *
+    (property->GetDiffuse() * diffuse * point.rgb * glm::make_vec3(light->GetDiffuseColor()) +
+      (1.0 - scattered) * property->GetSpecular() *
+        std::pow(shining, property->GetSpecularPower()) *
         glm::make_vec3(light->GetSpecularColor()));
 }
 
@@ -136,8 +144,7 @@ MapperScene::Material MaterialInShadows(MapperScene& scene, const LightReaching&
     while (vtkLight* light = scene.renderer->GetLights()->GetNextLight(iterator))
     {
       // A point that absorbs nothing emits nothing, and needs no shadow.
-      sum += extinction > 0.0 ? LightFrom(light, scene.volume->GetProperty(), point, reaching)
-                              : glm::dvec3(0.0);
+      sum += extinction > 0.0 ? LightFrom(light, scene, point, reaching) : glm::dvec3(0.0);
     }
     return OpticalProperties{ sum, extinction };
   };

@@ -81,6 +81,14 @@ void ColouredLights(MapperScene& scene)
     });
 }
 
+// Half of the light of a lamp is scattered, and mostly goes back.
+void ScatteringMatter(MapperScene& scene)
+{
+  PositionalLight(scene);
+  scene.mapper->SetVolumetricScatteringBlending(0.5);
+  scene.mapper->SetScatteringAnisotropy(-0.3);
+}
+
 // The reference needs a ray to the light for each of its samples, so that these images are small.
 RegressionScene InShadows(void (*light)(MapperScene&))
 {
@@ -182,6 +190,8 @@ std::vector<RegressionCase> LightCases()
     { "Shadows", [] { return InShadows(DirectionalLight); } },
     { "ShadowsOfALamp", [] { return InShadows(PositionalLight); } },
     { "ShadowsOfTwoLights", [] { return InShadows(ColouredLights); } },
+    MaterialCase("Scattering", ScatteringMatter, MaterialInLights),
+    { "ScatteringInShadows", [] { return InShadows(ScatteringMatter); } },
     MaterialCase("Damping", Damping, DampedMaterial),
     MaterialCase("GradientOpacity", GradientOpacity, MixtureOf),
     MaterialCase("TwoValues", ShowValueAndGradient, MaterialOfTwoValues),

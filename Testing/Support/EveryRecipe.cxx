@@ -205,7 +205,7 @@ std::vector<RenderSettings> RecipesOfShadows()
   plain.shading = true;
   plain.lights = true;
   plain.shadows = true;
-  std::vector<RenderSettings> recipes(7, plain);
+  std::vector<RenderSettings> recipes(9, plain);
   recipes[0].acceleration = Acceleration::Off;
   recipes[1].skipsBricks = false;
   recipes[2].nearest = true;
@@ -216,6 +216,10 @@ std::vector<RenderSettings> RecipesOfShadows()
   recipes[5].mask = Mask::Labels;
   recipes[5].gradientOpacity = true;
   recipes[6].functionOf = FunctionOf::TwoValues;
+  recipes[7].scattering = true;
+  recipes[8].scattering = true;
+  recipes[8].shadows = false;
+  recipes[8].damping = true;
   return recipes;
 }
 

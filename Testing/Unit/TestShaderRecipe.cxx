@@ -64,8 +64,8 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   lit.lights = true;
   EXPECT_EQ(Changed(lit),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "GradientOpacity/None.glsl",
-      "Values/One.glsl", "Material/OneComponent.glsl", "Reach/None.glsl", "Damping/None.glsl",
-      "March/MaterialMidpoint.glsl" }));
+      "Values/One.glsl", "Material/OneComponent.glsl", "Reach/None.glsl", "Scatter/None.glsl",
+      "Damping/None.glsl", "March/MaterialMidpoint.glsl" }));
   RenderSettings gradient = plain;
   gradient.gradientOpacity = true;
   EXPECT_EQ(Changed(gradient),
@@ -276,7 +276,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 251u);
+  EXPECT_EQ(distinct.size(), 253u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

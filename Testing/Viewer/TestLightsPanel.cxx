@@ -144,6 +144,17 @@ TEST_F(LightsOfAModel, ShadowsAreAStepThatIsUndone)
   EXPECT_FALSE(shadows->isChecked());
 }
 
+TEST_F(LightsOfAModel, ScatteringIsAStepThatIsUndone)
+{
+  this->Digits("scattering")->setValue(0.5);
+  this->Digits("anisotropy")->setValue(-0.25);
+  this->Digits("scatteringReach")->setValue(0.75);
+  EXPECT_EQ(this->model.CurrentScene().scattering, (Scattering{ 0.5, -0.25, 0.75 }));
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().scattering, (Scattering{ 0.5, -0.25, 0.0 }));
+  EXPECT_EQ(this->Digits("scatteringReach")->value(), 0.0);
+}
+
 TEST_F(LightsOfAModel, OcclusionIsAStepThatIsUndone)
 {
   this->Digits("occlusion")->setValue(0.5);

@@ -74,6 +74,14 @@ TEST_F(Sessions, KeepShadows)
     WorkText(this->model.CurrentScene(), *this->model.CurrentStudy()).contains("shadows"));
 }
 
+TEST_F(Sessions, KeepScattering)
+{
+  this->model.Edit(
+    ScenePart::Lights, "scattering", [](Scene& scene) { scene.scattering.blending = 0.5; });
+  EXPECT_TRUE(
+    WorkText(this->model.CurrentScene(), *this->model.CurrentStudy()).contains("scattering"));
+}
+
 TEST_F(Sessions, KeepAmbientOcclusion)
 {
   this->model.Edit(

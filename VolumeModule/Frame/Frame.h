@@ -43,7 +43,11 @@ struct MaterialRequest
   int surfaceComponent = 0;      ///< The component of the array that has the isosurfaces.
   /// The gradient below which shading fades [units of data per mean spacing].
   double dampingGradient = 0.0;
-  double occlusion = 0.0; ///< The strength of ambient occlusion, [0, 1].
+  double scatteredPart = 0.0; ///< The part of the light that matter scatters, [0, 1].
+  double anisotropy = 0.0;    ///< The mean cosine of the angle by which it turns light.
+  bool surfacesInShadow = true;
+  double lightReachMm = 0.0; ///< The distance beyond which matter takes nothing from a light.
+  double occlusion = 0.0;    ///< The strength of ambient occlusion, [0, 1].
   double occlusionReachMm = 0.0;
   SliceSurface slice = {};
   std::array<double, 2> averagedRange = {}; ///< The range of scalars that count in an average.
@@ -53,7 +57,8 @@ struct MaterialRequest
   /// The numbers that an image depends on in any view and that the property does not have.
   std::vector<double> Numbers() const
   {
-    return { this->labelBlend, this->dampingGradient, this->occlusion, this->occlusionReachMm,
+    return { this->labelBlend, this->dampingGradient, this->scatteredPart, this->anisotropy,
+      double(this->surfacesInShadow), this->lightReachMm, this->occlusion, this->occlusionReachMm,
       this->averagedRange[0], this->averagedRange[1], this->gapOptical.r, this->gapOptical.g,
       this->gapOptical.b, this->gapOptical.a };
   }

@@ -132,9 +132,12 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
     mapper->GetCompositingOrder() == vtkVariationFieldVolumeMapper::BackToFront;
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings);
   settings.shading = property->GetShade() != 0 && !IsProjection(settings.blend);
-  settings.lights = settings.shading && !HasHeadLightOnly(renderer);
-  settings.shadows =
-    settings.lights && settings.blend == Blend::Composite && mapper->GetShadows() != 0;
+  settings.scattering = settings.shading && settings.blend == Blend::Composite &&
+    mapper->GetVolumetricScatteringBlending() > 0.0;
+  settings.lights = settings.shading && (settings.scattering || !HasHeadLightOnly(renderer));
+  const bool dimsScattered = settings.scattering && mapper->GetGlobalIlluminationReach() > 0.0;
+  settings.shadows = settings.lights && settings.blend == Blend::Composite &&
+    (mapper->GetShadows() != 0 || dimsScattered);
   settings.occlusion = settings.blend == Blend::Composite &&
     settings.components == Components::One && mapper->GetAmbientOcclusion() > 0.0;
   settings.damping = settings.shading && settings.components == Components::One &&
@@ -298,10 +301,7 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   {
     return std::nullopt;
   }
-  frame.material.dampingGradient = mapper->GetDampingGradient();
-  frame.material.occlusion = mapper->GetAmbientOcclusion();
-  frame.material.occlusionReachMm =
-    OcclusionReachMm(mapper->GetAmbientOcclusionReach(), frame.geometry);
+  ChooseLight(mapper, frame);
   ChooseCuts(mapper, frame);
   ChooseAveraged(mapper, frame);
   frame.material.gapOptical = GapOptical(mapper->GetNanColor(), mapper->GetNanOpacity(),

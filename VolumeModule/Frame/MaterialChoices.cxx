@@ -2,6 +2,7 @@
 
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/PropertyTransferFunction.h"
+#include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkDataArray.h"
@@ -122,6 +123,23 @@ bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& setti
   return false;
 }
 
+// Images are drawn in the limit of short steps, in which VTK's blending is this part.
+void ChooseScattering(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  constexpr double MostAnisotropy = 0.99; // its phase function still has a density
+  MaterialRequest& material = frame.material;
+  material.surfacesInShadow = mapper->GetShadows() != 0;
+  material.lightReachMm = LightReachMm(
+    material.surfacesInShadow ? 1.0 : mapper->GetGlobalIlluminationReach(), frame.geometry);
+  if (frame.settings.scattering)
+  {
+    material.scatteredPart = std::min(mapper->GetVolumetricScatteringBlending(), 1.0);
+    const double own = mapper->GetScatteringAnisotropy();
+    material.anisotropy = std::clamp(own != 0.0 ? own : ScatteringAnisotropyOf(material.property),
+      -MostAnisotropy, MostAnisotropy);
+  }
+}
+
 }
 
 void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property,
@@ -161,6 +179,15 @@ void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame
     frame.voxels.mask = MaskVoxelsOf(mapper, frame.material.property);
   }
   frame.material.labelBlend = mapper->GetMaskBlendFactor();
+}
+
+void ChooseLight(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+{
+  frame.material.dampingGradient = mapper->GetDampingGradient();
+  ChooseScattering(mapper, frame);
+  frame.material.occlusion = mapper->GetAmbientOcclusion();
+  frame.material.occlusionReachMm =
+    OcclusionReachMm(mapper->GetAmbientOcclusionReach(), frame.geometry);
 }
 
 void ChooseSurfaceComponent(Frame& frame)

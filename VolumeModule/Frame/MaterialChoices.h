@@ -21,6 +21,9 @@ void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* pr
 /// @throws std::runtime_error with a sentence for the user, if one of them is missing
 void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame& frame);
 
+/// Chooses how matter takes light, scatters it and reflects it. Requires settings and geometry.
+void ChooseLight(vtkVariationFieldVolumeMapper* mapper, Frame& frame);
+
 /// Chooses the component of isosurfaces: as in VTK, the first one with the largest weight.
 /// @throws std::runtime_error with a sentence for the user, if the components depend on each other
 void ChooseSurfaceComponent(Frame& frame);

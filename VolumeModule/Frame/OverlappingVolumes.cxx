@@ -32,6 +32,7 @@ void CheckTogether(const Frame& frame, vtkVariationFieldVolumeMapper* mapper)
     { mapper->GetCropping() != 0, "cropping" },
     { settings.clippedGradients, "cuts drawn as surfaces" },
     { settings.shadows, "shadows" },
+    { settings.scattering, "scattering" },
     { settings.occlusion, "ambient occlusion" },
     { frame.voxels.blanking.Any(), "blanked voxels" },
     { !frame.userCode.IsEmpty(), "user shader code" },

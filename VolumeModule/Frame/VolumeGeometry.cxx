@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace varimarch
 {
@@ -120,6 +121,13 @@ VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* 
   geometry.worldFromGrid = FromVtk(worldFromData) * geometry.dataFromGrid;
   geometry.gradientFactors = GradientFactors(step);
   return geometry;
+}
+
+double LightReachMm(double part, const VolumeGeometry& geometry)
+{
+  constexpr double Exponent = 0.33; // as in VTK
+  return part < 1.0 ? geometry.DiagonalMm() * (1.0 - std::pow(1.0 - part, Exponent))
+                    : std::numeric_limits<double>::infinity();
 }
 
 double OcclusionReachMm(double chosenMm, const VolumeGeometry& geometry)

@@ -91,7 +91,8 @@ void LightResources::UpdateShadows(
   const double error = march.plan.budget.LightError();
   const double voxelMm = march.frame.geometry.SmallestSpacingMm();
   this->shadows.tolerance = float(error);
-  if (!march.settings.shadows || !(error > 0.0) || !IsSmooth(materials, voxelMm))
+  const bool isWhole = std::isinf(march.frame.material.lightReachMm);
+  if (!march.settings.shadows || !isWhole || !(error > 0.0) || !IsSmooth(materials, voxelMm))
   {
     return;
   }

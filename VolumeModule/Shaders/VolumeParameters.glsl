@@ -43,9 +43,13 @@ layout(std140) uniform VolumeParameters
   float lastGradientEntry;     // last index of a table of gradient opacity
   float clippedScalar;         // scalar that gradients see beyond clipping planes
   int isosurfaceCount;
-  float backsLit;       // 1 if both sides of surfaces are lit, else 0
-  float labelGradient;  // factor of a label's gradient, which makes it one that is not damped
-  vec4 reflectances[4]; // coefficients of ambient, diffuse and specular light, specular power
+  float backsLit;         // 1 if both sides of surfaces are lit, else 0
+  float labelGradient;    // factor of a label's gradient, which makes it one that is not damped
+  float scatteredPart;    // part of the light that matter scatters, [0, 1]
+  float anisotropy;       // mean cosine of the angle by which it turns light, inside (-1, 1)
+  float surfacesInShadow; // 1: what matter takes from a light is missing on surfaces too, else 0
+  float lightReachMm;     // distance beyond which matter takes nothing from a light [mm]
+  vec4 reflectances[4];   // coefficients of ambient, diffuse and specular light, specular power
 
   // The mixture, and lights that are not at the eye.
   int materialCount;      // number of materials, 1 to 4

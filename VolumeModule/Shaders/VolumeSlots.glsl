@@ -92,6 +92,15 @@ Reach ReachAt(Ray ray, float t);
 // The part of one light.
 float Reaching(Reach reach, int light);
 
+// --- Scatter: what goes to the eye of the light that reaches a point. Only for Shade/Lights.glsl
+// --- The diffuse and the specular part of a light.
+// @param reflected  what a surface reflects of it
+// @param litPart  see LitPart
+// @param reaching  the part of the light that reaches the point
+vec2 SentToEye(vec2 reflected, float litPart, vec3 toLight, vec3 toEye, float reaching);
+// The factor of the sum over all lights.
+float PartOfSent(float litPart);
+
 // --- Damping: less light where a volume is homogeneous. Only with light ---
 // The fraction of diffuse and specular light that remains at a gradient, [0,1].
 float LitPart(vec3 gradient);

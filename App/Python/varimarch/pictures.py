@@ -37,6 +37,9 @@ def render(
     shade=None,
     lights=None,
     shadows=False,
+    scattering=0.0,
+    anisotropy=0.0,
+    scattering_reach=0.0,
     occlusion=0.0,
     occlusion_reach=0.0,
     damping=None,
@@ -81,6 +84,10 @@ def render(
         right; default: a white light at the eye.
     shadows: True to let a shaded volume cast shadows on itself, from lights that are not at the eye;
         takes about three times as long.
+    scattering: the part of the light that matter scatters and surfaces do not reflect, 0 to 2; all
+        from 1 on. Shaded composites only.
+    anisotropy: mean cosine of the angle by which it turns light, -0.99 to 0.99.
+    scattering_reach: how far matter dims scattered light, 0 (not at all) to 1 (everywhere).
     occlusion: strength of ambient occlusion, 0 to 1: how much darker places are that see little of
         what is around the volume. Composites of one component only.
     occlusion_reach: distance beyond which matter does not occlude [mm]; default: 16 voxels.
@@ -165,6 +172,11 @@ def render(
     if lights is not None:
         scene["lights"] = lights_of(lights)
     scene["shadows"] = truth("shadows", shadows)
+    scene["scattering"] = {
+        "blending": number("scattering", scattering, 0, 2),
+        "anisotropy": number("anisotropy", anisotropy, -0.99, 0.99),
+        "reach": number("scattering_reach", scattering_reach, 0, 1),
+    }
     scene["occlusion"] = {
         "strength": number("occlusion", occlusion, 0, 1),
         "reach": number("occlusion_reach", occlusion_reach, 0, 1e30),

@@ -56,6 +56,7 @@ QString WorkText(const Scene& scene, const Study& study)
   work.boxes = scene.boxes;
   work.lights = scene.lights;
   work.shadows = scene.shadows;
+  work.scattering = scene.scattering;
   work.occlusion = scene.occlusion;
   work.overlays = scene.overlays;
   if (!IsBuiltInLook(scene.look, study.statistics))

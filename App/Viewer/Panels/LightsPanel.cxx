@@ -93,6 +93,7 @@ LightsPanel::LightsPanel(SceneModel* model, QWidget* parent)
   column->addLayout(this->form);
   this->MakeShadows();
   column->addWidget(this->shadows);
+  column->addLayout(this->MakeScattering());
   column->addLayout(this->MakeOcclusion());
   column->addStretch();
   this->MakeColorAndIntensity();
@@ -213,6 +214,39 @@ void LightsPanel::MakeShadows()
     });
 }
 
+NumberSlider* LightsPanel::MakeScattered(
+  const char* name, std::array<double, 2> range, double Scattering::*part)
+{
+  auto* const slider = new NumberSlider(range[0], range[1], NumberSlider::Scale::Linear);
+  slider->setObjectName(name);
+  connect(slider, &NumberSlider::Edited, this,
+    [=](double number, int gesture)
+    {
+      this->model->Edit(
+        ScenePart::Lights, tr("scattering"), [=](Scene& scene) { scene.scattering.*part = number; },
+        gesture);
+    });
+  return slider;
+}
+
+QFormLayout* LightsPanel::MakeScattering()
+{
+  auto* const rows = new QFormLayout;
+  this->scattering = this->MakeScattered("scattering", { 0.0, 1.0 }, &Scattering::blending);
+  this->scattering->setToolTip(
+    tr("The part of the light that matter scatters and surfaces do not reflect; 0 is off."));
+  this->anisotropy = this->MakeScattered("anisotropy", { -0.95, 0.95 }, &Scattering::anisotropy);
+  this->anisotropy->setToolTip(
+    tr("Scattered light mostly goes back below 0, and straight on above."));
+  this->scatteringReach = this->MakeScattered("scatteringReach", { 0.0, 1.0 }, &Scattering::reach);
+  this->scatteringReach->setToolTip(
+    tr("How far matter dims scattered light without shadows: 0 not at all, 1 everywhere."));
+  rows->addRow(tr("Scattering"), this->scattering);
+  rows->addRow(tr("Forward"), this->anisotropy);
+  rows->addRow(tr("Dimmed within"), this->scatteringReach);
+  return rows;
+}
+
 QFormLayout* LightsPanel::MakeOcclusion()
 {
   constexpr double LongestReachMm = 100.0;
@@ -326,6 +360,10 @@ void LightsPanel::Show(ScenePart part)
   this->add->setEnabled(lights.size() < MostLights);
   this->remove->setEnabled(lights.size() > 1);
   this->shadows->setChecked(this->model->CurrentScene().shadows);
+  const Scattering& scattering = this->model->CurrentScene().scattering;
+  this->scattering->SetNumber(scattering.blending);
+  this->anisotropy->SetNumber(scattering.anisotropy);
+  this->scatteringReach->SetNumber(scattering.reach);
   this->occlusion->SetNumber(this->model->CurrentScene().occlusion.strength);
   this->reach->SetNumber(this->model->CurrentScene().occlusion.reachMm);
   this->ShowSelected();

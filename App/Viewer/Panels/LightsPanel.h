@@ -21,8 +21,8 @@ namespace varimarch
 class NumberSlider;
 
 /// The lights on a shaded volume: a list, and the colour, intensity and place of the selected one;
-/// whether the volume casts shadows, and its ambient occlusion. A scene without lights has the one
-/// at the eye.
+/// whether the volume casts shadows, how it scatters light, and its ambient occlusion. A scene
+/// without lights has the one at the eye.
 class LightsPanel : public QWidget
 {
   Q_OBJECT
@@ -36,6 +36,9 @@ private:
   void MakeDirection();
   void MakePosition();
   void MakeShadows();
+  NumberSlider* MakeScattered(
+    const char* name, std::array<double, 2> range, double Scattering::*part);
+  QFormLayout* MakeScattering();
   QFormLayout* MakeOcclusion();
   std::vector<SceneLight> Shown() const;
   void Replace(const std::vector<SceneLight>& lights, const QString& name, int gesture);
@@ -61,6 +64,9 @@ private:
   QWidget* position;
   std::array<QDoubleSpinBox*, 3> coordinates;
   QCheckBox* shadows;
+  NumberSlider* scattering;
+  NumberSlider* anisotropy;
+  NumberSlider* scatteringReach;
   NumberSlider* occlusion;
   NumberSlider* reach;
 };

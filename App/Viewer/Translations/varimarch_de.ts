@@ -1373,6 +1373,34 @@ Masken nicht unterstützt</translation>
         <translation>Schatten</translation>
     </message>
     <message>
+        <source>scattering</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>The part of the light that matter scatters and surfaces do not reflect; 0 is off.</source>
+        <translation>Der Teil des Lichts, den Materie streut und Oberflächen nicht zurückwerfen; 0 ist aus.</translation>
+    </message>
+    <message>
+        <source>Scattered light mostly goes back below 0, and straight on above.</source>
+        <translation>Unter 0 geht gestreutes Licht meist zurück, darüber geradeaus.</translation>
+    </message>
+    <message>
+        <source>How far matter dims scattered light without shadows: 0 not at all, 1 everywhere.</source>
+        <translation>Wie weit Materie ohne Schatten gestreutes Licht schwächt: 0 gar nicht, 1 überall.</translation>
+    </message>
+    <message>
+        <source>Scattering</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Dimmed within</source>
+        <translation>Geschwächt bis</translation>
+    </message>
+    <message>
         <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
         <translation>Das Volumen wirft Schatten auf sich selbst, von Lichtern, die nicht am Auge sind. Ein Bild dauert etwa dreimal so lange.</translation>
     </message>

@@ -1373,6 +1373,34 @@ no admite máscaras</translation>
         <translation>Sombras</translation>
     </message>
     <message>
+        <source>scattering</source>
+        <translation>dispersión</translation>
+    </message>
+    <message>
+        <source>The part of the light that matter scatters and surfaces do not reflect; 0 is off.</source>
+        <translation>La parte de la luz que la materia dispersa y las superficies no reflejan; 0 es nada.</translation>
+    </message>
+    <message>
+        <source>Scattered light mostly goes back below 0, and straight on above.</source>
+        <translation>Por debajo de 0 la luz dispersada vuelve en su mayoría; por encima sigue recta.</translation>
+    </message>
+    <message>
+        <source>How far matter dims scattered light without shadows: 0 not at all, 1 everywhere.</source>
+        <translation>Hasta dónde la materia atenúa la luz dispersada sin sombras: 0 nada, 1 en todas partes.</translation>
+    </message>
+    <message>
+        <source>Scattering</source>
+        <translation>Dispersión</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Hacia delante</translation>
+    </message>
+    <message>
+        <source>Dimmed within</source>
+        <translation>Atenuada hasta</translation>
+    </message>
+    <message>
         <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
         <translation>El volumen proyecta sombras sobre sí mismo, desde luces que no están en el ojo. Una imagen tarda unas tres veces más.</translation>
     </message>

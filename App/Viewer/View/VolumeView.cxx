@@ -191,6 +191,7 @@ void VolumeView::TakeLights()
   const Scene& scene = this->model->CurrentScene();
   this->pipeline->SetLights(scene.lights);
   this->pipeline->SetShadows(scene.shadows);
+  this->pipeline->SetScattering(scene.scattering);
   this->pipeline->SetOcclusion(scene.occlusion);
 }
 

@@ -131,6 +131,7 @@ struct PacketLight
   bool damps;
   bool labels;       ///< labels are lit as their own surfaces
   bool castsShadows; ///< Shaders/Reach; only with lights
+  bool scatters;     ///< Shaders/Scatter; only with lights
 };
 
 /// Bricks that steps may leave out.

@@ -67,6 +67,11 @@ std::string ReachFile(const RenderSettings& settings)
   return settings.shading && settings.shadows ? "Reach/ShadowRays.glsl" : "Reach/None.glsl";
 }
 
+std::string ScatterFile(const RenderSettings& settings)
+{
+  return settings.scattering ? "Scatter/HenyeyGreenstein.glsl" : "Scatter/None.glsl";
+}
+
 std::string GradientFile(const RenderSettings& settings)
 {
   if (settings.clippedGradients)

@@ -22,6 +22,7 @@ std::vector<std::string> MaterialParts(const RenderSettings& settings);
 
 std::string ShadeFile(const RenderSettings& settings);
 std::string ReachFile(const RenderSettings& settings);
+std::string ScatterFile(const RenderSettings& settings);
 std::string GradientFile(const RenderSettings& settings);
 
 }

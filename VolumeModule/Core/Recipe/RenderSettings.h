@@ -167,10 +167,11 @@ struct RenderSettings
   bool skipsBricks = true;       ///< composites with an optical field: enough bricks can be skipped
   RayPass pass = RayPass::Whole;
   ShaderRole role = ShaderRole::MarchRays;
-  bool damping = false;   ///< shading fades where the gradient is small; one component only
-  bool lights = false;    ///< all lights of the scene, not only a head light
-  bool shadows = false;   ///< these lights cast shadows; requires lights; composites only
-  bool occlusion = false; ///< ambient occlusion, by packets only; composites of one component only
+  bool damping = false;    ///< shading fades where the gradient is small; one component only
+  bool lights = false;     ///< all lights of the scene, not only a head light
+  bool shadows = false;    ///< these lights cast shadows; requires lights; composites only
+  bool scattering = false; ///< matter scatters light; requires lights; composites only
+  bool occlusion = false;  ///< ambient occlusion, by packets only; composites of one component only
   Mask mask = Mask::None;
   bool labelSurfaces = false; ///< labels are lit as surfaces of their own; labels with shading only
   FunctionOf functionOf = FunctionOf::Value; ///< other than Value: composites of one component only

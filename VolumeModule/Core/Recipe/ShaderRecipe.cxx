@@ -182,7 +182,7 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
   }
   if (settings.lights)
   {
-    parts.push_back(ReachFile(settings));
+    parts.insert(parts.end(), { ReachFile(settings), ScatterFile(settings) });
   }
   if (settings.shading && (settings.blend == Blend::Isosurface || MarchesMaterial(settings)))
   {

@@ -141,7 +141,7 @@ PacketScene PacketSceneOf(
   scene.look = LookOf(march, volume, scene.parameters, 0, 0);
   scene.labelRows = around.labelRows.empty() ? nullptr : around.labelRows.data();
   scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces,
-    march.settings.shading && march.settings.shadows };
+    march.settings.shading && march.settings.shadows, march.settings.scattering };
   scene.shadows = volume.Light().Shadows();
   scene.sky = volume.Light().Sky();
   scene.extreme = ExtremeOf(march, volume);

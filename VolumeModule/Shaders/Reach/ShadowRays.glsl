@@ -74,7 +74,7 @@ float TransmittedFrom(int light, vec3 originGrid)
   ray.directionGrid = gridFromWorld * (toLight / distanceMm);
   ray.originTexture = (originGrid - firstVoxelGrid + 0.5) * voxelCountInverse;
   ray.directionTexture = ray.directionGrid * voxelCountInverse;
-  return exp(-DepthAlong(ray, isDistant ? BeyondAll : distanceMm));
+  return exp(-DepthAlong(ray, min(isDistant ? BeyondAll : distanceMm, lightReachMm)));
 }
 
 // The parts of the lights at t, from rays to each of them.

@@ -22,16 +22,18 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
   vec3 positionWorld = worldFromGrid * (ray.originGrid + t * ray.directionGrid) + worldOfGridOrigin;
   vec3 toEye = -(worldFromGrid * ray.directionGrid);
   Reach reach = ReachAt(ray, t);
-  vec2 atEye = Reflected(normal, toEye, toEye, reflectance.w, backsLit);
+  float litPart = LitPart(gradient);
+  vec2 atEye =
+    SentToEye(Reflected(normal, toEye, toEye, reflectance.w, backsLit), litPart, toEye, toEye, 1.0);
   vec3 diffuse = atEye.x * diffuseLight;
   vec3 specular = atEye.y * specularLight;
   for (int texel = 0; texel < TexelsPerLight * distantCount; texel += TexelsPerLight)
   {
     vec3 toLight = texelFetch(lightTexels, texel).xyz;
-    vec2 reflected = Reflected(normal, toLight, toEye, reflectance.w, backsLit);
-    reflected *= Reaching(reach, texel / TexelsPerLight);
-    diffuse += reflected.x * texelFetch(lightTexels, texel + 1).rgb;
-    specular += reflected.y * texelFetch(lightTexels, texel + 2).rgb;
+    vec2 sent = SentToEye(Reflected(normal, toLight, toEye, reflectance.w, backsLit), litPart,
+      toLight, toEye, Reaching(reach, texel / TexelsPerLight));
+    diffuse += sent.x * texelFetch(lightTexels, texel + 1).rgb;
+    specular += sent.y * texelFetch(lightTexels, texel + 2).rgb;
   }
   int firstNear = TexelsPerLight * distantCount;
   for (int texel = firstNear; texel < firstNear + TexelsPerLight * nearCount;
@@ -40,11 +42,11 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
     vec3 toPlace = texelFetch(lightTexels, texel).xyz - positionWorld;
     float distanceMm = max(length(toPlace), 1e-15);
     vec3 toLight = toPlace / distanceMm;
-    vec2 reflected = ReachOf(texel, distanceMm, toLight) *
-      Reflected(normal, toLight, toEye, reflectance.w, backsLit);
-    reflected *= Reaching(reach, texel / TexelsPerLight);
-    diffuse += reflected.x * texelFetch(lightTexels, texel + 1).rgb;
-    specular += reflected.y * texelFetch(lightTexels, texel + 2).rgb;
+    vec2 sent = ReachOf(texel, distanceMm, toLight) *
+      SentToEye(Reflected(normal, toLight, toEye, reflectance.w, backsLit), litPart, toLight, toEye,
+        Reaching(reach, texel / TexelsPerLight));
+    diffuse += sent.x * texelFetch(lightTexels, texel + 1).rgb;
+    specular += sent.y * texelFetch(lightTexels, texel + 2).rgb;
   }
-  return LitByAll(color, LitPart(gradient), reflectance, ambientLight, diffuse, specular);
+  return LitByAll(color, PartOfSent(litPart), reflectance, ambientLight, diffuse, specular);
 }

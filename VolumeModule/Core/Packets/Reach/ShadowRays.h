@@ -189,7 +189,7 @@ public:
     rays.inverse = SafeInverse(rays.directionGrid);
     rays.region = IntLanes{};
     rays.enter = Lanes{};
-    rays.exit = this->isDistant ? All(Never) : distanceMm;
+    rays.exit = Min(this->isDistant ? All(Never) : distanceMm, All(p.lightReachMm));
     KeepUncut(rays, this->scene);
     return rays;
   }

@@ -4,6 +4,7 @@
 // Twin of Shade/Lights.glsl.
 
 #include "Core/Packets/Damping/Homogeneous.h"
+#include "Core/Packets/Scatter/HenyeyGreenstein.h"
 #include "Core/Packets/Shade/HeadLight.h"
 
 namespace varimarch
@@ -39,6 +40,10 @@ public:
   Lanes3 LitApart(const Lanes3& color, const Surface& surface, const Lanes3& positionWorld,
     int apart, Take take) const
   {
+    if (this->scene.light.scatters)
+    {
+      return this->SentApart(color, surface, positionWorld, apart, take);
+    }
     const Lanes3 outward = -InverseLength(surface.normalWorld) * surface.normalWorld;
     const Lanes litPart = LitPart(this->scene, surface);
     Sum sum = { Lanes3(0.0f), Lanes3(0.0f) };
@@ -78,6 +83,62 @@ private:
     }
   };
 
+  /// A light as a point sees it.
+  struct Incident
+  {
+    Lanes3 towards;
+    Lanes strength;
+  };
+
+  Incident IncidentFrom(int light, const Lanes3& positionWorld, const glm::vec4* texel) const
+  {
+    if (light < this->parameters.distantCount)
+    {
+      return { AllOf3(texel[0]), All(1.0f) };
+    }
+    const Lanes3 toPlace = AllOf3(texel[0]) - positionWorld;
+    const Lanes distanceMm = Max(Length(toPlace), 1e-15f);
+    const Lanes3 toLight = (1.0f / distanceMm) * toPlace;
+    return { toLight,
+      LightReach(AllOf3(texel[3]), distanceMm, toLight, AllOf3(texel[4]), All(texel[1].w),
+        All(texel[2].w)) };
+  }
+
+  // LitApart() with light that matter scatters. If shadows dim only that, surfaces keep theirs.
+  template <class Take>
+  Lanes3 SentApart(const Lanes3& color, const Surface& surface, const Lanes3& positionWorld,
+    int apart, Take take) const
+  {
+    const ScatteredLight scattered(this->parameters, this->toEye);
+    const Lanes3 outward = -InverseLength(surface.normalWorld) * surface.normalWorld;
+    const Lanes bySurfaces = scattered.BySurfaces(LitPart(this->scene, surface));
+    const Lanes3 none(0.0f);
+    Sum sum = { none, none };
+    const Lanes2 atEye = this->ReflectedFrom(outward, this->toEye);
+    sum.Add({ bySurfaces * atEye.x + scattered.ByMatter(this->toEye), bySurfaces * atEye.y },
+      this->parameters.diffuseLight, this->parameters.specularLight);
+    const glm::vec4* texel = this->scene.textures.lightTexels.Texels<glm::vec4>();
+    const int count = this->parameters.distantCount + this->parameters.nearCount;
+    for (int i = 0; i < count; ++i, texel += TexelsPerLight)
+    {
+      const Incident light = this->IncidentFrom(i, positionWorld, texel);
+      const Lanes2 reflected = this->ReflectedFrom(outward, light.towards);
+      const Lanes part = light.strength * bySurfaces;
+      Sum own = { none, none };
+      Sum& ofSurfaces = i < apart && scattered.SurfacesAreInShadow() ? own : sum;
+      Sum& ofMatter = i < apart ? own : sum;
+      ofSurfaces.Add({ part * reflected.x, part * reflected.y }, texel[1], texel[2]);
+      ofMatter.Add(
+        { light.strength * scattered.ByMatter(light.towards), Lanes{} }, texel[1], texel[2]);
+      if (i < apart)
+      {
+        take(i, LitByAll(color, All(1.0f), this->reflectance, none, own.diffuse, own.specular));
+      }
+    }
+    return LitByAll(color, All(1.0f), this->reflectance, AllOf3(this->parameters.ambientLight),
+      sum.diffuse, sum.specular);
+  }
+
   Lanes2 ReflectedFrom(const Lanes3& normal, const Lanes3& toLight) const
   {
     const Lanes backsLit = All(this->parameters.backsLit);
@@ -88,13 +149,9 @@ private:
   Lanes2 ReflectedFromNear(
     const Lanes3& normal, const Lanes3& positionWorld, const glm::vec4* texel) const
   {
-    const Lanes3 toPlace = AllOf3(texel[0]) - positionWorld;
-    const Lanes distanceMm = Max(Length(toPlace), 1e-15f);
-    const Lanes3 toLight = (1.0f / distanceMm) * toPlace;
-    const Lanes reach = LightReach(
-      AllOf3(texel[3]), distanceMm, toLight, AllOf3(texel[4]), All(texel[1].w), All(texel[2].w));
-    const Lanes2 reflected = this->ReflectedFrom(normal, toLight);
-    return { reach * reflected.x, reach * reflected.y };
+    const Incident light = this->IncidentFrom(this->parameters.distantCount, positionWorld, texel);
+    const Lanes2 reflected = this->ReflectedFrom(normal, light.towards);
+    return { light.strength * reflected.x, light.strength * reflected.y };
   }
 
   const PacketScene& scene;

@@ -1,0 +1,125 @@
+// Light that a slab scatters, compared with closed forms.
+
+#include "Module/SlabScene.h"
+#include "Module/UsualSettings.h"
+
+#include <vtkLight.h>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr double SlabRed = 0.8;
+constexpr double SlabDepthMm = 8.0;
+constexpr double SlabOpacity = 0.2;
+constexpr double LightCosine = 0.6; // between the light and the eye, which looks down
+
+/// How light is scattered, and what dims it.
+struct Scattered
+{
+  double blending;
+  double anisotropy;
+  double reach;
+  bool shadows;
+};
+
+// The slab as a marcher draws it.
+double DrawnRed(const Scattered& light, bool byPackets, double errorTolerance = 0.0)
+{
+  SlabScene scene(SlabOpacity, SlabRed);
+  vtkVolumeProperty* const property = scene.volume->GetProperty();
+  property->ShadeOn();
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  property->SetSpecular(0.0);
+  scene.renderer->AutomaticLightCreationOff();
+  scene.renderer->RemoveAllLights();
+  AddLight(scene.renderer,
+    100.0 * glm::dvec3(std::sqrt(1.0 - LightCosine * LightCosine), 0.0, LightCosine),
+    glm::dvec3(0.0));
+  scene.mapper->SetVolumetricScatteringBlending(light.blending);
+  scene.mapper->SetScatteringAnisotropy(light.anisotropy);
+  scene.mapper->SetGlobalIlluminationReach(light.reach);
+  scene.mapper->SetShadows(light.shadows);
+  scene.mapper->SetProcessorMarching(byPackets);
+  scene.mapper->SetErrorTolerance(errorTolerance);
+  return scene.MiddlePixel()[0];
+}
+
+// The part of a light that a slab sends, undimmed or dimmed on its way in.
+double PartOfSlab(bool isDimmed)
+{
+  const double extinction = -std::log1p(-SlabOpacity);
+  const double both = extinction * (isDimmed ? 1.0 + 1.0 / LightCosine : 1.0);
+  return extinction / both * (1.0 - std::exp(-both * SlabDepthMm));
+}
+
+double Phase(double anisotropy)
+{
+  const double squared = anisotropy * anisotropy;
+  return (1.0 - squared) / std::pow(1.0 + squared + 2.0 * anisotropy * LightCosine, 1.5);
+}
+
+double ExpectedRed(const Scattered& light)
+{
+  const double part = std::min(light.blending, 1.0);
+  const double scattered =
+    part * Phase(light.anisotropy) * PartOfSlab(light.shadows || light.reach == 1.0);
+  return SlabRed * (scattered + (1.0 - part) * LightCosine * PartOfSlab(light.shadows));
+}
+
+}
+
+TEST(Scattering, OfAHomogeneousSlabHasItsClosedForm)
+{
+  for (const bool byPackets : { true, false })
+  {
+    for (const Scattered& light : { Scattered{ 1.0, 0.0, 0.0, false },
+           Scattered{ 1.0, 0.5, 1.0, false }, Scattered{ 0.4, -0.3, 1.0, false },
+           Scattered{ 0.4, -0.3, 0.0, true }, Scattered{ 2.0, -0.6, 1.0, false } })
+    {
+      EXPECT_NEAR(DrawnRed(light, byPackets), ExpectedRed(light), HalfByteStep)
+        << light.blending << ", " << light.anisotropy << ", " << light.reach << ", "
+        << light.shadows << (byPackets ? " by packets" : " by shaders");
+    }
+  }
+}
+
+TEST(Scattering, KeepsAnErrorTolerance)
+{
+  const Scattered light{ 0.7, 0.4, 1.0, false };
+  EXPECT_NEAR(DrawnRed(light, true, 1.0 / 64.0), ExpectedRed(light), 1.0 / 64.0);
+}
+
+TEST(Scattering, IsDimmedWithinItsReachOnly)
+{
+  // The slab's light comes from within a diagonal; a longer reach dims more of it.
+  double last = SlabRed;
+  for (const double reach : { 0.0, 0.02, 0.1, 1.0 })
+  {
+    const Scattered light{ 1.0, 0.0, reach, false };
+    const double red = DrawnRed(light, true);
+    EXPECT_LT(red, last - 0.02) << reach;
+    EXPECT_NEAR(DrawnRed(light, false), red, HalfByteStep) << reach;
+    last = red;
+  }
+}
+
+TEST(Scattering, OfALightAtTheEyeComesBack)
+{
+  SlabScene scene(SlabOpacity, SlabRed);
+  vtkVolumeProperty* const property = scene.volume->GetProperty();
+  property->ShadeOn();
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  scene.mapper->SetVolumetricScatteringBlending(1.0);
+  scene.mapper->SetScatteringAnisotropy(-0.05);
+  const double back = (1.0 - 0.0025) / std::pow(1.0 + 0.0025 - 0.1, 1.5);
+  EXPECT_NEAR(scene.MiddlePixel()[0], SlabRed * back * PartOfSlab(false), HalfByteStep);
+}
