@@ -13,6 +13,7 @@
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -98,6 +99,7 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
 }
 
 vtkStandardNewMacro(vtkVariationFieldVolumeMapper);
+vtkInformationKeyMacro(vtkVariationFieldVolumeMapper, LIGHT_SOFTNESS, Double);
 
 vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper()
   : Private(std::make_unique<Internals>())

@@ -93,6 +93,7 @@
 #include <memory> // For Internals
 #include <string> // For ReportOnce
 
+class vtkInformationDoubleKey;
 class vtkImageData;
 class vtkStringArray;
 
@@ -350,6 +351,14 @@ public:
   vtkGetMacro(Shadows, vtkTypeBool);
   vtkBooleanMacro(Shadows, vtkTypeBool);
   ///@}
+
+  /**
+   * Softness of a light, a key of vtkLight::GetInformation() [degrees, 0 to 90]: half the angle of
+   * the cone that it comes from. Its shadows are the mean of those of twelve directions in that
+   * cone (Documentation/Mathematics.md); highlights and scattering are those of its middle. Shadows
+   * of a soft light take several times as long. Without the key a light is a point.
+   */
+  static vtkInformationDoubleKey* LIGHT_SOFTNESS();
 
   ///@{
   /**

@@ -113,6 +113,13 @@ void AddLightOptions(CLI::App& command, SceneArguments& arguments)
     ->type_name("AZ,EL")
     ->group(group);
   command
+    .add_option("--softness", arguments.softnessDegrees,
+      "Softness of the shadows of all lights that are not at the eye: half the angle of the\n"
+      "cones that they come from, degrees, 0 to 60 (default: the scene's)")
+    ->check(CLI::Range(0.0, 60.0).description(""))
+    ->type_name("DEG")
+    ->group(group);
+  command
     .add_flag_callback(
       "--shadows", [&] { arguments.shadows = true; },
       "Let the volume cast shadows, from lights that are not at the eye; takes about\n"

@@ -134,6 +134,11 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   OverridePreset(arguments, loaded, isScene, scene);
   OverrideLook(arguments, scene.look);
   scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;
+  for (SceneLight& light : scene.lights)
+  {
+    const double softness = arguments.softnessDegrees.value_or(light.softnessDegrees);
+    light.softnessDegrees = light.kind == LightKind::Head ? 0.0 : softness;
+  }
   scene.shadows = arguments.shadows.value_or(scene.shadows);
   scene.scattering = { arguments.scattering.value_or(scene.scattering.blending),
     arguments.anisotropy.value_or(scene.scattering.anisotropy),

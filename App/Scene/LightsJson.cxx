@@ -15,9 +15,9 @@ std::vector<std::string> KeysOf(LightKind kind)
   {
     case LightKind::Camera:
     case LightKind::Directional:
-      return { "kind", "direction", "color", "intensity" };
+      return { "kind", "direction", "color", "intensity", "softness" };
     case LightKind::Positional:
-      return { "kind", "position", "color", "intensity" };
+      return { "kind", "position", "color", "intensity", "softness" };
     default:
       return { "kind", "color", "intensity" };
   }
@@ -48,6 +48,10 @@ SceneLight LightFromJson(const JsonCursor& json)
   {
     light.intensity = intensity->Number({ 0.0, 1000.0, true });
   }
+  if (const auto softness = json.Find("softness"))
+  {
+    light.softnessDegrees = softness->Number({ 0.0, 60.0 });
+  }
   return light;
 }
 
@@ -64,6 +68,10 @@ nlohmann::ordered_json JsonFromLight(const SceneLight& light)
   }
   json["color"] = light.rgb;
   json["intensity"] = light.intensity;
+  if (light.softnessDegrees > 0.0)
+  {
+    json["softness"] = light.softnessDegrees;
+  }
   return json;
 }
 

@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +139,8 @@ std::vector<PathLight> LightsOf(const ReferenceRequest& request)
   {
     lights.push_back(light.kind == LightKind::Head
         ? AtEye(request, light.rgb)
-        : PathLight{ light.kind != LightKind::Positional, light.place, light.rgb });
+        : PathLight{ light.kind != LightKind::Positional, light.place, light.rgb,
+            glm::radians(light.softnessDegrees) });
   }
   return lights;
 }

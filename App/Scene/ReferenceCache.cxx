@@ -100,6 +100,7 @@ void AddLighting(ContentDigest& digest, const std::optional<ReferenceLighting>& 
       digest.Add(light.kind);
       AddMatrix(digest, light.rgb);
       AddMatrix(digest, light.place);
+      digest.Add(light.softnessDegrees);
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "Scene/ReferenceLighting.h"
 
+#include "Core/Geometry/LightCone.h"
 #include "Core/Reference/PathTracer.h"
 #include "Scene/WorldVector.h"
 
@@ -10,6 +11,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,13 +29,14 @@ PlacedLight Placed(const SceneLight& light, const glm::dmat3& worldFromView)
   switch (light.kind)
   {
     case LightKind::Head:
-      return { light.kind, rgb, {} };
+      return { light.kind, rgb, {}, 0.0 };
     case LightKind::Camera:
-      return { light.kind, rgb, worldFromView * glm::normalize(VectorOf(light.direction)) };
+      return { light.kind, rgb, worldFromView * glm::normalize(VectorOf(light.direction)),
+        light.softnessDegrees };
     case LightKind::Directional:
-      return { light.kind, rgb, glm::normalize(VectorOf(light.direction)) };
+      return { light.kind, rgb, glm::normalize(VectorOf(light.direction)), light.softnessDegrees };
     default:
-      return { light.kind, rgb, VectorOf(light.positionMm) };
+      return { light.kind, rgb, VectorOf(light.positionMm), light.softnessDegrees };
   }
 }
 
@@ -54,6 +57,23 @@ double DistanceMm(const PlacedLight& light, const LitPoint& point)
 {
   return light.kind == LightKind::Positional ? glm::length(light.place - point.positionMm)
                                              : std::numeric_limits<double>::infinity();
+}
+
+// The mean over the directions that a light comes from.
+double Arriving(
+  const PlacedLight& light, glm::dvec3 towards, double farMm, const LightReaching& reaching)
+{
+  if (light.softnessDegrees == 0.0)
+  {
+    return reaching(towards, farMm);
+  }
+  double sum = 0.0;
+  for (const auto& [direction, weight] :
+    DirectionsInCone(towards, glm::radians(light.softnessDegrees)))
+  {
+    sum += weight * reaching(direction, farMm);
+  }
+  return sum;
 }
 
 /// Columns are the image's axes to the right, upwards and towards the eye.
@@ -91,7 +111,8 @@ glm::dvec3 ReferenceLighting::Lit(const LitPoint& point, const LightReaching& re
       continue;
     }
     const bool isDimmed = reaching && light.kind != LightKind::Head;
-    const double arriving = isDimmed ? reaching(towards, DistanceMm(light, point)) : 1.0;
+    const double arriving =
+      isDimmed ? Arriving(light, towards, DistanceMm(light, point), reaching) : 1.0;
     const double onSurfaces =
       (1.0 - this->scatteredPart) * undamped * (this->dimsSurfaces ? arriving : 1.0);
     const double scattered = this->scatteredPart * arriving *

@@ -18,6 +18,7 @@ struct PlacedLight
   LightKind kind;
   glm::dvec3 rgb;   ///< times the intensity
   glm::dvec3 place; ///< positional: its position [mm]; else the unit vector towards it. Head: none
+  double softnessDegrees; ///< half the angle of its cone; 0: it is a point
 };
 
 /// A point of a volume that light falls on, in world space.

@@ -187,6 +187,7 @@ struct SceneLight
   std::array<double, 3> positionMm = {};         ///< place of a positional light; world space, LPS
   std::array<double, 3> rgb = { 1.0, 1.0, 1.0 }; ///< each in [0, 1]
   double intensity = 1.0;                        ///< factor of the colour, > 0
+  double softnessDegrees = 0.0; ///< half the angle of its cone, [0, 60]; not of a head light
 };
 
 /// Keeps the side of the plane that the normal points to. World space, LPS.

@@ -2,9 +2,12 @@
 
 #include "Scene/WorldVector.h"
 
+#include <vtkInformation.h>
+#include <vtkInformationDoubleKey.h>
 #include <vtkLight.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkVariationFieldVolumeMapper.h>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -49,6 +52,11 @@ vtkSmartPointer<vtkLight> VtkLightOf(const SceneLight& light, double ambient)
   placed->SetDiffuseColor(light.rgb.data());
   placed->SetSpecularColor(light.rgb.data());
   placed->SetIntensity(light.intensity);
+  if (light.softnessDegrees > 0.0)
+  {
+    placed->GetInformation()->Set(
+      vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS(), light.softnessDegrees);
+  }
   placed->SetAmbientColor(ambient, ambient, ambient);
   return placed;
 }

@@ -216,6 +216,20 @@ TEST(PictureAgainstReference, EveryPartOfALookConvergesToTheIntegral)
   }
 }
 
+TEST(PictureAgainstReference, SoftShadowsConvergeToTheIntegral)
+{
+  Scene scene = SceneOf(Blend::Composite, true);
+  scene.size = { 6, 5 };
+  scene.lights = { CameraLight(50.0, 30.0) };
+  scene.lights[0].softnessDegrees = 20.0;
+  scene.shadows = true;
+  scene.render.sampleDistanceMm = 0.25;
+  const auto image = ProceduralVolume({ ProceduralKind::MarschnerLobb, { 24, 26, 28 } });
+  EXPECT_LT(ErrorOf(scene, image, 1e-3).rootMeanSquare, 0.3);
+  scene.render.errorTolerance = 1.0 / 64.0;
+  EXPECT_LT(ErrorOf(scene, image, 1e-3).percentile999, 255.0 / 64.0);
+}
+
 TEST(PictureAgainstReference, ScatteredLightConvergesToTheIntegral)
 {
   Scene scene = SceneOf(Blend::Composite, true);

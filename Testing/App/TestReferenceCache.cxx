@@ -129,6 +129,7 @@ TEST_F(ReferenceCacheTest, EveryPartOfALookComputesAnother)
     { "interpolation", [](Scene& s) { s.render.interpolation = Interpolation::Nearest; } },
     { "damping", [](Scene& s) { s.look.dampingGradient = 0.5; } },
     { "lights", [](Scene& s) { s.lights[0].rgb[1] = 0.5; } },
+    { "softness", [](Scene& s) { s.lights[0].softnessDegrees = 5.0; } },
     { "shadows", [](Scene& s) { s.shadows = true; } },
     { "scattering", [](Scene& s) { s.scattering.blending = 0.5; } },
     { "anisotropy",

@@ -53,7 +53,7 @@ Scene UnusualScene()
     CameraPose{ { 1.0, -2.5, 3.0 }, { 4.0, 5.0, 6.0 }, { 0.0, 0.0, 1.0 }, 80.0 },
     { { 12.0, 340.5 } } };
   scene.lights = { { LightKind::Camera, { 1.0, 2.0, 3.0 }, {}, { 0.25, 0.5, 1.0 }, 2.5 },
-    { LightKind::Directional, { 0.0, -1.0, 0.5 } },
+    { LightKind::Directional, { 0.0, -1.0, 0.5 }, {}, { 1.0, 1.0, 1.0 }, 1.0, 7.5 },
     { LightKind::Positional, SceneLight().direction, { 4.0, 5.0, 6.0 } }, SceneLight() };
   scene.shadows = true;
   scene.scattering = { 0.75, -0.25, 0.5 };
@@ -144,6 +144,7 @@ TEST(SceneFile, KeepsLightsAndHowTheyReflect)
   EXPECT_EQ(back.lights[0].rgb, scene.lights[0].rgb);
   EXPECT_EQ(back.lights[0].intensity, 2.5);
   EXPECT_EQ(back.lights[1].direction, scene.lights[1].direction);
+  EXPECT_EQ(back.lights[1].softnessDegrees, 7.5);
   EXPECT_EQ(back.lights[2].positionMm, scene.lights[2].positionMm);
   EXPECT_EQ(back.lights[3].kind, LightKind::Head);
   EXPECT_TRUE(back.shadows);

@@ -1,11 +1,15 @@
 #include "Module/ReferenceMaterials.h"
 
+#include "Core/Geometry/LightCone.h"
 #include "Core/Reference/LightTransmittance.h"
 #include "Core/Reference/PathTracer.h"
+#include "Core/Reference/SkyVisibility.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Stages/CutRays.h"
 
 #include <vtkDataArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationDoubleKey.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkPlane.h>
@@ -90,6 +94,24 @@ struct LitPoint
   glm::dvec3 toEye;
 };
 
+// The mean over the directions that a light comes from.
+double MeanReaching(vtkLight* light, const LitPoint& point, glm::dvec3 toLight, double farMm,
+  const LightReaching& reaching)
+{
+  vtkInformationDoubleKey* const softness = vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS();
+  if (!light->GetInformation()->Has(softness))
+  {
+    return reaching(point.positionGrid, toLight, farMm);
+  }
+  double mean = 0.0;
+  const double radians = glm::radians(light->GetInformation()->Get(softness));
+  for (const auto& [direction, weight] : DirectionsInCone(toLight, radians))
+  {
+    mean += weight * reaching(point.positionGrid, direction, farMm);
+  }
+  return mean;
+}
+
 // Light that a light casts to the eye, two-sided and without attenuation, and the part of it that
 // matter scatters.
 glm::dvec3 LightFrom(
@@ -107,7 +129,7 @@ glm::dvec3 LightFrom(
   }
   const double farMm =
     isNear ? glm::length(point.positionWorld - position) : std::numeric_limits<double>::infinity();
-  const double part = reaching ? reaching(point.positionGrid, toLight, farMm) : 1.0;
+  const double part = reaching ? MeanReaching(light, point, toLight, farMm, reaching) : 1.0;
   const double shining = std::abs(glm::dot(point.normal, glm::normalize(toLight + point.toEye)));
   const double scattered = std::min(scene.mapper->GetVolumetricScatteringBlending(), 1.0);
   const double phase =
@@ -150,19 +172,57 @@ MapperScene::Material MaterialInShadows(MapperScene& scene, const LightReaching&
   };
 }
 
-MapperScene::Material MaterialInOwnShadows(MapperScene& scene, double tolerance)
+namespace
 {
-  const auto samples = std::make_shared<SceneSamples>(scene);
+
+// The light that the volume of a scene lets through, within its cuts.
+std::shared_ptr<const LightTransmittance> TransmittanceOf(
+  MapperScene& scene, const std::shared_ptr<const SceneSamples>& samples, double tolerance)
+{
   const VolumeGeometry& geometry = samples->Geometry();
   ReferenceScene opacities{ [samples](glm::ivec3 cell)
     { return CornersOfCell(samples->Grid(), cell); },
     geometry.boxGrid, TransferFunctionOf(scene.volume->GetProperty()) };
   opacities.uncutParts = CutRays(scene.mapper, geometry.worldFromGrid, geometry.dataFromGrid);
-  const auto transmittance = std::make_shared<const LightTransmittance>(
+  return std::make_shared<const LightTransmittance>(
     opacities, glm::inverse(geometry.WorldFromGridDirection()), tolerance);
+}
+
+}
+
+MapperScene::Material MaterialInOwnShadows(MapperScene& scene, double tolerance)
+{
+  const auto transmittance =
+    TransmittanceOf(scene, std::make_shared<const SceneSamples>(scene), tolerance);
   return MaterialInShadows(scene,
     [transmittance](glm::dvec3 positionGrid, glm::dvec3 towardsWorld, double farMm)
     { return transmittance->Towards(positionGrid, towardsWorld, farMm); });
+}
+
+MapperScene::Material OccludedMaterial(MapperScene& scene, double tolerance)
+{
+  const auto samples = std::make_shared<const SceneSamples>(scene);
+  const auto transmittance = TransmittanceOf(scene, samples, tolerance);
+  const double reachMm =
+    OcclusionReachMm(scene.mapper->GetAmbientOcclusionReach(), samples->Geometry());
+  const TransferFunction look = TransferFunctionOf(scene.volume->GetProperty());
+  const MapperScene::Material lit = MaterialInLights(scene);
+  return [=, &scene](glm::dvec3 position, const Ray& ray)
+  {
+    OpticalProperties properties = lit(position, ray);
+    if (properties.extinction > 0.0)
+    {
+      const double value = samples->Value(position);
+      const glm::dvec3 gradient = samples->Gradient(position);
+      const double perVoxel = glm::length(gradient);
+      const bool isThinnerUp =
+        look.Extinction(value + perVoxel) < look.Extinction(value - perVoxel);
+      properties.rgb *= KeptLight(
+        SkyVisibility(*transmittance, reachMm).At(OutsideOf(position, gradient, isThinnerUp)),
+        scene.mapper->GetAmbientOcclusion());
+    }
+    return properties;
+  };
 }
 
 MapperScene::Material DampedMaterial(MapperScene& scene)

@@ -62,6 +62,9 @@ MapperScene::Material MaterialInShadows(MapperScene& scene, const LightReaching&
 /// @param tolerance  of the light that reaches a point
 MapperScene::Material MaterialInOwnShadows(MapperScene& scene, double tolerance);
 
+/// The volume in the renderer's lights, within its cuts, with the mapper's ambient occlusion.
+MapperScene::Material OccludedMaterial(MapperScene& scene, double tolerance);
+
 /// The volume in a head light that is damped where the gradient is below the mapper's
 /// DampingGradient.
 MapperScene::Material DampedMaterial(MapperScene& scene);

@@ -105,27 +105,7 @@ public:
 
   std::vector<float> Truth(double tolerance)
   {
-    const TransferFunction look = TransferFunctionOf(this->scene.volume->GetProperty(), 0);
-    const ReferenceScene opacities{
-      [&](glm::ivec3 cell) { return CornersOfCell(this->grid, cell); }, this->geometry.boxGrid, look
-    };
-    const LightTransmittance transmittance(
-      opacities, glm::inverse(this->geometry.WorldFromGridDirection()), tolerance);
-    const SkyVisibility sky(transmittance,
-      OcclusionReachMm(this->scene.mapper->GetAmbientOcclusionReach(), this->geometry));
-    const MapperScene::Material lit = MaterialInLights(this->scene);
-    return this->scene.TruthOf(
-      [&](glm::dvec3 positionGrid, const Ray& rayGrid)
-      {
-        OpticalProperties properties = lit(positionGrid, rayGrid);
-        if (properties.extinction > 0.0)
-        {
-          properties.rgb *= KeptLight(
-            sky.At(this->SeenFrom(positionGrid, look)), this->scene.mapper->GetAmbientOcclusion());
-        }
-        return properties;
-      },
-      tolerance);
+    return this->scene.TruthOf(OccludedMaterial(this->scene, tolerance), tolerance);
   }
 
   MapperScene scene;

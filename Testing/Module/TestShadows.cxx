@@ -1,12 +1,17 @@
 // Shadows that a slab casts on itself, compared with closed forms.
 
+#include "Core/Geometry/LightCone.h"
 #include "Module/SlabScene.h"
 #include "Module/UsualSettings.h"
+#include "Support/ExpectedVtkErrors.h"
 
+#include <vtkInformation.h>
+#include <vtkInformationDoubleKey.h>
 #include <vtkLight.h>
 #include <vtkPlane.h>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,6 +75,33 @@ TEST(Shadows, OfAHomogeneousSlabHaveTheirClosedForm)
         << opacity << ", " << cosine;
     }
   }
+}
+
+TEST(Shadows, OfASoftLightAreTheMeanOverItsCone)
+{
+  constexpr double SoftnessDegrees = 25.0;
+  const glm::dvec3 towards(0.8, 0.0, 0.6);
+  double expected = 0.0;
+  for (const auto& [direction, weight] : DirectionsInCone(towards, glm::radians(SoftnessDegrees)))
+  {
+    // Surfaces face the middle of the light.
+    expected += weight * RedOfSlab(0.3, direction.z) * towards.z / direction.z;
+  }
+  for (const bool byPackets : { true, false })
+  {
+    const ExpectedVtkErrors warningOfShaders; // their steps are longer than asked for on llvmpipe
+    for (const double tolerance : { 0.0, 1.0 / 64.0 })
+    {
+      Slab slab(0.3);
+      slab.scene.mapper->SetProcessorMarching(byPackets);
+      slab.scene.mapper->SetErrorTolerance(byPackets ? tolerance : 0.0);
+      slab.AddLight(100.0 * towards)
+        ->GetInformation()
+        ->Set(vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS(), SoftnessDegrees);
+      EXPECT_NEAR(slab.DrawnRed(), expected, HalfByteStep + tolerance) << byPackets;
+    }
+  }
+  EXPECT_GT(std::abs(expected - RedOfSlab(0.3, towards.z)), 0.005);
 }
 
 TEST(Shadows, OfMidpointsHaveTheirClosedFormToo)

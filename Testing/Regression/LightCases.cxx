@@ -191,7 +191,6 @@ std::vector<RegressionCase> LightCases()
     { "ShadowsOfALamp", [] { return InShadows(PositionalLight); } },
     { "ShadowsOfTwoLights", [] { return InShadows(ColouredLights); } },
     MaterialCase("Scattering", ScatteringMatter, MaterialInLights),
-    { "ScatteringInShadows", [] { return InShadows(ScatteringMatter); } },
     MaterialCase("Damping", Damping, DampedMaterial),
     MaterialCase("GradientOpacity", GradientOpacity, MixtureOf),
     MaterialCase("TwoValues", ShowValueAndGradient, MaterialOfTwoValues),

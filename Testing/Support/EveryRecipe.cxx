@@ -205,7 +205,7 @@ std::vector<RenderSettings> RecipesOfShadows()
   plain.shading = true;
   plain.lights = true;
   plain.shadows = true;
-  std::vector<RenderSettings> recipes(9, plain);
+  std::vector<RenderSettings> recipes(10, plain);
   recipes[0].acceleration = Acceleration::Off;
   recipes[1].skipsBricks = false;
   recipes[2].nearest = true;
@@ -220,6 +220,7 @@ std::vector<RenderSettings> RecipesOfShadows()
   recipes[8].scattering = true;
   recipes[8].shadows = false;
   recipes[8].damping = true;
+  recipes[9].softLights = true;
   return recipes;
 }
 

@@ -1,5 +1,6 @@
 // Light that a slab scatters once or often, compared with closed forms.
 
+#include "Core/Geometry/LightCone.h"
 #include "Core/Reference/PathTracer.h"
 
 #include <glm/geometric.hpp>
@@ -124,6 +125,24 @@ TEST(PathTracer, ScatteringOnceInASlabHasItsClosedForm)
     EXPECT_NEAR(color.rgba.b, 0.5 * expected, StandardErrors * color.error);
     EXPECT_LT(color.error, 0.01 * expected + 0.005);
   }
+}
+
+TEST(PathTracer, ASoftLightIsTheMeanOverItsCone)
+{
+  const double extinction = 0.4;
+  const double depthMm = 5.0;
+  const double softness = 0.4;
+  ScatteringScene scene = Slab(extinction, depthMm, 1.0);
+  scene.mostScatterings = 1;
+  scene.lights = { { true, Outward(0.6), glm::dvec3(1.0), softness } };
+  double expected = 0.0;
+  for (const auto& [direction, weight] : DirectionsInCone(Outward(0.6), softness))
+  {
+    const double both = extinction + extinction / direction.z;
+    expected += weight * extinction / both * (1.0 - std::exp(-both * depthMm));
+  }
+  const ReferenceColor color = Seen(scene);
+  EXPECT_NEAR(color.rgba.r, expected, StandardErrors * color.error);
 }
 
 TEST(PathTracer, ANearLightShinesOnlyFromItsPlaceOn)

@@ -276,7 +276,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 253u);
+  EXPECT_EQ(distinct.size(), 254u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

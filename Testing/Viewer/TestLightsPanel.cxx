@@ -144,6 +144,18 @@ TEST_F(LightsOfAModel, ShadowsAreAStepThatIsUndone)
   EXPECT_FALSE(shadows->isChecked());
 }
 
+TEST_F(LightsOfAModel, SoftnessIsThatOfALightThatIsNotAtTheEye)
+{
+  EXPECT_FALSE(this->Digits("lightSoftness")->isVisibleTo(&this->panel));
+  this->model.Edit(ScenePart::Lights, "a light",
+    [](Scene& scene) { scene.lights = { SceneLight{ LightKind::Directional } }; });
+  EXPECT_TRUE(this->Digits("lightSoftness")->isVisibleTo(&this->panel));
+  this->Digits("lightSoftness")->setValue(15.0);
+  EXPECT_EQ(this->model.CurrentScene().lights[0].softnessDegrees, 15.0);
+  this->model.History()->undo();
+  EXPECT_EQ(this->Digits("lightSoftness")->value(), 0.0);
+}
+
 TEST_F(LightsOfAModel, ScatteringIsAStepThatIsUndone)
 {
   this->Digits("scattering")->setValue(0.5);

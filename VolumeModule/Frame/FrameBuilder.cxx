@@ -138,6 +138,8 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   const bool dimsScattered = settings.scattering && mapper->GetGlobalIlluminationReach() > 0.0;
   settings.shadows = settings.lights && settings.blend == Blend::Composite &&
     (mapper->GetShadows() != 0 || dimsScattered);
+  const LightTexels lights = settings.shadows ? LightTexelsOf(renderer) : LightTexels();
+  settings.softLights = RaysToLights(lights) > lights.distantCount + lights.nearCount;
   settings.occlusion = settings.blend == Blend::Composite &&
     settings.components == Components::One && mapper->GetAmbientOcclusion() > 0.0;
   settings.damping = settings.shading && settings.components == Components::One &&

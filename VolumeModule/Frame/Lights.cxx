@@ -1,5 +1,10 @@
 #include "Frame/Lights.h"
 
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include "Core/Geometry/LightCone.h"
+
+#include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
@@ -7,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace varimarch
@@ -57,6 +63,15 @@ glm::dvec3 Vector(const double* values)
   return { values[0], values[1], values[2] };
 }
 
+double ConeHeightOf(vtkLight* light)
+{
+  constexpr double MostDegrees = 90.0;
+  vtkInformation* const information = light->GetInformation();
+  vtkInformationDoubleKey* const key = vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS();
+  const double degrees = information && information->Has(key) ? information->Get(key) : 0.0;
+  return 1.0 - std::cos(glm::radians(std::clamp(degrees, 0.0, MostDegrees)));
+}
+
 void AddTexels(std::vector<glm::vec4>& texels, vtkLight* light)
 {
   const glm::dvec3 position = Vector(light->GetTransformedPosition());
@@ -65,7 +80,7 @@ void AddTexels(std::vector<glm::vec4>& texels, vtkLight* light)
   const glm::dvec3 direction = reach > 0.0 ? shinesAlong / reach : glm::dvec3(0.0);
   const bool cone = light->GetConeAngle() < WidestConeDegrees;
   const double intensity = light->GetIntensity();
-  texels.emplace_back(light->GetPositional() ? position : -direction, 0.0);
+  texels.emplace_back(light->GetPositional() ? position : -direction, ConeHeightOf(light));
   texels.emplace_back(intensity * Vector(light->GetDiffuseColor()),
     cone ? std::cos(glm::radians(light->GetConeAngle())) : NoCone);
   texels.emplace_back(
@@ -130,6 +145,16 @@ LightTexels LightTexelsOf(vtkRenderer* renderer)
     lights.texels.emplace_back(0.0f);
   }
   return lights;
+}
+
+int RaysToLights(const LightTexels& lights)
+{
+  int rays = 0;
+  for (int light = 0; light < lights.distantCount + lights.nearCount; ++light)
+  {
+    rays += lights.texels[std::size_t(light) * LightTexels::PerLight].w > 0.0f ? ConeDirections : 1;
+  }
+  return rays;
 }
 
 }

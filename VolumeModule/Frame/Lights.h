@@ -30,7 +30,8 @@ bool HasHeadLightOnly(vtkRenderer* renderer);
 glm::dvec3 AmbientLightOf(vtkRenderer* renderer);
 
 /// The other lights that are switched on, in world space, in the layout of
-/// Shaders/Shade/Lights.glsl. The texels are never empty.
+/// Shaders/Shade/Lights.glsl. The texels are never empty. The fourth number of the first one is the
+/// height of the light's cone, 1 - cos(softness).
 struct LightTexels
 {
   static constexpr int PerLight = 5; ///< The first one has its direction or position.
@@ -40,6 +41,9 @@ struct LightTexels
 };
 
 LightTexels LightTexelsOf(vtkRenderer* renderer);
+
+/// The number of rays by which all of these lights are traced from one place.
+int RaysToLights(const LightTexels& lights);
 
 }
 

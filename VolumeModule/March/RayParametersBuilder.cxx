@@ -117,10 +117,9 @@ double ShortestShadowStepMm(const VolumeMarch& march)
   }
   constexpr double MostIterations = 1 << 16;
   constexpr double IterationsPerSegment = 2.0;
-  const LightTexels texels = LightTexelsOf(march.frame.view.renderer);
-  const double lights = texels.distantCount + texels.nearCount;
+  const double rays = RaysToLights(LightTexelsOf(march.frame.view.renderer));
   return march.frame.geometry.DiagonalMm() *
-    std::sqrt(IterationsPerSegment * lights / MostIterations);
+    std::sqrt(IterationsPerSegment * rays / MostIterations);
 }
 
 }

@@ -107,7 +107,8 @@ void LightResources::UpdateShadows(
   {
     std::vector<double> inputs = volumeInputs;
     const glm::vec4& place = lights.texels[std::size_t(light) * LightTexels::PerLight];
-    inputs.insert(inputs.end(), { place.x, place.y, place.z, double(light < lights.distantCount) });
+    inputs.insert(
+      inputs.end(), { place.x, place.y, place.z, place.w, double(light < lights.distantCount) });
     this->shadows.nodes[light] = this->KeepNodes(std::move(inputs), this->shadows.shape, now);
   }
 }

@@ -92,6 +92,15 @@ Reach ReachAt(Ray ray, float t);
 // The part of one light.
 float Reaching(Reach reach, int light);
 
+// --- Cone: the directions that a light comes from. Only for Reach/ShadowRays.glsl ---
+// The part of a light that reaches a place, as a mean over its directions.
+// @param towards  unit vector to the middle of the light, in the world
+// @param farMm  distance of the light
+// @param coneHeight  1 - the cosine of half its angle
+float MeanTransmitted(vec3 originGrid, vec3 towards, float farMm, float coneHeight);
+// The part that comes along one direction, by Reach/ShadowRays.glsl.
+float Transmitted(vec3 originGrid, vec3 towards, float farMm);
+
 // --- Scatter: what goes to the eye of the light that reaches a point. Only for Shade/Lights.glsl
 // --- The diffuse and the specular part of a light.
 // @param reflected  what a surface reflects of it

@@ -135,6 +135,19 @@ void LightsPanel::MakeColorAndIntensity()
         tr("intensity of a light"), [=](SceneLight& light) { light.intensity = number; }, gesture);
     });
   this->form->addRow(tr("Intensity"), this->intensity);
+  this->softness = new NumberSlider(0.0, 60.0, NumberSlider::Scale::Linear);
+  this->softness->setObjectName("lightSoftness");
+  this->softness->SetSuffix(tr("°"));
+  this->softness->setToolTip(
+    tr("How soft its shadows are: half the angle of the cone that the light comes from."));
+  connect(this->softness, &NumberSlider::Edited, this,
+    [this](double number, int gesture)
+    {
+      this->EditSelected(
+        tr("softness of a light"), [=](SceneLight& light) { light.softnessDegrees = number; },
+        gesture);
+    });
+  this->form->addRow(tr("Softness"), this->softness);
 }
 
 void LightsPanel::MakeDirection()
@@ -379,6 +392,8 @@ void LightsPanel::ShowSelected()
   const SceneLight light = this->Shown()[std::size_t(row)];
   this->color->setIcon(PatchOf(ColorOfLight(light)));
   this->intensity->SetNumber(light.intensity);
+  this->softness->SetNumber(light.softnessDegrees);
+  this->ShowRow(this->softness, light.kind != LightKind::Head);
   this->ShowRow(this->azimuth, HasDirection(light.kind));
   this->ShowRow(this->elevation, HasDirection(light.kind));
   this->ShowRow(this->position, light.kind == LightKind::Positional);

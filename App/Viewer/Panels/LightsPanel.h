@@ -59,6 +59,7 @@ private:
   QFormLayout* form;
   QPushButton* color;
   NumberSlider* intensity;
+  NumberSlider* softness;
   NumberSlider* azimuth;
   NumberSlider* elevation;
   QWidget* position;

@@ -1401,6 +1401,18 @@ Masken nicht unterstützt</translation>
         <translation>Geschwächt bis</translation>
     </message>
     <message>
+        <source>How soft its shadows are: half the angle of the cone that the light comes from.</source>
+        <translation>Wie weich seine Schatten sind: der halbe Winkel des Kegels, aus dem das Licht kommt.</translation>
+    </message>
+    <message>
+        <source>softness of a light</source>
+        <translation>Weichheit eines Lichts</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
         <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
         <translation>Das Volumen wirft Schatten auf sich selbst, von Lichtern, die nicht am Auge sind. Ein Bild dauert etwa dreimal so lange.</translation>
     </message>

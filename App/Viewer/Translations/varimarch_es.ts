@@ -1401,6 +1401,18 @@ no admite máscaras</translation>
         <translation>Atenuada hasta</translation>
     </message>
     <message>
+        <source>How soft its shadows are: half the angle of the cone that the light comes from.</source>
+        <translation>Lo suaves que son sus sombras: la mitad del ángulo del cono del que viene la luz.</translation>
+    </message>
+    <message>
+        <source>softness of a light</source>
+        <translation>suavidad de una luz</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Suavidad</translation>
+    </message>
+    <message>
         <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
         <translation>El volumen proyecta sombras sobre sí mismo, desde luces que no están en el ojo. Una imagen tarda unas tres veces más.</translation>
     </message>

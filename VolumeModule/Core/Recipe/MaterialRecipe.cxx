@@ -62,9 +62,13 @@ std::string ShadeFile(const RenderSettings& settings)
   return settings.lights ? "Shade/Lights.glsl" : "Shade/HeadLight.glsl";
 }
 
-std::string ReachFile(const RenderSettings& settings)
+std::vector<std::string> ReachParts(const RenderSettings& settings)
 {
-  return settings.shading && settings.shadows ? "Reach/ShadowRays.glsl" : "Reach/None.glsl";
+  if (!settings.shading || !settings.shadows)
+  {
+    return { "Reach/None.glsl" };
+  }
+  return { "Reach/ShadowRays.glsl", settings.softLights ? "Cone/Disc.glsl" : "Cone/None.glsl" };
 }
 
 std::string ScatterFile(const RenderSettings& settings)

@@ -170,6 +170,7 @@ struct RenderSettings
   bool damping = false;    ///< shading fades where the gradient is small; one component only
   bool lights = false;     ///< all lights of the scene, not only a head light
   bool shadows = false;    ///< these lights cast shadows; requires lights; composites only
+  bool softLights = false; ///< some of these lights are as wide as cones; with shadows only
   bool scattering = false; ///< matter scatters light; requires lights; composites only
   bool occlusion = false;  ///< ambient occlusion, by packets only; composites of one component only
   Mask mask = Mask::None;

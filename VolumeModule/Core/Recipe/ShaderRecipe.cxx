@@ -182,7 +182,9 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
   }
   if (settings.lights)
   {
-    parts.insert(parts.end(), { ReachFile(settings), ScatterFile(settings) });
+    const std::vector<std::string> reach = ReachParts(settings);
+    parts.insert(parts.end(), reach.begin(), reach.end());
+    parts.push_back(ScatterFile(settings));
   }
   if (settings.shading && (settings.blend == Blend::Isosurface || MarchesMaterial(settings)))
   {

@@ -56,7 +56,7 @@ private:
   double Transmittance(const Ray& rayGrid, double farMm);
   glm::dvec3 FromLights(glm::dvec3 positionGrid, glm::dvec3 alongWorld);
   double ScatteredCosine();
-  glm::dvec3 Scattered(glm::dvec3 alongWorld);
+  glm::dvec3 Turned(glm::dvec3 alongWorld, double cosine);
   bool GoesOn(int scatterings, glm::dvec3& part);
   Ray RayFrom(glm::dvec3 positionGrid, glm::dvec3 directionWorld) const
   {
@@ -169,6 +169,11 @@ glm::dvec3 PathTracer::Path::FromLights(glm::dvec3 positionGrid, glm::dvec3 alon
     }
     // The path goes against the light: both turns have the same angle.
     const double phase = HenyeyGreenstein(glm::dot(towards, alongWorld), this->scene.anisotropy);
+    if (light.softnessRadians > 0.0)
+    {
+      towards =
+        this->Turned(towards, 1.0 - (1.0 - std::cos(light.softnessRadians)) * this->Uniform());
+    }
     sum += phase * this->Transmittance(this->RayFrom(positionGrid, towards), farMm) * light.rgb;
   }
   return sum;
@@ -187,9 +192,9 @@ double PathTracer::Path::ScatteredCosine()
   return std::clamp((1.0 + g * g - part * part) / (2.0 * g), -1.0, 1.0);
 }
 
-glm::dvec3 PathTracer::Path::Scattered(glm::dvec3 along)
+// A direction at an angle to another one.
+glm::dvec3 PathTracer::Path::Turned(glm::dvec3 along, double cosine)
 {
-  const double cosine = this->ScatteredCosine();
   const double sine = std::sqrt(1.0 - cosine * cosine);
   const double angle = glm::two_pi<double>() * this->Uniform();
   const glm::dvec3 other =
@@ -228,7 +233,7 @@ glm::dvec4 PathTracer::Path::Color(const Ray& rayGrid, Interval limitsMm)
     {
       break;
     }
-    along = this->Scattered(along);
+    along = this->Turned(along, this->ScatteredCosine());
     collision = this->NextCollision(this->RayFrom(collision->positionGrid, along), everywhere);
     rgb += collision ? glm::dvec3(0.0) : part * this->scene.environment;
   }

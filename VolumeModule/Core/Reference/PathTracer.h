@@ -37,6 +37,7 @@ struct PathLight
   bool isDistant;
   glm::dvec3 place; ///< world space: distant: unit vector towards it; else its position [mm]
   glm::dvec3 rgb;
+  double softnessRadians = 0.0; ///< half the angle of the cone that it comes from
 };
 
 /// Matter that scatters light, and the lights around it.

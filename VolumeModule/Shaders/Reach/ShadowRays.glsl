@@ -62,19 +62,25 @@ float DepthAlong(Ray ray, float farMm)
   return depth;
 }
 
-float TransmittedFrom(int light, vec3 originGrid)
+float Transmitted(vec3 originGrid, vec3 towards, float farMm)
 {
-  vec3 place = texelFetch(lightTexels, TexelsPerLight * light).xyz;
-  vec3 positionWorld = worldFromGrid * originGrid + worldOfGridOrigin;
-  bool isDistant = light < distantCount;
-  vec3 toLight = isDistant ? place : place - positionWorld;
-  float distanceMm = max(length(toLight), 1e-15);
   Ray ray;
   ray.originGrid = originGrid;
-  ray.directionGrid = gridFromWorld * (toLight / distanceMm);
+  ray.directionGrid = gridFromWorld * towards;
   ray.originTexture = (originGrid - firstVoxelGrid + 0.5) * voxelCountInverse;
   ray.directionTexture = ray.directionGrid * voxelCountInverse;
-  return exp(-DepthAlong(ray, min(isDistant ? BeyondAll : distanceMm, lightReachMm)));
+  return exp(-DepthAlong(ray, farMm));
+}
+
+float TransmittedFrom(int light, vec3 originGrid)
+{
+  vec4 place = texelFetch(lightTexels, TexelsPerLight * light);
+  vec3 positionWorld = worldFromGrid * originGrid + worldOfGridOrigin;
+  bool isDistant = light < distantCount;
+  vec3 toLight = isDistant ? place.xyz : place.xyz - positionWorld;
+  float distanceMm = max(length(toLight), 1e-15);
+  float farMm = min(isDistant ? BeyondAll : distanceMm, lightReachMm);
+  return MeanTransmitted(originGrid, toLight / distanceMm, farMm, place.w);
 }
 
 // The parts of the lights at t, from rays to each of them.

@@ -3,6 +3,7 @@
 
 // The material of a volume that dims its own light: by shadows and by ambient occlusion.
 
+#include "Core/Packets/Cone/Disc.h"
 #include "Core/Packets/Flattened.h"
 #include "Core/Packets/Reach/GatheredLight.h"
 #include "Core/Packets/Reach/LightCells.h"
@@ -33,6 +34,15 @@ public:
 
   Lanes At(const Lanes3& placeGrid, LaneMask mask) const
   {
+    return this->light.ConeHeight() > 0.0f ? this->OfConeAt(placeGrid, mask)
+                                           : this->OfPointAt(placeGrid, mask);
+  }
+
+private:
+  static LaneMask NothingIsKnown(Lanes, Lanes, LaneMask) { return LaneMask{}; }
+
+  Lanes OfPointAt(const Lanes3& placeGrid, LaneMask mask) const
+  {
     const PacketRays rays = this->light.RaysFrom(placeGrid);
     // Cells are read where a ray begins, and then ever farther apart.
     const Lanes cellMm =
@@ -51,7 +61,34 @@ public:
     return this->AtEndOf(rays, mask, this->scene.rays.shadowStepMm, known);
   }
 
-private:
+  // Where the nodes of a cell agree, they tell the light; elsewhere all directions are traced.
+  [[gnu::noinline]] Lanes OfConeAt(const Lanes3& placeGrid, LaneMask mask) const
+  {
+    if (!this->cells)
+    {
+      return this->TracedCone(placeGrid, mask, this->scene.rays.shadowStepMm);
+    }
+    LaneMask agrees = mask & this->cells.Contains(placeGrid);
+    const LightInCells found = this->cells.LightAt(placeGrid, agrees,
+      [&](const Lanes3& nodeGrid, LaneMask nodes) { return this->AtNode(nodeGrid, nodes); });
+    agrees &= LaneMask(found.spread <= this->scene.shadows.agreement);
+    const LaneMask others = mask & ~agrees;
+    return Any(others)
+      ? Select(
+          others, this->TracedCone(placeGrid, others, this->scene.rays.shadowStepMm), found.between)
+      : found.between;
+  }
+
+  [[gnu::noinline]] Lanes TracedCone(const Lanes3& placeGrid, LaneMask mask, float longestMm) const
+  {
+    return MeanOverCone(this->light.ConeHeight(),
+      [&](const auto& turned)
+      {
+        return this->AtEndOf(
+          this->light.RaysFrom(placeGrid, turned), mask, longestMm, NothingIsKnown);
+      });
+  }
+
   // The depth beyond which all light that is left may be missing.
   float MostDepth() const
   {
@@ -86,8 +123,10 @@ private:
   // The light at nodes, which no view and no sample changes.
   [[gnu::noinline]] Lanes AtNode(const Lanes3& nodeGrid, LaneMask mask) const
   {
-    return this->AtEndOf(this->light.RaysFrom(nodeGrid), mask, this->scene.shadows.nodeStepMm,
-      [](Lanes, Lanes, LaneMask) { return LaneMask{}; });
+    const float longestMm = this->scene.shadows.nodeStepMm;
+    return this->light.ConeHeight() > 0.0f
+      ? this->TracedCone(nodeGrid, mask, longestMm)
+      : this->AtEndOf(this->light.RaysFrom(nodeGrid), mask, longestMm, NothingIsKnown);
   }
 
   const PacketScene& scene;

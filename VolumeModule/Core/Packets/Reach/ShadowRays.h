@@ -174,8 +174,19 @@ public:
   {
   }
 
-  /// The rays to it, as far as the volume and its clipping planes leave them.
+  /// 1 - the cosine of half the angle of its cone; 0: it is a point.
+  float ConeHeight() const { return this->texel.w; }
+
+  /// The rays to its middle, as far as the volume and its clipping planes leave them.
   PacketRays RaysFrom(const Lanes3& originGrid) const
+  {
+    return this->RaysFrom(originGrid, [](const Lanes3& towards) { return towards; });
+  }
+
+  /// Such rays to another place in its cone.
+  /// @param turned  (unit vectors to its middle) -> those to the other place
+  template <class Turned>
+  PacketRays RaysFrom(const Lanes3& originGrid, Turned turned) const
   {
     const VolumeParameters& p = this->scene.parameters;
     const Lanes3 positionWorld =
@@ -185,7 +196,7 @@ public:
     const Lanes distanceMm = Max(Length(toLight), 1e-15f);
     PacketRays rays;
     rays.originGrid = originGrid;
-    rays.directionGrid = Transformed(p.gridFromWorld, (1.0f / distanceMm) * toLight);
+    rays.directionGrid = Transformed(p.gridFromWorld, turned((1.0f / distanceMm) * toLight));
     rays.inverse = SafeInverse(rays.directionGrid);
     rays.region = IntLanes{};
     rays.enter = Lanes{};
