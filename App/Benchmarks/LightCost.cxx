@@ -3,6 +3,7 @@
 #include "CommandLine/VtkMessages.h"
 #include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
+#include "Scene/SceneLights.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -21,14 +22,12 @@ constexpr int FramesOfMotion = 9;
 struct MeasuredView
 {
   OffscreenView view;
-  SceneLight light;
-  Occlusion occlusion;
+  Lighting lighting;
   double firstMs;
 
   MeasuredView(const Scene& scene, vtkImageData* image)
     : view(scene, image, MapperKind::Varimarch)
-    , light(scene.lights.front())
-    , occlusion(scene.occlusion)
+    , lighting(LightingOf(scene))
     , firstMs(1000.0 * this->view.Render())
   {
   }
@@ -54,10 +53,9 @@ private:
     }
     if (motion == LightMotion::LightDragged)
     {
-      this->light = Turned(this->light, 2.0);
-      this->view.Pipeline().SetLights({ this->light });
-      this->occlusion.strength *= 0.98;
-      this->view.Pipeline().SetOcclusion(this->occlusion);
+      this->lighting.lights = { Turned(this->lighting.lights.front(), 2.0) };
+      this->lighting.occlusion.strength *= 0.98;
+      this->view.Pipeline().SetLighting(this->lighting);
     }
   }
 };

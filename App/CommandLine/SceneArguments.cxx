@@ -8,6 +8,7 @@
 #include "Scene/Presets.h"
 #include "Scene/RegionsJson.h"
 #include "Scene/SceneFile.h"
+#include "Scene/SceneLights.h"
 #include "Scene/VolumeProperty.h"
 #include "UsageError.h"
 
@@ -36,22 +37,39 @@ Preset PresetOfFile(
   return ReadLook(arguments.transferFunction, arguments.lookName, context);
 }
 
-/// Applies the preset that the arguments name, or for a volume without a scene the suggested one.
-void OverridePreset(
-  const SceneArguments& arguments, const LoadedVolume& volume, bool isScene, Scene& scene)
+/// The preset that the arguments name, or for a volume without a scene the suggested one.
+std::optional<Preset> ChosenPreset(
+  const SceneArguments& arguments, const LoadedVolume& volume, bool isScene, const Scene& scene)
 {
   if (!arguments.transferFunction.empty())
   {
-    TakePreset(PresetOfFile(arguments, volume, scene.look), scene);
+    return PresetOfFile(arguments, volume, scene.look);
   }
-  else if (!arguments.preset.empty())
+  if (!arguments.preset.empty())
   {
-    TakePreset(BuiltInPreset(arguments.preset), scene);
+    return BuiltInPreset(arguments.preset);
   }
-  else if (!isScene)
+  return isScene ? std::nullopt : std::optional(Suggested(volume, ImageStatistics(volume.image)));
+}
+
+void OverridePreset(
+  const SceneArguments& arguments, const std::optional<Preset>& preset, Scene& scene)
+{
+  if (preset)
   {
-    TakePreset(Suggested(volume, ImageStatistics(volume.image)), scene);
+    TakePreset(*preset, scene);
   }
+  if (!arguments.presetLight)
+  {
+    return;
+  }
+  if (!preset || !preset->light)
+  {
+    throw UsageError("--preset-light: expected a preset that has a light, found " +
+      (scene.look.name.empty() ? std::string("a look without a name") : scene.look.name) +
+      "; use --light and --shadows instead");
+  }
+  TakeLighting(*preset->light, scene);
 }
 
 void OverrideLook(const SceneArguments& arguments, Look& look)
@@ -131,7 +149,7 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   scene.volume =
     isScene ? Override(arguments.volume, scene.volume) : SourceOf(arguments.volume, input);
   LoadedVolume loaded = LoadVolumeReporting(scene.volume);
-  OverridePreset(arguments, loaded, isScene, scene);
+  OverridePreset(arguments, ChosenPreset(arguments, loaded, isScene, scene), scene);
   OverrideLook(arguments, scene.look);
   scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;
   for (SceneLight& light : scene.lights)

@@ -75,8 +75,6 @@ nlohmann::ordered_json JsonFromLight(const SceneLight& light)
   return json;
 }
 
-}
-
 std::vector<SceneLight> LightsFromJson(const JsonCursor& json)
 {
   std::vector<SceneLight> lights;
@@ -95,6 +93,86 @@ nlohmann::ordered_json JsonFromLights(const std::vector<SceneLight>& lights)
     json.push_back(JsonFromLight(light));
   }
   return json;
+}
+
+Scattering ScatteringFromJson(const JsonCursor& json)
+{
+  Scattering scattering;
+  json.RequireObject({ "blending", "anisotropy", "reach" });
+  scattering.blending = json.At("blending").Number({ 0.0, 2.0 });
+  if (const auto anisotropy = json.Find("anisotropy"))
+  {
+    scattering.anisotropy = anisotropy->Number({ -0.99, 0.99 });
+  }
+  if (const auto reach = json.Find("reach"))
+  {
+    scattering.reach = reach->Number({ 0.0, 1.0 });
+  }
+  return scattering;
+}
+
+Occlusion OcclusionFromJson(const JsonCursor& json)
+{
+  Occlusion occlusion;
+  json.RequireObject({ "strength", "reach" });
+  occlusion.strength = json.At("strength").Number({ 0.0, 1.0 });
+  if (const auto reach = json.Find("reach"))
+  {
+    occlusion.reachMm = reach->Number({ 0.0 });
+  }
+  return occlusion;
+}
+
+}
+
+std::vector<std::string> LightingKeys()
+{
+  return { "lights", "shadows", "scattering", "occlusion" };
+}
+
+Lighting LightingFromJson(const JsonCursor& json)
+{
+  Lighting lighting;
+  if (const auto lights = json.Find("lights"))
+  {
+    lighting.lights = LightsFromJson(*lights);
+  }
+  if (const auto shadows = json.Find("shadows"))
+  {
+    lighting.shadows = shadows->Boolean();
+  }
+  if (const auto scattering = json.Find("scattering"))
+  {
+    lighting.scattering = ScatteringFromJson(*scattering);
+  }
+  if (const auto occlusion = json.Find("occlusion"))
+  {
+    lighting.occlusion = OcclusionFromJson(*occlusion);
+  }
+  return lighting;
+}
+
+void AddLighting(const Lighting& lighting, nlohmann::ordered_json& json)
+{
+  if (!lighting.lights.empty())
+  {
+    json["lights"] = JsonFromLights(lighting.lights);
+  }
+  if (lighting.shadows)
+  {
+    json["shadows"] = true;
+  }
+  const Scattering& scattering = lighting.scattering;
+  if (scattering.blending > 0.0)
+  {
+    json["scattering"] = { { "blending", scattering.blending },
+      { "anisotropy", scattering.anisotropy }, { "reach", scattering.reach } };
+  }
+  const Occlusion& occlusion = lighting.occlusion;
+  if (occlusion.strength > 0.0)
+  {
+    json["occlusion"] = { { "strength", occlusion.strength }, { "reach", occlusion.reachMm } };
+  }
 }
 
 }

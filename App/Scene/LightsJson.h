@@ -12,9 +12,14 @@ namespace varimarch
 /// The largest number of lights in a scene, for which VTK's GPU mapper has room too.
 constexpr std::size_t MostLights = 6;
 
-std::vector<SceneLight> LightsFromJson(const JsonCursor& json);
+/// Reads the keys of light in an object that may have others, too.
+Lighting LightingFromJson(const JsonCursor& json);
 
-nlohmann::ordered_json JsonFromLights(const std::vector<SceneLight>& lights);
+/// Adds these keys, but none for what is off.
+void AddLighting(const Lighting& lighting, nlohmann::ordered_json& json);
+
+/// The keys of light.
+std::vector<std::string> LightingKeys();
 
 }
 

@@ -1,5 +1,5 @@
 #include "Scene/LookJson.h"
-
+#include "Scene/LightsJson.h"
 #include "Scene/LookFormats/LookContext.h"
 #include "Scene/Presets.h"
 #include "Scene/RegionsJson.h"
@@ -203,7 +203,7 @@ Preset PresetFromJson(const JsonCursor& json)
   }
   json.RequireObject({ "name", "description", "domain", "colors", "opacities",
     "opacityUnitDistance", "gradientOpacities", "regions", "shading", "damping", "blend",
-    "isosurfaces", "averagedRange", "errorTolerance", "background" });
+    "isosurfaces", "averagedRange", "errorTolerance", "background", "light" });
   Preset preset = { LookFromJson(json) };
   if (const auto tolerance = json.Find("errorTolerance"))
   {
@@ -212,6 +212,11 @@ Preset PresetFromJson(const JsonCursor& json)
   if (const auto background = json.Find("background"))
   {
     preset.background = background->Numbers<3>(UnitInterval);
+  }
+  if (const auto light = json.Find("light"))
+  {
+    light->RequireObject(LightingKeys());
+    preset.light = LightingFromJson(*light);
   }
   return preset;
 }
@@ -267,6 +272,10 @@ nlohmann::ordered_json JsonFromPreset(const Preset& preset)
   if (preset.background)
   {
     json["background"] = *preset.background;
+  }
+  if (preset.light)
+  {
+    AddLighting(*preset.light, json["light"]);
   }
   return json;
 }

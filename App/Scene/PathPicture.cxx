@@ -145,7 +145,7 @@ std::vector<PathLight> LightsOf(const ReferenceRequest& request)
   return lights;
 }
 
-/// What is traced, with what it refers to.
+/// The request without light, and the material that refers to it.
 struct TracedScene
 {
   ReferenceRequest unlit;

@@ -124,14 +124,6 @@ struct Look
   std::optional<std::array<double, 2>> averagedRange;
 };
 
-/// A look with further settings of a scene. Empty settings keep the scene's own.
-struct Preset
-{
-  Look look;
-  std::optional<double> errorTolerance = {}; ///< see RenderOptions
-  std::optional<std::array<double, 3>> background = {};
-};
-
 /// Viewing direction in the patient's terms. World space is LPS:
 /// +x left, +y posterior, +z superior.
 enum class View
@@ -380,6 +372,24 @@ struct Occlusion
   {
     return this->strength == other.strength && this->reachMm == other.reachMm;
   }
+};
+
+/// The light of a scene, see Scene.
+struct Lighting
+{
+  std::vector<SceneLight> lights = {};
+  bool shadows = false;
+  Scattering scattering = {};
+  Occlusion occlusion = {};
+};
+
+/// A look with further settings of a scene. Empty settings keep the scene's own.
+struct Preset
+{
+  Look look;
+  std::optional<double> errorTolerance = {}; ///< see RenderOptions
+  std::optional<std::array<double, 3>> background = {};
+  std::optional<Lighting> light = {}; ///< that suits the look; a scene takes it only on request
 };
 
 /// Everything that a rendered image depends on, as plain data. SceneFile reads and writes it, and

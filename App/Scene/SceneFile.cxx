@@ -9,6 +9,7 @@
 #include "Scene/OverlaysJson.h"
 #include "Scene/Presets.h"
 #include "Scene/RenderJson.h"
+#include "Scene/SceneLights.h"
 #include "Scene/VolumeJson.h"
 
 #include <nlohmann/json.hpp>
@@ -72,45 +73,11 @@ std::vector<std::string> KeysBesideVolume()
     "background" };
 }
 
-void ReadLights(const JsonCursor& json, Scene& scene)
-{
-  if (const auto lights = json.Find("lights"))
-  {
-    scene.lights = LightsFromJson(*lights);
-  }
-  if (const auto shadows = json.Find("shadows"))
-  {
-    scene.shadows = shadows->Boolean();
-  }
-  if (const auto scattering = json.Find("scattering"))
-  {
-    scattering->RequireObject({ "blending", "anisotropy", "reach" });
-    scene.scattering.blending = scattering->At("blending").Number({ 0.0, 2.0 });
-    if (const auto anisotropy = scattering->Find("anisotropy"))
-    {
-      scene.scattering.anisotropy = anisotropy->Number({ -0.99, 0.99 });
-    }
-    if (const auto reach = scattering->Find("reach"))
-    {
-      scene.scattering.reach = reach->Number({ 0.0, 1.0 });
-    }
-  }
-  if (const auto occlusion = json.Find("occlusion"))
-  {
-    occlusion->RequireObject({ "strength", "reach" });
-    scene.occlusion.strength = occlusion->At("strength").Number({ 0.0, 1.0 });
-    if (const auto reach = occlusion->Find("reach"))
-    {
-      scene.occlusion.reachMm = reach->Number({ 0.0 });
-    }
-  }
-}
-
 void ReadAllButVolume(const JsonCursor& json, Scene& scene)
 {
   // The preset's settings come first, so that the scene's own keys override them.
   TakePreset(PresetFromJson(json.At("look")), scene);
-  ReadLights(json, scene);
+  TakeLighting(LightingFromJson(json), scene);
   if (const auto camera = json.Find("camera"))
   {
     scene.camera = CameraFromJson(*camera);
@@ -187,24 +154,7 @@ std::string SceneText(const Scene& scene)
   nlohmann::ordered_json json;
   json["volume"] = JsonFromVolume(scene.volume);
   json["look"] = JsonFromLook(scene.look);
-  if (!scene.lights.empty())
-  {
-    json["lights"] = JsonFromLights(scene.lights);
-  }
-  if (scene.shadows)
-  {
-    json["shadows"] = true;
-  }
-  if (scene.scattering.blending > 0.0)
-  {
-    json["scattering"] = { { "blending", scene.scattering.blending },
-      { "anisotropy", scene.scattering.anisotropy }, { "reach", scene.scattering.reach } };
-  }
-  if (scene.occlusion.strength > 0.0)
-  {
-    json["occlusion"] = { { "strength", scene.occlusion.strength },
-      { "reach", scene.occlusion.reachMm } };
-  }
+  AddLighting(LightingOf(scene), json);
   json["camera"] = JsonFromCamera(scene.camera);
   json["cuts"] = JsonFromCuts(scene.cuts);
   json["slices"] = JsonFromSlices(scene.slices);

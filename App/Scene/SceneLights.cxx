@@ -71,6 +71,19 @@ SceneLight CameraLight(double azimuthDegrees, double elevationDegrees)
   return light;
 }
 
+Lighting LightingOf(const Scene& scene)
+{
+  return { scene.lights, scene.shadows, scene.scattering, scene.occlusion };
+}
+
+void TakeLighting(const Lighting& lighting, Scene& scene)
+{
+  scene.lights = lighting.lights;
+  scene.shadows = lighting.shadows;
+  scene.scattering = lighting.scattering;
+  scene.occlusion = lighting.occlusion;
+}
+
 LightAngles AnglesOf(const std::array<double, 3>& direction, LightKind kind)
 {
   const glm::dvec3 towards = glm::normalize(VectorOf(direction));

@@ -27,6 +27,10 @@ std::array<double, 3> DirectionOf(const LightAngles& angles, LightKind kind);
 /// @param elevationDegrees  above it
 SceneLight CameraLight(double azimuthDegrees, double elevationDegrees);
 
+/// The light of a scene, for others, and that of others for a scene.
+Lighting LightingOf(const Scene& scene);
+void TakeLighting(const Lighting& lighting, Scene& scene);
+
 /// Replaces the lights of a renderer. Without any it makes its own, a white light at the eye. The
 /// ambient light of all lights together is white, so that a look's ambient coefficient means the
 /// same under any lights. With a light that is not at the eye, only the sides where the values fall

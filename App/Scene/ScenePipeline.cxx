@@ -109,10 +109,7 @@ ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind
   this->volume->SetMapper(this->mapper);
   this->renderer->AddVolume(this->volume);
   this->SetLook(scene.look);
-  this->SetLights(scene.lights);
-  this->SetShadows(scene.shadows);
-  this->SetScattering(scene.scattering);
-  this->SetOcclusion(scene.occlusion);
+  this->SetLighting(LightingOf(scene));
   this->SetCuts(scene.cuts);
   this->SetRenderOptions(scene.render);
   this->SetBackground(scene.background);
@@ -138,21 +135,10 @@ void ScenePipeline::SetLights(const std::vector<SceneLight>& lights)
   varimarch::SetLights(lights, this->renderer);
 }
 
-void ScenePipeline::SetShadows(bool newShadows)
+void ScenePipeline::SetLighting(const Lighting& newLighting)
 {
-  this->shadows = newShadows;
-  this->ApplyLight();
-}
-
-void ScenePipeline::SetScattering(const Scattering& newScattering)
-{
-  this->scattering = newScattering;
-  this->ApplyLight();
-}
-
-void ScenePipeline::SetOcclusion(const Occlusion& newOcclusion)
-{
-  this->occlusion = newOcclusion;
+  this->lighting = newLighting;
+  this->SetLights(this->lighting.lights);
   this->ApplyLight();
 }
 
@@ -167,12 +153,12 @@ void ScenePipeline::ApplyLight()
   if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
   {
     const bool isAlone = !this->overlays.Any();
-    ours->SetShadows(isAlone && this->shadows);
-    ours->SetVolumetricScatteringBlending(isAlone ? this->scattering.blending : 0.0);
-    ours->SetGlobalIlluminationReach(this->scattering.reach);
-    ours->SetScatteringAnisotropy(this->scattering.anisotropy);
-    ours->SetAmbientOcclusion(isAlone ? this->occlusion.strength : 0.0);
-    ours->SetAmbientOcclusionReach(this->occlusion.reachMm);
+    ours->SetShadows(isAlone && this->lighting.shadows);
+    ours->SetVolumetricScatteringBlending(isAlone ? this->lighting.scattering.blending : 0.0);
+    ours->SetGlobalIlluminationReach(this->lighting.scattering.reach);
+    ours->SetScatteringAnisotropy(this->lighting.scattering.anisotropy);
+    ours->SetAmbientOcclusion(isAlone ? this->lighting.occlusion.strength : 0.0);
+    ours->SetAmbientOcclusionReach(this->lighting.occlusion.reachMm);
   }
 }
 

@@ -67,9 +67,7 @@ public:
   void SetRenderOptions(const RenderOptions& options);
   void SetLights(const std::vector<SceneLight>& lights);
   /// VTK's mappers cast no shadows, scatter no light, and have no ambient occlusion.
-  void SetShadows(bool shadows);
-  void SetScattering(const Scattering& scattering);
-  void SetOcclusion(const Occlusion& occlusion);
+  void SetLighting(const Lighting& lighting);
   void SetBackground(const std::array<double, 3>& rgb);
 
   /// Sample distance of the last frame [mm].
@@ -92,9 +90,7 @@ private:
   vtkSmartPointer<vtkImageData> image;
   Look look; ///< in units of the data
   RenderOptions options;
-  bool shadows = false;
-  Scattering scattering;
-  Occlusion occlusion;
+  Lighting lighting;
   std::vector<ScissorsCut> scissors; ///< the cuts that made the mask
   bool bodyOnly = false;
   double faceDepthMm = 0.0;

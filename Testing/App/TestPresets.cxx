@@ -33,6 +33,28 @@ TEST(Presets, EveryOneIsReadable)
   }
 }
 
+TEST(Presets, ShadedOnesSayTheLightThatSuitsThem)
+{
+  for (const std::string& name : PresetNames())
+  {
+    const Preset preset = BuiltInPreset(name);
+    EXPECT_EQ(preset.light.has_value(), preset.look.shading.enabled) << name;
+    if (preset.light)
+    {
+      EXPECT_TRUE(preset.light->shadows) << name;
+      EXPECT_EQ(preset.light->lights.size(), 2u) << name << ": a key and a fill light";
+      EXPECT_GT(preset.light->lights[0].intensity, preset.light->lights[1].intensity) << name;
+      const Preset again = PresetFromText(PresetText(preset), "test");
+      EXPECT_EQ(
+        again.light.value().lights[0].softnessDegrees, preset.light->lights[0].softnessDegrees);
+      EXPECT_EQ(again.light->scattering, preset.light->scattering);
+    }
+    Scene scene;
+    TakePreset(preset, scene);
+    EXPECT_TRUE(scene.lights.empty()) << name << ": a scene takes a light on request only";
+  }
+}
+
 TEST(Presets, UnknownNameSuggestsTheNearest)
 {
   try

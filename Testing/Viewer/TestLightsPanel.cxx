@@ -1,5 +1,6 @@
 // The panel of the lights: adds, places, colours and removes them, each in a step of its own.
 
+#include "Scene/Presets.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/SceneLights.h"
 #include "SmallStudy.h"
@@ -154,6 +155,21 @@ TEST_F(LightsOfAModel, SoftnessIsThatOfALightThatIsNotAtTheEye)
   EXPECT_EQ(this->model.CurrentScene().lights[0].softnessDegrees, 15.0);
   this->model.History()->undo();
   EXPECT_EQ(this->Digits("lightSoftness")->value(), 0.0);
+}
+
+TEST_F(LightsOfAModel, TheLightOfThePresetReplacesAllAndIsUndone)
+{
+  auto* const suited = this->panel.findChild<QPushButton*>("suitedLight");
+  this->model.Edit(ScenePart::Look, "a look", [](Scene& scene) { scene.look.name = "mine"; });
+  EXPECT_FALSE(suited->isEnabled());
+  this->model.Edit(
+    ScenePart::Look, "a preset", [](Scene& scene) { scene.look = BuiltInPreset("ct-bone").look; });
+  ASSERT_TRUE(suited->isEnabled());
+  suited->click();
+  EXPECT_EQ(this->model.CurrentScene().lights.size(), 2u);
+  EXPECT_TRUE(this->model.CurrentScene().shadows);
+  this->model.History()->undo();
+  EXPECT_TRUE(this->model.CurrentScene().lights.empty());
 }
 
 TEST_F(LightsOfAModel, ScatteringIsAStepThatIsUndone)

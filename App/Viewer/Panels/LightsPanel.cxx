@@ -4,9 +4,9 @@
 #include "Scene/SceneCuts.h"
 #include "Scene/SceneLights.h"
 #include "Viewer/LiveColorDialog.h"
+#include "Viewer/Panels/LightEffectsBox.h"
 #include "Viewer/Panels/NumberSlider.h"
 
-#include <QCheckBox>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -91,10 +91,7 @@ LightsPanel::LightsPanel(SceneModel* model, QWidget* parent)
   column->addLayout(row);
   column->addWidget(this->list);
   column->addLayout(this->form);
-  this->MakeShadows();
-  column->addWidget(this->shadows);
-  column->addLayout(this->MakeScattering());
-  column->addLayout(this->MakeOcclusion());
+  column->addWidget(new LightEffectsBox(model));
   column->addStretch();
   this->MakeColorAndIntensity();
   this->MakeDirection();
@@ -211,83 +208,6 @@ void LightsPanel::MakePosition()
   this->form->addRow(tr("Place [mm]"), this->position);
 }
 
-void LightsPanel::MakeShadows()
-{
-  this->shadows = new QCheckBox(tr("Shadows"));
-  this->shadows->setObjectName("shadows");
-  this->shadows->setToolTip(
-    tr("The volume casts shadows on itself, from lights that are not at the eye. "
-       "An image takes about three times as long."));
-  connect(this->shadows, &QCheckBox::clicked, this,
-    [this](bool isOn)
-    {
-      this->model->Edit(
-        ScenePart::Lights, tr("shadows"), [isOn](Scene& scene) { scene.shadows = isOn; },
-        SceneModel::NoGesture);
-    });
-}
-
-NumberSlider* LightsPanel::MakeScattered(
-  const char* name, std::array<double, 2> range, double Scattering::*part)
-{
-  auto* const slider = new NumberSlider(range[0], range[1], NumberSlider::Scale::Linear);
-  slider->setObjectName(name);
-  connect(slider, &NumberSlider::Edited, this,
-    [=](double number, int gesture)
-    {
-      this->model->Edit(
-        ScenePart::Lights, tr("scattering"), [=](Scene& scene) { scene.scattering.*part = number; },
-        gesture);
-    });
-  return slider;
-}
-
-QFormLayout* LightsPanel::MakeScattering()
-{
-  auto* const rows = new QFormLayout;
-  this->scattering = this->MakeScattered("scattering", { 0.0, 1.0 }, &Scattering::blending);
-  this->scattering->setToolTip(
-    tr("The part of the light that matter scatters and surfaces do not reflect; 0 is off."));
-  this->anisotropy = this->MakeScattered("anisotropy", { -0.95, 0.95 }, &Scattering::anisotropy);
-  this->anisotropy->setToolTip(
-    tr("Scattered light mostly goes back below 0, and straight on above."));
-  this->scatteringReach = this->MakeScattered("scatteringReach", { 0.0, 1.0 }, &Scattering::reach);
-  this->scatteringReach->setToolTip(
-    tr("How far matter dims scattered light without shadows: 0 not at all, 1 everywhere."));
-  rows->addRow(tr("Scattering"), this->scattering);
-  rows->addRow(tr("Forward"), this->anisotropy);
-  rows->addRow(tr("Dimmed within"), this->scatteringReach);
-  return rows;
-}
-
-QFormLayout* LightsPanel::MakeOcclusion()
-{
-  constexpr double LongestReachMm = 100.0;
-  auto* const rows = new QFormLayout;
-  const auto add = [=](const char* name, double largest, double Occlusion::*part)
-  {
-    auto* const slider = new NumberSlider(0.0, largest, NumberSlider::Scale::Linear);
-    slider->setObjectName(name);
-    connect(slider, &NumberSlider::Edited, this,
-      [=](double number, int gesture)
-      {
-        this->model->Edit(
-          ScenePart::Lights, tr("ambient occlusion"),
-          [=](Scene& scene) { scene.occlusion.*part = number; }, gesture);
-      });
-    return slider;
-  };
-  this->occlusion = add("occlusion", 1.0, &Occlusion::strength);
-  this->occlusion->setToolTip(
-    tr("How much darker places are that see little of what is around the volume; 0 is off."));
-  this->reach = add("occlusionReach", LongestReachMm, &Occlusion::reachMm);
-  this->reach->SetSuffix(tr(" mm"));
-  this->reach->setToolTip(tr("Matter farther away does not occlude. 0 stands for 16 voxels."));
-  rows->addRow(tr("Occlusion"), this->occlusion);
-  rows->addRow(tr("Reach"), this->reach);
-  return rows;
-}
-
 std::vector<SceneLight> LightsPanel::Shown() const
 {
   const std::vector<SceneLight>& lights = this->model->CurrentScene().lights;
@@ -372,13 +292,6 @@ void LightsPanel::Show(ScenePart part)
   this->list->setCurrentRow(selected);
   this->add->setEnabled(lights.size() < MostLights);
   this->remove->setEnabled(lights.size() > 1);
-  this->shadows->setChecked(this->model->CurrentScene().shadows);
-  const Scattering& scattering = this->model->CurrentScene().scattering;
-  this->scattering->SetNumber(scattering.blending);
-  this->anisotropy->SetNumber(scattering.anisotropy);
-  this->scatteringReach->SetNumber(scattering.reach);
-  this->occlusion->SetNumber(this->model->CurrentScene().occlusion.strength);
-  this->reach->SetNumber(this->model->CurrentScene().occlusion.reachMm);
   this->ShowSelected();
 }
 

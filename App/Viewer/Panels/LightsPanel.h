@@ -8,7 +8,6 @@
 #include <array>
 #include <vector>
 
-class QCheckBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QListWidget;
@@ -21,8 +20,7 @@ namespace varimarch
 class NumberSlider;
 
 /// The lights on a shaded volume: a list, and the colour, intensity and place of the selected one;
-/// whether the volume casts shadows, how it scatters light, and its ambient occlusion. A scene
-/// without lights has the one at the eye.
+/// below them, the effects that matter has on light. A scene without lights has the one at the eye.
 class LightsPanel : public QWidget
 {
   Q_OBJECT
@@ -35,11 +33,6 @@ private:
   void MakeColorAndIntensity();
   void MakeDirection();
   void MakePosition();
-  void MakeShadows();
-  NumberSlider* MakeScattered(
-    const char* name, std::array<double, 2> range, double Scattering::*part);
-  QFormLayout* MakeScattering();
-  QFormLayout* MakeOcclusion();
   std::vector<SceneLight> Shown() const;
   void Replace(const std::vector<SceneLight>& lights, const QString& name, int gesture);
   void EditSelected(const QString& name, const std::function<void(SceneLight&)>& change,
@@ -64,12 +57,6 @@ private:
   NumberSlider* elevation;
   QWidget* position;
   std::array<QDoubleSpinBox*, 3> coordinates;
-  QCheckBox* shadows;
-  NumberSlider* scattering;
-  NumberSlider* anisotropy;
-  NumberSlider* scatteringReach;
-  NumberSlider* occlusion;
-  NumberSlider* reach;
 };
 
 }

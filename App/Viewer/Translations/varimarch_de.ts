@@ -1279,6 +1279,85 @@ Masken nicht unterstützt</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::LightEffectsBox</name>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>scattering</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>The part of the light that matter scatters and surfaces do not reflect; 0 is off.</source>
+        <translation>Der Teil des Lichts, den Materie streut und Oberflächen nicht zurückwerfen; 0 ist aus.</translation>
+    </message>
+    <message>
+        <source>Scattered light mostly goes back below 0, and straight on above.</source>
+        <translation>Unter 0 geht gestreutes Licht meist zurück, darüber geradeaus.</translation>
+    </message>
+    <message>
+        <source>How far matter dims scattered light without shadows: 0 not at all, 1 everywhere.</source>
+        <translation>Wie weit Materie ohne Schatten gestreutes Licht schwächt: 0 gar nicht, 1 überall.</translation>
+    </message>
+    <message>
+        <source>Scattering</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Dimmed within</source>
+        <translation>Geschwächt bis</translation>
+    </message>
+    <message>
+        <source>Light that suits the look</source>
+        <translation>Licht, das zur Darstellung passt</translation>
+    </message>
+    <message>
+        <source>Replaces all of this by the light of the preset.</source>
+        <translation>Ersetzt all dies durch das Licht der Vorgabe.</translation>
+    </message>
+    <message>
+        <source>light of the preset</source>
+        <translation>Licht der Vorgabe</translation>
+    </message>
+    <message>
+        <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
+        <translation>Das Volumen wirft Schatten auf sich selbst, von Lichtern, die nicht am Auge sind. Ein Bild dauert etwa dreimal so lange.</translation>
+    </message>
+    <message>
+        <source>shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>ambient occlusion</source>
+        <translation>Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>How much darker places are that see little of what is around the volume; 0 is off.</source>
+        <translation>Wie viel dunkler Stellen sind, die wenig von der Umgebung des Volumens sehen; 0 ist aus.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Matter farther away does not occlude. 0 stands for 16 voxels.</source>
+        <translation>Weiter entfernte Materie verdeckt nicht. 0 steht für 16 Voxel.</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::LightsPanel</name>
     <message>
         <source>At the eye</source>
@@ -1369,38 +1448,6 @@ Masken nicht unterstützt</translation>
         <translation>Farbe eines Lichts</translation>
     </message>
     <message>
-        <source>Shadows</source>
-        <translation>Schatten</translation>
-    </message>
-    <message>
-        <source>scattering</source>
-        <translation>Streuung</translation>
-    </message>
-    <message>
-        <source>The part of the light that matter scatters and surfaces do not reflect; 0 is off.</source>
-        <translation>Der Teil des Lichts, den Materie streut und Oberflächen nicht zurückwerfen; 0 ist aus.</translation>
-    </message>
-    <message>
-        <source>Scattered light mostly goes back below 0, and straight on above.</source>
-        <translation>Unter 0 geht gestreutes Licht meist zurück, darüber geradeaus.</translation>
-    </message>
-    <message>
-        <source>How far matter dims scattered light without shadows: 0 not at all, 1 everywhere.</source>
-        <translation>Wie weit Materie ohne Schatten gestreutes Licht schwächt: 0 gar nicht, 1 überall.</translation>
-    </message>
-    <message>
-        <source>Scattering</source>
-        <translation>Streuung</translation>
-    </message>
-    <message>
-        <source>Forward</source>
-        <translation>Vorwärts</translation>
-    </message>
-    <message>
-        <source>Dimmed within</source>
-        <translation>Geschwächt bis</translation>
-    </message>
-    <message>
         <source>How soft its shadows are: half the angle of the cone that the light comes from.</source>
         <translation>Wie weich seine Schatten sind: der halbe Winkel des Kegels, aus dem das Licht kommt.</translation>
     </message>
@@ -1411,38 +1458,6 @@ Masken nicht unterstützt</translation>
     <message>
         <source>Softness</source>
         <translation>Weichheit</translation>
-    </message>
-    <message>
-        <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
-        <translation>Das Volumen wirft Schatten auf sich selbst, von Lichtern, die nicht am Auge sind. Ein Bild dauert etwa dreimal so lange.</translation>
-    </message>
-    <message>
-        <source>shadows</source>
-        <translation>Schatten</translation>
-    </message>
-    <message>
-        <source>ambient occlusion</source>
-        <translation>Umgebungsverdeckung</translation>
-    </message>
-    <message>
-        <source>How much darker places are that see little of what is around the volume; 0 is off.</source>
-        <translation>Wie viel dunkler Stellen sind, die wenig von der Umgebung des Volumens sehen; 0 ist aus.</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Matter farther away does not occlude. 0 stands for 16 voxels.</source>
-        <translation>Weiter entfernte Materie verdeckt nicht. 0 steht für 16 Voxel.</translation>
-    </message>
-    <message>
-        <source>Occlusion</source>
-        <translation>Verdeckung</translation>
-    </message>
-    <message>
-        <source>Reach</source>
-        <translation>Reichweite</translation>
     </message>
 </context>
 <context>

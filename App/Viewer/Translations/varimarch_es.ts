@@ -1279,6 +1279,85 @@ no admite máscaras</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::LightEffectsBox</name>
+    <message>
+        <source>Shadows</source>
+        <translation>Sombras</translation>
+    </message>
+    <message>
+        <source>scattering</source>
+        <translation>dispersión</translation>
+    </message>
+    <message>
+        <source>The part of the light that matter scatters and surfaces do not reflect; 0 is off.</source>
+        <translation>La parte de la luz que la materia dispersa y las superficies no reflejan; 0 es nada.</translation>
+    </message>
+    <message>
+        <source>Scattered light mostly goes back below 0, and straight on above.</source>
+        <translation>Por debajo de 0 la luz dispersada vuelve en su mayoría; por encima sigue recta.</translation>
+    </message>
+    <message>
+        <source>How far matter dims scattered light without shadows: 0 not at all, 1 everywhere.</source>
+        <translation>Hasta dónde la materia atenúa la luz dispersada sin sombras: 0 nada, 1 en todas partes.</translation>
+    </message>
+    <message>
+        <source>Scattering</source>
+        <translation>Dispersión</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Hacia delante</translation>
+    </message>
+    <message>
+        <source>Dimmed within</source>
+        <translation>Atenuada hasta</translation>
+    </message>
+    <message>
+        <source>Light that suits the look</source>
+        <translation>Luz adecuada a la apariencia</translation>
+    </message>
+    <message>
+        <source>Replaces all of this by the light of the preset.</source>
+        <translation>Sustituye todo esto por la luz del preajuste.</translation>
+    </message>
+    <message>
+        <source>light of the preset</source>
+        <translation>luz del preajuste</translation>
+    </message>
+    <message>
+        <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
+        <translation>El volumen proyecta sombras sobre sí mismo, desde luces que no están en el ojo. Una imagen tarda unas tres veces más.</translation>
+    </message>
+    <message>
+        <source>shadows</source>
+        <translation>sombras</translation>
+    </message>
+    <message>
+        <source>ambient occlusion</source>
+        <translation>oclusión ambiental</translation>
+    </message>
+    <message>
+        <source>How much darker places are that see little of what is around the volume; 0 is off.</source>
+        <translation>Cuánto más oscuros son los lugares que ven poco de lo que rodea al volumen; 0 es desactivado.</translation>
+    </message>
+    <message>
+        <source>Matter farther away does not occlude. 0 stands for 16 voxels.</source>
+        <translation>La materia más lejana no ocluye. 0 equivale a 16 vóxeles.</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Oclusión</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::LightsPanel</name>
     <message>
         <source>At the eye</source>
@@ -1369,38 +1448,6 @@ no admite máscaras</translation>
         <translation>color de una luz</translation>
     </message>
     <message>
-        <source>Shadows</source>
-        <translation>Sombras</translation>
-    </message>
-    <message>
-        <source>scattering</source>
-        <translation>dispersión</translation>
-    </message>
-    <message>
-        <source>The part of the light that matter scatters and surfaces do not reflect; 0 is off.</source>
-        <translation>La parte de la luz que la materia dispersa y las superficies no reflejan; 0 es nada.</translation>
-    </message>
-    <message>
-        <source>Scattered light mostly goes back below 0, and straight on above.</source>
-        <translation>Por debajo de 0 la luz dispersada vuelve en su mayoría; por encima sigue recta.</translation>
-    </message>
-    <message>
-        <source>How far matter dims scattered light without shadows: 0 not at all, 1 everywhere.</source>
-        <translation>Hasta dónde la materia atenúa la luz dispersada sin sombras: 0 nada, 1 en todas partes.</translation>
-    </message>
-    <message>
-        <source>Scattering</source>
-        <translation>Dispersión</translation>
-    </message>
-    <message>
-        <source>Forward</source>
-        <translation>Hacia delante</translation>
-    </message>
-    <message>
-        <source>Dimmed within</source>
-        <translation>Atenuada hasta</translation>
-    </message>
-    <message>
         <source>How soft its shadows are: half the angle of the cone that the light comes from.</source>
         <translation>Lo suaves que son sus sombras: la mitad del ángulo del cono del que viene la luz.</translation>
     </message>
@@ -1411,38 +1458,6 @@ no admite máscaras</translation>
     <message>
         <source>Softness</source>
         <translation>Suavidad</translation>
-    </message>
-    <message>
-        <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
-        <translation>El volumen proyecta sombras sobre sí mismo, desde luces que no están en el ojo. Una imagen tarda unas tres veces más.</translation>
-    </message>
-    <message>
-        <source>shadows</source>
-        <translation>sombras</translation>
-    </message>
-    <message>
-        <source>ambient occlusion</source>
-        <translation>oclusión ambiental</translation>
-    </message>
-    <message>
-        <source>How much darker places are that see little of what is around the volume; 0 is off.</source>
-        <translation>Cuánto más oscuros son los lugares que ven poco de lo que rodea al volumen; 0 es desactivado.</translation>
-    </message>
-    <message>
-        <source>Matter farther away does not occlude. 0 stands for 16 voxels.</source>
-        <translation>La materia más lejana no ocluye. 0 equivale a 16 vóxeles.</translation>
-    </message>
-    <message>
-        <source>Occlusion</source>
-        <translation>Oclusión</translation>
-    </message>
-    <message>
-        <source>Reach</source>
-        <translation>Alcance</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "Viewer/View/VolumeView.h"
 
 #include "March/Device/GraphicsReset.h"
+#include "Scene/SceneLights.h"
 #include "Viewer/View/PictureReport.h"
 
 #include <QMouseEvent>
@@ -157,7 +158,7 @@ void VolumeView::Update(ScenePart part)
       this->TakeOverlays();
       break;
     case ScenePart::Lights:
-      this->TakeLights();
+      this->pipeline->SetLighting(LightingOf(scene));
       break;
     case ScenePart::Camera:
       this->FollowCamera();
@@ -184,15 +185,6 @@ void VolumeView::Update(ScenePart part)
       return;
   }
   this->pacer.Request();
-}
-
-void VolumeView::TakeLights()
-{
-  const Scene& scene = this->model->CurrentScene();
-  this->pipeline->SetLights(scene.lights);
-  this->pipeline->SetShadows(scene.shadows);
-  this->pipeline->SetScattering(scene.scattering);
-  this->pipeline->SetOcclusion(scene.occlusion);
 }
 
 void VolumeView::TakeMeasures()

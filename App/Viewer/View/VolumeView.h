@@ -111,7 +111,6 @@ private:
   void TakeVolume();
   void TakeLabels();
   void TakeOverlays();
-  void TakeLights();
   void TakeMeasures();
   bool PressSegment(QEvent* event);
   void TakeCamera();

@@ -1,0 +1,154 @@
+#include "Viewer/Panels/LightEffectsBox.h"
+
+#include "Scene/Presets.h"
+#include "Scene/SceneLights.h"
+#include "Viewer/Panels/NumberSlider.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <optional>
+#include <string>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The light that suits a preset; nothing for other looks.
+std::optional<Lighting> LightOfPreset(const std::string& name)
+{
+  return IsPresetName(name) ? BuiltInPreset(name).light : std::nullopt;
+}
+
+}
+
+LightEffectsBox::LightEffectsBox(SceneModel* model, QWidget* parent)
+  : QWidget(parent)
+  , model(model)
+{
+  auto* const column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  this->MakeSuited();
+  column->addWidget(this->suited);
+  this->MakeShadows();
+  column->addWidget(this->shadows);
+  column->addLayout(this->MakeScattering());
+  column->addLayout(this->MakeOcclusion());
+  connect(model, &SceneModel::Changed, this, &LightEffectsBox::Show);
+}
+
+void LightEffectsBox::MakeSuited()
+{
+  this->suited = new QPushButton(tr("Light that suits the look"));
+  this->suited->setObjectName("suitedLight");
+  this->suited->setToolTip(tr("Replaces all of this by the light of the preset."));
+  connect(this->suited, &QPushButton::clicked, this,
+    [this]
+    {
+      const std::optional<Lighting> light = LightOfPreset(this->model->CurrentScene().look.name);
+      this->model->Edit(
+        ScenePart::Lights, tr("light of the preset"),
+        [&](Scene& scene) { TakeLighting(light.value(), scene); }, SceneModel::NoGesture);
+    });
+}
+
+void LightEffectsBox::MakeShadows()
+{
+  this->shadows = new QCheckBox(tr("Shadows"));
+  this->shadows->setObjectName("shadows");
+  this->shadows->setToolTip(
+    tr("The volume casts shadows on itself, from lights that are not at the eye. "
+       "An image takes about three times as long."));
+  connect(this->shadows, &QCheckBox::clicked, this,
+    [this](bool isOn)
+    {
+      this->model->Edit(
+        ScenePart::Lights, tr("shadows"), [isOn](Scene& scene) { scene.shadows = isOn; },
+        SceneModel::NoGesture);
+    });
+}
+
+NumberSlider* LightEffectsBox::MakeScattered(
+  const char* name, std::array<double, 2> range, double Scattering::*part)
+{
+  auto* const slider = new NumberSlider(range[0], range[1], NumberSlider::Scale::Linear);
+  slider->setObjectName(name);
+  connect(slider, &NumberSlider::Edited, this,
+    [=](double number, int gesture)
+    {
+      this->model->Edit(
+        ScenePart::Lights, tr("scattering"), [=](Scene& scene) { scene.scattering.*part = number; },
+        gesture);
+    });
+  return slider;
+}
+
+QFormLayout* LightEffectsBox::MakeScattering()
+{
+  auto* const rows = new QFormLayout;
+  this->scattering = this->MakeScattered("scattering", { 0.0, 1.0 }, &Scattering::blending);
+  this->scattering->setToolTip(
+    tr("The part of the light that matter scatters and surfaces do not reflect; 0 is off."));
+  this->anisotropy = this->MakeScattered("anisotropy", { -0.95, 0.95 }, &Scattering::anisotropy);
+  this->anisotropy->setToolTip(
+    tr("Scattered light mostly goes back below 0, and straight on above."));
+  this->scatteringReach = this->MakeScattered("scatteringReach", { 0.0, 1.0 }, &Scattering::reach);
+  this->scatteringReach->setToolTip(
+    tr("How far matter dims scattered light without shadows: 0 not at all, 1 everywhere."));
+  rows->addRow(tr("Scattering"), this->scattering);
+  rows->addRow(tr("Forward"), this->anisotropy);
+  rows->addRow(tr("Dimmed within"), this->scatteringReach);
+  return rows;
+}
+
+QFormLayout* LightEffectsBox::MakeOcclusion()
+{
+  constexpr double LongestReachMm = 100.0;
+  auto* const rows = new QFormLayout;
+  const auto add = [=](const char* name, double largest, double Occlusion::*part)
+  {
+    auto* const slider = new NumberSlider(0.0, largest, NumberSlider::Scale::Linear);
+    slider->setObjectName(name);
+    connect(slider, &NumberSlider::Edited, this,
+      [=](double number, int gesture)
+      {
+        this->model->Edit(
+          ScenePart::Lights, tr("ambient occlusion"),
+          [=](Scene& scene) { scene.occlusion.*part = number; }, gesture);
+      });
+    return slider;
+  };
+  this->occlusion = add("occlusion", 1.0, &Occlusion::strength);
+  this->occlusion->setToolTip(
+    tr("How much darker places are that see little of what is around the volume; 0 is off."));
+  this->reach = add("occlusionReach", LongestReachMm, &Occlusion::reachMm);
+  this->reach->SetSuffix(tr(" mm"));
+  this->reach->setToolTip(tr("Matter farther away does not occlude. 0 stands for 16 voxels."));
+  rows->addRow(tr("Occlusion"), this->occlusion);
+  rows->addRow(tr("Reach"), this->reach);
+  return rows;
+}
+
+void LightEffectsBox::Show(ScenePart part)
+{
+  const Scene& scene = this->model->CurrentScene();
+  if (part == ScenePart::Look || part == ScenePart::Volume)
+  {
+    this->suited->setEnabled(LightOfPreset(scene.look.name).has_value());
+  }
+  if (part == ScenePart::Lights || part == ScenePart::Volume)
+  {
+    this->shadows->setChecked(scene.shadows);
+    this->scattering->SetNumber(scene.scattering.blending);
+    this->anisotropy->SetNumber(scene.scattering.anisotropy);
+    this->scatteringReach->SetNumber(scene.scattering.reach);
+    this->occlusion->SetNumber(scene.occlusion.strength);
+    this->reach->SetNumber(scene.occlusion.reachMm);
+  }
+}
+
+}

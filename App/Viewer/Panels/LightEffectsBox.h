@@ -1,0 +1,49 @@
+#ifndef Varimarch_Viewer_LightEffectsBox_h
+#define Varimarch_Viewer_LightEffectsBox_h
+
+#include "Viewer/Model/SceneModel.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QCheckBox;
+class QFormLayout;
+class QPushButton;
+
+namespace varimarch
+{
+
+class NumberSlider;
+
+/// The effects that matter has on light: whether it casts shadows, how it scatters light, and its
+/// ambient occlusion. A button takes the light that suits the preset.
+class LightEffectsBox : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit LightEffectsBox(SceneModel* model, QWidget* parent = nullptr);
+
+private:
+  void MakeSuited();
+  void MakeShadows();
+  NumberSlider* MakeScattered(
+    const char* name, std::array<double, 2> range, double Scattering::*part);
+  QFormLayout* MakeScattering();
+  QFormLayout* MakeOcclusion();
+  void Show(ScenePart part);
+
+  SceneModel* model;
+  QPushButton* suited;
+  QCheckBox* shadows;
+  NumberSlider* scattering;
+  NumberSlider* anisotropy;
+  NumberSlider* scatteringReach;
+  NumberSlider* occlusion;
+  NumberSlider* reach;
+};
+
+}
+
+#endif
