@@ -8,6 +8,9 @@
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SessionFile.h"
+#include "Viewer/Open/TagsWindow.h"
+#include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/VolumeView.h"
 #include "Waiting.h"
 
 #include <QAction>
@@ -15,6 +18,7 @@
 #include <QFile>
 #include <QImage>
 #include <QMenu>
+#include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -101,6 +105,18 @@ protected:
     QTest::qWait(2500); // an autosaved copy is made
   }
 
+  // Opens the window of attributes, which shows the patient.
+  void ReadAttributes()
+  {
+    this->window->findChild<QAction*>("showTags")->trigger();
+    auto* const tags = this->window->findChild<TagsWindow*>();
+    ASSERT_TRUE(tags);
+    const auto showsName = [&] { return tags->SelectedText().contains(Family + '^' + Given); };
+    ASSERT_TRUE(QTest::qWaitFor(showsName, MostMilliseconds));
+    tags->findChild<QPushButton*>("copy")->click();
+    delete tags; // at once, since Export lists all actions
+  }
+
   // True if bytes hold the name in Latin letters, or in UTF-16 of either byte order.
   static bool Names(const QByteArray& bytes)
   {
@@ -153,6 +169,7 @@ TEST_F(Privacy, NothingWrittenNamesThePatientOfTheFiles)
 {
   this->OpenScan("scan");
   ASSERT_FALSE(NamingFiles(QString::fromStdString(this->scans.Path("scan"))).isEmpty());
+  this->ReadAttributes();
   this->ExportEverything();
   WriteScene(this->window->Model()->CurrentScene(), this->Made("exports") + "/session.json");
   EXPECT_EQ(NamingFiles(this->written.path()), QStringList());

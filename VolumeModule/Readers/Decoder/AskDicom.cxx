@@ -4,6 +4,8 @@
 #include "Readers/Decoder/Fields.h"
 #include "Readers/Dicom/DicomIndex.h"
 #include "Readers/Dicom/Metadata.h"
+#include "Readers/Dicom/Record.h"
+#include "Readers/Dicom/Tags.h"
 #include "Readers/FileError.h"
 
 #include <vtkDataArray.h>
@@ -216,6 +218,33 @@ std::vector<std::string> FilesOfIndex(const std::string& index, ReadProgress& pr
 {
   return Answer<std::vector<std::string>>(
     index, Packed(Job::ReadIndex, FreeJobMemory(), index), progress);
+}
+
+void ForEachRecord(const std::vector<std::string>& paths,
+  const std::function<void(std::size_t, const DicomRecord&)>& take, ReadProgress& progress)
+{
+  Batch batch;
+  batch.paths = paths;
+  const double freeBytes = FreeJobMemory();
+  for (const std::string& path : paths)
+  {
+    batch.orders.push_back(Packed(Job::ReadRecord, freeBytes, path));
+  }
+  batch.take = [&](std::size_t i, Conversation& conversation)
+  {
+    DicomRecord record;
+    TakeValues(conversation.Result(), record);
+    conversation.Finish();
+    take(i, record);
+  };
+  batch.fail = [&](std::size_t i, const std::string&) { take(i, {}); };
+  Perform(batch, progress);
+}
+
+std::vector<DicomTag> TagsOf(const std::string& path)
+{
+  ReadProgress silent([](double) { return true; });
+  return Answer<std::vector<DicomTag>>(path, Packed(Job::ReadTags, FreeJobMemory(), path), silent);
 }
 
 DicomMetadata MetadataOf(const std::string& path, int frame)

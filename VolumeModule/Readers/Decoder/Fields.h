@@ -4,6 +4,8 @@
 #include "Readers/Decoder/Wire.h"
 #include "Readers/Dicom/FileFrames.h"
 #include "Readers/Dicom/Metadata.h"
+#include "Readers/Dicom/Record.h"
+#include "Readers/Dicom/Tags.h"
 #include "Readers/Unpacking.h"
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
@@ -131,6 +133,20 @@ void Fields(Wire& wire, DicomMetadata& metadata)
 {
   wire(metadata.modality, metadata.bodyPart, metadata.hasContrastAgent, metadata.weighting,
     metadata.windowLevel, metadata.uptakeValueFactor);
+}
+
+template <class Wire>
+void Fields(Wire& wire, DicomRecord& record)
+{
+  wire(record.patientName, record.patientId, record.studyUid, record.studyDate,
+    record.studyDescription, record.seriesUid, record.seriesNumber, record.seriesDescription,
+    record.modality, record.imageUid);
+}
+
+template <class Wire>
+void Fields(Wire& wire, DicomTag& tag)
+{
+  wire(tag.depth, tag.tag, tag.representation, tag.name, tag.value);
 }
 
 }

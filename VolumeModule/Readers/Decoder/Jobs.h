@@ -14,6 +14,8 @@ enum class Job : std::uint32_t
   ReadContent,  ///< path; DicomContent
   ReadMetadata, ///< path, frame; DicomMetadata
   ReadIndex,    ///< path; paths
+  ReadRecord,   ///< path; DicomRecord
+  ReadTags,     ///< path; DicomTags
   DecodePixels, ///< DicomFile; fault, or image
   Unpack,       ///< UnpackingOrder; UnpackedContent
   Decompress,   ///< path, offset; only bytes

@@ -1,6 +1,8 @@
 #ifndef Varimarch_Readers_Dicom_FileSearch_h
 #define Varimarch_Readers_Dicom_FileSearch_h
 
+#include "VarimarchVolumeModule.h"
+
 #include "Readers/VolumeFile.h"
 
 #include <string>
@@ -13,7 +15,7 @@ namespace varimarch
 /// subfolders, or the file itself. A folder with a DICOMDIR has the files that this lists.
 /// @param warnings  receives a sentence if folders are too deep
 /// @throws ReadCancelled
-std::vector<std::string> FindDicomFiles(
+VARIMARCHVOLUME_EXPORT std::vector<std::string> FindDicomFiles(
   const std::string& path, std::vector<std::string>& warnings, ReadProgress& progress);
 
 }

@@ -89,6 +89,20 @@ void ReadIndex(WireReader& arguments, Replies& replies)
   replies.Send(MessageKind::Result, Packed(FilesOfIndex(path, progress)));
 }
 
+void ReadRecord(WireReader& arguments, Replies& replies)
+{
+  std::string path;
+  arguments(path);
+  replies.Send(MessageKind::Result, Packed(RecordOf(path)));
+}
+
+void ReadTags(WireReader& arguments, Replies& replies)
+{
+  std::string path;
+  arguments(path);
+  replies.Send(MessageKind::Result, Packed(TagsOf(path)));
+}
+
 void Decode(WireReader& arguments, Replies& replies)
 {
   DicomFile file;
@@ -140,6 +154,8 @@ void PerformJob(const std::string& job, Replies& replies)
     { Job::ReadContent, ReadContent },
     { Job::ReadMetadata, ReadMetadata },
     { Job::ReadIndex, ReadIndex },
+    { Job::ReadRecord, ReadRecord },
+    { Job::ReadTags, ReadTags },
     { Job::DecodePixels, Decode },
     { Job::Unpack, UnpackPacked },
     { Job::Decompress, Decompress },
