@@ -178,6 +178,7 @@ void MainWindow::MakeFileMenu()
   this->recentMenu->setObjectName("recent");
   connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
   this->MakeAskAtStartAction(file);
+  this->MakeArchiveActions(file);
   file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
   file->addSeparator();
   file->addAction(tr("Export an &image…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"))

@@ -28,8 +28,9 @@ class ViewMenu;
 class WarningBar;
 
 /// The main window: menus, views, panels, and the loading of volumes. MainWindowFiles.cxx opens
-/// files, MainWindowSegments.cxx shows segmentations, MainWindowVolumes.cxx adds further scans,
-/// MainWindowSessions.cxx keeps the user's work, MainWindowTools.cxx sets up the tools.
+/// files, MainWindowArchives.cxx lists scans and their attributes, MainWindowSegments.cxx shows
+/// segmentations, MainWindowVolumes.cxx adds further scans, MainWindowSessions.cxx keeps the user's
+/// work, MainWindowTools.cxx sets up the tools.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -75,6 +76,8 @@ private:
   void MakeViews();
   void MakeStartPage();
   void MakeFileMenu();
+  void MakeArchiveActions(QMenu* menu);
+  void ShowTags();
   void MakeEditMenu();
   void MakeToolMenu();
   void MakeLeftButtonActions(QMenu* menu);

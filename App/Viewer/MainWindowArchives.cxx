@@ -1,0 +1,28 @@
+// The part of MainWindow that shows the attributes of the scan, and lists of other scans.
+
+#include "Viewer/MainWindow.h"
+
+#include "Viewer/Open/TagsWindow.h"
+
+#include <QMenu>
+
+namespace varimarch
+{
+
+void MainWindow::MakeArchiveActions(QMenu* menu)
+{
+  QAction* const tags =
+    menu->addAction(tr("DICOM attri&butes…"), this, &MainWindow::ShowTags, QKeySequence("Ctrl+T"));
+  tags->setObjectName("showTags");
+  tags->setEnabled(false);
+  connect(&this->model, &SceneModel::Changed, tags,
+    [this, tags]
+    { tags->setEnabled(std::holds_alternative<FileSource>(this->model.CurrentScene().volume)); });
+}
+
+void MainWindow::ShowTags()
+{
+  (new TagsWindow(std::get<FileSource>(this->model.CurrentScene().volume), this))->show();
+}
+
+}

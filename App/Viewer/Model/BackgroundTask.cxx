@@ -1,0 +1,132 @@
+#include "Viewer/Model/BackgroundTask.h"
+
+#include "Readers/VolumeFile.h"
+
+#include <QMetaObject>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <thread>
+#include <utility>
+
+namespace varimarch
+{
+
+// State that the thread shares with the task, which may end before it.
+struct BackgroundTask::State
+{
+  std::function<void(const TaskProgress&)> work;
+  std::function<void()> done;
+  std::atomic<bool> stop{ false };
+  QString failure;
+
+  std::mutex mutex;
+  std::condition_variable endedChanged;
+  BackgroundTask* owner; ///< null if it has left the thread alone
+  bool hasEnded = false;
+};
+
+BackgroundTask::BackgroundTask(QObject* parent)
+  : QObject(parent)
+{
+}
+
+BackgroundTask::~BackgroundTask()
+{
+  const std::shared_ptr<State> last = this->state;
+  this->blockSignals(true);
+  this->Cancel();
+  if (last)
+  {
+    std::unique_lock<std::mutex> lock(last->mutex);
+    last->endedChanged.wait_for(lock, std::chrono::seconds(2), [&] { return last->hasEnded; });
+  }
+}
+
+void BackgroundTask::Start(
+  std::function<void(const TaskProgress&)> work, std::function<void()> done)
+{
+  this->Cancel();
+  this->state = std::make_shared<State>();
+  this->state->work = std::move(work);
+  this->state->done = std::move(done);
+  this->state->owner = this;
+  std::thread(&BackgroundTask::Run, this->state).detach();
+  emit this->RunningChanged(true);
+}
+
+// Runs in the thread.
+void BackgroundTask::Run(const std::shared_ptr<State>& state)
+{
+  try
+  {
+    state->work(
+      [&](double part)
+      {
+        const std::lock_guard<std::mutex> lock(state->mutex);
+        if (state->owner)
+        {
+          emit state->owner->Progress(part);
+        }
+        return !state->stop;
+      });
+  }
+  catch (const ReadCancelled&)
+  {
+  }
+  catch (const std::bad_alloc&)
+  {
+    state->failure = tr("There is not enough memory.");
+  }
+  catch (const std::exception& problem)
+  {
+    state->failure = QString::fromStdString(problem.what());
+  }
+  state->work = nullptr; // it may own large results
+  const std::lock_guard<std::mutex> lock(state->mutex);
+  state->hasEnded = true;
+  state->endedChanged.notify_all();
+  if (state->owner)
+  {
+    QMetaObject::invokeMethod(
+      state->owner, [owner = state->owner, ended = state.get()] { owner->Finish(ended); },
+      Qt::QueuedConnection);
+  }
+}
+
+void BackgroundTask::Finish(State* ended)
+{
+  if (ended != this->state.get())
+  {
+    return; // it was cancelled
+  }
+  const std::shared_ptr<State> last = std::exchange(this->state, nullptr);
+  emit this->RunningChanged(false);
+  if (last->failure.isEmpty())
+  {
+    last->done();
+  }
+  else
+  {
+    emit this->Failed(last->failure);
+  }
+}
+
+void BackgroundTask::Cancel()
+{
+  if (const std::shared_ptr<State> last = std::exchange(this->state, nullptr))
+  {
+    last->stop = true;
+    {
+      const std::lock_guard<std::mutex> lock(last->mutex);
+      last->owner = nullptr;
+    }
+    emit this->RunningChanged(false);
+  }
+}
+
+}
