@@ -77,6 +77,7 @@ private:
   void MakeStartPage();
   void MakeFileMenu();
   void MakeArchiveActions(QMenu* menu);
+  void ShowStudies();
   void ShowTags();
   void MakeEditMenu();
   void MakeToolMenu();

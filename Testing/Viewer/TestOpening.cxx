@@ -10,6 +10,7 @@
 #include "Viewer/Open/RawForm.h"
 #include "Viewer/Open/SeriesPicker.h"
 #include "Viewer/Open/WarningBar.h"
+#include "Viewer/Studies/StudyListWindow.h"
 #include "Waiting.h"
 
 #include <QFile>
@@ -22,6 +23,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
 
 #include <gtest/gtest.h>
 
@@ -155,6 +157,31 @@ TEST_F(Opening, OpensARecentSeriesWithoutAskingAgain)
     QTest::qWaitFor([&] { return later.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
   EXPECT_EQ(later.Model()->CurrentStudy()->volume.image->GetDimensions()[2], 2);
   EXPECT_FALSE(later.findChild<SeriesPicker*>());
+}
+
+TEST_F(Opening, OpensASeriesOfTheStudyList)
+{
+  this->WriteSeries("1.2.33", 2);
+  this->WriteSeries("1.2.44", 3);
+  this->window.findChild<QAction*>("showStudies")->trigger();
+  auto* const list = this->window.findChild<StudyListWindow*>();
+  ASSERT_TRUE(list);
+  list->Read({ QString::fromStdString(this->folder.Path("DOE^JANE")) });
+  auto* const tree = list->findChild<QTreeWidget*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tree->topLevelItemCount() == 1; }, MostMilliseconds));
+  QTreeWidgetItem* const study = tree->topLevelItem(0)->child(0);
+  ASSERT_EQ(study->childCount(), 2);
+  for (int i = 0; i < 2; ++i)
+  {
+    if (study->child(i)->text(4) == "2")
+    {
+      tree->setCurrentItem(study->child(i));
+    }
+  }
+  list->findChild<QPushButton*>("open")->click();
+  ASSERT_TRUE(this->IsOpened());
+  EXPECT_EQ(this->SliceCount(), 2);
+  EXPECT_TRUE(list->isVisible());
 }
 
 TEST_F(Opening, OffersToRectifyATiltedScan)
