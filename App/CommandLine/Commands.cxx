@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include "AddArchiveCommand.h"
 #include "Parser.h"
 #include "Scene/SceneNames.h"
 
@@ -239,6 +240,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddConvertCommand(program);
   AddFieldCommand(program);
   AddLookCommand(program);
+  AddArchiveCommand(program);
 }
 
 }

@@ -11,14 +11,14 @@ packages=(
   libegl-dev libgl-dev libglew-dev
   python3-dev python3-numpy python3-vtk9 vtk9
   qtbase5-dev qttools5-dev qttools5-dev-tools libqt5sql5-sqlite libvtk9-qt-dev libspdlog-dev
-  libinsighttoolkit5-dev
+  libinsighttoolkit5-dev libdcmtk-dev
   # To draw without a graphics card
   libegl1 libgl1-mesa-dri
   # Real volumes: a head CT and a T1 head
   invesalius-examples mricron-data
 )
 testPackages=(
-  libgtest-dev glslang-tools python3-fuse python3-vedo python3-venv python3-wheel xdotool xvfb xauth
+  libgtest-dev glslang-tools openssl orthanc orthanc-dicomweb python3-fuse python3-vedo python3-venv python3-wheel xdotool xvfb xauth
 )
 fuzzPackages=(clang libclang-rt-14-dev)
 packageLog=build/packages.log

@@ -1,0 +1,93 @@
+#ifndef Varimarch_Archive_Archive_h
+#define Varimarch_Archive_Archive_h
+
+#include "Archive/ArchiveAddress.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// Words to search studies for. Empty ones match all.
+struct ArchiveQuery
+{
+  std::string patientName; ///< "DOE" finds all names that begin so; '*' and '?' are wild cards
+  std::string patientId;
+  std::string dates; ///< "20261126", or a range "20260101-20261231", open on either side
+  std::string modality;
+};
+
+/// The name as a pattern. People type its beginning, but archives compare all of it.
+std::string NamePattern(const ArchiveQuery& query);
+
+/// A study in an archive. It identifies the patient. Texts are in UTF-8; any may be empty.
+struct ArchiveStudy
+{
+  std::string uid;
+  std::string patientName; ///< as stored, "DOE^JANE"
+  std::string patientId;
+  std::string date; ///< as stored, "20261126"
+  std::string description;
+  std::string modalities; ///< "CT, SEG"
+};
+
+struct ArchiveSeries
+{
+  std::string uid;
+  std::string number;
+  std::string description;
+  std::string modality;
+  std::string imageCount; ///< empty if the archive does not tell
+};
+
+/// Receives the fraction of the work done, [0, 1], or a negative number if that is unknown; returns
+/// false to cancel.
+using ArchiveProgress = std::function<bool(double)>;
+
+/// Thrown if the user has cancelled.
+struct ArchiveCancelled
+{
+};
+
+/// A connection to an archive of images (PACS). Each function opens a connection of its own. Each
+/// throws std::runtime_error with one sentence that names the archive and what failed: an archive
+/// that is silent for as long as its address allows has failed too.
+class Archive
+{
+public:
+  virtual ~Archive() = default;
+
+  /// The most studies or series that a search may find.
+  static constexpr std::size_t MostFound = 1000;
+
+  /// Asks the archive to answer.
+  virtual void Check(const ArchiveProgress& progress) = 0;
+
+  /// @throws std::runtime_error also if more than MostFound match
+  virtual std::vector<ArchiveStudy> FindStudies(
+    const ArchiveQuery& query, const ArchiveProgress& progress) = 0;
+  virtual std::vector<ArchiveSeries> FindSeries(
+    const std::string& study, const ArchiveProgress& progress) = 0;
+
+  /// Fetches the images of a study, or of one of its series, into files "image-1.dcm" and so on of
+  /// a folder.
+  /// @param series  empty for all
+  /// @returns the number of images, at least 1
+  virtual int Fetch(const std::string& study, const std::string& series, const std::string& folder,
+    const ArchiveProgress& progress) = 0;
+
+  /// Sends DICOM files.
+  virtual void Send(const std::vector<std::string>& files, const ArchiveProgress& progress) = 0;
+};
+
+/// The archive at an address. Nothing is sent yet.
+/// @param password  for the user of the address; it is sent only through TLS or to this computer
+/// @throws std::runtime_error if the address asks for something that there is no way to do
+std::unique_ptr<Archive> ArchiveAt(const ArchiveAddress& address, const std::string& password);
+
+}
+
+#endif

@@ -1,0 +1,102 @@
+#include "Archive/ArchiveAddress.h"
+
+#include <QUrl>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr std::size_t LongestTitle = 16;
+
+[[noreturn]] void FailOnAddress(
+  const std::string& url, const std::string& expected, const std::string& found)
+{
+  throw std::invalid_argument(
+    "Cannot use the archive \"" + url + "\": expected " + expected + ", found " + found + ".");
+}
+
+bool IsTitle(const std::string& text)
+{
+  const auto isAllowed = [](char letter)
+  { return letter > 0x20 && letter < 0x7f && letter != '\\'; };
+  return !text.empty() && text.size() <= LongestTitle &&
+    std::all_of(text.begin(), text.end(), isAllowed);
+}
+
+QUrl UrlOf(const ArchiveAddress& address)
+{
+  return QUrl(QString::fromStdString(address.url), QUrl::StrictMode);
+}
+
+}
+
+bool IsDimse(const ArchiveAddress& address)
+{
+  const QString scheme = UrlOf(address).scheme();
+  return scheme == "dicom" || scheme == "dicoms";
+}
+
+DimseEndpoint DimseEndpointOf(const ArchiveAddress& address)
+{
+  const QUrl url = UrlOf(address);
+  const std::string title = url.userName(QUrl::FullyDecoded).toStdString();
+  if (!IsTitle(title))
+  {
+    FailOnAddress(address.url,
+      "the archive's application entity title before '@', of 1 to 16 characters",
+      title.empty() ? "none" : '"' + title + '"');
+  }
+  if (url.port() < 1)
+  {
+    FailOnAddress(address.url, "a port behind the host, such as :4242", "none");
+  }
+  return { title, url.host().toStdString(), url.port(), url.scheme() == "dicoms" };
+}
+
+void CheckAddress(const ArchiveAddress& address)
+{
+  const QUrl url = UrlOf(address);
+  const bool isWeb = url.scheme() == "http" || url.scheme() == "https";
+  if (!url.isValid() || url.host().isEmpty() || !(isWeb || IsDimse(address)))
+  {
+    FailOnAddress(address.url, "a URL such as dicom://ARCHIVE@host:4242 or https://host/dicom-web",
+      "another text");
+  }
+  if (!url.password().isEmpty() || (isWeb && !url.userName().isEmpty()))
+  {
+    FailOnAddress(address.url, "no name and no password in the URL", "some");
+  }
+  if (isWeb)
+  {
+    return;
+  }
+  const DimseEndpoint endpoint = DimseEndpointOf(address);
+  if (!IsTitle(address.ownTitle))
+  {
+    FailOnAddress(address.url, "an own application entity title of 1 to 16 characters",
+      '"' + address.ownTitle + '"');
+  }
+  // DCMTK does not compare the host with the name in the certificate.
+  if (endpoint.isEncrypted && address.certificate.empty())
+  {
+    FailOnAddress(
+      address.url, "a file with the certificate of the archive or of its authority", "none");
+  }
+  if (endpoint.isEncrypted && address.returnPort != 0)
+  {
+    FailOnAddress(address.url, "C-GET or DICOMweb for encrypted images", "C-MOVE");
+  }
+}
+
+bool IsUid(const std::string& text)
+{
+  return !text.empty() && text.size() <= LongestUid &&
+    text.find_first_not_of("0123456789.") == std::string::npos;
+}
+
+}

@@ -1,0 +1,297 @@
+#include "Archive/DimseArchive.h"
+
+#include "Archive/Association.h"
+#include "Archive/ReturnPort.h"
+
+#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmnet/diutil.h>
+#include <dcmtk/oflog/oflog.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+namespace
+{
+
+constexpr const char* FindClass = UID_FINDStudyRootQueryRetrieveInformationModel;
+constexpr const char* GetClass = UID_GETStudyRootQueryRetrieveInformationModel;
+constexpr const char* MoveClass = UID_MOVEStudyRootQueryRetrieveInformationModel;
+
+using Words = std::map<DcmTagKey, std::string>;
+
+// A search, or a list of what to fetch.
+DcmDataset DatasetOf(const char* level, const Words& words)
+{
+  DcmDataset dataset;
+  dataset.putAndInsertString(DCM_SpecificCharacterSet, "ISO_IR 192");
+  dataset.putAndInsertString(DCM_QueryRetrieveLevel, level);
+  for (const auto& [tag, word] : words)
+  {
+    dataset.putAndInsertString(tag, word.c_str());
+  }
+  return dataset;
+}
+
+std::string TextOf(DcmDataset& dataset, const DcmTagKey& tag)
+{
+  OFString text;
+  dataset.findAndGetOFStringArray(tag, text);
+  return text.c_str();
+}
+
+// The study, or the series of it, that is to be fetched.
+DcmDataset Wanted(const std::string& study, const std::string& series)
+{
+  Words words = { { DCM_StudyInstanceUID, study } };
+  if (!series.empty())
+  {
+    words[DCM_SeriesInstanceUID] = series;
+  }
+  return DatasetOf(series.empty() ? "STUDY" : "SERIES", words);
+}
+
+// Checks the last answer to a wish for images.
+void CheckTransfer(const Association& association, const RetrieveResponse& last)
+{
+  if (last.m_numberOfFailedSubops > 0)
+  {
+    association.Fail(
+      "it has failed to send images: " + std::to_string(last.m_numberOfFailedSubops));
+  }
+  if (DICOM_FAILURE_STATUS(last.m_status))
+  {
+    association.Fail(std::string("it refuses to send: ") + DU_cmoveStatusString(last.m_status));
+  }
+}
+
+// Answers of an archive, which DCMTK leaves to its caller.
+template <class Response>
+struct Responses
+{
+  Responses() = default;
+  ~Responses()
+  {
+    for (Response* const response : this->list)
+    {
+      delete response;
+    }
+  }
+  Responses(const Responses&) = delete;
+  void operator=(const Responses&) = delete;
+
+  OFList<Response*> list;
+};
+
+// The answers to a search, in UTF-8.
+class Answers
+{
+public:
+  Answers(const ArchiveAddress& address, const char* level, const Words& words,
+    const ArchiveProgress& report)
+  {
+    DimseProgress progress{ report };
+    Association association(address, { { FindClass, PlainSyntaxes() } }, progress);
+    DcmDataset query = DatasetOf(level, words);
+    const OFCondition result =
+      association->sendFINDRequest(association.ContextOf(FindClass), &query, &this->responses.list);
+    if (progress.answerCount > Archive::MostFound + 1)
+    {
+      progress.isCancelled = true; // ends the association at once
+      association.Fail(
+        "more than " + std::to_string(Archive::MostFound) + " entries match; search for less");
+    }
+    association.Check(result);
+    const Uint16 status = this->responses.list.empty() ? 0 : this->responses.list.back()->m_status;
+    if (!this->responses.list.empty() && DICOM_FAILURE_STATUS(status))
+    {
+      association.Fail(std::string("it refuses to search: ") + DU_cfindStatusString(status));
+    }
+  }
+
+  // Calls a function with each data set that was found.
+  template <class Function>
+  void ForEach(const Function& take)
+  {
+    for (QRResponse* const response : this->responses.list)
+    {
+      if (response->m_dataset)
+      {
+        response->m_dataset->convertToUTF8();
+        take(*response->m_dataset);
+      }
+    }
+  }
+
+private:
+  Responses<QRResponse> responses;
+};
+
+// Texts with backslashes, as DICOM separates values, as people write them.
+std::string Listed(std::string text)
+{
+  for (std::size_t place = 0; (place = text.find('\\', place)) != std::string::npos; place += 2)
+  {
+    text.replace(place, 1, ", ");
+  }
+  return text;
+}
+
+// Contexts in which an archive sends images. It takes the compressed one for those that it has
+// compressed.
+void AddImageContexts(std::vector<DimseContext>& contexts)
+{
+  for (const std::string& objectClass : ImageClasses())
+  {
+    contexts.push_back({ objectClass, PlainSyntaxes(), true });
+    contexts.push_back({ objectClass, CompressedSyntaxes(), true });
+  }
+}
+
+// The class and the encoding of a file, of which only the head is read.
+DimseContext ContextOfFile(const std::string& path)
+{
+  DcmFileFormat file;
+  OFString objectClass;
+  OFString syntax;
+  const bool isRead =
+    file.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_metaOnly)
+      .good() &&
+    file.getMetaInfo()->findAndGetOFString(DCM_MediaStorageSOPClassUID, objectClass).good() &&
+    file.getMetaInfo()->findAndGetOFString(DCM_TransferSyntaxUID, syntax).good();
+  if (!isRead)
+  {
+    throw std::runtime_error(
+      "Cannot send \"" + path + "\": expected a DICOM file, found another or none.");
+  }
+  return { objectClass.c_str(), { syntax.c_str() } };
+}
+
+}
+
+DimseArchive::DimseArchive(const ArchiveAddress& address)
+  : address(address)
+{
+  // DCMTK would print names of patients.
+  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+}
+
+void DimseArchive::Check(const ArchiveProgress& report)
+{
+  DimseProgress progress{ report };
+  Association association(
+    this->address, { { UID_VerificationSOPClass, PlainSyntaxes() } }, progress);
+  association.Check(association->sendECHORequest(association.ContextOf(UID_VerificationSOPClass)));
+}
+
+std::vector<ArchiveStudy> DimseArchive::FindStudies(
+  const ArchiveQuery& query, const ArchiveProgress& progress)
+{
+  Answers answers(this->address, "STUDY",
+    { { DCM_PatientName, NamePattern(query) }, { DCM_PatientID, query.patientId },
+      { DCM_StudyDate, query.dates }, { DCM_ModalitiesInStudy, query.modality },
+      { DCM_StudyInstanceUID, "" }, { DCM_StudyDescription, "" } },
+    progress);
+  std::vector<ArchiveStudy> studies;
+  answers.ForEach(
+    [&](DcmDataset& study)
+    {
+      studies.push_back({ TextOf(study, DCM_StudyInstanceUID), TextOf(study, DCM_PatientName),
+        TextOf(study, DCM_PatientID), TextOf(study, DCM_StudyDate),
+        TextOf(study, DCM_StudyDescription), Listed(TextOf(study, DCM_ModalitiesInStudy)) });
+    });
+  return studies;
+}
+
+std::vector<ArchiveSeries> DimseArchive::FindSeries(
+  const std::string& study, const ArchiveProgress& progress)
+{
+  Answers answers(this->address, "SERIES",
+    { { DCM_StudyInstanceUID, study }, { DCM_SeriesInstanceUID, "" }, { DCM_SeriesNumber, "" },
+      { DCM_SeriesDescription, "" }, { DCM_Modality, "" },
+      { DCM_NumberOfSeriesRelatedInstances, "" } },
+    progress);
+  std::vector<ArchiveSeries> all;
+  answers.ForEach(
+    [&](DcmDataset& series)
+    {
+      all.push_back({ TextOf(series, DCM_SeriesInstanceUID), TextOf(series, DCM_SeriesNumber),
+        TextOf(series, DCM_SeriesDescription), TextOf(series, DCM_Modality),
+        TextOf(series, DCM_NumberOfSeriesRelatedInstances) });
+    });
+  return all;
+}
+
+int DimseArchive::Fetch(const std::string& study, const std::string& series,
+  const std::string& folder, const ArchiveProgress& report)
+{
+  const bool isMove = this->address.returnPort != 0;
+  const char* const objectClass = isMove ? MoveClass : GetClass;
+  std::vector<DimseContext> contexts = { { objectClass, PlainSyntaxes() } };
+  if (!isMove)
+  {
+    AddImageContexts(contexts);
+  }
+  DcmDataset wanted = Wanted(study, series);
+  DimseProgress progress{ report, folder };
+  std::optional<ReturnPort> arrival;
+  if (isMove)
+  {
+    arrival.emplace(this->address, progress);
+  }
+  Association association(this->address, contexts, progress);
+  const T_ASC_PresentationContextID context = association.ContextOf(objectClass);
+  Responses<RetrieveResponse> responses;
+  const OFCondition result = isMove
+    ? association->sendMOVERequest(
+        context, this->address.ownTitle.c_str(), &wanted, &responses.list)
+    : association->sendCGETRequest(context, &wanted, &responses.list);
+  arrival.reset(); // all images have arrived
+  association.Check(result);
+  if (!responses.list.empty())
+  {
+    CheckTransfer(association, *responses.list.back());
+  }
+  if (progress.imageCount == 0)
+  {
+    association.Fail("it sends no image");
+  }
+  return progress.imageCount;
+}
+
+void DimseArchive::Send(const std::vector<std::string>& files, const ArchiveProgress& report)
+{
+  std::vector<DimseContext> contexts;
+  std::set<std::pair<std::string, std::string>> known;
+  for (const std::string& file : files)
+  {
+    const DimseContext context = ContextOfFile(file);
+    if (known.insert({ context.objectClass, context.syntaxes.front() }).second)
+    {
+      contexts.push_back(context);
+    }
+  }
+  DimseProgress progress{ report };
+  progress.remaining = int(files.size());
+  Association association(this->address, contexts, progress);
+  for (const std::string& file : files)
+  {
+    Uint16 status = 0;
+    progress.GoesOn();
+    association.Check({});
+    const OFCondition result = association->sendSTORERequest(0, file.c_str(), nullptr, status);
+    if (result.good() && DICOM_FAILURE_STATUS(status))
+    {
+      association.Fail("it has not stored \"" + file + "\": " + DU_cstoreStatusString(status));
+    }
+    association.Check(result);
+    ++progress.imageCount;
+    --progress.remaining;
+  }
+}
+
+}

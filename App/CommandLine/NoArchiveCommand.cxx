@@ -1,0 +1,8 @@
+#include "AddArchiveCommand.h"
+
+namespace varimarch
+{
+
+void AddArchiveCommand(CLI::App&) {}
+
+}

@@ -1,0 +1,251 @@
+#!/usr/bin/env python3
+"""varimarch archive, with servers that are silent, end in the middle, or send nonsense.
+
+Usage: test_bad_archives.py VARIMARCH CASE
+Each ends in one sentence that names the archive, within the patience that it was given.
+"""
+
+import contextlib
+import os
+import pathlib
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+PATIENCE = 1.0
+# Much longer than the patience: the machine may be busy. A program that waits on is killed later.
+MOST_SECONDS = 30.0
+
+
+@contextlib.contextmanager
+def server(serve):
+    """A server that calls serve(connection) for each connection, in a thread. Yields its port."""
+    listening = socket.create_server(("127.0.0.1", 0))
+    open_connections = []
+
+    def accept():
+        with contextlib.suppress(OSError):
+            while True:
+                connection, _ = listening.accept()
+                open_connections.append(connection)
+                with contextlib.suppress(OSError):
+                    serve(connection)
+
+    threading.Thread(target=accept, daemon=True).start()
+    yield listening.getsockname()[1]
+    for connection in open_connections:
+        connection.close()
+    listening.shutdown(socket.SHUT_RDWR)
+    listening.close()
+
+
+def sentence(*arguments):
+    """The only line that the program prints as it fails."""
+    start = time.monotonic()
+    answer = subprocess.run(
+        [sys.argv[1], "archive", *arguments, "--patience", str(PATIENCE)],
+        capture_output=True,
+        text=True,
+        timeout=4 * MOST_SECONDS,
+    )
+    assert answer.returncode == 1, answer
+    # What takes a second is announced, such as "searching ...".
+    lines = [line for line in answer.stderr.splitlines() if not line.endswith("ing ...")]
+    assert len(lines) == 1 and lines[0].endswith(".") and arguments[1] in lines[0], answer.stderr
+    assert not lines[0].endswith(".."), lines[0]
+    assert time.monotonic() - start < MOST_SECONDS
+    return lines[0]
+
+
+def dimse(port):
+    return f"dicom://FAKE@127.0.0.1:{port}"
+
+
+def web(port):
+    return f"http://127.0.0.1:{port}/dicom-web"
+
+
+def read_request(connection):
+    request = b""
+    while b"\r\n\r\n" not in request:
+        more = connection.recv(65536)
+        if not more:
+            break
+        request += more
+
+
+def answering(*parts, pause=0.0, closes=True):
+    """A server of HTTP that sends these bytes."""
+
+    def serve(connection):
+        read_request(connection)
+        for part in parts:
+            connection.sendall(part)
+            time.sleep(pause)
+        if closes:
+            connection.close()
+
+    return serve
+
+
+def silent_servers_are_not_waited_for():
+    with server(lambda connection: None) as port:
+        assert "has been silent for 1 s" in sentence("check", web(port))
+        sentence("check", dimse(port))
+    head = b"HTTP/1.1 200 OK\r\nContent-Length: 500\r\nContent-Type: application/json\r\n\r\n["
+    with server(answering(head, closes=False)) as port:
+        assert "has been silent for 1 s" in sentence("find", web(port))
+
+
+def nobody_at_the_port_is_told():
+    with socket.socket() as place:
+        place.bind(("127.0.0.1", 0))
+        for archive in (dimse, web):
+            sentence("check", archive(place.getsockname()[1]))
+
+
+def connections_that_end_are_told():
+    with server(lambda connection: connection.close()) as port:
+        for archive in (dimse, web):
+            sentence("check", archive(port))
+    accepted = accepted_association()
+
+    def end_after_accepting(connection):
+        connection.recv(65536)
+        connection.sendall(accepted)
+        connection.recv(65536)
+        connection.close()
+
+    with server(end_after_accepting) as port:
+        sentence("check", dimse(port))
+        sentence("find", dimse(port))
+
+
+def silence_after_a_greeting_is_not_waited_for():
+    def serve(connection):
+        connection.recv(65536)
+        connection.sendall(accepted_association())
+
+    with server(serve) as port:
+        assert "has been silent for 1 s" in sentence("check", dimse(port))
+
+
+def nonsense_is_told():
+    with server(lambda connection: connection.sendall(os.urandom(4096))) as port:
+        sentence("check", dimse(port))
+
+    def answer_with_nonsense(connection):
+        connection.recv(65536)
+        connection.sendall(accepted_association() + b"\x04\x00\x00\x00\x00\x20" + b"\xff" * 32)
+
+    with server(answer_with_nonsense) as port:
+        sentence("find", dimse(port))
+    for body in (b"{}", b"[1, 2", b"<html>", b"\xff\xfe"):
+        with server(answering(page(body))) as port:
+            assert "not a list in JSON" in sentence("find", web(port))
+
+
+def page(body, kind=b"application/dicom+json", status=b"200 OK"):
+    length = str(len(body)).encode()
+    return b"HTTP/1.1 %s\r\nContent-Type: %s\r\nContent-Length: %s\r\n\r\n%s" % (
+        status,
+        kind,
+        length,
+        body,
+    )
+
+
+def refusals_are_told():
+    with server(answering(page(b"", status=b"401 Unauthorized"))) as port:
+        assert "asks for a user and a password" in sentence("check", web(port))
+    with server(answering(page(b"", status=b"500 Oh"))) as port:
+        assert "status 500" in sentence("check", web(port))
+    moved = b"HTTP/1.1 302 Found\r\nLocation: http://elsewhere.example/\r\nContent-Length: 0\r\n\r\n"
+    with server(answering(moved)) as port:
+        assert "elsewhere.example" in sentence("check", web(port))
+
+
+def damaged_images_leave_a_sentence():
+    multipart = b'multipart/related; type="application/dicom"; boundary="==b"'
+    part = b"--==b\r\nContent-Type: application/dicom\r\n\r\nDICM bytes"
+    for body, words in [
+        (part, "ends early"),
+        (part + b"\r\n--==b\r\n", "ends early"),
+        (b"x" * 200000, "not in parts"),
+        (b"--==b--", "no image"),
+    ]:
+        with server(answering(page(body, multipart))) as port:
+            with tempfile.TemporaryDirectory() as folder:
+                told = sentence("get", web(port), "--study", "1.2", "-o", folder)
+                assert words in told, told
+    with server(answering(page(part, b"application/json"))) as port:
+        with tempfile.TemporaryDirectory() as folder:
+            sentence("get", web(port), "--study", "1.2", "-o", folder)
+
+
+def images_in_small_pieces_are_whole():
+    body = (
+        b"--==b\r\nContent-Location: ../../evil\r\n\r\nfirst\r\n--==x\r\n--==b\r\n\r\nsecond\r\n--==b--\r\n"
+    )
+    multipart = b"multipart/related; boundary===b; type=application/dicom"
+    message = page(body, multipart)
+    pieces = [message[i : i + 3] for i in range(0, len(message), 3)]
+    with server(answering(*pieces, pause=0.001)) as port, tempfile.TemporaryDirectory() as folder:
+        subprocess.run(
+            [sys.argv[1], "archive", "get", web(port), "--study", "1.2", "-o", folder],
+            check=True,
+            capture_output=True,
+            timeout=MOST_SECONDS,
+        )
+        files = {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir()}
+        assert files == {"image-1.dcm": b"first\r\n--==x", "image-2.dcm": b"second"}, files
+
+
+def passwords_do_not_cross_the_network_in_clear():
+    answer = subprocess.run(
+        [sys.argv[1], "archive", "check", "http://pacs.example/dicom-web", "--user", "jane"],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "VARIMARCH_ARCHIVE_PASSWORD": "secret"},
+    )
+    assert answer.returncode == 1 and "expected https for a password" in answer.stderr, answer
+    assert "secret" not in answer.stderr
+
+
+def addresses_are_checked():
+    for address, words in [
+        ("pacs", "a URL such as"),
+        ("ftp://host/", "a URL such as"),
+        ("dicom://host:104", "title before '@'"),
+        ("dicom://A_TITLE_THAT_IS_TOO_LONG@host:104", "title before '@'"),
+        ("dicom://PACS@host", "a port"),
+        ("dicoms://PACS@host:104", "the certificate"),
+        ("https://jane:secret@host/", "no password in the URL"),
+    ]:
+        answer = subprocess.run(
+            [sys.argv[1], "archive", "check", address], capture_output=True, text=True
+        )
+        assert answer.returncode == 2 and words in answer.stderr, answer
+
+
+def accepted_association():
+    """A-ASSOCIATE-AC that accepts all contexts, 1, 3, 5 ..., in implicit little endian (PS3.8 9.3.3)."""
+
+    def item(kind, content):
+        return struct.pack(">BxH", kind, len(content)) + content
+
+    syntax = item(0x40, b"1.2.840.10008.1.2")
+    contexts = b"".join(item(0x21, bytes([i, 0, 0, 0]) + syntax) for i in range(1, 3, 2))
+    application = item(0x10, b"1.2.840.10008.3.1.1.1")
+    user = item(0x50, item(0x51, struct.pack(">I", 16384)) + item(0x52, b"1.2.3.4"))
+    titles = b"FAKE".ljust(16) + b"VARIMARCH".ljust(16)
+    content = struct.pack(">Hxx", 1) + titles + bytes(32) + application + contexts + user
+    return struct.pack(">BxI", 2, len(content)) + content
+
+
+if __name__ == "__main__":
+    globals()[sys.argv[2]]()
