@@ -1,7 +1,6 @@
 #include "Scene/ImageFiles.h"
 
 #include "Scene/OutputFile.h"
-#include "Scene/SecondaryCapture.h"
 
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
@@ -106,7 +105,7 @@ void WritePicture(vtkImageData* bytePicture, const PictureOrigin& origin, const 
   }
   WriteFileWhole(path,
     [&](const std::string& part)
-    { return WriteSecondaryCapture(bytePicture, DerivationOf(origin), part); });
+    { return WriteSecondaryCapture(bytePicture, DerivationOf(origin), part, origin.identity); });
 }
 
 }

@@ -2,6 +2,7 @@
 #define Varimarch_Scene_ImageFiles_h
 
 #include "Scene/Scene.h"
+#include "Scene/SecondaryCapture.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -19,7 +20,7 @@ namespace varimarch
 enum class PictureFormat
 {
   Png,
-  Dicom, ///< a Secondary Capture Image without data of the patient, see SecondaryCapture.h
+  Dicom, ///< a Secondary Capture Image, see SecondaryCapture.h
 };
 
 /// How an image was made.
@@ -28,6 +29,7 @@ struct PictureOrigin
   RenderOptions render;
   MapperKind mapper = MapperKind::Varimarch;
   std::string scene = {}; ///< the scene as text, for a PNG's entry "varimarch-scene"; may be empty
+  CaptureIdentity identity = {}; ///< for a DICOM file; usually empty
 };
 
 /// Composites a float image over a background and rounds it to bytes.

@@ -53,9 +53,6 @@ std::vector<TextAttribute> TextAttributes(const std::string& derivation)
     { { 0x0008, 0x2111 }, VR::ST, derivation },
     { { 0x0008, 0x0064 }, VR::CS, "WSD" },
     { { 0x0018, 0x1016 }, VR::LO, "Varimarch" },
-    // Nothing in the image names the patient or a date.
-    { { 0x0012, 0x0062 }, VR::CS, "YES" },
-    { { 0x0012, 0x0063 }, VR::LO, "No attribute of the scan is copied" },
     { { 0x0028, 0x0301 }, VR::CS, "NO" },
     // Type 2: they must be there, but may be empty. First the patient's name, identity, date of
     // birth and sex.
@@ -72,6 +69,30 @@ std::vector<TextAttribute> TextAttributes(const std::string& derivation)
     { { 0x0020, 0x0060 }, VR::CS, "" }, // laterality
     { { 0x0028, 0x0004 }, VR::CS, "RGB" },
   };
+}
+
+// The attributes that name nobody, or those of a patient.
+std::vector<TextAttribute> TextAttributes(
+  const std::string& derivation, const CaptureIdentity& identity)
+{
+  std::vector<TextAttribute> attributes = TextAttributes(derivation);
+  if (identity.empty())
+  {
+    // Nothing in the image names the patient or a date.
+    attributes.push_back({ { 0x0012, 0x0062 }, VR::CS, "YES" });
+    attributes.push_back({ { 0x0012, 0x0063 }, VR::LO, "No attribute of the scan is copied" });
+    return attributes;
+  }
+  attributes.push_back({ { 0x0008, 0x0005 }, VR::CS, "ISO_IR 192" }); // UTF-8
+  for (TextAttribute& attribute : attributes)
+  {
+    const auto given = identity.find(attribute.tag.GetElementTag());
+    if (given != identity.end())
+    {
+      attribute.text = given->second;
+    }
+  }
+  return attributes;
 }
 
 // The numbers of the module Image Pixel.
@@ -123,12 +144,12 @@ std::string BytesFromTheTop(vtkImageData* picture)
 
 }
 
-bool WriteSecondaryCapture(
-  vtkImageData* bytePicture, const std::string& derivation, const std::string& path)
+bool WriteSecondaryCapture(vtkImageData* bytePicture, const std::string& derivation,
+  const std::string& path, const CaptureIdentity& identity)
 {
   gdcm::Writer writer;
   gdcm::DataSet& data = writer.GetFile().GetDataSet();
-  for (const TextAttribute& attribute : TextAttributes(derivation))
+  for (const TextAttribute& attribute : TextAttributes(derivation, identity))
   {
     data.Insert(Element(attribute.tag, attribute.representation, attribute.text));
   }

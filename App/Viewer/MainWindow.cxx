@@ -183,6 +183,8 @@ void MainWindow::MakeFileMenu()
   file->addSeparator();
   file->addAction(tr("Export an &image…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"))
     ->setObjectName("exportImage");
+  file->addAction(tr("Send the i&mage to an archive…"), this, &MainWindow::SendPicture)
+    ->setObjectName("sendImage");
   file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
   file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport);
   file->addSeparator();

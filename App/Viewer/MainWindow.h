@@ -8,7 +8,9 @@
 
 #include <QMainWindow>
 
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 class QDockWidget;
@@ -21,6 +23,7 @@ namespace varimarch
 
 class ComparisonView;
 class SegmentEditor;
+class PrivateFolder;
 class SliceView;
 class StartPage;
 class ViewLayout;
@@ -77,6 +80,12 @@ private:
   void MakeStartPage();
   void MakeFileMenu();
   void MakeArchiveActions(QMenu* menu);
+  void ShowArchive();
+  void SendPicture();
+  void OpenFetched(const QString& folder, const std::shared_ptr<const PrivateFolder>& temporary);
+
+  /// True for a scan that was fetched from an archive, and is deleted at the end.
+  bool IsTemporary(const std::string& path) const;
   void ShowStudies();
   void ShowTags();
   void MakeEditMenu();
@@ -149,7 +158,8 @@ private:
   bool addsScan = false;          ///< true while a further scan is being loaded
   bool isDropped = false;         ///< the file being loaded may be a segmentation of the scan
   std::vector<SeriesSummary> segmentations; ///< found in the folder that is being loaded
-  QString savedWork;                        ///< the work that is in a file
+  std::vector<std::shared_ptr<const PrivateFolder>> fetched; ///< scans of archives, until the end
+  QString savedWork;                                         ///< the work that is in a file
   int resetsInARow = 0; ///< resets of the graphics card without an image between them
   ComparisonView* view;
   std::vector<SliceView*> sliceViews;

@@ -290,7 +290,10 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
   this->savedWork = this->restoresAutosaved ? QString() : this->CurrentWork();
   if (const auto* const file = std::get_if<FileSource>(&source))
   {
-    this->recentScans.Add(*file, *study);
+    if (!this->IsTemporary(file->path))
+    {
+      this->recentScans.Add(*file, *study);
+    }
     this->OfferSegmentations(*file);
   }
   if (study->labels)

@@ -40,6 +40,14 @@ bool MainWindow::MayLeaveScan()
 // A session names the file of its segments, so they are saved first.
 bool MainWindow::SaveSession()
 {
+  const auto* const file = std::get_if<FileSource>(&this->model.CurrentScene().volume);
+  if (file && this->IsTemporary(file->path))
+  {
+    QMessageBox::information(this, tr("Cannot save"),
+      tr("This scan was fetched from an archive and is deleted at the end, so a session could not "
+         "find it again. Fetch it with \"Keep in…\" first."));
+    return false;
+  }
   if (this->model.HasUnsavedLabels() && !this->SaveSegmentation())
   {
     return false;

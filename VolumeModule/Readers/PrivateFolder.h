@@ -1,6 +1,8 @@
 #ifndef Varimarch_Readers_PrivateFolder_h
 #define Varimarch_Readers_PrivateFolder_h
 
+#include "VarimarchVolumeModule.h"
+
 #include <filesystem>
 
 namespace varimarch
@@ -9,7 +11,7 @@ namespace varimarch
 /// A folder that no other user can read, for copies of a patient's data. It is deleted with this
 /// object; what a killed program has left is deleted when the next such folder is made. It lies in
 /// memory where the system allows, so that the copies reach no disk.
-class PrivateFolder
+class VARIMARCHVOLUME_EXPORT PrivateFolder
 {
 public:
   /// @throws std::runtime_error if it cannot be made

@@ -1,7 +1,5 @@
 #include "Viewer/Model/BackgroundTask.h"
 
-#include "Readers/VolumeFile.h"
-
 #include <QMetaObject>
 
 #include <atomic>
@@ -75,9 +73,6 @@ void BackgroundTask::Run(const std::shared_ptr<State>& state)
         return !state->stop;
       });
   }
-  catch (const ReadCancelled&)
-  {
-  }
   catch (const std::bad_alloc&)
   {
     state->failure = tr("There is not enough memory.");
@@ -85,6 +80,10 @@ void BackgroundTask::Run(const std::shared_ptr<State>& state)
   catch (const std::exception& problem)
   {
     state->failure = QString::fromStdString(problem.what());
+  }
+  catch (...)
+  {
+    // The work was cancelled, which each library reports by an exception of its own.
   }
   state->work = nullptr; // it may own large results
   const std::lock_guard<std::mutex> lock(state->mutex);

@@ -10,7 +10,8 @@
 namespace varimarch
 {
 
-/// Receives the fraction of the work done, [0, 1]; returns false to cancel.
+/// Receives the fraction of the work done, [0, 1], or a negative number if that is unknown; returns
+/// false to cancel.
 using TaskProgress = std::function<bool(double)>;
 
 /// Work in a thread, one at a time, for a widget that goes on meanwhile. Work that does not stop
@@ -25,7 +26,8 @@ public:
   ~BackgroundTask() override;
 
   /// Cancels the last work and starts another.
-  /// @param work  runs in the thread; reports a failure by an exception
+  /// @param work  runs in the thread; reports a failure by a std::exception, and that it was
+  /// cancelled by any other
   /// @param done  runs in this object's thread after success
   void Start(std::function<void(const TaskProgress&)> work, std::function<void()> done);
 
@@ -35,7 +37,7 @@ public:
   bool IsRunning() const { return this->state != nullptr; }
 
 signals:
-  /// @param part  fraction of the work that is done, [0, 1]
+  /// @param part  as for TaskProgress
   void Progress(double part);
   /// @param reason  one sentence
   void Failed(const QString& reason);

@@ -1,0 +1,150 @@
+#include "Viewer/Archives/SendDialog.h"
+
+#include "Archive/Archive.h"
+#include "Readers/Dicom/TaggedSeries.h"
+#include "Readers/PrivateFolder.h"
+#include "Scene/ImageFiles.h"
+#include "Viewer/Model/SceneModel.h"
+#include "Viewer/View/PictureExport.h"
+#include "Viewer/View/VtkPictures.h"
+#include "Viewer/WaitCursor.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <cstdio>
+#include <exception>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The patient and the study of a scan, from the attributes of an image of it.
+CaptureIdentity IdentityOf(const FileSource& scan, const TaskProgress& goesOn)
+{
+  ReadProgress progress(goesOn);
+  const TaggedSeries series(scan.path, scan.series, progress);
+  CaptureIdentity identity;
+  for (const DicomTag& tag : series.Tags(series.Count() / 2))
+  {
+    unsigned int group = 0;
+    unsigned int element = 0;
+    if (tag.depth == 0 && std::sscanf(tag.tag.c_str(), "(%x,%x)", &group, &element) == 2)
+    {
+      // The image itself keeps its own attributes.
+      const bool isOfStudy = group == 0x0010 ||
+        (group == 0x0008 &&
+          (element == 0x0020 || element == 0x0030 || element == 0x0050 || element == 0x0090)) ||
+        (group == 0x0020 && (element == 0x000d || element == 0x0010));
+      if (isOfStudy)
+      {
+        identity[group << 16 | element] = tag.value;
+      }
+    }
+  }
+  return identity;
+}
+
+// Sends a picture, with the identity of a scan if one is given.
+void SendPicture(vtkImageData* picture, PictureOrigin origin, const std::optional<FileSource>& scan,
+  Archive& archive, const TaskProgress& goesOn)
+{
+  const PrivateFolder folder;
+  const std::string path = (folder.Path() / "image.dcm").string();
+  if (scan)
+  {
+    origin.identity = IdentityOf(*scan, goesOn);
+  }
+  WritePicture(picture, origin, path);
+  archive.Send({ path }, goesOn);
+}
+
+}
+
+SendDialog::SendDialog(SceneModel* model, QSize pixels, QWidget* parent)
+  : QDialog(parent)
+  , model(model)
+  , pixels(pixels)
+  , choice(new ArchiveChoice)
+  , overlay(new QCheckBox(tr("Directions and measurements")))
+  , identity(new QCheckBox(tr("With the patient and the study of the scan")))
+  , status(new QLabel)
+  , progress(new QProgressBar)
+{
+  this->setObjectName("send");
+  this->setWindowTitle(tr("Send the image to an archive"));
+  this->setAttribute(Qt::WA_DeleteOnClose);
+  this->resize(520, 0);
+  this->overlay->setChecked(true);
+  this->identity->setObjectName("identity");
+  this->identity->setEnabled(std::holds_alternative<FileSource>(model->CurrentScene().volume));
+  this->identity->setToolTip(
+    tr("Otherwise the image names nobody, and the archive lists it as a study of its own"));
+  this->status->setObjectName("status");
+  this->status->setWordWrap(true);
+  this->progress->setRange(0, 0);
+  auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  this->send = buttons->addButton(tr("Send"), QDialogButtonBox::ActionRole);
+  this->send->setObjectName("sendImage");
+  auto* const column = new QVBoxLayout(this);
+  column->addWidget(this->choice);
+  column->addWidget(this->overlay);
+  column->addWidget(this->identity);
+  column->addWidget(this->progress);
+  column->addWidget(this->status);
+  column->addWidget(buttons);
+  connect(this->send, &QPushButton::clicked, this, &SendDialog::Send);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  connect(&this->task, &BackgroundTask::RunningChanged, this, &SendDialog::ShowRunning);
+  connect(&this->task, &BackgroundTask::Failed, this->status, &QLabel::setText);
+  this->ShowRunning(false);
+}
+
+void SendDialog::ShowRunning(bool isRunning)
+{
+  this->progress->setVisible(isRunning);
+  this->send->setEnabled(!isRunning);
+}
+
+void SendDialog::Send()
+{
+  const std::optional<NamedArchive> archive = this->choice->Chosen();
+  if (!archive)
+  {
+    this->status->setText(tr("Add an archive first."));
+    return;
+  }
+  const auto password = PasswordOf(*archive, this);
+  if (!password)
+  {
+    return;
+  }
+  try
+  {
+    const WaitCursor cursor;
+    const Scene scene = this->model->CurrentScene();
+    PictureMaker maker(
+      scene, *this->model->CurrentStudy(), { this->pixels, false, this->overlay->isChecked() });
+    const vtkSmartPointer<vtkImageData> picture = BytesOfImage(maker.Draw());
+    const auto* const file = std::get_if<FileSource>(&scene.volume);
+    const auto scan = this->identity->isChecked() && file ? std::optional(*file) : std::nullopt;
+    this->task.Start(
+      [=, address = archive->address, secret = *password,
+        origin = PictureOrigin{ scene.render, MapperKind::Varimarch }](const TaskProgress& goesOn)
+      { SendPicture(picture, origin, scan, *ArchiveAt(address, secret), goesOn); },
+      [this] { this->status->setText(tr("The archive has stored the image.")); });
+    this->status->setText(tr("Sending…"));
+  }
+  catch (const std::exception& problem)
+  {
+    this->status->setText(QString::fromStdString(problem.what()));
+  }
+}
+
+}

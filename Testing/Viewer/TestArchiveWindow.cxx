@@ -1,0 +1,224 @@
+// The windows of archives, operated as a user does, with a server that answers by a table.
+
+#include "Archive/Archive.h"
+#include "FakeWebArchive.h"
+#include "Module/PhantomFiles.h"
+#include "Readers/PrivateFolder.h"
+#include "Scene/VolumeLoading.h"
+#include "Viewer/Archives/ArchiveForm.h"
+#include "Viewer/Archives/ArchiveWindow.h"
+#include "Waiting.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTest>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+using namespace varimarch;
+
+namespace
+{
+
+const QByteArray Json = "application/dicom+json";
+
+QByteArray StudyJson(const QByteArray& uid, const QByteArray& name)
+{
+  return R"({"0020000D":{"vr":"UI","Value":[")" + uid +
+    R"("]},"00100010":{"vr":"PN","Value":[{"Alphabetic":")" + name +
+    R"("}]},"00080020":{"vr":"DA","Value":["20261126"]},)"
+    R"("00080061":{"vr":"CS","Value":["CT","SEG"]}})";
+}
+
+// A message with the slices of a phantom.
+QByteArray Images()
+{
+  QByteArray body;
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    DicomOptions options;
+    options.instance = slice;
+    body += "--limit\r\nContent-Type: application/dicom\r\n\r\n" +
+      QByteArray::fromStdString(DicomBytes(phantom::Stored(0), slice, options)) + "\r\n";
+  }
+  return body + "--limit--";
+}
+
+class ArchiveOnScreen : public testing::Test
+{
+protected:
+  ArchiveOnScreen()
+  {
+    QSettings().clear();
+    NamedArchive archive;
+    archive.name = "hospital";
+    archive.address.url = this->server.Url().toStdString();
+    // GCC 12 wrongly warns of a vector of one made in place.
+    QVector<NamedArchive> archives;
+    archives.append(archive);
+    KeepArchives(archives);
+    this->window = std::make_unique<ArchiveWindow>(nullptr);
+    this->window->setAttribute(Qt::WA_DeleteOnClose, false);
+    this->window->show();
+    QObject::connect(this->window.get(), &ArchiveWindow::Fetched, this->window.get(),
+      [this](const QString& folder, const std::shared_ptr<const PrivateFolder>& temporary)
+      {
+        this->folder = folder;
+        this->temporary = temporary;
+      });
+  }
+
+  QString Status() const { return this->window->findChild<QLabel*>("status")->text(); }
+  QTreeWidget* Tree() const { return this->window->findChild<QTreeWidget*>(); }
+  void Press(const char* button) { this->window->findChild<QPushButton*>(button)->click(); }
+  bool Says(const QString& text)
+  {
+    return QTest::qWaitFor([&] { return this->Status().contains(text); }, MostMilliseconds);
+  }
+
+  void SearchTwoStudies()
+  {
+    this->server.Answer("/studies", Json,
+      '[' + StudyJson("1.2.2", "MAJOR^TOM") + ',' + StudyJson("1.2.1", "DOE^JANE") + ']');
+    this->Press("search");
+    ASSERT_TRUE(this->Says("Studies: 2")) << this->Status().toStdString();
+  }
+
+  FakeWebArchive server;
+  std::unique_ptr<ArchiveWindow> window;
+  QString folder;
+  std::shared_ptr<const PrivateFolder> temporary;
+};
+
+}
+
+TEST_F(ArchiveOnScreen, FindsStudiesAndTheirSeries)
+{
+  this->window->findChild<QLineEdit*>("patientName")->setText("M");
+  this->window->findChild<QLineEdit*>("modality")->setText("CT");
+  this->SearchTwoStudies();
+  const QString asked = this->server.requests.last();
+  EXPECT_TRUE(asked.contains("PatientName=M*")) << asked.toStdString();
+  EXPECT_TRUE(asked.contains("ModalitiesInStudy=CT")) << asked.toStdString();
+  QTreeWidgetItem* const first = this->Tree()->topLevelItem(0);
+  EXPECT_EQ(first->text(0), "DOE, JANE") << "sorted";
+  EXPECT_EQ(first->text(3), "CT, SEG");
+  this->server.Answer("/studies/1.2.1/series", Json,
+    R"([{"0020000E":{"Value":["1.2.1.5"]},"00200011":{"Value":[5]},"0008103E":{"Value":["Thin"]}}])");
+  first->setExpanded(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return first->childCount() == 1; }, MostMilliseconds));
+  EXPECT_EQ(first->child(0)->text(0), "Series 5");
+  EXPECT_EQ(first->child(0)->text(5), "Thin");
+}
+
+TEST_F(ArchiveOnScreen, OpensAScanThatVanishes)
+{
+  this->SearchTwoStudies();
+  this->server.Answer(
+    "/studies/1.2.1", "multipart/related; type=\"application/dicom\"; boundary=limit", Images());
+  this->Tree()->setCurrentItem(this->Tree()->topLevelItem(0));
+  this->Press("open");
+  ASSERT_TRUE(this->Says("Fetched")) << this->Status().toStdString();
+  ASSERT_TRUE(this->temporary);
+  const LoadedVolume volume = LoadVolume(FileSource{ this->folder.toStdString(), std::nullopt });
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_EQ(volume.image->GetScalarComponentAsDouble(1, 2, k, 0), phantom::ValueAt({ 1, 2, k }));
+  }
+  this->temporary.reset();
+  EXPECT_FALSE(QFile::exists(this->folder));
+}
+
+TEST_F(ArchiveOnScreen, TellsASilentServerAndIsCancelled)
+{
+  NamedArchive archive = KeptArchives().first();
+  archive.address.patience = 0.3;
+  try
+  {
+    ArchiveAt(archive.address, {})->Check([](double) { return true; });
+    FAIL() << "a silent server has answered";
+  }
+  catch (const std::runtime_error& problem)
+  {
+    EXPECT_NE(std::string(problem.what()).find("silent for 0.3 s"), std::string::npos)
+      << problem.what();
+  }
+  this->Press("search");
+  auto* const cancel = this->window->findChild<QPushButton*>("cancel");
+  EXPECT_TRUE(cancel->isVisible());
+  cancel->click();
+  EXPECT_FALSE(cancel->isVisible());
+  EXPECT_EQ(this->Status(), "It was cancelled");
+}
+
+TEST_F(ArchiveOnScreen, ShowsTheFaultOfADamagedAnswer)
+{
+  this->server.Answer("/studies", Json, "[{");
+  this->Press("search");
+  EXPECT_TRUE(this->Says("its answer to a search is not a list in JSON"));
+  EXPECT_EQ(this->Tree()->topLevelItemCount(), 0);
+}
+
+TEST_F(ArchiveOnScreen, AsksForNothingThatIsNoUid)
+{
+  this->server.Answer("/studies", Json, '[' + StudyJson("../../admin", "DOE^JANE") + ']');
+  this->Press("search");
+  ASSERT_TRUE(this->Says("Studies: 1"));
+  const int before = this->server.requests.size();
+  this->Tree()->setCurrentItem(this->Tree()->topLevelItem(0));
+  this->Press("open");
+  EXPECT_TRUE(this->Says("expected a UID")) << this->Status().toStdString();
+  EXPECT_EQ(this->server.requests.size(), before);
+}
+
+TEST_F(ArchiveOnScreen, IsSetUpInAForm)
+{
+  this->Press("addArchive");
+  auto* const form = this->window->findChild<ArchiveForm*>();
+  ASSERT_TRUE(form);
+  const auto type = [form](const char* field, const QString& text)
+  { QTest::keyClicks(form->findChild<QLineEdit*>(field), text); };
+  QPushButton* const ok = form->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  type("name", "clinic");
+  type("host", "pacs.example");
+  ok->click();
+  EXPECT_TRUE(form->findChild<QLabel*>("status")->text().contains("title before '@'"))
+    << "the title is missing";
+  EXPECT_TRUE(form->isVisible());
+  type("title", "CLINIC");
+  form->findChild<QSpinBox*>("port")->setValue(11112);
+  form->findChild<QSpinBox*>("returnPort")->setValue(4006);
+  ok->click();
+  ASSERT_EQ(KeptArchives().size(), 2);
+  const NamedArchive kept = KeptArchives().last();
+  EXPECT_EQ(kept.name, "clinic");
+  EXPECT_EQ(kept.address.url, "dicom://CLINIC@pacs.example:11112");
+  EXPECT_EQ(kept.address.ownTitle, "VARIMARCH");
+  EXPECT_EQ(kept.address.returnPort, 4006);
+  EXPECT_EQ(this->window->findChild<QComboBox*>("archives")->currentText(), "clinic");
+  const auto others = QFile::ReadGroup | QFile::ReadOther;
+  EXPECT_FALSE(QFile(QSettings().fileName()).permissions() & others);
+}
+
+TEST_F(ArchiveOnScreen, IsTriedOutInTheForm)
+{
+  this->server.Answer("/studies", Json, "[]");
+  ArchiveForm form(KeptArchives().first(), nullptr);
+  form.show();
+  EXPECT_TRUE(form.findChild<QLineEdit*>("url")->isVisible());
+  EXPECT_FALSE(form.findChild<QLineEdit*>("host")->isVisible());
+  form.findChild<QPushButton*>("test")->click();
+  auto* const status = form.findChild<QLabel*>("status");
+  EXPECT_TRUE(
+    QTest::qWaitFor([&] { return status->text() == "The archive answers."; }, MostMilliseconds));
+}

@@ -1,0 +1,85 @@
+// An image is sent to an archive from the window, with or without the patient.
+
+#include "FakeWebArchive.h"
+#include "Module/PhantomFiles.h"
+#include "Viewer/Archives/ArchiveList.h"
+#include "Viewer/Archives/SendDialog.h"
+#include "Viewer/MainWindow.h"
+#include "Waiting.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+class Sending : public testing::Test
+{
+protected:
+  Sending()
+  {
+    QSettings().clear();
+    NamedArchive archive;
+    archive.name = "hospital";
+    archive.address.url = this->server.Url().toStdString();
+    // GCC 12 wrongly warns of a vector of one made in place.
+    QVector<NamedArchive> archives;
+    archives.append(archive);
+    KeepArchives(archives);
+    this->server.Answer("/studies", "application/dicom+json", "{}");
+    this->window.show();
+  }
+
+  void OpenScan()
+  {
+    for (int slice = 0; slice < 3; ++slice)
+    {
+      this->scans.Write("scan/" + std::to_string(slice), DicomBytes(phantom::Stored(0), slice));
+    }
+    this->window.Open(QString::fromStdString(this->scans.Path("scan")));
+    ASSERT_TRUE(QTest::qWaitFor(
+      [this] { return this->window.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
+  }
+
+  // Sends the image, and returns its file.
+  QByteArray Sent(bool withIdentity)
+  {
+    this->window.findChild<QAction*>("sendImage")->trigger();
+    auto* const dialog = this->window.findChild<SendDialog*>();
+    dialog->findChild<QCheckBox*>("identity")->setChecked(withIdentity);
+    dialog->findChild<QPushButton*>("sendImage")->click();
+    auto* const status = dialog->findChild<QLabel*>("status");
+    EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return status->text() == "The archive has stored the image."; }, MostMilliseconds))
+      << status->text().toStdString();
+    delete dialog;
+    return this->server.lastBody;
+  }
+
+  TemporaryFolder scans;
+  FakeWebArchive server;
+  MainWindow window;
+};
+
+}
+
+TEST_F(Sending, NamesThePatientOnlyIfAsked)
+{
+  this->OpenScan();
+  const QByteArray anonymous = this->Sent(false);
+  EXPECT_TRUE(anonymous.contains("DICM"));
+  EXPECT_TRUE(anonymous.contains("No attribute of the scan is copied"));
+  EXPECT_FALSE(anonymous.contains("Doe^Jane"));
+  const QByteArray named = this->Sent(true);
+  EXPECT_TRUE(named.contains("Doe^Jane"));
+  EXPECT_TRUE(named.contains("ISO_IR 192"));
+  EXPECT_FALSE(named.contains("No attribute of the scan is copied"));
+}
