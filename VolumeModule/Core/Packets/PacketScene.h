@@ -4,6 +4,7 @@
 #include "Core/Fields/LightLattice.h"
 #include "Core/Geometry/SphereQuadrature.h"
 #include "Core/Geometry/Viewport.h"
+#include "Core/Geometry/VoxelType.h"
 #include "Core/Parameters/MarchParameters.h"
 #include "Core/Parameters/MarchTextures.h"
 
@@ -17,16 +18,6 @@
 
 namespace varimarch
 {
-
-/// The types of voxels that packets of rays can read where they are.
-enum class VoxelType
-{
-  Int8,
-  UInt8,
-  Int16,
-  UInt16,
-  Float32,
-};
 
 /// How a packet's rays are integrated; see RenderSettings.h and Shaders/March.
 enum class PacketRule
