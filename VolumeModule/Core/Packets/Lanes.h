@@ -123,6 +123,12 @@ struct IntNumbers
   explicit IntNumbers(IntLanes lanes) { __builtin_memcpy(this->of, &lanes, sizeof lanes); }
 };
 
+/// The same for numbers beyond 32 bits.
+struct WideNumbers
+{
+  std::int64_t of[LaneCount];
+};
+
 struct Numbers
 {
   alignas(Lanes) float of[LaneCount];

@@ -15,6 +15,7 @@
 #include <glm/vec4.hpp>
 
 #include <cstdint>
+#include <limits>
 
 namespace varimarch
 {
@@ -46,9 +47,17 @@ enum class PacketShading
 constexpr int PacketWidth = 4;
 constexpr int PacketHeight = 2;
 
-/// Voxels as their owner keeps them: at least two along each axis, x fastest, fewer than 2^31, all
-/// of them finite. A spline is given by its coefficients, of type Float32, at least four along each
-/// axis; it is drawn as a composite or projection.
+/// True if there are fewer than 2^31 voxels.
+inline bool IsIndexedBy32Bits(const glm::ivec3& voxelCount)
+{
+  const double count = double(voxelCount.x) * voxelCount.y * voxelCount.z;
+  return count < double(std::numeric_limits<std::int32_t>::max());
+}
+
+/// Voxels as their owner keeps them: at least two along each axis, x fastest, all of them finite.
+/// There are fewer than 2^31 in a mixture, or with labels, a mask or gaps. A spline is given by its
+/// coefficients, of type Float32, at least four along each axis and fewer than 2^31; it is drawn as
+/// a composite or projection.
 struct PacketVolume
 {
   const void* voxels;

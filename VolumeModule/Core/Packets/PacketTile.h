@@ -8,7 +8,9 @@ namespace varimarch
 {
 
 /// The content of a tile: std::int8_t, std::uint8_t, std::int16_t, std::uint16_t or float, which
-/// are voxels of this type, or one of these.
+/// are fewer than 2^31 voxels of this type, or one of these.
+template <class Voxel>
+struct Many; ///< any number of voxels
 struct SplineCoefficients;
 struct Mixture;
 

@@ -6,7 +6,6 @@
 #include "March/Processor/SoftwareRasterizer.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -84,13 +83,31 @@ bool HasPacketRecipe(const Frame& frame)
   return HasTwins(settings) && hasLight && isMixed && isSampledEvenly && hasPlaces && hasMask;
 }
 
-// True if 32 bits hold the index of every voxel.
-bool CanBeIndexed(glm::ivec3 voxels, bool cubic)
+bool IsFinite(VolumeResources& volume)
 {
-  const int fewest = cubic ? 4 : 2;
-  const double count = double(voxels.x) * voxels.y * voxels.z;
-  return voxels.x >= fewest && voxels.y >= fewest && voxels.z >= fewest &&
-    count < double(std::numeric_limits<int>::max());
+  return volume.Blocks().Texels().normalized || volume.Packets().AreFinite();
+}
+
+bool HasNoGaps(const Frame& frame, VolumeResources& volume)
+{
+  return !frame.voxels.blanking.Any() && IsFinite(volume);
+}
+
+// True if packets can number the voxels: those in memory by 64 bits, everything that belongs to
+// voxels besides them by 32.
+bool CanBeIndexed(const Frame& frame, VolumeResources& volume)
+{
+  const RenderSettings& settings = frame.settings;
+  const bool hasOnlyVoxels =
+    !settings.cubic && settings.mask == Mask::None && !settings.overlaps && !IsMixture(frame);
+  return IsIndexedBy32Bits(frame.geometry.dimensions) ||
+    (hasOnlyVoxels && HasNoGaps(frame, volume));
+}
+
+bool IsThickEnough(const Frame& frame)
+{
+  const glm::ivec3& voxels = frame.geometry.dimensions;
+  return std::min({ voxels.x, voxels.y, voxels.z }) >= (frame.settings.cubic ? 4 : 2);
 }
 
 // True if floats can represent the numbers directly. Shaders shift and scale numbers that are too
@@ -133,17 +150,15 @@ bool TakesGradients(const RenderSettings& settings)
 bool HasPlainGaps(const Frame& frame, VolumeResources& volume)
 {
   const RenderSettings& settings = frame.settings;
-  const bool isFinite = volume.Blocks().Texels().normalized || volume.Packets().AreFinite();
-  const bool hasAny = frame.voxels.blanking.Any() || !isFinite;
   const bool mayHave = !settings.overlaps && !settings.uneven;
-  return !hasAny || (mayHave && (isFinite || !TakesGradients(settings)));
+  return HasNoGaps(frame, volume) || (mayHave && (IsFinite(volume) || !TakesGradients(settings)));
 }
 
 // True if packets can read one of the volumes of a frame.
 bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 {
-  return HasPacketRecipe(frame) && CanBeIndexed(frame.geometry.dimensions, frame.settings.cubic) &&
-    HasPlainValues(volume) && HasPlainGaps(frame, volume);
+  return HasPacketRecipe(frame) && IsThickEnough(frame) && HasPlainValues(volume) &&
+    CanBeIndexed(frame, volume) && HasPlainGaps(frame, volume);
 }
 
 }

@@ -6,16 +6,65 @@
 // Gradient/CentralDifferencesOfAll.glsl.
 
 #include "Core/Packets/PacketScene.h"
+#include "Core/Packets/PacketTile.h"
 #include "Core/Packets/ShaderMath.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace varimarch
 {
 
 namespace
 {
+
+/// The type of the voxels of a content, see PacketTile.h, and the numbers that are their indices.
+template <class Content>
+struct VoxelsOf
+{
+  using Voxel = Content;
+  using Indices = IntNumbers;
+};
+
+template <class Content>
+struct VoxelsOf<Many<Content>>
+{
+  using Voxel = Content;
+  using Indices = WideNumbers;
+};
+
+/// The strides of voxels in memory, and what indices they have.
+/// @tparam Indices  IntNumbers or WideNumbers
+template <class Indices>
+struct VoxelStrides
+{
+  std::ptrdiff_t perRow;
+  std::ptrdiff_t perSlice;
+
+  explicit VoxelStrides(const glm::ivec3& voxelCount)
+    : perRow(voxelCount.x)
+    , perSlice(std::ptrdiff_t(voxelCount.x) * voxelCount.y)
+  {
+  }
+
+  Indices IndexOf(IntLanes x, IntLanes y, IntLanes z) const
+  {
+    if constexpr (std::is_same_v<Indices, IntNumbers>)
+    {
+      return IntNumbers(x + int(this->perRow) * y + int(this->perSlice) * z);
+    }
+    else
+    {
+      Indices index;
+      for (int lane = 0; lane < LaneCount; ++lane)
+      {
+        index.of[lane] = x[lane] + this->perRow * y[lane] + this->perSlice * z[lane];
+      }
+      return index;
+    }
+  }
+};
 
 /// Calls a function with a voxel of this type.
 /// @param call  (voxel)
@@ -71,8 +120,8 @@ ValuePairs UnpackedPairs(IntLanes bits)
 }
 
 /// @param index  index of the first voxel of each pair, counted from `base`
-template <class Voxel>
-ValuePairs PairsAt(const Voxel* base, const IntNumbers& index)
+template <class Voxel, class Indices>
+ValuePairs PairsAt(const Voxel* base, const Indices& index)
 {
   if constexpr (sizeof(Voxel) == 1)
   {
@@ -116,20 +165,23 @@ struct Slope
 };
 
 /// Trilinear interpolation between voxels. The outermost ones extend beyond the volume.
-template <class Voxel>
+/// @tparam Content  a type of voxels, or Many of them
+template <class Content>
 class PacketVoxels
 {
 public:
+  using Voxel = typename VoxelsOf<Content>::Voxel;
+  using Indices = typename VoxelsOf<Content>::Indices;
+
   struct Cell
   {
-    IntNumbers index; ///< index of its first voxel
-    Lanes3 part;      ///< how far into it, [0, 1]
+    Indices index; ///< index of its first voxel
+    Lanes3 part;   ///< how far into it, [0, 1]
   };
 
   explicit PacketVoxels(const PacketVolume& volume)
     : first(static_cast<const Voxel*>(volume.voxels))
-    , perRow(volume.voxelCount.x)
-    , perSlice(std::ptrdiff_t(volume.voxelCount.x) * volume.voxelCount.y)
+    , strides(volume.voxelCount)
     , lastVoxel{ All(float(volume.voxelCount.x - 1)), All(float(volume.voxelCount.y - 1)),
       All(float(volume.voxelCount.z - 1)) }
     , hasInnerCells(
@@ -180,8 +232,8 @@ public:
     const Lanes3 cell{ Clamp(cellGrid.x, Lanes{}, this->lastVoxel.x - one),
       Clamp(cellGrid.y, Lanes{}, this->lastVoxel.y - one),
       Clamp(cellGrid.z, Lanes{}, this->lastVoxel.z - one) };
-    const IntNumbers index(Truncated(cell.x) + int(this->perRow) * Truncated(cell.y) +
-      int(this->perSlice) * Truncated(cell.z));
+    const Indices index =
+      this->strides.IndexOf(Truncated(cell.x), Truncated(cell.y), Truncated(cell.z));
     return { { { this->PairsIn(index, 0, 0, 0), this->PairsIn(index, 0, 1, 0) },
                { this->PairsIn(index, 0, 0, 1), this->PairsIn(index, 0, 1, 1) } },
       cell };
@@ -203,14 +255,15 @@ private:
     const IntLanes x = Truncated(Min(inside.x, this->lastVoxel.x - beforeLast));
     const IntLanes y = Truncated(Min(inside.y, this->lastVoxel.y - beforeLast));
     const IntLanes z = Truncated(Min(inside.z, this->lastVoxel.z - beforeLast));
-    return { IntNumbers(x + int(this->perRow) * y + int(this->perSlice) * z),
+    return { this->strides.IndexOf(x, y, z),
       { inside.x - FloatOf(x), inside.y - FloatOf(y), inside.z - FloatOf(z) } };
   }
 
   // Pairs of voxels at this offset from the first voxel of each cell, in voxels, rows and slices.
-  ValuePairs PairsIn(const IntNumbers& index, int x, int rows, int slices) const
+  ValuePairs PairsIn(const Indices& index, int x, int rows, int slices) const
   {
-    return PairsAt(this->first + (x + rows * this->perRow + slices * this->perSlice), index);
+    return PairsAt(
+      this->first + (x + rows * this->strides.perRow + slices * this->strides.perSlice), index);
   }
 
   ValuePairs RowOf(const Cell& cell, int x, int rows, int slices) const
@@ -269,8 +322,7 @@ private:
   }
 
   const Voxel* first;
-  std::ptrdiff_t perRow;
-  std::ptrdiff_t perSlice;
+  VoxelStrides<Indices> strides;
   Lanes3 lastVoxel;
   bool hasInnerCells;
 };

@@ -5,6 +5,7 @@
 // Twin of March/Voxels.glsl and Loop/Cells.glsl.
 
 #include "Core/Packets/Classify/OpticalTable.h"
+#include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/Loop/Segments.h"
 #include "Core/Packets/PacketLattice.h"
 
@@ -17,8 +18,8 @@ namespace
 {
 
 /// @param index  index of each lane's voxel, counted from `first`
-template <class Voxel>
-Lanes ValuesAt(const Voxel* first, const IntNumbers& index)
+template <class Voxel, class Indices>
+Lanes ValuesAt(const Voxel* first, const Indices& index)
 {
   if constexpr (std::is_same_v<Voxel, float>)
   {
@@ -31,13 +32,17 @@ Lanes ValuesAt(const Voxel* first, const IntNumbers& index)
 }
 
 /// The boxes, as the cells of a lattice. The outermost ones extend beyond the volume.
-template <class Voxel>
+/// @tparam Content  a type of voxels, or Many of them
+template <class Content>
 class PacketBoxes
 {
 public:
+  using Voxel = typename VoxelsOf<Content>::Voxel;
+
   explicit PacketBoxes(const PacketVolume& volume)
     : first(static_cast<const Voxel*>(volume.voxels))
     , count(volume.voxelCount)
+    , strides(volume.voxelCount)
   {
   }
 
@@ -50,8 +55,8 @@ public:
   Lanes ValueOf(const Lanes3& voxel) const
   {
     return ValuesAt(this->first,
-      IntNumbers(this->WithinAxis(voxel.x, 0) + this->count.x * this->WithinAxis(voxel.y, 1) +
-        this->count.x * this->count.y * this->WithinAxis(voxel.z, 2)));
+      this->strides.IndexOf(
+        this->WithinAxis(voxel.x, 0), this->WithinAxis(voxel.y, 1), this->WithinAxis(voxel.z, 2)));
   }
 
   /// Differences one voxel to either side.
@@ -84,6 +89,7 @@ private:
 
   const Voxel* first;
   glm::ivec3 count;
+  VoxelStrides<typename VoxelsOf<Content>::Indices> strides;
 };
 
 /// Marches from face to face: each box is read once, and its integral is exact.
