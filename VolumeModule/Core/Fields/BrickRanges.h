@@ -59,6 +59,13 @@ public:
       this->wide.size() * sizeof(this->wide[0]);
   }
 
+  /// The steps of all bricks as they are in memory, `Bytes()` long, to be stored and restored.
+  void* Memory()
+  {
+    return this->narrow.empty() ? static_cast<void*>(this->wide.data()) : this->narrow.data();
+  }
+  const void* Memory() const { return const_cast<BrickRanges*>(this)->Memory(); }
+
 private:
   glm::ivec3 brickCount = glm::ivec3(0);
   double firstValue = 0.0; ///< value of step 0

@@ -1,0 +1,128 @@
+#include "Core/Fields/VolumeSummary.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr glm::ivec3 SummaryDimensions = glm::ivec3(13, 9, 70);
+constexpr std::uint64_t EnoughForASlab = 1 << 20;
+
+/// Voxels in memory as if they were read piece by piece.
+template <class Scalar>
+class MemorySource : public BrickSource
+{
+public:
+  MemorySource(VoxelType type, std::vector<Scalar> voxels)
+    : type(type)
+    , voxels(std::move(voxels))
+    , levels({ { { SummaryDimensions.x, SummaryDimensions.y, SummaryDimensions.z }, { 8, 8, 8 },
+        { 1.0, 1.0, 1.0 } } })
+  {
+  }
+
+  const std::vector<Level>& Levels() const override { return this->levels; }
+  VoxelType Type() const override { return this->type; }
+  void Read(int, const Box& box, void* to) const override
+  {
+    const ScalarGrid<Scalar> grid = this->Grid();
+    auto* next = static_cast<Scalar*>(to);
+    for (auto z = box.lower[2]; z < box.upper[2]; ++z)
+    {
+      for (auto y = box.lower[1]; y < box.upper[1]; ++y)
+      {
+        const Scalar* const row = grid.Row(int(y), int(z));
+        next = std::copy(row + box.lower[0], row + box.upper[0], next);
+      }
+    }
+  }
+
+  ScalarGrid<Scalar> Grid() const { return { this->voxels.data(), SummaryDimensions }; }
+
+private:
+  VoxelType type;
+  std::vector<Scalar> voxels;
+  std::vector<Level> levels;
+};
+
+template <class Scalar>
+std::vector<Scalar> Noise(double lower, double upper)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> values(lower, upper);
+  std::vector<Scalar> voxels(
+    std::size_t(SummaryDimensions.x * SummaryDimensions.y * SummaryDimensions.z));
+  std::generate(voxels.begin(), voxels.end(), [&] { return Scalar(values(random)); });
+  return voxels;
+}
+
+template <class Scalar>
+void ExpectRangesOfTheWhole(const VolumeSummary& summary, const MemorySource<Scalar>& source)
+{
+  const BrickRanges& found = summary.ranges;
+  const BrickRanges expected = BuildBrickRanges(source.Grid(), found.FirstValue(),
+    found.FirstValue() + found.LastStep() * found.ValuePerStep());
+  ASSERT_EQ(found.BrickCount(), expected.BrickCount());
+  const glm::ivec3 count = expected.BrickCount();
+  for (std::size_t brick = 0; brick < std::size_t(count.x * count.y * count.z); ++brick)
+  {
+    EXPECT_EQ(found[brick].smallest, expected[brick].smallest) << brick;
+    EXPECT_EQ(found[brick].largest, expected[brick].largest) << brick;
+  }
+}
+
+TEST(VolumeSummary, OfSlabsIsThatOfTheWhole)
+{
+  const MemorySource<std::int16_t> source(VoxelType::Int16, Noise<std::int16_t>(-300.0, 900.0));
+  const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+  ExpectRangesOfTheWhole(summary, source);
+  const std::vector<std::int16_t> voxels = Noise<std::int16_t>(-300.0, 900.0);
+  EXPECT_EQ(summary.smallest, *std::min_element(voxels.begin(), voxels.end()));
+  EXPECT_EQ(summary.largest, *std::max_element(voxels.begin(), voxels.end()));
+  EXPECT_EQ(summary.counts[32768 + 17], std::count(voxels.begin(), voxels.end(), 17));
+}
+
+TEST(VolumeSummary, HasTheMeansOfCubes)
+{
+  const MemorySource<std::int16_t> source(VoxelType::Int16, Noise<std::int16_t>(-300.0, 900.0));
+  const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+  ASSERT_EQ(summary.coarse.voxelCount, glm::ivec3(3, 2, 17));
+  const auto* const means = reinterpret_cast<const std::int16_t*>(summary.coarse.voxels.data());
+  const glm::ivec3 cube(2, 1, 16);
+  double sum = 0.0;
+  for (int i = 0; i < 64; ++i)
+  {
+    sum += source.Grid().Voxel(4 * cube + glm::ivec3(i % 4, i / 4 % 4, i / 16));
+  }
+  EXPECT_NEAR(means[(16 * 2 + 1) * 3 + 2], sum / 64.0, 0.5);
+}
+
+TEST(VolumeSummary, TellsValuesThatAreNotFinite)
+{
+  std::vector<float> voxels = Noise<float>(-1.0, 2.0);
+  EXPECT_TRUE(SummaryOf(MemorySource<float>(VoxelType::Float32, voxels), EnoughForASlab,
+    [](double) {
+    }).areFinite);
+  voxels[1000] = std::numeric_limits<float>::infinity();
+  const MemorySource<float> source(VoxelType::Float32, voxels);
+  const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+  EXPECT_FALSE(summary.areFinite);
+  EXPECT_LT(summary.largest, 2.0);
+  ExpectRangesOfTheWhole(summary, source);
+}
+
+TEST(VolumeSummary, StopsWhereItsObserverThrows)
+{
+  const MemorySource<std::uint8_t> source(VoxelType::UInt8, Noise<std::uint8_t>(0.0, 255.0));
+  const auto stop = [](double) { throw std::logic_error("enough"); };
+  EXPECT_THROW(SummaryOf(source, EnoughForASlab, stop), std::logic_error);
+}
+
+}
