@@ -4,9 +4,11 @@
 #include "Frame/FrameBuilder.h"
 #include "Frame/RendererVolumes.h"
 #include "Frame/SelectorScope.h"
+#include "Frame/VoxelsOnDisk.h"
 #include "March/AccuracyWarnings.h"
 #include "March/Device/GraphicsReset.h"
 #include "March/ImageOutput.h"
+#include "March/LevelOfDetail.h"
 #include "March/RayMarcher.h"
 
 #include "vtkCommand.h"
@@ -45,12 +47,13 @@ struct vtkVariationFieldVolumeMapper::Internals
     vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
   varimarch::RayMarcher Marcher;
+  varimarch::LevelOfDetail Levels;
   std::string ReportedError; ///< the last error that was reported, so that it is not repeated
   std::string ReportedWarning;
   varimarch::InteractiveQuality Quality;
 
-  void DrawInTime(
-    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame);
+  void DrawInTime(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume,
+    const varimarch::Frame& frame, varimarch::RayMarcher& marcher);
 
   std::string Warnings(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const;
 };
@@ -64,35 +67,26 @@ std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
     varimarch::AccuracyWarnings(mapper, this->Marcher);
 }
 
-namespace
-{
-
-// An allocated render time below this means that somebody interacts.
-constexpr double LongestInteractiveSeconds = 1.0;
-
-}
-
 // Draws at the quality that the allocated time permits, or at full quality if nobody interacts.
-void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
-  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame)
+void vtkVariationFieldVolumeMapper::Internals::DrawInTime(vtkVariationFieldVolumeMapper* mapper,
+  vtkVolume* volume, const varimarch::Frame& frame, varimarch::RayMarcher& marcher)
 {
-  const double allocatedSeconds = volume->GetAllocatedRenderTime();
-  if (!mapper->GetAutoAdjustSampleDistances() || allocatedSeconds >= LongestInteractiveSeconds ||
-    varimarch::Picks(frame.pass.kind))
+  if (!varimarch::IsInteractive(mapper, volume, frame))
   {
-    this->Marcher.Draw(frame);
+    marcher.Draw(frame);
     return;
   }
+  const double allocatedSeconds = volume->GetAllocatedRenderTime();
   const double pixels = double(frame.view.viewport.width) * frame.view.viewport.height;
   const varimarch::PictureQuality quality = this->Quality.Next(allocatedSeconds, pixels);
-  const int builds = this->Marcher.ResourceBuilds();
+  const int builds = marcher.ResourceBuilds();
   frame.view.window->WaitForCompletion();
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
-  this->Marcher.Draw(frame, quality);
+  marcher.Draw(frame, quality);
   frame.view.window->WaitForCompletion();
   timer->StopTimer();
-  if (this->Marcher.ResourceBuilds() == builds)
+  if (marcher.ResourceBuilds() == builds)
   {
     this->Quality.Took(timer->GetElapsedTime());
   }
@@ -215,10 +209,14 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   const std::optional<varimarch::Frame> frame = varimarch::BuildFrame(this, renderer, volume);
   if (frame)
   {
+    const varimarch::VoxelsOnDisk onDisk(*frame, this->MaximumHostMemory);
+    auto& levels = this->Private->Levels;
+    const auto coarse = levels.FrameInstead(this, volume, *frame);
     frame->view.window->MakeCurrent();
     try
     {
-      this->Private->DrawInTime(this, volume, *frame);
+      this->Private->DrawInTime(this, volume, coarse ? *coarse : *frame,
+        coarse ? levels.Marcher() : this->Private->Marcher);
     }
     catch (const std::exception&)
     {
@@ -230,6 +228,7 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
     selected.ReportCounts(this->GetDataSetInput());
     vtkOpenGLCheckErrorMacro("OpenGL error after drawing");
     this->WarnOnce(this->Private->Warnings(this, volume));
+    onDisk.Check();
   }
 }
 
@@ -307,6 +306,12 @@ double vtkVariationFieldVolumeMapper::GetEstimatedError()
 void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Private->Marcher.Release(window);
+  this->Private->Levels.Release(window);
+}
+
+double vtkVariationFieldVolumeMapper::GetLevelErrorBound()
+{
+  return this->Private->Levels.ErrorBound();
 }
 
 double vtkVariationFieldVolumeMapper::GetFieldBuildSeconds()

@@ -627,6 +627,42 @@ public:
   vtkGetMacro(MaximumGraphicsMemory, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * The level of a volume that vtkVolumeFileReader has left in its file. CoarseLevel has the means
+   * of cubes of 4 x 4 x 4 voxels, in memory. AutomaticLevel, the default, is the coarse one while
+   * somebody interacts (AutoAdjustSampleDistances) and the voxels otherwise. Other volumes have
+   * only voxels, whatever this is; so have images with several volumes or a mask.
+   */
+  enum
+  {
+    VoxelLevel,
+    CoarseLevel,
+    AutomaticLevel
+  };
+  vtkSetClampMacro(LevelOfDetail, int, VoxelLevel, AutomaticLevel);
+  vtkGetMacro(LevelOfDetail, int);
+  ///@}
+
+  /**
+   * How far a premultiplied colour channel or the opacity of any pixel of the last image can be
+   * from that of the voxels, because the image is of the coarse level, [0, 1]: 0 for an image of
+   * the voxels. It follows from the ranges of bricks, without the voxels, for composites of the
+   * whole volume; it is 1, not known, for other images of the coarse level. Takes about a second.
+   */
+  double GetLevelErrorBound();
+
+  ///@{
+  /**
+   * Limit of the main memory of the program while it draws a volume from a file that
+   * vtkVolumeFileReader has mapped [bytes]: before more is resident, pages of the file are dropped,
+   * those first that have gone longest without company. Default: 0, the limit of the reader. Other
+   * volumes are in memory as a whole, whatever this is.
+   */
+  vtkSetClampMacro(MaximumHostMemory, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumHostMemory, vtkIdType);
+  ///@}
+
   /**
    * Graphics memory that this mapper holds now, textures and buffers [bytes].
    */
@@ -696,6 +732,8 @@ protected:
   double NanColor[3] = { 0.5, 0.0, 0.0 };
   double NanOpacity = 0.0;
   vtkIdType MaximumGraphicsMemory = 0;
+  vtkIdType MaximumHostMemory = 0;
+  int LevelOfDetail = AutomaticLevel;
   vtkSmartPointer<vtkImageData> MaskInput;
   int MaskType = LabelMapMaskType;
   float MaskBlendFactor = 1.0f;

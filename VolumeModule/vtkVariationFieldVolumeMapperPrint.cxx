@@ -25,6 +25,8 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << this->NanColor[2] << "\n";
   os << indent << "NanOpacity: " << this->NanOpacity << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "LevelOfDetail: " << this->LevelOfDetail << "\n";
+  os << indent << "MaximumHostMemory: " << this->MaximumHostMemory << "\n";
   os << indent << "MaximumGraphicsMemory: " << this->MaximumGraphicsMemory << "\n";
   os << indent << "CompositingOrder: " << this->CompositingOrder << "\n";
   os << indent << "DampingGradient: " << this->DampingGradient << "\n";

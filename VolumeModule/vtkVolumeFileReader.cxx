@@ -3,6 +3,7 @@
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Dicom/DicomSeries.h"
 #include "Readers/Formats.h"
+#include "Readers/MappedFile.h"
 #include "Readers/Unpacked.h"
 
 #include <vtkErrorCode.h>
@@ -15,6 +16,7 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -35,6 +37,7 @@ struct vtkVolumeFileReader::Contents
 {
   varimarch::Volume Volume;
   vtkNew<vtkStringArray> Warnings;
+  bool AreOnDisk = false; ///< true if the image's voxels are those of the file
   /// Copies of the files of a packed DICOM series, which a caller may read after they were listed.
   std::unique_ptr<varimarch::Unpacked> Copies;
 };
@@ -112,10 +115,13 @@ void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)
   options.raw.headerBytes = this->RawHeaderBytes;
   options.raw.bigEndian = this->RawBigEndian;
   options.series = this->DICOMSeriesUID;
+  options.mostMemoryBytes = std::uint64_t(this->MaximumHostMemory);
   options.rectify = this->RectifySlices ? varimarch::Rectify::Always
     : this->RectifyMisplacedSlices      ? varimarch::Rectify::Misplaced
                                         : varimarch::Rectify::Never;
   this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
+  vtkImageData* const image = this->Read->Volume.image;
+  this->Read->AreOnDisk = varimarch::MappedFileAt(image->GetScalarPointer()) != nullptr;
   for (const std::string& warning : this->Read->Volume.warnings)
   {
     this->Read->Warnings->InsertNextValue(warning);
@@ -198,6 +204,11 @@ int vtkVolumeFileReader::RequestData(
     output->Initialize();
   }
   return 1;
+}
+
+bool vtkVolumeFileReader::HasVoxelsOnDisk()
+{
+  return this->Read->AreOnDisk;
 }
 
 const char* vtkVolumeFileReader::GetModality()
@@ -340,6 +351,7 @@ void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DICOMSeriesUID: " << this->DICOMSeriesUID << '\n';
   os << indent << "RectifySlices: " << this->RectifySlices << '\n';
   os << indent << "RectifyMisplacedSlices: " << this->RectifyMisplacedSlices << '\n';
+  os << indent << "MaximumHostMemory: " << this->MaximumHostMemory << '\n';
   os << indent << "LongestSilence: " << this->LongestSilence << '\n';
   os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
 }

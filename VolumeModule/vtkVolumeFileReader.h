@@ -90,6 +90,25 @@ public:
 
   ///@{
   /**
+   * Memory that the program may use [bytes]; 0, the default: all of the machine's. Voxels that need
+   * more than a quarter of it stay in their file, if that has them as they are in memory:
+   * uncompressed single numbers of 8 bits, 16 bits or type float, in this machine's byte order, in
+   * one NRRD, MetaImage, NIfTI or raw file. The scalars are then a mapping of the file, whose pages
+   * the system reads when they are touched, and drops again before the program has more than this
+   * memory. Other voxels are refused if they need more. A program that changes such scalars changes
+   * its own copy of their pages only.
+   */
+  vtkSetClampMacro(MaximumHostMemory, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumHostMemory, vtkIdType);
+  ///@}
+
+  /**
+   * True after Update() if the voxels stayed in their file.
+   */
+  bool HasVoxelsOnDisk();
+
+  ///@{
+  /**
    * The DICOM series to read if there are several: its SeriesInstanceUID, an unambiguous prefix of
    * that, or its number in ListDICOMSeries(), counted from 1. Default: empty, the first series; the
    * warnings then list all.
@@ -262,6 +281,7 @@ private:
   bool RectifySlices = false;
   bool RectifyMisplacedSlices = false;
   double LongestSilence = 60.0;
+  vtkIdType MaximumHostMemory = 0;
 
   std::unique_ptr<Contents> Read;
   std::string ErrorMessage;

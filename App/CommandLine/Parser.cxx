@@ -209,6 +209,17 @@ void AddSpanOptions(CLI::App& command, SceneArguments& arguments, const std::str
     ->group(group);
 }
 
+void AddVoxelOptions(CLI::App& command, SceneArguments& arguments, const std::string& group)
+{
+  AddChoice(command, "--level", arguments.level, LevelNames(),
+    "Level of a volume that is drawn from its file: its voxels, or means of\n"
+    "4 x 4 x 4 of them, which are in memory")
+    ->group(group);
+  AddChoice(command, "--interpolation", arguments.interpolation, InterpolationNames(),
+    "Values between voxels (default linear)")
+    ->group(group);
+}
+
 void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
 {
   const std::string group = "Sampling";
@@ -243,9 +254,7 @@ void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
     ->check(CLI::Range(0.0, 0.999999).description(""))
     ->type_name("T")
     ->group(group);
-  AddChoice(command, "--interpolation", arguments.interpolation, InterpolationNames(),
-    "Values between voxels (default linear)")
-    ->group(group);
+  AddVoxelOptions(command, arguments, group);
   command.add_flag("--jitter", arguments.jitter, "Offset the samples of each ray by blue noise")
     ->group(group);
   AddSpanOptions(command, arguments, group);
@@ -268,6 +277,12 @@ void AddVolumeOptions(
     .add_flag("--as-scanned", arguments.asScanned,
       "Keep slices at uneven distances, which are resampled otherwise if gaps are small")
     ->excludes(rectify);
+  command
+    .add_option("--memory", arguments.memoryMegabytes,
+      "Memory that the program may use in MB; a volume that needs more than a quarter\n"
+      "of it is drawn from its file, if its voxels are not compressed (default: all)")
+    ->check(CLI::PositiveNumber)
+    ->type_name("MB");
   AddRawOptions(command, arguments.raw);
 }
 

@@ -99,6 +99,17 @@ vtkVariationFieldVolumeMapper* LimitedMapper(OffscreenView& view, double graphic
   return ours;
 }
 
+// Adds what only our mapper knows.
+void AddDrawing(vtkVariationFieldVolumeMapper* ours, nlohmann::ordered_json& results)
+{
+  if (ours)
+  {
+    results["graphicsMemoryBytes"] = ours->GetGraphicsMemoryBytes();
+    results["levelErrorBound"] = ours->GetLevelErrorBound();
+    results["blockUploads"] = ours->GetBlockUploads();
+  }
+}
+
 }
 
 void RunRender(const RenderArguments& arguments)
@@ -132,11 +143,7 @@ void RunRender(const RenderArguments& arguments)
   {
     results["repeatSeconds"] = Median(repeatSeconds);
   }
-  if (ours)
-  {
-    results["graphicsMemoryBytes"] = ours->GetGraphicsMemoryBytes();
-    results["blockUploads"] = ours->GetBlockUploads();
-  }
+  AddDrawing(ours, results);
   results["openglRenderer"] = view.DeviceName();
   results["picture"] = arguments.outputPath;
   AddSegments(labels, results);

@@ -126,6 +126,7 @@ void OverrideSampling(const SceneArguments& arguments, RenderOptions& render)
   }
   render.earlyTerminationTransmittance =
     arguments.earlyTerminationTransmittance.value_or(render.earlyTerminationTransmittance);
+  render.level = arguments.level.value_or(render.level);
   render.interpolation = arguments.interpolation.value_or(render.interpolation);
   render.jitter = arguments.jitter || render.jitter;
   if (arguments.sampleDistanceVoxels)

@@ -55,6 +55,7 @@ struct SceneArguments
   std::optional<double> firstDistanceMm;      ///< distance from the eye at which rays begin
   std::optional<double> earlyTerminationTransmittance; ///< [0, 1)
   std::optional<Interpolation> interpolation;
+  std::optional<VolumeLevel> level;
   bool jitter = false;
 };
 

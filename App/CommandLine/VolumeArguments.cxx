@@ -106,6 +106,7 @@ VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input
   }
   source.series = arguments.series;
   source.rectified = RectifiedBy(arguments);
+  source.memoryMegabytes = arguments.memoryMegabytes;
   if (HasRawLayout(arguments))
   {
     source.raw = arguments.raw;
@@ -134,6 +135,8 @@ VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volu
   {
     const std::optional<bool> rectified = RectifiedBy(arguments);
     file->rectified = rectified ? rectified : file->rectified;
+    const double memory = arguments.memoryMegabytes;
+    file->memoryMegabytes = memory > 0.0 ? memory : file->memoryMegabytes;
     return source;
   }
   RejectRectify(arguments);

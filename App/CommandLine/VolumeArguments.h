@@ -19,7 +19,8 @@ struct VolumeArguments
   bool rectify = false;   ///< true to resample tilted or unevenly spaced slices on an even grid
   bool asScanned = false; ///< true to keep them
   std::string series;     ///< DICOM series to read; empty: the first
-  RawLayout raw;          ///< layout of a raw file; dimensions of 0 if the file has a header
+  double memoryMegabytes = 0.0; ///< memory that the program may use [MB]; 0: the machine's
+  RawLayout raw;                ///< layout of a raw file; dimensions of 0 if the file has a header
 };
 
 /// The file, folder or procedural volume that an input names.

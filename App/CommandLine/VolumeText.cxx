@@ -107,7 +107,8 @@ std::string VolumeText(
        << "orientation  " << letters[0] << " " << letters[1] << " " << letters[2]
        << " (directions of the axes in the patient)\n"
        << "slices       " << SlicesText(volume.slices) << "\n"
-       << "memory       " << Fixed(Bytes(image) / BytesPerMiB, 1) << " MiB\n"
+       << "memory       " << Fixed(Bytes(image) / BytesPerMiB, 1) << " MiB"
+       << (volume.isOnDisk ? ", drawn from the file" : "") << "\n"
        << "range        " << Short(statistics.Smallest()) << " to " << Short(statistics.Largest())
        << "\n"
        << "percentiles ";
@@ -132,6 +133,7 @@ nlohmann::ordered_json VolumeJson(
   json["irregularSlices"] = volume.slices != SliceLayout::Even;
   json["rectified"] = volume.slices == SliceLayout::Rectified;
   json["bytes"] = std::int64_t(Bytes(image));
+  json["fromDisk"] = volume.isOnDisk;
   json["range"] = { statistics.Smallest(), statistics.Largest() };
   for (const double percent : Percents)
   {

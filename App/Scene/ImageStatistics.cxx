@@ -1,5 +1,7 @@
 #include "Scene/ImageStatistics.h"
 
+#include "Frame/VoxelsOnDisk.h"
+
 #include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>
 #include <vtkDataArrayRange.h>
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace varimarch
 {
@@ -55,6 +58,15 @@ Counts Count(vtkImageData* image, double smallest, double binSpacing, std::size_
 
 ImageStatistics::ImageStatistics(vtkImageData* image)
 {
+  ValueCounts onDisk = CountsOnDisk(image->GetPointData()->GetScalars());
+  if (!onDisk.counts.empty())
+  {
+    this->smallest = onDisk.smallest;
+    this->largest = onDisk.smallest + double(onDisk.counts.size()) - 1.0;
+    this->binSpacing = 1.0;
+    this->counts = std::move(onDisk.counts);
+    return;
+  }
   constexpr double MostBins = 65536.0;
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range, 0);

@@ -61,6 +61,7 @@ void Apply(const RenderOptions& options, vtkVariationFieldVolumeMapper* mapper)
   mapper->SetIntegrationRule(RuleOf(options.integration));
   mapper->SetVariationTolerance(options.variationTolerance.value_or(-1.0));
   mapper->SetEarlyTerminationTransmittance(options.earlyTerminationTransmittance);
+  mapper->SetLevelOfDetail(int(options.level));
   mapper->SetUseJittering(options.jitter);
   mapper->SetCompositingOrder(options.fromBehind ? vtkVariationFieldVolumeMapper::BackToFront
                                                  : vtkVariationFieldVolumeMapper::FrontToBack);

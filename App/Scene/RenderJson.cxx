@@ -56,8 +56,8 @@ void ReadSpan(const JsonCursor& json, RenderOptions& render)
 void ReadRender(const JsonCursor& json, RenderOptions& render)
 {
   json.RequireObject({ "sampleDistance", "errorTolerance", "acceleration", "integration",
-    "variationTolerance", "earlyTermination", "interpolation", "jitter", "sampleDistanceVoxels",
-    "steps", "firstDistance" });
+    "variationTolerance", "earlyTermination", "interpolation", "level", "jitter",
+    "sampleDistanceVoxels", "steps", "firstDistance" });
   if (const auto distance = json.Find("sampleDistance"))
   {
     render.sampleDistanceMm = NumberOrAuto(*distance, Positive);
@@ -86,6 +86,10 @@ void ReadRender(const JsonCursor& json, RenderOptions& render)
   {
     render.interpolation = interpolation->Choice(InterpolationNames());
   }
+  if (const auto level = json.Find("level"))
+  {
+    render.level = level->Choice(LevelNames());
+  }
   if (const auto jitter = json.Find("jitter"))
   {
     render.jitter = jitter->Boolean();
@@ -103,7 +107,7 @@ nlohmann::ordered_json JsonFromRender(const RenderOptions& render)
     { "variationTolerance", JsonFromOptional(render.variationTolerance) },
     { "earlyTermination", render.earlyTerminationTransmittance },
     { "interpolation", NameOf(InterpolationNames(), render.interpolation) },
-    { "jitter", render.jitter },
+    { "level", NameOf(LevelNames(), render.level) }, { "jitter", render.jitter },
     { "sampleDistanceVoxels", JsonFromOptional(render.sampleDistanceVoxels) },
     { "steps", render.mostSteps }, { "firstDistance", render.firstDistanceMm } };
 }

@@ -34,6 +34,8 @@ struct FileSource
   /// True resamples tilted or unevenly spaced slices on an even grid, false keeps them as scanned;
   /// empty resamples those that would be drawn elsewhere than they were scanned.
   std::optional<bool> rectified = {};
+  /// Memory that the program may use [MB]: larger voxels stay in their file; 0: the machine's.
+  double memoryMegabytes = 0.0;
 };
 
 enum class ProceduralKind
@@ -306,6 +308,15 @@ struct SceneLabels
   std::vector<Segment> segments = {};
 };
 
+/// The level of a volume whose voxels stayed in their file, in the order of
+/// vtkVariationFieldVolumeMapper.
+enum class VolumeLevel
+{
+  Voxels,
+  Coarse,
+  Automatic, ///< coarse while somebody interacts
+};
+
 /// The values between the voxels.
 enum class Interpolation
 {
@@ -323,6 +334,7 @@ struct RenderOptions
   std::optional<double> variationTolerance; ///< units of the data; empty: the mapper chooses
   double earlyTerminationTransmittance = 1.0 / 1024; ///< [0, 1); used for an error tolerance of 0
   Interpolation interpolation = Interpolation::Linear;
+  VolumeLevel level = VolumeLevel::Automatic;
   bool jitter = false; ///< offsets the samples of each ray by blue noise
   /// Sample distance in units of the smallest spacing, > 0; replaces sampleDistanceMm.
   std::optional<double> sampleDistanceVoxels = {};

@@ -79,6 +79,13 @@ const NameTable<Domain>& DomainNames()
   return table;
 }
 
+const NameTable<VolumeLevel>& LevelNames()
+{
+  static const NameTable<VolumeLevel> table = { { "voxels", VolumeLevel::Voxels },
+    { "coarse", VolumeLevel::Coarse }, { "automatic", VolumeLevel::Automatic } };
+  return table;
+}
+
 const NameTable<Interpolation>& InterpolationNames()
 {
   static const NameTable<Interpolation> table = { { "nearest", Interpolation::Nearest },

@@ -23,6 +23,7 @@ const NameTable<Integration>& IntegrationNames();
 const NameTable<VoxelDistance>& VoxelDistanceNames();
 const NameTable<Domain>& DomainNames();
 const NameTable<Interpolation>& InterpolationNames();
+const NameTable<VolumeLevel>& LevelNames();
 const NameTable<LightKind>& LightKindNames();
 const NameTable<RegionShape>& RegionShapeNames();
 

@@ -36,7 +36,7 @@ RawLayout RawLayoutFromJson(const JsonCursor& json)
 
 FileSource FileFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "file", "series", "rectified", "raw" });
+  json.RequireObject({ "file", "series", "rectified", "raw", "memory" });
   FileSource source = { json.At("file").Text(), std::nullopt };
   if (const auto series = json.Find("series"))
   {
@@ -50,6 +50,10 @@ FileSource FileFromJson(const JsonCursor& json)
   {
     source.raw = RawLayoutFromJson(*raw);
   }
+  if (const auto memory = json.Find("memory"))
+  {
+    source.memoryMegabytes = memory->Number(Positive);
+  }
   return source;
 }
 
@@ -57,7 +61,8 @@ FileSource FileFromJson(const JsonCursor& json)
 
 VolumeSource VolumeFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "file", "series", "rectified", "raw", "procedural", "size", "seed" });
+  json.RequireObject(
+    { "file", "series", "rectified", "raw", "memory", "procedural", "size", "seed" });
   if (json.Find("file"))
   {
     return FileFromJson(json);
@@ -106,6 +111,10 @@ nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
       { "spacing", file.raw->spacingMm },
       { "byteOrder", NameOf(ByteOrderNames(), file.raw->bigEndian) },
       { "headerBytes", file.raw->headerBytes } };
+  }
+  if (file.memoryMegabytes > 0.0)
+  {
+    json["memory"] = file.memoryMegabytes;
   }
   return json;
 }

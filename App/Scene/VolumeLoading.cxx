@@ -112,6 +112,7 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
 {
   QuietReader reader(source.path, observer);
   reader->SetDICOMSeriesUID(source.series.c_str());
+  reader->SetMaximumHostMemory(vtkIdType(1e6 * source.memoryMegabytes));
   reader->SetRectifySlices(source.rectified.value_or(false));
   reader->SetRectifyMisplacedSlices(!source.rectified);
   if (source.raw)
@@ -121,6 +122,7 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   reader->Update();
   reader.Check();
   LoadedVolume volume = { reader->GetOutput(), reader->GetModality(), {} };
+  volume.isOnDisk = reader->HasVoxelsOnDisk();
   volume.bodyPart = reader->GetBodyPart();
   volume.hasContrastAgent = reader->HasContrastAgent();
   volume.weighting = reader->GetWeighting();

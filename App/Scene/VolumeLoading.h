@@ -41,6 +41,7 @@ struct LoadedVolume
   std::vector<Segment> segments = {};
   double uptakeValueFactor = 0.0;    ///< for PET: from values to SUV [g/ml]; 0 if unknown
   std::string frameOfReference = {}; ///< UID of DICOM for the space of the image; may be empty
+  bool isOnDisk = false; ///< true if the voxels stayed in their file, because they are so many
 };
 
 /// Receives the fraction of the work done, [0, 1]; returns false to cancel.

@@ -213,7 +213,31 @@ def rectify(folder):
         assert re.search(rf"sizes: \d+ \d+ {count}\n", header), header
 
 
+def on_disk(folder):
+    volume = folder / "torso.nrrd"
+    run("convert", VOLUME, volume)
+    pictures = {}
+    for options in ((), ("--memory", "0.2"), ("--memory", "0.2", "--level", "coarse")):
+        run("info", volume, *options[:2], "--json", folder / "info.json")
+        written = json.loads((folder / "info.json").read_text())["volume"]
+        assert written["fromDisk"] == bool(options), written
+        pictures[options] = written["percentiles"], written["histogram"]
+        run("render", volume, *options, "-o", folder / "a.png", "--size", "64x64",
+            "--json", folder / "render.json")
+        pictures[options] += ((folder / "a.png").read_bytes(),)
+        bound = json.loads((folder / "render.json").read_text())["levelErrorBound"]
+        assert (bound > 0.0) == ("coarse" in options), bound
+    memory, disk, coarse = pictures.values()
+    assert memory == disk != coarse
+    scene = {"volume": {"file": "torso.nrrd", "memory": 0.2}, "look": "mr-head"}
+    (folder / "scene.json").write_text(json.dumps(scene))
+    run("render", folder / "scene.json", "-o", folder / "b.png", "--json", folder / "render.json")
+    assert (folder / "torso.nrrd.varimarch-ranges").exists()
+    _, errors = run("info", volume, "--memory", "0.01", expect=1)
+    assert "for the bricks of 48 x 40 x 32" in errors, errors
+
+
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        {"series": series, "raw": raw, "labels": labels, "overlays": overlays,
-     "rectify": rectify}[sys.argv[2]](pathlib.Path(name))
+        {"series": series, "raw": raw, "labels": labels, "overlays": overlays, "rectify": rectify,
+         "on_disk": on_disk}[sys.argv[2]](pathlib.Path(name))

@@ -1,5 +1,7 @@
 #include "Frame/FiniteRange.h"
 
+#include "Readers/MappedVoxels.h"
+
 #include "vtkDataArray.h"
 #include "vtkSetGet.h"
 #include "vtkType.h"
@@ -124,6 +126,10 @@ ValueRange FiniteRangeOf(const Scalar* scalars, std::ptrdiff_t stride, std::ptrd
 ValueRange FiniteRangeOf(const VoxelComponent& component)
 {
   vtkDataArray* const array = component.array;
+  if (const auto summary = SummaryOf(array))
+  {
+    return { summary->smallest, summary->largest };
+  }
   const std::ptrdiff_t stride = array->GetNumberOfComponents();
   const std::ptrdiff_t count = array->GetNumberOfTuples();
   void* const scalars = array->GetVoidPointer(component.index);

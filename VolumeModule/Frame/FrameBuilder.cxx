@@ -275,7 +275,7 @@ std::string MissingNewFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume*
 
 // Builds the frame of one volume of a prop. A prop with one volume is that volume itself.
 std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
-  vtkRenderer* renderer, vtkVolume* prop, const VolumeOfPort& one)
+  vtkRenderer* renderer, vtkVolume* prop, const VolumeOfPort& one, vtkImageData* instead)
 {
   vtkVolume* const volume = one.volume;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -284,7 +284,7 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
     throw std::runtime_error("The render window does not use OpenGL");
   }
   const Viewport viewport = ViewportOf(renderer);
-  const std::optional<MapperInput> input = InputOf(mapper, one.port);
+  const std::optional<MapperInput> input = instead ? InputOf(instead) : InputOf(mapper, one.port);
   if (!input || viewport.width < 1 || viewport.height < 1)
   {
     return std::nullopt;
@@ -318,13 +318,13 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
 
 }
 
-std::optional<Frame> BuildFrame(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+std::optional<Frame> BuildFrame(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer,
+  vtkVolume* volume, vtkImageData* instead)
 {
   std::vector<Frame> frames;
   for (const VolumeOfPort& one : VolumesOfPorts(mapper, volume))
   {
-    if (std::optional<Frame> frame = BuildFrameOfVolume(mapper, renderer, volume, one))
+    if (std::optional<Frame> frame = BuildFrameOfVolume(mapper, renderer, volume, one, instead))
     {
       frames.push_back(std::move(*frame));
     }

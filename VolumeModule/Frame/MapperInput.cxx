@@ -2,6 +2,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkType.h"
 #include "vtkVolumeMapper.h"
@@ -95,6 +96,11 @@ std::vector<UnevenAxis> MapperInput::Axes(bool nearest) const
     }
   }
   return axes;
+}
+
+MapperInput InputOf(vtkImageData* image)
+{
+  return { image, image->GetPointData()->GetScalars(), VoxelPlace::Points };
 }
 
 std::optional<MapperInput> InputOf(vtkVolumeMapper* mapper, int port)

@@ -8,6 +8,7 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkImageData;
 class vtkDataSet;
 class vtkVolumeMapper;
 
@@ -28,6 +29,9 @@ struct MapperInput
   /// The axes of a rectilinear grid; empty for an image.
   std::vector<UnevenAxis> Axes(bool nearest) const;
 };
+
+/// An image with point data as an input.
+MapperInput InputOf(vtkImageData* image);
 
 /// The input of a port; nothing if it is empty.
 /// @throws std::runtime_error with a sentence for the user, if the input cannot be drawn

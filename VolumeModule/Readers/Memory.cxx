@@ -1,5 +1,7 @@
 #include "Readers/Memory.h"
 
+#include "Readers/VolumeFile.h"
+
 #include <vtksys/SystemInformation.hxx>
 
 namespace varimarch
@@ -10,6 +12,12 @@ double PhysicalMemoryBytes()
   static const double bytes =
     1024.0 * double(vtksys::SystemInformation().GetHostMemoryTotal()); // in KiB
   return bytes;
+}
+
+std::uint64_t MostMemoryBytes(const ReadOptions& options)
+{
+  return options.mostMemoryBytes > 0 ? options.mostMemoryBytes
+                                     : std::uint64_t(PhysicalMemoryBytes());
 }
 
 double FreeMemoryBytes()

@@ -4,6 +4,7 @@
 #include "Readers/Formats.h"
 #include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/Memory.h"
 #include "Readers/NumberText.h"
 #include "Readers/VoxelFile.h"
 
@@ -220,12 +221,13 @@ VoxelFile VoxelFileOf(const MetaHeader& header)
 
 }
 
-Volume ReadMetaImage(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadMetaImage(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   const MetaHeader header = ReadMetaHeader(path);
   Volume volume;
   const ImageGeometry geometry = GeometryOf(header, volume.warnings);
-  const VoxelFile file = VoxelFileOf(header);
+  VoxelFile file = VoxelFileOf(header);
+  file.mostMemoryBytes = MostMemoryBytes(options);
   if (file.volumeCount > 1)
   {
     volume.warnings.push_back(OnlyFirstVolume(file.volumeCount));

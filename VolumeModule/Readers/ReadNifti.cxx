@@ -4,6 +4,7 @@
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/Magnitude.h"
+#include "Readers/Memory.h"
 #include "Readers/NiftiGeometry.h"
 #include "Readers/NiftiHeader.h"
 #include "Readers/NiftiLayout.h"
@@ -157,6 +158,13 @@ VoxelFile VoxelFileOf(const std::string& headerPath, const NiftiHeader& header, 
   return file;
 }
 
+bool IsRescaled(const Rescale& rescale)
+{
+  const bool isStated =
+    std::isfinite(rescale.slope) && rescale.slope != 0 && std::isfinite(rescale.intercept);
+  return isStated && !(rescale.slope == 1 && rescale.intercept == 0);
+}
+
 /// Applies the slope and intercept, unless the slope is 0, which means none. Colours have none
 /// either, and the intercept of complex numbers has no effect on their magnitude.
 void ApplyRescale(const std::string& path, const NiftiHeader& header, Volume& volume)
@@ -170,21 +178,23 @@ void ApplyRescale(const std::string& path, const NiftiHeader& header, Volume& vo
     rescale = { std::abs(rescale.slope), 0.0 };
   }
   const bool isColour = !isComplex && TypeOfCode(path, header.datatype).componentCount > 1;
-  const bool isRescaled = std::isfinite(rescale.slope) && rescale.slope != 0 &&
-    std::isfinite(rescale.intercept) && !isColour;
-  volume.image = Rescaled(path, volume.image, { isRescaled ? rescale : Rescale() });
+  volume.image =
+    Rescaled(path, volume.image, { IsRescaled(rescale) && !isColour ? rescale : Rescale() });
 }
 
 }
 
-Volume ReadNifti(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadNifti(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   Volume volume;
   const std::string headerPath = HeaderPath(path);
   const NiftiHeader header = ReadNiftiHeader(headerPath);
   const VoxelLayout layout = LayoutOf(headerPath, header, volume);
   const ImageGeometry geometry = GeometryOf(headerPath, header, volume.warnings);
-  volume.image = ReadVoxels(VoxelFileOf(headerPath, header, volume), layout, progress);
+  VoxelFile file = VoxelFileOf(headerPath, header, volume);
+  file.conversion = IsRescaled(header.rescale) ? "rescaled" : "";
+  file.mostMemoryBytes = MostMemoryBytes(options);
+  volume.image = ReadVoxels(file, layout, progress);
   ApplyRescale(headerPath, header, volume);
   PlaceImage(headerPath, geometry, volume.image);
 

@@ -3,6 +3,7 @@
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/Magnitude.h"
+#include "Readers/Memory.h"
 #include "Readers/NrrdAxes.h"
 #include "Readers/NrrdGeometry.h"
 #include "Readers/NrrdSegments.h"
@@ -78,7 +79,7 @@ VoxelFile VoxelFileOf(const NrrdHeader& header)
 
 }
 
-Volume ReadNrrd(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadNrrd(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   Volume volume;
   const NrrdHeader header = ReadNrrdHeader(path);
@@ -94,6 +95,8 @@ Volume ReadNrrd(const std::string& path, const ReadOptions&, ReadProgress& progr
   file.planar = axes.planar;
   file.volumeCount = axes.volumeCount;
   file.alternation = axes.areAlternating ? 1 : 0;
+  file.conversion = holdsSegments ? "joined to segments" : "";
+  file.mostMemoryBytes = MostMemoryBytes(options);
   const bool needsByteOrder =
     file.encoding == VoxelEncoding::Binary && vtkDataArray::GetDataTypeSize(layout.scalarType) > 1;
   if (needsByteOrder && !header.fields.Has("endian"))

@@ -2,6 +2,7 @@
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/Memory.h"
 #include "Readers/VoxelFile.h"
 
 #include <vtkDataArray.h>
@@ -33,10 +34,11 @@ Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress
   file.compression = CompressionOf(path);
   file.bigEndian = raw.bigEndian;
   file.dataOffset = raw.headerBytes;
+  file.mostMemoryBytes = MostMemoryBytes(options);
 
   Volume volume;
   volume.image = ReadVoxels(file, layout, progress);
-  const double expectedBytes = double(CheckedByteCount(path, layout)) + double(raw.headerBytes);
+  const double expectedBytes = double(ByteCountOf(path, layout)) + double(raw.headerBytes);
   const double fileBytes = double(ReadableFileSize(path));
   if (file.compression == Compression::None && fileBytes > expectedBytes)
   {

@@ -99,6 +99,9 @@ struct ReadOptions
   RawOptions raw;
   std::string series; ///< the DICOM series to read, see SeriesNamed
   Rectify rectify = Rectify::Never;
+  /// Memory that the program may use [bytes]; 0: all of the machine's. Voxels that need more than a
+  /// quarter of it stay in their file where that is possible.
+  std::uint64_t mostMemoryBytes = 0;
 
   bool Rectifies(const Volume& volume) const
   {

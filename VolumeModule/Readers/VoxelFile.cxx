@@ -1,6 +1,7 @@
 #include "Readers/VoxelFile.h"
 
 #include "Readers/FileError.h"
+#include "Readers/MappedVoxels.h"
 #include "Readers/NumberText.h"
 
 #include <vtkByteSwap.h>
@@ -107,23 +108,35 @@ std::uint64_t OffsetBehindLines(const std::string& path, std::uint64_t offset, s
   return offset;
 }
 
+/// Offset of the first voxel in a file that is not compressed.
+std::uint64_t OffsetOfVoxels(const VoxelFile& file, const Part& part)
+{
+  const std::uint64_t begin =
+    OffsetBehindLines(part.path, std::uint64_t(file.fileOffset), file.lineSkip);
+  if (file.dataOffset != VoxelFile::FromEnd)
+  {
+    return begin + std::uint64_t(file.dataOffset);
+  }
+  const std::uint64_t all =
+    ReadableFileSize(part.path) - std::min(begin, ReadableFileSize(part.path));
+  return begin + all - std::min(all, part.Bytes() * std::uint64_t(file.volumeCount));
+}
+
 /// Opens a file at its first voxel.
 std::unique_ptr<ByteStream> StreamAtVoxels(const VoxelFile& file, const Part& part)
 {
+  if (file.compression == Compression::None)
+  {
+    return OpenStream(part.path, file.compression, OffsetOfVoxels(file, part));
+  }
   const std::uint64_t begin =
     OffsetBehindLines(part.path, std::uint64_t(file.fileOffset), file.lineSkip);
   std::uint64_t skip = std::uint64_t(file.dataOffset);
   if (file.dataOffset == VoxelFile::FromEnd)
   {
-    const std::uint64_t all = file.compression == Compression::None
-      ? ReadableFileSize(part.path) - std::min(begin, ReadableFileSize(part.path))
-      : OpenStream(part.path, file.compression, begin)
-          ->Skip(std::numeric_limits<std::uint64_t>::max());
+    const std::uint64_t all = OpenStream(part.path, file.compression, begin)
+                                ->Skip(std::numeric_limits<std::uint64_t>::max());
     skip = all - std::min(all, part.Bytes() * std::uint64_t(file.volumeCount));
-  }
-  if (file.compression == Compression::None)
-  {
-    return OpenStream(part.path, file.compression, begin + skip);
   }
   auto stream = OpenStream(part.path, file.compression, begin);
   stream->Skip(skip);
@@ -195,6 +208,34 @@ void Interleave(vtkImageData* image)
   }
 }
 
+/// The image of voxels that stay in their file, because there are too many to be read; null if they
+/// are to be read.
+vtkSmartPointer<vtkImageData> ImageIfMapped(
+  const VoxelFile& file, const Part& part, const VoxelLayout& layout, ReadProgress& progress)
+{
+  const std::uint64_t byteCount = ByteCountOf(part.path, layout);
+  if (file.mostMemoryBytes == 0 || byteCount <= file.mostMemoryBytes / 4)
+  {
+    return nullptr;
+  }
+  const std::uint64_t offset =
+    file.compression == Compression::None ? OffsetOfVoxels(file, part) : 0;
+  const std::string obstacle = ObstacleToMapping(file, layout, offset);
+  if (obstacle.empty())
+  {
+    return MappedImage({ part.path, layout, offset, file.mostMemoryBytes }, progress);
+  }
+  if (byteCount > file.mostMemoryBytes)
+  {
+    FailToRead(part.path,
+      "voxels that fit in the memory of " + ByteText(double(file.mostMemoryBytes)) +
+        ", or that can be drawn from disk",
+      Text(layout) + " (" + ByteText(double(byteCount)) + ") that " + obstacle +
+        "; store them uncompressed in one NRRD file, in this machine's byte order");
+  }
+  return nullptr;
+}
+
 }
 
 void ReadBytes(const std::string& path, ByteStream& stream, void* destination,
@@ -217,12 +258,7 @@ void ReadBytes(const std::string& path, ByteStream& stream, void* destination,
 
 void SwapToHostOrder(bool fileIsBigEndian, vtkImageData* image)
 {
-#ifdef VTK_WORDS_BIGENDIAN
-  constexpr bool hostIsBigEndian = true;
-#else
-  constexpr bool hostIsBigEndian = false;
-#endif
-  if (fileIsBigEndian != hostIsBigEndian && image->GetScalarSize() > 1)
+  if (fileIsBigEndian != HostIsBigEndian && image->GetScalarSize() > 1)
   {
     const auto valueCount =
       std::size_t(image->GetNumberOfPoints()) * image->GetNumberOfScalarComponents();
@@ -234,7 +270,7 @@ vtkSmartPointer<vtkImageData> ReadVoxels(
   const VoxelFile& allFiles, const VoxelLayout& layout, ReadProgress& progress)
 {
   // Detects all detectable errors before memory is allocated.
-  const std::uint64_t byteCount = CheckedByteCount(allFiles.paths.front(), layout);
+  const std::uint64_t byteCount = ByteCountOf(allFiles.paths.front(), layout);
   const auto valueBytes = std::uint64_t(vtkDataArray::GetDataTypeSize(layout.scalarType));
   const VoxelFile file = FirstVolume(allFiles, byteCount / valueBytes);
   std::vector<Part> parts;
@@ -243,6 +279,11 @@ vtkSmartPointer<vtkImageData> ReadVoxels(
     parts.push_back({ path, layout.scalarType, byteCount / valueBytes / file.paths.size() });
     CheckFileHolds(file, parts.back());
   }
+  if (auto mapped = ImageIfMapped(file, parts.front(), layout, progress))
+  {
+    return mapped;
+  }
+  CheckedByteCount(file.paths.front(), layout);
 
   auto image = AllocatedImage(layout);
   auto* destination = static_cast<char*>(image->GetScalarPointer());

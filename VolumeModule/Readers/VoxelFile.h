@@ -5,6 +5,8 @@
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
 
+#include <vtkType.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -36,10 +38,14 @@ struct VoxelFile
   std::int64_t fileOffset = 0; ///< bytes to skip in each file
   std::int64_t lineSkip = 0;   ///< lines to skip after them
   std::int64_t dataOffset = 0; ///< bytes to skip after decompression, or FromEnd
+  std::string conversion;      ///< the work on the voxels once they are read, such as "rescaled"
+  /// Memory that the program may use [bytes]. Voxels that need more than a quarter of it are mapped
+  /// if the file has them as they are in memory. 0: voxels are always read.
+  std::uint64_t mostMemoryBytes = 0;
 };
 
-/// Reads the voxels into a new image at the origin with spacing 1. Sizes are checked against the
-/// memory and the files before memory is allocated.
+/// Reads the voxels into a new image at the origin with spacing 1, or maps them (MappedVoxels.h).
+/// Sizes are checked against the memory and the files before memory is allocated.
 /// @throws std::runtime_error if the files hold less than the layout promises, or invalid data
 /// @throws ReadCancelled
 vtkSmartPointer<vtkImageData> ReadVoxels(
@@ -50,6 +56,12 @@ vtkSmartPointer<vtkImageData> ReadVoxels(
 /// @throws ReadCancelled
 void ReadBytes(const std::string& path, ByteStream& stream, void* destination,
   std::uint64_t byteCount, ReadProgress& progress);
+
+#ifdef VTK_WORDS_BIGENDIAN
+constexpr bool HostIsBigEndian = true;
+#else
+constexpr bool HostIsBigEndian = false;
+#endif
 
 /// Converts values from the file's byte order to the machine's.
 void SwapToHostOrder(bool fileIsBigEndian, vtkImageData* image);

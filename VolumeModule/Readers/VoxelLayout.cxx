@@ -64,9 +64,9 @@ bool IsNumberType(int scalarType)
     (scalarType > VTK_STRING && scalarType <= VTK_TYPE_UINT64);
 }
 
-std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layout)
+std::uint64_t ByteCountOf(const std::string& path, const VoxelLayout& layout)
 {
-  // A product of doubles cannot overflow, and is exact for all volumes that fit in memory.
+  // A product of doubles cannot overflow, and is exact for all volumes that fit on a disk.
   double bytes = double(vtkDataArray::GetDataTypeSize(layout.scalarType)) * layout.componentCount;
   for (std::int64_t dimension : layout.dimensions)
   {
@@ -80,13 +80,24 @@ std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layou
   {
     FailToRead(path, "at least 1 value per voxel", std::to_string(layout.componentCount));
   }
-  const double memoryBytes = PhysicalMemoryBytes();
-  if (bytes > memoryBytes)
+  constexpr double LargestFile = 9e18;
+  if (bytes > LargestFile)
   {
-    FailToRead(path, "a volume that fits in the memory of " + ByteText(memoryBytes),
-      Text(layout) + " (" + ByteText(bytes) + ")");
+    FailToRead(path, "a volume that fits in a file", Text(layout) + " (" + ByteText(bytes) + ")");
   }
   return std::uint64_t(bytes);
+}
+
+std::uint64_t CheckedByteCount(const std::string& path, const VoxelLayout& layout)
+{
+  const std::uint64_t bytes = ByteCountOf(path, layout);
+  const double memoryBytes = PhysicalMemoryBytes();
+  if (double(bytes) > memoryBytes)
+  {
+    FailToRead(path, "a volume that fits in the memory of " + ByteText(memoryBytes),
+      Text(layout) + " (" + ByteText(double(bytes)) + ")");
+  }
+  return bytes;
 }
 
 vtkSmartPointer<vtkImageData> AllocatedImage(const VoxelLayout& layout)

@@ -40,6 +40,11 @@ int ScalarTypeOf(NumberKind kind, std::int64_t byteCount);
 /// True for a VTK type of numbers.
 bool IsNumberType(int scalarType);
 
+/// Size of the voxels [bytes].
+/// @param path  path for the error message
+/// @throws std::runtime_error for dimensions below 1, no component, or more bytes than files have
+std::uint64_t ByteCountOf(const std::string& path, const VoxelLayout& layout);
+
 /// Memory that the voxels need [bytes].
 /// @param path  path for the error message
 /// @throws std::runtime_error for dimensions below 1, no component, or more bytes than the

@@ -3,6 +3,7 @@
 #include "Core/Fields/CellField.h"
 #include "Core/Fields/EvenBricks.h"
 #include "Core/Fields/VariationField.h"
+#include "Readers/MappedVoxels.h"
 #include "Resources/VolumeTexture.h"
 #include "VtkVersions.h"
 
@@ -87,7 +88,7 @@ BrickRanges RangesOf(
     texels.resolved.upper, values.reachVoxels);
 }
 
-BrickRanges RangesOf(const VoxelValues& values, std::size_t index)
+BrickRanges BuiltRanges(const VoxelValues& values, std::size_t index)
 {
   const VoxelComponent& component = values.components[index];
   void* const voxels = component.array->GetVoidPointer(component.index);
@@ -98,6 +99,17 @@ BrickRanges RangesOf(const VoxelValues& values, std::size_t index)
       return RangesOf(static_cast<const VTK_TT*>(voxels), stride, values, values.texels[index]));
   }
   return {};
+}
+
+// Voxels that stay in their file have ranges already.
+std::shared_ptr<const BrickRanges> RangesOf(const VoxelValues& values, std::size_t index)
+{
+  const ScalarTexels& texels = values.texels[index];
+  const auto summary = SummaryOf(values.components[index].array);
+  const bool tellsApart = summary && values.reachVoxels == 0 &&
+    (texels.normalized || texels.resolved == ValueRange{ summary->smallest, summary->largest });
+  return tellsApart ? std::shared_ptr<const BrickRanges>(summary, &summary->ranges)
+                    : std::make_shared<BrickRanges>(BuiltRanges(values, index));
 }
 
 // If a smaller part of the bricks can be skipped, testing bricks costs more than it saves.
@@ -177,8 +189,9 @@ void AccelerationField::BuildRanges(const VoxelValues& values, const std::vector
   this->ranges.clear();
   for (std::size_t i = 0; i < values.components.size(); ++i)
   {
-    BrickRanges ofVoxels = RangesOf(values, i);
-    this->ranges.push_back(axes.empty() ? std::move(ofVoxels) : EvenBricks(ofVoxels, axes));
+    const std::shared_ptr<const BrickRanges> ofVoxels = RangesOf(values, i);
+    this->ranges.push_back(
+      axes.empty() ? ofVoxels : std::make_shared<BrickRanges>(EvenBricks(*ofVoxels, axes)));
   }
   this->rangeSeconds = stopwatch.Seconds();
 }
@@ -191,7 +204,7 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
   std::vector<OpticalChannel> components;
   for (const ComponentTable& shown : tables)
   {
-    components.push_back({ this->ranges[shown.component], *shown.table, shown.row });
+    components.push_back({ *this->ranges[shown.component], *shown.table, shown.row });
   }
   OpticalField field = varimarch::BuildOpticalField(components, rows, tolerance, towards);
   this->ReleaseField(window);
@@ -209,7 +222,7 @@ void AccelerationField::BuildIsosurfaceField(vtkOpenGLRenderWindow* window,
   const std::vector<double>& isovalues, glm::ivec3 towards, Marcher marcher)
 {
   const Stopwatch stopwatch;
-  OpticalField field = varimarch::BuildIsosurfaceField(this->ranges.front(), isovalues, towards);
+  OpticalField field = varimarch::BuildIsosurfaceField(this->Ranges(), isovalues, towards);
   this->ReleaseField(window);
   this->SetVisible(field, marcher);
   this->AddBuildSeconds(stopwatch.Seconds());
@@ -244,7 +257,7 @@ void AccelerationField::BuildExtremes(
   vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest, Marcher marcher)
 {
   const Stopwatch stopwatch;
-  const BrickRanges& values = this->ranges.front();
+  const BrickRanges& values = this->Ranges();
   std::vector<std::uint16_t> built = BuildExtremeBricks(values, look, largest);
   this->AddBuildSeconds(stopwatch.Seconds());
   this->ReleaseField(window);

@@ -82,7 +82,7 @@ public:
   void BuildExtremes(
     vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest, Marcher marcher);
 
-  const BrickRanges& Ranges() const { return this->ranges.front(); } ///< The first component's.
+  const BrickRanges& Ranges() const { return *this->ranges.front(); } ///< The first component's.
   vtkTextureObject* Texture() const { return this->texture; }
   const std::vector<std::uint8_t>& Bricks() const { return this->bricks; }
   const std::vector<std::uint16_t>& Extremes() const { return this->extremes; }
@@ -113,7 +113,8 @@ private:
   void Upload(vtkOpenGLRenderWindow* window, glm::ivec3 size, const std::vector<Texel>& texels);
 
   vtkNew<vtkTextureObject> texture;
-  std::vector<BrickRanges> ranges; ///< The ranges of bricks of each component.
+  std::vector<std::shared_ptr<const BrickRanges>>
+    ranges; ///< The ranges of bricks of each component.
   VisibleBricks visible;
   // Data for the processor: an optical field with the hull of its visible bricks, or a field of
   // extremes.

@@ -1,5 +1,6 @@
 #include "Resources/ProcessorVolume.h"
 
+#include "Readers/MappedVoxels.h"
 #include "Resources/VolumeGaps.h"
 
 #include "vtkDataArray.h"
@@ -19,6 +20,10 @@ namespace
 
 bool AreFinite(vtkDataArray* array)
 {
+  if (const auto summary = SummaryOf(array))
+  {
+    return summary->areFinite;
+  }
   const float* const voxels = static_cast<const float*>(array->GetVoidPointer(0));
   std::atomic<bool> finite = true;
   tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, array->GetNumberOfValues(), 1 << 16),

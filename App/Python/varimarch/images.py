@@ -8,22 +8,29 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObjectBase
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from .arguments import instance, matrix_of_directions, named_type, three_numbers
+from .arguments import instance, matrix_of_directions, named_type, number, three_numbers
 from .VarimarchVolume import vtkVolumeFileReader
 from .vtk_messages import vtk_messages_as_exceptions
 
 
-def read(path):
+def read(path, memory=None):
     """Reads a volume file as vtkImageData in patient coordinates (DICOM's LPS space, in mm).
 
     Formats: VTI, NRRD, MetaImage, NIfTI, InVesalius projects, and DICOM. For DICOM, the path is that
     of a file, a DICOMDIR or a folder, and the series with the most images is read. For raw voxels,
     other series, and metadata, use vtkVolumeFileReader.
 
+    memory: bytes of memory that the program may use; default: all of the machine's. Voxels that need
+        more than a quarter of it stay in their file, if that has them uncompressed, as single numbers
+        of 8 bits, 16 bits or type float: NRRD, MetaImage and NIfTI. The image's scalars are then a
+        mapping of the file, which is drawn from disk.
+
     Doubtful input, such as a missing slice, is a Python warning. Raises OSError with one sentence if the file cannot be read.
     """
     reader = vtkVolumeFileReader()
     reader.SetFileName(os.fspath(path))
+    if memory is not None:
+        reader.SetMaximumHostMemory(int(number("memory", memory, 1, 2**62)))
     try:
         with vtk_messages_as_exceptions(reader):
             reader.Update()

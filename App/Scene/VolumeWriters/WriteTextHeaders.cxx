@@ -56,6 +56,14 @@ std::string SegmentKeys(const std::vector<Segment>& segments, const std::array<i
                         "Segmentation_ReferenceImageExtentOffset:=0 0 0\n");
 }
 
+// Characters that make a header's length a multiple of eight: voxels that begin there can be used
+// where they are in the file.
+std::string FillingUp(std::size_t length)
+{
+  constexpr std::size_t Multiple = 8;
+  return std::string((Multiple - length % Multiple) % Multiple, '.');
+}
+
 }
 
 bool WriteNrrdFile(const LoadedVolume& volume, const std::string& path, bool)
@@ -68,14 +76,17 @@ bool WriteNrrdFile(const LoadedVolume& volume, const std::string& path, bool)
   {
     directions += ' ' + NrrdVector(image.Direction()[axis] * image.SpacingMm()[axis]);
   }
-  const std::string header = std::string("NRRD0004\ntype: ") + image.Type().nrrd +
+  std::string header = std::string("NRRD0004\ntype: ") + image.Type().nrrd +
     "\ndimension: " + (hasComponents ? "4" : "3") + "\nspace: left-posterior-superior\nsizes: " +
     (hasComponents ? std::to_string(componentCount) + ' ' : "") + SizeText(image.Size()) +
     "\nspace directions:" + (hasComponents ? " none" : "") + directions +
     "\nkinds: " + (hasComponents ? NrrdKind(componentCount) + ' ' : "") +
     "domain domain domain\nendian: " + (IsBigEndianMachine() ? "big" : "little") +
     "\nencoding: raw\nspace origin: " + NrrdVector(image.OriginMm()) + '\n' +
-    SegmentKeys(volume.segments, image.Size()) + '\n';
+    SegmentKeys(volume.segments, image.Size());
+  const std::string comment = "# ";
+  const std::string end = "\n\n";
+  header += comment + FillingUp(header.size() + comment.size() + end.size()) + end;
   return WriteHeaderAndValues(path, header, image);
 }
 
@@ -85,19 +96,21 @@ bool WriteMetaImageFile(const LoadedVolume& volume, const std::string& path, boo
   const glm::dmat3 direction = image.Direction();
   const int componentCount = image.ComponentCount();
   const bool isKnown = volume.modality == "CT" || volume.modality == "MR";
-  std::ostringstream header;
-  header << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = "
-         << (IsBigEndianMachine() ? "True" : "False")
-         << "\nCompressedData = False\nTransformMatrix = " << TextOf(direction[0]) << ' '
-         << TextOf(direction[1]) << ' ' << TextOf(direction[2])
-         << "\nOffset = " << TextOf(image.OriginMm())
-         << "\nCenterOfRotation = 0 0 0\nElementSpacing = " << TextOf(image.SpacingMm())
-         << "\nDimSize = " << SizeText(image.Size())
-         << (isKnown ? "\nModality = MET_MOD_" + volume.modality : "")
-         << (componentCount > 1 ? "\nElementNumberOfChannels = " + std::to_string(componentCount)
-                                : "")
-         << "\nElementType = " << image.Type().metaImage << "\nElementDataFile = LOCAL\n";
-  return WriteHeaderAndValues(path, header.str(), image);
+  std::ostringstream text;
+  text << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = "
+       << (IsBigEndianMachine() ? "True" : "False")
+       << "\nCompressedData = False\nTransformMatrix = " << TextOf(direction[0]) << ' '
+       << TextOf(direction[1]) << ' ' << TextOf(direction[2])
+       << "\nOffset = " << TextOf(image.OriginMm())
+       << "\nCenterOfRotation = 0 0 0\nElementSpacing = " << TextOf(image.SpacingMm())
+       << "\nDimSize = " << SizeText(image.Size())
+       << (isKnown ? "\nModality = MET_MOD_" + volume.modality : "")
+       << (componentCount > 1 ? "\nElementNumberOfChannels = " + std::to_string(componentCount)
+                              : "")
+       << "\nElementType = " << image.Type().metaImage << "\nComment = .";
+  const std::string end = "\nElementDataFile = LOCAL\n";
+  const std::string header = text.str();
+  return WriteHeaderAndValues(path, header + FillingUp(header.size() + end.size()) + end, image);
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Readers/Dicom/Segmentation.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/MappedVti.h"
 
 namespace varimarch
 {
@@ -77,7 +78,8 @@ Volume ReadTiff(const std::string& path, const ReadOptions& options, ReadProgres
 
 Volume ReadVti(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
-  return ReadByDecoder("VTI", path, options, progress);
+  std::optional<Volume> mapped = MappedVti(path, options, progress);
+  return mapped ? *mapped : ReadByDecoder("VTI", path, options, progress);
 }
 
 }

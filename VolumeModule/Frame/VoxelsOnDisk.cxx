@@ -1,0 +1,62 @@
+#include "Frame/VoxelsOnDisk.h"
+
+#include "Readers/MappedMemory.h"
+#include "Readers/MappedVoxels.h"
+
+#include "vtkDataArray.h"
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace varimarch
+{
+
+ValueCounts CountsOnDisk(vtkDataArray* scalars)
+{
+  const auto summary = SummaryOf(scalars);
+  if (!summary || summary->counts.empty())
+  {
+    return {};
+  }
+  // The counts begin with the smallest value of the type.
+  const auto first =
+    summary->counts.begin() + std::ptrdiff_t(summary->smallest - scalars->GetDataTypeMin());
+  const auto count = std::ptrdiff_t(summary->largest - summary->smallest) + 1;
+  return { summary->smallest, { first, first + count } };
+}
+
+VoxelsOnDisk::VoxelsOnDisk(const Frame& frame, vtkIdType mostBytes)
+{
+  const auto take = [&](const Frame& ofVolume)
+  {
+    auto file = MappedFileAt(ofVolume.voxels.scalars->GetVoidPointer(0));
+    if (file && mostBytes > 0)
+    {
+      SetMostBytes(*file, std::uint64_t(mostBytes));
+    }
+    if (file)
+    {
+      this->files.push_back(std::move(file));
+    }
+  };
+  take(frame);
+  for (const Frame& other : frame.others)
+  {
+    take(other);
+  }
+}
+
+void VoxelsOnDisk::Check() const
+{
+  for (const auto& file : this->files)
+  {
+    const std::string problem = file->Problem();
+    if (!problem.empty())
+    {
+      throw std::runtime_error(problem);
+    }
+  }
+}
+
+}

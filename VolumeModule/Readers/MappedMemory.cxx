@@ -1,0 +1,244 @@
+#include "Readers/MappedMemory.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+#include <thread>
+
+namespace varimarch
+{
+namespace
+{
+
+struct Kept
+{
+  std::shared_ptr<MappedFile> file;
+  MappedParts parts;
+  std::uint64_t mostBytes;
+};
+
+/// The files of the process, and the thread that keeps them within their bound.
+class MappedFiles
+{
+public:
+  void* Add(std::unique_ptr<MappedFile> newFile, std::uint64_t mostBytes)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    std::shared_ptr<MappedFile> file = std::move(newFile);
+    this->files.push_back({ file, MappedParts(file), mostBytes });
+    if (!this->watcher.joinable())
+    {
+      this->ends = false;
+      this->watcher = std::thread([this] { this->Watch(); });
+    }
+    return file->Bytes();
+  }
+
+  void Remove(void* bytes)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      this->files.erase(std::remove_if(this->files.begin(), this->files.end(),
+                          [&](const Kept& kept) { return kept.file->Holds(bytes); }),
+        this->files.end());
+    }
+    this->StopIfEmpty();
+  }
+
+  std::shared_ptr<MappedFile> At(const void* address)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    for (const Kept& kept : this->files)
+    {
+      if (kept.file->Holds(address))
+      {
+        return kept.file;
+      }
+    }
+    return nullptr;
+  }
+
+  void SetMostBytes(const MappedFile& file, std::uint64_t mostBytes)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    for (Kept& kept : this->files)
+    {
+      kept.mostBytes = kept.file.get() == &file ? mostBytes : kept.mostBytes;
+    }
+  }
+
+private:
+  void StopIfEmpty()
+  {
+    std::thread ending;
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      if (this->files.empty())
+      {
+        this->ends = true;
+        ending.swap(this->watcher);
+      }
+    }
+    this->wake.notify_all();
+    if (ending.joinable())
+    {
+      ending.join();
+    }
+  }
+
+  void Watch()
+  {
+    constexpr auto Pause = std::chrono::milliseconds(10);
+    std::unique_lock<std::mutex> lock(this->mutex);
+    while (!this->ends)
+    {
+      this->DropWhatIsTooMuch();
+      this->wake.wait_for(lock, Pause);
+    }
+  }
+
+  void DropWhatIsTooMuch()
+  {
+    std::uint64_t most = UINT64_MAX;
+    for (const Kept& kept : this->files)
+    {
+      most = std::min(most, kept.mostBytes);
+    }
+    const std::uint64_t resident = ResidentBytes();
+    // An eighth of room, so that the parts are not looked at for every page.
+    constexpr std::uint64_t RoomPart = 8;
+    const std::uint64_t begins = most - most / RoomPart;
+    if (resident > begins)
+    {
+      this->Drop(resident - std::min(resident, begins - most / RoomPart));
+    }
+  }
+
+  void Drop(std::uint64_t wantedBytes)
+  {
+    ++this->now;
+    std::vector<MappedParts::Part> all;
+    for (Kept& kept : this->files)
+    {
+      kept.parts.Look(this->now);
+      const auto& parts = kept.parts.Parts();
+      std::copy_if(parts.begin(), parts.end(), std::back_inserter(all),
+        [](const MappedParts::Part& part) { return part.residentBytes > 0; });
+    }
+    std::stable_sort(all.begin(), all.end(),
+      [](const MappedParts::Part& one, const MappedParts::Part& other)
+      { return one.grew < other.grew; });
+    std::uint64_t dropped = 0;
+    for (auto part = all.begin(); part != all.end() && dropped < wantedBytes; ++part)
+    {
+      madvise(part->begin, part->byteCount, MADV_DONTNEED);
+      dropped += part->residentBytes;
+    }
+  }
+
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::vector<Kept> files;
+  std::thread watcher;
+  bool ends = false;
+  std::uint64_t now = 0;
+};
+
+// They are never destroyed, because an array of mapped voxels may outlive any other object.
+MappedFiles& AllFiles()
+{
+  static MappedFiles& files = *std::make_unique<MappedFiles>().release();
+  return files;
+}
+
+/// The bits that /proc/self/pagemap has for a page, see Linux's
+/// Documentation/admin-guide/mm/pagemap.rst.
+constexpr std::uint64_t IsPresent = 1ull << 63;
+constexpr std::uint64_t IsSwapped = 1ull << 62;
+constexpr std::uint64_t IsOfFile = 1ull << 61;
+
+}
+
+std::uint64_t ResidentBytes()
+{
+  unsigned long long all = 0;
+  unsigned long long resident = 0;
+  if (std::FILE* const file = std::fopen("/proc/self/statm", "r"))
+  {
+    if (std::fscanf(file, "%llu %llu", &all, &resident) != 2)
+    {
+      resident = 0;
+    }
+    std::fclose(file);
+  }
+  return resident * std::uint64_t(sysconf(_SC_PAGESIZE));
+}
+
+void* KeepMapped(std::unique_ptr<MappedFile> file, std::uint64_t mostBytes)
+{
+  return AllFiles().Add(std::move(file), mostBytes);
+}
+
+void SetMostBytes(const MappedFile& file, std::uint64_t mostBytes)
+{
+  AllFiles().SetMostBytes(file, mostBytes);
+}
+
+void ReleaseMapped(void* bytes)
+{
+  AllFiles().Remove(bytes);
+}
+
+std::shared_ptr<MappedFile> MappedFileAt(const void* address)
+{
+  return AllFiles().At(address);
+}
+
+MappedParts::MappedParts(std::shared_ptr<MappedFile> newFile)
+  : file(std::move(newFile))
+{
+  const std::size_t all = this->file->PageBytes();
+  for (std::size_t begin = 0; begin < all; begin += PartBytes)
+  {
+    this->parts.push_back({ this->file->Pages() + begin, std::min(PartBytes, all - begin), 0, 0 });
+  }
+}
+
+// A part whose pages are not known counts as wholly resident.
+void MappedParts::Look(std::uint64_t now)
+{
+  const auto page = std::size_t(sysconf(_SC_PAGESIZE));
+  const int pagemap = open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC);
+  std::vector<std::uint64_t> entries(PartBytes / page);
+  for (Part& part : this->parts)
+  {
+    const std::size_t count = part.byteCount / page;
+    const auto place = off_t(reinterpret_cast<std::uintptr_t>(part.begin) / page * 8);
+    const auto wanted = ssize_t(8 * count);
+    std::size_t resident = part.byteCount;
+    if (pagemap >= 0 && pread(pagemap, entries.data(), std::size_t(wanted), place) == wanted)
+    {
+      const auto end = entries.begin() + std::ptrdiff_t(count);
+      const bool isWritten = std::any_of(entries.begin(), end,
+        [](std::uint64_t entry)
+        { return (entry & (IsPresent | IsSwapped)) != 0 && (entry & IsOfFile) == 0; });
+      const auto present = std::size_t(std::count_if(
+        entries.begin(), end, [](std::uint64_t entry) { return (entry & IsPresent) != 0; }));
+      resident = isWritten ? 0 : page * present;
+    }
+    part.grew = resident > part.residentBytes ? now : part.grew;
+    part.residentBytes = resident;
+  }
+  if (pagemap >= 0)
+  {
+    close(pagemap);
+  }
+}
+
+}

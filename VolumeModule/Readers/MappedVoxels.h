@@ -1,0 +1,34 @@
+#ifndef Varimarch_Readers_MappedVoxels_h
+#define Varimarch_Readers_MappedVoxels_h
+
+#include "Readers/SummaryFile.h"
+#include "Readers/VoxelFile.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+class vtkDataArray;
+
+namespace varimarch
+{
+
+/// The reason why the voxels of a file cannot be used where they are, as the rest of a sentence
+/// about them; empty if they can. Only types that packets of rays read are of use there.
+/// @param offset  offset of the first voxel in the file
+std::string ObstacleToMapping(
+  const VoxelFile& file, const VoxelLayout& layout, std::uint64_t offset);
+
+/// An image of voxels that stay in their file, at the origin, with spacing 1. Its scalars own the
+/// mapped file, and know the summary.
+/// @throws std::runtime_error if the file cannot be mapped, or the memory does not suffice for
+/// what belongs to its bricks
+/// @throws ReadCancelled
+vtkSmartPointer<vtkImageData> MappedImage(const SummarizedVoxels& voxels, ReadProgress& progress);
+
+/// The summary of scalars that stayed in their file; null for others, and once they are modified.
+std::shared_ptr<const VolumeSummary> SummaryOf(vtkDataArray* scalars);
+
+}
+
+#endif

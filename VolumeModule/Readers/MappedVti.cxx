@@ -1,0 +1,194 @@
+// The header of a VTI file is read without a library: all other files are left to the decoder.
+#include "Readers/MappedVti.h"
+
+#include "Readers/ByteStream.h"
+#include "Readers/FileError.h"
+#include "Readers/ImageGeometry.h"
+#include "Readers/MappedVoxels.h"
+#include "Readers/Memory.h"
+
+#include <vtkDataArray.h>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cstdint>
+#include <locale>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace varimarch
+{
+namespace
+{
+
+/// The start tag of an element; empty unless the text has exactly one.
+std::string TagOf(const std::string& text, const std::string& element)
+{
+  const std::string begin = "<" + element + " ";
+  const std::size_t place = text.find(begin);
+  const bool isAlone =
+    place != std::string::npos && text.find(begin, place + 1) == std::string::npos;
+  return isAlone ? text.substr(place, text.find('>', place) - place) : "";
+}
+
+std::string AttributeOf(const std::string& tag, const std::string& name)
+{
+  const std::string begin = " " + name + "=\"";
+  const std::size_t place = tag.find(begin);
+  if (place == std::string::npos)
+  {
+    return "";
+  }
+  const std::size_t first = place + begin.size();
+  return tag.substr(first, tag.find('"', first) - first);
+}
+
+/// The numbers of an attribute; empty unless there are `count`.
+std::vector<double> NumbersOf(const std::string& tag, const std::string& name, std::size_t count)
+{
+  std::istringstream stream(AttributeOf(tag, name));
+  stream.imbue(std::locale::classic());
+  std::vector<double> numbers;
+  for (double number; stream >> number;)
+  {
+    numbers.push_back(number);
+  }
+  return numbers.size() == count && stream.eof() ? numbers : std::vector<double>();
+}
+
+/// The header of the one kind of file that is mapped.
+struct VtiHeader
+{
+  std::string file; ///< start tags of elements
+  std::string image;
+  std::string piece;
+  std::string array;
+  std::uint64_t appended = 0; ///< offset in the file of the first byte of appended data
+};
+
+/// The header; none if the file may be of another kind.
+std::optional<VtiHeader> HeaderOf(const std::string& path)
+{
+  constexpr std::size_t MostBytes = 1 << 16;
+  std::string text(MostBytes, '\0');
+  text.resize(OpenStream(path, Compression::None)->Read(text.data(), text.size()));
+  const std::size_t end = text.find("<AppendedData ");
+  const std::size_t mark = text.find('_', end);
+  if (end == std::string::npos || mark == std::string::npos ||
+    AttributeOf(text.substr(end, mark - end), "encoding") != "raw")
+  {
+    return std::nullopt;
+  }
+  text.resize(end);
+  VtiHeader header{ TagOf(text, "VTKFile"), TagOf(text, "ImageData"), TagOf(text, "Piece"),
+    TagOf(text, "DataArray"), mark + 1 };
+  const bool isOfPoints = text.find("<DataArray") < text.find("</PointData");
+  const std::string extent = AttributeOf(header.image, "WholeExtent");
+  const bool isKnown = isOfPoints && !extent.empty() &&
+    extent == AttributeOf(header.piece, "Extent") &&
+    AttributeOf(header.file, "type") == "ImageData" &&
+    AttributeOf(header.file, "compressor").empty() &&
+    AttributeOf(header.array, "format") == "appended";
+  return isKnown ? std::optional(header) : std::nullopt;
+}
+
+int ScalarTypeOfName(const std::string& name)
+{
+  static const std::map<std::string, int> types = { { "Int8", VTK_SIGNED_CHAR },
+    { "UInt8", VTK_UNSIGNED_CHAR }, { "Int16", VTK_SHORT }, { "UInt16", VTK_UNSIGNED_SHORT },
+    { "Float32", VTK_FLOAT } };
+  const auto type = types.find(name);
+  return type == types.end() ? VTK_VOID : type->second;
+}
+
+/// The layout; none if it cannot be mapped.
+std::optional<VoxelLayout> LayoutOf(const VtiHeader& header)
+{
+  const std::vector<double> extent = NumbersOf(header.image, "WholeExtent", 6);
+  const std::string components = AttributeOf(header.array, "NumberOfComponents");
+  VoxelLayout layout{ {}, ScalarTypeOfName(AttributeOf(header.array, "type")) };
+  if (extent.empty() || layout.scalarType == VTK_VOID || !(components.empty() || components == "1"))
+  {
+    return std::nullopt;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    layout.dimensions[axis] = std::int64_t(extent[2 * axis + 1] - extent[2 * axis]) + 1;
+  }
+  return layout;
+}
+
+/// The number of bytes in front of the array in the appended data, which its own byte count takes.
+std::uint64_t CountBytes(const VtiHeader& header)
+{
+  return AttributeOf(header.file, "header_type") == "UInt64" ? 8 : 4;
+}
+
+/// Where the voxels are. The file must state their number of bytes in front of them.
+VoxelFile VoxelFileOf(
+  const std::string& path, const VtiHeader& header, const VoxelLayout& layout, std::uint64_t most)
+{
+  const std::vector<double> begin = NumbersOf(header.array, "offset", 1);
+  VoxelFile file;
+  file.paths = { path };
+  file.bigEndian = AttributeOf(header.file, "byte_order") == "BigEndian";
+  file.mostMemoryBytes = most;
+  const std::uint64_t place = header.appended + std::uint64_t(begin.empty() ? 0.0 : begin[0]);
+  std::uint64_t stated = 0;
+  OpenStream(path, Compression::None, place)->Read(&stated, std::size_t(CountBytes(header)));
+  const std::uint64_t expected = ByteCountOf(path, layout);
+  if (begin.empty() || (file.bigEndian == HostIsBigEndian && stated != expected))
+  {
+    FailToRead(path, std::to_string(expected) + " bytes of voxels", std::to_string(stated));
+  }
+  file.dataOffset = std::int64_t(place + CountBytes(header));
+  return file;
+}
+
+ImageGeometry GeometryOf(const VtiHeader& header)
+{
+  const auto numbers = [&](const char* name, std::vector<double> usual)
+  {
+    const std::vector<double> found = NumbersOf(header.image, name, usual.size());
+    return found.empty() ? usual : found;
+  };
+  const std::vector<double> origin = numbers("Origin", { 0.0, 0.0, 0.0 });
+  const std::vector<double> spacing = numbers("Spacing", { 1.0, 1.0, 1.0 });
+  const std::vector<double> rows =
+    numbers("Direction", { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 });
+  const std::vector<double> extent = NumbersOf(header.image, "WholeExtent", 6);
+  ImageGeometry geometry;
+  const glm::dmat3 direction = glm::transpose(glm::make_mat3(rows.data()));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.axesMm[axis] = direction[axis] * spacing[std::size_t(axis)];
+  }
+  geometry.originMm =
+    glm::make_vec3(origin.data()) + geometry.axesMm * glm::dvec3(extent[0], extent[2], extent[4]);
+  return geometry;
+}
+
+}
+
+std::optional<Volume> MappedVti(
+  const std::string& path, const ReadOptions& options, ReadProgress& progress)
+{
+  const std::uint64_t most = MostMemoryBytes(options);
+  if (ReadableFileSize(path) <= most / 4 || CompressionOf(path) != Compression::None)
+  {
+    return std::nullopt;
+  }
+  const std::optional<VtiHeader> header = HeaderOf(path);
+  const std::optional<VoxelLayout> layout = header ? LayoutOf(*header) : std::nullopt;
+  if (!layout || ByteCountOf(path, *layout) <= most / 4)
+  {
+    return std::nullopt;
+  }
+  Volume volume;
+  volume.image = ReadVoxels(VoxelFileOf(path, *header, *layout, most), *layout, progress);
+  PlaceImage(path, GeometryOf(*header), volume.image);
+  return volume;
+}
+
+}
