@@ -16,6 +16,18 @@ TEST(LightLattice, OfALightTakesAtMostAnEighthOfAByteForEachVoxel)
   }
 }
 
+TEST(LightLattice, HasNodesThat32BitsCanNumberInAnyVolume)
+{
+  const glm::ivec3 large(4096, 4096, 2048); // 2^35 voxels
+  for (const LatticeShape& shape :
+    { LightLattice::ShapeOfLight(large), LightLattice::ShapeOfSky(large) })
+  {
+    const double nodes = double(shape.nodeCount.x) * shape.nodeCount.y * shape.nodeCount.z;
+    EXPECT_LT(nodes, 2147483648.0);
+    EXPECT_EQ(shape.voxelsPerNode, 4);
+  }
+}
+
 TEST(LightLattice, IsEmptyAtFirst)
 {
   LightLattice lattice(LightLattice::ShapeOfLight(glm::ivec3(20, 30, 40)));

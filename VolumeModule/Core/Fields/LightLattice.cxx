@@ -18,22 +18,35 @@ std::size_t BytesFor(const glm::ivec3& count)
   return hasCells ? std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z) : 0;
 }
 
+// Packets number nodes with 32 bits.
+bool CanBeNumbered(const glm::ivec3& nodes)
+{
+  return BytesFor(nodes) <= std::size_t(std::numeric_limits<std::int32_t>::max());
 }
 
+}
+
+// Beyond 2^34 voxels there are fewer nodes.
 LatticeShape LightLattice::ShapeOfLight(const glm::ivec3& voxelCount)
 {
-  constexpr int VoxelsPerNode = 2;
-  return { voxelCount / VoxelsPerNode, VoxelsPerNode, 0 };
+  int voxelsPerNode = 2;
+  while (!CanBeNumbered(voxelCount / voxelsPerNode))
+  {
+    voxelsPerNode *= 2;
+  }
+  return { voxelCount / voxelsPerNode, voxelsPerNode, 0 };
 }
 
 LatticeShape LightLattice::ShapeOfSky(const glm::ivec3& voxelCount)
 {
   constexpr int Margin = SkyDistanceVoxels + 1;
-  const LatticeShape fine = { voxelCount + 2 * Margin, 1, Margin };
-  // Packets number nodes with 32 bits.
-  const bool canBeNumbered =
-    BytesFor(fine.nodeCount) <= std::size_t(std::numeric_limits<std::int32_t>::max());
-  return canBeNumbered ? fine : LatticeShape{ (voxelCount + 2 * Margin) / 2 + 1, 2, Margin };
+  LatticeShape shape = { voxelCount + 2 * Margin, 1, Margin };
+  while (!CanBeNumbered(shape.nodeCount))
+  {
+    shape.voxelsPerNode *= 2;
+    shape.nodeCount = (voxelCount + 2 * Margin) / shape.voxelsPerNode + 1;
+  }
+  return shape;
 }
 
 // calloc takes zeros from the system page by page, when they are written.
