@@ -1,7 +1,6 @@
 #include "Readers/FileError.h"
+#include "Readers/Hdf5Handles.h"
 #include "Readers/Minc/MincFile.h"
-
-#include <hdf5.h>
 
 #include <algorithm>
 
@@ -12,50 +11,6 @@ namespace
 
 constexpr const char* imageName = "/minc-2.0/image/0/image";
 
-/// An identifier of HDF5, which is closed at the end.
-class Handle
-{
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t))
-    : id(id)
-    , close(close)
-  {
-  }
-  ~Handle()
-  {
-    if (this->id >= 0)
-    {
-      this->close(this->id);
-    }
-  }
-  Handle(const Handle&) = delete;
-  void operator=(const Handle&) = delete;
-
-  operator hid_t() const { return this->id; }
-
-private:
-  hid_t id;
-  herr_t (*close)(hid_t);
-};
-
-/// Stops HDF5 from printing errors, until the end of a function.
-class SilentHdf5
-{
-public:
-  SilentHdf5()
-  {
-    H5Eget_auto(H5E_DEFAULT, &this->print, &this->data);
-    H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~SilentHdf5() { H5Eset_auto(H5E_DEFAULT, this->print, this->data); }
-  SilentHdf5(const SilentHdf5&) = delete;
-  void operator=(const SilentHdf5&) = delete;
-
-private:
-  H5E_auto2_t print = nullptr;
-  void* data = nullptr;
-};
-
 class Minc2File : public MincFile
 {
 public:
@@ -63,13 +18,13 @@ public:
 
   void ReadImage(const MincPart& part, void* destination) override
   {
-    const Handle type(H5Tget_native_type(this->imageType, H5T_DIR_ASCEND), H5Tclose);
+    const Hdf5Handle type(H5Tget_native_type(this->imageType, H5T_DIR_ASCEND), H5Tclose);
     this->Read(this->image, part, type, destination);
   }
 
   std::vector<double> ReadExtremes(const std::string& name, const MincPart& part) override
   {
-    const Handle dataset(
+    const Hdf5Handle dataset(
       H5Dopen(this->file, ("/minc-2.0/image/0/" + name).c_str(), H5P_DEFAULT), H5Dclose);
     std::size_t count = 1;
     for (const std::size_t length : part.count)
@@ -99,19 +54,19 @@ private:
 
   std::string path;
   SilentHdf5 silent;
-  Handle file;
-  Handle image;
-  Handle imageType;
+  Hdf5Handle file;
+  Hdf5Handle image;
+  Hdf5Handle imageType;
 };
 
 void Minc2File::Read(hid_t dataset, const MincPart& part, hid_t type, void* destination) const
 {
   const SilentHdf5 silentHere;
-  const Handle space(H5Dget_space(dataset), H5Sclose);
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
   const auto rank = int(part.count.size());
   const std::vector<hsize_t> start(part.start.begin(), part.start.end());
   const std::vector<hsize_t> count(part.count.begin(), part.count.end());
-  const Handle memory(
+  const Hdf5Handle memory(
     rank > 0 ? H5Screate_simple(rank, count.data(), nullptr) : H5Screate(H5S_SCALAR), H5Sclose);
   const bool isSelected = rank == 0 ||
     H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0;
@@ -125,9 +80,9 @@ std::vector<double> Minc2File::Numbers(hid_t object, const char* name) const
   {
     return {};
   }
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  const Handle space(H5Aget_space(attribute), H5Sclose);
-  const Handle type(H5Aget_type(attribute), H5Tclose);
+  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   const H5T_class_t kind = H5Tget_class(type);
   if (count < 1 || count > 16 || (kind != H5T_INTEGER && kind != H5T_FLOAT))
@@ -146,8 +101,8 @@ std::string Minc2File::Text(hid_t object, const char* name) const
   {
     return "";
   }
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  const Handle type(H5Aget_type(attribute), H5Tclose);
+  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
   const std::size_t length = H5Tget_size(type);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || length > 65536)
   {
@@ -160,8 +115,8 @@ std::string Minc2File::Text(hid_t object, const char* name) const
 
 std::size_t Minc2File::RankOf(const std::string& name) const
 {
-  const Handle dataset(H5Dopen(this->file, name.c_str(), H5P_DEFAULT), H5Dclose);
-  const Handle space(H5Dget_space(dataset), H5Sclose);
+  const Hdf5Handle dataset(H5Dopen(this->file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
   return std::size_t(std::max(0, H5Sget_simple_extent_ndims(space)));
 }
 
@@ -179,7 +134,7 @@ void Minc2File::TakeType()
   {
     this->validRange = { range[0], range[1] };
   }
-  const Handle creation(H5Dget_create_plist(this->image), H5Pclose);
+  const Hdf5Handle creation(H5Dget_create_plist(this->image), H5Pclose);
   this->isCompressed = H5Pget_nfilters(creation) > 0;
   this->storedBytes = double(H5Dget_storage_size(this->image));
 }
@@ -190,7 +145,7 @@ MincAxis Minc2File::Axis(const std::string& name, std::size_t length) const
   axis.name = name;
   axis.length = length;
   const std::string path = "/minc-2.0/dimensions/" + name;
-  const Handle dimension(H5Dopen(this->file, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle dimension(H5Dopen(this->file, path.c_str(), H5P_DEFAULT), H5Dclose);
   const std::vector<double> start = this->Numbers(dimension, "start");
   const std::vector<double> step = this->Numbers(dimension, "step");
   const std::vector<double> cosines = this->Numbers(dimension, "direction_cosines");
@@ -213,7 +168,7 @@ Minc2File::Minc2File(const std::string& path)
   this->Require(this->file >= 0, "a complete HDF5 file");
   this->Require(this->imageType >= 0, std::string("the image of MINC, ") + imageName);
   this->TakeType();
-  const Handle space(H5Dget_space(this->image), H5Sclose);
+  const Hdf5Handle space(H5Dget_space(this->image), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space);
   this->Require(rank >= 1 && rank <= 16, "an image of 1 to 16 dimensions");
   std::vector<hsize_t> lengths(static_cast<std::size_t>(rank));
