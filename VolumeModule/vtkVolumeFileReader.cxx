@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 namespace
@@ -119,6 +120,9 @@ void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)
   options.rectify = this->RectifySlices ? varimarch::Rectify::Always
     : this->RectifyMisplacedSlices      ? varimarch::Rectify::Misplaced
                                         : varimarch::Rectify::Never;
+  options.level =
+    this->ResolutionLevel < 0 ? std::nullopt : std::optional<int>(this->ResolutionLevel);
+  options.channel = this->Channel;
   this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
   vtkImageData* const image = this->Read->Volume.image;
   this->Read->AreOnDisk = varimarch::MappedFileAt(image->GetScalarPointer()) != nullptr;
@@ -352,6 +356,8 @@ void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RectifySlices: " << this->RectifySlices << '\n';
   os << indent << "RectifyMisplacedSlices: " << this->RectifyMisplacedSlices << '\n';
   os << indent << "MaximumHostMemory: " << this->MaximumHostMemory << '\n';
+  os << indent << "ResolutionLevel: " << this->ResolutionLevel << '\n';
+  os << indent << "Channel: " << this->Channel << '\n';
   os << indent << "LongestSilence: " << this->LongestSilence << '\n';
   os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
 }

@@ -3,8 +3,9 @@
  * @brief   Reads a volume of any supported format, in patient coordinates
  *
  * One reader for VTI, NRRD, MetaImage, NIfTI, DICOM, InVesalius projects, TIFF, NumPy, MGH, MINC,
- * AFNI, MIF, PAR/REC, GIPL, MRC, SLC, PVM, stacks of pictures and raw voxels. Set a file name (for
- * DICOM: a folder, a DICOMDIR or a file; for a stack of pictures: a folder) and update:
+ * AFNI, MIF, PAR/REC, GIPL, MRC, SLC, PVM, OME-Zarr, HDF5, stacks of pictures and raw voxels. Set a
+ * file name (for DICOM: a folder, a DICOMDIR or a file; for a stack of pictures: a folder) and
+ * update:
  * @code
  *   vtkNew<vtkVolumeFileReader> reader;
  *   reader->SetFileName("head.nrrd");
@@ -22,10 +23,10 @@
  * what was found. Sizes are checked against the file and the machine's memory before memory is
  * allocated.
  *
- * Libraries that others maintain parse DICOM, VTI, TIFF, pictures, MINC, InVesalius projects and
- * archives in a process of its own, the program varimarch-decode, with limits of memory and time.
- * A file at which it crashes or hangs is an error like any other; the other slices of a series are
- * read. Without that program these formats cannot be read.
+ * Libraries that others maintain parse DICOM, VTI, TIFF, pictures, MINC, OME-Zarr, HDF5, InVesalius
+ * projects and archives in a process of its own, the program varimarch-decode, with limits of
+ * memory and time. A file at which it crashes or hangs is an error like any other; the other slices
+ * of a series are read. Without that program these formats cannot be read.
  *
  * The file is read in UpdateInformation(), because the type of rescaled values is known only after
  * that. Progress events are invoked there. SetAbortExecute(1) in an observer stops the reader: the
@@ -138,6 +139,24 @@ public:
   vtkSetMacro(RectifyMisplacedSlices, bool);
   vtkGetMacro(RectifyMisplacedSlices, bool);
   vtkBooleanMacro(RectifyMisplacedSlices, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The level to read of OME-Zarr, Imaris or BigDataViewer, the finest of which is 0. Default: -1,
+   * the finest that fits in half of the memory that is free; the warnings name it if it is not 0.
+   */
+  vtkSetClampMacro(ResolutionLevel, int, -1, VTK_INT_MAX);
+  vtkGetMacro(ResolutionLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * The channel to read of these formats, or the setup of BigDataViewer, counted from 0. Default:
+   * 0.
+   */
+  vtkSetClampMacro(Channel, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Channel, int);
   ///@}
 
   ///@{
@@ -280,6 +299,8 @@ private:
   std::string DICOMSeriesUID;
   bool RectifySlices = false;
   bool RectifyMisplacedSlices = false;
+  int ResolutionLevel = -1;
+  int Channel = 0;
   double LongestSilence = 60.0;
   vtkIdType MaximumHostMemory = 0;
 

@@ -283,6 +283,16 @@ void AddVolumeOptions(
       "of it is drawn from its file, if its voxels are not compressed (default: all)")
     ->check(CLI::PositiveNumber)
     ->type_name("MB");
+  command
+    .add_option("--level", arguments.level,
+      "The level to read of OME-Zarr, Imaris or BigDataViewer, from 0, the finest\n"
+      "(default: the finest that fits in half of the free memory)")
+    ->check(CLI::Range(0, LargestLevel).description(""))
+    ->type_name("N");
+  command
+    .add_option("--channel", arguments.channel, "The channel to read of these formats, from 0")
+    ->check(CLI::Range(0, LargestChannel).description(""))
+    ->type_name("N");
   AddRawOptions(command, arguments.raw);
 }
 

@@ -89,6 +89,15 @@ void RejectRectify(const VolumeArguments& arguments)
   }
 }
 
+void RejectLevel(const VolumeArguments& arguments)
+{
+  if (arguments.level || arguments.channel)
+  {
+    throw UsageError(std::string(arguments.level ? "--level" : "--channel") +
+      ": expected a file with levels, found a procedural volume");
+  }
+}
+
 }
 
 VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input)
@@ -97,6 +106,7 @@ VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input
   {
     RejectFileArguments(arguments, "procedural volume");
     RejectRectify(arguments);
+    RejectLevel(arguments);
     return ProceduralFromInput(input);
   }
   FileSource source = { input, std::nullopt };
@@ -107,6 +117,8 @@ VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input
   source.series = arguments.series;
   source.rectified = RectifiedBy(arguments);
   source.memoryMegabytes = arguments.memoryMegabytes;
+  source.level = arguments.level;
+  source.channel = arguments.channel.value_or(0);
   if (HasRawLayout(arguments))
   {
     source.raw = arguments.raw;
@@ -137,9 +149,12 @@ VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volu
     file->rectified = rectified ? rectified : file->rectified;
     const double memory = arguments.memoryMegabytes;
     file->memoryMegabytes = memory > 0.0 ? memory : file->memoryMegabytes;
+    file->level = arguments.level ? arguments.level : file->level;
+    file->channel = arguments.channel.value_or(file->channel);
     return source;
   }
   RejectRectify(arguments);
+  RejectLevel(arguments);
   return source;
 }
 

@@ -4,6 +4,7 @@
 #include "Scene/Scene.h"
 #include "Scene/VolumeLoading.h"
 
+#include <optional>
 #include <string>
 
 namespace varimarch
@@ -16,9 +17,11 @@ constexpr int LargestVolumeSide = 1 << 20;
 struct VolumeArguments
 {
   std::string input;
-  bool rectify = false;   ///< true to resample tilted or unevenly spaced slices on an even grid
-  bool asScanned = false; ///< true to keep them
-  std::string series;     ///< DICOM series to read; empty: the first
+  bool rectify = false;         ///< true to resample tilted or unevenly spaced slices on an even grid
+  bool asScanned = false;       ///< true to keep them
+  std::string series;           ///< DICOM series to read; empty: the first
+  std::optional<int> level;     ///< level of a file with several; empty: the finest that fits
+  std::optional<int> channel;   ///< channel of such a file; empty: the first
   double memoryMegabytes = 0.0; ///< memory that the program may use [MB]; 0: the machine's
   RawLayout raw;                ///< layout of a raw file; dimensions of 0 if the file has a header
 };

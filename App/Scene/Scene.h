@@ -26,6 +26,10 @@ struct RawLayout
   std::int64_t headerBytes = 0; ///< size of the header before the first voxel, >= 0
 };
 
+/// Levels and channels of a file are at most these.
+constexpr int LargestLevel = 99;
+constexpr int LargestChannel = 99999;
+
 struct FileSource
 {
   std::string path;             ///< a file, or a folder with a DICOM series
@@ -36,6 +40,10 @@ struct FileSource
   std::optional<bool> rectified = {};
   /// Memory that the program may use [MB]: larger voxels stay in their file; 0: the machine's.
   double memoryMegabytes = 0.0;
+  /// The level of a file with several, the finest of which is 0; empty for the finest that fits in
+  /// half of the free memory.
+  std::optional<int> level = {};
+  int channel = 0; ///< a channel of a file with several, counted from 0
 };
 
 enum class ProceduralKind

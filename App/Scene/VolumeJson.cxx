@@ -36,7 +36,7 @@ RawLayout RawLayoutFromJson(const JsonCursor& json)
 
 FileSource FileFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "file", "series", "rectified", "raw", "memory" });
+  json.RequireObject({ "file", "series", "rectified", "level", "channel", "raw", "memory" });
   FileSource source = { json.At("file").Text(), std::nullopt };
   if (const auto series = json.Find("series"))
   {
@@ -45,6 +45,14 @@ FileSource FileFromJson(const JsonCursor& json)
   if (const auto rectified = json.Find("rectified"))
   {
     source.rectified = rectified->Boolean();
+  }
+  if (const auto level = json.Find("level"))
+  {
+    source.level = level->Integer(0, LargestLevel);
+  }
+  if (const auto channel = json.Find("channel"))
+  {
+    source.channel = channel->Integer(0, LargestChannel);
   }
   if (const auto raw = json.Find("raw"))
   {
@@ -62,7 +70,8 @@ FileSource FileFromJson(const JsonCursor& json)
 VolumeSource VolumeFromJson(const JsonCursor& json)
 {
   json.RequireObject(
-    { "file", "series", "rectified", "raw", "memory", "procedural", "size", "seed" });
+    { "file", "series", "rectified", "level", "channel", "raw", "memory", "procedural", "size",
+      "seed" });
   if (json.Find("file"))
   {
     return FileFromJson(json);
@@ -104,6 +113,14 @@ nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
   if (file.rectified)
   {
     json["rectified"] = *file.rectified;
+  }
+  if (file.level)
+  {
+    json["level"] = *file.level;
+  }
+  if (file.channel != 0)
+  {
+    json["channel"] = file.channel;
   }
   if (file.raw)
   {

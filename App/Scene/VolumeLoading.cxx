@@ -115,6 +115,8 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   reader->SetMaximumHostMemory(vtkIdType(1e6 * source.memoryMegabytes));
   reader->SetRectifySlices(source.rectified.value_or(false));
   reader->SetRectifyMisplacedSlices(!source.rectified);
+  reader->SetResolutionLevel(source.level.value_or(-1));
+  reader->SetChannel(source.channel);
   if (source.raw)
   {
     Apply(*source.raw, reader.operator->());

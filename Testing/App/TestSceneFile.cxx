@@ -35,7 +35,8 @@ Scene UnusualScene()
 {
   Scene scene;
   scene.volume = FileSource{ "/data/scan.raw",
-    RawLayout{ { 10, 20, 30 }, "float32", { 0.5, 0.25, 2.0 }, true, 352 }, "1.2.840.1", true };
+    RawLayout{ { 10, 20, 30 }, "float32", { 0.5, 0.25, 2.0 }, true, 352 }, "1.2.840.1", true, 3,
+    2 };
   scene.look.name = "test";
   scene.look.description = "for a test";
   scene.look.domain = Domain::Relative;

@@ -44,6 +44,8 @@ std::vector<GoodFile> MoreGoodFiles()
         }) },
     { "a.png", BytesOf(picture) }, { "a.jpg", BytesOf(picture, "file.jpg") },
     { "a.bmp", BytesOf(picture, "file.bmp"), 3 },
+    { "a.h5",
+      BytesOf([&](const std::string& path) { WriteHdf5(path, volume, Hdf5Kind::DataSet); }) },
     { "1.mnc", BytesOf([&](const std::string& path) { WriteMinc1(path, volume); }) },
     { "2.mnc", BytesOf([&](const std::string& path) { WriteMinc2(path, volume); }) } };
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Files of formats whose libraries write them: libtiff, netCDF, HDF5 and VTK.
+/// Files of formats whose libraries write them: libtiff, netCDF, HDF5, blosc and VTK.
 
 /// Variations of a TIFF file.
 struct TiffOptions
@@ -40,6 +40,27 @@ void WriteMinc1(
   const std::string& path, const StoredVolume& volume, const MincOptions& options = {});
 void WriteMinc2(
   const std::string& path, const StoredVolume& volume, const MincOptions& options = {});
+
+/// The contents of a file of HDF5.
+enum class Hdf5Kind
+{
+  DataSet,
+  BigDataViewer,
+  Imaris
+};
+
+/// Writes a volume of shorts in chunks, with the size of a voxel where the kind has it.
+void WriteHdf5(const std::string& path, const StoredVolume& volume, Hdf5Kind kind);
+
+/// The description of an array of Zarr version 2 in one chunk, of shorts or else of unsigned ints.
+/// @param compressor  its entry in JSON
+std::string ZarrArrayText(const StoredVolume& volume, const std::string& compressor);
+
+/// The metadata of OME-Zarr for one level in the folder 0, with axes along those of the world.
+std::string OmeZarrText(const StoredVolume& volume);
+
+/// Bytes in a container of blosc, compressed by "zstd", "lz4" or another of its methods.
+std::string Blosced(const std::string& bytes, const std::string& method);
 
 /// The real value of a stored value of a scaled MINC file.
 double MincReal(double stored, int slice);

@@ -34,6 +34,7 @@ std::vector<FilePair> FilePairs()
     { { "b+orig.HEAD", AfniHeaderText(volume) }, { "b+orig.BRIK.gz", Gzipped(voxels) }, 12 },
     { { "a.PAR", ParText(volume, { 0, 1, 2 }) }, { "a.REC", voxels } },
     { { "a.nhdr", nrrd + "data file: a.raw\n" }, { "a.raw", voxels } },
+    { { "zarr/.zarray", ZarrArrayText(volume, "null") }, { "zarr/0.0.0", voxels } },
     { { "b.mhd", MetaImageHeaderText(volume) + "ElementDataFile = b.raw\n" }, { "b.raw", voxels } },
   };
 }

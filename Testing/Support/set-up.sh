@@ -8,6 +8,7 @@ packages=(
   g++ cmake ninja-build ccache pkg-config git python3
   libvtk9-dev libvtk-dicom-dev libgdcm-dev libglm-dev libtbb-dev nlohmann-json3-dev libcli11-dev
   zlib1g-dev libplist-dev libarchive-dev libtiff-dev libhdf5-dev libnetcdf-dev
+  libblosc-dev liblz4-dev
   libegl-dev libgl-dev libglew-dev
   python3-dev python3-numpy python3-vtk9 vtk9
   qtbase5-dev qttools5-dev qttools5-dev-tools libqt5sql5-sqlite libvtk9-qt-dev libspdlog-dev
@@ -18,7 +19,8 @@ packages=(
   invesalius-examples mricron-data
 )
 testPackages=(
-  libgtest-dev glslang-tools openssl orthanc orthanc-dicomweb python3-fuse python3-vedo python3-venv python3-wheel xdotool xvfb xauth
+  libgtest-dev glslang-tools openssl orthanc orthanc-dicomweb python3-fuse python3-h5py python3-vedo
+  python3-venv python3-wheel python3-zarr xdotool xvfb xauth
 )
 fuzzPackages=(clang libclang-rt-14-dev)
 packageLog=build/packages.log

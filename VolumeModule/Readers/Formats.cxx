@@ -5,6 +5,7 @@
 #include "Readers/FileError.h"
 #include "Readers/HeaderText.h"
 #include "Readers/Magnitude.h"
+#include "Readers/Pyramids/Hdf5Path.h"
 #include "Readers/Rectify.h"
 #include "Readers/Signatures.h"
 
@@ -56,6 +57,12 @@ bool IsLegacyVtk(const std::string& head)
   return TextAt(0, { "# vtk DataFile" })(head) && Contains(head, "STRUCTURED_POINTS");
 }
 
+/// BigDataViewer describes its files of HDF5 in XML.
+bool IsHdf5OrBigDataViewer(const std::string& head)
+{
+  return IsHdf5(head) || (TextAt(0, { "<?xml", "<SpimData" })(head) && Contains(head, "<SpimData"));
+}
+
 /// An InVesalius project is known as an archive, before its files are.
 bool IsNever(const std::string&)
 {
@@ -66,6 +73,8 @@ constexpr bool decompresses = true;
 
 // The first row whose signature matches is used, or else the first whose extension matches.
 const std::vector<VolumeFormat> formats = {
+  { "OME-Zarr", "OME-Zarr and Zarr folders", { ".zarr", ".zattrs", ".zarray", ".zgroup" }, IsZarr,
+    ReadZarr, HoldsZarr },
   { "NRRD", "NRRD images", { ".nrrd", ".nhdr" }, TextAt(0, { "NRRD" }), ReadNrrd },
   { "MetaImage", "MetaImages", { ".mha", ".mhd" }, IsMetaImage, ReadMetaImage },
   { "NIfTI", "NIfTI and Analyze images", { ".nii", ".nii.gz", ".hdr", ".hdr.gz" }, IsNifti,
@@ -84,6 +93,8 @@ const std::vector<VolumeFormat> formats = {
   { "MGH", "FreeSurfer images", { ".mgh", ".mgz", ".mgh.gz" }, IsMgh, ReadMgh, nullptr,
     decompresses },
   { "MINC", "MINC images", { ".mnc" }, IsMinc, ReadMinc },
+  { "HDF5", "HDF5, Imaris and BigDataViewer", { ".h5", ".hdf5", ".hdf", ".ims", ".xml" },
+    IsHdf5OrBigDataViewer, ReadHdf5 },
   { "AFNI", "AFNI images", { ".head" }, IsAfni, ReadAfni },
   { "AFNI voxels", "Voxels of AFNI beside a header", { ".brik", ".brik.gz" }, nullptr, ReadAfni,
     nullptr, decompresses },
@@ -164,6 +175,18 @@ const VolumeFormat& FormatThatExplains(const std::string& path)
   return *format;
 }
 
+/// Refuses the wish for a level or a channel of a format that has none.
+void CheckHasParts(const std::string& path, const VolumeFormat& format, const ReadOptions& options)
+{
+  const bool hasParts =
+    format.read == ReadZarr || format.read == ReadHdf5 || format.read == ReadPacked;
+  if (!hasParts && (options.level.value_or(0) > 0 || options.channel > 0))
+  {
+    FailToRead(path, "a file with levels or channels, such as OME-Zarr, Imaris or BigDataViewer",
+      std::string("the format ") + format.name);
+  }
+}
+
 }
 
 const std::vector<VolumeFormat>& VolumeFormats()
@@ -177,7 +200,8 @@ const VolumeFormat* FormatOfFile(const std::string& path, const ReadOptions& opt
   {
     return FormatOfFolder(path);
   }
-  const VolumeFormat* format = FormatOfContent(FirstBytes(path));
+  const std::string file = Hdf5PathOf(path).file;
+  const VolumeFormat* format = FormatOfContent(FirstBytes(file));
   if (!format)
   {
     const VolumeFormat* named = FormatOfName(path);
@@ -185,7 +209,7 @@ const VolumeFormat* FormatOfFile(const std::string& path, const ReadOptions& opt
     format = named && !named->recognises ? named : nullptr;
     format = !format && isDescribed ? FormatOfReader(ReadRaw) : format;
   }
-  const bool isPacked = format && !format->decompresses && CompressionOf(path) != Compression::None;
+  const bool isPacked = format && !format->decompresses && CompressionOf(file) != Compression::None;
   return isPacked ? FormatOfReader(ReadPacked) : format;
 }
 
@@ -205,7 +229,8 @@ const VolumeFormat* FormatIfReadable(const std::string& path)
 {
   try
   {
-    const bool isEmpty = !std::filesystem::is_directory(path) && ReadableFileSize(path) == 0;
+    const bool isEmpty =
+      !std::filesystem::is_directory(path) && ReadableFileSize(Hdf5PathOf(path).file) == 0;
     return isEmpty ? nullptr : FormatOfFile(path, ReadOptions());
   }
   catch (const std::runtime_error&)
@@ -221,12 +246,13 @@ bool LooksReadable(const std::string& path)
 
 Volume ReadUnrectified(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
-  if (!std::filesystem::is_directory(path) && ReadableFileSize(path) == 0)
+  if (!std::filesystem::is_directory(path) && ReadableFileSize(Hdf5PathOf(path).file) == 0)
   {
     FailToRead(path, "a volume", "an empty file");
   }
   const VolumeFormat* found = FormatOfFile(path, options);
   const VolumeFormat& format = found ? *found : FormatThatExplains(path);
+  CheckHasParts(path, format, options);
   Volume volume = format.read(path, options, progress);
   // ParaView shows such voxels by their magnitude too.
   const int componentCount = volume.image->GetNumberOfScalarComponents();

@@ -57,6 +57,7 @@ Volume ReadUnrectified(const std::string& path, const ReadOptions& options, Read
 /// True for the first bytes, decompressed, of a file of the format.
 bool IsAfni(const std::string& head);
 bool IsGipl(const std::string& head);
+bool IsHdf5(const std::string& head);
 bool IsMgh(const std::string& head);
 bool IsMif(const std::string& head);
 bool IsMinc(const std::string& head);
@@ -68,20 +69,23 @@ bool IsPvm(const std::string& head);
 bool IsSlc(const std::string& head);
 bool IsStackSlice(const std::string& head);
 bool IsTiff(const std::string& head);
+bool IsZarr(const std::string& head);
 
 /// The property list of an InVesalius project.
 constexpr const char* InVesaliusFile = "main.plist";
 
 /// True for a folder with DICOM files, with an InVesalius project, with pictures and no other
-/// volumes, or with files of other formats.
+/// volumes, with files of other formats, or of Zarr.
 bool HoldsDicom(const std::string& folder);
 bool HoldsInv3(const std::string& folder);
 bool HoldsPictures(const std::string& folder);
 bool HoldsVolumes(const std::string& folder);
+bool HoldsZarr(const std::string& folder);
 
 Volume ReadAfni(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadGipl(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadHdf5(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadImageStack(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadInv3(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadLegacyVtk(const std::string& path, const ReadOptions& options, ReadProgress& progress);
@@ -101,6 +105,7 @@ Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress
 Volume ReadSlc(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadTiff(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 Volume ReadVti(const std::string& path, const ReadOptions& options, ReadProgress& progress);
+Volume ReadZarr(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 
 }
 

@@ -79,7 +79,8 @@ bool IsJpeg(const std::string& head)
 bool IsMinc(const std::string& head)
 {
   return head.compare(0, 4, std::string("CDF\x01")) == 0 ||
-    head.compare(0, 4, std::string("CDF\x02")) == 0 || IsHdf5(head);
+    head.compare(0, 4, std::string("CDF\x02")) == 0 ||
+    (IsHdf5(head) && head.find("minc-2.0") != std::string::npos);
 }
 
 bool IsPng(const std::string& head)

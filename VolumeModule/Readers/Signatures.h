@@ -8,7 +8,6 @@ namespace varimarch
 
 // True for the first bytes of a file of the kind. Those of whole formats are in Formats.h.
 bool IsBmp(const std::string& head);
-bool IsHdf5(const std::string& head);
 bool IsJpeg(const std::string& head);
 bool IsPng(const std::string& head);
 bool IsZip(const std::string& head);

@@ -102,6 +102,10 @@ struct ReadOptions
   /// Memory that the program may use [bytes]; 0: all of the machine's. Voxels that need more than a
   /// quarter of it stay in their file where that is possible.
   std::uint64_t mostMemoryBytes = 0;
+  /// The level of a file with several to read, the finest of which is 0; empty for the finest that
+  /// fits in the memory that is free.
+  std::optional<int> level;
+  int channel = 0; ///< the channel to read of a file with levels and several channels
 
   bool Rectifies(const Volume& volume) const
   {

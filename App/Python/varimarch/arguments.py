@@ -42,6 +42,14 @@ def number(name, value, low, high):
     return float(found)
 
 
+def whole_number(name, value):
+    """Returns an int of at least 0."""
+    found = numbers_of(value, ())
+    if found is None or found < 0 or found != int(found):
+        raise ValueError(f"{name}: expected a whole number of at least 0, found {value!r}")
+    return int(found)
+
+
 def ascending_pair(name, values):
     """Returns two numbers above 0, the smaller one first."""
     found = numbers_of(values, (2,))

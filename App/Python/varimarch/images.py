@@ -8,18 +8,28 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObjectBase
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from .arguments import instance, matrix_of_directions, named_type, number, three_numbers
+from .arguments import (
+    instance,
+    matrix_of_directions,
+    named_type,
+    number,
+    three_numbers,
+    whole_number,
+)
 from .VarimarchVolume import vtkVolumeFileReader
 from .vtk_messages import vtk_messages_as_exceptions
 
 
-def read(path, memory=None):
+def read(path, level=None, channel=0, memory=None):
     """Reads a volume file as vtkImageData in patient coordinates (DICOM's LPS space, in mm).
 
-    Formats: VTI, NRRD, MetaImage, NIfTI, InVesalius projects, and DICOM. For DICOM, the path is that
-    of a file, a DICOMDIR or a folder, and the series with the most images is read. For raw voxels,
+    Formats: VTI, NRRD, MetaImage, NIfTI, OME-Zarr, HDF5 (Imaris, BigDataViewer), InVesalius projects,
+    DICOM and others. For DICOM, the path is that of a file, a DICOMDIR or a folder, and the series with the most images is read. For raw voxels,
     other series, and metadata, use vtkVolumeFileReader.
 
+    level: the level to read of OME-Zarr, Imaris or BigDataViewer, the finest of which is 0; default:
+        the finest that fits in half of the free memory.
+    channel: the channel to read of these formats, counted from 0.
     memory: bytes of memory that the program may use; default: all of the machine's. Voxels that need
         more than a quarter of it stay in their file, if that has them uncompressed, as single numbers
         of 8 bits, 16 bits or type float: NRRD, MetaImage and NIfTI. The image's scalars are then a
@@ -29,6 +39,8 @@ def read(path, memory=None):
     """
     reader = vtkVolumeFileReader()
     reader.SetFileName(os.fspath(path))
+    reader.SetResolutionLevel(-1 if level is None else whole_number("level", level))
+    reader.SetChannel(whole_number("channel", channel))
     if memory is not None:
         reader.SetMaximumHostMemory(int(number("memory", memory, 1, 2**62)))
     try:

@@ -6,6 +6,7 @@
 #include "Readers/Dicom/Metadata.h"
 #include "Readers/Dicom/Record.h"
 #include "Readers/Dicom/Tags.h"
+#include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Unpacking.h"
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
@@ -34,6 +35,12 @@ void Fields(Wire& wire, dvec3& vector)
 }
 
 template <class Wire>
+void Fields(Wire& wire, dmat3& matrix)
+{
+  wire(matrix[0], matrix[1], matrix[2]);
+}
+
+template <class Wire>
 void Fields(Wire& wire, dmat2x3& matrix)
 {
   wire(matrix[0], matrix[1]);
@@ -54,7 +61,7 @@ void Fields(Wire& wire, RawOptions& raw)
 template <class Wire>
 void Fields(Wire& wire, ReadOptions& options)
 {
-  wire(options.raw, options.series, options.rectify);
+  wire(options.raw, options.series, options.rectify, options.level, options.channel);
 }
 
 template <class Wire>
@@ -82,6 +89,36 @@ template <class Wire>
 void Fields(Wire& wire, VoxelLayout& layout)
 {
   wire(layout.dimensions, layout.scalarType, layout.componentCount);
+}
+
+template <class Wire>
+void Fields(Wire& wire, ImageGeometry& geometry)
+{
+  wire(geometry.originMm, geometry.axesMm);
+}
+
+template <class Wire>
+void Fields(Wire& wire, BrickSource::Level& level)
+{
+  wire(level.dimensions, level.chunk, level.scale);
+}
+
+template <class Wire>
+void Fields(Wire& wire, BrickSource::Box& box)
+{
+  wire(box.lower, box.upper);
+}
+
+template <class Wire>
+void Fields(Wire& wire, PyramidOrder& order)
+{
+  wire(order.format, order.path, order.options);
+}
+
+template <class Wire>
+void Fields(Wire& wire, PyramidForm& form)
+{
+  wire(form.levels, form.geometries, form.scalarType, form.windowLevel, form.warnings);
 }
 
 template <class Wire>

@@ -19,6 +19,8 @@ enum class Job : std::uint32_t
   DecodePixels, ///< DicomFile; fault, or image
   Unpack,       ///< UnpackingOrder; UnpackedContent
   Decompress,   ///< path, offset; only bytes
+  OpenPyramid,  ///< PyramidOrder; PyramidForm
+  ReadBox,      ///< PyramidOrder, level, box; number of missing chunks, voxels
 };
 
 /// Descriptors that a decoder inherits.

@@ -8,10 +8,15 @@
 #include "Readers/Dicom/DicomIndex.h"
 #include "Readers/Dicom/Pixels.h"
 #include "Readers/Dicom/Segmentation.h"
+#include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/Pyramids/VoxelPyramid.h"
+
+#include <vtkDataArray.h>
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 namespace varimarch
 {
@@ -145,6 +150,50 @@ void Decompress(WireReader& arguments, Replies& replies)
   }
 }
 
+/// The volume that was opened last, since several boxes of it are read in turn.
+VoxelPyramid& OpenedPyramid(const PyramidOrder& order)
+{
+  static std::unique_ptr<VoxelPyramid> opened;
+  static std::string key;
+  const std::string wanted = Packed(order);
+  if (!opened || wanted != key)
+  {
+    opened.reset();
+    opened = order.format == PyramidFormat::Zarr ? OpenZarr(order.path, order.options)
+                                                 : OpenHdf5(order.path, order.options);
+    key = wanted;
+  }
+  return *opened;
+}
+
+void OpenPyramid(WireReader& arguments, Replies& replies)
+{
+  PyramidOrder order;
+  arguments(order);
+  replies.Send(MessageKind::Result, Packed(OpenedPyramid(order).Form()));
+}
+
+void ReadBox(WireReader& arguments, Replies& replies)
+{
+  PyramidOrder order;
+  int level = 0;
+  BrickSource::Box box = {};
+  arguments(order, level, box);
+  VoxelPyramid& pyramid = OpenedPyramid(order);
+  const PyramidForm& form = pyramid.Form();
+  if (level < 0 || std::size_t(level) >= form.levels.size() ||
+    !LiesIn(box, form.levels[std::size_t(level)]))
+  {
+    FailToRead(order.path, "a box in one of the levels", "a file that has changed");
+  }
+  const auto size = SizeOf(box);
+  std::vector<char> voxels(CheckedChunkBytes(
+    order.path, { size.begin(), size.end() }, vtkDataArray::GetDataTypeSize(form.scalarType)));
+  const std::int64_t missing = pyramid.Read(level, box, voxels.data());
+  replies.Send(MessageKind::Result, Packed(missing));
+  replies.SendBytes(voxels.data(), voxels.size());
+}
+
 }
 
 void PerformJob(const std::string& job, Replies& replies)
@@ -159,6 +208,8 @@ void PerformJob(const std::string& job, Replies& replies)
     { Job::DecodePixels, Decode },
     { Job::Unpack, UnpackPacked },
     { Job::Decompress, Decompress },
+    { Job::OpenPyramid, OpenPyramid },
+    { Job::ReadBox, ReadBox },
   };
   WireReader arguments(job);
   Job kind = Job::ReadFormat;

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Volumes in HDF5 that h5py writes: plain ones, those of Imaris, and those of BigDataViewer.
+
+Usage: test_hdf5.py CASE VARIMARCH
+"""
+
+import itertools
+import pathlib
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+from pyramid_reading import TYPES, expect_refused, read, values_of
+
+
+def write_imaris(path, values, channels=1):
+    """A file as Imaris writes it, with a padded data set and a second level."""
+    def letters(text):
+        return numpy.array([letter.encode() for letter in str(text)], "S1")
+
+    with h5py.File(path, "w") as file:
+        image = file.create_group("DataSetInfo/Image")
+        for axis, (low, high) in enumerate(((10.0, 21.0), (-4.0, 14.0), (0.0, 14.0))):
+            image.attrs[f"ExtMin{axis}"] = letters(low)
+            image.attrs[f"ExtMax{axis}"] = letters(high)
+        image.attrs["Unit"] = letters("um")
+        for level, channel in itertools.product(range(2), range(channels)):
+            step = level + 1
+            array = values[::step, ::step, ::step] + numpy.uint16(channel)
+            group = file.create_group(
+                f"DataSet/ResolutionLevel {level}/TimePoint 0/Channel {channel}")
+            for name, size in zip("ZYX", array.shape):
+                group.attrs[f"ImageSize{name}"] = letters(size)
+            padded = numpy.pad(array, ((0, 1), (0, 2), (0, 3)))
+            group.create_dataset("Data", data=padded, chunks=(4, 4, 4), compression="gzip")
+
+
+def imaris_files_lie_where_they_say(folder):
+    """Sizes without padding, spacing and position, levels and channels."""
+    values = values_of((7, 9, 11), "u2")
+    write_imaris(folder / "a.ims", values, 2)
+    found, image, doubts = read(folder / "a.ims")
+    assert (found == values).all()
+    assert numpy.allclose(image.GetSpacing(), (1e-3, 2e-3, 2e-3))
+    assert numpy.allclose(image.GetOrigin(), (10.5e-3, -3e-3, 1e-3))
+    assert any("2 channels" in doubt for doubt in doubts), doubts
+    found, image, _ = read(folder / "a.ims", level=1, channel=1)
+    assert (found == values[::2, ::2, ::2] + numpy.uint16(1)).all()
+    assert numpy.allclose(image.GetSpacing(), (11e-3 / 6, 18e-3 / 5, 14e-3 / 4))
+
+
+def bigdataviewer_files_have_levels_and_a_description(folder):
+    """The voxels are read by the name of either file; the size of a voxel is in the description."""
+    values = values_of((6, 8, 10), "u2")
+    half = values[:, ::2, ::2]
+    with h5py.File(folder / "a.h5", "w") as file:
+        for setup in range(2):
+            file[f"s{setup:02}/resolutions"] = numpy.array(((1, 1, 1), (2, 2, 1)), "f8")
+            for level, array in enumerate((values, half)):
+                shifted = array + numpy.uint16(setup)
+                file.create_dataset(f"t00000/s{setup:02}/{level}/cells", chunks=(3, 4, 4),
+                                    data=numpy.ascontiguousarray(shifted).view("i2"))
+    found, image, doubts = read(folder / "a.h5")
+    assert found.dtype == numpy.uint16 and (found == values).all()
+    assert any("1 mm" in doubt for doubt in doubts), doubts
+    setups = "".join(
+        f"<ViewSetup><id>{setup}</id><voxelSize><unit>um</unit><size>{setup + 1} 2 3</size>"
+        "</voxelSize></ViewSetup>" for setup in range(2))
+    (folder / "a.xml").write_text(
+        '<?xml version="1.0"?><SpimData version="0.2"><SequenceDescription>'
+        '<ImageLoader format="bdv.hdf5"><hdf5 type="relative">a.h5</hdf5></ImageLoader>'
+        f"<ViewSetups>{setups}</ViewSetups></SequenceDescription></SpimData>")
+    for name in ("a.h5", "a.xml"):
+        found, image, _ = read(folder / name)
+        assert (found == values).all() and numpy.allclose(image.GetSpacing(), (1e-3, 2e-3, 3e-3))
+    found, image, _ = read(folder / "a.xml", level=1, channel=1)
+    assert (found == half + numpy.uint16(1)).all()
+    assert numpy.allclose(image.GetSpacing(), (4e-3, 4e-3, 3e-3))
+    assert numpy.allclose(image.GetOrigin(), (1e-3, 1e-3, 0.0))
+    expect_refused(folder / "a.xml", "2 setups", channel=2)
+
+
+def data_sets_of_hdf5_have_the_values_of_h5py(folder):
+    """Types, byte orders and compressions; the largest data set, or the one that a path names."""
+    for number, (kind, order) in enumerate(itertools.product(TYPES, "<>")):
+        values = values_of(kind=kind, seed=number)
+        path = folder / f"{number}.h5"
+        packing = {"chunks": (3, 4, 5), "compression": "gzip", "shuffle": True} if number % 3 else {}
+        with h5py.File(path, "w") as file:
+            file.create_dataset("volumes/raw", data=values.astype(order + kind), **packing)
+            file["volumes/raw"].attrs["element_size_um"] = (3.0, 2.0, 1.0)
+            file["small"] = values[:2]
+            file["text"] = "words"
+        found, image, doubts = read(path)
+        assert found.dtype == numpy.dtype(kind) and (found == values).all(), kind
+        assert numpy.allclose(image.GetSpacing(), (1e-3, 2e-3, 3e-3))
+        assert any("/volumes/raw" in doubt for doubt in doubts), doubts
+        assert (read(f"{path}/small")[0] == values[:2]).all()
+        expect_refused(f"{path}/none", "/none")
+
+
+def bad_hdf5_is_one_sentence(folder):
+    """Files that were cut, and files without a volume."""
+    path = folder / "a.h5"
+    with h5py.File(path, "w") as file:
+        file.create_dataset("a", data=values_of((4, 5, 6)), chunks=(2, 5, 6), compression="gzip")
+    whole = path.read_bytes()
+    for size in range(8, len(whole), max(1, len(whole) // 30)):
+        path.write_bytes(whole[:size])
+        expect_refused(path)
+    with h5py.File(path, "w") as file:
+        file["a"] = 1
+    expect_refused(path, "three axes")
+    with h5py.File(path, "w") as file:
+        file.create_dataset("a", shape=(2**20,) * 3, chunks=(64,) * 3, dtype="u2")
+    expect_refused(path, "fits in the memory")
+    write_imaris(path, values_of((7, 9, 11), "u2"))
+    with h5py.File(path, "r+") as file:
+        del file["DataSetInfo/Image"].attrs["ExtMax1"]
+    expect_refused(path, "ExtMax1")
+    (folder / "a.xml").write_text("<?xml version='1.0'?><SpimData><SequenceDescription>")
+    expect_refused(folder / "a.xml", "BigDataViewer")
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as name:
+        globals()[sys.argv[1]](pathlib.Path(name))

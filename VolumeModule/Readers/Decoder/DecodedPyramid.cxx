@@ -1,0 +1,167 @@
+#include "Readers/Decoder/DecodedPyramid.h"
+
+#include "Readers/Decoder/Conversation.h"
+#include "Readers/Decoder/DecoderSession.h"
+#include "Readers/Decoder/Fields.h"
+#include "Readers/FileError.h"
+
+#include <vtkDataArray.h>
+
+#include <algorithm>
+
+namespace varimarch
+{
+namespace
+{
+
+/// Requires what a decoder that read a forged file may not keep.
+void CheckForm(const PyramidForm& form)
+{
+  const bool isComplete = !form.levels.empty() && form.geometries.size() == form.levels.size() &&
+    IsNumberType(form.scalarType);
+  const bool isCounted = std::all_of(form.levels.begin(), form.levels.end(),
+    [](const BrickSource::Level& level)
+    {
+      return *std::min_element(level.dimensions.begin(), level.dimensions.end()) > 0 &&
+        *std::min_element(level.chunk.begin(), level.chunk.end()) > 0;
+    });
+  if (!isComplete || !isCounted)
+  {
+    throw DecoderFailure{ "a description of the decoder that makes no sense" };
+  }
+}
+
+/// The type that packets of rays read without a conversion; Float32 for others.
+VoxelType VoxelTypeOf(int scalarType)
+{
+  switch (scalarType)
+  {
+    case VTK_SIGNED_CHAR:
+      return VoxelType::Int8;
+    case VTK_UNSIGNED_CHAR:
+      return VoxelType::UInt8;
+    case VTK_SHORT:
+      return VoxelType::Int16;
+    case VTK_UNSIGNED_SHORT:
+      return VoxelType::UInt16;
+    default:
+      return VoxelType::Float32;
+  }
+}
+
+/// The patience of the session that this thread is in.
+double PatienceSeconds()
+{
+  const DecoderSession* const outer = DecoderSession::Current();
+  return outer ? outer->LongestSilence() : DecoderSession::UsualSilenceSeconds;
+}
+
+template <class Number>
+void ConvertToFloat(const Number* from, std::int64_t count, float* to)
+{
+  std::transform(from, from + count, to, [](Number number) { return float(number); });
+}
+
+}
+
+DecodedPyramid::DecodedPyramid(const PyramidOrder& order, ReadProgress& progress)
+  : order(order)
+{
+  try
+  {
+    DecoderSession session(PatienceSeconds());
+    {
+      Conversation conversation(order.path, progress);
+      conversation.Give(Packed(Job::OpenPyramid, FreeJobMemory(), order));
+      TakeValues(conversation.Result(), this->form);
+      conversation.Finish();
+    }
+    CheckForm(this->form);
+    this->idle.push_back(session.Idle());
+  }
+  catch (const DecoderFailure& failure)
+  {
+    FailToDecode(order.path, failure);
+  }
+}
+
+DecodedPyramid::~DecodedPyramid() = default;
+
+VoxelType DecodedPyramid::Type() const
+{
+  return VoxelTypeOf(this->form.scalarType);
+}
+
+void DecodedPyramid::Read(int level, const Box& box, void* voxels) const
+{
+  ReadProgress silent([](double) { return true; });
+  const int type = this->form.scalarType;
+  if (this->Type() != VoxelType::Float32 || type == VTK_FLOAT)
+  {
+    this->ReadStored(level, box, voxels, silent);
+    return;
+  }
+  const std::int64_t count = VoxelCount(box);
+  std::vector<char> stored(std::size_t(count) * std::size_t(vtkDataArray::GetDataTypeSize(type)));
+  this->ReadStored(level, box, stored.data(), silent);
+  switch (type)
+  {
+    vtkTemplateMacro(ConvertToFloat(
+      reinterpret_cast<const VTK_TT*>(stored.data()), count, static_cast<float*>(voxels)));
+  }
+}
+
+std::int64_t DecodedPyramid::ReadStored(
+  int level, const Box& box, void* voxels, ReadProgress& progress) const
+{
+  std::unique_ptr<DecoderProcess> process;
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    if (!this->idle.empty())
+    {
+      process = std::move(this->idle.back());
+      this->idle.pop_back();
+    }
+  }
+  if (process)
+  {
+    try
+    {
+      return this->TryToRead(level, box, voxels, progress, std::move(process));
+    }
+    catch (const DecoderFailure&)
+    {
+      // A decoder ends with the thread that started it, which may have been another one.
+    }
+  }
+  try
+  {
+    return this->TryToRead(level, box, voxels, progress, nullptr);
+  }
+  catch (const DecoderFailure& failure)
+  {
+    FailToDecode(this->order.path, failure);
+  }
+}
+
+std::int64_t DecodedPyramid::TryToRead(int level, const Box& box, void* voxels,
+  ReadProgress& progress, std::unique_ptr<DecoderProcess> process) const
+{
+  DecoderSession session(PatienceSeconds());
+  session.Return(process ? std::move(process) : std::make_unique<DecoderProcess>());
+  const std::int64_t bytes =
+    VoxelCount(box) * std::int64_t(vtkDataArray::GetDataTypeSize(this->form.scalarType));
+  std::int64_t missing = 0;
+  {
+    Conversation conversation(this->order.path, progress);
+    conversation.Give(Packed(Job::ReadBox, FreeJobMemory(), this->order, level, box));
+    TakeValues(conversation.Result(double(bytes)), missing);
+    conversation.TakeBytes(voxels, std::uint64_t(bytes));
+    conversation.Finish();
+  }
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  this->idle.push_back(session.Idle());
+  return missing;
+}
+
+}

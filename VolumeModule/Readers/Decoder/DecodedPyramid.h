@@ -1,0 +1,59 @@
+#ifndef Varimarch_Readers_Decoder_DecodedPyramid_h
+#define Varimarch_Readers_Decoder_DecodedPyramid_h
+
+#include "VarimarchVolumeModule.h"
+
+#include "Readers/Pyramids/VoxelPyramid.h"
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace varimarch
+{
+
+class DecoderProcess;
+
+/// A volume in levels that decoders read, one for each thread that reads at the same time. It is in
+/// no session: its decoders live as long as it does.
+class VARIMARCHVOLUME_EXPORT DecodedPyramid : public BrickSource
+{
+public:
+  /// Opens the volume.
+  /// @throws std::runtime_error with one sentence if it cannot be read
+  DecodedPyramid(const PyramidOrder& order, ReadProgress& progress);
+  ~DecodedPyramid() override;
+
+  const PyramidForm& Form() const { return this->form; }
+
+  const std::vector<Level>& Levels() const override { return this->form.levels; }
+
+  /// The stored type, or Float32 for types that packets of rays do not read.
+  VoxelType Type() const override;
+
+  /// Voxels of Type().
+  void Read(int level, const Box& box, void* voxels) const override;
+
+  /// Voxels of the stored type.
+  /// @returns the number of chunks that the file does not have
+  /// @throws ReadCancelled
+  std::int64_t ReadStored(int level, const Box& box, void* voxels, ReadProgress& progress) const;
+
+private:
+  std::int64_t TryToRead(int level, const Box& box, void* voxels, ReadProgress& progress,
+    std::unique_ptr<DecoderProcess> idle) const;
+
+  PyramidOrder order;
+  PyramidForm form;
+  mutable std::mutex mutex; ///< held to take and return decoders
+  mutable std::vector<std::unique_ptr<DecoderProcess>> idle;
+};
+
+/// Opens a file or folder as a volume in levels; null for volumes of other formats.
+/// @throws std::runtime_error if it is such a volume and cannot be read
+VARIMARCHVOLUME_EXPORT std::unique_ptr<DecodedPyramid> OpenPyramidAt(
+  const std::string& path, const ReadOptions& options, ReadProgress& progress);
+
+}
+
+#endif

@@ -1,0 +1,254 @@
+#include "Readers/Pyramids/Hdf5File.h"
+
+#include "Readers/FileError.h"
+#include "Readers/VoxelLayout.h"
+
+#include <vtkType.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace varimarch
+{
+namespace
+{
+
+constexpr int MostHdf5Axes = 16;
+
+/// Replaces the "%" of a pattern by a number.
+std::string Numbered(std::string pattern, std::size_t number)
+{
+  const std::size_t place = pattern.find('%');
+  return pattern.replace(place, 1, std::to_string(number));
+}
+
+std::vector<std::int64_t> SizeOfSpace(hid_t space)
+{
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 1 || rank > MostHdf5Axes)
+  {
+    return {};
+  }
+  std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+  return { sizes.begin(), sizes.end() };
+}
+
+int ScalarTypeOf(hid_t type)
+{
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind != H5T_INTEGER && kind != H5T_FLOAT)
+  {
+    return VTK_VOID;
+  }
+  const bool isSigned = kind == H5T_INTEGER && H5Tget_sign(type) == H5T_SGN_2;
+  const NumberKind numbers = kind == H5T_FLOAT ? NumberKind::Float
+    : isSigned                                 ? NumberKind::Signed
+                                               : NumberKind::Unsigned;
+  return ScalarTypeOf(numbers, std::int64_t(H5Tget_size(type)));
+}
+
+/// The numbers of an attribute or a data set.
+std::vector<double> NumbersOf(hid_t space, hid_t type, const std::function<bool(double*)>& read)
+{
+  constexpr hssize_t Most = 4096;
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  const H5T_class_t kind = H5Tget_class(type);
+  if (count < 1 || count > Most || (kind != H5T_INTEGER && kind != H5T_FLOAT))
+  {
+    return {};
+  }
+  std::vector<double> numbers(static_cast<std::size_t>(count));
+  return read(numbers.data()) ? numbers : std::vector<double>();
+}
+
+/// The groups that a search for data sets is in, and what it has found.
+struct Search
+{
+  std::string group;
+  int depth = 0;
+  std::vector<std::string>* found = nullptr;
+};
+
+herr_t Visit(hid_t parent, const char* name, const H5L_info_t* link, void* data)
+{
+  constexpr int Deepest = 32;
+  constexpr std::size_t Most = 10000;
+  const Search& search = *static_cast<const Search*>(data);
+  // Links to other files are not followed.
+  if (link->type != H5L_TYPE_HARD || search.found->size() >= Most)
+  {
+    return 0;
+  }
+  const Hdf5Handle object(H5Oopen(parent, name, H5P_DEFAULT), H5Oclose);
+  const H5I_type_t kind = object >= 0 ? H5Iget_type(object) : H5I_BADID;
+  Search inner = { search.group + "/" + name, search.depth + 1, search.found };
+  if (kind == H5I_DATASET)
+  {
+    search.found->push_back(inner.group);
+  }
+  if (kind == H5I_GROUP && inner.depth < Deepest)
+  {
+    H5Literate(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, Visit, &inner);
+  }
+  return 0;
+}
+
+}
+
+Hdf5File::Hdf5File(const std::string& path)
+  : path(path)
+  , file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose)
+{
+  if (this->file < 0)
+  {
+    FailToRead(path, "a complete HDF5 file", "a damaged or truncated one");
+  }
+}
+
+bool Hdf5File::Has(const std::string& name) const
+{
+  const SilentHdf5 silentHere;
+  // Each group on the way must exist before the next is asked for.
+  for (std::size_t end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1))
+  {
+    if (H5Lexists(this->file, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
+    {
+      return false;
+    }
+  }
+  return H5Lexists(this->file, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::size_t Hdf5File::Count(const std::string& pattern) const
+{
+  constexpr std::size_t Most = 1000000;
+  std::size_t count = 0;
+  while (count < Most && this->Has(Numbered(pattern, count)))
+  {
+    ++count;
+  }
+  return count;
+}
+
+std::vector<std::string> Hdf5File::DataSets() const
+{
+  const SilentHdf5 silentHere;
+  std::vector<std::string> found;
+  Search search = { "", 0, &found };
+  H5Literate(this->file, H5_INDEX_NAME, H5_ITER_INC, nullptr, Visit, &search);
+  return found;
+}
+
+std::string Hdf5File::TextAttribute(const std::string& object, const std::string& name) const
+{
+  const SilentHdf5 silentHere;
+  const Hdf5Handle holder(H5Oopen(this->file, object.c_str(), H5P_DEFAULT), H5Oclose);
+  if (holder < 0 || H5Aexists(holder, name.c_str()) <= 0)
+  {
+    return "";
+  }
+  const Hdf5Handle attribute(H5Aopen(holder, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  constexpr std::size_t Longest = 4096;
+  const std::size_t length = H5Tget_size(type);
+  const bool isText = H5Tget_class(type) == H5T_STRING && count > 0;
+  if (isText && H5Tis_variable_str(type) > 0 && count == 1)
+  {
+    char* text = nullptr;
+    const bool isRead = H5Aread(attribute, type, &text) >= 0 && text;
+    const std::string copy = isRead ? text : "";
+    H5free_memory(text);
+    return copy;
+  }
+  if (!isText || length < 1 || length > Longest || std::size_t(count) > Longest / length)
+  {
+    return "";
+  }
+  std::string text(length * std::size_t(count), '\0');
+  return H5Aread(attribute, type, text.data()) >= 0 ? text.substr(0, text.find('\0')) : "";
+}
+
+std::vector<double> Hdf5File::NumberAttribute(
+  const std::string& object, const std::string& name) const
+{
+  const SilentHdf5 silentHere;
+  const Hdf5Handle holder(H5Oopen(this->file, object.c_str(), H5P_DEFAULT), H5Oclose);
+  if (holder < 0 || H5Aexists(holder, name.c_str()) <= 0)
+  {
+    return {};
+  }
+  const Hdf5Handle attribute(H5Aopen(holder, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  return NumbersOf(space, type,
+    [&](double* numbers) { return H5Aread(attribute, H5T_NATIVE_DOUBLE, numbers) >= 0; });
+}
+
+std::vector<double> Hdf5File::Numbers(const std::string& dataSet) const
+{
+  const SilentHdf5 silentHere;
+  const Hdf5Handle data(H5Dopen(this->file, dataSet.c_str(), H5P_DEFAULT), H5Dclose);
+  if (data < 0)
+  {
+    return {};
+  }
+  const Hdf5Handle type(H5Dget_type(data), H5Tclose);
+  const Hdf5Handle space(H5Dget_space(data), H5Sclose);
+  return NumbersOf(space, type,
+    [&](double* numbers)
+    { return H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) >= 0; });
+}
+
+Hdf5Layout LayoutOf(const Hdf5File& file, const std::string& dataSet)
+{
+  const SilentHdf5 silent;
+  const Hdf5Handle data(H5Dopen(file, dataSet.c_str(), H5P_DEFAULT), H5Dclose);
+  if (data < 0)
+  {
+    FailToRead(file.Path(), "the data set " + Quoted(dataSet, 80), "none, or a damaged one");
+  }
+  const Hdf5Handle space(H5Dget_space(data), H5Sclose);
+  const Hdf5Handle type(H5Dget_type(data), H5Tclose);
+  const Hdf5Handle creation(H5Dget_create_plist(data), H5Pclose);
+  Hdf5Layout layout;
+  layout.size = SizeOfSpace(space);
+  layout.chunk = layout.size;
+  layout.scalarType = ScalarTypeOf(type);
+  layout.storedBytes = double(H5Dget_storage_size(data));
+  const bool hasChunks = H5Pget_layout(creation) == H5D_CHUNKED;
+  // Chunks that were never written are not in the file.
+  layout.isCompressed = hasChunks;
+  if (hasChunks && !layout.size.empty())
+  {
+    std::vector<hsize_t> chunk(layout.size.size(), 1);
+    H5Pget_chunk(creation, int(chunk.size()), chunk.data());
+    layout.chunk.assign(chunk.begin(), chunk.end());
+  }
+  return layout;
+}
+
+void ReadHdf5Box(const Hdf5File& file, const std::string& dataSet,
+  const std::vector<std::int64_t>& start, const std::vector<std::int64_t>& count, void* values)
+{
+  const SilentHdf5 silent;
+  const Hdf5Handle data(H5Dopen(file, dataSet.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle space(data >= 0 ? H5Dget_space(data) : -1, H5Sclose);
+  const Hdf5Handle stored(data >= 0 ? H5Dget_type(data) : -1, H5Tclose);
+  const Hdf5Handle type(stored >= 0 ? H5Tget_native_type(stored, H5T_DIR_ASCEND) : -1, H5Tclose);
+  const std::vector<hsize_t> from(start.begin(), start.end());
+  const std::vector<hsize_t> length(count.begin(), count.end());
+  const Hdf5Handle memory(H5Screate_simple(int(length.size()), length.data(), nullptr), H5Sclose);
+  const bool isRead = space >= 0 && type >= 0 &&
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, from.data(), nullptr, length.data(), nullptr) >= 0 &&
+    H5Dread(data, type, memory, space, H5P_DEFAULT, values) >= 0;
+  if (!isRead)
+  {
+    FailToRead(file.Path(), "readable values of " + Quoted(dataSet, 80),
+      "damaged ones, or a compression that the library HDF5 does not know");
+  }
+}
+
+}

@@ -1,0 +1,321 @@
+// Volumes in HDF5: those of Imaris and of BigDataViewer, which have levels, and plain data sets, as
+// ilastik, Fiji and h5py write them. See
+// https://imaris.oxinst.com/support/imaris-file-format, https://imagej.net/plugins/bdv
+#include "Readers/FileError.h"
+#include "Readers/HeaderText.h"
+#include "Readers/NumberText.h"
+#include "Readers/Pyramids/BigDataViewer.h"
+#include "Readers/Pyramids/Hdf5File.h"
+#include "Readers/Pyramids/Hdf5Path.h"
+#include "Readers/Pyramids/VoxelPyramid.h"
+#include "Readers/VoxelLayout.h"
+
+#include <vtkDataArray.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+namespace varimarch
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// A level as its file describes it.
+struct Hdf5Level
+{
+  std::string dataSet;
+  std::array<std::int64_t, 3> dimensions; ///< may be less than those of the data set
+  ImageGeometry geometry;
+};
+
+class Hdf5Pyramid : public VoxelPyramid
+{
+public:
+  Hdf5Pyramid(const std::string& path, const ReadOptions& options);
+
+  std::int64_t Read(int level, const BrickSource::Box& box, void* voxels) override;
+
+private:
+  void TakeImaris();
+  void TakeBigDataViewer();
+  void TakeDataSet(const std::string& name);
+  void AddLevel(const Hdf5Level& level);
+  std::string LargestDataSet() const;
+  glm::dvec3 ElementSizeMm(const std::string& name);
+  void NameOthers(const std::string& what, std::size_t count, std::size_t taken);
+
+  Hdf5Path path;
+  std::unique_ptr<Hdf5File> file;
+  std::size_t channel;
+  std::vector<std::string> dataSets;            ///< one for each level
+  std::vector<std::vector<std::int64_t>> sizes; ///< sizes of these data sets
+};
+
+Hdf5Pyramid::Hdf5Pyramid(const std::string& given, const ReadOptions& options)
+  : path(Hdf5PathOf(FileOfBigDataViewer(given)))
+  , file(std::make_unique<Hdf5File>(this->path.file))
+  , channel(std::size_t(std::max(0, options.channel)))
+{
+  if (!this->path.inner.empty())
+  {
+    this->TakeDataSet(this->path.inner);
+  }
+  else if (this->file->Has("/DataSet/ResolutionLevel 0/TimePoint 0/Channel 0/Data"))
+  {
+    this->TakeImaris();
+  }
+  else if (this->file->Has("/t00000/s00/0/cells"))
+  {
+    this->TakeBigDataViewer();
+  }
+  else
+  {
+    this->TakeDataSet(this->LargestDataSet());
+  }
+  SetScales(this->path.file, this->form);
+}
+
+void Hdf5Pyramid::NameOthers(const std::string& what, std::size_t count, std::size_t taken)
+{
+  if (taken >= std::max<std::size_t>(count, 1))
+  {
+    FailToRead(this->path.file, "one of " + std::to_string(count) + " " + what + ", counted from 0",
+      "the wish for number " + std::to_string(taken));
+  }
+  if (count > 1)
+  {
+    this->form.warnings.push_back("The file holds " + std::to_string(count) + " " + what +
+      "; only that of number " + std::to_string(taken) + ", counted from 0, was read.");
+  }
+}
+
+void Hdf5Pyramid::AddLevel(const Hdf5Level& level)
+{
+  const Hdf5Layout layout = LayoutOf(*this->file, level.dataSet);
+  const bool isFirst = this->form.levels.empty();
+  const std::size_t rank = layout.size.size();
+  const bool isVolume = rank >= 2 && layout.scalarType != VTK_VOID;
+  if (!isVolume || (!isFirst && layout.scalarType != this->form.scalarType))
+  {
+    FailToRead(this->path.file,
+      "numbers of at most 64 bits, of one type, with at least two axes in " +
+        Quoted(level.dataSet, 80),
+      "values of another kind or " + std::to_string(rank) + " axes");
+  }
+  BrickSource::Level bricks = { { 1, 1, 1 }, { 1, 1, 1 }, { 1.0, 1.0, 1.0 } };
+  double stored = double(vtkDataArray::GetDataTypeSize(layout.scalarType));
+  for (std::size_t axis = 0; axis < std::min<std::size_t>(rank, 3); ++axis)
+  {
+    const std::int64_t size = layout.size[rank - 1 - axis];
+    const std::int64_t wanted = level.dimensions[axis];
+    bricks.dimensions[axis] = wanted > 0 ? std::min(wanted, size) : size;
+    bricks.chunk[axis] = std::min(bricks.dimensions[axis], layout.chunk[rank - 1 - axis]);
+    stored *= double(size);
+    if (size < 1)
+    {
+      FailToRead(this->path.file, "at least one voxel in " + Quoted(level.dataSet, 80), "none");
+    }
+  }
+  if (!layout.isCompressed && stored > layout.storedBytes && layout.storedBytes > 0.0)
+  {
+    FailToRead(this->path.file, ByteText(stored) + " of voxels", ByteText(layout.storedBytes));
+  }
+  this->form.scalarType = layout.scalarType;
+  this->form.levels.push_back(bricks);
+  this->form.geometries.push_back(level.geometry);
+  this->dataSets.push_back(level.dataSet);
+  this->sizes.push_back(layout.size);
+}
+
+/// A name such as "/s07".
+std::string NameOfNumber(const std::string& prefix, std::size_t number, std::size_t digits)
+{
+  const std::string text = std::to_string(number);
+  return prefix + std::string(digits - std::min(digits, text.size()), '0') + text;
+}
+
+/// The number of groups with such names from 0.
+std::size_t CountOfNames(const Hdf5File& file, const std::string& prefix, std::size_t digits)
+{
+  std::size_t count = 0;
+  while (file.Has(NameOfNumber(prefix, count, digits)))
+  {
+    ++count;
+  }
+  return count;
+}
+
+/// A number of an Imaris attribute, which is a text.
+double NumberIn(const Hdf5File& file, const std::string& object, const std::string& name)
+{
+  const std::string text = Trimmed(file.TextAttribute(object, name));
+  return NumberFromText(file.Path(), "a number as " + name + " of " + object, text);
+}
+
+void Hdf5Pyramid::TakeImaris()
+{
+  const std::string info = "/DataSetInfo/Image";
+  const double mmPerUnit =
+    MmPerUnitOrWarn(Trimmed(this->file->TextAttribute(info, "Unit")), this->form.warnings);
+  glm::dvec3 lowest;
+  glm::dvec3 highest;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::string number = std::to_string(axis);
+    lowest[axis] = NumberIn(*this->file, info, "ExtMin" + number) * mmPerUnit;
+    highest[axis] = NumberIn(*this->file, info, "ExtMax" + number) * mmPerUnit;
+  }
+  const std::string first = "/DataSet/ResolutionLevel 0";
+  this->NameOthers("times", this->file->Count(first + "/TimePoint %"), 0);
+  this->NameOthers("channels", this->file->Count(first + "/TimePoint 0/Channel %"), this->channel);
+  const std::size_t count = this->file->Count("/DataSet/ResolutionLevel %");
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::string group = "/DataSet/ResolutionLevel " + std::to_string(i) +
+      "/TimePoint 0/Channel " + std::to_string(this->channel);
+    Hdf5Level level = { group + "/Data", {}, {} };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::string name = std::string("ImageSize") + "XYZ"[axis];
+      level.dimensions[axis] = WholeNumber(NumberIn(*this->file, group, name));
+      const double stepMm = (highest[axis] - lowest[axis]) / double(level.dimensions[axis]);
+      level.geometry.axesMm[axis] = glm::dvec3(0.0);
+      level.geometry.axesMm[axis][axis] = stepMm;
+      level.geometry.originMm[axis] = lowest[axis] + 0.5 * stepMm;
+    }
+    this->AddLevel(level);
+  }
+}
+
+void Hdf5Pyramid::TakeBigDataViewer()
+{
+  const glm::dvec3 stepMm =
+    BigDataViewerVoxelMm(this->path.file, this->channel, this->form.warnings);
+  this->NameOthers("times", CountOfNames(*this->file, "/t", 5), 0);
+  this->NameOthers("setups", CountOfNames(*this->file, "/s", 2), this->channel);
+  const std::string setup = NameOfNumber("/s", this->channel, 2);
+  const std::vector<double> factors = this->file->Numbers(setup + "/resolutions");
+  const std::size_t count = this->file->Count("/t00000" + setup + "/%/cells");
+  if (count < 1 || factors.size() != 3 * count)
+  {
+    FailToRead(this->path.file,
+      "a factor along each axis for " + std::to_string(count) + " levels in " + setup +
+        "/resolutions",
+      std::to_string(factors.size()) + " numbers");
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    Hdf5Level level = { "/t00000" + setup + "/" + std::to_string(i) + "/cells", {}, {} };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // A coarse voxel is the mean of as many fine ones, and lies in their middle.
+      const double factor = factors[3 * i + std::size_t(axis)];
+      level.geometry.axesMm[axis] = glm::dvec3(0.0);
+      level.geometry.axesMm[axis][axis] = stepMm[axis] * factor;
+      level.geometry.originMm[axis] = 0.5 * (factor - 1.0) * stepMm[axis];
+    }
+    this->AddLevel(level);
+  }
+  // The files have the bits of unsigned numbers in a signed type, since Java has no unsigned one.
+  if (this->form.scalarType == VTK_SHORT)
+  {
+    this->form.scalarType = VTK_UNSIGNED_SHORT;
+  }
+}
+
+/// True for three axes that are long enough for voxels, and perhaps others before them.
+bool IsVolume(const Hdf5Layout& layout)
+{
+  const std::size_t rank = layout.size.size();
+  return layout.scalarType != VTK_VOID && rank >= 3;
+}
+
+std::string Hdf5Pyramid::LargestDataSet() const
+{
+  std::string largest;
+  double most = 0.0;
+  for (const std::string& name : this->file->DataSets())
+  {
+    const Hdf5Layout layout = LayoutOf(*this->file, name);
+    double count = IsVolume(layout) ? 1.0 : 0.0;
+    for (const std::int64_t size : layout.size)
+    {
+      count *= double(size);
+    }
+    if (count > most)
+    {
+      most = count;
+      largest = name;
+    }
+  }
+  if (largest.empty())
+  {
+    FailToRead(this->path.file, "a data set of numbers with three axes", "none");
+  }
+  return largest;
+}
+
+/// Sizes of a voxel along x, y and z, as ilastik and Fiji write them: z first.
+glm::dvec3 Hdf5Pyramid::ElementSizeMm(const std::string& name)
+{
+  const std::vector<double> sizes = this->file->NumberAttribute(name, "element_size_um");
+  if (sizes.size() != 3)
+  {
+    this->form.warnings.push_back(UnknownSpacing);
+    return glm::dvec3(1.0);
+  }
+  constexpr double MmPerMicrometre = 1e-3;
+  return glm::dvec3(sizes[2], sizes[1], sizes[0]) * MmPerMicrometre;
+}
+
+void Hdf5Pyramid::TakeDataSet(const std::string& name)
+{
+  const glm::dvec3 stepMm = this->ElementSizeMm(name);
+  Hdf5Level level = { name, {}, {} };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    level.geometry.axesMm[axis] = glm::dvec3(0.0);
+    level.geometry.axesMm[axis][axis] = stepMm[axis];
+  }
+  this->AddLevel(level);
+  this->NameOthers("channels", 1, this->channel);
+  const std::vector<std::int64_t>& size = this->sizes.front();
+  for (std::size_t axis = 0; axis + 3 < size.size(); ++axis)
+  {
+    this->NameOthers("places along axis " + std::to_string(axis), std::size_t(size[axis]), 0);
+  }
+  const std::size_t count = this->file->DataSets().size();
+  if (count > 1 && this->path.inner.empty())
+  {
+    this->form.warnings.push_back("The file holds " + std::to_string(count) +
+      " data sets; only the largest, " + name + ", was read (another is opened as " +
+      this->path.file + "/NAME).");
+  }
+}
+
+std::int64_t Hdf5Pyramid::Read(int number, const BrickSource::Box& box, void* voxels)
+{
+  const auto level = std::size_t(number);
+  const std::size_t rank = this->sizes[level].size();
+  std::vector<std::int64_t> start(rank, 0);
+  std::vector<std::int64_t> count(rank, 1);
+  for (std::size_t axis = 0; axis < std::min<std::size_t>(rank, 3); ++axis)
+  {
+    start[rank - 1 - axis] = box.lower[axis];
+    count[rank - 1 - axis] = box.upper[axis] - box.lower[axis];
+  }
+  ReadHdf5Box(*this->file, this->dataSets[level], start, count, voxels);
+  return 0;
+}
+
+}
+
+std::unique_ptr<VoxelPyramid> OpenHdf5(const std::string& path, const ReadOptions& options)
+{
+  return std::make_unique<Hdf5Pyramid>(path, options);
+}
+
+}

@@ -1,0 +1,88 @@
+#include "Readers/Pyramids/VoxelPyramid.h"
+
+#include "Readers/FileError.h"
+#include "Readers/Memory.h"
+#include "Readers/VoxelLayout.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace varimarch
+{
+namespace
+{
+
+double VoxelsOf(const BrickSource::Level& level)
+{
+  return double(level.dimensions[0]) * double(level.dimensions[1]) * double(level.dimensions[2]);
+}
+
+}
+
+std::array<std::int64_t, 3> SizeOf(const BrickSource::Box& box)
+{
+  return { box.upper[0] - box.lower[0], box.upper[1] - box.lower[1], box.upper[2] - box.lower[2] };
+}
+
+std::int64_t VoxelCount(const BrickSource::Box& box)
+{
+  const std::array<std::int64_t, 3> size = SizeOf(box);
+  return size[0] * size[1] * size[2];
+}
+
+bool LiesIn(const BrickSource::Box& box, const BrickSource::Level& level)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (box.lower[axis] < 0 || box.lower[axis] >= box.upper[axis] ||
+      box.upper[axis] > level.dimensions[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SetScales(const std::string& path, PyramidForm& form)
+{
+  for (std::size_t level = 0; level < form.levels.size(); ++level)
+  {
+    if (level > 0 && VoxelsOf(form.levels[level]) > VoxelsOf(form.levels[level - 1]))
+    {
+      FailToRead(path, "levels from fine to coarse",
+        "more voxels in level " + std::to_string(level) + " than before");
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double stepMm = glm::length(form.geometries[level].axesMm[axis]);
+      const double scale = stepMm / glm::length(form.geometries[0].axesMm[axis]);
+      if (!std::isnormal(stepMm) || !std::isnormal(scale))
+      {
+        FailToRead(path, "voxels of a finite size above 0",
+          "one of " + std::to_string(stepMm) + " mm in level " + std::to_string(level));
+      }
+      form.levels[level].scale[axis] = scale;
+    }
+  }
+}
+
+std::uint64_t CheckedChunkBytes(
+  const std::string& path, const std::vector<std::int64_t>& sizes, std::int64_t valueBytes)
+{
+  // A product of doubles cannot overflow, and is exact for all that fits in memory.
+  double bytes = double(valueBytes);
+  for (const std::int64_t size : sizes)
+  {
+    bytes *= double(size);
+  }
+  const double freeBytes = FreeMemoryBytes();
+  if (!(bytes <= freeBytes))
+  {
+    FailToRead(path, "chunks that fit in the free memory of " + ByteText(freeBytes),
+      "chunks of " + ByteText(bytes));
+  }
+  return std::uint64_t(bytes);
+}
+
+}

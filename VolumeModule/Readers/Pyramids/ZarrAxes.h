@@ -1,0 +1,56 @@
+#ifndef Varimarch_Readers_Pyramids_ZarrAxes_h
+#define Varimarch_Readers_Pyramids_ZarrAxes_h
+
+#include "Readers/ImageGeometry.h"
+#include "Readers/Pyramids/Json.h"
+#include "Readers/Pyramids/ZarrArray.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+/// An axis of an array.
+struct ZarrAxis
+{
+  std::string name;         ///< "x", "channel" or any other
+  std::optional<int> world; ///< 0 to 2 for x, y and z; empty for other axes
+  bool isChannel = false;
+  double mmPerUnit = 1.0;
+  double scale = 1.0;       ///< in the unit of the axis, as the next
+  double translation = 0.0; ///< position of the first voxel's centre
+};
+
+using ZarrAxes = std::vector<ZarrAxis>;
+
+/// The axes of an array without metadata: z, y and x are the last.
+/// @throws std::runtime_error if there are less than two
+ZarrAxes PlainZarrAxes(const std::string& path, std::size_t rank);
+
+/// The axes of a multiscale image, without scale.
+/// @param path  path of the metadata, for error messages
+/// @param warnings  receives a sentence about units that are not known
+/// @throws std::runtime_error if they are not those of an image
+ZarrAxes OmeAxes(
+  const std::string& path, const nlohmann::json& multiscale, std::vector<std::string>& warnings);
+
+/// Applies a list of scales and translations.
+/// @throws std::runtime_error if it has anything else
+void ApplyTransforms(const std::string& path, const nlohmann::json& transforms, ZarrAxes& axes);
+
+/// The volume of a channel at the first place along other axes.
+/// @throws std::runtime_error if the array has other axes, or no such channel
+ZarrSelection SelectionOf(
+  const std::string& path, const ZarrAxes& axes, const ZarrHeader& header, int channel);
+
+/// Positions of the selected voxels [mm].
+ImageGeometry GeometryOf(const ZarrAxes& axes, const ZarrSelection& selection);
+
+/// Sentences about what is not selected.
+std::vector<std::string> LeftOut(const ZarrAxes& axes, const ZarrHeader& header, int channel);
+
+}
+
+#endif
