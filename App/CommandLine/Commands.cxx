@@ -153,11 +153,13 @@ void AddConvertCommand(CLI::App& program)
   const auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* app = program.add_subcommand("convert", "Write a volume in another format");
   app->footer(
-    "Voxels, spacing, position and directions are kept; TIFF holds only the spacing.\n"
+    "Voxels, spacing, position and directions are kept; TIFF holds only the spacing, and\n"
+    "OME-Zarr no directions.\n"
     "Examples:\n"
     "  varimarch convert dicom-folder head.nii.gz\n"
     "  varimarch convert dicom-folder head.nrrd --series 2 --rectify\n"
     "  varimarch convert slices-folder slices.mha\n"
+    "  varimarch convert brain.h5 brain.zarr --channel 1\n"
     "  varimarch convert scan.raw scan.vti --raw-dimensions 256x256x128 --raw-type uint16");
   AddVolumeOptions(*app, arguments->volume,
     "A volume file, a folder with a DICOM series or with pictures of slices, or\n"
@@ -165,7 +167,7 @@ void AddConvertCommand(CLI::App& program)
   app
     ->add_option("OUTPUT", arguments->output.path,
       "The file to write: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha),\n"
-      "VTK image (.vti) or OME-TIFF (.tif, .tiff)")
+      "VTK image (.vti), OME-TIFF (.tif, .tiff) or OME-Zarr with its levels (.zarr)")
     ->required();
   app->add_flag("--overwrite", arguments->output.overwrites, "Replace an existing file");
   app->callback([arguments] { RunConvert(*arguments); });

@@ -39,13 +39,34 @@ void CheckVolumeOutput(const VolumeOutput& output, const std::string& argument)
     throw UsageError(
       argument + ": expected a name that ends with " + WritableExtensions() + ", found " + path);
   }
-  if (std::filesystem::is_directory(path))
+  if (std::filesystem::is_directory(path) && !WriterFor(path)->isFolder)
   {
     throw std::runtime_error(path + ": expected the name of a file, found a folder");
   }
   if (!output.overwrites && std::filesystem::exists(path))
   {
     throw std::runtime_error(path + ": exists already; --overwrite replaces it");
+  }
+}
+
+void WriteChunkedReporting(const ZarrInput& input, const VolumeOutput& output)
+{
+  const std::string activity = "Writing " + output.path;
+  Progress progress(activity);
+  int shown = -1;
+  const auto observer = [&](double part)
+  {
+    const int percent = int(100.0 * part);
+    if (percent != shown)
+    {
+      shown = percent;
+      progress.SetActivity(activity + ", " + std::to_string(percent) + " %");
+    }
+    return true;
+  };
+  for (const std::string& loss : WriteChunkedVolume(input, output.path, observer))
+  {
+    PrintMessage("warning: " + loss);
   }
 }
 

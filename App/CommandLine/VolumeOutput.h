@@ -2,6 +2,7 @@
 #define Varimarch_CommandLine_VolumeOutput_h
 
 #include "Scene/VolumeLoading.h"
+#include "Scene/VolumeWriters/ZarrFolder.h"
 
 #include <string>
 
@@ -24,6 +25,9 @@ void CheckVolumeOutput(const VolumeOutput& output, const std::string& argument);
 /// Writes a volume. Prints as warnings what the format does not hold.
 /// @throws std::runtime_error when the file cannot be written
 void WriteVolumeReporting(const LoadedVolume& volume, const VolumeOutput& output);
+
+/// Writes a volume that may be larger than memory as OME-Zarr, in the same way.
+void WriteChunkedReporting(const ZarrInput& input, const VolumeOutput& output);
 
 }
 

@@ -1,5 +1,7 @@
 #include "Scene/OutputFile.h"
 
+#include "Scene/PartFiles.h"
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -26,9 +28,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-const std::string partPrefix = "varimarch-";
-const std::string partMark = ".part";
 
 // Path of the unfinished file in plain memory, since a signal handler must not allocate. Empty if
 // there is none.
@@ -59,6 +58,9 @@ void DeleteUnfinishedFile()
   }
 }
 
+// The folder that is being filled; empty if there is none.
+std::string unfinishedFolder;
+
 // Waits for one of the signals, which all threads block.
 [[noreturn]] void AwaitInterrupt(sigset_t interrupts)
 {
@@ -68,6 +70,8 @@ void DeleteUnfinishedFile()
   alarm(MostSeconds);
   const std::lock_guard<std::mutex> lock(interruptMutex);
   DeleteUnfinishedFile();
+  std::error_code ignored;
+  fs::remove_all(unfinishedFolder, ignored);
   Print(interruptNotice);
   // With the default action, the parent process sees the signal that ended the program.
   std::signal(signal, SIG_DFL);
@@ -107,12 +111,6 @@ void SetUnfinishedPath(const std::string& path)
   }
 }
 
-// Reports the last error of the system.
-[[noreturn]] void FailToWrite(const std::string& path)
-{
-  throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
-}
-
 // Renaming would replace a device, such as /dev/null, by a file, and also a file that is protected.
 void CheckMayBeWritten(const std::string& path)
 {
@@ -126,53 +124,6 @@ void CheckMayBeWritten(const std::string& path)
   if (fs::exists(status) && access(path.c_str(), W_OK) != 0)
   {
     FailToWrite(path);
-  }
-}
-
-fs::path FolderOf(const std::string& path)
-{
-  const fs::path folder = fs::path(path).parent_path();
-  return folder.empty() ? fs::path(".") : folder;
-}
-
-// The process id tells users whose file it is; the number keeps apart the files of a process.
-std::string NewPartOf(const std::string& path)
-{
-  static std::atomic<unsigned> count = 0;
-  const std::string name =
-    partPrefix + std::to_string(getpid()) + '-' + std::to_string(++count) + partMark;
-  return (FolderOf(path) / name).string() + fs::path(path).extension().string();
-}
-
-// Deletes a file of this user unless a process holds its lock.
-void DeleteUnlessLocked(const fs::path& path)
-{
-  const int file = open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  struct stat status = {};
-  if (file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
-    status.st_uid == geteuid() && flock(file, LOCK_EX | LOCK_NB) == 0)
-  {
-    unlink(path.c_str());
-  }
-  if (file >= 0)
-  {
-    close(file);
-  }
-}
-
-// Deletes the unfinished files of processes that have ended.
-void DeleteLeftFiles(const fs::path& folder)
-{
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error))
-  {
-    const std::string name = entry->path().filename().string();
-    if (name.compare(0, partPrefix.size(), partPrefix) == 0 &&
-      name.find(partMark) != std::string::npos)
-    {
-      DeleteUnlessLocked(entry->path());
-    }
   }
 }
 
@@ -203,16 +154,80 @@ bool IsOnDisk(int descriptor)
   return fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP;
 }
 
-// Makes the renaming last. The file is complete under either name, so a failure changes nothing.
-void SyncFolder(const fs::path& folder)
+// A folder under construction; see UnfinishedFile.
+class UnfinishedFolder
 {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0)
+public:
+  explicit UnfinishedFolder(const std::string& path)
+    : path(path)
+    , part(NewPartOf(path))
   {
-    fsync(descriptor);
-    close(descriptor);
+    DeleteLeftFiles(FolderOf(path));
+    if (mkdir(this->part.c_str(), 0777) != 0)
+    {
+      FailToWrite(path);
+    }
+    this->lock = open(this->part.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    flock(this->lock, LOCK_EX | LOCK_NB);
+    SetUnfinishedFolder(this->part);
   }
-}
+  ~UnfinishedFolder()
+  {
+    SetUnfinishedFolder("");
+    std::error_code ignored;
+    fs::remove_all(this->part, ignored);
+    close(this->lock);
+  }
+  UnfinishedFolder(const UnfinishedFolder&) = delete;
+  void operator=(const UnfinishedFolder&) = delete;
+
+  const std::string& Part() const { return this->part; }
+
+  // Waits until the bytes are on the disk. What was there before is deleted last.
+  void Complete(const std::function<bool(const std::string& existing)>& mayReplace)
+  {
+    syncfs(this->lock);
+    std::error_code unknown;
+    std::string old;
+    if (fs::exists(fs::symlink_status(this->path, unknown)))
+    {
+      if (!mayReplace(this->path))
+      {
+        throw std::runtime_error(this->path + ": exists already, and is not replaced");
+      }
+      old = NewPartOf(this->path);
+      Rename(this->path, old);
+    }
+    if (std::rename(this->part.c_str(), this->path.c_str()) != 0)
+    {
+      const int reason = errno;
+      std::rename(old.c_str(), this->path.c_str());
+      errno = reason;
+      FailToWrite(this->path);
+    }
+    fs::remove_all(old, unknown);
+    SyncFolder(FolderOf(this->path));
+  }
+
+private:
+  static void Rename(const std::string& from, const std::string& to)
+  {
+    if (std::rename(from.c_str(), to.c_str()) != 0)
+    {
+      FailToWrite(from);
+    }
+  }
+
+  static void SetUnfinishedFolder(const std::string& folder)
+  {
+    const std::lock_guard<std::mutex> lock(interruptMutex);
+    unfinishedFolder = folder;
+  }
+
+  std::string path;
+  std::string part;
+  int lock = -1; // descriptor of the part, locked as long as this process lives
+};
 
 }
 
@@ -277,6 +292,18 @@ void WriteFileWhole(
     FailToWrite(path);
   }
   file.Complete();
+}
+
+void WriteFolderWhole(const std::string& path,
+  const std::function<bool(const std::string& existing)>& mayReplace,
+  const std::function<void(const std::string& part)>& fill)
+{
+  // A slash at the end would make the folder its own parent.
+  fs::path final = path;
+  final = final.has_filename() ? final : final.parent_path();
+  UnfinishedFolder folder(final.string());
+  fill(folder.Part());
+  folder.Complete(mayReplace);
 }
 
 void DeleteUnfinishedFileOnSignals(const std::string& program)

@@ -45,6 +45,15 @@ void WriteFileWhole(const std::string& path, const std::string& bytes);
 void WriteFileWhole(
   const std::string& path, const std::function<bool(const std::string& part)>& write);
 
+/// Fills a new folder under a temporary name beside the final one, and renames it when it is
+/// complete. Otherwise it is deleted, as an UnfinishedFile is.
+/// @param mayReplace  tells whether an existing folder or file of the final name may be replaced
+/// @param fill  fills the folder with the given name
+/// @throws std::runtime_error that names the folder and the system's reason
+void WriteFolderWhole(const std::string& path,
+  const std::function<bool(const std::string& existing)>& mayReplace,
+  const std::function<void(const std::string& part)>& fill);
+
 /// From now on the unfinished file that was begun last is deleted if SIGINT or SIGTERM ends the
 /// program, or a fault does, such as a driver's when there is no memory left. A fault prints a
 /// sentence to stderr and ends the program with exit code 1. Call it before any thread is started:

@@ -14,13 +14,43 @@ namespace varimarch
 namespace
 {
 
+std::string NoLoss(const LoadedVolume&)
+{
+  return "";
+}
+
+std::string LossOfTiff(const LoadedVolume&)
+{
+  return "TIFF holds no position and no directions, so the file has only the spacing of the "
+         "voxels.";
+}
+
+std::string LossOfZarrFolder(const LoadedVolume& volume)
+{
+  return LossOfZarr(ZarrInputOf(volume).direction);
+}
+
+bool WriteZarrFolder(const LoadedVolume& volume, const std::string& path, bool)
+{
+  WriteZarr(ZarrInputOf(volume), path, {});
+  return true;
+}
+
+bool MayReplaceZarr(const std::string& existing)
+{
+  const std::filesystem::path folder = existing;
+  return std::filesystem::exists(folder / ".zgroup") || std::filesystem::exists(folder / ".zarray");
+}
+
+constexpr bool isFolder = true;
+
 const std::vector<VolumeWriter> writers = {
-  { "NIfTI", { ".nii", ".nii.gz" }, WriteNiftiFile, "" },
-  { "NRRD", { ".nrrd" }, WriteNrrdFile, "" },
-  { "MetaImage", { ".mha" }, WriteMetaImageFile, "" },
-  { "VTI", { ".vti" }, WriteVtiFile, "" },
-  { "TIFF", { ".tif", ".tiff" }, WriteTiffFile,
-    "TIFF holds no position and no directions, so the file has only the spacing of the voxels." },
+  { "NIfTI", { ".nii", ".nii.gz" }, WriteNiftiFile, NoLoss },
+  { "NRRD", { ".nrrd" }, WriteNrrdFile, NoLoss },
+  { "MetaImage", { ".mha" }, WriteMetaImageFile, NoLoss },
+  { "VTI", { ".vti" }, WriteVtiFile, NoLoss },
+  { "TIFF", { ".tif", ".tiff" }, WriteTiffFile, LossOfTiff },
+  { "OME-Zarr", { ".zarr" }, WriteZarrFolder, LossOfZarrFolder, isFolder },
 };
 
 std::string LowerName(const std::string& path)
@@ -56,9 +86,27 @@ std::vector<std::string> WriteVolume(const LoadedVolume& volume, const std::stri
     throw std::runtime_error(path + ": no format that can be written has this extension");
   }
   const bool isCompressed = vtksys::SystemTools::StringEndsWith(LowerName(path), ".gz");
-  WriteFileWhole(
-    path, [&](const std::string& part) { return writer->write(volume, part, isCompressed); });
-  return *writer->loss ? std::vector<std::string>{ writer->loss } : std::vector<std::string>();
+  const auto write = [&](const std::string& part)
+  { return writer->write(volume, part, isCompressed); };
+  if (writer->isFolder)
+  {
+    WriteFolderWhole(path, MayReplaceZarr, write);
+  }
+  else
+  {
+    WriteFileWhole(path, write);
+  }
+  const std::string loss = writer->loss(volume);
+  return loss.empty() ? std::vector<std::string>() : std::vector<std::string>{ loss };
+}
+
+std::vector<std::string> WriteChunkedVolume(
+  const ZarrInput& input, const std::string& path, const LoadObserver& observer)
+{
+  WriteFolderWhole(
+    path, MayReplaceZarr, [&](const std::string& part) { WriteZarr(input, part, observer); });
+  const std::string loss = LossOfZarr(input.direction);
+  return loss.empty() ? std::vector<std::string>() : std::vector<std::string>{ loss };
 }
 
 }

@@ -2,6 +2,7 @@
 #define Varimarch_Scene_VolumeWriters_h
 
 #include "Scene/VolumeLoading.h"
+#include "Scene/VolumeWriters/ZarrFolder.h"
 
 #include <functional>
 #include <string>
@@ -18,7 +19,9 @@ struct VolumeWriter
   /// Writes a new file. Returns false if the system refuses to; errno then has its reason.
   /// @throws std::runtime_error with one sentence if the format cannot hold the volume
   bool (*write)(const LoadedVolume& volume, const std::string& path, bool isCompressed);
-  const char* loss; ///< a sentence about what the format does not hold, or empty
+  /// A sentence about what the format does not hold of a volume, or empty.
+  std::string (*loss)(const LoadedVolume& volume);
+  bool isFolder = false; ///< true for a format that is a folder, which `write` fills
 };
 
 const std::vector<VolumeWriter>& VolumeWriters();
@@ -32,6 +35,12 @@ const VolumeWriter* WriterFor(const std::string& path);
 /// @throws std::runtime_error with one sentence if the format cannot hold the volume, or the file
 ///   cannot be written
 std::vector<std::string> WriteVolume(const LoadedVolume& volume, const std::string& path);
+
+/// Writes a folder of OME-Zarr as WriteVolume does, of a volume that may be larger than memory.
+/// Only a folder of Zarr is replaced.
+/// @param observer  receives the part that is done, [0, 1], and returns false to cancel
+std::vector<std::string> WriteChunkedVolume(
+  const ZarrInput& input, const std::string& path, const LoadObserver& observer = {});
 
 bool WriteNrrdFile(const LoadedVolume& volume, const std::string& path, bool isCompressed);
 bool WriteMetaImageFile(const LoadedVolume& volume, const std::string& path, bool isCompressed);
