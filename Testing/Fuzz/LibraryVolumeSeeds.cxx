@@ -126,6 +126,38 @@ std::vector<std::string> MincSeeds()
   return { first({}), first({ true, 2 }), second({}), second({ true, 2 }) };
 }
 
+std::vector<std::string> ZarrSeeds()
+{
+  const StoredVolume volume = phantom::Stored(0);
+  const auto seed = [&](const std::string& compressor, const std::string& chunk) {
+    return JoinedFiles({ OmeZarrText(volume), ZarrArrayText(volume, compressor), chunk });
+  };
+  const std::string voxels = VoxelBytes(volume);
+  return { seed("null", voxels), seed(R"({"id": "blosc"})", Blosced(voxels, "zstd")),
+    seed(R"({"id": "blosc"})", Blosced(voxels, "lz4")), seed(R"({"id": "zlib"})", Zlibbed(voxels)),
+    seed(R"({"id": "zstd"})", Compressed(voxels, "zstd")) };
+}
+
+std::vector<std::string> Hdf5Seeds()
+{
+  const StoredVolume volume = phantom::Stored(0);
+  const auto written = [&](Hdf5Kind kind) {
+    return BytesWrittenBy("a.h5", [&](const std::string& path) { WriteHdf5(path, volume, kind); });
+  };
+  return { written(Hdf5Kind::DataSet), written(Hdf5Kind::BigDataViewer),
+    written(Hdf5Kind::Imaris) };
+}
+
+std::vector<std::string> BigDataViewerSeeds()
+{
+  const std::string description =
+    "<?xml version=\"1.0\"?><SpimData><SequenceDescription><ImageLoader format=\"bdv.hdf5\">"
+    "<hdf5 type=\"relative\">a.h5</hdf5></ImageLoader><ViewSetups><ViewSetup><id>0</id>"
+    "<voxelSize><unit>um</unit><size>1 2 3</size></voxelSize></ViewSetup></ViewSetups>"
+    "</SequenceDescription></SpimData>";
+  return { JoinedFiles({ description, Hdf5Seeds()[1] }) };
+}
+
 std::vector<std::string> ArchiveSeeds()
 {
   const StoredVolume volume = phantom::Stored(0);

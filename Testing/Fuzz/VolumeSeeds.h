@@ -29,6 +29,9 @@ std::vector<std::string> MrcSeeds();
 std::vector<std::string> SlcSeeds();
 std::vector<std::string> PvmSeeds();
 std::vector<std::string> ArchiveSeeds();
+std::vector<std::string> ZarrSeeds();
+std::vector<std::string> Hdf5Seeds();
+std::vector<std::string> BigDataViewerSeeds();
 
 }
 
