@@ -80,6 +80,8 @@ def bigdataviewer_files_have_levels_and_a_description(folder):
     assert numpy.allclose(image.GetSpacing(), (4e-3, 4e-3, 3e-3))
     assert numpy.allclose(image.GetOrigin(), (1e-3, 1e-3, 0.0))
     expect_refused(folder / "a.xml", "2 setups", channel=2)
+    (folder / "a.h5").unlink()
+    expect_refused(folder / "a.xml", "a.h5", "no file of this name")
 
 
 def data_sets_of_hdf5_have_the_values_of_h5py(folder):

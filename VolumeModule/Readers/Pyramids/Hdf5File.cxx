@@ -102,6 +102,7 @@ Hdf5File::Hdf5File(const std::string& path)
 {
   if (this->file < 0)
   {
+    ReadableFileSize(path); // says if there is no such file
     FailToRead(path, "a complete HDF5 file", "a damaged or truncated one");
   }
 }
