@@ -3,8 +3,9 @@
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Dicom/DicomSeries.h"
 #include "Readers/Formats.h"
+#include "Readers/KeptInput.h"
 #include "Readers/MappedFile.h"
-#include "Readers/Unpacked.h"
+#include "Readers/Times.h"
 
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
@@ -25,9 +26,18 @@
 namespace
 {
 
-bool IsFormat(int format)
+/// Tells the pipeline the times of a file with several.
+void TellTimes(const std::vector<double>& times, vtkInformation* output)
 {
-  return 0 <= format && format < vtkVolumeFileReader::GetNumberOfFormats();
+  if (times.size() == 1)
+  {
+    output->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    output->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+    return;
+  }
+  const double range[2] = { times.front(), times.back() };
+  output->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), int(times.size()));
+  output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
 }
 
 }
@@ -37,6 +47,7 @@ bool IsFormat(int format)
 struct vtkVolumeFileReader::Contents
 {
   varimarch::Volume Volume;
+  int Time = 0;
   vtkNew<vtkStringArray> Warnings;
   bool AreOnDisk = false; ///< true if the image's voxels are those of the file
   /// Copies of the files of a packed DICOM series, which a caller may read after they were listed.
@@ -106,7 +117,7 @@ void vtkVolumeFileReader::Fail(const std::string& sentence)
   vtkErrorMacro(<< this->ErrorMessage);
 }
 
-void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)
+void vtkVolumeFileReader::ReadFileOrThrow(int time, varimarch::ReadProgress& progress)
 {
   varimarch::ReadOptions options;
   std::copy_n(this->RawDimensions, 3, options.raw.dimensions.begin());
@@ -123,6 +134,9 @@ void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)
   options.level =
     this->ResolutionLevel < 0 ? std::nullopt : std::optional<int>(this->ResolutionLevel);
   options.channel = this->Channel;
+  options.time = time;
+  options.filesAreTimes = this->FilesAreTimes;
+  options.kept = this->Kept.get();
   this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
   vtkImageData* const image = this->Read->Volume.image;
   this->Read->AreOnDisk = varimarch::MappedFileAt(image->GetScalarPointer()) != nullptr;
@@ -132,10 +146,46 @@ void vtkVolumeFileReader::ReadFileOrThrow(varimarch::ReadProgress& progress)
   }
 }
 
-void vtkVolumeFileReader::ReadFile()
+void vtkVolumeFileReader::ReadFile(int time)
 {
+  // Nothing is kept of a file that is read anew, since it may have changed.
+  if (!this->Kept || this->KeptMTime != this->Superclass::GetMTime())
+  {
+    this->Kept = std::make_unique<varimarch::KeptInput>();
+  }
   this->Read = std::make_unique<Contents>();
-  this->Try([this](varimarch::ReadProgress& progress) { this->ReadFileOrThrow(progress); });
+  this->Read->Time = time;
+  this->Try(
+    [this, time](varimarch::ReadProgress& progress) { this->ReadFileOrThrow(time, progress); });
+  if (this->Read->Volume.times.values.size() == 1)
+  {
+    this->Kept.reset();
+  }
+  this->KeptMTime = this->Superclass::GetMTime();
+}
+
+void vtkVolumeFileReader::SetTimeIndex(int index)
+{
+  if (this->TimeIndex != index)
+  {
+    this->TimeIndex = index;
+    this->TimeIndexChange.Modified();
+  }
+}
+
+vtkMTimeType vtkVolumeFileReader::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->TimeIndexChange.GetMTime());
+}
+
+int vtkVolumeFileReader::RequestedTime(vtkInformation* output)
+{
+  const std::vector<double>& times = this->Read->Volume.times.values;
+  const bool isRequested =
+    times.size() > 1 && output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+  return isRequested ? int(varimarch::NearestTime(
+                         times, output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())))
+                     : this->TimeIndex;
 }
 
 std::vector<vtkVolumeFileReader::DICOMSeries> vtkVolumeFileReader::ListDICOMSeries()
@@ -169,8 +219,9 @@ std::vector<vtkVolumeFileReader::DICOMSeries> vtkVolumeFileReader::ListDICOMSeri
 int vtkVolumeFileReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  this->ReadFile();
+  this->ReadFile(this->TimeIndex);
   vtkInformation* output = outputs->GetInformationObject(0);
+  TellTimes(this->Read->Volume.times.values, output);
   if (vtkImageData* image = this->Read->Volume.image)
   {
     output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
@@ -192,16 +243,20 @@ int vtkVolumeFileReader::RequestInformation(
 int vtkVolumeFileReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  // The output was released after an earlier request, and is requested again.
-  if (!this->Read->Volume.image && this->GetErrorCode() == vtkErrorCode::NoError)
+  // Another time is requested, or the output was released after an earlier request.
+  const int time = this->RequestedTime(outputs->GetInformationObject(0));
+  const bool isRead = this->Read->Volume.image && this->Read->Time == time;
+  if (!isRead && this->GetErrorCode() == vtkErrorCode::NoError)
   {
-    this->ReadFile();
+    this->ReadFile(time);
   }
   vtkImageData* output = vtkImageData::GetData(outputs);
   if (this->Read->Volume.image)
   {
     output->ShallowCopy(this->Read->Volume.image);
     this->Read->Volume.image = nullptr;
+    output->GetInformation()->Set(
+      vtkDataObject::DATA_TIME_STEP(), this->Read->Volume.times.values[std::size_t(time)]);
   }
   else
   {
@@ -265,6 +320,27 @@ double vtkVolumeFileReader::GetUptakeValueFactor()
   return this->Read->Volume.uptakeValueFactor.value_or(0.0);
 }
 
+int vtkVolumeFileReader::GetNumberOfTimes()
+{
+  return int(this->Read->Volume.times.values.size());
+}
+
+double vtkVolumeFileReader::GetTimeValue(int time)
+{
+  const std::vector<double>& times = this->Read->Volume.times.values;
+  return time >= 0 && time < int(times.size()) ? times[std::size_t(time)] : 0.0;
+}
+
+bool vtkVolumeFileReader::HasTimesInSeconds()
+{
+  return this->Read->Volume.times.areSeconds;
+}
+
+int vtkVolumeFileReader::GetReadTime()
+{
+  return this->Read->Time;
+}
+
 const char* vtkVolumeFileReader::GetFrameOfReferenceUID()
 {
   return this->Read->Volume.frameOfReference.c_str();
@@ -298,48 +374,6 @@ const char* vtkVolumeFileReader::GetErrorMessage()
   return this->ErrorMessage.c_str();
 }
 
-int vtkVolumeFileReader::GetNumberOfFormats()
-{
-  return int(varimarch::VolumeFormats().size());
-}
-
-const char* vtkVolumeFileReader::GetFormatName(int format)
-{
-  return IsFormat(format) ? varimarch::VolumeFormats()[format].name : nullptr;
-}
-
-const char* vtkVolumeFileReader::GetFormatDescription(int format)
-{
-  return IsFormat(format) ? varimarch::VolumeFormats()[format].description : nullptr;
-}
-
-std::string vtkVolumeFileReader::GetFormatExtensions(int format)
-{
-  std::string all;
-  if (!IsFormat(format))
-  {
-    return all;
-  }
-  for (const std::string& extension : varimarch::VolumeFormats()[format].extensions)
-  {
-    all += (all.empty() ? "" : " ") + extension;
-  }
-  return all;
-}
-
-const char* vtkVolumeFileReader::GetFormatOfFile(const char* path)
-{
-  const varimarch::DecoderSession session;
-  const auto* format = path ? varimarch::FormatIfReadable(path) : nullptr;
-  return format ? format->name : nullptr;
-}
-
-bool vtkVolumeFileReader::CanReadFile(const char* path)
-{
-  const varimarch::DecoderSession session;
-  return path && varimarch::LooksReadable(path);
-}
-
 void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -358,6 +392,8 @@ void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumHostMemory: " << this->MaximumHostMemory << '\n';
   os << indent << "ResolutionLevel: " << this->ResolutionLevel << '\n';
   os << indent << "Channel: " << this->Channel << '\n';
+  os << indent << "TimeIndex: " << this->TimeIndex << '\n';
+  os << indent << "FilesAreTimes: " << this->FilesAreTimes << '\n';
   os << indent << "LongestSilence: " << this->LongestSilence << '\n';
   os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
 }

@@ -17,6 +17,7 @@
  * mm, described by its origin, its spacing (> 0) and its direction matrix, which may mirror or
  * shear. Voxels keep the order of the file: nothing is flipped, and only RectifySlices resamples.
  * Extents begin at 0. Stored values are rescaled to physical ones, such as Hounsfield units for CT.
+ * Of several times one is read, see SetTimeIndex().
  *
  * If a file cannot be read, the output is empty, GetErrorCode() is not 0, and one error event is
  * invoked whose message, one sentence, is also in GetErrorMessage(): the file, what was expected,
@@ -51,6 +52,7 @@ class vtkStringArray;
 namespace varimarch
 {
 class ReadProgress;
+struct KeptInput;
 }
 
 class VARIMARCHVOLUME_EXPORT vtkVolumeFileReader : public vtkImageAlgorithm
@@ -161,6 +163,29 @@ public:
 
   ///@{
   /**
+   * The time to read unless the pipeline requests one, counted from 0. The file's times are the
+   * TIME_STEPS of the pipeline, in seconds if HasTimesInSeconds(), else these numbers; of a request
+   * (UPDATE_TIME_STEP, UpdateTimeStep()) the nearest is read. Only one time is in memory. Reading
+   * the times in their order unpacks a file only once. Default: 0.
+   */
+  void SetTimeIndex(int index);
+  vtkGetMacro(TimeIndex, int);
+  ///@}
+
+  ///@{
+  /**
+   * Take files as times: the volumes in a folder, without its subfolders, or those beside a file
+   * whose names differ from its own only in the last number before the first dot, such as
+   * scan_001.nii.gz. Their order is that of the numbers, and their sizes must be equal. Default:
+   * false.
+   */
+  vtkSetMacro(FilesAreTimes, bool);
+  vtkGetMacro(FilesAreTimes, bool);
+  vtkBooleanMacro(FilesAreTimes, bool);
+  ///@}
+
+  ///@{
+  /**
    * The longest time that decoding a file may take without progress [s], > 0. Each MB of a DICOM
    * file's decoded pixels adds a second, since one of many frames is decoded in one step. Default:
    * 60.
@@ -214,6 +239,12 @@ public:
   /// Factor from the values of PET to standardized uptake values by body weight [g/ml]; 0 if the
   /// file does not say all that this needs.
   double GetUptakeValueFactor();
+  /// Times of the file, in ascending order, at least one; the output is one of them.
+  int GetNumberOfTimes();
+  double GetTimeValue(int time);
+  bool HasTimesInSeconds();
+  /// Number of the time that was read, counted from 0.
+  int GetReadTime();
   /// UID of the space that the positions are in, the same for scans that fit on each other; or
   /// empty.
   const char* GetFrameOfReferenceUID();
@@ -270,6 +301,8 @@ public:
    */
   static bool CanReadFile(const char* path);
 
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkVolumeFileReader();
   ~vtkVolumeFileReader() override;
@@ -286,8 +319,10 @@ private:
   void Fail(const std::string& sentence);
   void Try(const std::function<void(varimarch::ReadProgress&)>& action);
   /// Postcondition: either Read holds an image, or the error is set and reported.
-  void ReadFile();
-  void ReadFileOrThrow(varimarch::ReadProgress& progress);
+  void ReadFile(int time);
+  void ReadFileOrThrow(int time, varimarch::ReadProgress& progress);
+  /// The time that the pipeline requests, or else TimeIndex.
+  int RequestedTime(vtkInformation* output);
 
   char* FileName = nullptr;
   int RawDimensions[3] = { 0, 0, 0 };
@@ -301,10 +336,15 @@ private:
   bool RectifyMisplacedSlices = false;
   int ResolutionLevel = -1;
   int Channel = 0;
+  int TimeIndex = 0;
+  vtkTimeStamp TimeIndexChange; ///< apart from the other settings, which change what is kept
+  bool FilesAreTimes = false;
   double LongestSilence = 60.0;
   vtkIdType MaximumHostMemory = 0;
 
   std::unique_ptr<Contents> Read;
+  std::unique_ptr<varimarch::KeptInput> Kept; ///< memory from one time to the next
+  vtkMTimeType KeptMTime = 0;                 ///< the settings that Kept belongs to
   std::string ErrorMessage;
 
   vtkVolumeFileReader(const vtkVolumeFileReader&) = delete;

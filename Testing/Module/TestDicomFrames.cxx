@@ -86,7 +86,8 @@ TEST_F(DicomFrames, OfAFilmAreTimes)
   elements[Modality] = Text("CS", "US");
   elements[FrameTime] = Decimals({ 40 });
   this->ExpectSlices(elements, { 100 }, 1.0);
-  this->ExpectWarning("4 volumes that differ in their frame number; only the first");
+  ASSERT_EQ(this->reader->GetNumberOfTimes(), 4);
+  EXPECT_DOUBLE_EQ(this->reader->GetTimeValue(3), 0.12);
 }
 
 TEST_F(DicomFrames, OfADoseLieAtTheirOffsets)
@@ -152,7 +153,7 @@ TEST_F(DicomFrames, OfSeveralTimesAreRead)
   };
   this->ExpectSlices(
     EnhancedFile({ 0, 2, 0, 2 }, { time(2), time(2), time(1), time(1) }), { 102, 103 }, 2.0);
-  this->ExpectWarning("2 volumes that differ in their time point");
+  EXPECT_EQ(this->reader->GetNumberOfTimes(), 2);
 }
 
 TEST_F(DicomFrames, OfAnUltrasoundVolumeArePlacedInIt)

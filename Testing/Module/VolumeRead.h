@@ -22,6 +22,7 @@ struct VolumeRead
   std::string warnings; ///< one on each line
   std::vector<double> values;
   int componentCount = 0;
+  int timeCount = 0;
   glm::dvec3 spacingMm = glm::dvec3(0.0);
   glm::dvec3 originMm = glm::dvec3(0.0);
 
@@ -50,6 +51,7 @@ inline VolumeRead ReadVolumeAt(const std::string& path)
     read.values.push_back(scalars->GetVariantValue(i).ToDouble());
   }
   read.componentCount = scalars ? scalars->GetNumberOfComponents() : 0;
+  read.timeCount = reader->GetNumberOfTimes();
   image->GetSpacing(&read.spacingMm[0]);
   image->GetOrigin(&read.originMm[0]);
   return read;

@@ -8,6 +8,7 @@
 #include "Readers/Pyramids/Hdf5Path.h"
 #include "Readers/Rectify.h"
 #include "Readers/Signatures.h"
+#include "Readers/Times.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -246,6 +247,10 @@ bool LooksReadable(const std::string& path)
 
 Volume ReadUnrectified(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
+  if (options.filesAreTimes)
+  {
+    return ReadFilesAsTimes(path, options, progress);
+  }
   if (!std::filesystem::is_directory(path) && ReadableFileSize(Hdf5PathOf(path).file) == 0)
   {
     FailToRead(path, "a volume", "an empty file");
@@ -254,6 +259,7 @@ Volume ReadUnrectified(const std::string& path, const ReadOptions& options, Read
   const VolumeFormat& format = found ? *found : FormatThatExplains(path);
   CheckHasParts(path, format, options);
   Volume volume = format.read(path, options, progress);
+  TakeTimes(path, volume.times, options, volume);
   // ParaView shows such voxels by their magnitude too.
   const int componentCount = volume.image->GetNumberOfScalarComponents();
   if (componentCount > 4)

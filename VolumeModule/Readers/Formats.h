@@ -54,6 +54,13 @@ Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgr
 /// The same, but irregular slices stay as they are even if the options say otherwise.
 Volume ReadUnrectified(const std::string& path, const ReadOptions& options, ReadProgress& progress);
 
+/// Reads one of several files that are times: those of a folder, or those beside a file whose names
+/// differ from its own in the last number before the first dot only. Their order is that of the
+/// numbers in their names.
+/// @throws std::runtime_error also if their sizes differ
+Volume ReadFilesAsTimes(
+  const std::string& path, const ReadOptions& options, ReadProgress& progress);
+
 /// True for the first bytes, decompressed, of a file of the format.
 bool IsAfni(const std::string& head);
 bool IsGipl(const std::string& head);

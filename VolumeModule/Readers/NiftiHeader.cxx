@@ -84,6 +84,7 @@ NiftiHeader HeaderFromBytes(const char* bytes, const FieldReader& fields)
   fields.Take(stored.scl_inter, header.rescale.intercept);
   fields.Take(stored.cal_min, header.calibration[0]);
   fields.Take(stored.cal_max, header.calibration[1]);
+  fields.Take(stored.toffset, header.timeOffset);
   fields.Take(stored.xyzt_units, header.units);
   fields.Take(stored.qform_code, header.quaternionCode);
   fields.Take(stored.sform_code, header.affineCode);
@@ -110,6 +111,7 @@ void MakeAnalyze(const std::string& bytes, const FieldReader& fields, NiftiHeade
   header.affineCode = 0;
   // SPM99 added the slope, but no intercept. A negative offset pads each volume.
   header.rescale.intercept = 0.0;
+  header.padsEachVolume = header.voxelOffset < 0.0;
   header.voxelOffset = std::abs(header.voxelOffset);
   std::int16_t originator[3];
   std::memcpy(originator, bytes.data() + originatorOffset, sizeof(originator));

@@ -28,8 +28,10 @@ struct NiftiHeader
   int datatype;
   double pixdim[8]; ///< [0] is the sign of the third axis in the quaternion form
   double voxelOffset;
+  bool padsEachVolume; ///< true if as many bytes as the offset come before each volume
   Rescale rescale;
   double calibration[2]; ///< smallest and largest value to show
+  double timeOffset;     ///< time of the first volume, in the unit of time
   int units;
   int quaternionCode;
   int affineCode;

@@ -2,10 +2,13 @@
 
 #include "Readers/FileError.h"
 #include "Readers/NumberText.h"
+#include "Readers/Times.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <sstream>
 
 namespace varimarch
 {
@@ -154,6 +157,7 @@ void TakeFirstAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
   }
   const bool isList = IsListKind(kind) || (size > 4 && IsUnknownKind(kind));
   (isList ? axes.volumeCount : axes.componentCount) = size;
+  axes.lists.insert(axes.lists.end(), isList ? 1 : 0, axis);
   axes.areAlternating = isList;
   axes.areComplex = kind == "complex";
 }
@@ -170,6 +174,7 @@ void TakeLastAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
     FailToRead(header.path, "several volumes before or after the spatial axes", "both");
   }
   (axes.planar ? axes.componentCount : axes.volumeCount) *= axes.sizes[axis];
+  axes.lists.insert(axes.lists.end(), axes.planar ? 0 : 1, axis);
 }
 
 /// Interprets an axis that is not spatial.
@@ -193,6 +198,81 @@ void TakeOtherAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
   }
 }
 
+/// Seconds of a unit of time; 0 for other texts.
+double SecondsOf(const std::string& unit)
+{
+  static const std::map<std::string, double> units = { { "s", 1.0 }, { "sec", 1.0 },
+    { "second", 1.0 }, { "seconds", 1.0 }, { "ms", 1e-3 }, { "msec", 1e-3 },
+    { "millisecond", 1e-3 }, { "milliseconds", 1e-3 }, { "us", 1e-6 }, { "min", 60.0 } };
+  std::string name = LowerCase(Trimmed(unit));
+  name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
+  const auto known = units.find(name);
+  return known == units.end() ? 0.0 : known->second;
+}
+
+/// The number of an axis in a field; NaN if there is none.
+double NumberOfAxis(
+  const NrrdHeader& header, const std::vector<std::string>& keys, const NrrdAxes& axes)
+{
+  const auto parts = NrrdPartsPerAxis(header, keys, axes.sizes.size());
+  return parts.empty() ? NAN : NumberIn(parts[axes.lists.front()]).value_or(NAN);
+}
+
+/// The last part of a field with one for each dimension of a space with time; empty without it.
+std::string TimeOfSpace(const NrrdHeader& header, const std::string& key)
+{
+  const auto parts = NrrdParts(header.fields.Value({ key }));
+  return parts.size() == 4 ? parts[3] : "";
+}
+
+/// The times of 3D Slicer's multi-volumes, as their labels state them; empty for other files.
+std::vector<double> LabelledSeconds(const NrrdHeader& header)
+{
+  const auto labels = header.pairs.find("MultiVolume.FrameLabels");
+  const auto unit = header.pairs.find("MultiVolume.FrameIdentifyingDICOMTagUnits");
+  const double seconds = unit == header.pairs.end() ? 0.0 : SecondsOf(unit->second);
+  std::vector<double> times;
+  if (labels != header.pairs.end() && seconds > 0.0)
+  {
+    std::istringstream list(labels->second);
+    for (std::string label; std::getline(list, label, ',');)
+    {
+      times.push_back(NumberIn(label).value_or(NAN) * seconds);
+    }
+  }
+  return times;
+}
+
+}
+
+VolumeTimes TimesOf(const NrrdHeader& header, const NrrdAxes& axes)
+{
+  const std::vector<double> labelled = LabelledSeconds(header);
+  if (labelled.size() > 1 && std::int64_t(labelled.size()) == axes.volumeCount)
+  {
+    return StatedTimes(labelled);
+  }
+  if (axes.lists.size() != 1)
+  {
+    return NumberedTimes(axes.volumeCount);
+  }
+  const auto directions = NrrdPartsPerAxis(header, { "spacedirections" }, axes.sizes.size());
+  const std::vector<double> direction = directions.empty()
+    ? std::vector<double>()
+    : NrrdVector(header, "space directions", directions[axes.lists.front()]);
+  const auto units = NrrdParts(header.fields.Value({ "units" }));
+  if (direction.size() == 4)
+  {
+    const std::vector<double> origin =
+      NrrdVector(header, "space origin", header.fields.Value({ "spaceorigin" }));
+    const double seconds = SecondsOf(TimeOfSpace(header, "spaceunits"));
+    return EvenTimes(
+      axes.volumeCount, seconds * (origin.size() == 4 ? origin[3] : 0.0), seconds * direction[3]);
+  }
+  const double seconds =
+    axes.lists.front() < units.size() ? SecondsOf(units[axes.lists.front()]) : 0.0;
+  return EvenTimes(axes.volumeCount, seconds * NumberOfAxis(header, { "axismins" }, axes),
+    seconds * NumberOfAxis(header, { "spacings" }, axes));
 }
 
 NrrdAxes AxesOf(const NrrdHeader& header)

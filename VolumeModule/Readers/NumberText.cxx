@@ -88,6 +88,10 @@ void ReadValues(
   const NumberList& list, ByteStream& stream, Value* destination, ReadProgress& progress)
 {
   WordStream words(stream);
+  for (std::uint64_t left = list.skipped; left > 0; --left)
+  {
+    words.Next();
+  }
   for (std::uint64_t i = 0; i < list.count; ++i)
   {
     if (i % (1 << 20) == 0)

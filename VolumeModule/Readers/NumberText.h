@@ -19,7 +19,8 @@ struct NumberList
   int scalarType; ///< VTK_SHORT or another VTK type
   std::uint64_t count;
   std::uint64_t together = 1; ///< numbers that stand together
-  std::uint64_t groups = 1;   ///< groups of such numbers, of which only the first is in the list
+  std::uint64_t groups = 1;   ///< groups of such numbers, of which one is in the list
+  std::uint64_t skipped = 0;  ///< numbers before the first of the list
 };
 
 /// Reads decimal numbers, separated by whitespace or commas, into memory of the list's type.

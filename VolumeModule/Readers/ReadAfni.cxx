@@ -4,11 +4,15 @@
 #include "Readers/Formats.h"
 #include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/KeptInput.h"
 #include "Readers/NumberText.h"
 #include "Readers/Rescale.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace varimarch
 {
@@ -113,7 +117,8 @@ std::vector<double> AfniHeader::Numbers(const std::string& name, std::size_t cou
   return numbers;
 }
 
-VoxelLayout LayoutOf(const AfniHeader& header)
+/// The layout of a brick, whose type may differ from that of others.
+VoxelLayout LayoutOf(const AfniHeader& header, std::int64_t code)
 {
   const std::vector<double> dimensions = header.Numbers("DATASET_DIMENSIONS", 3);
   VoxelLayout layout = { {}, VTK_VOID };
@@ -121,7 +126,6 @@ VoxelLayout LayoutOf(const AfniHeader& header)
   {
     layout.dimensions[axis] = WholeNumber(dimensions[axis]);
   }
-  const std::int64_t code = WholeNumber(header.Numbers("BRICK_TYPES", 1)[0]);
   switch (code)
   {
     case 0:
@@ -186,11 +190,28 @@ ImageGeometry GeometryOf(const AfniHeader& header)
   return geometry;
 }
 
-/// The factor of the first brick; 0 means none.
-Rescale RescaleOf(const AfniHeader& header)
+/// The times of the bricks; numbers if they are a list.
+VolumeTimes TimesOf(const AfniHeader& header)
 {
+  const std::int64_t count = WholeNumber(header.Numbers("DATASET_RANK", 2)[1]);
+  if (!header.Has("TAXIS_NUMS") || !header.Has("TAXIS_FLOATS"))
+  {
+    return NumberedTimes(count);
+  }
+  constexpr double Milliseconds = 77001.0;
+  constexpr double Seconds = 77002.0;
+  const double unit = header.Numbers("TAXIS_NUMS", 3)[2];
+  const double seconds = unit == Milliseconds ? 1e-3 : unit == Seconds ? 1.0 : 0.0;
+  const std::vector<double> startAndStep = header.Numbers("TAXIS_FLOATS", 2);
+  return EvenTimes(count, seconds * startAndStep[0], seconds * startAndStep[1]);
+}
+
+/// The factor of a brick; 0 means none.
+Rescale RescaleOf(const AfniHeader& header, std::int64_t brick)
+{
+  const auto index = std::size_t(brick);
   const double factor =
-    header.Has("BRICK_FLOAT_FACS") ? header.Numbers("BRICK_FLOAT_FACS", 1)[0] : 0.0;
+    header.Has("BRICK_FLOAT_FACS") ? header.Numbers("BRICK_FLOAT_FACS", index + 1)[index] : 0.0;
   return { factor == 0.0 ? 1.0 : factor, 0.0 };
 }
 
@@ -203,6 +224,21 @@ std::string WithExtension(const std::string& path, const std::string& extension)
     changed.replace_extension();
   }
   return changed.replace_extension(extension).string();
+}
+
+/// Bytes of the bricks before one.
+std::int64_t BytesBefore(
+  const AfniHeader& header, const std::vector<double>& types, std::int64_t brick)
+{
+  std::map<double, std::int64_t> countOfTypes;
+  std::for_each(types.begin(), types.begin() + brick, [&](double type) { ++countOfTypes[type]; });
+  std::int64_t bytes = 0;
+  for (const auto& [type, count] : countOfTypes)
+  {
+    const VoxelLayout layout = LayoutOf(header, WholeNumber(type));
+    bytes += count * std::int64_t(CheckedByteCount(header.Path(), layout));
+  }
+  return bytes;
 }
 
 VoxelFile VoxelFileOf(const AfniHeader& header, Volume& volume)
@@ -228,20 +264,21 @@ bool IsAfni(const std::string& head)
   return BeginsAttribute(begin.substr(0, begin.find('\n')));
 }
 
-Volume ReadAfni(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadAfni(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   ReadableFileSize(path);
   const AfniHeader header(WithExtension(path, ".HEAD"));
   Volume volume;
-  const VoxelLayout layout = LayoutOf(header);
+  TakeTimes(path, TimesOf(header), options, volume);
+  const auto brick = std::size_t(options.time);
+  const std::vector<double> types = header.Numbers("BRICK_TYPES", brick + 1);
+  const VoxelLayout layout = LayoutOf(header, WholeNumber(types[brick]));
   const ImageGeometry geometry = GeometryOf(header);
-  const Rescale rescale = RescaleOf(header);
-  const std::vector<double> rank = header.Numbers("DATASET_RANK", 2);
-  if (rank[1] > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(WholeNumber(rank[1])));
-  }
-  volume.image = ReadVoxels(VoxelFileOf(header, volume), layout, progress);
+  const Rescale rescale = RescaleOf(header, options.time);
+  VoxelFile file = VoxelFileOf(header, volume);
+  file.dataOffset = BytesBefore(header, types, options.time);
+  file.kept = StreamOf(options);
+  volume.image = ReadVoxels(file, layout, progress);
   volume.image = Rescaled(path, volume.image, { rescale });
   PlaceImage(path, geometry, volume.image);
   return volume;

@@ -7,6 +7,8 @@
 #include "Readers/Dicom/StoredSlices.h"
 #include "Readers/Dicom/Values.h"
 #include "Readers/Formats.h"
+#include "Readers/KeptInput.h"
+#include "Readers/Times.h"
 
 #include <algorithm>
 
@@ -79,8 +81,10 @@ Volume ReadSlices(const std::string& path, const DicomSeries& series, const Read
   ReadProgress& progress)
 {
   Volume volume;
+  const DicomVolumes volumes = VolumesOf(series.frames, volume.warnings);
+  TakeTimes(path, volumes.times, options, volume);
   const StoredSlices stored =
-    DecodedSlices(path, ChooseSlices(series.frames, volume.warnings), progress);
+    DecodedSlices(path, SlicesOf(volumes, options.time, volume.warnings), progress);
   WarnOfFaults(stored.faults, volume.warnings);
   const std::vector<DicomFrame>& frames = stored.slices.frames;
   volume.image = Rescaled(path, stored.image, RescalesOf(frames));
@@ -118,7 +122,13 @@ Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgre
 {
   ReadProgress scanning = progress.Part(0.0, 0.3);
   ReadProgress decoding = progress.Part(0.3, 1.0);
-  const DicomScan scan = FindDicomSeries(path, scanning);
+  KeptInput once;
+  KeptInput& kept = options.kept ? *options.kept : once;
+  if (!kept.scan)
+  {
+    kept.scan = std::make_unique<const DicomScan>(FindDicomSeries(path, scanning));
+  }
+  const DicomScan& scan = *kept.scan;
   const DicomSeries& series = SeriesNamed(path, scan.series, options.series);
   std::vector<std::string> warnings = scan.warnings;
   if (options.series.empty() && scan.series.size() > 1)

@@ -4,6 +4,8 @@
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/KeptInput.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
 #include <map>
@@ -42,7 +44,7 @@ bool IsGipl(const std::string& head)
   return HasMark(BinaryHeader(head, true));
 }
 
-Volume ReadGipl(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadGipl(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   const BinaryHeader header(path, giplHeaderBytes, true);
   if (!HasMark(header))
@@ -64,11 +66,9 @@ Volume ReadGipl(const std::string& path, const ReadOptions&, ReadProgress& progr
   file.dataOffset = giplHeaderBytes;
 
   Volume volume;
-  const int volumeCount = header.At<unsigned short>(6);
-  if (volumeCount > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(volumeCount));
-  }
+  TakeTimes(path, NumberedTimes(header.At<unsigned short>(6)), options, volume);
+  file.volume = options.time;
+  file.kept = StreamOf(options);
   volume.image = ReadVoxels(file, layout, progress);
   PlaceImage(path, geometry, volume.image);
   volume.warnings.push_back(UnknownSides);

@@ -4,8 +4,10 @@
 #include "Readers/Formats.h"
 #include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/KeptInput.h"
 #include "Readers/Memory.h"
 #include "Readers/NumberText.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
 #include <algorithm>
@@ -227,11 +229,11 @@ Volume ReadMetaImage(const std::string& path, const ReadOptions& options, ReadPr
   Volume volume;
   const ImageGeometry geometry = GeometryOf(header, volume.warnings);
   VoxelFile file = VoxelFileOf(header);
+  // The header has a distance of the volumes, but not its unit.
+  TakeTimes(path, NumberedTimes(file.volumeCount), options, volume);
+  file.volume = options.time;
+  file.kept = StreamOf(options);
   file.mostMemoryBytes = MostMemoryBytes(options);
-  if (file.volumeCount > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(file.volumeCount));
-  }
   volume.image = ReadVoxels(file, LayoutOf(header), progress);
   PlaceImage(path, geometry, volume.image);
   if (header.fields.Value(directionKeys).empty())

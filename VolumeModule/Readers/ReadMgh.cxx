@@ -4,6 +4,8 @@
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/KeptInput.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
 #include <map>
@@ -52,6 +54,25 @@ ImageGeometry DefaultGeometry(const VoxelLayout& layout)
   return geometry;
 }
 
+/// The time from one volume to the next, which stands behind the voxels; 0 if it does not.
+double RepetitionSeconds(const VoxelFile& file, const VoxelLayout& layout, int volumeCount)
+{
+  if (volumeCount < 2)
+  {
+    return 0.0;
+  }
+  const std::string& path = file.paths.front();
+  const std::uint64_t end =
+    mghHeaderBytes + CheckedByteCount(path, layout) * std::uint64_t(volumeCount);
+  const bool isPlain = file.compression == Compression::None;
+  const auto stream = OpenStream(path, file.compression, isPlain ? end : 0);
+  stream->Skip(isPlain ? 0 : end);
+  std::string bytes(sizeof(float), '\0');
+  const bool isThere = stream->Read(bytes.data(), bytes.size()) == bytes.size();
+  constexpr double SecondsPerMs = 1e-3;
+  return isThere ? SecondsPerMs * double(BinaryHeader(bytes, true).At<float>(0)) : 0.0;
+}
+
 }
 
 bool IsMgh(const std::string& head)
@@ -63,7 +84,7 @@ bool IsMgh(const std::string& head)
     TypeOfCode(header.At<int>(20)).has_value();
 }
 
-Volume ReadMgh(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadMgh(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   const BinaryHeader header(path, mghHeaderBytes, true);
   const int version = header.At<int>(0);
@@ -86,10 +107,11 @@ Volume ReadMgh(const std::string& path, const ReadOptions&, ReadProgress& progre
   file.dataOffset = mghHeaderBytes;
 
   Volume volume;
-  if (header.At<int>(16) > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(header.At<int>(16)));
-  }
+  const int volumeCount = header.At<int>(16);
+  TakeTimes(path, EvenTimes(volumeCount, 0.0, RepetitionSeconds(file, layout, volumeCount)),
+    options, volume);
+  file.volume = options.time;
+  file.kept = StreamOf(options);
   const bool hasGeometry = header.At<short>(28) != 0;
   if (!hasGeometry)
   {

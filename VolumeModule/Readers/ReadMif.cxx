@@ -6,6 +6,7 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/NumberText.h"
 #include "Readers/Rescale.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
 #include <algorithm>
@@ -152,8 +153,8 @@ std::vector<std::size_t> SpatialAxes(const MifHeader& header)
   return axes;
 }
 
-/// The first volume, if there are several.
-void SelectVolume(const MifHeader& header, VoxelFile& file)
+/// How the volumes lie in the file, if there are several.
+void ArrangeVolumes(const MifHeader& header, VoxelFile& file)
 {
   std::int64_t voxelCount = 1;
   bool isDone = false;
@@ -194,7 +195,7 @@ VoxelFile VoxelFileOf(const MifHeader& header, bool bigEndian)
     FailToRead(header.path, "a file and an offset such as \". 256\"", Quoted(value));
   }
   file.bigEndian = bigEndian;
-  SelectVolume(header, file);
+  ArrangeVolumes(header, file);
   return file;
 }
 
@@ -279,6 +280,15 @@ ImageGeometry GeometryOf(const MifHeader& header, Volume& volume)
   return geometry;
 }
 
+/// The volumes: those of the fourth axis are times if the header has their distance, in seconds.
+VolumeTimes TimesOf(const MifHeader& header, std::int64_t volumeCount)
+{
+  const std::vector<std::string> words = Parts(header.fields.Value({ "vox" }));
+  const bool isFourth = header.sizes.size() > 3 && header.sizes[3] == volumeCount;
+  return EvenTimes(
+    volumeCount, 0.0, isFourth && words.size() > 3 ? NumberIn(words[3]).value_or(0.0) : 0.0);
+}
+
 Rescale RescaleOf(const MifHeader& header)
 {
   const std::vector<std::string> words = Parts(header.fields.Value({ "scaling" }));
@@ -294,7 +304,7 @@ bool IsMif(const std::string& head)
   return head.compare(0, std::string(mifMark).size(), mifMark) == 0;
 }
 
-Volume ReadMif(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadMif(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   const MifHeader header = ReadMifHeader(path);
   const MifType type = TypeOf(header);
@@ -305,13 +315,11 @@ Volume ReadMif(const std::string& path, const ReadOptions&, ReadProgress& progre
     layout.dimensions[stored++] = header.sizes[axis];
   }
   Volume volume;
-  const VoxelFile file = VoxelFileOf(header, type.bigEndian);
+  VoxelFile file = VoxelFileOf(header, type.bigEndian);
   const ImageGeometry geometry = GeometryOf(header, volume);
   const Rescale rescale = RescaleOf(header);
-  if (file.volumeCount > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(file.volumeCount));
-  }
+  TakeTimes(path, TimesOf(header, file.volumeCount), options, volume);
+  file.volume = options.time;
   volume.image = ReadVoxels(file, layout, progress);
   volume.image = Rescaled(path, volume.image, { rescale });
   PlaceImage(path, InLps(geometry, LpsFromRas, 1.0), volume.image);

@@ -3,6 +3,7 @@
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/KeptInput.h"
 #include "Readers/Magnitude.h"
 #include "Readers/Memory.h"
 #include "Readers/NiftiGeometry.h"
@@ -10,12 +11,14 @@
 #include "Readers/NiftiLayout.h"
 #include "Readers/NumberText.h"
 #include "Readers/Rescale.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 
 namespace varimarch
@@ -72,7 +75,21 @@ std::int64_t VectorLength(
   return isVector && isAlone ? dim[5] : 1;
 }
 
-VoxelLayout LayoutOf(const std::string& path, const NiftiHeader& header, Volume& volume)
+/// The volumes: those of the fourth axis are times if the header has their distance.
+VolumeTimes TimesOf(const NiftiHeader& header, std::int64_t alongFourth, double volumeCount)
+{
+  // The bits of the units of time in xyzt_units.
+  constexpr int UnitOfTime = 0x38;
+  static const std::map<int, double> secondsOfUnits = { { 8, 1.0 }, { 16, 1e-3 }, { 24, 1e-6 } };
+  const auto unit = secondsOfUnits.find(header.units & UnitOfTime);
+  const double seconds = unit == secondsOfUnits.end() ? 0.0 : unit->second;
+  return double(alongFourth) == volumeCount
+    ? EvenTimes(alongFourth, header.timeOffset * seconds, header.pixdim[4] * seconds)
+    : NumberedTimes(WholeNumber(volumeCount));
+}
+
+VoxelLayout LayoutOf(
+  const std::string& path, const NiftiHeader& header, const ReadOptions& options, Volume& volume)
 {
   if (header.intent >= 3000 && header.intent < 3100)
   {
@@ -93,10 +110,7 @@ VoxelLayout LayoutOf(const std::string& path, const NiftiHeader& header, Volume&
   const std::int64_t componentCount = type.componentCount * VectorLength(header, dim, type);
   const double volumeCount = double(dim[4]) * double(dim[5]) * double(dim[6]) * double(dim[7]) *
     type.componentCount / double(componentCount);
-  if (volumeCount > 1.0)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(WholeNumber(volumeCount)));
-  }
+  TakeTimes(path, TimesOf(header, dim[4], volumeCount), options, volume);
   return { { dim[1], dim[2], dim[3] }, type.scalarType, componentCount };
 }
 
@@ -145,7 +159,8 @@ std::int64_t VoxelOffset(const std::string& path, const NiftiHeader& header, Vol
   return least;
 }
 
-VoxelFile VoxelFileOf(const std::string& headerPath, const NiftiHeader& header, Volume& volume)
+VoxelFile VoxelFileOf(const std::string& headerPath, const NiftiHeader& header,
+  const ReadOptions& options, Volume& volume)
 {
   VoxelFile file;
   file.paths = { header.kind == NiftiKind::OneFile ? headerPath
@@ -154,7 +169,10 @@ VoxelFile VoxelFileOf(const std::string& headerPath, const NiftiHeader& header, 
   file.compression = CompressionOf(file.paths.front());
   file.bigEndian = header.bigEndian;
   file.planar = header.dim[0] >= 5 && header.dim[5] > 1;
-  file.dataOffset = VoxelOffset(headerPath, header, volume);
+  file.dataOffset =
+    VoxelOffset(headerPath, header, volume) * (header.padsEachVolume ? options.time + 1 : 1);
+  file.volume = options.time;
+  file.kept = StreamOf(options);
   return file;
 }
 
@@ -189,9 +207,9 @@ Volume ReadNifti(const std::string& path, const ReadOptions& options, ReadProgre
   Volume volume;
   const std::string headerPath = HeaderPath(path);
   const NiftiHeader header = ReadNiftiHeader(headerPath);
-  const VoxelLayout layout = LayoutOf(headerPath, header, volume);
+  const VoxelLayout layout = LayoutOf(headerPath, header, options, volume);
   const ImageGeometry geometry = GeometryOf(headerPath, header, volume.warnings);
-  VoxelFile file = VoxelFileOf(headerPath, header, volume);
+  VoxelFile file = VoxelFileOf(headerPath, header, options, volume);
   file.conversion = IsRescaled(header.rescale) ? "rescaled" : "";
   file.mostMemoryBytes = MostMemoryBytes(options);
   volume.image = ReadVoxels(file, layout, progress);

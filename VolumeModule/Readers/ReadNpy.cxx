@@ -4,7 +4,9 @@
 #include "Readers/Formats.h"
 #include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/KeptInput.h"
 #include "Readers/NumberText.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
 #include <algorithm>
@@ -155,7 +157,7 @@ bool IsNpy(const std::string& head)
   return head.compare(0, markBytes, npyMark) == 0;
 }
 
-Volume ReadNpy(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadNpy(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   ReadableFileSize(path);
   const NpyHeader header = ReadNpyHeader(path);
@@ -174,10 +176,9 @@ Volume ReadNpy(const std::string& path, const ReadOptions&, ReadProgress& progre
   file.alternation = header.isFortran && file.volumeCount > 1 ? 1 : 0;
 
   Volume volume;
-  if (file.volumeCount > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(file.volumeCount));
-  }
+  TakeTimes(path, NumberedTimes(file.volumeCount), options, volume);
+  file.volume = options.time;
+  file.kept = StreamOf(options);
   volume.image = ReadVoxels(file, grid.layout, progress);
   PlaceImage(path, grid.geometry, volume.image);
   volume.warnings.push_back(UnknownSpacing);

@@ -2,12 +2,14 @@
 // http://teem.sourceforge.net/nrrd/format.html
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/KeptInput.h"
 #include "Readers/Magnitude.h"
 #include "Readers/Memory.h"
 #include "Readers/NrrdAxes.h"
 #include "Readers/NrrdGeometry.h"
 #include "Readers/NrrdSegments.h"
 #include "Readers/NumberText.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
 #include <vtkDataArray.h>
@@ -85,15 +87,14 @@ Volume ReadNrrd(const std::string& path, const ReadOptions& options, ReadProgres
   const NrrdHeader header = ReadNrrdHeader(path);
   const bool holdsSegments = HoldsSegments(header);
   const NrrdAxes axes = holdsSegments ? LayersAsComponents(AxesOf(header)) : AxesOf(header);
-  if (axes.volumeCount > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(axes.volumeCount));
-  }
+  TakeTimes(path, TimesOf(header, axes), options, volume);
   const VoxelLayout layout = LayoutOf(header, axes);
   const ImageGeometry geometry = GeometryOf(header, axes, volume.warnings);
   VoxelFile file = VoxelFileOf(header);
   file.planar = axes.planar;
   file.volumeCount = axes.volumeCount;
+  file.volume = options.time;
+  file.kept = StreamOf(options);
   file.alternation = axes.areAlternating ? 1 : 0;
   file.conversion = holdsSegments ? "joined to segments" : "";
   file.mostMemoryBytes = MostMemoryBytes(options);

@@ -4,6 +4,7 @@
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/KeptInput.h"
 #include "Readers/Unpacked.h"
 
 #include <algorithm>
@@ -110,8 +111,16 @@ Volume ReadPacked(const std::string& path, const ReadOptions& options, ReadProgr
 {
   ReadProgress unpacking = progress.Part(0.0, 0.5);
   ReadProgress reading = progress.Part(0.5, 1.0);
-  std::vector<std::string> warnings;
-  const auto copies = UnpackedIfPacked(path, warnings, unpacking);
+  KeptInput once;
+  KeptInput& kept = options.kept ? *options.kept : once;
+  if (kept.copies.count(path) == 0)
+  {
+    KeptCopies made;
+    made.copies = UnpackedIfPacked(path, made.warnings, unpacking);
+    kept.copies[path] = std::move(made);
+  }
+  const auto& copies = kept.copies[path].copies;
+  std::vector<std::string> warnings = kept.copies[path].warnings;
   const std::vector<std::string> files = copies ? std::vector<std::string>() : VolumesBelow(path);
   if (!copies && files.empty())
   {

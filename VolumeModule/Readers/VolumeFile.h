@@ -32,6 +32,13 @@ struct LabelledSegment
   std::optional<glm::dvec3> rgb; ///< [0, 1]; empty if the file gives no colour
 };
 
+/// The times of a file: one volume each, of which one is read.
+struct VolumeTimes
+{
+  std::vector<double> values = { 0.0 }; ///< at least one, in ascending order
+  bool areSeconds = false;              ///< otherwise numbers, counted from 0
+};
+
 /// The content of a file: an image in LPS space [mm] and its metadata, none of which identifies a
 /// patient.
 struct Volume
@@ -53,6 +60,7 @@ struct Volume
   std::optional<std::vector<LabelledSegment>> segments;
   std::optional<double> uptakeValueFactor; ///< for PET: from values to SUV [g/ml]
   std::string frameOfReference; ///< UID of the DICOM space that positions are in; or empty
+  VolumeTimes times;            ///< times of the file, or elements of its list of volumes
 };
 
 /// The warning for files without orientation.
@@ -67,7 +75,7 @@ constexpr const char* UnknownSpacing =
 constexpr const char* UnknownByteOrder =
   "The file does not say its byte order; little endian was assumed.";
 
-/// The warning for files with several volumes.
+/// The warning for files with several volumes in a format whose first one is read.
 inline std::string OnlyFirstVolume(std::int64_t count)
 {
   return "The file holds " + std::to_string(count) +
@@ -93,12 +101,17 @@ enum class Rectify
   Always
 };
 
+struct KeptInput;
+
 /// Options of a reader.
 struct ReadOptions
 {
   RawOptions raw;
   std::string series; ///< the DICOM series to read, see SeriesNamed
   Rectify rectify = Rectify::Never;
+  std::int64_t time = 0;      ///< the time to read, counted from 0
+  bool filesAreTimes = false; ///< true if the files of a folder, or of one name, are times
+  KeptInput* kept = nullptr;  ///< memory from one time to the next; may be null
   /// Memory that the program may use [bytes]; 0: all of the machine's. Voxels that need more than a
   /// quarter of it stay in their file where that is possible.
   std::uint64_t mostMemoryBytes = 0;

@@ -17,15 +17,14 @@ namespace varimarch
 namespace
 {
 
-/// The files of the first of several volumes.
+/// The files of the wanted one of several volumes.
 /// @param valueCount  number of values of that volume
-VoxelFile FirstVolume(const VoxelFile& file, std::uint64_t valueCount)
+VoxelFile FilesOfVolume(const VoxelFile& file, std::uint64_t valueCount)
 {
-  VoxelFile first = file;
   const std::uint64_t fileCount = file.paths.size();
   if (fileCount == 1 || file.alternation > 0)
   {
-    return first;
+    return file;
   }
   const auto volumeCount = std::uint64_t(file.volumeCount);
   if (fileCount % volumeCount != 0 || valueCount % (fileCount / volumeCount) != 0)
@@ -33,17 +32,21 @@ VoxelFile FirstVolume(const VoxelFile& file, std::uint64_t valueCount)
     FailToRead(file.paths.front(), "data files that hold equal parts of the volume",
       std::to_string(fileCount) + " files");
   }
-  first.paths.resize(std::size_t(fileCount / volumeCount));
-  first.volumeCount = 1;
-  return first;
+  const auto filesOfVolume = std::ptrdiff_t(fileCount / volumeCount);
+  const auto begin = file.paths.begin() + std::ptrdiff_t(file.volume) * filesOfVolume;
+  VoxelFile own = file;
+  own.paths.assign(begin, begin + filesOfVolume);
+  own.volumeCount = 1;
+  own.volume = 0;
+  return own;
 }
 
-/// The first of several volumes that alternate in a stream.
-class FirstOfAlternating : public ByteStream
+/// One of several volumes that alternate in a stream, which is at its first value.
+class OneOfAlternating : public ByteStream
 {
 public:
   /// @param runBytes  number of adjacent bytes of one volume
-  FirstOfAlternating(
+  OneOfAlternating(
     std::unique_ptr<ByteStream> all, std::uint64_t runBytes, std::int64_t volumeCount)
     : all(std::move(all))
     , runBytes(runBytes)
@@ -108,26 +111,44 @@ std::uint64_t OffsetBehindLines(const std::string& path, std::uint64_t offset, s
   return offset;
 }
 
-/// Offset of the first voxel in a file that is not compressed.
+/// Bytes from the first value of the file to that of the wanted volume.
+std::uint64_t BytesBefore(const VoxelFile& file, const Part& part)
+{
+  const std::uint64_t apart =
+    file.alternation > 0 ? std::uint64_t(file.alternation) * part.ValueBytes() : part.Bytes();
+  return file.encoding == VoxelEncoding::Text ? 0 : std::uint64_t(file.volume) * apart;
+}
+
+/// Offset of the first voxel of the wanted volume in a file that is not compressed.
 std::uint64_t OffsetOfVoxels(const VoxelFile& file, const Part& part)
 {
   const std::uint64_t begin =
     OffsetBehindLines(part.path, std::uint64_t(file.fileOffset), file.lineSkip);
   if (file.dataOffset != VoxelFile::FromEnd)
   {
-    return begin + std::uint64_t(file.dataOffset);
+    return begin + std::uint64_t(file.dataOffset) + BytesBefore(file, part);
   }
   const std::uint64_t all =
     ReadableFileSize(part.path) - std::min(begin, ReadableFileSize(part.path));
-  return begin + all - std::min(all, part.Bytes() * std::uint64_t(file.volumeCount));
+  return begin + all - std::min(all, part.Bytes() * std::uint64_t(file.volumeCount)) +
+    BytesBefore(file, part);
 }
 
-/// Opens a file at its first voxel.
-std::unique_ptr<ByteStream> StreamAtVoxels(const VoxelFile& file, const Part& part)
+/// A stream at the first value to read.
+struct VoxelStream
+{
+  std::unique_ptr<ByteStream> stream;
+  std::uint64_t begin;    ///< where its compressed bytes begin in the file
+  std::uint64_t position; ///< decompressed bytes before the value
+};
+
+/// Opens a file at the first voxel of the wanted volume, or in a text at its first number.
+VoxelStream StreamAtVoxels(const VoxelFile& file, const Part& part)
 {
   if (file.compression == Compression::None)
   {
-    return OpenStream(part.path, file.compression, OffsetOfVoxels(file, part));
+    const std::uint64_t offset = OffsetOfVoxels(file, part);
+    return { OpenStream(part.path, file.compression, offset), 0, offset };
   }
   const std::uint64_t begin =
     OffsetBehindLines(part.path, std::uint64_t(file.fileOffset), file.lineSkip);
@@ -138,9 +159,10 @@ std::unique_ptr<ByteStream> StreamAtVoxels(const VoxelFile& file, const Part& pa
                                 ->Skip(std::numeric_limits<std::uint64_t>::max());
     skip = all - std::min(all, part.Bytes() * std::uint64_t(file.volumeCount));
   }
-  auto stream = OpenStream(part.path, file.compression, begin);
-  stream->Skip(skip);
-  return stream;
+  skip += BytesBefore(file, part);
+  KeptStream once;
+  KeptStream& kept = file.kept ? *file.kept : once;
+  return { kept.TakeAt(part.path, file.compression, begin, skip), begin, skip };
 }
 
 /// Fails if a file is too short for its part of the voxels, whatever its bytes are.
@@ -150,10 +172,11 @@ void CheckFileHolds(const VoxelFile& file, const Part& part)
   const double headerBytes = double(file.fileOffset);
   const bool isText = file.encoding == VoxelEncoding::Text;
   // A number and the separator after it take two bytes; the last one needs no separator.
-  // The others of alternating volumes may lack their last run.
+  // The volumes behind the wanted one may be missing, or of alternating ones their last runs.
   const double otherValues = file.alternation > 0
-    ? (double(part.valueCount) - double(file.alternation)) * double(file.volumeCount - 1)
-    : 0.0;
+    ? (double(part.valueCount) - double(file.alternation)) * double(file.volumeCount - 1) +
+      double(file.volume) * double(file.alternation)
+    : double(file.volume) * double(part.valueCount);
   const double values = double(part.valueCount) + otherValues;
   const double neededBytes = isText
     ? 2.0 * values - 1.0
@@ -169,7 +192,7 @@ void CheckFileHolds(const VoxelFile& file, const Part& part)
 /// Reads the values of one file.
 void ReadPart(const VoxelFile& file, const Part& part, void* destination, ReadProgress progress)
 {
-  auto stream = StreamAtVoxels(file, part);
+  VoxelStream voxels = StreamAtVoxels(file, part);
   if (file.encoding == VoxelEncoding::Text)
   {
     NumberList numbers = { part.path, part.scalarType, part.valueCount };
@@ -178,15 +201,24 @@ void ReadPart(const VoxelFile& file, const Part& part, void* destination, ReadPr
       numbers.together = std::uint64_t(file.alternation);
       numbers.groups = std::uint64_t(file.volumeCount);
     }
-    ReadNumbers(numbers, *stream, destination, progress);
+    numbers.skipped =
+      std::uint64_t(file.volume) * (file.alternation > 0 ? numbers.together : part.valueCount);
+    ReadNumbers(numbers, *voxels.stream, destination, progress);
     return;
   }
   if (file.alternation > 0)
   {
-    stream = std::make_unique<FirstOfAlternating>(
-      std::move(stream), std::uint64_t(file.alternation) * part.ValueBytes(), file.volumeCount);
+    OneOfAlternating volume(std::move(voxels.stream),
+      std::uint64_t(file.alternation) * part.ValueBytes(), file.volumeCount);
+    ReadBytes(part.path, volume, destination, part.Bytes(), progress);
+    return;
   }
-  ReadBytes(part.path, *stream, destination, part.Bytes(), progress);
+  ReadBytes(part.path, *voxels.stream, destination, part.Bytes(), progress);
+  if (file.kept && file.compression == Compression::Deflate)
+  {
+    file.kept->Keep(
+      part.path, voxels.begin, voxels.position + part.Bytes(), std::move(voxels.stream));
+  }
 }
 
 /// Reorders from component by component to voxel by voxel.
@@ -272,7 +304,7 @@ vtkSmartPointer<vtkImageData> ReadVoxels(
   // Detects all detectable errors before memory is allocated.
   const std::uint64_t byteCount = ByteCountOf(allFiles.paths.front(), layout);
   const auto valueBytes = std::uint64_t(vtkDataArray::GetDataTypeSize(layout.scalarType));
-  const VoxelFile file = FirstVolume(allFiles, byteCount / valueBytes);
+  const VoxelFile file = FilesOfVolume(allFiles, byteCount / valueBytes);
   std::vector<Part> parts;
   for (const std::string& path : file.paths)
   {

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Readers_VoxelFile_h
 #define Varimarch_Readers_VoxelFile_h
 
-#include "Readers/ByteStream.h"
+#include "Readers/KeptStream.h"
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
 
@@ -27,7 +27,8 @@ struct VoxelFile
   static constexpr std::int64_t FromEnd = -1;
 
   std::vector<std::string> paths; ///< files that hold equal parts, in order
-  std::int64_t volumeCount = 1;   ///< number of volumes in all files; only the first is read
+  std::int64_t volumeCount = 1;   ///< number of volumes in all files
+  std::int64_t volume = 0;        ///< the volume to read, counted from 0
   /// Number of adjacent values of one volume, if the volumes of a single file alternate; 0 if each
   /// volume is in one piece.
   std::int64_t alternation = 0;
@@ -38,6 +39,7 @@ struct VoxelFile
   std::int64_t fileOffset = 0; ///< bytes to skip in each file
   std::int64_t lineSkip = 0;   ///< lines to skip after them
   std::int64_t dataOffset = 0; ///< bytes to skip after decompression, or FromEnd
+  KeptStream* kept = nullptr;  ///< the stream behind the volume that was read last, or null
   std::string conversion;      ///< the work on the voxels once they are read, such as "rescaled"
   /// Memory that the program may use [bytes]. Voxels that need more than a quarter of it are mapped
   /// if the file has them as they are in memory. 0: voxels are always read.

@@ -161,8 +161,8 @@ void Fields(Wire& wire, DicomFrame& frame)
 {
   wire(frame.number, frame.firstPixel, frame.size, frame.positionMm, frame.axes, frame.pixelMm,
     frame.pixelAspect, frame.distanceMm, frame.isDistanceThickness, frame.heightMm,
-    frame.instanceNumber, frame.differences, frame.slope, frame.intercept, frame.padding,
-    frame.isLossy);
+    frame.instanceNumber, frame.differences, frame.timeSeconds, frame.slope, frame.intercept,
+    frame.padding, frame.isLossy);
 }
 
 template <class Wire>

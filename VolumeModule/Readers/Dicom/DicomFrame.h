@@ -115,6 +115,7 @@ struct DicomFrame
   std::optional<double> heightMm;   ///< position along the normal, without a known origin
   double instanceNumber = 0.0;
   std::array<std::string, std::size_t(DicomDifference::Count)> differences;
+  std::optional<double> timeSeconds; ///< time since the first frame, or another fixed moment
 
   double slope = 1.0;
   double intercept = 0.0;

@@ -3,6 +3,8 @@
 #include "Readers/NumberText.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -94,12 +96,32 @@ bool LieOverEachOther(const std::vector<FrameSet>& sets)
   return uncovered == 0 || (uncovered == 1 && isLargestUncovered);
 }
 
-/// The warning that only one of several sets is read, with the incomplete ones.
-std::string OnlyOneSet(
-  std::size_t difference, const std::vector<FrameSet>& sets, std::size_t complete)
+/// The number of places of the largest set.
+std::size_t MostPlaces(const std::vector<FrameSet>& sets)
 {
-  std::string text = "The series holds " + std::to_string(sets.size()) +
-    " volumes that differ in their " + DifferenceNames[difference] + "; only the first";
+  std::size_t most = 0;
+  for (const FrameSet& set : sets)
+  {
+    most = std::max(most, PlacesOf(set).size());
+  }
+  return most;
+}
+
+/// True for attributes by which frames follow each other in time.
+bool IsTime(std::size_t difference)
+{
+  constexpr std::array<DicomDifference, 7> Times = { DicomDifference::TimePoint,
+    DicomDifference::TriggerTime, DicomDifference::CardiacPhase, DicomDifference::FrameNumber,
+    DicomDifference::AcquisitionNumber, DicomDifference::AcquisitionTime,
+    DicomDifference::ContentTime };
+  return std::find(Times.begin(), Times.end(), DicomDifference(difference)) != Times.end();
+}
+
+/// The warning of sets that are not read: those that are incomplete, or all but one.
+std::string WarningOfOthers(
+  std::size_t difference, const std::vector<FrameSet>& sets, std::size_t keptCount)
+{
+  const std::size_t complete = MostPlaces(sets);
   std::vector<std::string> incomplete;
   for (std::size_t i = 0; i < sets.size(); ++i)
   {
@@ -110,16 +132,42 @@ std::string OnlyOneSet(
         " of " + std::to_string(complete) + " slices");
     }
   }
-  return text +
-    (incomplete.empty() ? " was read." : " complete one was read; " + NameList(incomplete) + ".");
+  const std::string text = "The series holds " + std::to_string(sets.size()) +
+    " volumes that differ in their " + DifferenceNames[difference] + "; only the ";
+  const std::string kept = keptCount > 1 ? "complete ones were read"
+    : incomplete.empty()                 ? "first was read"
+                                         : "first complete one was read";
+  return text + kept + (incomplete.empty() ? "." : "; " + NameList(incomplete) + ".");
 }
 
-}
+std::vector<FrameSet> SetsFrom(
+  std::size_t difference, FrameSet frames, std::vector<std::string>& warnings);
 
-std::vector<PlacedFrame> FirstCompleteSet(
-  std::vector<PlacedFrame> frames, std::vector<std::string>& warnings)
+/// The sets of each of several times, which the attributes from one on may separate further; as
+/// complete as the first. Only the first warns, since the others are alike.
+std::vector<FrameSet> SetsOfEach(
+  const std::vector<FrameSet>& times, std::size_t difference, std::vector<std::string>& warnings)
 {
-  for (std::size_t difference = 0; difference < DifferenceNames.size(); ++difference)
+  std::vector<FrameSet> all;
+  std::vector<std::string> ignored;
+  for (const FrameSet& time : times)
+  {
+    for (FrameSet& set : SetsFrom(difference, time, all.empty() ? warnings : ignored))
+    {
+      if (all.empty() || PlacesOf(set).size() == PlacesOf(all.front()).size())
+      {
+        all.push_back(std::move(set));
+      }
+    }
+  }
+  return all;
+}
+
+/// SetsOfTimes by the attributes from one on.
+std::vector<FrameSet> SetsFrom(
+  std::size_t difference, FrameSet frames, std::vector<std::string>& warnings)
+{
+  for (; difference < DifferenceNames.size(); ++difference)
   {
     const std::size_t repeats = MostRepeats(frames);
     if (repeats == 1)
@@ -127,19 +175,33 @@ std::vector<PlacedFrame> FirstCompleteSet(
       break;
     }
     const std::vector<FrameSet> sets = SetsBy(difference, frames);
-    if (sets.size() > 1 && sets.size() <= repeats && LieOverEachOther(sets))
+    if (sets.size() == 1 || sets.size() > repeats || !LieOverEachOther(sets))
     {
-      std::size_t complete = 0;
-      for (const FrameSet& set : sets)
-      {
-        complete = std::max(complete, PlacesOf(set).size());
-      }
-      warnings.push_back(OnlyOneSet(difference, sets, complete));
-      frames = *std::find_if(sets.begin(), sets.end(),
-        [&](const FrameSet& set) { return PlacesOf(set).size() == complete; });
+      continue;
     }
+    std::vector<FrameSet> kept;
+    std::copy_if(sets.begin(), sets.end(), std::back_inserter(kept),
+      [complete = MostPlaces(sets)](const FrameSet& set)
+      { return PlacesOf(set).size() == complete; });
+    kept.resize(IsTime(difference) ? kept.size() : 1);
+    if (kept.size() < sets.size())
+    {
+      warnings.push_back(WarningOfOthers(difference, sets, kept.size()));
+    }
+    if (kept.size() > 1)
+    {
+      return SetsOfEach(kept, difference + 1, warnings);
+    }
+    frames = kept.front();
   }
-  return frames;
+  return { frames };
+}
+
+}
+
+std::vector<FrameSet> SetsOfTimes(const FrameSet& frames, std::vector<std::string>& warnings)
+{
+  return SetsFrom(0, frames, warnings);
 }
 
 }

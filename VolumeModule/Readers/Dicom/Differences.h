@@ -15,13 +15,13 @@ struct PlacedFrame
 };
 
 /// Separates frames that repeat places by the attributes that tell them apart, and returns the
-/// first complete set: one time, echo, or kind of image. An attribute separates sets only if these
-/// lie over each other, or most of them over the largest; the parts of a stack that were acquired
-/// one after the other stay together.
+/// complete sets of all times, in their order, for the first echo and kind of image. An attribute
+/// separates sets only if these lie over each other, or most of them over the largest; the parts of
+/// a stack that were acquired one after the other stay together.
 /// @param frames  in the order of their numbers; at least one
-/// @param warnings  receives a sentence about each attribute that separates sets
-std::vector<PlacedFrame> FirstCompleteSet(
-  std::vector<PlacedFrame> frames, std::vector<std::string>& warnings);
+/// @param warnings  receives a sentence about each attribute by which frames are left out
+std::vector<std::vector<PlacedFrame>> SetsOfTimes(
+  const std::vector<PlacedFrame>& frames, std::vector<std::string>& warnings);
 
 }
 

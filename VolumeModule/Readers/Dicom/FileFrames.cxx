@@ -48,6 +48,18 @@ const std::pair<vtkDICOMTag, DicomDifference> NuclearVectors[] = {
   { DC::TimeSliceVector, DicomDifference::TimePoint },
 };
 
+/// Takes the time that the file states for a frame, in seconds, or for a slice of PET in ms.
+void TakeTime(const DicomAttributes& attributes, DicomFrame& frame)
+{
+  constexpr double SecondsPerMs = 1e-3;
+  frame.timeSeconds = attributes.Number(DC::TemporalPositionTimeOffset);
+  const auto referenceMs = attributes.Number(DC::FrameReferenceTime);
+  if (!frame.timeSeconds && referenceMs)
+  {
+    frame.timeSeconds = SecondsPerMs * *referenceMs;
+  }
+}
+
 void TakeDifferences(const DicomAttributes& attributes, DicomFrame& frame)
 {
   for (std::size_t i = 0; i < DifferenceTags.size(); ++i)
@@ -136,6 +148,7 @@ DicomFrame FrameOf(const DicomHeader& header, int number)
   frame.size = { header.file->columns, header.file->rows };
   frame.instanceNumber = attributes.NumberOr(DC::InstanceNumber, 0.0);
   TakeDifferences(attributes, frame);
+  TakeTime(attributes, frame);
   TakeValueMap(attributes, frame);
   return frame;
 }

@@ -162,6 +162,32 @@ void Stack(const std::vector<double>& offsetsMm, std::vector<DicomFrame>& frames
   }
 }
 
+/// Makes frames at one place follow each other in time. The times between them are all alike, or
+/// each is that since the frame before (PS3.3 C.7.6.5).
+void MakeFilm(const DicomAttributes& attributes, std::vector<DicomFrame>& frames)
+{
+  constexpr double SecondsPerMs = 1e-3;
+  const vtkDICOMValue& stepsMs = attributes.Value(DC::FrameTimeVector);
+  const auto stepMs = attributes.Number(DC::FrameTime);
+  const bool hasSteps = stepsMs.IsValid() &&
+    stepsMs.GetNumberOfValues() == std::size_t(frames.front().file->frameCount);
+  double seconds = 0.0;
+  for (DicomFrame& frame : frames)
+  {
+    frame.heightMm = 0.0;
+    frame.differences[std::size_t(DicomDifference::FrameNumber)] = std::to_string(frame.number + 1);
+    if (hasSteps)
+    {
+      seconds += SecondsPerMs * stepsMs.GetDouble(std::size_t(frame.number));
+      frame.timeSeconds = seconds;
+    }
+    else if (stepMs)
+    {
+      frame.timeSeconds = SecondsPerMs * *stepMs * frame.number;
+    }
+  }
+}
+
 }
 
 void PlaceFrames(vtkDICOMMetaData* meta, std::vector<DicomFrame>& frames)
@@ -180,11 +206,7 @@ void PlaceFrames(vtkDICOMMetaData* meta, std::vector<DicomFrame>& frames)
     Stack(offsetsMm, frames);
     return;
   }
-  for (DicomFrame& frame : frames)
-  {
-    frame.heightMm = 0.0;
-    frame.differences[std::size_t(DicomDifference::FrameNumber)] = std::to_string(frame.number + 1);
-  }
+  MakeFilm(DicomAttributes(meta), frames);
 }
 
 }

@@ -1,7 +1,7 @@
 #include "Readers/Dicom/Grouping.h"
 
 #include "Core/Quality/Percentile.h"
-#include "Readers/Dicom/Differences.h"
+#include "Readers/Dicom/FrameTimes.h"
 
 #include <glm/geometric.hpp>
 
@@ -282,7 +282,7 @@ double UsualDistanceMm(const std::vector<double>& heightsMm)
   return Percentile(gaps, 0.5);
 }
 
-DicomSlices ChooseSlices(std::vector<DicomFrame> frames, std::vector<std::string>& warnings)
+DicomVolumes VolumesOf(std::vector<DicomFrame> frames, std::vector<std::string>& warnings)
 {
   KeepMostFrequent(frames, HaveOneSize, "their size differs from that of the others", warnings);
   KeepMostFrequent(
@@ -291,17 +291,30 @@ DicomSlices ChooseSlices(std::vector<DicomFrame> frames, std::vector<std::string
     frames, HaveOnePixelSize, "the size of their pixels differs from that of the others", warnings);
   KeepMostFrequent(
     frames, HavePositionOrNot, "they do not say where they lie, as others do", warnings);
-  bool hasPositions = false;
-  const std::vector<double> heightsMm = HeightsMm(frames, hasPositions, warnings);
+  DicomVolumes volumes;
+  const std::vector<double> heightsMm = HeightsMm(frames, volumes.hasPositions, warnings);
   const std::vector<int> places = PlacesOf(heightsMm, PlaceToleranceMm(frames.front()));
   std::vector<PlacedFrame> placed;
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     placed.push_back({ frames[i], heightsMm[i], places[i] });
   }
-  DicomSlices slices = OnePerPlace(FirstCompleteSet(placed, warnings), warnings);
+  volumes.sets = SetsOfTimes(placed, warnings);
+  std::vector<const DicomFrame*> firstFrames;
+  for (const std::vector<PlacedFrame>& set : volumes.sets)
+  {
+    firstFrames.push_back(&set.front().frame);
+  }
+  volumes.times = TimesOf(firstFrames);
+  return volumes;
+}
+
+DicomSlices SlicesOf(
+  const DicomVolumes& volumes, std::int64_t time, std::vector<std::string>& warnings)
+{
+  DicomSlices slices = OnePerPlace(volumes.sets[std::size_t(time)], warnings);
   LeaveOutFarSlices(slices, warnings);
-  slices.hasPositions = hasPositions;
+  slices.hasPositions = volumes.hasPositions;
   return slices;
 }
 

@@ -1,7 +1,8 @@
 #ifndef Varimarch_Readers_Dicom_Grouping_h
 #define Varimarch_Readers_Dicom_Grouping_h
 
-#include "Readers/Dicom/DicomFrame.h"
+#include "Readers/Dicom/Differences.h"
+#include "Readers/VolumeFile.h"
 
 namespace varimarch
 {
@@ -14,13 +15,24 @@ struct DicomSlices
   bool hasPositions = false;      ///< true if the files state the positions of the slices
 };
 
-/// Chooses the frames of a series that make up one volume: those of the most frequent size,
-/// direction and pixel size, of the first complete set of images that the files distinguish, and
-/// one for each place. Repeats of a place are other times, echoes or kinds of image only if an
-/// attribute says so.
+/// The frames of all times of a series.
+struct DicomVolumes
+{
+  std::vector<std::vector<PlacedFrame>> sets; ///< one for each time
+  VolumeTimes times;
+  bool hasPositions = false; ///< true if the files state the positions of the slices
+};
+
+/// Chooses the frames of a series that make up volumes: those of the most frequent size, direction
+/// and pixel size, and of the first complete set of images that the files distinguish, at each
+/// time. Repeats of a place are other times, echoes or kinds of image only if an attribute says so.
 /// @param frames  in the order of their numbers; at least one
 /// @param warnings  receives a sentence about all that is left out
-DicomSlices ChooseSlices(std::vector<DicomFrame> frames, std::vector<std::string>& warnings);
+DicomVolumes VolumesOf(std::vector<DicomFrame> frames, std::vector<std::string>& warnings);
+
+/// The slices of one time: one frame for each place.
+DicomSlices SlicesOf(
+  const DicomVolumes& volumes, std::int64_t time, std::vector<std::string>& warnings);
 
 /// The median distance of consecutive slices; a few gaps do not change it.
 /// @param heightsMm  at least two, in ascending order

@@ -1,0 +1,79 @@
+// The times of a DICOM series, by the attributes that tell its volumes apart.
+#include "DicomReading.h"
+#include "DicomTags.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+class DicomTimes : public DicomReading
+{
+protected:
+  /// Writes 3 volumes, whose values are 1000 apart, with an attribute that has a value for each.
+  void WriteTimes(std::uint32_t attribute, const std::vector<phantom_dicom::Element>& ofTimes)
+  {
+    for (int time = 0; time < 3; ++time)
+    {
+      for (int slice = 0; slice < 3; ++slice)
+      {
+        phantom_dicom::Elements elements = Slice(slice, 10 * time);
+        elements[dicom_tags::Intercept] = phantom_dicom::Decimals({ 1000.0 * time });
+        elements[attribute] = ofTimes[std::size_t(time)];
+        // Names in no order, so that only attributes can tell the times apart.
+        this->Write(std::to_string((slice * 5 + time * 7) % 11), elements);
+      }
+    }
+  }
+
+  void ExpectTimes(const std::vector<double>& times, bool areSeconds)
+  {
+    for (const int time : { 0, 2, 1 })
+    {
+      this->reader->SetTimeIndex(time);
+      this->Read();
+      this->ExpectPhantom(1000.0 * time);
+    }
+    EXPECT_EQ(this->Warnings(), "");
+    ASSERT_EQ(this->reader->GetNumberOfTimes(), int(times.size()));
+    EXPECT_EQ(this->reader->HasTimesInSeconds(), areSeconds);
+    for (int time = 0; time < int(times.size()); ++time)
+    {
+      EXPECT_NEAR(this->reader->GetTimeValue(time), times[std::size_t(time)], 1e-6);
+    }
+  }
+};
+
+TEST_F(DicomTimes, AreThoseAfterTheRWave)
+{
+  using phantom_dicom::Decimals;
+  this->WriteTimes(0x00181060, { Decimals({ 12.5 }), Decimals({ 50 }), Decimals({ 87.5 }) });
+  this->ExpectTimes({ 0.0125, 0.05, 0.0875 }, true);
+}
+
+TEST_F(DicomTimes, AreThoseOfAcquisition)
+{
+  using phantom_dicom::Text;
+  this->WriteTimes(
+    0x00080032, { Text("TM", "095958.5"), Text("TM", "100000.25"), Text("TM", "100101") });
+  this->ExpectTimes({ 0.0, 1.75, 62.5 }, true);
+}
+
+TEST_F(DicomTimes, AreNumbersWithoutAClock)
+{
+  using phantom_dicom::Text;
+  this->WriteTimes(dicom_tags::TimePoint, { Text("IS", "1"), Text("IS", "2"), Text("IS", "10") });
+  this->ExpectTimes({ 0.0, 1.0, 2.0 }, false);
+}
+
+TEST_F(DicomTimes, OfEchoesAreNotTold)
+{
+  using phantom_dicom::Decimals;
+  this->WriteTimes(0x00180081, { Decimals({ 10 }), Decimals({ 20 }), Decimals({ 30 }) });
+  this->Read();
+  this->ExpectPhantom();
+  EXPECT_EQ(this->reader->GetNumberOfTimes(), 1);
+  this->ExpectWarning("3 volumes that differ in their echo; only the first was read.");
+}
+
+}
