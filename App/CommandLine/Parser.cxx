@@ -293,6 +293,15 @@ void AddVolumeOptions(
     .add_option("--channel", arguments.channel, "The channel to read of these formats, from 0")
     ->check(CLI::Range(0, LargestChannel).description(""))
     ->type_name("N");
+  command
+    .add_option("--time", arguments.time,
+      "The time to read if there are several: its number, counted from 0, or its\n"
+      "seconds such as 1.4s, of which the nearest is read (default 0)")
+    ->check(CLI::Validator([](std::string& text) { return TimeProblem(text); }, ""))
+    ->type_name("TIME");
+  command.add_flag("--files-are-times", arguments.filesAreTimes,
+    "Take the volumes in a folder, or those beside a file whose names differ from its\n"
+    "own only in their last number, as times");
   AddRawOptions(command, arguments.raw);
 }
 

@@ -7,6 +7,8 @@
 #include "Scene/SceneNames.h"
 #include "UsageError.h"
 
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -17,6 +19,16 @@ namespace
 {
 
 const std::string ProceduralPrefix = "procedural:";
+
+/// The number that a text is; empty if it is anything else.
+template <class Number>
+std::optional<Number> NumberOf(const std::string& text)
+{
+  Number number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end ? std::optional<Number>(number) : std::nullopt;
+}
 
 void ThrowIf(const std::string& problem)
 {
@@ -80,6 +92,20 @@ std::optional<bool> RectifiedBy(const VolumeArguments& arguments)
                                                   : std::nullopt;
 }
 
+/// Applies a text such as "3", the number of a time, or "1.4s", its seconds.
+void TakeTime(const std::string& text, FileSource& source)
+{
+  if (!text.empty() && text.back() == 's')
+  {
+    source.timeSeconds = NumberOf<double>(text.substr(0, text.size() - 1));
+  }
+  else if (!text.empty())
+  {
+    source.time = *NumberOf<int>(text);
+    source.timeSeconds.reset();
+  }
+}
+
 void RejectRectify(const VolumeArguments& arguments)
 {
   if (const std::optional<bool> rectified = RectifiedBy(arguments))
@@ -98,6 +124,37 @@ void RejectLevel(const VolumeArguments& arguments)
   }
 }
 
+void RejectTime(const VolumeArguments& arguments)
+{
+  if (!arguments.time.empty() || arguments.filesAreTimes)
+  {
+    throw UsageError(std::string(arguments.time.empty() ? "--files-are-times" : "--time") +
+      ": expected a file, found a procedural volume");
+  }
+}
+
+/// Says which of several times a user gets who has not chosen one.
+void TellTime(const FileSource& source, const LoadedTimes& times)
+{
+  if (times.AreSeveral() && source.time == 0 && !source.timeSeconds)
+  {
+    PrintMessage("note: the file holds " + std::to_string(times.values.size()) +
+      " times; the first was read, and --time chooses another");
+  }
+}
+
+}
+
+std::string TimeProblem(const std::string& text)
+{
+  const bool isSeconds = !text.empty() && text.back() == 's';
+  const auto seconds = NumberOf<double>(text.substr(0, text.size() - (isSeconds ? 1 : 0)));
+  const bool isTime =
+    isSeconds ? seconds && std::isfinite(*seconds) : NumberOf<int>(text).value_or(-1) >= 0;
+  return isTime ? ""
+                : "expected the number of a time, counted from 0, or its seconds such as 1.4s, "
+                  "found \"" +
+      text + '"';
 }
 
 VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input)
@@ -107,6 +164,7 @@ VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input
     RejectFileArguments(arguments, "procedural volume");
     RejectRectify(arguments);
     RejectLevel(arguments);
+    RejectTime(arguments);
     return ProceduralFromInput(input);
   }
   FileSource source = { input, std::nullopt };
@@ -119,6 +177,8 @@ VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input
   source.memoryMegabytes = arguments.memoryMegabytes;
   source.level = arguments.level;
   source.channel = arguments.channel.value_or(0);
+  source.filesAreTimes = arguments.filesAreTimes;
+  TakeTime(arguments.time, source);
   if (HasRawLayout(arguments))
   {
     source.raw = arguments.raw;
@@ -151,10 +211,13 @@ VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volu
     file->memoryMegabytes = memory > 0.0 ? memory : file->memoryMegabytes;
     file->level = arguments.level ? arguments.level : file->level;
     file->channel = arguments.channel.value_or(file->channel);
+    file->filesAreTimes = file->filesAreTimes || arguments.filesAreTimes;
+    TakeTime(arguments.time, *file);
     return source;
   }
   RejectRectify(arguments);
   RejectLevel(arguments);
+  RejectTime(arguments);
   return source;
 }
 
@@ -166,6 +229,10 @@ LoadedVolume LoadVolumeReporting(const VolumeSource& source)
   for (const std::string& warning : volume.warnings)
   {
     PrintMessage("warning: " + warning);
+  }
+  if (file)
+  {
+    TellTime(*file, volume.times);
   }
   return volume;
 }

@@ -22,6 +22,8 @@ struct VolumeArguments
   std::string series;           ///< DICOM series to read; empty: the first
   std::optional<int> level;     ///< level of a file with several; empty: the finest that fits
   std::optional<int> channel;   ///< channel of such a file; empty: the first
+  std::string time;             ///< number or seconds of the time to read; empty: the first
+  bool filesAreTimes = false;   ///< true if the files of a folder, or of one name, are times
   double memoryMegabytes = 0.0; ///< memory that the program may use [MB]; 0: the machine's
   RawLayout raw;                ///< layout of a raw file; dimensions of 0 if the file has a header
 };
@@ -29,6 +31,9 @@ struct VolumeArguments
 /// The file, folder or procedural volume that an input names.
 /// @throws UsageError when the other arguments do not fit the input
 VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input);
+
+/// A sentence that says why a text is no time such as "3" or "1.4s"; empty if it is one.
+std::string TimeProblem(const std::string& text);
 
 /// Rejects a raw layout and a DICOM series for an input that describes its voxels itself.
 /// @param kind  kind of the input, for the message

@@ -59,6 +59,17 @@ std::string SlicesText(SliceLayout slices)
   }
 }
 
+// A text such as "20, from 0 s to 38 s; this is time 3 (6 s)".
+std::string TimesText(const LoadedTimes& times)
+{
+  const std::string unit = times.areSeconds ? " s" : "";
+  const auto text = [&](double value) { return Short(value) + unit; };
+  const std::string current = std::to_string(times.current) +
+    (times.areSeconds ? " (" + text(times.values[std::size_t(times.current)]) + ")" : "");
+  return std::to_string(times.values.size()) + ", from " + text(times.values.front()) + " to " +
+    text(times.values.back()) + "; this is time " + current;
+}
+
 double Bytes(vtkImageData* image)
 {
   return double(image->GetNumberOfPoints()) * image->GetScalarSize() *
@@ -107,6 +118,7 @@ std::string VolumeText(
        << "orientation  " << letters[0] << " " << letters[1] << " " << letters[2]
        << " (directions of the axes in the patient)\n"
        << "slices       " << SlicesText(volume.slices) << "\n"
+       << (volume.times.AreSeveral() ? "times        " + TimesText(volume.times) + "\n" : "")
        << "memory       " << Fixed(Bytes(image) / BytesPerMiB, 1) << " MiB"
        << (volume.isOnDisk ? ", drawn from the file" : "") << "\n"
        << "range        " << Short(statistics.Smallest()) << " to " << Short(statistics.Largest())
@@ -132,6 +144,12 @@ nlohmann::ordered_json VolumeJson(
   json["orientation"] = AxisLetters(image);
   json["irregularSlices"] = volume.slices != SliceLayout::Even;
   json["rectified"] = volume.slices == SliceLayout::Rectified;
+  if (volume.times.AreSeveral())
+  {
+    json["times"] = volume.times.values;
+    json["timesInSeconds"] = volume.times.areSeconds;
+    json["time"] = volume.times.current;
+  }
   json["bytes"] = std::int64_t(Bytes(image));
   json["fromDisk"] = volume.isOnDisk;
   json["range"] = { statistics.Smallest(), statistics.Largest() };

@@ -44,6 +44,9 @@ struct FileSource
   /// half of the free memory.
   std::optional<int> level = {};
   int channel = 0; ///< a channel of a file with several, counted from 0
+  int time = 0;                           ///< which of several times, counted from 0
+  std::optional<double> timeSeconds = {}; ///< if given, the time nearest to this one is read
+  bool filesAreTimes = false;             ///< as vtkVolumeFileReader::SetFilesAreTimes
 };
 
 enum class ProceduralKind

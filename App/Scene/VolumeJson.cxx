@@ -36,7 +36,8 @@ RawLayout RawLayoutFromJson(const JsonCursor& json)
 
 FileSource FileFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "file", "series", "rectified", "level", "channel", "raw", "memory" });
+  json.RequireObject({ "file", "series", "rectified", "level", "channel", "raw", "memory", "time",
+    "timeSeconds", "filesAreTimes" });
   FileSource source = { json.At("file").Text(), std::nullopt };
   if (const auto series = json.Find("series"))
   {
@@ -54,6 +55,18 @@ FileSource FileFromJson(const JsonCursor& json)
   {
     source.channel = channel->Integer(0, LargestChannel);
   }
+  if (const auto time = json.Find("time"))
+  {
+    source.time = time->Integer(0, std::numeric_limits<int>::max());
+  }
+  if (const auto seconds = json.Find("timeSeconds"))
+  {
+    source.timeSeconds = seconds->Number();
+  }
+  if (const auto filesAreTimes = json.Find("filesAreTimes"))
+  {
+    source.filesAreTimes = filesAreTimes->Boolean();
+  }
   if (const auto raw = json.Find("raw"))
   {
     source.raw = RawLayoutFromJson(*raw);
@@ -69,9 +82,8 @@ FileSource FileFromJson(const JsonCursor& json)
 
 VolumeSource VolumeFromJson(const JsonCursor& json)
 {
-  json.RequireObject(
-    { "file", "series", "rectified", "level", "channel", "raw", "memory", "procedural", "size",
-      "seed" });
+  json.RequireObject({ "file", "series", "rectified", "level", "channel", "raw", "memory", "time",
+    "timeSeconds", "filesAreTimes", "procedural", "size", "seed" });
   if (json.Find("file"))
   {
     return FileFromJson(json);
@@ -121,6 +133,18 @@ nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
   if (file.channel != 0)
   {
     json["channel"] = file.channel;
+  }
+  if (file.timeSeconds)
+  {
+    json["timeSeconds"] = *file.timeSeconds;
+  }
+  else if (file.time > 0)
+  {
+    json["time"] = file.time;
+  }
+  if (file.filesAreTimes)
+  {
+    json["filesAreTimes"] = true;
   }
   if (file.raw)
   {

@@ -108,9 +108,9 @@ void TakeSegments(const std::vector<vtkVolumeFileReader::Segment>& described, Lo
   }
 }
 
-LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
+void Apply(const FileSource& source, QuietReader& reader)
 {
-  QuietReader reader(source.path, observer);
+  reader->SetFilesAreTimes(source.filesAreTimes);
   reader->SetDICOMSeriesUID(source.series.c_str());
   reader->SetMaximumHostMemory(vtkIdType(1e6 * source.memoryMegabytes));
   reader->SetRectifySlices(source.rectified.value_or(false));
@@ -121,8 +121,24 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   {
     Apply(*source.raw, reader.operator->());
   }
-  reader->Update();
-  reader.Check();
+}
+
+LoadedTimes TimesOf(QuietReader& reader)
+{
+  LoadedTimes times;
+  times.values.clear();
+  for (int time = 0; time < reader->GetNumberOfTimes(); ++time)
+  {
+    times.values.push_back(reader->GetTimeValue(time));
+  }
+  times.areSeconds = reader->HasTimesInSeconds();
+  times.current = reader->GetReadTime();
+  return times;
+}
+
+// The volume of a reader that has read one.
+LoadedVolume VolumeOf(QuietReader& reader)
+{
   LoadedVolume volume = { reader->GetOutput(), reader->GetModality(), {} };
   volume.isOnDisk = reader->HasVoxelsOnDisk();
   volume.bodyPart = reader->GetBodyPart();
@@ -138,6 +154,7 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
   }
   volume.uptakeValueFactor = reader->GetUptakeValueFactor();
   volume.frameOfReference = reader->GetFrameOfReferenceUID();
+  volume.times = TimesOf(reader);
   if (reader->HoldsLabels())
   {
     TakeSegments(reader->GetSegments(), volume);
@@ -148,6 +165,38 @@ LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
     volume.warnings.push_back(warnings->GetValue(i));
   }
   return volume;
+}
+
+// Reads the time that lies nearest to one in seconds.
+void ReadNearest(const FileSource& source, QuietReader& reader)
+{
+  reader->UpdateInformation();
+  reader.Check();
+  if (!reader->HasTimesInSeconds())
+  {
+    const int count = reader->GetNumberOfTimes();
+    throw std::runtime_error("Cannot read a time of \"" + source.path +
+      "\" by its seconds: expected a file that states its times in seconds, found " +
+      (count > 1 ? std::to_string(count) + " times that only have numbers" : "a single volume"));
+  }
+  reader->UpdateTimeStep(*source.timeSeconds);
+}
+
+LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
+{
+  QuietReader reader(source.path, observer);
+  Apply(source, reader);
+  if (source.timeSeconds)
+  {
+    ReadNearest(source, reader);
+  }
+  else
+  {
+    reader->SetTimeIndex(source.time);
+    reader->Update();
+  }
+  reader.Check();
+  return VolumeOf(reader);
 }
 
 // The UID of the first segmentation; empty if there is none.
@@ -192,7 +241,7 @@ bool MayHoldSeveralSeries(const FileSource& source)
   const std::string name = vtksys::SystemTools::LowerCase(path.filename().string());
   const char* const format = vtkVolumeFileReader::GetFormatOfFile(source.path.c_str());
   const bool isArchive = format && format == std::string("archive");
-  return source.series.empty() &&
+  return source.series.empty() && !source.filesAreTimes &&
     (name == "dicomdir" || std::filesystem::is_directory(path) || isArchive);
 }
 

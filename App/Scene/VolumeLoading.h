@@ -24,6 +24,16 @@ enum class SliceLayout
   Rectified, ///< were irregular and have been resampled on an even grid
 };
 
+/// The times of a file, one of which is in memory.
+struct LoadedTimes
+{
+  std::vector<double> values = { 0.0 }; ///< at least one, in ascending order
+  bool areSeconds = false;              ///< otherwise numbers, counted from 0
+  int current = 0;                      ///< the time in memory, counted from 0
+
+  bool AreSeveral() const { return this->values.size() > 1; }
+};
+
 struct LoadedVolume
 {
   vtkSmartPointer<vtkImageData> image; ///< world space is LPS [mm]
@@ -42,6 +52,7 @@ struct LoadedVolume
   double uptakeValueFactor = 0.0;    ///< for PET: from values to SUV [g/ml]; 0 if unknown
   std::string frameOfReference = {}; ///< UID of DICOM for the space of the image; may be empty
   bool isOnDisk = false; ///< true if the voxels stayed in their file, because they are so many
+  LoadedTimes times = {};
 };
 
 /// Receives the fraction of the work done, [0, 1]; returns false to cancel.

@@ -237,7 +237,66 @@ def on_disk(folder):
     assert "for the bricks of 48 x 40 x 32" in errors, errors
 
 
+def nifti_of_times(path, first, count, step_s):
+    """A NIfTI file of 3 x 4 x 5 bytes at several times, all as bright as its number from `first`."""
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 4, 3, 4, 5, count, 1, 1, 1)
+    struct.pack_into("<2h", header, 70, 2, 8)
+    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, step_s, 1, 1, 1)
+    struct.pack_into("<f", header, 108, 352)
+    header[123] = 2 + 8  # mm and s
+    header[344:348] = b"n+1\0"
+    path.write_bytes(header + b"".join(bytes([first + i]) * 60 for i in range(count)))
+
+
+def times(folder):
+    """Chooses a time by its number or by its seconds, of one file or of several."""
+    nifti_of_times(folder / "t.nii", 10, 4, 1.5)
+
+    def brightness(path, *options):
+        _, notes = run("info", path, "--json", folder / "info.json", *options)
+        volume = json.loads((folder / "info.json").read_text())["volume"]
+        assert volume["range"][0] == volume["range"][1], volume
+        return volume["range"][0], volume, notes
+
+    value, volume, notes = brightness(folder / "t.nii")
+    assert value == 10 and volume["times"] == [0, 1.5, 3, 4.5] and volume["timesInSeconds"], volume
+    assert "holds 4 times; the first was read, and --time chooses another" in notes, notes
+    for option, expected in (("2", 12), ("3s", 12), ("4.4s", 13), ("-2s", 10)):
+        value, volume, notes = brightness(folder / "t.nii", f"--time={option}")
+        assert value == expected and volume["time"] == expected - 10, volume
+        assert "--time" not in notes, notes
+    text, _ = run("info", folder / "t.nii", "--time", "2")
+    assert "times        4, from 0 s to 4.5 s; this is time 2 (3 s)\n" in text, text
+
+    run("convert", folder / "t.nii", folder / "second.nii", "--time", "1")
+    assert (folder / "second.nii").read_bytes()[352:] == bytes([11]) * 60
+    for key, expected in (("time", 3), ("timeSeconds", 1.4)):
+        scene = {"volume": {"file": "t.nii", key: expected}, "look": "ct-bone"}
+        (folder / "scene.json").write_text(json.dumps(scene))
+        run("render", folder / "scene.json", "-o", folder / "a.png", "--size", "16x16")
+
+    for number in (9, 10, 11):
+        nifti_of_times(folder / f"v_{number}.nii", number, 1, 0)
+    for number in (0, 2):
+        value, volume, _ = brightness(
+            folder / "v_10.nii", "--files-are-times", "--time", str(number))
+        assert value == 9 + number and volume["times"] == [0, 1, 2], volume
+        assert not volume["timesInSeconds"], volume
+
+    _, errors = run("info", folder / "t.nii", "--time", "4", expect=1)
+    assert "expected a time from 0 to 3, found the time 4" in errors, errors
+    _, errors = run("info", folder / "v_10.nii", "--time", "1s", expect=1)
+    assert "states its times in seconds, found a single volume" in errors, errors
+    for wrong in ("1.5", "-1", "s", "soon", "nans"):
+        _, errors = run("info", folder / "t.nii", f"--time={wrong}", expect=2)
+        assert f'expected the number of a time, counted from 0, or its seconds' in errors, errors
+    _, errors = run("info", VOLUME, "--time", "1", expect=2)
+    assert "--time: expected a file, found a procedural volume" in errors, errors
+
+
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
         {"series": series, "raw": raw, "labels": labels, "overlays": overlays, "rectify": rectify,
-         "on_disk": on_disk}[sys.argv[2]](pathlib.Path(name))
+         "on_disk": on_disk, "times": times}[sys.argv[2]](pathlib.Path(name))

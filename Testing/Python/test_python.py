@@ -237,21 +237,29 @@ def warnings_are_python_warnings(_folder):
     assert caught and all(str(warning.message)[0].isupper() for warning in caught), caught
 
 
-def doubts_of_the_reader_are_python_warnings(folder):
-    """A NIfTI file of two time points, whose first is read."""
+def nifti_of_times(path, count, has_place):
+    """Writes a NIfTI file of 3 x 4 x 5 voxels at several times, 2 s apart, as bright as their numbers."""
     header = bytearray(352)
     struct.pack_into("<i", header, 0, 348)
-    struct.pack_into("<8h", header, 40, 4, 3, 4, 5, 2, 1, 1, 1)
+    struct.pack_into("<8h", header, 40, 4, 3, 4, 5, count, 1, 1, 1)
     struct.pack_into("<2h", header, 70, 2, 8)
-    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 1, 1, 1, 1)
+    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 2, 1, 1, 1)
     struct.pack_into("<f", header, 108, 352)
+    header[123] = 2 + 8  # mm and s
+    struct.pack_into("<h", header, 254, int(has_place))
+    struct.pack_into("<12f", header, 280, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
     header[344:348] = b"n+1\0"
-    path = folder / "two.nii"
-    path.write_bytes(header + bytes(3 * 4 * 5 * 2))
+    path.write_bytes(header + b"".join(bytes([time]) * 60 for time in range(count)))
+    return path
+
+
+def doubts_of_the_reader_are_python_warnings(folder):
+    """A NIfTI file that does not say where the patient's left is."""
+    path = nifti_of_times(folder / "one.nii", 1, has_place=False)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         assert varimarch.read(path).GetDimensions() == (3, 4, 5)
-    assert any("only the first" in str(warning.message) for warning in caught), caught
+    assert any("mirrored" in str(warning.message) for warning in caught), caught
     assert all(warning.filename == __file__ for warning in caught), "it names this call"
 
 
@@ -268,6 +276,13 @@ def volumes_larger_than_memory_stay_in_their_file(folder):
     expected = varimarch.render(varimarch.read(path), **arguments)
     assert (varimarch.render(on_disk, **arguments) == expected).all()
     assert (varimarch.render(on_disk, level="coarse", **arguments) != expected).any()
+
+
+def times_are_read_one_by_one(folder):
+    path = nifti_of_times(folder / "times.nii", 3, has_place=True)
+    assert list(varimarch.times(path)) == [0, 2, 4]
+    for time in (2, 0, 1):
+        assert (varimarch.to_array(varimarch.read(path, time=time)) == time).all(), time
 
 
 def masked_values_are_not_drawn(_folder):

@@ -8,7 +8,7 @@ Images are rendered from arrays or files, and are arrays themselves:
     image = varimarch.render(varimarch.read("head.nii.gz"), preset="mr-head", view="left")
     varimarch.write_png(image, "head.png")
 
-render() renders a volume; read() opens any volume file; to_image() and to_array() convert arrays to
+render() renders a volume; read() opens any volume file, and times() lists its times; to_image() and to_array() convert arrays to
 vtkImageData and back; capture() returns the image in a window; presets() lists the presets;
 variation_field() returns how far values stay about the same around each voxel. Viewer opens a volume
 in the program varimarch-viewer, and exchanges looks with it.
@@ -28,14 +28,14 @@ from . import VarimarchVolume
 from ._scene import version as __version__
 from .VarimarchVolume import *  # noqa: F401,F403
 from .fields import variation_field
-from .images import read, to_array, to_image
+from .images import read, times, to_array, to_image
 from .looks import presets
 from .pictures import capture, render, write_png
 from .plugin import enable
 from .viewer import Viewer
 
-__all__ = ["Viewer", "capture", "enable", "presets", "read", "render", "to_array", "to_image"]
-__all__ += ["variation_field", "write_png"]
+__all__ = ["Viewer", "capture", "enable", "presets", "read", "render", "times", "to_array"]
+__all__ += ["to_image", "variation_field", "write_png"]
 __all__ += [name for name in dir(VarimarchVolume) if name.startswith("vtk")]
 
 

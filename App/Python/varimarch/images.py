@@ -1,5 +1,6 @@
 """Conversion of volumes from files and arrays to vtkImageData, and back."""
 
+import operator
 import os
 import warnings
 
@@ -20,7 +21,7 @@ from .VarimarchVolume import vtkVolumeFileReader
 from .vtk_messages import vtk_messages_as_exceptions
 
 
-def read(path, level=None, channel=0, memory=None):
+def read(path, level=None, channel=0, memory=None, time=0, files_are_times=False):
     """Reads a volume file as vtkImageData in patient coordinates (DICOM's LPS space, in mm).
 
     Formats: VTI, NRRD, MetaImage, NIfTI, OME-Zarr, HDF5 (Imaris, BigDataViewer), InVesalius projects,
@@ -34,25 +35,46 @@ def read(path, level=None, channel=0, memory=None):
         more than a quarter of it stay in their file, if that has them uncompressed, as single numbers
         of 8 bits, 16 bits or type float: NRRD, MetaImage and NIfTI. The image's scalars are then a
         mapping of the file, which is drawn from disk.
+    time: the number of one of several times, counted from 0; times(path) lists them.
+    files_are_times: True if the volumes in a folder, or those beside a file whose names differ from
+        its own only in the last number before the first dot, are times.
 
     Doubtful input, such as a missing slice, is a Python warning. Raises OSError with one sentence if the file cannot be read.
     """
     reader = vtkVolumeFileReader()
-    reader.SetFileName(os.fspath(path))
     reader.SetResolutionLevel(-1 if level is None else whole_number("level", level))
     reader.SetChannel(whole_number("channel", channel))
     if memory is not None:
         reader.SetMaximumHostMemory(int(number("memory", memory, 1, 2**62)))
-    try:
-        with vtk_messages_as_exceptions(reader):
-            reader.Update()
-    except RuntimeError as error:
-        raise OSError(str(error)) from None
+    update(reader, path, time, files_are_times)
     doubts = reader.GetWarnings()
     for doubt in range(doubts.GetNumberOfValues()):
         # Level 1 is this function, level 2 its caller.
         warnings.warn(doubts.GetValue(doubt), RuntimeWarning, stacklevel=2)
     return reader.GetOutput()
+
+
+def times(path, files_are_times=False):
+    """Returns the times of a volume file as an array, in seconds if the file states them.
+
+    Otherwise it holds their numbers 0, 1, 2 ...; it has one element for a single volume.
+    read(path, time=i) reads the volume of the i-th.
+    """
+    reader = vtkVolumeFileReader()
+    update(reader, path, 0, files_are_times)
+    return numpy.array([reader.GetTimeValue(time) for time in range(reader.GetNumberOfTimes())])
+
+
+def update(reader, path, time, files_are_times):
+    """Lets a vtkVolumeFileReader read one time of a file."""
+    reader.SetFileName(os.fspath(path))
+    reader.SetTimeIndex(operator.index(time))
+    reader.SetFilesAreTimes(bool(files_are_times))
+    try:
+        with vtk_messages_as_exceptions(reader):
+            reader.Update()
+    except RuntimeError as error:
+        raise OSError(str(error)) from None
 
 
 def to_image(array, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0), direction=None):
