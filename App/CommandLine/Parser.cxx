@@ -211,8 +211,8 @@ void AddSpanOptions(CLI::App& command, SceneArguments& arguments, const std::str
 
 void AddVoxelOptions(CLI::App& command, SceneArguments& arguments, const std::string& group)
 {
-  AddChoice(command, "--level", arguments.level, LevelNames(),
-    "Level of a volume that is drawn from its file: its voxels, or means of\n"
+  AddChoice(command, "--detail", arguments.level, LevelNames(),
+    "Detail of a volume that is drawn from its file: its voxels, or means of\n"
     "4 x 4 x 4 of them, which are in memory")
     ->group(group);
   AddChoice(command, "--interpolation", arguments.interpolation, InterpolationNames(),

@@ -56,7 +56,7 @@ void ReadSpan(const JsonCursor& json, RenderOptions& render)
 void ReadRender(const JsonCursor& json, RenderOptions& render)
 {
   json.RequireObject({ "sampleDistance", "errorTolerance", "acceleration", "integration",
-    "variationTolerance", "earlyTermination", "interpolation", "level", "jitter",
+    "variationTolerance", "earlyTermination", "interpolation", "detail", "jitter",
     "sampleDistanceVoxels", "steps", "firstDistance" });
   if (const auto distance = json.Find("sampleDistance"))
   {
@@ -86,9 +86,9 @@ void ReadRender(const JsonCursor& json, RenderOptions& render)
   {
     render.interpolation = interpolation->Choice(InterpolationNames());
   }
-  if (const auto level = json.Find("level"))
+  if (const auto detail = json.Find("detail"))
   {
-    render.level = level->Choice(LevelNames());
+    render.level = detail->Choice(LevelNames());
   }
   if (const auto jitter = json.Find("jitter"))
   {
@@ -107,7 +107,7 @@ nlohmann::ordered_json JsonFromRender(const RenderOptions& render)
     { "variationTolerance", JsonFromOptional(render.variationTolerance) },
     { "earlyTermination", render.earlyTerminationTransmittance },
     { "interpolation", NameOf(InterpolationNames(), render.interpolation) },
-    { "level", NameOf(LevelNames(), render.level) }, { "jitter", render.jitter },
+    { "detail", NameOf(LevelNames(), render.level) }, { "jitter", render.jitter },
     { "sampleDistanceVoxels", JsonFromOptional(render.sampleDistanceVoxels) },
     { "steps", render.mostSteps }, { "firstDistance", render.firstDistanceMm } };
 }

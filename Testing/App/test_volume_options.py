@@ -217,7 +217,7 @@ def on_disk(folder):
     volume = folder / "torso.nrrd"
     run("convert", VOLUME, volume)
     pictures = {}
-    for options in ((), ("--memory", "0.2"), ("--memory", "0.2", "--level", "coarse")):
+    for options in ((), ("--memory", "0.2"), ("--memory", "0.2", "--detail", "coarse")):
         run("info", volume, *options[:2], "--json", folder / "info.json")
         written = json.loads((folder / "info.json").read_text())["volume"]
         assert written["fromDisk"] == bool(options), written

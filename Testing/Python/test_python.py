@@ -275,7 +275,7 @@ def volumes_larger_than_memory_stay_in_their_file(folder):
     arguments = {"size": (40, 30), "opacity": [(0, 0), (15000, 0.2)]}
     expected = varimarch.render(varimarch.read(path), **arguments)
     assert (varimarch.render(on_disk, **arguments) == expected).all()
-    assert (varimarch.render(on_disk, level="coarse", **arguments) != expected).any()
+    assert (varimarch.render(on_disk, detail="coarse", **arguments) != expected).any()
 
 
 def times_are_read_one_by_one(folder):

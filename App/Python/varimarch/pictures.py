@@ -60,7 +60,7 @@ def render(
     error_tolerance=None,
     early_termination=None,
     interpolation="linear",
-    level="voxels",
+    detail="voxels",
     jitter=False,
 ):
     """Renders a volume, and returns an image as an array [row, column, (red, green, blue)] of uint8.
@@ -127,7 +127,7 @@ def render(
     early_termination: transmittance below which a ray ends, 0 to less than 1, used if error_tolerance
         is 0; default: 1 / 1024.
     interpolation: values between voxels: "nearest", "linear" or "cubic".
-    level: of a volume that read() has left in its file: "voxels", or "coarse" for the means of
+    detail: of a volume that read() has left in its file: "voxels", or "coarse" for the means of
         4 x 4 x 4 voxels, which are in memory, as a first image. Other volumes have only voxels.
     jitter: True to offset the samples of each ray by blue noise, which hides rings of long steps.
 
@@ -168,7 +168,7 @@ def render(
         camera["clippingRange"] = ascending_pair("clipping_range", clipping_range)
     quality = {
         "interpolation": choice("interpolation", interpolation, INTERPOLATIONS),
-        "level": choice("level", level, LEVELS),
+        "detail": choice("detail", detail, LEVELS),
         "jitter": truth("jitter", jitter),
     }
     if early_termination is not None:
