@@ -62,7 +62,7 @@ Scene UnusualScene()
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
     { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } }, true, 12.5 };
   scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0, SlabBlend::Mean,
-    SliceFusion::Checkerboard, 0.25 };
+    SliceFusion::Checkerboard, 0.25, { 10.0, -20.0, 30.0 } };
   scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "length" } };
   scene.angles = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, { 7.0, 8.0, 9.0 }, "bend" } };
   scene.boxes = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "liver" } };
@@ -105,6 +105,7 @@ TEST(SceneFile, ReadsBackAsWritten)
   EXPECT_EQ(back.cuts.planes[0].normal, scene.cuts.planes[0].normal);
   EXPECT_EQ(back.slices.crosshairMm, scene.slices.crosshairMm);
   EXPECT_EQ(back.slices.windowLevel, scene.slices.windowLevel);
+  EXPECT_EQ(back.slices.turn, scene.slices.turn);
   EXPECT_EQ(back.slices.slabMm, 5.0);
   ASSERT_EQ(back.distances.size(), 1);
   EXPECT_EQ(back.distances[0].fromMm, scene.distances[0].fromMm);

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
 <context>
+    <name>ArchiveList</name>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Password of %1 for %2. It is not kept.</source>
+        <translation>Passwort von %1 für %2. Es wird nicht gespeichert.</translation>
+    </message>
+</context>
+<context>
     <name>BrightnessTool</name>
     <message>
         <source>window and level</source>
@@ -156,6 +167,14 @@
     <message>
         <source>walk, with the tool Walk; arrow and page keys too</source>
         <translation>gehen, mit dem Werkzeug Gehen; auch Pfeil- und Bildtasten</translation>
+    </message>
+    <message>
+        <source>Drag a line of the crosshair</source>
+        <translation>Eine Linie des Fadenkreuzes ziehen</translation>
+    </message>
+    <message>
+        <source>turn the other slices</source>
+        <translation>die anderen Schichten drehen</translation>
     </message>
 </context>
 <context>
@@ -613,6 +632,10 @@ Masken nicht unterstützt</translation>
         <source>%1 cm</source>
         <translation>%1 cm</translation>
     </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Schräg</translation>
+    </message>
 </context>
 <context>
     <name>SliceView</name>
@@ -658,6 +681,17 @@ Masken nicht unterstützt</translation>
     <message>
         <source>Vessels</source>
         <translation>Gefäße</translation>
+    </message>
+</context>
+<context>
+    <name>StudyIndex</name>
+    <message>
+        <source>The study list &quot;%1&quot; cannot be used: %2. Remove the list and add its folders again.</source>
+        <translation>Die Studienliste „%1“ ist nicht benutzbar: %2. Entfernen Sie die Liste und fügen Sie die Ordner wieder hinzu.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be read: it is not there, or its disk is away. What the list knows of it stays.</source>
+        <translation>Der Ordner „%1“ ist nicht lesbar: Es gibt ihn nicht, oder sein Laufwerk fehlt. Seine Einträge bleiben in der Liste.</translation>
     </message>
 </context>
 <context>
@@ -750,6 +784,250 @@ Masken nicht unterstützt</translation>
     <message>
         <source>walk</source>
         <translation>gehen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ArchiveChoice</name>
+    <message>
+        <source>Edit…</source>
+        <translation>Bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ArchiveForm</name>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>Verschlüsselt (TLS)</translation>
+    </message>
+    <message>
+        <source>Set up an archive</source>
+        <translation>Archiv einrichten</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Testen</translation>
+    </message>
+    <message>
+        <source>Asks the archive to answer</source>
+        <translation>Bittet das Archiv um eine Antwort</translation>
+    </message>
+    <message>
+        <source>DICOM (C-FIND, C-GET, C-STORE)</source>
+        <translation>DICOM (C-FIND, C-GET, C-STORE)</translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation>DICOMweb</translation>
+    </message>
+    <message>
+        <source>none, by C-GET</source>
+        <translation>keiner, mit C-GET</translation>
+    </message>
+    <message>
+        <source>For archives that send only by C-MOVE, to a port that they know by our title</source>
+        <translation>Für Archive, die nur mit C-MOVE senden, an einen Port, den sie unter unserem Titel kennen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>The password is asked for when it is needed, and is not kept</source>
+        <translation>Das Passwort wird bei Bedarf erfragt und nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>file in PEM; none for a known authority</source>
+        <translation>PEM-Datei; keine bei einer bekannten Zertifizierungsstelle</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>URL</source>
+        <translation>URL</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Title of the archive (AE)</source>
+        <translation>Titel des Archivs (AE)</translation>
+    </message>
+    <message>
+        <source>Our title (AE)</source>
+        <translation>Unser Titel (AE)</translation>
+    </message>
+    <message>
+        <source>Port for C-MOVE</source>
+        <translation>Port für C-MOVE</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Zertifikat</translation>
+    </message>
+    <message>
+        <source>Waiting for the archive…</source>
+        <translation>Warten auf das Archiv…</translation>
+    </message>
+    <message>
+        <source>The archive answers.</source>
+        <translation>Das Archiv antwortet.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ArchiveWindow</name>
+    <message>
+        <source>No name</source>
+        <translation>Kein Name</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Search for studies. What you open is deleted at the end, unless you keep it.</source>
+        <translation>Suchen Sie nach Studien. Was Sie öffnen, wird am Ende gelöscht, wenn Sie es nicht behalten.</translation>
+    </message>
+    <message>
+        <source>Add an archive (PACS) first. Its administrator knows host, port and titles.</source>
+        <translation>Fügen Sie zuerst ein Archiv (PACS) hinzu. Rechner, Port und Titel kennt dessen Administrator.</translation>
+    </message>
+    <message>
+        <source>It was cancelled</source>
+        <translation>Es wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>beginning, as DOE</source>
+        <translation>Anfang, wie MEI</translation>
+    </message>
+    <message>
+        <source>20261126, or 20260101-20261231</source>
+        <translation>20261126 oder 20260101-20261231</translation>
+    </message>
+    <message>
+        <source>CT, MR …</source>
+        <translation>CT, MR …</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Keep in…</source>
+        <translation>Behalten in…</translation>
+    </message>
+    <message>
+        <source>Fetches the study or the series into a folder of yours, and opens it</source>
+        <translation>Holt die Studie oder Serie in einen Ihrer Ordner und öffnet sie</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Fetches the study or the series, which is deleted at the end</source>
+        <translation>Holt die Studie oder Serie, die am Ende gelöscht wird</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche…</translation>
+    </message>
+    <message>
+        <source>Studies: %1</source>
+        <translation>Studien: %1</translation>
+    </message>
+    <message>
+        <source>Series: %1</source>
+        <translation>Serien: %1</translation>
+    </message>
+    <message>
+        <source>Keep the scan in a folder</source>
+        <translation>Aufnahme in einem Ordner behalten</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made; choose another.</source>
+        <translation>Der Ordner „%1“ lässt sich nicht anlegen; wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Choose a study or a series first.</source>
+        <translation>Wählen Sie zuerst eine Studie oder Serie.</translation>
+    </message>
+    <message>
+        <source>Fetching…</source>
+        <translation>Übertragung…</translation>
+    </message>
+    <message>
+        <source>Fetched</source>
+        <translation>Übertragen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::BackgroundTask</name>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>Der Speicher reicht nicht.</translation>
     </message>
 </context>
 <context>
@@ -2024,6 +2302,26 @@ Masken nicht unterstützt</translation>
         <source>save the segmentation</source>
         <translation>Segmentierung speichern</translation>
     </message>
+    <message>
+        <source>Send the i&amp;mage to an archive…</source>
+        <translation>Bild an ein Archiv se&amp;nden…</translation>
+    </message>
+    <message>
+        <source>St&amp;udy list…</source>
+        <translation>St&amp;udienliste…</translation>
+    </message>
+    <message>
+        <source>Arc&amp;hive (PACS)…</source>
+        <translation>Arc&amp;hiv (PACS)…</translation>
+    </message>
+    <message>
+        <source>DICOM attri&amp;butes…</source>
+        <translation>DICOM-A&amp;ttribute…</translation>
+    </message>
+    <message>
+        <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
+        <translation>Diese Aufnahme stammt aus einem Archiv und wird am Ende gelöscht; eine Sitzung fände sie nicht wieder. Holen Sie sie zuerst mit „Behalten in…“.</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2685,6 +2983,41 @@ ml</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::SendDialog</name>
+    <message>
+        <source>Directions and measurements</source>
+        <translation>Richtungen und Messungen</translation>
+    </message>
+    <message>
+        <source>With the patient and the study of the scan</source>
+        <translation>Mit Patient und Studie der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Send the image to an archive</source>
+        <translation>Bild an ein Archiv senden</translation>
+    </message>
+    <message>
+        <source>Otherwise the image names nobody, and the archive lists it as a study of its own</source>
+        <translation>Sonst nennt das Bild niemanden, und das Archiv führt es als eigene Studie</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Add an archive first.</source>
+        <translation>Fügen Sie zuerst ein Archiv hinzu.</translation>
+    </message>
+    <message>
+        <source>The archive has stored the image.</source>
+        <translation>Das Archiv hat das Bild gespeichert.</translation>
+    </message>
+    <message>
+        <source>Sending…</source>
+        <translation>Senden…</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::SeriesPicker</name>
     <message>
         <source>%1
@@ -2826,6 +3159,18 @@ ml</translation>
         <source>slab</source>
         <translation>Dicke der Schicht</translation>
     </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Gerade richten</translation>
+    </message>
+    <message>
+        <source>Show axial, coronal and sagittal slices again</source>
+        <translation>Wieder axiale, koronale und sagittale Schichten zeigen</translation>
+    </message>
+    <message>
+        <source>straighten the slices</source>
+        <translation>Schichten gerade richten</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::SliceView</name>
@@ -2836,6 +3181,10 @@ ml</translation>
     <message>
         <source>move the crosshair</source>
         <translation>Fadenkreuz bewegen</translation>
+    </message>
+    <message>
+        <source>turn the slices</source>
+        <translation>Schichten drehen</translation>
     </message>
 </context>
 <context>
@@ -2883,6 +3232,168 @@ ml</translation>
     <message>
         <source>Computed, with bones, lungs and vessels</source>
         <translation>Berechnet, mit Knochen, Lunge und Gefäßen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::StudyListWindow</name>
+    <message>
+        <source>No name</source>
+        <translation>Kein Name</translation>
+    </message>
+    <message>
+        <source>Study without description</source>
+        <translation>Studie ohne Beschreibung</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Study list</source>
+        <translation>Studienliste</translation>
+    </message>
+    <message>
+        <source>Search for names, numbers, dates and descriptions</source>
+        <translation>Nach Namen, Nummern, Daten und Beschreibungen suchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Patient, study, series</source>
+        <translation>Patient, Studie, Serie</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Add a folder…</source>
+        <translation>Ordner hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Find changes</source>
+        <translation>Änderungen suchen</translation>
+    </message>
+    <message>
+        <source>Reads files of the folders that are new or have changed</source>
+        <translation>Liest neue und geänderte Dateien der Ordner</translation>
+    </message>
+    <message>
+        <source>Remove a folder</source>
+        <translation>Ordner entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the whole list</source>
+        <translation>Ganze Liste entfernen</translation>
+    </message>
+    <message>
+        <source>Deletes all that the list knows of patients; scans stay</source>
+        <translation>Löscht alles, was die Liste über Patienten weiß; Aufnahmen bleiben</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Reading the folders…</source>
+        <translation>Ordner werden gelesen…</translation>
+    </message>
+    <message>
+        <source>Add a folder with DICOM files. The list stays on this computer and is yours only.</source>
+        <translation>Fügen Sie einen Ordner mit DICOM-Dateien hinzu. Die Liste bleibt auf diesem Rechner und gehört nur Ihnen.</translation>
+    </message>
+    <message>
+        <source>Series: %1. A double-click opens one.</source>
+        <translation>Serien: %1. Ein Doppelklick öffnet eine.</translation>
+    </message>
+    <message>
+        <source>Add a folder</source>
+        <translation>Ordner hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete all that the list knows of folders and patients? The scans themselves stay.</source>
+        <translation>Alles löschen, was die Liste über Ordner und Patienten weiß? Die Aufnahmen selbst bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::TagsWindow</name>
+    <message>
+        <source>Reading the attributes…</source>
+        <translation>Attribute werden gelesen…</translation>
+    </message>
+    <message>
+        <source>DICOM attributes</source>
+        <translation>DICOM-Attribute</translation>
+    </message>
+    <message>
+        <source>Search in tags, names and values</source>
+        <translation>In Tags, Namen und Werten suchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Attribute</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>VR</source>
+        <translation>VR</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the selected attributes, or all that are shown (Ctrl+C)</source>
+        <translation>Kopiert die gewählten Attribute oder alle angezeigten (Strg+C)</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> von %1</translation>
+    </message>
+    <message>
+        <source>%1: attributes: %2</source>
+        <translation>%1: Attribute: %2</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es">
 <context>
+    <name>ArchiveList</name>
+    <message>
+        <source>Password</source>
+        <translation>Contraseña</translation>
+    </message>
+    <message>
+        <source>Password of %1 for %2. It is not kept.</source>
+        <translation>Contraseña de %1 para %2. No se guarda.</translation>
+    </message>
+</context>
+<context>
     <name>BrightnessTool</name>
     <message>
         <source>window and level</source>
@@ -156,6 +167,14 @@
     <message>
         <source>walk, with the tool Walk; arrow and page keys too</source>
         <translation>caminar, con la herramienta Caminar; también flechas y teclas de página</translation>
+    </message>
+    <message>
+        <source>Drag a line of the crosshair</source>
+        <translation>Arrastrar una línea de la cruz</translation>
+    </message>
+    <message>
+        <source>turn the other slices</source>
+        <translation>girar los otros cortes</translation>
     </message>
 </context>
 <context>
@@ -613,6 +632,10 @@ no admite máscaras</translation>
         <source>%1 cm</source>
         <translation>%1 cm</translation>
     </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Oblicuo</translation>
+    </message>
 </context>
 <context>
     <name>SliceView</name>
@@ -658,6 +681,17 @@ no admite máscaras</translation>
     <message>
         <source>Vessels</source>
         <translation>Vasos</translation>
+    </message>
+</context>
+<context>
+    <name>StudyIndex</name>
+    <message>
+        <source>The study list &quot;%1&quot; cannot be used: %2. Remove the list and add its folders again.</source>
+        <translation>La lista de estudios «%1» no se puede usar: %2. Elimine la lista y vuelva a añadir sus carpetas.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be read: it is not there, or its disk is away. What the list knows of it stays.</source>
+        <translation>No se puede leer la carpeta «%1»: no existe o falta su disco. Sus entradas siguen en la lista.</translation>
     </message>
 </context>
 <context>
@@ -750,6 +784,250 @@ no admite máscaras</translation>
     <message>
         <source>walk</source>
         <translation>caminar</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ArchiveChoice</name>
+    <message>
+        <source>Edit…</source>
+        <translation>Editar…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Añadir…</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archivo de imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ArchiveForm</name>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>Cifrado (TLS)</translation>
+    </message>
+    <message>
+        <source>Set up an archive</source>
+        <translation>Configurar un archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Probar</translation>
+    </message>
+    <message>
+        <source>Asks the archive to answer</source>
+        <translation>Pide al archivo que responda</translation>
+    </message>
+    <message>
+        <source>DICOM (C-FIND, C-GET, C-STORE)</source>
+        <translation>DICOM (C-FIND, C-GET, C-STORE)</translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation>DICOMweb</translation>
+    </message>
+    <message>
+        <source>none, by C-GET</source>
+        <translation>ninguno, con C-GET</translation>
+    </message>
+    <message>
+        <source>For archives that send only by C-MOVE, to a port that they know by our title</source>
+        <translation>Para archivos que solo envían con C-MOVE, a un puerto que conocen por nuestro título</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>The password is asked for when it is needed, and is not kept</source>
+        <translation>La contraseña se pide cuando hace falta y no se guarda</translation>
+    </message>
+    <message>
+        <source>file in PEM; none for a known authority</source>
+        <translation>fichero PEM; ninguno si la autoridad es conocida</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocolo</translation>
+    </message>
+    <message>
+        <source>URL</source>
+        <translation>URL</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Servidor</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Puerto</translation>
+    </message>
+    <message>
+        <source>Title of the archive (AE)</source>
+        <translation>Título del archivo (AE)</translation>
+    </message>
+    <message>
+        <source>Our title (AE)</source>
+        <translation>Nuestro título (AE)</translation>
+    </message>
+    <message>
+        <source>Port for C-MOVE</source>
+        <translation>Puerto para C-MOVE</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificado</translation>
+    </message>
+    <message>
+        <source>Waiting for the archive…</source>
+        <translation>Esperando al archivo…</translation>
+    </message>
+    <message>
+        <source>The archive answers.</source>
+        <translation>El archivo responde.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ArchiveWindow</name>
+    <message>
+        <source>No name</source>
+        <translation>Sin nombre</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Estudios</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Paciente</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalidad</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Descripción</translation>
+    </message>
+    <message>
+        <source>Search for studies. What you open is deleted at the end, unless you keep it.</source>
+        <translation>Busque estudios. Lo que abra se borra al final, si no lo conserva.</translation>
+    </message>
+    <message>
+        <source>Add an archive (PACS) first. Its administrator knows host, port and titles.</source>
+        <translation>Añada primero un archivo (PACS). Su administrador conoce el servidor, el puerto y los títulos.</translation>
+    </message>
+    <message>
+        <source>It was cancelled</source>
+        <translation>Se ha cancelado</translation>
+    </message>
+    <message>
+        <source>beginning, as DOE</source>
+        <translation>comienzo, como PER</translation>
+    </message>
+    <message>
+        <source>20261126, or 20260101-20261231</source>
+        <translation>20261126 o 20260101-20261231</translation>
+    </message>
+    <message>
+        <source>CT, MR …</source>
+        <translation>CT, MR…</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Keep in…</source>
+        <translation>Conservar en…</translation>
+    </message>
+    <message>
+        <source>Fetches the study or the series into a folder of yours, and opens it</source>
+        <translation>Trae el estudio o la serie a una carpeta suya y lo abre</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Fetches the study or the series, which is deleted at the end</source>
+        <translation>Trae el estudio o la serie, que se borra al final</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Buscando…</translation>
+    </message>
+    <message>
+        <source>Studies: %1</source>
+        <translation>Estudios: %1</translation>
+    </message>
+    <message>
+        <source>Series: %1</source>
+        <translation>Series: %1</translation>
+    </message>
+    <message>
+        <source>Keep the scan in a folder</source>
+        <translation>Conservar el estudio en una carpeta</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made; choose another.</source>
+        <translation>No se puede crear la carpeta «%1»; elija otra.</translation>
+    </message>
+    <message>
+        <source>Choose a study or a series first.</source>
+        <translation>Elija primero un estudio o una serie.</translation>
+    </message>
+    <message>
+        <source>Fetching…</source>
+        <translation>Transfiriendo…</translation>
+    </message>
+    <message>
+        <source>Fetched</source>
+        <translation>Transferido</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::BackgroundTask</name>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>No hay memoria suficiente.</translation>
     </message>
 </context>
 <context>
@@ -2024,6 +2302,26 @@ no admite máscaras</translation>
         <source>save the segmentation</source>
         <translation>guardar la segmentación</translation>
     </message>
+    <message>
+        <source>Send the i&amp;mage to an archive…</source>
+        <translation>Enviar la i&amp;magen a un archivo PACS…</translation>
+    </message>
+    <message>
+        <source>St&amp;udy list…</source>
+        <translation>Lista de est&amp;udios…</translation>
+    </message>
+    <message>
+        <source>Arc&amp;hive (PACS)…</source>
+        <translation>Arc&amp;hivo de imágenes (PACS)…</translation>
+    </message>
+    <message>
+        <source>DICOM attri&amp;butes…</source>
+        <translation>Atri&amp;butos DICOM…</translation>
+    </message>
+    <message>
+        <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
+        <translation>Este estudio procede de un archivo y se borra al final; una sesión no podría encontrarlo. Tráigalo primero con «Conservar en…».</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2685,6 +2983,41 @@ ml</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::SendDialog</name>
+    <message>
+        <source>Directions and measurements</source>
+        <translation>Direcciones y mediciones</translation>
+    </message>
+    <message>
+        <source>With the patient and the study of the scan</source>
+        <translation>Con el paciente y el estudio</translation>
+    </message>
+    <message>
+        <source>Send the image to an archive</source>
+        <translation>Enviar la imagen a un archivo PACS</translation>
+    </message>
+    <message>
+        <source>Otherwise the image names nobody, and the archive lists it as a study of its own</source>
+        <translation>Si no, la imagen no nombra a nadie y el archivo la muestra como un estudio propio</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Enviar</translation>
+    </message>
+    <message>
+        <source>Add an archive first.</source>
+        <translation>Añada primero un archivo.</translation>
+    </message>
+    <message>
+        <source>The archive has stored the image.</source>
+        <translation>El archivo ha guardado la imagen.</translation>
+    </message>
+    <message>
+        <source>Sending…</source>
+        <translation>Enviando…</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::SeriesPicker</name>
     <message>
         <source>%1
@@ -2826,6 +3159,18 @@ ml</translation>
         <source>slab</source>
         <translation>grosor del corte</translation>
     </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Enderezar</translation>
+    </message>
+    <message>
+        <source>Show axial, coronal and sagittal slices again</source>
+        <translation>Mostrar de nuevo los cortes axial, coronal y sagital</translation>
+    </message>
+    <message>
+        <source>straighten the slices</source>
+        <translation>enderezar los cortes</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::SliceView</name>
@@ -2836,6 +3181,10 @@ ml</translation>
     <message>
         <source>move the crosshair</source>
         <translation>mover la cruz</translation>
+    </message>
+    <message>
+        <source>turn the slices</source>
+        <translation>girar los cortes</translation>
     </message>
 </context>
 <context>
@@ -2883,6 +3232,168 @@ ml</translation>
     <message>
         <source>Computed, with bones, lungs and vessels</source>
         <translation>Calculado, con huesos, pulmones y vasos</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::StudyListWindow</name>
+    <message>
+        <source>No name</source>
+        <translation>Sin nombre</translation>
+    </message>
+    <message>
+        <source>Study without description</source>
+        <translation>Estudio sin descripción</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Study list</source>
+        <translation>Lista de estudios</translation>
+    </message>
+    <message>
+        <source>Search for names, numbers, dates and descriptions</source>
+        <translation>Buscar nombres, números, fechas y descripciones</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Estudios</translation>
+    </message>
+    <message>
+        <source>Patient, study, series</source>
+        <translation>Paciente, estudio, serie</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalidad</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Add a folder…</source>
+        <translation>Añadir una carpeta…</translation>
+    </message>
+    <message>
+        <source>Find changes</source>
+        <translation>Buscar cambios</translation>
+    </message>
+    <message>
+        <source>Reads files of the folders that are new or have changed</source>
+        <translation>Lee los ficheros nuevos o cambiados de las carpetas</translation>
+    </message>
+    <message>
+        <source>Remove a folder</source>
+        <translation>Quitar una carpeta</translation>
+    </message>
+    <message>
+        <source>Remove the whole list</source>
+        <translation>Eliminar toda la lista</translation>
+    </message>
+    <message>
+        <source>Deletes all that the list knows of patients; scans stay</source>
+        <translation>Borra todo lo que la lista sabe de los pacientes; los estudios se quedan</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Reading the folders…</source>
+        <translation>Leyendo las carpetas…</translation>
+    </message>
+    <message>
+        <source>Add a folder with DICOM files. The list stays on this computer and is yours only.</source>
+        <translation>Añada una carpeta con ficheros DICOM. La lista se queda en este ordenador y es solo suya.</translation>
+    </message>
+    <message>
+        <source>Series: %1. A double-click opens one.</source>
+        <translation>Series: %1. Un doble clic abre una.</translation>
+    </message>
+    <message>
+        <source>Add a folder</source>
+        <translation>Añadir una carpeta</translation>
+    </message>
+    <message>
+        <source>Delete all that the list knows of folders and patients? The scans themselves stay.</source>
+        <translation>¿Borrar todo lo que la lista sabe de carpetas y pacientes? Los estudios mismos se quedan.</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::TagsWindow</name>
+    <message>
+        <source>Reading the attributes…</source>
+        <translation>Leyendo los atributos…</translation>
+    </message>
+    <message>
+        <source>DICOM attributes</source>
+        <translation>Atributos DICOM</translation>
+    </message>
+    <message>
+        <source>Search in tags, names and values</source>
+        <translation>Buscar en etiquetas, nombres y valores</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Atributos</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>VR</source>
+        <translation>VR</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copies the selected attributes, or all that are shown (Ctrl+C)</source>
+        <translation>Copia los atributos elegidos, o todos los mostrados (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> de %1</translation>
+    </message>
+    <message>
+        <source>%1: attributes: %2</source>
+        <translation>%1: atributos: %2</translation>
     </message>
 </context>
 <context>
