@@ -42,8 +42,8 @@ public:
   ///@{
   /**
    * The error tolerance of mappers that are made from now on, 0 to 1, for programs that never see
-   * their mapper. The default is the environment variable VARIMARCH_ERROR_TOLERANCE, or 1/64 without
-   * it. A value that is not a number from 0 to 1 is reported and not used.
+   * their mapper. The default is the environment variable VARIMARCH_ERROR_TOLERANCE, or 1/64
+   * without it. A value that is not a number from 0 to 1 is reported and not used.
    */
   static void SetDefaultErrorTolerance(double tolerance);
   static double GetDefaultErrorTolerance();

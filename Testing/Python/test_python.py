@@ -263,28 +263,6 @@ def doubts_of_the_reader_are_python_warnings(folder):
     assert all(warning.filename == __file__ for warning in caught), "it names this call"
 
 
-def volumes_larger_than_memory_stay_in_their_file(folder):
-    ramp = numpy.arange(24**3, dtype="<u2").reshape(24, 24, 24)
-    header = "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 24 24 24\nendian: little\nencoding: raw\n"
-    header += "space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"
-    header += "#" + "." * ((len(header) + 3) % 2) + "\n\n"  # voxels begin at an even byte
-    path = folder / "ramp.nrrd"
-    path.write_bytes(header.encode() + ramp.tobytes())
-    on_disk = varimarch.read(path, memory=20000)
-    assert (folder / "ramp.nrrd.varimarch-ranges").exists()
-    arguments = {"size": (40, 30), "opacity": [(0, 0), (15000, 0.2)]}
-    expected = varimarch.render(varimarch.read(path), **arguments)
-    assert (varimarch.render(on_disk, **arguments) == expected).all()
-    assert (varimarch.render(on_disk, detail="coarse", **arguments) != expected).any()
-
-
-def times_are_read_one_by_one(folder):
-    path = nifti_of_times(folder / "times.nii", 3, has_place=True)
-    assert list(varimarch.times(path)) == [0, 2, 4]
-    for time in (2, 0, 1):
-        assert (varimarch.to_array(varimarch.read(path, time=time)) == time).all(), time
-
-
 def masked_values_are_not_drawn(_folder):
     values = ball()
     for kind in ("f8", "f4", "i2", "u4"):
