@@ -106,26 +106,11 @@ VolumeSource VolumeFromJson(const JsonCursor& json)
   return source;
 }
 
-nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
+namespace
 {
-  nlohmann::ordered_json json;
-  if (const auto* procedural = std::get_if<ProceduralSource>(&volume))
-  {
-    json["procedural"] = NameOf(ProceduralNames(), procedural->kind);
-    json["size"] = procedural->dimensions;
-    json["seed"] = procedural->seed;
-    return json;
-  }
-  const FileSource& file = std::get<FileSource>(volume);
-  json["file"] = file.path;
-  if (!file.series.empty())
-  {
-    json["series"] = file.series;
-  }
-  if (file.rectified)
-  {
-    json["rectified"] = *file.rectified;
-  }
+
+void WritePart(const FileSource& file, nlohmann::ordered_json& json)
+{
   if (file.level)
   {
     json["level"] = *file.level;
@@ -146,6 +131,20 @@ nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
   {
     json["filesAreTimes"] = true;
   }
+}
+
+nlohmann::ordered_json JsonFromFile(const FileSource& file)
+{
+  nlohmann::ordered_json json = { { "file", file.path } };
+  if (!file.series.empty())
+  {
+    json["series"] = file.series;
+  }
+  if (file.rectified)
+  {
+    json["rectified"] = *file.rectified;
+  }
+  WritePart(file, json);
   if (file.raw)
   {
     json["raw"] = { { "dimensions", file.raw->dimensions }, { "type", file.raw->type },
@@ -158,6 +157,19 @@ nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
     json["memory"] = file.memoryMegabytes;
   }
   return json;
+}
+
+}
+
+nlohmann::ordered_json JsonFromVolume(const VolumeSource& volume)
+{
+  if (const auto* file = std::get_if<FileSource>(&volume))
+  {
+    return JsonFromFile(*file);
+  }
+  const auto& procedural = std::get<ProceduralSource>(volume);
+  return { { "procedural", NameOf(ProceduralNames(), procedural.kind) },
+    { "size", procedural.dimensions }, { "seed", procedural.seed } };
 }
 
 }

@@ -78,4 +78,14 @@ void MainWindow::ShowTags()
   (new TagsWindow(std::get<FileSource>(this->model.CurrentScene().volume), this))->show();
 }
 
+// A scan of an archive is gone at the end, so it is no recent one.
+void MainWindow::KeepInMind(const FileSource& file, const Study& study)
+{
+  if (!this->IsTemporary(file.path))
+  {
+    this->recentScans.Add(file, study);
+  }
+  this->OfferSegmentations(file);
+}
+
 }

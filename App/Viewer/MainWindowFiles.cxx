@@ -290,11 +290,7 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
   this->savedWork = this->restoresAutosaved ? QString() : this->CurrentWork();
   if (const auto* const file = std::get_if<FileSource>(&source))
   {
-    if (!this->IsTemporary(file->path))
-    {
-      this->recentScans.Add(*file, *study);
-    }
-    this->OfferSegmentations(*file);
+    this->KeepInMind(*file, *study);
   }
   if (study->labels)
   {

@@ -31,12 +31,16 @@ std::vector<LookRegion> UnusualRegions()
 }
 
 // A scene in which no value has its default.
+FileSource UnusualFile()
+{
+  return { "/data/scan.raw", RawLayout{ { 10, 20, 30 }, "float32", { 0.5, 0.25, 2.0 }, true, 352 },
+    "1.2.840.1", true, 3.5, 3, 2, 0, 1.25, true };
+}
+
 Scene UnusualScene()
 {
   Scene scene;
-  scene.volume = FileSource{ "/data/scan.raw",
-    RawLayout{ { 10, 20, 30 }, "float32", { 0.5, 0.25, 2.0 }, true, 352 }, "1.2.840.1", true, 3,
-    2 };
+  scene.volume = UnusualFile();
   scene.look.name = "test";
   scene.look.description = "for a test";
   scene.look.domain = Domain::Relative;
@@ -84,7 +88,13 @@ TEST(SceneFile, ReadsBackAsWritten)
   // Equal texts mean equal scenes, since the text holds everything. Check some values as well, in
   // case writing and reading omit the same key.
   EXPECT_EQ(SceneText(back), text);
-  EXPECT_EQ(std::get<FileSource>(back.volume).raw->headerBytes, 352);
+  const FileSource& file = std::get<FileSource>(back.volume);
+  EXPECT_EQ(file.memoryMegabytes, 3.5);
+  EXPECT_EQ(file.level, 3);
+  EXPECT_EQ(file.channel, 2);
+  EXPECT_EQ(file.timeSeconds, 1.25);
+  EXPECT_TRUE(file.filesAreTimes);
+  EXPECT_EQ(file.raw->headerBytes, 352);
   EXPECT_EQ(std::get<FileSource>(back.volume).series, "1.2.840.1");
   EXPECT_TRUE(std::get<FileSource>(back.volume).rectified);
   EXPECT_EQ(back.look.opacities[1].value, 1.0 / 3.0);

@@ -16,7 +16,7 @@ CrosshairArms::CrosshairArms(SlicePlane plane, const SliceTurn& turn,
   : turn(turn)
   , middle(placement.PlaceOf(crosshairMm))
 {
-  constexpr double InnerPart = 0.15; // of the view's shorter side
+  constexpr double InnerPart = 0.15; // part of the view's shorter side
   this->innerPixels = InnerPart * std::min(view.width(), view.height());
   const SliceAxes axes = AxesOf(plane, turn);
   this->axis = NumbersOf(glm::cross(VectorOf(axes.right), VectorOf(axes.down)));
