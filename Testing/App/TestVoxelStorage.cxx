@@ -65,7 +65,7 @@ TEST_P(VoxelStorages, MakeTheReferenceImageOfTheRoundedVoxels)
 {
   const Scene settings = SoftScene(false);
   const auto volume = Torso(Size);
-  const auto rounded = Rounded(volume, LargestLevel(GetParam()));
+  const auto rounded = Rounded(volume, LargestStoredLevel(GetParam()));
   const std::optional<ReferencePicture> truth = DrawReferencePicture(settings, rounded, 1e-5);
   const Pixels expected = PixelsOf(truth.value().image);
   EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 0.3f) << "nothing to compare";
@@ -80,7 +80,7 @@ TEST_P(VoxelStorages, DifferFromSixteenBitsOfTheRoundedVoxelsByRoundingOnly)
     const Scene settings = SoftScene(shaded);
     const auto volume = Torso(Size);
     const Pixels expected =
-      DrawnAs(VoxelStorage::Bits16, settings, Rounded(volume, LargestLevel(GetParam())));
+      DrawnAs(VoxelStorage::Bits16, settings, Rounded(volume, LargestStoredLevel(GetParam())));
     // 16 bits round the levels of fewer bits, and normals depend on small differences.
     EXPECT_LT(
       Difference(DrawnAs(GetParam(), settings, volume), expected).largest, shaded ? 0.5 : 0.05);

@@ -51,7 +51,7 @@ TextureFormat FormatOf(VoxelStorage storage)
 
 int LevelOf(VoxelStorage storage, float value)
 {
-  return int(std::lround(double(value) * LargestLevel(storage)));
+  return int(std::lround(double(value) * LargestStoredLevel(storage)));
 }
 
 // Calls `put` with the index and the position of each voxel, slices in parallel.
@@ -87,7 +87,7 @@ std::vector<Number> Separate(VoxelStorage storage, const NormalizedVoxels& voxel
 std::vector<std::uint8_t> FourInTexel(VoxelStorage storage, const NormalizedVoxels& voxels)
 {
   const glm::ivec3 size = voxels.size;
-  const int byteOfLevel = 255 / LargestLevel(storage);
+  const int byteOfLevel = 255 / LargestStoredLevel(storage);
   std::vector<std::uint8_t> bytes(4 * std::size_t((size.z + 3) / 4) * size.y * size.x);
   ForEachVoxel(size,
     [&](std::size_t index, glm::ivec3 voxel)
@@ -184,7 +184,7 @@ constexpr int VoxelsPerWord(VoxelStorage storage)
 
 }
 
-int LargestLevel(VoxelStorage storage)
+int LargestStoredLevel(VoxelStorage storage)
 {
   switch (storage)
   {
@@ -232,7 +232,7 @@ void UploadVoxels(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, Voxe
   texture->SetContext(window);
   texture->SetInternalFormat(format.internal);
   texture->SetFormat(format.format);
-  SetVolumeFilter(texture, LargestLevel(storage) <= 255);
+  SetVolumeFilter(texture, LargestStoredLevel(storage) <= 255);
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   switch (storage)
   {

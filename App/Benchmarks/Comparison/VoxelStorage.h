@@ -30,7 +30,7 @@ enum class VoxelStorage
 };
 
 /// The largest number that a voxel can be; the numbers from 0 on stand for equally distant values.
-int LargestLevel(VoxelStorage storage);
+int LargestStoredLevel(VoxelStorage storage);
 
 /// The shader files that read values, from the folder Voxels.
 std::vector<std::string> ShaderFilesOf(VoxelStorage storage);
