@@ -74,7 +74,7 @@ Scene UnusualScene()
     { { 7, "liver", { 0.5, 0.25, 0.125 }, false, 0.75 }, { -2, "", { 0.0, 1.0, 0.5 } } } };
   scene.overlays = UnusualOverlays(scene.look);
   scene.render = { 0.125, Acceleration::CellField, Integration::Simpson, 0.25, 3.5, 0.0,
-    Interpolation::Cubic, true, 2, 9, 3 };
+    Interpolation::Cubic, VolumeLevel::Coarse, true, 2, 9, 3 };
   scene.size = { 640, 360 };
   scene.background = { 0.1, 0.2, 0.3 };
   return scene;
