@@ -326,7 +326,7 @@ def other_threads_run_while_it_renders(_folder):
     threading.Thread(target=run, daemon=True).start()
     sys.setswitchinterval(1000)
     start.release()
-    varimarch.pictures._scene.render(image, scene)
+    varimarch.pictures._scene.render(image, scene, [])
     assert runs, "the other thread waited"
 
 

@@ -96,7 +96,7 @@ TEST_F(Speaking, ShowsTheTitlesOfPanelsInFull)
     QTest::qWait(100);
     const auto* const tabs = window.findChild<QTabBar*>();
     ASSERT_TRUE(tabs);
-    ASSERT_EQ(tabs->count(), 6);
+    ASSERT_EQ(tabs->count(), 7);
     for (int i = 0; i < tabs->count(); ++i)
     {
       const int words = tabs->fontMetrics().horizontalAdvance(tabs->tabText(i));

@@ -100,7 +100,7 @@ void SegmentEditingBox::MakeTools(QGridLayout* grid)
     MakeNarrow(button);
     button->setChecked(i == 0);
     this->tools->addButton(button, i);
-    grid->addWidget(button, 0, i);
+    grid->addWidget(button, i / 2, i % 2 * 2, 1, 2);
   }
   connect(this->tools, &QButtonGroup::idClicked, this,
     [this](int id)
@@ -119,11 +119,11 @@ void SegmentEditingBox::MakeNumbers(QGridLayout* grid)
   this->largest = this->Number("largestValue", tr("Largest value of a region"), 0.0);
   this->radius = this->Number("brushRadius", tr("Radius of the brush"), this->editor->RadiusMm());
   this->radius->setSuffix(tr(" mm"));
-  grid->addWidget(new QLabel(tr("Values")), 1, 0);
-  grid->addWidget(this->smallest, 1, 1);
-  grid->addWidget(this->largest, 1, 2, 1, 2);
-  grid->addWidget(new QLabel(tr("Radius")), 2, 0);
-  grid->addWidget(this->radius, 2, 1);
+  grid->addWidget(new QLabel(tr("Values")), 2, 0, 1, 4);
+  grid->addWidget(this->smallest, 3, 0, 1, 2);
+  grid->addWidget(this->largest, 3, 2, 1, 2);
+  grid->addWidget(new QLabel(tr("Radius")), 4, 0, 1, 2);
+  grid->addWidget(this->radius, 4, 2, 1, 2);
   for (QDoubleSpinBox* const bound : { this->smallest, this->largest })
   {
     bound->setRange(-1e9, 1e9);
@@ -144,12 +144,12 @@ void SegmentEditingBox::MakeActions(QGridLayout* grid)
   this->island->setSuffix(tr(" ml"));
   this->deviation = this->Number("smoothing", tr("Width of the smoothing"), 1.0);
   this->deviation->setSuffix(tr(" mm"));
-  grid->addWidget(largestOnly, 3, 0, 1, 4);
-  grid->addWidget(noSmall, 4, 0, 1, 2);
-  grid->addWidget(this->island, 4, 2, 1, 2);
-  grid->addWidget(smooth, 5, 0, 1, 2);
-  grid->addWidget(this->deviation, 5, 2, 1, 2);
-  grid->addWidget(save, 6, 0, 1, 4);
+  grid->addWidget(largestOnly, 5, 0, 1, 4);
+  grid->addWidget(noSmall, 6, 0, 1, 2);
+  grid->addWidget(this->island, 6, 2, 1, 2);
+  grid->addWidget(smooth, 7, 0, 1, 2);
+  grid->addWidget(this->deviation, 7, 2, 1, 2);
+  grid->addWidget(save, 8, 0, 1, 4);
   connect(largestOnly, &QPushButton::clicked, this->editor, &SegmentEditor::KeepLargestIsland);
   connect(noSmall, &QPushButton::clicked, this,
     [this] { this->editor->RemoveSmallIslands(this->island->value()); });

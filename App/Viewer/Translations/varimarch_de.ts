@@ -2232,7 +2232,7 @@ Masken nicht unterstützt</translation>
     </message>
     <message>
         <source>A&amp;dd a scan…</source>
-        <translation>Aufnahme &amp;hinzufügen…</translation>
+        <translation>Aufnahme hin&amp;zufügen…</translation>
     </message>
     <message>
         <source>Volumes</source>

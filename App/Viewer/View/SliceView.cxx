@@ -159,9 +159,13 @@ void SliceView::mousePressEvent(QMouseEvent* event)
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event)
 {
-  if (event->button() == Qt::LeftButton)
+  if (event->button() == Qt::LeftButton && this->draggedArms)
   {
     this->draggedArms.reset();
+    if (event->pos() == this->pressed) // a click on an arm is one into the slice
+    {
+      this->SetCrosshair(*this->PointAt(event->localPos()), this->gesture);
+    }
   }
   if (event->button() == Qt::LeftButton && std::exchange(this->isDrawing, false))
   {
