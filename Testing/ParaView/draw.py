@@ -168,8 +168,9 @@ def cells(stage):
 @case
 def cell(stage):
     """One cell, so that all processes but one have no data."""
-    source, _ = wavelet(stage, opacity=0.9)
+    source, display = wavelet(stage, opacity=0.9)
     source.WholeExtent = [0, 1, 0, 1, 0, 1]
+    stage.set(display, "ScalarOpacityUnitDistance", 0.1)
     stage.look([1.7, -3.0, 1.5], [0.5, 0.5, 0.5])
 
 
