@@ -313,17 +313,21 @@ void MainWindow::ShowSuggestion(const Study& study)
 void MainWindow::ShowWarnings()
 {
   const LoadedVolume& volume = this->model.CurrentStudy()->volume;
+  std::vector<std::string> warnings = volume.warnings;
+  if (const auto labels = this->model.CurrentStudy()->labels)
+  {
+    warnings.insert(warnings.end(), labels->warnings.begin(), labels->warnings.end());
+  }
   QStringList texts;
-  for (const std::string& warning : volume.warnings)
+  for (const std::string& warning : warnings)
   {
     texts.append(QString::fromStdString(warning));
   }
-  if (const auto labels = this->model.CurrentStudy()->labels)
+  if (volume.times.AreSeveral())
   {
-    for (const std::string& warning : labels->warnings)
-    {
-      texts.append(QString::fromStdString(warning));
-    }
+    texts.append(tr("The file holds %1 times; number %2 of them is shown.")
+                   .arg(volume.times.values.size())
+                   .arg(volume.times.current + 1));
   }
   const QString remedy = volume.slices == SliceLayout::Irregular ? tr("Rectify")
     : volume.slices == SliceLayout::Rectified                    ? tr("Show as scanned")

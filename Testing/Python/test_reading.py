@@ -7,6 +7,7 @@ Usage: test_reading.py CASE
 import pathlib
 import sys
 import tempfile
+import warnings
 
 import numpy
 import varimarch
@@ -34,6 +35,12 @@ def times_are_read_one_by_one(folder):
     assert list(varimarch.times(path)) == [0, 2, 4]
     for time in (2, 0, 1):
         assert (varimarch.to_array(varimarch.read(path, time=time)) == time).all(), time
+    for arguments, expected in (({}, 1), ({"time": 0}, 0)):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            varimarch.read(path, **arguments)
+        told = [warning for warning in caught if "holds 3 times" in str(warning.message)]
+        assert len(told) == expected, (arguments, caught)
 
 
 if __name__ == "__main__":

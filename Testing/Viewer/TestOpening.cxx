@@ -39,6 +39,18 @@ class Opening : public testing::Test
 protected:
   Opening() { this->window.show(); }
 
+  /// The warnings that the window shows; empty if it shows none.
+  QString WarningText() const
+  {
+    const auto* const bar = this->window.findChild<WarningBar*>();
+    QString text;
+    for (const QLabel* label : bar->findChildren<QLabel*>())
+    {
+      text += bar->isVisible() ? label->text() : QString();
+    }
+    return text;
+  }
+
   void WriteSeries(const std::string& uid, int sliceCount)
   {
     DicomOptions options;
@@ -128,14 +140,18 @@ TEST_F(Opening, AsksWhichOfSeveralSeriesAndWarns)
   ASSERT_TRUE(this->IsOpened());
   EXPECT_EQ(this->SliceCount(), 2);
   EXPECT_EQ(std::get<FileSource>(this->window.Model()->CurrentScene().volume).series, "1.2.33");
-  const auto* const bar = this->window.findChild<WarningBar*>();
-  EXPECT_TRUE(bar->isVisible());
-  bool isTold = false;
-  for (const QLabel* label : bar->findChildren<QLabel*>())
-  {
-    isTold = isTold || label->text().contains("compressed with loss");
-  }
-  EXPECT_TRUE(isTold);
+  EXPECT_TRUE(this->WarningText().contains("compressed with loss"));
+}
+
+TEST_F(Opening, TellsThatAFileHoldsSeveralTimes)
+{
+  this->folder.Write("times.mha",
+    "ObjectType = Image\nNDims = 4\nBinaryData = True\nDimSize = 3 4 5 2\n"
+    "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+      std::string(60, '\1') + std::string(60, '\2'));
+  this->Open("times.mha");
+  ASSERT_TRUE(this->IsOpened());
+  EXPECT_TRUE(this->WarningText().contains("2 times; number 1 of them is shown"));
 }
 
 TEST_F(Opening, OpensARecentSeriesWithoutAskingAgain)

@@ -21,12 +21,12 @@ from .VarimarchVolume import vtkVolumeFileReader
 from .vtk_messages import vtk_messages_as_exceptions
 
 
-def read(path, level=None, channel=0, memory=None, time=0, files_are_times=False):
+def read(path, level=None, channel=0, memory=None, time=None, files_are_times=False):
     """Reads a volume file as vtkImageData in patient coordinates (DICOM's LPS space, in mm).
 
     Formats: VTI, NRRD, MetaImage, NIfTI, OME-Zarr, HDF5 (Imaris, BigDataViewer), InVesalius projects,
-    DICOM and others. For DICOM, the path is that of a file, a DICOMDIR or a folder, and the series with the most images is read. For raw voxels,
-    other series, and metadata, use vtkVolumeFileReader.
+    DICOM and others. For DICOM, the path is that of a file, a DICOMDIR or a folder, and the series with
+    the most images is read. For raw voxels, other series, and metadata, use vtkVolumeFileReader.
 
     level: the level to read of OME-Zarr, Imaris or BigDataViewer, the finest of which is 0; default:
         the finest that fits in half of the free memory.
@@ -35,7 +35,8 @@ def read(path, level=None, channel=0, memory=None, time=0, files_are_times=False
         more than a quarter of it stay in their file, if that has them uncompressed, as single numbers
         of 8 bits, 16 bits or type float: NRRD, MetaImage and NIfTI. The image's scalars are then a
         mapping of the file, which is drawn from disk.
-    time: the number of one of several times, counted from 0; times(path) lists them.
+    time: the number of one of several times, counted from 0; times(path) lists them. Default: the
+        first, with a Python warning that there are others.
     files_are_times: True if the volumes in a folder, or those beside a file whose names differ from
         its own only in the last number before the first dot, are times.
 
@@ -46,7 +47,11 @@ def read(path, level=None, channel=0, memory=None, time=0, files_are_times=False
     reader.SetChannel(whole_number("channel", channel))
     if memory is not None:
         reader.SetMaximumHostMemory(int(number("memory", memory, 1, 2**62)))
-    update(reader, path, time, files_are_times)
+    update(reader, path, 0 if time is None else time, files_are_times)
+    if time is None and reader.GetNumberOfTimes() > 1:
+        message = (f"{path}: the file holds {reader.GetNumberOfTimes()} times; the first was read, and "
+                   "the argument time chooses another")
+        warnings.warn(message, RuntimeWarning, stacklevel=2)
     doubts = reader.GetWarnings()
     for doubt in range(doubts.GetNumberOfValues()):
         # Level 1 is this function, level 2 its caller.
