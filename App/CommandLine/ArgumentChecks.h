@@ -49,6 +49,10 @@ std::string SidesProblem(
 /// one of the names.
 std::string NameProblem(const std::string& text, const std::vector<std::string>& names);
 
+/// Rejects a file or folder that exists, unless the user has asked for another in its place.
+/// @throws std::runtime_error that names it
+void CheckMayReplace(const std::string& path, bool overwrites);
+
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include "ArgumentChecks.h"
 #include "Scene/LookFiles.h"
 #include "Scene/Presets.h"
 #include "Scene/VolumeProperty.h"
@@ -7,8 +8,7 @@
 
 #include <vtksys/SystemTools.hxx>
 
-#include <filesystem>
-#include <stdexcept>
+#include <algorithm>
 
 namespace varimarch
 {
@@ -19,25 +19,16 @@ namespace
 void CheckLookOutput(const LookArguments& arguments)
 {
   const std::string name = vtksys::SystemTools::LowerCase(arguments.output);
-  std::string extensions;
-  bool isKnown = false;
-  for (const LookFileFormat& format : LookFileFormats())
-  {
-    if (format.canBeWritten)
-    {
-      isKnown = isKnown || vtksys::SystemTools::StringEndsWith(name, format.extension.c_str());
-      extensions += (extensions.empty() ? "" : ", ") + format.extension;
-    }
-  }
+  const std::vector<std::string> extensions = WritableLookExtensions();
+  const bool isKnown = std::any_of(extensions.begin(), extensions.end(),
+    [&](const std::string& extension)
+    { return vtksys::SystemTools::StringEndsWith(name, extension.c_str()); });
   if (!isKnown)
   {
-    throw UsageError(
-      "OUTPUT: expected a name that ends with " + extensions + ", found " + arguments.output);
+    throw UsageError("OUTPUT: expected a name that ends with " +
+      vtksys::SystemTools::Join(extensions, ", ") + ", found " + arguments.output);
   }
-  if (!arguments.overwrites && std::filesystem::exists(arguments.output))
-  {
-    throw std::runtime_error(arguments.output + ": exists already; --overwrite replaces it");
-  }
+  CheckMayReplace(arguments.output, arguments.overwrites);
 }
 
 }

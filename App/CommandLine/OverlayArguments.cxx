@@ -25,8 +25,7 @@ void WarnOfOtherSpace(
     (space == CommonSpace::Different
         ? " has another frame of reference than the first volume, so it may lie in the wrong place"
         : ": the files do not say whether it is in the same space as the first volume; it is "
-          "placed "
-          "by its coordinates"));
+          "placed by its coordinates"));
 }
 
 }

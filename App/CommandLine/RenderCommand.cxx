@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include "ArgumentChecks.h"
 #include "Messages.h"
 #include "OverlayArguments.h"
 #include "Progress.h"
@@ -15,7 +16,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <stdexcept>
 
 namespace varimarch
@@ -50,10 +50,10 @@ void WarnOfMissingTogether(const RenderArguments& arguments, const Scene& scene)
     PrintMessage("warning: only the first volume is drawn: vtk-cpu draws one");
   }
   else if (scene.look.blend != Blend::Composite || scene.shadows || scene.labels ||
-    scene.occlusion.strength > 0.0)
+    scene.scattering.blending > 0.0 || scene.occlusion.strength > 0.0)
   {
-    PrintMessage("warning: several volumes are drawn as composites, without labels, shadows and "
-                 "ambient occlusion");
+    PrintMessage("warning: several volumes are drawn as composites, without labels, shadows, "
+                 "scattering and ambient occlusion");
   }
 }
 
@@ -82,9 +82,9 @@ void CheckOutput(const RenderArguments& arguments)
   {
     throw UsageError("--output: expected a name that ends with .png or .dcm, found " + path);
   }
-  if (*format == PictureFormat::Dicom && !arguments.overwrites && std::filesystem::exists(path))
+  if (*format == PictureFormat::Dicom)
   {
-    throw std::runtime_error(path + ": exists already; --overwrite replaces it");
+    CheckMayReplace(path, arguments.overwrites);
   }
 }
 

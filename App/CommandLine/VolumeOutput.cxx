@@ -1,5 +1,6 @@
 #include "VolumeOutput.h"
 
+#include "ArgumentChecks.h"
 #include "Messages.h"
 #include "Progress.h"
 #include "Scene/VolumeWriters/VolumeWriters.h"
@@ -43,10 +44,7 @@ void CheckVolumeOutput(const VolumeOutput& output, const std::string& argument)
   {
     throw std::runtime_error(path + ": expected the name of a file, found a folder");
   }
-  if (!output.overwrites && std::filesystem::exists(path))
-  {
-    throw std::runtime_error(path + ": exists already; --overwrite replaces it");
-  }
+  CheckMayReplace(path, output.overwrites);
 }
 
 void WriteChunkedReporting(const ZarrInput& input, const VolumeOutput& output)

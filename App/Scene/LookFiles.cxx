@@ -170,6 +170,19 @@ const std::vector<LookFileFormat>& LookFileFormats()
   return formats;
 }
 
+std::vector<std::string> WritableLookExtensions()
+{
+  std::vector<std::string> extensions;
+  for (const LookFileFormat& format : LookFileFormats())
+  {
+    if (format.canBeWritten)
+    {
+      extensions.push_back(format.extension);
+    }
+  }
+  return extensions;
+}
+
 std::vector<Preset> ReadLookFile(const std::string& path, const LookContext& context)
 {
   return RowOf(path).read(BytesOfSmallFile(path), path, context);
@@ -203,7 +216,8 @@ void WriteLookFile(const Preset& preset, const std::string& path, const LookCont
   if (!row.write)
   {
     throw std::runtime_error("Cannot write " + path + ": " + row.format.description +
-      " can only be read; choose a name that ends in .json, .vp.json, .vp or .paraview.json.");
+      " can only be read; choose a name that ends with one of " +
+      vtksys::SystemTools::Join(WritableLookExtensions(), ", ") + ".");
   }
   Preset named = preset;
   named.look.name = NameOfLookFile(path);

@@ -20,6 +20,9 @@ struct LookFileFormat
 /// All formats; ours comes first.
 const std::vector<LookFileFormat>& LookFileFormats();
 
+/// The extensions of formats that can be written.
+std::vector<std::string> WritableLookExtensions();
+
 /// Reads our presets or another program's looks. The extension decides on the format, for JSON also
 /// the content. Trailing commas, as hand-written JSON has them, are accepted.
 /// @return at least one preset; most formats hold only one

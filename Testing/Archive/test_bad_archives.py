@@ -53,7 +53,7 @@ def sentence(*arguments):
         timeout=4 * MOST_SECONDS,
     )
     assert answer.returncode == 1, answer
-    # What takes a second is announced, such as "searching ...".
+    # The program announces steps of a second or more, such as "searching ...".
     lines = [line for line in answer.stderr.splitlines() if not line.endswith("ing ...")]
     assert len(lines) == 1 and lines[0].endswith(".") and arguments[1] in lines[0], answer.stderr
     assert not lines[0].endswith(".."), lines[0]

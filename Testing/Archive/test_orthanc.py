@@ -189,7 +189,7 @@ def run(*arguments, fails_with=None, **variables):
         timeout=120,
         env={**os.environ, **variables},
     )
-    # What takes a second is announced, such as "searching ...".
+    # The program announces steps of a second or more, such as "searching ...".
     errors = [line for line in answer.stderr.splitlines() if not line.endswith("ing ...")]
     text = answer.stdout if fails_with is None else "\n".join(errors)
     assert answer.returncode == (0 if fails_with is None else fails_with), answer

@@ -8,10 +8,10 @@ Images are rendered from arrays or files, and are arrays themselves:
     image = varimarch.render(varimarch.read("head.nii.gz"), preset="mr-head", view="left")
     varimarch.write_png(image, "head.png")
 
-render() renders a volume; read() opens any volume file, and times() lists its times; to_image() and to_array() convert arrays to
-vtkImageData and back; capture() returns the image in a window; presets() lists the presets;
-variation_field() returns how far values stay about the same around each voxel. Viewer opens a volume
-in the program varimarch-viewer, and exchanges looks with it.
+render() renders a volume; read() opens any volume file, and times() lists its times; to_image() and
+to_array() convert arrays to vtkImageData and back; capture() returns the image in a window; presets()
+lists the presets; variation_field() returns how far values stay about the same around each voxel.
+Viewer opens a volume in the program varimarch-viewer, and exchanges looks with it.
 
 enable() lets PyVista, vedo, mayavi and other programs that leave the choice of a mapper to VTK draw
 with Varimarch in this process.

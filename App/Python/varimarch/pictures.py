@@ -109,7 +109,8 @@ def render(
         each a volume or a dictionary {"volume": ...} with any of "spacing", "preset", "color",
         "opacity" and "opacity_unit_distance", as of the first volume; "strength", a factor of its
         opacities, 0 to 1; "turn", angles about x, y and z through its middle [degrees]; and "move",
-        along x, y and z [mm]. All are composites, without labels, shadows and ambient occlusion.
+        along x, y and z [mm]. All are composites, without labels, shadows, scattering and ambient
+        occlusion.
 
     size: width and height of the image [pixels].
     background: colour of the background; default: the preset's.
@@ -187,10 +188,10 @@ def render(
         "reach": number("occlusion_reach", occlusion_reach, 0, 1e30),
     }
     scene["overlays"], over = overlays_of(overlays)
-    if over and (labels is not None or look["blend"] != "composite" or shadows or occlusion):
-        raise ValueError(
-            'overlays: expected blend="composite" without labels, shadows and occlusion'
-        )
+    is_more = labels is not None or look["blend"] != "composite" or shadows or scattering or occlusion
+    if over and is_more:
+        raise ValueError('overlays: expected blend="composite" without labels, shadows, scattering '
+                         "and occlusion")
     drawn = drawn_labels(image, labels, label_colors, label_opacity, look["blend"])
     picture = _scene.render(image, json.dumps(scene), over, *drawn)
     # VTK counts rows from the bottom.
