@@ -17,7 +17,7 @@
  * mm, described by its origin, its spacing (> 0) and its direction matrix, which may mirror or
  * shear. Voxels keep the order of the file: nothing is flipped, and only RectifySlices resamples.
  * Extents begin at 0. Stored values are rescaled to physical ones, such as Hounsfield units for CT.
- * Of several times one is read, see SetTimeIndex().
+ * One of several times is read, see SetTimeIndex().
  *
  * If a file cannot be read, the output is empty, GetErrorCode() is not 0, and one error event is
  * invoked whose message, one sentence, is also in GetErrorMessage(): the file, what was expected,
