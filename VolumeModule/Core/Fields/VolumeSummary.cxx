@@ -20,25 +20,6 @@ namespace
 
 constexpr int Side = BrickRanges::CellsPerSide;
 
-// Calls a function with a number of a type.
-template <class Call>
-auto ByType(VoxelType type, Call call)
-{
-  switch (type)
-  {
-    case VoxelType::Int8:
-      return call(std::int8_t());
-    case VoxelType::UInt8:
-      return call(std::uint8_t());
-    case VoxelType::Int16:
-      return call(std::int16_t());
-    case VoxelType::UInt16:
-      return call(std::uint16_t());
-    default:
-      return call(float());
-  }
-}
-
 glm::ivec3 VoxelCountOf(const BrickSource::Level& level)
 {
   const auto& dimensions = level.dimensions;
@@ -288,7 +269,7 @@ VolumeSummary UnfilledSummary(
   VolumeSummary summary;
   summary.smallest = smallest;
   summary.largest = largest;
-  ByType(type,
+  ByVoxelType(type,
     [&](auto voxel)
     {
       using Limits = std::numeric_limits<decltype(voxel)>;
@@ -315,16 +296,16 @@ std::uint64_t BytesOfBricks(const BrickSource::Level& level, VoxelType type)
   {
     bricks *= std::uint64_t((std::max<std::int64_t>(voxels - 1, 1) + Side - 1) / Side);
   }
-  const bool isNarrow = type == VoxelType::Int8 || type == VoxelType::UInt8;
   constexpr std::uint64_t BytesOfField = 3; // with the distances and what is visible
-  const std::uint64_t bytesOfMean = isNarrow ? 1 : type == VoxelType::Float32 ? 4 : 2;
-  return bricks * (BytesOfField + (isNarrow ? 2 : 4) + bytesOfMean);
+  const std::uint64_t bytesOfMean = ByVoxelType(type, [](auto voxel) { return sizeof(voxel); });
+  const std::uint64_t bytesOfRange = bytesOfMean == 1 ? 2 : 4;
+  return bricks * (BytesOfField + bytesOfRange + bytesOfMean);
 }
 
 VolumeSummary SummaryOf(
   const BrickSource& source, std::uint64_t mostSlabBytes, const std::function<void(double)>& report)
 {
-  return ByType(source.Type(),
+  return ByVoxelType(source.Type(),
     [&](auto voxel) { return SummaryOf<decltype(voxel)>(source, mostSlabBytes, report); });
 }
 

@@ -66,27 +66,6 @@ struct VoxelStrides
   }
 };
 
-/// Calls a function with a voxel of this type.
-/// @param call  (voxel)
-template <class Call>
-auto ByVoxelType(VoxelType type, Call call)
-{
-  switch (type)
-  {
-    case VoxelType::Int8:
-      return call(std::int8_t());
-    case VoxelType::UInt8:
-      return call(std::uint8_t());
-    case VoxelType::Int16:
-      return call(std::int16_t());
-    case VoxelType::UInt16:
-      return call(std::uint16_t());
-    case VoxelType::Float32:
-      break;
-  }
-  return call(float());
-}
-
 /// Two values for each lane that follow each other along x.
 struct ValuePairs
 {
