@@ -13,25 +13,6 @@
 namespace varimarch
 {
 
-std::optional<VoxelType> VoxelTypeOf(int scalarType)
-{
-  switch (scalarType)
-  {
-    case VTK_CHAR:
-    case VTK_SIGNED_CHAR:
-      return VoxelType::Int8;
-    case VTK_UNSIGNED_CHAR:
-      return VoxelType::UInt8;
-    case VTK_SHORT:
-      return VoxelType::Int16;
-    case VTK_UNSIGNED_SHORT:
-      return VoxelType::UInt16;
-    case VTK_FLOAT:
-      return VoxelType::Float32;
-  }
-  return std::nullopt;
-}
-
 RawVoxelSource::RawVoxelSource(
   const std::string& path, const VoxelLayout& layout, std::uint64_t offset)
   : path(path)

@@ -5,15 +5,11 @@
 #include "Readers/VoxelLayout.h"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace varimarch
 {
-
-/// The type in which packets of rays read voxels of a VTK type; none if they cannot.
-std::optional<VoxelType> VoxelTypeOf(int scalarType);
 
 /// The voxels of a file that has them as they are in memory, one after the other.
 class RawVoxelSource : public BrickSource

@@ -13,6 +13,7 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace varimarch
@@ -62,6 +63,26 @@ bool IsNumberType(int scalarType)
 {
   return (scalarType >= VTK_CHAR && scalarType <= VTK_DOUBLE) ||
     (scalarType > VTK_STRING && scalarType <= VTK_TYPE_UINT64);
+}
+
+std::optional<VoxelType> VoxelTypeOf(int scalarType)
+{
+  switch (scalarType)
+  {
+    case VTK_CHAR: // has a sign on x86, and none on ARM
+      return std::is_signed_v<char> ? VoxelType::Int8 : VoxelType::UInt8;
+    case VTK_SIGNED_CHAR:
+      return VoxelType::Int8;
+    case VTK_UNSIGNED_CHAR:
+      return VoxelType::UInt8;
+    case VTK_SHORT:
+      return VoxelType::Int16;
+    case VTK_UNSIGNED_SHORT:
+      return VoxelType::UInt16;
+    case VTK_FLOAT:
+      return VoxelType::Float32;
+  }
+  return std::nullopt;
 }
 
 std::uint64_t ByteCountOf(const std::string& path, const VoxelLayout& layout)

@@ -1,11 +1,14 @@
 #ifndef Varimarch_Readers_VoxelLayout_h
 #define Varimarch_Readers_VoxelLayout_h
 
+#include "Core/Geometry/VoxelType.h"
+
 #include <vtkSmartPointer.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +42,9 @@ int ScalarTypeOf(NumberKind kind, std::int64_t byteCount);
 
 /// True for a VTK type of numbers.
 bool IsNumberType(int scalarType);
+
+/// The type in which packets of rays read voxels of a VTK type; none if they cannot.
+std::optional<VoxelType> VoxelTypeOf(int scalarType);
 
 /// Size of the voxels [bytes].
 /// @param path  path for the error message

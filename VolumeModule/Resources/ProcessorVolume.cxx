@@ -1,6 +1,7 @@
 #include "Resources/ProcessorVolume.h"
 
 #include "Readers/MappedVoxels.h"
+#include "Readers/VoxelLayout.h"
 #include "Resources/VolumeGaps.h"
 
 #include "vtkDataArray.h"
@@ -39,33 +40,16 @@ bool AreFinite(vtkDataArray* array)
 // True if packets can read a component in place.
 bool IsReadInPlace(const VoxelComponent& component)
 {
-  return PacketVoxelTypeOf(component.array) && component.array->GetNumberOfComponents() == 1;
+  return VoxelTypeOf(component.array->GetDataType()) &&
+    component.array->GetNumberOfComponents() == 1;
 }
 
 ComponentCopy CopyForPackets(const VoxelComponent& component)
 {
-  return PacketVoxelTypeOf(component.array) ? CopyAsItIs(component) : CopyAsFloats(component);
+  return VoxelTypeOf(component.array->GetDataType()) ? CopyAsItIs(component)
+                                                     : CopyAsFloats(component);
 }
 
-}
-
-std::optional<VoxelType> PacketVoxelTypeOf(vtkDataArray* array)
-{
-  switch (array->GetDataType())
-  {
-    case VTK_CHAR:
-    case VTK_SIGNED_CHAR:
-      return VoxelType::Int8;
-    case VTK_UNSIGNED_CHAR:
-      return VoxelType::UInt8;
-    case VTK_SHORT:
-      return VoxelType::Int16;
-    case VTK_UNSIGNED_SHORT:
-      return VoxelType::UInt16;
-    case VTK_FLOAT:
-      return VoxelType::Float32;
-  }
-  return std::nullopt;
 }
 
 void ProcessorVolume::SetVoxels(const VoxelComponents& newComponents)

@@ -16,9 +16,6 @@ class vtkDataArray;
 namespace varimarch
 {
 
-/// The type in which packets read the values of an array; none if they cannot read them.
-std::optional<VoxelType> PacketVoxelTypeOf(vtkDataArray* array);
-
 /// The voxels of a volume in the form that packets of rays read, and the gaps between them. Voxels
 /// are read in place if possible, otherwise copied. Copies and gaps are kept only while the
 /// processor marches.

@@ -4,6 +4,9 @@
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/Processor/PacketSceneBuilder.h"
 #include "March/Processor/SoftwareRasterizer.h"
+#include "Readers/VoxelLayout.h"
+
+#include "vtkDataArray.h"
 
 #include <algorithm>
 #include <set>
@@ -120,7 +123,8 @@ bool IsPlain(const ScalarTexels& texels, vtkDataArray* array)
   {
     constexpr double MostWidths = 1 << 12; // floats between these tell parts of their range apart
     const double width = std::max(texels.largestScalar - texels.smallestScalar, 1.0);
-    return farthest <= MostWidths * width && (farthest <= MostWhole || PacketVoxelTypeOf(array));
+    return farthest <= MostWidths * width &&
+      (farthest <= MostWhole || VoxelTypeOf(array->GetDataType()));
   }
   constexpr double Large = 1e15;
   const bool isConstant = texels.smallestScalar == texels.largestScalar && farthest <= MostWhole;

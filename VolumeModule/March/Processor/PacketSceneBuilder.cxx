@@ -6,6 +6,7 @@
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/RayParametersBuilder.h"
 #include "March/VolumeParametersBuilder.h"
+#include "Readers/VoxelLayout.h"
 
 #include "vtkDataArray.h"
 #include "vtkRenderer.h"
@@ -136,8 +137,8 @@ PacketScene PacketSceneOf(
   scene.parameters = VolumeParametersOf(march, volume, VolumeOfProcessor(march, volume));
   scene.textures = volume.Textures(march.settings, nullptr);
   vtkDataArray* const voxels = volume.Packets().Voxels();
-  scene.volume = { voxels->GetVoidPointer(0), *PacketVoxelTypeOf(voxels), march.settings.cubic,
-    march.frame.geometry.dimensions };
+  scene.volume = { voxels->GetVoidPointer(0), *VoxelTypeOf(voxels->GetDataType()),
+    march.settings.cubic, march.frame.geometry.dimensions };
   scene.look = LookOf(march, volume, scene.parameters, 0, 0);
   scene.labelRows = around.labelRows.empty() ? nullptr : around.labelRows.data();
   scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces,

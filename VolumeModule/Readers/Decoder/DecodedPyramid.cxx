@@ -31,24 +31,6 @@ void CheckForm(const PyramidForm& form)
   }
 }
 
-/// The type that packets of rays read without a conversion; Float32 for others.
-VoxelType VoxelTypeOf(int scalarType)
-{
-  switch (scalarType)
-  {
-    case VTK_SIGNED_CHAR:
-      return VoxelType::Int8;
-    case VTK_UNSIGNED_CHAR:
-      return VoxelType::UInt8;
-    case VTK_SHORT:
-      return VoxelType::Int16;
-    case VTK_UNSIGNED_SHORT:
-      return VoxelType::UInt16;
-    default:
-      return VoxelType::Float32;
-  }
-}
-
 /// The patience of the session that this thread is in.
 double PatienceSeconds()
 {
@@ -87,9 +69,10 @@ DecodedPyramid::DecodedPyramid(const PyramidOrder& order, ReadProgress& progress
 
 DecodedPyramid::~DecodedPyramid() = default;
 
+// Voxels of other types are converted to floats.
 VoxelType DecodedPyramid::Type() const
 {
-  return VoxelTypeOf(this->form.scalarType);
+  return VoxelTypeOf(this->form.scalarType).value_or(VoxelType::Float32);
 }
 
 void DecodedPyramid::Read(int level, const Box& box, void* voxels) const
