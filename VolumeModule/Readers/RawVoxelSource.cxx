@@ -42,7 +42,7 @@ void RawVoxelSource::ReadRun(std::uint64_t firstVoxel, std::uint64_t count, char
   {
     const ssize_t got = pread(this->descriptor, voxels + done, std::size_t(wanted - done),
       off_t(this->offset + firstVoxel * this->valueBytes + done));
-    if (got <= 0 && errno != EINTR)
+    if (got == 0 || (got < 0 && errno != EINTR))
     {
       FailToRead(this->path,
         std::to_string(count) + " voxels from number " + std::to_string(firstVoxel),
