@@ -14,10 +14,10 @@ namespace
 
 constexpr glm::ivec2 BoundPixels = glm::ivec2(37, 30);
 
-TransferFunction Foggy(double opacity)
+TransferFunction Foggy(double opacity, double leastOpacity = 0.01)
 {
   return { { { 0.0, { 0.1, 0.2, 0.9 } }, { 100.0, { 1.0, 0.8, 0.2 } } },
-    { { 0.0, 0.01 }, { 100.0, opacity } }, PacketPictures::UnitDistanceMm };
+    { { 0.0, leastOpacity }, { 100.0, opacity } }, PacketPictures::UnitDistanceMm };
 }
 
 /// Waves, moved by some voxels along x up to the last one.
@@ -34,7 +34,12 @@ std::vector<std::int16_t> Waves(int moved)
   return voxels;
 }
 
-std::vector<float> BoundsOf(const PacketPictures& pictures)
+BrickRanges RangesOf(const PacketPictures& pictures)
+{
+  return BuildBrickRanges(pictures.Grid(), 0.0, 100.0);
+}
+
+std::vector<float> BoundsOf(const PacketPictures& pictures, const BrickRanges& ranges)
 {
   PixelRays rays = {};
   for (int i = 0; i < 3; ++i)
@@ -44,7 +49,6 @@ std::vector<float> BoundsOf(const PacketPictures& pictures)
   }
   rays.nearPlaneGrid = glm::dvec4(glm::vec4(pictures.scene.rays.nearPlaneGrid));
   rays.farPlaneGrid = glm::dvec4(glm::vec4(pictures.scene.rays.farPlaneGrid));
-  const BrickRanges ranges = BuildBrickRanges(pictures.Grid(), 0.0, 100.0);
   return LevelBounds(
     { ranges, pictures.Table(), rays, BoundPixels, pictures.WorldFromGrid(), false });
 }
@@ -55,7 +59,7 @@ double MostBeyond(const PacketPictures& one, const PacketPictures& other)
   const InstructionSet set = InstructionSetsOfProcessor().front();
   const std::vector<float> a = one.March(set);
   const std::vector<float> b = other.March(set);
-  const std::vector<float> bounds = BoundsOf(one);
+  const std::vector<float> bounds = BoundsOf(one, RangesOf(one));
   double most = -1.0;
   for (std::size_t i = 0; i < a.size(); ++i)
   {
@@ -81,8 +85,34 @@ TEST(LevelBound, IsWholeWhereAnOpaqueSurfaceMayMove)
   const TransferFunction steep{ { { 0.0, { 1.0, 1.0, 1.0 } } }, { { 50.0, 0.0 }, { 51.0, 1.0 } },
     PacketPictures::UnitDistanceMm };
   const PacketPictures pictures({ Waves(0), steep, BoundPixels });
-  const std::vector<float> bounds = BoundsOf(pictures);
+  const std::vector<float> bounds = BoundsOf(pictures, RangesOf(pictures));
   EXPECT_GT(*std::max_element(bounds.begin(), bounds.end()), 0.99f);
+}
+
+TEST(LevelBound, IsZeroWhereNothingIsSeen)
+{
+  const PacketPictures pictures({ Waves(0), Foggy(0.0, 0.0), BoundPixels });
+  const std::vector<float> bounds = BoundsOf(pictures, RangesOf(pictures));
+  EXPECT_EQ(*std::max_element(bounds.begin(), bounds.end()), 0.0f);
+}
+
+// Where the level has no value, the eye may see nothing instead of the voxels.
+TEST(LevelBound, HoldsForGaps)
+{
+  const PacketPictures pictures({ Waves(0), Foggy(0.9, 0.9), BoundPixels });
+  BrickRanges gaps = RangesOf(pictures);
+  const glm::ivec3 count = gaps.BrickCount();
+  for (int brick = 0; brick < count.x * count.y * count.z; ++brick)
+  {
+    gaps.Set(std::size_t(brick), { 1, 0 });
+  }
+  const std::vector<float> drawn = pictures.March(InstructionSetsOfProcessor().front());
+  const std::vector<float> bounds = BoundsOf(pictures, gaps);
+  constexpr float RoundOff = 1e-3f;
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+  {
+    EXPECT_GE(bounds[i], drawn[4 * i + 3] - RoundOff) << i;
+  }
 }
 
 }

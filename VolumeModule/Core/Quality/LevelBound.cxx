@@ -93,6 +93,7 @@ public:
           look = steps.IsFinite() ? extremes.Of(int(std::floor(entryOf(steps.smallest))),
                                       int(std::ceil(entryOf(steps.largest))))
                                   : extremes.Of(0, int(lastEntry));
+          look.least.a = steps.IsFinite() ? look.least.a : 0.0f; // gaps are clear
           this->Widen(block, scene.isLit, look);
         }
       });

@@ -13,7 +13,8 @@
 namespace varimarch
 {
 
-/// A composite that is drawn from a coarser level of a volume instead of its voxels.
+/// A composite that is drawn from a coarser level of a volume instead of its voxels. Cells without
+/// a value are clear.
 struct LevelBoundScene
 {
   const BrickRanges& ranges; ///< ranges of the voxels
