@@ -632,7 +632,7 @@ public:
    * The level of a volume that vtkVolumeFileReader has left in its file. CoarseLevel has the means
    * of cubes of 4 x 4 x 4 voxels, in memory. AutomaticLevel, the default, is the coarse one while
    * somebody interacts (AutoAdjustSampleDistances) and the voxels otherwise. Other volumes have
-   * only voxels, whatever this is; so have images with several volumes or a mask.
+   * only voxels, whatever this is; so have images with several volumes, a mask or blanked voxels.
    */
   enum
   {

@@ -170,6 +170,20 @@ TEST_F(VoxelsOnDisk, LookByTheirCoarseLevelAsItsBoundSays)
   EXPECT_LT(bound, 0.9) << "the bound says nothing";
 }
 
+TEST_F(VoxelsOnDisk, HaveTheBoundOfTheLastImageAfterAChange)
+{
+  MapperScene scene(this->ReadTorso(this->WriteTorso()));
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::CoarseLevel);
+  scene.DrawByProcessor();
+  const double bound = scene.mapper->GetLevelErrorBound();
+  EXPECT_GT(bound, 0.0);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(0.0, 0.0);
+  EXPECT_EQ(scene.mapper->GetLevelErrorBound(), bound);
+  scene.DrawByProcessor();
+  EXPECT_EQ(scene.mapper->GetLevelErrorBound(), 0.0) << "nothing is seen";
+}
+
 TEST_F(VoxelsOnDisk, HaveNoBoundWhereMoreThanTheirValuesDecides)
 {
   MapperScene scene(this->ReadTorso(this->WriteTorso()));

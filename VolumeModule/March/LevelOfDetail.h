@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+class vtkDataArray;
 class vtkImageData;
 class vtkVariationFieldVolumeMapper;
 class vtkVolume;
@@ -42,7 +43,8 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void UpdateImage(const std::shared_ptr<const VolumeSummary>& newSummary, vtkImageData* voxels);
+  void UpdateImage(const std::shared_ptr<const VolumeSummary>& newSummary,
+    vtkDataArray* scalarsOfVoxels, vtkImageData* voxels);
 
   std::shared_ptr<const VolumeSummary> summary;
   vtkSmartPointer<vtkImageData> image;
