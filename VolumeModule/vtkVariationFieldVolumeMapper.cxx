@@ -25,6 +25,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <functional>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -48,29 +49,28 @@ struct vtkVariationFieldVolumeMapper::Internals
 
   varimarch::RayMarcher Marcher;
   varimarch::LevelOfDetail Levels;
+  varimarch::RayMarcher* Last = &this->Marcher; ///< the one of the last frame
+
+  /// The sum of a number over the marchers of both levels.
+  template <class Number>
+  auto Sum(Number number)
+  {
+    return std::invoke(number, this->Marcher) + std::invoke(number, this->Levels.Marcher());
+  }
+
   std::string ReportedError; ///< the last error that was reported, so that it is not repeated
   std::string ReportedWarning;
   varimarch::InteractiveQuality Quality;
 
-  void DrawInTime(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume,
-    const varimarch::Frame& frame, varimarch::RayMarcher& marcher);
-
-  std::string Warnings(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const;
+  void DrawInTime(
+    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame);
 };
 
-// Sentences about the requested features and accuracy that the last frame lacks; empty if there are
-// none.
-std::string vtkVariationFieldVolumeMapper::Internals::Warnings(
-  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume) const
-{
-  return varimarch::MissingFeatures(mapper, volume) +
-    varimarch::AccuracyWarnings(mapper, this->Marcher);
-}
-
 // Draws at the quality that the allocated time permits, or at full quality if nobody interacts.
-void vtkVariationFieldVolumeMapper::Internals::DrawInTime(vtkVariationFieldVolumeMapper* mapper,
-  vtkVolume* volume, const varimarch::Frame& frame, varimarch::RayMarcher& marcher)
+void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame)
 {
+  varimarch::RayMarcher& marcher = *this->Last;
   if (!varimarch::IsInteractive(mapper, volume, frame))
   {
     marcher.Draw(frame);
@@ -210,13 +210,12 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   if (frame)
   {
     const varimarch::VoxelsOnDisk onDisk(*frame, this->MaximumHostMemory);
-    auto& levels = this->Private->Levels;
-    const auto coarse = levels.FrameInstead(this, volume, *frame);
+    const auto coarse = this->Private->Levels.FrameInstead(this, volume, *frame);
+    this->Private->Last = coarse ? &this->Private->Levels.Marcher() : &this->Private->Marcher;
     frame->view.window->MakeCurrent();
     try
     {
-      this->Private->DrawInTime(this, volume, coarse ? *coarse : *frame,
-        coarse ? levels.Marcher() : this->Private->Marcher);
+      this->Private->DrawInTime(this, volume, coarse ? *coarse : *frame);
     }
     catch (const std::exception&)
     {
@@ -227,7 +226,8 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
     varimarch::CheckForGraphicsReset();
     selected.ReportCounts(this->GetDataSetInput());
     vtkOpenGLCheckErrorMacro("OpenGL error after drawing");
-    this->WarnOnce(this->Private->Warnings(this, volume));
+    this->WarnOnce(varimarch::MissingFeatures(this, volume) +
+      varimarch::AccuracyWarnings(this, *this->Private->Last));
     onDisk.Check();
   }
 }
@@ -255,52 +255,52 @@ void vtkVariationFieldVolumeMapper::WarnOnce(const std::string& warning)
 
 double vtkVariationFieldVolumeMapper::GetUsedSampleDistance()
 {
-  return this->Private->Marcher.UsedSampleDistanceMm();
+  return this->Private->Last->UsedSampleDistanceMm();
 }
 
 double vtkVariationFieldVolumeMapper::GetDrawnPart()
 {
-  return this->Private->Marcher.DrawnPart(this->MaximumAccumulatedPictures);
+  return this->Private->Last->DrawnPart(this->MaximumAccumulatedPictures);
 }
 
 int vtkVariationFieldVolumeMapper::GetAccumulatedPictures()
 {
-  return this->Private->Marcher.AccumulatedImages();
+  return this->Private->Last->AccumulatedImages();
 }
 
 double vtkVariationFieldVolumeMapper::GetUsedImageSampleDistance()
 {
-  return this->Private->Marcher.UsedImageSampleDistance();
+  return this->Private->Last->UsedImageSampleDistance();
 }
 
 void vtkVariationFieldVolumeMapper::GetColorImage(vtkImageData* image)
 {
-  const varimarch::Viewport& pixels = this->Private->Marcher.ImagePixels();
+  const varimarch::Viewport& pixels = this->Private->Last->ImagePixels();
   if (pixels.width > 0)
   {
     varimarch::FillColorImage(
-      this->Private->Marcher.ColorImage(), pixels.width, pixels.height, image);
+      this->Private->Last->ColorImage(), pixels.width, pixels.height, image);
   }
 }
 
 void vtkVariationFieldVolumeMapper::GetDepthImage(vtkImageData* image)
 {
-  const varimarch::Viewport& pixels = this->Private->Marcher.ImagePixels();
+  const varimarch::Viewport& pixels = this->Private->Last->ImagePixels();
   if (pixels.width > 0)
   {
-    varimarch::FillDepthImage(this->Private->Marcher.DepthImage(), pixels.width, pixels.height,
+    varimarch::FillDepthImage(this->Private->Last->DepthImage(), pixels.width, pixels.height,
       this->DepthImageScalarType, image);
   }
 }
 
 double vtkVariationFieldVolumeMapper::GetEstimatedError()
 {
-  const auto& tolerance = this->Private->Marcher.Tolerance();
+  const auto& tolerance = this->Private->Last->Tolerance();
   if (!tolerance)
   {
     return 0.0;
   }
-  return this->Private->Marcher.HasUnknownError() ? 1.0 : tolerance->step.error;
+  return this->Private->Last->HasUnknownError() ? 1.0 : tolerance->step.error;
 }
 
 void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -316,23 +316,23 @@ double vtkVariationFieldVolumeMapper::GetLevelErrorBound()
 
 double vtkVariationFieldVolumeMapper::GetFieldBuildSeconds()
 {
-  return this->Private->Marcher.FieldBuildSeconds();
+  return this->Private->Last->FieldBuildSeconds();
 }
 
 vtkIdType vtkVariationFieldVolumeMapper::GetGraphicsMemoryBytes()
 {
-  return vtkIdType(this->Private->Marcher.GraphicsMemoryBytes());
+  return vtkIdType(this->Private->Sum(&varimarch::RayMarcher::GraphicsMemoryBytes));
 }
 
 vtkIdType vtkVariationFieldVolumeMapper::GetLightMemoryBytes()
 {
-  return vtkIdType(this->Private->Marcher.LightBytes());
+  return vtkIdType(this->Private->Sum(&varimarch::RayMarcher::LightBytes));
 }
 
 void vtkVariationFieldVolumeMapper::GetShaderParts(vtkStringArray* parts)
 {
   parts->Initialize();
-  for (const std::string& part : this->Private->Marcher.ShaderParts())
+  for (const std::string& part : this->Private->Last->ShaderParts())
   {
     parts->InsertNextValue(part);
   }
@@ -340,43 +340,47 @@ void vtkVariationFieldVolumeMapper::GetShaderParts(vtkStringArray* parts)
 
 int vtkVariationFieldVolumeMapper::GetVolumeTextureBuilds()
 {
-  return this->Private->Marcher.Builds().volumeTexture;
+  return this->Private->Sum(
+    [](const varimarch::RayMarcher& marcher) { return marcher.Builds().volumeTexture; });
 }
 
 int vtkVariationFieldVolumeMapper::GetBlockUploads()
 {
-  return this->Private->Marcher.BlockUploads();
+  return this->Private->Sum(&varimarch::RayMarcher::BlockUploads);
 }
 
 int vtkVariationFieldVolumeMapper::GetBrickRangesBuilds()
 {
-  return this->Private->Marcher.Builds().brickRanges;
+  return this->Private->Sum(
+    [](const varimarch::RayMarcher& marcher) { return marcher.Builds().brickRanges; });
 }
 
 int vtkVariationFieldVolumeMapper::GetFieldBuilds()
 {
-  return this->Private->Marcher.Builds().field;
+  return this->Private->Sum(
+    [](const varimarch::RayMarcher& marcher) { return marcher.Builds().field; });
 }
 
 int vtkVariationFieldVolumeMapper::GetOpticalTableBuilds()
 {
-  return this->Private->Marcher.Builds().opticalTable;
+  return this->Private->Sum(
+    [](const varimarch::RayMarcher& marcher) { return marcher.Builds().opticalTable; });
 }
 
 int vtkVariationFieldVolumeMapper::GetShaderBuilds()
 {
-  return this->Private->Marcher.ShaderBuilds();
+  return this->Private->Sum(&varimarch::RayMarcher::ShaderBuilds);
 }
 
 int vtkVariationFieldVolumeMapper::GetToleranceSearches()
 {
-  return this->Private->Marcher.ToleranceSearches();
+  return this->Private->Sum(&varimarch::RayMarcher::ToleranceSearches);
 }
 
 bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()
 {
-  const auto& tolerance = this->Private->Marcher.Tolerance();
-  return !tolerance || (tolerance->step.KeepsLimit() && !this->Private->Marcher.HasUnknownError());
+  const auto& tolerance = this->Private->Last->Tolerance();
+  return !tolerance || (tolerance->step.KeepsLimit() && !this->Private->Last->HasUnknownError());
 }
 
 int vtkVariationFieldVolumeMapper::FillInputPortInformation(int port, vtkInformation* information)

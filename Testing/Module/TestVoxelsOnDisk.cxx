@@ -184,6 +184,29 @@ TEST_F(VoxelsOnDisk, HaveTheBoundOfTheLastImageAfterAChange)
   EXPECT_EQ(scene.mapper->GetLevelErrorBound(), 0.0) << "nothing is seen";
 }
 
+TEST_F(VoxelsOnDisk, TellOfTheLevelThatWasDrawnLast)
+{
+  MapperScene scene(this->ReadTorso(this->WriteTorso()));
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistanceInVoxels(1.0);
+  scene.mapper->RenderToImageOn();
+  scene.Draw();
+  const double distanceMm = scene.mapper->GetUsedSampleDistance();
+  const vtkIdType bytes = scene.mapper->GetGraphicsMemoryBytes();
+  vtkNew<vtkImageData> voxels;
+  scene.mapper->GetColorImage(voxels);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::CoarseLevel);
+  scene.Draw();
+  EXPECT_NEAR(scene.mapper->GetUsedSampleDistance(), 4.0 * distanceMm, 1e-9);
+  EXPECT_GT(scene.mapper->GetGraphicsMemoryBytes(), bytes) << "both levels are kept";
+  vtkNew<vtkImageData> coarse;
+  scene.mapper->GetColorImage(coarse);
+  ASSERT_EQ(coarse->GetNumberOfPoints(), voxels->GetNumberOfPoints());
+  const auto* const one = static_cast<const unsigned char*>(voxels->GetScalarPointer());
+  const auto* const other = static_cast<const unsigned char*>(coarse->GetScalarPointer());
+  EXPECT_FALSE(std::equal(one, one + 4 * voxels->GetNumberOfPoints(), other));
+}
+
 TEST_F(VoxelsOnDisk, HaveNoBoundWhereMoreThanTheirValuesDecides)
 {
   MapperScene scene(this->ReadTorso(this->WriteTorso()));
