@@ -29,8 +29,8 @@ struct Scattered
   bool shadows;
 };
 
-// The slab as a marcher draws it.
-double DrawnRed(const Scattered& light, bool byPackets, double errorTolerance = 0.0)
+// The slab as both marchers draw it.
+double DrawnRed(const Scattered& light, double errorTolerance = 0.0)
 {
   SlabScene scene(SlabOpacity, SlabRed);
   vtkVolumeProperty* const property = scene.volume->GetProperty();
@@ -47,7 +47,6 @@ double DrawnRed(const Scattered& light, bool byPackets, double errorTolerance = 
   scene.mapper->SetScatteringAnisotropy(light.anisotropy);
   scene.mapper->SetGlobalIlluminationReach(light.reach);
   scene.mapper->SetShadows(light.shadows);
-  scene.mapper->SetProcessorMarching(byPackets);
   scene.mapper->SetErrorTolerance(errorTolerance);
   return scene.MiddlePixel()[0];
 }
@@ -78,23 +77,19 @@ double ExpectedRed(const Scattered& light)
 
 TEST(Scattering, OfAHomogeneousSlabHasItsClosedForm)
 {
-  for (const bool byPackets : { true, false })
+  for (const Scattered& light : { Scattered{ 1.0, 0.0, 0.0, false },
+         Scattered{ 1.0, 0.5, 1.0, false }, Scattered{ 0.4, -0.3, 1.0, false },
+         Scattered{ 0.4, -0.3, 0.0, true }, Scattered{ 2.0, -0.6, 1.0, false } })
   {
-    for (const Scattered& light : { Scattered{ 1.0, 0.0, 0.0, false },
-           Scattered{ 1.0, 0.5, 1.0, false }, Scattered{ 0.4, -0.3, 1.0, false },
-           Scattered{ 0.4, -0.3, 0.0, true }, Scattered{ 2.0, -0.6, 1.0, false } })
-    {
-      EXPECT_NEAR(DrawnRed(light, byPackets), ExpectedRed(light), HalfByteStep)
-        << light.blending << ", " << light.anisotropy << ", " << light.reach << ", "
-        << light.shadows << (byPackets ? " by packets" : " by shaders");
-    }
+    EXPECT_NEAR(DrawnRed(light), ExpectedRed(light), HalfByteStep)
+      << light.blending << ", " << light.anisotropy << ", " << light.reach << ", " << light.shadows;
   }
 }
 
 TEST(Scattering, KeepsAnErrorTolerance)
 {
   const Scattered light{ 0.7, 0.4, 1.0, false };
-  EXPECT_NEAR(DrawnRed(light, true, 1.0 / 64.0), ExpectedRed(light), 1.0 / 64.0);
+  EXPECT_NEAR(DrawnRed(light, 1.0 / 64.0), ExpectedRed(light), 1.0 / 64.0);
 }
 
 TEST(Scattering, IsDimmedWithinItsReachOnly)
@@ -103,10 +98,8 @@ TEST(Scattering, IsDimmedWithinItsReachOnly)
   double last = SlabRed;
   for (const double reach : { 0.0, 0.02, 0.1, 1.0 })
   {
-    const Scattered light{ 1.0, 0.0, reach, false };
-    const double red = DrawnRed(light, true);
+    const double red = DrawnRed({ 1.0, 0.0, reach, false });
     EXPECT_LT(red, last - 0.02) << reach;
-    EXPECT_NEAR(DrawnRed(light, false), red, HalfByteStep) << reach;
     last = red;
   }
 }
