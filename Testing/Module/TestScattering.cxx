@@ -29,10 +29,8 @@ struct Scattered
   bool shadows;
 };
 
-// The slab as both marchers draw it.
-double DrawnRed(const Scattered& light, double errorTolerance = 0.0)
+void LightSlab(SlabScene& scene, const Scattered& light)
 {
-  SlabScene scene(SlabOpacity, SlabRed);
   vtkVolumeProperty* const property = scene.volume->GetProperty();
   property->ShadeOn();
   property->SetAmbient(0.0);
@@ -47,6 +45,13 @@ double DrawnRed(const Scattered& light, double errorTolerance = 0.0)
   scene.mapper->SetScatteringAnisotropy(light.anisotropy);
   scene.mapper->SetGlobalIlluminationReach(light.reach);
   scene.mapper->SetShadows(light.shadows);
+}
+
+// The slab as both marchers draw it.
+double DrawnRed(const Scattered& light, double errorTolerance = 0.0)
+{
+  SlabScene scene(SlabOpacity, SlabRed);
+  LightSlab(scene, light);
   scene.mapper->SetErrorTolerance(errorTolerance);
   return scene.MiddlePixel()[0];
 }
@@ -115,4 +120,36 @@ TEST(Scattering, OfALightAtTheEyeComesBack)
   scene.mapper->SetScatteringAnisotropy(-0.05);
   const double back = (1.0 - 0.0025) / std::pow(1.0 + 0.0025 - 0.1, 1.5);
   EXPECT_NEAR(scene.MiddlePixel()[0], SlabRed * back * PartOfSlab(false), HalfByteStep);
+}
+
+TEST(Scattering, TakesNoShaderWhereItIsOff)
+{
+  SlabScene scene(SlabOpacity, SlabRed);
+  LightSlab(scene, { 0.0, 0.5, 1.0, false });
+  const std::vector<float> drawn = scene.Draw();
+  EXPECT_TRUE(scene.UsesShaderPart("Scatter/None.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Reach/None.glsl"));
+  const vtkIdType bytes = scene.mapper->GetGraphicsMemoryBytes();
+  LightSlab(scene, { 0.0, 0.0, 0.0, false });
+  EXPECT_EQ(scene.Draw(), drawn) << "anisotropy and reach are those of scattered light";
+  LightSlab(scene, { 1.0, 0.5, 1.0, false });
+  scene.Draw();
+  EXPECT_TRUE(scene.UsesShaderPart("Scatter/HenyeyGreenstein.glsl"));
+  EXPECT_TRUE(scene.UsesShaderPart("Reach/ShadowRays.glsl"));
+  EXPECT_EQ(scene.mapper->GetGraphicsMemoryBytes(), bytes) << "it needs no texture";
+}
+
+TEST(Scattering, KeepsNoLatticeWhereNothingDimsIt)
+{
+  SlabScene scene(SlabOpacity, SlabRed);
+  scene.mapper->SetErrorTolerance(1.0 / 64.0); // without one there is no lattice
+  const auto latticeBytes = [&](const Scattered& light)
+  {
+    LightSlab(scene, light);
+    scene.DrawByProcessor();
+    return scene.mapper->GetLightMemoryBytes();
+  };
+  EXPECT_GT(latticeBytes({ 1.0, 0.5, 1.0, false }), 0);
+  EXPECT_EQ(latticeBytes({ 1.0, 0.5, 0.0, false }), 0);
+  EXPECT_EQ(latticeBytes({ 0.0, 0.5, 1.0, false }), 0);
 }

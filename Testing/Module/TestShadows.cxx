@@ -100,6 +100,24 @@ TEST(Shadows, OfASoftLightAreTheMeanOverItsCone)
   EXPECT_GT(std::abs(expected - RedOfSlab(0.3, towards.z)), 0.005);
 }
 
+TEST(Shadows, TakeAConeOnlyForSoftLights)
+{
+  const ExpectedVtkErrors warningOfShaders; // their steps are longer than asked for on llvmpipe
+  Slab slab(0.3);
+  vtkInformation* const light = slab.AddLight({ 80.0, 0.0, 60.0 })->GetInformation();
+  slab.scene.Draw();
+  EXPECT_TRUE(slab.scene.UsesShaderPart("Cone/None.glsl"));
+  light->Set(vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS(), 25.0);
+  slab.scene.Draw();
+  EXPECT_TRUE(slab.scene.UsesShaderPart("Cone/Disc.glsl"));
+  light->Set(vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS(), 0.0);
+  slab.scene.Draw();
+  EXPECT_TRUE(slab.scene.UsesShaderPart("Cone/None.glsl"));
+  slab.scene.mapper->ShadowsOff();
+  slab.scene.Draw();
+  EXPECT_FALSE(slab.scene.UsesShaderPart("Cone/None.glsl")) << "nothing casts shadows";
+}
+
 TEST(Shadows, OfMidpointsHaveTheirClosedFormToo)
 {
   Slab slab(0.3);

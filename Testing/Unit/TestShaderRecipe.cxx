@@ -98,6 +98,34 @@ TEST(ShaderRecipe, DampingIsAFileOfItsSlotWhereThereIsLight)
   EXPECT_EQ(std::count(parts.begin(), parts.end(), "Damping/Homogeneous.glsl"), 1);
 }
 
+TEST(ShaderRecipe, ScatteringAndSoftLightsTakeNothingWithoutLights)
+{
+  RenderSettings unlit = plain;
+  unlit.lights = unlit.shadows = unlit.softLights = unlit.scattering = true;
+  EXPECT_EQ(Changed(unlit), Parts()) << "a trial of opacities";
+}
+
+TEST(ShaderRecipe, ScatteringAndSoftLightsAreFilesOfTheirSlots)
+{
+  const auto partsOf = [](bool shadows, bool softLights, bool scattering)
+  {
+    RenderSettings lit = plain;
+    lit.shading = lit.lights = true;
+    lit.shadows = shadows;
+    lit.softLights = softLights;
+    lit.scattering = scattering;
+    const Parts parts = Changed(lit);
+    return Parts(std::find(parts.begin(), parts.end(), "Material/OneComponent.glsl") + 1,
+      std::find(parts.begin(), parts.end(), "Damping/None.glsl"));
+  };
+  EXPECT_EQ(partsOf(false, false, false), (Parts{ "Reach/None.glsl", "Scatter/None.glsl" }));
+  EXPECT_EQ(partsOf(false, true, false), (Parts{ "Reach/None.glsl", "Scatter/None.glsl" }));
+  EXPECT_EQ(partsOf(true, false, false),
+    (Parts{ "Reach/ShadowRays.glsl", "Cone/None.glsl", "Scatter/None.glsl" }));
+  EXPECT_EQ(partsOf(true, true, true),
+    (Parts{ "Reach/ShadowRays.glsl", "Cone/Disc.glsl", "Scatter/HenyeyGreenstein.glsl" }));
+}
+
 TEST(ShaderRecipe, ASplineChangesHowTheVolumeIsReadAndItsGradients)
 {
   RenderSettings cubic = plain;

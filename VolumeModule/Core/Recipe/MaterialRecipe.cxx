@@ -62,18 +62,15 @@ std::string ShadeFile(const RenderSettings& settings)
   return settings.lights ? "Shade/Lights.glsl" : "Shade/HeadLight.glsl";
 }
 
-std::vector<std::string> ReachParts(const RenderSettings& settings)
+std::vector<std::string> LightParts(const RenderSettings& settings)
 {
-  if (!settings.shading || !settings.shadows)
+  Parts parts = { settings.shadows ? "Reach/ShadowRays.glsl" : "Reach/None.glsl" };
+  if (settings.shadows)
   {
-    return { "Reach/None.glsl" };
+    parts.push_back(settings.softLights ? "Cone/Disc.glsl" : "Cone/None.glsl");
   }
-  return { "Reach/ShadowRays.glsl", settings.softLights ? "Cone/Disc.glsl" : "Cone/None.glsl" };
-}
-
-std::string ScatterFile(const RenderSettings& settings)
-{
-  return settings.scattering ? "Scatter/HenyeyGreenstein.glsl" : "Scatter/None.glsl";
+  parts.push_back(settings.scattering ? "Scatter/HenyeyGreenstein.glsl" : "Scatter/None.glsl");
+  return parts;
 }
 
 std::string GradientFile(const RenderSettings& settings)

@@ -21,9 +21,8 @@ std::vector<std::string> ClassifyParts(const RenderSettings& settings);
 std::vector<std::string> MaterialParts(const RenderSettings& settings);
 
 std::string ShadeFile(const RenderSettings& settings);
-/// The files of the slots Reach and Cone.
-std::vector<std::string> ReachParts(const RenderSettings& settings);
-std::string ScatterFile(const RenderSettings& settings);
+/// The files of the slots Reach, Cone and Scatter, for a shading that takes all lights.
+std::vector<std::string> LightParts(const RenderSettings& settings);
 std::string GradientFile(const RenderSettings& settings);
 
 }

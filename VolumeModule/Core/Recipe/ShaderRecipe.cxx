@@ -180,11 +180,10 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
     const std::vector<std::string> material = MaterialParts(settings);
     parts.insert(parts.end(), material.begin(), material.end());
   }
-  if (settings.lights)
+  if (settings.shading && settings.lights)
   {
-    const std::vector<std::string> reach = ReachParts(settings);
-    parts.insert(parts.end(), reach.begin(), reach.end());
-    parts.push_back(ScatterFile(settings));
+    const std::vector<std::string> light = LightParts(settings);
+    parts.insert(parts.end(), light.begin(), light.end());
   }
   if (settings.shading && (settings.blend == Blend::Isosurface || MarchesMaterial(settings)))
   {
