@@ -53,9 +53,9 @@ public:
     const int count = this->parameters.distantCount + this->parameters.nearCount;
     for (int i = 0; i < count; ++i, texel += TexelsPerLight)
     {
-      const Lanes2 reflected = i < this->parameters.distantCount
-        ? this->ReflectedFrom(outward, AllOf3(*texel))
-        : this->ReflectedFromNear(outward, positionWorld, texel);
+      const Incident light = this->IncidentFrom(i, positionWorld, texel);
+      const Lanes2 whole = this->ReflectedFrom(outward, light.towards);
+      const Lanes2 reflected{ light.strength * whole.x, light.strength * whole.y };
       if (i >= apart)
       {
         sum.Add(reflected, texel[1], texel[2]);
@@ -83,7 +83,7 @@ private:
     }
   };
 
-  /// A light as a point sees it.
+  /// The light of a lamp at a point.
   struct Incident
   {
     Lanes3 towards;
@@ -144,14 +144,6 @@ private:
     const Lanes backsLit = All(this->parameters.backsLit);
     return this->isShiny ? Reflected(normal, toLight, this->toEye, this->reflectance.w, backsLit)
                          : Lanes2(Facing(normal, toLight, backsLit), Lanes{});
-  }
-
-  Lanes2 ReflectedFromNear(
-    const Lanes3& normal, const Lanes3& positionWorld, const glm::vec4* texel) const
-  {
-    const Incident light = this->IncidentFrom(this->parameters.distantCount, positionWorld, texel);
-    const Lanes2 reflected = this->ReflectedFrom(normal, light.towards);
-    return { light.strength * reflected.x, light.strength * reflected.y };
   }
 
   const PacketScene& scene;
