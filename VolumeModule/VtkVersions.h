@@ -23,9 +23,8 @@
 namespace varimarch
 {
 
-/// The part of the light that rays through the volume scatter, instead of surfaces, [0, 2]; since
-/// VTK 9.2.
-inline double ScatteredPart(vtkGPUVolumeRayCastMapper* mapper)
+/// The blending of scattered and reflected light, [0, 2]; 0 before VTK 9.2.
+inline double ScatteringBlendingOf(vtkGPUVolumeRayCastMapper* mapper)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   return mapper->GetVolumetricScatteringBlending();
@@ -46,8 +45,8 @@ inline double ScatteringAnisotropyOf(vtkVolumeProperty* property)
 #endif
 }
 
-/// The reach of rays to lights for scattering, [0, 1]; since VTK 9.2.
-inline double LightReach(vtkGPUVolumeRayCastMapper* mapper)
+/// The reach of global illumination, [0, 1]; 0 before VTK 9.2.
+inline double IlluminationReachOf(vtkGPUVolumeRayCastMapper* mapper)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   return mapper->GetGlobalIlluminationReach();

@@ -136,8 +136,8 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
   mapper->SetUseJittering(this->UseJittering);
   mapper->SetFinalColorWindow(this->FinalColorWindow);
   mapper->SetFinalColorLevel(this->FinalColorLevel);
-  mapper->SetVolumetricScatteringBlending(varimarch::ScatteredPart(this));
-  mapper->SetGlobalIlluminationReach(varimarch::LightReach(this));
+  mapper->SetVolumetricScatteringBlending(varimarch::ScatteringBlendingOf(this));
+  mapper->SetGlobalIlluminationReach(varimarch::IlluminationReachOf(this));
   varimarch::CopyShadingByOpacity(this, mapper);
 }
 

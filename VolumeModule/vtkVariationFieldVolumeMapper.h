@@ -354,19 +354,18 @@ public:
 
   /**
    * Softness of a light, a key of vtkLight::GetInformation() [degrees, 0 to 90]: half the angle of
-   * the cone that it comes from. Its shadows are the mean of those of twelve directions in that
-   * cone (Documentation/Mathematics.md); highlights and scattering are those of its middle. Shadows
-   * of a soft light take several times as long. Without the key a light is a point.
+   * the cone that it comes from. Its shadows are the mean over twelve directions in that cone
+   * (Documentation/Mathematics.md) and take several times as long; highlights and scattering are
+   * those of its middle. Without the key a light is a point.
    */
   static vtkInformationDoubleKey* LIGHT_SOFTNESS();
 
   ///@{
   /**
-   * Light that matter scatters once, with the names of VTK 9.2. The blending, [0, 2], is the part
-   * of the diffuse and specular light that is scattered instead of reflected by surfaces; from 1 on
-   * all is, as in VTK in the limit of short steps. Scattered light is the colour times the diffuse
-   * coefficient times the phase function of Henyey and Greenstein, whose mean over all directions
-   * is 1. Requires a composite with shading. Default: 0, no scattering, which costs nothing.
+   * Part of the diffuse and specular light that matter scatters, once, instead of reflecting it,
+   * [0, 2]; from 1 on all is scattered, as in VTK in the limit of short steps. Scattered light is
+   * the colour times the diffuse coefficient times the phase function of Henyey and Greenstein,
+   * whose mean over all directions is 1. Requires a composite with shading. Default: 0.
    */
   vtkSetClampMacro(VolumetricScatteringBlending, double, 0.0, 2.0);
   vtkGetMacro(VolumetricScatteringBlending, double);
@@ -374,9 +373,9 @@ public:
 
   ///@{
   /**
-   * Reach of the rays that dim scattered light on its way to a sample, [0, 1]: 0: none; 1: all of
-   * the volume; between them, in VTK's way, 1 - (1 - reach)^0.33 diagonals of the volume. With
-   * Shadows all light is dimmed by all of the volume. Lights at the eye are not dimmed. Default: 0.
+   * Distance over which the volume dims light before it is scattered, [0, 1]. As in VTK it is
+   * 1 - (1 - reach)^0.33 diagonals of the volume, and unlimited for 1. With Shadows it is unlimited
+   * for all light. Lights at the eye are not dimmed. Default: 0.
    */
   vtkSetClampMacro(GlobalIlluminationReach, double, 0.0, 1.0);
   vtkGetMacro(GlobalIlluminationReach, double);
@@ -384,9 +383,9 @@ public:
 
   ///@{
   /**
-   * Mean cosine of the angle by which matter turns the light that it scatters: -1 back, 0 evenly, 1
-   * straight on; at most 0.99 is drawn. Default: 0, which is that of the volume's property, since
-   * VTK 9.2, or even.
+   * Mean cosine of the angle by which scattering turns light, limited to [-0.99, 0.99]: light goes
+   * straight on near 1, back near -1, and to all sides alike at 0. Default: 0, which takes that of
+   * the volume's property, since VTK 9.2.
    */
   vtkSetClampMacro(ScatteringAnisotropy, double, -1.0, 1.0);
   vtkGetMacro(ScatteringAnisotropy, double);
@@ -402,9 +401,9 @@ public:
    * (Documentation/Mathematics.md). The error tolerance holds for the image with its occlusion,
    * which needs one: without a tolerance, and below 1/128, it takes very long. For composites of
    * one component, lit or not; packets of rays on the processor draw it (see ProcessorMarching),
-   * also with a graphics card. Images of less than a second of allocated time, in which somebody
-   * interacts, leave it out. The light is kept while the volume and its look stay, in up to a byte
-   * for each voxel. Default: 0, no occlusion.
+   * also with a graphics card. Images during interaction (see MinimumImageSampleDistance) leave it
+   * out. The light is kept while the volume and its look stay, in up to a byte for each voxel.
+   * Default: 0, no occlusion.
    */
   vtkSetClampMacro(AmbientOcclusion, double, 0.0, 1.0);
   vtkGetMacro(AmbientOcclusion, double);
@@ -629,10 +628,10 @@ public:
 
   ///@{
   /**
-   * The level of a volume that vtkVolumeFileReader has left in its file. CoarseLevel has the means
-   * of cubes of 4 x 4 x 4 voxels, in memory. AutomaticLevel, the default, is the coarse one while
-   * somebody interacts (AutoAdjustSampleDistances) and the voxels otherwise. Other volumes have
-   * only voxels, whatever this is; so have images with several volumes, a mask or blanked voxels.
+   * Level by which a volume that vtkVolumeFileReader has left in its file is drawn: its voxels, or
+   * the means of cubes of 4 x 4 x 4 voxels, which are in memory. AutomaticLevel takes the means
+   * during interaction (see MinimumImageSampleDistance). Volumes in memory, overlapping ones, and
+   * those with a mask or blanked voxels are always drawn by their voxels. Default: AutomaticLevel.
    */
   enum
   {
@@ -645,19 +644,18 @@ public:
   ///@}
 
   /**
-   * How far a premultiplied colour channel or the opacity of any pixel of the last image can be
-   * from that of the voxels, because the image is of the coarse level, [0, 1]: 0 for an image of
-   * the voxels. It follows from the ranges of bricks, without the voxels, for composites of the
-   * whole volume; it is 1, not known, for other images of the coarse level. Takes about a second.
+   * Largest error of a premultiplied channel of any pixel of the last image, [0, 1], that the
+   * coarse level can have caused; 0 for an image of the voxels. It follows from the ranges of
+   * bricks, in about a second, for composites of the whole volume; for other images of the coarse
+   * level it is 1, not known.
    */
   double GetLevelErrorBound();
 
   ///@{
   /**
-   * Limit of the main memory of the program while it draws a volume from a file that
-   * vtkVolumeFileReader has mapped [bytes]: before more is resident, pages of the file are dropped,
-   * those first that have gone longest without company. Default: 0, the limit of the reader. Other
-   * volumes are in memory as a whole, whatever this is.
+   * Limit of the program's main memory while it draws a volume that vtkVolumeFileReader has left
+   * in its file [bytes]. Beyond it, parts of the file that were not needed for the longest time are
+   * dropped from memory. Default: 0, which leaves the limit as it is, at first that of the reader.
    */
   vtkSetClampMacro(MaximumHostMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumHostMemory, vtkIdType);

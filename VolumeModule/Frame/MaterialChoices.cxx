@@ -123,7 +123,7 @@ bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& setti
   return false;
 }
 
-// Images are drawn in the limit of short steps, in which VTK's blending is this part.
+// VTK's blending depends on its steps. In the limit of short ones it is this part.
 void ChooseScattering(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   constexpr double MostAnisotropy = 0.99; // its phase function still has a density

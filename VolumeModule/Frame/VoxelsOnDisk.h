@@ -30,7 +30,7 @@ VARIMARCHVOLUME_EXPORT ValueCounts CountsOnDisk(vtkDataArray* scalars);
 class VoxelsOnDisk
 {
 public:
-  /// @param mostBytes  bound of the program's memory from now on; 0: that of the reader
+  /// @param mostBytes  bound of the program's memory from now on [bytes]; 0: the bound that it has
   VoxelsOnDisk(const Frame& frame, vtkIdType mostBytes);
 
   /// @throws std::runtime_error if a file has changed since it was opened, so that the image is

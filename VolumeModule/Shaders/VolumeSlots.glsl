@@ -101,9 +101,9 @@ float MeanTransmitted(vec3 originGrid, vec3 towards, float farMm, float coneHeig
 // The part that comes along one direction, by Reach/ShadowRays.glsl.
 float Transmitted(vec3 originGrid, vec3 towards, float farMm);
 
-// --- Scatter: what goes to the eye of the light that reaches a point. Only for Shade/Lights.glsl
-// --- The diffuse and the specular part of a light.
-// @param reflected  what a surface reflects of it
+// --- Scatter: the light that goes from a point to the eye. Only for Shade/Lights.glsl ---
+// The diffuse and the specular part of a light.
+// @param reflected  the parts that a surface reflects of it
 // @param litPart  see LitPart
 // @param reaching  the part of the light that reaches the point
 vec2 SentToEye(vec2 reflected, float litPart, vec3 toLight, vec3 toEye, float reaching);

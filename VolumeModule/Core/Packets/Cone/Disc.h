@@ -14,9 +14,8 @@ namespace
 
 /// The mean of the light over the directions in a cone.
 /// @param height       1 - the cosine of the cone's half angle
-/// @param transmitted  ((unit vectors to the middle of the light) -> those to another place in it)
-/// ->
-///                     the light that arrives from there
+/// @param transmitted  receives a function that turns unit vectors to the middle of the light into
+/// those to another place in it, and returns the light that arrives from there
 template <class Transmitted>
 Lanes MeanOverCone(float height, Transmitted transmitted)
 {
