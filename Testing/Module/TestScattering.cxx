@@ -118,8 +118,10 @@ TEST(Scattering, OfALightAtTheEyeComesBack)
   property->SetDiffuse(1.0);
   scene.mapper->SetVolumetricScatteringBlending(1.0);
   scene.mapper->SetScatteringAnisotropy(-0.05);
+  scene.mapper->ShadowsOn();
   const double back = (1.0 - 0.0025) / std::pow(1.0 + 0.0025 - 0.1, 1.5);
   EXPECT_NEAR(scene.MiddlePixel()[0], SlabRed * back * PartOfSlab(false), HalfByteStep);
+  EXPECT_TRUE(scene.UsesShaderPart("Reach/None.glsl")) << "nothing dims a light at the eye";
 }
 
 TEST(Scattering, TakesNoShaderWhereItIsOff)

@@ -136,10 +136,11 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
     mapper->GetVolumetricScatteringBlending() > 0.0;
   settings.lights = settings.shading && (settings.scattering || !HasHeadLightOnly(renderer));
   const bool dimsScattered = settings.scattering && mapper->GetGlobalIlluminationReach() > 0.0;
-  settings.shadows = settings.lights && settings.blend == Blend::Composite &&
+  const bool dims = settings.lights && settings.blend == Blend::Composite &&
     (mapper->GetShadows() != 0 || dimsScattered);
-  const LightTexels lights = settings.shadows ? LightTexelsOf(renderer) : LightTexels();
-  settings.softLights = RaysToLights(lights) > lights.distantCount + lights.nearCount;
+  const LightTexels dimmed = dims ? LightTexelsOf(renderer) : LightTexels();
+  settings.shadows = dimmed.distantCount + dimmed.nearCount > 0;
+  settings.softLights = RaysToLights(dimmed) > dimmed.distantCount + dimmed.nearCount;
   settings.occlusion = settings.blend == Blend::Composite &&
     settings.components == Components::One && mapper->GetAmbientOcclusion() > 0.0;
   settings.damping = settings.shading && settings.components == Components::One &&
