@@ -12,7 +12,8 @@ using namespace varimarch;
 namespace
 {
 
-constexpr glm::ivec3 SummaryDimensions = glm::ivec3(13, 9, 70);
+constexpr glm::ivec2 SliceDimensions = glm::ivec2(13, 9);
+constexpr int UsualSlices = 70;
 constexpr std::uint64_t EnoughForASlab = 1 << 20;
 
 /// Voxels in memory as if they were read piece by piece.
@@ -23,9 +24,9 @@ public:
   MemorySource(VoxelType type, std::vector<Scalar> voxels)
     : type(type)
     , voxels(std::move(voxels))
-    , levels({ { { SummaryDimensions.x, SummaryDimensions.y, SummaryDimensions.z }, { 8, 8, 8 },
-        { 1.0, 1.0, 1.0 } } })
   {
+    const glm::ivec3 size = this->Grid().Dimensions();
+    this->levels = { { { size.x, size.y, size.z }, { 8, 8, 8 }, { 1.0, 1.0, 1.0 } } };
   }
 
   const std::vector<Level>& Levels() const override { return this->levels; }
@@ -44,7 +45,11 @@ public:
     }
   }
 
-  ScalarGrid<Scalar> Grid() const { return { this->voxels.data(), SummaryDimensions }; }
+  ScalarGrid<Scalar> Grid() const
+  {
+    const int slices = int(this->voxels.size()) / (SliceDimensions.x * SliceDimensions.y);
+    return { this->voxels.data(), { SliceDimensions, slices } };
+  }
 
 private:
   VoxelType type;
@@ -53,12 +58,11 @@ private:
 };
 
 template <class Scalar>
-std::vector<Scalar> Noise(double lower, double upper)
+std::vector<Scalar> Noise(double lower, double upper, int slices = UsualSlices)
 {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> values(lower, upper);
-  std::vector<Scalar> voxels(
-    std::size_t(SummaryDimensions.x * SummaryDimensions.y * SummaryDimensions.z));
+  std::vector<Scalar> voxels(std::size_t(SliceDimensions.x * SliceDimensions.y * slices));
   std::generate(voxels.begin(), voxels.end(), [&] { return Scalar(values(random)); });
   return voxels;
 }
@@ -87,6 +91,23 @@ TEST(VolumeSummary, OfSlabsIsThatOfTheWhole)
   EXPECT_EQ(summary.smallest, *std::min_element(voxels.begin(), voxels.end()));
   EXPECT_EQ(summary.largest, *std::max_element(voxels.begin(), voxels.end()));
   EXPECT_EQ(summary.counts[32768 + 17], std::count(voxels.begin(), voxels.end(), 17));
+}
+
+// A slab has 16 slices: the last one may have no cells, and a volume may be a single slice.
+TEST(VolumeSummary, OfAnyNumberOfSlicesHasAllVoxels)
+{
+  for (const int slices : { 1, 16, 17, 20, 65 })
+  {
+    const std::vector<std::uint8_t> voxels = Noise<std::uint8_t>(0.0, 255.0, slices);
+    const MemorySource<std::uint8_t> source(VoxelType::UInt8, voxels);
+    const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+    ExpectRangesOfTheWhole(summary, source);
+    for (int value = 0; value < 256; ++value)
+    {
+      EXPECT_EQ(summary.counts[std::size_t(value)], std::count(voxels.begin(), voxels.end(), value))
+        << slices << " slices";
+    }
+  }
 }
 
 TEST(VolumeSummary, HasTheMeansOfCubes)

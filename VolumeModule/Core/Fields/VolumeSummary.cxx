@@ -34,7 +34,8 @@ struct Slab
   int ownSlices;  ///< without it
 };
 
-// Reads slabs on all cores. No core takes another slab while one is read, so that memory suffices.
+// Reads slabs on all cores. A core takes no other slab before it is done with one, so that memory
+// suffices.
 template <class Scalar>
 class SlabReader
 {
