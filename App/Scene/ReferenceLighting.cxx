@@ -136,7 +136,7 @@ ReferenceLighting ReferenceLightingOf(
   const bool dimsScattered = scattering.blending > 0.0 && scattering.reach > 0.0;
   ReferenceLighting lighting{ look.shading, look.dampingGradient, {}, hasHeadLightsOnly,
     isComposite && (scene.shadows || dimsScattered), scene.shadows,
-    LightReachMm(scene.shadows ? 1.0 : scattering.reach, geometry),
+    ShadowReachMm(scene.shadows ? 1.0 : scattering.reach, geometry),
     std::min(scattering.blending, 1.0), scattering.anisotropy };
   const glm::dmat3 worldFromView = WorldFromView(camera);
   for (const SceneLight& light : lights.empty() ? std::vector<SceneLight>(1) : lights)

@@ -46,8 +46,8 @@ struct MaterialRequest
   double scatteredPart = 0.0; ///< The part of the light that matter scatters, [0, 1].
   double anisotropy = 0.0;    ///< The mean cosine of the angle by which it turns light.
   bool surfacesInShadow = true;
-  double lightReachMm = 0.0; ///< The distance beyond which matter takes nothing from a light.
-  double occlusion = 0.0;    ///< The strength of ambient occlusion, [0, 1].
+  double shadowReachMm = 0.0; ///< The distance beyond which matter casts no shadow.
+  double occlusion = 0.0;     ///< The strength of ambient occlusion, [0, 1].
   double occlusionReachMm = 0.0;
   SliceSurface slice = {};
   std::array<double, 2> averagedRange = {}; ///< The range of scalars that count in an average.
@@ -58,7 +58,7 @@ struct MaterialRequest
   std::vector<double> Numbers() const
   {
     return { this->labelBlend, this->dampingGradient, this->scatteredPart, this->anisotropy,
-      double(this->surfacesInShadow), this->lightReachMm, this->occlusion, this->occlusionReachMm,
+      double(this->surfacesInShadow), this->shadowReachMm, this->occlusion, this->occlusionReachMm,
       this->averagedRange[0], this->averagedRange[1], this->gapOptical.r, this->gapOptical.g,
       this->gapOptical.b, this->gapOptical.a };
   }

@@ -129,7 +129,7 @@ void ChooseScattering(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   constexpr double MostAnisotropy = 0.99; // its phase function still has a density
   MaterialRequest& material = frame.material;
   material.surfacesInShadow = mapper->GetShadows() != 0;
-  material.lightReachMm = LightReachMm(
+  material.shadowReachMm = ShadowReachMm(
     material.surfacesInShadow ? 1.0 : mapper->GetGlobalIlluminationReach(), frame.geometry);
   if (frame.settings.scattering)
   {

@@ -123,7 +123,7 @@ VolumeGeometry VolumeGeometryOf(const std::vector<UnevenAxis>& axes, vtkVolume* 
   return geometry;
 }
 
-double LightReachMm(double part, const VolumeGeometry& geometry)
+double ShadowReachMm(double part, const VolumeGeometry& geometry)
 {
   constexpr double Exponent = 0.33; // as in VTK
   return part < 1.0 ? geometry.DiagonalMm() * (1.0 - std::pow(1.0 - part, Exponent))

@@ -70,7 +70,7 @@ VARIMARCHVOLUME_EXPORT double OcclusionReachMm(double chosenMm, const VolumeGeom
 
 /// The length of rays to lights through a volume [mm].
 /// @param part  as vtkGPUVolumeRayCastMapper::GlobalIlluminationReach: 0: none; 1: infinite
-VARIMARCHVOLUME_EXPORT double LightReachMm(double part, const VolumeGeometry& geometry);
+VARIMARCHVOLUME_EXPORT double ShadowReachMm(double part, const VolumeGeometry& geometry);
 
 /// The transform from the grid of one volume to that of another.
 glm::dmat4 GridFromGrid(const VolumeGeometry& to, const VolumeGeometry& from);

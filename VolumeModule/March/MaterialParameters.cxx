@@ -102,7 +102,7 @@ void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
     p.anisotropy = float(march.frame.material.anisotropy);
     p.surfacesInShadow = march.frame.material.surfacesInShadow ? 1.0f : 0.0f;
     constexpr double BeyondAll = 3e38;
-    p.lightReachMm = float(std::min(march.frame.material.lightReachMm, BeyondAll));
+    p.shadowReachMm = float(std::min(march.frame.material.shadowReachMm, BeyondAll));
     p.backsLit = march.frame.view.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
     p.worldOfGridOrigin = glm::dvec3(march.frame.geometry.worldFromGrid[3]);
   }

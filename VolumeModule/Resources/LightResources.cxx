@@ -91,7 +91,7 @@ void LightResources::UpdateShadows(
   const double error = march.plan.budget.LightError();
   const double voxelMm = march.frame.geometry.SmallestSpacingMm();
   this->shadows.tolerance = float(error);
-  const bool isWhole = std::isinf(march.frame.material.lightReachMm);
+  const bool isWhole = std::isinf(march.frame.material.shadowReachMm);
   if (!march.settings.shadows || !isWhole || !(error > 0.0) || !IsSmooth(materials, voxelMm))
   {
     return;

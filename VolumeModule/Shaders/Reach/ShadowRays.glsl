@@ -79,7 +79,7 @@ float TransmittedFrom(int light, vec3 originGrid)
   bool isDistant = light < distantCount;
   vec3 toLight = isDistant ? place.xyz : place.xyz - positionWorld;
   float distanceMm = max(length(toLight), 1e-15);
-  float farMm = min(isDistant ? BeyondAll : distanceMm, lightReachMm);
+  float farMm = min(isDistant ? BeyondAll : distanceMm, shadowReachMm);
   return MeanTransmitted(originGrid, toLight / distanceMm, farMm, place.w);
 }
 

@@ -200,7 +200,7 @@ public:
     rays.inverse = SafeInverse(rays.directionGrid);
     rays.region = IntLanes{};
     rays.enter = Lanes{};
-    rays.exit = Min(this->isDistant ? All(Never) : distanceMm, All(p.lightReachMm));
+    rays.exit = Min(this->isDistant ? All(Never) : distanceMm, All(p.shadowReachMm));
     KeepUncut(rays, this->scene);
     return rays;
   }
